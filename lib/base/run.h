@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// run() wraps main(): it alone catches, prints "tool: place: fact" on stderr and gives the exit status:
+// 0 fine, 1 input, 2 system, 3 signal.  A closed stdout (EPIPE) ends quietly with 0; any other write
+// error on stdout (/dev/full) is a system error.
+#pragma once
+#include <functional>
+#include <string>
+
+namespace base {
+
+int run(const char* tool, const std::function<int()>& body);
+
+// Thrown by writers that meet EPIPE on stdout; run() turns it into status 0 without a word.
+struct ClosedPipe {};
+
+// Write all bytes to stdout, or throw ClosedPipe / Error (system).  flush_stdout() likewise.
+void write_stdout(const void* data, size_t bytes);
+void flush_stdout();
+
+// "a b 'c d'": the command line as one header line, quoted for the shell where needed.
+std::string command_line(int argc, char** argv);
+
+}  // namespace base

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// .cal function files: parsed by the host, compiled to flat code for the register VM of kernels/cal_vm.h.
+// One program per primitive: its real arguments (A1..), its transform and everything constant are folded in.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+#include "scene/object.h"
+
+namespace cal {
+
+// Loaded files, parsed once each: name -> definitions.  rayinit.cal's functions are built in, as are skybright.cal,
+// perezlum.cal (written from the formulas); a user's file of the same name on RAYPATH wins.
+class Library {
+public:
+    explicit Library(const scene::ReadOptions& files);
+    ~Library();
+    struct State;
+    State& state() { return *state_; }
+private:
+    std::unique_ptr<State> state_;
+};
+
+// Flat output shared by all programs of a scene (uploaded as they are).
+struct Code {
+    std::vector<uint32_t> words;   // instructions
+    std::vector<float> floats;     // constants, data arrays, pictures
+};
+
+// Compiles `outputs` (expressions such as "skybr" or "red(r,g,b)") in the context of file `cal_file` ("." = global) with
+// real arguments `args` and the object transform `xform` (-> variables seen in object coordinates).
+// Returns the program's entry: index into code.words.  Throws Error at `place`.
+uint32_t compile(Library& library, const std::vector<std::string>& outputs, const std::string& cal_file,
+                 const std::vector<double>& args, const scene::Xform& xform, const std::string& place, Code& code);
+
+}  // namespace cal

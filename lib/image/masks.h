@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Region masks: an OpenEXR file with one half/float channel per named region, coverage 0..1 (vcregion writes, vcmetrics reads).
+#pragma once
+#include <string>
+#include <vector>
+#include "image/picture.h"
+
+namespace image {
+
+struct Mask {
+    std::string name;             // letters, digits, _ and -
+    std::vector<float> coverage;  // width * height, row 0 = top, 0..1
+};
+struct MaskSet {
+    int width = 0, height = 0;
+    std::vector<Mask> masks;      // in file order (kept in the attribute "luxpipe.regions")
+    Header header;
+};
+MaskSet read_masks(const std::string& path);
+void write_masks(const std::string& path, const MaskSet& set);
+
+}  // namespace image

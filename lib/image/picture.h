@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One picture in memory, in standard orientation, with its header kept.
+// Pixels are RGB spectral radiance, W/(sr m2), exposure and colour correction already divided out, row 0 = TOP,
+// 3 floats a pixel.  Luminance in cd/m2 is 179 * (0.265074126 R + 0.670114631 G + 0.064811243 B)
+// (evalglare's own weights differ in the 4th digit; lib/comfort has them).
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+#include "view/view.h"
+
+namespace image {
+
+struct Header {
+    std::vector<std::string> lines;              // history: every line not in the fields below, in order
+    std::optional<view::View> view;              // from VIEW= and program lines (spec formats 1, glare 1.4)
+    double exposure = 1;                         // product of EXPOSURE= lines (already divided out of the pixels)
+    double pixel_aspect = 1;
+    std::optional<uint64_t> seed;                // SEED=
+    std::optional<int64_t> frame;                // FRAME=k: a single frame
+    std::optional<int64_t> frames;               // FRAMES=n: diffuse frames averaged
+    std::vector<std::pair<int64_t, int64_t>> ranges;  // RANGE=a:b, both included; several after a merge
+    bool tabbed_exposure = false;                // a line held EXPOSURE= and a TAB (evalglare refuses such)
+};
+
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<float> rgb;                      // 3 * width * height, row 0 = top
+    Header header;
+    float* at(int x, int y_from_top) { return &rgb[3 * (size_t(y_from_top) * width + x)]; }
+    const float* at(int x, int y_from_top) const { return &rgb[3 * (size_t(y_from_top) * width + x)]; }
+};
+
+enum class Format { rgbe, xyze, flt };
+
+}  // namespace image

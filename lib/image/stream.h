@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading and writing RADIANCE pictures one after another (man/luxpipe-stream.5), on files and pipes.
+#pragma once
+#include <cstdio>
+#include <memory>
+#include <string>
+#include "image/picture.h"
+
+namespace image {
+
+// Pictures from one file or stdin ("-").  RGBE (flat, old and new RLE), XYZE, float; all eight orientations.
+class StreamReader {
+public:
+    explicit StreamReader(const std::string& path);
+    ~StreamReader();
+    // false at a clean end of input; throws Error on anything cut or malformed (place = path, picture number).
+    bool next(Picture& picture);
+    int64_t pictures() const;  // read so far
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+// One picture to an open FILE: header (lines, SOFTWARE=, VIEW=, SEED=, FRAME=/FRAMES=/RANGE=, FORMAT=), size, pixels.
+void write_picture(std::FILE* out, const Picture& picture, Format format);
+// The same to stdout by base::write_stdout, flushed.
+void write_picture_stdout(const Picture& picture, Format format);
+
+// Whole files, chosen by ending (.hdr .pic: RADIANCE; .exr: OpenEXR; .png: write only, for people).
+Picture read_file(const std::string& path);
+void write_file(const std::string& path, const Picture& picture, Format hdr_format = Format::rgbe);  // atomic: temp + rename
+
+}  // namespace image

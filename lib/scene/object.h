@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A RADIANCE scene as the list of primitives it is made of: order kept, transforms applied, commands expanded.
+// Arguments live in pools, so that a million polygons cost little more than their numbers.
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scene {
+
+// Every primitive type of the language; names as in the files (type_name, type_from_name).
+enum class Type : uint8_t {
+    // surfaces
+    source, sphere, bubble, polygon, cone, cup, cylinder, tube, ring, mesh, instance,
+    // materials
+    light, illum, glow, spotlight, mirror, prism1, prism2, mist, plastic, metal, trans, plastic2, metal2, trans2,
+    ashik2, wgmdfunc, dielectric, interface, glass, plasfunc, metfunc, transfunc, plasdata, metdata, transdata,
+    brtdfunc, bsdf, absdf, antimatter,
+    // textures, patterns, mixtures
+    texfunc, texdata, colorfunc, brightfunc, colordata, brightdata, colorpict, colortext, brighttext,
+    spectrum, specfile, specdata, specfunc, specpict, mixfunc, mixdata, mixpict, mixtext,
+    // the other form
+    alias,
+    count
+};
+const char* type_name(Type t);
+bool type_from_name(std::string_view name, Type& t);
+inline bool is_surface(Type t) { return t <= Type::instance; }
+inline bool is_material(Type t) { return t >= Type::light && t <= Type::antimatter; }
+
+template <class T> struct Span {
+    const T* first = nullptr; size_t count = 0;
+    const T* begin() const { return first; }
+    const T* end() const { return first + count; }
+    size_t size() const { return count; }
+    const T& operator[](size_t i) const { return first[i]; }
+};
+
+constexpr int32_t VOID = -1;
+
+struct Object {
+    Type type;
+    int32_t modifier = VOID;     // index of an object in the same list; VOID.  Aliases stay objects: see resolve()
+    uint32_t name = 0;           // into names
+    uint32_t file = 0, line = 0; // into files; line of the primitive's first word
+    uint32_t string_at = 0; uint16_t string_count = 0;
+    uint64_t real_at = 0; uint32_t real_count = 0;
+};
+
+struct Scene {
+    std::vector<Object> objects;
+    std::vector<std::string> names, files, string_pool;
+    std::vector<double> real_pool;
+    Span<std::string> strings(const Object& o) const { return {string_pool.data() + o.string_at, o.string_count}; }
+    Span<double> reals(const Object& o) const { return {real_pool.data() + o.real_at, o.real_count}; }
+    const std::string& name(const Object& o) const { return names[o.name]; }
+    std::string place(const Object& o) const;    // "office.rad:14"
+    // The modifier object meant by a string argument of `user` (the last definition before it); VOID for "void";
+    // throws Error (place of user) if undefined.
+    int32_t lookup_modifier(const std::string& name, int32_t user) const;
+    // Follows aliases: type and arguments come from the result, the modifier chain goes on at `modifier` (spec scene 2).
+    struct Resolved { int32_t object; int32_t modifier; };
+    Resolved resolve(int32_t modifier_index) const;
+};
+
+struct ReadOptions {
+    bool exec = false;           // -exec: "!command" other than the built-in generators may run
+    std::vector<std::string> raypath;  // from RAYPATH (default "." only)
+};
+// Reads scene files in order ("-" = stdin); xform, genbox (and the other generators) run inside, never as programs.
+// .oct and .rtm/.obj are recognised by content/ending.  Throws Error with file:line.
+Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options);
+// A .cal, .dat, .fnt, picture... by RAYPATH rules; throws Error (place = who) if not found.
+std::string find_file(const std::string& name, const ReadOptions& options, const std::string& who);
+
+// 4x3 affine of "-t -rx -ry -rz -s -mx -my -mz -i" words; p' = p M (row vectors), scale = signed scale factor.
+struct Xform {
+    double m[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+    double scale = 1;            // negative = mirrored
+};
+// Parses words[at..] as transform options, returns the number of words used; throws Error(place).
+int parse_xform(const Span<std::string>& words, size_t at, Xform& x, const std::string& place);
+Xform inverse(const Xform& x);
+
+}  // namespace scene

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The progressive loop: frame k of a scene, view and size, on a device (paper Eq. 7 and its section on frame noise).
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+#include "scene/object.h"
+#include "trace/options.h"
+#include "view/view.h"
+
+namespace trace {
+
+// A device name as users write it: "auto", "cpu", "cpu:embree" (Embree's own traversal, the check), "opencl", "opencl:1".
+std::vector<std::string> list_devices();   // one line each, for -devices
+
+class Renderer {
+public:
+    // Flattens the scene and uploads it.  Throws Error (unsupported input with file:line; no such device).
+    Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& options,
+             const std::string& device, const scene::ReadOptions& files);
+    ~Renderer();
+    std::string device_name() const;
+    // Frame k: 3 floats a pixel, row 0 = top, W/(sr m2).  Depends on (seed, k, pixel) alone.
+    void frame(int64_t k, std::vector<float>& rgb);
+    // Frames k .. k+count-1 together where that is faster (GPUs); give() is called in order.
+    void frames(int64_t k, int count, const std::function<bool(int64_t, const std::vector<float>&)>& give);
+    // Mean and standard error of n samples of one ray, all classes (tests compare with rtrace).
+    struct RayValue { double mean[3], error[3]; };
+    RayValue trace_ray(const double origin[3], const double dir[3], int64_t samples);
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace trace

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// RADIANCE views: the six projections, pixel <-> direction, pixel solid angle, VIEW= lines.
+// Image location (X,Y) in [0,1]^2, X right, Y UP; pixel (i,j) has j counted from the BOTTOM row;
+// its centre is ((i+.5)/nx, (j+.5)/ny).  Angles in degrees, lengths in world units.
+// Formulas: RADIANCE's reference (spec: radiance-formats 3; evalglare's solid angle: glare 2.2).
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+#include "base/vec.h"
+
+namespace view {
+using base::Vec3;
+
+struct View {
+    char type = 'v';            // v perspective, l parallel, a angular fisheye, h hemispherical, s planispheric, c cylindrical
+    Vec3 vp{0, 0, 0};
+    Vec3 vd{0, 1, 0};           // not necessarily unit: its length is the focal distance
+    Vec3 vu{0, 0, 1};
+    double vh = 45, vv = 45;
+    double vo = 0, va = 0;      // fore and aft clipping distances, 0 = none
+    double vs = 0, vl = 0;      // shift and lift, fractions of the picture
+};
+bool operator==(const View& a, const View& b);
+
+// If words[at] is a view option (-vt* -vp -vd -vu -vh -vv -vo -va -vs -vl), applies it and returns the number of
+// words used; 0 if it is none.  Throws Error on missing or malformed arguments.  -vf is read_view_file's business.
+int parse_option(View& v, const std::vector<std::string>& words, size_t at);
+// Applies every view option found in a header or view-file line (unknown words are skipped); true if there was one.
+bool parse_line(View& v, const std::string& line);
+// Last view of a view file or picture header; throws Error if there is none.
+View read_view_file(const std::string& path);
+// " -vta -vp 0 0 1.2 ..." as RADIANCE's programs write it after "VIEW=" (leading blank included).
+std::string to_options(const View& v);
+
+// Checks angles, up vector, clipping (throws Error with the offending option as place).
+void validate(const View& v);
+// Fits one side to the view's aspect as rpict does (-pa pixel_aspect; 0 keeps both sides).
+void fit_size(const View& v, double pixel_aspect, int& nx, int& ny);
+
+// A validated view with its basis worked out.
+class Projector {
+public:
+    explicit Projector(const View& v);
+    struct Ray { Vec3 origin, dir; double tmax; };         // dir unit; tmax 0 = unlimited (aft clipping else)
+    std::optional<Ray> ray(double X, double Y) const;      // none outside the image circle
+    std::optional<Vec3> direction(double X, double Y) const;
+    // Where a direction (unit, from the view point at infinity) or a point appears; false if nowhere.
+    bool locate_direction(Vec3 dir, double& X, double& Y) const;
+    bool locate_point(Vec3 point, double& X, double& Y) const;
+    const View& view() const { return view_; }
+    Vec3 forward() const { return d_; }    // unit view direction
+    Vec3 right() const { return h_; }      // unit, d x up
+    Vec3 up() const { return u_; }         // unit, right x d
+private:
+    View view_;
+    Vec3 d_, h_, u_;
+};
+
+// Solid angle (sr) of pixel (i,j), j from the bottom: the spherical quadrilateral of great circles through its four
+// corners; 0 if a corner has no direction (spec glare 2.2).
+double pixel_solid_angle(const Projector& p, int i, int j, int nx, int ny);
+
+}  // namespace view
