@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Layout of the flat scene: what trace/flatten.cpp writes and the kernels read.
+// u = word arena, f = float arena of SceneTables; "at" means an index into one of them.  Positions are relative to the
+// scene's centre (Params.centre gives it back), so that single precision stays fine far from the origin.
+#ifndef LUX_TABLES_H
+#define LUX_TABLES_H
+
+// ---- primitives: PRIM_WORDS words each in SceneTables.prims
+#define PRIM_WORDS 8u
+#define PRIM_KIND 0u      // PRIM_FLAT.. | flags
+#define PRIM_MOD 1u       // modifier index, NONE if void
+#define PRIM_SOURCE 2u    // active source index, NONE
+#define PRIM_NORMAL 3u    // flat: 3 floats, unit; curved: shape index in word 3
+#define PRIM_VERTEX 6u    // smooth triangles: index of the mesh triangle record
+#define PRIM_FLAT 1u
+#define PRIM_SPHERE 2u
+#define PRIM_CONE 3u
+#define PRIM_SMOOTH 4u    // mesh triangle with normals and/or uv
+#define PRIM_KIND_MASK 15u
+#define PRIM_INWARD 16u   // bubble, cup, tube
+#define PRIM_TEXTURE_FLAT 32u  // polygon or ring ("flat flag")
+#define NONE 0xffffffffu
+
+// ---- modifiers: MOD_WORDS words each at u[Params.mods_at]
+#define MOD_WORDS 8u
+#define MOD_TYPE 0u
+#define MOD_NEXT 1u       // next modifier up the chain, NONE
+#define MOD_PROGRAM 2u    // .cal program entry, NONE
+#define MOD_ARGS 3u       // index into f of the real arguments
+#define MOD_BRANCH1 4u    // mixtures: foreground; illum, mirror: alternate
+#define MOD_BRANCH2 5u    // mixtures: background
+#define MOD_FLAGS 6u
+#define MOD_EXTRA 7u      // source relay lists, BSDF tables
+// types
+#define M_PATTERN1 1u     // program gives brightness
+#define M_PATTERN3 2u     // program gives RGB
+#define M_TEXTURE 3u      // program gives a displacement
+#define M_MIXTURE 4u      // program gives the foreground's share
+#define M_SPECTRUM 5u     // constant RGB factor in args
+#define M_FIRST_MATERIAL 16u
+#define M_PLASTIC 16u
+#define M_METAL 17u
+#define M_TRANS 18u
+#define M_GLASS 19u
+#define M_LIGHT 20u
+#define M_GLOW 21u
+#define M_SPOTLIGHT 22u
+#define M_ILLUM 23u
+#define M_MIRROR 24u
+#define M_DIELECTRIC 25u
+#define M_INTERFACE 26u
+#define M_ANISO_PLASTIC 27u
+#define M_ANISO_METAL 28u
+#define M_ANISO_TRANS 29u
+#define M_ASHIK 30u
+#define M_BRDF 31u        // plasfunc metfunc transfunc plasdata metdata transdata
+#define M_BRTD 32u
+#define M_WGMD 33u
+#define M_BSDF 34u
+#define M_MIST 35u
+#define M_ANTIMATTER 36u
+#define M_PRISM 37u
+// flags
+#define MF_ALTERNATE 1u     // MOD_BRANCH1 is an alternate material (NONE = void)
+#define MF_HAS_ALTERNATE 2u
+#define MF_ABSDF 4u
+
+// ---- active sources: SOURCE_FLOATS floats each at f[Params.sources_at] (words by as_uint_)
+#define SOURCE_FLOATS 32u
+#define SRC_KIND 0u       // SK_*
+#define SRC_PRIM 1u       // prim (word); NONE for distant
+#define SRC_MOD 2u        // modifier (word)
+#define SRC_CENTRE 3u     // 3: centre, or unit direction to a distant source
+#define SRC_U 6u          // 3: half vector
+#define SRC_V 9u          // 3: half vector (sphere: U.x = radius)
+#define SRC_NORMAL 12u    // 3
+#define SRC_AREA 15u      // m2, or sr for distant sources
+#define SRC_COS 16u       // distant: cos of the half angle
+#define SRC_POWER 17u     // luminance-like radiance for choosing
+#define SRC_MAXRAD 18u    // glow: > 0 limit; else 0
+#define SRC_SPOT 19u      // 5: aim unit 3, cos of the half cone, focal length; cos = -2 if no spotlight
+#define SRC_RADIUS 24u    // bounding radius around the centre (rings, spheres)
+#define SRC_TRIS 25u      // general polygons: index into f of triangle fan records (word), SRC_NTRIS (word)
+#define SRC_NTRIS 26u
+#define SRC_CLASS 27u     // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
+#define SRC_VIRTUAL 28u   // virtual sources: relay record in f (word), NONE
+#define SRC_DRAWN 29u     // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
+#define SRC_ORDER 30u
+#define SK_DISTANT 0u
+#define SK_PARALLELOGRAM 1u
+#define SK_POLYGON 2u     // triangle fan with areas
+#define SK_RING 3u
+#define SK_SPHERE 4u
+#define SK_CYLINDER 5u
+
+// ---- distant surfaces ("source" primitives), in the order they are tried: DISTANT_WORDS words at u[Params.distant_at]
+#define DISTANT_WORDS 8u
+#define DISTANT_DIR 0u    // 3 floats
+#define DISTANT_COS 3u    // cos of the half angle; < -1.5 = everything
+#define DISTANT_MOD 4u
+#define DISTANT_SOURCE 5u // active source index, NONE
+
+// ---- portals (windows that guide diffuse samples): PORTAL_FLOATS floats at f[Params.portals_at]
+#define PORTAL_FLOATS 16u // 0-2 corner, 3-5 edge u, 6-8 edge v, 9-11 unit normal pointing outdoors, 12 area, 13 triangle flag
+
+// Everything a kernel needs beside the tables; one block, uploaded per pass.
+typedef struct {
+    // view
+    float4 view_org, view_d, view_h, view_u;  // xyz; w of view_d = type letter as float
+    float4 view_size;                         // horizontal and vertical scale by type, shift, lift
+    float4 view_clip;                         // fore, aft, pj, pd (aperture)
+    float4 centre;                            // world position of the tables' origin
+    float4 av;
+    float4 ray_org, ray_dir;                  // MODE_RAY
+    float4 medium;                            // global extinction rgb, w = 1 if any
+    // sizes and modes
+    uint nx, ny, mode, frame;                 // frame = sample index of slot 0
+    uint seed_lo, seed_hi, slots, first;      // first = global index of slot 0
+    uint mods_at, sources_at, source_count, distant_at;
+    uint distant_count, portals_at, portal_count, has_transparent;
+    int ab, lr; uint bv, flags;
+    float st, ss, dj, lw;
+    uint skip_direct_below, cdf_at, draw_at, draw_count;
+} Params;
+
+// modes: what a pass computes
+#define MODE_DIRECT 0u   // frame 0: paths without a diffuse bounce
+#define MODE_FRAMES 1u   // frames k >= 1: diffuse class; both classes where frame > skip_direct_below
+#define MODE_RAY 2u      // all classes along one given ray (tests, -I)
+#define MODE_DRAW 3u     // straight rays to drawn sources
+// flags
+#define PF_IRRADIANCE 1u
+#define PF_DV 2u         // light sources visible
+#define PF_WEIGHTED 4u   // -ss > 1.5
+#endif
