@@ -16,6 +16,7 @@ struct ClosedPipe {};
 // Write all bytes to stdout, or throw ClosedPipe / Error (system).  flush_stdout() likewise.
 void write_stdout(const void* data, size_t bytes);
 void flush_stdout();
+bool stdout_is_terminal();  // no binary to a terminal
 
 // "a b 'c d'": the command line as one header line, quoted for the shell where needed.
 std::string command_line(int argc, char** argv);

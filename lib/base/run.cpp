@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every main() shares: one place that catches, the exit status, signals, stdout that may close.
+// A signal must not leave half-written files behind: writers register their temporary names here and
+// the handler (async-signal-safe calls only) removes them before it leaves with status 3.
+#include "base/run.h"
+
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+#include "base/error.h"
+#include "base/tempfile.h"
+#include "base/warnings.h"
+
+namespace base {
+namespace {
+
+constexpr int slots = 16, longest = 4096;
+char temp_names[slots][longest];
+std::atomic<int> temp_state[slots];  // 0 free, 1 being written, 2 in use
+
+void remove_temp_files() {
+    for (int i = 0; i < slots; ++i)
+        if (temp_state[i] == 2) unlink(temp_names[i]);
+}
+
+void on_signal(int) {
+    remove_temp_files();
+    _exit(3);
+}
+
+void say(const char* tool, const std::string& text) { std::fprintf(stderr, "%s: %s\n", tool, text.c_str()); }
+
+void say_counted_warnings(const char* tool, bool loud) {
+    for (const auto& [fact, count] : take_warnings())
+        if (loud && count > 1) say(tool, "warning: " + fact + " (" + std::to_string(count) + " times)");
+}
+
+int run_caught(const char* tool, const std::function<int()>& body) {
+    try {
+        const int status = body();
+        flush_stdout();
+        return status;
+    } catch (const ClosedPipe&) {
+        return 0;
+    } catch (const Error& e) {
+        say(tool, e.text);
+        return int(e.kind);
+    } catch (const std::bad_alloc&) {
+        say(tool, "memory: not enough");
+        return 2;
+    } catch (const std::exception& e) {
+        say(tool, std::string("internal: ") + e.what());
+        return 2;
+    }
+}
+
+}  // namespace
+
+int run(const char* tool, const std::function<int()>& body) {
+    struct sigaction act = {};
+    act.sa_handler = on_signal;
+    for (int s : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction old = {};
+        sigaction(s, nullptr, &old);
+        if (old.sa_handler != SIG_IGN) sigaction(s, &act, nullptr);  // nohup stays nohup
+    }
+    signal(SIGPIPE, SIG_IGN);  // a closed reader is an EPIPE, handled where it happens
+    set_warning_sink([tool](const std::string& text) { say(tool, "warning: " + text); });
+    const int status = run_caught(tool, body);
+    say_counted_warnings(tool, warnings_are_shown());
+    return status;
+}
+
+TempFile::TempFile(const std::string& target) : target_(target) {
+    struct stat info = {};
+    if (stat(target.c_str(), &info) == 0) {
+        if (!S_ISREG(info.st_mode)) {  // /dev/null, a FIFO: nothing to rename over
+            path_ = target;
+            direct_ = true;
+            return;
+        }
+        if (char* real = realpath(target.c_str(), nullptr)) {  // keep a symbolic link, replace what it names
+            target_ = real;
+            free(real);
+        }
+    }
+    name_temp(target_);
+}
+
+void TempFile::name_temp(const std::string& target) {
+    const size_t slash = target.rfind('/');
+    const std::string folder = slash == std::string::npos ? "" : target.substr(0, slash + 1);
+    const std::string name = slash == std::string::npos ? target : target.substr(slash + 1);
+    static std::atomic<int> serial{0};
+    path_ = folder + "." + name + "." + std::to_string(getpid()) + "." + std::to_string(serial++) + ".tmp";
+    for (int i = 0; i < slots && slot_ < 0 && path_.size() < longest; ++i) {
+        int free = 0;
+        if (!temp_state[i].compare_exchange_strong(free, 1)) continue;
+        std::strcpy(temp_names[i], path_.c_str());
+        temp_state[i] = 2;
+        slot_ = i;
+    }
+}
+
+TempFile::~TempFile() {
+    if (!kept_ && !direct_) unlink(path_.c_str());
+    if (slot_ >= 0) temp_state[slot_] = 0;
+}
+
+void TempFile::keep() {
+    errno = 0;
+    if (!direct_ && std::rename(path_.c_str(), target_.c_str()) != 0) fail_system(target_, "cannot be written");
+    kept_ = true;
+}
+
+void write_stdout(const void* data, size_t bytes) {
+    errno = 0;
+    if (bytes && std::fwrite(data, 1, bytes, stdout) != bytes) {
+        if (errno == EPIPE) throw ClosedPipe{};
+        fail_system("stdout", "cannot be written");
+    }
+}
+
+bool stdout_is_terminal() { return isatty(1); }
+
+void flush_stdout() {
+    errno = 0;
+    if (std::fflush(stdout) != 0) {
+        if (errno == EPIPE) throw ClosedPipe{};
+        fail_system("stdout", "cannot be written");
+    }
+}
+
+std::string command_line(int argc, char** argv) {
+    std::string line;
+    for (int i = 0; i < argc; ++i) {
+        const std::string word = argv[i];
+        const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                                   "0123456789-_+=.,:/@%^") == std::string::npos;
+        if (i) line += ' ';
+        if (plain) {
+            line += word;
+            continue;
+        }
+        line += '\'';
+        for (char c : word) {
+            if (c == '\'') line += "'\\''";
+            else line += c == '\n' || c == '\r' || c == '\t' ? ' ' : c;  // a header line is one line
+        }
+        line += '\'';
+    }
+    return line;
+}
+
+}  // namespace base
