@@ -31,7 +31,7 @@ endfunction()
 
 # lux_script_test(name script): a shell test; PATH starts with the built tools.
 function(lux_script_test name script)
-  add_test(NAME ${name} COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/${script})
+  add_test(NAME ${name} COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/${script})
   set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT
     "PATH=${CMAKE_BINARY_DIR}/bin:$ENV{PATH};TOP=${PROJECT_SOURCE_DIR};BIN=${CMAKE_BINARY_DIR}/bin")
 endfunction()

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The front door.  `make help` lists what there is; CMake does the work, in $(BUILD).
+BUILD  ?= build
+JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
+PREFIX ?= /usr/local
+# More for cmake, such as FLAGS=-DLUXPIPE_PTRACE=OFF (the three tools that need neither Embree nor OpenCL).
+FLAGS  ?=
+CXX_FILES = $(shell git ls-files '*.cpp' '*.h')
+
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' Makefile
+
+all: setup ## a release build of the four tools in build/bin
+	cmake -S . -B $(BUILD) -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX=$(PREFIX) $(FLAGS)
+	cmake --build $(BUILD) -j $(JOBS)
+
+demo: all ## the office: pictures, metrics and a plot in out/
+	@bash scripts/demo.sh $(BUILD)/bin out
+
+test: all ## every test that needs no GPU
+	@cd $(BUILD) && ctest --output-on-failure -j $(JOBS) -LE 'gpu|slow'
+
+test-gpu: all ## the tests for a machine with a GPU
+	@cd $(BUILD) && ctest --output-on-failure -L gpu
+
+bench: all ## the speed claims, measured again
+	@bash bench/run.sh $(BUILD)/bin
+
+man: ## the manual pages as HTML in out/man
+	@mkdir -p out/man && for p in man/*.[157]; do mandoc -T html -O man=%N.%S.html $$p > out/man/$$(basename $$p).html; done
+	@echo out/man/luxpipe.7.html
+
+format: ## lay out the C++ files with clang-format
+	@clang-format -i $(CXX_FILES)
+
+lint: ## checks that need no build: layers, manual pages, stray paths
+	@for t in layering pages paths; do TOP=. bash tests/docs/$$t.sh || exit 1; done
+
+install: all ## tools and manual pages to PREFIX (/usr/local)
+	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+clean: ## remove build/ and out/
+	@rm -rf $(BUILD) out
+
+setup:
+	@sh scripts/setup.sh
+
+.PHONY: help all demo test test-gpu bench man format lint install clean setup
