@@ -7,7 +7,8 @@
 #include <memory>
 #include <string>
 #include <vector>
-#include "scene/object.h"
+#include "base/find_file.h"
+#include "base/xform.h"
 
 namespace cal {
 
@@ -15,7 +16,7 @@ namespace cal {
 // perezlum.cal (written from the formulas); a user's file of the same name on RAYPATH wins.
 class Library {
 public:
-    explicit Library(const scene::ReadOptions& files);
+    explicit Library(const base::ReadOptions& files);
     ~Library();
     struct State;
     State& state() { return *state_; }
@@ -33,6 +34,6 @@ struct Code {
 // real arguments `args` and the object transform `xform` (-> variables seen in object coordinates).
 // Returns the program's entry: index into code.words.  Throws Error at `place`.
 uint32_t compile(Library& library, const std::vector<std::string>& outputs, const std::string& cal_file,
-                 const std::vector<double>& args, const scene::Xform& xform, const std::string& place, Code& code);
+                 const std::vector<double>& args, const base::Xform& xform, const std::string& place, Code& code);
 
 }  // namespace cal

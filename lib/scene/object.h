@@ -7,8 +7,15 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include "base/find_file.h"
+#include "base/span.h"
+#include "base/xform.h"
 
 namespace scene {
+
+// What scenes share with function files lives in base (cal must not know scenes).
+using base::ReadOptions; using base::find_file;
+using base::Xform; using base::parse_xform; using base::inverse;
 
 // Every primitive type of the language; names as in the files (type_name, type_from_name).
 enum class Type : uint8_t {
@@ -30,13 +37,7 @@ bool type_from_name(std::string_view name, Type& t);
 inline bool is_surface(Type t) { return t <= Type::instance; }
 inline bool is_material(Type t) { return t >= Type::light && t <= Type::antimatter; }
 
-template <class T> struct Span {
-    const T* first = nullptr; size_t count = 0;
-    const T* begin() const { return first; }
-    const T* end() const { return first + count; }
-    size_t size() const { return count; }
-    const T& operator[](size_t i) const { return first[i]; }
-};
+template <class T> using Span = base::Span<T>;
 
 constexpr int32_t VOID = -1;
 
@@ -65,23 +66,8 @@ struct Scene {
     Resolved resolve(int32_t modifier_index) const;
 };
 
-struct ReadOptions {
-    bool exec = false;           // -exec: "!command" other than the built-in generators may run
-    std::vector<std::string> raypath;  // from RAYPATH (default "." only)
-};
 // Reads scene files in order ("-" = stdin); xform, genbox (and the other generators) run inside, never as programs.
 // .oct and .rtm/.obj are recognised by content/ending.  Throws Error with file:line.
 Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options);
-// A .cal, .dat, .fnt, picture... by RAYPATH rules; throws Error (place = who) if not found.
-std::string find_file(const std::string& name, const ReadOptions& options, const std::string& who);
-
-// 4x3 affine of "-t -rx -ry -rz -s -mx -my -mz -i" words; p' = p M (row vectors), scale = signed scale factor.
-struct Xform {
-    double m[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
-    double scale = 1;            // negative = mirrored
-};
-// Parses words[at..] as transform options, returns the number of words used; throws Error(place).
-int parse_xform(const Span<std::string>& words, size_t at, Xform& x, const std::string& place);
-Xform inverse(const Xform& x);
 
 }  // namespace scene

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Search along RAYPATH.
+#include "base/find_file.h"
+#include <sys/stat.h>
+#include <unistd.h>
+#include <cstdlib>
+#include "base/error.h"
+
+namespace base {
+
+std::vector<std::string> raypath_from_environment() {
+    const char* value = std::getenv("RAYPATH");
+    if (!value) return {"."};
+    std::vector<std::string> directories(1);
+    for (const char* c = value; *c; c++)
+        if (*c == ':') directories.emplace_back();
+        else directories.back() += *c;
+    return directories;
+}
+
+static bool readable(const std::string& path) {
+    struct stat s;
+    return stat(path.c_str(), &s) == 0 && !S_ISDIR(s.st_mode) && access(path.c_str(), R_OK) == 0;
+}
+
+std::string look_for_file(const std::string& name, const ReadOptions& options) {
+    if (name.empty()) return "";
+    if (name[0] == '~') {
+        const size_t slash = name.find('/');
+        const char* home = std::getenv("HOME");
+        if (slash != 1 || !home) return "";
+        const std::string path = home + name.substr(slash);
+        return readable(path) ? path : "";
+    }
+    if (name[0] == '/' || name[0] == '.') return readable(name) ? name : "";
+    if (options.raypath.empty()) return readable(name) ? name : "";
+    for (const std::string& directory : options.raypath) {
+        const bool here = directory.empty() || directory == ".";
+        const std::string path = here ? name : directory + "/" + name;
+        if (readable(path)) return path;
+    }
+    return "";
+}
+
+std::string find_file(const std::string& name, const ReadOptions& options, const std::string& who) {
+    std::string path = look_for_file(name, options);
+    if (path.empty()) fail(who, "cannot find file \"" + name + "\"");
+    return path;
+}
+
+}  // namespace base

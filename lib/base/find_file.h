@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where RADIANCE looks for auxiliary files (.cal .dat .fnt .oct .rtm .xml, pictures): along RAYPATH, unless the name
+// starts with "/", "." or "~" (~/ is $HOME).  Scene files are not searched.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace base {
+
+struct ReadOptions {
+    bool exec = false;                 // -exec: "!command" other than the built-in generators may run
+    std::vector<std::string> raypath;  // directories in order; empty = "." only
+};
+
+// The colon-separated directories of $RAYPATH; {"."} when it is not set.
+std::vector<std::string> raypath_from_environment();
+
+// Path of a file by these rules; throws Error (place = who) if there is none that can be read.
+std::string find_file(const std::string& name, const ReadOptions& options, const std::string& who);
+// As find_file, but "" if there is none.
+std::string look_for_file(const std::string& name, const ReadOptions& options);
+
+}  // namespace base
