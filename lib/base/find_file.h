@@ -10,6 +10,7 @@ namespace base {
 struct ReadOptions {
     bool exec = false;                 // -exec: "!command" other than the built-in generators may run
     std::vector<std::string> raypath;  // directories in order; empty = "." only
+    std::vector<std::string> cal_files;  // -f: function files whose definitions every primitive sees
 };
 
 // The colon-separated directories of $RAYPATH; {"."} when it is not set.

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// ptrace - renders a RADIANCE scene by path tracing, frame after frame, each an ordinary picture on stdout.
+// Frame 0 holds the direct and specular paths, frames 1, 2, ... one diffuse path sample a pixel each (paper Eq. 7).
+// The rendering lives in lib/trace; this file only connects.  See man/ptrace.1.
+#include <fmt/core.h>
+
+#include <chrono>
+
+#include "base/error.h"
+#include "base/progress.h"
+#include "base/run.h"
+#include "image/stream.h"
+#include "options.h"
+#include "scene/object.h"
+#include "trace/progressive.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Says how far we are: in place on a terminal, or (-t) a line every so many seconds.
+class Report {
+public:
+    Report(int every_s, std::string device) : every_s_(every_s), device_(std::move(device)) {}
+    void frame(int64_t k, int64_t done) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+        const bool line_due = every_s_ > 0 && seconds >= next_s_;
+        if (!line_due && !progress_.due()) return;
+        const std::string text = fmt::format("frame {}, {:.1f} s, {:.3g} s a frame, {}", k, seconds,
+                                             seconds / double(done), device_);
+        if (line_due) fmt::print(stderr, "ptrace: {}\n", text);
+        else progress_.show(text);
+        while (line_due && next_s_ <= seconds) next_s_ += every_s_;
+    }
+
+private:
+    int every_s_;
+    std::string device_;
+    Clock::time_point start_ = Clock::now();
+    double next_s_ = every_s_;
+    base::Progress progress_{"ptrace"};
+};
+
+int render(int argc, char** argv) {
+    Options opt;
+    if (auto status = parse_options(argc, argv, opt)) return *status;
+    const scene::Scene scene = scene::read_scene(opt.scene_files, opt.files);
+    trace::Renderer renderer(scene, opt.view, opt.nx, opt.ny, opt.render, opt.device, opt.files);
+
+    image::Picture picture;
+    picture.width = opt.nx;
+    picture.height = opt.ny;
+    picture.header.lines = {base::command_line(argc, argv)};
+    picture.header.view = opt.view;
+    picture.header.seed = opt.render.seed;
+    Report report(opt.report_s, renderer.device_name());
+    const auto give = [&](int64_t k, const std::vector<float>& rgb) {
+        picture.rgb = rgb;
+        picture.header.frame = k;
+        if (opt.output.empty()) image::write_picture_stdout(picture, image::Format::flt);
+        else image::write_file(output_name(opt.output, k), picture, image::Format::flt);
+        report.frame(k, k - opt.first + 1);
+        return k < opt.last;
+    };
+    constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
+    for (int64_t k = opt.first; k <= opt.last; k += block)
+        renderer.frames(k, int(std::min(block, opt.last - k + 1)), give);
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return base::run("ptrace", [&] { return render(argc, argv); });
+}
