@@ -2,7 +2,7 @@
 // RADIANCE views: the six projections, pixel <-> direction, pixel solid angle, VIEW= lines.
 // Image location (X,Y) in [0,1]^2, X right, Y UP; pixel (i,j) has j counted from the BOTTOM row;
 // its centre is ((i+.5)/nx, (j+.5)/ny).  Angles in degrees, lengths in world units.
-// Formulas: RADIANCE's reference (spec: radiance-formats 3; evalglare's solid angle: glare 2.2).
+// Formulas: the view section of RADIANCE's reference manual; measured against vwrays (tests/golden/vwrays.tsv).
 #pragma once
 #include <optional>
 #include <string>
@@ -28,13 +28,20 @@ bool operator==(const View& a, const View& b);
 int parse_option(View& v, const std::vector<std::string>& words, size_t at);
 // Applies every view option found in a header or view-file line (unknown words are skipped); true if there was one.
 bool parse_line(View& v, const std::string& line);
+// Lines that hold a view in headers and view files: VIEW= and the command lines of rpict, rvu and their kin.
+bool is_view_line(const std::string& line);
 // Last view of a view file or picture header; throws Error if there is none.
 View read_view_file(const std::string& path);
-// " -vta -vp 0 0 1.2 ..." as RADIANCE's programs write it after "VIEW=" (leading blank included).
+// The same as rpict's -vf: options in the file override v, others stay.
+void apply_view_file(View& v, const std::string& path);
+// " -vta -vp 0 0 1.2 ..." as RADIANCE's programs write it after "VIEW=" (leading blank included), with as many
+// digits as it takes to read the same view back.
 std::string to_options(const View& v);
 
 // Checks angles, up vector, clipping (throws Error with the offending option as place).
 void validate(const View& v);
+// Height over width of the picture plane.
+double aspect(const View& v);
 // Fits one side to the view's aspect as rpict does (-pa pixel_aspect; 0 keeps both sides).
 void fit_size(const View& v, double pixel_aspect, int& nx, int& ny);
 
@@ -45,7 +52,8 @@ public:
     struct Ray { Vec3 origin, dir; double tmax; };         // dir unit; tmax 0 = unlimited (aft clipping else)
     std::optional<Ray> ray(double X, double Y) const;      // none outside the image circle
     std::optional<Vec3> direction(double X, double Y) const;
-    // Where a direction (unit, from the view point at infinity) or a point appears; false if nowhere.
+    // Where a direction (unit, from the view point at infinity) or a point appears; false if the projection has no
+    // place for it.  The place may lie outside the picture, [0,1]^2.
     bool locate_direction(Vec3 dir, double& X, double& Y) const;
     bool locate_point(Vec3 point, double& X, double& Y) const;
     const View& view() const { return view_; }
@@ -55,10 +63,13 @@ public:
 private:
     View view_;
     Vec3 d_, h_, u_;
+    double sx_, sy_;                       // scale of the picture plane: h and u coordinate per unit of x and y
+    bool unnormalised(double X, double Y, Vec3& D) const;
+    bool plane_of(double a, double b, double& X, double& Y) const;
 };
 
 // Solid angle (sr) of pixel (i,j), j from the bottom: the spherical quadrilateral of great circles through its four
-// corners; 0 if a corner has no direction (spec glare 2.2).
+// corners; 0 if a corner has no direction.
 double pixel_solid_angle(const Projector& p, int i, int j, int nx, int ny);
 
 }  // namespace view

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Views as words: options, VIEW= lines, view files, checks, size to aspect.
+// Spelling, defaults and limits are RADIANCE's.
+#include "view/view.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/radopts.h"
+
+namespace view {
+namespace {
+
+constexpr double tiny = 1e-6;
+constexpr double rad = M_PI / 180;
+
+// words[at] is the option; its arguments follow.
+double argument(const std::vector<std::string>& words, size_t at, size_t i) {
+    if (at + i >= words.size()) base::fail(words[at], "an argument is missing");
+    return base::to_real(words[at + i], words[at]);
+}
+
+}  // namespace
+
+bool operator==(const View& a, const View& b) {
+    return a.type == b.type && a.vp == b.vp && a.vd == b.vd && a.vu == b.vu && a.vh == b.vh && a.vv == b.vv &&
+           a.vo == b.vo && a.va == b.va && a.vs == b.vs && a.vl == b.vl;
+}
+
+int parse_option(View& v, const std::vector<std::string>& words, size_t at) {
+    if (at >= words.size()) return 0;
+    const std::string& word = words[at];
+    if (word.compare(0, 3, "-vt") == 0) {
+        if (word.size() != 4 || std::string("vlahsc").find(word[3]) == std::string::npos)
+            base::fail(word, "the view type is one of v l a h s c, as in -vta");
+        v.type = word[3];
+        return 1;
+    }
+    if (word.size() != 3 || word[0] != '-' || word[1] != 'v') return 0;
+    Vec3* vec = nullptr;
+    double* real = nullptr;
+    switch (word[2]) {
+        case 'p': vec = &v.vp; break;
+        case 'd': vec = &v.vd; break;
+        case 'u': vec = &v.vu; break;
+        case 'h': real = &v.vh; break;
+        case 'v': real = &v.vv; break;
+        case 'o': real = &v.vo; break;
+        case 'a': real = &v.va; break;
+        case 's': real = &v.vs; break;
+        case 'l': real = &v.vl; break;
+        default: return 0;
+    }
+    if (real) {
+        *real = argument(words, at, 1);
+        return 2;
+    }
+    const Vec3 value{argument(words, at, 1), argument(words, at, 2), argument(words, at, 3)};
+    *vec = value;
+    return 4;
+}
+
+bool parse_line(View& v, const std::string& line) {
+    std::istringstream in(line.compare(0, 5, "VIEW=") == 0 ? line.substr(5) : line);
+    std::vector<std::string> words;
+    for (std::string word; in >> word;) words.push_back(word);
+    bool any = false;
+    for (size_t at = 0; at < words.size();) {
+        int used = 0;
+        try {
+            used = parse_option(v, words, at);
+        } catch (const base::Error&) {
+            // A word that only looks like a view option: skipped, as RADIANCE's readers do.
+        }
+        any = any || used > 0;
+        at += used > 0 ? size_t(used) : 1;
+    }
+    return any;
+}
+
+bool is_view_line(const std::string& line) {
+    if (line.compare(0, 5, "VIEW=") == 0) return true;
+    std::string word = line.substr(0, line.find_first_of(" \t"));
+    word = word.substr(word.rfind('/') == std::string::npos ? 0 : word.rfind('/') + 1);
+    for (const char* program : {"rpict", "rvu", "rpiece", "rxpiece", "pinterp", "rview", "evalglare"})
+        if (word.compare(0, std::string(program).size(), program) == 0) return true;
+    return false;
+}
+
+void apply_view_file(View& v, const std::string& path) {
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if (!in) base::fail_system(path, "cannot be read");
+    bool any = false;
+    std::string line;
+    line.reserve(256);
+    for (char c; in.get(c);) {
+        if (c != '\n') {
+            if (line.size() >= 1 << 16) base::fail(path, "is no view file: a line is longer than 65536 characters");
+            line += c;
+            continue;
+        }
+        if (!line.empty() && line.back() == '\r') line.pop_back();
+        if (line.empty() && any) break;  // end of a picture's header
+        if (is_view_line(line)) any = parse_line(v, line) || any;
+        line.clear();
+    }
+    if (is_view_line(line)) any = parse_line(v, line) || any;
+    if (in.bad()) base::fail_system(path, "cannot be read");
+    if (!any) base::fail(path, "holds no view (no VIEW= line with a view option)");
+}
+
+View read_view_file(const std::string& path) {
+    View v;
+    apply_view_file(v, path);
+    return v;
+}
+
+std::string to_options(const View& v) {
+    // + 0.0 turns -0 into 0
+    const auto vec = [](Vec3 a) { return fmt::format("{} {} {}", a.x + 0.0, a.y + 0.0, a.z + 0.0); };
+    return fmt::format(" -vt{} -vp {} -vd {} -vu {} -vh {} -vv {} -vo {} -va {} -vs {} -vl {}", v.type, vec(v.vp),
+                       vec(v.vd), vec(v.vu), v.vh, v.vv, v.vo, v.va, v.vs + 0.0, v.vl + 0.0);
+}
+
+void validate(const View& v) {
+    if (base::length(v.vd) == 0) base::fail("-vd", "the view direction has no length");
+    if (base::length(v.vu) == 0) base::fail("-vu", "the up vector has no length");
+    if (base::length(base::cross(base::unit(v.vd), base::unit(v.vu))) <= tiny)
+        base::fail("-vu", "the up vector is parallel to the view direction");
+    const auto angle = [](const char* option, double value, double most, bool most_allowed) {
+        if (!(value > tiny)) base::fail(option, fmt::format("{} is not above 0", value));
+        if (most_allowed ? value > most + tiny : value >= most)
+            base::fail(option, fmt::format("{} is too wide for this view type ({} {} degrees)", value,
+                                           most_allowed ? "at most" : "less than", most));
+    };
+    switch (v.type) {
+        case 'v': angle("-vh", v.vh, 180, false), angle("-vv", v.vv, 180, false); break;
+        case 'l': angle("-vh", v.vh, HUGE_VAL, true), angle("-vv", v.vv, HUGE_VAL, true); break;
+        case 'a': angle("-vh", v.vh, 360, true), angle("-vv", v.vv, 360, true); break;
+        case 'h': angle("-vh", v.vh, 180, true), angle("-vv", v.vv, 180, true); break;
+        case 's': angle("-vh", v.vh, 360, false), angle("-vv", v.vv, 360, false); break;
+        case 'c': angle("-vh", v.vh, 360, true), angle("-vv", v.vv, 180, false); break;
+        default: base::fail("-vt", "the view type is one of v l a h s c");
+    }
+    if (v.vo < 0) base::fail("-vo", "the fore clipping distance is negative");
+    if (v.va < 0) base::fail("-va", "the aft clipping distance is negative");
+    if (v.va > 0 && v.va <= v.vo) base::fail("-va", "the aft clipping plane is not behind the fore clipping plane");
+}
+
+double aspect(const View& v) {
+    switch (v.type) {
+        case 'v': return std::tan(v.vv / 2 * rad) / std::tan(v.vh / 2 * rad);
+        case 'h': return std::sin(v.vv / 2 * rad) / std::sin(v.vh / 2 * rad);
+        case 's': return std::tan(v.vv / 4 * rad) / std::tan(v.vh / 4 * rad);
+        case 'c': return 2 * std::tan(v.vv / 2 * rad) / (v.vh * rad);
+        default: return v.vv / v.vh;  // l, a
+    }
+}
+
+void fit_size(const View& v, double pixel_aspect, int& nx, int& ny) {
+    if (pixel_aspect <= 0) return;
+    const double a = aspect(v);
+    if (a * nx > pixel_aspect * ny) nx = int(ny / a * pixel_aspect + .5);
+    else ny = int(nx * a / pixel_aspect + .5);
+    nx = nx < 1 ? 1 : nx;
+    ny = ny < 1 ? 1 : ny;
+}
+
+}  // namespace view
