@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Arrows go one way: an #include of "library/..." is allowed only downwards.  The table is docs/architecture.md's.
+. "$TOP/tests/lib.sh"
+
+# who: whom it may include (besides itself)
+cat > layers <<'END'
+lib/base:
+lib/kernels:
+lib/view: base
+lib/image: base view
+lib/cal: base
+lib/scene: base cal kernels
+lib/comfort: base view image
+lib/trace: base view image cal scene kernels
+tools/ptaccum: base view image
+tools/vcmetrics: base view image comfort
+tools/vcregion: base view image comfort
+tools/ptrace: base view image scene trace
+END
+
+# "file:line: lib/x includes y" for every include that points upwards in the tree at $1.
+upward() {
+    grep -rnE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"[a-z_]+/' "$1/lib" "$1/tools" | sed "s|^$1/||" |
+    sed -nE 's#^((lib|tools)/[a-z_]+)(/[^:]*:[0-9]+):.*"([a-z_]+)/.*#\1 \3 \4#p' |
+    while read -r who place library; do
+        case "$(grep "^$who:" layers) lib/${who#*/} " in
+            *" $library "* | *" lib/$library "*) ;;
+            *) echo "$who$place: includes $library" ;;
+        esac
+    done
+}
+
+check 'no library includes one above it' 'upward "$TOP" > hits; cat hits >&2; test ! -s hits'
+
+for folder in "$TOP"/lib/*/ "$TOP"/tools/*/; do
+    who=${folder#"$TOP/"}; who=${who%/}
+    check "$who has its row in the table" "grep -q '^$who:' layers"
+done
+check 'docs/architecture.md shows the same table' '
+    sed -nE "s/^\| \`([a-z/]+)\` \| *([a-z ]*[a-z])? *\|.*/\1: \2/p" "$TOP/docs/architecture.md" | sed "s/ *$//" | sort > page
+    sort layers | diff page -'
+
+mkdir -p lib/base tools && echo '#include "trace/options.h"' > lib/base/x.h
+check 'an upward include is seen' 'upward . | grep -qx "lib/base/x.h:1: includes trace"'
