@@ -8,6 +8,7 @@
 #include <math.h>
 
 #define LUX_HOST 1
+#define LUX_DOUBLE 1
 #define FN static inline
 #define GLOBAL
 #define PRIVATE
