@@ -3,9 +3,9 @@
 // Arguments live in pools, so that a million polygons cost little more than their numbers.
 #pragma once
 #include <cstdint>
-#include <deque>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 #include "base/find_file.h"
 #include "base/span.h"
@@ -35,6 +35,7 @@ enum class Type : uint8_t {
 const char* type_name(Type t);
 bool type_from_name(std::string_view name, Type& t);
 inline bool is_surface(Type t) { return t <= Type::instance; }
+inline bool is_mixture(Type t) { return t >= Type::mixfunc && t <= Type::mixtext; }
 inline bool is_material(Type t) { return t >= Type::light && t <= Type::antimatter; }
 
 template <class T> using Span = base::Span<T>;
@@ -43,17 +44,22 @@ constexpr int32_t VOID = -1;
 
 struct Object {
     Type type;
+    uint16_t string_count = 0;
     int32_t modifier = VOID;     // index of an object in the same list; VOID.  Aliases stay objects: see resolve()
     uint32_t name = 0;           // into names
     uint32_t file = 0, line = 0; // into files; line of the primitive's first word
-    uint32_t string_at = 0; uint16_t string_count = 0;
-    uint64_t real_at = 0; uint32_t real_count = 0;
+    uint32_t string_at = 0;
+    uint32_t real_count = 0;
+    int32_t alias_of = VOID;     // aliases only: the object their reference meant when they were read
+    uint64_t real_at = 0;
 };
+static_assert(sizeof(Object) == 40, "a million polygons should stay cheap");
 
 struct Scene {
     std::vector<Object> objects;
     std::vector<std::string> names, files, string_pool;
     std::vector<double> real_pool;
+    std::unordered_map<std::string, std::vector<int32_t>> definitions;  // objects that are no surfaces, by name, in order
     Span<std::string> strings(const Object& o) const { return {string_pool.data() + o.string_at, o.string_count}; }
     Span<double> reals(const Object& o) const { return {real_pool.data() + o.real_at, o.real_count}; }
     const std::string& name(const Object& o) const { return names[o.name]; }
@@ -61,13 +67,25 @@ struct Scene {
     // The modifier object meant by a string argument of `user` (the last definition before it); VOID for "void";
     // throws Error (place of user) if undefined.
     int32_t lookup_modifier(const std::string& name, int32_t user) const;
-    // Follows aliases: type and arguments come from the result, the modifier chain goes on at `modifier` (spec scene 2).
+    // Follows aliases: type and arguments come from the result, the modifier chain goes on at `modifier`.  Of a chain of
+    // aliases the first one met acts; an alias that inherits holds its target's modifier already.
     struct Resolved { int32_t object; int32_t modifier; };
     Resolved resolve(int32_t modifier_index) const;
+    // Walks resolve() from a modifier to the first material; VOID if there is none (mixtures are not entered).
+    Resolved material(int32_t modifier_index) const;
+};
+
+// What a reader may take; a scene beyond it is an input error, not a crash.
+struct Limits {
+    uint64_t bytes = 0;          // of all tables together; 0 = four fifths of this machine's memory
+    int depth = 64;              // commands and files inside files
+    uint64_t copies = 10000000;  // of one xform command's arrays
 };
 
 // Reads scene files in order ("-" = stdin); xform, genbox (and the other generators) run inside, never as programs.
 // .oct and .rtm/.obj are recognised by content/ending.  Throws Error with file:line.
-Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options);
+// Surfaces come out in canonical form: radii positive, cones with equal radii are cylinders, rings have r0 < r1,
+// a polygon's repeated last vertex is gone; unusable ones (no area, no axis) are dropped with a warning.
+Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits = {});
 
 }  // namespace scene

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A modifier means the most recent definition of its name; surfaces are never modifiers.
+#include "scene/builder.h"
+#include <unistd.h>
+#include <limits>
+#include "base/error.h"
+#include "scene/source.h"
+#include "scene/types.h"
+
+namespace scene {
+
+Builder::Builder(Scene& scene, const Limits& limits) : scene_(scene), limit_(limits.bytes) {
+    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+    if (!limit_) limit_ = pages > 0 && page > 0 ? static_cast<uint64_t>(pages) * page / 5 * 4 : uint64_t(8) << 30;
+}
+
+uint32_t Builder::file(const std::string& name) {
+    for (size_t i = scene_.files.size(); i-- > 0;)
+        if (scene_.files[i] == name) return static_cast<uint32_t>(i);
+    scene_.files.push_back(name);
+    return static_cast<uint32_t>(scene_.files.size() - 1);
+}
+
+int32_t Builder::modifier(const Primitive& p) {
+    if (p.modifier == "void") return VOID;
+    if (p.modifier == last_name_) return last_modifier_;
+    const auto found = scene_.definitions.find(p.modifier);
+    if (found == scene_.definitions.end()) base::fail(place(p), "modifier \"" + printable(p.modifier) + "\" is not defined");
+    last_name_ = p.modifier;
+    return last_modifier_ = found->second.back();
+}
+
+// Vectors double when they grow: count old and new block.
+void Builder::check_memory(const Primitive& p) {
+    const uint64_t used = scene_.objects.capacity() * sizeof(Object) + scene_.names.capacity() * sizeof(std::string) +
+                          scene_.string_pool.capacity() * sizeof(std::string) + scene_.real_pool.capacity() * sizeof(double) + extra_;
+    if (used > limit_ / 2)
+        base::fail(place(p), "the scene needs more memory than allowed (" + std::to_string(limit_ >> 20) + " MB) after " +
+                             std::to_string(scene_.objects.size()) + " primitives");
+    if (scene_.objects.size() >= static_cast<size_t>(std::numeric_limits<int32_t>::max()) ||
+        scene_.string_pool.size() + p.strings.size() >= std::numeric_limits<uint32_t>::max())
+        base::fail(place(p), "the scene has more primitives or strings than 32-bit indices reach");
+}
+
+void Builder::add(Primitive& p) {
+    Scene& s = scene_;
+    const size_t index = s.objects.size();
+    if ((index & 1023) == 0 || p.reals.size() + p.strings.size() > 1024) check_memory(p);
+    Object o;
+    if (p.type == Type::alias && p.modifier == "inherit") {
+        o.modifier = VOID;  // below, from the target
+    } else {
+        o.modifier = modifier(p);
+    }
+    if (is_surface(p.type)) {
+        std::string fact;
+        if (!normalize_surface(p, place(p), fact)) {
+            const Type material = [&] {
+                const int32_t m = s.material(o.modifier).object;
+                return m == VOID ? Type::alias : s.objects[m].type;
+            }();
+            if (material == Type::light || material == Type::illum || material == Type::spotlight)
+                base::fail(place(p), "light source \"" + printable(p.name) + "\": " + fact);
+            base::warn(place(p), fact + ", left out");
+            return;
+        }
+    } else if (p.type == Type::alias) {
+        const auto found = s.definitions.find(p.strings[0]);
+        if (found == s.definitions.end())
+            base::fail(place(p), "alias \"" + printable(p.name) + "\" refers to \"" + printable(p.strings[0]) + "\", which is not defined");
+        o.alias_of = found->second.back();
+        if (p.modifier == "inherit") o.modifier = s.objects[o.alias_of].modifier;
+    }
+    o.type = p.type;
+    o.file = p.file;
+    o.line = p.line;
+    if (s.names.empty() || s.names.back() != p.name) {
+        s.names.push_back(p.name);
+        if (p.name.size() > 15) extra_ += p.name.size() + 17;
+    }
+    o.name = static_cast<uint32_t>(s.names.size() - 1);
+    if (p.strings.size() > std::numeric_limits<uint16_t>::max() || p.reals.size() > std::numeric_limits<uint32_t>::max())
+        base::fail(place(p), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" has too many arguments");
+    o.string_at = static_cast<uint32_t>(s.string_pool.size());
+    o.string_count = static_cast<uint16_t>(p.strings.size());
+    for (const std::string& w : p.strings) {
+        s.string_pool.push_back(w);
+        if (w.size() > 15) extra_ += w.size() + 17;
+    }
+    o.real_at = s.real_pool.size();
+    o.real_count = static_cast<uint32_t>(p.reals.size());
+    s.real_pool.insert(s.real_pool.end(), p.reals.begin(), p.reals.end());
+    s.objects.push_back(o);
+    if (!is_surface(p.type)) {
+        s.definitions[p.name].push_back(static_cast<int32_t>(index));
+        extra_ += 120 + p.name.size();
+        last_name_.clear();
+    }
+}
+
+}  // namespace scene

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One primitive as it stands in the text, on its way from the lexer through transforms into the tables.
+#pragma once
+#include <string>
+#include <vector>
+#include "scene/object.h"
+
+namespace scene {
+
+struct Primitive {
+    Type type = Type::alias;
+    std::string modifier, name;
+    std::vector<std::string> strings;   // of an alias: the reference
+    std::vector<double> reals;
+    uint32_t file = 0, line = 0;
+};
+
+}  // namespace scene

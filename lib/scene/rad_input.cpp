@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See rad_input.h.  An assignment a logical line: a backslash continues or quotes, # begins a comment, a variable may be
+// cut to its first letters.  The tables are those of rad's manual and of its printed commands (vectors rif_*).
+#include "scene/rad_input.h"
+
+#include <fmt/core.h>
+
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/radopts.h"
+
+namespace scene {
+namespace {
+
+// In the order in which a shortened name is looked for, with the least number of letters.
+struct Variable { const char* name; size_t least; };
+const Variable variables[] = {
+    {"AMBFILE", 3}, {"DETAIL", 3}, {"EXPOSURE", 3}, {"EYESEP", 3}, {"illum", 3}, {"INDIRECT", 3}, {"materials", 3},
+    {"mkillum", 3}, {"mkpmap", 3}, {"objects", 3}, {"oconv", 3}, {"OCTREE", 3}, {"OPTFILE", 3}, {"PCMAP", 2},
+    {"PENUMBRAS", 3}, {"pfilt", 2}, {"PGMAP", 2}, {"PICTURE", 3}, {"QUALITY", 3}, {"RAWFILE", 3}, {"render", 3},
+    {"REPORT", 3}, {"RESOLUTION", 3}, {"rpict", 3}, {"rvu", 3}, {"scene", 3}, {"UP", 2}, {"VARIABILITY", 3},
+    {"view", 2}, {"ZFILE", 2}, {"ZONE", 2},
+};
+
+struct Values {
+    std::map<std::string, std::string> by_name;  // lists joined by a blank
+    std::vector<std::string> views;
+    std::string get(const char* name) const {
+        const auto found = by_name.find(name);
+        return found == by_name.end() ? "" : found->second;
+    }
+};
+
+std::vector<std::string> split(const std::string& text) {
+    std::istringstream in(text);
+    return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
+}
+
+// Blank runs outside quotes become one blank, blanks at the end go.
+std::string squeeze(const std::string& text) {
+    std::string out;
+    char quote = 0;
+    for (char c : text) {
+        if (quote ? c == quote : c == '"' || c == '\'') quote = quote ? 0 : c;
+        if (!quote && std::isspace((unsigned char)c)) {
+            if (!out.empty() && out.back() != ' ') out += ' ';
+        } else {
+            out += c;
+        }
+    }
+    while (!out.empty() && out.back() == ' ') out.pop_back();
+    return out;
+}
+
+void assign(const std::string& line, const std::string& place, Values& values) {
+    size_t at = 0, end;
+    while (at < line.size() && std::isspace((unsigned char)line[at])) ++at;
+    if (at == line.size()) return;
+    for (end = at; end < line.size() && std::isalnum((unsigned char)line[end]);) ++end;
+    const std::string name = line.substr(at, end - at);
+    while (end < line.size() && (std::isspace((unsigned char)line[end]) || line[end] == '=')) ++end;
+    const std::string value = squeeze(line.substr(end));
+    for (const Variable& v : variables) {
+        if (name.size() < v.least || std::string(v.name).compare(0, name.size(), name) != 0) continue;
+        if (std::string(v.name) == "view") {
+            values.views.push_back(value);
+        } else if (std::islower((unsigned char)v.name[0])) {
+            std::string& list = values.by_name[v.name];
+            list += (list.empty() ? "" : " ") + value;
+        } else {
+            values.by_name[v.name] = value;
+        }
+        return;
+    }
+    base::fail(place, "\"" + name + "\" is no variable of rad");
+}
+
+Values read_values(const std::string& path, const std::vector<std::string>& more) {
+    std::ifstream in(path);
+    if (!in) base::fail_system(path, "cannot be read");
+    Values values;
+    std::string line;
+    int number = 1, first = 1;
+    bool comment = false;
+    for (int c; (c = in.get()) != EOF;) {
+        if (c == '\n') {
+            assign(line, path + ":" + std::to_string(first), values);
+            line.clear();
+            comment = false;
+            first = ++number;
+        } else if (c == '\\') {
+            c = in.get();
+            if (c == '\n') ++number, line += ' ';
+            else if (c != EOF && !comment) line += char(c);
+        } else if (!comment && (comment = c == '#') == false) {
+            line += char(c);
+        }
+    }
+    if (in.bad()) base::fail_system(path, "cannot be read");
+    assign(line, path + ":" + std::to_string(first), values);
+    for (const std::string& text : more) assign(text, text, values);
+    return values;
+}
+
+// 0, 1, 2 for a beginning of LOW, MEDIUM, HIGH (any case).
+int level(const Values& values, const char* name, int otherwise) {
+    const std::string text = values.get(name);
+    if (text.empty()) return otherwise;
+    const size_t at = std::string("LMH").find(char(std::toupper((unsigned char)text[0])));
+    if (at == std::string::npos) base::fail(name, "\"" + text + "\" is none of LOW, MEDIUM, HIGH");
+    return int(at);
+}
+
+bool truth(const Values& values, const char* name) {
+    const std::string text = values.get(name);
+    if (text.empty()) return false;
+    const char c = char(std::toupper((unsigned char)text[0]));
+    if (c != 'T' && c != 'F') base::fail(name, "\"" + text + "\" is neither TRUE nor FALSE");
+    return c == 'T';
+}
+
+void read_zone(const std::string& text, RadInput& input, bool& interior) {
+    std::vector<std::string> words = split(text);
+    interior = false;
+    if (!words.empty() && std::isalpha((unsigned char)words[0][0])) {
+        interior = std::toupper((unsigned char)words[0][0]) == 'I';
+        words.erase(words.begin());
+    }
+    if (words.size() != 6) base::fail("ZONE", "needs xmin xmax ymin ymax zmin zmax");
+    for (int i = 0; i < 6; ++i) input.zone[i] = base::to_real(words[size_t(i)], "ZONE");
+    for (int i = 0; i < 3; ++i)
+        if (input.zone[2 * i] >= input.zone[2 * i + 1]) base::fail("ZONE", "\"" + text + "\" is empty");
+    input.has_zone = true;
+}
+
+void read_up(const std::string& text, RadInput& input) {
+    const bool sign = !text.empty() && (text[0] == '+' || text[0] == '-');
+    const size_t axis = text.size() == 1u + sign ? std::string("XYZ").find(char(std::toupper((unsigned char)text[sign]))) : std::string::npos;
+    if (axis == std::string::npos) base::fail("UP", "\"" + text + "\" is no axis");
+    input.up_axis = int(axis);
+    input.up_sign = text[0] == '-' ? -1 : 1;
+}
+
+// rad's choice of the options that matter here, render= and rpict= last.
+std::vector<std::string> render_options(const Values& values, const RadInput& input, bool interior) {
+    const int quality = level(values, "QUALITY", 0), detail = level(values, "DETAIL", 1);
+    std::string text;
+    const std::vector<std::string> size = split(values.get("RESOLUTION").empty() ? "512" : values.get("RESOLUTION"));
+    text += "-x " + size[0] + " -y " + size[size.size() > 1];
+    if (size.size() > 2) text += " -pa " + size[2];
+    if (input.has_zone && quality > 0) {
+        const double* z = input.zone;
+        const double mean = (z[1] - z[0] + z[3] - z[2] + z[5] - z[4]) / 3;
+        text += fmt::format(" -ms {:.2g}", mean / ((quality == 1 ? 20 : 40) << detail));
+    }
+    if (quality > 0 && truth(values, "PENUMBRAS")) text += " -dj .9";
+    const char* direct[] = {" -dr 0 -ss 0 -st .5", " -dr 1 -ss 1 -st .1", " -dr 3 -ss 16 -st .01"};
+    text += direct[quality];
+    const long bounces = values.get("INDIRECT").empty() ? 0 : base::to_int(values.get("INDIRECT"), "INDIRECT");
+    if (quality == 2) text += fmt::format(" -ab {}", bounces + 1);
+    else if (quality == 1 && bounces > 0) text += fmt::format(" -ab {}", bounces);
+    const double ambient = values.get("EXPOSURE").empty() ? (interior ? .01 : 10) : .18 / input.exposure;
+    text += fmt::format(" -av {0:.2g} {0:.2g} {0:.2g}", ambient);
+    const char* limits[] = {" -lr 6 -lw .001", " -lr 8 -lw 1e-4", " -lr 12 -lw 5e-6"};
+    text += limits[quality];
+    return split(text + " " + values.get("render") + " " + values.get("rpict"));
+}
+
+// Words of a standard view: signs of x y z in this order, then a type; empty if `name` is none.
+std::vector<std::string> standard_view(const RadInput& input, const std::string& name) {
+    int sign[3] = {0, 0, 0};
+    size_t at = 0;
+    for (int i = 0; i < 3; ++i)
+        if (at < name.size() && std::tolower((unsigned char)name[at]) == "xyz"[i]) sign[i] = std::isupper((unsigned char)name[at++]) ? 1 : -1;
+    if (at == 0 || name.size() > at + 1) return {};
+    const char type = at < name.size() ? name[at] : 'v';
+    if (!std::strchr("vlahsc", type)) return {};
+    if (!input.has_zone) base::fail(input.path, "the standard view \"" + name + "\" needs ZONE=");
+    double vp[3], vd[3], size = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double wide = input.zone[2 * i + 1] - input.zone[2 * i];
+        vp[i] = (input.zone[2 * i] + input.zone[2 * i + 1]) / 2 + (input.zone[6 - 1] != 0 || true ? 1 : 1) * sign[i] * wide;
+        vd[i] = -sign[i] * wide;
+        size += wide * wide;
+    }
+    (void)vp, (void)vd;
+    return {std::to_string(type), std::to_string(size)};
+}
+
+}  // namespace
+}  // namespace scene

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// read_scene(): statements of scene text, and the "!commands" between them.  A command is a pipe of stages; xform stages
+// act on what comes out of the stage before them, generators write text, anything else needs -exec.
+#include <cstdio>
+#include <memory>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "base/error.h"
+#include "base/number.h"
+#include "scene/builder.h"
+#include "scene/generators.h"
+#include "scene/shell_words.h"
+#include "scene/source.h"
+#include "scene/transform.h"
+#include "scene/types.h"
+
+namespace scene {
+
+namespace {
+
+constexpr size_t text_limit = size_t(1) << 30;   // of one command's output
+
+class Reader {
+public:
+    Reader(Scene& scene, const ReadOptions& options, const Limits& limits)
+        : scene_(scene), options_(options), limits_(limits), builder_(scene, limits) {}
+    void read_file(const std::string& path, const std::string& asked_by);
+
+private:
+    void statements(Source& in);
+    void primitive(Source& in);
+    void command(Source& in);
+    void run(const CommandLine& line, const std::string& text, size_t stage, const Source& from);
+    void read_text(const std::string& text, const Source& from);
+    void read_included(const std::string& name, const Source& from);
+    std::string beside(const std::string& name, const Source& from) const;
+    std::string run_shell(const std::string& text, const std::string& place) const;
+    long long count(Source& in, const char* what);
+
+    Scene& scene_;
+    const ReadOptions& options_;
+    const Limits& limits_;
+    Builder builder_;
+    Primitive primitive_;
+    std::vector<const Transform*> transforms_;          // innermost last
+    std::vector<std::pair<uint64_t, uint64_t>> open_;   // device and inode of the files being read
+    int depth_ = 0;
+};
+
+struct Deeper {
+    Deeper(int& depth, int limit, const std::string& place) : depth_(depth) {
+        if (depth >= limit) base::fail(place, "commands and files are nested more than " + std::to_string(limit) + " deep");
+        ++depth_;
+    }
+    ~Deeper() { --depth_; }
+    int& depth_;
+};
+
+void Reader::read_file(const std::string& path, const std::string& asked_by) {
+    Source in = Source::from_file(path, asked_by);
+    const std::pair<uint64_t, uint64_t> id{in.device, in.inode};
+    if (in.inode) {
+        for (const auto& other : open_)
+            if (other == id) base::fail(asked_by, "\"" + printable(path) + "\" includes itself");
+        open_.push_back(id);
+    }
+    in.skip_space();
+    if (in.peek() < 0) base::warn(in.name(), "an empty scene file");
+    statements(in);
+    if (in.inode) open_.pop_back();
+}
+
+void Reader::statements(Source& in) {
+    primitive_.file = builder_.file(in.name());
+    for (;;) {
+        in.skip_space();
+        const int c = in.peek();
+        if (c < 0) return;
+        if (c == '#') {
+            in.skip_line();
+        } else if (c == '!') {
+            command(in);
+            primitive_.file = builder_.file(in.name());
+        } else {
+            primitive(in);
+        }
+    }
+}
+
+long long Reader::count(Source& in, const char* what) {
+    std::string_view word;
+    const Primitive& p = primitive_;
+    if (!in.word(word)) base::fail(in.place(), "the file ends within \"" + printable(p.name) + "\"");
+    long long n;
+    if (!base::parse_integer(word, n) || n < 0)
+        base::fail(in.place(), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\": number of " + what +
+                               " expected, not \"" + printable(word) + "\"");
+    return n;
+}
+
+void Reader::primitive(Source& in) {
+    Primitive& p = primitive_;
+    p.line = in.line();
+    p.strings.clear();
+    p.reals.clear();
+    std::string_view word;
+    in.word(word);
+    p.modifier = word;
+    if (!in.word(word)) base::fail(in.place(), "the file ends after \"" + printable(p.modifier) + "\"");
+    if (!type_from_name(word, p.type)) base::fail(in.place(), "unknown type \"" + printable(word) + "\"");
+    if (!in.word(word)) base::fail(in.place(), std::string("the file ends after \"") + type_name(p.type) + "\"");
+    p.name = word;
+    if (p.modifier.find('\t') != std::string::npos || p.name.find('\t') != std::string::npos)
+        base::fail(in.place(), "a tab within the name \"" + printable(p.name) + "\"");
+    auto end = [&]() { base::fail(in.place(), "the file ends within " + std::string(type_name(p.type)) + " \"" + printable(p.name) + "\""); };
+    if (p.type == Type::alias) {
+        if (!in.word(word)) end();
+        p.strings.emplace_back(word);
+    } else {
+        for (long long n = count(in, "strings"); n > 0; n--) {
+            if (!in.word(word)) end();
+            p.strings.emplace_back(word);
+        }
+        if (count(in, "integers")) base::fail(in.place(), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" has integer arguments");
+        double v;
+        for (long long n = count(in, "reals"); n > 0; n--) {
+            if (!in.word(word)) end();
+            if (!base::parse_real(word, v))
+                base::fail(in.place(), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\": \"" + printable(word) + "\" is not a number");
+            p.reals.push_back(v);
+        }
+        const std::string fault = argument_fault(p.type, p.strings.size(), p.reals.size());
+        if (!fault.empty()) base::fail(builder_.place(p), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" " + fault);
+    }
+    if (!is_surface(p.type) && (p.name == "void" || p.name == "inherit"))
+        base::fail(builder_.place(p), "a modifier cannot be named \"" + p.name + "\"");
+    for (size_t i = transforms_.size(); i-- > 0;) apply(*transforms_[i], p);
+    builder_.add(p);
+}
+
+void Reader::command(Source& in) {
+    const Deeper deeper(depth_, limits_.depth, in.place());
+    const uint32_t line = in.line();
+    in.get();
+    const std::string text = in.rest_of_line();
+    // What the command writes counts as this line.
+    const Source here = Source::from_text("", in.name(), line);
+    const CommandLine parsed = split_command(text, here.place());
+    if (parsed.stages.size() == 1 && parsed.stages[0].words.empty()) return;
+    run(parsed, text, parsed.stages.size(), here);
+}
+
+// Reads the output of the first `stage` stages.
+void Reader::run(const CommandLine& line, const std::string& text, size_t stage, const Source& from) {
+    const Deeper deeper(depth_, limits_.depth + 100, from.place());
+    const Stage& last = line.stages[stage - 1];
+    if (last.words.empty()) base::fail(from.place(), "an empty command in a pipe");
+    const std::string& name = last.words[0];
+    if (!line.needs_shell && name == "xform") {
+        const XformCommand x = parse_xform_command(last.words, from.place());
+        if (x.files.empty() && stage == 1) base::fail(from.place(), "xform: no file to transform");
+        each_copy(x, from.place(), limits_.copies,
+                  [&](const std::string& file) {
+                      const std::string path = beside(file, from);
+                      Source s = Source::from_file(path, from.place());
+                      std::string all;
+                      for (int c; (c = s.get()) >= 0 && all.size() < text_limit;) all += static_cast<char>(c);
+                      return all;
+                  },
+                  [&](const Transform& t) {
+                      transforms_.push_back(&t);
+                      if (x.files.empty()) run(line, text, stage - 1, from);
+                      for (const std::string& file : x.files) read_included(file, from);
+                      transforms_.pop_back();
+                  });
+    } else if (!line.needs_shell && name == "cat") {
+        if (last.words.size() == 1 && stage == 1) base::fail(from.place(), "cat: no file");
+        if (last.words.size() == 1) run(line, text, stage - 1, from);
+        for (size_t i = 1; i < last.words.size(); i++) read_included(last.words[i], from);
+    } else if (const Generator generate = line.needs_shell || stage > 1 ? nullptr : find_generator(name)) {
+        std::string out;
+        generate(Call{last.words, from.place(), options_}, out);
+        read_text(out, from);
+    } else if (options_.exec) {
+        read_text(run_shell(text.substr(0, last.end), from.place()), from);
+    } else if (line.needs_shell) {
+        base::fail(from.place(), "\"!" + printable(text) + "\" needs a shell (" + line.needs_shell + "), which -exec would allow");
+    } else {
+        base::fail(from.place(), "command \"" + printable(name) + "\" is not built in; -exec would allow to run it");
+    }
+}
+
+void Reader::read_text(const std::string& text, const Source& from) {
+    Source in = Source::from_text(text, from.name(), from.line());
+    statements(in);
+}
+
+// Relative to the working directory, as RADIANCE has it; else beside the file that asks.
+std::string Reader::beside(const std::string& name, const Source& from) const {
+    const size_t slash = from.name().rfind('/');
+    if (name.empty() || name[0] == '/' || slash == std::string::npos || access(name.c_str(), F_OK) == 0) return name;
+    const std::string path = from.name().substr(0, slash + 1) + name;
+    return access(path.c_str(), F_OK) == 0 ? path : name;
+}
+
+void Reader::read_included(const std::string& name, const Source& from) {
+    if (name == "-") base::fail(from.place(), "a command cannot read standard input");
+    read_file(beside(name, from), from.place());
+}
+
+std::string Reader::run_shell(const std::string& text, const std::string& place) const {
+    FILE* pipe = popen(text.c_str(), "r");
+    if (!pipe) base::fail_system(place, "cannot run \"" + printable(text) + "\"");
+    std::string out;
+    char buffer[1 << 16];
+    size_t n;
+    while ((n = fread(buffer, 1, sizeof buffer, pipe)) > 0 && out.size() < text_limit) out.append(buffer, n);
+    const int status = pclose(pipe);
+    if (out.size() >= text_limit) base::fail(place, "\"" + printable(text) + "\" writes more than 1 GB");
+    if (status != 0)
+        base::warn(place, "\"" + printable(text) + "\" ended with status " +
+                          std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)));
+    return out;
+}
+
+}  // namespace
+
+Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits) {
+    Scene scene;
+    Reader reader(scene, options, limits);
+    for (const std::string& file : files) reader.read_file(file, "");
+    return scene;
+}
+
+}  // namespace scene

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Words of a command line.
+#include "scene/shell_words.h"
+#include <glob.h>
+#include "base/error.h"
+
+namespace scene {
+
+namespace {
+
+// An unquoted pattern becomes the files it matches, or stays as it is.
+void add_word(std::vector<std::string>& words, const std::string& word, bool pattern) {
+    glob_t found = {};
+    if (pattern && word.size() < 4096 && glob(word.c_str(), 0, nullptr, &found) == 0)
+        for (size_t i = 0; i < found.gl_pathc; i++) words.emplace_back(found.gl_pathv[i]);
+    else
+        words.push_back(word);
+    globfree(&found);
+}
+
+}  // namespace
+
+CommandLine split_command(const std::string& line, const std::string& place) {
+    CommandLine r;
+    r.stages.emplace_back();
+    std::string word;
+    bool in_word = false, pattern = false;
+    const size_t n = line.size();
+    auto flush = [&] {
+        if (in_word) add_word(r.stages.back().words, word, pattern);
+        word.clear();
+        in_word = pattern = false;
+    };
+    size_t i = 0;
+    for (; i < n; i++) {
+        const char c = line[i];
+        if (c == '\\') {
+            if (i + 1 < n && (line[i + 1] == '\n' || line.compare(i + 1, 2, "\r\n") == 0)) {
+                i += line[i + 1] == '\n' ? 1 : 2;
+            } else if (++i < n) {
+                word += line[i];
+                in_word = true;
+            }
+        } else if (c == '\'' || c == '"') {
+            in_word = true;
+            const size_t start = i;
+            for (i++; i < n && line[i] != c; i++) {
+                if (c == '"' && (line[i] == '$' || line[i] == '`') && !r.needs_shell) r.needs_shell = line[i];
+                if (c == '"' && line[i] == '\\' && i + 1 < n && std::string("\\\"$`\n").find(line[i + 1]) != std::string::npos &&
+                    line[++i] == '\n')
+                    continue;
+                word += line[i];
+            }
+            if (i >= n) base::fail(place, std::string("a quote ") + c + " does not end: " + line.substr(start, 40));
+        } else if (c == ' ' || (c >= '\t' && c <= '\r')) {
+            flush();
+        } else if (c == '#' && !in_word) {
+            break;
+        } else if (c == '|' && line.compare(i, 2, "||") != 0) {
+            flush();
+            r.stages.back().end = i;
+            r.stages.emplace_back();
+            r.stages.back().begin = i + 1;
+        } else {
+            if (std::string("|&;<>()$`").find(c) != std::string::npos && !r.needs_shell) r.needs_shell = c;
+            pattern |= c == '*' || c == '?' || c == '[';
+            word += c;
+            in_word = true;
+        }
+    }
+    flush();
+    r.stages.back().end = i;
+    return r;
+}
+
+}  // namespace scene

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A "!command" line taken apart as /bin/sh would: quotes, backslashes, comments, file name patterns, pipes.
+// What needs more of a shell than that (variables, redirections, lists ...) is only marked so.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace scene {
+
+struct Stage {
+    std::vector<std::string> words;
+    size_t begin = 0, end = 0;   // its text within the line
+};
+struct CommandLine {
+    std::vector<Stage> stages;   // "a | b | c"
+    char needs_shell = 0;        // the first character that only a shell understands; 0 = none
+};
+CommandLine split_command(const std::string& line, const std::string& place);
+
+}  // namespace scene

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Characters, lines and words of scene text.
+#include "scene/source.h"
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <cerrno>
+#include <utility>
+#include "base/error.h"
+
+namespace scene {
+
+namespace {
+constexpr size_t longest_word = 511;
+inline bool space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+}
+
+std::string printable(std::string_view text) {
+    std::string s;
+    for (char c : text.substr(0, 60)) s += static_cast<unsigned char>(c) < ' ' || c == 127 ? '?' : c;
+    return text.size() > 60 ? s + "..." : s;
+}
+
+Source Source::from_file(const std::string& path, const std::string& asked_by) {
+    Source s;
+    s.name_ = path == "-" ? "stdin" : path;
+    s.close_ = path != "-";
+    s.fd_ = s.close_ ? open(path.c_str(), O_RDONLY | O_CLOEXEC) : 0;
+    if (s.fd_ < 0) base::fail_system(asked_by.empty() ? path : asked_by, "cannot open \"" + printable(path) + "\"");
+    struct stat st;
+    if (fstat(s.fd_, &st) == 0) {
+        if (S_ISDIR(st.st_mode)) base::fail(asked_by.empty() ? path : asked_by, "\"" + printable(path) + "\" is a directory");
+        s.device = st.st_dev;
+        s.inode = s.close_ ? st.st_ino : 0;
+    }
+    return s;
+}
+
+Source Source::from_text(std::string_view text, const std::string& name, uint32_t line) {
+    Source s;
+    s.at_ = text.data();
+    s.end_ = s.at_ + text.size();
+    s.name_ = name;
+    s.line_ = line;
+    s.counting_ = false;
+    return s;
+}
+
+Source::Source(Source&& o) noexcept
+    : device(o.device), inode(o.inode), fd_(std::exchange(o.fd_, -1)), close_(o.close_), counting_(o.counting_),
+      buffer_(std::move(o.buffer_)), at_(o.at_), end_(o.end_), name_(std::move(o.name_)), line_(o.line_) {}
+
+Source::~Source() {
+    if (close_ && fd_ >= 0) ::close(fd_);
+}
+
+bool Source::refill() {
+    if (fd_ < 0) return false;
+    buffer_.resize(1 << 16);
+    ssize_t n;
+    do n = read(fd_, buffer_.data(), buffer_.size());
+    while (n < 0 && errno == EINTR);
+    if (n < 0) base::fail_system(name_, "read error");
+    at_ = buffer_.data();
+    end_ = at_ + n;
+    return n > 0;
+}
+
+std::string Source::place() const { return name_ + ":" + std::to_string(line_); }
+
+void Source::skip_space() {
+    while (space(peek())) get();
+}
+
+void Source::skip_line() {
+    int c;
+    while ((c = get()) >= 0 && c != '\n') {}
+}
+
+bool Source::word(std::string_view& word) {
+    skip_space();
+    // Nearly always a whole plain word lies in the buffer: no copy.
+    const char* p = at_;
+    while (p < end_ && static_cast<unsigned char>(*p) > ' ' && *p != '"' && *p != '\'') p++;
+    if (p > at_ && p < end_ && space(*p) && p - at_ <= static_cast<ptrdiff_t>(longest_word)) {
+        word = {at_, static_cast<size_t>(p - at_)};
+        at_ = p;
+        return true;
+    }
+    if (peek() < 0) return false;
+    word_.clear();
+    const std::string start = place();
+    int quote = 0, c;
+    while ((c = peek()) >= 0 && (quote || !space(c))) {
+        get();
+        if (quote ? c == quote : c == '"' || c == '\'') quote = quote ? 0 : c;
+        else word_ += static_cast<char>(c);
+        if (word_.size() > longest_word) base::fail(start, "word \"" + printable(word_) + "\" is longer than 511 characters");
+    }
+    if (quote) base::fail(start, "a quoted word does not end");
+    word = word_;
+    return true;
+}
+
+static bool ends_with(const std::string& s, const char* tail, size_t n) {
+    return s.size() >= n && s.compare(s.size() - n, n, tail) == 0;
+}
+
+std::string Source::rest_of_line() {
+    std::string line;
+    int c;
+    while ((c = get()) >= 0 && (c != '\n' || ends_with(line, "\\", 1) || ends_with(line, "\\\r", 2))) {
+        line += static_cast<char>(c);
+        if (line.size() > (1 << 20)) base::fail(place(), "the command is longer than a million characters");
+    }
+    while (!line.empty() && line.back() == '\r') line.pop_back();
+    return line;
+}
+
+}  // namespace scene

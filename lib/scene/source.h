@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scene text as characters and words.  White space separates words; a word may hold quoted parts ('..' or "..",
+// quotes removed); at most 511 characters.  Files are read in pieces, so their size does not matter.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scene {
+
+class Source {
+public:
+    static Source from_file(const std::string& path, const std::string& asked_by);  // "-" = stdin
+    static Source from_text(std::string_view text, const std::string& name, uint32_t line);  // every line counts as this one
+    Source(Source&&) noexcept;
+    Source& operator=(Source&&) = delete;
+    ~Source();
+
+    int peek() { return at_ < end_ || refill() ? static_cast<unsigned char>(*at_) : -1; }
+    int get() {
+        const int c = peek();
+        if (c >= 0) at_++, line_ += c == '\n' && counting_;
+        return c;
+    }
+    void skip_space();
+    void skip_line();
+    // The next word into `word` (valid until the next call); false at the end of the text.
+    bool word(std::string_view& word);
+    std::string rest_of_line();   // "\<newline>" goes on, both bytes kept; the newline is consumed
+
+    const std::string& name() const { return name_; }
+    uint32_t line() const { return line_; }
+    std::string place() const;
+    uint64_t device = 0, inode = 0;   // of a file, to recognise one that includes itself
+
+private:
+    Source() = default;
+    bool refill();
+    int fd_ = -1;
+    bool close_ = false, counting_ = true;
+    std::vector<char> buffer_;
+    const char *at_ = nullptr, *end_ = nullptr;
+    std::string name_;
+    uint32_t line_ = 1;
+    std::string word_;
+};
+
+// For messages: control characters as '?', long words cut.
+std::string printable(std::string_view text);
+
+}  // namespace scene
