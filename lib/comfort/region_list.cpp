@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How large the regions came out, and what small ones cost: frames to convergence go with 1 / region size, and the paper
+// needs about 1000 frames for contrast regions of 32 pixels (its Figs. 7 and 8).
+#include <cmath>
+#include <fmt/format.h>
+#include "base/error.h"
+#include "comfort/region_raster.h"
+
+namespace region {
+
+std::vector<Extent> measure(const image::MaskSet& set, const view::View& view) {
+    const int nx = set.width, ny = set.height;
+    Space space(view, nx, ny);
+    struct Row { double omega = 0, pixels = 0; std::vector<Extent> sums; };
+    std::vector<Row> rows{size_t(ny)};
+    for_all(size_t(ny), [&](size_t r) {
+        Row& row = rows[r];
+        row.sums.resize(set.masks.size());
+        int y = ny - 1 - int(r);
+        for (int x = 0; x < nx; ++x) {
+            if (!space.counts(x + .5, y + .5)) continue;
+            Point p;
+            space.point(x + .5, y + .5, p);
+            double omega = view::pixel_solid_angle(space.projector, x, y, nx, ny);
+            row.omega += omega;
+            row.pixels += 1;
+            for (size_t m = 0; m < set.masks.size(); ++m) {
+                double c = set.masks[m].coverage[r * size_t(nx) + size_t(x)];
+                if (c == 0) continue;
+                row.sums[m].pixels += c;
+                row.sums[m].omega_sr += c * omega;
+                row.sums[m].centre = row.sums[m].centre + p.dir * (c * (omega > 0 ? omega : 1e-12));
+            }
+        }
+    });
+    std::vector<Extent> all(set.masks.size());
+    double omega = 0, pixels = 0;
+    for (const Row& row : rows) {
+        omega += row.omega;
+        pixels += row.pixels;
+        for (size_t m = 0; m < all.size(); ++m) {
+            all[m].pixels += row.sums[m].pixels;
+            all[m].omega_sr += row.sums[m].omega_sr;
+            all[m].centre = all[m].centre + row.sums[m].centre;
+        }
+    }
+    for (size_t m = 0; m < all.size(); ++m) {
+        all[m].name = set.masks[m].name;
+        all[m].centre = base::unit(all[m].centre);
+        if (omega > 0) all[m].share = all[m].omega_sr / omega;
+        else if (pixels > 0) all[m].share = all[m].pixels / pixels;
+    }
+    return all;
+}
+
+void check_sizes(const Regions& regions, const std::vector<Extent>& extents) {
+    for (size_t i = 0; i < extents.size(); ++i) {
+        const Region& r = regions.regions[i];
+        double n = extents[i].pixels;
+        if (n <= 0) base::fail(r.place, fmt::format("region \"{}\" is empty: nothing of it is in this view", r.name));
+        if (n < 32)
+            base::warn(r.place, fmt::format("region \"{}\" covers {:.3g} pixels: its means converge slowly, to 1 % in roughly {:.2g} "
+                                            "frames (1000 at 32 pixels)", r.name, n, 1000 * 32 / n));
+    }
+}
+
+}  // namespace region

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names and patterns: * stands for any letters, ? for one.  (near_matches() is declared in region.h.)
+#pragma once
+#include <string>
+
+namespace region {
+bool matches(const std::string& pattern, const std::string& name);
+// Letters to insert, delete, exchange or swap to turn one word into the other.
+int edit_distance(const std::string& a, const std::string& b);
+}  // namespace region

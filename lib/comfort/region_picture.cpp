@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rectangles and freehand polygons of the picture (even-odd, signed distance in pixels), and mask pictures.
+// A mask stretches over the whole picture whatever its size; in set operations a point is in where its mask pixel is
+// at least 1/2, alone a mask keeps its grey.
+#include "comfort/region_picture.h"
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fmt/format.h>
+#include <png.h>
+#include "base/error.h"
+#include "image/stream.h"
+
+namespace region {
+namespace {
+
+class PicturePolygon : public Field {
+public:
+    explicit PicturePolygon(std::vector<std::pair<double, double>> corners) : c_(std::move(corners)) {}
+    bool in_picture() const override { return true; }
+    double value(const Point& p) const override {
+        double nearest = INFINITY;
+        bool in = false;
+        for (size_t i = 0, j = c_.size() - 1; i < c_.size(); j = i++) {
+            auto [ax, ay] = c_[i];
+            auto [bx, by] = c_[j];
+            double ex = bx - ax, ey = by - ay, wx = p.x - ax, wy = p.y - ay, e2 = ex * ex + ey * ey;
+            double t = e2 > 0 ? std::clamp((wx * ex + wy * ey) / e2, 0.0, 1.0) : 0;
+            double dx = wx - t * ex, dy = wy - t * ey;
+            nearest = std::min(nearest, dx * dx + dy * dy);
+            if ((ay > p.y) != (by > p.y) && p.x < ax + (p.y - ay) / (by - ay) * (bx - ax)) in = !in;
+        }
+        nearest = std::sqrt(nearest);
+        return in ? nearest : -nearest;
+    }
+private:
+    std::vector<std::pair<double, double>> c_;
+};
+
+// The distance to the nearest mask pixel of the other kind, in chessboard steps, by two passes over the mask.
+class MaskField : public Field {
+public:
+    MaskField(const MaskPicture& m, const Space& s)
+        : w_(m.width), h_(m.height), sx_(double(m.width) / s.nx), sy_(double(m.height) / s.ny), steps_(m.values.size()) {
+        const int far = w_ + h_;
+        for (size_t i = 0; i < steps_.size(); ++i) steps_[i] = far;
+        auto relax = [&](int x, int y, int dx, int dy) {
+            int X = x + dx, Y = y + dy;
+            if (X < 0 || Y < 0 || X >= w_ || Y >= h_) return;
+            size_t here = at(x, y), there = at(X, Y);
+            bool same = (m.values[here] >= .5f) == (m.values[there] >= .5f);
+            steps_[here] = same ? std::min(steps_[here], steps_[there] + 1) : 1;
+        };
+        for (int y = 0; y < h_; ++y)
+            for (int x = 0; x < w_; ++x) relax(x, y, -1, 0), relax(x, y, -1, -1), relax(x, y, 0, -1), relax(x, y, 1, -1);
+        for (int y = h_ - 1; y >= 0; --y)
+            for (int x = w_ - 1; x >= 0; --x) relax(x, y, 1, 0), relax(x, y, 1, 1), relax(x, y, 0, 1), relax(x, y, -1, 1);
+        for (size_t i = 0; i < steps_.size(); ++i)
+            if (m.values[i] < .5f) steps_[i] = -steps_[i];
+    }
+    bool in_picture() const override { return true; }
+    double value(const Point& p) const override {
+        int x = std::clamp(int(std::floor(p.x * sx_)), 0, w_ - 1), y = std::clamp(h_ - 1 - int(std::floor(p.y * sy_)), 0, h_ - 1);
+        int n = steps_[at(x, y)];
+        double sure = std::max(std::abs(n) - 1, 0) / std::max(sx_, sy_) + 0.05 / std::max(1.0, std::max(sx_, sy_));
+        return n > 0 ? sure : -sure;
+    }
+private:
+    size_t at(int x, int y) const { return size_t(y) * size_t(w_) + size_t(x); }
+    int w_, h_;
+    double sx_, sy_;
+    std::vector<int> steps_;  // > 0 inside
+};
+
+MaskPicture read_png(const Shape& s) {
+    png_image png;
+    std::memset(&png, 0, sizeof png);
+    png.version = PNG_IMAGE_VERSION;
+    if (!png_image_begin_read_from_file(&png, s.text.c_str())) base::fail(s.place, fmt::format("mask {}: {}", s.text, png.message));
+    if (uint64_t(png.width) * png.height > (1u << 28)) {
+        png_image_free(&png);
+        base::fail(s.place, fmt::format("mask {}: {} x {} pixels are too many", s.text, png.width, png.height));
+    }
+    MaskPicture m{int(png.width), int(png.height), {}};
+    png.format = PNG_FORMAT_GA;  // 8 bits as stored; what is transparent is not in the mask
+    std::vector<png_byte> bytes(PNG_IMAGE_SIZE(png));
+    if (!png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr))
+        base::fail(s.place, fmt::format("mask {}: {}", s.text, png.message));
+    m.values.resize(bytes.size() / 2);
+    for (size_t i = 0; i < m.values.size(); ++i) m.values[i] = bytes[2 * i] / 255.f * (bytes[2 * i + 1] / 255.f);
+    return m;
+}
+
+bool ends(const std::string& name, const char* ending) {
+    size_t n = std::strlen(ending);
+    return name.size() > n && name.compare(name.size() - n, n, ending) == 0;
+}
+
+MaskPicture read_exr_channel(const Shape& s) {
+    image::MaskSet set = image::read_masks(s.text);
+    std::vector<std::string> names;
+    for (image::Mask& mask : set.masks) {
+        if (mask.name == s.channel) return {set.width, set.height, std::move(mask.coverage)};
+        names.push_back(mask.name);
+    }
+    base::fail(s.place, fmt::format("mask {} has no channel \"{}\"{}", s.text, s.channel, near_matches(s.channel, names)));
+}
+
+}  // namespace
+
+std::unique_ptr<Field> make_picture_shape(const Shape& s, const Space& space) {
+    double sx = s.frame == Frame::fraction ? space.nx : 1, sy = s.frame == Frame::fraction ? space.ny : 1;
+    std::vector<double> n = s.numbers;
+    for (size_t i = 0; i < n.size(); i += 2) n[i] *= sx, n[i + 1] *= sy;
+    if (s.kind == Kind::rect) {
+        if (n[0] == n[2] || n[1] == n[3]) base::fail(s.place, "the rectangle has no area");
+        n = {n[0], n[1], n[2], n[1], n[2], n[3], n[0], n[3]};
+    }
+    std::vector<std::pair<double, double>> corners;
+    for (size_t i = 0; i < n.size(); i += 2) corners.emplace_back(n[i], n[i + 1]);
+    return std::make_unique<PicturePolygon>(std::move(corners));
+}
+
+std::unique_ptr<Field> make_mask_field(const Shape& s, const Space& space) {
+    return std::make_unique<MaskField>(read_mask_picture(s), space);
+}
+
+MaskPicture read_mask_picture(const Shape& s) {
+    MaskPicture m;
+    if (ends(s.text, ".png") || ends(s.text, ".PNG")) {
+        m = read_png(s);
+    } else if (!s.channel.empty()) {
+        m = read_exr_channel(s);
+    } else {  // a picture: its grey value, equal-energy white being 1
+        image::Picture p;
+        try {
+            p = image::read_file(s.text);
+        } catch (const base::Error& e) {
+            throw base::Error(e.kind, s.place, "mask " + e.text);
+        }
+        m = {p.width, p.height, std::vector<float>(p.rgb.size() / 3)};
+        for (size_t i = 0; i < m.values.size(); ++i)
+            m.values[i] = 0.265074126f * p.rgb[3 * i] + 0.670114631f * p.rgb[3 * i + 1] + 0.064811243f * p.rgb[3 * i + 2];
+    }
+    if (m.values.empty()) base::fail(s.place, fmt::format("mask {} has no pixels", s.text));
+    for (float& v : m.values) v = v > 0 ? std::min(v, 1.f) : 0.f;  // NaN is out
+    return m;
+}
+
+// The weights of source pixels in each target pixel along one side: overlap lengths.
+std::vector<float> resample(const MaskPicture& m, int nx, int ny) {
+    if (m.width == nx && m.height == ny) return m.values;
+    auto shrink = [](const std::vector<float>& in, int n, int lines, int step_in, int line_in, int to, int step_out, int line_out,
+                     std::vector<float>& out) {
+        for (int line = 0; line < lines; ++line)
+            for (int k = 0; k < to; ++k) {
+                double a = double(k) * n / to, b = double(k + 1) * n / to, sum = 0;
+                for (int i = int(a); i < n && i < b; ++i)
+                    sum += (std::min<double>(i + 1, b) - std::max<double>(i, a)) * in[size_t(i) * step_in + size_t(line) * line_in];
+                out[size_t(k) * step_out + size_t(line) * line_out] = float(sum / (b - a));
+            }
+    };
+    std::vector<float> wide(size_t(nx) * m.height), out(size_t(nx) * ny);
+    shrink(m.values, m.width, m.height, 1, m.width, nx, 1, nx, wide);
+    shrink(wide, m.height, nx, nx, 1, ny, nx, 1, out);
+    return out;
+}
+
+}  // namespace region

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shapes' fields.  In space: q = point - eye; a shape covers the directions that reach it.
+// Disc (centre c, unit normal n, both from the eye, n away from it; h = n.c > 0): direction d meets the plane inside the
+// radius r if |h d - (n.d) c| < r (n.d) with both sides taken along the plane; that difference changes by at most
+// r + |c| per radian.
+#include "comfort/region_shape.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include "base/error.h"
+#include "comfort/region_arcs.h"
+#include "comfort/region_picture.h"
+#include "comfort/region_zone.h"
+
+namespace region {
+using namespace base;
+
+Space::Space(const view::View& view, int nx_, int ny_)
+    : projector(view), nx(nx_), ny(ny_), eye(view.vp), behind(0) {
+    if (view.type != 'l') return;
+    behind = 1e7 * std::max(view.vh, view.vv);
+    eye = view.vp - behind * projector.forward();
+}
+
+bool Space::point(double x, double y, Point& p) const {
+    p.x = x;
+    p.y = y;
+    double X = x / nx, Y = y / ny;
+    if (behind > 0) {
+        const view::View& v = projector.view();
+        p.dir = unit(behind * projector.forward() + ((X - .5 + v.vs) * v.vh) * projector.right() + ((Y - .5 + v.vl) * v.vv) * projector.up());
+        return true;
+    }
+    std::optional<Vec3> d = projector.direction(X, Y);
+    if (d) p.dir = *d;
+    return bool(d);
+}
+
+bool Space::counts(double x, double y) const {
+    Point p;
+    return point(x, y, p) && (projector.view().type != 'a' || dot(p.dir, projector.forward()) >= 0);
+}
+
+namespace {
+
+const double FAR = 10;  // beyond any angle
+
+class Constant : public Field {
+public:
+    explicit Constant(double v) : v_(v) {}
+    double value(const Point&) const override { return v_; }
+private:
+    double v_;
+};
+
+class Cone : public Field {
+public:
+    Cone(Vec3 axis, double half) : axis_(axis), half_(half) {}
+    double value(const Point& p) const override { return half_ - angle_between(p.dir, axis_); }
+private:
+    Vec3 axis_;
+    double half_;
+};
+
+class Polygon3d : public Field {
+public:
+    Polygon3d(const std::vector<Vec3>& corners, Vec3 normal, double height)
+        : outline_(corners, normal), normal_(normal), height_(height) {}
+    double value(const Point& p) const override { return outline_.value(p.dir); }
+    double distance(const Point& p) const override { return height_ / dot(normal_, p.dir); }
+private:
+    SphericalPolygon outline_;
+    Vec3 normal_;
+    double height_;
+};
+
+class Disc : public Field {
+public:
+    Disc(Vec3 centre, Vec3 normal, double radius)
+        : c_(centre), n_(normal), r_(radius), h_(dot(centre, normal)), in_plane_(centre - normal * dot(centre, normal)),
+          steepest_(radius + length(centre)) {}
+    double value(const Point& p) const override {
+        double w = dot(n_, p.dir);
+        Vec3 along = p.dir - n_ * w;
+        return (r_ * w - length(h_ * along - w * in_plane_)) / steepest_;
+    }
+    double distance(const Point& p) const override { return h_ / dot(n_, p.dir); }
+private:
+    Vec3 c_, n_;
+    double r_, h_;
+    Vec3 in_plane_;
+    double steepest_;
+};
+
+class Sphere : public Field {
+public:
+    Sphere(Vec3 centre, double radius, Vec3 eye) : c_(centre - eye), eye_(eye), r_(radius) {
+        double d = length(c_);
+        around_ = d <= r_;
+        if (!around_) axis_ = unit(c_), half_ = std::asin(r_ / d);
+    }
+    double value(const Point& p) const override { return around_ ? FAR : half_ - angle_between(p.dir, axis_); }
+    double distance(const Point& p) const override {
+        if (around_) return 0;
+        double b = dot(c_, p.dir);
+        return b - std::sqrt(std::max(0.0, b * b - dot(c_, c_) + r_ * r_));
+    }
+    bool contains(Vec3 q) const override { return length(q - eye_ - c_) <= r_ * (1 + 1e-9) + 1e-6; }
+private:
+    Vec3 c_, eye_, axis_;
+    double r_, half_ = 0;
+    bool around_;
+};
+
+// The outline of a box is made of the edges between a face turned to the eye and one turned away.
+class Box : public Field {
+public:
+    Box(const std::vector<double>& n, Vec3 eye) : eye_(eye) {
+        for (int k = 0; k < 3; ++k) {
+            lo_[k] = std::min(n[size_t(k)], n[size_t(k) + 3]) - eye[k];
+            hi_[k] = std::max(n[size_t(k)], n[size_t(k) + 3]) - eye[k];
+        }
+        around_ = lo_.x <= 0 && lo_.y <= 0 && lo_.z <= 0 && hi_.x >= 0 && hi_.y >= 0 && hi_.z >= 0;
+        if (around_) return;
+        auto faces_eye = [&](int axis, int side) { return side ? hi_[axis] < 0 : lo_[axis] > 0; };
+        for (int k = 0; k < 3; ++k)  // edges along axis k lie between faces of axes i and j
+            for (int a = 0; a < 2; ++a)
+                for (int b = 0; b < 2; ++b) {
+                    int i = (k + 1) % 3, j = (k + 2) % 3;
+                    if (faces_eye(i, a) == faces_eye(j, b)) continue;
+                    Vec3 p, q;
+                    p[i] = q[i] = a ? hi_[i] : lo_[i];
+                    p[j] = q[j] = b ? hi_[j] : lo_[j];
+                    p[k] = lo_[k];
+                    q[k] = hi_[k];
+                    outline_.add(unit(p), unit(q));
+                }
+    }
+    double value(const Point& p) const override {
+        if (around_) return FAR;
+        double t0, d = outline_.distance(p.dir);
+        return hit(p.dir, t0) ? d : -d;
+    }
+    double distance(const Point& p) const override {
+        double t0 = 0;
+        return !around_ && hit(p.dir, t0) ? t0 : 0;
+    }
+    bool contains(Vec3 q) const override {
+        q = q - eye_;
+        const double e = 1e-6;
+        for (int k = 0; k < 3; ++k)
+            if (q[k] < lo_[k] - e || q[k] > hi_[k] + e) return false;
+        return true;
+    }
+private:
+    bool hit(Vec3 d, double& t0) const {
+        double t1 = INFINITY;
+        t0 = 0;
+        for (int k = 0; k < 3; ++k) {
+            if (d[k] == 0) {
+                if (lo_[k] > 0 || hi_[k] < 0) return false;
+                continue;
+            }
+            double a = lo_[k] / d[k], b = hi_[k] / d[k];
+            t0 = std::max(t0, std::min(a, b));
+            t1 = std::min(t1, std::max(a, b));
+        }
+        return t0 <= t1;
+    }
+    Vec3 eye_, lo_, hi_;
+    bool around_;
+    Arcs outline_;
+};
+
+class DirectionPolygon : public Field {
+public:
+    DirectionPolygon(const std::vector<Vec3>& corners, Vec3 axis) : outline_(corners, axis) {}
+    double value(const Point& p) const override { return outline_.value(p.dir); }
+private:
+    SphericalPolygon outline_;
+};
+
+Vec3 triple(const std::vector<double>& n, size_t at) { return {n[at], n[at + 1], n[at + 2]}; }
+
+std::unique_ptr<Field> polygon3d(const Shape& s, const Space& space) {
+    std::vector<Vec3> points;
+    for (size_t i = 0; i < s.numbers.size(); i += 3) points.push_back(triple(s.numbers, i));
+    Vec3 normal, centre;
+    for (size_t i = 0; i < points.size(); ++i) centre = centre + points[i] * (1.0 / double(points.size()));
+    for (size_t i = 0; i < points.size(); ++i)  // Newell's normal: twice the area
+        normal = normal + cross(points[i] - centre, points[(i + 1) % points.size()] - centre);
+    double area = length(normal), size = 0;
+    for (Vec3 p : points) size = std::max(size, length(p - centre));
+    if (!(area > 1e-12 * size * size) || size == 0) fail(s.place, "the polygon has no area");
+    normal = normal * (1 / area);
+    for (size_t i = 0; i < points.size(); ++i) {
+        double off = std::fabs(dot(points[i] - centre, normal));
+        if (off > 1e-3 * size)
+            fail(s.place, fmt::format("the polygon is not flat: point {} lies {:.3g} off its plane", i + 1, off));
+    }
+    double height = dot(centre - space.eye, normal);
+    if (height < 0) normal = -normal, height = -height;
+    std::vector<Vec3> corners;
+    for (Vec3 p : points) {
+        Vec3 d = p - space.eye;
+        if (!(dot(d, normal) > 1e-9 * size)) return std::make_unique<Constant>(-FAR);  // seen edge on
+        corners.push_back(unit(d));
+    }
+    return std::make_unique<Polygon3d>(corners, normal, height);
+}
+
+std::unique_ptr<Field> disc3d(const Shape& s, const Space& space) {
+    Vec3 centre = triple(s.numbers, 0) - space.eye, normal = unit(triple(s.numbers, 3));
+    if (dot(centre, normal) < 0) normal = -normal;
+    if (dot(centre, normal) <= 1e-9 * s.numbers[6]) return std::make_unique<Constant>(-FAR);  // edge on
+    return std::make_unique<Disc>(centre, normal, s.numbers[6]);
+}
+
+std::unique_ptr<Field> polygon_direction(const Shape& s, const Space& space) {
+    if (space.behind > 0) fail(s.place, "a polygon of directions needs a view with an eye point, not -vtl");
+    std::vector<Vec3> corners;
+    Vec3 sum, winding;
+    for (size_t i = 0; i < s.numbers.size(); i += 3) {
+        Vec3 d = triple(s.numbers, i);
+        if (length(d) == 0) fail(s.place, fmt::format("direction {} of the polygon is zero", i / 3 + 1));
+        corners.push_back(unit(d));
+        sum = sum + corners.back();
+    }
+    for (size_t i = 0; i < corners.size(); ++i) winding = winding + cross(corners[i], corners[(i + 1) % corners.size()]);
+    for (Vec3 axis : {unit(sum), unit(winding), unit(-winding)}) {
+        bool good = true;
+        for (Vec3 c : corners) good = good && dot(c, axis) > 1e-6;
+        if (good) return std::make_unique<DirectionPolygon>(corners, axis);
+    }
+    fail(s.place, "the polygon's directions do not lie within one hemisphere");
+}
+
+std::unique_ptr<Field> circle(const Shape& s, const Space& space) {
+    if (space.behind > 0) fail(s.place, "a circle of directions needs a view with an eye point, not -vtl");
+    const std::vector<double>& n = s.numbers;
+    Vec3 axis;
+    Point p;
+    switch (s.frame) {
+    case Frame::direction: axis = unit(triple(n, 0)); break;
+    case Frame::point:
+        axis = triple(n, 0) - space.eye;
+        if (length(axis) == 0) fail(s.place, "the circle's point is the eye point");
+        axis = unit(axis);
+        break;
+    case Frame::view: axis = space.projector.forward(); break;
+    case Frame::pixel: case Frame::fraction: {
+        // A pixel x y is meant by its centre, as evalglare's -t means it.
+        double x = s.frame == Frame::pixel ? n[0] + .5 : n[0] * space.nx, y = s.frame == Frame::pixel ? n[1] + .5 : n[1] * space.ny;
+        if (!(x >= 0 && y >= 0 && x <= space.nx && y <= space.ny))
+            fail(s.place, fmt::format("the circle's centre is not in the picture ({} x {} pixels)", space.nx, space.ny));
+        if (!space.point(x, y, p)) fail(s.place, "the circle's centre is outside the view's image");
+        axis = p.dir;
+    }
+    }
+    return std::make_unique<Cone>(axis, n.back() / 2 * (M_PI / 180));
+}
+
+}  // namespace
+
+std::unique_ptr<Field> make_field(const Shape& s, const Space& space) {
+    switch (s.kind) {
+    case Kind::polygon3d: return polygon3d(s, space);
+    case Kind::disc3d: return disc3d(s, space);
+    case Kind::box3d: return std::make_unique<Box>(s.numbers, space.eye);
+    case Kind::sphere3d: return std::make_unique<Sphere>(triple(s.numbers, 0), s.numbers[3], space.eye);
+    case Kind::circle: return circle(s, space);
+    case Kind::polygon_direction: return polygon_direction(s, space);
+    case Kind::rect: case Kind::polygon: return make_picture_shape(s, space);
+    case Kind::mask: return make_mask_field(s, space);
+    case Kind::zone: return make_zone(s, space);
+    case Kind::surface: case Kind::modifier: break;
+    }
+    fail(s.place, "a question to the scene is no shape");
+}
+
+}  // namespace region
