@@ -127,11 +127,10 @@ bool truth(const Values& values, const char* name) {
     return c == 'T';
 }
 
-void read_zone(const std::string& text, RadInput& input, bool& interior) {
+void read_zone(const std::string& text, RadInput& input) {
     std::vector<std::string> words = split(text);
-    interior = false;
     if (!words.empty() && std::isalpha((unsigned char)words[0][0])) {
-        interior = std::toupper((unsigned char)words[0][0]) == 'I';
+        input.interior = std::toupper((unsigned char)words[0][0]) == 'I';
         words.erase(words.begin());
     }
     if (words.size() != 6) base::fail("ZONE", "needs xmin xmax ymin ymax zmin zmax");
@@ -143,14 +142,14 @@ void read_zone(const std::string& text, RadInput& input, bool& interior) {
 
 void read_up(const std::string& text, RadInput& input) {
     const bool sign = !text.empty() && (text[0] == '+' || text[0] == '-');
-    const size_t axis = text.size() == 1u + sign ? std::string("XYZ").find(char(std::toupper((unsigned char)text[sign]))) : std::string::npos;
-    if (axis == std::string::npos) base::fail("UP", "\"" + text + "\" is no axis");
+    const size_t axis = std::string("XYZ").find(char(std::toupper((unsigned char)text.back())));
+    if (text.size() != 1u + sign || axis == std::string::npos) base::fail("UP", "\"" + text + "\" is no axis");
     input.up_axis = int(axis);
     input.up_sign = text[0] == '-' ? -1 : 1;
 }
 
 // rad's choice of the options that matter here, render= and rpict= last.
-std::vector<std::string> render_options(const Values& values, const RadInput& input, bool interior) {
+std::vector<std::string> render_options(const Values& values, const RadInput& input) {
     const int quality = level(values, "QUALITY", 0), detail = level(values, "DETAIL", 1);
     std::string text;
     const std::vector<std::string> size = split(values.get("RESOLUTION").empty() ? "512" : values.get("RESOLUTION"));
@@ -167,7 +166,7 @@ std::vector<std::string> render_options(const Values& values, const RadInput& in
     const long bounces = values.get("INDIRECT").empty() ? 0 : base::to_int(values.get("INDIRECT"), "INDIRECT");
     if (quality == 2) text += fmt::format(" -ab {}", bounces + 1);
     else if (quality == 1 && bounces > 0) text += fmt::format(" -ab {}", bounces);
-    const double ambient = values.get("EXPOSURE").empty() ? (interior ? .01 : 10) : .18 / input.exposure;
+    const double ambient = values.get("EXPOSURE").empty() ? (input.interior ? .01 : 10) : .18 / input.exposure;
     text += fmt::format(" -av {0:.2g} {0:.2g} {0:.2g}", ambient);
     const char* limits[] = {" -lr 6 -lw .001", " -lr 8 -lw 1e-4", " -lr 12 -lw 5e-6"};
     text += limits[quality];
@@ -184,16 +183,77 @@ std::vector<std::string> standard_view(const RadInput& input, const std::string&
     const char type = at < name.size() ? name[at] : 'v';
     if (!std::strchr("vlahsc", type)) return {};
     if (!input.has_zone) base::fail(input.path, "the standard view \"" + name + "\" needs ZONE=");
-    double vp[3], vd[3], size = 0;
+    double vp[3], vd[3], squares = 0;
+    int axes = 0;
     for (int i = 0; i < 3; ++i) {
-        const double wide = input.zone[2 * i + 1] - input.zone[2 * i];
-        vp[i] = (input.zone[2 * i] + input.zone[2 * i + 1]) / 2 + (input.zone[6 - 1] != 0 || true ? 1 : 1) * sign[i] * wide;
-        vd[i] = -sign[i] * wide;
-        size += wide * wide;
+        const double low = input.zone[2 * i], high = input.zone[2 * i + 1];
+        vp[i] = (low + high) / 2 + (input.interior ? .45 : 2) * sign[i] * (high - low);
+        vd[i] = sign[i] ? -sign[i] * (high - low) : 0;
+        squares += (high - low) * (high - low);
+        axes += sign[i] != 0;
     }
-    (void)vp, (void)vd;
-    return {std::to_string(type), std::to_string(size)};
+    int up = input.up_axis, up_sign = input.up_sign < 0 ? -1 : 1;
+    if (axes == 1 && sign[up]) up = (up + 2) % 3, up_sign = 1;  // along the view: Z -> Y, Y -> X, X -> Z
+    const double h = type == 'v' ? 45 : type == 'l' ? std::sqrt(squares) : 180;
+    const double v = type == 'c' ? 90 : h;
+    return split(fmt::format("-vt{} -vp {:.3g} {:.3g} {:.3g} -vd {:.3g} {:.3g} {:.3g} -vu {} {} {} -vh {:.3g} -vv {:.3g}", type,
+                             vp[0], vp[1], vp[2], vd[0], vd[1], vd[2], up == 0 ? up_sign : 0, up == 1 ? up_sign : 0,
+                             up == 2 ? up_sign : 0, h, v));
+}
+
+std::string up_option(const RadInput& input) {
+    if (!input.up_sign) return "";
+    return fmt::format("-vu {} {} {} ", input.up_axis == 0 ? input.up_sign : 0, input.up_axis == 1 ? input.up_sign : 0,
+                       input.up_axis == 2 ? input.up_sign : 0);
+}
+
+// A view= line: a name (also a standard one) and options.
+RadInput::NamedView read_view(const RadInput& input, const std::string& line) {
+    std::vector<std::string> words = split(line);
+    RadInput::NamedView view;
+    if (!words.empty() && words[0][0] != '-') {
+        view.name = words[0];
+        words.erase(words.begin());
+        view.words = standard_view(input, view.name);
+    }
+    if (view.words.empty()) view.words = split(up_option(input));
+    view.words.insert(view.words.end(), words.begin(), words.end());
+    return view;
 }
 
 }  // namespace
+
+RadInput read_rad_input(const std::string& path, const std::vector<std::string>& more) {
+    const Values values = read_values(path, more);
+    RadInput input;
+    input.path = path;
+    for (const char* name : {"materials", "illum", "scene"})
+        for (const std::string& file : split(values.get(name))) input.scene_files.push_back(file);
+    if (input.scene_files.empty()) input.scene_files = split(values.get("OCTREE"));
+    if (input.scene_files.empty()) base::fail(path, "names no scene");
+    if (!values.get("ZONE").empty()) read_zone(values.get("ZONE"), input);
+    if (!values.get("UP").empty()) read_up(values.get("UP"), input);
+    const std::string exposure = values.get("EXPOSURE");
+    if (!exposure.empty()) {
+        const bool stops = exposure[0] == '+' || exposure[0] == '-';
+        const double value = base::to_real(exposure, "EXPOSURE");
+        input.exposure = stops ? std::exp2(value) : value;
+        if (!(input.exposure > 0)) base::fail("EXPOSURE", "\"" + exposure + "\" is not positive");
+    }
+    input.options = render_options(values, input);
+    for (const std::string& line : values.views) input.views.push_back(read_view(input, line));
+    return input;
+}
+
+std::vector<std::string> view_words(const RadInput& input, const std::string& name) {
+    if (name.empty() && !input.views.empty()) return input.views[0].words;
+    for (const RadInput::NamedView& view : input.views)
+        if (!name.empty() && view.name == name) return view.words;
+    for (size_t i = 0; i < input.views.size(); ++i)
+        if (name == std::to_string(i + 1)) return input.views[i].words;
+    std::vector<std::string> words = standard_view(input, name.empty() ? "X" : name);
+    if (words.empty()) base::fail(input.path, "has no view \"" + name + "\"");
+    return words;
+}
+
 }  // namespace scene

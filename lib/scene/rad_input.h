@@ -19,7 +19,7 @@ struct RadInput {
     std::vector<NamedView> views;
     double exposure = 1;                   // a factor
     double zone[6] = {0, 0, 0, 0, 0, 0};   // xmin xmax ymin ymax zmin zmax
-    bool has_zone = false;
+    bool has_zone = false, interior = false;
     int up_axis = 2, up_sign = 0;          // UP; sign 0: not given
 };
 

@@ -14,6 +14,7 @@
 #include "base/radopts.h"
 #include "base/run.h"
 #include "base/warnings.h"
+#include "scene/rad_input.h"
 #include "trace/progressive.h"
 
 namespace {
@@ -209,16 +210,56 @@ bool answer(Words& words, Options& opt) {
     return true;
 }
 
+// What parsing knows besides the options' values.
+struct Reading {
+    Options& opt;
+    std::string not_needed;                     // options that deserve the one warning
+    std::optional<scene::RadInput> rad_input;   // -rif
+    std::vector<std::string> view_after_rif;    // view options that override the view chosen by name
+};
+
+bool read_option(Words& words, Reading& reading);
+
+void read_all(const std::vector<std::string>& options, Reading& reading, const std::string& place) {
+    Words words(options);
+    while (words.more())
+        if (!read_option(words, reading)) base::fail(place, "\"" + words.peek() + "\" is no option of ptrace");
+}
+
+void read_rif(const std::string& path, Reading& reading) {
+    Reading quiet{reading.opt, "", {}, {}};     // rad's own choices deserve no warning
+    reading.rad_input = scene::read_rad_input(path);
+    read_all(reading.rad_input->options, quiet, path);
+}
+
+// The view of that name, then the view options given after -rif.
+void choose_view(const std::string& name, Reading& reading) {
+    Reading quiet{reading.opt, "", {}, {}};
+    reading.opt.view = view::View();
+    read_all(scene::view_words(*reading.rad_input, name), quiet, reading.rad_input->path);
+    read_all(reading.view_after_rif, quiet, reading.rad_input->path);
+}
+
 // One option at the cursor; false: no option of ours.
-bool read_option(Words& words, Options& opt, std::string& not_needed) {
-    for (const Row& row : table(opt))
-        if (read_row(row, words)) return true;
-    if (const int n = view::parse_option(opt.view, words.all(), words.at())) {
-        words.skip(size_t(n));
+bool read_option(Words& words, Reading& reading) {
+    const size_t from = words.at();
+    const auto was_view = [&] {
+        if (reading.rad_input)
+            reading.view_after_rif.insert(reading.view_after_rif.end(), words.all().begin() + long(from), words.all().begin() + long(words.at()));
+        return true;
+    };
+    if (words.is("-rif")) {
+        read_rif(words.next_string("-rif"), reading);
         return true;
     }
+    for (const Row& row : table(reading.opt))
+        if (read_row(row, words)) return std::string(row.name) == "-vf" ? was_view() : true;
+    if (const int n = view::parse_option(reading.opt.view, words.all(), words.at())) {
+        words.skip(size_t(n));
+        return was_view();
+    }
     if (words.peek() == "-pXYZ" || words.peek() == "-pc") base::fail(words.peek(), "frames are in RADIANCE's RGB");
-    return read_unneeded(words, not_needed);
+    return read_unneeded(words, reading.not_needed);
 }
 
 void check(const Options& opt) {
@@ -258,20 +299,23 @@ std::string output_name(const std::string& pattern, int64_t k) {
 std::optional<int> parse_options(int argc, char** argv, Options& opt) {
     opt.files.raypath = base::raypath_from_environment();
     Words words({argv + 1, argv + argc});
-    std::string not_needed;
+    Reading reading{opt, "", {}, {}};
+    std::vector<std::string> operands;
     while (words.more()) {
-        if (!words.is_option()) {
-            opt.scene_files.push_back(words.take());
-        } else if (!opt.scene_files.empty()) {
-            base::fail(words.peek(), "options come before the scene files");
-        } else if (answer(words, opt)) {
-            return 0;
-        } else if (!read_option(words, opt, not_needed)) {
-            base::fail(words.peek(), "no such option; ptrace -help lists them");
-        }
+        if (!words.is_option()) operands.push_back(words.take());
+        else if (!operands.empty()) base::fail(words.peek(), "options come before the scene files");
+        else if (answer(words, opt)) return 0;
+        else if (!read_option(words, reading)) base::fail(words.peek(), "no such option; ptrace -help lists them");
+    }
+    if (reading.rad_input) {
+        if (operands.size() > 1) base::fail("-rif", "one view name at most, not \"" + operands[1] + "\" too");
+        opt.scene_files = reading.rad_input->scene_files;
+        choose_view(operands.empty() ? "" : operands[0], reading);
+    } else {
+        opt.scene_files = operands;
     }
     if (!opt.warnings) base::set_warning_sink({});
-    if (!not_needed.empty()) base::warn("", "a path tracer does not need" + not_needed);
+    if (!reading.not_needed.empty()) base::warn("", "a path tracer does not need" + reading.not_needed);
     check(opt);
     view::fit_size(opt.view, opt.pixel_aspect, opt.nx, opt.ny);
     return std::nullopt;
