@@ -9,6 +9,7 @@
 namespace image {
 
 // Pictures from one file or stdin ("-").  RGBE (flat, old and new RLE), XYZE, float; all eight orientations.
+// A file that is OpenEXR (whatever its name) is one picture.
 class StreamReader {
 public:
     explicit StreamReader(const std::string& path);
@@ -26,8 +27,15 @@ void write_picture(std::FILE* out, const Picture& picture, Format format);
 // The same to stdout by base::write_stdout, flushed.
 void write_picture_stdout(const Picture& picture, Format format);
 
-// Whole files, chosen by ending (.hdr .pic: RADIANCE; .exr: OpenEXR; .png: write only, for people).
-Picture read_file(const std::string& path);
+// The same as bytes.
+std::string picture_bytes(const Picture& picture, Format format);
+// A file that appears whole or not at all.
+void write_bytes(const std::string& path, const std::string& bytes);
+
+// Whole files, chosen by ending when written (.hdr .pic: RADIANCE; .exr: OpenEXR; .png: for people, tone.h); read by content.
+std::string ending_of(const std::string& path);               // ".exr", in small letters
+void require_writable_ending(const std::string& path);        // an Error before the work, not after it
+Picture read_file(const std::string& path);                   // one picture; throws Error if there are several
 void write_file(const std::string& path, const Picture& picture, Format hdr_format = Format::rgbe);  // atomic: temp + rename
 
 }  // namespace image

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures as OpenEXR: see exr.h.  A picture summed from frame 0 on also keeps L(0) as layer "frame0", which
+// merging needs (accumulate.h).
+#include "image/exr.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "image/exr_file.h"
+#include "image/header.h"
+
+namespace image {
+namespace {
+
+constexpr float largest_half = 65504;
+
+void scale_colors(std::vector<float>& rgb, double unit, const std::optional<std::array<double, 8>>& primaries) {
+    bool mixes = false;
+    if (primaries)
+        for (int i = 0; i < 8; ++i) mixes = mixes || std::fabs((*primaries)[i] - radiance_primaries[i]) > .001;
+    if (!mixes && unit == 1) return;
+    Matrix3 m{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    if (mixes) m = rgb_from_primaries(*primaries);
+    for (size_t i = 0; i + 2 < rgb.size(); i += 3) {
+        const double r = rgb[i] * unit, g = rgb[i + 1] * unit, b = rgb[i + 2] * unit;
+        for (int c = 0; c < 3; ++c) rgb[i + c] = float(m[3 * c] * r + m[3 * c + 1] * g + m[3 * c + 2] * b);
+    }
+}
+
+}  // namespace
+
+Picture read_exr(const std::string& path) {
+    const ExrInput in(path);
+    Picture p;
+    p.width = in.width();
+    p.height = in.height();
+    p.header = in.header();
+    const bool color = in.has("R") && in.has("G") && in.has("B");
+    if (!color && !in.has("Y")) base::fail(path, "has neither the channels R G B nor Y: it is no picture");
+    if (!color && in.has("RY")) base::fail(path, "is stored as luminance and chroma (Y RY BY): not read");
+    if (color) {
+        p.rgb = in.read({"R", "G", "B"});
+        scale_colors(p.rgb, in.white_luminance() / 179, in.primaries());
+        if (in.has("frame0.R") && in.has("frame0.G") && in.has("frame0.B")) p.frame0 = in.read({"frame0.R", "frame0.G", "frame0.B"});
+        scale_colors(p.frame0, in.white_luminance() / 179, in.primaries());
+        return p;
+    }
+    const std::vector<float> grey = in.read({"Y"});
+    p.rgb.resize(3 * grey.size());
+    for (size_t i = 0; i < grey.size(); ++i) p.rgb[3 * i] = p.rgb[3 * i + 1] = p.rgb[3 * i + 2] = grey[i];
+    scale_colors(p.rgb, in.white_luminance() / 179, std::nullopt);
+    return p;
+}
+
+void write_exr(const std::string& path, const Picture& picture, const ExrOptions& options) {
+    std::vector<float> rgb, frame0;
+    const auto limited = [&](const std::vector<float>& in) {
+        std::vector<float> out = in;
+        bool any = false;
+        for (float& v : out) {
+            any = any || std::fabs(v) > largest_half;
+            v = std::clamp(v, -largest_half, largest_half);
+        }
+        if (any) base::warn(path, "radiance above 65504 does not fit half floats and was cut");
+        return out;
+    };
+    const float* base_rgb = picture.rgb.data();
+    const float* base_frame0 = picture.frame0.data();
+    if (options.half) {
+        rgb = limited(picture.rgb);
+        frame0 = limited(picture.frame0);
+        base_rgb = rgb.data();
+        base_frame0 = frame0.data();
+    }
+    std::vector<ExrChannel> channels{{"R", base_rgb, 3}, {"G", base_rgb + 1, 3}, {"B", base_rgb + 2, 3}};
+    if (!picture.frame0.empty())
+        for (int c = 0; c < 3; ++c) channels.push_back({std::string("frame0.") + "RGB"[c], base_frame0 + c, 3});
+    write_exr_channels(path, picture.width, picture.height, channels, picture.header, {}, options);
+}
+
+}  // namespace image

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See exr_file.h.  Files are composed in memory, so that a full disk is noticed by one checked write.
+#include "image/exr_file.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfTileDescription.h>
+#include <OpenEXR/ImfTiledOutputFile.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+#include "base/error.h"
+#include "image/header.h"
+#include "image/stream.h"
+
+namespace image {
+namespace {
+
+constexpr int most_side = 32768, block_lines = 64;
+
+std::string one_line(const char* text) {
+    std::string s = text;
+    std::replace(s.begin(), s.end(), '\n', ' ');
+    return s;
+}
+
+class MemoryOut : public Imf::OStream {
+public:
+    MemoryOut() : Imf::OStream("memory") {}
+    void write(const char c[], int n) override {
+        if (bytes.size() < at_ + size_t(n)) bytes.resize(at_ + size_t(n));
+        std::memcpy(&bytes[at_], c, size_t(n));
+        at_ += size_t(n);
+    }
+    uint64_t tellp() override { return at_; }
+    void seekp(uint64_t pos) override { at_ = pos; }
+    std::string bytes;
+
+private:
+    size_t at_ = 0;
+};
+
+Imf::Compression compression_of(const std::string& name) {
+    const std::pair<const char*, Imf::Compression> known[] = {
+        {"none", Imf::NO_COMPRESSION}, {"rle", Imf::RLE_COMPRESSION}, {"zips", Imf::ZIPS_COMPRESSION},
+        {"zip", Imf::ZIP_COMPRESSION}, {"piz", Imf::PIZ_COMPRESSION}, {"pxr24", Imf::PXR24_COMPRESSION},
+        {"b44", Imf::B44_COMPRESSION}, {"b44a", Imf::B44A_COMPRESSION}, {"dwaa", Imf::DWAA_COMPRESSION},
+        {"dwab", Imf::DWAB_COMPRESSION}};
+    for (const auto& [text, code] : known)
+        if (name == text) return code;
+    base::fail("compression", "\"" + name + "\" is not one of none rle zips zip piz pxr24 b44 b44a dwaa dwab");
+}
+
+// The planes as T, one after another, into an open file.
+template <class T, class Out>
+void put_planes(Out& file, Imf::PixelType type, int width, int height, const std::vector<ExrChannel>& channels,
+                const std::function<void(Out&)>& write) {
+    std::vector<std::vector<T>> planes;
+    Imf::FrameBuffer frame;
+    for (const ExrChannel& c : channels) {
+        planes.emplace_back(size_t(width) * height);
+        for (size_t i = 0; i < planes.back().size(); ++i) planes.back()[i] = T(c.first[i * c.stride]);
+        frame.insert(c.name, Imf::Slice(type, reinterpret_cast<char*>(planes.back().data()), sizeof(T), sizeof(T) * width));
+    }
+    file.setFrameBuffer(frame);
+    write(file);
+}
+
+template <class Out>
+void put(Out& file, bool half_floats, int width, int height, const std::vector<ExrChannel>& channels,
+         const std::function<void(Out&)>& write) {
+    if (half_floats) put_planes<half, Out>(file, Imf::HALF, width, height, channels, write);
+    else put_planes<float, Out>(file, Imf::FLOAT, width, height, channels, write);
+}
+
+}  // namespace
+
+struct ExrInput::File {
+    Imf::InputFile in;
+    explicit File(const char* path) : in(path) {}
+};
+
+ExrInput::ExrInput(const std::string& path) : path_(path) {
+    errno = 0;
+    if (!std::ifstream(path, std::ios::binary)) base::fail_system(path, "cannot be read");
+    Imf::Header::setMaxImageSize(most_side, most_side);  // before OpenEXR reserves anything
+    Imf::Header::setMaxTileSize(most_side, most_side);
+    try {
+        file_.reset(new File(path.c_str()));
+        const Imath::Box2i shown = file_->in.header().displayWindow();
+        const int64_t w = int64_t(shown.max.x) - shown.min.x + 1, h = int64_t(shown.max.y) - shown.min.y + 1;
+        if (w < 1 || h < 1 || w > most_side || h > most_side)
+            base::fail(path, "picture size is not within 1.." + std::to_string(most_side));
+        width_ = int(w);
+        height_ = int(h);
+    } catch (const base::Error&) {
+        throw;
+    } catch (const std::exception& e) {
+        base::fail(path, "is no readable OpenEXR file: " + one_line(e.what()));
+    }
+}
+
+ExrInput::~ExrInput() = default;
+
+std::vector<std::string> ExrInput::channels() const {
+    std::vector<std::string> names;
+    const Imf::ChannelList& list = file_->in.header().channels();
+    for (auto c = list.begin(); c != list.end(); ++c) names.push_back(c.name());
+    return names;
+}
+
+bool ExrInput::has(const std::string& channel) const { return file_->in.header().channels().findChannel(channel) != nullptr; }
+
+std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
+    const size_t n = names.size();
+    std::vector<float> out;
+    try {
+        const Imf::Header& header = file_->in.header();
+        for (const std::string& name : names) {
+            const Imf::Channel* c = header.channels().findChannel(name);
+            if (!c) base::fail(path_, "has no channel " + name);
+            if (c->xSampling != 1 || c->ySampling != 1) base::fail(path_, "channel " + name + " is subsampled: not read");
+        }
+        const Imath::Box2i shown = header.displayWindow(), data = header.dataWindow();
+        const size_t data_width = size_t(data.max.x - data.min.x + 1);
+        std::vector<float> block(data_width * block_lines * n);
+        for (int y = data.min.y; y <= data.max.y; y += block_lines) {
+            const int last = std::min(y + block_lines - 1, data.max.y);
+            Imf::FrameBuffer frame;
+            for (size_t c = 0; c < n; ++c) {
+                // OpenEXR wants the address that pixel (0,0) would have
+                char* origin = reinterpret_cast<char*>(block.data() + c) -
+                               ptrdiff_t(sizeof(float) * n) * (data.min.x + ptrdiff_t(data_width) * y);
+                frame.insert(names[c], Imf::Slice(Imf::FLOAT, origin, sizeof(float) * n, sizeof(float) * n * data_width));
+            }
+            file_->in.setFrameBuffer(frame);
+            file_->in.readPixels(y, last);
+            const int top = std::max(y, shown.min.y), bottom = std::min(last, shown.max.y);
+            const int left = std::max(data.min.x, shown.min.x), right = std::min(data.max.x, shown.max.x);
+            for (int row = top; row <= bottom && left <= right; ++row) {
+                const float* from = &block[n * (size_t(row - y) * data_width + size_t(left - data.min.x))];
+                const size_t at = n * (size_t(row - shown.min.y) * width_ + size_t(left - shown.min.x));
+                if (out.size() < at + n * width_) out.resize(at + n * width_);
+                std::copy(from, from + n * size_t(right - left + 1), &out[at]);
+            }
+        }
+        out.resize(n * width_ * size_t(height_));
+    } catch (const base::Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& e) {
+        base::fail(path_, "is a broken OpenEXR file: " + one_line(e.what()));
+    }
+    return out;
+}
+
+std::map<std::string, std::string> ExrInput::texts() const {
+    std::map<std::string, std::string> all;
+    const Imf::Header& h = file_->in.header();
+    for (auto a = h.begin(); a != h.end(); ++a)
+        if (const auto* s = dynamic_cast<const Imf::StringAttribute*>(&a.attribute())) all[a.name()] = s->value();
+    return all;
+}
+
+std::optional<std::string> ExrInput::text(const std::string& attribute) const {
+    const auto all = texts();
+    const auto found = all.find(attribute);
+    if (found == all.end()) return std::nullopt;
+    return found->second;
+}
+
+Header ExrInput::header() const {
+    Header h;
+    Encoding unused;
+    if (const auto lines = text("radianceHeader")) {
+        std::istringstream in(*lines);
+        for (std::string line; std::getline(in, line);) parse_header_line(line, h, unused, path_);
+    } else {
+        for (const auto& [name, value] : texts())
+            if (!name.empty() && value.find('\n') == std::string::npos)
+                parse_header_line((name == "view" ? "VIEW" : name) + "=" + value, h, unused, path_);
+        h.pixel_aspect = 1 / std::max(1e-6f, file_->in.header().pixelAspectRatio());
+    }
+    h.exposure = 1;  // the pixels carry no exposure
+    return h;
+}
+
+double ExrInput::white_luminance() const {
+    const Imf::Header& h = file_->in.header();
+    return Imf::hasWhiteLuminance(h) && Imf::whiteLuminance(h) > 0 ? Imf::whiteLuminance(h) : 179;
+}
+
+std::optional<std::array<double, 8>> ExrInput::primaries() const {
+    const Imf::Header& h = file_->in.header();
+    if (!Imf::hasChromaticities(h)) return std::nullopt;
+    const Imf::Chromaticities& c = Imf::chromaticities(h);
+    return std::array<double, 8>{c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y};
+}
+
+void write_exr_channels(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,
+                        const Header& header, const std::map<std::string, std::string>& texts, const ExrOptions& options) {
+    const Imf::Compression compression = compression_of(options.compression);
+    MemoryOut memory;
+    try {
+        Imf::Header h(width, height, float(1 / header.pixel_aspect));
+        h.compression() = compression;
+        std::string lines;
+        for (const std::string& line : header_lines(header)) lines += line + "\n";
+        h.insert("radianceHeader", Imf::StringAttribute(lines));
+        if (header.view) h.insert("VIEW", Imf::StringAttribute(view::to_options(*header.view)));
+        for (const auto& [name, value] : texts) h.insert(name, Imf::StringAttribute(value));
+        Imf::addWhiteLuminance(h, 179);
+        const auto& p = radiance_primaries;
+        const auto xy = [&](int i) { return Imath::V2f(float(p[i]), float(p[i + 1])); };
+        Imf::addChromaticities(h, Imf::Chromaticities(xy(0), xy(2), xy(4), xy(6)));
+        for (const ExrChannel& c : channels) h.channels().insert(c.name, Imf::Channel(options.half ? Imf::HALF : Imf::FLOAT));
+        if (options.tiled) {
+            h.setTileDescription(Imf::TileDescription(64, 64, Imf::ONE_LEVEL));
+            Imf::TiledOutputFile file(memory, h);
+            put<Imf::TiledOutputFile>(file, options.half, width, height, channels, [](Imf::TiledOutputFile& f) {
+                f.writeTiles(0, f.numXTiles() - 1, 0, f.numYTiles() - 1);
+            });
+        } else {
+            Imf::OutputFile file(memory, h);
+            put<Imf::OutputFile>(file, options.half, width, height, channels, [height](Imf::OutputFile& f) { f.writePixels(height); });
+        }
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& e) {
+        base::fail(path, "cannot be written as OpenEXR: " + one_line(e.what()));
+    }
+    write_bytes(path, memory.bytes);
+}
+
+}  // namespace image

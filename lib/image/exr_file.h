@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// OpenEXR files as named float channels plus the text of a RADIANCE header: what pictures and masks share.
+#pragma once
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+#include "image/exr.h"
+
+namespace image {
+
+// Reads the display window; what the data window does not cover is 0.  Throws Error for anything broken.
+class ExrInput {
+public:
+    explicit ExrInput(const std::string& path);
+    ~ExrInput();
+    int width() const { return width_; }
+    int height() const { return height_; }
+    std::vector<std::string> channels() const;
+    bool has(const std::string& channel) const;
+    // Channels interleaved, rows from the top.  Memory grows with what could be decoded.
+    std::vector<float> read(const std::vector<std::string>& channels) const;
+    std::optional<std::string> text(const std::string& attribute) const;   // string attribute
+    std::map<std::string, std::string> texts() const;                      // all of them
+    Header header() const;           // from "radianceHeader", else from VIEW and the other string attributes
+    double white_luminance() const;  // cd/m2 of R = G = B = 1; 179 if not told
+    std::optional<std::array<double, 8>> primaries() const;
+
+private:
+    struct File;
+    std::string path_;
+    std::unique_ptr<File> file_;
+    int width_ = 0, height_ = 0;
+};
+
+struct ExrChannel {
+    std::string name;
+    const float* first;  // of the top left pixel
+    int stride;          // floats from pixel to pixel
+};
+// Whole or not at all.
+void write_exr_channels(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,
+                        const Header& header, const std::map<std::string, std::string>& texts, const ExrOptions& options);
+
+}  // namespace image

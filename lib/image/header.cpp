@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Header lines of RADIANCE pictures and the lines of our streams (man/luxpipe-stream.5).
+// Keys are case sensitive and begin their line; a line that begins with a tab is history of an input.
+#include "image/header.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "base/error.h"
+
+namespace image {
+namespace {
+
+constexpr size_t longest_line = 2040;  // RADIANCE reads lines of at most 2047 characters
+
+std::optional<std::string> value_of(const std::string& line, const char* key) {
+    const size_t n = std::char_traits<char>::length(key);
+    if (line.compare(0, n, key) != 0) return std::nullopt;
+    const size_t from = line.find_first_not_of(' ', n);
+    if (from == std::string::npos) return std::string();
+    return line.substr(from, line.find_last_not_of(" \t\r") + 1 - from);
+}
+
+// Reads exactly the numbers asked for; anything else is an error of the line.
+template <size_t n>
+std::array<double, n> numbers(const std::string& line, const std::string& text, const std::string& where) {
+    std::array<double, n> all{};
+    const char* at = text.c_str();
+    for (double& value : all) {
+        char* end = nullptr;
+        value = std::strtod(at, &end);
+        if (end == at || !std::isfinite(value)) base::fail(where, "header line \"" + line + "\" is malformed");
+        at = end;
+    }
+    return all;
+}
+
+double positive(const std::string& line, const std::string& text, const std::string& where) {
+    const double value = numbers<1>(line, text, where)[0];
+    if (!(value > 0)) base::fail(where, "header line \"" + line + "\" is not above 0");
+    return value;
+}
+
+// Integers may exceed a double's 53 bits (seeds).
+template <class Int>
+Int integer(const std::string& line, const std::string& text, const std::string& where) {
+    Int value{};
+    std::istringstream in(text);
+    in >> value;
+    if (text.empty() || text[0] == '-' || in.fail() || in.peek() != EOF)
+        base::fail(where, "header line \"" + line + "\" is not a whole number from 0");
+    return value;
+}
+
+int side(const std::string& line, const std::string& text, const std::string& where) {
+    const int64_t value = integer<int64_t>(line, text, where);
+    if (value < 1 || value > 1 << 20) base::fail(where, "header line \"" + line + "\" is out of range");
+    return int(value);
+}
+
+std::pair<int64_t, int64_t> range(const std::string& line, const std::string& text, const std::string& where) {
+    const size_t colon = text.find(':');
+    if (colon == std::string::npos) base::fail(where, "header line \"" + line + "\" is not RANGE=first:last");
+    const auto first = integer<int64_t>(line, text.substr(0, colon), where);
+    const auto last = integer<int64_t>(line, text.substr(colon + 1), where);
+    if (last < first) base::fail(where, "header line \"" + line + "\" ends before it begins");
+    return {first, last};
+}
+
+Format format(const std::string& line, const std::string& text, const std::string& where) {
+    if (text == "32-bit_rle_rgbe") return Format::rgbe;
+    if (text == "32-bit_rle_xyze") return Format::xyze;
+    if (text == "float") return Format::flt;
+    base::fail(where, "header line \"" + line + "\": this pixel format is not read (32-bit_rle_rgbe, 32-bit_rle_xyze and float are)");
+}
+
+std::string one_line(std::string text) {
+    for (char& c : text)
+        if (c == '\n' || c == '\r') c = ' ';
+    if (text.size() > longest_line) text = text.substr(0, longest_line - 4) + " ...";
+    return text;
+}
+
+Matrix3 inverse(const Matrix3& m) {
+    const auto minor = [&](int a, int b, int c, int d) { return m[a] * m[d] - m[b] * m[c]; };
+    const Matrix3 adjugate{minor(4, 5, 7, 8), minor(2, 1, 8, 7), minor(1, 2, 4, 5),
+                           minor(5, 3, 8, 6), minor(0, 2, 6, 8), minor(2, 0, 5, 3),
+                           minor(3, 4, 6, 7), minor(1, 0, 7, 6), minor(0, 1, 3, 4)};
+    const double det = m[0] * adjugate[0] + m[1] * adjugate[3] + m[2] * adjugate[6];
+    Matrix3 r;
+    for (int i = 0; i < 9; ++i) r[i] = adjugate[i] / det;
+    return r;
+}
+
+Matrix3 product(const Matrix3& a, const Matrix3& b) {
+    Matrix3 r{};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            for (int k = 0; k < 3; ++k) r[3 * i + j] += a[3 * i + k] * b[3 * k + j];
+    return r;
+}
+
+// Linear RGB -> XYZ: columns are the primaries, scaled so that R = G = B = 1 is the white point with Y = 1.
+Matrix3 xyz_from_rgb(const std::array<double, 8>& p) {
+    Matrix3 chroma;
+    for (int c = 0; c < 3; ++c) {
+        chroma[c] = p[2 * c];
+        chroma[3 + c] = p[2 * c + 1];
+        chroma[6 + c] = 1 - p[2 * c] - p[2 * c + 1];
+    }
+    const Matrix3 inv = inverse(chroma);
+    const double white[3] = {p[6] / p[7], 1, (1 - p[6] - p[7]) / p[7]};
+    Matrix3 m;
+    for (int c = 0; c < 3; ++c) {
+        const double scale = inv[3 * c] * white[0] + inv[3 * c + 1] * white[1] + inv[3 * c + 2] * white[2];
+        for (int r = 0; r < 3; ++r) m[3 * r + c] = chroma[3 * r + c] * scale;
+    }
+    return m;
+}
+
+}  // namespace
+
+const std::array<double, 8> radiance_primaries{.640, .330, .290, .600, .150, .060, .3333, .3333};
+
+Matrix3 xyz_from_radiance_rgb() { return xyz_from_rgb(radiance_primaries); }
+Matrix3 rgb_from_xyz() { return inverse(xyz_from_rgb(radiance_primaries)); }
+Matrix3 rgb_from_primaries(const std::array<double, 8>& p) { return product(rgb_from_xyz(), xyz_from_rgb(p)); }
+
+void parse_header_line(const std::string& line, Header& h, Encoding& e, const std::string& where) {
+    if (line.find('\t') != std::string::npos && line.find("EXPOSURE=") != std::string::npos) h.tabbed_exposure = true;
+    if (line.compare(0, 2, "#?") == 0) return;
+    if (view::is_view_line(line)) {
+        view::View v = h.view.value_or(view::View());
+        if (view::parse_line(v, line)) h.view = v;
+        if (line.compare(0, 5, "VIEW=") != 0) h.lines.push_back(line);  // a command line is history, too
+    } else if (auto t = value_of(line, "EXPOSURE=")) {
+        h.exposure *= positive(line, *t, where);
+    } else if (auto t = value_of(line, "COLORCORR=")) {
+        const auto c = numbers<3>(line, *t, where);
+        for (int i = 0; i < 3; ++i) {
+            if (!(c[i] > 0)) base::fail(where, "header line \"" + line + "\" is not above 0");
+            e.colorcorr[i] *= c[i];
+        }
+    } else if (auto t = value_of(line, "PIXASPECT=")) {
+        h.pixel_aspect *= positive(line, *t, where);
+    } else if (auto t = value_of(line, "PRIMARIES=")) {
+        const auto p = numbers<8>(line, *t, where);
+        for (int i = 1; i < 8; i += 2)
+            if (!(p[i] > 0)) base::fail(where, "header line \"" + line + "\" is no set of chromaticities");
+        e.primaries = p;
+    } else if (auto t = value_of(line, "FORMAT=")) {
+        e.format = format(line, *t, where);
+    } else if (auto t = value_of(line, "NCOMP=")) {
+        e.channels = side(line, *t, where);
+    } else if (auto t = value_of(line, "NROWS=")) {
+        e.rows = side(line, *t, where);
+    } else if (auto t = value_of(line, "NCOLS=")) {
+        e.columns = side(line, *t, where);
+    } else if (auto t = value_of(line, "BigEndian=")) {
+        e.big_endian = integer<int>(line, *t, where) != 0;
+    } else if (auto t = value_of(line, "SEED=")) {
+        const auto seed = integer<uint64_t>(line, *t, where);
+        if (h.seed) h.other_seeds.push_back({seed, {}});
+        else h.seed = seed;
+    } else if (auto t = value_of(line, "FRAME=")) {
+        h.frame = integer<int64_t>(line, *t, where);
+    } else if (auto t = value_of(line, "FRAMES=")) {
+        h.frames = integer<int64_t>(line, *t, where);
+    } else if (auto t = value_of(line, "RANGE=")) {
+        (h.other_seeds.empty() ? h.ranges : h.other_seeds.back().second).push_back(range(line, *t, where));
+    } else {
+        h.lines.push_back(line);
+    }
+}
+
+std::vector<std::string> header_lines(const Header& h) {
+    std::vector<std::string> out{"#?RADIANCE"};
+    const std::string software = "SOFTWARE=luxpipe " LUXPIPE_VERSION;
+    bool signed_already = false;
+    for (const std::string& line : h.lines) {
+        if (line.empty()) continue;  // an empty line would end the header
+        out.push_back(one_line(line));
+        signed_already = signed_already || line == software;
+    }
+    if (!signed_already) out.push_back(software);
+    if (h.view) out.push_back("VIEW=" + view::to_options(*h.view));
+    if (h.pixel_aspect != 1) out.push_back(fmt::format("PIXASPECT={}", h.pixel_aspect));
+    if (h.seed) out.push_back(fmt::format("SEED={}", *h.seed));
+    if (h.frame) out.push_back(fmt::format("FRAME={}", *h.frame));
+    if (h.frames) out.push_back(fmt::format("FRAMES={}", *h.frames));
+    for (const auto& r : h.ranges) out.push_back(fmt::format("RANGE={}:{}", r.first, r.second));
+    for (const auto& [seed, ranges] : h.other_seeds) {
+        out.push_back(fmt::format("SEED={}", seed));
+        for (const auto& r : ranges) out.push_back(fmt::format("RANGE={}:{}", r.first, r.second));
+    }
+    return out;
+}
+
+void add_history(Header& header, const std::string& command_line) { header.lines.push_back(one_line(command_line)); }
+
+void add_input_history(Header& header, const std::string& name, const Header& input) {
+    header.lines.push_back(one_line(name + ":"));
+    for (const std::string& line : header_lines(input)) header.lines.push_back(one_line("\t" + line));
+}
+
+std::string to_text(const Ranges& ranges) {
+    std::string text;
+    for (const auto& r : ranges) text += fmt::format("{}{}:{}", text.empty() ? "" : ",", r.first, r.second);
+    return text;
+}
+
+void require_complete(const Picture& picture, const std::string& where) {
+    const Header& h = picture.header;
+    if (h.frame && !h.frames && *h.frame > 0)
+        base::fail(where, fmt::format("is single frame {}, no picture of the scene: sum the frames with ptaccum first", *h.frame));
+    const auto lacks_frame0 = [](const Ranges& ranges) {
+        for (const auto& r : ranges)
+            if (r.first == 0) return false;
+        return !ranges.empty();
+    };
+    if (lacks_frame0(h.ranges))
+        base::fail(where, fmt::format("is a partial sum without frame 0 (RANGE={}): merge it with ptaccum first", to_text(h.ranges)));
+}
+
+}  // namespace image

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// RADIANCE's information header <-> image::Header.  Used by the RADIANCE and OpenEXR readers and writers.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include "image/picture.h"
+
+namespace image {
+
+// How the pixels of one picture are stored: what the header says beyond image::Header.
+struct Encoding {
+    Format format = Format::rgbe;            // pictures without FORMAT= are RGBE
+    int channels = 3;                        // NCOMP=, float pictures: 1 (grey) or 3
+    bool big_endian = false;
+    int rows = 0, columns = 0;               // NROWS=, NCOLS=: then no resolution line follows
+    std::array<double, 3> colorcorr{1, 1, 1};
+    std::optional<std::array<double, 8>> primaries;  // rx ry gx gy bx by wx wy, if they differ from RADIANCE's
+};
+
+// One line of the header (no line end) into its field; lines not understood become history.
+void parse_header_line(const std::string& line, Header& header, Encoding& encoding, const std::string& where);
+
+// The header as lines: #?RADIANCE, history, SOFTWARE=, VIEW=, ..., without FORMAT= and the empty line.
+// No line is longer than RADIANCE's limit of 2048 characters.
+std::vector<std::string> header_lines(const Header& header);
+
+// A command line as a header line, cut to RADIANCE's limit.
+void add_history(Header& header, const std::string& command_line);
+
+// The inputs' headers as history of a picture made from several: every line indented by one tab.
+void add_input_history(Header& header, const std::string& name, const Header& input);
+
+// "0:9,12:20" for messages.
+std::string to_text(const Ranges& ranges);
+
+// 3 x 3, row-major: linear RGB of these primaries -> RADIANCE's RGB; XYZ (Y = luminance / 179) -> RADIANCE's RGB.
+using Matrix3 = std::array<double, 9>;
+Matrix3 rgb_from_primaries(const std::array<double, 8>& primaries);
+Matrix3 rgb_from_xyz();
+Matrix3 xyz_from_radiance_rgb();
+extern const std::array<double, 8> radiance_primaries;
+
+}  // namespace image

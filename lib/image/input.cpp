@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See input.h.
+#include "image/input.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "base/error.h"
+
+namespace image {
+
+Input::Input(const std::string& path) : name_(path == "-" ? "stdin" : path), buffer_(1 << 16) {
+    errno = 0;
+    if (path == "-") {
+        fd_ = 0;
+    } else {
+        fd_ = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+        if (fd_ < 0) base::fail_system(name_, "cannot be read");
+        own_ = true;
+    }
+    struct stat info = {};
+    const bool known = fstat(fd_, &info) == 0;
+    if (known && S_ISDIR(info.st_mode)) {
+        if (own_) close(fd_);
+        errno = EISDIR;
+        base::fail_system(name_, "cannot be read");
+    }
+    regular_ = known && S_ISREG(info.st_mode);
+#ifdef F_SETPIPE_SZ
+    if (known && S_ISFIFO(info.st_mode)) fcntl(fd_, F_SETPIPE_SZ, 1 << 20);  // fewer switches between the tools; a wish only
+#endif
+}
+
+Input::~Input() {
+    if (own_) close(fd_);
+}
+
+size_t Input::read_some(void* data, size_t bytes) {
+    if (end_) return 0;
+    for (;;) {
+        const ssize_t n = ::read(fd_, data, bytes);
+        if (n > 0) return size_t(n);
+        if (n == 0) {
+            end_ = true;
+            return 0;
+        }
+        if (errno != EINTR) base::fail_system(name_, "cannot be read");
+    }
+}
+
+bool Input::fill() {
+    at_ = 0;
+    have_ = read_some(buffer_.data(), buffer_.size());
+    return have_ > 0;
+}
+
+bool Input::at_end() { return at_ == have_ && !fill(); }
+
+size_t Input::read(void* data, size_t bytes) {
+    auto* to = static_cast<unsigned char*>(data);
+    size_t done = std::min(bytes, have_ - at_);
+    std::memcpy(to, &buffer_[0] + at_, done);
+    at_ += done;
+    while (done < bytes) {
+        if (bytes - done >= buffer_.size()) {
+            const size_t n = read_some(to + done, bytes - done);
+            if (!n) break;
+            done += n;
+        } else {
+            if (!fill()) break;
+            const size_t n = std::min(bytes - done, have_);
+            std::memcpy(to + done, buffer_.data(), n);
+            at_ = n;
+            done += n;
+        }
+    }
+    return done;
+}
+
+bool Input::look(void* data, size_t bytes) {
+    while (have_ - at_ < bytes) {
+        std::memmove(&buffer_[0], &buffer_[0] + at_, have_ - at_);
+        have_ -= at_;
+        at_ = 0;
+        const size_t n = read_some(&buffer_[0] + have_, buffer_.size() - have_);
+        if (!n) return false;
+        have_ += n;
+    }
+    std::memcpy(data, &buffer_[0] + at_, bytes);
+    return true;
+}
+
+std::optional<uint64_t> Input::remaining() const {
+    struct stat info = {};
+    if (!regular_ || fstat(fd_, &info) != 0) return std::nullopt;
+    const off_t at = lseek(fd_, 0, SEEK_CUR);
+    return (info.st_size > at ? uint64_t(info.st_size - at) : 0) + (have_ - at_);
+}
+
+}  // namespace image

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bytes from a file or pipe: small reads through a buffer, large blocks straight into place.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace image {
+
+class Input {
+public:
+    explicit Input(const std::string& path);  // "-" is stdin; throws Error (system) if it cannot be opened
+    ~Input();
+    Input(const Input&) = delete;
+    Input& operator=(const Input&) = delete;
+
+    const std::string& name() const { return name_; }
+    bool at_end();                            // waits for a byte or the end
+    int get() { return at_ < have_ || fill() ? buffer_[at_++] : -1; }
+    size_t read(void* data, size_t bytes);    // fewer only at the end of input
+    bool look(void* data, size_t bytes);      // a few bytes ahead, not taken; false if the input ends before
+    std::optional<uint64_t> remaining() const;  // bytes left, for regular files
+
+private:
+    bool fill();
+    size_t read_some(void* data, size_t bytes);
+    std::string name_;
+    int fd_ = -1;
+    bool own_ = false, end_ = false, regular_ = false;
+    std::vector<unsigned char> buffer_;
+    size_t at_ = 0, have_ = 0;
+};
+
+}  // namespace image

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mask files: see masks.h.  OpenEXR sorts its channels, so the order of the regions travels in an attribute.
+#include "image/masks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "base/error.h"
+#include "image/exr_file.h"
+
+namespace image {
+namespace {
+
+constexpr const char* order_attribute = "luxpipe.regions";
+
+bool name_is_valid(const std::string& name) {
+    return !name.empty() && name.size() < 64 &&
+           name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
+}
+
+}  // namespace
+
+MaskSet read_masks(const std::string& path) {
+    const ExrInput in(path);
+    MaskSet set;
+    set.width = in.width();
+    set.height = in.height();
+    set.header = in.header();
+    std::vector<std::string> names = in.channels();
+    if (names.empty()) base::fail(path, "has no channel: it holds no regions");
+    if (const auto order = in.text(order_attribute)) {
+        std::vector<std::string> listed;
+        std::istringstream words(*order);
+        for (std::string name; words >> name;)
+            if (std::count(names.begin(), names.end(), name) && !std::count(listed.begin(), listed.end(), name)) listed.push_back(name);
+        for (const std::string& name : names)
+            if (!std::count(listed.begin(), listed.end(), name)) listed.push_back(name);
+        names = listed;
+    }
+    for (const std::string& name : names) {
+        if (!name_is_valid(name)) base::fail(path, "channel \"" + name + "\" is no region name (letters, digits, _ and -)");
+        Mask mask{name, in.read({name})};
+        for (const float c : mask.coverage)
+            if (!(c >= 0 && c <= 1)) base::fail(path, "region \"" + name + "\" has a coverage outside 0..1");
+        set.masks.push_back(std::move(mask));
+    }
+    return set;
+}
+
+void write_masks(const std::string& path, const MaskSet& set) {
+    std::string order;
+    std::vector<ExrChannel> channels;
+    for (const Mask& mask : set.masks) {
+        if (!name_is_valid(mask.name)) base::fail(path, "\"" + mask.name + "\" is no region name (letters, digits, _ and -)");
+        if (mask.coverage.size() != size_t(set.width) * set.height) base::fail(path, "region \"" + mask.name + "\" has the wrong size");
+        order += (order.empty() ? "" : " ") + mask.name;
+        channels.push_back({mask.name, mask.coverage.data(), 1});
+    }
+    if (channels.empty()) base::fail(path, "no regions to write");
+    write_exr_channels(path, set.width, set.height, channels, set.header, {{order_attribute, order}}, ExrOptions());
+}
+
+}  // namespace image

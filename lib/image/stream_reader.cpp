@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures from files and pipes.  Float pixels are read straight into place; memory grows with the data that
+// really arrive, so that a header that lies about the size costs nothing.
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "base/error.h"
+#include "image/exr.h"
+#include "image/header.h"
+#include "image/input.h"
+#include "image/rgbe.h"
+#include "image/stream.h"
+
+namespace image {
+namespace {
+
+constexpr size_t most_header = 1 << 20, longest_line = 1 << 16;
+constexpr int most_side = 32768;
+constexpr size_t grow_floats = 1 << 24;  // 64 MiB at a time
+
+struct Layout {  // of the resolution line
+    int width = 0, height = 0;
+    bool x_major = false, x_down = false, y_up = false;
+    bool standard() const { return !x_major && !x_down && !y_up; }
+};
+
+bool host_is_big_endian() {
+    const uint16_t one = 1;
+    uint8_t first;
+    std::memcpy(&first, &one, 1);
+    return first == 0;
+}
+
+std::string read_line(Input& in, const std::string& place) {
+    std::string line;
+    for (int c; (c = in.get()) != '\n';) {
+        if (c < 0) base::fail(place, "input ends inside the header");
+        if (line.size() >= longest_line) base::fail(place, "a header line is longer than 65536 characters");
+        line += char(c);
+    }
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    return line;
+}
+
+Layout parse_resolution(const std::string& line, const std::string& place) {
+    char axis[2], sign[2];
+    long size[2];
+    const char* at = line.c_str();
+    const auto wrong = [&] { base::fail(place, "\"" + line.substr(0, 60) + "\" is no resolution line such as -Y 512 +X 512"); };
+    for (int i = 0; i < 2; ++i) {
+        while (*at == ' ') ++at;
+        sign[i] = *at ? *at++ : 0;
+        axis[i] = *at ? *at++ : 0;
+        if ((sign[i] != '-' && sign[i] != '+') || (axis[i] != 'X' && axis[i] != 'Y')) wrong();
+        char* end = nullptr;
+        size[i] = std::strtol(at, &end, 10);
+        if (end == at) wrong();
+        at = end;
+    }
+    while (*at == ' ') ++at;
+    if (*at || axis[0] == axis[1]) wrong();
+    for (const long side : size)
+        if (side < 1 || side > most_side)
+            base::fail(place, "picture size " + std::to_string(side) + " is not within 1.." + std::to_string(most_side));
+    Layout l;
+    l.x_major = axis[0] == 'X';
+    const int x = l.x_major ? 0 : 1;
+    l.width = int(size[x]);
+    l.height = int(size[1 - x]);
+    l.x_down = sign[x] == '-';
+    l.y_up = sign[1 - x] == '+';
+    return l;
+}
+
+// From file order to rows from the top, columns from the left.
+void reorient(std::vector<float>& rgb, const Layout& l) {
+    if (l.standard()) return;
+    std::vector<float> out(rgb.size());
+    const float* from = rgb.data();
+    const int slow = l.x_major ? l.width : l.height, fast = l.x_major ? l.height : l.width;
+    for (int s = 0; s < slow; ++s)
+        for (int f = 0; f < fast; ++f, from += 3) {
+            const int i = l.x_major ? s : f, j = l.x_major ? f : s;
+            const int x = l.x_down ? l.width - 1 - i : i, y = l.y_up ? l.height - 1 - j : j;
+            std::copy(from, from + 3, &out[3 * (size_t(y) * l.width + x)]);
+        }
+    rgb.swap(out);
+}
+
+void swap_bytes(float* data, size_t n) {
+    for (size_t i = 0; i < n; ++i) {
+        uint32_t v;
+        std::memcpy(&v, data + i, 4);
+        v = v >> 24 | (v >> 8 & 0xff00) | (v << 8 & 0xff0000) | v << 24;
+        std::memcpy(data + i, &v, 4);
+    }
+}
+
+void read_floats(Input& in, const Encoding& e, const Layout& l, std::vector<float>& rgb, const std::string& place) {
+    const size_t pixels = size_t(l.width) * l.height, total = pixels * e.channels;
+    if (const auto left = in.remaining())
+        if (*left < total * 4) base::fail(place, "input ends inside the picture (" + std::to_string(*left) + " of " + std::to_string(total * 4) + " bytes)");
+    size_t done = 0;
+    if (total <= grow_floats) rgb.resize(total);
+    while (done < total) {
+        const size_t n = std::min(total - done, grow_floats);
+        if (rgb.size() < done + n) rgb.resize(done + n);
+        const size_t got = in.read(rgb.data() + done, n * 4);
+        if (got < n * 4)
+            base::fail(place, "input ends inside the picture (row " + std::to_string((done + got / 4) / e.channels / (l.x_major ? l.height : l.width)) +
+                                  " of " + std::to_string(l.x_major ? l.width : l.height) + ")");
+        done += n;
+    }
+    rgb.resize(total);
+    if (e.big_endian != host_is_big_endian()) swap_bytes(rgb.data(), total);
+    if (e.channels == 1) {
+        rgb.resize(3 * pixels);
+        for (size_t i = pixels; i-- > 0;) rgb[3 * i] = rgb[3 * i + 1] = rgb[3 * i + 2] = rgb[i];
+    }
+}
+
+void read_bytes(Input& in, const Layout& l, std::vector<float>& rgb, const std::string& place) {
+    const int fast = l.x_major ? l.height : l.width, slow = l.x_major ? l.width : l.height;
+    if (const auto left = in.remaining())
+        if (*left < uint64_t(slow) * 4) base::fail(place, "input ends inside the picture");
+    std::vector<uint8_t> row(4 * size_t(fast));
+    const size_t total = 3 * size_t(fast) * slow;
+    if (total <= grow_floats) rgb.resize(total);
+    else rgb.clear();
+    for (int s = 0; s < slow; ++s) {
+        read_rgbe_row(in, fast, row.data(), place);
+        const size_t at = 3 * size_t(fast) * s;
+        if (rgb.size() < at + 3 * size_t(fast)) rgb.resize(std::min(total, std::max(at + 3 * size_t(fast), at + grow_floats)));
+        rgbe_to_float(row.data(), fast, &rgb[at]);
+    }
+}
+
+// Exposure, colour correction, colour space: afterwards RADIANCE's RGB radiance.
+void to_radiance(std::vector<float>& rgb, const Header& h, const Encoding& e) {
+    Matrix3 m{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    bool mixes = false;
+    double unit = 1 / h.exposure;
+    if (e.format == Format::xyze) {
+        m = rgb_from_xyz();
+        mixes = true;
+        unit /= 179;  // XYZ pixels are cd/m2
+    } else if (e.primaries) {
+        for (int i = 0; i < 8; ++i) mixes = mixes || std::fabs((*e.primaries)[i] - radiance_primaries[i]) > .001;
+        if (mixes) m = rgb_from_primaries(*e.primaries);
+    }
+    const double s[3] = {unit / e.colorcorr[0], unit / e.colorcorr[1], unit / e.colorcorr[2]};
+    if (mixes) {
+        for (size_t i = 0; i + 2 < rgb.size(); i += 3) {
+            const double r = rgb[i] * s[0], g = rgb[i + 1] * s[1], b = rgb[i + 2] * s[2];
+            for (int c = 0; c < 3; ++c) rgb[i + c] = float(m[3 * c] * r + m[3 * c + 1] * g + m[3 * c + 2] * b);
+        }
+    } else if (s[0] != 1 || s[1] != 1 || s[2] != 1) {
+        for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = float(rgb[i] * s[i % 3]);
+    }
+}
+
+}  // namespace
+
+struct StreamReader::State {
+    Input in;
+    int64_t count = 0;
+    bool exr = false;
+    explicit State(const std::string& path) : in(path) {
+        const unsigned char magic[4] = {0x76, 0x2f, 0x31, 0x01};
+        unsigned char start[4];
+        exr = in.look(start, 4) && std::memcmp(start, magic, 4) == 0;
+        if (exr && path == "-") base::fail("stdin", "is an OpenEXR file: give its name, it cannot be read from a pipe");
+    }
+};
+
+StreamReader::StreamReader(const std::string& path) : state_(new State(path)) {}
+StreamReader::~StreamReader() = default;
+int64_t StreamReader::pictures() const { return state_->count; }
+
+bool StreamReader::next(Picture& picture) {
+    Input& in = state_->in;
+    if (state_->exr) {
+        if (state_->count++) return false;
+        picture = read_exr(in.name());
+        return true;
+    }
+    if (in.at_end()) {
+        if (state_->count == 0) base::fail(in.name(), "holds no picture");
+        return false;
+    }
+    const std::string place = in.name() + (state_->count ? ": picture " + std::to_string(state_->count + 1) : "");
+    picture.header = Header();
+    picture.frame0.clear();
+    Encoding encoding;
+    char start[2];
+    if (!in.look(start, 2) || start[0] != '#' || start[1] != '?')
+        base::fail(place, state_->count ? "what follows is no picture (it does not begin with #?)" : "is no RADIANCE picture (it does not begin with #?)");
+    size_t header_bytes = 0;
+    for (std::string line; !(line = read_line(in, place)).empty();) {
+        if ((header_bytes += line.size() + 1) > most_header) base::fail(place, "the header is longer than 1 MiB");
+        parse_header_line(line, picture.header, encoding, place);
+    }
+    Layout layout;
+    if (encoding.rows && encoding.columns) {
+        layout.width = encoding.columns;
+        layout.height = encoding.rows;
+        if (layout.width > most_side || layout.height > most_side)
+            base::fail(place, "picture size is not within 1.." + std::to_string(most_side));
+    } else {
+        layout = parse_resolution(read_line(in, place), place);
+    }
+    if (encoding.format == Format::flt) {
+        if (encoding.channels != 1 && encoding.channels != 3)
+            base::fail(place, "NCOMP=" + std::to_string(encoding.channels) + ": float pictures have 1 or 3 channels");
+        read_floats(in, encoding, layout, picture.rgb, place);
+    } else {
+        read_bytes(in, layout, picture.rgb, place);
+    }
+    reorient(picture.rgb, layout);
+    to_radiance(picture.rgb, picture.header, encoding);
+    picture.width = layout.width;
+    picture.height = layout.height;
+    ++state_->count;
+    return true;
+}
+
+}  // namespace image

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// RADIANCE pictures to a FILE or stdout.  Pixels are radiance: no EXPOSURE= line is written.
+#include <cerrno>
+#include <cstring>
+#include <functional>
+
+#include "base/error.h"
+#include "base/run.h"
+#include "image/header.h"
+#include "image/rgbe.h"
+#include "image/stream.h"
+
+namespace image {
+namespace {
+
+using Sink = std::function<void(const void*, size_t)>;
+
+int host_big_endian() {
+    const uint16_t one = 1;
+    uint8_t first;
+    std::memcpy(&first, &one, 1);
+    return first == 0;
+}
+
+void write_xyz_row(const float* rgb, int width, std::vector<float>& xyz) {
+    static const Matrix3 m = xyz_from_radiance_rgb();
+    for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 3; ++c)
+            xyz[3 * size_t(x) + c] = float(179 * (m[3 * c] * rgb[3 * x] + m[3 * c + 1] * rgb[3 * x + 1] + m[3 * c + 2] * rgb[3 * x + 2]));
+}
+
+void write_to(const Sink& sink, const Picture& p, Format format) {
+    std::string head;
+    for (const std::string& line : header_lines(p.header)) head += line + "\n";
+    switch (format) {
+        case Format::flt: head += "NCOMP=3\nBigEndian=" + std::to_string(host_big_endian()) + "\nFORMAT=float\n"; break;
+        case Format::rgbe: head += "FORMAT=32-bit_rle_rgbe\n"; break;
+        case Format::xyze: head += "FORMAT=32-bit_rle_xyze\n"; break;
+    }
+    head += "\n-Y " + std::to_string(p.height) + " +X " + std::to_string(p.width) + "\n";
+    sink(head.data(), head.size());
+    if (format == Format::flt) {
+        sink(p.rgb.data(), p.rgb.size() * sizeof(float));
+        return;
+    }
+    std::string out;
+    std::vector<uint8_t> row(4 * size_t(p.width));
+    std::vector<float> xyz(format == Format::xyze ? 3 * size_t(p.width) : 0);
+    for (int y = 0; y < p.height; ++y) {
+        if (format == Format::xyze) write_xyz_row(p.at(0, y), p.width, xyz);
+        float_to_rgbe(format == Format::xyze ? xyz.data() : p.at(0, y), p.width, row.data());
+        append_rgbe_row(out, row.data(), p.width);
+        if (out.size() < 1 << 16 && y + 1 < p.height) continue;
+        sink(out.data(), out.size());
+        out.clear();
+    }
+}
+
+}  // namespace
+
+void write_picture(std::FILE* out, const Picture& picture, Format format) {
+    if (out == stdout) {
+        write_to(base::write_stdout, picture, format);
+        return;
+    }
+    write_to(
+        [&](const void* data, size_t bytes) {
+            errno = 0;
+            if (std::fwrite(data, 1, bytes, out) != bytes) base::fail_system("output", "cannot be written");
+        },
+        picture, format);
+}
+
+void write_picture_stdout(const Picture& picture, Format format) {
+    write_to(base::write_stdout, picture, format);
+    base::flush_stdout();
+}
+
+std::string picture_bytes(const Picture& picture, Format format) {
+    std::string bytes;
+    write_to([&](const void* data, size_t n) { bytes.append(static_cast<const char*>(data), n); }, picture, format);
+    return bytes;
+}
+
+}  // namespace image
