@@ -52,7 +52,7 @@ check_exit() {
 
 check_error() {
     run_command "$4"
-    if [ "$status" -ne "$2" ]; then report bad "$1" "status $status, not $2, of: $4"
+    if ! expr "$status" : "$2$" > /dev/null; then report bad "$1" "status $status, not $2, of: $4"
     elif [ "$(wc -l < .stderr)" -ne 1 ]; then report bad "$1" "not one line on stderr, of: $4"
     elif ! grep -qE -e "$3" .stderr; then report bad "$1" "stderr does not match $3, of: $4"
     else report ok "$1"; fi
