@@ -17,3 +17,19 @@ typedef long long64;
 #define sqrt_(x) sqrt(x)
 #define floor_(x) floor(x)
 #define fabs_(x) fabs(x)
+
+// Wide words (bvh8.h), see compat_host.h.
+typedef float4 v4f;
+typedef int4 v4i;
+typedef float8 v8f;
+typedef int8 v8i;
+#define load4_(p) vload4(0, p)
+#define load8_(p) vload8(0, p)
+#define splat8_(x) ((float8)(x))
+#define store4_(v, p) vstore4(v, 0, p)
+#define store8_(v, p) vstore8(v, 0, p)
+typedef ulong LaneMask;
+#define lanes4_(c) ((ulong)as_uint(convert_char4(c)))
+#define lanes8_(c) as_ulong(convert_char8(c))
+#define lane_first_(m) ((uint)(63u - (uint)clz(m)) >> 3)
+#define lane_drop_(m, lane) ((m) & ~(255ul << (8u * (lane))))

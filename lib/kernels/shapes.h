@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Ray against the analytic shapes of intersect.h: sphere, open cone or cylinder, ring, polygon with holes.
+// Shared by bvh8.h, bvh2.h and Embree's callbacks (trace/embree_check.cpp).  dir need not be unit (instances).
+// Equation: implicit surface along o + t d, solved about the point of the ray nearest the shape's centre, so that a
+// distant eye costs no digits.  Edges belong to the shape; flat shapes ignore rays with |cos| <= 1e-6, as RADIANCE.
+#ifndef LUX_SHAPES_H
+#define LUX_SHAPES_H
+
+#define SHAPE_GRAZING 1e-6f
+
+FN float3 shape_vec_(GLOBAL const float* q) { return F3(q[0], q[1], q[2]); }
+
+// Roots of a t^2 + 2 b t + c = 0, the smaller first; the count.  Both by the stable form q = -(b + sign(b) sqrt(disc)).
+FN int quadratic_(float a, float b, float c, PRIVATE float* t0, PRIVATE float* t1) {
+    float disc = b * b - a * c, q;
+    if (!(disc >= 0.0f)) return 0;
+    q = -(b + (b < 0.0f ? -sqrt_(disc) : sqrt_(disc)));
+    if (fabs_(a) <= 1e-9f * fabs_(b)) {  // along the slant of a cone: one root
+        if (b == 0.0f) return 0;
+        *t0 = -0.5f * c / b;
+        *t1 = *t0;
+        return 1;
+    }
+    *t0 = q / a;
+    *t1 = q != 0.0f ? c / q : *t0;
+    if (*t1 < *t0) { float s = *t0; *t0 = *t1; *t1 = s; }
+    return 2;
+}
+
+// Sphere: with p the point of the ray nearest the centre, t = t_p -+ sqrt((r^2 - |p - c|^2) / d.d).
+FN int sphere_hit_(GLOBAL const float* q, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+    float3 oc = sub3(shape_vec_(q + 1), org);
+    float dd = dot3(dir, dir), tp = dot3(oc, dir) / dd, r = q[4];
+    float3 l = sub3(oc, scale3(dir, tp));
+    float d2 = r * r - dot3(l, l), h;
+    if (!(d2 >= 0.0f)) return 0;
+    h = sqrt_(d2 / dd);
+    *t = tp - h;
+    if (*t > tmin) return 1;
+    *t = tp + h;
+    return *t > tmin;
+}
+
+// Cone: |w - (w.a) a| = r0 + k w.a with w from p0 and k = (r1 - r0)/length; 0 <= w.a <= length.
+FN int cone_hit_(GLOBAL const float* q, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+    float3 p0 = shape_vec_(q + 1), axis = shape_vec_(q + 4);
+    float len = q[7], r0 = q[8], k = (q[9] - r0) / len;
+    float ts = dot3(sub3(madd3(axis, 0.5f * len, p0), org), dir) / dot3(dir, dir);
+    float3 w = sub3(madd3(dir, ts, org), p0);
+    float wa = dot3(w, axis), da = dot3(dir, axis), r = r0 + k * wa, t0 = 0.0f, t1 = 0.0f, h;
+    float3 wp = sub3(w, scale3(axis, wa)), dp = sub3(dir, scale3(axis, da));
+    float a = dot3(dp, dp) - k * k * da * da, b = dot3(wp, dp) - k * da * r, c = dot3(wp, wp) - r * r;
+    if (quadratic_(a, b, c, &t0, &t1) == 0) return 0;
+    h = wa + t0 * da;
+    *t = ts + t0;
+    if (*t > tmin && h >= 0.0f && h <= len) return 1;
+    h = wa + t1 * da;
+    *t = ts + t1;
+    return *t > tmin && h >= 0.0f && h <= len;
+}
+
+FN int ring_hit_(GLOBAL const float* q, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+    float3 oc = sub3(shape_vec_(q + 1), org), n = shape_vec_(q + 4), l;
+    float c = dot3(dir, n), d2;
+    if (c * c <= SHAPE_GRAZING * SHAPE_GRAZING * dot3(dir, dir)) return 0;
+    *t = dot3(oc, n) / c;
+    if (!(*t > tmin)) return 0;
+    l = sub3(scale3(dir, *t), oc);
+    d2 = dot3(l, l);
+    return d2 >= q[7] * q[7] && d2 <= q[8] * q[8];
+}
+
+// Even-odd rule in the plane of two coordinates; a point within 1e-6 (and the rounding of its coordinates) of an edge is
+// inside.  Loops joined by seams (holes) need nothing special: a seam is crossed twice.
+FN int polygon_inside_(GLOBAL const float* uv, uint count, float u, float v) {
+    float eps = 1e-6f + 2.4e-7f * (fabs_(u) + fabs_(v));
+    float pu = uv[2u * count - 2u], pv = uv[2u * count - 1u];
+    int odd = 0;
+    for (uint i = 0u; i < count; i++) {
+        float qu = uv[2u * i], qv = uv[2u * i + 1u];
+        if ((pv > v) != (qv > v) && u < (qu - pu) * (v - pv) / (qv - pv) + pu) odd = !odd;
+        pu = qu;
+        pv = qv;
+    }
+    for (uint i = 0u; i < count && !odd; i++) {
+        float qu = uv[2u * i], qv = uv[2u * i + 1u];
+        float eu = qu - pu, ev = qv - pv, wu = u - pu, wv = v - pv, ee = eu * eu + ev * ev;
+        float h = ee > 0.0f ? (wu * eu + wv * ev) / ee : 0.0f;
+        h = h < 0.0f ? 0.0f : h > 1.0f ? 1.0f : h;
+        wu -= h * eu;
+        wv -= h * ev;
+        odd = wu * wu + wv * wv <= eps * eps;
+        pu = qu;
+        pv = qv;
+    }
+    return odd;
+}
+
+FN int polygon_hit_(GLOBAL const float* q, GLOBAL const float* uv, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+    float3 n = shape_vec_(q + 1), p;
+    float c = dot3(dir, n);
+    uint axis = as_uint_(q[5]);
+    if (c * c <= SHAPE_GRAZING * SHAPE_GRAZING * dot3(dir, dir)) return 0;
+    *t = (q[4] - dot3(n, org)) / c;
+    if (!(*t > tmin)) return 0;
+    p = madd3(dir, *t, org);
+    return polygon_inside_(uv + 2u * as_uint_(q[6]), as_uint_(q[7]), axis == 0u ? p.y : p.x, axis == 2u ? p.y : p.z);
+}
+
+// The first t > tmin at which the ray meets the shape; 0 if it does not.
+FN int shape_hit(GLOBAL const float* q, GLOBAL const float* polygon_uv, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+    uint kind = as_uint_(q[0]);
+    if (kind == SHAPE_SPHERE) return sphere_hit_(q, org, dir, tmin, t);
+    if (kind == SHAPE_CONE) return cone_hit_(q, org, dir, tmin, t);
+    if (kind == SHAPE_RING) return ring_hit_(q, org, dir, tmin, t);
+    if (kind == SHAPE_POLYGON) return polygon_hit_(q, polygon_uv, org, dir, tmin, t);
+    return 0;
+}
+#endif

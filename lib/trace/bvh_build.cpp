@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// rtcBuildBVH makes a tree of our small temporary nodes in its own memory; a second pass writes it into the flat arrays of
+// kernels/bvh8.h or kernels/bvh2.h, children of a node side by side.
+// Settings (measured, docs/decisions): quality MEDIUM (spatial splits were slower), 8-wide: blocks of 4, leaves up to 16
+// and a cheap intersection (0.3), because four triangles are tested at once.  Boxes are padded by an ulp or two:
+// Woop's test works in coordinates relative to the ray's origin and rounds there (kernels/woop.h).
+#include "trace/bvh_build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "kernels/compat_host.h"
+#include "trace/embree_api.h"
+
+namespace trace {
+namespace {
+#include "kernels/intersect.h"
+#include "kernels/vec.h"
+#include "kernels/shapes.h"
+#include "kernels/woop.h"
+namespace wide {
+#include "kernels/bvh8.h"
+}
+namespace scalar {
+#include "kernels/bvh2.h"
+}
+
+constexpr unsigned max_wide = 8;
+
+struct Box { float lo[3], hi[3]; };
+
+struct TempNode {          // an inner node, or a leaf if children == 0
+    unsigned children, prims;
+};
+struct TempInner : TempNode {
+    TempNode* child[max_wide];
+    Box box[max_wide];
+};
+struct TempLeaf : TempNode {
+    uint32_t prim[1];      // prims of them
+};
+
+Box empty_box() {
+    const float inf = INFINITY;
+    return {{inf, inf, inf}, {-inf, -inf, -inf}};
+}
+
+void grow(Box& box, const float p[3]) {
+    for (int a = 0; a < 3; a++) {
+        box.lo[a] = std::min(box.lo[a], p[a]);
+        box.hi[a] = std::max(box.hi[a], p[a]);
+    }
+}
+
+void pad(Box& box, float least) {
+    for (int a = 0; a < 3; a++) {
+        const float d = std::max(std::fabs(box.lo[a]), std::fabs(box.hi[a])) * 2.4e-7f + least;
+        box.lo[a] -= d;
+        box.hi[a] += d;
+    }
+}
+
+// What differs between the two kinds of tree.
+struct Layout {
+    unsigned wide;                  // children of a node
+    size_t node_floats, leaf_floats;
+    unsigned per_block;             // primitives in a leaf block
+    int stack;                      // size of the kernel's stack
+    int depth_alone, depth_nested;  // depth limits of a single tree, and of trees with instances: so that the stack holds
+    unsigned sah_block, max_leaf;
+    float intersection_cost;
+};
+constexpr Layout layout8 = {8, BVH8_NODE_FLOATS, BVH8_LEAF_FLOATS, 4, BVH8_STACK, 32, 20, 4, 16, 0.3f};
+constexpr Layout layout2 = {2, BVH2_NODE_FLOATS, BVH2_LEAF_FLOATS, 1, BVH2_STACK, 100, 54, 1, 8, 1.0f};
+
+class Builder {
+public:
+    Builder(const Layout& layout, const BuildInput* trees, size_t tree_count)
+        : layout_(layout), trees_(trees), tree_count_(tree_count), tree_box_(tree_count, empty_box()), tree_need_(tree_count),
+          tree_depth_(tree_count) {}
+
+    Bvh build() {
+        struct Holder { RTCBVH bvh; ~Holder() { rtcReleaseBVH(bvh); } };
+        std::vector<std::unique_ptr<Holder>> holders;
+        std::vector<TempNode*> roots(tree_count_, nullptr);
+        size_t nodes = tree_count_, blocks = 0;
+        for (size_t k = tree_count_; k-- > 0;) {  // tree 0 last: it needs the boxes of the others
+            holders.push_back(std::make_unique<Holder>(Holder{rtcNewBVH(device_)}));
+            roots[k] = build_tree(k, holders.back()->bvh);
+            Need need = roots[k] ? measure(trees_[k], roots[k]) : Need{};
+            tree_need_[k] = need.stack;
+            tree_depth_[k] = need.depth;
+            nodes += need.nodes;
+            blocks += need.blocks;
+            if (need.stack + 2 > layout_.stack) throw base::Error(base::Kind::system, "", "the scene's tree is too deep");
+        }
+        if (blocks > REF_INDEX || nodes > REF_LEAF) base::fail("", "too many primitives");
+        out_.nodes.assign(nodes * layout_.node_floats, 0.0f);
+        out_.leaves.assign(std::max<size_t>(blocks, 1) * layout_.leaf_floats, 0.0f);
+        next_node_ = tree_count_;
+        for (size_t k = 0; k < tree_count_; k++) {
+            if (!roots[k]) { write_children(k, nullptr, nullptr, 0); continue; }
+            if (roots[k]->children == 0) {  // a single leaf gets a node above it
+                const uint32_t ref = write_leaf(trees_[k], static_cast<TempLeaf*>(roots[k]));
+                write_children(k, &tree_box_[k], &ref, 1);
+            } else {
+                write_inner(trees_[k], static_cast<TempInner*>(roots[k]), k);
+            }
+        }
+        out_.depth = tree_depth_[0];
+        return std::move(out_);
+    }
+
+private:
+    struct Need { size_t nodes = 0, blocks = 0; int stack = 0, depth = 0; };
+
+    Box primitive_box(const BuildInput& in, size_t k) const {
+        Box box = empty_box();
+        if (k < in.triangle_count) {
+            for (int i = 0; i < 3; i++) {
+                const uint32_t v = in.triangles[3 * k + i];
+                grow(box, in.vertices + 3 * size_t(v));
+            }
+            pad(box, 1e-30f);
+        } else {
+            const size_t shape = in.first_shape + (k - in.triangle_count);
+            const float* q = in.shapes + SHAPE_FLOATS * shape;
+            if (as_uint_(q[0]) == SHAPE_INSTANCE) return instance_box(q);
+            float b[6];
+            shape_box(in, shape, b);
+            box = {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+            pad(box, 2e-6f);                     // a polygon reaches 1e-6 beyond its edges
+        }
+        return box;
+    }
+
+    Box instance_box(const float* q) const {
+        const uint32_t tree = as_uint_(q[13]);
+        if (tree == 0 || tree >= tree_count_) base::fail("", "an instance of a tree that does not exist");
+        const Box& local = tree_box_[tree];
+        Box box = empty_box();
+        if (local.lo[0] > local.hi[0]) return box;
+        double m[12];
+        invert_affine(q + 1, m);
+        for (int corner = 0; corner < 8; corner++) {
+            float p[3];
+            for (int a = 0; a < 3; a++) {
+                double x = m[4 * a + 3];
+                for (int b = 0; b < 3; b++) x += m[4 * a + b] * (corner >> b & 1 ? local.hi[b] : local.lo[b]);
+                p[a] = float(x);
+            }
+            grow(box, p);
+        }
+        const float size = std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]});
+        pad(box, 1e-6f * size);
+        return box;
+    }
+
+    TempNode* build_tree(size_t tree, RTCBVH bvh) {
+        const BuildInput& in = trees_[tree];
+        const size_t count = in.triangle_count + in.shape_count;
+        if (count >= ID_PRIM) base::fail("", "too many primitives");
+        std::vector<RTCBuildPrimitive> prims;
+        prims.reserve(count);
+        for (size_t k = 0; k < count; k++) {
+            const Box box = primitive_box(in, k);
+            if (box.lo[0] > box.hi[0]) continue;  // an instance of nothing
+            for (int a = 0; a < 3; a++) {
+                if (!(std::fabs(box.lo[a]) < 1e18f && std::fabs(box.hi[a]) < 1e18f))
+                    base::fail("", "a coordinate is not a number or too large");
+            }
+            prims.push_back({box.lo[0], box.lo[1], box.lo[2], 0, box.hi[0], box.hi[1], box.hi[2], uint32_t(k)});
+            grow(tree_box_[tree], box.lo);
+            grow(tree_box_[tree], box.hi);
+        }
+        if (prims.empty()) return nullptr;
+        RTCBuildArguments args = rtcDefaultBuildArguments();
+        args.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
+        args.maxBranchingFactor = layout_.wide;
+        args.maxDepth = tree_count_ > 1 ? layout_.depth_nested : layout_.depth_alone;
+        args.sahBlockSize = layout_.sah_block;
+        args.minLeafSize = 1;
+        args.maxLeafSize = layout_.max_leaf;
+        args.traversalCost = 1.0f;
+        args.intersectionCost = layout_.intersection_cost;
+        args.bvh = bvh;
+        args.primitives = prims.data();
+        args.primitiveCount = args.primitiveArrayCapacity = prims.size();
+        args.createNode = [](RTCThreadLocalAllocator memory, unsigned n, void*) -> void* {
+            auto* node = static_cast<TempInner*>(rtcThreadLocalAlloc(memory, sizeof(TempInner), 16));
+            node->children = n;
+            return node;
+        };
+        args.setNodeChildren = [](void* node, void** child, unsigned n, void*) {
+            for (unsigned i = 0; i < n; i++) static_cast<TempInner*>(node)->child[i] = static_cast<TempNode*>(child[i]);
+        };
+        args.setNodeBounds = [](void* node, const RTCBounds** b, unsigned n, void*) {
+            for (unsigned i = 0; i < n; i++)
+                static_cast<TempInner*>(node)->box[i] = {{b[i]->lower_x, b[i]->lower_y, b[i]->lower_z},
+                                                         {b[i]->upper_x, b[i]->upper_y, b[i]->upper_z}};
+        };
+        args.createLeaf = [](RTCThreadLocalAllocator memory, const RTCBuildPrimitive* p, size_t n, void*) -> void* {
+            auto* leaf = static_cast<TempLeaf*>(rtcThreadLocalAlloc(memory, sizeof(TempLeaf) + 4 * n, 16));
+            leaf->children = 0;
+            leaf->prims = unsigned(n);
+            for (size_t i = 0; i < n; i++) leaf->prim[i] = p[i].primID;
+            std::sort(leaf->prim, leaf->prim + n);  // threads may partition in any order; results must not depend on it
+            return leaf;
+        };
+        auto* root = static_cast<TempNode*>(rtcBuildBVH(&args));
+        device_.check();
+        return root;
+    }
+
+    // What a subtree takes: nodes and blocks of the arrays, and places of the kernel's stack.
+    Need measure(const BuildInput& in, const TempNode* node) const {
+        Need need;
+        if (node->children == 0) {
+            const auto* leaf = static_cast<const TempLeaf*>(node);
+            unsigned triangles = 0, instances = 0;
+            for (unsigned i = 0; i < leaf->prims; i++) {
+                if (leaf->prim[i] < in.triangle_count) { triangles++; continue; }
+                const float* q = in.shapes + SHAPE_FLOATS * (in.first_shape + leaf->prim[i] - in.triangle_count);
+                if (as_uint_(q[0]) != SHAPE_INSTANCE) continue;
+                if (&in != trees_) base::fail("", "an instance within an instance was not flattened");
+                instances++;
+                need.stack = std::max(need.stack, tree_need_[as_uint_(q[13])]);
+                need.depth = std::max(need.depth, tree_depth_[as_uint_(q[13])]);
+            }
+            const unsigned n = layout_.per_block;
+            need.blocks = (triangles + n - 1) / n + (leaf->prims - triangles + n - 1) / n;
+            need.stack += int(instances) + 1;
+            return need;
+        }
+        const auto* inner = static_cast<const TempInner*>(node);
+        need.nodes = 1;
+        for (unsigned i = 0; i < inner->children; i++) {
+            const Need c = measure(in, inner->child[i]);
+            need.nodes += c.nodes;
+            need.blocks += c.blocks;
+            need.stack = std::max(need.stack, c.stack);
+            need.depth = std::max(need.depth, c.depth);
+        }
+        need.stack += int(inner->children) - 1;
+        need.depth++;
+        return need;
+    }
+
+    void write_inner(const BuildInput& in, const TempInner* node, size_t at) {
+        uint32_t ref[max_wide];
+        for (unsigned i = 0; i < node->children; i++) {
+            if (node->child[i]->children != 0) ref[i] = uint32_t(next_node_++);
+            else ref[i] = write_leaf(in, static_cast<const TempLeaf*>(node->child[i]));
+        }
+        write_children(at, node->box, ref, node->children);
+        for (unsigned i = 0; i < node->children; i++)
+            if (node->child[i]->children != 0) write_inner(in, static_cast<const TempInner*>(node->child[i]), ref[i]);
+    }
+
+    void write_children(size_t at, const Box* box, const uint32_t* ref, unsigned count) {
+        float* n = &out_.nodes[at * layout_.node_floats];
+        const Box none = empty_box();
+        for (unsigned i = 0; i < layout_.wide; i++) {
+            const Box& b = i < count ? box[i] : none;
+            for (int a = 0; a < 3; a++) {
+                if (layout_.wide == 8) {
+                    n[16 * a + i] = b.lo[a];
+                    n[16 * a + 8 + i] = b.hi[a];
+                } else {
+                    n[6 * i + a] = b.lo[a];
+                    n[6 * i + 3 + a] = b.hi[a];
+                }
+            }
+            n[6 * layout_.wide + i] = as_float_(i < count ? ref[i] : REF_NONE);
+        }
+    }
+
+    uint32_t write_leaf(const BuildInput& in, const TempLeaf* leaf) {
+        const size_t first = next_block_;
+        unsigned triangles = 0;
+        while (triangles < leaf->prims && leaf->prim[triangles] < in.triangle_count) triangles++;
+        const unsigned n = layout_.per_block;
+        for (unsigned i = 0; i < triangles; i += n)
+            write_triangles(in, leaf->prim + i, std::min(n, triangles - i), i + n >= leaf->prims);
+        for (unsigned i = triangles; i < leaf->prims; i += n)
+            write_shapes(in, leaf->prim + i, std::min(n, leaf->prims - i), i + n >= leaf->prims);
+        return uint32_t(first) | REF_LEAF;
+    }
+
+    void write_triangles(const BuildInput& in, const uint32_t* prim, unsigned count, bool last) {
+        float* b = &out_.leaves[next_block_++ * layout_.leaf_floats];
+        const unsigned n = layout_.per_block;
+        for (unsigned i = 0; i < count; i++) {
+            for (int k = 0; k < 3; k++) {
+                const float* v = in.vertices + 3 * size_t(in.triangles[3 * size_t(prim[i]) + k]);
+                for (int a = 0; a < 3; a++) b[n == 4 ? 12 * k + 4 * a + i : 4 * k + a] = v[a];
+            }
+        }  // lanes left over are triangles of no size
+        for (unsigned i = 0; i < n; i++) {
+            const uint32_t id = (i < count ? in.tri_prim[prim[i]] & (ID_PRIM | ID_TRANSPARENT) : 0) | (last ? ID_LAST : 0);
+            b[n == 4 ? 36 + i : 3] = as_float_(id);
+        }
+    }
+
+    void write_shapes(const BuildInput& in, const uint32_t* prim, unsigned count, bool last) {
+        float* b = &out_.leaves[next_block_++ * layout_.leaf_floats];
+        const unsigned n = layout_.per_block;
+        for (unsigned i = 0; i < n; i++) {
+            uint32_t shape = 0, id = ID_SHAPE | (last ? ID_LAST : 0);
+            if (i < count) {
+                shape = uint32_t(in.first_shape + (prim[i] - in.triangle_count));
+                id |= in.shape_prim[shape] & (ID_PRIM | ID_TRANSPARENT);
+            }
+            b[i] = as_float_(shape);
+            b[n == 4 ? 36 + i : 3] = as_float_(id);
+        }
+        if (n == 4) b[4] = as_float_(count);
+    }
+
+    const Layout& layout_;
+    const BuildInput* trees_;
+    size_t tree_count_;
+    EmbreeDevice device_;
+    std::vector<Box> tree_box_;
+    std::vector<int> tree_need_, tree_depth_;
+    Bvh out_;
+    size_t next_node_ = 0, next_block_ = 0;
+};
+
+}  // namespace
+
+Bvh build_bvh8(const BuildInput* trees, size_t tree_count) { return Builder(layout8, trees, tree_count).build(); }
+Bvh build_bvh2(const BuildInput* trees, size_t tree_count) { return Builder(layout2, trees, tree_count).build(); }
+
+void shape_box(const BuildInput& in, size_t k, float out[6]) {
+    const float* q = in.shapes + SHAPE_FLOATS * k;
+    Box box = empty_box();
+    // A disc of radius r with normal n reaches r sqrt(1 - n_a^2) along axis a.
+    const auto disc = [&](const double c[3], const float n[3], double r) {
+        float lo[3], hi[3];
+        for (int a = 0; a < 3; a++) {
+            const double d = r * std::sqrt(std::max(0.0, 1.0 - double(n[a]) * n[a]));
+            lo[a] = float(c[a] - d);
+            hi[a] = float(c[a] + d);
+        }
+        grow(box, lo);
+        grow(box, hi);
+    };
+    const double c[3] = {q[1], q[2], q[3]};
+    switch (as_uint_(q[0])) {
+    case SHAPE_SPHERE: {
+        const float along[3] = {0, 0, 0};  // a "disc" without normal reaches r everywhere
+        disc(c, along, q[4]);
+        break;
+    }
+    case SHAPE_CONE: {
+        const double end[3] = {c[0] + double(q[4]) * q[7], c[1] + double(q[5]) * q[7], c[2] + double(q[6]) * q[7]};
+        disc(c, q + 4, q[8]);
+        disc(end, q + 4, q[9]);
+        break;
+    }
+    case SHAPE_RING:
+        disc(c, q + 4, q[8]);
+        break;
+    case SHAPE_POLYGON: {
+        const uint32_t axis = as_uint_(q[5]), first = as_uint_(q[6]), count = as_uint_(q[7]);
+        const int iu = axis == 0 ? 1 : 0, iv = axis == 2 ? 1 : 2;
+        for (uint32_t i = 0; i < count; i++) {
+            const float* uv = in.polygon_uv + 2 * (size_t(first) + i);
+            float p[3];
+            p[iu] = uv[0];
+            p[iv] = uv[1];
+            p[axis] = float((double(q[4]) - double(q[1 + iu]) * uv[0] - double(q[1 + iv]) * uv[1]) / q[1 + axis]);
+            grow(box, p);
+        }
+        break;
+    }
+    default:
+        base::fail("", "unknown kind of shape");
+    }
+    for (int a = 0; a < 3; a++) { out[a] = box.lo[a]; out[3 + a] = box.hi[a]; }
+}
+
+void invert_affine(const float m[12], double out[12]) {
+    double c[9];  // cofactors, transposed
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const int a = (j + 1) % 3, b = (j + 2) % 3, d = (i + 1) % 3, e = (i + 2) % 3;
+            c[3 * i + j] = double(m[4 * a + d]) * m[4 * b + e] - double(m[4 * a + e]) * m[4 * b + d];
+        }
+    }
+    const double det = m[0] * c[0] + m[1] * c[3] + m[2] * c[6];
+    if (det == 0) base::fail("", "the transform of an instance cannot be inverted");
+    for (int i = 0; i < 3; i++) {
+        out[4 * i + 3] = 0;
+        for (int j = 0; j < 3; j++) {
+            out[4 * i + j] = c[3 * i + j] / det;
+            out[4 * i + 3] -= out[4 * i + j] * m[4 * j + 3];
+        }
+    }
+}
+
+}  // namespace trace

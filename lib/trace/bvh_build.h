@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bounding volume hierarchies for kernels/bvh8.h and kernels/bvh2.h, by Embree's builder (rtcBuildBVH) on all cores.
+// The arrays go to the device as they are.  Tree 0 is the scene; trees 1, 2, ... are what its SHAPE_INSTANCE shapes stand
+// for (word 13 = tree), node k is the root of tree k.  An empty scene gives one empty node and no leaves.
+// Memory per triangle: about 62 (BVH2) to 75 (BVH8) bytes of result for large meshes, and 150 more while building.
+// Limits: 2^29 primitives, 2^30 leaf blocks; nodes and leaves are addressed with 64-bit offsets, so more than 4 GB is fine.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <vector>
+
+namespace trace {
+
+// Allocator for 64-byte lines, so that a node starts one.
+template <class T> struct AlignedAllocator {
+    using value_type = T;
+    AlignedAllocator() = default;
+    template <class U> AlignedAllocator(const AlignedAllocator<U>&) {}
+    T* allocate(size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t(64))); }
+    void deallocate(T* p, size_t) { ::operator delete(p, std::align_val_t(64)); }
+    bool operator==(const AlignedAllocator&) const { return true; }
+    bool operator!=(const AlignedAllocator&) const { return false; }
+};
+using AlignedFloats = std::vector<float, AlignedAllocator<float>>;
+
+// Ids (tri_prim, shape_prim): primitive number < 2^29, plus ID_TRANSPARENT (kernels/intersect.h) for its class.
+// Triangles of one polygon share the id.  The class of an instance is word 15 of its shape; its id is not used.
+struct BuildInput {
+    const float* vertices = nullptr;      // 3 floats each
+    size_t vertex_count = 0;
+    const uint32_t* triangles = nullptr;  // 3 vertex numbers each
+    const uint32_t* tri_prim = nullptr;   // 1 each
+    size_t triangle_count = 0;
+    // Shapes first_shape .. first_shape + shape_count - 1 of one table for all trees (16 floats each, intersect.h).
+    const float* shapes = nullptr;
+    const uint32_t* shape_prim = nullptr; // 1 each, parallel to shapes
+    size_t first_shape = 0, shape_count = 0;
+    const float* polygon_uv = nullptr;
+};
+
+struct Bvh {
+    AlignedFloats nodes, leaves;          // leaves has one unused block if there is no primitive: never an empty buffer
+    int depth = 0;                        // longest way down, through an instance
+};
+
+Bvh build_bvh8(const BuildInput* trees, size_t tree_count = 1);
+Bvh build_bvh2(const BuildInput* trees, size_t tree_count = 1);
+inline Bvh build_bvh8(const BuildInput& scene) { return build_bvh8(&scene, 1); }
+inline Bvh build_bvh2(const BuildInput& scene) { return build_bvh2(&scene, 1); }
+
+// World box of shape k (lower xyz, upper xyz), not padded; also Embree's bounds callback.  Not for instances.
+void shape_box(const BuildInput& in, size_t k, float box[6]);
+// World from local of an instance shape's matrix (words 1-12): the inverse, in double.
+void invert_affine(const float local_from_world[12], double world_from_local[12]);
+
+}  // namespace trace
