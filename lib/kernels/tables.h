@@ -75,7 +75,7 @@
 #define SRC_V 9u          // 3: half vector (sphere: U.x = radius)
 #define SRC_NORMAL 12u    // 3
 #define SRC_AREA 15u      // m2, or sr for distant sources
-#define SRC_COS 16u       // distant: cos of the half angle
+#define SRC_CAP 16u       // distant: 1 - cos of the half angle
 #define SRC_POWER 17u     // luminance-like radiance for choosing
 #define SRC_MAXRAD 18u    // glow: > 0 limit; else 0
 #define SRC_SPOT 19u      // 5: aim unit 3, cos of the half cone, focal length; cos = -2 if no spotlight
@@ -96,7 +96,7 @@
 // ---- distant surfaces ("source" primitives), in the order they are tried: DISTANT_WORDS words at u[Params.distant_at]
 #define DISTANT_WORDS 8u
 #define DISTANT_DIR 0u    // 3 floats
-#define DISTANT_COS 3u    // cos of the half angle; < -1.5 = everything
+#define DISTANT_CAP 3u    // 1 - cos of the half angle (as such: cos would round a sun); > 2 = everything
 #define DISTANT_MOD 4u
 #define DISTANT_SOURCE 5u // active source index, NONE
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole device code in its order of inclusion, for C++ and OpenCL C alike, after the compat file of the device.
+// LUX_BVH2 (GPUs) or LUX_EMBREE (the check) choose another traversal than the CPU's.
+#include "kernels/vec.h"
+#include "kernels/math.h"
+#include "kernels/intersect.h"
+#include "kernels/shapes.h"
+#include "kernels/woop.h"
+#if defined(LUX_BVH2)
+#include "kernels/bvh2.h"
+#elif defined(LUX_EMBREE)
+#include "trace/embree_traversal.h"
+#else
+#include "kernels/bvh8.h"
+#endif
+#include "kernels/offset_ray.h"
+#include "kernels/tables.h"
+#include "kernels/cal_vm.h"
+#include "kernels/sampler.h"
+#include "kernels/view_ray.h"
+#include "kernels/surface.h"
+#include "kernels/lobes.h"
+#include "kernels/modifier.h"
+#include "kernels/sources.h"
+#include "kernels/portals.h"
+#include "kernels/mat_normal.h"
+#include "kernels/mat_glass.h"
+#include "kernels/path.h"

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Walks a surface's modifier chain: patterns multiply, textures add, a mixture picks one branch by chance with its
+// coefficient as probability (the mean is the mixture), until a material is found; the material's own chain follows.
+#ifndef LUX_MODIFIER_H
+#define LUX_MODIFIER_H
+
+FN GLOBAL const uint* mod_record(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint mod) {
+    return s->u + par->mods_at + MOD_WORDS * mod;
+}
+
+// The variables .cal programs see (spec: scene language 7.6), in world coordinates.
+FN void surface_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
+    float3 p = F3(g->p.x + par->centre.x, g->p.y + par->centre.y, g->p.z + par->centre.z);
+    for (int i = 0; i < CAL_VARS; i++) vars[i] = 0.0f;
+    vars[CAL_DX] = -g->v.x; vars[CAL_DY] = -g->v.y; vars[CAL_DZ] = -g->v.z;
+    vars[CAL_NX] = g->ng.x; vars[CAL_NY] = g->ng.y; vars[CAL_NZ] = g->ng.z;
+    vars[CAL_PX] = p.x; vars[CAL_PY] = p.y; vars[CAL_PZ] = p.z;
+    vars[CAL_T] = g->total; vars[CAL_TS] = g->length;
+    vars[CAL_RDOT] = dot3(g->ng, g->v);
+    vars[CAL_LU] = g->u; vars[CAL_LV] = g->vv;
+}
+
+// 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
+FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, PRIVATE Sampler* rnd) {
+    uint stack[8];
+    int depth = 0, found = 0;
+    uint mod = g->mod, material = NONE;
+    float vars[CAL_VARS], out[CAL_OUTPUTS];
+    int have_vars = 0;
+    for (int guard = 0; guard < 4096; guard++) {
+        if (mod == NONE) {
+            if (depth == 0) break;
+            mod = stack[--depth];
+            continue;
+        }
+        GLOBAL const uint* m = mod_record(s, par, mod);
+        uint type = m[MOD_TYPE];
+        if (type >= M_FIRST_MATERIAL) {
+            if (found) break;  // a second material above one is an error at load
+            found = 1;
+            material = mod;
+            g->type = type;
+            mod = m[MOD_NEXT];
+            continue;
+        }
+        if (type == M_SPECTRUM) {
+            GLOBAL const float* a = s->f + m[MOD_ARGS];
+            g->color = mul3(g->color, F3(a[0], a[1], a[2]));
+            mod = m[MOD_NEXT];
+            continue;
+        }
+        if (!have_vars) { surface_vars(par, g, vars); have_vars = 1; }
+        int bad = cal_run(s, m[MOD_PROGRAM], vars, out);
+        if (type == M_MIXTURE) {
+            if (bad) return 0;  // an error yields no material here
+            float c = out[0] < 0.0f ? 0.0f : out[0] > 1.0f ? 1.0f : out[0];
+            uint branch = (c >= 1.0f || (c > 0.0f && sample1(rnd) < c)) ? MOD_BRANCH1 : MOD_BRANCH2;
+            if (m[MOD_NEXT] != NONE && depth < 8) stack[depth++] = m[MOD_NEXT];
+            mod = m[branch];
+            continue;
+        }
+        if (!bad) {
+            if (type == M_PATTERN1) g->color = scale3(g->color, out[0]);
+            if (type == M_PATTERN3) g->color = mul3(g->color, F3(out[0], out[1], out[2]));
+            if (type == M_TEXTURE) { g->pert = add3(g->pert, F3(out[0], out[1], out[2])); g->flat = 0; }
+        }
+        mod = m[MOD_NEXT];
+    }
+    if (!found) return 0;
+    g->mod = material;
+    if (dot3(g->pert, g->pert) > 1e-12f) {  // spec shading 2
+        // g->pert is in the frame of the modelled normal; seen from behind it turns with the normal
+        float3 n = unit3(add3(g->nface, g->pert));
+        if (!g->front) n = neg3(n);
+        if (dot3(n, g->v) < 0.0f) n = madd3(g->v, -2.0f * dot3(n, g->v), n);
+        g->n = unit3(n);
+    }
+    return 1;
+}
+#endif

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One path per slot, in four stages that run over queues (wavefront, Laine et al. 2013): generate, extend, shade, shadow.
+// A path's class is "diffuse" once it has left a surface into the hemisphere (paper section 3; spec shading 0.2);
+// frame 0 keeps the direct class, frames k >= 1 the diffuse one and, past the first m, both (spec paper 7).
+#ifndef LUX_PATH_H
+#define LUX_PATH_H
+
+typedef struct {
+    GLOBAL float4* org;    // xyz
+    GLOBAL float4* dir;    // xyz, tmax
+    GLOBAL float4* thr;    // rgb throughput, w = RADIANCE's ray weight (for -lw)
+    GLOBAL float4* rad;    // rgb radiance gathered, w = path length from the eye
+    GLOBAL uint4* info;    // flags, sampler key, index | dim << 8, instance
+    GLOBAL float4* hit;    // t, prim (bits), u, v
+    GLOBAL float4* sorg;   // shadow ray: origin, w = source index (bits)
+    GLOBAL float4* sdir;   // direction, w = distance
+    GLOBAL float4* scol;   // rgb of the contribution if unblocked
+} Paths;
+
+// flags in info.x
+#define PC_DIFFUSE 1u      // some ancestor was a hemisphere sample
+#define PC_ROUGH 2u        // some ancestor was a rough-specular sample
+#define PC_BENT 4u         // some reflection or refraction lies behind: not the eye's straight ray
+#define PC_LEVEL_SHIFT 8u  // reflection level, 8 bits
+#define PC_AB_SHIFT 16u    // diffuse depth, 8 bits
+#define PC_STEP_SHIFT 24u  // surfaces met, 8 bits, saturating
+#define PC_STEP_LIMIT 250u
+
+FN float4 pack4(float3 v, float w) { float4 r; r.x = v.x; r.y = v.y; r.z = v.z; r.w = w; return r; }
+FN float3 xyz4(float4 v) { return F3(v.x, v.y, v.z); }
+
+FN Sampler path_sampler(uint4 info) {
+    Sampler s;
+    s.key = info.y;
+    s.index = info.z & 255u;
+    s.dim = info.z >> 8;
+    return s;
+}
+
+// 1 if the slot has a ray to follow.
+FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* a, uint slot) {
+    uint pixels = par->nx * par->ny, gid = par->first + slot;
+    uint pixel = par->mode == MODE_RAY ? 0u : gid % pixels;
+    uint index = par->frame + (par->mode == MODE_RAY ? gid : gid / pixels);
+    uint stream = par->mode == MODE_FRAMES ? 0u : par->mode == MODE_DIRECT ? 1u : 2u;
+    Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, pixel, index, stream);
+    Ray ray;
+    int ok = 1;
+    if (par->mode == MODE_RAY) {
+        ray.org = F3(par->ray_org.x, par->ray_org.y, par->ray_org.z);
+        ray.dir = F3(par->ray_dir.x, par->ray_dir.y, par->ray_dir.z);
+        ray.tmax = 1e30f;
+        rnd.dim = 1u;
+    } else {
+        float2 r = sample2(&rnd);
+        float pj = par->view_clip.z;
+        float x = (float)(pixel % par->nx) + 0.5f + pj * (0.5f - r.x);
+        float y = (float)(par->ny - 1u - pixel / par->nx) + 0.5f + pj * (0.5f - r.y);
+        ok = view_ray(par, x / (float)par->nx, y / (float)par->ny, &ray);
+    }
+    a->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
+    if (!ok) return 0;
+    uint4 info;
+    info.x = 0u; info.y = rnd.key; info.z = rnd.index | (rnd.dim << 8); info.w = NONE;
+    a->org[slot] = pack4(ray.org, 0.0f);
+    a->dir[slot] = pack4(ray.dir, ray.tmax);
+    a->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
+    a->info[slot] = info;
+    return 1;
+}
+
+FN void path_extend(PRIVATE const SceneTables* s, PRIVATE const Paths* a, uint slot) {
+    Ray ray;
+    Hit hit;
+    float4 d = a->dir[slot];
+    ray.org = xyz4(a->org[slot]);
+    ray.dir = xyz4(d);
+    ray.tmin = 0.0f;
+    ray.tmax = d.w;
+    trace_closest(s, &ray, RAY_ALL, &hit);
+    float4 h;
+    h.x = hit.t; h.y = as_float_(hit.prim); h.z = hit.u; h.w = hit.v;
+    a->hit[slot] = h;
+    a->info[slot].w = hit.inst;
+}
+
+// Whether this path's present class is wanted in this pass.
+FN int class_wanted(PRIVATE const Params* par, uint flags, uint index) {
+    if (par->mode == MODE_RAY) return 1;
+    if ((flags & PC_DIFFUSE) != 0u) return par->mode == MODE_FRAMES;
+    return par->mode == MODE_DIRECT || index > par->skip_direct_below;
+}
+
+// What a ray that met nothing sees: sun, sky, ground glow.
+FN float3 path_background(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, uint flags,
+                          PRIVATE Sampler* rnd) {
+    float3 black = F3(0.0f, 0.0f, 0.0f);
+    uint i = distant_at(s, par, dir);
+    if (i == NONE) return black;
+    GLOBAL const uint* q = s->u + par->distant_at + DISTANT_WORDS * i;
+    uint src = q[DISTANT_SOURCE];
+    if (src != NONE) {  // an active source (the sun): only eye and mirror rays see it (spec shading 0.1)
+        if ((flags & (PC_DIFFUSE | PC_ROUGH)) != 0u || (par->flags & PF_DV) == 0u) return black;
+        if ((flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
+            as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u) return black;  // frame 0 holds it by area
+    }
+    return light_radiance(s, par, q[DISTANT_MOD], NONE, dir, org, neg3(dir), 1e30f, 1e30f, rnd);
+}
+
+// Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray goes on through it.
+FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint flags,
+                           PRIVATE int* pass) {
+    float3 black = F3(0.0f, 0.0f, 0.0f);
+    GLOBAL const uint* m = mod_record(s, par, g->mod);
+    GLOBAL const float* arg = s->f + m[MOD_ARGS];
+    uint src = s->prims[PRIM_WORDS * g->prim + PRIM_SOURCE];
+    *pass = 0;
+    if (!g->front) { *pass = par->bv == 0u; return black; }
+    if ((flags & (PC_DIFFUSE | PC_ROUGH)) != 0u) {
+        if (g->type != M_GLOW || arg[3] < 0.0f) return black;
+        if (arg[3] > 0.0f && g->length <= arg[3]) return black;
+    } else {
+        if ((par->flags & PF_DV) == 0u && !(g->type == M_GLOW && arg[3] >= 0.0f && g->total > arg[3])) return black;
+        if (src != NONE && (flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
+            as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u) return black;
+    }
+    if (g->type == M_SPOTLIGHT) {
+        float3 aim = f3_at(arg + 4);
+        if (dot3(unit3(aim), g->v) < k_cos(arg[3] * 0.5f * 0.01745329252f)) return black;
+    }
+    return mul3(g->color, f3_at(arg));
+}
+
+// Fills lobes for the material at g.  shadow: only .through and flags are needed.
+FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, int shadow,
+                       PRIVATE Lobes* l) {
+    GLOBAL const uint* m = mod_record(s, par, g->mod);
+    GLOBAL const float* arg = s->f + m[MOD_ARGS];
+    lobes_clear(l);
+    uint type = g->type;
+    if (type == M_PLASTIC || type == M_METAL || type == M_TRANS) {
+        if (!g->front && par->bv == 0u) { l->flags |= LOBE_PASS; return; }
+        mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), l);
+    } else if (type == M_GLASS) {
+        if (!g->front && par->bv == 0u) { l->flags |= LOBE_PASS; return; }
+        mat_glass(g, arg, shadow, l);
+    }
+}
+
+FN float coefficient_weight(float3 c) { float m = max3(c); return m > 0.0f ? m : 0.0f; }
+
+// Shades the hit of a slot.  Returns bit 0: the path goes on, bit 1: a shadow ray waits.
+#define PATH_GOES_ON 1
+#define PATH_SHADOW 2
+FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* a, uint slot) {
+    uint4 info = a->info[slot];
+    float4 h = a->hit[slot], t4 = a->thr[slot], r4 = a->rad[slot];
+    float3 dir = xyz4(a->dir[slot]), org = xyz4(a->org[slot]), thr = xyz4(t4), rad = xyz4(r4);
+    uint flags = info.x;
+    Sampler rnd = path_sampler(info);
+    Hit hit;
+    hit.t = h.x; hit.prim = as_uint_(h.y); hit.u = h.z; hit.v = h.w; hit.inst = info.w;
+    int wanted = class_wanted(par, flags, par->frame + (par->mode == MODE_RAY ? 0u : (par->first + slot) / (par->nx * par->ny)));
+    int result = 0;
+
+    if (hit.prim == NO_HIT) {
+        if (wanted && a->dir[slot].w >= 1e29f)
+            a->rad[slot] = pack4(add3(rad, mul3(thr, path_background(s, par, org, dir, flags, &rnd))), r4.w);
+        return 0;
+    }
+    Ray ray;
+    Surface g;
+    ray.org = org; ray.dir = dir; ray.tmin = 0.0f; ray.tmax = h.x;
+    surface_at(s, &ray, &hit, &g);
+    g.total = r4.w + h.x;
+    uint step = flags >> PC_STEP_SHIFT;
+    if (step >= PC_STEP_LIMIT) return 0;
+    flags += 1u << PC_STEP_SHIFT;
+
+    int pass = 0;
+    Lobes lobes;
+    float3 next = dir;
+    if (!find_material(s, par, &g, &rnd)) {
+        pass = 1;
+    } else if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
+        float3 e = emitter_radiance(s, par, &g, flags, &pass);
+        if (!pass) {
+            if (wanted) a->rad[slot] = pack4(add3(rad, mul3(thr, e)), r4.w);
+            return 0;
+        }
+    } else {
+        material_lobes(s, par, &g, 0, &lobes);
+        pass = (lobes.flags & LOBE_PASS) != 0u;
+        if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) {
+            if (g.type == M_GLASS) pass = 1;  // spec shading 5.5
+            else {
+                float3 pi3 = F3(3.14159265f, 3.14159265f, 3.14159265f);
+                lobes_clear(&lobes);
+                lobes.diffuse_r = pi3;
+                lobes.ambient_r = pi3;
+                pass = 0;
+            }
+        }
+    }
+    if (!pass) {
+        // ---- light from active sources
+        if (wanted && par->source_count > 0u) {
+            uint i;
+            float inv_p = choose_source(s, par, g.p, &rnd, &i);
+            float2 x = sample2(&rnd);
+            if (inv_p > 0.0f) {
+                LightSample ls;
+                sample_source(s, par, i, g.p, x, par->dj, &ls);
+                if (ls.w > 0.0f) {
+                    float3 c = lobes_direct(&lobes, &g, ls.dir, ls.w, par->dj);
+                    if (max3(c) > 0.0f) {
+                        GLOBAL const float* q = source_record(s, par, i);
+                        float3 e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), ls.dir, ls.point,
+                                                  ls.normal, ls.dist, g.total + ls.dist, &rnd);
+                        c = mul3(mul3(thr, c), scale3(e, inv_p));
+                        if (max3(c) > 0.0f) {
+                            int above = dot3(ls.dir, g.ng) > 0.0f;
+                            a->sorg[slot] = pack4(offset_ray(g.p, above ? g.ng : neg3(g.ng), g.length), as_float_(i));
+                            a->sdir[slot] = pack4(ls.dir, ls.dist);
+                            a->scol[slot] = pack4(c, 0.0f);
+                            result |= PATH_SHADOW;
+                        }
+                    }
+                }
+            }
+        }
+        // ---- one way to go on
+        uint ab = (flags >> PC_AB_SHIFT) & 255u, level = (flags >> PC_LEVEL_SHIFT) & 255u;
+        int more = (int)ab < par->ab;
+        if (!more && wanted) {  // the reference's constant stands for deeper bounces (-av)
+            float3 av = F3(par->av.x, par->av.y, par->av.z);
+            rad = add3(rad, mul3(thr, mul3(add3(lobes.ambient_r, lobes.ambient_t), av)));
+        }
+        if (par->mode == MODE_DIRECT) more = 0;
+        float w_mirror = coefficient_weight(lobes.mirror), w_through = coefficient_weight(lobes.through);
+        float w_refract = coefficient_weight(lobes.refract);
+        float w_diff_r = more ? coefficient_weight(lobes.ambient_r) : 0.0f;
+        float w_diff_t = more ? coefficient_weight(lobes.ambient_t) : 0.0f;
+        float w_rough_r = (lobes.flags & LOBE_SAMPLE_R) != 0u ? coefficient_weight(lobes.rough_r) : 0.0f;
+        float w_rough_t = (lobes.flags & LOBE_SAMPLE_T) != 0u ? coefficient_weight(lobes.rough_t) : 0.0f;
+        float sum = w_mirror + w_through + w_refract + w_diff_r + w_diff_t + w_rough_r + w_rough_t;
+        if (sum <= 0.0f) {
+            a->rad[slot] = pack4(rad, r4.w);
+            a->info[slot].z = rnd.index | (rnd.dim << 8);
+            return result;
+        }
+        float r = sample1(&rnd) * sum, factor = 1.0f, p;
+        float3 coef;
+        int reflected = 1;
+        float3 side = g.ng;
+        if ((r -= w_diff_r) < 0.0f) {
+            coef = lobes.ambient_r; p = w_diff_r;
+            factor = sample_diffuse(s, par, g.p, g.n, &rnd, &next);
+            if (dot3(next, g.ng) <= 0.0f) factor = 0.0f;
+            flags |= PC_DIFFUSE; ab++;
+        } else if ((r -= w_through) < 0.0f) {
+            coef = lobes.through; p = w_through; next = lobes.through_dir; side = neg3(g.ng); reflected = 0;
+            if (dot3(next, g.v) > -0.99999f) flags |= PC_BENT;
+        } else if ((r -= w_mirror) < 0.0f) {
+            coef = lobes.mirror; p = w_mirror; next = lobes.mirror_dir; flags |= PC_BENT;
+        } else if ((r -= w_rough_r) < 0.0f) {
+            coef = lobes.rough_r; p = w_rough_r;
+            factor = lobes_sample_rough_r(&lobes, &g, &rnd, (par->flags & PF_WEIGHTED) != 0u, par->ss, &next);
+            flags |= PC_ROUGH | PC_BENT;
+        } else if ((r -= w_diff_t) < 0.0f) {
+            coef = lobes.ambient_t; p = w_diff_t;
+            factor = sample_diffuse(s, par, g.p, neg3(g.n), &rnd, &next);
+            if (dot3(next, g.ng) >= 0.0f) factor = 0.0f;
+            flags |= PC_DIFFUSE; ab++; side = neg3(g.ng);
+        } else if ((r -= w_rough_t) < 0.0f) {
+            coef = lobes.rough_t; p = w_rough_t;
+            factor = lobes_sample_rough_t(&lobes, &g, &rnd, par->ss, &next);
+            flags |= PC_ROUGH | PC_BENT; side = neg3(g.ng); reflected = 0;
+        } else {
+            coef = lobes.refract; p = w_refract; next = lobes.refract_dir; side = neg3(g.ng); reflected = 0;
+            flags |= PC_BENT;
+        }
+        if (p <= 0.0f) factor = 0.0f;
+        level += (uint)reflected;
+        t4.w *= MIN_(1.0f, max3(coef));
+        thr = scale3(mul3(thr, coef), factor * sum / MAX_(p, 1e-30f));
+        int dead = factor <= 0.0f || max3(thr) <= 0.0f;
+        if (par->lr > 0) dead = dead || (int)level > par->lr || t4.w < par->lw;
+        else if (par->lr < 0) dead = dead || (int)level > -par->lr;
+        if (!dead && ab >= 2u) {  // Russian roulette on throughput (unbiased; spec shading 6)
+            float q = max3(thr);
+            if (q < 1.0f) {
+                q = MAX_(q, 0.05f);
+                if (sample1(&rnd) >= q) dead = 1; else thr = scale3(thr, 1.0f / q);
+            }
+        }
+        a->rad[slot] = pack4(rad, dead ? r4.w : g.total);
+        info.x = (flags & 0xff0000ffu) | (level << PC_LEVEL_SHIFT) | (ab << PC_AB_SHIFT);
+        info.z = rnd.index | (rnd.dim << 8);
+        a->info[slot] = info;
+        if (dead) return result;
+        a->org[slot] = pack4(offset_ray(g.p, side, g.length), 0.0f);
+        a->dir[slot] = pack4(next, 1e30f);
+        a->thr[slot] = pack4(thr, t4.w);
+        return result | PATH_GOES_ON;
+    }
+    // ---- straight on, as if nothing were there
+    a->rad[slot] = pack4(rad, g.total);
+    info.x = flags;
+    info.z = rnd.index | (rnd.dim << 8);
+    a->info[slot] = info;
+    a->org[slot] = pack4(offset_ray(g.p, neg3(g.ng), g.length), 0.0f);
+    a->dir[slot] = pack4(dir, a->dir[slot].w >= 1e29f ? 1e30f : a->dir[slot].w - h.x);
+    return PATH_GOES_ON;
+}
+
+// What a shadow ray lets through: straight through glass, smooth trans, mixtures with void (spec 4.5).
+FN float3 shadow_transmittance(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float dist,
+                               PRIVATE Sampler* rnd) {
+    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f);
+    Ray ray;
+    ray.org = org; ray.dir = dir; ray.tmin = 0.0f;
+    ray.tmax = dist >= 1e29f ? 1e30f : shadow_end(dist);
+    if (trace_any(s, &ray, RAY_OPAQUE)) return black;
+    if (par->has_transparent == 0u) return T;
+    float total = 0.0f;
+    for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
+        Hit hit;
+        Surface g;
+        Lobes l;
+        trace_closest(s, &ray, RAY_TRANSPARENT, &hit);
+        if (hit.prim == NO_HIT) return T;
+        surface_at(s, &ray, &hit, &g);
+        total += hit.t;
+        g.total = total;
+        if (find_material(s, par, &g, rnd)) {
+            if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
+                if (g.type != M_ILLUM) return black;
+            } else {
+                material_lobes(s, par, &g, 1, &l);
+                if ((l.flags & LOBE_PASS) == 0u) T = mul3(T, l.through);
+            }
+            if (max3(T) <= 0.0f) return black;
+        }
+        ray.org = offset_ray(g.p, neg3(g.ng), g.length);
+        if (ray.tmax < 1e29f) { ray.tmax -= hit.t; if (ray.tmax <= 0.0f) return T; }
+    }
+    return black;
+}
+
+FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* a, uint slot) {
+    float4 o = a->sorg[slot], d = a->sdir[slot], c = a->scol[slot];
+    uint4 info = a->info[slot];
+    Sampler rnd = path_sampler(info);
+    rnd.key = hash_(rnd.key ^ 0x5bd1e995u);
+    float3 T = shadow_transmittance(s, par, xyz4(o), xyz4(d), d.w, &rnd);
+    float4 r = a->rad[slot];
+    a->rad[slot] = pack4(add3(xyz4(r), mul3(xyz4(c), T)), r.w);
+}
+
+// MODE_DRAW: slot i holds a straight ray from the eye to a point of a source and its weight, written by the host into
+// sorg, sdir, scol; the source's own radiance is applied here, path_shadow follows.
+FN void path_draw(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* a, uint slot) {
+    uint i = as_uint_(a->sorg[slot].w);
+    GLOBAL const float* q = source_record(s, par, i);
+    float3 org = xyz4(a->sorg[slot]), dir = xyz4(a->sdir[slot]);
+    float dist = a->sdir[slot].w;
+    Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, slot + par->first, 0u, 3u);
+    float3 normal = neg3(dir), point = org;
+    if (as_uint_(q[SRC_KIND]) != SK_DISTANT) {
+        point = madd3(dir, dist, org);
+        normal = as_uint_(q[SRC_KIND]) == SK_SPHERE ? unit3(sub3(point, f3_at(q + SRC_CENTRE))) : f3_at(q + SRC_NORMAL);
+    }
+    float3 e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
+    a->scol[slot] = pack4(mul3(xyz4(a->scol[slot]), e), 0.0f);
+    a->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
+    uint4 info;
+    info.x = 0u; info.y = rnd.key; info.z = rnd.index; info.w = NONE;
+    a->info[slot] = info;
+}
+#endif

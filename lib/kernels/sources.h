@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Active sources: choosing one, a point on it, its radiance; and what lies behind everything (sun, sky).
+// Active sources reach surfaces by this file alone, all other emitters by sampled rays alone (spec shading 0.1).
+#ifndef LUX_SOURCES_H
+#define LUX_SOURCES_H
+
+FN float3 f3_at(GLOBAL const float* f) { return F3(f[0], f[1], f[2]); }
+FN GLOBAL const float* source_record(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i) {
+    return s->f + par->sources_at + SOURCE_FLOATS * i;
+}
+
+typedef struct {
+    float3 dir;      // from the point to the source, unit
+    float dist;      // 1e30 for distant ones
+    float w;         // solid angle this sample stands for
+    float3 point;    // on the source (local ones)
+    float3 normal;   // there
+    uint index;
+} LightSample;
+
+// A point of source i as seen from p; w = 0 if it cannot shine there.  x: two random numbers; dj: jitter 0..1.
+FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i, float3 p, float2 x, float dj,
+                      PRIVATE LightSample* l) {
+    GLOBAL const float* q = source_record(s, par, i);
+    uint kind = as_uint_(q[SRC_KIND]);
+    float3 c = f3_at(q + SRC_CENTRE);
+    l->index = i;
+    l->w = 0.0f;
+    float ju = dj * (2.0f * x.x - 1.0f), jv = dj * (2.0f * x.y - 1.0f);
+    if (kind == SK_DISTANT) {
+        l->dir = c;
+        if (dj > 0.0f) {  // uniform over the cap, pulled to its centre by dj
+            float3 t, b;
+            float sn, cs, z1 = x.x * dj * dj * q[SRC_CAP], r = sqrt_(z1 * (2.0f - z1));
+            frame_of(c, &t, &b);
+            k_sincos(6.28318531f * x.y, &sn, &cs);
+            l->dir = unit3(add3(scale3(c, 1.0f - z1), add3(scale3(t, r * cs), scale3(b, r * sn))));
+        }
+        l->dist = 1e30f;
+        l->w = q[SRC_AREA];
+        l->point = F3(0.0f, 0.0f, 0.0f);
+        l->normal = neg3(l->dir);
+        return;
+    }
+    float area = q[SRC_AREA], cosine;
+    float3 at, n = f3_at(q + SRC_NORMAL);
+    if (kind == SK_SPHERE) {
+        float r = q[SRC_RADIUS];
+        float3 to = sub3(c, p);
+        float d2 = dot3(to, to);
+        if (d2 <= r * r) return;
+        float d = sqrt_(d2);
+        to = scale3(to, 1.0f / d);
+        if (dj <= 0.0f) {  // the reference's centre sample (spec shading 4.2)
+            l->dir = to; l->dist = d; l->w = 3.14159265f * r * r / d2;
+            l->point = madd3(to, -r, c); l->normal = neg3(to);
+        } else {           // exact: uniform over the cone it subtends
+            float s2 = r * r / d2, cmax1 = s2 / (1.0f + sqrt_(1.0f - s2)), sn, cs;  // 1 - cos of the half angle
+            float3 t, b;
+            float z1 = x.x * cmax1, z = 1.0f - z1, rr = sqrt_(z1 * (2.0f - z1));
+            frame_of(to, &t, &b);
+            k_sincos(6.28318531f * x.y, &sn, &cs);
+            l->dir = unit3(add3(scale3(to, z), add3(scale3(t, rr * cs), scale3(b, rr * sn))));
+            float e = r * r - d2 * rr * rr;
+            l->dist = d * z - sqrt_(e > 0.0f ? e : 0.0f);
+            l->w = 6.28318531f * cmax1;
+            l->point = madd3(l->dir, l->dist, p);
+            l->normal = unit3(sub3(l->point, c));
+        }
+    } else {
+        if (kind == SK_PARALLELOGRAM) {
+            at = madd3(f3_at(q + SRC_U), ju, madd3(f3_at(q + SRC_V), jv, c));
+        } else if (kind == SK_RING) {
+            float r = dj * sqrt_(x.x), sn, cs;
+            k_sincos(6.28318531f * x.y, &sn, &cs);
+            at = madd3(f3_at(q + SRC_U), r * cs, madd3(f3_at(q + SRC_V), r * sn, c));
+        } else if (kind == SK_CYLINDER) {  // U = half axis, V radius in SRC_RADIUS
+            float3 axis = f3_at(q + SRC_U), t, b;
+            float r = q[SRC_RADIUS], sn, cs;
+            if (dj <= 0.0f) {
+                float3 to = sub3(c, p);
+                float d2 = dot3(to, to), h = length3(axis);
+                float ca = dot3(to, axis) / (h * sqrt_(d2));
+                l->dist = sqrt_(d2); l->dir = scale3(to, 1.0f / l->dist);
+                float sa = 1.0f - ca * ca;
+                l->w = 4.0f * r * h * sqrt_(sa > 0.0f ? sa : 0.0f) / d2;
+                l->point = c; l->normal = neg3(l->dir);
+                return;
+            }
+            frame_of(unit3(axis), &t, &b);
+            k_sincos(6.28318531f * x.y, &sn, &cs);
+            n = add3(scale3(t, cs), scale3(b, sn));
+            at = madd3(n, r, madd3(axis, 2.0f * x.x - 1.0f, c));
+        } else {  // triangle fan: pick a triangle by area
+            uint at_f = as_uint_(q[SRC_TRIS]), count = as_uint_(q[SRC_NTRIS]), k = 0u;
+            GLOBAL const float* tri = s->f + at_f;
+            if (dj <= 0.0f) {
+                at = c;
+            } else {
+                while (k + 1u < count && x.x >= tri[9]) { k++; tri += 12; }
+                float lo = tri[10], u = (x.x - lo) / (tri[9] - lo), su = sqrt_(u);
+                at = madd3(f3_at(tri + 3), su * (1.0f - x.y), madd3(f3_at(tri + 6), su * x.y, f3_at(tri)));
+            }
+        }
+        float3 to = sub3(at, p);
+        float d2 = dot3(to, to);
+        if (d2 <= 0.0f) return;
+        l->dist = sqrt_(d2);
+        l->dir = scale3(to, 1.0f / l->dist);
+        cosine = -dot3(n, l->dir);
+        if (cosine <= 1e-4f) return;
+        l->w = area * cosine / d2;
+        l->point = at;
+        l->normal = n;
+    }
+    if (q[SRC_MAXRAD] > 0.0f && l->dist > q[SRC_MAXRAD]) l->w = 0.0f;
+    if (q[SRC_SPOT + 3] > -1.5f) {  // spotlight: inside its cone, and as if its light came from f behind (spec 4.2)
+        float f = q[SRC_SPOT + 4];
+        if (-dot3(f3_at(q + SRC_SPOT), l->dir) < q[SRC_SPOT + 3]) l->w = 0.0f;
+        l->w *= l->dist * l->dist / ((l->dist + f) * (l->dist + f));
+    }
+}
+
+// A guess of what source i could give at p, never 0 where it could give anything: for choosing among many.
+FN float source_promise(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i, float3 p) {
+    GLOBAL const float* q = source_record(s, par, i);
+    if (as_uint_(q[SRC_KIND]) == SK_DISTANT) return q[SRC_POWER] * q[SRC_AREA];
+    float3 to = sub3(f3_at(q + SRC_CENTRE), p);
+    float d2 = dot3(to, to), r = q[SRC_RADIUS];
+    if (q[SRC_MAXRAD] > 0.0f && d2 > (q[SRC_MAXRAD] + r) * (q[SRC_MAXRAD] + r)) return 0.0f;
+    float near = r * r * 0.25f;
+    return q[SRC_POWER] * q[SRC_AREA] / MAX_(d2, near);
+}
+
+// Chooses one active source for p with probability proportional to its promise (all of them if few, else among 16
+// drawn by power: resampled importance sampling, Talbot et al. 2005).  Returns 1/probability, 0 if none.
+#define SOURCE_CANDIDATES 16u
+FN float choose_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, PRIVATE Sampler* rnd,
+                       PRIVATE uint* chosen) {
+    uint n = par->source_count, picked = 0u;
+    if (n == 0u) return 0.0f;
+    if (n == 1u) { *chosen = 0u; return 1.0f; }
+    float2 x = sample2(rnd);
+    float sum = 0.0f, kept = 0.0f, r = x.x;
+    uint count = MIN_(n, SOURCE_CANDIDATES);
+    for (uint j = 0u; j < count; j++) {
+        uint i = j;
+        float w;
+        if (n <= SOURCE_CANDIDATES) {
+            w = source_promise(s, par, i, p);
+        } else {  // candidate by the cumulative power table
+            GLOBAL const float* cdf = s->f + par->cdf_at;
+            float y = ((float)j + x.y) / (float)count;
+            uint lo = 0u, hi = n - 1u;
+            while (lo < hi) { uint mid = (lo + hi) / 2u; if (cdf[mid] > y) hi = mid; else lo = mid + 1u; }
+            i = lo;
+            float pdf = cdf[i] - (i > 0u ? cdf[i - 1u] : 0.0f);
+            w = source_promise(s, par, i, p) / (pdf * (float)count);
+        }
+        if (w <= 0.0f) continue;
+        sum += w;
+        float t = w / sum;           // one random number, reused (Chao's reservoir)
+        if (r < t) { picked = i; kept = w; r = r / t; } else { r = (r - t) / (1.0f - t); }
+    }
+    if (sum <= 0.0f) return 0.0f;
+    *chosen = picked;
+    return sum / kept * (n > SOURCE_CANDIDATES ? kept / source_promise(s, par, picked, p) : 1.0f);
+}
+
+// Radiance of light material `mod` seen along dir (from the viewer to the light), patterns included.
+FN float3 light_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint mod, uint prim, float3 dir,
+                         float3 point, float3 normal, float length, float total, PRIVATE Sampler* rnd) {
+    Surface g;
+    GLOBAL const uint* m = mod_record(s, par, mod);
+    g.p = point; g.nface = normal; g.ng = normal; g.n = normal; g.v = neg3(dir);
+    g.color = F3(1.0f, 1.0f, 1.0f); g.pert = F3(0.0f, 0.0f, 0.0f);
+    g.u = 0.0f; g.vv = 0.0f; g.length = length; g.total = total; g.prim = prim; g.mod = mod; g.type = 0u;
+    g.inst = NONE; g.front = 1; g.flat = 0; g.smooth = 0;
+    if (m[MOD_TYPE] < M_FIRST_MATERIAL || m[MOD_NEXT] != NONE) {
+        if (!find_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
+        m = mod_record(s, par, g.mod);
+    }
+    return mul3(g.color, f3_at(s->f + m[MOD_ARGS]));
+}
+
+// The distant surface seen in direction dir: the first non-glow that matches, else the first glow.  NONE if none.
+FN uint distant_at(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 dir) {
+    uint glow = NONE;
+    for (uint i = 0u; i < par->distant_count; i++) {
+        GLOBAL const uint* q = s->u + par->distant_at + DISTANT_WORDS * i;
+        float cap = as_float_(q[DISTANT_CAP]);
+        float3 d = F3(as_float_(q[0]), as_float_(q[1]), as_float_(q[2]));
+        // 1 - cos by the chord: single precision would lose a sun of half a degree in 1 - dot
+        float3 e = sub3(dir, d);
+        if (0.5f * dot3(e, e) > cap) continue;
+        if (q[DISTANT_SOURCE] != NONE) return i;
+        if (glow == NONE) glow = i;
+    }
+    return glow;
+}
+#endif

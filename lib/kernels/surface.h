@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a hit to the point that is shaded: position, geometric normal as modelled, viewer's side.
+#ifndef LUX_SURFACE_H
+#define LUX_SURFACE_H
+
+typedef struct {
+    float3 p;        // hit point
+    float3 nface;    // geometric normal as modelled, unit
+    float3 ng;       // the same on the viewer's side
+    float3 n;        // shading normal on the viewer's side (textures, smoothing)
+    float3 v;        // unit, toward the viewer
+    float3 color;    // product of the patterns met
+    float3 pert;     // sum of the textures met
+    float u, vv;     // mesh coordinates Lu, Lv
+    float length;    // of the ray that hit
+    float total;     // path length from the eye
+    uint prim, mod;  // primitive; its modifier, after find_material() the material's
+    uint type;       // material type
+    uint inst;       // instance, NONE
+    int front;       // hit from the side the modelled normal points to
+    int flat;        // polygon or ring without texture
+    int smooth;      // perturbation from mesh smoothing
+} Surface;
+
+FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint shape, float3 p) {
+    GLOBAL const float* q = s->shapes + 16u * shape;
+    if (kind == PRIM_SPHERE) return unit3(sub3(p, F3(q[1], q[2], q[3])));
+    // cone: perpendicular to the slanted side, away from the axis
+    float3 p0 = F3(q[1], q[2], q[3]), axis = F3(q[4], q[5], q[6]);
+    float3 r = sub3(p, p0);
+    float3 radial = unit3(sub3(r, scale3(axis, dot3(r, axis))));
+    float length = q[7], slope = q[8] - q[9];
+    float side = sqrt_(length * length + slope * slope);
+    return unit3(add3(scale3(radial, length / side), scale3(axis, slope / side)));
+}
+
+FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE const Hit* hit, PRIVATE Surface* g) {
+    GLOBAL const uint* prim = s->prims + PRIM_WORDS * hit->prim;
+    uint kind = prim[PRIM_KIND];
+    g->p = madd3(ray->dir, hit->t, ray->org);
+    g->v = neg3(ray->dir);
+    g->prim = hit->prim;
+    g->mod = prim[PRIM_MOD];
+    g->color = F3(1.0f, 1.0f, 1.0f);
+    g->pert = F3(0.0f, 0.0f, 0.0f);
+    g->u = 0.0f;
+    g->vv = 0.0f;
+    g->length = hit->t;
+    g->inst = NONE;
+    g->smooth = 0;
+    g->flat = (kind & PRIM_TEXTURE_FLAT) != 0u;
+    uint shape = kind & PRIM_KIND_MASK;
+    if (shape == PRIM_SPHERE || shape == PRIM_CONE) {
+        float3 n = shape_normal(s, shape, prim[PRIM_NORMAL], g->p);
+        g->nface = (kind & PRIM_INWARD) != 0u ? neg3(n) : n;
+        if (shape == PRIM_SPHERE) {  // put the point on the surface: far from it single precision drifts
+            GLOBAL const float* q = s->shapes + 16u * prim[PRIM_NORMAL];
+            g->p = madd3(n, q[4], F3(q[1], q[2], q[3]));
+        }
+    } else {
+        g->nface = F3(as_float_(prim[PRIM_NORMAL]), as_float_(prim[PRIM_NORMAL + 1u]), as_float_(prim[PRIM_NORMAL + 2u]));
+    }
+    g->front = dot3(g->nface, g->v) > 0.0f;
+    g->ng = g->front ? g->nface : neg3(g->nface);
+    g->n = g->ng;
+}
+
+// An orthonormal frame around n (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
+FN void frame_of(float3 n, PRIVATE float3* t, PRIVATE float3* b) {
+    float sign = n.z >= 0.0f ? 1.0f : -1.0f;
+    float a = -1.0f / (sign + n.z), c = n.x * n.y * a;
+    *t = F3(1.0f + sign * n.x * n.x * a, sign * c, -sign * n.x);
+    *b = F3(c, sign + n.y * n.y * a, -n.y);
+}
+#endif

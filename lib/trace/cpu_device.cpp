@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The native device: tiles of paths over all cores, the widest instruction set the machine has.
+#include <atomic>
+#include <cstdlib>
+#include <mutex>
+#include <thread>
+
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "trace/build_input.h"
+#include "trace/cpu_kernels.h"
+#include "trace/device.h"
+#include "trace/embree_check.h"
+
+namespace trace {
+namespace {
+
+// Paths of one tile: their state (156 bytes each) stays in the second-level cache.
+constexpr uint32_t TILE = 4096;
+
+const CpuKernels& best_kernels(const std::string& wanted) {
+    if (wanted == "baseline") return cpu_baseline;
+#if defined(__x86_64__)
+    const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+    const bool avx2 = __builtin_cpu_supports("avx2");
+    if (wanted == "avx512" && !avx512) base::fail("-device", "this machine has no AVX-512");
+    if (wanted == "avx2" && !avx2) base::fail("-device", "this machine has no AVX2");
+    if (avx512 && wanted != "avx2") return cpu_avx512;
+    if (avx2) return cpu_avx2;
+#endif
+    return cpu_baseline;
+}
+
+unsigned thread_count() {
+    if (const char* v = std::getenv("LUXPIPE_THREADS"))
+        if (const int n = std::atoi(v); n > 0) return unsigned(n);
+    const unsigned n = std::thread::hardware_concurrency();
+    return n ? n : 1;
+}
+
+class CpuDevice : public Device {
+public:
+    explicit CpuDevice(const std::string& variant)
+        : embree_(variant == "embree"), kernels_(embree_ ? cpu_embree : best_kernels(variant)), threads_(thread_count()) {}
+
+    std::string name() const override { return fmt::format("cpu ({}, {} threads)", kernels_.name, threads_); }
+
+    void upload(FlatScene s) override {
+        scene_ = std::move(s);
+        BuildInput in = build_input(scene_);
+        if (embree_) {
+            check_ = std::make_unique<EmbreeCheck>(in);
+            tables_.nodes = reinterpret_cast<const float*>(check_.get());
+        } else {
+            bvh_ = build_bvh8(in);
+            tables_.nodes = bvh_.nodes.data();
+            tables_.leaves = bvh_.leaves.data();
+        }
+        tables_.shapes = scene_.shapes.data();
+        tables_.polygon_uv = scene_.polygon_uv.data();
+        tables_.prims = scene_.prims.data();
+        tables_.vertices = scene_.vertices.data();
+        tables_.u = scene_.u.data();
+        tables_.f = scene_.f.data();
+    }
+    void run(const Params& par, std::vector<float>& rgb) override {
+        rgb.resize(size_t(par.slots) * 3);
+        tiles(par.slots, [&](uint32_t first, uint32_t count, void* scratch) {
+            kernels_.run(&tables_, &par, par.first + first, count, scratch, &rgb[size_t(first) * 3]);
+        });
+    }
+    void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) override {
+        rgb.resize(rays.size() * 3);
+        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
+            kernels_.draw(&tables_, &par, rays.data(), first, count, scratch, &rgb[size_t(first) * 3]);
+        });
+    }
+    uint32_t good_slots() const override { return 64 * TILE; }
+
+private:
+    template <class F> void tiles(uint32_t slots, F&& work) {
+        std::atomic<uint32_t> next{0};
+        std::exception_ptr error;
+        std::mutex lock;
+        const auto worker = [&] {
+            try {
+                std::vector<char> scratch(kernels_.scratch_bytes(TILE));
+                for (;;) {
+                    const uint32_t first = next.fetch_add(TILE);
+                    if (first >= slots) return;
+                    work(first, std::min(TILE, slots - first), scratch.data());
+                }
+            } catch (...) {
+                std::lock_guard<std::mutex> hold(lock);
+                if (!error) error = std::current_exception();
+            }
+        };
+        std::vector<std::thread> pool;
+        for (unsigned i = 1; i < threads_ && uint64_t(i) * TILE < slots; i++) pool.emplace_back(worker);
+        worker();
+        for (auto& t : pool) t.join();
+        if (error) std::rethrow_exception(error);
+    }
+
+    bool embree_;
+    const CpuKernels& kernels_;
+    unsigned threads_;
+    FlatScene scene_;
+    Bvh bvh_;
+    std::unique_ptr<EmbreeCheck> check_;
+    kernels::SceneTables tables_{};
+};
+
+}  // namespace
+
+std::unique_ptr<Device> make_cpu_device(const std::string& name) {
+    const size_t colon = name.find(':');
+    const std::string variant = colon == std::string::npos ? "" : name.substr(colon + 1);
+    if (!variant.empty() && variant != "embree" && variant != "baseline" && variant != "avx2" && variant != "avx512")
+        base::fail("-device", fmt::format("\"{}\" is not a CPU variant (embree, baseline, avx2, avx512)", variant));
+    return std::make_unique<CpuDevice>(variant);
+}
+
+}  // namespace trace

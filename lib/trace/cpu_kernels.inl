@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Body of the cpu_kernels_*.cpp files: the shared kernels in a namespace of their own (LUX_ISA), run over a tile.
+// A tile keeps its path state in the cache and goes through the same queues as the OpenCL kernels.
+#include <cstdint>
+#include <cstring>
+#include <math.h>
+
+#include "trace/cpu_kernels.h"
+
+namespace LUX_ISA {
+#include "kernels/compat_host.h"
+#include "kernels/all.h"
+
+struct Tile {
+    Paths paths;
+    uint32_t *now, *next, *shadow;
+};
+static uint64_t scratch_bytes(uint32_t count) { return uint64_t(count) * (9 * 16 + 3 * 4) + 64; }
+static Tile carve(void* scratch, uint32_t count) {
+    char* p = reinterpret_cast<char*>((reinterpret_cast<uintptr_t>(scratch) + 63) & ~uintptr_t(63));
+    const auto take = [&](size_t size) { char* q = p; p += size * count; return q; };
+    Tile t;
+    t.paths.org = (float4*)take(16);
+    t.paths.dir = (float4*)take(16);
+    t.paths.thr = (float4*)take(16);
+    t.paths.rad = (float4*)take(16);
+    t.paths.info = (uint4*)take(16);
+    t.paths.hit = (float4*)take(16);
+    t.paths.sorg = (float4*)take(16);
+    t.paths.sdir = (float4*)take(16);
+    t.paths.scol = (float4*)take(16);
+    t.now = (uint32_t*)take(4);
+    t.next = (uint32_t*)take(4);
+    t.shadow = (uint32_t*)take(4);
+    return t;
+}
+static void store(const Tile& t, uint32_t count, float* rgb) {
+    for (uint32_t i = 0; i < count; i++) {
+        rgb[3 * i] = t.paths.rad[i].x;
+        rgb[3 * i + 1] = t.paths.rad[i].y;
+        rgb[3 * i + 2] = t.paths.rad[i].z;
+    }
+}
+static void run(const void* tables, const void* params, uint32_t first, uint32_t count, void* scratch, float* rgb) {
+    const SceneTables s = *static_cast<const SceneTables*>(tables);
+    Params par = *static_cast<const Params*>(params);
+    par.first = first;
+    par.slots = count;
+    Tile t = carve(scratch, count);
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < count; i++)
+        if (path_generate(&par, &t.paths, i)) t.now[n++] = i;
+    while (n > 0) {
+        uint32_t goes_on = 0, shadows = 0;
+        for (uint32_t i = 0; i < n; i++) path_extend(&s, &t.paths, t.now[i]);
+        for (uint32_t i = 0; i < n; i++) {
+            const int r = path_shade(&s, &par, &t.paths, t.now[i]);
+            if (r & PATH_GOES_ON) t.next[goes_on++] = t.now[i];
+            if (r & PATH_SHADOW) t.shadow[shadows++] = t.now[i];
+        }
+        for (uint32_t i = 0; i < shadows; i++) path_shadow(&s, &par, &t.paths, t.shadow[i]);
+        uint32_t* swap = t.now;
+        t.now = t.next;
+        t.next = swap;
+        n = goes_on;
+    }
+    store(t, count, rgb);
+}
+struct Ray9 { float org[3], dir[3], dist, weight; uint32_t source; };  // trace::DrawRay
+static void draw(const void* tables, const void* params, const void* rays, uint32_t first, uint32_t count, void* scratch,
+                 float* rgb) {
+    const SceneTables s = *static_cast<const SceneTables*>(tables);
+    Params par = *static_cast<const Params*>(params);
+    par.first = first;
+    par.slots = count;
+    Tile t = carve(scratch, count);
+    const Ray9* r = static_cast<const Ray9*>(rays) + first;
+    for (uint32_t i = 0; i < count; i++) {
+        t.paths.sorg[i] = pack4(F3(r[i].org[0], r[i].org[1], r[i].org[2]), as_float_(r[i].source));
+        t.paths.sdir[i] = pack4(F3(r[i].dir[0], r[i].dir[1], r[i].dir[2]), r[i].dist);
+        t.paths.scol[i] = pack4(F3(r[i].weight, r[i].weight, r[i].weight), 0.0f);
+        path_draw(&s, &par, &t.paths, i);
+        path_shadow(&s, &par, &t.paths, i);
+    }
+    store(t, count, rgb);
+}
+}  // namespace LUX_ISA
+
+namespace trace {
+#define LUX_PASTE_(a, b) a##b
+#define LUX_PASTE(a, b) LUX_PASTE_(a, b)
+extern const CpuKernels LUX_PASTE(cpu_, LUX_ISA);
+const CpuKernels LUX_PASTE(cpu_, LUX_ISA) = {LUX_ISA_NAME, LUX_ISA::run, LUX_ISA::draw, LUX_ISA::scratch_bytes};
+}  // namespace trace

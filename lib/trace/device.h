@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A machine that runs paths: the CPU with the shared code compiled natively, or an OpenCL device.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+#include "kernels/host.h"
+#include "trace/flat_scene.h"
+
+namespace trace {
+
+using kernels::Params;
+
+// A straight ray from the eye to a point of active source `source`, and the share of a pixel it stands for.
+struct DrawRay {
+    float org[3], dir[3], dist, weight;
+    uint32_t source;
+};
+
+class Device {
+public:
+    virtual ~Device() = default;
+    virtual std::string name() const = 0;
+    // Builds the device's BVH and takes the tables.
+    virtual void upload(FlatScene scene) = 0;
+    // Runs par.slots paths; rgb gets 3 floats a slot.
+    virtual void run(const Params& par, std::vector<float>& rgb) = 0;
+    // MODE_DRAW: radiance times weight for each ray, 3 floats each.
+    virtual void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) = 0;
+    // Paths to hand over at once, so that the device is full.
+    virtual uint32_t good_slots() const = 0;
+};
+
+// name: "cpu", "cpu:embree", "cpu:baseline|avx2|avx512" (a lower instruction set than the machine has, for tests).
+std::unique_ptr<Device> make_cpu_device(const std::string& name);
+// name: "opencl[:index][:bvh2|bvh8]", index among all OpenCL devices, GPUs first.  Throws Error (system) without any.
+std::unique_ptr<Device> make_opencl_device(const std::string& name);
+// "0: NVIDIA H200 (GPU, NVIDIA CUDA)" each; empty without an OpenCL platform.
+std::vector<std::string> opencl_devices();
+bool opencl_has_gpu();
+
+}  // namespace trace

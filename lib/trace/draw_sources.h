@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small bright sources (the sun's disc is 1.4 pixels wide at 512) drawn into frame 0 by area instead of by luck:
+// points spread evenly over the source, each splatted into the pixel it falls in.
+#pragma once
+#include <vector>
+#include "trace/device.h"
+#include "trace/host_tracer.h"
+#include "view/view.h"
+
+namespace trace {
+
+struct DrawList {
+    std::vector<DrawRay> rays;
+    std::vector<uint32_t> pixel;   // row from the top * nx + column, of each ray
+};
+// Marks the sources it takes (SRC_DRAWN in scene.f) and lists their rays.
+DrawList list_drawn_sources(FlatScene& scene, const HostTracer& tracer, const view::View& view, int nx, int ny);
+
+}  // namespace trace

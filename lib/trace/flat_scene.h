@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scene as flat tables (kernels/tables.h), ready to upload to any device, and what the host still needs of it.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+#include "base/vec.h"
+#include "scene/object.h"
+#include "trace/options.h"
+
+namespace trace {
+
+struct FlatScene {
+    std::vector<uint32_t> prims;      // PRIM_WORDS each
+    std::vector<float> vertices;      // 3 each, relative to centre
+    std::vector<uint32_t> triangles;  // 3 vertex indices each
+    std::vector<uint32_t> tri_prim;   // primitive of each triangle; bit 31 = transparent class
+    std::vector<float> shapes;        // 16 each
+    std::vector<uint32_t> shape_prim; // primitive of each shape; bit 31 as above
+    std::vector<float> polygon_uv;
+    std::vector<uint32_t> u;          // arenas
+    std::vector<float> f;
+    base::Vec3 centre;                // world position of the tables' origin
+
+    uint32_t mods_at = 0, sources_at = 0, source_count = 0, distant_at = 0, distant_count = 0;
+    uint32_t portals_at = 0, portal_count = 0, cdf_at = 0;
+    bool has_transparent = false;
+
+    // Transparent polygons (world coordinates): candidates for portals.
+    struct Pane { base::Vec3 corner, edge, normal; double area; std::vector<base::Vec3> points; };
+    std::vector<Pane> panes;
+    std::vector<uint32_t> prim_object;  // scene object of each primitive
+};
+
+// Throws Error naming file:line for what ptrace cannot render.
+FlatScene flatten(const scene::Scene& scene, const RenderOptions& options, const scene::ReadOptions& files);
+
+}  // namespace trace

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of flatten(): modifiers, geometry, sources.  Each fills its tables of one FlatScene.
+#pragma once
+#include <cstring>
+#include <vector>
+#include "cal/compile.h"
+#include "kernels/host.h"
+#include "trace/flat_scene.h"
+
+namespace trace {
+
+struct Flattener {
+    const scene::Scene& scene;
+    const RenderOptions& options;
+    const scene::ReadOptions& files;
+    FlatScene& out;
+    cal::Library library;
+    cal::Code code;                       // becomes the start of out.u and out.f
+
+    // By object index (modifiers):
+    std::vector<uint32_t> mod_of;         // mod record, NONE if unused
+    std::vector<uint8_t> has_material;    // the chain from here ends in one (or in a mixture)
+    std::vector<uint8_t> passes;          // a shadow ray may pass
+    std::vector<uint32_t> material_of;    // object index of the chain's material (NONE: mixture or none), aliases resolved
+    std::vector<uint32_t> mods;           // MOD_WORDS each
+    std::vector<float> args;              // real arguments, appended to f
+
+    // Emitting surfaces, collected by geometry for sources.
+    struct Emitter { uint32_t object, prim; };
+    std::vector<Emitter> emitters;
+
+    Flattener(const scene::Scene& s, const RenderOptions& o, const scene::ReadOptions& f, FlatScene& t)
+        : scene(s), options(o), files(f), out(t), library(f) {}
+
+    void flatten_modifiers();
+    void flatten_geometry();
+    void flatten_sources();
+};
+
+inline uint32_t bits(float f) { uint32_t u; std::memcpy(&u, &f, 4); return u; }
+inline float from_bits(uint32_t u) { float f; std::memcpy(&f, &u, 4); return f; }
+
+}  // namespace trace

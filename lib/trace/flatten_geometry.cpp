@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces -> primitives, triangles and analytic shapes (spec: scene language 3).  Triangles and convex quads become
+// triangles; every other polygon (holes by seams, concave) stays one shape with RADIANCE's even-odd inside test.
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "trace/flatten.h"
+
+namespace trace {
+namespace {
+using namespace kernels;
+using base::Vec3;
+using scene::Type;
+
+constexpr double TINY = 1e-6;  // FTINY of the reference
+constexpr uint32_t TRANSPARENT_BIT = 0x80000000u;
+
+Vec3 vec_at(const scene::Span<double>& r, size_t i) { return {r[i], r[i + 1], r[i + 2]}; }
+
+struct Builder {
+    Flattener& f;
+    FlatScene& out;
+
+    uint32_t add_prim(const scene::Object& o, uint32_t kind, Vec3 normal, uint32_t shape, uint32_t& tagged) {
+        const uint32_t id = uint32_t(out.prims.size() / PRIM_WORDS);
+        uint32_t rec[PRIM_WORDS] = {kind, f.mod_of[o.modifier], NONE, bits(float(normal.x)), bits(float(normal.y)),
+                                    bits(float(normal.z)), 0, 0};
+        if ((kind & PRIM_KIND_MASK) == PRIM_SPHERE || (kind & PRIM_KIND_MASK) == PRIM_CONE) rec[PRIM_NORMAL] = shape;
+        out.prims.insert(out.prims.end(), rec, rec + PRIM_WORDS);
+        out.prim_object.push_back(uint32_t(&o - f.scene.objects.data()));
+        const bool pass = f.passes[o.modifier];
+        tagged = id | (pass ? TRANSPARENT_BIT : 0u);
+        out.has_transparent = out.has_transparent || pass;
+        return id;
+    }
+    uint32_t add_shape(uint32_t kind, std::initializer_list<double> values) {
+        const uint32_t id = uint32_t(out.shapes.size() / 16);
+        out.shapes.resize(out.shapes.size() + 16, 0.0f);
+        float* q = &out.shapes[16 * id];
+        q[0] = from_bits(kind);
+        int i = 1;
+        for (double v : values) q[i++] = float(v);
+        return id;
+    }
+    uint32_t add_vertex(Vec3 p) {
+        p = p - out.centre;
+        out.vertices.insert(out.vertices.end(), {float(p.x), float(p.y), float(p.z)});
+        return uint32_t(out.vertices.size() / 3 - 1);
+    }
+    void warn(const scene::Object& o, const char* what) {
+        base::warn(f.scene.place(o), fmt::format("{}, surface ignored", what));
+    }
+    void emit(const scene::Object& o, uint32_t prim) {
+        const uint32_t m = f.material_of[o.modifier];
+        if (m == NONE) return;
+        const Type t = f.scene.objects[m].type;
+        if (t == Type::light || t == Type::glow || t == Type::spotlight || t == Type::illum)
+            f.emitters.push_back({uint32_t(&o - f.scene.objects.data()), prim});
+    }
+
+    void polygon(const scene::Object& o) {
+        const auto r = f.scene.reals(o);
+        size_t n = r.size() / 3;
+        std::vector<Vec3> v(n);
+        for (size_t i = 0; i < n; i++) v[i] = vec_at(r, 3 * i);
+        if (n > 3 && length(v[0] - v[n - 1]) <= TINY) v.resize(--n);
+        Vec3 sum;  // Newell
+        for (size_t i = 1; i + 1 < n; i++) sum = sum + cross(v[i] - v[0], v[i + 1] - v[0]);
+        const double area2 = length(sum);
+        if (area2 == 0) return warn(o, "polygon of zero area");
+        const Vec3 normal = sum * (1 / area2);
+        bool convex = n == 3;
+        if (n == 4) {
+            convex = true;
+            for (int i = 0; i < 4; i++)
+                convex = convex && dot(cross(v[(i + 1) % 4] - v[i], v[(i + 2) % 4] - v[(i + 1) % 4]), normal) > 0;
+            // a bent quad keeps the reference's mean plane
+            for (int i = 1; i < 4; i++)
+                convex = convex && std::fabs(dot(v[i] - v[0], normal)) <= 1e-5 * std::max(1.0, std::fabs(dot(v[0], normal)));
+        }
+        uint32_t tagged;
+        const uint32_t prim = add_prim(o, PRIM_FLAT | PRIM_TEXTURE_FLAT, normal, 0, tagged);
+        if (convex) {
+            uint32_t first = 0;
+            for (size_t i = 0; i < n; i++) { const uint32_t at = add_vertex(v[i]); if (!i) first = at; }
+            for (uint32_t i = 1; i + 1 < n; i++) {
+                out.triangles.insert(out.triangles.end(), {first, first + i, first + i + 1});
+                out.tri_prim.push_back(tagged);
+            }
+        } else {
+            double offset = 0;
+            for (const Vec3& p : v) offset += dot(p - out.centre, normal);
+            offset /= double(n);
+            const double a[3] = {std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)};
+            const int drop = a[0] > a[1] ? (a[0] > a[2] ? 0 : 2) : (a[1] > a[2] ? 1 : 2);
+            const uint32_t at = uint32_t(out.polygon_uv.size() / 2);
+            for (const Vec3& p : v) {
+                const Vec3 q = p - out.centre;
+                out.polygon_uv.push_back(float(q[(drop + 1) % 3]));
+                out.polygon_uv.push_back(float(q[(drop + 2) % 3]));
+            }
+            const uint32_t shape = add_shape(SHAPE_POLYGON, {normal.x, normal.y, normal.z, offset});
+            out.shapes[16 * shape + 5] = from_bits(uint32_t(drop));
+            out.shapes[16 * shape + 6] = from_bits(at);
+            out.shapes[16 * shape + 7] = from_bits(uint32_t(n));
+            out.shape_prim.push_back(tagged);
+        }
+        emit(o, prim);
+        if (f.passes[o.modifier] && out.panes.size() < 100000) out.panes.push_back({v[0], v[1] - v[0], normal, area2 / 2, v});
+    }
+
+    void sphere(const scene::Object& o) {
+        const auto r = f.scene.reals(o);
+        const bool inward = (o.type == Type::bubble) != (r[3] < 0);
+        const Vec3 c = vec_at(r, 0) - out.centre;
+        const uint32_t shape = add_shape(SHAPE_SPHERE, {c.x, c.y, c.z, std::fabs(r[3])});
+        uint32_t tagged;
+        const uint32_t prim = add_prim(o, PRIM_SPHERE | (inward ? PRIM_INWARD : 0u), {}, shape, tagged);
+        out.shape_prim.push_back(tagged);
+        emit(o, prim);
+    }
+
+    void cone(const scene::Object& o) {
+        const auto r = f.scene.reals(o);
+        const bool straight = o.type == Type::cylinder || o.type == Type::tube;
+        double r0 = r[6], r1 = straight ? r[6] : r[7];
+        bool inward = o.type == Type::cup || o.type == Type::tube;
+        if (r0 * r1 < 0) return warn(o, "cone radii of opposite sign");
+        if (r0 < 0 || r1 < 0) { inward = !inward; r0 = std::fabs(r0); r1 = std::fabs(r1); }
+        if (r0 <= TINY && r1 <= TINY) return warn(o, "radius too small");
+        const Vec3 p0 = vec_at(r, 0) - out.centre, axis = vec_at(r, 3) - vec_at(r, 0);
+        const double len = length(axis);
+        if (len <= TINY) return warn(o, "axis of zero length");
+        const uint32_t shape = add_shape(SHAPE_CONE, {p0.x, p0.y, p0.z, axis.x / len, axis.y / len, axis.z / len, len, r0, r1});
+        uint32_t tagged;
+        const uint32_t prim = add_prim(o, PRIM_CONE | (inward ? PRIM_INWARD : 0u), {}, shape, tagged);
+        out.shape_prim.push_back(tagged);
+        emit(o, prim);
+    }
+
+    void ring(const scene::Object& o) {
+        const auto r = f.scene.reals(o);
+        const Vec3 n = vec_at(r, 3);
+        const double r0 = std::min(r[6], r[7]), r1 = std::max(r[6], r[7]);
+        if (length(n) <= TINY) return warn(o, "ring with zero normal");
+        if (r0 < 0 || r1 - r0 <= TINY) return warn(o, "bad ring radii");
+        const Vec3 c = vec_at(r, 0) - out.centre, u = unit(n);
+        add_shape(SHAPE_RING, {c.x, c.y, c.z, u.x, u.y, u.z, r0, r1});
+        uint32_t tagged;
+        const uint32_t prim = add_prim(o, PRIM_FLAT | PRIM_TEXTURE_FLAT, u, 0, tagged);
+        out.shape_prim.push_back(tagged);
+        emit(o, prim);
+    }
+};
+
+// Bounding box of the local geometry's defining points.
+void bounds(const scene::Scene& s, Vec3& lo, Vec3& hi) {
+    lo = {1e30, 1e30, 1e30};
+    hi = {-1e30, -1e30, -1e30};
+    for (const scene::Object& o : s.objects) {
+        if (!scene::is_surface(o.type) || o.type == Type::source) continue;
+        const auto r = s.reals(o);
+        const size_t points = o.type == Type::polygon ? r.size() / 3
+                              : o.type == Type::sphere || o.type == Type::bubble || o.type == Type::ring ? 1
+                              : o.type == Type::mesh || o.type == Type::instance ? 0 : 2;
+        for (size_t i = 0; i < points && 3 * i + 2 < r.size(); i++)
+            for (int k = 0; k < 3; k++) {
+                lo[k] = std::min(lo[k], r[3 * i + k]);
+                hi[k] = std::max(hi[k], r[3 * i + k]);
+            }
+    }
+}
+}  // namespace
+
+void Flattener::flatten_geometry() {
+    // Far from the origin single precision would spoil positions; near it the scene's own coordinates are kept.
+    Vec3 lo, hi;
+    bounds(scene, lo, hi);
+    if (lo.x <= hi.x) {
+        const Vec3 mid = (lo + hi) * 0.5;
+        if (length(mid) > length(hi - lo)) out.centre = {std::round(mid.x), std::round(mid.y), std::round(mid.z)};
+    }
+    Builder b{*this, out};
+    for (const scene::Object& o : scene.objects) {
+        if (!scene::is_surface(o.type) || o.type == Type::source) continue;
+        if (o.type == Type::mesh || o.type == Type::instance)
+            base::fail(scene.place(o), fmt::format("surface type {} is not supported", type_name(o.type)));
+        if (o.modifier < 0 || !has_material[o.modifier]) continue;  // a chain without material lets rays pass
+        switch (o.type) {
+            case Type::polygon: b.polygon(o); break;
+            case Type::sphere: case Type::bubble: b.sphere(o); break;
+            case Type::ring: b.ring(o); break;
+            default: b.cone(o);
+        }
+    }
+}
+
+}  // namespace trace

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Modifier chains -> MOD records.  Only what some surface uses is compiled; modifiers always stand before their users, so
+// one pass down marks what is needed and one pass up builds it, without recursion (chains may be 10,000 deep).
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "trace/flatten.h"
+
+namespace trace {
+namespace {
+using namespace kernels;
+using scene::Type;
+
+bool is_mixture(Type t) { return t == Type::mixfunc || t == Type::mixdata || t == Type::mixpict || t == Type::mixtext; }
+bool is_texture(Type t) { return t == Type::texfunc || t == Type::texdata; }
+bool is_emitter(Type t) { return t == Type::light || t == Type::glow || t == Type::spotlight || t == Type::illum; }
+
+uint32_t material_code(Type t) {
+    switch (t) {
+        case Type::plastic: return M_PLASTIC;
+        case Type::metal: return M_METAL;
+        case Type::trans: return M_TRANS;
+        case Type::glass: return M_GLASS;
+        case Type::light: return M_LIGHT;
+        case Type::glow: return M_GLOW;
+        case Type::spotlight: return M_SPOTLIGHT;
+        default: return 0;
+    }
+}
+// Does a shadow ray pass this material (spec shading 4.5)?
+bool material_passes(Type t, const scene::Span<double>& a) {
+    switch (t) {
+        case Type::glass: return true;
+        case Type::trans: return a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6;
+        default: return false;
+    }
+}
+}  // namespace
+
+void Flattener::flatten_modifiers() {
+    const size_t n = scene.objects.size();
+    mod_of.assign(n, NONE);
+    has_material.assign(n, 0);
+    passes.assign(n, 0);
+    material_of.assign(n, NONE);
+    std::vector<uint8_t> needed(n, 0);
+    const auto need = [&](int32_t i) { if (i >= 0) needed[i] = 1; };
+    const auto branches = [&](const scene::Object& o, uint32_t at) {
+        const auto s = scene.strings(o);
+        return std::pair<int32_t, int32_t>{scene.lookup_modifier(s[0], at), scene.lookup_modifier(s[1], at)};
+    };
+    for (size_t i = n; i-- > 0;) {
+        const scene::Object& o = scene.objects[i];
+        if (scene::is_surface(o.type)) { need(o.modifier); continue; }
+        if (!needed[i]) continue;
+        const auto r = scene.resolve(int32_t(i));
+        need(r.modifier);
+        const scene::Object& t = scene.objects[r.object];
+        if (is_mixture(t.type)) {
+            const auto b = branches(t, uint32_t(r.object));
+            need(b.first);
+            need(b.second);
+        }
+    }
+    for (size_t i = 0; i < n; i++) {
+        if (!needed[i]) continue;
+        const auto r = scene.resolve(int32_t(i));
+        const scene::Object& t = scene.objects[r.object];
+        const auto reals = scene.reals(t);
+        const auto strings = scene.strings(t);
+        uint32_t rec[MOD_WORDS] = {0, NONE, NONE, 0, NONE, NONE, 0, 0};
+        if (r.modifier >= 0) rec[MOD_NEXT] = mod_of[r.modifier];
+        rec[MOD_ARGS] = uint32_t(args.size());
+        const bool above = r.modifier >= 0 && has_material[r.modifier];
+        if (scene::is_material(t.type)) {
+            if (above) base::fail(scene.place(scene.objects[i]),
+                                  fmt::format("material \"{}\" has another material above it", scene.name(scene.objects[i])));
+            rec[MOD_TYPE] = material_code(t.type);
+            if (!rec[MOD_TYPE]) base::fail(scene.place(t), fmt::format("material type {} is not supported", type_name(t.type)));
+            for (double a : reals) args.push_back(float(a));
+            if (t.type == Type::glass && reals.size() < 4) args.push_back(1.52f);
+            if (is_emitter(t.type)) args.resize(rec[MOD_ARGS] + 8, 0.0f);
+            has_material[i] = 1;
+            passes[i] = material_passes(t.type, reals);
+            material_of[i] = uint32_t(r.object);
+        } else {
+            cal::PatternSpec spec{type_name(t.type), {strings.begin(), strings.end()}, {reals.begin(), reals.end()}, scene.place(t)};
+            const cal::Pattern p = cal::compile_pattern(library, spec, code);
+            rec[MOD_PROGRAM] = p.entry;
+            if (is_mixture(t.type)) {
+                rec[MOD_TYPE] = M_MIXTURE;
+                const auto b = branches(t, uint32_t(r.object));
+                bool any = false, pass = false;
+                for (int k = 0; k < 2; k++) {
+                    const int32_t m = k ? b.second : b.first;
+                    const bool material = m >= 0 && has_material[m];
+                    if (m >= 0) rec[MOD_BRANCH1 + k] = mod_of[m];
+                    any = any || material;
+                    pass = pass || !material || passes[m];
+                }
+                if (any && r.modifier >= 0)
+                    base::fail(scene.place(scene.objects[i]), "a mixture of materials cannot have a modifier");
+                has_material[i] = any || above;
+                passes[i] = any ? pass : (above && passes[r.modifier]);
+                if (!any && above) material_of[i] = material_of[r.modifier];
+            } else {
+                rec[MOD_TYPE] = is_texture(t.type) ? M_TEXTURE : p.outputs == 1 ? M_PATTERN1 : M_PATTERN3;
+                has_material[i] = above;
+                passes[i] = above && passes[r.modifier];
+                if (above) material_of[i] = material_of[r.modifier];
+            }
+        }
+        mod_of[i] = uint32_t(mods.size() / MOD_WORDS);
+        mods.insert(mods.end(), rec, rec + MOD_WORDS);
+    }
+}
+
+}  // namespace trace

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Single rays on the host: which primitive a ray meets, whether a way is free, points on light sources.
+// For set-up work and region queries; pictures go through Device.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include "base/vec.h"
+#include "trace/flat_scene.h"
+
+namespace trace {
+
+class HostTracer {
+public:
+    explicit HostTracer(const FlatScene& scene);  // keeps a reference
+    ~HostTracer();
+    struct Found { double t; uint32_t prim; };
+    enum Mask : uint32_t { opaque = 1, transparent = 2, all = 3 };
+    // Nearest primitive along a ray given in world coordinates; t < 0 if none.
+    Found closest(base::Vec3 origin, base::Vec3 dir, double tmin, double tmax, Mask mask) const;
+    bool blocked(base::Vec3 origin, base::Vec3 dir, double tmin, double tmax, Mask mask) const;
+    // A point of active source i seen from p (world), two numbers in [0,1): direction, distance (1e30 for distant ones) and
+    // the solid angle it stands for (0: not seen from there).
+    struct SourcePoint { base::Vec3 dir; double dist, solid_angle; };
+    SourcePoint source_point(uint32_t i, base::Vec3 p, double x, double y) const;
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace trace

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The OpenCL device: wavefront kernels over buffers; GPUs get the scalar two-wide BVH, CPUs (PoCL) the eight-wide one.
+// Compiled programs are cached by the drivers themselves (PoCL, NVIDIA), so that only a first run pays for them.
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#define CL_HPP_ENABLE_EXCEPTIONS
+#define CL_TARGET_OPENCL_VERSION 120
+#include <CL/opencl.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "trace/build_input.h"
+#include "trace/device.h"
+
+namespace trace {
+extern const char* const kernel_source;
+
+namespace {
+
+constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it
+
+struct Entry { cl::Platform platform; cl::Device device; bool gpu; };
+
+std::vector<Entry> all_devices() {
+    std::vector<Entry> out;
+    std::vector<cl::Platform> platforms;
+    try { cl::Platform::get(&platforms); } catch (const cl::Error&) { return out; }
+    for (const auto& p : platforms) {
+        std::vector<cl::Device> devices;
+        try { p.getDevices(CL_DEVICE_TYPE_ALL, &devices); } catch (const cl::Error&) { continue; }
+        for (const auto& d : devices) out.push_back({p, d, (d.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0});
+    }
+    std::stable_sort(out.begin(), out.end(), [](const Entry& a, const Entry& b) { return a.gpu > b.gpu; });
+    return out;
+}
+std::string clean(std::string s) {
+    while (!s.empty() && (s.back() == '\0' || s.back() == ' ')) s.pop_back();
+    return s;
+}
+std::string describe(const Entry& e) {
+    return fmt::format("{} ({}, {})", clean(e.device.getInfo<CL_DEVICE_NAME>()), e.gpu ? "GPU" : "CPU",
+                       clean(e.platform.getInfo<CL_PLATFORM_NAME>()));
+}
+
+class OpenclDevice : public Device {
+public:
+    OpenclDevice(int index, const Entry& e, bool bvh2) : where_(fmt::format("opencl:{}", index)), gpu_(e.gpu), bvh2_(bvh2) {
+        call("starting", [&] {
+            name_ = describe(e);
+            context_ = cl::Context(e.device);
+            device_ = e.device;
+            queue_ = cl::CommandQueue(context_, e.device);
+            program_ = cl::Program(context_, std::string(kernel_source));
+            std::string options = "-cl-std=CL1.2";
+            if (bvh2_) options += " -DLUX_BVH2";
+            const auto fp = e.device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
+            if (fp & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) options += " -cl-fp32-correctly-rounded-divide-sqrt";
+            try {
+                program_.build(options.c_str());
+            } catch (const cl::Error&) {
+                std::string log = program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(e.device);
+                base::fail_system(where_, "the kernels do not compile: " + log.substr(0, 2000));
+            }
+            generate_ = cl::Kernel(program_, "k_generate");
+            extend_ = cl::Kernel(program_, "k_extend");
+            shade_ = cl::Kernel(program_, "k_shade");
+            shadow_ = cl::Kernel(program_, "k_shadow");
+            swap_ = cl::Kernel(program_, "k_swap");
+            draw_ = cl::Kernel(program_, "k_draw");
+            counters_ = cl::Buffer(context_, CL_MEM_READ_WRITE, 16);
+            params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(Params));
+            check_layout();
+        });
+    }
+    std::string name() const override { return "opencl: " + name_; }
+
+    void upload(FlatScene s) override {
+        call("loading the scene", [&] {
+            {
+                const BuildInput in = build_input(s);
+                const Bvh bvh = bvh2_ ? build_bvh2(in) : build_bvh8(in);
+                nodes_ = send(bvh.nodes.data(), bvh.nodes.size() * 4);
+                leaves_ = send(bvh.leaves.data(), bvh.leaves.size() * 4);
+            }
+            shapes_ = send(s.shapes.data(), s.shapes.size() * 4);
+            polygon_uv_ = send(s.polygon_uv.data(), s.polygon_uv.size() * 4);
+            prims_ = send(s.prims.data(), s.prims.size() * 4);
+            vertices_ = send(s.vertices.data(), s.vertices.size() * 4);
+            u_ = send(s.u.data(), s.u.size() * 4);
+            f_ = send(s.f.data(), s.f.size() * 4);
+        });
+    }
+
+    void run(const Params& par, std::vector<float>& rgb) override {
+        call("rendering", [&] {
+            reserve(par.slots);
+            queue_.enqueueWriteBuffer(params_, CL_FALSE, 0, sizeof par, &par);
+            const uint32_t zero[4] = {0, 0, 0, 0};
+            queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zero);
+            unsigned a = set_scene(generate_);
+            generate_.setArg(a++, counters_);
+            generate_.setArg(a++, now_);
+            launch(generate_, par.slots);
+            uint32_t active = count();
+            // Reading a counter stalls a GPU: it looks every few rounds only, idle work items leave at once.
+            const int rounds = gpu_ ? 4 : 1;
+            while (active > 0) {
+                for (int i = 0; i < rounds; i++) {
+                    a = set_scene(extend_);
+                    extend_.setArg(a++, counters_);
+                    extend_.setArg(a++, now_);
+                    launch(extend_, active);
+                    a = set_scene(shade_);
+                    shade_.setArg(a++, counters_);
+                    shade_.setArg(a++, now_);
+                    shade_.setArg(a++, next_);
+                    shade_.setArg(a++, shadow_queue_);
+                    launch(shade_, active);
+                    a = set_scene(shadow_);
+                    shadow_.setArg(a++, counters_);
+                    shadow_.setArg(a++, shadow_queue_);
+                    launch(shadow_, active);
+                    swap_.setArg(0, counters_);
+                    launch(swap_, 1);
+                    std::swap(now_, next_);
+                }
+                active = count();
+            }
+            receive(par.slots, rgb);
+        });
+    }
+    void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) override {
+        call("drawing sources", [&] {
+            const uint32_t n = uint32_t(rays.size());
+            reserve(n);
+            std::vector<kernels::float4> o(n), d(n), c(n);
+            for (uint32_t i = 0; i < n; i++) {
+                float source;
+                std::memcpy(&source, &rays[i].source, 4);
+                o[i] = {rays[i].org[0], rays[i].org[1], rays[i].org[2], source};
+                d[i] = {rays[i].dir[0], rays[i].dir[1], rays[i].dir[2], rays[i].dist};
+                c[i] = {rays[i].weight, rays[i].weight, rays[i].weight, 0};
+            }
+            queue_.enqueueWriteBuffer(params_, CL_FALSE, 0, sizeof par, &par);
+            queue_.enqueueWriteBuffer(paths_[6], CL_TRUE, 0, n * 16, o.data());
+            queue_.enqueueWriteBuffer(paths_[7], CL_TRUE, 0, n * 16, d.data());
+            queue_.enqueueWriteBuffer(paths_[8], CL_TRUE, 0, n * 16, c.data());
+            set_scene(draw_);
+            launch(draw_, n);
+            receive(n, rgb);
+        });
+    }
+    uint32_t good_slots() const override { return gpu_ ? 1u << 21 : 1u << 18; }
+
+private:
+    template <class F> void call(const char* doing, F&& work) {
+        try {
+            work();
+        } catch (const cl::Error& e) {
+            base::fail_system(where_, fmt::format("{}: {} failed with OpenCL error {}", doing, e.what(), e.err()));
+        }
+    }
+    cl::Buffer send(const void* data, size_t bytes) {
+        cl::Buffer b(context_, CL_MEM_READ_ONLY, std::max<size_t>(bytes, 64));
+        if (bytes) queue_.enqueueWriteBuffer(b, CL_TRUE, 0, bytes, data);
+        return b;
+    }
+    void reserve(uint32_t slots) {
+        if (slots <= capacity_) return;
+        capacity_ = slots;
+        for (auto& p : paths_) p = cl::Buffer(context_, CL_MEM_READ_WRITE, size_t(slots) * 16);
+        now_ = cl::Buffer(context_, CL_MEM_READ_WRITE, size_t(slots) * 4);
+        next_ = cl::Buffer(context_, CL_MEM_READ_WRITE, size_t(slots) * 4);
+        shadow_queue_ = cl::Buffer(context_, CL_MEM_READ_WRITE, size_t(slots) * 4);
+    }
+    unsigned set_scene(cl::Kernel& k) {
+        unsigned a = 0;
+        for (const cl::Buffer* b : {&nodes_, &leaves_, &shapes_, &polygon_uv_, &prims_, &vertices_, &u_, &f_, &params_})
+            k.setArg(a++, *b);
+        for (const auto& p : paths_) k.setArg(a++, p);
+        return a;
+    }
+    void launch(cl::Kernel& k, uint32_t n) {
+        queue_.enqueueNDRangeKernel(k, cl::NullRange, cl::NDRange((n + LOCAL - 1) / LOCAL * LOCAL), cl::NDRange(LOCAL));
+    }
+    uint32_t count() {
+        uint32_t n = 0;
+        queue_.enqueueReadBuffer(counters_, CL_TRUE, 0, 4, &n);
+        return n;
+    }
+    void receive(uint32_t slots, std::vector<float>& rgb) {
+        rad_.resize(slots);
+        queue_.enqueueReadBuffer(paths_[3], CL_TRUE, 0, size_t(slots) * 16, rad_.data());
+        rgb.resize(size_t(slots) * 3);
+        for (uint32_t i = 0; i < slots; i++) {
+            rgb[3 * i] = rad_[i].x;
+            rgb[3 * i + 1] = rad_[i].y;
+            rgb[3 * i + 2] = rad_[i].z;
+        }
+    }
+    // The structures must look the same on both sides.
+    void check_layout() {
+        cl::Kernel k(program_, "k_layout");
+        cl::Buffer b(context_, CL_MEM_READ_WRITE, 64);
+        k.setArg(0, b);
+        launch(k, 1);
+        uint32_t v[5];
+        queue_.enqueueReadBuffer(b, CL_TRUE, 0, sizeof v, v);
+        const uint32_t here[5] = {sizeof(Params), offsetof(Params, nx), offsetof(Params, mods_at), offsetof(Params, st),
+                                  offsetof(Params, draw_count)};
+        if (std::memcmp(v, here, sizeof v) != 0) base::fail_system(where_, "the device lays out structures differently");
+    }
+
+    std::string where_, name_;
+    bool gpu_, bvh2_;
+    cl::Device device_;
+    cl::Context context_;
+    cl::CommandQueue queue_;
+    cl::Program program_;
+    cl::Kernel generate_, extend_, shade_, shadow_, swap_, draw_;
+    cl::Buffer nodes_, leaves_, shapes_, polygon_uv_, prims_, vertices_, u_, f_, params_, counters_;
+    cl::Buffer paths_[9], now_, next_, shadow_queue_;
+    uint32_t capacity_ = 0;
+    std::vector<kernels::float4> rad_;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> make_opencl_device(const std::string& name) {
+    const auto devices = all_devices();
+    if (devices.empty()) base::fail_system("-device " + name, "no OpenCL platform or device on this machine");
+    size_t index = 0;
+    int traversal = 0;
+    std::string rest = name.size() > 6 ? name.substr(7) : "";
+    while (!rest.empty()) {
+        const size_t colon = rest.find(':');
+        const std::string word = rest.substr(0, colon);
+        rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
+        if (word == "bvh2") traversal = 2;
+        else if (word == "bvh8") traversal = 8;
+        else if (!word.empty() && word.find_first_not_of("0123456789") == std::string::npos && word.size() < 5)
+            index = size_t(std::stoul(word));
+        else base::fail("-device", fmt::format("\"{}\" is not opencl[:index][:bvh2|bvh8]", name));
+    }
+    if (index >= devices.size())
+        base::fail("-device", fmt::format("there is no OpenCL device {} (only {})", index, devices.size()));
+    const bool bvh2 = traversal ? traversal == 2 : devices[index].gpu;
+    return std::make_unique<OpenclDevice>(int(index), devices[index], bvh2);
+}
+
+std::vector<std::string> opencl_devices() {
+    std::vector<std::string> out;
+    const auto devices = all_devices();
+    for (size_t i = 0; i < devices.size(); i++) out.push_back(fmt::format("opencl:{} {}", i, describe(devices[i])));
+    return out;
+}
+
+bool opencl_has_gpu() {
+    const auto d = all_devices();
+    return !d.empty() && d[0].gpu;
+}
+
+}  // namespace trace

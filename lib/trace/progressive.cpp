@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Frames of Eq. 7.  L(0) = exact part (small sources drawn by area) + S0, the mean of m samples of the direct class;
+// frames 1..m carry the diffuse class; frame k > m adds S(k) - S0, so that for n >= m both classes are plain means of n
+// samples and frame 0's own noise averages out (paper section 7 of our notes; docs/decisions/0003).
+#include "trace/progressive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "trace/device.h"
+#include "trace/draw_sources.h"
+#include "trace/portals.h"
+#include "trace/view_params.h"
+
+namespace trace {
+using namespace kernels;
+
+std::vector<std::string> list_devices() {
+    std::vector<std::string> out = {make_cpu_device("cpu")->name()};
+    for (auto& d : opencl_devices()) out.push_back(d);
+    return out;
+}
+
+namespace {
+std::unique_ptr<Device> make_device(const std::string& name) {
+    if (name == "auto") return opencl_has_gpu() ? make_opencl_device("opencl") : make_cpu_device("cpu");
+    const std::string kind = name.substr(0, name.find(':'));
+    if (kind == "cpu") return make_cpu_device(name);
+    if (kind == "opencl") return make_opencl_device(name);
+    base::fail("-device", fmt::format("\"{}\" is not auto, cpu or opencl[:index]", name));
+}
+}  // namespace
+
+struct Renderer::State {
+    std::unique_ptr<Device> device;
+    Params base{};
+    uint32_t nx, ny, m;
+    std::vector<float> s0;         // mean of the direct class in frame 0
+    std::vector<float> exact;      // drawn sources, 3 floats a pixel (empty: none)
+    DrawList drawn;
+    int64_t bad = 0;               // samples that were not numbers
+
+    void scrub(std::vector<float>& rgb) {
+        int64_t found = 0;
+        for (float& v : rgb)
+            if (!std::isfinite(v)) { v = 0; found++; }
+        if (found && !bad) base::warn("", "samples that were not finite numbers were set to 0");
+        bad += found;
+    }
+    // Runs samples first .. first+count-1 of every pixel; give(sample, pixel values) in order; false stops.
+    template <class Give> void samples(uint32_t mode, int64_t first, int64_t count, Give&& give) {
+        const uint32_t pixels = nx * ny;
+        const int64_t together = std::max<int64_t>(1, device->good_slots() / pixels);
+        std::vector<float> rgb;
+        for (int64_t done = 0; done < count;) {
+            const int64_t n = std::min(together, count - done);
+            Params p = base;
+            p.mode = mode;
+            p.frame = uint32_t(first + done);
+            p.first = 0;
+            p.slots = uint32_t(n) * pixels;
+            device->run(p, rgb);
+            scrub(rgb);
+            for (int64_t i = 0; i < n; i++)
+                if (!give(first + done + i, rgb.data() + size_t(i) * pixels * 3)) return;
+            done += n;
+        }
+    }
+    void ensure_s0() {
+        if (!s0.empty()) return;
+        std::vector<double> sum(size_t(nx) * ny * 3, 0.0);
+        samples(MODE_DIRECT, 0, m, [&](int64_t, const float* v) {
+            for (size_t i = 0; i < sum.size(); i++) sum[i] += v[i];
+            return true;
+        });
+        s0.resize(sum.size());
+        for (size_t i = 0; i < sum.size(); i++) s0[i] = float(sum[i] / m);
+        if (drawn.rays.empty()) return;
+        exact.assign(sum.size(), 0.0f);
+        std::vector<float> rgb;
+        Params p = base;
+        p.mode = MODE_DRAW;
+        p.first = 0;
+        p.slots = uint32_t(drawn.rays.size());
+        device->draw(p, drawn.rays, rgb);
+        scrub(rgb);
+        std::vector<double> add(sum.size(), 0.0);
+        for (size_t i = 0; i < drawn.rays.size(); i++)
+            for (int c = 0; c < 3; c++) add[3 * size_t(drawn.pixel[i]) + c] += rgb[3 * i + c];
+        for (size_t i = 0; i < add.size(); i++) exact[i] = float(add[i]);
+    }
+};
+
+Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& o,
+                   const std::string& device, const scene::ReadOptions& files)
+    : state_(std::make_unique<State>()) {
+    State& s = *state_;
+    s.device = make_device(device);
+    s.nx = uint32_t(nx);
+    s.ny = uint32_t(ny);
+    s.m = uint32_t(std::max(1, o.direct_samples));
+    FlatScene flat = flatten(scene, o, files);
+    if (!flat.panes.empty()) find_portals(flat);
+    if (flat.source_count > 0) s.drawn = list_drawn_sources(flat, HostTracer(flat), view, nx, ny);
+    Params& p = s.base;
+    p.view_clip.z = float(o.pj);
+    p.view_clip.w = float(o.pd);
+    set_view(p, view, flat.centre);
+    p.av = {float(o.av[0]), float(o.av[1]), float(o.av[2]), 0};
+    p.nx = s.nx;
+    p.ny = s.ny;
+    p.seed_lo = uint32_t(o.seed);
+    p.seed_hi = uint32_t(o.seed >> 32);
+    p.mods_at = flat.mods_at;
+    p.sources_at = flat.sources_at;
+    p.source_count = flat.source_count;
+    p.distant_at = flat.distant_at;
+    p.distant_count = flat.distant_count;
+    p.portals_at = flat.portals_at;
+    p.portal_count = flat.portal_count;
+    p.cdf_at = flat.cdf_at;
+    p.has_transparent = flat.has_transparent;
+    p.ab = o.ab;
+    p.lr = o.lr;
+    p.bv = o.bv;
+    p.flags = (o.i ? PF_IRRADIANCE : 0u) | (o.dv ? PF_DV : 0u) | (o.ss > 1.5 ? PF_WEIGHTED : 0u);
+    p.st = float(o.st);
+    p.ss = float(o.ss);
+    p.dj = float(o.dj);
+    p.lw = float(o.lw);
+    p.skip_direct_below = s.m;
+    s.device->upload(std::move(flat));
+}
+Renderer::~Renderer() = default;
+
+std::string Renderer::device_name() const { return state_->device->name(); }
+
+void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, const std::vector<float>&)>& give) {
+    State& s = *state_;
+    const int64_t end = k + count;
+    std::vector<float> out(size_t(s.nx) * s.ny * 3);
+    if (k == 0 || end - 1 > s.m) s.ensure_s0();
+    if (k == 0) {
+        out = s.s0;
+        for (size_t i = 0; i < s.exact.size(); i++) out[i] += s.exact[i];
+        if (!give(0, out)) return;
+        k = 1;
+    }
+    if (k >= end) return;
+    s.samples(MODE_FRAMES, k, end - k, [&](int64_t frame, const float* v) {
+        if (frame > s.m) for (size_t i = 0; i < out.size(); i++) out[i] = v[i] - s.s0[i];
+        else std::copy(v, v + out.size(), out.begin());
+        return give(frame, out);
+    });
+}
+
+void Renderer::frame(int64_t k, std::vector<float>& rgb) {
+    frames(k, 1, [&](int64_t, const std::vector<float>& v) { rgb = v; return true; });
+}
+
+Renderer::RayValue Renderer::trace_ray(const double origin[3], const double dir[3], int64_t n) {
+    State& s = *state_;
+    Params p = s.base;
+    p.mode = MODE_RAY;
+    const base::Vec3 d = base::unit({dir[0], dir[1], dir[2]});
+    p.ray_org = {float(origin[0] - p.centre.x), float(origin[1] - p.centre.y), float(origin[2] - p.centre.z), 0};
+    p.ray_dir = {float(d.x), float(d.y), float(d.z), 0};
+    double sum[3] = {}, square[3] = {};
+    std::vector<float> rgb;
+    for (int64_t done = 0; done < n;) {
+        p.frame = uint32_t(done);
+        p.first = 0;
+        p.slots = uint32_t(std::min<int64_t>(n - done, 1 << 16));
+        s.device->run(p, rgb);
+        s.scrub(rgb);
+        for (size_t i = 0; i < rgb.size(); i++) { sum[i % 3] += rgb[i]; square[i % 3] += double(rgb[i]) * rgb[i]; }
+        done += p.slots;
+    }
+    RayValue v;
+    for (int c = 0; c < 3; c++) {
+        v.mean[c] = sum[c] / double(n);
+        const double var = n > 1 ? (square[c] / double(n) - v.mean[c] * v.mean[c]) * double(n) / double(n - 1) : 0;
+        v.error[c] = std::sqrt(std::max(0.0, var) / double(n));
+    }
+    return v;
+}
+
+}  // namespace trace
