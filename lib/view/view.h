@@ -22,6 +22,7 @@ struct View {
     double vs = 0, vl = 0;      // shift and lift, fractions of the picture
 };
 bool operator==(const View& a, const View& b);
+inline bool operator!=(const View& a, const View& b) { return !(a == b); }
 
 // If words[at] is a view option (-vt* -vp -vd -vu -vh -vv -vo -va -vs -vl), applies it and returns the number of
 // words used; 0 if it is none.  Throws Error on missing or malformed arguments.  -vf is read_view_file's business.

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Summing the frames of one stream: see accumulate.h.
+#include "image/accumulate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "base/error.h"
+#include "base/radopts.h"
+#include "image/header.h"
+
+namespace image {
+
+void Accumulator::start(const Picture& frame, int64_t k) {
+    width_ = frame.width;
+    height_ = frame.height;
+    first_ = next_ = k;
+    header_ = frame.header;
+    frame0_.clear();
+    sum_.assign(frame.rgb.size(), 0);
+}
+
+void Accumulator::add(const Picture& frame, const std::string& place) {
+    const Header& h = frame.header;
+    if (!h.frame || h.frames)
+        base::fail(place, h.frames || !h.ranges.empty() ? "is a sum of frames inside a stream of frames"
+                                                        : "has no FRAME= line: not a frame of ptrace");
+    const int64_t k = *h.frame;
+    if (k == 0 || empty()) {
+        start(frame, k);
+    } else {
+        if (k > next_) {
+            const int64_t last = k - 1;
+            base::fail(place, last == next_ ? fmt::format("frame {} is missing (this is frame {})", last, k)
+                                            : fmt::format("frames {} to {} are missing (this is frame {})", next_, last, k));
+        }
+        if (k < next_)
+            base::fail(place, k == next_ - 1 ? fmt::format("frame {} comes twice", k)
+                                             : fmt::format("frame {} after frame {}: out of order", k, next_ - 1));
+        if (frame.width != width_ || frame.height != height_)
+            base::fail(place, fmt::format("frame {} is {} x {}, the frames before it are {} x {}", k, frame.width, frame.height, width_, height_));
+        if (h.view != header_.view) base::fail(place, fmt::format("frame {} has another view than the frames before it", k));
+        if (h.seed != header_.seed) base::fail(place, fmt::format("frame {} has another seed than the frames before it", k));
+    }
+    ++next_;
+    bool trouble = false;
+    if (k == 0) {
+        frame0_ = frame.rgb;
+        for (float& v : frame0_)
+            if (!std::isfinite(v)) v = 0, trouble = true;
+    } else {
+        const size_t n = frame.rgb.size();
+        const float* from = frame.rgb.data();
+        uint32_t worst = 0;  // the largest exponent field; all ones means infinite or NaN
+        for (size_t i = 0; i < n; ++i) {
+            uint32_t bits;
+            std::memcpy(&bits, from + i, 4);
+            worst = std::max(worst, bits & 0x7f800000u);
+        }
+        trouble = worst == 0x7f800000u;
+        if (!trouble)
+            for (size_t i = 0; i < n; ++i) sum_[i] += from[i];
+        else
+            for (size_t i = 0; i < n; ++i) sum_[i] += std::isfinite(from[i]) ? from[i] : 0;
+    }
+    if (trouble) base::warn(place, "values that are no finite numbers were taken as 0");
+}
+
+void Accumulator::result(Picture& out) const {
+    out.width = width_;
+    out.height = height_;
+    out.header = header_;
+    out.header.frame.reset();
+    out.header.frames = frames();
+    out.header.ranges = {{first_, next_ - 1}};
+    out.rgb.resize(sum_.size());
+    out.frame0 = frame0_;
+    const double share = frames() > 0 ? 1 / double(frames()) : 0;
+    if (frame0_.empty())
+        for (size_t i = 0; i < sum_.size(); ++i) out.rgb[i] = float(sum_[i] * share);
+    else
+        for (size_t i = 0; i < sum_.size(); ++i) out.rgb[i] = float(frame0_[i] + sum_[i] * share);
+}
+
+Schedule Schedule::parse(const std::string& text, const std::string& where) {
+    Schedule s;
+    if (text.empty() || text[0] != 'x') {
+        s.every_ = base::to_int(text, where);
+        if (s.every_ < 1) base::fail(where, "\"" + text + "\" is not above 0");
+        return s;
+    }
+    const size_t slash = text.find('/');
+    s.factor_ = base::to_real(text.substr(1, slash == std::string::npos ? slash : slash - 1), where);
+    if (!(s.factor_ > 1)) base::fail(where, "\"" + text + "\": the factor is not above 1");
+    if (slash != std::string::npos) s.parts_ = base::to_int(text.substr(slash + 1), where);
+    if (s.parts_ < 1) base::fail(where, "\"" + text + "\": the steps are not above 0");
+    return s;
+}
+
+bool Schedule::due(int64_t n) {
+    if (n == 0) return true;
+    if (factor_ == 0) return n % every_ == 0;
+    const auto step = [&] { return std::llround(std::pow(factor_, double(step_) / double(parts_))); };
+    if (n < step()) return false;
+    while (step() <= n) ++step_;
+    return true;
+}
+
+}  // namespace image

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sum of frames, paper Eq. 7:  L'(n) = L(0) + (1/n) (L(1) + ... + L(n)),  L'(0) = L(0).
+// n counts diffuse frames.  Sums are double: 100,000 frames lose nothing that a float could show.
+//
+// A sum that began at a frame a > 0 is a partial result, (1/n) (L(a) + ... + L(b)), without frame 0.
+// Merging weights the diffuse part by frame counts: with frame 0 known apart,
+//     L' = L(0) + (n1 D1 + n2 D2 + ...) / (n1 + n2 + ...),  Di = L'i - L(0) or the partial result itself.
+// Pictures of different seeds are independent estimates of one scene; complete ones average to
+//     L' = (n1 L'1 + n2 L'2 + ...) / (n1 + n2 + ...),
+// partial ones cannot: a frame k may hold a correction to the frame 0 of its own seed (paper section 7).
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+#include "image/picture.h"
+
+namespace image {
+
+class Accumulator {
+public:
+    // The next frame of the stream (FRAME=k in its header).  Frame 0 restarts the sum.  Throws Error (place) for a
+    // frame missing, repeated or out of order, and for another size, view or seed inside one sum.
+    void add(const Picture& frame, const std::string& place);
+    bool empty() const { return next_ < 0; }
+    int64_t frames() const { return next_ - (first_ == 0 ? 1 : first_); }  // n, diffuse frames summed
+    // L'(n) or the partial result; reuses the memory of out.
+    void result(Picture& out) const;
+
+private:
+    void start(const Picture& frame, int64_t k);
+    int width_ = 0, height_ = 0;
+    int64_t first_ = 0, next_ = -1;
+    Header header_;
+    std::vector<float> frame0_;
+    std::vector<double> sum_;
+};
+
+class Merger {
+public:
+    // An accumulated picture (FRAMES=, RANGE=).  Throws Error if it does not go with those before it.
+    void add(Picture picture, const std::string& name);
+    Picture result() const;
+
+private:
+    struct Group {                  // one seed
+        bool has_seed = false;
+        uint64_t seed = 0;
+        int64_t frames = 0;
+        Ranges ranges;
+        std::vector<double> sum;    // of diffuse frames
+        std::vector<float> frame0;  // empty: not there
+        Picture whole;              // complete, its frame 0 not known apart (no more of this seed can be added)
+        bool is_whole() const { return !whole.rgb.empty(); }
+        bool complete() const { return is_whole() || !frame0.empty(); }
+        std::string last_name;
+    };
+    Group& group_of(const Header& header);
+    void check_ranges(const Header& header, const std::string& name) const;
+    std::vector<Group> groups_;
+    Header first_;
+    int width_ = 0, height_ = 0, inputs_ = 0;
+    std::string first_name_;
+    std::vector<std::string> history_;
+};
+
+// Which n of a sum are written: every one, every N-th, or F^(i/M) rounded, i = 0, 1, 2 ... ("x2", "x2/16").
+class Schedule {
+public:
+    static Schedule parse(const std::string& text, const std::string& where);
+    void restart() { step_ = 0; }
+    bool due(int64_t n);  // called with rising n; n = 0 is always due
+
+private:
+    int64_t every_ = 1;
+    double factor_ = 0;  // 0: every_
+    int64_t parts_ = 1, step_ = 0;
+};
+
+}  // namespace image
