@@ -18,20 +18,24 @@ class Library {
 public:
     explicit Library(const base::ReadOptions& files);
     ~Library();
+    void define(const std::string& text, const std::string& place);  // -e, -f: definitions for the global context
     struct State;
     State& state() { return *state_; }
 private:
     std::unique_ptr<State> state_;
 };
 
-// Flat output shared by all programs of a scene (uploaded as they are).
+// Flat output shared by all programs of a scene.  The two vectors are the device's arenas u and f themselves (programs
+// hold absolute indices into both): append to them, or start the arenas with them.
 struct Code {
-    std::vector<uint32_t> words;   // instructions
-    std::vector<float> floats;     // constants, data arrays, pictures
+    std::vector<uint32_t> words;   // instructions, table headers, glyphs
+    std::vector<float> floats;     // data arrays, pictures
 };
 
 // Compiles `outputs` (expressions such as "skybr" or "red(r,g,b)") in the context of file `cal_file` ("." = global) with
-// real arguments `args` and the object transform `xform` (-> variables seen in object coordinates).
+// real arguments `args` and the object transform `xform` (object -> world: programs get world coordinates and see object
+// coordinates).  $1 $2 $3 = light direction (object coordinates), $4 = its solid angle, $5.. = CAL_ARG0.. (cal_vm.h), so
+// that a BRDF function f is the output "f($1,$2,$3,$4)".
 // Returns the program's entry: index into code.words.  Throws Error at `place`.
 uint32_t compile(Library& library, const std::vector<std::string>& outputs, const std::string& cal_file,
                  const std::vector<double>& args, const base::Xform& xform, const std::string& place, Code& code);

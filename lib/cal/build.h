@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From trees to graphs: evaluates an expression symbolically.  Functions are expanded where they are called, with
+// arguments by name, so `if` is lazy, constant recursion ends, and function names can be arguments.  Recursion whose end
+// depends on ray variables is expanded to a bounded depth, beyond which the program reports an error
+// (docs/decisions/0005-cal-recursion.md).
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+#include "base/xform.h"
+#include "cal/graph.h"
+#include "cal/library.h"
+
+namespace cal {
+
+struct Environment;
+
+// An argument: an expression and where its names belong, or a finished value.
+struct Thunk {
+    const Expr* expr = nullptr;
+    const Environment* env = nullptr;
+    mutable int node = -1;
+};
+struct Environment {
+    const std::string* context;
+    const Definition* def = nullptr;
+    std::vector<Thunk> arguments;
+    const Environment* caller = nullptr;
+};
+
+class Builder {
+public:
+    // `xform`: object -> world.  numbers: values given for the variables $1.. (evaluator), else null.
+    Builder(const Library::State& library, Graph& graph, const std::vector<double>& args, const base::Xform& xform,
+            const std::string& place);
+
+    int expression(const Expr* e, const std::string& context);
+    // A function named in a primitive (or a parameterless expression), called with finished values.
+    int call(const std::string& function, const std::vector<int>& values, const std::string& context);
+    // Number of parameters of a named function; -1 if there is no such function.
+    int parameters(const std::string& function, const std::string& context) const;
+
+    int recursion_limit = 32;          // times a function may be inside itself below a branch
+    size_t step_limit = 300000;
+    struct TooLarge {};                // thrown beyond step_limit: try again with a smaller recursion_limit
+
+private:
+    using Args = std::vector<const Expr*>;
+    int eval(const Expr* e, const Environment& env);
+    int force(const Thunk& t);
+    int name(const Expr* e, const Environment& env);
+    int invoke(const std::string& function, std::vector<Thunk> args, const Environment& env);
+    int expand(const Definition& def, std::vector<Thunk> args, const Environment& env);
+    int variable(const Definition& def);
+    bool ray_variable(const std::string& name, int& node);
+    bool builtin(const std::string& function, const std::vector<Thunk>& args, int& node);
+    int vector_component(uint32_t first, int axis, bool is_point);
+    int argument(int index);
+    int choose(int condition, const Thunk& yes, const Thunk& no);
+    int select(int index, const std::vector<Thunk>& args, size_t first);
+    [[noreturn]] void fail(const std::string& fact) const;
+
+    const Library::State& library_;
+    Graph& graph_;
+    const std::vector<double>& args_;
+    base::Xform to_local_;
+    double scale_;                     // of to_local_, positive
+    std::string place_;
+    std::map<const Definition*, int> variables_;
+    std::map<const Definition*, int> active_;
+    int depth_ = 0, branches_ = 0;
+    size_t steps_ = 0;
+};
+
+}  // namespace cal

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two steps.  1. Walk the graph from the outputs: every value is computed once, where it is first needed; a value needed
+// only in one branch of an `if` is computed there, one needed in both before the jump.  2. Jumps only go forward, so a
+// value lives from its first to its last mention: registers are given by one scan over these intervals.
+#include "cal/codegen.h"
+#include <algorithm>
+#include <unordered_set>
+#include "base/error.h"
+
+namespace cal {
+
+namespace {
+
+constexpr size_t MAX_INSTRUCTIONS = 200000;
+constexpr int MAX_WALK = 6000;                     // depth of the graph walk: C++ stack
+
+// One instruction over virtual registers; -1 = none.
+struct Step {
+    uint32_t op;
+    int d = -1, a = -1, b = -1, c = -1;            // c: OP_SEL
+    bool immediate = false;                        // b is `value`
+    float value = 0;
+    uint32_t aux = 0;                              // raw destination, b field or table, by operation
+    int target = -1;                               // jumps: index of the step to go on with
+};
+
+bool may_fail(const Graph& g, const Node& n) {
+    switch (n.op) {
+    case OP_DIV: return !g.is_constant(n.kid[1]) || g.value(n.kid[1]) == 0;
+    case OP_POW: case OP_SQRT: case OP_EXP: case OP_LOG: case OP_LOG10: case OP_ASIN: case OP_ACOS: case OP_FAIL: return true;
+    default: return false;
+    }
+}
+
+// RADIANCE forgets earlier errors when it begins a library call or a power.
+bool forgets(const Node& n) {
+    return n.op == NODE_IF || n.op == OP_NOISE || n.op == OP_FNOISE || n.op == OP_MIN || n.op == OP_MAX || n.op == OP_POW ||
+           (n.op >= OP_SQRT && n.op <= OP_RAND);
+}
+
+class Generator {
+public:
+    Generator(const Graph& graph, const std::string& place) : g_(graph), place_(place), where_(graph.size(), -1) {}
+
+    void run(const std::vector<int>& outputs) {
+        for (size_t i = 0; i < outputs.size(); i++) {
+            Step s{OP_OUT};
+            s.aux = uint32_t(i);
+            operand(outputs[i], s);
+            emit(s);
+        }
+        emit(Step{OP_END});
+    }
+    uint32_t assemble(Code& code);
+
+private:
+    [[noreturn]] void too_large() const { base::fail(place_, "function is too large to compile"); }
+
+    int emit(const Step& s) {
+        if (steps_.size() >= MAX_INSTRUCTIONS) too_large();
+        steps_.push_back(s);
+        return int(steps_.size()) - 1;
+    }
+    int fresh(int count = 1) {
+        const int first = int(width_.size());
+        width_.push_back(count);
+        for (int i = 1; i < count; i++) width_.push_back(0);
+        return first;
+    }
+
+    // A constant goes into the instruction, anything else into a register.
+    void operand(int id, Step& s) {
+        if (g_.is_constant(id)) { s.immediate = true; s.value = float(g_.value(id)); }
+        else s.b = value(id);
+    }
+    int in_register(int id) {
+        if (!g_.is_constant(id)) return value(id);
+        Step s{OP_MOV};
+        s.immediate = true;
+        s.value = float(g_.value(id));
+        s.d = fresh();
+        emit(s);
+        return s.d;
+    }
+
+    // The virtual register that holds node `id`, computed now unless it is there.
+    int value(int id) {
+        if (where_[size_t(id)] >= 0) return where_[size_t(id)];
+        if (++depth_ > MAX_WALK) too_large();
+        const Node& n = g_[id];
+        if (forgets(n) && failed_) { emit(Step{OP_CLEAR}); failed_ = false; }
+        const int r = compute(id, n);
+        if (may_fail(g_, n)) failed_ = true;
+        depth_--;
+        if (where_[size_t(id)] < 0) { where_[size_t(id)] = r; trail_.push_back(id); }
+        return r;
+    }
+
+    int compute(int id, const Node& n) {
+        Step s{n.op};
+        switch (n.op) {
+        case NODE_CONST: return in_register(id);
+        case NODE_IF: return branch(n);
+        case OP_VAR:
+            s.aux = n.aux;
+            break;
+        case NODE_CHANNEL: return value(n.kid[0]) + int(n.aux);
+        case OP_NOISE:
+        case OP_FNOISE:
+        case OP_DATA: {
+            std::vector<int> from;
+            for (int i = 0; i < n.kid_count; i++) from.push_back(g_.is_constant(n.kid[i]) ? -1 : value(n.kid[i]));
+            s.a = fresh(n.kid_count);
+            for (int i = 0; i < n.kid_count; i++) {
+                Step m{OP_MOV};
+                m.d = s.a + i;
+                if (from[size_t(i)] >= 0) m.b = from[size_t(i)];
+                else { m.immediate = true; m.value = float(g_.value(n.kid[i])); }
+                emit(m);
+            }
+            s.aux = n.aux;
+            s.d = fresh(n.op == OP_DATA ? 3 : 1);
+            emit(s);
+            return s.d;
+        }
+        case OP_TEXT:
+            s.a = in_register(n.kid[0]);
+            s.b = in_register(n.kid[1]);
+            s.aux = n.aux;
+            break;
+        default: {
+            if (n.kid_count == 0) break;
+            int a = n.kid[0], b = n.kid_count > 1 ? n.kid[1] : -1;
+            if (b >= 0 && g_.is_constant(a) && !g_.is_constant(b) && swapped(n.op, s.op)) std::swap(a, b);
+            s.a = in_register(a);
+            if (b >= 0) operand(b, s);
+        }
+        }
+        s.d = fresh();
+        emit(s);
+        return s.d;
+    }
+
+    static bool swapped(uint32_t op, uint32_t& other) {
+        switch (op) {
+        case OP_ADD: case OP_MUL: case OP_MIN: case OP_MAX: other = op; return true;
+        case OP_SUB: other = OP_RSUB; return true;
+        case OP_DIV: other = OP_RDIV; return true;
+        case OP_POW: other = OP_RPOW; return true;
+        default: return false;
+        }
+    }
+
+    bool ready(int id) const { return g_.is_constant(id) || where_[size_t(id)] >= 0; }
+
+    // Everything `id` computes for certain (through conditions, not through branches), and, if asked, all it might.
+    void collect(int id, bool all, std::unordered_set<int>& set) const {
+        std::vector<int> todo{id};
+        while (!todo.empty()) {
+            const int k = todo.back();
+            todo.pop_back();
+            if (ready(k) || !set.insert(k).second) continue;
+            const Node& n = g_[k];
+            const int kids = n.op == NODE_IF && !all ? 1 : n.kid_count;
+            for (int i = 0; i < kids; i++) todo.push_back(n.kid[i]);
+        }
+    }
+
+    int branch(const Node& n) {
+        const int condition = value(n.kid[0]);
+        hoist(n.kid[1], n.kid[2], false);
+        if (steps_.size() > 64 * (g_.size() + 16)) hoist(n.kid[1], n.kid[2], true);  // shared under further branches
+        if (ready(n.kid[1]) && ready(n.kid[2])) {
+            Step s{OP_SEL};
+            s.a = in_register(n.kid[1]);
+            s.b = in_register(n.kid[2]);
+            s.c = condition;
+            s.d = fresh();
+            emit(s);
+            return s.d;
+        }
+        const int result = fresh();
+        const bool failed = failed_;
+        Step unless{OP_JUMP_UNLESS};
+        unless.a = condition;
+        const int jump_unless = emit(unless);
+        arm(n.kid[1], result);
+        const int jump = emit(Step{OP_JUMP});
+        const bool failed_yes = failed_;
+        failed_ = failed;
+        steps_[size_t(jump_unless)].target = int(steps_.size());
+        arm(n.kid[2], result);
+        steps_[size_t(jump)].target = int(steps_.size());
+        failed_ = failed_ || failed_yes;
+        return result;
+    }
+
+    // One side of a branch: what it computes is forgotten afterwards.
+    void arm(int id, int result) {
+        const size_t mark = trail_.size();
+        Step m{OP_MOV};
+        operand(id, m);
+        m.d = result;
+        emit(m);
+        for (; trail_.size() > mark; trail_.pop_back()) where_[size_t(trail_.back())] = -1;
+    }
+
+    // Computes before a jump what both sides need.  Speculative values must not leave an error behind.
+    void hoist(int yes, int no, bool speculative) {
+        std::unordered_set<int> a, b;
+        collect(yes, speculative, a);
+        collect(no, speculative, b);
+        std::vector<int> both;
+        for (int id : a)
+            if (b.count(id) && g_[id].op != OP_FAIL) both.push_back(id);
+        std::sort(both.begin(), both.end());       // kids before parents, the same order every time
+        int state = -1;
+        const bool failed = failed_;
+        if (speculative && !both.empty()) {
+            Step keep{OP_KEEP};
+            keep.d = state = fresh();
+            emit(keep);
+        }
+        for (int id : both) value(id);
+        if (state >= 0) {
+            Step restore{OP_RESTORE};
+            restore.a = state;
+            emit(restore);
+            failed_ = failed;
+        }
+    }
+
+    const Graph& g_;
+    const std::string& place_;
+    std::vector<int> where_;                       // node -> virtual register, -1
+    std::vector<int> trail_;                       // nodes computed, in order
+    std::vector<Step> steps_;
+    std::vector<int> width_;                       // of register blocks, by first register; 0 inside a block
+    bool failed_ = false;                          // an error may be pending here
+    int depth_ = 0;
+};
+
+uint32_t Generator::assemble(Code& code) {
+    // Life of each block of registers.
+    const size_t count = width_.size();
+    std::vector<int> block(count), first(count, -1), last(count, -1), place(count, -1);
+    for (size_t v = 0, head = 0; v < count; v++) {
+        if (width_[v] > 0) head = v;
+        block[v] = int(head);
+    }
+    auto mention = [&](int v, size_t at) {
+        if (v < 0) return;
+        const size_t h = size_t(block[size_t(v)]);
+        if (first[h] < 0) first[h] = int(at);
+        last[h] = int(at);
+    };
+    for (size_t i = 0; i < steps_.size(); i++)
+        for (int v : {steps_[i].a, steps_[i].b, steps_[i].c, steps_[i].d}) mention(v, i);
+
+    std::vector<std::vector<size_t>> ends(steps_.size());
+    std::vector<char> used(CAL_REGISTERS, 0);
+    for (size_t i = 0; i < steps_.size(); i++) {
+        // what ends here is free for the destination, except for blocks read while written
+        std::vector<size_t> starting;
+        for (int v : {steps_[i].a, steps_[i].b, steps_[i].c, steps_[i].d})
+            if (v >= 0 && first[size_t(block[size_t(v)])] == int(i)) starting.push_back(size_t(block[size_t(v)]));
+        auto release = [&] {
+            for (size_t h : ends[i])
+                for (int k = 0; k < width_[h]; k++) used[size_t(place[h] + k)] = 0;
+            ends[i].clear();
+        };
+        if (steps_[i].op != OP_DATA) release();
+        for (size_t h : starting) {
+            if (place[h] >= 0) continue;
+            int at = 0;
+            const int w = width_[h];
+            for (; at + w <= CAL_REGISTERS; at++) {
+                int k = 0;
+                while (k < w && !used[size_t(at + k)]) k++;
+                if (k == w) break;
+            }
+            if (at + w > CAL_REGISTERS) base::fail(place_, "function needs too many intermediate values");
+            place[h] = at;
+            for (int k = 0; k < w; k++) used[size_t(at + k)] = 1;
+            ends[size_t(last[h])].push_back(h);
+        }
+        release();
+    }
+    auto reg = [&](int v) { return v < 0 ? 0u : uint32_t(place[size_t(block[size_t(v)])] + (v - block[size_t(v)])); };
+
+    // Words; jumps are patched when the positions are known.
+    const uint32_t entry = uint32_t(code.words.size());
+    std::vector<uint32_t> position(steps_.size() + 1);
+    std::vector<std::pair<size_t, int>> patches;
+    for (size_t i = 0; i < steps_.size(); i++) {
+        const Step& s = steps_[i];
+        position[i] = uint32_t(code.words.size());
+        uint32_t word = s.op | reg(s.d) << 8 | reg(s.a) << 16 | reg(s.b) << 24;
+        if (s.op == OP_OUT) word = s.op | s.aux << 8 | reg(s.b) << 24;
+        if (s.op == OP_VAR) word = s.op | reg(s.d) << 8 | s.aux << 16;
+        if (s.op == OP_NOISE) word = s.op | reg(s.d) << 8 | reg(s.a) << 16 | s.aux << 24;
+        if (s.immediate) word |= 128u;
+        code.words.push_back(word);
+        if (s.immediate) code.words.push_back(as_uint_(s.value));
+        if (s.op == OP_SEL) code.words.push_back(reg(s.c));
+        if (s.op == OP_DATA || s.op == OP_TEXT) code.words.push_back(s.aux);
+        if (s.target >= 0) { patches.emplace_back(code.words.size(), s.target); code.words.push_back(0); }
+    }
+    for (const auto& p : patches) code.words[p.first] = position[size_t(p.second)] - uint32_t(p.first) - 1;
+    return entry;
+}
+
+}  // namespace
+
+uint32_t generate(const Graph& graph, const std::vector<int>& outputs, const std::string& place, Code& code) {
+    if (outputs.size() > CAL_OUTPUTS) base::fail(place, "too many function values");
+    Generator generator(graph, place);
+    generator.run(outputs);
+    return generator.assemble(code);
+}
+
+}  // namespace cal

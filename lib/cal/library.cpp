@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loading of function files and the look-up of names.
+#include "cal/library.h"
+#include <cerrno>
+#include <cstdio>
+#include "base/error.h"
+
+namespace cal {
+
+namespace {
+constexpr size_t MAX_FILE = size_t(64) << 20;
+
+std::string context_of(const std::string& file) {  // "lib/my sky.cal" -> "my_sky"
+    std::string name = file.substr(file.find_last_of('/') + 1);
+    if (name.size() > 4 && name.compare(name.size() - 4, 4, ".cal") == 0) name.resize(name.size() - 4);
+    for (char& c : name)
+        if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.')) c = '_';
+    return name;
+}
+
+// "x`ctx." -> base x, context ctx; false if there is no mark in the name
+bool split(const std::string& name, std::string& base, std::string& context) {
+    const size_t mark = name.find('`');
+    if (mark == std::string::npos) return false;
+    base = name.substr(0, mark);
+    context = name.substr(mark + 1);
+    if (!context.empty() && context.back() == '.') context.pop_back();
+    return true;
+}
+}  // namespace
+
+std::string read_text(const std::string& path, size_t limit, const std::string& place) {
+    errno = 0;
+    FILE* file = std::fopen(path.c_str(), "rb");
+    if (!file) base::fail_system(place, "cannot open \"" + path + "\"");
+    std::string text;
+    char block[65536];
+    size_t n;
+    while ((n = std::fread(block, 1, sizeof block, file)) > 0 && text.size() <= limit) text.append(block, n);
+    const bool bad = std::ferror(file) != 0;
+    std::fclose(file);
+    if (bad) base::fail_system(place, "cannot read \"" + path + "\"");
+    if (text.size() > limit) base::fail(place, "file \"" + path + "\" is too large");
+    return text;
+}
+
+Library::Library(const base::ReadOptions& files) : state_(new State) {
+    state_->files = files;
+    state_->add(rayinit_text, "rayinit.cal", "", false);
+}
+Library::~Library() = default;
+
+void Library::define(const std::string& text, const std::string& place) { state_->add(text, place, "", true); }
+
+void Library::State::add(std::string_view text, const std::string& file, const std::string& context, bool warn) {
+    for (Definition& def : parse_definitions(text, file, pool)) {
+        std::string base, own;
+        def.context = context;
+        if (split(def.name, base, own)) {
+            if (base.empty()) def.name = own;               // `x: in this context anyway
+            else { def.name = base; def.context = own; }
+        }
+        auto& names = contexts[def.context];
+        const auto old = names.find(def.name);
+        if (warn && old != names.end()) base::warn(def.place, "\"" + def.name + "\" is defined again");
+        const std::string key = def.name;
+        names[key] = std::move(def);
+    }
+}
+
+std::string Library::State::load(const std::string& file, const std::string& place) {
+    if (file == ".") return "";
+    const std::string context = context_of(file);
+    if (!loaded.insert(file).second) return context;
+    try {
+        const std::string path = base::look_for_file(file, files);
+        if (!path.empty()) {
+            add(read_text(path, MAX_FILE, place), path, context, true);
+        } else {
+            std::string name = file;
+            if (name.size() < 4 || name.compare(name.size() - 4, 4, ".cal") != 0) name += ".cal";
+            const char* text = builtin_file(name);
+            if (!text) base::fail(place, "cannot find function file \"" + file + "\"");
+            add(text, name, context, false);
+        }
+    } catch (...) {
+        loaded.erase(file);
+        throw;
+    }
+    return context;
+}
+
+const Definition* Library::State::lookup(const std::string& name, const std::string& context) const {
+    auto in = [&](const std::string& where, const std::string& what) -> const Definition* {
+        const auto c = contexts.find(where);
+        if (c == contexts.end()) return nullptr;
+        const auto d = c->second.find(what);
+        return d == c->second.end() ? nullptr : &d->second;
+    };
+    std::string base, own;
+    if (split(name, base, own)) {
+        if (base.empty()) return in(context, own);
+        return in(own, base);
+    }
+    if (const Definition* d = in(context, name)) return d;
+    return context.empty() ? nullptr : in("", name);
+}
+
+}  // namespace cal

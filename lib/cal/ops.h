@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The device's words as the host compiler sees them: operation numbers, variable indices, noise functions in double.
+#pragma once
+#include "kernels/compat_host.h"
+
+namespace cal {
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
+namespace device {
+#include "kernels/vec.h"
+#include "kernels/math.h"
+#include "kernels/intersect.h"
+#include "kernels/cal_vm.h"
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+}  // namespace cal
