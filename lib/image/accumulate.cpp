@@ -69,7 +69,7 @@ void Accumulator::add(const Picture& frame, const std::string& place) {
     if (trouble) base::warn(place, "values that are no finite numbers were taken as 0");
 }
 
-void Accumulator::result(Picture& out) const {
+void Accumulator::result(Picture& out, bool with_frame0) const {
     out.width = width_;
     out.height = height_;
     out.header = header_;
@@ -77,7 +77,8 @@ void Accumulator::result(Picture& out) const {
     out.header.frames = frames();
     out.header.ranges = {{first_, next_ - 1}};
     out.rgb.resize(sum_.size());
-    out.frame0 = frame0_;
+    if (with_frame0) out.frame0 = frame0_;
+    else out.frame0.clear();
     const double share = frames() > 0 ? 1 / double(frames()) : 0;
     if (frame0_.empty())
         for (size_t i = 0; i < sum_.size(); ++i) out.rgb[i] = float(sum_[i] * share);

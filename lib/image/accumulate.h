@@ -23,8 +23,8 @@ public:
     void add(const Picture& frame, const std::string& place);
     bool empty() const { return next_ < 0; }
     int64_t frames() const { return next_ - (first_ == 0 ? 1 : first_); }  // n, diffuse frames summed
-    // L'(n) or the partial result; reuses the memory of out.
-    void result(Picture& out) const;
+    // L'(n) or the partial result; reuses the memory of out.  with_frame0 keeps L(0) apart, too (for EXR).
+    void result(Picture& out, bool with_frame0) const;
 
 private:
     void start(const Picture& frame, int64_t k);

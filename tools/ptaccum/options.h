@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The options of ptaccum.  To add one: 1. a field here, 2. a line in options.cpp, 3. man/ptaccum.1, 4. a test.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+#include "image/accumulate.h"
+#include "image/picture.h"
+#include "image/tone.h"
+
+struct Options {
+    std::vector<std::string> inputs;      // none: stdin
+    std::vector<std::string> outputs;     // -o, may repeat
+    image::Schedule schedule;             // -every
+    bool last_only = false;               // -last
+    image::Format stream_format = image::Format::flt;
+    image::Format hdr_format = image::Format::rgbe;
+    image::ToneOptions tone;
+    bool half = false;                    // -half: OpenEXR with 16-bit floats
+};
+
+// Nothing: help or version was printed.
+std::optional<Options> parse_options(int argc, char** argv);
