@@ -12,7 +12,7 @@ namespace scene {
 namespace {
 struct Row { const char* name; Generator run; };
 const Row rows[] = {
-    {"genbox", genbox},
+    {"genblinds", genblinds}, {"genbox", genbox}, {"gendaylit", gendaylit}, {"genprism", genprism}, {"gensky", gensky},
 };
 }  // namespace
 

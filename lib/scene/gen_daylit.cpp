@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// gendaylit month day hour | -ang altitude azimuth  -P|-W|-G|-L a b | -E global  [options]: a Perez sky (scene/perez.h).
+// Output as gensky's: the sun, and skyfunc for perezlum.cal.  -O 0: visible radiance, 1: solar radiance, 2: luminance.
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include "base/error.h"
+#include "scene/generators.h"
+#include "scene/perez.h"
+#include "scene/source.h"
+#include "scene/sun.h"
+
+namespace scene {
+
+namespace {
+
+constexpr double degree = M_PI / 180;
+constexpr double sun_half_angle = .2665 * degree, efficacy = 179;
+constexpr double most_lux = 127500, most_watts = 1367;
+
+struct Options {
+    char input = 0;              // P W G L E
+    double a = 0, b = 0;
+    int output = 0;              // -O
+    bool sun = true, colour = false, quiet = false;
+    double ground = .2, dew_point = 10.97353115, interval = 0;
+    Site site;
+};
+
+Options read_options(const Call& call, size_t i) {
+    Options o;
+    for (; call.has(i); i++) {
+        const std::string& w = call.words[i];
+        if (w.size() < 2 || (w[0] != '-' && w[0] != '+')) call.fail("unexpected \"" + printable(w) + "\"");
+        switch (w[1]) {
+        case 's': o.sun = w[0] == '+'; break;
+        case 'c': o.sun = false; break;
+        case 'w': o.quiet = true; break;
+        case 'C': o.colour = true; break;
+        case 'R': case 'b': case 't': call.real(++i, w.c_str()); break;
+        case 'd':
+            o.dew_point = call.real(++i, "-d");
+            if (o.dew_point < -40 || o.dew_point > 40) o.dew_point = Options().dew_point;
+            break;
+        case 'i': o.interval = call.real(++i, "-i"); break;
+        case 'g': o.ground = call.real(++i, "-g"); break;
+        case 'O': o.output = static_cast<int>(call.integer(++i, "-O", 0, 2)); break;
+        case 'P': case 'W': case 'G': case 'L':
+            o.input = w[1];
+            o.a = call.real(++i, w.c_str());
+            o.b = call.real(++i, w.c_str());
+            break;
+        case 'E':
+            o.input = 'E';
+            o.a = call.real(++i, "-E");
+            break;
+        default:
+            if (!o.site.option(call, i)) call.fail("unknown option " + printable(w));
+        }
+    }
+    if (!o.input) call.fail("one of -P -W -G -L -E is needed");
+    return o;
+}
+
+// Half an interval before sunrise or after sunset the sun moves to the middle of the part of the interval that is day.
+void move_into_day(const Site& site, double minutes, Sun& s) {
+    const double x = -std::tan(site.latitude) * std::tan(s.declination);
+    if (x <= -1 || x >= 1) return;
+    const double half_day = std::acos(x) * 12 / M_PI, rise = 12 - half_day, set = 12 + half_day, half = minutes / 120;
+    double t = s.solar_time;
+    if (std::fabs(t - rise) <= half) t = (t + half + rise) / 2;
+    else if (std::fabs(t - set) <= half) t = (t - half + set) / 2;
+    else return;
+    set_solar_time(site, t, s);
+}
+
+
+// Erbs' correlation: the diffuse part of a global horizontal irradiance (Erbs, Klein, Duffie, Solar Energy 28, 1982).
+void split_global(double global, double extraterrestrial, double sine, double& direct, double& diffuse) {
+    const double top = extraterrestrial * sine, k = std::min(global, .999 * top) / top;
+    diffuse = k <= .22 ? global * (1 - .09 * k)
+            : k <= .8 ? global * (.9511 + k * (-.1604 + k * (4.388 + k * (-16.638 + k * 12.336)))) : .165 * global;
+    direct = (global - diffuse) / sine;
+}
+
+}  // namespace
+
+void gendaylit(const Call& call, std::string& out) {
+    auto text = std::back_inserter(out);
+    const bool angles = call.has(1) && call.words[1] == "-ang";
+    const Options o = read_options(call, 4);
+    Sun sun;
+    int day = 0;
+    if (angles) {
+        sun.altitude = call.real(2, "the altitude") * degree;
+        sun.azimuth = call.real(3, "the azimuth") * degree;
+    } else {
+        Moment t = read_date(call, 1);
+        const std::string& hour = call.word(3, "the hour");
+        char* end;
+        t.hour = std::strtod(hour.c_str(), &end);   // "14:30" and "14EST" are 14, as in RADIANCE
+        t.solar = hour[0] == '+';
+        if (end == hour.c_str()) call.fail("\"" + printable(hour) + "\" is not an hour");
+        day = t.day_of_year();
+        sun = sun_position(o.site, t);
+        if (o.interval > 0) move_into_day(o.site, o.interval, sun);
+        fmt::format_to(text, "# Local solar time: {:.2f}\n", sun.solar_time);
+    }
+    fmt::format_to(text, "# Solar altitude and azimuth: {:.1f} {:.1f}\n", sun.altitude / degree, sun.azimuth / degree);
+    const base::Vec3 to_sun = sun_direction(sun.altitude, sun.azimuth);
+    const double sine = std::sin(sun.altitude), z = M_PI / 2 - sun.altitude;
+
+    auto error_sky = [&](const char* why) {
+        if (why && !o.quiet) base::warn(call.place, std::string("gendaylit: ") + why + ": a black sky");
+        fmt::format_to(text, "\nvoid brightfunc skyfunc\n2 skybright perezlum.cal\n0\n10 0.00 0.00 0.000 0.000 0.000 0.000 0.000 {:f} {:f} {:f}\n",
+                       to_sun.x, to_sun.y, to_sun.z);
+    };
+    if (sun.altitude <= 0) return error_sky("the sun is below the horizon");
+    const double most = o.input == 'L' ? most_lux : most_watts;
+    if (o.input != 'P' && (o.a > most || o.b > most)) return error_sky("the input is larger than the sun outside the atmosphere");
+    if (o.input != 'P' && (o.a < 0 || o.b < 0)) return error_sky("a negative input");
+    if (o.input != 'P' && o.a + o.b == 0) return error_sky("no light");
+
+    const PerezSky sky(day, z, o.dew_point);
+    double direct = o.a, diffuse = o.b;   // irradiances
+    Clearness c;
+    switch (o.input) {
+    case 'P':
+        c = {o.a, o.b};
+        sky.irradiances(c, direct, diffuse);
+        break;
+    case 'E': split_global(o.a, sky.extraterrestrial, sine, direct, diffuse); break;
+    case 'G': direct = o.a / sine; break;
+    case 'L':   // a fixed point of irradiance -> efficacy -> irradiance
+        direct *= most_watts / most_lux;
+        diffuse *= most_watts / most_lux;
+        c = clamp(sky.clearness(direct, diffuse));
+        for (int i = 0; i < 9; i++) {
+            const double e = sky.direct_efficacy(c);
+            diffuse = o.b / sky.diffuse_efficacy(c);
+            direct = e < .1 ? 0 : o.a / e;
+            c = clamp(sky.clearness(direct, diffuse));
+        }
+        break;
+    }
+    if (o.input != 'P') c = sky.clearness(direct, diffuse);
+    if (!std::isfinite(c.epsilon) || !std::isfinite(c.delta)) return error_sky("no diffuse light");
+    c = clamp(c);
+    const PerezShape shape(c, z);
+    const double diffuse_lux = diffuse * sky.diffuse_efficacy(c), direct_lux = direct * sky.direct_efficacy(c);
+    if (diffuse_lux < 0 || direct_lux < 0) return error_sky("negative illuminance");
+    auto wanted = [&](double watts, double lux) { return o.output == 0 ? lux / efficacy : o.output == 1 ? watts : lux; };
+    const double level = wanted(diffuse, diffuse_lux) / shape.horizontal(z);
+    const double solar = wanted(direct, direct_lux) / (2 * M_PI * (1 - std::cos(sun_half_angle)));
+
+    const double factor = c.epsilon <= 1 ? .777778 : c.epsilon >= 6 ? clear_factor(sun.altitude) : intermediate_factor(sun.altitude);
+    double ground = shape.relative(0, z) * level * factor;
+    if (o.sun && c.epsilon > 1) ground += 6.8e-5 / M_PI * solar * sine;
+    ground *= o.ground;
+
+    fmt::format_to(text, "# Ground ambient level: {:.1f}\n", ground);
+    if (o.sun) {
+        if (c.epsilon <= 1) out += "\nvoid light solar\n0\n0\n3 0.0 0.0 0.0\n";
+        else fmt::format_to(text, "\nvoid light solar\n0\n0\n3 {0:.3e} {0:.3e} {0:.3e}\n", solar);
+        fmt::format_to(text, "\nsolar source sun\n0\n0\n4 {:f} {:f} {:f} 0.533\n", to_sun.x, to_sun.y, to_sun.z);
+    }
+    const bool colour = o.colour && (c.epsilon <= 1.065 || c.epsilon >= 4.5);
+    if (colour) fmt::format_to(text, "\nvoid colorfunc skyfunc\n4 skybright_r skybright_g skybright_b perezlum_c.cal\n0\n22");
+    else fmt::format_to(text, "\nvoid brightfunc skyfunc\n2 skybright perezlum.cal\n0\n10");
+    fmt::format_to(text, " {:.3e} {:.3e}", level, ground);
+    for (double x : shape.c) fmt::format_to(text, " {:f}", x);
+    fmt::format_to(text, " {:f} {:f} {:f}", to_sun.x, to_sun.y, to_sun.z);
+    if (colour) {
+        fmt::format_to(text, " {:f}", c.epsilon);
+        for (float x : {-4843e6f, 2556800.f, 242.82f, .23258f, -4843e6f, 2556800.f, 242.82f, .23258f, -1.2848f, 1.7519f, -.093786f})
+            fmt::format_to(text, " {:f}", x);
+    }
+    out += '\n';
+}
+
+}  // namespace scene
