@@ -49,6 +49,7 @@ Box empty_box() {
 
 void grow(Box& box, const float p[3]) {
     for (int a = 0; a < 3; a++) {
+        if (!(std::fabs(p[a]) < 1e18f)) base::fail("", "a coordinate is not a number or too large");
         box.lo[a] = std::min(box.lo[a], p[a]);
         box.hi[a] = std::max(box.hi[a], p[a]);
     }
@@ -82,13 +83,13 @@ public:
           tree_depth_(tree_count) {}
 
     Bvh build() {
-        struct Holder { RTCBVH bvh; ~Holder() { rtcReleaseBVH(bvh); } };
-        std::vector<std::unique_ptr<Holder>> holders;
+        struct Release { void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); } };
+        std::vector<std::unique_ptr<std::remove_pointer_t<RTCBVH>, Release>> memory;  // of the temporary nodes
         std::vector<TempNode*> roots(tree_count_, nullptr);
         size_t nodes = tree_count_, blocks = 0;
         for (size_t k = tree_count_; k-- > 0;) {  // tree 0 last: it needs the boxes of the others
-            holders.push_back(std::make_unique<Holder>(Holder{rtcNewBVH(device_)}));
-            roots[k] = build_tree(k, holders.back()->bvh);
+            memory.emplace_back(rtcNewBVH(device_));
+            roots[k] = build_tree(k, memory.back().get());
             Need need = roots[k] ? measure(trees_[k], roots[k]) : Need{};
             tree_need_[k] = need.stack;
             tree_depth_[k] = need.depth;
@@ -167,10 +168,6 @@ private:
         for (size_t k = 0; k < count; k++) {
             const Box box = primitive_box(in, k);
             if (box.lo[0] > box.hi[0]) continue;  // an instance of nothing
-            for (int a = 0; a < 3; a++) {
-                if (!(std::fabs(box.lo[a]) < 1e18f && std::fabs(box.hi[a]) < 1e18f))
-                    base::fail("", "a coordinate is not a number or too large");
-            }
             prims.push_back({box.lo[0], box.lo[1], box.lo[2], 0, box.hi[0], box.hi[1], box.hi[2], uint32_t(k)});
             grow(tree_box_[tree], box.lo);
             grow(tree_box_[tree], box.hi);
@@ -283,7 +280,7 @@ private:
         while (triangles < leaf->prims && leaf->prim[triangles] < in.triangle_count) triangles++;
         const unsigned n = layout_.per_block;
         for (unsigned i = 0; i < triangles; i += n)
-            write_triangles(in, leaf->prim + i, std::min(n, triangles - i), i + n >= leaf->prims);
+            write_triangles(in, leaf->prim + i, std::min(n, triangles - i), i + n >= triangles && triangles == leaf->prims);
         for (unsigned i = triangles; i < leaf->prims; i += n)
             write_shapes(in, leaf->prim + i, std::min(n, leaf->prims - i), i + n >= leaf->prims);
         return uint32_t(first) | REF_LEAF;

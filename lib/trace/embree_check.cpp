@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One Embree scene per tree: geometry 0 = triangles, 1 = shapes, 2.. = instances (tree 0 only).
+// The class of a primitive (opaque, transparent) is tested by a filter on triangles and within the shapes' callbacks;
+// an instance that forces a class overrules it.
+#include "trace/embree_check.h"
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "kernels/compat_host.h"
+#include "trace/embree_api.h"
+
+namespace trace {
+namespace {
+#include "kernels/intersect.h"
+#include "kernels/vec.h"
+#include "kernels/shapes.h"
+
+#if RTC_VERSION_MAJOR >= 4
+using RayContext = RTCRayQueryContext;
+void init_context(RayContext* c) { rtcInitRayQueryContext(c); }
+#else
+using RayContext = RTCIntersectContext;
+void init_context(RayContext* c) { rtcInitIntersectContext(c); }
+#endif
+
+struct Query {           // first member: Embree hands its address to the callbacks
+    RayContext context;
+    uint32_t mask;
+};
+
+constexpr unsigned triangle_geometry = 0, shape_geometry = 1, first_instance = 2;
+
+}  // namespace
+
+struct EmbreeScene::State {
+    struct Tree {
+        const State* state;
+        RTCScene scene = nullptr;
+        std::vector<uint32_t> tri_prim, shape_of;  // ids of triangles; shape numbers of geometry 1
+    };
+    EmbreeDevice device;
+    std::vector<Tree> trees;
+    std::vector<uint32_t> instances;               // shape numbers of geometries 2, 3, ...
+    const float* shapes = nullptr;
+    const uint32_t* shape_prim = nullptr;
+    const float* polygon_uv = nullptr;
+
+    ~State() {
+        for (Tree& t : trees)
+            if (t.scene) rtcReleaseScene(t.scene);
+    }
+    const float* instance(uint32_t inst_id) const { return shapes + SHAPE_FLOATS * size_t(instances[inst_id - first_instance]); }
+
+    bool wanted(uint32_t mask, uint32_t id, uint32_t inst_id) const {
+        if (inst_id != RTC_INVALID_GEOMETRY_ID) {
+            const uint32_t forced = as_uint_(instance(inst_id)[15]);
+            if (forced) return (mask & forced) != 0;
+        }
+        return (mask >> (id >> 31) & 1) != 0;
+    }
+
+    static void filter(const RTCFilterFunctionNArguments* a) {
+        const Tree& tree = *static_cast<const Tree*>(a->geometryUserPtr);
+        const auto* hit = reinterpret_cast<const RTCHit*>(a->hit);
+        const auto* query = reinterpret_cast<const Query*>(a->context);
+        const auto* ray = reinterpret_cast<const RTCRay*>(a->ray);
+        if (!tree.state->wanted(query->mask, tree.tri_prim[hit->primID], hit->instID[0]) || !(ray->tfar > ray->tnear))
+            a->valid[0] = 0;
+    }
+
+    static bool meet(const Tree& tree, uint32_t prim, const RayContext* context, const RTCRay& ray, float* t) {
+        const State& s = *tree.state;
+        const uint32_t shape = tree.shape_of[prim];
+        if (!s.wanted(reinterpret_cast<const Query*>(context)->mask, s.shape_prim[shape], context->instID[0])) return false;
+        return shape_hit(s.shapes + SHAPE_FLOATS * size_t(shape), s.polygon_uv, F3(ray.org_x, ray.org_y, ray.org_z),
+                         F3(ray.dir_x, ray.dir_y, ray.dir_z), ray.tnear, t) && *t < ray.tfar;
+    }
+
+    static void shape_bounds(const RTCBoundsFunctionArguments* a) {
+        const Tree& tree = *static_cast<const Tree*>(a->geometryUserPtr);
+        BuildInput in;
+        in.shapes = tree.state->shapes;
+        in.polygon_uv = tree.state->polygon_uv;
+        float b[6];
+        shape_box(in, tree.shape_of[a->primID], b);
+        for (float& x : b) x += (&x - b < 3 ? -1 : 1) * (std::fabs(x) * 2.4e-7f + 2e-6f);
+        *a->bounds_o = {b[0], b[1], b[2], 0, b[3], b[4], b[5], 0};
+    }
+
+    static void shape_intersect(const RTCIntersectFunctionNArguments* a) {
+        if (!a->valid[0]) return;
+        auto* rh = reinterpret_cast<RTCRayHit*>(a->rayhit);
+        float t;
+        if (!meet(*static_cast<const Tree*>(a->geometryUserPtr), a->primID, a->context, rh->ray, &t)) return;
+        rh->ray.tfar = t;
+        rh->hit.u = rh->hit.v = 0;
+        rh->hit.primID = a->primID;
+        rh->hit.geomID = shape_geometry;
+        rh->hit.instID[0] = a->context->instID[0];
+    }
+
+    static void shape_occluded(const RTCOccludedFunctionNArguments* a) {
+        if (!a->valid[0]) return;
+        auto* ray = reinterpret_cast<RTCRay*>(a->ray);
+        float t;
+        if (meet(*static_cast<const Tree*>(a->geometryUserPtr), a->primID, a->context, *ray, &t)) ray->tfar = -INFINITY;
+    }
+
+    void attach(Tree& tree, RTCGeometry g, unsigned id) {
+        rtcCommitGeometry(g);
+        rtcAttachGeometryByID(tree.scene, g, id);
+        rtcReleaseGeometry(g);
+    }
+
+    void fill(Tree& tree, const BuildInput& in) {
+        tree.tri_prim.assign(in.tri_prim, in.tri_prim + in.triangle_count);
+        if (in.triangle_count) {
+            RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+            void* v = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, in.vertex_count);
+            void* i = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, in.triangle_count);
+            device.check();
+            std::memcpy(v, in.vertices, 12 * in.vertex_count);
+            std::memcpy(i, in.triangles, 12 * in.triangle_count);
+            rtcSetGeometryUserData(g, &tree);
+            rtcSetGeometryIntersectFilterFunction(g, filter);
+            rtcSetGeometryOccludedFilterFunction(g, filter);
+            attach(tree, g, triangle_geometry);
+        }
+        for (size_t k = in.first_shape; k < in.first_shape + in.shape_count; k++) {
+            if (as_uint_(shapes[SHAPE_FLOATS * k]) == SHAPE_INSTANCE) add_instance(tree, uint32_t(k));
+            else tree.shape_of.push_back(uint32_t(k));
+        }
+        if (!tree.shape_of.empty()) {
+            RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+            rtcSetGeometryUserPrimitiveCount(g, unsigned(tree.shape_of.size()));
+            rtcSetGeometryUserData(g, &tree);
+            rtcSetGeometryBoundsFunction(g, shape_bounds, nullptr);
+            rtcSetGeometryIntersectFunction(g, shape_intersect);
+            rtcSetGeometryOccludedFunction(g, shape_occluded);
+            attach(tree, g, shape_geometry);
+        }
+    }
+
+    void add_instance(Tree& tree, uint32_t shape) {
+        const float* q = shapes + SHAPE_FLOATS * size_t(shape);
+        double m[12];
+        invert_affine(q + 1, m);
+        float rows[12];
+        for (int i = 0; i < 12; i++) rows[i] = float(m[i]);
+        RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(g, trees.at(as_uint_(q[13])).scene);
+        rtcSetGeometryTimeStepCount(g, 1);
+        rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, rows);
+        instances.push_back(shape);
+        attach(tree, g, first_instance + unsigned(instances.size()) - 1);
+    }
+};
+
+EmbreeScene::EmbreeScene(const BuildInput* trees, size_t tree_count, bool robust) : state_(new State) {
+    State& s = *state_;
+    s.trees.resize(tree_count);
+    for (size_t k = tree_count; k-- > 0;) {  // tree 0 last: it refers to the others
+        const BuildInput& in = trees[k];
+        s.shapes = in.shapes;
+        s.shape_prim = in.shape_prim;
+        s.polygon_uv = in.polygon_uv;
+        s.trees[k].state = &s;
+        s.trees[k].scene = rtcNewScene(s.device);
+        if (robust) rtcSetSceneFlags(s.trees[k].scene, RTC_SCENE_FLAG_ROBUST);
+        s.fill(s.trees[k], in);
+        rtcCommitScene(s.trees[k].scene);
+        s.device.check();
+    }
+}
+
+EmbreeScene::~EmbreeScene() = default;
+
+EmbreeScene::Hit EmbreeScene::closest(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const {
+    Query query;
+    init_context(&query.context);
+    query.mask = mask;
+    RTCRayHit rh;
+    rh.ray = {org[0], org[1], org[2], tmin, dir[0], dir[1], dir[2], 0, tmax, 0xffffffffu, 0, 0};
+    rh.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rh.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+    RTCIntersectArguments args;
+    rtcInitIntersectArguments(&args);
+    args.context = &query.context;
+    rtcIntersect1(state_->trees[0].scene, &rh, &args);
+#else
+    rtcIntersect1(state_->trees[0].scene, &query.context, &rh);
+#endif
+    if (rh.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {tmax, NO_HIT, 0, 0, NO_HIT};
+    const State::Tree* tree = &state_->trees[0];
+    uint32_t inst = NO_HIT;
+    if (rh.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
+        const float* q = state_->instance(rh.hit.instID[0]);
+        tree = &state_->trees[as_uint_(q[13])];
+        inst = as_uint_(q[14]);
+    }
+    const uint32_t id = rh.hit.geomID == triangle_geometry ? tree->tri_prim[rh.hit.primID]
+                                                           : state_->shape_prim[tree->shape_of[rh.hit.primID]];
+    return {rh.ray.tfar, id & ID_PRIM, rh.hit.u, rh.hit.v, inst};
+}
+
+bool EmbreeScene::any(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const {
+    Query query;
+    init_context(&query.context);
+    query.mask = mask;
+    RTCRay ray = {org[0], org[1], org[2], tmin, dir[0], dir[1], dir[2], 0, tmax, 0xffffffffu, 0, 0};
+#if RTC_VERSION_MAJOR >= 4
+    RTCOccludedArguments args;
+    rtcInitOccludedArguments(&args);
+    args.context = &query.context;
+    rtcOccluded1(state_->trees[0].scene, &ray, &args);
+#else
+    rtcOccluded1(state_->trees[0].scene, &query.context, &ray);
+#endif
+    return ray.tfar < 0;
+}
+
+}  // namespace trace

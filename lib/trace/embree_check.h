@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Embree's own traversal of the same primitives: the independent check of kernels/bvh8.h and bvh2.h (device "cpu:embree").
+// Triangles are Embree's (ROBUST); analytic shapes go through callbacks to kernels/shapes.h; instances are Embree's.
+// Ties between coincident surfaces are decided by Embree, not by the lower primitive.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include "trace/bvh_build.h"
+
+namespace trace {
+
+class EmbreeScene {
+public:
+    struct Hit { float t; uint32_t prim; float u, v; uint32_t inst; };  // as kernels/intersect.h; prim 0xffffffff: none
+    // Takes what build_bvh8() takes; shapes, their ids and polygon_uv must outlive it, the rest is copied.
+    // robust = false: Embree's faster kernels, which leak at edges (bench only).
+    explicit EmbreeScene(const BuildInput* trees, size_t tree_count = 1, bool robust = true);
+    ~EmbreeScene();
+    Hit closest(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const;
+    bool any(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const;
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace trace

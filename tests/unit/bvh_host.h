@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Both traversals in host C++, in namespaces of their own, and a brute-force search over the same primitives.
+#pragma once
+#include "kernels/compat_host.h"
+#include "unit/bvh_scenes.h"
+
+namespace kernels {
+#include "kernels/vec.h"
+#include "kernels/intersect.h"
+#include "kernels/shapes.h"
+#include "kernels/woop.h"
+#include "kernels/offset_ray.h"
+namespace wide {
+#include "kernels/bvh8.h"
+}
+namespace scalar {
+#include "kernels/bvh2.h"
+}
+
+inline SceneTables tables(const bvh_scenes::Scene& s, const trace::Bvh& bvh) {
+    SceneTables t{};
+    t.nodes = bvh.nodes.data();
+    t.leaves = bvh.leaves.data();
+    t.shapes = s.shapes.data();
+    t.polygon_uv = s.polygon_uv.data();
+    return t;
+}
+
+inline Ray ray_of(const bvh_scenes::Ray& r) {
+    return {F3(r.org[0], r.org[1], r.org[2]), r.tmin, F3(r.dir[0], r.dir[1], r.dir[2]), r.tmax};
+}
+
+// Every primitive of a part, one after the other.
+inline void brute_part(const bvh_scenes::Scene& s, size_t part, const Ray& ray, const WoopRay& w, uint mask, uint inst, Hit* hit) {
+    const auto& p = s.parts[part];
+    for (size_t i = p.triangle; i < p.triangle + p.triangles; i++) {
+        float3 v[3];
+        for (int k = 0; k < 3; k++) {
+            const float* q = &s.vertices[3 * s.triangles[3 * i + k]];
+            v[k] = F3(q[0], q[1], q[2]);
+        }
+        float t, u, vv;
+        if ((mask >> (s.tri_prim[i] >> 31) & 1) && woop_triangle(&w, v[0], v[1], v[2], &t, &u, &vv) && t > ray.tmin)
+            hit_offer(hit, t, s.tri_prim[i] & ID_PRIM, u, vv, inst);
+    }
+    for (size_t i = p.shape; i < p.shape + p.shapes; i++) {
+        const float* q = &s.shapes[16 * i];
+        float t;
+        if (as_uint_(q[0]) == SHAPE_INSTANCE) {
+            WoopRay local;
+            woop_prepare_instance(q, ray.org, ray.dir, &local);
+            const uint forced = as_uint_(q[15]);
+            if (forced == 0 || (mask & forced))
+                brute_part(s, as_uint_(q[13]), ray, local, forced ? RAY_ALL : mask, as_uint_(q[14]), hit);
+        } else if ((mask >> (s.shape_prim[i] >> 31) & 1) && shape_hit(q, s.polygon_uv.data(), w.org, w.dir, ray.tmin, &t)) {
+            hit_offer(hit, t, s.shape_prim[i] & ID_PRIM, 0, 0, inst);
+        }
+    }
+}
+
+inline Hit brute(const bvh_scenes::Scene& s, const Ray& ray, uint mask) {
+    Hit hit = {ray.tmax, NO_HIT, 0, 0, NO_HIT};
+    WoopRay w;
+    woop_prepare(ray.org, ray.dir, &w);
+    brute_part(s, 0, ray, w, mask, NO_HIT, &hit);
+    return hit;
+}
+
+}  // namespace kernels

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Traversal in host C++ against a search through all primitives: the same hit, bit for bit, for both kinds of tree.
+// Then the laws that rays must keep in a closed room: none escapes, none meets the surface it just left.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+#include "base/error.h"
+#include "trace/embree_check.h"
+#include "unit/bvh_host.h"
+
+using bvh_scenes::Vec;
+
+static bool same(const kernels::Hit& a, const kernels::Hit& b) {
+    return a.prim == b.prim && a.inst == b.inst && (a.prim == NO_HIT || a.t == b.t);
+}
+
+TEST_CASE("both trees find what a search through all primitives finds") {
+    for (bool instances : {false, true}) {
+        for (int count : {0, 1, 5, 300}) {
+            const auto scene = bvh_scenes::random_scene(17 + count, count, instances);
+            const auto in = scene.input();
+            const auto b8 = trace::build_bvh8(in.data(), in.size()), b2 = trace::build_bvh2(in.data(), in.size());
+            const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
+            int hits = 0, wrong8 = 0, wrong2 = 0, any8 = 0, any2 = 0, within = 0;
+            for (const auto& r : bvh_scenes::random_rays(5, 6000)) {
+                const kernels::Ray ray = kernels::ray_of(r);
+                for (uint mask : {RAY_OPAQUE, RAY_TRANSPARENT, RAY_ALL}) {
+                    const kernels::Hit want = kernels::brute(scene, ray, mask);
+                    kernels::Hit h8, h2;
+                    kernels::wide::trace_closest(&t8, &ray, mask, &h8);
+                    kernels::scalar::trace_closest(&t2, &ray, mask, &h2);
+                    const int met = want.prim != NO_HIT;
+                    hits += met;
+                    within += want.inst != NO_HIT;
+                    wrong8 += !same(h8, want);
+                    wrong2 += !same(h2, want);
+                    any8 += kernels::wide::trace_any(&t8, &ray, mask) != met;
+                    any2 += kernels::scalar::trace_any(&t2, &ray, mask) != met;
+                }
+            }
+            CAPTURE(instances);
+            CAPTURE(count);
+            CHECK(hits > (count == 0 ? 50 : 200));
+            CHECK((within > 0) == instances);
+            CHECK(wrong8 == 0);
+            CHECK(wrong2 == 0);
+            CHECK(any8 == 0);
+            CHECK(any2 == 0);
+        }
+    }
+}
+
+// Embree decides ties its own way and rounds differently: distances agree, and primitives where nothing else is as near.
+TEST_CASE("Embree's own traversal finds the same") {
+    for (bool instances : {false, true}) {
+        const auto scene = bvh_scenes::random_scene(23, 200, instances);
+        const auto in = scene.input();
+        const auto bvh = trace::build_bvh8(in.data(), in.size());
+        const auto tables = kernels::tables(scene, bvh);
+        const trace::EmbreeScene embree(in.data(), in.size());
+        int hits = 0, other_t = 0, other_prim = 0, other_any = 0;
+        for (const auto& r : bvh_scenes::random_rays(9, 20000)) {
+            const kernels::Ray ray = kernels::ray_of(r);
+            for (uint mask : {RAY_OPAQUE, RAY_TRANSPARENT, RAY_ALL}) {
+                kernels::Hit mine;
+                kernels::wide::trace_closest(&tables, &ray, mask, &mine);
+                const auto theirs = embree.closest(r.org, r.tmin, r.dir, r.tmax, mask);
+                hits += mine.prim != NO_HIT;
+                const bool near = (mine.prim == NO_HIT) == (theirs.prim == NO_HIT) &&
+                                  (mine.prim == NO_HIT || std::fabs(mine.t - theirs.t) < 1e-5f * (1 + mine.t));
+                other_t += !near;
+                const auto one = [](uint prim) { return prim == 201 ? 200 : prim; };  // the two coincident faces
+                other_prim += near && (one(mine.prim) != one(theirs.prim) || mine.inst != theirs.inst);
+                other_any += embree.any(r.org, r.tmin, r.dir, r.tmax, mask) != (mine.prim != NO_HIT);
+            }
+        }
+        CAPTURE(instances);
+        CHECK(hits > 5000);
+        CHECK(other_t <= hits / 5000);                 // rays within an ulp of an edge
+        CHECK(other_any <= hits / 5000);
+        CHECK(other_prim <= hits / 5000);
+    }
+}
+
+TEST_CASE("an empty scene has no hits") {
+    bvh_scenes::Scene scene;
+    scene.end_part();
+    const auto in = scene.input();
+    const auto b8 = trace::build_bvh8(in[0]), b2 = trace::build_bvh2(in[0]);
+    const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
+    for (const auto& r : bvh_scenes::random_rays(5, 100)) {
+        const kernels::Ray ray = kernels::ray_of(r);
+        kernels::Hit hit;
+        kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &hit);
+        CHECK(hit.prim == NO_HIT);
+        kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &hit);
+        CHECK(hit.prim == NO_HIT);
+        CHECK(kernels::wide::trace_any(&t8, &ray, RAY_ALL) == 0);
+        CHECK(kernels::scalar::trace_any(&t2, &ray, RAY_ALL) == 0);
+    }
+}
+
+TEST_CASE("a coordinate that is not a number is refused") {
+    bvh_scenes::Scene scene;
+    scene.triangle({0, 0, 0}, {1, 0, 0}, {0, NAN, 0});
+    scene.end_part();
+    CHECK_THROWS_AS(trace::build_bvh8(scene.input()[0]), base::Error);
+}
+
+// Shapes against their closed forms, seen from near and far.
+TEST_CASE("distances to analytic shapes") {
+    bvh_scenes::Scene s;
+    s.sphere({0, 0, 0}, 0.5);
+    s.cone({3, 0, 0}, {0, 0, 1}, 2, 0.5, 0.5);
+    s.cone({6, 0, 0}, {0, 0, 1}, 1, 1, 0);
+    s.ring({9, 0, 1}, {0, 0, 1}, 0.25, 1);
+    s.polygon({{11, -1, 1}, {13, -1, 1}, {13, 1, 1}, {11, 1, 1}});
+    s.end_part();
+    const auto in = s.input();
+    const auto bvh = trace::build_bvh8(in[0]);
+    const auto tables = kernels::tables(s, bvh);
+    const auto first = [&](double x, double y, double z, double dx, double dy, double dz) {
+        const kernels::Ray ray = {F3(float(x), float(y), float(z)), 0, F3(float(dx), float(dy), float(dz)), 1e30f};
+        kernels::Hit hit;
+        kernels::wide::trace_closest(&tables, &ray, RAY_ALL, &hit);
+        return hit.prim == NO_HIT ? -1.0 : double(hit.t);
+    };
+    for (double far : {2.0, 1000.0, 100000.0}) {
+        CAPTURE(far);
+        CHECK(first(0, -far, 0, 0, 1, 0) == doctest::Approx(far - 0.5).epsilon(1e-6));
+        CHECK(first(0, -far, 0.3, 0, 1, 0) == doctest::Approx(far - 0.4).epsilon(1e-6));
+        CHECK(first(0, -far, 0.51, 0, 1, 0) == -1);
+        CHECK(first(3.3, -far, 1, 0, 1, 0) == doctest::Approx(far - 0.4).epsilon(1e-6));
+        CHECK(first(3.3, -far, 2.01, 0, 1, 0) == -1);
+        CHECK(first(6, -far, 0.5, 0, 1, 0) == doctest::Approx(far - 0.5).epsilon(1e-6));
+        CHECK(first(6.25, 0, far, 0, 0, -1) == doctest::Approx(far - 0.75).epsilon(1e-6));
+        CHECK(first(9.5, 0, far, 0, 0, -1) == doctest::Approx(far - 1).epsilon(1e-6));
+        CHECK(first(9.1, 0, far, 0, 0, -1) == -1);
+        CHECK(first(12, 0.5, -far, 0, 0, 1) == doctest::Approx(far + 1).epsilon(1e-6));
+    }
+    CHECK(first(0, 0, 0, 1, 0, 0) == doctest::Approx(0.5));         // from inside
+    CHECK(first(3, 0, 1, 0, 0.6, 0.8) == doctest::Approx(0.5 / 0.6));
+    CHECK(first(3, 0, 1, 0, 0, 1) == -1);                           // open ends
+    CHECK(first(9.25, 0, 2, 0, 0, -1) == 1);                        // edges belong to the shape
+    CHECK(first(10, 0, 2, 0, 0, -1) == 1);
+    CHECK(first(11, -1, 2, 0, 0, -1) == 1);
+    CHECK(first(13, 1, 2, 0, 0, -1) == 1);
+    CHECK(first(8, 0, 1, 1, 0, 0) == -1);                           // in the plane of ring and polygon
+}
+
+// Paths within a closed sphere of triangles, half of them started exactly toward vertices and edges.
+static void paths(const bvh_scenes::Scene& scene, Vec centre, double radius, int count, int bounces, int* leaks, int* self) {
+    const auto in = scene.input();
+    const auto b8 = trace::build_bvh8(in[0]), b2 = trace::build_bvh2(in[0]);
+    const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
+    const auto corner = [&](size_t tri, int k) {
+        const float* v = &scene.vertices[3 * scene.triangles[3 * tri + k]];
+        return Vec{v[0], v[1], v[2]};
+    };
+    bvh_scenes::Random r(11);
+    for (int i = 0; i < count; i++) {
+        Vec o = centre + r.direction() * (radius * r.in(0, 0.9)), d = r.direction();
+        const size_t tri = r.engine() % scene.tri_prim.size();
+        const Vec of{float(o.x), float(o.y), float(o.z)};
+        if (i % 4 == 0) d = unit(corner(tri, 0) - of);
+        if (i % 4 == 1) { const double w = r.in(0, 1); d = unit(corner(tri, 0) * w + corner(tri, 1) * (1 - w) - of); }
+        kernels::Ray ray = {F3(float(o.x), float(o.y), float(o.z)), 0, F3(float(d.x), float(d.y), float(d.z)), 1e30f};
+        uint from = NO_HIT;
+        for (int b = 0; b < bounces; b++) {
+            kernels::Hit hit, h2;
+            kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &hit);
+            kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &h2);
+            if (hit.prim == NO_HIT || h2.prim == NO_HIT) { ++*leaks; break; }
+            if (hit.prim == from) { ++*self; break; }
+            from = hit.prim;
+            const float3 p = kernels::madd3(ray.dir, hit.t, ray.org);
+            size_t k = hit.prim;  // the triangle's number is its primitive's here
+            Vec n = unit(cross(corner(k, 1) - corner(k, 0), corner(k, 2) - corner(k, 0)));
+            if (dot(n, Vec{ray.dir.x, ray.dir.y, ray.dir.z}) > 0) n = n * -1;
+            d = unit(n + r.direction() * 0.999);
+            ray.org = kernels::offset_ray(p, F3(float(n.x), float(n.y), float(n.z)), hit.t);
+            ray.dir = F3(float(d.x), float(d.y), float(d.z));
+        }
+    }
+}
+
+TEST_CASE("a closed sphere leaks nothing, and no ray meets the triangle it left, also 1 km from the origin") {
+    for (double away : {0.0, 100.0, 1000.0}) {
+        int leaks = 0, self = 0;
+        const Vec c{away, -0.3 * away, 0.1 * away};
+        paths(bvh_scenes::sphere_mesh(80, 5, c), c, 5, 20000, 5, &leaks, &self);
+        CAPTURE(away);
+        CHECK(leaks == 0);
+        CHECK(self == 0);
+    }
+}
