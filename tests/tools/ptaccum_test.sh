@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# ptaccum: Eq. 7 on streams whose sums are known by hand, ranges and their merging, broken input, broken output.
+. "$TOP/tests/lib.sh"
+needs ptaccum mkstream
+
+# Frame 0 is 10, frame k is k:  L'(n) = 10 + (1 + 2 + ... + n)/n = 10 + (n + 1)/2.
+mkstream numbers 0 8 > n8.hdr
+check 'every frame gives the sum up to it' '
+    ptaccum < n8.hdr | mkstream show - | cut -d" " -f2- | head -4 > is
+    printf "FRAMES=0 RANGE=0:0 10\nFRAMES=1 RANGE=0:1 11\nFRAMES=2 RANGE=0:2 11.5\nFRAMES=3 RANGE=0:3 12\n" | diff - is'
+check '-last writes one picture, the last' '[ "$(ptaccum -last < n8.hdr | mkstream show -)" = "8x8 FRAMES=8 RANGE=0:8 14.5" ]'
+check '-every 3 writes 0, 3, 6 and the last' '[ "$(ptaccum -every 3 n8.hdr | mkstream show | sed "s/.*FRAMES=//; s/ .*//" | tr "\n" " ")" = "0 3 6 8 " ]'
+check '-every x2 writes the doublings' '[ "$(mkstream numbers 0 20 | ptaccum -every x2 | mkstream show | sed "s/.*FRAMES=//; s/ .*//" | tr "\n" " ")" = "0 1 2 4 8 16 20 " ]'
+check '-every x2/4 writes 4 in each doubling' '[ "$(mkstream numbers 0 40 | ptaccum -every x2/4 | mkstream show | sed "s/.*FRAMES=//; s/ .*//" | tail -6 | tr "\n" " ")" = "19 23 27 32 38 40 " ]'
+check 'a frame 0 in mid-stream restarts, the sum before it is written' '
+    { mkstream numbers 0 4; mkstream numbers 0 2; } | ptaccum -last | mkstream show > is
+    printf "8x8 FRAMES=4 RANGE=0:4 12.5\n8x8 FRAMES=2 RANGE=0:2 11.5\n" | diff - is'
+check 'frames in files are read one after another' '
+    for k in 0 1 2; do mkstream numbers $k $k > f$k.hdr; done
+    [ "$(ptaccum -last f0.hdr f1.hdr f2.hdr | mkstream show)" = "8x8 FRAMES=2 RANGE=0:2 11.5" ]'
+check 'the header holds VIEW= once, SEED=, FRAMES=, RANGE=, both command lines and no FRAME=' '
+    mkstream frames 0 3 | ptaccum -last | head -c 2000 | tr -d "\000" | sed "/^\$/,\$d" > head
+    [ "$(grep -c "^VIEW=" head)$(grep -c "^SEED=1" head)$(grep -c "^FRAMES=3" head)$(grep -c "^RANGE=0:3" head)" = 1111 ]
+    grep -q "^mkstream frames 0 3" head && grep -q "^ptaccum -last" head && grep -q "^FORMAT=float" head && ! grep -q "^FRAME=" head'
+
+# Ranges
+mkstream frames 0 63 | ptaccum -last > whole.hdr
+for range in 0:9 10:40 41:63; do
+    mkstream frames ${range%:*} ${range#*:} | ptaccum -last -o part_${range%:*}.exr > part_${range%:*}.hdr
+done
+check 'parts of a run merge to the whole' '
+    ptaccum part_10.exr part_0.exr part_41.exr -o all.exr > merged && [ ! -s merged ]
+    mkstream differ whole.hdr all.exr | awk "{ exit \$1 > 3e-7 }"
+    mkstream show all.exr | grep -q "FRAMES=63 RANGE=0:63 "'
+check 'merging in two steps is merging at once' '
+    ptaccum part_0.exr part_10.exr -o first.exr && ptaccum first.exr part_41.exr -o two.exr
+    mkstream differ all.exr two.exr | awk "{ exit \$1 > 3e-7 }"'
+check 'a partial sum says so by its RANGE' 'mkstream show part_10.hdr | grep -q "FRAMES=31 RANGE=10:40 "'
+check_error 'the same frames twice are refused' 1 '^ptaccum: part_0.exr: frame 0 of seed 1 is in first.exr already' 'ptaccum first.exr part_0.exr -o x.exr'
+check_error 'frame 0 summed in without its layer cannot be weighted' 1 'part_0.hdr: has frame 0 summed in' 'ptaccum part_0.hdr part_10.exr -o x.exr'
+check 'complete sums of two seeds average by their frames' '
+    mkstream frames 0 10 16 16 1 | ptaccum -last -o s1.exr > s1.hdr; mkstream frames 0 30 16 16 2 | ptaccum -last > s2.hdr
+    ptaccum s1.hdr s2.hdr > s12.hdr; mkstream show s12.hdr | grep -q "FRAMES=40 RANGE=0:10 "
+    m1=$(mkstream show s1.hdr | sed "s/.* //") m2=$(mkstream show s2.hdr | sed "s/.* //") m=$(mkstream show s12.hdr | sed "s/.* //")
+    echo $m1 $m2 $m | awk "{ e = (10*\$1 + 30*\$2)/40; exit (\$3 - e)^2 > (1e-5*e)^2 }"
+    [ "$(tr -d "\000" < s12.hdr | head -c 3000 | grep -ac "^SEED=")" = 2 ]'
+check_error 'a partial sum of another seed is refused' 1 'seed 2: frames 5:9 come without frame 0' '
+    mkstream frames 5 9 16 16 2 | ptaccum -last > p2.hdr; ptaccum s1.exr p2.hdr -o x.exr'
+check_error 'a mix of seeds takes no more of one of them' 1 'mixes with other seeds' '
+    mkstream frames 11 12 16 16 1 | ptaccum -last > p1.hdr; ptaccum s12.hdr p1.hdr -o x.exr'
+check_error 'another view is refused' 1 'v.exr: has another view than part_0.exr' '
+    mkstream frames 64 70 16 16 1 "VIEW= -vp 1 0 0" | ptaccum -last -o v.exr > v.hdr; ptaccum part_0.exr v.exr -o x.exr'
+check 'no refused merge left a file' '[ ! -e x.exr ] && ! ls .x.exr* 2>/dev/null'
+
+# Broken streams
+check_error 'a missing frame' 1 '^ptaccum: stdin: picture 3: frame 2 is missing \(this is frame 3\)' '{ mkstream numbers 0 1; mkstream numbers 3 4; } | ptaccum > out'
+check_error 'missing frames' 1 'frames 2 to 4 are missing' '{ mkstream numbers 0 1; mkstream numbers 5 5; } | ptaccum > out'
+check_error 'a repeated frame' 1 'frame 1 comes twice' '{ mkstream numbers 0 1; mkstream numbers 1 1; } | ptaccum > out'
+check_error 'frames out of order' 1 'frame 1 after frame 3: out of order' '{ mkstream numbers 0 3; mkstream numbers 1 1; } | ptaccum > out'
+check_error 'another size' 1 'frame 2 is 8 x 16, the frames before it are 16 x 16' '{ mkstream frames 0 1; mkstream frames 2 2 8 16; } | ptaccum > out'
+check_error 'another view' 1 'frame 2 has another view' '{ mkstream frames 0 1; mkstream frames 2 2 16 16 1 "VIEW= -vp 1 0 0"; } | ptaccum > out'
+check_error 'another seed' 1 'frame 2 has another seed' '{ mkstream frames 0 1; mkstream frames 2 2 16 16 9; } | ptaccum > out'
+check_error 'a sum among frames' 1 'is a sum of frames inside a stream' '{ mkstream frames 0 1; mkstream frames 0 3 | ptaccum -last; } | ptaccum > out'
+check_error 'a stream cut inside the pixels, and no file is left' 1 '^ptaccum: stdin: picture 9: input ends inside the picture' '
+    head -c -100 n8.hdr | ptaccum -o cut.exr > out'
+check 'nothing half-written' '[ ! -e cut.exr ] && [ -z "$(ls -A | grep tmp)" ]'
+check_error 'a stream cut inside a header' 1 'picture 2: input ends inside the header' '{ mkstream numbers 0 0; printf "#?RADIANCE\nFRAME=1\n"; } | ptaccum > out'
+check_error 'a picture of the wrong size' 1 'input ends inside the picture' 'sed "s/-Y 8 +X 8/-Y 9 +X 9/" n8.hdr > n9.hdr; head -c 900 n9.hdr | ptaccum > out'
+check_error 'an empty input' 1 '^ptaccum: stdin: holds no picture' 'ptaccum < /dev/null'
+check_error 'an unreadable file' 2 '^ptaccum: nowhere.exr: cannot be read: No such file' 'ptaccum nowhere.exr'
+check_error 'a folder is no picture' 2 'cannot be read: Is a directory' 'ptaccum .'
+
+# Output
+if [ -e /dev/full ]; then
+    check_error 'a full disk on stdout' 2 '^ptaccum: stdout: cannot be written: No space left' 'ptaccum n8.hdr > /dev/full'
+    check_error 'a full disk as file' 2 'cannot be written: No space left' 'ln -s /dev/full full.exr; ptaccum -last n8.hdr -o full.exr > out'
+fi
+check_error 'a file in no folder' 2 'no/where.exr: cannot be written: No such file' 'ptaccum -last n8.hdr -o no/where.exr > out'
+check_error 'an unknown ending is told before the work' 1 '^ptaccum: out.jpg: the ending' 'ptaccum n8.hdr -o out.jpg > out'
+check 'a closed pipe is a quiet end, and the file is still written' '
+    mkstream frames 0 500 64 64 | ptaccum -o final.exr 2> said | head -c 100000 > some
+    [ ! -s said ] && mkstream show final.exr | grep -q "^64x64 FRAMES="'
+check '.hdr files are RGBE, -ff makes them float, -fc makes the stream RGBE' '
+    ptaccum -last n8.hdr -o a.hdr > s; ptaccum -last -ff n8.hdr -o b.hdr > s; ptaccum -last -fc n8.hdr > c.hdr
+    grep -aq "^FORMAT=32-bit_rle_rgbe" a.hdr && grep -aq "^FORMAT=float" b.hdr && grep -aq "^FORMAT=32-bit_rle_rgbe" c.hdr'
+check 'several files at once, and a sum may be converted' '
+    ptaccum -last n8.hdr -o m.exr -o m.png > s && ptaccum m.exr -tone falsecolor -max 5000 -decades 3 -o m2.png
+    for f in m.png m2.png; do [ "$(head -c 4 $f | tail -c 3)" = PNG ]; done'
+check 'one dash and two, help on stdout' 'ptaccum -help | grep -q -- -every && ptaccum --help > /dev/null && ptaccum --every 2 n8.hdr > s'
+check_error 'an unknown option' 1 '^ptaccum: -foo: ' 'ptaccum -foo'
+check_error 'an interval that is no number' 1 '^ptaccum: -every: "often" is not an integer' 'ptaccum -every often n8.hdr'
