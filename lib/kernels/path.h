@@ -205,7 +205,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     if (!pass) {
         // ---- light from active sources
         if (wanted && par->source_count > 0u) {
-            uint i;
+            uint i = 0u;
             float inv_p = choose_source(s, par, g.p, &rnd, &i);
             float2 x = sample2(&rnd);
             if (inv_p > 0.0f) {

@@ -98,8 +98,8 @@ struct Builder {
             const uint32_t at = uint32_t(out.polygon_uv.size() / 2);
             for (const Vec3& p : v) {
                 const Vec3 q = p - out.centre;
-                out.polygon_uv.push_back(float(q[(drop + 1) % 3]));
-                out.polygon_uv.push_back(float(q[(drop + 2) % 3]));
+                out.polygon_uv.push_back(float(q[drop == 0 ? 1 : 0]));
+                out.polygon_uv.push_back(float(q[drop == 2 ? 1 : 2]));
             }
             const uint32_t shape = add_shape(SHAPE_POLYGON, {normal.x, normal.y, normal.z, offset});
             out.shapes[16 * shape + 5] = from_bits(uint32_t(drop));

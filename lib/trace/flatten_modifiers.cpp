@@ -11,7 +11,6 @@ namespace {
 using namespace kernels;
 using scene::Type;
 
-bool is_mixture(Type t) { return t == Type::mixfunc || t == Type::mixdata || t == Type::mixpict || t == Type::mixtext; }
 bool is_texture(Type t) { return t == Type::texfunc || t == Type::texdata; }
 bool is_emitter(Type t) { return t == Type::light || t == Type::glow || t == Type::spotlight || t == Type::illum; }
 
