@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "comfort/columns.h"
+#include <algorithm>
+#include "base/error.h"
+
+namespace comfort {
+namespace {
+
+using M = const Measurement&;
+enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, task = 8, mask = 16 };
+
+struct Entry {
+    const char* name;
+    unsigned wants;
+    double (*value)(M);
+};
+
+double omega_sources(M m) {
+    double sum = 0;
+    for (const Source& s : m.sources) sum += s.omega;
+    return sum;
+}
+double lum_sources(M m) {
+    double flux = 0;
+    for (const Source& s : m.sources) flux += s.lum * s.omega;
+    return m.sources.empty() ? 0 : flux / omega_sources(m);
+}
+
+const Entry entries[] = {
+    {"Ev", nothing, [](M m) { return m.ev; }},
+    {"DGP", sources, [](M m) { return m.dgp; }},
+    {"DGI", sources, [](M m) { return dgi(m.glare, m.background); }},
+    {"UGR", sources, [](M m) { return ugr(m.glare, m.background); }},
+    {"VCP", sources, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }},
+    {"CGI", sources, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }},
+    {"UGP", sources, [](M m) { return ugp(m.glare, m.background); }},
+    {"UGP2", sources, [](M m) { return ugp2(m.glare, m.background); }},
+    {"DGImod", sources, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }},
+    {"UGRexp", sources, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }},
+    {"DGR", sources, [](M m) { return dgr(m.glare, m.mean_lum); }},
+    {"PGSV", sources | mask, [](M m) { return m.pgsv.value; }},
+    {"PGSVcon", sources | mask, [](M m) { return m.pgsv.contrast; }},
+    {"PGSVsat", sources | mask, [](M m) { return m.pgsv.saturation; }},
+    {"Lveil", sources, [](M m) { return veil_poynter(m.glare, 0); }},
+    {"LveilCIE", sources, [](M m) { return veil_cie(m.glare); }},
+    {"Lavg", nothing, [](M m) { return m.mean_lum; }},
+    {"Lmax", nothing, [](M m) { return m.max_lum; }},
+    {"Lmed", medians, [](M m) { return m.median; }},
+    {"LavgPos", medians, [](M m) { return m.mean_pos; }},
+    {"LavgPos2", medians, [](M m) { return m.mean_pos2; }},
+    {"LmedPos", medians, [](M m) { return m.median_pos; }},
+    {"LmedPos2", medians, [](M m) { return m.median_pos2; }},
+    {"Lb", sources, [](M m) { return m.background; }},
+    {"Lt", sources, [](M m) { return m.task_lum; }},
+    {"threshold", sources, [](M m) { return m.threshold; }},
+    {"Edir", sources, [](M m) { return m.direct_lux; }},
+    {"n_sources", sources, [](M m) { return double(m.sources.size()); }},
+    {"omega_sources", sources, omega_sources},
+    {"L_sources", sources, lum_sources},
+    {"RAMMG", rammg, [](M m) { return m.rammg; }},
+    {"omega", nothing, [](M m) { return m.omega; }},
+    {"pixels", nothing, [](M m) { return double(m.valid_pixels); }},
+    {"not_finite", nothing, [](M m) { return double(m.not_finite); }},
+    {"negative", nothing, [](M m) { return double(m.negative); }},
+};
+
+struct PartEntry { const char* name; double AreaValues::*value; };
+const PartEntry parts[] = {{"TAL", &AreaValues::tal}, {"mean", &AreaValues::mean}, {"median", &AreaValues::median},
+                           {"min", &AreaValues::lowest}, {"max", &AreaValues::highest}, {"share", &AreaValues::share}};
+
+struct SetEntry { const char* name; double AreaStatistics::*value; };
+const SetEntry set_parts[] = {{"omega", &AreaStatistics::omega}, {"mean", &AreaStatistics::mean}, {"median", &AreaStatistics::median},
+                              {"std", &AreaStatistics::deviation}, {"p75", &AreaStatistics::p75}, {"p95", &AreaStatistics::p95},
+                              {"min", &AreaStatistics::lowest}, {"max", &AreaStatistics::highest}, {"Ev", &AreaStatistics::eye_lux}};
+
+class Chooser {
+public:
+    Chooser(const ColumnChoice& choice, const Settings& settings, Needs& needs) : choice_(choice), settings_(settings), needs_(needs) {
+        needs_ = {false, false, false, false, false};
+    }
+    std::vector<Column> all() {
+        std::vector<std::string> names = choice_.names;
+        if (names.empty()) {
+            names = {"Ev", "DGP"};
+            if (!choice_.regions.empty()) names.push_back("TAL");
+            if (!choice_.pairs.empty()) names.push_back("CR");
+            names.push_back("RAMMG");
+            if (settings_.mask_file) names.insert(names.end(), {"mask", "PGSV"});
+            if (settings_.zones) names.push_back("zone1");
+            if (settings_.zones && settings_.zones->outer_opening) names.push_back("zone2");
+            if (settings_.band_rad) names.push_back("band");
+        }
+        for (const std::string& name : names)
+            if (!plain(name) && !contrast(name) && !region(name) && !pixel_set(name)) refuse(name);
+        return std::move(columns_);
+    }
+
+private:
+    bool plain(const std::string& name) {
+        for (const Entry& e : entries)
+            if (name == e.name) {
+                if (e.wants & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
+                needs_.sources |= (e.wants & sources) != 0;
+                needs_.rammg |= (e.wants & rammg) != 0;
+                needs_.medians |= (e.wants & medians) != 0;
+                if (name == "Lveil") {
+                    const double cut = settings_.veil_cut;
+                    columns_.push_back({name, [cut](M m) { return veil_poynter(m.glare, cut); }});
+                } else {
+                    columns_.push_back({name, e.value});
+                }
+                return true;
+            }
+        return false;
+    }
+    bool contrast(const std::string& name) {
+        bool found = false;
+        for (const ContrastPair& p : choice_.pairs) {
+            if (name != "CR" && name != p.column + ".CR") continue;
+            const size_t low = region_index(p.low), high = region_index(p.high);
+            const bool inverse = choice_.high_over_low;
+            columns_.push_back({p.column + ".CR", [low, high, inverse](M m) {
+                                    return inverse ? m.areas[high].tal / m.areas[low].tal : m.areas[low].tal / m.areas[high].tal;
+                                }});
+            found = true;
+        }
+        if (name == "CR" && !found) base::fail("-metrics", "CR needs a contrast pair (-cr low/high)");
+        return found;
+    }
+    bool region(const std::string& name) {
+        bool found = false;
+        for (const PartEntry& part : parts)
+            for (size_t k = 0; k < choice_.regions.size(); ++k) {
+                const std::string full = choice_.regions[k] + "." + part.name;
+                if (name != part.name && name != full) continue;
+                needs_.regions_in_full |= part.value != &AreaValues::tal;
+                const auto value = part.value;
+                columns_.push_back({full, [k, value](M m) { return m.areas[k].*value; }});
+                found = true;
+            }
+        for (const PartEntry& part : parts)
+            if (name == part.name && !found) base::fail("-metrics", name + " needs regions (-regions file.exr)");
+        return found;
+    }
+    bool pixel_set(const std::string& name) {
+        bool found = false;
+        const auto offer = [&](const char* set, bool there, std::optional<AreaStatistics> Measurement::*member) {
+            for (const SetEntry& part : set_parts) {
+                const std::string full = std::string(set) + "." + part.name;
+                if (name != set && name != full) continue;
+                if (!there) base::fail("-metrics", name + " needs -B, -A, -l or -L");
+                const auto value = part.value;
+                columns_.push_back({full, [member, value](M m) { return (*(m.*member)).*value; }});
+                needs_.sources = true;
+                found = true;
+            }
+        };
+        offer("band", settings_.band_rad.has_value(), &Measurement::band);
+        offer("mask", settings_.mask_file.has_value(), &Measurement::mask);
+        offer("zone1", settings_.zones.has_value(), &Measurement::zone1);
+        offer("zone2", settings_.zones && settings_.zones->outer_opening, &Measurement::zone2);
+        return found;
+    }
+    [[noreturn]] void refuse(const std::string& name) {
+        std::string regions;
+        for (const std::string& r : choice_.regions) regions += (regions.empty() ? "; regions: " : " ") + r;
+        base::fail("-metrics", "there is no metric \"" + name + "\"; there are " + column_names() + regions);
+    }
+    size_t region_index(const std::string& name) const {
+        return size_t(std::find(choice_.regions.begin(), choice_.regions.end(), name) - choice_.regions.begin());
+    }
+
+    const ColumnChoice& choice_;
+    const Settings& settings_;
+    Needs& needs_;
+    std::vector<Column> columns_;
+};
+
+}  // namespace
+
+std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Needs& needs) {
+    return Chooser(choice, settings, needs).all();
+}
+
+std::string column_names() {
+    std::string out;
+    for (const Entry& e : entries) out += std::string(e.name) + " ";
+    return out + "CR TAL mean median min max share (of regions) band mask zone1 zone2";
+}
+
+ContrastPair parse_pair(const std::string& text, const std::vector<std::string>& regions) {
+    const size_t equals = text.find('=');
+    const std::string pair = equals == std::string::npos ? text : text.substr(equals + 1);
+    const size_t slash = pair.find('/');
+    if (slash == std::string::npos || slash == 0 || slash + 1 == pair.size() || equals == 0)
+        base::fail("-cr", "\"" + text + "\" is no contrast pair; write low/high or name=low/high");
+    const ContrastPair out{pair.substr(0, slash), pair.substr(slash + 1), equals == std::string::npos ? pair : text.substr(0, equals)};
+    for (const std::string& name : {out.low, out.high})
+        if (std::find(regions.begin(), regions.end(), name) == regions.end())
+            base::fail("-cr", "there is no region \"" + name + "\"" + (regions.empty() ? "; name a file with -regions" : ""));
+    return out;
+}
+
+}  // namespace comfort

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The columns vcmetrics can print, by name, and what each one needs to be worked out.
+// To add a metric: 1. a line in the table of columns.cpp; 2. if it costs time, a field in Needs (settings.h) and its
+// computation in measure.cpp; 3. its equation in man/vcmetrics.1.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+#include "comfort/measure.h"
+
+namespace comfort {
+
+struct Column {
+    std::string name;
+    std::function<double(const Measurement&)> value;
+};
+
+struct ColumnChoice {
+    std::vector<std::string> names;              // of -metrics, empty: the default set
+    std::vector<std::string> regions;            // in file order
+    std::vector<ContrastPair> pairs;
+    bool high_over_low = false;                  // the prototype's contrast ratio
+};
+
+// Names without a region (TAL, mean, median, min, max, share) stand for all regions, CR for all pairs.
+// Throws Error on a name that is none, with the names there are.
+std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Needs& needs);
+
+// "Ev DGP DGI ...": for the help text.
+std::string column_names();
+
+// Contrast pairs as typed, "low/high" or "screen=low/high"; both must be regions.
+ContrastPair parse_pair(const std::string& text, const std::vector<std::string>& regions);
+
+}  // namespace comfort

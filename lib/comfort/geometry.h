@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What depends on view and size only, worked out once and kept for all pictures of a stream:
+// directions, solid angles, and which pixels count.
+// A pixel is valid if its centre has a direction, its solid angle (great-circle quadrilateral through the four
+// corners) is above 0 and, for type a, it is not behind the eye.  Types c and s that look behind keep those pixels
+// with cosine 0 (evalglare: negative cosines).
+#pragma once
+#include <vector>
+#include "view/view.h"
+
+namespace comfort {
+using base::Vec3;
+
+struct Span { int begin, end; };  // columns begin .. end-1
+
+class Geometry {
+public:
+    // mirrored: solid angle of the pixel in the opposite row, as evalglare has it (differs if vl is not 0).
+    Geometry(const view::View& view, int width, int height, bool mirrored = false);
+
+    int width, height;
+    view::Projector projector;
+    std::vector<double> omega;      // sr, row 0 = top; negative or 0: the pixel does not count (its size is |omega|)
+    std::vector<double> omega_cos;  // omega * cos(angle from the view direction); 0 where the pixel does not count
+    std::vector<Span> spans;        // runs of valid pixels, row after row from the top
+    std::vector<size_t> row_spans;  // spans of row r: row_spans[r] .. row_spans[r+1]-1
+    double omega_sum = 0;           // of valid pixels
+    long valid_count = 0;
+
+    bool valid(size_t i) const { return omega[i] > 0; }
+    size_t index(int x, int y) const { return size_t(height - 1 - y) * width + x; }  // y from the bottom
+    int x_of(size_t i) const { return int(i % width); }
+    int y_of(size_t i) const { return height - 1 - int(i / width); }
+    Vec3 direction(int x, int y) const;  // (0,0,0) if none
+    Vec3 direction(size_t i) const { return direction(x_of(i), y_of(i)); }
+    double pitch_bound() const;          // no two valid side-by-side pixels are farther apart (radians; inf for type h)
+    bool fits(const view::View& view, int w, int h) const { return w == width && h == height && view == projector.view(); }
+
+private:
+    void find_spans();
+};
+
+// evalglare's rad-to-degree literal (3.1415927): used wherever its printed degrees are ours.
+constexpr double evalglare_pi = 3.1415927;
+constexpr double evalglare_deg = 180 / evalglare_pi;
+
+}  // namespace comfort

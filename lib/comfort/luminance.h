@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The grey picture that every metric reads: one float a pixel, made in place over the first third of the picture's
+// RGB memory (12 bytes a pixel hold everything), row 0 = top.
+// Grey = kr R + kg G + kb B with evalglare's weights (RADIANCE primaries, equal-energy white), rounded to float;
+// luminance = 179 grey, cd/m2.  Not finite pixels become 0 and are counted; negative ones are counted and kept.
+#pragma once
+#include <cstddef>
+#include "image/picture.h"
+
+namespace comfort {
+
+constexpr double grey_red = 0.26510582010582007, grey_green = 0.67010582010581987, grey_blue = 0.064788359788359784;
+constexpr double cdm2_per_grey = 179 * (grey_red + grey_green + grey_blue);
+
+struct Luminance {
+    int width = 0, height = 0;
+    float* grey = nullptr;              // borrowed from the picture: width * height
+    long not_finite = 0, negative = 0;  // pixels
+    size_t size() const { return size_t(width) * height; }
+    size_t index(int x, int y) const { return size_t(height - 1 - y) * width + x; }  // y from the bottom
+    double at(size_t i) const { return cdm2_per_grey * grey[i]; }
+    double at(int x, int y) const { return at(index(x, y)); }
+};
+
+// The picture's colours are lost; its memory stays in use until the luminance is not needed any more.
+Luminance make_luminance(image::Picture& picture);
+
+// Largest float whose luminance is not above `cdm2`: a pixel is brighter exactly if its grey is greater.
+float grey_limit(double cdm2);
+
+}  // namespace comfort

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "comfort/measure.h"
+#include <algorithm>
+#include <cmath>
+#include "base/error.h"
+#include "comfort/detect.h"
+
+namespace comfort {
+
+Meter::Meter(const Settings& settings, const Needs& needs, std::optional<image::MaskSet> regions)
+    : settings_(settings), needs_(needs), regions_(std::move(regions)) {
+    if (regions_)
+        for (const image::Mask& m : regions_->masks) region_names_.push_back(m.name);
+    if (!settings_.task_region.empty() &&
+        std::find(region_names_.begin(), region_names_.end(), settings_.task_region) == region_names_.end())
+        base::fail("-task", "there is no region \"" + settings_.task_region + "\"");
+}
+
+void Meter::prepare(const view::View& view, const image::Picture& picture, const std::string& place) {
+    if (geometry_ && geometry_->fits(view, picture.width, picture.height)) return;
+    if (view.type == 'l') base::fail(place, "a parallel view (-vtl) has no eye point: glare is not defined for it");
+    try {
+        view::validate(view);
+    } catch (const base::Error& e) {
+        base::fail(place, std::string("the view cannot be used: ") + e.what());
+    }
+    if (regions_ && (regions_->width != picture.width || regions_->height != picture.height))
+        base::fail(place, "the picture has " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+                              " pixels, the regions " + std::to_string(regions_->width) + " x " + std::to_string(regions_->height));
+    finder_.reset();
+    geometry_.reset();
+    geometry_ = std::make_unique<Geometry>(view, picture.width, picture.height, settings_.slips && view.vl != 0);
+    finder_ = std::make_unique<SourceFinder>(*geometry_, settings_);
+    position_index_.clear();
+    mask_.reset();
+    areas_.clear();
+    if (regions_)
+        for (const image::Mask& m : regions_->masks) areas_.emplace_back(m.coverage, *geometry_);
+}
+
+void Meter::photometry(const Luminance& lum, Measurement& m) const {
+    const Geometry& g = *geometry_;
+    double ev = 0, flux = 0;
+    float brightest = 0;
+    for (int r = 0; r < g.height; ++r)
+        for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s) {
+            const size_t first = size_t(r) * g.width, end = first + g.spans[s].end;
+            double e[4] = {}, f[4] = {};
+            float top[4] = {};
+            size_t i = first + g.spans[s].begin;
+            for (; i + 4 <= end; i += 4)
+                for (int k = 0; k < 4; ++k) {
+                    e[k] += lum.grey[i + k] * g.omega_cos[i + k];
+                    f[k] += lum.grey[i + k] * g.omega[i + k];
+                    top[k] = std::max(top[k], lum.grey[i + k]);
+                }
+            for (; i < end; ++i) {
+                e[0] += lum.grey[i] * g.omega_cos[i];
+                f[0] += lum.grey[i] * g.omega[i];
+                top[0] = std::max(top[0], lum.grey[i]);
+            }
+            ev += (e[0] + e[1]) + (e[2] + e[3]);
+            flux += (f[0] + f[1]) + (f[2] + f[3]);
+            brightest = std::max({brightest, top[0], top[1], top[2], top[3]});
+        }
+    m.ev = cdm2_per_grey * ev;
+    m.omega = g.omega_sum;
+    m.mean_lum = cdm2_per_grey * flux / g.omega_sum;
+    m.max_lum = cdm2_per_grey * brightest;
+    m.valid_pixels = g.valid_count;
+}
+
+// Means and medians of L, L/P and L/P^2.  evalglare divides the last mean by the solid angle twice; so do we when
+// its slips are asked for.
+void Meter::position_statistics(const Luminance& lum, Measurement& m) {
+    const Geometry& g = *geometry_;
+    if (position_index_.empty()) {
+        position_index_.resize(g.omega.size());
+        for (size_t i = 0; i < g.omega.size(); ++i)
+            if (g.valid(i)) position_index_[i] = float(position_index(g.projector, g.direction(i), settings_.position));
+    }
+    std::vector<float> values;
+    values.reserve(g.valid_count);
+    double sum1 = 0, sum2 = 0;
+    for (int power = 0; power <= 2; ++power) {
+        values.clear();
+        for (size_t i = 0; i < g.omega.size(); ++i) {
+            if (!g.valid(i)) continue;
+            const double P = position_index_[i], L = lum.at(i);
+            values.push_back(float(power == 0 ? L : power == 1 ? L / P : L / (P * P)));
+            if (power == 1) sum1 += g.omega[i] * L / P;
+            if (power == 2) sum2 += g.omega[i] * L / (P * P);
+        }
+        (power == 0 ? m.median : power == 1 ? m.median_pos : m.median_pos2) = median(values);
+    }
+    m.mean_pos = sum1 / g.omega_sum;
+    m.mean_pos2 = sum2 / g.omega_sum / (settings_.slips ? g.omega_sum : 1);
+}
+
+void Meter::glare(Luminance& lum, Measurement& m) {
+    const Geometry& g = *geometry_;
+    if (settings_.field_cut) cut_field(lum, g, settings_.field_cut, settings_.position);
+    bool has_task = settings_.task || !settings_.task_region.empty();
+    m.task_lum = m.mean_lum;
+    if (settings_.task) m.task_lum = task_luminance(lum, g, *settings_.task);
+    else if (has_task)
+        for (size_t k = 0; k < region_names_.size(); ++k)
+            if (region_names_[k] == settings_.task_region) m.task_lum = areas_[k].tal(lum);
+    if (settings_.fast) m.task_lum = settings_.external_ev.value_or(0) / (2 * evalglare_pi);
+    m.task_lum = float(m.task_lum);
+    m.threshold = source_threshold(settings_, has_task, m.task_lum);
+
+    if (settings_.zones && (settings_.zones->inner.x < 0 || settings_.zones->inner.y < 0 || settings_.zones->inner.x >= g.width ||
+                            settings_.zones->inner.y >= g.height))
+        base::fail("-l", "the zone's centre is outside the picture");
+    m.sources = finder_->find(lum, m.threshold);
+    m.direct_lux = finder_->direct_lux();
+    if (settings_.dgp_form == DgpForm::pixel) {
+        m.glare = finder_->every_pixel(lum, m.threshold);
+    } else {
+        for (const Source& s : m.sources) m.glare.push_back({s.lum, s.omega, s.P, s.sigma_deg, s.eye_lux, s.sigma_deg});
+    }
+    m.any_source = !m.sources.empty();
+    const double direct = settings_.fast == 2 ? settings_.fast_direct : m.direct_lux;
+    const double ev = settings_.fast ? settings_.external_ev.value_or(0) : m.ev;
+    m.background0 = (ev - direct) / evalglare_pi;
+    m.background = m.background0;
+    if (settings_.background == 1) {
+        double flux = 0, omega = 0;
+        for (const Source& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
+        m.background = m.omega - omega == 0 ? m.mean_lum : (m.omega * m.mean_lum - flux) / (m.omega - omega);
+    } else if (settings_.background == 2) {
+        m.background = ev / evalglare_pi;
+    }
+    m.eye_lux_used = settings_.external_ev.value_or(ev);
+    m.dgp_computed = dgp(m.glare, ev, settings_.constants);
+    m.dgp = dgp(m.glare, m.eye_lux_used, settings_.constants) * (settings_.low_light ? low_light_factor(m.eye_lux_used) : 1);
+
+    if (settings_.band_rad) m.band = statistics_of(band_pixels(g, *settings_.band_rad), lum, g);
+    if (settings_.mask_file) {
+        if (!mask_) mask_ = mask_pixels(*settings_.mask_file, g.width, g.height);
+        m.mask = statistics_of(*mask_, lum, g);
+        m.pgsv = pgsv(*m.mask, m.mean_lum, m.ev, has_task, m.task_lum);
+    }
+    if (settings_.zones) {
+        m.zone1 = statistics_of(zone_pixels(g, *settings_.zones, 1), lum, g);
+        if (settings_.zones->outer_opening) m.zone2 = statistics_of(zone_pixels(g, *settings_.zones, 2), lum, g);
+    }
+}
+
+Measurement Meter::measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view) {
+    if (!view && !picture.header.view)
+        base::fail(place, "the header has no view; give one with -vf file or with -vt, -vh and -vv");
+    prepare(view ? *view : *picture.header.view, picture, place);
+    const Geometry& g = *geometry_;
+    Luminance lum = make_luminance(picture);
+    Measurement m;
+    m.not_finite = lum.not_finite;
+    m.negative = lum.negative;
+    if (lum.not_finite) base::warn(place, std::to_string(lum.not_finite) + " pixels are not finite and count as black");
+    if (lum.negative) base::warn(place, std::to_string(lum.negative) + " pixels are negative");
+    if (g.projector.view().type == 'v') {
+        m.black_corners = black_corner_percent(lum);
+        if (*m.black_corners > 70 && !settings_.force)
+            base::fail(place, "the view is perspective (-vtv) but " + std::to_string(int(*m.black_corners)) +
+                                  " % of the corners are black, as in a fisheye picture; correct the view with -vt, or insist with -f");
+    }
+    if (settings_.fill) fill_rows(lum, g, *settings_.fill);
+    photometry(lum, m);
+    for (const Area& a : areas_) {
+        m.areas.emplace_back();
+        if (needs_.regions_in_full) m.areas.back() = a.measure(lum); else m.areas.back().tal = a.tal(lum);
+    }
+    if (needs_.rammg) m.rammg = rammg(lum, g, settings_.rammg_area);
+    if (needs_.medians) position_statistics(lum, m);
+    if (needs_.sources) glare(lum, m);
+    return m;
+}
+
+}  // namespace comfort

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From bright pixels to glare sources, in evalglare's order: connect, smooth (-s), extract peaks (-y),
+// split at zones (-l, -L); or fixed patches (-z) in place of connecting.  One Source per group that kept pixels.
+#pragma once
+#include <memory>
+#include <vector>
+#include "comfort/connect.h"
+#include "comfort/settings.h"
+
+namespace comfort {
+
+struct Source {
+    double pixels = 0, omega = 0, lum = 0;   // omega-weighted mean luminance
+    double x = 0, y = 0;                     // mean of the pixels weighted by L w; y from the bottom
+    double brightest = 0;
+    double eye_lux = 0;                      // its share of the direct illuminance: sum L w cos
+    int zone = 0;
+    uint32_t group = 0;                      // evalglare's number, from 1
+    double P = 1, sigma_deg = 0;
+    Vec3 direction;                          // of the pixel the centre falls into
+};
+
+class SourceFinder {
+public:
+    SourceFinder(const Geometry& geometry, const Settings& settings);
+    std::vector<Source> find(const Luminance& lum, double threshold);
+    const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
+    double direct_lux() const { return direct_lux_; }
+    double radius_px() const { return radius_px_; }
+    std::vector<GlareSource> every_pixel(const Luminance& lum, double threshold) const;  // DgpForm::pixel
+
+private:
+    void smooth(const Luminance& lum);
+    void extract_peaks(const Luminance& lum);
+    void split_zones(const Luminance& lum);
+    std::vector<Source> sums(const Luminance& lum) const;
+
+    const Geometry& geometry_;
+    const Settings& settings_;
+    double radius_px_;
+    Connector connector_;
+    std::vector<Run> runs_, extra_;          // extra: pixels that smoothing counts in a second group
+    std::vector<int> zone_of_group_;         // by group number, empty without zones
+    std::vector<double> slipped_eye_lux_;    // by group number, evalglare's after zones; else empty
+    uint32_t groups_ = 0;                    // highest number in use
+    double direct_lux_ = 0;
+};
+
+// -z: group of every pixel on evalglare's staggered grid of patches.
+void assign_patches(std::vector<Run>& runs, const Geometry& geometry, const Patches& patches);
+
+}  // namespace comfort

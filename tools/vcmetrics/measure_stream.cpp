@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measure_stream.h"
+#include <chrono>
+#include "base/error.h"
+#include "base/run.h"
+#include "comfort/columns.h"
+#include "comfort/until.h"
+#include "image/stream.h"
+
+namespace {
+using namespace comfort;
+
+void print(const std::string& text) {
+    base::write_stdout(text.data(), text.size());
+    base::flush_stdout();
+}
+
+void require_measurable(const image::Picture& p, const std::string& place) {
+    image::require_complete(p, place);
+    if (p.header.tabbed_exposure)
+        base::fail(place, "an EXPOSURE= line of the header holds a tab, as pcomb and pcompos leave it: the pixels' scale is unknown "
+                          "(remove the line, or divide the exposure out with pfilt -1 or ra_xyze -r -u)");
+}
+
+// What one run prints: a table of metrics, a table of sources, or evalglare's lines.
+class Printer {
+public:
+    Printer(const Options& o, bool from_files) : o_(o), start_(std::chrono::steady_clock::now()), from_files_(from_files) {
+        if (!o.regions_file.empty()) regions_ = image::read_masks(o.regions_file);
+        ColumnChoice choice;
+        choice.names = o.metrics;
+        choice.high_over_low = o.like == Like::accelerad;
+        if (regions_)
+            for (const image::Mask& m : regions_->masks) choice.regions.push_back(m.name);
+        for (const std::string& p : o.contrast_pairs) choice.pairs.push_back(parse_pair(p, choice.regions));
+        Needs needs;
+        columns_ = choose_columns(choice, o.settings, needs);
+        if (!o.until.empty()) {
+            rule_.emplace(parse_tolerances(o.until), o.window);
+            for (const Tolerance& t : rule_->tolerances()) {
+                size_t k = 0;
+                while (k < columns_.size() && columns_[k].name != t.metric) ++k;
+                if (k == columns_.size()) base::fail("-until", "there is no column \"" + t.metric + "\" in this run");
+                rule_columns_.push_back(k);
+            }
+        }
+        if (o.like == Like::evalglare) needs = {true, false, o.evalglare.detailed || o.settings.mask_file, false};
+        if (o.list_sources) needs.sources = true;
+        meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_));
+        names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
+        if (o.list_sources)
+            names_.insert(names_.end(), {"source", "pixels", "x", "y", "omega", "L", "P", "sigma", "xdir", "ydir", "zdir", "Edir", "zone", "DGPshare"});
+        else
+            for (const Column& c : columns_) names_.push_back(c.name);
+    }
+
+    // True: the rule of -until holds.
+    bool picture(image::Picture& p, const std::string& place, const std::string& file, long index) {
+        require_measurable(p, place);
+        const int64_t frame = p.header.frames.value_or(p.header.frame.value_or(index));
+        const bool first_frame = p.header.frames ? *p.header.frames == 0 : p.header.frame && *p.header.frame == 0;
+        const Measurement m = meter_->measure(p, place, o_.view);
+        if (o_.like == Like::evalglare) {
+            print(evalglare_lines(m, o_.settings, o_.evalglare, *meter_));
+            return false;
+        }
+        std::vector<Cell> cells;
+        if (from_files_) {
+            cells.push_back(text_cell(file));
+        } else {
+            const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+            cells = {number_cell(double(frame), 15), number_cell(std::round(seconds * 1000) / 1000, 9)};
+        }
+        if (!header_printed_) print(header_line(names_, o_.format));
+        header_printed_ = true;
+        if (o_.list_sources) {
+            list_sources(m, cells);
+            return false;
+        }
+        std::vector<double> values;
+        for (const Column& c : columns_) {
+            values.push_back(c.value(m));
+            cells.push_back(number_cell(values.back()));
+        }
+        print(table_line(names_, cells, o_.format));
+        return rule_ && settled(values, first_frame);
+    }
+    bool has_rule() const { return rule_.has_value(); }
+
+private:
+    bool settled(const std::vector<double>& values, bool first_frame) {
+        if (first_frame) {
+            rule_->restart();
+            return false;
+        }
+        std::vector<double> watched;
+        for (size_t k : rule_columns_) watched.push_back(values[k]);
+        rule_->add(watched);
+        return rule_->holds();
+    }
+    void list_sources(const Measurement& m, const std::vector<Cell>& start) {
+        double sum = 0;
+        for (const Source& s : m.sources) sum += dgp_term({s.lum, s.omega, s.P, 0, 0, 0}, o_.settings.constants);
+        std::string text;
+        for (size_t k = 0; k < m.sources.size(); ++k) {
+            const Source& s = m.sources[k];
+            std::vector<Cell> cells = start;
+            const double share = dgp_term({s.lum, s.omega, s.P, 0, 0, 0}, o_.settings.constants) / sum;
+            for (double v : {double(k + 1), s.pixels, s.x, s.y, s.omega, s.lum, s.P, s.sigma_deg, s.direction.x, s.direction.y, s.direction.z,
+                             s.eye_lux, double(s.zone), share})
+                cells.push_back(number_cell(v));
+            text += table_line(names_, cells, o_.format);
+        }
+        print(text);
+    }
+
+    const Options& o_;
+    std::chrono::steady_clock::time_point start_;
+    bool from_files_, header_printed_ = false;
+    std::optional<image::MaskSet> regions_;
+    std::unique_ptr<Meter> meter_;
+    std::vector<Column> columns_;
+    std::vector<std::string> names_;
+    std::optional<StoppingRule> rule_;
+    std::vector<size_t> rule_columns_;
+};
+
+}  // namespace
+
+int measure_all(const Options& o) {
+    const bool from_files = !o.files.empty();
+    Printer printer(o, from_files);
+    image::Picture picture;
+    for (const std::string& file : from_files ? o.files : std::vector<std::string>{"-"}) {
+        image::StreamReader reader(file);
+        for (long index = 0; reader.next(picture); ++index) {
+            const std::string place = (file == "-" ? "stdin" : file) + (index ? ": picture " + std::to_string(index + 1) : "");
+            if (printer.picture(picture, place, file, index)) return 0;
+        }
+    }
+    if (o.like == Like::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
+    return printer.has_rule() ? 4 : 0;
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vcmetrics' command line.  One-letter options are evalglare's, with its meanings; ours are words.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+#include "comfort/evalglare_format.h"
+#include "comfort/settings.h"
+#include "comfort/table.h"
+#include "view/view.h"
+
+enum class Like { vcmetrics, evalglare, accelerad };
+
+struct Options {
+    comfort::Settings settings;
+    std::vector<std::string> files;              // empty: stdin
+    std::string regions_file;
+    std::vector<std::string> contrast_pairs;
+    std::vector<std::string> metrics;            // empty: the default columns
+    bool list_sources = false;
+    comfort::TableFormat format = comfort::TableFormat::tsv;
+    Like like = Like::vcmetrics;
+    comfort::EvalglareOutput evalglare;
+    std::string until;
+    int window = 10;
+    std::optional<view::View> view;              // replaces the header's
+};
+
+// A status: help, version or defaults were printed, main() ends with it.
+std::optional<int> parse_options(int argc, char** argv, Options& options);
