@@ -7,4 +7,4 @@ size=${SIZE:-512} frames=${FRAMES:-32}
 
 ptrace -vf view.vf -x $size -y $size -frames $frames materials.rad layout.rad sky_1400.rad |
     ptaccum -last -o office.hdr > /dev/null
-ptaccum office.hdr -o office.png -tone photoreal
+ptaccum office.hdr -o office.png -tone photo

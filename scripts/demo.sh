@@ -23,7 +23,7 @@ settled=$(date +%s)
 
 # The same picture for other programs (.hdr) and for people (.png).
 ptaccum "$out/office.exr" -o "$out/office.hdr"
-ptaccum "$out/office.exr" -o "$out/office.png" -tone photoreal
+ptaccum "$out/office.exr" -o "$out/office.png" -tone photo
 ptaccum "$out/office.exr" -o "$out/falsecolor.png" -tone falsecolor
 
 # Metrics against frames, each relative to its last value.
