@@ -22,6 +22,7 @@ uint32_t Builder::file(const std::string& name) {
 }
 
 int32_t Builder::modifier(const Primitive& p) {
+    if (p.modifier_object != Primitive::by_name) return p.modifier_object;
     if (p.modifier == "void") return VOID;
     if (p.modifier == last_name_) return last_modifier_;
     const auto found = scene_.definitions.find(p.modifier);
@@ -42,16 +43,13 @@ void Builder::check_memory(const Primitive& p) {
         base::fail(place(p), "the scene has more primitives or strings than 32-bit indices reach");
 }
 
-void Builder::add(Primitive& p) {
+int32_t Builder::add(Primitive& p) {
     Scene& s = scene_;
     const size_t index = s.objects.size();
     if ((index & 1023) == 0 || p.reals.size() + p.strings.size() > 1024) check_memory(p);
     Object o;
-    if (p.type == Type::alias && p.modifier == "inherit") {
-        o.modifier = VOID;  // below, from the target
-    } else {
-        o.modifier = modifier(p);
-    }
+    const bool inherits = p.type == Type::alias && (p.modifier == "inherit" || p.strings.empty());
+    if (!inherits || p.modifier_object != Primitive::by_name) o.modifier = modifier(p);
     if (is_surface(p.type)) {
         std::string fact;
         if (!normalize_surface(p, place(p), fact)) {
@@ -62,14 +60,19 @@ void Builder::add(Primitive& p) {
             if (material == Type::light || material == Type::illum || material == Type::spotlight)
                 base::fail(place(p), "light source \"" + printable(p.name) + "\": " + fact);
             base::warn(place(p), fact + ", left out");
-            return;
+            return VOID;
         }
     } else if (p.type == Type::alias) {
-        const auto found = s.definitions.find(p.strings[0]);
-        if (found == s.definitions.end())
-            base::fail(place(p), "alias \"" + printable(p.name) + "\" refers to \"" + printable(p.strings[0]) + "\", which is not defined");
-        o.alias_of = found->second.back();
-        if (p.modifier == "inherit") o.modifier = s.objects[o.alias_of].modifier;
+        if (p.strings.empty()) {          // in frozen octrees: the modifier itself is what it stands for
+            o.alias_of = o.modifier;
+            if (o.alias_of == VOID) base::fail(place(p), "alias \"" + printable(p.name) + "\" refers to nothing");
+        } else {
+            const auto found = s.definitions.find(p.strings[0]);
+            if (found == s.definitions.end())
+                base::fail(place(p), "alias \"" + printable(p.name) + "\" refers to \"" + printable(p.strings[0]) + "\", which is not defined");
+            o.alias_of = found->second.back();
+        }
+        if (inherits) o.modifier = s.objects[o.alias_of].modifier;
     }
     o.type = p.type;
     o.file = p.file;
@@ -96,6 +99,7 @@ void Builder::add(Primitive& p) {
         extra_ += 120 + p.name.size();
         last_name_.clear();
     }
+    return static_cast<int32_t>(index);
 }
 
 }  // namespace scene

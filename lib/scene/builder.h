@@ -9,8 +9,9 @@ namespace scene {
 class Builder {
 public:
     Builder(Scene& scene, const Limits& limits);
-    void add(Primitive& p);                        // p may be changed
+    int32_t add(Primitive& p);                     // p may be changed; index of the object, VOID if it was left out
     uint32_t file(const std::string& name);        // index into scene.files
+    Type type(int32_t object) const { return scene_.objects[object].type; }
     std::string place(const Primitive& p) const { return scene_.files[p.file] + ":" + std::to_string(p.line); }
 
 private:

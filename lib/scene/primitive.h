@@ -13,6 +13,8 @@ struct Primitive {
     std::vector<std::string> strings;   // of an alias: the reference
     std::vector<double> reals;
     uint32_t file = 0, line = 0;
+    static constexpr int32_t by_name = -2;
+    int32_t modifier_object = by_name;  // binary files name modifiers by index: an object of the scene, or VOID
 };
 
 }  // namespace scene

@@ -9,6 +9,7 @@
 #include "base/number.h"
 #include "scene/builder.h"
 #include "scene/generators.h"
+#include "scene/octree.h"
 #include "scene/shell_words.h"
 #include "scene/source.h"
 #include "scene/transform.h"
@@ -28,6 +29,8 @@ public:
 
 private:
     void statements(Source& in);
+    void octree(Source& in);
+    void mesh(const Source& in, const std::string& path);
     void primitive(Source& in);
     void command(Source& in);
     void run(const CommandLine& line, const std::string& text, size_t stage, const Source& from);
@@ -45,7 +48,13 @@ private:
     std::vector<const Transform*> transforms_;          // innermost last
     std::vector<std::pair<uint64_t, uint64_t>> open_;   // device and inode of the files being read
     int depth_ = 0;
+    uint64_t primitives_ = 0;
 };
+
+bool is_mesh(Source& in) {
+    const std::string& name = in.name();
+    return in.header_format() == "Radiance_tmesh" || (name.size() > 4 && name.compare(name.size() - 4, 4, ".obj") == 0);
+}
 
 struct Deeper {
     Deeper(int& depth, int limit, const std::string& place) : depth_(depth) {
@@ -63,6 +72,16 @@ void Reader::read_file(const std::string& path, const std::string& asked_by) {
         for (const auto& other : open_)
             if (other == id) base::fail(asked_by, "\"" + printable(path) + "\" includes itself");
         open_.push_back(id);
+    }
+    if (in.header_format() == "Radiance_octree") {
+        octree(in);
+        if (in.inode) open_.pop_back();
+        return;
+    }
+    if (is_mesh(in)) {
+        mesh(in, path);
+        if (in.inode) open_.pop_back();
+        return;
     }
     in.skip_space();
     if (in.peek() < 0) base::warn(in.name(), "an empty scene file");
@@ -85,6 +104,44 @@ void Reader::statements(Source& in) {
             primitive(in);
         }
     }
+}
+
+// An unfrozen octree is a list of scene files; a frozen one holds the primitives.
+void Reader::octree(Source& in) {
+    const Deeper deeper(depth_, limits_.depth, in.name());
+    Binary b(in);
+    const Octree head = read_octree(b);
+    if (head.files.empty()) {
+        read_objects(b, head.index_size, head.objects, builder_);
+        return;
+    }
+    const uint64_t before = primitives_;
+    const Source here = Source::from_text("", in.name(), 1);
+    for (const std::string& file : head.files) {
+        if (file[0] == '!') {
+            Source text = Source::from_text(file, in.name(), 1);
+            statements(text);
+        } else {
+            read_included(file, here);
+        }
+    }
+    if (primitives_ - before != static_cast<uint64_t>(head.objects))
+        base::warn(in.name(), "the octree is older than its scene files; the files are what is used");
+}
+
+// A mesh file by itself is a mesh with the materials it names.
+void Reader::mesh(const Source& in, const std::string& path) {
+    Primitive& p = primitive_;
+    p.type = Type::mesh;
+    p.modifier = "void";
+    const size_t slash = path.rfind('/') + 1;
+    p.name = path.substr(slash, path.rfind('.') - slash);
+    p.strings = {path[0] == '/' || path[0] == '.' ? path : "./" + path};   // not along RAYPATH
+    p.reals.clear();
+    p.file = builder_.file(in.name());
+    p.line = 1;
+    for (size_t i = transforms_.size(); i-- > 0;) apply(*transforms_[i], p);
+    builder_.add(p);
 }
 
 long long Reader::count(Source& in, const char* what) {
@@ -136,6 +193,7 @@ void Reader::primitive(Source& in) {
         base::fail(builder_.place(p), "a modifier cannot be named \"" + p.name + "\"");
     for (size_t i = transforms_.size(); i-- > 0;) apply(*transforms_[i], p);
     builder_.add(p);
+    primitives_++;
 }
 
 void Reader::command(Source& in) {

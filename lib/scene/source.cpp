@@ -54,16 +54,54 @@ Source::~Source() {
     if (close_ && fd_ >= 0) ::close(fd_);
 }
 
+// Fills the whole buffer if it can (pipes give less at a time), so that a header lies in the first one.
 bool Source::refill() {
     if (fd_ < 0) return false;
     buffer_.resize(1 << 16);
-    ssize_t n;
-    do n = read(fd_, buffer_.data(), buffer_.size());
-    while (n < 0 && errno == EINTR);
-    if (n < 0) base::fail_system(name_, "read error");
+    size_t have = 0;
+    while (have < buffer_.size()) {
+        const ssize_t n = read(fd_, buffer_.data() + have, buffer_.size() - have);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) base::fail_system(name_, "read error");
+        if (n == 0) break;
+        have += static_cast<size_t>(n);
+    }
     at_ = buffer_.data();
-    end_ = at_ + n;
-    return n > 0;
+    end_ = at_ + have;
+    return have > 0;
+}
+
+std::string Source::header_format() {
+    peek();
+    const std::string_view text(at_, static_cast<size_t>(end_ - at_));
+    if (text.substr(0, 2) != "#?") return "";
+    std::string format;
+    for (size_t i = 0; i < text.size();) {
+        const size_t end = text.find('\n', i);
+        if (end == std::string_view::npos) return "";
+        std::string_view line = text.substr(i, end - i);
+        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        if (line.empty()) return format;
+        if (line.substr(0, 7) == "FORMAT=") {
+            line.remove_prefix(7);
+            while (!line.empty() && line.back() == ' ') line.remove_suffix(1);
+            while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
+            format = line;
+        }
+        i = end + 1;
+    }
+    return "";
+}
+
+bool Source::line(std::string& text, size_t longest) {
+    text.clear();
+    if (peek() < 0) return false;
+    int c;
+    while ((c = get()) >= 0 && c != '\n') {
+        text += static_cast<char>(c);
+        if (text.size() > longest) base::fail(place(), "the line is longer than " + std::to_string(longest) + " characters");
+    }
+    return true;
 }
 
 std::string Source::place() const { return name_ + ":" + std::to_string(line_); }

@@ -27,6 +27,9 @@ public:
     void skip_line();
     // The next word into `word` (valid until the next call); false at the end of the text.
     bool word(std::string_view& word);
+    bool line(std::string& text, size_t longest);   // up to the newline; false at the end; longer: Error
+    // FORMAT= of a "#?" header that stands at the beginning; "" if there is none.  Nothing is consumed.
+    std::string header_format();
     std::string rest_of_line();   // "\<newline>" goes on, both bytes kept; the newline is consumed
 
     const std::string& name() const { return name_; }
