@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Triangle meshes: RADIANCE's compiled ones (.rtm, with materials inside) and Wavefront .obj with usemtl, whose materials
+// are names in the scene that uses the mesh.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+#include "base/vec.h"
+#include "scene/object.h"
+
+namespace scene {
+
+struct Mesh {
+    struct Normal { float x, y, z; };          // unit; 0 0 0 = none
+    struct Uv { float u, v; };                 // 0 0 where there are none
+    struct Triangle {
+        uint32_t v[3];                         // right-handed: the front is where they run counter-clockwise
+        int32_t material;                      // see below; VOID = none
+    };
+    std::string path;
+    std::vector<base::Vec3> positions;
+    std::vector<Normal> normals;               // empty, or one per position
+    std::vector<Uv> uvs;                       // empty, or one per position
+    std::vector<Triangle> triangles;
+    Scene materials;                           // .rtm: Triangle::material is an index into its objects
+    std::vector<std::string> material_names;   // .obj: Triangle::material is an index into these (lookup_modifier() in the
+                                               // scene of the mesh primitive); empty for .rtm
+};
+
+// By content (.rtm) or ending (.obj).  Throws Error; sizes are checked against what the file holds.
+Mesh read_mesh(const std::string& path, const Limits& limits = {});
+
+}  // namespace scene
