@@ -56,8 +56,10 @@ void grow(Box& box, const float p[3]) {
 }
 
 void pad(Box& box, float least) {
+    float size = 0;  // of the largest coordinate: the distance to a large flat face rounds like its extent
+    for (int a = 0; a < 3; a++) size = std::max({size, std::fabs(box.lo[a]), std::fabs(box.hi[a])});
+    const float d = size * 2.4e-7f + least;
     for (int a = 0; a < 3; a++) {
-        const float d = std::max(std::fabs(box.lo[a]), std::fabs(box.hi[a])) * 2.4e-7f + least;
         box.lo[a] -= d;
         box.hi[a] += d;
     }

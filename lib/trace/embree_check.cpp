@@ -114,7 +114,7 @@ struct EmbreeScene::State {
         rtcReleaseGeometry(g);
     }
 
-    void fill(Tree& tree, const BuildInput& in) {
+    void fill(Tree& tree, const BuildInput& in, bool classes) {
         tree.tri_prim.assign(in.tri_prim, in.tri_prim + in.triangle_count);
         if (in.triangle_count) {
             RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -124,8 +124,10 @@ struct EmbreeScene::State {
             std::memcpy(v, in.vertices, 12 * in.vertex_count);
             std::memcpy(i, in.triangles, 12 * in.triangle_count);
             rtcSetGeometryUserData(g, &tree);
-            rtcSetGeometryIntersectFilterFunction(g, filter);
-            rtcSetGeometryOccludedFilterFunction(g, filter);
+            if (classes) {
+                rtcSetGeometryIntersectFilterFunction(g, filter);
+                rtcSetGeometryOccludedFilterFunction(g, filter);
+            }
             attach(tree, g, triangle_geometry);
         }
         for (size_t k = in.first_shape; k < in.first_shape + in.shape_count; k++) {
@@ -158,7 +160,7 @@ struct EmbreeScene::State {
     }
 };
 
-EmbreeScene::EmbreeScene(const BuildInput* trees, size_t tree_count, bool robust) : state_(new State) {
+EmbreeScene::EmbreeScene(const BuildInput* trees, size_t tree_count, bool robust, bool classes) : state_(new State) {
     State& s = *state_;
     s.trees.resize(tree_count);
     for (size_t k = tree_count; k-- > 0;) {  // tree 0 last: it refers to the others
@@ -169,7 +171,7 @@ EmbreeScene::EmbreeScene(const BuildInput* trees, size_t tree_count, bool robust
         s.trees[k].state = &s;
         s.trees[k].scene = rtcNewScene(s.device);
         if (robust) rtcSetSceneFlags(s.trees[k].scene, RTC_SCENE_FLAG_ROBUST);
-        s.fill(s.trees[k], in);
+        s.fill(s.trees[k], in, classes);
         rtcCommitScene(s.trees[k].scene);
         s.device.check();
     }

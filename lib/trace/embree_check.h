@@ -13,8 +13,9 @@ class EmbreeScene {
 public:
     struct Hit { float t; uint32_t prim; float u, v; uint32_t inst; };  // as kernels/intersect.h; prim 0xffffffff: none
     // Takes what build_bvh8() takes; shapes, their ids and polygon_uv must outlive it, the rest is copied.
-    // robust = false: Embree's faster kernels, which leak at edges (bench only).
-    explicit EmbreeScene(const BuildInput* trees, size_t tree_count = 1, bool robust = true);
+    // For measurements: robust = false takes Embree's faster kernels, which leak at edges; classes = false leaves out the
+    // callbacks that tell opaque from transparent triangles.
+    explicit EmbreeScene(const BuildInput* trees, size_t tree_count = 1, bool robust = true, bool classes = true);
     ~EmbreeScene();
     Hit closest(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const;
     bool any(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const;
