@@ -51,7 +51,7 @@ public:
         scene_ = std::move(s);
         BuildInput in = build_input(scene_);
         if (embree_) {
-            check_ = std::make_unique<EmbreeCheck>(in);
+            check_ = std::make_unique<EmbreeScene>(&in);
             tables_.nodes = reinterpret_cast<const float*>(check_.get());
         } else {
             bvh_ = build_bvh8(in);
@@ -109,7 +109,7 @@ private:
     unsigned threads_;
     FlatScene scene_;
     Bvh bvh_;
-    std::unique_ptr<EmbreeCheck> check_;
+    std::unique_ptr<EmbreeScene> check_;
     kernels::SceneTables tables_{};
 };
 

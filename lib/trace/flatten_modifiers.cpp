@@ -34,6 +34,18 @@ bool material_passes(Type t, const scene::Span<double>& a) {
         default: return false;
     }
 }
+// brightfunc and colorfunc: one or three expressions, the function file, then a transform.
+struct Pattern { uint32_t entry; int outputs; };
+Pattern compile_pattern(Flattener& f, const scene::Object& o) {
+    if (o.type != Type::brightfunc && o.type != Type::colorfunc)
+        base::fail(f.scene.place(o), fmt::format("pattern type {} is not supported", type_name(o.type)));
+    const auto s = f.scene.strings(o);
+    const size_t n = o.type == Type::brightfunc ? 1 : 3;
+    base::Xform x;
+    if (s.size() > n + 1) base::parse_xform(s, n + 1, x, f.scene.place(o));
+    const auto r = f.scene.reals(o);
+    return {cal::compile(f.library, {s.begin(), s.begin() + n}, s[n], {r.begin(), r.end()}, x, f.scene.place(o), f.code), int(n)};
+}
 }  // namespace
 
 void Flattener::flatten_modifiers() {
@@ -66,7 +78,6 @@ void Flattener::flatten_modifiers() {
         const auto r = scene.resolve(int32_t(i));
         const scene::Object& t = scene.objects[r.object];
         const auto reals = scene.reals(t);
-        const auto strings = scene.strings(t);
         uint32_t rec[MOD_WORDS] = {0, NONE, NONE, 0, NONE, NONE, 0, 0};
         if (r.modifier >= 0) rec[MOD_NEXT] = mod_of[r.modifier];
         rec[MOD_ARGS] = uint32_t(args.size());
@@ -83,8 +94,7 @@ void Flattener::flatten_modifiers() {
             passes[i] = material_passes(t.type, reals);
             material_of[i] = uint32_t(r.object);
         } else {
-            cal::PatternSpec spec{type_name(t.type), {strings.begin(), strings.end()}, {reals.begin(), reals.end()}, scene.place(t)};
-            const cal::Pattern p = cal::compile_pattern(library, spec, code);
+            const Pattern p = compile_pattern(*this, t);
             rec[MOD_PROGRAM] = p.entry;
             if (is_mixture(t.type)) {
                 rec[MOD_TYPE] = M_MIXTURE;

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernels over Embree's traversal instead of ours.
+#include "trace/embree_check.h"
+#define LUX_ISA embree
+#define LUX_ISA_NAME "embree"
+#define LUX_EMBREE
+#include "trace/cpu_kernels.inl"
