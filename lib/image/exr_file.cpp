@@ -62,27 +62,36 @@ Imf::Compression compression_of(const std::string& name) {
     base::fail("compression", "\"" + name + "\" is not one of none rle zips zip piz pxr24 b44 b44a dwaa dwab");
 }
 
-// The planes as T, one after another, into an open file.
-template <class T, class Out>
-void put_planes(Out& file, Imf::PixelType type, int width, int height, const std::vector<ExrChannel>& channels,
-                const std::function<void(Out&)>& write) {
-    std::vector<std::vector<T>> planes;
-    Imf::FrameBuffer frame;
-    for (const ExrChannel& c : channels) {
-        planes.emplace_back(size_t(width) * height);
-        for (size_t i = 0; i < planes.back().size(); ++i) planes.back()[i] = T(c.first[i * c.stride]);
-        frame.insert(c.name, Imf::Slice(type, reinterpret_cast<char*>(planes.back().data()), sizeof(T), sizeof(T) * width));
+// One block of lines of every channel into a frame buffer, as halves or, uncopied, as floats.
+class Lines {
+public:
+    Lines(bool half_floats, int width, const std::vector<ExrChannel>& channels)
+        : half_(half_floats), width_(width), channels_(channels), halves_(half_floats ? channels.size() : 0) {}
+    Imf::FrameBuffer frame(int first, int count) {
+        Imf::FrameBuffer buffer;
+        for (size_t k = 0; k < channels_.size(); ++k) {
+            const ExrChannel& c = channels_[k];
+            const float* from = c.first + size_t(first) * width_ * c.stride;
+            if (half_) {
+                halves_[k].resize(size_t(count) * width_);
+                for (size_t i = 0; i < halves_[k].size(); ++i) halves_[k][i] = half(from[i * c.stride]);
+                // OpenEXR wants the address that line 0 would have
+                char* origin = reinterpret_cast<char*>(halves_[k].data()) - ptrdiff_t(sizeof(half)) * width_ * first;
+                buffer.insert(c.name, Imf::Slice(Imf::HALF, origin, sizeof(half), sizeof(half) * width_));
+            } else {
+                char* origin = reinterpret_cast<char*>(const_cast<float*>(c.first));
+                buffer.insert(c.name, Imf::Slice(Imf::FLOAT, origin, sizeof(float) * c.stride, sizeof(float) * c.stride * width_));
+            }
+        }
+        return buffer;
     }
-    file.setFrameBuffer(frame);
-    write(file);
-}
 
-template <class Out>
-void put(Out& file, bool half_floats, int width, int height, const std::vector<ExrChannel>& channels,
-         const std::function<void(Out&)>& write) {
-    if (half_floats) put_planes<half, Out>(file, Imf::HALF, width, height, channels, write);
-    else put_planes<float, Out>(file, Imf::FLOAT, width, height, channels, write);
-}
+private:
+    bool half_;
+    int width_;
+    const std::vector<ExrChannel>& channels_;
+    std::vector<std::vector<half>> halves_;
+};
 
 }  // namespace
 
@@ -226,15 +235,19 @@ void write_exr_channels(const std::string& path, int width, int height, const st
         const auto xy = [&](int i) { return Imath::V2f(float(p[i]), float(p[i + 1])); };
         Imf::addChromaticities(h, Imf::Chromaticities(xy(0), xy(2), xy(4), xy(6)));
         for (const ExrChannel& c : channels) h.channels().insert(c.name, Imf::Channel(options.half ? Imf::HALF : Imf::FLOAT));
+        Lines lines_of(options.half, width, channels);
         if (options.tiled) {
             h.setTileDescription(Imf::TileDescription(64, 64, Imf::ONE_LEVEL));
             Imf::TiledOutputFile file(memory, h);
-            put<Imf::TiledOutputFile>(file, options.half, width, height, channels, [](Imf::TiledOutputFile& f) {
-                f.writeTiles(0, f.numXTiles() - 1, 0, f.numYTiles() - 1);
-            });
+            file.setFrameBuffer(lines_of.frame(0, height));
+            file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
         } else {
             Imf::OutputFile file(memory, h);
-            put<Imf::OutputFile>(file, options.half, width, height, channels, [height](Imf::OutputFile& f) { f.writePixels(height); });
+            for (int y = 0; y < height; y += block_lines) {
+                const int count = std::min(block_lines, height - y);
+                file.setFrameBuffer(lines_of.frame(y, count));
+                file.writePixels(count);
+            }
         }
     } catch (const std::bad_alloc&) {
         throw;
