@@ -87,6 +87,8 @@ struct Extent {
     Vec3 centre;          // unit mean direction, zero if the region is empty
 };
 std::vector<Extent> measure(const image::MaskSet& set, const view::View& view);
+// Only the names and pixels of it, quicker.
+std::vector<Extent> count_pixels(const image::MaskSet& set, const view::View& view);
 
 // Throws Error for an empty region, warns about those of fewer than 32 pixels and what that costs.
 void check_sizes(const Regions& regions, const std::vector<Extent>& extents);

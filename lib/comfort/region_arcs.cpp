@@ -10,7 +10,7 @@ using namespace base;
 double angle_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
 void Arcs::add(Vec3 a, Vec3 b) {
-    Vec3 n = cross(a, b);
+    Vec3 n = cross(a, b - a);  // not cross(a, b), whose rounding tilts the plane of a short arc
     double l = length(n);
     if (!(l > 1e-15)) return;  // no length
     n = n * (1 / l);

@@ -53,6 +53,23 @@ std::vector<Extent> measure(const image::MaskSet& set, const view::View& view) {
     return all;
 }
 
+std::vector<Extent> count_pixels(const image::MaskSet& set, const view::View& view) {
+    const size_t nx = size_t(set.width), ny = size_t(set.height);
+    Space space(view, set.width, set.height);
+    std::vector<char> counts(nx * ny);
+    for_all(ny, [&](size_t r) {
+        for (size_t x = 0; x < nx; ++x) counts[r * nx + x] = space.counts(double(x) + .5, double(ny - 1 - r) + .5);
+    });
+    std::vector<Extent> all(set.masks.size());
+    for_all(all.size(), [&](size_t m) {
+        all[m].name = set.masks[m].name;
+        const std::vector<float>& c = set.masks[m].coverage;
+        for (size_t i = 0; i < c.size(); ++i)
+            if (c[i] > 0 && counts[i]) all[m].pixels += double(c[i]);
+    });
+    return all;
+}
+
 void check_sizes(const Regions& regions, const std::vector<Extent>& extents) {
     for (size_t i = 0; i < extents.size(); ++i) {
         const Region& r = regions.regions[i];

@@ -70,7 +70,7 @@ int work(int argc, char** argv) {
         if (!set.masks.empty()) return;
         set = region::rasterize(regions, opt.view, opt.nx, opt.ny, opt.centre, scene.get());
         set.header = header;
-        extents = region::measure(set, opt.view);
+        extents = opt.list ? region::measure(set, opt.view) : region::count_pixels(set, opt.view);
         region::check_sizes(regions, extents);
     };
     auto one_region = [&] {
