@@ -30,6 +30,7 @@ private:
 struct Code {
     std::vector<uint32_t> words;   // instructions, table headers, glyphs
     std::vector<float> floats;     // data arrays, pictures
+    std::map<std::string, uint32_t> tables;  // files already in the arenas
 };
 
 // Compiles `outputs` (expressions such as "skybr" or "red(r,g,b)") in the context of file `cal_file` ("." = global) with

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data files and pictures to tables.  A picture is a data array of three channels over (v, u): samples stand at the ends
+// of the range, the shorter side has length 1, v is up, values are those in the file (its exposure is not divided out).
+#include <cmath>
+#include "base/error.h"
+#include "base/number.h"
+#include "cal/tables.h"
+#include "image/stream.h"
+#include "kernels/compat_host.h"
+
+namespace cal {
+
+namespace {
+
+constexpr size_t MAX_FILE = size_t(512) << 20;
+constexpr uint32_t MAX_DIMS = 5;
+constexpr uint32_t EVEN = 0xffffffffu;
+
+class Numbers {                        // the words of a data file, comments left out
+public:
+    Numbers(const std::string& text, const std::string& path, const std::string& place)
+        : text_(text), path_(path), place_(place) {}
+    [[noreturn]] void fail(const std::string& fact) const { base::fail(place_, "data file \"" + path_ + "\": " + fact); }
+    double real() {
+        for (;;) {
+            while (at_ < text_.size() && (text_[at_] == ' ' || (text_[at_] >= '\t' && text_[at_] <= '\r'))) at_++;
+            if (at_ >= text_.size() || text_[at_] != '#') break;
+            while (at_ < text_.size() && text_[at_] != '\n') at_++;
+        }
+        const size_t from = at_;
+        while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) > ' ' && text_[at_] != '#') at_++;
+        if (at_ == from) fail("ends too early");
+        double v;
+        const std::string_view word(text_.data() + from, at_ - from);
+        if (!base::parse_real(word, v)) fail("\"" + std::string(word.substr(0, 40)) + "\" is not a number");
+        return v;
+    }
+    uint32_t count(const char* what) {
+        const double v = real();
+        if (!(v >= 1 && v <= 2e9) || v != std::floor(v)) fail(std::string("bad ") + what);
+        return uint32_t(v);
+    }
+    size_t left() const { return text_.size() - at_; }
+private:
+    const std::string& text_;
+    const std::string &path_, &place_;
+    size_t at_ = 0;
+};
+
+}  // namespace
+
+DataFile read_data(const std::string& path, const std::string& place) {
+    const std::string text = read_text(path, MAX_FILE, place);
+    Numbers in(text, path, place);
+    DataFile data;
+    const uint32_t dims = in.count("number of dimensions");
+    if (dims > MAX_DIMS) in.fail("more than 5 dimensions");
+    size_t total = 1;
+    for (uint32_t d = 0; d < dims; d++) {
+        DataFile::Dimension dim;
+        dim.begin = in.real();
+        dim.end = in.real();
+        dim.count = in.count("number of points");
+        if (dim.count < 2) in.fail("a dimension needs at least 2 points");
+        if (dim.count > in.left()) in.fail("is shorter than its dimensions say");
+        if (dim.begin == dim.end) {
+            for (uint32_t i = 0; i < dim.count; i++) dim.positions.push_back(float(in.real()));
+            const bool up = dim.positions[1] > dim.positions[0];
+            for (uint32_t i = 1; i < dim.count; i++)
+                if (dim.positions[i] == dim.positions[i - 1] || (dim.positions[i] > dim.positions[i - 1]) != up)
+                    in.fail("positions are not in order");
+        }
+        total *= dim.count;
+        data.dimensions.push_back(std::move(dim));
+        if (total > in.left()) in.fail("is shorter than its dimensions say");
+    }
+    data.values.reserve(total);
+    for (size_t i = 0; i < total; i++) data.values.push_back(float(in.real()));
+    return data;
+}
+
+uint32_t add_data(const DataFile& data, uint32_t channels, Code& code) {
+    const uint32_t table = uint32_t(code.words.size());
+    if (code.floats.size() + data.values.size() > 0xf0000000u) base::fail("", "data and pictures are too large");
+    code.words.push_back(uint32_t(data.dimensions.size()));
+    code.words.push_back(channels);
+    code.words.push_back(uint32_t(code.floats.size()));
+    code.floats.insert(code.floats.end(), data.values.begin(), data.values.end());
+    for (const DataFile::Dimension& d : data.dimensions) {
+        code.words.push_back(d.count);
+        code.words.push_back(as_uint_(float(d.begin)));
+        code.words.push_back(as_uint_(float((d.end - d.begin) / (d.count - 1))));
+        code.words.push_back(d.positions.empty() ? EVEN : uint32_t(code.floats.size()));
+        code.floats.insert(code.floats.end(), d.positions.begin(), d.positions.end());
+    }
+    return table;
+}
+
+uint32_t data_table(Library::State& library, const std::string& file, size_t dimensions, const std::string& place, Code& code) {
+    const auto known = code.tables.find("data " + file);
+    const uint32_t table = known != code.tables.end()
+        ? known->second
+        : code.tables["data " + file] = add_data(read_data(base::find_file(file, library.files, place), place), 1, code);
+    if (code.words[table] != dimensions)
+        base::fail(place, "data file \"" + file + "\" has " + std::to_string(code.words[table]) + " dimensions, " +
+                          std::to_string(dimensions) + " coordinates are given");
+    return table;
+}
+
+uint32_t picture_table(Library::State& library, const std::string& file, const std::string& place, Code& code) {
+    const auto known = code.tables.find("picture " + file);
+    if (known != code.tables.end()) return known->second;
+    const image::Picture picture = image::read_file(base::find_file(file, library.files, place));
+    if (picture.width < 2 || picture.height < 2) base::fail(place, "picture \"" + file + "\" is too small for a pattern");
+    DataFile data;
+    const double wide = picture.width, high = picture.height * picture.header.pixel_aspect, shorter = std::min(wide, high);
+    for (int k = 0; k < 2; k++) {
+        DataFile::Dimension dim;
+        dim.end = (k == 0 ? high : wide) / shorter;
+        dim.count = uint32_t(k == 0 ? picture.height : picture.width);
+        data.dimensions.push_back(dim);
+    }
+    const float exposure = float(picture.header.exposure);
+    data.values.reserve(picture.rgb.size());
+    for (int y = picture.height - 1; y >= 0; y--)
+        for (int x = 0; x < 3 * picture.width; x++) data.values.push_back(picture.at(0, y)[x] * exposure);
+    return code.tables["picture " + file] = add_data(data, 3, code);
+}
+
+}  // namespace cal

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Function materials: which of their strings are values of a hit, which a lobe of the light direction (pattern.h).
+#include "base/error.h"
+#include "cal/pattern_parts.h"
+
+namespace cal {
+
+namespace {
+
+using Nodes = std::vector<int>;
+
+// coef dx dy dz, the direction turned to the world
+void prism_exit(Parts& p, size_t first, Nodes& out) {
+    out.push_back(p.expression(first));
+    for (int n : p.to_world({p.expression(first + 1), p.expression(first + 2), p.expression(first + 3)})) out.push_back(n);
+}
+void direction(Parts& p, size_t first, Nodes& out) {
+    for (int n : p.to_world({p.expression(first), p.expression(first + 1), p.expression(first + 2)})) out.push_back(n);
+}
+// Light direction and solid angle as given to the program
+Nodes light(Parts& p, Builder& b, Library& library) {
+    Nodes l;
+    for (const char* channel : {"$1", "$2", "$3", "$4"})
+        l.push_back(b.expression(parse_expression(channel, p.spec.place, library.state().pool), ""));
+    return l;
+}
+
+const struct Kind { const char* name; size_t strings; int values, lobe; } kinds[] = {
+    {"prism1", 5, 4, 0},   {"prism2", 9, 8, 0},    {"plastic2", 4, 3, 0},  {"metal2", 4, 3, 0},  {"trans2", 4, 3, 0},
+    {"ashik2", 4, 3, 0},   {"plasfunc", 2, 0, 1},  {"metfunc", 2, 0, 1},   {"transfunc", 2, 0, 1}, {"plasdata", 4, 0, 1},
+    {"metdata", 4, 0, 1},  {"transdata", 4, 0, 1}, {"BRTDfunc", 10, 6, 3}, {"WGMDfunc", 13, 9, 0}, {"BSDF", 6, 4, 0},
+    {"aBSDF", 5, 3, 0},
+};
+const Kind* find(const std::string& name) {
+    for (const Kind& k : kinds)
+        if (name == k.name) return &k;
+    return nullptr;
+}
+
+bool ends_with(const std::string& s, const char* end) {
+    const std::string e = end;
+    return s.size() >= e.size() && s.compare(s.size() - e.size(), e.size(), e) == 0;
+}
+
+}  // namespace
+
+bool has_functions(const std::string& type) { return find(type) != nullptr; }
+
+MaterialProgram compile_material(Library& library, const PatternSpec& spec, Code& code) {
+    const Kind* kind = find(spec.type);
+    if (!kind) base::fail(spec.place, "\"" + spec.type + "\" has no functions");
+    if (spec.strings.size() < kind->strings) base::fail(spec.place, "bad arguments: too few strings for " + spec.type);
+    MaterialProgram m;
+    m.value_count = kind->values;
+    m.lobe_count = kind->lobe;
+    Parts p(library, spec, code);
+    const std::string& type = spec.type;
+    if (ends_with(type, "data")) {
+        m.lobe = p.compile([&] {
+            p.file(2);
+            const Nodes l = light(p, p.builder(), library);
+            const Nodes x = p.coordinates_of(3, l);
+            Nodes arguments{p.graph->channel(p.graph->lookup(OP_DATA, x, p.data(1, x.size())), 0)};
+            arguments.insert(arguments.end(), l.begin(), l.end());
+            return Nodes{p.call(0, arguments)};
+        });
+        return m;
+    }
+    const size_t file = kind->strings - 1;
+    p.no_more_than_transform(file + 1);
+    if (kind->values)
+        m.values = p.compile([&] {
+            Nodes out;
+            p.file(file);
+            if (type == "prism1" || type == "prism2") {
+                for (size_t first = 0; first < file; first += 4) prism_exit(p, first, out);
+            } else if (type == "BRTDfunc") {
+                for (size_t i = 0; i < 6; i++) out.push_back(p.expression(i));
+            } else if (type == "WGMDfunc") {
+                for (size_t i : {1, 2, 3, 5, 6, 7}) out.push_back(p.expression(i));
+                direction(p, 9, out);
+            } else {
+                if (type == "BSDF") out.push_back(p.expression(0));
+                direction(p, file - 3, out);
+            }
+            return out;
+        });
+    if (kind->lobe)
+        m.lobe = p.compile([&] {
+            Nodes out;
+            p.file(file);
+            const Nodes l = light(p, p.builder(), library);
+            const size_t first = file - size_t(kind->lobe);
+            for (size_t i = first; i < file; i++)
+                out.push_back(spec.strings[i] == "0" ? p.graph->constant(0) : p.call(i, l));
+            return out;
+        });
+    if (type == "WGMDfunc") m.modifiers = {spec.strings[0], spec.strings[4], spec.strings[8]};
+    if (type == "BSDF") m.file = spec.strings[1];
+    if (type == "aBSDF") m.file = spec.strings[0];
+    return m;
+}
+
+}  // namespace cal

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Textures, patterns and mixtures to programs (spec: scene language 5).  To add a type: a row in `types` and its function.
+#include "cal/pattern.h"
+#include <cmath>
+#include "base/error.h"
+#include "cal/pattern_parts.h"
+
+namespace cal {
+
+namespace {
+
+using Nodes = std::vector<int>;
+
+void func(Parts& p, Nodes& out, size_t count, size_t first) {
+    p.file(first + count);
+    p.no_more_than_transform(first + count + 1);
+    for (size_t i = 0; i < count; i++) out.push_back(p.expression(first + i));
+}
+
+// Values of `count` data files at the coordinates after the .cal file, which is string `cal`.
+Nodes data_values(Parts& p, size_t first, size_t count, size_t cal) {
+    p.file(cal);
+    const Nodes x = p.coordinates(cal + 1);
+    Nodes values;
+    for (size_t i = 0; i < count; i++)
+        values.push_back(p.graph->channel(p.graph->lookup(OP_DATA, x, p.data(first + i, x.size())), 0));
+    return values;
+}
+
+// R, G, B of a picture at u, v after the .cal file
+Nodes picture_values(Parts& p, size_t picture, size_t cal) {
+    p.file(cal);
+    const Nodes x = p.coordinates(cal + 1);
+    if (x.size() != 2) p.fail("a picture needs two coordinates");
+    const int look = p.graph->lookup(OP_DATA, {x[1], x[0]}, p.picture(picture));
+    return {p.graph->channel(look, 0), p.graph->channel(look, 1), p.graph->channel(look, 2)};
+}
+
+// rf(r,g,b), and gf, bf of three values or of their own
+void color_functions(Parts& p, const Nodes& rgb, Nodes& out) {
+    for (size_t k = 0; k < 3; k++)
+        out.push_back(k > 0 && p.parameters(k) < 3 ? p.call(k, {rgb[k]}) : p.call(k, rgb));
+}
+
+int clamped(Parts& p, int node) {
+    Graph& g = *p.graph;
+    return g.make(OP_MAX, g.make(OP_MIN, node, g.constant(1)), g.constant(0));
+}
+
+void brightfunc(Parts& p, Nodes& out) { func(p, out, 1, 0); }
+void colorfunc(Parts& p, Nodes& out) { func(p, out, 3, 0); }
+void texfunc(Parts& p, Nodes& out) {
+    func(p, out, 3, 0);
+    out = p.to_world(out);
+}
+void mixfunc(Parts& p, Nodes& out) {
+    func(p, out, 1, 2);
+    out[0] = clamped(p, out[0]);
+}
+void brightdata(Parts& p, Nodes& out) { out.push_back(p.call(0, data_values(p, 1, 1, 2))); }
+void colordata(Parts& p, Nodes& out) { color_functions(p, data_values(p, 3, 3, 6), out); }
+void texdata(Parts& p, Nodes& out) {
+    const Nodes d = data_values(p, 3, 3, 6);
+    for (size_t k = 0; k < 3; k++) out.push_back(p.call(k, d));
+    out = p.to_world(out);
+}
+void mixdata(Parts& p, Nodes& out) { out.push_back(clamped(p, p.call(2, data_values(p, 3, 1, 4)))); }
+void colorpict(Parts& p, Nodes& out) { color_functions(p, picture_values(p, 3, 4), out); }
+void mixpict(Parts& p, Nodes& out) { out.push_back(clamped(p, p.call(2, picture_values(p, 3, 4)))); }
+
+// Choose between foreground and background of `width` reals each.
+void text(Parts& p, Nodes& out, size_t font, size_t width) {
+    const int ink = p.text(font, 9 + 2 * width);
+    for (size_t k = 0; k < width; k++)
+        out.push_back(p.graph->choose(ink, p.graph->constant(p.spec.reals[9 + k]), p.graph->constant(p.spec.reals[9 + width + k])));
+}
+void brighttext(Parts& p, Nodes& out) { text(p, out, 0, 1); }
+void colortext(Parts& p, Nodes& out) { text(p, out, 0, 3); }
+void mixtext(Parts& p, Nodes& out) { out.push_back(p.text(2, 9)); }
+
+// ---- spectral types: means over the three bands that stand for R, G and B
+constexpr double bands[4] = {780, 588, 480, 380};
+constexpr int SAMPLES = 12;            // per band, where a function is averaged
+double wavelength(int band, int i) { return bands[band] + (bands[band + 1] - bands[band]) * (i + 0.5) / SAMPLES; }
+
+void spectrum(Parts& p, Nodes& out) {
+    const std::vector<double>& r = p.spec.reals;
+    if (r.size() < 5) p.fail("bad number of real arguments");
+    const size_t n = r.size() - 2;
+    const double first = r[0], last = r[1];
+    if (first == last) p.fail("a spectrum needs two different wavelengths");
+    for (int band = 0; band < 3; band++) {
+        double sum = 0, weight = 0;
+        if (n == 3 && std::fabs(first - last) == 400 && std::fmax(first, last) == 780) {  // the bands themselves
+            sum = r[2 + size_t(first > last ? band : 2 - band)];
+            weight = 1;
+        } else {
+            for (size_t i = 0; i < n; i++) {
+                const double a = first + (last - first) * double(i) / double(n), b = first + (last - first) * double(i + 1) / double(n);
+                const double w = std::fmin(std::fmax(a, b), bands[band]) - std::fmax(std::fmin(a, b), bands[band + 1]);
+                if (w > 0) { sum += w * r[2 + i]; weight += w; }
+            }
+        }
+        out.push_back(p.graph->constant(weight > 0 ? sum / weight : 0));
+    }
+}
+
+template <class F> void band_means(Parts& p, Nodes& out, F value) {
+    for (int band = 0; band < 3; band++) {
+        int sum = p.graph->constant(0);
+        for (int i = 0; i < SAMPLES; i++) sum = p.graph->add(sum, value(wavelength(band, i)));
+        out.push_back(p.graph->mul(sum, p.graph->constant(1.0 / SAMPLES)));
+    }
+}
+
+void specfile(Parts& p, Nodes& out) {
+    const DataFile data = p.read(0);
+    if (data.dimensions.size() != 1) p.fail("a spectrum has one dimension, wavelength");
+    const DataFile::Dimension& d = data.dimensions[0];
+    for (int band = 0; band < 3; band++) {
+        double sum = 0, weight = 0;
+        for (double nm = bands[band + 1] + 0.25; nm < bands[band]; nm += 0.5)
+            for (uint32_t i = 0; i + 1 < d.count; i++) {
+                const double a = d.at(i), b = d.at(i + 1), t = (nm - a) / (b - a);
+                if (t < 0 || t >= 1) continue;
+                sum += data.values[i] * (1 - t) + data.values[i + 1] * t;
+                weight += 1;
+            }
+        out.push_back(p.graph->constant(weight > 0 ? sum / weight : 0));
+    }
+}
+void specfunc(Parts& p, Nodes& out) {
+    if (p.spec.reals.size() < 2) p.fail("bad number of real arguments");
+    p.file(1);
+    p.no_more_than_transform(2);
+    const double low = std::fmin(p.spec.reals[0], p.spec.reals[1]), high = std::fmax(p.spec.reals[0], p.spec.reals[1]);
+    band_means(p, out, [&](double nm) {
+        return nm >= low && nm <= high ? p.call(0, {p.graph->constant(nm)}) : p.graph->constant(0);
+    });
+}
+void specdata(Parts& p, Nodes& out) {
+    p.file(2);
+    const Nodes x = p.coordinates(3);
+    const uint32_t table = p.data(1, x.size() + 1);
+    band_means(p, out, [&](double nm) {
+        Nodes at = x;
+        at.push_back(p.graph->constant(nm));
+        return p.call(0, {p.graph->channel(p.graph->lookup(OP_DATA, at, table), 0), p.graph->constant(nm)});
+    });
+}
+void specpict(Parts& p, Nodes& out) {
+    const Nodes rgb = picture_values(p, 1, 2);
+    for (int k = 0; k < 3; k++)
+        out.push_back(p.call(0, {rgb[size_t(k)], p.graph->constant((bands[k] + bands[k + 1]) / 2)}));
+}
+
+const struct Type { const char* name; size_t strings; ProgramKind kind; void (*build)(Parts&, Nodes&); } types[] = {
+    {"brightfunc", 2, ProgramKind::brightness, brightfunc}, {"colorfunc", 4, ProgramKind::color, colorfunc},
+    {"texfunc", 4, ProgramKind::texture, texfunc},          {"mixfunc", 4, ProgramKind::mixture, mixfunc},
+    {"brightdata", 4, ProgramKind::brightness, brightdata}, {"colordata", 8, ProgramKind::color, colordata},
+    {"texdata", 8, ProgramKind::texture, texdata},          {"mixdata", 6, ProgramKind::mixture, mixdata},
+    {"colorpict", 7, ProgramKind::color, colorpict},        {"mixpict", 7, ProgramKind::mixture, mixpict},
+    {"brighttext", 2, ProgramKind::brightness, brighttext}, {"colortext", 2, ProgramKind::color, colortext},
+    {"mixtext", 4, ProgramKind::mixture, mixtext},          {"spectrum", 0, ProgramKind::color, spectrum},
+    {"specfile", 1, ProgramKind::color, specfile},          {"specdata", 4, ProgramKind::color, specdata},
+    {"specfunc", 2, ProgramKind::color, specfunc},          {"specpict", 5, ProgramKind::color, specpict},
+};
+
+const Type* find(const std::string& name) {
+    for (const Type& t : types)
+        if (name == t.name) return &t;
+    return nullptr;
+}
+
+}  // namespace
+
+bool is_pattern(const std::string& type) { return find(type) != nullptr; }
+
+Program compile_pattern(Library& library, const PatternSpec& spec, Code& code) {
+    const Type* type = find(spec.type);
+    if (!type) base::fail(spec.place, "\"" + spec.type + "\" is not a pattern, texture or mixture");
+    if (spec.strings.size() < type->strings) base::fail(spec.place, "bad arguments: too few strings for " + spec.type);
+    Program program;
+    program.kind = type->kind;
+    program.outputs = type->kind == ProgramKind::brightness || type->kind == ProgramKind::mixture ? 1 : 3;
+    if (type->kind == ProgramKind::mixture) {
+        program.first = spec.strings[0];
+        program.second = spec.strings[1];
+    }
+    Parts parts(library, spec, code);
+    program.entry = parts.compile([&] {
+        Nodes out;
+        type->build(parts, out);
+        return out;
+    });
+    return program;
+}
+
+}  // namespace cal
