@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <limits>
 #include <variant>
 
 #include "base/error.h"
@@ -54,7 +55,7 @@ void read_frames(const std::string& text, Options& opt) {
         if (opt.first < 0) base::fail("-frames", "frames count from 0, not from " + std::to_string(opt.first));
         if (opt.last < opt.first) base::fail("-frames", text + " holds no frame");
     }
-    if (opt.last > 0xfffffffeL) base::fail("-frames", "the last frame there is has number 4294967294");
+    if (opt.last >= Options::endless) base::fail("-frames", fmt::format("frames end before number {}", Options::endless));
 }
 
 std::vector<Row> table(Options& opt) {

@@ -4,7 +4,6 @@
 // -defaults); 3. a paragraph in man/ptrace.1 (a test compares it with -help); 4. a line in tests/tools/ptrace_options.sh.
 #pragma once
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +25,7 @@ struct Options {
     scene::ReadOptions files;               // RAYPATH, -exec
     std::vector<std::string> scene_files;
 
-    static constexpr int64_t endless = std::numeric_limits<int64_t>::max();
+    static constexpr int64_t endless = 0xfffffffe;  // the samplers count frames in 32 bits
 };
 
 // Fills opt and checks it.  A status: the answer (-help, -version, -defaults, -devices) was printed, main ends with it.
