@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Command-line readers, warnings, files that appear whole or not at all.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+#include "base/cli.h"
+#include "base/error.h"
+#include "base/radopts.h"
+#include "base/run.h"
+#include "base/tempfile.h"
+#include "base/warnings.h"
+
+TEST_CASE("words: counted, typed arguments") {
+    base::Words w({"-ab", "3", "-vp", "0", "-1", "2.5", "-x", "1e"});
+    CHECK(w.more());
+    CHECK(w.is("-ab"));
+    CHECK(w.next_int("-ab") == 3);
+    CHECK(w.is("-vp"));
+    CHECK(w.next_vec("-vp") == base::Vec3{0, -1, 2.5});
+    CHECK(w.is("-x"));
+    CHECK_THROWS_WITH_AS(w.next_int("-x"), "-x: \"1e\" is not an integer", base::Error);
+    CHECK_FALSE(w.more());
+    CHECK_THROWS_WITH_AS(w.next_real("-y"), "-y: an argument is missing", base::Error);
+    CHECK_THROWS_AS(base::to_real("nan", ""), base::Error);
+    CHECK_THROWS_AS(base::to_int("99999999999999999999", ""), base::Error);
+    CHECK_THROWS_AS(base::to_int(" 1", ""), base::Error);
+}
+
+TEST_CASE("words: switches toggle, + and - set") {
+    base::Words w({"-i", "-i+", "-i-", "-i1", "-iN", "-is"});
+    bool on = false;
+    for (const bool want : {true, true, false, true, false}) {
+        CHECK(w.is_switch("-i", on));
+        CHECK(on == want);
+    }
+    CHECK_FALSE(w.is_switch("-i", on));
+}
+
+TEST_CASE("words: @file and $VAR are replaced in option position only, also inside each other") {
+    const std::string path = std::tmpnam(nullptr);
+    std::ofstream(path) << "-ab 2\n$LUX_TEST_WORDS   \n -z";
+    setenv("LUX_TEST_WORDS", "-dj 1", 1);
+    base::Words w({"@" + path, "-o", "@name", "scene.rad"});
+    std::string seen;
+    while (w.more()) {
+        seen += w.peek() + " ";
+        if (w.is("-ab")) w.next_int("-ab");
+        else if (w.is("-dj")) w.next_real("-dj");
+        else if (w.is("-o")) CHECK(w.next_string("-o") == "@name");
+        else w.take();
+    }
+    CHECK(seen == "-ab -dj -z -o scene.rad ");
+    std::ofstream(path) << "@" << path;
+    base::Words endless({"@" + path});
+    CHECK_THROWS_AS(endless.more(), base::Error);
+    std::remove(path.c_str());
+    base::Words missing({"@/no/such/file"});
+    CHECK_THROWS_AS(missing.more(), base::Error);
+    base::Words unset({"$LUX_TEST_NOT_SET"});
+    CHECK_THROWS_AS(unset.more(), base::Error);
+}
+
+TEST_CASE("CLI11: one dash or two, the last of repeated options, errors as ours") {
+    const auto parse = [](std::vector<std::string> words, std::string& until, std::vector<std::string>& files) {
+        CLI::App app("", "tool");
+        app.add_option("--until", until);
+        app.add_option("files", files);
+        return base::parse_cli(app, std::move(words), "1");
+    };
+    std::string until;
+    std::vector<std::string> files;
+    CHECK_FALSE(parse({"-until", "a", "f", "--until", "b", "-"}, until, files));
+    CHECK(until == "b");
+    CHECK(files == std::vector<std::string>{"f", "-"});
+    CHECK_FALSE(parse({"-until=-1", "f"}, until, files));
+    CHECK(until == "-1");
+    CHECK_THROWS_WITH_AS(parse({"-unti", "a"}, until, files), "-unti: not an option or operand here", base::Error);
+    CHECK_THROWS_WITH_AS(parse({"-until"}, until, files), "-until: 1 required TEXT missing", base::Error);
+}
+
+TEST_CASE("command lines become one header line") {
+    char a[] = "ptrace", b[] = "-vp", c[] = "two words", d[] = "it's", e[] = "new\nline";
+    char* argv[] = {a, b, c, d, e};
+    CHECK(base::command_line(5, argv) == "ptrace -vp 'two words' 'it'\\''s' 'new line'");
+}
+
+TEST_CASE("warnings: the first of a cause is told, the others counted") {
+    base::take_warnings();
+    int told = 0;
+    base::set_warning_sink([&](const std::string& text) {
+        ++told;
+        CHECK(text == "a.rad:3: odd");
+    });
+    base::warn("a.rad:3", "odd");
+    base::warn("a.rad:4", "odd");
+    base::set_warning_sink({});
+    CHECK(told == 1);
+    const auto all = base::take_warnings();
+    CHECK(all.size() == 1);
+    CHECK(all[0].second == 2);
+    CHECK(base::take_warnings().empty());
+    for (int i = 0; i < 100000; ++i) base::warn("", std::to_string(i));
+    CHECK(base::take_warnings().size() < 300);  // memory stays bounded
+}
+
+TEST_CASE("a file appears whole or not at all") {
+    const std::string path = std::tmpnam(nullptr);
+    {
+        const base::TempFile temp(path);
+        std::ofstream(temp.path()) << "half";
+        CHECK_FALSE(std::ifstream(path));
+        CHECK(std::ifstream(temp.path()));
+    }
+    CHECK_FALSE(std::ifstream(path));
+    {
+        base::TempFile temp(path);
+        std::ofstream(temp.path()) << "whole";
+        temp.keep();
+    }
+    std::string text;
+    std::ifstream(path) >> text;
+    CHECK(text == "whole");
+    std::remove(path.c_str());
+    CHECK(base::TempFile("/dev/null").path() == "/dev/null");  // never renamed over
+}
+
+TEST_CASE("exit statuses") {
+    CHECK(base::run("test", [] { return 4; }) == 4);
+    CHECK(base::run("test", []() -> int { base::fail("place", "fact"); }) == 1);
+    CHECK(base::run("test", []() -> int { base::fail_system("place", "fact"); }) == 2);
+    CHECK(base::run("test", []() -> int { throw base::ClosedPipe{}; }) == 0);
+    CHECK(base::run("test", []() -> int { throw std::bad_alloc(); }) == 2);
+}
