@@ -100,6 +100,7 @@ public:
         Token name = tokens_[at_++];
         if (!is_name(name.text))
             fail(name, fmt::format("\"{}\" is not a region name (letters, digits, _ and -)", name.text));
+        if (name.text.size() > 63) fail(name, "a region name has at most 63 letters");
         if (reserved(name.text))
             fail(name, fmt::format("\"{}\" is the name of a shape; a line is: name shape ...", name.text));
         for (const Region& r : out_.regions)
