@@ -105,7 +105,7 @@ Image8 with_legend(const Image8& plain, const Scale& scale) {
 
 std::array<uint8_t, 3> ramp(double t) {
     static const double stops[][3] = {{16, 8, 40},   {44, 30, 130}, {36, 88, 180},  {20, 140, 160},
-                                      {60, 178, 92}, {196, 202, 50}, {250, 190, 70}, {255, 222, 210}};
+                                      {60, 178, 92}, {180, 196, 60}, {250, 190, 70}, {255, 222, 210}};
     constexpr int last = int(sizeof stops / sizeof stops[0]) - 1;
     t = t > 0 ? std::min(t, 1.0) * last : 0;  // also NaN
     const int i = std::min(int(t), last - 1);

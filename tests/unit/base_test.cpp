@@ -13,6 +13,7 @@
 #include "base/run.h"
 #include "base/tempfile.h"
 #include "base/warnings.h"
+#include "temp_folder.h"
 
 TEST_CASE("words: counted, typed arguments") {
     base::Words w({"-ab", "3", "-vp", "0", "-1", "2.5", "-x", "1e"});
@@ -41,7 +42,8 @@ TEST_CASE("words: switches toggle, + and - set") {
 }
 
 TEST_CASE("words: @file and $VAR are replaced in option position only, also inside each other") {
-    const std::string path = std::tmpnam(nullptr);
+    TempFolder folder;
+    const std::string path = folder.name("file");
     std::ofstream(path) << "-ab 2\n$LUX_TEST_WORDS   \n -z";
     setenv("LUX_TEST_WORDS", "-dj 1", 1);
     base::Words w({"@" + path, "-o", "@name", "scene.rad"});
@@ -108,7 +110,8 @@ TEST_CASE("warnings: the first of a cause is told, the others counted") {
 }
 
 TEST_CASE("a file appears whole or not at all") {
-    const std::string path = std::tmpnam(nullptr);
+    TempFolder folder;
+    const std::string path = folder.name("file");
     {
         const base::TempFile temp(path);
         std::ofstream(temp.path()) << "half";

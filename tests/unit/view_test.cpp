@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "temp_folder.h"
 #include "view/view.h"
 
 using view::Projector;
@@ -210,7 +211,8 @@ TEST_CASE("impossible views are refused with the option as place") {
 }
 
 TEST_CASE("view files: the last view wins, options missing there stay") {
-    const std::string path = std::string(std::tmpnam(nullptr)) + ".vf";
+    TempFolder temp;
+    const std::string path = temp.name("a.vf");
     std::ofstream(path) << "rvu -vtv -vp 1 1 1\nVIEW= -vta -vh 170 -vv 170\n";
     View v;
     v.vu = {0, 1, 0};

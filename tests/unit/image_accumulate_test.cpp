@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Eq. 7 and merging: closed forms, and ranges in any split giving the whole.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "base/warnings.h"
+#include "image/accumulate.h"
+#include "temp_folder.h"
+
+using image::Accumulator;
+using image::Merger;
+using image::Picture;
+
+namespace {
+
+// Frame k of a seed: noise with a heavy tail and negative values; frame 0 holds a sun.
+Picture frame(int64_t k, uint64_t seed = 1) {
+    Picture p;
+    p.width = 6;
+    p.height = 5;
+    p.header.seed = seed;
+    p.header.frame = k;
+    uint32_t state = uint32_t(seed * 7919 + uint64_t(k) * 104729 + 1);
+    for (int i = 0; i < 90; ++i) {
+        state = state * 1664525u + 1013904223u;
+        const double u = (state >> 8) / 16777216.;
+        p.rgb.push_back(k == 0 ? (i == 4 ? 1e7f : float(u)) : float(std::pow(u, 4) * 20 - 1));
+    }
+    return p;
+}
+
+Picture sum_of(int64_t first, int64_t last, uint64_t seed = 1) {
+    Accumulator a;
+    for (int64_t k = first; k <= last; ++k) a.add(frame(k, seed), "x");
+    Picture p;
+    a.result(p, true);
+    return p;
+}
+
+double worst(const Picture& a, const Picture& b) {
+    double w = 0;
+    for (size_t i = 0; i < a.rgb.size(); ++i)
+        w = std::max(w, std::fabs(double(a.rgb[i]) - b.rgb[i]) / std::max(1., std::fabs(double(a.rgb[i]))));
+    return w;
+}
+
+std::string merge_error(const std::vector<Picture>& parts) {
+    return error_text([&] {
+        Merger m;
+        for (size_t i = 0; i < parts.size(); ++i) m.add(parts[i], "p" + std::to_string(i));
+        m.result();
+    });
+}
+
+Picture merged(const std::vector<Picture>& parts) {
+    Merger m;
+    for (const Picture& p : parts) m.add(p, "part");
+    return m.result();
+}
+
+}  // namespace
+
+TEST_CASE("frame 0 alone is L(0)") {
+    const Picture p = sum_of(0, 0);
+    CHECK(p.rgb == frame(0).rgb);
+    CHECK(p.header.frames == 0);
+    CHECK(p.header.ranges == image::Ranges{{0, 0}});
+    CHECK_FALSE(p.header.frame);
+}
+
+TEST_CASE("L'(n) = L(0) + mean of frames 1..n, after every frame") {
+    Accumulator a;
+    std::vector<double> sum(90, 0);
+    Picture p;
+    for (int64_t k = 0; k <= 50; ++k) {
+        a.add(frame(k), "x");
+        const Picture f = frame(k);
+        if (k > 0)
+            for (size_t i = 0; i < 90; ++i) sum[i] += f.rgb[i];
+        a.result(p, false);
+        CHECK(p.header.frames == k);
+        for (size_t i = 0; i < 90; ++i) CHECK(p.rgb[i] == float(frame(0).rgb[i] + (k ? sum[i] * (1. / double(k)) : 0)));
+    }
+}
+
+TEST_CASE("100,000 frames lose nothing") {
+    // Frame k is 1 + 2^-20 everywhere: the mean must be that float exactly; a float sum would have stuck long before.
+    Picture f;
+    f.width = f.height = 1;
+    f.rgb.assign(3, 0);
+    Accumulator a;
+    for (int64_t k = 0; k <= 100000; ++k) {
+        f.header.frame = k;
+        f.rgb.assign(3, k ? 1 + std::ldexp(1.f, -20) : 0);
+        a.add(f, "x");
+    }
+    Picture p;
+    a.result(p, false);
+    CHECK(p.rgb[0] == 1 + std::ldexp(1.f, -20));
+}
+
+TEST_CASE("a new frame 0 starts again, whatever its size and seed") {
+    Accumulator a;
+    for (int64_t k = 0; k < 5; ++k) a.add(frame(k), "x");
+    Picture big = frame(0, 9);
+    big.width = 5, big.height = 6;
+    a.add(big, "x");
+    CHECK(a.frames() == 0);
+    Picture p;
+    a.result(p, true);
+    CHECK(p.width == 5);
+    CHECK(p.header.seed == 9);
+}
+
+TEST_CASE("values that are no finite numbers count as 0, with a warning") {
+    base::take_warnings();
+    Accumulator a;
+    a.add(frame(0), "x");
+    Picture f = frame(1);
+    f.rgb[3] = NAN;
+    f.rgb[5] = INFINITY;
+    a.add(f, "x");
+    Picture p;
+    a.result(p, false);
+    CHECK(p.rgb[3] == frame(0).rgb[3]);
+    CHECK(p.rgb[5] == frame(0).rgb[5]);
+    CHECK(base::take_warnings().size() == 1);
+}
+
+TEST_CASE("ranges merge to the whole, in any order and any split") {
+    const Picture whole = sum_of(0, 63);
+    const std::vector<std::vector<Picture>> splits{{sum_of(0, 9), sum_of(10, 40), sum_of(41, 63)},
+                                                   {sum_of(41, 63), sum_of(10, 40), sum_of(0, 9)},
+                                                   {sum_of(0, 0), sum_of(1, 63)},
+                                                   {sum_of(1, 30), sum_of(0, 0), sum_of(31, 63)}};
+    for (const auto& parts : splits) {
+        const Picture p = merged(parts);
+        CHECK(worst(p, whole) < 2e-7);  // float rounding: 2^-23
+        CHECK(p.header.frames == 63);
+        CHECK(p.header.ranges == image::Ranges{{0, 63}});
+        CHECK(p.frame0 == whole.frame0);
+    }
+    // Partial results may merge first; a hole stays visible.
+    const Picture later = merged({sum_of(41, 63), sum_of(10, 39)});
+    CHECK(later.header.ranges == image::Ranges{{10, 39}, {41, 63}});
+    CHECK(later.header.frames == 53);
+    const Picture all = merged({later, sum_of(40, 40), sum_of(0, 9)});
+    CHECK(worst(all, whole) < 4e-7);
+}
+
+TEST_CASE("complete sums of several seeds average by their frames") {
+    const Picture a = sum_of(0, 10, 1), b = sum_of(0, 30, 2);
+    const Picture p = merged({a, b});
+    for (size_t i = 0; i < 90; ++i) CHECK(p.rgb[i] == doctest::Approx((10. * a.rgb[i] + 30. * b.rgb[i]) / 40).epsilon(1e-6));
+    CHECK(p.header.frames == 40);
+    CHECK(p.header.seed == 1);
+    CHECK(p.header.other_seeds.size() == 1);
+    const Picture q = merged({p, sum_of(0, 20, 3)});
+    CHECK(worst(q, merged({a, b, sum_of(0, 20, 3)})) < 4e-7);
+    CHECK(q.header.frames == 60);
+}
+
+TEST_CASE("what cannot be weighted rightly is refused") {
+    CHECK(merge_error({sum_of(0, 9), sum_of(0, 9)}) == "p1: frame 0 of seed 1 is in p0 already");
+    CHECK(merge_error({sum_of(0, 9), sum_of(5, 20)}) == "p1: frame 5 of seed 1 is in p0 already");
+    CHECK(merge_error({sum_of(0, 9), sum_of(5, 20, 2)}).find("p1: seed 2: frames 5:20 come without frame 0") == 0);
+    CHECK(merge_error({sum_of(0, 9), sum_of(0, 0, 2)}).find("frame 0 alone has no weight") != std::string::npos);
+    Picture no_layer = sum_of(0, 9);
+    no_layer.frame0.clear();
+    CHECK(merge_error({no_layer}).empty());
+    CHECK(merge_error({no_layer, sum_of(10, 20)}).find("has frame 0 summed in") != std::string::npos);
+    CHECK(merge_error({sum_of(10, 20), no_layer}).find("has frame 0 summed in") != std::string::npos);
+    CHECK(merge_error({no_layer, sum_of(0, 9, 2)}).empty());
+    CHECK(merge_error({merged({sum_of(0, 9), sum_of(0, 9, 2)}), sum_of(10, 20, 2)}).find("mixes with other seeds") != std::string::npos);
+    CHECK(merge_error({merged({sum_of(0, 9), sum_of(0, 9, 2)}), sum_of(0, 5, 2)}).find("frame 0 of seed 2 is in p0 already") != std::string::npos);
+    Picture lies = sum_of(0, 9);
+    lies.header.frames = 100;
+    CHECK(merge_error({lies}) == "p0: FRAMES=100 does not fit RANGE=0:9, which holds 9 diffuse frames");
+    Picture turned = sum_of(10, 20);
+    turned.header.view = view::View();
+    CHECK(merge_error({sum_of(0, 9), turned}) == "p1: has another view than p0");
+    CHECK(merge_error({frame(3)}) == "p0: is a single frame: merging wants sums of frames");
+}
+
+TEST_CASE("schedules") {
+    const auto due = [](const char* text, int64_t last) {
+        image::Schedule s = image::Schedule::parse(text, "-every");
+        std::vector<int64_t> all;
+        for (int64_t n = 0; n <= last; ++n)
+            if (s.due(n)) all.push_back(n);
+        return all;
+    };
+    CHECK(due("1", 3) == std::vector<int64_t>{0, 1, 2, 3});
+    CHECK(due("4", 9) == std::vector<int64_t>{0, 4, 8});
+    CHECK(due("x2", 40) == std::vector<int64_t>{0, 1, 2, 4, 8, 16, 32});
+    CHECK(due("x10", 1500) == std::vector<int64_t>{0, 1, 10, 100, 1000});
+    // 16 steps a doubling: from 16 to 32 every frame, from 1024 to 2048 16 of them
+    const auto fine = due("x2/16", 2047);
+    int64_t in_doubling = 0;
+    for (const int64_t n : fine) in_doubling += n >= 1024;
+    CHECK(in_doubling == 16);
+    for (const char* bad : {"0", "-3", "x1", "x", "x2/0", "y", "", "2.5"})
+        CHECK_FALSE(error_text([&] { image::Schedule::parse(bad, "-every"); }).empty());
+}

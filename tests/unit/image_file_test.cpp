@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files: OpenEXR in its variants, masks, PNG, tone curves, and writing whole or not at all.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include <cmath>
+
+#include "base/warnings.h"
+#include "image/exr.h"
+#include "image/masks.h"
+#include "image/stream.h"
+#include "image/tone.h"
+#include "image_pictures.h"
+#include "temp_folder.h"
+
+using image::Picture;
+
+TEST_CASE("OpenEXR: every compression, scanlines and tiles, float and half") {
+    TempFolder temp;
+    Picture p = small_picture(70, 67);
+    for (float& v : p.rgb) v = std::fmod(v, 100.f);
+    for (const char* compression : {"none", "rle", "zips", "zip", "piz", "pxr24", "b44", "b44a", "dwaa", "dwab"})
+        for (const bool tiled : {false, true})
+            for (const bool half : {false, true}) {
+                CAPTURE(compression);
+                CAPTURE(tiled);
+                CAPTURE(half);
+                image::ExrOptions o;
+                o.half = half;
+                o.tiled = tiled;
+                o.compression = compression;
+                const std::string path = temp.name("a.exr");
+                image::write_exr(path, p, o);
+                const Picture q = image::read_file(path);
+                const std::string c = compression;
+                const bool lossy = c[0] == 'b' || c[0] == 'd' || (c == "pxr24" && !half);
+                double worst = 0;
+                for (size_t i = 0; i < p.rgb.size(); ++i) worst = std::max(worst, double(std::fabs(q.rgb[i] - p.rgb[i])));
+                if (!half && (c == "pxr24")) CHECK(worst < 100 * std::ldexp(1., -15));
+                else if (!lossy && !half) CHECK(worst == 0);
+                else if (!lossy) CHECK(worst <= 100 * std::ldexp(1., -11));
+                CHECK(q.rgb.size() == p.rgb.size());
+                CHECK(*q.header.view == *p.header.view);
+                CHECK(q.header.seed == p.header.seed);
+                CHECK(q.header.ranges == p.header.ranges);
+                CHECK(q.header.lines[1] == p.header.lines[1]);
+            }
+}
+
+TEST_CASE("OpenEXR keeps frame 0 beside the sum") {
+    TempFolder temp;
+    Picture p = small_picture(4, 4);
+    p.frame0.assign(48, 2.5f);
+    const std::string path = temp.name("a.exr");
+    image::write_file(path, p);
+    CHECK(image::read_file(path).frame0 == p.frame0);
+}
+
+TEST_CASE("half floats are cut at 65504 with a warning") {
+    TempFolder temp;
+    Picture p = small_picture(2, 2);
+    p.rgb[0] = 1e6f;
+    image::ExrOptions o;
+    o.half = true;
+    const std::string path = temp.name("a.exr");
+    base::take_warnings();
+    image::write_exr(path, p, o);
+    CHECK(base::take_warnings().size() == 1);
+    CHECK(image::read_file(path).rgb[0] == 65504);
+}
+
+namespace {
+// An EXR of another program: luminance only, data window smaller than and apart from the display window.
+void write_foreign(const std::string& path, const char* channel) {
+    Imf::Header h(Imath::Box2i({10, 10}, {13, 12}), Imath::Box2i({11, 11}, {12, 12}));
+    h.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+    h.insert("VIEW", Imf::StringAttribute("-vtv -vh 33 -vv 22"));
+    Imf::addWhiteLuminance(h, 358);  // twice ours
+    const float data[4] = {1, 2, 3, 4};
+    Imf::OutputFile file(path.c_str(), h);
+    Imf::FrameBuffer frame;
+    frame.insert(channel, Imf::Slice::Make(Imf::FLOAT, data, h.dataWindow(), 4, 8));
+    file.setFrameBuffer(frame);
+    file.writePixels(2);
+}
+}  // namespace
+
+TEST_CASE("OpenEXR of other programs: luminance only, windows, white luminance, a VIEW attribute") {
+    TempFolder temp;
+    const std::string path = temp.name("y.exr");
+    write_foreign(path, "Y");
+    const Picture p = image::read_file(path);
+    CHECK(p.width == 4);
+    CHECK(p.height == 3);
+    CHECK(p.at(0, 0)[0] == 0);
+    CHECK(p.at(1, 1)[2] == 2);
+    CHECK(p.at(2, 1)[0] == 4);
+    CHECK(p.at(2, 2)[1] == 8);
+    CHECK(p.at(3, 2)[1] == 0);
+    CHECK(p.header.view->vh == 33);
+    write_foreign(path, "depth");
+    CHECK(error_text([&] { image::read_file(path); }) == path + ": has neither the channels R G B nor Y: it is no picture");
+}
+
+TEST_CASE("a broken OpenEXR file is an error in one line") {
+    TempFolder temp;
+    const std::string path = temp.name("a.exr");
+    image::write_file(path, small_picture(40, 40));
+    const std::string bytes = bytes_of(path);
+    for (size_t n = 4; n < bytes.size() - 1; n += 1 + n / 40) {
+        temp.holding("a.exr", bytes.substr(0, n));
+        const std::string text = error_text([&] { image::read_file(path); });
+        CHECK_MESSAGE(!text.empty(), n);
+        CHECK(text.find('\n') == std::string::npos);
+    }
+    uint32_t state = 7;
+    const auto next = [&] { return state = state * 1664525u + 1013904223u; };
+    for (int i = 0; i < 500; ++i) {
+        std::string bent = bytes;
+        bent[4 + (next() >> 8) % 600] = char(next() >> 24);  // attributes and line table
+        temp.holding("a.exr", bent);
+        error_text([&] { image::read_file(path); });
+    }
+}
+
+TEST_CASE("masks keep names, order and coverage") {
+    TempFolder temp;
+    image::MaskSet set;
+    set.width = 3;
+    set.height = 2;
+    set.masks = {{"screen-hi", {0, .25f, .5f, 1, 0, 0}}, {"desk", {1, 1, 1, 0, 0, 0}}, {"A_1", {0, 0, 0, 0, 0, 1}}};
+    set.header = small_picture(1, 1).header;
+    const std::string path = temp.name("m.exr");
+    image::write_masks(path, set);
+    const image::MaskSet back = image::read_masks(path);
+    CHECK(back.width == 3);
+    CHECK(back.height == 2);
+    REQUIRE(back.masks.size() == 3);
+    for (size_t i = 0; i < 3; ++i) {
+        CHECK(back.masks[i].name == set.masks[i].name);
+        CHECK(back.masks[i].coverage == set.masks[i].coverage);
+    }
+    CHECK(*back.header.view == *set.header.view);
+    set.masks[0].name = "no good";
+    CHECK_FALSE(error_text([&] { image::write_masks(path, set); }).empty());
+    set.masks[0].name = "ok";
+    set.masks[0].coverage[0] = 1.5f;
+    image::write_masks(path, set);
+    CHECK(error_text([&] { image::read_masks(path); }) == path + ": region \"ok\" has a coverage outside 0..1");
+}
+
+TEST_CASE("a file that cannot be written leaves nothing, one that exists is replaced whole") {
+    TempFolder temp;
+    const Picture p = small_picture(4, 4);
+    CHECK(error_text([&] { image::write_file("/no/such/folder/a.exr", p); }).find("/no/such/folder/a.exr: cannot be written") == 0);
+    CHECK_FALSE(error_text([&] { image::write_file("a.jpg", p); }).empty());
+    const std::string path = temp.holding("a.hdr", "old");
+    image::write_file(path, p);
+    CHECK(image::read_file(path).width == 4);
+}
+
+TEST_CASE("tone curves: order is kept, the middle is visible, the legend is beside the picture") {
+    Picture p;
+    p.width = 256;
+    p.height = 64;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 256; ++x)
+            for (int c = 0; c < 3; ++c) p.rgb.push_back(float(std::pow(10, x / 64. - 2)));  // four decades
+    const image::Image8 photo = image::photo(p, {});
+    for (int x = 1; x < 256; ++x) CHECK(photo.at(x, 0)[1] >= photo.at(x - 1, 0)[1]);
+    CHECK(photo.at(0, 0)[1] < 60);
+    CHECK(photo.at(128, 0)[1] > 60);
+    CHECK(photo.at(128, 0)[1] < 200);
+    CHECK(photo.at(255, 0)[1] > 240);
+    image::ToneOptions o;
+    o.kind = image::ToneOptions::Kind::falsecolor;
+    o.max_cdm2 = 17900;
+    o.decades = 4;
+    const image::Image8 colors = image::falsecolor(p, o);
+    CHECK(colors.width > 256);
+    CHECK(colors.height == 64);
+    // x = 192 is radiance 10 = 1790 cd/m2: one decade below the top of four
+    const auto want = image::ramp(.75);
+    for (size_t c = 0; c < 3; ++c) CHECK(std::abs(colors.at(192, 5)[c] - want[c]) <= 1);
+    const std::string png = image::png_bytes(colors, "header");
+    CHECK(png.substr(1, 3) == "PNG");
+    Picture black;
+    black.width = black.height = 2;
+    black.rgb.assign(12, 0);
+    CHECK(image::photo(black, {}).rgb == std::vector<uint8_t>(12, 0));
+    CHECK(image::falsecolor(black, o).rgb.size() > 0);
+}
+
+TEST_CASE("the colour ramp's lightness rises throughout") {
+    double last = -1;
+    for (int i = 0; i <= 70; ++i) {
+        const auto c = image::ramp(i / 70.);
+        const double light = .2126 * std::pow(c[0] / 255., 2.2) + .7152 * std::pow(c[1] / 255., 2.2) + .0722 * std::pow(c[2] / 255., 2.2);
+        CHECK(light > last);
+        last = light;
+    }
+    CHECK(image::round_up_125(1900) == 2000);
+    CHECK(image::round_up_125(2000) == 2000);
+    CHECK(image::round_up_125(5001) == 10000);
+    CHECK(image::round_up_125(.013) == doctest::Approx(.02));
+}

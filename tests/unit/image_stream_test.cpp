@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// RADIANCE pictures byte by byte: headers, orientations, run-lengths typed by hand, and everything cut or bent.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "image/header.h"
+#include "image/rgbe.h"
+#include "image/stream.h"
+#include "image_pictures.h"
+#include "temp_folder.h"
+
+using image::Format;
+using image::Picture;
+using image::StreamReader;
+
+namespace {
+
+const std::string rgbe_head = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
+
+// value of a byte with exponent e: (byte + .5) 2^(e - 136)
+float decoded(int byte, int e) { return float(std::ldexp(byte + .5, e - 136)); }
+
+std::string floats(const std::vector<float>& values, bool swap = false) {
+    std::string out;
+    for (const float v : values) {
+        char b[4];
+        std::memcpy(b, &v, 4);
+        if (swap) std::swap(b[0], b[3]), std::swap(b[1], b[2]);
+        out.append(b, 4);
+    }
+    return out;
+}
+
+Picture read(const std::string& bytes) {
+    TempFolder temp;
+    return image::read_file(temp.holding("x.hdr", bytes));
+}
+std::string why(const std::string& bytes) {
+    TempFolder temp;
+    const std::string path = temp.holding("x.hdr", bytes);
+    const std::string text = error_text([&] { image::read_file(path); });
+    return text.compare(0, path.size() + 2, path + ": ") == 0 ? text.substr(path.size() + 2) : text;
+}
+
+}  // namespace
+
+TEST_CASE("float pictures come back bit for bit, with their header") {
+    TempFolder temp;
+    const Picture p = small_picture(5, 4);
+    const std::string path = temp.holding("a.hdr", image::picture_bytes(p, Format::flt));
+    const Picture q = image::read_file(path);
+    CHECK(q.width == 5);
+    CHECK(q.height == 4);
+    CHECK(q.rgb == p.rgb);
+    CHECK(*q.header.view == *p.header.view);
+    CHECK(q.header.seed == p.header.seed);
+    CHECK(q.header.frames == 9);
+    CHECK(q.header.ranges == p.header.ranges);
+    CHECK(q.header.lines[0] == p.header.lines[0]);
+    CHECK(q.header.lines[1] == p.header.lines[1]);
+    // and again: nothing grows
+    CHECK(image::picture_bytes(q, Format::flt) == image::picture_bytes(p, Format::flt));
+}
+
+TEST_CASE("a stream is pictures one after another") {
+    TempFolder temp;
+    Picture p = small_picture(3, 2);
+    std::string bytes;
+    for (int k = 0; k < 5; ++k) {
+        p.header.frame = k;
+        p.rgb[0] = float(k);
+        bytes += image::picture_bytes(p, k % 2 ? Format::rgbe : Format::flt);
+    }
+    StreamReader in(temp.holding("s.hdr", bytes));
+    Picture q;
+    for (int k = 0; k < 5; ++k) {
+        CHECK(in.next(q));
+        CHECK(q.header.frame == k);
+    }
+    CHECK_FALSE(in.next(q));
+    CHECK(in.pictures() == 5);
+}
+
+TEST_CASE("RGBE pixels: half a step is added, E = 0 is black") {
+    const Picture p = read(rgbe_head + "-Y 1 +X 2\n" + std::string("\x80\x40\x00\x81" "\xff\xff\xff\x00", 8));
+    CHECK(p.rgb == std::vector<float>{decoded(128, 129), decoded(64, 129), decoded(0, 129), 0, 0, 0});
+}
+
+TEST_CASE("RGBE keeps values within its step, makes negative ones 0 and survives the extremes") {
+    const int n = 40;
+    std::vector<float> rgb;
+    for (int i = 0; i < 3 * n; ++i) rgb.push_back(float(std::pow(10., -20 + i / 3) * (1 + i % 3)));
+    std::vector<uint8_t> row(4 * n);
+    std::vector<float> back(3 * n);
+    image::float_to_rgbe(rgb.data(), n, row.data());
+    image::rgbe_to_float(row.data(), n, back.data());
+    for (int i = 0; i < 3 * n; ++i) {
+        const float step = rgb[size_t(i / 3 * 3 + 2)] / 128;  // of the largest channel, at most
+        CHECK(std::fabs(back[size_t(i)] - rgb[size_t(i)]) <= step);
+    }
+    const float odd[9] = {-1, 2, NAN, INFINITY, 1, 1, 3e38f, 0, 1e-33f};
+    image::float_to_rgbe(odd, 3, row.data());
+    image::rgbe_to_float(row.data(), 3, back.data());
+    CHECK(row[0] == 0);
+    CHECK(row[2] == 0);
+    CHECK(back[1] == doctest::Approx(2).epsilon(.01));
+    CHECK(back[3] > 1e38f);
+    CHECK(back[6] > 1e38f);
+}
+
+TEST_CASE("rounding down and adding half is unbiased") {
+    // 1000 values evenly in [1,2) are steps of 1/128 wide: the mean error of (floor + .5) is below a tenth of a step.
+    double error = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const float v = 1 + float(i) / 1000, rgb[3] = {v, v, v};
+        uint8_t row[4];
+        float back[3];
+        image::float_to_rgbe(rgb, 1, row);
+        image::rgbe_to_float(row, 1, back);
+        error += back[0] - v;
+    }
+    CHECK(std::fabs(error / 1000) < .1 / 128);
+}
+
+TEST_CASE("new run-length, typed by hand") {
+    // 2 2 0 9; red: run of 9 x 128; green: 9 literals; blue: 4 literals, run of 5; exponent: run of 9 x 129
+    const std::string line("\x02\x02\x00\x09" "\x89\x80" "\x09\x01\x02\x03\x04\x05\x06\x07\x08\x09" "\x04\x0a\x0b\x0c\x0d\x85\x0e" "\x89\x81", 25);
+    const Picture p = read(rgbe_head + "-Y 1 +X 9\n" + line);
+    CHECK(p.at(0, 0)[0] == decoded(128, 129));
+    CHECK(p.at(8, 0)[1] == decoded(9, 129));
+    CHECK(p.at(3, 0)[2] == decoded(13, 129));
+    CHECK(p.at(8, 0)[2] == decoded(14, 129));
+    CHECK(why(rgbe_head + "-Y 1 +X 8\n" + line) == "scanline length 9 does not match width 8");
+    CHECK(why(rgbe_head + "-Y 1 +X 9\n" + line.substr(0, 4) + "\x8a\x80" + line.substr(6)) == "a run is longer than the scanline");
+    CHECK(why(rgbe_head + "-Y 1 +X 9\n" + line.substr(0, 4) + std::string("\x00\x80", 2) + line.substr(6)) == "a run of no length");
+}
+
+TEST_CASE("old run-length, typed by hand: counts of markers in a row are digits of base 256") {
+    std::string line("\x80\x10\x20\x81" "\x01\x01\x01\x03" "\x81\x11\x21\x81" "\x01\x01\x01\x02\x01\x01\x01\x01", 20);
+    const int width = 1 + 3 + 1 + 2 + 256;
+    const std::string head = rgbe_head + "-Y 1 +X " + std::to_string(width) + "\n";
+    const Picture p = read(head + line);
+    CHECK(p.at(3, 0)[0] == decoded(128, 129));
+    CHECK(p.at(4, 0)[0] == decoded(129, 129));
+    CHECK(p.at(width - 1, 0)[2] == decoded(33, 129));
+    CHECK(why(rgbe_head + "-Y 1 +X 6\n" + line) == "a run is longer than the scanline");
+    CHECK(why(rgbe_head + "-Y 1 +X 5\n" + line.substr(4)) == "a run without a pixel before it");
+}
+
+TEST_CASE("what is written run-length is what is read, for every kind of run") {
+    for (const int width : {1, 7, 8, 16, 17, 127, 128, 129, 130, 260, 1000}) {
+        std::string out;
+        std::vector<uint8_t> row;
+        for (int x = 0; x < width; ++x)
+            for (int c = 0; c < 4; ++c)  // runs of 1, 3, 4 and everything; exponents above 0
+                row.push_back(uint8_t(c == 0 ? x : c == 1 ? x / 3 * 5 : c == 2 ? (x / 4) % 3 ? 9 : x : 140));
+        for (size_t i = 0; i < row.size(); i += 4) row[i] |= 128;  // a real RGBE pixel has a byte from 128
+        image::append_rgbe_row(out, row.data(), width);
+        if (width >= 130) CHECK(out.size() < row.size());
+        TempFolder temp;
+        image::Input in(temp.holding("row", out));
+        std::vector<uint8_t> back(row.size());
+        image::read_rgbe_row(in, width, back.data(), "row");
+        CHECK(back == row);
+        CHECK(in.at_end());
+    }
+}
+
+TEST_CASE("all eight orientations show the same picture") {
+    // Pixel value = 10 x + y, x from the left, y from the TOP, 3 wide, 2 high.
+    const auto value = [](int x, int y) { return float(10 * x + y); };
+    for (const bool x_major : {false, true})
+        for (const bool x_down : {false, true})
+            for (const bool y_up : {false, true}) {
+                std::vector<float> data;
+                for (int s = 0; s < (x_major ? 3 : 2); ++s)
+                    for (int f = 0; f < (x_major ? 2 : 3); ++f) {
+                        const int i = x_major ? s : f, j = x_major ? f : s;
+                        for (int c = 0; c < 3; ++c) data.push_back(value(x_down ? 2 - i : i, y_up ? 1 - j : j));
+                    }
+                const std::string x = std::string(x_down ? "-" : "+") + "X 3", y = std::string(y_up ? "+" : "-") + "Y 2";
+                const Picture p = read("#?RADIANCE\nNCOMP=3\nBigEndian=0\nFORMAT=float\n\n" + (x_major ? x + " " + y : y + " " + x) + "\n" + floats(data));
+                CAPTURE(x + y);
+                for (int i = 0; i < 3; ++i)
+                    for (int j = 0; j < 2; ++j) CHECK(p.at(i, j)[1] == value(i, j));
+            }
+}
+
+TEST_CASE("float pictures of other programs: byte order, one channel, NROWS and NCOLS instead of a resolution line") {
+    const std::vector<float> v{1, 2.5f, -3, 1e30f, 5, 6};
+    CHECK(read("#?RADIANCE\nNCOMP=3\nBigEndian=1\nFORMAT=float   \n\n-Y 1 +X 2\n" + floats(v, true)).rgb == v);
+    CHECK(read("#?RADIANCE\nNROWS=1\nNCOLS=2\nNCOMP=3\nBigEndian=0\nFORMAT=float\n\n" + floats(v)).rgb == v);
+    const Picture grey = read("#?RADIANCE\nNCOMP=1\nBigEndian=0\nFORMAT=float\n\n-Y       2 +X       3\n" + floats(v));
+    CHECK(grey.at(0, 1)[0] == 1e30f);
+    CHECK(grey.at(0, 1)[2] == 1e30f);
+    CHECK(grey.at(2, 0)[1] == -3);
+}
+
+TEST_CASE("exposure, colour correction and pixel aspect multiply; indented lines do not count") {
+    const Picture p = read("#?RADIANCE\nEXPOSURE=2\nEXPOSURE= 4e0\n\tEXPOSURE=100\nCOLORCORR= 1 2 4\nPIXASPECT=.5\nPIXASPECT=3\nBigEndian=0\n"
+                           "FORMAT=float\nNCOMP=3\n\n-Y 1 +X 1\n" + floats({8, 8, 8}));
+    CHECK(p.rgb == std::vector<float>{1, .5f, .25f});
+    CHECK(p.header.exposure == 8);
+    CHECK(p.header.pixel_aspect == 1.5);
+    CHECK(p.header.tabbed_exposure);
+    CHECK(why("#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\n") == "header line \"EXPOSURE=0\" is not above 0");
+    CHECK(why("#?RADIANCE\nCOLORCORR=1 1\n\n-Y 1 +X 1\n") == "header line \"COLORCORR=1 1\" is malformed");
+}
+
+TEST_CASE("XYZE is cd/m2, and other primaries keep luminance") {
+    const double y_of[3] = {0.265074126, 0.670114631, 0.064811243};
+    const image::Matrix3 m = image::rgb_from_xyz(), back = image::xyz_from_radiance_rgb();
+    for (int c = 0; c < 3; ++c) CHECK(back[size_t(3 + c)] == doctest::Approx(y_of[c]).epsilon(1e-6));
+    // The white point (1,1,1) is Y = 1.
+    CHECK(m[0] * .3333 / .3333 + m[1] + m[2] * (.3334 / .3333) == doctest::Approx(1).epsilon(1e-9));
+
+    Picture p = small_picture(20, 2);
+    for (size_t i = 0; i < p.rgb.size(); ++i) p.rgb[i] = float(1 + i % 5);
+    const Picture q = read(image::picture_bytes(p, Format::xyze));
+    for (int x = 0; x < 20; ++x) {
+        const auto lum = [&](const float* c) { return y_of[0] * c[0] + y_of[1] * c[1] + y_of[2] * c[2]; };
+        CHECK(lum(q.at(x, 1)) == doctest::Approx(lum(p.at(x, 1))).epsilon(.01));
+    }
+    // sRGB's green alone has luminance .7152 (D65), whatever the target space.
+    const Picture srgb = read("#?RADIANCE\nPRIMARIES= .64 .33 .30 .60 .15 .06 .3127 .3290\nBigEndian=0\nNCOMP=3\nFORMAT=float\n\n-Y 1 +X 1\n" + floats({0, 1, 0}));
+    CHECK(y_of[0] * srgb.rgb[0] + y_of[1] * srgb.rgb[1] + y_of[2] * srgb.rgb[2] == doctest::Approx(.7152).epsilon(1e-3));
+}
+
+TEST_CASE("views of a header: later lines override, inputs' lines do not count") {
+    const Picture p = read("#?RADIANCE\nrpict -vtv -vp 1 2 3 -vh 60\n\tVIEW= -vth\nVIEW= -vta -vh 180\n\n-Y 1 +X 1\n\x80\x80\x80\x80");
+    CHECK(p.header.view->type == 'a');
+    CHECK(p.header.view->vp == base::Vec3{1, 2, 3});
+    CHECK(p.header.view->vh == 180);
+    CHECK_FALSE(read("#?RADIANCE\nhello\n\n-Y 1 +X 1\n\x80\x80\x80\x80").header.view);
+}
+
+TEST_CASE("several seeds have their own ranges") {
+    image::Header h;
+    image::Encoding e;
+    for (const char* line : {"SEED=1", "RANGE=0:9", "SEED=2", "RANGE=0:3", "RANGE=8:9"}) image::parse_header_line(line, h, e, "x");
+    CHECK(h.seed == 1);
+    CHECK(h.ranges == image::Ranges{{0, 9}});
+    CHECK(h.other_seeds.size() == 1);
+    CHECK(h.other_seeds[0].second == image::Ranges{{0, 3}, {8, 9}});
+    CHECK(why("#?RADIANCE\nRANGE=5:3\n\n") == "header line \"RANGE=5:3\" ends before it begins");
+    CHECK(why("#?RADIANCE\nFRAME=-1\n\n") == "header line \"FRAME=-1\" is not a whole number from 0");
+    CHECK(why("#?RADIANCE\nSEED=12x\n\n") == "header line \"SEED=12x\" is not a whole number from 0");
+}
+
+TEST_CASE("header lines stay within RADIANCE's limit and are lines") {
+    Picture p = small_picture(1, 1);
+    p.header.lines = {"ptrace " + std::string(5000, 'a'), "two\nlines", ""};
+    const std::string bytes = image::picture_bytes(p, Format::flt);
+    size_t longest = 0, from = 0;
+    for (size_t at; (at = bytes.find('\n', from)) != std::string::npos && at != from; from = at + 1) longest = std::max(longest, at - from);
+    CHECK(longest < 2048);
+    CHECK(image::read_file(TempFolder().holding("x", bytes)).width == 1);
+    CHECK(bytes.find("two lines\n") != std::string::npos);
+}
+
+TEST_CASE("partial sums and single frames are no pictures") {
+    Picture p = small_picture(1, 1);
+    CHECK(error_text([&] { image::require_complete(p, "x"); }).empty());
+    p.header.ranges = {{100, 199}};
+    CHECK(error_text([&] { image::require_complete(p, "x"); }) == "x: is a partial sum without frame 0 (RANGE=100:199): merge it with ptaccum first");
+    p.header = image::Header();
+    p.header.frame = 0;
+    CHECK(error_text([&] { image::require_complete(p, "x"); }).empty());
+    p.header.frame = 3;
+    CHECK(error_text([&] { image::require_complete(p, "x"); }) == "x: is single frame 3, no picture of the scene: sum the frames with ptaccum first");
+}
+
+TEST_CASE("sizes are checked before memory is taken") {
+    CHECK(why(rgbe_head + "-Y 32769 +X 1\n") == "picture size 32769 is not within 1..32768");
+    CHECK(why(rgbe_head + "-Y 0 +X 1\n") == "picture size 0 is not within 1..32768");
+    CHECK(why(rgbe_head + "-Y -5 +X 1\n") == "picture size -5 is not within 1..32768");
+    // 32768 x 32768 floats would be 12 GiB; the file is 100 bytes.
+    CHECK(why("#?RADIANCE\nFORMAT=float\nNCOMP=3\n\n-Y 32768 +X 32768\n" + std::string(100, 'x')).find("input ends inside the picture") == 0);
+    CHECK(why(rgbe_head + "-Y 32768 +X 32768\n" + std::string(200000, 'x')).find("input ends inside the picture") == 0);
+    CHECK(why("#?RADIANCE\nNCOMP=99999999999\n\n") == "header line \"NCOMP=99999999999\" is out of range");
+    CHECK(why("#?RADIANCE\nFORMAT=float\nNCOMP=24\n\n-Y 1 +X 1\n") == "NCOMP=24: float pictures have 1 or 3 channels");
+}
+
+TEST_CASE("what is no picture says so") {
+    CHECK(why("P6 5 5") == "is no RADIANCE picture (it does not begin with #?)");
+    CHECK(why("") == "holds no picture");
+    CHECK(why("#?RADIANCE\nFORMAT=ascii\n\n").find("this pixel format is not read") != std::string::npos);
+    CHECK(why(rgbe_head + "-Y 5 +Y 5\n") == "\"-Y 5 +Y 5\" is no resolution line such as -Y 512 +X 512");
+    CHECK(why(rgbe_head + "-Y 5 +X\n") == "\"-Y 5 +X\" is no resolution line such as -Y 512 +X 512");
+    CHECK(why("#?RADIANCE\n" + std::string(70000, 'a')) == "a header line is longer than 65536 characters");
+    std::string endless = "#?RADIANCE\n";
+    for (int i = 0; i < 30000; ++i) endless += std::string(50, 'a') + "\n";
+    CHECK(why(endless) == "the header is longer than 1 MiB");
+    const std::string good = image::picture_bytes(small_picture(2, 2), Format::flt);
+    TempFolder temp;
+    const std::string path = temp.holding("two.hdr", good + "rubbish");
+    StreamReader in(path);
+    Picture p;
+    CHECK(in.next(p));
+    CHECK(error_text([&] { in.next(p); }) == path + ": picture 2: what follows is no picture (it does not begin with #?)");
+}
+
+TEST_CASE("a picture cut anywhere is an error, never a picture") {
+    Picture p = small_picture(20, 3);
+    for (const Format f : {Format::flt, Format::rgbe}) {
+        const std::string bytes = image::picture_bytes(p, f);
+        TempFolder temp;
+        for (size_t n = 1; n < bytes.size(); ++n) {
+            const std::string text = error_text([&] { image::read_file(temp.holding("cut.hdr", bytes.substr(0, n))); });
+            CHECK_MESSAGE(!text.empty(), n);
+            if (text.empty()) break;
+        }
+    }
+}
+
+TEST_CASE("bent bytes give an error or a picture, never anything else") {
+    const std::string bytes = image::picture_bytes(small_picture(20, 3), Format::rgbe);
+    uint32_t state = 1;  // a fixed sequence (Numerical Recipes' LCG)
+    const auto next = [&] { return state = state * 1664525u + 1013904223u; };
+    TempFolder temp;
+    const std::string path = temp.name("bent.hdr");
+    for (int i = 0; i < 1000; ++i) {
+        std::string bent = bytes;
+        for (uint32_t k = 0; k <= next() >> 30; ++k) bent[(next() >> 8) % bent.size()] = char(next() >> 24);
+        std::ofstream(path, std::ios::binary) << bent;
+        Picture p;
+        const std::string text = error_text([&] {
+            StreamReader in(path);
+            while (in.next(p)) {}
+        });
+        if (text.empty()) CHECK(p.rgb.size() == 3 * size_t(p.width) * size_t(p.height));
+    }
+}
