@@ -77,21 +77,26 @@ FN int bvh8_traverse_(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint
             m = lanes8_(tn <= tf);
             if (m != 0u) {
                 uint k = lane_first_(m);
+                int bottom = stack.size;
                 float ts[8];
                 store8_(tn, ts);
                 m = lane_drop_(m, k);
                 cur = as_uint_(n[48u + k]);
                 cur_t = ts[k];
-                if (m == 0u) continue;
-                {
-                    int bottom = stack.size;
-                    bvh8_push_(&stack, bottom, cur, cur_t);
-                    while (m != 0u) {
-                        k = lane_first_(m);
-                        m = lane_drop_(m, k);
-                        bvh8_push_(&stack, bottom, as_uint_(n[48u + k]), ts[k]);
+                while (m != 0u) {  // go on with the nearest, keep the others in order
+                    uint ref;
+                    k = lane_first_(m);
+                    m = lane_drop_(m, k);
+                    ref = as_uint_(n[48u + k]);
+                    if (ts[k] < cur_t) {
+                        bvh8_push_(&stack, bottom, cur, cur_t);
+                        cur = ref;
+                        cur_t = ts[k];
+                    } else {
+                        bvh8_push_(&stack, bottom, ref, ts[k]);
                     }
                 }
+                continue;
             }
         } else if ((cur & REF_INSTANCE) == 0u) {
             GLOBAL const float* b = s->leaves + (ulong64)(cur & REF_INDEX) * BVH8_LEAF_FLOATS;
