@@ -5,7 +5,7 @@
 #include <CL/cl.h>
 #include <doctest/doctest.h>
 #include <cstring>
-#include "unit/cal_golden.h"
+#include "unit/cal_pattern_rows.h"
 
 namespace {
 
@@ -175,5 +175,15 @@ TEST_CASE("skies have the same bits on every device") {
         vars[cal::device::CAL_DZ] = float(d.z);
         job.add(i & 1 ? clear : perez, vars);
     }
+    compare(job);
+}
+
+TEST_CASE("data, pictures and text have the same bits on every device") {
+    cal::Library library(golden_files());
+    Job job;
+    for (const PatternRow& r : pattern_rows("cal_patterns.tsv", false))
+        job.add(cal::compile_pattern(library, r.spec, job.code).entry, r.vars);
+    for (const PatternRow& r : pattern_rows("cal_skies.tsv", true))
+        job.add(cal::compile_pattern(library, r.spec, job.code).entry, r.vars);
     compare(job);
 }

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Textures, patterns and mixtures as programs: RADIANCE's values, text layout, spectra, materials' functions, bad input.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+#include <cstdio>
+#include "base/vec.h"
+#include "cal/tables.h"
+#include "unit/cal_pattern_rows.h"
+
+using namespace cal;
+
+// Outputs of a program; empty if it ended with an error.
+static std::vector<float> run(const Code& code, uint32_t entry, int outputs, const std::vector<float>& vars) {
+    device::SceneTables tables{};
+    tables.u = code.words.data();
+    tables.f = code.floats.data();
+    float out[CAL_OUTPUTS] = {};
+    if (device::cal_run(&tables, entry, vars.data(), out)) return {};
+    return std::vector<float>(out, out + outputs);
+}
+
+static std::vector<float> pattern(const PatternSpec& spec, const std::vector<float>& vars) {
+    Library library(golden_files());
+    Code code;
+    const Program p = compile_pattern(library, spec, code);
+    return run(code, p.entry, p.outputs, vars);
+}
+
+static std::string trouble(const std::string& type, std::vector<std::string> strings, std::vector<double> reals = {}) {
+    try {
+        const float p[3] = {0, 0, 0};
+        pattern({type, std::move(strings), std::move(reals), "a.rad:3", {}}, golden_vars(p));
+    } catch (const base::Error& e) {
+        return e.what();
+    }
+    return "no error";
+}
+
+static std::string temporary(const char* name, const std::string& text) {
+    const std::string path = std::string("cal_pattern_test.") + name;
+    FILE* f = std::fopen(path.c_str(), "wb");
+    REQUIRE(f);
+    std::fwrite(text.data(), 1, text.size(), f);
+    std::fclose(f);
+    return "./" + path;
+}
+
+TEST_CASE("patterns, textures and mixtures have RADIANCE's values") {
+    int rows = 0;
+    for (const PatternRow& r : pattern_rows("cal_patterns.tsv", false)) {
+        std::vector<float> got = pattern(r.spec, r.vars);
+        if (got.empty()) got.assign(r.want.size(), 1.0f);       // an error: no pattern
+        if (r.spec.type.compare(0, 3, "tex") == 0) {
+            const base::Vec3 sun = base::unit({0.3094263739, 0.2062842493, 0.9282791216});
+            got = {float(base::dot(base::unit({got[0], got[1], 1 + got[2]}), sun) / sun.z)};
+        }
+        REQUIRE(got.size() == r.want.size());
+        for (size_t k = 0; k < got.size(); k++) {
+            // RADIANCE's spectra of other than 3 values are rounded to a shared exponent, and negative light is black
+            const double slack = r.id == "spec_flat5" ? 4e-4 : std::fmax(2e-5, 2e-4 * std::fabs(r.want[k]));
+            CHECK_MESSAGE(std::fabs(std::fmax(0, got[k]) - r.want[k]) <= slack, r.id, ": ", got[k], ", RADIANCE ", r.want[k]);
+        }
+        rows++;
+    }
+    CHECK(rows >= 70);
+}
+
+TEST_CASE("gensky's and gendaylit's skies have RADIANCE's values") {
+    int rows = 0;
+    for (const PatternRow& r : pattern_rows("cal_skies.tsv", true)) {
+        const std::vector<float> got = pattern(r.spec, r.vars);
+        REQUIRE(got.size() == 1);
+        CHECK_MESSAGE(got[0] == doctest::Approx(r.want[0]).epsilon(1e-4), r.id);
+        rows++;
+    }
+    CHECK(rows == 53);
+}
+
+// The example of the text chapter: A 64..192, B 32..224, I 112..144, mean width 117.
+TEST_CASE("characters are placed evenly, squeezed and proportionally") {
+    const Font font = read_font(LUXPIPE_TESTS "/golden/cal/tri2.fnt", "test");
+    CHECK(font.mean_width == 117);
+    CHECK(text_advances(font, "AB I A", 51) == std::vector<int>{-14, 215, 254, 35, 174, 83, 247});
+    CHECK(text_advances(font, "AB I A", -51) == std::vector<int>{-14, 210, 249, 30, 169, 78, 242});
+    CHECK(text_advances(font, "AB I A", 127) == std::vector<int>{62, 316, 317, 98, 237, 147, 349});
+    CHECK(text_advances(font, "AzA", 0) == std::vector<int>{0, 255, 0, 255});
+}
+
+// A line a + b nm of wavelength has its value at the band's centre as mean: bands 780-588, 588-480, 480-380.
+TEST_CASE("spectra become the means of three bands") {
+    const float p[3] = {0, 0, 0};
+    const std::vector<double> want{684, 534, 430};
+    const std::string file = temporary("spec.dat", "1\n300 900 3\n300 600 900\n");
+    const std::string plane = temporary("plane.dat", "2\n0 1 2\n300 900 2\n300 900\n300 900\n");
+    for (const PatternSpec& spec : {PatternSpec{"specfile", {file}, {}, "t", {}},
+                                    PatternSpec{"specfunc", {"noop", "."}, {380, 780}, "t", {}},
+                                    PatternSpec{"specdata", {"noop", plane, ".", "Px"}, {}, "t", {}}}) {
+        const std::vector<float> got = pattern(spec, golden_vars(p));
+        REQUIRE(got.size() == 3);
+        for (size_t k = 0; k < 3; k++) CHECK_MESSAGE(got[k] == doctest::Approx(want[k]).epsilon(1e-3), spec.type);
+    }
+    std::vector<double> steps{400, 800};
+    for (int nm = 400; nm < 800; nm++) steps.push_back(nm + 0.5);
+    const std::vector<float> got = pattern({"spectrum", {}, steps, "t", {}}, golden_vars(p));
+    CHECK(got[0] == doctest::Approx(684));
+    CHECK(got[1] == doctest::Approx(534));
+    CHECK(got[2] == doctest::Approx(440));  // only 480-400 is there
+}
+
+TEST_CASE("the transform of the instance acts after the pattern's own") {
+    const float p[3] = {5, 2, 0};
+    PatternSpec spec{"brightfunc", {"Px+10*Py", ".", "-t", "1", "0", "0"}, {}, "t", {}};
+    std::vector<std::string> words{"-rz", "90", "-s", "2"};
+    base::parse_xform({words.data(), words.size()}, 0, spec.outer, "t");
+    // outer undone: (5,2)/2 turned back by 90 degrees = (1,-2.5); own undone: (0,-2.5)
+    CHECK(pattern(spec, golden_vars(p))[0] == doctest::Approx(-25));
+}
+
+TEST_CASE("functions of materials: values of a hit and lobes of a light direction") {
+    Library library(golden_files());
+    library.define("half(lx,ly,lz) = .5*lz; scaled(v,lx,ly,lz,om) = v*lz*om; up(lx,ly,lz,om) = 10*lz;", "defs");
+    Code code;
+    const float p[3] = {1, 2, 3};
+    std::vector<float> vars = golden_vars(p);
+    vars[device::CAL_LX] = 0.6f;
+    vars[device::CAL_LZ] = 0.8f;
+    vars[device::CAL_OMEGA] = 0.25f;
+    auto material = [&](const std::string& type, std::vector<std::string> strings) {
+        return compile_material(library, {type, std::move(strings), {}, "t", {}}, code);
+    };
+    MaterialProgram m = material("prism1", {"Px", "1", "0", "0", ".", "-rz", "90", "-s", "3"});
+    std::vector<float> got = run(code, m.values, m.value_count, vars);
+    REQUIRE(got.size() == 4);
+    CHECK(got[0] == doctest::Approx(2.0 / 3));
+    CHECK(got[2] == doctest::Approx(1));                        // x of the object is y of the world
+    m = material("plasfunc", {"half", "."});
+    CHECK(m.value_count == 0);
+    CHECK(run(code, m.lobe, m.lobe_count, vars)[0] == doctest::Approx(0.4));
+    m = material("plasfunc", {"half", ".", "-ry", "90"});       // z of the object is x of the world
+    CHECK(run(code, m.lobe, m.lobe_count, vars)[0] == doctest::Approx(0.3));
+    m = material("plasdata", {"scaled", "ramp.dat", ".", "up"});
+    CHECK(run(code, m.lobe, m.lobe_count, vars)[0] == doctest::Approx(64 * 0.8 * 0.25));
+    m = material("BRTDfunc", {".1", ".2", ".3", "Px", "Py", "Pz", "0", "0", "half", "."});
+    CHECK(run(code, m.values, m.value_count, vars) == std::vector<float>{.1f, .2f, .3f, 1, 2, 3});
+    CHECK(run(code, m.lobe, m.lobe_count, vars)[2] == doctest::Approx(0.4));
+    m = material("WGMDfunc", {"a", ".5", ".1", ".2", "b", "0", ".3", ".4", "void", "0", "0", "1", "."});
+    CHECK(m.modifiers == std::vector<std::string>{"a", "b", "void"});
+    CHECK(run(code, m.values, m.value_count, vars) == std::vector<float>{.5f, .1f, .2f, 0, .3f, .4f, 0, 0, 1});
+    m = material("BSDF", {".02", "x.xml", "0", "0", "1", "."});
+    CHECK(m.file == "x.xml");
+    CHECK(m.value_count == 4);
+}
+
+TEST_CASE("a mixture names its modifiers and stays within 0 and 1") {
+    Library library(golden_files());
+    Code code;
+    const float p[3] = {3, 0, 0};
+    const Program m = compile_pattern(library, {"mixfunc", {"red", "void", "Px", "."}, {}, "t", {}}, code);
+    CHECK(m.first == "red");
+    CHECK(m.second == "void");
+    CHECK(run(code, m.entry, 1, golden_vars(p))[0] == 1);
+}
+
+TEST_CASE("a data file is read once, however many patterns use it") {
+    Library library(golden_files());
+    Code code;
+    compile_pattern(library, {"brightdata", {"noop", "grid.dat", ".", "Px", "Py"}, {}, "t", {}}, code);
+    const size_t floats = code.floats.size();
+    compile_pattern(library, {"brightdata", {"noop", "grid.dat", ".", "Py", "Px"}, {}, "t", {}}, code);
+    CHECK(code.floats.size() == floats);
+}
+
+TEST_CASE("mistakes are named with the primitive's place") {
+    CHECK(trouble("brightfunc", {"1"}) == "a.rad:3: bad arguments: too few strings for brightfunc");
+    CHECK(trouble("brightfunc", {"1", "nix.cal"}) == "a.rad:3: cannot find function file \"nix.cal\"");
+    CHECK(trouble("brightfunc", {"1", ".", "extra"}).find("after the function file") != std::string::npos);
+    CHECK(trouble("brightdata", {"noop", "nix.dat", ".", "Px"}).find("nix.dat") != std::string::npos);
+    CHECK(trouble("brightdata", {"noop", "grid.dat", ".", "Px"}) ==
+          "a.rad:3: data file \"grid.dat\" has 2 dimensions, 1 coordinates are given");
+    CHECK(trouble("brightdata", {"nope", "ramp.dat", ".", "Px"}) == "a.rad:3: function \"nope\" is not defined");
+    CHECK(trouble("brighttext", {"tri2.fnt", "."}, {1, 2}) == "a.rad:3: bad number of real arguments");
+    CHECK(trouble("brighttext", {"tri2.fnt", ".", "A"}, {0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 0}) == "a.rad:3: text vectors are parallel or zero");
+    CHECK(trouble("colorfunc", {"1", "2", "3", ".", "-rx"}).find("a.rad:3") == 0);
+    CHECK(trouble("brightfunc", {"1", ".", "-s", "0"}).find("a.rad:3") == 0);
+    for (const char* bad : {"", "1", "1\n0 1 2000000000", "1\n0 1 1\n5", "1\n0 0 3 1 2 2\n1 2 3", "1\n0 1 2\n1 x", "1\n0 1 2\n1", "9\n",
+                            "2\n0 1 60000\n0 1 60000\n1 2 3", "-1", "1e99"})
+        CHECK_MESSAGE(trouble("brightdata", {"noop", temporary("bad.dat", bad), ".", "Px"}).find("a.rad:3: data file") == 0, bad);
+    for (const char* bad : {"65", "65 3 0 0 1", "65 -1", "300 0", "65 0 65 0", "65 1 999 0", "x"})
+        CHECK_MESSAGE(trouble("brighttext", {temporary("bad.fnt", bad), ".", "A"}, {0, 0, 0, 1, 0, 0, 0, -1, 0, 1, 0}).find("a.rad:3: font") == 0, bad);
+}
