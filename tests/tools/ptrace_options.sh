@@ -4,7 +4,7 @@
 needs ptrace
 cp "$TOP"/examples/scenes/office/view.vf .
 printf 'void light l 0 0 3 1 1 1\nl source s 0 0 4 0 0 1 30\n' > sky.rad
-in_force() { ptrace "$@" -defaults | sed -n 's/ *#.*//p' | grep -x -e "$want"; }
+in_force() { ptrace "$@" -defaults | sed 's, *#.*,,' | grep -x -e "$want"; }
 
 check 'it says its version'                       'ptrace -version | grep -q "^ptrace "'
 check 'it names its devices'                      'ptrace -devices | grep -q cpu'
@@ -47,7 +47,7 @@ check_error 'a pattern holds a %d only'           1 '^ptrace: -o: '             
 check_error 'a missing scene is told by name'     2 '^ptrace: none.rad: '              'ptrace -frames 1 none.rad > x'
 check_error 'a full disk is told'                 2 '^ptrace: stdout: '                'ptrace -x 64 -y 64 -frames 2 sky.rad > /dev/full'
 check_error 'an unknown device is told'           1 '^ptrace: .*abacus'                'ptrace -device abacus -frames 1 sky.rad > x'
-check_error 'an OpenCL device that is not there'  '[12]' '^ptrace: .*opencl'           'ptrace -device opencl:99 -frames 1 sky.rad > x'
+check_error 'an OpenCL device that is not there'  '[12]' '^ptrace: .*OpenCL'           'ptrace -device opencl:99 -frames 1 sky.rad > x'
 
 check 'a closed pipe is a quiet end'              'ptrace -x 64 -y 64 -vta -vh 180 -vv 180 sky.rad 2> said | head -c 100 > /dev/null; test ! -s said'
 check '-o writes one file a frame, in float'      'ptrace -x 8 -y 8 -frames 2:3 -o f%03d.hdr sky.rad; grep -aq FORMAT=float f002.hdr; test -f f003.hdr; test $(ls f0* | wc -l) -eq 2'
