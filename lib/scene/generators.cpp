@@ -50,9 +50,17 @@ long long Call::integer(size_t i, const char* what, long long low, long long hig
 
 std::string number(double v) { return fmt::format("{:.12g}", v); }
 
+// Quotes cannot be escaped: each kind stands within the other.
+std::string quoted(const std::string& word) {
+    if (!word.empty() && word.find_first_of(" \t\n\v\f\r'\"") == std::string::npos) return word;
+    std::string s;
+    for (char c : word) s += c == '"' ? "'\"'" : std::string("\"") + c + "\"";
+    return s;
+}
+
 void write_surface(std::string& out, const std::string& material, const char* type, const std::string& name,
                    const std::vector<double>& reals) {
-    fmt::format_to(std::back_inserter(out), "\n{} {} {}\n0\n0\n{}", material, type, name, reals.size());
+    fmt::format_to(std::back_inserter(out), "\n{} {} {}\n0\n0\n{}", quoted(material), type, quoted(name), reals.size());
     for (size_t i = 0; i < reals.size(); i++) out += (i % 3 ? "\t" : "\n\t") + number(reals[i]);
     out += '\n';
 }

@@ -34,6 +34,7 @@ std::string generator_names();   // "genbox, genprism ..." for messages
 
 // Pieces of scene text.
 std::string number(double v);    // 12 significant digits
+std::string quoted(const std::string& word);   // with quotes if it needs them to be one word
 void write_surface(std::string& out, const std::string& material, const char* type, const std::string& name,
                    const std::vector<double>& reals);
 void write_polygon(std::string& out, const std::string& material, const std::string& name, const std::vector<base::Vec3>& v);

@@ -199,18 +199,18 @@ void Reader::primitive(Source& in) {
 void Reader::command(Source& in) {
     const Deeper deeper(depth_, limits_.depth, in.place());
     const uint32_t line = in.line();
-    in.get();
+    in.get();   // the "!"
     const std::string text = in.rest_of_line();
     // What the command writes counts as this line.
     const Source here = Source::from_text("", in.name(), line);
     const CommandLine parsed = split_command(text, here.place());
     if (parsed.stages.size() == 1 && parsed.stages[0].words.empty()) return;
+    if (parsed.stages.size() > 100) base::fail(here.place(), "a pipe of more than 100 commands");
     run(parsed, text, parsed.stages.size(), here);
 }
 
 // Reads the output of the first `stage` stages.
 void Reader::run(const CommandLine& line, const std::string& text, size_t stage, const Source& from) {
-    const Deeper deeper(depth_, limits_.depth + 100, from.place());
     const Stage& last = line.stages[stage - 1];
     if (last.words.empty()) base::fail(from.place(), "an empty command in a pipe");
     const std::string& name = last.words[0];

@@ -76,7 +76,13 @@ XformCommand parse_xform_command(const Words& words, const std::string& place) {
 
 void each_copy(const XformCommand& command, const std::string& place, uint64_t limit, const OpenFile& read_text,
                const std::function<void(const Transform&)>& body) {
-    uint64_t copies = 0, steps = 0;
+    uint64_t copies = 0, steps = 0, promised = 1;
+    for (size_t i = 0; i + 1 < command.words.size(); i += 1 + std::max(0, option_arguments(command.words[i]))) {
+        long long n;
+        if (command.words[i] != "-a" || !base::parse_integer(command.words[i + 1], n) || n <= 0) continue;
+        promised *= std::min<uint64_t>(static_cast<uint64_t>(n), limit + 1);
+        if (promised > limit) base::fail(place, "xform: more than " + std::to_string(limit) + " copies");
+    }
     const std::function<void(const Words&, int)> expand = [&](const Words& words, int depth) {
         if (depth > 100) base::fail(place, "xform: more than 100 arrays in one command");
         if (++steps > 2 * limit + 100) base::fail(place, "xform: more than " + std::to_string(limit) + " copies");
