@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# vcregion as a program: what it writes, and that every wrong word is told in one line.
+. "$TOP/tests/lib.sh"
+needs vcregion
+office=$TOP/examples/scenes/office view="-vf $TOP/examples/scenes/office/view.vf"
+cp "$TOP/examples/office.regions" .
+
+check 'the office regions lie in the office view' "
+    vcregion $view -list office.regions > list
+    test \$(wc -l < list) -eq 4
+    awk -F'\t' 'NR > 1 && !(\$2 > 1000 && \$3 > .1 && \$6 < 0) { bad = 1 } END { exit bad }' list"
+check 'the two halves of the screen mirror each other' "
+    awk -F'\t' '\$1 == \"screen_high\" { a = \$3; x = \$5 } \$1 == \"screen_low\" { b = \$3; y = \$5 }
+                END { exit !(a > 0 && (a - b)^2 < 1e-12 && x < 0 && (x + y)^2 < 1e-8) }' list"
+check 'the same bytes on every run' "
+    vcregion $view -o a.exr office.regions
+    mkdir again; cd again; cp ../office.regions .; vcregion $view -o a.exr office.regions; cmp a.exr ../a.exr"
+check 'a region file on stdin' "vcregion $view -list - < office.regions | cmp - list"
+check '-single goes to stdout as one RADIANCE picture of zeros and ones' "
+    vcregion $view -x 64 -y 64 -single desk office.regions > desk.hdr
+    head -c 10 desk.hdr | grep -q RADIANCE; test \$(grep -ac '^-Y 64 +X 64$' desk.hdr) -eq 1"
+check '-single to a file holds the same picture' "
+    vcregion $view -x 64 -y 64 -single desk -o file.hdr office.regions
+    tail -c 400 file.hdr > a; tail -c 400 desk.hdr > b; cmp a b"
+check 'a mask is a shape again: all of it, and nothing else' "
+    echo 'm mask desk.hdr' > m.regions; vcregion $view -x 64 -y 64 -centre -list m.regions | tail -n 1 | cut -f 2 > a
+    echo 'm mask a.exr channel desk' > n.regions; vcregion $view -list n.regions | tail -n 1 | cut -f 2 > c
+    vcregion $view -x 64 -y 64 -centre -list office.regions | awk '\$1 == \"desk\" { print \$2 }' | cmp - a
+    awk '\$1 == \"desk\" { print \$2 }' list | cmp - c"
+check 'a preview over a picture takes its size and view' "
+    vcregion -over desk.hdr -o p.png office.regions; head -c 4 p.png | grep -q PNG"
+check 'the size follows the aspect of the view' "
+    vcregion -vtv -vp 2 2.7 1.2 -vd 0 -1 0 -vh 60 -vv 30 -x 100 -y 100 -single screen_high office.regions | grep -aq '^-Y 46 +X 100$'"
+check 'a closed stdout is a quiet end' "vcregion $view -list office.regions | true"
+check '-version and -help go to stdout' 'vcregion -version | grep -q luxpipe; vcregion -help | grep -q -- -centre'
+check '-defaults shows what the options before it have set' 'vcregion -x 77 -vtv -defaults | grep -qx -- "-x 77"'
+
+echo 'tiny circle 0 -1 0 .8' > tiny
+check 'a region below 32 pixels is warned of, with its price' "
+    vcregion $view -list tiny 2> err; test \$(wc -l < err) -eq 1; grep -q '^vcregion: warning: tiny:1: region \"tiny\" covers .* frames' err"
+check '-w- keeps quiet' "vcregion $view -list -w- tiny 2> err; test ! -s err"
+printf 'a circle 0 -1 0 9\nback circle 0 1 0 9\n' > back
+check_error 'an empty region is an error at its line' 1 '^vcregion: back:2: region "back" is empty' "vcregion $view -o b.exr back"
+check 'and leaves no file' 'test ! -e b.exr'
+check_error 'a missing region file' 1 '^vcregion: nothere: ' "vcregion $view -list nothere"
+check_error 'a folder is no region file' 1 '^vcregion: [.]: ' "vcregion $view -list ."
+check_error 'a mistake in the file names its line' 1 '^vcregion: bad:2: ' "printf 'a rect 0 0 1 1\nb rekt 0 0 1 1\n' > bad; vcregion -list bad"
+check_error 'a name that is not there, and one that is near' 1 'no region is called "dsk" .did you mean "desk"' "vcregion $view -single dsk office.regions"
+check_error 'no region file' 1 '^vcregion: no region file' 'vcregion -list'
+check_error 'nothing to do' 1 '^vcregion: nothing to write' 'vcregion office.regions'
+check_error 'an unknown option' 1 '^vcregion: -foo: ' 'vcregion -foo office.regions'
+check_error 'an option after the file' 1 '^vcregion: -list: ' 'vcregion office.regions -list'
+check_error 'an ending that means nothing' 1 '^vcregion: x.tif: ' 'vcregion -o x.tif office.regions'
+check_error '.hdr needs -single' 1 '^vcregion: x.hdr: ' 'vcregion -o x.hdr office.regions'
+check_error '.png needs -over' 1 '^vcregion: x.png: ' 'vcregion -o x.png office.regions'
+check_error 'a size that cannot be' 1 '^vcregion: -x: ' 'vcregion -x 0 -list office.regions'
+check_error 'a view that cannot be' 1 '^vcregion: -vh' 'vcregion -vtv -vh 200 -list office.regions'
+check_error 'a picture without a view' 1 'nv.hdr: ' "
+    printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n1234' > nv.hdr; vcregion -over nv.hdr -o x.png office.regions"
+check_error 'a folder that is not there' 2 '^vcregion: ' "vcregion $view -o no/such/x.exr office.regions"
+check_error 'surfaces need a scene' 1 '^vcregion: s:1: asks for a surface' "echo 's surface top.*' > s; vcregion $view -list s"
+check_error 'a full disk' 2 '^vcregion: stdout: ' "vcregion $view -list office.regions > /dev/full"
