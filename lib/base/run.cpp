@@ -4,6 +4,7 @@
 // the handler (async-signal-safe calls only) removes them before it leaves with status 3.
 #include "base/run.h"
 
+#include <poll.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -130,6 +131,11 @@ void write_stdout(const void* data, size_t bytes) {
 }
 
 bool stdout_is_terminal() { return isatty(1); }
+
+bool stdout_is_closed() {
+    struct pollfd out = {1, 0, 0};
+    return poll(&out, 1, 0) > 0 && (out.revents & POLLERR);
+}
 
 void flush_stdout() {
     errno = 0;

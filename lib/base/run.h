@@ -17,6 +17,7 @@ struct ClosedPipe {};
 void write_stdout(const void* data, size_t bytes);
 void flush_stdout();
 bool stdout_is_terminal();  // no binary to a terminal
+bool stdout_is_closed();    // the reader of the pipe has gone: for tools that write seldom
 
 // "a b 'c d'": the command line as one header line, quoted for the shell where needed.
 std::string command_line(int argc, char** argv);

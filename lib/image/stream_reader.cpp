@@ -115,7 +115,7 @@ void read_floats(Input& in, const Encoding& e, const Layout& l, std::vector<floa
         done += n;
     }
     rgb.resize(total);
-    if (e.big_endian != host_is_big_endian()) swap_bytes(rgb.data(), total);
+    if (e.big_endian.value_or(host_is_big_endian()) != host_is_big_endian()) swap_bytes(rgb.data(), total);
     if (e.channels == 1) {
         rgb.resize(3 * pixels);
         for (size_t i = pixels; i-- > 0;) rgb[3 * i] = rgb[3 * i + 1] = rgb[3 * i + 2] = rgb[i];

@@ -37,6 +37,7 @@ check 'merging in two steps is merging at once' '
     mkstream differ all.exr two.exr | awk "{ exit \$1 > 3e-7 }"'
 check 'a partial sum says so by its RANGE' 'mkstream show part_10.hdr | grep -q "FRAMES=31 RANGE=10:40 "'
 check_error 'the same frames twice are refused' 1 '^ptaccum: part_0.exr: frame 0 of seed 1 is in first.exr already' 'ptaccum first.exr part_0.exr -o x.exr'
+check_error 'the same file twice is refused' 1 '^ptaccum: first.exr: frame 0 of seed 1 is in first.exr already' 'ptaccum first.exr first.exr -o x.exr'
 check_error 'frame 0 summed in without its layer cannot be weighted' 1 'part_0.hdr: has frame 0 summed in' 'ptaccum part_0.hdr part_10.exr -o x.exr'
 check 'complete sums of two seeds average by their frames' '
     mkstream frames 0 10 16 16 1 | ptaccum -last -o s1.exr > s1.hdr; mkstream frames 0 30 16 16 2 | ptaccum -last > s2.hdr
@@ -80,6 +81,11 @@ check_error 'an unknown ending is told before the work' 1 '^ptaccum: out.jpg: th
 check 'a closed pipe is a quiet end, and the file is still written' '
     mkstream frames 0 500 64 64 | ptaccum -o final.exr 2> said | head -c 100000 > some
     [ ! -s said ] && mkstream show final.exr | grep -q "^64x64 FRAMES="'
+check 'a reader that has enough ends the pipe at once, also when the next sum is far' '
+    timeout 20 mkstream frames 0 100000000 | timeout 20 ptaccum -every x1000000 | head -c 2000 > some'
+check_exit 'a signal ends with status 3 and leaves no file' 3 '
+    mkfifo wait; exec 9<> wait; ptaccum -o late.exr < wait > s & sleep .3; kill -TERM $!; wait $!'
+check 'no file was left' '! ls -A | grep -E "late|tmp"'
 check '.hdr files are RGBE, -ff makes them float, -fc makes the stream RGBE' '
     ptaccum -last n8.hdr -o a.hdr > s; ptaccum -last -ff n8.hdr -o b.hdr > s; ptaccum -last -fc n8.hdr > c.hdr
     grep -aq "^FORMAT=32-bit_rle_rgbe" a.hdr && grep -aq "^FORMAT=float" b.hdr && grep -aq "^FORMAT=32-bit_rle_rgbe" c.hdr'

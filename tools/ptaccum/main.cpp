@@ -31,6 +31,7 @@ public:
         return reader_->pictures() > 1 ? fmt::format("{}: picture {}", name, reader_->pictures()) : name;
     }
     std::string name() const { return names_[at_] == "-" ? "stdin" : names_[at_]; }
+    size_t input() const { return at_; }  // which of the inputs; the same name may come twice
 
 private:
     const std::vector<std::string>& names_;
@@ -90,6 +91,7 @@ void sum_frames(const Options& opt, Source& source, image::Picture& frame, const
             }
             sum.add(frame, source.place());
             pending = true;
+            if (base::stdout_is_closed()) throw base::ClosedPipe{};  // not only at the next write, which may be far
             if (!opt.last_only && !output.only_files() && schedule.due(sum.frames())) write();
             if (progress.due()) progress.show(fmt::format("{} frames", sum.frames()));
         } while (source.next(frame));
@@ -106,16 +108,18 @@ void sum_frames(const Options& opt, Source& source, image::Picture& frame, const
 
 void merge(const Options& opt, Source& source, image::Picture& picture, const Output& output) {
     image::Picture result;
-    std::string name = source.name(), first = name;
+    std::string name = source.name();
+    size_t input = source.input();
     int pictures = 1;
     image::Merger merger;
     image::Picture last = std::move(picture);
     const bool plain = !last.header.frames;  // no sum of ours: one such picture is only converted
     // An input may be a stream of growing sums: its last one counts.
     for (image::Picture further; source.next(further); ++pictures) {
-        if (source.name() != name) {
+        if (source.input() != input) {
             merger.add(std::move(last), name);
             name = source.name();
+            input = source.input();
         }
         last = std::move(further);
         further = image::Picture();
