@@ -5,16 +5,16 @@ needs mandoc ptaccum vcmetrics vcregion
 
 # Options that begin a line of the help, one dash, joined [+-] and arguments cut off.
 help_options() {
-    "$1" -help | sed -nE 's/^ {1,8}(--?[A-Za-z].*)/\1/p' | cut_names
+    "$1" -help | sed -nE 's/^ {1,8}(--?[A-Za-z0-9].*)/\1/p' | cut_names
 }
 # Options that begin an item in the page's OPTIONS section.
 page_options() {
     mandoc -T ascii "$TOP/man/$1.1" | sed 's/.\x08//g' |
-    awk '/^[A-Z]/ { on = ($1 == "OPTIONS") } on' | sed -nE 's/^ {5,8}(-[A-Za-z].*)/\1/p' | cut_names
+    awk '/^[A-Z]/ { on = ($1 == "OPTIONS") } on' | sed -nE 's/^ {5,8}(-[A-Za-z0-9].*)/\1/p' | cut_names
 }
 # "-a x, -b y  words" -> -a and -b
 cut_names() {
-    sed -E 's/  .*//; s/\t.*//; s/, ?-/\n-/g' | sed -E 's/^--/-/; s/[^A-Za-z0-9_-].*//; s/-$//' | grep -E '^-[A-Za-z]' | sort -u
+    sed -E 's/  .*//; s/\t.*//; s/, ?-/\n-/g' | sed -E 's/^--/-/; s/[^A-Za-z0-9_-].*//; s/-$//' | grep -E "^-[A-Za-z0-9]" | sort -u
 }
 for tool in ptrace ptaccum vcmetrics vcregion; do
     command -v $tool > /dev/null || continue
