@@ -25,4 +25,6 @@
 #include "kernels/portals.h"
 #include "kernels/mat_normal.h"
 #include "kernels/mat_glass.h"
+#include "kernels/mat_dielectric.h"
+#include "kernels/mat_function.h"
 #include "kernels/path.h"

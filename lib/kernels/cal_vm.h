@@ -81,10 +81,9 @@ FN int cal_run(PRIVATE const SceneTables* s, uint entry, PRIVATE const float* va
     uint pc = entry;
     for (;;) {
         uint word = s->u[pc++], op = word & 127u, d = (word >> 8) & 255u;
-        float a = 0.0f, b = 0.0f, v = 0.0f;
-        if (op >= OP_ADD && op <= OP_JUMP_UNLESS) a = r[(word >> 16) & 255u];
+        float a = r[(word >> 16) & 255u], b, v = 0.0f;  // fields are below CAL_REGISTERS whatever they mean
         if (word & 128u) b = as_float_(s->u[pc++]);
-        else if (op <= OP_RPOW || op == OP_ATAN2 || op == OP_SEL) b = op >= OP_OUT && op != OP_VAR ? r[word >> 24] : 0.0f;
+        else b = r[word >> 24];
         switch (op) {
         case OP_END: return error;
         case OP_OUT: out[d] = b; continue;

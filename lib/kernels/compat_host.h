@@ -38,7 +38,7 @@ FN v4f load4_(const float* p) { v4f v; memcpy(&v, p, 16); return v; }
 FN v8f load8_(const float* p) { v8f v; memcpy(&v, p, 32); return v; }
 FN v8f splat8_(float x) { v8f v = {x, x, x, x, x, x, x, x}; return v; }
 FN void store4_(v4f v, float* p) { memcpy(p, &v, 16); }
-FN void store8_(v8f v, float* p) { memcpy(p, &v, 32); }
+FN void store8_(const v8f& v, float* p) { memcpy(p, &v, 32); }
 #if defined(__AVX__)
 typedef uint LaneMask;
 FN LaneMask lanes4_(v4i c) { return (uint)__builtin_ia32_movmskps((v4f)c); }
@@ -49,8 +49,8 @@ FN LaneMask lane_drop_(LaneMask m, uint) { return m & (m - 1u); }
 typedef uint64_t LaneMask;
 typedef signed char v4c_ __attribute__((vector_size(4)));
 typedef signed char v8c_ __attribute__((vector_size(8)));
-FN LaneMask lanes4_(v4i c) { uint u; v4c_ b = __builtin_convertvector(c, v4c_); memcpy(&u, &b, 4); return u; }
-FN LaneMask lanes8_(v8i c) { uint64_t u; v8c_ b = __builtin_convertvector(c, v8c_); memcpy(&u, &b, 8); return u; }
+FN LaneMask lanes4_(const v4i& c) { uint u; v4c_ b = __builtin_convertvector(c, v4c_); memcpy(&u, &b, 4); return u; }
+FN LaneMask lanes8_(const v8i& c) { uint64_t u; v8c_ b = __builtin_convertvector(c, v8c_); memcpy(&u, &b, 8); return u; }
 FN uint lane_first_(LaneMask m) { return (uint)__builtin_ctzll(m) >> 3; }
 FN LaneMask lane_drop_(LaneMask m, uint lane) { return m & ~((LaneMask)255u << (8u * lane)); }
 #endif

@@ -6,13 +6,14 @@
     __global const float* polygon_uv, __global const uint* prims, __global const float* vertices, \
     __global const uint* u, __global const float* f, __global const Params* params
 #define PATH_ARGS __global float4* porg, __global float4* pdir, __global float4* pthr, __global float4* prad, \
-    __global uint4* pinfo, __global float4* phit, __global float4* psorg, __global float4* psdir, __global float4* pscol
+    __global uint4* pinfo, __global float4* phit, __global float4* psorg, __global float4* psdir, __global float4* pscol, \
+    __global float4* pmed, __global float4* psmed
 #define SET_UP \
     SceneTables s; Params par = *params; Paths a; \
     s.nodes = nodes; s.leaves = leaves; s.shapes = shapes; s.polygon_uv = polygon_uv; s.prims = prims; \
     s.vertices = vertices; s.u = u; s.f = f; \
     a.org = porg; a.dir = pdir; a.thr = pthr; a.rad = prad; a.info = pinfo; a.hit = phit; \
-    a.sorg = psorg; a.sdir = psdir; a.scol = pscol; \
+    a.sorg = psorg; a.sdir = psdir; a.scol = pscol; a.med = pmed; a.smed = psmed; \
     uint i = (uint)get_global_id(0);
 
 __kernel void k_generate(SCENE_ARGS, PATH_ARGS, __global uint* counters, __global uint* queue) {

@@ -15,7 +15,7 @@ typedef struct {
     float3 u, v;                    // tangent frame of anisotropic lobes
     float au, av;                   // alpha^2 along u and v (isotropic: equal)
     float3 trans_dir;               // centre of the transmitted rough lobe
-    float3 emit;                    // radiance toward the viewer
+    float3 fn_r, fn_t;              // colours of function lobes (mat_function.h)
     uint flags;
 } Lobes;
 
@@ -25,6 +25,8 @@ typedef struct {
 #define LOBE_ANISO 8u
 #define LOBE_PASS 16u        // the ray goes on as if nothing were there
 #define LOBE_WGMD_FRESNEL 32u
+#define LOBE_FUNCTION 64u    // direct light also by the material's lobe program
+#define LOBE_ASHIK 128u      // rough_r is the power lobe of ashik2
 
 // Fresnel estimate of RADIANCE's smooth plastic, metal and trans (spec 3.1).
 FN float fresnel_estimate(float c) { return k_exp(-5.85f * c) - 0.00287989916f; }
@@ -34,7 +36,7 @@ FN void lobes_clear(PRIVATE Lobes* l) {
     l->mirror = zero; l->mirror_dir = zero; l->through = zero; l->through_dir = zero;
     l->refract = zero; l->refract_dir = zero;
     l->diffuse_r = zero; l->diffuse_t = zero; l->ambient_r = zero; l->ambient_t = zero;
-    l->rough_r = zero; l->rough_t = zero; l->u = zero; l->v = zero; l->trans_dir = zero; l->emit = zero;
+    l->rough_r = zero; l->rough_t = zero; l->u = zero; l->v = zero; l->trans_dir = zero; l->fn_r = zero; l->fn_t = zero;
     l->au = 0.0f; l->av = 0.0f; l->flags = 0u;
 }
 

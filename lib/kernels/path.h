@@ -15,6 +15,8 @@ typedef struct {
     GLOBAL float4* sorg;   // shadow ray: origin, w = source index (bits)
     GLOBAL float4* sdir;   // direction, w = distance
     GLOBAL float4* scol;   // rgb of the contribution if unblocked
+    GLOBAL float4* med;    // rgb extinction of the medium the ray travels in (used if Params.medium.w)
+    GLOBAL float4* smed;   // the same for the shadow ray
 } Paths;
 
 // flags in info.x
@@ -28,6 +30,12 @@ typedef struct {
 
 FN float4 pack4(float3 v, float w) { float4 r; r.x = v.x; r.y = v.y; r.z = v.z; r.w = w; return r; }
 FN float3 xyz4(float4 v) { return F3(v.x, v.y, v.z); }
+
+// What a medium of extinction k lets through over a length (Beer's law).
+FN float3 attenuation(float3 k, float length) {
+    if (max3(k) <= 0.0f) return F3(1.0f, 1.0f, 1.0f);
+    return F3(k_exp(-k.x * length), k_exp(-k.y * length), k_exp(-k.z * length));
+}
 
 FN Sampler path_sampler(uint4 info) {
     Sampler s;
@@ -65,6 +73,7 @@ FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* a, uint slo
     a->org[slot] = pack4(ray.org, 0.0f);
     a->dir[slot] = pack4(ray.dir, ray.tmax);
     a->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
+    if (par->medium.w > 0.0f) a->med[slot] = par->medium;
     a->info[slot] = info;
     return 1;
 }
@@ -131,20 +140,62 @@ FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* p
     return mul3(g->color, f3_at(arg));
 }
 
-// Fills lobes for the material at g.  shadow: only .through and flags are needed.
+// Fills lobes for the material at g.  shadow: only what lets light pass is needed.  *arriving: medium of the segment that
+// ended here, corrected where the surface knows it; *beyond: medium behind the surface.
 FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, int shadow,
-                       PRIVATE Lobes* l) {
+                       PRIVATE float3* arriving, PRIVATE float3* beyond, PRIVATE Lobes* l) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
-    lobes_clear(l);
+    float vars[CAL_VARS], value[CAL_OUTPUTS];
     uint type = g->type;
-    if (type == M_PLASTIC || type == M_METAL || type == M_TRANS) {
-        if (!g->front && par->bv == 0u) { l->flags |= LOBE_PASS; return; }
-        mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), l);
-    } else if (type == M_GLASS) {
-        if (!g->front && par->bv == 0u) { l->flags |= LOBE_PASS; return; }
-        mat_glass(g, arg, shadow, l);
+    lobes_clear(l);
+    *beyond = *arriving;
+    if (!g->front && par->bv == 0u && type != M_DIELECTRIC && type != M_INTERFACE) { l->flags |= LOBE_PASS; return; }
+    if (type >= M_ANISO_PLASTIC && type <= M_ASHIK) {
+        material_vars(par, g, vars);
+        if (cal_run(s, m[MOD_PROGRAM], vars, value)) value[0] = value[1] = value[2] = 0.0f;
     }
+    switch (type) {
+    case M_PLASTIC: case M_METAL: case M_TRANS:
+        mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), l);
+        break;
+    case M_GLASS: mat_glass(g, arg, shadow, l); break;
+    case M_ANISO_PLASTIC: case M_ANISO_METAL: case M_ANISO_TRANS:
+        mat_normal(par, g, type, arg, F3(value[0], value[1], value[2]), l);
+        break;
+    case M_ASHIK: mat_ashik(par, g, arg, F3(value[0], value[1], value[2]), l); break;
+    case M_BRDF: mat_brdf(g, arg, m[MOD_FLAGS], l); break;
+    case M_DIELECTRIC: case M_INTERFACE:
+        mat_dielectric(par, g, type, arg, l, arriving, beyond);
+        break;
+    case M_MIRROR:
+        if (g->front) { l->mirror = mul3(f3_at(arg), g->color); l->mirror_dir = mirror_direction(g); }
+        break;
+    default: break;
+    }
+}
+
+// illum and mirror may name an alternate material (spec shading 3.7, 3.8).  If it acts for this ray, g becomes the
+// alternate.  1: the ray passes instead.
+FN int take_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, uint flags,
+                      PRIVATE Sampler* rnd) {
+    GLOBAL const uint* m = mod_record(s, par, g->mod);
+    int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
+    uint alternate = m[MOD_BRANCH1];
+    if (g->type == M_ILLUM) {
+        if (g->front && sampled) return 0;  // black to sampled rays: their light comes from the source
+    } else if (g->type == M_MIRROR) {
+        if ((m[MOD_FLAGS] & MF_HAS_ALTERNATE) == 0u) return 0;
+        if (g->front && sampled && (m[MOD_FLAGS] & MF_ALTERNATE_PASSES) == 0u) return 0;
+    } else {
+        return 0;
+    }
+    if (alternate == NONE) return 1;
+    g->mod = alternate;
+    g->color = F3(1.0f, 1.0f, 1.0f);
+    g->pert = F3(0.0f, 0.0f, 0.0f);
+    g->n = g->ng;
+    return !find_material(s, par, g, rnd);
 }
 
 FN float coefficient_weight(float3 c) { float m = max3(c); return m > 0.0f ? m : 0.0f; }
@@ -177,22 +228,25 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     if (step >= PC_STEP_LIMIT) return 0;
     flags += 1u << PC_STEP_SHIFT;
 
-    int pass = 0;
+    int pass = 0, absorbs = par->medium.w > 0.0f;
     Lobes lobes;
-    float3 next = dir;
-    if (!find_material(s, par, &g, &rnd)) {
+    float3 next = dir, arriving = F3(0.0f, 0.0f, 0.0f), beyond = arriving;
+    if (absorbs) arriving = xyz4(a->med[slot]);
+    if (!find_material(s, par, &g, &rnd) || take_alternate(s, par, &g, flags, &rnd)) {
         pass = 1;
     } else if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
         float3 e = emitter_radiance(s, par, &g, flags, &pass);
         if (!pass) {
+            if (absorbs) thr = mul3(thr, attenuation(arriving, g.length));
             if (wanted) a->rad[slot] = pack4(add3(rad, mul3(thr, e)), r4.w);
             return 0;
         }
     } else {
-        material_lobes(s, par, &g, 0, &lobes);
+        material_lobes(s, par, &g, 0, &arriving, &beyond, &lobes);
         pass = (lobes.flags & LOBE_PASS) != 0u;
         if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) {
-            if (g.type == M_GLASS) pass = 1;  // spec shading 5.5
+            if (g.type == M_GLASS || g.type == M_DIELECTRIC || g.type == M_INTERFACE ||
+                (g.type == M_TRANS && max3(lobes.through) > 0.0f)) pass = 1;  // spec shading 5.5
             else {
                 float3 pi3 = F3(3.14159265f, 3.14159265f, 3.14159265f);
                 lobes_clear(&lobes);
@@ -202,6 +256,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             }
         }
     }
+    if (absorbs) thr = mul3(thr, attenuation(arriving, g.length));
     if (!pass) {
         // ---- light from active sources
         if (wanted && par->source_count > 0u) {
@@ -212,17 +267,22 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                 LightSample ls;
                 sample_source(s, par, i, g.p, x, par->dj, &ls);
                 if (ls.w > 0.0f) {
-                    float3 c = lobes_direct(&lobes, &g, ls.dir, ls.w, par->dj);
+                    float3 c = (lobes.flags & LOBE_ASHIK) != 0u ? ashik_direct(&lobes, &g, ls.dir, ls.w)
+                                                                : lobes_direct(&lobes, &g, ls.dir, ls.w, par->dj);
+                    if ((lobes.flags & LOBE_FUNCTION) != 0u) c = add3(c, function_direct(s, par, &lobes, &g, ls.dir, ls.w));
                     if (max3(c) > 0.0f) {
                         GLOBAL const float* q = source_record(s, par, i);
-                        float3 e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), ls.dir, ls.point,
-                                                  ls.normal, ls.dist, g.total + ls.dist, &rnd);
+                        float3 e = F3(1.0f, 1.0f, 1.0f);  // a virtual source's radiance is known where its ray arrives
+                        if (as_uint_(q[SRC_VIRTUAL]) == NONE)
+                            e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), ls.dir, ls.point,
+                                               ls.normal, ls.dist, g.total + ls.dist, &rnd);
                         c = mul3(mul3(thr, c), scale3(e, inv_p));
                         if (max3(c) > 0.0f) {
                             int above = dot3(ls.dir, g.ng) > 0.0f;
                             a->sorg[slot] = pack4(offset_ray(g.p, above ? g.ng : neg3(g.ng), g.length), as_float_(i));
                             a->sdir[slot] = pack4(ls.dir, ls.dist);
-                            a->scol[slot] = pack4(c, 0.0f);
+                            a->scol[slot] = pack4(c, g.total);
+                            if (absorbs) a->smed[slot] = pack4(above ? arriving : beyond, 0.0f);
                             result |= PATH_SHADOW;
                         }
                     }
@@ -265,7 +325,9 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             coef = lobes.mirror; p = w_mirror; next = lobes.mirror_dir; flags |= PC_BENT;
         } else if ((r -= w_rough_r) < 0.0f) {
             coef = lobes.rough_r; p = w_rough_r;
-            factor = lobes_sample_rough_r(&lobes, &g, &rnd, (par->flags & PF_WEIGHTED) != 0u, par->ss, &next);
+            factor = (lobes.flags & LOBE_ASHIK) != 0u
+                         ? ashik_sample(&lobes, &g, &rnd, &next)
+                         : lobes_sample_rough_r(&lobes, &g, &rnd, (par->flags & PF_WEIGHTED) != 0u, par->ss, &next);
             flags |= PC_ROUGH | PC_BENT;
         } else if ((r -= w_diff_t) < 0.0f) {
             coef = lobes.ambient_t; p = w_diff_t;
@@ -299,6 +361,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         info.z = rnd.index | (rnd.dim << 8);
         a->info[slot] = info;
         if (dead) return result;
+        if (absorbs) a->med[slot] = pack4(dot3(next, g.ng) > 0.0f ? arriving : beyond, 0.0f);
         a->org[slot] = pack4(offset_ray(g.p, side, g.length), 0.0f);
         a->dir[slot] = pack4(next, 1e30f);
         a->thr[slot] = pack4(thr, t4.w);
@@ -309,20 +372,21 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     info.x = flags;
     info.z = rnd.index | (rnd.dim << 8);
     a->info[slot] = info;
+    a->thr[slot] = pack4(thr, t4.w);
     a->org[slot] = pack4(offset_ray(g.p, neg3(g.ng), g.length), 0.0f);
     a->dir[slot] = pack4(dir, a->dir[slot].w >= 1e29f ? 1e30f : a->dir[slot].w - h.x);
     return PATH_GOES_ON;
 }
 
-// What a shadow ray lets through: straight through glass, smooth trans, mixtures with void (spec 4.5).
-FN float3 shadow_transmittance(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float dist,
-                               PRIVATE Sampler* rnd) {
-    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f);
+// What a shadow ray lets through: straight through glass, smooth trans, mixtures with void (spec shading 4.5).
+FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float dist,
+                          PRIVATE Sampler* rnd) {
+    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f), medium = black, beyond;
     Ray ray;
     ray.org = org; ray.dir = dir; ray.tmin = 0.0f;
     ray.tmax = dist >= 1e29f ? 1e30f : shadow_end(dist);
     if (trace_any(s, &ray, RAY_OPAQUE)) return black;
-    if (par->has_transparent == 0u) return T;
+    if (par->shadow_mode == SHADOW_OPAQUE) return T;
     float total = 0.0f;
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
         Hit hit;
@@ -337,7 +401,7 @@ FN float3 shadow_transmittance(PRIVATE const SceneTables* s, PRIVATE const Param
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
                 if (g.type != M_ILLUM) return black;
             } else {
-                material_lobes(s, par, &g, 1, &l);
+                material_lobes(s, par, &g, 1, &medium, &beyond, &l);
                 if ((l.flags & LOBE_PASS) == 0u) T = mul3(T, l.through);
             }
             if (max3(T) <= 0.0f) return black;
@@ -348,12 +412,80 @@ FN float3 shadow_transmittance(PRIVATE const SceneTables* s, PRIVATE const Param
     return black;
 }
 
+// The same where light may bend (dielectric) or be relayed (mirror): followed surface by surface; it must arrive at the
+// real source aimed at (spec shading 3.6, 4.6).  For virtual sources the result holds the source's radiance.
+FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float total,
+                       uint source, float3 medium, PRIVATE Sampler* rnd) {
+    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f), beyond;
+    GLOBAL const float* q = source_record(s, par, source);
+    int is_virtual = as_uint_(q[SRC_VIRTUAL]) != NONE, bent = 0;
+    Ray ray;
+    ray.org = org; ray.dir = dir; ray.tmin = 0.0f; ray.tmax = 1e30f;
+    for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
+        Hit hit;
+        Surface g;
+        Lobes l;
+        uint relay = as_uint_(q[SRC_VIRTUAL]);
+        trace_closest(s, &ray, RAY_ALL, &hit);
+        if (hit.prim == NO_HIT) {
+            if (relay != NONE || as_uint_(q[SRC_KIND]) != SK_DISTANT) return black;
+            float3 e = sub3(ray.dir, f3_at(q + SRC_CENTRE));
+            if ((bent || is_virtual) && 0.5f * dot3(e, e) > q[SRC_CAP]) return black;
+            if (!is_virtual) return T;
+            return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), NONE, ray.dir, ray.org, neg3(ray.dir), 1e30f, 1e30f, rnd));
+        }
+        surface_at(s, &ray, &hit, &g);
+        total += hit.t;
+        g.total = total;
+        if (par->medium.w > 0.0f && max3(medium) > 0.0f) T = mul3(T, attenuation(medium, hit.t));
+        if (relay == NONE && hit.prim == as_uint_(q[SRC_PRIM])) {
+            if (!g.front) return black;
+            if (!is_virtual) return T;
+            return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), hit.prim, ray.dir, g.p, g.nface, hit.t, total, rnd));
+        }
+        float3 next = ray.dir;
+        if (find_material(s, par, &g, rnd)) {
+            if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
+                if (g.type != M_ILLUM) return black;
+            } else {
+                float3 known = medium;
+                material_lobes(s, par, &g, 1, &known, &beyond, &l);
+                if ((l.flags & LOBE_PASS) == 0u) {
+                    if (relay != NONE && hit.prim == s->u[relay]) {  // the relay this virtual source belongs to
+                        if (max3(l.mirror) <= 0.0f) return black;
+                        T = mul3(T, l.mirror);
+                        next = sub3(scale3(g.ng, 2.0f * dot3(g.ng, g.v)), g.v);  // textures do not act here
+                        q = source_record(s, par, s->u[relay + 1u]);
+                    } else if (max3(l.refract) > 0.0f) {
+                        T = mul3(T, l.refract);
+                        next = l.refract_dir;
+                        bent = 1;
+                    } else {
+                        T = mul3(T, l.through);
+                    }
+                    if (dot3(next, g.ng) < 0.0f) medium = beyond;
+                }
+            }
+            if (max3(T) <= 0.0f) return black;
+        }
+        ray.org = offset_ray(g.p, dot3(next, g.ng) > 0.0f ? g.ng : neg3(g.ng), g.length);
+        ray.dir = next;
+    }
+    return black;
+}
+
 FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* a, uint slot) {
     float4 o = a->sorg[slot], d = a->sdir[slot], c = a->scol[slot];
     uint4 info = a->info[slot];
     Sampler rnd = path_sampler(info);
     rnd.key = hash_(rnd.key ^ 0x5bd1e995u);
-    float3 T = shadow_transmittance(s, par, xyz4(o), xyz4(d), d.w, &rnd);
+    float3 T, medium = F3(0.0f, 0.0f, 0.0f);
+    if (par->shadow_mode == SHADOW_AIMED) {
+        if (par->medium.w > 0.0f) medium = xyz4(a->smed[slot]);
+        T = shadow_aimed(s, par, xyz4(o), xyz4(d), c.w, as_uint_(o.w), medium, &rnd);
+    } else {
+        T = shadow_straight(s, par, xyz4(o), xyz4(d), d.w, &rnd);
+    }
     float4 r = a->rad[slot];
     a->rad[slot] = pack4(add3(xyz4(r), mul3(xyz4(c), T)), r.w);
 }
@@ -374,6 +506,7 @@ FN void path_draw(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     float3 e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
     a->scol[slot] = pack4(mul3(xyz4(a->scol[slot]), e), 0.0f);
     a->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
+    if (par->medium.w > 0.0f) a->smed[slot] = par->medium;
     uint4 info;
     info.x = 0u; info.y = rnd.key; info.z = rnd.index; info.w = NONE;
     a->info[slot] = info;

@@ -124,9 +124,22 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
 // A guess of what source i could give at p, never 0 where it could give anything: for choosing among many.
 FN float source_promise(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i, float3 p) {
     GLOBAL const float* q = source_record(s, par, i);
-    if (as_uint_(q[SRC_KIND]) == SK_DISTANT) return q[SRC_POWER] * q[SRC_AREA];
-    float3 to = sub3(f3_at(q + SRC_CENTRE), p);
-    float d2 = dot3(to, to), r = q[SRC_RADIUS];
+    uint relay = as_uint_(q[SRC_VIRTUAL]);
+    int distant = as_uint_(q[SRC_KIND]) == SK_DISTANT;
+    float r = q[SRC_RADIUS];
+    float3 to = distant ? f3_at(q + SRC_CENTRE) : sub3(f3_at(q + SRC_CENTRE), p);
+    if (relay != NONE) {  // the way must lead past the relay: its disc, widened by the source
+        GLOBAL const uint* w = s->u + relay;
+        float3 c = sub3(F3(as_float_(w[2]), as_float_(w[3]), as_float_(w[4])), p);
+        float along = dot3(c, to) / dot3(to, to);
+        float3 off = sub3(c, scale3(to, along));
+        float reach = as_float_(w[5]) + r * (distant ? length3(c) : 1.0f);
+        if (along <= 0.0f || dot3(off, off) > reach * reach * 1.0001f) {
+            if (dot3(c, c) > reach * reach) return 0.0f;
+        }
+    }
+    if (distant) return q[SRC_POWER] * q[SRC_AREA];
+    float d2 = dot3(to, to);
     if (q[SRC_MAXRAD] > 0.0f && d2 > (q[SRC_MAXRAD] + r) * (q[SRC_MAXRAD] + r)) return 0.0f;
     float near = r * r * 0.25f;
     return q[SRC_POWER] * q[SRC_AREA] / MAX_(d2, near);

@@ -61,9 +61,12 @@
 #define M_ANTIMATTER 36u
 #define M_PRISM 37u
 // flags
-#define MF_ALTERNATE 1u     // MOD_BRANCH1 is an alternate material (NONE = void)
-#define MF_HAS_ALTERNATE 2u
+#define MF_HAS_ALTERNATE 2u // MOD_BRANCH1 is an alternate material (NONE = void)
 #define MF_ABSDF 4u
+#define MF_ALTERNATE_PASSES 32u  // the alternate is void or a transparent type
+#define MF_METAL 8u         // the specular colour is the surface's
+#define MF_TRANS 16u
+#define MF_LOBES_SHIFT 8u   // number of outputs of the lobe program (MOD_EXTRA)
 
 // ---- active sources: SOURCE_FLOATS floats each at f[Params.sources_at] (words by as_uint_)
 #define SOURCE_FLOATS 32u
@@ -83,9 +86,12 @@
 #define SRC_TRIS 25u      // general polygons: index into f of triangle fan records (word), SRC_NTRIS (word)
 #define SRC_NTRIS 26u
 #define SRC_CLASS 27u     // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
-#define SRC_VIRTUAL 28u   // virtual sources: relay record in f (word), NONE
+#define SRC_VIRTUAL 28u   // virtual sources: relay record in u (word), NONE for real ones
 #define SRC_DRAWN 29u     // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
 #define SRC_ORDER 30u
+// relay record of a virtual source (spec shading 4.6): 0 relay primitive, 1 source behind it (real or virtual),
+// 2-4 centre of the relay, 5 its radius (floats)
+#define RELAY_WORDS 6u
 #define SK_DISTANT 0u
 #define SK_PARALLELOGRAM 1u
 #define SK_POLYGON 2u     // triangle fan with areas
@@ -112,12 +118,12 @@ typedef struct {
     float4 centre;                            // world position of the tables' origin
     float4 av;
     float4 ray_org, ray_dir;                  // MODE_RAY
-    float4 medium;                            // global extinction rgb, w = 1 if any
+    float4 medium;                            // global extinction rgb; w = 1 if any segment of the scene may absorb
     // sizes and modes
     uint nx, ny, mode, frame;                 // frame = sample index of slot 0
     uint seed_lo, seed_hi, slots, first;      // first = global index of slot 0
     uint mods_at, sources_at, source_count, distant_at;
-    uint distant_count, portals_at, portal_count, has_transparent;
+    uint distant_count, portals_at, portal_count, shadow_mode;
     int ab, lr; uint bv, flags;
     float st, ss, dj, lw;
     uint skip_direct_below, cdf_at, draw_at, draw_count;
@@ -128,6 +134,10 @@ typedef struct {
 #define MODE_FRAMES 1u   // frames k >= 1: diffuse class; both classes where frame > skip_direct_below
 #define MODE_RAY 2u      // all classes along one given ray (tests, -I)
 #define MODE_DRAW 3u     // straight rays to drawn sources
+// shadow_mode: what may stand between a point and a source
+#define SHADOW_OPAQUE 0u      // nothing lets light through
+#define SHADOW_STRAIGHT 1u    // glass and the like: light goes on straight
+#define SHADOW_AIMED 2u       // dielectrics and virtual sources: step by step, direction may change
 // flags
 #define PF_IRRADIANCE 1u
 #define PF_DV 2u         // light sources visible

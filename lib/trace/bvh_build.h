@@ -2,7 +2,8 @@
 // Bounding volume hierarchies for kernels/bvh8.h and kernels/bvh2.h, by Embree's builder (rtcBuildBVH) on all cores.
 // The arrays go to the device as they are.  Tree 0 is the scene; trees 1, 2, ... are what its SHAPE_INSTANCE shapes stand
 // for (word 13 = tree), node k is the root of tree k.  An empty scene gives one empty node and no leaves.
-// Memory per triangle: about 62 (BVH2) to 75 (BVH8) bytes of result for large meshes, and 150 more while building.
+// Memory per triangle of large meshes: 55 bytes (BVH8) or 82 (BVH2), with BVH8's 75 at most while building (bench/traversal);
+// scattered single polygons take more, up to 200.  10 million triangles: 6.5 s of one core.
 // Limits: 2^29 primitives, 2^30 leaf blocks; nodes and leaves are addressed with 64-bit offsets, so more than 4 GB is fine.
 #pragma once
 #include <cstddef>

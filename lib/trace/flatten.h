@@ -2,8 +2,10 @@
 // The parts of flatten(): modifiers, geometry, sources.  Each fills its tables of one FlatScene.
 #pragma once
 #include <cstring>
+#include <utility>
 #include <vector>
 #include "cal/compile.h"
+#include "cal/pattern.h"
 #include "kernels/host.h"
 #include "trace/flat_scene.h"
 
@@ -25,9 +27,13 @@ struct Flattener {
     std::vector<uint32_t> mods;           // MOD_WORDS each
     std::vector<float> args;              // real arguments, appended to f
 
+    bool aimed = false;                   // shadow rays may bend or be relayed: SHADOW_AIMED
+
     // Emitting surfaces, collected by geometry for sources.
     struct Emitter { uint32_t object, prim; };
     std::vector<Emitter> emitters;
+    struct Relay { uint32_t prim; base::Vec3 normal, centre; double radius; };  // flat mirrors, relative to the centre
+    std::vector<Relay> relays;
 
     Flattener(const scene::Scene& s, const RenderOptions& o, const scene::ReadOptions& f, FlatScene& t)
         : scene(s), options(o), files(f), out(t), library(f) {}
@@ -35,6 +41,9 @@ struct Flattener {
     void flatten_modifiers();
     void flatten_geometry();
     void flatten_sources();
+    // Copies of the sources mirrored in the relays, up to -dr levels (virtual_sources.cpp); arguments as in flatten_sources.
+    void add_virtual_sources(std::vector<float>& records, std::vector<float>& fans,
+                             std::vector<std::pair<size_t, size_t>>& fan_patches);
 };
 
 inline uint32_t bits(float f) { uint32_t u; std::memcpy(&u, &f, 4); return u; }

@@ -32,7 +32,7 @@ struct Builder {
         out.prim_object.push_back(uint32_t(&o - f.scene.objects.data()));
         const bool pass = f.passes[o.modifier];
         tagged = id | (pass ? TRANSPARENT_BIT : 0u);
-        out.has_transparent = out.has_transparent || pass;
+        if (pass) out.shadow_mode = SHADOW_STRAIGHT;
         return id;
     }
     uint32_t add_shape(uint32_t kind, std::initializer_list<double> values) {
@@ -58,6 +58,12 @@ struct Builder {
         const Type t = f.scene.objects[m].type;
         if (t == Type::light || t == Type::glow || t == Type::spotlight || t == Type::illum)
             f.emitters.push_back({uint32_t(&o - f.scene.objects.data()), prim});
+    }
+
+    // Mirrors relay the light of sources (spec shading 4.6): polygons and rings only.
+    void relay(const scene::Object& o, uint32_t prim, Vec3 normal, Vec3 centre, double radius) {
+        const uint32_t m = f.material_of[o.modifier];
+        if (m != NONE && f.scene.objects[m].type == Type::mirror) f.relays.push_back({prim, normal, centre - out.centre, radius});
     }
 
     void polygon(const scene::Object& o) {
@@ -108,6 +114,11 @@ struct Builder {
             out.shape_prim.push_back(tagged);
         }
         emit(o, prim);
+        Vec3 mid;
+        double radius = 0;
+        for (const Vec3& p : v) mid = mid + p * (1.0 / double(n));
+        for (const Vec3& p : v) radius = std::max(radius, length(p - mid));
+        relay(o, prim, normal, mid, radius);
         if (f.passes[o.modifier] && out.panes.size() < 100000) out.panes.push_back({v[0], v[1] - v[0], normal, area2 / 2, v});
     }
 
@@ -152,6 +163,7 @@ struct Builder {
         const uint32_t prim = add_prim(o, PRIM_FLAT | PRIM_TEXTURE_FLAT, u, 0, tagged);
         out.shape_prim.push_back(tagged);
         emit(o, prim);
+        relay(o, prim, u, vec_at(r, 0), r1);
     }
 };
 

@@ -11,7 +11,6 @@ namespace {
 using namespace kernels;
 using scene::Type;
 
-bool is_texture(Type t) { return t == Type::texfunc || t == Type::texdata; }
 bool is_emitter(Type t) { return t == Type::light || t == Type::glow || t == Type::spotlight || t == Type::illum; }
 
 uint32_t material_code(Type t) {
@@ -23,28 +22,39 @@ uint32_t material_code(Type t) {
         case Type::light: return M_LIGHT;
         case Type::glow: return M_GLOW;
         case Type::spotlight: return M_SPOTLIGHT;
+        case Type::illum: return M_ILLUM;
+        case Type::mirror: return M_MIRROR;
+        case Type::dielectric: return M_DIELECTRIC;
+        case Type::interface: return M_INTERFACE;
+        case Type::plastic2: return M_ANISO_PLASTIC;
+        case Type::metal2: return M_ANISO_METAL;
+        case Type::trans2: return M_ANISO_TRANS;
+        case Type::ashik2: return M_ASHIK;
+        case Type::plasfunc: case Type::metfunc: case Type::transfunc:
+        case Type::plasdata: case Type::metdata: case Type::transdata: return M_BRDF;
         default: return 0;
     }
 }
 // Does a shadow ray pass this material (spec shading 4.5)?
 bool material_passes(Type t, const scene::Span<double>& a) {
     switch (t) {
-        case Type::glass: return true;
+        case Type::glass: case Type::dielectric: case Type::interface: case Type::illum: case Type::mirror: return true;
         case Type::trans: return a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6;
         default: return false;
     }
 }
-// brightfunc and colorfunc: one or three expressions, the function file, then a transform.
-struct Pattern { uint32_t entry; int outputs; };
-Pattern compile_pattern(Flattener& f, const scene::Object& o) {
-    if (o.type != Type::brightfunc && o.type != Type::colorfunc)
-        base::fail(f.scene.place(o), fmt::format("pattern type {} is not supported", type_name(o.type)));
-    const auto s = f.scene.strings(o);
-    const size_t n = o.type == Type::brightfunc ? 1 : 3;
-    base::Xform x;
-    if (s.size() > n + 1) base::parse_xform(s, n + 1, x, f.scene.place(o));
-    const auto r = f.scene.reals(o);
-    return {cal::compile(f.library, {s.begin(), s.begin() + n}, s[n], {r.begin(), r.end()}, x, f.scene.place(o), f.code), int(n)};
+uint32_t mod_type(cal::ProgramKind k) {
+    switch (k) {
+        case cal::ProgramKind::brightness: return M_PATTERN1;
+        case cal::ProgramKind::color: return M_PATTERN3;
+        case cal::ProgramKind::texture: return M_TEXTURE;
+        default: return M_MIXTURE;
+    }
+}
+cal::PatternSpec spec_of(const scene::Scene& scene, const scene::Object& o) {
+    const auto s = scene.strings(o);
+    const auto r = scene.reals(o);
+    return {type_name(o.type), {s.begin(), s.end()}, {r.begin(), r.end()}, scene.place(o), {}};
 }
 }  // namespace
 
@@ -56,9 +66,14 @@ void Flattener::flatten_modifiers() {
     material_of.assign(n, NONE);
     std::vector<uint8_t> needed(n, 0);
     const auto need = [&](int32_t i) { if (i >= 0) needed[i] = 1; };
+    // Names among the string arguments that are modifiers, for what is not found by the chain.
     const auto branches = [&](const scene::Object& o, uint32_t at) {
         const auto s = scene.strings(o);
         return std::pair<int32_t, int32_t>{scene.lookup_modifier(s[0], at), scene.lookup_modifier(s[1], at)};
+    };
+    const auto alternate = [&](const scene::Object& o, uint32_t at) {
+        const auto s = scene.strings(o);
+        return (o.type == Type::mirror || o.type == Type::illum) && s.size() > 0 ? scene.lookup_modifier(s[0], at) : scene::VOID;
     };
     for (size_t i = n; i-- > 0;) {
         const scene::Object& o = scene.objects[i];
@@ -67,6 +82,7 @@ void Flattener::flatten_modifiers() {
         const auto r = scene.resolve(int32_t(i));
         need(r.modifier);
         const scene::Object& t = scene.objects[r.object];
+        need(alternate(t, uint32_t(r.object)));
         if (is_mixture(t.type)) {
             const auto b = branches(t, uint32_t(r.object));
             need(b.first);
@@ -90,11 +106,26 @@ void Flattener::flatten_modifiers() {
             for (double a : reals) args.push_back(float(a));
             if (t.type == Type::glass && reals.size() < 4) args.push_back(1.52f);
             if (is_emitter(t.type)) args.resize(rec[MOD_ARGS] + 8, 0.0f);
+            if (t.type == Type::mirror || t.type == Type::illum) {
+                const int32_t m = alternate(t, uint32_t(r.object));
+                if (m >= 0) rec[MOD_BRANCH1] = mod_of[m];
+                if (scene.strings(t).size() > 0) rec[MOD_FLAGS] |= MF_HAS_ALTERNATE;
+                if (m < 0 || passes[m]) rec[MOD_FLAGS] |= MF_ALTERNATE_PASSES;
+            }
+            if (t.type == Type::dielectric || t.type == Type::interface) { out.absorbs = true; aimed = true; }
+            if (cal::has_functions(type_name(t.type))) {
+                const cal::MaterialProgram p = cal::compile_material(library, spec_of(scene, t), code);
+                rec[MOD_PROGRAM] = p.values;
+                rec[MOD_EXTRA] = p.lobe;
+                rec[MOD_FLAGS] |= uint32_t(p.lobe_count) << MF_LOBES_SHIFT;
+            }
+            if (t.type == Type::metfunc || t.type == Type::metdata) rec[MOD_FLAGS] |= MF_METAL;
+            if (t.type == Type::transfunc || t.type == Type::transdata) rec[MOD_FLAGS] |= MF_TRANS | MF_METAL;
             has_material[i] = 1;
             passes[i] = material_passes(t.type, reals);
             material_of[i] = uint32_t(r.object);
         } else {
-            const Pattern p = compile_pattern(*this, t);
+            const cal::Program p = cal::compile_pattern(library, spec_of(scene, t), code);
             rec[MOD_PROGRAM] = p.entry;
             if (is_mixture(t.type)) {
                 rec[MOD_TYPE] = M_MIXTURE;
@@ -113,7 +144,7 @@ void Flattener::flatten_modifiers() {
                 passes[i] = any ? pass : (above && passes[r.modifier]);
                 if (!any && above) material_of[i] = material_of[r.modifier];
             } else {
-                rec[MOD_TYPE] = is_texture(t.type) ? M_TEXTURE : p.outputs == 1 ? M_PATTERN1 : M_PATTERN3;
+                rec[MOD_TYPE] = mod_type(p.kind);
                 has_material[i] = above;
                 passes[i] = above && passes[r.modifier];
                 if (above) material_of[i] = material_of[r.modifier];

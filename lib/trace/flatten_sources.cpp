@@ -189,6 +189,9 @@ void Flattener::flatten_sources() {
         distant.insert(distant.end(), rec, rec + DISTANT_WORDS);
     }
 
+    if (options.dr > 0 && !relays.empty() && !records.empty())
+        add_virtual_sources(records, fans, fan_patches);
+    if (aimed) out.shadow_mode = SHADOW_AIMED;
     out.source_count = uint32_t(records.size() / SOURCE_FLOATS);
     out.distant_count = uint32_t(distant.size() / DISTANT_WORDS);
     out.distant_at = uint32_t(out.u.size());

@@ -26,6 +26,7 @@ struct RenderOptions {
     double pd = 0;              // -pd depth of field
     // ours
     uint64_t seed = 1;
+    bool portals = true;        // guide diffuse samples to windows (off: tests that it does not move the mean)
     int direct_samples = 16;    // m of spec paper 7: samples of the direct and specular class in frame 0
 };
 

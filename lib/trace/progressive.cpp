@@ -102,7 +102,7 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     s.ny = uint32_t(ny);
     s.m = uint32_t(std::max(1, o.direct_samples));
     FlatScene flat = flatten(scene, o, files);
-    if (!flat.panes.empty()) find_portals(flat);
+    if (o.portals && !flat.panes.empty()) find_portals(flat);
     if (flat.source_count > 0) s.drawn = list_drawn_sources(flat, HostTracer(flat), view, nx, ny);
     Params& p = s.base;
     p.view_clip.z = float(o.pj);
@@ -121,7 +121,8 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.portals_at = flat.portals_at;
     p.portal_count = flat.portal_count;
     p.cdf_at = flat.cdf_at;
-    p.has_transparent = flat.has_transparent;
+    p.shadow_mode = flat.shadow_mode;
+    p.medium = {float(o.me[0]), float(o.me[1]), float(o.me[2]), flat.absorbs ? 1.0f : 0.0f};
     p.ab = o.ab;
     p.lr = o.lr;
     p.bv = o.bv;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dielectric and interface: a solid's boundary (spec: RADIANCE shading 3.6).
+// args, dielectric: transmission per length r g b, index, Hartmann constant; interface: inside r g b n, outside r g b n.
+#ifndef LUX_MAT_DIELECTRIC_H
+#define LUX_MAT_DIELECTRIC_H
+
+FN float extinction_(float t) { return t < 1e-40f ? 100.0f : -k_log(t); }
+FN float3 extinction3_(GLOBAL const float* t, float3 pattern) {
+    return F3(extinction_(t[0] * pattern.x), extinction_(t[1] * pattern.y), extinction_(t[2] * pattern.z));
+}
+
+// Also: *arriving is the medium of the segment that ends here if the surface knows it (returns 1), *beyond the medium
+// behind the surface (the refracted ray's).
+FN int mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg,
+                      PRIVATE Lobes* out, PRIVATE float3* arriving, PRIVATE float3* beyond) {
+    float3 global = F3(par->medium.x, par->medium.y, par->medium.z);
+    float3 inside = extinction3_(arg, g->color);
+    float ratio;  // index on the viewer's side over index beyond
+    int known;
+    if (type == M_DIELECTRIC) {
+        float n = arg[3] + arg[4] * 0.002f;
+        ratio = g->front ? 1.0f / n : n;
+        known = !g->front;
+        *arriving = inside;
+        *beyond = g->front ? inside : global;
+    } else {
+        float3 outside = extinction3_(arg + 4, g->color);
+        ratio = g->front ? arg[7] / arg[3] : arg[3] / arg[7];
+        known = 1;
+        *arriving = g->front ? outside : inside;
+        *beyond = g->front ? inside : outside;
+    }
+    float c1 = dot3(g->n, g->v), R = 1.0f;
+    float c2 = 1.0f - ratio * ratio * (1.0f - c1 * c1);
+    if (c2 >= 1e-6f) {
+        c2 = sqrt_(c2);
+        float r1 = (c1 - ratio * c2) / (c1 + ratio * c2);
+        float i1 = 1.0f / MAX_(c1, 1e-9f), i2 = ratio / c2;
+        float r2 = (i1 - i2) / (i1 + i2);
+        R = 0.5f * (r1 * r1 + r2 * r2);
+        float T = (1.0f - R) * ratio * ratio;
+        float3 d = madd3(g->n, ratio * c1 - c2, scale3(g->v, -ratio));
+        if (dot3(d, g->ng) < -1e-6f) {
+            out->refract = F3(T, T, T);
+            out->refract_dir = unit3(d);
+        }
+    }
+    out->mirror = F3(R, R, R);
+    out->mirror_dir = mirror_direction(g);
+    return known;
+}
+#endif
