@@ -2,7 +2,7 @@
 // From trees to graphs: evaluates an expression symbolically.  Functions are expanded where they are called, with
 // arguments by name, so `if` is lazy, constant recursion ends, and function names can be arguments.  Recursion whose end
 // depends on ray variables is expanded to a bounded depth, beyond which the program reports an error
-// (docs/decisions/0005-cal-recursion.md).
+// (docs/decisions/0007-cal-recursion.md).
 #pragma once
 #include <map>
 #include <string>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Our own texts of the library files that scenes name, written from the published formulas:
 // skies (CIE clear, intermediate, overcast; Perez et al. 1993), luminaires, smooth meshes, glazings.
-// A file of the same name on RAYPATH is taken instead.
+// A file of the same name on RAYPATH is taken instead.  Skies blend into the ground by a = (Dz + 1.01)^10 as
+// (a sky + ground/a)/(a + 1/a), here with weight = a a.
 #include <cstring>
 #include "cal/library.h"
 
@@ -11,8 +12,8 @@ namespace {
 
 // A1 type, A2 zenith, A3 ground, A4 normalisation, A5-7 sun.
 const char skybright[] = R"CAL(
-weight = (Dz + 1.01)^10;
-skybr = (weight*sky + A3/weight)/(weight + 1/weight);
+weight = (Dz + 1.01)^20;
+skybr = (weight*sky + A3)/(weight + 1);
 cosgamma = Dx*A5 + Dy*A6 + Dz*A7;
 gamma = Acos(cosgamma);
 sky = select(A1, clear, overcast, A2, intermediate);
@@ -26,8 +27,8 @@ intermediate = A2*((1.35*sin(5.631 - 3.59*eta) + 3.12)*sin(4.396 - 2.6*zt) + 6.3
 
 // A1 norm, A2 ground, A3-7 Perez' a b c d e, A8-10 sun.
 const char perezlum[] = R"CAL(
-weight = (Dz + 1.01)^10;
-skybright = (weight*sky + A2/weight)/(weight + 1/weight);
+weight = (Dz + 1.01)^20;
+skybright = (weight*sky + A2)/(weight + 1);
 cosgamma = Dx*A8 + Dy*A9 + Dz*A10;
 gamma = Acos(cosgamma);
 sky = A1*(1 + A3*Exp(A4/if(Dz - .01, Dz, .01)))*(1 + A5*Exp(A6*gamma) + A7*cosgamma*cosgamma);
@@ -35,8 +36,8 @@ sky = A1*(1 + A3*Exp(A4/if(Dz - .01, Dz, .01)))*(1 + A5*Exp(A6*gamma) + A7*cosga
 
 // As perezlum.cal, and A11 clearness, A12-22 daylight locus: chromaticity from the sky's luminance.
 const char perezlum_c[] = R"CAL(
-weight = (Dz + 1.01)^10;
-lum = (weight*sky + A2/weight)/(weight + 1/weight);
+weight = (Dz + 1.01)^20;
+lum = (weight*sky + A2)/(weight + 1);
 cosgamma = Dx*A8 + Dy*A9 + Dz*A10;
 gamma = Acos(cosgamma);
 sky = A1*(1 + A3*Exp(A4/if(Dz - .01, Dz, .01)))*(1 + A5*Exp(A6*gamma) + A7*cosgamma*cosgamma);

@@ -4,6 +4,7 @@
 // value lives from its first to its last mention: registers are given by one scan over these intervals.
 #include "cal/codegen.h"
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 #include "base/error.h"
 
@@ -24,10 +25,25 @@ struct Step {
     int target = -1;                               // jumps: index of the step to go on with
 };
 
+// Is node `id` a min with something not above `limit`, or a max with something not below it (also one inside the other)?
+bool within(const Graph& g, int id, uint32_t op, double limit) {
+    for (int depth = 0; depth < 2 && (g[id].op == OP_MIN || g[id].op == OP_MAX); depth++) {
+        int inner = -1;
+        for (int k = 0; k < 2; k++) {
+            if (!g.is_constant(g[id].kid[k])) inner = g[id].kid[k];
+            else if (g[id].op == op && std::fabs(g.value(g[id].kid[k])) <= std::fabs(limit)) return true;
+        }
+        if (inner < 0) break;
+        id = inner;
+    }
+    return false;
+}
+
 bool may_fail(const Graph& g, const Node& n) {
     switch (n.op) {
+    case OP_ASIN: case OP_ACOS: return !(within(g, n.kid[0], OP_MIN, 1) && within(g, n.kid[0], OP_MAX, -1));
     case OP_DIV: return !g.is_constant(n.kid[1]) || g.value(n.kid[1]) == 0;
-    case OP_POW: case OP_SQRT: case OP_EXP: case OP_LOG: case OP_LOG10: case OP_ASIN: case OP_ACOS: case OP_FAIL: return true;
+    case OP_POW: case OP_SQRT: case OP_EXP: case OP_LOG: case OP_LOG10: case OP_FAIL: return true;
     default: return false;
     }
 }
@@ -134,6 +150,11 @@ private:
             if (b >= 0 && g_.is_constant(a) && !g_.is_constant(b) && swapped(n.op, s.op)) std::swap(a, b);
             s.a = in_register(a);
             if (b >= 0) operand(b, s);
+            int exponent;
+            if (s.op == OP_DIV && s.immediate && std::fabs(std::frexp(s.value, &exponent)) == 0.5f && std::abs(exponent) < 100) {
+                s.op = OP_MUL;                     // by a power of 2: exact; other quotients must stay (mod(n,d))
+                s.value = 1 / s.value;
+            }
         }
         }
         s.d = fresh();
@@ -198,10 +219,12 @@ private:
     // One side of a branch: what it computes is forgotten afterwards.
     void arm(int id, int result) {
         const size_t mark = trail_.size();
+        const bool own_step = !ready(id) && g_[id].op != NODE_IF && g_[id].op != NODE_CHANNEL && g_[id].op != OP_DATA;
         Step m{OP_MOV};
         operand(id, m);
         m.d = result;
-        emit(m);
+        if (own_step && steps_.back().d == m.b) steps_.back().d = result;  // its last step writes the result itself
+        else emit(m);
         for (; trail_.size() > mark; trail_.pop_back()) where_[size_t(trail_.back())] = -1;
     }
 

@@ -90,7 +90,7 @@ int Graph::power(int a, int b) {
     if (e == 0) return constant(1);
     if (e == 1) return a;
     if (e == 0.5) return make(OP_SQRT, a);
-    if (e == std::floor(e) && std::fabs(e) <= 16) {
+    if (e == std::floor(e) && std::fabs(e) <= 32) {
         int result = -1, square = a;
         for (int k = int(std::fabs(e)); k; k >>= 1) {
             if (k & 1) result = result < 0 ? square : mul(result, square);
@@ -156,6 +156,20 @@ int Graph::make(uint32_t op, int a, int b, uint32_t aux) {
 int Graph::choose(int condition, int yes, int no) {
     if (is_constant(condition)) return value(condition) > 0 ? yes : no;
     if (yes == no) return yes;
+    // the larger or the smaller of two values, and the bounded value: p > x ? p : min(x, b) with p <= b
+    const Node c = (*this)[condition];
+    const bool difference = c.op == OP_SUB, sum = c.op == OP_ADD;
+    int p = -1, q = -1;                                    // condition is p > q
+    if (difference) { p = c.kid[0]; q = c.kid[1]; }
+    if (sum && is_constant(c.kid[0])) { p = c.kid[1]; q = constant(-value(c.kid[0])); }
+    else if (sum && is_constant(c.kid[1])) { p = c.kid[0]; q = constant(-value(c.kid[1])); }
+    if (p < 0) { p = condition; q = constant(0); }
+    if (p == yes && q == no) return make(OP_MAX, p, q);
+    if (p == no && q == yes) return make(OP_MIN, p, q);
+    const Node low = (*this)[no];
+    if (p == yes && is_constant(p) && low.op == OP_MIN)
+        for (int k = 0; k < 2; k++)
+            if (low.kid[k] == q && is_constant(low.kid[1 - k]) && value(low.kid[1 - k]) >= value(p)) return make(OP_MAX, no, p);
     Node n;
     n.op = NODE_IF;
     n.kid_count = 3;
