@@ -26,12 +26,7 @@ FN void mat_normal(PRIVATE const Params* par, PRIVATE const Surface* g, uint typ
     out->ambient_r = out->diffuse_r;
     out->ambient_t = out->diffuse_t;
     if (trans && t >= 1.0f) { out->diffuse_r = F3(0.0f, 0.0f, 0.0f); out->ambient_r = out->diffuse_r; }
-    // transmitted direction: bent by textures, but not by mesh smoothing, nor if it would point back
-    float3 p = neg3(g->v);
-    if (trans && !g->smooth && dot3(g->pert, g->pert) > 1e-12f) {
-        p = unit3(sub3(p, g->pert));
-        if (dot3(p, g->ng) >= -1e-6f) p = neg3(g->v);
-    }
+    float3 p = trans ? transmitted_direction(g) : neg3(g->v);
     if (smooth) {
         if (rs >= 0.017999f) out->flags |= LOBE_FRESNEL;
         if (rs > 1e-6f && !(trans && t >= 1.0f)) { out->mirror = spec; out->mirror_dir = mirror_direction(g); }
@@ -53,6 +48,8 @@ FN void mat_normal(PRIVATE const Params* par, PRIVATE const Surface* g, uint typ
             out->av = out->au;
         }
     }
+    out->tu = out->au;
+    out->tv = out->av;
     if (rs > 1e-6f) {
         out->rough_r = spec;
         if (par->st >= rs - 1e-6f) out->ambient_r = add3(out->ambient_r, spec); else out->flags |= LOBE_SAMPLE_R;

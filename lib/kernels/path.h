@@ -143,17 +143,18 @@ FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* p
 // Fills lobes for the material at g.  shadow: only what lets light pass is needed.  *arriving: medium of the segment that
 // ended here, corrected where the surface knows it; *beyond: medium behind the surface.
 FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, int shadow,
-                       PRIVATE float3* arriving, PRIVATE float3* beyond, PRIVATE Lobes* l) {
+                       PRIVATE Sampler* rnd, PRIVATE float3* arriving, PRIVATE float3* beyond, PRIVATE Lobes* l) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     float vars[CAL_VARS], value[CAL_OUTPUTS];
     uint type = g->type;
     lobes_clear(l);
     *beyond = *arriving;
-    if (!g->front && par->bv == 0u && type != M_DIELECTRIC && type != M_INTERFACE) { l->flags |= LOBE_PASS; return; }
-    if (type >= M_ANISO_PLASTIC && type <= M_ASHIK) {
+    if (!g->front && par->bv == 0u && type != M_DIELECTRIC && type != M_INTERFACE && type != M_BRTD) { l->flags |= LOBE_PASS; return; }
+    if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {  // functions evaluated once per hit
         material_vars(par, g, vars);
-        if (cal_run(s, m[MOD_PROGRAM], vars, value)) value[0] = value[1] = value[2] = 0.0f;
+        if (cal_run(s, m[MOD_PROGRAM], vars, value))
+            for (int i = 0; i < CAL_OUTPUTS; i++) value[i] = 0.0f;
     }
     switch (type) {
     case M_PLASTIC: case M_METAL: case M_TRANS:
@@ -165,6 +166,8 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         break;
     case M_ASHIK: mat_ashik(par, g, arg, F3(value[0], value[1], value[2]), l); break;
     case M_BRDF: mat_brdf(g, arg, m[MOD_FLAGS], l); break;
+    case M_BRTD: mat_brtd(g, arg, value, l); break;
+    case M_WGMD: mat_wgmd(s, par, g, m, value, rnd, l); break;
     case M_DIELECTRIC: case M_INTERFACE:
         mat_dielectric(par, g, type, arg, l, arriving, beyond);
         break;
@@ -242,7 +245,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             return 0;
         }
     } else {
-        material_lobes(s, par, &g, 0, &arriving, &beyond, &lobes);
+        material_lobes(s, par, &g, 0, &rnd, &arriving, &beyond, &lobes);
         pass = (lobes.flags & LOBE_PASS) != 0u;
         if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) {
             if (g.type == M_GLASS || g.type == M_DIELECTRIC || g.type == M_INTERFACE ||
@@ -401,7 +404,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
                 if (g.type != M_ILLUM) return black;
             } else {
-                material_lobes(s, par, &g, 1, &medium, &beyond, &l);
+                material_lobes(s, par, &g, 1, rnd, &medium, &beyond, &l);
                 if ((l.flags & LOBE_PASS) == 0u) T = mul3(T, l.through);
             }
             if (max3(T) <= 0.0f) return black;
@@ -449,7 +452,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
                 if (g.type != M_ILLUM) return black;
             } else {
                 float3 known = medium;
-                material_lobes(s, par, &g, 1, &known, &beyond, &l);
+                material_lobes(s, par, &g, 1, rnd, &known, &beyond, &l);
                 if ((l.flags & LOBE_PASS) == 0u) {
                     if (relay != NONE && hit.prim == s->u[relay]) {  // the relay this virtual source belongs to
                         if (max3(l.mirror) <= 0.0f) return black;

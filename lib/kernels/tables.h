@@ -66,6 +66,7 @@
 #define MF_ALTERNATE_PASSES 32u  // the alternate is void or a transparent type
 #define MF_METAL 8u         // the specular colour is the surface's
 #define MF_TRANS 16u
+#define MF_VALUES 64u       // MOD_PROGRAM gives values of the material (cal::MaterialProgram)
 #define MF_LOBES_SHIFT 8u   // number of outputs of the lobe program (MOD_EXTRA)
 
 // ---- active sources: SOURCE_FLOATS floats each at f[Params.sources_at] (words by as_uint_)

@@ -32,17 +32,23 @@ uint32_t material_code(Type t) {
         case Type::ashik2: return M_ASHIK;
         case Type::plasfunc: case Type::metfunc: case Type::transfunc:
         case Type::plasdata: case Type::metdata: case Type::transdata: return M_BRDF;
+        case Type::brtdfunc: return M_BRTD;
+        case Type::wgmdfunc: return M_WGMD;
         default: return 0;
     }
 }
 // Does a shadow ray pass this material (spec shading 4.5)?
 bool material_passes(Type t, const scene::Span<double>& a) {
     switch (t) {
-        case Type::glass: case Type::dielectric: case Type::interface: case Type::illum: case Type::mirror: return true;
+        case Type::glass: case Type::dielectric: case Type::interface: case Type::illum: case Type::mirror:
+        case Type::brtdfunc: case Type::wgmdfunc: return true;
         case Type::trans: return a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6;
         default: return false;
     }
 }
+constexpr int wgmd_names[3] = {0, 4, 8};    // strings of WGMDfunc that name modifiers
+constexpr uint32_t WGMD_INHERIT = 0xfffffffeu;  // as kernels/mat_function.h
+
 uint32_t mod_type(cal::ProgramKind k) {
     switch (k) {
         case cal::ProgramKind::brightness: return M_PATTERN1;
@@ -83,6 +89,9 @@ void Flattener::flatten_modifiers() {
         need(r.modifier);
         const scene::Object& t = scene.objects[r.object];
         need(alternate(t, uint32_t(r.object)));
+        if (t.type == Type::wgmdfunc)
+            for (int k : wgmd_names)
+                if (scene.strings(t)[size_t(k)] != "inherit") need(scene.lookup_modifier(scene.strings(t)[size_t(k)], uint32_t(r.object)));
         if (is_mixture(t.type)) {
             const auto b = branches(t, uint32_t(r.object));
             need(b.first);
@@ -116,6 +125,15 @@ void Flattener::flatten_modifiers() {
             if (cal::has_functions(type_name(t.type))) {
                 const cal::MaterialProgram p = cal::compile_material(library, spec_of(scene, t), code);
                 rec[MOD_PROGRAM] = p.values;
+                if (p.value_count > 0) rec[MOD_FLAGS] |= MF_VALUES;
+                if (t.type == Type::wgmdfunc) {  // modifiers of rs, ts, td: indices for mat_wgmd, in the word arena
+                    rec[MOD_BRANCH1] = uint32_t(code.words.size());
+                    for (int k : wgmd_names) {
+                        const std::string& name = scene.strings(t)[size_t(k)];
+                        const int32_t m = name == "inherit" ? scene::VOID : scene.lookup_modifier(name, uint32_t(r.object));
+                        code.words.push_back(name == "inherit" ? WGMD_INHERIT : m >= 0 ? mod_of[m] : NONE);
+                    }
+                }
                 rec[MOD_EXTRA] = p.lobe;
                 rec[MOD_FLAGS] |= uint32_t(p.lobe_count) << MF_LOBES_SHIFT;
             }
