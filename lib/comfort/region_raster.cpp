@@ -173,6 +173,8 @@ const Shape* plain_mask(const Regions& r, const Region& region) {
     return &r.shapes[size_t(n.a)];
 }
 
+}  // namespace
+
 void fill(std::vector<float>& plane, const Space& s, const Cell& c, float v) {
     int x1 = std::min(c.x + c.size, s.nx), y1 = std::min(c.y + c.size, s.ny);
     for (int y = c.y; y < y1; ++y) {
@@ -181,9 +183,27 @@ void fill(std::vector<float>& plane, const Space& s, const Cell& c, float v) {
     }
 }
 
-}  // namespace
+void rasterize_plain(const Prepared& prepared, const Pyramid& pyramid, size_t i, bool centre, std::vector<float>& plane) {
+    const Region& region = prepared.regions.regions[i];
+    const int nx = prepared.space.nx, ny = prepared.space.ny;
+    if (const Shape* mask = plain_mask(prepared.regions, region)) {
+        plane = resample(read_mask_picture(*mask), nx, ny);
+        if (centre)
+            for (float& v : plane) v = v >= .5f;
+        return;
+    }
+    plane.assign(size_t(nx) * size_t(ny), 0.f);
+    pyramid.walk([&](const CellGeometry& g, const Cell&) {
+                     return g.centre.dir == Vec3{} ? 0 : prepared.value(region.root, g.centre, g.reach); },
+                 [&](const Cell& c, bool in) { if (in) fill(plane, prepared.space, c, 1); },
+                 [&](int x, int y, const CellGeometry& g) {
+                     float& out = plane[size_t(ny - 1 - y) * size_t(nx) + size_t(x)];
+                     if (centre) out = !(g.centre.dir == Vec3{}) && prepared.value(region.root, g.centre, {1, 1}) >= 0;
+                     else out = float(std::clamp(Pixel(prepared, region.root, g).coverage(x, y), 0.0, 1.0));
+                 });
+}
 
-image::MaskSet rasterize(const Regions& regions, const view::View& view, int nx, int ny, bool centre, const SceneView*) {
+image::MaskSet rasterize(const Regions& regions, const view::View& view, int nx, int ny, bool centre, const SceneView* eye) {
     if (nx < 1 || ny < 1 || int64_t(nx) * ny > (int64_t(1) << 28))
         base::fail("", fmt::format("a picture of {} x {} pixels is not possible", nx, ny));
     image::MaskSet set;
@@ -193,31 +213,15 @@ image::MaskSet rasterize(const Regions& regions, const view::View& view, int nx,
     set.masks.resize(regions.regions.size());
     Prepared scene(regions, view, nx, ny);
     for (size_t i = 0; i < regions.regions.size(); ++i) set.masks[i].name = regions.regions[i].name;
+    if (eye) {
+        rasterize_scene(scene, *eye, centre, set);
+        return set;
+    }
     for (const Shape& s : regions.shapes)
         if (s.kind == Kind::surface || s.kind == Kind::modifier)
             base::fail(s.place, "asks for a surface or modifier, but no scene is given");
     Pyramid pyramid(scene.space);
-    for_all(regions.regions.size(), [&](size_t i) {
-        std::vector<float>& plane = set.masks[i].coverage;
-        const Region& region = regions.regions[i];
-        auto top = [&](int y) { return size_t(ny - 1 - y) * size_t(nx); };
-        if (const Shape* mask = plain_mask(regions, region)) {
-            plane = resample(read_mask_picture(*mask), nx, ny);
-            if (centre)
-                for (float& v : plane) v = v >= .5f;
-            return;
-        }
-        plane.assign(size_t(nx) * size_t(ny), 0.f);
-        pyramid.walk([&](const CellGeometry& g, const Cell&) {
-                         return g.centre.dir == Vec3{} ? 0 : scene.value(region.root, g.centre, g.reach); },
-                     [&](const Cell& c, bool in) { if (in) fill(plane, scene.space, c, 1); },
-                     [&](int x, int y, const CellGeometry& g) {
-                         if (centre)
-                             plane[top(y) + size_t(x)] = !(g.centre.dir == Vec3{}) && scene.value(region.root, g.centre, {1, 1}) >= 0;
-                         else
-                             plane[top(y) + size_t(x)] = float(std::clamp(Pixel(scene, region.root, g).coverage(x, y), 0.0, 1.0));
-                     });
-    });
+    for_all(set.masks.size(), [&](size_t i) { rasterize_plain(scene, pyramid, i, centre, set.masks[i].coverage); });
     return set;
 }
 

@@ -20,12 +20,11 @@ public:
     // Fields of every shape that the regions use; throws for those the view cannot have.
     Prepared(const Regions& regions, const view::View& view, int nx, int ny);
     double value(int node, const Point& p, const Reach& reach) const;
+    double view_field(const Point& p, const Reach& reach) const;  // the angular fisheye ends at 90 degrees
 
     const Regions& regions;
     Space space;
     std::vector<std::unique_ptr<Field>> fields;  // by shape; none for surface and modifier
-private:
-    double view_field(const Point& p, const Reach& reach) const;  // the angular fisheye ends at 90 degrees
 };
 
 // Calls work(i) for i = 0 .. count-1 on all processors; the first exception is thrown again here.
@@ -58,6 +57,12 @@ private:
     struct Level { int size, across; std::vector<CellGeometry> cells; };
     std::vector<Level> levels_;  // sizes COARSE .. FINE; smaller cells are worked out where they are met
 };
+
+void fill(std::vector<float>& plane, const Space& s, const Cell& c, float v);
+// One region by its shapes alone.
+void rasterize_plain(const Prepared& prepared, const Pyramid& pyramid, size_t region, bool centre, std::vector<float>& plane);
+// All regions as a scene shows them (region_scene.cpp).
+void rasterize_scene(const Prepared& prepared, const SceneView& eye, bool centre, image::MaskSet& set);
 
 template <class Value, class Sure, class Open>
 void Pyramid::walk(const Value& value, const Sure& sure, const Open& open) const {

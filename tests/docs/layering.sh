@@ -14,7 +14,7 @@ lib/comfort: base view image
 lib/trace: base view image cal scene kernels
 tools/ptaccum: base view image
 tools/vcmetrics: base view image comfort
-tools/vcregion: base view image comfort
+tools/vcregion: base view image comfort scene trace
 tools/ptrace: base view image scene trace
 END
 

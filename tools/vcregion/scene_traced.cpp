@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scene as regions see it, by the tracer's own geometry: rays go straight through glass and the like and end at the
+// first surface of another material.  Distant sources are seen where nothing else is.
+#include <cmath>
+#include <unordered_map>
+#include "base/error.h"
+#include "scene.h"
+#include "trace/flat_scene.h"
+#include "trace/host_tracer.h"
+
+namespace {
+using base::Vec3;
+using scene::Type;
+
+bool see_through(Type t) {
+    return t == Type::glass || t == Type::dielectric || t == Type::interface || t == Type::mist || t == Type::antimatter ||
+           t == Type::prism1 || t == Type::prism2;
+}
+
+class TracedScene : public region::SceneView {
+public:
+    TracedScene(const std::vector<std::string>& files, const base::ReadOptions& options)
+        : scene_(scene::read_scene(files, options)), flat_(trace::flatten(scene_, trace::RenderOptions(), options)), tracer_(flat_) {
+        for (size_t i = 0; i < scene_.objects.size(); ++i)
+            if (scene::is_surface(scene_.objects[i].type)) surfaces_.push_back(unsigned(i));
+        std::unordered_map<unsigned, unsigned> index;
+        for (unsigned s = 0; s < surfaces_.size(); ++s) {
+            const scene::Object& o = object(s);
+            index[surfaces_[s]] = s;
+            const scene::Scene::Resolved material = scene_.material(o.modifier);
+            through_.push_back(material.object != scene::VOID && see_through(scene_.objects[size_t(material.object)].type));
+            if (o.type == Type::source) {
+                const auto r = scene_.reals(o);
+                distant_.push_back({s, base::unit({r[0], r[1], r[2]}), r[3] / 2 * (M_PI / 180)});
+            }
+        }
+        for (unsigned object : flat_.prim_object) prim_surface_.push_back(index.count(object) ? index[object] : none);
+    }
+    unsigned surfaces() const override { return unsigned(surfaces_.size()); }
+    std::string surface_name(unsigned s) const override { return scene_.name(object(s)); }
+    std::vector<std::string> modifier_names(unsigned s) const override {
+        std::vector<std::string> names;
+        for (int32_t m = object(s).modifier; m != scene::VOID;) {
+            const scene::Object& o = scene_.objects[size_t(m)];
+            names.push_back(scene_.name(o));
+            if (o.type == Type::alias && o.alias_of != scene::VOID) names.push_back(scene_.name(scene_.objects[size_t(o.alias_of)]));
+            m = o.modifier;
+            if (names.size() > 1000) break;
+        }
+        return names;
+    }
+    int look(Vec3 origin, Vec3 dir, double tmax, region::Crossing* out, int room, bool& closed) const override {
+        const double end = tmax > 0 ? tmax : 1e30;
+        double from = 0;
+        int n = 0;
+        closed = false;
+        for (int passed = 0; passed < 1000; ++passed) {
+            const auto hit = tracer_.closest(origin, dir, from, end, trace::HostTracer::all);
+            if (hit.t < 0) break;
+            const unsigned s = prim_surface_[hit.prim];
+            closed = s == none || !through_[s];
+            if (s != none) {
+                if (n == room) --n;  // the nearest ones and the last
+                out[n++] = {hit.t, s};
+            }
+            if (closed) return n;
+            from = hit.t * (1 + 1e-6) + 1e-7;
+        }
+        if (tmax > 0) return n;
+        for (const Distant& d : distant_)
+            if (std::atan2(base::length(base::cross(d.dir, dir)), base::dot(d.dir, dir)) <= d.half && n < room) out[n++] = {1e30, d.surface};
+        return n;
+    }
+
+private:
+    const scene::Object& object(unsigned s) const { return scene_.objects[surfaces_[s]]; }
+    static constexpr unsigned none = 0xffffffffu;
+    struct Distant { unsigned surface; Vec3 dir; double half; };
+    scene::Scene scene_;
+    trace::FlatScene flat_;
+    trace::HostTracer tracer_;
+    std::vector<unsigned> surfaces_;      // objects
+    std::vector<char> through_;           // by surface
+    std::vector<unsigned> prim_surface_;  // by primitive
+    std::vector<Distant> distant_;
+};
+
+}  // namespace
+
+std::unique_ptr<region::SceneView> open_scene(const std::vector<std::string>& files, const base::ReadOptions& options) {
+    if (files.empty()) return nullptr;
+    return std::make_unique<TracedScene>(files, options);
+}
