@@ -92,17 +92,18 @@ Idy = Ldy(back`rayinit);
 Idz = RdotP;
 
 { Luminaire corrections: A1 multiplier (only if there are more real arguments), A2 A3 A4 box sizes. }
-corr_mul`rayinit(v) = noneg(if(AC - 1.5, v*A1, v));
+corr_mul`rayinit(v) = if(AC - 1.5, v*A1, v);
+quotient`rayinit(a, b) : if(b, a/b, 0);
 corr_box`rayinit = abs(Dx)*A3*A4 + abs(Dy)*A2*A4 + abs(Dz)*A2*A3;
 corr_gap`rayinit(p, size) = max(abs(p) - size/2, 0);
 corr_out`rayinit = corr_gap`rayinit(Px - Dx*Ts, A2)*A3*A4 + corr_gap`rayinit(Py - Dy*Ts, A3)*A2*A4
                  + corr_gap`rayinit(Pz - Dz*Ts, A4)*A2*A3;
-source_corr(v, mode) = if(corr_mul`rayinit(v), select(mode + 1,
+source_corr(v, mode) = select(mode + 1,
     corr_mul`rayinit(v),
-    corr_mul`rayinit(v)/Rdot,
-    corr_mul`rayinit(v)/corr_box`rayinit,
-    corr_mul`rayinit(v)*Ts/corr_out`rayinit,
-    corr_mul`rayinit(v)/(A2*A3*Sqrt(1 - Dz*Dz) + PI/4*A2*A2*abs(Dz))), 0);
+    quotient`rayinit(corr_mul`rayinit(v), Rdot),
+    quotient`rayinit(corr_mul`rayinit(v), corr_box`rayinit),
+    quotient`rayinit(corr_mul`rayinit(v)*Ts, corr_out`rayinit),
+    quotient`rayinit(corr_mul`rayinit(v), A2*A3*Sqrt(1 - Dz*Dz) + PI/4*A2*A2*abs(Dz)));
 source_theta(x) = Acos(Dz)/DEGREE;
 turn`rayinit(a) : if(-a, a + 360, a);
 source_az`rayinit = turn`rayinit(Atan2(-Dy, -Dx)/DEGREE);
