@@ -61,6 +61,9 @@ Options read_options(const Call& call, size_t i) {
         }
     }
     if (!o.input) call.fail("one of -P -W -G -L -E is needed");
+    if (o.input != 'P' && (o.a < 0 || o.b < 0)) base::warn(call.place, "gendaylit: a negative input counts as 0");
+    o.a = std::max(o.a, 0.);
+    o.b = std::max(o.b, 0.);
     return o;
 }
 
@@ -79,7 +82,9 @@ void move_into_day(const Site& site, double minutes, Sun& s) {
 
 // Erbs' correlation: the diffuse part of a global horizontal irradiance (Erbs, Klein, Duffie, Solar Energy 28, 1982).
 void split_global(double global, double extraterrestrial, double sine, double& direct, double& diffuse) {
-    const double top = extraterrestrial * sine, k = std::min(global, .999 * top) / top;
+    const double top = extraterrestrial * sine;
+    global = std::min(global, .999 * top);
+    const double k = global / top;
     diffuse = k <= .22 ? global * (1 - .09 * k)
             : k <= .8 ? global * (.9511 + k * (-.1604 + k * (4.388 + k * (-16.638 + k * 12.336)))) : .165 * global;
     direct = (global - diffuse) / sine;
@@ -109,6 +114,10 @@ void gendaylit(const Call& call, std::string& out) {
         fmt::format_to(text, "# Local solar time: {:.2f}\n", sun.solar_time);
     }
     fmt::format_to(text, "# Solar altitude and azimuth: {:.1f} {:.1f}\n", sun.altitude / degree, sun.azimuth / degree);
+    if (sun.altitude > 87 * degree) {
+        base::warn(call.place, "gendaylit: the sun is moved from the zenith to an altitude of 87 degrees");
+        sun.altitude = 87 * degree;
+    }
     const base::Vec3 to_sun = sun_direction(sun.altitude, sun.azimuth);
     const double sine = std::sin(sun.altitude), z = M_PI / 2 - sun.altitude;
 
@@ -118,9 +127,6 @@ void gendaylit(const Call& call, std::string& out) {
                        to_sun.x, to_sun.y, to_sun.z);
     };
     if (sun.altitude <= 0) return error_sky("the sun is below the horizon");
-    const double most = o.input == 'L' ? most_lux : most_watts;
-    if (o.input != 'P' && (o.a > most || o.b > most)) return error_sky("the input is larger than the sun outside the atmosphere");
-    if (o.input != 'P' && (o.a < 0 || o.b < 0)) return error_sky("a negative input");
     if (o.input != 'P' && o.a + o.b == 0) return error_sky("no light");
 
     const PerezSky sky(day, z, o.dew_point);
@@ -128,7 +134,7 @@ void gendaylit(const Call& call, std::string& out) {
     Clearness c;
     switch (o.input) {
     case 'P':
-        c = {o.a, o.b};
+        c = clamp({o.a, o.b});
         sky.irradiances(c, direct, diffuse);
         break;
     case 'E': split_global(o.a, sky.extraterrestrial, sine, direct, diffuse); break;
@@ -145,12 +151,11 @@ void gendaylit(const Call& call, std::string& out) {
         }
         break;
     }
-    if (o.input != 'P') c = sky.clearness(direct, diffuse);
-    if (!std::isfinite(c.epsilon) || !std::isfinite(c.delta)) return error_sky("no diffuse light");
-    c = clamp(c);
+    if (o.input != 'P') c = clamp(sky.clearness(direct, diffuse));   // no diffuse light: as clear as can be
     const PerezShape shape(c, z);
     const double diffuse_lux = diffuse * sky.diffuse_efficacy(c), direct_lux = direct * sky.direct_efficacy(c);
-    if (diffuse_lux < 0 || direct_lux < 0) return error_sky("negative illuminance");
+    if (diffuse_lux < 0) return error_sky("the sky's illuminance is negative");
+    if (direct > most_watts || direct_lux > most_lux) return error_sky("more sun than outside the atmosphere");
     auto wanted = [&](double watts, double lux) { return o.output == 0 ? lux / efficacy : o.output == 1 ? watts : lux; };
     const double level = wanted(diffuse, diffuse_lux) / shape.horizontal(z);
     const double solar = wanted(direct, direct_lux) / (2 * M_PI * (1 - std::cos(sun_half_angle)));

@@ -12,7 +12,8 @@ namespace scene {
 namespace {
 struct Row { const char* name; Generator run; };
 const Row rows[] = {
-    {"genblinds", genblinds}, {"genbox", genbox}, {"gendaylit", gendaylit}, {"genprism", genprism}, {"gensky", gensky},
+    {"genblinds", genblinds}, {"genbox", genbox}, {"gendaylit", gendaylit}, {"genprism", genprism}, {"genrev", genrev},
+    {"gensky", gensky}, {"gensurf", gensurf}, {"genworm", genworm},
 };
 }  // namespace
 

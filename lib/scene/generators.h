@@ -26,7 +26,10 @@ void genbox(const Call& call, std::string& out);
 void genblinds(const Call& call, std::string& out);
 void gendaylit(const Call& call, std::string& out);
 void genprism(const Call& call, std::string& out);
+void genrev(const Call& call, std::string& out);
 void gensky(const Call& call, std::string& out);
+void gensurf(const Call& call, std::string& out);
+void genworm(const Call& call, std::string& out);
 
 // The generator of this name; null if it is none of ours.
 Generator find_generator(const std::string& name);
