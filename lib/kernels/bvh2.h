@@ -2,6 +2,7 @@
 // Traversal for GPUs: one scalar ray per work item, binary nodes that hold both children's boxes in 64 bytes
 // (Aila and Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs"), small private stack.
 // Node: 16 floats: child 0 min xyz, max xyz, child 1 min xyz, max xyz, two references (words), 2 spare.
+// Both are read by four floats at a time: buffers start on 16-byte boundaries.
 // Leaf block: 12 floats: v0 xyz, id, v1 xyz, 0, v2 xyz, 0; with ID_SHAPE in the id: word 0 = index of the shape.
 #ifndef LUX_BVH2_H
 #define LUX_BVH2_H
@@ -11,10 +12,10 @@
 #define BVH2_STACK 128  // the builder refuses trees that need more (bvh_build.cpp)
 
 // Entry distance of a box, or a negative number if the ray misses it between tmin >= 0 and limit.
-FN float bvh2_box_(GLOBAL const float* b, PRIVATE const WoopRay* r, float tmin, float limit) {
-    float x0 = (b[0] - r->org.x) * r->inv.x, x1 = (b[3] - r->org.x) * r->inv.x;
-    float y0 = (b[1] - r->org.y) * r->inv.y, y1 = (b[4] - r->org.y) * r->inv.y;
-    float z0 = (b[2] - r->org.z) * r->inv.z, z1 = (b[5] - r->org.z) * r->inv.z;
+FN float bvh2_box_(float3 lo, float3 hi, PRIVATE const WoopRay* r, float tmin, float limit) {
+    float x0 = (lo.x - r->org.x) * r->inv.x, x1 = (hi.x - r->org.x) * r->inv.x;
+    float y0 = (lo.y - r->org.y) * r->inv.y, y1 = (hi.y - r->org.y) * r->inv.y;
+    float z0 = (lo.z - r->org.z) * r->inv.z, z1 = (hi.z - r->org.z) * r->inv.z;
     float tn = r->inv.x < 0.0f ? x1 : x0, tf = r->inv.x < 0.0f ? x0 : x1;
     float ny = r->inv.y < 0.0f ? y1 : y0, fy = r->inv.y < 0.0f ? y0 : y1;
     float nz = r->inv.z < 0.0f ? z1 : z0, fz = r->inv.z < 0.0f ? z0 : z1;
@@ -37,8 +38,10 @@ FN int bvh2_traverse_(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint
     for (;;) {
         if ((cur & REF_LEAF) == 0u) {
             GLOBAL const float* n = s->nodes + (ulong64)cur * BVH2_NODE_FLOATS;
-            float t0 = bvh2_box_(n, &r, ray->tmin, hit->t), t1 = bvh2_box_(n + 6, &r, ray->tmin, hit->t);
-            uint c0 = as_uint_(n[12]), c1 = as_uint_(n[13]);
+            float4 p = loadf4_(n), q = loadf4_(n + 4), w = loadf4_(n + 8), refs = loadf4_(n + 12);
+            float t0 = bvh2_box_(F3(p.x, p.y, p.z), F3(p.w, q.x, q.y), &r, ray->tmin, hit->t);
+            float t1 = bvh2_box_(F3(q.z, q.w, w.x), F3(w.y, w.z, w.w), &r, ray->tmin, hit->t);
+            uint c0 = as_uint_(refs.x), c1 = as_uint_(refs.y);
             if (t0 >= 0.0f && t1 >= 0.0f) {
                 stack[size++] = t0 <= t1 ? c1 : c0;
                 cur = t0 <= t1 ? c0 : c1;
@@ -52,14 +55,15 @@ FN int bvh2_traverse_(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint
             GLOBAL const float* b = s->leaves + (ulong64)(cur & REF_INDEX) * BVH2_LEAF_FLOATS;
             uint id;
             do {
+                float4 v0 = loadf4_(b), v1 = loadf4_(b + 4), v2 = loadf4_(b + 8);
                 float t, u = 0.0f, v = 0.0f;
-                id = as_uint_(b[3]);
+                id = as_uint_(v0.w);
                 if ((id & ID_SHAPE) == 0u) {
                     if (((cls >> (id >> 31)) & 1u) != 0u &&
-                        woop_triangle(&r, F3(b[0], b[1], b[2]), F3(b[4], b[5], b[6]), F3(b[8], b[9], b[10]), &t, &u, &v) &&
+                        woop_triangle(&r, F3(v0.x, v0.y, v0.z), F3(v1.x, v1.y, v1.z), F3(v2.x, v2.y, v2.z), &t, &u, &v) &&
                         t > ray->tmin && hit_offer(hit, t, id & ID_PRIM, u, v, inst)) found = 1;
                 } else {
-                    uint shape = as_uint_(b[0]);
+                    uint shape = as_uint_(v0.x);
                     GLOBAL const float* q = s->shapes + (ulong64)shape * SHAPE_FLOATS;
                     if (as_uint_(q[0]) == SHAPE_INSTANCE) {
                         stack[size++] = shape | REF_LEAF | REF_INSTANCE;

@@ -26,6 +26,7 @@ FN uint as_uint_(float f) { uint u; memcpy(&u, &f, 4); return u; }
 FN float sqrt_(float x) { return __builtin_sqrtf(x); }
 FN float floor_(float x) { return __builtin_floorf(x); }
 FN float fabs_(float x) { return __builtin_fabsf(x); }
+FN float4 loadf4_(const float* p) { float4 v; memcpy(&v, p, 16); return v; }  // p on a 16-byte boundary
 
 // Wide words (bvh8.h): gcc vectors, whose operators are those of OpenCL's float4 and float8.  A comparison gives -1 or 0
 // in each lane; lanes4_/lanes8_ turn it into a LaneMask, to be walked by lane_first_ and lane_drop_.

@@ -17,6 +17,7 @@ typedef long long64;
 #define sqrt_(x) sqrt(x)
 #define floor_(x) floor(x)
 #define fabs_(x) fabs(x)
+#define loadf4_(p) (*(__global const float4*)(p))
 
 // Wide words (bvh8.h), see compat_host.h.
 typedef float4 v4f;
