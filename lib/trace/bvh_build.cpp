@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // rtcBuildBVH makes a tree of our small temporary nodes in its own memory; a second pass writes it into the flat arrays of
 // kernels/bvh8.h or kernels/bvh2.h, children of a node side by side.
-// Settings (measured, docs/decisions): quality MEDIUM (spatial splits were slower), 8-wide: blocks of 4, leaves up to 16
+// Settings (docs/decisions/0008-own-traversal.md): quality MEDIUM (spatial splits were slower), 8-wide: blocks of 4, leaves up to 16
 // and a cheap intersection (0.3), because four triangles are tested at once.  Boxes are padded by an ulp or two:
 // Woop's test works in coordinates relative to the ray's origin and rounds there (kernels/woop.h).
 #include "trace/bvh_build.h"
