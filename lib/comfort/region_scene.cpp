@@ -84,13 +84,11 @@ private:
     // ---- rays ----
     Sight look(double x, double y) const {
         Sight s;
-        s.seen = space_.point(x, y, s.p);
-        if (!s.seen) return s;
         const auto ray = space_.projector.ray(x / nx_, y / ny_);
-        if (!ray) {
-            s.seen = false;
-            return s;
-        }
+        s.seen = bool(ray);
+        if (!ray) return s;
+        s.p = {ray->dir, x, y};
+        if (space_.behind > 0) space_.point(x, y, s.p);
         s.begin = dot(ray->origin - space_.eye, s.p.dir);
         bool closed = false;
         s.n = eye_.look(ray->origin, ray->dir, ray->tmax, s.crossings, ROOM, closed);

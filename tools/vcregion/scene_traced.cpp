@@ -5,8 +5,9 @@
 #include <unordered_map>
 #include "base/error.h"
 #include "scene.h"
+#include "trace/build_input.h"
+#include "trace/embree_check.h"
 #include "trace/flat_scene.h"
-#include "trace/host_tracer.h"
 
 namespace {
 using base::Vec3;
@@ -20,7 +21,7 @@ bool see_through(Type t) {
 class TracedScene : public region::SceneView {
 public:
     TracedScene(const std::vector<std::string>& files, const base::ReadOptions& options)
-        : scene_(scene::read_scene(files, options)), flat_(trace::flatten(scene_, trace::RenderOptions(), options)), tracer_(flat_) {
+        : scene_(scene::read_scene(files, options)), flat_(trace::flatten(scene_, trace::RenderOptions(), options)), input_(trace::build_input(flat_)), tracer_(&input_, 1, true, false) {
         for (size_t i = 0; i < scene_.objects.size(); ++i)
             if (scene::is_surface(scene_.objects[i].type)) surfaces_.push_back(unsigned(i));
         std::unordered_map<unsigned, unsigned> index;
@@ -51,12 +52,14 @@ public:
     }
     int look(Vec3 origin, Vec3 dir, double tmax, region::Crossing* out, int room, bool& closed) const override {
         const double end = tmax > 0 ? tmax : 1e30;
+        const Vec3 o = origin - flat_.centre;
+        const float org[3] = {float(o.x), float(o.y), float(o.z)}, d[3] = {float(dir.x), float(dir.y), float(dir.z)};
         double from = 0;
         int n = 0;
         closed = false;
         for (int passed = 0; passed < 1000; ++passed) {
-            const auto hit = tracer_.closest(origin, dir, from, end, trace::HostTracer::all);
-            if (hit.t < 0) break;
+            const auto hit = tracer_.closest(org, float(from), d, float(end), everything);
+            if (hit.prim == none) break;
             const unsigned s = prim_surface_[hit.prim];
             closed = s == none || !through_[s];
             if (s != none) {
@@ -67,18 +70,19 @@ public:
             from = hit.t * (1 + 1e-6) + 1e-7;
         }
         if (tmax > 0) return n;
-        for (const Distant& d : distant_)
-            if (std::atan2(base::length(base::cross(d.dir, dir)), base::dot(d.dir, dir)) <= d.half && n < room) out[n++] = {1e30, d.surface};
+        for (const Distant& s : distant_)
+            if (std::atan2(base::length(base::cross(s.dir, dir)), base::dot(s.dir, dir)) <= s.half && n < room) out[n++] = {1e30, s.surface};
         return n;
     }
 
 private:
     const scene::Object& object(unsigned s) const { return scene_.objects[surfaces_[s]]; }
-    static constexpr unsigned none = 0xffffffffu;
+    static constexpr unsigned none = 0xffffffffu, everything = 3;  // opaque and transparent
     struct Distant { unsigned surface; Vec3 dir; double half; };
     scene::Scene scene_;
     trace::FlatScene flat_;
-    trace::HostTracer tracer_;
+    trace::BuildInput input_;
+    trace::EmbreeScene tracer_;           // Embree's own traversal: it takes the processor's widest instructions
     std::vector<unsigned> surfaces_;      // objects
     std::vector<char> through_;           // by surface
     std::vector<unsigned> prim_surface_;  // by primitive
