@@ -109,6 +109,38 @@ TEST_CASE("a coordinate that is not a number is refused") {
     CHECK_THROWS_AS(trace::build_bvh8(scene.input()[0]), base::Error);
 }
 
+// What makes builders split badly: everything in one place, sizes over many orders of magnitude, with and without instances.
+TEST_CASE("crowded and lopsided scenes fit the stacks") {
+    for (int kind = 0; kind < 3; kind++) {
+        bvh_scenes::Scene s;
+        const double rows[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+        if (kind == 2) {
+            for (int i = 0; i < 5000; i++) s.instance(1, rows, 1, {0, 0, 0}, i);
+            s.end_part();
+        }
+        for (int i = 0; i < 20000; i++) {
+            const double x = std::pow(1.003, i % 10000) * 1e-6;
+            if (kind == 0) s.triangle({1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+            else s.triangle({x, 0, 0}, {x, x, 0}, {x, 0, x});
+        }
+        s.end_part();
+        const auto in = s.input();
+        const auto b8 = trace::build_bvh8(in.data(), in.size()), b2 = trace::build_bvh2(in.data(), in.size());
+        const auto t8 = kernels::tables(s, b8), t2 = kernels::tables(s, b2);
+        CAPTURE(kind);
+        for (int back : {1, -1}) {  // from either end, through everything
+            const kernels::Ray ray = {F3(back > 0 ? -1.0f : 2e7f, 1e-8f, 1e-8f), 0, F3(float(back), 0, 0), 1e30f};
+            const kernels::Hit want = kind == 2 ? kernels::Hit() : kernels::brute(s, ray, RAY_ALL);
+            kernels::Hit h8, h2;
+            kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &h8);
+            kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &h2);
+            CHECK(h8.prim != NO_HIT);
+            CHECK(same(h8, h2));
+            if (kind != 2) CHECK(same(h8, want));
+        }
+    }
+}
+
 // Shapes against their closed forms, seen from near and far.
 TEST_CASE("distances to analytic shapes") {
     bvh_scenes::Scene s;
