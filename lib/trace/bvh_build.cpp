@@ -210,6 +210,7 @@ private:
         };
         auto* root = static_cast<TempNode*>(rtcBuildBVH(&args));
         device_.check();
+        if (!root) throw base::Error(base::Kind::system, "Embree", "no tree was built");
         return root;
     }
 
