@@ -60,3 +60,43 @@ check_error 'a picture without a view' 1 'nv.hdr: ' "
 check_error 'a folder that is not there' 2 '^vcregion: ' "vcregion $view -o no/such/x.exr office.regions"
 check_error 'surfaces need a scene' 1 '^vcregion: s:1: asks for a surface' "echo 's surface top.*' > s; vcregion $view -list s"
 check_error 'a full disk' 2 '^vcregion: stdout: ' "vcregion $view -list office.regions > /dev/full"
+
+# With a scene.
+scene="$office/materials.rad $office/layout.rad"
+echo 'a surface top.6457' > s
+if vcregion -w- $view -x 32 -y 32 -list s $scene 2>&1 | grep -q 'built without the tracer'; then
+    check_error 'without the tracer scenes are refused in one line' 1 'built without the tracer' "vcregion $view -list s $scene"
+    exit 0
+fi
+cat > named <<'END'
+desk         polygon3d  1.1 1.7 .75  2.9 1.7 .75  2.9 2.5 .75  1.1 2.5 .75
+screen_high  polygon3d  2 1.871 .9  1.71 1.871 .9  1.71 1.871 1.24  2 1.871 1.24
+screen_low   polygon3d  2.29 1.871 .9  2 1.871 .9  2 1.871 1.24  2.29 1.871 1.24
+desk_named   surface top.6457
+high_named   surface screen_high
+low_named    surface screen_low
+desk_within  modifier desk_laminate within box3d 1 1.6 .749 3 2.6 .751
+END
+check 'by polygon and by name, through the glass cover, regions agree within 1 %' "
+    vcregion $view -x 256 -y 256 -list named $scene > by_scene
+    awk -F'\t' 'NR > 1 { sr[\$1] = \$3 }
+        function near(a, b) { return a > 0 && (a / b - 1)^2 < 1e-4 }
+        END { exit !(near(sr[\"desk\"], sr[\"desk_named\"]) && near(sr[\"desk\"], sr[\"desk_within\"]) &&
+                     near(sr[\"screen_high\"], sr[\"high_named\"]) && near(sr[\"screen_low\"], sr[\"low_named\"])) }' by_scene"
+check 'the monitor hides a part of the desk' "
+    awk '\$1 == \"desk\" { print \$3 }' list by_scene > both
+    awk 'NR == 1 { a = \$1 } NR == 2 { exit !(\$1 < .97 * a && \$1 > .8 * a) }' both"
+check 'with a scene, too, the same bytes on every run' "
+    for k in 1 2; do mkdir t\$k; (cd t\$k; cp ../named .; vcregion $view -x 100 -y 100 -o m.exr named $scene); done; cmp t1/m.exr t2/m.exr"
+check_error 'a surface that is not there, and one that is near' 1 '^vcregion: t:1: no surface of the scene is called "scren_low" .did you mean "screen_low"' "
+    echo 'a surface scren_low' > t; vcregion $view -list t $scene"
+check_error 'a modifier that is not there, and one that is near' 1 '^vcregion: t:1: no surface.s modifier .*"glazing"' "
+    echo 'a modifier glasing' > t; vcregion $view -list t $scene"
+check_error 'what is wholly hidden is empty' 1 '^vcregion: t:1: region "a" is empty' "
+    echo 'a polygon3d 1.8 1.8 .9  2.2 1.8 .9  2.2 1.8 1.2  1.8 1.8 1.2' > t; vcregion $view -list t $scene"
+check_error 'a broken scene names its line' 1 '^vcregion: broken.rad:1: ' "echo 'nothing polygon p 0 0 9 0 0 0 1 0 0 0 1 0' > broken.rad; vcregion $view -list named broken.rad"
+check 'the sun is a surface far away' "
+    printf 'void light suns 0 0 3 1e6 1e6 1e6\nsuns source sun 0 0 4 0 1 1 2\nvoid plastic p 0 0 5 .5 .5 .5 0 0\np sphere ball 0 0 4 0 5 -3 .5\n' > sun.rad
+    echo 'sun surface sun' > sun.regions; echo 'disc circle 0 1 1 2' >> sun.regions
+    vcregion -vta -vh 120 -vv 120 -x 400 -y 400 -w- -list sun.regions sun.rad |
+        awk -F'\t' '\$1 == \"sun\" { a = \$3 } \$1 == \"disc\" { b = \$3 } END { exit !(a > 0 && (a / b - 1)^2 < 1e-4) }'"
