@@ -27,6 +27,7 @@ typedef struct {
 #define PC_AB_SHIFT 16u    // diffuse depth, 8 bits
 #define PC_STEP_SHIFT 24u  // surfaces met, 8 bits, saturating
 #define PC_STEP_LIMIT 250u
+#define RR_START 0.05f      // ray weight below which roulette sets in
 
 FN float4 pack4(float3 v, float w) { float4 r; r.x = v.x; r.y = v.y; r.z = v.z; r.w = w; return r; }
 FN float3 xyz4(float4 v) { return F3(v.x, v.y, v.z); }
@@ -352,12 +353,11 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         int dead = factor <= 0.0f || max3(thr) <= 0.0f;
         if (par->lr > 0) dead = dead || (int)level > par->lr || t4.w < par->lw;
         else if (par->lr < 0) dead = dead || (int)level > -par->lr;
-        if (!dead && ab >= 2u) {  // Russian roulette on throughput (unbiased; spec shading 6)
-            float q = max3(thr);
-            if (q < 1.0f) {
-                q = MAX_(q, 0.05f);
-                if (sample1(&rnd) >= q) dead = 1; else thr = scale3(thr, 1.0f / q);
-            }
+        // Russian roulette on what the surfaces reflect, not on the throughput: that also holds how likely the direction
+        // was, and a way chosen toward a window is likely because much light is expected from it (spec shading 6).
+        if (!dead && ab >= 2u && t4.w < RR_START) {
+            float q = MAX_(t4.w / RR_START, 0.05f);
+            if (sample1(&rnd) >= q) dead = 1; else { thr = scale3(thr, 1.0f / q); t4.w /= q; }
         }
         a->rad[slot] = pack4(rad, dead ? r4.w : g.total);
         info.x = (flags & 0xff0000ffu) | (level << PC_LEVEL_SHIFT) | (ab << PC_AB_SHIFT);
