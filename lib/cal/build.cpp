@@ -9,7 +9,7 @@ namespace cal {
 
 namespace {
 
-constexpr int MAX_DEPTH = 6000;        // of evaluation: C++ stack
+constexpr int MAX_DEPTH = 3000;        // of evaluation: C++ stack
 
 const struct { const char* name; uint32_t op; int arguments; } functions[] = {
     {"sqrt", OP_SQRT, 1}, {"exp", OP_EXP, 1}, {"log", OP_LOG, 1}, {"log10", OP_LOG10, 1}, {"sin", OP_SIN, 1},

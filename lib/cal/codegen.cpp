@@ -13,7 +13,7 @@ namespace cal {
 namespace {
 
 constexpr size_t MAX_INSTRUCTIONS = 200000;
-constexpr int MAX_WALK = 6000;                     // depth of the graph walk: C++ stack
+constexpr int MAX_WALK = 3000;                     // depth of the graph walk: C++ stack
 
 // One instruction over virtual registers; -1 = none.
 struct Step {

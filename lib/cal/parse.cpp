@@ -11,7 +11,7 @@ namespace cal {
 namespace {
 
 constexpr int MAX_NESTING = 1000;
-constexpr int MAX_DEPTH = 4000;        // of a tree: also long sums lean to the left
+constexpr int MAX_DEPTH = 2500;        // of a tree: also long sums lean to the left
 
 bool is_name_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '`'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
