@@ -27,4 +27,5 @@
 #include "kernels/mat_glass.h"
 #include "kernels/mat_dielectric.h"
 #include "kernels/mat_function.h"
+#include "kernels/mat_prism.h"
 #include "kernels/path.h"

@@ -8,7 +8,7 @@ FN void material_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVA
     surface_vars(par, g, vars);
     vars[CAL_NXP] = g->n.x; vars[CAL_NYP] = g->n.y; vars[CAL_NZP] = g->n.z;
     vars[CAL_RDOTP] = dot3(g->n, g->v);
-    if (g->type == M_BRTD || g->type == M_WGMD) {  // not turned to the viewer
+    if (g->type == M_BRTD || g->type == M_WGMD || g->type == M_PRISM) {  // not turned to the viewer
         float side = g->front ? 1.0f : -1.0f;
         vars[CAL_NX] = g->nface.x; vars[CAL_NY] = g->nface.y; vars[CAL_NZ] = g->nface.z;
         vars[CAL_RDOT] = dot3(g->nface, g->v);

@@ -151,7 +151,7 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     uint type = g->type;
     lobes_clear(l);
     *beyond = *arriving;
-    if (!g->front && par->bv == 0u && type != M_DIELECTRIC && type != M_INTERFACE && type != M_BRTD) { l->flags |= LOBE_PASS; return; }
+    if (!g->front && par->bv == 0u && type != M_DIELECTRIC && type != M_INTERFACE && type != M_BRTD && type != M_PRISM) { l->flags |= LOBE_PASS; return; }
     if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {  // functions evaluated once per hit
         material_vars(par, g, vars);
         if (cal_run(s, m[MOD_PROGRAM], vars, value))
@@ -171,6 +171,9 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     case M_WGMD: mat_wgmd(s, par, g, m, value, rnd, l); break;
     case M_DIELECTRIC: case M_INTERFACE:
         mat_dielectric(par, g, type, arg, l, arriving, beyond);
+        break;
+    case M_PRISM:
+        if (!shadow) mat_prism(m[MOD_FLAGS], value, l);  // shadow rays pass by virtual sources only (shadow_aimed)
         break;
     case M_MIRROR:
         if (g->front) { l->mirror = mul3(f3_at(arg), g->color); l->mirror_dir = mirror_direction(g); }
@@ -316,14 +319,13 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         float r = sample1(&rnd) * sum, factor = 1.0f, p;
         float3 coef;
         int reflected = 1;
-        float3 side = g.ng;
         if ((r -= w_diff_r) < 0.0f) {
             coef = lobes.ambient_r; p = w_diff_r;
             factor = sample_diffuse(s, par, g.p, g.n, &rnd, &next);
             if (dot3(next, g.ng) <= 0.0f) factor = 0.0f;
             flags |= PC_DIFFUSE; ab++;
         } else if ((r -= w_through) < 0.0f) {
-            coef = lobes.through; p = w_through; next = lobes.through_dir; side = neg3(g.ng); reflected = 0;
+            coef = lobes.through; p = w_through; next = lobes.through_dir; reflected = 0;
             if (dot3(next, g.v) > -0.99999f) flags |= PC_BENT;
         } else if ((r -= w_mirror) < 0.0f) {
             coef = lobes.mirror; p = w_mirror; next = lobes.mirror_dir; flags |= PC_BENT;
@@ -337,16 +339,17 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             coef = lobes.ambient_t; p = w_diff_t;
             factor = sample_diffuse(s, par, g.p, neg3(g.n), &rnd, &next);
             if (dot3(next, g.ng) >= 0.0f) factor = 0.0f;
-            flags |= PC_DIFFUSE; ab++; side = neg3(g.ng);
+            flags |= PC_DIFFUSE; ab++;
         } else if ((r -= w_rough_t) < 0.0f) {
             coef = lobes.rough_t; p = w_rough_t;
             factor = lobes_sample_rough_t(&lobes, &g, &rnd, par->ss, &next);
-            flags |= PC_ROUGH | PC_BENT; side = neg3(g.ng); reflected = 0;
+            flags |= PC_ROUGH | PC_BENT; reflected = 0;
         } else {
-            coef = lobes.refract; p = w_refract; next = lobes.refract_dir; side = neg3(g.ng); reflected = 0;
+            coef = lobes.refract; p = w_refract; next = lobes.refract_dir; reflected = 0;
             flags |= PC_BENT;
         }
         if (p <= 0.0f) factor = 0.0f;
+        float3 side = dot3(next, g.ng) > 0.0f ? g.ng : neg3(g.ng);
         level += (uint)reflected;
         t4.w *= MIN_(1.0f, max3(coef));
         thr = scale3(mul3(thr, coef), factor * sum / MAX_(p, 1e-30f));
@@ -455,10 +458,15 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
                 material_lobes(s, par, &g, 1, rnd, &known, &beyond, &l);
                 if ((l.flags & LOBE_PASS) == 0u) {
                     if (relay != NONE && hit.prim == s->u[relay]) {  // the relay this virtual source belongs to
-                        if (max3(l.mirror) <= 0.0f) return black;
-                        T = mul3(T, l.mirror);
-                        next = sub3(scale3(g.ng, 2.0f * dot3(g.ng, g.v)), g.v);  // textures do not act here
                         q = source_record(s, par, s->u[relay + 1u]);
+                        if (g.type == M_PRISM) {
+                            float3 aim = f3_at(q + SRC_CENTRE);
+                            if (as_uint_(q[SRC_KIND]) != SK_DISTANT) aim = unit3(sub3(aim, g.p));
+                            T = scale3(T, prism_exit(s, par, &g, aim, s->u[relay + 6u], &next));
+                        } else {
+                            T = mul3(T, l.mirror);
+                            next = sub3(scale3(g.ng, 2.0f * dot3(g.ng, g.v)), g.v);  // textures do not act here
+                        }
                     } else if (max3(l.refract) > 0.0f) {
                         T = mul3(T, l.refract);
                         next = l.refract_dir;

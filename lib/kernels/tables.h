@@ -67,7 +67,8 @@
 #define MF_METAL 8u         // the specular colour is the surface's
 #define MF_TRANS 16u
 #define MF_VALUES 64u       // MOD_PROGRAM gives values of the material (cal::MaterialProgram)
-#define MF_LOBES_SHIFT 8u   // number of outputs of the lobe program (MOD_EXTRA)
+#define MF_TWO_EXITS 128u   // prism2
+#define MF_LOBES_SHIFT 16u   // number of outputs of the lobe program (MOD_EXTRA)
 
 // ---- active sources: SOURCE_FLOATS floats each at f[Params.sources_at] (words by as_uint_)
 #define SOURCE_FLOATS 32u
@@ -91,8 +92,8 @@
 #define SRC_DRAWN 29u     // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
 #define SRC_ORDER 30u
 // relay record of a virtual source (spec shading 4.6): 0 relay primitive, 1 source behind it (real or virtual),
-// 2-4 centre of the relay, 5 its radius (floats)
-#define RELAY_WORDS 6u
+// 2-4 centre of the relay, 5 its radius (floats), 6 exit of a prism (0, 1)
+#define RELAY_WORDS 7u
 #define SK_DISTANT 0u
 #define SK_PARALLELOGRAM 1u
 #define SK_POLYGON 2u     // triangle fan with areas

@@ -32,7 +32,8 @@ struct Flattener {
     // Emitting surfaces, collected by geometry for sources.
     struct Emitter { uint32_t object, prim; };
     std::vector<Emitter> emitters;
-    struct Relay { uint32_t prim; base::Vec3 normal, centre; double radius; };  // flat mirrors, relative to the centre
+    // Flat mirrors and prisms, relative to the centre; exits: 0 mirror, 1 prism1, 2 prism2; material: object.
+    struct Relay { uint32_t prim; base::Vec3 normal, centre; double radius; int exits; uint32_t modifier; };
     std::vector<Relay> relays;
 
     Flattener(const scene::Scene& s, const RenderOptions& o, const scene::ReadOptions& f, FlatScene& t)

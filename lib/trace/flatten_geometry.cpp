@@ -63,7 +63,10 @@ struct Builder {
     // Mirrors relay the light of sources (spec shading 4.6): polygons and rings only.
     void relay(const scene::Object& o, uint32_t prim, Vec3 normal, Vec3 centre, double radius) {
         const uint32_t m = f.material_of[o.modifier];
-        if (m != NONE && f.scene.objects[m].type == Type::mirror) f.relays.push_back({prim, normal, centre - out.centre, radius});
+        if (m == NONE) return;
+        const Type t = f.scene.objects[m].type;
+        const int exits = t == Type::prism1 ? 1 : t == Type::prism2 ? 2 : 0;
+        if (t == Type::mirror || exits) f.relays.push_back({prim, normal, centre - out.centre, radius, exits, f.mod_of[o.modifier]});
     }
 
     void polygon(const scene::Object& o) {

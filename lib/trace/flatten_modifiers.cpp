@@ -33,6 +33,7 @@ uint32_t material_code(Type t) {
         case Type::plasfunc: case Type::metfunc: case Type::transfunc:
         case Type::plasdata: case Type::metdata: case Type::transdata: return M_BRDF;
         case Type::brtdfunc: return M_BRTD;
+        case Type::prism1: case Type::prism2: return M_PRISM;
         case Type::wgmdfunc: return M_WGMD;
         default: return 0;
     }
@@ -41,7 +42,7 @@ uint32_t material_code(Type t) {
 bool material_passes(Type t, const scene::Span<double>& a) {
     switch (t) {
         case Type::glass: case Type::dielectric: case Type::interface: case Type::illum: case Type::mirror:
-        case Type::brtdfunc: case Type::wgmdfunc: return true;
+        case Type::brtdfunc: case Type::wgmdfunc: case Type::prism1: case Type::prism2: return true;
         case Type::trans: return a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6;
         default: return false;
     }
@@ -137,6 +138,8 @@ void Flattener::flatten_modifiers() {
                 rec[MOD_EXTRA] = p.lobe;
                 rec[MOD_FLAGS] |= uint32_t(p.lobe_count) << MF_LOBES_SHIFT;
             }
+            if (t.type == Type::prism2) rec[MOD_FLAGS] |= MF_TWO_EXITS;
+            if (t.type == Type::prism1 || t.type == Type::prism2) aimed = true;
             if (t.type == Type::metfunc || t.type == Type::metdata) rec[MOD_FLAGS] |= MF_METAL;
             if (t.type == Type::transfunc || t.type == Type::transdata) rec[MOD_FLAGS] |= MF_TRANS | MF_METAL;
             has_material[i] = 1;

@@ -76,4 +76,27 @@ HostTracer::SourcePoint HostTracer::source_point(uint32_t i, base::Vec3 p, doubl
     return {{l.dir.x, l.dir.y, l.dir.z}, l.dist, w};
 }
 
+bool run_program(const FlatScene& scene, uint32_t entry, const float* vars, float* out) {
+    SceneTables t{};
+    t.u = scene.u.data();
+    t.f = scene.f.data();
+    return cal_run(&t, entry, vars, out) == 0;
+}
+
+RayVars ray_vars(const FlatScene& scene, base::Vec3 p, base::Vec3 d, base::Vec3 n) {
+    static_assert(CAL_VARS <= 64, "RayVars is too small");
+    RayVars v{};
+    p = p + scene.centre;
+    const base::Vec3 triple[3] = {d, n, p};
+    const int at[3] = {CAL_DX, CAL_NX, CAL_PX};
+    for (int k = 0; k < 3; k++)
+        for (int c = 0; c < 3; c++) v.values[at[k] + c] = float(triple[k][c]);
+    v.values[CAL_RDOT] = float(-dot(d, n));
+    v.values[CAL_NXP] = float(n.x);
+    v.values[CAL_NYP] = float(n.y);
+    v.values[CAL_NZP] = float(n.z);
+    v.values[CAL_RDOTP] = v.values[CAL_RDOT];
+    return v;
+}
+
 }  // namespace trace

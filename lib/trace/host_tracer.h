@@ -27,4 +27,10 @@ private:
     std::unique_ptr<State> state_;
 };
 
+// Runs a .cal program of the scene's arenas for one point; false on a run-time error.  vars: CAL_VARS, out: CAL_OUTPUTS.
+bool run_program(const FlatScene& scene, uint32_t entry, const float* vars, float* out);
+struct RayVars { float values[64]; };
+// The variables a program sees at point p (relative to scene.centre) for a ray of direction d on a surface of normal n.
+RayVars ray_vars(const FlatScene& scene, base::Vec3 p, base::Vec3 d, base::Vec3 n);
+
 }  // namespace trace
