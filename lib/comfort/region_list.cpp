@@ -22,6 +22,7 @@ std::vector<Extent> measure(const image::MaskSet& set, const view::View& view) {
             Point p;
             space.point(x + .5, y + .5, p);
             double omega = view::pixel_solid_angle(space.projector, x, y, nx, ny);
+            if (omega <= 0 && space.behind == 0) continue;  // cut by the rim of a hemispherical view
             row.omega += omega;
             row.pixels += 1;
             for (size_t m = 0; m < set.masks.size(); ++m) {
