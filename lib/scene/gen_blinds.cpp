@@ -11,7 +11,7 @@ void genblinds(const Call& call, std::string& out) {
     const std::string& material = call.word(1, "the material");
     const std::string& name = call.word(2, "the name");
     const double depth = call.real(3, "the depth"), width = call.real(4, "the width"), height = call.real(5, "the height");
-    const long long slats = call.integer(6, "the number of slats", 0, 1000000);
+    const long long slats = call.integer(6, "the number of slats", 0, call.most);
     const double tilt = call.real(7, "the angle") * (M_PI / 180);
     double radius = 0;
     for (size_t i = 8; call.has(i); i++) {
@@ -31,6 +31,7 @@ void genblinds(const Call& call, std::string& out) {
             profile.push_back({depth / 2 + std::fabs(radius) * std::sin(a), 0, radius * (std::cos(a) - std::cos(half))});
         }
     }
+    if (slats * static_cast<long long>(profile.size()) > call.most) call.fail("more than " + std::to_string(call.most) + " polygons");
     for (base::Vec3& p : profile)
         p = {p.x * std::cos(tilt) - p.z * std::sin(tilt), 0, p.x * std::sin(tilt) + p.z * std::cos(tilt)};
     for (long long n = 1; n <= slats; n++) {

@@ -29,7 +29,7 @@ void read_outline(const Call& call, const std::string& path, std::vector<Vec3>& 
     for (int n = 0; in.word(word); n++) {
         if (!base::parse_real(word, p[n % 2])) call.fail(in.place() + ": \"" + printable(word) + "\" is not a number");
         if (n % 2) v.push_back(p);
-        if (v.size() > 1000000) call.fail("more than a million vertices");
+        if (static_cast<long long>(v.size()) > call.most) call.fail("more than " + std::to_string(call.most) + " vertices");
     }
 }
 
@@ -99,7 +99,7 @@ void genprism(const Call& call, std::string& out) {
     const std::string& outline = call.word(3, "the outline");
     size_t i = 4;
     if (outline[0] >= '0' && outline[0] <= '9') {
-        const long long n = call.integer(3, "the number of vertices", 3, 1000000);
+        const long long n = call.integer(3, "the number of vertices", 3, call.most);
         for (long long k = 0; k < n; k++, i += 2) p.v.push_back({call.real(i, "x"), call.real(i + 1, "y"), 0});
     } else if (outline == "-") {
         call.fail("vertices from standard input need -exec");

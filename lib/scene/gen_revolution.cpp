@@ -28,8 +28,6 @@ double Functions::operator()(const std::string& name, const std::vector<double>&
 
 namespace {
 
-constexpr long long most_segments = 1000000;
-
 // Normal of a piece of the profile: x radial, y axial.
 struct Normal2 { double radial, axial; };
 Normal2 piece_normal(double z0, double r0, double z1, double r1) {
@@ -51,7 +49,7 @@ void genrev(const Call& call, std::string& out) {
     Functions f(call);
     f.define("rev_z", "t", call.word(3, "z(t)"));
     f.define("rev_r", "t", call.word(4, "r(t)"));
-    const long long n = call.integer(5, "the number of segments", 1, most_segments);
+    const long long n = call.integer(5, "the number of segments", 1, call.most);
     bool smooth = false;
     for (size_t i = 6; call.has(i); i++) {
         if (call.words[i] == "-s") smooth = true;
@@ -89,7 +87,7 @@ void genworm(const Call& call, std::string& out) {
     Functions f(call);
     const char* const names[] = {"worm_x", "worm_y", "worm_z", "worm_r"};
     for (size_t k = 0; k < 4; k++) f.define(names[k], "t", call.word(3 + k, "x(t) y(t) z(t) r(t)"));
-    const long long n = call.integer(7, "the number of segments", 1, most_segments);
+    const long long n = call.integer(7, "the number of segments", 1, call.most);
     for (size_t i = 8; call.has(i); i++)
         if (!f.option(i)) call.fail("unknown option " + call.words[i]);
     base::Vec3 last;

@@ -194,9 +194,9 @@ void Surface::cell(const std::array<const Point*, 4>& c, int j) {
 void Surface::run() {
     material_ = call_.word(1, "the material");
     name_ = call_.word(2, "the name");
-    m_ = static_cast<int>(call_.integer(6, "m", 1, 1000000));
-    n_ = static_cast<int>(call_.integer(7, "n", 1, 1000000));
-    if (static_cast<double>(m_) * n_ > 4e6) call_.fail("more than 4 million cells");
+    m_ = static_cast<int>(call_.integer(6, "m", 1, call_.most));
+    n_ = static_cast<int>(call_.integer(7, "n", 1, call_.most));
+    if (static_cast<double>(m_) * n_ > static_cast<double>(call_.most)) call_.fail("more than " + std::to_string(call_.most) + " cells");
     for (size_t i = 8; call_.has(i); i++) {
         const std::string& w = call_.words[i];
         if (w == "-s") smooth_ = true;

@@ -14,6 +14,7 @@ struct Call {
     std::vector<std::string> words;   // words[0] is the name
     std::string place;
     const ReadOptions& options;
+    long long most = 1000000;         // pieces it may write
     [[noreturn]] void fail(const std::string& fact) const;   // "place: genbox: fact"
     bool has(size_t i) const { return i < words.size(); }
     const std::string& word(size_t i, const char* what) const;

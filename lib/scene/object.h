@@ -79,7 +79,7 @@ struct Scene {
 struct Limits {
     uint64_t bytes = 0;          // of all tables together; 0 = four fifths of this machine's memory
     int depth = 64;              // commands and files inside files
-    uint64_t copies = 10000000;  // of one xform command's arrays
+    uint64_t copies = 10000000;  // of one xform command's arrays; a generator writes a million pieces or this
 };
 
 // Reads scene files in order ("-" = stdin); xform, genbox (and the other generators) run inside, never as programs.

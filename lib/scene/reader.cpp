@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // read_scene(): statements of scene text, and the "!commands" between them.  A command is a pipe of stages; xform stages
 // act on what comes out of the stage before them, generators write text, anything else needs -exec.
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <sys/wait.h>
@@ -19,7 +20,8 @@ namespace scene {
 
 namespace {
 
-constexpr size_t text_limit = size_t(1) << 30;   // of one command's output
+constexpr size_t text_limit = size_t(1) << 30;         // of one command's output
+constexpr size_t definitions_limit = size_t(1) << 26;   // of an xform -f file
 
 class Reader {
 public:
@@ -222,7 +224,7 @@ void Reader::run(const CommandLine& line, const std::string& text, size_t stage,
                       const std::string path = beside(file, from);
                       Source s = Source::from_file(path, from.place());
                       std::string all;
-                      for (int c; (c = s.get()) >= 0 && all.size() < text_limit;) all += static_cast<char>(c);
+                      for (int c; (c = s.get()) >= 0 && all.size() < definitions_limit;) all += static_cast<char>(c);
                       return all;
                   },
                   [&](const Transform& t) {
@@ -237,7 +239,7 @@ void Reader::run(const CommandLine& line, const std::string& text, size_t stage,
         for (size_t i = 1; i < last.words.size(); i++) read_included(last.words[i], from);
     } else if (const Generator generate = line.needs_shell || stage > 1 ? nullptr : find_generator(name)) {
         std::string out;
-        generate(Call{last.words, from.place(), options_}, out);
+        generate(Call{last.words, from.place(), options_, static_cast<long long>(std::min<uint64_t>(limits_.copies, 1000000))}, out);
         read_text(out, from);
     } else if (options_.exec) {
         read_text(run_shell(text.substr(0, last.end), from.place()), from);
