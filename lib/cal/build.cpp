@@ -83,8 +83,8 @@ int Builder::eval(const Expr* e, const Environment& env) {
     switch (e->kind) {
     case Expr::Kind::number: return graph_.constant(e->value);
     case Expr::Kind::channel: {
-        const int k = int(e->value);
-        if (k < 1 || k > device::CAL_VARS - device::CAL_LX) fail("there is no channel $" + std::to_string(k));
+        const int k = e->value < 1000 ? int(e->value) : 1000;
+        if (k < 1 || k > device::CAL_VARS - device::CAL_LX) fail("there is no such channel as $" + std::to_string(k));
         if (k <= 3) return vector_component(device::CAL_LX, k - 1, false);
         return graph_.variable(uint32_t(device::CAL_LX + k - 1));
     }
@@ -192,7 +192,7 @@ int Builder::argument(int index) {
         const double k = std::floor(n + 0.5);
         if (k == 0) return graph_.constant(double(args_.size()));
         if (!(k >= 1 && k <= double(args_.size())))
-            fail("real argument A" + std::to_string(int(k)) + " is missing");
+            fail("real argument A" + std::to_string(int(std::fmax(-1, std::fmin(k, 1e9)))) + " is missing");
         return graph_.constant(args_[size_t(k) - 1]);
     };
     if (graph_.is_constant(index)) return one(graph_.value(index));

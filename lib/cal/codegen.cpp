@@ -135,7 +135,7 @@ private:
                 emit(m);
             }
             s.aux = n.aux;
-            s.d = fresh(n.op == OP_DATA ? 3 : 1);
+            s.d = fresh(n.op == OP_DATA ? int(n.value) : 1);
             emit(s);
             return s.d;
         }

@@ -179,10 +179,11 @@ int Graph::choose(int condition, int yes, int no) {
     return intern(n);
 }
 
-int Graph::lookup(uint32_t op, const std::vector<int>& kids, uint32_t aux) {
+int Graph::lookup(uint32_t op, const std::vector<int>& kids, uint32_t aux, int channels) {
     Node n;
     n.op = uint8_t(op);
     n.aux = aux;
+    n.value = channels;
     bool constants = true;
     for (int k : kids) {
         constants = constants && is_constant(k);

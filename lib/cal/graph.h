@@ -17,7 +17,7 @@ struct Node {
     uint8_t op = NODE_CONST;
     uint8_t kid_count = 0;
     uint32_t aux = 0;                  // OP_VAR: variable; OP_NOISE: axis; OP_DATA, OP_TEXT: table
-    double value = 0;
+    double value = 0;                  // constants; OP_DATA: number of channels
     int kid[5] = {-1, -1, -1, -1, -1};
     bool operator==(const Node& o) const;
 };
@@ -32,7 +32,7 @@ public:
     int variable(uint32_t index);
     int make(uint32_t op, int a = -1, int b = -1, uint32_t aux = 0);
     int choose(int condition, int yes, int no);
-    int lookup(uint32_t op, const std::vector<int>& kids, uint32_t aux);  // noise, data, text
+    int lookup(uint32_t op, const std::vector<int>& kids, uint32_t aux, int channels = 1);  // noise, data, text
     int channel(int node, uint32_t k);
     int fail();
 

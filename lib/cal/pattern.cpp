@@ -4,6 +4,7 @@
 #include <cmath>
 #include "base/error.h"
 #include "cal/pattern_parts.h"
+#include "cal/spectrum.h"
 
 namespace cal {
 
@@ -32,7 +33,7 @@ Nodes picture_values(Parts& p, size_t picture, size_t cal) {
     p.file(cal);
     const Nodes x = p.coordinates(cal + 1);
     if (x.size() != 2) p.fail("a picture needs two coordinates");
-    const int look = p.graph->lookup(OP_DATA, {x[1], x[0]}, p.picture(picture));
+    const int look = p.graph->lookup(OP_DATA, {x[1], x[0]}, p.picture(picture), 3);
     return {p.graph->channel(look, 0), p.graph->channel(look, 1), p.graph->channel(look, 2)};
 }
 
@@ -78,80 +79,89 @@ void brighttext(Parts& p, Nodes& out) { text(p, out, 0, 1); }
 void colortext(Parts& p, Nodes& out) { text(p, out, 0, 3); }
 void mixtext(Parts& p, Nodes& out) { out.push_back(p.text(2, 9)); }
 
-// ---- spectral types: means over the three bands that stand for R, G and B
-constexpr double bands[4] = {780, 588, 480, 380};
-constexpr int SAMPLES = 12;            // per band, where a function is averaged
-double wavelength(int band, int i) { return bands[band] + (bands[band + 1] - bands[band]) * (i + 0.5) / SAMPLES; }
+// ---- spectral types: RGB by the colour matching functions, as RADIANCE's RGB mode does
+constexpr double STEP = 10;            // nm, where a function is sampled for each point
 
+// A colour outside the triangle of the primaries is moved towards the grey of its luminance.
+void inside_gamut(Parts& p, Nodes rgb, Nodes& out) {
+    Graph& g = *p.graph;
+    int y = g.constant(0);
+    for (size_t k = 0; k < 3; k++) y = g.add(y, g.mul(rgb[k], g.constant(rgb_luminance[k])));
+    const int least = g.make(OP_MIN, g.make(OP_MIN, rgb[0], rgb[1]), rgb[2]);
+    const int share = g.choose(g.make(OP_NEG, least), g.choose(y, g.make(OP_DIV, y, g.sub(y, least)), g.constant(0)), g.constant(1));
+    for (int c : rgb) out.push_back(g.choose(y, g.add(y, g.mul(g.sub(c, y), share)), g.constant(0)));
+}
+
+void constant_spectrum(Parts& p, const std::function<double(double)>& f, Nodes& out) {
+    Nodes rgb;
+    for (double v : spectrum_rgb(f, 1)) rgb.push_back(p.graph->constant(v));
+    inside_gamut(p, rgb, out);
+}
+
+template <class F> void sampled_spectrum(Parts& p, double low, double high, F value, Nodes& out) {
+    Nodes rgb(3, p.graph->constant(0));
+    for (double nm = 380 + STEP / 2; nm < 780; nm += STEP) {
+        if (nm < low || nm > high) continue;
+        const std::array<double, 3> w = spectrum_weight(nm, STEP);
+        const int v = value(p.graph->constant(nm));
+        for (size_t k = 0; k < 3; k++) rgb[k] = p.graph->add(rgb[k], p.graph->mul(v, p.graph->constant(w[k])));
+    }
+    inside_gamut(p, rgb, out);
+}
+
+// Values at even steps from the first wavelength to the last, both included; 0 outside.
 void spectrum(Parts& p, Nodes& out) {
     const std::vector<double>& r = p.spec.reals;
     if (r.size() < 5) p.fail("bad number of real arguments");
-    const size_t n = r.size() - 2;
     const double first = r[0], last = r[1];
     if (first == last) p.fail("a spectrum needs two different wavelengths");
-    for (int band = 0; band < 3; band++) {
-        double sum = 0, weight = 0;
-        if (n == 3 && std::fabs(first - last) == 400 && std::fmax(first, last) == 780) {  // the bands themselves
-            sum = r[2 + size_t(first > last ? band : 2 - band)];
-            weight = 1;
-        } else {
-            for (size_t i = 0; i < n; i++) {
-                const double a = first + (last - first) * double(i) / double(n), b = first + (last - first) * double(i + 1) / double(n);
-                const double w = std::fmin(std::fmax(a, b), bands[band]) - std::fmax(std::fmin(a, b), bands[band + 1]);
-                if (w > 0) { sum += w * r[2 + i]; weight += w; }
-            }
-        }
-        out.push_back(p.graph->constant(weight > 0 ? sum / weight : 0));
+    if (r.size() == 5 && std::fabs(first - last) == 400 && std::fmax(first, last) == 780) {  // R, G, B themselves
+        for (size_t k = 0; k < 3; k++) out.push_back(p.graph->constant(r[2 + (first > last ? k : 2 - k)]));
+        return;
     }
-}
-
-template <class F> void band_means(Parts& p, Nodes& out, F value) {
-    for (int band = 0; band < 3; band++) {
-        int sum = p.graph->constant(0);
-        for (int i = 0; i < SAMPLES; i++) sum = p.graph->add(sum, value(wavelength(band, i)));
-        out.push_back(p.graph->mul(sum, p.graph->constant(1.0 / SAMPLES)));
-    }
+    const double intervals = double(r.size() - 3);
+    constant_spectrum(p, [&](double nm) {
+        const double t = (nm - first) / (last - first) * intervals;
+        if (t < 0 || t > intervals) return 0.0;
+        const size_t i = size_t(std::fmin(t, intervals - 1));
+        return r[2 + i] + (r[3 + i] - r[2 + i]) * (t - double(i));
+    }, out);
 }
 
 void specfile(Parts& p, Nodes& out) {
     const DataFile data = p.read(0);
     if (data.dimensions.size() != 1) p.fail("a spectrum has one dimension, wavelength");
     const DataFile::Dimension& d = data.dimensions[0];
-    for (int band = 0; band < 3; band++) {
-        double sum = 0, weight = 0;
-        for (double nm = bands[band + 1] + 0.25; nm < bands[band]; nm += 0.5)
-            for (uint32_t i = 0; i + 1 < d.count; i++) {
-                const double a = d.at(i), b = d.at(i + 1), t = (nm - a) / (b - a);
-                if (t < 0 || t >= 1) continue;
-                sum += data.values[i] * (1 - t) + data.values[i + 1] * t;
-                weight += 1;
-            }
-        out.push_back(p.graph->constant(weight > 0 ? sum / weight : 0));
-    }
+    constant_spectrum(p, [&](double nm) {
+        for (uint32_t i = 0; i + 1 < d.count; i++) {
+            const double t = (nm - d.at(i)) / (d.at(i + 1) - d.at(i));
+            if (t >= 0 && t <= 1) return data.values[i] + (data.values[i + 1] - data.values[i]) * t;
+        }
+        return 0.0;
+    }, out);
 }
 void specfunc(Parts& p, Nodes& out) {
     if (p.spec.reals.size() < 2) p.fail("bad number of real arguments");
     p.file(1);
     p.no_more_than_transform(2);
-    const double low = std::fmin(p.spec.reals[0], p.spec.reals[1]), high = std::fmax(p.spec.reals[0], p.spec.reals[1]);
-    band_means(p, out, [&](double nm) {
-        return nm >= low && nm <= high ? p.call(0, {p.graph->constant(nm)}) : p.graph->constant(0);
-    });
+    const double a = p.spec.reals[0], b = p.spec.reals[1];
+    sampled_spectrum(p, std::fmin(a, b), std::fmax(a, b), [&](int nm) { return p.call(0, {nm}); }, out);
 }
 void specdata(Parts& p, Nodes& out) {
     p.file(2);
     const Nodes x = p.coordinates(3);
     const uint32_t table = p.data(1, x.size() + 1);
-    band_means(p, out, [&](double nm) {
+    sampled_spectrum(p, 380, 780, [&](int nm) {
         Nodes at = x;
-        at.push_back(p.graph->constant(nm));
-        return p.call(0, {p.graph->channel(p.graph->lookup(OP_DATA, at, table), 0), p.graph->constant(nm)});
-    });
+        at.push_back(nm);
+        return p.call(0, {p.graph->channel(p.graph->lookup(OP_DATA, at, table), 0), nm});
+    }, out);
 }
+// Pictures have three channels here, for the middles of the bands 780-588, 588-480, 480-380.
 void specpict(Parts& p, Nodes& out) {
+    const double middles[3] = {684, 534, 430};
     const Nodes rgb = picture_values(p, 1, 2);
-    for (int k = 0; k < 3; k++)
-        out.push_back(p.call(0, {rgb[size_t(k)], p.graph->constant((bands[k] + bands[k + 1]) / 2)}));
+    for (size_t k = 0; k < 3; k++) out.push_back(p.call(0, {rgb[k], p.graph->constant(middles[k])}));
 }
 
 const struct Type { const char* name; size_t strings; ProgramKind kind; void (*build)(Parts&, Nodes&); } types[] = {

@@ -153,7 +153,7 @@ TEST_CASE("mistakes are named with their place") {
     CHECK(trouble("1", "a = 1;\nb = {x") == "defs:2: comment without end");
     CHECK(trouble("1", "a = 1;\nb 2;") == "defs:2: expected '=' or ':' in a definition, found '2'");
     CHECK(trouble("1", "f(x = 1;") == "defs:1: expected ')' after the parameters, found '='");
-    CHECK(trouble("$99").find("no channel") != std::string::npos);
+    CHECK(trouble("$99").find("no such channel") != std::string::npos);
 }
 
 TEST_CASE("no input overruns the stack") {

@@ -56,7 +56,7 @@ TEST_CASE("patterns, textures and mixtures have RADIANCE's values") {
         }
         REQUIRE(got.size() == r.want.size());
         for (size_t k = 0; k < got.size(); k++) {
-            // RADIANCE's spectra of other than 3 values are rounded to a shared exponent, and negative light is black
+            // RADIANCE's flat spectrum is 4e-4 off, and negative light is black
             const double slack = r.id == "spec_flat5" ? 4e-4 : std::fmax(2e-5, 2e-4 * std::fabs(r.want[k]));
             CHECK_MESSAGE(std::fabs(std::fmax(0, got[k]) - r.want[k]) <= slack, r.id, ": ", got[k], ", RADIANCE ", r.want[k]);
         }
@@ -86,25 +86,33 @@ TEST_CASE("characters are placed evenly, squeezed and proportionally") {
     CHECK(text_advances(font, "AzA", 0) == std::vector<int>{0, 255, 0, 255});
 }
 
-// A line a + b nm of wavelength has its value at the band's centre as mean: bands 780-588, 588-480, 480-380.
-TEST_CASE("spectra become the means of three bands") {
+// 1 + nm/1000 in four notations.  RADIANCE (rtrace with specfunc, which draws its wavelengths at random) gives
+// 1.6318 1.5481 1.4372 and 1.6338 1.5417 1.4387 in two tries.
+TEST_CASE("spectra become RGB by the colour matching functions") {
     const float p[3] = {0, 0, 0};
-    const std::vector<double> want{684, 534, 430};
-    const std::string file = temporary("spec.dat", "1\n300 900 3\n300 600 900\n");
-    const std::string plane = temporary("plane.dat", "2\n0 1 2\n300 900 2\n300 900\n300 900\n");
-    for (const PatternSpec& spec : {PatternSpec{"specfile", {file}, {}, "t", {}},
-                                    PatternSpec{"specfunc", {"noop", "."}, {380, 780}, "t", {}},
+    const std::vector<double> want{1.6324, 1.5437, 1.4362};
+    const std::string file = temporary("spec.dat", "1\n300 900 3\n1.3 1.6 1.9\n");
+    const std::string plane = temporary("plane.dat", "2\n0 1 2\n300 900 2\n1.3 1.9\n1.3 1.9\n");
+    std::vector<double> steps{380, 780};
+    for (int nm = 380; nm <= 780; nm += 20) steps.push_back(1 + nm / 1000.0);
+    for (const PatternSpec& spec : {PatternSpec{"specfile", {file}, {}, "t", {}}, PatternSpec{"spectrum", {}, steps, "t", {}},
+                                    PatternSpec{"specfunc", {"ramp", "ramp.cal"}, {380, 780}, "t", {}},
                                     PatternSpec{"specdata", {"noop", plane, ".", "Px"}, {}, "t", {}}}) {
-        const std::vector<float> got = pattern(spec, golden_vars(p));
+        temporary("ramp.cal", "ramp(nm) = 1 + nm/1000;");
+        PatternSpec s = spec;
+        if (s.type == "specfunc") s.strings[1] = "./cal_pattern_test.ramp.cal";
+        const std::vector<float> got = pattern(s, golden_vars(p));
         REQUIRE(got.size() == 3);
         for (size_t k = 0; k < 3; k++) CHECK_MESSAGE(got[k] == doctest::Approx(want[k]).epsilon(1e-3), spec.type);
     }
-    std::vector<double> steps{400, 800};
-    for (int nm = 400; nm < 800; nm++) steps.push_back(nm + 0.5);
-    const std::vector<float> got = pattern({"spectrum", {}, steps, "t", {}}, golden_vars(p));
-    CHECK(got[0] == doctest::Approx(684));
-    CHECK(got[1] == doctest::Approx(534));
-    CHECK(got[2] == doctest::Approx(440));  // only 480-400 is there
+}
+
+TEST_CASE("a spectral colour keeps its luminance inside the primaries' triangle") {
+    const float p[3] = {0, 0, 0};
+    const std::vector<float> got = pattern({"spectrum", {}, {500, 540, 1, 1, 1, 1, 1}, "t", {}}, golden_vars(p));
+    CHECK(std::fmin(got[0], std::fmin(got[1], got[2])) == doctest::Approx(0).epsilon(1e-5));
+    // integral of y from 500 to 540 nm over the whole of it: (.323/2 + .503 + .710 + .862 + .954/2)/10.6858
+    CHECK(.265074f * got[0] + .670115f * got[1] + .064811f * got[2] == doctest::Approx(0.25395).epsilon(2e-3));
 }
 
 TEST_CASE("the transform of the instance acts after the pattern's own") {
