@@ -7,8 +7,8 @@
 
 namespace comfort {
 
-Meter::Meter(const Settings& settings, const Needs& needs, std::optional<image::MaskSet> regions)
-    : settings_(settings), needs_(needs), regions_(std::move(regions)) {
+Meter::Meter(const Settings& settings, const Needs& needs, std::optional<image::MaskSet> regions, DrawRegions draw)
+    : settings_(settings), needs_(needs), regions_(std::move(regions)), draw_(std::move(draw)) {
     if (regions_)
         for (const image::Mask& m : regions_->masks) region_names_.push_back(m.name);
     if (!settings_.task_region.empty() &&
@@ -24,6 +24,7 @@ void Meter::prepare(const view::View& view, const image::Picture& picture, const
     } catch (const base::Error& e) {
         base::fail(place, std::string("the view cannot be used: ") + e.what());
     }
+    if (draw_) regions_ = draw_(view, picture.width, picture.height);
     if (regions_ && (regions_->width != picture.width || regions_->height != picture.height))
         base::fail(place, "the picture has " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
                               " pixels, the regions " + std::to_string(regions_->width) + " x " + std::to_string(regions_->height));

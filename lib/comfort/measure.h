@@ -2,6 +2,7 @@
 // One picture in, its numbers out.  A Meter keeps what depends only on view and size from picture to picture.
 //   Ev = sum L w cos (paper Eq. 1), DGP (Eq. 2 with evalglare's constants), RAMMG (Eqs. 5, 6), TAL and CR (Eqs. 3, 4).
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,9 +33,13 @@ struct Measurement {
     std::optional<double> black_corners;         // percent, type v
 };
 
+// Regions of a file that fits any view and size, drawn when these are known (lib/comfort/region.h).
+using DrawRegions = std::function<image::MaskSet(const view::View& view, int width, int height)>;
+
 class Meter {
 public:
-    Meter(const Settings& settings, const Needs& needs, std::optional<image::MaskSet> regions = {});
+    // With `draw`, `regions` need only have names.
+    Meter(const Settings& settings, const Needs& needs, std::optional<image::MaskSet> regions = {}, DrawRegions draw = {});
     // `view`: the one to use; without it the picture's own.  The picture's pixels are used up.
     Measurement measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
     const Geometry& geometry() const { return *geometry_; }
@@ -50,6 +55,7 @@ private:
     Settings settings_;
     Needs needs_;
     std::optional<image::MaskSet> regions_;
+    DrawRegions draw_;
     std::vector<std::string> region_names_;
     std::unique_ptr<Geometry> geometry_;
     std::unique_ptr<SourceFinder> finder_;

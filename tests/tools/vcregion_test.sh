@@ -31,6 +31,12 @@ check 'a preview over a picture takes its size and view' "
     vcregion -over desk.hdr -o p.png office.regions; head -c 4 p.png | grep -q PNG"
 check 'the size follows the aspect of the view' "
     vcregion -vtv -vp 2 2.7 1.2 -vd 0 -1 0 -vh 60 -vv 30 -x 100 -y 100 -single screen_high office.regions | grep -aq '^-Y 46 +X 100$'"
+if command -v vcmetrics > /dev/null; then
+    check 'vcmetrics takes the region file as it takes the masks' "
+        vcregion $view -x 64 -y 64 -o m64.exr office.regions
+        vcmetrics -regions m64.exr desk.hdr > a; vcmetrics -regions office.regions desk.hdr > b; cmp a b; grep -q desk.TAL a"
+    check_error 'but not one that asks the scene' 1 '^vcmetrics: q:1: ' "echo 'd surface top.*' > q; vcmetrics -regions q desk.hdr"
+fi
 check 'a closed stdout is a quiet end' "vcregion $view -list office.regions | true"
 check '-version and -help go to stdout' 'vcregion -version | grep -q luxpipe; vcregion -help | grep -q -- -centre'
 check '-defaults shows what the options before it have set' 'vcregion -x 77 -vtv -defaults | grep -qx -- "-x 77"'

@@ -6,6 +6,7 @@
 #include "comfort/columns.h"
 #include "comfort/until.h"
 #include "image/stream.h"
+#include "regions.h"
 
 namespace {
 using namespace comfort;
@@ -26,7 +27,8 @@ void require_measurable(const image::Picture& p, const std::string& place) {
 class Printer {
 public:
     Printer(const Options& o, bool from_files) : o_(o), start_(std::chrono::steady_clock::now()), from_files_(from_files) {
-        if (!o.regions_file.empty()) regions_ = image::read_masks(o.regions_file);
+        DrawRegions draw;
+        if (!o.regions_file.empty()) regions_ = open_regions(o.regions_file, draw);
         ColumnChoice choice;
         choice.names = o.metrics;
         choice.high_over_low = o.like == Like::accelerad;
@@ -46,7 +48,7 @@ public:
         }
         if (o.like == Like::evalglare) needs = {true, false, o.evalglare.detailed || o.settings.mask_file, false};
         if (o.list_sources) needs.sources = true;
-        meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_));
+        meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_), std::move(draw));
         names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
         if (o.list_sources)
             names_.insert(names_.end(), {"source", "pixels", "x", "y", "omega", "L", "P", "sigma", "xdir", "ydir", "zdir", "Edir", "zone", "DGPshare"});
