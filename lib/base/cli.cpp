@@ -34,7 +34,8 @@ std::string one_dash(std::string text) {
 
 std::string two_dashes(const CLI::App& app, const std::string& word) {
     if (word.size() < 3 || word[0] != '-' || word[1] == '-') return word;
-    const std::string name = word.substr(1, word.find('=') == std::string::npos ? std::string::npos : word.find('=') - 1);
+    const std::string name =
+        word.substr(1, word.find('=') == std::string::npos ? std::string::npos : word.find('=') - 1);
     return app.get_option_no_throw("--" + name) ? "-" + word : word;
 }
 

@@ -17,7 +17,9 @@ struct Error : std::exception {
     std::string message;  // 'modifier "glas" is not defined'
     std::string text;     // where: message
     Error(Kind k, std::string place, std::string fact)
-        : kind(k), where(std::move(place)), message(std::move(fact)),
+        : kind(k),
+          where(std::move(place)),
+          message(std::move(fact)),
           text(where.empty() ? message : where + ": " + message) {}
     const char* what() const noexcept override { return text.c_str(); }
 };

@@ -8,8 +8,8 @@
 namespace base {
 
 struct ReadOptions {
-    bool exec = false;                 // -exec: "!command" other than the built-in generators may run
-    std::vector<std::string> raypath;  // directories in order; empty = "." only
+    bool exec = false;                   // -exec: "!command" other than the built-in generators may run
+    std::vector<std::string> raypath;    // directories in order; empty = "." only
     std::vector<std::string> cal_files;  // -f: function files whose definitions every primitive sees
 };
 

@@ -9,10 +9,10 @@ namespace base {
 class Progress {
 public:
     explicit Progress(std::string tool);
-    ~Progress();                          // removes the line
+    ~Progress();  // removes the line
     bool shown() const { return shown_; }
-    bool due() const;                     // true five times a second, if shown: build the text only then
-    void show(const std::string& text);   // "tool: text"
+    bool due() const;                    // true five times a second, if shown: build the text only then
+    void show(const std::string& text);  // "tool: text"
     void clear();
 
 private:

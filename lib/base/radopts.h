@@ -22,7 +22,7 @@ public:
     bool more();
     const std::string& peek() const { return words_[at_]; }  // after more() was true
     std::string take() { return words_[at_++]; }
-    bool is_option() const;                                   // begins with '-' and is not "-" alone
+    bool is_option() const;  // begins with '-' and is not "-" alone
 
     // If the word at the cursor equals the option, steps over it and says true.
     bool is(const char* option);

@@ -5,8 +5,10 @@
 
 namespace base {
 
-template <class T> struct Span {
-    const T* first = nullptr; size_t count = 0;
+template <class T>
+struct Span {
+    const T* first = nullptr;
+    size_t count = 0;
     const T* begin() const { return first; }
     const T* end() const { return first + count; }
     size_t size() const { return count; }

@@ -19,6 +19,9 @@ inline bool operator==(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z 
 inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
-inline Vec3 unit(Vec3 a) { double l = length(a); return l > 0 ? a * (1 / l) : a; }
+inline Vec3 unit(Vec3 a) {
+    double l = length(a);
+    return l > 0 ? a * (1 / l) : a;
+}
 
 }  // namespace base

@@ -70,7 +70,8 @@ int parse_xform(const Span<std::string>& words, size_t at, Xform& result, const 
     auto number = [&](const std::string& option) {
         double v;
         if (++i >= words.size()) fail(place, "transform option " + option + " lacks a number");
-        if (!parse_real(words[i], v)) fail(place, "transform option " + option + ": \"" + words[i] + "\" is not a number");
+        if (!parse_real(words[i], v))
+            fail(place, "transform option " + option + ": \"" + words[i] + "\" is not a number");
         return v;
     };
     for (; i < words.size() && is_xform_option(words[i]); i++) {
@@ -85,7 +86,8 @@ int parse_xform(const Span<std::string>& words, size_t at, Xform& result, const 
         } else if (w == "-i") {
             done = multiply(done, power(current, repeat));
             current = Xform();
-            if (++i >= words.size() || !parse_integer(words[i], repeat)) fail(place, "transform option -i needs an integer");
+            if (++i >= words.size() || !parse_integer(words[i], repeat))
+                fail(place, "transform option -i needs an integer");
         } else if (w[1] == 'r') {
             step = rotation(w[2] - 'x', number(w));
         } else {

@@ -14,8 +14,8 @@ struct Xform {
     double scale = 1;
 };
 
-Vec3 point(const Xform& x, Vec3 p);     // with the translation
-Vec3 vector(const Xform& x, Vec3 v);    // without; lengths grow by |scale|
+Vec3 point(const Xform& x, Vec3 p);              // with the translation
+Vec3 vector(const Xform& x, Vec3 v);             // without; lengths grow by |scale|
 Xform multiply(const Xform& a, const Xform& b);  // a first, then b
 Xform inverse(const Xform& x);
 

@@ -34,16 +34,20 @@ void Accumulator::add(const Picture& frame, const std::string& place) {
     } else {
         if (k > next_) {
             const int64_t last = k - 1;
-            base::fail(place, last == next_ ? fmt::format("frame {} is missing (this is frame {})", last, k)
-                                            : fmt::format("frames {} to {} are missing (this is frame {})", next_, last, k));
+            base::fail(place, last == next_
+                                  ? fmt::format("frame {} is missing (this is frame {})", last, k)
+                                  : fmt::format("frames {} to {} are missing (this is frame {})", next_, last, k));
         }
         if (k < next_)
             base::fail(place, k == next_ - 1 ? fmt::format("frame {} comes twice", k)
                                              : fmt::format("frame {} after frame {}: out of order", k, next_ - 1));
         if (frame.width != width_ || frame.height != height_)
-            base::fail(place, fmt::format("frame {} is {} x {}, the frames before it are {} x {}", k, frame.width, frame.height, width_, height_));
-        if (h.view != header_.view) base::fail(place, fmt::format("frame {} has another view than the frames before it", k));
-        if (h.seed != header_.seed) base::fail(place, fmt::format("frame {} has another seed than the frames before it", k));
+            base::fail(place, fmt::format("frame {} is {} x {}, the frames before it are {} x {}", k, frame.width,
+                                          frame.height, width_, height_));
+        if (h.view != header_.view)
+            base::fail(place, fmt::format("frame {} has another view than the frames before it", k));
+        if (h.seed != header_.seed)
+            base::fail(place, fmt::format("frame {} has another seed than the frames before it", k));
     }
     ++next_;
     bool trouble = false;

@@ -42,7 +42,7 @@ public:
     Picture result() const;
 
 private:
-    struct Group {                  // one seed
+    struct Group {  // one seed
         bool has_seed = false;
         uint64_t seed = 0;
         int64_t frames = 0;

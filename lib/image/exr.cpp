@@ -42,7 +42,8 @@ Picture read_exr(const std::string& path) {
     if (color) {
         p.rgb = in.read({"R", "G", "B"});
         scale_colors(p.rgb, in.white_luminance() / 179, in.primaries());
-        if (in.has("frame0.R") && in.has("frame0.G") && in.has("frame0.B")) p.frame0 = in.read({"frame0.R", "frame0.G", "frame0.B"});
+        if (in.has("frame0.R") && in.has("frame0.G") && in.has("frame0.B"))
+            p.frame0 = in.read({"frame0.R", "frame0.G", "frame0.B"});
         scale_colors(p.frame0, in.white_luminance() / 179, in.primaries());
         return p;
     }

@@ -8,7 +8,7 @@
 namespace image {
 
 struct ExrOptions {
-    bool half = false;       // 16-bit floats: smaller, 3 digits, at most 65504
+    bool half = false;  // 16-bit floats: smaller, 3 digits, at most 65504
     bool tiled = false;
     std::string compression = "zip";  // none rle zips zip piz pxr24 b44 b44a dwaa dwab
 };

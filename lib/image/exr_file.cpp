@@ -53,9 +53,9 @@ private:
 
 Imf::Compression compression_of(const std::string& name) {
     const std::pair<const char*, Imf::Compression> known[] = {
-        {"none", Imf::NO_COMPRESSION}, {"rle", Imf::RLE_COMPRESSION}, {"zips", Imf::ZIPS_COMPRESSION},
-        {"zip", Imf::ZIP_COMPRESSION}, {"piz", Imf::PIZ_COMPRESSION}, {"pxr24", Imf::PXR24_COMPRESSION},
-        {"b44", Imf::B44_COMPRESSION}, {"b44a", Imf::B44A_COMPRESSION}, {"dwaa", Imf::DWAA_COMPRESSION},
+        {"none", Imf::NO_COMPRESSION},  {"rle", Imf::RLE_COMPRESSION},   {"zips", Imf::ZIPS_COMPRESSION},
+        {"zip", Imf::ZIP_COMPRESSION},  {"piz", Imf::PIZ_COMPRESSION},   {"pxr24", Imf::PXR24_COMPRESSION},
+        {"b44", Imf::B44_COMPRESSION},  {"b44a", Imf::B44A_COMPRESSION}, {"dwaa", Imf::DWAA_COMPRESSION},
         {"dwab", Imf::DWAB_COMPRESSION}};
     for (const auto& [text, code] : known)
         if (name == text) return code;
@@ -80,7 +80,8 @@ public:
                 buffer.insert(c.name, Imf::Slice(Imf::HALF, origin, sizeof(half), sizeof(half) * width_));
             } else {
                 char* origin = reinterpret_cast<char*>(const_cast<float*>(c.first));
-                buffer.insert(c.name, Imf::Slice(Imf::FLOAT, origin, sizeof(float) * c.stride, sizeof(float) * c.stride * width_));
+                buffer.insert(c.name, Imf::Slice(Imf::FLOAT, origin, sizeof(float) * c.stride,
+                                                 sizeof(float) * c.stride * width_));
             }
         }
         return buffer;
@@ -129,7 +130,9 @@ std::vector<std::string> ExrInput::channels() const {
     return names;
 }
 
-bool ExrInput::has(const std::string& channel) const { return file_->in.header().channels().findChannel(channel) != nullptr; }
+bool ExrInput::has(const std::string& channel) const {
+    return file_->in.header().channels().findChannel(channel) != nullptr;
+}
 
 std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
     const size_t n = names.size();
@@ -139,7 +142,8 @@ std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
         for (const std::string& name : names) {
             const Imf::Channel* c = header.channels().findChannel(name);
             if (!c) base::fail(path_, "has no channel " + name);
-            if (c->xSampling != 1 || c->ySampling != 1) base::fail(path_, "channel " + name + " is subsampled: not read");
+            if (c->xSampling != 1 || c->ySampling != 1)
+                base::fail(path_, "channel " + name + " is subsampled: not read");
         }
         const Imath::Box2i shown = header.displayWindow(), data = header.dataWindow();
         const size_t data_width = size_t(data.max.x - data.min.x + 1);
@@ -151,7 +155,8 @@ std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
                 // OpenEXR wants the address that pixel (0,0) would have
                 char* origin = reinterpret_cast<char*>(block.data() + c) -
                                ptrdiff_t(sizeof(float) * n) * (data.min.x + ptrdiff_t(data_width) * y);
-                frame.insert(names[c], Imf::Slice(Imf::FLOAT, origin, sizeof(float) * n, sizeof(float) * n * data_width));
+                frame.insert(names[c],
+                             Imf::Slice(Imf::FLOAT, origin, sizeof(float) * n, sizeof(float) * n * data_width));
             }
             file_->in.setFrameBuffer(frame);
             file_->in.readPixels(y, last);
@@ -219,7 +224,8 @@ std::optional<std::array<double, 8>> ExrInput::primaries() const {
 }
 
 void write_exr_channels(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,
-                        const Header& header, const std::map<std::string, std::string>& texts, const ExrOptions& options) {
+                        const Header& header, const std::map<std::string, std::string>& texts,
+                        const ExrOptions& options) {
     const Imf::Compression compression = compression_of(options.compression);
     MemoryOut memory;
     try {
@@ -234,7 +240,8 @@ void write_exr_channels(const std::string& path, int width, int height, const st
         const auto& p = radiance_primaries;
         const auto xy = [&](int i) { return Imath::V2f(float(p[i]), float(p[i + 1])); };
         Imf::addChromaticities(h, Imf::Chromaticities(xy(0), xy(2), xy(4), xy(6)));
-        for (const ExrChannel& c : channels) h.channels().insert(c.name, Imf::Channel(options.half ? Imf::HALF : Imf::FLOAT));
+        for (const ExrChannel& c : channels)
+            h.channels().insert(c.name, Imf::Channel(options.half ? Imf::HALF : Imf::FLOAT));
         Lines lines_of(options.half, width, channels);
         if (options.tiled) {
             h.setTileDescription(Imf::TileDescription(64, 64, Imf::ONE_LEVEL));

@@ -22,8 +22,8 @@ public:
     bool has(const std::string& channel) const;
     // Channels interleaved, rows from the top.  Memory grows with what could be decoded.
     std::vector<float> read(const std::vector<std::string>& channels) const;
-    std::optional<std::string> text(const std::string& attribute) const;   // string attribute
-    std::map<std::string, std::string> texts() const;                      // all of them
+    std::optional<std::string> text(const std::string& attribute) const;  // string attribute
+    std::map<std::string, std::string> texts() const;                     // all of them
     Header header() const;           // from "radianceHeader", else from VIEW and the other string attributes
     double white_luminance() const;  // cd/m2 of R = G = B = 1; 179 if not told
     std::optional<std::array<double, 8>> primaries() const;
@@ -42,6 +42,7 @@ struct ExrChannel {
 };
 // Whole or not at all.
 void write_exr_channels(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,
-                        const Header& header, const std::map<std::string, std::string>& texts, const ExrOptions& options);
+                        const Header& header, const std::map<std::string, std::string>& texts,
+                        const ExrOptions& options);
 
 }  // namespace image

@@ -74,7 +74,8 @@ struct Scale {
 
 void fill(Image8& image, int x0, int y0, int x1, int y1, std::array<uint8_t, 3> color) {
     for (int y = std::max(y0, 0); y < std::min(y1, image.height); ++y)
-        for (int x = std::max(x0, 0); x < std::min(x1, image.width); ++x) std::copy(color.begin(), color.end(), image.at(x, y));
+        for (int x = std::max(x0, 0); x < std::min(x1, image.width); ++x)
+            std::copy(color.begin(), color.end(), image.at(x, y));
 }
 
 Image8 with_legend(const Image8& plain, const Scale& scale) {
@@ -86,17 +87,20 @@ Image8 with_legend(const Image8& plain, const Scale& scale) {
     out.height = plain.height;
     out.rgb.resize(3 * size_t(out.width) * out.height);
     fill(out, 0, 0, out.width, out.height, ground);
-    for (int y = 0; y < plain.height; ++y) std::copy(plain.at(0, y), plain.at(0, y) + 3 * size_t(plain.width), out.at(0, y));
+    for (int y = 0; y < plain.height; ++y)
+        std::copy(plain.at(0, y), plain.at(0, y) + 3 * size_t(plain.width), out.at(0, y));
     const int left = plain.width + pad, top = pad + line + pad, bottom = out.height - pad - line / 2;
     draw_text(out, left, pad, "cd/m2", size, ink);
-    for (int y = top; y < bottom; ++y) fill(out, left, y, left + bar, y + 1, ramp((bottom - 1 - y) / std::max(1., bottom - 1. - top)));
+    for (int y = top; y < bottom; ++y)
+        fill(out, left, y, left + bar, y + 1, ramp((bottom - 1 - y) / std::max(1., bottom - 1. - top)));
     int last = bottom + 2 * line;
     for (const double tick : scale.ticks()) {
         const int y = bottom - 1 - int(scale.place(tick) * (bottom - 1 - top) + .5);
         if (last - y < line) continue;  // no room
         last = y;
         fill(out, left + bar, y, left + bar + 2 * size, y + 1, ink);
-        draw_text(out, left + bar + 4 * size, y - 3 * size, tick >= 1 ? fmt::format("{:.0f}", tick) : fmt::format("{:.3g}", tick), size, ink);
+        draw_text(out, left + bar + 4 * size, y - 3 * size,
+                  tick >= 1 ? fmt::format("{:.0f}", tick) : fmt::format("{:.3g}", tick), size, ink);
     }
     return out;
 }
@@ -104,7 +108,7 @@ Image8 with_legend(const Image8& plain, const Scale& scale) {
 }  // namespace
 
 std::array<uint8_t, 3> ramp(double t) {
-    static const double stops[][3] = {{16, 8, 40},   {44, 30, 130}, {36, 88, 180},  {20, 140, 160},
+    static const double stops[][3] = {{16, 8, 40},   {44, 30, 130},  {36, 88, 180},  {20, 140, 160},
                                       {60, 178, 92}, {180, 196, 60}, {250, 190, 70}, {255, 222, 210}};
     constexpr int last = int(sizeof stops / sizeof stops[0]) - 1;
     t = t > 0 ? std::min(t, 1.0) * last : 0;  // also NaN
@@ -130,7 +134,8 @@ void draw_text(Image8& image, int x, int y, const std::string& text, int scale, 
                 for (int row = 0; row < 7; ++row)
                     for (int col = 0; col < 5; ++col)
                         if (g.rows[row][col] == '#')
-                            fill(image, x + col * scale, y + row * scale, x + (col + 1) * scale, y + (row + 1) * scale, color);
+                            fill(image, x + col * scale, y + row * scale, x + (col + 1) * scale, y + (row + 1) * scale,
+                                 color);
         x += 6 * scale;
     }
 }

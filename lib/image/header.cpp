@@ -74,7 +74,8 @@ Format format(const std::string& line, const std::string& text, const std::strin
     if (text == "32-bit_rle_rgbe") return Format::rgbe;
     if (text == "32-bit_rle_xyze") return Format::xyze;
     if (text == "float") return Format::flt;
-    base::fail(where, "header line \"" + line + "\": this pixel format is not read (32-bit_rle_rgbe, 32-bit_rle_xyze and float are)");
+    base::fail(where, "header line \"" + line +
+                          "\": this pixel format is not read (32-bit_rle_rgbe, 32-bit_rle_xyze and float are)");
 }
 
 std::string one_line(std::string text) {
@@ -215,14 +216,16 @@ std::string to_text(const Ranges& ranges) {
 void require_complete(const Picture& picture, const std::string& where) {
     const Header& h = picture.header;
     if (h.frame && !h.frames && *h.frame > 0)
-        base::fail(where, fmt::format("is single frame {}, no picture of the scene: sum the frames with ptaccum first", *h.frame));
+        base::fail(where, fmt::format("is single frame {}, no picture of the scene: sum the frames with ptaccum first",
+                                      *h.frame));
     const auto lacks_frame0 = [](const Ranges& ranges) {
         for (const auto& r : ranges)
             if (r.first == 0) return false;
         return !ranges.empty();
     };
     if (lacks_frame0(h.ranges))
-        base::fail(where, fmt::format("is a partial sum without frame 0 (RANGE={}): merge it with ptaccum first", to_text(h.ranges)));
+        base::fail(where, fmt::format("is a partial sum without frame 0 (RANGE={}): merge it with ptaccum first",
+                                      to_text(h.ranges)));
 }
 
 }  // namespace image

@@ -10,10 +10,10 @@ namespace image {
 
 // How the pixels of one picture are stored: what the header says beyond image::Header.
 struct Encoding {
-    Format format = Format::rgbe;            // pictures without FORMAT= are RGBE
-    int channels = 3;                        // NCOMP=, float pictures: 1 (grey) or 3
-    std::optional<bool> big_endian;          // BigEndian=; absent: the host's order
-    int rows = 0, columns = 0;               // NROWS=, NCOLS=: then no resolution line follows
+    Format format = Format::rgbe;    // pictures without FORMAT= are RGBE
+    int channels = 3;                // NCOMP=, float pictures: 1 (grey) or 3
+    std::optional<bool> big_endian;  // BigEndian=; absent: the host's order
+    int rows = 0, columns = 0;       // NROWS=, NCOLS=: then no resolution line follows
     std::array<double, 3> colorcorr{1, 1, 1};
     std::optional<std::array<double, 8>> primaries;  // rx ry gx gy bx by wx wy, if they differ from RADIANCE's
 };

@@ -32,7 +32,8 @@ Input::Input(const std::string& path) : name_(path == "-" ? "stdin" : path), buf
     }
     regular_ = known && S_ISREG(info.st_mode);
 #ifdef F_SETPIPE_SZ
-    if (known && S_ISFIFO(info.st_mode)) fcntl(fd_, F_SETPIPE_SZ, 1 << 20);  // fewer switches between the tools; a wish only
+    if (known && S_ISFIFO(info.st_mode))
+        fcntl(fd_, F_SETPIPE_SZ, 1 << 20);  // fewer switches between the tools; a wish only
 #endif
 }
 

@@ -17,10 +17,10 @@ public:
     Input& operator=(const Input&) = delete;
 
     const std::string& name() const { return name_; }
-    bool at_end();                            // waits for a byte or the end
+    bool at_end();  // waits for a byte or the end
     int get() { return at_ < have_ || fill() ? buffer_[at_++] : -1; }
-    size_t read(void* data, size_t bytes);    // fewer only at the end of input
-    bool look(void* data, size_t bytes);      // a few bytes ahead, not taken; false if the input ends before
+    size_t read(void* data, size_t bytes);      // fewer only at the end of input
+    bool look(void* data, size_t bytes);        // a few bytes ahead, not taken; false if the input ends before
     std::optional<uint64_t> remaining() const;  // bytes left, for regular files
 
 private:

@@ -17,7 +17,8 @@ constexpr size_t group = 32;  // channels read together
 
 bool name_is_valid(const std::string& name) {
     return !name.empty() && name.size() < 64 &&
-           name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
+           name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
+               std::string::npos;
 }
 
 }  // namespace
@@ -34,13 +35,15 @@ MaskSet read_masks(const std::string& path) {
         std::vector<std::string> listed;
         std::istringstream words(*order);
         for (std::string name; words >> name;)
-            if (std::count(names.begin(), names.end(), name) && !std::count(listed.begin(), listed.end(), name)) listed.push_back(name);
+            if (std::count(names.begin(), names.end(), name) && !std::count(listed.begin(), listed.end(), name))
+                listed.push_back(name);
         for (const std::string& name : names)
             if (!std::count(listed.begin(), listed.end(), name)) listed.push_back(name);
         names = listed;
     }
     for (const std::string& name : names)
-        if (!name_is_valid(name)) base::fail(path, "channel \"" + name + "\" is no region name (letters, digits, _ and -)");
+        if (!name_is_valid(name))
+            base::fail(path, "channel \"" + name + "\" is no region name (letters, digits, _ and -)");
     for (size_t k = 0; k < names.size(); k += group) {  // a pass over the file decodes all channels: few passes
         const std::vector<std::string> some(names.begin() + k, names.begin() + std::min(k + group, names.size()));
         const std::vector<float> interleaved = in.read(some);
@@ -59,8 +62,10 @@ void write_masks(const std::string& path, const MaskSet& set) {
     std::string order;
     std::vector<ExrChannel> channels;
     for (const Mask& mask : set.masks) {
-        if (!name_is_valid(mask.name)) base::fail(path, "\"" + mask.name + "\" is no region name (letters, digits, _ and -)");
-        if (mask.coverage.size() != size_t(set.width) * set.height) base::fail(path, "region \"" + mask.name + "\" has the wrong size");
+        if (!name_is_valid(mask.name))
+            base::fail(path, "\"" + mask.name + "\" is no region name (letters, digits, _ and -)");
+        if (mask.coverage.size() != size_t(set.width) * set.height)
+            base::fail(path, "region \"" + mask.name + "\" has the wrong size");
         order += (order.empty() ? "" : " ") + mask.name;
         channels.push_back({mask.name, mask.coverage.data(), 1});
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Region masks: an OpenEXR file with one half/float channel per named region, coverage 0..1 (vcregion writes, vcmetrics reads).
+// Region masks: an OpenEXR file with one half/float channel per named region, coverage 0..1 (vcregion writes, vcmetrics
+// reads).
 #pragma once
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ struct Mask {
 };
 struct MaskSet {
     int width = 0, height = 0;
-    std::vector<Mask> masks;      // in file order (kept in the attribute "luxpipe.regions")
+    std::vector<Mask> masks;  // in file order (kept in the attribute "luxpipe.regions")
     Header header;
 };
 MaskSet read_masks(const std::string& path);

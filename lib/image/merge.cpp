@@ -68,7 +68,8 @@ void Merger::check_ranges(const Header& h, const std::string& name) const {
                     if (const int64_t k = common_frame(theirs, ranges); k >= 0)
                         base::fail(name, fmt::format("frame {} of seed {} is in {} already", k, seed, g.last_name));
                     if (!g.whole.header.other_seeds.empty() || !h.other_seeds.empty())
-                        base::fail(name, fmt::format("has more frames of seed {}, which {} mixes with other seeds: merge all the parts at once",
+                        base::fail(name, fmt::format("has more frames of seed {}, which {} mixes with other seeds: "
+                                                     "merge all the parts at once",
                                                      seed, g.last_name));
                 }
         }
@@ -79,12 +80,15 @@ void Merger::check_ranges(const Header& h, const std::string& name) const {
 
 void Merger::add(Picture p, const std::string& name) {
     Header& h = p.header;
-    if (!h.frames) base::fail(name, h.frame ? "is a single frame: merging wants sums of frames" : "has no FRAMES= line: not a sum of frames");
+    if (!h.frames)
+        base::fail(name, h.frame ? "is a single frame: merging wants sums of frames"
+                                 : "has no FRAMES= line: not a sum of frames");
     if (h.ranges.empty()) h.ranges = {{0, *h.frames}};
     int64_t held = diffuse_frames(h.ranges);
     for (const auto& other : h.other_seeds) held += diffuse_frames(other.second);
     if (held != *h.frames)
-        base::fail(name, fmt::format("FRAMES={} does not fit RANGE={}, which holds {} diffuse frames", *h.frames, to_text(h.ranges), held));
+        base::fail(name, fmt::format("FRAMES={} does not fit RANGE={}, which holds {} diffuse frames", *h.frames,
+                                     to_text(h.ranges), held));
     if (inputs_++ == 0) {
         first_ = h;
         first_name_ = name;
@@ -118,7 +122,8 @@ void Merger::add(Picture p, const std::string& name) {
     if (g.sum.empty()) g.sum.assign(p.rgb.size(), 0);
     const double n = double(*h.frames);
     if (*h.frames == 0) return;
-    for (size_t i = 0; i < p.rgb.size(); ++i) g.sum[i] += n * (zero ? double(p.rgb[i]) - p.frame0[i] : double(p.rgb[i]));
+    for (size_t i = 0; i < p.rgb.size(); ++i)
+        g.sum[i] += n * (zero ? double(p.rgb[i]) - p.frame0[i] : double(p.rgb[i]));
 }
 
 Picture Merger::result() const {
@@ -133,18 +138,24 @@ Picture Merger::result() const {
     for (const Group& g : groups_) {
         total += g.frames;
         if (groups_.size() > 1 && !g.complete())
-            base::fail(g.last_name, fmt::format("{}: frames {} come without frame 0, and sums of different seeds are averaged only when complete",
-                                                seed_text(g.has_seed, g.seed), to_text(g.ranges)));
+            base::fail(
+                g.last_name,
+                fmt::format(
+                    "{}: frames {} come without frame 0, and sums of different seeds are averaged only when complete",
+                    seed_text(g.has_seed, g.seed), to_text(g.ranges)));
         if (groups_.size() > 1 && g.frames == 0)
-            base::fail(g.last_name, seed_text(g.has_seed, g.seed) + ": frame 0 alone has no weight beside the frames of another seed");
-        if (groups_.size() > 1 && !g.has_seed) base::fail(g.last_name, "has no SEED= line: it cannot be told from the others");
+            base::fail(g.last_name, seed_text(g.has_seed, g.seed) +
+                                        ": frame 0 alone has no weight beside the frames of another seed");
+        if (groups_.size() > 1 && !g.has_seed)
+            base::fail(g.last_name, "has no SEED= line: it cannot be told from the others");
     }
     std::vector<double> sum(3 * size_t(width_) * height_, 0);
     for (const Group& g : groups_) {
         const double weight = groups_.size() > 1 ? double(g.frames) / double(total) : 1;
         const double share = g.frames > 0 ? 1 / double(g.frames) : 0;
         for (size_t i = 0; i < sum.size(); ++i)
-            sum[i] += weight * (g.is_whole() ? double(g.whole.rgb[i]) : (g.frame0.empty() ? 0 : double(g.frame0[i])) + g.sum[i] * share);
+            sum[i] += weight * (g.is_whole() ? double(g.whole.rgb[i])
+                                             : (g.frame0.empty() ? 0 : double(g.frame0[i])) + g.sum[i] * share);
     }
     out.rgb.assign(sum.begin(), sum.end());
     if (groups_.size() == 1) out.frame0 = groups_[0].frame0;

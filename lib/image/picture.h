@@ -16,22 +16,23 @@ namespace image {
 using Ranges = std::vector<std::pair<int64_t, int64_t>>;
 
 struct Header {
-    std::vector<std::string> lines;              // history: every line not in the fields below, in order
-    std::optional<view::View> view;              // from VIEW= and program lines (spec formats 1, glare 1.4)
-    double exposure = 1;                         // product of EXPOSURE= lines (already divided out of the pixels)
+    std::vector<std::string> lines;  // history: every line not in the fields below, in order
+    std::optional<view::View> view;  // from VIEW= and program lines (spec formats 1, glare 1.4)
+    double exposure = 1;             // product of EXPOSURE= lines (already divided out of the pixels)
     double pixel_aspect = 1;
-    std::optional<uint64_t> seed;                // SEED=
-    std::optional<int64_t> frame;                // FRAME=k: a single frame
-    std::optional<int64_t> frames;               // FRAMES=n: diffuse frames averaged
-    Ranges ranges;                               // RANGE=a:b, both included; several after a merge
-    std::vector<std::pair<uint64_t, Ranges>> other_seeds;  // further SEED= lines with their RANGE= lines (merges of runs)
-    bool tabbed_exposure = false;                // a line held EXPOSURE= and a TAB (evalglare refuses such)
+    std::optional<uint64_t> seed;   // SEED=
+    std::optional<int64_t> frame;   // FRAME=k: a single frame
+    std::optional<int64_t> frames;  // FRAMES=n: diffuse frames averaged
+    Ranges ranges;                  // RANGE=a:b, both included; several after a merge
+    std::vector<std::pair<uint64_t, Ranges>>
+        other_seeds;               // further SEED= lines with their RANGE= lines (merges of runs)
+    bool tabbed_exposure = false;  // a line held EXPOSURE= and a TAB (evalglare refuses such)
 };
 
 struct Picture {
     int width = 0, height = 0;
-    std::vector<float> rgb;                      // 3 * width * height, row 0 = top
-    std::vector<float> frame0;                   // accumulated pictures in EXR: L(0), as rgb; else empty
+    std::vector<float> rgb;     // 3 * width * height, row 0 = top
+    std::vector<float> frame0;  // accumulated pictures in EXR: L(0), as rgb; else empty
     Header header;
     float* at(int x, int y_from_top) { return &rgb[3 * (size_t(y_from_top) * width + x)]; }
     const float* at(int x, int y_from_top) const { return &rgb[3 * (size_t(y_from_top) * width + x)]; }

@@ -33,8 +33,8 @@ std::string png_bytes(const Image8& image, const std::string& comment) {
         ~Guard() { png_destroy_write_struct(png, info); }
     } guard{&png, &info};
     png_set_write_fn(png, &bytes, append, no_flush);
-    png_set_IHDR(png, info, png_uint_32(image.width), png_uint_32(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, png_uint_32(image.width), png_uint_32(image.height), 8, PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     std::string text_of = comment;
     char key[] = "Comment";

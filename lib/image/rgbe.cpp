@@ -66,7 +66,8 @@ void read_rgbe_row(Input& in, int width, uint8_t* row, const std::string& place)
     in.read(start, 4);
     const int length = start[2] << 8 | start[3];
     if (length != width)
-        base::fail(place, "scanline length " + std::to_string(length) + " does not match width " + std::to_string(width));
+        base::fail(place,
+                   "scanline length " + std::to_string(length) + " does not match width " + std::to_string(width));
     for (int c = 0; c < 4; ++c) read_component(in, width, row + c, place);
 }
 

@@ -32,10 +32,12 @@ std::string picture_bytes(const Picture& picture, Format format);
 // A file that appears whole or not at all.
 void write_bytes(const std::string& path, const std::string& bytes);
 
-// Whole files, chosen by ending when written (.hdr .pic: RADIANCE; .exr: OpenEXR; .png: for people, tone.h); read by content.
-std::string ending_of(const std::string& path);               // ".exr", in small letters
-void require_writable_ending(const std::string& path);        // an Error before the work, not after it
-Picture read_file(const std::string& path);                   // one picture; throws Error if there are several
-void write_file(const std::string& path, const Picture& picture, Format hdr_format = Format::rgbe);  // atomic: temp + rename
+// Whole files, chosen by ending when written (.hdr .pic: RADIANCE; .exr: OpenEXR; .png: for people, tone.h); read by
+// content.
+std::string ending_of(const std::string& path);         // ".exr", in small letters
+void require_writable_ending(const std::string& path);  // an Error before the work, not after it
+Picture read_file(const std::string& path);             // one picture; throws Error if there are several
+void write_file(const std::string& path, const Picture& picture,
+                Format hdr_format = Format::rgbe);  // atomic: temp + rename
 
 }  // namespace image

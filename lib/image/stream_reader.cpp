@@ -49,7 +49,9 @@ Layout parse_resolution(const std::string& line, const std::string& place) {
     char axis[2], sign[2];
     long size[2];
     const char* at = line.c_str();
-    const auto wrong = [&] { base::fail(place, "\"" + line.substr(0, 60) + "\" is no resolution line such as -Y 512 +X 512"); };
+    const auto wrong = [&] {
+        base::fail(place, "\"" + line.substr(0, 60) + "\" is no resolution line such as -Y 512 +X 512");
+    };
     for (int i = 0; i < 2; ++i) {
         while (*at == ' ') ++at;
         sign[i] = *at ? *at++ : 0;
@@ -64,7 +66,8 @@ Layout parse_resolution(const std::string& line, const std::string& place) {
     if (*at || axis[0] == axis[1]) wrong();
     for (const long side : size)
         if (side < 1 || side > most_side)
-            base::fail(place, "picture size " + std::to_string(side) + " is not within 1.." + std::to_string(most_side));
+            base::fail(place,
+                       "picture size " + std::to_string(side) + " is not within 1.." + std::to_string(most_side));
     Layout l;
     l.x_major = axis[0] == 'X';
     const int x = l.x_major ? 0 : 1;
@@ -102,7 +105,9 @@ void swap_bytes(float* data, size_t n) {
 void read_floats(Input& in, const Encoding& e, const Layout& l, std::vector<float>& rgb, const std::string& place) {
     const size_t pixels = size_t(l.width) * l.height, total = pixels * e.channels;
     if (const auto left = in.remaining())
-        if (*left < total * 4) base::fail(place, "input ends inside the picture (" + std::to_string(*left) + " of " + std::to_string(total * 4) + " bytes)");
+        if (*left < total * 4)
+            base::fail(place, "input ends inside the picture (" + std::to_string(*left) + " of " +
+                                  std::to_string(total * 4) + " bytes)");
     size_t done = 0;
     if (total <= grow_floats) rgb.resize(total);
     while (done < total) {
@@ -110,7 +115,8 @@ void read_floats(Input& in, const Encoding& e, const Layout& l, std::vector<floa
         if (rgb.size() < done + n) rgb.resize(done + n);
         const size_t got = in.read(rgb.data() + done, n * 4);
         if (got < n * 4)
-            base::fail(place, "input ends inside the picture (row " + std::to_string((done + got / 4) / e.channels / (l.x_major ? l.height : l.width)) +
+            base::fail(place, "input ends inside the picture (row " +
+                                  std::to_string((done + got / 4) / e.channels / (l.x_major ? l.height : l.width)) +
                                   " of " + std::to_string(l.x_major ? l.width : l.height) + ")");
         done += n;
     }
@@ -133,7 +139,8 @@ void read_bytes(Input& in, const Layout& l, std::vector<float>& rgb, const std::
     for (int s = 0; s < slow; ++s) {
         read_rgbe_row(in, fast, row.data(), place);
         const size_t at = 3 * size_t(fast) * s;
-        if (rgb.size() < at + 3 * size_t(fast)) rgb.resize(std::min(total, std::max(at + 3 * size_t(fast), at + grow_floats)));
+        if (rgb.size() < at + 3 * size_t(fast))
+            rgb.resize(std::min(total, std::max(at + 3 * size_t(fast), at + grow_floats)));
         rgbe_to_float(row.data(), fast, &rgb[at]);
     }
 }
@@ -197,7 +204,8 @@ bool StreamReader::next(Picture& picture) {
     Encoding encoding;
     char start[2];
     if (!in.look(start, 2) || start[0] != '#' || start[1] != '?')
-        base::fail(place, state_->count ? "what follows is no picture (it does not begin with #?)" : "is no RADIANCE picture (it does not begin with #?)");
+        base::fail(place, state_->count ? "what follows is no picture (it does not begin with #?)"
+                                        : "is no RADIANCE picture (it does not begin with #?)");
     size_t header_bytes = 0;
     for (std::string line; !(line = read_line(in, place)).empty();) {
         if ((header_bytes += line.size() + 1) > most_header) base::fail(place, "the header is longer than 1 MiB");

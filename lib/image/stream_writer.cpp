@@ -26,7 +26,8 @@ void write_xyz_row(const float* rgb, int width, std::vector<float>& xyz) {
     static const Matrix3 m = xyz_from_radiance_rgb();
     for (int x = 0; x < width; ++x)
         for (int c = 0; c < 3; ++c)
-            xyz[3 * size_t(x) + c] = float(179 * (m[3 * c] * rgb[3 * x] + m[3 * c + 1] * rgb[3 * x + 1] + m[3 * c + 2] * rgb[3 * x + 2]));
+            xyz[3 * size_t(x) + c] =
+                float(179 * (m[3 * c] * rgb[3 * x] + m[3 * c + 1] * rgb[3 * x + 1] + m[3 * c + 2] * rgb[3 * x + 2]));
 }
 
 void write_to(const Sink& sink, const Picture& p, Format format) {

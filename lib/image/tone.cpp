@@ -40,14 +40,14 @@ Image8 photo(const Picture& p, const ToneOptions& options) {
         const double mean = log_sum / double(lit.size()), low = percentile(.01), high = percentile(.99);
         const double spread = std::max(high - low, 1e-3);
         const double key = .18 * std::pow(4, std::clamp((2 * mean - low - high) / spread, -1.0, 1.0));
-        scale = key * std::exp2(options.stops - mean);                       // Eqs. 1, 2
+        scale = key * std::exp2(options.stops - mean);  // Eqs. 1, 2
         const double white = std::max(1.5 * std::exp2(spread - 5), 1.0);
         white2 = white * white;
     }
     Image8 out{p.width, p.height, std::vector<uint8_t>(p.rgb.size())};
     for (size_t i = 0; i + 2 < p.rgb.size(); i += 3) {
         const double world = luminance(&p.rgb[i]), l = scale * world;
-        const double shown = l * (1 + l / white2) / (1 + l);                 // Eq. 4
+        const double shown = l * (1 + l / white2) / (1 + l);  // Eq. 4
         const double factor = world > 0 && std::isfinite(shown) ? shown / world * 179 : 0;
         for (size_t c = 0; c < 3; ++c) out.rgb[i + c] = srgb(p.rgb[i + c] * factor);
     }

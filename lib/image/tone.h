@@ -11,10 +11,10 @@ namespace image {
 
 struct ToneOptions {
     enum class Kind { photo, falsecolor } kind = Kind::photo;
-    double stops = 0;         // photo: brighter (+) or darker (-) than the automatic exposure, in factors of 2
-    double max_cdm2 = 0;      // falsecolor: luminance of the top colour; 0 = chosen from the picture
-    double decades = 3;       // falsecolor: decades of luminance from the bottom to the top colour; 0 = linear from 0
-    bool legend = true;       // falsecolor
+    double stops = 0;     // photo: brighter (+) or darker (-) than the automatic exposure, in factors of 2
+    double max_cdm2 = 0;  // falsecolor: luminance of the top colour; 0 = chosen from the picture
+    double decades = 3;   // falsecolor: decades of luminance from the bottom to the top colour; 0 = linear from 0
+    bool legend = true;   // falsecolor
 };
 
 struct Image8 {

@@ -66,8 +66,7 @@ std::optional<Projector::Ray> Projector::ray(double X, double Y) const {
     const double len = length(D);
     Ray r;
     r.origin = view_.vp + D * view_.vo;
-    if (view_.type == 'l')
-        r.origin = r.origin + h_ * (sx_ * (X - .5 + view_.vs)) + u_ * (sy_ * (Y - .5 + view_.vl));
+    if (view_.type == 'l') r.origin = r.origin + h_ * (sx_ * (X - .5 + view_.vs)) + u_ * (sy_ * (Y - .5 + view_.vl));
     r.dir = D * (1 / len);
     // Planes for v and c, spheres for the fisheyes (len = 1 there).
     r.tmax = view_.va > 0 ? (view_.va - view_.vo) * len : 0;

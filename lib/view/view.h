@@ -13,13 +13,13 @@ namespace view {
 using base::Vec3;
 
 struct View {
-    char type = 'v';            // v perspective, l parallel, a angular fisheye, h hemispherical, s planispheric, c cylindrical
+    char type = 'v';  // v perspective, l parallel, a angular fisheye, h hemispherical, s planispheric, c cylindrical
     Vec3 vp{0, 0, 0};
-    Vec3 vd{0, 1, 0};           // not necessarily unit: its length is the focal distance
+    Vec3 vd{0, 1, 0};  // not necessarily unit: its length is the focal distance
     Vec3 vu{0, 0, 1};
     double vh = 45, vv = 45;
-    double vo = 0, va = 0;      // fore and aft clipping distances, 0 = none
-    double vs = 0, vl = 0;      // shift and lift, fractions of the picture
+    double vo = 0, va = 0;  // fore and aft clipping distances, 0 = none
+    double vs = 0, vl = 0;  // shift and lift, fractions of the picture
 };
 bool operator==(const View& a, const View& b);
 inline bool operator!=(const View& a, const View& b) { return !(a == b); }
@@ -50,21 +50,24 @@ void fit_size(const View& v, double pixel_aspect, int& nx, int& ny);
 class Projector {
 public:
     explicit Projector(const View& v);
-    struct Ray { Vec3 origin, dir; double tmax; };         // dir unit; tmax 0 = unlimited (aft clipping else)
-    std::optional<Ray> ray(double X, double Y) const;      // none outside the image circle
+    struct Ray {
+        Vec3 origin, dir;
+        double tmax;
+    };                                                 // dir unit; tmax 0 = unlimited (aft clipping else)
+    std::optional<Ray> ray(double X, double Y) const;  // none outside the image circle
     std::optional<Vec3> direction(double X, double Y) const;
     // Where a direction (unit, from the view point at infinity) or a point appears; false if the projection has no
     // place for it.  The place may lie outside the picture, [0,1]^2.
     bool locate_direction(Vec3 dir, double& X, double& Y) const;
     bool locate_point(Vec3 point, double& X, double& Y) const;
     const View& view() const { return view_; }
-    Vec3 forward() const { return d_; }    // unit view direction
-    Vec3 right() const { return h_; }      // unit, d x up
-    Vec3 up() const { return u_; }         // unit, right x d
+    Vec3 forward() const { return d_; }  // unit view direction
+    Vec3 right() const { return h_; }    // unit, d x up
+    Vec3 up() const { return u_; }       // unit, right x d
 private:
     View view_;
     Vec3 d_, h_, u_;
-    double sx_, sy_;                       // scale of the picture plane: h and u coordinate per unit of x and y
+    double sx_, sy_;  // scale of the picture plane: h and u coordinate per unit of x and y
     bool unnormalised(double X, double Y, Vec3& D) const;
     bool plane_of(double a, double b, double& X, double& Y) const;
 };

@@ -153,7 +153,8 @@ TEST_CASE("ranges merge to the whole, in any order and any split") {
 TEST_CASE("complete sums of several seeds average by their frames") {
     const Picture a = sum_of(0, 10, 1), b = sum_of(0, 30, 2);
     const Picture p = merged({a, b});
-    for (size_t i = 0; i < 90; ++i) CHECK(p.rgb[i] == doctest::Approx((10. * a.rgb[i] + 30. * b.rgb[i]) / 40).epsilon(1e-6));
+    for (size_t i = 0; i < 90; ++i)
+        CHECK(p.rgb[i] == doctest::Approx((10. * a.rgb[i] + 30. * b.rgb[i]) / 40).epsilon(1e-6));
     CHECK(p.header.frames == 40);
     CHECK(p.header.seed == 1);
     CHECK(p.header.other_seeds.size() == 1);
@@ -173,8 +174,10 @@ TEST_CASE("what cannot be weighted rightly is refused") {
     CHECK(merge_error({no_layer, sum_of(10, 20)}).find("has frame 0 summed in") != std::string::npos);
     CHECK(merge_error({sum_of(10, 20), no_layer}).find("has frame 0 summed in") != std::string::npos);
     CHECK(merge_error({no_layer, sum_of(0, 9, 2)}).empty());
-    CHECK(merge_error({merged({sum_of(0, 9), sum_of(0, 9, 2)}), sum_of(10, 20, 2)}).find("mixes with other seeds") != std::string::npos);
-    CHECK(merge_error({merged({sum_of(0, 9), sum_of(0, 9, 2)}), sum_of(0, 5, 2)}).find("frame 0 of seed 2 is in p0 already") != std::string::npos);
+    CHECK(merge_error({merged({sum_of(0, 9), sum_of(0, 9, 2)}), sum_of(10, 20, 2)}).find("mixes with other seeds") !=
+          std::string::npos);
+    CHECK(merge_error({merged({sum_of(0, 9), sum_of(0, 9, 2)}), sum_of(0, 5, 2)})
+              .find("frame 0 of seed 2 is in p0 already") != std::string::npos);
     Picture lies = sum_of(0, 9);
     lies.header.frames = 100;
     CHECK(merge_error({lies}) == "p0: FRAMES=100 does not fit RANGE=0:9, which holds 9 diffuse frames");

@@ -42,7 +42,8 @@ TEST_CASE("OpenEXR: every compression, scanlines and tiles, float and half") {
                 const std::string c = compression;
                 const bool lossy = c[0] == 'b' || c[0] == 'd' || (c == "pxr24" && !half);
                 double worst = 0;
-                for (size_t i = 0; i < p.rgb.size(); ++i) worst = std::max(worst, double(std::fabs(q.rgb[i] - p.rgb[i])));
+                for (size_t i = 0; i < p.rgb.size(); ++i)
+                    worst = std::max(worst, double(std::fabs(q.rgb[i] - p.rgb[i])));
                 if (!half && (c == "pxr24")) CHECK(worst < 100 * std::ldexp(1., -15));
                 else if (!lossy && !half) CHECK(worst == 0);
                 else if (!lossy) CHECK(worst <= 100 * std::ldexp(1., -11));
@@ -106,7 +107,8 @@ TEST_CASE("OpenEXR of other programs: luminance only, windows, white luminance, 
     CHECK(p.at(3, 2)[1] == 0);
     CHECK(p.header.view->vh == 33);
     write_foreign(path, "depth");
-    CHECK(error_text([&] { image::read_file(path); }) == path + ": has neither the channels R G B nor Y: it is no picture");
+    CHECK(error_text([&] { image::read_file(path); }) ==
+          path + ": has neither the channels R G B nor Y: it is no picture");
 }
 
 TEST_CASE("a broken OpenEXR file is an error in one line") {
@@ -159,7 +161,9 @@ TEST_CASE("masks keep names, order and coverage") {
 TEST_CASE("a file that cannot be written leaves nothing, one that exists is replaced whole") {
     TempFolder temp;
     const Picture p = small_picture(4, 4);
-    CHECK(error_text([&] { image::write_file("/no/such/folder/a.exr", p); }).find("/no/such/folder/a.exr: cannot be written") == 0);
+    CHECK(error_text([&] {
+              image::write_file("/no/such/folder/a.exr", p);
+          }).find("/no/such/folder/a.exr: cannot be written") == 0);
     CHECK_FALSE(error_text([&] { image::write_file("a.jpg", p); }).empty());
     const std::string path = temp.holding("a.hdr", "old");
     image::write_file(path, p);
@@ -202,7 +206,8 @@ TEST_CASE("the colour ramp's lightness rises throughout") {
     double last = -1;
     for (int i = 0; i <= 70; ++i) {
         const auto c = image::ramp(i / 70.);
-        const double light = .2126 * std::pow(c[0] / 255., 2.2) + .7152 * std::pow(c[1] / 255., 2.2) + .0722 * std::pow(c[2] / 255., 2.2);
+        const double light = .2126 * std::pow(c[0] / 255., 2.2) + .7152 * std::pow(c[1] / 255., 2.2) +
+                             .0722 * std::pow(c[2] / 255., 2.2);
         CHECK(light > last);
         last = light;
     }

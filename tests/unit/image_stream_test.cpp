@@ -85,7 +85,10 @@ TEST_CASE("a stream is pictures one after another") {
 }
 
 TEST_CASE("RGBE pixels: half a step is added, E = 0 is black") {
-    const Picture p = read(rgbe_head + "-Y 1 +X 2\n" + std::string("\x80\x40\x00\x81" "\xff\xff\xff\x00", 8));
+    const Picture p = read(rgbe_head + "-Y 1 +X 2\n" +
+                           std::string("\x80\x40\x00\x81"
+                                       "\xff\xff\xff\x00",
+                                       8));
     CHECK(p.rgb == std::vector<float>{decoded(128, 129), decoded(64, 129), decoded(0, 129), 0, 0, 0});
 }
 
@@ -127,19 +130,32 @@ TEST_CASE("rounding down and adding half is unbiased") {
 
 TEST_CASE("new run-length, typed by hand") {
     // 2 2 0 9; red: run of 9 x 128; green: 9 literals; blue: 4 literals, run of 5; exponent: run of 9 x 129
-    const std::string line("\x02\x02\x00\x09" "\x89\x80" "\x09\x01\x02\x03\x04\x05\x06\x07\x08\x09" "\x04\x0a\x0b\x0c\x0d\x85\x0e" "\x89\x81", 25);
+    const std::string line(
+        "\x02\x02\x00\x09"
+        "\x89\x80"
+        "\x09\x01\x02\x03\x04\x05\x06\x07\x08\x09"
+        "\x04\x0a\x0b\x0c\x0d\x85\x0e"
+        "\x89\x81",
+        25);
     const Picture p = read(rgbe_head + "-Y 1 +X 9\n" + line);
     CHECK(p.at(0, 0)[0] == decoded(128, 129));
     CHECK(p.at(8, 0)[1] == decoded(9, 129));
     CHECK(p.at(3, 0)[2] == decoded(13, 129));
     CHECK(p.at(8, 0)[2] == decoded(14, 129));
     CHECK(why(rgbe_head + "-Y 1 +X 8\n" + line) == "scanline length 9 does not match width 8");
-    CHECK(why(rgbe_head + "-Y 1 +X 9\n" + line.substr(0, 4) + "\x8a\x80" + line.substr(6)) == "a run is longer than the scanline");
-    CHECK(why(rgbe_head + "-Y 1 +X 9\n" + line.substr(0, 4) + std::string("\x00\x80", 2) + line.substr(6)) == "a run of no length");
+    CHECK(why(rgbe_head + "-Y 1 +X 9\n" + line.substr(0, 4) + "\x8a\x80" + line.substr(6)) ==
+          "a run is longer than the scanline");
+    CHECK(why(rgbe_head + "-Y 1 +X 9\n" + line.substr(0, 4) + std::string("\x00\x80", 2) + line.substr(6)) ==
+          "a run of no length");
 }
 
 TEST_CASE("old run-length, typed by hand: counts of markers in a row are digits of base 256") {
-    std::string line("\x80\x10\x20\x81" "\x01\x01\x01\x03" "\x81\x11\x21\x81" "\x01\x01\x01\x02\x01\x01\x01\x01", 20);
+    std::string line(
+        "\x80\x10\x20\x81"
+        "\x01\x01\x01\x03"
+        "\x81\x11\x21\x81"
+        "\x01\x01\x01\x02\x01\x01\x01\x01",
+        20);
     const int width = 1 + 3 + 1 + 2 + 256;
     const std::string head = rgbe_head + "-Y 1 +X " + std::to_string(width) + "\n";
     const Picture p = read(head + line);
@@ -181,8 +197,10 @@ TEST_CASE("all eight orientations show the same picture") {
                         const int i = x_major ? s : f, j = x_major ? f : s;
                         for (int c = 0; c < 3; ++c) data.push_back(value(x_down ? 2 - i : i, y_up ? 1 - j : j));
                     }
-                const std::string x = std::string(x_down ? "-" : "+") + "X 3", y = std::string(y_up ? "+" : "-") + "Y 2";
-                const Picture p = read("#?RADIANCE\nNCOMP=3\nBigEndian=0\nFORMAT=float\n\n" + (x_major ? x + " " + y : y + " " + x) + "\n" + floats(data));
+                const std::string x = std::string(x_down ? "-" : "+") + "X 3",
+                                  y = std::string(y_up ? "+" : "-") + "Y 2";
+                const Picture p = read("#?RADIANCE\nNCOMP=3\nBigEndian=0\nFORMAT=float\n\n" +
+                                       (x_major ? x + " " + y : y + " " + x) + "\n" + floats(data));
                 CAPTURE(x + y);
                 for (int i = 0; i < 3; ++i)
                     for (int j = 0; j < 2; ++j) CHECK(p.at(i, j)[1] == value(i, j));
@@ -200,8 +218,11 @@ TEST_CASE("float pictures of other programs: byte order, one channel, NROWS and 
 }
 
 TEST_CASE("exposure, colour correction and pixel aspect multiply; indented lines do not count") {
-    const Picture p = read("#?RADIANCE\nEXPOSURE=2\nEXPOSURE= 4e0\n\tEXPOSURE=100\nCOLORCORR= 1 2 4\nPIXASPECT=.5\nPIXASPECT=3\nBigEndian=0\n"
-                           "FORMAT=float\nNCOMP=3\n\n-Y 1 +X 1\n" + floats({8, 8, 8}));
+    const Picture p = read(
+        "#?RADIANCE\nEXPOSURE=2\nEXPOSURE= 4e0\n\tEXPOSURE=100\nCOLORCORR= 1 2 "
+        "4\nPIXASPECT=.5\nPIXASPECT=3\nBigEndian=0\n"
+        "FORMAT=float\nNCOMP=3\n\n-Y 1 +X 1\n" +
+        floats({8, 8, 8}));
     CHECK(p.rgb == std::vector<float>{1, .5f, .25f});
     CHECK(p.header.exposure == 8);
     CHECK(p.header.pixel_aspect == 1.5);
@@ -225,12 +246,17 @@ TEST_CASE("XYZE is cd/m2, and other primaries keep luminance") {
         CHECK(lum(q.at(x, 1)) == doctest::Approx(lum(p.at(x, 1))).epsilon(.01));
     }
     // sRGB's green alone has luminance .7152 (D65), whatever the target space.
-    const Picture srgb = read("#?RADIANCE\nPRIMARIES= .64 .33 .30 .60 .15 .06 .3127 .3290\nBigEndian=0\nNCOMP=3\nFORMAT=float\n\n-Y 1 +X 1\n" + floats({0, 1, 0}));
-    CHECK(y_of[0] * srgb.rgb[0] + y_of[1] * srgb.rgb[1] + y_of[2] * srgb.rgb[2] == doctest::Approx(.7152).epsilon(1e-3));
+    const Picture srgb = read(
+        "#?RADIANCE\nPRIMARIES= .64 .33 .30 .60 .15 .06 .3127 .3290\nBigEndian=0\nNCOMP=3\nFORMAT=float\n\n-Y 1 +X "
+        "1\n" +
+        floats({0, 1, 0}));
+    CHECK(y_of[0] * srgb.rgb[0] + y_of[1] * srgb.rgb[1] + y_of[2] * srgb.rgb[2] ==
+          doctest::Approx(.7152).epsilon(1e-3));
 }
 
 TEST_CASE("views of a header: later lines override, inputs' lines do not count") {
-    const Picture p = read("#?RADIANCE\nrpict -vtv -vp 1 2 3 -vh 60\n\tVIEW= -vth\nVIEW= -vta -vh 180\n\n-Y 1 +X 1\n\x80\x80\x80\x80");
+    const Picture p = read(
+        "#?RADIANCE\nrpict -vtv -vp 1 2 3 -vh 60\n\tVIEW= -vth\nVIEW= -vta -vh 180\n\n-Y 1 +X 1\n\x80\x80\x80\x80");
     CHECK(p.header.view->type == 'a');
     CHECK(p.header.view->vp == base::Vec3{1, 2, 3});
     CHECK(p.header.view->vh == 180);
@@ -240,7 +266,8 @@ TEST_CASE("views of a header: later lines override, inputs' lines do not count")
 TEST_CASE("several seeds have their own ranges") {
     image::Header h;
     image::Encoding e;
-    for (const char* line : {"SEED=1", "RANGE=0:9", "SEED=2", "RANGE=0:3", "RANGE=8:9"}) image::parse_header_line(line, h, e, "x");
+    for (const char* line : {"SEED=1", "RANGE=0:9", "SEED=2", "RANGE=0:3", "RANGE=8:9"})
+        image::parse_header_line(line, h, e, "x");
     CHECK(h.seed == 1);
     CHECK(h.ranges == image::Ranges{{0, 9}});
     CHECK(h.other_seeds.size() == 1);
@@ -255,7 +282,8 @@ TEST_CASE("header lines stay within RADIANCE's limit and are lines") {
     p.header.lines = {"ptrace " + std::string(5000, 'a'), "two\nlines", ""};
     const std::string bytes = image::picture_bytes(p, Format::flt);
     size_t longest = 0, from = 0;
-    for (size_t at; (at = bytes.find('\n', from)) != std::string::npos && at != from; from = at + 1) longest = std::max(longest, at - from);
+    for (size_t at; (at = bytes.find('\n', from)) != std::string::npos && at != from; from = at + 1)
+        longest = std::max(longest, at - from);
     CHECK(longest < 2048);
     CHECK(image::read_file(TempFolder().holding("x", bytes)).width == 1);
     CHECK(bytes.find("two lines\n") != std::string::npos);
@@ -265,12 +293,14 @@ TEST_CASE("partial sums and single frames are no pictures") {
     Picture p = small_picture(1, 1);
     CHECK(error_text([&] { image::require_complete(p, "x"); }).empty());
     p.header.ranges = {{100, 199}};
-    CHECK(error_text([&] { image::require_complete(p, "x"); }) == "x: is a partial sum without frame 0 (RANGE=100:199): merge it with ptaccum first");
+    CHECK(error_text([&] { image::require_complete(p, "x"); }) ==
+          "x: is a partial sum without frame 0 (RANGE=100:199): merge it with ptaccum first");
     p.header = image::Header();
     p.header.frame = 0;
     CHECK(error_text([&] { image::require_complete(p, "x"); }).empty());
     p.header.frame = 3;
-    CHECK(error_text([&] { image::require_complete(p, "x"); }) == "x: is single frame 3, no picture of the scene: sum the frames with ptaccum first");
+    CHECK(error_text([&] { image::require_complete(p, "x"); }) ==
+          "x: is single frame 3, no picture of the scene: sum the frames with ptaccum first");
 }
 
 TEST_CASE("sizes are checked before memory is taken") {
@@ -278,7 +308,8 @@ TEST_CASE("sizes are checked before memory is taken") {
     CHECK(why(rgbe_head + "-Y 0 +X 1\n") == "picture size 0 is not within 1..32768");
     CHECK(why(rgbe_head + "-Y -5 +X 1\n") == "picture size -5 is not within 1..32768");
     // 32768 x 32768 floats would be 12 GiB; the file is 100 bytes.
-    CHECK(why("#?RADIANCE\nFORMAT=float\nNCOMP=3\n\n-Y 32768 +X 32768\n" + std::string(100, 'x')).find("input ends inside the picture") == 0);
+    CHECK(why("#?RADIANCE\nFORMAT=float\nNCOMP=3\n\n-Y 32768 +X 32768\n" + std::string(100, 'x'))
+              .find("input ends inside the picture") == 0);
     CHECK(why(rgbe_head + "-Y 32768 +X 32768\n" + std::string(200000, 'x')).find("input ends inside the picture") == 0);
     CHECK(why("#?RADIANCE\nNCOMP=99999999999\n\n") == "header line \"NCOMP=99999999999\" is out of range");
     CHECK(why("#?RADIANCE\nFORMAT=float\nNCOMP=24\n\n-Y 1 +X 1\n") == "NCOMP=24: float pictures have 1 or 3 channels");
@@ -300,7 +331,8 @@ TEST_CASE("what is no picture says so") {
     StreamReader in(path);
     Picture p;
     CHECK(in.next(p));
-    CHECK(error_text([&] { in.next(p); }) == path + ": picture 2: what follows is no picture (it does not begin with #?)");
+    CHECK(error_text([&] { in.next(p); }) ==
+          path + ": picture 2: what follows is no picture (it does not begin with #?)");
 }
 
 TEST_CASE("a picture cut anywhere is an error, never a picture") {

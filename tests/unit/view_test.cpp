@@ -55,9 +55,12 @@ double omega_of_view(const std::string& words, int nx, int ny) {
     return sum;
 }
 
-const char* all_views[] = {"-vtv -vp 1 2 3 -vd 1 .5 -.2 -vh 60 -vv 45 -vs .1",  "-vtl -vd 0 0 -1 -vu 0 1 0 -vh 4 -vv 3",
-                           "-vta -vd 1 1 0 -vh 180 -vv 180 -vl .05",            "-vta -vd 1 1 0 -vh 330 -vv 330",
-                           "-vth -vd 0 1 .5 -vh 180 -vv 150",                   "-vts -vd -1 0 0 -vh 200 -vv 160",
+const char* all_views[] = {"-vtv -vp 1 2 3 -vd 1 .5 -.2 -vh 60 -vv 45 -vs .1",
+                           "-vtl -vd 0 0 -1 -vu 0 1 0 -vh 4 -vv 3",
+                           "-vta -vd 1 1 0 -vh 180 -vv 180 -vl .05",
+                           "-vta -vd 1 1 0 -vh 330 -vv 330",
+                           "-vth -vd 0 1 .5 -vh 180 -vv 150",
+                           "-vts -vd -1 0 0 -vh 200 -vv 160",
                            "-vtc -vd 0 1 0 -vh 360 -vv 90 -vl -.1"};
 
 }  // namespace
@@ -121,7 +124,8 @@ TEST_CASE("locating a direction is the inverse of looking there") {
 TEST_CASE("solid angles add up") {
     // Perspective: a rectangle seen from its axis, 4 asin(sin(h/2) sin(v/2)) with h, v the full angles of its sides.
     const double h = 60 * M_PI / 180, v = 45 * M_PI / 180;
-    CHECK(omega_of_view("-vtv -vh 60 -vv 45", 40, 30) == doctest::Approx(4 * std::asin(std::sin(h / 2) * std::sin(v / 2))).epsilon(1e-10));
+    CHECK(omega_of_view("-vtv -vh 60 -vv 45", 40, 30) ==
+          doctest::Approx(4 * std::asin(std::sin(h / 2) * std::sin(v / 2))).epsilon(1e-10));
     // Full sphere; the pixels at the rim that have a corner outside count nothing, about 2/n of the disc's area
     // where the sphere is squeezed to nothing.
     CHECK(omega_of_view("-vta -vh 360 -vv 360", 400, 400) == doctest::Approx(4 * M_PI).epsilon(.002));

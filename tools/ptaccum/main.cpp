@@ -41,7 +41,8 @@ private:
 
 class Output {
 public:
-    Output(const Options& opt, std::string command) : opt_(opt), command_(std::move(command)), to_terminal_(base::stdout_is_terminal()) {
+    Output(const Options& opt, std::string command)
+        : opt_(opt), command_(std::move(command)), to_terminal_(base::stdout_is_terminal()) {
         if (to_terminal_ && opt.outputs.empty())
             base::fail("stdout", "is a terminal: pictures go to a pipe, a file or -o file");
     }

@@ -14,7 +14,8 @@ std::optional<Options> parse_options(int argc, char** argv) {
     app.add_option("inputs", opt.inputs, "streams of frames, or sums of frames to merge; none or -: stdin");
     app.add_option("--every", every, "write every N-th sum, or N = x2: 1 2 4 8 ..., x2/16: 16 steps a doubling");
     app.add_flag("--last", opt.last_only, "write only the last sum");
-    app.add_option("-o", opt.outputs, "write the final sum to a file as well (.hdr .pic .exr .png); may repeat")->allow_extra_args(false);
+    app.add_option("-o", opt.outputs, "write the final sum to a file as well (.hdr .pic .exr .png); may repeat")
+        ->allow_extra_args(false);
     app.add_flag("--ff", floats, "float pixels, also in .hdr files");
     app.add_flag("--fc", bytes, "RGBE pixels, also on stdout");
     app.add_flag("--half", opt.half, "16-bit floats in .exr files");

@@ -9,14 +9,14 @@
 #include "image/tone.h"
 
 struct Options {
-    std::vector<std::string> inputs;      // none: stdin
-    std::vector<std::string> outputs;     // -o, may repeat
-    image::Schedule schedule;             // -every
-    bool last_only = false;               // -last
+    std::vector<std::string> inputs;   // none: stdin
+    std::vector<std::string> outputs;  // -o, may repeat
+    image::Schedule schedule;          // -every
+    bool last_only = false;            // -last
     image::Format stream_format = image::Format::flt;
     image::Format hdr_format = image::Format::rgbe;
     image::ToneOptions tone;
-    bool half = false;                    // -half: OpenEXR with 16-bit floats
+    bool half = false;  // -half: OpenEXR with 16-bit floats
 };
 
 // Nothing: help or version was printed.
