@@ -180,13 +180,9 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
 std::vector<std::string> header_lines(const Header& h) {
     std::vector<std::string> out{"#?RADIANCE"};
     const std::string software = "SOFTWARE=luxpipe " LUXPIPE_VERSION;
-    bool signed_already = false;
-    for (const std::string& line : h.lines) {
-        if (line.empty()) continue;  // an empty line would end the header
-        out.push_back(one_line(line));
-        signed_already = signed_already || line == software;
-    }
-    if (!signed_already) out.push_back(software);
+    for (const std::string& line : h.lines)
+        if (!line.empty() && line != software) out.push_back(one_line(line));  // an empty line would end the header
+    out.push_back(software);  // once, after the command lines
     if (h.view) out.push_back("VIEW=" + view::to_options(*h.view));
     if (h.pixel_aspect != 1) out.push_back(fmt::format("PIXASPECT={}", h.pixel_aspect));
     if (h.seed) out.push_back(fmt::format("SEED={}", *h.seed));
