@@ -37,6 +37,7 @@ struct Shape {
 struct Node {
     char op;
     int a = -1, b = -1;
+    int size = 1;  // nodes below and including this one, those of named regions counted each time
 };
 struct Region {
     std::string name, place;

@@ -267,7 +267,11 @@ private:
         if (n % group) fail(word, fmt::format("{} has {} numbers, which is no multiple of {}", word.text, n, group));
     }
 
-    int add(Node n) {
+    int add(Node n) {  // the tree that is walked for every pixel stays finite, however often names are used
+        int64_t size = 1;
+        if (n.op != 's') size += out_.nodes[size_t(n.a)].size + (n.b >= 0 ? out_.nodes[size_t(n.b)].size : 0);
+        if (size > 10000) fail(tokens_[at_ > 0 ? at_ - 1 : 0], "the region is made of more than 10000 parts");
+        n.size = int(size);
         out_.nodes.push_back(n);
         return int(out_.nodes.size()) - 1;
     }

@@ -79,6 +79,11 @@ TEST_CASE("mistakes name file and line") {
     CHECK(begins(error_of("# nothing\n"), "f: holds no region"));
     CHECK(begins(error_of("a " + std::string(100000, '(')), "f:1: nested too deeply"));
     CHECK(begins(error_of("a " + std::string(100000, '!') + "b"), "f:1: nested too deeply"));
+    std::string bomb = "r0 rect 0 0 1 1\n", chain = "r rect 0 0 1 1\ns r";
+    for (int i = 1; i < 60; ++i) bomb += "r" + std::to_string(i) + " r" + std::to_string(i - 1) + " + r" + std::to_string(i - 1) + "\n";
+    for (int i = 0; i < 200000; ++i) chain += " + r";
+    CHECK(begins(error_of(bomb), "f:14: the region is made of more than"));
+    CHECK(begins(error_of(chain), "f:2: the region is made of more than"));
     CHECK(begins(error_of(std::string(64, 'n') + " rect 0 0 1 1"), "f:1: "));
 }
 
