@@ -18,7 +18,8 @@ class Library {
 public:
     explicit Library(const base::ReadOptions& files);
     ~Library();
-    void define(const std::string& text, const std::string& place);  // -e, -f: definitions for the global context
+    void define(const std::string& text, const std::string& place);       // -e: definitions for the global context
+    void define_file(const std::string& file, const std::string& place);  // -f: the same from a file on RAYPATH
     struct State;
     State& state() { return *state_; }
 private:

@@ -12,7 +12,7 @@ namespace cal {
 
 namespace {
 
-constexpr size_t MAX_FILE = size_t(512) << 20;
+constexpr size_t MAX_FILE = size_t(256) << 20;
 constexpr uint32_t MAX_DIMS = 5;
 constexpr uint32_t EVEN = 0xffffffffu;
 

@@ -38,15 +38,7 @@ void Evaluator::define(const std::string& definitions, const std::string& place)
 }
 
 void Evaluator::load(const std::string& file, const std::string& place) {
-    Library::State& library = state_->library.state();
-    const std::string path = base::look_for_file(file, library.files);
-    if (path.empty()) {
-        const char* text = builtin_file(file);
-        if (!text) base::fail(place, "cannot find function file \"" + file + "\"");
-        library.add(text, file, "", false);
-        return;
-    }
-    library.add(read_text(path, size_t(64) << 20, place), path, "", false);
+    state_->library.state().add_file(file, "", place, false);
 }
 
 bool Evaluator::has_function(const std::string& name) const {

@@ -8,7 +8,7 @@
 namespace cal {
 
 namespace {
-constexpr size_t MAX_FILE = size_t(64) << 20;
+constexpr size_t MAX_FILE = size_t(4) << 20;  // function files; trees take a hundred times the text
 
 std::string context_of(const std::string& file) {  // "lib/my sky.cal" -> "my_sky"
     std::string name = file.substr(file.find_last_of('/') + 1);
@@ -52,6 +52,8 @@ Library::~Library() = default;
 
 void Library::define(const std::string& text, const std::string& place) { state_->add(text, place, "", true); }
 
+void Library::define_file(const std::string& file, const std::string& place) { state_->add_file(file, "", place, true); }
+
 void Library::State::add(std::string_view text, const std::string& file, const std::string& context, bool warn) {
     for (Definition& def : parse_definitions(text, file, pool)) {
         std::string base, own;
@@ -68,21 +70,21 @@ void Library::State::add(std::string_view text, const std::string& file, const s
     }
 }
 
+void Library::State::add_file(const std::string& file, const std::string& context, const std::string& place, bool warn) {
+    const std::string path = base::look_for_file(file, files);
+    if (!path.empty()) return add(read_text(path, MAX_FILE, place), path, context, warn);
+    const bool has_ending = file.size() > 4 && file.compare(file.size() - 4, 4, ".cal") == 0;
+    const char* text = builtin_file(has_ending ? file : file + ".cal");
+    if (!text) base::fail(place, "cannot find function file \"" + file + "\"");
+    add(text, file, context, false);
+}
+
 std::string Library::State::load(const std::string& file, const std::string& place) {
     if (file == ".") return "";
     const std::string context = context_of(file);
     if (!loaded.insert(file).second) return context;
     try {
-        const std::string path = base::look_for_file(file, files);
-        if (!path.empty()) {
-            add(read_text(path, MAX_FILE, place), path, context, true);
-        } else {
-            std::string name = file;
-            if (name.size() < 4 || name.compare(name.size() - 4, 4, ".cal") != 0) name += ".cal";
-            const char* text = builtin_file(name);
-            if (!text) base::fail(place, "cannot find function file \"" + file + "\"");
-            add(text, name, context, false);
-        }
+        add_file(file, context, place, true);
     } catch (...) {
         loaded.erase(file);
         throw;

@@ -19,6 +19,8 @@ struct Library::State {
 
     // Adds text to a context; `warn` on redefinition (not for built-in texts).
     void add(std::string_view text, const std::string& file, const std::string& context, bool warn);
+    // The same from a file on RAYPATH, or from our own text of that name.
+    void add_file(const std::string& file, const std::string& context, const std::string& place, bool warn);
     // Loads a function file once and returns its context; "." is the global one.  Throws Error(place).
     std::string load(const std::string& file, const std::string& place);
     const Definition* lookup(const std::string& name, const std::string& context) const;

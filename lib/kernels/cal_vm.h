@@ -3,7 +3,7 @@
 // A program is a run of words in s->u from its entry to OP_END; jumps only go forward, so it always ends.
 // An instruction: bits 0-6 operation, 7 "b is the next word, a float", 8-15 destination, 16-23 a, 24-31 b.
 // Variables are in world coordinates: the program itself applies its primitive's transform.
-// To add an operation: 1. a number here, 2. a case in cal_run, 3. a row in lib/cal/ops.cpp.
+// To add an operation: 1. a number here, 2. a case in cal_run, 3. cal/graph.cpp fold(), 4. cal/build.cpp.
 #ifndef LUX_CAL_VM_H
 #define LUX_CAL_VM_H
 #include "cal_noise.h"
