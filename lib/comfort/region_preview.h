@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture a person can check: the scene in grey-toned colours, each region tinted and outlined in a colour of its own.
+// A picture a person can check: the scene toned for the eye, each region tinted and outlined in a colour of
+// its own, the names below in the same colours.
 #pragma once
 #include <string>
 #include "image/masks.h"

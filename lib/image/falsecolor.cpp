@@ -11,32 +11,6 @@
 namespace image {
 namespace {
 
-struct Glyph {
-    char c;
-    const char* rows[7];
-};
-constexpr Glyph glyphs[] = {
-    {'0', {" ### ", "#   #", "#  ##", "# # #", "##  #", "#   #", " ### "}},
-    {'1', {"  #  ", " ##  ", "  #  ", "  #  ", "  #  ", "  #  ", " ### "}},
-    {'2', {" ### ", "#   #", "    #", "  ## ", " #   ", "#    ", "#####"}},
-    {'3', {" ### ", "#   #", "    #", "  ## ", "    #", "#   #", " ### "}},
-    {'4', {"   # ", "  ## ", " # # ", "#  # ", "#####", "   # ", "   # "}},
-    {'5', {"#####", "#    ", "#### ", "    #", "    #", "#   #", " ### "}},
-    {'6', {" ### ", "#    ", "#    ", "#### ", "#   #", "#   #", " ### "}},
-    {'7', {"#####", "    #", "   # ", "   # ", "  #  ", "  #  ", "  #  "}},
-    {'8', {" ### ", "#   #", "#   #", " ### ", "#   #", "#   #", " ### "}},
-    {'9', {" ### ", "#   #", "#   #", " ####", "    #", "    #", " ### "}},
-    {'.', {"     ", "     ", "     ", "     ", "     ", " ##  ", " ##  "}},
-    {'-', {"     ", "     ", "     ", "#####", "     ", "     ", "     "}},
-    {'+', {"     ", "  #  ", "  #  ", "#####", "  #  ", "  #  ", "     "}},
-    {'/', {"    #", "    #", "   # ", "  #  ", " #   ", "#    ", "#    "}},
-    {'c', {"     ", "     ", " ####", "#    ", "#    ", "#    ", " ####"}},
-    {'d', {"    #", "    #", " ####", "#   #", "#   #", "#   #", " ####"}},
-    {'e', {"     ", "     ", " ### ", "#   #", "#####", "#    ", " ### "}},
-    {'k', {"#    ", "#    ", "#  # ", "# #  ", "##   ", "# #  ", "#  # "}},
-    {'m', {"     ", "     ", "## # ", "# # #", "# # #", "# # #", "# # #"}},
-};
-
 double luminance(const float* p) { return 179 * (0.265074126 * p[0] + 0.670114631 * p[1] + 0.064811243 * p[2]); }
 
 // Top of the scale: what all but a thousandth of the lit pixels stay below (the sun must not flatten the room).
@@ -123,21 +97,6 @@ double round_up_125(double value) {
     for (const double m : {1., 2., 5.})
         if (m * power >= value * (1 - 1e-9)) return m * power;
     return 10 * power;
-}
-
-int text_width(const std::string& text, int scale) { return int(text.size()) * 6 * scale; }
-
-void draw_text(Image8& image, int x, int y, const std::string& text, int scale, std::array<uint8_t, 3> color) {
-    for (const char c : text) {
-        for (const Glyph& g : glyphs)
-            if (g.c == c)
-                for (int row = 0; row < 7; ++row)
-                    for (int col = 0; col < 5; ++col)
-                        if (g.rows[row][col] == '#')
-                            fill(image, x + col * scale, y + row * scale, x + (col + 1) * scale, y + (row + 1) * scale,
-                                 color);
-        x += 6 * scale;
-    }
 }
 
 Image8 falsecolor(const Picture& p, const ToneOptions& options) {

@@ -34,7 +34,7 @@ std::array<uint8_t, 3> ramp(double t);
 // The smallest of 1, 2, 5 times a power of ten that is not below the value.
 double round_up_125(double value);
 
-// Glyphs of 5 x 7 for digits and the letters of "cd/m2 k . e + -"; unknown characters are blanks.
+// Glyphs of 5 x 7 for digits, letters (drawn small) and . - + / _; unknown characters are blanks (font.cpp).
 void draw_text(Image8& image, int x, int y, const std::string& text, int scale, std::array<uint8_t, 3> color);
 int text_width(const std::string& text, int scale);
 
