@@ -8,7 +8,7 @@ lib/base:
 lib/kernels:
 lib/view: base
 lib/image: base view
-lib/cal: base
+lib/cal: base image kernels
 lib/scene: base cal kernels
 lib/comfort: base view image
 lib/trace: base view image cal scene kernels
