@@ -99,11 +99,9 @@ void correction(Options& o, const std::string& word) {
 
 std::vector<Row> table(Options& o) {
     comfort::Settings& s = o.settings;
-    using C = comfort::Circle;
-    const auto zones = [&s](const C& c, std::optional<double> outer) { s.zones = comfort::Zones{c, outer}; };
     return {
         {"-metrics", "list", "columns, comma separated: " , [&](Words& w) { o.metrics = split(w.next_string("-metrics")); }},
-        {"-regions", "file", "named regions: masks written by vcregion", [&](Words& w) { o.regions_file = w.next_string("-regions"); }},
+        {"-regions", "file", "named regions: masks of vcregion(1), or a region file", [&](Words& w) { o.regions_file = w.next_string("-regions"); }},
         {"-cr", "pair", "contrast ratio of two regions: low/high or name=low/high; may be repeated",
          [&](Words& w) { for (const std::string& p : split(w.next_string("-cr"))) o.contrast_pairs.push_back(p); }},
         {"-task", "name", "region that sets the threshold: 5 times its mean luminance", [&](Words& w) { s.task_region = w.next_string("-task"); }},
@@ -144,8 +142,8 @@ std::vector<Row> table(Options& o) {
         {"-w", "a1 a2 a3 a4 a5 c1 c2 c3", "constants of DGP (see the page)", [&](Words& w) { weights(o, w); }},
         {"-z", "angle mode", "fixed patches, degrees; mode 1 metrics, 3 coefficients",
          [&](Words& w) { comfort::Patches p; p.angle_deg = w.next_real("-z"); p.mode = choice(w, "-z", 1, 3); s.patches = p; if (p.mode == 3) like(o, "evalglare"); }},
-        {"-l", "x y angle", "zone of the task", [&](Words& w) { zones(circle(w, "-l"), {}); }},
-        {"-L", "x y angle1 angle2", "two zones", [&](Words& w) { const C c = circle(w, "-L"); zones(c, w.next_real("-L")); }},
+        {"-l", "x y angle", "zone of the task", [&](Words& w) { s.zones = comfort::Zones{circle(w, "-l"), {}}; }},
+        {"-L", "x y angle1 angle2", "two zones", [&](Words& w) { s.zones = comfort::Zones{circle(w, "-L"), {}}; s.zones->outer_opening = w.next_real("-L"); }},
         {"-A", "file", "statistics of a mask picture, PGSV", [&](Words& w) { s.mask_file = w.next_string("-A"); }},
         {"-B", "angle", "statistics of a horizontal band, half height in radians", [&](Words& w) { s.band_rad = w.next_real("-B"); }},
         {"-f", "", "measure a perspective picture with black corners all the same", [&](Words&) { s.force = true; }},
