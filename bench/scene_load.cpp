@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long a scene of a million quadrilaterals takes to read and what it costs in memory: as text (.rad), as a frozen
-// octree, and as a Wavefront mesh (two million triangles).  The files are made first, in the temporary folder; each is read
-// by a process of its own, twice, and the second time (file in the page cache) is printed with the peak of its memory.
-// Usage: bench_scene_load [thousands of quadrilaterals, default 1000]
+// octree, and as a Wavefront mesh (two million triangles).  The files are made first, in the temporary folder; each is
+// read by a process of its own, twice, and the second time (file in the page cache) is printed with the peak of its
+// memory. Usage: bench_scene_load [thousands of quadrilaterals, default 1000]
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,7 +19,9 @@
 
 namespace {
 
-struct Quad { double x, y, z, side; };
+struct Quad {
+    double x, y, z, side;
+};
 Quad quad(long i, long row) {
     const long col = i % row;
     return {.01 * double(col) + .001234, .01 * double(i / row), double(i * 7919 % 10007) / 10007, .01};
@@ -31,7 +33,8 @@ void write_rad(FILE* f, long n, long row) {
         const Quad q = quad(i, row);
         std::fprintf(f, "\nm polygon ground.%ld.%ld\n0\n0\n12\n", i / row, i % row);
         for (int k = 0; k < 4; k++)
-            std::fprintf(f, "\t%18.12g\t%18.12g\t%18.12g\n", q.x + (k == 1 || k == 2 ? q.side : 0), q.y + (k > 1 ? q.side : 0), q.z);
+            std::fprintf(f, "\t%18.12g\t%18.12g\t%18.12g\n", q.x + (k == 1 || k == 2 ? q.side : 0),
+                         q.y + (k > 1 ? q.side : 0), q.z);
     }
 }
 
@@ -73,12 +76,13 @@ void write_oct(FILE* f, long n, long row) {
 void write_obj(FILE* f, long n, long row) {
     const long w = row + 1, rows = n / row;
     for (long i = 0; i < w * (rows + 1); i++)
-        std::fprintf(f, "v %.6f %.6f %.6f\nvt %.6f %.6f\nvn 0.1 0.2 1\n", .01 * double(i % w), .01 * double(i / w), double(i * 7919 % 1009) / 1e4,
-                     double(i % w) / double(row), double(i / w) / double(row));
+        std::fprintf(f, "v %.6f %.6f %.6f\nvt %.6f %.6f\nvn 0.1 0.2 1\n", .01 * double(i % w), .01 * double(i / w),
+                     double(i * 7919 % 1009) / 1e4, double(i % w) / double(row), double(i / w) / double(row));
     std::fputs("usemtl m\n", f);
     for (long i = 0; i < rows * row; i++) {
         const long a = i / row * w + i % row + 1, b = a + w;
-        std::fprintf(f, "f %ld/%ld/%ld %ld/%ld/%ld %ld/%ld/%ld %ld/%ld/%ld\n", a, a, a, a + 1, a + 1, a + 1, b + 1, b + 1, b + 1, b, b, b);
+        std::fprintf(f, "f %ld/%ld/%ld %ld/%ld/%ld %ld/%ld/%ld %ld/%ld/%ld\n", a, a, a, a + 1, a + 1, a + 1, b + 1,
+                     b + 1, b + 1, b, b, b);
     }
 }
 
@@ -98,9 +102,11 @@ void read_once(const std::string& path, bool report) {
     struct rusage u;
     getrusage(RUSAGE_SELF, &u);
     if (report)
-        std::printf("%-9s %8zu pieces %6.2f s (%.2f s of processor)  peak %4.0f bytes each\n", path.substr(path.rfind('/') + 1).c_str(), pieces, wall,
-                    double(u.ru_utime.tv_sec + u.ru_stime.tv_sec) + 1e-6 * double(u.ru_utime.tv_usec + u.ru_stime.tv_usec),
-                    (kilobytes() - before) * 1024 / double(pieces));
+        std::printf(
+            "%-9s %8zu pieces %6.2f s (%.2f s of processor)  peak %4.0f bytes each\n",
+            path.substr(path.rfind('/') + 1).c_str(), pieces, wall,
+            double(u.ru_utime.tv_sec + u.ru_stime.tv_sec) + 1e-6 * double(u.ru_utime.tv_usec + u.ru_stime.tv_usec),
+            (kilobytes() - before) * 1024 / double(pieces));
     std::fflush(stdout);
 }
 
@@ -110,7 +116,10 @@ int main(int argc, char** argv) {
     const long n = 1000 * (argc > 1 ? std::atol(argv[1]) : 1000), row = std::lround(std::sqrt(double(n)));
     const std::string folder = std::filesystem::temp_directory_path() / ("scene_load." + std::to_string(getpid()));
     std::filesystem::create_directory(folder);
-    struct Kind { const char* name; void (*write)(FILE*, long, long); };
+    struct Kind {
+        const char* name;
+        void (*write)(FILE*, long, long);
+    };
     int failed = 0;
     for (const Kind k : {Kind{"text.rad", write_rad}, Kind{"tree.oct", write_oct}, Kind{"mesh.obj", write_obj}}) {
         const std::string path = folder + "/" + k.name;

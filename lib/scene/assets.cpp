@@ -7,7 +7,8 @@
 namespace scene {
 
 const Scene& Assets::load(const std::string& path, const std::string& place, int depth) {
-    if (depth > limits_.depth) base::fail(place, "octrees are nested more than " + std::to_string(limits_.depth) + " deep");
+    if (depth > limits_.depth)
+        base::fail(place, "octrees are nested more than " + std::to_string(limits_.depth) + " deep");
     const auto [found, fresh] = octrees_.emplace(path, nullptr);
     if (!fresh) {
         if (!found->second) base::fail(place, "octree \"" + printable(path) + "\" holds an instance of itself");
@@ -15,7 +16,8 @@ const Scene& Assets::load(const std::string& path, const std::string& place, int
     }
     auto scene = std::make_unique<Scene>(read_scene({path}, options_, limits_));
     for (const Object& o : scene->objects)
-        if (o.type == Type::instance) load(find_file(scene->strings(o)[0], options_, scene->place(o)), scene->place(o), depth + 1);
+        if (o.type == Type::instance)
+            load(find_file(scene->strings(o)[0], options_, scene->place(o)), scene->place(o), depth + 1);
     octrees_[path] = std::move(scene);
     return *octrees_[path];
 }
@@ -37,7 +39,8 @@ Xform Assets::transform(const Scene& scene, const Object& o) {
     const auto words = scene.strings(o);
     const int used = parse_xform(words, 1, x, scene.place(o));
     if (static_cast<size_t>(used) + 1 < words.size())
-        base::fail(scene.place(o), "\"" + printable(words[static_cast<size_t>(used) + 1]) + "\" is no transform option");
+        base::fail(scene.place(o),
+                   "\"" + printable(words[static_cast<size_t>(used) + 1]) + "\" is no transform option");
     return x;
 }
 

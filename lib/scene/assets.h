@@ -23,7 +23,7 @@ private:
     const Scene& load(const std::string& path, const std::string& place, int depth);
     ReadOptions options_;
     Limits limits_;
-    std::map<std::string, std::unique_ptr<Scene>> octrees_;   // null while it is being read
+    std::map<std::string, std::unique_ptr<Scene>> octrees_;  // null while it is being read
     std::map<std::string, std::unique_ptr<Mesh>> meshes_;
 };
 

@@ -10,13 +10,13 @@ namespace scene {
 class Binary {
 public:
     explicit Binary(Source& in) : in_(in) {}
-    void skip_header();             // "#?" lines up to the empty one
-    int byte();                     // 0..255; the end of the file throws
-    int64_t integer(int bytes);     // two's complement, 1 to 8 bytes
+    void skip_header();          // "#?" lines up to the empty one
+    int byte();                  // 0..255; the end of the file throws
+    int64_t integer(int bytes);  // two's complement, 1 to 8 bytes
     uint64_t unsigned_integer(int bytes);
-    double real();                  // 4-byte mantissa, 1-byte exponent
-    double text_real();             // a number as a string
-    std::string text();             // at most 64 KB
+    double real();       // 4-byte mantissa, 1-byte exponent
+    double text_real();  // a number as a string
+    std::string text();  // at most 64 KB
     void skip(uint64_t bytes);
     [[noreturn]] void fail(const std::string& fact) const;
     Source& source() { return in_; }

@@ -26,7 +26,8 @@ int32_t Builder::modifier(const Primitive& p) {
     if (p.modifier == "void") return VOID;
     if (p.modifier == last_name_) return last_modifier_;
     const auto found = scene_.definitions.find(p.modifier);
-    if (found == scene_.definitions.end()) base::fail(place(p), "modifier \"" + printable(p.modifier) + "\" is not defined");
+    if (found == scene_.definitions.end())
+        base::fail(place(p), "modifier \"" + printable(p.modifier) + "\" is not defined");
     last_name_ = p.modifier;
     return last_modifier_ = found->second.back();
 }
@@ -34,10 +35,11 @@ int32_t Builder::modifier(const Primitive& p) {
 // Vectors double when they grow: count old and new block.
 void Builder::check_memory(const Primitive& p) {
     const uint64_t used = scene_.objects.capacity() * sizeof(Object) + scene_.names.capacity() * sizeof(std::string) +
-                          scene_.string_pool.capacity() * sizeof(std::string) + scene_.real_pool.capacity() * sizeof(double) + extra_;
+                          scene_.string_pool.capacity() * sizeof(std::string) +
+                          scene_.real_pool.capacity() * sizeof(double) + extra_;
     if (used > limit_ / 2)
-        base::fail(place(p), "the scene needs more memory than allowed (" + std::to_string(limit_ >> 20) + " MB) after " +
-                             std::to_string(scene_.objects.size()) + " primitives");
+        base::fail(place(p), "the scene needs more memory than allowed (" + std::to_string(limit_ >> 20) +
+                                 " MB) after " + std::to_string(scene_.objects.size()) + " primitives");
     if (scene_.objects.size() >= static_cast<size_t>(std::numeric_limits<int32_t>::max()) ||
         scene_.string_pool.size() + p.strings.size() >= std::numeric_limits<uint32_t>::max())
         base::fail(place(p), "the scene has more primitives or strings than 32-bit indices reach");
@@ -63,13 +65,14 @@ int32_t Builder::add(Primitive& p) {
             return VOID;
         }
     } else if (p.type == Type::alias) {
-        if (p.strings.empty()) {          // in frozen octrees: the modifier itself is what it stands for
+        if (p.strings.empty()) {  // in frozen octrees: the modifier itself is what it stands for
             o.alias_of = o.modifier;
             if (o.alias_of == VOID) base::fail(place(p), "alias \"" + printable(p.name) + "\" refers to nothing");
         } else {
             const auto found = s.definitions.find(p.strings[0]);
             if (found == s.definitions.end())
-                base::fail(place(p), "alias \"" + printable(p.name) + "\" refers to \"" + printable(p.strings[0]) + "\", which is not defined");
+                base::fail(place(p), "alias \"" + printable(p.name) + "\" refers to \"" + printable(p.strings[0]) +
+                                         "\", which is not defined");
             o.alias_of = found->second.back();
         }
         if (inherits) o.modifier = s.objects[o.alias_of].modifier;
@@ -82,7 +85,8 @@ int32_t Builder::add(Primitive& p) {
         if (p.name.size() > 15) extra_ += p.name.size() + 17;
     }
     o.name = static_cast<uint32_t>(s.names.size() - 1);
-    if (p.strings.size() > std::numeric_limits<uint16_t>::max() || p.reals.size() > std::numeric_limits<uint32_t>::max())
+    if (p.strings.size() > std::numeric_limits<uint16_t>::max() ||
+        p.reals.size() > std::numeric_limits<uint32_t>::max())
         base::fail(place(p), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" has too many arguments");
     o.string_at = static_cast<uint32_t>(s.string_pool.size());
     o.string_count = static_cast<uint16_t>(p.strings.size());

@@ -9,6 +9,7 @@ namespace {
 
 const char* const plain_faces[] = {"1540", "4620", "2310", "3267", "5137", "6457"};
 
+// clang-format off
 const int faces[6][4] = {{051, 055, 054, 050}, {064, 066, 062, 060}, {032, 033, 031, 030},
                          {053, 052, 056, 057}, {065, 061, 063, 067}, {036, 034, 035, 037}};
 const int edges[12][4] = {{031, 051, 050, 030}, {060, 062, 032, 030}, {050, 054, 064, 060}, {034, 036, 066, 064},
@@ -18,6 +19,7 @@ const int corners[8][3] = {{030, 050, 060}, {051, 031, 061}, {032, 062, 052}, {0
                            {036, 056, 066}, {065, 035, 055}, {053, 063, 033}, {037, 067, 057}};
 const int round_edges[12][2] = {{070, 071}, {070, 074}, {070, 072}, {073, 071}, {073, 072}, {073, 077},
                                 {075, 071}, {075, 074}, {075, 077}, {076, 072}, {076, 074}, {076, 077}};
+// clang-format on
 
 char code_letter(int code) { return "0123456789._ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"[code]; }
 
@@ -49,7 +51,8 @@ struct Box {
     }
     void edge(const int* code) const {
         const base::Vec3 a = vertex(code[0]), b = vertex(code[1]);
-        write_surface(*out, material, inward ? "tube" : "cylinder", letters(code, 2), {a.x, a.y, a.z, b.x, b.y, b.z, radius});
+        write_surface(*out, material, inward ? "tube" : "cylinder", letters(code, 2),
+                      {a.x, a.y, a.z, b.x, b.y, b.z, radius});
     }
     void ball(int code) const {
         const base::Vec3 a = vertex(code);
@@ -72,7 +75,8 @@ void genbox(const Call& call, std::string& out) {
         else if (w == "-r") b.radius = call.real(++i, "-r");
         else call.fail("option " + w + " is not built in (run RADIANCE's genbox with -exec)");
     }
-    if (b.bevel < 0 || b.radius < 0 || (b.bevel > 0 && b.radius > 0)) call.fail("bevel and radius must be positive, and only one of them given");
+    if (b.bevel < 0 || b.radius < 0 || (b.bevel > 0 && b.radius > 0))
+        call.fail("bevel and radius must be positive, and only one of them given");
     for (double s : b.size)
         if (s <= 0) call.fail("the size must be positive");
     if (b.bevel + b.radius == 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the generators of curves and surfaces share: functions of t (or s and t) given as .cal expressions on the command
-// line, with -e definitions and -f files, evaluated in double.
+// What the generators of curves and surfaces share: functions of t (or s and t) given as .cal expressions on the
+// command line, with -e definitions and -f files, evaluated in double.
 #pragma once
 #include "cal/eval.h"
 #include "scene/generators.h"
@@ -10,9 +10,9 @@ namespace scene {
 class Functions {
 public:
     explicit Functions(const Call& call) : call_(call), evaluator_(call.options) {}
-    bool option(size_t& i);                                          // -e or -f at word i (then stepped over)
+    bool option(size_t& i);  // -e or -f at word i (then stepped over)
     void define(const std::string& name, const std::string& parameters, const std::string& expression);
-    double operator()(const std::string& name, const std::vector<double>& arguments);   // finite, or an Error
+    double operator()(const std::string& name, const std::vector<double>& arguments);  // finite, or an Error
     bool has(const std::string& name) const { return evaluator_.has_function(name); }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// gendaylit month day hour | -ang altitude azimuth  -P|-W|-G|-L a b | -E global  [options]: a Perez sky (scene/perez.h).
-// Output as gensky's: the sun, and skyfunc for perezlum.cal.  -O 0: visible radiance, 1: solar radiance, 2: luminance.
+// gendaylit month day hour | -ang altitude azimuth  -P|-W|-G|-L a b | -E global  [options]: a Perez sky
+// (scene/perez.h). Output as gensky's: the sun, and skyfunc for perezlum.cal.  -O 0: visible radiance, 1: solar
+// radiance, 2: luminance.
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
@@ -21,9 +22,9 @@ constexpr double sun_half_angle = .2665 * degree, efficacy = 179;
 constexpr double most_lux = 127500, most_watts = 1367;
 
 struct Options {
-    char input = 0;              // P W G L E
+    char input = 0;  // P W G L E
     double a = 0, b = 0;
-    int output = 0;              // -O
+    int output = 0;  // -O
     bool sun = true, colour = false, quiet = false;
     double ground = .2, dew_point = 10.97353115, interval = 0;
     Site site;
@@ -35,29 +36,34 @@ Options read_options(const Call& call, size_t i) {
         const std::string& w = call.words[i];
         if (w.size() < 2 || (w[0] != '-' && w[0] != '+')) call.fail("unexpected \"" + printable(w) + "\"");
         switch (w[1]) {
-        case 's': o.sun = w[0] == '+'; break;
-        case 'c': o.sun = false; break;
-        case 'w': o.quiet = true; break;
-        case 'C': o.colour = true; break;
-        case 'R': case 'b': case 't': call.real(++i, w.c_str()); break;
-        case 'd':
-            o.dew_point = call.real(++i, "-d");
-            if (o.dew_point < -40 || o.dew_point > 40) o.dew_point = Options().dew_point;
-            break;
-        case 'i': o.interval = call.real(++i, "-i"); break;
-        case 'g': o.ground = call.real(++i, "-g"); break;
-        case 'O': o.output = static_cast<int>(call.integer(++i, "-O", 0, 2)); break;
-        case 'P': case 'W': case 'G': case 'L':
-            o.input = w[1];
-            o.a = call.real(++i, w.c_str());
-            o.b = call.real(++i, w.c_str());
-            break;
-        case 'E':
-            o.input = 'E';
-            o.a = call.real(++i, "-E");
-            break;
-        default:
-            if (!o.site.option(call, i)) call.fail("unknown option " + printable(w));
+            case 's': o.sun = w[0] == '+'; break;
+            case 'c': o.sun = false; break;
+            case 'w': o.quiet = true; break;
+            case 'C': o.colour = true; break;
+            case 'R':
+            case 'b':
+            case 't': call.real(++i, w.c_str()); break;
+            case 'd':
+                o.dew_point = call.real(++i, "-d");
+                if (o.dew_point < -40 || o.dew_point > 40) o.dew_point = Options().dew_point;
+                break;
+            case 'i': o.interval = call.real(++i, "-i"); break;
+            case 'g': o.ground = call.real(++i, "-g"); break;
+            case 'O': o.output = static_cast<int>(call.integer(++i, "-O", 0, 2)); break;
+            case 'P':
+            case 'W':
+            case 'G':
+            case 'L':
+                o.input = w[1];
+                o.a = call.real(++i, w.c_str());
+                o.b = call.real(++i, w.c_str());
+                break;
+            case 'E':
+                o.input = 'E';
+                o.a = call.real(++i, "-E");
+                break;
+            default:
+                if (!o.site.option(call, i)) call.fail("unknown option " + printable(w));
         }
     }
     if (!o.input) call.fail("one of -P -W -G -L -E is needed");
@@ -79,14 +85,14 @@ void move_into_day(const Site& site, double minutes, Sun& s) {
     set_solar_time(site, t, s);
 }
 
-
 // Erbs' correlation: the diffuse part of a global horizontal irradiance (Erbs, Klein, Duffie, Solar Energy 28, 1982).
 void split_global(double global, double extraterrestrial, double sine, double& direct, double& diffuse) {
     const double top = extraterrestrial * sine;
     global = std::min(global, .999 * top);
     const double k = global / top;
-    diffuse = k <= .22 ? global * (1 - .09 * k)
-            : k <= .8 ? global * (.9511 + k * (-.1604 + k * (4.388 + k * (-16.638 + k * 12.336)))) : .165 * global;
+    diffuse = k <= .22  ? global * (1 - .09 * k)
+              : k <= .8 ? global * (.9511 + k * (-.1604 + k * (4.388 + k * (-16.638 + k * 12.336))))
+                        : .165 * global;
     direct = (global - diffuse) / sine;
 }
 
@@ -105,7 +111,7 @@ void gendaylit(const Call& call, std::string& out) {
         Moment t = read_date(call, 1);
         const std::string& hour = call.word(3, "the hour");
         char* end;
-        t.hour = std::strtod(hour.c_str(), &end);   // "14:30" and "14EST" are 14, as in RADIANCE
+        t.hour = std::strtod(hour.c_str(), &end);  // "14:30" and "14EST" are 14, as in RADIANCE
         t.solar = hour[0] == '+';
         if (end == hour.c_str()) call.fail("\"" + printable(hour) + "\" is not an hour");
         day = t.day_of_year();
@@ -123,44 +129,50 @@ void gendaylit(const Call& call, std::string& out) {
 
     auto error_sky = [&](const char* why) {
         if (why && !o.quiet) base::warn(call.place, std::string("gendaylit: ") + why + ": a black sky");
-        fmt::format_to(text, "\nvoid brightfunc skyfunc\n2 skybright perezlum.cal\n0\n10 0.00 0.00 0.000 0.000 0.000 0.000 0.000 {:f} {:f} {:f}\n",
+        fmt::format_to(text,
+                       "\nvoid brightfunc skyfunc\n2 skybright perezlum.cal\n0\n10 0.00 0.00 0.000 0.000 0.000 0.000 "
+                       "0.000 {:f} {:f} {:f}\n",
                        to_sun.x, to_sun.y, to_sun.z);
     };
     if (sun.altitude <= 0) return error_sky("the sun is below the horizon");
     if (o.input != 'P' && o.a + o.b == 0) return error_sky("no light");
 
     const PerezSky sky(day, z, o.dew_point);
-    double direct = o.a, diffuse = o.b;   // irradiances
+    double direct = o.a, diffuse = o.b;  // irradiances
     Clearness c;
     switch (o.input) {
-    case 'P':
-        c = clamp({o.a, o.b});
-        sky.irradiances(c, direct, diffuse);
-        break;
-    case 'E': split_global(o.a, sky.extraterrestrial, sine, direct, diffuse); break;
-    case 'G': direct = o.a / sine; break;
-    case 'L':   // a fixed point of irradiance -> efficacy -> irradiance
-        direct *= most_watts / most_lux;
-        diffuse *= most_watts / most_lux;
-        c = clamp(sky.clearness(direct, diffuse));
-        for (int i = 0; i < 9; i++) {
-            const double e = sky.direct_efficacy(c);
-            diffuse = o.b / sky.diffuse_efficacy(c);
-            direct = e < .1 ? 0 : o.a / e;
+        case 'P':
+            c = clamp({o.a, o.b});
+            sky.irradiances(c, direct, diffuse);
+            break;
+        case 'E': split_global(o.a, sky.extraterrestrial, sine, direct, diffuse); break;
+        case 'G': direct = o.a / sine; break;
+        case 'L':  // a fixed point of irradiance -> efficacy -> irradiance
+            direct *= most_watts / most_lux;
+            diffuse *= most_watts / most_lux;
             c = clamp(sky.clearness(direct, diffuse));
-        }
-        break;
+            for (int i = 0; i < 9; i++) {
+                const double e = sky.direct_efficacy(c);
+                diffuse = o.b / sky.diffuse_efficacy(c);
+                direct = e < .1 ? 0 : o.a / e;
+                c = clamp(sky.clearness(direct, diffuse));
+            }
+            break;
     }
-    if (o.input != 'P') c = clamp(sky.clearness(direct, diffuse));   // no diffuse light: as clear as can be
+    if (o.input != 'P') c = clamp(sky.clearness(direct, diffuse));  // no diffuse light: as clear as can be
     const PerezShape shape(c, z);
     const double diffuse_lux = diffuse * sky.diffuse_efficacy(c), direct_lux = direct * sky.direct_efficacy(c);
     if (diffuse_lux < 0) return error_sky("the sky's illuminance is negative");
     if (direct > most_watts || direct_lux > most_lux) return error_sky("more sun than outside the atmosphere");
-    auto wanted = [&](double watts, double lux) { return o.output == 0 ? lux / efficacy : o.output == 1 ? watts : lux; };
+    auto wanted = [&](double watts, double lux) {
+        return o.output == 0 ? lux / efficacy : o.output == 1 ? watts : lux;
+    };
     const double level = wanted(diffuse, diffuse_lux) / shape.horizontal(z);
     const double solar = wanted(direct, direct_lux) / (2 * M_PI * (1 - std::cos(sun_half_angle)));
 
-    const double factor = c.epsilon <= 1 ? .777778 : c.epsilon >= 6 ? clear_factor(sun.altitude) : intermediate_factor(sun.altitude);
+    const double factor = c.epsilon <= 1   ? .777778
+                          : c.epsilon >= 6 ? clear_factor(sun.altitude)
+                                           : intermediate_factor(sun.altitude);
     double ground = shape.relative(0, z) * level * factor;
     if (o.sun && c.epsilon > 1) ground += 6.8e-5 / M_PI * solar * sine;
     ground *= o.ground;
@@ -172,14 +184,16 @@ void gendaylit(const Call& call, std::string& out) {
         fmt::format_to(text, "\nsolar source sun\n0\n0\n4 {:f} {:f} {:f} 0.533\n", to_sun.x, to_sun.y, to_sun.z);
     }
     const bool colour = o.colour && (c.epsilon <= 1.065 || c.epsilon >= 4.5);
-    if (colour) fmt::format_to(text, "\nvoid colorfunc skyfunc\n4 skybright_r skybright_g skybright_b perezlum_c.cal\n0\n22");
+    if (colour)
+        fmt::format_to(text, "\nvoid colorfunc skyfunc\n4 skybright_r skybright_g skybright_b perezlum_c.cal\n0\n22");
     else fmt::format_to(text, "\nvoid brightfunc skyfunc\n2 skybright perezlum.cal\n0\n10");
     fmt::format_to(text, " {:.3e} {:.3e}", level, ground);
     for (double x : shape.c) fmt::format_to(text, " {:f}", x);
     fmt::format_to(text, " {:f} {:f} {:f}", to_sun.x, to_sun.y, to_sun.z);
     if (colour) {
         fmt::format_to(text, " {:f}", c.epsilon);
-        for (float x : {-4843e6f, 2556800.f, 242.82f, .23258f, -4843e6f, 2556800.f, 242.82f, .23258f, -1.2848f, 1.7519f, -.093786f})
+        for (float x : {-4843e6f, 2556800.f, 242.82f, .23258f, -4843e6f, 2556800.f, 242.82f, .23258f, -1.2848f, 1.7519f,
+                        -.093786f})
             fmt::format_to(text, " {:f}", x);
     }
     out += '\n';

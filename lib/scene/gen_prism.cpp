@@ -16,7 +16,7 @@ using base::Vec3;
 
 struct Prism {
     std::string material, name;
-    std::vector<Vec3> v;               // z = 0
+    std::vector<Vec3> v;  // z = 0
     Vec3 lift{0, 0, 1};
     double radius = 0;
     bool ends = true, closed = true;
@@ -29,7 +29,8 @@ void read_outline(const Call& call, const std::string& path, std::vector<Vec3>& 
     for (int n = 0; in.word(word); n++) {
         if (!base::parse_real(word, p[n % 2])) call.fail(in.place() + ": \"" + printable(word) + "\" is not a number");
         if (n % 2) v.push_back(p);
-        if (static_cast<long long>(v.size()) > call.most) call.fail("more than " + std::to_string(call.most) + " vertices");
+        if (static_cast<long long>(v.size()) > call.most)
+            call.fail("more than " + std::to_string(call.most) + " vertices");
     }
 }
 
@@ -50,7 +51,7 @@ void plain(const Prism& p, std::string& out) {
 void rounded(const Prism& p, const Call& call, std::string& out) {
     const size_t n = p.v.size();
     const double side = p.lift.z < 0 ? -1 : 1, r = p.radius;
-    std::vector<Vec3> centre(n), u(n);   // centres at z = 0
+    std::vector<Vec3> centre(n), u(n);  // centres at z = 0
     std::vector<bool> convex(n);
     for (size_t i = 0; i < n; i++) u[i] = unit(p.v[(i + n - 1) % n] - p.v[i]);
     for (size_t i = 0; i < n; i++) {
@@ -64,10 +65,12 @@ void rounded(const Prism& p, const Call& call, std::string& out) {
     }
     const Vec3 low{0, 0, r * side}, high{p.lift.x, p.lift.y, p.lift.z - r * side};
     auto ball = [&](const char* kind, size_t i, Vec3 at) {
-        if (convex[i]) write_surface(out, p.material, "sphere", p.name + kind + std::to_string(i + 1), {at.x, at.y, at.z, r});
+        if (convex[i])
+            write_surface(out, p.material, "sphere", p.name + kind + std::to_string(i + 1), {at.x, at.y, at.z, r});
     };
     auto rod = [&](const char* kind, size_t number, Vec3 a, Vec3 b) {
-        write_surface(out, p.material, "cylinder", p.name + kind + std::to_string(number), {a.x, a.y, a.z, b.x, b.y, b.z, r});
+        write_surface(out, p.material, "cylinder", p.name + kind + std::to_string(number),
+                      {a.x, a.y, a.z, b.x, b.y, b.z, r});
     };
     if (p.ends) {
         write_polygon(out, p.material, p.name + ".b", centre);
@@ -108,7 +111,8 @@ void genprism(const Call& call, std::string& out) {
     }
     for (; call.has(i); i++) {
         const std::string& w = call.words[i];
-        if (w == "-l") for (int j = 0; j < 3; j++) p.lift[j] = call.real(++i, "-l");
+        if (w == "-l")
+            for (int j = 0; j < 3; j++) p.lift[j] = call.real(++i, "-l");
         else if (w == "-r") p.radius = call.real(++i, "-r");
         else if (w == "-c") p.closed = false;
         else if (w == "-e") p.ends = false;
@@ -116,7 +120,8 @@ void genprism(const Call& call, std::string& out) {
     }
     if (p.v.size() < 3) call.fail("fewer than 3 vertices");
     if (p.lift.z == 0) call.fail("-l: the third number must not be 0");
-    if (p.radius < 0 || 2 * p.radius > std::fabs(p.lift.z)) call.fail("-r: the radius must be positive and at most half the height");
+    if (p.radius < 0 || 2 * p.radius > std::fabs(p.lift.z))
+        call.fail("-r: the radius must be positive and at most half the height");
     if (p.radius > 0) rounded(p, call, out);
     else plain(p, out);
 }

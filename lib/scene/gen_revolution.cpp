@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// genrev material name z(t) r(t) nseg [-s]: a surface of revolution about z, a cone, cylinder, tube, cup or ring for each
-// step of t = 0..1.  -s smooths: to each piece's normal the neighbour's is added, all of it at their common edge.
+// genrev material name z(t) r(t) nseg [-s]: a surface of revolution about z, a cone, cylinder, tube, cup or ring for
+// each step of t = 0..1.  -s smooths: to each piece's normal the neighbour's is added, all of it at their common edge.
 // genworm material name x(t) y(t) z(t) r(t) nseg: balls of radius r along a curve, joined by cones tangent to both.
 #include <cmath>
 #include "base/error.h"
@@ -29,7 +29,9 @@ double Functions::operator()(const std::string& name, const std::vector<double>&
 namespace {
 
 // Normal of a piece of the profile: x radial, y axial.
-struct Normal2 { double radial, axial; };
+struct Normal2 {
+    double radial, axial;
+};
 Normal2 piece_normal(double z0, double r0, double z1, double r1) {
     const double dz = z1 - z0, dr = r1 - r0, l = std::hypot(dz, dr);
     return l > 0 ? Normal2{dz / l, -dr / l} : Normal2{0, 0};
@@ -60,7 +62,7 @@ void genrev(const Call& call, std::string& out) {
         z.push_back(f("rev_z", {static_cast<double>(i) / static_cast<double>(n)}));
         r.push_back(f("rev_r", {static_cast<double>(i) / static_cast<double>(n)}));
     }
-    auto normal = [&](long long i) {   // of piece i = 1..n; nothing beyond the ends
+    auto normal = [&](long long i) {  // of piece i = 1..n; nothing beyond the ends
         return i < 1 || i > n ? Normal2{0, 0} : piece_normal(z[i - 1], r[i - 1], z[i], r[i]);
     };
     for (long long i = 1; i <= n; i++) {
@@ -98,7 +100,8 @@ void genworm(const Call& call, std::string& out) {
         const double r = f(names[3], t);
         const base::Vec3 d = p - last;
         if (i > 0 && r == last_r) {
-            write_surface(out, material, "cylinder", name + ".c" + std::to_string(i), {last.x, last.y, last.z, p.x, p.y, p.z, r});
+            write_surface(out, material, "cylinder", name + ".c" + std::to_string(i),
+                          {last.x, last.y, last.z, p.x, p.y, p.z, r});
         } else if (i > 0 && dot(d, d) > 0) {
             // The cone touches both balls where the plane of contact cuts the axis.
             const double slope = (last_r - r) / dot(d, d), shrink = std::sqrt(std::fmax(0, 1 - (last_r - r) * slope));

@@ -18,24 +18,29 @@ namespace scene {
 namespace {
 
 constexpr double degree = M_PI / 180;
-enum Sky { clear = 1, overcast = 2, uniform = 3, intermediate = 4 };   // skybright.cal's numbers
+enum Sky { clear = 1, overcast = 2, uniform = 3, intermediate = 4 };  // skybright.cal's numbers
 
 struct Options {
     Sky sky = clear;
     bool sun = true;
     double turbidity = 2.45, ground = .2;
-    double zenith = -1, diffuse = -1;        // -b, -B
-    double radiance = -1, direct = -1;       // -r, -R
+    double zenith = -1, diffuse = -1;   // -b, -B
+    double radiance = -1, direct = -1;  // -r, -R
     Site site;
 };
 
-struct Zone { const char* name; double west; };
-const Zone zones[] = {
-    {"YST", 135}, {"YDT", 120}, {"PST", 120}, {"PDT", 105}, {"MST", 105}, {"MDT", 90}, {"CST", 90}, {"CDT", 75},
-    {"EST", 75}, {"EDT", 60}, {"AST", 60}, {"ADT", 45}, {"NST", 52.5}, {"NDT", 37.5}, {"GMT", 0}, {"BST", 0}, {"CET", -15},
-    {"CEST", -30}, {"EET", -30}, {"EEST", -45}, {"GST", -60}, {"GDT", -75}, {"IST", -82.5}, {"IDT", -97.5}, {"JST", -135},
-    {"NZST", -180}, {"NZDT", -195},
+struct Zone {
+    const char* name;
+    double west;
 };
+// clang-format off
+const Zone zones[] = {
+    {"YST", 135}, {"YDT", 120}, {"PST", 120}, {"PDT", 105}, {"MST", 105}, {"MDT", 90}, {"CST", 90},
+    {"CDT", 75}, {"EST", 75}, {"EDT", 60}, {"AST", 60}, {"ADT", 45}, {"NST", 52.5}, {"NDT", 37.5}, {"GMT", 0},
+    {"BST", 0}, {"CET", -15}, {"CEST", -30}, {"EET", -30}, {"EEST", -45}, {"GST", -60}, {"GDT", -75},
+    {"IST", -82.5}, {"IDT", -97.5}, {"JST", -135}, {"NZST", -180}, {"NZDT", -195},
+};
+// clang-format on
 
 // [+]h[:mm][zone] or [+]h.hh[zone]; a zone sets the meridian whatever -m says.
 void read_hour(const Call& call, size_t at, Moment& t, double& zone_meridian) {
@@ -69,18 +74,18 @@ Options read_options(const Call& call, size_t i) {
         const bool plus = w[0] == '+';
         if (w.size() < 2 || (!plus && w[0] != '-')) call.fail("unexpected \"" + printable(w) + "\"");
         switch (w[1]) {
-        case 's': o.sky = clear, o.sun = plus; break;
-        case 'i': o.sky = intermediate, o.sun = plus; break;
-        case 'c': o.sky = overcast; break;
-        case 'u': o.sky = uniform; break;
-        case 't': o.turbidity = call.real(++i, "-t"); break;
-        case 'g': o.ground = call.real(++i, "-g"); break;
-        case 'b': o.zenith = call.real(++i, "-b"), o.diffuse = -1; break;
-        case 'B': o.diffuse = call.real(++i, "-B"), o.zenith = -1; break;
-        case 'r': o.radiance = call.real(++i, "-r"), o.direct = -1; break;
-        case 'R': o.direct = call.real(++i, "-R"), o.radiance = -1; break;
-        default:
-            if (plus || !o.site.option(call, i)) call.fail("unknown option " + printable(w));
+            case 's': o.sky = clear, o.sun = plus; break;
+            case 'i': o.sky = intermediate, o.sun = plus; break;
+            case 'c': o.sky = overcast; break;
+            case 'u': o.sky = uniform; break;
+            case 't': o.turbidity = call.real(++i, "-t"); break;
+            case 'g': o.ground = call.real(++i, "-g"); break;
+            case 'b': o.zenith = call.real(++i, "-b"), o.diffuse = -1; break;
+            case 'B': o.diffuse = call.real(++i, "-B"), o.zenith = -1; break;
+            case 'r': o.radiance = call.real(++i, "-r"), o.direct = -1; break;
+            case 'R': o.direct = call.real(++i, "-R"), o.radiance = -1; break;
+            default:
+                if (plus || !o.site.option(call, i)) call.fail("unknown option " + printable(w));
         }
     }
     return o;
@@ -113,8 +118,10 @@ void gensky(const Call& call, std::string& out) {
     const base::Vec3 sun = sun_direction(altitude, azimuth);
     const double sine = std::sin(altitude);
 
-    const double factor = o.sky == uniform ? 1 : o.sky == overcast ? .777778
-                        : o.sky == clear ? clear_factor(altitude) : intermediate_factor(altitude);
+    const double factor = o.sky == uniform    ? 1
+                          : o.sky == overcast ? .777778
+                          : o.sky == clear    ? clear_factor(altitude)
+                                              : intermediate_factor(altitude);
     double zenith = o.zenith;
     if (o.diffuse >= 0) {
         zenith = o.diffuse / (factor * M_PI);
@@ -126,15 +133,18 @@ void gensky(const Call& call, std::string& out) {
     double ground = zenith * factor, solar = 0;
     if (!cloudy && sine > 0) {
         solar = o.direct >= 0 ? o.direct / (5.98e-5 * sine)
-              : o.radiance >= 0 ? o.radiance
-              : 1.5e9 / 208 * (1.147 - .147 / std::max(sine, .16)) * (o.sky == intermediate ? .15 : 1);
+                : o.radiance >= 0
+                    ? o.radiance
+                    : 1.5e9 / 208 * (1.147 - .147 / std::max(sine, .16)) * (o.sky == intermediate ? .15 : 1);
         ground += 6e-5 / M_PI * solar * sine;
     }
     ground *= o.ground;
     fmt::format_to(text, "# Ground ambient level: {:.1f}\n", ground);
     if (o.sun && solar > 0)
-        fmt::format_to(text, "\nvoid light solar\n0\n0\n3 {0:.3e} {0:.3e} {0:.3e}\n\nsolar source sun\n0\n0\n4 {1:f} {2:f} {3:f} 0.5\n",
-                       solar, sun.x, sun.y, sun.z);
+        fmt::format_to(
+            text,
+            "\nvoid light solar\n0\n0\n3 {0:.3e} {0:.3e} {0:.3e}\n\nsolar source sun\n0\n0\n4 {1:f} {2:f} {3:f} 0.5\n",
+            solar, sun.x, sun.y, sun.z);
     fmt::format_to(text, "\nvoid brightfunc skyfunc\n2 skybr skybright.cal\n0\n{} {} {:.3e} {:.3e}", cloudy ? 3 : 7,
                    static_cast<int>(o.sky), zenith, ground);
     if (!cloudy) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// gensurf material name x(s,t) y(s,t) z(s,t) m n [-s] [-i]: a grid of m x n cells over s, t = 0..1, each one quadrilateral
-// if it is flat, else two triangles.  A coordinate may be a file of (m+1)(n+1) values at the grid's points or m n values
-// at the middles of its cells, s fastest.  Where valid(s,t) is defined, only points with valid > 0 exist.  -i: inside out.
-// -s smooths: the texture surf.cal adds (normal of the surface - normal of the polygon), bilinear in two coordinates
-// (u, v) from the four corners of the cell.
+// gensurf material name x(s,t) y(s,t) z(s,t) m n [-s] [-i]: a grid of m x n cells over s, t = 0..1, each one
+// quadrilateral if it is flat, else two triangles.  A coordinate may be a file of (m+1)(n+1) values at the grid's
+// points or m n values at the middles of its cells, s fastest.  Where valid(s,t) is defined, only points with valid > 0
+// exist.  -i: inside out. -s smooths: the texture surf.cal adds (normal of the surface - normal of the polygon),
+// bilinear in two coordinates (u, v) from the four corners of the cell.
 #include <sys/stat.h>
 #include <algorithm>
 #include <array>
@@ -23,24 +23,26 @@ using base::Vec3;
 struct Data {
     std::vector<double> v;
     int nx = 0, ny = 0;
-    bool cells = false;     // values at the middles of the cells
+    bool cells = false;  // values at the middles of the cells
 
-    double at(int i, int j) const {   // of grid point i, j
+    double at(int i, int j) const {  // of grid point i, j
         if (!cells) return v[static_cast<size_t>(j) * nx + i];
-        auto place = [](int k, int n, int& low) {   // between the cells k-1 and k; extrapolated at the rim
+        auto place = [](int k, int n, int& low) {  // between the cells k-1 and k; extrapolated at the rim
             low = n < 2 ? 0 : k - 1 < 0 ? 0 : k - 1 > n - 2 ? n - 2 : k - 1;
             return n < 2 ? 0. : k - .5 - low;
         };
         int i0, j0;
         const double x = place(i, nx, i0), y = place(j, ny, j0);
         const int i1 = nx < 2 ? i0 : i0 + 1, j1 = ny < 2 ? j0 : j0 + 1;
-        auto row = [&](int jj) { return v[static_cast<size_t>(jj) * nx + i0] * (1 - x) + v[static_cast<size_t>(jj) * nx + i1] * x; };
+        auto row = [&](int jj) {
+            return v[static_cast<size_t>(jj) * nx + i0] * (1 - x) + v[static_cast<size_t>(jj) * nx + i1] * x;
+        };
         return row(j0) * (1 - y) + row(j1) * y;
     }
 };
 
 struct Point {
-    Vec3 p, normal;         // normal: unit, 0 if there is none
+    Vec3 p, normal;  // normal: unit, 0 if there is none
     bool valid = false;
 };
 
@@ -65,7 +67,7 @@ private:
     int m_ = 0, n_ = 0, faces_ = 0;
     bool smooth_ = false, inside_out_ = false;
     Data data_[3];
-    std::vector<Point> grid_;   // one more row on every side: slopes at the rim need it
+    std::vector<Point> grid_;  // one more row on every side: slopes at the rim need it
 };
 
 const char* const names[] = {"surf_x", "surf_y", "surf_z"};
@@ -116,7 +118,7 @@ void Surface::find_normal(int i, int j) {
 // Coefficients c of f = c0 uv + c1 u + c2 v + c3 through the cell's corners, for each component of the displacement.
 bool Surface::texture(const std::array<const Point*, 4>& cell, Vec3 normal) {
     Vec3 sum = cell[0]->normal;
-    for (int k = 1; k < 4; k++) {   // RADIANCE does without the normal of the first corner
+    for (int k = 1; k < 4; k++) {  // RADIANCE does without the normal of the first corner
         if (length(cell[k]->normal) == 0) return false;
         sum = sum + cell[k]->normal;
     }
@@ -130,7 +132,7 @@ bool Surface::texture(const std::array<const Point*, 4>& cell, Vec3 normal) {
         const double row[7] = {u * v, u, v, 1, d.x, d.y, d.z};
         for (int c = 0; c < 7; c++) a[k][c] = row[c];
     }
-    for (int c = 0; c < 4; c++) {   // Gauss-Jordan with row pivots
+    for (int c = 0; c < 4; c++) {  // Gauss-Jordan with row pivots
         int pivot = c;
         for (int k = c + 1; k < 4; k++)
             if (std::fabs(a[k][c]) > std::fabs(a[pivot][c])) pivot = k;
@@ -142,7 +144,8 @@ bool Surface::texture(const std::array<const Point*, 4>& cell, Vec3 normal) {
             for (int x = c; x < 7; x++) a[k][x] -= factor * a[c][x];
         }
     }
-    out_ += "\n" + quoted(material_) + " texfunc Phong\n4 surf_dx surf_dy surf_dz surf.cal\n0\n13\t" + std::to_string(axis) + "\n";
+    out_ += "\n" + quoted(material_) + " texfunc Phong\n4 surf_dx surf_dy surf_dz surf.cal\n0\n13\t" +
+            std::to_string(axis) + "\n";
     for (int c = 0; c < 4; c++) {
         for (int x = 4; x < 7; x++) out_ += "\t" + number(a[c][x] / a[c][c]);
         out_ += "\n";
@@ -196,7 +199,8 @@ void Surface::run() {
     name_ = call_.word(2, "the name");
     m_ = static_cast<int>(call_.integer(6, "m", 1, call_.most));
     n_ = static_cast<int>(call_.integer(7, "n", 1, call_.most));
-    if (static_cast<double>(m_) * n_ > static_cast<double>(call_.most)) call_.fail("more than " + std::to_string(call_.most) + " cells");
+    if (static_cast<double>(m_) * n_ > static_cast<double>(call_.most))
+        call_.fail("more than " + std::to_string(call_.most) + " cells");
     for (size_t i = 8; call_.has(i); i++) {
         const std::string& w = call_.words[i];
         if (w == "-s") smooth_ = true;

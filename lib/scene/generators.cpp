@@ -10,10 +10,13 @@
 namespace scene {
 
 namespace {
-struct Row { const char* name; Generator run; };
+struct Row {
+    const char* name;
+    Generator run;
+};
 const Row rows[] = {
-    {"genblinds", genblinds}, {"genbox", genbox}, {"gendaylit", gendaylit}, {"genprism", genprism}, {"genrev", genrev},
-    {"gensky", gensky}, {"gensurf", gensurf}, {"genworm", genworm},
+    {"genblinds", genblinds}, {"genbox", genbox}, {"gendaylit", gendaylit}, {"genprism", genprism},
+    {"genrev", genrev},       {"gensky", gensky}, {"gensurf", gensurf},     {"genworm", genworm},
 };
 }  // namespace
 
@@ -38,7 +41,8 @@ const std::string& Call::word(size_t i, const char* what) const {
 
 double Call::real(size_t i, const char* what) const {
     double v;
-    if (!base::parse_real(word(i, what), v)) fail(std::string(what) + ": \"" + printable(words[i]) + "\" is not a number");
+    if (!base::parse_real(word(i, what), v))
+        fail(std::string(what) + ": \"" + printable(words[i]) + "\" is not a number");
     return v;
 }
 
@@ -66,7 +70,8 @@ void write_surface(std::string& out, const std::string& material, const char* ty
     out += '\n';
 }
 
-void write_polygon(std::string& out, const std::string& material, const std::string& name, const std::vector<base::Vec3>& v) {
+void write_polygon(std::string& out, const std::string& material, const std::string& name,
+                   const std::vector<base::Vec3>& v) {
     std::vector<double> reals;
     for (const base::Vec3& p : v) reals.insert(reals.end(), {p.x, p.y, p.z});
     write_surface(out, material, "polygon", name, reals);

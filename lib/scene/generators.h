@@ -11,11 +11,11 @@
 namespace scene {
 
 struct Call {
-    std::vector<std::string> words;   // words[0] is the name
+    std::vector<std::string> words;  // words[0] is the name
     std::string place;
     const ReadOptions& options;
-    long long most = 1000000;         // pieces it may write
-    [[noreturn]] void fail(const std::string& fact) const;   // "place: genbox: fact"
+    long long most = 1000000;                               // pieces it may write
+    [[noreturn]] void fail(const std::string& fact) const;  // "place: genbox: fact"
     bool has(size_t i) const { return i < words.size(); }
     const std::string& word(size_t i, const char* what) const;
     double real(size_t i, const char* what) const;
@@ -34,13 +34,14 @@ void genworm(const Call& call, std::string& out);
 
 // The generator of this name; null if it is none of ours.
 Generator find_generator(const std::string& name);
-std::string generator_names();   // "genbox, genprism ..." for messages
+std::string generator_names();  // "genbox, genprism ..." for messages
 
 // Pieces of scene text.
-std::string number(double v);    // 12 significant digits
-std::string quoted(const std::string& word);   // with quotes if it needs them to be one word
+std::string number(double v);                 // 12 significant digits
+std::string quoted(const std::string& word);  // with quotes if it needs them to be one word
 void write_surface(std::string& out, const std::string& material, const char* type, const std::string& name,
                    const std::vector<double>& reals);
-void write_polygon(std::string& out, const std::string& material, const std::string& name, const std::vector<base::Vec3>& v);
+void write_polygon(std::string& out, const std::string& material, const std::string& name,
+                   const std::vector<base::Vec3>& v);
 
 }  // namespace scene

@@ -32,8 +32,8 @@ Mesh::Normal decode_normal(uint32_t code) {
 struct RtmReader {
     Binary in;
     Mesh& mesh;
-    std::vector<int32_t> materials;        // of the file -> objects of mesh.materials
-    std::vector<uint32_t> first_vertex;    // of each patch
+    std::vector<int32_t> materials;      // of the file -> objects of mesh.materials
+    std::vector<uint32_t> first_vertex;  // of each patch
     base::Vec3 corner;
     double size = 0, uv_limits[4] = {};
     bool any_normals = false, any_uvs = false;
@@ -41,7 +41,8 @@ struct RtmReader {
     int32_t material() {
         const int64_t i = in.integer(2);
         if (i == -1) return VOID;
-        if (i < 0 || i >= static_cast<int64_t>(materials.size())) in.fail("a triangle with material " + std::to_string(i) + ", which the mesh does not hold");
+        if (i < 0 || i >= static_cast<int64_t>(materials.size()))
+            in.fail("a triangle with material " + std::to_string(i) + ", which the mesh does not hold");
         return materials[i];
     }
 
@@ -68,7 +69,8 @@ struct RtmReader {
         mesh.uvs.resize(first + n, {0, 0});
         if (flags & 2) {
             any_normals = true;
-            for (uint32_t i = 0; i < n; i++) mesh.normals[first + i] = decode_normal(static_cast<uint32_t>(in.unsigned_integer(4)));
+            for (uint32_t i = 0; i < n; i++)
+                mesh.normals[first + i] = decode_normal(static_cast<uint32_t>(in.unsigned_integer(4)));
         }
         if (flags & 4) {
             any_uvs = true;
@@ -76,7 +78,9 @@ struct RtmReader {
                 float uv[2];
                 for (int j = 0; j < 2; j++) {
                     const uint64_t v = in.unsigned_integer(4);
-                    uv[j] = v ? static_cast<float>(uv_limits[2 * j] + (uv_limits[2 * j + 1] - uv_limits[2 * j]) * fraction(v)) : 0.f;
+                    uv[j] = v ? static_cast<float>(uv_limits[2 * j] +
+                                                   (uv_limits[2 * j + 1] - uv_limits[2 * j]) * fraction(v))
+                              : 0.f;
                 }
                 mesh.uvs[first + i] = {uv[0], uv[1]};
             }
@@ -92,7 +96,8 @@ struct RtmReader {
         if (triangles) {
             const bool many = count(65535, "materials") > 1;
             const int32_t sole = many ? VOID : material();
-            for (uint32_t i = 0; i < triangles; i++) mesh.triangles[first_triangle + i].material = many ? material() : sole;
+            for (uint32_t i = 0; i < triangles; i++)
+                mesh.triangles[first_triangle + i].material = many ? material() : sole;
         }
         for (uint32_t n1 = count(256, "single joiners"); n1 > 0; n1--) {
             const uint32_t a = global(), b = local(), c = local();

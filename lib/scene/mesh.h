@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangle meshes: RADIANCE's compiled ones (.rtm, with materials inside) and Wavefront .obj with usemtl, whose materials
-// are names in the scene that uses the mesh.
+// Triangle meshes: RADIANCE's compiled ones (.rtm, with materials inside) and Wavefront .obj with usemtl, whose
+// materials are names in the scene that uses the mesh.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -11,20 +11,24 @@
 namespace scene {
 
 struct Mesh {
-    struct Normal { float x, y, z; };          // unit; 0 0 0 = none
-    struct Uv { float u, v; };                 // 0 0 where there are none
+    struct Normal {
+        float x, y, z;
+    };  // unit; 0 0 0 = none
+    struct Uv {
+        float u, v;
+    };  // 0 0 where there are none
     struct Triangle {
-        uint32_t v[3];                         // right-handed: the front is where they run counter-clockwise
-        int32_t material;                      // see below; VOID = none
+        uint32_t v[3];     // right-handed: the front is where they run counter-clockwise
+        int32_t material;  // see below; VOID = none
     };
     std::string path;
     std::vector<base::Vec3> positions;
-    std::vector<Normal> normals;               // empty, or one per position
-    std::vector<Uv> uvs;                       // empty, or one per position
+    std::vector<Normal> normals;  // empty, or one per position
+    std::vector<Uv> uvs;          // empty, or one per position
     std::vector<Triangle> triangles;
-    Scene materials;                           // .rtm: Triangle::material is an index into its objects
-    std::vector<std::string> material_names;   // .obj: Triangle::material is an index into these (lookup_modifier() in the
-                                               // scene of the mesh primitive); empty for .rtm
+    Scene materials;                          // .rtm: Triangle::material is an index into its objects
+    std::vector<std::string> material_names;  // .obj: Triangle::material is an index into these (lookup_modifier() in
+                                              // the scene of the mesh primitive); empty for .rtm
 };
 
 // By content (.rtm) or ending (.obj).  Throws Error; sizes are checked against what the file holds.

@@ -13,8 +13,10 @@ namespace scene {
 namespace {
 
 struct Corner {
-    uint32_t position, texture, normal;   // from 1; 0 = none
-    bool operator==(const Corner& o) const { return position == o.position && texture == o.texture && normal == o.normal; }
+    uint32_t position, texture, normal;  // from 1; 0 = none
+    bool operator==(const Corner& o) const {
+        return position == o.position && texture == o.texture && normal == o.normal;
+    }
 };
 struct CornerHash {
     size_t operator()(const Corner& c) const {
@@ -36,7 +38,7 @@ struct ObjReader {
     int32_t material = VOID;
     bool any_normals = false, any_uvs = false;
     std::string place;
-    std::string_view rest;   // of the line
+    std::string_view rest;  // of the line
 
     bool word(std::string_view& w) {
         const char* const blanks = " \t\r";
@@ -63,7 +65,8 @@ struct ObjReader {
         long long i;
         if (!base::parse_integer(text, i)) base::fail(place, "\"" + printable(text) + "\" is not an index");
         if (i < 0) i += static_cast<long long>(count) + 1;
-        if (i < 1 || i > static_cast<long long>(count)) base::fail(place, std::string(what) + " " + printable(text) + " does not exist");
+        if (i < 1 || i > static_cast<long long>(count))
+            base::fail(place, std::string(what) + " " + printable(text) + " does not exist");
         return static_cast<uint32_t>(i);
     }
 
@@ -75,7 +78,8 @@ struct ObjReader {
             const std::string_view tail = w.substr(slash + 1);
             const size_t second = tail.find('/');
             if (second != 0 && !tail.empty()) c.texture = index(tail.substr(0, second), uvs.size(), "texture vertex");
-            if (second != std::string_view::npos && second + 1 < tail.size()) c.normal = index(tail.substr(second + 1), normals.size(), "normal");
+            if (second != std::string_view::npos && second + 1 < tail.size())
+                c.normal = index(tail.substr(second + 1), normals.size(), "normal");
         }
         const auto [found, fresh] = vertices.emplace(c, static_cast<uint32_t>(mesh.positions.size()));
         if (fresh) {
@@ -100,7 +104,8 @@ struct ObjReader {
         }
         outline.clear();
         for (uint32_t v : face) outline.push_back(mesh.positions[v]);
-        for (const auto& t : triangulate(outline)) mesh.triangles.push_back({{face[t[0]], face[t[1]], face[t[2]]}, material});
+        for (const auto& t : triangulate(outline))
+            mesh.triangles.push_back({{face[t[0]], face[t[1]], face[t[2]]}, material});
     }
 
     void statement() {
@@ -122,7 +127,8 @@ struct ObjReader {
         } else if (key == "usemtl") {
             std::string_view name;
             if (!word(name)) base::fail(place, "usemtl without a name");
-            const auto [found, fresh] = materials.emplace(std::string(name), static_cast<int32_t>(mesh.material_names.size()));
+            const auto [found, fresh] =
+                materials.emplace(std::string(name), static_cast<int32_t>(mesh.material_names.size()));
             if (fresh) mesh.material_names.emplace_back(name);
             material = found->second;
         }

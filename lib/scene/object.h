@@ -14,10 +14,14 @@
 namespace scene {
 
 // What scenes share with function files lives in base (cal must not know scenes).
-using base::ReadOptions; using base::find_file;
-using base::Xform; using base::parse_xform; using base::inverse;
+using base::find_file;
+using base::inverse;
+using base::parse_xform;
+using base::ReadOptions;
+using base::Xform;
 
 // Every primitive type of the language; names as in the files (type_name, type_from_name).
+// clang-format off
 enum class Type : uint8_t {
     // surfaces
     source, sphere, bubble, polygon, cone, cup, cylinder, tube, ring, mesh, instance,
@@ -32,25 +36,27 @@ enum class Type : uint8_t {
     alias,
     count
 };
+// clang-format on
 const char* type_name(Type t);
 bool type_from_name(std::string_view name, Type& t);
 inline bool is_surface(Type t) { return t <= Type::instance; }
 inline bool is_mixture(Type t) { return t >= Type::mixfunc && t <= Type::mixtext; }
 inline bool is_material(Type t) { return t >= Type::light && t <= Type::antimatter; }
 
-template <class T> using Span = base::Span<T>;
+template <class T>
+using Span = base::Span<T>;
 
 constexpr int32_t VOID = -1;
 
 struct Object {
     Type type;
     uint16_t string_count = 0;
-    int32_t modifier = VOID;     // index of an object in the same list; VOID.  Aliases stay objects: see resolve()
-    uint32_t name = 0;           // into names
-    uint32_t file = 0, line = 0; // into files; line of the primitive's first word
+    int32_t modifier = VOID;      // index of an object in the same list; VOID.  Aliases stay objects: see resolve()
+    uint32_t name = 0;            // into names
+    uint32_t file = 0, line = 0;  // into files; line of the primitive's first word
     uint32_t string_at = 0;
     uint32_t real_count = 0;
-    int32_t alias_of = VOID;     // aliases only: the object their reference meant when they were read
+    int32_t alias_of = VOID;  // aliases only: the object their reference meant when they were read
     uint64_t real_at = 0;
 };
 static_assert(sizeof(Object) == 40, "a million polygons should stay cheap");
@@ -59,17 +65,21 @@ struct Scene {
     std::vector<Object> objects;
     std::vector<std::string> names, files, string_pool;
     std::vector<double> real_pool;
-    std::unordered_map<std::string, std::vector<int32_t>> definitions;  // objects that are no surfaces, by name, in order
+    std::unordered_map<std::string, std::vector<int32_t>>
+        definitions;  // objects that are no surfaces, by name, in order
     Span<std::string> strings(const Object& o) const { return {string_pool.data() + o.string_at, o.string_count}; }
     Span<double> reals(const Object& o) const { return {real_pool.data() + o.real_at, o.real_count}; }
     const std::string& name(const Object& o) const { return names[o.name]; }
-    std::string place(const Object& o) const;    // "office.rad:14"
+    std::string place(const Object& o) const;  // "office.rad:14"
     // The modifier object meant by a string argument of `user` (the last definition before it); VOID for "void";
     // throws Error (place of user) if undefined.
     int32_t lookup_modifier(const std::string& name, int32_t user) const;
-    // Follows aliases: type and arguments come from the result, the modifier chain goes on at `modifier`.  Of a chain of
-    // aliases the first one met acts; an alias that inherits holds its target's modifier already.
-    struct Resolved { int32_t object; int32_t modifier; };
+    // Follows aliases: type and arguments come from the result, the modifier chain goes on at `modifier`.  Of a chain
+    // of aliases the first one met acts; an alias that inherits holds its target's modifier already.
+    struct Resolved {
+        int32_t object;
+        int32_t modifier;
+    };
     Resolved resolve(int32_t modifier_index) const;
     // Walks resolve() from a modifier to the first material; VOID if there is none (mixtures are not entered).
     Resolved material(int32_t modifier_index) const;

@@ -32,7 +32,7 @@ Octree read_octree(Binary& in) {
     Octree o;
     in.skip_header();
     const int size = o.index_size = read_magic(in, octree_magic, "an octree");
-    for (int i = 0; i < 4; i++) in.text_real();   // bounding cube
+    for (int i = 0; i < 4; i++) in.text_real();  // bounding cube
     for (std::string name; !(name = in.text()).empty();) {
         o.files.push_back(name);
         if (o.files.size() > 100000) in.fail("more than 100000 scene files");
@@ -44,7 +44,11 @@ Octree read_octree(Binary& in) {
 }
 
 std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, Builder& builder) {
-    struct TypeName { std::string name; Type type; bool known; };
+    struct TypeName {
+        std::string name;
+        Type type;
+        bool known;
+    };
     std::vector<TypeName> types;
     for (std::string name; !(name = in.text()).empty();) {
         TypeName t{name, Type::count, false};
@@ -62,7 +66,8 @@ std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, 
         if (!types[type].known) in.fail("unknown type \"" + printable(types[type].name) + "\"");
         p.type = types[type].type;
         const int64_t modifier = in.integer(index_size);
-        if (modifier >= static_cast<int64_t>(index.size()) || modifier < -1) in.fail("a modifier that comes later than its user");
+        if (modifier >= static_cast<int64_t>(index.size()) || modifier < -1)
+            in.fail("a modifier that comes later than its user");
         p.modifier_object = modifier < 0 ? VOID : index[modifier];
         p.name = in.text();
         p.strings.clear();
@@ -75,7 +80,7 @@ std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, 
             const std::string fault = argument_fault(p.type, p.strings.size(), p.reals.size());
             if (!fault.empty()) in.fail(std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" " + fault);
         }
-        p.line = static_cast<uint32_t>(index.size() + 1);   // "room.oct:17" is the 17th object
+        p.line = static_cast<uint32_t>(index.size() + 1);  // "room.oct:17" is the 17th object
         index.push_back(builder.add(p));
     }
     if (expected >= 0 && expected != static_cast<int64_t>(index.size()))

@@ -9,15 +9,15 @@
 
 namespace scene {
 
-constexpr int octree_magic = 283, mesh_magic = 319;   // plus the size of an object index
+constexpr int octree_magic = 283, mesh_magic = 319;  // plus the size of an object index
 
 struct Octree {
-    std::vector<std::string> files;   // none: frozen, read_objects() comes next
+    std::vector<std::string> files;  // none: frozen, read_objects() comes next
     int64_t objects = 0;
     int index_size = 4;
 };
-Octree read_octree(Binary& in);                        // from the header up to the end of the tree
-int read_magic(Binary& in, int magic, const char* what);   // size of an object index, in bytes
+Octree read_octree(Binary& in);                           // from the header up to the end of the tree
+int read_magic(Binary& in, int magic, const char* what);  // size of an object index, in bytes
 void skip_tree(Binary& in, int index_size);
 
 // The primitives of a frozen octree (as many as expected), or the modifiers of a mesh (expected = -1).

@@ -10,7 +10,7 @@ namespace scene {
 struct Primitive {
     Type type = Type::alias;
     std::string modifier, name;
-    std::vector<std::string> strings;   // of an alias: the reference
+    std::vector<std::string> strings;  // of an alias: the reference
     std::vector<double> reals;
     uint32_t file = 0, line = 0;
     static constexpr int32_t by_name = -2;

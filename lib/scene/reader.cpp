@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read_scene(): statements of scene text, and the "!commands" between them.  A command is a pipe of stages; xform stages
-// act on what comes out of the stage before them, generators write text, anything else needs -exec.
+// read_scene(): statements of scene text, and the "!commands" between them.  A command is a pipe of stages; xform
+// stages act on what comes out of the stage before them, generators write text, anything else needs -exec.
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -21,7 +21,7 @@ namespace scene {
 namespace {
 
 constexpr size_t text_limit = size_t(1) << 30;         // of one command's output
-constexpr size_t definitions_limit = size_t(1) << 26;   // of an xform -f file
+constexpr size_t definitions_limit = size_t(1) << 26;  // of an xform -f file
 
 class Reader {
 public:
@@ -47,8 +47,8 @@ private:
     const Limits& limits_;
     Builder builder_;
     Primitive primitive_;
-    std::vector<const Transform*> transforms_;          // innermost last
-    std::vector<std::pair<uint64_t, uint64_t>> open_;   // device and inode of the files being read
+    std::vector<const Transform*> transforms_;         // innermost last
+    std::vector<std::pair<uint64_t, uint64_t>> open_;  // device and inode of the files being read
     int depth_ = 0;
     uint64_t primitives_ = 0;
 };
@@ -60,7 +60,8 @@ bool is_mesh(Source& in) {
 
 struct Deeper {
     Deeper(int& depth, int limit, const std::string& place) : depth_(depth) {
-        if (depth >= limit) base::fail(place, "commands and files are nested more than " + std::to_string(limit) + " deep");
+        if (depth >= limit)
+            base::fail(place, "commands and files are nested more than " + std::to_string(limit) + " deep");
         ++depth_;
     }
     ~Deeper() { --depth_; }
@@ -138,7 +139,7 @@ void Reader::mesh(const Source& in, const std::string& path) {
     p.modifier = "void";
     const size_t slash = path.rfind('/') + 1;
     p.name = path.substr(slash, path.rfind('.') - slash);
-    p.strings = {path[0] == '/' || path[0] == '.' ? path : "./" + path};   // not along RAYPATH
+    p.strings = {path[0] == '/' || path[0] == '.' ? path : "./" + path};  // not along RAYPATH
     p.reals.clear();
     p.file = builder_.file(in.name());
     p.line = 1;
@@ -153,7 +154,7 @@ long long Reader::count(Source& in, const char* what) {
     long long n;
     if (!base::parse_integer(word, n) || n < 0)
         base::fail(in.place(), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\": number of " + what +
-                               " expected, not \"" + printable(word) + "\"");
+                                   " expected, not \"" + printable(word) + "\"");
     return n;
 }
 
@@ -171,7 +172,10 @@ void Reader::primitive(Source& in) {
     p.name = word;
     if (p.modifier.find('\t') != std::string::npos || p.name.find('\t') != std::string::npos)
         base::fail(in.place(), "a tab within the name \"" + printable(p.name) + "\"");
-    auto end = [&]() { base::fail(in.place(), "the file ends within " + std::string(type_name(p.type)) + " \"" + printable(p.name) + "\""); };
+    auto end = [&]() {
+        base::fail(in.place(),
+                   "the file ends within " + std::string(type_name(p.type)) + " \"" + printable(p.name) + "\"");
+    };
     if (p.type == Type::alias) {
         if (!in.word(word)) end();
         p.strings.emplace_back(word);
@@ -180,16 +184,20 @@ void Reader::primitive(Source& in) {
             if (!in.word(word)) end();
             p.strings.emplace_back(word);
         }
-        if (count(in, "integers")) base::fail(in.place(), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" has integer arguments");
+        if (count(in, "integers"))
+            base::fail(in.place(),
+                       std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" has integer arguments");
         double v;
         for (long long n = count(in, "reals"); n > 0; n--) {
             if (!in.word(word)) end();
             if (!base::parse_real(word, v))
-                base::fail(in.place(), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\": \"" + printable(word) + "\" is not a number");
+                base::fail(in.place(), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\": \"" +
+                                           printable(word) + "\" is not a number");
             p.reals.push_back(v);
         }
         const std::string fault = argument_fault(p.type, p.strings.size(), p.reals.size());
-        if (!fault.empty()) base::fail(builder_.place(p), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" " + fault);
+        if (!fault.empty())
+            base::fail(builder_.place(p), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" " + fault);
     }
     if (!is_surface(p.type) && (p.name == "void" || p.name == "inherit"))
         base::fail(builder_.place(p), "a modifier cannot be named \"" + p.name + "\"");
@@ -201,7 +209,7 @@ void Reader::primitive(Source& in) {
 void Reader::command(Source& in) {
     const Deeper deeper(depth_, limits_.depth, in.place());
     const uint32_t line = in.line();
-    in.get();   // the "!"
+    in.get();  // the "!"
     const std::string text = in.rest_of_line();
     // What the command writes counts as this line.
     const Source here = Source::from_text("", in.name(), line);
@@ -219,32 +227,36 @@ void Reader::run(const CommandLine& line, const std::string& text, size_t stage,
     if (!line.needs_shell && name == "xform") {
         const XformCommand x = parse_xform_command(last.words, from.place());
         if (x.files.empty() && stage == 1) base::fail(from.place(), "xform: no file to transform");
-        each_copy(x, from.place(), limits_.copies,
-                  [&](const std::string& file) {
-                      const std::string path = beside(file, from);
-                      Source s = Source::from_file(path, from.place());
-                      std::string all;
-                      for (int c; (c = s.get()) >= 0 && all.size() < definitions_limit;) all += static_cast<char>(c);
-                      return all;
-                  },
-                  [&](const Transform& t) {
-                      transforms_.push_back(&t);
-                      if (x.files.empty()) run(line, text, stage - 1, from);
-                      for (const std::string& file : x.files) read_included(file, from);
-                      transforms_.pop_back();
-                  });
+        each_copy(
+            x, from.place(), limits_.copies,
+            [&](const std::string& file) {
+                const std::string path = beside(file, from);
+                Source s = Source::from_file(path, from.place());
+                std::string all;
+                for (int c; (c = s.get()) >= 0 && all.size() < definitions_limit;) all += static_cast<char>(c);
+                return all;
+            },
+            [&](const Transform& t) {
+                transforms_.push_back(&t);
+                if (x.files.empty()) run(line, text, stage - 1, from);
+                for (const std::string& file : x.files) read_included(file, from);
+                transforms_.pop_back();
+            });
     } else if (!line.needs_shell && name == "cat") {
         if (last.words.size() == 1 && stage == 1) base::fail(from.place(), "cat: no file");
         if (last.words.size() == 1) run(line, text, stage - 1, from);
         for (size_t i = 1; i < last.words.size(); i++) read_included(last.words[i], from);
     } else if (const Generator generate = line.needs_shell || stage > 1 ? nullptr : find_generator(name)) {
         std::string out;
-        generate(Call{last.words, from.place(), options_, static_cast<long long>(std::min<uint64_t>(limits_.copies, 1000000))}, out);
+        generate(Call{last.words, from.place(), options_,
+                      static_cast<long long>(std::min<uint64_t>(limits_.copies, 1000000))},
+                 out);
         read_text(out, from);
     } else if (options_.exec) {
         read_text(run_shell(text.substr(0, last.end), from.place()), from);
     } else if (line.needs_shell) {
-        base::fail(from.place(), "\"!" + printable(text) + "\" needs a shell (" + line.needs_shell + "), which -exec would allow");
+        base::fail(from.place(),
+                   "\"!" + printable(text) + "\" needs a shell (" + line.needs_shell + "), which -exec would allow");
     } else {
         base::fail(from.place(), "command \"" + printable(name) + "\" is not built in; -exec would allow to run it");
     }
@@ -279,7 +291,7 @@ std::string Reader::run_shell(const std::string& text, const std::string& place)
     if (out.size() >= text_limit) base::fail(place, "\"" + printable(text) + "\" writes more than 1 GB");
     if (status != 0)
         base::warn(place, "\"" + printable(text) + "\" ended with status " +
-                          std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)));
+                              std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)));
     return out;
 }
 

@@ -13,8 +13,7 @@ void add_word(std::vector<std::string>& words, const std::string& word, bool pat
     glob_t found = {};
     if (pattern && word.size() < 4096 && glob(word.c_str(), 0, nullptr, &found) == 0)
         for (size_t i = 0; i < found.gl_pathc; i++) words.emplace_back(found.gl_pathv[i]);
-    else
-        words.push_back(word);
+    else words.push_back(word);
     globfree(&found);
 }
 
@@ -46,8 +45,8 @@ CommandLine split_command(const std::string& line, const std::string& place) {
             const size_t start = i;
             for (i++; i < n && line[i] != c; i++) {
                 if (c == '"' && (line[i] == '$' || line[i] == '`') && !r.needs_shell) r.needs_shell = line[i];
-                if (c == '"' && line[i] == '\\' && i + 1 < n && std::string("\\\"$`\n").find(line[i + 1]) != std::string::npos &&
-                    line[++i] == '\n')
+                if (c == '"' && line[i] == '\\' && i + 1 < n &&
+                    std::string("\\\"$`\n").find(line[i + 1]) != std::string::npos && line[++i] == '\n')
                     continue;
                 word += line[i];
             }

@@ -9,11 +9,11 @@ namespace scene {
 
 struct Stage {
     std::vector<std::string> words;
-    size_t begin = 0, end = 0;   // its text within the line
+    size_t begin = 0, end = 0;  // its text within the line
 };
 struct CommandLine {
-    std::vector<Stage> stages;   // "a | b | c"
-    char needs_shell = 0;        // the first character that only a shell understands; 0 = none
+    std::vector<Stage> stages;  // "a | b | c"
+    char needs_shell = 0;       // the first character that only a shell understands; 0 = none
 };
 CommandLine split_command(const std::string& line, const std::string& place);
 

@@ -13,7 +13,7 @@ namespace scene {
 namespace {
 constexpr size_t longest_word = 511;
 inline bool space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-}
+}  // namespace
 
 std::string printable(std::string_view text) {
     std::string s;
@@ -29,7 +29,8 @@ Source Source::from_file(const std::string& path, const std::string& asked_by) {
     if (s.fd_ < 0) base::fail_system(asked_by.empty() ? path : asked_by, "cannot open \"" + printable(path) + "\"");
     struct stat st;
     if (fstat(s.fd_, &st) == 0) {
-        if (S_ISDIR(st.st_mode)) base::fail(asked_by.empty() ? path : asked_by, "\"" + printable(path) + "\" is a directory");
+        if (S_ISDIR(st.st_mode))
+            base::fail(asked_by.empty() ? path : asked_by, "\"" + printable(path) + "\" is a directory");
         s.device = st.st_dev;
         s.inode = s.close_ ? st.st_ino : 0;
     }
@@ -47,8 +48,16 @@ Source Source::from_text(std::string_view text, const std::string& name, uint32_
 }
 
 Source::Source(Source&& o) noexcept
-    : device(o.device), inode(o.inode), fd_(std::exchange(o.fd_, -1)), close_(o.close_), counting_(o.counting_),
-      buffer_(std::move(o.buffer_)), at_(o.at_), end_(o.end_), name_(std::move(o.name_)), line_(o.line_) {}
+    : device(o.device),
+      inode(o.inode),
+      fd_(std::exchange(o.fd_, -1)),
+      close_(o.close_),
+      counting_(o.counting_),
+      buffer_(std::move(o.buffer_)),
+      at_(o.at_),
+      end_(o.end_),
+      name_(std::move(o.name_)),
+      line_(o.line_) {}
 
 Source::~Source() {
     if (close_ && fd_ >= 0) ::close(fd_);
@@ -99,7 +108,8 @@ bool Source::line(std::string& text, size_t longest) {
     int c;
     while ((c = get()) >= 0 && c != '\n') {
         text += static_cast<char>(c);
-        if (text.size() > longest) base::fail(place(), "the line is longer than " + std::to_string(longest) + " characters");
+        if (text.size() > longest)
+            base::fail(place(), "the line is longer than " + std::to_string(longest) + " characters");
     }
     return true;
 }
@@ -119,7 +129,7 @@ bool Source::word(std::string_view& word) {
     skip_space();
     // Nearly always a whole plain word lies in the buffer: no copy.
     const char* p = at_;
-    while (p < end_ && static_cast<unsigned char>(*p) > ' ' && *p != '"' && *p != '\'') p++;
+    while (p<end_&& static_cast<unsigned char>(*p)> ' ' && *p != '"' && *p != '\'') p++;
     if (p > at_ && p < end_ && space(*p) && p - at_ <= static_cast<ptrdiff_t>(longest_word)) {
         word = {at_, static_cast<size_t>(p - at_)};
         at_ = p;
@@ -133,7 +143,8 @@ bool Source::word(std::string_view& word) {
         get();
         if (quote ? c == quote : c == '"' || c == '\'') quote = quote ? 0 : c;
         else word_ += static_cast<char>(c);
-        if (word_.size() > longest_word) base::fail(start, "word \"" + printable(word_) + "\" is longer than 511 characters");
+        if (word_.size() > longest_word)
+            base::fail(start, "word \"" + printable(word_) + "\" is longer than 511 characters");
     }
     if (quote) base::fail(start, "a quoted word does not end");
     word = word_;

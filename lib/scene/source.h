@@ -12,7 +12,8 @@ namespace scene {
 class Source {
 public:
     static Source from_file(const std::string& path, const std::string& asked_by);  // "-" = stdin
-    static Source from_text(std::string_view text, const std::string& name, uint32_t line);  // every line counts as this one
+    static Source from_text(std::string_view text, const std::string& name,
+                            uint32_t line);  // every line counts as this one
     Source(Source&&) noexcept;
     Source& operator=(Source&&) = delete;
     ~Source();
@@ -27,15 +28,15 @@ public:
     void skip_line();
     // The next word into `word` (valid until the next call); false at the end of the text.
     bool word(std::string_view& word);
-    bool line(std::string& text, size_t longest);   // up to the newline; false at the end; longer: Error
+    bool line(std::string& text, size_t longest);  // up to the newline; false at the end; longer: Error
     // FORMAT= of a "#?" header that stands at the beginning; "" if there is none.  Nothing is consumed.
     std::string header_format();
-    std::string rest_of_line();   // "\<newline>" goes on, both bytes kept; the newline is consumed
+    std::string rest_of_line();  // "\<newline>" goes on, both bytes kept; the newline is consumed
 
     const std::string& name() const { return name_; }
     uint32_t line() const { return line_; }
     std::string place() const;
-    uint64_t device = 0, inode = 0;   // of a file, to recognise one that includes itself
+    uint64_t device = 0, inode = 0;  // of a file, to recognise one that includes itself
 
 private:
     Source() = default;

@@ -9,18 +9,21 @@
 
 namespace scene {
 
-namespace { constexpr double degree = M_PI / 180; }
+namespace {
+constexpr double degree = M_PI / 180;
+}
 
 bool Site::option(const Call& call, size_t& i) {
     switch (call.words[i].size() > 1 ? call.words[i][1] : 0) {
-    case 'a': latitude = call.real(++i, "-a") * degree; return true;
-    case 'o': longitude = call.real(++i, "-o") * degree; return true;
-    case 'm': meridian = call.real(++i, "-m") * degree; return true;
-    case 'y':
-        year = static_cast<int>(call.integer(++i, "-y", 1, 9999));
-        if (year < 1950 || year > 2050) base::warn(call.place, call.words[0] + ": the sun's position is meant for the years 1950-2050");
-        return true;
-    default: return false;
+        case 'a': latitude = call.real(++i, "-a") * degree; return true;
+        case 'o': longitude = call.real(++i, "-o") * degree; return true;
+        case 'm': meridian = call.real(++i, "-m") * degree; return true;
+        case 'y':
+            year = static_cast<int>(call.integer(++i, "-y", 1, 9999));
+            if (year < 1950 || year > 2050)
+                base::warn(call.place, call.words[0] + ": the sun's position is meant for the years 1950-2050");
+            return true;
+        default: return false;
     }
 }
 
@@ -42,7 +45,8 @@ void set_solar_time(const Site& site, double hours, Sun& s) {
     const double h = hours * M_PI / 12, lat = site.latitude, dec = s.declination;
     s.solar_time = hours;
     s.altitude = std::asin(std::sin(lat) * std::sin(dec) - std::cos(lat) * std::cos(dec) * std::cos(h));
-    s.azimuth = -std::atan2(std::cos(dec) * std::sin(h), -std::cos(lat) * std::sin(dec) - std::sin(lat) * std::cos(dec) * std::cos(h));
+    s.azimuth = -std::atan2(std::cos(dec) * std::sin(h),
+                            -std::cos(lat) * std::sin(dec) - std::sin(lat) * std::cos(dec) * std::cos(h));
 }
 
 Sun sun_position(const Site& site, const Moment& t) {
@@ -88,7 +92,8 @@ double clear_norm(double altitude) {
 }
 
 double intermediate_norm(double altitude) {
-    return (2.739 + .9891 * std::sin(.3119 + 2.6 * altitude)) * std::exp(-(M_PI / 2 - altitude) * (.4441 + 1.48 * altitude));
+    return (2.739 + .9891 * std::sin(.3119 + 2.6 * altitude)) *
+           std::exp(-(M_PI / 2 - altitude) * (.4441 + 1.48 * altitude));
 }
 
 double clear_factor(double altitude) {

@@ -11,22 +11,22 @@ struct Call;
 
 struct Site {
     double latitude = .66, longitude = 2.13, meridian = 120 * 3.14159265358979323846 / 180;
-    int year = 0;                // 0: the approximate formulas without a year
-    bool option(const Call& call, size_t& i);   // -a -o -m -y at word i (then stepped over)
+    int year = 0;                              // 0: the approximate formulas without a year
+    bool option(const Call& call, size_t& i);  // -a -o -m -y at word i (then stepped over)
 };
 struct Moment {
     int month = 0, day = 0;
-    double hour = 0;             // standard time, or solar time
+    double hour = 0;  // standard time, or solar time
     bool solar = false;
-    int day_of_year() const;     // without leap days
+    int day_of_year() const;  // without leap days
 };
 struct Sun {
     double altitude = 0, azimuth = 0, declination = 0, solar_time = 0;
 };
 Sun sun_position(const Site& site, const Moment& t);
-void set_solar_time(const Site& site, double hours, Sun& sun);   // altitude and azimuth for another hour of that day
+void set_solar_time(const Site& site, double hours, Sun& sun);  // altitude and azimuth for another hour of that day
 base::Vec3 sun_direction(double altitude, double azimuth);
-Moment read_date(const Call& call, size_t i);                    // month and day at words i, i+1
+Moment read_date(const Call& call, size_t i);  // month and day at words i, i+1
 
 // F2 of skybright.cal: the CIE clear and intermediate sky's formula at the zenith.
 double clear_norm(double altitude);

@@ -18,7 +18,7 @@ Vec3 at(const std::vector<double>& r, size_t i) { return {r[i], r[i + 1], r[i + 
 bool check_polygon(std::vector<double>& r, const std::string& place, std::string& fact) {
     const Vec3 first = at(r, 0);
     if (r.size() > 9 && length(at(r, r.size() - 3) - first) <= tiny) r.resize(r.size() - 3);
-    Vec3 sum;   // twice the vector area: the fan of triangles from the first vertex (Newell)
+    Vec3 sum;  // twice the vector area: the fan of triangles from the first vertex (Newell)
     for (size_t i = 3; i + 3 < r.size(); i += 3) sum = sum + cross(at(r, i) - first, at(r, i + 3) - first);
     const double area2 = length(sum);
     if (!(area2 > 0)) {
@@ -79,25 +79,30 @@ bool check_cone(Primitive& p, const std::string& place, std::string& fact) {
 bool normalize_surface(Primitive& p, const std::string& place, std::string& fact) {
     std::vector<double>& r = p.reals;
     switch (p.type) {
-    case Type::source:
-        if (length(at(r, 0)) <= 0) base::fail(place, "a source needs a direction");
-        return true;
-    case Type::sphere: case Type::bubble:
-        if (std::fabs(r[3]) <= tiny) base::fail(place, "a sphere without radius");
-        if (r[3] < 0) {
-            base::warn(place, "a negative radius turns the surface inside out");
-            p.type = p.type == Type::sphere ? Type::bubble : Type::sphere;
-            r[3] = -r[3];
-        }
-        return true;
-    case Type::polygon: return check_polygon(r, place, fact);
-    case Type::cone: case Type::cup: case Type::cylinder: case Type::tube: return check_cone(p, place, fact);
-    case Type::ring:
-        if (r[6] < 0 || r[7] < 0 || std::fabs(r[6] - r[7]) <= tiny) fact = "a ring with a negative radius or without width";
-        else if (length(at(r, 3)) <= tiny) fact = "a ring without direction";
-        if (r[6] > r[7]) std::swap(r[6], r[7]);
-        return fact.empty();
-    default: return true;
+        case Type::source:
+            if (length(at(r, 0)) <= 0) base::fail(place, "a source needs a direction");
+            return true;
+        case Type::sphere:
+        case Type::bubble:
+            if (std::fabs(r[3]) <= tiny) base::fail(place, "a sphere without radius");
+            if (r[3] < 0) {
+                base::warn(place, "a negative radius turns the surface inside out");
+                p.type = p.type == Type::sphere ? Type::bubble : Type::sphere;
+                r[3] = -r[3];
+            }
+            return true;
+        case Type::polygon: return check_polygon(r, place, fact);
+        case Type::cone:
+        case Type::cup:
+        case Type::cylinder:
+        case Type::tube: return check_cone(p, place, fact);
+        case Type::ring:
+            if (r[6] < 0 || r[7] < 0 || std::fabs(r[6] - r[7]) <= tiny)
+                fact = "a ring with a negative radius or without width";
+            else if (length(at(r, 3)) <= tiny) fact = "a ring without direction";
+            if (r[6] > r[7]) std::swap(r[6], r[7]);
+            return fact.empty();
+        default: return true;
     }
 }
 

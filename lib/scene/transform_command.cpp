@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // xform's command line.  -f is expanded first (outermost), then -a from left to right (the first is the slowest):
-// "-a N" becomes "-i k".  Copies are named: the first -n (arrays: every -n) gets ".k", or "-n ak" / "-n ik" is put in front.
+// "-a N" becomes "-i k".  Copies are named: the first -n (arrays: every -n) gets ".k", or "-n ak" / "-n ik" is put in
+// front.
 #include <algorithm>
 #include "base/error.h"
 #include "base/number.h"
@@ -54,7 +55,8 @@ Transform plain(const Words& words, const std::string& place) {
     }
     t.words.assign(words.begin() + i, words.end());
     const size_t used = parse_xform({words.data(), words.size()}, i, t.matrix, place);
-    if (i + used < words.size()) base::fail(place, "xform: option " + printable(words[i + used]) + " must come before the transform");
+    if (i + used < words.size())
+        base::fail(place, "xform: option " + printable(words[i + used]) + " must come before the transform");
     return t;
 }
 

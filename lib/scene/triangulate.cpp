@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ear clipping in the plane of the two smaller components of the normal; quadratic, so large outlines fall back to a fan.
+// Ear clipping in the plane of the two smaller components of the normal; quadratic, so large outlines fall back to a
+// fan.
 #include "scene/triangulate.h"
 #include <cmath>
 
@@ -7,7 +8,9 @@ namespace scene {
 
 namespace {
 
-struct Flat { double x, y; };
+struct Flat {
+    double x, y;
+};
 double area2(Flat a, Flat b, Flat c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 }  // namespace
@@ -24,7 +27,7 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<base::Vec3>& 
     std::vector<Flat> p(n);
     std::vector<uint32_t> left(n);
     for (size_t i = 0; i < n; i++) {
-        p[i] = {v[i][(axis + 1) % 3], sign * v[i][(axis + 2) % 3]};   // counter-clockwise
+        p[i] = {v[i][(axis + 1) % 3], sign * v[i][(axis + 2) % 3]};  // counter-clockwise
         left[i] = static_cast<uint32_t>(i);
     }
     auto ear = [&](size_t i) {
@@ -32,7 +35,8 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<base::Vec3>& 
         const uint32_t a = left[(i + m - 1) % m], b = left[i], c = left[(i + 1) % m];
         if (area2(p[a], p[b], p[c]) <= 0) return false;
         for (uint32_t k : left)
-            if (k != a && k != b && k != c && area2(p[a], p[b], p[k]) >= 0 && area2(p[b], p[c], p[k]) >= 0 && area2(p[c], p[a], p[k]) >= 0)
+            if (k != a && k != b && k != c && area2(p[a], p[b], p[k]) >= 0 && area2(p[b], p[c], p[k]) >= 0 &&
+                area2(p[c], p[a], p[k]) >= 0)
                 return false;
         return true;
     };
@@ -45,7 +49,7 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<base::Vec3>& 
             tries = 0;
         } else {
             i = (i + 1) % m;
-            clipping = ++tries <= m;   // no ear: not a simple polygon
+            clipping = ++tries <= m;  // no ear: not a simple polygon
         }
     }
     for (size_t i = 1; i + 1 < left.size(); i++) triangles.push_back({left[0], left[i], left[i + 1]});

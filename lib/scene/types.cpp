@@ -8,10 +8,17 @@ namespace scene {
 namespace {
 
 // reals: the counts allowed, as bits, or 0 = reals_min or more.  transform: see transform_from().
-struct Row { const char* name; int strings_min; uint32_t reals; int reals_min; int transform; };
+struct Row {
+    const char* name;
+    int strings_min;
+    uint32_t reals;
+    int reals_min;
+    int transform;
+};
 constexpr uint32_t only(int n) { return 1u << n; }
 constexpr uint32_t any = 0;
 
+// clang-format off
 const Row rows[] = {
     {"source", 0, only(4), 0, -1}, {"sphere", 0, only(4), 0, -1}, {"bubble", 0, only(4), 0, -1},
     {"polygon", 0, any, 9, -1}, {"cone", 0, only(8), 0, -1}, {"cup", 0, only(8), 0, -1},
@@ -36,6 +43,7 @@ const Row rows[] = {
     {"mixtext", 4, only(9) | only(10), 0, -1},
     {"alias", 0, any, 0, -1},
 };
+// clang-format on
 static_assert(sizeof rows / sizeof rows[0] == static_cast<size_t>(Type::count), "a row for every type, in its order");
 
 const Row& row(Type t) { return rows[static_cast<size_t>(t)]; }
@@ -65,7 +73,8 @@ std::string argument_fault(Type type, size_t strings, size_t reals) {
         return reals >= 9 && reals % 3 == 0 ? "" : "needs 9 or more real arguments, a multiple of 3" + has;
     if (r.reals == any)
         return reals >= static_cast<size_t>(r.reals_min)
-                   ? "" : "needs at least " + std::to_string(r.reals_min) + " real arguments" + has;
+                   ? ""
+                   : "needs at least " + std::to_string(r.reals_min) + " real arguments" + has;
     if (reals < 32 && (r.reals >> reals & 1)) return "";
     std::string counts;
     for (int n = 0; n < 32; n++)

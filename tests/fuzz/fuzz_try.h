@@ -4,11 +4,11 @@
 #include "base/error.h"
 #include "base/warnings.h"
 
-template <class Read> void try_to(Read read) {
+template <class Read>
+void try_to(Read read) {
     base::set_warning_sink({});
     try {
         read();
-    } catch (const base::Error&) {
-    }
+    } catch (const base::Error&) {}
     base::take_warnings();
 }

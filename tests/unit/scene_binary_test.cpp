@@ -13,7 +13,8 @@ namespace {
 
 const std::string golden = LUXPIPE_TESTS "/golden/scene/";
 
-template <class Read> void damage(const std::string& whole, const std::string& name, Read read) {
+template <class Read>
+void damage(const std::string& whole, const std::string& name, Read read) {
     const Folder folder;
     for (size_t n = 0; n + 1 < whole.size(); n++) {
         Folder::write(name, whole.substr(0, n));
@@ -26,7 +27,7 @@ template <class Read> void damage(const std::string& whole, const std::string& n
         Folder::write(name, text);
         error_of(read);
     }
-    CHECK(true);   // we are still here
+    CHECK(true);  // we are still here
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ TEST_CASE("a frozen octree gives back its scene") {
     CHECK(s.objects[1].modifier == 0);
     CHECK(s.objects[2].modifier == 1);
     CHECK(s.reals(s.objects[1])[0] == .5);
-    CHECK(s.reals(s.objects[1])[1] == doctest::Approx(.3).epsilon(1e-9));   // 4 bytes of mantissa
+    CHECK(s.reals(s.objects[1])[1] == doctest::Approx(.3).epsilon(1e-9));  // 4 bytes of mantissa
     CHECK(s.reals(s.objects[2])[0] == -1);
 }
 
@@ -48,7 +49,8 @@ TEST_CASE("an unfrozen octree is its scene files") {
     Folder::write("a.rad", "void plastic m 0 0 5 1 1 1 0 0\n");
     const std::string zeros("0\0000\0000\0001\0", 8);
     std::string oct = "#?RADIANCE\noconv a.rad\nFORMAT=Radiance_octree\n\n";
-    oct += std::string("\x01\x1f", 2) + zeros + std::string("a.rad\0!genbox m b 1 1 1\0\0", 25) + std::string("\0\0\0\x07\0", 5);
+    oct += std::string("\x01\x1f", 2) + zeros + std::string("a.rad\0!genbox m b 1 1 1\0\0", 25) +
+           std::string("\0\0\0\x07\0", 5);
     Folder::write("t.oct", oct);
     CHECK(scene::read_scene({"t.oct"}, {}).objects.size() == 7);
     Folder::write("t.oct", oct.substr(0, oct.size() - 2));
@@ -57,12 +59,13 @@ TEST_CASE("an unfrozen octree is its scene files") {
 
 TEST_CASE("an octree within itself is refused") {
     const Folder folder;
-    std::string oct = text_of(golden + "in_b.oct");   // holds two instances of in_a.oct
+    std::string oct = text_of(golden + "in_b.oct");  // holds two instances of in_a.oct
     Folder::write("in_a.oct", oct);
     Folder::write("t.rad", "void instance i 1 in_a.oct 0 0");
     const scene::Scene s = scene::read_scene({"t.rad"}, {});
     scene::Assets assets({});
-    CHECK(error_of([&] { assets.octree(s, s.objects[0]); }) == "in_a.oct:1: octree \"in_a.oct\" holds an instance of itself");
+    CHECK(error_of([&] { assets.octree(s, s.objects[0]); }) ==
+          "in_a.oct:1: octree \"in_a.oct\" holds an instance of itself");
     std::filesystem::copy(golden + "in_a.oct", "in_a.oct", std::filesystem::copy_options::overwrite_existing);
     std::filesystem::copy(golden + "in_b.oct", "in_b.oct");
     Folder::write("t.rad", "void instance i 5 in_b.oct -t 1 2 3 0 0\nvoid instance j 2 in_b.oct oops 0 0");
@@ -83,8 +86,10 @@ TEST_CASE("a compiled mesh: positions, texture coordinates, normals, materials")
     double area = 0;
     for (const auto& t : quad.triangles) {
         CHECK(quad.materials.objects[t.material].type == scene::Type::plastic);
-        area += cross(quad.positions[t.v[1]] - quad.positions[t.v[0]], quad.positions[t.v[2]] - quad.positions[t.v[0]]).z / 2;
-        for (uint32_t v : t.v) {   // u = x + 1, v = (y + 1)/2
+        area +=
+            cross(quad.positions[t.v[1]] - quad.positions[t.v[0]], quad.positions[t.v[2]] - quad.positions[t.v[0]]).z /
+            2;
+        for (uint32_t v : t.v) {  // u = x + 1, v = (y + 1)/2
             CHECK(quad.uvs[v].u == doctest::Approx(quad.positions[v].x + 1).epsilon(1e-6));
             CHECK(quad.uvs[v].v == doctest::Approx((quad.positions[v].y + 1) / 2).epsilon(1e-6));
         }
@@ -92,7 +97,8 @@ TEST_CASE("a compiled mesh: positions, texture coordinates, normals, materials")
     CHECK(area == doctest::Approx(4));
     const scene::Mesh tri = scene::read_mesh(golden + "tri.rtm");
     REQUIRE(tri.normals.size() == 3);
-    const double c = std::cos(std::atan(.3)), angle = std::acos(std::fmin(1, tri.normals[0].x * .3 * c + tri.normals[0].z * c));
+    const double c = std::cos(std::atan(.3)),
+                 angle = std::acos(std::fmin(1, tri.normals[0].x * .3 * c + tri.normals[0].z * c));
     CHECK(angle * 180 / M_PI < .006);
     CHECK(tri.triangles[0].material == scene::VOID);
 }
@@ -112,11 +118,12 @@ TEST_CASE(".obj: indices from the end, continued lines, faces with a dent") {
     REQUIRE(m.triangles.size() == 3);
     double area = 0;
     for (const auto& t : m.triangles) {
-        const double a = cross(m.positions[t.v[1]] - m.positions[t.v[0]], m.positions[t.v[2]] - m.positions[t.v[0]]).z / 2;
+        const double a =
+            cross(m.positions[t.v[1]] - m.positions[t.v[0]], m.positions[t.v[2]] - m.positions[t.v[0]]).z / 2;
         CHECK(a > 0);
         area += a;
     }
-    CHECK(area == doctest::Approx(2.5));   // the square less the dent
+    CHECK(area == doctest::Approx(2.5));  // the square less the dent
     Folder::write("b.obj", "v 0 0 0\nf 1 2 3\n");
     CHECK(error_of([] { scene::read_mesh("b.obj"); }) == "b.obj:2: vertex 2 does not exist");
     Folder::write("c.obj", "v 0 0\n");

@@ -13,8 +13,9 @@ namespace {
 const std::string golden = LUXPIPE_TESTS "/golden/scene/";
 
 // Modifiers that the commands' output uses, so that it is a scene.
-const char* const modifiers = "void plastic m 0 0 5 1 1 1 0 0\nvoid plastic newm 0 0 5 1 1 1 0 0\n"
-                              "void plastic other 0 0 5 1 1 1 0 0\nvoid plastic pl 0 0 5 1 1 1 0 0\n";
+const char* const modifiers =
+    "void plastic m 0 0 5 1 1 1 0 0\nvoid plastic newm 0 0 5 1 1 1 0 0\n"
+    "void plastic other 0 0 5 1 1 1 0 0\nvoid plastic pl 0 0 5 1 1 1 0 0\n";
 
 std::string modifier_name(const scene::Scene& s, const scene::Object& o) {
     return o.modifier == scene::VOID ? "void" : s.name(s.objects[o.modifier]);
@@ -31,7 +32,8 @@ void check_same(const scene::Scene& a, const scene::Scene& b) {
         REQUIRE(x.string_count == y.string_count);
         REQUIRE(x.real_count == y.real_count);
         for (size_t k = 0; k < x.string_count; k++) REQUIRE(a.strings(x)[k] == b.strings(y)[k]);
-        const bool six_digits = x.type == scene::Type::mist || x.type == scene::Type::dielectric || x.type == scene::Type::interface;
+        const bool six_digits =
+            x.type == scene::Type::mist || x.type == scene::Type::dielectric || x.type == scene::Type::interface;
         for (size_t k = 0; k < x.real_count; k++) {
             const double v = a.reals(x)[k], w = b.reals(y)[k];
             REQUIRE(std::fabs(v - w) <= (six_digits ? 1e-6 : 1e-9) * std::fmax(1, std::fabs(v)));
@@ -80,8 +82,8 @@ TEST_CASE("xform -c comes to the same as -e") {
     check_same(scene::read_scene({"expected.rad"}, {}), scene::read_scene({"ours.rad"}, {}));
 }
 
-// Printed with 4 digits (skies) and 6 decimals (directions, Perez coefficients), some rows of the table with 6 digits only;
-// RADIANCE computes part of them in single precision, so the last decimal may differ by one or two.
+// Printed with 4 digits (skies) and 6 decimals (directions, Perez coefficients), some rows of the table with 6 digits
+// only; RADIANCE computes part of them in single precision, so the last decimal may differ by one or two.
 TEST_CASE("skies have RADIANCE's numbers") {
     int count = 0;
     for (const auto& row : table(golden + "sky.tsv")) {
@@ -90,7 +92,8 @@ TEST_CASE("skies have RADIANCE's numbers") {
         std::string solar = "0", source = "-", args;
         auto numbers = [&](const scene::Object& o, size_t from) {
             std::string text;
-            for (size_t i = from; i < o.real_count; i++) text += (text.empty() ? "" : " ") + scene::number(s.reals(o)[i]);
+            for (size_t i = from; i < o.real_count; i++)
+                text += (text.empty() ? "" : " ") + scene::number(s.reals(o)[i]);
             return text;
         };
         for (const scene::Object& o : s.objects) {
@@ -123,10 +126,13 @@ TEST_CASE("skies have RADIANCE's numbers") {
 TEST_CASE("a wrong command line names the line, the program and the fact") {
     CHECK(error_in("\n!genbox m b 1 2\n") == "t.rad:2: genbox: the size is missing");
     CHECK(error_in("!genbox m b 1 x 3\n") == "t.rad:1: genbox: the size: \"x\" is not a number");
-    CHECK(error_in("!genbox m b 1 2 3 -r .1 -b .1") == "t.rad:1: genbox: bevel and radius must be positive, and only one of them given");
+    CHECK(error_in("!genbox m b 1 2 3 -r .1 -b .1") ==
+          "t.rad:1: genbox: bevel and radius must be positive, and only one of them given");
     CHECK(error_in("!gensky 13 1 12\n") == "t.rad:1: gensky: the month: \"13\" is not an integer of 1 to 12");
     CHECK(error_in("!gensky 6 21 +12EST\n") == "t.rad:1: gensky: a time zone and solar time exclude each other");
     CHECK(error_in("!gendaylit 6 21 12\n") == "t.rad:1: gendaylit: one of -P -W -G -L -E is needed");
-    CHECK(error_in("!genprism m p 2 0 0 1 1\n") == "t.rad:1: genprism: the number of vertices: \"2\" is not an integer of 3 to 1000000");
-    CHECK(error_in("!genblinds m n .1 1 2 1 0 +r .04\n") == "t.rad:1: genblinds: the radius is smaller than half the depth");
+    CHECK(error_in("!genprism m p 2 0 0 1 1\n") ==
+          "t.rad:1: genprism: the number of vertices: \"2\" is not an integer of 3 to 1000000");
+    CHECK(error_in("!genblinds m n .1 1 2 1 0 +r .04\n") ==
+          "t.rad:1: genblinds: the radius is smaller than half the depth");
 }

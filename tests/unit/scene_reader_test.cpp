@@ -11,11 +11,12 @@ using scene::Type;
 namespace {
 const std::string plastic = "void plastic m 0 0 5 .5 .5 .5 0 0\n";
 const scene::Object& last(const scene::Scene& s) { return s.objects.back(); }
-}
+}  // namespace
 
 TEST_CASE("words: white space, quotes, comments between primitives only") {
-    const scene::Scene s = read_text("# a comment\n\n\tvoid\n plastic 'my paint' 0\r\n0 5 .5 5. +1e-1 0 -0 # and\n"
-                                     "void brightfunc f 2 \"if(Px, 1, 2)\" a'b c'd 0 0");
+    const scene::Scene s = read_text(
+        "# a comment\n\n\tvoid\n plastic 'my paint' 0\r\n0 5 .5 5. +1e-1 0 -0 # and\n"
+        "void brightfunc f 2 \"if(Px, 1, 2)\" a'b c'd 0 0");
     REQUIRE(s.objects.size() == 2);
     CHECK(s.name(s.objects[0]) == "my paint");
     CHECK(s.reals(s.objects[0])[2] == .1);
@@ -33,14 +34,16 @@ TEST_CASE("numbers are decimal and complete") {
     for (const char* good : {"5", "+5", "-5", ".5", "5.", "5e3", "5E-3", "1e-400"})
         CHECK(error_in("void light l 0 0 3 1 1 " + std::string(good)) == "");
     for (const char* bad : {"1e", "0x10", "nan", "inf", "1.2.3", "e5", ".", "-", "1e400", "1f"})
-        CHECK(error_in("void light l 0 0 3 1 1 " + std::string(bad)) == "t.rad:1: light \"l\": \"" + std::string(bad) + "\" is not a number");
+        CHECK(error_in("void light l 0 0 3 1 1 " + std::string(bad)) ==
+              "t.rad:1: light \"l\": \"" + std::string(bad) + "\" is not a number");
     CHECK(error_in("void light l 0 1 7 3 1 1 1") == "t.rad:1: light \"l\" has integer arguments");
     CHECK(error_in("void light l 0 0 -3 1 1 1") == "t.rad:1: light \"l\": number of reals expected, not \"-3\"");
 }
 
 TEST_CASE("a modifier is the last definition before its user; surfaces are no modifiers") {
-    const scene::Scene s = read_text("void plastic m 0 0 5 .1 .1 .1 0 0\nm sphere m 0 0 4 0 0 0 1\n"
-                                     "void plastic m 0 0 5 .2 .2 .2 0 0\nm sphere b 0 0 4 0 0 0 1\n");
+    const scene::Scene s = read_text(
+        "void plastic m 0 0 5 .1 .1 .1 0 0\nm sphere m 0 0 4 0 0 0 1\n"
+        "void plastic m 0 0 5 .2 .2 .2 0 0\nm sphere b 0 0 4 0 0 0 1\n");
     CHECK(s.objects[1].modifier == 0);
     CHECK(s.objects[3].modifier == 2);
     CHECK(s.lookup_modifier("m", 2) == 0);
@@ -66,14 +69,16 @@ TEST_CASE("aliases replace the modifier, or inherit it") {
     CHECK(resolved("again").object == 2);
     CHECK(resolved("again").modifier == 1);
     CHECK(resolved("top").modifier == scene::VOID);
-    CHECK(s.material(last(s).modifier).object == 2);   // the later "p" does not matter
+    CHECK(s.material(last(s).modifier).object == 2);  // the later "p" does not matter
     CHECK(error_in("void alias a nothing") == "t.rad:1: alias \"a\" refers to \"nothing\", which is not defined");
-    CHECK(error_in(plastic + "m sphere s 0 0 4 0 0 0 1 void alias a s") == "t.rad:2: alias \"a\" refers to \"s\", which is not defined");
+    CHECK(error_in(plastic + "m sphere s 0 0 4 0 0 0 1 void alias a s") ==
+          "t.rad:2: alias \"a\" refers to \"s\", which is not defined");
 }
 
 TEST_CASE("a chain of 100,000 aliases is no deeper for the stack than one") {
     std::string text = plastic + "void alias a0 m\n";
-    for (int i = 1; i < 100000; i++) text += "inherit alias a" + std::to_string(i) + " a" + std::to_string(i - 1) + "\n";
+    for (int i = 1; i < 100000; i++)
+        text += "inherit alias a" + std::to_string(i) + " a" + std::to_string(i - 1) + "\n";
     const scene::Scene s = read_text(text);
     CHECK(s.resolve(100000).object == 0);
 }
@@ -81,8 +86,10 @@ TEST_CASE("a chain of 100,000 aliases is no deeper for the stack than one") {
 TEST_CASE("each type has its number of arguments") {
     CHECK(error_in("void plastic p 0 0 4 1 1 1 0") == "t.rad:1: plastic \"p\" needs 5 real arguments, has 4");
     CHECK(error_in("void glass g 0 0 5 1 1 1 1 1") == "t.rad:1: glass \"g\" needs 3 or 4 real arguments, has 5");
-    CHECK(error_in("void brightfunc f 1 x 0 0") == "t.rad:1: brightfunc \"f\" needs at least 2 string arguments, has 1");
-    CHECK(error_in("void polygon p 0 0 10 0 0 0 1 0 0 0 1 0 7") == "t.rad:1: polygon \"p\" needs 9 or more real arguments, a multiple of 3, has 10");
+    CHECK(error_in("void brightfunc f 1 x 0 0") ==
+          "t.rad:1: brightfunc \"f\" needs at least 2 string arguments, has 1");
+    CHECK(error_in("void polygon p 0 0 10 0 0 0 1 0 0 0 1 0 7") ==
+          "t.rad:1: polygon \"p\" needs 9 or more real arguments, a multiple of 3, has 10");
     CHECK(error_in("void plastic p 0 0 5 1 1 1") == "t.rad:1: the file ends within plastic \"p\"");
 }
 
@@ -102,8 +109,9 @@ TEST_CASE("surfaces come out in canonical form") {
     CHECK(reals("m ring r 0 0 8 0 0 0 0 0 1 3 2") == std::vector<double>{0, 0, 0, 0, 0, 1, 2, 3});
     CHECK(reals("m polygon p 0 0 12 0 0 0 1 0 0 1 1 0 0 0 0").size() == 9);
     // Unusable: left out with a warning, but an error as a light.
-    for (const char* bad : {"ring r 0 0 8 0 0 0 0 0 1 2 2", "polygon p 0 0 9 0 0 0 1 0 0 2 0 0", "cylinder c 0 0 7 0 0 0 0 0 0 1",
-                            "cone c 0 0 8 0 0 0 0 0 1 -1 1", "ring r 0 0 8 0 0 0 0 0 0 1 2"}) {
+    for (const char* bad :
+         {"ring r 0 0 8 0 0 0 0 0 1 2 2", "polygon p 0 0 9 0 0 0 1 0 0 2 0 0", "cylinder c 0 0 7 0 0 0 0 0 0 1",
+          "cone c 0 0 8 0 0 0 0 0 1 -1 1", "ring r 0 0 8 0 0 0 0 0 0 1 2"}) {
         CHECK(read_text(plastic + "m " + bad).objects.size() == 1);
         CHECK(error_in("void light l 0 0 3 1 1 1\nl " + std::string(bad)).find("t.rad:2: light source ") == 0);
     }
@@ -114,8 +122,9 @@ TEST_CASE("xform: layers, names, modifiers of surfaces only") {
     const Folder folder;
     Folder::write("ball.rad", "m sphere ball 0 0 4 1 0 0 1\nvoid brightfunc f 2 Px . 0 0\n");
     Folder::write("pair.rad", "!xform -n in -t 1 0 0 ball.rad\n");
-    Folder::write("t.rad", plastic + "void plastic red 0 0 5 1 0 0 0 0\n!xform -n out -m red -s 2 pair.rad\n"
-                           "!genbox m box 1 1 1 | xform -a 2 -t 0 0 2 | xform -n b -rz 90\n");
+    Folder::write("t.rad", plastic +
+                               "void plastic red 0 0 5 1 0 0 0 0\n!xform -n out -m red -s 2 pair.rad\n"
+                               "!genbox m box 1 1 1 | xform -a 2 -t 0 0 2 | xform -n b -rz 90\n");
     const scene::Scene s = scene::read_scene({"t.rad"}, {});
     REQUIRE(s.objects.size() == 4 + 12);
     const scene::Object& ball = s.objects[2];
@@ -143,20 +152,25 @@ TEST_CASE("files beside the file that names them are found from anywhere") {
 }
 
 TEST_CASE("other commands need -exec, and the message says so") {
-    CHECK(error_in("\n!obj2rad chair.obj\n") == "t.rad:2: command \"obj2rad\" is not built in; -exec would allow to run it");
-    CHECK(error_in("!genbox m b 1 1 1; rm -rf x\n").find("needs a shell (;), which -exec would allow") != std::string::npos);
+    CHECK(error_in("\n!obj2rad chair.obj\n") ==
+          "t.rad:2: command \"obj2rad\" is not built in; -exec would allow to run it");
+    CHECK(error_in("!genbox m b 1 1 1; rm -rf x\n").find("needs a shell (;), which -exec would allow") !=
+          std::string::npos);
     CHECK(error_in("!xform -t 0 0 $X a.rad\n").find("needs a shell ($)") != std::string::npos);
     scene::ReadOptions exec;
     exec.exec = true;
-    const scene::Scene s = read_text("!echo void sphere s 0 0 4 0 0 0 1; echo void sphere t 0 0 4 0 0 0 1\n"
-                                     "!echo void sphere u 0 0 4 0 0 0 1 | xform -t 1 0 0\n", exec);
+    const scene::Scene s = read_text(
+        "!echo void sphere s 0 0 4 0 0 0 1; echo void sphere t 0 0 4 0 0 0 1\n"
+        "!echo void sphere u 0 0 4 0 0 0 1 | xform -t 1 0 0\n",
+        exec);
     REQUIRE(s.objects.size() == 3);
     CHECK(s.reals(s.objects[2])[0] == 1);
     CHECK(s.place(s.objects[1]) == "t.rad:1");
 }
 
 TEST_CASE("quotes and continued lines in commands") {
-    const scene::Scene s = read_text(plastic + "!genbox m \"the 'box'\" 1 \\\n 1 '1' # a comment\n" + "m sphere s 0 0 4 0 0 0 1");
+    const scene::Scene s =
+        read_text(plastic + "!genbox m \"the 'box'\" 1 \\\n 1 '1' # a comment\n" + "m sphere s 0 0 4 0 0 0 1");
     REQUIRE(s.objects.size() == 8);
     CHECK(s.name(s.objects[1]) == "the 'box'.1540");
     CHECK(s.objects[1].line == 2);
@@ -183,11 +197,14 @@ TEST_CASE("nesting, self-inclusion and array bombs end in an error, soon and in 
     CHECK(error_in(pipe).find("t.rad:1: a pipe of more than 100 commands") != std::string::npos);
     scene::Limits small;
     small.bytes = 10 << 20;
-    CHECK(error_in(plastic + "!genbox m b 1 1 1 | xform -a 1000000", small).find("the scene needs more memory than allowed (10 MB)") != std::string::npos);
-    CHECK(error_in("!genbox m b 1 1 1 | xform -a 99999999 -a 99999999 -a 0").find("xform: more than 10000000 copies") != std::string::npos);
+    CHECK(error_in(plastic + "!genbox m b 1 1 1 | xform -a 1000000", small)
+              .find("the scene needs more memory than allowed (10 MB)") != std::string::npos);
+    CHECK(error_in("!genbox m b 1 1 1 | xform -a 99999999 -a 99999999 -a 0").find("xform: more than 10000000 copies") !=
+          std::string::npos);
     CHECK(error_in("void polygon p 0 0 4000000000 0 0 0") == "t.rad:1: the file ends within polygon \"p\"");
-    CHECK(error_in("void brightfunc p 99999999999999999999") .find("number of strings expected") != std::string::npos);
-    CHECK(error_in("!xform " + std::string(2000000, 'a')) == "t.rad:1: the command is longer than a million characters");
+    CHECK(error_in("void brightfunc p 99999999999999999999").find("number of strings expected") != std::string::npos);
+    CHECK(error_in("!xform " + std::string(2000000, 'a')) ==
+          "t.rad:1: the command is longer than a million characters");
 }
 
 TEST_CASE("unreadable files are errors") {

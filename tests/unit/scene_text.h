@@ -36,14 +36,16 @@ inline std::string text_of(const std::string& path) {
     return s.str();
 }
 
-inline scene::Scene read_text(const std::string& text, const scene::ReadOptions& options = {}, const scene::Limits& limits = {}) {
+inline scene::Scene read_text(const std::string& text, const scene::ReadOptions& options = {},
+                              const scene::Limits& limits = {}) {
     const Folder folder;
     Folder::write("t.rad", text);
     return scene::read_scene({"t.rad"}, options, limits);
 }
 
 // The message of the error that reading gives; "" if it gives none.
-template <class Read> std::string error_of(Read read) {
+template <class Read>
+std::string error_of(Read read) {
     try {
         read();
     } catch (const base::Error& e) {
