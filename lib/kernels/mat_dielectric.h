@@ -21,7 +21,7 @@ FN int mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint 
         float n = arg[3] + arg[4] * 0.002f;
         ratio = g->front ? 1.0f / n : n;
         known = !g->front;
-        *arriving = inside;
+        if (known) *arriving = inside;
         *beyond = g->front ? inside : global;
     } else {
         float3 outside = extinction3_(arg + 4, g->color);

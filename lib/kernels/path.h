@@ -286,7 +286,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                         c = mul3(mul3(thr, c), scale3(e, inv_p));
                         if (max3(c) > 0.0f) {
                             int above = dot3(ls.dir, g.ng) > 0.0f;
-                            a->sorg[slot] = pack4(offset_ray(g.p, above ? g.ng : neg3(g.ng), g.length), as_float_(i));
+                            a->sorg[slot] = pack4(offset_ray(g.p, above ? g.ng : neg3(g.ng), g.reach), as_float_(i));
                             a->sdir[slot] = pack4(ls.dir, ls.dist);
                             a->scol[slot] = pack4(c, g.total);
                             if (absorbs) a->smed[slot] = pack4(above ? arriving : beyond, 0.0f);
@@ -368,7 +368,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         a->info[slot] = info;
         if (dead) return result;
         if (absorbs) a->med[slot] = pack4(dot3(next, g.ng) > 0.0f ? arriving : beyond, 0.0f);
-        a->org[slot] = pack4(offset_ray(g.p, side, g.length), 0.0f);
+        a->org[slot] = pack4(offset_ray(g.p, side, g.reach), 0.0f);
         a->dir[slot] = pack4(next, 1e30f);
         a->thr[slot] = pack4(thr, t4.w);
         return result | PATH_GOES_ON;
@@ -379,7 +379,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     info.z = rnd.index | (rnd.dim << 8);
     a->info[slot] = info;
     a->thr[slot] = pack4(thr, t4.w);
-    a->org[slot] = pack4(offset_ray(g.p, neg3(g.ng), g.length), 0.0f);
+    a->org[slot] = pack4(offset_ray(g.p, neg3(g.ng), g.reach), 0.0f);
     a->dir[slot] = pack4(dir, a->dir[slot].w >= 1e29f ? 1e30f : a->dir[slot].w - h.x);
     return PATH_GOES_ON;
 }
@@ -412,7 +412,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
             }
             if (max3(T) <= 0.0f) return black;
         }
-        ray.org = offset_ray(g.p, neg3(g.ng), g.length);
+        ray.org = offset_ray(g.p, neg3(g.ng), g.reach);
         if (ray.tmax < 1e29f) { ray.tmax -= hit.t; if (ray.tmax <= 0.0f) return T; }
     }
     return black;
@@ -479,7 +479,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
             }
             if (max3(T) <= 0.0f) return black;
         }
-        ray.org = offset_ray(g.p, dot3(next, g.ng) > 0.0f ? g.ng : neg3(g.ng), g.length);
+        ray.org = offset_ray(g.p, dot3(next, g.ng) > 0.0f ? g.ng : neg3(g.ng), g.reach);
         ray.dir = next;
     }
     return black;

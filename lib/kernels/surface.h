@@ -13,6 +13,7 @@ typedef struct {
     float3 pert;     // sum of the textures met
     float u, vv;     // mesh coordinates Lu, Lv
     float length;    // of the ray that hit
+    float reach;     // length that sets the rounding of p: the ray's or the primitive's
     float total;     // path length from the eye
     uint prim, mod;  // primitive; its modifier, after find_material() the material's
     uint type;       // material type
@@ -46,6 +47,7 @@ FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE
     g->u = 0.0f;
     g->vv = 0.0f;
     g->length = hit->t;
+    g->reach = MAX_(hit->t, as_float_(prim[PRIM_EXTENT]));
     g->inst = NONE;
     g->smooth = 0;
     g->flat = (kind & PRIM_TEXTURE_FLAT) != 0u;

@@ -12,6 +12,7 @@
 #define PRIM_SOURCE 2u    // active source index, NONE
 #define PRIM_NORMAL 3u    // flat: 3 floats, unit; curved: shape index in word 3
 #define PRIM_VERTEX 6u    // smooth triangles: index of the mesh triangle record
+#define PRIM_EXTENT 7u    // size of the primitive (float): its hits are as inexact as rays of that length
 #define PRIM_FLAT 1u
 #define PRIM_SPHERE 2u
 #define PRIM_CONE 3u

@@ -121,6 +121,7 @@ struct Builder {
         double radius = 0;
         for (const Vec3& p : v) mid = mid + p * (1.0 / double(n));
         for (const Vec3& p : v) radius = std::max(radius, length(p - mid));
+        out.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(2 * radius));
         relay(o, prim, normal, mid, radius);
         if (f.passes[o.modifier] && out.panes.size() < 100000) out.panes.push_back({v[0], v[1] - v[0], normal, area2 / 2, v});
     }
@@ -166,6 +167,7 @@ struct Builder {
         const uint32_t prim = add_prim(o, PRIM_FLAT | PRIM_TEXTURE_FLAT, u, 0, tagged);
         out.shape_prim.push_back(tagged);
         emit(o, prim);
+        out.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(2 * r1));
         relay(o, prim, u, vec_at(r, 0), r1);
     }
 };
