@@ -76,9 +76,11 @@ void check_sizes(const Regions& regions, const std::vector<Extent>& extents) {
         const Region& r = regions.regions[i];
         double n = extents[i].pixels;
         if (n <= 0) base::fail(r.place, fmt::format("region \"{}\" is empty: nothing of it can be seen in this view", r.name));
-        if (n < 32)
-            base::warn(r.place, fmt::format("region \"{}\" covers {:.3g} pixels: its means converge slowly, to 1 % in roughly {:.2g} "
-                                            "frames (1000 at 32 pixels)", r.name, n, 1000 * 32 / n));
+        if (n < 32) {
+            double frames = 1000 * 32 / n, unit = std::pow(10, std::floor(std::log10(frames)) - 1);
+            base::warn(r.place, fmt::format("region \"{}\" covers {:.3g} pixels: its means converge slowly, to 1 % in roughly {:.0f} "
+                                            "frames (1000 at 32 pixels)", r.name, n, std::round(frames / unit) * unit));
+        }
     }
 }
 
