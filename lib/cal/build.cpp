@@ -34,6 +34,11 @@ const struct { const char* name; uint32_t first; int axis; } vectors[] = {
     {"DxA", device::CAL_DXA, 0}, {"DyA", device::CAL_DXA, 1}, {"DzA", device::CAL_DXA, 2},
 };
 
+// $1 .. $27
+const char* const channels[27] = {"Dx", "Dy", "Dz", "Nx", "Ny", "Nz", "Px", "Py", "Pz", "T", "Rdot", "S", "Tx", "Ty", "Tz",
+                                  "Ix", "Iy", "Iz", "Jx", "Jy", "Jz", "Kx", "Ky", "Kz", "Ts", "Lu", "Lv"};
+constexpr int FIRST_GIVEN = 101;       // $101.. = CAL_LX..
+
 struct Count {                         // keeps a counter right when an exception passes
     int& n;
     explicit Count(int& counter) : n(counter) { n++; }
@@ -83,10 +88,12 @@ int Builder::eval(const Expr* e, const Environment& env) {
     switch (e->kind) {
     case Expr::Kind::number: return graph_.constant(e->value);
     case Expr::Kind::channel: {
-        const int k = e->value < 1000 ? int(e->value) : 1000;
-        if (k < 1 || k > device::CAL_VARS - device::CAL_LX) fail("there is no such channel as $" + std::to_string(k));
-        if (k <= 3) return vector_component(device::CAL_LX, k - 1, false);
-        return graph_.variable(uint32_t(device::CAL_LX + k - 1));
+        const int k = e->value < 1000 ? int(e->value) : 1000, given = k - FIRST_GIVEN;
+        int node;
+        if (k >= 1 && k <= 27 && ray_variable(channels[k - 1], node)) return node;
+        if (given < 0 || given >= device::CAL_VARS - device::CAL_LX) fail("there is no such channel as $" + std::to_string(k));
+        if (given < 3) return vector_component(device::CAL_LX, given, false);
+        return graph_.variable(uint32_t(device::CAL_LX + given));
     }
     case Expr::Kind::name: return name(e, env);
     case Expr::Kind::call: {

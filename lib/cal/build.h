@@ -30,7 +30,7 @@ struct Environment {
 
 class Builder {
 public:
-    // `xform`: object -> world.  numbers: values given for the variables $1.. (evaluator), else null.
+    // `xform`: object -> world
     Builder(const Library::State& library, Graph& graph, const std::vector<double>& args, const base::Xform& xform,
             const std::string& place);
 

@@ -36,8 +36,8 @@ struct Code {
 
 // Compiles `outputs` (expressions such as "skybr" or "red(r,g,b)") in the context of file `cal_file` ("." = global) with
 // real arguments `args` and the object transform `xform` (object -> world: programs get world coordinates and see object
-// coordinates).  $1 $2 $3 = light direction (object coordinates), $4 = its solid angle, $5.. = CAL_ARG0.. (cal_vm.h), so
-// that a BRDF function f is the output "f($1,$2,$3,$4)".
+// coordinates).  $1 .. $27 = the ray variables; $101 $102 $103 = light direction (object coordinates), $104 = its solid
+// angle, $105.. = CAL_ARG0.. (cal_vm.h), so that a BRDF function f is the output "f($101,$102,$103,$104)".
 // Returns the program's entry: index into code.words.  Throws Error at `place`.
 uint32_t compile(Library& library, const std::vector<std::string>& outputs, const std::string& cal_file,
                  const std::vector<double>& args, const base::Xform& xform, const std::string& place, Code& code);

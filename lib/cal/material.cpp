@@ -20,7 +20,7 @@ void direction(Parts& p, size_t first, Nodes& out) {
 // Light direction and solid angle as given to the program
 Nodes light(Parts& p, Builder& b, Library& library) {
     Nodes l;
-    for (const char* channel : {"$1", "$2", "$3", "$4"})
+    for (const char* channel : {"$101", "$102", "$103", "$104"})
         l.push_back(b.expression(parse_expression(channel, p.spec.place, library.state().pool), ""));
     return l;
 }

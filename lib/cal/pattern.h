@@ -37,7 +37,7 @@ bool is_pattern(const std::string& type);
 Program compile_pattern(Library& library, const PatternSpec& spec, Code& code);
 
 // Functions of a material.  values: what is needed once per hit; lobe: what is needed per light direction, with
-// $1 $2 $3 = CAL_LX.. (world) and $4 = CAL_OMEGA given.  Directions among the values are in world coordinates.
+// CAL_LX.. (world) and CAL_OMEGA given.  Directions among the values are in world coordinates.
 //   prism1, prism2     values coef dx dy dz (twice for prism2)
 //   plastic2 metal2 trans2 ashik2   values ux uy uz
 //   plasfunc metfunc transfunc plasdata metdata transdata   lobe f

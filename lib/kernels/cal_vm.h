@@ -23,9 +23,9 @@ enum {
     CAL_NXP, CAL_NYP, CAL_NZP, CAL_RDOTP,  // perturbed normal, function materials
     CAL_CRP, CAL_CGP, CAL_CBP,       // material colour with patterns
     CAL_DXA, CAL_DYA, CAL_DZA,       // prisms: direction to the source aimed at
-    CAL_LX, CAL_LY, CAL_LZ,          // $1 $2 $3: light direction given to a BRDF function
-    CAL_OMEGA,                       // $4: its solid angle
-    CAL_ARG0,                        // $5.. : free arguments
+    CAL_LX, CAL_LY, CAL_LZ,          // $101 $102 $103: light direction given to a BRDF function
+    CAL_OMEGA,                       // $104: its solid angle
+    CAL_ARG0,                        // $105.. : free arguments
     CAL_VARS = CAL_ARG0 + 8
 };
 

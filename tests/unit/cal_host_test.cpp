@@ -139,6 +139,8 @@ TEST_CASE("programs see object coordinates") {
     CHECK(run("Ix") == doctest::Approx(c));
     CHECK(run("Tx") == doctest::Approx((-c - 2 * s) / 2));
     CHECK(run("T") == doctest::Approx(0.5));
+    CHECK(run("$7") == run("Px"));
+    CHECK(run("$25") == run("Ts"));
 }
 
 TEST_CASE("mistakes are named with their place") {
