@@ -16,6 +16,8 @@ for isa in baseline avx2 avx512; do
 done
 echo "# bench_scene_load"
 "$bin/bench_scene_load"
+echo "# bench_cal_vm"
+"$bin/bench_cal_vm"
 echo "# ptrace, the office at 14:00, 512 x 512, -ab 5: seconds a frame (wall, processor) after frame 0"
 cd "$(dirname "$0")/../examples/scenes/office"
 TIMEFORMAT='%R %U'
