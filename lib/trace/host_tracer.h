@@ -13,7 +13,7 @@ class HostTracer {
 public:
     explicit HostTracer(const FlatScene& scene);  // keeps a reference
     ~HostTracer();
-    struct Found { double t; uint32_t prim; };
+    struct Found { double t; uint32_t prim; base::Vec3 normal; };  // normal: the shape's own, wherever the ray comes from
     enum Mask : uint32_t { opaque = 1, transparent = 2, all = 3 };
     // Nearest primitive along a ray given in world coordinates; t < 0 if none.
     Found closest(base::Vec3 origin, base::Vec3 dir, double tmin, double tmax, Mask mask) const;

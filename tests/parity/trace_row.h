@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One row of the table on one device: rtrace's arguments read as ptrace's, the ray traced until its mean is known to
+// 2e-4 of its brightest channel or the limit of samples is reached.
+#pragma once
+#include <memory>
+#include <string>
+#include "parity/vectors.h"
+#include "trace/host_tracer.h"
+#include "trace/progressive.h"
+
+namespace parity {
+
+struct Value {
+    std::vector<double> mean;
+    double error[3] = {0, 0, 0};
+    long samples = 0;
+};
+
+class RowTracer {
+public:
+    RowTracer(std::string device, long most_samples) : device_(std::move(device)), most_(most_samples) {}
+    Value trace(const Row& row);   // throws Error for what ptrace does not support
+private:
+    Value geometry(const Row& row);
+    std::string device_;
+    long most_;
+    std::string key_;              // scene and arguments of the renderer at hand
+    std::unique_ptr<trace::Renderer> renderer_;
+};
+
+}  // namespace parity
