@@ -2,9 +2,12 @@
 // Mask files: see masks.h.  OpenEXR sorts its channels, so the order of the regions travels in an attribute.
 #include "image/masks.h"
 
+#include <OpenEXR/ImfThreading.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <thread>
 
 #include "base/error.h"
 #include "image/exr_file.h"
@@ -72,6 +75,7 @@ void write_masks(const std::string& path, const MaskSet& set) {
     if (channels.empty()) base::fail(path, "no regions to write");
     ExrOptions options;
     options.compression = "rle";  // masks are runs of 0 and 1: ten times faster than zip and hardly larger
+    if (channels.size() > 8 && Imf::globalThreadCount() == 0) Imf::setGlobalThreadCount(int(std::thread::hardware_concurrency()));
     write_exr_channels(path, set.width, set.height, channels, set.header, {{order_attribute, order}}, options);
 }
 
