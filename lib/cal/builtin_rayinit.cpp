@@ -92,7 +92,7 @@ Idy = Ldy(back`rayinit);
 Idz = RdotP;
 
 { Luminaire corrections: A1 multiplier (only if there are more real arguments), A2 A3 A4 box sizes. }
-corr_mul`rayinit(v) = if(AC - 1.5, v*A1, v);
+corr_mul`rayinit(v) = noneg(if(AC - 1.5, v*A1, v));
 quotient`rayinit(a, b) : if(b, a/b, 0);
 corr_box`rayinit = abs(Dx)*A3*A4 + abs(Dy)*A2*A4 + abs(Dz)*A2*A3;
 corr_gap`rayinit(p, size) = max(abs(p) - size/2, 0);

@@ -76,6 +76,18 @@ TEST_CASE("gensky's and gendaylit's skies have RADIANCE's values") {
     CHECK(rows == 53);
 }
 
+TEST_CASE("library files: luminaires, meshes, glazings have RADIANCE's values") {
+    const float p[3] = {0.3f, 0.7f, 0.2f};
+    int rows = 0;
+    for (const PatternRow& r : pattern_rows("cal_library.tsv", false)) {
+        const std::vector<float> got = pattern(r.spec, golden_vars(p));
+        REQUIRE(got.size() == 1);
+        CHECK_MESSAGE(four_digits(got[0], r.want[0]), r.id, ": ", got[0], ", RADIANCE ", r.want[0]);
+        rows++;
+    }
+    CHECK(rows > 70);
+}
+
 // The example of the text chapter: A 64..192, B 32..224, I 112..144, mean width 117.
 TEST_CASE("characters are placed evenly, squeezed and proportionally") {
     const Font font = read_font(LUXPIPE_TESTS "/golden/cal/tri2.fnt", "test");
@@ -86,7 +98,7 @@ TEST_CASE("characters are placed evenly, squeezed and proportionally") {
     CHECK(text_advances(font, "AzA", 0) == std::vector<int>{0, 255, 0, 255});
 }
 
-// 1 + nm/1000 in four notations.  RADIANCE (rtrace with specfunc, which draws its wavelengths at random) gives
+// 1 + nm/1000 in four notations.  RADIANCE 6.0a (rtrace with specfunc, which draws its wavelengths at random) gives
 // 1.6318 1.5481 1.4372 and 1.6338 1.5417 1.4387 in two tries.
 TEST_CASE("spectra become RGB by the colour matching functions") {
     const float p[3] = {0, 0, 0};
