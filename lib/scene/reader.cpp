@@ -28,6 +28,7 @@ public:
     Reader(Scene& scene, const ReadOptions& options, const Limits& limits)
         : scene_(scene), options_(options), limits_(limits), builder_(scene, limits) {}
     void read_file(const std::string& path, const std::string& asked_by);
+    void read_command(const std::string& text, const std::string& name, uint32_t line);  // "!..." as in a scene file
 
 private:
     void statements(Source& in);
@@ -109,6 +110,11 @@ void Reader::statements(Source& in) {
     }
 }
 
+void Reader::read_command(const std::string& text, const std::string& name, uint32_t line) {
+    Source in = Source::from_text(text, name, line);
+    statements(in);
+}
+
 // An unfrozen octree is a list of scene files; a frozen one holds the primitives.
 void Reader::octree(Source& in) {
     const Deeper deeper(depth_, limits_.depth, in.name());
@@ -121,12 +127,8 @@ void Reader::octree(Source& in) {
     const uint64_t before = primitives_;
     const Source here = Source::from_text("", in.name(), 1);
     for (const std::string& file : head.files) {
-        if (file[0] == '!') {
-            Source text = Source::from_text(file, in.name(), 1);
-            statements(text);
-        } else {
-            read_included(file, here);
-        }
+        if (file[0] == '!') read_command(file, in.name(), 1);
+        else read_included(file, here);
     }
     if (primitives_ - before != static_cast<uint64_t>(head.objects))
         base::warn(in.name(), "the octree is older than its scene files; the files are what is used");
@@ -300,7 +302,10 @@ std::string Reader::run_shell(const std::string& text, const std::string& place)
 Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits) {
     Scene scene;
     Reader reader(scene, options, limits);
-    for (const std::string& file : files) reader.read_file(file, "");
+    for (const std::string& file : files) {
+        if (file[0] == '!') reader.read_command(file, "command line", 1);
+        else reader.read_file(file, "");
+    }
     return scene;
 }
 

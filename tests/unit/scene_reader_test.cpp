@@ -168,6 +168,13 @@ TEST_CASE("other commands need -exec, and the message says so") {
     CHECK(s.place(s.objects[1]) == "t.rad:1");
 }
 
+TEST_CASE("a command stands for a file on the command line, as in octrees") {
+    const scene::Scene s = scene::read_scene({"!gensky -ang 45 0 -c", "!genbox void b 1 1 1 | xform -t 0 0 1"}, {});
+    CHECK(s.objects.size() == 1 + 6);
+    CHECK(error_of([] { scene::read_scene({"!nonsense"}, {}); }) ==
+          "command line:1: command \"nonsense\" is not built in; -exec would allow to run it");
+}
+
 TEST_CASE("quotes and continued lines in commands") {
     const scene::Scene s =
         read_text(plastic + "!genbox m \"the 'box'\" 1 \\\n 1 '1' # a comment\n" + "m sphere s 0 0 4 0 0 0 1");
