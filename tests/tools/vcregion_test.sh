@@ -67,6 +67,11 @@ check_error 'a folder that is not there' 2 '^vcregion: ' "vcregion $view -o no/s
 check_error 'surfaces need a scene' 1 '^vcregion: s:1: asks for a surface' "echo 's surface top.*' > s; vcregion $view -list s"
 check_error 'a full disk' 2 '^vcregion: stdout: ' "vcregion $view -list office.regions > /dev/full"
 
+# The examples of vcregion(5), with a mask in place of the painted one.
+awk '/^[.]SH/ { on = /EXAMPLES/ } on && /^[.]EX/ { inside = 1; next } /^[.]EE/ { inside = 0 } inside' "$TOP/man/vcregion.5" |
+    sed 's/\\-/-/g; s/painted.png/desk.hdr/' > page
+check 'the page has examples' 'test $(wc -l < page) -gt 5'
+
 # With a scene.
 scene="$office/materials.rad $office/layout.rad"
 echo 'a surface top.6457' > s
@@ -101,6 +106,8 @@ check_error 'a modifier that is not there, and one that is near' 1 '^vcregion: t
 check_error 'what is wholly hidden is empty' 1 '^vcregion: t:1: region "a" is empty' "
     echo 'a polygon3d 1.8 1.8 .9  2.2 1.8 .9  2.2 1.8 1.2  1.8 1.8 1.2' > t; vcregion $view -list t $scene"
 check_error 'a broken scene names its line' 1 '^vcregion: broken.rad:1: ' "echo 'nothing polygon p 0 0 9 0 0 0 1 0 0 0 1 0' > broken.rad; vcregion $view -list named broken.rad"
+check 'the examples of the page work in the office with blinds' "
+    vcregion $view -x 256 -y 256 -list page $office/materials.rad $office/blinds.rad $office/layout.rad"
 check 'the sun is a surface far away' "
     printf 'void light suns 0 0 3 1e6 1e6 1e6\nsuns source sun 0 0 4 0 1 1 2\nvoid plastic p 0 0 5 .5 .5 .5 0 0\np sphere ball 0 0 4 0 5 -3 .5\n' > sun.rad
     echo 'sun surface sun' > sun.regions; echo 'disc circle 0 1 1 2' >> sun.regions
