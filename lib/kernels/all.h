@@ -18,6 +18,7 @@
 #include "kernels/cal_vm.h"
 #include "kernels/sampler.h"
 #include "kernels/view_ray.h"
+#include "kernels/instance.h"
 #include "kernels/surface.h"
 #include "kernels/lobes.h"
 #include "kernels/modifier.h"

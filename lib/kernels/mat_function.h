@@ -18,6 +18,20 @@ FN void material_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVA
     vars[CAL_CRP] = g->color.x; vars[CAL_CGP] = g->color.y; vars[CAL_CBP] = g->color.z;
 }
 
+// Directions among the values of a material (cal::MaterialProgram) that acts inside an instance, back to the world.
+FN void values_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, uint flags, PRIVATE float* value) {
+    if (g->inst == NONE) return;
+    switch (g->type) {
+    case M_PRISM: turn_from_frame(s, g, value + 1);
+        if ((flags & MF_TWO_EXITS) != 0u) turn_from_frame(s, g, value + 5);
+        break;
+    case M_WGMD: turn_from_frame(s, g, value + 6); break;
+    case M_BSDF: turn_from_frame(s, g, value + ((flags & MF_ABSDF) != 0u ? 0 : 1)); break;
+    case M_BRTD: case M_BRDF: break;
+    default: turn_from_frame(s, g, value); break;
+    }
+}
+
 // plasfunc.. : args R G B spec [trans tspec]; type of the specular colour by `metal`.
 FN void mat_brdf(PRIVATE const Surface* g, GLOBAL const float* arg, uint flags, PRIVATE Lobes* out) {
     float3 C = mul3(F3(arg[0], arg[1], arg[2]), g->color);
@@ -182,6 +196,7 @@ FN float3 function_direct(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     if (max3(k) <= 0.0f) return zero;
     material_vars(par, g, vars);
     vars[CAL_LX] = l.x; vars[CAL_LY] = l.y; vars[CAL_LZ] = l.z; vars[CAL_OMEGA] = w;
+    vars_to_frame(s, g, vars);
     if (cal_run(s, m[MOD_EXTRA], vars, out)) return zero;
     float3 f = count >= 3u ? F3(out[0], out[1], out[2]) : F3(out[0], out[0], out[0]);
     if (max3(f) <= 1e-6f) return zero;

@@ -26,7 +26,9 @@ FN float prism_exit(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     material_vars(par, g, vars);
     vars[CAL_DXA] = aim.x; vars[CAL_DYA] = aim.y; vars[CAL_DZA] = aim.z;
+    vars_to_frame(s, g, vars);
     if (cal_run(s, m[MOD_PROGRAM], vars, value)) return 0.0f;
+    values_from_frame(s, g, m[MOD_FLAGS], value);
     PRIVATE const float* v = value + 4u * exit;
     float3 d = F3(v[1], v[2], v[3]);
     if (v[0] <= 0.0f || length3(d) <= 1e-6f) return 0.0f;

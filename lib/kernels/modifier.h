@@ -20,6 +20,33 @@ FN void surface_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVAT
     vars[CAL_LU] = g->u; vars[CAL_LV] = g->vv;
 }
 
+// Inside an instance functions see its coordinates (spec scene 3): turns the variables of surface_vars().
+FN void vars_to_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, PRIVATE float* vars) {
+    const int dirs[5] = {CAL_DX, CAL_NX, CAL_NXP, CAL_DXA, CAL_LX};
+    if (g->inst == NONE) return;
+    GLOBAL const float* record = instance_record(s, g->inst);
+    float scale = record[INST_SCALE];
+    for (int i = 0; i < 5; i++) {
+        PRIVATE float* d = vars + dirs[i];
+        float3 v = scale3(affine_vector(record + INST_FRAME, F3(d[0], d[1], d[2])), 1.0f / scale);
+        d[0] = v.x; d[1] = v.y; d[2] = v.z;
+    }
+    float3 p = affine_point(record + INST_FRAME, g->p);
+    vars[CAL_PX] = p.x; vars[CAL_PY] = p.y; vars[CAL_PZ] = p.z;
+    vars[CAL_T] *= scale; vars[CAL_TS] *= scale;
+}
+
+// A direction or displacement that such a function gave, in the world; its length is kept.
+FN float3 vector_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, float3 v) {
+    if (g->inst == NONE) return v;
+    GLOBAL const float* record = instance_record(s, g->inst);
+    return scale3(affine_back(record + INST_FRAME, v), 1.0f / record[INST_SCALE]);
+}
+FN void turn_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, PRIVATE float* v) {
+    float3 w = vector_from_frame(s, g, F3(v[0], v[1], v[2]));
+    v[0] = w.x; v[1] = w.y; v[2] = w.z;
+}
+
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
 FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, PRIVATE Sampler* rnd) {
     uint stack[8];
@@ -49,7 +76,7 @@ FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
             mod = m[MOD_NEXT];
             continue;
         }
-        if (!have_vars) { surface_vars(par, g, vars); have_vars = 1; }
+        if (!have_vars) { surface_vars(par, g, vars); vars_to_frame(s, g, vars); have_vars = 1; }
         int bad = cal_run(s, m[MOD_PROGRAM], vars, out);
         if (type == M_MIXTURE) {
             if (bad) return 0;  // an error yields no material here
@@ -62,7 +89,10 @@ FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
         if (!bad) {
             if (type == M_PATTERN1) g->color = scale3(g->color, out[0]);
             if (type == M_PATTERN3) g->color = mul3(g->color, F3(out[0], out[1], out[2]));
-            if (type == M_TEXTURE) { g->pert = add3(g->pert, F3(out[0], out[1], out[2])); g->flat = 0; }
+            if (type == M_TEXTURE) {
+                g->pert = add3(g->pert, vector_from_frame(s, g, F3(out[0], out[1], out[2])));
+                g->flat = 0;
+            }
         }
         mod = m[MOD_NEXT];
     }

@@ -154,8 +154,10 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     if (!g->front && par->bv == 0u && type != M_DIELECTRIC && type != M_INTERFACE && type != M_BRTD && type != M_PRISM) { l->flags |= LOBE_PASS; return; }
     if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {  // functions evaluated once per hit
         material_vars(par, g, vars);
+        vars_to_frame(s, g, vars);
         if (cal_run(s, m[MOD_PROGRAM], vars, value))
             for (int i = 0; i < CAL_OUTPUTS; i++) value[i] = 0.0f;
+        values_from_frame(s, g, m[MOD_FLAGS], value);
     }
     switch (type) {
     case M_PLASTIC: case M_METAL: case M_TRANS:
@@ -386,12 +388,21 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
 
 // What a shadow ray lets through: straight through glass, smooth trans, mixtures with void (spec shading 4.5).
 FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float dist,
-                          PRIVATE Sampler* rnd) {
-    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f), medium = black, beyond;
+                          uint source, float3 medium, PRIVATE Sampler* rnd) {
+    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f), beyond;
+    GLOBAL const float* q = source_record(s, par, source);
+    uint kind = as_uint_(q[SRC_KIND]);
     Ray ray;
     ray.org = org; ray.dir = dir; ray.tmin = 0.0f;
     ray.tmax = dist >= 1e29f ? 1e30f : shadow_end(dist);
-    if (trace_any(s, &ray, RAY_OPAQUE)) return black;
+    if (kind == SK_SPHERE || kind == SK_CYLINDER) {  // near its outline a round source may stand in its own light
+        Hit hit;
+        trace_closest(s, &ray, RAY_OPAQUE, &hit);
+        if (hit.prim != NO_HIT && hit.prim != as_uint_(q[SRC_PRIM])) return black;
+    } else if (trace_any(s, &ray, RAY_OPAQUE)) {
+        return black;
+    }
+    if (par->medium.w > 0.0f) T = attenuation(medium, MIN_(dist, 1e20f));
     if (par->shadow_mode == SHADOW_OPAQUE) return T;
     float total = 0.0f;
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
@@ -491,11 +502,11 @@ FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
     Sampler rnd = path_sampler(info);
     rnd.key = hash_(rnd.key ^ 0x5bd1e995u);
     float3 T, medium = F3(0.0f, 0.0f, 0.0f);
+    if (par->medium.w > 0.0f) medium = xyz4(a->smed[slot]);
     if (par->shadow_mode == SHADOW_AIMED) {
-        if (par->medium.w > 0.0f) medium = xyz4(a->smed[slot]);
         T = shadow_aimed(s, par, xyz4(o), xyz4(d), c.w, as_uint_(o.w), medium, &rnd);
     } else {
-        T = shadow_straight(s, par, xyz4(o), xyz4(d), d.w, &rnd);
+        T = shadow_straight(s, par, xyz4(o), xyz4(d), d.w, as_uint_(o.w), medium, &rnd);
     }
     float4 r = a->rad[slot];
     a->rad[slot] = pack4(add3(xyz4(r), mul3(xyz4(c), T)), r.w);

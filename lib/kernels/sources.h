@@ -18,6 +18,32 @@ typedef struct {
     uint index;
 } LightSample;
 
+// RADIANCE's partition of a large source (-ds; spec shading 4.3): the piece that holds this sample, found by halving the
+// source while it is large for its distance, each half with equal chance.  *c is moved to the piece's centre, *u and *v
+// become its half vectors; the result is the piece's share of the source.  Only -dj < 1 can tell it from the whole.
+FN float source_piece(float3 p, float ds, int line, PRIVATE float3* c, PRIVATE float3* u, PRIVATE float3* v, PRIVATE float2* x) {
+    float share = 1.0f, k = 2.0f / ds, du = k * length3(*u), dv = line ? 0.0f : k * length3(*v);
+    for (int i = 0; i < 6; i++) {  // at most 64 pieces
+        float d = length3(sub3(p, *c)), sign;
+        if (d >= du && d >= dv) break;
+        if (du >= dv) {
+            sign = x->x < 0.5f ? -0.5f : 0.5f;
+            x->x = x->x < 0.5f ? 2.0f * x->x : 2.0f * x->x - 1.0f;
+            *c = madd3(*u, sign, *c);
+            *u = scale3(*u, 0.5f);
+            du *= 0.5f;
+        } else {
+            sign = x->y < 0.5f ? -0.5f : 0.5f;
+            x->y = x->y < 0.5f ? 2.0f * x->y : 2.0f * x->y - 1.0f;
+            *c = madd3(*v, sign, *c);
+            *v = scale3(*v, 0.5f);
+            dv *= 0.5f;
+        }
+        share *= 0.5f;
+    }
+    return share;
+}
+
 // A point of source i as seen from p; w = 0 if it cannot shine there.  x: two random numbers; dj: jitter 0..1.
 FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i, float3 p, float2 x, float dj,
                       PRIVATE LightSample* l) {
@@ -68,8 +94,15 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
             l->normal = unit3(sub3(l->point, c));
         }
     } else {
-        if (kind == SK_PARALLELOGRAM) {
-            at = madd3(f3_at(q + SRC_U), ju, madd3(f3_at(q + SRC_V), jv, c));
+        if (kind == SK_PARALLELOGRAM || (dj < 1.0f && par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING))) {
+            float3 u = f3_at(q + SRC_U), v = f3_at(q + SRC_V);
+            if (kind == SK_RING) { u = scale3(u, 0.886226925f); v = scale3(v, 0.886226925f); }  // square of equal area
+            if (dj < 1.0f && par->ds > 0.0f) {
+                source_piece(p, par->ds, 0, &c, &u, &v, &x);
+                ju = dj * (2.0f * x.x - 1.0f);
+                jv = dj * (2.0f * x.y - 1.0f);
+            }
+            at = madd3(u, ju, madd3(v, jv, c));
         } else if (kind == SK_RING) {
             float r = dj * sqrt_(x.x), sn, cs;
             k_sincos(6.28318531f * x.y, &sn, &cs);
@@ -78,12 +111,18 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
             float3 axis = f3_at(q + SRC_U), t, b;
             float r = q[SRC_RADIUS], sn, cs;
             if (dj <= 0.0f) {
+                float share = 1.0f;
+                float3 none = axis;
+                if (par->ds > 0.0f) {
+                    float3 across = cross3(sub3(p, c), axis);
+                    if (length3(across) > 2.0f * r * length3(axis)) share = source_piece(p, par->ds, 1, &c, &axis, &none, &x);
+                }
                 float3 to = sub3(c, p);
                 float d2 = dot3(to, to), h = length3(axis);
                 float ca = dot3(to, axis) / (h * sqrt_(d2));
                 l->dist = sqrt_(d2); l->dir = scale3(to, 1.0f / l->dist);
                 float sa = 1.0f - ca * ca;
-                l->w = 4.0f * r * h * sqrt_(sa > 0.0f ? sa : 0.0f) / d2;
+                l->w = 4.0f * r * (h / share) * sqrt_(sa > 0.0f ? sa : 0.0f) / d2;
                 l->point = c; l->normal = neg3(l->dir);
                 return;
             }

@@ -17,7 +17,7 @@ typedef struct {
     float total;     // path length from the eye
     uint prim, mod;  // primitive; its modifier, after find_material() the material's
     uint type;       // material type
-    uint inst;       // instance, NONE
+    uint inst;       // instance (instance.h), NONE
     int front;       // hit from the side the modelled normal points to
     int flat;        // polygon or ring without texture
     int smooth;      // perturbation from mesh smoothing
@@ -35,10 +35,31 @@ FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint shape, floa
     return unit3(add3(scale3(radial, length / side), scale3(axis, slope / side)));
 }
 
+// Smoothing and uv of a mesh triangle: the perturbation is the interpolated normal less the plane's (spec scene 3).
+FN void mesh_corners(PRIVATE const SceneTables* s, GLOBAL const uint* prim, PRIVATE const Hit* hit, PRIVATE Surface* g) {
+    GLOBAL const uint* corner = s->u + prim[PRIM_VERTEX];
+    GLOBAL const float* a = s->f + corner[0];
+    GLOBAL const float* b = s->f + corner[1];
+    GLOBAL const float* c = s->f + corner[2];
+    float w = 1.0f - hit->u - hit->v, l;
+    g->u = w * a[3] + hit->u * b[3] + hit->v * c[3];
+    g->vv = w * a[4] + hit->u * b[4] + hit->v * c[4];
+    if ((prim[PRIM_KIND] & PRIM_CORNER_NORMALS) == 0u) return;
+    float3 n = F3(w * a[0] + hit->u * b[0] + hit->v * c[0], w * a[1] + hit->u * b[1] + hit->v * c[1],
+                  w * a[2] + hit->u * b[2] + hit->v * c[2]);
+    l = length3(n);
+    if (l <= 1e-6f) return;
+    g->pert = sub3(scale3(n, 1.0f / l), g->nface);
+    g->smooth = 1;
+}
+
 FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE const Hit* hit, PRIVATE Surface* g) {
     GLOBAL const uint* prim = s->prims + PRIM_WORDS * hit->prim;
     uint kind = prim[PRIM_KIND];
+    float3 local;    // the point in the coordinates of the primitive
+    GLOBAL const float* matrix = 0;
     g->p = madd3(ray->dir, hit->t, ray->org);
+    local = g->p;
     g->v = neg3(ray->dir);
     g->prim = hit->prim;
     g->mod = prim[PRIM_MOD];
@@ -48,19 +69,36 @@ FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE
     g->vv = 0.0f;
     g->length = hit->t;
     g->reach = MAX_(hit->t, as_float_(prim[PRIM_EXTENT]));
-    g->inst = NONE;
+    g->inst = hit->inst;
     g->smooth = 0;
+    if (hit->inst != NONE) {
+        GLOBAL const float* record = instance_record(s, hit->inst);
+        matrix = instance_matrix(s, record);
+        local = affine_point(matrix, g->p);
+        if (as_uint_(record[INST_MOD]) != NONE) g->mod = as_uint_(record[INST_MOD]);
+        // the matrix rounds by the size of the point, traversal by that of the tree
+        g->reach = MAX_(MAX_(hit->t, record[INST_REACH]), fabs_(g->p.x) + fabs_(g->p.y) + fabs_(g->p.z));
+    }
     g->flat = (kind & PRIM_TEXTURE_FLAT) != 0u;
     uint shape = kind & PRIM_KIND_MASK;
     if (shape == PRIM_SPHERE || shape == PRIM_CONE) {
-        float3 n = shape_normal(s, shape, prim[PRIM_NORMAL], g->p);
+        float3 n = shape_normal(s, shape, prim[PRIM_NORMAL], local);
         g->nface = (kind & PRIM_INWARD) != 0u ? neg3(n) : n;
         if (shape == PRIM_SPHERE) {  // put the point on the surface: far from it single precision drifts
             GLOBAL const float* q = s->shapes + 16u * prim[PRIM_NORMAL];
-            g->p = madd3(n, q[4], F3(q[1], q[2], q[3]));
+            float3 on = madd3(n, q[4], F3(q[1], q[2], q[3]));
+            if (matrix == 0) g->p = on;
+            else g->p = madd3(affine_back(matrix, sub3(on, local)), 1.0f / affine_scale2(matrix), g->p);
         }
     } else {
         g->nface = F3(as_float_(prim[PRIM_NORMAL]), as_float_(prim[PRIM_NORMAL + 1u]), as_float_(prim[PRIM_NORMAL + 2u]));
+    }
+    if (shape == PRIM_SMOOTH) mesh_corners(s, prim, hit, g);
+    if (matrix != 0) {  // mirrored ones keep their sides: the normal is mirrored as the geometry is
+        float3 n = affine_back(matrix, g->nface);
+        float k = 1.0f / length3(n);
+        g->nface = scale3(n, k);
+        g->pert = scale3(affine_back(matrix, g->pert), k);
     }
     g->front = dot3(g->nface, g->v) > 0.0f;
     g->ng = g->front ? g->nface : neg3(g->nface);

@@ -11,7 +11,8 @@
 #define PRIM_MOD 1u       // modifier index, NONE if void
 #define PRIM_SOURCE 2u    // active source index, NONE
 #define PRIM_NORMAL 3u    // flat: 3 floats, unit; curved: shape index in word 3
-#define PRIM_VERTEX 6u    // smooth triangles: index of the mesh triangle record
+#define PRIM_VERTEX 6u    // PRIM_SMOOTH: index into u of three words, the corners' CORNER_FLOATS in f: normal, Lu, Lv
+#define CORNER_FLOATS 5u
 #define PRIM_EXTENT 7u    // size of the primitive (float): its hits are as inexact as rays of that length
 #define PRIM_FLAT 1u
 #define PRIM_SPHERE 2u
@@ -20,7 +21,15 @@
 #define PRIM_KIND_MASK 15u
 #define PRIM_INWARD 16u   // bubble, cup, tube
 #define PRIM_TEXTURE_FLAT 32u  // polygon or ring ("flat flag")
+#define PRIM_CORNER_NORMALS 64u  // PRIM_SMOOTH: all three corners have normals
 #define NONE 0xffffffffu
+
+// ---- instances: records of SHAPE_FLOATS floats in SceneTables.shapes, after all shapes; Hit.inst is the number of one
+#define INST_SHAPE 0u     // its SHAPE_INSTANCE (word): the matrix to the tree's coordinates
+#define INST_FRAME 1u     // 12: matrix to the coordinates that functions of the modifiers see
+#define INST_MOD 13u      // modifier in place of all those inside (word), NONE = their own
+#define INST_SCALE 14u    // a world length in the coordinates of INST_FRAME
+#define INST_REACH 15u    // radius of the tree in the world: hits inside are as inexact as rays of that length
 
 // ---- modifiers: MOD_WORDS words each at u[Params.mods_at]
 #define MOD_WORDS 8u
@@ -129,6 +138,7 @@ typedef struct {
     uint distant_count, portals_at, portal_count, shadow_mode;
     int ab, lr; uint bv, flags;
     float st, ss, dj, lw;
+    float ds, pad1, pad2, pad3;
     uint skip_direct_below, cdf_at, draw_at, draw_count;
 } Params;
 

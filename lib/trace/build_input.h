@@ -1,23 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The geometry of a FlatScene as the BVH builder wants it.
 #pragma once
+#include <vector>
 #include "trace/bvh_build.h"
 #include "trace/flat_scene.h"
 
 namespace trace {
 
-inline BuildInput build_input(const FlatScene& s) {
-    BuildInput in;
-    in.vertices = s.vertices.data();
-    in.vertex_count = s.vertices.size() / 3;
-    in.triangles = s.triangles.data();
-    in.tri_prim = s.tri_prim.data();
-    in.triangle_count = s.triangles.size() / 3;
-    in.shapes = s.shapes.data();
-    in.shape_prim = s.shape_prim.data();
-    in.shape_count = s.shapes.size() / 16;
-    in.polygon_uv = s.polygon_uv.data();
-    return in;
+inline std::vector<BuildInput> build_inputs(const FlatScene& s) {
+    std::vector<BuildInput> trees;
+    for (const FlatScene::Tree& t : s.trees) {
+        BuildInput in;
+        in.vertices = s.vertices.data() + 3 * t.first_vertex;
+        in.vertex_count = t.vertex_count;
+        in.triangles = s.triangles.data() + 3 * t.first_triangle;
+        in.tri_prim = s.tri_prim.data() + t.first_triangle;
+        in.triangle_count = t.triangle_count;
+        in.shapes = s.shapes.data();
+        in.shape_prim = s.shape_prim.data();
+        in.first_shape = t.first_shape;
+        in.shape_count = t.shape_count;
+        in.polygon_uv = s.polygon_uv.data();
+        trees.push_back(in);
+    }
+    return trees;
 }
 
 }  // namespace trace

@@ -49,12 +49,12 @@ public:
 
     void upload(FlatScene s) override {
         scene_ = std::move(s);
-        BuildInput in = build_input(scene_);
+        const std::vector<BuildInput> in = build_inputs(scene_);
         if (embree_) {
-            check_ = std::make_unique<EmbreeScene>(&in);
+            check_ = std::make_unique<EmbreeScene>(in.data(), in.size());
             tables_.nodes = reinterpret_cast<const float*>(check_.get());
         } else {
-            bvh_ = build_bvh8(in);
+            bvh_ = build_bvh8(in.data(), in.size());
             tables_.nodes = bvh_.nodes.data();
             tables_.leaves = bvh_.leaves.data();
         }

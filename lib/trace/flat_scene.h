@@ -11,11 +11,14 @@
 namespace trace {
 
 struct FlatScene {
+    // Geometry of all trees: 0 is the scene, the others are what its instances hold, in coordinates of their own.
+    struct Tree { size_t first_vertex = 0, vertex_count = 0, first_triangle = 0, triangle_count = 0, first_shape = 0, shape_count = 0; };
+    std::vector<Tree> trees;
     std::vector<uint32_t> prims;      // PRIM_WORDS each
-    std::vector<float> vertices;      // 3 each, relative to centre
-    std::vector<uint32_t> triangles;  // 3 vertex indices each
+    std::vector<float> vertices;      // 3 each, relative to centre (tree 0)
+    std::vector<uint32_t> triangles;  // 3 vertex indices each, from the tree's first
     std::vector<uint32_t> tri_prim;   // primitive of each triangle; bit 31 = transparent class
-    std::vector<float> shapes;        // 16 each
+    std::vector<float> shapes;        // 16 each; after those of all trees the records of instances (INST_*, tables.h)
     std::vector<uint32_t> shape_prim; // primitive of each shape; bit 31 as above
     std::vector<float> polygon_uv;
     std::vector<uint32_t> u;          // arenas
@@ -30,7 +33,15 @@ struct FlatScene {
     // Transparent polygons (world coordinates): candidates for portals.
     struct Pane { base::Vec3 corner, edge, normal; double area; std::vector<base::Vec3> points; };
     std::vector<Pane> panes;
-    std::vector<uint32_t> prim_object;  // scene object of each primitive
+    std::vector<uint32_t> prim_object;  // scene object of each primitive; NO_OBJECT inside instances
+    static constexpr uint32_t NO_OBJECT = 0xffffffffu;
+    // Of instance records: the first one's number, and the mesh or instance of the scene that each belongs to.
+    uint32_t instances_at = 0;
+    std::vector<uint32_t> instance_object;
+    // Scene object of a hit (prim and inst of kernels/intersect.h): the whole mesh or instance if it is in one.
+    uint32_t object_of(uint32_t prim, uint32_t inst) const {
+        return inst == NO_OBJECT ? prim_object[prim] : instance_object[inst - instances_at];
+    }
 };
 
 // Throws Error naming file:line for what ptrace cannot render.

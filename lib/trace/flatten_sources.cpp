@@ -50,6 +50,27 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3>& v, Vec3 n) 
     out.push_back({left[0], left[1], left[2]});
     return out;
 }
+// The half vectors of RADIANCE's partition: quadrilaterals as if parallelograms, triangles by the edge nearest the centroid,
+// others a square of equal area.
+void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec3& u, Vec3& w) {
+    if (v.size() == 4) {
+        u = (v[1] - v[0]) * 0.5;
+        w = (v[3] - v[0]) * 0.5;
+        return;
+    }
+    Vec3 along = unit(v[1] - v[0]);
+    double size = std::sqrt(area) / 2;
+    if (v.size() == 3) {
+        size = 1e30;
+        for (int i = 0; i < 3; i++) {
+            const Vec3 e = unit(v[(i + 1) % 3] - v[i]);
+            const double d = length(cross(mid - v[i], e));
+            if (d < size) { size = d; along = e; }
+        }
+    }
+    u = along * size;
+    w = cross(n, along) * size;
+}
 }  // namespace
 
 void Flattener::flatten_sources() {
@@ -140,6 +161,10 @@ void Flattener::flatten_sources() {
                 put(q + SRC_V, (v[3] - v[0]) * 0.5);
             } else {
                 q[SRC_KIND] = from_bits(SK_POLYGON);
+                Vec3 u, w;  // RADIANCE's size vectors, for -ds with -dj below 1 (spec shading 4.3)
+                size_vectors(v, mid, normal, length(sum) / 2, u, w);
+                put(q + SRC_U, u);
+                put(q + SRC_V, w);
                 const auto tris = triangulate(v, normal);
                 double total = 0, done = 0;
                 std::vector<double> area;

@@ -20,7 +20,11 @@ struct HostTracer::State {
     Bvh bvh;
     SceneTables tables{};
     Params params{};
-    explicit State(const FlatScene& s) : scene(s), bvh(build_bvh8(build_input(s))) {
+    static Bvh build(const FlatScene& s) {
+        const std::vector<BuildInput> trees = build_inputs(s);
+        return build_bvh8(trees.data(), trees.size());
+    }
+    explicit State(const FlatScene& s) : scene(s), bvh(build(s)) {
         tables.nodes = bvh.nodes.data();
         tables.leaves = bvh.leaves.data();
         tables.shapes = s.shapes.data();

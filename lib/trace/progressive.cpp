@@ -122,7 +122,7 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.portal_count = flat.portal_count;
     p.cdf_at = flat.cdf_at;
     p.shadow_mode = flat.shadow_mode;
-    p.medium = {float(o.me[0]), float(o.me[1]), float(o.me[2]), flat.absorbs ? 1.0f : 0.0f};
+    p.medium = {float(o.me[0]), float(o.me[1]), float(o.me[2]), flat.absorbs || o.me[0] > 0 || o.me[1] > 0 || o.me[2] > 0 ? 1.0f : 0.0f};
     p.ab = o.ab;
     p.lr = o.lr;
     p.bv = o.bv;
@@ -130,6 +130,7 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.st = float(o.st);
     p.ss = float(o.ss);
     p.dj = float(o.dj);
+    p.ds = float(o.ds);
     p.lw = float(o.lw);
     p.skip_direct_below = s.m;
     s.device->upload(std::move(flat));
