@@ -3,6 +3,7 @@
 #include "base/find_file.h"
 #include <sys/stat.h>
 #include <unistd.h>
+#include <algorithm>
 #include <cstdlib>
 #include "base/error.h"
 
@@ -16,6 +17,17 @@ std::vector<std::string> raypath_from_environment() {
         if (*c == ':') directories.emplace_back();
         else directories.back() += *c;
     return directories;
+}
+
+void search_beside(const std::vector<std::string>& files, ReadOptions& options) {
+    if (options.raypath.empty()) options.raypath = {"."};
+    for (const std::string& file : files) {
+        const size_t slash = file.rfind('/');
+        if (file.empty() || slash == std::string::npos || file[0] == '!') continue;
+        const std::string folder = slash == 0 ? "/" : file.substr(0, slash);
+        if (std::find(options.raypath.begin(), options.raypath.end(), folder) == options.raypath.end())
+            options.raypath.push_back(folder);
+    }
 }
 
 static bool readable(const std::string& path) {

@@ -16,6 +16,10 @@ struct ReadOptions {
 // The colon-separated directories of $RAYPATH; {"."} when it is not set.
 std::vector<std::string> raypath_from_environment();
 
+// Adds the folders of these files to the end of the search path, so that a scene is found whole from anywhere (RADIANCE
+// itself does not look there).
+void search_beside(const std::vector<std::string>& files, ReadOptions& options);
+
 // Path of a file by these rules; throws Error (place = who) if there is none that can be read.
 std::string find_file(const std::string& name, const ReadOptions& options, const std::string& who);
 // As find_file, but "" if there is none.

@@ -315,6 +315,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& opt) {
     } else {
         opt.scene_files = operands;
     }
+    base::search_beside(opt.scene_files, opt.files);
     if (!opt.warnings) base::set_warning_sink({});
     if (!reading.not_needed.empty()) base::warn("", "a path tracer does not need" + reading.not_needed);
     check(opt);

@@ -142,6 +142,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
             base::fail(words.peek(), "no such option; vcregion -help lists them");
         }
     }
+    base::search_beside(o.scene, o.files);
     if (!o.warnings) base::set_warning_sink({});
     check(o);
     return std::nullopt;
