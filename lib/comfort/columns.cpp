@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comfort/columns.h"
 #include <algorithm>
+#include <cmath>
 #include "base/error.h"
 
 namespace comfort {
@@ -41,8 +42,8 @@ const Entry entries[] = {
     {"PGSV", sources | mask, [](M m) { return m.pgsv.value; }},
     {"PGSVcon", sources | mask, [](M m) { return m.pgsv.contrast; }},
     {"PGSVsat", sources | mask, [](M m) { return m.pgsv.saturation; }},
-    {"Lveil", sources, [](M m) { return veil_poynter(m.glare, 0); }},
-    {"LveilCIE", sources, [](M m) { return veil_cie(m.glare); }},
+    {"Lveil", sources, [](M m) { return veil_poynter(m.glare); }},
+    {"LveilCIE", sources, [](M m) { return veil_cie(m.glare, -HUGE_VAL); }},
     {"Lavg", nothing, [](M m) { return m.mean_lum; }},
     {"Lmax", nothing, [](M m) { return m.max_lum; }},
     {"Lmed", medians, [](M m) { return m.median; }},
@@ -103,9 +104,9 @@ private:
                 needs_.sources |= (e.wants & sources) != 0;
                 needs_.rammg |= (e.wants & rammg) != 0;
                 needs_.medians |= (e.wants & medians) != 0;
-                if (name == "Lveil") {
+                if (name == "LveilCIE") {
                     const double cut = settings_.veil_cut;
-                    columns_.push_back({name, [cut](M m) { return veil_poynter(m.glare, cut); }});
+                    columns_.push_back({name, [cut](M m) { return veil_cie(m.glare, cut); }});
                 } else {
                     columns_.push_back({name, e.value});
                 }

@@ -29,7 +29,7 @@ bool outside_both_eyes(double sigma, double tau, double elevation) {
 
 double inside_cosine(double opening) { return opening / 2 >= evalglare_pi ? -2 : std::cos(opening / 2); }
 
-double task_luminance(const Luminance& lum, const Geometry& g, const Circle& task) {
+double task_luminance(const Luminance& lum, const Geometry& g, const Circle& task, bool slips) {
     if (task.x < 0 || task.y < 0 || task.x >= g.width || task.y >= g.height)
         base::fail("-t", "the task position " + std::to_string(task.x) + " " + std::to_string(task.y) + " is outside the picture of " +
                              std::to_string(g.width) + " x " + std::to_string(g.height) + " pixels");
@@ -37,7 +37,7 @@ double task_luminance(const Luminance& lum, const Geometry& g, const Circle& tas
     const double limit = inside_cosine(float(task.opening));
     double flux = 0, omega = 0;
     for (size_t i = 0; i < lum.size(); ++i) {
-        if (g.omega[i] == 0 || dot(centre, g.direction(i)) < limit) continue;
+        if (g.omega[i] == 0 || !inside(dot(centre, g.direction(i)), limit, slips)) continue;
         omega += std::fabs(g.omega[i]);
         if (g.valid(i)) flux += g.omega[i] * lum.at(i);
     }

@@ -12,9 +12,11 @@ namespace comfort {
 
 // cos(opening/2): a pixel is inside if its direction's dot product with the centre's is at least this.
 double inside_cosine(double opening);
+// evalglare takes no care of dot products that rounding carries above 1: such a pixel is outside even its own circle.
+inline bool inside(double cosine, double limit, bool slips) { return cosine >= limit && !(slips && cosine > 1); }
 
 // Mean luminance of a circle over all its pixels, those outside the field of view with luminance 0.
-double task_luminance(const Luminance& lum, const Geometry& geometry, const Circle& task);
+double task_luminance(const Luminance& lum, const Geometry& geometry, const Circle& task, bool slips = false);
 
 // -b: factor (up to 100) of the reference luminance or cd/m2; default 2000, or 5 with a task.
 float source_threshold(const Settings& settings, bool has_task, double reference);

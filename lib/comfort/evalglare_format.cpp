@@ -8,11 +8,16 @@ namespace {
 
 // DGP share of one source: alone over the total, log10 of each (r_contrast), and in units of DGP (r_dgp).
 struct Shares { double contrast, dgp; };
-Shares shares_of(const GlareSource& s, const Measurement& m, const DgpConstants& k) {
+Shares shares_of(const GlareSource& s, const Measurement& m, const DgpConstants& k, const Meter& meter) {
+    const DgpConstants plain;  // L^2 w / P^2 whatever -w says
     double sum = 0;
-    for (const GlareSource& o : m.glare) sum += dgp_term(o, k);
+    if (meter.finder().before_zones().empty()) {
+        for (const GlareSource& o : m.glare) sum += dgp_term(o, plain);
+    } else {  // evalglare's total is the one of the sources before zones split them
+        for (const Source& o : meter.finder().before_zones()) sum += dgp_term({o.lum, o.omega, o.P, 0, 0, 0}, plain);
+    }
     const double scale = std::pow(m.ev, k.a3);
-    const double alone = std::log10(1 + dgp_term(s, k) / scale);
+    const double alone = std::log10(1 + dgp_term(s, plain) / scale);
     return {alone / std::log10(1 + sum / scale), k.c2 * alone / m.dgp_computed};
 }
 
@@ -27,16 +32,17 @@ std::string zone_line(const AreaStatistics& a, int zone, long count, const char*
            statistics_line(a) + fmt::sprintf(" %f %d\n", a.eye_lux, count);
 }
 
-std::string source_lines(const Measurement& m, const Settings& settings, int height) {
+std::string source_lines(const Measurement& m, const Settings& settings, const Meter& meter) {
+    const int height = meter.geometry().height;
     std::string out = fmt::sprintf("%d No pixels x-pos y-pos L_s Omega_s Posindx L_b L_t E_v Edir Max_Lum Sigma xdir ydir zdir Eglare "
                                    "Lveil_cie teta glare_zone r_contrast r_dgp\n", int(m.sources.size()));
     for (size_t i = 0; i < m.sources.size(); ++i) {
         const Source& s = m.sources[i];
         const GlareSource& g = m.glare[i];
-        const Shares share = shares_of(g, m, settings.constants);
+        const Shares share = shares_of(g, m, settings.constants, meter);
         out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f %f %f %f %f %f %f %f %d %f %f \n", int(i + 1), s.pixels, s.x, height - s.y,
                             s.lum, s.omega, s.P, m.background, m.task_lum, m.ev, m.direct_lux, m.max_lum, s.sigma_deg, s.direction.x,
-                            s.direction.y, s.direction.z, s.eye_lux, veil_cie({g}), g.theta_deg, s.zone, share.contrast, share.dgp);
+                            s.direction.y, s.direction.z, s.eye_lux, veil_cie({g}, settings.veil_cut), g.theta_deg, s.zone, share.contrast, share.dgp);
     }
     if (m.sources.empty()) {
         out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f", 0, 0., 0., 0., 0., 0., 0., m.background, m.task_lum, m.ev, m.direct_lux, m.max_lum);
@@ -52,7 +58,7 @@ std::string summary_line(const Measurement& m, const Settings& settings) {
     const double d = dgr(m.glare, m.mean_lum);
     const double values[] = {m.dgp, m.mean_lum, m.ev, m.background, m.direct_lux, dgi(m.glare, m.background), ugr(m.glare, m.background),
                              vcp(m.glare, d), cgi(m.glare, m.direct_lux, m.ev), m.sources.empty() ? 0 : flux / omega, omega,
-                             veil_poynter(m.glare, settings.veil_cut), veil_cie(m.glare), d, ugp(m.glare, m.background),
+                             veil_poynter(m.glare), veil_cie(m.glare, settings.veil_cut), d, ugp(m.glare, m.background),
                              ugr_exp(m.glare, m.background0, m.ev), dgi_mod(m.glare, m.background, m.ev), m.mean_pos, m.mean_pos2,
                              m.median, m.median_pos, m.median_pos2, ugp2(m.glare, m.background)};
     std::string out = "dgp,av_lum,E_v,lum_backg,E_v_dir,dgi,ugr,vcp,cgi,lum_sources,omega_sources,Lveil,Lveil_cie,dgr,ugp,ugr_exp,dgi_mod,"
@@ -92,7 +98,7 @@ std::string evalglare_lines(const Measurement& m, const Settings& settings, cons
     std::string text;
     if (m.black_corners && *m.black_corners > 70) text += evalglare_black_corners(*m.black_corners, false);
     if (out.ev_only) return text + fmt::sprintf("%f\n", m.ev);
-    if (settings.fast == 1) return text + fmt::sprintf("%f\n", m.dgp);
+    if (settings.fast == 1 || (settings.fast == 2 && !settings.external_ev)) return text + fmt::sprintf("%f\n", m.dgp);
     if (settings.fast == 2) return text + fmt::sprintf("%f %f \n", m.dgp, ugr(m.glare, m.background));
     if (settings.fast) return text;
     if (settings.patches && settings.patches->mode == 3) return text + patch_lines(m, meter);
@@ -106,10 +112,10 @@ std::string evalglare_lines(const Measurement& m, const Settings& settings, cons
                 statistics_line(*m.mask) + fmt::sprintf(" %f %f %f %f\n", m.pgsv.contrast, m.pgsv.saturation, m.pgsv.value, m.mask->eye_lux);
     if (detailed && m.zone1) text += zone_line(*m.zone1, 1, m.zone1->pixels, " ");
     if (detailed && m.zone2) text += zone_line(*m.zone2, 2, m.zone1->pixels, "  ");  // evalglare repeats zone 1's count
-    if (detailed) return text + source_lines(m, settings, meter.geometry().height) + summary_line(m, settings);
+    if (detailed) return text + source_lines(m, settings, meter) + summary_line(m, settings);
     const double ugr_value = ugr(m.glare, m.background), dgi_value = dgi(m.glare, m.background);
     const double vcp_value = vcp(m.glare, dgr(m.glare, m.mean_lum)), cgi_value = cgi(m.glare, m.direct_lux, m.ev);
-    const double veil = veil_poynter(m.glare, settings.veil_cut);
+    const double veil = veil_poynter(m.glare);
     if (out.dgp_and_ev)
         return text + fmt::sprintf("dgp,dgi,ugr,vcp,cgi,dgp_ext,Ev_calc,abs_max,Lveil: %f %f %f %f %f %f %f %f %f \n", m.dgp_computed, dgi_value,
                                    ugr_value, vcp_value, cgi_value, 0., m.ev, m.max_lum, veil);

@@ -98,18 +98,19 @@ double vcp(const Sources& s, double value) {
     return float(50 * std::erf((6.374 - 1.3227 * std::log(value)) / 1.414213562373) + 50);
 }
 
-double veil_poynter(const Sources& sources, double cut) {
+double veil_poynter(const Sources& sources) {
     double sum = 0;
-    for (const GlareSource& s : sources) {
-        const double term = s.lum * s.omega * std::cos(s.sigma_deg / evalglare_deg + 1e-11) / (s.sigma_deg + 1e-11);
-        if (!(5 * term <= cut)) sum += term;
-    }
+    for (const GlareSource& s : sources)
+        sum += s.lum * s.omega * std::cos(s.sigma_deg / evalglare_deg + 1e-11) / (s.sigma_deg + 1e-11);
     return float(5 * sum);
 }
 
-double veil_cie(const Sources& sources) {
+double veil_cie(const Sources& sources, double cut) {
     double sum = 0;
-    for (const GlareSource& s : sources) sum += 10 * s.eye_lux / (s.theta_deg * s.theta_deg + 1e-16);
+    for (const GlareSource& s : sources) {
+        const double term = 10 * s.eye_lux / (s.theta_deg * s.theta_deg + 1e-16);
+        if (!(term <= cut)) sum += term;
+    }
     return sum;
 }
 

@@ -32,7 +32,7 @@ double ugp2(const Sources& s, double background);
 double cgi(const Sources& s, double direct_lux, double ev);
 double dgr(const Sources& s, double mean_lum);
 double vcp(const Sources& s, double dgr);
-double veil_poynter(const Sources& s, double cut);
-double veil_cie(const Sources& s);
+double veil_poynter(const Sources& s);
+double veil_cie(const Sources& s, double cut);  // terms up to `cut` are left out (-k)
 
 }  // namespace comfort

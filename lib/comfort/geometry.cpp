@@ -41,31 +41,41 @@ double quadrilateral(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
 
 }  // namespace
 
-Geometry::Geometry(const view::View& v, int w, int h, bool mirrored)
+Geometry::Geometry(const view::View& v, int w, int h, bool evalglare_slips)
     : width(w), height(h), projector(v), omega(size_t(w) * h), omega_cos(size_t(w) * h) {
-    std::vector<Corner> low = corner_row(projector, w, 0), high;
-    for (int y = 0; y < h; ++y) {
-        high = corner_row(projector, w, double(y + 1) / h);
-        double* row = &omega[index(0, mirrored ? h - 1 - y : y)];
+    if (evalglare_slips) slips_.emplace(v);
+    solid_angles();
+    const Vec3 forward = projector.forward();
+    for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
+            const size_t i = index(x, y);
+            if (!(omega[i] > 0)) continue;
+            const Vec3 d = direction(x, y);
+            if (dot(d, d) == 0) { omega[i] = 0; continue; }
+            const double c = dot(forward, d);
+            if (v.type == 'a' && c < 0) { omega[i] = -omega[i]; continue; }
+            omega_cos[i] = omega[i] * (slips_ ? c : std::max(c, 0.0));
+        }
+    find_spans();
+}
+
+void Geometry::solid_angles() {
+    if (slips_) {
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) omega[index(x, y)] = slips_->omega(x, y, width, height);
+        return;
+    }
+    std::vector<Corner> low = corner_row(projector, width, 0), high;
+    for (int y = 0; y < height; ++y) {
+        high = corner_row(projector, width, double(y + 1) / height);
+        double* row = &omega[index(0, y)];
+        for (int x = 0; x < width; ++x) {
             const bool all = low[x].exists && low[x + 1].exists && high[x].exists && high[x + 1].exists;
             const double size = all ? quadrilateral(low[x].d, low[x + 1].d, high[x + 1].d, high[x].d) : 0;
             row[x] = size <= 2 * pi ? size : 0;
         }
         low.swap(high);
     }
-    const Vec3 forward = projector.forward();
-    for (int y = 0; y < h; ++y)
-        for (int x = 0; x < w; ++x) {
-            const size_t i = index(x, y);
-            if (!(omega[i] > 0)) continue;
-            const auto d = projector.direction((x + 0.5) / w, (y + 0.5) / h);
-            if (!d) { omega[i] = 0; continue; }
-            const double c = dot(forward, *d);
-            if (v.type == 'a' && c < 0) { omega[i] = -omega[i]; continue; }
-            omega_cos[i] = omega[i] * std::max(c, 0.0);
-        }
-    find_spans();
 }
 
 void Geometry::find_spans() {
@@ -86,6 +96,8 @@ void Geometry::find_spans() {
 }
 
 Vec3 Geometry::direction(int x, int y) const {
+    Vec3 exact;
+    if (slips_) return slips_->direction((x + 0.5) / width, (y + 0.5) / height, exact) ? exact : Vec3{};
     const auto d = projector.direction((x + 0.5) / width, (y + 0.5) / height);
     return d ? *d : Vec3{};
 }

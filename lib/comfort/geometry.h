@@ -5,7 +5,9 @@
 // corners) is above 0 and, for type a, it is not behind the eye.  Types c and s that look behind keep those pixels
 // with cosine 0 (evalglare: negative cosines).
 #pragma once
+#include <optional>
 #include <vector>
+#include "comfort/evalglare_geometry.h"
 #include "view/view.h"
 
 namespace comfort {
@@ -15,8 +17,9 @@ struct Span { int begin, end; };  // columns begin .. end-1
 
 class Geometry {
 public:
-    // mirrored: solid angle of the pixel in the opposite row, as evalglare has it (differs if vl is not 0).
-    Geometry(const view::View& view, int width, int height, bool mirrored = false);
+    // evalglare_slips: directions and solid angles as evalglare rounds them, the solid angle that of the pixel in the
+    // opposite row (differs if vl is not 0), and negative cosines behind the eye.
+    Geometry(const view::View& view, int width, int height, bool evalglare_slips = false);
 
     int width, height;
     view::Projector projector;
@@ -37,7 +40,9 @@ public:
     bool fits(const view::View& view, int w, int h) const { return w == width && h == height && view == projector.view(); }
 
 private:
+    void solid_angles();
     void find_spans();
+    std::optional<EvalglareRays> slips_;
 };
 
 // evalglare's rad-to-degree literal (3.1415927): used wherever its printed degrees are ours.

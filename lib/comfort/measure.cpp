@@ -4,6 +4,7 @@
 #include <cmath>
 #include "base/error.h"
 #include "comfort/detect.h"
+#include "comfort/evalglare_format.h"
 
 namespace comfort {
 
@@ -28,9 +29,11 @@ void Meter::prepare(const view::View& view, const image::Picture& picture, const
     if (regions_ && (regions_->width != picture.width || regions_->height != picture.height))
         base::fail(place, "the picture has " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
                               " pixels, the regions " + std::to_string(regions_->width) + " x " + std::to_string(regions_->height));
+    if (settings_.slips && view.vl != 0)
+        base::warn(place, "the view has a lift (-vl): the solid angles are evalglare's, those of the mirrored rows");
     finder_.reset();
     geometry_.reset();
-    geometry_ = std::make_unique<Geometry>(view, picture.width, picture.height, settings_.slips && view.vl != 0);
+    geometry_ = std::make_unique<Geometry>(view, picture.width, picture.height, settings_.slips);
     finder_ = std::make_unique<SourceFinder>(*geometry_, settings_);
     position_index_.clear();
     mask_.reset();
@@ -103,7 +106,7 @@ void Meter::glare(Luminance& lum, Measurement& m) {
     if (settings_.field_cut) cut_field(lum, g, settings_.field_cut, settings_.position);
     bool has_task = settings_.task || !settings_.task_region.empty();
     m.task_lum = m.mean_lum;
-    if (settings_.task) m.task_lum = task_luminance(lum, g, *settings_.task);
+    if (settings_.task) m.task_lum = task_luminance(lum, g, *settings_.task, settings_.slips);
     else if (has_task)
         for (size_t k = 0; k < region_names_.size(); ++k)
             if (region_names_[k] == settings_.task_region) m.task_lum = areas_[k].tal(lum);
@@ -124,12 +127,13 @@ void Meter::glare(Luminance& lum, Measurement& m) {
     m.any_source = !m.sources.empty();
     const double direct = settings_.fast == 2 ? settings_.fast_direct : m.direct_lux;
     const double ev = settings_.fast ? settings_.external_ev.value_or(0) : m.ev;
-    m.background0 = (ev - direct) / evalglare_pi;
+    const bool all_is_source = std::fabs(ev - direct) < 1e-11 * ev;  // two sums over the same pixels
+    m.background0 = all_is_source ? 0 : (ev - direct) / evalglare_pi;
     m.background = m.background0;
     if (settings_.background == 1) {
         double flux = 0, omega = 0;
         for (const Source& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
-        m.background = m.omega - omega == 0 ? m.mean_lum : (m.omega * m.mean_lum - flux) / (m.omega - omega);
+        m.background = m.omega - omega < 1e-11 * m.omega ? m.mean_lum : (m.omega * m.mean_lum - flux) / (m.omega - omega);
     } else if (settings_.background == 2) {
         m.background = ev / evalglare_pi;
     }
@@ -144,8 +148,8 @@ void Meter::glare(Luminance& lum, Measurement& m) {
         m.pgsv = pgsv(*m.mask, m.mean_lum, m.ev, has_task, m.task_lum);
     }
     if (settings_.zones) {
-        m.zone1 = statistics_of(zone_pixels(g, *settings_.zones, 1), lum, g);
-        if (settings_.zones->outer_opening) m.zone2 = statistics_of(zone_pixels(g, *settings_.zones, 2), lum, g);
+        m.zone1 = statistics_of(zone_pixels(g, *settings_.zones, 1, settings_.slips), lum, g);
+        if (settings_.zones->outer_opening) m.zone2 = statistics_of(zone_pixels(g, *settings_.zones, 2, settings_.slips), lum, g);
     }
 }
 
@@ -163,8 +167,10 @@ Measurement Meter::measure(image::Picture& picture, const std::string& place, co
     if (g.projector.view().type == 'v') {
         m.black_corners = black_corner_percent(lum);
         if (*m.black_corners > 70 && !settings_.force)
-            base::fail(place, "the view is perspective (-vtv) but " + std::to_string(int(*m.black_corners)) +
-                                  " % of the corners are black, as in a fisheye picture; correct the view with -vt, or insist with -f");
+            throw Refusal(place,
+                          "the view is perspective (-vtv) but " + std::to_string(int(*m.black_corners)) +
+                              " % of the corners are black, as in a fisheye picture; correct the view with -vt, or insist with -f",
+                          evalglare_black_corners(*m.black_corners, true));
     }
     if (settings_.fill) fill_rows(lum, g, *settings_.fill);
     photometry(lum, m);

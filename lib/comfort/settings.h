@@ -2,9 +2,11 @@
 // Everything one can choose about a measurement.  The letters are evalglare's options of the same meaning; defaults
 // are its defaults.  All angles named `opening` are full opening angles in radians, as evalglare's -t, -l, -r are.
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
+#include "base/error.h"
 #include "comfort/formulas.h"
 #include "comfort/position_index.h"
 #include "comfort/rammg.h"
@@ -35,7 +37,7 @@ struct Settings {
     std::optional<double> external_ev;     // -i, -I
     std::optional<Fill> fill;              // -I
     PositionModel position = PositionModel::guth;  // -P 1: kim
-    double veil_cut = 0;                   // -k
+    double veil_cut = -std::numeric_limits<double>::infinity();  // -k
     DgpConstants constants;                // -w
     DgpForm dgp_form = DgpForm::merged;
     std::optional<Patches> patches;        // -z
@@ -47,6 +49,13 @@ struct Settings {
     bool force = false;                    // -f: a perspective picture with black corners is measured
     RammgArea rammg_area = RammgArea::view;
     bool slips = false;                    // -like evalglare: mirrored solid angles, its order of sums and truncations
+};
+
+// An input that evalglare refuses with words on stdout, and these words.
+struct Refusal : base::Error {
+    std::string evalglare_says;
+    Refusal(std::string place, std::string fact, std::string says)
+        : base::Error(base::Kind::input, std::move(place), std::move(fact)), evalglare_says(std::move(says)) {}
 };
 
 // What to work out beyond Ev and the luminance statistics that cost nothing.

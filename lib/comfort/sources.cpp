@@ -35,9 +35,9 @@ std::vector<Run> to_runs(std::vector<GroupPixel> pixels, int width) {
 // Weighted means grown pixel by pixel, the way that gives evalglare's last digits; centres that are whole numbers
 // fall to either side of a pixel border with them.
 void add_running(Source& s, double L, double w, int x, int y) {
-    const double before = s.lum * s.omega, power = before + L * w;
-    s.x = (s.x * before + x * L * w) / power;
-    s.y = (s.y * before + y * L * w) / power;
+    const double power = s.lum * s.omega + L * w;
+    s.x = (s.x * s.omega * s.lum + x * w * L) / power;
+    s.y = (s.y * s.omega * s.lum + y * w * L) / power;
     s.lum = power / (s.omega + w);
     s.omega += w;
     s.pixels += 1;
@@ -59,6 +59,8 @@ std::vector<Source> SourceFinder::find(const Luminance& lum, double threshold) {
         assign_patches(runs_, geometry_, *settings_.patches);
         groups_ = 0;
         for (const Run& r : runs_) groups_ = std::max(groups_, r.group);
+    } else if (settings_.slips && radius_px_ <= 1) {
+        groups_ = walk_groups(runs_, geometry_, settings_.search_opening);
     } else {
         groups_ = connector_.connect(runs_, 1);
     }
@@ -67,7 +69,11 @@ std::vector<Source> SourceFinder::find(const Luminance& lum, double threshold) {
     direct_lux_ = 0;
     for (const Run& r : runs_)
         for (uint32_t p = r.start; p < r.start + r.length; ++p) direct_lux_ += lum.at(p) * geometry_.omega_cos[p];
-    if (settings_.zones) split_zones(lum);
+    before_zones_.clear();
+    if (settings_.zones) {
+        if (settings_.slips) before_zones_ = sums(lum);
+        split_zones(lum);
+    }
     return sums(lum);
 }
 
@@ -157,7 +163,7 @@ void SourceFinder::split_zones(const Luminance& lum) {
     }
     for (GroupPixel& p : pixels) {
         const double c = dot(centre, g.direction(p.pixel));
-        const int zone = c >= inner ? 1 : c >= outer ? 2 : 0;
+        const int zone = inside(c, inner, settings_.slips) ? 1 : inside(c, outer, settings_.slips) ? 2 : 0;
         if (!zone) continue;
         uint32_t& target = moved[2 * p.group + (zone - 1)];
         if (!target) {

@@ -26,6 +26,7 @@ public:
     std::vector<Source> find(const Luminance& lum, double threshold);
     const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
     double direct_lux() const { return direct_lux_; }
+    const std::vector<Source>& before_zones() const { return before_zones_; }  // empty without zones
     double radius_px() const { return radius_px_; }
     std::vector<GlareSource> every_pixel(const Luminance& lum, double threshold) const;  // DgpForm::pixel
 
@@ -42,9 +43,13 @@ private:
     std::vector<Run> runs_, extra_;          // extra: pixels that smoothing counts in a second group
     std::vector<int> zone_of_group_;         // by group number, empty without zones
     std::vector<double> slipped_eye_lux_;    // by group number, evalglare's after zones; else empty
+    std::vector<Source> before_zones_;
     uint32_t groups_ = 0;                    // highest number in use
     double direct_lux_ = 0;
 };
+
+// Groups of -like evalglare where the search radius is at most a pixel; numbers from 1.
+uint32_t walk_groups(std::vector<Run>& runs, const Geometry& geometry, double opening);
 
 // -z: group of every pixel on evalglare's staggered grid of patches.
 void assign_patches(std::vector<Run>& runs, const Geometry& geometry, const Patches& patches);

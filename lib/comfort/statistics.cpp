@@ -61,14 +61,14 @@ std::vector<uint32_t> band_pixels(const Geometry& g, double half_rad) {
     return out;
 }
 
-std::vector<uint32_t> zone_pixels(const Geometry& g, const Zones& zones, int zone) {
+std::vector<uint32_t> zone_pixels(const Geometry& g, const Zones& zones, int zone, bool slips) {
     std::vector<uint32_t> out;
     const Vec3 centre = g.direction(zones.inner.x, zones.inner.y);
     const double inner = inside_cosine(zones.inner.opening), outer = zones.outer_opening ? inside_cosine(*zones.outer_opening) : 2;
     for (size_t i = 0; i < g.omega.size(); ++i) {
         if (!g.valid(i)) continue;
         const double c = dot(centre, g.direction(i));
-        if ((c >= inner ? 1 : c >= outer ? 2 : 0) == zone) out.push_back(uint32_t(i));
+        if ((inside(c, inner, slips) ? 1 : inside(c, outer, slips) ? 2 : 0) == zone) out.push_back(uint32_t(i));
     }
     return out;
 }
@@ -76,8 +76,11 @@ std::vector<uint32_t> zone_pixels(const Geometry& g, const Zones& zones, int zon
 std::vector<uint32_t> mask_pixels(const std::string& file, int width, int height) {
     image::Picture mask = image::read_file(file);
     if (mask.width != width || mask.height != height)
-        base::fail(file, "the mask has " + std::to_string(mask.width) + " x " + std::to_string(mask.height) + " pixels, the picture " +
-                             std::to_string(width) + " x " + std::to_string(height));
+        throw Refusal(file,
+                      "the mask has " + std::to_string(mask.width) + " x " + std::to_string(mask.height) + " pixels, the picture " +
+                          std::to_string(width) + " x " + std::to_string(height),
+                      "resolution main image : " + std::to_string(width) + "x" + std::to_string(height) +
+                          "\nresolution masking image : " + std::to_string(mask.width) + "x" + std::to_string(mask.height) + "\n");
     const Luminance lum = make_luminance(mask);
     std::vector<uint32_t> out;
     for (size_t i = 0; i < lum.size(); ++i)

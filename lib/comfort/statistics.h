@@ -20,7 +20,7 @@ AreaStatistics statistics_of(const std::vector<uint32_t>& pixels, const Luminanc
 // Horizontal band: valid pixels within `half_rad` of the middle row's pixel of their column, and the middle row.
 std::vector<uint32_t> band_pixels(const Geometry& geometry, double half_rad);
 // Zone 1: inside the inner circle; zone 2: between the circles.
-std::vector<uint32_t> zone_pixels(const Geometry& geometry, const Zones& zones, int zone);
+std::vector<uint32_t> zone_pixels(const Geometry& geometry, const Zones& zones, int zone, bool slips = false);
 // Pixels of a mask picture brighter than 0.1 cd/m2; throws Error if the size differs.
 std::vector<uint32_t> mask_pixels(const std::string& file, int width, int height);
 

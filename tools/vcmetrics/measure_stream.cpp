@@ -61,7 +61,13 @@ public:
         require_measurable(p, place);
         const int64_t frame = p.header.frames.value_or(p.header.frame.value_or(index));
         const bool first_frame = p.header.frames ? *p.header.frames == 0 : p.header.frame && *p.header.frame == 0;
-        const Measurement m = meter_->measure(p, place, o_.view);
+        Measurement m;
+        try {
+            m = meter_->measure(p, place, o_.view);
+        } catch (const Refusal& refusal) {
+            if (o_.like == Like::evalglare) print(refusal.evalglare_says);
+            throw;
+        }
         if (o_.like == Like::evalglare) {
             print(evalglare_lines(m, o_.settings, o_.evalglare, *meter_));
             return false;

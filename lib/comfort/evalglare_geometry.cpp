@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "comfort/evalglare_geometry.h"
+#include <cmath>
+
+namespace comfort {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// Nearly unit vectors take one Newton step of 1/sqrt; others the root.
+Vec3 normalised(Vec3 v) {
+    const double square = v.x * v.x + v.y * v.y + v.z * v.z;
+    if (square == 0) return v;
+    const double scale = std::fabs(square - 1) <= 1e-6 ? 1.5 - 0.5 * square : 1 / std::sqrt(square);
+    return {v.x * scale, v.y * scale, v.z * scale};
+}
+
+Vec3 sum(double a, Vec3 u, double b, Vec3 v, double c, Vec3 w) {
+    return {a * u.x + b * v.x + c * w.x, a * u.y + b * v.y + c * w.y, a * u.z + b * v.z + c * w.z};
+}
+
+}  // namespace
+
+EvalglareRays::EvalglareRays(const view::View& v) : view_(v) {
+    constexpr double rad = pi / 180;
+    forward_ = normalised(v.vd);
+    right_ = normalised(cross(forward_, normalised(v.vu)));
+    up_ = normalised(cross(right_, forward_));
+    switch (v.type) {
+        case 'a': across_ = v.vh / 180, along_ = v.vv / 180; break;
+        case 'h': across_ = 2 * std::sin(v.vh * (0.5 * rad)), along_ = 2 * std::sin(v.vv * (0.5 * rad)); break;
+        case 's': across_ = 2 * std::tan(v.vh * (0.25 * rad)), along_ = 2 * std::tan(v.vv * (0.25 * rad)); break;
+        case 'c': across_ = v.vh * rad, along_ = 2 * std::tan(v.vv * (0.5 * rad)); break;
+        default: across_ = 2 * std::tan(v.vh * (0.5 * rad)), along_ = 2 * std::tan(v.vv * (0.5 * rad)); break;
+    }
+}
+
+bool EvalglareRays::direction(double X, double Y, Vec3& d) const {
+    double x = X + (view_.vs - 0.5), y = Y + (view_.vl - 0.5);
+    if (view_.type == 'a') {
+        x *= across_, y *= along_;
+        const double D = std::sqrt(x * x + y * y);
+        if (D > 1) return false;
+        const double z = std::cos(pi * D), factor = D <= 1e-6 ? pi : std::sqrt(1 - z * z) / D;
+        d = sum(z, forward_, x * factor, right_, y * factor, up_);
+        return true;
+    }
+    const Vec3 h = right_ * across_, v = up_ * along_;
+    switch (view_.type) {
+        case 'h': {
+            const double z2 = 1 - x * x * dot(h, h) - y * y * dot(v, v);
+            if (z2 < 0) return false;
+            d = sum(std::sqrt(z2), forward_, x, h, y, v);
+            return true;
+        }
+        case 's': {
+            const double m = x * x * dot(h, h) + y * y * dot(v, v), z = (1 - m) / (1 + m);
+            d = sum(z, forward_, x * (1 + z), h, y * (1 + z), v);
+            return true;
+        }
+        case 'c': d = normalised(sum(std::cos(x * across_), forward_, std::sin(x * across_), right_, y, v)); return true;
+        default: d = normalised(sum(1, forward_, x, h, y, v)); return true;
+    }
+}
+
+double EvalglareRays::omega(int x, int y, int width, int height) const {
+    const double X = (x + 0.5) / width, Y = (height - 1 - y + 0.5) / height, w = 0.5 / width, h = 0.5 / height;
+    const double dx[4] = {-w, -w, w, w}, dy[4] = {-h, h, h, -h};
+    Vec3 corner[4], normal[4];
+    for (int k = 0; k < 4; ++k)
+        if (!direction(X + dx[k], Y + dy[k], corner[k])) return 0;
+    for (int k = 0; k < 4; ++k) {
+        normal[k] = normalised(cross(corner[k], corner[(k + 1) % 4] - corner[k]));
+        if (dot(normal[k], normal[k]) == 0) return 0;
+    }
+    double total = 0;
+    for (int k = 0; k < 4; ++k) total += pi - std::fabs(std::acos(dot(normal[k], normal[(k + 1) % 4])));
+    total -= 2 * pi;
+    return total >= 0 && total <= 2 * pi ? total : 0;
+}
+
+}  // namespace comfort
