@@ -83,7 +83,8 @@ FN float3 lobes_direct(PRIVATE const Lobes* a, PRIVATE const Surface* g, float3 
                 float hu = dot3(h, a->u), hv = dot3(h, a->v);
                 e = (hu * hu / au + hv * hv / av) / (hn * hn);
             } else {
-                e = (hh - hn * hn) / (hn * hn * au);
+                float3 ht = sub3(h, scale3(g->n, hn));  // not hh - hn^2: sharp lobes would see its rounding
+                e = dot3(ht, ht) / (hn * hn * au);
             }
             float G = k_exp(-e) * hh * inv_pi / (hn * hn * hn * hn * sqrt_(au * av));
             if (G > 1e-6f) sum = madd3(a->rough_r, G * cl * w, sum);

@@ -47,6 +47,26 @@ FN void turn_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, 
     v[0] = w.x; v[1] = w.y; v[2] = w.z;
 }
 
+// Patterns and textures of a chain without material, for mixtures that mix only those: a mixture inside picks by chance.
+FN void chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint mod, PRIVATE const float* vars,
+                       PRIVATE Sampler* rnd, PRIVATE float3* color, PRIVATE float3* pert) {
+    float out[CAL_OUTPUTS];
+    *color = F3(1.0f, 1.0f, 1.0f);
+    *pert = F3(0.0f, 0.0f, 0.0f);
+    for (int guard = 0; guard < 64 && mod != NONE; guard++) {
+        GLOBAL const uint* m = mod_record(s, par, mod);
+        uint type = m[MOD_TYPE];
+        if (type >= M_FIRST_MATERIAL) return;
+        mod = m[MOD_NEXT];
+        int bad = cal_run(s, m[MOD_PROGRAM], vars, out);
+        if (bad) continue;
+        if (type == M_MIXTURE) mod = m[sample1(rnd) < out[0] ? MOD_BRANCH1 : MOD_BRANCH2];
+        if (type == M_PATTERN1) *color = scale3(*color, out[0]);
+        if (type == M_PATTERN3) *color = mul3(*color, F3(out[0], out[1], out[2]));
+        if (type == M_TEXTURE) *pert = add3(*pert, F3(out[0], out[1], out[2]));
+    }
+}
+
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
 FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, PRIVATE Sampler* rnd) {
     uint stack[8];
@@ -81,6 +101,15 @@ FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
         if (type == M_MIXTURE) {
             if (bad) return 0;  // an error yields no material here
             float c = out[0] < 0.0f ? 0.0f : out[0] > 1.0f ? 1.0f : out[0];
+            if ((m[MOD_FLAGS] & MF_PATTERNS_ONLY) != 0u) {  // colours and perturbations mix linearly (spec shading 3.10)
+                float3 c1, c2, p1, p2;
+                chain_patterns(s, par, m[MOD_BRANCH1], vars, rnd, &c1, &p1);
+                chain_patterns(s, par, m[MOD_BRANCH2], vars, rnd, &c2, &p2);
+                g->color = mul3(g->color, madd3(c1, c, scale3(c2, 1.0f - c)));
+                g->pert = add3(g->pert, madd3(p1, c, scale3(p2, 1.0f - c)));
+                mod = m[MOD_NEXT];
+                continue;
+            }
             uint branch = (c >= 1.0f || (c > 0.0f && sample1(rnd) < c)) ? MOD_BRANCH1 : MOD_BRANCH2;
             if (m[MOD_NEXT] != NONE && depth < 8) stack[depth++] = m[MOD_NEXT];
             mod = m[branch];

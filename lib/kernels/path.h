@@ -224,6 +224,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     int result = 0;
 
     if (hit.prim == NO_HIT) {
+        if (par->medium.w > 0.0f) thr = mul3(thr, attenuation(xyz4(a->med[slot]), 1e10f));  // a medium without end
         if (wanted && a->dir[slot].w >= 1e29f)
             a->rad[slot] = pack4(add3(rad, mul3(thr, path_background(s, par, org, dir, flags, &rnd))), r4.w);
         return 0;
@@ -265,7 +266,12 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             }
         }
     }
-    if (absorbs) thr = mul3(thr, attenuation(arriving, g.length));
+    if (absorbs) {
+        float3 T = attenuation(arriving, g.length), av = F3(par->av.x, par->av.y, par->av.z);
+        float3 albedo = F3(par->albedo.x, par->albedo.y, par->albedo.z);
+        if (wanted) rad = add3(rad, mul3(thr, mul3(mul3(albedo, av), sub3(F3(1.0f, 1.0f, 1.0f), T))));  // spec shading 3.9
+        thr = mul3(thr, T);
+    }
     if (!pass) {
         // ---- light from active sources
         if (wanted && par->source_count > 0u) {

@@ -78,7 +78,8 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
         float d = sqrt_(d2);
         to = scale3(to, 1.0f / d);
         if (dj <= 0.0f) {  // the reference's centre sample (spec shading 4.2)
-            l->dir = to; l->dist = d; l->w = 3.14159265f * r * r / d2;
+            l->dir = to; l->dist = q[SRC_MAXRAD] > 0.0f && d > q[SRC_MAXRAD] ? 1e20f : d - r;
+            l->w = 3.14159265f * r * r / d2;
             l->point = madd3(to, -r, c); l->normal = neg3(to);
         } else {           // exact: uniform over the cone it subtends
             float s2 = r * r / d2, cmax1 = s2 / (1.0f + sqrt_(1.0f - s2)), sn, cs;  // 1 - cos of the half angle

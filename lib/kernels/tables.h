@@ -77,6 +77,7 @@
 #define MF_METAL 8u         // the specular colour is the surface's
 #define MF_TRANS 16u
 #define MF_VALUES 64u       // MOD_PROGRAM gives values of the material (cal::MaterialProgram)
+#define MF_PATTERNS_ONLY 256u  // a mixture whose branches hold no material
 #define MF_TWO_EXITS 128u   // prism2
 #define MF_LOBES_SHIFT 16u   // number of outputs of the lobe program (MOD_EXTRA)
 
@@ -130,6 +131,7 @@ typedef struct {
     float4 centre;                            // world position of the tables' origin
     float4 av;
     float4 ray_org, ray_dir;                  // MODE_RAY
+    float4 albedo;                            // of the medium: -ma rgb, w = -mg
     float4 medium;                            // global extinction rgb; w = 1 if any segment of the scene may absorb
     // sizes and modes
     uint nx, ny, mode, frame;                 // frame = sample index of slot 0

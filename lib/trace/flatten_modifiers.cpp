@@ -73,6 +73,7 @@ void Flattener::flatten_modifiers() {
     material_of.assign(n, NONE);
     std::vector<uint8_t> needed(n, 0);
     const auto need = [&](int32_t i) { if (i >= 0) needed[i] = 1; };
+    for (int32_t m : also_used) need(m);
     // Names among the string arguments that are modifiers, for what is not found by the chain.
     const auto branches = [&](const scene::Object& o, uint32_t at) {
         const auto s = scene.strings(o);
@@ -163,6 +164,7 @@ void Flattener::flatten_modifiers() {
                     base::fail(scene.place(scene.objects[i]), "a mixture of materials cannot have a modifier");
                 has_material[i] = any || above;
                 passes[i] = any ? pass : (above && passes[r.modifier]);
+                if (!any) rec[MOD_FLAGS] |= MF_PATTERNS_ONLY;
                 if (!any && above) material_of[i] = material_of[r.modifier];
             } else {
                 rec[MOD_TYPE] = mod_type(p.kind);
