@@ -38,11 +38,10 @@ struct FlatScene {
     // Of instance records: the first one's number, and the mesh or instance of the scene that each belongs to.
     uint32_t instances_at = 0;
     std::vector<uint32_t> instance_object;
-    // Scene object of a hit (prim and inst of kernels/intersect.h): the whole mesh or instance if it is in one.
-    uint32_t object_of(uint32_t prim, uint32_t inst) const {
-        return inst == NO_OBJECT ? prim_object[prim] : instance_object[inst - instances_at];
-    }
 };
+
+// Does the eye go on through what a ray met (prim and inst of kernels/intersect.h)?  Glass, dielectrics, prisms, mist.
+bool see_through(const FlatScene& scene, uint32_t prim, uint32_t inst);
 
 // Throws Error naming file:line for what ptrace cannot render.
 FlatScene flatten(const scene::Scene& scene, const RenderOptions& options, const scene::ReadOptions& files);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of flatten(): modifiers, geometry, sources.  Each fills its tables of one FlatScene.
+// The parts of flatten(): modifiers, geometry, instances, sources.  Each fills its tables of one FlatScene.
 #pragma once
 #include <cstring>
 #include <utility>
@@ -19,6 +19,8 @@ struct Flattener {
     cal::Library library;
     cal::Code code;                       // becomes the start of out.u and out.f
 
+    std::vector<int32_t> also_used;       // modifiers that no surface names: materials of .obj meshes
+
     // By object index (modifiers):
     std::vector<uint32_t> mod_of;         // mod record, NONE if unused
     std::vector<uint8_t> has_material;    // the chain from here ends in one (or in a mixture)
@@ -26,6 +28,13 @@ struct Flattener {
     std::vector<uint32_t> material_of;    // object index of the chain's material (NONE: mixture or none), aliases resolved
     std::vector<uint32_t> mods;           // MOD_WORDS each
     std::vector<float> args;              // real arguments, appended to f
+
+    // Exchanges what the scenes of one flattening fill together: an instance's octree has its own Flattener.
+    void exchange_tables(Flattener& other) {
+        std::swap(code, other.code);
+        std::swap(mods, other.mods);
+        std::swap(args, other.args);
+    }
 
     bool aimed = false;                   // shadow rays may bend or be relayed: SHADOW_AIMED
 
@@ -40,12 +49,25 @@ struct Flattener {
         : scene(s), options(o), files(f), out(t), library(f) {}
 
     void flatten_modifiers();
-    void flatten_geometry();
     void flatten_sources();
     // Copies of the sources mirrored in the relays, up to -dr levels (virtual_sources.cpp); arguments as in flatten_sources.
     void add_virtual_sources(std::vector<float>& records, std::vector<float>& fans,
                              std::vector<std::pair<size_t, size_t>>& fan_patches);
 };
+
+// The surfaces of one scene, its meshes and instances left out, into the geometry tables (flatten_geometry.cpp).
+enum class Owner {
+    scene,      // may shine, reflect suns, be a window
+    instance,   // inside an instance, with the modifiers of f
+    replaced,   // inside one with a modifier of its own, which replaces all
+};
+void flatten_surfaces(Flattener& f, const scene::Scene& scene, base::Vec3 centre, Owner owner);
+
+struct Box { base::Vec3 lo{1e30, 1e30, 1e30}, hi{-1e30, -1e30, -1e30}; };
+void grow(Box& box, base::Vec3 p);
+Box surface_bounds(const scene::Scene& scene);
+// Origin of tables: single precision would spoil positions far from it.
+base::Vec3 centre_of(const Box& box);
 
 inline uint32_t bits(float f) { uint32_t u; std::memcpy(&u, &f, 4); return u; }
 inline float from_bits(uint32_t u) { float f; std::memcpy(&f, &u, 4); return f; }

@@ -20,17 +20,22 @@ constexpr uint32_t TRANSPARENT_BIT = 0x80000000u;
 Vec3 vec_at(const scene::Span<double>& r, size_t i) { return {r[i], r[i + 1], r[i + 2]}; }
 
 struct Builder {
-    Flattener& f;
+    Flattener& f;                 // its modifiers
+    const scene::Scene& scene;
     FlatScene& out;
+    const Vec3 centre;            // of the tree
+    const Owner owner;
+    const size_t first_vertex = out.vertices.size() / 3;
 
     uint32_t add_prim(const scene::Object& o, uint32_t kind, Vec3 normal, uint32_t shape, uint32_t& tagged) {
         const uint32_t id = uint32_t(out.prims.size() / PRIM_WORDS);
-        uint32_t rec[PRIM_WORDS] = {kind, f.mod_of[o.modifier], NONE, bits(float(normal.x)), bits(float(normal.y)),
+        const bool own = owner != Owner::replaced;
+        uint32_t rec[PRIM_WORDS] = {kind, own ? f.mod_of[o.modifier] : NONE, NONE, bits(float(normal.x)), bits(float(normal.y)),
                                     bits(float(normal.z)), 0, 0};
         if ((kind & PRIM_KIND_MASK) == PRIM_SPHERE || (kind & PRIM_KIND_MASK) == PRIM_CONE) rec[PRIM_NORMAL] = shape;
         out.prims.insert(out.prims.end(), rec, rec + PRIM_WORDS);
-        out.prim_object.push_back(uint32_t(&o - f.scene.objects.data()));
-        const bool pass = f.passes[o.modifier];
+        out.prim_object.push_back(owner == Owner::scene ? uint32_t(&o - scene.objects.data()) : FlatScene::NO_OBJECT);
+        const bool pass = own && f.passes[o.modifier];
         tagged = id | (pass ? TRANSPARENT_BIT : 0u);
         if (pass) out.shadow_mode = SHADOW_STRAIGHT;
         return id;
@@ -45,32 +50,34 @@ struct Builder {
         return id;
     }
     uint32_t add_vertex(Vec3 p) {
-        p = p - out.centre;
+        p = p - centre;
         out.vertices.insert(out.vertices.end(), {float(p.x), float(p.y), float(p.z)});
-        return uint32_t(out.vertices.size() / 3 - 1);
+        return uint32_t(out.vertices.size() / 3 - 1 - first_vertex);
     }
     void warn(const scene::Object& o, const char* what) {
-        base::warn(f.scene.place(o), fmt::format("{}, surface ignored", what));
+        base::warn(scene.place(o), fmt::format("{}, surface ignored", what));
     }
     void emit(const scene::Object& o, uint32_t prim) {
+        if (owner != Owner::scene) return;
         const uint32_t m = f.material_of[o.modifier];
         if (m == NONE) return;
-        const Type t = f.scene.objects[m].type;
+        const Type t = scene.objects[m].type;
         if (t == Type::light || t == Type::glow || t == Type::spotlight || t == Type::illum)
-            f.emitters.push_back({uint32_t(&o - f.scene.objects.data()), prim});
+            f.emitters.push_back({uint32_t(&o - scene.objects.data()), prim});
     }
 
     // Mirrors relay the light of sources (spec shading 4.6): polygons and rings only.
-    void relay(const scene::Object& o, uint32_t prim, Vec3 normal, Vec3 centre, double radius) {
+    void relay(const scene::Object& o, uint32_t prim, Vec3 normal, Vec3 middle, double radius) {
+        if (owner != Owner::scene) return;
         const uint32_t m = f.material_of[o.modifier];
         if (m == NONE) return;
-        const Type t = f.scene.objects[m].type;
+        const Type t = scene.objects[m].type;
         const int exits = t == Type::prism1 ? 1 : t == Type::prism2 ? 2 : 0;
-        if (t == Type::mirror || exits) f.relays.push_back({prim, normal, centre - out.centre, radius, exits, f.mod_of[o.modifier]});
+        if (t == Type::mirror || exits) f.relays.push_back({prim, normal, middle - centre, radius, exits, f.mod_of[o.modifier]});
     }
 
     void polygon(const scene::Object& o) {
-        const auto r = f.scene.reals(o);
+        const auto r = scene.reals(o);
         size_t n = r.size() / 3;
         std::vector<Vec3> v(n);
         for (size_t i = 0; i < n; i++) v[i] = vec_at(r, 3 * i);
@@ -100,13 +107,13 @@ struct Builder {
             }
         } else {
             double offset = 0;
-            for (const Vec3& p : v) offset += dot(p - out.centre, normal);
+            for (const Vec3& p : v) offset += dot(p - centre, normal);
             offset /= double(n);
             const double a[3] = {std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)};
             const int drop = a[0] > a[1] ? (a[0] > a[2] ? 0 : 2) : (a[1] > a[2] ? 1 : 2);
             const uint32_t at = uint32_t(out.polygon_uv.size() / 2);
             for (const Vec3& p : v) {
-                const Vec3 q = p - out.centre;
+                const Vec3 q = p - centre;
                 out.polygon_uv.push_back(float(q[drop == 0 ? 1 : 0]));
                 out.polygon_uv.push_back(float(q[drop == 2 ? 1 : 2]));
             }
@@ -123,13 +130,13 @@ struct Builder {
         for (const Vec3& p : v) radius = std::max(radius, length(p - mid));
         out.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(2 * radius));
         relay(o, prim, normal, mid, radius);
-        if (f.passes[o.modifier] && out.panes.size() < 100000) out.panes.push_back({v[0], v[1] - v[0], normal, area2 / 2, v});
+        if (owner == Owner::scene && f.passes[o.modifier] && out.panes.size() < 100000) out.panes.push_back({v[0], v[1] - v[0], normal, area2 / 2, v});
     }
 
     void sphere(const scene::Object& o) {
-        const auto r = f.scene.reals(o);
+        const auto r = scene.reals(o);
         const bool inward = (o.type == Type::bubble) != (r[3] < 0);
-        const Vec3 c = vec_at(r, 0) - out.centre;
+        const Vec3 c = vec_at(r, 0) - centre;
         const uint32_t shape = add_shape(SHAPE_SPHERE, {c.x, c.y, c.z, std::fabs(r[3])});
         uint32_t tagged;
         const uint32_t prim = add_prim(o, PRIM_SPHERE | (inward ? PRIM_INWARD : 0u), {}, shape, tagged);
@@ -138,14 +145,14 @@ struct Builder {
     }
 
     void cone(const scene::Object& o) {
-        const auto r = f.scene.reals(o);
+        const auto r = scene.reals(o);
         const bool straight = o.type == Type::cylinder || o.type == Type::tube;
         double r0 = r[6], r1 = straight ? r[6] : r[7];
         bool inward = o.type == Type::cup || o.type == Type::tube;
         if (r0 * r1 < 0) return warn(o, "cone radii of opposite sign");
         if (r0 < 0 || r1 < 0) { inward = !inward; r0 = std::fabs(r0); r1 = std::fabs(r1); }
         if (r0 <= TINY && r1 <= TINY) return warn(o, "radius too small");
-        const Vec3 p0 = vec_at(r, 0) - out.centre, axis = vec_at(r, 3) - vec_at(r, 0);
+        const Vec3 p0 = vec_at(r, 0) - centre, axis = vec_at(r, 3) - vec_at(r, 0);
         const double len = length(axis);
         if (len <= TINY) return warn(o, "axis of zero length");
         const uint32_t shape = add_shape(SHAPE_CONE, {p0.x, p0.y, p0.z, axis.x / len, axis.y / len, axis.z / len, len, r0, r1});
@@ -156,12 +163,12 @@ struct Builder {
     }
 
     void ring(const scene::Object& o) {
-        const auto r = f.scene.reals(o);
+        const auto r = scene.reals(o);
         const Vec3 n = vec_at(r, 3);
         const double r0 = std::min(r[6], r[7]), r1 = std::max(r[6], r[7]);
         if (length(n) <= TINY) return warn(o, "ring with zero normal");
         if (r0 < 0 || r1 - r0 <= TINY) return warn(o, "bad ring radii");
-        const Vec3 c = vec_at(r, 0) - out.centre, u = unit(n);
+        const Vec3 c = vec_at(r, 0) - centre, u = unit(n);
         add_shape(SHAPE_RING, {c.x, c.y, c.z, u.x, u.y, u.z, r0, r1});
         uint32_t tagged;
         const uint32_t prim = add_prim(o, PRIM_FLAT | PRIM_TEXTURE_FLAT, u, 0, tagged);
@@ -172,39 +179,48 @@ struct Builder {
     }
 };
 
-// Bounding box of the local geometry's defining points.
-void bounds(const scene::Scene& s, Vec3& lo, Vec3& hi) {
-    lo = {1e30, 1e30, 1e30};
-    hi = {-1e30, -1e30, -1e30};
-    for (const scene::Object& o : s.objects) {
-        if (!scene::is_surface(o.type) || o.type == Type::source) continue;
-        const auto r = s.reals(o);
-        const size_t points = o.type == Type::polygon ? r.size() / 3
-                              : o.type == Type::sphere || o.type == Type::bubble || o.type == Type::ring ? 1
-                              : o.type == Type::mesh || o.type == Type::instance ? 0 : 2;
-        for (size_t i = 0; i < points && 3 * i + 2 < r.size(); i++)
-            for (int k = 0; k < 3; k++) {
-                lo[k] = std::min(lo[k], r[3 * i + k]);
-                hi[k] = std::max(hi[k], r[3 * i + k]);
-            }
-    }
-}
 }  // namespace
 
-void Flattener::flatten_geometry() {
-    // Far from the origin single precision would spoil positions; near it the scene's own coordinates are kept.
-    Vec3 lo, hi;
-    bounds(scene, lo, hi);
-    if (lo.x <= hi.x) {
-        const Vec3 mid = (lo + hi) * 0.5;
-        if (length(mid) > length(hi - lo)) out.centre = {std::round(mid.x), std::round(mid.y), std::round(mid.z)};
+void grow(Box& box, Vec3 p) {
+    for (int k = 0; k < 3; k++) {
+        box.lo[k] = std::min(box.lo[k], p[k]);
+        box.hi[k] = std::max(box.hi[k], p[k]);
     }
-    Builder b{*this, out};
+}
+
+// Near the origin the scene's own coordinates are kept.
+Vec3 centre_of(const Box& box) {
+    if (box.lo.x > box.hi.x) return {};
+    const Vec3 mid = (box.lo + box.hi) * 0.5;
+    if (length(mid) <= length(box.hi - box.lo)) return {};
+    return {std::round(mid.x), std::round(mid.y), std::round(mid.z)};
+}
+
+Box surface_bounds(const scene::Scene& s) {
+    Box box;
+    for (const scene::Object& o : s.objects) {
+        if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance) continue;
+        const auto r = s.reals(o);
+        const size_t points = o.type == Type::polygon ? r.size() / 3
+                              : o.type == Type::sphere || o.type == Type::bubble || o.type == Type::ring ? 1 : 2;
+        const double round = o.type == Type::polygon || r.size() < 4 ? 0
+                             : points == 2 ? std::max(std::fabs(r[6]), r.size() > 7 ? std::fabs(r[7]) : 0)
+                             : o.type == Type::ring ? std::max(r[6], r[7]) : std::fabs(r[3]);
+        for (size_t i = 0; i < points && 3 * i + 2 < r.size(); i++) {
+            const Vec3 p = vec_at(r, 3 * i), d{round, round, round};
+            grow(box, p - d);
+            grow(box, p + d);
+        }
+    }
+    return box;
+}
+
+void flatten_surfaces(Flattener& f, const scene::Scene& scene, Vec3 centre, Owner owner) {
+    Builder b{f, scene, f.out, centre, owner};
     for (const scene::Object& o : scene.objects) {
-        if (!scene::is_surface(o.type) || o.type == Type::source) continue;
-        if (o.type == Type::mesh || o.type == Type::instance)
-            base::fail(scene.place(o), fmt::format("surface type {} is not supported", type_name(o.type)));
-        if (o.modifier < 0 || !has_material[o.modifier]) continue;  // a chain without material lets rays pass
+        if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance) continue;
+        // a chain without material lets rays pass
+        if (owner != Owner::replaced && (o.modifier < 0 || !f.has_material[o.modifier])) continue;
         switch (o.type) {
             case Type::polygon: b.polygon(o); break;
             case Type::sphere: case Type::bubble: b.sphere(o); break;

@@ -21,7 +21,7 @@ bool see_through(Type t) {
 class TracedScene : public region::SceneView {
 public:
     TracedScene(const std::vector<std::string>& files, const base::ReadOptions& options)
-        : scene_(scene::read_scene(files, options)), flat_(trace::flatten(scene_, trace::RenderOptions(), options)), input_(trace::build_input(flat_)), tracer_(&input_, 1, true, false) {
+        : scene_(scene::read_scene(files, options)), flat_(trace::flatten(scene_, trace::RenderOptions(), options)), input_(trace::build_inputs(flat_)), tracer_(input_.data(), input_.size(), true, false) {
         for (size_t i = 0; i < scene_.objects.size(); ++i)
             if (scene::is_surface(scene_.objects[i].type)) surfaces_.push_back(unsigned(i));
         std::unordered_map<unsigned, unsigned> index;
@@ -35,7 +35,9 @@ public:
                 distant_.push_back({s, base::unit({r[0], r[1], r[2]}), r[3] / 2 * (M_PI / 180)});
             }
         }
-        for (unsigned object : flat_.prim_object) prim_surface_.push_back(index.count(object) ? index[object] : none);
+        const auto surface = [&](unsigned object) { return index.count(object) ? index[object] : none; };
+        for (unsigned object : flat_.prim_object) prim_surface_.push_back(surface(object));
+        for (unsigned object : flat_.instance_object) instance_surface_.push_back(surface(object));
     }
     unsigned surfaces() const override { return unsigned(surfaces_.size()); }
     std::string surface_name(unsigned s) const override { return scene_.name(object(s)); }
@@ -60,8 +62,9 @@ public:
         for (int passed = 0; passed < 1000; ++passed) {
             const auto hit = tracer_.closest(org, float(from), d, float(end), everything);
             if (hit.prim == none) break;
-            const unsigned s = prim_surface_[hit.prim];
-            closed = s == none || !through_[s];
+            const bool within = hit.inst != none;  // a mesh or instance counts as one surface, its panes let the eye pass
+            const unsigned s = within ? instance_surface_[hit.inst - flat_.instances_at] : prim_surface_[hit.prim];
+            closed = s == none || (within ? !trace::see_through(flat_, hit.prim, hit.inst) : !through_[s]);
             if (s != none) {
                 if (n == room) --n;  // the nearest ones and the last
                 out[n++] = {hit.t, s};
@@ -81,11 +84,12 @@ private:
     struct Distant { unsigned surface; Vec3 dir; double half; };
     scene::Scene scene_;
     trace::FlatScene flat_;
-    trace::BuildInput input_;
+    std::vector<trace::BuildInput> input_;
     trace::EmbreeScene tracer_;           // Embree's own traversal: it takes the processor's widest instructions
     std::vector<unsigned> surfaces_;      // objects
     std::vector<char> through_;           // by surface
-    std::vector<unsigned> prim_surface_;  // by primitive
+    std::vector<unsigned> prim_surface_;      // by primitive
+    std::vector<unsigned> instance_surface_;  // by instance record
     std::vector<Distant> distant_;
 };
 
