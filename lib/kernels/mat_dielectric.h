@@ -13,7 +13,7 @@ FN float3 extinction3_(GLOBAL const float* t, float3 pattern) {
 // behind the surface (the refracted ray's).
 FN int mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg,
                       PRIVATE Lobes* out, PRIVATE float3* arriving, PRIVATE float3* beyond) {
-    float3 global = F3(par->medium.x, par->medium.y, par->medium.z);
+    float3 open = F3(par->medium.x, par->medium.y, par->medium.z);
     float3 inside = extinction3_(arg, g->color);
     float ratio;  // index on the viewer's side over index beyond
     int known;
@@ -22,7 +22,7 @@ FN int mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint 
         ratio = g->front ? 1.0f / n : n;
         known = !g->front;
         if (known) *arriving = inside;
-        *beyond = g->front ? inside : global;
+        *beyond = g->front ? inside : open;
     } else {
         float3 outside = extinction3_(arg + 4, g->color);
         ratio = g->front ? arg[7] / arg[3] : arg[3] / arg[7];

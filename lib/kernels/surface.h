@@ -56,10 +56,10 @@ FN void mesh_corners(PRIVATE const SceneTables* s, GLOBAL const uint* prim, PRIV
 FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE const Hit* hit, PRIVATE Surface* g) {
     GLOBAL const uint* prim = s->prims + PRIM_WORDS * hit->prim;
     uint kind = prim[PRIM_KIND];
-    float3 local;    // the point in the coordinates of the primitive
+    float3 at;    // the point in the coordinates of the primitive
     GLOBAL const float* matrix = 0;
     g->p = madd3(ray->dir, hit->t, ray->org);
-    local = g->p;
+    at = g->p;
     g->v = neg3(ray->dir);
     g->prim = hit->prim;
     g->mod = prim[PRIM_MOD];
@@ -74,7 +74,7 @@ FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE
     if (hit->inst != NONE) {
         GLOBAL const float* record = instance_record(s, hit->inst);
         matrix = instance_matrix(s, record);
-        local = affine_point(matrix, g->p);
+        at = affine_point(matrix, g->p);
         if (as_uint_(record[INST_MOD]) != NONE) g->mod = as_uint_(record[INST_MOD]);
         // the matrix rounds by the size of the point, traversal by that of the tree
         g->reach = MAX_(MAX_(hit->t, record[INST_REACH]), fabs_(g->p.x) + fabs_(g->p.y) + fabs_(g->p.z));
@@ -82,13 +82,13 @@ FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE
     g->flat = (kind & PRIM_TEXTURE_FLAT) != 0u;
     uint shape = kind & PRIM_KIND_MASK;
     if (shape == PRIM_SPHERE || shape == PRIM_CONE) {
-        float3 n = shape_normal(s, shape, prim[PRIM_NORMAL], local);
+        float3 n = shape_normal(s, shape, prim[PRIM_NORMAL], at);
         g->nface = (kind & PRIM_INWARD) != 0u ? neg3(n) : n;
         if (shape == PRIM_SPHERE) {  // put the point on the surface: far from it single precision drifts
             GLOBAL const float* q = s->shapes + 16u * prim[PRIM_NORMAL];
             float3 on = madd3(n, q[4], F3(q[1], q[2], q[3]));
             if (matrix == 0) g->p = on;
-            else g->p = madd3(affine_back(matrix, sub3(on, local)), 1.0f / affine_scale2(matrix), g->p);
+            else g->p = madd3(affine_back(matrix, sub3(on, at)), 1.0f / affine_scale2(matrix), g->p);
         }
     } else {
         g->nface = F3(as_float_(prim[PRIM_NORMAL]), as_float_(prim[PRIM_NORMAL + 1u]), as_float_(prim[PRIM_NORMAL + 2u]));
