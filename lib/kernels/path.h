@@ -32,6 +32,30 @@ typedef struct {
 FN float4 pack4(float3 v, float w) { float4 r; r.x = v.x; r.y = v.y; r.z = v.z; r.w = w; return r; }
 FN float3 xyz4(float4 v) { return F3(v.x, v.y, v.z); }
 
+// Participating media (spec shading 3.9).  A medium is an extinction rgb and, in w (bits), the mist last entered.
+// Crossing a mist's surface changes it: k is the ray's extinction, seen by what scatter 0 (all of it) or 1 (shadow rays:
+// without the albedo's share).
+FN float4 mist_crossing(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, float4 medium,
+                        int shadow) {
+    GLOBAL const float* arg = s->f + mod_record(s, par, g->mod)[MOD_ARGS];
+    float3 k = mul3(F3(arg[0], arg[1], arg[2]), g->color);
+    if (shadow) k = mul3(k, F3(1.0f - arg[3], 1.0f - arg[4], 1.0f - arg[5]));
+    float sign = g->front ? 1.0f : -1.0f;
+    float4 r;
+    r.x = MAX_(medium.x + sign * k.x, 0.0f);
+    r.y = MAX_(medium.y + sign * k.y, 0.0f);
+    r.z = MAX_(medium.z + sign * k.z, 0.0f);
+    r.w = as_float_(g->front ? g->mod : NONE);
+    return r;
+}
+// Albedo and eccentricity of a medium: the mist's, else the global ones.
+FN float3 medium_albedo(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint mist, PRIVATE float* g) {
+    if (mist == NONE) { *g = par->albedo.w; return F3(par->albedo.x, par->albedo.y, par->albedo.z); }
+    GLOBAL const float* arg = s->f + mod_record(s, par, mist)[MOD_ARGS];
+    *g = arg[6];
+    return F3(arg[3], arg[4], arg[5]);
+}
+
 // What a medium of extinction k lets through over a length (Beer's law).
 FN float3 attenuation(float3 k, float length) {
     if (max3(k) <= 0.0f) return F3(1.0f, 1.0f, 1.0f);
@@ -74,7 +98,7 @@ FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* a, uint slo
     a->org[slot] = pack4(ray.org, 0.0f);
     a->dir[slot] = pack4(ray.dir, ray.tmax);
     a->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
-    if (par->medium.w > 0.0f) a->med[slot] = par->medium;
+    if (par->medium.w > 0.0f) a->med[slot] = pack4(xyz4(par->medium), as_float_(NONE));
     a->info[slot] = info;
     return 1;
 }
@@ -209,6 +233,43 @@ FN int take_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
 
 FN float coefficient_weight(float3 c) { float m = max3(c); return m > 0.0f ? m : 0.0f; }
 
+// A mist may name sources whose light it scatters once into the ray (list: count, source indices).
+FN int mist_scatters(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint mist) {
+    uint list = mod_record(s, par, mist)[MOD_EXTRA];
+    return list != NONE && list != 0u && s->u[list] > 0u;
+}
+
+// Single scattering along a segment that ends after `length`: a random point of it, a random source of the mist; with
+// Henyey and Greenstein's phase function (spec shading 3.9).  Half of the steps do this, half light the surface.
+FN int scatter_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* a, uint slot, float3 org,
+                      float3 dir, float length, float3 k, float3 albedo, float ecc, uint mist, float3 thr, float total,
+                      PRIVATE Sampler* rnd) {
+    if (!mist_scatters(s, par, mist)) return 0;
+    float2 x = sample2(rnd), y = sample2(rnd);
+    if (x.x < 0.5f) return 0;
+    uint list = mod_record(s, par, mist)[MOD_EXTRA], count = s->u[list];
+    uint pick = (uint)((2.0f * x.x - 1.0f) * (float)count);
+    pick = s->u[list + 1u + MIN_(pick, count - 1u)];
+    float t = x.y * length;
+    float3 p = madd3(dir, t, org);
+    LightSample ls;
+    sample_source(s, par, pick, p, y, par->dj, &ls);
+    if (ls.w <= 0.0f) return 0;
+    GLOBAL const float* q = source_record(s, par, pick);
+    float3 e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), ls.dir, ls.point, ls.normal, ls.dist,
+                              total + t + ls.dist, rnd);
+    float c = dot3(ls.dir, dir), d = 1.0f + ecc * ecc - 2.0f * ecc * c;
+    float phase = (1.0f - ecc * ecc) / (d * sqrt_(d)) * 0.0795774715f;
+    float3 w = mul3(mul3(mul3(k, albedo), attenuation(k, t)), mul3(thr, e));
+    w = scale3(w, 2.0f * (float)count * length * phase * ls.w);
+    if (max3(w) <= 0.0f) return 0;
+    a->sorg[slot] = pack4(p, as_float_(pick));
+    a->sdir[slot] = pack4(ls.dir, ls.dist);
+    a->scol[slot] = pack4(w, total + t);
+    a->smed[slot] = pack4(mul3(k, sub3(F3(1.0f, 1.0f, 1.0f), albedo)), 0.0f);
+    return 1;
+}
+
 // Shades the hit of a slot.  Returns bit 0: the path goes on, bit 1: a shadow ray waits.
 #define PATH_GOES_ON 1
 #define PATH_SHADOW 2
@@ -238,10 +299,12 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     if (step >= PC_STEP_LIMIT) return 0;
     flags += 1u << PC_STEP_SHIFT;
 
-    int pass = 0, absorbs = par->medium.w > 0.0f;
+    int pass = 0, absorbs = par->medium.w > 0.0f, mist_surface = 0, scattered = 0;
     Lobes lobes;
     float3 next = dir, arriving = F3(0.0f, 0.0f, 0.0f), beyond = arriving;
-    if (absorbs) arriving = xyz4(a->med[slot]);
+    float4 medium = pack4(arriving, 0.0f);
+    uint mist = NONE;
+    if (absorbs) { medium = a->med[slot]; arriving = xyz4(medium); beyond = arriving; mist = as_uint_(medium.w); }
     if (!find_material(s, par, &g, &rnd) || take_alternate(s, par, &g, flags, &rnd)) {
         pass = 1;
     } else if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
@@ -252,7 +315,9 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             return 0;
         }
     } else {
-        material_lobes(s, par, &g, 0, &rnd, &arriving, &beyond, &lobes);
+        mist_surface = g.type == M_MIST;
+        if (!mist_surface) material_lobes(s, par, &g, 0, &rnd, &arriving, &beyond, &lobes);
+        else lobes.flags = LOBE_PASS;
         pass = (lobes.flags & LOBE_PASS) != 0u;
         if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) {
             if (g.type == M_GLASS || g.type == M_DIELECTRIC || g.type == M_INTERFACE ||
@@ -266,18 +331,27 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             }
         }
     }
-    if (absorbs) {
+    if (absorbs && max3(arriving) > 0.0f) {
+        float ecc;
         float3 T = attenuation(arriving, g.length), av = F3(par->av.x, par->av.y, par->av.z);
-        float3 albedo = F3(par->albedo.x, par->albedo.y, par->albedo.z);
+        float3 albedo = medium_albedo(s, par, mist, &ecc);
         if (wanted) rad = add3(rad, mul3(thr, mul3(mul3(albedo, av), sub3(F3(1.0f, 1.0f, 1.0f), T))));  // spec shading 3.9
+        if (wanted && mist != NONE && scatter_shadow(s, par, a, slot, org, dir, g.length, arriving, albedo, ecc, mist, thr, r4.w, &rnd)) {
+            // one shadow ray a step: here it goes to the mist, so the surface's own direct light is left to other samples
+            result |= PATH_SHADOW;
+            scattered = 1;
+        }
         thr = mul3(thr, T);
     }
+    if (mist_surface) medium = mist_crossing(s, par, &g, medium, 0);
     if (!pass) {
         // ---- light from active sources
         if (wanted && par->source_count > 0u) {
             uint i = 0u;
             float inv_p = choose_source(s, par, g.p, &rnd, &i);
             float2 x = sample2(&rnd);
+            if (scattered) inv_p = 0.0f;
+            else if (mist != NONE && mist_scatters(s, par, mist)) inv_p *= 2.0f;
             if (inv_p > 0.0f) {
                 LightSample ls;
                 sample_source(s, par, i, g.p, x, par->dj, &ls);
@@ -297,7 +371,11 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                             a->sorg[slot] = pack4(offset_ray(g.p, above ? g.ng : neg3(g.ng), g.reach), as_float_(i));
                             a->sdir[slot] = pack4(ls.dir, ls.dist);
                             a->scol[slot] = pack4(c, g.total);
-                            if (absorbs) a->smed[slot] = pack4(above ? arriving : beyond, 0.0f);
+                            if (absorbs) {
+                                float ecc;
+                                float3 one = F3(1.0f, 1.0f, 1.0f), albedo = medium_albedo(s, par, mist, &ecc);
+                                a->smed[slot] = pack4(mul3(above ? arriving : beyond, sub3(one, albedo)), 0.0f);
+                            }
                             result |= PATH_SHADOW;
                         }
                     }
@@ -375,7 +453,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         info.z = rnd.index | (rnd.dim << 8);
         a->info[slot] = info;
         if (dead) return result;
-        if (absorbs) a->med[slot] = pack4(dot3(next, g.ng) > 0.0f ? arriving : beyond, 0.0f);
+        if (absorbs) a->med[slot] = pack4(dot3(next, g.ng) > 0.0f ? arriving : beyond, medium.w);
         a->org[slot] = pack4(offset_ray(g.p, side, g.reach), 0.0f);
         a->dir[slot] = pack4(next, 1e30f);
         a->thr[slot] = pack4(thr, t4.w);
@@ -386,10 +464,11 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     info.x = flags;
     info.z = rnd.index | (rnd.dim << 8);
     a->info[slot] = info;
+    if (absorbs) a->med[slot] = medium;
     a->thr[slot] = pack4(thr, t4.w);
     a->org[slot] = pack4(offset_ray(g.p, neg3(g.ng), g.reach), 0.0f);
     a->dir[slot] = pack4(dir, a->dir[slot].w >= 1e29f ? 1e30f : a->dir[slot].w - h.x);
-    return PATH_GOES_ON;
+    return result | PATH_GOES_ON;
 }
 
 // What a shadow ray lets through: straight through glass, smooth trans, mixtures with void (spec shading 4.5).
@@ -408,21 +487,25 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     } else if (trace_any(s, &ray, RAY_OPAQUE)) {
         return black;
     }
-    if (par->medium.w > 0.0f) T = attenuation(medium, MIN_(dist, 1e20f));
-    if (par->shadow_mode == SHADOW_OPAQUE) return T;
+    int absorbs = par->medium.w > 0.0f;
+    float4 m4 = pack4(medium, 0.0f);
+    if (par->shadow_mode == SHADOW_OPAQUE) return absorbs ? attenuation(medium, MIN_(dist, 1e10f)) : T;
     float total = 0.0f;
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
         Hit hit;
         Surface g;
         Lobes l;
         trace_closest(s, &ray, RAY_TRANSPARENT, &hit);
-        if (hit.prim == NO_HIT) return T;
+        if (hit.prim == NO_HIT) return absorbs ? mul3(T, attenuation(xyz4(m4), MIN_(ray.tmax, 1e10f))) : T;
+        if (absorbs) T = mul3(T, attenuation(xyz4(m4), hit.t));
         surface_at(s, &ray, &hit, &g);
         total += hit.t;
         g.total = total;
         if (find_material(s, par, &g, rnd)) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
                 if (g.type != M_ILLUM) return black;
+            } else if (g.type == M_MIST) {
+                m4 = mist_crossing(s, par, &g, m4, 1);
             } else {
                 material_lobes(s, par, &g, 1, rnd, &medium, &beyond, &l);
                 if ((l.flags & LOBE_PASS) == 0u) T = mul3(T, l.through);
@@ -453,6 +536,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         if (hit.prim == NO_HIT) {
             if (relay != NONE || as_uint_(q[SRC_KIND]) != SK_DISTANT) return black;
             float3 e = sub3(ray.dir, f3_at(q + SRC_CENTRE));
+            if (par->medium.w > 0.0f) T = mul3(T, attenuation(medium, 1e10f));
             if ((bent || is_virtual) && 0.5f * dot3(e, e) > q[SRC_CAP]) return black;
             if (!is_virtual) return T;
             return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), NONE, ray.dir, ray.org, neg3(ray.dir), 1e30f, 1e30f, rnd));
@@ -470,6 +554,8 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         if (find_material(s, par, &g, rnd)) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
                 if (g.type != M_ILLUM) return black;
+            } else if (g.type == M_MIST) {
+                medium = xyz4(mist_crossing(s, par, &g, pack4(medium, 0.0f), 1));
             } else {
                 float3 known = medium;
                 material_lobes(s, par, &g, 1, rnd, &known, &beyond, &l);

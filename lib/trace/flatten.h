@@ -36,6 +36,8 @@ struct Flattener {
         std::swap(args, other.args);
     }
 
+    struct MistRef { uint32_t mod, object; };
+    std::vector<MistRef> mists;           // mists that may name sources, filled in when these are known
     bool aimed = false;                   // shadow rays may bend or be relayed: SHADOW_AIMED
 
     // Emitting surfaces, collected by geometry for sources.
@@ -50,6 +52,7 @@ struct Flattener {
 
     void flatten_modifiers();
     void flatten_sources();
+    void link_mists(const std::vector<uint32_t>& source_objects);
     // Copies of the sources mirrored in the relays, up to -dr levels (virtual_sources.cpp); arguments as in flatten_sources.
     void add_virtual_sources(std::vector<float>& records, std::vector<float>& fans,
                              std::vector<std::pair<size_t, size_t>>& fan_patches);

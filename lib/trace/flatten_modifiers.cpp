@@ -33,6 +33,7 @@ uint32_t material_code(Type t) {
         case Type::plasfunc: case Type::metfunc: case Type::transfunc:
         case Type::plasdata: case Type::metdata: case Type::transdata: return M_BRDF;
         case Type::brtdfunc: return M_BRTD;
+        case Type::mist: return M_MIST;
         case Type::prism1: case Type::prism2: return M_PRISM;
         case Type::wgmdfunc: return M_WGMD;
         default: return 0;
@@ -42,7 +43,7 @@ uint32_t material_code(Type t) {
 bool material_passes(Type t, const scene::Span<double>& a) {
     switch (t) {
         case Type::glass: case Type::dielectric: case Type::interface: case Type::illum: case Type::mirror:
-        case Type::brtdfunc: case Type::wgmdfunc: case Type::prism1: case Type::prism2: return true;
+        case Type::brtdfunc: case Type::wgmdfunc: case Type::prism1: case Type::prism2: case Type::mist: return true;
         case Type::trans: return a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6;
         default: return false;
     }
@@ -138,6 +139,13 @@ void Flattener::flatten_modifiers() {
                 }
                 rec[MOD_EXTRA] = p.lobe;
                 rec[MOD_FLAGS] |= uint32_t(p.lobe_count) << MF_LOBES_SHIFT;
+            }
+            if (t.type == Type::mist) {  // absent arguments: the global medium's
+                const double* global[3] = {nullptr, options.ma, &options.mg};
+                for (size_t k = reals.size(); k < 7; k++) args.push_back(k < 3 ? 0.0f : float(k < 6 ? global[1][k - 3] : *global[2]));
+                rec[MOD_EXTRA] = NONE;
+                out.absorbs = true;
+                mists.push_back({uint32_t(mods.size() / MOD_WORDS), uint32_t(r.object)});
             }
             if (t.type == Type::prism2) rec[MOD_FLAGS] |= MF_TWO_EXITS;
             if (t.type == Type::prism1 || t.type == Type::prism2) aimed = true;

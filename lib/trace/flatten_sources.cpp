@@ -73,9 +73,28 @@ void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec
 }
 }  // namespace
 
+// Mists list the sources they scatter by name; "relay>source" (through a mirror) is not followed.
+void Flattener::link_mists(const std::vector<uint32_t>& source_objects) {
+    for (const MistRef& m : mists) {
+        const scene::Object& o = scene.objects[m.object];
+        std::vector<uint32_t> list;
+        for (const std::string& name : scene.strings(o)) {
+            bool found = false;
+            for (uint32_t i = 0; i < source_objects.size(); i++)
+                if (scene.name(scene.objects[source_objects[i]]) == name) { list.push_back(i); found = true; }
+            if (!found) base::warn(scene.place(o), fmt::format("mist: \"{}\" is no light source, not scattered", name));
+        }
+        if (list.empty()) continue;
+        out.u[out.mods_at + MOD_WORDS * m.mod + MOD_EXTRA] = uint32_t(out.u.size());
+        out.u.push_back(uint32_t(list.size()));
+        out.u.insert(out.u.end(), list.begin(), list.end());
+    }
+}
+
 void Flattener::flatten_sources() {
     std::vector<float> records;
     std::vector<uint32_t> distant;
+    std::vector<uint32_t> source_objects;  // scene object of each record
     std::vector<float> fans;      // 12 floats a triangle: v0, e1, e2, cumulative share end, begin, -
     std::vector<std::pair<size_t, size_t>> fan_patches;  // record offset, fan offset
 
@@ -106,6 +125,7 @@ void Flattener::flatten_sources() {
         if (o.type != Type::polygon && o.type != Type::sphere && o.type != Type::ring && o.type != Type::cylinder)
             base::fail(where, fmt::format("a {} cannot be a light source", type_name(o.type)));
         float* q = start(m, mod_of[o.modifier]);
+        source_objects.push_back(e.object);
         q[SRC_PRIM] = from_bits(e.prim);
         if (m.type == Type::glow) q[SRC_MAXRAD] = float(c[3]);
         if (m.type == Type::spotlight) {
@@ -204,6 +224,7 @@ void Flattener::flatten_sources() {
             base::fail(scene.place(o), fmt::format("a distant source of material {} is not supported", type_name(m.type)));
         if (m.type != Type::glow && !black(c)) {
             float* q = start(m, mod_of[o.modifier]);
+            source_objects.push_back(uint32_t(&o - scene.objects.data()));
             q[SRC_KIND] = from_bits(SK_DISTANT);
             put(q + SRC_CENTRE, d);
             q[SRC_CAP] = float(std::min(cap, 2.0));
@@ -214,6 +235,7 @@ void Flattener::flatten_sources() {
         distant.insert(distant.end(), rec, rec + DISTANT_WORDS);
     }
 
+    link_mists(source_objects);
     if (options.dr > 0 && !relays.empty() && !records.empty())
         add_virtual_sources(records, fans, fan_patches);
     if (aimed) out.shadow_mode = SHADOW_AIMED;
