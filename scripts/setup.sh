@@ -6,7 +6,7 @@
 set -eu
 
 build="g++ make cmake ninja-build"                                      # to compile
-libraries="libembree-dev libopenexr-dev libimath-dev libcli11-dev libfmt-dev libpng-dev"
+libraries="libembree-dev libopenexr-dev libimath-dev libcli11-dev libfmt-dev libpng-dev libpugixml-dev"
 opencl="ocl-icd-opencl-dev opencl-headers opencl-clhpp-headers pocl-opencl-icd"  # PoCL: OpenCL on the CPU
 tests="doctest-dev mandoc"                                              # make test
 demo="gnuplot-nox"                                                      # the plot of make demo
