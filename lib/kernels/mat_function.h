@@ -18,17 +18,14 @@ FN void material_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVA
     vars[CAL_CRP] = g->color.x; vars[CAL_CGP] = g->color.y; vars[CAL_CBP] = g->color.z;
 }
 
-// Directions among the values of a material (cal::MaterialProgram) that acts inside an instance, back to the world.
+// Directions among the values of a material (cal::MaterialProgram) that acts inside an instance, back to the world.  The
+// grain of anisotropic materials is not turned by the instance in RADIANCE (checked: plastic2, trans2, ashik2, WGMDfunc).
 FN void values_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, uint flags, PRIVATE float* value) {
-    if (g->inst == NONE) return;
-    switch (g->type) {
-    case M_PRISM: turn_from_frame(s, g, value + 1);
+    if (g->type == M_PRISM) {
+        turn_from_frame(s, g, value + 1);
         if ((flags & MF_TWO_EXITS) != 0u) turn_from_frame(s, g, value + 5);
-        break;
-    case M_WGMD: turn_from_frame(s, g, value + 6); break;
-    case M_BSDF: turn_from_frame(s, g, value + ((flags & MF_ABSDF) != 0u ? 0 : 1)); break;
-    case M_BRTD: case M_BRDF: break;
-    default: turn_from_frame(s, g, value); break;
+    } else if (g->type == M_BSDF) {
+        turn_from_frame(s, g, value + ((flags & MF_ABSDF) != 0u ? 0 : 1));
     }
 }
 
