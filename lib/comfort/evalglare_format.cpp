@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comfort/evalglare_format.h"
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <fmt/printf.h>
 
 namespace comfort {
@@ -71,19 +73,23 @@ std::string summary_line(const Measurement& m, const Settings& settings) {
 std::string patch_lines(const Measurement& m, const Meter& meter) {
     const Geometry& g = meter.geometry();
     std::string out;
-    for (const Source& s : m.sources)
-        out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f \n", int(s.group), s.pixels, s.x, s.y, s.lum, s.omega, s.P, s.direction.x,
-                            s.direction.y, s.direction.z);
+    std::map<uint32_t, int> number;  // of the live groups
     for (const Source& s : m.sources) {
-        int n = 0;
-        for (int y = 0; y < g.height; ++y)  // rows from the bottom
-            for (const Run& r : meter.finder().runs())
-                if (r.group == s.group && g.y_of(r.start) == y)
-                    for (uint32_t p = r.start; p < r.start + r.length; ++p) {
-                        const Vec3 d = g.direction(p);
-                        out += fmt::sprintf("%d %d %f %f %f \n", int(s.group), ++n, d.x, d.y, d.z);
-                    }
+        const int n = int(number.size()) + 1;
+        number[s.group] = n;
+        out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f \n", n, s.pixels, s.x, s.y, s.lum, s.omega, s.P, s.direction.x,
+                            s.direction.y, s.direction.z);
     }
+    std::vector<Run> runs = meter.finder().runs();  // rows from the bottom, each from the left
+    std::sort(runs.begin(), runs.end(), [&](const Run& a, const Run& b) {
+        const int ya = g.y_of(a.start), yb = g.y_of(b.start);
+        return ya != yb ? ya < yb : a.start < b.start;
+    });
+    for (const Run& r : runs)
+        for (uint32_t p = r.start; p < r.start + r.length; ++p) {
+            const Vec3 d = g.direction(p);
+            out += fmt::sprintf("%d %d %f %f %f \n", int(r.group), number[r.group], d.x, d.y, d.z);
+        }
     return out;
 }
 

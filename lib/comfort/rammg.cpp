@@ -72,14 +72,15 @@ double border_sum(const Level& level) {
     return edge + std::sqrt(0.5) * corner;
 }
 
+// Rows and columns count from the bottom left: of an odd number the top row and the right column are dropped.
 void shrink_spans(const Level& from, Level& to) {
     to.spans.clear();
     to.row.clear();
     for (int r = 0; r < to.height; ++r) {
         to.row.push_back(to.spans.size());
-        size_t b = from.row[2 * r + 1];
-        for (size_t a = from.row[2 * r]; a < from.row[2 * r + 1]; ++a)
-            for (size_t c = b; c < from.row[2 * r + 2]; ++c) {
+        const int top = 2 * r + from.height % 2;
+        for (size_t a = from.row[top]; a < from.row[top + 1]; ++a)
+            for (size_t c = from.row[top + 1]; c < from.row[top + 2]; ++c) {
                 const int x0 = std::max(from.spans[a].begin, from.spans[c].begin), x1 = std::min(from.spans[a].end, from.spans[c].end);
                 const int p0 = (x0 + 1) / 2, p1 = std::min(x1 / 2, to.width);
                 if (p0 < p1) to.spans.push_back({p0, p1});
@@ -91,7 +92,7 @@ void shrink_spans(const Level& from, Level& to) {
 void shrink_values(const Level& from, int width, int height, std::vector<float>& out) {
     out.resize(size_t(width) * height);
     for (int r = 0; r < height; ++r) {
-        const float* a = from.value + size_t(2 * r) * from.width;
+        const float* a = from.value + size_t(2 * r + from.height % 2) * from.width;
         const float* b = a + from.width;
         float* o = &out[size_t(r) * width];
         for (int x = 0; x < width; ++x) o[x] = ((a[2 * x] + a[2 * x + 1]) + (b[2 * x] + b[2 * x + 1])) * 0.25f;

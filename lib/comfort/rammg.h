@@ -2,7 +2,7 @@
 // RAMMG contrast (Rizzi et al. 2004; paper Eqs. 5 and 6): mean absolute difference to the eight neighbours, averaged
 // over the levels of a 2 x 2-mean pyramid.
 //   RAMMG = 1/m sum_levels 1/(8 n) sum_i sum_j a_j |L_i - L_j|,  a = 1/(4 + 2 sqrt 2) * (edge 1, corner sqrt(2)/2)
-// Levels while both sides are above 2; odd last rows and columns are dropped; neighbours outside contribute 0.
+// Levels while both sides are above 2; an odd top row or right column is dropped; neighbours outside contribute 0.
 #pragma once
 #include <vector>
 #include "comfort/geometry.h"

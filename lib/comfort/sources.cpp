@@ -44,7 +44,32 @@ void add_running(Source& s, double L, double w, int x, int y) {
     s.brightest = std::max(s.brightest, L);
 }
 
+void remove_running(Source& s, double L, double w, int x, int y) {
+    const double power = s.lum * s.omega - L * w;
+    s.x = (s.x * s.omega * s.lum - x * w * L) / power;
+    s.y = (s.y * s.omega * s.lum - y * w * L) / power;
+    s.lum = power / (s.omega - w);
+    s.omega -= w;
+    s.pixels -= 1;
+}
+
 }  // namespace
+
+void SourceFinder::start_running(const Luminance& lum) {
+    const Geometry& g = geometry_;
+    running_.assign(groups_ + 1, Source());
+    std::vector<Run> all = runs_;
+    all.insert(all.end(), extra_.begin(), extra_.end());
+    for (const GroupPixel& p : column_order(all, g))
+        add_running(running_[p.group], lum.at(p.pixel), g.omega[p.pixel], g.x_of(p.pixel), g.y_of(p.pixel));
+}
+
+void SourceFinder::move_running(uint32_t from, uint32_t to, uint32_t pixel, const Luminance& lum) {
+    const Geometry& g = geometry_;
+    if (running_.size() <= to) running_.resize(to + 1);
+    remove_running(running_[from], lum.at(pixel), g.omega[pixel], g.x_of(pixel), g.y_of(pixel));
+    add_running(running_[to], lum.at(pixel), g.omega[pixel], g.x_of(pixel), g.y_of(pixel));
+}
 
 SourceFinder::SourceFinder(const Geometry& geometry, const Settings& settings)
     : geometry_(geometry), settings_(settings), radius_px_(radius_in_pixels(geometry, settings.search_opening)),
@@ -65,6 +90,7 @@ std::vector<Source> SourceFinder::find(const Luminance& lum, double threshold) {
         groups_ = connector_.connect(runs_, 1);
     }
     if (settings_.smooth && radius_px_ >= 1) smooth(lum);
+    if (settings_.slips) start_running(lum);
     if (settings_.peaks && radius_px_ >= 1) extract_peaks(lum);
     direct_lux_ = 0;
     for (const Run& r : runs_)
@@ -143,6 +169,8 @@ void SourceFinder::extract_peaks(const Luminance& lum) {
     for (uint32_t group = 1; group <= before; ++group) {
         groups_ += connector_.connect(peaks[group], groups_ + 1);
         rest.insert(rest.end(), peaks[group].begin(), peaks[group].end());
+        if (settings_.slips)
+            for (const GroupPixel& p : column_order(peaks[group], geometry_)) move_running(group, p.group, p.pixel, lum);
     }
     std::sort(rest.begin(), rest.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
     runs_.swap(rest);
@@ -175,6 +203,7 @@ void SourceFinder::split_zones(const Luminance& lum) {
             const double lux = lum.at(p.pixel) * g.omega_cos[p.pixel];
             slipped_eye_lux_[p.group] -= lux;
             slipped_eye_lux_.back() += lux;
+            move_running(p.group, target, p.pixel, lum);
         }
         p.group = target;
     }
@@ -185,10 +214,7 @@ std::vector<Source> SourceFinder::sums(const Luminance& lum) const {
     const Geometry& g = geometry_;
     std::vector<Source> sources(groups_ + 1);
     if (settings_.slips) {
-        std::vector<Run> all = runs_;
-        all.insert(all.end(), extra_.begin(), extra_.end());
-        for (const GroupPixel& p : column_order(all, g))
-            add_running(sources[p.group], lum.at(p.pixel), g.omega[p.pixel], g.x_of(p.pixel), g.y_of(p.pixel));
+        std::copy(running_.begin(), running_.begin() + std::min(running_.size(), sources.size()), sources.begin());
     } else {
         const auto add = [&](const Run& r) {
             Source& s = sources[r.group];
@@ -211,7 +237,7 @@ std::vector<Source> SourceFinder::sums(const Luminance& lum) const {
     std::vector<Source> live;
     for (uint32_t group = 1; group <= groups_; ++group) {
         Source& s = sources[group];
-        if (s.pixels == 0) continue;
+        if (!(s.pixels > 0)) continue;
         s.group = group;
         if (!zone_of_group_.empty()) s.zone = zone_of_group_[group];
         if (!slipped_eye_lux_.empty()) s.eye_lux = slipped_eye_lux_[group];

@@ -34,6 +34,8 @@ private:
     void smooth(const Luminance& lum);
     void extract_peaks(const Luminance& lum);
     void split_zones(const Luminance& lum);
+    void start_running(const Luminance& lum);
+    void move_running(uint32_t from, uint32_t to, uint32_t pixel, const Luminance& lum);
     std::vector<Source> sums(const Luminance& lum) const;
 
     const Geometry& geometry_;
@@ -43,6 +45,7 @@ private:
     std::vector<Run> runs_, extra_;          // extra: pixels that smoothing counts in a second group
     std::vector<int> zone_of_group_;         // by group number, empty without zones
     std::vector<double> slipped_eye_lux_;    // by group number, evalglare's after zones; else empty
+    std::vector<Source> running_;            // evalglare's sums by group number, grown and reduced in its order
     std::vector<Source> before_zones_;
     uint32_t groups_ = 0;                    // highest number in use
     double direct_lux_ = 0;

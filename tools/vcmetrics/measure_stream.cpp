@@ -56,6 +56,20 @@ public:
             for (const Column& c : columns_) names_.push_back(c.name);
     }
 
+    // Values of one picture, and the names they have.
+    std::vector<double> values(image::Picture& p, const std::string& place) {
+        require_measurable(p, place);
+        const Measurement m = meter_->measure(p, place, o_.view);
+        std::vector<double> out;
+        for (const Column& c : columns_) out.push_back(c.value(m));
+        return out;
+    }
+    std::vector<std::string> value_names() const {
+        std::vector<std::string> out;
+        for (const Column& c : columns_) out.push_back(c.name);
+        return out;
+    }
+
     // True: the rule of -until holds.
     bool picture(image::Picture& p, const std::string& place, const std::string& file, long index) {
         require_measurable(p, place);
@@ -148,4 +162,17 @@ int measure_all(const Options& o) {
     }
     if (o.like == Like::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
     return printer.has_rule() ? 4 : 0;
+}
+
+comfort::NumberTable measure_table(const Options& options, const std::string& file, const std::vector<std::string>& metrics) {
+    Options o = options;
+    o.metrics = metrics;
+    if (o.like == Like::evalglare) o.like = Like::vcmetrics;  // its rounding stays, the columns are ours
+    Printer printer(o, true);
+    NumberTable table{file, printer.value_names(), {}};
+    image::StreamReader reader(file);
+    image::Picture picture;
+    for (long index = 0; reader.next(picture); ++index)
+        table.rows.push_back(printer.values(picture, (file == "-" ? "stdin" : file) + (index ? ": picture " + std::to_string(index + 1) : "")));
+    return table;
 }

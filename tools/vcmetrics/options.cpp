@@ -109,6 +109,9 @@ std::vector<Row> table(Options& o) {
         {"-format", "name", "tsv (default), csv, jsonl", [&](Words& w) { format(o, w.next_string("-format")); }},
         {"-until", "rule", "stop when it holds, for example 'DGP 1%, Ev 0.5%'", [&](Words& w) { o.until = w.next_string("-until"); }},
         {"-window", "n", "lines over which the rule of -until must hold (10)", [&](Words& w) { o.window = choice(w, "-window", 2, 1000000); }},
+        {"-compare", "", "compare two inputs: pictures, streams, recorded tables or evalglare's lines; status 5 when out of tolerance",
+         [&](Words&) { o.compare = true; }},
+        {"-tolerance", "rules", "for -compare: 'DGP 0.01, Ev 1%, all 2%', or a file of such lines", [&](Words& w) { o.tolerances = w.next_string("-tolerance"); }},
         {"-like", "program", "speak as evalglare or accelerad does", [&](Words& w) { like(o, w.next_string("-like")); }},
         {"-dgp", "form", "DGP as evalglare (default), paper (constants), pixel (no merging)", [&](Words& w) { dgp_definition(o, w.next_string("-dgp")); }},
         {"-rammg", "area", "RAMMG over view (default), rect, interior, prototype", [&](Words& w) { rammg_definition(o, w.next_string("-rammg")); }},
@@ -235,9 +238,12 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
         o.view = v.view;
     }
     if (o.settings.mask_file && o.settings.zones) base::fail("-A", "a mask and zones (-l, -L) exclude each other");
-    if (o.like != Like::vcmetrics && (o.list_sources || !o.metrics.empty())) base::fail("-like", "has its own columns: no -metrics, no -sources");
+    if (o.like != Like::vcmetrics && !o.compare && (o.list_sources || !o.metrics.empty())) base::fail("-like", "has its own columns: no -metrics, no -sources");
     if (o.like != Like::vcmetrics && !o.until.empty()) base::fail("-until", "works with vcmetrics' own columns: not with -like");
     if (o.list_sources && !o.until.empty()) base::fail("-until", "works on metrics: not with -sources");
     expand_globs(o.files);
+    if (o.compare && o.files.size() != 2) base::fail("-compare", fmt::format("compares two inputs, not {}", o.files.size()));
+    if (o.compare && (!o.until.empty() || o.list_sources || (o.like == Like::evalglare && (o.evalglare.ev_only || o.settings.fast))))
+        base::fail("-compare", "works on tables of metrics: not with -until, -sources, -V, -1, -2 or -3");
     return std::nullopt;
 }

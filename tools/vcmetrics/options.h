@@ -23,6 +23,8 @@ struct Options {
     comfort::EvalglareOutput evalglare;
     std::string until;
     int window = 10;
+    bool compare = false;
+    std::string tolerances;                      // rules, or a file of them
     std::optional<view::View> view;              // replaces the header's
 };
 

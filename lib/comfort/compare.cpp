@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "comfort/compare.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include "base/error.h"
+
+namespace comfort {
+namespace {
+
+// evalglare's column names and ours; av_lum_pos2 is left out (its value is divided twice), dgp_ext is always 0.
+const std::map<std::string, std::string> evalglare_names = {
+    {"dgp", "DGP"}, {"dgi", "DGI"}, {"ugr", "UGR"}, {"vcp", "VCP"}, {"cgi", "CGI"}, {"Lveil", "Lveil"}, {"Ev_calc", "Ev"}, {"E_v", "Ev"},
+    {"abs_max", "Lmax"}, {"av_lum", "Lavg"}, {"lum_backg", "Lb"}, {"E_v_dir", "Edir"}, {"lum_sources", "L_sources"},
+    {"omega_sources", "omega_sources"}, {"Lveil_cie", "LveilCIE"}, {"dgr", "DGR"}, {"ugp", "UGP"}, {"ugr_exp", "UGRexp"},
+    {"dgi_mod", "DGImod"}, {"av_lum_pos", "LavgPos"}, {"med_lum", "Lmed"}, {"med_lum_pos", "LmedPos"}, {"med_lum_pos2", "LmedPos2"},
+    {"ugp2", "UGP2"}, {"dgp_ext", ""}, {"av_lum_pos2", ""}};
+
+bool is_label(const std::string& name) {
+    return name == "frame" || name == "seconds" || name == "file" || name == "source";
+}
+
+double number(const std::string& text, const std::string& place) {
+    if (text == "null") return std::nan("");
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end) base::fail(place, "\"" + text + "\" is not a number");
+    return value;
+}
+
+std::vector<std::string> split(const std::string& line, char by) {
+    std::vector<std::string> out(1);
+    bool quoted = false;
+    for (char c : line) {
+        if (c == '"' && by == ',') quoted = !quoted;
+        else if (c == by && !quoted) out.emplace_back();
+        else out.back() += c;
+    }
+    return out;
+}
+
+class Reader {
+public:
+    explicit Reader(const std::string& path) : in_(path) { table_.name = path; }
+    std::optional<NumberTable> read() {
+        std::string line;
+        for (long n = 1; std::getline(in_, line); ++n) {
+            place_ = table_.name + ":" + std::to_string(n);
+            if (line.compare(0, 2, "#?") == 0 || line.find('\0') != std::string::npos) return std::nullopt;
+            if (!line.empty() && line[0] != '#') take(line);
+        }
+        if (table_.rows.empty()) base::fail(table_.name, "holds no line of metrics");
+        return std::move(table_);
+    }
+
+private:
+    void take(const std::string& line) {
+        if (line[0] == '{') return json(line);
+        const size_t colon = line.find(": ");
+        if (line.compare(0, 4, "dgp,") == 0 && colon != std::string::npos) return evalglare(line, colon);
+        if (separator_) return plain(line);
+        if (line.find('\t') != std::string::npos || line.compare(0, 5, "file,") == 0 || line.compare(0, 6, "frame,") == 0) {
+            separator_ = line.find('\t') != std::string::npos ? '\t' : ',';
+            header_ = split(line, separator_);
+            for (const std::string& h : header_)
+                if (!is_label(h)) table_.names.push_back(h);
+            return;
+        }
+        const bool bare = line.find_first_not_of("0123456789.+-e") == std::string::npos;
+        if (bare) return add({"Ev"}, {number(line, place_)});  // evalglare -V
+        const bool detail = line.compare(0, 5, "band:") == 0 || line.compare(0, 7, "zoning:") == 0 || line.compare(0, 8, "masking:") == 0 ||
+                            std::isdigit(static_cast<unsigned char>(line[0]));  // sources and statistics of -d: not compared
+        if (!detail) base::fail(place_, "is neither a table of vcmetrics nor a line of evalglare");
+    }
+    void plain(const std::string& line) {
+        const std::vector<std::string> cells = split(line, separator_);
+        if (cells.size() != header_.size()) base::fail(place_, "has " + std::to_string(cells.size()) + " columns, the header " + std::to_string(header_.size()));
+        std::vector<double> row;
+        for (size_t k = 0; k < cells.size(); ++k)
+            if (!is_label(header_[k])) row.push_back(number(cells[k], place_));
+        table_.rows.push_back(row);
+    }
+    void evalglare(const std::string& line, size_t colon) {
+        std::vector<std::string> names;
+        std::vector<double> row;
+        std::istringstream words(line.substr(colon + 2));
+        for (const std::string& name : split(line.substr(0, colon), ',')) {
+            std::string word;
+            if (!(words >> word)) base::fail(place_, "evalglare's line ends before \"" + name + "\"");
+            const auto known = evalglare_names.find(name);
+            if (known == evalglare_names.end()) base::fail(place_, "\"" + name + "\" is no column of evalglare 3.06");
+            if (known->second.empty()) continue;
+            names.push_back(known->second);
+            row.push_back(number(word, place_));
+        }
+        add(names, row);
+    }
+    void json(const std::string& line) {  // one flat object, as table.cpp writes it
+        std::vector<std::string> names;
+        std::vector<double> row;
+        for (size_t at = 1; (at = line.find('"', at)) != std::string::npos;) {
+            const size_t end = line.find('"', at + 1), colon = end == std::string::npos ? end : line.find(':', end);
+            if (colon == std::string::npos) base::fail(place_, "is no JSON object of metrics");
+            const std::string name = line.substr(at + 1, end - at - 1);
+            const size_t start = line.find_first_not_of(' ', colon + 1);
+            if (start != std::string::npos && line[start] == '"') {
+                at = line.find('"', start + 1);
+                if (at == std::string::npos) base::fail(place_, "is no JSON object of metrics");
+                ++at;
+                continue;
+            }
+            const size_t stop = line.find_first_of(",} ", start);
+            if (start == std::string::npos || stop == std::string::npos) base::fail(place_, "is no JSON object of metrics");
+            if (!is_label(name)) names.push_back(name), row.push_back(number(line.substr(start, stop - start), place_));
+            at = stop;
+        }
+        add(names, row);
+    }
+    void add(const std::vector<std::string>& names, const std::vector<double>& row) {
+        if (table_.names.empty()) table_.names = names;
+        if (table_.names != names) base::fail(place_, "has other metrics than the lines before it");
+        table_.rows.push_back(row);
+    }
+
+    std::ifstream in_;
+    NumberTable table_;
+    std::string place_;
+    std::vector<std::string> header_;
+    char separator_ = 0;
+};
+
+// Relative tolerances of the metrics that are not computed from one sum: the spread between builds of evalglare itself.
+const std::map<std::string, Tolerance> defaults = {
+    {"DGP", {"DGP", 2e-5, false}},  {"VCP", {"VCP", 0.02, true}},     {"DGR", {"DGR", 0.02, true}}, {"Lveil", {"Lveil", 0.05, true}},
+    {"LveilCIE", {"LveilCIE", 0.05, true}}, {"n_sources", {"n_sources", 0, false}}, {"not_finite", {"not_finite", 0, false}},
+    {"negative", {"negative", 0, false}}};
+
+}  // namespace
+
+std::optional<NumberTable> read_numbers(const std::string& path) {
+    if (path == "-") return std::nullopt;
+    {
+        std::ifstream test(path, std::ios::binary);
+        if (!test) base::fail_system(path, "cannot be read");
+        const int first = test.peek();
+        if (first == 0x76) return std::nullopt;  // OpenEXR
+    }
+    return Reader(path).read();
+}
+
+Tolerance tolerance_for(const std::string& metric, const std::vector<Tolerance>& rules) {
+    Tolerance t{metric, 1e-4, true};
+    const auto known = defaults.find(metric);
+    if (known != defaults.end()) t = known->second;
+    for (const char* name : {"all", metric.c_str()})
+        for (const Tolerance& r : rules)
+            if (r.metric == name) t.amount = r.amount, t.relative = r.relative;
+    return t;
+}
+
+std::vector<Difference> compare_tables(const NumberTable& first, const NumberTable& second, const std::vector<Tolerance>& rules) {
+    for (const auto& [one, other] : {std::pair(&first, &second), std::pair(&second, &first)})
+        for (const std::string& name : one->names)
+            if (std::find(other->names.begin(), other->names.end(), name) == other->names.end())
+                base::fail(other->name, "lacks the metric " + name + " of " + one->name);
+    if (first.rows.size() != second.rows.size()) {
+        const NumberTable& shorter = first.rows.size() < second.rows.size() ? first : second;
+        base::fail(shorter.name, "has only " + std::to_string(shorter.rows.size()) + " rows of " + std::to_string(std::max(first.rows.size(), second.rows.size())));
+    }
+    std::vector<Difference> out;
+    for (size_t r = 0; r < first.rows.size(); ++r)
+        for (size_t k = 0; k < first.names.size(); ++k) {
+            const size_t other = size_t(std::find(second.names.begin(), second.names.end(), first.names[k]) - second.names.begin());
+            const double a = first.rows[r][k], b = second.rows[r][other];
+            const Tolerance t = tolerance_for(first.names[k], rules);
+            const double limit = t.relative ? t.amount * std::max(std::fabs(a), std::fabs(b)) : t.amount;
+            const bool same = a == b || (std::isnan(a) && std::isnan(b));
+            // 6 decimals of a recorded line carry an error of half a unit
+            out.push_back({r, first.names[k], a, b, t, same || std::fabs(a - b) <= limit + 1e-6});
+        }
+    return out;
+}
+
+}  // namespace comfort

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare_inputs.h"
+#include <cmath>
+#include <fstream>
+#include "base/error.h"
+#include "base/run.h"
+#include "comfort/compare.h"
+#include "measure_stream.h"
+
+namespace {
+using namespace comfort;
+
+// Rules as typed, or the lines of a file (# begins a comment).
+std::vector<Tolerance> rules_of(const std::string& text) {
+    if (text.empty()) return {};
+    std::ifstream in(text);
+    if (!in) return parse_tolerances(text);
+    std::vector<Tolerance> out;
+    for (std::string line; std::getline(in, line);) {
+        line = line.substr(0, line.find('#'));
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        for (const Tolerance& t : parse_tolerances(line)) out.push_back(t);
+    }
+    return out;
+}
+
+const std::vector<std::string> all_metrics = {"Ev", "DGP", "DGI", "UGR", "VCP", "CGI", "UGP", "UGP2", "DGImod", "UGRexp", "DGR", "Lveil",
+                                              "LveilCIE", "Lavg", "Lmax", "Lmed", "Lb", "Edir", "n_sources", "omega_sources", "RAMMG"};
+
+}  // namespace
+
+int compare_inputs(const Options& o) {
+    const std::vector<Tolerance> rules = rules_of(o.tolerances);
+    std::optional<NumberTable> side[2] = {read_numbers(o.files[0]), read_numbers(o.files[1])};
+    std::vector<std::string> metrics = o.metrics;
+    for (const auto& s : side)
+        if (s) metrics = s->names;  // what the record holds
+    if (metrics.empty()) {
+        metrics = all_metrics;
+        if (!o.regions_file.empty()) metrics.push_back("TAL");
+        if (!o.contrast_pairs.empty()) metrics.push_back("CR");
+    }
+    for (int k = 0; k < 2; ++k)
+        if (!side[k]) side[k] = measure_table(o, o.files[k], metrics);
+    const std::vector<std::string> names = {"row", "metric", "first", "second", "difference", "tolerance", "within"};
+    std::string text = header_line(names, o.format);
+    bool all_within = true;
+    for (const Difference& d : compare_tables(*side[0], *side[1], rules)) {
+        const Cell amount = number_cell(d.tolerance.amount * (d.tolerance.relative ? 100 : 1), 4);
+        text += table_line(names, {number_cell(double(d.row + 1)), text_cell(d.metric), number_cell(d.first, 10), number_cell(d.second, 10),
+                                   number_cell(d.second - d.first, 4), text_cell(amount.text + (d.tolerance.relative ? "%" : "")),
+                                   text_cell(d.within ? "yes" : "no")}, o.format);
+        all_within = all_within && d.within;
+    }
+    base::write_stdout(text.data(), text.size());
+    return all_within ? 0 : 5;
+}
