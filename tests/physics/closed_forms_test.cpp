@@ -160,6 +160,6 @@ TEST_CASE("a diffusing sheet under the sky") {
         "sheet polygon roof 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n";
     trace::RenderOptions options;
     options.ab = 1;
-    expect(text, options, {{0, 0, -1}, {.1, 0, 1}}, {.24, .18, .12});
-    expect(text, options, {{0, 0, 1}, {.1, 0, -1}}, {.56, .42, .28});
+    expect(text, options, {{0, 0, -1}, {.1, 0, 1}}, {.24, .18, .12}, 65536);
+    expect(text, options, {{0, 0, 1}, {.1, 0, -1}}, {.56, .42, .28}, 65536);
 }

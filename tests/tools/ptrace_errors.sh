@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# What ptrace says when it cannot: one line that names tool, place and fact; status 1 for input, 2 for the system.
+. "$TOP/tests/lib.sh"
+needs ptrace
+view='-vtv -vp 0 0 2 -vd 0 .1 -1 -vu 0 1 0 -vh 40 -vv 40 -x 8 -y 8'
+printf 'void plastic mat 0 0 5 .5 .5 .5 0 0\nmat polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n' > good.rad
+printf 'void plastic mat 0 0 5 .5 .5 .5 0 0\n\nglas polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n' > modifier.rad
+printf 'void plastic mat 0 0 5 .5 .5 .5 0\n' > short.rad
+printf '!touch ran\n' > command.rad
+mkdir folder
+
+check 'a good scene renders' "ptrace $view -frames 2 good.rad"
+check_error 'an undefined modifier names its line' 1 '^ptrace: modifier.rad:3: .*"?glas"?.* not defined' "ptrace $view -frames 1 modifier.rad | cat"
+check_error 'too few arguments name their primitive' 1 '^ptrace: short.rad:2: .*"mat"' "ptrace $view -frames 1 short.rad | cat"
+check_error 'a missing scene' 2 '^ptrace: absent.rad: .*No such file' "ptrace $view -frames 1 absent.rad | cat"
+check_error 'a folder is no scene' '[12]' '^ptrace: folder: ' "ptrace $view -frames 1 folder | cat"
+check_error 'commands do not run unasked' 1 '^ptrace: command.rad:1: .*-exec' "ptrace $view -frames 1 command.rad | cat"
+check 'and did not' 'test ! -e ran'
+check_error 'a full disk' 2 '^ptrace: .*No space left' "ptrace $view -frames 2 good.rad > /dev/full"
+check_error 'a folder that is not there' 2 '^ptrace: ' "ptrace $view -frames 1 -o nowhere/f.hdr good.rad"
+check_error 'no OpenCL platform' 2 '^ptrace: .*[Oo]penCL' "OCL_ICD_VENDORS=/nonexistent ptrace $view -device opencl -frames 1 good.rad | cat"
+check_error 'no such device' 1 '^ptrace: -device: ' "ptrace $view -device abacus -frames 1 good.rad | cat"
+check_error 'a wrong number' 1 '^ptrace: -ab' "ptrace $view -ab many -frames 1 good.rad | cat"
+check_error 'a view without direction' 1 '^ptrace: ' "ptrace $view -vd 0 0 0 -frames 1 good.rad | cat"
+check 'nothing half-written is left' 'test "$(ls | sort | tr "\n" " ")" = "command.rad folder good.rad modifier.rad short.rad "'
+check 'a reader that leaves ends an endless stream quietly' "ptrace $view good.rad | head -c 2000 > first && test ! -s .stderr"
