@@ -47,6 +47,7 @@ std::string read_text(const std::string& path, size_t limit, const std::string& 
 Library::Library(const base::ReadOptions& files) : state_(new State) {
     state_->files = files;
     state_->add(rayinit_text, "rayinit.cal", "", false);
+    for (const std::string& file : files.cal_files) define_file(file, "-f");
 }
 Library::~Library() = default;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole device code in its order of inclusion, for C++ and OpenCL C alike, after the compat file of the device.
-// LUX_BVH2 (GPUs) or LUX_EMBREE (the check) choose another traversal than the CPU's.
+// LUX_BVH2 (GPUs) or LUX_EMBREE (the check: a header of the host) choose another traversal than the CPU's.
 #include "kernels/vec.h"
 #include "kernels/math.h"
 #include "kernels/intersect.h"
@@ -9,7 +9,7 @@
 #if defined(LUX_BVH2)
 #include "kernels/bvh2.h"
 #elif defined(LUX_EMBREE)
-#include "trace/embree_traversal.h"
+#include LUX_EMBREE
 #else
 #include "kernels/bvh8.h"
 #endif
@@ -29,4 +29,6 @@
 #include "kernels/mat_dielectric.h"
 #include "kernels/mat_function.h"
 #include "kernels/mat_prism.h"
+#include "kernels/bsdf.h"
+#include "kernels/mat_bsdf.h"
 #include "kernels/path.h"

@@ -3,5 +3,5 @@
 #include "trace/embree_check.h"
 #define LUX_ISA embree
 #define LUX_ISA_NAME "embree"
-#define LUX_EMBREE
+#define LUX_EMBREE "trace/embree_traversal.h"
 #include "trace/cpu_kernels.inl"
