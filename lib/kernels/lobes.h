@@ -28,6 +28,7 @@ typedef struct {
 #define LOBE_WGMD_FRESNEL 32u
 #define LOBE_FUNCTION 64u    // direct light also by the material's lobe program
 #define LOBE_ASHIK 128u      // rough_r is the power lobe of ashik2
+#define LOBE_BSDF 256u       // rough_r and rough_t are tables (mat_bsdf.h says how it uses the fields)
 
 // Fresnel estimate of RADIANCE's smooth plastic, metal and trans (spec 3.1).
 FN float fresnel_estimate(float c) { return k_exp(-5.85f * c) - 0.00287989916f; }

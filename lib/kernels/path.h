@@ -165,9 +165,9 @@ FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* p
     return mul3(g->color, f3_at(arg));
 }
 
-// Fills lobes for the material at g.  shadow: only what lets light pass is needed.  *arriving: medium of the segment that
+// Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving: medium of the segment that
 // ended here, corrected where the surface knows it; *beyond: medium behind the surface.
-FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, int shadow,
+FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, int asked,
                        PRIVATE Sampler* rnd, PRIVATE float3* arriving, PRIVATE float3* beyond, PRIVATE Lobes* l) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
@@ -187,7 +187,7 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     case M_PLASTIC: case M_METAL: case M_TRANS:
         mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), l);
         break;
-    case M_GLASS: mat_glass(g, arg, shadow, l); break;
+    case M_GLASS: mat_glass(g, arg, asked == LOBES_SHADOW, l); break;
     case M_ANISO_PLASTIC: case M_ANISO_METAL: case M_ANISO_TRANS:
         mat_normal(par, g, type, arg, F3(value[0], value[1], value[2]), l);
         break;
@@ -195,11 +195,12 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     case M_BRDF: mat_brdf(g, arg, m[MOD_FLAGS], l); break;
     case M_BRTD: mat_brtd(g, arg, value, l); break;
     case M_WGMD: mat_wgmd(s, par, g, m, value, rnd, l); break;
+    case M_BSDF: mat_bsdf(s, par, g, m, value, asked, rnd, l); break;
     case M_DIELECTRIC: case M_INTERFACE:
         mat_dielectric(par, g, type, arg, l, arriving, beyond);
         break;
     case M_PRISM:
-        if (!shadow) mat_prism(m[MOD_FLAGS], value, l);  // shadow rays pass by virtual sources only (shadow_aimed)
+        if (asked != LOBES_SHADOW) mat_prism(m[MOD_FLAGS], value, l);  // shadow rays pass by virtual sources only (shadow_aimed)
         break;
     case M_MIRROR:
         if (g->front) { l->mirror = mul3(f3_at(arg), g->color); l->mirror_dir = mirror_direction(g); }
@@ -316,12 +317,12 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         }
     } else {
         mist_surface = g.type == M_MIST;
-        if (!mist_surface) material_lobes(s, par, &g, 0, &rnd, &arriving, &beyond, &lobes);
+        if (!mist_surface) material_lobes(s, par, &g, (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u ? LOBES_SAMPLED : LOBES_EYE, &rnd, &arriving, &beyond, &lobes);
         else lobes.flags = LOBE_PASS;
         pass = (lobes.flags & LOBE_PASS) != 0u;
         if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) {
             if (g.type == M_GLASS || g.type == M_DIELECTRIC || g.type == M_INTERFACE ||
-                (g.type == M_TRANS && max3(lobes.through) > 0.0f)) pass = 1;  // spec shading 5.5
+                ((g.type == M_TRANS || g.type == M_BSDF) && max3(lobes.through) > 0.0f)) pass = 1;  // spec shading 5.5
             else {
                 float3 pi3 = F3(3.14159265f, 3.14159265f, 3.14159265f);
                 lobes_clear(&lobes);
@@ -357,7 +358,8 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                 sample_source(s, par, i, g.p, x, par->dj, &ls);
                 if (ls.w > 0.0f) {
                     float3 c = (lobes.flags & LOBE_ASHIK) != 0u ? ashik_direct(&lobes, &g, ls.dir, ls.w)
-                                                                : lobes_direct(&lobes, &g, ls.dir, ls.w, par->dj);
+                               : (lobes.flags & LOBE_BSDF) != 0u ? bsdf_direct(s, par, &lobes, &g, ls.dir, ls.w, &rnd)
+                                                                 : lobes_direct(&lobes, &g, ls.dir, ls.w, par->dj);
                     if ((lobes.flags & LOBE_FUNCTION) != 0u) c = add3(c, function_direct(s, par, &lobes, &g, ls.dir, ls.w));
                     if (max3(c) > 0.0f) {
                         GLOBAL const float* q = source_record(s, par, i);
@@ -368,7 +370,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                         c = mul3(mul3(thr, c), scale3(e, inv_p));
                         if (max3(c) > 0.0f) {
                             int above = dot3(ls.dir, g.ng) > 0.0f;
-                            a->sorg[slot] = pack4(offset_ray(g.p, above ? g.ng : neg3(g.ng), g.reach), as_float_(i));
+                            a->sorg[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, above), above ? g.ng : neg3(g.ng), g.reach), as_float_(i));
                             a->sdir[slot] = pack4(ls.dir, ls.dist);
                             a->scol[slot] = pack4(c, g.total);
                             if (absorbs) {
@@ -419,6 +421,8 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             coef = lobes.rough_r; p = w_rough_r;
             factor = (lobes.flags & LOBE_ASHIK) != 0u
                          ? ashik_sample(&lobes, &g, &rnd, &next)
+                     : (lobes.flags & LOBE_BSDF) != 0u
+                         ? bsdf_sample_lobe(s, par, &lobes, &g, 0, &rnd, &coef, &next)
                          : lobes_sample_rough_r(&lobes, &g, &rnd, (par->flags & PF_WEIGHTED) != 0u, par->ss, &next);
             flags |= PC_ROUGH | PC_BENT;
         } else if ((r -= w_diff_t) < 0.0f) {
@@ -428,7 +432,9 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             flags |= PC_DIFFUSE; ab++;
         } else if ((r -= w_rough_t) < 0.0f) {
             coef = lobes.rough_t; p = w_rough_t;
-            factor = lobes_sample_rough_t(&lobes, &g, &rnd, par->ss, &next);
+            factor = (lobes.flags & LOBE_BSDF) != 0u
+                         ? bsdf_sample_lobe(s, par, &lobes, &g, 1, &rnd, &coef, &next)
+                         : lobes_sample_rough_t(&lobes, &g, &rnd, par->ss, &next);
             flags |= PC_ROUGH | PC_BENT; reflected = 0;
         } else {
             coef = lobes.refract; p = w_refract; next = lobes.refract_dir; reflected = 0;
@@ -454,7 +460,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         a->info[slot] = info;
         if (dead) return result;
         if (absorbs) a->med[slot] = pack4(dot3(next, g.ng) > 0.0f ? arriving : beyond, medium.w);
-        a->org[slot] = pack4(offset_ray(g.p, side, g.reach), 0.0f);
+        a->org[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, dot3(next, g.ng) > 0.0f), side, g.reach), 0.0f);
         a->dir[slot] = pack4(next, 1e30f);
         a->thr[slot] = pack4(thr, t4.w);
         return result | PATH_GOES_ON;
@@ -507,7 +513,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
             } else if (g.type == M_MIST) {
                 m4 = mist_crossing(s, par, &g, m4, 1);
             } else {
-                material_lobes(s, par, &g, 1, rnd, &medium, &beyond, &l);
+                material_lobes(s, par, &g, LOBES_SHADOW, rnd, &medium, &beyond, &l);
                 if ((l.flags & LOBE_PASS) == 0u) T = mul3(T, l.through);
             }
             if (max3(T) <= 0.0f) return black;
@@ -558,7 +564,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
                 medium = xyz4(mist_crossing(s, par, &g, pack4(medium, 0.0f), 1));
             } else {
                 float3 known = medium;
-                material_lobes(s, par, &g, 1, rnd, &known, &beyond, &l);
+                material_lobes(s, par, &g, LOBES_SHADOW, rnd, &known, &beyond, &l);
                 if ((l.flags & LOBE_PASS) == 0u) {
                     if (relay != NONE && hit.prim == s->u[relay]) {  // the relay this virtual source belongs to
                         q = source_record(s, par, s->u[relay + 1u]);

@@ -72,7 +72,7 @@
 #define M_PRISM 37u
 // flags
 #define MF_HAS_ALTERNATE 2u // MOD_BRANCH1 is an alternate material (NONE = void)
-#define MF_ABSDF 4u
+#define MF_ABSDF 4u         // the straight part of the BSDF is a ray of its own
 #define MF_ALTERNATE_PASSES 32u  // the alternate is void or a transparent type
 #define MF_METAL 8u         // the specular colour is the surface's
 #define MF_TRANS 16u

@@ -135,7 +135,7 @@ public:
     void read() {
         tree_.dims = dims_;
         tree_.value.push_back(0);
-        tree_.child.push_back(BsdfTree::NONE);
+        tree_.child.push_back(BsdfTree::LEAF);
         node(0, 0);
         if (in_.peek()) fail(place_, "more scattering data than the tensor tree holds");
     }
@@ -144,7 +144,7 @@ private:
     uint32_t split(uint32_t parent) {
         const size_t first = tree_.value.size(), count = size_t(1) << dims_;
         tree_.value.resize(first + count, 0.0f);
-        tree_.child.resize(first + count, BsdfTree::NONE);
+        tree_.child.resize(first + count, BsdfTree::LEAF);
         tree_.child[parent] = uint32_t(first);
         return uint32_t(first);
     }

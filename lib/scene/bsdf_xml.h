@@ -18,10 +18,10 @@ struct BsdfBasis {
     size_t cells() const;
 };
 
-// A tensor tree: node n is a leaf (child NONE) of value[n], or has 2^dims children from child[n] on; bit k of a child's
+// A tensor tree: node n is a leaf (child LEAF) of value[n], or has 2^dims children from child[n] on; bit k of a child's
 // place is the upper half of dimension k.  Node 0 is the root.
 struct BsdfTree {
-    static constexpr uint32_t NONE = 0xffffffffu;
+    static constexpr uint32_t LEAF = 0xffffffffu;
     int dims = 0;                 // 3 or 4; 0 = no tree
     int depth = 0;                // the smallest leaf is 2^-depth wide
     std::vector<float> value;

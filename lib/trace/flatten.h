@@ -2,6 +2,8 @@
 // The parts of flatten(): modifiers, geometry, instances, sources.  Each fills its tables of one FlatScene.
 #pragma once
 #include <cstring>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 #include "cal/compile.h"
@@ -38,6 +40,8 @@ struct Flattener {
 
     struct MistRef { uint32_t mod, object; };
     std::vector<MistRef> mists;           // mists that may name sources, filled in when these are known
+    std::map<std::string, uint32_t> bsdf_files;  // tables by path
+
     bool aimed = false;                   // shadow rays may bend or be relayed: SHADOW_AIMED
 
     // Emitting surfaces, collected by geometry for sources.
@@ -51,6 +55,8 @@ struct Flattener {
         : scene(s), options(o), files(f), out(t), library(f) {}
 
     void flatten_modifiers();
+    // Tables of a BSDF file, found along RAYPATH: index for MOD_EXTRA (flatten_bsdf.cpp).
+    uint32_t bsdf_file(const std::string& name, const std::string& place);
     void flatten_sources();
     void link_mists(const std::vector<uint32_t>& source_objects);
     // Copies of the sources mirrored in the relays, up to -dr levels (virtual_sources.cpp); arguments as in flatten_sources.

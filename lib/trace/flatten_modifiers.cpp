@@ -36,12 +36,15 @@ uint32_t material_code(Type t) {
         case Type::mist: return M_MIST;
         case Type::prism1: case Type::prism2: return M_PRISM;
         case Type::wgmdfunc: return M_WGMD;
+        case Type::bsdf: case Type::absdf: return M_BSDF;
         default: return 0;
     }
 }
 // Does a shadow ray pass this material (spec shading 4.5)?
-bool material_passes(Type t, const scene::Span<double>& a) {
+bool material_passes(Type t, const scene::Span<double>& a, const cal::PatternSpec& spec) {
     switch (t) {
+        case Type::absdf: return true;
+        case Type::bsdf: return spec.strings[0] != "0";  // a proxy of some thickness
         case Type::glass: case Type::dielectric: case Type::interface: case Type::illum: case Type::mirror:
         case Type::brtdfunc: case Type::wgmdfunc: case Type::prism1: case Type::prism2: case Type::mist: return true;
         case Type::trans: return a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6;
@@ -139,6 +142,11 @@ void Flattener::flatten_modifiers() {
                 }
                 rec[MOD_EXTRA] = p.lobe;
                 rec[MOD_FLAGS] |= uint32_t(p.lobe_count) << MF_LOBES_SHIFT;
+                if (!p.file.empty()) {  // BSDF, aBSDF; absent diffuse arguments are 0
+                    rec[MOD_EXTRA] = bsdf_file(p.file, scene.place(t));
+                    args.resize(rec[MOD_ARGS] + 9, 0.0f);
+                    if (t.type == Type::absdf) rec[MOD_FLAGS] |= MF_ABSDF;
+                }
             }
             if (t.type == Type::mist) {  // absent arguments: the global medium's
                 const double* global[3] = {nullptr, options.ma, &options.mg};
@@ -152,7 +160,7 @@ void Flattener::flatten_modifiers() {
             if (t.type == Type::metfunc || t.type == Type::metdata) rec[MOD_FLAGS] |= MF_METAL;
             if (t.type == Type::transfunc || t.type == Type::transdata) rec[MOD_FLAGS] |= MF_TRANS | MF_METAL;
             has_material[i] = 1;
-            passes[i] = material_passes(t.type, reals);
+            passes[i] = material_passes(t.type, reals, spec_of(scene, t));
             material_of[i] = uint32_t(r.object);
         } else {
             const cal::Program p = cal::compile_pattern(library, spec_of(scene, t), code);

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Look-up and sampling of tabulated BSDFs (layout below, written by trace/flatten_bsdf.cpp).  A table answers for a
+// direction v toward the viewer, which the sampling keeps, and l toward the light; both unit, in the surface's frame
+// (x, y, n), both away from the surface.  No interpolation: values are constant in a cell, as in RADIANCE.
+//   matrix  Klems' patches; rows of cumulative f times projected solid angle (Klems 1994)
+//   tree    tensor trees over the unit square's image of the disc (Shirley & Chiu 1997; Ward et al. 2012)
+#ifndef LUX_BSDF_H
+#define LUX_BSDF_H
+
+// A material: BSDF_COMPONENTS of BSDF_COMPONENT_WORDS at u[MOD_EXTRA]: front reflection, front transmission, back.. (by the
+// side v is on): table (u index, NONE if there is none), Lambertian part (float).
+#define BSDF_COMPONENTS 4u
+#define BSDF_COMPONENT_WORDS 2u
+// A table, BT_WORDS words.  "at f" and "at u" are indices of the arenas.
+#define BT_WORDS 12u
+#define BT_KIND 0u       // BSDF_MATRIX, BSDF_TREE4, BSDF_TREE3
+#define BT_SWAP 1u       // 1: data are for light coming from v's other side: v takes the exiting role
+#define BT_MIN_PSA 2u    // smallest projected solid angle of a cell (float)
+#define BT_V 3u          // matrix: basis of v at u; tree: cells per side of the grid of v
+#define BT_L 4u          // matrix: basis of l at u; tree: dimensions
+#define BT_NL 5u         // matrix: cells of l
+#define BT_VALUES 6u     // at f: matrix: v * NL + l; tree: value of each node, means above the leaves
+#define BT_MORE 7u       // matrix: at f: cumulative over l, row by row; tree: at u: child of each node
+#define BT_HEMI 8u       // at f, by cell of v: directional-hemispherical value
+#define BT_PSA 9u        // at f, by cell of v: projected solid angle that jitters v
+#define BT_LPSA 10u      // matrix: at f, by cell of l: projected solid angle
+#define BT_RGB 11u       // NONE: grey.  matrix: at f: RGB per cell; tree: at u: values, children of u', then of v'
+#define BSDF_MATRIX 1u
+#define BSDF_TREE4 2u
+#define BSDF_TREE3 3u
+// A basis: rings, cells, then per ring: cosine of the lower and the upper bound (floats), patches, first cell.
+#define BASIS_HEAD 2u
+#define BASIS_RING 4u
+
+// The disc as a square and back (Shirley & Chiu 1997), areas in proportion.
+FN float2 bsdf_square(float x, float y) {
+    float r = sqrt_(x * x + y * y), a, b;
+    float phi = k_atan2(y, x) * 1.27323954f;  // in eighths of a turn
+    if (phi < -1.0f) phi += 8.0f;
+    if (phi < 1.0f) { a = r; b = phi * r; }
+    else if (phi < 3.0f) { b = r; a = (2.0f - phi) * r; }
+    else if (phi < 5.0f) { a = -r; b = (4.0f - phi) * r; }
+    else { b = -r; a = (phi - 6.0f) * r; }
+    float2 q;
+    q.x = MIN_(MAX_(0.5f + 0.5f * a, 0.0f), 0.99999994f);
+    q.y = MIN_(MAX_(0.5f + 0.5f * b, 0.0f), 0.99999994f);
+    return q;
+}
+FN float2 bsdf_disc(float sx, float sy) {
+    float a = 2.0f * sx - 1.0f, b = 2.0f * sy - 1.0f, r, phi, s, c;
+    if (a > -b) {
+        if (a > b) { r = a; phi = b / a; }
+        else { r = b; phi = 2.0f - a / b; }
+    } else {
+        if (a < b) { r = -a; phi = 4.0f + b / a; }
+        else { r = -b; phi = b != 0.0f ? 6.0f - a / b : 0.0f; }
+    }
+    k_sincos(phi * 0.78539816f, &s, &c);
+    float2 d;
+    d.x = r * c;
+    d.y = r * s;
+    return d;
+}
+FN float bsdf_height(float x, float y) { float z2 = 1.0f - x * x - y * y; return sqrt_(MAX_(z2, 0.0f)); }
+
+// ---- matrices
+FN uint basis_cell(PRIVATE const SceneTables* s, uint basis, float x, float y, float z) {
+    GLOBAL const uint* b = s->u + basis;
+    uint rings = b[0], k = 0u;
+    z = fabs_(z);
+    while (k + 1u < rings && z <= as_float_(b[BASIS_HEAD + BASIS_RING * (k + 1u)])) k++;
+    GLOBAL const uint* q = b + BASIS_HEAD + BASIS_RING * k;
+    int count = (int)q[2];
+    int i = (int)floor_(k_atan2(y, x) * 0.159154943f * (float)count + 0.5f);
+    if (i < 0) i += count;
+    if (i >= count) i -= count;
+    return q[3] + (uint)i;
+}
+// A direction in a cell: cosine squared and azimuth even, which is even in projected solid angle.
+FN float3 basis_direction(PRIVATE const SceneTables* s, uint basis, uint cell, float2 x) {
+    GLOBAL const uint* b = s->u + basis;
+    uint k = 0u;
+    while (k + 1u < b[0] && cell >= b[BASIS_HEAD + BASIS_RING * (k + 1u) + 3u]) k++;
+    GLOBAL const uint* q = b + BASIS_HEAD + BASIS_RING * k;
+    float c0 = as_float_(q[0]), c1 = as_float_(q[1]), sn, cs;
+    float z2 = c0 * c0 + (c1 * c1 - c0 * c0) * x.x, r = sqrt_(MAX_(1.0f - z2, 0.0f));
+    k_sincos(((float)(cell - q[3]) + x.y - 0.5f) * 6.28318531f / (float)q[2], &sn, &cs);
+    return F3(r * cs, r * sn, sqrt_(MAX_(z2, 0.0f)));
+}
+// Incident directions are counted from the far side, so that cell i straight through is cell i (swap: the other way).
+FN uint bsdf_v_cell(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v) {
+    float k = t[BT_SWAP] != 0u ? 1.0f : -1.0f;
+    return basis_cell(s, t[BT_V], k * v.x, k * v.y, v.z);
+}
+FN uint bsdf_l_cell(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 l) {
+    float k = t[BT_SWAP] != 0u ? -1.0f : 1.0f;
+    return basis_cell(s, t[BT_L], k * l.x, k * l.y, l.z);
+}
+
+// ---- trees
+// The incident coordinate of an isotropic tree; a direction on the edge of two cells (which single precision cannot keep
+// apart) belongs to the outer one.
+FN float tree_radius(float3 in) {
+    float c = 0.5f - 0.5f * sqrt_(in.x * in.x + in.y * in.y) - 2e-8f;
+    return MIN_(MAX_(c, 0.0f), 0.49999997f);
+}
+// Coordinates of a pair of directions in the cube; c[3] is not used in three dimensions.
+FN void tree_coordinates(GLOBAL const uint* t, float3 v, float3 l, PRIVATE float* c) {
+    float3 in = t[BT_SWAP] != 0u ? l : v, out = t[BT_SWAP] != 0u ? v : l;
+    float2 q;
+    if (t[BT_KIND] == BSDF_TREE4) {
+        q = bsdf_square(-in.x, -in.y);
+        c[0] = q.x; c[1] = q.y;
+        q = bsdf_square(out.x, out.y);
+        c[2] = q.x; c[3] = q.y;
+        return;
+    }
+    float r = sqrt_(in.x * in.x + in.y * in.y);
+    float cs = r > 0.0f ? -in.x / r : 1.0f, sn = r > 0.0f ? -in.y / r : 0.0f;
+    q = bsdf_square(out.x * cs + out.y * sn, out.y * cs - out.x * sn);
+    c[0] = tree_radius(in);
+    c[1] = q.x; c[2] = q.y; c[3] = 0.0f;
+}
+FN float tree_value(PRIVATE const SceneTables* s, uint values, uint children, int dims, PRIVATE const float* at,
+                    PRIVATE float* width) {
+    float c[4];
+    uint node = 0u;
+    for (int k = 0; k < 4; k++) c[k] = at[k];
+    *width = 1.0f;
+    for (;;) {
+        uint next = s->u[children + node];
+        if (next == NONE) return s->f[values + node];
+        for (int k = 0; k < dims; k++) {
+            c[k] *= 2.0f;
+            if (c[k] >= 1.0f) { c[k] -= 1.0f; next += 1u << k; }
+        }
+        node = next;
+        *width *= 0.5f;
+    }
+}
+FN uint tree_v_cell(GLOBAL const uint* t, float3 v) {
+    float n = (float)t[BT_V];
+    if (t[BT_KIND] == BSDF_TREE3) return (uint)(tree_radius(v) * n);
+    float k = t[BT_SWAP] != 0u ? 1.0f : -1.0f;
+    float2 q = bsdf_square(k * v.x, k * v.y);
+    return (uint)(q.x * n) + t[BT_V] * (uint)(q.y * n);
+}
+
+// ---- one face for both
+FN uint bsdf_cell(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v) {
+    return t[BT_KIND] == BSDF_MATRIX ? bsdf_v_cell(s, t, v) : tree_v_cell(t, v);
+}
+FN float bsdf_hemispherical(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v) {
+    return s->f[t[BT_HEMI] + bsdf_cell(s, t, v)];
+}
+// f(v, l) without its Lambertian part, 1/sr; *psa: projected solid angle of the pair's (smaller) cell.
+FN float bsdf_value(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v, float3 l, PRIVATE float* psa) {
+    if (t[BT_KIND] == BSDF_MATRIX) {
+        uint i = bsdf_v_cell(s, t, v), o = bsdf_l_cell(s, t, l);
+        *psa = MIN_(s->f[t[BT_PSA] + i], s->f[t[BT_LPSA] + o]);
+        return s->f[t[BT_VALUES] + i * t[BT_NL] + o];
+    }
+    float c[4], w;
+    tree_coordinates(t, v, l, c);
+    float f = tree_value(s, t[BT_VALUES], t[BT_MORE], (int)t[BT_L], c, &w);
+    *psa = 3.14159265f * w * w;
+    return f;
+}
+// RGB of f(v, l) for luminance 1 (RADIANCE's primaries).
+FN float3 bsdf_color(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v, float3 l) {
+    if (t[BT_RGB] == NONE) return F3(1.0f, 1.0f, 1.0f);
+    if (t[BT_KIND] == BSDF_MATRIX) {
+        GLOBAL const float* q = s->f + t[BT_RGB] + 3u * (bsdf_v_cell(s, t, v) * t[BT_NL] + bsdf_l_cell(s, t, l));
+        return F3(q[0], q[1], q[2]);
+    }
+    GLOBAL const uint* uv = s->u + t[BT_RGB];
+    float c[4], w;
+    tree_coordinates(t, v, l, c);
+    float u1 = tree_value(s, uv[0], uv[1], (int)t[BT_L], c, &w), v1 = tree_value(s, uv[2], uv[3], (int)t[BT_L], c, &w);
+    if (v1 <= 1e-6f) return F3(1.0f, 1.0f, 1.0f);
+    float X = 2.25f * u1 / v1, Z = (3.0f - 0.75f * u1) / v1 - 5.0f;  // CIE 1976 u'v' to X/Y, Z/Y
+    return F3(MAX_(2.56531284f * X - 1.16684962f - 0.39846323f * Z, 0.0f),
+              MAX_(-1.02210817f * X + 1.97828662f + 0.04382156f * Z, 0.0f),
+              MAX_(0.07472438f * X - 0.25193957f + 1.17721519f * Z, 0.0f));
+}
+
+// One l for v, on the +z side.  Returns f cos / density: its mean is the hemispherical value (for matrices always so); 0 = none.
+FN float bsdf_sample(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v, PRIVATE Sampler* rnd, PRIVATE float3* l) {
+    float2 pick = sample2(rnd), place = sample2(rnd);
+    if (t[BT_KIND] == BSDF_MATRIX) {
+        uint nl = t[BT_NL], i = bsdf_v_cell(s, t, v), low = 0u, high = nl - 1u;
+        GLOBAL const float* sums = s->f + t[BT_MORE] + i * nl;
+        float total = sums[nl - 1u], x = pick.x * total;
+        if (total <= 0.0f) return 0.0f;
+        while (low < high) {
+            uint mid = (low + high) >> 1;
+            if (sums[mid] > x) high = mid; else low = mid + 1u;
+        }
+        *l = basis_direction(s, t[BT_L], low, place);
+        if (t[BT_SWAP] != 0u) { l->x = -l->x; l->y = -l->y; }
+        return total;
+    }
+    float c[4], w = 1.0f, p = 1.0f;
+    if (t[BT_KIND] == BSDF_TREE3 && t[BT_SWAP] != 0u) {  // no dimension of the tree is v's: even in projected solid angle
+        float2 d = bsdf_disc(place.x, place.y);
+        *l = F3(d.x, d.y, bsdf_height(d.x, d.y));
+        return 3.14159265f * bsdf_value(s, t, v, *l, &w);
+    }
+    // Down the tree: v's dimensions are given, the others chosen by the children's means over v's half of the cube
+    tree_coordinates(t, v, F3(0.0f, 0.0f, 1.0f), c);
+    int dims = (int)t[BT_L], four = dims == 4, first = four && t[BT_SWAP] == 0u ? 2 : four ? 0 : 1;
+    float x = pick.x, corner_x = 0.0f, corner_y = 0.0f;
+    uint node = 0u;
+    for (;;) {
+        uint next = s->u[t[BT_MORE] + node];
+        if (next == NONE) break;
+        for (int k = 0; k < dims; k++) {
+            if (k == first || k == first + 1) continue;
+            c[k] *= 2.0f;
+            if (c[k] >= 1.0f) { c[k] -= 1.0f; next += 1u << k; }
+        }
+        float m[4], sum = 0.0f;
+        for (uint k = 0u; k < 4u; k++) { m[k] = s->f[t[BT_VALUES] + next + (k << first)]; sum += m[k]; }
+        if (sum <= 0.0f) return 0.0f;
+        float r = x * sum;
+        uint k = 0u, last = m[3] > 0.0f ? 3u : m[2] > 0.0f ? 2u : m[1] > 0.0f ? 1u : 0u;
+        while (k < last && r >= m[k]) { r -= m[k]; k++; }
+        x = m[k] > 0.0f ? MIN_(r / m[k], 0.99999994f) : 0.0f;
+        p *= m[k] / sum;
+        w *= 0.5f;
+        if ((k & 1u) != 0u) corner_x += w;
+        if ((k & 2u) != 0u) corner_y += w;
+        node = next + (k << first);
+    }
+    float f = s->f[t[BT_VALUES] + node];
+    float2 d = bsdf_disc(corner_x + w * place.x, corner_y + w * place.y);
+    if (!four) {  // turned with v's azimuth
+        float r = sqrt_(v.x * v.x + v.y * v.y);
+        float cs = r > 0.0f ? -v.x / r : 1.0f, sn = r > 0.0f ? -v.y / r : 0.0f, dx = d.x * cs - d.y * sn;
+        d.y = d.y * cs + d.x * sn;
+        d.x = dx;
+    } else if (t[BT_SWAP] != 0u) {
+        d.x = -d.x;
+        d.y = -d.y;
+    }
+    *l = F3(d.x, d.y, bsdf_height(d.x, d.y));
+    return p > 0.0f ? 3.14159265f * f * w * w / p : 0.0f;
+}
+#endif

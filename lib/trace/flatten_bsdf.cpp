@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// BSDF files -> the tables of kernels/bsdf.h: the Lambertian part taken off, values perturbed as RADIANCE perturbs them
+// (spec: RADIANCE shading 3.16; equal cells become unlike), sums for sampling, hemispherical values.  One file, one set.
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "base/find_file.h"
+#include "scene/bsdf_xml.h"
+#include "trace/flatten.h"
+#include "trace/flatten_bsdf.h"
+
+namespace kernels {
+#include "kernels/sampler.h"
+#include "kernels/bsdf.h"
+}
+
+namespace trace {
+namespace {
+using namespace kernels;
+using scene::BsdfBasis;
+using scene::BsdfTable;
+using scene::BsdfTree;
+
+constexpr double PI = 3.14159265358979323846;
+constexpr uint32_t MAX_GRID = 128;  // cells per side of the grid of hemispherical values
+constexpr double MIN_LAMBERTIAN = .01 / PI, MAX_LAMBERTIAN = 1.5 / PI;
+
+double fraction(double x) { return x - std::floor(x); }
+
+class Builder {
+public:
+    Builder(const scene::Bsdf& b, cal::Code& code, const std::string& place) : b_(b), code_(code), place_(place) {}
+
+    uint32_t build() {
+        for (const BsdfBasis& basis : b_.bases) bases_.push_back(add_basis(basis));
+        uint32_t comp[BSDF_COMPONENTS * BSDF_COMPONENT_WORDS];
+        for (int side = 0; side < 2; side++) {
+            uint32_t* r = comp + side * 2 * BSDF_COMPONENT_WORDS;
+            uint32_t* t = r + BSDF_COMPONENT_WORDS;
+            component(b_.reflection[size_t(side)], false, r);
+            const BsdfTable& own = b_.transmission[size_t(side)];
+            if (own.present) component(own, false, t);
+            else component(b_.transmission[size_t(1 - side)], true, t);  // reciprocity
+        }
+        const uint32_t at = uint32_t(code_.words.size());
+        code_.words.insert(code_.words.end(), std::begin(comp), std::end(comp));
+        return at;
+    }
+
+private:
+    uint32_t add_floats(const std::vector<float>& v) {
+        if (code_.floats.size() + v.size() > 0x7fffffffu) base::fail(place_, "BSDF tables above 8 GB");
+        const uint32_t at = uint32_t(code_.floats.size());
+        code_.floats.insert(code_.floats.end(), v.begin(), v.end());
+        return at;
+    }
+    uint32_t add_words(const std::vector<uint32_t>& v) {
+        if (code_.words.size() + v.size() > 0x7fffffffu) base::fail(place_, "BSDF tables above 8 GB");
+        const uint32_t at = uint32_t(code_.words.size());
+        code_.words.insert(code_.words.end(), v.begin(), v.end());
+        return at;
+    }
+    uint32_t add_basis(const BsdfBasis& basis) {
+        std::vector<uint32_t> w{uint32_t(basis.count.size()), uint32_t(basis.cells())};
+        uint32_t first = 0;
+        for (size_t k = 0; k < basis.count.size(); k++) {
+            const auto cosine = [&](double deg) { return deg >= 90 ? 0.0f : float(std::cos(deg * PI / 180)); };
+            w.insert(w.end(), {bits(cosine(basis.theta[k])), bits(cosine(basis.theta[k + 1])), basis.count[k], first});
+            first += basis.count[k];
+        }
+        return add_words(w);
+    }
+    static std::vector<float> psa_of(const BsdfBasis& basis) {
+        std::vector<float> psa;
+        for (size_t k = 0; k < basis.count.size(); k++) {
+            const double c0 = std::cos(basis.theta[k] * PI / 180), c1 = std::cos(basis.theta[k + 1] * PI / 180);
+            psa.insert(psa.end(), basis.count[k], float(PI * (c0 * c0 - c1 * c1) / basis.count[k]));
+        }
+        return psa;
+    }
+
+    void component(const BsdfTable& t, bool swap, uint32_t* out) {
+        out[0] = NONE;
+        out[1] = bits(0.0f);
+        if (!t.present) return;
+        double diffuse = 0;
+        out[0] = t.tree.dims ? add_tree(t, swap, diffuse) : add_matrix(t, swap, diffuse);
+        out[1] = bits(float(diffuse));
+    }
+
+    uint32_t add_matrix(const BsdfTable& t, bool swap, double& diffuse) {
+        const BsdfBasis &in = b_.bases[t.incident], &out = b_.bases[t.exit];
+        const size_t ni = in.cells(), no = out.cells();
+        std::vector<double> noise(ni * no);
+        for (size_t i = 0; i < ni; i++)
+            for (size_t o = 0; o < no; o++)
+                noise[i * no + o] = 1 + 6e-4 * (fraction(2.0 * double(ni) / (double(i) + .22545) + 4.0 * double(no) / (double(o) + .70281)) - .5);
+        double least = 1e30;
+        for (size_t k = 0; k < ni * no; k++) least = std::min(least, t.y[k] * noise[k]);
+        if (least <= MIN_LAMBERTIAN) least = 0;
+        diffuse = PI * least;
+        // rows by v, columns by l
+        const size_t nv = swap ? no : ni, nl = swap ? ni : no;
+        const std::vector<float> psa_v = psa_of(swap ? out : in), psa_l = psa_of(swap ? in : out);
+        std::vector<float> values(nv * nl), sums(nv * nl), hemi(nv), rgb;
+        if (!t.x.empty()) rgb.resize(3 * nv * nl);
+        for (size_t v = 0; v < nv; v++) {
+            double sum = 0;
+            for (size_t l = 0; l < nl; l++) {
+                const size_t from = swap ? l * no + v : v * no + l, to = v * nl + l;
+                values[to] = float(std::max(0.0, t.y[from] - least) * noise[from]);
+                sum += double(values[to]) * psa_l[l];
+                sums[to] = float(sum);
+                if (!rgb.empty()) put_rgb(t.x[from], t.y[from], t.z[from], &rgb[3 * to]);
+            }
+            hemi[v] = sums[v * nl + nl - 1];
+        }
+        std::vector<uint32_t> w(BT_WORDS);
+        w[BT_KIND] = BSDF_MATRIX;
+        w[BT_SWAP] = swap;
+        w[BT_MIN_PSA] = bits(std::min(*std::min_element(psa_v.begin(), psa_v.end()), *std::min_element(psa_l.begin(), psa_l.end())));
+        w[BT_V] = bases_[swap ? t.exit : t.incident];
+        w[BT_L] = bases_[swap ? t.incident : t.exit];
+        w[BT_NL] = uint32_t(nl);
+        w[BT_VALUES] = add_floats(values);
+        w[BT_MORE] = add_floats(sums);
+        w[BT_HEMI] = add_floats(hemi);
+        w[BT_PSA] = add_floats(psa_v);
+        w[BT_LPSA] = add_floats(psa_l);
+        w[BT_RGB] = rgb.empty() ? NONE : add_floats(rgb);
+        return add_words(w);
+    }
+    // XYZ -> RADIANCE's RGB for Y = 1
+    static void put_rgb(float X, float Y, float Z, float* rgb) {
+        const double x = Y > 0 ? X / Y : 1, z = Y > 0 ? Z / Y : 1;
+        rgb[0] = float(std::max(0.0, 2.56531284 * x - 1.16684962 - .39846323 * z));
+        rgb[1] = float(std::max(0.0, -1.02210817 * x + 1.97828662 + .04382156 * z));
+        rgb[2] = float(std::max(0.0, .07472438 * x - .25193957 + 1.17721519 * z));
+    }
+
+    // ---- trees.  visit(leaf, lower corner, width) for each leaf; at most scene's MAX_DEPTH levels deep
+    template <class F> static void leaves(const BsdfTree& t, uint32_t node, const double* low, double width, const F& visit) {
+        if (t.child[node] == BsdfTree::LEAF) { visit(node, low, width); return; }
+        for (uint32_t c = 0; c < 1u << t.dims; c++) {
+            double corner[4] = {0, 0, 0, 0};
+            for (int k = 0; k < t.dims; k++) corner[k] = low[k] + (c >> k & 1 ? width / 2 : 0);
+            leaves(t, t.child[node] + c, corner, width / 2, visit);
+        }
+    }
+    template <class F> static void leaves(const BsdfTree& t, const F& visit) {
+        const double origin[4] = {0, 0, 0, 0};
+        leaves(t, 0, origin, 1, visit);
+    }
+    static float set_means(const BsdfTree& t, std::vector<float>& value, uint32_t node) {
+        if (t.child[node] == BsdfTree::LEAF) return value[node];
+        double sum = 0;
+        for (uint32_t c = 0; c < 1u << t.dims; c++) sum += double(set_means(t, value, t.child[node] + c));
+        return value[node] = float(sum / (1u << t.dims));
+    }
+
+    uint32_t add_tree(const BsdfTable& table, bool swap, double& diffuse) {
+        const BsdfTree& t = table.tree;
+        double least = 1e30, narrow = 1;
+        leaves(t, [&](uint32_t n, const double* low, double width) {
+            if (t.dims == 3 && low[0] >= .5) return;
+            least = std::min(least, double(t.value[n]));
+            narrow = std::min(narrow, width);
+        });
+        if (!(least > MIN_LAMBERTIAN && least < MAX_LAMBERTIAN)) least = 0;
+        diffuse = PI * least;
+        std::vector<float> values = t.value;
+        leaves(t, [&](uint32_t n, const double* low, double) {
+            double noise = 0;
+            for (int k = 0; k < t.dims; k++) noise += fraction(double(2u << k) / (low[k] + .01687)) - .5;
+            values[n] = float(std::max(0.0, t.value[n] - least) * (1 + 1e-4 * noise));
+        });
+        set_means(t, values, 0);
+
+        const uint32_t grid = std::min(MAX_GRID, 1u << std::max(t.dims == 3 && swap ? 7 : 1, t.depth));
+        std::vector<uint32_t> w(BT_WORDS);
+        w[BT_KIND] = t.dims == 4 ? BSDF_TREE4 : BSDF_TREE3;
+        w[BT_SWAP] = swap;
+        w[BT_MIN_PSA] = bits(float(PI * narrow * narrow));
+        w[BT_V] = grid;
+        w[BT_L] = uint32_t(t.dims);
+        w[BT_VALUES] = add_floats(values);
+        w[BT_MORE] = add_words(t.child);
+        w[BT_RGB] = NONE;
+        if (table.u.dims == t.dims && table.v.dims == t.dims) {
+            const std::vector<uint32_t> uv{add_floats(table.u.value), add_words(table.u.child),
+                                           add_floats(table.v.value), add_words(table.v.child)};
+            w[BT_RGB] = add_words(uv);
+        }
+        std::vector<float> hemi, psa;
+        if (t.dims == 3 && swap) turned_tree(w, grid, float(PI * narrow * narrow), hemi, psa);
+        else tree_grids(t, values, swap ? 2 : 0, grid, hemi, psa);
+        w[BT_HEMI] = add_floats(hemi);
+        w[BT_PSA] = add_floats(psa);
+        return add_words(w);
+    }
+    // By cell of v's dimensions: pi * sum of f * area over l's square, and the smallest cell met there.
+    static void tree_grids(const BsdfTree& t, const std::vector<float>& values, int first, uint32_t n,
+                           std::vector<float>& hemi, std::vector<float>& psa) {
+        const int mine = t.dims == 4 ? 2 : 1;
+        const size_t rows = mine == 2 ? n : 1;
+        std::vector<double> sum(n * rows, 0.0);
+        psa.assign(n * rows, float(PI));
+        leaves(t, [&](uint32_t leaf, const double* low, double width) {
+            const double x0 = low[first] * n, x1 = x0 + width * n;
+            const double y0 = mine == 2 ? low[first + 1] * n : 0, y1 = mine == 2 ? y0 + width * n : 1;
+            const double share = std::min(1.0, width * n) * (mine == 2 ? std::min(1.0, width * n) : 1.0);
+            const double part = PI * values[leaf] * width * width * share;  // share: leaves finer than the grid
+            for (size_t y = size_t(y0); double(y) < y1; y++)
+                for (size_t x = size_t(x0); double(x) < x1; x++) {
+                    sum[y * n + x] += part;
+                    psa[y * n + x] = std::min(psa[y * n + x], float(PI * width * width));
+                }
+        });
+        hemi.assign(sum.begin(), sum.end());
+    }
+    // An isotropic tree looked up the other way round: no dimension is v's; by quadrature.
+    void turned_tree(const std::vector<uint32_t>& w, uint32_t n, float least, std::vector<float>& hemi, std::vector<float>& psa) {
+        SceneTables s = {};
+        s.u = code_.words.data();
+        s.f = code_.floats.data();
+        hemi.assign(n, 0.0f);
+        psa.assign(n, least);
+        const int steps = 64;
+        for (uint32_t i = 0; i < n / 2; i++) {
+            const float r = 1 - 2 * (float(i) + .5f) / float(n);
+            const float3 v = F3(r, 0, bsdf_height(r, 0));
+            double sum = 0;
+            for (int k = 0; k < steps * steps; k++) {
+                const float2 d = bsdf_disc((float(k % steps) + .5f) / steps, (float(k / steps) + .5f) / steps);
+                float unused;
+                sum += double(bsdf_value(&s, w.data(), v, F3(d.x, d.y, bsdf_height(d.x, d.y)), &unused));
+            }
+            hemi[i] = float(PI * sum / (steps * steps));
+        }
+    }
+
+    const scene::Bsdf& b_;
+    cal::Code& code_;
+    const std::string& place_;
+    std::vector<uint32_t> bases_;
+};
+
+}  // namespace
+
+uint32_t bsdf_tables(const scene::Bsdf& bsdf, cal::Code& code, const std::string& place) {
+    return Builder(bsdf, code, place).build();
+}
+
+uint32_t Flattener::bsdf_file(const std::string& name, const std::string& place) {
+    const std::string path = base::find_file(name, files, place);
+    const auto known = bsdf_files.find(path);
+    if (known != bsdf_files.end()) return known->second;
+    return bsdf_files[path] = bsdf_tables(scene::read_bsdf(path), code, path);
+}
+
+}  // namespace trace

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tables of a BSDF file for the kernels (kernels/bsdf.h).
+#pragma once
+#include <string>
+#include "cal/compile.h"
+#include "scene/bsdf_xml.h"
+
+namespace trace {
+
+// Appends to code.words and code.floats; returns the index of the four components (MOD_EXTRA).
+uint32_t bsdf_tables(const scene::Bsdf& bsdf, cal::Code& code, const std::string& place);
+
+}  // namespace trace
