@@ -52,6 +52,7 @@ void like(Options& o, const std::string& word) {
         o.settings.slips = true;
     } else if (word == "accelerad") {  // AcceleradRT: every bright pixel, older position index, always corrected
         o.like = Like::accelerad;
+        o.format = comfort::TableFormat::csv;
         o.settings.dgp_form = comfort::DgpForm::pixel;
         o.settings.position = comfort::PositionModel::accelerad;
         o.settings.low_light = true;
