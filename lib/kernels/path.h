@@ -89,7 +89,8 @@ FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* a, uint slo
         float pj = par->view_clip.z;
         float x = (float)(pixel % par->nx) + 0.5f + pj * (0.5f - r.x);
         float y = (float)(par->ny - 1u - pixel / par->nx) + 0.5f + pj * (0.5f - r.y);
-        ok = view_ray(par, x / (float)par->nx, y / (float)par->ny, &ray);
+        if (par->view_clip.w > 0.0f) r = sample2(&rnd);  // the lens
+        ok = view_lens_ray(par, x / (float)par->nx, y / (float)par->ny, r, &ray);
     }
     a->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
     if (!ok) return 0;
@@ -232,6 +233,17 @@ FN int take_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     return !find_material(s, par, g, rnd);
 }
 
+// Transparent materials that irradiance pictures look through, as found with rtrace -i+ (spec shading 5.5).
+FN int irradiance_ignores(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+                          PRIVATE const Lobes* l) {
+    switch (g->type) {
+    case M_TRANS: case M_ANISO_TRANS: case M_GLASS: case M_DIELECTRIC: case M_INTERFACE: case M_MIST: case M_ANTIMATTER: return 1;
+    case M_BSDF: return (mod_record(s, par, g->mod)[MOD_FLAGS] & MF_ABSDF) != 0u;
+    case M_BRTD: case M_WGMD: return max3(l->through) > 0.0f || max3(l->diffuse_t) > 0.0f || max3(l->rough_t) > 0.0f;
+    default: return 0;
+    }
+}
+
 FN float coefficient_weight(float3 c) { float m = max3(c); return m > 0.0f ? m : 0.0f; }
 
 // A mist may name sources whose light it scatters once into the ray (list: count, source indices).
@@ -321,14 +333,13 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         else lobes.flags = LOBE_PASS;
         pass = (lobes.flags & LOBE_PASS) != 0u;
         if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) {
-            if (g.type == M_GLASS || g.type == M_DIELECTRIC || g.type == M_INTERFACE ||
-                ((g.type == M_TRANS || g.type == M_BSDF) && max3(lobes.through) > 0.0f)) pass = 1;  // spec shading 5.5
-            else {
+            pass = pass || irradiance_ignores(s, par, &g, &lobes);
+            mist_surface = 0;
+            if (!pass) {
                 float3 pi3 = F3(3.14159265f, 3.14159265f, 3.14159265f);
                 lobes_clear(&lobes);
                 lobes.diffuse_r = pi3;
                 lobes.ambient_r = pi3;
-                pass = 0;
             }
         }
     }

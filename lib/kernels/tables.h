@@ -125,7 +125,7 @@
 // Everything a kernel needs beside the tables; one block, uploaded per pass.
 typedef struct {
     // view
-    float4 view_org, view_d, view_h, view_u;  // xyz; w of view_d = type letter as float
+    float4 view_org, view_d, view_h, view_u;  // xyz; w: view_d type letter as float, view_h focal distance
     float4 view_size;                         // horizontal and vertical scale by type, shift, lift
     float4 view_clip;                         // fore, aft, pj, pd (aperture)
     float4 centre;                            // world position of the tables' origin

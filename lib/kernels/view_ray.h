@@ -4,8 +4,9 @@
 #ifndef LUX_VIEW_RAY_H
 #define LUX_VIEW_RAY_H
 
-// X, Y in [0,1], Y up.  0 if no ray belongs there.
-FN int view_ray(PRIVATE const Params* par, float X, float Y, PRIVATE Ray* ray) {
+// X, Y in [0,1], Y up; lens: two random numbers, the place on the lens of diameter -pd (rays meet again at the distance |vd|
+// along the view direction, on a sphere for the fisheye views).  0 if no ray belongs there.
+FN int view_lens_ray(PRIVATE const Params* par, float X, float Y, float2 lens, PRIVATE Ray* ray) {
     float3 d = F3(par->view_d.x, par->view_d.y, par->view_d.z);
     float3 h = F3(par->view_h.x, par->view_h.y, par->view_h.z);
     float3 up = F3(par->view_u.x, par->view_u.y, par->view_u.z);
@@ -18,18 +19,12 @@ FN int view_ray(PRIVATE const Params* par, float X, float Y, PRIVATE Ray* ray) {
     int type = (int)par->view_d.w;
     if (type == 'v') {
         dir = madd3(up, b, madd3(h, a, d));
-        stretch = length3(dir);
-        org = madd3(dir, fore, org);
-        dir = scale3(dir, 1.0f / stretch);
     } else if (type == 'l') {
-        org = madd3(d, fore, madd3(up, b, madd3(h, a, org)));
+        org = madd3(up, b, madd3(h, a, org));
     } else if (type == 'c') {
         float s, c;
         k_sincos(a, &s, &c);
         dir = add3(scale3(d, c), madd3(up, b, scale3(h, s)));
-        stretch = length3(dir);
-        org = madd3(dir, fore, org);
-        dir = scale3(dir, 1.0f / stretch);
     } else {
         float z, k;
         if (type == 'a') {            // a, b in units of 180 degrees from the axis
@@ -49,13 +44,30 @@ FN int view_ray(PRIVATE const Params* par, float X, float Y, PRIVATE Ray* ray) {
             k = 1.0f + z;
         }
         dir = unit3(add3(scale3(d, z), add3(scale3(h, a * k), scale3(up, b * k))));
-        org = madd3(dir, fore, org);
     }
+    if (par->view_clip.w > 0.0f) {
+        float r = 0.5f * par->view_clip.w * sqrt_(lens.x), s, c;
+        float3 shift;
+        k_sincos(6.28318531f * lens.y, &s, &c);
+        shift = add3(scale3(h, r * c), scale3(up, r * s));
+        org = add3(org, shift);
+        dir = madd3(shift, -1.0f / par->view_h.w, dir);
+    }
+    stretch = length3(dir);
+    org = madd3(dir, fore, org);
+    dir = scale3(dir, 1.0f / stretch);
     if (aft > 0.0f) far_ = (aft - fore) * stretch;
     ray->org = org;
     ray->dir = dir;
     ray->tmin = 0.0f;
     ray->tmax = far_;
     return 1;
+}
+
+// Through the middle of the lens.
+FN int view_ray(PRIVATE const Params* par, float X, float Y, PRIVATE Ray* ray) {
+    float2 middle;
+    middle.x = 0.0f; middle.y = 0.0f;
+    return view_lens_ray(par, X, Y, middle, ray);
 }
 #endif

@@ -103,7 +103,8 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     s.m = uint32_t(std::max(1, o.direct_samples));
     FlatScene flat = flatten(scene, o, files);
     if (o.portals && !flat.panes.empty()) find_portals(flat);
-    if (flat.source_count > 0) s.drawn = list_drawn_sources(flat, HostTracer(flat), view, nx, ny);
+    // drawing knows one eye point, and no way on through glass unattenuated
+    if (flat.source_count > 0 && o.pd <= 0 && !o.i) s.drawn = list_drawn_sources(flat, HostTracer(flat), view, nx, ny);
     Params& p = s.base;
     p.view_clip.z = float(o.pj);
     p.view_clip.w = float(o.pd);

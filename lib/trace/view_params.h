@@ -13,7 +13,7 @@ inline void set_view(kernels::Params& p, const view::View& v, base::Vec3 centre)
     const auto put = [](kernels::float4& f, base::Vec3 a, double w) { f = {float(a.x), float(a.y), float(a.z), float(w)}; };
     put(p.view_org, v.vp - centre, 0);
     put(p.view_d, projector.forward(), double(v.type));
-    put(p.view_h, projector.right(), 0);
+    put(p.view_h, projector.right(), length(v.vd));  // w: focal distance
     put(p.view_u, projector.up(), 0);
     double sx = 1, sy = 1;
     const auto stereo = [&](double t) { return 2 * std::sin(t / 2) / (1 + std::cos(t / 2)); };
