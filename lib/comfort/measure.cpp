@@ -162,8 +162,8 @@ Measurement Meter::measure(image::Picture& picture, const std::string& place, co
     Measurement m;
     m.not_finite = lum.not_finite;
     m.negative = lum.negative;
-    if (lum.not_finite) base::warn(place, std::to_string(lum.not_finite) + " pixels are not finite and count as black");
-    if (lum.negative) base::warn(place, std::to_string(lum.negative) + " pixels are negative");
+    if (lum.not_finite) base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
+    if (lum.negative) base::warn(place, "pixels are negative (-metrics negative counts them)");
     if (g.projector.view().type == 'v') {
         m.black_corners = black_corner_percent(lum);
         if (*m.black_corners > 70 && !settings_.force)

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# vcmetrics: lines, stopping, refusals, comparison.
+. "$TOP/tests/lib.sh"
+needs vcmetrics ptaccum
+images=$TOP/tests/golden/glare/images
+mkstream=$(command -v mkstream || echo "$BIN/mkstream")
+[ -x "$mkstream" ] || skip "no mkstream here"
+cp "$images"/office256.hdr "$images"/sunpeak.hdr "$images"/fire128.hdr "$images"/err_*.hdr "$images"/mask128_dark.hdr "$images"/shift.hdr .
+$mkstream frames 0 40 64 64 > frames.lux 2> /dev/null
+
+check 'a named file: column file, the same every time' '
+    vcmetrics office256.hdr > a && vcmetrics office256.hdr > b && cmp a b &&
+    [ "$(head -n 1 a)" = "$(printf "file\tEv\tDGP\tRAMMG")" ] && [ $(wc -l < a) -eq 2 ]'
+check 'a stream: columns frame and seconds, one line a picture' '
+    ptaccum < frames.lux | vcmetrics > a && head -n 1 a | grep -q "^frame.seconds.Ev.DGP.RAMMG$" && [ $(wc -l < a) -eq 42 ] &&
+    [ "$(cut -f 1 a | tail -n 1)" = 40 ]'
+check 'several files, patterns too' '[ $(vcmetrics office256.hdr sunpeak.hdr | wc -l) -eq 3 ] && [ $(vcmetrics "*256.hdr" | wc -l) -eq 2 ]'
+check 'csv and jsonl' '
+    vcmetrics -format csv office256.hdr | head -n 1 | grep -q "^file,Ev,DGP,RAMMG$" &&
+    vcmetrics -format jsonl office256.hdr | grep -q "^{\"file\": \"office256.hdr\", \"Ev\": [0-9.]*, "'
+check 'columns as asked for, in that order' '
+    [ "$(vcmetrics -metrics UGR,n_sources,Ev office256.hdr | head -n 1)" = "$(printf "file\tUGR\tn_sources\tEv")" ]'
+check_error 'an unknown metric is named' 1 '^vcmetrics: -metrics: .*"Dgp"' 'vcmetrics -metrics Dgp office256.hdr'
+check 'a line for each source; their shares add up' '
+    vcmetrics -sources fire128.hdr | awk -F "\t" "NR > 1 { s += \$NF; n++ } END { exit !(n > 3 && s > 0.999 && s < 1.001) }"'
+
+check_exit 'a rule that never holds: status 4' 4 'ptaccum < frames.lux | vcmetrics -until "Ev 0.0000001%"'
+check 'a rule that holds: a quiet end everywhere, early' '
+    ptaccum < frames.lux | vcmetrics -until "Ev 30%" -window 3 > a && [ $(wc -l < a) -lt 30 ]'
+check_error 'a rule needs its column' 1 '^vcmetrics: -until: .*"UGR"' 'vcmetrics -until "UGR 1%" office256.hdr'
+check_exit 'the window begins again at a new frame 0' 4 '
+    for k in 1 2 3; do $mkstream frames 0 2 32 32 2> /dev/null; done | ptaccum | vcmetrics -until "Ev 100000%" -window 3'
+
+check_error 'a single frame is refused with a word about ptaccum' 1 '^vcmetrics: stdin.*ptaccum' '$mkstream frames 3 3 32 32 | vcmetrics'
+check_error 'no view' 1 '^vcmetrics: err_noview.hdr: .*no view' 'vcmetrics err_noview.hdr'
+check 'a view given takes its place' 'vcmetrics -vta -vh 180 -vv 180 -vd 0 1 0 err_noview.hdr'
+check_error 'a view given must be whole' 1 '^vcmetrics: view: .*-vt, -vh and -vv' 'vcmetrics -vta -vh 150 office256.hdr'
+check_error 'a parallel view' 1 '^vcmetrics: err_par.hdr: .*parallel' 'vcmetrics err_par.hdr'
+check_error 'a tabbed exposure' 1 '^vcmetrics: err_tabexp.hdr: .*tab' 'vcmetrics err_tabexp.hdr'
+check_error 'black corners of a perspective view' 1 '^vcmetrics: err_corners.hdr: .*black' 'vcmetrics err_corners.hdr'
+check 'which -f overrules' 'vcmetrics -f err_corners.hdr'
+check_error 'a picture cut short' 1 '^vcmetrics: err_short.hdr: ' 'vcmetrics err_short.hdr > /dev/null'
+check_error 'a file that is not there' 2 '^vcmetrics: nothere.hdr: ' 'vcmetrics nothere.hdr'
+check_error 'a full disc' 2 '^vcmetrics: ' 'vcmetrics office256.hdr > /dev/full'
+check_error 'what rewrites pictures is not here' 1 '^vcmetrics: -c: ' 'vcmetrics -c out.hdr office256.hdr'
+check_error 'a mask of another size' 1 '^vcmetrics: mask128_dark.hdr: the mask has 128 x 128' 'vcmetrics -A mask128_dark.hdr office256.hdr > /dev/null'
+check_error 'the task lies in the picture' 1 '^vcmetrics: -t: ' 'vcmetrics -t 256 0 0.4 office256.hdr'
+
+check_exit 'evalglare -V has status 1' 1 'vcmetrics -V office256.hdr'
+check 'and its default line two blanks at the end' '
+    vcmetrics -like evalglare office256.hdr | grep -q "^dgp,dgi,ugr,vcp,cgi,Lveil: 0.4216.*  $"'
+check_error 'mirrored solid angles come with a warning' 0 'warning: .*mirrored' 'vcmetrics -like evalglare shift.hdr'
+
+check 'a picture compares with its own record' 'vcmetrics office256.hdr > rec.tsv && vcmetrics -compare rec.tsv office256.hdr'
+check 'and with recorded lines of evalglare' 'vcmetrics -d office256.hdr > rec.txt && vcmetrics -compare rec.txt office256.hdr'
+check_exit 'out of tolerance: status 5' 5 'vcmetrics -compare office256.hdr sunpeak.hdr'
+check 'unless the tolerance is wide' 'printf "all 100000%% # wide\n\nDGP 2\n" > tol && vcmetrics -compare -tolerance tol -metrics Ev,DGP office256.hdr sunpeak.hdr'
+check 'the output of another run too: two streams' '
+    ptaccum < frames.lux > a.lux && vcmetrics -compare a.lux a.lux > t && ! grep -q "no$" t'
+check_error 'a row too few' 1 'rows' 'ptaccum -last < frames.lux > b.lux && vcmetrics -W- -compare a.lux b.lux'
+check_error 'a metric too few' 1 'lacks the metric' '
+    vcmetrics -metrics Ev,DGP office256.hdr > r1 && vcmetrics -metrics Ev office256.hdr > r2 && vcmetrics -compare r1 r2'
