@@ -75,7 +75,10 @@ FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* a, uint slo
     uint pixels = par->nx * par->ny, gid = par->first + slot;
     uint pixel = par->mode == MODE_RAY ? 0u : gid % pixels;
     uint index = par->frame + (par->mode == MODE_RAY ? gid : gid / pixels);
-    uint stream = par->mode == MODE_FRAMES ? 0u : par->mode == MODE_DIRECT ? 1u : 2u;
+    // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct class
+    // of L'(n) is the mean of its first n samples: full nets at 64, 128, ...
+    if (par->mode == MODE_FRAMES) index--;
+    uint stream = par->mode == MODE_RAY ? 2u : 0u;
     Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, pixel, index, stream);
     Ray ray;
     int ok = 1;
@@ -89,8 +92,12 @@ FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* a, uint slo
         float pj = par->view_clip.z;
         float x = (float)(pixel % par->nx) + 0.5f + pj * (0.5f - r.x);
         float y = (float)(par->ny - 1u - pixel / par->nx) + 0.5f + pj * (0.5f - r.y);
-        if (par->view_clip.w > 0.0f) r = sample2(&rnd);  // the lens
-        ok = view_lens_ray(par, x / (float)par->nx, y / (float)par->ny, r, &ray);
+        float3 lens = F3(0.0f, 0.0f, 0.0f);
+        if (par->view_clip.w > 0.0f) {
+            r = sample2(&rnd);
+            lens = F3(r.x, r.y, sample1(&rnd));
+        }
+        ok = view_lens_ray(par, x / (float)par->nx, y / (float)par->ny, lens, &ray);
     }
     a->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
     if (!ok) return 0;

@@ -4,9 +4,9 @@
 #ifndef LUX_VIEW_RAY_H
 #define LUX_VIEW_RAY_H
 
-// X, Y in [0,1], Y up; lens: two random numbers, the place on the lens of diameter -pd (rays meet again at the distance |vd|
-// along the view direction, on a sphere for the fisheye views).  0 if no ray belongs there.
-FN int view_lens_ray(PRIVATE const Params* par, float X, float Y, float2 lens, PRIVATE Ray* ray) {
+// X, Y in [0,1], Y up; lens: three random numbers, the place on the lens of diameter -pd (rays of one X, Y meet again at the
+// distance |vd|).  0 if no ray belongs there.
+FN int view_lens_ray(PRIVATE const Params* par, float X, float Y, float3 lens, PRIVATE Ray* ray) {
     float3 d = F3(par->view_d.x, par->view_d.y, par->view_d.z);
     float3 h = F3(par->view_h.x, par->view_h.y, par->view_h.z);
     float3 up = F3(par->view_u.x, par->view_u.y, par->view_u.z);
@@ -45,15 +45,22 @@ FN int view_lens_ray(PRIVATE const Params* par, float X, float Y, float2 lens, P
         }
         dir = unit3(add3(scale3(d, z), add3(scale3(h, a * k), scale3(up, b * k))));
     }
+    stretch = length3(dir);
     if (par->view_clip.w > 0.0f) {
         float r = 0.5f * par->view_clip.w * sqrt_(lens.x), s, c;
+        int planar = type == 'v' || type == 'l';
         float3 shift;
         k_sincos(6.28318531f * lens.y, &s, &c);
         shift = add3(scale3(h, r * c), scale3(up, r * s));
+        if (!planar) {  // the reference's lens of the round views is as deep as wide, its focus a sphere
+            shift = madd3(d, par->view_clip.w * (0.5f - lens.z), shift);
+            dir = scale3(dir, 1.0f / stretch);
+        }
         org = add3(org, shift);
         dir = madd3(shift, -1.0f / par->view_h.w, dir);
+        if (planar) stretch = length3(dir);
+        else dir = scale3(dir, stretch / length3(dir));
     }
-    stretch = length3(dir);
     org = madd3(dir, fore, org);
     dir = scale3(dir, 1.0f / stretch);
     if (aft > 0.0f) far_ = (aft - fore) * stretch;
@@ -66,8 +73,6 @@ FN int view_lens_ray(PRIVATE const Params* par, float X, float Y, float2 lens, P
 
 // Through the middle of the lens.
 FN int view_ray(PRIVATE const Params* par, float X, float Y, PRIVATE Ray* ray) {
-    float2 middle;
-    middle.x = 0.0f; middle.y = 0.0f;
-    return view_lens_ray(par, X, Y, middle, ray);
+    return view_lens_ray(par, X, Y, F3(0.0f, 0.0f, 0.5f), ray);
 }
 #endif
