@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The laws of frames (paper Eq. 7): frame k of a pixel depends on (seed, k, pixel) alone - on no device, no number of
+// threads, no range asked for -, frame 0's own noise averages out, and the sun has its light in any projection.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include "physics/laws.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+#include "image/accumulate.h"
+
+using namespace laws;
+
+namespace {
+
+const std::string office = LUXPIPE_TESTS "/../examples/scenes/office/";
+
+struct Office {
+    base::ReadOptions files;
+    scene::Scene scene;
+    view::View view = view::read_view_file(office + "view.vf");
+    Office() {
+        files.raypath = {"."};
+        std::vector<std::string> names;
+        for (const char* name : {"materials", "layout", "sky_1400"}) names.push_back(office + name + ".rad");
+        scene = scene::read_scene(names, files);
+    }
+    trace::Renderer renderer(const std::string& device, int size, const trace::RenderOptions& options = {}) const {
+        return {scene, view, size, size, options, device, files};
+    }
+};
+
+double luminance_sum(const std::vector<float>& rgb) {
+    double sum = 0;
+    for (size_t i = 0; i < rgb.size(); i += 3) sum += .265 * rgb[i] + .670 * rgb[i + 1] + .065 * rgb[i + 2];
+    return sum;
+}
+
+image::Picture picture(const std::vector<float>& rgb, int size, int64_t k) {
+    image::Picture p;
+    p.width = p.height = size;
+    p.rgb = rgb;
+    p.header.seed = 1;
+    p.header.frame = k;
+    return p;
+}
+
+image::Picture sum_of(trace::Renderer& renderer, int size, int64_t first, int64_t last) {
+    image::Accumulator sum;
+    renderer.frames(first, int(last - first + 1), [&](int64_t k, const std::vector<float>& rgb) {
+        sum.add(picture(rgb, size, k), "test");
+        return true;
+    });
+    image::Picture out;
+    sum.result(out, true);
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("devices give the same frames") {
+    const Office scene;
+    const int size = 40;
+    trace::Renderer cpu = scene.renderer("cpu", size);
+    std::vector<std::vector<float>> mine(20), theirs(20);
+    for (int k : {0, 1, 19}) cpu.frame(k, mine[size_t(k)]);
+    for (const std::string& device : devices()) {
+        CAPTURE(device);
+        trace::Renderer other = scene.renderer(device, size);
+        for (int k : {0, 1, 19}) {
+            CAPTURE(k);
+            other.frame(k, theirs[size_t(k)]);
+            const auto &a = mine[size_t(k)], &b = theirs[size_t(k)];
+            REQUIRE(a.size() == b.size());
+            int different = 0;
+            for (size_t i = 0; i < a.size(); i += 3) {
+                const float brightest = std::max({std::abs(a[i]), std::abs(a[i + 1]), std::abs(a[i + 2])});
+                for (size_t c = i; c < i + 3; ++c) if (std::abs(a[c] - b[c]) > 1e-5f * brightest) { different++; break; }
+            }
+            // Embree rounds its own way: a few paths in a hundred thousand steps part company there.
+            CHECK(different <= size * size / (device == "cpu:embree" ? 100 : 1000));
+            CHECK(luminance_sum(b) == doctest::Approx(luminance_sum(a)).epsilon(1e-3));
+        }
+    }
+}
+
+TEST_CASE("the number of threads changes nothing") {
+    const Office scene;
+    std::map<std::string, std::vector<float>> frames;
+    for (const char* threads : {"1", "2", "5"}) {
+        setenv("LUXPIPE_THREADS", threads, 1);
+        trace::Renderer renderer = scene.renderer("cpu", 33);
+        renderer.frame(17, frames[threads]);
+    }
+    unsetenv("LUXPIPE_THREADS");
+    CHECK(luminance_sum(frames["1"]) != 0);
+    CHECK(frames["1"] == frames["2"]);
+    CHECK(frames["1"] == frames["5"]);
+}
+
+TEST_CASE("ranges of frames merge to the run in one piece") {
+    const Office scene;
+    const int size = 24;
+    trace::Renderer renderer = scene.renderer("cpu", size);
+    const image::Picture whole = sum_of(renderer, size, 0, 63);
+    image::Merger merger;
+    for (const auto& range : {std::pair{10, 40}, std::pair{0, 9}, std::pair{41, 63}}) {
+        trace::Renderer machine = scene.renderer("cpu", size);
+        merger.add(sum_of(machine, size, range.first, range.second), "part");
+    }
+    const image::Picture merged = merger.result();
+    REQUIRE(merged.rgb.size() == whole.rgb.size());
+    double worst = 0;
+    for (size_t i = 0; i < whole.rgb.size(); ++i)
+        worst = std::max(worst, double(std::abs(merged.rgb[i] - whole.rgb[i])) / std::max(1e-3f, std::abs(whole.rgb[i])));
+    CHECK(worst < 2e-6);
+}
+
+// Soft shadow of a square lamp and its image in a rough floor, -ab 0: nothing but frame 0's own noise.  The rms error
+// over 16 x 16 pixels against 16384 frames of another seed must fall at least as 1/sqrt(n) from n = 16 on.  The rms of
+// 256 pixels is itself known to 1/sqrt(512) = 4.4 %; two such errors and the reference's own (1/16 of the variance at
+// 1024) make 7 %, of which three are allowed.
+TEST_CASE("frame 0's own noise averages out") {
+    const scene::Scene scene = scene_of(
+        "void plastic floor 0 0 5 .4 .4 .4 .1 .15\nfloor polygon f 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n"
+        "void light lm 0 0 3 10 10 10\nlm polygon lamp 0 0 12 -.5 .5 2 -.5 1.5 2 .5 1.5 2 .5 .5 2\n"
+        "void plastic box 0 0 5 .3 .2 .1 0 0\nbox sphere ball 0 0 4 0 .5 .5 .4\n");
+    view::View view;
+    view.vp = {0, -3, 1.5};
+    view.vd = {0, 3, -1.3};
+    view.vh = view.vv = 40;
+    trace::RenderOptions options = direct_only();
+    options.seed = 99;
+    const int size = 16;
+    trace::Renderer other(scene, view, size, size, options, "cpu", {});
+    const image::Picture reference = sum_of(other, size, 0, 16384);
+    options.seed = 1;
+    trace::Renderer renderer(scene, view, size, size, options, "cpu", {});
+    image::Accumulator sum;
+    std::map<int64_t, double> error;
+    renderer.frames(0, 1025, [&](int64_t k, const std::vector<float>& rgb) {
+        sum.add(picture(rgb, size, k), "test");
+        if (k == 16 || k == 64 || k == 256 || k == 1024) {
+            image::Picture now;
+            sum.result(now, false);
+            double square = 0;
+            for (size_t i = 0; i < now.rgb.size(); ++i) square += std::pow(now.rgb[i] - reference.rgb[i], 2);
+            error[k] = std::sqrt(square / double(now.rgb.size()));
+        }
+        return true;
+    });
+    CHECK(error[16] > 0);
+    for (int64_t n : {64, 256, 1024}) {
+        CAPTURE(n);
+        CHECK(error[n] <= 1.21 * error[16] / std::sqrt(double(n) / 16));
+    }
+}
+
+// A sun of half angle a in an empty sky: Ev = pi sin(a)^2 cos(t) L.  It is about a pixel wide here, so only drawing it
+// by area can get this right in a single frame; with the sun on the axis its centre is a pixel's corner.
+TEST_CASE("frame 0 has all of the sun, wherever it is in the picture") {
+    const int size = 256;
+    trace::RenderOptions options = direct_only();
+    options.direct_samples = 1;
+    for (const char type : {'v', 'a', 'h', 's', 'c'}) {
+        for (const double tilt : {0., .061, .12}) {
+            CAPTURE(type);
+            CAPTURE(tilt);
+            view::View view;
+            view.type = type;
+            view.vd = {0, 1, 0};
+            view.vh = view.vv = type == 'v' || type == 'c' ? 90 : 180;
+            const view::Projector projector(view);
+            const base::Vec3 sun = base::unit({tilt, 1, tilt / 3});
+            trace::Renderer renderer(scene_of("void light sun 0 0 3 1e6 1e6 1e6\nsun source disc 0 0 4 " + std::to_string(sun.x) +
+                                              " " + std::to_string(sun.y) + " " + std::to_string(sun.z) + " .533\n"),
+                                     view, size, size, options, "cpu", {});
+            std::vector<float> rgb;
+            renderer.frame(0, rgb);
+            double Ev = 0;
+            for (int j = 0; j < size; ++j)
+                for (int i = 0; i < size; ++i) {
+                    const float v = rgb[3 * (size_t(size - 1 - j) * size + size_t(i))];
+                    if (v == 0) continue;
+                    const auto dir = projector.direction((i + .5) / size, (j + .5) / size);
+                    REQUIRE(dir);
+                    Ev += v * view::pixel_solid_angle(projector, i, j, size, size) * dir->y;
+                }
+            const double half = .2665 * pi / 180;
+            CHECK(Ev == doctest::Approx(1e6 * pi * std::sin(half) * std::sin(half) * sun.y).epsilon(.002));
+        }
+    }
+}

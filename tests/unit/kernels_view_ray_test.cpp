@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The device's rays against lib/view's double-precision ones, for the six projections with shift, lift and clipping:
+// directions within 1e-6, origins within 1e-5 of the clipping distance.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include "trace/view_params.h"
+#include "view/view.h"
+namespace kernels {
+#include "kernels/sampler.h"
+#include "kernels/view_ray.h"
+}
+
+TEST_CASE("the device looks where the view does") {
+    for (const char type : {'v', 'l', 'a', 'h', 's', 'c'}) {
+        view::View v;
+        v.type = type;
+        v.vp = {1, 2, 3};
+        v.vd = {1, 2, -.3};
+        v.vh = 70;
+        v.vv = 50;
+        v.vo = .25;
+        v.va = 9;
+        v.vs = .1;
+        v.vl = -.2;
+        const view::Projector projector(v);
+        kernels::Params params{};
+        trace::set_view(params, v, {1, 1, 1});
+        int rays = 0;
+        for (int i = 0; i <= 20; ++i)
+            for (int j = 0; j <= 20; ++j) {
+                const double X = i / 20., Y = j / 20.;
+                CAPTURE(type);
+                CAPTURE(X);
+                CAPTURE(Y);
+                const auto want = projector.ray(X, Y);
+                kernels::Ray got;
+                const bool some = kernels::view_ray(&params, float(X), float(Y), &got) != 0;
+                REQUIRE(some == bool(want));
+                if (!some) continue;
+                rays++;
+                CHECK(std::abs(got.dir.x - want->dir.x) < 1e-6);
+                CHECK(std::abs(got.dir.y - want->dir.y) < 1e-6);
+                CHECK(std::abs(got.dir.z - want->dir.z) < 1e-6);
+                CHECK(got.org.x + 1 == doctest::Approx(want->origin.x).epsilon(1e-5));
+                CHECK(got.org.y + 1 == doctest::Approx(want->origin.y).epsilon(1e-5));
+                CHECK(got.org.z + 1 == doctest::Approx(want->origin.z).epsilon(1e-5));
+                CHECK(got.tmax == doctest::Approx(want->tmax).epsilon(1e-5));
+            }
+        CHECK(rays > 200);
+    }
+}
