@@ -18,8 +18,7 @@ struct Row {
 // Rows of the kinds rtrace and rtrace-mean(N) whose input is a ray.
 std::vector<Row> read_rays(const std::string& path);
 
-// Rows that are known to differ: id, tab, reason.  Those whose reason starts with "RADIANCE:" need an independent
-// value ("exact" in the note) to agree with instead.
+// Rows that are known to differ: id, tab, reason.  Those whose note tells the exact value must agree with it instead.
 struct Exception { std::string id, reason; };
 std::vector<Exception> read_exceptions(const std::string& path);
 

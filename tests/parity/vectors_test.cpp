@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/run.h"
 #include "parity/trace_row.h"
+#include "trace/device.h"
 
 namespace {
 
@@ -38,11 +39,22 @@ parity::Row with_exact(parity::Row row) {
     return row;
 }
 
+const char* verdict(bool ok, bool listed, bool exact_ok, const std::string& message) {
+    if (ok) return listed ? "LISTED BUT AGREES" : "ok";
+    if (listed) return exact_ok ? "listed" : "NOT EXACT";
+    return message.empty() ? "WRONG" : "UNSUPPORTED";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     return base::run("vectors_test", [&] {
         if (argc < 2) base::fail("", "usage: vectors_test device [-n samples] [id ...]");
+        const std::string device = argv[1];
+        if (device.rfind("opencl", 0) == 0 && trace::opencl_devices().empty()) {
+            fmt::print("skipped: no OpenCL device here\n");
+            return 77;
+        }
         long samples = 1 << 14;
         std::vector<std::string> ids(argv + 2, argv + argc);
         if (ids.size() > 1 && ids[0] == "-n") {
@@ -53,7 +65,7 @@ int main(int argc, char** argv) {
         const auto rows = parity::read_rays("vectors.tsv");
         std::map<std::string, std::string> reasons;
         for (const auto& e : parity::read_exceptions("../../parity/exceptions.tsv")) reasons[e.id] = e.reason;
-        parity::RowTracer tracer(argv[1], samples);
+        parity::RowTracer tracer(device, samples);
         int agreeing = 0, excepted = 0, wrong = 0, total = 0;
         for (const auto& row : rows) {
             if (!ids.empty() && std::find(ids.begin(), ids.end(), row.id) == ids.end()) continue;
@@ -72,13 +84,12 @@ int main(int argc, char** argv) {
             const bool exact_ok = !listed || !row.exact || agrees(with_exact(row), value);
             if (ok != listed && exact_ok) excepted += listed;
             else wrong++;
-            const char* verdict = ok ? (listed ? "LISTED BUT AGREES" : "ok") : !message.empty() ? (listed ? "listed" : "UNSUPPORTED") : listed ? (exact_ok ? "listed" : "NOT EXACT") : "WRONG";
-            fmt::print("{}\t{}\t{}\t{}\t{}\t{}{}\n", row.id, verdict, list(row.output), list(value.mean),
+            fmt::print("{}\t{}\t{}\t{}\t{}\t{}{}\n", row.id, verdict(ok, listed, exact_ok, message), list(row.output), list(value.mean),
                        list({value.error[0], value.error[1], value.error[2]}), value.samples,
                        message.empty() ? "" : "\t" + message);
             std::fflush(stdout);
         }
-        fmt::print("{} rows on {}: {} agree, {} differ as listed, {} wrong\n", total, argv[1], agreeing, excepted, wrong);
+        fmt::print("{} rows on {}: {} agree, {} differ as listed, {} wrong\n", total, device, agreeing, excepted, wrong);
         return wrong ? 1 : 0;
     });
 }
