@@ -156,6 +156,26 @@ TEST_CASE("samples of a matrix follow its values") {
     }
 }
 
+// An isotropic table knows the angle between v and l only, so turning v turns the samples.
+TEST_CASE("an isotropic tree turns with the viewer") {
+    std::mt19937 random(4);
+    const Tables t(bsdf_file("TensorTree3", bsdf_block("Reflection Back", bsdf_tree(3, 3, random))));
+    const uint* table = t.table(1, 0);
+    const float3 v = direction(33, 180), turned = direction(33, 180 + 50);
+    const double c = std::cos(50 * PI / 180), s = std::sin(50 * PI / 180);
+    for (uint32_t i = 0; i < 100; i++) {
+        Sampler one = random_stream(i), two = one;
+        float3 a = F3(0, 0, 1), b = a;
+        const float w = bsdf_sample(&t.s, table, v, &one, &a);
+        CHECK(bsdf_sample(&t.s, table, turned, &two, &b) == doctest::Approx(w));
+        if (w <= 0) continue;
+        CHECK(std::fabs(b.x - (a.x * c - a.y * s)) < 1e-5);
+        CHECK(std::fabs(b.y - (a.y * c + a.x * s)) < 1e-5);
+        float psa;
+        CHECK(bsdf_value(&t.s, table, turned, b, &psa) == bsdf_value(&t.s, table, v, a, &psa));
+    }
+}
+
 // Trees: the weights' sum over each of 8 x 8 squares of the disc is pi times the integral of f there (64 x 64 points, the
 // trees' finest cells are 8); their mean is the hemispherical value.  All within 5 standard errors, and a chi-square of
 // 64 squares below 64 + 5 sqrt(128) = 121.
