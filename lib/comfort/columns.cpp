@@ -8,7 +8,7 @@ namespace comfort {
 namespace {
 
 using M = const Measurement&;
-enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, task = 8, mask = 16 };
+enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8 };
 
 struct Entry {
     const char* name;
