@@ -155,9 +155,9 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
     }
     if (q[SRC_MAXRAD] > 0.0f && l->dist > q[SRC_MAXRAD]) l->w = 0.0f;
     if (q[SRC_SPOT + 3] > -1.5f) {  // spotlight: inside its cone, and as if its light came from f behind (spec 4.2)
-        float f = q[SRC_SPOT + 4];
+        float f = q[SRC_SPOT + 4], d = kind == SK_SPHERE ? length3(sub3(c, p)) : l->dist;  // a sphere counts from its centre
         if (-dot3(f3_at(q + SRC_SPOT), l->dir) < q[SRC_SPOT + 3]) l->w = 0.0f;
-        l->w *= l->dist * l->dist / ((l->dist + f) * (l->dist + f));
+        l->w *= d * d / ((d + f) * (d + f));
     }
 }
 
