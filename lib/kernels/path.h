@@ -504,10 +504,14 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     Ray ray;
     ray.org = org; ray.dir = dir; ray.tmin = 0.0f;
     ray.tmax = dist >= 1e29f ? 1e30f : shadow_end(dist);
-    if (kind == SK_SPHERE || kind == SK_CYLINDER) {  // near its outline a round source may stand in its own light
+    int must_hit = par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING || kind == SK_CYLINDER);
+    if (kind == SK_SPHERE || kind == SK_CYLINDER || must_hit) {
+        // near its outline a round source may stand in its own light; with -ds RADIANCE aims beside odd shapes, too
         Hit hit;
+        if (must_hit) ray.tmax = dist * 1.001f;
         trace_closest(s, &ray, RAY_OPAQUE, &hit);
-        if (hit.prim != NO_HIT && hit.prim != as_uint_(q[SRC_PRIM])) return black;
+        if (hit.prim != as_uint_(q[SRC_PRIM]) && (must_hit || hit.prim != NO_HIT)) return black;
+        ray.tmax = shadow_end(dist);
     } else if (trace_any(s, &ray, RAY_OPAQUE)) {
         return black;
     }

@@ -95,15 +95,23 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
             l->normal = unit3(sub3(l->point, c));
         }
     } else {
-        if (kind == SK_PARALLELOGRAM || (dj < 1.0f && par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING))) {
-            float3 u = f3_at(q + SRC_U), v = f3_at(q + SRC_V);
+        if (kind == SK_PARALLELOGRAM || (par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING))) {
+            // with -ds RADIANCE's own pieces and its idea of the shape; the shadow ray must then hit the source
+            float3 u = f3_at(q + SRC_U), v = f3_at(q + SRC_V), c0 = c;
             if (kind == SK_RING) { u = scale3(u, 0.886226925f); v = scale3(v, 0.886226925f); }  // square of equal area
-            if (dj < 1.0f && par->ds > 0.0f) {
-                source_piece(p, par->ds, 0, &c, &u, &v, &x);
+            float3 pu = u, pv = v;
+            if (par->ds > 0.0f) {
+                source_piece(p, par->ds, 0, &c, &pu, &pv, &x);
                 ju = dj * (2.0f * x.x - 1.0f);
                 jv = dj * (2.0f * x.y - 1.0f);
             }
-            at = madd3(u, ju, madd3(v, jv, c));
+            at = madd3(pu, ju, madd3(pv, jv, c));
+            if (kind == SK_RING && par->ds > 0.0f) {  // square to disc (spec shading 4.3)
+                float3 o = sub3(at, c0);
+                float a = dot3(o, u) / dot3(u, u), b = dot3(o, v) / dot3(v, v);
+                float a1 = 1.1284f * a * sqrt_(1.0f - 0.5f * b * b), b1 = 1.1284f * b * sqrt_(1.0f - 0.5f * a * a);
+                at = madd3(u, a1, madd3(v, b1, c0));
+            }
         } else if (kind == SK_RING) {
             float r = dj * sqrt_(x.x), sn, cs;
             k_sincos(6.28318531f * x.y, &sn, &cs);
@@ -111,12 +119,13 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
         } else if (kind == SK_CYLINDER) {  // U = half axis, V radius in SRC_RADIUS
             float3 axis = f3_at(q + SRC_U), t, b;
             float r = q[SRC_RADIUS], sn, cs;
-            if (dj <= 0.0f) {
+            if (dj <= 0.0f || par->ds > 0.0f) {
                 float share = 1.0f;
                 float3 none = axis;
                 if (par->ds > 0.0f) {
                     float3 across = cross3(sub3(p, c), axis);
                     if (length3(across) > 2.0f * r * length3(axis)) share = source_piece(p, par->ds, 1, &c, &axis, &none, &x);
+                    c = madd3(axis, dj * (2.0f * x.x - 1.0f), c);
                 }
                 float3 to = sub3(c, p);
                 float d2 = dot3(to, to), h = length3(axis);
