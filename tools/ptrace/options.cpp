@@ -84,7 +84,7 @@ std::vector<Row> table(Options& opt) {
         {"-st", "f", "specular threshold", &r.st, 0, 1},
         {"-ss", "f", "specular sampling, above 1.5 weighted", &r.ss},
         {"-dj", "f", "direct jitter", &r.dj, 0, 1},
-        {"-ds", "f", "direct subsampling, without effect", &r.ds},
+        {"-ds", "f", "pieces of light sources as RADIANCE cuts them; 0: the true shape", &r.ds},
         {"-dr", "n", "relays of virtual sources", &r.dr, 0, 100},
         {"-dp", "n", "presampling of virtual sources, without effect", &r.dp},
         {"-dv", "+-", "light sources visible", &r.dv},
