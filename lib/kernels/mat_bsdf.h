@@ -113,23 +113,23 @@ FN void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVAT
     out->diffuse_t = mul3(F3(arg[0] + rho, arg[1] + rho, arg[2] + rho), g->color);
     out->ambient_r = out->diffuse_r;
     out->ambient_t = out->diffuse_t;
-    float2 move = sample2(rnd);
+    float2 move = sample2(rnd);  // not beside a peak: its own cell must stay its own
     if (r[0] != NONE) {
         GLOBAL const uint* table = s->u + r[0];
-        float hemi = bsdf_hemispherical(s, table, v);
         out->u = bsdf_jitter(v, s->f[table[BT_PSA] + bsdf_cell(s, table, v)], par->ss, move);
-        out->au = bsdf_hemispherical(s, table, out->u);
+        float hemi = bsdf_hemispherical(s, table, out->u);
+        out->au = hemi;
         out->rough_r = scale3(grey, hemi);
         if (hemi > par->st) out->flags |= LOBE_SAMPLE_R; else out->ambient_r = add3(out->ambient_r, out->rough_r);
     }
     if (t[0] != NONE) {
         GLOBAL const uint* table = s->u + t[0];
-        float hemi = bsdf_hemispherical(s, table, v) - peak;
-        hemi = MAX_(hemi, 0.0f);
-        out->v = bsdf_jitter(v, s->f[table[BT_PSA] + bsdf_cell(s, table, v)], par->ss, move);
+        out->v = peak > 0.0f ? v : bsdf_jitter(v, s->f[table[BT_PSA] + bsdf_cell(s, table, v)], par->ss, move);
         out->av = bsdf_hemispherical(s, table, out->v);
-        out->rough_t = scale3(g->color, hemi);
-        if (hemi > par->st) out->flags |= LOBE_SAMPLE_T; else out->ambient_t = add3(out->ambient_t, out->rough_t);
+        out->rough_t = scale3(g->color, out->av);  // with the peak, whose samples are dropped
+        float hemi = out->av - peak;
+        hemi = MAX_(hemi, 0.0f);
+        if (hemi > par->st) out->flags |= LOBE_SAMPLE_T; else out->ambient_t = madd3(g->color, hemi, out->ambient_t);
     }
 }
 
