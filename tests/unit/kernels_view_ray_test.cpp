@@ -51,3 +51,42 @@ TEST_CASE("the device looks where the view does") {
         CHECK(rays > 200);
     }
 }
+
+// With a lens the rays of one place start on a disc of that diameter and meet again at the focal distance |vd|: along the
+// view axis in perspective and parallel views, along the ray in the round ones.
+TEST_CASE("rays through the lens meet at the focal distance") {
+    for (const char type : {'v', 'l', 'a', 'h', 's', 'c'}) {
+        view::View v;
+        v.type = type;
+        v.vd = {0, 3, 0};
+        v.vh = 70;
+        v.vv = 50;
+        const view::Projector projector(v);
+        kernels::Params params{};
+        trace::set_view(params, v, {0, 0, 0});
+        const auto middle = projector.ray(.3, .6);
+        REQUIRE(bool(middle));
+        const double to_focus = type == 'v' ? 3 / middle->dir.y : 3;
+        const base::Vec3 focus = middle->origin + middle->dir * to_focus;
+        params.view_clip.w = .4f;
+        double widest = 0, sum = 0;
+        int n = 0;
+        for (int i = 0; i < 20; ++i)
+            for (int j = 0; j < 20; ++j, ++n) {
+                kernels::Ray ray{};
+                kernels::float3 lens;
+                lens.x = (float(i) + .5f) / 20;
+                lens.y = (float(j) + .5f) / 20;
+                lens.z = .25f;
+                REQUIRE(kernels::view_lens_ray(&params, .3f, .6f, lens, &ray) != 0);
+                const base::Vec3 o{ray.org.x, ray.org.y, ray.org.z}, d{ray.dir.x, ray.dir.y, ray.dir.z};
+                CAPTURE(type);
+                CHECK(length(cross(focus - o, d)) < 2e-6);
+                const double across = std::hypot(o.x - middle->origin.x, o.z - middle->origin.z);
+                widest = std::max(widest, across);
+                sum += across * across;
+            }
+        CHECK(widest == doctest::Approx(.2).epsilon(.03));
+        CHECK(sum / n == doctest::Approx(.02).epsilon(.01));  // even over the disc: half the squared radius
+    }
+}
