@@ -3,8 +3,8 @@
 // Idea of Waechter and Binder 2019 ("A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, chapter
 // 6): move along the geometric normal by a fixed number of units in the last place of the position, axis by axis, and by a
 // fixed length near the origin.  The rounding of a hit point grows with the distance travelled too, hence `reach`.
-// Limit: a single triangle of hundreds of metres has distances good to some 1e-7 of its size only: of the rays that leave
-// a ground of 2 km by 2 km, 0.1 % (grazing ones) meet it again; of one 200 m wide, none (tests/unit/kernels_bvh_test.cpp).
+// Limit: distances to a triangle of hundreds of metres are good to some 1e-7 of its size only, so `reach` counts the size of
+// the surface, too (surface.h).  By the ray's length alone 0.1 % of the rays that leave a ground of 2 km meet it again.
 #ifndef LUX_OFFSET_RAY_H
 #define LUX_OFFSET_RAY_H
 
