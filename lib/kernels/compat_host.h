@@ -10,6 +10,7 @@
 #define LUX_HOST 1
 #define LUX_DOUBLE 1
 #define FN static inline
+#define FN_RARE static __attribute__((noinline, unused))  // kept out of the way of what every scene runs
 #define GLOBAL
 #define PRIVATE
 #define CONSTANT static const

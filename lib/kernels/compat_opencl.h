@@ -6,6 +6,7 @@
 #define LUX_DOUBLE 1
 #endif
 #define FN static inline
+#define FN_RARE static
 #define GLOBAL __global
 #define PRIVATE __private
 #define CONSTANT __constant

@@ -77,7 +77,7 @@ FN float bsdf_peak(PRIVATE const SceneTables* s, GLOBAL const uint* t, float dif
     return peak < 0.0005f ? 0.0f : peak;
 }
 
-FN void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, GLOBAL const uint* m,
+FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, GLOBAL const uint* m,
                  PRIVATE const float* value, int asked, PRIVATE Sampler* rnd, PRIVATE Lobes* out) {
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     int peaked = (m[MOD_FLAGS] & MF_ABSDF) != 0u;
@@ -140,7 +140,7 @@ FN float3 bsdf_start(PRIVATE const Lobes* a, PRIVATE const Surface* g, int above
 }
 
 // Coefficient of a source sample, as lobes_direct().
-FN float3 bsdf_direct(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Lobes* a,
+FN_RARE float3 bsdf_direct(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Lobes* a,
                       PRIVATE const Surface* g, float3 dir, float w, PRIVATE Sampler* rnd) {
     GLOBAL const uint* m = s->u + par->mods_at + MOD_WORDS * g->mod;
     float3 z = bsdf_normal(g), v = bsdf_local(a->trans_dir, z, g->v), l = bsdf_local(a->trans_dir, z, dir);
@@ -174,7 +174,7 @@ FN float3 bsdf_direct(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
 }
 
 // One sample of the tabulated part.  *coef: its colour; returns the factor beside it, 0 = lost.
-FN float bsdf_sample_lobe(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Lobes* a,
+FN_RARE float bsdf_sample_lobe(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Lobes* a,
                           PRIVATE const Surface* g, int transmit, PRIVATE Sampler* rnd, PRIVATE float3* coef,
                           PRIVATE float3* dir) {
     GLOBAL const uint* m = s->u + par->mods_at + MOD_WORDS * g->mod;
