@@ -22,6 +22,7 @@
 #include "kernels/surface.h"
 #include "kernels/lobes.h"
 #include "kernels/modifier.h"
+#include "kernels/clip.h"
 #include "kernels/sources.h"
 #include "kernels/portals.h"
 #include "kernels/mat_normal.h"

@@ -103,7 +103,7 @@ FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* a, uint slo
     if (!ok) return 0;
     uint4 info;
     info.x = 0u; info.y = rnd.key; info.z = rnd.index | (rnd.dim << 8); info.w = NONE;
-    a->org[slot] = pack4(ray.org, 0.0f);
+    a->org[slot] = pack4(ray.org, as_float_(CLIP_START));
     a->dir[slot] = pack4(ray.dir, ray.tmax);
     a->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
     if (par->medium.w > 0.0f) a->med[slot] = pack4(xyz4(par->medium), as_float_(NONE));
@@ -325,7 +325,9 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     float4 medium = pack4(arriving, 0.0f);
     uint mist = NONE;
     if (absorbs) { medium = a->med[slot]; arriving = xyz4(medium); beyond = arriving; mist = as_uint_(medium.w); }
-    if (!find_material(s, par, &g, &rnd) || take_alternate(s, par, &g, flags, &rnd)) {
+    uint clip = as_uint_(a->org[slot].w);
+    if (((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) ||
+        !find_material(s, par, &g, &rnd) || take_alternate(s, par, &g, flags, &rnd)) {
         pass = 1;
     } else if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
         float3 e = emitter_radiance(s, par, &g, flags, &pass);
@@ -391,10 +393,11 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                             a->sorg[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, above), above ? g.ng : neg3(g.ng), g.reach), as_float_(i));
                             a->sdir[slot] = pack4(ls.dir, ls.dist);
                             a->scol[slot] = pack4(c, g.total);
+                            if ((par->flags & PF_ANTIMATTER) != 0u) a->smed[slot] = pack4(F3(0.0f, 0.0f, 0.0f), as_float_(clip));
                             if (absorbs) {
                                 float ecc;
                                 float3 one = F3(1.0f, 1.0f, 1.0f), albedo = medium_albedo(s, par, mist, &ecc);
-                                a->smed[slot] = pack4(mul3(above ? arriving : beyond, sub3(one, albedo)), 0.0f);
+                                a->smed[slot] = pack4(mul3(above ? arriving : beyond, sub3(one, albedo)), as_float_(clip));
                             }
                             result |= PATH_SHADOW;
                         }
@@ -478,7 +481,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         a->info[slot] = info;
         if (dead) return result;
         if (absorbs) a->med[slot] = pack4(dot3(next, g.ng) > 0.0f ? arriving : beyond, medium.w);
-        a->org[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, dot3(next, g.ng) > 0.0f), side, g.reach), 0.0f);
+        a->org[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, dot3(next, g.ng) > 0.0f), side, g.reach), as_float_(clip));
         a->dir[slot] = pack4(next, 1e30f);
         a->thr[slot] = pack4(thr, t4.w);
         return result | PATH_GOES_ON;
@@ -490,14 +493,14 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     a->info[slot] = info;
     if (absorbs) a->med[slot] = medium;
     a->thr[slot] = pack4(thr, t4.w);
-    a->org[slot] = pack4(offset_ray(g.p, neg3(g.ng), g.reach), 0.0f);
+    a->org[slot] = pack4(offset_ray(g.p, neg3(g.ng), g.reach), as_float_(clip));
     a->dir[slot] = pack4(dir, a->dir[slot].w >= 1e29f ? 1e30f : a->dir[slot].w - h.x);
     return result | PATH_GOES_ON;
 }
 
 // What a shadow ray lets through: straight through glass, smooth trans, mixtures with void (spec shading 4.5).
 FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float dist,
-                          uint source, float3 medium, PRIVATE Sampler* rnd) {
+                          uint source, float3 medium, uint clip, PRIVATE Sampler* rnd) {
     float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f), beyond;
     GLOBAL const float* q = source_record(s, par, source);
     uint kind = as_uint_(q[SRC_KIND]);
@@ -529,7 +532,8 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         surface_at(s, &ray, &hit, &g);
         total += hit.t;
         g.total = total;
-        if (find_material(s, par, &g, rnd)) {
+        if (!((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
+            find_material(s, par, &g, rnd)) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
                 if (g.type != M_ILLUM) return black;
             } else if (g.type == M_MIST) {
@@ -549,7 +553,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
 // The same where light may bend (dielectric) or be relayed (mirror): followed surface by surface; it must arrive at the
 // real source aimed at (spec shading 3.6, 4.6).  For virtual sources the result holds the source's radiance.
 FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float total,
-                       uint source, float3 medium, PRIVATE Sampler* rnd) {
+                       uint source, float3 medium, uint clip, PRIVATE Sampler* rnd) {
     float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f), beyond;
     GLOBAL const float* q = source_record(s, par, source);
     int is_virtual = as_uint_(q[SRC_VIRTUAL]) != NONE, bent = 0;
@@ -579,7 +583,8 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
             return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), hit.prim, ray.dir, g.p, g.nface, hit.t, total, rnd));
         }
         float3 next = ray.dir;
-        if (find_material(s, par, &g, rnd)) {
+        if (!((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
+            find_material(s, par, &g, rnd)) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
                 if (g.type != M_ILLUM) return black;
             } else if (g.type == M_MIST) {
@@ -622,11 +627,12 @@ FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
     Sampler rnd = path_sampler(info);
     rnd.key = hash_(rnd.key ^ 0x5bd1e995u);
     float3 T, medium = F3(0.0f, 0.0f, 0.0f);
+    uint clip = (par->flags & PF_ANTIMATTER) != 0u ? as_uint_(a->smed[slot].w) : CLIP_START;
     if (par->medium.w > 0.0f) medium = xyz4(a->smed[slot]);
     if (par->shadow_mode == SHADOW_AIMED) {
-        T = shadow_aimed(s, par, xyz4(o), xyz4(d), c.w, as_uint_(o.w), medium, &rnd);
+        T = shadow_aimed(s, par, xyz4(o), xyz4(d), c.w, as_uint_(o.w), medium, clip, &rnd);
     } else {
-        T = shadow_straight(s, par, xyz4(o), xyz4(d), d.w, as_uint_(o.w), medium, &rnd);
+        T = shadow_straight(s, par, xyz4(o), xyz4(d), d.w, as_uint_(o.w), medium, clip, &rnd);
     }
     float4 r = a->rad[slot];
     a->rad[slot] = pack4(add3(xyz4(r), mul3(xyz4(c), T)), r.w);
@@ -648,7 +654,7 @@ FN void path_draw(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     float3 e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
     a->scol[slot] = pack4(mul3(xyz4(a->scol[slot]), e), 0.0f);
     a->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
-    if (par->medium.w > 0.0f) a->smed[slot] = par->medium;
+    a->smed[slot] = pack4(xyz4(par->medium), as_float_(CLIP_START));
     uint4 info;
     info.x = 0u; info.y = rnd.key; info.z = rnd.index; info.w = NONE;
     a->info[slot] = info;

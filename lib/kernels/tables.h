@@ -79,6 +79,7 @@
 #define MF_VALUES 64u       // MOD_PROGRAM gives values of the material (cal::MaterialProgram)
 #define MF_PATTERNS_ONLY 256u  // a mixture whose branches hold no material
 #define MF_TWO_EXITS 128u   // prism2
+#define MF_CLIPPED_SHIFT 9u  // 4 bits: listed by antimatter 0..3
 #define MF_LOBES_SHIFT 16u   // number of outputs of the lobe program (MOD_EXTRA)
 
 // ---- active sources: SOURCE_FLOATS floats each at f[Params.sources_at] (words by as_uint_)
@@ -156,5 +157,6 @@ typedef struct {
 // flags
 #define PF_IRRADIANCE 1u
 #define PF_DV 2u         // light sources visible
+#define PF_ANTIMATTER 8u
 #define PF_WEIGHTED 4u   // -ss > 1.5
 #endif

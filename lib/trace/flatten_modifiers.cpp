@@ -34,6 +34,7 @@ uint32_t material_code(Type t) {
         case Type::plasdata: case Type::metdata: case Type::transdata: return M_BRDF;
         case Type::brtdfunc: return M_BRTD;
         case Type::mist: return M_MIST;
+        case Type::antimatter: return M_ANTIMATTER;
         case Type::prism1: case Type::prism2: return M_PRISM;
         case Type::wgmdfunc: return M_WGMD;
         case Type::bsdf: case Type::absdf: return M_BSDF;
@@ -46,7 +47,8 @@ bool material_passes(Type t, const scene::Span<double>& a, const cal::PatternSpe
         case Type::absdf: return true;
         case Type::bsdf: return spec.strings[0] != "0";  // a proxy of some thickness
         case Type::glass: case Type::dielectric: case Type::interface: case Type::illum: case Type::mirror:
-        case Type::brtdfunc: case Type::wgmdfunc: case Type::prism1: case Type::prism2: case Type::mist: return true;
+        case Type::brtdfunc: case Type::wgmdfunc: case Type::prism1: case Type::prism2: case Type::mist:
+        case Type::antimatter: return true;
         case Type::trans: return a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6;
         default: return false;
     }
@@ -95,6 +97,8 @@ void Flattener::flatten_modifiers() {
         need(r.modifier);
         const scene::Object& t = scene.objects[r.object];
         need(alternate(t, uint32_t(r.object)));
+        if (t.type == Type::antimatter)
+            for (const std::string& name : scene.strings(t)) need(scene.lookup_modifier(name, uint32_t(r.object)));
         if (t.type == Type::wgmdfunc)
             for (int k : wgmd_names)
                 if (scene.strings(t)[size_t(k)] != "inherit") need(scene.lookup_modifier(scene.strings(t)[size_t(k)], uint32_t(r.object)));
@@ -104,6 +108,7 @@ void Flattener::flatten_modifiers() {
             need(b.second);
         }
     }
+    uint32_t antimatters = 0;
     for (size_t i = 0; i < n; i++) {
         if (!needed[i]) continue;
         const auto r = scene.resolve(int32_t(i));
@@ -147,6 +152,19 @@ void Flattener::flatten_modifiers() {
                     args.resize(rec[MOD_ARGS] + 9, 0.0f);
                     if (t.type == Type::absdf) rec[MOD_FLAGS] |= MF_ABSDF;
                 }
+            }
+            if (t.type == Type::antimatter) {  // the number of this one, its cut face, and a mark on what it lists
+                if (antimatters > 3) base::fail(scene.place(t), "more than four antimatter materials are not supported");
+                args.push_back(float(antimatters));
+                for (size_t k = 0; k < scene.strings(t).size(); k++) {
+                    const int32_t m = scene.lookup_modifier(scene.strings(t)[k], uint32_t(r.object));
+                    if (m < 0) continue;
+                    if (k == 0) rec[MOD_BRANCH1] = mod_of[m];
+                    passes[m] = 1;
+                    if (mod_of[m] != NONE) mods[mod_of[m] * MOD_WORDS + MOD_FLAGS] |= 1u << (MF_CLIPPED_SHIFT + antimatters);
+                }
+                antimatters++;
+                out.antimatter = true;
             }
             if (t.type == Type::mist) {  // absent arguments: the global medium's
                 const double* global[3] = {nullptr, options.ma, &options.mg};
