@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a sampled ray sees of emitters, by its class: the partition into active sources and the rest (spec shading 0.1, 3.8).
+#ifndef LUX_EMISSION_H
+#define LUX_EMISSION_H
+
+// Whether this path's present class is wanted in this pass.
+FN int class_wanted(PRIVATE const Params* par, uint flags, uint index) {
+    if (par->mode == MODE_RAY) return 1;
+    if ((flags & PC_DIFFUSE) != 0u) return par->mode == MODE_FRAMES;
+    return par->mode == MODE_DIRECT || index > par->skip_direct_below;
+}
+
+// What a ray that met nothing sees: sun, sky, ground glow.
+FN float3 path_background(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, uint flags,
+                          PRIVATE Sampler* rnd) {
+    float3 black = F3(0.0f, 0.0f, 0.0f);
+    uint i = distant_at(s, par, dir);
+    if (i == NONE) return black;
+    GLOBAL const uint* q = s->u + par->distant_at + DISTANT_WORDS * i;
+    uint src = q[DISTANT_SOURCE];
+    if (src != NONE) {  // an active source (the sun): only eye and mirror rays see it (spec shading 0.1)
+        if ((flags & (PC_DIFFUSE | PC_ROUGH)) != 0u || (par->flags & PF_DV) == 0u) return black;
+        if ((flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
+            as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u) return black;  // frame 0 holds it by area
+    }
+    return light_radiance(s, par, q[DISTANT_MOD], NONE, dir, org, neg3(dir), 1e30f, 1e30f, rnd);
+}
+
+// Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray goes on through it.
+FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint flags,
+                           PRIVATE int* pass) {
+    float3 black = F3(0.0f, 0.0f, 0.0f);
+    GLOBAL const uint* m = mod_record(s, par, g->mod);
+    GLOBAL const float* arg = s->f + m[MOD_ARGS];
+    uint src = s->prims[PRIM_WORDS * g->prim + PRIM_SOURCE];
+    *pass = 0;
+    if (!g->front) { *pass = par->bv == 0u; return black; }
+    if ((flags & (PC_DIFFUSE | PC_ROUGH)) != 0u) {
+        if (g->type != M_GLOW || arg[3] < 0.0f) return black;
+        if (arg[3] > 0.0f && g->length <= arg[3]) return black;
+    } else {
+        if ((par->flags & PF_DV) == 0u && !(g->type == M_GLOW && arg[3] >= 0.0f && g->total > arg[3])) return black;
+        if (src != NONE && (flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
+            as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u) return black;
+    }
+    if (g->type == M_SPOTLIGHT) {
+        float3 aim = f3_at(arg + 4);
+        if (dot3(unit3(aim), g->v) < k_cos(arg[3] * 0.5f * 0.01745329252f)) return black;
+    }
+    return mul3(g->color, f3_at(arg));
+}
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a material record to its lobes: the one list of materials.  To add a material: 1. an M_ number in tables.h and its name in
+// trace/flatten_modifiers.cpp; 2. mat_NAME.h, which fills Lobes; 3. a case here; 4. rows in tests/parity, a law in tests/physics.
+#ifndef LUX_MATERIAL_H
+#define LUX_MATERIAL_H
+
+// Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving: medium of the segment that
+// ended here, corrected where the surface knows it; *beyond: medium behind the surface.
+FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, int asked,
+                       PRIVATE Sampler* rnd, PRIVATE float3* arriving, PRIVATE float3* beyond, PRIVATE Lobes* l) {
+    GLOBAL const uint* m = mod_record(s, par, g->mod);
+    GLOBAL const float* arg = s->f + m[MOD_ARGS];
+    float vars[CAL_VARS], value[CAL_OUTPUTS];
+    uint type = g->type;
+    lobes_clear(l);
+    *beyond = *arriving;
+    if (!g->front && par->bv == 0u && type != M_DIELECTRIC && type != M_INTERFACE && type != M_BRTD && type != M_PRISM) { l->flags |= LOBE_PASS; return; }
+    if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {  // functions evaluated once per hit
+        material_vars(par, g, vars);
+        vars_to_frame(s, g, vars);
+        if (cal_run(s, m[MOD_PROGRAM], vars, value))
+            for (int i = 0; i < CAL_OUTPUTS; i++) value[i] = 0.0f;
+        values_from_frame(s, g, m[MOD_FLAGS], value);
+    }
+    switch (type) {
+    case M_PLASTIC: case M_METAL: case M_TRANS:
+        mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), l);
+        break;
+    case M_GLASS: mat_glass(g, arg, asked == LOBES_SHADOW, l); break;
+    case M_ANISO_PLASTIC: case M_ANISO_METAL: case M_ANISO_TRANS:
+        mat_normal(par, g, type, arg, F3(value[0], value[1], value[2]), l);
+        break;
+    case M_ASHIK: mat_ashik(par, g, arg, F3(value[0], value[1], value[2]), l); break;
+    case M_BRDF: mat_brdf(g, arg, m[MOD_FLAGS], l); break;
+    case M_BRTD: mat_brtd(g, arg, value, l); break;
+    case M_WGMD: mat_wgmd(s, par, g, m, value, rnd, l); break;
+    case M_BSDF: mat_bsdf(s, par, g, m, value, asked, rnd, l); break;
+    case M_DIELECTRIC: case M_INTERFACE:
+        mat_dielectric(par, g, type, arg, l, arriving, beyond);
+        break;
+    case M_PRISM:
+        if (asked != LOBES_SHADOW) mat_prism(m[MOD_FLAGS], value, l);  // shadow rays pass by virtual sources only (shadow_aimed)
+        break;
+    case M_MIRROR:
+        if (g->front) { l->mirror = mul3(f3_at(arg), g->color); l->mirror_dir = mirror_direction(g); }
+        break;
+    default: break;
+    }
+}
+
+// illum and mirror may name an alternate material (spec shading 3.7, 3.8).  If it acts for this ray, g becomes the
+// alternate.  1: the ray passes instead.
+FN int take_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, uint flags,
+                      PRIVATE Sampler* rnd) {
+    GLOBAL const uint* m = mod_record(s, par, g->mod);
+    int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
+    uint alternate = m[MOD_BRANCH1];
+    if (g->type == M_ILLUM) {
+        if (g->front && sampled) return 0;  // black to sampled rays: their light comes from the source
+    } else if (g->type == M_MIRROR) {
+        if ((m[MOD_FLAGS] & MF_HAS_ALTERNATE) == 0u) return 0;
+        if (g->front && sampled && (m[MOD_FLAGS] & MF_ALTERNATE_PASSES) == 0u) return 0;
+    } else {
+        return 0;
+    }
+    if (alternate == NONE) return 1;
+    g->mod = alternate;
+    g->color = F3(1.0f, 1.0f, 1.0f);
+    g->pert = F3(0.0f, 0.0f, 0.0f);
+    g->n = g->ng;
+    return !find_material(s, par, g, rnd);
+}
+
+// Transparent materials that irradiance pictures look through, as found with rtrace -i+ (spec shading 5.5).
+FN int irradiance_ignores(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+                          PRIVATE const Lobes* l) {
+    switch (g->type) {
+    case M_TRANS: case M_ANISO_TRANS: case M_GLASS: case M_DIELECTRIC: case M_INTERFACE: case M_MIST: case M_ANTIMATTER: return 1;
+    case M_BSDF: return (mod_record(s, par, g->mod)[MOD_FLAGS] & MF_ABSDF) != 0u;
+    case M_BRTD: case M_WGMD: return max3(l->through) > 0.0f || max3(l->diffuse_t) > 0.0f || max3(l->rough_t) > 0.0f;
+    default: return 0;
+    }
+}
+#endif
