@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=$(cd "${1:-build/bin}" && pwd) out=${2:-out}
 size=${SIZE:-512}
-until=${UNTIL:-'DGP 3%, Ev 0.5%, desk.TAL 1%, screen.CR 5%'}
+until=${UNTIL:-'DGP 1%, Ev 0.5%, desk.TAL 1%, screen.CR 3%'}
 mkdir -p "$out" && out=$(cd "$out" && pwd)
 PATH=$bin:$PATH
 cd examples/scenes/office
