@@ -4,8 +4,7 @@
 #define LUX_MEDIUM_H
 
 // Participating media (spec shading 3.9).  A medium is an extinction rgb and, in w (bits), the mist last entered.
-// Crossing a mist's surface changes it: k is the ray's extinction, seen by what scatter 0 (all of it) or 1 (shadow rays:
-// without the albedo's share).
+// Crossing a mist's surface adds or takes away its extinction; for shadow rays without the albedo's share.
 FN float4 mist_crossing(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, float4 medium,
                         int shadow) {
     GLOBAL const float* arg = s->f + mod_record(s, par, g->mod)[MOD_ARGS];

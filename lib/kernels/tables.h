@@ -102,10 +102,8 @@
 #define SRC_CLASS 27u     // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
 #define SRC_VIRTUAL 28u   // virtual sources: relay record in u (word), NONE for real ones
 #define SRC_DRAWN 29u     // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
-#define SRC_ORDER 30u
 // relay record of a virtual source (spec shading 4.6): 0 relay primitive, 1 source behind it (real or virtual),
 // 2-4 centre of the relay, 5 its radius (floats), 6 exit of a prism (0, 1)
-#define RELAY_WORDS 7u
 #define SK_DISTANT 0u
 #define SK_PARALLELOGRAM 1u
 #define SK_POLYGON 2u     // triangle fan with areas

@@ -231,7 +231,7 @@ TEST_CASE("a closed sphere leaks nothing, and no ray meets the triangle it left,
 
 // Rays that leave what they met: a flat thing, or a convex one on its outside, cannot be met again; from the inside of a
 // curved thing of radius r, the chord at an angle with sine s to the surface is 2 r s long (checked: not much shorter).
-// A ground of 2 km is beyond single precision: a few grazing rays meet it again, and the test says how few.
+// `reach` is the ray's length or the flat thing's size, whichever is larger, as kernels/surface.h has it.
 TEST_CASE("no ray meets the ground or the shape it left, whatever its size and the way to it") {
     struct Case { std::string name; double size; int kind; };
     const Case cases[] = {{"ground", 100, 0}, {"ground", 1000, 0}, {"polygon", 50, 1}, {"ring", 5, 2}, {"sphere", 0.05, 3}, {"sphere", 2, 3},
@@ -268,7 +268,8 @@ TEST_CASE("no ray meets the ground or the shape it left, whatever its size and t
             const bool inside = dot(n, d) > 0;
             if (inside) n = n * -1;
             const Vec out = unit(n + r.direction() * 0.9999);
-            ray.org = kernels::offset_ray(p, F3(float(n.x), float(n.y), float(n.z)), hit.t);
+            ray.org = kernels::offset_ray(p, F3(float(n.x), float(n.y), float(n.z)),
+                                         c.kind <= 2 ? std::max(hit.t, float(2.8 * z)) : hit.t);
             ray.dir = F3(float(out.x), float(out.y), float(out.z));
             kernels::Hit h8, h2;
             kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &h8);
@@ -281,7 +282,7 @@ TEST_CASE("no ray meets the ground or the shape it left, whatever its size and t
         CAPTURE(c.name);
         CAPTURE(c.size);
         CHECK(met > 5000);
-        CHECK(again <= (c.size == 1000 ? met / 300 : 0));
+        CHECK(again == 0);
     }
 }
 
