@@ -62,6 +62,12 @@ FN void path_extend(PRIVATE const SceneTables* s, PRIVATE const Paths* a, uint s
 
 FN float coefficient_weight(float3 c) { float m = max3(c); return m > 0.0f ? m : 0.0f; }
 
+// RADIANCE weights a rough lobe where its ray's weight earns it two samples or more, -ss times the weight; what several
+// samples or a hemisphere of them sent out earns one (spec shading 3.4).
+FN int lobe_weighted(PRIVATE const Params* par, uint flags, float weight) {
+    return (flags & (PC_DIFFUSE | PC_ROUGH)) == 0u && par->ss * weight > 1.5f;
+}
+
 // Shades the hit of a slot.  Returns bit 0: the path goes on, bit 1: a shadow ray waits.
 #define PATH_GOES_ON 1
 #define PATH_SHADOW 2
@@ -216,7 +222,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                          ? ashik_sample(&lobes, &g, &rnd, &next)
                      : (lobes.flags & LOBE_BSDF) != 0u
                          ? bsdf_sample_lobe(s, par, &lobes, &g, 0, &rnd, &coef, &next)
-                         : lobes_sample_rough_r(&lobes, &g, &rnd, (par->flags & PF_WEIGHTED) != 0u, par->ss, &next);
+                         : lobes_sample_rough_r(&lobes, &g, &rnd, lobe_weighted(par, flags, t4.w), par->ss, &next);
             flags |= PC_ROUGH | PC_BENT;
         } else if ((r -= w_diff_t) < 0.0f) {
             coef = lobes.ambient_t; p = w_diff_t;

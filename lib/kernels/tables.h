@@ -155,6 +155,5 @@ typedef struct {
 // flags
 #define PF_IRRADIANCE 1u
 #define PF_DV 2u         // light sources visible
-#define PF_ANTIMATTER 8u
-#define PF_WEIGHTED 4u   // -ss > 1.5
+#define PF_ANTIMATTER 4u
 #endif

@@ -128,7 +128,7 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.ab = o.ab;
     p.lr = o.lr;
     p.bv = o.bv;
-    p.flags = (o.i ? PF_IRRADIANCE : 0u) | (o.dv ? PF_DV : 0u) | (flat.antimatter ? PF_ANTIMATTER : 0u) | (o.ss > 1.5 ? PF_WEIGHTED : 0u);
+    p.flags = (o.i ? PF_IRRADIANCE : 0u) | (o.dv ? PF_DV : 0u) | (flat.antimatter ? PF_ANTIMATTER : 0u);
     p.st = float(o.st);
     p.ss = float(o.ss);
     p.dj = float(o.dj);

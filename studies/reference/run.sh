@@ -30,7 +30,7 @@ for name; do
         parts+=("$part")
         [ -f "$part" ] && continue
         echo "$name: frames $first to $last" >&2
-        ptrace -w- -vf "$(view "$name")" -x 256 -y 256 -ab 6 ${DEVICE:+-device $DEVICE} -frames "$first:$last" $(files "$name") |
+        ptrace -w- -ss 4 -vf "$(view "$name")" -x 256 -y 256 -ab 6 ${DEVICE:+-device $DEVICE} -frames "$first:$last" $(files "$name") |
             ptaccum -last -o "$part" > /dev/null
     done
     ptaccum "${parts[@]}" -o "$out/$name.exr"

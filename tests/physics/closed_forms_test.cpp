@@ -27,6 +27,23 @@ TEST_CASE("white things in a uniform surround cannot be seen") {
            {{3, 0, 1}, {-3, 0, -1}}, {1}, 2048);
 }
 
+// Above -ss 1.5 rough lobes are weighted where the ray still counts enough for two samples, -ss times its weight.  What a
+// diffuse bounce or another rough lobe sends out never does, in rtrace as here: a white rough ceiling, seen by a floor of
+// which the eye sees a spot, returns all it gets (rtrace -ss 4 -ad 256: 0.5 to every digit; weighted it would be 0.4656).
+TEST_CASE("rough lobes behind a bounce keep their energy") {
+    const std::string text =
+        "void glow g 0 0 4 1 1 1 0\ng source sky 0 0 4 0 0 1 360\nvoid metal rough 0 0 5 1 1 1 1 .2\n"
+        "rough ring ceiling 0 0 8 0 0 1 0 0 -1 0 4\nvoid plastic grey 0 0 5 .5 .5 .5 0 0\n"
+        "grey ring spot 0 0 8 0 0 0 0 0 1 0 .01\nrough ring side 0 0 8 3 0 .5 -1 0 0 0 .4\n";
+    trace::RenderOptions options;
+    options.ab = 1;
+    for (double ss : {1., 4., 64.}) {
+        CAPTURE(ss);
+        options.ss = ss;
+        expect(text, options, {{0, 0, .5}, {0, 0, -1}}, {.5});
+    }
+}
+
 // A closed sphere (radius R) of diffuse reflectance p with a small bulb (radius r, radiance L0) at its centre.  The bulb
 // gives every wall point E = pi L0 (r/R)^2; each bounce returns a share p and loses the share (r/R)^2 to the bulb:
 //     L = L0 (r/R)^2 sum_k p^k (1 - (r/R)^2)^(k-1),  k = 1 ... bounces + 1.
