@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A stream of pictures, RGBE or floats, added up as ptaccum does.
+#include "fuzz_file.h"
+#include "fuzz_try.h"
+#include "image/accumulate.h"
+#include "image/stream.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    FuzzFile file(data, size);
+    try_to([&] {
+        image::StreamReader in(file.path());
+        image::Accumulator sum;
+        image::Picture picture;
+        while (in.next(picture)) try_to([&] { sum.add(picture, "fuzz"); });
+        if (!sum.empty()) sum.result(picture, true);
+    });
+    return 0;
+}
