@@ -6,15 +6,21 @@
 namespace comfort {
 namespace {
 
-double above(double sigma, double tau) {
-    return std::exp((35.2 - 0.31889 * tau - 1.22 * std::exp(-2 * tau / 9)) * 1e-3 * sigma +
-                    (21 + 0.26667 * tau - 0.002963 * tau * tau) * 1e-5 * sigma * sigma);
+double log_above(double sigma, double tau) {
+    return (35.2 - 0.31889 * tau - 1.22 * std::exp(-2 * tau / 9)) * 1e-3 * sigma +
+           (21 + 0.26667 * tau - 0.002963 * tau * tau) * 1e-5 * sigma * sigma;
 }
+
+double log_below(double tan_beta) {
+    const double beta = std::atan(tan_beta) * evalglare_deg;
+    return 6.49e-3 * beta + 21e-5 * beta * beta;
+}
+
+double above(double sigma, double tau) { return std::exp(log_above(sigma, tau)); }
 
 double below(double sigma, double tau) {
     const double c = std::cos(tau / evalglare_deg);
-    const double beta = std::atan(std::tan(sigma / evalglare_deg) * std::sqrt(1 + 0.3225 * c * c)) * evalglare_deg;
-    return std::exp(6.49e-3 * beta + 21e-5 * beta * beta);
+    return std::exp(log_below(std::tan(sigma / evalglare_deg) * std::sqrt(1 + 0.3225 * c * c)));
 }
 
 // 1 + f R, R = sqrt(tan^2 azimuth + tan^2 elevation) seen from the point on the line of sight (Iwata et al. 1997):
@@ -50,6 +56,15 @@ double position_index(const view::Projector& p, Vec3 d, PositionModel model) {
     if (model == PositionModel::kim) return float(kim(a.sigma_deg, a.tau_deg));
     if (a.elevation_deg >= 0) return float(std::min(above(a.sigma_deg, a.tau_deg), 16.0));
     return float(std::min(accelerad ? below_old(p, d) : below(a.sigma_deg, a.tau_deg), 16.0));
+}
+
+double log_position_index(const view::Projector& p, Vec3 d) {
+    const double c = std::min(dot(p.forward(), d), 1.0);
+    const Vec3 t = d * (1 / c) - p.forward();  // length tan sigma, tan sigma cos tau along up
+    const double tan2 = dot(t, t), along = dot(unit(p.view().vu), t), cap = std::log(16.0);
+    if (dot(d, p.up()) < 0) return std::min(log_below(std::sqrt(tan2 + 0.3225 * along * along)), cap);
+    const double cos_tau = tan2 > 0 ? std::clamp(along / std::sqrt(tan2), -1.0, 1.0) : 0;
+    return std::min(log_above(std::acos(c) * evalglare_deg, std::acos(cos_tau) * evalglare_deg), cap);
 }
 
 }  // namespace comfort

@@ -21,5 +21,7 @@ struct EyeAngles { double sigma_deg, tau_deg, elevation_deg; };
 // tau is measured from the view's up vector as given (not made perpendicular), or from the picture's up axis.
 EyeAngles eye_angles(const view::Projector& p, Vec3 d, bool picture_up = false);
 double position_index(const view::Projector& p, Vec3 d, PositionModel model = PositionModel::guth);
+// ln P by guth, not rounded, for unit d ahead of the eye: a third of the time, for borders that are looked at millions of times.
+double log_position_index(const view::Projector& p, Vec3 d);
 
 }  // namespace comfort

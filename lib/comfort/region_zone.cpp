@@ -29,9 +29,9 @@ class Band : public Field {
 public:
     Band(const Space& s, double low, double high) : projector_(s.projector), low_(std::log(std::max(low, 1e-6))), high_(std::log(std::max(high, 1e-6))) {}
     double value(const Point& p) const override {
-        double ahead = M_PI / 2 - angle_between(p.dir, projector_.forward());
+        double ahead = dot(p.dir, projector_.forward());  // no more than the angle that is left: its sine
         if (ahead <= 0) return ahead;  // behind the eye there is no position index
-        double log_p = std::log(comfort::position_index(projector_, p.dir));
+        double log_p = comfort::log_position_index(projector_, p.dir);
         return std::min(std::min(log_p - low_, high_ - log_p) / 6, ahead);
     }
 private:

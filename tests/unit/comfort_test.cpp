@@ -85,6 +85,13 @@ TEST_CASE("position index is 1 on the line of sight and meets itself on the hori
     CHECK(position_index(p, {s, c, 0}) == doctest::Approx(1.46814).epsilon(1e-5));
     CHECK(position_index(p, {s, c, -1e-9}) == doctest::Approx(1.46770).epsilon(1e-5));
     CHECK(position_index(p, {0, 0, 1}) == 16);  // straight up: the cap
+    view::View tilted = fisheye();
+    tilted.vd = {.2, 1, -.3};
+    for (const view::Projector& q : {p, view::Projector(tilted)})
+        for (double X = .03; X < 1; X += .0431)
+            for (double Y = .02; Y < 1; Y += .0377)
+                if (auto d = q.direction(X, Y); d && dot(*d, q.forward()) > 1e-3)
+                    CHECK(log_position_index(q, *d) == doctest::Approx(std::log(position_index(q, *d))).epsilon(1e-6));
 }
 
 TEST_CASE("not finite pixels are black and counted, negative ones only counted") {
