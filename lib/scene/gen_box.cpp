@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// genbox material name sx sy sz [-i] [-b bevel | -r radius]: a box with a corner at the origin and normals outward.
-// A vertex code is its corner (bits x=1 y=2 z=4) plus the directions along which it is inset by the bevel (8, 16, 32).
+// genbox material name sx sy sz [-i] [-b bevel | -r radius [-n segments] [-s]]: a box with a corner at the origin and
+// normals outward.  A vertex code is its corner (bits x=1 y=2 z=4) plus the directions along which it is inset by the
+// bevel or the radius (8, 16, 32).  Rounded edges and corners are cylinders and balls, or flat pieces with -n or -i: each
+// edge a strip of so many quadrilaterals (the next power of 2), each corner's triangle halved along its sides as often.
+// -s gives the pieces, as triangles, the normals of the round shape.
+#include <algorithm>
 #include "scene/generators.h"
+#include "scene/smooth_triangle.h"
 
 namespace scene {
 
@@ -60,6 +65,95 @@ struct Box {
     }
 };
 
+// The rounded box in flat pieces, in RADIANCE's order.  Directions on a corner's ball by the side they face: 030 z, 050 y,
+// 060 x.
+class Pieces {
+public:
+    Pieces(const Box& box, int segments) : box_(box), segments_(segments) {}
+    void write(bool smooth);
+
+private:
+    struct Point {
+        base::Vec3 p, normal;
+    };
+    using Piece = std::vector<Point>;
+
+    // The normal is the one the box's sides have.
+    Point on_ball(int corner, base::Vec3 direction) const {
+        return {box_.vertex(corner | 070) + direction * box_.radius, direction * (box_.inward ? -1 : 1)};
+    }
+    base::Vec3 toward(int corner, int side) const {
+        return unit(box_.vertex(corner | side) - box_.vertex(corner | 070));
+    }
+    void edge(int p, int q);
+    void corner(int corner, base::Vec3 a, base::Vec3 b, base::Vec3 c, int segments);
+    void put(const Piece& piece, bool smooth);
+
+    const Box& box_;
+    const int segments_;
+    std::vector<Piece> edges_, corners_;
+    int written_ = 0;
+};
+
+// Between corners p and q, a strip around their common axis.
+void Pieces::edge(int p, int q) {
+    const int axis = p ^ q, from = axis == 1 ? 030 : axis == 2 ? 060 : 050, to = axis == 1 ? 050 : axis == 2 ? 030 : 060;
+    std::vector<base::Vec3> arc{toward(p, from), toward(p, to)};
+    for (int n = 1; n < segments_; n *= 2) {
+        std::vector<base::Vec3> finer{arc[0]};
+        for (size_t i = 1; i < arc.size(); i++) finer.insert(finer.end(), {unit(arc[i - 1] + arc[i]), arc[i]});
+        arc = finer;
+    }
+    for (size_t i = 1; i < arc.size(); i++)
+        edges_.push_back({on_ball(p, arc[i - 1]), on_ball(q, arc[i - 1]), on_ball(q, arc[i]), on_ball(p, arc[i])});
+}
+
+void Pieces::corner(int at, base::Vec3 a, base::Vec3 b, base::Vec3 c, int segments) {
+    if (segments == 1) return corners_.push_back({on_ball(at, a), on_ball(at, b), on_ball(at, c)});
+    const base::Vec3 ab = unit(a + b), bc = unit(b + c), ca = unit(c + a);
+    corner(at, a, ab, ca, segments / 2);
+    corner(at, b, bc, ab, segments / 2);
+    corner(at, c, ca, bc, segments / 2);
+    corner(at, ab, bc, ca, segments / 2);
+}
+
+void Pieces::put(const Piece& piece, bool smooth) {
+    const auto name = [&] { return box_.name + "." + std::to_string(++written_); };
+    if (!smooth) {
+        std::vector<base::Vec3> v;
+        for (const Point& q : piece) v.push_back(q.p);
+        return write_polygon(*box_.out, box_.material, name(), v);
+    }
+    // A quadrilateral is cut from its second to its last corner.
+    const size_t n = piece.size();
+    for (size_t first : {n == 4 ? 1 : 0, 3}) {
+        if (first >= n) break;
+        const Point &a = piece[first], &b = piece[(first + 1) % n], &c = piece[(first + 2) % n];
+        write_smooth_triangle(*box_.out, box_.material, name(), {a.p, b.p, c.p}, {a.normal, b.normal, c.normal});
+    }
+}
+
+void Pieces::write(bool smooth) {
+    for (const auto& e : round_edges) edge(e[0] & 7, e[1] & 7);
+    for (int k = 0; k < 8; k++) {
+        const bool mirrored = (k ^ k >> 1 ^ k >> 2) & 1;
+        const int first = mirrored ? 060 : 050, second = mirrored ? 050 : 060;
+        corner(k, toward(k, first), toward(k, second), toward(k, 030), segments_);
+    }
+    std::reverse(edges_.begin(), edges_.end());
+    if (!smooth) {
+        std::reverse(corners_.begin(), corners_.end());
+        std::swap(edges_, corners_);
+    }
+    for (const Piece& p : edges_) put(p, smooth);
+    for (const Piece& p : corners_) put(p, smooth);
+    for (size_t f = 6; f-- > 0;) {
+        Piece p;
+        for (int code : faces[f]) p.push_back({box_.vertex(code), {}});
+        put(p, false);
+    }
+}
+
 }  // namespace
 
 void genbox(const Call& call, std::string& out) {
@@ -68,18 +162,23 @@ void genbox(const Call& call, std::string& out) {
     b.name = call.word(2, "the name");
     for (int i = 0; i < 3; i++) b.size[i] = call.real(3 + i, "the size");
     b.out = &out;
+    int segments = 0;  // 2: round
+    bool bevelled = false, round = false, smooth = false;
     for (size_t i = 6; call.has(i); i++) {
         const std::string& w = call.words[i];
         if (w == "-i") b.inward = true;
-        else if (w == "-b") b.bevel = call.real(++i, "-b");
-        else if (w == "-r") b.radius = call.real(++i, "-r");
-        else call.fail("option " + w + " is not built in (run RADIANCE's genbox with -exec)");
+        else if (w == "-b") bevelled = true, b.bevel = call.real(++i, "-b");
+        else if (w == "-r") round = true, b.radius = call.real(++i, "-r");
+        else if (w == "-n") segments = static_cast<int>(call.integer(++i, "-n", 1, call.most));
+        else if (w == "-s") smooth = true;
+        else if (w == "-o") call.fail("-o writes a Wavefront file, which cannot stand in a scene");
+        else call.fail("unknown option " + w);
     }
-    if (b.bevel < 0 || b.radius < 0 || (b.bevel > 0 && b.radius > 0))
+    if ((bevelled && b.bevel <= 0) || (round && b.radius <= 0) || (bevelled && round))
         call.fail("bevel and radius must be positive, and only one of them given");
     for (double s : b.size)
         if (s <= 0) call.fail("the size must be positive");
-    if (b.bevel + b.radius == 0) {
+    if (!bevelled && !round) {
         for (const char* digits : plain_faces) {
             std::vector<base::Vec3> v;
             for (int i = 0; i < 4; i++) v.push_back(b.vertex(digits[i] - '0'));
@@ -87,8 +186,15 @@ void genbox(const Call& call, std::string& out) {
         }
         return;
     }
+    if (round && (segments > 2 || (b.inward && segments != 2))) {
+        int n = segments > 2 ? 4 : 32;
+        while (n < segments) n *= 2;
+        if (6 + 12. * n + 8. * n * n > static_cast<double>(call.most))
+            call.fail("-n: more than " + std::to_string(call.most) + " polygons");
+        return Pieces(b, n).write(smooth);
+    }
     for (const auto& f : faces) b.face(f, 4);
-    if (b.bevel > 0) {
+    if (bevelled) {
         for (const auto& e : edges) b.face(e, 4);
         for (const auto& c : corners) b.face(c, 3);
     } else {

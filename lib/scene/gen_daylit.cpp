@@ -25,7 +25,7 @@ struct Options {
     char input = 0;  // P W G L E
     double a = 0, b = 0;
     int output = 0;  // -O
-    bool sun = true, colour = false, quiet = false;
+    bool sun = true, overcast = false, colour = false, cie = false, quiet = false;
     double ground = .2, dew_point = 10.97353115, interval = 0;
     Site site;
 };
@@ -37,9 +37,9 @@ Options read_options(const Call& call, size_t i) {
         if (w.size() < 2 || (w[0] != '-' && w[0] != '+')) call.fail("unexpected \"" + printable(w) + "\"");
         switch (w[1]) {
             case 's': o.sun = w[0] == '+'; break;
-            case 'c': o.sun = false; break;
+            case 'c': o.sun = false, o.overcast = true; break;
             case 'w': o.quiet = true; break;
-            case 'C': o.colour = true; break;
+            case 'C': (w == "-CIE" ? o.cie : o.colour) = true; break;  // the locus of -C's colours, or colours
             case 'R':
             case 'b':
             case 't': call.real(++i, w.c_str()); break;
@@ -120,7 +120,7 @@ void gendaylit(const Call& call, std::string& out) {
         fmt::format_to(text, "# Local solar time: {:.2f}\n", sun.solar_time);
     }
     fmt::format_to(text, "# Solar altitude and azimuth: {:.1f} {:.1f}\n", sun.altitude / degree, sun.azimuth / degree);
-    if (sun.altitude > 87 * degree) {
+    if (sun.altitude > 87 * degree && !o.overcast) {
         base::warn(call.place, "gendaylit: the sun is moved from the zenith to an altitude of 87 degrees");
         sun.altitude = 87 * degree;
     }
@@ -161,6 +161,7 @@ void gendaylit(const Call& call, std::string& out) {
     }
     if (o.input != 'P') c = clamp(sky.clearness(direct, diffuse));  // no diffuse light: as clear as can be
     const PerezShape shape(c, z);
+    if (shape.c[1] > 0) return error_sky("the horizon's Perez coefficient b is positive");
     const double diffuse_lux = diffuse * sky.diffuse_efficacy(c), direct_lux = direct * sky.direct_efficacy(c);
     if (diffuse_lux < 0) return error_sky("the sky's illuminance is negative");
     if (direct > most_watts || direct_lux > most_lux) return error_sky("more sun than outside the atmosphere");
@@ -192,8 +193,12 @@ void gendaylit(const Call& call, std::string& out) {
     fmt::format_to(text, " {:f} {:f} {:f}", to_sun.x, to_sun.y, to_sun.z);
     if (colour) {
         fmt::format_to(text, " {:f}", c.epsilon);
-        for (float x : {-4843e6f, 2556800.f, 242.82f, .23258f, -4843e6f, 2556800.f, 242.82f, .23258f, -1.2848f, 1.7519f,
-                        -.093786f})
+        // Coefficients of the locus of sky colours, two lines and a join.
+        constexpr float usual[11] = {-4843e6f, 2556800.f, 242.82f,  .23258f, -4843e6f,  2556800.f,
+                                     242.82f,  .23258f,   -1.2848f, 1.7519f, -.093786f};
+        constexpr float cie[11] = {-4.607e9f, 2.9678e6f, 99.11f, .244063f, -2.0064e9f, 1.9018e6f,
+                                   247.48f,   .23704f,   -3.f,   2.87f,    -.275f};
+        for (float x : o.cie ? cie : usual)
             fmt::format_to(text, " {:f}", x);
     }
     out += '\n';

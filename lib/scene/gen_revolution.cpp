@@ -62,6 +62,13 @@ void genrev(const Call& call, std::string& out) {
         z.push_back(f("rev_z", {static_cast<double>(i) / static_cast<double>(n)}));
         r.push_back(f("rev_r", {static_cast<double>(i) / static_cast<double>(n)}));
     }
+    // Values that differ by rounding alone are equal, so that a flat or upright piece is known as such.
+    double largest = 0;
+    for (size_t i = 0; i < z.size(); i++) largest = std::fmax(largest, std::fmax(std::fabs(z[i]), std::fabs(r[i])));
+    for (size_t i = 1; i < z.size(); i++) {
+        if (std::fabs(z[i] - z[i - 1]) <= 1e-9 * largest) z[i] = z[i - 1];
+        if (std::fabs(r[i] - r[i - 1]) <= 1e-9 * largest) r[i] = r[i - 1];
+    }
     auto normal = [&](long long i) {  // of piece i = 1..n; nothing beyond the ends
         return i < 1 || i > n ? Normal2{0, 0} : piece_normal(z[i - 1], r[i - 1], z[i], r[i]);
     };

@@ -24,8 +24,8 @@ struct Options {
     Sky sky = clear;
     bool sun = true;
     double turbidity = 2.45, ground = .2;
-    double zenith = -1, diffuse = -1;   // -b, -B
-    double radiance = -1, direct = -1;  // -r, -R
+    double zenith = NAN, diffuse = NAN;   // -b, -B; NAN: not given
+    double radiance = NAN, direct = NAN;  // -r, -R
     Site site;
 };
 
@@ -80,10 +80,10 @@ Options read_options(const Call& call, size_t i) {
             case 'u': o.sky = uniform; break;
             case 't': o.turbidity = call.real(++i, "-t"); break;
             case 'g': o.ground = call.real(++i, "-g"); break;
-            case 'b': o.zenith = call.real(++i, "-b"), o.diffuse = -1; break;
-            case 'B': o.diffuse = call.real(++i, "-B"), o.zenith = -1; break;
-            case 'r': o.radiance = call.real(++i, "-r"), o.direct = -1; break;
-            case 'R': o.direct = call.real(++i, "-R"), o.radiance = -1; break;
+            case 'b': o.zenith = call.real(++i, "-b"), o.diffuse = NAN; break;
+            case 'B': o.diffuse = call.real(++i, "-B"), o.zenith = NAN; break;
+            case 'r': o.radiance = call.real(++i, "-r"), o.direct = NAN; break;
+            case 'R': o.direct = call.real(++i, "-R"), o.radiance = NAN; break;
             default:
                 if (plus || !o.site.option(call, i)) call.fail("unknown option " + printable(w));
         }
@@ -123,19 +123,20 @@ void gensky(const Call& call, std::string& out) {
                           : o.sky == clear    ? clear_factor(altitude)
                                               : intermediate_factor(altitude);
     double zenith = o.zenith;
-    if (o.diffuse >= 0) {
+    if (!std::isnan(o.diffuse)) {
         zenith = o.diffuse / (factor * M_PI);
-    } else if (zenith < 0) {
+    } else if (std::isnan(zenith)) {
         zenith = cloudy ? 8.6 * sine + .123 : (1.376 * o.turbidity - 1.81) * std::tan(altitude) + .38;
         if (o.sky == intermediate) zenith = (zenith + 8.6 * sine + .123) / 2;
         zenith = std::max(0., zenith) * 1000 / 203;
     }
     double ground = zenith * factor, solar = 0;
     if (!cloudy && sine > 0) {
-        solar = o.direct >= 0 ? o.direct / (5.98e-5 * sine)
-                : o.radiance >= 0
+        solar = !std::isnan(o.direct) ? o.direct / (5.98e-5 * sine)
+                : !std::isnan(o.radiance)
                     ? o.radiance
                     : 1.5e9 / 208 * (1.147 - .147 / std::max(sine, .16)) * (o.sky == intermediate ? .15 : 1);
+        solar = std::max(solar, 0.);
         ground += 6e-5 / M_PI * solar * sine;
     }
     ground *= o.ground;

@@ -166,6 +166,8 @@ void Surface::face(const std::array<const Point*, 4>& cell, const std::vector<Ve
     double longest = 0;
     for (const Vec3& p : v) longest = std::fmax(longest, dot(p - v[0], p - v[0]));
     if (length(n) <= 1e-12 * longest || longest == 0) return;
+    v.erase(std::unique(v.begin(), v.end()), v.end());  // a side may be a point
+    if (v.front() == v.back()) v.pop_back();
     const bool textured = smooth_ && texture(cell, unit(n));
     write_polygon(out_, textured ? "Phong" : material_, name_ + "." + std::to_string(++faces_), v);
 }
@@ -205,7 +207,7 @@ void Surface::run() {
         const std::string& w = call_.words[i];
         if (w == "-s") smooth_ = true;
         else if (w == "-i") inside_out_ = true;
-        else if (w == "-o") call_.fail("option -o is not built in (run RADIANCE's gensurf with -exec)");
+        else if (w == "-o") call_.fail("-o writes a Wavefront file, which cannot stand in a scene");
         else if (!f_.option(i)) call_.fail("unknown option " + w);
     }
     for (int k = 0; k < 3; k++) read_coordinate(k, call_.word(3 + k, "x(s,t) y(s,t) z(s,t)"));

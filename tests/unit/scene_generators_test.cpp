@@ -70,7 +70,7 @@ TEST_CASE("every command writes what RADIANCE's program writes") {
         check_same(scene::read_scene({"expected.rad"}, {}), scene::read_scene({"ours.rad"}, {}));
         count++;
     }
-    CHECK(count == 29);
+    CHECK(count == 35);
 }
 
 // xform -c leaves the inner command for the reader, with the transform behind a pipe; the result is the same.
@@ -120,7 +120,38 @@ TEST_CASE("skies have RADIANCE's numbers") {
         same(row[3], args);
         count++;
     }
-    CHECK(count == 40);
+    CHECK(count == 46);
+}
+
+// Each piece's texture must give the round shape's normals at its vertices: away from the nearest point of the inner box.
+TEST_CASE("genbox -s has the normals of the round box") {
+    for (const std::string inward : {"", " -i"}) {
+        const scene::Scene s = read_text("void plastic m 0 0 5 1 1 1 0 0\n!genbox m b 1 2 3 -r .25 -n 4 -s" + inward);
+        const double size[3] = {1, 2, 3}, r = .25;
+        int textured = 0, flat = 0;
+        for (const scene::Object& o : s.objects) {
+            if (o.type != scene::Type::polygon) continue;
+            const scene::Object& modifier = s.objects[o.modifier];
+            if (modifier.type != scene::Type::texfunc) {
+                flat++;
+                continue;
+            }
+            textured++;
+            REQUIRE(s.strings(modifier)[3] == "tmesh.cal");
+            const auto a = s.reals(modifier);
+            const int axis = static_cast<int>(a[0]);
+            for (size_t v = 0; v < 9; v += 3) {
+                const double* p = &s.reals(o)[v];
+                for (int k = 0; k < 3; k++) {
+                    const double nearest = std::fmin(std::fmax(p[k], r), size[k] - r);
+                    const double normal = a[1 + 3 * k] * p[(axis + 1) % 3] + a[2 + 3 * k] * p[(axis + 2) % 3] + a[3 + 3 * k];
+                    REQUIRE(normal == doctest::Approx((p[k] - nearest) / r * (inward.empty() ? 1 : -1)).epsilon(1e-9));
+                }
+            }
+        }
+        CHECK(textured == 12 * 4 * 2 + 8 * 16);
+        CHECK(flat == 6);
+    }
 }
 
 TEST_CASE("a wrong command line names the line, the program and the fact") {
@@ -128,6 +159,12 @@ TEST_CASE("a wrong command line names the line, the program and the fact") {
     CHECK(error_in("!genbox m b 1 x 3\n") == "t.rad:1: genbox: the size: \"x\" is not a number");
     CHECK(error_in("!genbox m b 1 2 3 -r .1 -b .1") ==
           "t.rad:1: genbox: bevel and radius must be positive, and only one of them given");
+    CHECK(error_in("!genbox m b 1 2 3 -r 0") ==
+          "t.rad:1: genbox: bevel and radius must be positive, and only one of them given");
+    CHECK(error_in("!genbox m b 1 2 3 -r .1 -n 1000") == "t.rad:1: genbox: -n: more than 1000000 polygons");
+    CHECK(error_in("!genbox m b 1 2 3 -o") == "t.rad:1: genbox: -o writes a Wavefront file, which cannot stand in a scene");
+    CHECK(error_in("!gensurf m s s t 0 2 2 -o") ==
+          "t.rad:1: gensurf: -o writes a Wavefront file, which cannot stand in a scene");
     CHECK(error_in("!gensky 13 1 12\n") == "t.rad:1: gensky: the month: \"13\" is not an integer of 1 to 12");
     CHECK(error_in("!gensky 6 21 +12EST\n") == "t.rad:1: gensky: a time zone and solar time exclude each other");
     CHECK(error_in("!gendaylit 6 21 12\n") == "t.rad:1: gendaylit: one of -P -W -G -L -E is needed");
