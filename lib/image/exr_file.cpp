@@ -6,7 +6,8 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
-#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
@@ -28,11 +29,46 @@ namespace image {
 namespace {
 
 constexpr int most_side = 32768, block_lines = 64;
+constexpr int64_t most_block = 256 << 20;  // bytes of a tile or of the lines that are decoded together
 
 std::string one_line(const char* text) {
     std::string s = text;
     std::replace(s.begin(), s.end(), '\n', ' ');
     return s;
+}
+
+// OpenEXR 3.1 reserves an attribute's size before it reads it: no attribute of the header may be longer than the file.
+void check_attributes(std::istream& in, const std::string& path) {
+    const int64_t end = in.seekg(0, std::ios::end).tellg();
+    in.seekg(8);
+    for (std::string name, type; std::getline(in, name, '\0') && !name.empty();) {
+        unsigned char s[4] = {0, 0, 0, 0};
+        if (!std::getline(in, type, '\0') || !in.read(reinterpret_cast<char*>(s), 4)) break;
+        const int64_t size = int64_t(s[0]) | int64_t(s[1]) << 8 | int64_t(s[2]) << 16 | int64_t(s[3]) << 24;
+        if (size > end - in.tellg()) base::fail(path, "is no readable OpenEXR file: attribute " + name.substr(0, 32) + " is longer than the file");
+        in.seekg(size, std::ios::cur);
+    }
+}
+
+int lines_together(Imf::Compression c) {
+    switch (c) {
+    case Imf::NO_COMPRESSION: case Imf::RLE_COMPRESSION: case Imf::ZIPS_COMPRESSION: return 1;
+    case Imf::ZIP_COMPRESSION: case Imf::PXR24_COMPRESSION: return 16;
+    case Imf::DWAB_COMPRESSION: return 256;
+    default: return 32;
+    }
+}
+
+void check_blocks(const Imf::Header& h, const std::string& path) {
+    int64_t bytes = 0;
+    for (auto c = h.channels().begin(); c != h.channels().end(); ++c) bytes += c.channel().type == Imf::HALF ? 2 : 4;
+    const Imath::Box2i data = h.dataWindow();
+    const bool tiled = h.hasTileDescription();
+    const int64_t across = tiled ? int64_t(h.tileDescription().xSize) : int64_t(data.max.x) - data.min.x + 1;
+    const int64_t down = tiled ? int64_t(h.tileDescription().ySize) : lines_together(h.compression());
+    if (across * down > most_block / std::max<int64_t>(bytes, 1))
+        base::fail(path, std::string("its ") + (tiled ? "tiles" : "blocks of lines") + " are too large: " + std::to_string(across) +
+                             " x " + std::to_string(down) + " pixels of " + std::to_string(bytes) + " bytes");
 }
 
 class MemoryOut : public Imf::OStream {
@@ -97,17 +133,20 @@ private:
 }  // namespace
 
 struct ExrInput::File {
-    Imf::InputFile in;
-    explicit File(const char* path) : in(path) {}
+    Imf::MultiPartInputFile parts;  // reads headers only
+    Imf::InputPart in;
+    explicit File(const std::string& path) : parts(path.c_str()), in((check_blocks(parts.header(0), path), parts), 0) {}
 };
 
 ExrInput::ExrInput(const std::string& path) : path_(path) {
     errno = 0;
-    if (!std::ifstream(path, std::ios::binary)) base::fail_system(path, "cannot be read");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) base::fail_system(path, "cannot be read");
+    check_attributes(file, path);
     Imf::Header::setMaxImageSize(most_side, most_side);  // before OpenEXR reserves anything
     Imf::Header::setMaxTileSize(most_side, most_side);
     try {
-        file_.reset(new File(path.c_str()));
+        file_.reset(new File(path));
         const Imath::Box2i shown = file_->in.header().displayWindow();
         const int64_t w = int64_t(shown.max.x) - shown.min.x + 1, h = int64_t(shown.max.y) - shown.min.y + 1;
         if (w < 1 || h < 1 || w > most_side || h > most_side)
@@ -147,9 +186,10 @@ std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
         }
         const Imath::Box2i shown = header.displayWindow(), data = header.dataWindow();
         const size_t data_width = size_t(data.max.x - data.min.x + 1);
-        std::vector<float> block(data_width * block_lines * n);
-        for (int y = data.min.y; y <= data.max.y; y += block_lines) {
-            const int last = std::min(y + block_lines - 1, data.max.y);
+        const int lines = int(std::clamp<int64_t>(most_block / int64_t(sizeof(float) * n * data_width), 1, block_lines));
+        std::vector<float> block(data_width * size_t(lines) * n);
+        for (int y = data.min.y; y <= data.max.y; y += lines) {
+            const int last = std::min(y + lines - 1, data.max.y);
             Imf::FrameBuffer frame;
             for (size_t c = 0; c < n; ++c) {
                 // OpenEXR wants the address that pixel (0,0) would have

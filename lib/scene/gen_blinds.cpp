@@ -23,6 +23,7 @@ void genblinds(const Call& call, std::string& out) {
     // Profile of a slat in its own plane: x along the depth, z up.
     std::vector<base::Vec3> profile{{0, 0, 0}, {depth, 0, 0}};
     if (radius != 0) {
+        if (depth <= 0) call.fail("curved slats need a depth above 0");
         if (2 * std::fabs(radius) < depth) call.fail("the radius is smaller than half the depth");
         const double half = std::asin(depth / (2 * std::fabs(radius)));
         const int chords = static_cast<int>(2 * half / (3 * M_PI / 180) + .99999);

@@ -1,21 +1,21 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # run.sh BIN OUT [name ...]: renders the scenes of the reference pictures and compares.  FRAMES (2000) and BATCHES (16) say how
-# much work that is.  What is in OUT already is not made again, so the study can be stopped and taken up.
+# much work that is; GOLDEN is a folder with other pictures to compare with (uncorrelated.sh).  What is in OUT already is not made again, so the study can be stopped and taken up.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd) top=$(cd "$(dirname "$0")/../.." && pwd)
 bin=$(cd "$1" && pwd) && mkdir -p "$2" && out=$(cd "$2" && pwd) && shift 2
 frames=${FRAMES:-2000} batches=${BATCHES:-16}
-golden=$top/tests/golden/reference
+known=$top/tests/golden/reference golden=${GOLDEN:-$known}
 PATH=$bin:$PATH
-[ $# -gt 0 ] || set -- $(cut -f 1 "$golden/ev.tsv") gallery_west
+[ $# -gt 0 ] || set -- $(cut -f 1 "$known/ev.tsv") gallery_west
 
 view() {   # name -> view file
     case $1 in office_*) echo view.vf ;; *) echo "${1#*_}.vf" ;; esac
 }
 files() {  # name -> scene files
     if [ "$1" = gallery_west ]; then files gallery_east
-    else awk -F '\t' -v name="$1" '$1 == name { print $4 }' "$golden/ev.tsv"; fi
+    else awk -F '\t' -v name="$1" '$1 == name { print $4 }' "$known/ev.tsv"; fi
 }
 column() { awk -F '\t' -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } NR == 2 { print $c }' "$1"; }
 
@@ -41,5 +41,5 @@ for name; do
         FILENAME ~ /evalglare/ { if ($1 == name) { split($2, w, " "); glare = w[2] } next }
         $1 == name { known = $2; error = $3 }
         END { print name, frames, result, ev, known, known ? sprintf("%+.3f", 100 * (ev / known - 1)) : "", \
-                    known ? sprintf("%.3f", 100 * error / known) : "", dgp, glare }' "$golden/evalglare.tsv" "$golden/ev.tsv" | tee -a "$table"
+                    known ? sprintf("%.3f", 100 * error / known) : "", dgp, glare }' "$known/evalglare.tsv" "$known/ev.tsv" | tee -a "$table"
 done

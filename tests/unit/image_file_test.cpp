@@ -132,6 +132,28 @@ TEST_CASE("a broken OpenEXR file is an error in one line") {
     }
 }
 
+// OpenEXR reserves what these claim before it looks for it.
+TEST_CASE("an OpenEXR header that claims more than there can be is refused before memory is taken") {
+    TempFolder temp;
+    const std::string path = temp.name("a.exr");
+    image::ExrOptions o;
+    o.tiled = true;
+    image::write_exr(path, small_picture(40, 40), o);
+    const std::string bytes = bytes_of(path);
+
+    std::string bent = bytes;
+    bent.insert(8, std::string("note\0string\0\xf0\xff\xff\x7f", 16));
+    temp.holding("a.exr", bent);
+    CHECK(error_text([&] { image::read_file(path); }) == path + ": is no readable OpenEXR file: attribute note is longer than the file");
+
+    bent = bytes;
+    const size_t at = bent.find(std::string("tiledesc\0", 9));
+    REQUIRE(at != std::string::npos);
+    bent.replace(at + 13, 8, "\0\x78\0\0\0\x78\0\0", 8);  // tiles of 30720 x 30720 pixels
+    temp.holding("a.exr", bent);
+    CHECK(error_text([&] { image::read_file(path); }) == path + ": its tiles are too large: 30720 x 30720 pixels of 12 bytes");
+}
+
 TEST_CASE("masks keep names, order and coverage") {
     TempFolder temp;
     image::MaskSet set;

@@ -172,6 +172,37 @@ TEST_CASE("other commands need -exec, and the message says so") {
     CHECK(s.place(s.objects[1]) == "t.rad:1");
 }
 
+TEST_CASE("a file may be a command's standard input") {
+    const Folder folder;
+    std::filesystem::create_directory("room");
+    Folder::write("room/outline.txt", "0 0  0 1\n1 1\n1 0\n");
+    Folder::write("room/ball.rad", "void sphere s 0 0 4 0 0 0 1\n");
+    const auto read = [](const std::string& command) {
+        Folder::write("room/all.rad", plastic + "!" + command + "\n");
+        return scene::read_scene({"room/all.rad"}, {});
+    };
+    const scene::Scene named = read("genprism m p 4 0 0 0 1 1 1 1 0 -l 0 0 2");
+    for (const char* command : {"genprism m p - < outline.txt -l 0 0 2", "genprism m p - -l 0 0 2 <outline.txt",
+                                "<room/outline.txt genprism m p - -l 0 0 2", "genprism m p - -l 0 0 2 < \"outline.txt\"",
+                                "genprism m p outline.txt -l 0 0 2"}) {
+        CAPTURE(command);
+        const scene::Scene s = read(command);
+        REQUIRE(s.objects.size() == named.objects.size());
+        for (size_t i = 1; i < s.objects.size(); i++)
+            for (size_t k = 0; k < s.objects[i].real_count; k++)
+                CHECK(s.reals(s.objects[i])[k] == named.reals(named.objects[i])[k]);
+    }
+    CHECK(read("xform -t 0 0 5 < ball.rad").objects.size() == 2);
+    CHECK(read("cat < ball.rad | xform -t 0 0 5").objects.size() == 2);
+    const auto fault = [&](const std::string& command) { return error_of([&] { read(command); }); };
+    CHECK(fault("genprism m p - -l 0 0 2") == "room/all.rad:2: genprism: \"-\" needs a file: genprism m p - < file");
+    CHECK(fault("genprism m p - < nowhere").find("room/all.rad:2: cannot open \"nowhere\"") == 0);
+    CHECK(fault("genprism m p nowhere").find("room/all.rad:2: cannot open \"nowhere\"") == 0);
+    for (const char* command : {"genprism m p - <", "genprism m p - << end", "genprism m p - <& 3", "genprism m p - 0<outline.txt",
+                                "genbox m b 1 1 1 | xform < ball.rad", "genprism m p - < outline.txt > x", "cat <> ball.rad"})
+        CHECK(fault(command).find("needs a shell") != std::string::npos);
+}
+
 TEST_CASE("a command stands for a file on the command line, as in octrees") {
     const scene::Scene s = scene::read_scene({"!gensky -ang 45 0 -c", "!genbox void b 1 1 1 | xform -t 0 0 1"}, {});
     CHECK(s.objects.size() == 1 + 6);
@@ -186,6 +217,10 @@ TEST_CASE("quotes and continued lines in commands") {
     CHECK(s.name(s.objects[1]) == "the 'box'.1540");
     CHECK(s.objects[1].line == 2);
     CHECK(last(s).line == 4);
+}
+
+TEST_CASE("curved slats of no or negative depth are an error") {
+    CHECK(error_in(plastic + "!genblinds m b -1 1 4 3 30 +r .2") == "t.rad:2: genblinds: curved slats need a depth above 0");
 }
 
 TEST_CASE("errors of xform's command line") {
