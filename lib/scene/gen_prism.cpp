@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// genprism material name {N x1 y1 .. | file} [-l lx ly lz] [-r radius] [-c] [-e]: a polygon of the x,y plane, extruded.
+// genprism material name {N x1 y1 .. | file | - < file} [-l lx ly lz] [-r radius] [-c] [-e]: a polygon of the x,y plane, extruded.
 // With -r, edges and corners are rounded: the outline shrinks to the centres of balls that touch both adjacent sides,
 //     c_i = v_i + r (a_i u_i + rot90 u_i),  u_i = unit(v_i-1 - v_i),  a_i = sqrt((1-c)/(1+c)),  c = u_i . u_i+1,
 // a_i negative (no ball) where the outline turns the other way.
@@ -23,7 +23,7 @@ struct Prism {
 };
 
 void read_outline(const Call& call, const std::string& path, std::vector<Vec3>& v) {
-    Source in = Source::from_file(path, call.place);
+    Source in = Source::from_file(beside(path, call.asker), call.place);
     std::string_view word;
     Vec3 p;
     for (int n = 0; in.word(word); n++) {
@@ -104,10 +104,10 @@ void genprism(const Call& call, std::string& out) {
     if (outline[0] >= '0' && outline[0] <= '9') {
         const long long n = call.integer(3, "the number of vertices", 3, call.most);
         for (long long k = 0; k < n; k++, i += 2) p.v.push_back({call.real(i, "x"), call.real(i + 1, "y"), 0});
-    } else if (outline == "-") {
-        call.fail("vertices from standard input need -exec");
+    } else if (outline == "-" && call.input.empty()) {
+        call.fail("\"-\" needs a file: genprism m p - < file");
     } else {
-        read_outline(call, outline, p.v);
+        read_outline(call, outline == "-" ? call.input : outline, p.v);
     }
     for (; call.has(i); i++) {
         const std::string& w = call.words[i];

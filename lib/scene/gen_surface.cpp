@@ -74,9 +74,10 @@ const char* const names[] = {"surf_x", "surf_y", "surf_z"};
 
 void Surface::read_coordinate(int k, const std::string& word) {
     struct stat st;
-    const bool expression = word == "s" || word == "t" || stat(word.c_str(), &st) != 0 || !S_ISREG(st.st_mode);
+    const std::string path = beside(word, call_.asker);
+    const bool expression = word == "s" || word == "t" || stat(path.c_str(), &st) != 0 || !S_ISREG(st.st_mode);
     if (expression) return f_.define(names[k], "s,t", word);
-    Source in = Source::from_file(word, call_.place);
+    Source in = Source::from_file(path, call_.place);
     Data& d = data_[k];
     double value;
     const size_t points = static_cast<size_t>(m_ + 1) * (n_ + 1), cells = static_cast<size_t>(m_) * n_;

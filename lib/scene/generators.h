@@ -12,6 +12,8 @@ namespace scene {
 
 struct Call {
     std::vector<std::string> words;  // words[0] is the name
+    std::string input;               // the file on standard input; "" if there is none
+    std::string asker;               // the scene file
     std::string place;
     const ReadOptions& options;
     long long most = 1000000;                               // pieces it may write

@@ -39,7 +39,6 @@ private:
     void run(const CommandLine& line, const std::string& text, size_t stage, const Source& from);
     void read_text(const std::string& text, const Source& from);
     void read_included(const std::string& name, const Source& from);
-    std::string beside(const std::string& name, const Source& from) const;
     std::string run_shell(const std::string& text, const std::string& place) const;
     long long count(Source& in, const char* what);
 
@@ -227,12 +226,13 @@ void Reader::run(const CommandLine& line, const std::string& text, size_t stage,
     if (last.words.empty()) base::fail(from.place(), "an empty command in a pipe");
     const std::string& name = last.words[0];
     if (!line.needs_shell && name == "xform") {
-        const XformCommand x = parse_xform_command(last.words, from.place());
+        XformCommand x = parse_xform_command(last.words, from.place());
+        if (x.files.empty() && !last.input.empty()) x.files = {last.input};
         if (x.files.empty() && stage == 1) base::fail(from.place(), "xform: no file to transform");
         each_copy(
             x, from.place(), limits_.copies,
             [&](const std::string& file) {
-                const std::string path = beside(file, from);
+                const std::string path = beside(file, from.name());
                 Source s = Source::from_file(path, from.place());
                 std::string all;
                 for (int c; (c = s.get()) >= 0 && all.size() < definitions_limit;) all += static_cast<char>(c);
@@ -245,12 +245,13 @@ void Reader::run(const CommandLine& line, const std::string& text, size_t stage,
                 transforms_.pop_back();
             });
     } else if (!line.needs_shell && name == "cat") {
-        if (last.words.size() == 1 && stage == 1) base::fail(from.place(), "cat: no file");
-        if (last.words.size() == 1) run(line, text, stage - 1, from);
+        if (last.words.size() == 1 && stage == 1 && last.input.empty()) base::fail(from.place(), "cat: no file");
+        if (last.words.size() == 1 && stage > 1) run(line, text, stage - 1, from);
+        else if (last.words.size() == 1) read_included(last.input, from);
         for (size_t i = 1; i < last.words.size(); i++) read_included(last.words[i], from);
     } else if (const Generator generate = line.needs_shell || stage > 1 ? nullptr : find_generator(name)) {
         std::string out;
-        generate(Call{last.words, from.place(), options_,
+        generate(Call{last.words, last.input, from.name(), from.place(), options_,
                       static_cast<long long>(std::min<uint64_t>(limits_.copies, 1000000))},
                  out);
         read_text(out, from);
@@ -269,17 +270,9 @@ void Reader::read_text(const std::string& text, const Source& from) {
     statements(in);
 }
 
-// Relative to the working directory, as RADIANCE has it; else beside the file that asks.
-std::string Reader::beside(const std::string& name, const Source& from) const {
-    const size_t slash = from.name().rfind('/');
-    if (name.empty() || name[0] == '/' || slash == std::string::npos || access(name.c_str(), F_OK) == 0) return name;
-    const std::string path = from.name().substr(0, slash + 1) + name;
-    return access(path.c_str(), F_OK) == 0 ? path : name;
-}
-
 void Reader::read_included(const std::string& name, const Source& from) {
     if (name == "-") base::fail(from.place(), "a command cannot read standard input");
-    read_file(beside(name, from), from.place());
+    read_file(beside(name, from.name()), from.place());
 }
 
 std::string Reader::run_shell(const std::string& text, const std::string& place) const {

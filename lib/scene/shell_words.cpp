@@ -23,12 +23,19 @@ CommandLine split_command(const std::string& line, const std::string& place) {
     CommandLine r;
     r.stages.emplace_back();
     std::string word;
-    bool in_word = false, pattern = false;
+    bool in_word = false, pattern = false, redirected = false;
     const size_t n = line.size();
     auto flush = [&] {
-        if (in_word) add_word(r.stages.back().words, word, pattern);
+        if (in_word && redirected) r.stages.back().input = word;
+        else if (in_word) add_word(r.stages.back().words, word, pattern);
+        redirected = redirected && !in_word;
         word.clear();
         in_word = pattern = false;
+    };
+    auto end_stage = [&](size_t at) {
+        flush();
+        if (redirected && !r.needs_shell) r.needs_shell = '<';
+        r.stages.back().end = at;
     };
     size_t i = 0;
     for (; i < n; i++) {
@@ -56,10 +63,12 @@ CommandLine split_command(const std::string& line, const std::string& place) {
         } else if (c == '#' && !in_word) {
             break;
         } else if (c == '|' && line.compare(i, 2, "||") != 0) {
-            flush();
-            r.stages.back().end = i;
+            end_stage(i);
             r.stages.emplace_back();
             r.stages.back().begin = i + 1;
+        } else if (c == '<' && !in_word && !redirected && r.stages.size() == 1 && r.stages[0].input.empty() &&
+                   (i + 1 == n || std::string("<>&(").find(line[i + 1]) == std::string::npos)) {
+            redirected = true;
         } else {
             if (std::string("|&;<>()$`").find(c) != std::string::npos && !r.needs_shell) r.needs_shell = c;
             pattern |= c == '*' || c == '?' || c == '[';
@@ -67,8 +76,7 @@ CommandLine split_command(const std::string& line, const std::string& place) {
             in_word = true;
         }
     }
-    flush();
-    r.stages.back().end = i;
+    end_stage(i);
     return r;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A "!command" line taken apart as /bin/sh would: quotes, backslashes, comments, file name patterns, pipes.
-// What needs more of a shell than that (variables, redirections, lists ...) is only marked so.
+// The first command may take a file as its input.  What needs more of a shell (variables, lists ...) is only marked so.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,6 +9,7 @@ namespace scene {
 
 struct Stage {
     std::vector<std::string> words;
+    std::string input;          // "< file"
     size_t begin = 0, end = 0;  // its text within the line
 };
 struct CommandLine {

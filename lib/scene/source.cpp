@@ -21,6 +21,13 @@ std::string printable(std::string_view text) {
     return text.size() > 60 ? s + "..." : s;
 }
 
+std::string beside(const std::string& name, const std::string& asker) {
+    const size_t slash = asker.rfind('/');
+    if (name.empty() || name[0] == '/' || slash == std::string::npos || access(name.c_str(), F_OK) == 0) return name;
+    const std::string path = asker.substr(0, slash + 1) + name;
+    return access(path.c_str(), F_OK) == 0 ? path : name;
+}
+
 Source Source::from_file(const std::string& path, const std::string& asked_by) {
     Source s;
     s.name_ = path == "-" ? "stdin" : path;
