@@ -55,8 +55,10 @@ FN int scatter_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     sample_source(s, par, pick, p, y, par->dj, &ls);
     if (ls.w <= 0.0f) return 0;
     GLOBAL const float* q = source_record(s, par, pick);
-    float3 e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), ls.dir, ls.point, ls.normal, ls.dist,
-                              total + t + ls.dist, rnd);
+    float3 e = F3(1.0f, 1.0f, 1.0f);  // a virtual source's radiance is known where its ray arrives
+    if (as_uint_(q[SRC_VIRTUAL]) == NONE)
+        e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), ls.dir, ls.point, ls.normal, ls.dist,
+                           total + t + ls.dist, rnd);
     float c = dot3(ls.dir, dir), d = 1.0f + ecc * ecc - 2.0f * ecc * c;
     float phase = (1.0f - ecc * ecc) / (d * sqrt_(d)) * 0.0795774715f;
     float3 w = mul3(mul3(mul3(k, albedo), attenuation(k, t)), mul3(thr, e));

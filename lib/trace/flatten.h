@@ -4,6 +4,7 @@
 #include <cstring>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 #include "cal/compile.h"
@@ -47,8 +48,8 @@ struct Flattener {
     // Emitting surfaces, collected by geometry for sources.
     struct Emitter { uint32_t object, prim; };
     std::vector<Emitter> emitters;
-    // Flat mirrors and prisms, relative to the centre; exits: 0 mirror, 1 prism1, 2 prism2; material: object.
-    struct Relay { uint32_t prim; base::Vec3 normal, centre; double radius; int exits; uint32_t modifier; };
+    // Flat mirrors and prisms, relative to the centre; exits: 0 mirror, 1 prism1, 2 prism2.
+    struct Relay { uint32_t prim; base::Vec3 normal, centre; double radius; int exits; uint32_t modifier, object; };
     std::vector<Relay> relays;
 
     Flattener(const scene::Scene& s, const RenderOptions& o, const scene::ReadOptions& f, FlatScene& t)
@@ -58,7 +59,10 @@ struct Flattener {
     // Tables of a BSDF file, found along RAYPATH: index for MOD_EXTRA (flatten_bsdf.cpp).
     uint32_t bsdf_file(const std::string& name, const std::string& place);
     void flatten_sources();
-    void link_mists(const std::vector<uint32_t>& source_objects);
+    // The sources that mists name, to scatter; records as in flatten_sources, the real ones first, each with its object.
+    void link_mists(const std::vector<float>& records, const std::vector<uint32_t>& source_objects);
+    bool source_is_called(const std::vector<float>& records, const std::vector<uint32_t>& source_objects, uint32_t i,
+                          std::string_view name) const;
     // Copies of the sources mirrored in the relays, up to -dr levels (virtual_sources.cpp); arguments as in flatten_sources.
     void add_virtual_sources(std::vector<float>& records, std::vector<float>& fans,
                              std::vector<std::pair<size_t, size_t>>& fan_patches);

@@ -73,7 +73,9 @@ struct Builder {
         if (m == NONE) return;
         const Type t = scene.objects[m].type;
         const int exits = t == Type::prism1 ? 1 : t == Type::prism2 ? 2 : 0;
-        if (t == Type::mirror || exits) f.relays.push_back({prim, normal, middle - centre, radius, exits, f.mod_of[o.modifier]});
+        if (t != Type::mirror && !exits) return;
+        const uint32_t object = uint32_t(&o - scene.objects.data());
+        f.relays.push_back({prim, normal, middle - centre, radius, exits, f.mod_of[o.modifier], object});
     }
 
     void polygon(const scene::Object& o) {

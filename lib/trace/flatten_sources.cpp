@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/core.h>
+#include <set>
 
 #include "base/error.h"
 #include "trace/flatten.h"
@@ -73,16 +74,28 @@ void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec
 }
 }  // namespace
 
-// Mists list the sources they scatter by name; "relay>source" (through a mirror) is not followed.
-void Flattener::link_mists(const std::vector<uint32_t>& source_objects) {
+// "relay>relay>source": the way back from the point lit.
+bool Flattener::source_is_called(const std::vector<float>& records, const std::vector<uint32_t>& source_objects, uint32_t i,
+                                 std::string_view name) const {
+    for (uint32_t way; (way = bits(records[i * SOURCE_FLOATS + SRC_VIRTUAL])) != NONE; i = out.u[way + 1]) {
+        const auto relay = std::find_if(relays.begin(), relays.end(), [&](const Relay& r) { return r.prim == out.u[way]; });
+        const std::string start = scene.name(scene.objects[relay->object]) + ">";
+        if (name.substr(0, start.size()) != start) return false;
+        name.remove_prefix(start.size());
+    }
+    return name == scene.name(scene.objects[source_objects[i]]);
+}
+
+void Flattener::link_mists(const std::vector<float>& records, const std::vector<uint32_t>& source_objects) {
     for (const MistRef& m : mists) {
         const scene::Object& o = scene.objects[m.object];
-        std::vector<uint32_t> list;
+        std::set<uint32_t> list;
         for (const std::string& name : scene.strings(o)) {
             bool found = false;
-            for (uint32_t i = 0; i < source_objects.size(); i++)
-                if (scene.name(scene.objects[source_objects[i]]) == name) { list.push_back(i); found = true; }
-            if (!found) base::warn(scene.place(o), fmt::format("mist: \"{}\" is no light source, not scattered", name));
+            for (uint32_t i = 0; i < records.size() / SOURCE_FLOATS; i++)
+                if (source_is_called(records, source_objects, i, name)) list.insert(i), found = true;
+            if (!found)
+                base::warn(scene.place(o), fmt::format("mist: \"{}\" is no light source, not scattered", name));
         }
         if (list.empty()) continue;
         out.u[out.mods_at + MOD_WORDS * m.mod + MOD_EXTRA] = uint32_t(out.u.size());
@@ -235,9 +248,9 @@ void Flattener::flatten_sources() {
         distant.insert(distant.end(), rec, rec + DISTANT_WORDS);
     }
 
-    link_mists(source_objects);
     if (options.dr > 0 && !relays.empty() && !records.empty())
         add_virtual_sources(records, fans, fan_patches);
+    link_mists(records, source_objects);
     if (aimed) out.shadow_mode = SHADOW_AIMED;
     out.source_count = uint32_t(records.size() / SOURCE_FLOATS);
     out.distant_count = uint32_t(distant.size() / DISTANT_WORDS);
