@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Sentences in shell.  A test script starts with   . "$TOP/tests/lib.sh"   and says what must hold:
+# Sentences in shell.  A test script starts with   . "${TOP:?}/tests/lib.sh"   and says what must hold:
 #   check      'later -vp overrides the view file'         'command'       status 0 (set -e, pipefail)
 #   check_exit 'an undefined modifier is an input error' 1 'command'       that status
 #   check_error 'it names the file'  1 '^ptrace: bad.rad:3: ' 'command'    that status, one line on stderr that matches

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The manual's EXAMPLES and examples/*.sh run as they stand, only smaller: 512 x 512 becomes 48 x 48.
 # Blocks (.EX .EE) of a page run one after another in one folder, which holds the office scene and its regions.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 needs ptrace ptaccum vcmetrics vcregion
 
 size=48

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Arrows go one way: an #include of "library/..." is allowed only downwards.  The table is docs/architecture.md's.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 
 # who: whom it may include (besides itself)
 cat > layers <<'END'

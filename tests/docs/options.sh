@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Each option is told twice, by -help and by the manual page; here the two lists are compared.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 needs mandoc ptaccum vcmetrics vcregion
 
 # Options that begin a line of the help, one dash, joined [+-] and arguments cut off.

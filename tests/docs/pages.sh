@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Manual pages: clean for mandoc's linter, sections in RADIANCE's order, one page for every tool.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 needs mandoc
 
 for tool in "$TOP"/tools/*/; do

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Nothing in the tree knows the machine it was written on.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 machine='/(work|farm|root|home/[a-z]+)/|[.]library|[.][.]/shared/'
 
 files() { git -C "$TOP" ls-files 2> /dev/null || (cd "$TOP" && find . -type f -not -path './build*' -not -path './out/*' -not -path './.git/*'); }

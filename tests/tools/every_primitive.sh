@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A scene with every primitive type at once renders, without a warning, to the same pixels on every device.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 needs ptrace
 scene=$TOP/tests/golden/every/every.rad
 export scene

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The whole pipe on the office, small: what one run gives, shares give; what stops early, stops quietly; what is broken is told.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 needs ptrace ptaccum vcmetrics vcregion
 cp "$TOP"/examples/scenes/office/* "$TOP"/examples/office.regions .
 office="-vf view.vf -x 48 -y 48 materials.rad layout.rad sky_1400.rad"

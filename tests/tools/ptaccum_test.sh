@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # ptaccum: Eq. 7 on streams whose sums are known by hand, ranges and their merging, broken input, broken output.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 needs ptaccum mkstream
 
 # Frame 0 is 10, frame k is k:  L'(n) = 10 + (1 + 2 + ... + n)/n = 10 + (n + 1)/2.

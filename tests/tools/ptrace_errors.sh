@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What ptrace says when it cannot: one line that names tool, place and fact; status 1 for input, 2 for the system.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 needs ptrace
 view='-vtv -vp 0 0 2 -vd 0 .1 -1 -vu 0 1 0 -vh 40 -vv 40 -x 8 -y 8'
 printf 'void plastic mat 0 0 5 .5 .5 .5 0 0\nmat polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n' > good.rad

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # ptrace's command line: RADIANCE's conventions, our own words, and every way to get it wrong.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 needs ptrace
 cp "$TOP"/examples/scenes/office/view.vf .
 printf 'void light l 0 0 3 1 1 1\nl source s 0 0 4 0 0 1 30\n' > sky.rad

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # vcmetrics: lines, stopping, refusals, comparison.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 needs vcmetrics ptaccum
 images=$TOP/tests/golden/glare/images
 mkstream=$(command -v mkstream || echo "$BIN/mkstream")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # vcregion as a program: what it writes, and that every wrong word is told in one line.
-. "$TOP/tests/lib.sh"
+. "${TOP:?}/tests/lib.sh"
 needs vcregion
 office=$TOP/examples/scenes/office view="-vf $TOP/examples/scenes/office/view.vf"
 cp "$TOP/examples/office.regions" .
