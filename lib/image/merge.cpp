@@ -133,6 +133,7 @@ Picture Merger::result() const {
     out.height = height_;
     out.header.view = first_.view;
     out.header.pixel_aspect = first_.pixel_aspect;
+    out.header.exposure = first_.exposure;
     out.header.lines = inputs_ == 1 ? first_.lines : history_;
     int64_t total = 0;
     for (const Group& g : groups_) {

@@ -18,7 +18,7 @@ using Ranges = std::vector<std::pair<int64_t, int64_t>>;
 struct Header {
     std::vector<std::string> lines;  // history: every line not in the fields below, in order
     std::optional<view::View> view;  // from VIEW= and program lines (spec formats 1, glare 1.4)
-    double exposure = 1;             // product of EXPOSURE= lines (already divided out of the pixels)
+    double exposure = 1;             // product of EXPOSURE= lines: divided out of the pixels here, in them in files
     double pixel_aspect = 1;
     std::optional<uint64_t> seed;   // SEED=
     std::optional<int64_t> frame;   // FRAME=k: a single frame

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// RADIANCE pictures to a FILE or stdout.  Pixels are radiance: no EXPOSURE= line is written.
+// RADIANCE pictures to a FILE or stdout.  Pixels are radiance times the header's exposure, for viewers.
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstring>
 #include <functional>
@@ -38,18 +40,25 @@ void write_to(const Sink& sink, const Picture& p, Format format) {
         case Format::rgbe: head += "FORMAT=32-bit_rle_rgbe\n"; break;
         case Format::xyze: head += "FORMAT=32-bit_rle_xyze\n"; break;
     }
+    const double exposure = p.header.exposure;
+    if (exposure != 1) head += fmt::format("EXPOSURE={}\n", exposure);
     head += "\n-Y " + std::to_string(p.height) + " +X " + std::to_string(p.width) + "\n";
     sink(head.data(), head.size());
-    if (format == Format::flt) {
+    if (format == Format::flt && exposure == 1) {
         sink(p.rgb.data(), p.rgb.size() * sizeof(float));
         return;
     }
     std::string out;
     std::vector<uint8_t> row(4 * size_t(p.width));
-    std::vector<float> xyz(format == Format::xyze ? 3 * size_t(p.width) : 0);
+    std::vector<float> exposed(3 * size_t(p.width)), xyz(format == Format::xyze ? exposed.size() : 0);
     for (int y = 0; y < p.height; ++y) {
-        if (format == Format::xyze) write_xyz_row(p.at(0, y), p.width, xyz);
-        float_to_rgbe(format == Format::xyze ? xyz.data() : p.at(0, y), p.width, row.data());
+        for (size_t i = 0; i < exposed.size(); ++i) exposed[i] = float(p.at(0, y)[i] * exposure);
+        if (format == Format::flt) {
+            sink(exposed.data(), exposed.size() * sizeof(float));
+            continue;
+        }
+        if (format == Format::xyze) write_xyz_row(exposed.data(), p.width, xyz);
+        float_to_rgbe(format == Format::xyze ? xyz.data() : exposed.data(), p.width, row.data());
         append_rgbe_row(out, row.data(), p.width);
         if (out.size() < 1 << 16 && y + 1 < p.height) continue;
         sink(out.data(), out.size());

@@ -62,6 +62,23 @@ Picture merged(const std::vector<Picture>& parts) {
 
 }  // namespace
 
+// Sums are of radiances, whatever exposure each frame was written with; the first one's is kept.
+TEST_CASE("frames and parts of differing exposure") {
+    const auto exposed = [](Picture p, double exposure) {
+        p.header.exposure = exposure;
+        return p;
+    };
+    Accumulator a;
+    for (int64_t k = 0; k <= 9; ++k) a.add(exposed(frame(k), k ? 2 : 8), "x");
+    Picture sum;
+    a.result(sum, true);
+    CHECK(sum.rgb == sum_of(0, 9).rgb);
+    CHECK(sum.header.exposure == 8);
+    const Picture whole = merged({exposed(sum_of(0, 4), 3), exposed(sum_of(5, 9), 1)});
+    CHECK(worst(whole, sum) < 1e-6);
+    CHECK(whole.header.exposure == 3);
+}
+
 TEST_CASE("frame 0 alone is L(0)") {
     const Picture p = sum_of(0, 0);
     CHECK(p.rgb == frame(0).rgb);

@@ -231,6 +231,33 @@ TEST_CASE("exposure, colour correction and pixel aspect multiply; indented lines
     CHECK(why("#?RADIANCE\nCOLORCORR=1 1\n\n-Y 1 +X 1\n") == "header line \"COLORCORR=1 1\" is malformed");
 }
 
+// Radiances in memory, exposed pixels in the file: whatever the encoding, reading gives the radiances again.
+TEST_CASE("a picture is written with its exposure, and read without") {
+    for (double exposure : {4., .3, 1.}) {
+        for (Format format : {Format::flt, Format::rgbe, Format::xyze}) {
+            Picture p = small_picture(33, 2);
+            for (float& v : p.rgb) v = std::fabs(v);
+            p.header.exposure = exposure;
+            const std::string bytes = image::picture_bytes(p, format);
+            const size_t line = bytes.find("\nEXPOSURE=");
+            CHECK((line == std::string::npos) == (exposure == 1));
+            CHECK((line == std::string::npos || bytes.find("\nEXPOSURE=", line + 1) == std::string::npos));
+            const Picture back = read(bytes);
+            CHECK(back.header.exposure == exposure);
+            REQUIRE(back.rgb.size() == p.rgb.size());
+            const double error = format == Format::flt ? 2e-7 : .02;
+            for (size_t i = 0; i < p.rgb.size(); i += 3) {
+                const double most = std::max({p.rgb[i], p.rgb[i + 1], p.rgb[i + 2]});
+                for (size_t k = i; k < i + 3; k++) REQUIRE(std::fabs(back.rgb[k] - p.rgb[k]) <= error * most);
+            }
+            if (format != Format::flt) continue;
+            float first;  // what a viewer sees
+            std::memcpy(&first, &bytes[bytes.size() - 4 * p.rgb.size()], 4);
+            CHECK(first == doctest::Approx(p.rgb[0] * exposure));
+        }
+    }
+}
+
 TEST_CASE("XYZE is cd/m2, and other primaries keep luminance") {
     const double y_of[3] = {0.265074126, 0.670114631, 0.064811243};
     const image::Matrix3 m = image::rgb_from_xyz(), back = image::xyz_from_radiance_rgb();

@@ -53,6 +53,7 @@ int render(int argc, char** argv) {
     picture.header.lines = {base::command_line(argc, argv)};
     picture.header.view = opt.view;
     picture.header.seed = opt.render.seed;
+    picture.header.exposure = opt.exposure;
     Report report(opt.report_s, renderer.device_name());
     const auto give = [&](int64_t k, const std::vector<float>& rgb) {
         picture.rgb = rgb;

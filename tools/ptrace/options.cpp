@@ -231,6 +231,7 @@ void read_rif(const std::string& path, Reading& reading) {
     Reading quiet{reading.opt, "", {}, {}};     // rad's own choices deserve no warning
     reading.rad_input = scene::read_rad_input(path);
     read_all(reading.rad_input->options, quiet, path);
+    reading.opt.exposure = reading.rad_input->exposure;
 }
 
 // The view of that name, then the view options given after -rif.

@@ -17,6 +17,7 @@ struct Options {
     view::View view;
     int nx = 512, ny = 512;
     double pixel_aspect = 1;                // -pa, 0 keeps both sides
+    double exposure = 1;                    // -rif: of the pictures written
     int64_t first = 0, last = endless;      // frames, both included
     std::string device = "auto";
     std::string output;                     // -o pattern; empty: stdout
