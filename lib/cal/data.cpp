@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "cal/tables.h"
+#include "image/spectral.h"
 #include "image/stream.h"
 #include "kernels/compat_host.h"
 
@@ -107,24 +108,54 @@ uint32_t data_table(Library::State& library, const std::string& file, size_t dim
     return table;
 }
 
+// The dimensions (v, u) of a picture.
+static DataFile picture_plane(int width, int height, double pixel_aspect, const std::string& file, const std::string& place) {
+    if (width < 2 || height < 2) base::fail(place, "picture \"" + file + "\" is too small for a pattern");
+    DataFile data;
+    const double wide = width, high = height * pixel_aspect, shorter = std::min(wide, high);
+    for (int k = 0; k < 2; k++) {
+        DataFile::Dimension dim;
+        dim.end = (k == 0 ? high : wide) / shorter;
+        dim.count = uint32_t(k == 0 ? height : width);
+        data.dimensions.push_back(dim);
+    }
+    return data;
+}
+
 uint32_t picture_table(Library::State& library, const std::string& file, const std::string& place, Code& code) {
     const auto known = code.tables.find("picture " + file);
     if (known != code.tables.end()) return known->second;
     const image::Picture picture = image::read_file(base::find_file(file, library.files, place));
-    if (picture.width < 2 || picture.height < 2) base::fail(place, "picture \"" + file + "\" is too small for a pattern");
-    DataFile data;
-    const double wide = picture.width, high = picture.height * picture.header.pixel_aspect, shorter = std::min(wide, high);
-    for (int k = 0; k < 2; k++) {
-        DataFile::Dimension dim;
-        dim.end = (k == 0 ? high : wide) / shorter;
-        dim.count = uint32_t(k == 0 ? picture.height : picture.width);
-        data.dimensions.push_back(dim);
-    }
+    DataFile data = picture_plane(picture.width, picture.height, picture.header.pixel_aspect, file, place);
     const float exposure = float(picture.header.exposure);
     data.values.reserve(picture.rgb.size());
     for (int y = picture.height - 1; y >= 0; y--)
         for (int x = 0; x < 3 * picture.width; x++) data.values.push_back(picture.at(0, y)[x] * exposure);
     return code.tables["picture " + file] = add_data(data, 3, code);
+}
+
+std::optional<SpectralTables> spectral_tables(Library::State& library, const std::string& file, const std::string& place, Code& code) {
+    const auto picture = image::read_spectral_file(base::find_file(file, library.files, place));
+    if (!picture) return {};
+    SpectralTables r;
+    r.bands = picture->bands;
+    r.from = picture->from;
+    r.to = picture->to;
+    for (int first = 0; first < r.bands; first += 3) {
+        const std::string key = "bands " + std::to_string(first) + " " + file;
+        const auto known = code.tables.find(key);
+        if (known != code.tables.end()) {
+            r.tables.push_back(known->second);
+            continue;
+        }
+        DataFile data = picture_plane(picture->width, picture->height, picture->pixel_aspect, file, place);
+        for (int y = picture->height - 1; y >= 0; y--)
+            for (int x = 0; x < picture->width; x++)
+                for (int k = first; k < first + 3; k++)
+                    data.values.push_back(k < r.bands ? picture->values[(size_t(y) * picture->width + x) * r.bands + k] : 0);
+        r.tables.push_back(code.tables[key] = add_data(data, 3, code));
+    }
+    return r;
 }
 
 }  // namespace cal

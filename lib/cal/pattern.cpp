@@ -157,11 +157,29 @@ void specdata(Parts& p, Nodes& out) {
         return p.call(0, {p.graph->channel(p.graph->lookup(OP_DATA, at, table), 0), nm});
     }, out);
 }
-// Pictures have three channels here, for the middles of the bands 780-588, 588-480, 480-380.
+// An RGB picture's channels stand for the middles of the bands 780-588, 588-480, 480-380.  In a hyperspectral one each
+// band is constant over its wavelengths.
 void specpict(Parts& p, Nodes& out) {
-    const double middles[3] = {684, 534, 430};
-    const Nodes rgb = picture_values(p, 1, 2);
-    for (size_t k = 0; k < 3; k++) out.push_back(p.call(0, {rgb[k], p.graph->constant(middles[k])}));
+    const auto spectral = p.spectral(1);
+    if (!spectral) {
+        const double middles[3] = {684, 534, 430};
+        const Nodes rgb = picture_values(p, 1, 2);
+        for (size_t k = 0; k < 3; k++) out.push_back(p.call(0, {rgb[k], p.graph->constant(middles[k])}));
+        return;
+    }
+    p.file(2);
+    const Nodes x = p.coordinates(3);
+    if (x.size() != 2) p.fail("a picture needs two coordinates");
+    Nodes rgb(3, p.graph->constant(0));
+    const double width = (spectral->to - spectral->from) / spectral->bands;
+    for (int band = 0; band < spectral->bands; band++) {
+        const double begin = spectral->from + band * width;
+        const int look = p.graph->lookup(OP_DATA, {x[1], x[0]}, spectral->tables[size_t(band / 3)], 3);
+        const int v = p.call(0, {p.graph->channel(look, band % 3), p.graph->constant(begin + width / 2)});
+        const std::array<double, 3> w = band_weight(begin, begin + width);
+        for (size_t k = 0; k < 3; k++) rgb[k] = p.graph->add(rgb[k], p.graph->mul(v, p.graph->constant(w[k])));
+    }
+    inside_gamut(p, rgb, out);
 }
 
 const struct Type { const char* name; size_t strings; ProgramKind kind; void (*build)(Parts&, Nodes&); } types[] = {

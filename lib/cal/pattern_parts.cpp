@@ -77,6 +77,9 @@ std::vector<int> Parts::coordinates_of(size_t from, const std::vector<int>& valu
 uint32_t Parts::data(size_t at, size_t dimensions) {
     return data_table(library_.state(), spec.strings[at], dimensions, spec.place, code_);
 }
+std::optional<SpectralTables> Parts::spectral(size_t at) {
+    return spectral_tables(library_.state(), spec.strings[at], spec.place, code_);
+}
 uint32_t Parts::picture(size_t at) { return picture_table(library_.state(), spec.strings[at], spec.place, code_); }
 
 DataFile Parts::read(size_t at) {

@@ -25,6 +25,7 @@ public:
     std::vector<int> coordinates_of(size_t from, const std::vector<int>& values);
     uint32_t data(size_t at, size_t dimensions);
     uint32_t picture(size_t at);
+    std::optional<SpectralTables> spectral(size_t at);      // string `at`, if it is a hyperspectral picture
     DataFile read(size_t at);
     int text(size_t font_at, size_t real_count);            // ink (1 or 0) of a text pattern with 9 + .. reals
     std::vector<int> to_world(const std::vector<int>& v);   // rotates a displacement or direction, its length kept

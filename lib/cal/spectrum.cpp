@@ -3,6 +3,7 @@
 // each divided by the integral of its own function so that equal energy is white; then XYZ -> RGB for the primaries
 // (.640 .330) (.290 .600) (.150 .060), white (1/3 1/3).
 #include "cal/spectrum.h"
+#include <algorithm>
 #include <cmath>
 
 namespace cal {
@@ -59,6 +60,16 @@ std::array<double, 3> spectrum_rgb(const std::function<double(double)>& f, doubl
         if (v == 0) continue;
         const std::array<double, 3> w = spectrum_weight(nm, step);
         for (size_t k = 0; k < 3; k++) sum[k] += w[k] * v;
+    }
+    return sum;
+}
+
+std::array<double, 3> band_weight(double a, double b) {
+    std::array<double, 3> sum{0, 0, 0};
+    for (double nm = std::max(380., std::floor(std::min(a, b))); nm < std::min(780., std::max(a, b)); nm++) {
+        const double inside = std::min(nm + 1, std::max(a, b)) - std::max(nm, std::min(a, b));
+        const std::array<double, 3> w = spectrum_weight(nm + .5, 1);
+        for (size_t k = 0; k < 3; k++) sum[k] += w[k] * inside;
     }
     return sum;
 }

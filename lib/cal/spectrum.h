@@ -11,6 +11,8 @@ namespace cal {
 std::array<double, 3> spectrum_rgb(const std::function<double(double)>& f, double step);
 // The share of a sample at nm in R, G, B, such that a flat spectrum's samples sum to (1, 1, 1).
 std::array<double, 3> spectrum_weight(double nm, double step);
+// The same for a band of constant value between two wavelengths, in either order.
+std::array<double, 3> band_weight(double a, double b);
 
 extern const double rgb_luminance[3];  // of RADIANCE's primaries
 

@@ -2,6 +2,7 @@
 // Data files, pictures, fonts and text as records of the device (layout: kernels/cal_data.h).  A file is read once per
 // Code, however many patterns use it.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 #include "cal/library.h"
@@ -24,6 +25,13 @@ DataFile read_data(const std::string& path, const std::string& place);
 // Tables in `code`; `dimensions` is checked against the file.  Throw Error(place).
 uint32_t data_table(Library::State& library, const std::string& file, size_t dimensions, const std::string& place, Code& code);
 uint32_t picture_table(Library::State& library, const std::string& file, const std::string& place, Code& code);
+// A hyperspectral picture as tables of three bands each; nothing if the file is an ordinary picture.
+struct SpectralTables {
+    std::vector<uint32_t> tables;
+    int bands = 0;
+    double from = 0, to = 0;           // nm
+};
+std::optional<SpectralTables> spectral_tables(Library::State& library, const std::string& file, const std::string& place, Code& code);
 uint32_t add_data(const DataFile& data, uint32_t channels, Code& code);
 
 // Glyphs 0..255 of a font file: vertices x y x y ... in 0..255, y up.

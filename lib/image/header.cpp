@@ -153,9 +153,13 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
             if (!(p[i] > 0)) base::fail(where, "header line \"" + line + "\" is no set of chromaticities");
         e.primaries = p;
     } else if (auto t = value_of(line, "FORMAT=")) {
-        e.format = format(line, *t, where);
+        e.spectra = *t == "Radiance_spectra";
+        if (!e.spectra) e.format = format(line, *t, where);
     } else if (auto t = value_of(line, "NCOMP=")) {
         e.channels = side(line, *t, where);
+    } else if (auto t = value_of(line, "WAVELENGTH_SPLITS=")) {
+        e.splits = numbers<4>(line, *t, where);
+        h.lines.push_back(line);
     } else if (auto t = value_of(line, "NROWS=")) {
         e.rows = side(line, *t, where);
     } else if (auto t = value_of(line, "NCOLS=")) {

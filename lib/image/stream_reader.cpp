@@ -13,6 +13,7 @@
 #include "image/input.h"
 #include "image/rgbe.h"
 #include "image/stream.h"
+#include "image/stream_parts.h"
 
 namespace image {
 namespace {
@@ -20,12 +21,6 @@ namespace {
 constexpr size_t most_header = 1 << 20, longest_line = 1 << 16;
 constexpr int most_side = 32768;
 constexpr size_t grow_floats = 1 << 24;  // 64 MiB at a time
-
-struct Layout {  // of the resolution line
-    int width = 0, height = 0;
-    bool x_major = false, x_down = false, y_up = false;
-    bool standard() const { return !x_major && !x_down && !y_up; }
-};
 
 bool host_is_big_endian() {
     const uint16_t one = 1;
@@ -76,21 +71,6 @@ Layout parse_resolution(const std::string& line, const std::string& place) {
     l.x_down = sign[x] == '-';
     l.y_up = sign[1 - x] == '+';
     return l;
-}
-
-// From file order to rows from the top, columns from the left.
-void reorient(std::vector<float>& rgb, const Layout& l) {
-    if (l.standard()) return;
-    std::vector<float> out(rgb.size());
-    const float* from = rgb.data();
-    const int slow = l.x_major ? l.width : l.height, fast = l.x_major ? l.height : l.width;
-    for (int s = 0; s < slow; ++s)
-        for (int f = 0; f < fast; ++f, from += 3) {
-            const int i = l.x_major ? s : f, j = l.x_major ? f : s;
-            const int x = l.x_down ? l.width - 1 - i : i, y = l.y_up ? l.height - 1 - j : j;
-            std::copy(from, from + 3, &out[3 * (size_t(y) * l.width + x)]);
-        }
-    rgb.swap(out);
 }
 
 void swap_bytes(float* data, size_t n) {
@@ -171,6 +151,38 @@ void to_radiance(std::vector<float>& rgb, const Header& h, const Encoding& e) {
 
 }  // namespace
 
+void reorient(std::vector<float>& values, const Layout& l, size_t channels) {
+    if (l.standard()) return;
+    std::vector<float> out(values.size());
+    const float* from = values.data();
+    const int slow = l.x_major ? l.width : l.height, fast = l.x_major ? l.height : l.width;
+    for (int s = 0; s < slow; ++s)
+        for (int f = 0; f < fast; ++f, from += channels) {
+            const int i = l.x_major ? s : f, j = l.x_major ? f : s;
+            const int x = l.x_down ? l.width - 1 - i : i, y = l.y_up ? l.height - 1 - j : j;
+            std::copy(from, from + channels, &out[channels * (size_t(y) * l.width + x)]);
+        }
+    values.swap(out);
+}
+
+Head read_head(Input& in, const std::string& place) {
+    Head head;
+    size_t bytes = 0;
+    for (std::string line; !(line = read_line(in, place)).empty();) {
+        if ((bytes += line.size() + 1) > most_header) base::fail(place, "the header is longer than 1 MiB");
+        parse_header_line(line, head.header, head.encoding, place);
+    }
+    if (head.encoding.rows && head.encoding.columns) {
+        head.layout.width = head.encoding.columns;
+        head.layout.height = head.encoding.rows;
+        if (head.layout.width > most_side || head.layout.height > most_side)
+            base::fail(place, "picture size is not within 1.." + std::to_string(most_side));
+    } else {
+        head.layout = parse_resolution(read_line(in, place), place);
+    }
+    return head;
+}
+
 struct StreamReader::State {
     Input in;
     int64_t count = 0;
@@ -199,27 +211,16 @@ bool StreamReader::next(Picture& picture) {
         return false;
     }
     const std::string place = in.name() + (state_->count ? ": picture " + std::to_string(state_->count + 1) : "");
-    picture.header = Header();
     picture.frame0.clear();
-    Encoding encoding;
     char start[2];
     if (!in.look(start, 2) || start[0] != '#' || start[1] != '?')
         base::fail(place, state_->count ? "what follows is no picture (it does not begin with #?)"
                                         : "is no RADIANCE picture (it does not begin with #?)");
-    size_t header_bytes = 0;
-    for (std::string line; !(line = read_line(in, place)).empty();) {
-        if ((header_bytes += line.size() + 1) > most_header) base::fail(place, "the header is longer than 1 MiB");
-        parse_header_line(line, picture.header, encoding, place);
-    }
-    Layout layout;
-    if (encoding.rows && encoding.columns) {
-        layout.width = encoding.columns;
-        layout.height = encoding.rows;
-        if (layout.width > most_side || layout.height > most_side)
-            base::fail(place, "picture size is not within 1.." + std::to_string(most_side));
-    } else {
-        layout = parse_resolution(read_line(in, place), place);
-    }
+    Head head = read_head(in, place);
+    const Encoding& encoding = head.encoding;
+    const Layout& layout = head.layout;
+    picture.header = std::move(head.header);
+    if (encoding.spectra) base::fail(place, "is a hyperspectral picture (FORMAT=Radiance_spectra): only specpict reads such");
     if (encoding.format == Format::flt) {
         if (encoding.channels != 1 && encoding.channels != 3)
             base::fail(place, "NCOMP=" + std::to_string(encoding.channels) + ": float pictures have 1 or 3 channels");
@@ -227,7 +228,7 @@ bool StreamReader::next(Picture& picture) {
     } else {
         read_bytes(in, layout, picture.rgb, place);
     }
-    reorient(picture.rgb, layout);
+    reorient(picture.rgb, layout, 3);
     to_radiance(picture.rgb, picture.header, encoding);
     picture.width = layout.width;
     picture.height = layout.height;

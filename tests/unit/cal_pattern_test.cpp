@@ -119,6 +119,53 @@ TEST_CASE("spectra become RGB by the colour matching functions") {
     }
 }
 
+// six_bands.hsr: written by rtrace 6.0a (-cs 6 -co+ -fac), and its values as a specpict there.  RADIANCE shares wavelengths
+// out to bands by whole nanometres, about one too many at the long end: by up to 4 % of a channel other values.
+TEST_CASE("a hyperspectral picture becomes RGB band by band") {
+    const double rows[5][5] = {{.0001, .0001, .7681941, .2492308, .2047894},
+                               {1.3332, .999, .8310944, .2687789, .2219432},
+                               {.4444, .5, .7127634, .2305959, .1919014},
+                               {.7, .3, .8899369, .2881215, .2389044},
+                               {.1667, .1667, .7632407, .2467589, .2040448}};
+    for (const auto& r : rows) {
+        const float p[3] = {float(r[0]), float(r[1]), 0};
+        const std::vector<float> got = pattern({"specpict", {"noop", "six_bands.hsr", ".", "Px", "Py"}, {}, "t", {}}, golden_vars(p));
+        REQUIRE(got.size() == 3);
+        for (size_t k = 0; k < 3; k++) CHECK(got[k] == doctest::Approx(r[2 + k]).epsilon(.04));
+    }
+    // The function gets the middle of each band: 1 + nm/1000 whatever the picture holds.
+    const float p[3] = {.5f, .5f, 0};
+    temporary("ramp2.cal", "ramp2(v, nm) = 1 + nm/1000; flat(v, nm) = .7;");
+    std::string text = "#?RADIANCE\nNCOMP=24\nWAVELENGTH_SPLITS= 780 588 480 380\nFORMAT=Radiance_spectra\n\n-Y 2 +X 3\n";
+    for (int i = 0; i < 6; i++) text += std::string(24, char(64)) + char(129);
+    temporary("even.hsr", text);
+    const auto at = [&](const char* f, const char* cal) {
+        return pattern({"specpict", {f, "./cal_pattern_test.even.hsr", cal, "Px", "Py"}, {}, "t", {}}, golden_vars(p));
+    };
+    const double want[3] = {1.6324, 1.5437, 1.4362};
+    for (size_t k = 0; k < 3; k++) {
+        CHECK(at("ramp2", "./cal_pattern_test.ramp2.cal")[k] == doctest::Approx(want[k]).epsilon(1e-3));
+        CHECK(at("flat", "./cal_pattern_test.ramp2.cal")[k] == doctest::Approx(.7).epsilon(1e-4));
+        CHECK(at("noop", ".")[k] == doctest::Approx(64.5 / 128).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("hyperspectral pictures that are broken") {
+    const auto fault = [](const std::string& lines, const std::string& pixels) {
+        temporary("bad.hsr", "#?RADIANCE\n" + lines + "FORMAT=Radiance_spectra\n\n-Y 2 +X 2\n" + pixels);
+        return trouble("specpict", {"noop", "./cal_pattern_test.bad.hsr", ".", "Px", "Py"});
+    };
+    const std::string splits = "WAVELENGTH_SPLITS= 780 588 480 380\n", pixels(4 * 7, 'x');
+    CHECK(fault("NCOMP=6\n" + splits, pixels) == "no error");
+    CHECK(fault("NCOMP=6\n" + splits, pixels.substr(1)).find("input ends inside the picture") != std::string::npos);
+    CHECK(fault("NCOMP=6\n", pixels).find("needs WAVELENGTH_SPLITS=") != std::string::npos);
+    CHECK(fault("NCOMP=6\nWAVELENGTH_SPLITS= 700 1 1 700\n", pixels).find("spans no wavelengths") != std::string::npos);
+    CHECK(fault("NCOMP=6\nWAVELENGTH_SPLITS= 780 588\n", pixels).find("is malformed") != std::string::npos);
+    CHECK(fault(splits, pixels).find("NCOMP=3: hyperspectral pictures have 4 to 24 bands") != std::string::npos);
+    CHECK(fault("NCOMP=1000000\n" + splits, pixels).find("4 to 24 bands") != std::string::npos);
+    CHECK(trouble("colorpict", {"red", "green", "blue", "six_bands.hsr", ".", "Px", "Py"}).find("only specpict") != std::string::npos);
+}
+
 TEST_CASE("a spectral colour keeps its luminance inside the primaries' triangle") {
     const float p[3] = {0, 0, 0};
     const std::vector<float> got = pattern({"spectrum", {}, {500, 540, 1, 1, 1, 1, 1}, "t", {}}, golden_vars(p));
