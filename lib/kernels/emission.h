@@ -34,15 +34,15 @@ FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* p
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     uint src = s->prims[PRIM_WORDS * g->prim + PRIM_SOURCE];
     *pass = 0;
-    if (!g->front) { *pass = par->bv == 0u; return black; }
-    if ((flags & (PC_DIFFUSE | PC_ROUGH)) != 0u) {
+    int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
+    if (sampled && g->front) {
         if (g->type != M_GLOW || arg[3] < 0.0f) return black;
         if (arg[3] > 0.0f && g->length <= arg[3]) return black;
-    } else {
-        if ((par->flags & PF_DV) == 0u && !(g->type == M_GLOW && arg[3] >= 0.0f && g->total > arg[3])) return black;
-        if (src != NONE && (flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
-            as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u) return black;
     }
+    if ((par->flags & PF_DV) == 0u && !(g->type == M_GLOW && arg[3] >= 0.0f && g->total > arg[3])) return black;
+    if (!g->front) { *pass = par->bv == 0u; return black; }
+    if (!sampled && src != NONE && (flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
+        as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u) return black;
     if (g->type == M_SPOTLIGHT) {
         float3 aim = f3_at(arg + 4);
         if (dot3(unit3(aim), g->v) < k_cos(arg[3] * 0.5f * 0.01745329252f)) return black;

@@ -69,9 +69,8 @@ FN float3 lobes_direct(PRIVATE const Lobes* a, PRIVATE const Surface* g, float3 
     const float inv_pi = 0.31830989f;
     float3 sum = F3(0.0f, 0.0f, 0.0f);
     float cl = dot3(g->n, l), cv = dot3(g->n, g->v);
-    float side = dot3(g->ng, l);
     if (cv < 0.001f) cv = 0.001f;
-    if (cl > 0.0f && side > 0.0f) {
+    if (cl > 0.0f) {  // the shading normal decides, as in RADIANCE, even where the light is behind the geometry
         float k = cl * w * inv_pi;
         k *= lobes_fresnel(a->flags, cl);
         sum = scale3(a->diffuse_r, k);
@@ -90,7 +89,7 @@ FN float3 lobes_direct(PRIVATE const Lobes* a, PRIVATE const Surface* g, float3 
             float G = k_exp(-e) * hh * inv_pi / (hn * hn * hn * hn * sqrt_(au * av));
             if (G > 1e-6f) sum = madd3(a->rough_r, G * cl * w, sum);
         }
-    } else if (cl < 0.0f && side < 0.0f) {
+    } else if (cl < 0.0f) {
         cl = -cl;
         float k = cl * w * inv_pi;
         k *= lobes_fresnel(a->flags, cl);

@@ -6,15 +6,15 @@
 
 FN void material_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
     surface_vars(par, g, vars);
-    vars[CAL_NXP] = g->n.x; vars[CAL_NYP] = g->n.y; vars[CAL_NZP] = g->n.z;
-    vars[CAL_RDOTP] = dot3(g->n, g->v);
+    float side = 1.0f;
     if (g->type == M_BRTD || g->type == M_WGMD || g->type == M_PRISM) {  // not turned to the viewer
-        float side = g->front ? 1.0f : -1.0f;
-        vars[CAL_NX] = g->nface.x; vars[CAL_NY] = g->nface.y; vars[CAL_NZ] = g->nface.z;
-        vars[CAL_RDOT] = dot3(g->nface, g->v);
-        vars[CAL_NXP] *= side; vars[CAL_NYP] *= side; vars[CAL_NZP] *= side;
-        vars[CAL_RDOTP] *= side;
+        side = g->front ? 1.0f : -1.0f;
+    } else {
+        vars[CAL_NX] = g->ng.x; vars[CAL_NY] = g->ng.y; vars[CAL_NZ] = g->ng.z;
+        vars[CAL_RDOT] = dot3(g->ng, g->v);
     }
+    vars[CAL_NXP] = side * g->n.x; vars[CAL_NYP] = side * g->n.y; vars[CAL_NZP] = side * g->n.z;
+    vars[CAL_RDOTP] = side * dot3(g->n, g->v);
     vars[CAL_CRP] = g->color.x; vars[CAL_CGP] = g->color.y; vars[CAL_CBP] = g->color.z;
 }
 
@@ -150,7 +150,7 @@ FN void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVAT
 
 FN float3 ashik_direct(PRIVATE const Lobes* a, PRIVATE const Surface* g, float3 l, float w) {
     float cl = dot3(g->n, l), cv = MAX_(dot3(g->n, g->v), 0.001f);
-    if (cl <= 0.0f || dot3(g->ng, l) <= 0.0f) return F3(0.0f, 0.0f, 0.0f);
+    if (cl <= 0.0f) return F3(0.0f, 0.0f, 0.0f);
     float q = 1.0f - cl;
     float3 sum = scale3(a->diffuse_r, cl * w * 0.31830989f * (1.0f - q * q * q * q * q));
     float3 h = unit3(add3(l, g->v));

@@ -25,11 +25,10 @@ FN void mat_normal(PRIVATE const Params* par, PRIVATE const Surface* g, uint typ
     out->diffuse_t = scale3(C, Td);
     out->ambient_r = out->diffuse_r;
     out->ambient_t = out->diffuse_t;
-    if (trans && t >= 1.0f) { out->diffuse_r = F3(0.0f, 0.0f, 0.0f); out->ambient_r = out->diffuse_r; }
     float3 p = trans ? transmitted_direction(g) : neg3(g->v);
     if (smooth) {
         if (rs >= 0.017999f) out->flags |= LOBE_FRESNEL;
-        if (rs > 1e-6f && !(trans && t >= 1.0f)) { out->mirror = spec; out->mirror_dir = mirror_direction(g); }
+        if (rs > 1e-6f) { out->mirror = spec; out->mirror_dir = mirror_direction(g); }
         if (Ts > 1e-6f) { out->through = scale3(C, Ts); out->through_dir = p; }
         return;
     }

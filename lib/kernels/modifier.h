@@ -8,15 +8,16 @@ FN GLOBAL const uint* mod_record(PRIVATE const SceneTables* s, PRIVATE const Par
     return s->u + par->mods_at + MOD_WORDS * mod;
 }
 
-// The variables .cal programs see (spec: scene language 7.6), in world coordinates.
+// The variables .cal programs see (spec: scene language 7.6), in world coordinates.  Patterns, textures and mixtures see
+// the normal as modelled, from behind, too: RADIANCE turns it to the viewer after them.
 FN void surface_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
     float3 p = F3(g->p.x + par->centre.x, g->p.y + par->centre.y, g->p.z + par->centre.z);
     for (int i = 0; i < CAL_VARS; i++) vars[i] = 0.0f;
     vars[CAL_DX] = -g->v.x; vars[CAL_DY] = -g->v.y; vars[CAL_DZ] = -g->v.z;
-    vars[CAL_NX] = g->ng.x; vars[CAL_NY] = g->ng.y; vars[CAL_NZ] = g->ng.z;
+    vars[CAL_NX] = g->nface.x; vars[CAL_NY] = g->nface.y; vars[CAL_NZ] = g->nface.z;
     vars[CAL_PX] = p.x; vars[CAL_PY] = p.y; vars[CAL_PZ] = p.z;
     vars[CAL_T] = g->total; vars[CAL_TS] = g->length;
-    vars[CAL_RDOT] = dot3(g->ng, g->v);
+    vars[CAL_RDOT] = dot3(g->nface, g->v);
     vars[CAL_LU] = g->u; vars[CAL_LV] = g->vv;
 }
 
@@ -48,8 +49,8 @@ FN void turn_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, 
 }
 
 // Patterns and textures of a chain without material, for mixtures that mix only those: a mixture inside picks by chance.
-FN void chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint mod, PRIVATE const float* vars,
-                       PRIVATE Sampler* rnd, PRIVATE float3* color, PRIVATE float3* pert) {
+FN void chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint mod,
+                       PRIVATE const float* vars, PRIVATE Sampler* rnd, PRIVATE float3* color, PRIVATE float3* pert) {
     float out[CAL_OUTPUTS];
     *color = F3(1.0f, 1.0f, 1.0f);
     *pert = F3(0.0f, 0.0f, 0.0f);
@@ -58,13 +59,29 @@ FN void chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         uint type = m[MOD_TYPE];
         if (type >= M_FIRST_MATERIAL) return;
         mod = m[MOD_NEXT];
+        if (type == M_SPECTRUM) {
+            GLOBAL const float* a = s->f + m[MOD_ARGS];
+            *color = mul3(*color, F3(a[0], a[1], a[2]));
+            continue;
+        }
         int bad = cal_run(s, m[MOD_PROGRAM], vars, out);
         if (bad) continue;
         if (type == M_MIXTURE) mod = m[sample1(rnd) < out[0] ? MOD_BRANCH1 : MOD_BRANCH2];
         if (type == M_PATTERN1) *color = scale3(*color, out[0]);
         if (type == M_PATTERN3) *color = mul3(*color, F3(out[0], out[1], out[2]));
-        if (type == M_TEXTURE) *pert = add3(*pert, F3(out[0], out[1], out[2]));
+        if (type == M_TEXTURE) *pert = add3(*pert, vector_from_frame(s, g, F3(out[0], out[1], out[2])));
     }
+}
+
+// The normal that textures and smoothing make (spec shading 2): on the viewer's side.
+FN void shading_normal(PRIVATE Surface* g) {
+    g->n = g->ng;
+    if (dot3(g->pert, g->pert) <= 1e-12f) return;
+    // g->pert is in the frame of the modelled normal; seen from behind it turns with the normal
+    float3 n = unit3(add3(g->nface, g->pert));
+    if (!g->front) n = neg3(n);
+    if (dot3(n, g->v) < 0.0f) n = madd3(g->v, -2.0f * dot3(n, g->v), n);
+    g->n = unit3(n);
 }
 
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
@@ -103,10 +120,12 @@ FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
             float c = out[0] < 0.0f ? 0.0f : out[0] > 1.0f ? 1.0f : out[0];
             if ((m[MOD_FLAGS] & MF_PATTERNS_ONLY) != 0u) {  // colours and perturbations mix linearly (spec shading 3.10)
                 float3 c1, c2, p1, p2;
-                chain_patterns(s, par, m[MOD_BRANCH1], vars, rnd, &c1, &p1);
-                chain_patterns(s, par, m[MOD_BRANCH2], vars, rnd, &c2, &p2);
+                chain_patterns(s, par, g, m[MOD_BRANCH1], vars, rnd, &c1, &p1);
+                chain_patterns(s, par, g, m[MOD_BRANCH2], vars, rnd, &c2, &p2);
                 g->color = mul3(g->color, madd3(c1, c, scale3(c2, 1.0f - c)));
-                g->pert = add3(g->pert, madd3(p1, c, scale3(p2, 1.0f - c)));
+                p1 = madd3(p1, c, scale3(p2, 1.0f - c));
+                g->pert = add3(g->pert, p1);
+                if (dot3(p1, p1) > 0.0f) g->flat = 0;
                 mod = m[MOD_NEXT];
                 continue;
             }
@@ -127,13 +146,7 @@ FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
     }
     if (!found) return 0;
     g->mod = material;
-    if (dot3(g->pert, g->pert) > 1e-12f) {  // spec shading 2
-        // g->pert is in the frame of the modelled normal; seen from behind it turns with the normal
-        float3 n = unit3(add3(g->nface, g->pert));
-        if (!g->front) n = neg3(n);
-        if (dot3(n, g->v) < 0.0f) n = madd3(g->v, -2.0f * dot3(n, g->v), n);
-        g->n = unit3(n);
-    }
+    shading_normal(g);
     return 1;
 }
 #endif

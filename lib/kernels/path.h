@@ -104,6 +104,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     uint mist = NONE;
     if (absorbs) { medium = a->med[slot]; arriving = xyz4(medium); beyond = arriving; mist = as_uint_(medium.w); }
     uint clip = as_uint_(a->org[slot].w);
+    float3 smoothing = g.pert;
     if (((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) ||
         !find_material(s, par, &g, &rnd) || take_alternate(s, par, &g, flags, &rnd)) {
         pass = 1;
@@ -124,6 +125,8 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             mist_surface = 0;
             if (!pass) {
                 float3 pi3 = F3(3.14159265f, 3.14159265f, 3.14159265f);
+                g.pert = smoothing;  // the white surface in its place has no texture of its own
+                shading_normal(&g);
                 lobes_clear(&lobes);
                 lobes.diffuse_r = pi3;
                 lobes.ambient_r = pi3;

@@ -64,7 +64,7 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
         }
         l->dist = 1e30f;
         l->w = q[SRC_AREA];
-        l->point = F3(0.0f, 0.0f, 0.0f);
+        l->point = p;  // patterns on a sun see where the ray starts
         l->normal = neg3(l->dir);
         return;
     }

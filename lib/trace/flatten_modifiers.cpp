@@ -176,7 +176,7 @@ void Flattener::flatten_modifiers() {
             if (t.type == Type::prism2) rec[MOD_FLAGS] |= MF_TWO_EXITS;
             if (t.type == Type::prism1 || t.type == Type::prism2) aimed = true;
             if (t.type == Type::metfunc || t.type == Type::metdata) rec[MOD_FLAGS] |= MF_METAL;
-            if (t.type == Type::transfunc || t.type == Type::transdata) rec[MOD_FLAGS] |= MF_TRANS | MF_METAL;
+            if (t.type == Type::transfunc || t.type == Type::transdata) rec[MOD_FLAGS] |= MF_TRANS;
             has_material[i] = 1;
             passes[i] = material_passes(t.type, reals, spec_of(scene, t));
             material_of[i] = uint32_t(r.object);

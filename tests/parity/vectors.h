@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of values that RADIANCE gives (tests/golden/vectors/vectors.tsv): one row a ray, tab separated:
+// The tables of values that RADIANCE gives (tests/golden/vectors/vectors.tsv; found.tsv: by comparing random scenes): one
+// row a ray, tab separated:
 // id, kind, scene file, rtrace's arguments, input (origin and direction), output, note.
 #pragma once
 #include <optional>

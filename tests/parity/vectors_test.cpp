@@ -62,7 +62,8 @@ int main(int argc, char** argv) {
             ids.erase(ids.begin(), ids.begin() + 2);
         }
         if (chdir(LUXPIPE_TESTS "/golden/vectors") != 0) base::fail_system("golden/vectors", "no such folder");
-        const auto rows = parity::read_rays("vectors.tsv");
+        auto rows = parity::read_rays("vectors.tsv");
+        for (const auto& row : parity::read_rays("found.tsv")) rows.push_back(row);
         std::map<std::string, std::string> reasons;
         for (const auto& e : parity::read_exceptions("../../parity/exceptions.tsv")) reasons[e.id] = e.reason;
         parity::RowTracer tracer(device, samples);
