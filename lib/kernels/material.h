@@ -59,6 +59,7 @@ FN int take_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
         if (g->front && sampled) return 0;  // black to sampled rays: their light comes from the source
     } else if (g->type == M_MIRROR) {
         if ((m[MOD_FLAGS] & MF_HAS_ALTERNATE) == 0u) return 0;
+        if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) return 0;  // white
         if (g->front && sampled && (m[MOD_FLAGS] & MF_ALTERNATE_PASSES) == 0u) return 0;
     } else {
         return 0;

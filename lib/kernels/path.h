@@ -122,6 +122,8 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         pass = (lobes.flags & LOBE_PASS) != 0u;
         if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) {
             pass = pass || irradiance_ignores(s, par, &g, &lobes);
+            arriving = xyz4(medium);  // what the material knows of media does not count
+            beyond = arriving;
             mist_surface = 0;
             if (!pass) {
                 float3 pi3 = F3(3.14159265f, 3.14159265f, 3.14159265f);
