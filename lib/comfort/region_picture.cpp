@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fmt/format.h>
 #include <png.h>
 #include "base/error.h"
@@ -80,6 +81,11 @@ MaskPicture read_png(const Shape& s) {
     if (uint64_t(png.width) * png.height > (1u << 28)) {
         png_image_free(&png);
         base::fail(s.place, fmt::format("mask {}: {} x {} pixels are too many", s.text, png.width, png.height));
+    }
+    // deflate makes at most 1032 bytes of one, and a pixel is a bit at least
+    if (uint64_t(png.width) * png.height / 8 / 1032 > std::filesystem::file_size(s.text)) {
+        png_image_free(&png);
+        base::fail(s.place, fmt::format("mask {} is too short for its {} x {} pixels", s.text, png.width, png.height));
     }
     MaskPicture m{int(png.width), int(png.height), {}};
     png.format = PNG_FORMAT_GA;  // 8 bits as stored; what is transparent is not in the mask

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <random>
 #include <fmt/format.h>
 #include "base/error.h"
@@ -169,6 +170,11 @@ TEST_CASE("bad geometry is an error at its line") {
     CHECK_THROWS_WITH(plane("a surface x", v, 64), doctest::Contains("no scene is given"));
     CHECK_THROWS_WITH(plane("a mask nothere.hdr", v, 64), doctest::Contains("test:1: "));
     CHECK_THROWS_WITH(plane("a mask nothere.png", v, 64), doctest::Contains("test:1: "));
+    const unsigned char large[] = {0x89, 'P', 'N', 'G', 13, 10, 26, 10, 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0, 0, 0x3e, 0x80, 0, 0,
+                                   0x3e, 0x80, 8, 0, 0, 0, 0, 0x64, 0x15, 0x80, 0x02, 0, 0, 0, 0, 'I', 'D', 'A', 'T', 0x35, 0xaf, 6, 0x1e};
+    std::ofstream("large.png", std::ios::binary).write(reinterpret_cast<const char*>(large), sizeof large);
+    CHECK_THROWS_WITH(plane("a mask large.png", v, 64), doctest::Contains("test:1: mask large.png is too short for its 16000 x 16000 pixels"));
+    std::remove("large.png");
 }
 
 TEST_CASE("mask pictures: their grey alone, in or out at one half in sets, any size") {
