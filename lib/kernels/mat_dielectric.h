@@ -4,7 +4,7 @@
 #ifndef LUX_MAT_DIELECTRIC_H
 #define LUX_MAT_DIELECTRIC_H
 
-FN float extinction_(float t) { return t < 1e-40f ? 100.0f : -k_log(t); }
+FN float extinction_(float t) { return t < 1e-40f ? 100.0f : t >= 1.0f ? 0.0f : -k_log(t); }
 FN float3 extinction3_(GLOBAL const float* t, float3 pattern) {
     return F3(extinction_(t[0] * pattern.x), extinction_(t[1] * pattern.y), extinction_(t[2] * pattern.z));
 }

@@ -72,14 +72,8 @@ FN int take_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     return !find_material(s, par, g, rnd);
 }
 
-// Transparent materials that irradiance pictures look through, as found with rtrace -i+ (spec shading 5.5).
-FN int irradiance_ignores(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
-                          PRIVATE const Lobes* l) {
-    switch (g->type) {
-    case M_TRANS: case M_ANISO_TRANS: case M_GLASS: case M_DIELECTRIC: case M_INTERFACE: case M_MIST: case M_ANTIMATTER: return 1;
-    case M_BSDF: return (mod_record(s, par, g->mod)[MOD_FLAGS] & MF_ABSDF) != 0u;
-    case M_BRTD: case M_WGMD: return max3(l->through) > 0.0f || max3(l->diffuse_t) > 0.0f || max3(l->rough_t) > 0.0f;
-    default: return 0;
-    }
+// A mirror that a shadow ray meets without being aimed at it has its alternate in its place, too.  1: the ray passes.
+FN int shadow_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, PRIVATE Sampler* rnd) {
+    return g->type == M_MIRROR && take_alternate(s, par, g, PC_BENT, rnd);
 }
 #endif

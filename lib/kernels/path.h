@@ -121,7 +121,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         else lobes.flags = LOBE_PASS;
         pass = (lobes.flags & LOBE_PASS) != 0u;
         if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) {
-            pass = pass || irradiance_ignores(s, par, &g, &lobes);
+            pass = pass || (mod_record(s, par, g.mod)[MOD_FLAGS] & MF_SEEN_THROUGH) != 0u;
             arriving = xyz4(medium);  // what the material knows of media does not count
             beyond = arriving;
             mist_surface = 0;

@@ -38,7 +38,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         total += hit.t;
         g.total = total;
         if (!((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
-            find_material(s, par, &g, rnd)) {
+            find_material(s, par, &g, rnd) && !shadow_alternate(s, par, &g, rnd)) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
                 if (g.type != M_ILLUM) return black;
             } else if (g.type == M_MIST) {
@@ -89,7 +89,8 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         }
         float3 next = ray.dir;
         if (!((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
-            find_material(s, par, &g, rnd)) {
+            find_material(s, par, &g, rnd) &&
+            ((relay != NONE && hit.prim == s->u[relay]) || !shadow_alternate(s, par, &g, rnd))) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
                 if (g.type != M_ILLUM) return black;
             } else if (g.type == M_MIST) {

@@ -71,6 +71,7 @@
 #define M_ANTIMATTER 36u
 #define M_PRISM 37u
 // flags
+#define MF_SEEN_THROUGH 1u  // a type that -i looks through
 #define MF_HAS_ALTERNATE 2u // MOD_BRANCH1 is an alternate material (NONE = void)
 #define MF_ABSDF 4u         // the straight part of the BSDF is a ray of its own
 #define MF_ALTERNATE_PASSES 32u  // the alternate is void or a transparent type

@@ -69,6 +69,19 @@ cal::PatternSpec spec_of(const scene::Scene& scene, const scene::Object& o) {
     const auto r = scene.reals(o);
     return {type_name(o.type), {s.begin(), s.end()}, {r.begin(), r.end()}, scene.place(o), {}};
 }
+// A transparent type in RADIANCE's eyes: -i looks through it and a mirror gives way to it.  Functions count by their text:
+// "0" is nothing, all else may be something.
+bool transparent_type(const scene::Scene& scene, uint32_t object) {
+    const scene::Object& o = scene.objects[object];
+    const auto some = [&](size_t k) { return scene.strings(o)[k] != "0"; };
+    switch (o.type) {
+        case Type::trans: case Type::trans2: case Type::glass: case Type::dielectric: case Type::interface: case Type::mist:
+        case Type::antimatter: case Type::absdf: return true;
+        case Type::brtdfunc: return some(3) || some(4) || some(5);
+        case Type::wgmdfunc: return some(5);
+        default: return false;
+    }
+}
 }  // namespace
 
 void Flattener::flatten_modifiers() {
@@ -130,7 +143,7 @@ void Flattener::flatten_modifiers() {
                 const int32_t m = alternate(t, uint32_t(r.object));
                 if (m >= 0) rec[MOD_BRANCH1] = mod_of[m];
                 if (scene.strings(t).size() > 0) rec[MOD_FLAGS] |= MF_HAS_ALTERNATE;
-                if (m < 0 || passes[m]) rec[MOD_FLAGS] |= MF_ALTERNATE_PASSES;
+                if (m < 0 || !has_material[m] || transparent_type(scene, material_of[m])) rec[MOD_FLAGS] |= MF_ALTERNATE_PASSES;
             }
             if (t.type == Type::dielectric || t.type == Type::interface) { out.absorbs = true; aimed = true; }
             if (cal::has_functions(type_name(t.type))) {
@@ -177,6 +190,7 @@ void Flattener::flatten_modifiers() {
             if (t.type == Type::prism1 || t.type == Type::prism2) aimed = true;
             if (t.type == Type::metfunc || t.type == Type::metdata) rec[MOD_FLAGS] |= MF_METAL;
             if (t.type == Type::transfunc || t.type == Type::transdata) rec[MOD_FLAGS] |= MF_TRANS;
+            if (transparent_type(scene, uint32_t(r.object)) || (t.type == Type::bsdf && scene.strings(t)[0] != "0")) rec[MOD_FLAGS] |= MF_SEEN_THROUGH;
             has_material[i] = 1;
             passes[i] = material_passes(t.type, reals, spec_of(scene, t));
             material_of[i] = uint32_t(r.object);
