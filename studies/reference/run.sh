@@ -1,11 +1,12 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# run.sh BIN OUT [name ...]: renders the scenes of the reference pictures and compares.  FRAMES (2000) and BATCHES (16) say how
-# much work that is; GOLDEN is a folder with other pictures to compare with (uncorrelated.sh).  What is in OUT already is not made again, so the study can be stopped and taken up.
+# run.sh BIN OUT [name ...]: renders the scenes of the reference pictures and compares.  FRAMES (4000) and BATCHES (16) say how
+# much work that is; GOLDEN is a folder with other pictures to compare with (uncorrelated.sh).  What is in OUT already is not made
+# again, so the study can be stopped and taken up.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd) top=$(cd "$(dirname "$0")/../.." && pwd)
 bin=$(cd "$1" && pwd) && mkdir -p "$2" && out=$(cd "$2" && pwd) && shift 2
-frames=${FRAMES:-2000} batches=${BATCHES:-16}
+frames=${FRAMES:-4000} batches=${BATCHES:-16}
 known=$top/tests/golden/reference golden=${GOLDEN:-$known}
 PATH=$bin:$PATH
 [ $# -gt 0 ] || set -- $(cut -f 1 "$known/ev.tsv") gallery_west
