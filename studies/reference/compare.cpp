@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// compare REFERENCE.hdr REFERENCE.blocks.tsv WHOLE PART1 PART2 ...: how far is a picture from the reference?
+// compare REFERENCE.hdr REFERENCE.blocks.tsv WHOLE PART1 PART2 ...: how far is a picture from the reference?  "-" for the first: the
+// table alone is the reference, of a scene without a sun in view.
 // Mean luminances over 16 x 16 pixels are compared in units of the combined standard error: the reference's from its table,
 // ours from the scatter of the parts (batches of frames; the first holds frame 0 and takes no part in the scatter).
 // Pixels at the sun's disc (above 1e6 cd/m2 in either picture, and two around) are left out: in a block test they
@@ -72,19 +73,30 @@ std::map<Place, Known> read_blocks(const std::string& path) {
     return blocks;
 }
 
+// A picture of the blocks' means.
+std::vector<double> spread(const std::map<Place, Known>& blocks, int nx, int ny) {
+    std::vector<double> lum(size_t(nx) * ny);
+    for (int y = 0; y < ny; ++y)
+        for (int x = 0; x < nx; ++x)
+            if (const auto b = blocks.find({x / block, y / block}); b != blocks.end()) lum[size_t(y) * nx + x] = b->second.mean;
+    return lum;
+}
+
 int compare(const std::vector<std::string>& words) {
     if (words.size() < 6) base::fail("", "usage: compare reference.hdr reference.blocks.tsv whole part1 part2 part3 ...");
-    const image::Picture reference = image::read_file(words[0]), whole = image::read_file(words[2]);
-    const int nx = reference.width, ny = reference.height;
-    if (whole.width != nx || whole.height != ny) base::fail(words[2], "is not of the reference's size");
-    const std::vector<double> theirs = luminances(reference), ours = luminances(whole);
+    const image::Picture whole = image::read_file(words[2]);
+    const int nx = whole.width, ny = whole.height;
+    const std::map<Place, Known> blocks = read_blocks(words[1]);
+    const std::vector<double> theirs = words[0] == "-" ? spread(blocks, nx, ny) : luminances(image::read_file(words[0]));
+    const std::vector<double> ours = luminances(whole);
+    if (theirs.size() != ours.size()) base::fail(words[2], "is not of the reference's size");
     const std::vector<char> counts = away_from_sun(theirs, ours, nx, ny);
     std::vector<std::vector<double>> parts;
     for (size_t i = 4; i < words.size(); ++i) parts.push_back(luminances(image::read_file(words[i])));
 
     int n = 0, within = 0;
     double squares = 0;
-    for (const auto& [place, known] : read_blocks(words[1])) {
+    for (const auto& [place, known] : blocks) {
         const int x = place.first * block, y = place.second * block;
         std::vector<double> means;
         for (const auto& part : parts) means.push_back(mean_of(part, counts, nx, x, x + block, y, y + block));
