@@ -18,13 +18,15 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         Hit hit;
         if (must_hit) ray.tmax = dist * 1.001f;
         trace_closest(s, &ray, RAY_OPAQUE, &hit);
-        if (hit.prim != as_uint_(q[SRC_PRIM]) && (must_hit || hit.prim != NO_HIT)) return black;
-        ray.tmax = shadow_end(dist);
+        if (hit.prim == as_uint_(q[SRC_PRIM])) must_hit = 0;
+        else if (hit.prim != NO_HIT && hit.t <= shadow_end(dist)) return black;
+        if (!must_hit) ray.tmax = shadow_end(dist);  // else it may be an illum, which is not opaque
     } else if (trace_any(s, &ray, RAY_OPAQUE)) {
         return black;
     }
     int absorbs = par->medium.w > 0.0f;
     float4 m4 = pack4(medium, 0.0f);
+    if (must_hit && par->shadow_mode == SHADOW_OPAQUE) return black;
     if (par->shadow_mode == SHADOW_OPAQUE) return absorbs ? attenuation(medium, MIN_(dist, 1e10f)) : T;
     float total = 0.0f;
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
@@ -32,8 +34,10 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         Surface g;
         Lobes l;
         trace_closest(s, &ray, RAY_TRANSPARENT, &hit);
+        if (hit.prim == NO_HIT && must_hit) return black;
         if (hit.prim == NO_HIT) return absorbs ? mul3(T, attenuation(xyz4(m4), MIN_(ray.tmax, 1e10f))) : T;
         if (absorbs) T = mul3(T, attenuation(xyz4(m4), hit.t));
+        if (must_hit && hit.prim == as_uint_(q[SRC_PRIM])) return T;
         surface_at(s, &ray, &hit, &g);
         total += hit.t;
         g.total = total;
@@ -50,7 +54,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
             if (max3(T) <= 0.0f) return black;
         }
         ray.org = offset_ray(g.p, neg3(g.ng), g.reach);
-        if (ray.tmax < 1e29f) { ray.tmax -= hit.t; if (ray.tmax <= 0.0f) return T; }
+        if (ray.tmax < 1e29f) { ray.tmax -= hit.t; if (ray.tmax <= 0.0f) return must_hit ? black : T; }
     }
     return black;
 }
