@@ -173,7 +173,13 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                         c = mul3(mul3(thr, c), scale3(e, inv_p));
                         if (max3(c) > 0.0f) {
                             int above = dot3(ls.dir, g.ng) > 0.0f;
-                            a->sorg[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, above), above ? g.ng : neg3(g.ng), g.reach), as_float_(i));
+                            float3 start = bsdf_start(&lobes, &g, above), from = offset_ray(start, above ? g.ng : neg3(g.ng), g.reach);
+                            if (ls.dist < 1e29f) {  // aimed anew from where it starts, else the source would stand in its own light
+                                float3 to = sub3(scale3(ls.dir, ls.dist), sub3(from, start));
+                                ls.dist = length3(to);
+                                ls.dir = scale3(to, 1.0f / MAX_(ls.dist, 1e-9f));
+                            }
+                            a->sorg[slot] = pack4(from, as_float_(i));
                             a->sdir[slot] = pack4(ls.dir, ls.dist);
                             a->scol[slot] = pack4(c, g.total);
                             if ((par->flags & PF_ANTIMATTER) != 0u) a->smed[slot] = pack4(F3(0.0f, 0.0f, 0.0f), as_float_(clip));
