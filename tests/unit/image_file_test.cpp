@@ -147,6 +147,12 @@ TEST_CASE("an OpenEXR header that claims more than there can be is refused befor
     CHECK(error_text([&] { image::read_file(path); }) == path + ": is no readable OpenEXR file: attribute note is longer than the file");
 
     bent = bytes;
+    bent[bent.find(std::string("chlist\0", 7)) + 7]++;  // what follows would be read one byte off
+    temp.holding("a.exr", bent);
+    CHECK(error_text([&] { image::read_file(path); }) ==
+          path + ": is no readable OpenEXR file: attribute channels has not the length of its type");
+
+    bent = bytes;
     const size_t at = bent.find(std::string("tiledesc\0", 9));
     REQUIRE(at != std::string::npos);
     bent.replace(at + 13, 8, "\0\x78\0\0\0\x78\0\0", 8);  // tiles of 30720 x 30720 pixels
