@@ -38,13 +38,13 @@ std::string one_line(const char* text) {
     return s;
 }
 
-// OpenEXR 3.1 reserves what an attribute's length says before it reads it, and goes by the type where that disagrees.
 int32_t number_at(const std::string& bytes, size_t at) {
     uint32_t n = 0;
     for (size_t k = 0; k < 4 && at + k < bytes.size(); ++k) n |= uint32_t(uint8_t(bytes[at + k])) << (8 * k);
     return int32_t(n);
 }
 
+// OpenEXR 3.1 reserves what an attribute's length says before it reads it, and goes by the type where that disagrees.
 bool fits(const std::string& type, const std::string& value) {
     static const std::map<std::string, size_t> fixed = {
         {"box2f", 16}, {"box2i", 16}, {"chromaticities", 32}, {"compression", 1}, {"deepImageState", 1}, {"double", 8}, {"envmap", 1},
@@ -232,7 +232,7 @@ std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
         }
         const Imath::Box2i shown = header.displayWindow(), data = header.dataWindow();
         const size_t data_width = size_t(data.max.x - data.min.x + 1);
-        const int lines = int(std::clamp<int64_t>(most_block / int64_t(sizeof(float) * n * data_width), 1, block_lines));
+        const int lines = int(std::clamp<int64_t>(most_block / int64_t(sizeof(float) * std::max<size_t>(n, 1) * data_width), 1, block_lines));
         std::vector<float> block(data_width * size_t(lines) * n);
         for (int y = data.min.y; y <= data.max.y; y += lines) {
             const int last = std::min(y + lines - 1, data.max.y);
