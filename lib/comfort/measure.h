@@ -33,7 +33,7 @@ struct Measurement {
     std::optional<double> black_corners;         // percent, type v
 };
 
-// Regions of a file that fits any view and size, drawn when these are known (lib/comfort/region.h).
+// Regions of a file that fits any view and size, drawn when these are known (lib/region/region.h).
 using DrawRegions = std::function<image::MaskSet(const view::View& view, int width, int height)>;
 
 class Meter {

@@ -11,10 +11,11 @@ lib/image: base view
 lib/cal: base image kernels
 lib/scene: base cal kernels
 lib/comfort: base view image
+lib/region: base view image comfort
 lib/trace: base view image cal scene kernels
 tools/ptaccum: base view image
-tools/vcmetrics: base view image comfort
-tools/vcregion: base view image comfort scene trace
+tools/vcmetrics: base view image comfort region
+tools/vcregion: base view image region scene trace
 tools/ptrace: base view image scene trace
 END
 

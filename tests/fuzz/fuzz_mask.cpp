@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mask pictures of regions: PNG, RADIANCE or OpenEXR by the first byte.
-#include "comfort/region_picture.h"
+#include "region/picture.h"
 #include "fuzz_folder.h"
 #include "fuzz_try.h"
 

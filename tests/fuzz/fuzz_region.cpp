@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Region files, rasterized into a small fisheye view.
-#include "comfort/region.h"
+#include "region/region.h"
 #include "fuzz_folder.h"
 #include "fuzz_try.h"
 

@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 #include <cmath>
 #include <fmt/format.h>
-#include "comfort/region.h"
+#include "region/region.h"
 
 using namespace base;
 

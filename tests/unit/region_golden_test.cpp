@@ -10,8 +10,8 @@
 #include <cmath>
 #include <fstream>
 #include <fmt/format.h>
-#include "comfort/region.h"
-#include "comfort/region_shape.h"
+#include "region/region.h"
+#include "region/shape.h"
 #include "image/stream.h"
 
 TEST_CASE("circles by pixel centres are evalglare's task areas") {

@@ -3,8 +3,8 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 #include "base/error.h"
-#include "comfort/region.h"
-#include "comfort/region_match.h"
+#include "region/region.h"
+#include "region/match.h"
 
 using namespace region;
 

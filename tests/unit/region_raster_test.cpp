@@ -8,8 +8,8 @@
 #include <random>
 #include <fmt/format.h>
 #include "base/error.h"
-#include "comfort/region.h"
-#include "comfort/region_raster.h"
+#include "region/region.h"
+#include "region/raster.h"
 #include "image/stream.h"
 
 using namespace base;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 #include "base/error.h"
-#include "comfort/region.h"
+#include "region/region.h"
 
 using namespace base;
 

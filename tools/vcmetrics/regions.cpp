@@ -4,7 +4,7 @@
 #include <fstream>
 #include <memory>
 #include "base/error.h"
-#include "comfort/region.h"
+#include "region/region.h"
 
 image::MaskSet open_regions(const std::string& path, comfort::DrawRegions& draw) {
     const char magic[4] = {0x76, 0x2f, 0x31, 0x01};

@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 #include "base/error.h"
 #include "base/run.h"
-#include "comfort/region.h"
-#include "comfort/region_preview.h"
+#include "region/region.h"
+#include "region/preview.h"
 #include "image/stream.h"
 #include "options.h"
 #include "scene.h"

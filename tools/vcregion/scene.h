@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 #include "base/find_file.h"
-#include "comfort/region.h"
+#include "region/region.h"
 
 // Nothing if there are no files.
 std::unique_ptr<region::SceneView> open_scene(const std::vector<std::string>& files, const base::ReadOptions& options);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include "base/error.h"
-#include "comfort/region_raster.h"
+#include "region/raster.h"
 
 namespace region {
 

@@ -3,7 +3,7 @@
 // read() makes a view-independent list; rasterize() turns it into one coverage plane per region for a view and size.
 // Coverage is the share of the pixel's area in the picture, 0..1, or 0/1 by the pixel's centre (`centre`).
 // Directions are in world axes; picture positions are in pixels from the LOWER left corner, y up.
-// To add a shape: 1. a keyword in region_parse.cpp  2. a class in region_shape.cpp  3. a line in man/vcregion.5.
+// To add a shape: 1. a keyword in parse.cpp  2. a class in shape.cpp  3. a line in man/vcregion.5.
 #pragma once
 #include <string>
 #include <vector>

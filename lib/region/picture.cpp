@@ -2,7 +2,7 @@
 // Rectangles and freehand polygons of the picture (even-odd, signed distance in pixels), and mask pictures.
 // A mask stretches over the whole picture whatever its size; in set operations a point is in where its mask pixel is
 // at least 1/2, alone a mask keeps its grey.
-#include "comfort/region_picture.h"
+#include "region/picture.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>

@@ -5,7 +5,7 @@
 // In a parallel view directions are those from an eye very far behind the picture, which is what that view is.
 #pragma once
 #include <memory>
-#include "comfort/region.h"
+#include "region/region.h"
 
 namespace region {
 

@@ -3,7 +3,7 @@
 // pixels on a border.  Those are halved further while the field bends, then each cell's share is that of the linear
 // interpolation over its four triangles (corner, corner, centre): exact for straight borders, and within 0.001 of a pixel
 // for the others.  Nothing depends on threads or chance, so the bytes repeat.
-#include "comfort/region_raster.h"
+#include "region/raster.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -13,8 +13,8 @@
 #include <unistd.h>
 #include <fmt/format.h>
 #include "base/error.h"
-#include "comfort/region_arcs.h"
-#include "comfort/region_picture.h"
+#include "region/arcs.h"
+#include "region/picture.h"
 
 namespace region {
 

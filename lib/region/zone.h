@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Zones of the field of view, around the line of sight.
 #pragma once
-#include "comfort/region_shape.h"
+#include "region/shape.h"
 
 namespace region {
 std::unique_ptr<Field> make_zone(const Shape& shape, const Space& space);

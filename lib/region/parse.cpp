@@ -14,7 +14,7 @@
 #include <map>
 #include <fmt/format.h>
 #include "base/error.h"
-#include "comfort/region.h"
+#include "region/region.h"
 
 namespace region {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the two rasterizers (region_raster.cpp, region_scene.cpp) share: a region's tree as one field over the view.
+// What the two rasterizers (raster.cpp, scene.cpp) share: a region's tree as one field over the view.
 // In a tree, union is the greater, intersection the lesser value, complement the negative: with values in units of the
-// cell's radius (see region_shape.h) |value| > 1 stays "the whole cell is in / out" through every operation.
+// cell's radius (see shape.h) |value| > 1 stays "the whole cell is in / out" through every operation.
 #pragma once
 #include <functional>
 #include <memory>
 #include <vector>
-#include "comfort/region_shape.h"
+#include "region/shape.h"
 
 namespace region {
 
@@ -61,7 +61,7 @@ private:
 void fill(std::vector<float>& plane, const Space& s, const Cell& c, float v);
 // One region by its shapes alone.
 void rasterize_plain(const Prepared& prepared, const Pyramid& pyramid, size_t region, bool centre, std::vector<float>& plane);
-// All regions as a scene shows them (region_scene.cpp).
+// All regions as a scene shows them (scene.cpp).
 void rasterize_scene(const Prepared& prepared, const SceneView& eye, bool centre, image::MaskSet& set);
 
 template <class Value, class Sure, class Open>

@@ -2,12 +2,12 @@
 // Zones around the line of sight: cones (central 30 degrees, ergorama 60, panorama 120, all full angles), bands of Guth's
 // position index, and the total and binocular fields as evalglare's -G 1 and 2 cut them.
 // sigma = angle from the line of sight, tau = angle around it from straight up, both in degrees.
-#include "comfort/region_zone.h"
+#include "region/zone.h"
 #include <algorithm>
 #include <cmath>
 #include "base/error.h"
 #include "comfort/position_index.h"
-#include "comfort/region_arcs.h"
+#include "region/arcs.h"
 
 namespace region {
 using namespace base;

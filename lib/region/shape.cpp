@@ -3,14 +3,14 @@
 // Disc (centre c, unit normal n, both from the eye, n away from it; h = n.c > 0): direction d meets the plane inside the
 // radius r if |h d - (n.d) c| < r (n.d) with both sides taken along the plane; that difference changes by at most
 // r + |c| per radian.
-#include "comfort/region_shape.h"
+#include "region/shape.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include "base/error.h"
-#include "comfort/region_arcs.h"
-#include "comfort/region_picture.h"
-#include "comfort/region_zone.h"
+#include "region/arcs.h"
+#include "region/picture.h"
+#include "region/zone.h"
 
 namespace region {
 using namespace base;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See region_arcs.h.  Inside or outside is decided in the gnomonic projection along the axis, where arcs are straight lines.
-#include "comfort/region_arcs.h"
+// See arcs.h.  Inside or outside is decided in the gnomonic projection along the axis, where arcs are straight lines.
+#include "region/arcs.h"
 #include <algorithm>
 #include <cmath>
 

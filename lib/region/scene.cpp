@@ -11,8 +11,8 @@
 #include <set>
 #include <fmt/format.h>
 #include "base/error.h"
-#include "comfort/region_match.h"
-#include "comfort/region_raster.h"
+#include "region/match.h"
+#include "region/raster.h"
 
 namespace region {
 namespace {

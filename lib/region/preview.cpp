@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture by image::photo(); a region's tint mixes in by 45 % of its coverage, pixels on its border (covered by half or
 // more beside one that is not) get its colour itself; below, the names in their colours.
-#include "comfort/region_preview.h"
+#include "region/preview.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

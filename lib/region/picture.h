@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shapes drawn in the picture: rectangles, freehand polygons, mask pictures.  Their fields are in pixels.
 #pragma once
-#include "comfort/region_shape.h"
+#include "region/shape.h"
 
 namespace region {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wildcards, and the "did you mean" of names that do not exist: Damerau's edit distance, restricted form
 // (F. J. Damerau, CACM 7(3), 1964).
-#include "comfort/region_match.h"
+#include "region/match.h"
 #include <algorithm>
 #include <cctype>
-#include "comfort/region.h"
+#include "region/region.h"
 
 namespace region {
 
