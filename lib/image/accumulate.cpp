@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "base/error.h"
 #include "base/radopts.h"
@@ -105,12 +106,26 @@ Schedule Schedule::parse(const std::string& text, const std::string& where) {
     return s;
 }
 
+// The least F^(i/M), rounded, above n.  Where neighbours are less than 1 apart every whole number is one of them;
+// elsewhere i is small enough for a double to count it, and the logarithm is off by one or two at most.
+int64_t Schedule::after(int64_t n) const {
+    const double growth = std::log(factor_) / double(parts_);
+    if ((double(n) + 1.5) * std::expm1(growth) < 1) return n + 1;
+    const auto value = [&](double i) {
+        const double v = std::round(std::pow(factor_, i / double(parts_)));
+        return v < 9e18 ? int64_t(v) : std::numeric_limits<int64_t>::max();
+    };
+    double i = std::max(0., std::floor(std::log(double(n) + .5) / growth));
+    while (i > 0 && value(i - 1) > n) --i;
+    while (value(i) <= n) ++i;
+    return value(i);
+}
+
 bool Schedule::due(int64_t n) {
     if (n == 0) return true;
     if (factor_ == 0) return n % every_ == 0;
-    const auto step = [&] { return std::llround(std::pow(factor_, double(step_) / double(parts_))); };
-    if (n < step()) return false;
-    while (step() <= n) ++step_;
+    if (n < next_) return false;
+    next_ = after(n);
     return true;
 }
 

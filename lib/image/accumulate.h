@@ -67,13 +67,14 @@ private:
 class Schedule {
 public:
     static Schedule parse(const std::string& text, const std::string& where);
-    void restart() { step_ = 0; }
+    void restart() { next_ = 0; }
     bool due(int64_t n);  // called with rising n; n = 0 is always due
 
 private:
+    int64_t after(int64_t n) const;  // the first n of the schedule above this one
     int64_t every_ = 1;
     double factor_ = 0;  // 0: every_
-    int64_t parts_ = 1, step_ = 0;
+    int64_t parts_ = 1, next_ = 0;
 };
 
 }  // namespace image

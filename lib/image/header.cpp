@@ -38,10 +38,25 @@ std::array<double, n> numbers(const std::string& line, const std::string& text, 
     return all;
 }
 
-double positive(const std::string& line, const std::string& text, const std::string& where) {
-    const double value = numbers<1>(line, text, where)[0];
-    if (!(value > 0)) base::fail(where, "header line \"" + line + "\" is not above 0");
-    return value;
+// Times what such lines before it have given.  A product that no float could hold would leave only 0 and infinity.
+void multiply(double& product, double factor, const std::string& line, const std::string& where) {
+    if (!(factor > 0)) base::fail(where, "header line \"" + line + "\" is not above 0");
+    product *= factor;
+    if (!(product >= 1e-30 && product <= 1e30))
+        base::fail(where, fmt::format("header line \"{}\": {:g} is not within 1e-30 to 1e30", line, product));
+}
+
+bool overlap(const std::pair<int64_t, int64_t>& a, const std::pair<int64_t, int64_t>& b) {
+    return a.first <= b.second && b.first <= a.second;
+}
+
+void add_range(Ranges& ranges, const std::pair<int64_t, int64_t>& more, const std::string& line,
+               const std::string& where) {
+    for (const auto& r : ranges)
+        if (overlap(r, more))
+            base::fail(where, fmt::format("header line \"{}\": RANGE={}:{} before it holds such frames, too", line,
+                                          r.first, r.second));
+    ranges.push_back(more);
 }
 
 // Integers may exceed a double's 53 bits (seeds).
@@ -76,6 +91,18 @@ Format format(const std::string& line, const std::string& text, const std::strin
     if (text == "float") return Format::flt;
     base::fail(where, "header line \"" + line +
                           "\": this pixel format is not read (32-bit_rle_rgbe, 32-bit_rle_xyze and float are)");
+}
+
+// Would a reader take more from this line than history?
+bool means_something(const std::string& line) {
+    Header header;
+    Encoding encoding;
+    try {
+        parse_header_line(line, header, encoding, "");
+    } catch (const base::Error&) {
+        return true;
+    }
+    return header.lines.empty() || header.view || encoding.splits;
 }
 
 std::string one_line(std::string text) {
@@ -138,15 +165,12 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         if (view::parse_line(v, line)) h.view = v;
         if (line.compare(0, 5, "VIEW=") != 0) h.lines.push_back(line);  // a command line is history, too
     } else if (auto t = value_of(line, "EXPOSURE=")) {
-        h.exposure *= positive(line, *t, where);
+        multiply(h.exposure, numbers<1>(line, *t, where)[0], line, where);
     } else if (auto t = value_of(line, "COLORCORR=")) {
         const auto c = numbers<3>(line, *t, where);
-        for (int i = 0; i < 3; ++i) {
-            if (!(c[i] > 0)) base::fail(where, "header line \"" + line + "\" is not above 0");
-            e.colorcorr[i] *= c[i];
-        }
+        for (int i = 0; i < 3; ++i) multiply(e.colorcorr[i], c[i], line, where);
     } else if (auto t = value_of(line, "PIXASPECT=")) {
-        h.pixel_aspect *= positive(line, *t, where);
+        multiply(h.pixel_aspect, numbers<1>(line, *t, where)[0], line, where);
     } else if (auto t = value_of(line, "PRIMARIES=")) {
         const auto p = numbers<8>(line, *t, where);
         for (int i = 1; i < 8; i += 2)
@@ -168,6 +192,9 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         e.big_endian = integer<int>(line, *t, where) != 0;
     } else if (auto t = value_of(line, "SEED=")) {
         const auto seed = integer<uint64_t>(line, *t, where);
+        bool told = h.seed == seed;
+        for (const auto& other : h.other_seeds) told = told || other.first == seed;
+        if (told) base::fail(where, "header line \"" + line + "\" comes twice");
         if (h.seed) h.other_seeds.push_back({seed, {}});
         else h.seed = seed;
     } else if (auto t = value_of(line, "FRAME=")) {
@@ -175,7 +202,8 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
     } else if (auto t = value_of(line, "FRAMES=")) {
         h.frames = integer<int64_t>(line, *t, where);
     } else if (auto t = value_of(line, "RANGE=")) {
-        (h.other_seeds.empty() ? h.ranges : h.other_seeds.back().second).push_back(range(line, *t, where));
+        Ranges& ranges = h.other_seeds.empty() ? h.ranges : h.other_seeds.back().second;
+        add_range(ranges, range(line, *t, where), line, where);
     } else {
         h.lines.push_back(line);
     }
@@ -200,11 +228,18 @@ std::vector<std::string> header_lines(const Header& h) {
     return out;
 }
 
-void add_history(Header& header, const std::string& command_line) { header.lines.push_back(one_line(command_line)); }
+// Names are free: one such as "EXPOSURE=2.exr" at the start of a line must not become a field of the header.
+void add_history(Header& header, const std::string& text) {
+    header.lines.push_back(one_line(means_something(text) ? "(" + text + ")" : text));
+}
 
+// Nor may it stand behind a tab: pictures with a tabbed EXPOSURE= are refused (tabbed_exposure).
 void add_input_history(Header& header, const std::string& name, const Header& input) {
-    header.lines.push_back(one_line(name + ":"));
-    for (const std::string& line : header_lines(input)) header.lines.push_back(one_line("\t" + line));
+    add_history(header, name + ":");
+    for (std::string line : header_lines(input)) {
+        for (size_t at = 0; (at = line.find("EXPOSURE=", at)) != std::string::npos;) line[at + 8] = ':';
+        header.lines.push_back(one_line("\t" + line));
+    }
 }
 
 std::string to_text(const Ranges& ranges) {

@@ -27,8 +27,8 @@ void parse_header_line(const std::string& line, Header& header, Encoding& encodi
 // No line is longer than RADIANCE's limit of 2048 characters.
 std::vector<std::string> header_lines(const Header& header);
 
-// A command line as a header line, cut to RADIANCE's limit.
-void add_history(Header& header, const std::string& command_line);
+// A command line or other text as a line of history, cut to RADIANCE's limit; in brackets if it would mean more.
+void add_history(Header& header, const std::string& text);
 
 // The inputs' headers as history of a picture made from several: every line indented by one tab.
 void add_input_history(Header& header, const std::string& name, const Header& input);

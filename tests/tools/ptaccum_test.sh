@@ -53,6 +53,23 @@ check_error 'another view is refused' 1 'v.exr: has another view than part_0.exr
     mkstream frames 64 70 16 16 1 "VIEW= -vp 1 0 0" | ptaccum -last -o v.exr > v.hdr; ptaccum part_0.exr v.exr -o x.exr'
 check 'no refused merge left a file' '[ ! -e x.exr ] && ! ls .x.exr* 2>/dev/null'
 
+# Names and header lines that lie
+cp part_0.exr EXPOSURE=2.exr; cp part_10.exr 'rpict -vp 9 9 9.exr'
+check 'file names are no header lines' '
+    ptaccum EXPOSURE=2.exr "rpict -vp 9 9 9.exr" -o named.hdr && ptaccum part_0.exr part_10.exr -o plain.hdr
+    [ "$(mkstream differ named.hdr plain.hdr)" = 0 ] && ! tr -d "\000" < named.hdr | head -c 4000 | grep -a "^EXPOSURE="
+    [ "$(head -c 4000 named.hdr | grep -ac "^VIEW=.*-vp 0 0 0")" = 1 ]'
+check 'nor in a history of histories, where a tab before EXPOSURE= would spoil the picture' '
+    ptaccum EXPOSURE=2.exr "rpict -vp 9 9 9.exr" -o named.exr && ptaccum named.exr part_41.exr -o again.hdr
+    ! head -c 4000 again.hdr | tr -d "\000" | grep -a "EXPOSURE=.*" | grep -a "	"'
+check_error 'exposures that no float holds' 1 'EXPOSURE=1e308.* is not within' '
+    mkstream numbers 0 2 | ptaccum -last -fc | sed "1a EXPOSURE=1e308" > e.hdr; ptaccum e.hdr -o x.hdr'
+check_error 'frames that one header names twice' 1 'RANGE=0:2.*before it' '
+    mkstream numbers 0 2 | ptaccum -last -fc | sed "1a RANGE=0:2" > r.hdr; ptaccum r.hdr -o x.hdr'
+for every in x1e300 x1e19 x1.0000000001 x2/9000000000000000000; do
+    check "-every $every ends" "timeout 20 ptaccum -every $every n8.hdr | mkstream show | grep -q FRAMES=8"
+done
+
 # Broken streams
 check_error 'a missing frame' 1 '^ptaccum: stdin: picture 3: frame 2 is missing \(this is frame 3\)' '{ mkstream numbers 0 1; mkstream numbers 3 4; } | ptaccum > out'
 check_error 'missing frames' 1 'frames 2 to 4 are missing' '{ mkstream numbers 0 1; mkstream numbers 5 5; } | ptaccum > out'

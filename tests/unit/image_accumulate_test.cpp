@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 
 #include "base/warnings.h"
 #include "image/accumulate.h"
@@ -77,6 +79,30 @@ TEST_CASE("frames and parts of differing exposure") {
     const Picture whole = merged({exposed(sum_of(0, 4), 3), exposed(sum_of(5, 9), 1)});
     CHECK(worst(whole, sum) < 1e-6);
     CHECK(whole.header.exposure == 3);
+}
+
+// Frames of mean 1 with a heavy tail against their sum in long double: 1e-6 is the aim, 1e-7 the rounding of a float.
+TEST_CASE("accumulation does not drift") {
+    Picture f;
+    f.width = 16;
+    f.height = 1;
+    f.rgb.resize(48);
+    Accumulator a;
+    std::vector<long double> sum(48, 0);
+    uint64_t state = 1;
+    for (int64_t k = 0; k <= 50000; ++k) {
+        f.header.frame = k;
+        for (size_t i = 0; i < 48; ++i) {
+            state = state * 6364136223846793005u + 1442695040888963407u;
+            const double u = double(state >> 11) / 9007199254740992.;
+            f.rgb[i] = k == 0 ? 0 : float(9 * std::pow(u, 8) + (u < 1e-4 ? 1e4 : 0) - 1e-3);
+            sum[i] += f.rgb[i];
+        }
+        a.add(f, "x");
+    }
+    Picture p;
+    a.result(p, false);
+    for (size_t i = 0; i < 48; ++i) CHECK(std::fabs(double(p.rgb[i] / (sum[i] / 50000) - 1)) < 1e-6);
 }
 
 TEST_CASE("frame 0 alone is L(0)") {
@@ -221,6 +247,19 @@ TEST_CASE("schedules") {
     int64_t in_doubling = 0;
     for (const int64_t n : fine) in_doubling += n >= 1024;
     CHECK(in_doubling == 16);
+    // Factors at the ends of what a double holds: nothing after the first, or every number
+    for (const char* huge : {"x1e300", "x1e19", "x1e18/1"}) CHECK(due(huge, 5000) == std::vector<int64_t>{0, 1});
+    for (const char* tiny : {"x1.0000000001", "x1.0000000000000002", "x2/9000000000000000000"})
+        CHECK(due(tiny, 5000).size() == 5001);
+    // All n that F^(i/M) rounds to, counted one by one
+    for (const char* text : {"x2/16", "x1.5", "x1.01", "x3/7", "x1e19/100"}) {
+        const char* slash = std::strchr(text, '/');
+        const double factor = std::atof(text + 1), parts = slash ? std::atof(slash + 1) : 1;
+        std::vector<int64_t> all{0};
+        for (double i = 0, t = 1; t <= 5000; t = std::round(std::pow(factor, ++i / parts)))
+            if (int64_t(t) != all.back()) all.push_back(int64_t(t));
+        CHECK(due(text, 5000) == all);
+    }
     for (const char* bad : {"0", "-3", "x1", "x", "x2/0", "y", "", "2.5"})
         CHECK_FALSE(error_text([&] { image::Schedule::parse(bad, "-every"); }).empty());
 }

@@ -229,6 +229,11 @@ TEST_CASE("exposure, colour correction and pixel aspect multiply; indented lines
     CHECK(p.header.tabbed_exposure);
     CHECK(why("#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\n") == "header line \"EXPOSURE=0\" is not above 0");
     CHECK(why("#?RADIANCE\nCOLORCORR=1 1\n\n-Y 1 +X 1\n") == "header line \"COLORCORR=1 1\" is malformed");
+    CHECK(why("#?RADIANCE\nEXPOSURE=1e20\nEXPOSURE=1e20\n\n-Y 1 +X 1\n") ==
+          "header line \"EXPOSURE=1e20\": 1e+40 is not within 1e-30 to 1e30");
+    for (const char* line : {"EXPOSURE=1e308\nEXPOSURE=1e308", "EXPOSURE=1e-200\nEXPOSURE=1e-200", "PIXASPECT=1e99",
+                             "COLORCORR=1 1 1e308"})
+        CHECK(why("#?RADIANCE\n" + std::string(line) + "\n\n-Y 1 +X 1\n").find("1e-30 to 1e30") != std::string::npos);
 }
 
 // Radiances in memory, exposed pixels in the file: whatever the encoding, reading gives the radiances again.
@@ -300,6 +305,11 @@ TEST_CASE("several seeds have their own ranges") {
     CHECK(h.other_seeds.size() == 1);
     CHECK(h.other_seeds[0].second == image::Ranges{{0, 3}, {8, 9}});
     CHECK(why("#?RADIANCE\nRANGE=5:3\n\n") == "header line \"RANGE=5:3\" ends before it begins");
+    CHECK(why("#?RADIANCE\nRANGE=0:9\nRANGE=0:9\n\n") ==
+          "header line \"RANGE=0:9\": RANGE=0:9 before it holds such frames, too");
+    CHECK(why("#?RADIANCE\nSEED=1\nRANGE=0:9\nSEED=2\nRANGE=0:9\nRANGE=4:4\n\n").find("RANGE=0:9 before it") !=
+          std::string::npos);
+    CHECK(why("#?RADIANCE\nSEED=1\nRANGE=0:9\nSEED=1\nRANGE=10:19\n\n") == "header line \"SEED=1\" comes twice");
     CHECK(why("#?RADIANCE\nFRAME=-1\n\n") == "header line \"FRAME=-1\" is not a whole number from 0");
     CHECK(why("#?RADIANCE\nSEED=12x\n\n") == "header line \"SEED=12x\" is not a whole number from 0");
 }

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "base/run.h"
+#include "image/header.h"
 #include "image/stream.h"
 #include "options.h"
 #include "scene/object.h"
@@ -50,7 +51,7 @@ int render(int argc, char** argv) {
     image::Picture picture;
     picture.width = opt.nx;
     picture.height = opt.ny;
-    picture.header.lines = {base::command_line(argc, argv)};
+    image::add_history(picture.header, base::command_line(argc, argv));
     picture.header.view = opt.view;
     picture.header.seed = opt.render.seed;
     picture.header.exposure = opt.exposure;
