@@ -114,10 +114,16 @@ int Builder::eval(const Expr* e, const Environment& env) {
     }
 }
 
+// A missing argument is an error where it is used, so that `or(1)' is 1.
+const Thunk& Builder::given(const Environment& env, size_t i) const {
+    if (i >= env.arguments.size()) fail("too few arguments for function \"" + env.def->name + "\"");
+    return env.arguments[i];
+}
+
 int Builder::name(const Expr* e, const Environment& env) {
     if (env.def)
         for (size_t i = 0; i < env.def->parameters.size(); i++)
-            if (e->name == env.def->parameters[i]) return force(env.arguments[i]);
+            if (e->name == env.def->parameters[i]) return force(given(env, i));
     if (const Definition* d = library_.lookup(e->name, *env.context)) {
         if (d->is_function) fail("function \"" + e->name + "\" is used without arguments");
         return variable(*d);
@@ -144,7 +150,7 @@ int Builder::invoke(const std::string& function, std::vector<Thunk> args, const 
     if (env.def)
         for (size_t i = 0; i < env.def->parameters.size(); i++)
             if (function == env.def->parameters[i]) {  // a parameter that stands for a function
-                const Thunk& t = env.arguments[i];
+                const Thunk& t = given(env, i);
                 if (!t.expr || t.expr->kind != Expr::Kind::name) fail("argument \"" + function + "\" is not a function");
                 return invoke(t.expr->name, std::move(args), *t.env);
             }
@@ -156,7 +162,6 @@ int Builder::invoke(const std::string& function, std::vector<Thunk> args, const 
 
 int Builder::expand(const Definition& def, std::vector<Thunk> args, const Environment& env) {
     if (!def.is_function) fail("\"" + def.name + "\" is not a function");
-    if (args.size() < def.parameters.size()) fail("too few arguments for function \"" + def.name + "\"");
     int& active = active_[&def];
     if (branches_ > 0 && active >= recursion_limit) return graph_.fail();
     Count one_more(active);

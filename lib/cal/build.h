@@ -47,6 +47,7 @@ public:
 private:
     using Args = std::vector<const Expr*>;
     int eval(const Expr* e, const Environment& env);
+    const Thunk& given(const Environment& env, size_t i) const;
     int force(const Thunk& t);
     int name(const Expr* e, const Environment& env);
     int invoke(const std::string& function, std::vector<Thunk> args, const Environment& env);

@@ -83,12 +83,11 @@ side`rayinit(i) = cross(i, up`rayinit, NP);
 side_len`rayinit = Sqrt(dot(side`rayinit, side`rayinit));
 lv`rayinit(i) = side`rayinit(i)/side_len`rayinit;
 lu`rayinit(i) = cross(i, NP, lv`rayinit);
-Ldx(d) = dot(d, lu`rayinit);
-Ldy(d) = dot(d, lv`rayinit);
-Ldz(d) = dot(d, NP);
-back`rayinit(i) = -D(i);
-Idx = Ldx(back`rayinit);
-Idy = Ldy(back`rayinit);
+Ldx(x, y, z) = x*lu`rayinit(1) + y*lu`rayinit(2) + z*lu`rayinit(3);
+Ldy(x, y, z) = x*lv`rayinit(1) + y*lv`rayinit(2) + z*lv`rayinit(3);
+Ldz(x, y, z) = x*NxP + y*NyP + z*NzP;
+Idx = Ldx(-Dx, -Dy, -Dz);
+Idy = Ldy(-Dx, -Dy, -Dz);
 Idz = RdotP;
 
 { Luminaire corrections: A1 multiplier (only if there are more real arguments), A2 A3 A4 box sizes. }

@@ -125,12 +125,11 @@ static DataFile picture_plane(int width, int height, double pixel_aspect, const 
 uint32_t picture_table(Library::State& library, const std::string& file, const std::string& place, Code& code) {
     const auto known = code.tables.find("picture " + file);
     if (known != code.tables.end()) return known->second;
-    const image::Picture picture = image::read_file(base::find_file(file, library.files, place));
+    const image::Picture picture = image::read_file(base::find_file(file, library.files, place), image::Pixels::stored);
     DataFile data = picture_plane(picture.width, picture.height, picture.header.pixel_aspect, file, place);
-    const float exposure = float(picture.header.exposure);
     data.values.reserve(picture.rgb.size());
     for (int y = picture.height - 1; y >= 0; y--)
-        for (int x = 0; x < 3 * picture.width; x++) data.values.push_back(picture.at(0, y)[x] * exposure);
+        data.values.insert(data.values.end(), picture.at(0, y), picture.at(0, y) + 3 * picture.width);
     return code.tables["picture " + file] = add_data(data, 3, code);
 }
 

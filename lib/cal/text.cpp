@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Polygonal fonts and the placing of characters (spec: scene language 5, text patterns).
+// A file holds whole numbers; # begins a comment anywhere, also behind a number without a blank.
 // Coordinates are 1/255 of a character cell; a glyph's extent starts from the middle of the cell, 128.
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,12 @@ Font read_font(const std::string& path, const std::string& place) {
     const std::string text = read_text(path, size_t(64) << 20, place);
     auto fail = [&](const std::string& fact) { base::fail(place, "font \"" + path + "\": " + fact); };
     size_t at = 0;
+    auto blank = [&] { return static_cast<unsigned char>(text[at]) <= ' '; };
     auto next = [&](long long& v) {
-        while (at < text.size() && static_cast<unsigned char>(text[at]) <= ' ') at++;
+        while (at < text.size() && (blank() || text[at] == '#'))
+            at = text[at] == '#' ? std::min(text.find('\n', at), text.size()) : at + 1;
         const size_t from = at;
-        while (at < text.size() && static_cast<unsigned char>(text[at]) > ' ') at++;
+        while (at < text.size() && !blank() && text[at] != '#') at++;
         if (at == from) return false;
         if (!base::parse_integer(std::string_view(text).substr(from, at - from), v))
             fail("\"" + text.substr(from, std::min<size_t>(at - from, 40)) + "\" is not a number");

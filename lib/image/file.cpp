@@ -41,8 +41,8 @@ void write_bytes(const std::string& path, const std::string& bytes) {
     temp.keep();
 }
 
-Picture read_file(const std::string& path) {
-    StreamReader in(path);
+Picture read_file(const std::string& path, Pixels pixels) {
+    StreamReader in(path, pixels);
     Picture picture;
     in.next(picture);
     Picture further;

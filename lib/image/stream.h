@@ -12,7 +12,7 @@ namespace image {
 // A file that is OpenEXR (whatever its name) is one picture.
 class StreamReader {
 public:
-    explicit StreamReader(const std::string& path);
+    explicit StreamReader(const std::string& path, Pixels pixels = Pixels::radiance);
     ~StreamReader();
     // false at a clean end of input; throws Error on anything cut or malformed (place = path, picture number).
     bool next(Picture& picture);
@@ -36,7 +36,8 @@ void write_bytes(const std::string& path, const std::string& bytes);
 // content.
 std::string ending_of(const std::string& path);         // ".exr", in small letters
 void require_writable_ending(const std::string& path);  // an Error before the work, not after it
-Picture read_file(const std::string& path);             // one picture; throws Error if there are several
+// One picture; throws Error if there are several.
+Picture read_file(const std::string& path, Pixels pixels = Pixels::radiance);
 void write_file(const std::string& path, const Picture& picture,
                 Format hdr_format = Format::rgbe);  // atomic: temp + rename
 

@@ -187,7 +187,8 @@ struct StreamReader::State {
     Input in;
     int64_t count = 0;
     bool exr = false;
-    explicit State(const std::string& path) : in(path) {
+    Pixels pixels;
+    State(const std::string& path, Pixels wanted) : in(path), pixels(wanted) {
         const unsigned char magic[4] = {0x76, 0x2f, 0x31, 0x01};
         unsigned char start[4];
         exr = in.look(start, 4) && std::memcmp(start, magic, 4) == 0;
@@ -195,7 +196,7 @@ struct StreamReader::State {
     }
 };
 
-StreamReader::StreamReader(const std::string& path) : state_(new State(path)) {}
+StreamReader::StreamReader(const std::string& path, Pixels pixels) : state_(new State(path, pixels)) {}
 StreamReader::~StreamReader() = default;
 int64_t StreamReader::pictures() const { return state_->count; }
 
@@ -229,7 +230,8 @@ bool StreamReader::next(Picture& picture) {
         read_bytes(in, layout, picture.rgb, place);
     }
     reorient(picture.rgb, layout, 3);
-    to_radiance(picture.rgb, picture.header, encoding);
+    if (state_->pixels == Pixels::radiance || encoding.format == Format::xyze)
+        to_radiance(picture.rgb, picture.header, encoding);
     picture.width = layout.width;
     picture.height = layout.height;
     ++state_->count;

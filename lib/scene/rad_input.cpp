@@ -44,6 +44,20 @@ std::vector<std::string> split(const std::string& text) {
     return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
 }
 
+// File names and "!commands": a word that begins with a quote ends at the next one.
+std::vector<std::string> split_quoted(const std::string& text, const std::string& place) {
+    std::vector<std::string> words;
+    for (size_t at = 0; (at = text.find_first_not_of(" \t", at)) != std::string::npos;) {
+        const char quote = text[at] == '"' || text[at] == '\'' ? text[at] : 0;
+        const size_t from = quote ? at + 1 : at;
+        const size_t to = quote ? text.find(quote, from) : std::min(text.find_first_of(" \t", from), text.size());
+        if (to == std::string::npos) base::fail(place, "a quote does not end: " + text.substr(at, 40));
+        if (to > from) words.push_back(text.substr(from, to - from));
+        at = quote ? to + 1 : to;
+    }
+    return words;
+}
+
 // Blank runs outside quotes become one blank, blanks at the end go.
 std::string squeeze(const std::string& text) {
     std::string out;
@@ -228,8 +242,8 @@ RadInput read_rad_input(const std::string& path, const std::vector<std::string>&
     RadInput input;
     input.path = path;
     for (const char* name : {"materials", "illum", "scene"})
-        for (const std::string& file : split(values.get(name))) input.scene_files.push_back(file);
-    if (input.scene_files.empty()) input.scene_files = split(values.get("OCTREE"));
+        for (const std::string& file : split_quoted(values.get(name), path + ": " + name)) input.scene_files.push_back(file);
+    if (input.scene_files.empty()) input.scene_files = split_quoted(values.get("OCTREE"), path + ": OCTREE");
     if (input.scene_files.empty()) base::fail(path, "names no scene");
     if (!values.get("ZONE").empty()) read_zone(values.get("ZONE"), input);
     if (!values.get("UP").empty()) read_up(values.get("UP"), input);

@@ -94,6 +94,15 @@ TEST_CASE("views and options are those of the commands rad prints") {
     }
 }
 
+// rad -n writes for these: oconv sky.rad "!xform -t 0 0 0 quad.rad" 'two words.rad' a"b
+TEST_CASE("a quoted word of a scene is one file or command") {
+    const scene::RadInput input = scene::read_rad_input(
+        LUXPIPE_TESTS "/golden/rad_input/test.rif",
+        {"scene=sky.rad \"!xform -t 0 0 0 quad.rad\"  'two words.rad' a\"b"});
+    const std::vector<std::string> files = {"room_cie.rad", "sky.rad", "!xform -t 0 0 0 quad.rad", "two words.rad", "a\"b"};
+    CHECK(input.scene_files == files);
+}
+
 TEST_CASE("a wrong file is told by place and fact") {
     const auto message = [](const std::vector<std::string>& more) -> std::string {
         try {
@@ -106,6 +115,7 @@ TEST_CASE("a wrong file is told by place and fact") {
     CHECK(message({}).find("has no view \"left\"") != std::string::npos);
     CHECK(message({"COLOUR=1"}) == "COLOUR=1: \"COLOUR\" is no variable of rad");
     CHECK(message({"ZONE=I 0 1 0 1"}) == "ZONE: needs xmin xmax ymin ymax zmin zmax");
+    CHECK(message({"scene=\"a b"}).find("test.rif: scene: a quote does not end: \"a b") != std::string::npos);
     CHECK(message({"UP=W"}) == "UP: \"W\" is no axis");
     CHECK(message({"QUALITY=best"}) == "QUALITY: \"best\" is none of LOW, MEDIUM, HIGH");
 }
