@@ -7,13 +7,15 @@
     __global const uint* u, __global const float* f, __global const Params* params
 #define PATH_ARGS __global float4* porg, __global float4* pdir, __global float4* pthr, __global float4* prad, \
     __global uint4* pinfo, __global float4* phit, __global float4* psorg, __global float4* psdir, __global float4* pscol, \
-    __global float4* pmed, __global float4* psmed
+    __global float4* pmed, __global float4* palb, \
+    __global float4* psmed, __global float4* psalb
 #define SET_UP \
     SceneTables s; Params par = *params; Paths a; \
     s.nodes = nodes; s.leaves = leaves; s.shapes = shapes; s.polygon_uv = polygon_uv; s.prims = prims; \
     s.vertices = vertices; s.u = u; s.f = f; \
     a.org = porg; a.dir = pdir; a.thr = pthr; a.rad = prad; a.info = pinfo; a.hit = phit; \
-    a.sorg = psorg; a.sdir = psdir; a.scol = pscol; a.med = pmed; a.smed = psmed; \
+    a.sorg = psorg; a.sdir = psdir; a.scol = pscol; a.med = pmed; a.alb = palb; \
+    a.smed = psmed; a.salb = psalb; \
     uint i = (uint)get_global_id(0);
 
 __kernel void k_generate(SCENE_ARGS, PATH_ARGS, __global uint* counters, __global uint* queue) {

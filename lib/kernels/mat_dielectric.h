@@ -9,24 +9,33 @@ FN float3 extinction3_(GLOBAL const float* t, float3 pattern) {
     return F3(extinction_(t[0] * pattern.x), extinction_(t[1] * pattern.y), extinction_(t[2] * pattern.z));
 }
 
-// Also: *arriving is the medium of the segment that ends here if the surface knows it (returns 1), *beyond the medium
-// behind the surface (the refracted ray's).
-FN int mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg,
-                      PRIVATE Lobes* out, PRIVATE float3* arriving, PRIVATE float3* beyond) {
-    float3 open = F3(par->medium.x, par->medium.y, par->medium.z);
-    float3 inside = extinction3_(arg, g->color);
+FN Medium solid_medium(float3 k, PRIVATE const Medium* around) {
+    Medium m;
+    m.k = k;
+    m.albedo = F3(0.0f, 0.0f, 0.0f);
+    m.ecc = 0.0f;
+    m.lights = around->lights;
+    return m;
+}
+
+// Also: *arriving is the medium of the segment that ends here if the surface knows it, *beyond the medium behind the
+// surface (the refracted ray's).  Solids do not scatter.
+FN void mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg,
+                      PRIVATE Lobes* out, PRIVATE Medium* arriving, PRIVATE Medium* beyond) {
+    Medium inside = solid_medium(extinction3_(arg, g->color), arriving);
     float ratio;  // index on the viewer's side over index beyond
-    int known;
     if (type == M_DIELECTRIC) {
         float n = arg[3] + arg[4] * 0.002f;
         ratio = g->front ? 1.0f / n : n;
-        known = !g->front;
-        if (known) *arriving = inside;
-        *beyond = g->front ? inside : open;
+        if (g->front) *beyond = inside;
+        else {
+            *arriving = inside;
+            *beyond = medium_open(par);
+        }
+        beyond->lights = arriving->lights;
     } else {
-        float3 outside = extinction3_(arg + 4, g->color);
+        Medium outside = solid_medium(extinction3_(arg + 4, g->color), arriving);
         ratio = g->front ? arg[7] / arg[3] : arg[3] / arg[7];
-        known = 1;
         *arriving = g->front ? outside : inside;
         *beyond = g->front ? inside : outside;
     }
@@ -47,6 +56,5 @@ FN int mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint 
     }
     out->mirror = F3(R, R, R);
     out->mirror_dir = mirror_direction(g);
-    return known;
 }
 #endif

@@ -7,7 +7,7 @@
 // Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving: medium of the segment that
 // ended here, corrected where the surface knows it; *beyond: medium behind the surface.
 FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, int asked,
-                       PRIVATE Sampler* rnd, PRIVATE float3* arriving, PRIVATE float3* beyond, PRIVATE Lobes* l) {
+                       PRIVATE Sampler* rnd, PRIVATE Medium* arriving, PRIVATE Medium* beyond, PRIVATE Lobes* l) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     float vars[CAL_VARS], value[CAL_OUTPUTS];

@@ -40,7 +40,10 @@ FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* a, uint slo
     a->org[slot] = pack4(ray.org, as_float_(CLIP_START));
     a->dir[slot] = pack4(ray.dir, ray.tmax);
     a->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
-    if (par->medium.w > 0.0f) a->med[slot] = pack4(xyz4(par->medium), as_float_(NONE));
+    if (par->medium.w > 0.0f) {
+        Medium open = medium_open(par);
+        set_path_medium(a, slot, &open);
+    }
     a->info[slot] = info;
     return 1;
 }
@@ -97,34 +100,30 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     if (step >= PC_STEP_LIMIT) return 0;
     flags += 1u << PC_STEP_SHIFT;
 
-    int pass = 0, absorbs = par->medium.w > 0.0f, mist_surface = 0, scattered = 0;
+    int pass = 0, absorbs = par->medium.w > 0.0f, emits = 0, scattered = 0;
+    uint scatters = 0u;  // sources that the medium scatters
     Lobes lobes;
-    float3 next = dir, arriving = F3(0.0f, 0.0f, 0.0f), beyond = arriving;
-    float4 medium = pack4(arriving, 0.0f);
-    uint mist = NONE;
-    if (absorbs) { medium = a->med[slot]; arriving = xyz4(medium); beyond = arriving; mist = as_uint_(medium.w); }
-    uint clip = as_uint_(a->org[slot].w);
+    float3 next = dir, emitted = F3(0.0f, 0.0f, 0.0f);
+    Medium medium = absorbs ? path_medium(a, slot) : medium_open(par);
+    Medium arriving = medium, beyond = medium;  // of the segment that ends here; of the way on through the surface
+    uint clip = as_uint_(a->org[slot].w), before = clip;  // antimatter beyond the surface and before it
     float3 smoothing = g.pert;
     if (((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) ||
         !find_material(s, par, &g, &rnd) || take_alternate(s, par, &g, flags, &rnd)) {
         pass = 1;
     } else if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
-        float3 e = emitter_radiance(s, par, &g, flags, &pass);
-        if (!pass) {
-            if (absorbs) thr = mul3(thr, attenuation(arriving, g.length));
-            if (wanted) a->rad[slot] = pack4(add3(rad, mul3(thr, e)), r4.w);
-            return 0;
-        }
+        emitted = emitter_radiance(s, par, &g, flags, &pass);
+        emits = !pass;
     } else {
-        mist_surface = g.type == M_MIST;
-        if (!mist_surface) material_lobes(s, par, &g, (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u ? LOBES_SAMPLED : LOBES_EYE, &rnd, &arriving, &beyond, &lobes);
-        else lobes.flags = LOBE_PASS;
+        if (g.type == M_MIST) mist_crossing(s, par, &g, &arriving, &beyond);
+        int asked = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u ? LOBES_SAMPLED : LOBES_EYE;
+        if (g.type == M_MIST) lobes.flags = LOBE_PASS;
+        else material_lobes(s, par, &g, asked, &rnd, &arriving, &beyond, &lobes);
         pass = (lobes.flags & LOBE_PASS) != 0u;
         if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) {
             pass = pass || (mod_record(s, par, g.mod)[MOD_FLAGS] & MF_SEEN_THROUGH) != 0u;
-            arriving = xyz4(medium);  // what the material knows of media does not count
-            beyond = arriving;
-            mist_surface = 0;
+            arriving = medium;  // what the material knows of media does not count
+            beyond = medium;
             if (!pass) {
                 float3 pi3 = F3(3.14159265f, 3.14159265f, 3.14159265f);
                 g.pert = smoothing;  // the white surface in its place has no texture of its own
@@ -135,19 +134,25 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             }
         }
     }
-    if (absorbs && max3(arriving) > 0.0f) {
-        float ecc;
-        float3 T = attenuation(arriving, g.length), av = F3(par->av.x, par->av.y, par->av.z);
-        float3 albedo = medium_albedo(s, par, mist, &ecc);
-        if (wanted) rad = add3(rad, mul3(thr, mul3(mul3(albedo, av), sub3(F3(1.0f, 1.0f, 1.0f), T))));  // spec shading 3.9
-        if (wanted && mist != NONE && scatter_shadow(s, par, a, slot, org, dir, g.length, arriving, albedo, ecc, mist, thr, r4.w, &rnd)) {
-            // one shadow ray a step: here it goes to the mist, so the surface's own direct light is left to other samples
-            result |= PATH_SHADOW;
-            scattered = 1;
+    if (absorbs && max3(arriving.k) > 0.0f) {
+        float3 T = attenuation(arriving.k, g.length), av = F3(par->av.x, par->av.y, par->av.z), one = F3(1.0f, 1.0f, 1.0f);
+        scatters = scattered_count(s, par, &arriving);
+        if (wanted) rad = add3(rad, mul3(thr, mul3(mul3(arriving.albedo, av), sub3(one, T))));  // spec shading 3.9
+        if (wanted && scatters > 0u) {
+            // one shadow ray a step: if it goes to the mist, the surface's own direct light is left to other samples
+            float2 x = sample2(&rnd), y = sample2(&rnd);
+            scattered = x.x >= 0.5f;
+            if (scattered &&
+                scatter_shadow(s, par, a, slot, org, dir, g.length, &arriving, scatters, before, thr, r4.w, x, y, &rnd))
+                result |= PATH_SHADOW;
         }
         thr = mul3(thr, T);
     }
-    if (mist_surface) medium = mist_crossing(s, par, &g, medium, 0);
+    if (emits) {
+        if (wanted) rad = add3(rad, mul3(thr, emitted));
+        a->rad[slot] = pack4(rad, r4.w);
+        return result;
+    }
     if (!pass) {
         // ---- light from active sources
         if (wanted && par->source_count > 0u) {
@@ -155,7 +160,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             float inv_p = choose_source(s, par, g.p, &rnd, &i);
             float2 x = sample2(&rnd);
             if (scattered) inv_p = 0.0f;
-            else if (mist != NONE && mist_scatters(s, par, mist)) inv_p *= 2.0f;
+            else if (scatters > 0u) inv_p *= 2.0f;
             if (inv_p > 0.0f) {
                 LightSample ls;
                 sample_source(s, par, i, g.p, x, par->dj, &ls);
@@ -182,12 +187,8 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                             a->sorg[slot] = pack4(from, as_float_(i));
                             a->sdir[slot] = pack4(ls.dir, ls.dist);
                             a->scol[slot] = pack4(c, g.total);
-                            if ((par->flags & PF_ANTIMATTER) != 0u) a->smed[slot] = pack4(F3(0.0f, 0.0f, 0.0f), as_float_(clip));
-                            if (absorbs) {
-                                float ecc;
-                                float3 one = F3(1.0f, 1.0f, 1.0f), albedo = medium_albedo(s, par, mist, &ecc);
-                                a->smed[slot] = pack4(mul3(above ? arriving : beyond, sub3(one, albedo)), as_float_(clip));
-                            }
+                            if (absorbs || (par->flags & PF_ANTIMATTER) != 0u)
+                                set_shadow_medium(a, slot, above ? &arriving : &beyond, clip);
                             result |= PATH_SHADOW;
                         }
                     }
@@ -269,7 +270,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         info.z = rnd.index | (rnd.dim << 8);
         a->info[slot] = info;
         if (dead) return result;
-        if (absorbs) a->med[slot] = pack4(dot3(next, g.ng) > 0.0f ? arriving : beyond, medium.w);
+        if (absorbs) set_path_medium(a, slot, dot3(next, g.ng) > 0.0f ? &arriving : &beyond);
         a->org[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, dot3(next, g.ng) > 0.0f), side, g.reach), as_float_(clip));
         a->dir[slot] = pack4(next, 1e30f);
         a->thr[slot] = pack4(thr, t4.w);
@@ -280,7 +281,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     info.x = flags;
     info.z = rnd.index | (rnd.dim << 8);
     a->info[slot] = info;
-    if (absorbs) a->med[slot] = medium;
+    if (absorbs) set_path_medium(a, slot, &beyond);
     a->thr[slot] = pack4(thr, t4.w);
     a->org[slot] = pack4(offset_ray(g.p, neg3(g.ng), g.reach), as_float_(clip));
     a->dir[slot] = pack4(dir, a->dir[slot].w >= 1e29f ? 1e30f : a->dir[slot].w - h.x);

@@ -14,8 +14,12 @@ typedef struct {
     GLOBAL float4* sorg;   // shadow ray: origin, w = source index (bits)
     GLOBAL float4* sdir;   // direction, w = distance
     GLOBAL float4* scol;   // rgb of the contribution if unblocked
-    GLOBAL float4* med;    // rgb extinction of the medium the ray travels in (used if Params.medium.w)
-    GLOBAL float4* smed;   // the same for the shadow ray
+    // the medium the ray travels in (used if Params.medium.w; medium.h)
+    GLOBAL float4* med;    // rgb extinction, w = sets of lights (bits)
+    GLOBAL float4* alb;    // rgb albedo, w = eccentricity
+    // the same for the shadow ray
+    GLOBAL float4* smed;   // rgb extinction, w = antimatter (bits; clip.h)
+    GLOBAL float4* salb;   // rgb albedo, w = sets of lights (bits)
 } Paths;
 
 // flags in info.x

@@ -5,8 +5,8 @@
 
 // What a shadow ray lets through: straight through glass, smooth trans, mixtures with void (spec shading 4.5).
 FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float dist,
-                          uint source, float3 medium, uint clip, PRIVATE Sampler* rnd) {
-    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f), beyond;
+                          uint source, Medium medium, uint clip, PRIVATE Sampler* rnd) {
+    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f);
     GLOBAL const float* q = source_record(s, par, source);
     uint kind = as_uint_(q[SRC_KIND]);
     Ray ray;
@@ -25,9 +25,8 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         return black;
     }
     int absorbs = par->medium.w > 0.0f;
-    float4 m4 = pack4(medium, 0.0f);
     if (must_hit && par->shadow_mode == SHADOW_OPAQUE) return black;
-    if (par->shadow_mode == SHADOW_OPAQUE) return absorbs ? attenuation(medium, MIN_(dist, 1e10f)) : T;
+    if (par->shadow_mode == SHADOW_OPAQUE) return absorbs ? shadow_attenuation(&medium, MIN_(dist, 1e10f)) : T;
     float total = 0.0f;
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
         Hit hit;
@@ -35,24 +34,27 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         Lobes l;
         trace_closest(s, &ray, RAY_TRANSPARENT, &hit);
         if (hit.prim == NO_HIT && must_hit) return black;
-        if (hit.prim == NO_HIT) return absorbs ? mul3(T, attenuation(xyz4(m4), MIN_(ray.tmax, 1e10f))) : T;
-        if (absorbs) T = mul3(T, attenuation(xyz4(m4), hit.t));
-        if (must_hit && hit.prim == as_uint_(q[SRC_PRIM])) return T;
+        if (hit.prim == NO_HIT) return absorbs ? mul3(T, shadow_attenuation(&medium, MIN_(ray.tmax, 1e10f))) : T;
+        Medium beyond = medium;
+        int at_source = must_hit && hit.prim == as_uint_(q[SRC_PRIM]);
         surface_at(s, &ray, &hit, &g);
         total += hit.t;
         g.total = total;
-        if (!((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
+        if (!at_source && !((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
             find_material(s, par, &g, rnd) && !shadow_alternate(s, par, &g, rnd)) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
                 if (g.type != M_ILLUM) return black;
             } else if (g.type == M_MIST) {
-                m4 = mist_crossing(s, par, &g, m4, 1);
+                mist_crossing(s, par, &g, &medium, &beyond);
             } else {
                 material_lobes(s, par, &g, LOBES_SHADOW, rnd, &medium, &beyond, &l);
                 if ((l.flags & LOBE_PASS) == 0u) T = mul3(T, l.through);
             }
             if (max3(T) <= 0.0f) return black;
         }
+        if (absorbs) T = mul3(T, shadow_attenuation(&medium, hit.t));
+        if (at_source) return T;
+        medium = beyond;
         ray.org = offset_ray(g.p, neg3(g.ng), g.reach);
         if (ray.tmax < 1e29f) { ray.tmax -= hit.t; if (ray.tmax <= 0.0f) return must_hit ? black : T; }
     }
@@ -62,8 +64,8 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
 // The same where light may bend (dielectric) or be relayed (mirror): followed surface by surface; it must arrive at the
 // real source aimed at (spec shading 3.6, 4.6).  For virtual sources the result holds the source's radiance.
 FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float total,
-                       uint source, float3 medium, uint clip, PRIVATE Sampler* rnd) {
-    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f), beyond;
+                       uint source, Medium medium, uint clip, PRIVATE Sampler* rnd) {
+    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f);
     GLOBAL const float* q = source_record(s, par, source);
     int is_virtual = as_uint_(q[SRC_VIRTUAL]) != NONE, bent = 0;
     Ray ray;
@@ -77,7 +79,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         if (hit.prim == NO_HIT) {
             if (relay != NONE || as_uint_(q[SRC_KIND]) != SK_DISTANT) return black;
             float3 e = sub3(ray.dir, f3_at(q + SRC_CENTRE));
-            if (par->medium.w > 0.0f) T = mul3(T, attenuation(medium, 1e10f));
+            if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&medium, 1e10f));
             if ((bent || is_virtual) && 0.5f * dot3(e, e) > q[SRC_CAP]) return black;
             if (!is_virtual) return T;
             return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), NONE, ray.dir, ray.org, neg3(ray.dir), 1e30f, 1e30f, rnd));
@@ -85,23 +87,23 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         surface_at(s, &ray, &hit, &g);
         total += hit.t;
         g.total = total;
-        if (par->medium.w > 0.0f && max3(medium) > 0.0f) T = mul3(T, attenuation(medium, hit.t));
         if (relay == NONE && hit.prim == as_uint_(q[SRC_PRIM])) {
             if (!g.front) return black;
+            if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&medium, hit.t));
             if (!is_virtual) return T;
             return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), hit.prim, ray.dir, g.p, g.nface, hit.t, total, rnd));
         }
         float3 next = ray.dir;
+        Medium here = medium, beyond = medium;  // of the segment that ends here; behind the surface
         if (!((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
             find_material(s, par, &g, rnd) &&
             ((relay != NONE && hit.prim == s->u[relay]) || !shadow_alternate(s, par, &g, rnd))) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
                 if (g.type != M_ILLUM) return black;
             } else if (g.type == M_MIST) {
-                medium = xyz4(mist_crossing(s, par, &g, pack4(medium, 0.0f), 1));
+                mist_crossing(s, par, &g, &here, &beyond);
             } else {
-                float3 known = medium;
-                material_lobes(s, par, &g, LOBES_SHADOW, rnd, &known, &beyond, &l);
+                material_lobes(s, par, &g, LOBES_SHADOW, rnd, &here, &beyond, &l);
                 if ((l.flags & LOBE_PASS) == 0u) {
                     if (relay != NONE && hit.prim == s->u[relay]) {  // the relay this virtual source belongs to
                         q = source_record(s, par, s->u[relay + 1u]);
@@ -120,11 +122,12 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
                     } else {
                         T = mul3(T, l.through);
                     }
-                    if (dot3(next, g.ng) < 0.0f) medium = beyond;
                 }
             }
             if (max3(T) <= 0.0f) return black;
         }
+        if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&here, hit.t));
+        medium = dot3(next, g.ng) < 0.0f ? beyond : here;
         ray.org = offset_ray(g.p, dot3(next, g.ng) > 0.0f ? g.ng : neg3(g.ng), g.reach);
         ray.dir = next;
     }
@@ -136,9 +139,9 @@ FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
     uint4 info = a->info[slot];
     Sampler rnd = path_sampler(info);
     rnd.key = hash_(rnd.key ^ 0x5bd1e995u);
-    float3 T, medium = F3(0.0f, 0.0f, 0.0f);
+    float3 T;
+    Medium medium = par->medium.w > 0.0f ? shadow_medium(a, slot) : medium_open(par);
     uint clip = (par->flags & PF_ANTIMATTER) != 0u ? as_uint_(a->smed[slot].w) : CLIP_START;
-    if (par->medium.w > 0.0f) medium = xyz4(a->smed[slot]);
     if (par->shadow_mode == SHADOW_AIMED) {
         T = shadow_aimed(s, par, xyz4(o), xyz4(d), c.w, as_uint_(o.w), medium, clip, &rnd);
     } else {
@@ -164,7 +167,9 @@ FN void path_draw(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     float3 e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
     a->scol[slot] = pack4(mul3(xyz4(a->scol[slot]), e), 0.0f);
     a->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
-    a->smed[slot] = pack4(xyz4(par->medium), as_float_(CLIP_START));
+    Medium open = medium_open(par);
+    open.albedo = F3(0.0f, 0.0f, 0.0f);  // what the eye sees is dimmed by all extinction
+    set_shadow_medium(a, slot, &open, CLIP_START);
     uint4 info;
     info.x = 0u; info.y = rnd.key; info.z = rnd.index; info.w = NONE;
     a->info[slot] = info;

@@ -40,7 +40,7 @@
 #define MOD_BRANCH1 4u    // mixtures: foreground; illum, mirror: alternate
 #define MOD_BRANCH2 5u    // mixtures: background
 #define MOD_FLAGS 6u
-#define MOD_EXTRA 7u      // source relay lists, BSDF tables
+#define MOD_EXTRA 7u      // BSDF tables; the sets of sources that a mist names, a bit each
 // types
 #define M_PATTERN1 1u     // program gives brightness
 #define M_PATTERN3 2u     // program gives RGB
@@ -81,6 +81,8 @@
 #define MF_PATTERNS_ONLY 256u  // a mixture whose branches hold no material
 #define MF_TWO_EXITS 128u   // prism2
 #define MF_CLIPPED_SHIFT 9u  // 4 bits: listed by antimatter 0..3
+#define MF_ALBEDO 8192u     // a mist that states its albedo
+#define MF_ECCENTRICITY 16384u
 #define MF_LOBES_SHIFT 16u   // number of outputs of the lobe program (MOD_EXTRA)
 
 // ---- active sources: SOURCE_FLOATS floats each at f[Params.sources_at] (words by as_uint_)
@@ -112,6 +114,11 @@
 #define SK_SPHERE 4u
 #define SK_CYLINDER 5u
 
+// ---- sets of sources that mists name, each a set that the same mists name: LIGHT_SET_WORDS words at u[Params.light_sets_at]
+#define LIGHT_SET_WORDS 2u
+#define LIGHT_SET_FIRST 0u  // index into u of the source indices
+#define LIGHT_SET_COUNT 1u
+
 // ---- distant surfaces ("source" primitives), in the order they are tried: DISTANT_WORDS words at u[Params.distant_at]
 #define DISTANT_WORDS 8u
 #define DISTANT_DIR 0u    // 3 floats
@@ -140,7 +147,7 @@ typedef struct {
     uint distant_count, portals_at, portal_count, shadow_mode;
     int ab, lr; uint bv, flags;
     float st, ss, dj, lw;
-    float ds, pad1, pad2, pad3;
+    float ds; uint light_sets_at; float pad2, pad3;
     uint skip_direct_below, cdf_at, draw_at, draw_count;
 } Params;
 

@@ -15,7 +15,7 @@ struct Tile {
     Paths paths;
     uint32_t *now, *next, *shadow;
 };
-static uint64_t scratch_bytes(uint32_t count) { return uint64_t(count) * (11 * 16 + 3 * 4) + 64; }
+static uint64_t scratch_bytes(uint32_t count) { return uint64_t(count) * (13 * 16 + 3 * 4) + 64; }
 static Tile carve(void* scratch, uint32_t count) {
     char* p = reinterpret_cast<char*>((reinterpret_cast<uintptr_t>(scratch) + 63) & ~uintptr_t(63));
     const auto take = [&](size_t size) { char* q = p; p += size * count; return q; };
@@ -30,7 +30,9 @@ static Tile carve(void* scratch, uint32_t count) {
     t.paths.sdir = (float4*)take(16);
     t.paths.scol = (float4*)take(16);
     t.paths.med = (float4*)take(16);
+    t.paths.alb = (float4*)take(16);
     t.paths.smed = (float4*)take(16);
+    t.paths.salb = (float4*)take(16);
     t.now = (uint32_t*)take(4);
     t.next = (uint32_t*)take(4);
     t.shadow = (uint32_t*)take(4);

@@ -60,9 +60,13 @@ struct Flattener {
     uint32_t bsdf_file(const std::string& name, const std::string& place);
     void flatten_sources();
     // The sources that mists name, to scatter; records as in flatten_sources, the real ones first, each with its object.
+    // Source i is of that name; of several the latest is meant.
     void link_mists(const std::vector<float>& records, const std::vector<uint32_t>& source_objects);
     bool source_is_called(const std::vector<float>& records, const std::vector<uint32_t>& source_objects, uint32_t i,
                           std::string_view name) const;
+    bool source_is_later(const std::vector<float>& records, const std::vector<uint32_t>& source_objects, uint32_t i,
+                         uint32_t j) const;
+    uint32_t relay_object(uint32_t prim) const;
     // Copies of the sources mirrored in the relays, up to -dr levels (virtual_sources.cpp); arguments as in flatten_sources.
     void add_virtual_sources(std::vector<float>& records, std::vector<float>& fans,
                              std::vector<std::pair<size_t, size_t>>& fan_patches);

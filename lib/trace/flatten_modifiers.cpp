@@ -179,10 +179,10 @@ void Flattener::flatten_modifiers() {
                 antimatters++;
                 out.antimatter = true;
             }
-            if (t.type == Type::mist) {  // absent arguments: the global medium's
-                const double* global[3] = {nullptr, options.ma, &options.mg};
-                for (size_t k = reals.size(); k < 7; k++) args.push_back(k < 3 ? 0.0f : float(k < 6 ? global[1][k - 3] : *global[2]));
-                rec[MOD_EXTRA] = NONE;
+            if (t.type == Type::mist) {  // absent arguments: no extinction; the albedo and eccentricity around it stay
+                for (size_t k = reals.size(); k < 7; k++) args.push_back(0.0f);
+                rec[MOD_EXTRA] = 0;
+                rec[MOD_FLAGS] |= (reals.size() > 3 ? MF_ALBEDO : 0) | (reals.size() > 6 ? MF_ECCENTRICITY : 0);
                 out.absorbs = true;
                 mists.push_back({uint32_t(mods.size() / MOD_WORDS), uint32_t(r.object)});
             }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/core.h>
+#include <map>
 #include <set>
 
 #include "base/error.h"
@@ -78,30 +79,63 @@ void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec
 bool Flattener::source_is_called(const std::vector<float>& records, const std::vector<uint32_t>& source_objects, uint32_t i,
                                  std::string_view name) const {
     for (uint32_t way; (way = bits(records[i * SOURCE_FLOATS + SRC_VIRTUAL])) != NONE; i = out.u[way + 1]) {
-        const auto relay = std::find_if(relays.begin(), relays.end(), [&](const Relay& r) { return r.prim == out.u[way]; });
-        const std::string start = scene.name(scene.objects[relay->object]) + ">";
+        const std::string start = scene.name(scene.objects[relay_object(out.u[way])]) + ">";
         if (name.substr(0, start.size()) != start) return false;
         name.remove_prefix(start.size());
     }
     return name == scene.name(scene.objects[source_objects[i]]);
 }
 
+uint32_t Flattener::relay_object(uint32_t prim) const {
+    return std::find_if(relays.begin(), relays.end(), [&](const Relay& r) { return r.prim == prim; })->object;
+}
+
+// Of two sources of the same name, does i stand later in RADIANCE's list than j?  Real ones stand in the scene's order;
+// virtual ones follow, the last real source's first, by its relays in the scene's order.
+bool Flattener::source_is_later(const std::vector<float>& records, const std::vector<uint32_t>& source_objects, uint32_t i,
+                                uint32_t j) const {
+    const uint32_t a = bits(records[i * SOURCE_FLOATS + SRC_VIRTUAL]), b = bits(records[j * SOURCE_FLOATS + SRC_VIRTUAL]);
+    if (a == NONE || b == NONE) return source_objects[i] > source_objects[j];
+    const uint32_t before_a = out.u[a + 1], before_b = out.u[b + 1];
+    if (before_a != before_b) {
+        const bool real = bits(records[before_a * SOURCE_FLOATS + SRC_VIRTUAL]) == NONE;
+        return source_is_later(records, source_objects, before_a, before_b) != real;
+    }
+    return relay_object(out.u[a]) > relay_object(out.u[b]);
+}
+
+// Sources that the same mists name are a set: a medium then is a few bits (kernels/medium.h).
 void Flattener::link_mists(const std::vector<float>& records, const std::vector<uint32_t>& source_objects) {
+    const uint32_t count = uint32_t(records.size() / SOURCE_FLOATS);
+    std::vector<std::set<uint32_t>> named_by(count);  // mists, for each source
     for (const MistRef& m : mists) {
         const scene::Object& o = scene.objects[m.object];
-        std::set<uint32_t> list;
         for (const std::string& name : scene.strings(o)) {
-            bool found = false;
-            for (uint32_t i = 0; i < records.size() / SOURCE_FLOATS; i++)
-                if (source_is_called(records, source_objects, i, name)) list.insert(i), found = true;
-            if (!found)
+            uint32_t found = NONE;  // of several of that name one counts, the last in the list
+            for (uint32_t i = 0; i < count; i++)
+                if (source_is_called(records, source_objects, i, name) &&
+                    (found == NONE || source_is_later(records, source_objects, i, found))) found = i;
+            if (found != NONE) named_by[found].insert(m.mod);
+            else
                 base::warn(scene.place(o), fmt::format("mist: \"{}\" is no light source, not scattered", name));
         }
-        if (list.empty()) continue;
-        out.u[out.mods_at + MOD_WORDS * m.mod + MOD_EXTRA] = uint32_t(out.u.size());
-        out.u.push_back(uint32_t(list.size()));
-        out.u.insert(out.u.end(), list.begin(), list.end());
     }
+    std::map<std::set<uint32_t>, std::vector<uint32_t>> sets;
+    for (uint32_t i = 0; i < count; i++)
+        if (!named_by[i].empty()) sets[named_by[i]].push_back(i);
+    if (sets.size() > 32)
+        base::fail(scene.place(scene.objects[mists[0].object]), "mists name more than 32 different sets of light sources");
+    std::vector<uint32_t> directory;
+    uint32_t bit = 1;
+    for (const auto& [by, sources] : sets) {
+        for (uint32_t mod : by) out.u[out.mods_at + MOD_WORDS * mod + MOD_EXTRA] |= bit;
+        directory.push_back(uint32_t(out.u.size()));
+        directory.push_back(uint32_t(sources.size()));
+        out.u.insert(out.u.end(), sources.begin(), sources.end());
+        bit <<= 1;
+    }
+    out.light_sets_at = uint32_t(out.u.size());
+    out.u.insert(out.u.end(), directory.begin(), directory.end());
 }
 
 void Flattener::flatten_sources() {

@@ -222,7 +222,7 @@ private:
     cl::Program program_;
     cl::Kernel generate_, extend_, shade_, shadow_, swap_, draw_;
     cl::Buffer nodes_, leaves_, shapes_, polygon_uv_, prims_, vertices_, u_, f_, params_, counters_;
-    cl::Buffer paths_[11], now_, next_, shadow_queue_;
+    cl::Buffer paths_[13], now_, next_, shadow_queue_;
     uint32_t capacity_ = 0;
     std::vector<kernels::float4> rad_;
 };

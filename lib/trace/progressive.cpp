@@ -122,6 +122,7 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.portals_at = flat.portals_at;
     p.portal_count = flat.portal_count;
     p.cdf_at = flat.cdf_at;
+    p.light_sets_at = flat.light_sets_at;
     p.shadow_mode = flat.shadow_mode;
     p.medium = {float(o.me[0]), float(o.me[1]), float(o.me[2]), flat.absorbs || o.me[0] > 0 || o.me[1] > 0 || o.me[2] > 0 ? 1.0f : 0.0f};
     p.albedo = {float(o.ma[0]), float(o.ma[1]), float(o.ma[2]), float(o.mg)};
