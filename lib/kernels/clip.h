@@ -1,39 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // antimatter: a surface that cuts away what carries the modifiers it lists (spec: RADIANCE shading 3.17).
-// A ray keeps one byte for each of up to four antimatters: how often it is inside (low 4 bits), and how many more of the
-// listed surfaces it has entered than left (high 4 bits, 8 = none).
+// Modifiers that the same of up to four antimatters list are one group, numbered by these antimatters' bits.  A ray keeps
+// which groups are cut away (low 16 bits) and for each antimatter how many more of the listed surfaces it has entered than
+// left (4 bits each, 8 = none).
 #ifndef LUX_CLIP_H
 #define LUX_CLIP_H
 
-#define CLIP_START 0x80808080u
+#define CLIP_START 0x88880000u
 #define CLIP_NO 0      // shade the surface
 #define CLIP_IGNORE 1  // the ray goes on
 
-FN int clip_hit(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, PRIVATE uint* state) {
-    if (g->mod == NONE) return CLIP_NO;
-    GLOBAL const uint* m = mod_record(s, par, g->mod);
-    uint listed = (m[MOD_FLAGS] >> MF_CLIPPED_SHIFT) & 15u;
-    int ignored = 0;
+// The groups that antimatter i lists: those with bit i in their number.
+FN uint clip_groups(uint i) { return i == 0u ? 0xaaaau : i == 1u ? 0xccccu : i == 2u ? 0xf0f0u : 0xff00u; }
+
+FN uint clip_entered(uint state, uint i) { return (state >> (16u + 4u * i)) & 15u; }
+
+// Counts `step` surfaces for the antimatters that list group `listed`.
+FN uint clip_count(uint state, uint listed, int step) {
     for (uint i = 0u; i < 4u; i++) {
         if (((listed >> i) & 1u) == 0u) continue;
-        uint b = (*state >> (8u * i)) & 255u, entered = b >> 4;
-        if ((b & 15u) > 0u) ignored = 1;
-        if (g->front && entered < 15u) entered++;
-        if (!g->front && entered > 0u) entered--;
-        *state = (*state & ~(255u << (8u * i))) | (((entered << 4) | (b & 15u)) << (8u * i));
+        int entered = (int)clip_entered(state, i) + step;
+        entered = entered < 0 ? 0 : entered > 15 ? 15 : entered;
+        state = (state & ~(15u << (16u + 4u * i))) | ((uint)entered << (16u + 4u * i));
     }
+    return state;
+}
+
+FN uint clip_group(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint mod) {
+    return mod == NONE ? 0u : (mod_record(s, par, mod)[MOD_FLAGS] >> MF_CLIPPED_SHIFT) & 15u;
+}
+
+FN int clip_hit(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, PRIVATE uint* state) {
+    if (g->mod == NONE) return CLIP_NO;
+    uint listed = clip_group(s, par, g->mod);
+    int ignored = listed != 0u && ((*state >> listed) & 1u) != 0u;
+    *state = clip_count(*state, listed, g->front ? 1 : -1);
     if (ignored) return CLIP_IGNORE;
+    GLOBAL const uint* m = mod_record(s, par, g->mod);
     if (m[MOD_TYPE] != M_ANTIMATTER) return CLIP_NO;
-    uint i = (uint)s->f[m[MOD_ARGS]], b = (*state >> (8u * i)) & 255u, inside = b & 15u;
-    if (m[MOD_BRANCH1] != NONE && (b >> 4) > 8u) {  // the cut face, in the first material, turned around
-        g->mod = m[MOD_BRANCH1];
-        g->nface = neg3(g->nface);
-        g->front = !g->front;
-        return CLIP_NO;
-    }
-    if (g->front && inside < 15u) inside++;
-    if (!g->front && inside > 0u) inside--;
-    *state = (*state & ~(255u << (8u * i))) | (((b & 240u) | inside) << (8u * i));
-    return CLIP_IGNORE;
+    uint i = (uint)s->f[m[MOD_ARGS]];
+    *state = g->front ? *state | clip_groups(i) : *state & ~clip_groups(i);
+    if (m[MOD_BRANCH1] == NONE || clip_entered(*state, i) <= 8u) return CLIP_IGNORE;
+    g->mod = m[MOD_BRANCH1];  // the cut face, in the first material, turned around
+    g->nface = neg3(g->nface);
+    g->front = !g->front;
+    return CLIP_NO;
+}
+
+// A material that turns its back to the viewer has been entered from there, too.  mod: what the surface carries.
+FN void clip_turned(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint mod,
+                    PRIVATE uint* state) {
+    uint t = g->type;
+    if (g->front || par->bv == 0u) return;
+    if (t <= M_GLASS || (t >= M_ANISO_PLASTIC && t <= M_BRDF)) *state = clip_count(*state, clip_group(s, par, mod), 2);
 }
 #endif

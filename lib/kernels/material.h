@@ -4,6 +4,13 @@
 #ifndef LUX_MATERIAL_H
 #define LUX_MATERIAL_H
 
+// With -bv- a back is nothing; but opaque ones stop shadow rays still, and what tells its sides apart itself has no back.
+FN int back_passes(uint type, int asked) {
+    if (type == M_DIELECTRIC || type == M_INTERFACE || type == M_BRTD || type == M_PRISM) return 0;
+    if (asked != LOBES_SHADOW) return 1;
+    return type == M_TRANS || type == M_GLASS || type == M_WGMD || type == M_BSDF;
+}
+
 // Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving: medium of the segment that
 // ended here, corrected where the surface knows it; *beyond: medium behind the surface.
 FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, int asked,
@@ -14,7 +21,7 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     uint type = g->type;
     lobes_clear(l);
     *beyond = *arriving;
-    if (!g->front && par->bv == 0u && type != M_DIELECTRIC && type != M_INTERFACE && type != M_BRTD && type != M_PRISM) { l->flags |= LOBE_PASS; return; }
+    if (!g->front && par->bv == 0u && back_passes(type, asked)) { l->flags |= LOBE_PASS; return; }
     if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {  // functions evaluated once per hit
         material_vars(par, g, vars);
         vars_to_frame(s, g, vars);

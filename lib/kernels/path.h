@@ -107,6 +107,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     Medium medium = absorbs ? path_medium(a, slot) : medium_open(par);
     Medium arriving = medium, beyond = medium;  // of the segment that ends here; of the way on through the surface
     uint clip = as_uint_(a->org[slot].w), before = clip;  // antimatter beyond the surface and before it
+    uint carried = g.mod;
     float3 smoothing = g.pert;
     if (((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) ||
         !find_material(s, par, &g, &rnd) || take_alternate(s, par, &g, flags, &rnd)) {
@@ -120,6 +121,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         if (g.type == M_MIST) lobes.flags = LOBE_PASS;
         else material_lobes(s, par, &g, asked, &rnd, &arriving, &beyond, &lobes);
         pass = (lobes.flags & LOBE_PASS) != 0u;
+        if ((par->flags & PF_ANTIMATTER) != 0u) clip_turned(s, par, &g, carried, &clip);
         if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) {
             pass = pass || (mod_record(s, par, g.mod)[MOD_FLAGS] & MF_SEEN_THROUGH) != 0u;
             arriving = medium;  // what the material knows of media does not count
@@ -188,7 +190,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                             a->sdir[slot] = pack4(ls.dir, ls.dist);
                             a->scol[slot] = pack4(c, g.total);
                             if (absorbs || (par->flags & PF_ANTIMATTER) != 0u)
-                                set_shadow_medium(a, slot, above ? &arriving : &beyond, clip);
+                                set_shadow_medium(a, slot, above ? &arriving : &beyond, above ? before : clip);
                             result |= PATH_SHADOW;
                         }
                     }
@@ -271,7 +273,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         a->info[slot] = info;
         if (dead) return result;
         if (absorbs) set_path_medium(a, slot, dot3(next, g.ng) > 0.0f ? &arriving : &beyond);
-        a->org[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, dot3(next, g.ng) > 0.0f), side, g.reach), as_float_(clip));
+        a->org[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, dot3(next, g.ng) > 0.0f), side, g.reach), as_float_(dot3(next, g.ng) > 0.0f ? before : clip));
         a->dir[slot] = pack4(next, 1e30f);
         a->thr[slot] = pack4(thr, t4.w);
         return result | PATH_GOES_ON;

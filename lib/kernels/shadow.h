@@ -40,6 +40,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         surface_at(s, &ray, &hit, &g);
         total += hit.t;
         g.total = total;
+        uint carried = g.mod;
         if (!at_source && !((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
             find_material(s, par, &g, rnd) && !shadow_alternate(s, par, &g, rnd)) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
@@ -48,6 +49,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
                 mist_crossing(s, par, &g, &medium, &beyond);
             } else {
                 material_lobes(s, par, &g, LOBES_SHADOW, rnd, &medium, &beyond, &l);
+                if ((par->flags & PF_ANTIMATTER) != 0u) clip_turned(s, par, &g, carried, &clip);
                 if ((l.flags & LOBE_PASS) == 0u) T = mul3(T, l.through);
             }
             if (max3(T) <= 0.0f) return black;
@@ -87,6 +89,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         surface_at(s, &ray, &hit, &g);
         total += hit.t;
         g.total = total;
+        uint carried = g.mod;
         if (relay == NONE && hit.prim == as_uint_(q[SRC_PRIM])) {
             if (!g.front) return black;
             if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&medium, hit.t));
@@ -95,6 +98,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         }
         float3 next = ray.dir;
         Medium here = medium, beyond = medium;  // of the segment that ends here; behind the surface
+        uint before = clip;
         if (!((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
             find_material(s, par, &g, rnd) &&
             ((relay != NONE && hit.prim == s->u[relay]) || !shadow_alternate(s, par, &g, rnd))) {
@@ -104,6 +108,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
                 mist_crossing(s, par, &g, &here, &beyond);
             } else {
                 material_lobes(s, par, &g, LOBES_SHADOW, rnd, &here, &beyond, &l);
+                if ((par->flags & PF_ANTIMATTER) != 0u) clip_turned(s, par, &g, carried, &clip);
                 if ((l.flags & LOBE_PASS) == 0u) {
                     if (relay != NONE && hit.prim == s->u[relay]) {  // the relay this virtual source belongs to
                         q = source_record(s, par, s->u[relay + 1u]);
@@ -127,8 +132,10 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
             if (max3(T) <= 0.0f) return black;
         }
         if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&here, hit.t));
-        medium = dot3(next, g.ng) < 0.0f ? beyond : here;
-        ray.org = offset_ray(g.p, dot3(next, g.ng) > 0.0f ? g.ng : neg3(g.ng), g.reach);
+        int reflected = dot3(next, g.ng) > 0.0f;
+        medium = reflected ? here : beyond;
+        if (reflected) clip = before;
+        ray.org = offset_ray(g.p, reflected ? g.ng : neg3(g.ng), g.reach);
         ray.dir = next;
     }
     return black;

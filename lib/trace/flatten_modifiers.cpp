@@ -192,7 +192,7 @@ void Flattener::flatten_modifiers() {
             if (t.type == Type::transfunc || t.type == Type::transdata) rec[MOD_FLAGS] |= MF_TRANS;
             if (transparent_type(scene, uint32_t(r.object)) || (t.type == Type::bsdf && scene.strings(t)[0] != "0")) rec[MOD_FLAGS] |= MF_SEEN_THROUGH;
             has_material[i] = 1;
-            passes[i] = material_passes(t.type, reals, spec_of(scene, t));
+            passes[i] = material_passes(t.type, reals, spec_of(scene, t)) || (t.type == Type::trans && options.bv == 0);
             material_of[i] = uint32_t(r.object);
         } else {
             const cal::Program p = cal::compile_pattern(library, spec_of(scene, t), code);
