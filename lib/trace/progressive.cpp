@@ -104,7 +104,8 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     FlatScene flat = flatten(scene, o, files);
     if (o.portals && !flat.panes.empty()) find_portals(flat);
     // drawing knows one eye point, and no way on through glass unattenuated
-    if (flat.source_count > 0 && o.pd <= 0 && !o.i) s.drawn = list_drawn_sources(flat, HostTracer(flat), view, nx, ny);
+    const bool drawable = flat.source_count > 0 && o.pd <= 0 && o.dv && !o.i;
+    if (drawable) s.drawn = list_drawn_sources(flat, HostTracer(flat), view, nx, ny);
     Params& p = s.base;
     p.view_clip.z = float(o.pj);
     p.view_clip.w = float(o.pd);
