@@ -143,6 +143,7 @@ struct Builder {
         uint32_t tagged;
         const uint32_t prim = add_prim(o, PRIM_SPHERE | (inward ? PRIM_INWARD : 0u), {}, shape, tagged);
         out.shape_prim.push_back(tagged);
+        out.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(2 * std::fabs(r[3])));
         emit(o, prim);
     }
 
@@ -161,6 +162,7 @@ struct Builder {
         uint32_t tagged;
         const uint32_t prim = add_prim(o, PRIM_CONE | (inward ? PRIM_INWARD : 0u), {}, shape, tagged);
         out.shape_prim.push_back(tagged);
+        out.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(2 * std::max(r0, r1)));
         emit(o, prim);
     }
 
