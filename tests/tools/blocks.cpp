@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two renderings of one small view, compared in standard errors (tests/golden/suite).
 //   blocks gather WIDTH HEIGHT RAYS < floats     means over 8 x 8 pixels of what rtrace -ff gave for RAYS rays a pixel
-//   blocks compare TABLE < frames                those means against ptrace's frames; one line: 12 numbers, see below
+//   blocks compare TABLE < frames                those means against ptrace's frames; one line: 10 numbers, see below
 // A block's standard error comes from the scatter within its pixels, so that detail inside a block is no noise:
 // from ray to ray in the reference, from batch to batch of four frames (a stratum of the sequence) in ours.  Every
 // error has .1 % of the value in it: RADIANCE 6.0a reflects .00085 too much where there is a Fresnel term, its suns
