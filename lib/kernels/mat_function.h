@@ -7,9 +7,9 @@
 FN void material_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
     surface_vars(par, g, vars);
     float side = 1.0f;
-    if (g->type == M_BRTD || g->type == M_WGMD || g->type == M_PRISM) {  // not turned to the viewer
+    if (g->type == M_WGMD || g->type == M_PRISM) {  // not turned to the viewer
         side = g->front ? 1.0f : -1.0f;
-    } else {
+    } else if (g->type != M_BRTD) {                 // of BRTDfunc the perturbed ones only are turned
         vars[CAL_NX] = g->ng.x; vars[CAL_NY] = g->ng.y; vars[CAL_NZ] = g->ng.z;
         vars[CAL_RDOT] = dot3(g->ng, g->v);
     }

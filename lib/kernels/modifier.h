@@ -48,16 +48,45 @@ FN void turn_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, 
     v[0] = w.x; v[1] = w.y; v[2] = w.z;
 }
 
-// Patterns and textures of a chain without material, for mixtures that mix only those: a mixture inside picks by chance.
+// A mixture of patterns that is being walked through: what was found before it and in its first branch, where to go on.
+typedef struct {
+    float3 color, pert, color1, pert1;
+    float share;             // of the first branch
+    uint second, next;
+    int first_done;
+} PatternMix;
+
+// Patterns and textures of a chain without material: colours and perturbations mix linearly (spec shading 3.10).
 FN void chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint mod,
-                       PRIVATE const float* vars, PRIVATE Sampler* rnd, PRIVATE float3* color, PRIVATE float3* pert) {
+                       PRIVATE const float* vars, PRIVATE float3* color, PRIVATE float3* pert) {
     float out[CAL_OUTPUTS];
-    *color = F3(1.0f, 1.0f, 1.0f);
-    *pert = F3(0.0f, 0.0f, 0.0f);
-    for (int guard = 0; guard < 64 && mod != NONE; guard++) {
-        GLOBAL const uint* m = mod_record(s, par, mod);
+    PatternMix stack[MIX_DEPTH];
+    float3 white = F3(1.0f, 1.0f, 1.0f), none = F3(0.0f, 0.0f, 0.0f);
+    int depth = 0;
+    *color = white;
+    *pert = none;
+    for (int guard = 0; guard < 4096; guard++) {
+        GLOBAL const uint* m = mod != NONE ? mod_record(s, par, mod) : s->u;
+        if (mod == NONE || m[MOD_TYPE] >= M_FIRST_MATERIAL) {  // the end of a branch
+            if (depth == 0) return;
+            PRIVATE PatternMix* mix = &stack[depth - 1];
+            if (!mix->first_done) {
+                mix->first_done = 1;
+                mix->color1 = *color;
+                mix->pert1 = *pert;
+                *color = white;
+                *pert = none;
+                mod = mix->second;
+            } else {
+                float c = mix->share;
+                *color = mul3(mix->color, madd3(mix->color1, c, scale3(*color, 1.0f - c)));
+                *pert = add3(mix->pert, madd3(mix->pert1, c, scale3(*pert, 1.0f - c)));
+                mod = mix->next;
+                depth--;
+            }
+            continue;
+        }
         uint type = m[MOD_TYPE];
-        if (type >= M_FIRST_MATERIAL) return;
         mod = m[MOD_NEXT];
         if (type == M_SPECTRUM) {
             GLOBAL const float* a = s->f + m[MOD_ARGS];
@@ -66,7 +95,18 @@ FN void chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         }
         int bad = cal_run(s, m[MOD_PROGRAM], vars, out);
         if (bad) continue;
-        if (type == M_MIXTURE) mod = m[sample1(rnd) < out[0] ? MOD_BRANCH1 : MOD_BRANCH2];
+        if (type == M_MIXTURE && depth < MIX_DEPTH) {
+            PRIVATE PatternMix* mix = &stack[depth++];
+            mix->color = *color;
+            mix->pert = *pert;
+            mix->share = out[0] < 0.0f ? 0.0f : out[0] > 1.0f ? 1.0f : out[0];
+            mix->second = m[MOD_BRANCH2];
+            mix->next = mod;
+            mix->first_done = 0;
+            *color = white;
+            *pert = none;
+            mod = m[MOD_BRANCH1];
+        }
         if (type == M_PATTERN1) *color = scale3(*color, out[0]);
         if (type == M_PATTERN3) *color = mul3(*color, F3(out[0], out[1], out[2]));
         if (type == M_TEXTURE) *pert = add3(*pert, vector_from_frame(s, g, F3(out[0], out[1], out[2])));
@@ -86,7 +126,7 @@ FN void shading_normal(PRIVATE Surface* g) {
 
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
 FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, PRIVATE Sampler* rnd) {
-    uint stack[8];
+    uint stack[MIX_DEPTH];
     int depth = 0, found = 0;
     uint mod = g->mod, material = NONE;
     float vars[CAL_VARS], out[CAL_OUTPUTS];
@@ -120,8 +160,8 @@ FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
             float c = out[0] < 0.0f ? 0.0f : out[0] > 1.0f ? 1.0f : out[0];
             if ((m[MOD_FLAGS] & MF_PATTERNS_ONLY) != 0u) {  // colours and perturbations mix linearly (spec shading 3.10)
                 float3 c1, c2, p1, p2;
-                chain_patterns(s, par, g, m[MOD_BRANCH1], vars, rnd, &c1, &p1);
-                chain_patterns(s, par, g, m[MOD_BRANCH2], vars, rnd, &c2, &p2);
+                chain_patterns(s, par, g, m[MOD_BRANCH1], vars, &c1, &p1);
+                chain_patterns(s, par, g, m[MOD_BRANCH2], vars, &c2, &p2);
                 g->color = mul3(g->color, madd3(c1, c, scale3(c2, 1.0f - c)));
                 p1 = madd3(p1, c, scale3(p2, 1.0f - c));
                 g->pert = add3(g->pert, p1);
@@ -130,7 +170,7 @@ FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
                 continue;
             }
             uint branch = (c >= 1.0f || (c > 0.0f && sample1(rnd) < c)) ? MOD_BRANCH1 : MOD_BRANCH2;
-            if (m[MOD_NEXT] != NONE && depth < 8) stack[depth++] = m[MOD_NEXT];
+            if (m[MOD_NEXT] != NONE && depth < MIX_DEPTH) stack[depth++] = m[MOD_NEXT];
             mod = m[branch];
             continue;
         }

@@ -44,6 +44,16 @@ FN float source_piece(float3 p, float ds, int line, PRIVATE float3* c, PRIVATE f
     return share;
 }
 
+// What a glow's reach and a spotlight's cone leave of a sample of the source with centre c.
+FN void source_limits(GLOBAL const float* q, uint kind, float3 c, float3 p, PRIVATE LightSample* l) {
+    if (q[SRC_MAXRAD] > 0.0f && l->dist > q[SRC_MAXRAD]) l->w = 0.0f;
+    if (q[SRC_SPOT + 3] > -1.5f) {  // inside the cone, and as if its light came from f behind (spec 4.2)
+        float f = q[SRC_SPOT + 4], d = kind == SK_SPHERE ? length3(sub3(c, p)) : l->dist;  // a sphere counts from its centre
+        if (-dot3(f3_at(q + SRC_SPOT), l->dir) < q[SRC_SPOT + 3]) l->w = 0.0f;
+        l->w *= d * d / ((d + f) * (d + f));
+    }
+}
+
 // A point of source i as seen from p; w = 0 if it cannot shine there.  x: two random numbers; dj: jitter 0..1.
 FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i, float3 p, float2 x, float dj,
                       PRIVATE LightSample* l) {
@@ -134,6 +144,7 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
                 float sa = 1.0f - ca * ca;
                 l->w = 4.0f * r * (h / share) * sqrt_(sa > 0.0f ? sa : 0.0f) / d2;
                 l->point = c; l->normal = neg3(l->dir);
+                source_limits(q, kind, c, p, l);
                 return;
             }
             frame_of(unit3(axis), &t, &b);
@@ -162,12 +173,7 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
         l->point = at;
         l->normal = n;
     }
-    if (q[SRC_MAXRAD] > 0.0f && l->dist > q[SRC_MAXRAD]) l->w = 0.0f;
-    if (q[SRC_SPOT + 3] > -1.5f) {  // spotlight: inside its cone, and as if its light came from f behind (spec 4.2)
-        float f = q[SRC_SPOT + 4], d = kind == SK_SPHERE ? length3(sub3(c, p)) : l->dist;  // a sphere counts from its centre
-        if (-dot3(f3_at(q + SRC_SPOT), l->dir) < q[SRC_SPOT + 3]) l->w = 0.0f;
-        l->w *= d * d / ((d + f) * (d + f));
-    }
+    source_limits(q, kind, c, p, l);
 }
 
 // A guess of what source i could give at p, never 0 where it could give anything: for choosing among many.
@@ -189,7 +195,8 @@ FN float source_promise(PRIVATE const SceneTables* s, PRIVATE const Params* par,
     }
     if (distant) return q[SRC_POWER] * q[SRC_AREA];
     float d2 = dot3(to, to);
-    if (q[SRC_MAXRAD] > 0.0f && d2 > (q[SRC_MAXRAD] + r) * (q[SRC_MAXRAD] + r)) return 0.0f;
+    float reach = q[SRC_MAXRAD] + r + (as_uint_(q[SRC_KIND]) == SK_CYLINDER ? length3(f3_at(q + SRC_U)) : 0.0f);
+    if (q[SRC_MAXRAD] > 0.0f && d2 > reach * reach) return 0.0f;
     float near = r * r * 0.25f;
     return q[SRC_POWER] * q[SRC_AREA] / MAX_(d2, near);
 }

@@ -79,6 +79,7 @@
 #define MF_TRANS 16u
 #define MF_VALUES 64u       // MOD_PROGRAM gives values of the material (cal::MaterialProgram)
 #define MF_PATTERNS_ONLY 256u  // a mixture whose branches hold no material
+#define MIX_DEPTH 8            // mixtures of patterns one inside the other (flatten_modifiers.cpp refuses more)
 #define MF_TWO_EXITS 128u   // prism2
 #define MF_CLIPPED_SHIFT 9u  // 4 bits: listed by antimatter 0..3
 #define MF_ALBEDO 8192u     // a mist that states its albedo

@@ -3,6 +3,8 @@
 // one pass down marks what is needed and one pass up builds it, without recursion (chains may be 10,000 deep).
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "trace/flatten.h"
 
@@ -41,15 +43,15 @@ uint32_t material_code(Type t) {
         default: return 0;
     }
 }
-// Does a shadow ray pass this material (spec shading 4.5)?
-bool material_passes(Type t, const scene::Span<double>& a, const cal::PatternSpec& spec) {
+// Does a shadow ray pass this material (spec shading 4.5)?  Without -bv it does from behind, if the type may let light through.
+bool material_passes(Type t, const scene::Span<double>& a, const cal::PatternSpec& spec, bool bv) {
     switch (t) {
         case Type::absdf: return true;
-        case Type::bsdf: return spec.strings[0] != "0";  // a proxy of some thickness
+        case Type::bsdf: return !bv || spec.strings[0] != "0";  // a proxy of some thickness
         case Type::glass: case Type::dielectric: case Type::interface: case Type::illum: case Type::mirror:
         case Type::brtdfunc: case Type::wgmdfunc: case Type::prism1: case Type::prism2: case Type::mist:
         case Type::antimatter: return true;
-        case Type::trans: return a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6;
+        case Type::trans: return !bv || (a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6);
         default: return false;
     }
 }
@@ -91,6 +93,7 @@ void Flattener::flatten_modifiers() {
     passes.assign(n, 0);
     material_of.assign(n, NONE);
     std::vector<uint8_t> needed(n, 0);
+    std::vector<int> nesting(n, 0);       // of mixtures of patterns, from here on
     const auto need = [&](int32_t i) { if (i >= 0) needed[i] = 1; };
     for (int32_t m : also_used) need(m);
     // Names among the string arguments that are modifiers, for what is not found by the chain.
@@ -128,7 +131,10 @@ void Flattener::flatten_modifiers() {
         const scene::Object& t = scene.objects[r.object];
         const auto reals = scene.reals(t);
         uint32_t rec[MOD_WORDS] = {0, NONE, NONE, 0, NONE, NONE, 0, 0};
-        if (r.modifier >= 0) rec[MOD_NEXT] = mod_of[r.modifier];
+        if (r.modifier >= 0) {
+            rec[MOD_NEXT] = mod_of[r.modifier];
+            nesting[i] = nesting[r.modifier];
+        }
         rec[MOD_ARGS] = uint32_t(args.size());
         const bool above = r.modifier >= 0 && has_material[r.modifier];
         if (scene::is_material(t.type)) {
@@ -192,7 +198,7 @@ void Flattener::flatten_modifiers() {
             if (t.type == Type::transfunc || t.type == Type::transdata) rec[MOD_FLAGS] |= MF_TRANS;
             if (transparent_type(scene, uint32_t(r.object)) || (t.type == Type::bsdf && scene.strings(t)[0] != "0")) rec[MOD_FLAGS] |= MF_SEEN_THROUGH;
             has_material[i] = 1;
-            passes[i] = material_passes(t.type, reals, spec_of(scene, t)) || (t.type == Type::trans && options.bv == 0);
+            passes[i] = material_passes(t.type, reals, spec_of(scene, t), options.bv);
             material_of[i] = uint32_t(r.object);
         } else {
             const cal::Program p = cal::compile_pattern(library, spec_of(scene, t), code);
@@ -201,10 +207,12 @@ void Flattener::flatten_modifiers() {
                 rec[MOD_TYPE] = M_MIXTURE;
                 const auto b = branches(t, uint32_t(r.object));
                 bool any = false, pass = false;
+                int inside = 0;
                 for (int k = 0; k < 2; k++) {
                     const int32_t m = k ? b.second : b.first;
                     const bool material = m >= 0 && has_material[m];
                     if (m >= 0) rec[MOD_BRANCH1 + k] = mod_of[m];
+                    if (m >= 0) inside = std::max(inside, nesting[m]);
                     any = any || material;
                     pass = pass || !material || passes[m];
                 }
@@ -213,6 +221,9 @@ void Flattener::flatten_modifiers() {
                 has_material[i] = any || above;
                 passes[i] = any ? pass : (above && passes[r.modifier]);
                 if (!any) rec[MOD_FLAGS] |= MF_PATTERNS_ONLY;
+                nesting[i] = std::max(nesting[i], any ? 0 : inside + 1);
+                if (nesting[i] > MIX_DEPTH)
+                    base::fail(scene.place(t), fmt::format("more than {} mixtures of patterns one inside the other", MIX_DEPTH));
                 if (!any && above) material_of[i] = material_of[r.modifier];
             } else {
                 rec[MOD_TYPE] = mod_type(p.kind);
