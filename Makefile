@@ -8,7 +8,7 @@ FLAGS  ?=
 CXX_FILES = $(shell git ls-files '*.cpp' '*.h')
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-16s %s\n", $$1, $$2 }' Makefile
 
 all: setup ## a release build of the four tools in build/bin
 	cmake -S . -B $(BUILD) -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX=$(PREFIX) $(FLAGS)
@@ -25,6 +25,9 @@ test-gpu: all ## the tests for a machine with a GPU
 
 bench: all ## the speed claims, measured again
 	@bash bench/run.sh $(BUILD)/bin
+
+compare-radiance: all ## N=100 random scenes from SEED=1 on, by ptrace and by rtrace (where RADIANCE is)
+	@python3 tests/compare/radiance/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) --tracer $(BUILD)/bin/trace_rays
 
 man: ## the manual pages as HTML in out/man
 	@mkdir -p out/man && for p in man/*.[157]; do mandoc -T html -O man=%N.%S.html $$p > out/man/$$(basename $$p).html; done
@@ -45,4 +48,4 @@ clean: ## remove build/ and out/
 setup:
 	@sh scripts/setup.sh
 
-.PHONY: help all demo test test-gpu bench man format lint install clean setup
+.PHONY: help all demo test test-gpu bench compare-radiance man format lint install clean setup

@@ -36,9 +36,6 @@ Options read_arguments(const Row& row) {
     return opt;
 }
 
-// A ray that takes one of several ways may not show its rarest, a reflection of 0.4 %, before.
-constexpr long fewest = 4096;
-
 bool asks(const Row& row, const char* option) { return row.arguments.find(option) != std::string::npos; }
 
 // -I: a point and its normal instead of a ray.  A small white disc where rtrace would put its own surface, seen from
@@ -94,7 +91,7 @@ Value RowTracer::trace(const Row& row) {
             ray[i + 3] = -ray[i + 3];
         }
     Value value;
-    for (long n = std::min(fewest, most_);; n = std::min(4 * n, most_)) {
+    for (long n = std::min(fewest_, most_);; n = std::min(4 * n, most_)) {
         const trace::Renderer::RayValue v = renderer_->trace_ray(ray.data(), ray.data() + 3, n);
         value.mean.assign(v.mean, v.mean + 3);
         std::copy(v.error, v.error + 3, value.error);

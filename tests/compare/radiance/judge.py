@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Both programs on the rays of a scene, with more samples where they seem to differ, until it is noise or a difference.
+
+A ray agrees if each channel is within 0.2 % of its value (and 2e-5 of the scene's typical brightness, for what is black), or
+within 4.5 standard errors of both means together.  Where rtrace itself changes as much between rays 1e-4 apart, an edge
+is in the way, and which side of it single precision finds is no difference."""
+import math
+
+import tracers
+
+RELATIVE, SIGMA = 2e-3, 4.5
+SMALL = 1e-4           # how far neighbours of a ray are, for edges
+FIRST, LAST = 0, 3     # stages
+OURS = [(32, 64), (512, 2048), (8192, 8192), (65536, 65536)]
+THEIRS = [2, 16, 128, 1024]
+MANY = 40
+
+
+class Pixel:
+    def __init__(self, ray):
+        self.ray, self.ours, self.theirs, self.edge = ray, None, None, False
+
+    def agrees(self, floor):
+        """Channels as a whole: a mean of noise and a bound of what no one sees."""
+        (a, ea), (b, eb) = self.ours, self.theirs
+        scale = max(max(abs(v) for v in b), floor)
+        for c in range(3):
+            if not math.isfinite(a[c]) or not math.isfinite(b[c]):
+                return False
+            bound = max(RELATIVE * abs(b[c]) + 2e-4 * scale, SIGMA * math.hypot(ea[c], eb[c]))
+            if abs(a[c] - b[c]) > bound:
+                return False
+        return True
+
+    def sure(self):
+        """More samples will not help."""
+        (a, ea), (b, eb) = self.ours, self.theirs
+        return any(abs(a[c] - b[c]) > .03 * max(a[c], b[c]) + 15 * math.hypot(ea[c], eb[c]) for c in range(3))
+
+    def deviation(self):
+        """Relative to the brighter, for choosing the worst."""
+        return max(abs(x - y) / (abs(x) + abs(y) + 1e-9) for x, y in zip(self.ours[0], self.theirs[0]))
+
+    def noise(self):
+        (a, ea), (b, eb) = self.ours, self.theirs
+        return max(math.hypot(x, y) for x, y in zip(ea, eb)) / (max(abs(v) for v in a + b) + 1e-9)
+
+
+def trace_stage(pixels, stage, scene, folder, tracer, extra):
+    rays = [p.ray for p in pixels]
+    arguments = scene.arguments()
+    theirs = tracers.rtrace(folder, arguments, rays, THEIRS[stage])
+    ours = tracers.ptrace(tracer, folder, arguments + " " + extra, rays, *OURS[stage])
+    for p, a, b in zip(pixels, ours, theirs):
+        if scene.noisy() and not any(b[1]):  # rtrace has not met the rare case; it is as noisy as we are
+            b = (b[0], [e * math.sqrt(OURS[stage][1] / THEIRS[stage]) for e in a[1]])
+        p.ours, p.theirs = a, b
+
+
+def neighbours(ray):
+    for axis in range(3):
+        for sign in (-1, 1):
+            other = list(ray)
+            other[axis] += sign * SMALL
+            yield tuple(other)
+
+
+def mark_edges(pixels, floor, scene, folder):
+    """A pixel whose value is among those of rtrace's neighbours of the ray stands on an edge."""
+    rays = [n for p in pixels for n in neighbours(p.ray)]
+    values = tracers.rtrace(folder, scene.arguments(), rays, 16)
+    for i, p in enumerate(pixels):
+        near = [v for v, _ in values[6 * i:6 * i + 6]] + [p.theirs[0]]
+        slack = [RELATIVE * abs(v) + 2e-4 * floor + SIGMA * e for v, e in zip(*p.ours)]
+        spread = [(min(v[c] for v in near), max(v[c] for v in near)) for c in range(3)]
+        p.edge = all(low - s <= v <= high + s for (low, high), v, s in zip(spread, p.ours[0], slack))
+
+
+def typical(pixels):
+    """A twentieth of the scene's typical brightness: what is darker is as good as black."""
+    values = sorted(max(p.theirs[0]) for p in pixels)
+    return max(.05 * values[len(values) // 2], .005 * sum(values) / len(values)) + 1e-7
+
+
+def judge(scene, folder, tracer, extra="", first=FIRST, last=LAST, floor=None):
+    """The pixels of a scene already written to `folder`, and those that differ.  Throws tracers.Refused."""
+    pixels = [Pixel(ray) for ray in scene.rays]
+    trace_stage(pixels, first, scene, folder, tracer, extra)
+    floor = floor or typical(pixels)
+    wrong = [p for p in pixels if not p.agrees(floor) or p.noise() > .05]
+    for stage in range(first + 1, last + 1):
+        sure = [p for p in wrong if stage > 1 and p.sure()]
+        wrong = [p for p in wrong if p not in sure]
+        some = wrong[:MANY] if stage == LAST else wrong  # the dearest stage for a sample of them
+        if not some:
+            wrong = sure
+            break
+        trace_stage(some, stage, scene, folder, tracer, extra)
+        still = [p for p in some if not p.agrees(floor) or (p.noise() > .05 and stage == 1)]
+        wrong = sure + still + (wrong[MANY:] if len(some) < len(wrong) and 2 * len(still) > len(some) else [])
+    wrong = [p for p in wrong if not p.agrees(floor)]
+    if wrong:
+        mark_edges(wrong, floor, scene, folder)
+    return pixels, [p for p in wrong if not p.edge]
