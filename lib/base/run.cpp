@@ -4,6 +4,7 @@
 // the handler (async-signal-safe calls only) removes them before it leaves with status 3.
 #include "base/run.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -17,6 +18,7 @@
 #include <new>
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "base/tempfile.h"
 #include "base/warnings.h"
 
@@ -33,9 +35,25 @@ void remove_temp_files() {
 }
 
 void on_signal(int) {
+    if (take_stop_request()) return;
     remove_temp_files();
     _exit(3);
 }
+
+}  // namespace
+
+void handle_signals() {
+    struct sigaction act = {};
+    act.sa_handler = on_signal;
+    act.sa_flags = SA_RESTART;  // a program that finishes its frame reads and writes on
+    for (int s : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction old = {};
+        sigaction(s, nullptr, &old);
+        if (old.sa_handler != SIG_IGN) sigaction(s, &act, nullptr);  // nohup stays nohup
+    }
+}
+
+namespace {
 
 void say(const char* tool, const std::string& text) { std::fprintf(stderr, "%s: %s\n", tool, text.c_str()); }
 
@@ -48,9 +66,9 @@ int run_caught(const char* tool, const std::function<int()>& body) {
     try {
         const int status = body();
         flush_stdout();
-        return status;
+        return stop_requested() ? 3 : status;
     } catch (const ClosedPipe&) {
-        return 0;
+        return stop_requested() ? 3 : 0;
     } catch (const Error& e) {
         say(tool, e.text);
         return int(e.kind);
@@ -66,16 +84,14 @@ int run_caught(const char* tool, const std::function<int()>& body) {
 }  // namespace
 
 int run(const char* tool, const std::function<int()>& body) {
-    struct sigaction act = {};
-    act.sa_handler = on_signal;
-    for (int s : {SIGINT, SIGTERM, SIGHUP}) {
-        struct sigaction old = {};
-        sigaction(s, nullptr, &old);
-        if (old.sa_handler != SIG_IGN) sigaction(s, &act, nullptr);  // nohup stays nohup
-    }
+    handle_signals();
     signal(SIGPIPE, SIG_IGN);  // a closed reader is an EPIPE, handled where it happens
     set_warning_sink([tool](const std::string& text) { say(tool, "warning: " + text); });
     const int status = run_caught(tool, body);
+    try {
+        flush_stdout();  // what was printed before an error
+    } catch (...) {
+    }
     say_counted_warnings(tool, warnings_are_shown());
     return status;
 }
@@ -122,27 +138,52 @@ void TempFile::keep() {
     kept_ = true;
 }
 
-void write_stdout(const void* data, size_t bytes) {
-    errno = 0;
-    if (bytes && std::fwrite(data, 1, bytes, stdout) != bytes) {
-        if (errno == EPIPE) throw ClosedPipe{};
-        fail_system("stdout", "cannot be written");
+namespace {
+
+std::string pending;  // for stdout; small pieces go together
+
+// By write() itself: stdio loses bytes when a signal interrupts it, and a library's handler may (stop.h).
+void write_all(const char* data, size_t bytes) {
+    while (bytes) {
+        const ssize_t n = write(1, data, bytes);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0 && errno == EPIPE) throw ClosedPipe{};
+        if (n < 0) fail_system("stdout", "cannot be written");
+        data += n;
+        bytes -= size_t(n);
     }
+}
+
+}  // namespace
+
+void write_stdout(const void* data, size_t bytes) {
+    const char* from = static_cast<const char*>(data);
+    if (pending.size() + bytes <= 1 << 16) {
+        pending.append(from, bytes);
+        return;
+    }
+    flush_stdout();
+    write_all(from, bytes);
+}
+
+void flush_stdout() {
+    const std::string now = std::move(pending);
+    pending.clear();  // whatever becomes of it
+    write_all(now.data(), now.size());
 }
 
 bool stdout_is_terminal() { return isatty(1); }
 
+void leave_stdout() {
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere < 0) return;
+    dup2(nowhere, 1);
+    close(nowhere);
+}
+
 bool stdout_is_closed() {
     struct pollfd out = {1, 0, 0};
     return poll(&out, 1, 0) > 0 && (out.revents & POLLERR);
-}
-
-void flush_stdout() {
-    errno = 0;
-    if (std::fflush(stdout) != 0) {
-        if (errno == EPIPE) throw ClosedPipe{};
-        fail_system("stdout", "cannot be written");
-    }
 }
 
 std::string command_line(int argc, char** argv) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // run() wraps main(): it alone catches, prints "tool: place: fact" on stderr and gives the exit status:
-// 0 fine, 1 input, 2 system, 3 signal.  A closed stdout (EPIPE) ends quietly with 0; any other write
+// 0 fine, 1 input, 2 system, 3 signal (stop.h).  A closed stdout (EPIPE) ends quietly with 0; any other write
 // error on stdout (/dev/full) is a system error.
 #pragma once
 #include <functional>
@@ -18,6 +18,7 @@ void write_stdout(const void* data, size_t bytes);
 void flush_stdout();
 bool stdout_is_terminal();  // no binary to a terminal
 bool stdout_is_closed();    // the reader of the pipe has gone: for tools that write seldom
+void leave_stdout();        // nothing will be written: whoever reads the pipe gets its end at once
 
 // "a b 'c d'": the command line as one header line, quoted for the shell where needed.
 std::string command_line(int argc, char** argv);

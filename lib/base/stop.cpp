@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See stop.h.  The handler writes a byte into a pipe that waiting readers watch, so that no signal falls between the
+// look at the flag and the wait.
+#include "base/stop.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+
+#include "base/error.h"
+
+namespace base {
+namespace {
+
+enum State { at_once, finish, asked };
+std::atomic<int> state{at_once};
+int wake[2] = {-1, -1};
+
+}  // namespace
+
+void finish_on_signal() {
+    if (wake[0] >= 0) return;
+    handle_signals();
+    errno = 0;
+    if (pipe(wake) != 0) fail_system("pipe", "cannot be made");
+    for (const int end : wake) fcntl(end, F_SETFD, FD_CLOEXEC);
+    state = finish;
+}
+
+bool stop_requested() { return state == asked; }
+
+bool take_stop_request() {
+    int expected = finish;
+    if (!state.compare_exchange_strong(expected, asked)) return false;
+    const int code = errno;
+    const ssize_t written = write(wake[1], "", 1);
+    (void)written;  // one byte fits
+    errno = code;
+    return true;
+}
+
+bool wait_for_input(int descriptor) {
+    if (state == at_once) return true;
+    while (!stop_requested()) {
+        struct pollfd both[2] = {{descriptor, POLLIN, 0}, {wake[0], POLLIN, 0}};
+        const int ready = poll(both, 2, -1);
+        if (ready < 0 && errno != EINTR) return true;  // reading will tell
+        if (ready > 0 && both[0].revents && !both[1].revents) return true;
+    }
+    return false;
+}
+
+}  // namespace base

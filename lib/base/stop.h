@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The wish to end: SIGINT, SIGTERM or SIGHUP under base::run().  At first a signal ends a program at once, with status 3.
+// A program that works frame by frame calls finish_on_signal(): from then on the first signal only asks.  It finishes
+// the frame at hand, writes what there is and returns; run() gives status 3.  A second signal ends at once.
+#pragma once
+
+namespace base {
+
+void finish_on_signal();
+bool stop_requested();
+
+// Waits until the descriptor has bytes or has ended; false: a signal asked to stop before that.
+bool wait_for_input(int descriptor);
+
+// Of run(): puts our handler in place.  finish_on_signal() does so again, for libraries bring their own (LLVM behind
+// PoCL, which does without SA_RESTART and hands the signal on to the handler before it).
+void handle_signals();
+// Of the handler: true if the program will finish by itself.  Async-signal-safe.
+bool take_stop_request();
+
+}  // namespace base
