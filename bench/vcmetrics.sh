@@ -15,8 +15,8 @@ evalglare=$(command -v evalglare || true)
 if [ -x "$bin/ptrace" ]; then
     cd "$top/examples/scenes/office"
     scene="materials.rad layout.rad sky_1400.rad"
-    ptrace -w- -vf view.vf -x 512 -y 512 -frames 5 $scene | ptaccum -last > "$dir/noisy"
-    ptrace -w- -vf view.vf -x 512 -y 512 -frames ${FRAMES:-64} $scene | ptaccum -last > "$dir/clean"
+    ptrace -w- -vf view.vf -x 512 -y 512 -frames 5 $scene | ptaccum -last -ff > "$dir/noisy"
+    ptrace -w- -vf view.vf -x 512 -y 512 -frames ${FRAMES:-64} $scene | ptaccum -last -ff > "$dir/clean"
     for picture in clean noisy; do
         for k in $(seq 200); do cat "$dir/$picture"; done > "$dir/stream"
         echo "# $picture office, 200 pictures through a pipe"

@@ -6,5 +6,5 @@ cd "$(dirname "$0")/scenes/office"
 size=${SIZE:-512} frames=${FRAMES:-32}
 
 ptrace -vf view.vf -x $size -y $size -frames $frames materials.rad layout.rad sky_1400.rad |
-    ptaccum -last -o office.hdr > /dev/null
+    ptaccum -last > office.hdr
 ptaccum office.hdr -o office.png -tone photo

@@ -7,6 +7,6 @@ size=${SIZE:-512} frames=${FRAMES:-64}
 
 for sky in 0900 1100 1400 overcast; do
     ptrace -vf view.vf -x $size -y $size -frames $frames materials.rad layout.rad sky_$sky.rad |
-        ptaccum -last -o day_$sky.hdr > /dev/null
+        ptaccum -last > day_$sky.hdr
 done
 vcmetrics day_*.hdr

@@ -16,7 +16,7 @@ started=$(date +%s)
 echo "The office at 14:00, $size x $size.  Frames run until $until over two doublings of their number:"
 vcregion -vf view.vf -x "$size" -y "$size" -o "$out/regions.exr" ../../office.regions
 ptrace -vf view.vf -x "$size" -y "$size" materials.rad layout.rad sky_1400.rad |
-    ptaccum -every "x2/4" -o "$out/office.exr" |
+    ptaccum -every "x2/4" -o "$out/office.exr" -o - |
     vcmetrics -regions "$out/regions.exr" -cr screen=screen_low/screen_high -until "$until" -window 8 |
     tee "$out/metrics.tsv"
 settled=$(date +%s)

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/radopts.h"
+#include "image/fingerprint.h"
 #include "image/header.h"
 
 namespace image {
@@ -30,26 +31,15 @@ void Accumulator::add(const Picture& frame, const std::string& place) {
         base::fail(place, h.frames || !h.ranges.empty() ? "is a sum of frames inside a stream of frames"
                                                         : "has no FRAME= line: not a frame of ptrace");
     const int64_t k = *h.frame;
-    if (k == 0 || empty()) {
+    if (empty() || (k == 0 && resumed_.empty())) {
         start(frame, k);
     } else {
-        if (k > next_) {
-            const int64_t last = k - 1;
-            base::fail(place, last == next_
-                                  ? fmt::format("frame {} is missing (this is frame {})", last, k)
-                                  : fmt::format("frames {} to {} are missing (this is frame {})", next_, last, k));
-        }
-        if (k < next_)
-            base::fail(place, k == next_ - 1 ? fmt::format("frame {} comes twice", k)
-                                             : fmt::format("frame {} after frame {}: out of order", k, next_ - 1));
-        if (frame.width != width_ || frame.height != height_)
-            base::fail(place, fmt::format("frame {} is {} x {}, the frames before it are {} x {}", k, frame.width,
-                                          frame.height, width_, height_));
-        if (h.view != header_.view)
-            base::fail(place, fmt::format("frame {} has another view than the frames before it", k));
-        if (h.seed != header_.seed)
-            base::fail(place, fmt::format("frame {} has another seed than the frames before it", k));
+        require_next(k, place);
+        require_same(frame, place);
+        if (!resumed_.empty() && !grown_) add_input_history(header_, place, h);
+        grown_ = true;
     }
+    header_.last_frame = h.last_frame;
     ++next_;
     bool trouble = false;
     if (k == 0) {
@@ -72,6 +62,50 @@ void Accumulator::add(const Picture& frame, const std::string& place) {
             for (size_t i = 0; i < n; ++i) sum_[i] += std::isfinite(from[i]) ? from[i] : 0;
     }
     if (trouble) base::warn(place, "values that are no finite numbers were taken as 0");
+}
+
+void Accumulator::require_next(int64_t k, const std::string& place) const {
+    if (k > next_) {
+        const int64_t last = k - 1;
+        base::fail(place, last == next_
+                              ? fmt::format("frame {} is missing (this is frame {})", last, k)
+                              : fmt::format("frames {} to {} are missing (this is frame {})", next_, last, k));
+    }
+    if (k < next_ && !resumed_.empty() && !grown_)
+        base::fail(place, fmt::format("frame {} is in {} already, which goes on with frame {}", k, resumed_, next_));
+    if (k < next_)
+        base::fail(place, k == next_ - 1 ? fmt::format("frame {} comes twice", k)
+                                         : fmt::format("frame {} after frame {}: out of order", k, next_ - 1));
+}
+
+void Accumulator::require_same(const Picture& frame, const std::string& place) const {
+    const std::string number = fmt::format("frame {}", *frame.header.frame);
+    const std::string before = resumed_.empty() ? "the frames before it" : resumed_;
+    if (frame.width != width_ || frame.height != height_)
+        base::fail(place, fmt::format("{} is {} x {}, {} {} {} x {}", number, frame.width, frame.height, before,
+                                      resumed_.empty() ? "are" : "is", width_, height_));
+    if (frame.header.view != header_.view) base::fail(place, number + " has another view than " + before);
+    if (frame.header.seed != header_.seed) base::fail(place, number + " has another seed than " + before);
+    require_same_fingerprint(frame.header, header_, place + ": " + number, before);
+}
+
+void Accumulator::resume(const Picture& sum, const std::string& name) {
+    const Header& h = sum.header;
+    if (h.ranges.size() != 1 || !h.other_seeds.empty())
+        base::fail(name, "has several seeds or holes between its frames: sum further frames by themselves and merge");
+    const bool zero = h.ranges[0].first == 0;
+    const double n = double(h.frames.value_or(0));
+    if (zero && n > 0 && sum.frame0.empty())
+        base::fail(name, "has frame 0 summed in and not kept apart, so that no further frames can be weighted: "
+                         "write it as OpenEXR (-o file.exr), which keeps frame 0");
+    start(sum, h.ranges[0].first);
+    next_ = h.ranges[0].second + 1;
+    header_.frames.reset();
+    header_.ranges.clear();
+    if (zero) frame0_ = n > 0 ? sum.frame0 : sum.rgb;
+    if (n > 0)
+        for (size_t i = 0; i < sum_.size(); ++i) sum_[i] = n * (double(sum.rgb[i]) - (zero ? frame0_[i] : 0));
+    resumed_ = name;
 }
 
 void Accumulator::result(Picture& out, bool with_frame0) const {

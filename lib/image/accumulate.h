@@ -19,8 +19,11 @@ namespace image {
 class Accumulator {
 public:
     // The next frame of the stream (FRAME=k in its header).  Frame 0 restarts the sum.  Throws Error (place) for a
-    // frame missing, repeated or out of order, and for another size, view or seed inside one sum.
+    // frame missing, repeated or out of order, and for another size, view, seed or fingerprint inside one sum.
     void add(const Picture& frame, const std::string& place);
+    // Goes on from a sum made before: its frames of one seed, without holes, frame 0 known apart.  The next frame is
+    // the one after its last; frame 0 does not restart it.
+    void resume(const Picture& sum, const std::string& name);
     bool empty() const { return next_ < 0; }
     int64_t frames() const { return next_ - (first_ == 0 ? 1 : first_); }  // n, diffuse frames summed
     // L'(n) or the partial result; reuses the memory of out.  with_frame0 keeps L(0) apart, too (for EXR).
@@ -28,9 +31,13 @@ public:
 
 private:
     void start(const Picture& frame, int64_t k);
+    void require_next(int64_t k, const std::string& place) const;
+    void require_same(const Picture& frame, const std::string& place) const;
     int width_ = 0, height_ = 0;
     int64_t first_ = 0, next_ = -1;
     Header header_;
+    std::string resumed_;  // name of the sum that this one goes on from
+    bool grown_ = false;   // it has got frames since
     std::vector<float> frame0_;
     std::vector<double> sum_;
 };
@@ -68,6 +75,7 @@ class Schedule {
 public:
     static Schedule parse(const std::string& text, const std::string& where);
     void restart() { next_ = 0; }
+    void resume(int64_t n) { next_ = after(n); }  // n has been written before
     bool due(int64_t n);  // called with rising n; n = 0 is always due
 
 private:

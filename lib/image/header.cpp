@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -201,6 +202,10 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         h.frame = integer<int64_t>(line, *t, where);
     } else if (auto t = value_of(line, "FRAMES=")) {
         h.frames = integer<int64_t>(line, *t, where);
+    } else if (auto t = value_of(line, "LASTFRAME=")) {
+        h.last_frame = integer<int64_t>(line, *t, where);
+    } else if (auto t = value_of(line, "FINGERPRINT=")) {
+        h.fingerprint = *t;
     } else if (auto t = value_of(line, "RANGE=")) {
         Ranges& ranges = h.other_seeds.empty() ? h.ranges : h.other_seeds.back().second;
         add_range(ranges, range(line, *t, where), line, where);
@@ -217,6 +222,8 @@ std::vector<std::string> header_lines(const Header& h) {
     out.push_back(software);  // once, after the command lines
     if (h.view) out.push_back("VIEW=" + view::to_options(*h.view));
     if (h.pixel_aspect != 1) out.push_back(fmt::format("PIXASPECT={}", h.pixel_aspect));
+    if (!h.fingerprint.empty()) out.push_back(one_line("FINGERPRINT=" + h.fingerprint));
+    if (h.last_frame) out.push_back(fmt::format("LASTFRAME={}", *h.last_frame));
     if (h.seed) out.push_back(fmt::format("SEED={}", *h.seed));
     if (h.frame) out.push_back(fmt::format("FRAME={}", *h.frame));
     if (h.frames) out.push_back(fmt::format("FRAMES={}", *h.frames));
@@ -248,17 +255,17 @@ std::string to_text(const Ranges& ranges) {
     return text;
 }
 
+bool lacks_frame0(const Header& h) {
+    return !h.ranges.empty() &&
+           std::none_of(h.ranges.begin(), h.ranges.end(), [](const auto& r) { return r.first == 0; });
+}
+
 void require_complete(const Picture& picture, const std::string& where) {
     const Header& h = picture.header;
     if (h.frame && !h.frames && *h.frame > 0)
         base::fail(where, fmt::format("is single frame {}, no picture of the scene: sum the frames with ptaccum first",
                                       *h.frame));
-    const auto lacks_frame0 = [](const Ranges& ranges) {
-        for (const auto& r : ranges)
-            if (r.first == 0) return false;
-        return !ranges.empty();
-    };
-    if (lacks_frame0(h.ranges))
+    if (lacks_frame0(h))
         base::fail(where, fmt::format("is a partial sum without frame 0 (RANGE={}): merge it with ptaccum first",
                                       to_text(h.ranges)));
 }

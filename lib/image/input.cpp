@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/stop.h"
 
 namespace image {
 
@@ -60,7 +61,11 @@ bool Input::fill() {
     return have_ > 0;
 }
 
-bool Input::at_end() { return at_ == have_ && !fill(); }
+bool Input::at_end() {
+    if (at_ < have_) return false;
+    if (!regular_ && !base::wait_for_input(fd_)) return true;
+    return !fill();
+}
 
 size_t Input::read(void* data, size_t bytes) {
     auto* to = static_cast<unsigned char*>(data);

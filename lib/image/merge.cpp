@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "image/accumulate.h"
+#include "image/fingerprint.h"
 #include "image/header.h"
 
 namespace image {
@@ -98,6 +99,7 @@ void Merger::add(Picture p, const std::string& name) {
     if (p.width != width_ || p.height != height_)
         base::fail(name, fmt::format("is {} x {}, {} is {} x {}", p.width, p.height, first_name_, width_, height_));
     if (h.view != first_.view) base::fail(name, "has another view than " + first_name_);
+    require_same_fingerprint(h, first_, name, first_name_);
     check_ranges(h, name);
     Header input;
     add_input_history(input, name, h);
@@ -132,6 +134,7 @@ Picture Merger::result() const {
     out.width = width_;
     out.height = height_;
     out.header.view = first_.view;
+    out.header.fingerprint = first_.fingerprint;
     out.header.pixel_aspect = first_.pixel_aspect;
     out.header.exposure = first_.exposure;
     out.header.lines = inputs_ == 1 ? first_.lines : history_;

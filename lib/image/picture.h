@@ -23,6 +23,8 @@ struct Header {
     std::optional<uint64_t> seed;   // SEED=
     std::optional<int64_t> frame;   // FRAME=k: a single frame
     std::optional<int64_t> frames;  // FRAMES=n: diffuse frames averaged
+    std::optional<int64_t> last_frame;  // LASTFRAME=k: the stream goes on to frame k
+    std::string fingerprint;            // FINGERPRINT=: of all that decides the pixels (fingerprint.h); empty: not told
     Ranges ranges;                  // RANGE=a:b, both included; several after a merge
     std::vector<std::pair<uint64_t, Ranges>>
         other_seeds;               // further SEED= lines with their RANGE= lines (merges of runs)
@@ -37,6 +39,9 @@ struct Picture {
     float* at(int x, int y_from_top) { return &rgb[3 * (size_t(y_from_top) * width + x)]; }
     const float* at(int x, int y_from_top) const { return &rgb[3 * (size_t(y_from_top) * width + x)]; }
 };
+
+// A partial sum: the mean of frames without frame 0, which may be negative.
+bool lacks_frame0(const Header& header);
 
 // Throws Error (place = where) for what is no picture of a scene: a single frame k > 0 and a partial sum
 // that lacks frame 0 (paper Eq. 7: only L'(n) is one).

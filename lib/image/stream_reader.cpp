@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures from files and pipes.  Float pixels are read straight into place; memory grows with the data that
 // really arrive, so that a header that lies about the size costs nothing.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -8,6 +10,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "image/exr.h"
 #include "image/header.h"
 #include "image/input.h"
@@ -183,16 +186,29 @@ Head read_head(Input& in, const std::string& place) {
     return head;
 }
 
+// Number of the last frame in a picture.
+static int64_t last_frame_in(const Header& h) {
+    if (!h.ranges.empty()) return h.ranges.back().second;
+    return h.frames.value_or(h.frame.value_or(0));
+}
+
 struct StreamReader::State {
     Input in;
     int64_t count = 0;
     bool exr = false;
     Pixels pixels;
+    int64_t announced = -1, reached = -1;  // frame numbers: LASTFRAME=, and that of the picture read last
+
     State(const std::string& path, Pixels wanted) : in(path), pixels(wanted) {
         const unsigned char magic[4] = {0x76, 0x2f, 0x31, 0x01};
         unsigned char start[4];
         exr = in.look(start, 4) && std::memcmp(start, magic, 4) == 0;
         if (exr && path == "-") base::fail("stdin", "is an OpenEXR file: give its name, it cannot be read from a pipe");
+    }
+    void require_announced(const std::string& place, const char* fact) const {
+        if (reached < announced)
+            base::fail(place, fmt::format("{} after frame {}, where frames up to {} were announced: what wrote it was "
+                                          "stopped", fact, reached, announced));
     }
 };
 
@@ -208,7 +224,9 @@ bool StreamReader::next(Picture& picture) {
         return true;
     }
     if (in.at_end()) {
+        if (base::stop_requested()) return false;
         if (state_->count == 0) base::fail(in.name(), "holds no picture");
+        state_->require_announced(in.name(), "ends");
         return false;
     }
     const std::string place = in.name() + (state_->count ? ": picture " + std::to_string(state_->count + 1) : "");
@@ -234,6 +252,10 @@ bool StreamReader::next(Picture& picture) {
         to_radiance(picture.rgb, picture.header, encoding);
     picture.width = layout.width;
     picture.height = layout.height;
+    const int64_t number = last_frame_in(picture.header);
+    if (number == 0) state_->require_announced(place, "begins anew");
+    state_->reached = number;
+    state_->announced = picture.header.last_frame.value_or(-1);
     ++state_->count;
     return true;
 }

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "trace/device.h"
 #include "trace/draw_sources.h"
+#include "trace/fingerprint.h"
 #include "trace/portals.h"
 #include "trace/view_params.h"
 
@@ -40,6 +41,7 @@ struct Renderer::State {
     std::vector<float> s0;         // mean of the direct class in frame 0
     std::vector<float> exact;      // drawn sources, 3 floats a pixel (empty: none)
     DrawList drawn;
+    std::string fingerprint;
     int64_t bad = 0;               // samples that were not numbers
 
     void scrub(std::vector<float>& rgb) {
@@ -137,10 +139,12 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.ds = float(o.ds);
     p.lw = float(o.lw);
     p.skip_direct_below = s.m;
+    s.fingerprint = trace::fingerprint(flat, view, nx, ny, o);
     s.device->upload(std::move(flat));
 }
 Renderer::~Renderer() = default;
 
+std::string Renderer::fingerprint() const { return state_->fingerprint; }
 std::string Renderer::device_name() const { return state_->device->name(); }
 
 void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, const std::vector<float>&)>& give) {

@@ -21,6 +21,7 @@ public:
              const std::string& device, const scene::ReadOptions& files);
     ~Renderer();
     std::string device_name() const;
+    std::string fingerprint() const;  // of what it renders (fingerprint.h)
     // Frame k: 3 floats a pixel, row 0 = top, W/(sr m2).  Depends on (seed, k, pixel) alone.
     void frame(int64_t k, std::vector<float>& rgb);
     // Frames k .. k+count-1 together where that is faster (GPUs); give() is called in order.

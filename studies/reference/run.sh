@@ -32,7 +32,7 @@ for name; do
         [ -f "$part" ] && continue
         echo "$name: frames $first to $last" >&2
         ptrace -w- -ss 4 -vf "$(view "$name")" -x 256 -y 256 -ab 6 ${DEVICE:+-device $DEVICE} -frames "$first:$last" $(files "$name") |
-            ptaccum -last -o "$part" > /dev/null
+            ptaccum -last -o "$part"
     done
     ptaccum "${parts[@]}" -o "$out/$name.exr"
     vcmetrics "$out/$name.exr" > "$out/$name.metrics.tsv" || true      # a perspective view has no Ev

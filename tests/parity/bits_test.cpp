@@ -2,8 +2,8 @@
 // bits_test DEVICE [-record] [ID ...] - do frames keep their bits?  tests/golden/bits.tsv holds the pictures of eight
 // frames, or the means of single rays, as hashes: one row a scene, tab separated: id, folder below the source tree,
 // ptrace's arguments (empty: the rays of golden/vectors that name this scene), hash.  A change that only moves code moves
-// no bit, on no device; one that moves numbers on purpose writes the rows anew (-record, on the CPU) and says so in
-// CHANGELOG.
+// no bit, on no device; one that moves numbers on purpose writes the rows anew (-record, on the CPU), raises
+// trace::estimator (lib/trace/fingerprint.h) and says so in CHANGELOG.
 #include <fmt/core.h>
 #include <unistd.h>
 

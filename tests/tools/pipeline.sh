@@ -13,8 +13,8 @@ check 'another seed gives others'                 'ptrace -seed 2 -frames 2 $off
 check 'frames do not depend on the range asked for' '
     render 3:3 > alone; n=$(wc -c < alone); tail -c $((48 * 48 * 12)) alone > pixels; tail -c $((48 * 48 * 12)) a | cmp - pixels'
 check 'ranges merge to what one run gives'        '
-    render 64 | ptaccum -last -o whole.exr > /dev/null
-    for r in 0:9 10:40 41:63; do render $r | ptaccum -last -o part_$r.exr > /dev/null; done
+    render 64 | ptaccum -last -o whole.exr
+    for r in 0:9 10:40 41:63; do render $r | ptaccum -last -o part_$r.exr; done
     ptaccum part_0:9.exr part_10:40.exr part_41:63.exr -o merged.exr
     numbers whole.exr > 1; numbers merged.exr > 2; test -s 1; diff 1 2'
 check 'one thread or many: the same frames'       'taskset -c 0 true 2> /dev/null || exit 0; taskset -c 0 ptrace -frames 4 $office | cmp - a'
@@ -23,7 +23,7 @@ check 'regions and contrast have their columns'   '
     vcregion -vf view.vf -x 48 -y 48 -o r.exr office.regions
     render 3 | ptaccum -last | vcmetrics -regions r.exr -cr screen=screen_low/screen_high | head -n 1 | grep -q "desk.TAL.*screen.CR"'
 check 'a rule that holds ends the pipe with status 0' 'ptrace $office | ptaccum | vcmetrics -until "Ev 5%" -window 3 > t; test $(wc -l < t) -lt 200'
-check 'and leaves the picture in -o'              'ptrace $office | ptaccum -o kept.exr | vcmetrics -until "Ev 5%" -window 3 > t; numbers kept.exr | grep -q .'
+check 'and leaves the picture in -o'              'ptrace $office | ptaccum -o kept.exr -o - | vcmetrics -until "Ev 5%" -window 3 > t; numbers kept.exr | grep -q .'
 check_exit 'frames that end before the rule holds' 4 'render 3 | ptaccum | vcmetrics -until "Ev 0.0001%" -window 10'
 check 'a reader that goes away is no error'       'ptrace $office 2> said | ptaccum 2>> said | head -c 500 > /dev/null; test ! -s said'
 

@@ -56,16 +56,16 @@ check 'a frame carries its history'               '
         ptrace -vp 0 0 1 -x 8 -y 8 -seed 7 -frames 1 sky.rad | head -c 1000 | strings | grep -q -e "^$line"; done'
 check '-f defines functions for the whole scene'   '
     echo "half = .5;" > half.cal; printf "void brightfunc b 2 half . 0 0\nb glow g 0 0 4 2 2 2 0\ng source s 0 0 4 0 0 1 360\n" > half.rad
-    ptrace -f half.cal -vta -vh 180 -vv 180 -x 32 -y 32 -frames 1 half.rad | ptaccum -last | vcmetrics -metrics Lavg | tail -n 1 | grep -qE "\b(179|179[.]0+.*|178[.]999.*)$"'
+    ptrace -f half.cal -vta -vh 180 -vv 180 -x 32 -y 32 -frames 1 half.rad | ptaccum -last -ff | vcmetrics -metrics Lavg | tail -n 1 | grep -qE "\b(179|179[.]0+.*|178[.]999.*)$"'
 check_error 'a function file that is not there'   '[12]' '^ptrace: -f: '               'ptrace -f none.cal -frames 1 sky.rad > x'
 check 'a rad input file brings scene, options and view' '
     printf "ZONE= I -1 1 -1 1 -1 1\nscene= sky.rad\nRESOLUTION= 16 16\nview= up -vtv -vp 0 0 0 -vd 0 0 1 -vu 0 1 0\n" > t.rif
     ptrace -rif t.rif -frames 1 up | head -c 1000 | strings | grep -qx -e "-Y 16 +X 16"; ptrace -rif t.rif -frames 1 -x 12 -y 12 > /dev/null; ptrace -rif t.rif -frames 1 Xl > /dev/null'
 check 'its exposure brightens the picture and moves no number' '
-    ptrace -rif t.rif -av 0 0 0 -frames 3 | ptaccum -last > p.hdr
+    ptrace -rif t.rif -av 0 0 0 -frames 3 | ptaccum -last -ff > p.hdr
     for e in +2:4 -1:0.5 3:3; do
         { cat t.rif; echo "EXPOSURE= ${e%:*}"; } > e.rif
         ptrace -rif e.rif -av 0 0 0 -frames 3 > e.str; strings e.str | grep -qx "EXPOSURE=${e#*:}"
-        ptaccum -last e.str > e.hdr; strings e.hdr | grep -qx "EXPOSURE=${e#*:}"
+        ptaccum -last -ff e.str > e.hdr; strings e.hdr | grep -qx "EXPOSURE=${e#*:}"
         vcmetrics -metrics Lavg,Ev -vta -vh 180 -vv 180 p.hdr e.hdr | tail -n 2 | cut -f 2- | uniq | wc -l | grep -qx 1; done'
 check_error 'a view that the rad input file lacks' 1 '^ptrace: t.rif: has no view "left"' 'ptrace -rif t.rif -frames 1 left > x'

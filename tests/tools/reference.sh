@@ -13,7 +13,7 @@ render() {
     for ((b = 0; b < 16; b++)); do
         first=$((4 * b + (b > 0))) last=$((4 * b + 4))
         parts+=("$TMP/$name.$b.exr")
-        ptrace -w- -ss 4 -vf view.vf -x 256 -y 256 -ab 6 -frames "$first:$last" "$@" | ptaccum -last -o "$TMP/$name.$b.exr" > /dev/null
+        ptrace -w- -ss 4 -vf view.vf -x 256 -y 256 -ab 6 -frames "$first:$last" "$@" | ptaccum -last -o "$TMP/$name.$b.exr"
     done
     cd "$TMP"
     ptaccum "${parts[@]}" -o "$name.exr"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ptaccum - sums the frames of a stream, L'(n) = L(0) + (1/n) sum L(i) (paper Eq. 7), or merges such sums.
-// What the first picture is decides: FRAME= begins a stream of frames, FRAMES= a merge.  The arithmetic is
-// lib/image/accumulate.h; this file only connects it.  See man/ptaccum.1.
+// What the first picture is decides: FRAME= begins a stream of frames, FRAMES= a merge; frames that follow the sums of a
+// merge are added to it.  The arithmetic is lib/image/accumulate.h; this file only connects it.  See man/ptaccum.1.
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/progress.h"
 #include "base/run.h"
-#include "image/exr.h"
-#include "image/header.h"
+#include "base/stop.h"
 #include "image/stream.h"
 #include "options.h"
+#include "output.h"
+#include "sums.h"
 
 namespace {
 
@@ -39,84 +39,34 @@ private:
     std::unique_ptr<image::StreamReader> reader_;
 };
 
-class Output {
-public:
-    Output(const Options& opt, std::string command)
-        : opt_(opt), command_(std::move(command)), to_terminal_(base::stdout_is_terminal()) {
-        if (to_terminal_ && opt.outputs.empty())
-            base::fail("stdout", "is a terminal: pictures go to a pipe, a file or -o file");
-    }
-    // Every output carries its history: call it once, before the two below.
-    void sign(image::Picture& picture) const { image::add_history(picture.header, command_); }
-    void to_stream(const image::Picture& picture) const {
-        if (!to_terminal_) image::write_picture_stdout(picture, opt_.stream_format);
-    }
-    void to_files(const image::Picture& picture) const {
-        for (const std::string& name : opt_.outputs) {
-            const std::string ending = image::ending_of(name);
-            if (ending == ".exr") image::write_exr(name, picture, exr_options());
-            else if (ending == ".png") image::write_png(name, picture, opt_.tone);
-            else image::write_file(name, picture, opt_.hdr_format);
-        }
-    }
-    bool only_files() const { return to_terminal_; }
+bool is_frame(const image::Picture& p) { return p.header.frame && !p.header.frames; }
 
-private:
-    image::ExrOptions exr_options() const {
-        image::ExrOptions e;
-        e.half = opt_.half;
-        return e;
-    }
-    const Options& opt_;
-    std::string command_;
-    bool to_terminal_;
-};
-
-void sum_frames(const Options& opt, Source& source, image::Picture& frame, const Output& output) {
-    image::Accumulator sum;
-    image::Picture result;
-    image::Schedule schedule = opt.schedule;
-    base::Progress progress("ptaccum");
-    bool pending = false;  // the last sum is not written yet
-    const auto write = [&] {
-        sum.result(result, false);
-        output.sign(result);
-        output.to_stream(result);
-        pending = false;
-    };
+// Frames into one sum after another.  What came whole is kept in the files, also when the rest is wrong.
+void sum_frames(Source& source, image::Picture& frame, Sums&& sums) {
+    base::finish_on_signal();
     try {
-        do {
-            if (frame.header.frame == 0) {
-                if (pending) write();  // the last picture of the scene before
-                schedule.restart();
-            }
-            sum.add(frame, source.place());
-            pending = true;
-            if (base::stdout_is_closed()) throw base::ClosedPipe{};  // not only at the next write, which may be far
-            if (!opt.last_only && !output.only_files() && schedule.due(sum.frames())) write();
-            if (progress.due()) progress.show(fmt::format("{} frames", sum.frames()));
-        } while (source.next(frame));
-        if (pending) write();
+        do sums.add(frame, source.place());
+        while (!base::stop_requested() && source.next(frame));
+        sums.end_stream();
     } catch (const base::ClosedPipe&) {
         // The reader has what it wants; the files still get the last sum.
+    } catch (const base::Error&) {
+        sums.end_files();
+        throw;
     }
-    progress.clear();
-    if (opt.outputs.empty()) return;
-    sum.result(result, true);
-    output.sign(result);
-    output.to_files(result);
+    sums.end_files();
 }
 
-void merge(const Options& opt, Source& source, image::Picture& picture, const Output& output) {
-    image::Picture result;
+void merge(const Options& opt, Source& source, image::Picture& first, const Output& output) {
+    image::Picture result, further, last = std::move(first);
     std::string name = source.name();
     size_t input = source.input();
     int pictures = 1;
     image::Merger merger;
-    image::Picture last = std::move(picture);
     const bool plain = !last.header.frames;  // no sum of ours: one such picture is only converted
     // An input may be a stream of growing sums: its last one counts.
-    for (image::Picture further; source.next(further); ++pictures) {
+    while (source.next(further) && !is_frame(further)) {
+        ++pictures;
         if (source.input() != input) {
             merger.add(std::move(last), name);
             name = source.name();
@@ -125,15 +75,15 @@ void merge(const Options& opt, Source& source, image::Picture& picture, const Ou
         last = std::move(further);
         further = image::Picture();
     }
-    if (plain && pictures == 1) {
+    const bool frames_follow = is_frame(further);
+    if (plain && pictures == 1 && !frames_follow) {
         result = std::move(last);
     } else {
         merger.add(std::move(last), name);
         result = merger.result();
     }
-    output.sign(result);
-    if (opt.outputs.empty()) output.to_stream(result);
-    output.to_files(result);
+    if (frames_follow) sum_frames(source, further, Sums(opt, output, result, name));
+    else output.final_picture(result);
 }
 
 }  // namespace
@@ -146,7 +96,7 @@ int main(int argc, char** argv) {
         Source source(opt->inputs);
         image::Picture first;
         if (!source.next(first)) base::fail("", "no picture to read");
-        if (first.header.frame && !first.header.frames) sum_frames(*opt, source, first, output);
+        if (is_frame(first)) sum_frames(source, first, Sums(*opt, output));
         else merge(*opt, source, first, output);
         return 0;
     });

@@ -2,6 +2,8 @@
 // Command line of ptaccum.
 #include "options.h"
 
+#include <algorithm>
+
 #include "base/cli.h"
 #include "base/error.h"
 #include "image/stream.h"
@@ -9,15 +11,15 @@
 std::optional<Options> parse_options(int argc, char** argv) {
     Options opt;
     std::string every = "1", tone = "photo";
-    bool floats = false, bytes = false, no_legend = false;
+    bool no_legend = false;
     CLI::App app("Sum the frames of ptrace (L' = L(0) + mean of the diffuse frames), or merge such sums.", "ptaccum");
     app.add_option("inputs", opt.inputs, "streams of frames, or sums of frames to merge; none or -: stdin");
     app.add_option("--every", every, "write every N-th sum, or N = x2: 1 2 4 8 ..., x2/16: 16 steps a doubling");
     app.add_flag("--last", opt.last_only, "write only the last sum");
-    app.add_option("-o", opt.outputs, "write the final sum to a file as well (.hdr .pic .exr .png); may repeat")
+    app.add_option("-o", opt.outputs, "write to a file (.hdr .pic .exr .png), or with - to stdout; may repeat")
         ->allow_extra_args(false);
-    app.add_flag("--ff", floats, "float pixels, also in .hdr files");
-    app.add_flag("--fc", bytes, "RGBE pixels, also on stdout");
+    app.add_flag("--ff", opt.floats, "float pixels, also in single pictures");
+    app.add_flag("--fc", opt.bytes, "RGBE pixels, also in streams");
     app.add_flag("--half", opt.half, "16-bit floats in .exr files");
     app.add_option("--tone", tone, "of .png files: photo or falsecolor");
     app.add_option("--stops", opt.tone.stops, "photo: brighter or darker by factors of 2");
@@ -28,15 +30,17 @@ std::optional<Options> parse_options(int argc, char** argv) {
 
     opt.schedule = image::Schedule::parse(every, "-every");
     if (opt.last_only && app.count("--every")) base::fail("-last", "does not go with -every");
-    if (floats && bytes) base::fail("-ff", "does not go with -fc");
-    if (floats) opt.hdr_format = image::Format::flt;
-    if (bytes) opt.stream_format = image::Format::rgbe;
+    opt.every_given = app.count("--every") > 0;
+    if (opt.floats && opt.bytes) base::fail("-ff", "does not go with -fc");
     if (tone == "falsecolor") opt.tone.kind = image::ToneOptions::Kind::falsecolor;
     else if (tone != "photo") base::fail("-tone", '"' + tone + "\" is neither photo nor falsecolor");
     if (app.count("--max") && !(opt.tone.max_cdm2 > 0)) base::fail("-max", "is not above 0");
     if (!(opt.tone.decades >= 0 && opt.tone.decades <= 12)) base::fail("-decades", "is not within 0..12");
     if (!(opt.tone.stops >= -40 && opt.tone.stops <= 40)) base::fail("-stops", "is not within -40..40");
     opt.tone.legend = !no_legend;
+    const auto files_end = std::remove(opt.outputs.begin(), opt.outputs.end(), "-");
+    opt.to_stdout = opt.outputs.empty() || files_end != opt.outputs.end();
+    opt.outputs.erase(files_end, opt.outputs.end());
     for (const std::string& name : opt.outputs) image::require_writable_ending(name);
     if (opt.inputs.empty()) opt.inputs.push_back("-");
     return opt;

@@ -10,11 +10,12 @@
 
 struct Options {
     std::vector<std::string> inputs;   // none: stdin
-    std::vector<std::string> outputs;  // -o, may repeat
+    std::vector<std::string> outputs;  // -o, may repeat: files
+    bool to_stdout = true;             // no -o, or one of them is "-"
     image::Schedule schedule;          // -every
+    bool every_given = false;
     bool last_only = false;            // -last
-    image::Format stream_format = image::Format::flt;
-    image::Format hdr_format = image::Format::rgbe;
+    bool floats = false, bytes = false;  // -ff -fc: not what output.h says
     image::ToneOptions tone;
     bool half = false;  // -half: OpenEXR with 16-bit floats
 };

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "base/run.h"
+#include "base/stop.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "options.h"
@@ -55,17 +56,21 @@ int render(int argc, char** argv) {
     picture.header.view = opt.view;
     picture.header.seed = opt.render.seed;
     picture.header.exposure = opt.exposure;
+    picture.header.fingerprint = renderer.fingerprint();
+    const bool streams = opt.output.empty();
+    if (streams && opt.last != Options::endless) picture.header.last_frame = opt.last;
     Report report(opt.report_s, renderer.device_name());
     const auto give = [&](int64_t k, const std::vector<float>& rgb) {
         picture.rgb = rgb;
         picture.header.frame = k;
-        if (opt.output.empty()) image::write_picture_stdout(picture, image::Format::flt);
+        if (streams) image::write_picture_stdout(picture, image::Format::flt);
         else image::write_file(output_name(opt.output, k), picture, image::Format::flt);
         report.frame(k, k - opt.first + 1);
-        return k < opt.last;
+        return k < opt.last && !base::stop_requested();
     };
+    base::finish_on_signal();
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
-    for (int64_t k = opt.first; k <= opt.last; k += block)
+    for (int64_t k = opt.first; k <= opt.last && !base::stop_requested(); k += block)
         renderer.frames(k, int(std::min(block, opt.last - k + 1)), give);
     return 0;
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include "base/error.h"
 #include "base/run.h"
+#include "base/stop.h"
 #include "comfort/columns.h"
 #include "comfort/until.h"
 #include "image/stream.h"
@@ -156,8 +157,9 @@ int measure_all(const Options& o) {
     for (const std::string& file : from_files ? o.files : std::vector<std::string>{"-"}) {
         image::StreamReader reader(file);
         for (long index = 0; reader.next(picture); ++index) {
+            base::finish_on_signal();  // from the first picture on: its line is finished
             const std::string place = (file == "-" ? "stdin" : file) + (index ? ": picture " + std::to_string(index + 1) : "");
-            if (printer.picture(picture, place, file, index)) return 0;
+            if (printer.picture(picture, place, file, index) || base::stop_requested()) return 0;
         }
     }
     if (o.like == Like::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V

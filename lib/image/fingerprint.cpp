@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See fingerprint.h.
+#include "image/fingerprint.h"
+
+#include <map>
+#include <sstream>
+
+#include "base/error.h"
+
+namespace image {
+namespace {
+
+std::map<std::string, std::string> parts_of(const std::string& fingerprint) {
+    std::map<std::string, std::string> parts;
+    std::istringstream in(fingerprint);
+    for (std::string word; in >> word;) parts[word.substr(0, word.find(':'))] = word;
+    return parts;
+}
+
+}  // namespace
+
+void require_same_fingerprint(const Header& header, const Header& other, const std::string& place,
+                              const std::string& of) {
+    if (header.fingerprint == other.fingerprint) return;
+    if (header.fingerprint.empty() || other.fingerprint.empty()) {
+        base::warn(place, "nothing tells whether scene and options are those of " + of + " (no FINGERPRINT= line)");
+        return;
+    }
+    auto mine = parts_of(header.fingerprint), theirs = parts_of(other.fingerprint);
+    const auto differs = [&](const char* part) { return mine[part] != theirs[part]; };
+    std::string what;
+    if (differs("estimator")) what = "another version of ptrace's estimator";
+    else if (differs("options")) what = differs("scene") ? "other options, perhaps another scene," : "other options";
+    else if (differs("scene")) what = "another scene";
+    else if (differs("view")) what = "another view or size";
+    else what = "another fingerprint";
+    base::fail(place, "has " + what + " than " + of + ": such frames do not make one picture");
+}
+
+}  // namespace image

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See fingerprint.h.
+#include "trace/fingerprint.h"
+
+#include <fmt/format.h>
+
+#include "base/hash.h"
+
+namespace trace {
+namespace {
+
+std::string scene_hash(const FlatScene& s) {
+    base::Hash hash;
+    for (const FlatScene::Tree& t : s.trees)
+        hash.add({t.first_vertex, t.vertex_count, t.first_triangle, t.triangle_count, t.first_shape, t.shape_count});
+    hash.add_all(s.prims), hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim);
+    hash.add_all(s.shapes), hash.add_all(s.shape_prim), hash.add_all(s.polygon_uv);
+    hash.add_all(s.u), hash.add_all(s.f);
+    hash.add_all(std::vector<float>{float(s.centre.x), float(s.centre.y), float(s.centre.z)});
+    hash.add({s.mods_at, s.sources_at, s.source_count, s.distant_at, s.distant_count, s.portals_at, s.portal_count,
+              s.cdf_at, s.shadow_mode, s.antimatter, s.absorbs, s.instances_at});
+    return hash.text();
+}
+
+// Options that change nothing (-dp, -u) are left out; the seed has a header line of its own.
+std::string option_text(const RenderOptions& o) {
+    return fmt::format("ab {} st {} ss {} dj {} ds {} dr {} lr {} lw {} pj {} bv {} dv {} i {} av {} {} {} me {} {} {} "
+                       "ma {} {} {} mg {} ms {} pd {} portals {} direct {}",
+                       o.ab, o.st, o.ss, o.dj, o.ds, o.dr, o.lr, o.lw, o.pj, o.bv, o.dv, o.i, o.av[0], o.av[1], o.av[2],
+                       o.me[0], o.me[1], o.me[2], o.ma[0], o.ma[1], o.ma[2], o.mg, o.ms, o.pd, o.portals,
+                       o.direct_samples);
+}
+
+std::string hash_of(const std::string& text) {
+    base::Hash hash;
+    hash.add_all(text);
+    return hash.text();
+}
+
+}  // namespace
+
+std::string fingerprint(const FlatScene& scene, const view::View& view, int nx, int ny, const RenderOptions& options) {
+    return fmt::format("scene:{} view:{} options:{} estimator:{}", scene_hash(scene),
+                       hash_of(fmt::format("{} {} {}", view::to_options(view), nx, ny)), hash_of(option_text(options)),
+                       estimator);
+}
+
+}  // namespace trace

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See output.h.
+#include "output.h"
+
+#include <sys/stat.h>
+
+#include "base/error.h"
+#include "base/run.h"
+#include "image/exr.h"
+#include "image/header.h"
+#include "image/stream.h"
+
+Output::Output(const Options& options, std::string command) : options_(options), command_(std::move(command)) {
+    if (to_stdout() && base::stdout_is_terminal())
+        base::fail("stdout", "is a terminal: pictures go to a pipe, a file or -o file");
+    if (to_stdout()) return;
+    struct stat info = {};
+    leaves_a_pipe_ = fstat(1, &info) == 0 && S_ISFIFO(info.st_mode);
+    base::leave_stdout();
+}
+
+void Output::sign(image::Picture& picture) const { image::add_history(picture.header, command_); }
+
+image::Format Output::format_of(const image::Picture& picture) const {
+    if (options_.floats) return image::Format::flt;
+    if (options_.bytes) return image::Format::rgbe;
+    return image::lacks_frame0(picture.header) ? image::Format::flt : image::Format::rgbe;
+}
+
+void Output::stream_picture(image::Picture& picture) const {
+    sign(picture);
+    image::write_picture_stdout(picture, options_.bytes ? image::Format::rgbe : image::Format::flt);
+}
+
+void Output::stdout_picture(image::Picture& picture) const {
+    sign(picture);
+    picture.header.last_frame.reset();  // no more will come
+    image::write_picture_stdout(picture, format_of(picture));
+}
+
+void Output::files(image::Picture& picture, bool passing) const {
+    sign(picture);
+    picture.header.last_frame.reset();
+    write_files(picture, passing);
+}
+
+void Output::final_picture(image::Picture& picture) const {
+    files(picture, false);
+    if (to_stdout()) image::write_picture_stdout(picture, format_of(picture));
+}
+
+void Output::write_files(const image::Picture& picture, bool passing) const {
+    image::ExrOptions exr;
+    if (passing) exr.compression = "none";
+    exr.half = options_.half;
+    for (const std::string& name : options_.outputs) {
+        const std::string ending = image::ending_of(name);
+        if (ending == ".exr") image::write_exr(name, picture, exr);
+        else if (ending == ".png") image::write_png(name, picture, options_.tone);
+        else image::write_file(name, picture, format_of(picture));
+    }
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See sums.h.
+#include "sums.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/run.h"
+
+namespace {
+constexpr int files_share = 20;  // without -every the files are written as often as takes a 20th of the time
+}
+
+Sums::Sums(const Options& options, const Output& output)
+    : options_(options), output_(output), schedule_(options.schedule) {}
+
+Sums::Sums(const Options& options, const Output& output, const image::Picture& sum, const std::string& name)
+    : Sums(options, output) {
+    sum_.resume(sum, name);
+    schedule_.resume(sum_.frames());
+}
+
+void Sums::add(const image::Picture& frame, const std::string& place) {
+    const bool restarts = frame.header.frame == 0;
+    if (sum_.empty() && output_.leaves_a_pipe() && !frame.header.last_frame)
+        base::warn("stdout", "gets nothing with -o; -o - gives the sums to a program that reads them");
+    if (restarts && !sum_.empty()) end_stream();  // the last picture of the scene before
+    sum_.add(frame, place);
+    if (restarts) schedule_.restart();
+    streamed_ = filed_ = false;
+    if (output_.to_stdout() && base::stdout_is_closed()) throw base::ClosedPipe{};  // the next write may be far
+    if (!options_.last_only && schedule_.due(sum_.frames())) write_due();
+    if (progress_.due()) progress_.show(fmt::format("{} frames", sum_.frames()));
+}
+
+void Sums::write_due() {
+    if (output_.to_stdout()) {
+        sum_.result(result_, false);
+        output_.stream_picture(result_);
+        streamed_ = true;
+    }
+    if (options_.outputs.empty() || (!options_.every_given && Clock::now() < files_again_)) return;
+    const Clock::time_point began = Clock::now();
+    write_files(true);
+    files_again_ = Clock::now() + files_share * (Clock::now() - began);
+}
+
+void Sums::end_stream() {
+    if (streamed_ || !output_.to_stdout()) return;
+    sum_.result(result_, false);
+    if (options_.last_only) output_.stdout_picture(result_);
+    else output_.stream_picture(result_);
+    streamed_ = true;
+}
+
+void Sums::write_files(bool passing) {
+    sum_.result(result_, true);
+    output_.files(result_, passing);
+}
+
+void Sums::end_files() {
+    if (filed_ || options_.outputs.empty()) return;
+    write_files(false);
+    filed_ = true;
+}

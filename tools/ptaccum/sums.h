@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run of ptaccum over frames: the growing sum, written as often as -every says, so that it can be watched and measured
+// while it grows, and is not lost when the program is killed.
+#pragma once
+#include <chrono>
+#include <string>
+#include "base/progress.h"
+#include "image/accumulate.h"
+#include "output.h"
+
+class Sums {
+public:
+    Sums(const Options& options, const Output& output);
+    // Goes on from a sum made before.
+    Sums(const Options& options, const Output& output, const image::Picture& sum, const std::string& name);
+    void add(const image::Picture& frame, const std::string& place);
+    void end_stream();   // the last sum to the standard output, if it is not there yet
+    void end_files();    // likewise to the files
+
+private:
+    using Clock = std::chrono::steady_clock;
+    void write_due();
+    void write_files(bool passing);
+    const Options& options_;
+    const Output& output_;
+    image::Accumulator sum_;
+    image::Picture result_;
+    image::Schedule schedule_;
+    base::Progress progress_{"ptaccum"};
+    bool streamed_ = true, filed_ = true;  // the last sum is written there for good
+    Clock::time_point files_again_;        // without -every: the earliest time for the files' next writing
+};
