@@ -167,10 +167,12 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                 LightSample ls;
                 sample_source(s, par, i, g.p, x, par->dj, &ls);
                 if (ls.w > 0.0f) {
-                    float3 c = (lobes.flags & LOBE_ASHIK) != 0u ? ashik_direct(&lobes, &g, ls.dir, ls.w)
-                               : (lobes.flags & LOBE_BSDF) != 0u ? bsdf_direct(s, par, &lobes, &g, ls.dir, ls.w, &rnd)
-                                                                 : lobes_direct(&lobes, &g, ls.dir, ls.w, par->dj);
-                    if ((lobes.flags & LOBE_FUNCTION) != 0u) c = add3(c, function_direct(s, par, &lobes, &g, ls.dir, ls.w));
+                    float w = ls.w / ls.pieces;
+                    float3 c = (lobes.flags & LOBE_ASHIK) != 0u ? ashik_direct(&lobes, &g, ls.dir, w)
+                               : (lobes.flags & LOBE_BSDF) != 0u ? bsdf_direct(s, par, &lobes, &g, ls.dir, w, &rnd)
+                                                                 : lobes_direct(&lobes, &g, ls.dir, w, par->dj);
+                    if ((lobes.flags & LOBE_FUNCTION) != 0u) c = add3(c, function_direct(s, par, &lobes, &g, ls.dir, w));
+                    c = scale3(c, ls.pieces);
                     if (max3(c) > 0.0f) {
                         GLOBAL const float* q = source_record(s, par, i);
                         float3 e = F3(1.0f, 1.0f, 1.0f);  // a virtual source's radiance is known where its ray arrives

@@ -13,6 +13,7 @@ typedef struct {
     float3 dir;      // from the point to the source, unit
     float dist;      // 1e30 for distant ones
     float w;         // solid angle this sample stands for
+    float pieces;    // with -ds: how many pieces of a source it stands for; lobes are widened by one of them
     float3 point;    // on the source (local ones)
     float3 normal;   // there
     uint index;
@@ -62,6 +63,7 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
     float3 c = f3_at(q + SRC_CENTRE);
     l->index = i;
     l->w = 0.0f;
+    l->pieces = 1.0f;
     float ju = dj * (2.0f * x.x - 1.0f), jv = dj * (2.0f * x.y - 1.0f);
     if (kind == SK_DISTANT) {
         l->dir = c;
@@ -111,7 +113,7 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
             if (kind == SK_RING) { u = scale3(u, 0.886226925f); v = scale3(v, 0.886226925f); }  // square of equal area
             float3 pu = u, pv = v;
             if (par->ds > 0.0f) {
-                source_piece(p, par->ds, 0, &c, &pu, &pv, &x);
+                l->pieces = 1.0f / source_piece(p, par->ds, 0, &c, &pu, &pv, &x);
                 ju = dj * (2.0f * x.x - 1.0f);
                 jv = dj * (2.0f * x.y - 1.0f);
             }
@@ -138,6 +140,7 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
                     c = madd3(axis, dj * (2.0f * x.x - 1.0f), c);
                 }
                 float3 to = sub3(c, p);
+                l->pieces = 1.0f / share;
                 float d2 = dot3(to, to), h = length3(axis);
                 float ca = dot3(to, axis) / (h * sqrt_(d2));
                 l->dist = sqrt_(d2); l->dir = scale3(to, 1.0f / l->dist);
