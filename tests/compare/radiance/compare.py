@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""compare.py [options]: random scenes traced by ptrace and by rtrace; what differs beyond its noise is shrunk and written.
+"""compare.py [options]: random scenes by ptrace and by rtrace; what differs beyond its noise is shrunk and written.
 
-Needs rtrace, oconv and obj2mesh on PATH.  `make compare-radiance N=1000` runs it; --help lists the options.  A scene depends
-on its seed alone.  Each that differs gets a folder: the scene, its minimal form and a row for golden/vectors/found.tsv.
+Needs rtrace, oconv and obj2mesh on PATH.  `make compare-radiance N=1000` runs it; --help lists the options.  A scene
+depends on its seed alone.  Each that differs gets a folder: the scene, its minimal form and a row for
+golden/vectors/found.tsv.
 Status 0: no unknown difference; 1: some (or a program refused what the other took); 77: RADIANCE is not here.
 """
 import argparse
@@ -117,7 +118,7 @@ def record(seed, scene, worst, floor, args, bed, result):
         with tempfile.TemporaryDirectory() as work:
             bed(work)
             small.write(work)
-            pixels, wrong = judge(small, work, args.tracer, args.ours, 1, 2, floor)
+            pixels, wrong = judge(small, work, args.tracer, args.ours, 2, 3, floor)
             ours, theirs = pixels[0].ours, pixels[0].theirs
     minimal = os.path.join(folder, "minimal")
     keep_scene(minimal, small)

@@ -26,7 +26,7 @@ class World:
         self.rng, self.scene = random.Random(seed), Scene()
         self.list, self.count = self.scene.files["scene"], 0
         self.options()
-        self.materials = Materials(self.rng, self.list, {"textures": not self.indirect})
+        self.materials = Materials(self.rng, self.list, self.kinds)
         self.lamps = []
 
     def options(self):
@@ -36,10 +36,12 @@ class World:
         if self.indirect:
             words.append(["-ad", "16"])
         words += [["-dj", "0"], ["-lr", "8"], ["-lw", "0"], ["-ss", r.choice(["0", "0", "0", "1"])]]
-        words.append(["-st", r.choice(["0", "0", ".1"])])
-        words.append(["-ds", r.choice([".25", ".1", ".5"])])
+        sampled = self.scene.option("-ss")[0] != "0"
+        words.append(["-st", r.choice(["0", ".1"]) if not sampled else "0"])
+        self.kinds = {"textures": not self.indirect, "tables": sampled}
+        words.append(["-ds", r.choice(["0", "0", "0", ".25", ".1"])])
         words.append(["-dr", r.choice(["0", "1", "2"])])
-        rare = [["-bv-"], ["-dv-"], ["-av", ".2", ".1", ".3"], ["-dj", ".7"], ["-i+"], ["-me", ".05", ".1", ".02"],
+        rare = [["-bv-"], ["-dv-"], ["-av", ".2", ".1", ".3"], ["-i+"], ["-me", ".05", ".1", ".02"],
                 ["-ma", ".8", ".5", ".9"], ["-mg", ".3"]]
         words += [option for option in rare if r.random() < (.04 if option[0] == "-i+" else .08)]
 
@@ -73,7 +75,8 @@ class World:
         r = self.rng
         material = self.materials.material()
         centre = (x, y, number(r, .6, 1.4))
-        kind = r.choices(["quad", "sphere", "bubble", "ring", "cylinder", "tube", "cone", "box"], [5, 3, .5, 1, 1, .5, 1, 1])[0]
+        kinds = ["quad", "sphere", "bubble", "ring", "cylinder", "tube", "cone", "box"]
+        kind = r.choices(kinds, [5, 3, .5, 1, 1, .5, 1, 1])[0]
         if kind == "quad":
             self.quad(material, centre, number(r, .6, 1), 80)
         elif kind in ("sphere", "bubble"):
@@ -104,14 +107,15 @@ class World:
         stem = f"inner{len(self.scene.files)}"
         outer, self.list = self.list, []
         self.scene.files[stem] = self.list
-        materials, self.materials = self.materials, Materials(r, self.list, {"textures": not self.indirect})
+        materials, self.materials = self.materials, Materials(r, self.list, self.kinds)
         for _ in range(r.randint(1, 2)):
             self.thing(number(r, -.4, .4), number(r, -.4, .4))
         if len(self.scene.files) < 4 and r.random() < .15:
             self.instance(.3, .2)
         self.list, self.materials = outer, materials
         modifier = materials.material() if r.random() < .15 else "void"
-        transform = ["-rz", str(r.randint(-180, 180)), "-rx", str(r.randint(-20, 20))] + r.choice([[], ["-mx"], ["-my"]])
+        transform = ["-rz", str(r.randint(-180, 180)), "-rx", str(r.randint(-20, 20))]
+        transform += r.choice([[], ["-mx"], ["-my"]])
         transform += ["-s", r.choice([".7", "1", "1.1"]), "-t", str(x), str(y), ".1"]
         self.surface(modifier, "instance", [], [stem + ".oct"] + transform)
 
@@ -128,9 +132,9 @@ class World:
             spot = [number(r, -3, 3), number(r, -3, 3), number(r, 3.5, 5)]
             if kind == "sun":
                 up = [number(r, -1, 1), number(r, -1, 1), number(r, .3, 1)]
-                self.surface(m.light("light", 3000), "source", up + [r.choice([.5, 2, 5])])
+                self.surface(m.light("light", 3000, True), "source", up + [r.choice([.5, 2, 5])])
             elif kind == "sky":
-                name = m.light("glow", 1)
+                name = m.light("glow", 1, True)
                 self.list[-1].reals.append(0)
                 self.surface(name, "source", [0, 0, 1, r.choice([180, 360])])
             elif kind == "lamp":
@@ -175,7 +179,8 @@ def generate(seed, ray_count):
     floor = world.materials.add(world.materials.modifier(), "plastic", [], world.materials.colour() + [0, 0])
     world.surface(floor, "polygon", [-5, -5, GROUND, 5, -5, GROUND, 5, 5, GROUND, -5, 5, GROUND])
     if r.random() < .3:
-        world.surface(world.materials.material(), "polygon", [-4, 4.0173, GROUND, 4, 4.0173, GROUND, 4, 4.0173, 3, -4, 4.0173, 3])
+        wall = [-4, 4.0173, GROUND, 4, 4.0173, GROUND, 4, 4.0173, 3, -4, 4.0173, 3]
+        world.surface(world.materials.material(), "polygon", wall)
     for x, y in r.sample(CELLS, r.randint(2, 5)):
         maker = r.choices([world.thing, world.volume, world.instance, world.mesh], [7, 2, 1.5, .7])[0]
         maker(x, y)

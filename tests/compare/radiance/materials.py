@@ -6,21 +6,31 @@ from modifiers import Modifiers
 # Kind and how often.  `closed`: only for closed surfaces.
 OPAQUE = [("plastic", 6), ("metal", 3), ("trans", 4), ("plastic2", 1), ("metal2", 1), ("trans2", 1), ("ashik2", 1),
           ("glass", 4), ("plasfunc", 1), ("metfunc", 1), ("transfunc", 1), ("plasdata", 1), ("metdata", .5),
-          ("transdata", .5), ("BRTDfunc", 2), ("WGMDfunc", 1), ("BSDF", 1), ("aBSDF", .5), ("mirror", 1), ("prism1", .5),
-          ("prism2", .5), ("glow", 1), ("illum", .5)]
+          ("transdata", .5), ("BRTDfunc", 2), ("WGMDfunc", 1), ("BSDF", 1), ("aBSDF", .5), ("mirror", 1),
+          ("prism1", .5),           ("prism2", .5), ("glow", 1), ("illum", .5)]
+TABLES = ["klemsq.xml", "tt3.xml", "tt4.xml"]
 CLOSED = [("dielectric", 3), ("interface", 1), ("mist", 1), ("antimatter", 1)]
 
 
 class Materials(Modifiers):
     def __init__(self, rng, out, options):
         super().__init__(rng, out)
-        self.bumps = options["textures"]
+        self.bumps, self.tables = options["textures"], options["tables"]
 
     def modifier(self):
         return self.chain(self.bumps)
 
     def colour(self, low=.1, high=.9):
         return [number(self.rng, low, high) for _ in range(3)]
+
+    # RADIANCE 6.0a's Fresnel term is 8e-4 larger than 6.1a's, so nothing is a weak mirror here: rough, or below .018,
+    # where there is no such term, or strong.
+    def finish(self, strong):
+        r = self.rng
+        rough = self.rough()
+        if rough:
+            return [number(r, .3, 1) if strong else self.specular(), rough]
+        return [number(r, .6, 1) if strong else r.choice([0, 0, .01]), 0]
 
     def rough(self):
         return self.rng.choice([0, 0, 0, .03, .1, .2])
@@ -29,7 +39,9 @@ class Materials(Modifiers):
         return self.rng.choice([0, 0, .02, .05, .2])
 
     def up(self):
-        return self.rng.choice([["1", "0", "0"], ["0", "1", ".2"], ["Nz", "Nx", "Ny+.3"], ["0", "0", "1"]])
+        # never along a normal: an error in RADIANCE
+        return self.rng.choice([[".9", ".23", ".17"], [".1", "1", ".27"], [".2", ".11", "1"],
+                                ["Nz+.21", "Nx+.13", "Ny+.32"]])
 
     def plain(self, kind):
         """Strings, reals and the places of names of a material of that kind."""
@@ -40,15 +52,16 @@ class Materials(Modifiers):
         through = [number(r, .1, .9), r.choice([0, .3, 1, number(r, 0, 1)])]
         uneven = [r.choice([.05, .1, .2]), r.choice([.08, .15])]
         lobe = [r.choice(["cosine_power", "local_lobe"]), "compare.cal"] + self.transform()
-        shade = [r.choice(["noop", "sq"]), "steps.dat", "compare.cal"] + [r.choice(["along", "upward"])] + self.transform()
+        shade = [r.choice(["noop", "sq"]), "steps.dat", "compare.cal", r.choice(["along", "upward"])] + self.transform()
         rows = {
-            "plastic": lambda: ([], colour + [spec, self.rough()]),
-            "metal": lambda: ([], colour + [spec, self.rough()]),
-            "trans": lambda: ([], colour + [spec, self.rough()] + through),
+            "plastic": lambda: ([], colour + self.finish(False)),
+            "metal": lambda: ([], self.colour(.4, .9) + self.finish(True)),
+            "trans": lambda: ([], colour + self.finish(False) + through),
             "plastic2": lambda: (self.up() + ["."] + self.transform(), colour + [spec] + uneven),
             "metal2": lambda: (self.up() + ["."] + self.transform(), colour + [spec] + uneven),
             "trans2": lambda: (self.up() + ["."] + self.transform(), colour + [spec] + uneven + through),
-            "ashik2": lambda: (self.up() + ["."] + self.transform(), self.colour(0, .5) + self.colour(0, .3) + [20, 60]),
+            "ashik2": lambda: (self.up() + ["."] + self.transform(),
+                               self.colour(0, .5) + self.colour(0, .3) + [20, 60]),
             "glass": lambda: ([], colour + r.choice([[], [1.4], [1.7]])),
             "dielectric": lambda: ([], colour + [number(r, 1.1, 1.8), r.choice([0, 0, 5])]),
             "interface": lambda: ([], colour + [number(r, 1.1, 1.8)] + self.colour(.5, 1) + [r.choice([1, 1.3])]),
@@ -60,12 +73,12 @@ class Materials(Modifiers):
             "metdata": lambda: (shade, colour + [spec]),
             "transdata": lambda: (shade, colour + [max(spec, .1)] + through),
             "BRTDfunc": lambda: (self.brtd(), self.colour(0, .6) + self.colour(0, .6) + self.colour(0, .3)),
-            "BSDF": lambda: ([r.choice(["0", "0", ".1"]), r.choice(["klemsq.xml", "tt3.xml", "tt4.xml"])] + self.up() + ["."],
+            "BSDF": lambda: ([r.choice(["0", "0", ".1"]), r.choice(TABLES)] + self.up() + ["."],
                              r.choice([[], self.colour(0, .3), self.colour(0, .3) * 2, self.colour(0, .2) * 3])),
             "aBSDF": lambda: (["peak.xml"] + self.up() + ["."], r.choice([[], self.colour(0, .3)])),
             "prism1": lambda: ([".8", ".1*" + wave(r), "0", "Dz", "."], []),
             "prism2": lambda: ([".4", ".1", "0", "Dz", ".3", "-.1", "0", "Dz", "."], []),
-            "glow": lambda: ([], self.colour(.1, 2) + [r.choice([0, 0, 2, -1])]),
+            "glow": lambda: ([], self.colour(.1, 2) + [r.choice([0, 0, -1])]),
         }
         return rows[kind]()
 
@@ -95,7 +108,8 @@ class Materials(Modifiers):
             fore = self.material(depth + 1)
             back = "void" if r.random() < .25 else self.material(depth + 1)
             return self.mixture("void", *r.sample([fore, back], 2))
-        kinds = [k for k in OPAQUE if depth == 0 or k[0] not in ("illum", "mirror", "prism1", "prism2", "glow")]
+        kinds = [k for k in OPAQUE if self.tables or k[0] not in ("BSDF", "aBSDF")]
+        kinds = [k for k in kinds if depth == 0 or k[0] not in ("illum", "mirror", "prism1", "prism2", "glow")]
         kind = r.choices([k for k, _ in kinds], [w for _, w in kinds])[0]
         if kind == "WGMDfunc":
             return self.wgmd()
@@ -123,7 +137,12 @@ class Materials(Modifiers):
         strings, reals = self.plain(kind)
         return self.add(self.modifier(), kind, strings, reals)
 
-    def light(self, kind, radiance):
+    def light(self, kind, radiance, distant=False):
         r = self.rng
-        modifier = self.chain(False) if r.random() < .3 else "void"
+        modifier = "void"
+        if distant and r.random() < .3:  # by direction alone, see docs/differences.md
+            parts = [f"{number(r, .2, 1)}+.4*{v}" for v in r.sample(["Dx^2", "Dy^2", "abs(Dz)"], 3)]
+            modifier = self.add("void", "colorfunc", parts + ["."])
+        elif r.random() < .3:
+            modifier = self.chain(False)
         return self.add(modifier, kind, [], [radiance * number(r, .5, 1) for _ in range(3)])

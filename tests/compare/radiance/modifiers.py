@@ -47,13 +47,15 @@ class Modifiers:
         if kind == "brightfunc":
             return self.add(modifier, kind, [share(r), "."] + self.transform())
         if kind == "colordata":
-            return self.add(modifier, kind, ["red", "green", "blue"] + ["steps.dat"] * 3 + ["."] + self.coordinates(1) + self.transform())
+            strings = ["red", "green", "blue"] + ["steps.dat"] * 3 + ["."] + self.coordinates(1)
+            return self.add(modifier, kind, strings + self.transform())
         if kind == "brightdata":
             name, n = r.choice([("steps.dat", 1), ("field.dat", 2)])
             function = r.choice(["noop", "clip", "sq", "noneg"])
             return self.add(modifier, kind, [function, name, "."] + self.coordinates(n) + self.transform())
         if kind == "colorpict":
-            functions = r.choice([["red", "green", "blue"], ["clip_r", "clip_g", "clip_b"], ["grey"] * 3, ["blue", "red", "green"]])
+            functions = r.choice([["red", "green", "blue"], ["clip_r", "clip_g", "clip_b"], ["grey"] * 3,
+                                  ["blue", "red", "green"]])
             u, v = r.choice([("frac(Px)", "frac(Py)"), ("frac(Py+.3)", "frac(Pz)"), ("Px/4+.5", "Py/4+.5")])
             return self.add(modifier, kind, functions + ["small.hdr", ".", u, v] + self.transform())
         words = r.choice(WORDS).split()
@@ -68,8 +70,8 @@ class Modifiers:
         r = self.rng
         if r.random() < .85:
             return self.add(modifier, "texfunc", [bump(r), bump(r), bump(r), "."] + self.transform())
-        data = ["steps.dat"] * 3
-        return self.add(modifier, "texdata", ["tenth", "none", "tenth"] + data + ["compare.cal"] + self.coordinates(1) + self.transform())
+        strings = ["tenth", "none", "tenth"] + ["steps.dat"] * 3 + ["compare.cal"] + self.coordinates(1)
+        return self.add(modifier, "texdata", strings + self.transform())
 
     def mixture(self, modifier, fore, back):
         """Of two modifiers of whatever sort."""
@@ -80,10 +82,11 @@ class Modifiers:
         elif kind == "mixdata":
             strings = [fore, back, "clip", "steps.dat", "."] + self.coordinates(1) + self.transform()
         elif kind == "mixpict":
-            strings = [fore, back, r.choice(["clipgrey", "clip_r"]), "small.hdr", ".", "frac(Px)", "frac(Py)"] + self.transform()
+            function = r.choice(["clipgrey", "clip_r"])
+            strings = [fore, back, function, "small.hdr", ".", "frac(Px)", "frac(Py)"] + self.transform()
         else:
-            spacing = r.choice([[], [.2], [-.2]])
-            return self.add(modifier, kind, [fore, back, "tiny.fnt", "."] + r.choice(WORDS).split(), self.frame() + spacing, (0, 1))
+            strings = [fore, back, "tiny.fnt", "."] + r.choice(WORDS).split()
+            return self.add(modifier, kind, strings, self.frame() + r.choice([[], [.2], [-.2]]), (0, 1))
         return self.add(modifier, kind, strings, [], (0, 1))
 
     def chain(self, textures=True, depth=0):

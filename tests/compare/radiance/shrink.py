@@ -8,7 +8,8 @@ import tempfile
 import tracers
 from judge import judge
 
-BASE = {"-ab", "-dj", "-lr", "-lw"}  # options a row keeps
+# Options a row keeps: what rtrace takes without them depends on its version.
+BASE = {"-ab", "-ad", "-dj", "-lr", "-lw", "-ds", "-ss", "-st", "-dr"}
 SIMPLE_STRINGS = ["void", "0", ".5", "Px"]
 
 
@@ -19,7 +20,7 @@ class Shrinker:
         self.left = budget
 
     def shows(self, scene):
-        """Does it still differ?  Clearly, that is: by more than one in a hundred, so that a shadow of rounding is no end."""
+        """Does it still differ, and by more than one in a hundred?  (A shadow of rounding is no end.)"""
         if self.left <= 0:
             return False
         self.left -= 1
@@ -28,7 +29,7 @@ class Shrinker:
             if scene.write(folder):
                 return False
             try:
-                _, wrong = judge(scene, folder, self.tracer, self.extra, 1, 2, self.floor)
+                _, wrong = judge(scene, folder, self.tracer, self.extra, 2, 3, self.floor)
             except tracers.Refused:
                 return False
             return any(p.deviation() > .005 for p in wrong)
@@ -49,7 +50,8 @@ class Shrinker:
     def fewer_surfaces(self):
         size = None
         while True:
-            places = [(stem, i) for stem, list_ in self.best.files.items() for i, p in enumerate(list_) if p.is_surface()]
+            places = [(stem, i) for stem, list_ in self.best.files.items()
+                      for i, p in enumerate(list_) if p.is_surface()]
             size = min(size or len(places), len(places)) // 2 or 1
             gone = False
             for at in range(len(places) - size, -1, -size):

@@ -68,7 +68,8 @@ def rtrace(folder, arguments, rays, repeats):
 
 def ptrace(tracer, folder, arguments, rays, fewest, most):
     text = "".join(ray_text(ray) + "\n" for ray in rays)
-    out = run("ptrace", [tracer, str(fewest), str(most), "scene.rad", EXACT + " " + arguments], folder, text, timeout(rays))
+    command = [tracer, str(fewest), str(most), "scene.rad", EXACT + " " + arguments]
+    out = run("ptrace", command, folder, text, timeout(rays))
     results = []
     for line in out.decode().splitlines():
         v = [float(word) for word in line.split()]
