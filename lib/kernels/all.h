@@ -24,6 +24,7 @@
 #include "kernels/modifier.h"
 #include "kernels/clip.h"
 #include "kernels/sources.h"
+#include "kernels/choose_source.h"
 #include "kernels/portals.h"
 #include "kernels/paths.h"
 #include "kernels/medium.h"

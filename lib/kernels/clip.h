@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // antimatter: a surface that cuts away what carries the modifiers it lists (spec: RADIANCE shading 3.17).
-// Modifiers that the same of up to four antimatters list are one group, numbered by these antimatters' bits.  A ray keeps
-// which groups are cut away (low 16 bits) and for each antimatter how many more of the listed surfaces it has entered than
-// left (4 bits each, 8 = none).
+// Modifiers that the same of up to four antimatters list are one group, numbered by these antimatters' bits.  A ray
+// keeps which groups are cut away (low 16 bits) and for each antimatter how many more of the listed surfaces it has
+// entered than left (4 bits each, 8 = none).
 #ifndef LUX_CLIP_H
 #define LUX_CLIP_H
 

@@ -30,6 +30,11 @@ typedef struct {
 #define LOBE_ASHIK 128u      // rough_r is the power lobe of ashik2
 #define LOBE_BSDF 256u       // rough_r and rough_t are tables (mat_bsdf.h says how it uses the fields)
 
+// May light from behind the surface come through it?
+FN int lobes_transmit(PRIVATE const Lobes* l) {
+    return (l->flags & (LOBE_FUNCTION | LOBE_BSDF)) != 0u || max3(add3(l->diffuse_t, l->rough_t)) > 0.0f;
+}
+
 // Fresnel estimate of RADIANCE's smooth plastic, metal and trans (spec 3.1).
 FN float fresnel_estimate(float c) { return k_exp(-5.85f * c) - 0.00287989916f; }
 // WGMDfunc has another constant (spec 3.15), so that F(1) is not 0 there.

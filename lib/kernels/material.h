@@ -4,7 +4,7 @@
 #ifndef LUX_MATERIAL_H
 #define LUX_MATERIAL_H
 
-// With -bv- a back is nothing; but opaque ones stop shadow rays still, and what tells its sides apart itself has no back.
+// With -bv- a back is nothing; but opaque ones stop shadow rays still, and what tells its sides apart has no back.
 FN int back_passes(uint type, int asked) {
     if (type == M_DIELECTRIC || type == M_INTERFACE || type == M_BRTD || type == M_PRISM) return 0;
     if (asked != LOBES_SHADOW) return 1;

@@ -50,7 +50,8 @@ FN void set_shadow_medium(PRIVATE const Paths* a, uint slot, PRIVATE const Mediu
 }
 
 // Mists keep what they do not state: a mist without albedo has that around it, one without list its lights.
-FN void mist_enter(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE Medium* m) {
+FN void mist_enter(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+                   PRIVATE Medium* m) {
     GLOBAL const uint* record = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + record[MOD_ARGS];
     m->k = add3(m->k, mul3(f3_at(arg), g->color));
@@ -60,7 +61,8 @@ FN void mist_enter(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIV
 }
 
 // Leaving takes away what it stated, down to the global medium: what an outer mist stated is forgotten, too.
-FN void mist_leave(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE Medium* m) {
+FN void mist_leave(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+                   PRIVATE Medium* m) {
     GLOBAL const uint* record = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + record[MOD_ARGS];
     Medium open = medium_open(par);

@@ -137,7 +137,8 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         }
     }
     if (absorbs && max3(arriving.k) > 0.0f) {
-        float3 T = attenuation(arriving.k, g.length), av = F3(par->av.x, par->av.y, par->av.z), one = F3(1.0f, 1.0f, 1.0f);
+        float3 T = attenuation(arriving.k, g.length), one = F3(1.0f, 1.0f, 1.0f);
+        float3 av = F3(par->av.x, par->av.y, par->av.z);
         scatters = scattered_count(s, par, &arriving);
         if (wanted) rad = add3(rad, mul3(thr, mul3(mul3(arriving.albedo, av), sub3(one, T))));  // spec shading 3.9
         if (wanted && scatters > 0u) {
@@ -159,7 +160,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         // ---- light from active sources
         if (wanted && par->source_count > 0u) {
             uint i = 0u;
-            float inv_p = choose_source(s, par, g.p, &rnd, &i);
+            float inv_p = choose_source(s, par, g.p, g.n, lobes_transmit(&lobes), &rnd, &i);
             float2 x = sample2(&rnd);
             if (scattered) inv_p = 0.0f;
             else if (scatters > 0u) inv_p *= 2.0f;
@@ -275,7 +276,8 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         a->info[slot] = info;
         if (dead) return result;
         if (absorbs) set_path_medium(a, slot, dot3(next, g.ng) > 0.0f ? &arriving : &beyond);
-        a->org[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, dot3(next, g.ng) > 0.0f), side, g.reach), as_float_(dot3(next, g.ng) > 0.0f ? before : clip));
+        int above = dot3(next, g.ng) > 0.0f;
+        a->org[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, above), side, g.reach), as_float_(above ? before : clip));
         a->dir[slot] = pack4(next, 1e30f);
         a->thr[slot] = pack4(thr, t4.w);
         return result | PATH_GOES_ON;

@@ -101,7 +101,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         uint before = clip;
         if (!((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
             find_material(s, par, &g, rnd) &&
-            ((relay != NONE && hit.prim == s->u[relay]) || !shadow_alternate(s, par, &g, rnd))) {
+            ((relay != NONE && hit.prim == s->u[relay + RELAY_PRIM]) || !shadow_alternate(s, par, &g, rnd))) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
                 if (g.type != M_ILLUM) return black;
             } else if (g.type == M_MIST) {
@@ -110,12 +110,12 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
                 material_lobes(s, par, &g, LOBES_SHADOW, rnd, &here, &beyond, &l);
                 if ((par->flags & PF_ANTIMATTER) != 0u) clip_turned(s, par, &g, carried, &clip);
                 if ((l.flags & LOBE_PASS) == 0u) {
-                    if (relay != NONE && hit.prim == s->u[relay]) {  // the relay this virtual source belongs to
-                        q = source_record(s, par, s->u[relay + 1u]);
+                    if (relay != NONE && hit.prim == s->u[relay + RELAY_PRIM]) {  // the one aimed at
+                        q = source_record(s, par, s->u[relay + RELAY_SOURCE]);
                         if (g.type == M_PRISM) {
                             float3 aim = f3_at(q + SRC_CENTRE);
                             if (as_uint_(q[SRC_KIND]) != SK_DISTANT) aim = unit3(sub3(aim, g.p));
-                            T = scale3(T, prism_exit(s, par, &g, aim, s->u[relay + 6u], &next));
+                            T = scale3(T, prism_exit(s, par, &g, aim, s->u[relay + RELAY_EXIT], &next));
                         } else {
                             T = mul3(T, l.mirror);
                             next = sub3(scale3(g.ng, 2.0f * dot3(g.ng, g.v)), g.v);  // textures do not act here

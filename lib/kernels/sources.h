@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Active sources: choosing one, a point on it, its radiance; and what lies behind everything (sun, sky).
+// Active sources: a point on one, its radiance; and what lies behind everything (sun, sky).
 // Active sources reach surfaces by this file alone, all other emitters by sampled rays alone (spec shading 0.1).
 #ifndef LUX_SOURCES_H
 #define LUX_SOURCES_H
@@ -177,66 +177,6 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
         l->normal = n;
     }
     source_limits(q, kind, c, p, l);
-}
-
-// A guess of what source i could give at p, never 0 where it could give anything: for choosing among many.
-FN float source_promise(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i, float3 p) {
-    GLOBAL const float* q = source_record(s, par, i);
-    uint relay = as_uint_(q[SRC_VIRTUAL]);
-    int distant = as_uint_(q[SRC_KIND]) == SK_DISTANT;
-    float r = q[SRC_RADIUS];
-    float3 to = distant ? f3_at(q + SRC_CENTRE) : sub3(f3_at(q + SRC_CENTRE), p);
-    if (relay != NONE) {  // the way must lead past the relay: its disc, widened by the source
-        GLOBAL const uint* w = s->u + relay;
-        float3 c = sub3(F3(as_float_(w[2]), as_float_(w[3]), as_float_(w[4])), p);
-        float along = dot3(c, to) / dot3(to, to);
-        float3 off = sub3(c, scale3(to, along));
-        float reach = as_float_(w[5]) + r * (distant ? length3(c) : 1.0f);
-        if (along <= 0.0f || dot3(off, off) > reach * reach * 1.0001f) {
-            if (dot3(c, c) > reach * reach) return 0.0f;
-        }
-    }
-    if (distant) return q[SRC_POWER] * q[SRC_AREA];
-    float d2 = dot3(to, to);
-    float reach = q[SRC_MAXRAD] + r + (as_uint_(q[SRC_KIND]) == SK_CYLINDER ? length3(f3_at(q + SRC_U)) : 0.0f);
-    if (q[SRC_MAXRAD] > 0.0f && d2 > reach * reach) return 0.0f;
-    float near = r * r * 0.25f;
-    return q[SRC_POWER] * q[SRC_AREA] / MAX_(d2, near);
-}
-
-// Chooses one active source for p with probability proportional to its promise (all of them if few, else among 16
-// drawn by power: resampled importance sampling, Talbot et al. 2005).  Returns 1/probability, 0 if none.
-#define SOURCE_CANDIDATES 16u
-FN float choose_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, PRIVATE Sampler* rnd,
-                       PRIVATE uint* chosen) {
-    uint n = par->source_count, picked = 0u;
-    if (n == 0u) return 0.0f;
-    if (n == 1u) { *chosen = 0u; return 1.0f; }
-    float2 x = sample2(rnd);
-    float sum = 0.0f, kept = 0.0f, r = x.x;
-    uint count = MIN_(n, SOURCE_CANDIDATES);
-    for (uint j = 0u; j < count; j++) {
-        uint i = j;
-        float w;
-        if (n <= SOURCE_CANDIDATES) {
-            w = source_promise(s, par, i, p);
-        } else {  // candidate by the cumulative power table
-            GLOBAL const float* cdf = s->f + par->cdf_at;
-            float y = ((float)j + x.y) / (float)count;
-            uint lo = 0u, hi = n - 1u;
-            while (lo < hi) { uint mid = (lo + hi) / 2u; if (cdf[mid] > y) hi = mid; else lo = mid + 1u; }
-            i = lo;
-            float pdf = cdf[i] - (i > 0u ? cdf[i - 1u] : 0.0f);
-            w = source_promise(s, par, i, p) / (pdf * (float)count);
-        }
-        if (w <= 0.0f) continue;
-        sum += w;
-        float t = w / sum;           // one random number, reused (Chao's reservoir)
-        if (r < t) { picked = i; kept = w; r = r / t; } else { r = (r - t) / (1.0f - t); }
-    }
-    if (sum <= 0.0f) return 0.0f;
-    *chosen = picked;
-    return sum / kept * (n > SOURCE_CANDIDATES ? kept / source_promise(s, par, picked, p) : 1.0f);
 }
 
 // Radiance of light material `mod` seen along dir (from the viewer to the light), patterns included.

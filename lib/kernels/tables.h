@@ -106,8 +106,20 @@
 #define SRC_CLASS 27u     // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
 #define SRC_VIRTUAL 28u   // virtual sources: relay record in u (word), NONE for real ones
 #define SRC_DRAWN 29u     // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
-// relay record of a virtual source (spec shading 4.6): 0 relay primitive, 1 source behind it (real or virtual),
-// 2-4 centre of the relay, 5 its radius (floats), 6 exit of a prism (0, 1)
+
+// ---- relay record of a virtual source, in u (spec shading 4.6)
+#define RELAY_PRIM 0u
+#define RELAY_SOURCE 1u   // the source behind it, real or virtual
+#define RELAY_EXIT 2u     // of a prism: 0, 1
+#define RELAY_GATES 3u    // how many gates
+#define RELAY_GATES_AT 4u // index into f of the first
+// gate: a rectangle about a relay, where it seems to stand from the point lit, with the nearest first
+#define GATE_FLOATS 13u
+#define GATE_CENTRE 0u    // 3
+#define GATE_NORMAL 3u    // 3
+#define GATE_U 6u         // 3: axis over its half length
+#define GATE_V 9u         // 3
+#define GATE_BOTH_SIDES 12u  // a prism's: no back
 #define SK_DISTANT 0u
 #define SK_PARALLELOGRAM 1u
 #define SK_POLYGON 2u     // triangle fan with areas
@@ -115,7 +127,8 @@
 #define SK_SPHERE 4u
 #define SK_CYLINDER 5u
 
-// ---- sets of sources that mists name, each a set that the same mists name: LIGHT_SET_WORDS words at u[Params.light_sets_at]
+// ---- sets of sources that mists name, in a set those that the same mists name: LIGHT_SET_WORDS words each at
+// u[Params.light_sets_at]
 #define LIGHT_SET_WORDS 2u
 #define LIGHT_SET_FIRST 0u  // index into u of the source indices
 #define LIGHT_SET_COUNT 1u

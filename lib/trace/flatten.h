@@ -49,7 +49,15 @@ struct Flattener {
     struct Emitter { uint32_t object, prim; };
     std::vector<Emitter> emitters;
     // Flat mirrors and prisms, relative to the centre; exits: 0 mirror, 1 prism1, 2 prism2.
-    struct Relay { uint32_t prim; base::Vec3 normal, centre; double radius; int exits; uint32_t modifier, object; };
+    struct Gate { base::Vec3 centre, normal, u, v; bool both_sides; };  // kernels/tables.h
+    struct Relay {
+        uint32_t prim;
+        base::Vec3 normal, centre;
+        int exits;                  // of a prism; 0: a mirror
+        uint32_t modifier, object;
+        double reflectance;
+        Gate gate;
+    };
     std::vector<Relay> relays;
 
     Flattener(const scene::Scene& s, const RenderOptions& o, const scene::ReadOptions& f, FlatScene& t)

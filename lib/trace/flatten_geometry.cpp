@@ -66,8 +66,22 @@ struct Builder {
             f.emitters.push_back({uint32_t(&o - scene.objects.data()), prim});
     }
 
+    // The rectangle along the first edge that holds all corners.
+    Flattener::Gate rectangle_about(const std::vector<Vec3>& corners, Vec3 normal, bool both_sides) const {
+        const Vec3 u = unit(corners[1] - corners[0]), v = cross(normal, u), origin = corners[0];
+        double low[2] = {0, 0}, high[2] = {0, 0};
+        for (const Vec3& c : corners)
+            for (int k = 0; k < 2; k++) {
+                const double at = dot(c - origin, k ? v : u);
+                low[k] = std::min(low[k], at);
+                high[k] = std::max(high[k], at);
+            }
+        const Vec3 middle = origin + u * ((low[0] + high[0]) / 2) + v * ((low[1] + high[1]) / 2);
+        return {middle - centre, normal, u * (2 / (high[0] - low[0])), v * (2 / (high[1] - low[1])), both_sides};
+    }
+
     // Mirrors relay the light of sources (spec shading 4.6): polygons and rings only.
-    void relay(const scene::Object& o, uint32_t prim, Vec3 normal, Vec3 middle, double radius) {
+    void relay(const scene::Object& o, uint32_t prim, Vec3 normal, Vec3 middle, const std::vector<Vec3>& corners) {
         if (owner != Owner::scene) return;
         const uint32_t m = f.material_of[o.modifier];
         if (m == NONE) return;
@@ -75,7 +89,10 @@ struct Builder {
         const int exits = t == Type::prism1 ? 1 : t == Type::prism2 ? 2 : 0;
         if (t != Type::mirror && !exits) return;
         const uint32_t object = uint32_t(&o - scene.objects.data());
-        f.relays.push_back({prim, normal, middle - centre, radius, exits, f.mod_of[o.modifier], object});
+        const auto c = scene.reals(scene.objects[m]);
+        const double reflectance = exits ? 1 : std::max(.01, (c[0] + c[1] + c[2]) / 3);
+        f.relays.push_back({prim, normal, middle - centre, exits, f.mod_of[o.modifier], object, reflectance,
+                            rectangle_about(corners, normal, exits > 0)});
     }
 
     void polygon(const scene::Object& o) {
@@ -131,7 +148,7 @@ struct Builder {
         for (const Vec3& p : v) mid = mid + p * (1.0 / double(n));
         for (const Vec3& p : v) radius = std::max(radius, length(p - mid));
         out.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(2 * radius));
-        relay(o, prim, normal, mid, radius);
+        relay(o, prim, normal, mid, v);
         if (owner == Owner::scene && f.passes[o.modifier] && out.panes.size() < 100000) out.panes.push_back({v[0], v[1] - v[0], normal, area2 / 2, v});
     }
 
@@ -179,7 +196,9 @@ struct Builder {
         out.shape_prim.push_back(tagged);
         emit(o, prim);
         out.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(2 * r1));
-        relay(o, prim, u, vec_at(r, 0), r1);
+        const Vec3 mid = vec_at(r, 0), across = std::fabs(u.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+        const Vec3 a = unit(cross(u, across)) * r1, b = cross(u, a);
+        relay(o, prim, u, mid, {mid - a - b, mid + a - b, mid + a + b, mid - a + b});
     }
 };
 

@@ -78,8 +78,8 @@ void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec
 // "relay>relay>source": the way back from the point lit.
 bool Flattener::source_is_called(const std::vector<float>& records, const std::vector<uint32_t>& source_objects, uint32_t i,
                                  std::string_view name) const {
-    for (uint32_t way; (way = bits(records[i * SOURCE_FLOATS + SRC_VIRTUAL])) != NONE; i = out.u[way + 1]) {
-        const std::string start = scene.name(scene.objects[relay_object(out.u[way])]) + ">";
+    for (uint32_t way; (way = bits(records[i * SOURCE_FLOATS + SRC_VIRTUAL])) != NONE; i = out.u[way + RELAY_SOURCE]) {
+        const std::string start = scene.name(scene.objects[relay_object(out.u[way + RELAY_PRIM])]) + ">";
         if (name.substr(0, start.size()) != start) return false;
         name.remove_prefix(start.size());
     }
@@ -92,16 +92,17 @@ uint32_t Flattener::relay_object(uint32_t prim) const {
 
 // Of two sources of the same name, does i stand later in RADIANCE's list than j?  Real ones stand in the scene's order;
 // virtual ones follow, the last real source's first, by its relays in the scene's order.
-bool Flattener::source_is_later(const std::vector<float>& records, const std::vector<uint32_t>& source_objects, uint32_t i,
-                                uint32_t j) const {
-    const uint32_t a = bits(records[i * SOURCE_FLOATS + SRC_VIRTUAL]), b = bits(records[j * SOURCE_FLOATS + SRC_VIRTUAL]);
+bool Flattener::source_is_later(const std::vector<float>& records, const std::vector<uint32_t>& source_objects,
+                                uint32_t i, uint32_t j) const {
+    const uint32_t a = bits(records[i * SOURCE_FLOATS + SRC_VIRTUAL]);
+    const uint32_t b = bits(records[j * SOURCE_FLOATS + SRC_VIRTUAL]);
     if (a == NONE || b == NONE) return source_objects[i] > source_objects[j];
-    const uint32_t before_a = out.u[a + 1], before_b = out.u[b + 1];
+    const uint32_t before_a = out.u[a + RELAY_SOURCE], before_b = out.u[b + RELAY_SOURCE];
     if (before_a != before_b) {
         const bool real = bits(records[before_a * SOURCE_FLOATS + SRC_VIRTUAL]) == NONE;
         return source_is_later(records, source_objects, before_a, before_b) != real;
     }
-    return relay_object(out.u[a]) > relay_object(out.u[b]);
+    return relay_object(out.u[a + RELAY_PRIM]) > relay_object(out.u[b + RELAY_PRIM]);
 }
 
 // Sources that the same mists name are a set: a medium then is a few bits (kernels/medium.h).
@@ -124,7 +125,8 @@ void Flattener::link_mists(const std::vector<float>& records, const std::vector<
     for (uint32_t i = 0; i < count; i++)
         if (!named_by[i].empty()) sets[named_by[i]].push_back(i);
     if (sets.size() > 32)
-        base::fail(scene.place(scene.objects[mists[0].object]), "mists name more than 32 different sets of light sources");
+        base::fail(scene.place(scene.objects[mists[0].object]),
+                   "mists name more than 32 different sets of light sources");
     std::vector<uint32_t> directory;
     uint32_t bit = 1;
     for (const auto& [by, sources] : sets) {

@@ -32,6 +32,29 @@ struct Projection {
     }
 };
 
+// The gates of a source seen through one more relay: its own, then those behind it where a mirror shows them.  How a
+// prism shows them is not known.
+using Gates = std::vector<Flattener::Gate>;
+Gates seen_gates(const Gates& behind, const Flattener::Relay& r, const Projection& m) {
+    Gates gates{r.gate};
+    if (r.exits) return gates;
+    for (const Flattener::Gate& g : behind)
+        gates.push_back({m.point(g.centre), m.vector(g.normal), m.vector(g.u), m.vector(g.v), g.both_sides});
+    return gates;
+}
+
+void append(std::vector<float>& out, const Gates& gates) {
+    for (const Flattener::Gate& g : gates) {
+        float f[GATE_FLOATS];
+        put(f + GATE_CENTRE, g.centre);
+        put(f + GATE_NORMAL, g.normal);
+        put(f + GATE_U, g.u);
+        put(f + GATE_V, g.v);
+        f[GATE_BOTH_SIDES] = g.both_sides;
+        out.insert(out.end(), f, f + GATE_FLOATS);
+    }
+}
+
 bool mirror_projection(const Flattener::Relay& r, const float* q, Projection& m) {
     m = {r.normal, {}, dot(r.normal, r.centre), true};
     const Vec3 c = get(q + SRC_CENTRE);
@@ -61,6 +84,7 @@ void Flattener::add_virtual_sources(std::vector<float>& records, std::vector<flo
                                     std::vector<std::pair<size_t, size_t>>& fan_patches) {
     size_t first = 0, end = records.size() / SOURCE_FLOATS;
     std::vector<uint32_t> last_relay(end, NONE);
+    std::vector<Gates> gates(end);
     for (int level = 0; level < options.dr; level++) {
         for (size_t i = first; i < end; i++)
             for (const Relay& r : relays)
@@ -93,8 +117,11 @@ void Flattener::add_virtual_sources(std::vector<float>& records, std::vector<flo
                         }
                     }
                     q[SRC_VIRTUAL] = from_bits(uint32_t(out.u.size()));
-                    out.u.insert(out.u.end(), {r.prim, uint32_t(i), bits(float(r.centre.x)), bits(float(r.centre.y)),
-                                               bits(float(r.centre.z)), bits(float(r.radius)), exit});
+                    q[SRC_POWER] *= float(r.reflectance);
+                    gates.push_back(seen_gates(gates[i], r, m));
+                    out.u.insert(out.u.end(), {r.prim, uint32_t(i), exit, uint32_t(gates.back().size()),
+                                               uint32_t(out.f.size())});
+                    append(out.f, gates.back());
                     records.insert(records.end(), q, q + SOURCE_FLOATS);
                     last_relay.push_back(r.prim);
                     aimed = true;
