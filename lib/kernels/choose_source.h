@@ -32,6 +32,8 @@ FN float source_promise(PRIVATE const SceneTables* s, PRIVATE const Params* par,
     float3 to = f3_at(q + SRC_CENTRE);
     float r = q[SRC_RADIUS], power = q[SRC_POWER] * q[SRC_AREA], d2 = 1.0f, d = 1.0f;
     if (kind == SK_CYLINDER) r += length3(f3_at(q + SRC_U));
+    if (q[SRC_SHEARED] != 0.0f)  // no less than any sampled point is away
+        r = 2.0f * (length3(f3_at(q + SRC_U)) + length3(f3_at(q + SRC_V)) + length3(f3_at(q + SRC_NORMAL)));
     if (kind != SK_DISTANT) {
         to = sub3(to, p);
         d2 = dot3(to, to);
@@ -68,7 +70,8 @@ FN float source_candidate(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     return source_promise(s, par, lo, p, n, both) / (pdf * (float)count);
 }
 
-// Chooses one active source for a surface at p with normal n, lit from both sides or not.  Returns 1/probability, 0 if none.
+// Chooses one active source for a surface at p with normal n, lit from both sides or not.  Returns 1/probability, or 0
+// if none can shine.
 FN float choose_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n, int both,
                        PRIVATE Sampler* rnd, PRIVATE uint* chosen) {
     uint count = par->source_count, picked = 0u, all = count <= SOURCES_LOOKED_AT;

@@ -90,9 +90,16 @@ FN float3 attenuation(float3 k, float length) {
     return F3(k_exp(-k.x * length), k_exp(-k.y * length), k_exp(-k.z * length));
 }
 
-// The same for a shadow ray, to which scattering takes nothing away (spec shading 3.9).
+// What the constant of deeper bounces (-av) scatters into a segment that lets T through.
+FN float3 medium_glow(PRIVATE const Params* par, PRIVATE const Medium* m, float3 T) {
+    float3 av = F3(par->av.x, par->av.y, par->av.z), one = F3(1.0f, 1.0f, 1.0f);
+    return mul3(mul3(m->albedo, av), sub3(one, T));
+}
+
+// What it lets through of a shadow ray, to which scattering takes nothing away (spec shading 3.9).
 FN float3 shadow_attenuation(PRIVATE const Medium* m, float length) {
-    float3 one = F3(1.0f, 1.0f, 1.0f);
-    return attenuation(mul3(m->k, sub3(one, m->albedo)), length);
+    float3 rest = sub3(F3(1.0f, 1.0f, 1.0f), m->albedo);
+    rest = F3(MAX_(rest.x, 0.0f), MAX_(rest.y, 0.0f), MAX_(rest.z, 0.0f));
+    return attenuation(mul3(m->k, rest), length);
 }
 #endif

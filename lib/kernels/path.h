@@ -86,9 +86,15 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     int result = 0;
 
     if (hit.prim == NO_HIT) {
-        if (par->medium.w > 0.0f) thr = mul3(thr, attenuation(xyz4(a->med[slot]), 1e10f));  // a medium without end
+        if (par->medium.w > 0.0f) {  // a medium without end
+            Medium m = path_medium(a, slot);
+            float3 T = attenuation(m.k, 1e10f);
+            if (wanted) rad = add3(rad, mul3(thr, medium_glow(par, &m, T)));
+            thr = mul3(thr, T);
+        }
         if (wanted && a->dir[slot].w >= 1e29f)
-            a->rad[slot] = pack4(add3(rad, mul3(thr, path_background(s, par, org, dir, flags, &rnd))), r4.w);
+            rad = add3(rad, mul3(thr, path_background(s, par, org, dir, flags, &rnd)));
+        a->rad[slot] = pack4(rad, r4.w);
         return 0;
     }
     Ray ray;
@@ -137,10 +143,9 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         }
     }
     if (absorbs && max3(arriving.k) > 0.0f) {
-        float3 T = attenuation(arriving.k, g.length), one = F3(1.0f, 1.0f, 1.0f);
-        float3 av = F3(par->av.x, par->av.y, par->av.z);
+        float3 T = attenuation(arriving.k, g.length);
         scatters = scattered_count(s, par, &arriving);
-        if (wanted) rad = add3(rad, mul3(thr, mul3(mul3(arriving.albedo, av), sub3(one, T))));  // spec shading 3.9
+        if (wanted) rad = add3(rad, mul3(thr, medium_glow(par, &arriving, T)));
         if (wanted && scatters > 0u) {
             // one shadow ray a step: if it goes to the mist, the surface's own direct light is left to other samples
             float2 x = sample2(&rnd), y = sample2(&rnd);

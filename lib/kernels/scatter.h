@@ -44,8 +44,9 @@ FN int scatter_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     if (as_uint_(q[SRC_VIRTUAL]) == NONE)
         e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), ls.dir, ls.point, ls.normal, ls.dist,
                            total + t + ls.dist, rnd);
-    float c = dot3(ls.dir, dir), d = 1.0f + m->ecc * m->ecc - 2.0f * m->ecc * c;
-    float phase = (1.0f - m->ecc * m->ecc) / (d * sqrt_(d)) * 0.0795774715f;
+    float ecc = MAX_(m->ecc, 0.0f);  // RADIANCE takes one below 0 for 0
+    float c = dot3(ls.dir, dir), d = 1.0f + ecc * ecc - 2.0f * ecc * c;
+    float phase = (1.0f - ecc * ecc) / (d * sqrt_(d)) * 0.0795774715f;
     float3 w = mul3(mul3(mul3(m->k, m->albedo), attenuation(m->k, t)), mul3(thr, e));
     w = scale3(w, 2.0f * (float)count * length * phase * ls.w);
     if (max3(w) <= 0.0f) return 0;

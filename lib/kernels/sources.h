@@ -55,6 +55,33 @@ FN void source_limits(GLOBAL const float* q, uint kind, float3 c, float3 p, PRIV
     }
 }
 
+// A sphere or a sun through a prism: its axes are sheared as the prism shears its place, and what is sampled decides
+// how much of it the bent rays hit.  So these are RADIANCE's samples (spec shading 4.3): points of a ball; a square made
+// a disc.
+FN void sample_sheared(GLOBAL const float* q, int distant, float3 c, float3 p, float2 x, float dj,
+                       PRIVATE LightSample* l) {
+    float third = 4096.0f * x.x;  // what is left of the first number
+    float3 k = F3(2.0f * x.x - 1.0f, 2.0f * x.y - 1.0f, 2.0f * (third - floor_(third)) - 1.0f);
+    if (dj > 0.7f && distant) {
+        k = F3(1.1284f * k.x * sqrt_(1.0f - 0.5f * k.y * k.y), 1.1284f * k.y * sqrt_(1.0f - 0.5f * k.x * k.x), 0.0f);
+    } else if (dj > 0.7f) {
+        float most = MAX_(fabs_(k.x), MAX_(fabs_(k.y), fabs_(k.z)));
+        k = scale3(k, most / (MAX_(length3(k), 1e-6f) * 0.7236f));
+    }
+    k = scale3(k, dj);
+    float3 at = madd3(f3_at(q + SRC_U), k.x, madd3(f3_at(q + SRC_V), k.y, c));
+    if (distant) {
+        l->dir = unit3(at);
+        return;
+    }
+    float3 to = sub3(madd3(f3_at(q + SRC_NORMAL), k.z, at), p);
+    l->dist = length3(to);
+    l->dir = scale3(to, 1.0f / MAX_(l->dist, 1e-9f));
+    l->w = 3.14159265f * q[SRC_RADIUS] * q[SRC_RADIUS] / MAX_(l->dist * l->dist, 1e-18f);
+    l->point = madd3(l->dir, l->dist, p);
+    l->normal = neg3(l->dir);
+}
+
 // A point of source i as seen from p; w = 0 if it cannot shine there.  x: two random numbers; dj: jitter 0..1.
 FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i, float3 p, float2 x, float dj,
                       PRIVATE LightSample* l) {
@@ -67,7 +94,9 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
     float ju = dj * (2.0f * x.x - 1.0f), jv = dj * (2.0f * x.y - 1.0f);
     if (kind == SK_DISTANT) {
         l->dir = c;
-        if (dj > 0.0f) {  // uniform over the cap, pulled to its centre by dj
+        if (dj > 0.0f && q[SRC_SHEARED] != 0.0f) {
+            sample_sheared(q, 1, c, p, x, dj, l);
+        } else if (dj > 0.0f) {  // uniform over the cap, pulled to its centre by dj
             float3 t, b;
             float sn, cs, z1 = x.x * dj * dj * q[SRC_CAP], r = sqrt_(z1 * (2.0f - z1));
             frame_of(c, &t, &b);
@@ -93,6 +122,8 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
             l->dir = to; l->dist = q[SRC_MAXRAD] > 0.0f && d > q[SRC_MAXRAD] ? 1e20f : d - r;
             l->w = 3.14159265f * r * r / d2;
             l->point = madd3(to, -r, c); l->normal = neg3(to);
+        } else if (q[SRC_SHEARED] != 0.0f) {
+            sample_sheared(q, 0, c, p, x, dj, l);
         } else {           // exact: uniform over the cone it subtends
             float s2 = r * r / d2, cmax1 = s2 / (1.0f + sqrt_(1.0f - s2)), sn, cs;  // 1 - cos of the half angle
             float3 t, b;

@@ -105,6 +105,7 @@
 #define SRC_NTRIS 26u
 #define SRC_CLASS 27u     // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
 #define SRC_VIRTUAL 28u   // virtual sources: relay record in u (word), NONE for real ones
+#define SRC_SHEARED 30u   // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
 #define SRC_DRAWN 29u     // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
 
 // ---- relay record of a virtual source, in u (spec shading 4.6)

@@ -43,6 +43,19 @@ Gates seen_gates(const Gates& behind, const Flattener::Relay& r, const Projectio
     return gates;
 }
 
+// A prism shears what it shows: spheres and suns get axes that can be sheared (spec shading 4.3).
+void give_axes(float* q, bool distant) {
+    if (q[SRC_SHEARED] != 0) return;
+    q[SRC_SHEARED] = 1;
+    const Vec3 c = get(q + SRC_CENTRE);
+    const double half = distant ? std::sqrt(q[SRC_AREA]) / 2 : .7236 * q[SRC_RADIUS];
+    const Vec3 u = distant ? unit(cross(c, std::fabs(c.z) < .9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0})) : Vec3{1, 0, 0};
+    const Vec3 v = distant ? cross(c, u) : Vec3{0, 1, 0};
+    put(q + SRC_U, u * half);
+    put(q + SRC_V, v * half);
+    put(q + SRC_NORMAL, distant ? Vec3() : Vec3{0, 0, half});
+}
+
 void append(std::vector<float>& out, const Gates& gates) {
     for (const Flattener::Gate& g : gates) {
         float f[GATE_FLOATS];
@@ -97,10 +110,13 @@ void Flattener::add_virtual_sources(std::vector<float>& records, std::vector<flo
                     Projection m;
                     if (r.exits ? !prism_projection(out, &mods[r.modifier * MOD_WORDS], r, exit, distant ? -c : unit(r.centre - c), m)
                                 : !mirror_projection(r, q, m)) continue;
+                    const bool sphere = bits(q[SRC_KIND]) == SK_SPHERE;
+                    if (r.exits && (distant || sphere)) give_axes(q, distant);
                     put(q + SRC_CENTRE, distant ? unit(m.vector(c)) : m.point(c));
-                    for (uint32_t k : {SRC_U, SRC_V, SRC_NORMAL, SRC_SPOT}) put(q + k, m.vector(get(q + k)));
+                    const double scale = distant ? 1 / length(m.vector(c)) : 1;
+                    for (uint32_t k : {SRC_U, SRC_V, SRC_NORMAL, SRC_SPOT}) put(q + k, m.vector(get(q + k)) * scale);
                     if (q[SRC_SPOT + 3] > -1.5f) put(q + SRC_SPOT, unit(get(q + SRC_SPOT)));
-                    put(q + SRC_NORMAL, unit(get(q + SRC_NORMAL)));
+                    if (!sphere && !distant) put(q + SRC_NORMAL, unit(get(q + SRC_NORMAL)));
                     if (bits(q[SRC_KIND]) == SK_POLYGON) {
                         size_t at = 0;
                         for (const auto& p : fan_patches) if (p.first == i * SOURCE_FLOATS) at = p.second;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Choosing a source: as often as its promise says, right in the mean for few and for very many, and no promise is 0 where a
-// source can give something.
+// Choosing a source: as often as its promise says, right in the mean for few and for very many, and no promise is 0
+// where a source can give something.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -113,7 +113,8 @@ TEST_CASE("a gate lets through what some point of the source sends through its r
     int blocked = 0, passing = 0;
     for (int k = 0; k < 200000; k++) {
         const double p[3] = {.01 + 3 * std::abs(any(random)), 4 * any(random), 4 * any(random)};
-        const double c[3] = {-.01 - 3 * std::abs(any(random)), 4 * any(random), 4 * any(random)}, r = .5 * std::abs(any(random));
+        const double c[3] = {-.01 - 3 * std::abs(any(random)), 4 * any(random), 4 * any(random)};
+        const double r = .5 * std::abs(any(random));
         double e[3], length = 0;
         for (double& x : e) x = any(random);
         for (double x : e) length += x * x;
@@ -124,8 +125,9 @@ TEST_CASE("a gate lets through what some point of the source sends through its r
         const bool through = q[0] < 0 && std::abs(y) < 1 && std::abs(z) < .5;
         double to[3], d = 0;
         for (int i = 0; i < 3; i++) { to[i] = c[i] - p[i]; d += to[i] * to[i]; }
-        const int passes = gate_passes(gate, F3(float(p[0]), float(p[1]), float(p[2])), F3(float(to[0]), float(to[1]), float(to[2])),
-                                       float(r / std::sqrt(d)));
+        const float3 from = F3(float(p[0]), float(p[1]), float(p[2]));
+        const float3 way = F3(float(to[0]), float(to[1]), float(to[2]));
+        const int passes = gate_passes(gate, from, way, float(r / std::sqrt(d)));
         if (through) CHECK(passes);
         passing += through;
         blocked += !passes;
