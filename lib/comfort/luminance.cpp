@@ -20,11 +20,14 @@ Luminance make_luminance(image::Picture& picture) {
         for (size_t k = 0; k < count; ++k) {
             const float* c = rgb + 3 * (first + k);
             grey[k] = float(grey_red * c[0] + grey_green * c[1] + grey_blue * c[2]);
-            odd |= !(grey[k] >= 0 && grey[k] <= std::numeric_limits<float>::max());
+            odd |= !(grey[k] >= 0 && grey[k] <= brightest_grey);
         }
         if (odd)
             for (size_t k = 0; k < count; ++k) {
-                if (!std::isfinite(grey[k])) { ++lum.not_finite; grey[k] = 0; }
+                if (!(std::fabs(grey[k]) <= brightest_grey)) {
+                    ++lum.not_finite;
+                    grey[k] = 0;
+                }
                 if (grey[k] < 0) ++lum.negative;
             }
         for (size_t k = 0; k < count; ++k) lum.grey[first + k] = grey[k];  // never beyond what was read

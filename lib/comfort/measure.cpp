@@ -158,6 +158,7 @@ Measurement Meter::measure(image::Picture& picture, const std::string& place, co
         base::fail(place, "the header has no view; give one with -vf file or with -vt, -vh and -vv");
     prepare(view ? *view : *picture.header.view, picture, place);
     const Geometry& g = *geometry_;
+    if (g.valid_count == 0) base::fail(place, "no pixel of the picture lies in its view");
     Luminance lum = make_luminance(picture);
     Measurement m;
     m.not_finite = lum.not_finite;

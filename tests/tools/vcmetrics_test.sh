@@ -32,6 +32,12 @@ check_exit 'the window begins again at a new frame 0' 4 '
     for k in 1 2 3; do $mkstream frames 0 2 32 32 2> /dev/null; done | ptaccum | vcmetrics -until "Ev 100000%" -window 3'
 
 check_error 'a single frame is refused with a word about ptaccum' 1 '^vcmetrics: stdin.*ptaccum' '$mkstream frames 3 3 32 32 | vcmetrics'
+check_error 'a view beside the picture' 1 '^vcmetrics: stdin: no pixel' \
+    '$mkstream frames 0 0 16 16 1 "VIEW= -vta -vh 180 -vv 180 -vl 1e18" | vcmetrics'
+check 'pixels beyond any light are as black as those that are no number' '
+    $mkstream frames 0 0 16 16 1 "VIEW= -vta -vh 180 -vv 180" > bright.hdr
+    { head -c -4 bright.hdr; printf "\377\377\177\177"; } | vcmetrics -metrics not_finite,Ev,RAMMG 2> err > bright
+    ! grep -qE "inf|nan" bright'
 check_error 'no view' 1 '^vcmetrics: err_noview.hdr: .*no view' 'vcmetrics err_noview.hdr'
 check 'a view given takes its place' 'vcmetrics -vta -vh 180 -vv 180 -vd 0 1 0 err_noview.hdr'
 check_error 'a view given must be whole' 1 '^vcmetrics: view: .*-vt, -vh and -vv' 'vcmetrics -vta -vh 150 office256.hdr'

@@ -99,12 +99,13 @@ TEST_CASE("not finite pixels are black and counted, negative ones only counted")
     p.rgb[0] = std::numeric_limits<float>::quiet_NaN();
     p.rgb[4] = std::numeric_limits<float>::infinity();
     p.rgb[6] = p.rgb[7] = p.rgb[8] = -1;
+    p.rgb[10] = 3e38f;
     const Luminance lum = make_luminance(p);
-    CHECK(lum.not_finite == 2);
+    CHECK(lum.not_finite == 3);
     CHECK(lum.negative == 1);
     CHECK(lum.grey[0] == 0);
     CHECK(lum.at(size_t(2)) == doctest::Approx(-179));
-    CHECK(lum.at(size_t(3)) == doctest::Approx(179));
+    CHECK(lum.at(size_t(4)) == doctest::Approx(179));
 }
 
 TEST_CASE("a region: coverage weighs") {
