@@ -5,6 +5,7 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX ?= /usr/local
 # More for cmake, such as FLAGS=-DLUXPIPE_PTRACE=OFF (the three tools that need neither Embree nor OpenCL).
 FLAGS  ?=
+SECONDS ?= 60
 CXX_FILES = $(shell git ls-files '*.cpp' '*.h')
 
 help: ## this list
@@ -22,6 +23,17 @@ test: all ## every test that needs no GPU
 
 test-gpu: all ## the tests for a machine with a GPU
 	@cd $(BUILD) && ctest --output-on-failure -L gpu
+
+test-sanitize: setup ## the tests under the address, undefined and thread sanitizers
+	@bash scripts/sanitize.sh $(JOBS)
+
+fuzz: setup ## every fuzz target for SECONDS=60 each (clang); finds in out/fuzz
+	@cmake -S . -B build-fuzz -G Ninja --log-level=WARNING -DCMAKE_CXX_COMPILER=clang++ -DLUXPIPE_FUZZ=ON > /dev/null
+	@cmake --build build-fuzz -j $(JOBS) --target fuzz
+	@bash tests/fuzz/run.sh build-fuzz/bin out/fuzz $(SECONDS)
+
+deb: setup ## a Debian package in out/deb; the same bytes for the same sources
+	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/deb.sh out/deb
 
 bench: all ## the speed claims, measured again
 	@bash bench/run.sh $(BUILD)/bin
@@ -43,9 +55,9 @@ install: all ## tools and manual pages to PREFIX (/usr/local)
 	@cmake --install $(BUILD) --prefix $(PREFIX)
 
 clean: ## remove build/ and out/
-	@rm -rf $(BUILD) out
+	@rm -rf $(BUILD) build-asan build-tsan build-fuzz out
 
 setup:
 	@sh scripts/setup.sh
 
-.PHONY: help all demo test test-gpu bench compare-radiance man format lint install clean setup
+.PHONY: help all demo test test-gpu test-sanitize fuzz deb bench compare-radiance man format lint install clean setup

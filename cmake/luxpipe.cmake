@@ -14,7 +14,7 @@ function(lux_tool name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
-  target_compile_definitions(${name} PRIVATE LUXPIPE_VERSION="${PROJECT_VERSION}")
+  target_compile_definitions(${name} PRIVATE LUXPIPE_VERSION="${LUXPIPE_VERSION_TEXT}")
   install(TARGETS ${name} RUNTIME DESTINATION bin)
 endfunction()
 
