@@ -131,7 +131,8 @@ bool ModelStream::ends_early() const {
 
 std::string write_picture(const ModelPicture& p) {
     std::string bytes = "#?RADIANCE\n";
-    for (const std::string& line : p.lines) bytes += line + "\n";
+    for (const std::string& line : p.lines)
+        if (!value_of(line, "LASTFRAME=")) bytes += line + "\n";  // by itself, it is the last
     bytes += "NCOMP=3\nBigEndian=0\nFORMAT=float\n\n-Y " + std::to_string(p.height) + " +X " + std::to_string(p.width) +
              "\n";
     for (const double value : p.rgb) {
