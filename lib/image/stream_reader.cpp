@@ -188,8 +188,9 @@ Head read_head(Input& in, const std::string& place) {
 
 // Number of the last frame in a picture.
 static int64_t last_frame_in(const Header& h) {
+    if (h.frame && !h.frames) return *h.frame;
     if (!h.ranges.empty()) return h.ranges.back().second;
-    return h.frames.value_or(h.frame.value_or(0));
+    return h.frames.value_or(0);
 }
 
 struct StreamReader::State {

@@ -100,6 +100,8 @@ mkstream numbers 0 8 | announce 8 > t8.hdr
 check 'an announced stream that is whole' '[ "$(ptaccum -last -ff t8.hdr | mkstream show)" = "8x8 FRAMES=8 RANGE=0:8 14.5" ]'
 check_error 'one that ends early' 1 '^ptaccum: stdin: ends after frame 4, where frames up to 8 were announced' '
     mkstream numbers 0 4 | announce 8 | ptaccum -last -o short.exr'
+check_error 'whatever ranges its frames claim' 1 'ends after frame 4' '
+    mkstream numbers 0 4 | announce 8 | sed "s/^SEED=/RANGE=0:8\n&/" | ptaccum -last > out'
 check 'its frames are kept' 'mkstream show short.exr | grep -q "FRAMES=4 RANGE=0:4 "'
 check_error 'one that begins anew early' 1 'picture 6: begins anew after frame 4' '
     { mkstream numbers 0 4 | announce 8; mkstream numbers 0 2; } | ptaccum -last > out'
