@@ -125,7 +125,7 @@ ModelStream read_stream(const std::string& bytes) {
 bool ModelStream::ends_early() const {
     if (end != End::clean || pictures.empty()) return false;
     const ModelPicture& p = pictures.back();
-    const auto at = p.frame ? p.frame : p.last;
+    const auto at = p.frame && !p.frames ? p.frame : p.last;
     return at && p.announced && *at < *p.announced;
 }
 
