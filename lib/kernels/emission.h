@@ -14,16 +14,18 @@ FN int class_wanted(PRIVATE const Params* par, uint flags, uint index) {
 FN float3 path_background(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, uint flags,
                           PRIVATE Sampler* rnd) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
-    uint i = distant_at(s, par, dir);
+    int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
+    uint i = distant_at(s, par, dir, sampled);
     if (i == NONE) return black;
     GLOBAL const uint* q = s->u + par->distant_at + DISTANT_WORDS * i;
     uint src = q[DISTANT_SOURCE];
     if (src != NONE) {  // an active source (the sun): only eye and mirror rays see it (spec shading 0.1)
-        if ((flags & (PC_DIFFUSE | PC_ROUGH)) != 0u || (par->flags & PF_DV) == 0u) return black;
+        if (sampled || (par->flags & PF_DV) == 0u) return black;
         if ((flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
             as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u) return black;  // frame 0 holds it by area
     }
-    return light_radiance(s, par, q[DISTANT_MOD], NONE, dir, org, neg3(dir), 1e30f, 1e30f, rnd);
+    if (q[DISTANT_SEEN] >= DISTANT_BLACK) return black;
+    return light_radiance(s, par, q[DISTANT_SEEN], NONE, dir, org, neg3(dir), 1e30f, 1e30f, rnd);
 }
 
 // Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray goes on through it.

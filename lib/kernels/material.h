@@ -55,32 +55,53 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     }
 }
 
-// illum and mirror may name an alternate material (spec shading 3.7, 3.8).  If it acts for this ray, g becomes the
-// alternate.  1: the ray passes instead.
-FN int take_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, uint flags,
-                      PRIVATE Sampler* rnd) {
-    GLOBAL const uint* m = mod_record(s, par, g->mod);
-    int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
-    uint alternate = m[MOD_BRANCH1];
-    if (g->type == M_ILLUM) {
-        if (g->front && sampled) return 0;  // black to sampled rays: their light comes from the source
-    } else if (g->type == M_MIRROR) {
-        if ((m[MOD_FLAGS] & MF_HAS_ALTERNATE) == 0u) return 0;
-        if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) return 0;  // white
-        if (g->front && sampled && (m[MOD_FLAGS] & MF_ALTERNATE_PASSES) == 0u) return 0;
-    } else {
-        return 0;
-    }
-    if (alternate == NONE) return 1;
+// ---- illum and mirror may name an alternate material (spec shading 3.7, 3.8)
+
+// g becomes the alternate, which keeps the patterns and textures met before the illum or mirror itself.  0: there is
+// nothing in its place, the ray passes.
+FN int become_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g,
+                        PRIVATE Sampler* rnd) {
+    uint alternate = mod_record(s, par, g->mod)[MOD_BRANCH1];
+    if (alternate == NONE) return 0;
     g->mod = alternate;
-    g->color = F3(1.0f, 1.0f, 1.0f);
-    g->pert = F3(0.0f, 0.0f, 0.0f);
-    g->n = g->ng;
-    return !find_material(s, par, g, rnd);
+    g->color = g->color_before;
+    g->pert = g->pert_before;
+    g->flat = (s->prims[PRIM_WORDS * g->prim + PRIM_KIND] & PRIM_TEXTURE_FLAT) != 0u && dot3(g->pert, g->pert) <= 0.0f;
+    return find_material(s, par, g, rnd);
 }
 
-// A mirror that a shadow ray meets without being aimed at it has its alternate in its place, too.  1: the ray passes.
-FN int shadow_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, PRIVATE Sampler* rnd) {
-    return g->type == M_MIRROR && take_alternate(s, par, g, PC_BENT, rnd);
+// Does the alternate act for a ray that is not aimed at a source?
+FN int alternate_acts(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint flags) {
+    int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
+    if (g->type == M_ILLUM) return !(g->front && sampled);  // black to sampled rays: their light comes from the source
+    if (g->type != M_MIRROR) return 0;
+    uint m = mod_record(s, par, g->mod)[MOD_FLAGS];
+    if ((m & MF_HAS_ALTERNATE) == 0u) return 0;
+    if ((par->flags & PF_IRRADIANCE) != 0u && !sampled && (flags & PC_BENT) == 0u) return 0;  // white
+    return !(g->front && sampled && (m & MF_ALTERNATE_PASSES) == 0u);
+}
+
+// The same for a shadow ray to the source of record q.  relayed: q is a virtual source and this surface is its relay.
+FN int alternate_acts_for_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+                                 GLOBAL const float* q, int relayed) {
+    if (g->type == M_ILLUM) {  // the light of other illums and of glows ends at its front: its own stands for it
+        uint kind = as_uint_(q[SRC_CLASS]);
+        return !(g->front && (kind == M_ILLUM || kind == M_GLOW) && as_uint_(q[SRC_VIRTUAL]) == NONE);
+    }
+    return g->type == M_MIRROR && !relayed && (mod_record(s, par, g->mod)[MOD_FLAGS] & MF_HAS_ALTERNATE) != 0u;
+}
+
+// Puts alternates, and theirs, in place.  1: the ray passes.
+FN int take_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, uint flags,
+                      PRIVATE Sampler* rnd) {
+    while (alternate_acts(s, par, g, flags))
+        if (!become_alternate(s, par, g, rnd)) return 1;
+    return 0;
+}
+FN int shadow_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g,
+                        GLOBAL const float* q, int relayed, PRIVATE Sampler* rnd) {
+    while (alternate_acts_for_shadow(s, par, g, q, relayed))
+        if (!become_alternate(s, par, g, rnd)) return 1;
+    return 0;
 }
 #endif

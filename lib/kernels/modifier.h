@@ -144,6 +144,8 @@ FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
             found = 1;
             material = mod;
             g->type = type;
+            g->color_before = g->color;
+            g->pert_before = g->pert;
             mod = m[MOD_NEXT];
             continue;
         }

@@ -114,7 +114,6 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     Medium arriving = medium, beyond = medium;  // of the segment that ends here; of the way on through the surface
     uint clip = as_uint_(a->org[slot].w), before = clip;  // antimatter beyond the surface and before it
     uint carried = g.mod;
-    float3 smoothing = g.pert;
     if (((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) ||
         !find_material(s, par, &g, &rnd) || take_alternate(s, par, &g, flags, &rnd)) {
         pass = 1;
@@ -134,7 +133,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             beyond = medium;
             if (!pass) {
                 float3 pi3 = F3(3.14159265f, 3.14159265f, 3.14159265f);
-                g.pert = smoothing;  // the white surface in its place has no texture of its own
+                g.pert = g.pert_before;  // the white surface in its place has no texture of its own
                 shading_normal(&g);
                 lobes_clear(&lobes);
                 lobes.diffuse_r = pi3;
@@ -186,7 +185,8 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                             e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), ls.dir, ls.point,
                                                ls.normal, ls.dist, g.total + ls.dist, &rnd);
                         c = mul3(mul3(thr, c), scale3(e, inv_p));
-                        if (max3(c) > 0.0f) {
+                        int itself = as_uint_(q[SRC_PRIM]) == g.prim && as_uint_(q[SRC_VIRTUAL]) == NONE;  // an illum
+                        if (max3(c) > 0.0f && !itself) {
                             int above = dot3(ls.dir, g.ng) > 0.0f;
                             float3 start = bsdf_start(&lobes, &g, above), from = offset_ray(start, above ? g.ng : neg3(g.ng), g.reach);
                             if (ls.dist < 1e29f) {  // aimed anew from where it starts, else the source would stand in its own light

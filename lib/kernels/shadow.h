@@ -20,7 +20,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         trace_closest(s, &ray, RAY_OPAQUE, &hit);
         if (hit.prim == as_uint_(q[SRC_PRIM])) must_hit = 0;
         else if (hit.prim != NO_HIT && hit.t <= shadow_end(dist)) return black;
-        if (!must_hit) ray.tmax = shadow_end(dist);  // else it may be an illum, which is not opaque
+        if (!must_hit) ray.tmax = shadow_end(dist);
     } else if (trace_any(s, &ray, RAY_OPAQUE)) {
         return black;
     }
@@ -36,15 +36,15 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         if (hit.prim == NO_HIT && must_hit) return black;
         if (hit.prim == NO_HIT) return absorbs ? mul3(T, shadow_attenuation(&medium, MIN_(ray.tmax, 1e10f))) : T;
         Medium beyond = medium;
-        int at_source = must_hit && hit.prim == as_uint_(q[SRC_PRIM]);
+        int at_source = hit.prim == as_uint_(q[SRC_PRIM]);
         surface_at(s, &ray, &hit, &g);
         total += hit.t;
         g.total = total;
         uint carried = g.mod;
         if (!at_source && !((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
-            find_material(s, par, &g, rnd) && !shadow_alternate(s, par, &g, rnd)) {
+            find_material(s, par, &g, rnd) && !shadow_alternate(s, par, &g, q, 0, rnd)) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
-                if (g.type != M_ILLUM) return black;
+                return black;
             } else if (g.type == M_MIST) {
                 mist_crossing(s, par, &g, &medium, &beyond);
             } else {
@@ -99,18 +99,18 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         float3 next = ray.dir;
         Medium here = medium, beyond = medium;  // of the segment that ends here; behind the surface
         uint before = clip;
+        int relayed = relay != NONE && hit.prim == s->u[relay + RELAY_PRIM];
         if (!((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
-            find_material(s, par, &g, rnd) &&
-            ((relay != NONE && hit.prim == s->u[relay + RELAY_PRIM]) || !shadow_alternate(s, par, &g, rnd))) {
+            find_material(s, par, &g, rnd) && !shadow_alternate(s, par, &g, q, relayed, rnd)) {
             if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
-                if (g.type != M_ILLUM) return black;
+                return black;
             } else if (g.type == M_MIST) {
                 mist_crossing(s, par, &g, &here, &beyond);
             } else {
                 material_lobes(s, par, &g, LOBES_SHADOW, rnd, &here, &beyond, &l);
                 if ((par->flags & PF_ANTIMATTER) != 0u) clip_turned(s, par, &g, carried, &clip);
                 if ((l.flags & LOBE_PASS) == 0u) {
-                    if (relay != NONE && hit.prim == s->u[relay + RELAY_PRIM]) {  // the one aimed at
+                    if (relayed) {  // the one aimed at
                         q = source_record(s, par, s->u[relay + RELAY_SOURCE]);
                         if (g.type == M_PRISM) {
                             float3 aim = f3_at(q + SRC_CENTRE);

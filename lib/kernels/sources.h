@@ -227,7 +227,8 @@ FN float3 light_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par
 }
 
 // The distant surface seen in direction dir: the first non-glow that matches, else the first glow.  NONE if none.
-FN uint distant_at(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 dir) {
+// sampled: by a ray that illums stop (emission.h).
+FN uint distant_at(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 dir, int sampled) {
     uint glow = NONE;
     for (uint i = 0u; i < par->distant_count; i++) {
         GLOBAL const uint* q = s->u + par->distant_at + DISTANT_WORDS * i;
@@ -235,7 +236,7 @@ FN uint distant_at(PRIVATE const SceneTables* s, PRIVATE const Params* par, floa
         float3 d = F3(as_float_(q[0]), as_float_(q[1]), as_float_(q[2]));
         // 1 - cos by the chord: single precision would lose a sun of half a degree in 1 - dot
         float3 e = sub3(dir, d);
-        if (0.5f * dot3(e, e) > cap) continue;
+        if (0.5f * dot3(e, e) > cap || (q[DISTANT_SEEN] == NONE && !sampled)) continue;
         if (q[DISTANT_SOURCE] != NONE) return i;
         if (glow == NONE) glow = i;
     }

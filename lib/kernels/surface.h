@@ -11,6 +11,7 @@ typedef struct {
     float3 v;        // unit, toward the viewer
     float3 color;    // product of the patterns met
     float3 pert;     // sum of the textures met
+    float3 color_before, pert_before;  // the same without the material's own chain: where an alternate starts
     float u, vv;     // mesh coordinates Lu, Lv
     float length;    // of the ray that hit
     float reach;     // length that sets the rounding of p: the ray's or the primitive's

@@ -138,7 +138,8 @@
 #define DISTANT_WORDS 8u
 #define DISTANT_DIR 0u    // 3 floats
 #define DISTANT_CAP 3u    // 1 - cos of the half angle (as such: cos would round a sun); > 2 = everything
-#define DISTANT_MOD 4u
+#define DISTANT_SEEN 4u   // modifier that is seen, of an illum its alternate's; NONE: the eye looks past it
+#define DISTANT_BLACK 0xfffffffeu  // its alternate does not shine
 #define DISTANT_SOURCE 5u // active source index, NONE
 
 // ---- portals (windows that guide diffuse samples): PORTAL_FLOATS floats at f[Params.portals_at]

@@ -64,9 +64,12 @@ struct Flattener {
         : scene(s), options(o), files(f), out(t), library(f) {}
 
     void flatten_modifiers();
+    // The material of a chain, from record `mod` on; NONE for none and for mixtures of materials.
+    uint32_t material_record(uint32_t mod) const;
     // Tables of a BSDF file, found along RAYPATH: index for MOD_EXTRA (flatten_bsdf.cpp).
     uint32_t bsdf_file(const std::string& name, const std::string& place);
     void flatten_sources();
+    uint32_t distant_seen(uint32_t mod) const;
     // The sources that mists name, to scatter; records as in flatten_sources, the real ones first, each with its object.
     // Source i is of that name; of several the latest is meant.
     void link_mists(const std::vector<float>& records, const std::vector<uint32_t>& source_objects);

@@ -80,18 +80,25 @@ struct Builder {
         return {middle - centre, normal, u * (2 / (high[0] - low[0])), v * (2 / (high[1] - low[1])), both_sides};
     }
 
-    // Mirrors relay the light of sources (spec shading 4.6): polygons and rings only.
+    // Mirrors and prisms, also as the alternate of an illum, relay the light of sources (spec shading 4.6): polygons
+    // and rings only.
     void relay(const scene::Object& o, uint32_t prim, Vec3 normal, Vec3 middle, const std::vector<Vec3>& corners) {
         if (owner != Owner::scene) return;
-        const uint32_t m = f.material_of[o.modifier];
+        int32_t modifier = o.modifier;
+        uint32_t m = f.material_of[modifier];
+        if (m != NONE && scene.objects[m].type == Type::illum) {
+            const auto names = scene.strings(scene.objects[m]);
+            modifier = names.size() > 0 ? scene.lookup_modifier(names[0], m) : scene::VOID;
+            m = modifier >= 0 ? f.material_of[modifier] : NONE;
+        }
         if (m == NONE) return;
         const Type t = scene.objects[m].type;
         const int exits = t == Type::prism1 ? 1 : t == Type::prism2 ? 2 : 0;
         if (t != Type::mirror && !exits) return;
-        const uint32_t object = uint32_t(&o - scene.objects.data());
+        const uint32_t material = f.material_record(f.mod_of[modifier]), object = uint32_t(&o - scene.objects.data());
         const auto c = scene.reals(scene.objects[m]);
         const double reflectance = exits ? 1 : std::max(.01, (c[0] + c[1] + c[2]) / 3);
-        f.relays.push_back({prim, normal, middle - centre, exits, f.mod_of[o.modifier], object, reflectance,
+        f.relays.push_back({prim, normal, middle - centre, exits, material, object, reflectance,
                             rectangle_about(corners, normal, exits > 0)});
     }
 

@@ -86,6 +86,11 @@ bool transparent_type(const scene::Scene& scene, uint32_t object) {
 }
 }  // namespace
 
+uint32_t Flattener::material_record(uint32_t mod) const {
+    while (mod != NONE && mods[mod * MOD_WORDS + MOD_TYPE] < M_FIRST_MATERIAL) mod = mods[mod * MOD_WORDS + MOD_NEXT];
+    return mod;
+}
+
 void Flattener::flatten_modifiers() {
     const size_t n = scene.objects.size();
     mod_of.assign(n, NONE);
@@ -149,7 +154,9 @@ void Flattener::flatten_modifiers() {
                 const int32_t m = alternate(t, uint32_t(r.object));
                 if (m >= 0) rec[MOD_BRANCH1] = mod_of[m];
                 if (scene.strings(t).size() > 0) rec[MOD_FLAGS] |= MF_HAS_ALTERNATE;
-                if (m < 0 || !has_material[m] || transparent_type(scene, material_of[m])) rec[MOD_FLAGS] |= MF_ALTERNATE_PASSES;
+                const bool mixed = m >= 0 && has_material[m] && material_of[m] == NONE;
+                if (m < 0 || !has_material[m] || (!mixed && transparent_type(scene, material_of[m])))
+                    rec[MOD_FLAGS] |= MF_ALTERNATE_PASSES;
             }
             if (t.type == Type::dielectric || t.type == Type::interface) { out.absorbs = true; aimed = true; }
             if (cal::has_functions(type_name(t.type))) {

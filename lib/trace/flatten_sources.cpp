@@ -140,6 +140,17 @@ void Flattener::link_mists(const std::vector<float>& records, const std::vector<
     out.u.insert(out.u.end(), directory.begin(), directory.end());
 }
 
+// What the eye sees of a distant surface: an illum's alternate, or the alternate's.
+uint32_t Flattener::distant_seen(uint32_t mod) const {
+    for (;;) {
+        const uint32_t m = material_record(mod);
+        if (m == NONE) return mod == NONE ? NONE : DISTANT_BLACK;
+        const uint32_t type = mods[m * MOD_WORDS + MOD_TYPE];
+        if (type != M_ILLUM) return type == M_LIGHT || type == M_GLOW || type == M_SPOTLIGHT ? mod : DISTANT_BLACK;
+        mod = mods[m * MOD_WORDS + MOD_BRANCH1];
+    }
+}
+
 void Flattener::flatten_sources() {
     std::vector<float> records;
     std::vector<uint32_t> distant;
@@ -268,7 +279,7 @@ void Flattener::flatten_sources() {
         const Vec3 d = unit(vec_at(r, 0));
         const double half = std::min(r[3], 360.0) * PI / 360, s = std::sin(half / 2), cap = r[3] >= 360 ? 3 : 2 * s * s;
         uint32_t rec[DISTANT_WORDS] = {bits(float(d.x)), bits(float(d.y)), bits(float(d.z)), bits(float(cap)),
-                                       mod_of[o.modifier], NONE, 0, 0};
+                                       distant_seen(mod_of[o.modifier]), NONE, 0, 0};
         if (m.type != Type::light && m.type != Type::glow && m.type != Type::spotlight && m.type != Type::illum)
             base::fail(scene.place(o), fmt::format("a distant source of material {} is not supported", type_name(m.type)));
         if (m.type != Type::glow && !black(c)) {
