@@ -32,6 +32,7 @@
 #include "kernels/mat_glass.h"
 #include "kernels/mat_dielectric.h"
 #include "kernels/mat_function.h"
+#include "kernels/mat_wgmd.h"
 #include "kernels/mat_prism.h"
 #include "kernels/bsdf.h"
 #include "kernels/mat_bsdf.h"

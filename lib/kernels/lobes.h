@@ -16,6 +16,8 @@ typedef struct {
     float au, av;                   // alpha^2 of rough_r along u and v (isotropic: equal)
     float tu, tv;                   // alpha^2 of rough_t
     float3 trans_dir;               // centre of the transmitted rough lobe
+    float3 n_r, n_t, n_dt;          // LOBE_OWN_NORMALS: of rough_r, rough_t, diffuse_t; g->n is that of diffuse_r
+    float3 ut, vt;                  // and the tangent frame of rough_t
     float3 fn_r, fn_t;              // colours of function lobes (mat_function.h)
     uint flags;
 } Lobes;
@@ -28,11 +30,14 @@ typedef struct {
 #define LOBE_WGMD_FRESNEL 32u
 #define LOBE_FUNCTION 64u    // direct light also by the material's lobe program
 #define LOBE_ASHIK 128u      // rough_r is the power lobe of ashik2
+#define LOBE_OWN_NORMALS 512u  // WGMDfunc with textures (mat_wgmd.h)
+#define LOBE_FLAT_R 1024u    // rough_r has no texture and is on a flat surface
 #define LOBE_BSDF 256u       // rough_r and rough_t are tables (mat_bsdf.h says how it uses the fields)
 
-// May light from behind the surface come through it?
+// May light from behind the shading normal count?
 FN int lobes_transmit(PRIVATE const Lobes* l) {
-    return (l->flags & (LOBE_FUNCTION | LOBE_BSDF)) != 0u || max3(add3(l->diffuse_t, l->rough_t)) > 0.0f;
+    return (l->flags & (LOBE_FUNCTION | LOBE_BSDF | LOBE_OWN_NORMALS)) != 0u ||
+           max3(add3(l->diffuse_t, l->rough_t)) > 0.0f;
 }
 
 // Fresnel estimate of RADIANCE's smooth plastic, metal and trans (spec 3.1).

@@ -6,15 +6,12 @@
 
 FN void material_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
     surface_vars(par, g, vars);
-    float side = 1.0f;
-    if (g->type == M_WGMD || g->type == M_PRISM) {  // not turned to the viewer
-        side = g->front ? 1.0f : -1.0f;
-    } else if (g->type != M_BRTD) {                 // of BRTDfunc the perturbed ones only are turned
+    if (g->type != M_BRTD && g->type != M_WGMD && g->type != M_PRISM) {  // of these the normal stays as modelled
         vars[CAL_NX] = g->ng.x; vars[CAL_NY] = g->ng.y; vars[CAL_NZ] = g->ng.z;
         vars[CAL_RDOT] = dot3(g->ng, g->v);
     }
-    vars[CAL_NXP] = side * g->n.x; vars[CAL_NYP] = side * g->n.y; vars[CAL_NZP] = side * g->n.z;
-    vars[CAL_RDOTP] = side * dot3(g->n, g->v);
+    vars[CAL_NXP] = g->n.x; vars[CAL_NYP] = g->n.y; vars[CAL_NZP] = g->n.z;  // always on the viewer's side
+    vars[CAL_RDOTP] = dot3(g->n, g->v);
     vars[CAL_CRP] = g->color.x; vars[CAL_CGP] = g->color.y; vars[CAL_CBP] = g->color.z;
 }
 
@@ -81,71 +78,6 @@ FN void mat_brtd(PRIVATE const Surface* g, GLOBAL const float* arg, PRIVATE cons
     out->fn_r = F3(1.0f, 1.0f, 1.0f);
     out->fn_t = out->fn_r;
     out->flags |= LOBE_FUNCTION;
-}
-
-// The pattern colour of a modifier chain without material; "inherit" = the surface's own (mod == WGMD_INHERIT).
-#define WGMD_INHERIT 0xfffffffeu
-FN float3 chain_color(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint mod,
-                      PRIVATE Sampler* rnd) {
-    Surface c = *g;
-    if (mod == WGMD_INHERIT) return g->color;
-    c.color = F3(1.0f, 1.0f, 1.0f);
-    if (mod == NONE) return c.color;
-    c.mod = mod;
-    find_material(s, par, &c, rnd);
-    return c.color;
-}
-
-// WGMDfunc (spec 3.15): each component has its own modifier; components add.  values: rs ur vr ts utr vtr u;
-// u[MOD_BRANCH1].. : modifiers of rs, ts, td.
-FN void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, GLOBAL const uint* m,
-                 PRIVATE const float* value, PRIVATE Sampler* rnd, PRIVATE Lobes* out) {
-    GLOBAL const float* arg = s->f + m[MOD_ARGS];
-    float3 rs = scale3(chain_color(s, par, g, s->u[m[MOD_BRANCH1]], rnd), value[0]);
-    float3 ts = scale3(chain_color(s, par, g, s->u[m[MOD_BRANCH1] + 1u], rnd), value[3]);
-    float3 td = chain_color(s, par, g, s->u[m[MOD_BRANCH1] + 2u], rnd);
-    out->diffuse_r = mul3(F3(arg[g->front ? 0 : 3], arg[g->front ? 1 : 4], arg[g->front ? 2 : 5]), g->color);
-    out->diffuse_t = mul3(F3(arg[6], arg[7], arg[8]), td);
-    out->trans_dir = transmitted_direction(g);
-    out->au = value[1] * value[1]; out->av = value[2] * value[2];
-    out->tu = value[4] * value[4]; out->tv = value[5] * value[5];
-    float3 v = cross3(g->n, F3(value[6], value[7], value[8]));
-    float l = length3(v);
-    if (l > 1e-6f) {
-        out->v = scale3(v, 1.0f / l);
-        out->u = cross3(out->v, g->n);
-        out->flags |= LOBE_ANISO;
-    } else {
-        out->au = 0.5f * (out->au + out->av); out->av = out->au;
-        out->tu = 0.5f * (out->tu + out->tv); out->tv = out->tu;
-    }
-    float rest = 1.0f, lum = 0.265074126f * rs.x + 0.670114631f * rs.y + 0.064811243f * rs.z;
-    int smooth_r = out->au <= 1e-6f || out->av <= 1e-6f, smooth_t = out->tu <= 1e-6f || out->tv <= 1e-6f;
-    if (smooth_r) {
-        if (lum >= 0.017999f) {
-            float f = fresnel_estimate_wgmd(MAX_(dot3(g->n, g->v), 0.001f));
-            rest = 1.0f - f;
-            rs = F3(rs.x + f * (1.0f - rs.x), rs.y + f * (1.0f - rs.y), rs.z + f * (1.0f - rs.z));
-            out->flags |= LOBE_WGMD_FRESNEL;
-        }
-        if (max3(rs) > 1e-6f) { out->mirror = rs; out->mirror_dir = mirror_direction(g); }
-    }
-    out->diffuse_r = scale3(out->diffuse_r, rest);
-    out->diffuse_t = scale3(out->diffuse_t, rest);
-    ts = scale3(ts, rest);
-    out->ambient_r = out->diffuse_r;
-    out->ambient_t = out->diffuse_t;
-    if (!smooth_r && max3(rs) > 1e-6f) {
-        out->rough_r = rs;
-        if (par->st >= max3(rs) - 1e-6f) out->ambient_r = add3(out->ambient_r, rs); else out->flags |= LOBE_SAMPLE_R;
-    }
-    if (max3(ts) > 1e-6f) {
-        if (smooth_t) { out->through = ts; out->through_dir = out->trans_dir; }
-        else {
-            out->rough_t = ts;
-            if (par->st >= max3(ts) - 1e-6f) out->ambient_t = add3(out->ambient_t, ts); else out->flags |= LOBE_SAMPLE_T;
-        }
-    }
 }
 
 FN float3 ashik_direct(PRIVATE const Lobes* a, PRIVATE const Surface* g, float3 l, float w) {

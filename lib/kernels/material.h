@@ -64,9 +64,7 @@ FN int become_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par,
     uint alternate = mod_record(s, par, g->mod)[MOD_BRANCH1];
     if (alternate == NONE) return 0;
     g->mod = alternate;
-    g->color = g->color_before;
-    g->pert = g->pert_before;
-    g->flat = (s->prims[PRIM_WORDS * g->prim + PRIM_KIND] & PRIM_TEXTURE_FLAT) != 0u && dot3(g->pert, g->pert) <= 0.0f;
+    without_own_chain(s, g);
     return find_material(s, par, g, rnd);
 }
 

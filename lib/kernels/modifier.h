@@ -124,6 +124,14 @@ FN void shading_normal(PRIVATE Surface* g) {
     g->n = unit3(n);
 }
 
+// Back to the patterns and textures met before the material, for another chain in place of the material's own.
+FN void without_own_chain(PRIVATE const SceneTables* s, PRIVATE Surface* g) {
+    uint kind = s->prims[PRIM_WORDS * g->prim + PRIM_KIND];
+    g->color = g->color_before;
+    g->pert = g->pert_before;
+    g->flat = (kind & PRIM_TEXTURE_FLAT) != 0u && dot3(g->pert, g->pert) <= 0.0f;
+}
+
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
 FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, PRIVATE Sampler* rnd) {
     uint stack[MIX_DEPTH];

@@ -175,6 +175,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                     float w = ls.w / ls.pieces;
                     float3 c = (lobes.flags & LOBE_ASHIK) != 0u ? ashik_direct(&lobes, &g, ls.dir, w)
                                : (lobes.flags & LOBE_BSDF) != 0u ? bsdf_direct(s, par, &lobes, &g, ls.dir, w, &rnd)
+                               : (lobes.flags & LOBE_OWN_NORMALS) != 0u ? wgmd_direct(&lobes, &g, ls.dir, w, par->dj)
                                                                  : lobes_direct(&lobes, &g, ls.dir, w, par->dj);
                     if ((lobes.flags & LOBE_FUNCTION) != 0u) c = add3(c, function_direct(s, par, &lobes, &g, ls.dir, w));
                     c = scale3(c, ls.pieces);
@@ -240,6 +241,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             coef = lobes.mirror; p = w_mirror; next = lobes.mirror_dir; flags |= PC_BENT;
         } else if ((r -= w_rough_r) < 0.0f) {
             coef = lobes.rough_r; p = w_rough_r;
+            if ((lobes.flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(&lobes, &g, WGMD_ROUGH_R);
             factor = (lobes.flags & LOBE_ASHIK) != 0u
                          ? ashik_sample(&lobes, &g, &rnd, &next)
                      : (lobes.flags & LOBE_BSDF) != 0u
@@ -248,11 +250,13 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             flags |= PC_ROUGH | PC_BENT;
         } else if ((r -= w_diff_t) < 0.0f) {
             coef = lobes.ambient_t; p = w_diff_t;
+            if ((lobes.flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(&lobes, &g, WGMD_DIFFUSE_T);
             factor = sample_diffuse(s, par, g.p, neg3(g.n), &rnd, &next);
             if (dot3(next, g.ng) >= 0.0f) factor = 0.0f;
             flags |= PC_DIFFUSE; ab++;
         } else if ((r -= w_rough_t) < 0.0f) {
             coef = lobes.rough_t; p = w_rough_t;
+            if ((lobes.flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(&lobes, &g, WGMD_ROUGH_T);
             factor = (lobes.flags & LOBE_BSDF) != 0u
                          ? bsdf_sample_lobe(s, par, &lobes, &g, 1, &rnd, &coef, &next)
                          : lobes_sample_rough_t(&lobes, &g, &rnd, par->ss, &next);

@@ -56,7 +56,7 @@ bool material_passes(Type t, const scene::Span<double>& a, const cal::PatternSpe
     }
 }
 constexpr int wgmd_names[3] = {0, 4, 8};    // strings of WGMDfunc that name modifiers
-constexpr uint32_t WGMD_INHERIT = 0xfffffffeu;  // as kernels/mat_function.h
+constexpr uint32_t WGMD_INHERIT = 0xfffffffeu;  // as kernels/mat_wgmd.h
 
 uint32_t mod_type(cal::ProgramKind k) {
     switch (k) {
