@@ -15,5 +15,5 @@ check 'with a row for the table' 'test $(awk -F "\t" "NF >= 6" out/3/minimal/row
 check 'the differences that it knows are told in differences.md' 'cd $TOP/tests/compare/radiance && python3 -B -c "
 import known
 page = \" \".join(open(\"$TOP/docs/differences.md\").read().split())
-assert all(words in page for _, words, _ in known.RULES)"'
+assert all(words in page for _, words, _, _ in known.RULES)"'
 check_exit 'a wrong option is refused' 2 "$compare --nothing"

@@ -109,7 +109,8 @@ def record(seed, scene, worst, floor, args, bed, result):
     """Shrinks and writes scene and row; sets what explains it."""
     folder = os.path.join(args.out, str(seed))
     keep_scene(folder, scene)
-    small = Shrinker(scene, worst.ray, floor, bed, args.tracer, args.ours, args.budget).run()
+    shrinker = Shrinker(scene, worst.ray, floor, bed, args.tracer, args.ours, args.budget)
+    small = shrinker.run()
     ours, theirs = worst.ours, worst.theirs
     if small is None:
         small = scene.copy()
@@ -129,7 +130,7 @@ def record(seed, scene, worst, floor, args, bed, result):
            tracers.ray_text(small.rays[0]), numbers[0], note]
     with open(os.path.join(minimal, "row.tsv"), "w") as out:
         out.write("\t".join(row) + "\n")
-    result.update(known=explanation(small), kinds=" ".join(small.kinds()),
+    result.update(known=explanation(small, shrinker.differs), kinds=" ".join(small.kinds()),
                   why=f"rtrace {numbers[0]} (+- {numbers[1]}) ptrace {numbers[2]} (+- {numbers[3]}), minimal: "
                       f"{' '.join(small.kinds())}, {len(small.primitives())} primitives")
     if result["known"]:

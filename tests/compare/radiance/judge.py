@@ -35,7 +35,8 @@ class Pixel:
     def sure(self):
         """More samples will not help.  (One that never varied may be waiting for a rare case.)"""
         (a, ea), (b, eb) = self.ours, self.theirs
-        return any(ea) and any(abs(a[c] - b[c]) > .03 * max(a[c], b[c]) + 15 * math.hypot(ea[c], eb[c]) for c in range(3))
+        far = [.03 * max(a[c], b[c]) + 15 * math.hypot(ea[c], eb[c]) for c in range(3)]
+        return any(ea) and any(abs(a[c] - b[c]) > far[c] for c in range(3))
 
     def deviation(self):
         """Relative to the brighter, for choosing the worst."""

@@ -10,7 +10,7 @@ from judge import judge
 
 # Options a row keeps: what rtrace takes without them depends on its version.
 BASE = {"-ab", "-ad", "-dj", "-lr", "-lw", "-ds", "-ss", "-st", "-dr"}
-SIMPLE_STRINGS = ["void", "0", ".5", "Px"]
+SIMPLE_STRINGS = ["0", ".5", "Px"]
 
 
 class Shrinker:
@@ -20,10 +20,13 @@ class Shrinker:
         self.left = budget
 
     def shows(self, scene):
-        """Does it still differ, and by more than one in a hundred?  (A shadow of rounding is no end.)"""
         if self.left <= 0:
             return False
         self.left -= 1
+        return self.differs(scene)
+
+    def differs(self, scene):
+        """By more than one in a hundred: a shadow of rounding is no end."""
         with tempfile.TemporaryDirectory() as folder:
             self.bed(folder)
             if scene.write(folder):
@@ -95,40 +98,45 @@ class Shrinker:
             scene.options = [w for w in scene.options if w != words]
             self.keep(scene)
 
-    def change(self, stem, i, edit):
+    def find(self, stem, name):
+        """A primitive of the best scene so far; None if it is no longer there."""
+        return next((p for p in self.best.files.get(stem, []) if p.name == name), None)
+
+    def change(self, stem, name, edit):
         scene = self.best.copy()
-        edit(scene.files[stem][i])
+        edit(next(p for p in scene.files[stem] if p.name == name))
         return self.keep(scene)
 
     def simpler(self):
         """Modifiers dropped, transforms dropped, expressions and numbers shortened."""
-        for stem in list(self.best.files):
-            for i in range(len(self.best.files[stem])):
-                p = self.best.files[stem][i]
-                if p.modifier != "void" and not p.is_surface():
-                    self.change(stem, i, lambda q: setattr(q, "modifier", "void"))
-                self.simpler_strings(stem, i)
-                self.simpler_numbers(stem, i)
+        for stem, name in [(stem, p.name) for stem, list_ in self.best.files.items() for p in list_]:
+            p = self.find(stem, name)
+            if p and p.modifier != "void" and not p.is_surface():
+                self.change(stem, name, lambda q: setattr(q, "modifier", "void"))
+            if self.find(stem, name):
+                self.simpler_strings(stem, name)
+                self.simpler_numbers(stem, name)
 
-    def simpler_strings(self, stem, i):
-        p = self.best.files[stem][i]
+    def simpler_strings(self, stem, name):
+        p = self.find(stem, name)
         start = next((k for k, s in enumerate(p.strings) if s[0] == "-" and s[1:2].isalpha()), None)
         if start is not None and p.kind != "source":
-            self.change(stem, i, lambda q: q.strings.__delitem__(slice(start, None)))
-        for k, s in enumerate(self.best.files[stem][i].strings):
+            self.change(stem, name, lambda q: q.strings.__delitem__(slice(start, None)))
+        p = self.find(stem, name)
+        for k, s in enumerate(p.strings):
             if k in p.names or not any(c in s for c in "*+("):
                 continue
-            for text in SIMPLE_STRINGS[1:]:
-                if self.change(stem, i, lambda q: q.strings.__setitem__(k, text)):
+            for text in SIMPLE_STRINGS:
+                if self.change(stem, name, lambda q: q.strings.__setitem__(k, text)):
                     break
 
-    def simpler_numbers(self, stem, i):
-        p = self.best.files[stem][i]
+    def simpler_numbers(self, stem, name):
+        p = self.find(stem, name)
         if p.kind == "source":  # an angle of 400 degrees is none
             return
         for digits in (1, 2):
             rounded = [float(f"{v:.{digits}g}") for v in p.reals]
-            if rounded == p.reals or self.change(stem, i, lambda q: setattr(q, "reals", rounded)):
+            if rounded == p.reals or self.change(stem, name, lambda q: setattr(q, "reals", rounded)):
                 break
 
     def run(self):
