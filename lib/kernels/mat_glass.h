@@ -27,7 +27,6 @@ FN void mat_glass(PRIVATE const Surface* g, GLOBAL const float* arg, int shadow,
     float3 p = neg3(g->v);
     if (!shadow && !g->smooth && dot3(g->pert, g->pert) > 1e-12f) {
         p = unit3(madd3(g->pert, (g->front ? 2.0f : -2.0f) * (1.0f - n), p));  // it turns with the normal
-        if (dot3(p, g->ng) >= -1e-6f) p = neg3(g->v);
     }
     out->through_dir = p;
     if (!shadow) {  // alone among the mirrors it may send the ray on below the surface

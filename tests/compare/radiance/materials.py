@@ -143,6 +143,6 @@ class Materials(Modifiers):
         if distant and r.random() < .3:  # by direction alone, see docs/differences.md
             parts = [f"{number(r, .2, 1)}+.4*{v}" for v in r.sample(["Dx^2", "Dy^2", "abs(Dz)"], 3)]
             modifier = self.add("void", "colorfunc", parts + ["."])
-        elif r.random() < .3:
+        elif not distant and r.random() < .3:
             modifier = self.chain(False)
         return self.add(modifier, kind, [], [radiance * number(r, .5, 1) for _ in range(3)])
