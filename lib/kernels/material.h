@@ -11,8 +11,9 @@ FN int back_passes(uint type, int asked) {
     return type == M_TRANS || type == M_GLASS || type == M_WGMD || type == M_BSDF;
 }
 
-// Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving: medium of the segment that
-// ended here, corrected where the surface knows it; *beyond: medium behind the surface.
+// Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving, the
+// medium of the segment that ended here, is corrected where the surface knows it; so is *beyond, the one behind the
+// surface.  Both come as what the ray knows.
 FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, int asked,
                        PRIVATE Sampler* rnd, PRIVATE Medium* arriving, PRIVATE Medium* beyond, PRIVATE Lobes* l) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
@@ -20,7 +21,6 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     float vars[CAL_VARS], value[CAL_OUTPUTS];
     uint type = g->type;
     lobes_clear(l);
-    *beyond = *arriving;
     if (!g->front && par->bv == 0u && back_passes(type, asked)) { l->flags |= LOBE_PASS; return; }
     if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {  // functions evaluated once per hit
         material_vars(par, g, vars);

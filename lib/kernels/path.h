@@ -110,8 +110,8 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     uint scatters = 0u;  // sources that the medium scatters
     Lobes lobes;
     float3 next = dir, emitted = F3(0.0f, 0.0f, 0.0f);
-    Medium medium = absorbs ? path_medium(a, slot) : medium_open(par);
-    Medium arriving = medium, beyond = medium;  // of the segment that ends here; of the way on through the surface
+    // of the segment that ends here; of the way on through the surface
+    Medium arriving = absorbs ? path_medium(a, slot) : medium_open(par), beyond = arriving;
     uint clip = as_uint_(a->org[slot].w), before = clip;  // antimatter beyond the surface and before it
     uint carried = g.mod;
     if (((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) ||
@@ -129,8 +129,9 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         if ((par->flags & PF_ANTIMATTER) != 0u) clip_turned(s, par, &g, carried, &clip);
         if ((par->flags & PF_IRRADIANCE) != 0u && (flags & (PC_BENT | PC_DIFFUSE | PC_ROUGH)) == 0u) {
             pass = pass || (mod_record(s, par, g.mod)[MOD_FLAGS] & MF_SEEN_THROUGH) != 0u;
-            arriving = medium;  // what the material knows of media does not count
-            beyond = medium;
+            // what the material knows of media does not count
+            if (absorbs) arriving = path_medium(a, slot);
+            beyond = arriving;
             if (!pass) {
                 float3 pi3 = F3(3.14159265f, 3.14159265f, 3.14159265f);
                 g.pert = g.pert_before;  // the white surface in its place has no texture of its own
@@ -164,7 +165,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         // ---- light from active sources
         if (wanted && par->source_count > 0u) {
             uint i = 0u;
-            float inv_p = choose_source(s, par, g.p, g.n, lobes_transmit(&lobes), &rnd, &i);
+            float inv_p = choose_source(s, par, g.p, g.n, par->source_count > 1u && lobes_transmit(&lobes), &rnd, &i);
             float2 x = sample2(&rnd);
             if (scattered) inv_p = 0.0f;
             else if (scatters > 0u) inv_p *= 2.0f;
