@@ -6,6 +6,9 @@ PREFIX ?= /usr/local
 # More for cmake, such as FLAGS=-DLUXPIPE_PTRACE=OFF (the three tools that need neither Embree nor OpenCL).
 FLAGS  ?=
 SECONDS ?= 60
+# SETUP=no installs no packages; otherwise those that the goal needs and the machine lacks, said before.
+SETUP  ?= yes
+PARTS   = tools $(if $(findstring LUXPIPE_PTRACE=OFF,$(FLAGS)),,ptrace)
 CXX_FILES = $(shell git ls-files '*.cpp' '*.h')
 
 help: ## this list
@@ -15,11 +18,13 @@ all: setup ## a release build of the four tools in build/bin
 	cmake -S . -B $(BUILD) -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX=$(PREFIX) $(FLAGS)
 	cmake --build $(BUILD) -j $(JOBS)
 
+demo: PARTS += demo
 demo: all ## the office: pictures, metrics and a plot in out/
 	@bash scripts/demo.sh $(BUILD)/bin out
 
+test test-gpu: PARTS += tests
 test: all ## every test that needs no GPU
-	@cd $(BUILD) && ctest --output-on-failure -j $(JOBS) -LE 'gpu|slow'
+	@cd $(BUILD) && ctest --no-tests=error --output-on-failure -j $(JOBS) -LE 'gpu|slow'
 
 test-gpu: all ## the tests for a machine with a GPU
 	@cd $(BUILD) && ctest --output-on-failure -L gpu
@@ -58,6 +63,6 @@ clean: ## remove build/ and out/
 	@rm -rf $(BUILD) build-asan build-tsan build-fuzz out
 
 setup:
-	@sh scripts/setup.sh
+	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 
 .PHONY: help all demo test test-gpu test-sanitize fuzz deb bench compare-radiance man format lint install clean setup

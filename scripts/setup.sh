@@ -1,19 +1,24 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the Debian packages luxpipe is built from, if any is missing; does nothing when all are there.
-# It runs `apt-get` (as root, or through sudo) and changes nothing else.  Elsewhere than on Debian and its
-# relatives it only names what is needed.
+# setup.sh PARTS: installs the Debian packages that these parts of luxpipe need, if any is missing; does nothing when all
+# are there.  Parts: tools (the three that measure), ptrace, tests, demo.
+# It says what it will install, then runs `apt-get` (as root, or through sudo), and changes nothing else.
+# `make SETUP=no` leaves it out.  Elsewhere than on Debian and its relatives it only names what is needed.
 set -eu
 
-build="g++ make cmake ninja-build"                                      # to compile
-libraries="libembree-dev libopenexr-dev libimath-dev libcli11-dev libfmt-dev libpng-dev libpugixml-dev"
-opencl="ocl-icd-opencl-dev opencl-headers opencl-clhpp-headers pocl-opencl-icd"  # PoCL: OpenCL on the CPU
-tests="doctest-dev mandoc"                                              # make test
-demo="gnuplot-nox"                                                      # the plot of make demo
-packages="$build $libraries $opencl $tests $demo"
+packages=
+for part in "$@"; do
+    case $part in
+        tools) packages="$packages g++ make cmake ninja-build libopenexr-dev libimath-dev libcli11-dev libfmt-dev libpng-dev libpugixml-dev" ;;
+        ptrace) packages="$packages libembree-dev ocl-icd-opencl-dev opencl-headers opencl-clhpp-headers" ;;
+        tests) packages="$packages doctest-dev mandoc pocl-opencl-icd" ;;  # PoCL: OpenCL on the CPU
+        demo) packages="$packages gnuplot-nox" ;;                          # the plot
+        *) echo "setup: no part \"$part\": tools, ptrace, tests or demo" >&2; exit 1 ;;
+    esac
+done
 
 if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then
-    echo "setup: no apt-get here; please see to it that these (Debian's names) are installed: $packages" >&2
+    echo "setup: no apt-get here; please see to it that these (Debian's names) are installed:$packages" >&2
     exit 0
 fi
 
@@ -33,7 +38,8 @@ if [ "$(id -u)" -ne 0 ]; then
     sudo=sudo
 fi
 
-echo "setup: installing with apt-get:$missing" >&2
+echo "setup: these Debian packages are missing and will be installed with apt-get:$missing" >&2
+echo "setup: (make SETUP=no installs nothing and builds with what is there)" >&2
 $sudo apt-get update -q
 # shellcheck disable=SC2086  # the list is meant to be split
 $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing
