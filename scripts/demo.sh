@@ -27,19 +27,21 @@ ptaccum "$out/office.exr" -o "$out/office.png" -tone photo
 ptaccum "$out/office.exr" -o "$out/falsecolor.png" -tone falsecolor
 
 # Metrics against frames, each relative to its last value.
-command -v gnuplot > /dev/null && gnuplot << END
+# (The script is fixed text and the folder stands nowhere in it: gnuplot would run what is between ` and ` in a name.)
+command -v gnuplot > /dev/null && (cd "$out" && gnuplot << 'END'
 set terminal pngcairo size 900,600
-set output "$out/metrics.png"
+set output "metrics.png"
 set title "The office at 14:00: metrics against frames"
 set xlabel "diffuse frames"; set ylabel "value / last value"
 set logscale x; set key outside right; set grid
-stats "$out/metrics.tsv" skip 1 nooutput
+stats "metrics.tsv" skip 1 nooutput
 n = STATS_columns
 array last[n]
-do for [i=3:n] { stats "$out/metrics.tsv" skip 1 using (last[i] = column(i)) nooutput }
-plot for [i=3:n] "$out/metrics.tsv" skip 1 using (column(1) < 1 ? NaN : column(1)):(column(i) / last[i]) \\
-    with lines lw 2 title word("$(head -n 1 "$out/metrics.tsv" | cut -f 3- | tr '\t' ' ')", i - 2) noenhanced
+do for [i=3:n] { stats "metrics.tsv" skip 1 using (last[i] = column(i)) nooutput }
+plot for [i=3:n] "metrics.tsv" using (column(1) < 1 ? NaN : column(1)):(column(i) / last[i]) \
+    with lines lw 2 title columnheader(i) noenhanced
 END
+)
 echo
 echo "Settled after $(tail -n 1 "$out/metrics.tsv" | cut -f 1) frames, $((settled - started)) seconds.  In ${2:-out}/:"
 cd "$out" && ls office.hdr office.exr office.png falsecolor.png metrics.tsv metrics.png regions.exr
