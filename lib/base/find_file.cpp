@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include "base/error.h"
+#include "base/printable.h"
+#include "base/text_file.h"
 
 namespace base {
 
@@ -32,7 +34,7 @@ void search_beside(const std::vector<std::string>& files, ReadOptions& options) 
 
 static bool readable(const std::string& path) {
     struct stat s;
-    return stat(path.c_str(), &s) == 0 && !S_ISDIR(s.st_mode) && access(path.c_str(), R_OK) == 0;
+    return stat(path.c_str(), &s) == 0 && S_ISREG(s.st_mode) && access(path.c_str(), R_OK) == 0;
 }
 
 std::string look_for_file(const std::string& name, const ReadOptions& options) {
@@ -56,7 +58,8 @@ std::string look_for_file(const std::string& name, const ReadOptions& options) {
 
 std::string find_file(const std::string& name, const ReadOptions& options, const std::string& who) {
     std::string path = look_for_file(name, options);
-    if (path.empty()) fail(who, "cannot find file \"" + name + "\"");
+    if (path.empty()) require_ordinary_file(name, who);
+    if (path.empty()) fail(who, "cannot find file \"" + printable(name, 60) + "\"");
     return path;
 }
 

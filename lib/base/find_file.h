@@ -2,8 +2,10 @@
 // Where RADIANCE looks for auxiliary files (.cal .dat .fnt .oct .rtm .xml, pictures): along RAYPATH, unless the name
 // starts with "/", "." or "~" (~/ is $HOME).  Scene files are not searched.
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
+#include "base/work.h"
 
 namespace base {
 
@@ -11,6 +13,7 @@ struct ReadOptions {
     bool exec = false;                   // -exec: "!command" other than the built-in generators may run
     std::vector<std::string> raypath;    // directories in order; empty = "." only
     std::vector<std::string> cal_files;  // -f: function files whose definitions every primitive sees
+    std::shared_ptr<Work> work = std::make_shared<Work>();  // what the whole scene may take
 };
 
 // The colon-separated directories of $RAYPATH; {"."} when it is not set.

@@ -8,16 +8,19 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 
 #include "base/error.h"
+#include "base/text_file.h"
 
 namespace base {
 namespace {
 
-std::vector<std::string> split(std::istream& in) {
+constexpr size_t most_words = 1000000;
+
+std::vector<std::string> split(const std::string& text) {
+    std::istringstream in(text);
     return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
 }
 
@@ -42,27 +45,30 @@ long to_int(const std::string& text, const std::string& where) {
     return value;
 }
 
-Words::Words(std::vector<std::string> words) : words_(std::move(words)) {}
+Words::Words(std::vector<std::string> words, std::string scene_file)
+    : words_(std::move(words)), scene_file_(std::move(scene_file)) {}
+
+std::vector<std::string> Words::expand(const std::string& word) const {
+    const std::string name = word.substr(1);
+    if (word[0] == '@') {
+        if (!scene_file_.empty()) require_ordinary_file(name, scene_file_);
+        return split(read_text_file(name));
+    }
+    if (!scene_file_.empty()) fail(scene_file_, "a scene's file may not ask for an environment variable");
+    const char* value = std::getenv(name.c_str());
+    if (!value) fail(word, "environment variable is not set");
+    return split(value);
+}
 
 bool Words::more() {
     while (at_ < words_.size()) {
         const std::string& word = words_[at_];
         if (word.size() < 2 || (word[0] != '@' && word[0] != '$')) return true;
         if (++expansions_ > 1000) fail(word, "expands without end");
-        std::vector<std::string> more_words;
-        if (word[0] == '@') {
-            std::ifstream file(word.substr(1));
-            if (!file) fail_system(word.substr(1), "cannot be read");
-            more_words = split(file);
-            if (file.bad()) fail_system(word.substr(1), "cannot be read");
-        } else {
-            const char* value = std::getenv(word.c_str() + 1);
-            if (!value) fail(word, "environment variable is not set");
-            std::istringstream text(value);
-            more_words = split(text);
-        }
+        const std::vector<std::string> more_words = expand(word);
         words_.erase(words_.begin() + long(at_));
         words_.insert(words_.begin() + long(at_), more_words.begin(), more_words.end());
+        if (words_.size() > most_words) fail("", "more than a million words of options");
     }
     return false;
 }

@@ -16,7 +16,9 @@ namespace base {
 
 class Words {
 public:
-    explicit Words(std::vector<std::string> words);
+    // scene_file: where the words stand if a scene says them, not the user.  They see no environment, and an @file of
+    // theirs must be an ordinary file.
+    explicit Words(std::vector<std::string> words, std::string scene_file = "");
 
     // True if a word is left; expands @file and $VAR first: call it at option positions only.
     bool more();
@@ -41,7 +43,9 @@ public:
     void skip(size_t n) { at_ += n; }
 
 private:
+    std::vector<std::string> expand(const std::string& word) const;
     std::vector<std::string> words_;
+    std::string scene_file_;
     size_t at_ = 0;
     int expansions_ = 0;
 };

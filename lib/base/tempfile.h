@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file that appears whole or not at all: write to path(), then keep() renames it to the target.
+// A file that appears whole or not at all: write to it, then keep() renames it to the target.
 // Without keep(), or at SIGINT/SIGTERM under base::run(), it is removed.
+// The temporary stands beside the target under a name nobody can guess, and is made new: a file or link that is there
+// already is never written to.  It takes the permissions of the file it replaces.
 // A target that exists and is no regular file (/dev/null, a FIFO) is written directly.
 #pragma once
+#include <cstddef>
 #include <string>
 
 namespace base {
@@ -14,13 +17,18 @@ public:
     TempFile(const TempFile&) = delete;
     TempFile& operator=(const TempFile&) = delete;
     const std::string& path() const { return path_; }
-    void keep();  // throws Error (system) if the rename fails
+    void write(const void* data, size_t bytes);  // throws Error (system), also where the file gets too large
+    void keep();                                 // throws Error (system) if closing or renaming fails
 
 private:
-    void name_temp(const std::string& target);
+    void create(unsigned permissions);
+    void remember();
     std::string target_, path_;
-    int slot_ = -1;
+    int fd_ = -1, slot_ = -1;
     bool kept_ = false, direct_ = false;
 };
+
+// For a signal handler: unlinks every temporary file that is not kept yet.
+void remove_temp_files();
 
 }  // namespace base

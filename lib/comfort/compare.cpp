@@ -46,8 +46,9 @@ public:
     explicit Reader(const std::string& path) : in_(path) { table_.name = path; }
     std::optional<NumberTable> read() {
         std::string line;
-        for (long n = 1; std::getline(in_, line); ++n) {
+        for (long n = 1; next_line(line); ++n) {
             place_ = table_.name + ":" + std::to_string(n);
+            if (n > most_lines) base::fail(place_, "a table of more than ten million lines");
             if (line.compare(0, 2, "#?") == 0 || line.find('\0') != std::string::npos) return std::nullopt;
             if (!line.empty() && line[0] != '#') take(line);
         }
@@ -56,6 +57,18 @@ public:
     }
 
 private:
+    static constexpr size_t longest_line = 1 << 20;
+    static constexpr long most_lines = 10000000;
+
+    // As std::getline, but of a file without end (/dev/zero) it takes no more than a line may have.
+    bool next_line(std::string& line) {
+        line.clear();
+        for (int c; (c = in_.get()) != EOF && c != '\n';) {
+            line += char(c);
+            if (line.size() > longest_line) base::fail(table_.name, "holds a line of more than a million characters");
+        }
+        return !line.empty() || in_.good();
+    }
     void take(const std::string& line) {
         if (line[0] == '{') return json(line);
         const size_t colon = line.find(": ");

@@ -2,14 +2,15 @@
 #include "comfort/table.h"
 #include <cmath>
 #include <cstdio>
+#include "base/printable.h"
 
 namespace comfort {
 namespace {
 
 std::string quoted_csv(const std::string& s) {
-    if (s.find_first_of(",\"\n") == std::string::npos) return s;
+    if (s.find_first_of(",\"\n") == std::string::npos) return base::printable(s);
     std::string out = "\"";
-    for (char c : s) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (char c : base::printable(s)) out += c == '"' ? std::string("\"\"") : std::string(1, c);
     return out + "\"";
 }
 
@@ -18,7 +19,7 @@ std::string quoted_json(const std::string& s) {
     char code[8];
     for (unsigned char c : s) {
         if (c == '"' || c == '\\') { out += '\\'; out += char(c); }
-        else if (c < 0x20) { std::snprintf(code, sizeof code, "\\u%04x", c); out += code; }
+        else if (c < 0x20 || c == 0x7f) { std::snprintf(code, sizeof code, "\\u%04x", c); out += code; }
         else out += char(c);
     }
     return out + "\"";
@@ -27,7 +28,7 @@ std::string quoted_json(const std::string& s) {
 std::string plain_tsv(std::string s) {
     for (char& c : s)
         if (c == '\t' || c == '\n') c = ' ';
-    return s;
+    return base::printable(s);
 }
 
 }  // namespace

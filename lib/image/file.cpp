@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole files, their format chosen by the ending of their name.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <cstdio>
 
 #include "base/error.h"
 #include "base/tempfile.h"
@@ -23,21 +26,20 @@ std::string ending_of(const std::string& path) {
 
 void require_writable_ending(const std::string& path) {
     const std::string e = ending_of(path);
-    for (const char* known : {".hdr", ".pic", ".exr", ".png"})
-        if (e == known) return;
-    base::fail(path, "the ending of the name must be .hdr, .pic, .exr or .png");
+    const auto known = {".hdr", ".pic", ".exr", ".png"};
+    if (std::find(known.begin(), known.end(), e) == known.end())
+        base::fail(path, "the ending of the name must be .hdr, .pic, .exr or .png");
+    struct stat there = {};
+    if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode)) return;  // a FIFO is written where it is
+    const size_t slash = path.rfind('/');
+    const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+    errno = 0;
+    if (access(folder.c_str(), W_OK | X_OK) != 0) base::fail_system(path, "cannot be written");
 }
 
 void write_bytes(const std::string& path, const std::string& bytes) {
     base::TempFile temp(path);
-    errno = 0;
-    std::FILE* file = std::fopen(temp.path().c_str(), "wb");
-    if (!file) base::fail_system(path, "cannot be written");
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
-    const int code = errno;
-    const bool closed = std::fclose(file) == 0;
-    if (!written) errno = code;
-    if (!written || !closed) base::fail_system(path, "cannot be written");
+    temp.write(bytes.data(), bytes.size());
     temp.keep();
 }
 

@@ -71,6 +71,13 @@ Int integer(const std::string& line, const std::string& text, const std::string&
     return value;
 }
 
+// Frames are counted in 32 bits (man/luxpipe-stream.5); sums of them fit 64 then.
+int64_t frame_number(const std::string& line, const std::string& text, const std::string& where) {
+    const auto value = integer<int64_t>(line, text, where);
+    if (value > 0xfffffffe) base::fail(where, "header line \"" + line + "\": frames end at 4294967294");
+    return value;
+}
+
 int side(const std::string& line, const std::string& text, const std::string& where) {
     const int64_t value = integer<int64_t>(line, text, where);
     if (value < 1 || value > 1 << 20) base::fail(where, "header line \"" + line + "\" is out of range");
@@ -80,8 +87,8 @@ int side(const std::string& line, const std::string& text, const std::string& wh
 std::pair<int64_t, int64_t> range(const std::string& line, const std::string& text, const std::string& where) {
     const size_t colon = text.find(':');
     if (colon == std::string::npos) base::fail(where, "header line \"" + line + "\" is not RANGE=first:last");
-    const auto first = integer<int64_t>(line, text.substr(0, colon), where);
-    const auto last = integer<int64_t>(line, text.substr(colon + 1), where);
+    const int64_t first = frame_number(line, text.substr(0, colon), where);
+    const int64_t last = frame_number(line, text.substr(colon + 1), where);
     if (last < first) base::fail(where, "header line \"" + line + "\" ends before it begins");
     return {first, last};
 }
@@ -199,7 +206,7 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         if (h.seed) h.other_seeds.push_back({seed, {}});
         else h.seed = seed;
     } else if (auto t = value_of(line, "FRAME=")) {
-        h.frame = integer<int64_t>(line, *t, where);
+        h.frame = frame_number(line, *t, where);
     } else if (auto t = value_of(line, "FRAMES=")) {
         h.frames = integer<int64_t>(line, *t, where);
     } else if (auto t = value_of(line, "LASTFRAME=")) {

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/stop.h"
 
@@ -44,15 +45,10 @@ Input::~Input() {
 
 size_t Input::read_some(void* data, size_t bytes) {
     if (end_) return 0;
-    for (;;) {
-        const ssize_t n = ::read(fd_, data, bytes);
-        if (n > 0) return size_t(n);
-        if (n == 0) {
-            end_ = true;
-            return 0;
-        }
-        if (errno != EINTR) base::fail_system(name_, "cannot be read");
-    }
+    const ssize_t n = base::read_some(fd_, data, bytes);
+    if (n < 0) base::fail_system(name_, "cannot be read");
+    end_ = n == 0;
+    return size_t(n);
 }
 
 bool Input::fill() {

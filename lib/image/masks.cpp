@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/threads.h"
 #include "image/exr_file.h"
 
 namespace image {
@@ -61,6 +62,12 @@ MaskSet read_masks(const std::string& path) {
     return set;
 }
 
+// OpenEXR's own; it does not survive a thread that cannot be started.
+static void start_threads() {
+    const unsigned threads = base::threads_to_be_had(std::thread::hardware_concurrency());
+    if (threads > 1) Imf::setGlobalThreadCount(int(threads));
+}
+
 void write_masks(const std::string& path, const MaskSet& set) {
     std::string order;
     std::vector<ExrChannel> channels;
@@ -75,7 +82,7 @@ void write_masks(const std::string& path, const MaskSet& set) {
     if (channels.empty()) base::fail(path, "no regions to write");
     ExrOptions options;
     options.compression = "rle";  // masks are runs of 0 and 1: ten times faster than zip and hardly larger
-    if (channels.size() > 8 && Imf::globalThreadCount() == 0) Imf::setGlobalThreadCount(int(std::thread::hardware_concurrency()));
+    if (channels.size() > 8 && Imf::globalThreadCount() == 0) start_threads();
     write_exr_channels(path, set.width, set.height, channels, set.header, {{order_attribute, order}}, options);
 }
 

@@ -13,6 +13,7 @@
 #include <unistd.h>
 #include <fmt/format.h>
 #include "base/error.h"
+#include "base/threads.h"
 #include "region/arcs.h"
 #include "region/picture.h"
 
@@ -60,10 +61,7 @@ void for_all(size_t count, const std::function<void(size_t)>& work) {
         }
     };
     size_t n = std::min<size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
-    std::vector<std::thread> threads;
-    for (size_t t = 1; t < n; ++t) threads.emplace_back(loop);
-    loop();
-    for (std::thread& t : threads) t.join();
+    base::on_threads(unsigned(n), loop);
     if (trouble) std::rethrow_exception(trouble);
 }
 

@@ -9,13 +9,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <sstream>
 
 #include "base/error.h"
 #include "base/radopts.h"
+#include "base/text_file.h"
 
 namespace scene {
 namespace {
@@ -98,8 +98,7 @@ void assign(const std::string& line, const std::string& place, Values& values) {
 }
 
 Values read_values(const std::string& path, const std::vector<std::string>& more) {
-    std::ifstream in(path);
-    if (!in) base::fail_system(path, "cannot be read");
+    std::istringstream in(base::read_text_file(path));
     Values values;
     std::string line;
     int number = 1, first = 1;
@@ -118,7 +117,6 @@ Values read_values(const std::string& path, const std::vector<std::string>& more
             line += char(c);
         }
     }
-    if (in.bad()) base::fail_system(path, "cannot be read");
     assign(line, path + ":" + std::to_string(first), values);
     for (const std::string& text : more) assign(text, text, values);
     return values;

@@ -2,12 +2,10 @@
 // read_scene(): statements of scene text, and the "!commands" between them.  A command is a pipe of stages; xform
 // stages act on what comes out of the stage before them, generators write text, anything else needs -exec.
 #include <algorithm>
-#include <cstdio>
 #include <memory>
-#include <sys/wait.h>
-#include <unistd.h>
 #include "base/error.h"
 #include "base/number.h"
+#include "base/shell.h"
 #include "scene/builder.h"
 #include "scene/generators.h"
 #include "scene/octree.h"
@@ -22,15 +20,17 @@ namespace {
 
 constexpr size_t text_limit = size_t(1) << 30;         // of one command's output
 constexpr size_t definitions_limit = size_t(1) << 26;  // of an xform -f file
+constexpr uint64_t bytes_a_step = 1000, opened_file = 10, copy = 10;  // of base::Work
 
 class Reader {
 public:
     Reader(Scene& scene, const ReadOptions& options, const Limits& limits)
-        : scene_(scene), options_(options), limits_(limits), builder_(scene, limits) {}
+        : scene_(scene), options_(options), limits_(limits), work_(*options.work), builder_(scene, limits) {}
     void read_file(const std::string& path, const std::string& asked_by);
     void read_command(const std::string& text, const std::string& name, uint32_t line);  // "!..." as in a scene file
 
 private:
+    void content(Source& in, const std::string& path);
     void statements(Source& in);
     void octree(Source& in);
     void mesh(const Source& in, const std::string& path);
@@ -45,6 +45,7 @@ private:
     Scene& scene_;
     const ReadOptions& options_;
     const Limits& limits_;
+    base::Work& work_;
     Builder builder_;
     Primitive primitive_;
     std::vector<const Transform*> transforms_;         // innermost last
@@ -76,20 +77,18 @@ void Reader::read_file(const std::string& path, const std::string& asked_by) {
             if (other == id) base::fail(asked_by, "\"" + printable(path) + "\" includes itself");
         open_.push_back(id);
     }
-    if (in.header_format() == "Radiance_octree") {
-        octree(in);
-        if (in.inode) open_.pop_back();
-        return;
-    }
-    if (is_mesh(in)) {
-        mesh(in, path);
-        if (in.inode) open_.pop_back();
-        return;
-    }
+    work_.spend(opened_file, asked_by.empty() ? path : asked_by);
+    content(in, path);
+    work_.spend(in.bytes() / bytes_a_step, in.name());
+    if (in.inode) open_.pop_back();
+}
+
+void Reader::content(Source& in, const std::string& path) {
+    if (in.header_format() == "Radiance_octree") return octree(in);
+    if (is_mesh(in)) return mesh(in, path);
     in.skip_space();
     if (in.peek() < 0) base::warn(in.name(), "an empty scene file");
     statements(in);
-    if (in.inode) open_.pop_back();
 }
 
 void Reader::statements(Source& in) {
@@ -120,7 +119,7 @@ void Reader::octree(Source& in) {
     Binary b(in);
     const Octree head = read_octree(b);
     if (head.files.empty()) {
-        read_objects(b, head.index_size, head.objects, builder_);
+        work_.spend(read_objects(b, head.index_size, head.objects, builder_).size(), in.name());
         return;
     }
     const uint64_t before = primitives_;
@@ -203,6 +202,7 @@ void Reader::primitive(Source& in) {
     if (!is_surface(p.type) && (p.name == "void" || p.name == "inherit"))
         base::fail(builder_.place(p), "a modifier cannot be named \"" + p.name + "\"");
     for (size_t i = transforms_.size(); i-- > 0;) apply(*transforms_[i], p);
+    if (!work_.spend(1)) work_.fail(builder_.place(p));
     builder_.add(p);
     primitives_++;
 }
@@ -236,9 +236,11 @@ void Reader::run(const CommandLine& line, const std::string& text, size_t stage,
                 Source s = Source::from_file(path, from.place());
                 std::string all;
                 for (int c; (c = s.get()) >= 0 && all.size() < definitions_limit;) all += static_cast<char>(c);
+                work_.spend(opened_file + all.size() / bytes_a_step, from.place());
                 return all;
             },
             [&](const Transform& t) {
+                work_.spend(copy, from.place());
                 transforms_.push_back(&t);
                 if (x.files.empty()) run(line, text, stage - 1, from);
                 for (const std::string& file : x.files) read_included(file, from);
@@ -266,6 +268,7 @@ void Reader::run(const CommandLine& line, const std::string& text, size_t stage,
 }
 
 void Reader::read_text(const std::string& text, const Source& from) {
+    work_.spend(opened_file + text.size() / bytes_a_step, from.place());
     Source in = Source::from_text(text, from.name(), from.line());
     statements(in);
 }
@@ -276,18 +279,11 @@ void Reader::read_included(const std::string& name, const Source& from) {
 }
 
 std::string Reader::run_shell(const std::string& text, const std::string& place) const {
-    FILE* pipe = popen(text.c_str(), "r");
-    if (!pipe) base::fail_system(place, "cannot run \"" + printable(text) + "\"");
-    std::string out;
-    char buffer[1 << 16];
-    size_t n;
-    while ((n = fread(buffer, 1, sizeof buffer, pipe)) > 0 && out.size() < text_limit) out.append(buffer, n);
-    const int status = pclose(pipe);
-    if (out.size() >= text_limit) base::fail(place, "\"" + printable(text) + "\" writes more than 1 GB");
-    if (status != 0)
-        base::warn(place, "\"" + printable(text) + "\" ended with status " +
-                              std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)));
-    return out;
+    base::ShellOutput out = base::run_shell(text, text_limit, place);
+    if (out.too_long) base::fail(place, "\"" + printable(text) + "\" writes more than 1 GB");
+    if (out.status != 0)
+        base::warn(place, "\"" + printable(text) + "\" ended with status " + std::to_string(out.status));
+    return std::move(out.text);
 }
 
 }  // namespace

@@ -6,7 +6,10 @@
 #include <unistd.h>
 #include <cerrno>
 #include <utility>
+#include "base/descriptor.h"
 #include "base/error.h"
+#include "base/printable.h"
+#include "base/text_file.h"
 
 namespace scene {
 
@@ -16,9 +19,7 @@ inline bool space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 }  // namespace
 
 std::string printable(std::string_view text) {
-    std::string s;
-    for (char c : text.substr(0, 60)) s += static_cast<unsigned char>(c) < ' ' || c == 127 ? '?' : c;
-    return text.size() > 60 ? s + "..." : s;
+    return base::printable(text, 60);
 }
 
 std::string beside(const std::string& name, const std::string& asker) {
@@ -29,6 +30,7 @@ std::string beside(const std::string& name, const std::string& asker) {
 }
 
 Source Source::from_file(const std::string& path, const std::string& asked_by) {
+    if (!asked_by.empty()) base::require_ordinary_file(path, asked_by);
     Source s;
     s.name_ = path == "-" ? "stdin" : path;
     s.close_ = path != "-";
@@ -63,6 +65,7 @@ Source::Source(Source&& o) noexcept
       buffer_(std::move(o.buffer_)),
       at_(o.at_),
       end_(o.end_),
+      bytes_(o.bytes_),
       name_(std::move(o.name_)),
       line_(o.line_) {}
 
@@ -76,14 +79,14 @@ bool Source::refill() {
     buffer_.resize(1 << 16);
     size_t have = 0;
     while (have < buffer_.size()) {
-        const ssize_t n = read(fd_, buffer_.data() + have, buffer_.size() - have);
-        if (n < 0 && errno == EINTR) continue;
+        const ssize_t n = base::read_some(fd_, buffer_.data() + have, buffer_.size() - have);
         if (n < 0) base::fail_system(name_, "read error");
         if (n == 0) break;
         have += static_cast<size_t>(n);
     }
     at_ = buffer_.data();
     end_ = at_ + have;
+    bytes_ += have;
     return have > 0;
 }
 

@@ -35,6 +35,7 @@ public:
 
     const std::string& name() const { return name_; }
     uint32_t line() const { return line_; }
+    uint64_t bytes() const { return bytes_; }  // of the file, read so far
     std::string place() const;
     uint64_t device = 0, inode = 0;  // of a file, to recognise one that includes itself
 
@@ -45,6 +46,7 @@ private:
     bool close_ = false, counting_ = true;
     std::vector<char> buffer_;
     const char *at_ = nullptr, *end_ = nullptr;
+    uint64_t bytes_ = 0;
     std::string name_;
     uint32_t line_ = 1;
     std::string word_;

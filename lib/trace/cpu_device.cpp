@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "base/threads.h"
 #include "trace/build_input.h"
 #include "trace/cpu_kernels.h"
 #include "trace/device.h"
@@ -97,10 +98,7 @@ private:
                 if (!error) error = std::current_exception();
             }
         };
-        std::vector<std::thread> pool;
-        for (unsigned i = 1; i < threads_ && uint64_t(i) * TILE < slots; i++) pool.emplace_back(worker);
-        worker();
-        for (auto& t : pool) t.join();
+        base::on_threads(std::min(threads_, (slots + TILE - 1) / TILE), worker);
         if (error) std::rethrow_exception(error);
     }
 

@@ -35,7 +35,8 @@ public:
 std::unique_ptr<Device> make_cpu_device(const std::string& name);
 // name: "opencl[:index][:bvh2|bvh8]", index among all OpenCL devices, GPUs first.  Throws Error (system) without any.
 std::unique_ptr<Device> make_opencl_device(const std::string& name);
-// "0: NVIDIA H200 (GPU, NVIDIA CUDA)" each; empty without an OpenCL platform.
+// "opencl:0 NVIDIA H200 (GPU, NVIDIA CUDA)" each; empty without an OpenCL platform.  Both ask in a child process, which
+// a failing driver may end; it costs a warning.
 std::vector<std::string> opencl_devices();
 bool opencl_has_gpu();
 

@@ -7,16 +7,23 @@
 #include <embree3/rtcore.h>
 #endif
 #include <memory>
+#include <new>
 #include <string>
+#include <thread>
 #include "base/error.h"
+#include "base/threads.h"
 
 namespace trace {
 
 // An Embree device that turns Embree's errors into ours: call check() after builds.
 class EmbreeDevice {
 public:
-    EmbreeDevice() : device_(rtcNewDevice(nullptr)) {
-        if (!device_) throw base::Error(base::Kind::system, "Embree", "no device");
+    EmbreeDevice() : device_(rtcNewDevice(threads().c_str())) {
+        const RTCError why = device_ ? RTC_ERROR_NONE : rtcGetDeviceError(nullptr);
+        if (why == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+        if (why == RTC_ERROR_UNSUPPORTED_CPU)
+            throw base::Error(base::Kind::system, "Embree", "does not know this processor");
+        if (!device_) throw base::Error(base::Kind::system, "Embree", "does not start");
         rtcSetDeviceErrorFunction(device_, [](void* self, RTCError, const char* text) {
             static_cast<EmbreeDevice*>(self)->error_ = text && *text ? text : "unknown error";
         }, this);
@@ -29,6 +36,11 @@ public:
         if (!error_.empty()) throw base::Error(base::Kind::system, "Embree", error_);
     }
 private:
+    // Embree ends the program where a thread cannot be started; so it is asked for no more than there can be.
+    static std::string threads() {
+        const unsigned wanted = std::thread::hardware_concurrency(), there = base::threads_to_be_had(wanted);
+        return there < wanted ? "threads=" + std::to_string(there) : "";
+    }
     RTCDevice device_;
     std::string error_;
 };

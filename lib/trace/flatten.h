@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parts of flatten(): modifiers, geometry, instances, sources.  Each fills its tables of one FlatScene.
 #pragma once
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <string>
@@ -93,6 +94,11 @@ void flatten_surfaces(Flattener& f, const scene::Scene& scene, base::Vec3 centre
 
 struct Box { base::Vec3 lo{1e30, 1e30, 1e30}, hi{-1e30, -1e30, -1e30}; };
 void grow(Box& box, base::Vec3 p);
+// Coordinates are floats in the end, and are squared: beyond this nothing can be said of a surface.
+constexpr double farthest = 1e18;
+inline bool within_reach(base::Vec3 p) {
+    return std::fabs(p.x) < farthest && std::fabs(p.y) < farthest && std::fabs(p.z) < farthest;  // false for NaN
+}
 Box surface_bounds(const scene::Scene& scene);
 // Origin of tables: single precision would spoil positions far from it.
 base::Vec3 centre_of(const Box& box);

@@ -238,6 +238,7 @@ Box surface_bounds(const scene::Scene& s) {
                              : o.type == Type::ring ? std::max(r[6], r[7]) : std::fabs(r[3]);
         for (size_t i = 0; i < points && 3 * i + 2 < r.size(); i++) {
             const Vec3 p = vec_at(r, 3 * i), d{round, round, round};
+            if (!within_reach(p) || !(round < farthest)) base::fail(s.place(o), "a coordinate is beyond 1e18");
             grow(box, p - d);
             grow(box, p + d);
         }

@@ -3,7 +3,6 @@
 #include "trace/instances.h"
 
 #include <cmath>
-#include <fmt/core.h>
 
 #include "base/error.h"
 
@@ -14,7 +13,7 @@ using base::Vec3;
 using base::Xform;
 using scene::Type;
 
-constexpr size_t MOST = 10000000;          // places; each takes 128 bytes and a share of the tree above them
+constexpr uint64_t PLACE = 10;  // steps of base::Work: a place takes 128 bytes and a share of the tree above it
 
 bool is_obj(const scene::Mesh& mesh) { return !mesh.material_names.empty(); }
 
@@ -89,8 +88,6 @@ uint32_t Instances::tree_of(const scene::Scene* scene, const scene::Mesh* mesh, 
 
 void Instances::add(uint32_t tree, const Xform& to_world, const Replacement* replaced, uint32_t object) {
     if (tree == NONE) return;
-    if (places_.size() >= MOST)
-        base::fail(top_.scene.place(top_.scene.objects[object]), fmt::format("more than {} instances, counting those inside instances", MOST));
     Place p{tree, to_world, to_world, NONE, 0, object};
     if (replaced) {
         p.frame = replaced->frame;
@@ -106,9 +103,12 @@ void Instances::place() { place_all(top_.scene, &top_, Xform(), nullptr, NONE); 
 // names: null where the modifiers are replaced.  object: the primitive of the top scene all this belongs to, NONE there.
 void Instances::place_all(const scene::Scene& scene, Flattener* names, const Xform& to_world, const Replacement* replaced,
                           uint32_t object) {
+    if (object != NONE && !top_.files.work->spend(1 + scene.objects.size() / 64))
+        top_.files.work->fail(top_.scene.place(top_.scene.objects[object]));
     for (const scene::Object& o : scene.objects) {
         if (o.type != Type::mesh && o.type != Type::instance) continue;
         const uint32_t owner = object == NONE ? uint32_t(&o - scene.objects.data()) : object;
+        if (!top_.files.work->spend(PLACE)) top_.files.work->fail(top_.scene.place(top_.scene.objects[owner]));
         const Xform x = base::multiply(scene::Assets::transform(scene, o), to_world);
         Replacement own{NONE, false, to_world};
         const Replacement* now = replaced;
@@ -142,8 +142,13 @@ void Instances::flatten_geometry() {
     Box box = surface_bounds(top_.scene);
     for (const Place& p : places_) {
         const Box& b = trees_[p.tree - 1].box;
-        for (int k = 0; k < 8; k++)
-            grow(box, base::point(p.to_world, {k & 1 ? b.hi.x : b.lo.x, k & 2 ? b.hi.y : b.lo.y, k & 4 ? b.hi.z : b.lo.z}));
+        for (int k = 0; k < 8; k++) {
+            const Vec3 inside = {k & 1 ? b.hi.x : b.lo.x, k & 2 ? b.hi.y : b.lo.y, k & 4 ? b.hi.z : b.lo.z};
+            const Vec3 corner = base::point(p.to_world, inside);
+            const scene::Object& shown = top_.scene.objects[p.object];
+            if (!within_reach(corner)) base::fail(top_.scene.place(shown), "a coordinate of its instance is beyond 1e18");
+            grow(box, corner);
+        }
     }
     out_.centre = centre_of(box);
     const auto tree = [&](auto&& fill) {

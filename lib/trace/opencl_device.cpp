@@ -10,10 +10,13 @@
 #include <algorithm>
 #include <cstring>
 #include <fmt/core.h>
+#include <sstream>
 
 #include "base/error.h"
 #include "trace/build_input.h"
+#include "trace/child.h"
 #include "trace/device.h"
+#include "trace/kernel_cache.h"
 
 namespace trace {
 extern const char* const kernel_source;
@@ -25,6 +28,7 @@ constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers speci
 struct Entry { cl::Platform platform; cl::Device device; bool gpu; };
 
 std::vector<Entry> all_devices() {
+    choose_kernel_cache();
     std::vector<Entry> out;
     std::vector<cl::Platform> platforms;
     try { cl::Platform::get(&platforms); } catch (const cl::Error&) { return out; }
@@ -230,6 +234,8 @@ private:
 }  // namespace
 
 std::unique_ptr<Device> make_opencl_device(const std::string& name) {
+    if (!choose_kernel_cache())
+        base::warn("OpenCL", "no folder of yours to keep compiled kernels: compiled anew each time");
     const auto devices = all_devices();
     if (devices.empty()) base::fail_system("-device " + name, "no OpenCL platform or device on this machine");
     size_t index = 0;
@@ -252,15 +258,26 @@ std::unique_ptr<Device> make_opencl_device(const std::string& name) {
 }
 
 std::vector<std::string> opencl_devices() {
+    const auto text = ask_in_child([] {
+        std::string lines;
+        const auto devices = all_devices();
+        for (size_t i = 0; i < devices.size(); i++) lines += fmt::format("opencl:{} {}\n", i, describe(devices[i]));
+        return lines;
+    });
+    if (!text) base::warn("OpenCL", "a driver fails when it is asked for its devices: left out");
     std::vector<std::string> out;
-    const auto devices = all_devices();
-    for (size_t i = 0; i < devices.size(); i++) out.push_back(fmt::format("opencl:{} {}", i, describe(devices[i])));
+    std::istringstream lines(text.value_or(""));
+    for (std::string line; std::getline(lines, line);) out.push_back(line);
     return out;
 }
 
 bool opencl_has_gpu() {
-    const auto d = all_devices();
-    return !d.empty() && d[0].gpu;
+    const auto text = ask_in_child([] {
+        const auto devices = all_devices();
+        return std::string(!devices.empty() && devices[0].gpu ? "gpu" : "");
+    });
+    if (!text) base::warn("OpenCL", "a driver fails when it is asked for its devices: left out");
+    return text == "gpu";
 }
 
 }  // namespace trace

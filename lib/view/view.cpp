@@ -18,6 +18,7 @@ namespace {
 
 constexpr double tiny = 1e-6;
 constexpr double rad = M_PI / 180;
+constexpr size_t most_bytes = size_t(64) << 20;  // that are searched for a view: a file may have no end
 
 // words[at] is the option; its arguments follow.
 double argument(const std::vector<std::string>& words, size_t at, size_t i) {
@@ -99,7 +100,12 @@ void apply_view_file(View& v, const std::string& path) {
     bool any = false;
     std::string line;
     line.reserve(256);
+    size_t bytes = 0;
     for (char c; in.get(c);) {
+        if (++bytes > most_bytes) {
+            line.clear();
+            break;
+        }
         if (c != '\n') {
             if (line.size() >= 1 << 16) base::fail(path, "is no view file: a line is longer than 65536 characters");
             line += c;

@@ -5,14 +5,17 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 #include "base/cli.h"
 #include "base/error.h"
+#include "base/printable.h"
 #include "base/radopts.h"
 #include "base/run.h"
 #include "base/tempfile.h"
 #include "base/warnings.h"
+#include "base/work.h"
 #include "temp_folder.h"
 
 TEST_CASE("words: counted, typed arguments") {
@@ -129,6 +132,52 @@ TEST_CASE("a file appears whole or not at all") {
     CHECK(text == "whole");
     std::remove(path.c_str());
     CHECK(base::TempFile("/dev/null").path() == "/dev/null");  // never renamed over
+}
+
+TEST_CASE("a temporary file is new, and takes the permissions of what it replaces") {
+    namespace fs = std::filesystem;
+    TempFolder folder;
+    const std::string path = folder.name("file");
+    std::ofstream(path) << "old";
+    for (const auto wanted : {fs::perms(0600), fs::perms(0640), fs::perms(0444)}) {
+        fs::permissions(path, wanted);
+        base::TempFile temp(path);
+        temp.write("new", 3);
+        const std::string name = fs::path(temp.path()).filename().string();
+        CHECK(name.size() == std::string(".luxpipe-.tmp").size() + 24);
+        CHECK(base::TempFile(path).path() != temp.path());
+        temp.keep();
+        CHECK(fs::status(path).permissions() == wanted);
+    }
+}
+
+TEST_CASE("text for a terminal: nothing that steers it") {
+    const std::string plain = "plain B\xc3\xbcro \xe2\x82\xac \xf0\x9f\x98\x80";
+    CHECK(base::printable(plain) == plain);
+    CHECK(base::printable("\033]0;x\007\r\n\t\177") == "?]0;x?????");
+    CHECK(base::printable("\xc2\x9b" "31m") == "??31m");          // U+009B begins a sequence, too
+    CHECK(base::printable("\x9b\xff\xc3") == "???");              // no UTF-8
+    CHECK(base::printable("\xed\xa0\x80 \xe0\x80\xaf") == "??? ???");  // surrogates, overlong
+    CHECK(base::printable("12345", 3) == "123...");
+}
+
+TEST_CASE("words of a scene see no environment") {
+    setenv("LUX_TEST_WORDS", "-dj 1", 1);
+    base::Words w({"$LUX_TEST_WORDS"}, "room.rif");
+    CHECK_THROWS_WITH_AS(w.more(), "room.rif: a scene's file may not ask for an environment variable", base::Error);
+    base::Words device({"@/dev/null"}, "room.rif");
+    CHECK_THROWS_WITH_AS(device.more(), "room.rif: \"/dev/null\" is no ordinary file", base::Error);
+}
+
+TEST_CASE("work: one budget, spent once") {
+    base::Work work(10);
+    work.spend(4, "a");
+    CHECK(work.spend(6));
+    CHECK_FALSE(work.spend(1));
+    base::Work other(10);
+    CHECK_FALSE(other.spend(11));
+    CHECK_FALSE(other.spend(1));  // and nothing is left of what did not do
+    CHECK_THROWS_AS(other.fail("room.rad:1"), base::Error);
 }
 
 TEST_CASE("exit statuses") {

@@ -2,10 +2,12 @@
 // See options.h.  One table holds every option once: its arguments, its line of help and where its value goes.
 #include "options.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
-#include <cstdio>
+#include <cerrno>
 #include <functional>
 #include <limits>
 #include <variant>
@@ -14,8 +16,11 @@
 #include "base/find_file.h"
 #include "base/radopts.h"
 #include "base/run.h"
+#include "base/text_file.h"
 #include "base/warnings.h"
+#include "image/stream.h"
 #include "scene/rad_input.h"
+#include "scene_options.h"
 #include "trace/progressive.h"
 
 namespace {
@@ -42,6 +47,14 @@ const Unneeded unneeded[] = {
     {"-aE", 1}, {"-am", 1}, {"-ap", -1}, {"-dt", 1}, {"-dc", 1}, {"-ps", 1}, {"-pt", 1}, {"-pm", 1}, {"-cs", 1},
     {"-cw", 2}, {"-pRGB", 0}, {"-S", 1}, {"-P", 1}, {"-PP", 1}, {"-r", 1}, {"-ro", 1}, {"-z", 1}, {"-n", 1},
 };
+
+// Opened before stderr is given up, so that a failure is still told there.
+void send_messages_to(const std::string& path) {
+    errno = 0;
+    const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (fd < 0 || dup2(fd, 2) < 0) base::fail_system(path, "cannot be written");
+    close(fd);
+}
 
 void read_frames(const std::string& text, Options& opt) {
     const size_t colon = text.find(':');
@@ -102,14 +115,15 @@ std::vector<Row> table(Options& opt) {
              read_frames(w.next_string("-frames"), opt); })},
         {"-seed", "n", "seed of the random numbers", &r.seed},
         {"-device", "name", "auto, cpu, cpu:embree, opencl or opencl:N", &opt.device},
-        {"-o", "pattern", "frames to files such as f%04d.hdr", &opt.output},
+        {"-o", "pattern", "frames to files such as f%04d.hdr", Reader([&](Words& w) {
+             opt.output = w.next_string("-o");
+             if (opt.output.empty()) base::fail("-o", "the name is empty"); })},
         {"-exec", "", "let the scene run its !commands", Reader([&](Words&) { opt.files.exec = true; })},
         {"-rif", "file", "scene, options and views of a rad input file", {}},
         {"-t", "s", "report on stderr every s seconds", &opt.report_s},
         {"-w", "+-", "warnings", &opt.warnings},
         {"-e", "file", "messages to this file", Reader([](Words& w) {
-             const std::string path = w.next_string("-e");
-             if (!std::freopen(path.c_str(), "a", stderr)) base::fail_system(path, "cannot be written"); })},
+             send_messages_to(w.next_string("-e")); })},
         {"-defaults", "", "print the values in force", {}},
         {"-devices", "", "print the devices there are", {}},
         {"-version", "", "print the version", {}},
@@ -221,25 +235,37 @@ struct Reading {
 
 bool read_option(Words& words, Reading& reading);
 
-void read_all(const std::vector<std::string>& options, Reading& reading, const std::string& place) {
-    Words words(options);
-    while (words.more())
-        if (!read_option(words, reading)) base::fail(place, "\"" + words.peek() + "\" is no option of ptrace");
+// What the user says in an order of its own.
+void read_all(const std::vector<std::string>& options, Reading& reading) {
+    for (Words words(options); words.more();)
+        if (!read_option(words, reading)) base::fail(words.peek(), "no such option; ptrace -help lists them");
+}
+
+// What a scene's file says, which is less (scene_options.h).
+void read_from_scene(const std::vector<std::string>& options, Options& opt, const std::string& file) {
+    Reading quiet{opt, "", {}, {}};             // rad's own choices deserve no warning
+    for (Words words(options, file); words.more();) {
+        if (skip_callers_option(words)) continue;
+        require_scene_option(words.peek(), file);
+        if (words.peek() == "-vf" && words.at() + 1 < words.all().size())
+            base::require_ordinary_file(words.all()[words.at() + 1], file);
+        if (!read_option(words, quiet)) base::fail(file, "\"" + words.peek() + "\" is no option of ptrace");
+    }
 }
 
 void read_rif(const std::string& path, Reading& reading) {
-    Reading quiet{reading.opt, "", {}, {}};     // rad's own choices deserve no warning
     reading.rad_input = scene::read_rad_input(path);
-    read_all(reading.rad_input->options, quiet, path);
+    read_from_scene(reading.rad_input->options, reading.opt, path);
+    for (const std::string& file : reading.rad_input->scene_files) base::require_ordinary_file(file, path);
     reading.opt.exposure = reading.rad_input->exposure;
 }
 
 // The view of that name, then the view options given after -rif.
 void choose_view(const std::string& name, Reading& reading) {
-    Reading quiet{reading.opt, "", {}, {}};
+    Reading after{reading.opt, "", {}, {}};
     reading.opt.view = view::View();
-    read_all(scene::view_words(*reading.rad_input, name), quiet, reading.rad_input->path);
-    read_all(reading.view_after_rif, quiet, reading.rad_input->path);
+    read_from_scene(scene::view_words(*reading.rad_input, name), reading.opt, reading.rad_input->path);
+    read_all(reading.view_after_rif, after);
 }
 
 // One option at the cursor; false: no option of ours.
@@ -271,7 +297,7 @@ void check(const Options& opt) {
         if (opt.last == Options::endless) base::fail("-frames", "say how many frames; files have no end");
         if (opt.last > opt.first && output_name(opt.output, 0) == output_name(opt.output, 1))
             base::fail("-o", "\"" + opt.output + "\" needs a %d for the number of the frame");
-        output_name(opt.output, 0);
+        image::require_writable_ending(output_name(opt.output, opt.first));
         return;
     }
     struct stat info = {};
@@ -300,6 +326,7 @@ std::string output_name(const std::string& pattern, int64_t k) {
 
 std::optional<int> parse_options(int argc, char** argv, Options& opt) {
     opt.files.raypath = base::raypath_from_environment();
+    opt.files.work = base::work_from_environment();
     Words words({argv + 1, argv + argc});
     Reading reading{opt, "", {}, {}};
     std::vector<std::string> operands;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // See options.h.  One table holds every option once: its arguments, its line of help and what reads it.
 #include "options.h"
+#include <cstdlib>
 #include <functional>
 #include <fmt/core.h>
 #include <glob.h>
@@ -31,10 +32,17 @@ std::vector<std::string> split(const std::string& list) {
     return out;
 }
 
+// A column or row, possibly outside the picture.
+int pixel(Words& w, const char* name) {
+    const long n = w.next_int(name);
+    if (std::labs(n) > 1 << 20) base::fail(name, std::to_string(n) + " is no pixel of a picture");
+    return int(n);
+}
+
 comfort::Circle circle(Words& w, const char* name) {
     comfort::Circle c;
-    c.x = int(w.next_int(name));
-    c.y = int(w.next_int(name));
+    c.x = pixel(w, name);
+    c.y = pixel(w, name);
     c.opening = w.next_real(name);
     if (!(c.opening > 0)) base::fail(name, "the opening angle must be above 0");
     return c;
@@ -140,7 +148,13 @@ std::vector<Row> table(Options& o) {
         {"-C", "what", "low light correction: l+ on, l- or 0 off (default)", [&](Words& w) { correction(o, w.next_string("-C")); }},
         {"-i", "Ev", "external illuminance for DGP, lux", [&](Words& w) { s.external_ev = w.next_real("-i"); }},
         {"-I", "Ev ymax ymin", "the same, and fill rows from ymax up and from ymin down",
-         [&](Words& w) { s.external_ev = w.next_real("-I"); comfort::Fill f; f.y_max = int(w.next_int("-I")); f.y_min = int(w.next_int("-I")); s.fill = f; }},
+         [&](Words& w) {
+             s.external_ev = w.next_real("-I");
+             comfort::Fill f;
+             f.y_max = pixel(w, "-I");
+             f.y_min = pixel(w, "-I");
+             s.fill = f;
+         }},
         {"-k", "lum", "leave out terms of Lveil up to this", [&](Words& w) { s.veil_cut = w.next_real("-k"); }},
         {"-P", "model", "position index: 0 Guth (default), 1 KIM", [&](Words& w) { s.position = choice(w, "-P", 0, 1) ? comfort::PositionModel::kim : comfort::PositionModel::guth; }},
         {"-w", "a1 a2 a3 a4 a5 c1 c2 c3", "constants of DGP (see the page)", [&](Words& w) { weights(o, w); }},

@@ -129,6 +129,7 @@ void check(const Options& o) {
 
 std::optional<int> parse_options(int argc, char** argv, Options& o) {
     o.files.raypath = base::raypath_from_environment();
+    o.files.work = base::work_from_environment();
     Words words({argv + 1, argv + argc});
     while (words.more()) {
         if (!words.is_option()) {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See printable.h.
+#include "base/printable.h"
+
+namespace base {
+namespace {
+
+// Length of the UTF-8 character at the beginning; 0: it is none, or one that steers a terminal (U+0080 to U+009F).
+size_t character(std::string_view text) {
+    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char c = byte(0);
+    if (c < 0x80) return c >= ' ' && c != 127;
+    const size_t length = c >= 0xf0 && c < 0xf5 ? 4 : c >= 0xe0 && c < 0xf0 ? 3 : c >= 0xc2 && c < 0xe0 ? 2 : 0;
+    if (length == 0 || length > text.size()) return 0;
+    for (size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xc0) != 0x80) return 0;
+    const bool steers = c == 0xc2 && byte(1) < 0xa0;
+    const bool overlong = (c == 0xe0 && byte(1) < 0xa0) || (c == 0xf0 && byte(1) < 0x90);
+    const bool surrogate = c == 0xed && byte(1) >= 0xa0, beyond = c == 0xf4 && byte(1) >= 0x90;
+    return steers || overlong || surrogate || beyond ? 0 : length;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text, size_t longest) {
+    const bool cut = text.size() > longest;
+    if (cut) text = text.substr(0, longest);
+    std::string out;
+    while (!text.empty()) {
+        const size_t n = character(text);
+        if (n) out += text.substr(0, n);
+        else out += '?';
+        text.remove_prefix(n ? n : 1);
+    }
+    return cut ? out + "..." : out;
+}
+
+}  // namespace base

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small text files read whole: options, rad input files, tolerances.
+#pragma once
+#include <string>
+
+namespace base {
+
+// Throws Error if the file cannot be read, or is longer than `limit` bytes (/dev/zero has no end).
+std::string read_text_file(const std::string& path, size_t limit = size_t(1) << 20);
+
+// A file that a scene names must be an ordinary one: a FIFO or a device would hold us up for ever.  Throws Error (place
+// = who) for what is there and is none; what is not there is for whoever opens it to tell.
+void require_ordinary_file(const std::string& path, const std::string& who);
+
+}  // namespace base

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See threads.h.
+#include "base/threads.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace base {
+namespace {
+
+std::vector<std::thread> start(unsigned count, const std::function<void()>& body) {
+    std::vector<std::thread> threads;
+    threads.reserve(count);
+    try {
+        while (threads.size() < count) threads.emplace_back(body);
+    } catch (const std::system_error&) {
+        // fewer will do
+    }
+    return threads;
+}
+
+}  // namespace
+
+void on_threads(unsigned count, const std::function<void()>& body) {
+    std::vector<std::thread> threads = start(count > 0 ? count - 1 : 0, body);
+    body();
+    for (std::thread& t : threads) t.join();
+}
+
+unsigned threads_to_be_had(unsigned count) {
+    std::mutex lock;
+    std::condition_variable change;
+    bool done = false;
+    std::vector<std::thread> threads = start(count > 0 ? count - 1 : 0, [&] {
+        std::unique_lock<std::mutex> hold(lock);
+        change.wait(hold, [&] { return done; });
+    });
+    {
+        const std::lock_guard<std::mutex> hold(lock);
+        done = true;
+    }
+    change.notify_all();
+    for (std::thread& t : threads) t.join();
+    return unsigned(threads.size()) + 1;
+}
+
+}  // namespace base

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Work on several threads, on fewer where the system gives no more (a limit of processes, no memory for a stack).
+#pragma once
+#include <functional>
+
+namespace base {
+
+// Calls body on up to `count` threads at once, the caller's among them, and returns when all have ended.  A body takes
+// its share from a common counter, so that it does not matter how many there are; it must not throw.
+void on_threads(unsigned count, const std::function<void()>& body);
+
+// How many of `count` threads can be had at once, the caller's among them: for libraries that take it amiss otherwise.
+unsigned threads_to_be_had(unsigned count);
+
+}  // namespace base
