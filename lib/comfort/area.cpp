@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Means of a region's pixels, weighted by solid angle and coverage (area.h).
 #include "comfort/area.h"
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The table of all columns: a metric is one row here (columns.h says how to add one).
 #include "comfort/columns.h"
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Reads recorded tables and lines, pairs their columns, and tells which differ by more than they may (compare.h).
 #include "comfort/compare.h"
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Connected components by cells of direction space (connect.h).
 #include "comfort/connect.h"
 #include <algorithm>
 #include <cmath>

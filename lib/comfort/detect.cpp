@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Threshold, task area, field cut and filling, as a walk over the valid pixels (detect.h).
 #include "comfort/detect.h"
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Format strings are evalglare's, down to its blanks; the numbers come from measure.h.
 #include "comfort/evalglare_format.h"
 #include <algorithm>
 #include <cmath>

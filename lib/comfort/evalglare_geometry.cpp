@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The roundings that decide on which side of a border evalglare puts a pixel (evalglare_geometry.h).
 #include "comfort/evalglare_geometry.h"
 #include <cmath>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Each formula once, with its source at the line (formulas.h; vcmetrics-formulas(7) for people).
 #include "comfort/formulas.h"
 #include <algorithm>
 #include <cmath>

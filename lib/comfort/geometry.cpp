@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Directions, solid angles and runs of valid pixels of a view and size (geometry.h).
 #include "comfort/geometry.h"
 #include <algorithm>
 #include <cmath>

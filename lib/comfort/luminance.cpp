@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Grey values in place of the colours they come from (luminance.h).
 #include "comfort/luminance.h"
 #include <cmath>
 #include <limits>

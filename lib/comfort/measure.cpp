@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What is asked for is worked out once, in the order in which the metrics need each other (measure.h).
 #include "comfort/measure.h"
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Guth's index and the older and the KIM model beside it (position_index.h).
 #include "comfort/position_index.h"
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Contrast over the levels of a pyramid, row by row (rammg.h).
 #include "comfort/rammg.h"
 #include <algorithm>
 #include <cmath>

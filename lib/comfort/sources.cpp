@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Groups of bright pixels, smoothed, without their peaks, split at zones: the glare sources (sources.h).
 #include "comfort/sources.h"
 #include <algorithm>
 #include <cmath>

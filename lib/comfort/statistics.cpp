@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Moments and percentiles of sets of pixels, and PGSV of a mask (statistics.h).
 #include "comfort/statistics.h"
 #include <algorithm>
 #include <cmath>

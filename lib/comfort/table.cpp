@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Numbers as text in the three formats (table.h).
 #include "comfort/table.h"
 #include <cmath>
 #include <cstdio>

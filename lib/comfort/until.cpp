@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Reads a rule and looks at the last lines (until.h).
 #include "comfort/until.h"
 #include <cmath>
 #include <sstream>

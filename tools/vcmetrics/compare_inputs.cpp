@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Reads both sides, compares them and prints a line for each metric (compare_inputs.h).
 #include "compare_inputs.h"
 #include <cmath>
 #include <sstream>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Pictures from files or stdin, one line each, until the rule holds or there are no more (measure_stream.h).
 #include "measure_stream.h"
 #include <chrono>
 #include "base/error.h"

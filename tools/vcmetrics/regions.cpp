@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Masks as they are, or a region file drawn for the view at hand (regions.h).
 #include "regions.h"
 #include <algorithm>
 #include <fstream>
