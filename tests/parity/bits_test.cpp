@@ -41,7 +41,7 @@ private:
 
 std::string hash_of_frames(const std::string& arguments, const std::string& device) {
     std::vector<std::string> words = {"ptrace", "-w-", "-x", std::to_string(size), "-y", std::to_string(size),
-                                      "-frames", "1", "-o", "unused"};
+                                      "-frames", "1", "-o", "unused.hdr"};
     std::istringstream in(arguments);
     for (std::string word; in >> word;) words.push_back(word);
     std::vector<char*> argv;

@@ -26,7 +26,7 @@ Options read_arguments(const Row& row) {
         if (word == "-I+") word = "-i+";
         if (word.rfind("-o", 0) != 0) words.push_back(word);
     }
-    for (const char* word : {"-frames", "1", "-o", "unused"}) words.push_back(word);
+    for (const char* word : {"-frames", "1", "-o", "unused.hdr"}) words.push_back(word);
     words.push_back(row.file);
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
