@@ -182,6 +182,7 @@ FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
             uint branch = (c >= 1.0f || (c > 0.0f && sample1(rnd) < c)) ? MOD_BRANCH1 : MOD_BRANCH2;
             if (m[MOD_NEXT] != NONE && depth < MIX_DEPTH) stack[depth++] = m[MOD_NEXT];
             mod = m[branch];
+            g->mixed = 1;
             continue;
         }
         if (!bad) {

@@ -142,16 +142,18 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
             }
         }
     }
-    if (absorbs && max3(arriving.k) > 0.0f) {
-        float3 T = attenuation(arriving.k, g.length);
-        scatters = scattered_count(s, par, &arriving);
-        if (wanted) rad = add3(rad, mul3(thr, medium_glow(par, &arriving, T)));
+    Medium crossed = arriving;
+    if (absorbs && g.mixed) crossed = path_medium(a, slot);
+    if (absorbs && max3(crossed.k) > 0.0f) {
+        float3 T = attenuation(crossed.k, g.length);
+        scatters = scattered_count(s, par, &crossed);
+        if (wanted) rad = add3(rad, mul3(thr, medium_glow(par, &crossed, T)));
         if (wanted && scatters > 0u) {
             // one shadow ray a step: if it goes to the mist, the surface's own direct light is left to other samples
             float2 x = sample2(&rnd), y = sample2(&rnd);
             scattered = x.x >= 0.5f;
             if (scattered &&
-                scatter_shadow(s, par, a, slot, org, dir, g.length, &arriving, scatters, before, thr, r4.w, x, y, &rnd))
+                scatter_shadow(s, par, a, slot, org, dir, g.length, &crossed, scatters, before, thr, r4.w, x, y, &rnd))
                 result |= PATH_SHADOW;
         }
         thr = mul3(thr, T);

@@ -35,7 +35,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         trace_closest(s, &ray, RAY_TRANSPARENT, &hit);
         if (hit.prim == NO_HIT && must_hit) return black;
         if (hit.prim == NO_HIT) return absorbs ? mul3(T, shadow_attenuation(&medium, MIN_(ray.tmax, 1e10f))) : T;
-        Medium beyond = medium;
+        Medium crossed = medium, beyond = medium;
         int at_source = hit.prim == as_uint_(q[SRC_PRIM]);
         surface_at(s, &ray, &hit, &g);
         total += hit.t;
@@ -54,7 +54,8 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
             }
             if (max3(T) <= 0.0f) return black;
         }
-        if (absorbs) T = mul3(T, shadow_attenuation(&medium, hit.t));
+        if (!g.mixed) crossed = medium;
+        if (absorbs) T = mul3(T, shadow_attenuation(&crossed, hit.t));
         if (at_source) return T;
         medium = beyond;
         ray.org = offset_ray(g.p, neg3(g.ng), g.reach);
@@ -131,7 +132,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
             }
             if (max3(T) <= 0.0f) return black;
         }
-        if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&here, hit.t));
+        if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(g.mixed ? &medium : &here, hit.t));
         int reflected = dot3(next, g.ng) > 0.0f;
         medium = reflected ? here : beyond;
         if (reflected) clip = before;

@@ -218,7 +218,7 @@ FN float3 light_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par
     g.p = point; g.nface = normal; g.ng = normal; g.n = normal; g.v = neg3(dir);
     g.color = F3(1.0f, 1.0f, 1.0f); g.pert = F3(0.0f, 0.0f, 0.0f);
     g.u = 0.0f; g.vv = 0.0f; g.length = length; g.total = total; g.prim = prim; g.mod = mod; g.type = 0u;
-    g.inst = NONE; g.front = 1; g.flat = 0; g.smooth = 0;
+    g.inst = NONE; g.front = 1; g.flat = 0; g.smooth = 0; g.mixed = 0;
     if (m[MOD_TYPE] < M_FIRST_MATERIAL || m[MOD_NEXT] != NONE) {
         if (!find_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
         m = mod_record(s, par, g.mod);

@@ -22,6 +22,7 @@ typedef struct {
     int front;       // hit from the side the modelled normal points to
     int flat;        // polygon or ring without texture
     int smooth;      // perturbation from mesh smoothing
+    int mixed;       // the material stands in a mixture: what it knows of the medium before it does not count
 } Surface;
 
 FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint shape, float3 p) {
@@ -72,6 +73,7 @@ FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE
     g->reach = MAX_(hit->t, as_float_(prim[PRIM_EXTENT]));
     g->inst = hit->inst;
     g->smooth = 0;
+    g->mixed = 0;
     if (hit->inst != NONE) {
         GLOBAL const float* record = instance_record(s, hit->inst);
         matrix = instance_matrix(s, record);
