@@ -81,6 +81,10 @@ public:
         needs_ = {false, false, false, false, false};
     }
     std::vector<Column> all() {
+        if (choice_.accelerad) {
+            accelerad();
+            return std::move(columns_);
+        }
         std::vector<std::string> names = choice_.names;
         if (names.empty()) {
             names = {"Ev", "DGP"};
@@ -98,6 +102,27 @@ public:
     }
 
 private:
+    // AvLum Ev DGP RAMMG TaskLum HighLum LowLum CR, of the task's region and the first contrast pair.
+    void accelerad() {
+        for (const char* name : {"Lavg", "Ev", "DGP", "RAMMG"}) plain(name);
+        columns_[0].name = "AvLum";
+        const ContrastPair pair = choice_.pairs.empty() ? ContrastPair{} : choice_.pairs[0];
+        std::string task = settings_.task_region;
+        for (const std::string& name : choice_.regions)  // else the first region that is not of the pair
+            if (task.empty() && name != pair.low && name != pair.high) task = name;
+        mean_of("TaskLum", task);
+        mean_of("HighLum", pair.high);
+        mean_of("LowLum", pair.low);
+        const auto high = columns_[5].value, low = columns_[6].value;
+        columns_.push_back({"CR", [high, low](M m) { return high(m) / low(m); }});
+    }
+    // Mean luminance of a region under a name of its own; not a number where there is no such region.
+    void mean_of(const char* column, const std::string& name) {
+        const size_t k = region_index(name);
+        if (k == choice_.regions.size()) columns_.push_back({column, [](M) { return std::nan(""); }});
+        else columns_.push_back({column, [k](M m) { return m.areas[k].tal; }});
+    }
+
     bool plain(const std::string& name) {
         for (const Entry& e : entries)
             if (name == e.name) {
@@ -120,10 +145,7 @@ private:
         for (const ContrastPair& p : choice_.pairs) {
             if (name != "CR" && name != p.column + ".CR") continue;
             const size_t low = region_index(p.low), high = region_index(p.high);
-            const bool inverse = choice_.high_over_low;
-            columns_.push_back({p.column + ".CR", [low, high, inverse](M m) {
-                                    return inverse ? m.areas[high].tal / m.areas[low].tal : m.areas[low].tal / m.areas[high].tal;
-                                }});
+            columns_.push_back({p.column + ".CR", [low, high](M m) { return m.areas[low].tal / m.areas[high].tal; }});
             found = true;
         }
         if (name == "CR" && !found) base::fail("-metrics", "CR needs a contrast pair (-cr low/high)");

@@ -19,7 +19,7 @@ struct ColumnChoice {
     std::vector<std::string> names;              // of -metrics, empty: the default set
     std::vector<std::string> regions;            // in file order
     std::vector<ContrastPair> pairs;
-    bool high_over_low = false;                  // the prototype's contrast ratio
+    bool accelerad = false;  // AcceleradRT's columns and its contrast ratio, high over low; names stay unread
 };
 
 // Names without a region (TAL, mean, median, min, max, share) stand for all regions, CR for all pairs.

@@ -18,6 +18,14 @@ check 'several files, patterns too' '[ $(vcmetrics office256.hdr sunpeak.hdr | w
 check 'csv and jsonl' '
     vcmetrics -format csv office256.hdr | head -n 1 | grep -q "^file,Ev,DGP,RAMMG$" &&
     vcmetrics -format jsonl office256.hdr | grep -q "^{\"file\": \"office256.hdr\", \"Ev\": [0-9.]*, "'
+printf "task circle view 10\nlow rect 40 40 60 60\nhigh rect 120 120 160 160\n" > three.regions
+check '-like accelerad: its columns, its contrast ratio' '
+    vcmetrics -like accelerad -regions three.regions -cr low/high office256.hdr > a
+    [ "$(head -n 1 a)" = "Time,Frame,AvLum,Ev,DGP,RAMMG,TaskLum,HighLum,LowLum,CR" ]
+    vcmetrics -metrics task.TAL,high.TAL,low.TAL -regions three.regions office256.hdr | tail -n 1 | cut -f 2- | tr "\t" , > b
+    grep -q "^0,0,.*,$(cat b)," a && awk -F , "END { d = \$10 * \$9 / \$8; exit !(d > .9999 && d < 1.0001) }" a'
+check '-like accelerad without regions: nan in their place' '
+    vcmetrics -like accelerad office256.hdr | tail -n 1 | grep -q ",nan,nan,nan,nan$"'
 check 'columns as asked for, in that order' '
     [ "$(vcmetrics -metrics UGR,n_sources,Ev office256.hdr | head -n 1)" = "$(printf "file\tUGR\tn_sources\tEv")" ]'
 check_error 'an unknown metric is named' 1 '^vcmetrics: -metrics: .*"Dgp"' 'vcmetrics -metrics Dgp office256.hdr'

@@ -33,7 +33,7 @@ public:
         if (!o.regions_file.empty()) regions_ = open_regions(o.regions_file, draw);
         ColumnChoice choice;
         choice.names = o.metrics;
-        choice.high_over_low = o.like == Like::accelerad;
+        choice.accelerad = o.like == Like::accelerad;
         if (regions_)
             for (const image::Mask& m : regions_->masks) choice.regions.push_back(m.name);
         for (const std::string& p : o.contrast_pairs) choice.pairs.push_back(parse_pair(p, choice.regions));
@@ -51,7 +51,8 @@ public:
         if (o.like == Like::evalglare) needs = {true, false, o.evalglare.detailed || o.settings.mask_file, false};
         if (o.list_sources) needs.sources = true;
         meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_), std::move(draw));
-        names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
+        if (o.like == Like::accelerad) names_ = {"Time", "Frame"};
+        else names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
         if (o.list_sources)
             names_.insert(names_.end(), {"source", "pixels", "x", "y", "omega", "L", "P", "sigma", "xdir", "ydir", "zdir", "Edir", "zone", "DGPshare"});
         else
@@ -88,13 +89,12 @@ public:
             print(evalglare_lines(m, o_.settings, o_.evalglare, *meter_));
             return false;
         }
-        std::vector<Cell> cells;
-        if (from_files_) {
-            cells.push_back(text_cell(file));
-        } else {
-            const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-            cells = {number_cell(double(frame), 15), number_cell(std::round(seconds * 1000) / 1000, 9)};
-        }
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        const Cell frame_cell = number_cell(double(frame), 15);
+        const Cell seconds_cell = number_cell(from_files_ ? 0 : std::round(seconds * 1000) / 1000, 9);
+        std::vector<Cell> cells = {frame_cell, seconds_cell};
+        if (o_.like == Like::accelerad) cells = {seconds_cell, frame_cell};
+        else if (from_files_) cells = {text_cell(file)};
         if (!header_printed_) print(header_line(names_, o_.format));
         header_printed_ = true;
         if (o_.list_sources) {
