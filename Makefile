@@ -22,7 +22,7 @@ demo: PARTS += demo
 demo: all ## the office: pictures, metrics and a plot in out/
 	@bash scripts/demo.sh $(BUILD)/bin out
 
-test test-gpu: PARTS += tests
+test test-gpu test-sanitize fuzz compare-radiance: PARTS += tests
 test: all ## every test that needs no GPU
 	@cd $(BUILD) && ctest --no-tests=error --output-on-failure -j $(JOBS) -LE 'gpu|slow'
 
