@@ -49,8 +49,8 @@ bool material_passes(Type t, const scene::Span<double>& a, const cal::PatternSpe
         case Type::absdf: return true;
         case Type::bsdf: return !bv || spec.strings[0] != "0";  // a proxy of some thickness
         case Type::glass: case Type::dielectric: case Type::interface: case Type::illum: case Type::mirror:
-        case Type::brtdfunc: case Type::wgmdfunc: case Type::prism1: case Type::prism2: case Type::mist:
-        case Type::antimatter: return true;
+        case Type::brtdfunc: case Type::prism1: case Type::prism2: case Type::mist: case Type::antimatter: return true;
+        case Type::wgmdfunc: return spec.strings[5] != "0";  // the word decides, from behind, too
         case Type::trans: return !bv || (a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6);
         default: return false;
     }
