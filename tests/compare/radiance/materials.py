@@ -23,14 +23,13 @@ class Materials(Modifiers):
     def colour(self, low=.1, high=.9):
         return [number(self.rng, low, high) for _ in range(3)]
 
-    # RADIANCE 6.0a's Fresnel term is 8e-4 larger than 6.1a's, so nothing is a weak mirror here: rough, or below .018,
-    # where there is no such term, or strong.
+    # RADIANCE 6.0a's Fresnel term is 8e-4 larger than 6.1a's.  It shows in what is smooth, so that is below .018 here, where
+    # there is no such term; mirror, glass and dielectric have none of it.
     def finish(self, strong):
-        r = self.rng
-        rough = self.rough()
-        if rough:
-            return [number(r, .3, 1) if strong else self.specular(), rough]
-        return [number(r, .6, 1) if strong else r.choice([0, 0, .01]), 0]
+        rough = self.rng.choice([.03, .1, .2]) if strong else self.rough()
+        if strong:
+            return [number(self.rng, .3, 1), rough]
+        return [self.specular() if rough else self.rng.choice([0, 0, .01]), rough]
 
     def rough(self):
         return self.rng.choice([0, 0, 0, .03, .1, .2])
@@ -101,14 +100,15 @@ class Materials(Modifiers):
         alternate = [] if r.random() < .3 else [r.choice(["void", self.material(2)])]
         return self.add(self.modifier(), "illum", alternate, self.colour(.1, 1), (0,) if alternate else ())
 
-    def material(self, depth=0):
-        """A material for any surface, or a mixture of two."""
+    def material(self, depth=0, shines=True):
+        """A material for any surface, or a mixture of two; with `shines` it may be a source of light."""
         r = self.rng
         if depth < 2 and r.random() < .15:
             fore = self.material(depth + 1)
             back = "void" if r.random() < .25 else self.material(depth + 1)
             return self.mixture("void", *r.sample([fore, back], 2))
         kinds = [k for k in OPAQUE if self.tables or k[0] not in ("BSDF", "aBSDF")]
+        kinds = [k for k in kinds if shines or k[0] not in ("illum", "glow")]
         kinds = [k for k in kinds if depth == 0 or k[0] not in ("illum", "mirror", "prism1", "prism2", "glow")]
         kind = r.choices([k for k, _ in kinds], [w for _, w in kinds])[0]
         if kind == "WGMDfunc":
