@@ -12,7 +12,9 @@ int main(int argc, char** argv) {
     if (size < 16 || size > 32768 || count < 0) return 1;
     std::mt19937 random(3);
     std::uniform_real_distribution<double> u(-1, 1);
-    struct Disc { double x, y; };
+    struct Disc {
+        double x, y;
+    };
     std::vector<Disc> discs;
     for (long tries = 0; int(discs.size()) < count && tries < 1000000; ++tries) {
         const Disc d{u(random), u(random)};
@@ -36,6 +38,8 @@ int main(int argc, char** argv) {
                     p[3] = 134;
                 }
     }
-    std::printf("#?RADIANCE\nVIEW= -vta -vp 0 0 0 -vd 0 1 0 -vu 0 0 1 -vh 180 -vv 180\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n", size, size);
+    std::printf(
+        "#?RADIANCE\nVIEW= -vta -vp 0 0 0 -vd 0 1 0 -vu 0 0 1 -vh 180 -vv 180\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n",
+        size, size);
     return std::fwrite(pixels.data(), 1, pixels.size(), stdout) == pixels.size() ? 0 : 1;
 }

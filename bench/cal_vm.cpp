@@ -14,7 +14,10 @@ static double nanoseconds() {
 }
 
 int main() {
-    const struct { const char *name, *text, *file; std::vector<double> args; } programs[] = {
+    const struct {
+        const char *name, *text, *file;
+        std::vector<double> args;
+    } programs[] = {
         {"clear sky", "skybr", "skybright.cal", {1, 24, 29, 1.365, -.057, -.323, .945}},
         {"intermediate sky", "skybr", "skybright.cal", {4, 24, 29, 1.365, -.057, -.323, .945}},
         {"Perez sky", "skybright", "perezlum.cal", {37, 35, -.95, -.22, 17.4, -3.93, .685, -.057, -.323, .945}},
@@ -47,6 +50,7 @@ int main() {
             }
             best = std::min(best, (nanoseconds() - start) / count);
         }
-        std::printf("%-18s %7.1f ns  %4zu words  (mean %g)\n", p.name, best, code.words.size(), double(sum) / (20.0 * count));
+        std::printf("%-18s %7.1f ns  %4zu words  (mean %g)\n", p.name, best, code.words.size(),
+                    double(sum) / (20.0 * count));
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays per second of processor time: our eight-wide tree (this file's instruction set), the two-wide one, and Embree's own
-// traversal of the same triangles (rtcIntersect1/rtcOccluded1, default and ROBUST).  Scene and rays come from a seed: a room
-// with a window and bumpy spheres; rays of cosine-distributed bounces and shadow rays to a ceiling lamp, in order.
-// Usage: bench_traversal_<isa> [triangles in thousands, default 20] [rays in thousands, default 300]
+// Rays per second of processor time: our eight-wide tree (this file's instruction set), the two-wide one, and Embree's
+// own traversal of the same triangles (rtcIntersect1/rtcOccluded1, default and ROBUST).  Scene and rays come from a
+// seed: a room with a window and bumpy spheres; rays of cosine-distributed bounces and shadow rays to a ceiling lamp,
+// in order. Usage: bench_traversal_<isa> [triangles in thousands, default 20] [rays in thousands, default 300]
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -28,7 +28,8 @@ static double wall_seconds() {
 static double memory(const char* what) {
     std::ifstream in("/proc/self/status");
     for (std::string line; std::getline(in, line);)
-        if (line.compare(0, std::strlen(what), what) == 0) return 1024 * std::atof(line.c_str() + std::strlen(what) + 1);
+        if (line.compare(0, std::strlen(what), what) == 0)
+            return 1024 * std::atof(line.c_str() + std::strlen(what) + 1);
     return 0;
 }
 static void reset_peak() { std::ofstream("/proc/self/clear_refs") << 5; }
@@ -36,17 +37,19 @@ static void reset_peak() { std::ofstream("/proc/self/clear_refs") << 5; }
 static bvh_scenes::Scene room(int thousands) {
     bvh_scenes::Scene s;
     s.box({-4, -3, 0}, {8, 6, 3});
-    for (int i = 0; i < 40; i++) s.box({-3.9, -1.5 + 0.075 * i, 0.8}, {0.02, 0.05, 1.5});   // blinds
+    for (int i = 0; i < 40; i++) s.box({-3.9, -1.5 + 0.075 * i, 0.8}, {0.02, 0.05, 1.5});  // blinds
     const int balls = 30, n = std::max(2, int(std::sqrt(thousands * 1000.0 / balls / 4)));
     bvh_scenes::Random r(3);
     for (int i = 0; i < balls; i++)
-        s = bvh_scenes::sphere_mesh(n, r.in(0.15, 0.5), {r.in(-3.3, 3.3), r.in(-2.4, 2.4), r.in(0.5, 2.4)}, 0.15, false, std::move(s));
+        s = bvh_scenes::sphere_mesh(n, r.in(0.15, 0.5), {r.in(-3.3, 3.3), r.in(-2.4, 2.4), r.in(0.5, 2.4)}, 0.15, false,
+                                    std::move(s));
     s.end_part();
     return s;
 }
 
 // Median time per call of five, in CPU seconds.
-template <class F> static double median(F f) {
+template <class F>
+static double median(F f) {
     double t[5];
     for (double& x : t) {
         const double start = cpu_seconds();
@@ -71,9 +74,11 @@ int main(int argc, char** argv) {
     const double peak8 = memory("VmHWM") - before;
     const auto b2 = trace::build_bvh2(in[0]);
     const double tris = double(in[0].triangle_count);
-    std::printf("%.0f triangles; built in %.3f s (%.3f CPU s); bytes per triangle: BVH8 %.1f, BVH2 %.1f; with BVH8's at most %.0f while building\n",
-                tris, w, c, 4 * double(b8.nodes.size() + b8.leaves.size()) / tris,
-                4 * double(b2.nodes.size() + b2.leaves.size()) / tris, peak8 / tris);
+    std::printf(
+        "%.0f triangles; built in %.3f s (%.3f CPU s); bytes per triangle: BVH8 %.1f, BVH2 %.1f; with BVH8's at most "
+        "%.0f while building\n",
+        tris, w, c, 4 * double(b8.nodes.size() + b8.leaves.size()) / tris,
+        4 * double(b2.nodes.size() + b2.leaves.size()) / tris, peak8 / tris);
     const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
 
     std::vector<Vec> normal(scene.next_prim);
@@ -101,7 +106,8 @@ int main(int argc, char** argv) {
             const float3 o = kernels::offset_ray(p, F3(float(n.x), float(n.y), float(n.z)), hit.t);
             const Vec to = Vec{r.in(-1, 1), r.in(-1, 1), 2.99} - Vec{o.x, o.y, o.z};
             const double dist = std::sqrt(dot(to, to));
-            shadows.push_back({o, 0, F3(float(to.x / dist), float(to.y / dist), float(to.z / dist)), kernels::shadow_end(float(dist))});
+            shadows.push_back({o, 0, F3(float(to.x / dist), float(to.y / dist), float(to.z / dist)),
+                               kernels::shadow_end(float(dist))});
             ray.org = o;
             ray.dir = F3(float(out.x), float(out.y), float(out.z));
             rays.push_back(ray);
@@ -112,7 +118,8 @@ int main(int argc, char** argv) {
     long blocked = 0;
     const auto report = [&](const char* name, double closest, double any) {
         std::printf("%-16s %6.2f closest  %6.2f any   Mrays per CPU second   (mean t %.6f, %ld blocked)\n", name,
-                    double(rays.size()) / closest / 1e6, double(shadows.size()) / any / 1e6, sum / double(rays.size()), blocked);
+                    double(rays.size()) / closest / 1e6, double(shadows.size()) / any / 1e6, sum / double(rays.size()),
+                    blocked);
     };
     const auto measure = [&](const char* name, auto closest, auto any) {
         const auto all = [&] {
@@ -130,15 +137,30 @@ int main(int argc, char** argv) {
         const double a = median(all), b = median(every);
         report(name, a, b);
     };
-    measure("BVH8", [&](const kernels::Ray& ray) { kernels::Hit h; kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &h); return h.t; },
-            [&](const kernels::Ray& ray) { return kernels::wide::trace_any(&t8, &ray, RAY_ALL); });
-    measure("BVH2 (scalar)", [&](const kernels::Ray& ray) { kernels::Hit h; kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &h); return h.t; },
-            [&](const kernels::Ray& ray) { return kernels::scalar::trace_any(&t2, &ray, RAY_ALL); });
+    measure(
+        "BVH8",
+        [&](const kernels::Ray& ray) {
+            kernels::Hit h;
+            kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &h);
+            return h.t;
+        },
+        [&](const kernels::Ray& ray) { return kernels::wide::trace_any(&t8, &ray, RAY_ALL); });
+    measure(
+        "BVH2 (scalar)",
+        [&](const kernels::Ray& ray) {
+            kernels::Hit h;
+            kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &h);
+            return h.t;
+        },
+        [&](const kernels::Ray& ray) { return kernels::scalar::trace_any(&t2, &ray, RAY_ALL); });
     for (bool robust : {true, false}) {
         const trace::EmbreeScene embree(in.data(), 1, robust, false);
-        measure(robust ? "Embree1 ROBUST" : "Embree1",
-                [&](const kernels::Ray& ray) { return embree.closest(&ray.org.x, ray.tmin, &ray.dir.x, ray.tmax, RAY_ALL).t; },
-                [&](const kernels::Ray& ray) { return embree.any(&ray.org.x, ray.tmin, &ray.dir.x, ray.tmax, RAY_ALL); });
+        measure(
+            robust ? "Embree1 ROBUST" : "Embree1",
+            [&](const kernels::Ray& ray) {
+                return embree.closest(&ray.org.x, ray.tmin, &ray.dir.x, ray.tmax, RAY_ALL).t;
+            },
+            [&](const kernels::Ray& ray) { return embree.any(&ray.org.x, ray.tmin, &ray.dir.x, ray.tmax, RAY_ALL); });
     }
     return 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// embed_kernels ROOT FILE OUT.cpp SYMBOL: expands FILE's quoted includes below ROOT (each once), keeps #line, and writes
-// the text as one C++ string, so that the OpenCL program travels inside the executable.
+// embed_kernels ROOT FILE OUT.cpp SYMBOL: expands FILE's quoted includes below ROOT (each once), keeps #line, and
+// writes the text as one C++ string, so that the OpenCL program travels inside the executable.
 #include <fstream>
 #include <iostream>
 #include <set>
@@ -11,17 +11,26 @@ static std::set<std::string> seen;
 
 static void expand(const std::string& root, const std::string& name, std::ostream& out) {
     std::ifstream in(root + "/" + name);
-    if (!in) { std::cerr << "embed_kernels: " << name << ": cannot be read\n"; std::exit(1); }
+    if (!in) {
+        std::cerr << "embed_kernels: " << name << ": cannot be read\n";
+        std::exit(1);
+    }
     std::string line;
     int number = 0;
     out << "#line 1 \"" << name << "\"\n";
     while (std::getline(in, line)) {
         number++;
         const std::string key = "#include \"";
-        if (line.compare(0, key.size(), key) != 0) { out << line << "\n"; continue; }
+        if (line.compare(0, key.size(), key) != 0) {
+            out << line << "\n";
+            continue;
+        }
         std::string file = line.substr(key.size(), line.find('"', key.size()) - key.size());
         if (!std::ifstream(root + "/" + file)) file = name.substr(0, name.rfind('/') + 1) + file;
-        if (file.compare(0, 8, "kernels/") != 0 || !std::ifstream(root + "/" + file)) { out << "// host only: " << line << "\n"; continue; }
+        if (file.compare(0, 8, "kernels/") != 0 || !std::ifstream(root + "/" + file)) {
+            out << "// host only: " << line << "\n";
+            continue;
+        }
         if (seen.insert(file).second) expand(root, file, out);
         out << "#line " << number + 1 << " \"" << name << "\"\n";
     }

@@ -8,7 +8,7 @@
 
 namespace base {
 
-ssize_t read_some(int fd, void* data, size_t bytes);            // as read(2)
-bool write_all(int fd, const void* data, size_t bytes);         // false: errno says why
+ssize_t read_some(int fd, void* data, size_t bytes);     // as read(2)
+bool write_all(int fd, const void* data, size_t bytes);  // false: errno says why
 
 }  // namespace base

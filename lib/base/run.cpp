@@ -58,9 +58,7 @@ void handle_signals() {
 
 namespace {
 
-void say(const char* tool, const std::string& text) {
-    std::fprintf(stderr, "%s: %s\n", tool, printable(text).c_str());
-}
+void say(const char* tool, const std::string& text) { std::fprintf(stderr, "%s: %s\n", tool, printable(text).c_str()); }
 
 void say_counted_warnings(const char* tool, bool loud) {
     for (const auto& [fact, count] : take_warnings())
@@ -71,8 +69,7 @@ int run_caught(const char* tool, const std::function<int()>& body) {
     const auto failed = [&](const std::string& text, int status) {
         try {
             flush_stdout();  // what was right before the failure
-        } catch (...) {
-        }
+        } catch (...) {}
         say(tool, text);
         return status;
     };

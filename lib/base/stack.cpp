@@ -25,8 +25,7 @@ void with_enough_stack(const std::function<void()>& body) {
     pthread_attr_init(&attributes);
     pthread_attr_setstacksize(&attributes, enough);
     pthread_t thread;
-    const bool started =
-        pthread_create(&thread, &attributes, call, const_cast<std::function<void()>*>(&body)) == 0;
+    const bool started = pthread_create(&thread, &attributes, call, const_cast<std::function<void()>*>(&body)) == 0;
     pthread_attr_destroy(&attributes);
     if (started) pthread_join(thread, nullptr);
     else body();

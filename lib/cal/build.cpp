@@ -9,37 +9,50 @@ namespace cal {
 
 namespace {
 
-constexpr int MAX_DEPTH = 3000;        // of evaluation: C++ stack
+constexpr int MAX_DEPTH = 3000;  // of evaluation: C++ stack
 
-const struct { const char* name; uint32_t op; int arguments; } functions[] = {
-    {"sqrt", OP_SQRT, 1}, {"exp", OP_EXP, 1}, {"log", OP_LOG, 1}, {"log10", OP_LOG10, 1}, {"sin", OP_SIN, 1},
-    {"cos", OP_COS, 1}, {"tan", OP_TAN, 1}, {"asin", OP_ASIN, 1}, {"acos", OP_ACOS, 1}, {"atan", OP_ATAN, 1},
-    {"atan2", OP_ATAN2, 2}, {"floor", OP_FLOOR, 1}, {"ceil", OP_CEIL, 1}, {"erf", OP_ERF, 1}, {"erfc", OP_ERFC, 1},
-    {"rand", OP_RAND, 1},
+const struct {
+    const char* name;
+    uint32_t op;
+    int arguments;
+} functions[] = {
+    {"sqrt", OP_SQRT, 1}, {"exp", OP_EXP, 1},   {"log", OP_LOG, 1},     {"log10", OP_LOG10, 1},
+    {"sin", OP_SIN, 1},   {"cos", OP_COS, 1},   {"tan", OP_TAN, 1},     {"asin", OP_ASIN, 1},
+    {"acos", OP_ACOS, 1}, {"atan", OP_ATAN, 1}, {"atan2", OP_ATAN2, 2}, {"floor", OP_FLOOR, 1},
+    {"ceil", OP_CEIL, 1}, {"erf", OP_ERF, 1},   {"erfc", OP_ERFC, 1},   {"rand", OP_RAND, 1},
 };
 // Those without an operation of their own.
-const struct { const char* name; int arguments; } special[] = {
-    {"if", 3}, {"select", 1}, {"min", 1}, {"max", 1}, {"arg", 1}, {"noise3", 3}, {"noise3x", 3}, {"noise3y", 3},
-    {"noise3z", 3}, {"fnoise3", 3}, {"j0", 1}, {"j1", 1}, {"jn", 2}, {"y0", 1}, {"y1", 1}, {"yn", 2},
+const struct {
+    const char* name;
+    int arguments;
+} special[] = {
+    {"if", 3},      {"select", 1},  {"min", 1}, {"max", 1}, {"arg", 1}, {"noise3", 3}, {"noise3x", 3}, {"noise3y", 3},
+    {"noise3z", 3}, {"fnoise3", 3}, {"j0", 1},  {"j1", 1},  {"jn", 2},  {"y0", 1},     {"y1", 1},      {"yn", 2},
 };
-const struct { const char* name; uint32_t index; } plain[] = {
-    {"Rdot", device::CAL_RDOT}, {"Lu", device::CAL_LU}, {"Lv", device::CAL_LV}, {"RdotP", device::CAL_RDOTP},
-    {"CrP", device::CAL_CRP}, {"CgP", device::CAL_CGP}, {"CbP", device::CAL_CBP},
+const struct {
+    const char* name;
+    uint32_t index;
+} plain[] = {
+    {"Rdot", device::CAL_RDOT}, {"Lu", device::CAL_LU},   {"Lv", device::CAL_LV},   {"RdotP", device::CAL_RDOTP},
+    {"CrP", device::CAL_CRP},   {"CgP", device::CAL_CGP}, {"CbP", device::CAL_CBP},
 };
-const struct { const char* name; uint32_t first; int axis; } vectors[] = {
-    {"Dx", device::CAL_DX, 0}, {"Dy", device::CAL_DX, 1}, {"Dz", device::CAL_DX, 2},
-    {"Nx", device::CAL_NX, 0}, {"Ny", device::CAL_NX, 1}, {"Nz", device::CAL_NX, 2},
-    {"Px", device::CAL_PX, 0}, {"Py", device::CAL_PX, 1}, {"Pz", device::CAL_PX, 2},
-    {"NxP", device::CAL_NXP, 0}, {"NyP", device::CAL_NXP, 1}, {"NzP", device::CAL_NXP, 2},
+const struct {
+    const char* name;
+    uint32_t first;
+    int axis;
+} vectors[] = {
+    {"Dx", device::CAL_DX, 0},   {"Dy", device::CAL_DX, 1},   {"Dz", device::CAL_DX, 2},   {"Nx", device::CAL_NX, 0},
+    {"Ny", device::CAL_NX, 1},   {"Nz", device::CAL_NX, 2},   {"Px", device::CAL_PX, 0},   {"Py", device::CAL_PX, 1},
+    {"Pz", device::CAL_PX, 2},   {"NxP", device::CAL_NXP, 0}, {"NyP", device::CAL_NXP, 1}, {"NzP", device::CAL_NXP, 2},
     {"DxA", device::CAL_DXA, 0}, {"DyA", device::CAL_DXA, 1}, {"DzA", device::CAL_DXA, 2},
 };
 
 // $1 .. $27
-const char* const channels[27] = {"Dx", "Dy", "Dz", "Nx", "Ny", "Nz", "Px", "Py", "Pz", "T", "Rdot", "S", "Tx", "Ty", "Tz",
-                                  "Ix", "Iy", "Iz", "Jx", "Jy", "Jz", "Kx", "Ky", "Kz", "Ts", "Lu", "Lv"};
-constexpr int FIRST_GIVEN = 101;       // $101.. = CAL_LX..
+const char* const channels[27] = {"Dx", "Dy", "Dz", "Nx", "Ny", "Nz", "Px", "Py", "Pz", "T",  "Rdot", "S",  "Tx", "Ty",
+                                  "Tz", "Ix", "Iy", "Iz", "Jx", "Jy", "Jz", "Kx", "Ky", "Kz", "Ts",   "Lu", "Lv"};
+constexpr int FIRST_GIVEN = 101;  // $101.. = CAL_LX..
 
-struct Count {                         // keeps a counter right when an exception passes
+struct Count {  // keeps a counter right when an exception passes
     int& n;
     explicit Count(int& counter) : n(counter) { n++; }
     ~Count() { n--; }
@@ -68,7 +81,8 @@ int Builder::call(const std::string& function, const std::vector<int>& values, c
 }
 
 int Builder::parameters(const std::string& function, const std::string& context) const {
-    if (const Definition* d = library_.lookup(function, context)) return d->is_function ? int(d->parameters.size()) : -1;
+    if (const Definition* d = library_.lookup(function, context))
+        return d->is_function ? int(d->parameters.size()) : -1;
     for (const auto& f : functions)
         if (function == f.name) return f.arguments;
     for (const auto& f : special)
@@ -91,14 +105,18 @@ int Builder::eval(const Expr* e, const Environment& env) {
         const int k = e->value < 1000 ? int(e->value) : 1000, given = k - FIRST_GIVEN;
         int node;
         if (k >= 1 && k <= 27 && ray_variable(channels[k - 1], node)) return node;
-        if (given < 0 || given >= device::CAL_VARS - device::CAL_LX) fail("there is no such channel as $" + std::to_string(k));
+        if (given < 0 || given >= device::CAL_VARS - device::CAL_LX)
+            fail("there is no such channel as $" + std::to_string(k));
         if (given < 3) return vector_component(device::CAL_LX, given, false);
         return graph_.variable(uint32_t(device::CAL_LX + given));
     }
     case Expr::Kind::name: return name(e, env);
     case Expr::Kind::call: {
         std::vector<Thunk> args(e->kids.size());
-        for (size_t i = 0; i < args.size(); i++) { args[i].expr = e->kids[i]; args[i].env = &env; }
+        for (size_t i = 0; i < args.size(); i++) {
+            args[i].expr = e->kids[i];
+            args[i].env = &env;
+        }
         return invoke(e->name, std::move(args), env);
     }
     case Expr::Kind::negate: return graph_.make(OP_NEG, eval(e->kids[0], env));
@@ -151,7 +169,8 @@ int Builder::invoke(const std::string& function, std::vector<Thunk> args, const 
         for (size_t i = 0; i < env.def->parameters.size(); i++)
             if (function == env.def->parameters[i]) {  // a parameter that stands for a function
                 const Thunk& t = given(env, i);
-                if (!t.expr || t.expr->kind != Expr::Kind::name) fail("argument \"" + function + "\" is not a function");
+                if (!t.expr || t.expr->kind != Expr::Kind::name)
+                    fail("argument \"" + function + "\" is not a function");
                 return invoke(t.expr->name, std::move(args), *t.env);
             }
     if (const Definition* d = library_.lookup(function, *env.context)) return expand(*d, std::move(args), env);
@@ -183,18 +202,33 @@ int Builder::vector_component(uint32_t first, int axis, bool is_point) {
 
 bool Builder::ray_variable(const std::string& name, int& node) {
     for (const auto& v : vectors)
-        if (name == v.name) { node = vector_component(v.first, v.axis, v.first == device::CAL_PX); return true; }
+        if (name == v.name) {
+            node = vector_component(v.first, v.axis, v.first == device::CAL_PX);
+            return true;
+        }
     for (const auto& v : plain)
-        if (name == v.name) { node = graph_.variable(v.index); return true; }
+        if (name == v.name) {
+            node = graph_.variable(v.index);
+            return true;
+        }
     if (name == "T" || name == "Ts") {
         node = graph_.mul(graph_.variable(name == "T" ? device::CAL_T : device::CAL_TS), graph_.constant(scale_));
         return true;
     }
-    if (name == "S") { node = graph_.constant(scale_); return true; }
+    if (name == "S") {
+        node = graph_.constant(scale_);
+        return true;
+    }
     if (name.size() == 2 && name[1] >= 'x' && name[1] <= 'z') {
         const int axis = name[1] - 'x';
-        if (name[0] == 'T') { node = graph_.constant(to_local_.m[3][axis]); return true; }
-        if (name[0] >= 'I' && name[0] <= 'K') { node = graph_.constant(to_local_.m[name[0] - 'I'][axis] / scale_); return true; }
+        if (name[0] == 'T') {
+            node = graph_.constant(to_local_.m[3][axis]);
+            return true;
+        }
+        if (name[0] >= 'I' && name[0] <= 'K') {
+            node = graph_.constant(to_local_.m[name[0] - 'I'][axis] / scale_);
+            return true;
+        }
     }
     return false;
 }
@@ -213,7 +247,8 @@ int Builder::argument(int index) {
         node = graph_.choose(graph_.sub(index, graph_.constant(double(args_.size() - k) - 0.5)),
                              k == 0 ? graph_.choose(graph_.sub(index, graph_.constant(double(args_.size()) + 0.5)),
                                                     graph_.fail(), one(double(args_.size())))
-                                    : one(double(args_.size() - k)), node);
+                                    : one(double(args_.size() - k)),
+                             node);
     return node;
 }
 
@@ -237,7 +272,8 @@ int Builder::select(int index, const std::vector<Thunk>& args, size_t first) {
     auto above = [&](double x) { return graph_.sub(index, graph_.constant(x)); };
     int node = graph_.choose(above(-0.5), graph_.constant(count), graph_.fail());
     // choose() takes "greater than": a whole number and a half rounds up, so compare from below
-    for (size_t k = 1; k <= args.size() - first; k++) node = graph_.choose(above(double(k) - 0.5), force(args[first + k - 1]), node);
+    for (size_t k = 1; k <= args.size() - first; k++)
+        node = graph_.choose(above(double(k) - 0.5), force(args[first + k - 1]), node);
     return graph_.choose(above(count + 0.5), graph_.fail(), node);
 }
 
@@ -248,7 +284,8 @@ bool Builder::builtin(const std::string& function, const std::vector<Thunk>& arg
     for (const auto& f : functions)
         if (function == f.name) {
             need(size_t(f.arguments));
-            node = f.arguments == 1 ? graph_.make(f.op, force(args[0])) : graph_.make(f.op, force(args[0]), force(args[1]));
+            node = f.arguments == 1 ? graph_.make(f.op, force(args[0]))
+                                    : graph_.make(f.op, force(args[0]), force(args[1]));
             return true;
         }
     if (function == "if") {
@@ -260,7 +297,8 @@ bool Builder::builtin(const std::string& function, const std::vector<Thunk>& arg
     } else if (function == "min" || function == "max") {
         need(1);
         node = force(args[0]);
-        for (size_t i = 1; i < args.size(); i++) node = graph_.make(function == "min" ? OP_MIN : OP_MAX, node, force(args[i]));
+        for (size_t i = 1; i < args.size(); i++)
+            node = graph_.make(function == "min" ? OP_MIN : OP_MAX, node, force(args[i]));
     } else if (function == "arg") {
         need(1);
         node = argument(force(args[0]));
@@ -276,7 +314,8 @@ bool Builder::builtin(const std::string& function, const std::vector<Thunk>& arg
         const bool order = function[1] == 'n';
         need(order ? 2 : 1);
         const int n = order ? force(args[0]) : graph_.constant(function[1] - '0'), x = force(args[order ? 1 : 0]);
-        if (!graph_.is_constant(n) || !graph_.is_constant(x)) fail("function \"" + function + "\" needs constant arguments here");
+        if (!graph_.is_constant(n) || !graph_.is_constant(x))
+            fail("function \"" + function + "\" needs constant arguments here");
         const int k = int(std::fmax(-1000, std::fmin(1000, graph_.value(n))));
         const double v = function[0] == 'j' ? ::jn(k, graph_.value(x)) : ::yn(k, graph_.value(x));
         node = std::isfinite(v) ? graph_.constant(v) : graph_.fail();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From trees to graphs: evaluates an expression symbolically.  Functions are expanded where they are called, with
-// arguments by name, so `if` is lazy, constant recursion ends, and function names can be arguments.  Recursion whose end
-// depends on ray variables is expanded to a bounded depth, beyond which the program reports an error
+// arguments by name, so `if` is lazy, constant recursion ends, and function names can be arguments.  Recursion whose
+// end depends on ray variables is expanded to a bounded depth, beyond which the program reports an error
 // (docs/decisions/0007-cal-recursion.md).
 #pragma once
 #include <map>
@@ -40,9 +40,9 @@ public:
     // Number of parameters of a named function; -1 if there is no such function.
     int parameters(const std::string& function, const std::string& context) const;
 
-    int recursion_limit = 32;          // times a function may be inside itself below a branch
+    int recursion_limit = 32;  // times a function may be inside itself below a branch
     size_t step_limit = 300000;
-    struct TooLarge {};                // thrown beyond step_limit: try again with a smaller recursion_limit
+    struct TooLarge {};  // thrown beyond step_limit: try again with a smaller recursion_limit
 
 private:
     using Args = std::vector<const Expr*>;
@@ -65,7 +65,7 @@ private:
     Graph& graph_;
     const std::vector<double>& args_;
     base::Xform to_local_;
-    double scale_;                     // of to_local_, positive
+    double scale_;  // of to_local_, positive
     std::string place_;
     std::map<const Definition*, int> variables_;
     std::map<const Definition*, int> active_;

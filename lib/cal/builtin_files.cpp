@@ -149,10 +149,21 @@ st_grn = s_g + CgP*arg(17) - sr_grn;
 st_blu = s_b + CbP*arg(18) - sr_blu;
 )CAL";
 
-const struct { const char* name; const char* text; } files[] = {
-    {"skybright.cal", skybright}, {"perezlum.cal", perezlum}, {"perezlum_c.cal", perezlum_c},
-    {"source.cal", source}, {"tmesh.cal", tmesh}, {"surf.cal", surf}, {"rev.cal", rev}, {"illum.cal", illum},
-    {"glaze1.cal", glaze1}, {"glaze2.cal", glaze2}, {"glass3.cal", glass3},
+const struct {
+    const char* name;
+    const char* text;
+} files[] = {
+    {"skybright.cal", skybright},
+    {"perezlum.cal", perezlum},
+    {"perezlum_c.cal", perezlum_c},
+    {"source.cal", source},
+    {"tmesh.cal", tmesh},
+    {"surf.cal", surf},
+    {"rev.cal", rev},
+    {"illum.cal", illum},
+    {"glaze1.cal", glaze1},
+    {"glaze2.cal", glaze2},
+    {"glass3.cal", glass3},
 };
 
 }  // namespace

@@ -63,9 +63,12 @@ bezier(p1, p2, p3, p4, t) : p1*(1 - t)^3 + 3*p2*t*(1 - t)^2 + 3*p3*t^2*(1 - t) +
 bspline(a, b, c, d, t) : a*(1 - t)^3/6 + b*(2/3 + t*t*(t/2 - 1)) + c*(1/6 + t*(.5 + t*(.5 - t/2))) + d*t^3/6;
 
 turbulence(x, y, z, s) = if(s - 1.01, 0, abs(noise3(x/s, y/s, z/s)*s) + turbulence(x, y, z, 2*s));
-turbulencex(x, y, z, s) = if(s - 1.01, 0, sgn(noise3(x/s, y/s, z/s))*noise3x(x/s, y/s, z/s) + turbulencex(x, y, z, 2*s));
-turbulencey(x, y, z, s) = if(s - 1.01, 0, sgn(noise3(x/s, y/s, z/s))*noise3y(x/s, y/s, z/s) + turbulencey(x, y, z, 2*s));
-turbulencez(x, y, z, s) = if(s - 1.01, 0, sgn(noise3(x/s, y/s, z/s))*noise3z(x/s, y/s, z/s) + turbulencez(x, y, z, 2*s));
+turbulencex(x, y, z, s) = if(s - 1.01, 0,
+    sgn(noise3(x/s, y/s, z/s))*noise3x(x/s, y/s, z/s) + turbulencex(x, y, z, 2*s));
+turbulencey(x, y, z, s) = if(s - 1.01, 0,
+    sgn(noise3(x/s, y/s, z/s))*noise3y(x/s, y/s, z/s) + turbulencey(x, y, z, 2*s));
+turbulencez(x, y, z, s) = if(s - 1.01, 0,
+    sgn(noise3(x/s, y/s, z/s))*noise3z(x/s, y/s, z/s) + turbulencez(x, y, z, 2*s));
 
 tail_normal`rayinit(t) : t - (2.515517 + t*(.802853 + t*.010328))/(1 + t*(1.432788 + t*(.189269 + t*.001308)));
 quantile`rayinit(p) : tail_normal`rayinit(sqrt(-2*log(p)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two steps.  1. Walk the graph from the outputs: every value is computed once, where it is first needed; a value needed
-// only in one branch of an `if` is computed there, one needed in both before the jump.  2. Jumps only go forward, so a
-// value lives from its first to its last mention: registers are given by one scan over these intervals.
+// Two steps.  1. Walk the graph from the outputs: every value is computed once, where it is first needed; a value
+// needed only in one branch of an `if` is computed there, one needed in both before the jump.  2. Jumps only go
+// forward, so a value lives from its first to its last mention: registers are given by one scan over these intervals.
 #include "cal/codegen.h"
 #include <algorithm>
 #include <cmath>
@@ -13,19 +13,20 @@ namespace cal {
 namespace {
 
 constexpr size_t MAX_INSTRUCTIONS = 200000;
-constexpr int MAX_WALK = 3000;                     // depth of the graph walk: C++ stack
+constexpr int MAX_WALK = 3000;  // depth of the graph walk: C++ stack
 
 // One instruction over virtual registers; -1 = none.
 struct Step {
     uint32_t op;
-    int d = -1, a = -1, b = -1, c = -1;            // c: OP_SEL
-    bool immediate = false;                        // b is `value`
+    int d = -1, a = -1, b = -1, c = -1;  // c: OP_SEL
+    bool immediate = false;              // b is `value`
     float value = 0;
-    uint32_t aux = 0;                              // raw destination, b field or table, by operation
-    int target = -1;                               // jumps: index of the step to go on with
+    uint32_t aux = 0;  // raw destination, b field or table, by operation
+    int target = -1;   // jumps: index of the step to go on with
 };
 
-// Is node `id` a min with something not above `limit`, or a max with something not below it (also one inside the other)?
+// Is node `id` a min with something not above `limit`, or a max with something not below it (also one inside the
+// other)?
 bool within(const Graph& g, int id, uint32_t op, double limit) {
     for (int depth = 0; depth < 2 && (g[id].op == OP_MIN || g[id].op == OP_MAX); depth++) {
         int inner = -1;
@@ -41,17 +42,23 @@ bool within(const Graph& g, int id, uint32_t op, double limit) {
 
 bool may_fail(const Graph& g, const Node& n) {
     switch (n.op) {
-    case OP_ASIN: case OP_ACOS: return !(within(g, n.kid[0], OP_MIN, 1) && within(g, n.kid[0], OP_MAX, -1));
+    case OP_ASIN:
+    case OP_ACOS: return !(within(g, n.kid[0], OP_MIN, 1) && within(g, n.kid[0], OP_MAX, -1));
     case OP_DIV: return !g.is_constant(n.kid[1]) || g.value(n.kid[1]) == 0;
-    case OP_POW: case OP_SQRT: case OP_EXP: case OP_LOG: case OP_LOG10: case OP_FAIL: return true;
+    case OP_POW:
+    case OP_SQRT:
+    case OP_EXP:
+    case OP_LOG:
+    case OP_LOG10:
+    case OP_FAIL: return true;
     default: return false;
     }
 }
 
 // RADIANCE forgets earlier errors when it begins a library call or a power.
 bool forgets(const Node& n) {
-    return n.op == NODE_IF || n.op == OP_NOISE || n.op == OP_FNOISE || n.op == OP_MIN || n.op == OP_MAX || n.op == OP_POW ||
-           (n.op >= OP_SQRT && n.op <= OP_RAND);
+    return n.op == NODE_IF || n.op == OP_NOISE || n.op == OP_FNOISE || n.op == OP_MIN || n.op == OP_MAX ||
+           n.op == OP_POW || (n.op >= OP_SQRT && n.op <= OP_RAND);
 }
 
 class Generator {
@@ -86,8 +93,10 @@ private:
 
     // A constant goes into the instruction, anything else into a register.
     void operand(int id, Step& s) {
-        if (g_.is_constant(id)) { s.immediate = true; s.value = float(g_.value(id)); }
-        else s.b = value(id);
+        if (g_.is_constant(id)) {
+            s.immediate = true;
+            s.value = float(g_.value(id));
+        } else s.b = value(id);
     }
     int in_register(int id) {
         if (!g_.is_constant(id)) return value(id);
@@ -104,11 +113,17 @@ private:
         if (where_[size_t(id)] >= 0) return where_[size_t(id)];
         if (++depth_ > MAX_WALK) too_large();
         const Node& n = g_[id];
-        if (forgets(n) && failed_) { emit(Step{OP_CLEAR}); failed_ = false; }
+        if (forgets(n) && failed_) {
+            emit(Step{OP_CLEAR});
+            failed_ = false;
+        }
         const int r = compute(id, n);
         if (may_fail(g_, n)) failed_ = true;
         depth_--;
-        if (where_[size_t(id)] < 0) { where_[size_t(id)] = r; trail_.push_back(id); }
+        if (where_[size_t(id)] < 0) {
+            where_[size_t(id)] = r;
+            trail_.push_back(id);
+        }
         return r;
     }
 
@@ -117,9 +132,7 @@ private:
         switch (n.op) {
         case NODE_CONST: return in_register(id);
         case NODE_IF: return branch(n);
-        case OP_VAR:
-            s.aux = n.aux;
-            break;
+        case OP_VAR: s.aux = n.aux; break;
         case NODE_CHANNEL: return value(n.kid[0]) + int(n.aux);
         case OP_NOISE:
         case OP_FNOISE:
@@ -131,7 +144,10 @@ private:
                 Step m{OP_MOV};
                 m.d = s.a + i;
                 if (from[size_t(i)] >= 0) m.b = from[size_t(i)];
-                else { m.immediate = true; m.value = float(g_.value(n.kid[i])); }
+                else {
+                    m.immediate = true;
+                    m.value = float(g_.value(n.kid[i]));
+                }
                 emit(m);
             }
             s.aux = n.aux;
@@ -151,8 +167,9 @@ private:
             s.a = in_register(a);
             if (b >= 0) operand(b, s);
             int exponent;
-            if (s.op == OP_DIV && s.immediate && std::fabs(std::frexp(s.value, &exponent)) == 0.5f && std::abs(exponent) < 100) {
-                s.op = OP_MUL;                     // by a power of 2: exact; other quotients must stay (mod(n,d))
+            if (s.op == OP_DIV && s.immediate && std::fabs(std::frexp(s.value, &exponent)) == 0.5f &&
+                std::abs(exponent) < 100) {
+                s.op = OP_MUL;  // by a power of 2: exact; other quotients must stay (mod(n,d))
                 s.value = 1 / s.value;
             }
         }
@@ -164,7 +181,10 @@ private:
 
     static bool swapped(uint32_t op, uint32_t& other) {
         switch (op) {
-        case OP_ADD: case OP_MUL: case OP_MIN: case OP_MAX: other = op; return true;
+        case OP_ADD:
+        case OP_MUL:
+        case OP_MIN:
+        case OP_MAX: other = op; return true;
         case OP_SUB: other = OP_RSUB; return true;
         case OP_DIV: other = OP_RDIV; return true;
         case OP_POW: other = OP_RPOW; return true;
@@ -236,7 +256,7 @@ private:
         std::vector<int> both;
         for (int id : a)
             if (b.count(id) && g_[id].op != OP_FAIL) both.push_back(id);
-        std::sort(both.begin(), both.end());       // kids before parents, the same order every time
+        std::sort(both.begin(), both.end());  // kids before parents, the same order every time
         int state = -1;
         const bool failed = failed_;
         if (speculative && !both.empty()) {
@@ -255,11 +275,11 @@ private:
 
     const Graph& g_;
     const std::string& place_;
-    std::vector<int> where_;                       // node -> virtual register, -1
-    std::vector<int> trail_;                       // nodes computed, in order
+    std::vector<int> where_;  // node -> virtual register, -1
+    std::vector<int> trail_;  // nodes computed, in order
     std::vector<Step> steps_;
-    std::vector<int> width_;                       // of register blocks, by first register; 0 inside a block
-    bool failed_ = false;                          // an error may be pending here
+    std::vector<int> width_;  // of register blocks, by first register; 0 inside a block
+    bool failed_ = false;     // an error may be pending here
     int depth_ = 0;
 };
 
@@ -327,7 +347,10 @@ uint32_t Generator::assemble(Code& code) {
         if (s.immediate) code.words.push_back(as_uint_(s.value));
         if (s.op == OP_SEL) code.words.push_back(reg(s.c));
         if (s.op == OP_DATA || s.op == OP_TEXT) code.words.push_back(s.aux);
-        if (s.target >= 0) { patches.emplace_back(code.words.size(), s.target); code.words.push_back(0); }
+        if (s.target >= 0) {
+            patches.emplace_back(code.words.size(), s.target);
+            code.words.push_back(0);
+        }
     }
     for (const auto& p : patches) code.words[p.first] = position[size_t(p.second)] - uint32_t(p.first) - 1;
     return entry;

@@ -8,9 +8,10 @@
 
 namespace cal {
 
-uint32_t with_builder(Library& library, const std::vector<double>& args, const base::Xform& xform, const std::string& place,
-                      Code& code, const std::function<std::vector<int>(Builder&, Graph&)>& make) {
-    for (int limit = 32; ; limit /= 2) {
+uint32_t with_builder(Library& library, const std::vector<double>& args, const base::Xform& xform,
+                      const std::string& place, Code& code,
+                      const std::function<std::vector<int>(Builder&, Graph&)>& make) {
+    for (int limit = 32;; limit /= 2) {
         Graph graph;
         Builder builder(library.state(), graph, args, xform, place);
         builder.recursion_limit = limit;

@@ -22,6 +22,7 @@ public:
     void define_file(const std::string& file, const std::string& place);  // -f: the same from a file on RAYPATH
     struct State;
     State& state() { return *state_; }
+
 private:
     std::unique_ptr<State> state_;
 };
@@ -29,15 +30,15 @@ private:
 // Flat output shared by all programs of a scene.  The two vectors are the device's arenas u and f themselves (programs
 // hold absolute indices into both): append to them, or start the arenas with them.
 struct Code {
-    std::vector<uint32_t> words;   // instructions, table headers, glyphs
-    std::vector<float> floats;     // data arrays, pictures
+    std::vector<uint32_t> words;             // instructions, table headers, glyphs
+    std::vector<float> floats;               // data arrays, pictures
     std::map<std::string, uint32_t> tables;  // files already in the arenas
 };
 
-// Compiles `outputs` (expressions such as "skybr" or "red(r,g,b)") in the context of file `cal_file` ("." = global) with
-// real arguments `args` and the object transform `xform` (object -> world: programs get world coordinates and see object
-// coordinates).  $1 .. $27 = the ray variables; $101 $102 $103 = light direction (object coordinates), $104 = its solid
-// angle, $105.. = CAL_ARG0.. (cal_vm.h), so that a BRDF function f is the output "f($101,$102,$103,$104)".
+// Compiles `outputs` (expressions such as "skybr" or "red(r,g,b)") in the context of file `cal_file` ("." = global)
+// with real arguments `args` and the object transform `xform` (object -> world: programs get world coordinates and see
+// object coordinates).  $1 .. $27 = the ray variables; $101 $102 $103 = light direction (object coordinates), $104 =
+// its solid angle, $105.. = CAL_ARG0.. (cal_vm.h), so that a BRDF function f is the output "f($101,$102,$103,$104)".
 // Returns the program's entry: index into code.words.  Throws Error at `place`.
 uint32_t compile(Library& library, const std::vector<std::string>& outputs, const std::string& cal_file,
                  const std::vector<double>& args, const base::Xform& xform, const std::string& place, Code& code);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Data files and pictures to tables.  A picture is a data array of three channels over (v, u): samples stand at the ends
-// of the range, the shorter side has length 1, v is up, values are those in the file (its exposure is not divided out).
+// Data files and pictures to tables.  A picture is a data array of three channels over (v, u): samples stand at the
+// ends of the range, the shorter side has length 1, v is up, values are those in the file (its exposure is not divided
+// out).
 #include <cmath>
 #include "base/error.h"
 #include "base/number.h"
@@ -17,11 +18,13 @@ constexpr size_t MAX_FILE = size_t(256) << 20;
 constexpr uint32_t MAX_DIMS = 5;
 constexpr uint32_t EVEN = 0xffffffffu;
 
-class Numbers {                        // the words of a data file, comments left out
+class Numbers {  // the words of a data file, comments left out
 public:
     Numbers(const std::string& text, const std::string& path, const std::string& place)
         : text_(text), path_(path), place_(place) {}
-    [[noreturn]] void fail(const std::string& fact) const { base::fail(place_, "data file \"" + path_ + "\": " + fact); }
+    [[noreturn]] void fail(const std::string& fact) const {
+        base::fail(place_, "data file \"" + path_ + "\": " + fact);
+    }
     double real() {
         for (;;) {
             while (at_ < text_.size() && (text_[at_] == ' ' || (text_[at_] >= '\t' && text_[at_] <= '\r'))) at_++;
@@ -42,6 +45,7 @@ public:
         return uint32_t(v);
     }
     size_t left() const { return text_.size() - at_; }
+
 private:
     const std::string& text_;
     const std::string &path_, &place_;
@@ -97,19 +101,22 @@ uint32_t add_data(const DataFile& data, uint32_t channels, Code& code) {
     return table;
 }
 
-uint32_t data_table(Library::State& library, const std::string& file, size_t dimensions, const std::string& place, Code& code) {
+uint32_t data_table(Library::State& library, const std::string& file, size_t dimensions, const std::string& place,
+                    Code& code) {
     const auto known = code.tables.find("data " + file);
     const uint32_t table = known != code.tables.end()
-        ? known->second
-        : code.tables["data " + file] = add_data(read_data(base::find_file(file, library.files, place), place), 1, code);
+                               ? known->second
+                               : code.tables["data " + file] =
+                                     add_data(read_data(base::find_file(file, library.files, place), place), 1, code);
     if (code.words[table] != dimensions)
         base::fail(place, "data file \"" + file + "\" has " + std::to_string(code.words[table]) + " dimensions, " +
-                          std::to_string(dimensions) + " coordinates are given");
+                              std::to_string(dimensions) + " coordinates are given");
     return table;
 }
 
 // The dimensions (v, u) of a picture.
-static DataFile picture_plane(int width, int height, double pixel_aspect, const std::string& file, const std::string& place) {
+static DataFile picture_plane(int width, int height, double pixel_aspect, const std::string& file,
+                              const std::string& place) {
     if (width < 2 || height < 2) base::fail(place, "picture \"" + file + "\" is too small for a pattern");
     DataFile data;
     const double wide = width, high = height * pixel_aspect, shorter = std::min(wide, high);
@@ -133,7 +140,8 @@ uint32_t picture_table(Library::State& library, const std::string& file, const s
     return code.tables["picture " + file] = add_data(data, 3, code);
 }
 
-std::optional<SpectralTables> spectral_tables(Library::State& library, const std::string& file, const std::string& place, Code& code) {
+std::optional<SpectralTables> spectral_tables(Library::State& library, const std::string& file,
+                                              const std::string& place, Code& code) {
     const auto picture = image::read_spectral_file(base::find_file(file, library.files, place));
     if (!picture) return {};
     SpectralTables r;
@@ -151,7 +159,8 @@ std::optional<SpectralTables> spectral_tables(Library::State& library, const std
         for (int y = picture->height - 1; y >= 0; y--)
             for (int x = 0; x < picture->width; x++)
                 for (int k = first; k < first + 3; k++)
-                    data.values.push_back(k < r.bands ? picture->values[(size_t(y) * picture->width + x) * r.bands + k] : 0);
+                    data.values.push_back(k < r.bands ? picture->values[(size_t(y) * picture->width + x) * r.bands + k]
+                                                      : 0);
         r.tables.push_back(code.tables[key] = add_data(data, 3, code));
     }
     return r;

@@ -17,7 +17,7 @@ public:
     void define(const std::string& definitions, const std::string& place);  // "r(t) = 1+t; k : 3"
     void load(const std::string& file, const std::string& place);           // definitions of a file on RAYPATH
 
-    bool has_function(const std::string& name) const;                       // defined by define() or load()
+    bool has_function(const std::string& name) const;  // defined by define() or load()
     // A defined function, or any expression without parameters.  Domain errors and divisions by zero give 0, as in
     // RADIANCE, and are counted.  Throws Error(place) for what is not defined or never ends.
     double call(const std::string& function, const std::vector<double>& arguments, const std::string& place);

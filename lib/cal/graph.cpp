@@ -14,7 +14,10 @@ bool Node::operator==(const Node& o) const {
 size_t NodeHash::operator()(const Node& n) const {
     uint64_t bits, h = 1469598103934665603ull;
     std::memcpy(&bits, &n.value, sizeof bits);
-    auto mix = [&](uint64_t v) { h = (h ^ v) * 1099511628211ull; h ^= h >> 29; };
+    auto mix = [&](uint64_t v) {
+        h = (h ^ v) * 1099511628211ull;
+        h ^= h >> 29;
+    };
     mix(n.op | uint64_t(n.aux) << 8);
     mix(bits);
     for (int i = 0; i < n.kid_count; i++) mix(uint64_t(n.kid[i]) + 1);
@@ -26,7 +29,10 @@ bool fold(uint32_t op, double a, double b, double& r) {
     case OP_ADD: r = a + b; break;
     case OP_SUB: r = a - b; break;
     case OP_MUL: r = a * b; break;
-    case OP_DIV: if (b == 0) return false; r = a / b; break;
+    case OP_DIV:
+        if (b == 0) return false;
+        r = a / b;
+        break;
     case OP_MIN: r = b < a ? b : a; break;
     case OP_MAX: r = b > a ? b : a; break;
     case OP_POW: r = std::pow(a, b); break;
@@ -78,7 +84,10 @@ int Graph::variable(uint32_t index) {
 }
 
 int Graph::fail() {
-    if (numbers_only_) { error = true; return constant(0); }
+    if (numbers_only_) {
+        error = true;
+        return constant(0);
+    }
     Node n;
     n.op = OP_FAIL;
     return intern(n);
@@ -106,7 +115,10 @@ int Graph::make(uint32_t op, int a, int b, uint32_t aux) {
     if (ca && cb) {
         double r;
         if (fold(op, a < 0 ? 0 : value(a), b < 0 ? 0 : value(b), r)) return constant(r);
-        if (numbers_only_) { error = true; return constant(0); }
+        if (numbers_only_) {
+            error = true;
+            return constant(0);
+        }
     }
     switch (op) {
     case OP_ADD:
@@ -146,7 +158,11 @@ int Graph::make(uint32_t op, int a, int b, uint32_t aux) {
     Node n;
     n.op = uint8_t(op);
     n.aux = aux;
-    if ((op == OP_ADD || op == OP_MUL) && a > b) { const int t = a; a = b; b = t; }
+    if ((op == OP_ADD || op == OP_MUL) && a > b) {
+        const int t = a;
+        a = b;
+        b = t;
+    }
     n.kid[0] = a;
     n.kid[1] = b;
     n.kid_count = uint8_t(a < 0 ? 0 : b < 0 ? 1 : 2);
@@ -159,17 +175,29 @@ int Graph::choose(int condition, int yes, int no) {
     // the larger or the smaller of two values, and the bounded value: p > x ? p : min(x, b) with p <= b
     const Node c = (*this)[condition];
     const bool difference = c.op == OP_SUB, sum = c.op == OP_ADD;
-    int p = -1, q = -1;                                    // condition is p > q
-    if (difference) { p = c.kid[0]; q = c.kid[1]; }
-    if (sum && is_constant(c.kid[0])) { p = c.kid[1]; q = constant(-value(c.kid[0])); }
-    else if (sum && is_constant(c.kid[1])) { p = c.kid[0]; q = constant(-value(c.kid[1])); }
-    if (p < 0) { p = condition; q = constant(0); }
+    int p = -1, q = -1;  // condition is p > q
+    if (difference) {
+        p = c.kid[0];
+        q = c.kid[1];
+    }
+    if (sum && is_constant(c.kid[0])) {
+        p = c.kid[1];
+        q = constant(-value(c.kid[0]));
+    } else if (sum && is_constant(c.kid[1])) {
+        p = c.kid[0];
+        q = constant(-value(c.kid[1]));
+    }
+    if (p < 0) {
+        p = condition;
+        q = constant(0);
+    }
     if (p == yes && q == no) return make(OP_MAX, p, q);
     if (p == no && q == yes) return make(OP_MIN, p, q);
     const Node low = (*this)[no];
     if (p == yes && is_constant(p) && low.op == OP_MIN)
         for (int k = 0; k < 2; k++)
-            if (low.kid[k] == q && is_constant(low.kid[1 - k]) && value(low.kid[1 - k]) >= value(p)) return make(OP_MAX, no, p);
+            if (low.kid[k] == q && is_constant(low.kid[1 - k]) && value(low.kid[1 - k]) >= value(p))
+                return make(OP_MAX, no, p);
     Node n;
     n.op = NODE_IF;
     n.kid_count = 3;
@@ -191,7 +219,8 @@ int Graph::lookup(uint32_t op, const std::vector<int>& kids, uint32_t aux, int c
     }
     if (constants && op == OP_NOISE)
         return constant(device::cal_noise3_slope(value(kids[0]), value(kids[1]), value(kids[2]), int(aux)));
-    if (constants && op == OP_FNOISE) return constant(device::cal_fnoise3(value(kids[0]), value(kids[1]), value(kids[2])));
+    if (constants && op == OP_FNOISE)
+        return constant(device::cal_fnoise3(value(kids[0]), value(kids[1]), value(kids[2])));
     return intern(n);
 }
 

@@ -16,12 +16,14 @@ constexpr uint8_t NODE_CHANNEL = 130;  // component aux of kid 0 (a look-up)
 struct Node {
     uint8_t op = NODE_CONST;
     uint8_t kid_count = 0;
-    uint32_t aux = 0;                  // OP_VAR: variable; OP_NOISE: axis; OP_DATA, OP_TEXT: table
-    double value = 0;                  // constants; OP_DATA: number of channels
+    uint32_t aux = 0;  // OP_VAR: variable; OP_NOISE: axis; OP_DATA, OP_TEXT: table
+    double value = 0;  // constants; OP_DATA: number of channels
     int kid[5] = {-1, -1, -1, -1, -1};
     bool operator==(const Node& o) const;
 };
-struct NodeHash { size_t operator()(const Node& n) const; };
+struct NodeHash {
+    size_t operator()(const Node& n) const;
+};
 
 class Graph {
 public:
@@ -44,7 +46,11 @@ public:
     size_t size() const { return nodes_.size(); }
     bool is_constant(int id) const { return nodes_[size_t(id)].op == NODE_CONST; }
     double value(int id) const { return nodes_[size_t(id)].value; }
-    void clear() { nodes_.clear(); known_.clear(); error = false; }
+    void clear() {
+        nodes_.clear();
+        known_.clear();
+        error = false;
+    }
     bool error = false;
 
 private:

@@ -14,7 +14,8 @@ std::string context_of(const std::string& file) {  // "lib/my sky.cal" -> "my_sk
     std::string name = file.substr(file.find_last_of('/') + 1);
     if (name.size() > 4 && name.compare(name.size() - 4, 4, ".cal") == 0) name.resize(name.size() - 4);
     for (char& c : name)
-        if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.')) c = '_';
+        if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.'))
+            c = '_';
     return name;
 }
 
@@ -53,15 +54,20 @@ Library::~Library() = default;
 
 void Library::define(const std::string& text, const std::string& place) { state_->add(text, place, "", true); }
 
-void Library::define_file(const std::string& file, const std::string& place) { state_->add_file(file, "", place, true); }
+void Library::define_file(const std::string& file, const std::string& place) {
+    state_->add_file(file, "", place, true);
+}
 
 void Library::State::add(std::string_view text, const std::string& file, const std::string& context, bool warn) {
     for (Definition& def : parse_definitions(text, file, pool)) {
         std::string base, own;
         def.context = context;
         if (split(def.name, base, own)) {
-            if (base.empty()) def.name = own;               // `x: in this context anyway
-            else { def.name = base; def.context = own; }
+            if (base.empty()) def.name = own;  // `x: in this context anyway
+            else {
+                def.name = base;
+                def.context = own;
+            }
         }
         auto& names = contexts[def.context];
         const auto old = names.find(def.name);
@@ -71,7 +77,8 @@ void Library::State::add(std::string_view text, const std::string& file, const s
     }
 }
 
-void Library::State::add_file(const std::string& file, const std::string& context, const std::string& place, bool warn) {
+void Library::State::add_file(const std::string& file, const std::string& context, const std::string& place,
+                              bool warn) {
     const std::string path = base::look_for_file(file, files);
     if (!path.empty()) return add(read_text(path, MAX_FILE, place), path, context, warn);
     const bool has_ending = file.size() > 4 && file.compare(file.size() - 4, 4, ".cal") == 0;

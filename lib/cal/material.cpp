@@ -12,7 +12,8 @@ using Nodes = std::vector<int>;
 // coef dx dy dz, the direction turned to the world
 void prism_exit(Parts& p, size_t first, Nodes& out) {
     out.push_back(p.expression(first));
-    for (int n : p.to_world({p.expression(first + 1), p.expression(first + 2), p.expression(first + 3)})) out.push_back(n);
+    for (int n : p.to_world({p.expression(first + 1), p.expression(first + 2), p.expression(first + 3)}))
+        out.push_back(n);
 }
 void direction(Parts& p, size_t first, Nodes& out) {
     for (int n : p.to_world({p.expression(first), p.expression(first + 1), p.expression(first + 2)})) out.push_back(n);
@@ -25,11 +26,15 @@ Nodes light(Parts& p, Builder& b, Library& library) {
     return l;
 }
 
-const struct Kind { const char* name; size_t strings; int values, lobe; } kinds[] = {
-    {"prism1", 5, 4, 0},   {"prism2", 9, 8, 0},    {"plastic2", 4, 3, 0},  {"metal2", 4, 3, 0},  {"trans2", 4, 3, 0},
-    {"ashik2", 4, 3, 0},   {"plasfunc", 2, 0, 1},  {"metfunc", 2, 0, 1},   {"transfunc", 2, 0, 1}, {"plasdata", 4, 0, 1},
-    {"metdata", 4, 0, 1},  {"transdata", 4, 0, 1}, {"BRTDfunc", 10, 6, 3}, {"WGMDfunc", 13, 9, 0}, {"BSDF", 6, 4, 0},
-    {"aBSDF", 5, 3, 0},
+const struct Kind {
+    const char* name;
+    size_t strings;
+    int values, lobe;
+} kinds[] = {
+    {"prism1", 5, 4, 0},    {"prism2", 9, 8, 0},    {"plastic2", 4, 3, 0}, {"metal2", 4, 3, 0},
+    {"trans2", 4, 3, 0},    {"ashik2", 4, 3, 0},    {"plasfunc", 2, 0, 1}, {"metfunc", 2, 0, 1},
+    {"transfunc", 2, 0, 1}, {"plasdata", 4, 0, 1},  {"metdata", 4, 0, 1},  {"transdata", 4, 0, 1},
+    {"BRTDfunc", 10, 6, 3}, {"WGMDfunc", 13, 9, 0}, {"BSDF", 6, 4, 0},     {"aBSDF", 5, 3, 0},
 };
 const Kind* find(const std::string& name) {
     for (const Kind& k : kinds)

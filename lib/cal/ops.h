@@ -13,7 +13,7 @@ namespace device {
 #include "kernels/math.h"
 #include "kernels/intersect.h"
 #include "kernels/cal_vm.h"
-}
+}  // namespace device
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif

@@ -11,7 +11,7 @@ namespace cal {
 namespace {
 
 constexpr int MAX_NESTING = 1000;
-constexpr int MAX_DEPTH = 2500;        // of a tree: also long sums lean to the left
+constexpr int MAX_DEPTH = 2500;  // of a tree: also long sums lean to the left
 
 bool is_name_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '`'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -20,7 +20,9 @@ bool is_name_char(char c) { return is_name_start(c) || is_digit(c) || c == '_' |
 class Parser {
 public:
     Parser(std::string_view text, std::string place, bool lines, Pool& pool)
-        : text_(text), place_(std::move(place)), lines_(lines), pool_(pool) { skip(); }
+        : text_(text), place_(std::move(place)), lines_(lines), pool_(pool) {
+        skip();
+    }
 
     bool at_end() const { return at_ >= text_.size(); }
     char peek() const { return at_end() ? '\0' : text_[at_]; }
@@ -70,7 +72,8 @@ public:
         def.name = name();
         if (accept('(')) {
             def.is_function = true;
-            do def.parameters.push_back(name()); while (accept(','));
+            do def.parameters.push_back(name());
+            while (accept(','));
             expect(')', "after the parameters");
         }
         if (accept(':')) def.is_constant = true;
@@ -80,7 +83,7 @@ public:
     }
 
 private:
-    void skip() {                      // white space and nested comments
+    void skip() {  // white space and nested comments
         int comment = 0;
         for (; at_ < text_.size(); at_++) {
             const char c = text_[at_];
@@ -137,16 +140,23 @@ private:
         e->name = name();
         if (!accept('(')) return e;
         e->kind = Expr::Kind::call;
-        do e->kids.push_back(expression()); while (accept(','));
+        do e->kids.push_back(expression());
+        while (accept(','));
         expect(')', "after the arguments");
         return finish(e);
     }
 
     double number() {
         std::string digits;
-        auto run = [&] { while (is_digit(peek())) digits += text_[at_++]; };
+        auto run = [&] {
+            while (is_digit(peek())) digits += text_[at_++];
+        };
         run();
-        if (peek() == '.') { digits += '.'; at_++; run(); }
+        if (peek() == '.') {
+            digits += '.';
+            at_++;
+            run();
+        }
         if (digits == ".") fail("a lone '.' is no number");
         if (peek() == 'e' || peek() == 'E') {
             size_t next = at_ + 1;
@@ -228,7 +238,8 @@ std::vector<Definition> parse_definitions(std::string_view text, const std::stri
     while (!parser.at_end()) {
         if (parser.accept(';')) continue;
         found.push_back(parser.definition());
-        if (!parser.at_end() && !parser.accept(';')) parser.fail("expected ';' or an operator, found " + parser.found());
+        if (!parser.at_end() && !parser.accept(';'))
+            parser.fail("expected ';' or an operator, found " + parser.found());
     }
     return found;
 }

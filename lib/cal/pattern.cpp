@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Textures, patterns and mixtures to programs (spec: scene language 5).  To add a type: a row in `types` and its function.
+// Textures, patterns and mixtures to programs (spec: scene language 5).  To add a type: a row in `types` and its
+// function.
 #include "cal/pattern.h"
 #include <cmath>
 #include "base/error.h"
@@ -39,8 +40,7 @@ Nodes picture_values(Parts& p, size_t picture, size_t cal) {
 
 // rf(r,g,b), and gf, bf of three values or of their own
 void color_functions(Parts& p, const Nodes& rgb, Nodes& out) {
-    for (size_t k = 0; k < 3; k++)
-        out.push_back(k > 0 && p.parameters(k) < 3 ? p.call(k, {rgb[k]}) : p.call(k, rgb));
+    for (size_t k = 0; k < 3; k++) out.push_back(k > 0 && p.parameters(k) < 3 ? p.call(k, {rgb[k]}) : p.call(k, rgb));
 }
 
 int clamped(Parts& p, int node) {
@@ -73,14 +73,15 @@ void mixpict(Parts& p, Nodes& out) { out.push_back(clamped(p, p.call(2, picture_
 void text(Parts& p, Nodes& out, size_t font, size_t width) {
     const int ink = p.text(font, 9 + 2 * width);
     for (size_t k = 0; k < width; k++)
-        out.push_back(p.graph->choose(ink, p.graph->constant(p.spec.reals[9 + k]), p.graph->constant(p.spec.reals[9 + width + k])));
+        out.push_back(p.graph->choose(ink, p.graph->constant(p.spec.reals[9 + k]),
+                                      p.graph->constant(p.spec.reals[9 + width + k])));
 }
 void brighttext(Parts& p, Nodes& out) { text(p, out, 0, 1); }
 void colortext(Parts& p, Nodes& out) { text(p, out, 0, 3); }
 void mixtext(Parts& p, Nodes& out) { out.push_back(p.text(2, 9)); }
 
 // ---- spectral types: RGB by the colour matching functions, as RADIANCE's RGB mode does
-constexpr double STEP = 10;            // nm, where a function is sampled for each point
+constexpr double STEP = 10;  // nm, where a function is sampled for each point
 
 // A colour outside the triangle of the primaries is moved towards the grey of its luminance.
 void inside_gamut(Parts& p, Nodes rgb, Nodes& out) {
@@ -88,7 +89,8 @@ void inside_gamut(Parts& p, Nodes rgb, Nodes& out) {
     int y = g.constant(0);
     for (size_t k = 0; k < 3; k++) y = g.add(y, g.mul(rgb[k], g.constant(rgb_luminance[k])));
     const int least = g.make(OP_MIN, g.make(OP_MIN, rgb[0], rgb[1]), rgb[2]);
-    const int share = g.choose(g.make(OP_NEG, least), g.choose(y, g.make(OP_DIV, y, g.sub(y, least)), g.constant(0)), g.constant(1));
+    const int share =
+        g.choose(g.make(OP_NEG, least), g.choose(y, g.make(OP_DIV, y, g.sub(y, least)), g.constant(0)), g.constant(1));
     for (int c : rgb) out.push_back(g.choose(y, g.add(y, g.mul(g.sub(c, y), share)), g.constant(0)));
 }
 
@@ -98,7 +100,8 @@ void constant_spectrum(Parts& p, const std::function<double(double)>& f, Nodes& 
     inside_gamut(p, rgb, out);
 }
 
-template <class F> void sampled_spectrum(Parts& p, double low, double high, F value, Nodes& out) {
+template <class F>
+void sampled_spectrum(Parts& p, double low, double high, F value, Nodes& out) {
     Nodes rgb(3, p.graph->constant(0));
     for (double nm = 380 + STEP / 2; nm < 780; nm += STEP) {
         if (nm < low || nm > high) continue;
@@ -120,42 +123,52 @@ void spectrum(Parts& p, Nodes& out) {
         return;
     }
     const double intervals = double(r.size() - 3);
-    constant_spectrum(p, [&](double nm) {
-        const double t = (nm - first) / (last - first) * intervals;
-        if (t < 0 || t > intervals) return 0.0;
-        const size_t i = size_t(std::fmin(t, intervals - 1));
-        return r[2 + i] + (r[3 + i] - r[2 + i]) * (t - double(i));
-    }, out);
+    constant_spectrum(
+        p,
+        [&](double nm) {
+            const double t = (nm - first) / (last - first) * intervals;
+            if (t < 0 || t > intervals) return 0.0;
+            const size_t i = size_t(std::fmin(t, intervals - 1));
+            return r[2 + i] + (r[3 + i] - r[2 + i]) * (t - double(i));
+        },
+        out);
 }
 
 void specfile(Parts& p, Nodes& out) {
     const DataFile data = p.read(0);
     if (data.dimensions.size() != 1) p.fail("a spectrum has one dimension, wavelength");
     const DataFile::Dimension& d = data.dimensions[0];
-    constant_spectrum(p, [&](double nm) {
-        for (uint32_t i = 0; i + 1 < d.count; i++) {
-            const double t = (nm - d.at(i)) / (d.at(i + 1) - d.at(i));
-            if (t >= 0 && t <= 1) return data.values[i] + (data.values[i + 1] - data.values[i]) * t;
-        }
-        return 0.0;
-    }, out);
+    constant_spectrum(
+        p,
+        [&](double nm) {
+            for (uint32_t i = 0; i + 1 < d.count; i++) {
+                const double t = (nm - d.at(i)) / (d.at(i + 1) - d.at(i));
+                if (t >= 0 && t <= 1) return data.values[i] + (data.values[i + 1] - data.values[i]) * t;
+            }
+            return 0.0;
+        },
+        out);
 }
 void specfunc(Parts& p, Nodes& out) {
     if (p.spec.reals.size() < 2) p.fail("bad number of real arguments");
     p.file(1);
     p.no_more_than_transform(2);
     const double a = p.spec.reals[0], b = p.spec.reals[1];
-    sampled_spectrum(p, std::fmin(a, b), std::fmax(a, b), [&](int nm) { return p.call(0, {nm}); }, out);
+    sampled_spectrum(
+        p, std::fmin(a, b), std::fmax(a, b), [&](int nm) { return p.call(0, {nm}); }, out);
 }
 void specdata(Parts& p, Nodes& out) {
     p.file(2);
     const Nodes x = p.coordinates(3);
     const uint32_t table = p.data(1, x.size() + 1);
-    sampled_spectrum(p, 380, 780, [&](int nm) {
-        Nodes at = x;
-        at.push_back(nm);
-        return p.call(0, {p.graph->channel(p.graph->lookup(OP_DATA, at, table), 0), nm});
-    }, out);
+    sampled_spectrum(
+        p, 380, 780,
+        [&](int nm) {
+            Nodes at = x;
+            at.push_back(nm);
+            return p.call(0, {p.graph->channel(p.graph->lookup(OP_DATA, at, table), 0), nm});
+        },
+        out);
 }
 // An RGB picture's channels stand for the middles of the bands 780-588, 588-480, 480-380.  In a hyperspectral one each
 // band is constant over its wavelengths.
@@ -182,7 +195,12 @@ void specpict(Parts& p, Nodes& out) {
     inside_gamut(p, rgb, out);
 }
 
-const struct Type { const char* name; size_t strings; ProgramKind kind; void (*build)(Parts&, Nodes&); } types[] = {
+const struct Type {
+    const char* name;
+    size_t strings;
+    ProgramKind kind;
+    void (*build)(Parts&, Nodes&);
+} types[] = {
     {"brightfunc", 2, ProgramKind::brightness, brightfunc}, {"colorfunc", 4, ProgramKind::color, colorfunc},
     {"texfunc", 4, ProgramKind::texture, texfunc},          {"mixfunc", 4, ProgramKind::mixture, mixfunc},
     {"brightdata", 4, ProgramKind::brightness, brightdata}, {"colordata", 8, ProgramKind::color, colordata},

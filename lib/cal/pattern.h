@@ -12,25 +12,25 @@ namespace cal {
 // A primitive as it stands in the scene file.  `outer`: transform of the instance or mesh it acts in (object -> world),
 // which acts after the one in its own string arguments; identity for most.
 struct PatternSpec {
-    std::string type;                  // "brightfunc", "colorpict", ..
+    std::string type;  // "brightfunc", "colorpict", ..
     std::vector<std::string> strings;
     std::vector<double> reals;
-    std::string place;                 // "office.rad:14", for messages
+    std::string place;  // "office.rad:14", for messages
     base::Xform outer;
 };
 
 enum class ProgramKind {
-    brightness,                        // 1 output, multiplies the colour
-    color,                             // 3 outputs, multiply the colour
-    texture,                           // 3 outputs: displacement of the normal, world coordinates
-    mixture,                           // 1 output, 0 to 1: share of the first modifier
+    brightness,  // 1 output, multiplies the colour
+    color,       // 3 outputs, multiply the colour
+    texture,     // 3 outputs: displacement of the normal, world coordinates
+    mixture,     // 1 output, 0 to 1: share of the first modifier
 };
 
 struct Program {
     uint32_t entry = 0;
     int outputs = 0;
     ProgramKind kind = ProgramKind::brightness;
-    std::string first, second;         // mixtures: names of the modifiers
+    std::string first, second;  // mixtures: names of the modifiers
 };
 
 bool is_pattern(const std::string& type);
@@ -45,10 +45,10 @@ Program compile_pattern(Library& library, const PatternSpec& spec, Code& code);
 //   WGMDfunc           values rs ur vr ts utr vtr ux uy uz; modifiers rs_mod ts_mod td_mod
 //   BSDF               values thickness ux uy uz; aBSDF: values ux uy uz
 struct MaterialProgram {
-    uint32_t values = 0, lobe = 0;     // entries; meaningful if the counts are not 0
+    uint32_t values = 0, lobe = 0;  // entries; meaningful if the counts are not 0
     int value_count = 0, lobe_count = 0;
     std::vector<std::string> modifiers;  // WGMDfunc
-    std::string file;                  // BSDF, aBSDF: the XML file
+    std::string file;                    // BSDF, aBSDF: the XML file
 };
 bool has_functions(const std::string& type);
 MaterialProgram compile_material(Library& library, const PatternSpec& spec, Code& code);

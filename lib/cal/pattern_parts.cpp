@@ -17,7 +17,8 @@ Parts::Parts(Library& library, const PatternSpec& pattern, Code& code) : spec(pa
     if (at < spec.strings.size()) {
         const base::Span<std::string> words{spec.strings.data(), spec.strings.size()};
         const int used = base::parse_xform(words, at, own, spec.place);
-        if (at + size_t(used) != spec.strings.size()) fail("\"" + spec.strings[at + size_t(used)] + "\" is not a transform");
+        if (at + size_t(used) != spec.strings.size())
+            fail("\"" + spec.strings[at + size_t(used)] + "\" is not a transform");
     }
     xform_ = base::multiply(own, spec.outer);
     if (xform_.scale == 0) fail("transform without inverse");
@@ -68,7 +69,8 @@ std::vector<int> Parts::coordinates(size_t from) {
 
 std::vector<int> Parts::coordinates_of(size_t from, const std::vector<int>& values) {
     std::vector<int> x;
-    for (size_t i = from; i < transform_at(from); i++) x.push_back(parameters(i) >= 0 ? call(i, values) : expression(i));
+    for (size_t i = from; i < transform_at(from); i++)
+        x.push_back(parameters(i) >= 0 ? call(i, values) : expression(i));
     if (x.empty()) fail("bad arguments: coordinates are missing");
     if (x.size() > 5) fail("more than 5 coordinates");
     return x;
@@ -101,11 +103,13 @@ int Parts::text(size_t font_at, size_t real_count) {
     std::vector<std::string> lines;
     if (spec.strings[font_at + 1] == ".") {
         std::string line;
-        for (size_t i = font_at + 2; i < spec.strings.size(); i++) line += (i > font_at + 2 ? " " : "") + spec.strings[i];
+        for (size_t i = font_at + 2; i < spec.strings.size(); i++)
+            line += (i > font_at + 2 ? " " : "") + spec.strings[i];
         lines.push_back(line);
     } else {
-        const std::string text = read_text(base::find_file(spec.strings[font_at + 1], library_.state().files, spec.place),
-                                           size_t(16) << 20, spec.place);
+        const std::string text =
+            read_text(base::find_file(spec.strings[font_at + 1], library_.state().files, spec.place), size_t(16) << 20,
+                      spec.place);
         for (size_t from = 0; from < text.size();) {
             const size_t end = std::min(text.find('\n', from), text.size());
             lines.push_back(text.substr(from, end - from));

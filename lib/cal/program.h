@@ -7,7 +7,8 @@
 
 namespace cal {
 
-uint32_t with_builder(Library& library, const std::vector<double>& args, const base::Xform& xform, const std::string& place,
-                      Code& code, const std::function<std::vector<int>(Builder&, Graph&)>& make);
+uint32_t with_builder(Library& library, const std::vector<double>& args, const base::Xform& xform,
+                      const std::string& place, Code& code,
+                      const std::function<std::vector<int>(Builder&, Graph&)>& make);
 
 }  // namespace cal

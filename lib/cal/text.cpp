@@ -38,9 +38,15 @@ Font read_font(const std::string& path, const std::string& place) {
         for (long long i = 0; i < 2 * n; i++) {
             if (!next(v) || v < 0 || v > 255) fail("bad vertex of character " + std::to_string(code));
             g.vertices.push_back(int(v));
-            if (i % 2 == 0) { g.left = std::min(g.left, int(v)); g.right = std::max(g.right, int(v)); }
+            if (i % 2 == 0) {
+                g.left = std::min(g.left, int(v));
+                g.right = std::max(g.right, int(v));
+            }
         }
-        if (g.right > g.left) { sum += g.right - g.left; visible++; }
+        if (g.right > g.left) {
+            sum += g.right - g.left;
+            visible++;
+        }
     }
     if (visible) font.mean_width = sum / visible;
     return font;
@@ -111,7 +117,7 @@ uint32_t text_table(const Font& font, const std::vector<std::string>& lines, int
         }
         return glyph_at[c];
     };
-    std::vector<std::pair<uint32_t, uint32_t>> records;   // width, characters
+    std::vector<std::pair<uint32_t, uint32_t>> records;  // width, characters
     for (const std::string& line : lines) {
         const std::vector<int> a = text_advances(font, line, spacing);
         std::vector<uint32_t> characters;
@@ -119,7 +125,10 @@ uint32_t text_table(const Font& font, const std::vector<std::string>& lines, int
         for (size_t i = 0; i < line.size(); i++) {
             start += a[i];
             const uint32_t g = glyph(static_cast<unsigned char>(line[i]));
-            if (g) { characters.push_back(uint32_t(start)); characters.push_back(g); }
+            if (g) {
+                characters.push_back(uint32_t(start));
+                characters.push_back(g);
+            }
         }
         records.emplace_back(uint32_t(start + a[line.size()]), uint32_t(code.words.size()));
         code.words.push_back(uint32_t(characters.size() / 2));
@@ -127,7 +136,10 @@ uint32_t text_table(const Font& font, const std::vector<std::string>& lines, int
     }
     const uint32_t table = uint32_t(code.words.size());
     code.words.push_back(uint32_t(lines.size()));
-    for (const auto& r : records) { code.words.push_back(r.first); code.words.push_back(r.second); }
+    for (const auto& r : records) {
+        code.words.push_back(r.first);
+        code.words.push_back(r.second);
+    }
     return table;
 }
 

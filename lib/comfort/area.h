@@ -12,9 +12,10 @@
 namespace comfort {
 
 struct AreaValues {
-    double tal = 0;                              // cd/m2
-    double mean = 0, median = 0, lowest = 0, highest = 0;  // of pixels (mean weighted by coverage; median: half covered or more)
-    double share = 0;                            // of the field of view's solid angle
+    double tal = 0;  // cd/m2
+    double mean = 0, median = 0, lowest = 0,
+           highest = 0;  // of pixels (mean weighted by coverage; median: half covered or more)
+    double share = 0;    // of the field of view's solid angle
 };
 
 // One region laid over one geometry: only its pixels are kept.
@@ -25,11 +26,18 @@ public:
     AreaValues measure(const Luminance& lum) const;
 
 private:
-    struct Member { uint32_t pixel; float coverage; double weight; };
+    struct Member {
+        uint32_t pixel;
+        float coverage;
+        double weight;
+    };
     std::vector<Member> members_;
     double weight_ = 0, share_ = 0;
 };
 
-struct ContrastPair { std::string low, high, column; };  // column: "low/high" or a name of its own
+// column: "low/high" or a name of its own
+struct ContrastPair {
+    std::string low, high, column;
+};
 
 }  // namespace comfort

@@ -66,18 +66,26 @@ const Entry entries[] = {
     {"negative", nothing, [](M m) { return double(m.negative); }},
 };
 
-struct PartEntry { const char* name; double AreaValues::*value; };
-const PartEntry parts[] = {{"TAL", &AreaValues::tal}, {"mean", &AreaValues::mean}, {"median", &AreaValues::median},
+struct PartEntry {
+    const char* name;
+    double AreaValues::*value;
+};
+const PartEntry parts[] = {{"TAL", &AreaValues::tal},    {"mean", &AreaValues::mean},   {"median", &AreaValues::median},
                            {"min", &AreaValues::lowest}, {"max", &AreaValues::highest}, {"share", &AreaValues::share}};
 
-struct SetEntry { const char* name; double AreaStatistics::*value; };
-const SetEntry set_parts[] = {{"omega", &AreaStatistics::omega}, {"mean", &AreaStatistics::mean}, {"median", &AreaStatistics::median},
-                              {"std", &AreaStatistics::deviation}, {"p75", &AreaStatistics::p75}, {"p95", &AreaStatistics::p95},
-                              {"min", &AreaStatistics::lowest}, {"max", &AreaStatistics::highest}, {"Ev", &AreaStatistics::eye_lux}};
+struct SetEntry {
+    const char* name;
+    double AreaStatistics::*value;
+};
+const SetEntry set_parts[] = {
+    {"omega", &AreaStatistics::omega},   {"mean", &AreaStatistics::mean},   {"median", &AreaStatistics::median},
+    {"std", &AreaStatistics::deviation}, {"p75", &AreaStatistics::p75},     {"p95", &AreaStatistics::p95},
+    {"min", &AreaStatistics::lowest},    {"max", &AreaStatistics::highest}, {"Ev", &AreaStatistics::eye_lux}};
 
 class Chooser {
 public:
-    Chooser(const ColumnChoice& choice, const Settings& settings, Needs& needs) : choice_(choice), settings_(settings), needs_(needs) {
+    Chooser(const ColumnChoice& choice, const Settings& settings, Needs& needs)
+        : choice_(choice), settings_(settings), needs_(needs) {
         needs_ = {false, false, false, false, false};
     }
     std::vector<Column> all() {
@@ -218,10 +226,12 @@ ContrastPair parse_pair(const std::string& text, const std::vector<std::string>&
     const size_t slash = pair.find('/');
     if (slash == std::string::npos || slash == 0 || slash + 1 == pair.size() || equals == 0)
         base::fail("-cr", "\"" + text + "\" is no contrast pair; write low/high or name=low/high");
-    const ContrastPair out{pair.substr(0, slash), pair.substr(slash + 1), equals == std::string::npos ? pair : text.substr(0, equals)};
+    const ContrastPair out{pair.substr(0, slash), pair.substr(slash + 1),
+                           equals == std::string::npos ? pair : text.substr(0, equals)};
     for (const std::string& name : {out.low, out.high})
         if (std::find(regions.begin(), regions.end(), name) == regions.end())
-            base::fail("-cr", "there is no region \"" + name + "\"" + (regions.empty() ? "; name a file with -regions" : ""));
+            base::fail("-cr",
+                       "there is no region \"" + name + "\"" + (regions.empty() ? "; name a file with -regions" : ""));
     return out;
 }
 

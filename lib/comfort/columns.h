@@ -16,8 +16,8 @@ struct Column {
 };
 
 struct ColumnChoice {
-    std::vector<std::string> names;              // of -metrics, empty: the default set
-    std::vector<std::string> regions;            // in file order
+    std::vector<std::string> names;    // of -metrics, empty: the default set
+    std::vector<std::string> regions;  // in file order
     std::vector<ContrastPair> pairs;
     bool accelerad = false;  // AcceleradRT's columns and its contrast ratio, high over low; names stay unread
 };

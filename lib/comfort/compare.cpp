@@ -12,12 +12,32 @@ namespace comfort {
 namespace {
 
 // evalglare's column names and ours; av_lum_pos2 is left out (its value is divided twice), dgp_ext is always 0.
-const std::map<std::string, std::string> evalglare_names = {
-    {"dgp", "DGP"}, {"dgi", "DGI"}, {"ugr", "UGR"}, {"vcp", "VCP"}, {"cgi", "CGI"}, {"Lveil", "Lveil"}, {"Ev_calc", "Ev"}, {"E_v", "Ev"},
-    {"abs_max", "Lmax"}, {"av_lum", "Lavg"}, {"lum_backg", "Lb"}, {"E_v_dir", "Edir"}, {"lum_sources", "L_sources"},
-    {"omega_sources", "omega_sources"}, {"Lveil_cie", "LveilCIE"}, {"dgr", "DGR"}, {"ugp", "UGP"}, {"ugr_exp", "UGRexp"},
-    {"dgi_mod", "DGImod"}, {"av_lum_pos", "LavgPos"}, {"med_lum", "Lmed"}, {"med_lum_pos", "LmedPos"}, {"med_lum_pos2", "LmedPos2"},
-    {"ugp2", "UGP2"}, {"dgp_ext", ""}, {"av_lum_pos2", ""}};
+const std::map<std::string, std::string> evalglare_names = {{"dgp", "DGP"},
+                                                            {"dgi", "DGI"},
+                                                            {"ugr", "UGR"},
+                                                            {"vcp", "VCP"},
+                                                            {"cgi", "CGI"},
+                                                            {"Lveil", "Lveil"},
+                                                            {"Ev_calc", "Ev"},
+                                                            {"E_v", "Ev"},
+                                                            {"abs_max", "Lmax"},
+                                                            {"av_lum", "Lavg"},
+                                                            {"lum_backg", "Lb"},
+                                                            {"E_v_dir", "Edir"},
+                                                            {"lum_sources", "L_sources"},
+                                                            {"omega_sources", "omega_sources"},
+                                                            {"Lveil_cie", "LveilCIE"},
+                                                            {"dgr", "DGR"},
+                                                            {"ugp", "UGP"},
+                                                            {"ugr_exp", "UGRexp"},
+                                                            {"dgi_mod", "DGImod"},
+                                                            {"av_lum_pos", "LavgPos"},
+                                                            {"med_lum", "Lmed"},
+                                                            {"med_lum_pos", "LmedPos"},
+                                                            {"med_lum_pos2", "LmedPos2"},
+                                                            {"ugp2", "UGP2"},
+                                                            {"dgp_ext", ""},
+                                                            {"av_lum_pos2", ""}};
 
 bool is_label(const std::string& name) {
     return name == "frame" || name == "seconds" || name == "file" || name == "source";
@@ -75,7 +95,8 @@ private:
         const size_t colon = line.find(": ");
         if (line.compare(0, 4, "dgp,") == 0 && colon != std::string::npos) return evalglare(line, colon);
         if (separator_) return plain(line);
-        if (line.find('\t') != std::string::npos || line.compare(0, 5, "file,") == 0 || line.compare(0, 6, "frame,") == 0) {
+        if (line.find('\t') != std::string::npos || line.compare(0, 5, "file,") == 0 ||
+            line.compare(0, 6, "frame,") == 0) {
             separator_ = line.find('\t') != std::string::npos ? '\t' : ',';
             header_ = split(line, separator_);
             for (const std::string& h : header_)
@@ -84,13 +105,17 @@ private:
         }
         const bool bare = line.find_first_not_of("0123456789.+-e") == std::string::npos;
         if (bare) return add({"Ev"}, {number(line, place_)});  // evalglare -V
-        const bool detail = line.compare(0, 5, "band:") == 0 || line.compare(0, 7, "zoning:") == 0 || line.compare(0, 8, "masking:") == 0 ||
-                            std::isdigit(static_cast<unsigned char>(line[0]));  // sources and statistics of -d: not compared
+        const bool detail =
+            line.compare(0, 5, "band:") == 0 || line.compare(0, 7, "zoning:") == 0 ||
+            line.compare(0, 8, "masking:") == 0 ||
+            std::isdigit(static_cast<unsigned char>(line[0]));  // sources and statistics of -d: not compared
         if (!detail) base::fail(place_, "is neither a table of vcmetrics nor a line of evalglare");
     }
     void plain(const std::string& line) {
         const std::vector<std::string> cells = split(line, separator_);
-        if (cells.size() != header_.size()) base::fail(place_, "has " + std::to_string(cells.size()) + " columns, the header " + std::to_string(header_.size()));
+        if (cells.size() != header_.size())
+            base::fail(place_, "has " + std::to_string(cells.size()) + " columns, the header " +
+                                   std::to_string(header_.size()));
         std::vector<double> row;
         for (size_t k = 0; k < cells.size(); ++k)
             if (!is_label(header_[k])) row.push_back(number(cells[k], place_));
@@ -126,7 +151,8 @@ private:
                 continue;
             }
             const size_t stop = line.find_first_of(",} ", start);
-            if (start == std::string::npos || stop == std::string::npos) base::fail(place_, "is no JSON object of metrics");
+            if (start == std::string::npos || stop == std::string::npos)
+                base::fail(place_, "is no JSON object of metrics");
             if (!is_label(name)) names.push_back(name), row.push_back(number(line.substr(start, stop - start), place_));
             at = stop;
         }
@@ -146,10 +172,14 @@ private:
 };
 
 // Relative tolerances of the metrics that are not computed from one sum: the spread between builds of evalglare itself.
-const std::map<std::string, Tolerance> defaults = {
-    {"DGP", {"DGP", 2e-5, false}},  {"VCP", {"VCP", 0.02, true}},     {"DGR", {"DGR", 0.02, true}}, {"Lveil", {"Lveil", 0.05, true}},
-    {"LveilCIE", {"LveilCIE", 0.05, true}}, {"n_sources", {"n_sources", 0, false}}, {"not_finite", {"not_finite", 0, false}},
-    {"negative", {"negative", 0, false}}};
+const std::map<std::string, Tolerance> defaults = {{"DGP", {"DGP", 2e-5, false}},
+                                                   {"VCP", {"VCP", 0.02, true}},
+                                                   {"DGR", {"DGR", 0.02, true}},
+                                                   {"Lveil", {"Lveil", 0.05, true}},
+                                                   {"LveilCIE", {"LveilCIE", 0.05, true}},
+                                                   {"n_sources", {"n_sources", 0, false}},
+                                                   {"not_finite", {"not_finite", 0, false}},
+                                                   {"negative", {"negative", 0, false}}};
 
 }  // namespace
 
@@ -174,19 +204,22 @@ Tolerance tolerance_for(const std::string& metric, const std::vector<Tolerance>&
     return t;
 }
 
-std::vector<Difference> compare_tables(const NumberTable& first, const NumberTable& second, const std::vector<Tolerance>& rules) {
+std::vector<Difference> compare_tables(const NumberTable& first, const NumberTable& second,
+                                       const std::vector<Tolerance>& rules) {
     for (const auto& [one, other] : {std::pair(&first, &second), std::pair(&second, &first)})
         for (const std::string& name : one->names)
             if (std::find(other->names.begin(), other->names.end(), name) == other->names.end())
                 base::fail(other->name, "lacks the metric " + name + " of " + one->name);
     if (first.rows.size() != second.rows.size()) {
         const NumberTable& shorter = first.rows.size() < second.rows.size() ? first : second;
-        base::fail(shorter.name, "has only " + std::to_string(shorter.rows.size()) + " rows of " + std::to_string(std::max(first.rows.size(), second.rows.size())));
+        base::fail(shorter.name, "has only " + std::to_string(shorter.rows.size()) + " rows of " +
+                                     std::to_string(std::max(first.rows.size(), second.rows.size())));
     }
     std::vector<Difference> out;
     for (size_t r = 0; r < first.rows.size(); ++r)
         for (size_t k = 0; k < first.names.size(); ++k) {
-            const size_t other = size_t(std::find(second.names.begin(), second.names.end(), first.names[k]) - second.names.begin());
+            const size_t other =
+                size_t(std::find(second.names.begin(), second.names.end(), first.names[k]) - second.names.begin());
             const double a = first.rows[r][k], b = second.rows[r][other];
             const Tolerance t = tolerance_for(first.names[k], rules);
             const double limit = t.relative ? t.amount * std::max(std::fabs(a), std::fabs(b)) : t.amount;

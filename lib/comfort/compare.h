@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two tables of metrics side by side: what a build server asks after each change.
-// Recorded tables are read as vcmetrics wrote them (tsv, csv, jsonl) or as evalglare printed them; evalglare's names become ours.
+// Recorded tables are read as vcmetrics wrote them (tsv, csv, jsonl) or as evalglare printed them; evalglare's names
+// become ours.
 #pragma once
 #include <map>
 #include <optional>
@@ -11,9 +12,9 @@
 namespace comfort {
 
 struct NumberTable {
-    std::string name;                        // where it came from
-    std::vector<std::string> names;          // metrics; frame, seconds and file are left out
-    std::vector<std::vector<double>> rows;   // one value for each name
+    std::string name;                       // where it came from
+    std::vector<std::string> names;         // metrics; frame, seconds and file are left out
+    std::vector<std::vector<double>> rows;  // one value for each name
 };
 
 // Nothing if the file does not look like text of metrics (then it should be pictures); throws Error if it is malformed.
@@ -31,6 +32,7 @@ struct Difference {
     bool within;
 };
 // Throws Error if one side lacks a metric or a row of the other.
-std::vector<Difference> compare_tables(const NumberTable& first, const NumberTable& second, const std::vector<Tolerance>& rules);
+std::vector<Difference> compare_tables(const NumberTable& first, const NumberTable& second,
+                                       const std::vector<Tolerance>& rules);
 
 }  // namespace comfort

@@ -10,7 +10,9 @@ namespace {
 constexpr uint16_t unknown = 0xffff;
 constexpr int offset = 1 << 20;  // cube coordinates are kept positive in the key
 
-uint64_t key_of(int x, int y, int z) { return (uint64_t(x + offset) << 42) | (uint64_t(y + offset) << 21) | uint64_t(z + offset); }
+uint64_t key_of(int x, int y, int z) {
+    return (uint64_t(x + offset) << 42) | (uint64_t(y + offset) << 21) | uint64_t(z + offset);
+}
 
 // Union-find over runs; the parent lives in `group`.
 uint32_t root(std::vector<Run>& runs, uint32_t r) {
@@ -19,13 +21,16 @@ uint32_t root(std::vector<Run>& runs, uint32_t r) {
 }
 void unite(std::vector<Run>& runs, uint32_t a, uint32_t b) {
     a = root(runs, a), b = root(runs, b);
-    if (a < b) runs[b].group = a; else runs[a].group = b;
+    if (a < b) runs[b].group = a;
+    else runs[a].group = b;
 }
 
 }  // namespace
 
 Connector::Connector(const Geometry& geometry, double reach)
-    : geometry_(geometry), cos_reach_(std::cos(reach)), everything_(reach >= evalglare_pi),
+    : geometry_(geometry),
+      cos_reach_(std::cos(reach)),
+      everything_(reach >= evalglare_pi),
       pixels_touch_(3 * geometry.pitch_bound() <= reach) {
     const double chord = 2 * std::sin(std::min(reach, evalglare_pi) / 2);
     cells_per_unit_ = std::min(std::sqrt(3.0) / std::max(chord, 1e-12) * (1 + 1e-12), 5e5);
@@ -90,8 +95,12 @@ std::vector<Connector::RimPixel> Connector::rim(const std::vector<Run>& runs) co
             while (b < runs.size() && runs[b].start + runs[b].length <= p + width) ++b;
             const bool has_above = a < runs.size() && runs[a].start + width <= p;
             const bool has_below = b < runs.size() && runs[b].start <= p + width;
-            if (!has_above || !has_below) { out.push_back({p, r}); continue; }
-            const uint32_t inside_to = std::min({last, runs[a].start + runs[a].length + width, runs[b].start + runs[b].length - width});
+            if (!has_above || !has_below) {
+                out.push_back({p, r});
+                continue;
+            }
+            const uint32_t inside_to =
+                std::min({last, runs[a].start + runs[a].length + width, runs[b].start + runs[b].length - width});
             p = inside_to - 1;  // all of these have both neighbours
         }
         out.push_back({last, r});
@@ -153,14 +162,19 @@ uint32_t Connector::connect(std::vector<Run>& runs, uint32_t first_group) {
         join_cells(runs, rim(runs));
     }
     // number the groups by their first pixel in column order
-    struct Head { uint64_t key; uint32_t run; };
+    struct Head {
+        uint64_t key;
+        uint32_t run;
+    };
     std::vector<Head> heads;
     std::vector<uint32_t> head_of(runs.size(), UINT32_MAX);
     for (uint32_t r = 0; r < runs.size(); ++r) {
         const uint32_t top = root(runs, r);
         const uint64_t key = uint64_t(geometry_.x_of(runs[r].start)) * geometry_.height + geometry_.y_of(runs[r].start);
-        if (head_of[top] == UINT32_MAX) { head_of[top] = uint32_t(heads.size()); heads.push_back({key, top}); }
-        else heads[head_of[top]].key = std::min(heads[head_of[top]].key, key);
+        if (head_of[top] == UINT32_MAX) {
+            head_of[top] = uint32_t(heads.size());
+            heads.push_back({key, top});
+        } else heads[head_of[top]].key = std::min(heads[head_of[top]].key, key);
     }
     for (uint32_t r = 0; r < runs.size(); ++r) root(runs, r);
     std::vector<uint32_t> order(heads.size());

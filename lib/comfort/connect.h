@@ -26,8 +26,13 @@ public:
     uint32_t connect(std::vector<Run>& runs, uint32_t first = 0);
 
 private:
-    struct Cell { std::vector<uint32_t> touching, near; };  // neighbours made earlier; near ones do not touch
-    struct RimPixel { uint32_t pixel, run; };
+    // neighbours made earlier; near ones do not touch
+    struct Cell {
+        std::vector<uint32_t> touching, near;
+    };
+    struct RimPixel {
+        uint32_t pixel, run;
+    };
     uint32_t cell_of(uint32_t pixel);
     uint32_t make_cell(uint64_t key, int x, int y, int z);
     void join_rows(std::vector<Run>& runs) const;

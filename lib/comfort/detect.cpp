@@ -15,14 +15,16 @@ bool outside_total_field(double sigma, double tau, double elevation) {
         return sigma > limit * limit;
     }
     const double c = 180 - tau;
-    return tau > 135 && -sigma < 1 / (-0.014699242 - 1.5541106e-5 * c + 4.6898068e-6 * c * c - 5.1539687e-8 * c * c * c);
+    return tau > 135 &&
+           -sigma < 1 / (-0.014699242 - 1.5541106e-5 * c + 4.6898068e-6 * c * c - 5.1539687e-8 * c * c * c);
 }
 
 bool outside_both_eyes(double sigma, double tau, double elevation) {
     if (elevation > 0) return sigma > 60;
     const double c = 180 - tau;
-    const double limit = c > 73 ? 60 : (68.227109 - 2.9524084 * c + 0.046674262 * c * c) /
-                                           (1 - 0.042317294 * c + 7.5698419e-4 * c * c - 6.5364285e-7 * c * c * c);
+    const double limit = c > 73 ? 60
+                                : (68.227109 - 2.9524084 * c + 0.046674262 * c * c) /
+                                      (1 - 0.042317294 * c + 7.5698419e-4 * c * c - 6.5364285e-7 * c * c * c);
     return sigma > limit;
 }
 
@@ -32,8 +34,9 @@ double inside_cosine(double opening) { return opening / 2 >= evalglare_pi ? -2 :
 
 double task_luminance(const Luminance& lum, const Geometry& g, const Circle& task, bool slips) {
     if (task.x < 0 || task.y < 0 || task.x >= g.width || task.y >= g.height)
-        base::fail("-t", "the task position " + std::to_string(task.x) + " " + std::to_string(task.y) + " is outside the picture of " +
-                             std::to_string(g.width) + " x " + std::to_string(g.height) + " pixels");
+        base::fail("-t", "the task position " + std::to_string(task.x) + " " + std::to_string(task.y) +
+                             " is outside the picture of " + std::to_string(g.width) + " x " +
+                             std::to_string(g.height) + " pixels");
     const Vec3 centre = g.direction(task.x, task.y);
     const double limit = inside_cosine(float(task.opening));
     double flux = 0, omega = 0;
@@ -79,7 +82,8 @@ void cut_field(Luminance& lum, const Geometry& g, int type, PositionModel model)
         const EyeAngles a = eye_angles(g.projector, d);
         const double tau = float(a.tau_deg);
         if (type == 3) lum.grey[i] = float(lum.grey[i] / position_index(g.projector, d, model));
-        if (type == 1 ? outside_total_field(a.sigma_deg, tau, a.elevation_deg) : outside_both_eyes(a.sigma_deg, tau, a.elevation_deg))
+        if (type == 1 ? outside_total_field(a.sigma_deg, tau, a.elevation_deg)
+                      : outside_both_eyes(a.sigma_deg, tau, a.elevation_deg))
             lum.grey[i] = 0;
     }
 }
@@ -87,8 +91,8 @@ void cut_field(Luminance& lum, const Geometry& g, int type, PositionModel model)
 void fill_rows(Luminance& lum, const Geometry& g, const Fill& fill) {
     const int w = lum.width, h = lum.height;
     if (fill.y_max < 1 || fill.y_max > h || fill.y_min < 0 || fill.y_min + 1 >= h)
-        base::fail("-I", "rows " + std::to_string(fill.y_max) + " and " + std::to_string(fill.y_min) + " do not lie in a picture of " +
-                             std::to_string(h) + " rows");
+        base::fail("-I", "rows " + std::to_string(fill.y_max) + " and " + std::to_string(fill.y_min) +
+                             " do not lie in a picture of " + std::to_string(h) + " rows");
     for (int y = fill.y_min; y >= 1; --y)
         for (int x = 0; x < w; ++x) lum.grey[lum.index(x, y)] = lum.grey[lum.index(x, y + 1)];
     for (int y = fill.y_max; y < h; ++y)

@@ -10,7 +10,9 @@ namespace comfort {
 namespace {
 
 // DGP share of one source: alone over the total, log10 of each (r_contrast), and in units of DGP (r_dgp).
-struct Shares { double contrast, dgp; };
+struct Shares {
+    double contrast, dgp;
+};
 Shares shares_of(const GlareSource& s, const Measurement& m, const DgpConstants& k, const Meter& meter) {
     const DgpConstants plain;  // L^2 w / P^2 whatever -w says
     double sum = 0;
@@ -25,30 +27,38 @@ Shares shares_of(const GlareSource& s, const Measurement& m, const DgpConstants&
 }
 
 std::string statistics_line(const AreaStatistics& a) {
-    return fmt::sprintf("%f %f %f %f %f %f %f %f", a.omega, a.mean, a.median, a.deviation, a.p75, a.p95, a.lowest, a.highest);
+    return fmt::sprintf("%f %f %f %f %f %f %f %f", a.omega, a.mean, a.median, a.deviation, a.p75, a.p95, a.lowest,
+                        a.highest);
 }
 
 std::string zone_line(const AreaStatistics& a, int zone, long count, const char* gap) {
     const std::string z = "z" + std::to_string(zone);
-    return fmt::sprintf("zoning:%s_omega,%s_av_lum,%s_median_lum,%s_std_lum,%s_perc_75,%s_perc_95,%s_lum_min,%s_lum_max,E%s,i_%s:%s", z, z, z, z, z,
-                        z, z, z, z, z, gap) +
+    return fmt::sprintf(
+               "zoning:%s_omega,%s_av_lum,%s_median_lum,%s_std_lum,%s_perc_75,%s_perc_95,%s_lum_min,%s_lum_max,E%s,i_%"
+               "s:%s",
+               z, z, z, z, z, z, z, z, z, z, gap) +
            statistics_line(a) + fmt::sprintf(" %f %d\n", a.eye_lux, count);
 }
 
 std::string source_lines(const Measurement& m, const Settings& settings, const Meter& meter) {
     const int height = meter.geometry().height;
-    std::string out = fmt::sprintf("%d No pixels x-pos y-pos L_s Omega_s Posindx L_b L_t E_v Edir Max_Lum Sigma xdir ydir zdir Eglare "
-                                   "Lveil_cie teta glare_zone r_contrast r_dgp\n", int(m.sources.size()));
+    std::string out = fmt::sprintf(
+        "%d No pixels x-pos y-pos L_s Omega_s Posindx L_b L_t E_v Edir Max_Lum Sigma xdir ydir zdir Eglare "
+        "Lveil_cie teta glare_zone r_contrast r_dgp\n",
+        int(m.sources.size()));
     for (size_t i = 0; i < m.sources.size(); ++i) {
         const Source& s = m.sources[i];
         const GlareSource& g = m.glare[i];
         const Shares share = shares_of(g, m, settings.constants, meter);
-        out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f %f %f %f %f %f %f %f %d %f %f \n", int(i + 1), s.pixels, s.x, height - s.y,
-                            s.lum, s.omega, s.P, m.background, m.task_lum, m.ev, m.direct_lux, m.max_lum, s.sigma_deg, s.direction.x,
-                            s.direction.y, s.direction.z, s.eye_lux, veil_cie({g}, settings.veil_cut), g.theta_deg, s.zone, share.contrast, share.dgp);
+        out +=
+            fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f %f %f %f %f %f %f %f %d %f %f \n", int(i + 1),
+                         s.pixels, s.x, height - s.y, s.lum, s.omega, s.P, m.background, m.task_lum, m.ev, m.direct_lux,
+                         m.max_lum, s.sigma_deg, s.direction.x, s.direction.y, s.direction.z, s.eye_lux,
+                         veil_cie({g}, settings.veil_cut), g.theta_deg, s.zone, share.contrast, share.dgp);
     }
     if (m.sources.empty()) {
-        out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f", 0, 0., 0., 0., 0., 0., 0., m.background, m.task_lum, m.ev, m.direct_lux, m.max_lum);
+        out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f", 0, 0., 0., 0., 0., 0., 0., m.background,
+                            m.task_lum, m.ev, m.direct_lux, m.max_lum);
         for (int k = 0; k < 11; ++k) out += fmt::sprintf(" %f", 0.);
         out += "\n";
     }
@@ -59,13 +69,33 @@ std::string summary_line(const Measurement& m, const Settings& settings) {
     double flux = 0, omega = 0;
     for (const Source& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
     const double d = dgr(m.glare, m.mean_lum);
-    const double values[] = {m.dgp, m.mean_lum, m.ev, m.background, m.direct_lux, dgi(m.glare, m.background), ugr(m.glare, m.background),
-                             vcp(m.glare, d), cgi(m.glare, m.direct_lux, m.ev), m.sources.empty() ? 0 : flux / omega, omega,
-                             veil_poynter(m.glare), veil_cie(m.glare, settings.veil_cut), d, ugp(m.glare, m.background),
-                             ugr_exp(m.glare, m.background0, m.ev), dgi_mod(m.glare, m.background, m.ev), m.mean_pos, m.mean_pos2,
-                             m.median, m.median_pos, m.median_pos2, ugp2(m.glare, m.background)};
-    std::string out = "dgp,av_lum,E_v,lum_backg,E_v_dir,dgi,ugr,vcp,cgi,lum_sources,omega_sources,Lveil,Lveil_cie,dgr,ugp,ugr_exp,dgi_mod,"
-                      "av_lum_pos,av_lum_pos2,med_lum,med_lum_pos,med_lum_pos2,ugp2:";
+    const double values[] = {m.dgp,
+                             m.mean_lum,
+                             m.ev,
+                             m.background,
+                             m.direct_lux,
+                             dgi(m.glare, m.background),
+                             ugr(m.glare, m.background),
+                             vcp(m.glare, d),
+                             cgi(m.glare, m.direct_lux, m.ev),
+                             m.sources.empty() ? 0 : flux / omega,
+                             omega,
+                             veil_poynter(m.glare),
+                             veil_cie(m.glare, settings.veil_cut),
+                             d,
+                             ugp(m.glare, m.background),
+                             ugr_exp(m.glare, m.background0, m.ev),
+                             dgi_mod(m.glare, m.background, m.ev),
+                             m.mean_pos,
+                             m.mean_pos2,
+                             m.median,
+                             m.median_pos,
+                             m.median_pos2,
+                             ugp2(m.glare, m.background)};
+    std::string out =
+        "dgp,av_lum,E_v,lum_backg,E_v_dir,dgi,ugr,vcp,cgi,lum_sources,omega_sources,Lveil,Lveil_cie,dgr,ugp,ugr_exp,"
+        "dgi_mod,"
+        "av_lum_pos,av_lum_pos2,med_lum,med_lum_pos,med_lum_pos2,ugp2:";
     for (double v : values) out += fmt::sprintf(" %f", v);
     return out + "\n";
 }
@@ -78,8 +108,8 @@ std::string patch_lines(const Measurement& m, const Meter& meter) {
     for (const Source& s : m.sources) {
         const int n = int(number.size()) + 1;
         number[s.group] = n;
-        out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f \n", n, s.pixels, s.x, s.y, s.lum, s.omega, s.P, s.direction.x,
-                            s.direction.y, s.direction.z);
+        out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f \n", n, s.pixels, s.x, s.y, s.lum, s.omega, s.P,
+                            s.direction.x, s.direction.y, s.direction.z);
     }
     std::vector<Run> runs = meter.finder().runs();  // rows from the bottom, each from the left
     std::sort(runs.begin(), runs.end(), [&](const Run& a, const Run& b) {
@@ -97,11 +127,16 @@ std::string patch_lines(const Measurement& m, const Meter& meter) {
 }  // namespace
 
 std::string evalglare_black_corners(double percent, bool stopping) {
-    return fmt::sprintf(" corner pixels are to  %f %% black! \nerror! The image has black corners AND header contains a perspective view type "
-                        "definition !!!\n", percent) + (stopping ? "stopping...!!!!\n" : "");
+    return fmt::sprintf(
+               " corner pixels are to  %f %% black! \nerror! The image has black corners AND header contains a "
+               "perspective view type "
+               "definition !!!\n",
+               percent) +
+           (stopping ? "stopping...!!!!\n" : "");
 }
 
-std::string evalglare_lines(const Measurement& m, const Settings& settings, const EvalglareOutput& out, const Meter& meter) {
+std::string evalglare_lines(const Measurement& m, const Settings& settings, const EvalglareOutput& out,
+                            const Meter& meter) {
     std::string text;
     if (m.black_corners && *m.black_corners > 70) text += evalglare_black_corners(*m.black_corners, false);
     if (out.ev_only) return text + fmt::sprintf("%f\n", m.ev);
@@ -110,13 +145,18 @@ std::string evalglare_lines(const Measurement& m, const Settings& settings, cons
     if (settings.fast) return text;
     if (settings.patches && settings.patches->mode == 3) return text + patch_lines(m, meter);
     if (m.band)
-        text += "band:band_omega,band_av_lum,band_median_lum,band_std_lum,band_perc_75,band_perc_95,band_lum_min,band_lum_max: " +
-                statistics_line(*m.band) + "\n";
+        text +=
+            "band:band_omega,band_av_lum,band_median_lum,band_std_lum,band_perc_75,band_perc_95,band_lum_min,band_lum_"
+            "max: " +
+            statistics_line(*m.band) + "\n";
     const bool detailed = out.detailed || m.mask;
     if (m.mask)
-        text += fmt::sprintf("masking:no_pixels,omega,av_lum,median_lum,std_lum,perc_75,perc_95,lum_min,lum_max,pgsv_con,pgsv_sat,pgsv,Ev_mask: %d ",
-                             m.mask->pixels) +
-                statistics_line(*m.mask) + fmt::sprintf(" %f %f %f %f\n", m.pgsv.contrast, m.pgsv.saturation, m.pgsv.value, m.mask->eye_lux);
+        text += fmt::sprintf(
+                    "masking:no_pixels,omega,av_lum,median_lum,std_lum,perc_75,perc_95,lum_min,lum_max,pgsv_con,pgsv_"
+                    "sat,pgsv,Ev_mask: %d ",
+                    m.mask->pixels) +
+                statistics_line(*m.mask) +
+                fmt::sprintf(" %f %f %f %f\n", m.pgsv.contrast, m.pgsv.saturation, m.pgsv.value, m.mask->eye_lux);
     if (detailed && m.zone1) text += zone_line(*m.zone1, 1, m.zone1->pixels, " ");
     if (detailed && m.zone2) text += zone_line(*m.zone2, 2, m.zone1->pixels, "  ");  // evalglare repeats zone 1's count
     if (detailed) return text + source_lines(m, settings, meter) + summary_line(m, settings);
@@ -124,9 +164,11 @@ std::string evalglare_lines(const Measurement& m, const Settings& settings, cons
     const double vcp_value = vcp(m.glare, dgr(m.glare, m.mean_lum)), cgi_value = cgi(m.glare, m.direct_lux, m.ev);
     const double veil = veil_poynter(m.glare);
     if (out.dgp_and_ev)
-        return text + fmt::sprintf("dgp,dgi,ugr,vcp,cgi,dgp_ext,Ev_calc,abs_max,Lveil: %f %f %f %f %f %f %f %f %f \n", m.dgp_computed, dgi_value,
-                                   ugr_value, vcp_value, cgi_value, 0., m.ev, m.max_lum, veil);
-    return text + fmt::sprintf("dgp,dgi,ugr,vcp,cgi,Lveil: %f %f %f %f %f %f  \n", m.dgp, dgi_value, ugr_value, vcp_value, cgi_value, veil);
+        return text + fmt::sprintf("dgp,dgi,ugr,vcp,cgi,dgp_ext,Ev_calc,abs_max,Lveil: %f %f %f %f %f %f %f %f %f \n",
+                                   m.dgp_computed, dgi_value, ugr_value, vcp_value, cgi_value, 0., m.ev, m.max_lum,
+                                   veil);
+    return text + fmt::sprintf("dgp,dgi,ugr,vcp,cgi,Lveil: %f %f %f %f %f %f  \n", m.dgp, dgi_value, ugr_value,
+                               vcp_value, cgi_value, veil);
 }
 
 }  // namespace comfort

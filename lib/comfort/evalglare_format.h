@@ -12,7 +12,8 @@ struct EvalglareOutput {
     bool ev_only = false;     // -V
 };
 
-std::string evalglare_lines(const Measurement& m, const Settings& settings, const EvalglareOutput& out, const Meter& meter);
+std::string evalglare_lines(const Measurement& m, const Settings& settings, const EvalglareOutput& out,
+                            const Meter& meter);
 // What evalglare writes to stdout before it gives up on a perspective picture with black corners.
 std::string evalglare_black_corners(double percent, bool stopping);
 

@@ -28,11 +28,11 @@ EvalglareRays::EvalglareRays(const view::View& v) : view_(v) {
     right_ = normalised(cross(forward_, normalised(v.vu)));
     up_ = normalised(cross(right_, forward_));
     switch (v.type) {
-        case 'a': across_ = v.vh / 180, along_ = v.vv / 180; break;
-        case 'h': across_ = 2 * std::sin(v.vh * (0.5 * rad)), along_ = 2 * std::sin(v.vv * (0.5 * rad)); break;
-        case 's': across_ = 2 * std::tan(v.vh * (0.25 * rad)), along_ = 2 * std::tan(v.vv * (0.25 * rad)); break;
-        case 'c': across_ = v.vh * rad, along_ = 2 * std::tan(v.vv * (0.5 * rad)); break;
-        default: across_ = 2 * std::tan(v.vh * (0.5 * rad)), along_ = 2 * std::tan(v.vv * (0.5 * rad)); break;
+    case 'a': across_ = v.vh / 180, along_ = v.vv / 180; break;
+    case 'h': across_ = 2 * std::sin(v.vh * (0.5 * rad)), along_ = 2 * std::sin(v.vv * (0.5 * rad)); break;
+    case 's': across_ = 2 * std::tan(v.vh * (0.25 * rad)), along_ = 2 * std::tan(v.vv * (0.25 * rad)); break;
+    case 'c': across_ = v.vh * rad, along_ = 2 * std::tan(v.vv * (0.5 * rad)); break;
+    default: across_ = 2 * std::tan(v.vh * (0.5 * rad)), along_ = 2 * std::tan(v.vv * (0.5 * rad)); break;
     }
 }
 
@@ -48,19 +48,19 @@ bool EvalglareRays::direction(double X, double Y, Vec3& d) const {
     }
     const Vec3 h = right_ * across_, v = up_ * along_;
     switch (view_.type) {
-        case 'h': {
-            const double z2 = 1 - x * x * dot(h, h) - y * y * dot(v, v);
-            if (z2 < 0) return false;
-            d = sum(std::sqrt(z2), forward_, x, h, y, v);
-            return true;
-        }
-        case 's': {
-            const double m = x * x * dot(h, h) + y * y * dot(v, v), z = (1 - m) / (1 + m);
-            d = sum(z, forward_, x * (1 + z), h, y * (1 + z), v);
-            return true;
-        }
-        case 'c': d = normalised(sum(std::cos(x * across_), forward_, std::sin(x * across_), right_, y, v)); return true;
-        default: d = normalised(sum(1, forward_, x, h, y, v)); return true;
+    case 'h': {
+        const double z2 = 1 - x * x * dot(h, h) - y * y * dot(v, v);
+        if (z2 < 0) return false;
+        d = sum(std::sqrt(z2), forward_, x, h, y, v);
+        return true;
+    }
+    case 's': {
+        const double m = x * x * dot(h, h) + y * y * dot(v, v), z = (1 - m) / (1 + m);
+        d = sum(z, forward_, x * (1 + z), h, y * (1 + z), v);
+        return true;
+    }
+    case 'c': d = normalised(sum(std::cos(x * across_), forward_, std::sin(x * across_), right_, y, v)); return true;
+    default: d = normalised(sum(1, forward_, x, h, y, v)); return true;
     }
 }
 

@@ -53,7 +53,9 @@ double low_light_factor(double ev) {
 
 double dgi(const Sources& s, double background) { return dgi_over(s, float(background)); }
 
-double dgi_mod(const Sources& s, double, double ev) { return dgi_over(s, std::pow(double(float(ev / evalglare_pi)), 0.85)); }
+double dgi_mod(const Sources& s, double, double ev) {
+    return dgi_over(s, std::pow(double(float(ev / evalglare_pi)), 0.85));
+}
 
 double ugr(const Sources& s, double background) {
     const double sum = guth_sum(s), b = float(background);
@@ -89,7 +91,8 @@ double dgr(const Sources& sources, double mean_lum) {
     if (sources.empty()) return 0;
     double sum = 0;
     for (const GlareSource& s : sources)
-        sum += 0.5 * s.lum * (20.4 * s.omega + 1.52 * std::pow(s.omega, 0.2) - 0.075) / (s.P * std::pow(mean_lum, 0.44));
+        sum +=
+            0.5 * s.lum * (20.4 * s.omega + 1.52 * std::pow(s.omega, 0.2) - 0.075) / (s.P * std::pow(mean_lum, 0.44));
     return float(std::pow(sum, std::pow(double(sources.size()), -0.0914)));
 }
 

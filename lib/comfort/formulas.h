@@ -15,13 +15,15 @@ struct GlareSource {  // what the formulas need of a source
 using Sources = std::vector<GlareSource>;
 
 // L^a1 w^a2 E^a3 P^a4 E^a5 c1 c2 c3 of evalglare's -w:  c1 E^a5 + c3 + c2 log10(1 + sum L^a1 w^a2 / P^a4 / E^a3)
-struct DgpConstants { double a1 = 2, a2 = 1, a3 = 1.87, a4 = 2, a5 = 1, c1 = 5.87e-5, c2 = 0.092, c3 = 0.159; };
+struct DgpConstants {
+    double a1 = 2, a2 = 1, a3 = 1.87, a4 = 2, a5 = 1, c1 = 5.87e-5, c2 = 0.092, c3 = 0.159;
+};
 constexpr DgpConstants paper_dgp{2, 1, 1.87, 2, 1, 5.87e-5, 0.0918, 0.16};
 
-double dgp_term(const GlareSource& s, const DgpConstants& k);                  // L^a1 w^a2 / P^a4
-double dgp_of_sum(double sum, bool any, double ev, const DgpConstants& k);     // at most 1
+double dgp_term(const GlareSource& s, const DgpConstants& k);               // L^a1 w^a2 / P^a4
+double dgp_of_sum(double sum, bool any, double ev, const DgpConstants& k);  // at most 1
 double dgp(const Sources& s, double ev, const DgpConstants& k);
-double low_light_factor(double ev);                                           // below 1000 lux, else 1
+double low_light_factor(double ev);  // below 1000 lux, else 1
 
 double dgi(const Sources& s, double background);
 double dgi_mod(const Sources& s, double background, double ev);

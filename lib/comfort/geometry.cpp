@@ -10,7 +10,10 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-struct Corner { Vec3 d; bool exists; };
+struct Corner {
+    Vec3 d;
+    bool exists;
+};
 
 std::vector<Corner> corner_row(const view::Projector& p, int width, double Y) {
     std::vector<Corner> row(width + 1);
@@ -52,9 +55,15 @@ Geometry::Geometry(const view::View& v, int w, int h, bool evalglare_slips)
             const size_t i = index(x, y);
             if (!(omega[i] > 0)) continue;
             const Vec3 d = direction(x, y);
-            if (dot(d, d) == 0) { omega[i] = 0; continue; }
+            if (dot(d, d) == 0) {
+                omega[i] = 0;
+                continue;
+            }
             const double c = dot(forward, d);
-            if (v.type == 'a' && c < 0) { omega[i] = -omega[i]; continue; }
+            if (v.type == 'a' && c < 0) {
+                omega[i] = -omega[i];
+                continue;
+            }
             omega_cos[i] = omega[i] * (slips_ ? c : std::max(c, 0.0));
         }
     find_spans();
@@ -109,11 +118,11 @@ double Geometry::pitch_bound() const {
     const view::View& v = projector.view();
     const double vh = v.vh * pi / 180, vv = v.vv * pi / 180;
     switch (v.type) {
-        case 'v': return 2 * std::max(std::tan(vh / 2) / width, std::tan(vv / 2) / height);
-        case 'a': return pi / 2 * std::max(vh / width, vv / height);
-        case 's': return 4 * std::max(std::tan(vh / 4) / width, std::tan(vv / 4) / height);
-        case 'c': return std::max(vh / width, 2 * std::tan(vv / 2) / height);
-        default: return std::numeric_limits<double>::infinity();
+    case 'v': return 2 * std::max(std::tan(vh / 2) / width, std::tan(vv / 2) / height);
+    case 'a': return pi / 2 * std::max(vh / width, vv / height);
+    case 's': return 4 * std::max(std::tan(vh / 4) / width, std::tan(vv / 4) / height);
+    case 'c': return std::max(vh / width, 2 * std::tan(vv / 2) / height);
+    default: return std::numeric_limits<double>::infinity();
     }
 }
 

@@ -13,7 +13,10 @@
 namespace comfort {
 using base::Vec3;
 
-struct Span { int begin, end; };  // columns begin .. end-1
+// columns begin .. end-1
+struct Span {
+    int begin, end;
+};
 
 class Geometry {
 public:
@@ -36,8 +39,10 @@ public:
     int y_of(size_t i) const { return height - 1 - int(i / width); }
     Vec3 direction(int x, int y) const;  // (0,0,0) if none
     Vec3 direction(size_t i) const { return direction(x_of(i), y_of(i)); }
-    double pitch_bound() const;          // no two valid side-by-side pixels are farther apart (radians; inf for type h)
-    bool fits(const view::View& view, int w, int h) const { return w == width && h == height && view == projector.view(); }
+    double pitch_bound() const;  // no two valid side-by-side pixels are farther apart (radians; inf for type h)
+    bool fits(const view::View& view, int w, int h) const {
+        return w == width && h == height && view == projector.view();
+    }
 
 private:
     void solid_angles();

@@ -22,7 +22,7 @@ struct Luminance {
     long not_finite = 0, negative = 0;  // pixels
     size_t size() const { return size_t(width) * height; }
     size_t index(int x, int y) const { return size_t(height - 1 - y) * width + x; }  // y from the bottom
-    double at(size_t i) const {  // in evalglare's order of rounding
+    double at(size_t i) const {                                                      // in evalglare's order of rounding
         const double f = grey[i];
         return 179 * (grey_red * f + grey_green * f + grey_blue * f);
     }

@@ -29,7 +29,8 @@ void Meter::prepare(const view::View& view, const image::Picture& picture, const
     if (draw_) regions_ = draw_(view, picture.width, picture.height);
     if (regions_ && (regions_->width != picture.width || regions_->height != picture.height))
         base::fail(place, "the picture has " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
-                              " pixels, the regions " + std::to_string(regions_->width) + " x " + std::to_string(regions_->height));
+                              " pixels, the regions " + std::to_string(regions_->width) + " x " +
+                              std::to_string(regions_->height));
     if (settings_.slips && view.vl != 0)
         base::warn(place, "the view has a lift (-vl): the solid angles are evalglare's, those of the mirrored rows");
     finder_.reset();
@@ -115,8 +116,8 @@ void Meter::glare(Luminance& lum, Measurement& m) {
     m.task_lum = float(m.task_lum);
     m.threshold = source_threshold(settings_, has_task, m.task_lum);
 
-    if (settings_.zones && (settings_.zones->inner.x < 0 || settings_.zones->inner.y < 0 || settings_.zones->inner.x >= g.width ||
-                            settings_.zones->inner.y >= g.height))
+    if (settings_.zones && (settings_.zones->inner.x < 0 || settings_.zones->inner.y < 0 ||
+                            settings_.zones->inner.x >= g.width || settings_.zones->inner.y >= g.height))
         base::fail("-l", "the zone's centre is outside the picture");
     m.sources = finder_->find(lum, m.threshold);
     m.direct_lux = finder_->direct_lux();
@@ -134,13 +135,15 @@ void Meter::glare(Luminance& lum, Measurement& m) {
     if (settings_.background == 1) {
         double flux = 0, omega = 0;
         for (const Source& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
-        m.background = m.omega - omega < 1e-11 * m.omega ? m.mean_lum : (m.omega * m.mean_lum - flux) / (m.omega - omega);
+        m.background =
+            m.omega - omega < 1e-11 * m.omega ? m.mean_lum : (m.omega * m.mean_lum - flux) / (m.omega - omega);
     } else if (settings_.background == 2) {
         m.background = ev / evalglare_pi;
     }
     m.eye_lux_used = settings_.external_ev.value_or(ev);
     m.dgp_computed = dgp(m.glare, ev, settings_.constants);
-    m.dgp = dgp(m.glare, m.eye_lux_used, settings_.constants) * (settings_.low_light ? low_light_factor(m.eye_lux_used) : 1);
+    m.dgp = dgp(m.glare, m.eye_lux_used, settings_.constants) *
+            (settings_.low_light ? low_light_factor(m.eye_lux_used) : 1);
 
     if (settings_.band_rad) m.band = statistics_of(band_pixels(g, *settings_.band_rad), lum, g);
     if (settings_.mask_file) {
@@ -150,7 +153,8 @@ void Meter::glare(Luminance& lum, Measurement& m) {
     }
     if (settings_.zones) {
         m.zone1 = statistics_of(zone_pixels(g, *settings_.zones, 1, settings_.slips), lum, g);
-        if (settings_.zones->outer_opening) m.zone2 = statistics_of(zone_pixels(g, *settings_.zones, 2, settings_.slips), lum, g);
+        if (settings_.zones->outer_opening)
+            m.zone2 = statistics_of(zone_pixels(g, *settings_.zones, 2, settings_.slips), lum, g);
     }
 }
 
@@ -164,21 +168,24 @@ Measurement Meter::measure(image::Picture& picture, const std::string& place, co
     Measurement m;
     m.not_finite = lum.not_finite;
     m.negative = lum.negative;
-    if (lum.not_finite) base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
+    if (lum.not_finite)
+        base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
     if (lum.negative) base::warn(place, "pixels are negative (-metrics negative counts them)");
     if (g.projector.view().type == 'v') {
         m.black_corners = black_corner_percent(lum);
         if (*m.black_corners > 70 && !settings_.force)
             throw Refusal(place,
                           "the view is perspective (-vtv) but " + std::to_string(int(*m.black_corners)) +
-                              " % of the corners are black, as in a fisheye picture; correct the view with -vt, or insist with -f",
+                              " % of the corners are black, as in a fisheye picture; correct the view with -vt, or "
+                              "insist with -f",
                           evalglare_black_corners(*m.black_corners, true));
     }
     if (settings_.fill) fill_rows(lum, g, *settings_.fill);
     photometry(lum, m);
     for (const Area& a : areas_) {
         m.areas.emplace_back();
-        if (needs_.regions_in_full) m.areas.back() = a.measure(lum); else m.areas.back().tal = a.tal(lum);
+        if (needs_.regions_in_full) m.areas.back() = a.measure(lum);
+        else m.areas.back().tal = a.tal(lum);
     }
     if (needs_.rammg) m.rammg = rammg(lum, g, settings_.rammg_area);
     if (needs_.medians) position_statistics(lum, m);

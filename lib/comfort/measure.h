@@ -17,20 +17,20 @@ struct Measurement {
     double ev = 0, mean_lum = 0, max_lum = 0, omega = 0;
     long valid_pixels = 0, not_finite = 0, negative = 0;
     double rammg = 0;
-    double task_lum = 0;                         // reference luminance of the threshold: task area, else the mean
+    double task_lum = 0;  // reference luminance of the threshold: task area, else the mean
     double threshold = 0;
     double direct_lux = 0, background = 0, background0 = 0;  // background0: -q 0 whatever -q says
     std::vector<Source> sources;
-    Sources glare;                               // the same for the formulas (or every bright pixel)
+    Sources glare;  // the same for the formulas (or every bright pixel)
     bool any_source = false;
-    double dgp = 0;                              // with the external Ev if there is one, corrected, at most 1
-    double dgp_computed = 0;                     // with the computed Ev, before corrections
-    double eye_lux_used = 0;                     // the Ev of `dgp`
+    double dgp = 0;           // with the external Ev if there is one, corrected, at most 1
+    double dgp_computed = 0;  // with the computed Ev, before corrections
+    double eye_lux_used = 0;  // the Ev of `dgp`
     double mean_pos = 0, mean_pos2 = 0, median = 0, median_pos = 0, median_pos2 = 0;  // of L, L/P, L/P^2
     std::vector<AreaValues> areas;
     std::optional<AreaStatistics> band, mask, zone1, zone2;
     Pgsv pgsv{0, 0, 0};
-    std::optional<double> black_corners;         // percent, type v
+    std::optional<double> black_corners;  // percent, type v
 };
 
 // Regions of a file that fits any view and size, drawn when these are known (lib/region/region.h).
@@ -39,7 +39,8 @@ using DrawRegions = std::function<image::MaskSet(const view::View& view, int wid
 class Meter {
 public:
     // With `draw`, `regions` need only have names.
-    Meter(const Settings& settings, const Needs& needs, std::optional<image::MaskSet> regions = {}, DrawRegions draw = {});
+    Meter(const Settings& settings, const Needs& needs, std::optional<image::MaskSet> regions = {},
+          DrawRegions draw = {});
     // `view`: the one to use; without it the picture's own.  The picture's pixels are used up.
     Measurement measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
     const Geometry& geometry() const { return *geometry_; }
@@ -60,7 +61,7 @@ private:
     std::unique_ptr<Geometry> geometry_;
     std::unique_ptr<SourceFinder> finder_;
     std::vector<Area> areas_;
-    std::vector<float> position_index_;          // by pixel, made when medians are asked for
+    std::vector<float> position_index_;  // by pixel, made when medians are asked for
     std::optional<std::vector<uint32_t>> mask_;
 };
 

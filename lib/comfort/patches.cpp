@@ -11,10 +11,14 @@ namespace comfort {
 void assign_patches(std::vector<Run>& runs, const Geometry& g, const Patches& patches) {
     const view::View& v = g.projector.view();
     if (v.type != 'a') base::fail("-z", "patches need an angular fisheye view (-vta)");
-    const int dx = int(std::floor(g.width / v.vh * patches.angle_deg)), dy = int(std::floor(g.height / v.vv * patches.angle_deg));
+    const int dx = int(std::floor(g.width / v.vh * patches.angle_deg)),
+              dy = int(std::floor(g.height / v.vv * patches.angle_deg));
     if (dx < 1 || dy < 1) base::fail("-z", "patches of this angle are smaller than a pixel");
     const int nx = int(std::floor(v.vv / patches.angle_deg)) + 1, ny = int(std::floor(v.vh / patches.angle_deg)) + 1;
-    const auto centre_x = [&](int k) { const int j = (k - 1) / nx, i = (k - 1) % nx; return dx / 2 + (j % 2 ? dx / 2 : 0) + i * dx; };
+    const auto centre_x = [&](int k) {
+        const int j = (k - 1) / nx, i = (k - 1) % nx;
+        return dx / 2 + (j % 2 ? dx / 2 : 0) + i * dx;
+    };
     const auto centre_y = [&](int k) { return dy / 2 + (k - 1) / nx * dy; };
     std::vector<Run> single;
     for (const Run& r : runs)

@@ -27,7 +27,8 @@ double below(double sigma, double tau) {
 // 1 + f R, R = sqrt(tan^2 azimuth + tan^2 elevation) seen from the point on the line of sight (Iwata et al. 1997):
 // R capped at 3, f = 0.8, or 1.2 beyond 0.6.
 double below_old(const view::Projector& p, Vec3 d) {
-    const double phi = std::asin(std::clamp(dot(d, p.up()), -1.0, 1.0)), theta = std::asin(std::clamp(dot(d, p.right()), -1.0, 1.0));
+    const double phi = std::asin(std::clamp(dot(d, p.up()), -1.0, 1.0)),
+                 theta = std::asin(std::clamp(dot(d, p.right()), -1.0, 1.0));
     const double ratio = std::tan(theta) / std::tan(phi);
     const double r = std::sqrt(ratio * ratio + 1) * std::fabs(std::tan(phi));
     return 1 + (r > 0.6 ? 1.2 : 0.8) * std::min(r, 3.0);
@@ -48,7 +49,8 @@ EyeAngles eye_angles(const view::Projector& p, Vec3 d, bool picture_up) {
     const double size = length(t);
     const Vec3 up = picture_up ? p.up() : unit(p.view().vu);
     const double tau = size > 0 ? std::acos(std::clamp(dot(up, t) / size, -1.0, 1.0)) : evalglare_pi / 2;
-    return {sigma * evalglare_deg, tau * evalglare_deg, std::asin(std::clamp(dot(d, p.up()), -1.0, 1.0)) * evalglare_deg};
+    return {sigma * evalglare_deg, tau * evalglare_deg,
+            std::asin(std::clamp(dot(d, p.up()), -1.0, 1.0)) * evalglare_deg};
 }
 
 double position_index(const view::Projector& p, Vec3 d, PositionModel model) {

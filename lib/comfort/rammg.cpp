@@ -40,7 +40,8 @@ double pairs(const Level& level, int r, int s, int shift) {
             const int x0 = std::max(level.spans[a].begin, level.spans[c].begin - shift);
             const int x1 = std::min(level.spans[a].end, level.spans[c].end - shift);
             if (x0 < x1)
-                sum += difference(level.value + size_t(r) * level.width + x0, level.value + size_t(s) * level.width + x0 + shift, x1 - x0);
+                sum += difference(level.value + size_t(r) * level.width + x0,
+                                  level.value + size_t(s) * level.width + x0 + shift, x1 - x0);
         }
     }
     return sum;
@@ -68,7 +69,8 @@ double border_sum(const Level& level) {
                 for (int dx = -1; dx <= 1; ++dx) {
                     const int nx = x + dx, ny = y + dy;
                     if (nx < 0 || ny < 0 || nx >= w || ny >= h) continue;
-                    (dx && dy ? corner : edge) += std::fabs(level.value[size_t(y) * w + x] - level.value[size_t(ny) * w + nx]);
+                    (dx && dy ? corner : edge) +=
+                        std::fabs(level.value[size_t(y) * w + x] - level.value[size_t(ny) * w + nx]);
                 }
     return edge + std::sqrt(0.5) * corner;
 }
@@ -82,7 +84,8 @@ void shrink_spans(const Level& from, Level& to) {
         const int top = 2 * r + from.height % 2;
         for (size_t a = from.row[top]; a < from.row[top + 1]; ++a)
             for (size_t c = from.row[top + 1]; c < from.row[top + 2]; ++c) {
-                const int x0 = std::max(from.spans[a].begin, from.spans[c].begin), x1 = std::min(from.spans[a].end, from.spans[c].end);
+                const int x0 = std::max(from.spans[a].begin, from.spans[c].begin),
+                          x1 = std::min(from.spans[a].end, from.spans[c].end);
                 const int p0 = (x0 + 1) / 2, p1 = std::min(x1 / 2, to.width);
                 if (p0 < p1) to.spans.push_back({p0, p1});
             }

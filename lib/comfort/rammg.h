@@ -10,7 +10,8 @@
 
 namespace comfort {
 
-enum class RammgArea { view, rectangle, interior, prototype_scale };  // interior: only pixels with 8 neighbours, n = all
+// interior: only pixels with 8 neighbours, n = all
+enum class RammgArea { view, rectangle, interior, prototype_scale };
 
 // view: only valid pixels (a parent counts if its four children do); prototype_scale: interior without the 1/8.
 // nan if a side is 2 or less.

@@ -13,32 +13,43 @@
 
 namespace comfort {
 
-struct Circle { int x = 0, y = 0; double opening = 0; };  // y from the bottom
-struct Zones { Circle inner; std::optional<double> outer_opening; };
-struct Fill { int y_max = 0, y_min = 0; };
-struct Patches { double angle_deg = 0; int mode = 1; };
+struct Circle {
+    int x = 0, y = 0;  // y from the bottom
+    double opening = 0;
+};
+struct Zones {
+    Circle inner;
+    std::optional<double> outer_opening;
+};
+struct Fill {
+    int y_max = 0, y_min = 0;
+};
+struct Patches {
+    double angle_deg = 0;
+    int mode = 1;
+};
 
 enum class DgpForm {
-    merged,   // sources found and merged as evalglare does
-    pixel,    // every bright pixel is a source of its own
+    merged,  // sources found and merged as evalglare does
+    pixel,   // every bright pixel is a source of its own
 };
 
 struct Settings {
-    std::optional<double> threshold;       // -b: up to 100 a factor of the reference luminance, above it cd/m2
-    double search_opening = 0.2;           // -r
-    bool smooth = false;                   // -s
-    bool peaks = true;                     // -x off, -y on
-    double peak_limit = 50000;             // -Y, cd/m2
-    std::optional<Circle> task;            // -t, -T
-    std::string task_region;               // -task NAME
-    int field_cut = 0;                     // -G 1, 2, 3
-    int background = 0;                    // -q 0, 1, 2
-    bool low_light = false;                // -C l+
-    std::optional<double> external_ev;     // -i, -I
-    std::optional<Fill> fill;              // -I
+    std::optional<double> threshold;               // -b: up to 100 a factor of the reference luminance, above it cd/m2
+    double search_opening = 0.2;                   // -r
+    bool smooth = false;                           // -s
+    bool peaks = true;                             // -x off, -y on
+    double peak_limit = 50000;                     // -Y, cd/m2
+    std::optional<Circle> task;                    // -t, -T
+    std::string task_region;                       // -task NAME
+    int field_cut = 0;                             // -G 1, 2, 3
+    int background = 0;                            // -q 0, 1, 2
+    bool low_light = false;                        // -C l+
+    std::optional<double> external_ev;             // -i, -I
+    std::optional<Fill> fill;                      // -I
     PositionModel position = PositionModel::guth;  // -P 1: kim
     double veil_cut = -std::numeric_limits<double>::infinity();  // -k
-    DgpConstants constants;                // -w
+    DgpConstants constants;                                      // -w
     DgpForm dgp_form = DgpForm::merged;
     std::optional<Patches> patches;        // -z
     std::optional<Zones> zones;            // -l, -L
@@ -48,7 +59,7 @@ struct Settings {
     double fast_direct = 0;                // -2 Edir
     bool force = false;                    // -f: a perspective picture with black corners is measured
     RammgArea rammg_area = RammgArea::view;
-    bool slips = false;                    // -like evalglare: mirrored solid angles, its order of sums and truncations
+    bool slips = false;  // -like evalglare: mirrored solid angles, its order of sums and truncations
 };
 
 // An input that evalglare refuses with words on stdout, and these words.

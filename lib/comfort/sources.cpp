@@ -8,7 +8,9 @@
 namespace comfort {
 namespace {
 
-struct GroupPixel { uint32_t column_key, pixel, group; };
+struct GroupPixel {
+    uint32_t column_key, pixel, group;
+};
 
 // All pixels of the runs, columns from the left, in a column from the bottom: evalglare's order.
 std::vector<GroupPixel> column_order(const std::vector<Run>& runs, const Geometry& g) {
@@ -16,7 +18,8 @@ std::vector<GroupPixel> column_order(const std::vector<Run>& runs, const Geometr
     for (const Run& r : runs)
         for (uint32_t p = r.start; p < r.start + r.length; ++p)
             out.push_back({uint32_t(g.x_of(p)) * uint32_t(g.height) + uint32_t(g.y_of(p)), p, r.group});
-    std::sort(out.begin(), out.end(), [](const GroupPixel& a, const GroupPixel& b) { return a.column_key < b.column_key; });
+    std::sort(out.begin(), out.end(),
+              [](const GroupPixel& a, const GroupPixel& b) { return a.column_key < b.column_key; });
     return out;
 }
 
@@ -25,10 +28,10 @@ std::vector<Run> to_runs(std::vector<GroupPixel> pixels, int width) {
     std::sort(pixels.begin(), pixels.end(), [](const GroupPixel& a, const GroupPixel& b) { return a.pixel < b.pixel; });
     std::vector<Run> runs;
     for (const GroupPixel& p : pixels) {
-        if (!runs.empty() && runs.back().group == p.group && runs.back().start + runs.back().length == p.pixel && p.pixel % width != 0)
+        if (!runs.empty() && runs.back().group == p.group && runs.back().start + runs.back().length == p.pixel &&
+            p.pixel % width != 0)
             ++runs.back().length;
-        else
-            runs.push_back({p.pixel, 1, p.group});
+        else runs.push_back({p.pixel, 1, p.group});
     }
     return runs;
 }
@@ -73,7 +76,9 @@ void SourceFinder::move_running(uint32_t from, uint32_t to, uint32_t pixel, cons
 }
 
 SourceFinder::SourceFinder(const Geometry& geometry, const Settings& settings)
-    : geometry_(geometry), settings_(settings), radius_px_(radius_in_pixels(geometry, settings.search_opening)),
+    : geometry_(geometry),
+      settings_(settings),
+      radius_px_(radius_in_pixels(geometry, settings.search_opening)),
       connector_(geometry, double(float(settings.search_opening)) / 2) {}
 
 std::vector<Source> SourceFinder::find(const Luminance& lum, double threshold) {
@@ -110,7 +115,10 @@ void SourceFinder::smooth(const Luminance&) {
     const float reach = float(radius_px_ / 1.75);
     std::vector<uint32_t> label(g.omega.size(), 0), smoothed;
     for (const Run& r : runs_) std::fill_n(label.begin() + r.start, r.length, r.group);
-    struct Share { uint32_t group; double omega; };
+    struct Share {
+        uint32_t group;
+        double omega;
+    };
     std::vector<Share> shares;
     std::vector<GroupPixel> added;
     for (int x = 0; x < g.width; ++x)
@@ -130,8 +138,10 @@ void SourceFinder::smooth(const Luminance&) {
                     const double w = std::fabs(g.omega[j]);
                     all += w;
                     if (!label[j]) continue;
-                    auto s = std::find_if(shares.begin(), shares.end(), [&](const Share& q) { return q.group == label[j]; });
-                    if (s == shares.end()) shares.push_back({label[j], w}); else s->omega += w;
+                    auto s =
+                        std::find_if(shares.begin(), shares.end(), [&](const Share& q) { return q.group == label[j]; });
+                    if (s == shares.end()) shares.push_back({label[j], w});
+                    else s->omega += w;
                 }
             std::sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.group < b.group; });
             uint32_t number = 0;
@@ -151,7 +161,8 @@ void SourceFinder::extract_peaks(const Luminance& lum) {
     double brightest = 0;
     std::vector<float> group_max(groups_ + 1, 0);
     for (const Run& r : runs_)
-        for (uint32_t p = r.start; p < r.start + r.length; ++p) group_max[r.group] = std::max(group_max[r.group], lum.grey[p]);
+        for (uint32_t p = r.start; p < r.start + r.length; ++p)
+            group_max[r.group] = std::max(group_max[r.group], lum.grey[p]);
     for (float m : group_max) brightest = std::max(brightest, cdm2_per_grey * m);
     if (!(brightest > settings_.peak_limit)) return;
     const auto is_peak = [&](uint32_t p) { return lum.at(p) >= settings_.peak_limit; };
@@ -159,7 +170,10 @@ void SourceFinder::extract_peaks(const Luminance& lum) {
     std::vector<std::vector<Run>> peaks(before + 1);
     std::vector<Run> rest;
     for (const Run& r : runs_) {
-        if (!(cdm2_per_grey * group_max[r.group] >= settings_.peak_limit)) { rest.push_back(r); continue; }
+        if (!(cdm2_per_grey * group_max[r.group] >= settings_.peak_limit)) {
+            rest.push_back(r);
+            continue;
+        }
         for (uint32_t p = r.start, end = r.start + r.length; p < end;) {
             const uint32_t begin = p;
             const bool peak = is_peak(p);
@@ -171,7 +185,8 @@ void SourceFinder::extract_peaks(const Luminance& lum) {
         groups_ += connector_.connect(peaks[group], groups_ + 1);
         rest.insert(rest.end(), peaks[group].begin(), peaks[group].end());
         if (settings_.slips)
-            for (const GroupPixel& p : column_order(peaks[group], geometry_)) move_running(group, p.group, p.pixel, lum);
+            for (const GroupPixel& p : column_order(peaks[group], geometry_))
+                move_running(group, p.group, p.pixel, lum);
     }
     std::sort(rest.begin(), rest.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
     runs_.swap(rest);
@@ -182,7 +197,8 @@ void SourceFinder::split_zones(const Luminance& lum) {
     const Geometry& g = geometry_;
     const Zones& zones = *settings_.zones;
     const Vec3 centre = g.direction(zones.inner.x, zones.inner.y);
-    const double inner = inside_cosine(zones.inner.opening), outer = zones.outer_opening ? inside_cosine(*zones.outer_opening) : 2;
+    const double inner = inside_cosine(zones.inner.opening),
+                 outer = zones.outer_opening ? inside_cosine(*zones.outer_opening) : 2;
     std::vector<GroupPixel> pixels = column_order(runs_, g);
     std::vector<uint32_t> moved(2 * (groups_ + 1), 0);
     zone_of_group_.assign(groups_ + 1, 0);
@@ -259,8 +275,8 @@ std::vector<GlareSource> SourceFinder::every_pixel(const Luminance& lum, double 
         for (uint32_t p = r.start; p < r.start + r.length; ++p) {
             const Vec3 d = geometry_.direction(p);
             const double sigma = eye_angles(geometry_.projector, d).sigma_deg;
-            out.push_back({lum.at(p), geometry_.omega[p], position_index(geometry_.projector, d, settings_.position), sigma,
-                           lum.at(p) * geometry_.omega_cos[p], sigma});
+            out.push_back({lum.at(p), geometry_.omega[p], position_index(geometry_.projector, d, settings_.position),
+                           sigma, lum.at(p) * geometry_.omega_cos[p], sigma});
         }
     return out;
 }

@@ -10,14 +10,14 @@
 namespace comfort {
 
 struct Source {
-    double pixels = 0, omega = 0, lum = 0;   // omega-weighted mean luminance
-    double x = 0, y = 0;                     // mean of the pixels weighted by L w; y from the bottom
+    double pixels = 0, omega = 0, lum = 0;  // omega-weighted mean luminance
+    double x = 0, y = 0;                    // mean of the pixels weighted by L w; y from the bottom
     double brightest = 0;
-    double eye_lux = 0;                      // its share of the direct illuminance: sum L w cos
+    double eye_lux = 0;  // its share of the direct illuminance: sum L w cos
     int zone = 0;
-    uint32_t group = 0;                      // evalglare's number, from 1
+    uint32_t group = 0;  // evalglare's number, from 1
     double P = 1, sigma_deg = 0;
-    Vec3 direction;                          // of the pixel the centre falls into
+    Vec3 direction;  // of the pixel the centre falls into
 };
 
 class SourceFinder {
@@ -42,12 +42,12 @@ private:
     const Settings& settings_;
     double radius_px_;
     Connector connector_;
-    std::vector<Run> runs_, extra_;          // extra: pixels that smoothing counts in a second group
-    std::vector<int> zone_of_group_;         // by group number, empty without zones
-    std::vector<double> slipped_eye_lux_;    // by group number, evalglare's after zones; else empty
-    std::vector<Source> running_;            // evalglare's sums by group number, grown and reduced in its order
+    std::vector<Run> runs_, extra_;        // extra: pixels that smoothing counts in a second group
+    std::vector<int> zone_of_group_;       // by group number, empty without zones
+    std::vector<double> slipped_eye_lux_;  // by group number, evalglare's after zones; else empty
+    std::vector<Source> running_;          // evalglare's sums by group number, grown and reduced in its order
     std::vector<Source> before_zones_;
-    uint32_t groups_ = 0;                    // highest number in use
+    uint32_t groups_ = 0;  // highest number in use
     double direct_lux_ = 0;
 };
 

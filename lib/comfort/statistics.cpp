@@ -65,7 +65,8 @@ std::vector<uint32_t> band_pixels(const Geometry& g, double half_rad) {
 std::vector<uint32_t> zone_pixels(const Geometry& g, const Zones& zones, int zone, bool slips) {
     std::vector<uint32_t> out;
     const Vec3 centre = g.direction(zones.inner.x, zones.inner.y);
-    const double inner = inside_cosine(zones.inner.opening), outer = zones.outer_opening ? inside_cosine(*zones.outer_opening) : 2;
+    const double inner = inside_cosine(zones.inner.opening),
+                 outer = zones.outer_opening ? inside_cosine(*zones.outer_opening) : 2;
     for (size_t i = 0; i < g.omega.size(); ++i) {
         if (!g.valid(i)) continue;
         const double c = dot(centre, g.direction(i));
@@ -78,10 +79,11 @@ std::vector<uint32_t> mask_pixels(const std::string& file, int width, int height
     image::Picture mask = image::read_file(file);
     if (mask.width != width || mask.height != height)
         throw Refusal(file,
-                      "the mask has " + std::to_string(mask.width) + " x " + std::to_string(mask.height) + " pixels, the picture " +
-                          std::to_string(width) + " x " + std::to_string(height),
+                      "the mask has " + std::to_string(mask.width) + " x " + std::to_string(mask.height) +
+                          " pixels, the picture " + std::to_string(width) + " x " + std::to_string(height),
                       "resolution main image : " + std::to_string(width) + "x" + std::to_string(height) +
-                          "\nresolution masking image : " + std::to_string(mask.width) + "x" + std::to_string(mask.height) + "\n");
+                          "\nresolution masking image : " + std::to_string(mask.width) + "x" +
+                          std::to_string(mask.height) + "\n");
     const Luminance lum = make_luminance(mask);
     std::vector<uint32_t> out;
     for (size_t i = 0; i < lum.size(); ++i)
@@ -106,7 +108,8 @@ Pgsv pgsv(const AreaStatistics& m, double mean_lum, double ev, bool has_task, do
     out.contrast = 3.2 * std::log10(m.mean) - 0.64 * lg_omega + (0.79 * lg_omega - 0.61) * std::log10(background) - 8.2;
     out.saturation = 3.3 - 3.87 / (1 + std::pow(ev / pi / 1250, 1.7));
     out.value = !has_task || task_lum == 0 || background == 0 ? -99
-                : m.mean / background > ev / (pi * task_lum) ? out.contrast : out.saturation;
+                : m.mean / background > ev / (pi * task_lum)  ? out.contrast
+                                                              : out.saturation;
     return out;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plain statistics of sets of pixels: evalglare's bands (-B), zones (-l, -L) and masks (-A), and medians.
-// Over pixels, not weighted by solid angle, except the mean.  std = sqrt(E[L^2] - E[L]^2); percentile p of n sorted values:
-// the mean of entries int(n p) and int(n p - 1), as evalglare takes it.
+// Over pixels, not weighted by solid angle, except the mean.  std = sqrt(E[L^2] - E[L]^2); percentile p of n sorted
+// values: the mean of entries int(n p) and int(n p - 1), as evalglare takes it.
 #pragma once
 #include <vector>
 #include "comfort/geometry.h"
@@ -24,10 +24,13 @@ std::vector<uint32_t> zone_pixels(const Geometry& geometry, const Zones& zones, 
 // Pixels of a mask picture brighter than 0.1 cd/m2; throws Error if the size differs.
 std::vector<uint32_t> mask_pixels(const std::string& file, int width, int height);
 
-double median(std::vector<float>& values);  // middle value, mean of the two middle ones; the order is lost; nan if empty
+double median(
+    std::vector<float>& values);  // middle value, mean of the two middle ones; the order is lost; nan if empty
 
 // Predicted glare sensation vote of a masked (daylight) area of mean luminance `mask`, solid angle `omega`.
-struct Pgsv { double contrast, saturation, value; };
+struct Pgsv {
+    double contrast, saturation, value;
+};
 Pgsv pgsv(const AreaStatistics& mask, double mean_lum, double ev, bool has_task, double task_lum);
 
 }  // namespace comfort

@@ -19,9 +19,13 @@ std::string quoted_json(const std::string& s) {
     std::string out = "\"";
     char code[8];
     for (unsigned char c : s) {
-        if (c == '"' || c == '\\') { out += '\\'; out += char(c); }
-        else if (c < 0x20 || c == 0x7f) { std::snprintf(code, sizeof code, "\\u%04x", c); out += code; }
-        else out += char(c);
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += char(c);
+        } else if (c < 0x20 || c == 0x7f) {
+            std::snprintf(code, sizeof code, "\\u%04x", c);
+            out += code;
+        } else out += char(c);
     }
     return out + "\"";
 }
@@ -46,7 +50,11 @@ Cell text_cell(const std::string& text) { return {text, false}; }
 std::string header_line(const std::vector<std::string>& names, TableFormat format) {
     if (format == TableFormat::jsonl) return "";
     std::string out;
-    for (const std::string& n : names) out += (out.empty() ? "" : format == TableFormat::tsv ? "\t" : ",") + (format == TableFormat::tsv ? plain_tsv(n) : quoted_csv(n));
+    for (const std::string& n : names)
+        out += (out.empty()                  ? ""
+                : format == TableFormat::tsv ? "\t"
+                                             : ",") +
+               (format == TableFormat::tsv ? plain_tsv(n) : quoted_csv(n));
     return out + "\n";
 }
 
@@ -56,7 +64,10 @@ std::string table_line(const std::vector<std::string>& names, const std::vector<
         const Cell& c = cells[k];
         if (format == TableFormat::jsonl) {
             const bool finite = c.text.find_first_of("ni") == std::string::npos;
-            out += (k ? ", " : "{") + quoted_json(names[k]) + ": " + (!c.number ? quoted_json(c.text) : finite ? c.text : "null");
+            out += (k ? ", " : "{") + quoted_json(names[k]) + ": " +
+                   (!c.number ? quoted_json(c.text)
+                    : finite  ? c.text
+                              : "null");
         } else if (format == TableFormat::csv) {
             out += (k ? "," : "") + (c.number ? c.text : quoted_csv(c.text));
         } else {

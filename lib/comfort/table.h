@@ -15,7 +15,8 @@ struct Cell {
 Cell number_cell(double value, int digits = 8);  // significant digits; nan and inf by name (null in JSON)
 Cell text_cell(const std::string& text);
 
-std::string header_line(const std::vector<std::string>& names, TableFormat format);  // empty for JSON; else with newline
+std::string header_line(const std::vector<std::string>& names,
+                        TableFormat format);  // empty for JSON; else with newline
 std::string table_line(const std::vector<std::string>& names, const std::vector<Cell>& cells, TableFormat format);
 
 }  // namespace comfort

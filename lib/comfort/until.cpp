@@ -15,7 +15,8 @@ std::vector<Tolerance> parse_tolerances(const std::string& rule) {
         std::istringstream words(part);
         Tolerance t;
         std::string amount, more;
-        if (!(words >> t.metric >> amount)) base::fail("-until", "\"" + part + "\" is no rule; write for example 'DGP 1%, Ev 0.5%'");
+        if (!(words >> t.metric >> amount))
+            base::fail("-until", "\"" + part + "\" is no rule; write for example 'DGP 1%, Ev 0.5%'");
         if (words >> more && more == "%") amount += more, more.clear();
         t.relative = amount.back() == '%';
         if (t.relative) amount.pop_back();
@@ -28,7 +29,8 @@ std::vector<Tolerance> parse_tolerances(const std::string& rule) {
     return out;
 }
 
-StoppingRule::StoppingRule(std::vector<Tolerance> tolerances, int window) : tolerances_(std::move(tolerances)), window_(size_t(window)) {
+StoppingRule::StoppingRule(std::vector<Tolerance> tolerances, int window)
+    : tolerances_(std::move(tolerances)), window_(size_t(window)) {
     if (window < 2) base::fail("-window", "a window has two lines or more");
 }
 
@@ -42,7 +44,8 @@ bool StoppingRule::holds() const {
     for (size_t k = 0; k < tolerances_.size(); ++k) {
         double mean = 0;
         for (const auto& line : lines_) mean += line[k] / double(lines_.size());
-        const double limit = tolerances_[k].amount * (tolerances_[k].relative ? std::fabs(mean) : 1) + 1e-12 * std::fabs(mean);
+        const double limit =
+            tolerances_[k].amount * (tolerances_[k].relative ? std::fabs(mean) : 1) + 1e-12 * std::fabs(mean);
         for (const auto& line : lines_)
             if (!(std::fabs(line[k] - mean) <= limit)) return false;  // a nan never settles
     }

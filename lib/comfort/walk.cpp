@@ -60,6 +60,8 @@ private:
 
 }  // namespace
 
-uint32_t walk_groups(std::vector<Run>& runs, const Geometry& geometry, double opening) { return Walk(geometry, opening).run(runs); }
+uint32_t walk_groups(std::vector<Run>& runs, const Geometry& geometry, double opening) {
+    return Walk(geometry, opening).run(runs);
+}
 
 }  // namespace comfort

@@ -96,8 +96,9 @@ void Accumulator::resume(const Picture& sum, const std::string& name) {
     const bool zero = h.ranges[0].first == 0;
     const double n = double(h.frames.value_or(0));
     if (zero && n > 0 && sum.frame0.empty())
-        base::fail(name, "has frame 0 summed in and not kept apart, so that no further frames can be weighted: "
-                         "write it as OpenEXR (-o file.exr), which keeps frame 0");
+        base::fail(name,
+                   "has frame 0 summed in and not kept apart, so that no further frames can be weighted: "
+                   "write it as OpenEXR (-o file.exr), which keeps frame 0");
     start(sum, h.ranges[0].first);
     next_ = h.ranges[0].second + 1;
     header_.frames.reset();

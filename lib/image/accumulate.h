@@ -76,7 +76,7 @@ public:
     static Schedule parse(const std::string& text, const std::string& where);
     void restart() { next_ = 0; }
     void resume(int64_t n) { next_ = after(n); }  // n has been written before
-    bool due(int64_t n);  // called with rising n; n = 0 is always due
+    bool due(int64_t n);                          // called with rising n; n = 0 is always due
 
 private:
     int64_t after(int64_t n) const;  // the first n of the schedule above this one

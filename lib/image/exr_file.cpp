@@ -46,10 +46,30 @@ int32_t number_at(const std::string& bytes, size_t at) {
 
 // OpenEXR 3.1 reserves what an attribute's length says before it reads it, and goes by the type where that disagrees.
 bool fits(const std::string& type, const std::string& value) {
-    static const std::map<std::string, size_t> fixed = {
-        {"box2f", 16}, {"box2i", 16}, {"chromaticities", 32}, {"compression", 1}, {"deepImageState", 1}, {"double", 8}, {"envmap", 1},
-        {"float", 4}, {"int", 4}, {"keycode", 28}, {"lineOrder", 1}, {"m33d", 72}, {"m33f", 36}, {"m44d", 128}, {"m44f", 64},
-        {"rational", 8}, {"tiledesc", 9}, {"timecode", 8}, {"v2d", 16}, {"v2f", 8}, {"v2i", 8}, {"v3d", 24}, {"v3f", 12}, {"v3i", 12}};
+    static const std::map<std::string, size_t> fixed = {{"box2f", 16},
+                                                        {"box2i", 16},
+                                                        {"chromaticities", 32},
+                                                        {"compression", 1},
+                                                        {"deepImageState", 1},
+                                                        {"double", 8},
+                                                        {"envmap", 1},
+                                                        {"float", 4},
+                                                        {"int", 4},
+                                                        {"keycode", 28},
+                                                        {"lineOrder", 1},
+                                                        {"m33d", 72},
+                                                        {"m33f", 36},
+                                                        {"m44d", 128},
+                                                        {"m44f", 64},
+                                                        {"rational", 8},
+                                                        {"tiledesc", 9},
+                                                        {"timecode", 8},
+                                                        {"v2d", 16},
+                                                        {"v2f", 8},
+                                                        {"v2i", 8},
+                                                        {"v3d", 24},
+                                                        {"v3f", 12},
+                                                        {"v3i", 12}};
     if (const auto f = fixed.find(type); f != fixed.end()) return value.size() == f->second;
     size_t at = 0;
     if (type == "chlist") {  // name, 16 bytes, ..., empty name
@@ -98,8 +118,11 @@ void check_attributes(std::istream& in, const std::string& path) {
 
 int lines_together(Imf::Compression c) {
     switch (c) {
-    case Imf::NO_COMPRESSION: case Imf::RLE_COMPRESSION: case Imf::ZIPS_COMPRESSION: return 1;
-    case Imf::ZIP_COMPRESSION: case Imf::PXR24_COMPRESSION: return 16;
+    case Imf::NO_COMPRESSION:
+    case Imf::RLE_COMPRESSION:
+    case Imf::ZIPS_COMPRESSION: return 1;
+    case Imf::ZIP_COMPRESSION:
+    case Imf::PXR24_COMPRESSION: return 16;
     case Imf::DWAB_COMPRESSION: return 256;
     default: return 32;
     }
@@ -113,8 +136,9 @@ void check_blocks(const Imf::Header& h, const std::string& path) {
     const int64_t across = tiled ? int64_t(h.tileDescription().xSize) : int64_t(data.max.x) - data.min.x + 1;
     const int64_t down = tiled ? int64_t(h.tileDescription().ySize) : lines_together(h.compression());
     if (across * down > most_block / std::max<int64_t>(bytes, 1))
-        base::fail(path, std::string("its ") + (tiled ? "tiles" : "blocks of lines") + " are too large: " + std::to_string(across) +
-                             " x " + std::to_string(down) + " pixels of " + std::to_string(bytes) + " bytes");
+        base::fail(path, std::string("its ") + (tiled ? "tiles" : "blocks of lines") +
+                             " are too large: " + std::to_string(across) + " x " + std::to_string(down) +
+                             " pixels of " + std::to_string(bytes) + " bytes");
 }
 
 class MemoryOut : public Imf::OStream {
@@ -232,7 +256,8 @@ std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
         }
         const Imath::Box2i shown = header.displayWindow(), data = header.dataWindow();
         const size_t data_width = size_t(data.max.x - data.min.x + 1);
-        const int lines = int(std::clamp<int64_t>(most_block / int64_t(sizeof(float) * std::max<size_t>(n, 1) * data_width), 1, block_lines));
+        const int lines = int(std::clamp<int64_t>(
+            most_block / int64_t(sizeof(float) * std::max<size_t>(n, 1) * data_width), 1, block_lines));
         std::vector<float> block(data_width * size_t(lines) * n);
         for (int y = data.min.y; y <= data.max.y; y += lines) {
             const int last = std::min(y + lines - 1, data.max.y);

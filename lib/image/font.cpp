@@ -72,8 +72,7 @@ void draw_text(Image8& image, int x, int y, const std::string& text, int scale, 
             if (g.c == c)
                 for (int row = 0; row < 7; ++row)
                     for (int col = 0; col < 5; ++col)
-                        if (g.rows[row][col] == '#')
-                            dot(image, x + col * scale, y + row * scale, scale, color);
+                        if (g.rows[row][col] == '#') dot(image, x + col * scale, y + row * scale, scale, color);
         x += 6 * scale;
     }
 }

@@ -226,7 +226,7 @@ std::vector<std::string> header_lines(const Header& h) {
     const std::string software = "SOFTWARE=luxpipe " LUXPIPE_VERSION;
     for (const std::string& line : h.lines)
         if (!line.empty() && line != software) out.push_back(one_line(line));  // an empty line would end the header
-    out.push_back(software);  // once, after the command lines
+    out.push_back(software);                                                   // once, after the command lines
     if (h.view) out.push_back("VIEW=" + view::to_options(*h.view));
     if (h.pixel_aspect != 1) out.push_back(fmt::format("PIXASPECT={}", h.pixel_aspect));
     if (!h.fingerprint.empty()) out.push_back(one_line("FINGERPRINT=" + h.fingerprint));

@@ -20,12 +20,12 @@ struct Header {
     std::optional<view::View> view;  // from VIEW= and program lines (spec formats 1, glare 1.4)
     double exposure = 1;             // product of EXPOSURE= lines: divided out of the pixels here, in them in files
     double pixel_aspect = 1;
-    std::optional<uint64_t> seed;   // SEED=
-    std::optional<int64_t> frame;   // FRAME=k: a single frame
-    std::optional<int64_t> frames;  // FRAMES=n: diffuse frames averaged
+    std::optional<uint64_t> seed;       // SEED=
+    std::optional<int64_t> frame;       // FRAME=k: a single frame
+    std::optional<int64_t> frames;      // FRAMES=n: diffuse frames averaged
     std::optional<int64_t> last_frame;  // LASTFRAME=k: the stream goes on to frame k
     std::string fingerprint;            // FINGERPRINT=: of all that decides the pixels (fingerprint.h); empty: not told
-    Ranges ranges;                  // RANGE=a:b, both included; several after a merge
+    Ranges ranges;                      // RANGE=a:b, both included; several after a merge
     std::vector<std::pair<uint64_t, Ranges>>
         other_seeds;               // further SEED= lines with their RANGE= lines (merges of runs)
     bool tabbed_exposure = false;  // a line held EXPOSURE= and a TAB (evalglare refuses such)
@@ -49,8 +49,9 @@ void require_complete(const Picture& picture, const std::string& where);
 
 enum class Format { rgbe, xyze, flt };
 
-// What a reader makes of the numbers in a file: radiance, as above; or the numbers themselves, with their exposure, colour
-// correction and primaries in them, as RADIANCE takes pictures that are patterns.  XYZE and OpenEXR become radiance always.
+// What a reader makes of the numbers in a file: radiance, as above; or the numbers themselves, with their exposure,
+// colour correction and primaries in them, as RADIANCE takes pictures that are patterns.  XYZE and OpenEXR become
+// radiance always.
 enum class Pixels { radiance, stored };
 
 }  // namespace image

@@ -30,7 +30,8 @@ std::optional<SpectralPicture> read_spectral_file(const std::string& path) {
     if (!(p.from > 0 && p.to > 0) || p.from == p.to) base::fail(path, "WAVELENGTH_SPLITS= spans no wavelengths");
 
     const bool columns = head.layout.x_major;
-    const size_t bytes = size_t(p.bands) + 1, fast = size_t(columns ? p.height : p.width), slow = size_t(columns ? p.width : p.height);
+    const size_t bytes = size_t(p.bands) + 1, fast = size_t(columns ? p.height : p.width),
+                 slow = size_t(columns ? p.width : p.height);
     if (const auto left = in.remaining())
         if (*left < bytes * fast * slow) base::fail(path, "input ends inside the picture");
     std::vector<uint8_t> row(bytes * fast);

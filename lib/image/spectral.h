@@ -10,7 +10,7 @@ namespace image {
 
 struct SpectralPicture {
     int width = 0, height = 0, bands = 0;
-    double from = 0, to = 0;    // nm, where the first band begins and the last one ends
+    double from = 0, to = 0;  // nm, where the first band begins and the last one ends
     double pixel_aspect = 1;
     std::vector<float> values;  // row 0 = top, the bands of a pixel together; the exposure is not divided out
 };

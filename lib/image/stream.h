@@ -34,7 +34,7 @@ void write_bytes(const std::string& path, const std::string& bytes);
 
 // Whole files, chosen by ending when written (.hdr .pic: RADIANCE; .exr: OpenEXR; .png: for people, tone.h); read by
 // content.
-std::string ending_of(const std::string& path);         // ".exr", in small letters
+std::string ending_of(const std::string& path);  // ".exr", in small letters
 // An Error before the work, not after it: another ending than these, a folder that is not there or not writable.
 void require_writable_ending(const std::string& path);
 // One picture; throws Error if there are several.

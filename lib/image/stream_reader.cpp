@@ -209,7 +209,8 @@ struct StreamReader::State {
     void require_announced(const std::string& place, const char* fact) const {
         if (reached < announced)
             base::fail(place, fmt::format("{} after frame {}, where frames up to {} were announced: what wrote it was "
-                                          "stopped", fact, reached, announced));
+                                          "stopped",
+                                          fact, reached, announced));
     }
 };
 
@@ -240,7 +241,8 @@ bool StreamReader::next(Picture& picture) {
     const Encoding& encoding = head.encoding;
     const Layout& layout = head.layout;
     picture.header = std::move(head.header);
-    if (encoding.spectra) base::fail(place, "is a hyperspectral picture (FORMAT=Radiance_spectra): only specpict reads such");
+    if (encoding.spectra)
+        base::fail(place, "is a hyperspectral picture (FORMAT=Radiance_spectra): only specpict reads such");
     if (encoding.format == Format::flt) {
         if (encoding.channels != 1 && encoding.channels != 3)
             base::fail(place, "NCOMP=" + std::to_string(encoding.channels) + ": float pictures have 1 or 3 channels");

@@ -36,9 +36,9 @@ void write_to(const Sink& sink, const Picture& p, Format format) {
     std::string head;
     for (const std::string& line : header_lines(p.header)) head += line + "\n";
     switch (format) {
-        case Format::flt: head += "NCOMP=3\nBigEndian=" + std::to_string(host_big_endian()) + "\nFORMAT=float\n"; break;
-        case Format::rgbe: head += "FORMAT=32-bit_rle_rgbe\n"; break;
-        case Format::xyze: head += "FORMAT=32-bit_rle_xyze\n"; break;
+    case Format::flt: head += "NCOMP=3\nBigEndian=" + std::to_string(host_big_endian()) + "\nFORMAT=float\n"; break;
+    case Format::rgbe: head += "FORMAT=32-bit_rle_rgbe\n"; break;
+    case Format::xyze: head += "FORMAT=32-bit_rle_xyze\n"; break;
     }
     const double exposure = p.header.exposure;
     if (exposure != 1) head += fmt::format("EXPOSURE={}\n", exposure);

@@ -7,24 +7,24 @@
 #ifndef LUX_BSDF_H
 #define LUX_BSDF_H
 
-// A material: BSDF_COMPONENTS of BSDF_COMPONENT_WORDS at u[MOD_EXTRA]: front reflection, front transmission, back.. (by the
-// side v is on): table (u index, NONE if there is none), Lambertian part (float).
+// A material: BSDF_COMPONENTS of BSDF_COMPONENT_WORDS at u[MOD_EXTRA]: front reflection, front transmission, back.. (by
+// the side v is on): table (u index, NONE if there is none), Lambertian part (float).
 #define BSDF_COMPONENTS 4u
 #define BSDF_COMPONENT_WORDS 2u
 // A table, BT_WORDS words.  "at f" and "at u" are indices of the arenas.
 #define BT_WORDS 12u
-#define BT_KIND 0u       // BSDF_MATRIX, BSDF_TREE4, BSDF_TREE3
-#define BT_SWAP 1u       // 1: data are for light coming from v's other side: v takes the exiting role
-#define BT_MIN_PSA 2u    // smallest projected solid angle of a cell (float)
-#define BT_V 3u          // matrix: basis of v at u; tree: cells per side of the grid of v
-#define BT_L 4u          // matrix: basis of l at u; tree: dimensions
-#define BT_NL 5u         // matrix: cells of l
-#define BT_VALUES 6u     // at f: matrix: v * NL + l; tree: value of each node, means above the leaves
-#define BT_MORE 7u       // matrix: at f: cumulative over l, row by row; tree: at u: child of each node
-#define BT_HEMI 8u       // at f, by cell of v: directional-hemispherical value
-#define BT_PSA 9u        // at f, by cell of v: projected solid angle that jitters v
-#define BT_LPSA 10u      // matrix: at f, by cell of l: projected solid angle
-#define BT_RGB 11u       // NONE: grey.  matrix: at f: RGB per cell; tree: at u: values, children of u', then of v'
+#define BT_KIND 0u     // BSDF_MATRIX, BSDF_TREE4, BSDF_TREE3
+#define BT_SWAP 1u     // 1: data are for light coming from v's other side: v takes the exiting role
+#define BT_MIN_PSA 2u  // smallest projected solid angle of a cell (float)
+#define BT_V 3u        // matrix: basis of v at u; tree: cells per side of the grid of v
+#define BT_L 4u        // matrix: basis of l at u; tree: dimensions
+#define BT_NL 5u       // matrix: cells of l
+#define BT_VALUES 6u   // at f: matrix: v * NL + l; tree: value of each node, means above the leaves
+#define BT_MORE 7u     // matrix: at f: cumulative over l, row by row; tree: at u: child of each node
+#define BT_HEMI 8u     // at f, by cell of v: directional-hemispherical value
+#define BT_PSA 9u      // at f, by cell of v: projected solid angle that jitters v
+#define BT_LPSA 10u    // matrix: at f, by cell of l: projected solid angle
+#define BT_RGB 11u     // NONE: grey.  matrix: at f: RGB per cell; tree: at u: values, children of u', then of v'
 #define BSDF_MATRIX 1u
 #define BSDF_TREE4 2u
 #define BSDF_TREE3 3u
@@ -37,10 +37,19 @@ FN float2 bsdf_square(float x, float y) {
     float r = sqrt_(x * x + y * y), a, b;
     float phi = k_atan2(y, x) * 1.27323954f;  // in eighths of a turn
     if (phi < -1.0f) phi += 8.0f;
-    if (phi < 1.0f) { a = r; b = phi * r; }
-    else if (phi < 3.0f) { b = r; a = (2.0f - phi) * r; }
-    else if (phi < 5.0f) { a = -r; b = (4.0f - phi) * r; }
-    else { b = -r; a = (phi - 6.0f) * r; }
+    if (phi < 1.0f) {
+        a = r;
+        b = phi * r;
+    } else if (phi < 3.0f) {
+        b = r;
+        a = (2.0f - phi) * r;
+    } else if (phi < 5.0f) {
+        a = -r;
+        b = (4.0f - phi) * r;
+    } else {
+        b = -r;
+        a = (phi - 6.0f) * r;
+    }
     float2 q;
     q.x = MIN_(MAX_(0.5f + 0.5f * a, 0.0f), 0.99999994f);
     q.y = MIN_(MAX_(0.5f + 0.5f * b, 0.0f), 0.99999994f);
@@ -49,11 +58,21 @@ FN float2 bsdf_square(float x, float y) {
 FN float2 bsdf_disc(float sx, float sy) {
     float a = 2.0f * sx - 1.0f, b = 2.0f * sy - 1.0f, r, phi, s, c;
     if (a > -b) {
-        if (a > b) { r = a; phi = b / a; }
-        else { r = b; phi = 2.0f - a / b; }
+        if (a > b) {
+            r = a;
+            phi = b / a;
+        } else {
+            r = b;
+            phi = 2.0f - a / b;
+        }
     } else {
-        if (a < b) { r = -a; phi = 4.0f + b / a; }
-        else { r = -b; phi = b != 0.0f ? 6.0f - a / b : 0.0f; }
+        if (a < b) {
+            r = -a;
+            phi = 4.0f + b / a;
+        } else {
+            r = -b;
+            phi = b != 0.0f ? 6.0f - a / b : 0.0f;
+        }
     }
     k_sincos(phi * 0.78539816f, &s, &c);
     float2 d;
@@ -61,7 +80,10 @@ FN float2 bsdf_disc(float sx, float sy) {
     d.y = r * s;
     return d;
 }
-FN float bsdf_height(float x, float y) { float z2 = 1.0f - x * x - y * y; return sqrt_(MAX_(z2, 0.0f)); }
+FN float bsdf_height(float x, float y) {
+    float z2 = 1.0f - x * x - y * y;
+    return sqrt_(MAX_(z2, 0.0f));
+}
 
 // ---- matrices
 FN uint basis_cell(PRIVATE const SceneTables* s, uint basis, float x, float y, float z) {
@@ -98,8 +120,8 @@ FN uint bsdf_l_cell(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 l
 }
 
 // ---- trees
-// The incident coordinate of an isotropic tree; a direction on the edge of two cells (which single precision cannot keep
-// apart) belongs to the outer one.
+// The incident coordinate of an isotropic tree; a direction on the edge of two cells (which single precision cannot
+// keep apart) belongs to the outer one.
 FN float tree_radius(float3 in) {
     float c = 0.5f - 0.5f * sqrt_(in.x * in.x + in.y * in.y) - 2e-8f;
     return MIN_(MAX_(c, 0.0f), 0.49999997f);
@@ -110,16 +132,20 @@ FN void tree_coordinates(GLOBAL const uint* t, float3 v, float3 l, PRIVATE float
     float2 q;
     if (t[BT_KIND] == BSDF_TREE4) {
         q = bsdf_square(-in.x, -in.y);
-        c[0] = q.x; c[1] = q.y;
+        c[0] = q.x;
+        c[1] = q.y;
         q = bsdf_square(out.x, out.y);
-        c[2] = q.x; c[3] = q.y;
+        c[2] = q.x;
+        c[3] = q.y;
         return;
     }
     float r = sqrt_(in.x * in.x + in.y * in.y);
     float cs = r > 0.0f ? -in.x / r : 1.0f, sn = r > 0.0f ? -in.y / r : 0.0f;
     q = bsdf_square(out.x * cs + out.y * sn, out.y * cs - out.x * sn);
     c[0] = tree_radius(in);
-    c[1] = q.x; c[2] = q.y; c[3] = 0.0f;
+    c[1] = q.x;
+    c[2] = q.y;
+    c[3] = 0.0f;
 }
 FN float tree_value(PRIVATE const SceneTables* s, uint values, uint children, int dims, PRIVATE const float* at,
                     PRIVATE float* width) {
@@ -132,7 +158,10 @@ FN float tree_value(PRIVATE const SceneTables* s, uint values, uint children, in
         if (next == NONE) return s->f[values + node];
         for (int k = 0; k < dims; k++) {
             c[k] *= 2.0f;
-            if (c[k] >= 1.0f) { c[k] -= 1.0f; next += 1u << k; }
+            if (c[k] >= 1.0f) {
+                c[k] -= 1.0f;
+                next += 1u << k;
+            }
         }
         node = next;
         *width *= 0.5f;
@@ -184,8 +213,10 @@ FN float3 bsdf_color(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 
               MAX_(0.07472438f * X - 0.25193957f + 1.17721519f * Z, 0.0f));
 }
 
-// One l for v, on the +z side.  Returns f cos / density: its mean is the hemispherical value (for matrices always so); 0 = none.
-FN float bsdf_sample(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v, PRIVATE Sampler* rnd, PRIVATE float3* l) {
+// One l for v, on the +z side.  Returns f cos / density: its mean is the hemispherical value (for matrices always so);
+// 0 = none.
+FN float bsdf_sample(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v, PRIVATE Sampler* rnd,
+                     PRIVATE float3* l) {
     float2 pick = sample2(rnd), place = sample2(rnd);
     if (t[BT_KIND] == BSDF_MATRIX) {
         uint nl = t[BT_NL], i = bsdf_v_cell(s, t, v), low = 0u, high = nl - 1u;
@@ -194,14 +225,19 @@ FN float bsdf_sample(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 
         if (total <= 0.0f) return 0.0f;
         while (low < high) {
             uint mid = (low + high) >> 1;
-            if (sums[mid] > x) high = mid; else low = mid + 1u;
+            if (sums[mid] > x) high = mid;
+            else low = mid + 1u;
         }
         *l = basis_direction(s, t[BT_L], low, place);
-        if (t[BT_SWAP] != 0u) { l->x = -l->x; l->y = -l->y; }
+        if (t[BT_SWAP] != 0u) {
+            l->x = -l->x;
+            l->y = -l->y;
+        }
         return total;
     }
     float c[4], w = 1.0f, p = 1.0f;
-    if (t[BT_KIND] == BSDF_TREE3 && t[BT_SWAP] != 0u) {  // no dimension of the tree is v's: even in projected solid angle
+    if (t[BT_KIND] == BSDF_TREE3 &&
+        t[BT_SWAP] != 0u) {  // no dimension of the tree is v's: even in projected solid angle
         float2 d = bsdf_disc(place.x, place.y);
         *l = F3(d.x, d.y, bsdf_height(d.x, d.y));
         return 3.14159265f * bsdf_value(s, t, v, *l, &w);
@@ -217,14 +253,23 @@ FN float bsdf_sample(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 
         for (int k = 0; k < dims; k++) {
             if (k == first || k == first + 1) continue;
             c[k] *= 2.0f;
-            if (c[k] >= 1.0f) { c[k] -= 1.0f; next += 1u << k; }
+            if (c[k] >= 1.0f) {
+                c[k] -= 1.0f;
+                next += 1u << k;
+            }
         }
         float m[4], sum = 0.0f;
-        for (uint k = 0u; k < 4u; k++) { m[k] = s->f[t[BT_VALUES] + next + (k << first)]; sum += m[k]; }
+        for (uint k = 0u; k < 4u; k++) {
+            m[k] = s->f[t[BT_VALUES] + next + (k << first)];
+            sum += m[k];
+        }
         if (sum <= 0.0f) return 0.0f;
         float r = x * sum;
         uint k = 0u, last = m[3] > 0.0f ? 3u : m[2] > 0.0f ? 2u : m[1] > 0.0f ? 1u : 0u;
-        while (k < last && r >= m[k]) { r -= m[k]; k++; }
+        while (k < last && r >= m[k]) {
+            r -= m[k];
+            k++;
+        }
         x = m[k] > 0.0f ? MIN_(r / m[k], 0.99999994f) : 0.0f;
         p *= m[k] / sum;
         w *= 0.5f;

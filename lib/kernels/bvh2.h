@@ -60,8 +60,10 @@ FN int bvh2_traverse_(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint
                 id = as_uint_(v0.w);
                 if ((id & ID_SHAPE) == 0u) {
                     if (((cls >> (id >> 31)) & 1u) != 0u &&
-                        woop_triangle(&r, F3(v0.x, v0.y, v0.z), F3(v1.x, v1.y, v1.z), F3(v2.x, v2.y, v2.z), &t, &u, &v) &&
-                        t > ray->tmin && hit_offer(hit, t, id & ID_PRIM, u, v, inst)) found = 1;
+                        woop_triangle(&r, F3(v0.x, v0.y, v0.z), F3(v1.x, v1.y, v1.z), F3(v2.x, v2.y, v2.z), &t, &u,
+                                      &v) &&
+                        t > ray->tmin && hit_offer(hit, t, id & ID_PRIM, u, v, inst))
+                        found = 1;
                 } else {
                     uint shape = as_uint_(v0.x);
                     GLOBAL const float* q = s->shapes + (ulong64)shape * SHAPE_FLOATS;

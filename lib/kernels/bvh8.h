@@ -11,7 +11,11 @@
 #define BVH8_LEAF_FLOATS 40u
 #define BVH8_STACK 320  // the builder refuses trees that need more (bvh_build.cpp)
 
-typedef struct { uint ref[BVH8_STACK]; float t[BVH8_STACK]; int size; } Bvh8Stack;
+typedef struct {
+    uint ref[BVH8_STACK];
+    float t[BVH8_STACK];
+    int size;
+} Bvh8Stack;
 
 FN void bvh8_push_(PRIVATE Bvh8Stack* stack, int bottom, uint ref, float t) {  // sorted above bottom, nearest on top
     int i = stack->size++;
@@ -25,12 +29,15 @@ FN void bvh8_push_(PRIVATE Bvh8Stack* stack, int bottom, uint ref, float t) {  /
 }
 
 // Four triangles; 1 if one of them became the nearest hit.
-FN int bvh8_triangles_(GLOBAL const float* b, PRIVATE const WoopRay* r, float tmin, uint mask, uint inst, PRIVATE Hit* hit) {
+FN int bvh8_triangles_(GLOBAL const float* b, PRIVATE const WoopRay* r, float tmin, uint mask, uint inst,
+                       PRIVATE Hit* hit) {
     v4f az = load4_(b + 4u * r->kz) - r->oz, bz = load4_(b + 12u + 4u * r->kz) - r->oz;
     v4f cz = load4_(b + 24u + 4u * r->kz) - r->oz;
     v4f ax = (load4_(b + 4u * r->kx) - r->ox) - r->sx * az, ay = (load4_(b + 4u * r->ky) - r->oy) - r->sy * az;
-    v4f bx = (load4_(b + 12u + 4u * r->kx) - r->ox) - r->sx * bz, by = (load4_(b + 12u + 4u * r->ky) - r->oy) - r->sy * bz;
-    v4f cx = (load4_(b + 24u + 4u * r->kx) - r->ox) - r->sx * cz, cy = (load4_(b + 24u + 4u * r->ky) - r->oy) - r->sy * cz;
+    v4f bx = (load4_(b + 12u + 4u * r->kx) - r->ox) - r->sx * bz,
+        by = (load4_(b + 12u + 4u * r->ky) - r->oy) - r->sy * bz;
+    v4f cx = (load4_(b + 24u + 4u * r->kx) - r->ox) - r->sx * cz,
+        cy = (load4_(b + 24u + 4u * r->ky) - r->oy) - r->sy * cz;
     v4f wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
     v4f det = wa + wb + wc, t;
     v4i in = ((wa >= 0.0f) & (wb >= 0.0f) & (wc >= 0.0f)) | ((wa <= 0.0f) & (wb <= 0.0f) & (wc <= 0.0f));

@@ -27,18 +27,22 @@ FN void cal_interval_(PRIVATE const SceneTables* s, uint dim, float x, PRIVATE u
         int up = s->f[positions + high] >= s->f[positions];
         while (high - low > 1u) {
             mid = (low + high) / 2u;
-            if (up ? x >= s->f[positions + mid] : x <= s->f[positions + mid]) low = mid; else high = mid;
+            if (up ? x >= s->f[positions + mid] : x <= s->f[positions + mid]) low = mid;
+            else high = mid;
         }
         a = s->f[positions + low];
         b = s->f[positions + low + 1u];
         t = (float)low + (x - a) / (b - a);
     }
     *at = low;
-    a = t - (float)low;                                    // position within [low, low + 1]
+    a = t - (float)low;  // position within [low, low + 1]
     if (!(a <= 2.0f)) {
         *c0 = 1.0f / ((float)low - 1.0f - t);
         *c1 = -2.0f * *c0;
-        if (!(a > 2.0f)) { *c0 = 0.0f; *c1 = 0.0f; }
+        if (!(a > 2.0f)) {
+            *c0 = 0.0f;
+            *c1 = 0.0f;
+        }
     } else if (a < -1.0f) {
         *c1 = 1.0f / (t - (float)low);
         *c0 = -2.0f * *c1;

@@ -36,9 +36,7 @@ FN cal_real cal_gradient_(int hash, cal_real x, cal_real y, cal_real z) {
     return ((h & 1) ? -u : u) + ((h & 2) ? -v : v);
 }
 
-FN cal_real cal_fade_(cal_real t) {
-    return t * t * t * (t * (t * CAL_REAL(6.0) - CAL_REAL(15.0)) + CAL_REAL(10.0));
-}
+FN cal_real cal_fade_(cal_real t) { return t * t * t * (t * (t * CAL_REAL(6.0) - CAL_REAL(15.0)) + CAL_REAL(10.0)); }
 
 // Truncation, but into the cell below for negative numbers, whole ones included.
 FN int cal_cell_(cal_real x) {
@@ -94,7 +92,7 @@ FN cal_real cal_lattice_(long64 x, long64 y, long64 z) {
     return CAL_REAL(1.0) - (cal_real)(uint)k * CAL_REAL(9.31322574615478515625e-10);
 }
 
-FN cal_real cal_whole_(cal_real x) {                       // floor; numbers of 1e15 and more are whole already
+FN cal_real cal_whole_(cal_real x) {  // floor; numbers of 1e15 and more are whole already
     cal_real t;
     if (!(x > CAL_REAL(-1e15) && x < CAL_REAL(1e15))) return x;
     t = (cal_real)(long64)x;
@@ -125,7 +123,10 @@ FN cal_real cal_fnoise3(cal_real x, cal_real y, cal_real z) {
         f[j] = cal_lattice_(b[0] + ((j & 1) ? s : 0), b[1] + ((j & 2) ? s : 0), b[2] + ((j & 4) ? s : 0));
     for (;;) {
         c = CAL_REAL(0.0);
-        for (j = 0; j < 8; j++) { old[j] = f[j]; c += f[j]; }
+        for (j = 0; j < 8; j++) {
+            old[j] = f[j];
+            c += f[j];
+        }
         c = c * CAL_REAL(0.125);
         s = s >> 1;
         if (s == 0) return c;
@@ -133,7 +134,12 @@ FN cal_real cal_fnoise3(cal_real x, cal_real y, cal_real z) {
         branch = 0;
         for (i = 0; i < 3; i++) {
             m[i] = b[i] + s;
-            if (t[i] > m[i]) { branch |= 1 << i; sign[i] = 1; } else { sign[i] = -1; }
+            if (t[i] > m[i]) {
+                branch |= 1 << i;
+                sign[i] = 1;
+            } else {
+                sign[i] = -1;
+            }
         }
         f[7 & ~branch] = c + scale * cal_lattice_(m[0], m[1], m[2]);
         for (i = 0; i < 3; i++) {
@@ -145,8 +151,8 @@ FN cal_real cal_fnoise3(cal_real x, cal_real y, cal_real z) {
             dx = i == 0 ? 0 : s * sign[0];
             dy = i == 1 ? 0 : s * sign[1];
             dz = i == 2 ? 0 : s * sign[2];
-            f[branch ^ (1 << i)] = (old[branch] + old[branch ^ (1 << i)]) * CAL_REAL(0.5)
-                                 + scale * cal_lattice_(m[0] + dx, m[1] + dy, m[2] + dz);
+            f[branch ^ (1 << i)] = (old[branch] + old[branch ^ (1 << i)]) * CAL_REAL(0.5) +
+                                   scale * cal_lattice_(m[0] + dx, m[1] + dy, m[2] + dz);
         }
         for (i = 0; i < 3; i++)
             if (branch & (1 << i)) b[i] += s;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Register machine for compiled .cal programs (lib/cal writes them).  Included after compat, vec.h, math.h, intersect.h.
-// A program is a run of words in s->u from its entry to OP_END; jumps only go forward, so it always ends.
+// Register machine for compiled .cal programs (lib/cal writes them).  Included after compat, vec.h, math.h,
+// intersect.h. A program is a run of words in s->u from its entry to OP_END; jumps only go forward, so it always ends.
 // An instruction: bits 0-6 operation, 7 "b is the next word, a float", 8-15 destination, 16-23 a, 24-31 b.
 // Variables are in world coordinates: the program itself applies its primitive's transform.
 // To add an operation: 1. a number here, 2. a case in cal_run, 3. cal/graph.cpp fold(), 4. cal/build.cpp.
@@ -13,6 +13,7 @@
 #define CAL_OUTPUTS 10
 
 // Indices of the variables a program may read (all set by the caller).
+// clang-format off
 enum {
     CAL_DX, CAL_DY, CAL_DZ,          // ray direction, unit
     CAL_NX, CAL_NY, CAL_NZ,          // unperturbed normal as oriented
@@ -71,6 +72,7 @@ enum {
 #define OP_FAIL 39u      // d = 0 and an error
 #define OP_KEEP 40u      // d = error state
 #define OP_RESTORE 41u   // error state = a
+// clang-format on
 
 // Runs a program; out gets its results.  Returns nonzero if the evaluation ended with an error (spec: scene
 // language 5: the last library call or operator to fail), and the caller then ignores the pattern.
@@ -84,6 +86,7 @@ FN int cal_run(PRIVATE const SceneTables* s, uint entry, PRIVATE const float* va
         float a = r[(word >> 16) & 255u], b, v = 0.0f;  // fields are below CAL_REGISTERS whatever they mean
         if (word & 128u) b = as_float_(s->u[pc++]);
         else b = r[word >> 24];
+        // clang-format off
         switch (op) {
         case OP_END: return error;
         case OP_OUT: out[d] = b; continue;
@@ -142,6 +145,7 @@ FN int cal_run(PRIVATE const SceneTables* s, uint entry, PRIVATE const float* va
         case OP_RESTORE: error = r[(word >> 16) & 255u] != 0.0f; continue;
         default: error = 1; break;  // OP_FAIL
         }
+        // clang-format on
         r[d] = v;
     }
 }

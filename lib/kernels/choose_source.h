@@ -25,8 +25,7 @@ FN int gate_passes(GLOBAL const float* q, float3 p, float3 to, float reach) {
 }
 
 // What source i could give a surface at p with normal n, up to a factor; both: from behind, too.
-FN float source_promise(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i, float3 p, float3 n,
-                        int both) {
+FN float source_promise(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i, float3 p, float3 n, int both) {
     GLOBAL const float* q = source_record(s, par, i);
     uint kind = as_uint_(q[SRC_KIND]), relay = as_uint_(q[SRC_VIRTUAL]);
     float3 to = f3_at(q + SRC_CENTRE);
@@ -64,7 +63,11 @@ FN float source_candidate(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     GLOBAL const float* cdf = s->f + par->cdf_at;
     float y = ((float)j + x) / (float)count;
     uint lo = 0u, hi = par->source_count - 1u;
-    while (lo < hi) { uint mid = (lo + hi) / 2u; if (cdf[mid] > y) hi = mid; else lo = mid + 1u; }
+    while (lo < hi) {
+        uint mid = (lo + hi) / 2u;
+        if (cdf[mid] > y) hi = mid;
+        else lo = mid + 1u;
+    }
     *source = lo;
     float pdf = cdf[lo] - (lo > 0u ? cdf[lo - 1u] : 0.0f);
     return source_promise(s, par, lo, p, n, both) / (pdf * (float)count);
@@ -76,18 +79,26 @@ FN float choose_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
                        PRIVATE Sampler* rnd, PRIVATE uint* chosen) {
     uint count = par->source_count, picked = 0u, all = count <= SOURCES_LOOKED_AT;
     if (count == 0u) return 0.0f;
-    if (count == 1u) { *chosen = 0u; return 1.0f; }
+    if (count == 1u) {
+        *chosen = 0u;
+        return 1.0f;
+    }
     float2 x = sample2(rnd);
     float sum = 0.0f, kept = 0.0f, r = x.x;
     if (!all) count = SOURCE_CANDIDATES;
     for (uint j = 0u; j < count; j++) {
         uint i = j;
-        float w = all ? source_promise(s, par, i, p, n, both)
-                      : source_candidate(s, par, p, n, both, j, count, x.y, &i);
+        float w = all ? source_promise(s, par, i, p, n, both) : source_candidate(s, par, p, n, both, j, count, x.y, &i);
         if (w <= 0.0f) continue;
         sum += w;
-        float t = w / sum;           // one random number, reused (Chao's reservoir)
-        if (r < t) { picked = i; kept = w; r = r / t; } else { r = (r - t) / (1.0f - t); }
+        float t = w / sum;  // one random number, reused (Chao's reservoir)
+        if (r < t) {
+            picked = i;
+            kept = w;
+            r = r / t;
+        } else {
+            r = (r - t) / (1.0f - t);
+        }
     }
     if (sum <= 0.0f) return 0.0f;
     *chosen = picked;

@@ -17,28 +17,66 @@
 typedef uint32_t uint;
 typedef uint64_t ulong64;
 typedef int64_t long64;
-struct float2 { float x, y; };
-struct float3 { float x, y, z; };
-struct alignas(16) float4 { float x, y, z, w; };
-struct uint4 { uint x, y, z, w; };
-FN float3 F3(float x, float y, float z) { float3 v; v.x = x; v.y = y; v.z = z; return v; }
-FN float as_float_(uint u) { float f; memcpy(&f, &u, 4); return f; }
-FN uint as_uint_(float f) { uint u; memcpy(&u, &f, 4); return u; }
+struct float2 {
+    float x, y;
+};
+struct float3 {
+    float x, y, z;
+};
+struct alignas(16) float4 {
+    float x, y, z, w;
+};
+struct uint4 {
+    uint x, y, z, w;
+};
+FN float3 F3(float x, float y, float z) {
+    float3 v;
+    v.x = x;
+    v.y = y;
+    v.z = z;
+    return v;
+}
+FN float as_float_(uint u) {
+    float f;
+    memcpy(&f, &u, 4);
+    return f;
+}
+FN uint as_uint_(float f) {
+    uint u;
+    memcpy(&u, &f, 4);
+    return u;
+}
 FN float sqrt_(float x) { return __builtin_sqrtf(x); }
 FN float floor_(float x) { return __builtin_floorf(x); }
 FN float fabs_(float x) { return __builtin_fabsf(x); }
-FN float4 loadf4_(const float* p) { float4 v; memcpy(&v, p, 16); return v; }  // p on a 16-byte boundary
+// p on a 16-byte boundary
+FN float4 loadf4_(const float* p) {
+    float4 v;
+    memcpy(&v, p, 16);
+    return v;
+}
 
-// Wide words (bvh8.h): gcc vectors, whose operators are those of OpenCL's float4 and float8.  A comparison gives -1 or 0
-// in each lane; lanes4_/lanes8_ turn it into a LaneMask, to be walked by lane_first_ and lane_drop_.
+// Wide words (bvh8.h): gcc vectors, whose operators are those of OpenCL's float4 and float8.  A comparison gives -1 or
+// 0 in each lane; lanes4_/lanes8_ turn it into a LaneMask, to be walked by lane_first_ and lane_drop_.
 #pragma GCC diagnostic ignored "-Wpsabi"
 typedef float v4f __attribute__((vector_size(16)));
 typedef int v4i __attribute__((vector_size(16)));
 typedef float v8f __attribute__((vector_size(32)));
 typedef int v8i __attribute__((vector_size(32)));
-FN v4f load4_(const float* p) { v4f v; memcpy(&v, p, 16); return v; }
-FN v8f load8_(const float* p) { v8f v; memcpy(&v, p, 32); return v; }
-FN v8f splat8_(float x) { v8f v = {x, x, x, x, x, x, x, x}; return v; }
+FN v4f load4_(const float* p) {
+    v4f v;
+    memcpy(&v, p, 16);
+    return v;
+}
+FN v8f load8_(const float* p) {
+    v8f v;
+    memcpy(&v, p, 32);
+    return v;
+}
+FN v8f splat8_(float x) {
+    v8f v = {x, x, x, x, x, x, x, x};
+    return v;
+}
 FN void store4_(v4f v, float* p) { memcpy(p, &v, 16); }
 FN void store8_(const v8f& v, float* p) { memcpy(p, &v, 32); }
 #if defined(__AVX__)
@@ -51,8 +89,18 @@ FN LaneMask lane_drop_(LaneMask m, uint) { return m & (m - 1u); }
 typedef uint64_t LaneMask;
 typedef signed char v4c_ __attribute__((vector_size(4)));
 typedef signed char v8c_ __attribute__((vector_size(8)));
-FN LaneMask lanes4_(const v4i& c) { uint u; v4c_ b = __builtin_convertvector(c, v4c_); memcpy(&u, &b, 4); return u; }
-FN LaneMask lanes8_(const v8i& c) { uint64_t u; v8c_ b = __builtin_convertvector(c, v8c_); memcpy(&u, &b, 8); return u; }
+FN LaneMask lanes4_(const v4i& c) {
+    uint u;
+    v4c_ b = __builtin_convertvector(c, v4c_);
+    memcpy(&u, &b, 4);
+    return u;
+}
+FN LaneMask lanes8_(const v8i& c) {
+    uint64_t u;
+    v8c_ b = __builtin_convertvector(c, v8c_);
+    memcpy(&u, &b, 8);
+    return u;
+}
 FN uint lane_first_(LaneMask m) { return (uint)__builtin_ctzll(m) >> 3; }
 FN LaneMask lane_drop_(LaneMask m, uint lane) { return m & ~((LaneMask)255u << (8u * lane)); }
 #endif

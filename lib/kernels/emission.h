@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a sampled ray sees of emitters, by its class: the partition into active sources and the rest (spec shading 0.1, 3.8).
+// What a sampled ray sees of emitters, by its class: the partition into active sources and the rest (spec shading
+// 0.1, 3.8).
 #ifndef LUX_EMISSION_H
 #define LUX_EMISSION_H
 
@@ -21,16 +22,16 @@ FN float3 path_background(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     uint src = q[DISTANT_SOURCE];
     if (src != NONE) {  // an active source (the sun): only eye and mirror rays see it (spec shading 0.1)
         if (sampled || (par->flags & PF_DV) == 0u) return black;
-        if ((flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
-            as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u) return black;  // frame 0 holds it by area
+        if ((flags & PC_BENT) == 0u && par->mode != MODE_RAY && as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u)
+            return black;  // frame 0 holds it by area
     }
     if (q[DISTANT_SEEN] >= DISTANT_BLACK) return black;
     return light_radiance(s, par, q[DISTANT_SEEN], NONE, dir, org, neg3(dir), 1e30f, 1e30f, rnd);
 }
 
 // Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray goes on through it.
-FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint flags,
-                           PRIVATE int* pass) {
+FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+                           uint flags, PRIVATE int* pass) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
@@ -42,9 +43,13 @@ FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* p
         if (arg[3] > 0.0f && g->length <= arg[3]) return black;
     }
     if ((par->flags & PF_DV) == 0u && !(g->type == M_GLOW && arg[3] >= 0.0f && g->total > arg[3])) return black;
-    if (!g->front) { *pass = par->bv == 0u; return black; }
+    if (!g->front) {
+        *pass = par->bv == 0u;
+        return black;
+    }
     if (!sampled && src != NONE && (flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
-        as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u) return black;
+        as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u)
+        return black;
     if (g->type == M_SPOTLIGHT) {
         float3 aim = f3_at(arg + 4);
         if (dot3(unit3(aim), g->v) < k_cos(arg[3] * 0.5f * 0.01745329252f)) return black;

@@ -10,4 +10,4 @@ namespace kernels {
 #include "kernels/math.h"
 #include "kernels/intersect.h"
 #include "kernels/tables.h"
-}
+}  // namespace kernels

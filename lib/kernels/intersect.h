@@ -13,19 +13,31 @@
 
 // Analytic shapes in `shapes` (16 floats each): word 0 = kind (as uint bits), 1..15 parameters.
 #define SHAPE_FLOATS 16u
-#define SHAPE_SPHERE 1u     // 1-3 centre 4 radius (bubble: the host flips the normal, see prim flags)
-#define SHAPE_CONE 2u       // 1-3 p0, 4-6 axis unit, 7 length, 8 r0, 9 r1 (cylinder: r0 = r1); open ends
-#define SHAPE_RING 3u       // 1-3 centre 4-6 unit normal 7 r0 8 r1 (r0 <= r1)
-// Polygon: 1-3 unit normal 4 offset (n.p = offset) 5 dropped axis (uint) 6 first vertex in polygon_uv (uint) 7 count (uint).
-// polygon_uv holds the two coordinates left, in order: axis 0 dropped: (y, z), 1: (x, z), 2: (x, y).
+#define SHAPE_SPHERE 1u  // 1-3 centre 4 radius (bubble: the host flips the normal, see prim flags)
+#define SHAPE_CONE 2u    // 1-3 p0, 4-6 axis unit, 7 length, 8 r0, 9 r1 (cylinder: r0 = r1); open ends
+#define SHAPE_RING 3u    // 1-3 centre 4-6 unit normal 7 r0 8 r1 (r0 <= r1)
+// Polygon: 1-3 unit normal 4 offset (n.p = offset) 5 dropped axis (uint) 6 first vertex in polygon_uv (uint) 7 count
+// (uint). polygon_uv holds the two coordinates left, in order: axis 0 dropped: (y, z), 1: (x, z), 2: (x, y).
 #define SHAPE_POLYGON 4u
 // Instance of tree k of the BVH (only tree 0 may hold instances): 1-12 local-from-world matrix, three rows of four;
-// 13 tree (uint, >= 1); 14 number for Hit.inst (uint); 15 class of all it holds: RAY_OPAQUE, RAY_TRANSPARENT, or 0 = their own.
+// 13 tree (uint, >= 1); 14 number for Hit.inst (uint); 15 class of all it holds: RAY_OPAQUE, RAY_TRANSPARENT, or 0 =
+// their own.
 #define SHAPE_INSTANCE 5u
 
-typedef struct { float3 org; float tmin; float3 dir; float tmax; } Ray;
-// prim: index into prims, NO_HIT if none; u,v barycentric of v1,v2; inst: word 14 of the instance, NO_HIT outside instances
-typedef struct { float t; uint prim; float u, v; uint inst; } Hit;
+typedef struct {
+    float3 org;
+    float tmin;
+    float3 dir;
+    float tmax;
+} Ray;
+// prim: index into prims, NO_HIT if none; u,v barycentric of v1,v2; inst: word 14 of the instance, NO_HIT outside
+// instances
+typedef struct {
+    float t;
+    uint prim;
+    float u, v;
+    uint inst;
+} Hit;
 
 // Stored ids of triangles and shapes: the primitive and, in the top bits, what traversal must know.
 #define ID_TRANSPARENT 0x80000000u  // class RAY_TRANSPARENT
@@ -34,19 +46,19 @@ typedef struct { float t; uint prim; float u, v; uint inst; } Hit;
 #define ID_PRIM 0x1fffffffu
 // References to children: a node index, a leaf (index of its first block), an instance (index of its shape).
 #define REF_LEAF 0x80000000u
-#define REF_INSTANCE 0x40000000u    // with REF_LEAF; on the stack only
+#define REF_INSTANCE 0x40000000u  // with REF_LEAF; on the stack only
 #define REF_INDEX 0x3fffffffu
-#define REF_NONE 0xffffffffu        // no child; on the stack: end of an instance
+#define REF_NONE 0xffffffffu  // no child; on the stack: end of an instance
 
 typedef struct {
-    GLOBAL const float* nodes;      // BVH of either kind; node k is the root of tree k
-    GLOBAL const float* leaves;     // triangle blocks and shape references
-    GLOBAL const float* shapes;     // 16 floats each
-    GLOBAL const float* polygon_uv; // projected vertices, 2 floats each
-    GLOBAL const uint* prims;       // PRIM_WORDS words a primitive, shading side (tables.h)
-    GLOBAL const float* vertices;   // 3 floats each, for normals of triangles
-    GLOBAL const uint* u;           // word arena (tables.h): modifiers, materials, .cal code
-    GLOBAL const float* f;          // float arena (tables.h)
+    GLOBAL const float* nodes;       // BVH of either kind; node k is the root of tree k
+    GLOBAL const float* leaves;      // triangle blocks and shape references
+    GLOBAL const float* shapes;      // 16 floats each
+    GLOBAL const float* polygon_uv;  // projected vertices, 2 floats each
+    GLOBAL const uint* prims;        // PRIM_WORDS words a primitive, shading side (tables.h)
+    GLOBAL const float* vertices;    // 3 floats each, for normals of triangles
+    GLOBAL const uint* u;            // word arena (tables.h): modifiers, materials, .cal code
+    GLOBAL const float* f;           // float arena (tables.h)
 } SceneTables;
 
 // Nearest hit with tmin < t < tmax among primitives whose class is in mask; hit->prim = NO_HIT if none.

@@ -12,7 +12,7 @@
 // what asks for the lobes
 #define LOBES_EYE 0
 #define LOBES_SHADOW 1
-#define LOBES_SAMPLED 2   // a ray below a diffuse or rough-specular sample
+#define LOBES_SAMPLED 2  // a ray below a diffuse or rough-specular sample
 
 #define PEAK_PROBES 29
 
@@ -53,7 +53,10 @@ FN float bsdf_peak(PRIVATE const SceneTables* s, GLOBAL const uint* t, float dif
         int at = count;  // by falling value; equal ones are the same cell
         while (at > 0 && f[at - 1] < value) at--;
         if (at > 0 && f[at - 1] == value) continue;
-        for (int j = count; j > at; j--) { f[j] = f[j - 1]; w[j] = w[j - 1]; }
+        for (int j = count; j > at; j--) {
+            f[j] = f[j - 1];
+            w[j] = w[j - 1];
+        }
         f[at] = value;
         w[at] = psa;
         count++;
@@ -77,16 +80,21 @@ FN float bsdf_peak(PRIVATE const SceneTables* s, GLOBAL const uint* t, float dif
     return peak < 0.0005f ? 0.0f : peak;
 }
 
-FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, GLOBAL const uint* m,
-                 PRIVATE const float* value, int asked, PRIVATE Sampler* rnd, PRIVATE Lobes* out) {
+FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+                      GLOBAL const uint* m, PRIVATE const float* value, int asked, PRIVATE Sampler* rnd,
+                      PRIVATE Lobes* out) {
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     int peaked = (m[MOD_FLAGS] & MF_ABSDF) != 0u;
     float thickness = peaked || fabs_(value[0]) <= 1e-6f ? 0.0f : value[0];
-    if (thickness != 0.0f && (asked != LOBES_SAMPLED || (thickness > 0.0f) != g->front)) { out->flags |= LOBE_PASS; return; }
+    if (thickness != 0.0f && (asked != LOBES_SAMPLED || (thickness > 0.0f) != g->front)) {
+        out->flags |= LOBE_PASS;
+        return;
+    }
     if (asked == LOBES_SHADOW && !peaked) return;
     float3 z = bsdf_normal(g), up = peaked ? F3(value[0], value[1], value[2]) : F3(value[1], value[2], value[3]);
     float3 x = cross3(up, z), y;
-    if (length3(x) > 1e-6f) x = unit3(x); else frame_of(z, &x, &y);
+    if (length3(x) > 1e-6f) x = unit3(x);
+    else frame_of(z, &x, &y);
     float3 v = bsdf_local(x, z, g->v), grey = F3(1.0f, 1.0f, 1.0f);
     GLOBAL const uint* r = bsdf_component(s, m, g->front, 0);
     GLOBAL const uint* t = bsdf_component(s, m, g->front, 1);
@@ -120,7 +128,8 @@ FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
         float hemi = bsdf_hemispherical(s, table, out->u);
         out->au = hemi;
         out->rough_r = scale3(grey, hemi);
-        if (hemi > par->st) out->flags |= LOBE_SAMPLE_R; else out->ambient_r = add3(out->ambient_r, out->rough_r);
+        if (hemi > par->st) out->flags |= LOBE_SAMPLE_R;
+        else out->ambient_r = add3(out->ambient_r, out->rough_r);
     }
     if (t[0] != NONE) {
         GLOBAL const uint* table = s->u + t[0];
@@ -129,7 +138,8 @@ FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
         out->rough_t = scale3(g->color, out->av);  // with the peak, whose samples are dropped
         float hemi = out->av - peak;
         hemi = MAX_(hemi, 0.0f);
-        if (hemi > par->st) out->flags |= LOBE_SAMPLE_T; else out->ambient_t = madd3(g->color, hemi, out->ambient_t);
+        if (hemi > par->st) out->flags |= LOBE_SAMPLE_T;
+        else out->ambient_t = madd3(g->color, hemi, out->ambient_t);
     }
 }
 
@@ -141,7 +151,7 @@ FN float3 bsdf_start(PRIVATE const Lobes* a, PRIVATE const Surface* g, int above
 
 // Coefficient of a source sample, as lobes_direct().
 FN_RARE float3 bsdf_direct(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Lobes* a,
-                      PRIVATE const Surface* g, float3 dir, float w, PRIVATE Sampler* rnd) {
+                           PRIVATE const Surface* g, float3 dir, float w, PRIVATE Sampler* rnd) {
     GLOBAL const uint* m = s->u + par->mods_at + MOD_WORDS * g->mod;
     float3 z = bsdf_normal(g), v = bsdf_local(a->trans_dir, z, g->v), l = bsdf_local(a->trans_dir, z, dir);
     int transmit = (l.z > 0.0f) != (v.z > 0.0f);
@@ -175,8 +185,8 @@ FN_RARE float3 bsdf_direct(PRIVATE const SceneTables* s, PRIVATE const Params* p
 
 // One sample of the tabulated part.  *coef: its colour; returns the factor beside it, 0 = lost.
 FN_RARE float bsdf_sample_lobe(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Lobes* a,
-                          PRIVATE const Surface* g, int transmit, PRIVATE Sampler* rnd, PRIVATE float3* coef,
-                          PRIVATE float3* dir) {
+                               PRIVATE const Surface* g, int transmit, PRIVATE Sampler* rnd, PRIVATE float3* coef,
+                               PRIVATE float3* dir) {
     GLOBAL const uint* m = s->u + par->mods_at + MOD_WORDS * g->mod;
     GLOBAL const uint* t = s->u + bsdf_component(s, m, g->front, transmit)[0];
     float3 v = transmit ? a->v : a->u, l, z = bsdf_normal(g);

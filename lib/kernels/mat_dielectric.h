@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // dielectric and interface: a solid's boundary (spec: RADIANCE shading 3.6).
-// args, dielectric: transmission per length r g b, index, Hartmann constant; interface: inside r g b n, outside r g b n.
+// args, dielectric: transmission per length r g b, index, Hartmann constant; interface: inside r g b n, outside r g b
+// n.
 #ifndef LUX_MAT_DIELECTRIC_H
 #define LUX_MAT_DIELECTRIC_H
 
@@ -21,7 +22,7 @@ FN Medium solid_medium(float3 k, PRIVATE const Medium* around) {
 // Also: *arriving is the medium of the segment that ends here if the surface knows it, *beyond the medium behind the
 // surface (the refracted ray's).  Solids do not scatter.
 FN void mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg,
-                      PRIVATE Lobes* out, PRIVATE Medium* arriving, PRIVATE Medium* beyond) {
+                       PRIVATE Lobes* out, PRIVATE Medium* arriving, PRIVATE Medium* beyond) {
     Medium inside = solid_medium(extinction3_(arg, g->color), arriving);
     float ratio;  // index on the viewer's side over index beyond
     if (type == M_DIELECTRIC) {

@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Materials whose lobes are .cal functions: plasfunc metfunc transfunc (and *data), BRTDfunc; and ashik2.
-// (spec: RADIANCE shading 3.12-3.14).  Their functions answer direct light only; they have no sampled lobe of their own.
+// (spec: RADIANCE shading 3.12-3.14).  Their functions answer direct light only; they have no sampled lobe of their
+// own.
 #ifndef LUX_MAT_FUNCTION_H
 #define LUX_MAT_FUNCTION_H
 
 FN void material_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
     surface_vars(par, g, vars);
     if (g->type != M_BRTD && g->type != M_WGMD && g->type != M_PRISM) {  // of these the normal stays as modelled
-        vars[CAL_NX] = g->ng.x; vars[CAL_NY] = g->ng.y; vars[CAL_NZ] = g->ng.z;
+        vars[CAL_NX] = g->ng.x;
+        vars[CAL_NY] = g->ng.y;
+        vars[CAL_NZ] = g->ng.z;
         vars[CAL_RDOT] = dot3(g->ng, g->v);
     }
-    vars[CAL_NXP] = g->n.x; vars[CAL_NYP] = g->n.y; vars[CAL_NZP] = g->n.z;  // always on the viewer's side
+    vars[CAL_NXP] = g->n.x;
+    vars[CAL_NYP] = g->n.y;
+    vars[CAL_NZP] = g->n.z;  // always on the viewer's side
     vars[CAL_RDOTP] = dot3(g->n, g->v);
-    vars[CAL_CRP] = g->color.x; vars[CAL_CGP] = g->color.y; vars[CAL_CBP] = g->color.z;
+    vars[CAL_CRP] = g->color.x;
+    vars[CAL_CGP] = g->color.y;
+    vars[CAL_CBP] = g->color.z;
 }
 
-// Directions among the values of a material (cal::MaterialProgram) that acts inside an instance, back to the world.  The
-// grain of anisotropic materials is not turned by the instance in RADIANCE (checked: plastic2, trans2, ashik2, WGMDfunc).
+// Directions among the values of a material (cal::MaterialProgram) that acts inside an instance, back to the world. The
+// grain of anisotropic materials is not turned by the instance in RADIANCE (checked: plastic2, trans2, ashik2,
+// WGMDfunc).
 FN void values_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, uint flags, PRIVATE float* value) {
     if (g->type == M_PRISM) {
         turn_from_frame(s, g, value + 1);
@@ -53,8 +61,10 @@ FN void mat_ashik(PRIVATE const Params* par, PRIVATE const Surface* g, GLOBAL co
     out->av = arg[7];
     float3 v = cross3(g->n, uvec);
     float l = length3(v);
-    if (l > 1e-6f) { out->v = scale3(v, 1.0f / l); out->u = cross3(out->v, g->n); }
-    else frame_of(g->n, &out->u, &out->v);
+    if (l > 1e-6f) {
+        out->v = scale3(v, 1.0f / l);
+        out->u = cross3(out->v, g->n);
+    } else frame_of(g->n, &out->u, &out->v);
     out->flags |= LOBE_ASHIK;
     if (par->st >= max3(out->rough_r) - 1e-6f) out->ambient_r = add3(out->ambient_r, out->rough_r);
     else out->flags |= LOBE_SAMPLE_R;
@@ -88,8 +98,8 @@ FN float3 ashik_direct(PRIVATE const Lobes* a, PRIVATE const Surface* g, float3 
     float3 h = unit3(add3(l, g->v));
     float hn = dot3(h, g->n), hu = dot3(h, a->u), hv = dot3(h, a->v), s2 = 1.0f - hn * hn;
     float e = s2 > 1e-9f ? (a->au * hu * hu + a->av * hv * hv) / s2 : 0.0f;
-    float D = k_pow(MAX_(hn, 1e-9f), e) * sqrt_((a->au + 1.0f) * (a->av + 1.0f)) /
-              (25.1327412f * dot3(l, h) * MAX_(cl, cv));
+    float D =
+        k_pow(MAX_(hn, 1e-9f), e) * sqrt_((a->au + 1.0f) * (a->av + 1.0f)) / (25.1327412f * dot3(l, h) * MAX_(cl, cv));
     return madd3(a->rough_r, D * cl * w, sum);
 }
 
@@ -101,13 +111,17 @@ FN float ashik_sample(PRIVATE const Lobes* a, PRIVATE const Surface* g, PRIVATE 
         k_sincos(6.28318531f * x.x, &s, &c);
         // azimuth: tan phi = sqrt((pu+1)/(pv+1)) tan(2 pi x)
         float ku = c * sqrt_(a->av + 1.0f), kv = s * sqrt_(a->au + 1.0f), kk = sqrt_(ku * ku + kv * kv);
-        ku /= kk; kv /= kk;
+        ku /= kk;
+        kv /= kk;
         float e = a->au * ku * ku + a->av * kv * kv;
         float ct = k_pow(MAX_(1.0f - x.y, 1e-9f), 1.0f / (e + 1.0f)), st = 1.0f - ct * ct;
         st = sqrt_(st > 0.0f ? st : 0.0f);
         float3 h = add3(scale3(g->n, ct), add3(scale3(a->u, st * ku), scale3(a->v, st * kv)));
         float3 r = sub3(scale3(h, 2.0f * dot3(h, g->v)), g->v);
-        if (dot3(r, g->ng) > 1e-6f) { *dir = unit3(r); return 1.0f; }
+        if (dot3(r, g->ng) > 1e-6f) {
+            *dir = unit3(r);
+            return 1.0f;
+        }
     }
     return 0.0f;
 }
@@ -124,7 +138,10 @@ FN float3 function_direct(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     float3 k = cl > 0.0f ? a->fn_r : a->fn_t;
     if (max3(k) <= 0.0f) return zero;
     material_vars(par, g, vars);
-    vars[CAL_LX] = l.x; vars[CAL_LY] = l.y; vars[CAL_LZ] = l.z; vars[CAL_OMEGA] = w;
+    vars[CAL_LX] = l.x;
+    vars[CAL_LY] = l.y;
+    vars[CAL_LZ] = l.z;
+    vars[CAL_OMEGA] = w;
     vars_to_frame(s, g, vars);
     if (cal_run(s, m[MOD_EXTRA], vars, out)) return zero;
     float3 f = count >= 3u ? F3(out[0], out[1], out[2]) : F3(out[0], out[0], out[0]);

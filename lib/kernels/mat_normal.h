@@ -4,14 +4,17 @@
 #ifndef LUX_MAT_NORMAL_H
 #define LUX_MAT_NORMAL_H
 
-FN void mat_normal(PRIVATE const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg,
-                   float3 uvec, PRIVATE Lobes* out) {
+FN void mat_normal(PRIVATE const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg, float3 uvec,
+                   PRIVATE Lobes* out) {
     int aniso = type >= M_ANISO_PLASTIC && type <= M_ANISO_TRANS;
     int metal = type == M_METAL || type == M_ANISO_METAL, trans = type == M_TRANS || type == M_ANISO_TRANS;
     float3 C = mul3(F3(arg[0], arg[1], arg[2]), g->color);
     float s = arg[3], a = arg[4];
     float t = 0.0f, ts = 0.0f;
-    if (trans) { t = arg[aniso ? 6 : 5]; ts = arg[aniso ? 7 : 6]; }
+    if (trans) {
+        t = arg[aniso ? 6 : 5];
+        ts = arg[aniso ? 7 : 6];
+    }
     int smooth = !aniso && a * a <= 1e-6f;
     float cv = dot3(g->n, g->v), f = 0.0f;
     if (cv < 0.001f) cv = 0.001f;
@@ -28,8 +31,14 @@ FN void mat_normal(PRIVATE const Params* par, PRIVATE const Surface* g, uint typ
     float3 p = trans ? transmitted_direction(g) : neg3(g->v);
     if (smooth) {
         if (rs >= 0.017999f) out->flags |= LOBE_FRESNEL;
-        if (rs > 1e-6f) { out->mirror = spec; out->mirror_dir = mirror_direction(g); }
-        if (Ts > 1e-6f) { out->through = scale3(C, Ts); out->through_dir = p; }
+        if (rs > 1e-6f) {
+            out->mirror = spec;
+            out->mirror_dir = mirror_direction(g);
+        }
+        if (Ts > 1e-6f) {
+            out->through = scale3(C, Ts);
+            out->through_dir = p;
+        }
         return;
     }
     out->au = a * a;
@@ -51,12 +60,14 @@ FN void mat_normal(PRIVATE const Params* par, PRIVATE const Surface* g, uint typ
     out->tv = out->av;
     if (rs > 1e-6f) {
         out->rough_r = spec;
-        if (par->st >= rs - 1e-6f) out->ambient_r = add3(out->ambient_r, spec); else out->flags |= LOBE_SAMPLE_R;
+        if (par->st >= rs - 1e-6f) out->ambient_r = add3(out->ambient_r, spec);
+        else out->flags |= LOBE_SAMPLE_R;
     }
     if (Ts > 1e-6f) {
         out->rough_t = scale3(C, Ts);
         out->trans_dir = p;
-        if (par->st >= Ts - 1e-6f) out->ambient_t = add3(out->ambient_t, out->rough_t); else out->flags |= LOBE_SAMPLE_T;
+        if (par->st >= Ts - 1e-6f) out->ambient_t = add3(out->ambient_t, out->rough_t);
+        else out->flags |= LOBE_SAMPLE_T;
     }
 }
 #endif

@@ -20,12 +20,14 @@ FN void mat_prism(uint flags, PRIVATE const float* value, PRIVATE Lobes* out) {
 }
 
 // A shadow ray aimed at the virtual source of one exit; aim: unit direction to the next source behind the panel.
-FN float prism_exit(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, float3 aim, uint exit,
-                    PRIVATE float3* dir) {
+FN float prism_exit(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, float3 aim,
+                    uint exit, PRIVATE float3* dir) {
     float vars[CAL_VARS], value[CAL_OUTPUTS];
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     material_vars(par, g, vars);
-    vars[CAL_DXA] = aim.x; vars[CAL_DYA] = aim.y; vars[CAL_DZA] = aim.z;
+    vars[CAL_DXA] = aim.x;
+    vars[CAL_DYA] = aim.y;
+    vars[CAL_DZA] = aim.z;
     vars_to_frame(s, g, vars);
     if (cal_run(s, m[MOD_PROGRAM], vars, value)) return 0.0f;
     values_from_frame(s, g, m[MOD_FLAGS], value);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // WGMDfunc (spec: RADIANCE shading 3.15): specular reflection and transmission, diffuse reflection and transmission,
 // that add.  Each is a component with a modifier of its own, whose patterns and textures act on it alone; the diffuse
-// reflection has the material's.  args: diffuse front, back, transmitted, RGB each; values: rs ur vr ts utr vtr u, where
-// the functions of rs and ts see the normals of these, those of u the material's; u[MOD_BRANCH1]..: modifiers of rs, ts,
-// td.
+// reflection has the material's.  args: diffuse front, back, transmitted, RGB each; values: rs ur vr ts utr vtr u,
+// where the functions of rs and ts see the normals of these, those of u the material's; u[MOD_BRANCH1]..: modifiers of
+// rs, ts, td.
 #ifndef LUX_MAT_WGMD_H
 #define LUX_MAT_WGMD_H
 
@@ -71,17 +71,23 @@ FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     out->diffuse_r = mul3(F3(arg[g->front ? 0 : 3], arg[g->front ? 1 : 4], arg[g->front ? 2 : 5]), g->color);
     out->diffuse_t = mul3(F3(arg[6], arg[7], arg[8]), d.color);
     out->trans_dir = wgmd_transmitted(&t);
-    out->au = of_r[1] * of_r[1]; out->av = of_r[2] * of_r[2];
-    out->tu = of_t[4] * of_t[4]; out->tv = of_t[5] * of_t[5];
+    out->au = of_r[1] * of_r[1];
+    out->av = of_r[2] * of_r[2];
+    out->tu = of_t[4] * of_t[4];
+    out->tv = of_t[5] * of_t[5];
     float3 along = F3(value[6], value[7], value[8]);
     if (wgmd_frame(r.n, along, &out->u, &out->v) && wgmd_frame(t.n, along, &out->ut, &out->vt)) {
         out->flags |= LOBE_ANISO;
     } else {
-        out->au = 0.5f * (out->au + out->av); out->av = out->au;
-        out->tu = 0.5f * (out->tu + out->tv); out->tv = out->tu;
+        out->au = 0.5f * (out->au + out->av);
+        out->av = out->au;
+        out->tu = 0.5f * (out->tu + out->tv);
+        out->tv = out->tu;
     }
     if (!wgmd_same_normal(g, &r) || !wgmd_same_normal(g, &t) || !wgmd_same_normal(g, &d)) {
-        out->n_r = r.n; out->n_t = t.n; out->n_dt = d.n;
+        out->n_r = r.n;
+        out->n_t = t.n;
+        out->n_dt = d.n;
         out->flags |= LOBE_OWN_NORMALS | (r.flat ? LOBE_FLAT_R : 0u);
     }
     float rest = 1.0f, lum = 0.265074126f * rs.x + 0.670114631f * rs.y + 0.064811243f * rs.z;
@@ -93,7 +99,10 @@ FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
             rs = F3(rs.x + f * (1.0f - rs.x), rs.y + f * (1.0f - rs.y), rs.z + f * (1.0f - rs.z));
             out->flags |= LOBE_WGMD_FRESNEL;
         }
-        if (max3(rs) > 1e-6f) { out->mirror = rs; out->mirror_dir = mirror_direction(&r); }
+        if (max3(rs) > 1e-6f) {
+            out->mirror = rs;
+            out->mirror_dir = mirror_direction(&r);
+        }
     }
     out->diffuse_r = scale3(out->diffuse_r, rest);
     out->diffuse_t = scale3(out->diffuse_t, rest);
@@ -102,11 +111,14 @@ FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     out->ambient_t = out->diffuse_t;
     if (!smooth_r && max3(rs) > 1e-6f) {
         out->rough_r = rs;
-        if (par->st >= max3(rs) - 1e-6f) out->ambient_r = add3(out->ambient_r, rs); else out->flags |= LOBE_SAMPLE_R;
+        if (par->st >= max3(rs) - 1e-6f) out->ambient_r = add3(out->ambient_r, rs);
+        else out->flags |= LOBE_SAMPLE_R;
     }
     if (max3(ts) > 1e-6f) {
-        if (smooth_t) { out->through = ts; out->through_dir = out->trans_dir; }
-        else {
+        if (smooth_t) {
+            out->through = ts;
+            out->through_dir = out->trans_dir;
+        } else {
             out->rough_t = ts;
             if (par->st >= max3(ts) - 1e-6f) out->ambient_t = add3(out->ambient_t, ts);
             else out->flags |= LOBE_SAMPLE_T;
@@ -120,8 +132,15 @@ FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
 #define WGMD_DIFFUSE_T 2
 FN_RARE void wgmd_turn(PRIVATE Lobes* l, PRIVATE Surface* g, int component) {
     if (component == WGMD_DIFFUSE_T) g->n = l->n_dt;
-    if (component == WGMD_ROUGH_R) { g->n = l->n_r; g->flat = (l->flags & LOBE_FLAT_R) != 0u; }
-    if (component == WGMD_ROUGH_T) { g->n = l->n_t; l->u = l->ut; l->v = l->vt; }
+    if (component == WGMD_ROUGH_R) {
+        g->n = l->n_r;
+        g->flat = (l->flags & LOBE_FLAT_R) != 0u;
+    }
+    if (component == WGMD_ROUGH_T) {
+        g->n = l->n_t;
+        l->u = l->ut;
+        l->v = l->vt;
+    }
 }
 
 // Coefficient of a source sample, as lobes_direct(): the components one by one, each about its normal.  What a smooth
@@ -129,7 +148,10 @@ FN_RARE void wgmd_turn(PRIVATE Lobes* l, PRIVATE Surface* g, int component) {
 FN_RARE float3 wgmd_direct(PRIVATE const Lobes* a, PRIVATE const Surface* g, float3 l, float w, float dj) {
     float3 zero = F3(0.0f, 0.0f, 0.0f);
     Lobes none = *a, part;
-    none.diffuse_r = zero; none.diffuse_t = zero; none.rough_r = zero; none.rough_t = zero;
+    none.diffuse_r = zero;
+    none.diffuse_t = zero;
+    none.rough_r = zero;
+    none.rough_t = zero;
     float rest = lobes_fresnel(a->flags, fabs_(dot3(a->n_r, l)));
     none.flags &= ~LOBE_WGMD_FRESNEL;
     part = none;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a material record to its lobes: the one list of materials.  To add a material: 1. an M_ number in tables.h and its name in
-// trace/flatten_modifiers.cpp; 2. mat_NAME.h, which fills Lobes; 3. a case here; 4. rows in tests/parity, a law in tests/physics.
+// From a material record to its lobes: the one list of materials.  To add a material: 1. an M_ number in tables.h and
+// its name in trace/flatten_modifiers.cpp; 2. mat_NAME.h, which fills Lobes; 3. a case here; 4. rows in tests/parity, a
+// law in tests/physics.
 #ifndef LUX_MATERIAL_H
 #define LUX_MATERIAL_H
 
@@ -21,7 +22,10 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     float vars[CAL_VARS], value[CAL_OUTPUTS];
     uint type = g->type;
     lobes_clear(l);
-    if (!g->front && par->bv == 0u && back_passes(type, asked)) { l->flags |= LOBE_PASS; return; }
+    if (!g->front && par->bv == 0u && back_passes(type, asked)) {
+        l->flags |= LOBE_PASS;
+        return;
+    }
     if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {  // functions evaluated once per hit
         material_vars(par, g, vars);
         vars_to_frame(s, g, vars);
@@ -30,26 +34,29 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         values_from_frame(s, g, m[MOD_FLAGS], value);
     }
     switch (type) {
-    case M_PLASTIC: case M_METAL: case M_TRANS:
-        mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), l);
-        break;
+    case M_PLASTIC:
+    case M_METAL:
+    case M_TRANS: mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), l); break;
     case M_GLASS: mat_glass(g, arg, asked == LOBES_SHADOW, l); break;
-    case M_ANISO_PLASTIC: case M_ANISO_METAL: case M_ANISO_TRANS:
-        mat_normal(par, g, type, arg, F3(value[0], value[1], value[2]), l);
-        break;
+    case M_ANISO_PLASTIC:
+    case M_ANISO_METAL:
+    case M_ANISO_TRANS: mat_normal(par, g, type, arg, F3(value[0], value[1], value[2]), l); break;
     case M_ASHIK: mat_ashik(par, g, arg, F3(value[0], value[1], value[2]), l); break;
     case M_BRDF: mat_brdf(g, arg, m[MOD_FLAGS], l); break;
     case M_BRTD: mat_brtd(g, arg, value, l); break;
     case M_WGMD: mat_wgmd(s, par, g, m, value, rnd, l); break;
     case M_BSDF: mat_bsdf(s, par, g, m, value, asked, rnd, l); break;
-    case M_DIELECTRIC: case M_INTERFACE:
-        mat_dielectric(par, g, type, arg, l, arriving, beyond);
-        break;
+    case M_DIELECTRIC:
+    case M_INTERFACE: mat_dielectric(par, g, type, arg, l, arriving, beyond); break;
     case M_PRISM:
-        if (asked != LOBES_SHADOW) mat_prism(m[MOD_FLAGS], value, l);  // shadow rays pass by virtual sources only (shadow_aimed)
+        if (asked != LOBES_SHADOW)
+            mat_prism(m[MOD_FLAGS], value, l);  // shadow rays pass by virtual sources only (shadow_aimed)
         break;
     case M_MIRROR:
-        if (g->front) { l->mirror = mul3(f3_at(arg), g->color); l->mirror_dir = mirror_direction(g); }
+        if (g->front) {
+            l->mirror = mul3(f3_at(arg), g->color);
+            l->mirror_dir = mirror_direction(g);
+        }
         break;
     default: break;
     }

@@ -87,14 +87,14 @@ FN float k_log2_(float x, PRIVATE float* lo) {
     p = p * z + 0.666666627f;
     t = 2.0f * sl + s * z * p;
     a = 2.0f * sh;
-    h = a * 1.44238281f;                                   // exact: 12 by 12 bits
+    h = a * 1.44238281f;  // exact: 12 by 12 bits
     t = a * 0.000312228389f + t * 1.44269504f;
     a = e + h;
     *lo = (h - (a - e)) + t;
     return a;
 }
 
-FN float k_exp2_frac_(float r) {                           // 2^r - 1 for |r| <= 1/2
+FN float k_exp2_frac_(float r) {  // 2^r - 1 for |r| <= 1/2
     float p = 1.53149304e-05f;
     p = p * r + 0.000154670925f;
     p = p * r + 0.0013333431f;
@@ -122,7 +122,7 @@ FN float k_pow(float x, float y) {
     hl = (h - hh) + lo;
     yh = k_head_(y);
     yl = y - yh;
-    ph = yh * hh;                                          // exact
+    ph = yh * hh;  // exact
     pl = yl * hh + y * hl;
     if (ph + pl < -126.0f) return 0.0f;
     if (ph + pl >= 128.0f) return sign * K_INF;
@@ -134,17 +134,24 @@ FN float k_pow(float x, float y) {
 FN float k_reduce_far_(float x, PRIVATE int* quadrant) {
     uint two_over_pi[8];
     uint u = as_uint_(x), m = (u & 0x007fffffu) | 0x00800000u, word, shift, w0, w1, w2;
-    int k = (int)((u >> 23) & 255u) - 150, q;              // x = m 2^k, k >= -10
+    int k = (int)((u >> 23) & 255u) - 150, q;  // x = m 2^k, k >= -10
     ulong64 a, b, c;
     float hi, frac;
-    two_over_pi[0] = 0u; two_over_pi[1] = 0xa2f9836eu; two_over_pi[2] = 0x4e441529u; two_over_pi[3] = 0xfc2757d1u;
-    two_over_pi[4] = 0xf534ddc0u; two_over_pi[5] = 0xdb629599u; two_over_pi[6] = 0x3c439041u;
+    two_over_pi[0] = 0u;
+    two_over_pi[1] = 0xa2f9836eu;
+    two_over_pi[2] = 0x4e441529u;
+    two_over_pi[3] = 0xfc2757d1u;
+    two_over_pi[4] = 0xf534ddc0u;
+    two_over_pi[5] = 0xdb629599u;
+    two_over_pi[6] = 0x3c439041u;
     two_over_pi[7] = 0xfe5163abu;
     // m 2^k 2/pi mod 4: the bits of 2/pi from weight 2^(1-k) down matter; the window starts k + 30 bits after the
     // top of the table (32 zero bits, then the fraction), so that its top bit has weight 2^(1-k).
     word = (uint)(k + 30) >> 5;
     shift = (uint)(k + 30) & 31u;
-    w0 = two_over_pi[word]; w1 = two_over_pi[word + 1u]; w2 = two_over_pi[word + 2u];
+    w0 = two_over_pi[word];
+    w1 = two_over_pi[word + 1u];
+    w2 = two_over_pi[word + 2u];
     if (shift) {
         w0 = (w0 << shift) | (w1 >> (32u - shift));
         w1 = (w1 << shift) | (w2 >> (32u - shift));
@@ -157,8 +164,8 @@ FN float k_reduce_far_(float x, PRIVATE int* quadrant) {
     b += c >> 32;
     a = ((a & 0xffffffffu) << 32) + b;
     q = (int)(a >> 62);
-    a <<= 2;                                               // fraction of a quarter turn, 64 bits
-    if (a >> 63) {                                         // nearest quadrant
+    a <<= 2;        // fraction of a quarter turn, 64 bits
+    if (a >> 63) {  // nearest quadrant
         q = q + 1;
         a = (ulong64)0 - a;
         hi = -1.0f;
@@ -167,10 +174,16 @@ FN float k_reduce_far_(float x, PRIVATE int* quadrant) {
     }
     // 64-bit fraction to float without losing small ones: top 24 significant bits
     shift = 0u;
-    while (shift < 40u && !(a >> 63)) { a <<= 1; shift++; }
+    while (shift < 40u && !(a >> 63)) {
+        a <<= 1;
+        shift++;
+    }
     frac = (float)(uint)(a >> 40) * 5.96046448e-08f * k_pow2i_(-(int)shift);
     frac = hi * frac * 1.57079637f;
-    if (x < 0.0f) { frac = -frac; q = -q; }
+    if (x < 0.0f) {
+        frac = -frac;
+        q = -q;
+    }
     *quadrant = q & 3;
     return frac;
 }
@@ -178,7 +191,10 @@ FN float k_reduce_far_(float x, PRIVATE int* quadrant) {
 FN float k_reduce_(float x, PRIVATE int* quadrant) {
     float n;
     if (!(fabs_(x) < 8192.0f)) {
-        if (!(fabs_(x) < 3.4e38f)) { *quadrant = 0; return 0.0f; }
+        if (!(fabs_(x) < 3.4e38f)) {
+            *quadrant = 0;
+            return 0.0f;
+        }
         return k_reduce_far_(x, quadrant);
     }
     n = floor_(x * 0.636619772f + 0.5f);
@@ -186,7 +202,7 @@ FN float k_reduce_(float x, PRIVATE int* quadrant) {
     return ((x - n * 1.5703125f) - n * 0.000483751297f) - n * 7.54953362e-08f - n * 2.56334415e-12f;
 }
 
-FN float k_sin_(float r) {                                 // |r| <= pi/4
+FN float k_sin_(float r) {  // |r| <= pi/4
     float z = r * r, p = 2.71834301e-06f;
     p = p * z - 0.000198393391f;
     p = p * z + 0.00833332911f;
@@ -245,7 +261,7 @@ FN float k_atan(float x) {
     return x < 0.0f ? -a : a;
 }
 
-FN float k_atan2(float y, float x) {                       // atan2(0, 0) = 0
+FN float k_atan2(float y, float x) {  // atan2(0, 0) = 0
     float ax = fabs_(x), ay = fabs_(y), a;
     if (ax == 0.0f && ay == 0.0f) return 0.0f;
     if (ay > ax) a = 1.57079637f - (k_atan(ax / ay) + 4.37113901e-08f);
@@ -254,7 +270,7 @@ FN float k_atan2(float y, float x) {                       // atan2(0, 0) = 0
     return y < 0.0f ? -a : a;
 }
 
-FN float k_asin_(float x) {                                // |x| <= 1/2
+FN float k_asin_(float x) {  // |x| <= 1/2
     float z = x * x, p = 0.0374822803f;
     p = p * z + 0.0144674992f;
     p = p * z + 0.0317984037f;

@@ -8,17 +8,25 @@ FN GLOBAL const uint* mod_record(PRIVATE const SceneTables* s, PRIVATE const Par
     return s->u + par->mods_at + MOD_WORDS * mod;
 }
 
-// The variables .cal programs see (spec: scene language 7.6), in world coordinates.  Patterns, textures and mixtures see
-// the normal as modelled, from behind, too: RADIANCE turns it to the viewer after them.
+// The variables .cal programs see (spec: scene language 7.6), in world coordinates.  Patterns, textures and mixtures
+// see the normal as modelled, from behind, too: RADIANCE turns it to the viewer after them.
 FN void surface_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
     float3 p = F3(g->p.x + par->centre.x, g->p.y + par->centre.y, g->p.z + par->centre.z);
     for (int i = 0; i < CAL_VARS; i++) vars[i] = 0.0f;
-    vars[CAL_DX] = -g->v.x; vars[CAL_DY] = -g->v.y; vars[CAL_DZ] = -g->v.z;
-    vars[CAL_NX] = g->nface.x; vars[CAL_NY] = g->nface.y; vars[CAL_NZ] = g->nface.z;
-    vars[CAL_PX] = p.x; vars[CAL_PY] = p.y; vars[CAL_PZ] = p.z;
-    vars[CAL_T] = g->total; vars[CAL_TS] = g->length;
+    vars[CAL_DX] = -g->v.x;
+    vars[CAL_DY] = -g->v.y;
+    vars[CAL_DZ] = -g->v.z;
+    vars[CAL_NX] = g->nface.x;
+    vars[CAL_NY] = g->nface.y;
+    vars[CAL_NZ] = g->nface.z;
+    vars[CAL_PX] = p.x;
+    vars[CAL_PY] = p.y;
+    vars[CAL_PZ] = p.z;
+    vars[CAL_T] = g->total;
+    vars[CAL_TS] = g->length;
     vars[CAL_RDOT] = dot3(g->nface, g->v);
-    vars[CAL_LU] = g->u; vars[CAL_LV] = g->vv;
+    vars[CAL_LU] = g->u;
+    vars[CAL_LV] = g->vv;
 }
 
 // Inside an instance functions see its coordinates (spec scene 3): turns the variables of surface_vars().
@@ -30,11 +38,16 @@ FN void vars_to_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, PR
     for (int i = 0; i < 5; i++) {
         PRIVATE float* d = vars + dirs[i];
         float3 v = scale3(affine_vector(record + INST_FRAME, F3(d[0], d[1], d[2])), 1.0f / scale);
-        d[0] = v.x; d[1] = v.y; d[2] = v.z;
+        d[0] = v.x;
+        d[1] = v.y;
+        d[2] = v.z;
     }
     float3 p = affine_point(record + INST_FRAME, g->p);
-    vars[CAL_PX] = p.x; vars[CAL_PY] = p.y; vars[CAL_PZ] = p.z;
-    vars[CAL_T] *= scale; vars[CAL_TS] *= scale;
+    vars[CAL_PX] = p.x;
+    vars[CAL_PY] = p.y;
+    vars[CAL_PZ] = p.z;
+    vars[CAL_T] *= scale;
+    vars[CAL_TS] *= scale;
 }
 
 // A direction or displacement that such a function gave, in the world; its length is kept.
@@ -45,13 +58,15 @@ FN float3 vector_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface*
 }
 FN void turn_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, PRIVATE float* v) {
     float3 w = vector_from_frame(s, g, F3(v[0], v[1], v[2]));
-    v[0] = w.x; v[1] = w.y; v[2] = w.z;
+    v[0] = w.x;
+    v[1] = w.y;
+    v[2] = w.z;
 }
 
 // A mixture of patterns that is being walked through: what was found before it and in its first branch, where to go on.
 typedef struct {
     float3 color, pert, color1, pert1;
-    float share;             // of the first branch
+    float share;  // of the first branch
     uint second, next;
     int first_done;
 } PatternMix;
@@ -133,7 +148,8 @@ FN void without_own_chain(PRIVATE const SceneTables* s, PRIVATE Surface* g) {
 }
 
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
-FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, PRIVATE Sampler* rnd) {
+FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g,
+                     PRIVATE Sampler* rnd) {
     uint stack[MIX_DEPTH];
     int depth = 0, found = 0;
     uint mod = g->mod, material = NONE;
@@ -163,12 +179,17 @@ FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
             mod = m[MOD_NEXT];
             continue;
         }
-        if (!have_vars) { surface_vars(par, g, vars); vars_to_frame(s, g, vars); have_vars = 1; }
+        if (!have_vars) {
+            surface_vars(par, g, vars);
+            vars_to_frame(s, g, vars);
+            have_vars = 1;
+        }
         int bad = cal_run(s, m[MOD_PROGRAM], vars, out);
         if (type == M_MIXTURE) {
             if (bad) return 0;  // an error yields no material here
             float c = out[0] < 0.0f ? 0.0f : out[0] > 1.0f ? 1.0f : out[0];
-            if ((m[MOD_FLAGS] & MF_PATTERNS_ONLY) != 0u) {  // colours and perturbations mix linearly (spec shading 3.10)
+            if ((m[MOD_FLAGS] & MF_PATTERNS_ONLY) !=
+                0u) {  // colours and perturbations mix linearly (spec shading 3.10)
                 float3 c1, c2, p1, p2;
                 chain_patterns(s, par, g, m[MOD_BRANCH1], vars, &c1, &p1);
                 chain_patterns(s, par, g, m[MOD_BRANCH2], vars, &c2, &p2);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a new ray starts, so that it does not meet the surface it leaves again.
-// Idea of Waechter and Binder 2019 ("A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, chapter
-// 6): move along the geometric normal by a fixed number of units in the last place of the position, axis by axis, and by a
-// fixed length near the origin.  The rounding of a hit point grows with the distance travelled too, hence `reach`.
-// Limit: distances to a triangle of hundreds of metres are good to some 1e-7 of its size only, so `reach` counts the size of
-// the surface, too (surface.h).  By the ray's length alone 0.1 % of the rays that leave a ground of 2 km meet it again.
+// Idea of Waechter and Binder 2019 ("A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems,
+// chapter 6): move along the geometric normal by a fixed number of units in the last place of the position, axis by
+// axis, and by a fixed length near the origin.  The rounding of a hit point grows with the distance travelled too,
+// hence `reach`. Limit: distances to a triangle of hundreds of metres are good to some 1e-7 of its size only, so
+// `reach` counts the size of the surface, too (surface.h).  By the ray's length alone 0.1 % of the rays that leave a
+// ground of 2 km meet it again.
 #ifndef LUX_OFFSET_RAY_H
 #define LUX_OFFSET_RAY_H
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One path per slot, in stages that run over queues (wavefront, Laine et al. 2013): generate, extend, shade; shadow.h has the
-// last.  Frame 0 keeps the direct class, frames k >= 1 the diffuse one and, past the first m, both (paper section 7).
+// One path per slot, in stages that run over queues (wavefront, Laine et al. 2013): generate, extend, shade; shadow.h
+// has the last.  Frame 0 keeps the direct class, frames k >= 1 the diffuse one and, past the first m, both (paper
+// section 7).
 #ifndef LUX_PATH_H
 #define LUX_PATH_H
 
@@ -9,8 +10,8 @@ FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* a, uint slo
     uint pixels = par->nx * par->ny, gid = par->first + slot;
     uint pixel = par->mode == MODE_RAY ? 0u : gid % pixels;
     uint index = par->frame + (par->mode == MODE_RAY ? gid : gid / pixels);
-    // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct class
-    // of L'(n) is the mean of its first n samples: full nets at 64, 128, ...
+    // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct
+    // class of L'(n) is the mean of its first n samples: full nets at 64, 128, ...
     if (par->mode == MODE_FRAMES) index--;
     uint stream = par->mode == MODE_RAY ? 2u : 0u;
     Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, pixel, index, stream);
@@ -36,7 +37,10 @@ FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* a, uint slo
     a->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
     if (!ok) return 0;
     uint4 info;
-    info.x = 0u; info.y = rnd.key; info.z = rnd.index | (rnd.dim << 8); info.w = NONE;
+    info.x = 0u;
+    info.y = rnd.key;
+    info.z = rnd.index | (rnd.dim << 8);
+    info.w = NONE;
     a->org[slot] = pack4(ray.org, as_float_(CLIP_START));
     a->dir[slot] = pack4(ray.dir, ray.tmax);
     a->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
@@ -58,12 +62,18 @@ FN void path_extend(PRIVATE const SceneTables* s, PRIVATE const Paths* a, uint s
     ray.tmax = d.w;
     trace_closest(s, &ray, RAY_ALL, &hit);
     float4 h;
-    h.x = hit.t; h.y = as_float_(hit.prim); h.z = hit.u; h.w = hit.v;
+    h.x = hit.t;
+    h.y = as_float_(hit.prim);
+    h.z = hit.u;
+    h.w = hit.v;
     a->hit[slot] = h;
     a->info[slot].w = hit.inst;
 }
 
-FN float coefficient_weight(float3 c) { float m = max3(c); return m > 0.0f ? m : 0.0f; }
+FN float coefficient_weight(float3 c) {
+    float m = max3(c);
+    return m > 0.0f ? m : 0.0f;
+}
 
 // RADIANCE weights a rough lobe where its ray's weight earns it two samples or more, -ss times the weight; what several
 // samples or a hemisphere of them sent out earns one (spec shading 3.4).
@@ -81,8 +91,13 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     uint flags = info.x;
     Sampler rnd = path_sampler(info);
     Hit hit;
-    hit.t = h.x; hit.prim = as_uint_(h.y); hit.u = h.z; hit.v = h.w; hit.inst = info.w;
-    int wanted = class_wanted(par, flags, par->frame + (par->mode == MODE_RAY ? 0u : (par->first + slot) / (par->nx * par->ny)));
+    hit.t = h.x;
+    hit.prim = as_uint_(h.y);
+    hit.u = h.z;
+    hit.v = h.w;
+    hit.inst = info.w;
+    int wanted =
+        class_wanted(par, flags, par->frame + (par->mode == MODE_RAY ? 0u : (par->first + slot) / (par->nx * par->ny)));
     int result = 0;
 
     if (hit.prim == NO_HIT) {
@@ -99,7 +114,10 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     }
     Ray ray;
     Surface g;
-    ray.org = org; ray.dir = dir; ray.tmin = 0.0f; ray.tmax = h.x;
+    ray.org = org;
+    ray.dir = dir;
+    ray.tmin = 0.0f;
+    ray.tmax = h.x;
     surface_at(s, &ray, &hit, &g);
     g.total = r4.w + h.x;
     uint step = flags >> PC_STEP_SHIFT;
@@ -176,11 +194,12 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                 sample_source(s, par, i, g.p, x, par->dj, &ls);
                 if (ls.w > 0.0f) {
                     float w = ls.w / ls.pieces;
-                    float3 c = (lobes.flags & LOBE_ASHIK) != 0u ? ashik_direct(&lobes, &g, ls.dir, w)
+                    float3 c = (lobes.flags & LOBE_ASHIK) != 0u  ? ashik_direct(&lobes, &g, ls.dir, w)
                                : (lobes.flags & LOBE_BSDF) != 0u ? bsdf_direct(s, par, &lobes, &g, ls.dir, w, &rnd)
                                : (lobes.flags & LOBE_OWN_NORMALS) != 0u ? wgmd_direct(&lobes, &g, ls.dir, w, par->dj)
-                                                                 : lobes_direct(&lobes, &g, ls.dir, w, par->dj);
-                    if ((lobes.flags & LOBE_FUNCTION) != 0u) c = add3(c, function_direct(s, par, &lobes, &g, ls.dir, w));
+                                                                        : lobes_direct(&lobes, &g, ls.dir, w, par->dj);
+                    if ((lobes.flags & LOBE_FUNCTION) != 0u)
+                        c = add3(c, function_direct(s, par, &lobes, &g, ls.dir, w));
                     c = scale3(c, ls.pieces);
                     if (max3(c) > 0.0f) {
                         GLOBAL const float* q = source_record(s, par, i);
@@ -192,8 +211,10 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                         int itself = as_uint_(q[SRC_PRIM]) == g.prim && as_uint_(q[SRC_VIRTUAL]) == NONE;  // an illum
                         if (max3(c) > 0.0f && !itself) {
                             int above = dot3(ls.dir, g.ng) > 0.0f;
-                            float3 start = bsdf_start(&lobes, &g, above), from = offset_ray(start, above ? g.ng : neg3(g.ng), g.reach);
-                            if (ls.dist < 1e29f) {  // aimed anew from where it starts, else the source would stand in its own light
+                            float3 start = bsdf_start(&lobes, &g, above),
+                                   from = offset_ray(start, above ? g.ng : neg3(g.ng), g.reach);
+                            if (ls.dist < 1e29f) {  // aimed anew from where it starts, else the source would stand in
+                                                    // its own light
                                 float3 to = sub3(scale3(ls.dir, ls.dist), sub3(from, start));
                                 ls.dist = length3(to);
                                 ls.dir = scale3(to, 1.0f / MAX_(ls.dist, 1e-9f));
@@ -233,39 +254,53 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         float3 coef;
         int reflected = 1;
         if ((r -= w_diff_r) < 0.0f) {
-            coef = lobes.ambient_r; p = w_diff_r;
+            coef = lobes.ambient_r;
+            p = w_diff_r;
             factor = sample_diffuse(s, par, g.p, g.n, &rnd, &next);
             if (dot3(next, g.ng) <= 0.0f) factor = 0.0f;
-            flags |= PC_DIFFUSE; ab++;
+            flags |= PC_DIFFUSE;
+            ab++;
         } else if ((r -= w_through) < 0.0f) {
-            coef = lobes.through; p = w_through; next = lobes.through_dir; reflected = 0;
+            coef = lobes.through;
+            p = w_through;
+            next = lobes.through_dir;
+            reflected = 0;
             if (dot3(next, g.v) > -0.99999f) flags |= PC_BENT;
         } else if ((r -= w_mirror) < 0.0f) {
-            coef = lobes.mirror; p = w_mirror; next = lobes.mirror_dir; flags |= PC_BENT;
+            coef = lobes.mirror;
+            p = w_mirror;
+            next = lobes.mirror_dir;
+            flags |= PC_BENT;
         } else if ((r -= w_rough_r) < 0.0f) {
-            coef = lobes.rough_r; p = w_rough_r;
+            coef = lobes.rough_r;
+            p = w_rough_r;
             if ((lobes.flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(&lobes, &g, WGMD_ROUGH_R);
-            factor = (lobes.flags & LOBE_ASHIK) != 0u
-                         ? ashik_sample(&lobes, &g, &rnd, &next)
+            factor = (lobes.flags & LOBE_ASHIK) != 0u ? ashik_sample(&lobes, &g, &rnd, &next)
                      : (lobes.flags & LOBE_BSDF) != 0u
                          ? bsdf_sample_lobe(s, par, &lobes, &g, 0, &rnd, &coef, &next)
                          : lobes_sample_rough_r(&lobes, &g, &rnd, lobe_weighted(par, flags, t4.w), par->ss, &next);
             flags |= PC_ROUGH | PC_BENT;
         } else if ((r -= w_diff_t) < 0.0f) {
-            coef = lobes.ambient_t; p = w_diff_t;
+            coef = lobes.ambient_t;
+            p = w_diff_t;
             if ((lobes.flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(&lobes, &g, WGMD_DIFFUSE_T);
             factor = sample_diffuse(s, par, g.p, neg3(g.n), &rnd, &next);
             if (dot3(next, g.ng) >= 0.0f) factor = 0.0f;
-            flags |= PC_DIFFUSE; ab++;
+            flags |= PC_DIFFUSE;
+            ab++;
         } else if ((r -= w_rough_t) < 0.0f) {
-            coef = lobes.rough_t; p = w_rough_t;
+            coef = lobes.rough_t;
+            p = w_rough_t;
             if ((lobes.flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(&lobes, &g, WGMD_ROUGH_T);
-            factor = (lobes.flags & LOBE_BSDF) != 0u
-                         ? bsdf_sample_lobe(s, par, &lobes, &g, 1, &rnd, &coef, &next)
-                         : lobes_sample_rough_t(&lobes, &g, &rnd, par->ss, &next);
-            flags |= PC_ROUGH | PC_BENT; reflected = 0;
+            factor = (lobes.flags & LOBE_BSDF) != 0u ? bsdf_sample_lobe(s, par, &lobes, &g, 1, &rnd, &coef, &next)
+                                                     : lobes_sample_rough_t(&lobes, &g, &rnd, par->ss, &next);
+            flags |= PC_ROUGH | PC_BENT;
+            reflected = 0;
         } else {
-            coef = lobes.refract; p = w_refract; next = lobes.refract_dir; reflected = 0;
+            coef = lobes.refract;
+            p = w_refract;
+            next = lobes.refract_dir;
+            reflected = 0;
             flags |= PC_BENT;
         }
         if (p <= 0.0f) factor = 0.0f;
@@ -276,11 +311,16 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         int dead = factor <= 0.0f || max3(thr) <= 0.0f;
         if (par->lr > 0) dead = dead || (int)level > par->lr || t4.w < par->lw;
         else if (par->lr < 0) dead = dead || (int)level > -par->lr;
-        // Russian roulette on what the surfaces reflect, not on the throughput: that also holds how likely the direction
-        // was, and a way chosen toward a window is likely because much light is expected from it (spec shading 6).
+        // Russian roulette on what the surfaces reflect, not on the throughput: that also holds how likely the
+        // direction was, and a way chosen toward a window is likely because much light is expected from it (spec
+        // shading 6).
         if (!dead && ab >= 2u && t4.w < RR_START) {
             float q = MAX_(t4.w / RR_START, 0.05f);
-            if (sample1(&rnd) >= q) dead = 1; else { thr = scale3(thr, 1.0f / q); t4.w /= q; }
+            if (sample1(&rnd) >= q) dead = 1;
+            else {
+                thr = scale3(thr, 1.0f / q);
+                t4.w /= q;
+            }
         }
         a->rad[slot] = pack4(rad, dead ? r4.w : g.total);
         info.x = (flags & 0xff0000ffu) | (level << PC_LEVEL_SHIFT) | (ab << PC_AB_SHIFT);
@@ -289,7 +329,8 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         if (dead) return result;
         if (absorbs) set_path_medium(a, slot, dot3(next, g.ng) > 0.0f ? &arriving : &beyond);
         int above = dot3(next, g.ng) > 0.0f;
-        a->org[slot] = pack4(offset_ray(bsdf_start(&lobes, &g, above), side, g.reach), as_float_(above ? before : clip));
+        a->org[slot] =
+            pack4(offset_ray(bsdf_start(&lobes, &g, above), side, g.reach), as_float_(above ? before : clip));
         a->dir[slot] = pack4(next, 1e30f);
         a->thr[slot] = pack4(thr, t4.w);
         return result | PATH_GOES_ON;

@@ -5,21 +5,21 @@
 #define LUX_PATHS_H
 
 typedef struct {
-    GLOBAL float4* org;    // xyz
-    GLOBAL float4* dir;    // xyz, tmax
-    GLOBAL float4* thr;    // rgb throughput, w = RADIANCE's ray weight (for -lw)
-    GLOBAL float4* rad;    // rgb radiance gathered, w = path length from the eye
-    GLOBAL uint4* info;    // flags, sampler key, index | dim << 8, instance
-    GLOBAL float4* hit;    // t, prim (bits), u, v
-    GLOBAL float4* sorg;   // shadow ray: origin, w = source index (bits)
-    GLOBAL float4* sdir;   // direction, w = distance
-    GLOBAL float4* scol;   // rgb of the contribution if unblocked
+    GLOBAL float4* org;   // xyz
+    GLOBAL float4* dir;   // xyz, tmax
+    GLOBAL float4* thr;   // rgb throughput, w = RADIANCE's ray weight (for -lw)
+    GLOBAL float4* rad;   // rgb radiance gathered, w = path length from the eye
+    GLOBAL uint4* info;   // flags, sampler key, index | dim << 8, instance
+    GLOBAL float4* hit;   // t, prim (bits), u, v
+    GLOBAL float4* sorg;  // shadow ray: origin, w = source index (bits)
+    GLOBAL float4* sdir;  // direction, w = distance
+    GLOBAL float4* scol;  // rgb of the contribution if unblocked
     // the medium the ray travels in (used if Params.medium.w; medium.h)
-    GLOBAL float4* med;    // rgb extinction, w = sets of lights (bits)
-    GLOBAL float4* alb;    // rgb albedo, w = eccentricity
+    GLOBAL float4* med;  // rgb extinction, w = sets of lights (bits)
+    GLOBAL float4* alb;  // rgb albedo, w = eccentricity
     // the same for the shadow ray
-    GLOBAL float4* smed;   // rgb extinction, w = antimatter (bits; clip.h)
-    GLOBAL float4* salb;   // rgb albedo, w = sets of lights (bits)
+    GLOBAL float4* smed;  // rgb extinction, w = antimatter (bits; clip.h)
+    GLOBAL float4* salb;  // rgb albedo, w = sets of lights (bits)
 } Paths;
 
 // flags in info.x
@@ -30,9 +30,16 @@ typedef struct {
 #define PC_AB_SHIFT 16u    // diffuse depth, 8 bits
 #define PC_STEP_SHIFT 24u  // surfaces met, 8 bits, saturating
 #define PC_STEP_LIMIT 250u
-#define RR_START 0.05f      // ray weight below which roulette sets in
+#define RR_START 0.05f  // ray weight below which roulette sets in
 
-FN float4 pack4(float3 v, float w) { float4 r; r.x = v.x; r.y = v.y; r.z = v.z; r.w = w; return r; }
+FN float4 pack4(float3 v, float w) {
+    float4 r;
+    r.x = v.x;
+    r.y = v.y;
+    r.z = v.z;
+    r.w = w;
+    return r;
+}
 FN float3 xyz4(float4 v) { return F3(v.x, v.y, v.z); }
 
 FN Sampler path_sampler(uint4 info) {

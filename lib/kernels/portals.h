@@ -38,8 +38,8 @@ FN float portal_density(GLOBAL const float* q, float3 p, float3 dir) {
 }
 
 // Samples a direction over the hemisphere of n.  Returns cos/(pi density): the factor of the diffuse coefficient.
-FN float sample_diffuse(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n, PRIVATE Sampler* rnd,
-                        PRIVATE float3* dir) {
+FN float sample_diffuse(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n,
+                        PRIVATE Sampler* rnd, PRIVATE float3* dir) {
     const float inv_pi = 0.31830989f;
     float2 x = sample2(rnd);
     float total = 0.0f, c;
@@ -52,7 +52,8 @@ FN float sample_diffuse(PRIVATE const SceneTables* s, PRIVATE const Params* par,
         for (uint k = 0u; k < par->portal_count; k++) {
             float wk = portal_weight(s->f + par->portals_at + PORTAL_FLOATS * k, p, n);
             if (wk <= 0.0f) continue;
-            pick = k; w = wk;
+            pick = k;
+            w = wk;
             if (acc + wk > r) break;
             acc += wk;
         }

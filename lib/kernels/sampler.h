@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random numbers by counter: (seed, pixel, sample index, dimension) -> [0,1)^2, the same on every device and in any order.
-// Owen-scrambled Sobol points in pairs (Burley 2020, "Practical Hash-based Owen Scrambling"), sample index = frame;
-// a fresh scramble every 64 frames, so that blocks of frames are independent and give honest error intervals.
+// Random numbers by counter: (seed, pixel, sample index, dimension) -> [0,1)^2, the same on every device and in any
+// order. Owen-scrambled Sobol points in pairs (Burley 2020, "Practical Hash-based Owen Scrambling"), sample index =
+// frame; a fresh scramble every 64 frames, so that blocks of frames are independent and give honest error intervals.
 #ifndef LUX_SAMPLER_H
 #define LUX_SAMPLER_H
 
 #define SAMPLER_BLOCK_BITS 6u
 
-typedef struct { uint key, index, dim; } Sampler;
+typedef struct {
+    uint key, index, dim;
+} Sampler;
 
 FN uint hash_(uint x) {  // a 32-bit finaliser with low bias (Wellons' lowbias32 constants)
-    x ^= x >> 16; x *= 0x7feb352du; x ^= x >> 15; x *= 0x846ca68bu; x ^= x >> 16;
+    x ^= x >> 16;
+    x *= 0x7feb352du;
+    x ^= x >> 15;
+    x *= 0x846ca68bu;
+    x ^= x >> 16;
     return x;
 }
 FN uint reverse_(uint v) {
@@ -22,13 +28,21 @@ FN uint reverse_(uint v) {
 }
 // Hash-based Owen scramble of a bit-reversed integer (Laine-Karras style permutation, Burley's constants by Vegdahl).
 FN uint owen_reversed_(uint x, uint seed) {
-    x ^= x * 0x3d20adeau; x += seed; x *= (seed >> 16) | 1u; x ^= x * 0x05526c56u; x ^= x * 0x53a22864u;
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= (seed >> 16) | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
     return x;
 }
-FN uint sobol2_(uint i) {  // second Sobol dimension of index i, lowest bit first: the Pascal triangle mod 2, without tables
+FN uint
+sobol2_(uint i) {  // second Sobol dimension of index i, lowest bit first: the Pascal triangle mod 2, without tables
     uint v = i;
-    v ^= v >> 16; v ^= (v & 0xff00ff00u) >> 8; v ^= (v & 0xf0f0f0f0u) >> 4;
-    v ^= (v & 0xccccccccu) >> 2; v ^= (v & 0xaaaaaaaau) >> 1;
+    v ^= v >> 16;
+    v ^= (v & 0xff00ff00u) >> 8;
+    v ^= (v & 0xf0f0f0f0u) >> 4;
+    v ^= (v & 0xccccccccu) >> 2;
+    v ^= (v & 0xaaaaaaaau) >> 1;
     return v;
 }
 FN Sampler sampler_start(uint seed_lo, uint seed_hi, uint pixel, uint index, uint stream) {
@@ -53,5 +67,8 @@ FN float2 sample2(PRIVATE Sampler* s) {
     r.y = unit_float_(y);
     return r;
 }
-FN float sample1(PRIVATE Sampler* s) { float2 r = sample2(s); return r.x; }
+FN float sample1(PRIVATE Sampler* s) {
+    float2 r = sample2(s);
+    return r.x;
+}
 #endif

@@ -30,8 +30,8 @@ FN uint scattered_source(PRIVATE const SceneTables* s, PRIVATE const Params* par
 // with Henyey and Greenstein's phase function.  x, y: random, x.x in .5 .. 1, for half of the steps do this and half
 // light the surface.  1: a shadow ray waits.
 FN int scatter_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* a, uint slot,
-                      float3 org, float3 dir, float length, PRIVATE const Medium* m, uint count, uint clip,
-                      float3 thr, float total, float2 x, float2 y, PRIVATE Sampler* rnd) {
+                      float3 org, float3 dir, float length, PRIVATE const Medium* m, uint count, uint clip, float3 thr,
+                      float total, float2 x, float2 y, PRIVATE Sampler* rnd) {
     uint pick = (uint)((2.0f * x.x - 1.0f) * (float)count);
     pick = scattered_source(s, par, m->lights, MIN_(pick, count - 1u));
     float t = x.y * length;

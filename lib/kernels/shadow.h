@@ -10,7 +10,9 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     GLOBAL const float* q = source_record(s, par, source);
     uint kind = as_uint_(q[SRC_KIND]);
     Ray ray;
-    ray.org = org; ray.dir = dir; ray.tmin = 0.0f;
+    ray.org = org;
+    ray.dir = dir;
+    ray.tmin = 0.0f;
     ray.tmax = dist >= 1e29f ? 1e30f : shadow_end(dist);
     int must_hit = par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING || kind == SK_CYLINDER);
     if (kind == SK_SPHERE || kind == SK_CYLINDER || must_hit) {
@@ -59,7 +61,10 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         if (at_source) return T;
         medium = beyond;
         ray.org = offset_ray(g.p, neg3(g.ng), g.reach);
-        if (ray.tmax < 1e29f) { ray.tmax -= hit.t; if (ray.tmax <= 0.0f) return must_hit ? black : T; }
+        if (ray.tmax < 1e29f) {
+            ray.tmax -= hit.t;
+            if (ray.tmax <= 0.0f) return must_hit ? black : T;
+        }
     }
     return black;
 }
@@ -72,7 +77,10 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     GLOBAL const float* q = source_record(s, par, source);
     int is_virtual = as_uint_(q[SRC_VIRTUAL]) != NONE, bent = 0;
     Ray ray;
-    ray.org = org; ray.dir = dir; ray.tmin = 0.0f; ray.tmax = 1e30f;
+    ray.org = org;
+    ray.dir = dir;
+    ray.tmin = 0.0f;
+    ray.tmax = 1e30f;
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
         Hit hit;
         Surface g;
@@ -85,7 +93,8 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
             if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&medium, 1e10f));
             if ((bent || is_virtual) && 0.5f * dot3(e, e) > q[SRC_CAP]) return black;
             if (!is_virtual) return T;
-            return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), NONE, ray.dir, ray.org, neg3(ray.dir), 1e30f, 1e30f, rnd));
+            return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), NONE, ray.dir, ray.org, neg3(ray.dir), 1e30f,
+                                          1e30f, rnd));
         }
         surface_at(s, &ray, &hit, &g);
         total += hit.t;
@@ -95,7 +104,8 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
             if (!g.front) return black;
             if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&medium, hit.t));
             if (!is_virtual) return T;
-            return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), hit.prim, ray.dir, g.p, g.nface, hit.t, total, rnd));
+            return mul3(
+                T, light_radiance(s, par, as_uint_(q[SRC_MOD]), hit.prim, ray.dir, g.p, g.nface, hit.t, total, rnd));
         }
         float3 next = ray.dir;
         Medium here = medium, beyond = medium;  // of the segment that ends here; behind the surface
@@ -172,14 +182,18 @@ FN void path_draw(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         point = madd3(dir, dist, org);
         normal = as_uint_(q[SRC_KIND]) == SK_SPHERE ? unit3(sub3(point, f3_at(q + SRC_CENTRE))) : f3_at(q + SRC_NORMAL);
     }
-    float3 e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
+    float3 e =
+        light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
     a->scol[slot] = pack4(mul3(xyz4(a->scol[slot]), e), 0.0f);
     a->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
     Medium open = medium_open(par);
     open.albedo = F3(0.0f, 0.0f, 0.0f);  // what the eye sees is dimmed by all extinction
     set_shadow_medium(a, slot, &open, CLIP_START);
     uint4 info;
-    info.x = 0u; info.y = rnd.key; info.z = rnd.index; info.w = NONE;
+    info.x = 0u;
+    info.y = rnd.key;
+    info.z = rnd.index;
+    info.w = NONE;
     a->info[slot] = info;
 }
 #endif

@@ -23,7 +23,11 @@ FN int quadratic_(float a, float b, float c, PRIVATE float* t0, PRIVATE float* t
     }
     *t0 = q / a;
     *t1 = q != 0.0f ? c / q : *t0;
-    if (*t1 < *t0) { float s = *t0; *t0 = *t1; *t1 = s; }
+    if (*t1 < *t0) {
+        float s = *t0;
+        *t0 = *t1;
+        *t1 = s;
+    }
     return 2;
 }
 
@@ -70,8 +74,8 @@ FN int ring_hit_(GLOBAL const float* q, float3 org, float3 dir, float tmin, PRIV
     return d2 >= q[7] * q[7] && d2 <= q[8] * q[8];
 }
 
-// Even-odd rule in the plane of two coordinates; a point within 1e-6 (and the rounding of its coordinates) of an edge is
-// inside.  Loops joined by seams (holes) need nothing special: a seam is crossed twice.
+// Even-odd rule in the plane of two coordinates; a point within 1e-6 (and the rounding of its coordinates) of an edge
+// is inside.  Loops joined by seams (holes) need nothing special: a seam is crossed twice.
 FN int polygon_inside_(GLOBAL const float* uv, uint count, float u, float v) {
     float eps = 1e-6f + 2.4e-7f * (fabs_(u) + fabs_(v));
     float pu = uv[2u * count - 2u], pv = uv[2u * count - 1u];
@@ -96,7 +100,8 @@ FN int polygon_inside_(GLOBAL const float* uv, uint count, float u, float v) {
     return odd;
 }
 
-FN int polygon_hit_(GLOBAL const float* q, GLOBAL const float* uv, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+FN int polygon_hit_(GLOBAL const float* q, GLOBAL const float* uv, float3 org, float3 dir, float tmin,
+                    PRIVATE float* t) {
     float3 n = shape_vec_(q + 1), p;
     float c = dot3(dir, n);
     uint axis = as_uint_(q[5]);
@@ -108,7 +113,8 @@ FN int polygon_hit_(GLOBAL const float* q, GLOBAL const float* uv, float3 org, f
 }
 
 // The first t > tmin at which the ray meets the shape; 0 if it does not.
-FN int shape_hit(GLOBAL const float* q, GLOBAL const float* polygon_uv, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+FN int shape_hit(GLOBAL const float* q, GLOBAL const float* polygon_uv, float3 org, float3 dir, float tmin,
+                 PRIVATE float* t) {
     uint kind = as_uint_(q[0]);
     if (kind == SHAPE_SPHERE) return sphere_hit_(q, org, dir, tmin, t);
     if (kind == SHAPE_CONE) return cone_hit_(q, org, dir, tmin, t);

@@ -10,19 +10,21 @@ FN GLOBAL const float* source_record(PRIVATE const SceneTables* s, PRIVATE const
 }
 
 typedef struct {
-    float3 dir;      // from the point to the source, unit
-    float dist;      // 1e30 for distant ones
-    float w;         // solid angle this sample stands for
-    float pieces;    // with -ds: how many pieces of a source it stands for; lobes are widened by one of them
-    float3 point;    // on the source (local ones)
-    float3 normal;   // there
+    float3 dir;     // from the point to the source, unit
+    float dist;     // 1e30 for distant ones
+    float w;        // solid angle this sample stands for
+    float pieces;   // with -ds: how many pieces of a source it stands for; lobes are widened by one of them
+    float3 point;   // on the source (local ones)
+    float3 normal;  // there
     uint index;
 } LightSample;
 
-// RADIANCE's partition of a large source (-ds; spec shading 4.3): the piece that holds this sample, found by halving the
-// source while it is large for its distance, each half with equal chance.  *c is moved to the piece's centre, *u and *v
-// become its half vectors; the result is the piece's share of the source.  Only -dj < 1 can tell it from the whole.
-FN float source_piece(float3 p, float ds, int line, PRIVATE float3* c, PRIVATE float3* u, PRIVATE float3* v, PRIVATE float2* x) {
+// RADIANCE's partition of a large source (-ds; spec shading 4.3): the piece that holds this sample, found by halving
+// the source while it is large for its distance, each half with equal chance.  *c is moved to the piece's centre, *u
+// and *v become its half vectors; the result is the piece's share of the source.  Only -dj < 1 can tell it from the
+// whole.
+FN float source_piece(float3 p, float ds, int line, PRIVATE float3* c, PRIVATE float3* u, PRIVATE float3* v,
+                      PRIVATE float2* x) {
     float share = 1.0f, k = 2.0f / ds, du = k * length3(*u), dv = line ? 0.0f : k * length3(*v);
     for (int i = 0; i < 6; i++) {  // at most 64 pieces
         float d = length3(sub3(p, *c)), sign;
@@ -49,15 +51,16 @@ FN float source_piece(float3 p, float ds, int line, PRIVATE float3* c, PRIVATE f
 FN void source_limits(GLOBAL const float* q, uint kind, float3 c, float3 p, PRIVATE LightSample* l) {
     if (q[SRC_MAXRAD] > 0.0f && l->dist > q[SRC_MAXRAD]) l->w = 0.0f;
     if (q[SRC_SPOT + 3] > -1.5f) {  // inside the cone, and as if its light came from f behind (spec 4.2)
-        float f = q[SRC_SPOT + 4], d = kind == SK_SPHERE ? length3(sub3(c, p)) : l->dist;  // a sphere counts from its centre
+        float f = q[SRC_SPOT + 4],
+              d = kind == SK_SPHERE ? length3(sub3(c, p)) : l->dist;  // a sphere counts from its centre
         if (-dot3(f3_at(q + SRC_SPOT), l->dir) < q[SRC_SPOT + 3]) l->w = 0.0f;
         l->w *= d * d / ((d + f) * (d + f));
     }
 }
 
 // A sphere or a sun through a prism: its axes are sheared as the prism shears its place, and what is sampled decides
-// how much of it the bent rays hit.  So these are RADIANCE's samples (spec shading 4.3): points of a ball; a square made
-// a disc.
+// how much of it the bent rays hit.  So these are RADIANCE's samples (spec shading 4.3): points of a ball; a square
+// made a disc.
 FN void sample_sheared(GLOBAL const float* q, int distant, float3 c, float3 p, float2 x, float dj,
                        PRIVATE LightSample* l) {
     float third = 4096.0f * x.x;  // what is left of the first number
@@ -119,12 +122,14 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
         float d = sqrt_(d2);
         to = scale3(to, 1.0f / d);
         if (dj <= 0.0f) {  // the reference's centre sample (spec shading 4.2)
-            l->dir = to; l->dist = q[SRC_MAXRAD] > 0.0f && d > q[SRC_MAXRAD] ? 1e20f : d - r;
+            l->dir = to;
+            l->dist = q[SRC_MAXRAD] > 0.0f && d > q[SRC_MAXRAD] ? 1e20f : d - r;
             l->w = 3.14159265f * r * r / d2;
-            l->point = madd3(to, -r, c); l->normal = neg3(to);
+            l->point = madd3(to, -r, c);
+            l->normal = neg3(to);
         } else if (q[SRC_SHEARED] != 0.0f) {
             sample_sheared(q, 0, c, p, x, dj, l);
-        } else {           // exact: uniform over the cone it subtends
+        } else {  // exact: uniform over the cone it subtends
             float s2 = r * r / d2, cmax1 = s2 / (1.0f + sqrt_(1.0f - s2)), sn, cs;  // 1 - cos of the half angle
             float3 t, b;
             float z1 = x.x * cmax1, z = 1.0f - z1, rr = sqrt_(z1 * (2.0f - z1));
@@ -141,7 +146,10 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
         if (kind == SK_PARALLELOGRAM || (par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING))) {
             // with -ds RADIANCE's own pieces and its idea of the shape; the shadow ray must then hit the source
             float3 u = f3_at(q + SRC_U), v = f3_at(q + SRC_V), c0 = c;
-            if (kind == SK_RING) { u = scale3(u, 0.886226925f); v = scale3(v, 0.886226925f); }  // square of equal area
+            if (kind == SK_RING) {  // square of equal area
+                u = scale3(u, 0.886226925f);
+                v = scale3(v, 0.886226925f);
+            }
             float3 pu = u, pv = v;
             if (par->ds > 0.0f) {
                 l->pieces = 1.0f / source_piece(p, par->ds, 0, &c, &pu, &pv, &x);
@@ -167,17 +175,20 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
                 float3 none = axis;
                 if (par->ds > 0.0f) {
                     float3 across = cross3(sub3(p, c), axis);
-                    if (length3(across) > 2.0f * r * length3(axis)) share = source_piece(p, par->ds, 1, &c, &axis, &none, &x);
+                    if (length3(across) > 2.0f * r * length3(axis))
+                        share = source_piece(p, par->ds, 1, &c, &axis, &none, &x);
                     c = madd3(axis, dj * (2.0f * x.x - 1.0f), c);
                 }
                 float3 to = sub3(c, p);
                 l->pieces = 1.0f / share;
                 float d2 = dot3(to, to), h = length3(axis);
                 float ca = dot3(to, axis) / (h * sqrt_(d2));
-                l->dist = sqrt_(d2); l->dir = scale3(to, 1.0f / l->dist);
+                l->dist = sqrt_(d2);
+                l->dir = scale3(to, 1.0f / l->dist);
                 float sa = 1.0f - ca * ca;
                 l->w = 4.0f * r * (h / share) * sqrt_(sa > 0.0f ? sa : 0.0f) / d2;
-                l->point = c; l->normal = neg3(l->dir);
+                l->point = c;
+                l->normal = neg3(l->dir);
                 source_limits(q, kind, c, p, l);
                 return;
             }
@@ -191,7 +202,10 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
             if (dj <= 0.0f) {
                 at = c;
             } else {
-                while (k + 1u < count && x.x >= tri[9]) { k++; tri += 12; }
+                while (k + 1u < count && x.x >= tri[9]) {
+                    k++;
+                    tri += 12;
+                }
                 float lo = tri[10], u = (x.x - lo) / (tri[9] - lo), su = sqrt_(u);
                 at = madd3(f3_at(tri + 3), su * (1.0f - x.y), madd3(f3_at(tri + 6), su * x.y, f3_at(tri)));
             }
@@ -215,10 +229,25 @@ FN float3 light_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par
                          float3 point, float3 normal, float length, float total, PRIVATE Sampler* rnd) {
     Surface g;
     GLOBAL const uint* m = mod_record(s, par, mod);
-    g.p = point; g.nface = normal; g.ng = normal; g.n = normal; g.v = neg3(dir);
-    g.color = F3(1.0f, 1.0f, 1.0f); g.pert = F3(0.0f, 0.0f, 0.0f);
-    g.u = 0.0f; g.vv = 0.0f; g.length = length; g.total = total; g.prim = prim; g.mod = mod; g.type = 0u;
-    g.inst = NONE; g.front = 1; g.flat = 0; g.smooth = 0; g.mixed = 0;
+    g.p = point;
+    g.nface = normal;
+    g.ng = normal;
+    g.n = normal;
+    g.v = neg3(dir);
+    g.color = F3(1.0f, 1.0f, 1.0f);
+    g.pert = F3(0.0f, 0.0f, 0.0f);
+    g.u = 0.0f;
+    g.vv = 0.0f;
+    g.length = length;
+    g.total = total;
+    g.prim = prim;
+    g.mod = mod;
+    g.type = 0u;
+    g.inst = NONE;
+    g.front = 1;
+    g.flat = 0;
+    g.smooth = 0;
+    g.mixed = 0;
     if (m[MOD_TYPE] < M_FIRST_MATERIAL || m[MOD_NEXT] != NONE) {
         if (!find_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
         m = mod_record(s, par, g.mod);

@@ -4,25 +4,25 @@
 #define LUX_SURFACE_H
 
 typedef struct {
-    float3 p;        // hit point
-    float3 nface;    // geometric normal as modelled, unit
-    float3 ng;       // the same on the viewer's side
-    float3 n;        // shading normal on the viewer's side (textures, smoothing)
-    float3 v;        // unit, toward the viewer
-    float3 color;    // product of the patterns met
-    float3 pert;     // sum of the textures met
+    float3 p;                          // hit point
+    float3 nface;                      // geometric normal as modelled, unit
+    float3 ng;                         // the same on the viewer's side
+    float3 n;                          // shading normal on the viewer's side (textures, smoothing)
+    float3 v;                          // unit, toward the viewer
+    float3 color;                      // product of the patterns met
+    float3 pert;                       // sum of the textures met
     float3 color_before, pert_before;  // the same without the material's own chain: where an alternate starts
-    float u, vv;     // mesh coordinates Lu, Lv
-    float length;    // of the ray that hit
-    float reach;     // length that sets the rounding of p: the ray's or the primitive's
-    float total;     // path length from the eye
-    uint prim, mod;  // primitive; its modifier, after find_material() the material's
-    uint type;       // material type
-    uint inst;       // instance (instance.h), NONE
-    int front;       // hit from the side the modelled normal points to
-    int flat;        // polygon or ring without texture
-    int smooth;      // perturbation from mesh smoothing
-    int mixed;       // the material stands in a mixture: what it knows of the medium before it does not count
+    float u, vv;                       // mesh coordinates Lu, Lv
+    float length;                      // of the ray that hit
+    float reach;                       // length that sets the rounding of p: the ray's or the primitive's
+    float total;                       // path length from the eye
+    uint prim, mod;                    // primitive; its modifier, after find_material() the material's
+    uint type;                         // material type
+    uint inst;                         // instance (instance.h), NONE
+    int front;                         // hit from the side the modelled normal points to
+    int flat;                          // polygon or ring without texture
+    int smooth;                        // perturbation from mesh smoothing
+    int mixed;  // the material stands in a mixture: what it knows of the medium before it does not count
 } Surface;
 
 FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint shape, float3 p) {
@@ -38,7 +38,8 @@ FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint shape, floa
 }
 
 // Smoothing and uv of a mesh triangle: the perturbation is the interpolated normal less the plane's (spec scene 3).
-FN void mesh_corners(PRIVATE const SceneTables* s, GLOBAL const uint* prim, PRIVATE const Hit* hit, PRIVATE Surface* g) {
+FN void mesh_corners(PRIVATE const SceneTables* s, GLOBAL const uint* prim, PRIVATE const Hit* hit,
+                     PRIVATE Surface* g) {
     GLOBAL const uint* corner = s->u + prim[PRIM_VERTEX];
     GLOBAL const float* a = s->f + corner[0];
     GLOBAL const float* b = s->f + corner[1];
@@ -58,7 +59,7 @@ FN void mesh_corners(PRIVATE const SceneTables* s, GLOBAL const uint* prim, PRIV
 FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE const Hit* hit, PRIVATE Surface* g) {
     GLOBAL const uint* prim = s->prims + PRIM_WORDS * hit->prim;
     uint kind = prim[PRIM_KIND];
-    float3 at;    // the point in the coordinates of the primitive
+    float3 at;  // the point in the coordinates of the primitive
     GLOBAL const float* matrix = 0;
     g->p = madd3(ray->dir, hit->t, ray->org);
     at = g->p;
@@ -94,7 +95,8 @@ FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE
             else g->p = madd3(affine_back(matrix, sub3(on, at)), 1.0f / affine_scale2(matrix), g->p);
         }
     } else {
-        g->nface = F3(as_float_(prim[PRIM_NORMAL]), as_float_(prim[PRIM_NORMAL + 1u]), as_float_(prim[PRIM_NORMAL + 2u]));
+        g->nface =
+            F3(as_float_(prim[PRIM_NORMAL]), as_float_(prim[PRIM_NORMAL + 1u]), as_float_(prim[PRIM_NORMAL + 2u]));
     }
     if (shape == PRIM_SMOOTH) mesh_corners(s, prim, hit, g);
     if (matrix != 0) {  // mirrored ones keep their sides: the normal is mirrored as the geometry is

@@ -7,46 +7,46 @@
 
 // ---- primitives: PRIM_WORDS words each in SceneTables.prims
 #define PRIM_WORDS 8u
-#define PRIM_KIND 0u      // PRIM_FLAT.. | flags
-#define PRIM_MOD 1u       // modifier index, NONE if void
-#define PRIM_SOURCE 2u    // active source index, NONE
-#define PRIM_NORMAL 3u    // flat: 3 floats, unit; curved: shape index in word 3
-#define PRIM_VERTEX 6u    // PRIM_SMOOTH: index into u of three words, the corners' CORNER_FLOATS in f: normal, Lu, Lv
+#define PRIM_KIND 0u    // PRIM_FLAT.. | flags
+#define PRIM_MOD 1u     // modifier index, NONE if void
+#define PRIM_SOURCE 2u  // active source index, NONE
+#define PRIM_NORMAL 3u  // flat: 3 floats, unit; curved: shape index in word 3
+#define PRIM_VERTEX 6u  // PRIM_SMOOTH: index into u of three words, the corners' CORNER_FLOATS in f: normal, Lu, Lv
 #define CORNER_FLOATS 5u
-#define PRIM_EXTENT 7u    // size of the primitive (float): its hits are as inexact as rays of that length
+#define PRIM_EXTENT 7u  // size of the primitive (float): its hits are as inexact as rays of that length
 #define PRIM_FLAT 1u
 #define PRIM_SPHERE 2u
 #define PRIM_CONE 3u
-#define PRIM_SMOOTH 4u    // mesh triangle with normals and/or uv
+#define PRIM_SMOOTH 4u  // mesh triangle with normals and/or uv
 #define PRIM_KIND_MASK 15u
-#define PRIM_INWARD 16u   // bubble, cup, tube
-#define PRIM_TEXTURE_FLAT 32u  // polygon or ring ("flat flag")
+#define PRIM_INWARD 16u          // bubble, cup, tube
+#define PRIM_TEXTURE_FLAT 32u    // polygon or ring ("flat flag")
 #define PRIM_CORNER_NORMALS 64u  // PRIM_SMOOTH: all three corners have normals
 #define NONE 0xffffffffu
 
 // ---- instances: records of SHAPE_FLOATS floats in SceneTables.shapes, after all shapes; Hit.inst is the number of one
-#define INST_SHAPE 0u     // its SHAPE_INSTANCE (word): the matrix to the tree's coordinates
-#define INST_FRAME 1u     // 12: matrix to the coordinates that functions of the modifiers see
-#define INST_MOD 13u      // modifier in place of all those inside (word), NONE = their own
-#define INST_SCALE 14u    // a world length in the coordinates of INST_FRAME
-#define INST_REACH 15u    // radius of the tree in the world: hits inside are as inexact as rays of that length
+#define INST_SHAPE 0u   // its SHAPE_INSTANCE (word): the matrix to the tree's coordinates
+#define INST_FRAME 1u   // 12: matrix to the coordinates that functions of the modifiers see
+#define INST_MOD 13u    // modifier in place of all those inside (word), NONE = their own
+#define INST_SCALE 14u  // a world length in the coordinates of INST_FRAME
+#define INST_REACH 15u  // radius of the tree in the world: hits inside are as inexact as rays of that length
 
 // ---- modifiers: MOD_WORDS words each at u[Params.mods_at]
 #define MOD_WORDS 8u
 #define MOD_TYPE 0u
-#define MOD_NEXT 1u       // next modifier up the chain, NONE
-#define MOD_PROGRAM 2u    // .cal program entry, NONE
-#define MOD_ARGS 3u       // index into f of the real arguments
-#define MOD_BRANCH1 4u    // mixtures: foreground; illum, mirror: alternate
-#define MOD_BRANCH2 5u    // mixtures: background
+#define MOD_NEXT 1u     // next modifier up the chain, NONE
+#define MOD_PROGRAM 2u  // .cal program entry, NONE
+#define MOD_ARGS 3u     // index into f of the real arguments
+#define MOD_BRANCH1 4u  // mixtures: foreground; illum, mirror: alternate
+#define MOD_BRANCH2 5u  // mixtures: background
 #define MOD_FLAGS 6u
-#define MOD_EXTRA 7u      // BSDF tables; the sets of sources that a mist names, a bit each
+#define MOD_EXTRA 7u  // BSDF tables; the sets of sources that a mist names, a bit each
 // types
-#define M_PATTERN1 1u     // program gives brightness
-#define M_PATTERN3 2u     // program gives RGB
-#define M_TEXTURE 3u      // program gives a displacement
-#define M_MIXTURE 4u      // program gives the foreground's share
-#define M_SPECTRUM 5u     // constant RGB factor in args
+#define M_PATTERN1 1u  // program gives brightness
+#define M_PATTERN3 2u  // program gives RGB
+#define M_TEXTURE 3u   // program gives a displacement
+#define M_MIXTURE 4u   // program gives the foreground's share
+#define M_SPECTRUM 5u  // constant RGB factor in args
 #define M_FIRST_MATERIAL 16u
 #define M_PLASTIC 16u
 #define M_METAL 17u
@@ -63,7 +63,7 @@
 #define M_ANISO_METAL 28u
 #define M_ANISO_TRANS 29u
 #define M_ASHIK 30u
-#define M_BRDF 31u        // plasfunc metfunc transfunc plasdata metdata transdata
+#define M_BRDF 31u  // plasfunc metfunc transfunc plasdata metdata transdata
 #define M_BRTD 32u
 #define M_WGMD 33u
 #define M_BSDF 34u
@@ -71,59 +71,59 @@
 #define M_ANTIMATTER 36u
 #define M_PRISM 37u
 // flags
-#define MF_SEEN_THROUGH 1u  // a type that -i looks through
-#define MF_HAS_ALTERNATE 2u // MOD_BRANCH1 is an alternate material (NONE = void)
-#define MF_ABSDF 4u         // the straight part of the BSDF is a ray of its own
+#define MF_SEEN_THROUGH 1u       // a type that -i looks through
+#define MF_HAS_ALTERNATE 2u      // MOD_BRANCH1 is an alternate material (NONE = void)
+#define MF_ABSDF 4u              // the straight part of the BSDF is a ray of its own
 #define MF_ALTERNATE_PASSES 32u  // the alternate is void or a transparent type
-#define MF_METAL 8u         // the specular colour is the surface's
+#define MF_METAL 8u              // the specular colour is the surface's
 #define MF_TRANS 16u
-#define MF_VALUES 64u       // MOD_PROGRAM gives values of the material (cal::MaterialProgram)
+#define MF_VALUES 64u          // MOD_PROGRAM gives values of the material (cal::MaterialProgram)
 #define MF_PATTERNS_ONLY 256u  // a mixture whose branches hold no material
 #define MIX_DEPTH 8            // mixtures of patterns one inside the other (flatten_modifiers.cpp refuses more)
-#define MF_TWO_EXITS 128u   // prism2
-#define MF_CLIPPED_SHIFT 9u  // 4 bits: listed by antimatter 0..3
-#define MF_ALBEDO 8192u     // a mist that states its albedo
+#define MF_TWO_EXITS 128u      // prism2
+#define MF_CLIPPED_SHIFT 9u    // 4 bits: listed by antimatter 0..3
+#define MF_ALBEDO 8192u        // a mist that states its albedo
 #define MF_ECCENTRICITY 16384u
-#define MF_LOBES_SHIFT 16u   // number of outputs of the lobe program (MOD_EXTRA)
+#define MF_LOBES_SHIFT 16u  // number of outputs of the lobe program (MOD_EXTRA)
 
 // ---- active sources: SOURCE_FLOATS floats each at f[Params.sources_at] (words by as_uint_)
 #define SOURCE_FLOATS 32u
-#define SRC_KIND 0u       // SK_*
-#define SRC_PRIM 1u       // prim (word); NONE for distant
-#define SRC_MOD 2u        // modifier (word)
-#define SRC_CENTRE 3u     // 3: centre, or unit direction to a distant source
-#define SRC_U 6u          // 3: half vector
-#define SRC_V 9u          // 3: half vector (sphere: U.x = radius)
-#define SRC_NORMAL 12u    // 3
-#define SRC_AREA 15u      // m2, or sr for distant sources
-#define SRC_CAP 16u       // distant: 1 - cos of the half angle
-#define SRC_POWER 17u     // luminance-like radiance for choosing
-#define SRC_MAXRAD 18u    // glow: > 0 limit; else 0
-#define SRC_SPOT 19u      // 5: aim unit 3, cos of the half cone, focal length; cos = -2 if no spotlight
-#define SRC_RADIUS 24u    // bounding radius around the centre (rings, spheres)
-#define SRC_TRIS 25u      // general polygons: index into f of triangle fan records (word), SRC_NTRIS (word)
+#define SRC_KIND 0u     // SK_*
+#define SRC_PRIM 1u     // prim (word); NONE for distant
+#define SRC_MOD 2u      // modifier (word)
+#define SRC_CENTRE 3u   // 3: centre, or unit direction to a distant source
+#define SRC_U 6u        // 3: half vector
+#define SRC_V 9u        // 3: half vector (sphere: U.x = radius)
+#define SRC_NORMAL 12u  // 3
+#define SRC_AREA 15u    // m2, or sr for distant sources
+#define SRC_CAP 16u     // distant: 1 - cos of the half angle
+#define SRC_POWER 17u   // luminance-like radiance for choosing
+#define SRC_MAXRAD 18u  // glow: > 0 limit; else 0
+#define SRC_SPOT 19u    // 5: aim unit 3, cos of the half cone, focal length; cos = -2 if no spotlight
+#define SRC_RADIUS 24u  // bounding radius around the centre (rings, spheres)
+#define SRC_TRIS 25u    // general polygons: index into f of triangle fan records (word), SRC_NTRIS (word)
 #define SRC_NTRIS 26u
-#define SRC_CLASS 27u     // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
-#define SRC_VIRTUAL 28u   // virtual sources: relay record in u (word), NONE for real ones
-#define SRC_SHEARED 30u   // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
-#define SRC_DRAWN 29u     // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
+#define SRC_CLASS 27u    // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
+#define SRC_VIRTUAL 28u  // virtual sources: relay record in u (word), NONE for real ones
+#define SRC_SHEARED 30u  // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
+#define SRC_DRAWN 29u    // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
 
 // ---- relay record of a virtual source, in u (spec shading 4.6)
 #define RELAY_PRIM 0u
-#define RELAY_SOURCE 1u   // the source behind it, real or virtual
-#define RELAY_EXIT 2u     // of a prism: 0, 1
-#define RELAY_GATES 3u    // how many gates
-#define RELAY_GATES_AT 4u // index into f of the first
+#define RELAY_SOURCE 1u    // the source behind it, real or virtual
+#define RELAY_EXIT 2u      // of a prism: 0, 1
+#define RELAY_GATES 3u     // how many gates
+#define RELAY_GATES_AT 4u  // index into f of the first
 // gate: a rectangle about a relay, where it seems to stand from the point lit, with the nearest first
 #define GATE_FLOATS 13u
-#define GATE_CENTRE 0u    // 3
-#define GATE_NORMAL 3u    // 3
-#define GATE_U 6u         // 3: axis over its half length
-#define GATE_V 9u         // 3
+#define GATE_CENTRE 0u       // 3
+#define GATE_NORMAL 3u       // 3
+#define GATE_U 6u            // 3: axis over its half length
+#define GATE_V 9u            // 3
 #define GATE_BOTH_SIDES 12u  // a prism's: no back
 #define SK_DISTANT 0u
 #define SK_PARALLELOGRAM 1u
-#define SK_POLYGON 2u     // triangle fan with areas
+#define SK_POLYGON 2u  // triangle fan with areas
 #define SK_RING 3u
 #define SK_SPHERE 4u
 #define SK_CYLINDER 5u
@@ -136,14 +136,15 @@
 
 // ---- distant surfaces ("source" primitives), in the order they are tried: DISTANT_WORDS words at u[Params.distant_at]
 #define DISTANT_WORDS 8u
-#define DISTANT_DIR 0u    // 3 floats
-#define DISTANT_CAP 3u    // 1 - cos of the half angle (as such: cos would round a sun); > 2 = everything
-#define DISTANT_SEEN 4u   // modifier that is seen, of an illum its alternate's; NONE: the eye looks past it
+#define DISTANT_DIR 0u             // 3 floats
+#define DISTANT_CAP 3u             // 1 - cos of the half angle (as such: cos would round a sun); > 2 = everything
+#define DISTANT_SEEN 4u            // modifier that is seen, of an illum its alternate's; NONE: the eye looks past it
 #define DISTANT_BLACK 0xfffffffeu  // its alternate does not shine
-#define DISTANT_SOURCE 5u // active source index, NONE
+#define DISTANT_SOURCE 5u          // active source index, NONE
 
 // ---- portals (windows that guide diffuse samples): PORTAL_FLOATS floats at f[Params.portals_at]
-#define PORTAL_FLOATS 16u // 0-2 corner, 3-5 edge u, 6-8 edge v, 9-11 unit normal pointing outdoors, 12 area, 13 triangle flag
+#define PORTAL_FLOATS \
+    16u  // 0-2 corner, 3-5 edge u, 6-8 edge v, 9-11 unit normal pointing outdoors, 12 area, 13 triangle flag
 
 // Everything a kernel needs beside the tables; one block, uploaded per pass.
 typedef struct {
@@ -153,31 +154,34 @@ typedef struct {
     float4 view_clip;                         // fore, aft, pj, pd (aperture)
     float4 centre;                            // world position of the tables' origin
     float4 av;
-    float4 ray_org, ray_dir;                  // MODE_RAY
-    float4 albedo;                            // of the medium: -ma rgb, w = -mg
-    float4 medium;                            // global extinction rgb; w = 1 if any segment of the scene may absorb
+    float4 ray_org, ray_dir;  // MODE_RAY
+    float4 albedo;            // of the medium: -ma rgb, w = -mg
+    float4 medium;            // global extinction rgb; w = 1 if any segment of the scene may absorb
     // sizes and modes
-    uint nx, ny, mode, frame;                 // frame = sample index of slot 0
-    uint seed_lo, seed_hi, slots, first;      // first = global index of slot 0
+    uint nx, ny, mode, frame;             // frame = sample index of slot 0
+    uint seed_lo, seed_hi, slots, first;  // first = global index of slot 0
     uint mods_at, sources_at, source_count, distant_at;
     uint distant_count, portals_at, portal_count, shadow_mode;
-    int ab, lr; uint bv, flags;
+    int ab, lr;
+    uint bv, flags;
     float st, ss, dj, lw;
-    float ds; uint light_sets_at; float pad2, pad3;
+    float ds;
+    uint light_sets_at;
+    float pad2, pad3;
     uint skip_direct_below, cdf_at, draw_at, draw_count;
 } Params;
 
 // modes: what a pass computes
-#define MODE_DIRECT 0u   // frame 0: paths without a diffuse bounce
-#define MODE_FRAMES 1u   // frames k >= 1: diffuse class; both classes where frame > skip_direct_below
-#define MODE_RAY 2u      // all classes along one given ray (tests, -I)
-#define MODE_DRAW 3u     // straight rays to drawn sources
+#define MODE_DIRECT 0u  // frame 0: paths without a diffuse bounce
+#define MODE_FRAMES 1u  // frames k >= 1: diffuse class; both classes where frame > skip_direct_below
+#define MODE_RAY 2u     // all classes along one given ray (tests, -I)
+#define MODE_DRAW 3u    // straight rays to drawn sources
 // shadow_mode: what may stand between a point and a source
-#define SHADOW_OPAQUE 0u      // nothing lets light through
-#define SHADOW_STRAIGHT 1u    // glass and the like: light goes on straight
-#define SHADOW_AIMED 2u       // dielectrics and virtual sources: step by step, direction may change
+#define SHADOW_OPAQUE 0u    // nothing lets light through
+#define SHADOW_STRAIGHT 1u  // glass and the like: light goes on straight
+#define SHADOW_AIMED 2u     // dielectrics and virtual sources: step by step, direction may change
 // flags
 #define PF_IRRADIANCE 1u
-#define PF_DV 2u         // light sources visible
+#define PF_DV 2u  // light sources visible
 #define PF_ANTIMATTER 4u
 #endif

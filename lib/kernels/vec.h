@@ -11,11 +11,18 @@ FN float3 scale3(float3 a, float s) { return F3(a.x * s, a.y * s, a.z * s); }
 FN float3 neg3(float3 a) { return F3(-a.x, -a.y, -a.z); }
 FN float3 madd3(float3 a, float s, float3 b) { return F3(a.x * s + b.x, a.y * s + b.y, a.z * s + b.z); }
 FN float dot3(float3 a, float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-FN float3 cross3(float3 a, float3 b) {
-    return F3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-}
+FN float3 cross3(float3 a, float3 b) { return F3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x); }
 FN float length3(float3 a) { return sqrt_(dot3(a, a)); }
-FN float3 unit3(float3 a) { float l = length3(a); return l > 0.0f ? scale3(a, 1.0f / l) : a; }
-FN float max3(float3 a) { float m = MAX_(a.x, a.y); return MAX_(m, a.z); }
-FN float min3(float3 a) { float m = MIN_(a.x, a.y); return MIN_(m, a.z); }
+FN float3 unit3(float3 a) {
+    float l = length3(a);
+    return l > 0.0f ? scale3(a, 1.0f / l) : a;
+}
+FN float max3(float3 a) {
+    float m = MAX_(a.x, a.y);
+    return MAX_(m, a.z);
+}
+FN float min3(float3 a) {
+    float m = MIN_(a.x, a.y);
+    return MIN_(m, a.z);
+}
 #endif

@@ -4,8 +4,8 @@
 #ifndef LUX_VIEW_RAY_H
 #define LUX_VIEW_RAY_H
 
-// X, Y in [0,1], Y up; lens: three random numbers, the place on the lens of diameter -pd (rays of one X, Y meet again at the
-// distance |vd|).  0 if no ray belongs there.
+// X, Y in [0,1], Y up; lens: three random numbers, the place on the lens of diameter -pd (rays of one X, Y meet again
+// at the distance |vd|).  0 if no ray belongs there.
 FN int view_lens_ray(PRIVATE const Params* par, float X, float Y, float3 lens, PRIVATE Ray* ray) {
     float3 d = F3(par->view_d.x, par->view_d.y, par->view_d.z);
     float3 h = F3(par->view_h.x, par->view_h.y, par->view_h.z);
@@ -27,7 +27,7 @@ FN int view_lens_ray(PRIVATE const Params* par, float X, float Y, float3 lens, P
         dir = add3(scale3(d, c), madd3(up, b, scale3(h, s)));
     } else {
         float z, k;
-        if (type == 'a') {            // a, b in units of 180 degrees from the axis
+        if (type == 'a') {  // a, b in units of 180 degrees from the axis
             float q = sqrt_(a * a + b * b), s, c;
             if (q > 1.0f) return 0;
             k_sincos(3.14159265f * q, &s, &c);
@@ -38,7 +38,7 @@ FN int view_lens_ray(PRIVATE const Params* par, float X, float Y, float3 lens, P
             if (zz < 0.0f) return 0;
             z = sqrt_(zz);
             k = 1.0f;
-        } else {                      // planispheric
+        } else {  // planispheric
             float q = a * a + b * b;
             z = (1.0f - q) / (1.0f + q);
             k = 1.0f + z;

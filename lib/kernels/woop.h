@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A ray made ready for traversal, and the watertight test of one triangle.
-// Triangles: Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection": the triangle is sheared into the space where
-// the ray is the z axis; neighbours compute the same bits for their common edge, and points on an edge (0) belong to both.
-// Boxes: slabs with the far side widened, Ize 2013, "Robust BVH Ray Traversal".  Needs strict floating point.
+// Triangles: Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection": the triangle is sheared into the space
+// where the ray is the z axis; neighbours compute the same bits for their common edge, and points on an edge (0) belong
+// to both. Boxes: slabs with the far side widened, Ize 2013, "Robust BVH Ray Traversal".  Needs strict floating point.
 #ifndef LUX_WOOP_H
 #define LUX_WOOP_H
 
@@ -10,9 +10,9 @@
 
 typedef struct {
     float3 org, dir, inv;
-    uint kx, ky, kz;       // kz: longest axis of dir
-    float ox, oy, oz;      // origin in the order kx ky kz
-    float sx, sy, sz;      // shear
+    uint kx, ky, kz;   // kz: longest axis of dir
+    float ox, oy, oz;  // origin in the order kx ky kz
+    float sx, sy, sz;  // shear
 } WoopRay;
 
 FN float axis3_(float3 v, uint k) { return k == 0u ? v.x : k == 1u ? v.y : v.z; }
@@ -66,8 +66,9 @@ FN int woop_triangle(PRIVATE const WoopRay* r, float3 a, float3 b, float3 c, PRI
 
 // Keeps a hit if it is nearer, or as near and of a lower primitive.
 FN int hit_offer(PRIVATE Hit* best, float t, uint prim, float u, float v, uint inst) {
-    if (!(t < best->t || (t == best->t && best->prim != NO_HIT &&
-                          (prim < best->prim || (prim == best->prim && inst < best->inst))))) return 0;
+    if (!(t < best->t ||
+          (t == best->t && best->prim != NO_HIT && (prim < best->prim || (prim == best->prim && inst < best->inst)))))
+        return 0;
     best->t = t;
     best->prim = prim;
     best->u = u;

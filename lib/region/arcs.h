@@ -12,10 +12,12 @@ double angle_between(Vec3 a, Vec3 b);  // radians, unit vectors, accurate for sm
 
 class Arcs {
 public:
-    void add(Vec3 a, Vec3 b);            // unit directions
-    double distance(Vec3 d) const;       // radians to the nearest arc; pi if there is none
+    void add(Vec3 a, Vec3 b);       // unit directions
+    double distance(Vec3 d) const;  // radians to the nearest arc; pi if there is none
 private:
-    struct Arc { Vec3 a, b, normal, inside_a, inside_b; };
+    struct Arc {
+        Vec3 a, b, normal, inside_a, inside_b;
+    };
     std::vector<Arc> arcs_;
 };
 
@@ -23,12 +25,14 @@ private:
 class SphericalPolygon {
 public:
     SphericalPolygon(const std::vector<Vec3>& corners, Vec3 axis);
-    double value(Vec3 d) const;          // signed distance to the border, > 0 inside
+    double value(Vec3 d) const;  // signed distance to the border, > 0 inside
 private:
     bool inside(Vec3 d) const;
     Vec3 axis_, e1_, e2_;
-    struct Uv { double u, v; };
-    std::vector<Uv> corners_;            // in the plane that touches the sphere at the axis
+    struct Uv {
+        double u, v;
+    };
+    std::vector<Uv> corners_;  // in the plane that touches the sphere at the axis
     Arcs arcs_;
 };
 

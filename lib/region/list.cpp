@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How large the regions came out, and what small ones cost: frames to convergence go with 1 / region size, and the paper
-// needs about 1000 frames for contrast regions of 32 pixels (its Figs. 7 and 8).
+// How large the regions came out, and what small ones cost: frames to convergence go with 1 / region size, and the
+// paper needs about 1000 frames for contrast regions of 32 pixels (its Figs. 7 and 8).
 #include <cmath>
 #include <fmt/format.h>
 #include "base/error.h"
@@ -11,7 +11,10 @@ namespace region {
 std::vector<Extent> measure(const image::MaskSet& set, const view::View& view) {
     const int nx = set.width, ny = set.height;
     Space space(view, nx, ny);
-    struct Row { double omega = 0, pixels = 0; std::vector<Extent> sums; };
+    struct Row {
+        double omega = 0, pixels = 0;
+        std::vector<Extent> sums;
+    };
     std::vector<Row> rows{size_t(ny)};
     for_all(size_t(ny), [&](size_t r) {
         Row& row = rows[r];
@@ -75,11 +78,15 @@ void check_sizes(const Regions& regions, const std::vector<Extent>& extents) {
     for (size_t i = 0; i < extents.size(); ++i) {
         const Region& r = regions.regions[i];
         double n = extents[i].pixels;
-        if (n <= 0) base::fail(r.place, fmt::format("region \"{}\" is empty: nothing of it can be seen in this view", r.name));
+        if (n <= 0)
+            base::fail(r.place, fmt::format("region \"{}\" is empty: nothing of it can be seen in this view", r.name));
         if (n < 32) {
             double frames = 1000 * 32 / n, unit = std::pow(10, std::floor(std::log10(frames)) - 1);
-            base::warn(r.place, fmt::format("region \"{}\" covers {:.3g} pixels: its means converge slowly, to 1 % in roughly {:.0f} "
-                                            "frames (1000 at 32 pixels)", r.name, n, std::round(frames / unit) * unit));
+            base::warn(
+                r.place,
+                fmt::format("region \"{}\" covers {:.3g} pixels: its means converge slowly, to 1 % in roughly {:.0f} "
+                            "frames (1000 at 32 pixels)",
+                            r.name, n, std::round(frames / unit) * unit));
         }
     }
 }

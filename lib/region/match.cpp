@@ -35,7 +35,8 @@ int edit_distance(const std::string& a, const std::string& b) {
         row[0] = int(i);
         for (size_t j = 1; j <= b.size(); ++j) {
             row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] != b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], before[j - 2] + 1);
         }
         before.swap(above);
         above.swap(row);
@@ -56,7 +57,8 @@ std::string near_matches(const std::string& name, const std::vector<std::string>
         if (candidate.size() > 200) continue;
         std::string other = lower(candidate);
         int d = edit_distance(wanted, other);
-        if (other.find(wanted) != std::string::npos || (other.size() > 2 && wanted.find(other) != std::string::npos)) d = std::min(d, 1);
+        if (other.find(wanted) != std::string::npos || (other.size() > 2 && wanted.find(other) != std::string::npos))
+            d = std::min(d, 1);
         if (d <= std::max(1, int(wanted.size()) / 3)) good.emplace_back(d, candidate);
     }
     std::sort(good.begin(), good.end());

@@ -30,9 +30,10 @@ struct Keyword {
     Kind kind;
 };
 const Keyword KEYWORDS[] = {
-    {"polygon3d", Kind::polygon3d}, {"disc3d", Kind::disc3d}, {"box3d", Kind::box3d}, {"sphere3d", Kind::sphere3d},
-    {"circle", Kind::circle}, {"rect", Kind::rect}, {"polygon", Kind::polygon}, {"mask", Kind::mask},
-    {"zone", Kind::zone}, {"surface", Kind::surface}, {"modifier", Kind::modifier},
+    {"polygon3d", Kind::polygon3d}, {"disc3d", Kind::disc3d},     {"box3d", Kind::box3d},
+    {"sphere3d", Kind::sphere3d},   {"circle", Kind::circle},     {"rect", Kind::rect},
+    {"polygon", Kind::polygon},     {"mask", Kind::mask},         {"zone", Kind::zone},
+    {"surface", Kind::surface},     {"modifier", Kind::modifier},
 };
 const Keyword* find_keyword(const std::string& word) {
     for (const Keyword& k : KEYWORDS)
@@ -67,7 +68,10 @@ std::vector<std::vector<Token>> split(const std::string& text, const std::string
         at = stop + 1;
         bool indented = !s.empty() && (s[0] == ' ' || s[0] == '\t'), first = true;
         for (size_t i = 0; i < s.size();) {
-            if (s[i] == ' ' || s[i] == '\t' || s[i] == '\r') { ++i; continue; }
+            if (s[i] == ' ' || s[i] == '\t' || s[i] == '\r') {
+                ++i;
+                continue;
+            }
             if (s[i] == '#') break;
             Token t{"", false, line};
             if (s[i] == '"') {
@@ -84,7 +88,8 @@ std::vector<std::vector<Token>> split(const std::string& text, const std::string
             }
             if (first && !indented) regions.emplace_back();
             if (regions.empty())
-                base::fail(fmt::format("{}:{}", file, line), "an indented line continues the region above, but there is none");
+                base::fail(fmt::format("{}:{}", file, line),
+                           "an indented line continues the region above, but there is none");
             first = false;
             regions.back().push_back(t);
         }
@@ -152,19 +157,28 @@ private:
             known.push_back(r.name);
         }
         for (const Keyword& k : KEYWORDS) known.push_back(k.name);
-        fail(t, fmt::format("\"{}\" is neither a shape nor a region defined above{}{}", t.text, near_matches(t.text, known),
-                            hint(t.text)));
+        fail(t, fmt::format("\"{}\" is neither a shape nor a region defined above{}{}", t.text,
+                            near_matches(t.text, known), hint(t.text)));
     }
 
     int shape(const Token& word) {
         Shape s{find_keyword(word.text)->kind, Frame::pixel, {}, "", "", place(word)};
         switch (s.kind) {
         case Kind::polygon3d: numbers(word, s, 9, -1, 3); break;
-        case Kind::disc3d: numbers(word, s, 7, 7); check(word, s.numbers[6] > 0, "the radius must be positive"); break;
-        case Kind::sphere3d: numbers(word, s, 4, 4); check(word, s.numbers[3] > 0, "the radius must be positive"); break;
+        case Kind::disc3d:
+            numbers(word, s, 7, 7);
+            check(word, s.numbers[6] > 0, "the radius must be positive");
+            break;
+        case Kind::sphere3d:
+            numbers(word, s, 4, 4);
+            check(word, s.numbers[3] > 0, "the radius must be positive");
+            break;
         case Kind::box3d: numbers(word, s, 6, 6); break;
         case Kind::circle: circle(word, s); break;
-        case Kind::rect: frame(s, false); numbers(word, s, 4, 4); break;
+        case Kind::rect:
+            frame(s, false);
+            numbers(word, s, 4, 4);
+            break;
         case Kind::polygon:
             frame(s, true);
             if (s.frame == Frame::direction) {
@@ -176,7 +190,8 @@ private:
             break;
         case Kind::mask: mask(s); break;
         case Kind::zone: zone(word, s); break;
-        case Kind::surface: case Kind::modifier: query(word, s); break;
+        case Kind::surface:
+        case Kind::modifier: query(word, s); break;
         case Kind::polygon_direction: break;  // written "polygon direction"
         }
         if (s.kind == Kind::disc3d)
@@ -185,7 +200,8 @@ private:
         return int(out_.shapes.size()) - 1;
     }
 
-    // circle [direction x y z | point x y z | pixel x y | fraction x y | view] full-angle; bare numbers: 3 + 1 a direction, 2 + 1 a pixel
+    // circle [direction x y z | point x y z | pixel x y | fraction x y | view] full-angle; bare numbers: 3 + 1 a
+    // direction, 2 + 1 a pixel
     void circle(const Token& word, Shape& s) {
         bool named = true;
         if (optional("direction")) s.frame = Frame::direction;
@@ -198,9 +214,12 @@ private:
         if (!named) s.frame = s.numbers.size() == 4 ? Frame::direction : Frame::pixel;
         size_t want = s.frame == Frame::view ? 1 : s.frame == Frame::direction || s.frame == Frame::point ? 4 : 3;
         if (s.numbers.size() != want)
-            fail(word, named ? fmt::format("circle needs {} numbers here, not {}", want, s.numbers.size())
-                             : fmt::format("circle needs a direction (x y z) or a pixel (x y), then its full angle; it has {} numbers",
-                                           s.numbers.size()));
+            fail(word,
+                 named
+                     ? fmt::format("circle needs {} numbers here, not {}", want, s.numbers.size())
+                     : fmt::format(
+                           "circle needs a direction (x y z) or a pixel (x y), then its full angle; it has {} numbers",
+                           s.numbers.size()));
         double angle = s.numbers.back();
         check(word, angle > 0 && angle <= 360, "the angle must be above 0 and at most 360 degrees");
         if (s.frame == Frame::direction)
@@ -227,8 +246,9 @@ private:
             check(word, s.numbers[0] < s.numbers[1], "zone position needs two position indices, the lower one first");
         } else if (s.text == "ergorama" || s.text == "panorama" || s.text == "total" || s.text == "binocular") {
         } else {
-            fail(t, fmt::format("there is no zone \"{}\"{}", t.text,
-                                near_matches(t.text, {"central", "ergorama", "panorama", "total", "binocular", "position"})));
+            fail(t, fmt::format(
+                        "there is no zone \"{}\"{}", t.text,
+                        near_matches(t.text, {"central", "ergorama", "panorama", "total", "binocular", "position"})));
         }
     }
     void query(const Token& word, Shape& s) {
@@ -260,10 +280,12 @@ private:
         int n = int(s.numbers.size());
         if (low == high && low >= 0 && n != low) {
             bool text = more() && n < low && !peek("+") && !peek("-") && !peek("&") && !peek(")");
-            fail(text ? next() : word, text ? fmt::format("{} needs {} numbers; number {} is \"{}\"", word.text, low, n + 1, next().text)
-                                            : fmt::format("{} needs {} numbers, not {}", word.text, low, n));
+            fail(text ? next() : word,
+                 text ? fmt::format("{} needs {} numbers; number {} is \"{}\"", word.text, low, n + 1, next().text)
+                      : fmt::format("{} needs {} numbers, not {}", word.text, low, n));
         }
-        if (n < low) fail(word, fmt::format("{} needs at least {} points; it has {} numbers", word.text, low / group, n));
+        if (n < low)
+            fail(word, fmt::format("{} needs at least {} points; it has {} numbers", word.text, low / group, n));
         if (n % group) fail(word, fmt::format("{} has {} numbers, which is no multiple of {}", word.text, n, group));
     }
 
@@ -292,7 +314,8 @@ private:
         if (!good) fail(t, fact);
     }
     static std::string hint(const std::string& word) {
-        return word.find_first_of("+-") != std::string::npos && word.size() > 1 ? "; + and - need blanks around them" : "";
+        return word.find_first_of("+-") != std::string::npos && word.size() > 1 ? "; + and - need blanks around them"
+                                                                                : "";
     }
     std::string place(const Token& t) const { return fmt::format("{}:{}", out_.file, t.line); }
     [[noreturn]] void fail(const Token& t, const std::string& fact) const { base::fail(place(t), fact); }

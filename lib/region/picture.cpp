@@ -34,6 +34,7 @@ public:
         nearest = std::sqrt(nearest);
         return in ? nearest : -nearest;
     }
+
 private:
     std::vector<std::pair<double, double>> c_;
 };
@@ -42,7 +43,11 @@ private:
 class MaskField : public Field {
 public:
     MaskField(const MaskPicture& m, const Space& s)
-        : w_(m.width), h_(m.height), sx_(double(m.width) / s.nx), sy_(double(m.height) / s.ny), steps_(m.values.size()) {
+        : w_(m.width),
+          h_(m.height),
+          sx_(double(m.width) / s.nx),
+          sy_(double(m.height) / s.ny),
+          steps_(m.values.size()) {
         const int far = w_ + h_;
         for (size_t i = 0; i < steps_.size(); ++i) steps_[i] = far;
         auto relax = [&](int x, int y, int dx, int dy) {
@@ -53,19 +58,23 @@ public:
             steps_[here] = same ? std::min(steps_[here], steps_[there] + 1) : 1;
         };
         for (int y = 0; y < h_; ++y)
-            for (int x = 0; x < w_; ++x) relax(x, y, -1, 0), relax(x, y, -1, -1), relax(x, y, 0, -1), relax(x, y, 1, -1);
+            for (int x = 0; x < w_; ++x)
+                relax(x, y, -1, 0), relax(x, y, -1, -1), relax(x, y, 0, -1), relax(x, y, 1, -1);
         for (int y = h_ - 1; y >= 0; --y)
-            for (int x = w_ - 1; x >= 0; --x) relax(x, y, 1, 0), relax(x, y, 1, 1), relax(x, y, 0, 1), relax(x, y, -1, 1);
+            for (int x = w_ - 1; x >= 0; --x)
+                relax(x, y, 1, 0), relax(x, y, 1, 1), relax(x, y, 0, 1), relax(x, y, -1, 1);
         for (size_t i = 0; i < steps_.size(); ++i)
             if (m.values[i] < .5f) steps_[i] = -steps_[i];
     }
     bool in_picture() const override { return true; }
     double value(const Point& p) const override {
-        int x = std::clamp(int(std::floor(p.x * sx_)), 0, w_ - 1), y = std::clamp(h_ - 1 - int(std::floor(p.y * sy_)), 0, h_ - 1);
+        int x = std::clamp(int(std::floor(p.x * sx_)), 0, w_ - 1),
+            y = std::clamp(h_ - 1 - int(std::floor(p.y * sy_)), 0, h_ - 1);
         int n = steps_[at(x, y)];
         double sure = std::max(std::abs(n) - 1, 0) / std::max(sx_, sy_) + 0.05 / std::max(1.0, std::max(sx_, sy_));
         return n > 0 ? sure : -sure;
     }
+
 private:
     size_t at(int x, int y) const { return size_t(y) * size_t(w_) + size_t(x); }
     int w_, h_;
@@ -77,7 +86,8 @@ MaskPicture read_png(const Shape& s) {
     png_image png;
     std::memset(&png, 0, sizeof png);
     png.version = PNG_IMAGE_VERSION;
-    if (!png_image_begin_read_from_file(&png, s.text.c_str())) base::fail(s.place, fmt::format("mask {}: {}", s.text, png.message));
+    if (!png_image_begin_read_from_file(&png, s.text.c_str()))
+        base::fail(s.place, fmt::format("mask {}: {}", s.text, png.message));
     if (uint64_t(png.width) * png.height > (1u << 28)) {
         png_image_free(&png);
         base::fail(s.place, fmt::format("mask {}: {} x {} pixels are too many", s.text, png.width, png.height));
@@ -109,7 +119,8 @@ MaskPicture read_exr_channel(const Shape& s) {
         if (mask.name == s.channel) return {set.width, set.height, std::move(mask.coverage)};
         names.push_back(mask.name);
     }
-    base::fail(s.place, fmt::format("mask {} has no channel \"{}\"{}", s.text, s.channel, near_matches(s.channel, names)));
+    base::fail(s.place,
+               fmt::format("mask {} has no channel \"{}\"{}", s.text, s.channel, near_matches(s.channel, names)));
 }
 
 }  // namespace
@@ -146,7 +157,8 @@ MaskPicture read_mask_picture(const Shape& s) {
         }
         m = {p.width, p.height, std::vector<float>(p.rgb.size() / 3)};
         for (size_t i = 0; i < m.values.size(); ++i)
-            m.values[i] = 0.265074126f * p.rgb[3 * i] + 0.670114631f * p.rgb[3 * i + 1] + 0.064811243f * p.rgb[3 * i + 2];
+            m.values[i] =
+                0.265074126f * p.rgb[3 * i] + 0.670114631f * p.rgb[3 * i + 1] + 0.064811243f * p.rgb[3 * i + 2];
     }
     if (m.values.empty()) base::fail(s.place, fmt::format("mask {} has no pixels", s.text));
     for (float& v : m.values) v = v > 0 ? std::min(v, 1.f) : 0.f;  // NaN is out
@@ -156,13 +168,14 @@ MaskPicture read_mask_picture(const Shape& s) {
 // The weights of source pixels in each target pixel along one side: overlap lengths.
 std::vector<float> resample(const MaskPicture& m, int nx, int ny) {
     if (m.width == nx && m.height == ny) return m.values;
-    auto shrink = [](const std::vector<float>& in, int n, int lines, int step_in, int line_in, int to, int step_out, int line_out,
-                     std::vector<float>& out) {
+    auto shrink = [](const std::vector<float>& in, int n, int lines, int step_in, int line_in, int to, int step_out,
+                     int line_out, std::vector<float>& out) {
         for (int line = 0; line < lines; ++line)
             for (int k = 0; k < to; ++k) {
                 double a = double(k) * n / to, b = double(k + 1) * n / to, sum = 0;
                 for (int i = int(a); i < n && i < b; ++i)
-                    sum += (std::min<double>(i + 1, b) - std::max<double>(i, a)) * in[size_t(i) * step_in + size_t(line) * line_in];
+                    sum += (std::min<double>(i + 1, b) - std::max<double>(i, a)) *
+                           in[size_t(i) * step_in + size_t(line) * line_in];
                 out[size_t(k) * step_out + size_t(line) * line_out] = float(sum / (b - a));
             }
     };

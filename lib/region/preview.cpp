@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture by image::photo(); a region's tint mixes in by 45 % of its coverage, pixels on its border (covered by half or
-// more beside one that is not) get its colour itself; below, the names in their colours.
+// The picture by image::photo(); a region's tint mixes in by 45 % of its coverage, pixels on its border (covered by
+// half or more beside one that is not) get its colour itself; below, the names in their colours.
 #include "region/preview.h"
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,9 @@ Colour colour(size_t k) {
 
 void tint(image::Image8& picture, const std::vector<float>& c, Colour colour) {
     const int nx = picture.width, ny = picture.height;
-    auto in = [&](int x, int y) { return x < 0 || y < 0 || x >= nx || y >= ny || c[size_t(y) * size_t(nx) + size_t(x)] >= .5f; };
+    auto in = [&](int x, int y) {
+        return x < 0 || y < 0 || x >= nx || y >= ny || c[size_t(y) * size_t(nx) + size_t(x)] >= .5f;
+    };
     for (int y = 0; y < ny; ++y)
         for (int x = 0; x < nx; ++x) {
             float covered = c[size_t(y) * size_t(nx) + size_t(x)];
@@ -43,7 +45,9 @@ void tint(image::Image8& picture, const std::vector<float>& c, Colour colour) {
 // The names, as many to a row as fit.
 image::Image8 with_names(const image::Image8& picture, const image::MaskSet& set) {
     const int scale = std::max(1, std::min(picture.width, picture.height) / 300), line = 11 * scale, gap = 12 * scale;
-    struct Place { int x, y; };
+    struct Place {
+        int x, y;
+    };
     std::vector<Place> places;
     int x = gap / 2, rows = 1;
     for (const image::Mask& m : set.masks) {
@@ -54,7 +58,8 @@ image::Image8 with_names(const image::Image8& picture, const image::MaskSet& set
     }
     image::Image8 out{picture.width, picture.height + rows * line, picture.rgb};
     out.rgb.resize(size_t(out.width) * size_t(out.height) * 3, 24);
-    for (size_t m = 0; m < places.size(); ++m) image::draw_text(out, places[m].x, places[m].y, set.masks[m].name, scale, colour(m));
+    for (size_t m = 0; m < places.size(); ++m)
+        image::draw_text(out, places[m].x, places[m].y, set.masks[m].name, scale, colour(m));
     return out;
 }
 
@@ -62,7 +67,8 @@ image::Image8 with_names(const image::Image8& picture, const image::MaskSet& set
 
 void write_preview(const std::string& path, const image::Picture& under, const image::MaskSet& set) {
     if (set.width != under.width || set.height != under.height)
-        base::fail(path, fmt::format("the picture has {} x {} pixels, the regions {} x {}", under.width, under.height, set.width, set.height));
+        base::fail(path, fmt::format("the picture has {} x {} pixels, the regions {} x {}", under.width, under.height,
+                                     set.width, set.height));
     image::Image8 picture = image::photo(under, {});
     for (size_t m = 0; m < set.masks.size(); ++m) tint(picture, set.masks[m].coverage, colour(m));
     image::write_bytes(path, image::png_bytes(with_names(picture, set), ""));

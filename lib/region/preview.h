@@ -9,4 +9,4 @@
 namespace region {
 // Colours are dealt out in the order of the regions; the same size is needed.  Whole or not at all.
 void write_preview(const std::string& png_path, const image::Picture& under, const image::MaskSet& set);
-}
+}  // namespace region

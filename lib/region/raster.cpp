@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coverage without a scene.  Cells of the picture are halved until their field says all in or all out; what remains are the
-// pixels on a border.  Those are halved further while the field bends, then each cell's share is that of the linear
-// interpolation over its four triangles (corner, corner, centre): exact for straight borders, and within 0.001 of a pixel
-// for the others.  Nothing depends on threads or chance, so the bytes repeat.
+// Coverage without a scene.  Cells of the picture are halved until their field says all in or all out; what remains are
+// the pixels on a border.  Those are halved further while the field bends, then each cell's share is that of the linear
+// interpolation over its four triangles (corner, corner, centre): exact for straight borders, and within 0.001 of a
+// pixel for the others.  Nothing depends on threads or chance, so the bytes repeat.
 #include "region/raster.h"
 #include <algorithm>
 #include <atomic>
@@ -103,7 +103,8 @@ Pyramid::Pyramid(const Space& space) : space_(space) {
 
 const CellGeometry* Pyramid::stored(const Cell& c) const {
     for (const Level& level : levels_)
-        if (level.size == c.size) return &level.cells[size_t(c.y / c.size) * size_t(level.across) + size_t(c.x / c.size)];
+        if (level.size == c.size)
+            return &level.cells[size_t(c.y / c.size) * size_t(level.across) + size_t(c.x / c.size)];
     return nullptr;
 }
 
@@ -117,7 +118,10 @@ double positive_share(double a, double b, double c) {
     double sum = 1;  // the corner of the other sign cuts off odd^2 / ((odd - p)(odd - q))
     bool skipped = false;
     for (double v : {a, b, c}) {
-        if (!skipped && v == odd) { skipped = true; continue; }
+        if (!skipped && v == odd) {
+            skipped = true;
+            continue;
+        }
         sum *= odd / (odd - v);
     }
     return n == 1 ? sum : 1 - sum;
@@ -140,6 +144,7 @@ public:
         double f[4] = {at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)};
         return share(x, y, 1, f, 0);
     }
+
 private:
     double at(double x, double y) {
         Point p;
@@ -152,10 +157,12 @@ private:
         double bend = std::fabs(m - (f[0] + f[1] + f[2] + f[3]) / 4) + std::fabs(f[0] + f[3] - f[1] - f[2]) / 8;
         if (depth == 4 || bend * size <= 5e-4 * (high - low))
             return (positive_share(f[0], f[1], m) + positive_share(f[1], f[3], m) + positive_share(f[3], f[2], m) +
-                    positive_share(f[2], f[0], m)) / 4;
+                    positive_share(f[2], f[0], m)) /
+                   4;
         double h = size / 2;
         double bottom = at(x + h, y), top = at(x + h, y + size), left = at(x, y + h), right = at(x + size, y + h);
-        const double quarter[4][4] = {{f[0], bottom, left, m}, {bottom, f[1], m, right}, {left, m, f[2], top}, {m, right, top, f[3]}};
+        const double quarter[4][4] = {
+            {f[0], bottom, left, m}, {bottom, f[1], m, right}, {left, m, f[2], top}, {m, right, top, f[3]}};
         double sum = 0;
         for (int k = 0; k < 4; ++k) sum += share(x + (k & 1) * h, y + (k >> 1) * h, h, quarter[k], depth + 1);
         return sum / 4;
@@ -182,7 +189,8 @@ void fill(std::vector<float>& plane, const Space& s, const Cell& c, float v) {
     }
 }
 
-void rasterize_plain(const Prepared& prepared, const Pyramid& pyramid, size_t i, bool centre, std::vector<float>& plane) {
+void rasterize_plain(const Prepared& prepared, const Pyramid& pyramid, size_t i, bool centre,
+                     std::vector<float>& plane) {
     const Region& region = prepared.regions.regions[i];
     const int nx = prepared.space.nx, ny = prepared.space.ny;
     if (const Shape* mask = plain_mask(prepared.regions, region)) {
@@ -192,23 +200,29 @@ void rasterize_plain(const Prepared& prepared, const Pyramid& pyramid, size_t i,
         return;
     }
     plane.assign(size_t(nx) * size_t(ny), 0.f);
-    pyramid.walk([&](const CellGeometry& g, const Cell&) {
-                     return g.centre.dir == Vec3{} ? 0 : prepared.value(region.root, g.centre, g.reach); },
-                 [&](const Cell& c, bool in) { if (in) fill(plane, prepared.space, c, 1); },
-                 [&](int x, int y, const CellGeometry& g) {
-                     float& out = plane[size_t(ny - 1 - y) * size_t(nx) + size_t(x)];
-                     if (centre) out = !(g.centre.dir == Vec3{}) && prepared.value(region.root, g.centre, {1, 1}) >= 0;
-                     else out = float(std::clamp(Pixel(prepared, region.root, g).coverage(x, y), 0.0, 1.0));
-                 });
+    pyramid.walk(
+        [&](const CellGeometry& g, const Cell&) {
+            return g.centre.dir == Vec3{} ? 0 : prepared.value(region.root, g.centre, g.reach);
+        },
+        [&](const Cell& c, bool in) {
+            if (in) fill(plane, prepared.space, c, 1);
+        },
+        [&](int x, int y, const CellGeometry& g) {
+            float& out = plane[size_t(ny - 1 - y) * size_t(nx) + size_t(x)];
+            if (centre) out = !(g.centre.dir == Vec3{}) && prepared.value(region.root, g.centre, {1, 1}) >= 0;
+            else out = float(std::clamp(Pixel(prepared, region.root, g).coverage(x, y), 0.0, 1.0));
+        });
 }
 
-image::MaskSet rasterize(const Regions& regions, const view::View& view, int nx, int ny, bool centre, const SceneView* eye) {
+image::MaskSet rasterize(const Regions& regions, const view::View& view, int nx, int ny, bool centre,
+                         const SceneView* eye) {
     if (nx < 1 || ny < 1 || int64_t(nx) * ny > (int64_t(1) << 28))
         base::fail("", fmt::format("a picture of {} x {} pixels is not possible", nx, ny));
-    const double bytes = 4.0 * nx * ny * double(regions.regions.size()), memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
+    const double bytes = 4.0 * nx * ny * double(regions.regions.size()),
+                 memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
     if (bytes > .8 * memory)
-        base::fail(regions.file, fmt::format("{} regions of {} x {} pixels need {:.1f} GB; this machine has {:.1f} GB", regions.regions.size(), nx,
-                                             ny, bytes * 1e-9, memory * 1e-9));
+        base::fail(regions.file, fmt::format("{} regions of {} x {} pixels need {:.1f} GB; this machine has {:.1f} GB",
+                                             regions.regions.size(), nx, ny, bytes * 1e-9, memory * 1e-9));
     image::MaskSet set;
     set.width = nx;
     set.height = ny;

@@ -47,20 +47,26 @@ CellGeometry cell_geometry(const Space& space, const Cell& cell);
 class Pyramid {
 public:
     explicit Pyramid(const Space& space);
-    template <class Value, class Sure, class Open> void walk(const Value& value, const Sure& sure, const Open& open) const;
+    template <class Value, class Sure, class Open>
+    void walk(const Value& value, const Sure& sure, const Open& open) const;
+
 private:
     const CellGeometry* stored(const Cell& c) const;
     template <class Value, class Sure, class Open>
     void walk(const Cell& c, const Value& value, const Sure& sure, const Open& open) const;
     static constexpr int COARSE = 64, FINE = 8;
     const Space& space_;
-    struct Level { int size, across; std::vector<CellGeometry> cells; };
+    struct Level {
+        int size, across;
+        std::vector<CellGeometry> cells;
+    };
     std::vector<Level> levels_;  // sizes COARSE .. FINE; smaller cells are worked out where they are met
 };
 
 void fill(std::vector<float>& plane, const Space& s, const Cell& c, float v);
 // One region by its shapes alone.
-void rasterize_plain(const Prepared& prepared, const Pyramid& pyramid, size_t region, bool centre, std::vector<float>& plane);
+void rasterize_plain(const Prepared& prepared, const Pyramid& pyramid, size_t region, bool centre,
+                     std::vector<float>& plane);
 // All regions as a scene shows them (scene.cpp).
 void rasterize_scene(const Prepared& prepared, const SceneView& eye, bool centre, image::MaskSet& set);
 

@@ -15,12 +15,18 @@ namespace region {
 using base::Vec3;
 
 enum class Kind {
-    polygon3d, disc3d, box3d, sphere3d,  // in space, world units
-    circle, polygon_direction,           // directions from the eye
-    rect, polygon,                       // in the picture
-    mask,                                // a picture file
-    zone,                                // of the field of view
-    surface, modifier                    // what the scene shows
+    polygon3d,
+    disc3d,
+    box3d,
+    sphere3d,  // in space, world units
+    circle,
+    polygon_direction,  // directions from the eye
+    rect,
+    polygon,  // in the picture
+    mask,     // a picture file
+    zone,     // of the field of view
+    surface,
+    modifier  // what the scene shows
 };
 enum class Frame { pixel, fraction, direction, point, view };  // what the numbers of a shape are
 
@@ -94,7 +100,8 @@ std::vector<Extent> count_pixels(const image::MaskSet& set, const view::View& vi
 // Throws Error for an empty region, warns about those of fewer than 32 pixels and what that costs.
 void check_sizes(const Regions& regions, const std::vector<Extent>& extents);
 
-// Up to three of `names` that a person may have meant by `name`, as ' (did you mean "a" or "b"?)'; empty if none is near.
+// Up to three of `names` that a person may have meant by `name`, as ' (did you mean "a" or "b"?)'; empty if none is
+// near.
 std::string near_matches(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace region

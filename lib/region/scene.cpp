@@ -17,10 +17,10 @@
 namespace region {
 namespace {
 
-constexpr int ROOM = 24;      // surfaces along a ray that are told apart
-constexpr int GRID = 8;       // cells of a sampled pixel, along each side
-constexpr int HALVINGS = 3;   // of a cell's edge, to find a border
-constexpr int TILE = 16;      // pixels
+constexpr int ROOM = 24;           // surfaces along a ray that are told apart
+constexpr int GRID = 8;            // cells of a sampled pixel, along each side
+constexpr int HALVINGS = 3;        // of a cell's edge, to find a border
+constexpr int TILE = 16;           // pixels
 constexpr double COINCIDE = 3e-4;  // of the distance: a region drawn on a surface is seen
 
 // What one ray sees.
@@ -29,13 +29,19 @@ struct Sight {
     bool seen = false;          // the view has a ray here
     double begin = 0, end = 0;  // along p.dir from the eye: where the view begins, where something opaque ends it
     int n = 0;
-    Crossing crossings[ROOM];   // t from the eye as well
+    Crossing crossings[ROOM];  // t from the eye as well
 };
 
 class SceneRaster {
 public:
     SceneRaster(const Prepared& prepared, const SceneView& eye, bool centre, image::MaskSet& set)
-        : in_(prepared), space_(prepared.space), eye_(eye), centre_(centre), set_(set), nx_(space_.nx), ny_(space_.ny) {}
+        : in_(prepared),
+          space_(prepared.space),
+          eye_(eye),
+          centre_(centre),
+          set_(set),
+          nx_(space_.nx),
+          ny_(space_.ny) {}
 
     void run() {
         resolve_names();
@@ -61,7 +67,8 @@ private:
                 bool any = false;
                 for (unsigned k = 0; k < eye_.surfaces(); ++k) {
                     if (kind) {
-                        for (const std::string& name : eye_.modifier_names(k)) good[k] = good[k] || matches(s.text, name);
+                        for (const std::string& name : eye_.modifier_names(k))
+                            good[k] = good[k] || matches(s.text, name);
                     } else {
                         std::string name = eye_.surface_name(k);
                         good[k] = !name.empty() && matches(s.text, name);
@@ -72,12 +79,14 @@ private:
                 if (all[kind].empty())
                     for (unsigned k = 0; k < eye_.surfaces(); ++k) {
                         if (!kind) all[0].push_back(eye_.surface_name(k));
-                        else for (const std::string& name : eye_.modifier_names(k)) all[1].push_back(name);
+                        else
+                            for (const std::string& name : eye_.modifier_names(k)) all[1].push_back(name);
                     }
                 std::sort(all[kind].begin(), all[kind].end());
                 all[kind].erase(std::unique(all[kind].begin(), all[kind].end()), all[kind].end());
-                base::fail(s.place, fmt::format("no {} of the scene is called \"{}\"{}", kind ? "surface's modifier" : "surface", s.text,
-                                                near_matches(s.text, all[kind])));
+                base::fail(s.place,
+                           fmt::format("no {} of the scene is called \"{}\"{}", kind ? "surface's modifier" : "surface",
+                                       s.text, near_matches(s.text, all[kind])));
             }
     }
 
@@ -153,7 +162,9 @@ private:
     // ---- in, out or open ----
     size_t at(int x, int y) const { return size_t(y) * size_t(nx_) + size_t(x); }  // y from the bottom
     const Shape& shape(int s) const { return in_.regions.shapes[size_t(s)]; }
-    static bool in_space(Kind k) { return k == Kind::polygon3d || k == Kind::disc3d || k == Kind::box3d || k == Kind::sphere3d; }
+    static bool in_space(Kind k) {
+        return k == Kind::polygon3d || k == Kind::disc3d || k == Kind::box3d || k == Kind::sphere3d;
+    }
     bool asks_scene(int node) const {
         const Node& n = in_.regions.nodes[size_t(node)];
         if (n.op == 's') return in_space(shape(n.a).kind) || !matched_[size_t(n.a)].empty();
@@ -249,12 +260,16 @@ private:
         }
         plane.assign(size_t(nx_) * size_t(ny_), 0.f);
         pyramid.walk([&](const CellGeometry& g, const Cell& c) { return value(root, g, c); },
-                     [&](const Cell& c, bool in) { if (in) fill(plane, space_, c, 1); },
+                     [&](const Cell& c, bool in) {
+                         if (in) fill(plane, space_, c, 1);
+                     },
                      [&](int x, int y, const CellGeometry&) { open.push_back(uint32_t(at(x, y))); });
     }
 
     // ---- open pixels ----
-    struct Task { uint32_t pixel, region; };
+    struct Task {
+        uint32_t pixel, region;
+    };
     void refine(const std::vector<std::vector<uint32_t>>& open) {
         std::vector<Task> tasks;
         std::vector<std::vector<bool>> asked(open.size());
@@ -264,13 +279,15 @@ private:
             for (uint32_t p : open[r]) asked[r][p] = true, tasks.push_back({p, uint32_t(r)});
         }
         while (!tasks.empty()) {
-            std::sort(tasks.begin(), tasks.end(), [](Task a, Task b) { return a.pixel != b.pixel ? a.pixel < b.pixel : a.region < b.region; });
+            std::sort(tasks.begin(), tasks.end(),
+                      [](Task a, Task b) { return a.pixel != b.pixel ? a.pixel < b.pixel : a.region < b.region; });
             std::vector<size_t> starts;  // of each pixel's tasks
             for (size_t i = 0; i < tasks.size(); ++i)
                 if (i == 0 || tasks[i].pixel != tasks[i - 1].pixel) starts.push_back(i);
             starts.push_back(tasks.size());
             for_all((starts.size() + 62) / 64, [&](size_t block) {
-                for (size_t k = 64 * block; k < std::min(64 * block + 64, starts.size() - 1); ++k) sample(&tasks[starts[k]], &tasks[0] + starts[k + 1]);
+                for (size_t k = 64 * block; k < std::min(64 * block + 64, starts.size() - 1); ++k)
+                    sample(&tasks[starts[k]], &tasks[0] + starts[k + 1]);
             });
             std::vector<Task> next;
             if (!centre_)
@@ -298,13 +315,16 @@ private:
         const double x = first->pixel % uint32_t(nx_), y = first->pixel / uint32_t(nx_);
         if (centre_) {
             Sight s = look(x + .5, y + .5);
-            for (const Task* t = first; t < last; ++t) *coverage(*t) = s.seen && inside(in_.regions.regions[t->region].root, s);
+            for (const Task* t = first; t < last; ++t)
+                *coverage(*t) = s.seen && inside(in_.regions.regions[t->region].root, s);
             return;
         }
         std::vector<Sight> sights((GRID + 1) * (GRID + 1));
         for (int j = 0; j <= GRID; ++j)
-            for (int i = 0; i <= GRID; ++i) sights[size_t(j * (GRID + 1) + i)] = look(x + double(i) / GRID, y + double(j) / GRID);
-        for (const Task* t = first; t < last; ++t) *coverage(*t) = float(share(in_.regions.regions[t->region].root, x, y, sights));
+            for (int i = 0; i <= GRID; ++i)
+                sights[size_t(j * (GRID + 1) + i)] = look(x + double(i) / GRID, y + double(j) / GRID);
+        for (const Task* t = first; t < last; ++t)
+            *coverage(*t) = float(share(in_.regions.regions[t->region].root, x, y, sights));
     }
     double share(int root, double x, double y, const std::vector<Sight>& sights) const {
         bool in[GRID + 1][GRID + 1];
@@ -337,7 +357,10 @@ private:
                 // Around the cell: corners and, on edges between unlike corners, borders.
                 const bool c[4] = {in[j][i], in[j][i + 1], in[j + 1][i + 1], in[j + 1][i]};
                 const int n = c[0] + c[1] + c[2] + c[3];
-                if (n == 0 || n == 4) { sum += n / 4; continue; }
+                if (n == 0 || n == 4) {
+                    sum += n / 4;
+                    continue;
+                }
                 const double corner[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
                 double edge[4][2] = {{0, 0}, {1, 0}, {0, 1}, {0, 0}};
                 if (c[0] != c[1]) edge[0][0] = right[j][i];
@@ -346,7 +369,8 @@ private:
                 if (c[3] != c[0]) edge[3][1] = above[j][i];
                 if (n == 2 && c[0] == c[2]) {  // a saddle: the middle tells which pair of corners is joined
                     Sight s = look(x + (i + .5) / GRID, y + (j + .5) / GRID);
-                    const bool middle = s.seen && inside(root, s), low = c[0] != middle;  // the corners that are cut off
+                    const bool middle = s.seen && inside(root, s),
+                               low = c[0] != middle;  // the corners that are cut off
                     double cut = low ? edge[0][0] * edge[3][1] + (1 - edge[1][1]) * (1 - edge[2][0])
                                      : (1 - edge[0][0]) * edge[1][1] + edge[2][0] * (1 - edge[3][1]);
                     sum += middle ? 1 - cut / 2 : cut / 2;
@@ -370,13 +394,13 @@ private:
     bool centre_;
     image::MaskSet& set_;
     int nx_, ny_, across_ = 0;
-    std::vector<std::vector<char>> matched_;      // by shape: does it ask for this surface?
-    std::vector<std::vector<unsigned>> lists_;    // the different lists of surfaces that rays met
-    std::vector<std::vector<char>> answers_;      // by shape and list
-    std::vector<Vec3> dirs_;                      // of the pixels' centres, rows from the bottom
+    std::vector<std::vector<char>> matched_;    // by shape: does it ask for this surface?
+    std::vector<std::vector<unsigned>> lists_;  // the different lists of surfaces that rays met
+    std::vector<std::vector<char>> answers_;    // by shape and list
+    std::vector<Vec3> dirs_;                    // of the pixels' centres, rows from the bottom
     std::vector<double> ends_;
-    std::vector<uint32_t> seen_;                  // list of each centre
-    std::vector<std::vector<uint32_t>> tiles_;    // lists seen in each tile
+    std::vector<uint32_t> seen_;                // list of each centre
+    std::vector<std::vector<uint32_t>> tiles_;  // lists seen in each tile
 };
 
 }  // namespace

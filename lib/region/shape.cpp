@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shapes' fields.  In space: q = point - eye; a shape covers the directions that reach it.
-// Disc (centre c, unit normal n, both from the eye, n away from it; h = n.c > 0): direction d meets the plane inside the
-// radius r if |h d - (n.d) c| < r (n.d) with both sides taken along the plane; that difference changes by at most
+// Disc (centre c, unit normal n, both from the eye, n away from it; h = n.c > 0): direction d meets the plane inside
+// the radius r if |h d - (n.d) c| < r (n.d) with both sides taken along the plane; that difference changes by at most
 // r + |c| per radian.
 #include "region/shape.h"
 #include <algorithm>
@@ -15,8 +15,7 @@
 namespace region {
 using namespace base;
 
-Space::Space(const view::View& view, int nx_, int ny_)
-    : projector(view), nx(nx_), ny(ny_), eye(view.vp), behind(0) {
+Space::Space(const view::View& view, int nx_, int ny_) : projector(view), nx(nx_), ny(ny_), eye(view.vp), behind(0) {
     if (view.type != 'l') return;
     behind = 1e7 * std::max(view.vh, view.vv);
     eye = view.vp - behind * projector.forward();
@@ -28,7 +27,8 @@ bool Space::point(double x, double y, Point& p) const {
     double X = x / nx, Y = y / ny;
     if (behind > 0) {
         const view::View& v = projector.view();
-        p.dir = unit(behind * projector.forward() + ((X - .5 + v.vs) * v.vh) * projector.right() + ((Y - .5 + v.vl) * v.vv) * projector.up());
+        p.dir = unit(behind * projector.forward() + ((X - .5 + v.vs) * v.vh) * projector.right() +
+                     ((Y - .5 + v.vl) * v.vv) * projector.up());
         return true;
     }
     std::optional<Vec3> d = projector.direction(X, Y);
@@ -49,6 +49,7 @@ class Constant : public Field {
 public:
     explicit Constant(double v) : v_(v) {}
     double value(const Point&) const override { return v_; }
+
 private:
     double v_;
 };
@@ -57,6 +58,7 @@ class Cone : public Field {
 public:
     Cone(Vec3 axis, double half) : axis_(axis), half_(half) {}
     double value(const Point& p) const override { return half_ - angle_between(p.dir, axis_); }
+
 private:
     Vec3 axis_;
     double half_;
@@ -68,6 +70,7 @@ public:
         : outline_(corners, normal), normal_(normal), height_(height) {}
     double value(const Point& p) const override { return outline_.value(p.dir); }
     double distance(const Point& p) const override { return height_ / dot(normal_, p.dir); }
+
 private:
     SphericalPolygon outline_;
     Vec3 normal_;
@@ -77,7 +80,11 @@ private:
 class Disc : public Field {
 public:
     Disc(Vec3 centre, Vec3 normal, double radius)
-        : c_(centre), n_(normal), r_(radius), h_(dot(centre, normal)), in_plane_(centre - normal * dot(centre, normal)),
+        : c_(centre),
+          n_(normal),
+          r_(radius),
+          h_(dot(centre, normal)),
+          in_plane_(centre - normal * dot(centre, normal)),
           steepest_(radius + length(centre)) {}
     double value(const Point& p) const override {
         double w = dot(n_, p.dir);
@@ -85,6 +92,7 @@ public:
         return (r_ * w - length(h_ * along - w * in_plane_)) / steepest_;
     }
     double distance(const Point& p) const override { return h_ / dot(n_, p.dir); }
+
 private:
     Vec3 c_, n_;
     double r_, h_;
@@ -106,6 +114,7 @@ public:
         return b - std::sqrt(std::max(0.0, b * b - dot(c_, c_) + r_ * r_));
     }
     bool contains(Vec3 q) const override { return length(q - eye_ - c_) <= r_ * (1 + 1e-9) + 1e-6; }
+
 private:
     Vec3 c_, eye_, axis_;
     double r_, half_ = 0;
@@ -152,6 +161,7 @@ public:
             if (q[k] < lo_[k] - e || q[k] > hi_[k] + e) return false;
         return true;
     }
+
 private:
     bool hit(Vec3 d, double& t0) const {
         double t1 = INFINITY;
@@ -176,6 +186,7 @@ class DirectionPolygon : public Field {
 public:
     DirectionPolygon(const std::vector<Vec3>& corners, Vec3 axis) : outline_(corners, axis) {}
     double value(const Point& p) const override { return outline_.value(p.dir); }
+
 private:
     SphericalPolygon outline_;
 };
@@ -226,7 +237,8 @@ std::unique_ptr<Field> polygon_direction(const Shape& s, const Space& space) {
         corners.push_back(unit(d));
         sum = sum + corners.back();
     }
-    for (size_t i = 0; i < corners.size(); ++i) winding = winding + cross(corners[i], corners[(i + 1) % corners.size()]);
+    for (size_t i = 0; i < corners.size(); ++i)
+        winding = winding + cross(corners[i], corners[(i + 1) % corners.size()]);
     for (Vec3 axis : {unit(sum), unit(winding), unit(-winding)}) {
         bool good = true;
         for (Vec3 c : corners) good = good && dot(c, axis) > 1e-6;
@@ -248,11 +260,14 @@ std::unique_ptr<Field> circle(const Shape& s, const Space& space) {
         axis = unit(axis);
         break;
     case Frame::view: axis = space.projector.forward(); break;
-    case Frame::pixel: case Frame::fraction: {
+    case Frame::pixel:
+    case Frame::fraction: {
         // A pixel x y is meant by its centre, as evalglare's -t means it.
-        double x = s.frame == Frame::pixel ? n[0] + .5 : n[0] * space.nx, y = s.frame == Frame::pixel ? n[1] + .5 : n[1] * space.ny;
+        double x = s.frame == Frame::pixel ? n[0] + .5 : n[0] * space.nx,
+               y = s.frame == Frame::pixel ? n[1] + .5 : n[1] * space.ny;
         if (!(x >= 0 && y >= 0 && x <= space.nx && y <= space.ny))
-            fail(s.place, fmt::format("the circle's centre is not in the picture ({} x {} pixels)", space.nx, space.ny));
+            fail(s.place,
+                 fmt::format("the circle's centre is not in the picture ({} x {} pixels)", space.nx, space.ny));
         if (!space.point(x, y, p)) fail(s.place, "the circle's centre is outside the view's image");
         axis = p.dir;
     }
@@ -270,10 +285,12 @@ std::unique_ptr<Field> make_field(const Shape& s, const Space& space) {
     case Kind::sphere3d: return std::make_unique<Sphere>(triple(s.numbers, 0), s.numbers[3], space.eye);
     case Kind::circle: return circle(s, space);
     case Kind::polygon_direction: return polygon_direction(s, space);
-    case Kind::rect: case Kind::polygon: return make_picture_shape(s, space);
+    case Kind::rect:
+    case Kind::polygon: return make_picture_shape(s, space);
     case Kind::mask: return make_mask_field(s, space);
     case Kind::zone: return make_zone(s, space);
-    case Kind::surface: case Kind::modifier: break;
+    case Kind::surface:
+    case Kind::modifier: break;
     }
     fail(s.place, "a question to the scene is no shape");
 }

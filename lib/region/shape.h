@@ -17,8 +17,8 @@ struct Point {
 struct Space {
     view::Projector projector;
     int nx, ny;
-    Vec3 eye;      // where directions start
-    double behind; // distance of the far eye behind the picture plane of a parallel view, else 0
+    Vec3 eye;       // where directions start
+    double behind;  // distance of the far eye behind the picture plane of a parallel view, else 0
     Space(const view::View& view, int nx, int ny);
     // false where the view shows nothing
     bool point(double x, double y, Point& p) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Zones around the line of sight: cones (central 30 degrees, ergorama 60, panorama 120, all full angles), bands of Guth's
-// position index, and the total and binocular fields as evalglare's -G 1 and 2 cut them.
-// sigma = angle from the line of sight, tau = angle around it from straight up, both in degrees.
+// Zones around the line of sight: cones (central 30 degrees, ergorama 60, panorama 120, all full angles), bands of
+// Guth's position index, and the total and binocular fields as evalglare's -G 1 and 2 cut them. sigma = angle from the
+// line of sight, tau = angle around it from straight up, both in degrees.
 #include "region/zone.h"
 #include <algorithm>
 #include <cmath>
@@ -19,21 +19,25 @@ class Cone : public Field {
 public:
     Cone(const Space& s, double full_deg) : axis_(s.projector.forward()), half_(full_deg / 2 * DEG) {}
     double value(const Point& p) const override { return half_ - angle_between(p.dir, axis_); }
+
 private:
     Vec3 axis_;
     double half_;
 };
 
-// ln P changes by at most 4.1 per radian (straight up, 90 degrees from the line of sight); 6 leaves room for tilted views.
+// ln P changes by at most 4.1 per radian (straight up, 90 degrees from the line of sight); 6 leaves room for tilted
+// views.
 class Band : public Field {
 public:
-    Band(const Space& s, double low, double high) : projector_(s.projector), low_(std::log(std::max(low, 1e-6))), high_(std::log(std::max(high, 1e-6))) {}
+    Band(const Space& s, double low, double high)
+        : projector_(s.projector), low_(std::log(std::max(low, 1e-6))), high_(std::log(std::max(high, 1e-6))) {}
     double value(const Point& p) const override {
         double ahead = dot(p.dir, projector_.forward());  // no more than the angle that is left: its sine
-        if (ahead <= 0) return ahead;  // behind the eye there is no position index
+        if (ahead <= 0) return ahead;                     // behind the eye there is no position index
         double log_p = comfort::log_position_index(projector_, p.dir);
         return std::min(std::min(log_p - low_, high_ - log_p) / 6, ahead);
     }
+
 private:
     const view::Projector& projector_;
     double low_, high_;
@@ -56,6 +60,7 @@ public:
         step = std::max(step, 1e-9);
         return std::clamp(v, -step, step);
     }
+
 private:
     double limit(const comfort::EyeAngles& a) const {
         const double t = a.tau_deg, c = 180 - t;

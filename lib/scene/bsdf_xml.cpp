@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// XML by pugixml; what it means follows LBNL's WindowElement schema.  A file is read whole (at most 1 GB); tables are as
-// long as their text, so nothing large is taken on a file's word.
+// XML by pugixml; what it means follows LBNL's WindowElement schema.  A file is read whole (at most 1 GB); tables are
+// as long as their text, so nothing large is taken on a file's word.
 #include "scene/bsdf_xml.h"
 
 #include <algorithm>
@@ -32,7 +32,8 @@ std::string trimmed(const char* text) {
 bool same(const std::string& a, const char* b) {
     if (a.size() != std::strlen(b)) return false;
     for (size_t i = 0; i < a.size(); i++)
-        if (std::tolower(static_cast<unsigned char>(a[i])) != std::tolower(static_cast<unsigned char>(b[i]))) return false;
+        if (std::tolower(static_cast<unsigned char>(a[i])) != std::tolower(static_cast<unsigned char>(b[i])))
+            return false;
     return true;
 }
 std::string text_of(pugi::xml_node parent, const char* name) { return trimmed(parent.child_value(name)); }
@@ -53,7 +54,8 @@ public:
         const auto r = std::from_chars(at_, end_, v);
         if (r.ec == std::errc::result_out_of_range) v = 0;
         else if (r.ec != std::errc() || !std::isfinite(v))
-            fail(place_, fmt::format("\"{}\" is not a number", std::string(at_, std::min<size_t>(size_t(end_ - at_), 12))));
+            fail(place_,
+                 fmt::format("\"{}\" is not a number", std::string(at_, std::min<size_t>(size_t(end_ - at_), 12))));
         at_ = r.ptr;
         return v;
     }
@@ -79,9 +81,11 @@ double length_of(pugi::xml_node material, const char* name, const std::string& p
     const pugi::xml_node node = material.child(name);
     if (trimmed(node.child_value()).empty()) return 0;
     const std::string unit = trimmed(node.attribute("unit").value());
-    const struct { const char* name; double metres; } units[] = {
-        {"meter", 1}, {"metre", 1}, {"m", 1}, {"centimeter", .01}, {"cm", .01}, {"millimeter", .001}, {"mm", .001},
-        {"foot", .3048}, {"feet", .3048}, {"inch", .0254}, {"", 1}};
+    const struct {
+        const char* name;
+        double metres;
+    } units[] = {{"meter", 1}, {"metre", 1},    {"m", 1},        {"centimeter", .01}, {"cm", .01}, {"millimeter", .001},
+                 {"mm", .001}, {"foot", .3048}, {"feet", .3048}, {"inch", .0254},     {"", 1}};
     for (const auto& u : units)
         if (same(unit, u.name)) return number_of(node, place) * u.metres;
     fail(place, fmt::format("unknown unit \"{}\" of <{}>", unit, name));
@@ -104,7 +108,8 @@ void read_basis(pugi::xml_node node, std::vector<BsdfBasis>& bases, const std::s
         if (same(b.name, known.name.c_str())) return;  // Klems' bases are what they are
     for (pugi::xml_node block : node.children("AngleBasisBlock")) {
         const pugi::xml_node bounds = block.child("ThetaBounds");
-        const double low = number_of(bounds.child("LowerTheta"), place), high = number_of(bounds.child("UpperTheta"), place);
+        const double low = number_of(bounds.child("LowerTheta"), place),
+                     high = number_of(bounds.child("UpperTheta"), place);
         const double count = number_of(block.child("nPhis"), place);
         if (b.theta.empty()) b.theta.push_back(low);
         if (std::fabs(low - b.theta.back()) > 0.01 || !(high > low) || high > 90.01 || low < 0)
@@ -163,7 +168,8 @@ private:
             if (size_t(1) << (levels * dims_) != grid.size())
                 fail(place_, fmt::format("a leaf of a tensor tree has {} values, which fill no grid of {} dimensions",
                                          grid.size(), dims_));
-            if (depth + levels > MAX_DEPTH) fail(place_, fmt::format("a tensor tree is deeper than {} levels", MAX_DEPTH));
+            if (depth + levels > MAX_DEPTH)
+                fail(place_, fmt::format("a tensor tree is deeper than {} levels", MAX_DEPTH));
             tree_.depth = std::max(tree_.depth, depth + levels);
             expand(at, grid, levels, levels, 0);
         }
@@ -172,7 +178,10 @@ private:
     }
     // The grid (dimension 0 slowest) below a node; low = index of the node's lower corner.
     void expand(uint32_t at, const std::vector<float>& grid, int levels, int left, size_t low) {
-        if (left == 0) { tree_.value[at] = grid[low]; return; }
+        if (left == 0) {
+            tree_.value[at] = grid[low];
+            return;
+        }
         const uint32_t first = split(at);
         for (uint32_t c = 0; c < 1u << dims_; c++) {
             size_t corner = low;
@@ -191,7 +200,8 @@ std::vector<float> read_matrix(const char* text, size_t incident, size_t exit, b
     Numbers in(text, place);
     std::vector<float> file;
     while (in.peek()) {
-        if (file.size() == incident * exit) fail(place, fmt::format("more than {} x {} scattering data", incident, exit));
+        if (file.size() == incident * exit)
+            fail(place, fmt::format("more than {} x {} scattering data", incident, exit));
         file.push_back(in.value());
     }
     if (file.size() != incident * exit)
@@ -205,39 +215,49 @@ std::vector<float> read_matrix(const char* text, size_t incident, size_t exit, b
 
 enum Channel { CHANNEL_Y, CHANNEL_X, CHANNEL_Z, CHANNEL_U, CHANNEL_V, CHANNEL_NONE };
 Channel channel_of(const std::string& name) {
-    const struct { const char* name; Channel channel; } names[] = {
-        {"Visible", CHANNEL_Y}, {"CIE-Y", CHANNEL_Y}, {"CIE-X", CHANNEL_X}, {"CIE-Z", CHANNEL_Z},
-        {"CIE-u", CHANNEL_U}, {"CIE-v", CHANNEL_V}};
+    const struct {
+        const char* name;
+        Channel channel;
+    } names[] = {{"Visible", CHANNEL_Y}, {"CIE-Y", CHANNEL_Y}, {"CIE-X", CHANNEL_X},
+                 {"CIE-Z", CHANNEL_Z},   {"CIE-u", CHANNEL_U}, {"CIE-v", CHANNEL_V}};
     for (const auto& n : names)
         if (same(name, n.name)) return n.channel;
     return CHANNEL_NONE;
 }
 
-void read_block(pugi::xml_node block, Channel channel, const std::string& structure, Bsdf& out, const std::string& file) {
+void read_block(pugi::xml_node block, Channel channel, const std::string& structure, Bsdf& out,
+                const std::string& file) {
     const std::string direction = text_of(block, "WavelengthDataDirection");
     const std::string place = file + ": " + direction;
-    BsdfTable* table = same(direction, "Transmission Back") ? &out.transmission[0]
+    BsdfTable* table = same(direction, "Transmission Back")    ? &out.transmission[0]
                        : same(direction, "Transmission Front") ? &out.transmission[1]
-                       : same(direction, "Reflection Back") ? &out.reflection[0]
-                       : same(direction, "Reflection Front") ? &out.reflection[1] : nullptr;
+                       : same(direction, "Reflection Back")    ? &out.reflection[0]
+                       : same(direction, "Reflection Front")   ? &out.reflection[1]
+                                                               : nullptr;
     if (!table) fail(file, fmt::format("unknown <WavelengthDataDirection> \"{}\"", direction));
     const char* data = block.child_value("ScatteringData");
     if (same(structure, "TensorTree3") || same(structure, "TensorTree4")) {
         const std::string basis = text_of(block, "AngleBasis");
-        if (!basis.empty() && !same(basis, "LBNL/Shirley-Chiu")) fail(place, fmt::format("unknown angle basis \"{}\"", basis));
-        BsdfTree* tree = channel == CHANNEL_Y ? &table->tree : channel == CHANNEL_U ? &table->u
-                         : channel == CHANNEL_V ? &table->v : nullptr;
+        if (!basis.empty() && !same(basis, "LBNL/Shirley-Chiu"))
+            fail(place, fmt::format("unknown angle basis \"{}\"", basis));
+        BsdfTree* tree = channel == CHANNEL_Y   ? &table->tree
+                         : channel == CHANNEL_U ? &table->u
+                         : channel == CHANNEL_V ? &table->v
+                                                : nullptr;
         if (!tree) return;  // X and Z of a tensor are not used
         if (tree->dims) fail(place, "data stand twice");
         TreeReader(data, structure.back() - '0', place, *tree).read();
     } else {
         const bool columns = same(structure, "Columns");
-        if (!columns && !same(structure, "Rows")) fail(file, fmt::format("unknown <IncidentDataStructure> \"{}\"", structure));
+        if (!columns && !same(structure, "Rows"))
+            fail(file, fmt::format("unknown <IncidentDataStructure> \"{}\"", structure));
         const uint32_t column = find_basis(text_of(block, "ColumnAngleBasis"), out, place);
         const uint32_t row = find_basis(text_of(block, "RowAngleBasis"), out, place);
         const uint32_t incident = columns ? column : row, exit = columns ? row : column;
-        std::vector<float>* m = channel == CHANNEL_Y ? &table->y : channel == CHANNEL_X ? &table->x
-                                : channel == CHANNEL_Z ? &table->z : nullptr;
+        std::vector<float>* m = channel == CHANNEL_Y   ? &table->y
+                                : channel == CHANNEL_X ? &table->x
+                                : channel == CHANNEL_Z ? &table->z
+                                                       : nullptr;
         if (!m) return;
         if (!m->empty()) fail(place, "data stand twice");
         const bool first = table->y.empty() && table->x.empty() && table->z.empty();
@@ -261,7 +281,10 @@ Bsdf parse_bsdf(const std::string& text, const std::string& place) {
     pugi::xml_document xml;
     const pugi::xml_parse_result r = xml.load_buffer(text.data(), text.size());
     if (!r) {
-        const size_t line = 1 + size_t(std::count(text.begin(), text.begin() + std::min(ptrdiff_t(text.size()), std::max(ptrdiff_t(0), r.offset)), '\n'));
+        const size_t line =
+            1 +
+            size_t(std::count(text.begin(),
+                              text.begin() + std::min(ptrdiff_t(text.size()), std::max(ptrdiff_t(0), r.offset)), '\n'));
         fail(fmt::format("{}:{}", place, line), fmt::format("XML: {}", r.description()));
     }
     const pugi::xml_node root = xml.child("WindowElement");
@@ -282,14 +305,18 @@ Bsdf parse_bsdf(const std::string& text, const std::string& place) {
     for (pugi::xml_node data : layer.children("WavelengthData")) {
         const Channel channel = channel_of(text_of(data, "Wavelength"));
         if (channel == CHANNEL_NONE) continue;  // solar, infrared
-        for (pugi::xml_node block : data.children("WavelengthDataBlock")) read_block(block, channel, structure, out, place);
+        for (pugi::xml_node block : data.children("WavelengthDataBlock"))
+            read_block(block, channel, structure, out, place);
     }
     bool any = false;
     for (auto* tables : {&out.reflection, &out.transmission})
         for (BsdfTable& t : *tables) {
             t.present = !t.y.empty() || t.tree.dims;
             any = any || t.present;
-            if (t.x.empty() || t.z.empty()) { t.x.clear(); t.z.clear(); }
+            if (t.x.empty() || t.z.empty()) {
+                t.x.clear();
+                t.z.clear();
+            }
             if (!t.u.dims || !t.v.dims) t.u = t.v = {};
         }
     if (!any) fail(place, "no scattering data for visible light");

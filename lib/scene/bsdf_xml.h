@@ -22,8 +22,8 @@ struct BsdfBasis {
 // place is the upper half of dimension k.  Node 0 is the root.
 struct BsdfTree {
     static constexpr uint32_t LEAF = 0xffffffffu;
-    int dims = 0;                 // 3 or 4; 0 = no tree
-    int depth = 0;                // the smallest leaf is 2^-depth wide
+    int dims = 0;   // 3 or 4; 0 = no tree
+    int depth = 0;  // the smallest leaf is 2^-depth wide
     std::vector<float> value;
     std::vector<uint32_t> child;
 };

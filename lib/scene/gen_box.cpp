@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // genbox material name sx sy sz [-i] [-b bevel | -r radius [-n segments] [-s]]: a box with a corner at the origin and
 // normals outward.  A vertex code is its corner (bits x=1 y=2 z=4) plus the directions along which it is inset by the
-// bevel or the radius (8, 16, 32).  Rounded edges and corners are cylinders and balls, or flat pieces with -n or -i: each
-// edge a strip of so many quadrilaterals (the next power of 2), each corner's triangle halved along its sides as often.
-// -s gives the pieces, as triangles, the normals of the round shape.
+// bevel or the radius (8, 16, 32).  Rounded edges and corners are cylinders and balls, or flat pieces with -n or -i:
+// each edge a strip of so many quadrilaterals (the next power of 2), each corner's triangle halved along its sides as
+// often. -s gives the pieces, as triangles, the normals of the round shape.
 #include <algorithm>
 #include "scene/generators.h"
 #include "scene/smooth_triangle.h"
@@ -65,8 +65,8 @@ struct Box {
     }
 };
 
-// The rounded box in flat pieces, in RADIANCE's order.  Directions on a corner's ball by the side they face: 030 z, 050 y,
-// 060 x.
+// The rounded box in flat pieces, in RADIANCE's order.  Directions on a corner's ball by the side they face: 030 z, 050
+// y, 060 x.
 class Pieces {
 public:
     Pieces(const Box& box, int segments) : box_(box), segments_(segments) {}
@@ -97,7 +97,13 @@ private:
 
 // Between corners p and q, a strip around their common axis.
 void Pieces::edge(int p, int q) {
-    const int axis = p ^ q, from = axis == 1 ? 030 : axis == 2 ? 060 : 050, to = axis == 1 ? 050 : axis == 2 ? 030 : 060;
+    const int axis = p ^ q,
+              from = axis == 1   ? 030
+                     : axis == 2 ? 060
+                                 : 050,
+              to = axis == 1   ? 050
+                   : axis == 2 ? 030
+                               : 060;
     std::vector<base::Vec3> arc{toward(p, from), toward(p, to)};
     for (int n = 1; n < segments_; n *= 2) {
         std::vector<base::Vec3> finer{arc[0]};

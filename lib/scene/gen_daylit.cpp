@@ -36,34 +36,34 @@ Options read_options(const Call& call, size_t i) {
         const std::string& w = call.words[i];
         if (w.size() < 2 || (w[0] != '-' && w[0] != '+')) call.fail("unexpected \"" + printable(w) + "\"");
         switch (w[1]) {
-            case 's': o.sun = w[0] == '+'; break;
-            case 'c': o.sun = false, o.overcast = true; break;
-            case 'w': o.quiet = true; break;
-            case 'C': (w == "-CIE" ? o.cie : o.colour) = true; break;  // the locus of -C's colours, or colours
-            case 'R':
-            case 'b':
-            case 't': call.real(++i, w.c_str()); break;
-            case 'd':
-                o.dew_point = call.real(++i, "-d");
-                if (o.dew_point < -40 || o.dew_point > 40) o.dew_point = Options().dew_point;
-                break;
-            case 'i': o.interval = call.real(++i, "-i"); break;
-            case 'g': o.ground = call.real(++i, "-g"); break;
-            case 'O': o.output = static_cast<int>(call.integer(++i, "-O", 0, 2)); break;
-            case 'P':
-            case 'W':
-            case 'G':
-            case 'L':
-                o.input = w[1];
-                o.a = call.real(++i, w.c_str());
-                o.b = call.real(++i, w.c_str());
-                break;
-            case 'E':
-                o.input = 'E';
-                o.a = call.real(++i, "-E");
-                break;
-            default:
-                if (!o.site.option(call, i)) call.fail("unknown option " + printable(w));
+        case 's': o.sun = w[0] == '+'; break;
+        case 'c': o.sun = false, o.overcast = true; break;
+        case 'w': o.quiet = true; break;
+        case 'C': (w == "-CIE" ? o.cie : o.colour) = true; break;  // the locus of -C's colours, or colours
+        case 'R':
+        case 'b':
+        case 't': call.real(++i, w.c_str()); break;
+        case 'd':
+            o.dew_point = call.real(++i, "-d");
+            if (o.dew_point < -40 || o.dew_point > 40) o.dew_point = Options().dew_point;
+            break;
+        case 'i': o.interval = call.real(++i, "-i"); break;
+        case 'g': o.ground = call.real(++i, "-g"); break;
+        case 'O': o.output = static_cast<int>(call.integer(++i, "-O", 0, 2)); break;
+        case 'P':
+        case 'W':
+        case 'G':
+        case 'L':
+            o.input = w[1];
+            o.a = call.real(++i, w.c_str());
+            o.b = call.real(++i, w.c_str());
+            break;
+        case 'E':
+            o.input = 'E';
+            o.a = call.real(++i, "-E");
+            break;
+        default:
+            if (!o.site.option(call, i)) call.fail("unknown option " + printable(w));
         }
     }
     if (!o.input) call.fail("one of -P -W -G -L -E is needed");
@@ -141,23 +141,23 @@ void gendaylit(const Call& call, std::string& out) {
     double direct = o.a, diffuse = o.b;  // irradiances
     Clearness c;
     switch (o.input) {
-        case 'P':
-            c = clamp({o.a, o.b});
-            sky.irradiances(c, direct, diffuse);
-            break;
-        case 'E': split_global(o.a, sky.extraterrestrial, sine, direct, diffuse); break;
-        case 'G': direct = o.a / sine; break;
-        case 'L':  // a fixed point of irradiance -> efficacy -> irradiance
-            direct *= most_watts / most_lux;
-            diffuse *= most_watts / most_lux;
+    case 'P':
+        c = clamp({o.a, o.b});
+        sky.irradiances(c, direct, diffuse);
+        break;
+    case 'E': split_global(o.a, sky.extraterrestrial, sine, direct, diffuse); break;
+    case 'G': direct = o.a / sine; break;
+    case 'L':  // a fixed point of irradiance -> efficacy -> irradiance
+        direct *= most_watts / most_lux;
+        diffuse *= most_watts / most_lux;
+        c = clamp(sky.clearness(direct, diffuse));
+        for (int i = 0; i < 9; i++) {
+            const double e = sky.direct_efficacy(c);
+            diffuse = o.b / sky.diffuse_efficacy(c);
+            direct = e < .1 ? 0 : o.a / e;
             c = clamp(sky.clearness(direct, diffuse));
-            for (int i = 0; i < 9; i++) {
-                const double e = sky.direct_efficacy(c);
-                diffuse = o.b / sky.diffuse_efficacy(c);
-                direct = e < .1 ? 0 : o.a / e;
-                c = clamp(sky.clearness(direct, diffuse));
-            }
-            break;
+        }
+        break;
     }
     if (o.input != 'P') c = clamp(sky.clearness(direct, diffuse));  // no diffuse light: as clear as can be
     const PerezShape shape(c, z);
@@ -194,12 +194,11 @@ void gendaylit(const Call& call, std::string& out) {
     if (colour) {
         fmt::format_to(text, " {:f}", c.epsilon);
         // Coefficients of the locus of sky colours, two lines and a join.
-        constexpr float usual[11] = {-4843e6f, 2556800.f, 242.82f,  .23258f, -4843e6f,  2556800.f,
+        constexpr float usual[11] = {-4843e6f, 2556800.f, 242.82f,  .23258f, -4843e6f, 2556800.f,
                                      242.82f,  .23258f,   -1.2848f, 1.7519f, -.093786f};
         constexpr float cie[11] = {-4.607e9f, 2.9678e6f, 99.11f, .244063f, -2.0064e9f, 1.9018e6f,
                                    247.48f,   .23704f,   -3.f,   2.87f,    -.275f};
-        for (float x : o.cie ? cie : usual)
-            fmt::format_to(text, " {:f}", x);
+        for (float x : o.cie ? cie : usual) fmt::format_to(text, " {:f}", x);
     }
     out += '\n';
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// genprism material name {N x1 y1 .. | file | - < file} [-l lx ly lz] [-r radius] [-c] [-e]: a polygon of the x,y plane, extruded.
-// With -r, edges and corners are rounded: the outline shrinks to the centres of balls that touch both adjacent sides,
+// genprism material name {N x1 y1 .. | file | - < file} [-l lx ly lz] [-r radius] [-c] [-e]: a polygon of the x,y
+// plane, extruded. With -r, edges and corners are rounded: the outline shrinks to the centres of balls that touch both
+// adjacent sides,
 //     c_i = v_i + r (a_i u_i + rot90 u_i),  u_i = unit(v_i-1 - v_i),  a_i = sqrt((1-c)/(1+c)),  c = u_i . u_i+1,
 // a_i negative (no ball) where the outline turns the other way.
 #include <cmath>

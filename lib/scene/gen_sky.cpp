@@ -74,18 +74,18 @@ Options read_options(const Call& call, size_t i) {
         const bool plus = w[0] == '+';
         if (w.size() < 2 || (!plus && w[0] != '-')) call.fail("unexpected \"" + printable(w) + "\"");
         switch (w[1]) {
-            case 's': o.sky = clear, o.sun = plus; break;
-            case 'i': o.sky = intermediate, o.sun = plus; break;
-            case 'c': o.sky = overcast; break;
-            case 'u': o.sky = uniform; break;
-            case 't': o.turbidity = call.real(++i, "-t"); break;
-            case 'g': o.ground = call.real(++i, "-g"); break;
-            case 'b': o.zenith = call.real(++i, "-b"), o.diffuse = NAN; break;
-            case 'B': o.diffuse = call.real(++i, "-B"), o.zenith = NAN; break;
-            case 'r': o.radiance = call.real(++i, "-r"), o.direct = NAN; break;
-            case 'R': o.direct = call.real(++i, "-R"), o.radiance = NAN; break;
-            default:
-                if (plus || !o.site.option(call, i)) call.fail("unknown option " + printable(w));
+        case 's': o.sky = clear, o.sun = plus; break;
+        case 'i': o.sky = intermediate, o.sun = plus; break;
+        case 'c': o.sky = overcast; break;
+        case 'u': o.sky = uniform; break;
+        case 't': o.turbidity = call.real(++i, "-t"); break;
+        case 'g': o.ground = call.real(++i, "-g"); break;
+        case 'b': o.zenith = call.real(++i, "-b"), o.diffuse = NAN; break;
+        case 'B': o.diffuse = call.real(++i, "-B"), o.zenith = NAN; break;
+        case 'r': o.radiance = call.real(++i, "-r"), o.direct = NAN; break;
+        case 'R': o.direct = call.real(++i, "-R"), o.radiance = NAN; break;
+        default:
+            if (plus || !o.site.option(call, i)) call.fail("unknown option " + printable(w));
         }
     }
     return o;

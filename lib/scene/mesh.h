@@ -11,12 +11,14 @@
 namespace scene {
 
 struct Mesh {
+    // unit; 0 0 0 = none
     struct Normal {
         float x, y, z;
-    };  // unit; 0 0 0 = none
+    };
+    // 0 0 where there are none
     struct Uv {
         float u, v;
-    };  // 0 0 where there are none
+    };
     struct Triangle {
         uint32_t v[3];     // right-handed: the front is where they run counter-clockwise
         int32_t material;  // see below; VOID = none

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See rad_input.h.  An assignment a logical line: a backslash continues or quotes, # begins a comment, a variable may be
-// cut to its first letters.  The tables are those of rad's manual and of its printed commands (vectors rif_*).
+// See rad_input.h.  An assignment a logical line: a backslash continues or quotes, # begins a comment, a variable may
+// be cut to its first letters.  The tables are those of rad's manual and of its printed commands (vectors rif_*).
 #include "scene/rad_input.h"
 
 #include <fmt/core.h>
@@ -21,13 +21,17 @@ namespace scene {
 namespace {
 
 // In the order in which a shortened name is looked for, with the least number of letters.
-struct Variable { const char* name; size_t least; };
+struct Variable {
+    const char* name;
+    size_t least;
+};
 const Variable variables[] = {
-    {"AMBFILE", 3}, {"DETAIL", 3}, {"EXPOSURE", 3}, {"EYESEP", 3}, {"illum", 3}, {"INDIRECT", 3}, {"materials", 3},
-    {"mkillum", 3}, {"mkpmap", 3}, {"objects", 3}, {"oconv", 3}, {"OCTREE", 3}, {"OPTFILE", 3}, {"PCMAP", 2},
-    {"PENUMBRAS", 3}, {"pfilt", 2}, {"PGMAP", 2}, {"PICTURE", 3}, {"QUALITY", 3}, {"RAWFILE", 3}, {"render", 3},
-    {"REPORT", 3}, {"RESOLUTION", 3}, {"rpict", 3}, {"rvu", 3}, {"scene", 3}, {"UP", 2}, {"VARIABILITY", 3},
-    {"view", 2}, {"ZFILE", 2}, {"ZONE", 2},
+    {"AMBFILE", 3},   {"DETAIL", 3},  {"EXPOSURE", 3},  {"EYESEP", 3},      {"illum", 3},      {"INDIRECT", 3},
+    {"materials", 3}, {"mkillum", 3}, {"mkpmap", 3},    {"objects", 3},     {"oconv", 3},      {"OCTREE", 3},
+    {"OPTFILE", 3},   {"PCMAP", 2},   {"PENUMBRAS", 3}, {"pfilt", 2},       {"PGMAP", 2},      {"PICTURE", 3},
+    {"QUALITY", 3},   {"RAWFILE", 3}, {"render", 3},    {"REPORT", 3},      {"RESOLUTION", 3}, {"rpict", 3},
+    {"rvu", 3},       {"scene", 3},   {"UP", 2},        {"VARIABILITY", 3}, {"view", 2},       {"ZFILE", 2},
+    {"ZONE", 2},
 };
 
 struct Values {
@@ -190,7 +194,8 @@ std::vector<std::string> standard_view(const RadInput& input, const std::string&
     int sign[3] = {0, 0, 0};
     size_t at = 0;
     for (int i = 0; i < 3; ++i)
-        if (at < name.size() && std::tolower((unsigned char)name[at]) == "xyz"[i]) sign[i] = std::isupper((unsigned char)name[at++]) ? 1 : -1;
+        if (at < name.size() && std::tolower((unsigned char)name[at]) == "xyz"[i])
+            sign[i] = std::isupper((unsigned char)name[at++]) ? 1 : -1;
     if (at == 0 || name.size() > at + 1) return {};
     const char type = at < name.size() ? name[at] : 'v';
     if (!std::strchr("vlahsc", type)) return {};
@@ -208,9 +213,9 @@ std::vector<std::string> standard_view(const RadInput& input, const std::string&
     if (axes == 1 && sign[up]) up = (up + 2) % 3, up_sign = 1;  // along the view: Z -> Y, Y -> X, X -> Z
     const double h = type == 'v' ? 45 : type == 'l' ? std::sqrt(squares) : 180;
     const double v = type == 'c' ? 90 : h;
-    return split(fmt::format("-vt{} -vp {:.3g} {:.3g} {:.3g} -vd {:.3g} {:.3g} {:.3g} -vu {} {} {} -vh {:.3g} -vv {:.3g}", type,
-                             vp[0], vp[1], vp[2], vd[0], vd[1], vd[2], up == 0 ? up_sign : 0, up == 1 ? up_sign : 0,
-                             up == 2 ? up_sign : 0, h, v));
+    return split(fmt::format(
+        "-vt{} -vp {:.3g} {:.3g} {:.3g} -vd {:.3g} {:.3g} {:.3g} -vu {} {} {} -vh {:.3g} -vv {:.3g}", type, vp[0],
+        vp[1], vp[2], vd[0], vd[1], vd[2], up == 0 ? up_sign : 0, up == 1 ? up_sign : 0, up == 2 ? up_sign : 0, h, v));
 }
 
 std::string up_option(const RadInput& input) {
@@ -240,7 +245,8 @@ RadInput read_rad_input(const std::string& path, const std::vector<std::string>&
     RadInput input;
     input.path = path;
     for (const char* name : {"materials", "illum", "scene"})
-        for (const std::string& file : split_quoted(values.get(name), path + ": " + name)) input.scene_files.push_back(file);
+        for (const std::string& file : split_quoted(values.get(name), path + ": " + name))
+            input.scene_files.push_back(file);
     if (input.scene_files.empty()) input.scene_files = split_quoted(values.get("OCTREE"), path + ": OCTREE");
     if (input.scene_files.empty()) base::fail(path, "names no scene");
     if (!values.get("ZONE").empty()) read_zone(values.get("ZONE"), input);

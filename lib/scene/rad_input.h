@@ -10,17 +10,17 @@ namespace scene {
 
 struct RadInput {
     struct NamedView {
-        std::string name;                 // empty: unnamed, known by its number from 1
-        std::vector<std::string> words;   // view options; UP's -vu stands first
+        std::string name;                // empty: unnamed, known by its number from 1
+        std::vector<std::string> words;  // view options; UP's -vu stands first
     };
     std::string path;
     std::vector<std::string> scene_files;  // materials, illum, scene in this order; else OCTREE
     std::vector<std::string> options;      // -x -y ... and what render= and rpict= say, in rad's order
     std::vector<NamedView> views;
-    double exposure = 1;                   // a factor
-    double zone[6] = {0, 0, 0, 0, 0, 0};   // xmin xmax ymin ymax zmin zmax
+    double exposure = 1;                  // a factor
+    double zone[6] = {0, 0, 0, 0, 0, 0};  // xmin xmax ymin ymax zmin zmax
     bool has_zone = false, interior = false;
-    int up_axis = 2, up_sign = 0;          // UP; sign 0: not given
+    int up_axis = 2, up_sign = 0;  // UP; sign 0: not given
 };
 
 // `more`: assignments that come after the file's, as on rad's own command line.

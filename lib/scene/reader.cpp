@@ -18,8 +18,8 @@ namespace scene {
 
 namespace {
 
-constexpr size_t text_limit = size_t(1) << 30;         // of one command's output
-constexpr size_t definitions_limit = size_t(1) << 26;  // of an xform -f file
+constexpr size_t text_limit = size_t(1) << 30;                        // of one command's output
+constexpr size_t definitions_limit = size_t(1) << 26;                 // of an xform -f file
 constexpr uint64_t bytes_a_step = 1000, opened_file = 10, copy = 10;  // of base::Work
 
 class Reader {

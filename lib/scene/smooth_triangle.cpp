@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See smooth_triangle.h.  tmesh.cal's arguments: the axis along which the triangle is projected, then for each component
-// of the normal the coefficients of u, v and 1, (u, v) the two coordinates after the axis.
+// See smooth_triangle.h.  tmesh.cal's arguments: the axis along which the triangle is projected, then for each
+// component of the normal the coefficients of u, v and 1, (u, v) the two coordinates after the axis.
 #include "scene/smooth_triangle.h"
 #include <cmath>
 #include "scene/generators.h"
@@ -20,7 +20,8 @@ void write_smooth_triangle(std::string& out, const std::string& material, const 
         for (int k = 0; k < 3; k++) {  // Cramer's rule; the determinant is the normal's component along the axis
             const double d1 = normal[1][k] - normal[0][k], d2 = normal[2][k] - normal[0][k];
             const double a = (d1 * e2[iv] - d2 * e1[iv]) / n[axis], b = (d2 * e1[iu] - d1 * e2[iu]) / n[axis];
-            out += "\t" + number(a) + "\t" + number(b) + "\t" + number(normal[0][k] - a * v[0][iu] - b * v[0][iv]) + "\n";
+            out +=
+                "\t" + number(a) + "\t" + number(b) + "\t" + number(normal[0][k] - a * v[0][iu] - b * v[0][iv]) + "\n";
         }
     }
     write_polygon(out, flat ? material : "Phong", name, {v[0], v[1], v[2]});

@@ -18,9 +18,7 @@ constexpr size_t longest_word = 511;
 inline bool space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 }  // namespace
 
-std::string printable(std::string_view text) {
-    return base::printable(text, 60);
-}
+std::string printable(std::string_view text) { return base::printable(text, 60); }
 
 std::string beside(const std::string& name, const std::string& asker) {
     const size_t slash = asker.rfind('/');

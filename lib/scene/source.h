@@ -52,8 +52,8 @@ private:
     std::string word_;
 };
 
-// Where a command in the file `asker` finds the file it names: in the working directory, as RADIANCE has it, else beside
-// the asker.
+// Where a command in the file `asker` finds the file it names: in the working directory, as RADIANCE has it, else
+// beside the asker.
 std::string beside(const std::string& name, const std::string& asker);
 
 // For messages: control characters as '?', long words cut.

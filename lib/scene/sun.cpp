@@ -15,15 +15,15 @@ constexpr double degree = M_PI / 180;
 
 bool Site::option(const Call& call, size_t& i) {
     switch (call.words[i].size() > 1 ? call.words[i][1] : 0) {
-        case 'a': latitude = call.real(++i, "-a") * degree; return true;
-        case 'o': longitude = call.real(++i, "-o") * degree; return true;
-        case 'm': meridian = call.real(++i, "-m") * degree; return true;
-        case 'y':
-            year = static_cast<int>(call.integer(++i, "-y", 1, 9999));
-            if (year < 1950 || year > 2050)
-                base::warn(call.place, call.words[0] + ": the sun's position is meant for the years 1950-2050");
-            return true;
-        default: return false;
+    case 'a': latitude = call.real(++i, "-a") * degree; return true;
+    case 'o': longitude = call.real(++i, "-o") * degree; return true;
+    case 'm': meridian = call.real(++i, "-m") * degree; return true;
+    case 'y':
+        year = static_cast<int>(call.integer(++i, "-y", 1, 9999));
+        if (year < 1950 || year > 2050)
+            base::warn(call.place, call.words[0] + ": the sun's position is meant for the years 1950-2050");
+        return true;
+    default: return false;
     }
 }
 

@@ -79,30 +79,30 @@ bool check_cone(Primitive& p, const std::string& place, std::string& fact) {
 bool normalize_surface(Primitive& p, const std::string& place, std::string& fact) {
     std::vector<double>& r = p.reals;
     switch (p.type) {
-        case Type::source:
-            if (length(at(r, 0)) <= 0) base::fail(place, "a source needs a direction");
-            return true;
-        case Type::sphere:
-        case Type::bubble:
-            if (std::fabs(r[3]) <= tiny) base::fail(place, "a sphere without radius");
-            if (r[3] < 0) {
-                base::warn(place, "a negative radius turns the surface inside out");
-                p.type = p.type == Type::sphere ? Type::bubble : Type::sphere;
-                r[3] = -r[3];
-            }
-            return true;
-        case Type::polygon: return check_polygon(r, place, fact);
-        case Type::cone:
-        case Type::cup:
-        case Type::cylinder:
-        case Type::tube: return check_cone(p, place, fact);
-        case Type::ring:
-            if (r[6] < 0 || r[7] < 0 || std::fabs(r[6] - r[7]) <= tiny)
-                fact = "a ring with a negative radius or without width";
-            else if (length(at(r, 3)) <= tiny) fact = "a ring without direction";
-            if (r[6] > r[7]) std::swap(r[6], r[7]);
-            return fact.empty();
-        default: return true;
+    case Type::source:
+        if (length(at(r, 0)) <= 0) base::fail(place, "a source needs a direction");
+        return true;
+    case Type::sphere:
+    case Type::bubble:
+        if (std::fabs(r[3]) <= tiny) base::fail(place, "a sphere without radius");
+        if (r[3] < 0) {
+            base::warn(place, "a negative radius turns the surface inside out");
+            p.type = p.type == Type::sphere ? Type::bubble : Type::sphere;
+            r[3] = -r[3];
+        }
+        return true;
+    case Type::polygon: return check_polygon(r, place, fact);
+    case Type::cone:
+    case Type::cup:
+    case Type::cylinder:
+    case Type::tube: return check_cone(p, place, fact);
+    case Type::ring:
+        if (r[6] < 0 || r[7] < 0 || std::fabs(r[6] - r[7]) <= tiny)
+            fact = "a ring with a negative radius or without width";
+        else if (length(at(r, 3)) <= tiny) fact = "a ring without direction";
+        if (r[6] > r[7]) std::swap(r[6], r[7]);
+        return fact.empty();
+    default: return true;
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// rtcBuildBVH makes a tree of our small temporary nodes in its own memory; a second pass writes it into the flat arrays of
-// kernels/bvh8.h or kernels/bvh2.h, children of a node side by side.
-// Settings (docs/decisions/0008-own-traversal.md): quality MEDIUM (spatial splits were slower), 8-wide: blocks of 4, leaves up to 16
-// and a cheap intersection (0.3), because four triangles are tested at once.  Boxes are padded by an ulp or two:
+// rtcBuildBVH makes a tree of our small temporary nodes in its own memory; a second pass writes it into the flat arrays
+// of kernels/bvh8.h or kernels/bvh2.h, children of a node side by side. Settings
+// (docs/decisions/0008-own-traversal.md): quality MEDIUM (spatial splits were slower), 8-wide: blocks of 4, leaves up
+// to 16 and a cheap intersection (0.3), because four triangles are tested at once.  Boxes are padded by an ulp or two:
 // Woop's test works in coordinates relative to the ray's origin and rounds there (kernels/woop.h).
 #include "trace/bvh_build.h"
 
@@ -29,9 +29,11 @@ namespace scalar {
 
 constexpr unsigned max_wide = 8;
 
-struct Box { float lo[3], hi[3]; };
+struct Box {
+    float lo[3], hi[3];
+};
 
-struct TempNode {          // an inner node, or a leaf if children == 0
+struct TempNode {  // an inner node, or a leaf if children == 0
     unsigned children, prims;
 };
 struct TempInner : TempNode {
@@ -39,7 +41,7 @@ struct TempInner : TempNode {
     Box box[max_wide];
 };
 struct TempLeaf : TempNode {
-    uint32_t prim[1];      // prims of them
+    uint32_t prim[1];  // prims of them
 };
 
 Box empty_box() {
@@ -67,11 +69,12 @@ void pad(Box& box, float least) {
 
 // What differs between the two kinds of tree.
 struct Layout {
-    unsigned wide;                  // children of a node
+    unsigned wide;  // children of a node
     size_t node_floats, leaf_floats;
-    unsigned per_block;             // primitives in a leaf block
-    int stack;                      // size of the kernel's stack
-    int depth_alone, depth_nested;  // depth limits of a single tree, and of trees with instances: so that the stack holds
+    unsigned per_block;  // primitives in a leaf block
+    int stack;           // size of the kernel's stack
+    int depth_alone,
+        depth_nested;  // depth limits of a single tree, and of trees with instances: so that the stack holds
     unsigned sah_block, max_leaf;
     float intersection_cost;
 };
@@ -81,11 +84,17 @@ constexpr Layout layout2 = {2, BVH2_NODE_FLOATS, BVH2_LEAF_FLOATS, 1, BVH2_STACK
 class Builder {
 public:
     Builder(const Layout& layout, const BuildInput* trees, size_t tree_count)
-        : layout_(layout), trees_(trees), tree_count_(tree_count), tree_box_(tree_count, empty_box()), tree_need_(tree_count),
+        : layout_(layout),
+          trees_(trees),
+          tree_count_(tree_count),
+          tree_box_(tree_count, empty_box()),
+          tree_need_(tree_count),
           tree_depth_(tree_count) {}
 
     Bvh build() {
-        struct Release { void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); } };
+        struct Release {
+            void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); }
+        };
         std::vector<std::unique_ptr<std::remove_pointer_t<RTCBVH>, Release>> memory;  // of the temporary nodes
         std::vector<TempNode*> roots(tree_count_, nullptr);
         size_t nodes = tree_count_, blocks = 0;
@@ -97,14 +106,18 @@ public:
             tree_depth_[k] = need.depth;
             nodes += need.nodes;
             blocks += need.blocks;
-            if (need.stack + 2 > layout_.stack) throw base::Error(base::Kind::system, "", "the scene's tree is too deep");
+            if (need.stack + 2 > layout_.stack)
+                throw base::Error(base::Kind::system, "", "the scene's tree is too deep");
         }
         if (blocks > REF_INDEX || nodes > REF_LEAF) base::fail("", "too many primitives");
         out_.nodes.assign(nodes * layout_.node_floats, 0.0f);
         out_.leaves.assign(std::max<size_t>(blocks, 1) * layout_.leaf_floats, 0.0f);
         next_node_ = tree_count_;
         for (size_t k = 0; k < tree_count_; k++) {
-            if (!roots[k]) { write_children(k, nullptr, nullptr, 0); continue; }
+            if (!roots[k]) {
+                write_children(k, nullptr, nullptr, 0);
+                continue;
+            }
             if (roots[k]->children == 0) {  // a single leaf gets a node above it
                 const uint32_t ref = write_leaf(trees_[k], static_cast<TempLeaf*>(roots[k]));
                 write_children(k, &tree_box_[k], &ref, 1);
@@ -117,7 +130,10 @@ public:
     }
 
 private:
-    struct Need { size_t nodes = 0, blocks = 0; int stack = 0, depth = 0; };
+    struct Need {
+        size_t nodes = 0, blocks = 0;
+        int stack = 0, depth = 0;
+    };
 
     Box primitive_box(const BuildInput& in, size_t k) const {
         Box box = empty_box();
@@ -134,7 +150,7 @@ private:
             float b[6];
             shape_box(in, shape, b);
             box = {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
-            pad(box, 2e-6f);                     // a polygon reaches 1e-6 beyond its edges
+            pad(box, 2e-6f);  // a polygon reaches 1e-6 beyond its edges
         }
         return box;
     }
@@ -221,7 +237,10 @@ private:
             const auto* leaf = static_cast<const TempLeaf*>(node);
             unsigned triangles = 0, instances = 0;
             for (unsigned i = 0; i < leaf->prims; i++) {
-                if (leaf->prim[i] < in.triangle_count) { triangles++; continue; }
+                if (leaf->prim[i] < in.triangle_count) {
+                    triangles++;
+                    continue;
+                }
                 const float* q = in.shapes + SHAPE_FLOATS * (in.first_shape + leaf->prim[i] - in.triangle_count);
                 if (as_uint_(q[0]) != SHAPE_INSTANCE) continue;
                 if (&in != trees_) base::fail("", "an instance within an instance was not flattened");
@@ -283,7 +302,8 @@ private:
         while (triangles < leaf->prims && leaf->prim[triangles] < in.triangle_count) triangles++;
         const unsigned n = layout_.per_block;
         for (unsigned i = 0; i < triangles; i += n)
-            write_triangles(in, leaf->prim + i, std::min(n, triangles - i), i + n >= triangles && triangles == leaf->prims);
+            write_triangles(in, leaf->prim + i, std::min(n, triangles - i),
+                            i + n >= triangles && triangles == leaf->prims);
         for (unsigned i = triangles; i < leaf->prims; i += n)
             write_shapes(in, leaf->prim + i, std::min(n, leaf->prims - i), i + n >= leaf->prims);
         return uint32_t(first) | REF_LEAF;
@@ -299,7 +319,8 @@ private:
             }
         }  // lanes left over are triangles of no size
         for (unsigned i = 0; i < n; i++) {
-            const uint32_t id = (i < count ? in.tri_prim[prim[i]] & (ID_PRIM | ID_TRANSPARENT) : 0) | (last ? ID_LAST : 0);
+            const uint32_t id =
+                (i < count ? in.tri_prim[prim[i]] & (ID_PRIM | ID_TRANSPARENT) : 0) | (last ? ID_LAST : 0);
             b[n == 4 ? 36 + i : 3] = as_float_(id);
         }
     }
@@ -361,9 +382,7 @@ void shape_box(const BuildInput& in, size_t k, float out[6]) {
         disc(end, q + 4, q[9]);
         break;
     }
-    case SHAPE_RING:
-        disc(c, q + 4, q[8]);
-        break;
+    case SHAPE_RING: disc(c, q + 4, q[8]); break;
     case SHAPE_POLYGON: {
         const uint32_t axis = as_uint_(q[5]), first = as_uint_(q[6]), count = as_uint_(q[7]);
         const int iu = axis == 0 ? 1 : 0, iv = axis == 2 ? 1 : 2;
@@ -377,10 +396,12 @@ void shape_box(const BuildInput& in, size_t k, float out[6]) {
         }
         break;
     }
-    default:
-        base::fail("", "unknown kind of shape");
+    default: base::fail("", "unknown kind of shape");
     }
-    for (int a = 0; a < 3; a++) { out[a] = box.lo[a]; out[3 + a] = box.hi[a]; }
+    for (int a = 0; a < 3; a++) {
+        out[a] = box.lo[a];
+        out[3 + a] = box.hi[a];
+    }
 }
 
 void invert_affine(const float m[12], double out[12]) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bounding volume hierarchies for kernels/bvh8.h and kernels/bvh2.h, by Embree's builder (rtcBuildBVH) on all cores.
-// The arrays go to the device as they are.  Tree 0 is the scene; trees 1, 2, ... are what its SHAPE_INSTANCE shapes stand
-// for (word 13 = tree), node k is the root of tree k.  An empty scene gives one empty node and no leaves.
-// Memory per triangle of large meshes: 55 bytes (BVH8) or 82 (BVH2), with BVH8's 75 at most while building (bench/traversal);
+// The arrays go to the device as they are.  Tree 0 is the scene; trees 1, 2, ... are what its SHAPE_INSTANCE shapes
+// stand for (word 13 = tree), node k is the root of tree k.  An empty scene gives one empty node and no leaves. Memory
+// per triangle of large meshes: 55 bytes (BVH8) or 82 (BVH2), with BVH8's 75 at most while building (bench/traversal);
 // scattered single polygons take more, up to 200.  10 million triangles: 6.5 s of one core.
-// Limits: 2^29 primitives, 2^30 leaf blocks; nodes and leaves are addressed with 64-bit offsets, so more than 4 GB is fine.
+// Limits: 2^29 primitives, 2^30 leaf blocks; nodes and leaves are addressed with 64-bit offsets, so more than 4 GB is
+// fine.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -14,10 +15,12 @@
 namespace trace {
 
 // Allocator for 64-byte lines, so that a node starts one.
-template <class T> struct AlignedAllocator {
+template <class T>
+struct AlignedAllocator {
     using value_type = T;
     AlignedAllocator() = default;
-    template <class U> AlignedAllocator(const AlignedAllocator<U>&) {}
+    template <class U>
+    AlignedAllocator(const AlignedAllocator<U>&) {}
     T* allocate(size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t(64))); }
     void deallocate(T* p, size_t) { ::operator delete(p, std::align_val_t(64)); }
     bool operator==(const AlignedAllocator&) const { return true; }
@@ -28,21 +31,21 @@ using AlignedFloats = std::vector<float, AlignedAllocator<float>>;
 // Ids (tri_prim, shape_prim): primitive number < 2^29, plus ID_TRANSPARENT (kernels/intersect.h) for its class.
 // Triangles of one polygon share the id.  The class of an instance is word 15 of its shape; its id is not used.
 struct BuildInput {
-    const float* vertices = nullptr;      // 3 floats each
+    const float* vertices = nullptr;  // 3 floats each
     size_t vertex_count = 0;
     const uint32_t* triangles = nullptr;  // 3 vertex numbers each
     const uint32_t* tri_prim = nullptr;   // 1 each
     size_t triangle_count = 0;
     // Shapes first_shape .. first_shape + shape_count - 1 of one table for all trees (16 floats each, intersect.h).
     const float* shapes = nullptr;
-    const uint32_t* shape_prim = nullptr; // 1 each, parallel to shapes
+    const uint32_t* shape_prim = nullptr;  // 1 each, parallel to shapes
     size_t first_shape = 0, shape_count = 0;
     const float* polygon_uv = nullptr;
 };
 
 struct Bvh {
-    AlignedFloats nodes, leaves;          // leaves has one unused block if there is no primitive: never an empty buffer
-    int depth = 0;                        // longest way down, through an instance
+    AlignedFloats nodes, leaves;  // leaves has one unused block if there is no primitive: never an empty buffer
+    int depth = 0;                // longest way down, through an instance
 };
 
 Bvh build_bvh8(const BuildInput* trees, size_t tree_count = 1);

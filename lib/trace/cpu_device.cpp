@@ -44,7 +44,9 @@ unsigned thread_count() {
 class CpuDevice : public Device {
 public:
     explicit CpuDevice(const std::string& variant)
-        : embree_(variant == "embree"), kernels_(embree_ ? cpu_embree : best_kernels(variant)), threads_(thread_count()) {}
+        : embree_(variant == "embree"),
+          kernels_(embree_ ? cpu_embree : best_kernels(variant)),
+          threads_(thread_count()) {}
 
     std::string name() const override { return fmt::format("cpu ({}, {} threads)", kernels_.name, threads_); }
 
@@ -81,7 +83,8 @@ public:
     uint32_t good_slots() const override { return 64 * TILE; }
 
 private:
-    template <class F> void tiles(uint32_t slots, F&& work) {
+    template <class F>
+    void tiles(uint32_t slots, F&& work) {
         std::atomic<uint32_t> next{0};
         std::exception_ptr error;
         std::mutex lock;

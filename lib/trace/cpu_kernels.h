@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one instruction-set build of the kernels offers to the CPU device.  The tables cross as void*: each build has its
-// own (identical) types in its own namespace.
+// What one instruction-set build of the kernels offers to the CPU device.  The tables cross as void*: each build has
+// its own (identical) types in its own namespace.
 #pragma once
 #include <cstdint>
 
@@ -9,7 +9,8 @@ namespace trace {
 struct CpuKernels {
     const char* name;
     // Runs the paths of slots [first, first + count) of a pass; rgb: 3 floats each.  scratch: scratch_bytes(count).
-    void (*run)(const void* scene_tables, const void* params, uint32_t first, uint32_t count, void* scratch, float* rgb);
+    void (*run)(const void* scene_tables, const void* params, uint32_t first, uint32_t count, void* scratch,
+                float* rgb);
     // Rays in the layout of trace::DrawRay.
     void (*draw)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
                  void* scratch, float* rgb);

@@ -18,7 +18,11 @@ struct Tile {
 static uint64_t scratch_bytes(uint32_t count) { return uint64_t(count) * (13 * 16 + 3 * 4) + 64; }
 static Tile carve(void* scratch, uint32_t count) {
     char* p = reinterpret_cast<char*>((reinterpret_cast<uintptr_t>(scratch) + 63) & ~uintptr_t(63));
-    const auto take = [&](size_t size) { char* q = p; p += size * count; return q; };
+    const auto take = [&](size_t size) {
+        char* q = p;
+        p += size * count;
+        return q;
+    };
     Tile t;
     t.paths.org = (float4*)take(16);
     t.paths.dir = (float4*)take(16);
@@ -70,9 +74,13 @@ static void run(const void* tables, const void* params, uint32_t first, uint32_t
     }
     store(t, count, rgb);
 }
-struct Ray9 { float org[3], dir[3], dist, weight; uint32_t source; };  // trace::DrawRay
-static void draw(const void* tables, const void* params, const void* rays, uint32_t first, uint32_t count, void* scratch,
-                 float* rgb) {
+// trace::DrawRay
+struct Ray9 {
+    float org[3], dir[3], dist, weight;
+    uint32_t source;
+};
+static void draw(const void* tables, const void* params, const void* rays, uint32_t first, uint32_t count,
+                 void* scratch, float* rgb) {
     const SceneTables s = *static_cast<const SceneTables*>(tables);
     Params par = *static_cast<const Params*>(params);
     par.first = first;

@@ -12,8 +12,8 @@ namespace {
 using namespace kernels;
 using base::Vec3;
 
-constexpr double LARGEST = 64;       // pixels; larger sources are met by ordinary samples often enough
-constexpr uint32_t POINTS = 4096;    // per source: at a pixel's edge the error is about 1/POINTS^(3/4) of the source
+constexpr double LARGEST = 64;     // pixels; larger sources are met by ordinary samples often enough
+constexpr uint32_t POINTS = 4096;  // per source: at a pixel's edge the error is about 1/POINTS^(3/4) of the source
 constexpr uint32_t MOST_RAYS = 1u << 20;
 
 // Solid angle per unit picture area at (X,Y); 0 outside the view.
@@ -57,16 +57,21 @@ DrawList list_drawn_sources(FlatScene& scene, const HostTracer& tracer, const vi
         const uint32_t kind = bits(scene.f[scene.sources_at + SOURCE_FLOATS * i + SRC_KIND]);
         for (uint32_t k = 0; k < points; k++) {
             // Roberts' R2 sequence: even in both numbers at any count
-            const double x = std::fmod(0.5 + (k + 1) * 0.7548776662466927, 1.0), y = std::fmod(0.5 + (k + 1) * 0.5698402909980532, 1.0);
+            const double x = std::fmod(0.5 + (k + 1) * 0.7548776662466927, 1.0),
+                         y = std::fmod(0.5 + (k + 1) * 0.5698402909980532, 1.0);
             const auto p = tracer.source_point(i, view.vp, x, y);
             double X, Y;
             if (p.solid_angle <= 0 || !projector.locate_direction(p.dir, X, Y)) continue;
             if (X < 0 || X >= 1 || Y < 0 || Y >= 1) continue;
             const double d = density(projector, X, Y);
             if (d <= 0) continue;
-            const Vec3 o = kind == SK_DISTANT && fore > 0 ? view.vp + p.dir * fore - scene.centre : view.vp - scene.centre;
+            const Vec3 o =
+                kind == SK_DISTANT && fore > 0 ? view.vp + p.dir * fore - scene.centre : view.vp - scene.centre;
             DrawRay r;
-            for (int c = 0; c < 3; c++) { r.org[c] = float(o[c]); r.dir[c] = float(p.dir[c]); }
+            for (int c = 0; c < 3; c++) {
+                r.org[c] = float(o[c]);
+                r.dir[c] = float(p.dir[c]);
+            }
             r.dist = float(p.dist);
             r.weight = float(p.solid_angle / points / d * nx * ny);
             r.source = i;

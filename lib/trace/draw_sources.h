@@ -11,7 +11,7 @@ namespace trace {
 
 struct DrawList {
     std::vector<DrawRay> rays;
-    std::vector<uint32_t> pixel;   // row from the top * nx + column, of each ray
+    std::vector<uint32_t> pixel;  // row from the top * nx + column, of each ray
 };
 // Marks the sources it takes (SRC_DRAWN in scene.f) and lists their rays.
 DrawList list_drawn_sources(FlatScene& scene, const HostTracer& tracer, const view::View& view, int nx, int ny);

@@ -24,9 +24,12 @@ public:
         if (why == RTC_ERROR_UNSUPPORTED_CPU)
             throw base::Error(base::Kind::system, "Embree", "does not know this processor");
         if (!device_) throw base::Error(base::Kind::system, "Embree", "does not start");
-        rtcSetDeviceErrorFunction(device_, [](void* self, RTCError, const char* text) {
-            static_cast<EmbreeDevice*>(self)->error_ = text && *text ? text : "unknown error";
-        }, this);
+        rtcSetDeviceErrorFunction(
+            device_,
+            [](void* self, RTCError, const char* text) {
+                static_cast<EmbreeDevice*>(self)->error_ = text && *text ? text : "unknown error";
+            },
+            this);
     }
     EmbreeDevice(const EmbreeDevice&) = delete;
     EmbreeDevice& operator=(const EmbreeDevice&) = delete;
@@ -35,6 +38,7 @@ public:
     void check() const {
         if (!error_.empty()) throw base::Error(base::Kind::system, "Embree", error_);
     }
+
 private:
     // Embree ends the program where a thread cannot be started; so it is asked for no more than there can be.
     static std::string threads() {

@@ -25,7 +25,7 @@ using RayContext = RTCIntersectContext;
 void init_context(RayContext* c) { rtcInitIntersectContext(c); }
 #endif
 
-struct Query {           // first member: Embree hands its address to the callbacks
+struct Query {  // first member: Embree hands its address to the callbacks
     RayContext context;
     uint32_t mask;
 };
@@ -42,7 +42,7 @@ struct EmbreeScene::State {
     };
     EmbreeDevice device;
     std::vector<Tree> trees;
-    std::vector<uint32_t> instances;               // shape numbers of geometries 2, 3, ...
+    std::vector<uint32_t> instances;  // shape numbers of geometries 2, 3, ...
     const float* shapes = nullptr;
     const uint32_t* shape_prim = nullptr;
     const float* polygon_uv = nullptr;
@@ -51,7 +51,9 @@ struct EmbreeScene::State {
         for (Tree& t : trees)
             if (t.scene) rtcReleaseScene(t.scene);
     }
-    const float* instance(uint32_t inst_id) const { return shapes + SHAPE_FLOATS * size_t(instances[inst_id - first_instance]); }
+    const float* instance(uint32_t inst_id) const {
+        return shapes + SHAPE_FLOATS * size_t(instances[inst_id - first_instance]);
+    }
 
     bool wanted(uint32_t mask, uint32_t id, uint32_t inst_id) const {
         if (inst_id != RTC_INVALID_GEOMETRY_ID) {
@@ -73,9 +75,11 @@ struct EmbreeScene::State {
     static bool meet(const Tree& tree, uint32_t prim, const RayContext* context, const RTCRay& ray, float* t) {
         const State& s = *tree.state;
         const uint32_t shape = tree.shape_of[prim];
-        if (!s.wanted(reinterpret_cast<const Query*>(context)->mask, s.shape_prim[shape], context->instID[0])) return false;
+        if (!s.wanted(reinterpret_cast<const Query*>(context)->mask, s.shape_prim[shape], context->instID[0]))
+            return false;
         return shape_hit(s.shapes + SHAPE_FLOATS * size_t(shape), s.polygon_uv, F3(ray.org_x, ray.org_y, ray.org_z),
-                         F3(ray.dir_x, ray.dir_y, ray.dir_z), ray.tnear, t) && *t < ray.tfar;
+                         F3(ray.dir_x, ray.dir_y, ray.dir_z), ray.tnear, t) &&
+               *t < ray.tfar;
     }
 
     static void shape_bounds(const RTCBoundsFunctionArguments* a) {
@@ -179,7 +183,8 @@ EmbreeScene::EmbreeScene(const BuildInput* trees, size_t tree_count, bool robust
 
 EmbreeScene::~EmbreeScene() = default;
 
-EmbreeScene::Hit EmbreeScene::closest(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const {
+EmbreeScene::Hit EmbreeScene::closest(const float org[3], float tmin, const float dir[3], float tmax,
+                                      uint32_t mask) const {
     Query query;
     init_context(&query.context);
     query.mask = mask;

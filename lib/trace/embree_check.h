@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Embree's own traversal of the same primitives: the independent check of kernels/bvh8.h and bvh2.h (device "cpu:embree").
-// Triangles are Embree's (ROBUST); analytic shapes go through callbacks to kernels/shapes.h; instances are Embree's.
-// Ties between coincident surfaces are decided by Embree, not by the lower primitive.
+// Embree's own traversal of the same primitives: the independent check of kernels/bvh8.h and bvh2.h (device
+// "cpu:embree"). Triangles are Embree's (ROBUST); analytic shapes go through callbacks to kernels/shapes.h; instances
+// are Embree's. Ties between coincident surfaces are decided by Embree, not by the lower primitive.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -11,14 +11,21 @@ namespace trace {
 
 class EmbreeScene {
 public:
-    struct Hit { float t; uint32_t prim; float u, v; uint32_t inst; };  // as kernels/intersect.h; prim 0xffffffff: none
+    // as kernels/intersect.h; prim 0xffffffff: none
+    struct Hit {
+        float t;
+        uint32_t prim;
+        float u, v;
+        uint32_t inst;
+    };
     // Takes what build_bvh8() takes; shapes, their ids and polygon_uv must outlive it, the rest is copied.
-    // For measurements: robust = false takes Embree's faster kernels, which leak at edges; classes = false leaves out the
-    // callbacks that tell opaque from transparent triangles.
+    // For measurements: robust = false takes Embree's faster kernels, which leak at edges; classes = false leaves out
+    // the callbacks that tell opaque from transparent triangles.
     explicit EmbreeScene(const BuildInput* trees, size_t tree_count = 1, bool robust = true, bool classes = true);
     ~EmbreeScene();
     Hit closest(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const;
     bool any(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const;
+
 private:
     struct State;
     std::unique_ptr<State> state_;

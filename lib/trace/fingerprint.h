@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fingerprint of a rendering (image/fingerprint.h): a hash of everything that decides its frames' pixels besides seed
-// and frame number.  The scene counts as the flat tables that are uploaded, so that names of files, dates, comments and
-// the way a value was written do not matter, but every number that a device sees does; function and data files, BSDFs
-// and fonts are in the tables.  Devices and threads do not count, for they give the same bits.
+// The fingerprint of a rendering (image/fingerprint.h): a hash of everything that decides its frames' pixels besides
+// seed and frame number.  The scene counts as the flat tables that are uploaded, so that names of files, dates,
+// comments and the way a value was written do not matter, but every number that a device sees does; function and data
+// files, BSDFs and fonts are in the tables.  Devices and threads do not count, for they give the same bits.
 #pragma once
 #include <string>
 #include "trace/flat_scene.h"

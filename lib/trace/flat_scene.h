@@ -12,27 +12,34 @@ namespace trace {
 
 struct FlatScene {
     // Geometry of all trees: 0 is the scene, the others are what its instances hold, in coordinates of their own.
-    struct Tree { size_t first_vertex = 0, vertex_count = 0, first_triangle = 0, triangle_count = 0, first_shape = 0, shape_count = 0; };
+    struct Tree {
+        size_t first_vertex = 0, vertex_count = 0, first_triangle = 0, triangle_count = 0, first_shape = 0,
+               shape_count = 0;
+    };
     std::vector<Tree> trees;
-    std::vector<uint32_t> prims;      // PRIM_WORDS each
-    std::vector<float> vertices;      // 3 each, relative to centre (tree 0)
-    std::vector<uint32_t> triangles;  // 3 vertex indices each, from the tree's first
-    std::vector<uint32_t> tri_prim;   // primitive of each triangle; bit 31 = transparent class
-    std::vector<float> shapes;        // 16 each; after those of all trees the records of instances (INST_*, tables.h)
-    std::vector<uint32_t> shape_prim; // primitive of each shape; bit 31 as above
+    std::vector<uint32_t> prims;       // PRIM_WORDS each
+    std::vector<float> vertices;       // 3 each, relative to centre (tree 0)
+    std::vector<uint32_t> triangles;   // 3 vertex indices each, from the tree's first
+    std::vector<uint32_t> tri_prim;    // primitive of each triangle; bit 31 = transparent class
+    std::vector<float> shapes;         // 16 each; after those of all trees the records of instances (INST_*, tables.h)
+    std::vector<uint32_t> shape_prim;  // primitive of each shape; bit 31 as above
     std::vector<float> polygon_uv;
-    std::vector<uint32_t> u;          // arenas
+    std::vector<uint32_t> u;  // arenas
     std::vector<float> f;
-    base::Vec3 centre;                // world position of the tables' origin
+    base::Vec3 centre;  // world position of the tables' origin
 
     uint32_t mods_at = 0, sources_at = 0, source_count = 0, distant_at = 0, distant_count = 0;
     uint32_t portals_at = 0, portal_count = 0, cdf_at = 0, light_sets_at = 0;
-    uint32_t shadow_mode = 0;         // SHADOW_* of tables.h
+    uint32_t shadow_mode = 0;  // SHADOW_* of tables.h
     bool antimatter = false;
-    bool absorbs = false;             // some segment may lie in an absorbing medium
+    bool absorbs = false;  // some segment may lie in an absorbing medium
 
     // Transparent polygons (world coordinates): candidates for portals.
-    struct Pane { base::Vec3 corner, edge, normal; double area; std::vector<base::Vec3> points; };
+    struct Pane {
+        base::Vec3 corner, edge, normal;
+        double area;
+        std::vector<base::Vec3> points;
+    };
     std::vector<Pane> panes;
     std::vector<uint32_t> prim_object;  // scene object of each primitive; NO_OBJECT inside instances
     static constexpr uint32_t NO_OBJECT = 0xffffffffu;

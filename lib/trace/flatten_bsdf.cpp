@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // BSDF files -> the tables of kernels/bsdf.h: the Lambertian part taken off, values perturbed as RADIANCE perturbs them
-// (spec: RADIANCE shading 3.16; equal cells become unlike), sums for sampling, hemispherical values.  One file, one set.
+// (spec: RADIANCE shading 3.16; equal cells become unlike), sums for sampling, hemispherical values.  One file, one
+// set.
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
@@ -14,7 +15,7 @@
 namespace kernels {
 #include "kernels/sampler.h"
 #include "kernels/bsdf.h"
-}
+}  // namespace kernels
 
 namespace trace {
 namespace {
@@ -96,7 +97,9 @@ private:
         std::vector<double> noise(ni * no);
         for (size_t i = 0; i < ni; i++)
             for (size_t o = 0; o < no; o++)
-                noise[i * no + o] = 1 + 6e-4 * (fraction(2.0 * double(ni) / (double(i) + .22545) + 4.0 * double(no) / (double(o) + .70281)) - .5);
+                noise[i * no + o] = 1 + 6e-4 * (fraction(2.0 * double(ni) / (double(i) + .22545) +
+                                                         4.0 * double(no) / (double(o) + .70281)) -
+                                                .5);
         double least = 1e30;
         for (size_t k = 0; k < ni * no; k++) least = std::min(least, t.y[k] * noise[k]);
         if (least <= MIN_LAMBERTIAN) least = 0;
@@ -120,7 +123,8 @@ private:
         std::vector<uint32_t> w(BT_WORDS);
         w[BT_KIND] = BSDF_MATRIX;
         w[BT_SWAP] = swap;
-        w[BT_MIN_PSA] = bits(std::min(*std::min_element(psa_v.begin(), psa_v.end()), *std::min_element(psa_l.begin(), psa_l.end())));
+        w[BT_MIN_PSA] = bits(
+            std::min(*std::min_element(psa_v.begin(), psa_v.end()), *std::min_element(psa_l.begin(), psa_l.end())));
         w[BT_V] = bases_[swap ? t.exit : t.incident];
         w[BT_L] = bases_[swap ? t.incident : t.exit];
         w[BT_NL] = uint32_t(nl);
@@ -141,15 +145,20 @@ private:
     }
 
     // ---- trees.  visit(leaf, lower corner, width) for each leaf; at most scene's MAX_DEPTH levels deep
-    template <class F> static void leaves(const BsdfTree& t, uint32_t node, const double* low, double width, const F& visit) {
-        if (t.child[node] == BsdfTree::LEAF) { visit(node, low, width); return; }
+    template <class F>
+    static void leaves(const BsdfTree& t, uint32_t node, const double* low, double width, const F& visit) {
+        if (t.child[node] == BsdfTree::LEAF) {
+            visit(node, low, width);
+            return;
+        }
         for (uint32_t c = 0; c < 1u << t.dims; c++) {
             double corner[4] = {0, 0, 0, 0};
             for (int k = 0; k < t.dims; k++) corner[k] = low[k] + (c >> k & 1 ? width / 2 : 0);
             leaves(t, t.child[node] + c, corner, width / 2, visit);
         }
     }
-    template <class F> static void leaves(const BsdfTree& t, const F& visit) {
+    template <class F>
+    static void leaves(const BsdfTree& t, const F& visit) {
         const double origin[4] = {0, 0, 0, 0};
         leaves(t, 0, origin, 1, visit);
     }
@@ -221,7 +230,8 @@ private:
         hemi.assign(sum.begin(), sum.end());
     }
     // An isotropic tree looked up the other way round: no dimension is v's; by quadrature.
-    void turned_tree(const std::vector<uint32_t>& w, uint32_t n, float least, std::vector<float>& hemi, std::vector<float>& psa) {
+    void turned_tree(const std::vector<uint32_t>& w, uint32_t n, float least, std::vector<float>& hemi,
+                     std::vector<float>& psa) {
         SceneTables s = {};
         s.u = code_.words.data();
         s.f = code_.floats.data();

@@ -20,18 +20,24 @@ constexpr uint32_t TRANSPARENT_BIT = 0x80000000u;
 Vec3 vec_at(const scene::Span<double>& r, size_t i) { return {r[i], r[i + 1], r[i + 2]}; }
 
 struct Builder {
-    Flattener& f;                 // its modifiers
+    Flattener& f;  // its modifiers
     const scene::Scene& scene;
     FlatScene& out;
-    const Vec3 centre;            // of the tree
+    const Vec3 centre;  // of the tree
     const Owner owner;
     const size_t first_vertex = out.vertices.size() / 3;
 
     uint32_t add_prim(const scene::Object& o, uint32_t kind, Vec3 normal, uint32_t shape, uint32_t& tagged) {
         const uint32_t id = uint32_t(out.prims.size() / PRIM_WORDS);
         const bool own = owner != Owner::replaced;
-        uint32_t rec[PRIM_WORDS] = {kind, own ? f.mod_of[o.modifier] : NONE, NONE, bits(float(normal.x)), bits(float(normal.y)),
-                                    bits(float(normal.z)), 0, 0};
+        uint32_t rec[PRIM_WORDS] = {kind,
+                                    own ? f.mod_of[o.modifier] : NONE,
+                                    NONE,
+                                    bits(float(normal.x)),
+                                    bits(float(normal.y)),
+                                    bits(float(normal.z)),
+                                    0,
+                                    0};
         if ((kind & PRIM_KIND_MASK) == PRIM_SPHERE || (kind & PRIM_KIND_MASK) == PRIM_CONE) rec[PRIM_NORMAL] = shape;
         out.prims.insert(out.prims.end(), rec, rec + PRIM_WORDS);
         out.prim_object.push_back(owner == Owner::scene ? uint32_t(&o - scene.objects.data()) : FlatScene::NO_OBJECT);
@@ -120,13 +126,17 @@ struct Builder {
                 convex = convex && dot(cross(v[(i + 1) % 4] - v[i], v[(i + 2) % 4] - v[(i + 1) % 4]), normal) > 0;
             // a bent quad keeps the reference's mean plane
             for (int i = 1; i < 4; i++)
-                convex = convex && std::fabs(dot(v[i] - v[0], normal)) <= 1e-5 * std::max(1.0, std::fabs(dot(v[0], normal)));
+                convex =
+                    convex && std::fabs(dot(v[i] - v[0], normal)) <= 1e-5 * std::max(1.0, std::fabs(dot(v[0], normal)));
         }
         uint32_t tagged;
         const uint32_t prim = add_prim(o, PRIM_FLAT | PRIM_TEXTURE_FLAT, normal, 0, tagged);
         if (convex) {
             uint32_t first = 0;
-            for (size_t i = 0; i < n; i++) { const uint32_t at = add_vertex(v[i]); if (!i) first = at; }
+            for (size_t i = 0; i < n; i++) {
+                const uint32_t at = add_vertex(v[i]);
+                if (!i) first = at;
+            }
             for (uint32_t i = 1; i + 1 < n; i++) {
                 out.triangles.insert(out.triangles.end(), {first, first + i, first + i + 1});
                 out.tri_prim.push_back(tagged);
@@ -156,7 +166,8 @@ struct Builder {
         for (const Vec3& p : v) radius = std::max(radius, length(p - mid));
         out.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(2 * radius));
         relay(o, prim, normal, mid, v);
-        if (owner == Owner::scene && f.passes[o.modifier] && out.panes.size() < 100000) out.panes.push_back({v[0], v[1] - v[0], normal, area2 / 2, v});
+        if (owner == Owner::scene && f.passes[o.modifier] && out.panes.size() < 100000)
+            out.panes.push_back({v[0], v[1] - v[0], normal, area2 / 2, v});
     }
 
     void sphere(const scene::Object& o) {
@@ -177,12 +188,17 @@ struct Builder {
         double r0 = r[6], r1 = straight ? r[6] : r[7];
         bool inward = o.type == Type::cup || o.type == Type::tube;
         if (r0 * r1 < 0) return warn(o, "cone radii of opposite sign");
-        if (r0 < 0 || r1 < 0) { inward = !inward; r0 = std::fabs(r0); r1 = std::fabs(r1); }
+        if (r0 < 0 || r1 < 0) {
+            inward = !inward;
+            r0 = std::fabs(r0);
+            r1 = std::fabs(r1);
+        }
         if (r0 <= TINY && r1 <= TINY) return warn(o, "radius too small");
         const Vec3 p0 = vec_at(r, 0) - centre, axis = vec_at(r, 3) - vec_at(r, 0);
         const double len = length(axis);
         if (len <= TINY) return warn(o, "axis of zero length");
-        const uint32_t shape = add_shape(SHAPE_CONE, {p0.x, p0.y, p0.z, axis.x / len, axis.y / len, axis.z / len, len, r0, r1});
+        const uint32_t shape =
+            add_shape(SHAPE_CONE, {p0.x, p0.y, p0.z, axis.x / len, axis.y / len, axis.z / len, len, r0, r1});
         uint32_t tagged;
         const uint32_t prim = add_prim(o, PRIM_CONE | (inward ? PRIM_INWARD : 0u), {}, shape, tagged);
         out.shape_prim.push_back(tagged);
@@ -229,13 +245,16 @@ Vec3 centre_of(const Box& box) {
 Box surface_bounds(const scene::Scene& s) {
     Box box;
     for (const scene::Object& o : s.objects) {
-        if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance) continue;
+        if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance)
+            continue;
         const auto r = s.reals(o);
-        const size_t points = o.type == Type::polygon ? r.size() / 3
-                              : o.type == Type::sphere || o.type == Type::bubble || o.type == Type::ring ? 1 : 2;
+        const size_t points = o.type == Type::polygon                                                    ? r.size() / 3
+                              : o.type == Type::sphere || o.type == Type::bubble || o.type == Type::ring ? 1
+                                                                                                         : 2;
         const double round = o.type == Type::polygon || r.size() < 4 ? 0
-                             : points == 2 ? std::max(std::fabs(r[6]), r.size() > 7 ? std::fabs(r[7]) : 0)
-                             : o.type == Type::ring ? std::max(r[6], r[7]) : std::fabs(r[3]);
+                             : points == 2          ? std::max(std::fabs(r[6]), r.size() > 7 ? std::fabs(r[7]) : 0)
+                             : o.type == Type::ring ? std::max(r[6], r[7])
+                                                    : std::fabs(r[3]);
         for (size_t i = 0; i < points && 3 * i + 2 < r.size(); i++) {
             const Vec3 p = vec_at(r, 3 * i), d{round, round, round};
             if (!within_reach(p) || !(round < farthest)) base::fail(s.place(o), "a coordinate is beyond 1e18");
@@ -249,14 +268,16 @@ Box surface_bounds(const scene::Scene& s) {
 void flatten_surfaces(Flattener& f, const scene::Scene& scene, Vec3 centre, Owner owner) {
     Builder b{f, scene, f.out, centre, owner};
     for (const scene::Object& o : scene.objects) {
-        if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance) continue;
+        if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance)
+            continue;
         // a chain without material lets rays pass
         if (owner != Owner::replaced && (o.modifier < 0 || !f.has_material[o.modifier])) continue;
         switch (o.type) {
-            case Type::polygon: b.polygon(o); break;
-            case Type::sphere: case Type::bubble: b.sphere(o); break;
-            case Type::ring: b.ring(o); break;
-            default: b.cone(o);
+        case Type::polygon: b.polygon(o); break;
+        case Type::sphere:
+        case Type::bubble: b.sphere(o); break;
+        case Type::ring: b.ring(o); break;
+        default: b.cone(o);
         }
     }
 }

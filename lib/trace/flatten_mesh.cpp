@@ -36,7 +36,9 @@ void Instances::flatten_mesh(const Tree& tree) {
     out.prim_object.reserve(out.prim_object.size() + triangles);
     out.triangles.reserve(out.triangles.size() + 3 * triangles);
     out.tri_prim.reserve(out.tri_prim.size() + triangles);
-    const auto has_normal = [&](uint32_t v) { return mesh.normals[v].x != 0 || mesh.normals[v].y != 0 || mesh.normals[v].z != 0; };
+    const auto has_normal = [&](uint32_t v) {
+        return mesh.normals[v].x != 0 || mesh.normals[v].y != 0 || mesh.normals[v].z != 0;
+    };
     for (const scene::Mesh::Triangle& t : mesh.triangles) {
         uint32_t mod = NONE;
         bool pass = false;
@@ -56,8 +58,14 @@ void Instances::flatten_mesh(const Tree& tree) {
         if (corners) kind = PRIM_SMOOTH;
         if (smooth && has_normal(t.v[0]) && has_normal(t.v[1]) && has_normal(t.v[2])) kind |= PRIM_CORNER_NORMALS;
         const uint32_t prim = uint32_t(out.prims.size() / PRIM_WORDS);
-        const uint32_t rec[PRIM_WORDS] = {kind, mod, NONE, bits(float(normal.x)), bits(float(normal.y)), bits(float(normal.z)),
-                                          uint32_t(out.u.size()), bits(0.0f)};
+        const uint32_t rec[PRIM_WORDS] = {kind,
+                                          mod,
+                                          NONE,
+                                          bits(float(normal.x)),
+                                          bits(float(normal.y)),
+                                          bits(float(normal.z)),
+                                          uint32_t(out.u.size()),
+                                          bits(0.0f)};
         out.prims.insert(out.prims.end(), rec, rec + PRIM_WORDS);
         out.prim_object.push_back(FlatScene::NO_OBJECT);
         out.triangles.insert(out.triangles.end(), {t.v[0], t.v[1], t.v[2]});

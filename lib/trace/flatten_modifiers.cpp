@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Modifier chains -> MOD records.  Only what some surface uses is compiled; modifiers always stand before their users, so
-// one pass down marks what is needed and one pass up builds it, without recursion (chains may be 10,000 deep).
+// Modifier chains -> MOD records.  Only what some surface uses is compiled; modifiers always stand before their users,
+// so one pass down marks what is needed and one pass up builds it, without recursion (chains may be 10,000 deep).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -17,53 +17,68 @@ bool is_emitter(Type t) { return t == Type::light || t == Type::glow || t == Typ
 
 uint32_t material_code(Type t) {
     switch (t) {
-        case Type::plastic: return M_PLASTIC;
-        case Type::metal: return M_METAL;
-        case Type::trans: return M_TRANS;
-        case Type::glass: return M_GLASS;
-        case Type::light: return M_LIGHT;
-        case Type::glow: return M_GLOW;
-        case Type::spotlight: return M_SPOTLIGHT;
-        case Type::illum: return M_ILLUM;
-        case Type::mirror: return M_MIRROR;
-        case Type::dielectric: return M_DIELECTRIC;
-        case Type::interface: return M_INTERFACE;
-        case Type::plastic2: return M_ANISO_PLASTIC;
-        case Type::metal2: return M_ANISO_METAL;
-        case Type::trans2: return M_ANISO_TRANS;
-        case Type::ashik2: return M_ASHIK;
-        case Type::plasfunc: case Type::metfunc: case Type::transfunc:
-        case Type::plasdata: case Type::metdata: case Type::transdata: return M_BRDF;
-        case Type::brtdfunc: return M_BRTD;
-        case Type::mist: return M_MIST;
-        case Type::antimatter: return M_ANTIMATTER;
-        case Type::prism1: case Type::prism2: return M_PRISM;
-        case Type::wgmdfunc: return M_WGMD;
-        case Type::bsdf: case Type::absdf: return M_BSDF;
-        default: return 0;
+    case Type::plastic: return M_PLASTIC;
+    case Type::metal: return M_METAL;
+    case Type::trans: return M_TRANS;
+    case Type::glass: return M_GLASS;
+    case Type::light: return M_LIGHT;
+    case Type::glow: return M_GLOW;
+    case Type::spotlight: return M_SPOTLIGHT;
+    case Type::illum: return M_ILLUM;
+    case Type::mirror: return M_MIRROR;
+    case Type::dielectric: return M_DIELECTRIC;
+    case Type::interface: return M_INTERFACE;
+    case Type::plastic2: return M_ANISO_PLASTIC;
+    case Type::metal2: return M_ANISO_METAL;
+    case Type::trans2: return M_ANISO_TRANS;
+    case Type::ashik2: return M_ASHIK;
+    case Type::plasfunc:
+    case Type::metfunc:
+    case Type::transfunc:
+    case Type::plasdata:
+    case Type::metdata:
+    case Type::transdata: return M_BRDF;
+    case Type::brtdfunc: return M_BRTD;
+    case Type::mist: return M_MIST;
+    case Type::antimatter: return M_ANTIMATTER;
+    case Type::prism1:
+    case Type::prism2: return M_PRISM;
+    case Type::wgmdfunc: return M_WGMD;
+    case Type::bsdf:
+    case Type::absdf: return M_BSDF;
+    default: return 0;
     }
 }
-// Does a shadow ray pass this material (spec shading 4.5)?  Without -bv it does from behind, if the type may let light through.
+// Does a shadow ray pass this material (spec shading 4.5)?  Without -bv it does from behind, if the type may let light
+// through.
 bool material_passes(Type t, const scene::Span<double>& a, const cal::PatternSpec& spec, bool bv) {
     switch (t) {
-        case Type::absdf: return true;
-        case Type::bsdf: return !bv || spec.strings[0] != "0";  // a proxy of some thickness
-        case Type::glass: case Type::dielectric: case Type::interface: case Type::illum: case Type::mirror:
-        case Type::brtdfunc: case Type::prism1: case Type::prism2: case Type::mist: case Type::antimatter: return true;
-        case Type::wgmdfunc: return spec.strings[5] != "0";  // the word decides, from behind, too
-        case Type::trans: return !bv || (a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6);
-        default: return false;
+    case Type::absdf: return true;
+    case Type::bsdf: return !bv || spec.strings[0] != "0";  // a proxy of some thickness
+    case Type::glass:
+    case Type::dielectric:
+    case Type::interface:
+    case Type::illum:
+    case Type::mirror:
+    case Type::brtdfunc:
+    case Type::prism1:
+    case Type::prism2:
+    case Type::mist:
+    case Type::antimatter: return true;
+    case Type::wgmdfunc: return spec.strings[5] != "0";  // the word decides, from behind, too
+    case Type::trans: return !bv || (a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6);
+    default: return false;
     }
 }
-constexpr int wgmd_names[3] = {0, 4, 8};    // strings of WGMDfunc that name modifiers
+constexpr int wgmd_names[3] = {0, 4, 8};        // strings of WGMDfunc that name modifiers
 constexpr uint32_t WGMD_INHERIT = 0xfffffffeu;  // as kernels/mat_wgmd.h
 
 uint32_t mod_type(cal::ProgramKind k) {
     switch (k) {
-        case cal::ProgramKind::brightness: return M_PATTERN1;
-        case cal::ProgramKind::color: return M_PATTERN3;
-        case cal::ProgramKind::texture: return M_TEXTURE;
-        default: return M_MIXTURE;
+    case cal::ProgramKind::brightness: return M_PATTERN1;
+    case cal::ProgramKind::color: return M_PATTERN3;
+    case cal::ProgramKind::texture: return M_TEXTURE;
+    default: return M_MIXTURE;
     }
 }
 cal::PatternSpec spec_of(const scene::Scene& scene, const scene::Object& o) {
@@ -71,17 +86,23 @@ cal::PatternSpec spec_of(const scene::Scene& scene, const scene::Object& o) {
     const auto r = scene.reals(o);
     return {type_name(o.type), {s.begin(), s.end()}, {r.begin(), r.end()}, scene.place(o), {}};
 }
-// A transparent type in RADIANCE's eyes: -i looks through it and a mirror gives way to it.  Functions count by their text:
-// "0" is nothing, all else may be something.
+// A transparent type in RADIANCE's eyes: -i looks through it and a mirror gives way to it.  Functions count by their
+// text: "0" is nothing, all else may be something.
 bool transparent_type(const scene::Scene& scene, uint32_t object) {
     const scene::Object& o = scene.objects[object];
     const auto some = [&](size_t k) { return scene.strings(o)[k] != "0"; };
     switch (o.type) {
-        case Type::trans: case Type::trans2: case Type::glass: case Type::dielectric: case Type::interface: case Type::mist:
-        case Type::antimatter: case Type::absdf: return true;
-        case Type::brtdfunc: return some(3) || some(4) || some(5);
-        case Type::wgmdfunc: return some(5);
-        default: return false;
+    case Type::trans:
+    case Type::trans2:
+    case Type::glass:
+    case Type::dielectric:
+    case Type::interface:
+    case Type::mist:
+    case Type::antimatter:
+    case Type::absdf: return true;
+    case Type::brtdfunc: return some(3) || some(4) || some(5);
+    case Type::wgmdfunc: return some(5);
+    default: return false;
     }
 }
 }  // namespace
@@ -98,8 +119,10 @@ void Flattener::flatten_modifiers() {
     passes.assign(n, 0);
     material_of.assign(n, NONE);
     std::vector<uint8_t> needed(n, 0);
-    std::vector<int> nesting(n, 0);       // of mixtures of patterns, from here on
-    const auto need = [&](int32_t i) { if (i >= 0) needed[i] = 1; };
+    std::vector<int> nesting(n, 0);  // of mixtures of patterns, from here on
+    const auto need = [&](int32_t i) {
+        if (i >= 0) needed[i] = 1;
+    };
     for (int32_t m : also_used) need(m);
     // Names among the string arguments that are modifiers, for what is not found by the chain.
     const auto branches = [&](const scene::Object& o, uint32_t at) {
@@ -108,11 +131,15 @@ void Flattener::flatten_modifiers() {
     };
     const auto alternate = [&](const scene::Object& o, uint32_t at) {
         const auto s = scene.strings(o);
-        return (o.type == Type::mirror || o.type == Type::illum) && s.size() > 0 ? scene.lookup_modifier(s[0], at) : scene::VOID;
+        return (o.type == Type::mirror || o.type == Type::illum) && s.size() > 0 ? scene.lookup_modifier(s[0], at)
+                                                                                 : scene::VOID;
     };
     for (size_t i = n; i-- > 0;) {
         const scene::Object& o = scene.objects[i];
-        if (scene::is_surface(o.type)) { need(o.modifier); continue; }
+        if (scene::is_surface(o.type)) {
+            need(o.modifier);
+            continue;
+        }
         if (!needed[i]) continue;
         const auto r = scene.resolve(int32_t(i));
         need(r.modifier);
@@ -122,7 +149,8 @@ void Flattener::flatten_modifiers() {
             for (const std::string& name : scene.strings(t)) need(scene.lookup_modifier(name, uint32_t(r.object)));
         if (t.type == Type::wgmdfunc)
             for (int k : wgmd_names)
-                if (scene.strings(t)[size_t(k)] != "inherit") need(scene.lookup_modifier(scene.strings(t)[size_t(k)], uint32_t(r.object)));
+                if (scene.strings(t)[size_t(k)] != "inherit")
+                    need(scene.lookup_modifier(scene.strings(t)[size_t(k)], uint32_t(r.object)));
         if (is_mixture(t.type)) {
             const auto b = branches(t, uint32_t(r.object));
             need(b.first);
@@ -143,10 +171,12 @@ void Flattener::flatten_modifiers() {
         rec[MOD_ARGS] = uint32_t(args.size());
         const bool above = r.modifier >= 0 && has_material[r.modifier];
         if (scene::is_material(t.type)) {
-            if (above) base::fail(scene.place(scene.objects[i]),
-                                  fmt::format("material \"{}\" has another material above it", scene.name(scene.objects[i])));
+            if (above)
+                base::fail(scene.place(scene.objects[i]),
+                           fmt::format("material \"{}\" has another material above it", scene.name(scene.objects[i])));
             rec[MOD_TYPE] = material_code(t.type);
-            if (!rec[MOD_TYPE]) base::fail(scene.place(t), fmt::format("material type {} is not supported", type_name(t.type)));
+            if (!rec[MOD_TYPE])
+                base::fail(scene.place(t), fmt::format("material type {} is not supported", type_name(t.type)));
             for (double a : reals) args.push_back(float(a));
             if (t.type == Type::glass && reals.size() < 4) args.push_back(1.52f);
             if (is_emitter(t.type)) args.resize(rec[MOD_ARGS] + 8, 0.0f);
@@ -158,7 +188,10 @@ void Flattener::flatten_modifiers() {
                 if (m < 0 || !has_material[m] || (!mixed && transparent_type(scene, material_of[m])))
                     rec[MOD_FLAGS] |= MF_ALTERNATE_PASSES;
             }
-            if (t.type == Type::dielectric || t.type == Type::interface) { out.absorbs = true; aimed = true; }
+            if (t.type == Type::dielectric || t.type == Type::interface) {
+                out.absorbs = true;
+                aimed = true;
+            }
             if (cal::has_functions(type_name(t.type))) {
                 const cal::MaterialProgram p = cal::compile_material(library, spec_of(scene, t), code);
                 rec[MOD_PROGRAM] = p.values;
@@ -167,7 +200,8 @@ void Flattener::flatten_modifiers() {
                     rec[MOD_BRANCH1] = uint32_t(code.words.size());
                     for (int k : wgmd_names) {
                         const std::string& name = scene.strings(t)[size_t(k)];
-                        const int32_t m = name == "inherit" ? scene::VOID : scene.lookup_modifier(name, uint32_t(r.object));
+                        const int32_t m =
+                            name == "inherit" ? scene::VOID : scene.lookup_modifier(name, uint32_t(r.object));
                         code.words.push_back(name == "inherit" ? WGMD_INHERIT : m >= 0 ? mod_of[m] : NONE);
                     }
                 }
@@ -180,14 +214,16 @@ void Flattener::flatten_modifiers() {
                 }
             }
             if (t.type == Type::antimatter) {  // the number of this one, its cut face, and a mark on what it lists
-                if (antimatters > 3) base::fail(scene.place(t), "more than four antimatter materials are not supported");
+                if (antimatters > 3)
+                    base::fail(scene.place(t), "more than four antimatter materials are not supported");
                 args.push_back(float(antimatters));
                 for (size_t k = 0; k < scene.strings(t).size(); k++) {
                     const int32_t m = scene.lookup_modifier(scene.strings(t)[k], uint32_t(r.object));
                     if (m < 0) continue;
                     if (k == 0) rec[MOD_BRANCH1] = mod_of[m];
                     passes[m] = 1;
-                    if (mod_of[m] != NONE) mods[mod_of[m] * MOD_WORDS + MOD_FLAGS] |= 1u << (MF_CLIPPED_SHIFT + antimatters);
+                    if (mod_of[m] != NONE)
+                        mods[mod_of[m] * MOD_WORDS + MOD_FLAGS] |= 1u << (MF_CLIPPED_SHIFT + antimatters);
                 }
                 antimatters++;
                 out.antimatter = true;
@@ -203,7 +239,8 @@ void Flattener::flatten_modifiers() {
             if (t.type == Type::prism1 || t.type == Type::prism2) aimed = true;
             if (t.type == Type::metfunc || t.type == Type::metdata) rec[MOD_FLAGS] |= MF_METAL;
             if (t.type == Type::transfunc || t.type == Type::transdata) rec[MOD_FLAGS] |= MF_TRANS;
-            if (transparent_type(scene, uint32_t(r.object)) || (t.type == Type::bsdf && scene.strings(t)[0] != "0")) rec[MOD_FLAGS] |= MF_SEEN_THROUGH;
+            if (transparent_type(scene, uint32_t(r.object)) || (t.type == Type::bsdf && scene.strings(t)[0] != "0"))
+                rec[MOD_FLAGS] |= MF_SEEN_THROUGH;
             has_material[i] = 1;
             passes[i] = material_passes(t.type, reals, spec_of(scene, t), options.bv);
             material_of[i] = uint32_t(r.object);
@@ -230,7 +267,8 @@ void Flattener::flatten_modifiers() {
                 if (!any) rec[MOD_FLAGS] |= MF_PATTERNS_ONLY;
                 nesting[i] = std::max(nesting[i], any ? 0 : inside + 1);
                 if (nesting[i] > MIX_DEPTH)
-                    base::fail(scene.place(t), fmt::format("more than {} mixtures of patterns one inside the other", MIX_DEPTH));
+                    base::fail(scene.place(t),
+                               fmt::format("more than {} mixtures of patterns one inside the other", MIX_DEPTH));
                 if (!any && above) material_of[i] = material_of[r.modifier];
             } else {
                 rec[MOD_TYPE] = mod_type(p.kind);

@@ -19,9 +19,15 @@ using scene::Type;
 
 constexpr double PI = 3.14159265358979323846;
 Vec3 vec_at(const scene::Span<double>& r, size_t i) { return {r[i], r[i + 1], r[i + 2]}; }
-double luminance_weight(const scene::Span<double>& c) { return .265074126 * c[0] + .670114631 * c[1] + .064811243 * c[2]; }
+double luminance_weight(const scene::Span<double>& c) {
+    return .265074126 * c[0] + .670114631 * c[1] + .064811243 * c[2];
+}
 
-void put(float* q, Vec3 v) { q[0] = float(v.x); q[1] = float(v.y); q[2] = float(v.z); }
+void put(float* q, Vec3 v) {
+    q[0] = float(v.x);
+    q[1] = float(v.y);
+    q[2] = float(v.z);
+}
 
 // Ear clipping of a simple polygon in its plane; the fan's triangles by vertex index.  Falls back to a fan.
 std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3>& v, Vec3 n) {
@@ -38,7 +44,10 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3>& v, Vec3 n) 
             for (int k : left) {
                 if (v[k] == v[a] || v[k] == v[b] || v[k] == v[c]) continue;
                 const auto inside = [&](int s, int e) { return dot(cross(v[e] - v[s], v[k] - v[s]), n) >= 0; };
-                if (inside(a, b) && inside(b, c) && inside(c, a)) { empty = false; break; }
+                if (inside(a, b) && inside(b, c) && inside(c, a)) {
+                    empty = false;
+                    break;
+                }
             }
             if (!empty) continue;
             out.push_back({a, b, c});
@@ -52,8 +61,8 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3>& v, Vec3 n) 
     out.push_back({left[0], left[1], left[2]});
     return out;
 }
-// The half vectors of RADIANCE's partition: quadrilaterals as if parallelograms, triangles by the edge nearest the centroid,
-// others a square of equal area.
+// The half vectors of RADIANCE's partition: quadrilaterals as if parallelograms, triangles by the edge nearest the
+// centroid, others a square of equal area.
 void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec3& u, Vec3& w) {
     if (v.size() == 4) {
         u = (v[1] - v[0]) * 0.5;
@@ -67,7 +76,10 @@ void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec
         for (int i = 0; i < 3; i++) {
             const Vec3 e = unit(v[(i + 1) % 3] - v[i]);
             const double d = length(cross(mid - v[i], e));
-            if (d < size) { size = d; along = e; }
+            if (d < size) {
+                size = d;
+                along = e;
+            }
         }
     }
     u = along * size;
@@ -76,8 +88,8 @@ void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec
 }  // namespace
 
 // "relay>relay>source": the way back from the point lit.
-bool Flattener::source_is_called(const std::vector<float>& records, const std::vector<uint32_t>& source_objects, uint32_t i,
-                                 std::string_view name) const {
+bool Flattener::source_is_called(const std::vector<float>& records, const std::vector<uint32_t>& source_objects,
+                                 uint32_t i, std::string_view name) const {
     for (uint32_t way; (way = bits(records[i * SOURCE_FLOATS + SRC_VIRTUAL])) != NONE; i = out.u[way + RELAY_SOURCE]) {
         const std::string start = scene.name(scene.objects[relay_object(out.u[way + RELAY_PRIM])]) + ">";
         if (name.substr(0, start.size()) != start) return false;
@@ -115,10 +127,10 @@ void Flattener::link_mists(const std::vector<float>& records, const std::vector<
             uint32_t found = NONE;  // of several of that name one counts, the last in the list
             for (uint32_t i = 0; i < count; i++)
                 if (source_is_called(records, source_objects, i, name) &&
-                    (found == NONE || source_is_later(records, source_objects, i, found))) found = i;
+                    (found == NONE || source_is_later(records, source_objects, i, found)))
+                    found = i;
             if (found != NONE) named_by[found].insert(m.mod);
-            else
-                base::warn(scene.place(o), fmt::format("mist: \"{}\" is no light source, not scattered", name));
+            else base::warn(scene.place(o), fmt::format("mist: \"{}\" is no light source, not scattered", name));
         }
     }
     std::map<std::set<uint32_t>, std::vector<uint32_t>> sets;
@@ -155,7 +167,7 @@ void Flattener::flatten_sources() {
     std::vector<float> records;
     std::vector<uint32_t> distant;
     std::vector<uint32_t> source_objects;  // scene object of each record
-    std::vector<float> fans;      // 12 floats a triangle: v0, e1, e2, cumulative share end, begin, -
+    std::vector<float> fans;               // 12 floats a triangle: v0, e1, e2, cumulative share end, begin, -
     std::vector<std::pair<size_t, size_t>> fan_patches;  // record offset, fan offset
 
     const auto start = [&](const scene::Object& material, uint32_t mod) {
@@ -167,8 +179,10 @@ void Flattener::flatten_sources() {
         q[SRC_POWER] = float(luminance_weight(c));
         q[SRC_SPOT + 3] = -2.0f;
         q[SRC_VIRTUAL] = from_bits(NONE);
-        q[SRC_CLASS] = from_bits(material.type == Type::glow ? M_GLOW : material.type == Type::spotlight ? M_SPOTLIGHT
-                                 : material.type == Type::illum ? M_ILLUM : M_LIGHT);
+        q[SRC_CLASS] = from_bits(material.type == Type::glow        ? M_GLOW
+                                 : material.type == Type::spotlight ? M_SPOTLIGHT
+                                 : material.type == Type::illum     ? M_ILLUM
+                                                                    : M_LIGHT);
         return q;
     };
     const auto black = [&](const scene::Span<double>& c) { return c[0] <= 0 && c[1] <= 0 && c[2] <= 0; };
@@ -203,7 +217,8 @@ void Flattener::flatten_sources() {
         } else if (o.type == Type::ring) {
             if (std::min(r[6], r[7]) > 0) base::fail(where, "a light ring must have inner radius 0");
             const double radius = std::max(r[6], r[7]);
-            const Vec3 n = unit(vec_at(r, 3)), u = unit(std::fabs(n.z) < 0.9 ? cross(n, {0, 0, 1}) : cross(n, {1, 0, 0}));
+            const Vec3 n = unit(vec_at(r, 3)),
+                       u = unit(std::fabs(n.z) < 0.9 ? cross(n, {0, 0, 1}) : cross(n, {1, 0, 0}));
             q[SRC_KIND] = from_bits(SK_RING);
             put(q + SRC_CENTRE, vec_at(r, 0) - out.centre);
             put(q + SRC_U, u * radius);
@@ -248,7 +263,10 @@ void Flattener::flatten_sources() {
                 const auto tris = triangulate(v, normal);
                 double total = 0, done = 0;
                 std::vector<double> area;
-                for (const auto& t : tris) { area.push_back(length(cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]])) / 2); total += area.back(); }
+                for (const auto& t : tris) {
+                    area.push_back(length(cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]])) / 2);
+                    total += area.back();
+                }
                 fan_patches.push_back({records.size() - SOURCE_FLOATS, fans.size()});
                 q[SRC_NTRIS] = from_bits(uint32_t(tris.size()));
                 q[SRC_AREA] = float(total);
@@ -278,10 +296,17 @@ void Flattener::flatten_sources() {
         const auto c = scene.reals(m);
         const Vec3 d = unit(vec_at(r, 0));
         const double half = std::min(r[3], 360.0) * PI / 360, s = std::sin(half / 2), cap = r[3] >= 360 ? 3 : 2 * s * s;
-        uint32_t rec[DISTANT_WORDS] = {bits(float(d.x)), bits(float(d.y)), bits(float(d.z)), bits(float(cap)),
-                                       distant_seen(mod_of[o.modifier]), NONE, 0, 0};
+        uint32_t rec[DISTANT_WORDS] = {bits(float(d.x)),
+                                       bits(float(d.y)),
+                                       bits(float(d.z)),
+                                       bits(float(cap)),
+                                       distant_seen(mod_of[o.modifier]),
+                                       NONE,
+                                       0,
+                                       0};
         if (m.type != Type::light && m.type != Type::glow && m.type != Type::spotlight && m.type != Type::illum)
-            base::fail(scene.place(o), fmt::format("a distant source of material {} is not supported", type_name(m.type)));
+            base::fail(scene.place(o),
+                       fmt::format("a distant source of material {} is not supported", type_name(m.type)));
         if (m.type != Type::glow && !black(c)) {
             float* q = start(m, mod_of[o.modifier]);
             source_objects.push_back(uint32_t(&o - scene.objects.data()));
@@ -295,8 +320,7 @@ void Flattener::flatten_sources() {
         distant.insert(distant.end(), rec, rec + DISTANT_WORDS);
     }
 
-    if (options.dr > 0 && !relays.empty() && !records.empty())
-        add_virtual_sources(records, fans, fan_patches);
+    if (options.dr > 0 && !relays.empty() && !records.empty()) add_virtual_sources(records, fans, fan_patches);
     link_mists(records, source_objects);
     if (aimed) out.shadow_mode = SHADOW_AIMED;
     out.source_count = uint32_t(records.size() / SOURCE_FLOATS);
@@ -315,7 +339,10 @@ void Flattener::flatten_sources() {
         return double(std::max(q[SRC_POWER], 1e-20f)) * std::max(q[SRC_AREA], 1e-20f);
     };
     for (uint32_t i = 0; i < out.source_count; i++) total += power(i);
-    for (uint32_t i = 0; i < out.source_count; i++) { sum += power(i); out.f.push_back(float(sum / total)); }
+    for (uint32_t i = 0; i < out.source_count; i++) {
+        sum += power(i);
+        out.f.push_back(float(sum / total));
+    }
 }
 
 }  // namespace trace

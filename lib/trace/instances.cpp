@@ -29,7 +29,8 @@ void put_matrix(float* q, const Xform& x, Vec3 from, Vec3 shift) {
 
 Instances::Instances(Flattener& top) : top_(top), out_(top.out), assets_(top.files) {}
 
-Instances::Materials Instances::obj_materials(const Flattener& f, const scene::Mesh& mesh, const scene::Object& o) const {
+Instances::Materials Instances::obj_materials(const Flattener& f, const scene::Mesh& mesh,
+                                              const scene::Object& o) const {
     Materials m;
     for (const std::string& name : mesh.material_names)
         m.push_back(f.scene.lookup_modifier(name, int32_t(&o - f.scene.objects.data())));
@@ -100,9 +101,10 @@ void Instances::add(uint32_t tree, const Xform& to_world, const Replacement* rep
 
 void Instances::place() { place_all(top_.scene, &top_, Xform(), nullptr, NONE); }
 
-// names: null where the modifiers are replaced.  object: the primitive of the top scene all this belongs to, NONE there.
-void Instances::place_all(const scene::Scene& scene, Flattener* names, const Xform& to_world, const Replacement* replaced,
-                          uint32_t object) {
+// names: null where the modifiers are replaced.  object: the primitive of the top scene all this belongs to, NONE
+// there.
+void Instances::place_all(const scene::Scene& scene, Flattener* names, const Xform& to_world,
+                          const Replacement* replaced, uint32_t object) {
     if (object != NONE && !top_.files.work->spend(1 + scene.objects.size() / 64))
         top_.files.work->fail(top_.scene.place(top_.scene.objects[object]));
     for (const scene::Object& o : scene.objects) {
@@ -128,7 +130,8 @@ void Instances::place_all(const scene::Scene& scene, Flattener* names, const Xfo
             const scene::Mesh& mesh = assets_.mesh(scene, o);
             if (now) add(tree_of(nullptr, &mesh, nullptr, {}), x, now, owner);
             else if (is_obj(mesh)) add(tree_of(nullptr, &mesh, names, obj_materials(*names, mesh, o)), x, now, owner);
-            else if (!mesh.materials.objects.empty()) add(tree_of(nullptr, &mesh, &names_of(mesh.materials, &mesh), {}), x, now, owner);
+            else if (!mesh.materials.objects.empty())
+                add(tree_of(nullptr, &mesh, &names_of(mesh.materials, &mesh), {}), x, now, owner);
         } else {
             const scene::Scene& inner = assets_.octree(scene, o);
             Flattener* inner_names = now ? nullptr : &names_of(inner);
@@ -146,7 +149,8 @@ void Instances::flatten_geometry() {
             const Vec3 inside = {k & 1 ? b.hi.x : b.lo.x, k & 2 ? b.hi.y : b.lo.y, k & 4 ? b.hi.z : b.lo.z};
             const Vec3 corner = base::point(p.to_world, inside);
             const scene::Object& shown = top_.scene.objects[p.object];
-            if (!within_reach(corner)) base::fail(top_.scene.place(shown), "a coordinate of its instance is beyond 1e18");
+            if (!within_reach(corner))
+                base::fail(top_.scene.place(shown), "a coordinate of its instance is beyond 1e18");
             grow(box, corner);
         }
     }
@@ -171,7 +175,9 @@ void Instances::flatten_geometry() {
     for (const Tree& t : trees_)
         tree([&] {
             if (t.mesh) flatten_mesh(t);
-            else flatten_surfaces(t.names ? *t.names : top_, *t.scene, t.centre, t.names ? Owner::instance : Owner::replaced);
+            else
+                flatten_surfaces(t.names ? *t.names : top_, *t.scene, t.centre,
+                                 t.names ? Owner::instance : Owner::replaced);
         });
     write_records(first);
 }

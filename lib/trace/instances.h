@@ -15,27 +15,35 @@ namespace trace {
 class Instances {
 public:
     explicit Instances(Flattener& top);
-    void prepare(Flattener& f);   // before f.flatten_modifiers(): what the meshes of its scene use
-    void place();                 // after it: reads all files, their modifiers join the tables
-    void flatten_geometry();      // trees, then the records of the instances
+    void prepare(Flattener& f);  // before f.flatten_modifiers(): what the meshes of its scene use
+    void place();                // after it: reads all files, their modifiers join the tables
+    void flatten_geometry();     // trees, then the records of the instances
 
 private:
     // What replaces the modifiers inside, and the coordinates its functions see.
-    struct Replacement { uint32_t mod; bool passes; base::Xform frame; };
+    struct Replacement {
+        uint32_t mod;
+        bool passes;
+        base::Xform frame;
+    };
     struct Tree {
         const scene::Scene* scene = nullptr;
         const scene::Mesh* mesh = nullptr;
-        Flattener* names = nullptr;        // of the modifiers; null: replaced by the instances'
-        std::vector<int32_t> materials;    // .obj: objects of names->scene
+        Flattener* names = nullptr;      // of the modifiers; null: replaced by the instances'
+        std::vector<int32_t> materials;  // .obj: objects of names->scene
         Box box;
         base::Vec3 centre;
     };
-    struct Place { uint32_t tree; base::Xform to_world, frame; uint32_t mod, forced, object; };
+    struct Place {
+        uint32_t tree;
+        base::Xform to_world, frame;
+        uint32_t mod, forced, object;
+    };
     using Materials = std::vector<int32_t>;
     using Key = std::tuple<const void*, const void*, Materials>;
 
-    void place_all(const scene::Scene& scene, Flattener* names, const base::Xform& to_world, const Replacement* replaced,
-                   uint32_t object);
+    void place_all(const scene::Scene& scene, Flattener* names, const base::Xform& to_world,
+                   const Replacement* replaced, uint32_t object);
     void add(uint32_t tree, const base::Xform& to_world, const Replacement* replaced, uint32_t object);
     uint32_t tree_of(const scene::Scene* scene, const scene::Mesh* mesh, Flattener* names, Materials materials);
     Flattener& names_of(const scene::Scene& scene, const scene::Mesh* mesh = nullptr);
@@ -48,7 +56,7 @@ private:
     FlatScene& out_;
     scene::Assets assets_;
     std::map<const scene::Scene*, std::unique_ptr<Flattener>> names_;
-    std::vector<Tree> trees_;              // without tree 0
+    std::vector<Tree> trees_;  // without tree 0
     std::map<Key, uint32_t> index_;
     std::vector<Place> places_;
 };

@@ -25,16 +25,28 @@ namespace {
 
 constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it
 
-struct Entry { cl::Platform platform; cl::Device device; bool gpu; };
+struct Entry {
+    cl::Platform platform;
+    cl::Device device;
+    bool gpu;
+};
 
 std::vector<Entry> all_devices() {
     choose_kernel_cache();
     std::vector<Entry> out;
     std::vector<cl::Platform> platforms;
-    try { cl::Platform::get(&platforms); } catch (const cl::Error&) { return out; }
+    try {
+        cl::Platform::get(&platforms);
+    } catch (const cl::Error&) {
+        return out;
+    }
     for (const auto& p : platforms) {
         std::vector<cl::Device> devices;
-        try { p.getDevices(CL_DEVICE_TYPE_ALL, &devices); } catch (const cl::Error&) { continue; }
+        try {
+            p.getDevices(CL_DEVICE_TYPE_ALL, &devices);
+        } catch (const cl::Error&) {
+            continue;
+        }
         for (const auto& d : devices) out.push_back({p, d, (d.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0});
     }
     std::stable_sort(out.begin(), out.end(), [](const Entry& a, const Entry& b) { return a.gpu > b.gpu; });
@@ -51,7 +63,8 @@ std::string describe(const Entry& e) {
 
 class OpenclDevice : public Device {
 public:
-    OpenclDevice(int index, const Entry& e, bool bvh2) : where_(fmt::format("opencl:{}", index)), gpu_(e.gpu), bvh2_(bvh2) {
+    OpenclDevice(int index, const Entry& e, bool bvh2)
+        : where_(fmt::format("opencl:{}", index)), gpu_(e.gpu), bvh2_(bvh2) {
         call("starting", [&] {
             name_ = describe(e);
             context_ = cl::Context(e.device);
@@ -160,7 +173,8 @@ public:
     uint32_t good_slots() const override { return gpu_ ? 1u << 21 : 1u << 18; }
 
 private:
-    template <class F> void call(const char* doing, F&& work) {
+    template <class F>
+    void call(const char* doing, F&& work) {
         try {
             work();
         } catch (const cl::Error& e) {
@@ -215,7 +229,8 @@ private:
         queue_.enqueueReadBuffer(b, CL_TRUE, 0, sizeof v, v);
         const uint32_t here[5] = {sizeof(Params), offsetof(Params, nx), offsetof(Params, mods_at), offsetof(Params, st),
                                   offsetof(Params, draw_count)};
-        if (std::memcmp(v, here, sizeof v) != 0) base::fail_system(where_, "the device lays out structures differently");
+        if (std::memcmp(v, here, sizeof v) != 0)
+            base::fail_system(where_, "the device lays out structures differently");
     }
 
     std::string where_, name_;

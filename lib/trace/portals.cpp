@@ -13,14 +13,14 @@ namespace trace {
 namespace {
 using base::Vec3;
 
-constexpr size_t MOST = 16;        // each costs a few operations per diffuse sample
-constexpr int RAYS = 256;          // per side
-constexpr double ENOUGH = 0.1;     // share of rays that must escape on the outer side beyond those on the inner
+constexpr size_t MOST = 16;     // each costs a few operations per diffuse sample
+constexpr int RAYS = 256;       // per side
+constexpr double ENOUGH = 0.1;  // share of rays that must escape on the outer side beyond those on the inner
 
 struct Rect {
-    Vec3 origin, u, v, n;          // unit axes, n = u x v
-    double lo[2], hi[2];           // extent along u and v from origin
-    double glass;                  // pane area inside
+    Vec3 origin, u, v, n;  // unit axes, n = u x v
+    double lo[2], hi[2];   // extent along u and v from origin
+    double glass;          // pane area inside
     double area() const { return (hi[0] - lo[0]) * (hi[1] - lo[1]); }
 };
 
@@ -31,10 +31,16 @@ Rect rect_of(const FlatScene::Pane& p) {
     r.n = p.normal;
     r.v = cross(r.n, r.u);
     r.glass = p.area;
-    for (int k = 0; k < 2; k++) { r.lo[k] = 1e30; r.hi[k] = -1e30; }
+    for (int k = 0; k < 2; k++) {
+        r.lo[k] = 1e30;
+        r.hi[k] = -1e30;
+    }
     for (const Vec3& q : p.points) {
         const double c[2] = {dot(q - r.origin, r.u), dot(q - r.origin, r.v)};
-        for (int k = 0; k < 2; k++) { r.lo[k] = std::min(r.lo[k], c[k]); r.hi[k] = std::max(r.hi[k], c[k]); }
+        for (int k = 0; k < 2; k++) {
+            r.lo[k] = std::min(r.lo[k], c[k]);
+            r.hi[k] = std::max(r.hi[k], c[k]);
+        }
     }
     return r;
 }
@@ -47,7 +53,10 @@ bool merge(Rect& a, const Rect& b) {
     for (int i = 0; i < 4; i++) {
         const Vec3 q = b.origin + b.u * (i & 1 ? b.hi[0] : b.lo[0]) + b.v * (i & 2 ? b.hi[1] : b.lo[1]);
         const double c[2] = {dot(q - a.origin, a.u), dot(q - a.origin, a.v)};
-        for (int k = 0; k < 2; k++) { m.lo[k] = std::min(m.lo[k], c[k]); m.hi[k] = std::max(m.hi[k], c[k]); }
+        for (int k = 0; k < 2; k++) {
+            m.lo[k] = std::min(m.lo[k], c[k]);
+            m.hi[k] = std::max(m.hi[k], c[k]);
+        }
     }
     m.glass = a.glass + b.glass;
     if (m.area() > 2 * m.glass) return false;
@@ -65,7 +74,10 @@ void find_portals(FlatScene& scene) {
         again = false;
         for (size_t i = 0; i < rects.size(); i++)
             for (size_t j = i + 1; j < rects.size();)
-                if (merge(rects[i], rects[j])) { rects.erase(rects.begin() + long(j)); again = true; } else j++;
+                if (merge(rects[i], rects[j])) {
+                    rects.erase(rects.begin() + long(j));
+                    again = true;
+                } else j++;
     }
     std::stable_sort(rects.begin(), rects.end(), [](const Rect& a, const Rect& b) { return a.area() > b.area(); });
     if (rects.size() > 4 * MOST) rects.resize(4 * MOST);
@@ -78,18 +90,22 @@ void find_portals(FlatScene& scene) {
         double escaped[2] = {0, 0};
         for (int side = 0; side < 2; side++)
             for (int i = 0; i < RAYS; i++) {
-                const double a = r.lo[0] + (r.hi[0] - r.lo[0]) * uniform(random), b = r.lo[1] + (r.hi[1] - r.lo[1]) * uniform(random);
+                const double a = r.lo[0] + (r.hi[0] - r.lo[0]) * uniform(random),
+                             b = r.lo[1] + (r.hi[1] - r.lo[1]) * uniform(random);
                 const double s = uniform(random), phi = 2 * M_PI * uniform(random);
                 const Vec3 n = side ? -r.n : r.n;
-                const Vec3 d = r.u * (std::sqrt(s) * std::cos(phi)) + r.v * (std::sqrt(s) * std::sin(phi)) + n * std::sqrt(1 - s);
+                const Vec3 d =
+                    r.u * (std::sqrt(s) * std::cos(phi)) + r.v * (std::sqrt(s) * std::sin(phi)) + n * std::sqrt(1 - s);
                 const double eps = 1e-4 * std::sqrt(r.area());
-                if (!tracer.blocked(r.origin + r.u * a + r.v * b + n * eps, d, 0, 1e30, HostTracer::opaque)) escaped[side] += 1.0 / RAYS;
+                if (!tracer.blocked(r.origin + r.u * a + r.v * b + n * eps, d, 0, 1e30, HostTracer::opaque))
+                    escaped[side] += 1.0 / RAYS;
             }
         const int out = escaped[1] > escaped[0];
         if (escaped[out] - escaped[!out] < ENOUGH) continue;
         const Vec3 corner = r.origin + r.u * r.lo[0] + r.v * r.lo[1] - scene.centre;
         const Vec3 u = r.u * (r.hi[0] - r.lo[0]), v = r.v * (r.hi[1] - r.lo[1]), n = out ? -r.n : r.n;
-        for (const Vec3& q : {corner, u, v, n}) for (int k = 0; k < 3; k++) records.push_back(float(q[k]));
+        for (const Vec3& q : {corner, u, v, n})
+            for (int k = 0; k < 3; k++) records.push_back(float(q[k]));
         records.insert(records.end(), {float(r.area()), 0, 0, 0});
         if (++scene.portal_count == MOST) break;
     }

@@ -38,21 +38,25 @@ struct Renderer::State {
     std::unique_ptr<Device> device;
     Params base{};
     uint32_t nx, ny, m;
-    std::vector<float> s0;         // mean of the direct class in frame 0
-    std::vector<float> exact;      // drawn sources, 3 floats a pixel (empty: none)
+    std::vector<float> s0;     // mean of the direct class in frame 0
+    std::vector<float> exact;  // drawn sources, 3 floats a pixel (empty: none)
     DrawList drawn;
     std::string fingerprint;
-    int64_t bad = 0;               // samples that were not numbers
+    int64_t bad = 0;  // samples that were not numbers
 
     void scrub(std::vector<float>& rgb) {
         int64_t found = 0;
         for (float& v : rgb)
-            if (!std::isfinite(v)) { v = 0; found++; }
+            if (!std::isfinite(v)) {
+                v = 0;
+                found++;
+            }
         if (found && !bad) base::warn("", "samples that were not finite numbers were set to 0");
         bad += found;
     }
     // Runs samples first .. first+count-1 of every pixel; give(sample, pixel values) in order; false stops.
-    template <class Give> void samples(uint32_t mode, int64_t first, int64_t count, Give&& give) {
+    template <class Give>
+    void samples(uint32_t mode, int64_t first, int64_t count, Give&& give) {
         const uint32_t pixels = nx * ny;
         const int64_t together = std::max<int64_t>(1, device->good_slots() / pixels);
         std::vector<float> rgb;
@@ -127,7 +131,8 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.cdf_at = flat.cdf_at;
     p.light_sets_at = flat.light_sets_at;
     p.shadow_mode = flat.shadow_mode;
-    p.medium = {float(o.me[0]), float(o.me[1]), float(o.me[2]), flat.absorbs || o.me[0] > 0 || o.me[1] > 0 || o.me[2] > 0 ? 1.0f : 0.0f};
+    p.medium = {float(o.me[0]), float(o.me[1]), float(o.me[2]),
+                flat.absorbs || o.me[0] > 0 || o.me[1] > 0 || o.me[2] > 0 ? 1.0f : 0.0f};
     p.albedo = {float(o.ma[0]), float(o.ma[1]), float(o.ma[2]), float(o.mg)};
     p.ab = o.ab;
     p.lr = o.lr;
@@ -160,14 +165,18 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
     }
     if (k >= end) return;
     s.samples(MODE_FRAMES, k, end - k, [&](int64_t frame, const float* v) {
-        if (frame > s.m) for (size_t i = 0; i < out.size(); i++) out[i] = v[i] - s.s0[i];
+        if (frame > s.m)
+            for (size_t i = 0; i < out.size(); i++) out[i] = v[i] - s.s0[i];
         else std::copy(v, v + out.size(), out.begin());
         return give(frame, out);
     });
 }
 
 void Renderer::frame(int64_t k, std::vector<float>& rgb) {
-    frames(k, 1, [&](int64_t, const std::vector<float>& v) { rgb = v; return true; });
+    frames(k, 1, [&](int64_t, const std::vector<float>& v) {
+        rgb = v;
+        return true;
+    });
 }
 
 Renderer::RayValue Renderer::trace_ray(const double origin[3], const double dir[3], int64_t n) {
@@ -185,7 +194,10 @@ Renderer::RayValue Renderer::trace_ray(const double origin[3], const double dir[
         p.slots = uint32_t(std::min<int64_t>(n - done, 1 << 16));
         s.device->run(p, rgb);
         s.scrub(rgb);
-        for (size_t i = 0; i < rgb.size(); i++) { sum[i % 3] += rgb[i]; square[i % 3] += double(rgb[i]) * rgb[i]; }
+        for (size_t i = 0; i < rgb.size(); i++) {
+            sum[i % 3] += rgb[i];
+            square[i % 3] += double(rgb[i]) * rgb[i];
+        }
         done += p.slots;
     }
     RayValue v;

@@ -11,8 +11,9 @@
 
 namespace trace {
 
-// A device name as users write it: "auto", "cpu", "cpu:embree" (Embree's own traversal, the check), "opencl", "opencl:1".
-std::vector<std::string> list_devices();   // one line each, for -devices
+// A device name as users write it: "auto", "cpu", "cpu:embree" (Embree's own traversal, the check), "opencl",
+// "opencl:1".
+std::vector<std::string> list_devices();  // one line each, for -devices
 
 class Renderer {
 public:
@@ -27,8 +28,11 @@ public:
     // Frames k .. k+count-1 together where that is faster (GPUs); give() is called in order.
     void frames(int64_t k, int count, const std::function<bool(int64_t, const std::vector<float>&)>& give);
     // Mean and standard error of n samples of one ray, all classes (tests compare with rtrace).
-    struct RayValue { double mean[3], error[3]; };
+    struct RayValue {
+        double mean[3], error[3];
+    };
     RayValue trace_ray(const double origin[3], const double dir[3], int64_t samples);
+
 private:
     struct State;
     std::unique_ptr<State> state_;

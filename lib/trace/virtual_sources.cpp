@@ -16,7 +16,11 @@ using base::Vec3;
 constexpr size_t MOST = 4096;
 
 Vec3 get(const float* q) { return {q[0], q[1], q[2]}; }
-void put(float* q, Vec3 v) { q[0] = float(v.x); q[1] = float(v.y); q[2] = float(v.z); }
+void put(float* q, Vec3 v) {
+    q[0] = float(v.x);
+    q[1] = float(v.y);
+    q[2] = float(v.z);
+}
 // Affine map that carries a source to its virtual place: p + (p.n - offset) h, then the mirror in the plane if asked.
 struct Projection {
     Vec3 n, h;
@@ -108,8 +112,10 @@ void Flattener::add_virtual_sources(std::vector<float>& records, std::vector<flo
                     const bool distant = bits(q[SRC_KIND]) == SK_DISTANT;
                     const Vec3 c = get(q + SRC_CENTRE);
                     Projection m;
-                    if (r.exits ? !prism_projection(out, &mods[r.modifier * MOD_WORDS], r, exit, distant ? -c : unit(r.centre - c), m)
-                                : !mirror_projection(r, q, m)) continue;
+                    if (r.exits ? !prism_projection(out, &mods[r.modifier * MOD_WORDS], r, exit,
+                                                    distant ? -c : unit(r.centre - c), m)
+                                : !mirror_projection(r, q, m))
+                        continue;
                     const bool sphere = bits(q[SRC_KIND]) == SK_SPHERE;
                     if (r.exits && (distant || sphere)) give_axes(q, distant);
                     put(q + SRC_CENTRE, distant ? unit(m.vector(c)) : m.point(c));
@@ -119,7 +125,8 @@ void Flattener::add_virtual_sources(std::vector<float>& records, std::vector<flo
                     if (!sphere && !distant) put(q + SRC_NORMAL, unit(get(q + SRC_NORMAL)));
                     if (bits(q[SRC_KIND]) == SK_POLYGON) {
                         size_t at = 0;
-                        for (const auto& p : fan_patches) if (p.first == i * SOURCE_FLOATS) at = p.second;
+                        for (const auto& p : fan_patches)
+                            if (p.first == i * SOURCE_FLOATS) at = p.second;
                         const size_t count = bits(q[SRC_NTRIS]) * 12;
                         fan_patches.push_back({records.size(), fans.size()});
                         const std::vector<float> copy(fans.begin() + long(at), fans.begin() + long(at + count));
@@ -135,8 +142,8 @@ void Flattener::add_virtual_sources(std::vector<float>& records, std::vector<flo
                     q[SRC_VIRTUAL] = from_bits(uint32_t(out.u.size()));
                     q[SRC_POWER] *= float(r.reflectance);
                     gates.push_back(seen_gates(gates[i], r, m));
-                    out.u.insert(out.u.end(), {r.prim, uint32_t(i), exit, uint32_t(gates.back().size()),
-                                               uint32_t(out.f.size())});
+                    out.u.insert(out.u.end(),
+                                 {r.prim, uint32_t(i), exit, uint32_t(gates.back().size()), uint32_t(out.f.size())});
                     append(out.f, gates.back());
                     records.insert(records.end(), q, q + SOURCE_FLOATS);
                     last_relay.push_back(r.prim);

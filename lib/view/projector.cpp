@@ -18,12 +18,12 @@ Projector::Projector(const View& v) : view_(v) {
     h_ = unit(cross(d_, unit(v.vu)));
     u_ = cross(h_, d_);
     switch (v.type) {
-        case 'v': sx_ = 2 * std::tan(v.vh / 2 * rad), sy_ = 2 * std::tan(v.vv / 2 * rad); break;
-        case 'l': sx_ = v.vh, sy_ = v.vv; break;
-        case 'a': sx_ = v.vh / 180, sy_ = v.vv / 180; break;  // angle from d in units of 180 degrees
-        case 'h': sx_ = 2 * std::sin(v.vh / 2 * rad), sy_ = 2 * std::sin(v.vv / 2 * rad); break;
-        case 's': sx_ = 2 * std::tan(v.vh / 4 * rad), sy_ = 2 * std::tan(v.vv / 4 * rad); break;
-        default: sx_ = v.vh * rad, sy_ = 2 * std::tan(v.vv / 2 * rad); break;  // c
+    case 'v': sx_ = 2 * std::tan(v.vh / 2 * rad), sy_ = 2 * std::tan(v.vv / 2 * rad); break;
+    case 'l': sx_ = v.vh, sy_ = v.vv; break;
+    case 'a': sx_ = v.vh / 180, sy_ = v.vv / 180; break;  // angle from d in units of 180 degrees
+    case 'h': sx_ = 2 * std::sin(v.vh / 2 * rad), sy_ = 2 * std::sin(v.vv / 2 * rad); break;
+    case 's': sx_ = 2 * std::tan(v.vh / 4 * rad), sy_ = 2 * std::tan(v.vv / 4 * rad); break;
+    default: sx_ = v.vh * rad, sy_ = 2 * std::tan(v.vv / 2 * rad); break;  // c
     }
 }
 
@@ -32,25 +32,25 @@ bool Projector::unnormalised(double X, double Y, Vec3& D) const {
     const double a = sx_ * (X - .5 + view_.vs), b = sy_ * (Y - .5 + view_.vl);
     const double q2 = a * a + b * b;
     switch (view_.type) {
-        case 'v': D = d_ + h_ * a + u_ * b; return true;
-        case 'l': D = d_; return true;
-        case 'a': {
-            const double q = std::sqrt(q2);
-            if (q > 1) return false;
-            const double k = q > 0 ? std::sin(M_PI * q) / q : M_PI;
-            D = d_ * std::cos(M_PI * q) + h_ * (k * a) + u_ * (k * b);
-            return true;
-        }
-        case 'h':
-            if (q2 > 1) return false;
-            D = d_ * std::sqrt(1 - q2) + h_ * a + u_ * b;
-            return true;
-        case 's': {
-            const double z = (1 - q2) / (1 + q2);
-            D = d_ * z + h_ * ((1 + z) * a) + u_ * ((1 + z) * b);
-            return true;
-        }
-        default: D = d_ * std::cos(a) + h_ * std::sin(a) + u_ * b; return true;  // c
+    case 'v': D = d_ + h_ * a + u_ * b; return true;
+    case 'l': D = d_; return true;
+    case 'a': {
+        const double q = std::sqrt(q2);
+        if (q > 1) return false;
+        const double k = q > 0 ? std::sin(M_PI * q) / q : M_PI;
+        D = d_ * std::cos(M_PI * q) + h_ * (k * a) + u_ * (k * b);
+        return true;
+    }
+    case 'h':
+        if (q2 > 1) return false;
+        D = d_ * std::sqrt(1 - q2) + h_ * a + u_ * b;
+        return true;
+    case 's': {
+        const double z = (1 - q2) / (1 + q2);
+        D = d_ * z + h_ * ((1 + z) * a) + u_ * ((1 + z) * b);
+        return true;
+    }
+    default: D = d_ * std::cos(a) + h_ * std::sin(a) + u_ * b; return true;  // c
     }
 }
 
@@ -82,20 +82,20 @@ bool Projector::plane_of(double a, double b, double& X, double& Y) const {
 bool Projector::locate_direction(Vec3 dir, double& X, double& Y) const {
     const double z = dot(dir, d_), a = dot(dir, h_), b = dot(dir, u_);
     switch (view_.type) {
-        case 'v': return z > 0 && plane_of(a / z, b / z, X, Y);
-        case 'l': return false;
-        case 'a': {
-            const double s = std::hypot(a, b);  // sine of the angle from d
-            if (s == 0 && z < 0) return false;  // straight behind: the whole rim
-            const double k = s > 0 ? std::atan2(s, z) / M_PI / s : 0;
-            return plane_of(a * k, b * k, X, Y);
-        }
-        case 'h': return z >= 0 && plane_of(a, b, X, Y);
-        case 's': return z > -1 && plane_of(a / (1 + z), b / (1 + z), X, Y);
-        default: {  // c
-            const double s = std::hypot(z, a);
-            return s > 0 && plane_of(std::atan2(a, z), b / s, X, Y);
-        }
+    case 'v': return z > 0 && plane_of(a / z, b / z, X, Y);
+    case 'l': return false;
+    case 'a': {
+        const double s = std::hypot(a, b);  // sine of the angle from d
+        if (s == 0 && z < 0) return false;  // straight behind: the whole rim
+        const double k = s > 0 ? std::atan2(s, z) / M_PI / s : 0;
+        return plane_of(a * k, b * k, X, Y);
+    }
+    case 'h': return z >= 0 && plane_of(a, b, X, Y);
+    case 's': return z > -1 && plane_of(a / (1 + z), b / (1 + z), X, Y);
+    default: {  // c
+        const double s = std::hypot(z, a);
+        return s > 0 && plane_of(std::atan2(a, z), b / s, X, Y);
+    }
     }
 }
 

@@ -46,16 +46,16 @@ int parse_option(View& v, const std::vector<std::string>& words, size_t at) {
     Vec3* vec = nullptr;
     double* real = nullptr;
     switch (word[2]) {
-        case 'p': vec = &v.vp; break;
-        case 'd': vec = &v.vd; break;
-        case 'u': vec = &v.vu; break;
-        case 'h': real = &v.vh; break;
-        case 'v': real = &v.vv; break;
-        case 'o': real = &v.vo; break;
-        case 'a': real = &v.va; break;
-        case 's': real = &v.vs; break;
-        case 'l': real = &v.vl; break;
-        default: return 0;
+    case 'p': vec = &v.vp; break;
+    case 'd': vec = &v.vd; break;
+    case 'u': vec = &v.vu; break;
+    case 'h': real = &v.vh; break;
+    case 'v': real = &v.vv; break;
+    case 'o': real = &v.vo; break;
+    case 'a': real = &v.va; break;
+    case 's': real = &v.vs; break;
+    case 'l': real = &v.vl; break;
+    default: return 0;
     }
     if (real) {
         *real = argument(words, at, 1);
@@ -146,13 +146,13 @@ void validate(const View& v) {
                                            most_allowed ? "at most" : "less than", most));
     };
     switch (v.type) {
-        case 'v': angle("-vh", v.vh, 180, false), angle("-vv", v.vv, 180, false); break;
-        case 'l': angle("-vh", v.vh, HUGE_VAL, true), angle("-vv", v.vv, HUGE_VAL, true); break;
-        case 'a': angle("-vh", v.vh, 360, true), angle("-vv", v.vv, 360, true); break;
-        case 'h': angle("-vh", v.vh, 180, true), angle("-vv", v.vv, 180, true); break;
-        case 's': angle("-vh", v.vh, 360, false), angle("-vv", v.vv, 360, false); break;
-        case 'c': angle("-vh", v.vh, 360, true), angle("-vv", v.vv, 180, false); break;
-        default: base::fail("-vt", "the view type is one of v l a h s c");
+    case 'v': angle("-vh", v.vh, 180, false), angle("-vv", v.vv, 180, false); break;
+    case 'l': angle("-vh", v.vh, HUGE_VAL, true), angle("-vv", v.vv, HUGE_VAL, true); break;
+    case 'a': angle("-vh", v.vh, 360, true), angle("-vv", v.vv, 360, true); break;
+    case 'h': angle("-vh", v.vh, 180, true), angle("-vv", v.vv, 180, true); break;
+    case 's': angle("-vh", v.vh, 360, false), angle("-vv", v.vv, 360, false); break;
+    case 'c': angle("-vh", v.vh, 360, true), angle("-vv", v.vv, 180, false); break;
+    default: base::fail("-vt", "the view type is one of v l a h s c");
     }
     if (v.vo < 0) base::fail("-vo", "the fore clipping distance is negative");
     if (v.va < 0) base::fail("-va", "the aft clipping distance is negative");
@@ -161,11 +161,11 @@ void validate(const View& v) {
 
 double aspect(const View& v) {
     switch (v.type) {
-        case 'v': return std::tan(v.vv / 2 * rad) / std::tan(v.vh / 2 * rad);
-        case 'h': return std::sin(v.vv / 2 * rad) / std::sin(v.vh / 2 * rad);
-        case 's': return std::tan(v.vv / 4 * rad) / std::tan(v.vh / 4 * rad);
-        case 'c': return 2 * std::tan(v.vv / 2 * rad) / (v.vh * rad);
-        default: return v.vv / v.vh;  // l, a
+    case 'v': return std::tan(v.vv / 2 * rad) / std::tan(v.vh / 2 * rad);
+    case 'h': return std::sin(v.vv / 2 * rad) / std::sin(v.vh / 2 * rad);
+    case 's': return std::tan(v.vv / 4 * rad) / std::tan(v.vh / 4 * rad);
+    case 'c': return 2 * std::tan(v.vv / 2 * rad) / (v.vh * rad);
+    default: return v.vv / v.vh;  // l, a
     }
 }
 

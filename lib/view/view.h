@@ -50,10 +50,11 @@ void fit_size(const View& v, double pixel_aspect, int& nx, int& ny);
 class Projector {
 public:
     explicit Projector(const View& v);
+    // dir unit; tmax 0 = unlimited (aft clipping else)
     struct Ray {
         Vec3 origin, dir;
         double tmax;
-    };                                                 // dir unit; tmax 0 = unlimited (aft clipping else)
+    };
     std::optional<Ray> ray(double X, double Y) const;  // none outside the image circle
     std::optional<Vec3> direction(double X, double Y) const;
     // Where a direction (unit, from the view point at infinity) or a point appears; false if the projection has no

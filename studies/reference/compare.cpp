@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// compare REFERENCE.hdr REFERENCE.blocks.tsv WHOLE PART1 PART2 ...: how far is a picture from the reference?  "-" for the first: the
-// table alone is the reference, of a scene without a sun in view.
-// Mean luminances over 16 x 16 pixels are compared in units of the combined standard error: the reference's from its table,
-// ours from the scatter of the parts (batches of frames; the first holds frame 0 and takes no part in the scatter).
-// Pixels at the sun's disc (above 1e6 cd/m2 in either picture, and two around) are left out: in a block test they
-// would be the only thing seen.  Prints one line: blocks, share within 3 errors, rms of the deviation in errors,
-// signed difference of the picture's mean in per cent, its standard error in per cent.
+// compare REFERENCE.hdr REFERENCE.blocks.tsv WHOLE PART1 PART2 ...: how far is a picture from the reference?  "-" for
+// the first: the table alone is the reference, of a scene without a sun in view. Mean luminances over 16 x 16 pixels
+// are compared in units of the combined standard error: the reference's from its table, ours from the scatter of the
+// parts (batches of frames; the first holds frame 0 and takes no part in the scatter). Pixels at the sun's disc (above
+// 1e6 cd/m2 in either picture, and two around) are left out: in a block test they would be the only thing seen.  Prints
+// one line: blocks, share within 3 errors, rms of the deviation in errors, signed difference of the picture's mean in
+// per cent, its standard error in per cent.
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -43,7 +43,8 @@ std::vector<char> away_from_sun(const std::vector<double>& a, const std::vector<
     return counts;
 }
 
-double mean_of(const std::vector<double>& lum, const std::vector<char>& counts, int nx, int x0, int x1, int y0, int y1) {
+double mean_of(const std::vector<double>& lum, const std::vector<char>& counts, int nx, int x0, int x1, int y0,
+               int y1) {
     double sum = 0, n = 0;
     for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; ++x)
@@ -56,10 +57,13 @@ double error_of(const std::vector<double>& parts) {
     double mean = 0, squares = 0;
     for (double v : parts) mean += v / double(parts.size());
     for (double v : parts) squares += (v - mean) * (v - mean);
-    return std::sqrt(squares / double(parts.size() - 1) / double(parts.size() + 1));  // + 1: the part that holds frame 0
+    return std::sqrt(squares / double(parts.size() - 1) /
+                     double(parts.size() + 1));  // + 1: the part that holds frame 0
 }
 
-struct Known { double mean, error; };
+struct Known {
+    double mean, error;
+};
 std::map<Place, Known> read_blocks(const std::string& path) {
     std::ifstream in(path);
     std::string line;
@@ -67,7 +71,8 @@ std::map<Place, Known> read_blocks(const std::string& path) {
     std::map<Place, Known> blocks;
     for (int c, r; std::getline(in, line);) {
         Known k;
-        if (!(std::istringstream(line) >> c >> r >> k.mean >> k.error)) base::fail(path, "\"" + line + "\" is no block");
+        if (!(std::istringstream(line) >> c >> r >> k.mean >> k.error))
+            base::fail(path, "\"" + line + "\" is no block");
         blocks[{c, r}] = k;
     }
     return blocks;
@@ -78,16 +83,19 @@ std::vector<double> spread(const std::map<Place, Known>& blocks, int nx, int ny)
     std::vector<double> lum(size_t(nx) * ny);
     for (int y = 0; y < ny; ++y)
         for (int x = 0; x < nx; ++x)
-            if (const auto b = blocks.find({x / block, y / block}); b != blocks.end()) lum[size_t(y) * nx + x] = b->second.mean;
+            if (const auto b = blocks.find({x / block, y / block}); b != blocks.end())
+                lum[size_t(y) * nx + x] = b->second.mean;
     return lum;
 }
 
 int compare(const std::vector<std::string>& words) {
-    if (words.size() < 6) base::fail("", "usage: compare reference.hdr reference.blocks.tsv whole part1 part2 part3 ...");
+    if (words.size() < 6)
+        base::fail("", "usage: compare reference.hdr reference.blocks.tsv whole part1 part2 part3 ...");
     const image::Picture whole = image::read_file(words[2]);
     const int nx = whole.width, ny = whole.height;
     const std::map<Place, Known> blocks = read_blocks(words[1]);
-    const std::vector<double> theirs = words[0] == "-" ? spread(blocks, nx, ny) : luminances(image::read_file(words[0]));
+    const std::vector<double> theirs =
+        words[0] == "-" ? spread(blocks, nx, ny) : luminances(image::read_file(words[0]));
     const std::vector<double> ours = luminances(whole);
     if (theirs.size() != ours.size()) base::fail(words[2], "is not of the reference's size");
     const std::vector<char> counts = away_from_sun(theirs, ours, nx, ny);
@@ -108,7 +116,8 @@ int compare(const std::vector<std::string>& words) {
         within += std::fabs(deviation) <= 3;
         squares += deviation * deviation;
         if (std::fabs(deviation) > 3)
-            std::fprintf(stderr, "block %d %d: %.4g, reference %.4g, %+.1f errors\n", place.first, place.second, b, a, deviation);
+            std::fprintf(stderr, "block %d %d: %.4g, reference %.4g, %+.1f errors\n", place.first, place.second, b, a,
+                         deviation);
     }
     std::vector<double> means;
     for (const auto& part : parts) means.push_back(mean_of(part, counts, nx, 0, nx, 0, ny));

@@ -44,41 +44,39 @@ Fault some_fault(Dice& dice) {
         return Fault{std::string(name) + " " + std::to_string(size) + unit, std::move(before)};
     };
     switch (dice.below(15)) {
-        case 0:
-        case 1: {
-            const size_t mb = size_t(dice.within(20, dice.chance(.5) ? 200 : 2000));
-            return sized("memory", mb, " MB", [=] { return limit(RLIMIT_AS, mb << 20); });
-        }
-        case 2:
-        case 3: {
-            const size_t bytes = dice.chance(.3) ? dice.below(200) : dice.below(60000);
-            return sized("files of at most", bytes, " bytes", [=] { return limit(RLIMIT_FSIZE, bytes); });
-        }
-        case 4: {
-            const size_t n = size_t(dice.within(3, 24));
-            return sized("descriptors below", n, "", [=] { return limit(RLIMIT_NOFILE, n); });
-        }
-        case 5: {
-            const size_t n = size_t(dice.within(1, 6));
-            return sized("processes and threads at most", n, "",
-                         [=] { return limit(RLIMIT_NPROC, n) && become_nobody(); });
-        }
-        case 6: {
-            const size_t kb = size_t(dice.within(160, 1000));
-            return sized("stack", kb, " KB", [=] { return limit(RLIMIT_STACK, kb << 10); });
-        }
-        case 7: return {"a folder that is not ours", become_nobody, false, true};
-        case 8:
-            return {"stdout on a full disk", [] { return replace_descriptor(1, "/dev/full", O_WRONLY); }, false, false,
-                    true};
-        case 9: return {"stdout closed", [] { return close(1) == 0; }, false, false, true};
-        case 10: return {"stdin closed", [] { return close(0) == 0; }};
-        case 11: return {"stderr closed", [] { return close(2) == 0; }};
-        case 12:
-            return {"all three closed", [] { return close(0) == 0 && close(1) == 0 && close(2) == 0; }, false, false,
-                    true};
-        case 13: return {"no /sys", [] { return hide("/sys"); }};
-        default: return {"a small disk", {}, true};
+    case 0:
+    case 1: {
+        const size_t mb = size_t(dice.within(20, dice.chance(.5) ? 200 : 2000));
+        return sized("memory", mb, " MB", [=] { return limit(RLIMIT_AS, mb << 20); });
+    }
+    case 2:
+    case 3: {
+        const size_t bytes = dice.chance(.3) ? dice.below(200) : dice.below(60000);
+        return sized("files of at most", bytes, " bytes", [=] { return limit(RLIMIT_FSIZE, bytes); });
+    }
+    case 4: {
+        const size_t n = size_t(dice.within(3, 24));
+        return sized("descriptors below", n, "", [=] { return limit(RLIMIT_NOFILE, n); });
+    }
+    case 5: {
+        const size_t n = size_t(dice.within(1, 6));
+        return sized("processes and threads at most", n, "", [=] { return limit(RLIMIT_NPROC, n) && become_nobody(); });
+    }
+    case 6: {
+        const size_t kb = size_t(dice.within(160, 1000));
+        return sized("stack", kb, " KB", [=] { return limit(RLIMIT_STACK, kb << 10); });
+    }
+    case 7: return {"a folder that is not ours", become_nobody, false, true};
+    case 8:
+        return {"stdout on a full disk", [] { return replace_descriptor(1, "/dev/full", O_WRONLY); }, false, false,
+                true};
+    case 9: return {"stdout closed", [] { return close(1) == 0; }, false, false, true};
+    case 10: return {"stdin closed", [] { return close(0) == 0; }};
+    case 11: return {"stderr closed", [] { return close(2) == 0; }};
+    case 12:
+        return {"all three closed", [] { return close(0) == 0 && close(1) == 0 && close(2) == 0; }, false, false, true};
+    case 13: return {"no /sys", [] { return hide("/sys"); }};
+    default: return {"a small disk", {}, true};
     }
 }
 

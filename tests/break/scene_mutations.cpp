@@ -154,7 +154,8 @@ const std::vector<Mutation> rude{
     {"numbers changed", number_to_number}, {"numbers changed", number_to_number}, {"word changed", word_to_word},
     {"word dropped", drop_word}, {"word added", add_word}, {"words swapped", swap_words}, {"long word", long_word},
     {"stretch repeated", repeat_stretch}, {"stretch removed", remove_stretch}, {"cut", cut},
-    {"stretch of another file", take_stretch}, {"bits flipped", flip_bits}, {"noise", noise}, {"extreme bytes", extreme_bytes}};
+    {"stretch of another file", take_stretch}, {"bits flipped", flip_bits}, {"noise", noise},
+    {"extreme bytes", extreme_bytes}};
 // clang-format on
 
 }  // namespace

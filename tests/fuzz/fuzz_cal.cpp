@@ -31,10 +31,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
                 float vars[cal::device::CAL_VARS] = {}, out[CAL_OUTPUTS];
                 vars[cal::device::CAL_PX] = 0.5f;
                 cal::device::cal_run(&tables, entry, vars, out);
-            } catch (const base::Error&) {
-            }
+            } catch (const base::Error&) {}
         }
-    } catch (const base::Error&) {
-    }
+    } catch (const base::Error&) {}
     return 0;
 }

@@ -32,7 +32,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
             vars[cal::device::CAL_PY] = 0.5f;
             cal::device::cal_run(&tables, program.entry, vars, out);
         }
-    } catch (const base::Error&) {
-    }
+    } catch (const base::Error&) {}
     return 0;
 }

@@ -12,10 +12,13 @@ public:
         if (fd_ >= 0 && write(fd_, data, size) < 0) path_.clear();
         path_ = "/proc/self/fd/" + std::to_string(fd_);
     }
-    ~FuzzFile() { if (fd_ >= 0) close(fd_); }
+    ~FuzzFile() {
+        if (fd_ >= 0) close(fd_);
+    }
     FuzzFile(const FuzzFile&) = delete;
     FuzzFile& operator=(const FuzzFile&) = delete;
     const std::string& path() const { return path_; }
+
 private:
     int fd_;
     std::string path_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // bits_test DEVICE [-record] [ID ...] - do frames keep their bits?  tests/golden/bits.tsv holds the pictures of eight
 // frames, or the means of single rays, as hashes: one row a scene, tab separated: id, folder below the source tree,
-// ptrace's arguments (empty: the rays of golden/vectors that name this scene), hash.  A change that only moves code moves
-// no bit, on no device; one that moves numbers on purpose writes the rows anew (-record, on the CPU), raises
+// ptrace's arguments (empty: the rays of golden/vectors that name this scene), hash.  A change that only moves code
+// moves no bit, on no device; one that moves numbers on purpose writes the rows anew (-record, on the CPU), raises
 // trace::estimator (lib/trace/fingerprint.h) and says so in CHANGELOG.
 #include <fmt/core.h>
 #include <unistd.h>
@@ -29,7 +29,8 @@ const std::string vectors = LUXPIPE_TESTS "/golden/vectors";
 // Fowler, Noll and Vo's hash, 64 bits, over the bytes of values.
 class Hash {
 public:
-    template <class T> void add(const std::vector<T>& values) {
+    template <class T>
+    void add(const std::vector<T>& values) {
         const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
         for (size_t i = 0; i < values.size() * sizeof(T); ++i) hash_ = (hash_ ^ bytes[i]) * 0x100000001b3u;
     }
@@ -40,8 +41,8 @@ private:
 };
 
 std::string hash_of_frames(const std::string& arguments, const std::string& device) {
-    std::vector<std::string> words = {"ptrace", "-w-", "-x", std::to_string(size), "-y", std::to_string(size),
-                                      "-frames", "1", "-o", "unused.hdr"};
+    std::vector<std::string> words = {"ptrace",  "-w-", "-x", std::to_string(size), "-y", std::to_string(size),
+                                      "-frames", "1",   "-o", "unused.hdr"};
     std::istringstream in(arguments);
     for (std::string word; in >> word;) words.push_back(word);
     std::vector<char*> argv;
@@ -52,7 +53,10 @@ std::string hash_of_frames(const std::string& arguments, const std::string& devi
     const scene::Scene scene = scene::read_scene(opt.scene_files, opt.files);
     trace::Renderer renderer(scene, opt.view, opt.nx, opt.ny, opt.render, device, opt.files);
     Hash hash;
-    renderer.frames(0, frames, [&](int64_t, const std::vector<float>& rgb) { hash.add(rgb); return true; });
+    renderer.frames(0, frames, [&](int64_t, const std::vector<float>& rgb) {
+        hash.add(rgb);
+        return true;
+    });
     return hash.text();
 }
 
@@ -99,7 +103,10 @@ int main(int argc, char** argv) {
         for (std::string line; std::getline(in, line);) {
             std::vector<std::string> cells = cells_of(line);
             const bool asked = ids.empty() || std::find(ids.begin(), ids.end(), cells[0]) != ids.end();
-            if (line.empty() || line[0] == '#' || !asked) { out += line + "\n"; continue; }
+            if (line.empty() || line[0] == '#' || !asked) {
+                out += line + "\n";
+                continue;
+            }
             if (chdir((top + "/" + cells[1]).c_str()) != 0) base::fail_system(cells[1], "no such folder");
             const std::string now =
                 cells[2].empty() ? hash_of_rays(rays, cells[0], device) : hash_of_frames(cells[2], device);

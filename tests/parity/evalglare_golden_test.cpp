@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every recorded run of evalglare 3.06 that printed a number (tests/golden/glare/README.md), repeated with
 // `vcmetrics -like evalglare`: every number within 5e-5 relative (below 0.2, and every DGP: 1e-5 absolute), same words,
-// same exit status, for 99 % of the rows.  evalglare's own builds differ in 107 of them; a row counts if it equals either build as a
-// whole.  Rows of one source are compared as a set: after merges the order depends on the last bit.
+// same exit status, for 99 % of the rows.  evalglare's own builds differ in 107 of them; a row counts if it equals
+// either build as a whole.  Rows of one source are compared as a set: after merges the order depends on the last bit.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 #include <sys/wait.h>
@@ -24,12 +24,18 @@ namespace {
 
 const std::string folder = std::string(LUXPIPE_TESTS) + "/golden/glare";
 
-struct Row { std::string image, arguments, out; int status; };
+struct Row {
+    std::string image, arguments, out;
+    int status;
+};
 
 std::string unescape(const std::string& s) {
     std::string out;
     for (size_t i = 0; i < s.size(); ++i) {
-        if (s[i] != '\\' || i + 1 == s.size()) { out += s[i]; continue; }
+        if (s[i] != '\\' || i + 1 == s.size()) {
+            out += s[i];
+            continue;
+        }
         const char c = s[++i];
         out += c == 'n' ? '\n' : c == 't' ? '\t' : c;
     }
@@ -84,7 +90,9 @@ std::vector<std::string> lines_of(const std::string& text) {
     return out;
 }
 
-bool is_source(const std::string& line) { return !line.empty() && std::isdigit(static_cast<unsigned char>(line[0])) && words_of(line).size() == 22; }
+bool is_source(const std::string& line) {
+    return !line.empty() && std::isdigit(static_cast<unsigned char>(line[0])) && words_of(line).size() == 22;
+}
 
 // Of a cut record the whole lines are compared, and the number of lines follows from the first one (count of sources).
 bool same_output(const std::string& got, std::string want) {
@@ -110,13 +118,15 @@ bool same_output(const std::string& got, std::string want) {
         if (!is_source(l)) {
             if (cut != std::string::npos && at < rest.size() && words_of(rest[at]).size() != words_of(l).size()) ++at;
             if (cut != std::string::npos && rest.size() > 100) {  // patches, pixel by pixel: any line
-                if (std::none_of(rest.begin(), rest.end(), [&](const std::string& o) { return same_line(o, l); })) return false;
+                if (std::none_of(rest.begin(), rest.end(), [&](const std::string& o) { return same_line(o, l); }))
+                    return false;
                 continue;
             }
             if (at >= rest.size() || !same_line(rest[at++], l)) return false;
             continue;
         }
-        const auto range = sources.equal_range(words_of(l)[1] + " " + words_of(l)[2].substr(0, words_of(l)[2].find('.')));
+        const auto range =
+            sources.equal_range(words_of(l)[1] + " " + words_of(l)[2].substr(0, words_of(l)[2].find('.')));
         auto found = range.first;
         while (found != range.second && !same_line(found->second, l, 1)) ++found;
         if (found == range.second) return false;
@@ -128,7 +138,8 @@ bool same_output(const std::string& got, std::string want) {
 std::string run(const Row& row, int& status) {
     const bool from_stdin = row.image[0] == '<';
     const std::string image = "images/" + (from_stdin ? row.image.substr(1) : row.image);
-    const std::string command = "cd '" + folder + "' && '" VCMETRICS "' -like evalglare " + row.arguments + (from_stdin ? " < " : " ") + image + " 2>/dev/null";
+    const std::string command = "cd '" + folder + "' && '" VCMETRICS "' -like evalglare " + row.arguments +
+                                (from_stdin ? " < " : " ") + image + " 2>/dev/null";
     FILE* pipe = popen(command.c_str(), "r");
     std::string out;
     char buffer[65536];
@@ -148,7 +159,9 @@ TEST_CASE("recorded lines of evalglare come out again for 99 % of the rows") {
     const std::set<std::string> left_out = {"xyze.hdr", "yup.hdr", "xmajor.hdr"};
     std::vector<const Row*> jobs;
     for (const Row& r : rows)
-        if (!left_out.count(r.image) && std::any_of(r.out.begin(), r.out.end(), [](unsigned char c) { return std::isdigit(c); })) jobs.push_back(&r);
+        if (!left_out.count(r.image) &&
+            std::any_of(r.out.begin(), r.out.end(), [](unsigned char c) { return std::isdigit(c); }))
+            jobs.push_back(&r);
     REQUIRE(jobs.size() > 1300);
 
     std::vector<char> ok(jobs.size(), 0);
@@ -158,7 +171,8 @@ TEST_CASE("recorded lines of evalglare come out again for 99 % of the rows") {
             int status = 0;
             const std::string got = run(*jobs[k], status);
             const auto other = other_build.find({jobs[k]->image, jobs[k]->arguments});
-            ok[k] = status == jobs[k]->status && (same_output(got, jobs[k]->out) || (other != other_build.end() && same_output(got, other->second)));
+            ok[k] = status == jobs[k]->status &&
+                    (same_output(got, jobs[k]->out) || (other != other_build.end() && same_output(got, other->second)));
         }
     };
     std::vector<std::thread> threads;

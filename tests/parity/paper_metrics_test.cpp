@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ev, TAL, CR and RAMMG (paper Eqs. 1, 3 to 6) against an independent program in numpy: tests/golden/glare/paper_metrics.tsv.
-// Left out: cyl_360 (sees behind the eye: our cosines are 0 there), and readings that numpy's small reader does not know.
+// Ev, TAL, CR and RAMMG (paper Eqs. 1, 3 to 6) against an independent program in numpy:
+// tests/golden/glare/paper_metrics.tsv. Left out: cyl_360 (sees behind the eye: our cosines are 0 there), and readings
+// that numpy's small reader does not know.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 #include <algorithm>
@@ -72,7 +73,8 @@ TEST_CASE("the paper's metrics agree with an independent program to 1e-6") {
         const auto tal = [&](const char* x, const char* y, double opening) {
             return comfort::Area(circle(g, int(at(line, x)), int(at(line, y)), opening), g).tal(lum);
         };
-        const double high = tal("high_x", "high_y", at(line, "region_angle")), low = tal("low_x", "low_y", at(line, "region_angle"));
+        const double high = tal("high_x", "high_y", at(line, "region_angle")),
+                     low = tal("low_x", "low_y", at(line, "region_angle"));
         check_near(tal("task_x", "task_y", at(line, "task_angle")), at(line, "tal"), name + " TAL");
         check_near(high, at(line, "tal_high"), name + " TAL high");
         check_near(low / high, at(line, "cr_paper"), name + " CR");

@@ -21,12 +21,12 @@ public:
     // A ray that takes one of several ways may not show its rarest, a reflection of 0.4 %, before 4096 samples.
     RowTracer(std::string device, long most_samples, long fewest_samples = 4096)
         : device_(std::move(device)), most_(most_samples), fewest_(fewest_samples) {}
-    Value trace(const Row& row);   // throws Error for what ptrace does not support
+    Value trace(const Row& row);  // throws Error for what ptrace does not support
 private:
     Value geometry(const Row& row);
     std::string device_;
     long most_, fewest_;
-    std::string key_;              // scene and arguments of the renderer at hand
+    std::string key_;  // scene and arguments of the renderer at hand
     std::unique_ptr<trace::Renderer> renderer_;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vectors_test DEVICE [-n SAMPLES] [ID ...] - RADIANCE's values of single rays against ours, all of them or those named.
-// A row agrees if every channel is within 1e-3 of its value, or within 4 standard errors of both means together.  exceptions.tsv names the rows that differ knowingly; any other failure fails the test, and so does a listed
-// row that agrees.  Prints one line a row: id, verdict, expected, got, standard error.
+// vectors_test DEVICE [-n SAMPLES] [ID ...] - RADIANCE's values of single rays against ours, all of them or those
+// named. A row agrees if every channel is within 1e-3 of its value, or within 4 standard errors of both means together.
+// exceptions.tsv names the rows that differ knowingly; any other failure fails the test, and so does a listed row that
+// agrees.  Prints one line a row: id, verdict, expected, got, standard error.
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -85,12 +86,13 @@ int main(int argc, char** argv) {
             const bool exact_ok = !listed || !row.exact || agrees(with_exact(row), value);
             if (ok != listed && exact_ok) excepted += listed;
             else wrong++;
-            fmt::print("{}\t{}\t{}\t{}\t{}\t{}{}\n", row.id, verdict(ok, listed, exact_ok, message), list(row.output), list(value.mean),
-                       list({value.error[0], value.error[1], value.error[2]}), value.samples,
+            fmt::print("{}\t{}\t{}\t{}\t{}\t{}{}\n", row.id, verdict(ok, listed, exact_ok, message), list(row.output),
+                       list(value.mean), list({value.error[0], value.error[1], value.error[2]}), value.samples,
                        message.empty() ? "" : "\t" + message);
             std::fflush(stdout);
         }
-        fmt::print("{} rows on {}: {} agree, {} differ as listed, {} wrong\n", total, device, agreeing, excepted, wrong);
+        fmt::print("{} rows on {}: {} agree, {} differ as listed, {} wrong\n", total, device, agreeing, excepted,
+                   wrong);
         return wrong ? 1 : 0;
     });
 }

@@ -27,9 +27,10 @@ TEST_CASE("white things in a uniform surround cannot be seen") {
            {{3, 0, 1}, {-3, 0, -1}}, {1}, 2048);
 }
 
-// Above -ss 1.5 rough lobes are weighted where the ray still counts enough for two samples, -ss times its weight.  What a
-// diffuse bounce or another rough lobe sends out never does, in rtrace as here: a white rough ceiling, seen by a floor of
-// which the eye sees a spot, returns all it gets (rtrace -ss 4 -ad 256: 0.5 to every digit; weighted it would be 0.4656).
+// Above -ss 1.5 rough lobes are weighted where the ray still counts enough for two samples, -ss times its weight.  What
+// a diffuse bounce or another rough lobe sends out never does, in rtrace as here: a white rough ceiling, seen by a
+// floor of which the eye sees a spot, returns all it gets (rtrace -ss 4 -ad 256: 0.5 to every digit; weighted it would
+// be 0.4656).
 TEST_CASE("rough lobes behind a bounce keep their energy") {
     const std::string text =
         "void glow g 0 0 4 1 1 1 0\ng source sky 0 0 4 0 0 1 360\nvoid metal rough 0 0 5 1 1 1 1 .2\n"
@@ -44,8 +45,8 @@ TEST_CASE("rough lobes behind a bounce keep their energy") {
     }
 }
 
-// A closed sphere (radius R) of diffuse reflectance p with a small bulb (radius r, radiance L0) at its centre.  The bulb
-// gives every wall point E = pi L0 (r/R)^2; each bounce returns a share p and loses the share (r/R)^2 to the bulb:
+// A closed sphere (radius R) of diffuse reflectance p with a small bulb (radius r, radiance L0) at its centre.  The
+// bulb gives every wall point E = pi L0 (r/R)^2; each bounce returns a share p and loses the share (r/R)^2 to the bulb:
 //     L = L0 (r/R)^2 sum_k p^k (1 - (r/R)^2)^(k-1),  k = 1 ... bounces + 1.
 TEST_CASE("light trapped in a closed sphere sums the geometric series") {
     const std::string text =
@@ -72,15 +73,19 @@ TEST_CASE("the sun on a floor") {
     std::vector<double> exact;
     for (const auto& [rho, L] : {std::pair{.5, 1e4}, std::pair{.3, 9e3}, std::pair{.1, 8e3}})
         exact.push_back(rho * L * std::sin(a) * std::sin(a) * cosine);
-    expect("void light sun 0 0 3 10000 9000 8000\nsun source disc 0 0 4 .3 .2 .9 .5\n"
-           "void plastic mat 0 0 5 .5 .3 .1 0 0\nmat polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n",
-           direct_only(), {{0, 0, 2}, {.2, 0, -1}}, exact);
+    expect(
+        "void light sun 0 0 3 10000 9000 8000\nsun source disc 0 0 4 .3 .2 .9 .5\n"
+        "void plastic mat 0 0 5 .5 .3 .1 0 0\nmat polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n",
+        direct_only(), {{0, 0, 2}, {.2, 0, -1}}, exact);
 }
 
 namespace {
 
-// A pane of transmissivity t and index 1.52: Fresnel's reflectances of both polarisations summed over all passes inside.
-struct Pane { double through, back; };
+// A pane of transmissivity t and index 1.52: Fresnel's reflectances of both polarisations summed over all passes
+// inside.
+struct Pane {
+    double through, back;
+};
 Pane pane(double t, double cosine) {
     const double n = 1.52, c2 = std::sqrt(1 - (1 - cosine * cosine) / (n * n)), d = std::pow(t, 1 / c2);
     const double rs = (cosine - n * c2) / (cosine + n * c2), rp = (n * cosine - c2) / (n * cosine + c2);
@@ -93,7 +98,8 @@ Pane pane(double t, double cosine) {
 }
 
 const std::string sky_and_ground =
-    "void glow up 0 0 4 1 2 3 0\nup source sky 0 0 4 0 0 1 180\nvoid glow down 0 0 4 5 5 5 0\ndown source ground 0 0 4 0 0 -1 180\n"
+    "void glow up 0 0 4 1 2 3 0\nup source sky 0 0 4 0 0 1 180\nvoid glow down 0 0 4 5 5 5 0\ndown source ground 0 0 4 "
+    "0 0 -1 180\n"
     "void glass pane 0 0 3 .96 .9 .8\npane polygon low 0 0 12 -50 -50 0 50 -50 0 50 50 0 -50 50 0\n";
 
 }  // namespace
@@ -108,13 +114,15 @@ TEST_CASE("sky and ground in one pane and in two") {
             const Pane p = pane(t[i], c);
             one.push_back(p.through * 5 + p.back * sky[i]);
             const double between = 1 / (1 - p.back * p.back);  // to and fro between the two
-            two.push_back(p.through * p.through * between * 5 + p.back * (1 + p.through * p.through * between) * sky[i]);
+            two.push_back(p.through * p.through * between * 5 +
+                          p.back * (1 + p.through * p.through * between) * sky[i]);
         }
         trace::RenderOptions options = direct_only();
         options.lr = -60;
         const Ray ray{{-s * 2, 0, c * 2}, {s, 0, -c}};
         expect(sky_and_ground, options, ray, one, 65536);
-        expect(sky_and_ground + "pane polygon high 0 0 12 -50 -50 .5 50 -50 .5 50 50 .5 -50 50 .5\n", options, ray, two, 65536);
+        expect(sky_and_ground + "pane polygon high 0 0 12 -50 -50 .5 50 -50 .5 50 50 .5 -50 50 .5\n", options, ray, two,
+               65536);
     }
 }
 
@@ -133,14 +141,17 @@ double lambert(const std::vector<Vec3>& corners, Vec3 at, Vec3 normal) {
 
 TEST_CASE("a polygon of any shape lights a floor as Lambert's formula says") {
     const std::vector<std::vector<Vec3>> shapes = {
-        {{-.5, -.5, 1}, {-.5, .5, 1}, {.5, .5, 1}, {.5, -.5, 1}},                                     // square
-        {{0, 0, 1}, {0, 1, 1}, {1, 0, 1}},                                                            // triangle
-        {{-1, -.5, 1}, {-.2, .5, 1}, {.2, .5, 1}, {1, -.5, 1}},                                       // trapezoid
-        {{-.8, -.8, 1}, {-.8, .8, 1}, {0, .8, 1}, {0, .2, 1}, {.8, .2, 1}, {.8, -.8, 1}}};            // an L
+        {{-.5, -.5, 1}, {-.5, .5, 1}, {.5, .5, 1}, {.5, -.5, 1}},                           // square
+        {{0, 0, 1}, {0, 1, 1}, {1, 0, 1}},                                                  // triangle
+        {{-1, -.5, 1}, {-.2, .5, 1}, {.2, .5, 1}, {1, -.5, 1}},                             // trapezoid
+        {{-.8, -.8, 1}, {-.8, .8, 1}, {0, .8, 1}, {0, .2, 1}, {.8, .2, 1}, {.8, -.8, 1}}};  // an L
     for (const auto& shape : shapes) {
-        std::string text = "void plastic mat 0 0 5 .5 .3 .1 0 0\nmat polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n"
-                           "void light lm 0 0 3 10 10 10\nlm polygon lamp 0 0 " + std::to_string(3 * shape.size());
-        for (const Vec3& v : shape) text += " " + std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z);
+        std::string text =
+            "void plastic mat 0 0 5 .5 .3 .1 0 0\nmat polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n"
+            "void light lm 0 0 3 10 10 10\nlm polygon lamp 0 0 " +
+            std::to_string(3 * shape.size());
+        for (const Vec3& v : shape)
+            text += " " + std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z);
         text += "\n";
         for (const Vec3& at : {Vec3{-.1, -.2, 0}, Vec3{1, .5, 0}}) {
             const double E = 10 * lambert(shape, at, {0, 0, 1});
@@ -152,13 +163,14 @@ TEST_CASE("a polygon of any shape lights a floor as Lambert's formula says") {
 // A sphere wholly above the horizon: E = pi L (r/d)^2 cos(t), exactly, at any distance.
 TEST_CASE("a sphere of light") {
     const double d2 = 1 + .36, E = pi * 10 * .16 / d2 / std::sqrt(d2);
-    expect("void light lm 0 0 3 10 10 10\nlm sphere ball 0 0 4 0 0 1 .4\nvoid plastic mat 0 0 5 .5 .3 .1 0 0\n"
-           "mat polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n",
-           direct_only(), {{.6, 0, .1}, {0, 0, -1}}, {.5 * E / pi, .3 * E / pi, .1 * E / pi});
+    expect(
+        "void light lm 0 0 3 10 10 10\nlm sphere ball 0 0 4 0 0 1 .4\nvoid plastic mat 0 0 5 .5 .3 .1 0 0\n"
+        "mat polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n",
+        direct_only(), {{.6, 0, .1}, {0, 0, -1}}, {.5 * E / pi, .3 * E / pi, .1 * E / pi});
 }
 
-// A spotlight of area A at height d shines as if from f behind itself: E = L A / (d + f)^2 below it, nothing outside its
-// cone.  The square is 1/500 of the height: A cos/d^2 is its solid angle to 1e-6.
+// A spotlight of area A at height d shines as if from f behind itself: E = L A / (d + f)^2 below it, nothing outside
+// its cone.  The square is 1/500 of the height: A cos/d^2 is its solid angle to 1e-6.
 TEST_CASE("a spotlight") {
     const std::string text =
         "void plastic mat 0 0 5 .5 .3 .1 0 0\nmat polygon floor 0 0 12 -9 -9 0 9 -9 0 9 9 0 -9 9 0\n"

@@ -76,7 +76,11 @@ TEST_CASE("devices give the same frames") {
             int different = 0;
             for (size_t i = 0; i < a.size(); i += 3) {
                 const float brightest = std::max({std::abs(a[i]), std::abs(a[i + 1]), std::abs(a[i + 2])});
-                for (size_t c = i; c < i + 3; ++c) if (std::abs(a[c] - b[c]) > 1e-5f * brightest) { different++; break; }
+                for (size_t c = i; c < i + 3; ++c)
+                    if (std::abs(a[c] - b[c]) > 1e-5f * brightest) {
+                        different++;
+                        break;
+                    }
             }
             // Embree rounds its own way: a few paths in a hundred thousand steps part company there.
             CHECK(different <= size * size / (device == "cpu:embree" ? 100 : 1000));
@@ -113,7 +117,8 @@ TEST_CASE("ranges of frames merge to the run in one piece") {
     REQUIRE(merged.rgb.size() == whole.rgb.size());
     double worst = 0;
     for (size_t i = 0; i < whole.rgb.size(); ++i)
-        worst = std::max(worst, double(std::abs(merged.rgb[i] - whole.rgb[i])) / std::max(1e-3f, std::abs(whole.rgb[i])));
+        worst =
+            std::max(worst, double(std::abs(merged.rgb[i] - whole.rgb[i])) / std::max(1e-3f, std::abs(whole.rgb[i])));
     CHECK(worst < 2e-6);
 }
 
@@ -173,9 +178,10 @@ TEST_CASE("frame 0 has all of the sun, wherever it is in the picture") {
             view.vh = view.vv = type == 'v' || type == 'c' ? 90 : 180;
             const view::Projector projector(view);
             const base::Vec3 sun = base::unit({tilt, 1, tilt / 3});
-            trace::Renderer renderer(scene_of("void light sun 0 0 3 1e6 1e6 1e6\nsun source disc 0 0 4 " + std::to_string(sun.x) +
-                                              " " + std::to_string(sun.y) + " " + std::to_string(sun.z) + " .533\n"),
-                                     view, size, size, options, "cpu", {});
+            trace::Renderer renderer(
+                scene_of("void light sun 0 0 3 1e6 1e6 1e6\nsun source disc 0 0 4 " + std::to_string(sun.x) + " " +
+                         std::to_string(sun.y) + " " + std::to_string(sun.z) + " .533\n"),
+                view, size, size, options, "cpu", {});
             std::vector<float> rgb;
             renderer.frame(0, rgb);
             double Ev = 0;

@@ -21,11 +21,12 @@ const trace::RenderOptions centre_only = [] {
 // A sun of radiance 1000 and half a degree radius; on a surface that faces it, of reflectance .5: L = .5/pi 1000 w.
 const double w = 2 * pi * (1 - std::cos(.5 * pi / 180)), facing = .5 / pi * 1000 * w;
 std::string sun(double tilt_deg) {
-    return "void light sl 0 0 3 1000 1000 1000\nsl source sun 0 0 4 " + std::to_string(std::sin(tilt_deg * pi / 180)) + " 0 " +
-           std::to_string(std::cos(tilt_deg * pi / 180)) + " 1\n";
+    return "void light sl 0 0 3 1000 1000 1000\nsl source sun 0 0 4 " + std::to_string(std::sin(tilt_deg * pi / 180)) +
+           " 0 " + std::to_string(std::cos(tilt_deg * pi / 180)) + " 1\n";
 }
 // A unit square that shines as bright as its x.
-const char* const ramp = "void brightfunc pat 2 Px . 0 0\npat glow g 0 0 4 1 1 1 0\ng polygon p 0 0 12 0 0 0 1 0 0 1 1 0 0 1 0\n";
+const char* const ramp =
+    "void brightfunc pat 2 Px . 0 0\npat glow g 0 0 4 1 1 1 0\ng polygon p 0 0 12 0 0 0 1 0 0 1 1 0 0 1 0\n";
 Ray down(double x, double y) { return {{x, y, 50}, {0, 0, -1}}; }
 }  // namespace
 
@@ -65,13 +66,16 @@ TEST_CASE("an instance looks like its scene put there by xform") {
     const std::string in = folder.holding(
         "in.rad",
         "void plastic m 0 0 5 .5 .4 .3 .05 .1\nm sphere s 0 0 4 0 0 1 .7\nm cone c 0 0 8 2 0 0 2 0 2 .8 .2\n"
-        "m polygon p 0 0 12 -2 -2 0 4 -2 0 4 2 0 -2 2 0\nm ring r 0 0 8 0 3 .5 0 .3 1 .2 1\nm tube t 0 0 7 3 3 0 3 3 2 .5\n"
+        "m polygon p 0 0 12 -2 -2 0 4 -2 0 4 2 0 -2 2 0\nm ring r 0 0 8 0 3 .5 0 .3 1 .2 1\nm tube t 0 0 7 3 3 0 3 3 2 "
+        ".5\n"
         "m polygon q 0 0 15 -2 2.2 .1 0 4.5 1 -1 3 .5 -2 4.5 .3 -3 3 0\n");
     const std::string moves = " -mx -rx 20 -rz 30 -s 1.5 -t 3 2 1";
-    const std::string a = sun(30) + "void instance i 12 " + in + moves + " 0 0\n", b = sun(30) + "!xform" + moves + " " + in + "\n";
+    const std::string a = sun(30) + "void instance i 12 " + in + moves + " 0 0\n",
+                      b = sun(30) + "!xform" + moves + " " + in + "\n";
     for (const std::string& device : devices()) {
         CAPTURE(device);
-        trace::Renderer one(scene_of(a), view::View(), 1, 1, centre_only, device, {}), two(scene_of(b), view::View(), 1, 1, centre_only, device, {});
+        trace::Renderer one(scene_of(a), view::View(), 1, 1, centre_only, device, {}),
+            two(scene_of(b), view::View(), 1, 1, centre_only, device, {});
         int lit = 0, different = 0, n = 0;
         for (double x = -9; x < 12; x += .7)
             for (double y = -6; y < 12; y += .7) {
@@ -91,32 +95,40 @@ TEST_CASE("a mesh has its corners' normals and its own u and v") {
     TempFolder folder;
     const double a = 20 * pi / 180;
     const std::string normal = std::to_string(std::sin(a)) + " 0 " + std::to_string(std::cos(a));
-    const std::string obj = folder.holding("tri.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn " + normal +
-                                                          "\nusemtl m\nf 1/1/1 2/2/1 3/3/1\n");
-    const std::string white = "void plastic m 0 0 5 .5 .5 .5 0 0\n", lu = "void brightfunc p 2 Lu+10*Lv . 0 0\np plastic m 0 0 5 .5 .5 .5 0 0\n";
+    const std::string obj = folder.holding("tri.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn " +
+                                                          normal + "\nusemtl m\nf 1/1/1 2/2/1 3/3/1\n");
+    const std::string white = "void plastic m 0 0 5 .5 .5 .5 0 0\n",
+                      lu = "void brightfunc p 2 Lu+10*Lv . 0 0\np plastic m 0 0 5 .5 .5 .5 0 0\n";
     const auto lean = [&](double degrees) { return facing * std::cos(degrees * pi / 180); };
     expect(sun(30) + white + "void mesh t 1 " + obj + " 0 0\n", centre_only, down(.5, .5), {lean(10)}, 1);
     expect(sun(30) + white + "void mesh t 4 " + obj + " -mx -s 3 0 0\n", centre_only, down(-1, 1), {lean(50)}, 1);
     expect(sun(30) + white + "m mesh t 5 " + obj + " -rz 180 -s 3 0 0\n", centre_only, down(-1, -1), {lean(50)}, 1);
     expect(sun(30) + lu + "void mesh t 1 " + obj + " 0 0\n", centre_only, down(.5, .2), {lean(10) * 1.25}, 1);
     expect(sun(30) + lu + "m mesh t 3 " + obj + " -s 4 0 0\n", centre_only, down(2, .8), {lean(10) * 1.25}, 1);
-    expect(sun(30) + "void mesh t 1 " + folder.holding("none.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3\n") + " 0 0\n", centre_only,
-           down(.5, .5), {0}, 1);  // without a material it is not there
+    expect(sun(30) + "void mesh t 1 " + folder.holding("none.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3\n") + " 0 0\n",
+           centre_only, down(.5, .5), {0}, 1);  // without a material it is not there
 }
 
-// A white floor under a sky of radiance 1 all around looks like .5 unless its own rays meet it again; 0.01 of them would show.
+// A white floor under a sky of radiance 1 all around looks like .5 unless its own rays meet it again; 0.01 of them
+// would show.
 TEST_CASE("surfaces of instances do not shade themselves") {
     TempFolder folder;
-    const std::string in = folder.holding("in.rad", "void plastic m 0 0 5 .5 .5 .5 0 0\nm polygon p 0 0 12 -9 -9 0 9 -9 0 9 9 0 -9 9 0\n"
-                                                    "m sphere s 0 0 4 0 0 -30 5\n");
+    const std::string in =
+        folder.holding("in.rad",
+                       "void plastic m 0 0 5 .5 .5 .5 0 0\nm polygon p 0 0 12 -9 -9 0 9 -9 0 9 9 0 -9 9 0\n"
+                       "m sphere s 0 0 4 0 0 -30 5\n");
     const std::string sky = "void glow k 0 0 4 1 1 1 0\nk source sky 0 0 4 0 0 1 360\n";
     trace::RenderOptions options;
     options.ab = 1;
-    for (const char* moves : {" -rx 31 -ry 17 -rz 70", " -rx 31 -ry 17 -rz 70 -s 20 -t 3000 2000 100", " -mx -ry 40 -s .01 -t .5 .5 .5"}) {
+    for (const char* moves :
+         {" -rx 31 -ry 17 -rz 70", " -rx 31 -ry 17 -rz 70 -s 20 -t 3000 2000 100", " -mx -ry 40 -s .01 -t .5 .5 .5"}) {
         CAPTURE(moves);
         base::Xform x;
         std::vector<std::string> words;
-        for (std::istringstream s(moves); s.good();) { words.emplace_back(); s >> words.back(); }
+        for (std::istringstream s(moves); s.good();) {
+            words.emplace_back();
+            s >> words.back();
+        }
         base::parse_xform({words.data(), words.size()}, 0, x, "");
         const Vec3 to = base::point(x, {2, 1, 0}), from = base::point(x, {1, 5, 3}), d = unit(to - from);
         expect(sky + "void instance i " + std::to_string(1 + words.size()) + " " + in + moves + " 0 0\n", options,
@@ -177,8 +189,10 @@ TEST_CASE("geometry is kept once, whatever stands how often") {
 
 TEST_CASE("a scene of nothing but instances far from the origin keeps its digits") {
     TempFolder folder;
-    const std::string in = folder.holding("in.rad", "void brightfunc pat 2 Px-5e6 . 0 0\npat glow g 0 0 4 1 1 1 0\n"
-                                                    "g polygon p 0 0 12 5000000 6000000 0 5000001 6000000 0 5000001 6000001 0 5000000 6000001 0\n");
+    const std::string in =
+        folder.holding("in.rad",
+                       "void brightfunc pat 2 Px-5e6 . 0 0\npat glow g 0 0 4 1 1 1 0\n"
+                       "g polygon p 0 0 12 5000000 6000000 0 5000001 6000000 0 5000001 6000001 0 5000000 6000001 0\n");
     const trace::FlatScene s = trace::flatten(scene_of("void instance i 5 " + in + " -t 1e6 0 0 0 0\n"), {}, {});
     CHECK(length(s.centre - Vec3{6000000.5, 6000000.5, 0}) < 2);
     for (float v : s.vertices) CHECK(std::abs(v) < 2);

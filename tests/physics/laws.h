@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of laws share: a scene typed in the test, the devices there are, and "agrees within k standard errors".
+// What the tests of laws share: a scene typed in the test, the devices there are, and "agrees within k standard
+// errors".
 #pragma once
 #include <doctest/doctest.h>
 
@@ -31,9 +32,11 @@ inline scene::Scene scene_of(const std::string& text) {
     return scene::read_scene({file.path()}, {});
 }
 
-// One ray into a scene, `samples` samples: every channel must lie within 4 standard errors (and single precision) of the
-// closed form.  The standard error itself must be small, or the test could not fail.
-struct Ray { double origin[3], dir[3]; };
+// One ray into a scene, `samples` samples: every channel must lie within 4 standard errors (and single precision) of
+// the closed form.  The standard error itself must be small, or the test could not fail.
+struct Ray {
+    double origin[3], dir[3];
+};
 
 inline void expect(const std::string& text, const trace::RenderOptions& options, const Ray& ray,
                    const std::vector<double>& exact, long samples = 16384, double largest_error = .01) {

@@ -31,7 +31,10 @@ namespace {
 constexpr int side = 8, batch = 4;
 constexpr double common_error = 1e-3;
 
-struct Estimate { double mean = 0, variance = 0; };  // of the mean
+// of the mean
+struct Estimate {
+    double mean = 0, variance = 0;
+};
 using Colour = std::array<Estimate, 3>;
 
 struct Blocks {
@@ -137,7 +140,9 @@ Blocks read_frames() {
     return blocks;
 }
 
-struct Deviation { double in_errors, error; };
+struct Deviation {
+    double in_errors, error;
+};
 Deviation deviation(const Estimate& ours, const Estimate& theirs) {
     const double floor = common_error * std::fabs(theirs.mean);
     const double error = std::sqrt(ours.variance + theirs.variance + floor * floor);

@@ -155,8 +155,9 @@ TEST_CASE("text for a terminal: nothing that steers it") {
     const std::string plain = "plain B\xc3\xbcro \xe2\x82\xac \xf0\x9f\x98\x80";
     CHECK(base::printable(plain) == plain);
     CHECK(base::printable("\033]0;x\007\r\n\t\177") == "?]0;x?????");
-    CHECK(base::printable("\xc2\x9b" "31m") == "??31m");          // U+009B begins a sequence, too
-    CHECK(base::printable("\x9b\xff\xc3") == "???");              // no UTF-8
+    CHECK(base::printable("\xc2\x9b"
+                          "31m") == "??31m");                          // U+009B begins a sequence, too
+    CHECK(base::printable("\x9b\xff\xc3") == "???");                   // no UTF-8
     CHECK(base::printable("\xed\xa0\x80 \xe0\x80\xaf") == "??? ???");  // surrogates, overlong
     CHECK(base::printable("12345", 3) == "123...");
 }

@@ -6,25 +6,36 @@
 #include <string>
 
 // One block of data: direction, its angle basis and numbers or braces, for one wavelength.
-inline std::string bsdf_block(const std::string& direction, const std::string& data, const std::string& basis = "LBNL/Klems Quarter",
+inline std::string bsdf_block(const std::string& direction, const std::string& data,
+                              const std::string& basis = "LBNL/Klems Quarter",
                               const std::string& wavelength = "Visible") {
-    return "<WavelengthData><Wavelength unit=\"Integral\">" + wavelength + "</Wavelength><WavelengthDataBlock>"
-           "<WavelengthDataDirection>" + direction + "</WavelengthDataDirection>"
-           "<ColumnAngleBasis>" + basis + "</ColumnAngleBasis><RowAngleBasis>" + basis + "</RowAngleBasis>"
-           "<AngleBasis>LBNL/Shirley-Chiu</AngleBasis><ScatteringData>" + data + "</ScatteringData>"
+    return "<WavelengthData><Wavelength unit=\"Integral\">" + wavelength +
+           "</Wavelength><WavelengthDataBlock>"
+           "<WavelengthDataDirection>" +
+           direction +
+           "</WavelengthDataDirection>"
+           "<ColumnAngleBasis>" +
+           basis + "</ColumnAngleBasis><RowAngleBasis>" + basis +
+           "</RowAngleBasis>"
+           "<AngleBasis>LBNL/Shirley-Chiu</AngleBasis><ScatteringData>" +
+           data +
+           "</ScatteringData>"
            "</WavelengthDataBlock></WavelengthData>";
 }
 inline std::string bsdf_file(const std::string& structure, const std::string& blocks, const std::string& basis = "",
                              const std::string& material = "<Name>pane</Name>") {
-    return "<?xml version=\"1.0\"?>\n<WindowElement><Optical><Layer><Material>" + material + "</Material><DataDefinition>"
-           "<IncidentDataStructure>" + structure + "</IncidentDataStructure>" + basis + "</DataDefinition>" + blocks +
+    return "<?xml version=\"1.0\"?>\n<WindowElement><Optical><Layer><Material>" + material +
+           "</Material><DataDefinition>"
+           "<IncidentDataStructure>" +
+           structure + "</IncidentDataStructure>" + basis + "</DataDefinition>" + blocks +
            "</Layer></Optical></WindowElement>";
 }
 // Values in [low, high) for a matrix or a leaf grid.
 inline std::string bsdf_numbers(size_t count, unsigned seed, double low = 0, double high = 1) {
     std::mt19937 random(seed);
     std::ostringstream s;
-    for (size_t i = 0; i < count; i++) s << low + (high - low) * double(random() % 10000) / 10000 << (i + 1 < count ? " " : "");
+    for (size_t i = 0; i < count; i++)
+        s << low + (high - low) * double(random() % 10000) / 10000 << (i + 1 < count ? " " : "");
     return s.str();
 }
 // A tensor tree that branches by chance down to `depth` levels.

@@ -31,7 +31,8 @@ inline Ray ray_of(const bvh_scenes::Ray& r) {
 }
 
 // Every primitive of a part, one after the other.
-inline void brute_part(const bvh_scenes::Scene& s, size_t part, const Ray& ray, const WoopRay& w, uint mask, uint inst, Hit* hit) {
+inline void brute_part(const bvh_scenes::Scene& s, size_t part, const Ray& ray, const WoopRay& w, uint mask, uint inst,
+                       Hit* hit) {
     const auto& p = s.parts[part];
     for (size_t i = p.triangle; i < p.triangle + p.triangles; i++) {
         float3 v[3];
@@ -52,7 +53,8 @@ inline void brute_part(const bvh_scenes::Scene& s, size_t part, const Ray& ray, 
             const uint forced = as_uint_(q[15]);
             if (forced == 0 || (mask & forced))
                 brute_part(s, as_uint_(q[13]), ray, local, forced ? RAY_ALL : mask, as_uint_(q[14]), hit);
-        } else if ((mask >> (s.shape_prim[i] >> 31) & 1) && shape_hit(q, s.polygon_uv.data(), w.org, w.dir, ray.tmin, &t)) {
+        } else if ((mask >> (s.shape_prim[i] >> 31) & 1) &&
+                   shape_hit(q, s.polygon_uv.data(), w.org, w.dir, ray.tmin, &t)) {
             hit_offer(hit, t, s.shape_prim[i] & ID_PRIM, 0, 0, inst);
         }
     }

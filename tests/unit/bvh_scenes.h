@@ -9,14 +9,20 @@
 
 namespace bvh_scenes {
 
-struct Vec { double x, y, z; };
+struct Vec {
+    double x, y, z;
+};
 inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec operator*(Vec a, double s) { return {a.x * s, a.y * s, a.z * s}; }
 inline double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec cross(Vec a, Vec b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline Vec unit(Vec a) { return a * (1 / std::sqrt(dot(a, a))); }
-inline float word(uint32_t u) { float f; std::memcpy(&f, &u, 4); return f; }
+inline float word(uint32_t u) {
+    float f;
+    std::memcpy(&f, &u, 4);
+    return f;
+}
 
 struct Random {
     std::mt19937 engine;
@@ -29,7 +35,9 @@ struct Random {
     }
 };
 
-struct Ray { float org[3], tmin, dir[3], tmax; };
+struct Ray {
+    float org[3], tmin, dir[3], tmax;
+};
 
 constexpr uint32_t transparent = 0x80000000u;  // ID_TRANSPARENT
 
@@ -37,7 +45,9 @@ constexpr uint32_t transparent = 0x80000000u;  // ID_TRANSPARENT
 struct Scene {
     std::vector<float> vertices, shapes, polygon_uv;
     std::vector<uint32_t> triangles, tri_prim, shape_prim;
-    struct Part { size_t triangle, triangles, shape, shapes; };
+    struct Part {
+        size_t triangle, triangles, shape, shapes;
+    };
     std::vector<Part> parts;
     uint32_t next_prim = 0;
 
@@ -60,8 +70,12 @@ struct Scene {
     }
     void box(Vec lo, Vec size, uint32_t flag = 0) {
         const Vec x{size.x, 0, 0}, y{0, size.y, 0}, z{0, 0, size.z};
-        quad(lo, x, y, flag); quad(lo, y, z, flag); quad(lo, z, x, flag);
-        quad(lo + z, x, y, flag); quad(lo + x, y, z, flag); quad(lo + y, z, x, flag);
+        quad(lo, x, y, flag);
+        quad(lo, y, z, flag);
+        quad(lo, z, x, flag);
+        quad(lo + z, x, y, flag);
+        quad(lo + x, y, z, flag);
+        quad(lo + y, z, x, flag);
     }
     float* shape(uint32_t kind, uint32_t flag) {
         shapes.resize(shapes.size() + 16, 0.0f);
@@ -70,15 +84,30 @@ struct Scene {
         q[0] = word(kind);
         return q;
     }
-    static void put(float* q, Vec v) { q[0] = float(v.x); q[1] = float(v.y); q[2] = float(v.z); }
-    void sphere(Vec c, double r, uint32_t flag = 0) { float* q = shape(1, flag); put(q + 1, c); q[4] = float(r); }
+    static void put(float* q, Vec v) {
+        q[0] = float(v.x);
+        q[1] = float(v.y);
+        q[2] = float(v.z);
+    }
+    void sphere(Vec c, double r, uint32_t flag = 0) {
+        float* q = shape(1, flag);
+        put(q + 1, c);
+        q[4] = float(r);
+    }
     void cone(Vec p0, Vec axis, double length, double r0, double r1, uint32_t flag = 0) {
         float* q = shape(2, flag);
-        put(q + 1, p0); put(q + 4, unit(axis)); q[7] = float(length); q[8] = float(r0); q[9] = float(r1);
+        put(q + 1, p0);
+        put(q + 4, unit(axis));
+        q[7] = float(length);
+        q[8] = float(r0);
+        q[9] = float(r1);
     }
     void ring(Vec c, Vec n, double r0, double r1, uint32_t flag = 0) {
         float* q = shape(3, flag);
-        put(q + 1, c); put(q + 4, unit(n)); q[7] = float(r0); q[8] = float(r1);
+        put(q + 1, c);
+        put(q + 4, unit(n));
+        q[7] = float(r0);
+        q[8] = float(r1);
     }
     // The polygon of the given vertices (any number of loops joined by seams), as RADIANCE projects it.
     void polygon(const std::vector<Vec>& p, uint32_t flag = 0) {
@@ -91,7 +120,10 @@ struct Scene {
         const uint32_t axis = ax > ay && ax > az ? 0 : ay > az ? 1 : 2;
         float* q = shape(4, flag);
         put(q + 1, n);
-        q[4] = float(offset); q[5] = word(axis); q[6] = word(uint32_t(polygon_uv.size() / 2)); q[7] = word(uint32_t(p.size()));
+        q[4] = float(offset);
+        q[5] = word(axis);
+        q[6] = word(uint32_t(polygon_uv.size() / 2));
+        q[7] = word(uint32_t(p.size()));
         for (Vec v : p) {
             polygon_uv.push_back(float(axis == 0 ? v.y : v.x));
             polygon_uv.push_back(float(axis == 2 ? v.y : v.z));
@@ -109,7 +141,9 @@ struct Scene {
             }
             q[4 + 4 * i] = float(d);
         }
-        q[13] = word(tree); q[14] = word(number); q[15] = word(forced);
+        q[13] = word(tree);
+        q[14] = word(number);
+        q[15] = word(forced);
     }
     void end_part() {
         const size_t t0 = parts.empty() ? 0 : parts.back().triangle + parts.back().triangles;
@@ -121,11 +155,15 @@ struct Scene {
         std::vector<trace::BuildInput> in;
         for (const Part& p : parts) {
             trace::BuildInput t;
-            t.vertices = vertices.data(); t.vertex_count = vertices.size() / 3;
-            t.triangles = triangles.data() + 3 * p.triangle; t.tri_prim = tri_prim.data() + p.triangle;
+            t.vertices = vertices.data();
+            t.vertex_count = vertices.size() / 3;
+            t.triangles = triangles.data() + 3 * p.triangle;
+            t.tri_prim = tri_prim.data() + p.triangle;
             t.triangle_count = p.triangles;
-            t.shapes = shapes.data(); t.shape_prim = shape_prim.data();
-            t.first_shape = p.shape; t.shape_count = p.shapes;
+            t.shapes = shapes.data();
+            t.shape_prim = shape_prim.data();
+            t.first_shape = p.shape;
+            t.shape_count = p.shapes;
             t.polygon_uv = polygon_uv.data();
             in.push_back(t);
         }
@@ -147,7 +185,8 @@ inline void add_things(Scene& s, Random& r, int count) {
         case 4: {  // a square with a square hole, joined by a seam
             const auto at = [&](double x, double y) { return c + e * (x * size) + f * (y * size); };
             s.polygon({at(-1, -1), at(1, -1), at(1, 1), at(-1, 1), at(-1, -1), at(-.5, -.5), at(-.5, .5), at(.5, .5),
-                       at(.5, -.5), at(-.5, -.5)}, flag);
+                       at(.5, -.5), at(-.5, -.5)},
+                      flag);
             break;
         }
         case 5: {  // a star
@@ -170,7 +209,7 @@ inline Scene random_scene(unsigned seed, int count, bool instances) {
     Scene s;
     Random r(seed);
     add_things(s, r, count);
-    s.quad({-1, -1, 0.5}, {2, 0, 0}, {0, 2, 0});             // two coincident faces: the lower number wins
+    s.quad({-1, -1, 0.5}, {2, 0, 0}, {0, 2, 0});  // two coincident faces: the lower number wins
     s.quad({-0.5, -0.5, 0.5}, {2, 0, 0}, {0, 2, 0}, transparent);
     if (instances) {
         for (int i = 0; i < 20; i++) {
@@ -197,8 +236,10 @@ inline std::vector<Ray> random_rays(unsigned seed, int count) {
         Vec o = r.point(i % 10 == 0 ? 30 : 3), d = i % 10 == 0 ? unit(r.point(2) - o) : r.direction();
         if (i % 16 == 1) d = {0, 0, i % 32 == 1 ? 1.0 : -1.0};
         if (i % 16 == 2) d = unit({d.x, 0, d.z});
-        rays.push_back({{float(o.x), float(o.y), float(o.z)}, i % 3 == 0 ? 1e-6f : 0.0f,
-                        {float(d.x), float(d.y), float(d.z)}, i % 4 == 0 ? 1.0f : 1e30f});
+        rays.push_back({{float(o.x), float(o.y), float(o.z)},
+                        i % 3 == 0 ? 1e-6f : 0.0f,
+                        {float(d.x), float(d.y), float(d.z)},
+                        i % 4 == 0 ? 1.0f : 1e30f});
     }
     return rays;
 }
@@ -218,7 +259,8 @@ inline Scene sphere_mesh(int n, double radius, Vec c, double bump = 0, bool fini
         for (int j = 0; j < m; j++) v[i * m + j] = i == 0 ? top : i == n ? bottom : s.vertex(at(i, j));
     for (int i = 0; i < n; i++) {
         for (int j = 0; j < m; j++) {
-            const uint32_t a = v[i * m + j], b = v[(i + 1) * m + j], d = v[i * m + (j + 1) % m], e = v[(i + 1) * m + (j + 1) % m];
+            const uint32_t a = v[i * m + j], b = v[(i + 1) * m + j], d = v[i * m + (j + 1) % m],
+                           e = v[(i + 1) * m + (j + 1) % m];
             if (i < n - 1) s.triangle(a, b, e, s.next_prim++);
             if (i > 0) s.triangle(a, e, d, s.next_prim++);
         }

@@ -75,7 +75,8 @@ TEST_CASE("a chain of branches that share values stays small") {
     defs = "x0 = Px;";
     for (int i = 1; i <= 40; i++) {
         const std::string b = "x" + std::to_string(i - 1), k = std::to_string(i) + "*.01,";
-        defs += "x" + std::to_string(i) + " = if(Py-" + k + "if(Px-" + k + b + "+1,0),if(Pz-" + k + b + "*.5," + b + "));";
+        defs +=
+            "x" + std::to_string(i) + " = if(Py-" + k + "if(Px-" + k + b + "+1,0),if(Pz-" + k + b + "*.5," + b + "));";
     }
     library.define(defs, "defs2");
     Code second;
@@ -89,7 +90,7 @@ TEST_CASE("recursion: ended by constants, by ray variables, or not at all") {
     const std::string fact = "fact(n) : if(n-1.5, n*fact(n-1), 1);";
     CHECK(value("fact(5)", fact) == 120);
     CHECK(value("fact(floor(10*Px+.5))", fact) == 6);
-    CHECK(std::isnan(value("fact(100+Px)", fact)));            // deeper than the bounded expansion
+    CHECK(std::isnan(value("fact(100+Px)", fact)));  // deeper than the bounded expansion
     CHECK(trouble("f(1)", "f(x) = f(x+1);").find("never ends") != std::string::npos);
     CHECK(trouble("a", "a = b+1; b = a*2;").find("needs itself") != std::string::npos);
     CHECK(value("fib(12)", "fib(n) = if(n-1.5, fib(n-1)+fib(n-2), n);") == 144);
@@ -130,7 +131,9 @@ TEST_CASE("programs see object coordinates") {
     Library library({});
     Code code;
     const float p[3] = {0.3f, 0.4f, 0};
-    auto run = [&](const std::string& text) { return run_one(code, compile_one(library, text, code, ".", {}, x), golden_vars(p)); };
+    auto run = [&](const std::string& text) {
+        return run_one(code, compile_one(library, text, code, ".", {}, x), golden_vars(p));
+    };
     CHECK(run("S") == doctest::Approx(0.5));
     CHECK(run("Px") == doctest::Approx(((0.3 - 1) * c + (0.4 - 2) * s) / 2));
     CHECK(run("Py") == doctest::Approx((-(0.3 - 1) * s + (0.4 - 2) * c) / 2));
@@ -162,7 +165,11 @@ TEST_CASE("no input overruns the stack") {
     CHECK(trouble(std::string(100000, '(')).find("nested too deeply") != std::string::npos);
     CHECK(trouble(std::string(100000, '-') + "1").find("expected") != std::string::npos);
     std::string sum = "Px", power = "Px", nest = "Px";
-    for (int i = 0; i < 20000; i++) { sum += "+Py"; power += "^Py"; nest = i < 300 ? "sin(" + nest + ")" : nest; }
+    for (int i = 0; i < 20000; i++) {
+        sum += "+Py";
+        power += "^Py";
+        nest = i < 300 ? "sin(" + nest + ")" : nest;
+    }
     CHECK(trouble(sum).find("too long") != std::string::npos);
     CHECK(trouble(power).find("nested too deeply") != std::string::npos);
     CHECK(std::isfinite(value(nest)));

@@ -55,15 +55,20 @@ std::vector<Device> devices() {
     return found;
 }
 
-struct Result { std::vector<float> value; std::vector<int> error; };
+struct Result {
+    std::vector<float> value;
+    std::vector<int> error;
+};
 
-Result run_on(const Device& device, const cal::Code& code, const std::vector<uint32_t>& entries, const std::vector<float>& vars) {
+Result run_on(const Device& device, const cal::Code& code, const std::vector<uint32_t>& entries,
+              const std::vector<float>& vars) {
     cl_int e = 0;
     cl_context context = clCreateContext(nullptr, 1, &device.id, nullptr, nullptr, &e);
     REQUIRE(e == CL_SUCCESS);
     cl_command_queue queue = clCreateCommandQueue(context, device.id, 0, &e);
     cl_program program = clCreateProgramWithSource(context, 1, const_cast<const char**>(&source), nullptr, &e);
-    const std::string options = std::string("-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt -I ") + LUXPIPE_TESTS "/../lib/kernels";
+    const std::string options =
+        std::string("-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt -I ") + LUXPIPE_TESTS "/../lib/kernels";
     if (clBuildProgram(program, 1, &device.id, options.c_str(), nullptr, nullptr) != CL_SUCCESS) {
         char log[4000] = "";
         clGetProgramBuildInfo(program, device.id, CL_PROGRAM_BUILD_LOG, sizeof log - 1, log, nullptr);
@@ -77,15 +82,19 @@ Result run_on(const Device& device, const cal::Code& code, const std::vector<uin
         return clCreateBuffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, bytes ? bytes : sizeof none,
                               bytes ? const_cast<void*>(data) : none, &e);
     };
-    cl_mem buffers[6] = {input(code.words.data(), code.words.size() * 4), input(code.floats.data(), code.floats.size() * 4),
-                         input(entries.data(), n * 4), input(vars.data(), vars.size() * 4),
+    cl_mem buffers[6] = {input(code.words.data(), code.words.size() * 4),
+                         input(code.floats.data(), code.floats.size() * 4),
+                         input(entries.data(), n * 4),
+                         input(vars.data(), vars.size() * 4),
                          clCreateBuffer(context, CL_MEM_WRITE_ONLY, n * 4, nullptr, &e),
                          clCreateBuffer(context, CL_MEM_WRITE_ONLY, n * 4, nullptr, &e)};
     for (cl_uint i = 0; i < 6; i++) clSetKernelArg(kernel, i, sizeof(cl_mem), &buffers[i]);
     REQUIRE(clEnqueueNDRangeKernel(queue, kernel, 1, nullptr, &n, nullptr, 0, nullptr, nullptr) == CL_SUCCESS);
     Result r{std::vector<float>(n), std::vector<int>(n)};
-    REQUIRE(clEnqueueReadBuffer(queue, buffers[4], CL_TRUE, 0, n * 4, r.value.data(), 0, nullptr, nullptr) == CL_SUCCESS);
-    REQUIRE(clEnqueueReadBuffer(queue, buffers[5], CL_TRUE, 0, n * 4, r.error.data(), 0, nullptr, nullptr) == CL_SUCCESS);
+    REQUIRE(clEnqueueReadBuffer(queue, buffers[4], CL_TRUE, 0, n * 4, r.value.data(), 0, nullptr, nullptr) ==
+            CL_SUCCESS);
+    REQUIRE(clEnqueueReadBuffer(queue, buffers[5], CL_TRUE, 0, n * 4, r.error.data(), 0, nullptr, nullptr) ==
+            CL_SUCCESS);
     for (cl_mem m : buffers) clReleaseMemObject(m);
     clReleaseKernel(kernel);
     clReleaseProgram(program);
@@ -146,12 +155,16 @@ TEST_CASE("elementary functions have the same bits on every device") {
     cal::Library library({});
     Job job;
     std::vector<uint32_t> entries;
-    for (const char* text : {"exp(Px)", "log(Px)", "log10(Px)", "sin(Px)", "cos(Px)", "tan(Px)", "asin(Px/40)", "acos(Px/40)",
-                             "atan(Px)", "atan2(Px,Py)", "Px^Py", "sqrt(Px)", "erf(Px)", "erfc(Px)", "floor(Px)", "Px/Py",
-                             "sin(Px*1e6)", "cos(1e15*Px)", "2^Px", "rand(Px)"})
+    for (const char* text :
+         {"exp(Px)",     "log(Px)",  "log10(Px)",    "sin(Px)",      "cos(Px)",  "tan(Px)", "asin(Px/40)",
+          "acos(Px/40)", "atan(Px)", "atan2(Px,Py)", "Px^Py",        "sqrt(Px)", "erf(Px)", "erfc(Px)",
+          "floor(Px)",   "Px/Py",    "sin(Px*1e6)",  "cos(1e15*Px)", "2^Px",     "rand(Px)"})
         entries.push_back(compile_one(library, text, job.code));
     uint32_t state = 1;
-    auto uniform = [&] { state = state * 1664525u + 1013904223u; return float(state >> 8) / 16777216.0f; };
+    auto uniform = [&] {
+        state = state * 1664525u + 1013904223u;
+        return float(state >> 8) / 16777216.0f;
+    };
     for (int i = 0; i < 2000; i++) {
         const float p[3] = {80 * uniform() - 40, 6 * uniform() - 3, uniform()};
         for (uint32_t e : entries) job.add(e, golden_vars(p));
@@ -163,9 +176,13 @@ TEST_CASE("skies have the same bits on every device") {
     cal::Library library({});
     Job job;
     const uint32_t clear = compile_one(library, "skybr", job.code, "skybright.cal", {1, 100, 3, .9, .3, .4, .866});
-    const uint32_t perez = compile_one(library, "skybright", job.code, "perezlum.cal", {1, 3, -1, -.5, 3, -4, .1, .3, .4, .866});
+    const uint32_t perez =
+        compile_one(library, "skybright", job.code, "perezlum.cal", {1, 3, -1, -.5, 3, -4, .1, .3, .4, .866});
     uint32_t state = 9;
-    auto uniform = [&] { state = state * 1664525u + 1013904223u; return 2 * float(state >> 8) / 16777216.0f - 1; };
+    auto uniform = [&] {
+        state = state * 1664525u + 1013904223u;
+        return 2 * float(state >> 8) / 16777216.0f - 1;
+    };
     for (int i = 0; i < 20000; i++) {
         const float p[3] = {0, 0, 0};
         std::vector<float> vars = golden_vars(p);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Textures, patterns and mixtures as programs: RADIANCE's values, text layout, spectra, materials' functions, bad input.
+// Textures, patterns and mixtures as programs: RADIANCE's values, text layout, spectra, materials' functions, bad
+// input.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 #include <cstdio>
@@ -49,7 +50,7 @@ TEST_CASE("patterns, textures and mixtures have RADIANCE's values") {
     int rows = 0;
     for (const PatternRow& r : pattern_rows("cal_patterns.tsv", false)) {
         std::vector<float> got = pattern(r.spec, r.vars);
-        if (got.empty()) got.assign(r.want.size(), 1.0f);       // an error: no pattern
+        if (got.empty()) got.assign(r.want.size(), 1.0f);  // an error: no pattern
         if (r.spec.type.compare(0, 3, "tex") == 0) {
             const base::Vec3 sun = base::unit({0.3094263739, 0.2062842493, 0.9282791216});
             got = {float(base::dot(base::unit({got[0], got[1], 1 + got[2]}), sun) / sun.z)};
@@ -58,7 +59,8 @@ TEST_CASE("patterns, textures and mixtures have RADIANCE's values") {
         for (size_t k = 0; k < got.size(); k++) {
             // RADIANCE's flat spectrum is 4e-4 off, and negative light is black
             const double slack = r.id == "spec_flat5" ? 4e-4 : std::fmax(2e-5, 2e-4 * std::fabs(r.want[k]));
-            CHECK_MESSAGE(std::fabs(std::fmax(0, got[k]) - r.want[k]) <= slack, r.id, ": ", got[k], ", RADIANCE ", r.want[k]);
+            CHECK_MESSAGE(std::fabs(std::fmax(0, got[k]) - r.want[k]) <= slack, r.id, ": ", got[k], ", RADIANCE ",
+                          r.want[k]);
         }
         rows++;
     }
@@ -107,9 +109,10 @@ TEST_CASE("spectra become RGB by the colour matching functions") {
     const std::string plane = temporary("plane.dat", "2\n0 1 2\n300 900 2\n1.3 1.9\n1.3 1.9\n");
     std::vector<double> steps{380, 780};
     for (int nm = 380; nm <= 780; nm += 20) steps.push_back(1 + nm / 1000.0);
-    for (const PatternSpec& spec : {PatternSpec{"specfile", {file}, {}, "t", {}}, PatternSpec{"spectrum", {}, steps, "t", {}},
-                                    PatternSpec{"specfunc", {"ramp", "ramp.cal"}, {380, 780}, "t", {}},
-                                    PatternSpec{"specdata", {"noop", plane, ".", "Px"}, {}, "t", {}}}) {
+    for (const PatternSpec& spec :
+         {PatternSpec{"specfile", {file}, {}, "t", {}}, PatternSpec{"spectrum", {}, steps, "t", {}},
+          PatternSpec{"specfunc", {"ramp", "ramp.cal"}, {380, 780}, "t", {}},
+          PatternSpec{"specdata", {"noop", plane, ".", "Px"}, {}, "t", {}}}) {
         temporary("ramp.cal", "ramp(nm) = 1 + nm/1000;");
         PatternSpec s = spec;
         if (s.type == "specfunc") s.strings[1] = "./cal_pattern_test.ramp.cal";
@@ -119,8 +122,9 @@ TEST_CASE("spectra become RGB by the colour matching functions") {
     }
 }
 
-// six_bands.hsr: written by rtrace 6.0a (-cs 6 -co+ -fac), and its values as a specpict there.  RADIANCE shares wavelengths
-// out to bands by whole nanometres, about one too many at the long end: by up to 4 % of a channel other values.
+// six_bands.hsr: written by rtrace 6.0a (-cs 6 -co+ -fac), and its values as a specpict there.  RADIANCE shares
+// wavelengths out to bands by whole nanometres, about one too many at the long end: by up to 4 % of a channel other
+// values.
 TEST_CASE("a hyperspectral picture becomes RGB band by band") {
     const double rows[5][5] = {{.0001, .0001, .7681941, .2492308, .2047894},
                                {1.3332, .999, .8310944, .2687789, .2219432},
@@ -129,14 +133,16 @@ TEST_CASE("a hyperspectral picture becomes RGB band by band") {
                                {.1667, .1667, .7632407, .2467589, .2040448}};
     for (const auto& r : rows) {
         const float p[3] = {float(r[0]), float(r[1]), 0};
-        const std::vector<float> got = pattern({"specpict", {"noop", "six_bands.hsr", ".", "Px", "Py"}, {}, "t", {}}, golden_vars(p));
+        const std::vector<float> got =
+            pattern({"specpict", {"noop", "six_bands.hsr", ".", "Px", "Py"}, {}, "t", {}}, golden_vars(p));
         REQUIRE(got.size() == 3);
         for (size_t k = 0; k < 3; k++) CHECK(got[k] == doctest::Approx(r[2 + k]).epsilon(.04));
     }
     // The function gets the middle of each band: 1 + nm/1000 whatever the picture holds.
     const float p[3] = {.5f, .5f, 0};
     temporary("ramp2.cal", "ramp2(v, nm) = 1 + nm/1000; flat(v, nm) = .7;");
-    std::string text = "#?RADIANCE\nNCOMP=24\nWAVELENGTH_SPLITS= 780 588 480 380\nFORMAT=Radiance_spectra\n\n-Y 2 +X 3\n";
+    std::string text =
+        "#?RADIANCE\nNCOMP=24\nWAVELENGTH_SPLITS= 780 588 480 380\nFORMAT=Radiance_spectra\n\n-Y 2 +X 3\n";
     for (int i = 0; i < 6; i++) text += std::string(24, char(64)) + char(129);
     temporary("even.hsr", text);
     const auto at = [&](const char* f, const char* cal) {
@@ -163,7 +169,8 @@ TEST_CASE("hyperspectral pictures that are broken") {
     CHECK(fault("NCOMP=6\nWAVELENGTH_SPLITS= 780 588\n", pixels).find("is malformed") != std::string::npos);
     CHECK(fault(splits, pixels).find("NCOMP=3: hyperspectral pictures have 4 to 24 bands") != std::string::npos);
     CHECK(fault("NCOMP=1000000\n" + splits, pixels).find("4 to 24 bands") != std::string::npos);
-    CHECK(trouble("colorpict", {"red", "green", "blue", "six_bands.hsr", ".", "Px", "Py"}).find("only specpict") != std::string::npos);
+    CHECK(trouble("colorpict", {"red", "green", "blue", "six_bands.hsr", ".", "Px", "Py"}).find("only specpict") !=
+          std::string::npos);
 }
 
 TEST_CASE("a spectral colour keeps its luminance inside the primaries' triangle") {
@@ -199,11 +206,11 @@ TEST_CASE("functions of materials: values of a hit and lobes of a light directio
     std::vector<float> got = run(code, m.values, m.value_count, vars);
     REQUIRE(got.size() == 4);
     CHECK(got[0] == doctest::Approx(2.0 / 3));
-    CHECK(got[2] == doctest::Approx(1));                        // x of the object is y of the world
+    CHECK(got[2] == doctest::Approx(1));  // x of the object is y of the world
     m = material("plasfunc", {"half", "."});
     CHECK(m.value_count == 0);
     CHECK(run(code, m.lobe, m.lobe_count, vars)[0] == doctest::Approx(0.4));
-    m = material("plasfunc", {"half", ".", "-ry", "90"});       // z of the object is x of the world
+    m = material("plasfunc", {"half", ".", "-ry", "90"});  // z of the object is x of the world
     CHECK(run(code, m.lobe, m.lobe_count, vars)[0] == doctest::Approx(0.3));
     m = material("plasdata", {"scaled", "ramp.dat", ".", "up"});
     CHECK(run(code, m.lobe, m.lobe_count, vars)[0] == doctest::Approx(64 * 0.8 * 0.25));
@@ -246,12 +253,16 @@ TEST_CASE("mistakes are named with the primitive's place") {
           "a.rad:3: data file \"grid.dat\" has 2 dimensions, 1 coordinates are given");
     CHECK(trouble("brightdata", {"nope", "ramp.dat", ".", "Px"}) == "a.rad:3: function \"nope\" is not defined");
     CHECK(trouble("brighttext", {"tri2.fnt", "."}, {1, 2}) == "a.rad:3: bad number of real arguments");
-    CHECK(trouble("brighttext", {"tri2.fnt", ".", "A"}, {0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 0}) == "a.rad:3: text vectors are parallel or zero");
+    CHECK(trouble("brighttext", {"tri2.fnt", ".", "A"}, {0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 0}) ==
+          "a.rad:3: text vectors are parallel or zero");
     CHECK(trouble("colorfunc", {"1", "2", "3", ".", "-rx"}).find("a.rad:3") == 0);
     CHECK(trouble("brightfunc", {"1", ".", "-s", "0"}).find("a.rad:3") == 0);
-    for (const char* bad : {"", "1", "1\n0 1 2000000000", "1\n0 1 1\n5", "1\n0 0 3 1 2 2\n1 2 3", "1\n0 1 2\n1 x", "1\n0 1 2\n1", "9\n",
-                            "2\n0 1 60000\n0 1 60000\n1 2 3", "-1", "1e99"})
-        CHECK_MESSAGE(trouble("brightdata", {"noop", temporary("bad.dat", bad), ".", "Px"}).find("a.rad:3: data file") == 0, bad);
+    for (const char* bad : {"", "1", "1\n0 1 2000000000", "1\n0 1 1\n5", "1\n0 0 3 1 2 2\n1 2 3", "1\n0 1 2\n1 x",
+                            "1\n0 1 2\n1", "9\n", "2\n0 1 60000\n0 1 60000\n1 2 3", "-1", "1e99"})
+        CHECK_MESSAGE(
+            trouble("brightdata", {"noop", temporary("bad.dat", bad), ".", "Px"}).find("a.rad:3: data file") == 0, bad);
     for (const char* bad : {"65", "65 3 0 0 1", "65 -1", "300 0", "65 0 65 0", "65 1 999 0", "x"})
-        CHECK_MESSAGE(trouble("brighttext", {temporary("bad.fnt", bad), ".", "A"}, {0, 0, 0, 1, 0, 0, 0, -1, 0, 1, 0}).find("a.rad:3: font") == 0, bad);
+        CHECK_MESSAGE(trouble("brighttext", {temporary("bad.fnt", bad), ".", "A"}, {0, 0, 0, 1, 0, 0, 0, -1, 0, 1, 0})
+                              .find("a.rad:3: font") == 0,
+                      bad);
 }

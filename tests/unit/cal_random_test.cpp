@@ -9,7 +9,7 @@
 
 namespace {
 
-class Writer {                         // of expressions over Px Py Pz, earlier variables and functions
+class Writer {  // of expressions over Px Py Pz, earlier variables and functions
 public:
     explicit Writer(unsigned seed) : random_(seed) {}
     int below(int n) { return int(random_() % unsigned(n)); }
@@ -22,7 +22,8 @@ public:
         case 2: return "Py";
         case 3: return "Pz";
         case 4: return variables ? "v" + std::to_string(below(variables)) : "1";
-        case 5: case 6: return "(" + sub() + "+" + sub() + ")";
+        case 5:
+        case 6: return "(" + sub() + "+" + sub() + ")";
         case 7: return "(" + sub() + "-" + sub() + ")";
         case 8: return "frac7(" + sub() + "*" + sub() + ")";
         case 9: return "max(" + sub() + "," + sub() + ")";
@@ -33,6 +34,7 @@ public:
         default: return "if(" + sub() + "," + sub() + "," + sub() + ")";
         }
     }
+
 private:
     std::mt19937 random_;
 };
@@ -46,7 +48,8 @@ TEST_CASE("compiled programs agree with plain evaluation") {
         // frac7: a number mod 7, so that products stay small
         std::string definitions = "frac7(x) = x - 7*floor(x/7);";
         const int variables = writer.below(7);
-        for (int i = 0; i < variables; i++) definitions += "v" + std::to_string(i) + " = " + writer.expression(3, i) + ";";
+        for (int i = 0; i < variables; i++)
+            definitions += "v" + std::to_string(i) + " = " + writer.expression(3, i) + ";";
         const std::string text = writer.expression(4, variables);
         cal::Library library({});
         library.define(definitions, "random");
@@ -56,8 +59,9 @@ TEST_CASE("compiled programs agree with plain evaluation") {
             const int at[3] = {writer.below(9) - 4, writer.below(9) - 4, writer.below(9) - 4};
             const float p[3] = {float(at[0]), float(at[1]), float(at[2])};
             cal::Evaluator plain({});
-            plain.define("Px = " + std::to_string(at[0]) + "; Py = " + std::to_string(at[1]) + "; Pz = " + std::to_string(at[2]) + ";" +
-                         definitions, "random");
+            plain.define("Px = " + std::to_string(at[0]) + "; Py = " + std::to_string(at[1]) +
+                             "; Pz = " + std::to_string(at[2]) + ";" + definitions,
+                         "random");
             const double want = plain.value(text, "random");
             const float got = run_one(code, entry, golden_vars(p));
             CHECK_MESSAGE(std::fabs(double(got) - want) < 1e-3, "seed ", seed, ": ", got, " not ", want);

@@ -58,7 +58,8 @@ void compare(char type, double angle, int size, double reach, double density, bo
     for (int k = 0; k < (blobs ? 12 : 1); ++k) {
         const double cx = u(random) * size, cy = u(random) * size, r = u(random) * size / 8;
         for (size_t i = 0; i < bright.size(); ++i)
-            if (g.valid(i) && (blobs ? std::hypot(g.x_of(i) - cx, g.y_of(i) - cy) < r : u(random) < density)) bright[i] = 1;
+            if (g.valid(i) && (blobs ? std::hypot(g.x_of(i) - cx, g.y_of(i) - cy) < r : u(random) < density))
+                bright[i] = 1;
     }
     std::vector<comfort::Run> runs = to_runs(bright, g);
     comfort::Connector connector(g, reach);

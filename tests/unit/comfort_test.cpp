@@ -69,9 +69,9 @@ TEST_CASE("RAMMG by hand") {
     point[2 * 8 + 3] = 1;
     for (int i = 0; i < 64; ++i) checker[i] = (i / 8 + i % 8) % 2, ramp[i] = i % 8;
     for (int i = 0; i < 42; ++i) odd[i] = ((i / 6) * (i % 6)) % 5;
-    CHECK(rect_rammg(4, 4, inner) == doctest::Approx(0.015625).epsilon(1e-6));           // 2/(8 * 16)
+    CHECK(rect_rammg(4, 4, inner) == doctest::Approx(0.015625).epsilon(1e-6));  // 2/(8 * 16)
     CHECK(rect_rammg(4, 4, corner) == doctest::Approx(0.006194478271980).epsilon(1e-6));
-    CHECK(rect_rammg(8, 8, point) == doctest::Approx(0.00390625).epsilon(1e-6));         // two equal levels
+    CHECK(rect_rammg(8, 8, point) == doctest::Approx(0.00390625).epsilon(1e-6));  // two equal levels
     CHECK(rect_rammg(8, 8, checker) == doctest::Approx(0.032035195807721).epsilon(1e-6));
     CHECK(rect_rammg(8, 8, ramp) == doctest::Approx(0.092421494440224).epsilon(1e-6));
     CHECK(rect_rammg(6, 7, odd) == doctest::Approx(0.107741620427176).epsilon(1e-6));
@@ -139,7 +139,8 @@ TEST_CASE("the stopping rule holds when the whole window is within tolerance") {
 }
 
 TEST_CASE("tables compare metric by metric") {
-    const NumberTable a{"a", {"Ev", "DGP"}, {{1000, 0.3}}}, b{"b", {"DGP", "Ev"}, {{0.3001, 1000.01}}}, c{"c", {"Ev"}, {{1000}}};
+    const NumberTable a{"a", {"Ev", "DGP"}, {{1000, 0.3}}}, b{"b", {"DGP", "Ev"}, {{0.3001, 1000.01}}},
+        c{"c", {"Ev"}, {{1000}}};
     const auto d = compare_tables(a, b, {});
     REQUIRE(d.size() == 2);
     CHECK(d[0].within);        // 0.01 %

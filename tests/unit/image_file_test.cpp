@@ -144,7 +144,8 @@ TEST_CASE("an OpenEXR header that claims more than there can be is refused befor
     std::string bent = bytes;
     bent.insert(8, std::string("note\0string\0\xf0\xff\xff\x7f", 16));
     temp.holding("a.exr", bent);
-    CHECK(error_text([&] { image::read_file(path); }) == path + ": is no readable OpenEXR file: attribute note is longer than the file");
+    CHECK(error_text([&] { image::read_file(path); }) ==
+          path + ": is no readable OpenEXR file: attribute note is longer than the file");
 
     bent = bytes;
     bent[bent.find(std::string("chlist\0", 7)) + 7]++;  // what follows would be read one byte off
@@ -157,7 +158,8 @@ TEST_CASE("an OpenEXR header that claims more than there can be is refused befor
     REQUIRE(at != std::string::npos);
     bent.replace(at + 13, 8, "\0\x78\0\0\0\x78\0\0", 8);  // tiles of 30720 x 30720 pixels
     temp.holding("a.exr", bent);
-    CHECK(error_text([&] { image::read_file(path); }) == path + ": its tiles are too large: 30720 x 30720 pixels of 12 bytes");
+    CHECK(error_text([&] { image::read_file(path); }) ==
+          path + ": its tiles are too large: 30720 x 30720 pixels of 12 bytes");
 }
 
 TEST_CASE("masks keep names, order and coverage") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// BSDF tables as the kernels use them: what the file says is found again, samples carry the hemispherical energy, and they
-// fall where the evaluation says they should.
+// BSDF tables as the kernels use them: what the file says is found again, samples carry the hemispherical energy, and
+// they fall where the evaluation says they should.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 namespace kernels {
 #include "kernels/sampler.h"
 #include "kernels/bsdf.h"
-}
+}  // namespace kernels
 #include "trace/flatten_bsdf.h"
 #include "unit/bsdf_text.h"
 
@@ -28,7 +28,9 @@ struct Tables {
         s.f = code.floats.data();
     }
     // front: v on the side of the normal
-    const uint* component(int front, int transmit) const { return s.u + at + BSDF_COMPONENT_WORDS * uint32_t((front ? 0 : 2) + transmit); }
+    const uint* component(int front, int transmit) const {
+        return s.u + at + BSDF_COMPONENT_WORDS * uint32_t((front ? 0 : 2) + transmit);
+    }
     const uint* table(int front, int transmit) const { return s.u + component(front, transmit)[0]; }
     float diffuse(int front, int transmit) const { return as_float_(component(front, transmit)[1]); }
 };
@@ -48,7 +50,8 @@ TEST_CASE("disc and square are each other's inverse and keep areas") {
             const double h = 1e-3;  // |d disc / d square| = pi, except on the diagonals
             if (std::fabs(x - y) < .01 || std::fabs(x + y - 1) < .01) continue;
             const float2 a = bsdf_disc(float(x + h), float(y)), b = bsdf_disc(float(x), float(y + h));
-            CHECK(std::fabs((a.x - d.x) * (b.y - d.y) - (a.y - d.y) * (b.x - d.x)) / (h * h) == doctest::Approx(PI).epsilon(.02));
+            CHECK(std::fabs((a.x - d.x) * (b.y - d.y) - (a.y - d.y) * (b.x - d.x)) / (h * h) ==
+                  doctest::Approx(PI).epsilon(.02));
         }
 }
 
@@ -64,7 +67,8 @@ TEST_CASE("a matrix gives the file's values, but for RADIANCE's perturbation of 
             const auto& y = t.file.reflection[0].y;
             CHECK(bsdf_value(&t.s, t.table(1, 0), v, direction(18, 45 * o), &psa) ==
                   doctest::Approx(y[size_t((1 + i) * 41 + 1 + o)]).epsilon(4e-4));
-            CHECK(psa == doctest::Approx(PI * (std::pow(std::cos(9 * PI / 180), 2) - std::pow(std::cos(27 * PI / 180), 2)) / 8));
+            CHECK(psa == doctest::Approx(
+                             PI * (std::pow(std::cos(9 * PI / 180), 2) - std::pow(std::cos(27 * PI / 180), 2)) / 8));
             CHECK(bsdf_value(&t.s, t.table(1, 1), v, direction(18, 45 * o, -1), &psa) ==
                   doctest::Approx(t.file.transmission[0].y[size_t((1 + i) * 41 + 1 + o)]).epsilon(4e-4));
         }
@@ -72,9 +76,10 @@ TEST_CASE("a matrix gives the file's values, but for RADIANCE's perturbation of 
 
 TEST_CASE("a missing transmission is the other one, turned round") {
     std::mt19937 random(8);
-    for (const std::string& text : {bsdf_file("Columns", bsdf_block("Transmission Back", bsdf_numbers(41 * 41, 4))),
-                                    bsdf_file("TensorTree4", bsdf_block("Transmission Back", bsdf_tree(4, 3, random))),
-                                    bsdf_file("TensorTree3", bsdf_block("Transmission Back", bsdf_tree(3, 3, random)))}) {
+    for (const std::string& text :
+         {bsdf_file("Columns", bsdf_block("Transmission Back", bsdf_numbers(41 * 41, 4))),
+          bsdf_file("TensorTree4", bsdf_block("Transmission Back", bsdf_tree(4, 3, random))),
+          bsdf_file("TensorTree3", bsdf_block("Transmission Back", bsdf_tree(3, 3, random)))}) {
         const Tables t(text);
         CHECK(t.component(1, 0)[0] == NONE);  // no reflection
         for (int i = 0; i < 200; i++) {
@@ -114,17 +119,18 @@ TEST_CASE("white stays white, and XYZ becomes RADIANCE's RGB") {
     CHECK(c.x > c.z);
     // the same chromaticity as u'v' of a tree: u' = 4X/(X+15Y+3Z), v' = 9Y/(X+15Y+3Z)
     const double d = 1.1 + 15 + 3 * .5;
-    Tables tree(bsdf_file("TensorTree4", bsdf_block("Reflection Back", "{.5}") +
-                                             bsdf_block("Reflection Back", "{" + std::to_string(4 * 1.1 / d) + "}", "", "CIE-u") +
-                                             bsdf_block("Reflection Back", "{" + std::to_string(9 / d) + "}", "", "CIE-v")));
+    Tables tree(bsdf_file("TensorTree4",
+                          bsdf_block("Reflection Back", "{.5}") +
+                              bsdf_block("Reflection Back", "{" + std::to_string(4 * 1.1 / d) + "}", "", "CIE-u") +
+                              bsdf_block("Reflection Back", "{" + std::to_string(9 / d) + "}", "", "CIE-v")));
     const float3 e = bsdf_color(&tree.s, tree.table(1, 0), v, l);
     CHECK(e.x == doctest::Approx(c.x).epsilon(1e-4));
     CHECK(e.y == doctest::Approx(c.y).epsilon(1e-4));
     CHECK(e.z == doctest::Approx(c.z).epsilon(1e-4));
 }
 
-// 200000 samples in 41 cells, expected f * psa / hemispherical value each: chi-square of 40 degrees of freedom has mean 40
-// and variance 80; 5 standard deviations above is 85.
+// 200000 samples in 41 cells, expected f * psa / hemispherical value each: chi-square of 40 degrees of freedom has mean
+// 40 and variance 80; 5 standard deviations above is 85.
 TEST_CASE("samples of a matrix follow its values") {
     const Tables t(bsdf_file("Columns", bsdf_block("Transmission Back", bsdf_numbers(41 * 41, 9))));
     const int n = 200000;
@@ -145,7 +151,8 @@ TEST_CASE("samples of a matrix follow its values") {
             const float3 l = basis_direction(&t.s, table[BT_L], uint32_t(cell), float2{.5f, .5f});
             const float k = table[BT_SWAP] ? -1.0f : 1.0f;
             float psa;
-            const double part = double(bsdf_value(&t.s, table, v, F3(k * l.x, k * l.y, l.z), &psa)) * t.s.f[table[BT_LPSA] + uint32_t(cell)];
+            const double part = double(bsdf_value(&t.s, table, v, F3(k * l.x, k * l.y, l.z), &psa)) *
+                                t.s.f[table[BT_LPSA] + uint32_t(cell)];
             const double expected = n * part / hemi;
             total += part;
             if (expected > 0) chi2 += (seen[size_t(cell)] - expected) * (seen[size_t(cell)] - expected) / expected;
@@ -176,9 +183,9 @@ TEST_CASE("an isotropic tree turns with the viewer") {
     }
 }
 
-// Trees: the weights' sum over each of 8 x 8 squares of the disc is pi times the integral of f there (64 x 64 points, the
-// trees' finest cells are 8); their mean is the hemispherical value.  All within 5 standard errors, and a chi-square of
-// 64 squares below 64 + 5 sqrt(128) = 121.
+// Trees: the weights' sum over each of 8 x 8 squares of the disc is pi times the integral of f there (64 x 64 points,
+// the trees' finest cells are 8); their mean is the hemispherical value.  All within 5 standard errors, and a
+// chi-square of 64 squares below 64 + 5 sqrt(128) = 121.
 TEST_CASE("weighted samples of a tree are its values") {
     std::mt19937 random(21);
     const int n = 200000, squares = 8;
@@ -187,7 +194,7 @@ TEST_CASE("weighted samples of a tree are its values") {
                                  bsdf_block("Reflection Back", bsdf_tree(dims, 3, random)) +
                                      bsdf_block("Transmission Back", bsdf_tree(dims, 3, random))));
         for (int kind = 0; kind < 3; kind++) {  // reflection, transmission, transmission the other way round
-            const int front = kind < 2, transmit = kind > 0;
+            const int front = kind<2, transmit = kind> 0;
             const uint* table = t.table(front, transmit);
             const double side = transmit ? -1 : 1;
             const float3 v = direction(33, 180, front ? 1 : -1);
@@ -199,8 +206,10 @@ TEST_CASE("weighted samples of a tree are its values") {
                 const double w = bsdf_sample(&t.s, table, v, &rnd, &l);
                 const float2 q = bsdf_square(l.x, l.y);
                 const size_t at = size_t(q.x * squares) + squares * size_t(q.y * squares);
-                sum[at] += w; sum2[at] += w * w;
-                all += w; all2 += w * w;
+                sum[at] += w;
+                sum2[at] += w * w;
+                all += w;
+                all2 += w * w;
             }
             double chi2 = 0, exact = 0;
             for (int b = 0; b < squares * squares; b++) {
@@ -221,7 +230,8 @@ TEST_CASE("weighted samples of a tree are its values") {
             CHECK(chi2 < 121);
             CHECK(std::fabs(mean - exact) < 5 * error);
             // the turned isotropic tree's table is by quadrature over the disc
-            CHECK(bsdf_hemispherical(&t.s, table, v) == doctest::Approx(exact).epsilon(dims == 3 && kind == 2 ? .02 : 1e-4));
+            CHECK(bsdf_hemispherical(&t.s, table, v) ==
+                  doctest::Approx(exact).epsilon(dims == 3 && kind == 2 ? .02 : 1e-4));
         }
     }
 }

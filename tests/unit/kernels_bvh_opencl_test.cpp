@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same traversal compiled as OpenCL C, on every OpenCL device: each hit must have the bits of the host's, for both trees.
-// Needs a device with correctly rounded division (PoCL, NVIDIA); skips (77) without one.
+// The same traversal compiled as OpenCL C, on every OpenCL device: each hit must have the bits of the host's, for both
+// trees. Needs a device with correctly rounded division (PoCL, NVIDIA); skips (77) without one.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
@@ -28,7 +28,8 @@ static std::string program_text() {
         s << in.rdbuf();
         text += s.str() + "\n";
     };
-    for (const char* file : {"compat_opencl.h", "vec.h", "intersect.h", "shapes.h", "woop.h", "offset_ray.h"}) add(file);
+    for (const char* file : {"compat_opencl.h", "vec.h", "intersect.h", "shapes.h", "woop.h", "offset_ray.h"})
+        add(file);
     text += "#ifdef LUX_BVH2\n";
     add("bvh2.h");
     text += "#else\n";
@@ -65,7 +66,8 @@ __kernel void trace_rays(__global const float* nodes, __global const float* leav
 
 static cl::Buffer send(const cl::Context& context, const void* data, size_t bytes) {
     static const char nothing[64] = {};
-    if (bytes == 0) return cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, size_t(64), const_cast<char*>(nothing));
+    if (bytes == 0)
+        return cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, size_t(64), const_cast<char*>(nothing));
     return cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, bytes, const_cast<void*>(data));
 }
 
@@ -113,7 +115,8 @@ TEST_CASE("OpenCL devices find the host's hits, bit for bit") {
                     else kernels::wide::trace_closest(&tables, &ray, mask, &h);
                     const uint* g = &got[8 * i];
                     hits += h.prim != NO_HIT;
-                    wrong += g[0] != as_uint_(h.t) || g[1] != h.prim || g[2] != as_uint_(h.u) || g[3] != as_uint_(h.v) || g[4] != h.inst;
+                    wrong += g[0] != as_uint_(h.t) || g[1] != h.prim || g[2] != as_uint_(h.u) ||
+                             g[3] != as_uint_(h.v) || g[4] != h.inst;
                     any += (g[5] != 0) != (h.prim != NO_HIT);
                     offset += g[6] != as_uint_(kernels::offset_ray(ray.org, ray.dir, ray.tmin).x);
                 }
@@ -132,10 +135,14 @@ int main(int argc, char** argv) {
     if (!mkdtemp(cache.data())) return 2;
     setenv("POCL_CACHE_DIR", cache.c_str(), 1);
     std::vector<cl::Platform> platforms;
-    try { cl::Platform::get(&platforms); } catch (const cl::Error&) {}
+    try {
+        cl::Platform::get(&platforms);
+    } catch (const cl::Error&) {}
     for (const auto& p : platforms) {
         std::vector<cl::Device> found;
-        try { p.getDevices(CL_DEVICE_TYPE_ALL, &found); } catch (const cl::Error&) {}
+        try {
+            p.getDevices(CL_DEVICE_TYPE_ALL, &found);
+        } catch (const cl::Error&) {}
         for (const auto& d : found)
             if (d.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) devices.push_back(d);
     }

@@ -52,7 +52,8 @@ TEST_CASE("both trees find what a search through all primitives finds") {
     }
 }
 
-// Embree decides ties its own way and rounds differently: distances agree, and primitives where nothing else is as near.
+// Embree decides ties its own way and rounds differently: distances agree, and primitives where nothing else is as
+// near.
 TEST_CASE("Embree's own traversal finds the same") {
     for (bool instances : {false, true}) {
         const auto scene = bvh_scenes::random_scene(23, 200, instances);
@@ -78,7 +79,7 @@ TEST_CASE("Embree's own traversal finds the same") {
         }
         CAPTURE(instances);
         CHECK(hits > 5000);
-        CHECK(other_t <= hits / 5000);                 // rays within an ulp of an edge
+        CHECK(other_t <= hits / 5000);  // rays within an ulp of an edge
         CHECK(other_any <= hits / 5000);
         CHECK(other_prim <= hits / 5000);
     }
@@ -109,7 +110,8 @@ TEST_CASE("a coordinate that is not a number is refused") {
     CHECK_THROWS_AS(trace::build_bvh8(scene.input()[0]), base::Error);
 }
 
-// What makes builders split badly: everything in one place, sizes over many orders of magnitude, with and without instances.
+// What makes builders split badly: everything in one place, sizes over many orders of magnitude, with and without
+// instances.
 TEST_CASE("crowded and lopsided scenes fit the stacks") {
     for (int kind = 0; kind < 3; kind++) {
         bvh_scenes::Scene s;
@@ -172,18 +174,19 @@ TEST_CASE("distances to analytic shapes") {
         CHECK(first(9.1, 0, far, 0, 0, -1) == -1);
         CHECK(first(12, 0.5, -far, 0, 0, 1) == doctest::Approx(far + 1).epsilon(1e-6));
     }
-    CHECK(first(0, 0, 0, 1, 0, 0) == doctest::Approx(0.5));         // from inside
+    CHECK(first(0, 0, 0, 1, 0, 0) == doctest::Approx(0.5));  // from inside
     CHECK(first(3, 0, 1, 0, 0.6, 0.8) == doctest::Approx(0.5 / 0.6));
-    CHECK(first(3, 0, 1, 0, 0, 1) == -1);                           // open ends
-    CHECK(first(9.25, 0, 2, 0, 0, -1) == 1);                        // edges belong to the shape
+    CHECK(first(3, 0, 1, 0, 0, 1) == -1);     // open ends
+    CHECK(first(9.25, 0, 2, 0, 0, -1) == 1);  // edges belong to the shape
     CHECK(first(10, 0, 2, 0, 0, -1) == 1);
     CHECK(first(11, -1, 2, 0, 0, -1) == 1);
     CHECK(first(13, 1, 2, 0, 0, -1) == 1);
-    CHECK(first(8, 0, 1, 1, 0, 0) == -1);                           // in the plane of ring and polygon
+    CHECK(first(8, 0, 1, 1, 0, 0) == -1);  // in the plane of ring and polygon
 }
 
 // Paths within a closed sphere of triangles, half of them started exactly toward vertices and edges.
-static void paths(const bvh_scenes::Scene& scene, Vec centre, double radius, int count, int bounces, int* leaks, int* self) {
+static void paths(const bvh_scenes::Scene& scene, Vec centre, double radius, int count, int bounces, int* leaks,
+                  int* self) {
     const auto in = scene.input();
     const auto b8 = trace::build_bvh8(in[0]), b2 = trace::build_bvh2(in[0]);
     const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
@@ -197,15 +200,24 @@ static void paths(const bvh_scenes::Scene& scene, Vec centre, double radius, int
         const size_t tri = r.engine() % scene.tri_prim.size();
         const Vec of{float(o.x), float(o.y), float(o.z)};
         if (i % 4 == 0) d = unit(corner(tri, 0) - of);
-        if (i % 4 == 1) { const double w = r.in(0, 1); d = unit(corner(tri, 0) * w + corner(tri, 1) * (1 - w) - of); }
+        if (i % 4 == 1) {
+            const double w = r.in(0, 1);
+            d = unit(corner(tri, 0) * w + corner(tri, 1) * (1 - w) - of);
+        }
         kernels::Ray ray = {F3(float(o.x), float(o.y), float(o.z)), 0, F3(float(d.x), float(d.y), float(d.z)), 1e30f};
         uint from = NO_HIT;
         for (int b = 0; b < bounces; b++) {
             kernels::Hit hit, h2;
             kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &hit);
             kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &h2);
-            if (hit.prim == NO_HIT || h2.prim == NO_HIT) { ++*leaks; break; }
-            if (hit.prim == from) { ++*self; break; }
+            if (hit.prim == NO_HIT || h2.prim == NO_HIT) {
+                ++*leaks;
+                break;
+            }
+            if (hit.prim == from) {
+                ++*self;
+                break;
+            }
             from = hit.prim;
             const float3 p = kernels::madd3(ray.dir, hit.t, ray.org);
             size_t k = hit.prim;  // the triangle's number is its primitive's here
@@ -229,12 +241,17 @@ TEST_CASE("a closed sphere leaks nothing, and no ray meets the triangle it left,
     }
 }
 
-// Rays that leave what they met: a flat thing, or a convex one on its outside, cannot be met again; from the inside of a
-// curved thing of radius r, the chord at an angle with sine s to the surface is 2 r s long (checked: not much shorter).
-// `reach` is the ray's length or the flat thing's size, whichever is larger, as kernels/surface.h has it.
+// Rays that leave what they met: a flat thing, or a convex one on its outside, cannot be met again; from the inside of
+// a curved thing of radius r, the chord at an angle with sine s to the surface is 2 r s long (checked: not much
+// shorter). `reach` is the ray's length or the flat thing's size, whichever is larger, as kernels/surface.h has it.
 TEST_CASE("no ray meets the ground or the shape it left, whatever its size and the way to it") {
-    struct Case { std::string name; double size; int kind; };
-    const Case cases[] = {{"ground", 100, 0}, {"ground", 1000, 0}, {"polygon", 50, 1}, {"ring", 5, 2}, {"sphere", 0.05, 3}, {"sphere", 2, 3},
+    struct Case {
+        std::string name;
+        double size;
+        int kind;
+    };
+    const Case cases[] = {{"ground", 100, 0}, {"ground", 1000, 0},   {"polygon", 50, 1},
+                          {"ring", 5, 2},     {"sphere", 0.05, 3},   {"sphere", 2, 3},
                           {"sphere", 100, 3}, {"cylinder", 0.02, 4}, {"cylinder", 3, 4}};
     for (const Case& c : cases) {
         bvh_scenes::Scene s;
@@ -255,7 +272,8 @@ TEST_CASE("no ray meets the ground or the shape it left, whatever its size and t
             const Vec o = at + r.direction() * (z * std::pow(10, r.in(-2, 2)));
             const Vec goal = at + r.direction() * (z * r.in(0, 0.8));
             const Vec d = unit(goal - o);
-            kernels::Ray ray = {F3(float(o.x), float(o.y), float(o.z)), 0, F3(float(d.x), float(d.y), float(d.z)), 1e30f};
+            kernels::Ray ray = {F3(float(o.x), float(o.y), float(o.z)), 0, F3(float(d.x), float(d.y), float(d.z)),
+                                1e30f};
             kernels::Hit hit;
             kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &hit);
             if (hit.prim == NO_HIT) continue;
@@ -269,7 +287,7 @@ TEST_CASE("no ray meets the ground or the shape it left, whatever its size and t
             if (inside) n = n * -1;
             const Vec out = unit(n + r.direction() * 0.9999);
             ray.org = kernels::offset_ray(p, F3(float(n.x), float(n.y), float(n.z)),
-                                         c.kind <= 2 ? std::max(hit.t, float(2.8 * z)) : hit.t);
+                                          c.kind <= 2 ? std::max(hit.t, float(2.8 * z)) : hit.t);
             ray.dir = F3(float(out.x), float(out.y), float(out.z));
             kernels::Hit h8, h2;
             kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &h8);

@@ -17,7 +17,7 @@ namespace kernels {
 #include "kernels/modifier.h"
 #include "kernels/sources.h"
 #include "kernels/choose_source.h"
-}
+}  // namespace kernels
 
 using namespace kernels;
 
@@ -124,7 +124,10 @@ TEST_CASE("a gate lets through what some point of the source sends through its r
         const double t = p[0] / (p[0] - q[0]), y = p[1] + t * (q[1] - p[1]), z = p[2] + t * (q[2] - p[2]);
         const bool through = q[0] < 0 && std::abs(y) < 1 && std::abs(z) < .5;
         double to[3], d = 0;
-        for (int i = 0; i < 3; i++) { to[i] = c[i] - p[i]; d += to[i] * to[i]; }
+        for (int i = 0; i < 3; i++) {
+            to[i] = c[i] - p[i];
+            d += to[i] * to[i];
+        }
         const float3 from = F3(float(p[0]), float(p[1]), float(p[2]));
         const float3 way = F3(float(to[0]), float(to[1]), float(to[2]));
         const int passes = gate_passes(gate, from, way, float(r / std::sqrt(d)));

@@ -12,14 +12,15 @@ namespace device {
 }
 
 // Largest |f - exact| in units of the last place of the exact value (of 1e-30 at least) for `count` random arguments.
-template <class F, class G> static double worst_ulp(F f, G exact, double low, double high, int count = 400000) {
+template <class F, class G>
+static double worst_ulp(F f, G exact, double low, double high, int count = 400000) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> uniform(low, high);
     double worst = 0;
     for (int i = 0; i < count; i++) {
         const float x = float(uniform(random));
         const double want = exact(double(x)), got = f(x);
-        if (std::fabs(want) < 1.2e-38) continue;            // denormal results count as 0
+        if (std::fabs(want) < 1.2e-38) continue;  // denormal results count as 0
         const float near = float(std::fabs(want));
         const double ulp = double(std::nextafterf(near, INFINITY)) - near;
         worst = std::max(worst, std::fabs(got - want) / ulp);

@@ -10,7 +10,7 @@
 namespace kernels {
 #include "kernels/sampler.h"
 #include "kernels/view_ray.h"
-}
+}  // namespace kernels
 
 TEST_CASE("the device looks where the view does") {
     for (const char type : {'v', 'l', 'a', 'h', 's', 'c'}) {
@@ -52,8 +52,8 @@ TEST_CASE("the device looks where the view does") {
     }
 }
 
-// With a lens the rays of one place start on a disc of that diameter and meet again at the focal distance |vd|: along the
-// view axis in perspective and parallel views, along the ray in the round ones.
+// With a lens the rays of one place start on a disc of that diameter and meet again at the focal distance |vd|: along
+// the view axis in perspective and parallel views, along the ray in the round ones.
 TEST_CASE("rays through the lens meet at the focal distance") {
     for (const char type : {'v', 'l', 'a', 'h', 's', 'c'}) {
         view::View v;

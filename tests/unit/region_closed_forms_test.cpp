@@ -22,7 +22,10 @@ view::View make_view(char type, double size) {
     v.vh = v.vv = size;
     return v;
 }
-const struct { char type; double size; } VIEWS[] = {{'v', 90}, {'a', 180}, {'h', 170}, {'s', 150}, {'c', 120}, {'a', 300}};
+const struct {
+    char type;
+    double size;
+} VIEWS[] = {{'v', 90}, {'a', 180}, {'h', 170}, {'s', 150}, {'c', 120}, {'a', 300}};
 
 // Frame of the view: where the tests put their shapes.
 struct Axes {
@@ -63,7 +66,8 @@ TEST_CASE("discs in space, face on and off the axis") {
                 Vec3 centre = at.eye + 2.0 * where;
                 double expected = 2 * M_PI * (1 - 2 / std::sqrt(4 + radius * radius));
                 double got = measured("disc3d" + text(centre) + text(where) + fmt::format(" {}", radius), v).omega_sr;
-                CAPTURE(w.type); CAPTURE(radius);
+                CAPTURE(w.type);
+                CAPTURE(radius);
                 CHECK(std::fabs(got / expected - 1) < 1e-4);
             }
     }
@@ -73,7 +77,8 @@ TEST_CASE("discs seen at a slant are the limit of their inscribed polygons") {
     for (auto w : VIEWS) {
         view::View v = make_view(w.type, w.size);
         Axes at(v);
-        Vec3 centre = at.eye + 2.0 * at.direction(.1, -.1), normal = unit(at.d + 1.5 * at.h), e1 = unit(cross(normal, at.u)), e2 = cross(normal, e1);
+        Vec3 centre = at.eye + 2.0 * at.direction(.1, -.1), normal = unit(at.d + 1.5 * at.h),
+             e1 = unit(cross(normal, at.u)), e2 = cross(normal, e1);
         const double radius = .5;
         std::vector<Vec3> rim;
         for (int i = 0; i < 20000; ++i) {
@@ -100,10 +105,11 @@ TEST_CASE("rectangles in space") {
         for (double a : {.1, .5, .9}) {
             double b = .6 * a, D = 1.5;
             Vec3 c = at.eye + D * at.d;
-            std::string line = "polygon3d" + text(c - a * at.h - b * at.u) + text(c + a * at.h - b * at.u) + text(c + a * at.h + b * at.u) +
-                               text(c - a * at.h + b * at.u);
+            std::string line = "polygon3d" + text(c - a * at.h - b * at.u) + text(c + a * at.h - b * at.u) +
+                               text(c + a * at.h + b * at.u) + text(c - a * at.h + b * at.u);
             double expected = 4 * std::atan(a * b / (D * std::sqrt(a * a + b * b + D * D)));
-            CAPTURE(w.type); CAPTURE(a);
+            CAPTURE(w.type);
+            CAPTURE(a);
             CHECK(std::fabs(measured(line, v).omega_sr / expected - 1) < 1e-4);
         }
     }
@@ -136,9 +142,13 @@ TEST_CASE("circles of directions, spheres and boxes") {
         for (double full : {8.0, 25.0, 50.0}) {
             double expected = 2 * M_PI * (1 - std::cos(full / 2 * M_PI / 180));
             Vec3 axis = at.direction(.1, .05);
-            CHECK(std::fabs(measured("circle" + text(axis) + fmt::format(" {}", full), v).omega_sr / expected - 1) < 1e-4);
+            CHECK(std::fabs(measured("circle" + text(axis) + fmt::format(" {}", full), v).omega_sr / expected - 1) <
+                  1e-4);
             double radius = 2 * std::sin(full / 2 * M_PI / 180);
-            CHECK(std::fabs(measured("sphere3d" + text(at.eye + 2.0 * axis) + fmt::format(" {:.17g}", radius), v).omega_sr / expected - 1) < 1e-4);
+            CHECK(std::fabs(
+                      measured("sphere3d" + text(at.eye + 2.0 * axis) + fmt::format(" {:.17g}", radius), v).omega_sr /
+                          expected -
+                      1) < 1e-4);
         }
         // A box is the union of its faces: as large as the six polygons together, seen as their outline.
         Vec3 lo = at.eye + 2.0 * at.d, hi = lo + Vec3{.7, .5, .6};
@@ -159,9 +169,11 @@ TEST_CASE("a parallel view: areas") {
     Axes at(v);
     double pixel = (4.0 / 512) * (4.0 / 512);
     Vec3 c = at.eye + 5.0 * at.d + .3 * at.h;
-    CHECK(measured("disc3d" + text(c) + text(at.d) + " .8", v).pixels * pixel == doctest::Approx(M_PI * .64).epsilon(1e-4));
+    CHECK(measured("disc3d" + text(c) + text(at.d) + " .8", v).pixels * pixel ==
+          doctest::Approx(M_PI * .64).epsilon(1e-4));
     Vec3 slant = unit(at.d + at.h);
-    CHECK(measured("disc3d" + text(c) + text(slant) + " .8", v).pixels * pixel == doctest::Approx(M_PI * .64 * std::sqrt(.5)).epsilon(1e-4));
+    CHECK(measured("disc3d" + text(c) + text(slant) + " .8", v).pixels * pixel ==
+          doctest::Approx(M_PI * .64 * std::sqrt(.5)).epsilon(1e-4));
     CHECK(measured("sphere3d" + text(c) + " .8", v).pixels * pixel == doctest::Approx(M_PI * .64).epsilon(1e-4));
     std::string line = "polygon3d" + text(c) + text(c + at.h) + text(c + at.h + .7 * at.u) + text(c + .7 * at.u);
     CHECK(measured(line, v).pixels * pixel == doctest::Approx(.7).epsilon(1e-4));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// With -centre a circle holds the pixels of evalglare's task area: the task luminance of its -t (column L_t of -d, evalglare
-// 3.06) is the solid-angle mean over our circle, in golden/region_tasks.tsv: picture, x, y, angle (rad), L_t.
-// evalglare means every pixel with a direction, also those behind the eye, whose luminance it has set to 0; and it finds the
-// solid angle in the mirrored row, which matters only with a lift.  Where its rounding makes the cosine of 0 exceed 1, it
-// loses the centre pixel itself, as it does in per_office.hdr.
+// With -centre a circle holds the pixels of evalglare's task area: the task luminance of its -t (column L_t of -d,
+// evalglare 3.06) is the solid-angle mean over our circle, in golden/region_tasks.tsv: picture, x, y, angle (rad), L_t.
+// evalglare means every pixel with a direction, also those behind the eye, whose luminance it has set to 0; and it
+// finds the solid angle in the mirrored row, which matters only with a lift.  Where its rounding makes the cosine of 0
+// exceed 1, it loses the centre pixel itself, as it does in per_office.hdr.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 #include <algorithm>
@@ -42,7 +42,11 @@ TEST_CASE("circles by pixel centres are evalglare's task areas") {
             if (px == x && py == y) centre_sum = w * l, centre_omega = w;
             ++n;
         }
-        CAPTURE(name); CAPTURE(x); CAPTURE(y); CAPTURE(angle); CAPTURE(n);
+        CAPTURE(name);
+        CAPTURE(x);
+        CAPTURE(y);
+        CAPTURE(angle);
+        CAPTURE(n);
         double off = std::fabs(sum / omega - expected);
         double off_without_centre = std::fabs((sum - centre_sum) / (omega - centre_omega) - expected);
         CHECK(std::min(off, off_without_centre) <= 1e-6 * expected + 1e-6);

@@ -21,7 +21,9 @@ bool begins(const std::string& text, const std::string& with) { return text.comp
 }  // namespace
 
 TEST_CASE("one region a line; indented lines continue it; # begins a comment") {
-    Regions r = parse("# a study\n\ndesk polygon3d 0 0 0  1 0 0\n   1 1 0  # the far corner\n\t0 1 0\nleft-eye_2 circle 0 1 0 30\n", "f");
+    Regions r = parse(
+        "# a study\n\ndesk polygon3d 0 0 0  1 0 0\n   1 1 0  # the far corner\n\t0 1 0\nleft-eye_2 circle 0 1 0 30\n",
+        "f");
     REQUIRE(r.regions.size() == 2);
     CHECK(r.regions[0].name == "desk");
     CHECK(r.shapes[0].numbers.size() == 12);
@@ -30,7 +32,10 @@ TEST_CASE("one region a line; indented lines continue it; # begins a comment") {
 }
 
 TEST_CASE("a circle's bare numbers: three and an angle are a direction, two and an angle a pixel") {
-    Regions r = parse("a circle 0 1 -.5 30\nb circle 12 34 30\nc circle view 0.5rad\nd circle fraction .5 .5 20deg\ne circle point 1 2 3 4\n", "f");
+    Regions r = parse(
+        "a circle 0 1 -.5 30\nb circle 12 34 30\nc circle view 0.5rad\nd circle fraction .5 .5 20deg\ne circle point 1 "
+        "2 3 4\n",
+        "f");
     CHECK(r.shapes[0].frame == Frame::direction);
     CHECK(r.shapes[1].frame == Frame::pixel);
     CHECK(r.shapes[2].frame == Frame::view);
@@ -80,7 +85,8 @@ TEST_CASE("mistakes name file and line") {
     CHECK(begins(error_of("a " + std::string(100000, '(')), "f:1: nested too deeply"));
     CHECK(begins(error_of("a " + std::string(100000, '!') + "b"), "f:1: nested too deeply"));
     std::string bomb = "r0 rect 0 0 1 1\n", chain = "r rect 0 0 1 1\ns r";
-    for (int i = 1; i < 60; ++i) bomb += "r" + std::to_string(i) + " r" + std::to_string(i - 1) + " + r" + std::to_string(i - 1) + "\n";
+    for (int i = 1; i < 60; ++i)
+        bomb += "r" + std::to_string(i) + " r" + std::to_string(i - 1) + " + r" + std::to_string(i - 1) + "\n";
     for (int i = 0; i < 200000; ++i) chain += " + r";
     CHECK(begins(error_of(bomb), "f:14: the region is made of more than"));
     CHECK(begins(error_of(chain), "f:2: the region is made of more than"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coverage against brute force: every pixel's centre, and many points a pixel; sets of regions; zones; masks; repetition.
+// Coverage against brute force: every pixel's centre, and many points a pixel; sets of regions; zones; masks;
+// repetition.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 #include <cmath>
@@ -71,7 +72,8 @@ TEST_CASE("with -centre, the coarse-to-fine walk decides every pixel as its cent
                     wrong += in != got;
                     inside += in;
                 }
-            CAPTURE(type); CAPTURE(set.masks[m].name);
+            CAPTURE(type);
+            CAPTURE(set.masks[m].name);
             CHECK(wrong == 0);
             CHECK(inside > 0);
         }
@@ -127,7 +129,8 @@ TEST_CASE("sets obey their laws") {
     CHECK(area("!(a + b)") == doctest::Approx(area("!a & !b")).epsilon(1e-9));
     CHECK(area("!!a") == doctest::Approx(area("a")).epsilon(1e-9));
     CHECK(area("a - a") < 2e-3 * area("a"));
-    CHECK(area("!a") == doctest::Approx(area("circle view 180") - area("a")).epsilon(1e-4));  // the view ends at 90 degrees
+    CHECK(area("!a") ==
+          doctest::Approx(area("circle view 180") - area("a")).epsilon(1e-4));  // the view ends at 90 degrees
 }
 
 TEST_CASE("zones: cones around the line of sight, bands of the position index") {
@@ -137,7 +140,8 @@ TEST_CASE("zones: cones around the line of sight, bands of the position index") 
     CHECK(plane("a zone panorama", v, 100) == plane("a circle view 120", v, 100));
     // Bands tile the half sphere.
     double parts = 0;
-    for (const char* band : {"0 1.5", "1.5 3", "3 8", "8 100"}) parts += mean(plane(std::string("a zone position ") + band, v, 128));
+    for (const char* band : {"0 1.5", "1.5 3", "3 8", "8 100"})
+        parts += mean(plane(std::string("a zone position ") + band, v, 128));
     CHECK(parts == doctest::Approx(mean(plane("a circle view 180", v, 128))).epsilon(1e-3));
     // Straight up, sigma = 30 degrees: P = exp(33.98e-3 * 30 + 21e-5 * 900) = 3.348
     auto up = plane("a zone position 3.3 3.4", v, 720, true);
@@ -156,24 +160,30 @@ TEST_CASE("behind the eye and edge on there is nothing") {
 
 TEST_CASE("holes by seams, as RADIANCE cuts them") {
     view::View v = fisheye(90);
-    const char* frame = "a polygon3d -1 2 -1  1 2 -1  1 2 1  -1 2 1  -1 2 -1  -.5 2 -.5  -.5 2 .5  .5 2 .5  .5 2 -.5  -.5 2 -.5\n";
-    const char* parts = "b polygon3d -1 2 -1  1 2 -1  1 2 1  -1 2 1\nc polygon3d -.5 2 -.5  .5 2 -.5  .5 2 .5  -.5 2 .5\na b - c\n";
+    const char* frame =
+        "a polygon3d -1 2 -1  1 2 -1  1 2 1  -1 2 1  -1 2 -1  -.5 2 -.5  -.5 2 .5  .5 2 .5  .5 2 -.5  -.5 2 -.5\n";
+    const char* parts =
+        "b polygon3d -1 2 -1  1 2 -1  1 2 1  -1 2 1\nc polygon3d -.5 2 -.5  .5 2 -.5  .5 2 .5  -.5 2 .5\na b - c\n";
     CHECK(mean(plane(frame, v, 100)) == doctest::Approx(mean(plane(parts, v, 100))).epsilon(1e-4));
 }
 
 TEST_CASE("bad geometry is an error at its line") {
     view::View v = fisheye();
-    CHECK_THROWS_WITH(plane("\na polygon3d 0 1 0 1 1 0 1 1.2 1 0 1 1", v, 64), doctest::Contains("test:2: the polygon is not flat"));
+    CHECK_THROWS_WITH(plane("\na polygon3d 0 1 0 1 1 0 1 1.2 1 0 1 1", v, 64),
+                      doctest::Contains("test:2: the polygon is not flat"));
     CHECK_THROWS_WITH(plane("a polygon3d 0 1 0 1 1 0 2 1 0", v, 64), doctest::Contains("no area"));
-    CHECK_THROWS_WITH(plane("a circle 64 3 30", v, 64), doctest::Contains("test:1: the circle's centre is not in the picture"));
+    CHECK_THROWS_WITH(plane("a circle 64 3 30", v, 64),
+                      doctest::Contains("test:1: the circle's centre is not in the picture"));
     CHECK_THROWS_WITH(plane("a polygon direction 0 1 0 0 -1 .1 1 0 0 -1 0 0", v, 64), doctest::Contains("hemisphere"));
     CHECK_THROWS_WITH(plane("a surface x", v, 64), doctest::Contains("no scene is given"));
     CHECK_THROWS_WITH(plane("a mask nothere.hdr", v, 64), doctest::Contains("test:1: "));
     CHECK_THROWS_WITH(plane("a mask nothere.png", v, 64), doctest::Contains("test:1: "));
-    const unsigned char large[] = {0x89, 'P', 'N', 'G', 13, 10, 26, 10, 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0, 0, 0x3e, 0x80, 0, 0,
-                                   0x3e, 0x80, 8, 0, 0, 0, 0, 0x64, 0x15, 0x80, 0x02, 0, 0, 0, 0, 'I', 'D', 'A', 'T', 0x35, 0xaf, 6, 0x1e};
+    const unsigned char large[] = {0x89, 'P',  'N',  'G',  13,   10, 26, 10,   0,    0,   0,   13,   'I',  'H', 'D',
+                                   'R',  0,    0,    0x3e, 0x80, 0,  0,  0x3e, 0x80, 8,   0,   0,    0,    0,   0x64,
+                                   0x15, 0x80, 0x02, 0,    0,    0,  0,  'I',  'D',  'A', 'T', 0x35, 0xaf, 6,   0x1e};
     std::ofstream("large.png", std::ios::binary).write(reinterpret_cast<const char*>(large), sizeof large);
-    CHECK_THROWS_WITH(plane("a mask large.png", v, 64), doctest::Contains("test:1: mask large.png is too short for its 16000 x 16000 pixels"));
+    CHECK_THROWS_WITH(plane("a mask large.png", v, 64),
+                      doctest::Contains("test:1: mask large.png is too short for its 16000 x 16000 pixels"));
     std::remove("large.png");
 }
 
@@ -182,7 +192,8 @@ TEST_CASE("mask pictures: their grey alone, in or out at one half in sets, any s
     p.width = p.height = 4;
     p.rgb.assign(48, 0.f);
     for (int c = 0; c < 3; ++c) p.at(1, 0)[c] = 1, p.at(2, 3)[c] = .25f, p.at(3, 3)[c] = .75f;
-    const std::string name = fmt::format("{}/region_mask_{}.exr", std::getenv("TMPDIR") ? std::getenv("TMPDIR") : "/tmp", std::random_device()());
+    const std::string name = fmt::format(
+        "{}/region_mask_{}.exr", std::getenv("TMPDIR") ? std::getenv("TMPDIR") : "/tmp", std::random_device()());
     image::write_file(name, p);
     view::View v;
     auto alone = plane("a mask " + name, v, 4);
@@ -208,7 +219,8 @@ TEST_CASE("the same bytes on every run, and small or empty regions are told") {
     Regions none = region::parse("a circle 0 1 0 9\nb circle 0 -1 0 10\n", "test");
     view::View v;
     auto set = region::rasterize(none, v, 64, 64, false);
-    CHECK_THROWS_WITH(region::check_sizes(none, region::measure(set, v)), doctest::Contains("test:2: region \"b\" is empty"));
+    CHECK_THROWS_WITH(region::check_sizes(none, region::measure(set, v)),
+                      doctest::Contains("test:2: region \"b\" is empty"));
     auto quick = region::count_pixels(set, v), full = region::measure(set, v);
     CHECK(quick[0].pixels == doctest::Approx(full[0].pixels).epsilon(1e-9));
     CHECK(full[0].share > 0);

@@ -31,12 +31,14 @@ public:
         closed = false;
         for (unsigned s = 0; s < p_.size() && !closed && n < room; ++s) {
             double t = (p_[s].y - o.y) / d.y, x = o.x + t * d.x, z = o.z + t * d.z;
-            if (t <= 0 || (tmax > 0 && t >= tmax) || x < p_[s].x0 || x > p_[s].x1 || z < p_[s].z0 || z > p_[s].z1) continue;
+            if (t <= 0 || (tmax > 0 && t >= tmax) || x < p_[s].x0 || x > p_[s].x1 || z < p_[s].z0 || z > p_[s].z1)
+                continue;
             out[n++] = {t, s};
             closed = !p_[s].through;
         }
         return n;
     }
+
 private:
     std::vector<Panel> p_;
 };
@@ -76,8 +78,9 @@ TEST_CASE("a surface is where it is seen, through glass too") {
 }
 
 TEST_CASE("a wire of a twentieth of a pixel is followed along its length") {
-    // 0.003 at 3.5 is 0.05 degrees; a pixel is 0.375 degrees.  Grid points find a tenth of it at most times: what counts
-    // is that no stretch between the found pixels is dropped, so the sum is right within the points' own spacing.
+    // 0.003 at 3.5 is 0.05 degrees; a pixel is 0.375 degrees.  Grid points find a tenth of it at most times: what
+    // counts is that no stretch between the found pixels is dropped, so the sum is right within the points' own
+    // spacing.
     double expected = omega(-2, 2, .703, .706, 3.5) - omega(-.21, .21, .4017142857, .4034285714, 2);
     CHECK(measured("surface wire", 1000).omega_sr == doctest::Approx(expected).epsilon(.15));
 }
@@ -89,7 +92,8 @@ TEST_CASE("a region in space is hidden by what stands before it, not by glass, a
     CHECK(measured(on_wall).omega_sr == doctest::Approx(whole - post - wire).epsilon(1e-3));
     CHECK(measured(on_wall + " & surface wall").omega_sr == doctest::Approx(whole - post - wire).epsilon(1e-3));
     // Before the post nothing hides it; behind the wall everything does.
-    CHECK(measured("polygon3d -.5 1 -.5  .5 1 -.5  .5 1 .5  -.5 1 .5").omega_sr == doctest::Approx(omega(-.5, .5, -.5, .5, 1)).epsilon(3e-4));
+    CHECK(measured("polygon3d -.5 1 -.5  .5 1 -.5  .5 1 .5  -.5 1 .5").omega_sr ==
+          doctest::Approx(omega(-.5, .5, -.5, .5, 1)).epsilon(3e-4));
     CHECK(measured("box3d -1 4.5 -1  1 5 1").pixels == 0);
     // A ball that stands half in front of the post's plane is seen by its front.
     double ball = 2 * M_PI * (1 - std::sqrt(1 - .25 / 4));
@@ -97,8 +101,11 @@ TEST_CASE("a region in space is hidden by what stands before it, not by glass, a
 }
 
 TEST_CASE("within takes the points inside a volume") {
-    CHECK(measured("surface wall within box3d -2 3.9 -1  -1 4.1 .5").omega_sr == doctest::Approx(omega(-2, -1, -1, .5, 4)).epsilon(1e-3));
-    double disc = 2 * M_PI * (1 - 3 / std::sqrt(9.09));  // a ball of radius .3 around a point of the pane, off the axis: compare with a disc
+    CHECK(measured("surface wall within box3d -2 3.9 -1  -1 4.1 .5").omega_sr ==
+          doctest::Approx(omega(-2, -1, -1, .5, 4)).epsilon(1e-3));
+    double disc =
+        2 * M_PI *
+        (1 - 3 / std::sqrt(9.09));  // a ball of radius .3 around a point of the pane, off the axis: compare with a disc
     double got = measured("modifier glass within sphere3d 1.2 3 0 .3").omega_sr;
     CHECK(got < disc);
     CHECK(got == doctest::Approx(measured("disc3d 1.2 3 0 0 1 0 .3").omega_sr).epsilon(1e-3));
@@ -107,7 +114,10 @@ TEST_CASE("within takes the points inside a volume") {
 TEST_CASE("with -centre each pixel is what its centre's ray says") {
     view::View v = look_along_y();
     const int n = 150;
-    auto r = region::parse("a surface post.*\nb polygon3d -1 4 -1  1.5 4 -1  1.5 4 1  -1 4 1\nc b - surface pane within box3d 0 0 0 1 9 9\n", "test");
+    auto r = region::parse(
+        "a surface post.*\nb polygon3d -1 4 -1  1.5 4 -1  1.5 4 1  -1 4 1\nc b - surface pane within box3d 0 0 0 1 9 "
+        "9\n",
+        "test");
     auto set = region::rasterize(r, v, n, n, true, &ROOM);
     view::Projector p(v);
     int wrong = 0;
@@ -136,7 +146,8 @@ TEST_CASE("with -centre each pixel is what its centre's ray says") {
 TEST_CASE("coverage on the edge of a post is right to 1/64") {
     view::View v = look_along_y();
     const int n = 90;
-    auto plane = region::rasterize(region::parse("a surface post.left\n", "test"), v, n, n, false, &ROOM).masks[0].coverage;
+    auto plane =
+        region::rasterize(region::parse("a surface post.left\n", "test"), v, n, n, false, &ROOM).masks[0].coverage;
     view::Projector p(v);
     double worst = 0;
     int tested = 0;
@@ -148,7 +159,8 @@ TEST_CASE("coverage on the edge of a post is right to 1/64") {
             auto ray = p.ray((i % n + (s % side + .5) / side) / n, (n - 1 - i / n + (s / side + .5) / side) / n);
             region::Crossing c[8];
             bool closed;
-            if (ray && ROOM.look(ray->origin, ray->dir, 0, c, 8, closed)) in += ROOM.surface_name(c[0].surface) == "post.left";
+            if (ray && ROOM.look(ray->origin, ray->dir, 0, c, 8, closed))
+                in += ROOM.surface_name(c[0].surface) == "post.left";
         }
         worst = std::max(worst, std::fabs(double(in) / (side * side) - plane[size_t(i)]));
     }
@@ -158,8 +170,11 @@ TEST_CASE("coverage on the edge of a post is right to 1/64") {
 
 TEST_CASE("names that the scene does not have come with those it has") {
     view::View v;
-    auto fails = [&](const std::string& text) { region::rasterize(region::parse(text, "test"), v, 20, 20, false, &ROOM); };
-    CHECK_THROWS_WITH(fails("\na surface wal"), doctest::Contains("test:2: no surface of the scene is called \"wal\" (did you mean \"wall\"?)"));
+    auto fails = [&](const std::string& text) {
+        region::rasterize(region::parse(text, "test"), v, 20, 20, false, &ROOM);
+    };
+    CHECK_THROWS_WITH(fails("\na surface wal"),
+                      doctest::Contains("test:2: no surface of the scene is called \"wal\" (did you mean \"wall\"?)"));
     CHECK_THROWS_WITH(fails("a modifier glas"), doctest::Contains("\"glass\""));
 }
 

@@ -123,7 +123,8 @@ TEST_CASE("skies have RADIANCE's numbers") {
     CHECK(count == 46);
 }
 
-// Each piece's texture must give the round shape's normals at its vertices: away from the nearest point of the inner box.
+// Each piece's texture must give the round shape's normals at its vertices: away from the nearest point of the inner
+// box.
 TEST_CASE("genbox -s has the normals of the round box") {
     for (const std::string inward : {"", " -i"}) {
         const scene::Scene s = read_text("void plastic m 0 0 5 1 1 1 0 0\n!genbox m b 1 2 3 -r .25 -n 4 -s" + inward);
@@ -144,7 +145,8 @@ TEST_CASE("genbox -s has the normals of the round box") {
                 const double* p = &s.reals(o)[v];
                 for (int k = 0; k < 3; k++) {
                     const double nearest = std::fmin(std::fmax(p[k], r), size[k] - r);
-                    const double normal = a[1 + 3 * k] * p[(axis + 1) % 3] + a[2 + 3 * k] * p[(axis + 2) % 3] + a[3 + 3 * k];
+                    const double normal =
+                        a[1 + 3 * k] * p[(axis + 1) % 3] + a[2 + 3 * k] * p[(axis + 2) % 3] + a[3 + 3 * k];
                     REQUIRE(normal == doctest::Approx((p[k] - nearest) / r * (inward.empty() ? 1 : -1)).epsilon(1e-9));
                 }
             }
@@ -162,7 +164,8 @@ TEST_CASE("a wrong command line names the line, the program and the fact") {
     CHECK(error_in("!genbox m b 1 2 3 -r 0") ==
           "t.rad:1: genbox: bevel and radius must be positive, and only one of them given");
     CHECK(error_in("!genbox m b 1 2 3 -r .1 -n 1000") == "t.rad:1: genbox: -n: more than 1000000 polygons");
-    CHECK(error_in("!genbox m b 1 2 3 -o") == "t.rad:1: genbox: -o writes a Wavefront file, which cannot stand in a scene");
+    CHECK(error_in("!genbox m b 1 2 3 -o") ==
+          "t.rad:1: genbox: -o writes a Wavefront file, which cannot stand in a scene");
     CHECK(error_in("!gensurf m s s t 0 2 2 -o") ==
           "t.rad:1: gensurf: -o writes a Wavefront file, which cannot stand in a scene");
     CHECK(error_in("!gensky 13 1 12\n") == "t.rad:1: gensky: the month: \"13\" is not an integer of 1 to 12");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// scene::read_rad_input against the commands that rad itself prints (golden/rad_input/commands.tsv): the view, the final
-// size and those options that a path tracer has.  Options of rad's cache and thresholds are left out on both sides.
+// scene::read_rad_input against the commands that rad itself prints (golden/rad_input/commands.tsv): the view, the
+// final size and those options that a path tracer has.  Options of rad's cache and thresholds are left out on both
+// sides.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -45,7 +46,9 @@ std::vector<std::string> split(std::string line) {
     return words;
 }
 
-struct Row { std::string id, arguments, commands; };
+struct Row {
+    std::string id, arguments, commands;
+};
 std::vector<Row> rows() {
     std::ifstream in(LUXPIPE_TESTS "/golden/rad_input/commands.tsv");
     std::vector<Row> all;
@@ -76,11 +79,13 @@ TEST_CASE("views and options are those of the commands rad prints") {
         size_t number = 0;
         for (size_t at = 0; at != std::string::npos; ++number) {
             const size_t next = row.commands.find(" || ", at);
-            std::vector<std::string> command = split(row.commands.substr(at, next == std::string::npos ? next : next - at));
+            std::vector<std::string> command =
+                split(row.commands.substr(at, next == std::string::npos ? next : next - at));
             command.erase(command.begin());  // "rpict"
             at = next == std::string::npos ? next : next + 4;
             Options theirs = by_name(command);
-            const std::vector<std::string> view = scene::view_words(input, name.empty() ? std::to_string(number + 1) : name);
+            const std::vector<std::string> view =
+                scene::view_words(input, name.empty() ? std::to_string(number + 1) : name);
             std::vector<std::string> all = view;
             all.insert(all.end(), input.options.begin(), input.options.end());
             Options ours = by_name(all);
@@ -96,10 +101,11 @@ TEST_CASE("views and options are those of the commands rad prints") {
 
 // rad -n writes for these: oconv sky.rad "!xform -t 0 0 0 quad.rad" 'two words.rad' a"b
 TEST_CASE("a quoted word of a scene is one file or command") {
-    const scene::RadInput input = scene::read_rad_input(
-        LUXPIPE_TESTS "/golden/rad_input/test.rif",
-        {"scene=sky.rad \"!xform -t 0 0 0 quad.rad\"  'two words.rad' a\"b"});
-    const std::vector<std::string> files = {"room_cie.rad", "sky.rad", "!xform -t 0 0 0 quad.rad", "two words.rad", "a\"b"};
+    const scene::RadInput input =
+        scene::read_rad_input(LUXPIPE_TESTS "/golden/rad_input/test.rif",
+                              {"scene=sky.rad \"!xform -t 0 0 0 quad.rad\"  'two words.rad' a\"b"});
+    const std::vector<std::string> files = {"room_cie.rad", "sky.rad", "!xform -t 0 0 0 quad.rad", "two words.rad",
+                                            "a\"b"};
     CHECK(input.scene_files == files);
 }
 

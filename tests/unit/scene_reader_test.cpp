@@ -183,8 +183,8 @@ TEST_CASE("a file may be a command's standard input") {
     };
     const scene::Scene named = read("genprism m p 4 0 0 0 1 1 1 1 0 -l 0 0 2");
     for (const char* command : {"genprism m p - < outline.txt -l 0 0 2", "genprism m p - -l 0 0 2 <outline.txt",
-                                "<room/outline.txt genprism m p - -l 0 0 2", "genprism m p - -l 0 0 2 < \"outline.txt\"",
-                                "genprism m p outline.txt -l 0 0 2"}) {
+                                "<room/outline.txt genprism m p - -l 0 0 2",
+                                "genprism m p - -l 0 0 2 < \"outline.txt\"", "genprism m p outline.txt -l 0 0 2"}) {
         CAPTURE(command);
         const scene::Scene s = read(command);
         REQUIRE(s.objects.size() == named.objects.size());
@@ -198,8 +198,9 @@ TEST_CASE("a file may be a command's standard input") {
     CHECK(fault("genprism m p - -l 0 0 2") == "room/all.rad:2: genprism: \"-\" needs a file: genprism m p - < file");
     CHECK(fault("genprism m p - < nowhere").find("room/all.rad:2: cannot open \"nowhere\"") == 0);
     CHECK(fault("genprism m p nowhere").find("room/all.rad:2: cannot open \"nowhere\"") == 0);
-    for (const char* command : {"genprism m p - <", "genprism m p - << end", "genprism m p - <& 3", "genprism m p - 0<outline.txt",
-                                "genbox m b 1 1 1 | xform < ball.rad", "genprism m p - < outline.txt > x", "cat <> ball.rad"})
+    for (const char* command :
+         {"genprism m p - <", "genprism m p - << end", "genprism m p - <& 3", "genprism m p - 0<outline.txt",
+          "genbox m b 1 1 1 | xform < ball.rad", "genprism m p - < outline.txt > x", "cat <> ball.rad"})
         CHECK(fault(command).find("needs a shell") != std::string::npos);
 }
 
@@ -220,7 +221,8 @@ TEST_CASE("quotes and continued lines in commands") {
 }
 
 TEST_CASE("curved slats of no or negative depth are an error") {
-    CHECK(error_in(plastic + "!genblinds m b -1 1 4 3 30 +r .2") == "t.rad:2: genblinds: curved slats need a depth above 0");
+    CHECK(error_in(plastic + "!genblinds m b -1 1 4 3 30 +r .2") ==
+          "t.rad:2: genblinds: curved slats need a depth above 0");
 }
 
 TEST_CASE("errors of xform's command line") {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ptaccum - sums the frames of a stream, L'(n) = L(0) + (1/n) sum L(i) (paper Eq. 7), or merges such sums.
-// What the first picture is decides: FRAME= begins a stream of frames, FRAMES= a merge; frames that follow the sums of a
-// merge are added to it.  The arithmetic is lib/image/accumulate.h; this file only connects it.  See man/ptaccum.1.
+// What the first picture is decides: FRAME= begins a stream of frames, FRAMES= a merge; frames that follow the sums of
+// a merge are added to it.  The arithmetic is lib/image/accumulate.h; this file only connects it.  See man/ptaccum.1.
 #include <fmt/format.h>
 
 #include "base/error.h"

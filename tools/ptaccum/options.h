@@ -14,7 +14,7 @@ struct Options {
     bool to_stdout = true;             // no -o, or one of them is "-"
     image::Schedule schedule;          // -every
     bool every_given = false;
-    bool last_only = false;            // -last
+    bool last_only = false;              // -last
     bool floats = false, bytes = false;  // -ff -fc: not what output.h says
     image::ToneOptions tone;
     bool half = false;  // -half: OpenEXR with 16-bit floats

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where ptaccum's pictures go: to the files of -o, or without -o to the standard output; "-o -" is the latter, too.
-// A stream of sums is float; a picture by itself is RGBE, which every program of the RADIANCE family reads, unless it is
-// a partial sum, which is no picture yet and may be negative.
+// A stream of sums is float; a picture by itself is RGBE, which every program of the RADIANCE family reads, unless it
+// is a partial sum, which is no picture yet and may be negative.
 #pragma once
 #include <string>
 #include "image/picture.h"
@@ -20,7 +20,7 @@ public:
     // Each whole or not at all.  Passing ones will be written again: OpenEXR without compression, which takes most of
     // the time.
     void files(image::Picture& picture, bool passing) const;
-    void final_picture(image::Picture& picture) const;   // to all outputs
+    void final_picture(image::Picture& picture) const;  // to all outputs
 
 private:
     image::Format format_of(const image::Picture& picture) const;

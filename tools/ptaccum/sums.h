@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A run of ptaccum over frames: the growing sum, written as often as -every says, so that it can be watched and measured
-// while it grows, and is not lost when the program is killed.
+// A run of ptaccum over frames: the growing sum, written as often as -every says, so that it can be watched and
+// measured while it grows, and is not lost when the program is killed.
 #pragma once
 #include <chrono>
 #include <string>
@@ -14,8 +14,8 @@ public:
     // Goes on from a sum made before.
     Sums(const Options& options, const Output& output, const image::Picture& sum, const std::string& name);
     void add(const image::Picture& frame, const std::string& place);
-    void end_stream();   // the last sum to the standard output, if it is not there yet
-    void end_files();    // likewise to the files
+    void end_stream();  // the last sum to the standard output, if it is not there yet
+    void end_files();   // likewise to the files
 
 private:
     using Clock = std::chrono::steady_clock;

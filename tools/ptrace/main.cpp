@@ -28,8 +28,8 @@ public:
         const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
         const bool line_due = every_s_ > 0 && seconds >= next_s_;
         if (!line_due && !progress_.due()) return;
-        const std::string text = fmt::format("frame {}, {:.1f} s, {:.3g} s a frame, {}", k, seconds,
-                                             seconds / double(done), device_);
+        const std::string text =
+            fmt::format("frame {}, {:.1f} s, {:.3g} s a frame, {}", k, seconds, seconds / double(done), device_);
         if (line_due) fmt::print(stderr, "ptrace: {}\n", text);
         else progress_.show(text);
         while (line_due && next_s_ <= seconds) next_s_ += every_s_;

@@ -27,25 +27,30 @@ namespace {
 
 using base::Words;
 
-struct Triple { double* v; };
+struct Triple {
+    double* v;
+};
 using Reader = std::function<void(Words&)>;
 using Target = std::variant<std::monostate, int*, double*, bool*, Triple, uint64_t*, std::string*, Reader>;
 
 struct Row {
     const char* name;
-    const char* args;   // as -help names them
+    const char* args;  // as -help names them
     const char* help;
-    Target target;      // none: another reader's (the view's)
+    Target target;  // none: another reader's (the view's)
     double low = 0, high = std::numeric_limits<double>::infinity();
 };
 
 // Options of rpict that steer what a path tracer does not have: its cache, its thresholds, its pixel interpolation,
 // its animations and its files.  Number of arguments; -1: -ap's file and up to two numbers.
-struct Unneeded { const char* name; int args; };
+struct Unneeded {
+    const char* name;
+    int args;
+};
 const Unneeded unneeded[] = {
-    {"-aa", 1}, {"-ar", 1}, {"-ad", 1}, {"-as", 1}, {"-aw", 1}, {"-af", 1}, {"-ai", 1}, {"-aI", 1}, {"-ae", 1},
-    {"-aE", 1}, {"-am", 1}, {"-ap", -1}, {"-dt", 1}, {"-dc", 1}, {"-ps", 1}, {"-pt", 1}, {"-pm", 1}, {"-cs", 1},
-    {"-cw", 2}, {"-pRGB", 0}, {"-S", 1}, {"-P", 1}, {"-PP", 1}, {"-r", 1}, {"-ro", 1}, {"-z", 1}, {"-n", 1},
+    {"-aa", 1}, {"-ar", 1},   {"-ad", 1},  {"-as", 1}, {"-aw", 1}, {"-af", 1}, {"-ai", 1}, {"-aI", 1}, {"-ae", 1},
+    {"-aE", 1}, {"-am", 1},   {"-ap", -1}, {"-dt", 1}, {"-dc", 1}, {"-ps", 1}, {"-pt", 1}, {"-pm", 1}, {"-cs", 1},
+    {"-cw", 2}, {"-pRGB", 0}, {"-S", 1},   {"-P", 1},  {"-PP", 1}, {"-r", 1},  {"-ro", 1}, {"-z", 1},  {"-n", 1},
 };
 
 // Opened before stderr is given up, so that a failure is still told there.
@@ -68,14 +73,15 @@ void read_frames(const std::string& text, Options& opt) {
         if (opt.first < 0) base::fail("-frames", "frames count from 0, not from " + std::to_string(opt.first));
         if (opt.last < opt.first) base::fail("-frames", text + " holds no frame");
     }
-    if (opt.last >= Options::endless) base::fail("-frames", fmt::format("frames end before number {}", Options::endless));
+    if (opt.last >= Options::endless)
+        base::fail("-frames", fmt::format("frames end before number {}", Options::endless));
 }
 
 std::vector<Row> table(Options& opt) {
     trace::RenderOptions& r = opt.render;
     return {
-        {"-vf", "file", "view from a view file or a picture", Reader([&](Words& w) {
-             opt.view = view::read_view_file(w.next_string("-vf")); })},
+        {"-vf", "file", "view from a view file or a picture",
+         Reader([&](Words& w) { opt.view = view::read_view_file(w.next_string("-vf")); })},
         {"-vt", "T", "view type, joined: v l a h s c", {}},
         {"-vp", "x y z", "view point", {}},
         {"-vd", "x y z", "view direction", {}},
@@ -109,21 +115,21 @@ std::vector<Row> table(Options& opt) {
         {"-ma", "r g b", "mist albedo", Triple{r.ma}},
         {"-mg", "f", "mist eccentricity", &r.mg, 0, 1},
         {"-ms", "d", "mist sampling distance", &r.ms},
-        {"-f", "file", "function file for the whole scene", Reader([&](Words& w) {
-             opt.files.cal_files.push_back(w.next_string("-f")); })},
-        {"-frames", "N|A:B", "frames 0 to N-1, or A to B; else endless", Reader([&](Words& w) {
-             read_frames(w.next_string("-frames"), opt); })},
+        {"-f", "file", "function file for the whole scene",
+         Reader([&](Words& w) { opt.files.cal_files.push_back(w.next_string("-f")); })},
+        {"-frames", "N|A:B", "frames 0 to N-1, or A to B; else endless",
+         Reader([&](Words& w) { read_frames(w.next_string("-frames"), opt); })},
         {"-seed", "n", "seed of the random numbers", &r.seed},
         {"-device", "name", "auto, cpu, cpu:embree, opencl or opencl:N", &opt.device},
         {"-o", "pattern", "frames to files such as f%04d.hdr", Reader([&](Words& w) {
              opt.output = w.next_string("-o");
-             if (opt.output.empty()) base::fail("-o", "the name is empty"); })},
+             if (opt.output.empty()) base::fail("-o", "the name is empty");
+         })},
         {"-exec", "", "let the scene run its !commands", Reader([&](Words&) { opt.files.exec = true; })},
         {"-rif", "file", "scene, options and views of a rad input file", {}},
         {"-t", "s", "report on stderr every s seconds", &opt.report_s},
         {"-w", "+-", "warnings", &opt.warnings},
-        {"-e", "file", "messages to this file", Reader([](Words& w) {
-             send_messages_to(w.next_string("-e")); })},
+        {"-e", "file", "messages to this file", Reader([](Words& w) { send_messages_to(w.next_string("-e")); })},
         {"-defaults", "", "print the values in force", {}},
         {"-devices", "", "print the devices there are", {}},
         {"-version", "", "print the version", {}},
@@ -145,7 +151,7 @@ bool read_row(const Row& row, Words& words) {
         check_range(row, double(value));
         **n = int(value);
     } else if (auto f = std::get_if<double*>(&row.target)) {
-        check_range(row, **f = words.next_real(row.name));
+        check_range(row, ** f = words.next_real(row.name));
     } else if (auto t = std::get_if<Triple>(&row.target)) {
         for (int i = 0; i < 3; ++i) check_range(row, t->v[i] = words.next_real(row.name));
     } else if (auto seed = std::get_if<uint64_t*>(&row.target)) {
@@ -179,8 +185,10 @@ void print_help(Options& opt) {
     std::string text = "usage: ptrace [options] scene.rad ... (\"-\": stdin)\n";
     for (const Row& row : table(opt)) {
         const bool joined = row.args[0] == '+' || std::string(row.name) == "-vt";
-        text += fmt::format("  {:<18} {}\n", row.name + std::string(joined || !*row.args ? "" : " ") +
-                            (row.args[0] == '+' ? "[+-]" : row.args), row.help);
+        text += fmt::format(
+            "  {:<18} {}\n",
+            row.name + std::string(joined || !*row.args ? "" : " ") + (row.args[0] == '+' ? "[+-]" : row.args),
+            row.help);
     }
     text += "Accepted and not needed:";
     for (const Unneeded& u : unneeded) text += std::string(" ") + u.name;
@@ -204,7 +212,8 @@ void print_defaults(Options& opt) {
         if (auto flag = std::get_if<bool*>(&row.target)) line(row, **flag ? "+" : "-");
         else if (auto n = std::get_if<int*>(&row.target)) line(row, fmt::format(" {}", **n));
         else if (auto f = std::get_if<double*>(&row.target)) line(row, fmt::format(" {:g}", **f));
-        else if (auto t = std::get_if<Triple>(&row.target)) line(row, fmt::format(" {:g} {:g} {:g}", t->v[0], t->v[1], t->v[2]));
+        else if (auto t = std::get_if<Triple>(&row.target))
+            line(row, fmt::format(" {:g} {:g} {:g}", t->v[0], t->v[1], t->v[2]));
         else if (auto seed = std::get_if<uint64_t*>(&row.target)) line(row, fmt::format(" {}", **seed));
     }
     text += fmt::format("{:<31} # device\n", "-device " + opt.device);
@@ -220,7 +229,8 @@ bool answer(Words& words, Options& opt) {
         const std::string text = "ptrace (luxpipe) " LUXPIPE_VERSION "\n";
         base::write_stdout(text.data(), text.size());
     } else if (words.is("-devices")) {
-        for (const std::string& device : trace::list_devices()) base::write_stdout((device + "\n").data(), device.size() + 1);
+        for (const std::string& device : trace::list_devices())
+            base::write_stdout((device + "\n").data(), device.size() + 1);
     } else return false;
     return true;
 }
@@ -228,9 +238,9 @@ bool answer(Words& words, Options& opt) {
 // What parsing knows besides the options' values.
 struct Reading {
     Options& opt;
-    std::string not_needed;                     // options that deserve the one warning
-    std::optional<scene::RadInput> rad_input;   // -rif
-    std::vector<std::string> view_after_rif;    // view options that override the view chosen by name
+    std::string not_needed;                    // options that deserve the one warning
+    std::optional<scene::RadInput> rad_input;  // -rif
+    std::vector<std::string> view_after_rif;   // view options that override the view chosen by name
 };
 
 bool read_option(Words& words, Reading& reading);
@@ -243,7 +253,7 @@ void read_all(const std::vector<std::string>& options, Reading& reading) {
 
 // What a scene's file says, which is less (scene_options.h).
 void read_from_scene(const std::vector<std::string>& options, Options& opt, const std::string& file) {
-    Reading quiet{opt, "", {}, {}};             // rad's own choices deserve no warning
+    Reading quiet{opt, "", {}, {}};  // rad's own choices deserve no warning
     for (Words words(options, file); words.more();) {
         if (skip_callers_option(words)) continue;
         require_scene_option(words.peek(), file);
@@ -273,7 +283,8 @@ bool read_option(Words& words, Reading& reading) {
     const size_t from = words.at();
     const auto was_view = [&] {
         if (reading.rad_input)
-            reading.view_after_rif.insert(reading.view_after_rif.end(), words.all().begin() + long(from), words.all().begin() + long(words.at()));
+            reading.view_after_rif.insert(reading.view_after_rif.end(), words.all().begin() + long(from),
+                                          words.all().begin() + long(words.at()));
         return true;
     };
     if (words.is("-rif")) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ptrace's command line: rpict's view and rendering options, read in order, plus our own few words.
 // To add an option: 1. a field here or in trace/options.h; 2. a row in options.cpp (reads it, shows it in -help and
-// -defaults); 3. a paragraph in man/ptrace.1 (a test compares it with -help); 4. a line in tests/tools/ptrace_options.sh.
+// -defaults); 3. a paragraph in man/ptrace.1 (a test compares it with -help); 4. a line in
+// tests/tools/ptrace_options.sh.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -16,14 +17,14 @@ struct Options {
     trace::RenderOptions render;
     view::View view;
     int nx = 512, ny = 512;
-    double pixel_aspect = 1;                // -pa, 0 keeps both sides
-    double exposure = 1;                    // -rif: of the pictures written
-    int64_t first = 0, last = endless;      // frames, both included
+    double pixel_aspect = 1;            // -pa, 0 keeps both sides
+    double exposure = 1;                // -rif: of the pictures written
+    int64_t first = 0, last = endless;  // frames, both included
     std::string device = "auto";
-    std::string output;                     // -o pattern; empty: stdout
-    int report_s = 0;                       // -t: a line on stderr every so many seconds
-    bool warnings = true;                   // -w
-    scene::ReadOptions files;               // RAYPATH, -exec
+    std::string output;        // -o pattern; empty: stdout
+    int report_s = 0;          // -t: a line on stderr every so many seconds
+    bool warnings = true;      // -w
+    scene::ReadOptions files;  // RAYPATH, -exec
     std::vector<std::string> scene_files;
 
     static constexpr int64_t endless = 0xfffffffe;  // the samplers count frames in 32 bits

@@ -12,10 +12,10 @@
 namespace {
 
 const char* const with_arguments[] = {
-    "-vf", "-vp", "-vd", "-vu", "-vh", "-vv", "-vo", "-va", "-vs", "-vl",                  // the view
-    "-x", "-y", "-pa", "-pj", "-pd", "-pm", "-ps", "-pt", "-cs", "-cw", "-pRGB",           // the picture
-    "-ab", "-av", "-aw", "-aa", "-ar", "-ad", "-as", "-af", "-ai", "-aI", "-ae", "-aE", "-am", "-ap",
-    "-dj", "-ds", "-dt", "-dc", "-dr", "-dp", "-st", "-ss", "-lr", "-lw",                  // light and its ways
+    "-vf", "-vp", "-vd", "-vu", "-vh", "-vv", "-vo", "-va", "-vs", "-vl",           // the view
+    "-x",  "-y",  "-pa", "-pj", "-pd", "-pm", "-ps", "-pt", "-cs", "-cw", "-pRGB",  // the picture
+    "-ab", "-av", "-aw", "-aa", "-ar", "-ad", "-as", "-af", "-ai", "-aI", "-ae",   "-aE",
+    "-am", "-ap", "-dj", "-ds", "-dt", "-dc", "-dr", "-dp", "-st", "-ss", "-lr",   "-lw",  // light and its ways
     "-me", "-ma", "-mg", "-ms", "-f",                                                      // mist, functions
 };
 const char* const switches[] = {"-i", "-u", "-bv", "-dv"};  // "-i", "-i+", "-i-" ...

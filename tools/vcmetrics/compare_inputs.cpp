@@ -27,8 +27,9 @@ std::vector<Tolerance> rules_of(const std::string& text) {
     return out;
 }
 
-const std::vector<std::string> all_metrics = {"Ev", "DGP", "DGI", "UGR", "VCP", "CGI", "UGP", "UGP2", "DGImod", "UGRexp", "DGR", "Lveil",
-                                              "LveilCIE", "Lavg", "Lmax", "Lmed", "Lb", "Edir", "n_sources", "omega_sources", "RAMMG"};
+const std::vector<std::string> all_metrics = {
+    "Ev",    "DGP",      "DGI",  "UGR",  "VCP",  "CGI", "UGP",  "UGP2",      "DGImod",        "UGRexp", "DGR",
+    "Lveil", "LveilCIE", "Lavg", "Lmax", "Lmed", "Lb",  "Edir", "n_sources", "omega_sources", "RAMMG"};
 
 }  // namespace
 
@@ -50,9 +51,12 @@ int compare_inputs(const Options& o) {
     bool all_within = true;
     for (const Difference& d : compare_tables(*side[0], *side[1], rules)) {
         const Cell amount = number_cell(d.tolerance.amount * (d.tolerance.relative ? 100 : 1), 4);
-        text += table_line(names, {number_cell(double(d.row + 1)), text_cell(d.metric), number_cell(d.first, 10), number_cell(d.second, 10),
-                                   number_cell(d.second - d.first, 4), text_cell(amount.text + (d.tolerance.relative ? "%" : "")),
-                                   text_cell(d.within ? "yes" : "no")}, o.format);
+        text +=
+            table_line(names,
+                       {number_cell(double(d.row + 1)), text_cell(d.metric), number_cell(d.first, 10),
+                        number_cell(d.second, 10), number_cell(d.second - d.first, 4),
+                        text_cell(amount.text + (d.tolerance.relative ? "%" : "")), text_cell(d.within ? "yes" : "no")},
+                       o.format);
         all_within = all_within && d.within;
     }
     base::write_stdout(text.data(), text.size());

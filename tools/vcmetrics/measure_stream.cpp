@@ -21,14 +21,17 @@ void print(const std::string& text) {
 void require_measurable(const image::Picture& p, const std::string& place) {
     image::require_complete(p, place);
     if (p.header.tabbed_exposure)
-        base::fail(place, "an EXPOSURE= line of the header holds a tab, as pcomb and pcompos leave it: the pixels' scale is unknown "
-                          "(remove the line, or divide the exposure out with pfilt -1 or ra_xyze -r -u)");
+        base::fail(
+            place,
+            "an EXPOSURE= line of the header holds a tab, as pcomb and pcompos leave it: the pixels' scale is unknown "
+            "(remove the line, or divide the exposure out with pfilt -1 or ra_xyze -r -u)");
 }
 
 // What one run prints: a table of metrics, a table of sources, or evalglare's lines.
 class Printer {
 public:
-    Printer(const Options& o, bool from_files) : o_(o), start_(std::chrono::steady_clock::now()), from_files_(from_files) {
+    Printer(const Options& o, bool from_files)
+        : o_(o), start_(std::chrono::steady_clock::now()), from_files_(from_files) {
         DrawRegions draw;
         if (!o.regions_file.empty()) regions_ = open_regions(o.regions_file, draw);
         ColumnChoice choice;
@@ -54,7 +57,8 @@ public:
         if (o.like == Like::accelerad) names_ = {"Time", "Frame"};
         else names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
         if (o.list_sources)
-            names_.insert(names_.end(), {"source", "pixels", "x", "y", "omega", "L", "P", "sigma", "xdir", "ydir", "zdir", "Edir", "zone", "DGPshare"});
+            names_.insert(names_.end(), {"source", "pixels", "x", "y", "omega", "L", "P", "sigma", "xdir", "ydir",
+                                         "zdir", "Edir", "zone", "DGPshare"});
         else
             for (const Column& c : columns_) names_.push_back(c.name);
     }
@@ -130,8 +134,8 @@ private:
             const Source& s = m.sources[k];
             std::vector<Cell> cells = start;
             const double share = dgp_term({s.lum, s.omega, s.P, 0, 0, 0}, o_.settings.constants) / sum;
-            for (double v : {double(k + 1), s.pixels, s.x, s.y, s.omega, s.lum, s.P, s.sigma_deg, s.direction.x, s.direction.y, s.direction.z,
-                             s.eye_lux, double(s.zone), share})
+            for (double v : {double(k + 1), s.pixels, s.x, s.y, s.omega, s.lum, s.P, s.sigma_deg, s.direction.x,
+                             s.direction.y, s.direction.z, s.eye_lux, double(s.zone), share})
                 cells.push_back(number_cell(v));
             text += table_line(names_, cells, o_.format);
         }
@@ -159,7 +163,8 @@ int measure_all(const Options& o) {
         image::StreamReader reader(file);
         for (long index = 0; reader.next(picture); ++index) {
             base::finish_on_signal();  // from the first picture on: its line is finished
-            const std::string place = (file == "-" ? "stdin" : file) + (index ? ": picture " + std::to_string(index + 1) : "");
+            const std::string place =
+                (file == "-" ? "stdin" : file) + (index ? ": picture " + std::to_string(index + 1) : "");
             if (printer.picture(picture, place, file, index) || base::stop_requested()) return 0;
         }
     }
@@ -167,7 +172,8 @@ int measure_all(const Options& o) {
     return printer.has_rule() ? 4 : 0;
 }
 
-comfort::NumberTable measure_table(const Options& options, const std::string& file, const std::vector<std::string>& metrics) {
+comfort::NumberTable measure_table(const Options& options, const std::string& file,
+                                   const std::vector<std::string>& metrics) {
     Options o = options;
     o.metrics = metrics;
     if (o.like == Like::evalglare) o.like = Like::vcmetrics;  // its rounding stays, the columns are ours
@@ -176,6 +182,7 @@ comfort::NumberTable measure_table(const Options& options, const std::string& fi
     image::StreamReader reader(file);
     image::Picture picture;
     for (long index = 0; reader.next(picture); ++index)
-        table.rows.push_back(printer.values(picture, (file == "-" ? "stdin" : file) + (index ? ": picture " + std::to_string(index + 1) : "")));
+        table.rows.push_back(printer.values(
+            picture, (file == "-" ? "stdin" : file) + (index ? ": picture " + std::to_string(index + 1) : "")));
     return table;
 }

@@ -7,4 +7,5 @@
 int measure_all(const Options& options);  // exit status
 
 // The same into a table: every picture of one input, these metrics.
-comfort::NumberTable measure_table(const Options& options, const std::string& file, const std::vector<std::string>& metrics);
+comfort::NumberTable measure_table(const Options& options, const std::string& file,
+                                   const std::vector<std::string>& metrics);

@@ -13,10 +13,10 @@ enum class Like { vcmetrics, evalglare, accelerad };
 
 struct Options {
     comfort::Settings settings;
-    std::vector<std::string> files;              // empty: stdin
+    std::vector<std::string> files;  // empty: stdin
     std::string regions_file;
     std::vector<std::string> contrast_pairs;
-    std::vector<std::string> metrics;            // empty: the default columns
+    std::vector<std::string> metrics;  // empty: the default columns
     bool list_sources = false;
     comfort::TableFormat format = comfort::TableFormat::tsv;
     Like like = Like::vcmetrics;
@@ -24,8 +24,8 @@ struct Options {
     std::string until;
     int window = 10;
     bool compare = false;
-    std::string tolerances;                      // rules, or a file of them
-    std::optional<view::View> view;              // replaces the header's
+    std::string tolerances;          // rules, or a file of them
+    std::optional<view::View> view;  // replaces the header's
 };
 
 // A status: help, version or defaults were printed, main() ends with it.

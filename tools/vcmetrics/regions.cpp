@@ -16,7 +16,9 @@ image::MaskSet open_regions(const std::string& path, comfort::DrawRegions& draw)
     auto regions = std::make_shared<region::Regions>(region::read(path));
     for (const region::Shape& s : regions->shapes)
         if (s.kind == region::Kind::surface || s.kind == region::Kind::modifier)
-            base::fail(s.place, "asks the scene for a surface or modifier: draw masks with vcregion, regions file and scene, and give these");
+            base::fail(s.place,
+                       "asks the scene for a surface or modifier: draw masks with vcregion, regions file and scene, "
+                       "and give these");
     image::MaskSet set;
     for (const region::Region& r : regions->regions) set.masks.push_back({r.name, {}});
     draw = [regions](const view::View& view, int width, int height) {

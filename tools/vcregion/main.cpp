@@ -22,7 +22,8 @@ image::Picture single_mask(const region::Regions& regions, const Options& opt, c
         if (r.name == opt.single) one.regions.push_back(r);
     }
     if (one.regions.empty())
-        base::fail("-single", fmt::format("no region is called \"{}\"{}", opt.single, region::near_matches(opt.single, names)));
+        base::fail("-single",
+                   fmt::format("no region is called \"{}\"{}", opt.single, region::near_matches(opt.single, names)));
     image::MaskSet set = region::rasterize(one, opt.view, opt.nx, opt.ny, true, scene);
     bool any = false;
     image::Picture p;
@@ -32,15 +33,16 @@ image::Picture single_mask(const region::Regions& regions, const Options& opt, c
         any = any || c > 0;
         p.rgb.insert(p.rgb.end(), 3, c);
     }
-    if (!any) base::fail(one.regions[0].place, fmt::format("region \"{}\" is empty: it holds no pixel's centre", opt.single));
+    if (!any)
+        base::fail(one.regions[0].place, fmt::format("region \"{}\" is empty: it holds no pixel's centre", opt.single));
     return p;
 }
 
 void print_list(const std::vector<region::Extent>& extents) {
     std::string text = "region\tpixels\tsr\tshare\tx\ty\tz\n";
     for (const region::Extent& e : extents)
-        text += fmt::format("{}\t{:.2f}\t{:.6g}\t{:.6f}\t{:.5f}\t{:.5f}\t{:.5f}\n", e.name, e.pixels, e.omega_sr, e.share, e.centre.x,
-                            e.centre.y, e.centre.z);
+        text += fmt::format("{}\t{:.2f}\t{:.6g}\t{:.6f}\t{:.5f}\t{:.5f}\t{:.5f}\n", e.name, e.pixels, e.omega_sr,
+                            e.share, e.centre.x, e.centre.y, e.centre.z);
     base::write_stdout(text.data(), text.size());
     base::flush_stdout();
 }

@@ -27,7 +27,11 @@ int size_of(Words& w, const char* name) {
 
 std::vector<Row> table(Options& o) {
     return {
-        {"-vf", "file", "view from a view file or a picture", [&](Words& w) { o.view = view::read_view_file(w.next_string("-vf")); o.view_given = true; }},
+        {"-vf", "file", "view from a view file or a picture",
+         [&](Words& w) {
+             o.view = view::read_view_file(w.next_string("-vf"));
+             o.view_given = true;
+         }},
         {"-vt", "T", "view type, joined: v l a h s c", {}},
         {"-vp", "x y z", "view point", {}},
         {"-vd", "x y z", "view direction", {}},
@@ -44,7 +48,8 @@ std::vector<Row> table(Options& o) {
         {"-o", "file", "masks (.exr), one mask (.hdr, with -single) or preview (.png, with -over)",
          [&](Words& w) { o.outputs.push_back(w.next_string("-o")); }},
         {"-centre", "", "a pixel is in or out by its centre", [&](Words&) { o.centre = true; }},
-        {"-single", "name", "one region as a mask for evalglare -A", [&](Words& w) { o.single = w.next_string("-single"); }},
+        {"-single", "name", "one region as a mask for evalglare -A",
+         [&](Words& w) { o.single = w.next_string("-single"); }},
         {"-list", "", "print pixels, solid angle, share and centre of the regions", [&](Words&) { o.list = true; }},
         {"-over", "picture", "preview over this picture; its size, and its view unless one is given",
          [&](Words& w) { o.over = w.next_string("-over"); }},
@@ -62,8 +67,10 @@ void print_help(Options& o) {
     std::string text = "usage: vcregion [options] regions.txt [scene.rad ...]\n";
     for (const Row& row : table(o)) {
         const bool joined = row.args[0] == '+' || std::string(row.name) == "-vt";
-        text += fmt::format("  {:<18} {}\n", row.name + std::string(joined || !*row.args ? "" : " ") +
-                            (row.args[0] == '+' ? "[+-]" : row.args), row.help);
+        text += fmt::format(
+            "  {:<18} {}\n",
+            row.name + std::string(joined || !*row.args ? "" : " ") + (row.args[0] == '+' ? "[+-]" : row.args),
+            row.help);
     }
     print(text + "Described in vcregion(1), the file of regions in vcregion(5).\n");
 }
@@ -107,7 +114,8 @@ void check(const Options& o) {
         const std::string ending = image::ending_of(name);
         if (ending == ".exr") {
         } else if (ending == ".hdr" || ending == ".pic") {
-            if (o.single.empty()) base::fail(name, "a RADIANCE picture holds one mask; name it with -single, or write .exr");
+            if (o.single.empty())
+                base::fail(name, "a RADIANCE picture holds one mask; name it with -single, or write .exr");
         } else if (ending == ".png") {
             if (o.over.empty()) base::fail(name, "a preview needs -over picture");
         } else {

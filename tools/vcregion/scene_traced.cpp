@@ -14,14 +14,17 @@ using base::Vec3;
 using scene::Type;
 
 bool see_through(Type t) {
-    return t == Type::glass || t == Type::dielectric || t == Type::interface || t == Type::mist || t == Type::antimatter ||
-           t == Type::prism1 || t == Type::prism2;
+    return t == Type::glass || t == Type::dielectric || t == Type::interface || t == Type::mist ||
+           t == Type::antimatter || t == Type::prism1 || t == Type::prism2;
 }
 
 class TracedScene : public region::SceneView {
 public:
     TracedScene(const std::vector<std::string>& files, const base::ReadOptions& options)
-        : scene_(scene::read_scene(files, options)), flat_(trace::flatten(scene_, trace::RenderOptions(), options)), input_(trace::build_inputs(flat_)), tracer_(input_.data(), input_.size(), true, false) {
+        : scene_(scene::read_scene(files, options)),
+          flat_(trace::flatten(scene_, trace::RenderOptions(), options)),
+          input_(trace::build_inputs(flat_)),
+          tracer_(input_.data(), input_.size(), true, false) {
         for (size_t i = 0; i < scene_.objects.size(); ++i)
             if (scene::is_surface(scene_.objects[i].type)) surfaces_.push_back(unsigned(i));
         std::unordered_map<unsigned, unsigned> index;
@@ -29,7 +32,8 @@ public:
             const scene::Object& o = object(s);
             index[surfaces_[s]] = s;
             const scene::Scene::Resolved material = scene_.material(o.modifier);
-            through_.push_back(material.object != scene::VOID && see_through(scene_.objects[size_t(material.object)].type));
+            through_.push_back(material.object != scene::VOID &&
+                               see_through(scene_.objects[size_t(material.object)].type));
             if (o.type == Type::source) {
                 const auto r = scene_.reals(o);
                 distant_.push_back({s, base::unit({r[0], r[1], r[2]}), r[3] / 2 * (M_PI / 180)});
@@ -46,7 +50,8 @@ public:
         for (int32_t m = object(s).modifier; m != scene::VOID;) {
             const scene::Object& o = scene_.objects[size_t(m)];
             names.push_back(scene_.name(o));
-            if (o.type == Type::alias && o.alias_of != scene::VOID) names.push_back(scene_.name(scene_.objects[size_t(o.alias_of)]));
+            if (o.type == Type::alias && o.alias_of != scene::VOID)
+                names.push_back(scene_.name(scene_.objects[size_t(o.alias_of)]));
             m = o.modifier;
             if (names.size() > 1000) break;
         }
@@ -62,7 +67,8 @@ public:
         for (int passed = 0; passed < 1000; ++passed) {
             const auto hit = tracer_.closest(org, float(from), d, float(end), everything);
             if (hit.prim == none) break;
-            const bool within = hit.inst != none;  // a mesh or instance counts as one surface, its panes let the eye pass
+            const bool within =
+                hit.inst != none;  // a mesh or instance counts as one surface, its panes let the eye pass
             const unsigned s = within ? instance_surface_[hit.inst - flat_.instances_at] : prim_surface_[hit.prim];
             closed = s == none || (within ? !trace::see_through(flat_, hit.prim, hit.inst) : !through_[s]);
             if (s != none) {
@@ -74,20 +80,25 @@ public:
         }
         if (tmax > 0) return n;
         for (const Distant& s : distant_)
-            if (std::atan2(base::length(base::cross(s.dir, dir)), base::dot(s.dir, dir)) <= s.half && n < room) out[n++] = {1e30, s.surface};
+            if (std::atan2(base::length(base::cross(s.dir, dir)), base::dot(s.dir, dir)) <= s.half && n < room)
+                out[n++] = {1e30, s.surface};
         return n;
     }
 
 private:
     const scene::Object& object(unsigned s) const { return scene_.objects[surfaces_[s]]; }
     static constexpr unsigned none = 0xffffffffu, everything = 3;  // opaque and transparent
-    struct Distant { unsigned surface; Vec3 dir; double half; };
+    struct Distant {
+        unsigned surface;
+        Vec3 dir;
+        double half;
+    };
     scene::Scene scene_;
     trace::FlatScene flat_;
     std::vector<trace::BuildInput> input_;
-    trace::EmbreeScene tracer_;           // Embree's own traversal: it takes the processor's widest instructions
-    std::vector<unsigned> surfaces_;      // objects
-    std::vector<char> through_;           // by surface
+    trace::EmbreeScene tracer_;               // Embree's own traversal: it takes the processor's widest instructions
+    std::vector<unsigned> surfaces_;          // objects
+    std::vector<char> through_;               // by surface
     std::vector<unsigned> prim_surface_;      // by primitive
     std::vector<unsigned> instance_surface_;  // by instance record
     std::vector<Distant> distant_;

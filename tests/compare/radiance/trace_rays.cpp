@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// trace_rays FEWEST MOST SCENE ARGUMENTS < rays - ptrace's value of single rays (origin and direction, one a line), under
-// rtrace's arguments.  One line a ray: red, green, blue, their standard errors, samples.  Between FEWEST and MOST samples
-// are taken, until the brightest channel is known to 2e-4.  For the comparison of random scenes (compare.py).
+// trace_rays FEWEST MOST SCENE ARGUMENTS < rays - ptrace's value of single rays (origin and direction, one a line),
+// under rtrace's arguments.  One line a ray: red, green, blue, their standard errors, samples.  Between FEWEST and MOST
+// samples are taken, until the brightest channel is known to 2e-4.  For the comparison of random scenes (compare.py).
 #include <fmt/core.h>
 
 #include <cstdlib>
