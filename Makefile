@@ -16,17 +16,20 @@ help: ## this list
 
 all: setup ## a release build of the four tools in build/bin
 	cmake -S . -B $(BUILD) -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX=$(PREFIX) $(FLAGS)
+	cmake --build $(BUILD) -j $(JOBS) --target tools
+
+everything: all ## the tools, the tests, studies and benchmarks
 	cmake --build $(BUILD) -j $(JOBS)
 
 demo: PARTS += demo
 demo: all ## the office: pictures, metrics and a plot in out/
 	@bash scripts/demo.sh $(BUILD)/bin out
 
-test test-gpu test-sanitize fuzz compare-radiance: PARTS += tests
-test: all ## every test that needs no GPU
+everything test-sanitize fuzz compare-radiance: PARTS += tests
+test: everything ## every test that needs no GPU
 	@cd $(BUILD) && ctest --no-tests=error --output-on-failure -j $(JOBS) -LE 'gpu|slow'
 
-test-gpu: all ## the tests for a machine with a GPU
+test-gpu: everything ## the tests for a machine with a GPU
 	@cd $(BUILD) && ctest --output-on-failure -L gpu
 
 test-sanitize: setup ## the tests under the address, undefined and thread sanitizers
@@ -40,10 +43,11 @@ fuzz: setup ## every fuzz target for SECONDS=60 each (clang); finds in out/fuzz
 deb: setup ## a Debian package in out/deb; the same bytes for the same sources
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/deb.sh out/deb
 
-bench: all ## the speed claims, measured again
+bench: everything ## the speed claims, measured again
 	@bash bench/run.sh $(BUILD)/bin
 
 compare-radiance: all ## N=100 random scenes from SEED=1 on, by ptrace and by rtrace (where RADIANCE is)
+	@cmake --build $(BUILD) -j $(JOBS) --target trace_rays
 	@python3 tests/compare/radiance/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) --tracer $(BUILD)/bin/trace_rays
 
 man: ## the manual pages as HTML in out/man
@@ -53,8 +57,8 @@ man: ## the manual pages as HTML in out/man
 format: ## lay out the C++ files with clang-format
 	@clang-format -i $(CXX_FILES)
 
-lint: ## checks that need no build: layers, manual pages, stray paths
-	@for t in layering pages paths; do TOP=. bash tests/docs/$$t.sh || exit 1; done
+lint: ## checks that need no build: layout, layers, manual pages, stray paths
+	@for t in style layering pages paths; do TOP=. bash tests/docs/$$t.sh || exit 1; done
 
 install: all ## tools and manual pages to PREFIX (/usr/local)
 	@cmake --install $(BUILD) --prefix $(PREFIX)
@@ -65,4 +69,4 @@ clean: ## remove build/ and out/
 setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 
-.PHONY: help all demo test test-gpu test-sanitize fuzz deb bench compare-radiance man format lint install clean setup
+.PHONY: help all everything demo test test-gpu test-sanitize fuzz deb bench compare-radiance man format lint install clean setup

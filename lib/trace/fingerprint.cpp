@@ -22,13 +22,13 @@ std::string scene_hash(const FlatScene& s) {
     return hash.text();
 }
 
-// Options that change nothing (-dp, -u) are left out; the seed has a header line of its own.
+// Options that change nothing (-dp, -ms, -u) are left out; the seed has a header line of its own.
 std::string option_text(const RenderOptions& o) {
     return fmt::format(
         "ab {} st {} ss {} dj {} ds {} dr {} lr {} lw {} pj {} bv {} dv {} i {} av {} {} {} me {} {} {} "
-        "ma {} {} {} mg {} ms {} pd {} portals {} direct {}",
+        "ma {} {} {} mg {} pd {} portals {} direct {}",
         o.ab, o.st, o.ss, o.dj, o.ds, o.dr, o.lr, o.lw, o.pj, o.bv, o.dv, o.i, o.av[0], o.av[1], o.av[2], o.me[0],
-        o.me[1], o.me[2], o.ma[0], o.ma[1], o.ma[2], o.mg, o.ms, o.pd, o.portals, o.direct_samples);
+        o.me[1], o.me[2], o.ma[0], o.ma[1], o.ma[2], o.mg, o.pd, o.portals, o.direct_samples);
 }
 
 std::string hash_of(const std::string& text) {
