@@ -90,7 +90,7 @@ FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
         out->n_dt = d.n;
         out->flags |= LOBE_OWN_NORMALS | (r.flat ? LOBE_FLAT_R : 0u);
     }
-    float rest = 1.0f, lum = 0.265074126f * rs.x + 0.670114631f * rs.y + 0.064811243f * rs.z;
+    float rest = 1.0f, lum = luminance3(rs);
     int smooth_r = out->au <= 1e-6f || out->av <= 1e-6f, smooth_t = out->tu <= 1e-6f || out->tv <= 1e-6f;
     if (smooth_r) {
         if (lum >= 0.017999f) {
@@ -111,7 +111,7 @@ FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     out->ambient_t = out->diffuse_t;
     if (!smooth_r && max3(rs) > 1e-6f) {
         out->rough_r = rs;
-        if (par->st >= max3(rs) - 1e-6f) out->ambient_r = add3(out->ambient_r, rs);
+        if (par->st >= luminance3(rs) - 1e-6f) out->ambient_r = add3(out->ambient_r, rs);
         else out->flags |= LOBE_SAMPLE_R;
     }
     if (max3(ts) > 1e-6f) {
@@ -120,7 +120,7 @@ FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
             out->through_dir = out->trans_dir;
         } else {
             out->rough_t = ts;
-            if (par->st >= max3(ts) - 1e-6f) out->ambient_t = add3(out->ambient_t, ts);
+            if (par->st >= luminance3(ts) - 1e-6f) out->ambient_t = add3(out->ambient_t, ts);
             else out->flags |= LOBE_SAMPLE_T;
         }
     }

@@ -207,9 +207,11 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
                         if (as_uint_(q[SRC_VIRTUAL]) == NONE)
                             e = light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), ls.dir, ls.point,
                                                ls.normal, ls.dist, g.total + ls.dist, &rnd);
+                        // where a pattern falls below 0 RADIANCE counts light whose luminance is above it
+                        int lit = luminance3(mul3(c, e)) > 0.0f;
                         c = mul3(mul3(thr, c), scale3(e, inv_p));
                         int itself = as_uint_(q[SRC_PRIM]) == g.prim && as_uint_(q[SRC_VIRTUAL]) == NONE;  // an illum
-                        if (max3(c) > 0.0f && !itself) {
+                        if (lit && !itself) {
                             int above = dot3(ls.dir, g.ng) > 0.0f;
                             float3 start = bsdf_start(&lobes, &g, above),
                                    from = offset_ray(start, above ? g.ng : neg3(g.ng), g.reach);
@@ -240,6 +242,8 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         if (par->mode == MODE_DIRECT) more = 0;
         float w_mirror = coefficient_weight(lobes.mirror), w_through = coefficient_weight(lobes.through);
         float w_refract = coefficient_weight(lobes.refract);
+        // a solid's surface shares out energy; that radiance is greater inside, by the index squared, does not matter
+        if (w_refract > 0.0f && (g.type == M_DIELECTRIC || g.type == M_INTERFACE)) w_refract = 1.0f - w_mirror;
         float w_diff_r = more ? coefficient_weight(lobes.ambient_r) : 0.0f;
         float w_diff_t = more ? coefficient_weight(lobes.ambient_t) : 0.0f;
         float w_rough_r = (lobes.flags & LOBE_SAMPLE_R) != 0u ? coefficient_weight(lobes.rough_r) : 0.0f;

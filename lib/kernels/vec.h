@@ -21,6 +21,8 @@ FN float max3(float3 a) {
     float m = MAX_(a.x, a.y);
     return MAX_(m, a.z);
 }
+// Of RADIANCE's primaries.
+FN float luminance3(float3 c) { return 0.265074126f * c.x + 0.670114631f * c.y + 0.064811243f * c.z; }
 FN float min3(float3 a) {
     float m = MIN_(a.x, a.y);
     return MIN_(m, a.z);
