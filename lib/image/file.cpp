@@ -3,15 +3,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cerrno>
 
 #include "base/error.h"
 #include "base/tempfile.h"
-#include "image/exr.h"
+#include "image/file_format.h"
 #include "image/stream.h"
-#include "image/tone.h"
 
 namespace image {
 
@@ -25,10 +23,7 @@ std::string ending_of(const std::string& path) {
 }
 
 void require_writable_ending(const std::string& path) {
-    const std::string e = ending_of(path);
-    const auto known = {".hdr", ".pic", ".exr", ".png"};
-    if (std::find(known.begin(), known.end(), e) == known.end())
-        base::fail(path, "the ending of the name must be .hdr, .pic, .exr or .png");
+    if (!format_by_ending(ending_of(path))) base::fail(path, "the ending of the name must be " + writable_endings());
     struct stat there = {};
     if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode)) return;  // a FIFO is written where it is
     const size_t slash = path.rfind('/');
@@ -52,12 +47,9 @@ Picture read_file(const std::string& path, Pixels pixels) {
     return picture;
 }
 
-void write_file(const std::string& path, const Picture& picture, Format hdr_format) {
+void write_file(const std::string& path, const Picture& picture, const WriteOptions& options) {
     require_writable_ending(path);
-    const std::string e = ending_of(path);
-    if (e == ".exr") write_exr(path, picture);
-    else if (e == ".png") write_png(path, picture, ToneOptions());
-    else write_bytes(path, picture_bytes(picture, hdr_format));
+    format_by_ending(ending_of(path))->write(path, picture, options);
 }
 
 }  // namespace image

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include "image/file_format.h"
 #include "image/picture.h"
 
 namespace image {
@@ -32,14 +33,12 @@ std::string picture_bytes(const Picture& picture, Format format);
 // A file that appears whole or not at all.
 void write_bytes(const std::string& path, const std::string& bytes);
 
-// Whole files, chosen by ending when written (.hdr .pic: RADIANCE; .exr: OpenEXR; .png: for people, tone.h); read by
-// content.
+// Whole files: written in the format of their ending, read by their content (file_format.h).
 std::string ending_of(const std::string& path);  // ".exr", in small letters
 // An Error before the work, not after it: another ending than these, a folder that is not there or not writable.
 void require_writable_ending(const std::string& path);
 // One picture; throws Error if there are several.
 Picture read_file(const std::string& path, Pixels pixels = Pixels::radiance);
-void write_file(const std::string& path, const Picture& picture,
-                Format hdr_format = Format::rgbe);  // atomic: temp + rename
+void write_file(const std::string& path, const Picture& picture, const WriteOptions& options = {});
 
 }  // namespace image

@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "base/stop.h"
-#include "image/exr.h"
+#include "image/file_format.h"
 #include "image/header.h"
 #include "image/input.h"
 #include "image/rgbe.h"
@@ -196,15 +196,18 @@ static int64_t last_frame_in(const Header& h) {
 struct StreamReader::State {
     Input in;
     int64_t count = 0;
-    bool exr = false;
+    const FileFormat* whole_file = nullptr;  // null: a stream
     Pixels pixels;
     int64_t announced = -1, reached = -1;  // frame numbers: LASTFRAME=, and that of the picture read last
 
     State(const std::string& path, Pixels wanted) : in(path), pixels(wanted) {
-        const unsigned char magic[4] = {0x76, 0x2f, 0x31, 0x01};
-        unsigned char start[4];
-        exr = in.look(start, 4) && std::memcmp(start, magic, 4) == 0;
-        if (exr && path == "-") base::fail("stdin", "is an OpenEXR file: give its name, it cannot be read from a pipe");
+        char start[4];
+        if (in.look(start, 4)) whole_file = format_by_magic(start);
+        if (whole_file && path == "-")
+            base::fail("stdin",
+                       fmt::format("holds a picture in the format {}: give the file's name, it cannot be read from "
+                                   "a pipe",
+                                   whole_file->name));
     }
     void require_announced(const std::string& place, const char* fact) const {
         if (reached < announced)
@@ -220,9 +223,9 @@ int64_t StreamReader::pictures() const { return state_->count; }
 
 bool StreamReader::next(Picture& picture) {
     Input& in = state_->in;
-    if (state_->exr) {
+    if (state_->whole_file) {
         if (state_->count++) return false;
-        picture = read_exr(in.name());
+        picture = state_->whole_file->read(in.name());
         return true;
     }
     if (in.at_end()) {

@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "base/run.h"
-#include "image/exr.h"
 #include "image/header.h"
 #include "image/stream.h"
 
@@ -50,13 +49,10 @@ void Output::final_picture(image::Picture& picture) const {
 }
 
 void Output::write_files(const image::Picture& picture, bool passing) const {
-    image::ExrOptions exr;
-    if (passing) exr.compression = "none";
-    exr.half = options_.half;
-    for (const std::string& name : options_.outputs) {
-        const std::string ending = image::ending_of(name);
-        if (ending == ".exr") image::write_exr(name, picture, exr);
-        else if (ending == ".png") image::write_png(name, picture, options_.tone);
-        else image::write_file(name, picture, format_of(picture));
-    }
+    image::WriteOptions how;
+    how.pixels = format_of(picture);
+    how.tone = options_.tone;
+    how.exr.half = options_.half;
+    if (passing) how.exr.compression = "none";
+    for (const std::string& name : options_.outputs) image::write_file(name, picture, how);
 }

@@ -59,12 +59,14 @@ int render(int argc, char** argv) {
     picture.header.fingerprint = renderer.fingerprint();
     const bool streams = opt.output.empty();
     if (streams && opt.last != Options::endless) picture.header.last_frame = opt.last;
+    image::WriteOptions as_float;
+    as_float.pixels = image::Format::flt;
     Report report(opt.report_s, renderer.device_name());
     const auto give = [&](int64_t k, const std::vector<float>& rgb) {
         picture.rgb = rgb;
         picture.header.frame = k;
         if (streams) image::write_picture_stdout(picture, image::Format::flt);
-        else image::write_file(output_name(opt.output, k), picture, image::Format::flt);
+        else image::write_file(output_name(opt.output, k), picture, as_float);
         report.frame(k, k - opt.first + 1);
         return k < opt.last && !base::stop_requested();
     };

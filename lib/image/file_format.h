@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The formats of picture files.  To add one: a file like png.cpp that writes it or like exr.cpp that reads it, too, and
+// a row in file_format.cpp; the tools take it from there (and man/luxpipe-stream.5 tells the users).
+#pragma once
+#include <string>
+#include "image/exr.h"
+#include "image/tone.h"
+
+namespace image {
+
+// What each format's writer may be told; it takes what concerns it.
+struct WriteOptions {
+    Format pixels = Format::rgbe;  // of RADIANCE pictures
+    ExrOptions exr;
+    ToneOptions tone;
+};
+
+struct FileFormat {
+    const char* name;     // for messages
+    const char* endings;  // in small letters, each with its dot, separated by blanks
+    const char* magic;    // the four bytes that such a file begins with; null: it is not read as a whole file
+    Picture (*read)(const std::string& path);
+    void (*write)(const std::string& path, const Picture& picture, const WriteOptions& options);
+};
+
+// Null where there is none.
+const FileFormat* format_by_ending(const std::string& ending);
+const FileFormat* format_by_magic(const char* four_bytes);
+std::string writable_endings();  // ".hdr, .pic, .exr or .png", for messages
+
+}  // namespace image
