@@ -5,7 +5,6 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX ?= /usr/local
 # More for cmake, such as FLAGS=-DLUXPIPE_PTRACE=OFF (the three tools that need neither Embree nor OpenCL).
 FLAGS  ?=
-SECONDS ?= 60
 # SETUP=no installs no packages; otherwise those that the goal needs and the machine lacks, said before.
 SETUP  ?= yes
 PARTS   = tools $(if $(findstring LUXPIPE_PTRACE=OFF,$(FLAGS)),,ptrace)
@@ -35,11 +34,12 @@ test-gpu: everything ## the tests for a machine with a GPU
 test-sanitize: setup ## the tests under the address, undefined and thread sanitizers
 	@bash scripts/sanitize.sh $(JOBS)
 
+fuzz: PARTS += fuzz
 fuzz: setup ## every fuzz target for SECONDS=60 each (clang); finds in out/fuzz
 	@cmake -S . -B build-fuzz -G Ninja --log-level=WARNING -DCMAKE_CXX_COMPILER=clang++ -DLUXPIPE_FUZZ=ON > /dev/null
-	@cmake --build build-fuzz -j $(JOBS) --target fuzz
-	@bash tests/fuzz/run.sh build-fuzz/bin out/fuzz $(SECONDS)
+	@cmake --build build-fuzz -j $(JOBS) --target fuzz && bash tests/fuzz/run.sh build-fuzz/bin out/fuzz $(or $(SECONDS),60)
 
+deb: PARTS += deb
 deb: setup ## a Debian package in out/deb; the same bytes for the same sources
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/deb.sh out/deb
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # setup.sh PARTS: installs the Debian packages that these parts of luxpipe need, if any is missing; does nothing when all
-# are there.  Parts: tools (the three that measure), ptrace, tests, demo.
+# are there.  Parts: tools (the three that measure), ptrace, tests, demo, fuzz, deb.
 # It says what it will install, then runs `apt-get` (as root, or through sudo), and changes nothing else.
 # `make SETUP=no` leaves it out.  Elsewhere than on Debian and its relatives it only names what is needed.
 set -eu
@@ -13,7 +13,9 @@ for part in "$@"; do
         ptrace) packages="$packages libembree-dev ocl-icd-opencl-dev opencl-headers opencl-clhpp-headers" ;;
         tests) packages="$packages doctest-dev mandoc pocl-opencl-icd" ;;  # PoCL: OpenCL on the CPU
         demo) packages="$packages gnuplot-nox" ;;                          # the plot
-        *) echo "setup: no part \"$part\": tools, ptrace, tests or demo" >&2; exit 1 ;;
+        fuzz) packages="$packages clang" ;;
+        deb) packages="$packages dpkg-dev" ;;                              # tells which libraries the programs need
+        *) echo "setup: no part \"$part\": tools, ptrace, tests, demo, fuzz or deb" >&2; exit 1 ;;
     esac
 done
 

@@ -119,8 +119,9 @@ std::string compare_metrics(const Settings& s, const std::string& in, const std:
     if (read.ends_early()) return "status 0 for a stream that ends before the frame it announced";
     const auto rows = table_rows(out);
     if (rows.size() != read.pictures.size()) return "status 0, but another number of lines than pictures";
-    if (out.find("nan") != std::string::npos || out.find("inf") != std::string::npos)
-        return "status 0, but a metric is no finite number";
+    for (const std::string& row : rows)  // below 0 lux there is no DGP; the negative pixels were warned of
+        if (row.find_first_of("ni") != std::string::npos && numbers_of(row, 2).compare(0, 2, "\t-") != 0)
+            return "status 0, but a metric is no finite number";
     Job alone;
     alone.folder = folder;
     alone.stages = {{{s.tool("vcmetrics")}}};

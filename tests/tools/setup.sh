@@ -24,8 +24,9 @@ check 'nothing runs when all are there'     '
 check_exit 'a part that is none is told' 1  'setup everything'
 check 'make all and make install leave tests and plots alone' 'for goal in all install; do test "$(parts $goal)" = "tools ptrace"; done'
 check 'make test adds what the tests need'  'parts test | grep -qx "tools ptrace tests"'
-check 'so do the goals that build tests' 'for goal in test-gpu test-sanitize fuzz compare-radiance; do
+check 'so do the goals that build tests' 'for goal in test-gpu test-sanitize compare-radiance; do
     parts $goal | grep -qx "tools ptrace tests"; done'
+check 'make fuzz and make deb need more'    'parts fuzz | grep -qx "tools ptrace tests fuzz"; parts deb | grep -qx "tools ptrace deb"'
 check 'a machine without make gets it from .ci/run' 'parts=$(sed -n "s/.*setup.sh//p" "$TOP/.ci/run"); : > there; setup $parts; grep -q " make " asked'
 check 'make demo adds the plot'             'parts demo | grep -qx "tools ptrace demo"'
 check 'without ptrace its libraries are not asked for' 'parts all FLAGS=-DLUXPIPE_PTRACE=OFF | grep -qE "^tools ?$"'
