@@ -261,7 +261,7 @@ bool StreamReader::next(Picture& picture) {
     const int64_t number = last_frame_in(picture.header);
     if (number == 0) state_->require_announced(place, "begins anew");
     state_->reached = number;
-    state_->announced = picture.header.last_frame.value_or(-1);
+    if (number == 0 || picture.header.last_frame) state_->announced = picture.header.last_frame.value_or(-1);
     ++state_->count;
     return true;
 }

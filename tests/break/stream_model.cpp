@@ -123,10 +123,13 @@ ModelStream read_stream(const std::string& bytes) {
 }
 
 bool ModelStream::ends_early() const {
-    if (end != End::clean || pictures.empty()) return false;
-    const ModelPicture& p = pictures.back();
-    const auto at = p.frame && !p.frames ? p.frame : p.last;
-    return at && p.announced && *at < *p.announced;
+    if (end != End::clean) return false;
+    std::optional<int64_t> at, announced;
+    for (const ModelPicture& p : pictures) {
+        at = p.frame && !p.frames ? p.frame : p.last;
+        if (p.announced || at == 0) announced = p.announced;
+    }
+    return at && announced && *at < *announced;
 }
 
 std::string write_picture(const ModelPicture& p) {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # ptaccum: Eq. 7 on streams whose sums are known by hand, ranges and their merging, broken input, broken output.
 . "${TOP:?}/tests/lib.sh"
-needs ptaccum mkstream
+needs ptaccum vcmetrics mkstream
 
 # Frame 0 is 10, frame k is k:  L'(n) = 10 + (1 + 2 + ... + n)/n = 10 + (n + 1)/2.
 mkstream numbers 0 8 > n8.hdr
@@ -107,6 +107,15 @@ check_error 'one that begins anew early' 1 'picture 6: begins anew after frame 4
     { mkstream numbers 0 4 | announce 8; mkstream numbers 0 2; } | ptaccum -last > out'
 check 'the sums announce it to the next program' 'ptaccum -every 4 t8.hdr | mkstream show | wc -l | grep -qx 3; ptaccum t8.hdr | grep -ac "^LASTFRAME=8" | grep -qx 9'
 check_error 'which tells, too' 1 '^mkstream: stdin: ends after frame 4' 'mkstream numbers 0 4 | announce 8 | ptaccum 2> said | mkstream show'
+sum_badly() { ptaccum "$@" 2> said && return 1; true; }
+ends_with_error() { vcmetrics > t 2> said2 && return 1; grep -q "input ends inside the header" said2 && [ "$(wc -l < t)" = "$1" ]; }
+check 'who reads the sums of frames that are refused fails, too' '
+    { mkstream frames 0 3 32 32; echo rubbish; } | sum_badly | ends_with_error 5; grep -q "picture 5: what follows is no picture" said'
+check 'also after the last one that was announced' '{ mkstream frames 0 3 32 32 | announce 3; echo rubbish; } | sum_badly | ends_with_error 5'
+check 'and with a picture by itself' '
+    { mkstream frames 0 3 32 32; mkstream frames 0 1 32 32; echo rubbish; } | sum_badly -last | ends_with_error 2'
+check_error 'an announcement holds until the next one' 1 'ends after frame 4, where frames up to 8' '
+    { mkstream numbers 0 3 | announce 8; mkstream numbers 4 4; } | ptaccum > out'
 check 'a picture by itself announces nothing' 'ptaccum -last t8.hdr -o l.hdr -o - > l2.hdr; ! grep -a "^LASTFRAME" l.hdr l2.hdr'
 check 'a wanted close is no early end' '{ mkstream frames 0 5000 32 32 | announce 5000 || true; } | ptaccum 2> said | head -c 100000 > some; [ ! -s said ]'
 check 'shares in one stream' '{ mkstream numbers 0 3 | announce 3; mkstream numbers 4 8 | announce 8; } | ptaccum -last -ff | mkstream show | grep -q "RANGE=0:8 14.5"'

@@ -50,7 +50,8 @@ void sum_frames(Source& source, image::Picture& frame, Sums&& sums) {
         sums.end_stream();
     } catch (const base::ClosedPipe&) {
         // The reader has what it wants; the files still get the last sum.
-    } catch (const base::Error&) {
+    } catch (...) {
+        sums.break_off();
         sums.end_files();
         throw;
     }

@@ -34,11 +34,7 @@ void Sums::add(const image::Picture& frame, const std::string& place) {
 }
 
 void Sums::write_due() {
-    if (output_.to_stdout()) {
-        sum_.result(result_, false);
-        output_.stream_picture(result_);
-        streamed_ = true;
-    }
+    if (output_.to_stdout()) stream_sum(false);
     if (options_.outputs.empty() || (!options_.every_given && Clock::now() < files_again_)) return;
     const Clock::time_point began = Clock::now();
     write_files(true);
@@ -46,11 +42,20 @@ void Sums::write_due() {
 }
 
 void Sums::end_stream() {
-    if (streamed_ || !output_.to_stdout()) return;
+    if (!streamed_ && output_.to_stdout()) stream_sum(options_.last_only);
+}
+
+void Sums::stream_sum(bool by_itself) {
     sum_.result(result_, false);
-    if (options_.last_only) output_.stdout_picture(result_);
+    if (by_itself) output_.stdout_picture(result_);
     else output_.stream_picture(result_);
+    const auto& last = result_.header.last_frame;
+    seems_whole_ = !last || result_.header.ranges.back().second >= *last;
     streamed_ = true;
+}
+
+void Sums::break_off() {
+    if (seems_whole_) base::write_stdout("#?RADIANCE\n", 11);
 }
 
 void Sums::write_files(bool passing) {

@@ -16,10 +16,14 @@ public:
     void add(const image::Picture& frame, const std::string& place);
     void end_stream();  // the last sum to the standard output, if it is not there yet
     void end_files();   // likewise to the files
+    // The frames are refused.  A stream of sums that promises no more would seem whole to its reader, which does not
+    // know of our status: it gets a header that breaks off.
+    void break_off();
 
 private:
     using Clock = std::chrono::steady_clock;
     void write_due();
+    void stream_sum(bool by_itself);
     void write_files(bool passing);
     const Options& options_;
     const Output& output_;
@@ -28,5 +32,6 @@ private:
     image::Schedule schedule_;
     base::Progress progress_{"ptaccum"};
     bool streamed_ = true, filed_ = true;  // the last sum is written there for good
+    bool seems_whole_ = false;             // the stream of sums, to a reader that finds its end here
     Clock::time_point files_again_;        // without -every: the earliest time for the files' next writing
 };
