@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -108,6 +109,11 @@ void write_stdout(const void* data, size_t bytes) {
 }
 
 bool stdout_is_terminal() { return isatty(1); }
+
+bool stdout_is_file() {
+    struct stat info = {};
+    return fstat(1, &info) == 0 && S_ISREG(info.st_mode);
+}
 
 void leave_stdout() {
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);

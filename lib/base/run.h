@@ -17,6 +17,7 @@ struct ClosedPipe {};
 void write_stdout(const void* data, size_t bytes);
 void flush_stdout();
 bool stdout_is_terminal();  // no binary to a terminal
+bool stdout_is_file();      // what is written is kept under a name
 bool stdout_is_closed();    // the reader of the pipe has gone: for tools that write seldom
 void leave_stdout();        // nothing will be written: whoever reads the pipe gets its end at once
 

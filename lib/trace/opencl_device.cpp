@@ -251,6 +251,8 @@ private:
 std::unique_ptr<Device> make_opencl_device(const std::string& name) {
     if (!choose_kernel_cache())
         base::warn("OpenCL", "no folder of yours to keep compiled kernels: compiled anew each time");
+    if (!ask_in_child([] { return std::to_string(all_devices().size()); }))
+        base::fail_system("-device " + name, "an OpenCL driver fails when it is asked for its devices");
     const auto devices = all_devices();
     if (devices.empty()) base::fail_system("-device " + name, "no OpenCL platform or device on this machine");
     size_t index = 0;

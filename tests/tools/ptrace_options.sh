@@ -37,6 +37,10 @@ check_error 'a huge size is told'                 1 '^ptrace: -y: '             
 check_error 'an impossible view is told'          1 '^ptrace: -vh: '                   'ptrace -vh 200 -frames 1 sky.rad'
 check_error 'options after the scene are told'    1 '^ptrace: -ab: options come before' 'ptrace sky.rad -ab 3'
 check_error 'other primaries are refused'         1 '^ptrace: -pXYZ: '                 'ptrace -pXYZ sky.rad'
+check 'frames in a file are told of: other programs misread them' '
+    ptrace -frames 1 -x 8 -y 8 sky.rad > file.hdr 2> said; [ "$(wc -l < said)" = 1 ]; grep -q "^ptrace: warning: stdout: .*ptaccum -last" said
+    ptrace -w- -frames 1 -x 8 -y 8 sky.rad > file.hdr 2> said; [ ! -s said ]
+    ptrace -frames 1 -x 8 -y 8 sky.rad 2> said | cat > file.hdr; [ ! -s said ]'
 check_error 'frames without end need a reader'    1 '^ptrace: -frames: '               'ptrace sky.rad > file.hdr'
 check_error 'files have an end'                   1 '^ptrace: -frames: '               'ptrace -o f%d.hdr sky.rad'
 check_error 'no frame is told'                    1 '^ptrace: -frames: at least 1'     'ptrace -frames 0 sky.rad'

@@ -82,6 +82,8 @@ if [ -n "$NO_THREADS" ] && [ -f "$NO_THREADS" ]; then
         ptrace $view -x 200 -y 200 -device cpu -frames 2 good.rad | tail -c 400000 > many
         for n in 0 1; do env $few LUXPIPE_TEST_THREADS=$n ptrace $view -x 200 -y 200 -device cpu -frames 2 good.rad | tail -c 400000 | cmp - many; done'
     check '-device auto goes on where OpenCL drivers end the program' "env $few LUXPIPE_TEST_THREADS=0 ptrace $view -device auto -frames 1 good.rad > x"
+    check_error 'and -device opencl says so in a line' 2 '^ptrace: -device opencl: .*OpenCL' "
+        env $few LUXPIPE_TEST_THREADS=0 ptrace $view -device opencl -frames 1 good.rad > x"
     check 'masks without threads' '
         for i in 1 2 3 4 5 6 7 8 9; do echo "r$i circle 0 1 0 $((i + 9))"; done > many.regions
         env $few LUXPIPE_TEST_THREADS=0 vcregion -vta -vd 0 1 0 -vh 180 -vv 180 -x 64 -y 64 -o m.exr many.regions'

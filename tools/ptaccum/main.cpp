@@ -56,6 +56,7 @@ void sum_frames(Source& source, image::Picture& frame, Sums&& sums) {
         throw;
     }
     sums.end_files();
+    sums.warn_of_stream_in_file();
 }
 
 void merge(const Options& opt, Source& source, image::Picture& first, const Output& output) {

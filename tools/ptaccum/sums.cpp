@@ -58,6 +58,12 @@ void Sums::break_off() {
     if (seems_whole_) base::write_stdout("#?RADIANCE\n", 11);
 }
 
+void Sums::warn_of_stream_in_file() const {
+    if (options_.last_only || options_.floats || options_.bytes || !output_.to_stdout() || !base::stdout_is_file())
+        return;
+    base::warn("stdout", "the file got all sums, in float, which luxpipe alone reads; -last makes one picture");
+}
+
 void Sums::write_files(bool passing) {
     sum_.result(result_, true);
     output_.files(result_, passing);

@@ -19,6 +19,8 @@ public:
     // The frames are refused.  A stream of sums that promises no more would seem whole to its reader, which does not
     // know of our status: it gets a header that breaks off.
     void break_off();
+    // RADIANCE's habit is "> x.hdr", and some programs take the float pixels of such a file for others.
+    void warn_of_stream_in_file() const;
 
 private:
     using Clock = std::chrono::steady_clock;
