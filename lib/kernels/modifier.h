@@ -141,10 +141,9 @@ FN void shading_normal(PRIVATE Surface* g) {
 
 // Back to the patterns and textures met before the material, for another chain in place of the material's own.
 FN void without_own_chain(PRIVATE const SceneTables* s, PRIVATE Surface* g) {
-    uint kind = s->prims[PRIM_WORDS * g->prim + PRIM_KIND];
     g->color = g->color_before;
     g->pert = g->pert_before;
-    g->flat = (kind & PRIM_TEXTURE_FLAT) != 0u && dot3(g->pert, g->pert) <= 0.0f;
+    g->flat = drawn_flat(s, g) && dot3(g->pert, g->pert) <= 0.0f;
 }
 
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.

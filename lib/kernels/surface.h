@@ -25,6 +25,13 @@ typedef struct {
     int mixed;  // the material stands in a mixture: what it knows of the medium before it does not count
 } Surface;
 
+// A polygon or ring, which a texture may still bend.  Where an instance's own modifier covers it, RADIANCE takes the
+// instance for the surface, which is not flat.
+FN int drawn_flat(PRIVATE const SceneTables* s, PRIVATE const Surface* g) {
+    if ((s->prims[PRIM_WORDS * g->prim + PRIM_KIND] & PRIM_TEXTURE_FLAT) == 0u) return 0;
+    return g->inst == NONE || as_uint_(instance_record(s, g->inst)[INST_MOD]) == NONE;
+}
+
 FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint shape, float3 p) {
     GLOBAL const float* q = s->shapes + 16u * shape;
     if (kind == PRIM_SPHERE) return unit3(sub3(p, F3(q[1], q[2], q[3])));
@@ -83,7 +90,7 @@ FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE
         // the matrix rounds by the size of the point, traversal by that of the tree
         g->reach = MAX_(MAX_(hit->t, record[INST_REACH]), fabs_(g->p.x) + fabs_(g->p.y) + fabs_(g->p.z));
     }
-    g->flat = (kind & PRIM_TEXTURE_FLAT) != 0u;
+    g->flat = drawn_flat(s, g);
     uint shape = kind & PRIM_KIND_MASK;
     if (shape == PRIM_SPHERE || shape == PRIM_CONE) {
         float3 n = shape_normal(s, shape, prim[PRIM_NORMAL], at);
