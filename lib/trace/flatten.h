@@ -80,6 +80,7 @@ struct Flattener {
     uint32_t bsdf_file(const std::string& name, const std::string& place);
     void flatten_sources();
     uint32_t distant_seen(uint32_t mod) const;
+    void weigh_patterns(std::vector<float>& records) const;  // the power of sources whose pattern changes it
     // The sources that mists name, to scatter; records as in flatten_sources, the real ones first, each with its
     // object. Source i is of that name; of several the latest is meant.
     void link_mists(const std::vector<float>& records, const std::vector<uint32_t>& source_objects);

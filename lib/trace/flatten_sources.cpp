@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "trace/flatten.h"
+#include "trace/host_tracer.h"
 
 namespace trace {
 namespace {
@@ -160,6 +161,17 @@ uint32_t Flattener::distant_seen(uint32_t mod) const {
         const uint32_t type = mods[m * MOD_WORDS + MOD_TYPE];
         if (type != M_ILLUM) return type == M_LIGHT || type == M_GLOW || type == M_SPOTLIGHT ? mod : DISTANT_BLACK;
         mod = mods[m * MOD_WORDS + MOD_BRANCH1];
+    }
+}
+
+// A source is chosen by what it gives in the mean.  Its pattern may hide more than these few looks find, so it keeps a
+// hundredth of the bare material's power.
+void Flattener::weigh_patterns(std::vector<float>& records) const {
+    for (size_t at = 0; at < records.size(); at += SOURCE_FLOATS) {
+        float* q = &records[at];
+        const uint32_t* m = &mods[bits(q[SRC_MOD]) * MOD_WORDS];
+        if (m[MOD_TYPE] >= M_FIRST_MATERIAL && m[MOD_NEXT] == NONE) continue;
+        q[SRC_POWER] = std::max(float(mean_luminance(out, q)), .01f * q[SRC_POWER]);
     }
 }
 
@@ -320,6 +332,7 @@ void Flattener::flatten_sources() {
         distant.insert(distant.end(), rec, rec + DISTANT_WORDS);
     }
 
+    weigh_patterns(records);
     if (options.dr > 0 && !relays.empty() && !records.empty()) add_virtual_sources(records, fans, fan_patches);
     link_mists(records, source_objects);
     if (aimed) out.shadow_mode = SHADOW_AIMED;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shared traversal compiled for plain hosts.
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <math.h>
@@ -82,6 +83,50 @@ HostTracer::SourcePoint HostTracer::source_point(uint32_t i, base::Vec3 p, doubl
         w /= k * k;
     }
     return {{l.dir.x, l.dir.y, l.dir.z}, l.dist, w};
+}
+
+double mean_luminance(const FlatScene& scene, const float* record) {
+    constexpr uint samples = 64;
+    SceneTables t{};
+    t.shapes = scene.shapes.data();
+    t.prims = scene.prims.data();
+    t.u = scene.u.data();
+    t.f = scene.f.data();
+    Params par{};
+    par.mods_at = scene.mods_at;
+    par.centre = {float(scene.centre.x), float(scene.centre.y), float(scene.centre.z), 0};
+    const uint kind = as_uint_(record[SRC_KIND]);
+    const bool one_sided = kind == SK_PARALLELOGRAM || kind == SK_POLYGON || kind == SK_RING;
+    const float3 centre = f3_at(record + SRC_CENTRE), normal = f3_at(record + SRC_NORMAL);
+    double sum = 0, weights = 0;
+    for (uint i = 0; i < samples; i++) {
+        Sampler rnd = sampler_start(0u, 0u, 0u, i, 0u);
+        const float2 x = sample2(&rnd), y = sample2(&rnd);
+        float sine, cosine;
+        k_sincos(6.28318531f * x.x, &sine, &cosine);
+        const float up = 2.0f * x.y - 1.0f, flat = sqrt_(1.0f - up * up);
+        float3 out = F3(flat * cosine, flat * sine, up), point = centre;  // out: the way the light goes
+        double weight = 1;
+        if (kind == SK_DISTANT) {
+            out = neg3(centre);
+            point = F3(0.0f, 0.0f, 0.0f);
+        } else if (one_sided) {
+            if (dot3(out, normal) < 0.0f) out = neg3(out);
+            weight = dot3(out, normal);
+            const float3 u = f3_at(record + SRC_U), v = f3_at(record + SRC_V);
+            point = madd3(u, 2.0f * y.x - 1.0f, madd3(v, 2.0f * y.y - 1.0f, centre));
+        } else if (kind == SK_CYLINDER) {
+            point = madd3(f3_at(record + SRC_U), 2.0f * y.x - 1.0f, centre);
+        } else {
+            point = madd3(out, record[SRC_RADIUS], centre);
+        }
+        const float far = kind == SK_DISTANT ? 1e30f : 8.0f * record[SRC_RADIUS];
+        const float3 e = light_radiance(&t, &par, as_uint_(record[SRC_MOD]), as_uint_(record[SRC_PRIM]), neg3(out),
+                                        point, one_sided ? normal : out, far, far, &rnd);
+        sum += weight * std::max(luminance3(e), 0.0f);
+        weights += weight;
+    }
+    return sum / weights;
 }
 
 bool run_program(const FlatScene& scene, uint32_t entry, const float* vars, float* out) {

@@ -36,6 +36,10 @@ private:
     std::unique_ptr<State> state_;
 };
 
+// The mean luminance of a light source, patterns included, over its points and the directions in which it shines;
+// record: SOURCE_FLOATS of kernels/tables.h.
+double mean_luminance(const FlatScene& scene, const float* record);
+
 // Runs a .cal program of the scene's arenas for one point; false on a run-time error.  vars: CAL_VARS, out:
 // CAL_OUTPUTS.
 bool run_program(const FlatScene& scene, uint32_t entry, const float* vars, float* out);
