@@ -7,7 +7,7 @@ from modifiers import Modifiers
 OPAQUE = [("plastic", 6), ("metal", 3), ("trans", 4), ("plastic2", 1), ("metal2", 1), ("trans2", 1), ("ashik2", 1),
           ("glass", 4), ("plasfunc", 1), ("metfunc", 1), ("transfunc", 1), ("plasdata", 1), ("metdata", .5),
           ("transdata", .5), ("BRTDfunc", 2), ("WGMDfunc", 1), ("BSDF", 1), ("aBSDF", .5), ("mirror", 1),
-          ("prism1", .5),           ("prism2", .5), ("glow", 1), ("illum", .5)]
+          ("prism1", .5), ("prism2", .5), ("glow", 1), ("illum", .5)]
 TABLES = ["klemsq.xml", "tt3.xml", "tt4.xml"]
 CLOSED = [("dielectric", 3), ("interface", 1), ("mist", 1), ("antimatter", 1)]
 
@@ -75,8 +75,8 @@ class Materials(Modifiers):
             "BSDF": lambda: ([r.choice(["0", "0", ".1"]), r.choice(TABLES)] + self.up() + ["."],
                              r.choice([[], self.colour(0, .3), self.colour(0, .3) * 2, self.colour(0, .2) * 3])),
             "aBSDF": lambda: (["peak.xml"] + self.up() + ["."], r.choice([[], self.colour(0, .3)])),
-            "prism1": lambda: ([".8", ".1*" + wave(r), "0", "Dz", "."], []),
-            "prism2": lambda: ([".4", ".1", "0", "Dz", ".3", "-.1", "0", "Dz", "."], []),
+            "prism1": lambda: ([".8", ".1*" + wave(r), ".13", "Dz", "."], []),
+            "prism2": lambda: ([".4", ".1", ".13", "Dz", ".3", "-.1", ".13", "Dz", "."], []),
             "glow": lambda: ([], self.colour(.1, 2) + [r.choice([0, 0, -1])]),
         }
         return rows[kind]()
