@@ -9,7 +9,7 @@
 #include <ctime>
 #include <fstream>
 #include <string>
-#include "trace/embree_check.h"
+#include "bvh/embree_scene.h"
 #include "unit/bvh_host.h"
 
 using bvh_scenes::Vec;
@@ -68,11 +68,11 @@ int main(int argc, char** argv) {
     reset_peak();
     const double before = memory("VmRSS");
     double w = wall_seconds(), c = cpu_seconds();
-    const auto b8 = trace::build_bvh8(in[0]);
+    const auto b8 = bvh::build8(in[0]);
     w = wall_seconds() - w;
     c = cpu_seconds() - c;
     const double peak8 = memory("VmHWM") - before;
-    const auto b2 = trace::build_bvh2(in[0]);
+    const auto b2 = bvh::build2(in[0]);
     const double tris = double(in[0].triangle_count);
     std::printf(
         "%.0f triangles; built in %.3f s (%.3f CPU s); bytes per triangle: BVH8 %.1f, BVH2 %.1f; with BVH8's at most "
@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
         },
         [&](const kernels::Ray& ray) { return kernels::scalar::trace_any(&t2, &ray, RAY_ALL); });
     for (bool robust : {true, false}) {
-        const trace::EmbreeScene embree(in.data(), 1, robust, false);
+        const bvh::EmbreeScene embree(in.data(), 1, robust, false);
         measure(
             robust ? "Embree1 ROBUST" : "Embree1",
             [&](const kernels::Ray& ray) {

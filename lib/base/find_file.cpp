@@ -59,8 +59,15 @@ std::string look_for_file(const std::string& name, const ReadOptions& options) {
 std::string find_file(const std::string& name, const ReadOptions& options, const std::string& who) {
     std::string path = look_for_file(name, options);
     if (path.empty()) require_ordinary_file(name, who);
-    if (path.empty()) fail(who, "cannot find file \"" + printable(name, 60) + "\"");
+    if (path.empty()) fail(who, "cannot find file \"" + excerpt(name) + "\"");
     return path;
+}
+
+std::string beside(const std::string& name, const std::string& asker) {
+    const size_t slash = asker.rfind('/');
+    if (name.empty() || name[0] == '/' || slash == std::string::npos || access(name.c_str(), F_OK) == 0) return name;
+    const std::string path = asker.substr(0, slash + 1) + name;
+    return access(path.c_str(), F_OK) == 0 ? path : name;
 }
 
 }  // namespace base

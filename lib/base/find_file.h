@@ -28,4 +28,8 @@ std::string find_file(const std::string& name, const ReadOptions& options, const
 // As find_file, but "" if there is none.
 std::string look_for_file(const std::string& name, const ReadOptions& options);
 
+// Where a command in the file `asker` finds the file it names: in the working directory, as RADIANCE has it, else
+// beside the asker.
+std::string beside(const std::string& name, const std::string& asker);
+
 }  // namespace base

@@ -22,9 +22,7 @@ size_t character(std::string_view text) {
 
 }  // namespace
 
-std::string printable(std::string_view text, size_t longest) {
-    const bool cut = text.size() > longest;
-    if (cut) text = text.substr(0, longest);
+std::string printable(std::string_view text) {
     std::string out;
     while (!text.empty()) {
         const size_t n = character(text);
@@ -32,7 +30,11 @@ std::string printable(std::string_view text, size_t longest) {
         else out += '?';
         text.remove_prefix(n ? n : 1);
     }
-    return cut ? out + "..." : out;
+    return out;
+}
+
+std::string excerpt(std::string_view text, size_t longest) {
+    return text.size() > longest ? printable(text.substr(0, longest)) + "..." : printable(text);
 }
 
 }  // namespace base

@@ -7,7 +7,9 @@
 
 namespace base {
 
-// longest: bytes; what is longer is cut and ends in "...".
-std::string printable(std::string_view text, size_t longest = std::string_view::npos);
+std::string printable(std::string_view text);
+
+// The beginning of it for a message: what is longer (in bytes) is cut and ends in "...".
+std::string excerpt(std::string_view text, size_t longest = 60);
 
 }  // namespace base

@@ -57,7 +57,7 @@ void end_shell() {
 }
 
 ShellOutput run_shell(const std::string& command, size_t limit, const std::string& place) {
-    const std::string what = "cannot run \"" + printable(command, 60) + "\"";
+    const std::string what = "cannot run \"" + excerpt(command) + "\"";
     int pipe_ends[2];
     if (pipe2(pipe_ends, O_CLOEXEC) != 0) fail_system(place, what);
     pid_t child = 0;

@@ -9,7 +9,7 @@
 
 #define BVH2_NODE_FLOATS 16u
 #define BVH2_LEAF_FLOATS 12u
-#define BVH2_STACK 128  // the builder refuses trees that need more (bvh_build.cpp)
+#define BVH2_STACK 128  // the builder refuses trees that need more (bvh/build.cpp)
 
 // Entry distance of a box, or a negative number if the ray misses it between tmin >= 0 and limit.
 FN float bvh2_box_(float3 lo, float3 hi, PRIVATE const WoopRay* r, float tmin, float limit) {

@@ -9,7 +9,7 @@
 
 #define BVH8_NODE_FLOATS 64u
 #define BVH8_LEAF_FLOATS 40u
-#define BVH8_STACK 320  // the builder refuses trees that need more (bvh_build.cpp)
+#define BVH8_STACK 320  // the builder refuses trees that need more (bvh/build.cpp)
 
 typedef struct {
     uint ref[BVH8_STACK];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The one seam between shading and traversal.  Included after compat, vec.h, math.h.
 // One of two files gives the functions below: bvh8.h (float8 boxes, 4-triangle leaves; CPUs, PoCL) or bvh2.h
-// (scalar, GPUs), chosen by LUX_BVH2.  Both are built from the same Embree BVH builder (trace/bvh_build.h).
+// (scalar, GPUs), chosen by LUX_BVH2.  Both are built from the same Embree BVH builder (bvh/build.h).
 // Ties (equal t) go to the lower primitive, so that both give the same hit, bit for bit, in any order of the tree.
 #ifndef LUX_INTERSECT_H
 #define LUX_INTERSECT_H

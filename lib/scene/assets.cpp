@@ -2,7 +2,7 @@
 // A cache of octrees and meshes.
 #include "scene/assets.h"
 #include "base/error.h"
-#include "scene/source.h"
+#include "base/printable.h"
 
 namespace scene {
 
@@ -11,7 +11,7 @@ const Scene& Assets::load(const std::string& path, const std::string& place, int
         base::fail(place, "octrees are nested more than " + std::to_string(limits_.depth) + " deep");
     const auto [found, fresh] = octrees_.emplace(path, nullptr);
     if (!fresh) {
-        if (!found->second) base::fail(place, "octree \"" + printable(path) + "\" holds an instance of itself");
+        if (!found->second) base::fail(place, "octree \"" + base::excerpt(path) + "\" holds an instance of itself");
         return *found->second;
     }
     auto scene = std::make_unique<Scene>(read_scene({path}, options_, limits_));
@@ -40,7 +40,7 @@ Xform Assets::transform(const Scene& scene, const Object& o) {
     const int used = parse_xform(words, 1, x, scene.place(o));
     if (static_cast<size_t>(used) + 1 < words.size())
         base::fail(scene.place(o),
-                   "\"" + printable(words[static_cast<size_t>(used) + 1]) + "\" is no transform option");
+                   "\"" + base::excerpt(words[static_cast<size_t>(used) + 1]) + "\" is no transform option");
     return x;
 }
 

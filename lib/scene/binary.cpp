@@ -4,6 +4,7 @@
 #include <cmath>
 #include "base/error.h"
 #include "base/number.h"
+#include "base/printable.h"
 
 namespace scene {
 
@@ -55,7 +56,7 @@ std::string Binary::text() {
 double Binary::text_real() {
     const std::string s = text();
     double v;
-    if (!base::parse_real(s, v)) fail("\"" + printable(s) + "\" is not a number");
+    if (!base::parse_real(s, v)) fail("\"" + base::excerpt(s) + "\" is not a number");
     return v;
 }
 

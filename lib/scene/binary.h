@@ -3,13 +3,13 @@
 #pragma once
 #include <cstdint>
 #include <string>
-#include "scene/source.h"
+#include "base/text_reader.h"
 
 namespace scene {
 
 class Binary {
 public:
-    explicit Binary(Source& in) : in_(in) {}
+    explicit Binary(base::TextReader& in) : in_(in) {}
     void skip_header();          // "#?" lines up to the empty one
     int byte();                  // 0..255; the end of the file throws
     int64_t integer(int bytes);  // two's complement, 1 to 8 bytes
@@ -19,10 +19,10 @@ public:
     std::string text();  // at most 64 KB
     void skip(uint64_t bytes);
     [[noreturn]] void fail(const std::string& fact) const;
-    Source& source() { return in_; }
+    base::TextReader& source() { return in_; }
 
 private:
-    Source& in_;
+    base::TextReader& in_;
 };
 
 }  // namespace scene

@@ -4,7 +4,7 @@
 #include <unistd.h>
 #include <limits>
 #include "base/error.h"
-#include "scene/source.h"
+#include "base/printable.h"
 #include "scene/types.h"
 
 namespace scene {
@@ -27,7 +27,7 @@ int32_t Builder::modifier(const Primitive& p) {
     if (p.modifier == last_name_) return last_modifier_;
     const auto found = scene_.definitions.find(p.modifier);
     if (found == scene_.definitions.end())
-        base::fail(place(p), "modifier \"" + printable(p.modifier) + "\" is not defined");
+        base::fail(place(p), "modifier \"" + base::excerpt(p.modifier) + "\" is not defined");
     last_name_ = p.modifier;
     return last_modifier_ = found->second.back();
 }
@@ -60,19 +60,19 @@ int32_t Builder::add(Primitive& p) {
                 return m == VOID ? Type::alias : s.objects[m].type;
             }();
             if (material == Type::light || material == Type::illum || material == Type::spotlight)
-                base::fail(place(p), "light source \"" + printable(p.name) + "\": " + fact);
+                base::fail(place(p), "light source \"" + base::excerpt(p.name) + "\": " + fact);
             base::warn(place(p), fact + ", left out");
             return VOID;
         }
     } else if (p.type == Type::alias) {
         if (p.strings.empty()) {  // in frozen octrees: the modifier itself is what it stands for
             o.alias_of = o.modifier;
-            if (o.alias_of == VOID) base::fail(place(p), "alias \"" + printable(p.name) + "\" refers to nothing");
+            if (o.alias_of == VOID) base::fail(place(p), "alias \"" + base::excerpt(p.name) + "\" refers to nothing");
         } else {
             const auto found = s.definitions.find(p.strings[0]);
             if (found == s.definitions.end())
-                base::fail(place(p), "alias \"" + printable(p.name) + "\" refers to \"" + printable(p.strings[0]) +
-                                         "\", which is not defined");
+                base::fail(place(p), "alias \"" + base::excerpt(p.name) + "\" refers to \"" +
+                                         base::excerpt(p.strings[0]) + "\", which is not defined");
             o.alias_of = found->second.back();
         }
         if (inherits) o.modifier = s.objects[o.alias_of].modifier;
@@ -87,7 +87,8 @@ int32_t Builder::add(Primitive& p) {
     o.name = static_cast<uint32_t>(s.names.size() - 1);
     if (p.strings.size() > std::numeric_limits<uint16_t>::max() ||
         p.reals.size() > std::numeric_limits<uint32_t>::max())
-        base::fail(place(p), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" has too many arguments");
+        base::fail(place(p),
+                   std::string(type_name(p.type)) + " \"" + base::excerpt(p.name) + "\" has too many arguments");
     o.string_at = static_cast<uint32_t>(s.string_pool.size());
     o.string_count = static_cast<uint16_t>(p.strings.size());
     for (const std::string& w : p.strings) {

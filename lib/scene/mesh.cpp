@@ -124,7 +124,7 @@ struct RtmReader {
 
 }  // namespace
 
-void read_rtm(Source& source, const Limits& limits, Mesh& mesh) {
+void read_rtm(base::TextReader& source, const Limits& limits, Mesh& mesh) {
     RtmReader r{Binary(source), mesh, {}, {}, {}, 0, {}};
     r.in.skip_header();
     const int index_size = read_magic(r.in, mesh_magic, "a mesh");
@@ -147,7 +147,7 @@ void read_rtm(Source& source, const Limits& limits, Mesh& mesh) {
 Mesh read_mesh(const std::string& path, const Limits& limits) {
     Mesh mesh;
     mesh.path = path;
-    Source in = Source::from_file(path, "");
+    base::TextReader in = base::TextReader::from_file(path, "");
     if (in.header_format() == "Radiance_tmesh") read_rtm(in, limits, mesh);
     else if (path.size() > 4 && path.compare(path.size() - 4, 4, ".obj") == 0) read_obj(in, mesh);
     else base::fail(path, "neither a compiled mesh (.rtm) nor a Wavefront .obj file");

@@ -2,11 +2,11 @@
 // The readers behind read_mesh().
 #pragma once
 #include "scene/mesh.h"
-#include "scene/source.h"
+#include "base/text_reader.h"
 
 namespace scene {
 
-void read_rtm(Source& in, const Limits& limits, Mesh& mesh);
-void read_obj(Source& in, Mesh& mesh);
+void read_rtm(base::TextReader& in, const Limits& limits, Mesh& mesh);
+void read_obj(base::TextReader& in, Mesh& mesh);
 
 }  // namespace scene

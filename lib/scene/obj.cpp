@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include "base/error.h"
 #include "base/number.h"
+#include "base/printable.h"
 #include "scene/mesh_formats.h"
 #include "scene/triangulate.h"
 
@@ -27,8 +28,8 @@ struct CornerHash {
 };
 
 struct ObjReader {
-    ObjReader(Source& source, Mesh& result) : in(source), mesh(result) {}
-    Source& in;
+    ObjReader(base::TextReader& source, Mesh& result) : in(source), mesh(result) {}
+    base::TextReader& in;
     Mesh& mesh;
     std::vector<base::Vec3> positions;
     std::vector<Mesh::Normal> normals;
@@ -57,16 +58,16 @@ struct ObjReader {
                 if (i < needed) base::fail(place, "needs " + std::to_string(needed) + " numbers");
                 return;
             }
-            if (!base::parse_real(w, v[i])) base::fail(place, "\"" + printable(w) + "\" is not a number");
+            if (!base::parse_real(w, v[i])) base::fail(place, "\"" + base::excerpt(w) + "\" is not a number");
         }
     }
 
     uint32_t index(std::string_view text, size_t count, const char* what) {
         long long i;
-        if (!base::parse_integer(text, i)) base::fail(place, "\"" + printable(text) + "\" is not an index");
+        if (!base::parse_integer(text, i)) base::fail(place, "\"" + base::excerpt(text) + "\" is not an index");
         if (i < 0) i += static_cast<long long>(count) + 1;
         if (i < 1 || i > static_cast<long long>(count))
-            base::fail(place, std::string(what) + " " + printable(text) + " does not exist");
+            base::fail(place, std::string(what) + " " + base::excerpt(text) + " does not exist");
         return static_cast<uint32_t>(i);
     }
 
@@ -137,7 +138,7 @@ struct ObjReader {
 
 }  // namespace
 
-void read_obj(Source& in, Mesh& mesh) {
+void read_obj(base::TextReader& in, Mesh& mesh) {
     ObjReader r(in, mesh);
     std::string line, more;
     for (;;) {

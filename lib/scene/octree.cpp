@@ -2,6 +2,7 @@
 // Reading octrees.
 #include "scene/octree.h"
 #include "base/error.h"
+#include "base/printable.h"
 #include "scene/types.h"
 
 namespace scene {
@@ -63,7 +64,7 @@ std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, 
         const int type = in.byte();
         if (type == 0xff) break;
         if (type >= static_cast<int>(types.size())) in.fail("damaged object table (type " + std::to_string(type) + ")");
-        if (!types[type].known) in.fail("unknown type \"" + printable(types[type].name) + "\"");
+        if (!types[type].known) in.fail("unknown type \"" + base::excerpt(types[type].name) + "\"");
         p.type = types[type].type;
         const int64_t modifier = in.integer(index_size);
         if (modifier >= static_cast<int64_t>(index.size()) || modifier < -1)
@@ -75,10 +76,10 @@ std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, 
         for (uint64_t n = in.unsigned_integer(2); n > 0; n--) p.strings.push_back(in.text());
         for (uint64_t n = in.unsigned_integer(2); n > 0; n--) p.reals.push_back(in.real());
         if (modifier >= 0 && (p.modifier_object == VOID || is_surface(builder.type(p.modifier_object))))
-            in.fail("\"" + printable(p.name) + "\" has a surface as its modifier");
+            in.fail("\"" + base::excerpt(p.name) + "\" has a surface as its modifier");
         if (p.type != Type::alias) {
             const std::string fault = argument_fault(p.type, p.strings.size(), p.reals.size());
-            if (!fault.empty()) in.fail(std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" " + fault);
+            if (!fault.empty()) in.fail(std::string(type_name(p.type)) + " \"" + base::excerpt(p.name) + "\" " + fault);
         }
         p.line = static_cast<uint32_t>(index.size() + 1);  // "room.oct:17" is the 17th object
         index.push_back(builder.add(p));

@@ -5,12 +5,13 @@
 #include <memory>
 #include "base/error.h"
 #include "base/number.h"
+#include "base/printable.h"
 #include "base/shell.h"
 #include "scene/builder.h"
-#include "scene/generators.h"
+#include "generators/generators.h"
 #include "scene/octree.h"
 #include "scene/shell_words.h"
-#include "scene/source.h"
+#include "base/text_reader.h"
 #include "scene/transform.h"
 #include "scene/types.h"
 
@@ -30,17 +31,17 @@ public:
     void read_command(const std::string& text, const std::string& name, uint32_t line);  // "!..." as in a scene file
 
 private:
-    void content(Source& in, const std::string& path);
-    void statements(Source& in);
-    void octree(Source& in);
-    void mesh(const Source& in, const std::string& path);
-    void primitive(Source& in);
-    void command(Source& in);
-    void run(const CommandLine& line, const std::string& text, size_t stage, const Source& from);
-    void read_text(const std::string& text, const Source& from);
-    void read_included(const std::string& name, const Source& from);
+    void content(base::TextReader& in, const std::string& path);
+    void statements(base::TextReader& in);
+    void octree(base::TextReader& in);
+    void mesh(const base::TextReader& in, const std::string& path);
+    void primitive(base::TextReader& in);
+    void command(base::TextReader& in);
+    void run(const CommandLine& line, const std::string& text, size_t stage, const base::TextReader& from);
+    void read_text(const std::string& text, const base::TextReader& from);
+    void read_included(const std::string& name, const base::TextReader& from);
     std::string run_shell(const std::string& text, const std::string& place) const;
-    long long count(Source& in, const char* what);
+    long long count(base::TextReader& in, const char* what);
 
     Scene& scene_;
     const ReadOptions& options_;
@@ -54,7 +55,7 @@ private:
     uint64_t primitives_ = 0;
 };
 
-bool is_mesh(Source& in) {
+bool is_mesh(base::TextReader& in) {
     const std::string& name = in.name();
     return in.header_format() == "Radiance_tmesh" || (name.size() > 4 && name.compare(name.size() - 4, 4, ".obj") == 0);
 }
@@ -70,11 +71,11 @@ struct Deeper {
 };
 
 void Reader::read_file(const std::string& path, const std::string& asked_by) {
-    Source in = Source::from_file(path, asked_by);
+    base::TextReader in = base::TextReader::from_file(path, asked_by);
     const std::pair<uint64_t, uint64_t> id{in.device, in.inode};
     if (in.inode) {
         for (const auto& other : open_)
-            if (other == id) base::fail(asked_by, "\"" + printable(path) + "\" includes itself");
+            if (other == id) base::fail(asked_by, "\"" + base::excerpt(path) + "\" includes itself");
         open_.push_back(id);
     }
     work_.spend(opened_file, asked_by.empty() ? path : asked_by);
@@ -83,7 +84,7 @@ void Reader::read_file(const std::string& path, const std::string& asked_by) {
     if (in.inode) open_.pop_back();
 }
 
-void Reader::content(Source& in, const std::string& path) {
+void Reader::content(base::TextReader& in, const std::string& path) {
     if (in.header_format() == "Radiance_octree") return octree(in);
     if (is_mesh(in)) return mesh(in, path);
     in.skip_space();
@@ -91,7 +92,7 @@ void Reader::content(Source& in, const std::string& path) {
     statements(in);
 }
 
-void Reader::statements(Source& in) {
+void Reader::statements(base::TextReader& in) {
     primitive_.file = builder_.file(in.name());
     for (;;) {
         in.skip_space();
@@ -109,12 +110,12 @@ void Reader::statements(Source& in) {
 }
 
 void Reader::read_command(const std::string& text, const std::string& name, uint32_t line) {
-    Source in = Source::from_text(text, name, line);
+    base::TextReader in = base::TextReader::from_text(text, name, line);
     statements(in);
 }
 
 // An unfrozen octree is a list of scene files; a frozen one holds the primitives.
-void Reader::octree(Source& in) {
+void Reader::octree(base::TextReader& in) {
     const Deeper deeper(depth_, limits_.depth, in.name());
     Binary b(in);
     const Octree head = read_octree(b);
@@ -123,7 +124,7 @@ void Reader::octree(Source& in) {
         return;
     }
     const uint64_t before = primitives_;
-    const Source here = Source::from_text("", in.name(), 1);
+    const base::TextReader here = base::TextReader::from_text("", in.name(), 1);
     for (const std::string& file : head.files) {
         if (file[0] == '!') read_command(file, in.name(), 1);
         else read_included(file, here);
@@ -133,7 +134,7 @@ void Reader::octree(Source& in) {
 }
 
 // A mesh file by itself is a mesh with the materials it names.
-void Reader::mesh(const Source& in, const std::string& path) {
+void Reader::mesh(const base::TextReader& in, const std::string& path) {
     Primitive& p = primitive_;
     p.type = Type::mesh;
     p.modifier = "void";
@@ -147,18 +148,18 @@ void Reader::mesh(const Source& in, const std::string& path) {
     builder_.add(p);
 }
 
-long long Reader::count(Source& in, const char* what) {
+long long Reader::count(base::TextReader& in, const char* what) {
     std::string_view word;
     const Primitive& p = primitive_;
-    if (!in.word(word)) base::fail(in.place(), "the file ends within \"" + printable(p.name) + "\"");
+    if (!in.word(word)) base::fail(in.place(), "the file ends within \"" + base::excerpt(p.name) + "\"");
     long long n;
     if (!base::parse_integer(word, n) || n < 0)
-        base::fail(in.place(), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\": number of " + what +
-                                   " expected, not \"" + printable(word) + "\"");
+        base::fail(in.place(), std::string(type_name(p.type)) + " \"" + base::excerpt(p.name) + "\": number of " +
+                                   what + " expected, not \"" + base::excerpt(word) + "\"");
     return n;
 }
 
-void Reader::primitive(Source& in) {
+void Reader::primitive(base::TextReader& in) {
     Primitive& p = primitive_;
     p.line = in.line();
     p.strings.clear();
@@ -166,15 +167,15 @@ void Reader::primitive(Source& in) {
     std::string_view word;
     in.word(word);
     p.modifier = word;
-    if (!in.word(word)) base::fail(in.place(), "the file ends after \"" + printable(p.modifier) + "\"");
-    if (!type_from_name(word, p.type)) base::fail(in.place(), "unknown type \"" + printable(word) + "\"");
+    if (!in.word(word)) base::fail(in.place(), "the file ends after \"" + base::excerpt(p.modifier) + "\"");
+    if (!type_from_name(word, p.type)) base::fail(in.place(), "unknown type \"" + base::excerpt(word) + "\"");
     if (!in.word(word)) base::fail(in.place(), std::string("the file ends after \"") + type_name(p.type) + "\"");
     p.name = word;
     if (p.modifier.find('\t') != std::string::npos || p.name.find('\t') != std::string::npos)
-        base::fail(in.place(), "a tab within the name \"" + printable(p.name) + "\"");
+        base::fail(in.place(), "a tab within the name \"" + base::excerpt(p.name) + "\"");
     auto end = [&]() {
         base::fail(in.place(),
-                   "the file ends within " + std::string(type_name(p.type)) + " \"" + printable(p.name) + "\"");
+                   "the file ends within " + std::string(type_name(p.type)) + " \"" + base::excerpt(p.name) + "\"");
     };
     if (p.type == Type::alias) {
         if (!in.word(word)) end();
@@ -186,18 +187,19 @@ void Reader::primitive(Source& in) {
         }
         if (count(in, "integers"))
             base::fail(in.place(),
-                       std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" has integer arguments");
+                       std::string(type_name(p.type)) + " \"" + base::excerpt(p.name) + "\" has integer arguments");
         double v;
         for (long long n = count(in, "reals"); n > 0; n--) {
             if (!in.word(word)) end();
             if (!base::parse_real(word, v))
-                base::fail(in.place(), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\": \"" +
-                                           printable(word) + "\" is not a number");
+                base::fail(in.place(), std::string(type_name(p.type)) + " \"" + base::excerpt(p.name) + "\": \"" +
+                                           base::excerpt(word) + "\" is not a number");
             p.reals.push_back(v);
         }
         const std::string fault = argument_fault(p.type, p.strings.size(), p.reals.size());
         if (!fault.empty())
-            base::fail(builder_.place(p), std::string(type_name(p.type)) + " \"" + printable(p.name) + "\" " + fault);
+            base::fail(builder_.place(p),
+                       std::string(type_name(p.type)) + " \"" + base::excerpt(p.name) + "\" " + fault);
     }
     if (!is_surface(p.type) && (p.name == "void" || p.name == "inherit"))
         base::fail(builder_.place(p), "a modifier cannot be named \"" + p.name + "\"");
@@ -207,13 +209,13 @@ void Reader::primitive(Source& in) {
     primitives_++;
 }
 
-void Reader::command(Source& in) {
+void Reader::command(base::TextReader& in) {
     const Deeper deeper(depth_, limits_.depth, in.place());
     const uint32_t line = in.line();
     in.get();  // the "!"
     const std::string text = in.rest_of_line();
     // What the command writes counts as this line.
-    const Source here = Source::from_text("", in.name(), line);
+    const base::TextReader here = base::TextReader::from_text("", in.name(), line);
     const CommandLine parsed = split_command(text, here.place());
     if (parsed.stages.size() == 1 && parsed.stages[0].words.empty()) return;
     if (parsed.stages.size() > 100) base::fail(here.place(), "a pipe of more than 100 commands");
@@ -221,7 +223,7 @@ void Reader::command(Source& in) {
 }
 
 // Reads the output of the first `stage` stages.
-void Reader::run(const CommandLine& line, const std::string& text, size_t stage, const Source& from) {
+void Reader::run(const CommandLine& line, const std::string& text, size_t stage, const base::TextReader& from) {
     const Stage& last = line.stages[stage - 1];
     if (last.words.empty()) base::fail(from.place(), "an empty command in a pipe");
     const std::string& name = last.words[0];
@@ -232,8 +234,8 @@ void Reader::run(const CommandLine& line, const std::string& text, size_t stage,
         each_copy(
             x, from.place(), limits_.copies,
             [&](const std::string& file) {
-                const std::string path = beside(file, from.name());
-                Source s = Source::from_file(path, from.place());
+                const std::string path = base::beside(file, from.name());
+                base::TextReader s = base::TextReader::from_file(path, from.place());
                 std::string all;
                 for (int c; (c = s.get()) >= 0 && all.size() < definitions_limit;) all += static_cast<char>(c);
                 work_.spend(opened_file + all.size() / bytes_a_step, from.place());
@@ -251,38 +253,39 @@ void Reader::run(const CommandLine& line, const std::string& text, size_t stage,
         if (last.words.size() == 1 && stage > 1) run(line, text, stage - 1, from);
         else if (last.words.size() == 1) read_included(last.input, from);
         for (size_t i = 1; i < last.words.size(); i++) read_included(last.words[i], from);
-    } else if (const Generator generate = line.needs_shell || stage > 1 ? nullptr : find_generator(name)) {
+    } else if (const auto generate = line.needs_shell || stage > 1 ? nullptr : generators::find(name)) {
         std::string out;
-        generate(Call{last.words, last.input, from.name(), from.place(), options_,
-                      static_cast<long long>(std::min<uint64_t>(limits_.copies, 1000000))},
+        generate(generators::Call{last.words, last.input, from.name(), from.place(), options_,
+                                  static_cast<long long>(std::min<uint64_t>(limits_.copies, 1000000))},
                  out);
         read_text(out, from);
     } else if (options_.exec) {
         read_text(run_shell(text.substr(0, last.end), from.place()), from);
     } else if (line.needs_shell) {
-        base::fail(from.place(),
-                   "\"!" + printable(text) + "\" needs a shell (" + line.needs_shell + "), which -exec would allow");
+        base::fail(from.place(), "\"!" + base::excerpt(text) + "\" needs a shell (" + line.needs_shell +
+                                     "), which -exec would allow");
     } else {
-        base::fail(from.place(), "command \"" + printable(name) + "\" is not built in; -exec would allow to run it");
+        base::fail(from.place(),
+                   "command \"" + base::excerpt(name) + "\" is not built in; -exec would allow to run it");
     }
 }
 
-void Reader::read_text(const std::string& text, const Source& from) {
+void Reader::read_text(const std::string& text, const base::TextReader& from) {
     work_.spend(opened_file + text.size() / bytes_a_step, from.place());
-    Source in = Source::from_text(text, from.name(), from.line());
+    base::TextReader in = base::TextReader::from_text(text, from.name(), from.line());
     statements(in);
 }
 
-void Reader::read_included(const std::string& name, const Source& from) {
+void Reader::read_included(const std::string& name, const base::TextReader& from) {
     if (name == "-") base::fail(from.place(), "a command cannot read standard input");
-    read_file(beside(name, from.name()), from.place());
+    read_file(base::beside(name, from.name()), from.place());
 }
 
 std::string Reader::run_shell(const std::string& text, const std::string& place) const {
     base::ShellOutput out = base::run_shell(text, text_limit, place);
-    if (out.too_long) base::fail(place, "\"" + printable(text) + "\" writes more than 1 GB");
+    if (out.too_long) base::fail(place, "\"" + base::excerpt(text) + "\" writes more than 1 GB");
     if (out.status != 0)
-        base::warn(place, "\"" + printable(text) + "\" ended with status " + std::to_string(out.status));
+        base::warn(place, "\"" + base::excerpt(text) + "\" ended with status " + std::to_string(out.status));
     return std::move(out.text);
 }
 

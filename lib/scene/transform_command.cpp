@@ -5,8 +5,8 @@
 #include <algorithm>
 #include "base/error.h"
 #include "base/number.h"
+#include "base/printable.h"
 #include "scene/shell_words.h"
-#include "scene/source.h"
 #include "scene/transform.h"
 
 namespace scene {
@@ -56,7 +56,7 @@ Transform plain(const Words& words, const std::string& place) {
     t.words.assign(words.begin() + i, words.end());
     const size_t used = parse_xform({words.data(), words.size()}, i, t.matrix, place);
     if (i + used < words.size())
-        base::fail(place, "xform: option " + printable(words[i + used]) + " must come before the transform");
+        base::fail(place, "xform: option " + base::excerpt(words[i + used]) + " must come before the transform");
     return t;
 }
 
@@ -67,7 +67,7 @@ XformCommand parse_xform_command(const Words& words, const std::string& place) {
     size_t i = 1;
     for (; i < words.size() && words[i].size() > 1 && words[i][0] == '-'; i++) {
         const int n = option_arguments(words[i]);
-        if (n < 0) base::fail(place, "xform: unknown option " + printable(words[i]));
+        if (n < 0) base::fail(place, "xform: unknown option " + base::excerpt(words[i]));
         if (i + n >= words.size()) base::fail(place, "xform: option " + words[i] + " lacks its argument");
         c.words.insert(c.words.end(), words.begin() + i, words.begin() + i + n + 1);
         i += n;
@@ -105,7 +105,7 @@ void each_copy(const XformCommand& command, const std::string& place, uint64_t l
                 for (size_t i = 0; i < line_words.size(); i++) {
                     const int n = option_arguments(line_words[i]);
                     if (n < 0 || i + n >= line_words.size())
-                        base::fail(where, "xform: bad option or missing argument at " + printable(line_words[i]));
+                        base::fail(where, "xform: bad option or missing argument at " + base::excerpt(line_words[i]));
                     i += n;
                 }
                 copy.insert(copy.end(), line_words.begin(), line_words.end());
@@ -119,7 +119,7 @@ void each_copy(const XformCommand& command, const std::string& place, uint64_t l
         if (at < words.size()) {
             long long n;
             if (!base::parse_integer(words[at + 1], n) || n < 0)
-                base::fail(place, "xform: -a needs a number of copies, not \"" + printable(words[at + 1]) + "\"");
+                base::fail(place, "xform: -a needs a number of copies, not \"" + base::excerpt(words[at + 1]) + "\"");
             for (long long k = 0; k < n; k++) {
                 Words copy = words;
                 copy[at] = "-i";

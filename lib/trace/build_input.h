@@ -2,15 +2,15 @@
 // The geometry of a FlatScene as the BVH builder wants it.
 #pragma once
 #include <vector>
-#include "trace/bvh_build.h"
+#include "bvh/build.h"
 #include "trace/flat_scene.h"
 
 namespace trace {
 
-inline std::vector<BuildInput> build_inputs(const FlatScene& s) {
-    std::vector<BuildInput> trees;
+inline std::vector<bvh::Input> build_inputs(const FlatScene& s) {
+    std::vector<bvh::Input> trees;
     for (const FlatScene::Tree& t : s.trees) {
-        BuildInput in;
+        bvh::Input in;
         in.vertices = s.vertices.data() + 3 * t.first_vertex;
         in.vertex_count = t.vertex_count;
         in.triangles = s.triangles.data() + 3 * t.first_triangle;

@@ -12,7 +12,7 @@
 #include "trace/build_input.h"
 #include "trace/cpu_kernels.h"
 #include "trace/device.h"
-#include "trace/embree_check.h"
+#include "bvh/embree_scene.h"
 
 namespace trace {
 namespace {
@@ -52,12 +52,12 @@ public:
 
     void upload(FlatScene s) override {
         scene_ = std::move(s);
-        const std::vector<BuildInput> in = build_inputs(scene_);
+        const std::vector<bvh::Input> in = build_inputs(scene_);
         if (embree_) {
-            check_ = std::make_unique<EmbreeScene>(in.data(), in.size());
+            check_ = std::make_unique<bvh::EmbreeScene>(in.data(), in.size());
             tables_.nodes = reinterpret_cast<const float*>(check_.get());
         } else {
-            bvh_ = build_bvh8(in.data(), in.size());
+            bvh_ = bvh::build8(in.data(), in.size());
             tables_.nodes = bvh_.nodes.data();
             tables_.leaves = bvh_.leaves.data();
         }
@@ -109,8 +109,8 @@ private:
     const CpuKernels& kernels_;
     unsigned threads_;
     FlatScene scene_;
-    Bvh bvh_;
-    std::unique_ptr<EmbreeScene> check_;
+    bvh::Tree bvh_;
+    std::unique_ptr<bvh::EmbreeScene> check_;
     kernels::SceneTables tables_{};
 };
 

@@ -18,12 +18,12 @@ using namespace host;
 
 struct HostTracer::State {
     const FlatScene& scene;
-    Bvh bvh;
+    bvh::Tree bvh;
     SceneTables tables{};
     Params params{};
-    static Bvh build(const FlatScene& s) {
-        const std::vector<BuildInput> trees = build_inputs(s);
-        return build_bvh8(trees.data(), trees.size());
+    static bvh::Tree build(const FlatScene& s) {
+        const std::vector<bvh::Input> trees = build_inputs(s);
+        return bvh::build8(trees.data(), trees.size());
     }
     explicit State(const FlatScene& s) : scene(s), bvh(build(s)) {
         tables.nodes = bvh.nodes.data();

@@ -97,8 +97,8 @@ public:
     void upload(FlatScene s) override {
         call("loading the scene", [&] {
             {
-                const std::vector<BuildInput> in = build_inputs(s);
-                const Bvh bvh = bvh2_ ? build_bvh2(in.data(), in.size()) : build_bvh8(in.data(), in.size());
+                const std::vector<bvh::Input> in = build_inputs(s);
+                const bvh::Tree bvh = bvh2_ ? bvh::build2(in.data(), in.size()) : bvh::build8(in.data(), in.size());
                 nodes_ = send(bvh.nodes.data(), bvh.nodes.size() * 4);
                 leaves_ = send(bvh.leaves.data(), bvh.leaves.size() * 4);
             }

@@ -9,13 +9,16 @@ lib/kernels:
 lib/view: base
 lib/image: base view
 lib/cal: base image kernels
-lib/scene: base cal kernels
+lib/generators: base cal
+lib/scene: base cal generators kernels
 lib/comfort: base view image
 lib/region: base view image comfort
-lib/trace: base view image cal scene kernels
+lib/bvh: base kernels
+lib/trace: base view image cal scene bvh kernels
+lib/sight: base region scene bvh trace
 tools/ptaccum: base view image
 tools/vcmetrics: base view image comfort region
-tools/vcregion: base view image region scene trace
+tools/vcregion: base view image region sight
 tools/ptrace: base view image scene trace
 END
 

@@ -8,7 +8,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     try_to([&] {
         scene::Mesh mesh;
-        scene::Source in = scene::Source::from_text({reinterpret_cast<const char*>(data), size}, "fuzz.obj", 1);
+        base::TextReader in = base::TextReader::from_text({reinterpret_cast<const char*>(data), size}, "fuzz.obj", 1);
         scene::read_obj(in, mesh);
         for (const auto& t : mesh.triangles)
             for (uint32_t v : t.v)

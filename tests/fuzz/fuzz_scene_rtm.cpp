@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     limits.bytes = 64 << 20;
     try_to([&] {
         scene::Mesh mesh;
-        scene::Source in = scene::Source::from_text(text, "fuzz.rtm", 1);
+        base::TextReader in = base::TextReader::from_text(text, "fuzz.rtm", 1);
         scene::read_rtm(in, limits, mesh);
         for (const auto& t : mesh.triangles)
             for (uint32_t v : t.v)

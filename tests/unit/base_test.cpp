@@ -159,7 +159,7 @@ TEST_CASE("text for a terminal: nothing that steers it") {
                           "31m") == "??31m");                          // U+009B begins a sequence, too
     CHECK(base::printable("\x9b\xff\xc3") == "???");                   // no UTF-8
     CHECK(base::printable("\xed\xa0\x80 \xe0\x80\xaf") == "??? ???");  // surrogates, overlong
-    CHECK(base::printable("12345", 3) == "123...");
+    CHECK(base::excerpt("12345", 3) == "123...");
 }
 
 TEST_CASE("words of a scene see no environment") {

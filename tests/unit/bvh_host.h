@@ -17,7 +17,7 @@ namespace scalar {
 #include "kernels/bvh2.h"
 }
 
-inline SceneTables tables(const bvh_scenes::Scene& s, const trace::Bvh& bvh) {
+inline SceneTables tables(const bvh_scenes::Scene& s, const bvh::Tree& bvh) {
     SceneTables t{};
     t.nodes = bvh.nodes.data();
     t.leaves = bvh.leaves.data();

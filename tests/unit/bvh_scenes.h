@@ -5,7 +5,7 @@
 #include <cstring>
 #include <random>
 #include <vector>
-#include "trace/bvh_build.h"
+#include "bvh/build.h"
 
 namespace bvh_scenes {
 
@@ -151,10 +151,10 @@ struct Scene {
         parts.push_back({t0, tri_prim.size() - t0, s0, shape_prim.size() - s0});
     }
     // Tree k of the inputs is parts[k].
-    std::vector<trace::BuildInput> input() const {
-        std::vector<trace::BuildInput> in;
+    std::vector<bvh::Input> input() const {
+        std::vector<bvh::Input> in;
         for (const Part& p : parts) {
-            trace::BuildInput t;
+            bvh::Input t;
             t.vertices = vertices.data();
             t.vertex_count = vertices.size() / 3;
             t.triangles = triangles.data() + 3 * p.triangle;

@@ -84,7 +84,7 @@ TEST_CASE("OpenCL devices find the host's hits, bit for bit") {
         for (bool two : {true, false}) {
             if (gpu && !two) continue;  // bvh8.h is not meant for GPUs
             CAPTURE(two);
-            const auto bvh = two ? trace::build_bvh2(in.data(), in.size()) : trace::build_bvh8(in.data(), in.size());
+            const auto bvh = two ? bvh::build2(in.data(), in.size()) : bvh::build8(in.data(), in.size());
             cl::Program program(context, program_text());
             try {
                 program.build(two ? "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt -DLUX_BVH2"

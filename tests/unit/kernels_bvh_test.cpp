@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 #include "base/error.h"
-#include "trace/embree_check.h"
+#include "bvh/embree_scene.h"
 #include "unit/bvh_host.h"
 
 using bvh_scenes::Vec;
@@ -21,7 +21,7 @@ TEST_CASE("both trees find what a search through all primitives finds") {
         for (int count : {0, 1, 5, 300}) {
             const auto scene = bvh_scenes::random_scene(17 + count, count, instances);
             const auto in = scene.input();
-            const auto b8 = trace::build_bvh8(in.data(), in.size()), b2 = trace::build_bvh2(in.data(), in.size());
+            const auto b8 = bvh::build8(in.data(), in.size()), b2 = bvh::build2(in.data(), in.size());
             const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
             int hits = 0, wrong8 = 0, wrong2 = 0, any8 = 0, any2 = 0, within = 0;
             for (const auto& r : bvh_scenes::random_rays(5, 6000)) {
@@ -58,9 +58,9 @@ TEST_CASE("Embree's own traversal finds the same") {
     for (bool instances : {false, true}) {
         const auto scene = bvh_scenes::random_scene(23, 200, instances);
         const auto in = scene.input();
-        const auto bvh = trace::build_bvh8(in.data(), in.size());
+        const auto bvh = bvh::build8(in.data(), in.size());
         const auto tables = kernels::tables(scene, bvh);
-        const trace::EmbreeScene embree(in.data(), in.size());
+        const bvh::EmbreeScene embree(in.data(), in.size());
         int hits = 0, other_t = 0, other_prim = 0, other_any = 0;
         for (const auto& r : bvh_scenes::random_rays(9, 20000)) {
             const kernels::Ray ray = kernels::ray_of(r);
@@ -89,7 +89,7 @@ TEST_CASE("an empty scene has no hits") {
     bvh_scenes::Scene scene;
     scene.end_part();
     const auto in = scene.input();
-    const auto b8 = trace::build_bvh8(in[0]), b2 = trace::build_bvh2(in[0]);
+    const auto b8 = bvh::build8(in[0]), b2 = bvh::build2(in[0]);
     const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
     for (const auto& r : bvh_scenes::random_rays(5, 100)) {
         const kernels::Ray ray = kernels::ray_of(r);
@@ -107,7 +107,7 @@ TEST_CASE("a coordinate that is not a number is refused") {
     bvh_scenes::Scene scene;
     scene.triangle({0, 0, 0}, {1, 0, 0}, {0, NAN, 0});
     scene.end_part();
-    CHECK_THROWS_AS(trace::build_bvh8(scene.input()[0]), base::Error);
+    CHECK_THROWS_AS(bvh::build8(scene.input()[0]), base::Error);
 }
 
 // What makes builders split badly: everything in one place, sizes over many orders of magnitude, with and without
@@ -127,7 +127,7 @@ TEST_CASE("crowded and lopsided scenes fit the stacks") {
         }
         s.end_part();
         const auto in = s.input();
-        const auto b8 = trace::build_bvh8(in.data(), in.size()), b2 = trace::build_bvh2(in.data(), in.size());
+        const auto b8 = bvh::build8(in.data(), in.size()), b2 = bvh::build2(in.data(), in.size());
         const auto t8 = kernels::tables(s, b8), t2 = kernels::tables(s, b2);
         CAPTURE(kind);
         for (int back : {1, -1}) {  // from either end, through everything
@@ -153,7 +153,7 @@ TEST_CASE("distances to analytic shapes") {
     s.polygon({{11, -1, 1}, {13, -1, 1}, {13, 1, 1}, {11, 1, 1}});
     s.end_part();
     const auto in = s.input();
-    const auto bvh = trace::build_bvh8(in[0]);
+    const auto bvh = bvh::build8(in[0]);
     const auto tables = kernels::tables(s, bvh);
     const auto first = [&](double x, double y, double z, double dx, double dy, double dz) {
         const kernels::Ray ray = {F3(float(x), float(y), float(z)), 0, F3(float(dx), float(dy), float(dz)), 1e30f};
@@ -188,7 +188,7 @@ TEST_CASE("distances to analytic shapes") {
 static void paths(const bvh_scenes::Scene& scene, Vec centre, double radius, int count, int bounces, int* leaks,
                   int* self) {
     const auto in = scene.input();
-    const auto b8 = trace::build_bvh8(in[0]), b2 = trace::build_bvh2(in[0]);
+    const auto b8 = bvh::build8(in[0]), b2 = bvh::build2(in[0]);
     const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
     const auto corner = [&](size_t tri, int k) {
         const float* v = &scene.vertices[3 * scene.triangles[3 * tri + k]];
@@ -264,7 +264,7 @@ TEST_CASE("no ray meets the ground or the shape it left, whatever its size and t
         if (c.kind == 4) s.cone(at - tilt * (10 * z), tilt, 20 * z, z, z);
         s.end_part();
         const auto in = s.input();
-        const auto b8 = trace::build_bvh8(in[0]), b2 = trace::build_bvh2(in[0]);
+        const auto b8 = bvh::build8(in[0]), b2 = bvh::build2(in[0]);
         const auto t8 = kernels::tables(s, b8), t2 = kernels::tables(s, b2);
         bvh_scenes::Random r(41);
         int met = 0, again = 0;

@@ -40,7 +40,7 @@ void require_scene_option(const std::string& word, const std::string& file) {
     if (is_scene_option(word)) return;
     if (word.empty() || word[0] != '-')
         base::fail(file, "holds a word where an option is expected: a scene may give no other");
-    base::fail(file, "\"" + base::printable(word, 8) + "\" is no rendering or view option: a scene may not give it");
+    base::fail(file, "\"" + base::excerpt(word, 8) + "\" is no rendering or view option: a scene may not give it");
 }
 
 bool skip_callers_option(base::Words& words) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vcregion - masks of named regions for a view and size, from a text file (man/vcregion.5) and, if it asks for
-// surfaces, a scene.  The regions live in lib/comfort; this file only connects.  See man/vcregion.1.
+// surfaces, a scene.  The regions live in lib/region; this file only connects.  See man/vcregion.1.
 #include <fmt/core.h>
 #include "base/error.h"
 #include "base/run.h"
@@ -8,7 +8,7 @@
 #include "region/preview.h"
 #include "image/stream.h"
 #include "options.h"
-#include "scene.h"
+#include "sight/sight.h"
 
 namespace {
 
@@ -61,7 +61,7 @@ int work(int argc, char** argv) {
     }
     view::validate(opt.view);
     if (opt.over.empty()) view::fit_size(opt.view, opt.pixel_aspect, opt.nx, opt.ny);
-    const std::unique_ptr<region::SceneView> scene = open_scene(opt.scene, opt.files);
+    const std::unique_ptr<region::SceneView> scene = sight::open_scene(opt.scene, opt.files);
 
     image::MaskSet set;
     std::vector<region::Extent> extents;

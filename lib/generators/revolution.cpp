@@ -4,27 +4,9 @@
 // genworm material name x(t) y(t) z(t) r(t) nseg: balls of radius r along a curve, joined by cones tangent to both.
 #include <cmath>
 #include "base/error.h"
-#include "scene/gen_curves.h"
+#include "generators/functions.h"
 
-namespace scene {
-
-bool Functions::option(size_t& i) {
-    const std::string& w = call_.words[i];
-    if (w == "-e") evaluator_.define(call_.word(++i, "-e"), call_.place);
-    else if (w == "-f") evaluator_.load(call_.word(++i, "-f"), call_.place);
-    else return false;
-    return true;
-}
-
-void Functions::define(const std::string& name, const std::string& parameters, const std::string& expression) {
-    evaluator_.define(name + "(" + parameters + ")=" + expression, call_.place);
-}
-
-double Functions::operator()(const std::string& name, const std::vector<double>& arguments) {
-    const double v = evaluator_.call(name, arguments, call_.place);
-    if (!std::isfinite(v)) call_.fail("a value is not finite");
-    return v;
-}
+namespace generators {
 
 namespace {
 
@@ -122,4 +104,4 @@ void genworm(const Call& call, std::string& out) {
     }
 }
 
-}  // namespace scene
+}  // namespace generators

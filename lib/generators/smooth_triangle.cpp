@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // See smooth_triangle.h.  tmesh.cal's arguments: the axis along which the triangle is projected, then for each
 // component of the normal the coefficients of u, v and 1, (u, v) the two coordinates after the axis.
-#include "scene/smooth_triangle.h"
+#include "generators/smooth_triangle.h"
 #include <cmath>
-#include "scene/generators.h"
+#include "generators/generators.h"
 
-namespace scene {
+namespace generators {
 
 void write_smooth_triangle(std::string& out, const std::string& material, const std::string& name,
                            const std::array<base::Vec3, 3>& v, const std::array<base::Vec3, 3>& normal) {
@@ -27,4 +27,4 @@ void write_smooth_triangle(std::string& out, const std::string& material, const 
     write_polygon(out, flat ? material : "Phong", name, {v[0], v[1], v[2]});
 }
 
-}  // namespace scene
+}  // namespace generators

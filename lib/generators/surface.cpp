@@ -9,11 +9,13 @@
 #include <array>
 #include <cmath>
 #include "base/error.h"
+#include "base/find_file.h"
 #include "base/number.h"
-#include "scene/gen_curves.h"
-#include "scene/source.h"
+#include "base/printable.h"
+#include "base/text_reader.h"
+#include "generators/functions.h"
 
-namespace scene {
+namespace generators {
 
 namespace {
 
@@ -74,15 +76,15 @@ const char* const names[] = {"surf_x", "surf_y", "surf_z"};
 
 void Surface::read_coordinate(int k, const std::string& word) {
     struct stat st;
-    const std::string path = beside(word, call_.asker);
+    const std::string path = base::beside(word, call_.asker);
     const bool expression = word == "s" || word == "t" || stat(path.c_str(), &st) != 0 || !S_ISREG(st.st_mode);
     if (expression) return f_.define(names[k], "s,t", word);
-    Source in = Source::from_file(path, call_.place);
+    base::TextReader in = base::TextReader::from_file(path, call_.place);
     Data& d = data_[k];
     double value;
     const size_t points = static_cast<size_t>(m_ + 1) * (n_ + 1), cells = static_cast<size_t>(m_) * n_;
     for (std::string_view w; in.word(w);) {
-        if (!base::parse_real(w, value)) call_.fail(in.place() + ": \"" + printable(w) + "\" is not a number");
+        if (!base::parse_real(w, value)) call_.fail(in.place() + ": \"" + base::excerpt(w) + "\" is not a number");
         d.v.push_back(value);
         if (d.v.size() > points) break;
     }
@@ -227,4 +229,4 @@ void Surface::run() {
 
 void gensurf(const Call& call, std::string& out) { Surface(call, out).run(); }
 
-}  // namespace scene
+}  // namespace generators

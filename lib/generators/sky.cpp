@@ -9,11 +9,11 @@
 #include <iterator>
 #include "base/error.h"
 #include "base/number.h"
-#include "scene/generators.h"
-#include "scene/source.h"
-#include "scene/sun.h"
+#include "base/printable.h"
+#include "generators/generators.h"
+#include "generators/sun.h"
 
-namespace scene {
+namespace generators {
 
 namespace {
 
@@ -54,7 +54,7 @@ void read_hour(const Call& call, size_t at, Moment& t, double& zone_meridian) {
     double minutes = 0;
     if (!base::parse_real(clock.substr(0, colon), t.hour) ||
         (colon != std::string::npos && !base::parse_real(clock.substr(colon + 1), minutes)))
-        call.fail("\"" + printable(call.words[at]) + "\" is not an hour");
+        call.fail("\"" + base::excerpt(call.words[at]) + "\" is not an hour");
     t.hour += minutes / 60;
     if (zone.empty()) return;
     if (t.solar) call.fail("a time zone and solar time exclude each other");
@@ -64,7 +64,7 @@ void read_hour(const Call& call, size_t at, Moment& t, double& zone_meridian) {
             zone_meridian = z.west * degree;
             return;
         }
-    call.fail("unknown time zone \"" + printable(zone) + "\"");
+    call.fail("unknown time zone \"" + base::excerpt(zone) + "\"");
 }
 
 Options read_options(const Call& call, size_t i) {
@@ -72,7 +72,7 @@ Options read_options(const Call& call, size_t i) {
     for (; call.has(i); i++) {
         const std::string& w = call.words[i];
         const bool plus = w[0] == '+';
-        if (w.size() < 2 || (!plus && w[0] != '-')) call.fail("unexpected \"" + printable(w) + "\"");
+        if (w.size() < 2 || (!plus && w[0] != '-')) call.fail("unexpected \"" + base::excerpt(w) + "\"");
         switch (w[1]) {
         case 's': o.sky = clear, o.sun = plus; break;
         case 'i': o.sky = intermediate, o.sun = plus; break;
@@ -85,7 +85,7 @@ Options read_options(const Call& call, size_t i) {
         case 'r': o.radiance = call.real(++i, "-r"), o.direct = NAN; break;
         case 'R': o.direct = call.real(++i, "-R"), o.radiance = NAN; break;
         default:
-            if (plus || !o.site.option(call, i)) call.fail("unknown option " + printable(w));
+            if (plus || !o.site.option(call, i)) call.fail("unknown option " + base::excerpt(w));
         }
     }
     return o;
@@ -155,4 +155,4 @@ void gensky(const Call& call, std::string& out) {
     out += '\n';
 }
 
-}  // namespace scene
+}  // namespace generators

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The scene as regions see it, by the tracer's own geometry: rays go straight through glass and the like and end at the
 // first surface of another material.  Distant sources are seen where nothing else is.
+#include "sight/sight.h"
 #include <cmath>
 #include <unordered_map>
 #include "base/error.h"
-#include "scene.h"
 #include "trace/build_input.h"
-#include "trace/embree_check.h"
+#include "bvh/embree_scene.h"
 #include "trace/flat_scene.h"
+
+namespace sight {
 
 namespace {
 using base::Vec3;
@@ -95,8 +97,8 @@ private:
     };
     scene::Scene scene_;
     trace::FlatScene flat_;
-    std::vector<trace::BuildInput> input_;
-    trace::EmbreeScene tracer_;               // Embree's own traversal: it takes the processor's widest instructions
+    std::vector<bvh::Input> input_;
+    bvh::EmbreeScene tracer_;
     std::vector<unsigned> surfaces_;          // objects
     std::vector<char> through_;               // by surface
     std::vector<unsigned> prim_surface_;      // by primitive
@@ -110,3 +112,5 @@ std::unique_ptr<region::SceneView> open_scene(const std::vector<std::string>& fi
     if (files.empty()) return nullptr;
     return std::make_unique<TracedScene>(files, options);
 }
+
+}  // namespace sight

@@ -2,12 +2,12 @@
 // Sun position without a year: the usual series for declination and equation of time; with a year: the Astronomical
 // Almanac's low precision formulas (Michalsky, The Astronomical Almanac's algorithm for approximate solar position,
 // Solar Energy 40, 1988).
-#include "scene/sun.h"
+#include "generators/sun.h"
 #include <cmath>
 #include "base/error.h"
-#include "scene/generators.h"
+#include "generators/generators.h"
 
-namespace scene {
+namespace generators {
 
 namespace {
 constexpr double degree = M_PI / 180;
@@ -104,4 +104,4 @@ double intermediate_factor(double altitude) {
     return polynomial({3.5556, -2.7152, -1.3081, 1.0660, .60227}, altitude) / intermediate_norm(altitude) / M_PI;
 }
 
-}  // namespace scene
+}  // namespace generators

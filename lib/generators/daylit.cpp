@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // gendaylit month day hour | -ang altitude azimuth  -P|-W|-G|-L a b | -E global  [options]: a Perez sky
-// (scene/perez.h). Output as gensky's: the sun, and skyfunc for perezlum.cal.  -O 0: visible radiance, 1: solar
+// (perez.h).  Output as gensky's: the sun, and skyfunc for perezlum.cal.  -O 0: visible radiance, 1: solar
 // radiance, 2: luminance.
 #include <fmt/format.h>
 #include <algorithm>
@@ -8,12 +8,12 @@
 #include <cstdlib>
 #include <iterator>
 #include "base/error.h"
-#include "scene/generators.h"
-#include "scene/perez.h"
-#include "scene/source.h"
-#include "scene/sun.h"
+#include "base/printable.h"
+#include "generators/generators.h"
+#include "generators/perez.h"
+#include "generators/sun.h"
 
-namespace scene {
+namespace generators {
 
 namespace {
 
@@ -34,7 +34,7 @@ Options read_options(const Call& call, size_t i) {
     Options o;
     for (; call.has(i); i++) {
         const std::string& w = call.words[i];
-        if (w.size() < 2 || (w[0] != '-' && w[0] != '+')) call.fail("unexpected \"" + printable(w) + "\"");
+        if (w.size() < 2 || (w[0] != '-' && w[0] != '+')) call.fail("unexpected \"" + base::excerpt(w) + "\"");
         switch (w[1]) {
         case 's': o.sun = w[0] == '+'; break;
         case 'c': o.sun = false, o.overcast = true; break;
@@ -63,7 +63,7 @@ Options read_options(const Call& call, size_t i) {
             o.a = call.real(++i, "-E");
             break;
         default:
-            if (!o.site.option(call, i)) call.fail("unknown option " + printable(w));
+            if (!o.site.option(call, i)) call.fail("unknown option " + base::excerpt(w));
         }
     }
     if (!o.input) call.fail("one of -P -W -G -L -E is needed");
@@ -113,7 +113,7 @@ void gendaylit(const Call& call, std::string& out) {
         char* end;
         t.hour = std::strtod(hour.c_str(), &end);  // "14:30" and "14EST" are 14, as in RADIANCE
         t.solar = hour[0] == '+';
-        if (end == hour.c_str()) call.fail("\"" + printable(hour) + "\" is not an hour");
+        if (end == hour.c_str()) call.fail("\"" + base::excerpt(hour) + "\" is not an hour");
         day = t.day_of_year();
         sun = sun_position(o.site, t);
         if (o.interval > 0) move_into_day(o.site, o.interval, sun);
@@ -203,4 +203,4 @@ void gendaylit(const Call& call, std::string& out) {
     out += '\n';
 }
 
-}  // namespace scene
+}  // namespace generators

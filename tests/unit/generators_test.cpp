@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 #include <cmath>
 #include "base/number.h"
-#include "scene/generators.h"
+#include "generators/generators.h"
 #include "scene_text.h"
 
 namespace {
@@ -63,7 +63,7 @@ TEST_CASE("every command writes what RADIANCE's program writes") {
         const std::string &file = row[0], &command = row[1];
         CAPTURE(command);
         const std::string program = command.substr(0, command.find(' '));
-        if (program != "xform") REQUIRE(bool(scene::find_generator(program)));
+        if (program != "xform") REQUIRE(bool(generators::find(program)));
         std::string expected = text_of(golden + file);
         Folder::write("expected.rad", modifiers + expected);
         Folder::write("ours.rad", std::string(modifiers) + "!" + command + "\n");
@@ -93,11 +93,11 @@ TEST_CASE("skies have RADIANCE's numbers") {
         auto numbers = [&](const scene::Object& o, size_t from) {
             std::string text;
             for (size_t i = from; i < o.real_count; i++)
-                text += (text.empty() ? "" : " ") + scene::number(s.reals(o)[i]);
+                text += (text.empty() ? "" : " ") + generators::number(s.reals(o)[i]);
             return text;
         };
         for (const scene::Object& o : s.objects) {
-            if (o.type == scene::Type::light) solar = scene::number(s.reals(o)[0]);
+            if (o.type == scene::Type::light) solar = generators::number(s.reals(o)[0]);
             if (o.type == scene::Type::source) source = numbers(o, 0);
             if (s.name(o) == "skyfunc") args = numbers(o, 0);
         }

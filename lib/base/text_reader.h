@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scene text as characters and words.  White space separates words; a word may hold quoted parts ('..' or "..",
-// quotes removed); at most 511 characters.  Files are read in pieces, so their size does not matter.
+// Text as characters, words and lines, with the line that each stands on: scene files, and what they name.  White space
+// separates words; a word may hold quoted parts ('..' or "..", quotes removed); at most 511 characters.  Files are read
+// in pieces, so their size does not matter.
 #pragma once
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace scene {
+namespace base {
 
-class Source {
+class TextReader {
 public:
-    static Source from_file(const std::string& path, const std::string& asked_by);  // "-" = stdin
-    static Source from_text(std::string_view text, const std::string& name,
-                            uint32_t line);  // every line counts as this one
-    Source(Source&&) noexcept;
-    Source& operator=(Source&&) = delete;
-    ~Source();
+    static TextReader from_file(const std::string& path, const std::string& asked_by);  // "-" = stdin
+    static TextReader from_text(std::string_view text, const std::string& name,
+                                uint32_t line);  // every line counts as this one
+    TextReader(TextReader&&) noexcept;
+    TextReader& operator=(TextReader&&) = delete;
+    ~TextReader();
 
     int peek() { return at_ < end_ || refill() ? static_cast<unsigned char>(*at_) : -1; }
     int get() {
@@ -40,7 +41,7 @@ public:
     uint64_t device = 0, inode = 0;  // of a file, to recognise one that includes itself
 
 private:
-    Source() = default;
+    TextReader() = default;
     bool refill();
     int fd_ = -1;
     bool close_ = false, counting_ = true;
@@ -52,11 +53,4 @@ private:
     std::string word_;
 };
 
-// Where a command in the file `asker` finds the file it names: in the working directory, as RADIANCE has it, else
-// beside the asker.
-std::string beside(const std::string& name, const std::string& asker);
-
-// For messages: control characters as '?', long words cut.
-std::string printable(std::string_view text);
-
-}  // namespace scene
+}  // namespace base

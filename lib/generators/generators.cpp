@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of generators, their arguments and their output.
-#include "scene/generators.h"
+#include "generators/generators.h"
 #include <fmt/format.h>
 #include <iterator>
 #include "base/error.h"
 #include "base/number.h"
-#include "scene/source.h"
+#include "base/printable.h"
 
-namespace scene {
+namespace generators {
 
 namespace {
 struct Row {
@@ -20,16 +20,10 @@ const Row rows[] = {
 };
 }  // namespace
 
-Generator find_generator(const std::string& name) {
+Generator find(const std::string& name) {
     for (const Row& r : rows)
         if (name == r.name) return r.run;
     return nullptr;
-}
-
-std::string generator_names() {
-    std::string s;
-    for (const Row& r : rows) s += (s.empty() ? "" : ", ") + std::string(r.name);
-    return s;
 }
 
 void Call::fail(const std::string& fact) const { base::fail(place, words[0] + ": " + fact); }
@@ -42,14 +36,14 @@ const std::string& Call::word(size_t i, const char* what) const {
 double Call::real(size_t i, const char* what) const {
     double v;
     if (!base::parse_real(word(i, what), v))
-        fail(std::string(what) + ": \"" + printable(words[i]) + "\" is not a number");
+        fail(std::string(what) + ": \"" + base::excerpt(words[i]) + "\" is not a number");
     return v;
 }
 
 long long Call::integer(size_t i, const char* what, long long low, long long high) const {
     long long v;
     if (!base::parse_integer(word(i, what), v) || v < low || v > high)
-        fail(fmt::format("{}: \"{}\" is not an integer of {} to {}", what, printable(words[i]), low, high));
+        fail(fmt::format("{}: \"{}\" is not an integer of {} to {}", what, base::excerpt(words[i]), low, high));
     return v;
 }
 
@@ -77,4 +71,4 @@ void write_polygon(std::string& out, const std::string& material, const std::str
     write_surface(out, material, "polygon", name, reals);
 }
 
-}  // namespace scene
+}  // namespace generators

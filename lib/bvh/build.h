@@ -12,7 +12,7 @@
 #include <new>
 #include <vector>
 
-namespace trace {
+namespace bvh {
 
 // Allocator for 64-byte lines, so that a node starts one.
 template <class T>
@@ -30,7 +30,7 @@ using AlignedFloats = std::vector<float, AlignedAllocator<float>>;
 
 // Ids (tri_prim, shape_prim): primitive number < 2^29, plus ID_TRANSPARENT (kernels/intersect.h) for its class.
 // Triangles of one polygon share the id.  The class of an instance is word 15 of its shape; its id is not used.
-struct BuildInput {
+struct Input {
     const float* vertices = nullptr;  // 3 floats each
     size_t vertex_count = 0;
     const uint32_t* triangles = nullptr;  // 3 vertex numbers each
@@ -43,19 +43,19 @@ struct BuildInput {
     const float* polygon_uv = nullptr;
 };
 
-struct Bvh {
+struct Tree {
     AlignedFloats nodes, leaves;  // leaves has one unused block if there is no primitive: never an empty buffer
     int depth = 0;                // longest way down, through an instance
 };
 
-Bvh build_bvh8(const BuildInput* trees, size_t tree_count = 1);
-Bvh build_bvh2(const BuildInput* trees, size_t tree_count = 1);
-inline Bvh build_bvh8(const BuildInput& scene) { return build_bvh8(&scene, 1); }
-inline Bvh build_bvh2(const BuildInput& scene) { return build_bvh2(&scene, 1); }
+Tree build8(const Input* trees, size_t tree_count = 1);
+Tree build2(const Input* trees, size_t tree_count = 1);
+inline Tree build8(const Input& scene) { return build8(&scene, 1); }
+inline Tree build2(const Input& scene) { return build2(&scene, 1); }
 
 // World box of shape k (lower xyz, upper xyz), not padded; also Embree's bounds callback.  Not for instances.
-void shape_box(const BuildInput& in, size_t k, float box[6]);
+void shape_box(const Input& in, size_t k, float box[6]);
 // World from local of an instance shape's matrix (words 1-12): the inverse, in double.
 void invert_affine(const float local_from_world[12], double world_from_local[12]);
 
-}  // namespace trace
+}  // namespace bvh

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // RADIANCE's scene generators, built in: "!genbox ..." runs no program.  Each writes scene text with RADIANCE's own
 // geometry, names and 12 digits, and goes through the ordinary reader, so that both give the same scene.
-// To add one: a file gen_<name>.cpp, a line here, a row in generators.cpp.
+// To add one: a file for it, a line here, a row in generators.cpp.
 #pragma once
 #include <string>
 #include <vector>
 #include "base/vec.h"
-#include "scene/object.h"
+#include "base/find_file.h"
 
-namespace scene {
+namespace generators {
 
 struct Call {
     std::vector<std::string> words;  // words[0] is the name
     std::string input;               // the file on standard input; "" if there is none
     std::string asker;               // the scene file
     std::string place;
-    const ReadOptions& options;
+    const base::ReadOptions& options;
     long long most = 1000000;                               // pieces it may write
     [[noreturn]] void fail(const std::string& fact) const;  // "place: genbox: fact"
     bool has(size_t i) const { return i < words.size(); }
@@ -35,8 +35,7 @@ void gensurf(const Call& call, std::string& out);
 void genworm(const Call& call, std::string& out);
 
 // The generator of this name; null if it is none of ours.
-Generator find_generator(const std::string& name);
-std::string generator_names();  // "genbox, genprism ..." for messages
+Generator find(const std::string& name);
 
 // Pieces of scene text.
 std::string number(double v);                 // 12 significant digits
@@ -46,4 +45,4 @@ void write_surface(std::string& out, const std::string& material, const char* ty
 void write_polygon(std::string& out, const std::string& material, const std::string& name,
                    const std::vector<base::Vec3>& v);
 
-}  // namespace scene
+}  // namespace generators

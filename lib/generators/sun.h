@@ -5,7 +5,7 @@
 #include <string>
 #include "base/vec.h"
 
-namespace scene {
+namespace generators {
 
 struct Call;
 
@@ -35,4 +35,4 @@ double intermediate_norm(double altitude);
 double clear_factor(double altitude);
 double intermediate_factor(double altitude);
 
-}  // namespace scene
+}  // namespace generators

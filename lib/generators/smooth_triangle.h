@@ -5,9 +5,9 @@
 #include <string>
 #include "base/vec.h"
 
-namespace scene {
+namespace generators {
 
 void write_smooth_triangle(std::string& out, const std::string& material, const std::string& name,
                            const std::array<base::Vec3, 3>& v, const std::array<base::Vec3, 3>& normal);
 
-}  // namespace scene
+}  // namespace generators

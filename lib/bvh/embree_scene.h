@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Embree's own traversal of the same primitives: the independent check of kernels/bvh8.h and bvh2.h (device
-// "cpu:embree"). Triangles are Embree's (ROBUST); analytic shapes go through callbacks to kernels/shapes.h; instances
-// are Embree's. Ties between coincident surfaces are decided by Embree, not by the lower primitive.
+// Rays against geometry by Embree's own traversal, which takes the processor's widest instructions.  Regions ask it
+// what the eye sees (lib/sight), and the device "cpu:embree" renders by it: the independent check of kernels/bvh8.h and
+// bvh2.h.  Triangles are Embree's (ROBUST); analytic shapes go through callbacks to kernels/shapes.h; instances are
+// Embree's.  Ties between coincident surfaces are decided by Embree, not by the lower primitive.
 #pragma once
 #include <cstdint>
 #include <memory>
-#include "trace/bvh_build.h"
+#include "bvh/build.h"
 
-namespace trace {
+namespace bvh {
 
 class EmbreeScene {
 public:
@@ -18,10 +19,10 @@ public:
         float u, v;
         uint32_t inst;
     };
-    // Takes what build_bvh8() takes; shapes, their ids and polygon_uv must outlive it, the rest is copied.
+    // Takes what build8() takes; shapes, their ids and polygon_uv must outlive it, the rest is copied.
     // For measurements: robust = false takes Embree's faster kernels, which leak at edges; classes = false leaves out
     // the callbacks that tell opaque from transparent triangles.
-    explicit EmbreeScene(const BuildInput* trees, size_t tree_count = 1, bool robust = true, bool classes = true);
+    explicit EmbreeScene(const Input* trees, size_t tree_count = 1, bool robust = true, bool classes = true);
     ~EmbreeScene();
     Hit closest(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const;
     bool any(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const;
@@ -31,4 +32,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}  // namespace trace
+}  // namespace bvh

@@ -3,9 +3,9 @@
 // A flat slat faces down for angle 0.  A curved one is an arc over the same two edges, -r sagging, +r bulging upward,
 // in chords of at most 3 degrees.
 #include <cmath>
-#include "scene/generators.h"
+#include "generators/generators.h"
 
-namespace scene {
+namespace generators {
 
 void genblinds(const Call& call, std::string& out) {
     const std::string& material = call.word(1, "the material");
@@ -48,4 +48,4 @@ void genblinds(const Call& call, std::string& out) {
     }
 }
 
-}  // namespace scene
+}  // namespace generators

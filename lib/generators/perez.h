@@ -5,7 +5,7 @@
 // W/m2, illuminances in lx, angles in radians.
 #pragma once
 
-namespace scene {
+namespace generators {
 
 // Sky clearness epsilon and brightness delta of a direct-normal and a diffuse-horizontal irradiance.
 struct Clearness {
@@ -34,4 +34,4 @@ struct PerezShape {
     double horizontal(double zenith_angle) const;  // integral of f cos(theta) over the sky's 145 patches
 };
 
-}  // namespace scene
+}  // namespace generators

@@ -5,11 +5,13 @@
 //     c_i = v_i + r (a_i u_i + rot90 u_i),  u_i = unit(v_i-1 - v_i),  a_i = sqrt((1-c)/(1+c)),  c = u_i . u_i+1,
 // a_i negative (no ball) where the outline turns the other way.
 #include <cmath>
+#include "base/find_file.h"
 #include "base/number.h"
-#include "scene/generators.h"
-#include "scene/source.h"
+#include "base/printable.h"
+#include "base/text_reader.h"
+#include "generators/generators.h"
 
-namespace scene {
+namespace generators {
 
 namespace {
 
@@ -24,11 +26,12 @@ struct Prism {
 };
 
 void read_outline(const Call& call, const std::string& path, std::vector<Vec3>& v) {
-    Source in = Source::from_file(beside(path, call.asker), call.place);
+    base::TextReader in = base::TextReader::from_file(base::beside(path, call.asker), call.place);
     std::string_view word;
     Vec3 p;
     for (int n = 0; in.word(word); n++) {
-        if (!base::parse_real(word, p[n % 2])) call.fail(in.place() + ": \"" + printable(word) + "\" is not a number");
+        if (!base::parse_real(word, p[n % 2]))
+            call.fail(in.place() + ": \"" + base::excerpt(word) + "\" is not a number");
         if (n % 2) v.push_back(p);
         if (static_cast<long long>(v.size()) > call.most)
             call.fail("more than " + std::to_string(call.most) + " vertices");
@@ -127,4 +130,4 @@ void genprism(const Call& call, std::string& out) {
     else plain(p, out);
 }
 
-}  // namespace scene
+}  // namespace generators

@@ -5,10 +5,10 @@
 // each edge a strip of so many quadrilaterals (the next power of 2), each corner's triangle halved along its sides as
 // often. -s gives the pieces, as triangles, the normals of the round shape.
 #include <algorithm>
-#include "scene/generators.h"
-#include "scene/smooth_triangle.h"
+#include "generators/generators.h"
+#include "generators/smooth_triangle.h"
 
-namespace scene {
+namespace generators {
 
 namespace {
 
@@ -209,4 +209,4 @@ void genbox(const Call& call, std::string& out) {
     }
 }
 
-}  // namespace scene
+}  // namespace generators

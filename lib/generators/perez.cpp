@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables and formulas of the Perez sky.  Bins of epsilon: 1 1.065 1.23 1.5 1.95 2.8 4.5 6.2 12.01.
-#include "scene/perez.h"
+#include "generators/perez.h"
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
-namespace scene {
+namespace generators {
 
 namespace {
 
@@ -115,4 +115,4 @@ double PerezShape::horizontal(double z) const {
     return sum * 2 * M_PI / 145;
 }
 
-}  // namespace scene
+}  // namespace generators

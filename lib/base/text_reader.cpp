@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Characters, lines and words of scene text.
-#include "scene/source.h"
+#include "base/text_reader.h"
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,41 +11,31 @@
 #include "base/printable.h"
 #include "base/text_file.h"
 
-namespace scene {
+namespace base {
 
 namespace {
 constexpr size_t longest_word = 511;
 inline bool space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 }  // namespace
 
-std::string printable(std::string_view text) { return base::printable(text, 60); }
-
-std::string beside(const std::string& name, const std::string& asker) {
-    const size_t slash = asker.rfind('/');
-    if (name.empty() || name[0] == '/' || slash == std::string::npos || access(name.c_str(), F_OK) == 0) return name;
-    const std::string path = asker.substr(0, slash + 1) + name;
-    return access(path.c_str(), F_OK) == 0 ? path : name;
-}
-
-Source Source::from_file(const std::string& path, const std::string& asked_by) {
-    if (!asked_by.empty()) base::require_ordinary_file(path, asked_by);
-    Source s;
+TextReader TextReader::from_file(const std::string& path, const std::string& asked_by) {
+    if (!asked_by.empty()) require_ordinary_file(path, asked_by);
+    TextReader s;
     s.name_ = path == "-" ? "stdin" : path;
     s.close_ = path != "-";
     s.fd_ = s.close_ ? open(path.c_str(), O_RDONLY | O_CLOEXEC) : 0;
-    if (s.fd_ < 0) base::fail_system(asked_by.empty() ? path : asked_by, "cannot open \"" + printable(path) + "\"");
+    if (s.fd_ < 0) fail_system(asked_by.empty() ? path : asked_by, "cannot open \"" + excerpt(path) + "\"");
     struct stat st;
     if (fstat(s.fd_, &st) == 0) {
-        if (S_ISDIR(st.st_mode))
-            base::fail(asked_by.empty() ? path : asked_by, "\"" + printable(path) + "\" is a directory");
+        if (S_ISDIR(st.st_mode)) fail(asked_by.empty() ? path : asked_by, "\"" + excerpt(path) + "\" is a directory");
         s.device = st.st_dev;
         s.inode = s.close_ ? st.st_ino : 0;
     }
     return s;
 }
 
-Source Source::from_text(std::string_view text, const std::string& name, uint32_t line) {
-    Source s;
+TextReader TextReader::from_text(std::string_view text, const std::string& name, uint32_t line) {
+    TextReader s;
     s.at_ = text.data();
     s.end_ = s.at_ + text.size();
     s.name_ = name;
@@ -54,7 +44,7 @@ Source Source::from_text(std::string_view text, const std::string& name, uint32_
     return s;
 }
 
-Source::Source(Source&& o) noexcept
+TextReader::TextReader(TextReader&& o) noexcept
     : device(o.device),
       inode(o.inode),
       fd_(std::exchange(o.fd_, -1)),
@@ -67,18 +57,18 @@ Source::Source(Source&& o) noexcept
       name_(std::move(o.name_)),
       line_(o.line_) {}
 
-Source::~Source() {
+TextReader::~TextReader() {
     if (close_ && fd_ >= 0) ::close(fd_);
 }
 
 // Fills the whole buffer if it can (pipes give less at a time), so that a header lies in the first one.
-bool Source::refill() {
+bool TextReader::refill() {
     if (fd_ < 0) return false;
     buffer_.resize(1 << 16);
     size_t have = 0;
     while (have < buffer_.size()) {
-        const ssize_t n = base::read_some(fd_, buffer_.data() + have, buffer_.size() - have);
-        if (n < 0) base::fail_system(name_, "read error");
+        const ssize_t n = read_some(fd_, buffer_.data() + have, buffer_.size() - have);
+        if (n < 0) fail_system(name_, "read error");
         if (n == 0) break;
         have += static_cast<size_t>(n);
     }
@@ -88,7 +78,7 @@ bool Source::refill() {
     return have > 0;
 }
 
-std::string Source::header_format() {
+std::string TextReader::header_format() {
     peek();
     const std::string_view text(at_, static_cast<size_t>(end_ - at_));
     if (text.substr(0, 2) != "#?") return "";
@@ -110,30 +100,29 @@ std::string Source::header_format() {
     return "";
 }
 
-bool Source::line(std::string& text, size_t longest) {
+bool TextReader::line(std::string& text, size_t longest) {
     text.clear();
     if (peek() < 0) return false;
     int c;
     while ((c = get()) >= 0 && c != '\n') {
         text += static_cast<char>(c);
-        if (text.size() > longest)
-            base::fail(place(), "the line is longer than " + std::to_string(longest) + " characters");
+        if (text.size() > longest) fail(place(), "the line is longer than " + std::to_string(longest) + " characters");
     }
     return true;
 }
 
-std::string Source::place() const { return name_ + ":" + std::to_string(line_); }
+std::string TextReader::place() const { return name_ + ":" + std::to_string(line_); }
 
-void Source::skip_space() {
+void TextReader::skip_space() {
     while (space(peek())) get();
 }
 
-void Source::skip_line() {
+void TextReader::skip_line() {
     int c;
     while ((c = get()) >= 0 && c != '\n') {}
 }
 
-bool Source::word(std::string_view& word) {
+bool TextReader::word(std::string_view& word) {
     skip_space();
     // Nearly always a whole plain word lies in the buffer: no copy.
     const char* p = at_;
@@ -151,10 +140,9 @@ bool Source::word(std::string_view& word) {
         get();
         if (quote ? c == quote : c == '"' || c == '\'') quote = quote ? 0 : c;
         else word_ += static_cast<char>(c);
-        if (word_.size() > longest_word)
-            base::fail(start, "word \"" + printable(word_) + "\" is longer than 511 characters");
+        if (word_.size() > longest_word) fail(start, "word \"" + excerpt(word_) + "\" is longer than 511 characters");
     }
-    if (quote) base::fail(start, "a quoted word does not end");
+    if (quote) fail(start, "a quoted word does not end");
     word = word_;
     return true;
 }
@@ -163,15 +151,15 @@ static bool ends_with(const std::string& s, const char* tail, size_t n) {
     return s.size() >= n && s.compare(s.size() - n, n, tail) == 0;
 }
 
-std::string Source::rest_of_line() {
+std::string TextReader::rest_of_line() {
     std::string line;
     int c;
     while ((c = get()) >= 0 && (c != '\n' || ends_with(line, "\\", 1) || ends_with(line, "\\\r", 2))) {
         line += static_cast<char>(c);
-        if (line.size() > (1 << 20)) base::fail(place(), "the command is longer than a million characters");
+        if (line.size() > (1 << 20)) fail(place(), "the command is longer than a million characters");
     }
     while (!line.empty() && line.back() == '\r') line.pop_back();
     return line;
 }
 
-}  // namespace scene
+}  // namespace base

@@ -4,7 +4,7 @@
 // (docs/decisions/0008-own-traversal.md): quality MEDIUM (spatial splits were slower), 8-wide: blocks of 4, leaves up
 // to 16 and a cheap intersection (0.3), because four triangles are tested at once.  Boxes are padded by an ulp or two:
 // Woop's test works in coordinates relative to the ray's origin and rounds there (kernels/woop.h).
-#include "trace/bvh_build.h"
+#include "bvh/build.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@
 #include <memory>
 
 #include "kernels/compat_host.h"
-#include "trace/embree_api.h"
+#include "bvh/embree_device.h"
 
-namespace trace {
+namespace bvh {
 namespace {
 #include "kernels/intersect.h"
 #include "kernels/vec.h"
@@ -29,7 +29,7 @@ namespace scalar {
 
 constexpr unsigned max_wide = 8;
 
-struct Box {
+struct Bounds {
     float lo[3], hi[3];
 };
 
@@ -38,18 +38,18 @@ struct TempNode {  // an inner node, or a leaf if children == 0
 };
 struct TempInner : TempNode {
     TempNode* child[max_wide];
-    Box box[max_wide];
+    Bounds box[max_wide];
 };
 struct TempLeaf : TempNode {
     uint32_t prim[1];  // prims of them
 };
 
-Box empty_box() {
+Bounds empty_bounds() {
     const float inf = INFINITY;
     return {{inf, inf, inf}, {-inf, -inf, -inf}};
 }
 
-void grow(Box& box, const float p[3]) {
+void grow(Bounds& box, const float p[3]) {
     for (int a = 0; a < 3; a++) {
         if (!(std::fabs(p[a]) < 1e18f)) base::fail("", "a coordinate is not a number or too large");
         box.lo[a] = std::min(box.lo[a], p[a]);
@@ -57,7 +57,7 @@ void grow(Box& box, const float p[3]) {
     }
 }
 
-void pad(Box& box, float least) {
+void pad(Bounds& box, float least) {
     float size = 0;  // of the largest coordinate: the distance to a large flat face rounds like its extent
     for (int a = 0; a < 3; a++) size = std::max({size, std::fabs(box.lo[a]), std::fabs(box.hi[a])});
     const float d = size * 2.4e-7f + least;
@@ -81,17 +81,17 @@ struct Layout {
 constexpr Layout layout8 = {8, BVH8_NODE_FLOATS, BVH8_LEAF_FLOATS, 4, BVH8_STACK, 32, 20, 4, 16, 0.3f};
 constexpr Layout layout2 = {2, BVH2_NODE_FLOATS, BVH2_LEAF_FLOATS, 1, BVH2_STACK, 100, 54, 1, 8, 1.0f};
 
-class Builder {
+class TreeBuilder {
 public:
-    Builder(const Layout& layout, const BuildInput* trees, size_t tree_count)
+    TreeBuilder(const Layout& layout, const Input* trees, size_t tree_count)
         : layout_(layout),
           trees_(trees),
           tree_count_(tree_count),
-          tree_box_(tree_count, empty_box()),
+          tree_box_(tree_count, empty_bounds()),
           tree_need_(tree_count),
           tree_depth_(tree_count) {}
 
-    Bvh build() {
+    Tree build() {
         struct Release {
             void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); }
         };
@@ -135,8 +135,8 @@ private:
         int stack = 0, depth = 0;
     };
 
-    Box primitive_box(const BuildInput& in, size_t k) const {
-        Box box = empty_box();
+    Bounds primitive_box(const Input& in, size_t k) const {
+        Bounds box = empty_bounds();
         if (k < in.triangle_count) {
             for (int i = 0; i < 3; i++) {
                 const uint32_t v = in.triangles[3 * k + i];
@@ -155,11 +155,11 @@ private:
         return box;
     }
 
-    Box instance_box(const float* q) const {
+    Bounds instance_box(const float* q) const {
         const uint32_t tree = as_uint_(q[13]);
         if (tree == 0 || tree >= tree_count_) base::fail("", "an instance of a tree that does not exist");
-        const Box& local = tree_box_[tree];
-        Box box = empty_box();
+        const Bounds& local = tree_box_[tree];
+        Bounds box = empty_bounds();
         if (local.lo[0] > local.hi[0]) return box;
         double m[12];
         invert_affine(q + 1, m);
@@ -178,13 +178,13 @@ private:
     }
 
     TempNode* build_tree(size_t tree, RTCBVH bvh) {
-        const BuildInput& in = trees_[tree];
+        const Input& in = trees_[tree];
         const size_t count = in.triangle_count + in.shape_count;
         if (count >= ID_PRIM) base::fail("", "too many primitives");
         std::vector<RTCBuildPrimitive> prims;
         prims.reserve(count);
         for (size_t k = 0; k < count; k++) {
-            const Box box = primitive_box(in, k);
+            const Bounds box = primitive_box(in, k);
             if (box.lo[0] > box.hi[0]) continue;  // an instance of nothing
             prims.push_back({box.lo[0], box.lo[1], box.lo[2], 0, box.hi[0], box.hi[1], box.hi[2], uint32_t(k)});
             grow(tree_box_[tree], box.lo);
@@ -231,7 +231,7 @@ private:
     }
 
     // What a subtree takes: nodes and blocks of the arrays, and places of the kernel's stack.
-    Need measure(const BuildInput& in, const TempNode* node) const {
+    Need measure(const Input& in, const TempNode* node) const {
         Need need;
         if (node->children == 0) {
             const auto* leaf = static_cast<const TempLeaf*>(node);
@@ -267,7 +267,7 @@ private:
         return need;
     }
 
-    void write_inner(const BuildInput& in, const TempInner* node, size_t at) {
+    void write_inner(const Input& in, const TempInner* node, size_t at) {
         uint32_t ref[max_wide];
         for (unsigned i = 0; i < node->children; i++) {
             if (node->child[i]->children != 0) ref[i] = uint32_t(next_node_++);
@@ -278,11 +278,11 @@ private:
             if (node->child[i]->children != 0) write_inner(in, static_cast<const TempInner*>(node->child[i]), ref[i]);
     }
 
-    void write_children(size_t at, const Box* box, const uint32_t* ref, unsigned count) {
+    void write_children(size_t at, const Bounds* box, const uint32_t* ref, unsigned count) {
         float* n = &out_.nodes[at * layout_.node_floats];
-        const Box none = empty_box();
+        const Bounds none = empty_bounds();
         for (unsigned i = 0; i < layout_.wide; i++) {
-            const Box& b = i < count ? box[i] : none;
+            const Bounds& b = i < count ? box[i] : none;
             for (int a = 0; a < 3; a++) {
                 if (layout_.wide == 8) {
                     n[16 * a + i] = b.lo[a];
@@ -296,7 +296,7 @@ private:
         }
     }
 
-    uint32_t write_leaf(const BuildInput& in, const TempLeaf* leaf) {
+    uint32_t write_leaf(const Input& in, const TempLeaf* leaf) {
         const size_t first = next_block_;
         unsigned triangles = 0;
         while (triangles < leaf->prims && leaf->prim[triangles] < in.triangle_count) triangles++;
@@ -309,7 +309,7 @@ private:
         return uint32_t(first) | REF_LEAF;
     }
 
-    void write_triangles(const BuildInput& in, const uint32_t* prim, unsigned count, bool last) {
+    void write_triangles(const Input& in, const uint32_t* prim, unsigned count, bool last) {
         float* b = &out_.leaves[next_block_++ * layout_.leaf_floats];
         const unsigned n = layout_.per_block;
         for (unsigned i = 0; i < count; i++) {
@@ -325,7 +325,7 @@ private:
         }
     }
 
-    void write_shapes(const BuildInput& in, const uint32_t* prim, unsigned count, bool last) {
+    void write_shapes(const Input& in, const uint32_t* prim, unsigned count, bool last) {
         float* b = &out_.leaves[next_block_++ * layout_.leaf_floats];
         const unsigned n = layout_.per_block;
         for (unsigned i = 0; i < n; i++) {
@@ -341,23 +341,23 @@ private:
     }
 
     const Layout& layout_;
-    const BuildInput* trees_;
+    const Input* trees_;
     size_t tree_count_;
     EmbreeDevice device_;
-    std::vector<Box> tree_box_;
+    std::vector<Bounds> tree_box_;
     std::vector<int> tree_need_, tree_depth_;
-    Bvh out_;
+    Tree out_;
     size_t next_node_ = 0, next_block_ = 0;
 };
 
 }  // namespace
 
-Bvh build_bvh8(const BuildInput* trees, size_t tree_count) { return Builder(layout8, trees, tree_count).build(); }
-Bvh build_bvh2(const BuildInput* trees, size_t tree_count) { return Builder(layout2, trees, tree_count).build(); }
+Tree build8(const Input* trees, size_t tree_count) { return TreeBuilder(layout8, trees, tree_count).build(); }
+Tree build2(const Input* trees, size_t tree_count) { return TreeBuilder(layout2, trees, tree_count).build(); }
 
-void shape_box(const BuildInput& in, size_t k, float out[6]) {
+void shape_box(const Input& in, size_t k, float out[6]) {
     const float* q = in.shapes + SHAPE_FLOATS * k;
-    Box box = empty_box();
+    Bounds box = empty_bounds();
     // A disc of radius r with normal n reaches r sqrt(1 - n_a^2) along axis a.
     const auto disc = [&](const double c[3], const float n[3], double r) {
         float lo[3], hi[3];
@@ -423,4 +423,4 @@ void invert_affine(const float m[12], double out[12]) {
     }
 }
 
-}  // namespace trace
+}  // namespace bvh

@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "base/threads.h"
 
-namespace trace {
+namespace bvh {
 
 // An Embree device that turns Embree's errors into ours: call check() after builds.
 class EmbreeDevice {
@@ -49,4 +49,4 @@ private:
     std::string error_;
 };
 
-}  // namespace trace
+}  // namespace bvh

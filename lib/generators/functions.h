@@ -3,9 +3,9 @@
 // command line, with -e definitions and -f files, evaluated in double.
 #pragma once
 #include "cal/eval.h"
-#include "scene/generators.h"
+#include "generators/generators.h"
 
-namespace scene {
+namespace generators {
 
 class Functions {
 public:
@@ -20,4 +20,4 @@ private:
     cal::Evaluator evaluator_;
 };
 
-}  // namespace scene
+}  // namespace generators

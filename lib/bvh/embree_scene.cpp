@@ -2,16 +2,16 @@
 // One Embree scene per tree: geometry 0 = triangles, 1 = shapes, 2.. = instances (tree 0 only).
 // The class of a primitive (opaque, transparent) is tested by a filter on triangles and within the shapes' callbacks;
 // an instance that forces a class overrules it.
-#include "trace/embree_check.h"
+#include "bvh/embree_scene.h"
 
 #include <cmath>
 #include <cstring>
 #include <vector>
 
 #include "kernels/compat_host.h"
-#include "trace/embree_api.h"
+#include "bvh/embree_device.h"
 
-namespace trace {
+namespace bvh {
 namespace {
 #include "kernels/intersect.h"
 #include "kernels/vec.h"
@@ -84,7 +84,7 @@ struct EmbreeScene::State {
 
     static void shape_bounds(const RTCBoundsFunctionArguments* a) {
         const Tree& tree = *static_cast<const Tree*>(a->geometryUserPtr);
-        BuildInput in;
+        Input in;
         in.shapes = tree.state->shapes;
         in.polygon_uv = tree.state->polygon_uv;
         float b[6];
@@ -118,7 +118,7 @@ struct EmbreeScene::State {
         rtcReleaseGeometry(g);
     }
 
-    void fill(Tree& tree, const BuildInput& in, bool classes) {
+    void fill(Tree& tree, const Input& in, bool classes) {
         tree.tri_prim.assign(in.tri_prim, in.tri_prim + in.triangle_count);
         if (in.triangle_count) {
             RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -164,11 +164,11 @@ struct EmbreeScene::State {
     }
 };
 
-EmbreeScene::EmbreeScene(const BuildInput* trees, size_t tree_count, bool robust, bool classes) : state_(new State) {
+EmbreeScene::EmbreeScene(const Input* trees, size_t tree_count, bool robust, bool classes) : state_(new State) {
     State& s = *state_;
     s.trees.resize(tree_count);
     for (size_t k = tree_count; k-- > 0;) {  // tree 0 last: it refers to the others
-        const BuildInput& in = trees[k];
+        const Input& in = trees[k];
         s.shapes = in.shapes;
         s.shape_prim = in.shape_prim;
         s.polygon_uv = in.polygon_uv;
@@ -229,4 +229,4 @@ bool EmbreeScene::any(const float org[3], float tmin, const float dir[3], float 
     return ray.tfar < 0;
 }
 
-}  // namespace trace
+}  // namespace bvh
