@@ -50,6 +50,9 @@ compare-radiance: all ## N=100 random scenes from SEED=1 on, by ptrace and by rt
 	@cmake --build $(BUILD) -j $(JOBS) --target trace_rays
 	@python3 tests/compare/radiance/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) --tracer $(BUILD)/bin/trace_rays
 
+compare-evalglare: all ## N=100 rows of random pictures from SEED=1 on, by evalglare and by vcmetrics (where it is)
+	@python3 tests/compare/evalglare/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) --vcmetrics $(BUILD)/bin/vcmetrics
+
 man: ## the manual pages as HTML in out/man
 	@mkdir -p out/man && for p in man/*.[157]; do mandoc -T html -O man=%N.%S.html $$p > out/man/$$(basename $$p).html; done
 	@echo out/man/luxpipe.7.html
@@ -69,4 +72,4 @@ clean: ## remove build/ and out/
 setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 
-.PHONY: help all everything demo test test-gpu test-sanitize fuzz deb bench compare-radiance man format lint install clean setup
+.PHONY: help all everything demo test test-gpu test-sanitize fuzz deb bench compare-radiance compare-evalglare man format lint install clean setup

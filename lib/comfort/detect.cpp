@@ -32,7 +32,7 @@ bool outside_both_eyes(double sigma, double tau, double elevation) {
 
 double inside_cosine(double opening) { return opening / 2 >= evalglare_pi ? -2 : std::cos(opening / 2); }
 
-double task_luminance(const Luminance& lum, const Geometry& g, const Circle& task, bool slips) {
+double task_luminance(const Luminance& lum, const Geometry& g, const Circle& task, bool slips, bool as_they_are) {
     if (task.x < 0 || task.y < 0 || task.x >= g.width || task.y >= g.height)
         base::fail("-t", "the task position " + std::to_string(task.x) + " " + std::to_string(task.y) +
                              " is outside the picture of " + std::to_string(g.width) + " x " +
@@ -43,7 +43,7 @@ double task_luminance(const Luminance& lum, const Geometry& g, const Circle& tas
     for (size_t i = 0; i < lum.size(); ++i) {
         if (g.omega[i] == 0 || !inside(dot(centre, g.direction(i)), limit, slips)) continue;
         omega += std::fabs(g.omega[i]);
-        if (g.valid(i)) flux += g.omega[i] * lum.at(i);
+        if (g.valid(i) || as_they_are) flux += std::fabs(g.omega[i]) * lum.at(i);
     }
     return flux / omega;
 }
@@ -79,9 +79,9 @@ void cut_field(Luminance& lum, const Geometry& g, int type, PositionModel model)
     for (size_t i = 0; i < lum.size(); ++i) {
         if (!g.valid(i)) continue;
         const Vec3 d = g.direction(i);
-        const EyeAngles a = eye_angles(g.projector, d);
+        const EyeAngles a = eye_angles(g, d);
         const double tau = float(a.tau_deg);
-        if (type == 3) lum.grey[i] = float(lum.grey[i] / position_index(g.projector, d, model));
+        if (type == 3) lum.grey[i] = float(lum.grey[i] / position_index(g, d, model));
         if (type == 1 ? outside_total_field(a.sigma_deg, tau, a.elevation_deg)
                       : outside_both_eyes(a.sigma_deg, tau, a.elevation_deg))
             lum.grey[i] = 0;

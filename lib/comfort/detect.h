@@ -15,8 +15,9 @@ double inside_cosine(double opening);
 // evalglare takes no care of dot products that rounding carries above 1: such a pixel is outside even its own circle.
 inline bool inside(double cosine, double limit, bool slips) { return cosine >= limit && !(slips && cosine > 1); }
 
-// Mean luminance of a circle over all its pixels, those outside the field of view with luminance 0.
-double task_luminance(const Luminance& lum, const Geometry& geometry, const Circle& task, bool slips = false);
+// Mean luminance of a circle over all its pixels; those outside the field of view count as black, or `as_they_are`.
+double task_luminance(const Luminance& lum, const Geometry& geometry, const Circle& task, bool slips = false,
+                      bool as_they_are = false);
 
 // -b: factor (up to 100) of the reference luminance or cd/m2; default 2000, or 5 with a task.
 float source_threshold(const Settings& settings, bool has_task, double reference);

@@ -9,24 +9,29 @@
 namespace comfort {
 namespace {
 
+// L^2 w / P^2 of all sources, whatever -w says; evalglare's total is the one of the sources before zones split them.
+double sum_of_terms(const Measurement& m, const Meter& meter) {
+    double sum = 0;
+    if (meter.finder().before_zones().empty()) {
+        for (const GlareSource& o : m.glare) sum += dgp_term(o, {});
+    } else {
+        for (const Source& o : meter.finder().before_zones()) sum += dgp_term({o.lum, o.omega, o.P, 0, 0, 0}, {});
+    }
+    return sum;
+}
+
 // DGP share of one source: alone over the total, log10 of each (r_contrast), and in units of DGP (r_dgp).
 struct Shares {
     double contrast, dgp;
 };
-Shares shares_of(const GlareSource& s, const Measurement& m, const DgpConstants& k, const Meter& meter) {
-    const DgpConstants plain;  // L^2 w / P^2 whatever -w says
-    double sum = 0;
-    if (meter.finder().before_zones().empty()) {
-        for (const GlareSource& o : m.glare) sum += dgp_term(o, plain);
-    } else {  // evalglare's total is the one of the sources before zones split them
-        for (const Source& o : meter.finder().before_zones()) sum += dgp_term({o.lum, o.omega, o.P, 0, 0, 0}, plain);
-    }
+Shares shares_of(const GlareSource& s, double sum, const Measurement& m, const DgpConstants& k) {
     const double scale = std::pow(m.ev, k.a3);
-    const double alone = std::log10(1 + dgp_term(s, plain) / scale);
+    const double alone = std::log10(1 + dgp_term(s, {}) / scale);
     return {alone / std::log10(1 + sum / scale), k.c2 * alone / m.dgp_computed};
 }
 
 std::string statistics_line(const AreaStatistics& a) {
+    if (a.pixels == 0) return fmt::sprintf("%f %f %f %f %f %f %f %f", a.omega, a.mean, 0., 0., 0., 0., 0., 0.);
     return fmt::sprintf("%f %f %f %f %f %f %f %f", a.omega, a.mean, a.median, a.deviation, a.p75, a.p95, a.lowest,
                         a.highest);
 }
@@ -46,10 +51,11 @@ std::string source_lines(const Measurement& m, const Settings& settings, const M
         "%d No pixels x-pos y-pos L_s Omega_s Posindx L_b L_t E_v Edir Max_Lum Sigma xdir ydir zdir Eglare "
         "Lveil_cie teta glare_zone r_contrast r_dgp\n",
         int(m.sources.size()));
+    const double sum = sum_of_terms(m, meter);
     for (size_t i = 0; i < m.sources.size(); ++i) {
         const Source& s = m.sources[i];
         const GlareSource& g = m.glare[i];
-        const Shares share = shares_of(g, m, settings.constants, meter);
+        const Shares share = shares_of(g, sum, m, settings.constants);
         out +=
             fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f %f %f %f %f %f %f %f %d %f %f \n", int(i + 1),
                          s.pixels, s.x, height - s.y, s.lum, s.omega, s.P, m.background, m.task_lum, m.ev, m.direct_lux,
@@ -100,6 +106,20 @@ std::string summary_line(const Measurement& m, const Settings& settings) {
     return out + "\n";
 }
 
+// What the fast modes did not work out is 0 in their lines.
+Measurement as_fast(Measurement m) {
+    m.ev = m.eye_lux_used;
+    m.background = m.direct_lux = m.max_lum = 0;
+    for (Source& s : m.sources) s.eye_lux = 0;
+    for (GlareSource& s : m.glare) s.eye_lux = 0;
+    return m;
+}
+
+std::string fast_line(const Measurement& m, const Settings& settings) {
+    if (settings.fast == 1 || !settings.external_ev) return fmt::sprintf("%f\n", m.dgp);
+    return fmt::sprintf("%f %f \n", m.dgp, ugr(m.glare, m.background));
+}
+
 // -z angle 3: a line for each patch, then one for each bright pixel of each patch.
 std::string patch_lines(const Measurement& m, const Meter& meter) {
     const Geometry& g = meter.geometry();
@@ -139,16 +159,14 @@ std::string evalglare_lines(const Measurement& m, const Settings& settings, cons
                             const Meter& meter) {
     std::string text;
     if (m.black_corners && *m.black_corners > 70) text += evalglare_black_corners(*m.black_corners, false);
-    if (out.ev_only) return text + fmt::sprintf("%f\n", m.ev);
-    if (settings.fast == 1 || (settings.fast == 2 && !settings.external_ev)) return text + fmt::sprintf("%f\n", m.dgp);
-    if (settings.fast == 2) return text + fmt::sprintf("%f %f \n", m.dgp, ugr(m.glare, m.background));
-    if (settings.fast) return text;
+    if (out.ev_only && !settings.fast) return text + fmt::sprintf("%f\n", m.ev);
     if (settings.patches && settings.patches->mode == 3) return text + patch_lines(m, meter);
     if (m.band)
         text +=
             "band:band_omega,band_av_lum,band_median_lum,band_std_lum,band_perc_75,band_perc_95,band_lum_min,band_lum_"
             "max: " +
             statistics_line(*m.band) + "\n";
+    if (settings.fast == 3) return text;
     const bool detailed = out.detailed || m.mask;
     if (m.mask)
         text += fmt::sprintf(
@@ -159,6 +177,8 @@ std::string evalglare_lines(const Measurement& m, const Settings& settings, cons
                 fmt::sprintf(" %f %f %f %f\n", m.pgsv.contrast, m.pgsv.saturation, m.pgsv.value, m.mask->eye_lux);
     if (detailed && m.zone1) text += zone_line(*m.zone1, 1, m.zone1->pixels, " ");
     if (detailed && m.zone2) text += zone_line(*m.zone2, 2, m.zone1->pixels, "  ");  // evalglare repeats zone 1's count
+    if (settings.fast)
+        return text + (detailed ? source_lines(as_fast(m), settings, meter) : "") + fast_line(m, settings);
     if (detailed) return text + source_lines(m, settings, meter) + summary_line(m, settings);
     const double ugr_value = ugr(m.glare, m.background), dgi_value = dgi(m.glare, m.background);
     const double vcp_value = vcp(m.glare, dgr(m.glare, m.mean_lum)), cgi_value = cgi(m.glare, m.direct_lux, m.ev);

@@ -10,27 +10,34 @@ constexpr double pi = 3.14159265358979323846;
 
 // Nearly unit vectors take one Newton step of 1/sqrt; others the root.
 Vec3 normalised(Vec3 v) {
-    const double square = v.x * v.x + v.y * v.y + v.z * v.z;
+    const double square = v.x * v.x + (v.y * v.y + v.z * v.z);
     if (square == 0) return v;
     const double scale = std::fabs(square - 1) <= 1e-6 ? 1.5 - 0.5 * square : 1 / std::sqrt(square);
     return {v.x * scale, v.y * scale, v.z * scale};
 }
 
 Vec3 sum(double a, Vec3 u, double b, Vec3 v, double c, Vec3 w) {
-    return {a * u.x + b * v.x + c * w.x, a * u.y + b * v.y + c * w.y, a * u.z + b * v.z + c * w.z};
+    return {a * u.x + (b * v.x + c * w.x), a * u.y + (b * v.y + c * w.y), a * u.z + (b * v.z + c * w.z)};
 }
+
+constexpr double rad = pi / 180;
+
+// evalglare's sine of a right angle comes from its compiler's vector library, one bit below 1.
+double half_sine(double angle_deg) {
+    return angle_deg == 180 ? std::nextafter(1.0, 0.0) : std::sin(angle_deg * 0.5 * rad);
+}
+double planispheric(double angle_deg) { return 2 * half_sine(angle_deg) / (1 + std::cos(angle_deg * 0.5 * rad)); }
 
 }  // namespace
 
 EvalglareRays::EvalglareRays(const view::View& v) : view_(v) {
-    constexpr double rad = pi / 180;
     forward_ = normalised(v.vd);
     right_ = normalised(cross(forward_, normalised(v.vu)));
-    up_ = normalised(cross(right_, forward_));
+    up_ = cross(right_, forward_);
     switch (v.type) {
-    case 'a': across_ = v.vh / 180, along_ = v.vv / 180; break;
-    case 'h': across_ = 2 * std::sin(v.vh * (0.5 * rad)), along_ = 2 * std::sin(v.vv * (0.5 * rad)); break;
-    case 's': across_ = 2 * std::tan(v.vh * (0.25 * rad)), along_ = 2 * std::tan(v.vv * (0.25 * rad)); break;
+    case 'a': across_ = v.vh * (1.0 / 180), along_ = v.vv * (1.0 / 180); break;
+    case 'h': across_ = 2 * half_sine(v.vh), along_ = 2 * half_sine(v.vv); break;
+    case 's': across_ = planispheric(v.vh), along_ = planispheric(v.vv); break;
     case 'c': across_ = v.vh * rad, along_ = 2 * std::tan(v.vv * (0.5 * rad)); break;
     default: across_ = 2 * std::tan(v.vh * (0.5 * rad)), along_ = 2 * std::tan(v.vv * (0.5 * rad)); break;
     }
@@ -46,37 +53,43 @@ bool EvalglareRays::direction(double X, double Y, Vec3& d) const {
         d = sum(z, forward_, x * factor, right_, y * factor, up_);
         return true;
     }
+    if (view_.type == 's') {
+        x *= across_, y *= along_;
+        const double m = x * x + y * y, z = (1 - m) / (1 + m);
+        d = sum(z, forward_, x * (1 + z), right_, y * (1 + z), up_);
+        return true;
+    }
     const Vec3 h = right_ * across_, v = up_ * along_;
     switch (view_.type) {
     case 'h': {
-        const double z2 = 1 - x * x * dot(h, h) - y * y * dot(v, v);
+        const double z2 = 1 - (x * x * (across_ * across_) + y * y * (along_ * along_));
         if (z2 < 0) return false;
         d = sum(std::sqrt(z2), forward_, x, h, y, v);
         return true;
     }
-    case 's': {
-        const double m = x * x * dot(h, h) + y * y * dot(v, v), z = (1 - m) / (1 + m);
-        d = sum(z, forward_, x * (1 + z), h, y * (1 + z), v);
+    case 'c': {
+        const Vec3 level = forward_ * std::cos(x * across_) + right_ * std::sin(x * across_);
+        d = normalised(level + v * y);
         return true;
     }
-    case 'c': d = normalised(sum(std::cos(x * across_), forward_, std::sin(x * across_), right_, y, v)); return true;
     default: d = normalised(sum(1, forward_, x, h, y, v)); return true;
     }
 }
 
 double EvalglareRays::omega(int x, int y, int width, int height) const {
-    const double X = (x + 0.5) / width, Y = (height - 1 - y + 0.5) / height, w = 0.5 / width, h = 0.5 / height;
-    const double dx[4] = {-w, -w, w, w}, dy[4] = {-h, h, h, -h};
+    const double left = (x + 0.5) / width - 0.5 / width, right = left + 1.0 / width;
+    const double low = (height - 1 - y + 0.5) / height - 0.5 / height, high = low + 1.0 / height;
     Vec3 corner[4], normal[4];
-    for (int k = 0; k < 4; ++k)
-        if (!direction(X + dx[k], Y + dy[k], corner[k])) return 0;
+    if (!direction(left, low, corner[0]) || !direction(left, high, corner[1]) || !direction(right, high, corner[2]) ||
+        !direction(right, low, corner[3]))
+        return 0;
     for (int k = 0; k < 4; ++k) {
         normal[k] = normalised(cross(corner[k], corner[(k + 1) % 4] - corner[k]));
         if (dot(normal[k], normal[k]) == 0) return 0;
     }
-    double total = 0;
-    for (int k = 0; k < 4; ++k) total += pi - std::fabs(std::acos(dot(normal[k], normal[(k + 1) % 4])));
-    total -= 2 * pi;
+    double angle[4];
+    for (int k = 0; k < 4; ++k) angle[k] = std::acos(dot(normal[k], normal[(k + 1) % 4]));
+    const double total = 4 * pi - (angle[0] + angle[1]) - (angle[2] + angle[3]) - 2 * pi;
     return total >= 0 && total <= 2 * pi ? total : 0;
 }
 

@@ -11,6 +11,7 @@ using base::Vec3;
 class EvalglareRays {
 public:
     explicit EvalglareRays(const view::View& view);
+    Vec3 forward() const { return forward_; }
     bool direction(double X, double Y, Vec3& d) const;
     // Quadrilateral of four great circles: sum of (pi - |acos(n_k . n_k+1)|) - 2 pi over the sides' normals; for the
     // pixel in the mirrored row, as evalglare has it.  0 where a corner has no direction, negative if impossible.

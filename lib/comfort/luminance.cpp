@@ -20,7 +20,7 @@ Luminance make_luminance(image::Picture& picture) {
         int odd = 0;
         for (size_t k = 0; k < count; ++k) {
             const float* c = rgb + 3 * (first + k);
-            grey[k] = float(grey_red * c[0] + grey_green * c[1] + grey_blue * c[2]);
+            grey[k] = float((grey_red * c[0] + grey_blue * c[2]) + grey_green * c[1]);
             odd |= !(grey[k] >= 0 && grey[k] <= brightest_grey);
         }
         if (odd)

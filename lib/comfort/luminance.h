@@ -24,7 +24,7 @@ struct Luminance {
     size_t index(int x, int y) const { return size_t(height - 1 - y) * width + x; }  // y from the bottom
     double at(size_t i) const {                                                      // in evalglare's order of rounding
         const double f = grey[i];
-        return 179 * (grey_red * f + grey_green * f + grey_blue * f);
+        return 179 * ((grey_red * f + grey_blue * f) + grey_green * f);
     }
     double at(int x, int y) const { return at(index(x, y)); }
 };

@@ -9,6 +9,8 @@
 
 namespace comfort {
 
+constexpr double pi = 3.14159265358979323846;
+
 Meter::Meter(const Settings& settings, const Needs& needs, std::optional<image::MaskSet> regions, DrawRegions draw)
     : settings_(settings), needs_(needs), regions_(std::move(regions)), draw_(std::move(draw)) {
     if (regions_)
@@ -83,7 +85,7 @@ void Meter::position_statistics(const Luminance& lum, Measurement& m) {
     if (position_index_.empty()) {
         position_index_.resize(g.omega.size());
         for (size_t i = 0; i < g.omega.size(); ++i)
-            if (g.valid(i)) position_index_[i] = float(position_index(g.projector, g.direction(i), settings_.position));
+            if (g.valid(i)) position_index_[i] = float(position_index(g, g.direction(i), settings_.position));
     }
     std::vector<float> values;
     values.reserve(g.valid_count);
@@ -106,13 +108,16 @@ void Meter::position_statistics(const Luminance& lum, Measurement& m) {
 void Meter::glare(Luminance& lum, Measurement& m) {
     const Geometry& g = *geometry_;
     if (settings_.field_cut) cut_field(lum, g, settings_.field_cut, settings_.position);
-    bool has_task = settings_.task || !settings_.task_region.empty();
-    m.task_lum = m.mean_lum;
-    if (settings_.task) m.task_lum = task_luminance(lum, g, *settings_.task, settings_.slips);
-    else if (has_task)
+    const bool has_task = settings_.task || !settings_.task_region.empty();
+    // The fast modes know the picture by its external illuminance alone, and look at pixels outside the view as well.
+    const double ev = settings_.fast ? settings_.external_ev.value_or(0) : m.ev;
+    m.task_lum = settings_.fast ? ev / (2 * pi) : m.mean_lum;
+    if (settings_.task) {
+        m.task_lum = task_luminance(lum, g, *settings_.task, settings_.slips, settings_.fast != 0);
+    } else {
         for (size_t k = 0; k < region_names_.size(); ++k)
             if (region_names_[k] == settings_.task_region) m.task_lum = areas_[k].tal(lum);
-    if (settings_.fast) m.task_lum = settings_.external_ev.value_or(0) / (2 * evalglare_pi);
+    }
     m.task_lum = float(m.task_lum);
     m.threshold = source_threshold(settings_, has_task, m.task_lum);
 
@@ -128,11 +133,12 @@ void Meter::glare(Luminance& lum, Measurement& m) {
     }
     m.any_source = !m.sources.empty();
     const double direct = settings_.fast == 2 ? settings_.fast_direct : m.direct_lux;
-    const double ev = settings_.fast ? settings_.external_ev.value_or(0) : m.ev;
     const bool all_is_source = std::fabs(ev - direct) < 1e-11 * ev;  // two sums over the same pixels
     m.background0 = all_is_source ? 0 : (ev - direct) / evalglare_pi;
     m.background = m.background0;
-    if (settings_.background == 1) {
+    if (settings_.fast) {
+        // Lb as by default, whatever -q says
+    } else if (settings_.background == 1) {
         double flux = 0, omega = 0;
         for (const Source& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
         m.background =
@@ -147,9 +153,9 @@ void Meter::glare(Luminance& lum, Measurement& m) {
 
     if (settings_.band_rad) m.band = statistics_of(band_pixels(g, *settings_.band_rad), lum, g);
     if (settings_.mask_file) {
-        if (!mask_) mask_ = mask_pixels(*settings_.mask_file, g.width, g.height);
+        if (!mask_) mask_ = mask_pixels(*settings_.mask_file, g);
         m.mask = statistics_of(*mask_, lum, g);
-        m.pgsv = pgsv(*m.mask, m.mean_lum, m.ev, has_task, m.task_lum);
+        m.pgsv = pgsv(*m.mask, settings_.fast ? 0 : m.mean_lum, ev, has_task, m.task_lum);
     }
     if (settings_.zones) {
         m.zone1 = statistics_of(zone_pixels(g, *settings_.zones, 1, settings_.slips), lum, g);

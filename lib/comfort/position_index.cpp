@@ -53,12 +53,30 @@ EyeAngles eye_angles(const view::Projector& p, Vec3 d, bool picture_up) {
             std::asin(std::clamp(dot(d, p.up()), -1.0, 1.0)) * evalglare_deg};
 }
 
-double position_index(const view::Projector& p, Vec3 d, PositionModel model) {
+EyeAngles eye_angles(const Geometry& g, Vec3 d, bool picture_up) {
+    EyeAngles a = eye_angles(g.projector, d, picture_up);
+    if (g.slips()) a.elevation_deg = 90 - std::acos(std::clamp(dot(d, g.projector.up()), -1.0, 1.0)) * evalglare_deg;
+    return a;
+}
+
+namespace {
+
+double index_of(const EyeAngles& a, const view::Projector& p, Vec3 d, PositionModel model) {
     const bool accelerad = model == PositionModel::accelerad;
-    const EyeAngles a = eye_angles(p, d, accelerad);
     if (model == PositionModel::kim) return float(kim(a.sigma_deg, a.tau_deg));
     if (a.elevation_deg >= 0) return float(std::min(above(a.sigma_deg, a.tau_deg), 16.0));
     return float(std::min(accelerad ? below_old(p, d) : below(a.sigma_deg, a.tau_deg), 16.0));
+}
+
+}  // namespace
+
+double position_index(const view::Projector& p, Vec3 d, PositionModel model) {
+    return index_of(eye_angles(p, d, model == PositionModel::accelerad), p, d, model);
+}
+
+double position_index(const Geometry& g, Vec3 d, PositionModel model) {
+    if (model == PositionModel::guth && g.angle_undefined(d)) return 16;
+    return index_of(eye_angles(g, d, model == PositionModel::accelerad), g.projector, d, model);
 }
 
 double log_position_index(const view::Projector& p, Vec3 d) {

@@ -23,7 +23,12 @@ struct EyeAngles {
 
 // tau is measured from the view's up vector as given (not made perpendicular), or from the picture's up axis.
 EyeAngles eye_angles(const view::Projector& p, Vec3 d, bool picture_up = false);
+// With evalglare's slips: its literal for pi makes a right angle a little less than 90 degrees, so that what is level
+// but for rounding counts as above.
+EyeAngles eye_angles(const Geometry& geometry, Vec3 d, bool picture_up = false);
 double position_index(const view::Projector& p, Vec3 d, PositionModel model = PositionModel::guth);
+// The same, or with evalglare's slips the upper limit, which it takes for what is not a number.
+double position_index(const Geometry& geometry, Vec3 d, PositionModel model);
 // ln P by guth, not rounded, for unit d ahead of the eye: a third of the time, for borders that are looked at millions
 // of times.
 double log_position_index(const view::Projector& p, Vec3 d);

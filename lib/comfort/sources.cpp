@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include "comfort/detect.h"
+#include "comfort/smooth.h"
 
 namespace comfort {
 namespace {
@@ -36,68 +37,31 @@ std::vector<Run> to_runs(std::vector<GroupPixel> pixels, int width) {
     return runs;
 }
 
-// Weighted means grown pixel by pixel, the way that gives evalglare's last digits; centres that are whole numbers
-// fall to either side of a pixel border with them.
-void add_running(Source& s, double L, double w, int x, int y) {
-    const double power = s.lum * s.omega + L * w;
-    s.x = (s.x * s.omega * s.lum + x * w * L) / power;
-    s.y = (s.y * s.omega * s.lum + y * w * L) / power;
-    s.lum = power / (s.omega + w);
-    s.omega += w;
-    s.pixels += 1;
-    s.brightest = std::max(s.brightest, L);
-}
-
-void remove_running(Source& s, double L, double w, int x, int y) {
-    const double power = s.lum * s.omega - L * w;
-    s.x = (s.x * s.omega * s.lum - x * w * L) / power;
-    s.y = (s.y * s.omega * s.lum - y * w * L) / power;
-    s.lum = power / (s.omega - w);
-    s.omega -= w;
-    s.pixels -= 1;
-}
-
 }  // namespace
-
-void SourceFinder::start_running(const Luminance& lum) {
-    const Geometry& g = geometry_;
-    running_.assign(groups_ + 1, Source());
-    std::vector<Run> all = runs_;
-    all.insert(all.end(), extra_.begin(), extra_.end());
-    for (const GroupPixel& p : column_order(all, g))
-        add_running(running_[p.group], lum.at(p.pixel), g.omega[p.pixel], g.x_of(p.pixel), g.y_of(p.pixel));
-}
-
-void SourceFinder::move_running(uint32_t from, uint32_t to, uint32_t pixel, const Luminance& lum) {
-    const Geometry& g = geometry_;
-    if (running_.size() <= to) running_.resize(to + 1);
-    remove_running(running_[from], lum.at(pixel), g.omega[pixel], g.x_of(pixel), g.y_of(pixel));
-    add_running(running_[to], lum.at(pixel), g.omega[pixel], g.x_of(pixel), g.y_of(pixel));
-}
 
 SourceFinder::SourceFinder(const Geometry& geometry, const Settings& settings)
     : geometry_(geometry),
       settings_(settings),
       radius_px_(radius_in_pixels(geometry, settings.search_opening)),
-      connector_(geometry, double(float(settings.search_opening)) / 2) {}
+      connector_(geometry, double(float(settings.search_opening)) / 2) {
+    if (settings.slips) as_evalglare_ = std::make_unique<EvalglareGroups>(geometry, settings.search_opening);
+}
 
 std::vector<Source> SourceFinder::find(const Luminance& lum, double threshold) {
     extra_.clear();
     zone_of_group_.clear();
     slipped_eye_lux_.clear();
     runs_ = bright_runs(lum, geometry_, threshold);
-    if (settings_.patches) {
-        assign_patches(runs_, geometry_, *settings_.patches);
-        groups_ = 0;
-        for (const Run& r : runs_) groups_ = std::max(groups_, r.group);
-    } else if (settings_.slips && radius_px_ <= 1) {
-        groups_ = walk_groups(runs_, geometry_, settings_.search_opening);
+    if (settings_.patches) assign_patches(runs_, geometry_, *settings_.patches);
+    if (as_evalglare_) {
+        connect_as_evalglare(lum);
     } else {
-        groups_ = connector_.connect(runs_, 1);
+        groups_ = 0;
+        if (!settings_.patches) groups_ = connector_.connect(runs_, 1);
+        for (const Run& r : runs_) groups_ = std::max(groups_, r.group);
+        if (settings_.smooth && radius_px_ >= 1) smooth(lum);
+        if (settings_.peaks && radius_px_ >= 1) extract_peaks(lum);
     }
-    if (settings_.smooth && radius_px_ >= 1) smooth(lum);
-    if (settings_.slips) start_running(lum);
-    if (settings_.peaks && radius_px_ >= 1) extract_peaks(lum);
     direct_lux_ = 0;
     for (const Run& r : runs_)
         for (uint32_t p = r.start; p < r.start + r.length; ++p) direct_lux_ += lum.at(p) * geometry_.omega_cos[p];
@@ -109,50 +73,27 @@ std::vector<Source> SourceFinder::find(const Luminance& lum, double threshold) {
     return sums(lum);
 }
 
-// A dark pixel joins every group that holds more than a fifth of the solid angle within radius/1.75 pixels of it.
-void SourceFinder::smooth(const Luminance&) {
-    const Geometry& g = geometry_;
-    const float reach = float(radius_px_ / 1.75);
-    std::vector<uint32_t> label(g.omega.size(), 0), smoothed;
-    for (const Run& r : runs_) std::fill_n(label.begin() + r.start, r.length, r.group);
-    struct Share {
-        uint32_t group;
-        double omega;
-    };
-    std::vector<Share> shares;
-    std::vector<GroupPixel> added;
-    for (int x = 0; x < g.width; ++x)
-        for (int y = 0; y < g.height; ++y) {
-            const size_t i = g.index(x, y);
-            if (!g.valid(i) || label[i]) continue;
-            const int x0 = std::max(0, int(x - reach)), y0 = std::max(0, int(y - reach));
-            int x1 = int(x + reach), y1 = int(y + reach);
-            if (x1 > g.width - 1) x1 = g.width - 2;
-            if (y1 > g.height - 1) y1 = g.height - 2;
-            shares.clear();
-            double all = 0;
-            for (int xx = x0; xx <= x1; ++xx)
-                for (int yy = y0; yy <= y1; ++yy) {
-                    if (std::sqrt(double((xx - x) * (xx - x) + (yy - y) * (yy - y))) > reach) continue;
-                    const size_t j = g.index(xx, yy);
-                    const double w = std::fabs(g.omega[j]);
-                    all += w;
-                    if (!label[j]) continue;
-                    auto s =
-                        std::find_if(shares.begin(), shares.end(), [&](const Share& q) { return q.group == label[j]; });
-                    if (s == shares.end()) shares.push_back({label[j], w});
-                    else s->omega += w;
-                }
-            std::sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.group < b.group; });
-            uint32_t number = 0;
-            for (const Share& s : shares)
-                if (s.omega / all > 0.2) {
-                    if (number) extra_.push_back({uint32_t(i), 1, number});
-                    number = s.group;
-                }
-            if (number) added.push_back({0, uint32_t(i), number});
-        }
-    for (const GroupPixel& p : added) runs_.push_back({p.pixel, 1, p.group});
+// The fast modes keep what the first scan found; so does a search radius of at most a pixel.
+void SourceFinder::connect_as_evalglare(const Luminance& lum) {
+    EvalglareGroups& groups = *as_evalglare_;
+    const bool wide = radius_px_ > 1;
+    if (settings_.patches) groups.take(runs_, lum);
+    else groups.find(runs_, lum, wide, wide && !settings_.fast);
+    runs_ = groups.runs();
+    if (settings_.smooth && radius_px_ >= 1) smooth(lum);
+    if (settings_.peaks && radius_px_ >= 1) groups.extract_peaks(lum, settings_.peak_limit);
+    runs_ = groups.runs();
+    groups_ = groups.count();
+}
+
+void SourceFinder::smooth(const Luminance& lum) {
+    const std::vector<Joining> joining = comfort::smooth(runs_, geometry_, float(radius_px_ / 1.75));
+    for (size_t k = 0; k < joining.size(); ++k) {
+        const Joining& j = joining[k];
+        const bool last_of_pixel = k + 1 == joining.size() || joining[k + 1].pixel != j.pixel;
+        (last_of_pixel ? runs_ : extra_).push_back({j.pixel, 1, j.group});
+        if (as_evalglare_) as_evalglare_->add(j.pixel, j.group, lum);
+    }
     std::sort(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
 }
 
@@ -184,9 +125,6 @@ void SourceFinder::extract_peaks(const Luminance& lum) {
     for (uint32_t group = 1; group <= before; ++group) {
         groups_ += connector_.connect(peaks[group], groups_ + 1);
         rest.insert(rest.end(), peaks[group].begin(), peaks[group].end());
-        if (settings_.slips)
-            for (const GroupPixel& p : column_order(peaks[group], geometry_))
-                move_running(group, p.group, p.pixel, lum);
     }
     std::sort(rest.begin(), rest.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
     runs_.swap(rest);
@@ -212,7 +150,8 @@ void SourceFinder::split_zones(const Luminance& lum) {
         if (!zone) continue;
         uint32_t& target = moved[2 * p.group + (zone - 1)];
         if (!target) {
-            target = ++groups_;
+            target = as_evalglare_ ? as_evalglare_->open() : groups_ + 1;
+            groups_ = target;
             zone_of_group_.push_back(zone);
             if (settings_.slips) slipped_eye_lux_.push_back(0);
         }
@@ -220,7 +159,7 @@ void SourceFinder::split_zones(const Luminance& lum) {
             const double lux = lum.at(p.pixel) * g.omega_cos[p.pixel];
             slipped_eye_lux_[p.group] -= lux;
             slipped_eye_lux_.back() += lux;
-            move_running(p.group, target, p.pixel, lum);
+            as_evalglare_->move(p.pixel, target, lum);
         }
         p.group = target;
     }
@@ -230,8 +169,13 @@ void SourceFinder::split_zones(const Luminance& lum) {
 std::vector<Source> SourceFinder::sums(const Luminance& lum) const {
     const Geometry& g = geometry_;
     std::vector<Source> sources(groups_ + 1);
-    if (settings_.slips) {
-        std::copy(running_.begin(), running_.begin() + std::min(running_.size(), sources.size()), sources.begin());
+    if (as_evalglare_) {
+        for (uint32_t group = 1; group <= groups_; ++group) {
+            const GroupSums& s = as_evalglare_->sums()[group];
+            Source& to = sources[group];
+            to.pixels = s.pixels, to.omega = s.omega, to.lum = s.lum;
+            to.x = s.x, to.y = s.y, to.brightest = s.brightest;
+        }
     } else {
         const auto add = [&](const Run& r) {
             Source& s = sources[r.group];
@@ -261,7 +205,7 @@ std::vector<Source> SourceFinder::sums(const Luminance& lum) const {
         // The position index belongs to the pixel of the centre narrowed to float (90.99999999999 becomes 91);
         // evalglare takes the other directions from the pixel of the unrounded centre, we only when told to.
         const Vec3 at = g.direction(int(float(s.x)), int(float(s.y)));
-        s.P = position_index(g.projector, at, settings_.position);
+        s.P = position_index(g, at, settings_.position);
         s.direction = settings_.slips ? g.direction(int(s.x), int(s.y)) : at;
         s.sigma_deg = eye_angles(g.projector, s.direction).sigma_deg;
         live.push_back(s);
@@ -275,8 +219,8 @@ std::vector<GlareSource> SourceFinder::every_pixel(const Luminance& lum, double 
         for (uint32_t p = r.start; p < r.start + r.length; ++p) {
             const Vec3 d = geometry_.direction(p);
             const double sigma = eye_angles(geometry_.projector, d).sigma_deg;
-            out.push_back({lum.at(p), geometry_.omega[p], position_index(geometry_.projector, d, settings_.position),
-                           sigma, lum.at(p) * geometry_.omega_cos[p], sigma});
+            out.push_back({lum.at(p), geometry_.omega[p], position_index(geometry_, d, settings_.position), sigma,
+                           lum.at(p) * geometry_.omega_cos[p], sigma});
         }
     return out;
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 #include "comfort/connect.h"
+#include "comfort/evalglare_groups.h"
 #include "comfort/settings.h"
 
 namespace comfort {
@@ -31,28 +32,24 @@ public:
     std::vector<GlareSource> every_pixel(const Luminance& lum, double threshold) const;  // DgpForm::pixel
 
 private:
+    void connect_as_evalglare(const Luminance& lum);
     void smooth(const Luminance& lum);
     void extract_peaks(const Luminance& lum);
     void split_zones(const Luminance& lum);
-    void start_running(const Luminance& lum);
-    void move_running(uint32_t from, uint32_t to, uint32_t pixel, const Luminance& lum);
     std::vector<Source> sums(const Luminance& lum) const;
 
     const Geometry& geometry_;
     const Settings& settings_;
     double radius_px_;
     Connector connector_;
-    std::vector<Run> runs_, extra_;        // extra: pixels that smoothing counts in a second group
-    std::vector<int> zone_of_group_;       // by group number, empty without zones
-    std::vector<double> slipped_eye_lux_;  // by group number, evalglare's after zones; else empty
-    std::vector<Source> running_;          // evalglare's sums by group number, grown and reduced in its order
+    std::vector<Run> runs_, extra_;                  // extra: pixels that smoothing counts in a second group
+    std::vector<int> zone_of_group_;                 // by group number, empty without zones
+    std::vector<double> slipped_eye_lux_;            // by group number, evalglare's after zones; else empty
+    std::unique_ptr<EvalglareGroups> as_evalglare_;  // with settings.slips
     std::vector<Source> before_zones_;
     uint32_t groups_ = 0;  // highest number in use
     double direct_lux_ = 0;
 };
-
-// Groups of -like evalglare where the search radius is at most a pixel; numbers from 1.
-uint32_t walk_groups(std::vector<Run>& runs, const Geometry& geometry, double opening);
 
 // -z: group of every pixel on evalglare's staggered grid of patches.
 void assign_patches(std::vector<Run>& runs, const Geometry& geometry, const Patches& patches);

@@ -75,19 +75,19 @@ std::vector<uint32_t> zone_pixels(const Geometry& g, const Zones& zones, int zon
     return out;
 }
 
-std::vector<uint32_t> mask_pixels(const std::string& file, int width, int height) {
+std::vector<uint32_t> mask_pixels(const std::string& file, const Geometry& g) {
     image::Picture mask = image::read_file(file);
-    if (mask.width != width || mask.height != height)
+    if (mask.width != g.width || mask.height != g.height)
         throw Refusal(file,
                       "the mask has " + std::to_string(mask.width) + " x " + std::to_string(mask.height) +
-                          " pixels, the picture " + std::to_string(width) + " x " + std::to_string(height),
-                      "resolution main image : " + std::to_string(width) + "x" + std::to_string(height) +
+                          " pixels, the picture " + std::to_string(g.width) + " x " + std::to_string(g.height),
+                      "resolution main image : " + std::to_string(g.width) + "x" + std::to_string(g.height) +
                           "\nresolution masking image : " + std::to_string(mask.width) + "x" +
                           std::to_string(mask.height) + "\n");
     const Luminance lum = make_luminance(mask);
     std::vector<uint32_t> out;
     for (size_t i = 0; i < lum.size(); ++i)
-        if (lum.at(i) > 0.1) out.push_back(uint32_t(i));
+        if (g.valid(i) && lum.at(i) > 0.1) out.push_back(uint32_t(i));
     return out;
 }
 

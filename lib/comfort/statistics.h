@@ -21,8 +21,8 @@ AreaStatistics statistics_of(const std::vector<uint32_t>& pixels, const Luminanc
 std::vector<uint32_t> band_pixels(const Geometry& geometry, double half_rad);
 // Zone 1: inside the inner circle; zone 2: between the circles.
 std::vector<uint32_t> zone_pixels(const Geometry& geometry, const Zones& zones, int zone, bool slips = false);
-// Pixels of a mask picture brighter than 0.1 cd/m2; throws Error if the size differs.
-std::vector<uint32_t> mask_pixels(const std::string& file, int width, int height);
+// Valid pixels where a mask picture is brighter than 0.1 cd/m2; throws Error if the size differs.
+std::vector<uint32_t> mask_pixels(const std::string& file, const Geometry& geometry);
 
 double median(
     std::vector<float>& values);  // middle value, mean of the two middle ones; the order is lost; nan if empty

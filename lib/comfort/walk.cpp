@@ -1,67 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// evalglare's first scan where its search radius is a pixel or less (-like evalglare): there it does not go on to
-// merge, so that what it finds is not the connected components.  Every bright pixel, columns from the left and from
-// the bottom, joins a group found by a walk along the rows below and then above, or opens a new one; in each row the
-// walk goes left, then right from the middle of the stretch it reached before, never past the pixel's own column.
+// How far a search has to look: the smallest cosine that is near, and a bound on the rows.
+#include "comfort/walk.h"
+#include <algorithm>
 #include <cmath>
-#include "comfort/sources.h"
+#include <limits>
 
 namespace comfort {
 namespace {
 
-class Walk {
-public:
-    Walk(const Geometry& g, double opening) : g_(g), opening_(float(opening)), group_(g.omega.size(), 0) {}
-    uint32_t run(std::vector<Run>& runs) {
-        std::vector<char> bright(g_.omega.size(), 0);
-        for (const Run& r : runs)
-            for (uint32_t p = r.start; p < r.start + r.length; ++p) bright[p] = 1;
-        uint32_t groups = 0;
-        for (int x = 0; x < g_.width; ++x)
-            for (int y = 0; y < g_.height; ++y) {
-                const size_t i = g_.index(x, y);
-                if (!bright[i]) continue;
-                const uint32_t found = search(x, y);
-                group_[i] = found ? found : ++groups;
-            }
-        std::vector<Run> single;
-        for (const Run& r : runs)
-            for (uint32_t p = r.start; p < r.start + r.length; ++p) single.push_back({p, 1, group_[p]});
-        runs.swap(single);
-        return groups;
-    }
-
-private:
-    uint32_t search(int x, int y) {
-        from_ = g_.direction(x, y);
-        const uint32_t below = half(x, y, 0, -1), above = half(x, y + 1, g_.height - 1, 1);
-        return above ? above : below;
-    }
-    bool in_reach(int x, int y) const { return 2 * std::acos(dot(from_, g_.direction(x, y))) <= opening_; }
-    uint32_t half(int x, int first, int last, int step) {
-        int low = x, high = x;
-        for (int row = first; step < 0 ? row >= last : row <= last; row += step) {
-            int c = (low + high) / 2;
-            for (; c >= 0 && in_reach(c, row); --c)
-                if (const uint32_t group = group_[g_.index(c, row)]) return group;
-            low = c + 1;
-            c = (low + high) / 2;
-            for (; c <= x && in_reach(c, row); ++c)
-                if (const uint32_t group = group_[g_.index(c, row)]) return group;
-            high = c - 1;
-        }
-        return 0;
-    }
-    const Geometry& g_;
-    double opening_;
-    std::vector<uint32_t> group_;
-    Vec3 from_;
-};
+constexpr double pi = 3.14159265358979323846;
 
 }  // namespace
 
-uint32_t walk_groups(std::vector<Run>& runs, const Geometry& geometry, double opening) {
-    return Walk(geometry, opening).run(runs);
+Walk::Walk(const Geometry& geometry) : geometry_(geometry), direction_(geometry.omega.size()) {
+    for (size_t i = 0; i < direction_.size(); ++i) direction_[i] = geometry.direction(i);
+}
+
+Reach Walk::reach(double opening) const {
+    Reach out{-2, geometry_.height};
+    if (opening / 2 >= pi) return out;
+    // The smallest cosine that evalglare, which compares angles, takes for near.
+    const auto near = [&](double cosine) { return 2 * std::acos(cosine) <= opening; };
+    out.lowest = std::cos(opening / 2);
+    while (out.lowest > -1 && near(out.lowest)) out.lowest = std::nextafter(out.lowest, -2.0);
+    while (out.lowest <= 1 && !near(out.lowest)) out.lowest = std::nextafter(out.lowest, 2.0);
+    const double rows = rows_per_radian(opening / 2) * (opening / 2) + 1;
+    if (rows < geometry_.height) out.rows = int(rows);
+    return out;
+}
+
+// A bound: the largest stretch of the projection anywhere within `reach` of a pixel that counts.
+double Walk::rows_per_radian(double reach_rad) const {
+    const view::View& v = geometry_.projector.view();
+    const double none = std::numeric_limits<double>::infinity(), vv = v.vv * pi / 180, size = geometry_.height;
+    if (v.type == 'h') return size / (2 * std::sin(vv / 2));
+    if (v.type == 'a') {
+        const double farthest = pi / 2 + reach_rad;
+        return farthest < pi ? size / vv * farthest / std::sin(farthest) : none;
+    }
+    double widest = 0, highest = 0;  // of the picture's corners: angles from the view direction, and above its plane
+    for (const double x : {0., 1.})
+        for (const double y : {0., 1.}) {
+            const auto d = geometry_.projector.direction(x, y);
+            if (!d) return none;
+            widest = std::max(widest, std::acos(std::clamp(dot(*d, geometry_.projector.forward()), -1.0, 1.0)));
+            highest = std::max(highest, std::asin(std::min(std::fabs(dot(*d, geometry_.projector.up())), 1.0)));
+        }
+    const double farthest = widest + reach_rad;
+    switch (v.type) {
+    case 'v': return size / (2 * std::tan(vv / 2)) / std::pow(std::cos(widest), 2);
+    case 'c': return size / (2 * std::tan(vv / 2)) / std::pow(std::cos(highest), 2);
+    case 's': return farthest < pi ? size / (4 * std::tan(vv / 4)) / std::pow(std::cos(farthest / 2), 2) : none;
+    default: return none;
+    }
 }
 
 }  // namespace comfort

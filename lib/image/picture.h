@@ -50,8 +50,8 @@ void require_complete(const Picture& picture, const std::string& where);
 enum class Format { rgbe, xyze, flt };
 
 // What a reader makes of the numbers in a file: radiance, as above; or the numbers themselves, with their exposure,
-// colour correction and primaries in them, as RADIANCE takes pictures that are patterns.  XYZE and OpenEXR become
-// radiance always.
-enum class Pixels { radiance, stored };
+// colour correction and primaries in them, as RADIANCE takes pictures that are patterns; or only with their exposure
+// divided out, as evalglare takes them.  XYZE and OpenEXR become radiance always.
+enum class Pixels { radiance, stored, exposed };
 
 }  // namespace image

@@ -241,7 +241,7 @@ bool StreamReader::next(Picture& picture) {
         base::fail(place, state_->count ? "what follows is no picture (it does not begin with #?)"
                                         : "is no RADIANCE picture (it does not begin with #?)");
     Head head = read_head(in, place);
-    const Encoding& encoding = head.encoding;
+    Encoding& encoding = head.encoding;
     const Layout& layout = head.layout;
     picture.header = std::move(head.header);
     if (encoding.spectra)
@@ -254,7 +254,11 @@ bool StreamReader::next(Picture& picture) {
         read_bytes(in, layout, picture.rgb, place);
     }
     reorient(picture.rgb, layout, 3);
-    if (state_->pixels == Pixels::radiance || encoding.format == Format::xyze)
+    if (state_->pixels == Pixels::exposed) {
+        encoding.primaries.reset();
+        encoding.colorcorr = Encoding().colorcorr;
+    }
+    if (state_->pixels != Pixels::stored || encoding.format == Format::xyze)
         to_radiance(picture.rgb, picture.header, encoding);
     picture.width = layout.width;
     picture.height = layout.height;

@@ -27,6 +27,11 @@ void require_measurable(const image::Picture& p, const std::string& place) {
             "(remove the line, or divide the exposure out with pfilt -1 or ra_xyze -r -u)");
 }
 
+// evalglare knows neither PRIMARIES= nor COLORCORR=.
+image::Pixels pixels_for(const Options& o) {
+    return o.settings.slips ? image::Pixels::exposed : image::Pixels::radiance;
+}
+
 // What one run prints: a table of metrics, a table of sources, or evalglare's lines.
 class Printer {
 public:
@@ -160,7 +165,7 @@ int measure_all(const Options& o) {
     Printer printer(o, from_files);
     image::Picture picture;
     for (const std::string& file : from_files ? o.files : std::vector<std::string>{"-"}) {
-        image::StreamReader reader(file);
+        image::StreamReader reader(file, pixels_for(o));
         for (long index = 0; reader.next(picture); ++index) {
             base::finish_on_signal();  // from the first picture on: its line is finished
             const std::string place =
@@ -179,7 +184,7 @@ comfort::NumberTable measure_table(const Options& options, const std::string& fi
     if (o.like == Like::evalglare) o.like = Like::vcmetrics;  // its rounding stays, the columns are ours
     Printer printer(o, true);
     NumberTable table{file, printer.value_names(), {}};
-    image::StreamReader reader(file);
+    image::StreamReader reader(file, pixels_for(o));
     image::Picture picture;
     for (long index = 0; reader.next(picture); ++index)
         table.rows.push_back(printer.values(

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The comparison of random pictures with evalglare, on a few: what it says, and that it finds a fault that is put in.
+. "${TOP:?}/tests/lib.sh"
+needs python3 evalglare
+compare="python3 $TOP/tests/compare/evalglare/compare.py --vcmetrics $BIN/vcmetrics --jobs 2 --out out"
+
+check 'rows agree with evalglare' "$compare -n 24 --seed 1001 > report"
+check 'it counts rows' 'grep -q "^24 rows, pictures 1001 to 1006: 2[34] equal" report'
+
+# A threshold that evalglare is not told of.
+fault="python3 $TOP/tests/compare/evalglare/compare.py --vcmetrics '$BIN/vcmetrics -b 2.5' --out out"
+check_exit 'a fault is found' 1 "$fault -n 4 --seed 1001 --shrink 1"
+check 'and its row shrunk, with both commands' 'grep -q "^evalglare .*minimal.hdr" out/*/commands &&
+    test -s out/*/minimal.hdr'
+check_exit 'a wrong option is refused' 2 "$compare --nothing"
