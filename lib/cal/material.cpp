@@ -2,6 +2,7 @@
 // Function materials: which of their strings are values of a hit, which a lobe of the light direction (pattern.h).
 #include "base/error.h"
 #include "cal/pattern_parts.h"
+#include "kernels/materials.h"
 
 namespace cal {
 
@@ -26,19 +27,18 @@ Nodes light(Parts& p, Builder& b, Library& library) {
     return l;
 }
 
+#define KIND_OF_ROW(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) \
+    {#type, strings, values, lobe},
 const struct Kind {
     const char* name;
     size_t strings;
     int values, lobe;
-} kinds[] = {
-    {"prism1", 5, 4, 0},    {"prism2", 9, 8, 0},    {"plastic2", 4, 3, 0}, {"metal2", 4, 3, 0},
-    {"trans2", 4, 3, 0},    {"ashik2", 4, 3, 0},    {"plasfunc", 2, 0, 1}, {"metfunc", 2, 0, 1},
-    {"transfunc", 2, 0, 1}, {"plasdata", 4, 0, 1},  {"metdata", 4, 0, 1},  {"transdata", 4, 0, 1},
-    {"BRTDfunc", 10, 6, 3}, {"WGMDfunc", 13, 9, 0}, {"BSDF", 6, 4, 0},     {"aBSDF", 5, 3, 0},
-};
+} kinds[] = {MATERIALS(KIND_OF_ROW, KIND_OF_ROW)};
+#undef KIND_OF_ROW
+
 const Kind* find(const std::string& name) {
     for (const Kind& k : kinds)
-        if (name == k.name) return &k;
+        if (k.values + k.lobe > 0 && name == k.name) return &k;
     return nullptr;
 }
 

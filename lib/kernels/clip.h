@@ -50,8 +50,7 @@ FN int clip_hit(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE
 // A material that turns its back to the viewer has been entered from there, too.  mod: what the surface carries.
 FN void clip_turned(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint mod,
                     PRIVATE uint* state) {
-    uint t = g->type;
-    if (g->front || par->bv == 0u) return;
-    if (t <= M_GLASS || (t >= M_ANISO_PLASTIC && t <= M_BRDF)) *state = clip_count(*state, clip_group(s, par, mod), 2);
+    if (g->front || par->bv == 0u || material_has(g->type, MT_TURNS) == 0u) return;
+    *state = clip_count(*state, clip_group(s, par, mod), 2);
 }
 #endif

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a material record to its lobes: the one list of materials.  To add a material: 1. an M_ number in tables.h and
-// its name in trace/flatten_modifiers.cpp; 2. mat_NAME.h, which fills Lobes; 3. a case here; 4. rows in tests/parity, a
-// law in tests/physics.
+// From a material record to its lobes: the one list of what scatters how.  To add a material: CONTRIBUTING.md.
 #ifndef LUX_MATERIAL_H
 #define LUX_MATERIAL_H
 
-// With -bv- a back is nothing; but opaque ones stop shadow rays still, and what tells its sides apart has no back.
+#include "kernels/mat_normal.h"
+#include "kernels/mat_glass.h"
+#include "kernels/mat_dielectric.h"
+#include "kernels/mat_function.h"
+#include "kernels/mat_wgmd.h"
+#include "kernels/mat_prism.h"
+#include "kernels/mat_bsdf.h"
+
+// With -bv-: is there nothing at the back of this type, for what is asked?
 FN int back_passes(uint type, int asked) {
-    if (type == M_DIELECTRIC || type == M_INTERFACE || type == M_BRTD || type == M_PRISM) return 0;
-    if (asked != LOBES_SHADOW) return 1;
-    return type == M_TRANS || type == M_GLASS || type == M_WGMD || type == M_BSDF;
+    if (material_has(type, MT_NO_BACK) != 0u) return 0;
+    return asked != LOBES_SHADOW || material_has(type, MT_OPEN_BACK) != 0u;
 }
 
 // Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving, the

@@ -4,6 +4,7 @@
 // scene's centre (Params.centre gives it back), so that single precision stays fine far from the origin.
 #ifndef LUX_TABLES_H
 #define LUX_TABLES_H
+#include "kernels/materials.h"
 
 // ---- primitives: PRIM_WORDS words each in SceneTables.prims
 #define PRIM_WORDS 8u
@@ -47,29 +48,12 @@
 #define M_TEXTURE 3u   // program gives a displacement
 #define M_MIXTURE 4u   // program gives the foreground's share
 #define M_SPECTRUM 5u  // constant RGB factor in args
+// materials: M_* of the rows of materials.h
 #define M_FIRST_MATERIAL 16u
-#define M_PLASTIC 16u
-#define M_METAL 17u
-#define M_TRANS 18u
-#define M_GLASS 19u
-#define M_LIGHT 20u
-#define M_GLOW 21u
-#define M_SPOTLIGHT 22u
-#define M_ILLUM 23u
-#define M_MIRROR 24u
-#define M_DIELECTRIC 25u
-#define M_INTERFACE 26u
-#define M_ANISO_PLASTIC 27u
-#define M_ANISO_METAL 28u
-#define M_ANISO_TRANS 29u
-#define M_ASHIK 30u
-#define M_BRDF 31u  // plasfunc metfunc transfunc plasdata metdata transdata
-#define M_BRTD 32u
-#define M_WGMD 33u
-#define M_BSDF 34u
-#define M_MIST 35u
-#define M_ANTIMATTER 36u
-#define M_PRISM 37u
+#define MATERIAL_NUMBER_(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) \
+    M_##number,
+#define MATERIAL_NONE_(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits)
+enum { M_BEFORE_MATERIALS_ = M_FIRST_MATERIAL - 1u, MATERIALS(MATERIAL_NUMBER_, MATERIAL_NONE_) M_END };
 // flags
 #define MF_SEEN_THROUGH 1u       // a type that -i looks through
 #define MF_HAS_ALTERNATE 2u      // MOD_BRANCH1 is an alternate material (NONE = void)
@@ -85,6 +69,12 @@
 #define MF_ALBEDO 8192u        // a mist that states its albedo
 #define MF_ECCENTRICITY 16384u
 #define MF_LOBES_SHIFT 16u  // number of outputs of the lobe program (MOD_EXTRA)
+
+// ---- what the kernels ask of a type of material: MT_* of materials.h by number
+#define MATERIAL_TRAITS_(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) \
+    MATERIAL_TRAITS(region, back, traits),
+CONSTANT uint material_traits_[] = {MATERIALS(MATERIAL_TRAITS_, MATERIAL_NONE_)};
+FN uint material_has(uint type, uint trait) { return material_traits_[type - M_FIRST_MATERIAL] & trait; }
 
 // ---- active sources: SOURCE_FLOATS floats each at f[Params.sources_at] (words by as_uint_)
 #define SOURCE_FLOATS 32u

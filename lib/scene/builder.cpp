@@ -5,6 +5,7 @@
 #include <limits>
 #include "base/error.h"
 #include "base/printable.h"
+#include "scene/materials.h"
 #include "scene/types.h"
 
 namespace scene {
@@ -59,7 +60,7 @@ int32_t Builder::add(Primitive& p) {
                 const int32_t m = s.material(o.modifier).object;
                 return m == VOID ? Type::alias : s.objects[m].type;
             }();
-            if (material == Type::light || material == Type::illum || material == Type::spotlight)
+            if (shines(material) && material != Type::glow)
                 base::fail(place(p), "light source \"" + base::excerpt(p.name) + "\": " + fact);
             base::warn(place(p), fact + ", left out");
             return VOID;

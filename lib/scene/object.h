@@ -10,6 +10,7 @@
 #include "base/find_file.h"
 #include "base/span.h"
 #include "base/xform.h"
+#include "kernels/materials.h"
 
 namespace scene {
 
@@ -21,14 +22,12 @@ using base::ReadOptions;
 using base::Xform;
 
 // Every primitive type of the language; names as in the files (type_name, type_from_name).
+#define TYPE_OF_ROW(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) type,
 // clang-format off
 enum class Type : uint8_t {
     // surfaces
     source, sphere, bubble, polygon, cone, cup, cylinder, tube, ring, mesh, instance,
-    // materials
-    light, illum, glow, spotlight, mirror, prism1, prism2, mist, plastic, metal, trans, plastic2, metal2, trans2,
-    ashik2, wgmdfunc, dielectric, interface, glass, plasfunc, metfunc, transfunc, plasdata, metdata, transdata,
-    brtdfunc, bsdf, absdf, antimatter,
+    MATERIALS(TYPE_OF_ROW, TYPE_OF_ROW)
     // textures, patterns, mixtures
     texfunc, texdata, colorfunc, brightfunc, colordata, brightdata, colorpict, colortext, brighttext,
     spectrum, specfile, specdata, specfunc, specpict, mixfunc, mixdata, mixpict, mixtext,
@@ -37,11 +36,12 @@ enum class Type : uint8_t {
     count
 };
 // clang-format on
+#undef TYPE_OF_ROW
 const char* type_name(Type t);
 bool type_from_name(std::string_view name, Type& t);
 inline bool is_surface(Type t) { return t <= Type::instance; }
 inline bool is_mixture(Type t) { return t >= Type::mixfunc && t <= Type::mixtext; }
-inline bool is_material(Type t) { return t >= Type::light && t <= Type::antimatter; }
+inline bool is_material(Type t) { return t > Type::instance && t < Type::texfunc; }
 
 template <class T>
 using Span = base::Span<T>;

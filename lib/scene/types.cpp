@@ -7,43 +7,42 @@ namespace scene {
 
 namespace {
 
-// reals: the counts allowed, as bits, or 0 = reals_min or more.  transform: see transform_from().
+// How many real arguments: one of some counts (bits), or, without any, `least` and more.
+struct Reals {
+    uint32_t counts;
+    int least;
+};
+constexpr Reals only(int n) { return {1u << n, 0}; }
+constexpr Reals any(int a, int b, int c = 0, int d = 0) {
+    return {1u << a | 1u << b | (c ? 1u << c : 0) | (d ? 1u << d : 0), 0};
+}
+constexpr Reals from(int least) { return {0, least}; }
+
 struct Row {
     const char* name;
     int strings_min;
-    uint32_t reals;
-    int reals_min;
-    int transform;
+    Reals reals;
+    int transform;  // see transform_from()
 };
-constexpr uint32_t only(int n) { return 1u << n; }
-constexpr uint32_t any = 0;
+// The strings of .cal functions stand before a transform.
+#define ROW_OF_MATERIAL(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) \
+    {#type, strings, reals, (values) + (lobe) > 0 ? (strings) : -1},
 
 // clang-format off
 const Row rows[] = {
-    {"source", 0, only(4), 0, -1}, {"sphere", 0, only(4), 0, -1}, {"bubble", 0, only(4), 0, -1},
-    {"polygon", 0, any, 9, -1}, {"cone", 0, only(8), 0, -1}, {"cup", 0, only(8), 0, -1},
-    {"cylinder", 0, only(7), 0, -1}, {"tube", 0, only(7), 0, -1}, {"ring", 0, only(8), 0, -1},
-    {"mesh", 1, only(0), 0, 1}, {"instance", 1, only(0), 0, 1},
-    {"light", 0, only(3), 0, -1}, {"illum", 0, only(3), 0, -1}, {"glow", 0, only(4), 0, -1},
-    {"spotlight", 0, only(7), 0, -1}, {"mirror", 0, only(3), 0, -1}, {"prism1", 5, any, 0, 5},
-    {"prism2", 9, any, 0, 9}, {"mist", 0, only(0) | only(3) | only(6) | only(7), 0, -1},
-    {"plastic", 0, only(5), 0, -1}, {"metal", 0, only(5), 0, -1}, {"trans", 0, only(7), 0, -1},
-    {"plastic2", 4, only(6), 0, 4}, {"metal2", 4, only(6), 0, 4}, {"trans2", 4, only(8), 0, 4},
-    {"ashik2", 4, only(8), 0, 4}, {"WGMDfunc", 13, any, 9, 13}, {"dielectric", 0, only(5), 0, -1},
-    {"interface", 0, only(8), 0, -1}, {"glass", 0, only(3) | only(4), 0, -1}, {"plasfunc", 2, any, 4, 2},
-    {"metfunc", 2, any, 4, 2}, {"transfunc", 2, any, 6, 2}, {"plasdata", 4, any, 4, 4}, {"metdata", 4, any, 4, 4},
-    {"transdata", 4, any, 6, 4}, {"BRTDfunc", 10, any, 9, 10},
-    {"BSDF", 6, only(0) | only(3) | only(6) | only(9), 0, 6}, {"aBSDF", 5, only(0) | only(3) | only(6) | only(9), 0, 5},
-    {"antimatter", 1, any, 0, -1},
-    {"texfunc", 4, any, 0, 4}, {"texdata", 8, any, 0, 8}, {"colorfunc", 4, any, 0, 4}, {"brightfunc", 2, any, 0, 2},
-    {"colordata", 8, any, 0, 8}, {"brightdata", 4, any, 0, 4}, {"colorpict", 7, any, 0, 7},
-    {"colortext", 2, only(15) | only(16), 0, -1}, {"brighttext", 2, only(11) | only(12), 0, -1},
-    {"spectrum", 0, any, 3, -1}, {"specfile", 1, any, 0, -1}, {"specdata", 4, any, 0, 4}, {"specfunc", 2, any, 2, 2},
-    {"specpict", 5, any, 0, 5}, {"mixfunc", 4, any, 0, 4}, {"mixdata", 6, any, 0, 6}, {"mixpict", 7, any, 0, 7},
-    {"mixtext", 4, only(9) | only(10), 0, -1},
-    {"alias", 0, any, 0, -1},
+    {"source", 0, only(4), -1}, {"sphere", 0, only(4), -1}, {"bubble", 0, only(4), -1}, {"polygon", 0, from(9), -1},
+    {"cone", 0, only(8), -1}, {"cup", 0, only(8), -1}, {"cylinder", 0, only(7), -1}, {"tube", 0, only(7), -1},
+    {"ring", 0, only(8), -1}, {"mesh", 1, only(0), 1}, {"instance", 1, only(0), 1},
+    MATERIALS(ROW_OF_MATERIAL, ROW_OF_MATERIAL)
+    {"texfunc", 4, from(0), 4}, {"texdata", 8, from(0), 8}, {"colorfunc", 4, from(0), 4},
+    {"brightfunc", 2, from(0), 2}, {"colordata", 8, from(0), 8}, {"brightdata", 4, from(0), 4},
+    {"colorpict", 7, from(0), 7}, {"colortext", 2, any(15, 16), -1}, {"brighttext", 2, any(11, 12), -1},
+    {"spectrum", 0, from(3), -1}, {"specfile", 1, from(0), -1}, {"specdata", 4, from(0), 4},
+    {"specfunc", 2, from(2), 2}, {"specpict", 5, from(0), 5}, {"mixfunc", 4, from(0), 4}, {"mixdata", 6, from(0), 6},
+    {"mixpict", 7, from(0), 7}, {"mixtext", 4, any(9, 10), -1}, {"alias", 0, from(0), -1},
 };
 // clang-format on
+#undef ROW_OF_MATERIAL
 static_assert(sizeof rows / sizeof rows[0] == static_cast<size_t>(Type::count), "a row for every type, in its order");
 
 const Row& row(Type t) { return rows[static_cast<size_t>(t)]; }
@@ -71,14 +70,14 @@ std::string argument_fault(Type type, size_t strings, size_t reals) {
     const std::string has = ", has " + std::to_string(reals);
     if (type == Type::polygon)
         return reals >= 9 && reals % 3 == 0 ? "" : "needs 9 or more real arguments, a multiple of 3" + has;
-    if (r.reals == any)
-        return reals >= static_cast<size_t>(r.reals_min)
+    if (r.reals.counts == 0)
+        return reals >= static_cast<size_t>(r.reals.least)
                    ? ""
-                   : "needs at least " + std::to_string(r.reals_min) + " real arguments" + has;
-    if (reals < 32 && (r.reals >> reals & 1)) return "";
+                   : "needs at least " + std::to_string(r.reals.least) + " real arguments" + has;
+    if (reals < 32 && (r.reals.counts >> reals & 1)) return "";
     std::string counts;
     for (int n = 0; n < 32; n++)
-        if (r.reals >> n & 1) counts += (counts.empty() ? "" : " or ") + std::to_string(n);
+        if (r.reals.counts >> n & 1) counts += (counts.empty() ? "" : " or ") + std::to_string(n);
     return "needs " + counts + " real arguments" + has;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 #include "base/error.h"
+#include "scene/materials.h"
 #include "trace/build_input.h"
 #include "bvh/embree_scene.h"
 #include "trace/flat_scene.h"
@@ -14,11 +15,6 @@ namespace sight {
 namespace {
 using base::Vec3;
 using scene::Type;
-
-bool see_through(Type t) {
-    return t == Type::glass || t == Type::dielectric || t == Type::interface || t == Type::mist ||
-           t == Type::antimatter || t == Type::prism1 || t == Type::prism2;
-}
 
 class TracedScene : public region::SceneView {
 public:
@@ -35,7 +31,7 @@ public:
             index[surfaces_[s]] = s;
             const scene::Scene::Resolved material = scene_.material(o.modifier);
             through_.push_back(material.object != scene::VOID &&
-                               see_through(scene_.objects[size_t(material.object)].type));
+                               scene::is_clear(scene_.objects[size_t(material.object)].type));
             if (o.type == Type::source) {
                 const auto r = scene_.reals(o);
                 distant_.push_back({s, base::unit({r[0], r[1], r[2]}), r[3] / 2 * (M_PI / 180)});

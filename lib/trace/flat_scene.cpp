@@ -16,9 +16,7 @@ bool see_through(const FlatScene& scene, uint32_t prim, uint32_t inst) {
     }
     for (; mod != NONE; mod = scene.u[scene.mods_at + MOD_WORDS * mod + MOD_NEXT]) {
         const uint32_t type = scene.u[scene.mods_at + MOD_WORDS * mod + MOD_TYPE];
-        if (type >= M_FIRST_MATERIAL)
-            return type == M_GLASS || type == M_DIELECTRIC || type == M_INTERFACE || type == M_MIST ||
-                   type == M_ANTIMATTER || type == M_PRISM;
+        if (type >= M_FIRST_MATERIAL) return material_has(type, MT_CLEAR) != 0u;
     }
     return false;
 }

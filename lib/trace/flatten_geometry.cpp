@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "scene/materials.h"
 #include "trace/flatten.h"
 
 namespace trace {
@@ -67,9 +68,7 @@ struct Builder {
         if (owner != Owner::scene) return;
         const uint32_t m = f.material_of[o.modifier];
         if (m == NONE) return;
-        const Type t = scene.objects[m].type;
-        if (t == Type::light || t == Type::glow || t == Type::spotlight || t == Type::illum)
-            f.emitters.push_back({uint32_t(&o - scene.objects.data()), prim});
+        if (scene::shines(scene.objects[m].type)) f.emitters.push_back({uint32_t(&o - scene.objects.data()), prim});
     }
 
     // The rectangle along the first edge that holds all corners.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "scene/materials.h"
 #include "trace/flatten.h"
 
 namespace trace {
@@ -13,63 +14,6 @@ namespace {
 using namespace kernels;
 using scene::Type;
 
-bool is_emitter(Type t) { return t == Type::light || t == Type::glow || t == Type::spotlight || t == Type::illum; }
-
-uint32_t material_code(Type t) {
-    switch (t) {
-    case Type::plastic: return M_PLASTIC;
-    case Type::metal: return M_METAL;
-    case Type::trans: return M_TRANS;
-    case Type::glass: return M_GLASS;
-    case Type::light: return M_LIGHT;
-    case Type::glow: return M_GLOW;
-    case Type::spotlight: return M_SPOTLIGHT;
-    case Type::illum: return M_ILLUM;
-    case Type::mirror: return M_MIRROR;
-    case Type::dielectric: return M_DIELECTRIC;
-    case Type::interface: return M_INTERFACE;
-    case Type::plastic2: return M_ANISO_PLASTIC;
-    case Type::metal2: return M_ANISO_METAL;
-    case Type::trans2: return M_ANISO_TRANS;
-    case Type::ashik2: return M_ASHIK;
-    case Type::plasfunc:
-    case Type::metfunc:
-    case Type::transfunc:
-    case Type::plasdata:
-    case Type::metdata:
-    case Type::transdata: return M_BRDF;
-    case Type::brtdfunc: return M_BRTD;
-    case Type::mist: return M_MIST;
-    case Type::antimatter: return M_ANTIMATTER;
-    case Type::prism1:
-    case Type::prism2: return M_PRISM;
-    case Type::wgmdfunc: return M_WGMD;
-    case Type::bsdf:
-    case Type::absdf: return M_BSDF;
-    default: return 0;
-    }
-}
-// Does a shadow ray pass this material (spec shading 4.5)?  Without -bv it does from behind, if the type may let light
-// through.
-bool material_passes(Type t, const scene::Span<double>& a, const cal::PatternSpec& spec, bool bv) {
-    switch (t) {
-    case Type::absdf: return true;
-    case Type::bsdf: return !bv || spec.strings[0] != "0";  // a proxy of some thickness
-    case Type::glass:
-    case Type::dielectric:
-    case Type::interface:
-    case Type::illum:
-    case Type::mirror:
-    case Type::brtdfunc:
-    case Type::prism1:
-    case Type::prism2:
-    case Type::mist:
-    case Type::antimatter: return true;
-    case Type::wgmdfunc: return spec.strings[5] != "0";  // the word decides, from behind, too
-    case Type::trans: return !bv || (a[4] * a[4] <= 1e-6 && a[5] * a[6] > 1e-6);
-    default: return false;
-    }
-}
 constexpr int wgmd_names[3] = {0, 4, 8};        // strings of WGMDfunc that name modifiers
 constexpr uint32_t WGMD_INHERIT = 0xfffffffeu;  // as kernels/mat_wgmd.h
 
@@ -85,25 +29,6 @@ cal::PatternSpec spec_of(const scene::Scene& scene, const scene::Object& o) {
     const auto s = scene.strings(o);
     const auto r = scene.reals(o);
     return {type_name(o.type), {s.begin(), s.end()}, {r.begin(), r.end()}, scene.place(o), {}};
-}
-// A transparent type in RADIANCE's eyes: -i looks through it and a mirror gives way to it.  Functions count by their
-// text: "0" is nothing, all else may be something.
-bool transparent_type(const scene::Scene& scene, uint32_t object) {
-    const scene::Object& o = scene.objects[object];
-    const auto some = [&](size_t k) { return scene.strings(o)[k] != "0"; };
-    switch (o.type) {
-    case Type::trans:
-    case Type::trans2:
-    case Type::glass:
-    case Type::dielectric:
-    case Type::interface:
-    case Type::mist:
-    case Type::antimatter:
-    case Type::absdf: return true;
-    case Type::brtdfunc: return some(3) || some(4) || some(5);
-    case Type::wgmdfunc: return some(5);
-    default: return false;
-    }
 }
 }  // namespace
 
@@ -147,7 +72,7 @@ void Flattener::flatten_modifiers() {
         need(alternate(t, uint32_t(r.object)));
         if (t.type == Type::antimatter)
             for (const std::string& name : scene.strings(t)) need(scene.lookup_modifier(name, uint32_t(r.object)));
-        if (t.type == Type::wgmdfunc)
+        if (t.type == Type::WGMDfunc)
             for (int k : wgmd_names)
                 if (scene.strings(t)[size_t(k)] != "inherit")
                     need(scene.lookup_modifier(scene.strings(t)[size_t(k)], uint32_t(r.object)));
@@ -174,29 +99,26 @@ void Flattener::flatten_modifiers() {
             if (above)
                 base::fail(scene.place(scene.objects[i]),
                            fmt::format("material \"{}\" has another material above it", scene.name(scene.objects[i])));
-            rec[MOD_TYPE] = material_code(t.type);
-            if (!rec[MOD_TYPE])
-                base::fail(scene.place(t), fmt::format("material type {} is not supported", type_name(t.type)));
+            const scene::Material& row = scene::material_row(t.type);
+            rec[MOD_TYPE] = row.number;
+            rec[MOD_FLAGS] = row.flags;
             for (double a : reals) args.push_back(float(a));
-            if (t.type == Type::glass && reals.size() < 4) args.push_back(1.52f);
-            if (is_emitter(t.type)) args.resize(rec[MOD_ARGS] + 8, 0.0f);
+            if (reals.size() < row.filled) args.resize(rec[MOD_ARGS] + row.filled, row.fill);
             if (t.type == Type::mirror || t.type == Type::illum) {
                 const int32_t m = alternate(t, uint32_t(r.object));
                 if (m >= 0) rec[MOD_BRANCH1] = mod_of[m];
                 if (scene.strings(t).size() > 0) rec[MOD_FLAGS] |= MF_HAS_ALTERNATE;
                 const bool mixed = m >= 0 && has_material[m] && material_of[m] == NONE;
-                if (m < 0 || !has_material[m] || (!mixed && transparent_type(scene, material_of[m])))
+                if (m < 0 || !has_material[m] || (!mixed && mirror_gives_way(scene, scene.objects[material_of[m]])))
                     rec[MOD_FLAGS] |= MF_ALTERNATE_PASSES;
             }
-            if (t.type == Type::dielectric || t.type == Type::interface) {
-                out.absorbs = true;
-                aimed = true;
-            }
+            if ((row.traits & MT_MEDIUM) != 0) out.absorbs = true;
+            if ((row.traits & MT_BENDS) != 0) aimed = true;
             if (cal::has_functions(type_name(t.type))) {
                 const cal::MaterialProgram p = cal::compile_material(library, spec_of(scene, t), code);
                 rec[MOD_PROGRAM] = p.values;
                 if (p.value_count > 0) rec[MOD_FLAGS] |= MF_VALUES;
-                if (t.type == Type::wgmdfunc) {  // modifiers of rs, ts, td: indices for mat_wgmd, in the word arena
+                if (t.type == Type::WGMDfunc) {  // modifiers of rs, ts, td: indices for mat_wgmd, in the word arena
                     rec[MOD_BRANCH1] = uint32_t(code.words.size());
                     for (int k : wgmd_names) {
                         const std::string& name = scene.strings(t)[size_t(k)];
@@ -207,11 +129,7 @@ void Flattener::flatten_modifiers() {
                 }
                 rec[MOD_EXTRA] = p.lobe;
                 rec[MOD_FLAGS] |= uint32_t(p.lobe_count) << MF_LOBES_SHIFT;
-                if (!p.file.empty()) {  // BSDF, aBSDF; absent diffuse arguments are 0
-                    rec[MOD_EXTRA] = bsdf_file(p.file, scene.place(t));
-                    args.resize(rec[MOD_ARGS] + 9, 0.0f);
-                    if (t.type == Type::absdf) rec[MOD_FLAGS] |= MF_ABSDF;
-                }
+                if (!p.file.empty()) rec[MOD_EXTRA] = bsdf_file(p.file, scene.place(t));
             }
             if (t.type == Type::antimatter) {  // the number of this one, its cut face, and a mark on what it lists
                 if (antimatters > 3)
@@ -229,20 +147,13 @@ void Flattener::flatten_modifiers() {
                 out.antimatter = true;
             }
             if (t.type == Type::mist) {  // absent arguments: no extinction; the albedo and eccentricity around it stay
-                for (size_t k = reals.size(); k < 7; k++) args.push_back(0.0f);
                 rec[MOD_EXTRA] = 0;
                 rec[MOD_FLAGS] |= (reals.size() > 3 ? MF_ALBEDO : 0) | (reals.size() > 6 ? MF_ECCENTRICITY : 0);
-                out.absorbs = true;
                 mists.push_back({uint32_t(mods.size() / MOD_WORDS), uint32_t(r.object)});
             }
-            if (t.type == Type::prism2) rec[MOD_FLAGS] |= MF_TWO_EXITS;
-            if (t.type == Type::prism1 || t.type == Type::prism2) aimed = true;
-            if (t.type == Type::metfunc || t.type == Type::metdata) rec[MOD_FLAGS] |= MF_METAL;
-            if (t.type == Type::transfunc || t.type == Type::transdata) rec[MOD_FLAGS] |= MF_TRANS;
-            if (transparent_type(scene, uint32_t(r.object)) || (t.type == Type::bsdf && scene.strings(t)[0] != "0"))
-                rec[MOD_FLAGS] |= MF_SEEN_THROUGH;
+            if (eye_passes(scene, t)) rec[MOD_FLAGS] |= MF_SEEN_THROUGH;
             has_material[i] = 1;
-            passes[i] = material_passes(t.type, reals, spec_of(scene, t), options.bv);
+            passes[i] = light_passes(scene, t, options.bv);
             material_of[i] = uint32_t(r.object);
         } else {
             const cal::Program p = cal::compile_pattern(library, spec_of(scene, t), code);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "scene/materials.h"
 #include "trace/flatten.h"
 #include "trace/host_tracer.h"
 
@@ -159,7 +160,7 @@ uint32_t Flattener::distant_seen(uint32_t mod) const {
         const uint32_t m = material_record(mod);
         if (m == NONE) return mod == NONE ? NONE : DISTANT_BLACK;
         const uint32_t type = mods[m * MOD_WORDS + MOD_TYPE];
-        if (type != M_ILLUM) return type == M_LIGHT || type == M_GLOW || type == M_SPOTLIGHT ? mod : DISTANT_BLACK;
+        if (type != M_ILLUM) return material_has(type, MT_SHINES) != 0u ? mod : DISTANT_BLACK;
         mod = mods[m * MOD_WORDS + MOD_BRANCH1];
     }
 }
@@ -191,10 +192,7 @@ void Flattener::flatten_sources() {
         q[SRC_POWER] = float(luminance_weight(c));
         q[SRC_SPOT + 3] = -2.0f;
         q[SRC_VIRTUAL] = from_bits(NONE);
-        q[SRC_CLASS] = from_bits(material.type == Type::glow        ? M_GLOW
-                                 : material.type == Type::spotlight ? M_SPOTLIGHT
-                                 : material.type == Type::illum     ? M_ILLUM
-                                                                    : M_LIGHT);
+        q[SRC_CLASS] = from_bits(scene::material_row(material.type).number);
         return q;
     };
     const auto black = [&](const scene::Span<double>& c) { return c[0] <= 0 && c[1] <= 0 && c[2] <= 0; };
@@ -316,7 +314,7 @@ void Flattener::flatten_sources() {
                                        NONE,
                                        0,
                                        0};
-        if (m.type != Type::light && m.type != Type::glow && m.type != Type::spotlight && m.type != Type::illum)
+        if (!scene::shines(m.type))
             base::fail(scene.place(o),
                        fmt::format("a distant source of material {} is not supported", type_name(m.type)));
         if (m.type != Type::glow && !black(c)) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "scene/materials.h"
 
 namespace trace {
 namespace {
@@ -121,8 +122,7 @@ void Instances::place_all(const scene::Scene& scene, Flattener* names, const Xfo
             now = &own;
             if (names == &top_) {
                 const uint32_t m = top_.material_of[o.modifier];
-                const Type t = m == NONE ? Type::plastic : scene.objects[m].type;
-                if (t == Type::light || t == Type::glow || t == Type::spotlight || t == Type::illum)
+                if (m != NONE && scene::shines(scene.objects[m].type))
                     top_.emitters.push_back({owner, NONE});  // refused unless it is no active source
             }
         }
