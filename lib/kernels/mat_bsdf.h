@@ -99,7 +99,7 @@ FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     GLOBAL const uint* r = bsdf_component(s, m, g->front, 0);
     GLOBAL const uint* t = bsdf_component(s, m, g->front, 1);
     float peak = 0.0f;
-    if (peaked && asked != LOBES_SAMPLED && t[0] != NONE) {
+    if (peaked && t[0] != NONE) {
         GLOBAL const uint* table = s->u + t[0];
         float beside = 0.0f;
         peak = bsdf_peak(s, table, as_float_(t[1]), v, &beside);
@@ -121,7 +121,7 @@ FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     out->diffuse_t = mul3(F3(arg[0] + rho, arg[1] + rho, arg[2] + rho), g->color);
     out->ambient_r = out->diffuse_r;
     out->ambient_t = out->diffuse_t;
-    float2 move = sample2(rnd);  // not beside a peak: its own cell must stay its own
+    float2 move = sample2(rnd);
     if (r[0] != NONE) {
         GLOBAL const uint* table = s->u + r[0];
         out->u = bsdf_jitter(v, s->f[table[BT_PSA] + bsdf_cell(s, table, v)], par->ss, move);
@@ -133,7 +133,7 @@ FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     }
     if (t[0] != NONE) {
         GLOBAL const uint* table = s->u + t[0];
-        out->v = peak > 0.0f ? v : bsdf_jitter(v, s->f[table[BT_PSA] + bsdf_cell(s, table, v)], par->ss, move);
+        out->v = bsdf_jitter(v, s->f[table[BT_PSA] + bsdf_cell(s, table, v)], par->ss, move);
         out->av = bsdf_hemispherical(s, table, out->v);
         out->rough_t = scale3(g->color, out->av);  // with the peak, whose samples are dropped
         float hemi = out->av - peak;
@@ -194,8 +194,8 @@ FN_RARE float bsdf_sample_lobe(PRIVATE const SceneTables* s, PRIVATE const Param
     if (weight <= 0.0f || hemi <= 0.0f) return 0.0f;
     if ((v.z > 0.0f) == transmit) l.z = -l.z;
     if (transmit && a->fn_r.z > 0.0f) {  // the peak has its own ray
+        float dx = l.x + v.x, dy = l.y + v.y;
         float3 straight = bsdf_local(a->trans_dir, z, g->v);
-        float dx = l.x + straight.x, dy = l.y + straight.y;
         if (dx * dx + dy * dy <= s->f[t[BT_PSA] + bsdf_cell(s, t, straight)]) return 0.0f;
     }
     *coef = scale3(bsdf_color(s, t, v, l), hemi);

@@ -66,7 +66,7 @@ FN void mat_ashik(PRIVATE const Params* par, PRIVATE const Surface* g, GLOBAL co
         out->u = cross3(out->v, g->n);
     } else frame_of(g->n, &out->u, &out->v);
     out->flags |= LOBE_ASHIK;
-    if (par->st >= luminance3(out->rough_r) - 1e-6f) out->ambient_r = add3(out->ambient_r, out->rough_r);
+    if (par->st >= luminance3(S) - 1e-6f) out->ambient_r = add3(out->ambient_r, out->rough_r);
     else out->flags |= LOBE_SAMPLE_R;
 }
 

@@ -31,17 +31,18 @@ NEEDED = ["rtrace", "oconv", "obj2mesh"]
 COLUMNS = ["seed", "status", "pixels", "differ", "edges", "noisy"]  # of results.tsv, a line as soon as a scene is done
 
 
-def wave_obj():
-    """A rug of 5 x 5 corners, with normals and coordinates."""
+def wave_obj(normals):
+    """A rug of 5 x 5 corners, with coordinates."""
     lines = ["usemtl void"]
     for j in range(5):
         for i in range(5):
             x, y = i / 2 - 1, j / 2 - 1
-            lines += [f"v {x} {y} {.2 * x * x - .1 * y}", f"vn {-.4 * x} .1 1", f"vt {i / 4} {j / 4}"]
+            lines += [f"v {x} {y} {.2 * x * x - .1 * y}", f"vt {i / 4} {j / 4}"]
+            lines += [f"vn {-.4 * x} .1 1"] if normals else []
     for j in range(4):
         for i in range(4):
             a = 5 * j + i + 1
-            lines.append("f " + " ".join(f"{k}/{k}/{k}" for k in (a, a + 1, a + 6, a + 5)))
+            lines.append("f " + " ".join(f"{k}/{k}/{k if normals else ''}" for k in (a, a + 1, a + 6, a + 5)))
     return "\n".join(lines) + "\n"
 
 
@@ -53,11 +54,13 @@ class Bed:
         sources = [os.path.join(HERE, "parts", f) for f in os.listdir(os.path.join(HERE, "parts"))]
         for path in sources + [os.path.join(VECTORS, f) for f in FROM_VECTORS]:
             shutil.copy(path, folder)
-        with open(os.path.join(folder, "wave.obj"), "w") as out:
-            out.write(wave_obj())
+        for name, normals in (("wave", True), ("flat", False)):
+            with open(os.path.join(folder, name + ".obj"), "w") as out:
+                out.write(wave_obj(normals))
+            subprocess.run(["obj2mesh", name + ".obj", name + ".rtm"], cwd=folder, check=True,
+                           stderr=subprocess.DEVNULL)
         self.tracer = os.path.join(folder, "trace_rays")  # a copy: a build may run meanwhile
         shutil.copy(tracer, self.tracer)
-        subprocess.run(["obj2mesh", "wave.obj", "wave.rtm"], cwd=folder, check=True, stderr=subprocess.DEVNULL)
 
     def __call__(self, folder):
         for name in os.listdir(self.folder):

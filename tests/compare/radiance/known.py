@@ -4,7 +4,6 @@
 The words that a rule stands for must be on that page (tests/compare/compare_radiance.sh looks)."""
 
 
-
 def has(scene, *kinds):
     return bool(set(kinds) & set(scene.kinds()))
 
@@ -24,11 +23,40 @@ def whole(scene):
     scene.options = [words if words[0] != "-ds" else ["-ds", "0"] for words in scene.options]
 
 
+def smoothed(scene):
+    """A mesh with normals that lets light through: 6.0a turns it by them; a flat one in its place shows that."""
+    through = {"trans", "trans2", "transfunc", "transdata", "glass", "BRTDfunc", "WGMDfunc"}
+    return any(p.kind == "mesh" and p.strings[0] == "wave.rtm" for p in scene.primitives()) and has(scene, *through)
+
+
+def flat(scene):
+    for p in scene.primitives():
+        if p.kind == "mesh":
+            p.strings[0] = p.strings[0].replace("wave.rtm", "flat.rtm")
+
+
+def tree3(scene):
+    return any(p.kind == "BSDF" and "tt3.xml" in p.strings for p in scene.primitives())
+
+
+def matrix(scene):
+    for p in scene.primitives():
+        p.strings = ["klemsq.xml" if word == "tt3.xml" else word for word in p.strings]
+
+
+def plain(scene):
+    for p in scene.primitives():
+        if p.kind == "aBSDF":
+            p.modifier = "void"
+
+
 # Name, the page's words, the test, and what takes the difference away (None: the test says enough).
 RULES = [
     ("fewer pieces", "RADIANCE takes fewer pieces for rays of low weight", pieces, whole),
     ("Fresnel of 6.0a", "6.0a's is 8.3e-4 larger at every angle", fresnel, None),
-    ("aBSDF", "Samples beside the peak of an `aBSDF`", lambda scene: has(scene, "aBSDF"), None),
+    ("smoothed meshes of 6.0a", "6.0a bends by the interpolated normal", smoothed, flat),
+    ("rank-3 tree", "A rank-3 tree that gives transmission for one side only", tree3, matrix),
+    ("pattern on aBSDF", "Beside the peak of an `aBSDF` a pattern acts once", lambda scene: has(scene, "aBSDF"), plain),
 ]
 
 
