@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # One small scene a feature against rtrace -u+ (tests/golden/suite): blocks of 8 x 8 pixels in standard errors of both.
-# By hand, FRAMES (64) and VIEWS (a pattern of names) say how much of it, TABLE=open.tsv takes those that do not agree
-# yet; the table that is printed shows what each view would detect.
+# By hand, FRAMES (64) and VIEWS (a pattern of names) say how much of it; the table that is printed shows what each view
+# would detect.
 . "${TOP:?}/tests/lib.sh"
 needs ptrace blocks
 suite=$TOP/tests/golden/suite
@@ -26,5 +26,5 @@ while IFS=$'\t' read -r view scene light options what; do
     [[ $view =~ ^${VIEWS:-[^#]} ]] || continue
     export view scene light options
     check "$what ($view)" 'render "$view" "$scene" "$light" "$options"; awk "$agrees" "$TMP/row"'
-done < "$suite/${TABLE:-views.tsv}"
+done < "$suite/views.tsv"
 cat "$TMP/table" >&2

@@ -50,11 +50,40 @@ def plain(scene):
             p.modifier = "void"
 
 
+def listed_mist(scene):
+    return any(p.kind == "mist" and p.strings for p in scene.primitives())
+
+
+def unlisted(scene):
+    for p in scene.primitives():
+        if p.kind == "mist":
+            p.strings, p.names = [], ()
+
+
+def sun_in_medium(scene):
+    media = has(scene, "mist", "dielectric", "interface") or scene.option("-me")
+    return media and has(scene, "source") and has(scene, "light")
+
+
+def clear(scene):
+    """Media that absorb nothing; a surface's interface has two sides."""
+    scene.options = [words for words in scene.options if words[0] != "-me"]
+    for p in scene.primitives():
+        if p.kind == "mist":
+            p.reals[3:6] = [1, 1, 1]
+        if p.kind in ("dielectric", "interface"):
+            p.reals[:3] = [1, 1, 1]
+        if p.kind == "interface":
+            p.reals[4:7] = [1, 1, 1]
+
+
 # Name, the page's words, the test, and what takes the difference away (None: the test says enough).
 RULES = [
     ("fewer pieces", "RADIANCE takes fewer pieces for rays of low weight", pieces, whole),
     ("Fresnel of 6.0a", "6.0a's is 8.3e-4 larger at every angle", fresnel, None),
     ("smoothed meshes of 6.0a", "6.0a bends by the interpolated normal", smoothed, flat),
+    ("overlapping mists", "Overlapping volumes of a mist with a list", listed_mist, unlisted),
+    ("sun in a medium", "A sun in mist or in a solid", sun_in_medium, clear),
     ("rank-3 tree", "A rank-3 tree that gives transmission for one side only", tree3, matrix),
     ("pattern on aBSDF", "Beside the peak of an `aBSDF` a pattern acts once", lambda scene: has(scene, "aBSDF"), plain),
 ]
