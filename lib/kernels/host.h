@@ -10,4 +10,6 @@ namespace kernels {
 #include "kernels/math.h"
 #include "kernels/intersect.h"
 #include "kernels/tables.h"
+#include "kernels/sampler.h"
+#include "kernels/path/state.h"
 }  // namespace kernels

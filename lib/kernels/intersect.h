@@ -7,6 +7,8 @@
 #define LUX_INTERSECT_H
 
 #define NO_HIT 0xffffffffu
+#define FAR_AWAY 1e30f  // how far a ray looks that nothing ends, and how far away distant sources are
+#define IS_FAR(d) ((d) >= 1e29f)
 #define RAY_OPAQUE 1u       // query mask: surfaces that stop a shadow ray
 #define RAY_TRANSPARENT 2u  // query mask: surfaces a shadow ray may pass (their prim flag is set)
 #define RAY_ALL 3u
@@ -50,15 +52,24 @@ typedef struct {
 #define REF_INDEX 0x3fffffffu
 #define REF_NONE 0xffffffffu  // no child; on the stack: end of an instance
 
+// What a scene is on a device, TABLE(type, name) for each: what the BVH builder gives, and what flattening gives.
+// clang-format off
+#define BVH_TABLES(TABLE)                                                                   \
+    TABLE(float, nodes)       /* BVH of either kind; node k is the root of tree k */        \
+    TABLE(float, leaves)      /* triangle blocks and shape references */
+#define FLAT_TABLES(TABLE)                                                                  \
+    TABLE(float, shapes)      /* SHAPE_FLOATS each */                                       \
+    TABLE(float, polygon_uv)  /* projected vertices, 2 floats each */                       \
+    TABLE(uint, prims)        /* PRIM_WORDS each, shading side (tables.h) */                \
+    TABLE(float, vertices)    /* 3 floats each, for normals of triangles */                 \
+    TABLE(uint, u)            /* word arena (tables.h): modifiers, materials, .cal code */  \
+    TABLE(float, f)           /* float arena (tables.h) */
+#define SCENE_TABLES(TABLE) BVH_TABLES(TABLE) FLAT_TABLES(TABLE)
+// clang-format on
+
+#define TABLE_POINTER(type, name) GLOBAL const type* name;
 typedef struct {
-    GLOBAL const float* nodes;       // BVH of either kind; node k is the root of tree k
-    GLOBAL const float* leaves;      // triangle blocks and shape references
-    GLOBAL const float* shapes;      // 16 floats each
-    GLOBAL const float* polygon_uv;  // projected vertices, 2 floats each
-    GLOBAL const uint* prims;        // PRIM_WORDS words a primitive, shading side (tables.h)
-    GLOBAL const float* vertices;    // 3 floats each, for normals of triangles
-    GLOBAL const uint* u;            // word arena (tables.h): modifiers, materials, .cal code
-    GLOBAL const float* f;           // float arena (tables.h)
+    SCENE_TABLES(TABLE_POINTER)
 } SceneTables;
 
 // Nearest hit with tmin < t < tmax among primitives whose class is in mask; hit->prim = NO_HIT if none.

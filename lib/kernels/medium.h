@@ -20,33 +20,33 @@ FN Medium medium_open(PRIVATE const Params* par) {
     return m;
 }
 
-FN Medium path_medium(PRIVATE const Paths* a, uint slot) {
+FN Medium path_medium(PRIVATE const Paths* paths, uint slot) {
     Medium m;
-    float4 k = a->med[slot], albedo = a->alb[slot];
+    float4 k = paths->medium[slot], albedo = paths->albedo[slot];
     m.k = xyz4(k);
     m.lights = as_uint_(k.w);
     m.albedo = xyz4(albedo);
     m.ecc = albedo.w;
     return m;
 }
-FN void set_path_medium(PRIVATE const Paths* a, uint slot, PRIVATE const Medium* m) {
-    a->med[slot] = pack4(m->k, as_float_(m->lights));
-    a->alb[slot] = pack4(m->albedo, m->ecc);
+FN void set_path_medium(PRIVATE const Paths* paths, uint slot, PRIVATE const Medium* m) {
+    paths->medium[slot] = pack4(m->k, as_float_(m->lights));
+    paths->albedo[slot] = pack4(m->albedo, m->ecc);
 }
 
 // A shadow ray keeps the same but the eccentricity, and with it what antimatter it is in.
-FN Medium shadow_medium(PRIVATE const Paths* a, uint slot) {
+FN Medium shadow_medium(PRIVATE const Paths* paths, uint slot) {
     Medium m;
-    float4 albedo = a->salb[slot];
-    m.k = xyz4(a->smed[slot]);
+    float4 albedo = paths->shadow_albedo[slot];
+    m.k = xyz4(paths->shadow_medium[slot]);
     m.lights = as_uint_(albedo.w);
     m.albedo = xyz4(albedo);
     m.ecc = 0.0f;
     return m;
 }
-FN void set_shadow_medium(PRIVATE const Paths* a, uint slot, PRIVATE const Medium* m, uint clip) {
-    a->smed[slot] = pack4(m->k, as_float_(clip));
-    a->salb[slot] = pack4(m->albedo, as_float_(m->lights));
+FN void set_shadow_medium(PRIVATE const Paths* paths, uint slot, PRIVATE const Medium* m, uint clip) {
+    paths->shadow_medium[slot] = pack4(m->k, as_float_(clip));
+    paths->shadow_albedo[slot] = pack4(m->albedo, as_float_(m->lights));
 }
 
 // Mists keep what they do not state: a mist without albedo has that around it, one without list its lights.
@@ -83,6 +83,8 @@ FN void mist_crossing(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     if (g->front) mist_enter(s, par, g, beyond);
     else mist_leave(s, par, g, beyond);
 }
+
+#define ENDLESS_MEDIUM 1e10f  // a length of which no medium lets anything through
 
 // What a medium of extinction k lets through over a length (Beer's law).
 FN float3 attenuation(float3 k, float length) {

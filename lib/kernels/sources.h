@@ -255,6 +255,15 @@ FN float3 light_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par
     return mul3(g.color, f3_at(s->f + m[MOD_ARGS]));
 }
 
+// Radiance of the source of record src at its sampled point.  before: path length from the eye to the point lit.  A
+// virtual source's is known only where its shadow ray arrives: 1 until then.
+FN float3 sampled_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par, GLOBAL const float* src,
+                           PRIVATE const LightSample* light, float before, PRIVATE Sampler* rnd) {
+    if (as_uint_(src[SRC_VIRTUAL]) != NONE) return F3(1.0f, 1.0f, 1.0f);
+    return light_radiance(s, par, as_uint_(src[SRC_MOD]), as_uint_(src[SRC_PRIM]), light->dir, light->point,
+                          light->normal, light->dist, before + light->dist, rnd);
+}
+
 // The distant surface seen in direction dir: the first non-glow that matches, else the first glow.  NONE if none.
 // sampled: by a ray that illums stop (emission.h).
 FN uint distant_at(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 dir, int sampled) {

@@ -17,8 +17,11 @@
 namespace trace {
 namespace {
 
-// Paths of one tile: their state (220 bytes each) stays in the second-level cache.
+// Paths of one tile: their state (kernels/path/state.h, 220 bytes each) stays in the second-level cache.
 constexpr uint32_t TILE = 4096;
+
+#define POINT_AT_BVH(type, name) tables_.name = bvh_.name.data();
+#define POINT_AT_SCENE(type, name) tables_.name = scene_.name.data();
 
 const CpuKernels& best_kernels(const std::string& wanted) {
     if (wanted == "baseline") return cpu_baseline;
@@ -58,16 +61,11 @@ public:
             tables_.nodes = reinterpret_cast<const float*>(check_.get());
         } else {
             bvh_ = bvh::build8(in.data(), in.size());
-            tables_.nodes = bvh_.nodes.data();
-            tables_.leaves = bvh_.leaves.data();
+            BVH_TABLES(POINT_AT_BVH)
         }
-        tables_.shapes = scene_.shapes.data();
-        tables_.polygon_uv = scene_.polygon_uv.data();
-        tables_.prims = scene_.prims.data();
-        tables_.vertices = scene_.vertices.data();
-        tables_.u = scene_.u.data();
-        tables_.f = scene_.f.data();
+        FLAT_TABLES(POINT_AT_SCENE)
     }
+
     void run(const Params& par, std::vector<float>& rgb) override {
         rgb.resize(size_t(par.slots) * 3);
         tiles(par.slots, [&](uint32_t first, uint32_t count, void* scratch) {

@@ -15,7 +15,9 @@ struct Tile {
     Paths paths;
     uint32_t *now, *next, *shadow;
 };
-static uint64_t scratch_bytes(uint32_t count) { return uint64_t(count) * (13 * 16 + 3 * 4) + 64; }
+#define PATH_BYTES(type, name, when) +sizeof(type)
+static uint64_t scratch_bytes(uint32_t count) { return uint64_t(count) * (3 * 4 PATH_STATE(PATH_BYTES)) + 64; }
+#define PATH_TAKE(type, name, when) t.paths.name = (type*)take(sizeof(type));
 static Tile carve(void* scratch, uint32_t count) {
     char* p = reinterpret_cast<char*>((reinterpret_cast<uintptr_t>(scratch) + 63) & ~uintptr_t(63));
     const auto take = [&](size_t size) {
@@ -24,19 +26,7 @@ static Tile carve(void* scratch, uint32_t count) {
         return q;
     };
     Tile t;
-    t.paths.org = (float4*)take(16);
-    t.paths.dir = (float4*)take(16);
-    t.paths.thr = (float4*)take(16);
-    t.paths.rad = (float4*)take(16);
-    t.paths.info = (uint4*)take(16);
-    t.paths.hit = (float4*)take(16);
-    t.paths.sorg = (float4*)take(16);
-    t.paths.sdir = (float4*)take(16);
-    t.paths.scol = (float4*)take(16);
-    t.paths.med = (float4*)take(16);
-    t.paths.alb = (float4*)take(16);
-    t.paths.smed = (float4*)take(16);
-    t.paths.salb = (float4*)take(16);
+    PATH_STATE(PATH_TAKE)
     t.now = (uint32_t*)take(4);
     t.next = (uint32_t*)take(4);
     t.shadow = (uint32_t*)take(4);
@@ -88,9 +78,9 @@ static void draw(const void* tables, const void* params, const void* rays, uint3
     Tile t = carve(scratch, count);
     const Ray9* r = static_cast<const Ray9*>(rays) + first;
     for (uint32_t i = 0; i < count; i++) {
-        t.paths.sorg[i] = pack4(F3(r[i].org[0], r[i].org[1], r[i].org[2]), as_float_(r[i].source));
-        t.paths.sdir[i] = pack4(F3(r[i].dir[0], r[i].dir[1], r[i].dir[2]), r[i].dist);
-        t.paths.scol[i] = pack4(F3(r[i].weight, r[i].weight, r[i].weight), 0.0f);
+        t.paths.shadow_org[i] = pack4(F3(r[i].org[0], r[i].org[1], r[i].org[2]), as_float_(r[i].source));
+        t.paths.shadow_dir[i] = pack4(F3(r[i].dir[0], r[i].dir[1], r[i].dir[2]), r[i].dist);
+        t.paths.shadow_rad[i] = pack4(F3(r[i].weight, r[i].weight, r[i].weight), 0.0f);
         path_draw(&s, &par, &t.paths, i);
         path_shadow(&s, &par, &t.paths, i);
     }

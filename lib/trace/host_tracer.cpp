@@ -16,6 +16,9 @@ namespace host {
 namespace trace {
 using namespace host;
 
+#define POINT_AT_BVH(type, name) tables.name = bvh.name.data();
+#define POINT_AT_SCENE(type, name) tables.name = scene.name.data();
+
 struct HostTracer::State {
     const FlatScene& scene;
     bvh::Tree bvh;
@@ -26,14 +29,8 @@ struct HostTracer::State {
         return bvh::build8(trees.data(), trees.size());
     }
     explicit State(const FlatScene& s) : scene(s), bvh(build(s)) {
-        tables.nodes = bvh.nodes.data();
-        tables.leaves = bvh.leaves.data();
-        tables.shapes = s.shapes.data();
-        tables.polygon_uv = s.polygon_uv.data();
-        tables.prims = s.prims.data();
-        tables.vertices = s.vertices.data();
-        tables.u = s.u.data();
-        tables.f = s.f.data();
+        BVH_TABLES(POINT_AT_BVH)
+        FLAT_TABLES(POINT_AT_SCENE)
         params.sources_at = s.sources_at;
         params.source_count = s.source_count;
     }

@@ -25,6 +25,19 @@ namespace {
 
 constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it
 
+// The buffers of a scene and of the path state, in the order of their lists (kernels/intersect.h,
+// kernels/path/state.h).
+#define TABLE_NUMBER(type, name) TABLE_##name,
+enum { SCENE_TABLES(TABLE_NUMBER) TABLES };
+#define FIELD_NUMBER(type, name, when) PATH_##name,
+enum { PATH_STATE(FIELD_NUMBER) PATH_FIELDS };
+
+#define RESERVE_FIELD(type, name, when) \
+    paths_[PATH_##name] = room(media || (when) == PATH_ALWAYS ? slots : 1, sizeof(kernels::type));
+
+#define SEND_OF_BVH(type, name) tables_[TABLE_##name] = send(bvh.name.data(), bvh.name.size() * 4);
+#define SEND_OF_SCENE(type, name) tables_[TABLE_##name] = send(s.name.data(), s.name.size() * 4);
+
 struct Entry {
     cl::Platform platform;
     cl::Device device;
@@ -99,21 +112,15 @@ public:
             {
                 const std::vector<bvh::Input> in = build_inputs(s);
                 const bvh::Tree bvh = bvh2_ ? bvh::build2(in.data(), in.size()) : bvh::build8(in.data(), in.size());
-                nodes_ = send(bvh.nodes.data(), bvh.nodes.size() * 4);
-                leaves_ = send(bvh.leaves.data(), bvh.leaves.size() * 4);
+                BVH_TABLES(SEND_OF_BVH)
             }
-            shapes_ = send(s.shapes.data(), s.shapes.size() * 4);
-            polygon_uv_ = send(s.polygon_uv.data(), s.polygon_uv.size() * 4);
-            prims_ = send(s.prims.data(), s.prims.size() * 4);
-            vertices_ = send(s.vertices.data(), s.vertices.size() * 4);
-            u_ = send(s.u.data(), s.u.size() * 4);
-            f_ = send(s.f.data(), s.f.size() * 4);
+            FLAT_TABLES(SEND_OF_SCENE)
         });
     }
 
     void run(const Params& par, std::vector<float>& rgb) override {
         call("rendering", [&] {
-            reserve(par.slots);
+            reserve(par, par.slots);
             queue_.enqueueWriteBuffer(params_, CL_FALSE, 0, sizeof par, &par);
             const uint32_t zero[4] = {0, 0, 0, 0};
             queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zero);
@@ -152,7 +159,7 @@ public:
     void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) override {
         call("drawing sources", [&] {
             const uint32_t n = uint32_t(rays.size());
-            reserve(n);
+            reserve(par, n);
             std::vector<kernels::float4> o(n), d(n), c(n);
             for (uint32_t i = 0; i < n; i++) {
                 float source;
@@ -162,9 +169,9 @@ public:
                 c[i] = {rays[i].weight, rays[i].weight, rays[i].weight, 0};
             }
             queue_.enqueueWriteBuffer(params_, CL_FALSE, 0, sizeof par, &par);
-            queue_.enqueueWriteBuffer(paths_[6], CL_TRUE, 0, n * 16, o.data());
-            queue_.enqueueWriteBuffer(paths_[7], CL_TRUE, 0, n * 16, d.data());
-            queue_.enqueueWriteBuffer(paths_[8], CL_TRUE, 0, n * 16, c.data());
+            queue_.enqueueWriteBuffer(paths_[PATH_shadow_org], CL_TRUE, 0, n * 16, o.data());
+            queue_.enqueueWriteBuffer(paths_[PATH_shadow_dir], CL_TRUE, 0, n * 16, d.data());
+            queue_.enqueueWriteBuffer(paths_[PATH_shadow_rad], CL_TRUE, 0, n * 16, c.data());
             set_scene(draw_);
             launch(draw_, n);
             receive(n, rgb);
@@ -186,19 +193,24 @@ private:
         if (bytes) queue_.enqueueWriteBuffer(b, CL_TRUE, 0, bytes, data);
         return b;
     }
-    void reserve(uint32_t slots) {
-        if (slots <= capacity_) return;
+    void reserve(const Params& par, uint32_t slots) {
+        const bool media = kernels::path_media_used(&par) != 0;
+        if (slots <= capacity_ && media <= media_) return;
         capacity_ = slots;
-        for (auto& p : paths_) p = cl::Buffer(context_, CL_MEM_READ_WRITE, size_t(slots) * 16);
-        now_ = cl::Buffer(context_, CL_MEM_READ_WRITE, size_t(slots) * 4);
-        next_ = cl::Buffer(context_, CL_MEM_READ_WRITE, size_t(slots) * 4);
-        shadow_queue_ = cl::Buffer(context_, CL_MEM_READ_WRITE, size_t(slots) * 4);
+        media_ = media;
+        PATH_STATE(RESERVE_FIELD)
+        now_ = room(slots, 4);
+        next_ = room(slots, 4);
+        shadow_queue_ = room(slots, 4);
+    }
+    cl::Buffer room(size_t count, size_t bytes_each) {
+        return cl::Buffer(context_, CL_MEM_READ_WRITE, count * bytes_each);
     }
     unsigned set_scene(cl::Kernel& k) {
         unsigned a = 0;
-        for (const cl::Buffer* b : {&nodes_, &leaves_, &shapes_, &polygon_uv_, &prims_, &vertices_, &u_, &f_, &params_})
-            k.setArg(a++, *b);
-        for (const auto& p : paths_) k.setArg(a++, p);
+        for (const auto& table : tables_) k.setArg(a++, table);
+        k.setArg(a++, params_);
+        for (const auto& field : paths_) k.setArg(a++, field);
         return a;
     }
     void launch(cl::Kernel& k, uint32_t n) {
@@ -211,7 +223,7 @@ private:
     }
     void receive(uint32_t slots, std::vector<float>& rgb) {
         rad_.resize(slots);
-        queue_.enqueueReadBuffer(paths_[3], CL_TRUE, 0, size_t(slots) * 16, rad_.data());
+        queue_.enqueueReadBuffer(paths_[PATH_rad], CL_TRUE, 0, size_t(slots) * 16, rad_.data());
         rgb.resize(size_t(slots) * 3);
         for (uint32_t i = 0; i < slots; i++) {
             rgb[3 * i] = rad_[i].x;
@@ -240,9 +252,10 @@ private:
     cl::CommandQueue queue_;
     cl::Program program_;
     cl::Kernel generate_, extend_, shade_, shadow_, swap_, draw_;
-    cl::Buffer nodes_, leaves_, shapes_, polygon_uv_, prims_, vertices_, u_, f_, params_, counters_;
-    cl::Buffer paths_[13], now_, next_, shadow_queue_;
+    cl::Buffer tables_[TABLES], paths_[PATH_FIELDS];  // in the order of the kernels' arguments
+    cl::Buffer params_, counters_, now_, next_, shadow_queue_;
     uint32_t capacity_ = 0;
+    bool media_ = false;  // the fields of PATH_MEDIA have that capacity, too
     std::vector<kernels::float4> rad_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shadow rays: what reaches a point from the source sample it chose; and the small sources drawn into frame 0.
-#ifndef LUX_SHADOW_H
-#define LUX_SHADOW_H
+#ifndef LUX_PATH_SHADOW_H
+#define LUX_PATH_SHADOW_H
 
 // What a shadow ray lets through: straight through glass, smooth trans, mixtures with void (spec shading 4.5).
 FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float dist,
@@ -13,7 +13,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     ray.org = org;
     ray.dir = dir;
     ray.tmin = 0.0f;
-    ray.tmax = dist >= 1e29f ? 1e30f : shadow_end(dist);
+    ray.tmax = IS_FAR(dist) ? FAR_AWAY : shadow_end(dist);
     int must_hit = par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING || kind == SK_CYLINDER);
     if (kind == SK_SPHERE || kind == SK_CYLINDER || must_hit) {
         // near its outline a round source may stand in its own light; with -ds RADIANCE aims beside odd shapes, too
@@ -28,7 +28,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     }
     int absorbs = par->medium.w > 0.0f;
     if (must_hit && par->shadow_mode == SHADOW_OPAQUE) return black;
-    if (par->shadow_mode == SHADOW_OPAQUE) return absorbs ? shadow_attenuation(&medium, MIN_(dist, 1e10f)) : T;
+    if (par->shadow_mode == SHADOW_OPAQUE) return absorbs ? shadow_attenuation(&medium, MIN_(dist, ENDLESS_MEDIUM)) : T;
     float total = 0.0f;
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
         Hit hit;
@@ -36,7 +36,8 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         Lobes l;
         trace_closest(s, &ray, RAY_TRANSPARENT, &hit);
         if (hit.prim == NO_HIT && must_hit) return black;
-        if (hit.prim == NO_HIT) return absorbs ? mul3(T, shadow_attenuation(&medium, MIN_(ray.tmax, 1e10f))) : T;
+        if (hit.prim == NO_HIT)
+            return absorbs ? mul3(T, shadow_attenuation(&medium, MIN_(ray.tmax, ENDLESS_MEDIUM))) : T;
         Medium crossed = medium, beyond = medium;
         int at_source = hit.prim == as_uint_(q[SRC_PRIM]);
         surface_at(s, &ray, &hit, &g);
@@ -61,7 +62,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         if (at_source) return T;
         medium = beyond;
         ray.org = offset_ray(g.p, neg3(g.ng), g.reach);
-        if (ray.tmax < 1e29f) {
+        if (!IS_FAR(ray.tmax)) {
             ray.tmax -= hit.t;
             if (ray.tmax <= 0.0f) return must_hit ? black : T;
         }
@@ -80,7 +81,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     ray.org = org;
     ray.dir = dir;
     ray.tmin = 0.0f;
-    ray.tmax = 1e30f;
+    ray.tmax = FAR_AWAY;
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
         Hit hit;
         Surface g;
@@ -90,11 +91,11 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         if (hit.prim == NO_HIT) {
             if (relay != NONE || as_uint_(q[SRC_KIND]) != SK_DISTANT) return black;
             float3 e = sub3(ray.dir, f3_at(q + SRC_CENTRE));
-            if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&medium, 1e10f));
+            if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&medium, ENDLESS_MEDIUM));
             if ((bent || is_virtual) && 0.5f * dot3(e, e) > q[SRC_CAP]) return black;
             if (!is_virtual) return T;
-            return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), NONE, ray.dir, ray.org, neg3(ray.dir), 1e30f,
-                                          1e30f, rnd));
+            return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), NONE, ray.dir, ray.org, neg3(ray.dir), FAR_AWAY,
+                                          FAR_AWAY, rnd));
         }
         surface_at(s, &ray, &hit, &g);
         total += hit.t;
@@ -152,30 +153,30 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     return black;
 }
 
-FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* a, uint slot) {
-    float4 o = a->sorg[slot], d = a->sdir[slot], c = a->scol[slot];
-    uint4 info = a->info[slot];
+FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
+    float4 o = paths->shadow_org[slot], d = paths->shadow_dir[slot], c = paths->shadow_rad[slot];
+    uint4 info = paths->info[slot];
     Sampler rnd = path_sampler(info);
     rnd.key = hash_(rnd.key ^ 0x5bd1e995u);
     float3 T;
-    Medium medium = par->medium.w > 0.0f ? shadow_medium(a, slot) : medium_open(par);
-    uint clip = (par->flags & PF_ANTIMATTER) != 0u ? as_uint_(a->smed[slot].w) : CLIP_START;
+    Medium medium = par->medium.w > 0.0f ? shadow_medium(paths, slot) : medium_open(par);
+    uint clip = (par->flags & PF_ANTIMATTER) != 0u ? as_uint_(paths->shadow_medium[slot].w) : CLIP_START;
     if (par->shadow_mode == SHADOW_AIMED) {
         T = shadow_aimed(s, par, xyz4(o), xyz4(d), c.w, as_uint_(o.w), medium, clip, &rnd);
     } else {
         T = shadow_straight(s, par, xyz4(o), xyz4(d), d.w, as_uint_(o.w), medium, clip, &rnd);
     }
-    float4 r = a->rad[slot];
-    a->rad[slot] = pack4(add3(xyz4(r), mul3(xyz4(c), T)), r.w);
+    float4 r = paths->rad[slot];
+    paths->rad[slot] = pack4(add3(xyz4(r), mul3(xyz4(c), T)), r.w);
 }
 
 // MODE_DRAW: slot i holds a straight ray from the eye to a point of a source and its weight, written by the host into
-// sorg, sdir, scol; the source's own radiance is applied here, path_shadow follows.
-FN void path_draw(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* a, uint slot) {
-    uint i = as_uint_(a->sorg[slot].w);
+// the slot's shadow ray; the source's own radiance is applied here, path_shadow follows.
+FN void path_draw(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
+    uint i = as_uint_(paths->shadow_org[slot].w);
     GLOBAL const float* q = source_record(s, par, i);
-    float3 org = xyz4(a->sorg[slot]), dir = xyz4(a->sdir[slot]);
-    float dist = a->sdir[slot].w;
+    float3 org = xyz4(paths->shadow_org[slot]), dir = xyz4(paths->shadow_dir[slot]);
+    float dist = paths->shadow_dir[slot].w;
     Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, slot + par->first, 0u, 3u);
     float3 normal = neg3(dir), point = org;
     if (as_uint_(q[SRC_KIND]) != SK_DISTANT) {
@@ -184,16 +185,18 @@ FN void path_draw(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     }
     float3 e =
         light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
-    a->scol[slot] = pack4(mul3(xyz4(a->scol[slot]), e), 0.0f);
-    a->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
-    Medium open = medium_open(par);
-    open.albedo = F3(0.0f, 0.0f, 0.0f);  // what the eye sees is dimmed by all extinction
-    set_shadow_medium(a, slot, &open, CLIP_START);
+    paths->shadow_rad[slot] = pack4(mul3(xyz4(paths->shadow_rad[slot]), e), 0.0f);
+    paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
+    if (path_media_used(par)) {
+        Medium open = medium_open(par);
+        open.albedo = F3(0.0f, 0.0f, 0.0f);  // what the eye sees is dimmed by all extinction
+        set_shadow_medium(paths, slot, &open, CLIP_START);
+    }
     uint4 info;
     info.x = 0u;
     info.y = rnd.key;
     info.z = rnd.index;
     info.w = NONE;
-    a->info[slot] = info;
+    paths->info[slot] = info;
 }
 #endif

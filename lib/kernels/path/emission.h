@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a sampled ray sees of emitters, by its class: the partition into active sources and the rest (spec shading
 // 0.1, 3.8).
-#ifndef LUX_EMISSION_H
-#define LUX_EMISSION_H
+#ifndef LUX_PATH_EMISSION_H
+#define LUX_PATH_EMISSION_H
 
 // Whether this path's present class is wanted in this pass.
 FN int class_wanted(PRIVATE const Params* par, uint flags, uint index) {
@@ -15,7 +15,7 @@ FN int class_wanted(PRIVATE const Params* par, uint flags, uint index) {
 FN float3 path_background(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, uint flags,
                           PRIVATE Sampler* rnd) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
-    int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
+    int sampled = path_sampled(flags);
     uint i = distant_at(s, par, dir, sampled);
     if (i == NONE) return black;
     GLOBAL const uint* q = s->u + par->distant_at + DISTANT_WORDS * i;
@@ -26,7 +26,7 @@ FN float3 path_background(PRIVATE const SceneTables* s, PRIVATE const Params* pa
             return black;  // frame 0 holds it by area
     }
     if (q[DISTANT_SEEN] >= DISTANT_BLACK) return black;
-    return light_radiance(s, par, q[DISTANT_SEEN], NONE, dir, org, neg3(dir), 1e30f, 1e30f, rnd);
+    return light_radiance(s, par, q[DISTANT_SEEN], NONE, dir, org, neg3(dir), FAR_AWAY, FAR_AWAY, rnd);
 }
 
 // Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray goes on through it.
@@ -37,7 +37,7 @@ FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* p
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     uint src = s->prims[PRIM_WORDS * g->prim + PRIM_SOURCE];
     *pass = 0;
-    int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
+    int sampled = path_sampled(flags);
     if (sampled && g->front) {
         if (g->type != M_GLOW || arg[3] < 0.0f) return black;
         if (arg[3] > 0.0f && g->length <= arg[3]) return black;

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A path begins: the ray of a pixel's sample, or the one ray of MODE_RAY; and what a ray meets first.
+#ifndef LUX_PATH_BEGIN_H
+#define LUX_PATH_BEGIN_H
+
+// The pixel of a slot, and which of its samples the slot is.
+FN uint path_pixel(PRIVATE const Params* par, uint slot) {
+    return par->mode == MODE_RAY ? 0u : (par->first + slot) % (par->nx * par->ny);
+}
+FN uint path_sample_index(PRIVATE const Params* par, uint slot) {
+    uint gid = par->first + slot;
+    return par->frame + (par->mode == MODE_RAY ? gid : gid / (par->nx * par->ny));
+}
+
+// The ray through a random place of the pixel and of the lens.  0 if the view has none there.
+FN int camera_ray(PRIVATE const Params* par, uint pixel, PRIVATE Sampler* rnd, PRIVATE Ray* ray) {
+    float2 r = sample2(rnd);
+    float jitter = par->view_clip.z;  // -pj
+    float x = (float)(pixel % par->nx) + 0.5f + jitter * (0.5f - r.x);
+    float y = (float)(par->ny - 1u - pixel / par->nx) + 0.5f + jitter * (0.5f - r.y);
+
+    float3 lens = F3(0.0f, 0.0f, 0.0f);
+    if (par->view_clip.w > 0.0f) {
+        r = sample2(rnd);
+        lens = F3(r.x, r.y, sample1(rnd));
+    }
+    return view_lens_ray(par, x / (float)par->nx, y / (float)par->ny, lens, ray);
+}
+
+FN void given_ray(PRIVATE const Params* par, PRIVATE Sampler* rnd, PRIVATE Ray* ray) {
+    ray->org = F3(par->ray_org.x, par->ray_org.y, par->ray_org.z);
+    ray->dir = F3(par->ray_dir.x, par->ray_dir.y, par->ray_dir.z);
+    ray->tmax = FAR_AWAY;
+    rnd->dim = 1u;
+}
+
+// 1 if the slot has a ray to follow.
+FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
+    uint pixel = path_pixel(par, slot), index = path_sample_index(par, slot);
+    // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct
+    // class of L'(n) is the mean of its first n samples: full nets at 64, 128, ...
+    if (par->mode == MODE_FRAMES) index--;
+    uint stream = par->mode == MODE_RAY ? 2u : 0u;
+    Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, pixel, index, stream);
+
+    Ray ray;
+    int has_ray = 1;
+    if (par->mode == MODE_RAY) given_ray(par, &rnd, &ray);
+    else has_ray = camera_ray(par, pixel, &rnd, &ray);
+
+    paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
+    if (!has_ray) return 0;
+
+    paths->org[slot] = pack4(ray.org, as_float_(CLIP_START));
+    paths->dir[slot] = pack4(ray.dir, ray.tmax);
+    paths->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
+    if (par->medium.w > 0.0f) {
+        Medium open = medium_open(par);
+        set_path_medium(paths, slot, &open);
+    }
+
+    uint4 info;
+    info.x = 0u;
+    info.y = rnd.key;
+    info.z = path_sampler_word(&rnd);
+    info.w = NONE;
+    paths->info[slot] = info;
+    return 1;
+}
+
+// Follows the ray of a slot to the nearest surface.
+FN void path_extend(PRIVATE const SceneTables* s, PRIVATE const Paths* paths, uint slot) {
+    Ray ray;
+    Hit hit;
+    float4 dir = paths->dir[slot];
+    ray.org = xyz4(paths->org[slot]);
+    ray.dir = xyz4(dir);
+    ray.tmin = 0.0f;
+    ray.tmax = dir.w;
+    trace_closest(s, &ray, RAY_ALL, &hit);
+    set_path_hit(paths, slot, &hit);
+}
+#endif

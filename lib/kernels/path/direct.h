@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Direct light: one active source, one point on it, one shadow ray (shadow.h follows it later).
+#ifndef LUX_PATH_DIRECT_H
+#define LUX_PATH_DIRECT_H
+
+// What the lobes make of light from the sampled point: outgoing radiance over the source's.
+FN float3 direct_response(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const LightSample* light,
+                          PRIVATE Vertex* vertex) {
+    PRIVATE const Surface* g = &vertex->g;
+    PRIVATE const Lobes* lobes = &vertex->lobes;
+    float w = light->w / light->pieces;
+    float3 c;
+
+    if ((lobes->flags & LOBE_ASHIK) != 0u) c = ashik_direct(lobes, g, light->dir, w);
+    else if ((lobes->flags & LOBE_BSDF) != 0u) c = bsdf_direct(s, par, lobes, g, light->dir, w, &vertex->rnd);
+    else if ((lobes->flags & LOBE_OWN_NORMALS) != 0u) c = wgmd_direct(lobes, g, light->dir, w, par->dj);
+    else c = lobes_direct(lobes, g, light->dir, w, par->dj);
+
+    if ((lobes->flags & LOBE_FUNCTION) != 0u) c = add3(c, function_direct(s, par, lobes, g, light->dir, w));
+    return scale3(c, light->pieces);
+}
+
+// Leaves the shadow ray, which brings `radiance` if nothing stops it, in the slot.
+FN void direct_shadow_ray(PRIVATE const Params* par, PRIVATE const Paths* paths, PRIVATE const Vertex* vertex,
+                          uint source, PRIVATE LightSample* light, float3 radiance) {
+    PRIVATE const Surface* g = &vertex->g;
+    uint slot = vertex->slot;
+    int above = dot3(light->dir, g->ng) > 0.0f;
+    float3 start = bsdf_start(&vertex->lobes, g, above);
+    float3 from = offset_ray(start, above ? g->ng : neg3(g->ng), g->reach);
+
+    if (!IS_FAR(light->dist)) {  // aimed anew from where it starts, else the source would stand in its own light
+        float3 to = sub3(scale3(light->dir, light->dist), sub3(from, start));
+        light->dist = length3(to);
+        light->dir = scale3(to, 1.0f / MAX_(light->dist, 1e-9f));
+    }
+
+    paths->shadow_org[slot] = pack4(from, as_float_(source));
+    paths->shadow_dir[slot] = pack4(light->dir, light->dist);
+    paths->shadow_rad[slot] = pack4(radiance, g->total);
+    if (path_media_used(par))
+        set_shadow_medium(paths, slot, above ? &vertex->arriving : &vertex->beyond,
+                          above ? vertex->clip_before : vertex->clip_beyond);
+}
+
+// Returns PATH_SHADOW if a shadow ray waits.
+FN int path_direct(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths,
+                   PRIVATE Vertex* vertex) {
+    PRIVATE const Surface* g = &vertex->g;
+    if (!vertex->wanted || par->source_count == 0u) return 0;
+
+    // A source, by what each promises here.  Where the medium scatters, half of the shadow rays are its.
+    uint source = 0u;
+    int both = par->source_count > 1u && lobes_transmit(&vertex->lobes);
+    float inv_p = choose_source(s, par, g->p, g->n, both, &vertex->rnd, &source);
+    float2 x = sample2(&vertex->rnd);
+    if (vertex->went_to_medium) return 0;
+    if (vertex->scatterers > 0u) inv_p *= 2.0f;
+    if (!(inv_p > 0.0f)) return 0;
+
+    // A point on it, and what the surface makes of light from there.
+    LightSample light;
+    sample_source(s, par, source, g->p, x, par->dj, &light);
+    if (!(light.w > 0.0f)) return 0;
+    float3 response = direct_response(s, par, &light, vertex);
+    if (!(max3(response) > 0.0f)) return 0;
+
+    // Its radiance.  Where a pattern falls below 0, RADIANCE counts light whose luminance is above it.  An illum does
+    // not light itself.
+    GLOBAL const float* src = source_record(s, par, source);
+    float3 radiance = sampled_radiance(s, par, src, &light, g->total, &vertex->rnd);
+    int itself = as_uint_(src[SRC_PRIM]) == g->prim && as_uint_(src[SRC_VIRTUAL]) == NONE;
+    if (!(luminance3(mul3(response, radiance)) > 0.0f) || itself) return 0;
+
+    radiance = mul3(mul3(vertex->thr, response), scale3(radiance, inv_p));
+    direct_shadow_ray(par, paths, vertex, source, &light, radiance);
+    return PATH_SHADOW;
+}
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether a path that has chosen its way takes it; and its next ray.
+#ifndef LUX_PATH_END_H
+#define LUX_PATH_END_H
+
+#define RR_START 0.05f  // ray weight below which roulette sets in
+#define RR_LEAST 0.05f  // least chance to survive it
+
+// The constant that stands for light of deeper bounces (-av), where -ab ends.
+FN void path_ambient_value(PRIVATE const Params* par, PRIVATE Vertex* vertex) {
+    int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
+    if (bounces < par->ab || !vertex->wanted) return;
+    float3 av = F3(par->av.x, par->av.y, par->av.z);
+    vertex_add(vertex, mul3(add3(vertex->lobes.ambient_r, vertex->lobes.ambient_t), av));
+}
+
+// The limits of -lr and -lw.
+FN int path_limited(PRIVATE const Params* par, PRIVATE const Vertex* vertex) {
+    int level = (int)((vertex->flags >> PC_LEVEL_SHIFT) & 255u);
+    if (par->lr > 0) return level > par->lr || vertex->weight < par->lw;
+    return par->lr < 0 && level > -par->lr;
+}
+
+// Russian roulette on what the surfaces reflect, not on the throughput: that also holds how likely the direction was,
+// and a way chosen toward a window is likely because much light is expected from it (spec shading 6).  0: the path
+// ends.
+FN int path_roulette(PRIVATE Vertex* vertex) {
+    uint bounces = (vertex->flags >> PC_AB_SHIFT) & 255u;
+    if (bounces < 2u || !(vertex->weight < RR_START)) return 1;
+    float q = MAX_(vertex->weight / RR_START, RR_LEAST);
+    if (sample1(&vertex->rnd) >= q) return 0;
+    vertex->thr = scale3(vertex->thr, 1.0f / q);
+    vertex->weight /= q;
+    return 1;
+}
+
+// The path takes its way.  Returns PATH_GOES_ON, or 0 if it ends.
+FN int path_go_on(PRIVATE const Params* par, PRIVATE const Paths* paths, PRIVATE Vertex* vertex,
+                  PRIVATE const Way* way) {
+    vertex->weight *= MIN_(1.0f, max3(way->color));
+    vertex->thr = scale3(mul3(vertex->thr, way->color), way->factor * way->sum / MAX_(way->chance, 1e-30f));
+    int ends = way->factor <= 0.0f || max3(vertex->thr) <= 0.0f || path_limited(par, vertex) || !path_roulette(vertex);
+    vertex_store(paths, vertex, ends ? vertex->before : vertex->g.total);
+    if (ends) return 0;
+
+    PRIVATE const Surface* g = &vertex->g;
+    uint slot = vertex->slot;
+    int above = dot3(way->dir, g->ng) > 0.0f;
+    float3 from = offset_ray(bsdf_start(&vertex->lobes, g, above), above ? g->ng : neg3(g->ng), g->reach);
+    if (vertex->absorbs) set_path_medium(paths, slot, above ? &vertex->arriving : &vertex->beyond);
+    paths->org[slot] = pack4(from, as_float_(above ? vertex->clip_before : vertex->clip_beyond));
+    paths->dir[slot] = pack4(way->dir, FAR_AWAY);
+    paths->thr[slot] = pack4(vertex->thr, vertex->weight);
+    return PATH_GOES_ON;
+}
+#endif

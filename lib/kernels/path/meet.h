@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the ray has met: nothing that shows, a lamp, or a surface that scatters light by its lobes.
+#ifndef LUX_PATH_MEET_H
+#define LUX_PATH_MEET_H
+
+// Position, normal and modifier of the hit; counts it.  0: the path has met more surfaces than it may.
+FN int vertex_arrive(PRIVATE const SceneTables* s, PRIVATE Vertex* vertex) {
+    if (vertex->flags >> PC_STEP_SHIFT >= PC_STEP_LIMIT) return 0;
+    vertex->flags += 1u << PC_STEP_SHIFT;
+    surface_at(s, &vertex->ray, &vertex->hit, &vertex->g);
+    vertex->g.total = vertex->before + vertex->hit.t;
+    return 1;
+}
+
+// -i: the first surface that the eye sees is white and Lambertian, so that its radiance is the irradiance there.
+FN int irradiance_surface(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths,
+                          int passes, PRIVATE Vertex* vertex) {
+    // what the material knows of media does not count
+    if (vertex->absorbs) vertex->arriving = path_medium(paths, vertex->slot);
+    vertex->beyond = vertex->arriving;
+    if (passes || (mod_record(s, par, vertex->g.mod)[MOD_FLAGS] & MF_SEEN_THROUGH) != 0u) return MET_NOTHING;
+
+    vertex->g.pert = vertex->g.pert_before;  // the white surface in its place has no texture of its own
+    shading_normal(&vertex->g);
+    lobes_clear(&vertex->lobes);
+    vertex->lobes.diffuse_r = F3(K_PI, K_PI, K_PI);
+    vertex->lobes.ambient_r = vertex->lobes.diffuse_r;
+    return MET_SURFACE;
+}
+
+FN int vertex_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Vertex* vertex) {
+    PRIVATE Surface* g = &vertex->g;
+    if (g->type == M_MIST) {
+        mist_crossing(s, par, g, &vertex->arriving, &vertex->beyond);
+        return MET_NOTHING;
+    }
+    int asked = path_sampled(vertex->flags) ? LOBES_SAMPLED : LOBES_EYE;
+    material_lobes(s, par, g, asked, &vertex->rnd, &vertex->arriving, &vertex->beyond, &vertex->lobes);
+    return (vertex->lobes.flags & LOBE_PASS) != 0u ? MET_NOTHING : MET_SURFACE;
+}
+
+// One of MET_*.
+FN int vertex_meet(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths,
+                   PRIVATE Vertex* vertex) {
+    PRIVATE Surface* g = &vertex->g;
+    int antimatter = (par->flags & PF_ANTIMATTER) != 0u;
+    uint carried = g->mod;
+
+    // a hole that antimatter cuts; a chain without material; an illum or mirror with void in its place
+    if (antimatter && clip_hit(s, par, g, &vertex->clip_beyond) == CLIP_IGNORE) return MET_NOTHING;
+    if (!find_material(s, par, g, &vertex->rnd)) return MET_NOTHING;
+    if (take_alternate(s, par, g, vertex->flags, &vertex->rnd)) return MET_NOTHING;
+
+    if (g->type >= M_LIGHT && g->type <= M_ILLUM) {
+        int passes;
+        vertex->emitted = emitter_radiance(s, par, g, vertex->flags, &passes);
+        return passes ? MET_NOTHING : MET_LAMP;
+    }
+
+    int met = vertex_lobes(s, par, vertex);
+    if (antimatter) clip_turned(s, par, g, carried, &vertex->clip_beyond);
+    if ((par->flags & PF_IRRADIANCE) == 0u || path_sampled(vertex->flags) || (vertex->flags & PC_BENT) != 0u)
+        return met;
+    return irradiance_surface(s, par, paths, met == MET_NOTHING, vertex);
+}
+
+// The path ends in a lamp.
+FN void path_lamp(PRIVATE const Paths* paths, PRIVATE Vertex* vertex) {
+    if (vertex->wanted) vertex_add(vertex, vertex->emitted);
+    paths->rad[vertex->slot] = pack4(vertex->rad, vertex->before);
+}
+
+// Straight on, as if nothing were there.
+FN void path_pass(PRIVATE const Paths* paths, PRIVATE Vertex* vertex) {
+    PRIVATE const Surface* g = &vertex->g;
+    float left = IS_FAR(vertex->ray.tmax) ? FAR_AWAY : vertex->ray.tmax - vertex->hit.t;
+    uint slot = vertex->slot;
+
+    vertex_store(paths, vertex, g->total);
+    if (vertex->absorbs) set_path_medium(paths, slot, &vertex->beyond);
+    paths->thr[slot] = pack4(vertex->thr, vertex->weight);
+    paths->org[slot] = pack4(offset_ray(g->p, neg3(g->ng), g->reach), as_float_(vertex->clip_beyond));
+    paths->dir[slot] = pack4(vertex->ray.dir, left);
+}
+#endif

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The ray met nothing: sky, sun and ground glow, through whatever medium is left.
+#ifndef LUX_PATH_MISS_H
+#define LUX_PATH_MISS_H
+
+FN void path_miss(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths,
+                  PRIVATE Vertex* vertex) {
+    if (vertex->absorbs) {
+        float3 T = attenuation(vertex->arriving.k, ENDLESS_MEDIUM);
+        if (vertex->wanted) vertex_add(vertex, medium_glow(par, &vertex->arriving, T));
+        vertex->thr = mul3(vertex->thr, T);
+    }
+
+    // a ray that the view cuts off (-va) sees black, not the sky
+    PRIVATE const Ray* ray = &vertex->ray;
+    if (vertex->wanted && IS_FAR(ray->tmax))
+        vertex_add(vertex, path_background(s, par, ray->org, ray->dir, vertex->flags, &vertex->rnd));
+    paths->rad[vertex->slot] = pack4(vertex->rad, vertex->before);
+}
+#endif

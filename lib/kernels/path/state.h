@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// State of the paths in flight, one slot each, and the flags that say what a path has been through.
+// A path's class is "diffuse" once it has left a surface into the hemisphere (paper section 3; spec shading 0.2).
+#ifndef LUX_PATH_STATE_H
+#define LUX_PATH_STATE_H
+
+// The one list of what a path is made of: FIELD(type, name, when) for each field, four words a slot.  The struct Paths,
+// what both devices allocate and the arguments of the OpenCL kernels come from it.
+//   when: PATH_ALWAYS, or PATH_MEDIA if only scenes with media or antimatter need it (path_media_used)
+// clang-format off
+#define PATH_STATE(FIELD)                                                                                       \
+    FIELD(float4, org, PATH_ALWAYS)           /* the ray's origin; w: what is cut away there (bits; clip.h) */  \
+    FIELD(float4, dir, PATH_ALWAYS)           /* its direction; w: how far it looks */                          \
+    FIELD(float4, thr, PATH_ALWAYS)           /* throughput, rgb; w: RADIANCE's ray weight (-lw) */             \
+    FIELD(float4, rad, PATH_ALWAYS)           /* radiance gathered, rgb; w: path length from the eye */         \
+    FIELD(uint4, info, PATH_ALWAYS)           /* PC_ flags; sampler: key, index | dim << 8; instance hit */     \
+    FIELD(float4, hit, PATH_ALWAYS)           /* t, primitive (bits), u, v */                                   \
+    FIELD(float4, shadow_org, PATH_ALWAYS)    /* the shadow ray's origin; w: its source (bits) */               \
+    FIELD(float4, shadow_dir, PATH_ALWAYS)    /* its direction; w: distance of the source */                    \
+    FIELD(float4, shadow_rad, PATH_ALWAYS)    /* what it brings if unblocked, rgb; w: path length so far */     \
+    FIELD(float4, medium, PATH_MEDIA)         /* the medium around, extinction rgb; w: sets of lights (bits) */ \
+    FIELD(float4, albedo, PATH_MEDIA)         /* its albedo, rgb; w: eccentricity */                            \
+    FIELD(float4, shadow_medium, PATH_MEDIA)  /* the shadow ray's, extinction rgb; w: cut away there (bits) */  \
+    FIELD(float4, shadow_albedo, PATH_MEDIA)  /* its albedo, rgb; w: sets of lights (bits) */
+// clang-format on
+
+#define PATH_POINTER(type, name, when) GLOBAL type* name;
+typedef struct {
+    PATH_STATE(PATH_POINTER)
+} Paths;
+
+#define PATH_ALWAYS 0u
+#define PATH_MEDIA 1u
+FN int path_media_used(PRIVATE const Params* par) { return par->medium.w > 0.0f || (par->flags & PF_ANTIMATTER) != 0u; }
+
+// flags in info.x
+#define PC_DIFFUSE 1u      // some ancestor was a hemisphere sample
+#define PC_ROUGH 2u        // some ancestor was a rough-specular sample
+#define PC_BENT 4u         // some reflection or refraction lies behind: not the eye's straight ray
+#define PC_LEVEL_SHIFT 8u  // reflection level, 8 bits
+#define PC_AB_SHIFT 16u    // diffuse depth, 8 bits
+#define PC_STEP_SHIFT 24u  // surfaces met, 8 bits, saturating
+#define PC_STEP_LIMIT 250u
+
+// Has a diffuse or rough surface sent the path on?  Else it is the eye's ray, or one that mirrors and panes have
+// turned.
+FN int path_sampled(uint flags) { return (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u; }
+
+FN float4 pack4(float3 v, float w) {
+    float4 r;
+    r.x = v.x;
+    r.y = v.y;
+    r.z = v.z;
+    r.w = w;
+    return r;
+}
+FN float3 xyz4(float4 v) { return F3(v.x, v.y, v.z); }
+
+FN Sampler path_sampler(uint4 info) {
+    Sampler rnd;
+    rnd.key = info.y;
+    rnd.index = info.z & 255u;
+    rnd.dim = info.z >> 8;
+    return rnd;
+}
+FN uint path_sampler_word(PRIVATE const Sampler* rnd) { return rnd->index | (rnd->dim << 8); }
+
+FN Hit path_hit(PRIVATE const Paths* paths, uint slot) {
+    Hit hit;
+    float4 q = paths->hit[slot];
+    hit.t = q.x;
+    hit.prim = as_uint_(q.y);
+    hit.u = q.z;
+    hit.v = q.w;
+    hit.inst = paths->info[slot].w;
+    return hit;
+}
+FN void set_path_hit(PRIVATE const Paths* paths, uint slot, PRIVATE const Hit* hit) {
+    float4 q;
+    q.x = hit->t;
+    q.y = as_float_(hit->prim);
+    q.z = hit->u;
+    q.w = hit->v;
+    paths->hit[slot] = q;
+    paths->info[slot].w = hit->inst;
+}
+#endif

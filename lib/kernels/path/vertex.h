@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A vertex: all that the stages of one step know of the path and of the point that it has come to.  Each stage (the
+// other files of this folder) takes one, reads what the stages before it have found, and adds what it finds.
+#ifndef LUX_PATH_VERTEX_H
+#define LUX_PATH_VERTEX_H
+
+typedef struct {
+    // the path so far
+    uint slot;     // of Paths
+    uint flags;    // PC_ flags
+    int wanted;    // does light of the path's class count in this pass? (emission.h)
+    float3 rad;    // radiance gathered
+    float3 thr;    // throughput
+    float weight;  // RADIANCE's ray weight: what the surfaces have left, whatever the chance of the directions was
+    float before;  // path length from the eye to where the last ray began
+    Sampler rnd;
+
+    // the ray that has come here, and the surface that it met
+    Ray ray;
+    Hit hit;
+    Surface g;
+    float3 emitted;  // if the surface is a lamp
+    Lobes lobes;     // if it scatters
+
+    // media (medium.h) and antimatter (clip.h) on both sides of the surface
+    int absorbs;         // is there any medium in the scene?
+    Medium arriving;     // of the segment that ends here, as the surface knows it
+    Medium beyond;       // behind the surface
+    uint clip_before;    // what antimatter cuts away on the ray's side
+    uint clip_beyond;    // and behind the surface
+    uint scatterers;     // how many sources the crossed medium scatters
+    int went_to_medium;  // this step's shadow ray starts in the medium, not at the surface
+} Vertex;
+
+// What path_shade returns, bits.
+#define PATH_GOES_ON 1  // the slot holds the next ray
+#define PATH_SHADOW 2   // and a shadow ray
+
+// What a stage may leave of a step.
+#define MET_NOTHING 0  // the ray goes straight on
+#define MET_LAMP 1     // the path ends in a light
+#define MET_SURFACE 2  // lobes say how light is scattered
+
+FN void vertex_load(PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot, PRIVATE Vertex* vertex) {
+    float4 org = paths->org[slot], dir = paths->dir[slot], thr = paths->thr[slot], rad = paths->rad[slot];
+    uint4 info = paths->info[slot];
+
+    vertex->slot = slot;
+    vertex->flags = info.x;
+    vertex->rnd = path_sampler(info);
+    vertex->rad = xyz4(rad);
+    vertex->before = rad.w;
+    vertex->thr = xyz4(thr);
+    vertex->weight = thr.w;
+    vertex->wanted = class_wanted(par, info.x, path_sample_index(par, slot));
+
+    vertex->ray.org = xyz4(org);
+    vertex->ray.dir = xyz4(dir);
+    vertex->ray.tmin = 0.0f;
+    vertex->ray.tmax = dir.w;
+    vertex->hit = path_hit(paths, slot);
+
+    vertex->absorbs = par->medium.w > 0.0f;
+    vertex->arriving = vertex->absorbs ? path_medium(paths, slot) : medium_open(par);
+    vertex->beyond = vertex->arriving;
+    vertex->clip_before = as_uint_(org.w);
+    vertex->clip_beyond = vertex->clip_before;
+    vertex->scatterers = 0u;
+    vertex->went_to_medium = 0;
+}
+
+// Puts back what the step has changed of the path.  length: from the eye to where its next ray begins.
+FN void vertex_store(PRIVATE const Paths* paths, PRIVATE const Vertex* vertex, float length) {
+    paths->rad[vertex->slot] = pack4(vertex->rad, length);
+    paths->info[vertex->slot].x = vertex->flags;
+    paths->info[vertex->slot].z = path_sampler_word(&vertex->rnd);
+}
+
+FN void vertex_add(PRIVATE Vertex* vertex, float3 radiance) {
+    vertex->rad = add3(vertex->rad, mul3(vertex->thr, radiance));
+}
+#endif
