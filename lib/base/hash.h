@@ -41,7 +41,7 @@ private:
             mix(word);
         }
         uint64_t rest = 0;
-        std::memcpy(&rest, at, bytes);
+        if (bytes) std::memcpy(&rest, at, bytes);  // nothing may be at no address
         mix(rest);
     }
     uint64_t state_ = 0x9e3779b97f4a7c15u;

@@ -10,6 +10,7 @@
 
 #include "base/cli.h"
 #include "base/error.h"
+#include "base/hash.h"
 #include "base/printable.h"
 #include "base/radopts.h"
 #include "base/run.h"
@@ -179,6 +180,15 @@ TEST_CASE("work: one budget, spent once") {
     CHECK_FALSE(other.spend(11));
     CHECK_FALSE(other.spend(1));  // and nothing is left of what did not do
     CHECK_THROWS_AS(other.fail("room.rad:1"), base::Error);
+}
+
+TEST_CASE("hash: nothing is told from one nothing more, and may be at no address") {
+    base::Hash a, b;
+    a.add_all(std::vector<float>());
+    b.add_all(std::vector<float>());
+    CHECK(a.text() == b.text());
+    b.add_all(std::string());
+    CHECK(a.text() != b.text());
 }
 
 TEST_CASE("exit statuses") {
