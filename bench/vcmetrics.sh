@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Speed of vcmetrics, and of evalglare where it is on PATH, in one run: bench/vcmetrics.sh build/bin
 #   1. pictures a second on one core of a 512 x 512 float stream of the office, clean and at frame 4
-#   2. seconds and memory of one picture with 300 sources, 1024 to 4096 pixels a side
+#   2. smoothing (-s), 512 to 2048 pixels a side: four times the pixels, about four times the time
+#   3. seconds and memory of one picture with 300 sources, 1024 to 4096 pixels a side
 set -eu
 bin=$(cd "$1" && pwd)
 top=$(cd "$(dirname "$0")/.." && pwd)
@@ -33,6 +34,11 @@ if [ -x "$bin/ptrace" ]; then
     fi
 fi
 TIMEFORMAT='%R s wall, %U s processor'
+for size in 512 1024 2048; do
+    "$bin/bright_discs" $size 300 > "$dir/discs.hdr"
+    echo "# $size x $size, 300 discs, -s"
+    time "$bin/vcmetrics" -s -metrics n_sources,DGP "$dir/discs.hdr" | tail -n 1 | cut -f 2-
+done
 for size in 1024 2048 4096; do
     "$bin/bright_discs" $size 300 > "$dir/discs.hdr"
     echo "# $size x $size, 300 discs, search radius 0.1"
