@@ -4,6 +4,9 @@
 The words that a rule stands for must be on that page (tests/compare/compare_radiance.sh looks)."""
 
 
+LAMPS = {"light", "spotlight", "glow", "illum"}
+
+
 def has(scene, *kinds):
     return bool(set(kinds) & set(scene.kinds()))
 
@@ -77,6 +80,17 @@ def clear(scene):
             p.reals[4:7] = [1, 1, 1]
 
 
+def patterned_lamp(scene):
+    return has(scene, "dielectric", "interface") and any(p.kind in LAMPS and p.modifier != "void"
+                                                         for p in scene.primitives())
+
+
+def plain_lamps(scene):
+    for p in scene.primitives():
+        if p.kind in LAMPS:
+            p.modifier = "void"
+
+
 # Name, the page's words, the test, and what takes the difference away (None: the test says enough).
 RULES = [
     ("fewer pieces", "RADIANCE takes fewer pieces for rays of low weight", pieces, whole),
@@ -84,6 +98,7 @@ RULES = [
     ("smoothed meshes of 6.0a", "6.0a bends by the interpolated normal", smoothed, flat),
     ("overlapping mists", "Overlapping volumes of a mist with a list", listed_mist, unlisted),
     ("sun in a medium", "A sun in mist or in a solid", sun_in_medium, clear),
+    ("patterned lamp behind a solid", "A lamp's pattern seen through a solid", patterned_lamp, plain_lamps),
     ("rank-3 tree", "A rank-3 tree that gives transmission for one side only", tree3, matrix),
     ("pattern on aBSDF", "Beside the peak of an `aBSDF` a pattern acts once", lambda scene: has(scene, "aBSDF"), plain),
 ]
