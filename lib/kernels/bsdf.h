@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Look-up and sampling of tabulated BSDFs (layout below, written by trace/flatten_bsdf.cpp).  A table answers for a
+// Look-up and sampling of tabulated BSDFs (layout below, written by flatten/bsdf.cpp).  A table answers for a
 // direction v toward the viewer, which the sampling keeps, and l toward the light; both unit, in the surface's frame
 // (x, y, n), both away from the surface.  No interpolation: values are constant in a cell, as in RADIANCE.
 //   matrix  Klems' patches; rows of cumulative f times projected solid angle (Klems 1994)

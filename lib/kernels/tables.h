@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layout of the flat scene: what trace/flatten.cpp writes and the kernels read.
+// Layout of the flat scene: what lib/flatten writes and the kernels read.
 // u = word arena, f = float arena of SceneTables; "at" means an index into one of them.  Positions are relative to the
 // scene's centre (Params.centre gives it back), so that single precision stays fine far from the origin.
 #ifndef LUX_TABLES_H
@@ -63,7 +63,7 @@ enum { M_BEFORE_MATERIALS_ = M_FIRST_MATERIAL - 1u, MATERIALS(MATERIAL_NUMBER_, 
 #define MF_TRANS 16u
 #define MF_VALUES 64u          // MOD_PROGRAM gives values of the material (cal::MaterialProgram)
 #define MF_PATTERNS_ONLY 256u  // a mixture whose branches hold no material
-#define MIX_DEPTH 8            // mixtures of patterns one inside the other (flatten_modifiers.cpp refuses more)
+#define MIX_DEPTH 8            // mixtures of patterns one inside the other (flatten/modifiers.cpp refuses more)
 #define MF_TWO_EXITS 128u      // prism2
 #define MF_CLIPPED_SHIFT 9u    // 4 bits: listed by antimatter 0..3
 #define MF_ALBEDO 8192u        // a mist that states its albedo

@@ -6,9 +6,9 @@
 #include <unordered_map>
 #include "base/error.h"
 #include "scene/materials.h"
-#include "trace/build_input.h"
+#include "flatten/build_input.h"
 #include "bvh/embree_scene.h"
-#include "trace/flat_scene.h"
+#include "flatten/flatten.h"
 
 namespace sight {
 
@@ -16,12 +16,18 @@ namespace {
 using base::Vec3;
 using scene::Type;
 
+flatten::Options without_portals() {
+    flatten::Options o;
+    o.portals = false;
+    return o;
+}
+
 class TracedScene : public region::SceneView {
 public:
     TracedScene(const std::vector<std::string>& files, const base::ReadOptions& options)
         : scene_(scene::read_scene(files, options)),
-          flat_(trace::flatten(scene_, trace::RenderOptions(), options)),
-          input_(trace::build_inputs(flat_)),
+          flat_(flatten::flatten(scene_, without_portals(), options)),
+          input_(flatten::build_inputs(flat_)),
           tracer_(input_.data(), input_.size(), true, false) {
         for (size_t i = 0; i < scene_.objects.size(); ++i)
             if (scene::is_surface(scene_.objects[i].type)) surfaces_.push_back(unsigned(i));
@@ -68,7 +74,7 @@ public:
             const bool within =
                 hit.inst != none;  // a mesh or instance counts as one surface, its panes let the eye pass
             const unsigned s = within ? instance_surface_[hit.inst - flat_.instances_at] : prim_surface_[hit.prim];
-            closed = s == none || (within ? !trace::see_through(flat_, hit.prim, hit.inst) : !through_[s]);
+            closed = s == none || (within ? !flatten::see_through(flat_, hit.prim, hit.inst) : !through_[s]);
             if (s != none) {
                 if (n == room) --n;  // the nearest ones and the last
                 out[n++] = {hit.t, s};
@@ -92,7 +98,7 @@ private:
         double half;
     };
     scene::Scene scene_;
-    trace::FlatScene flat_;
+    flatten::FlatScene flat_;
     std::vector<bvh::Input> input_;
     bvh::EmbreeScene tracer_;
     std::vector<unsigned> surfaces_;          // objects

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/threads.h"
-#include "trace/build_input.h"
+#include "flatten/build_input.h"
 #include "trace/cpu_kernels.h"
 #include "trace/device.h"
 #include "bvh/embree_scene.h"
@@ -53,9 +53,9 @@ public:
 
     std::string name() const override { return fmt::format("cpu ({}, {} threads)", kernels_.name, threads_); }
 
-    void upload(FlatScene s) override {
+    void upload(flatten::FlatScene s) override {
         scene_ = std::move(s);
-        const std::vector<bvh::Input> in = build_inputs(scene_);
+        const std::vector<bvh::Input> in = flatten::build_inputs(scene_);
         if (embree_) {
             check_ = std::make_unique<bvh::EmbreeScene>(in.data(), in.size());
             tables_.nodes = reinterpret_cast<const float*>(check_.get());
@@ -106,7 +106,7 @@ private:
     bool embree_;
     const CpuKernels& kernels_;
     unsigned threads_;
-    FlatScene scene_;
+    flatten::FlatScene scene_;
     bvh::Tree bvh_;
     std::unique_ptr<bvh::EmbreeScene> check_;
     kernels::SceneTables tables_{};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 #include "kernels/host.h"
-#include "trace/flat_scene.h"
+#include "flatten/flat_scene.h"
 
 namespace trace {
 
@@ -22,7 +22,7 @@ public:
     virtual ~Device() = default;
     virtual std::string name() const = 0;
     // Builds the device's BVH and takes the tables.
-    virtual void upload(FlatScene scene) = 0;
+    virtual void upload(flatten::FlatScene scene) = 0;
     // Runs par.slots paths; rgb gets 3 floats a slot.
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
     // MODE_DRAW: radiance times weight for each ray, 3 floats each.

@@ -5,12 +5,15 @@
 
 #include <cmath>
 
-#include "trace/flatten.h"
+#include "flatten/pack.h"
+#include "kernels/host.h"
 
 namespace trace {
 namespace {
 using namespace kernels;
 using base::Vec3;
+using flatten::bits;
+using flatten::from_bits;
 
 constexpr double LARGEST = 64;     // pixels; larger sources are met by ordinary samples often enough
 constexpr uint32_t POINTS = 4096;  // per source: at a pixel's edge the error is about 1/POINTS^(3/4) of the source
@@ -32,7 +35,8 @@ double density(const view::Projector& p, double X, double Y) {
 }
 }  // namespace
 
-DrawList list_drawn_sources(FlatScene& scene, const HostTracer& tracer, const view::View& view, int nx, int ny) {
+DrawList list_drawn_sources(flatten::FlatScene& scene, const flatten::HostTracer& tracer, const view::View& view,
+                            int nx, int ny) {
     DrawList out;
     if (view.type == 'l') return out;  // parallel views have no eye point
     const view::Projector projector(view);

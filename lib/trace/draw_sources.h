@@ -4,7 +4,7 @@
 #pragma once
 #include <vector>
 #include "trace/device.h"
-#include "trace/host_tracer.h"
+#include "flatten/host_tracer.h"
 #include "view/view.h"
 
 namespace trace {
@@ -14,6 +14,7 @@ struct DrawList {
     std::vector<uint32_t> pixel;  // row from the top * nx + column, of each ray
 };
 // Marks the sources it takes (SRC_DRAWN in scene.f) and lists their rays.
-DrawList list_drawn_sources(FlatScene& scene, const HostTracer& tracer, const view::View& view, int nx, int ny);
+DrawList list_drawn_sources(flatten::FlatScene& scene, const flatten::HostTracer& tracer, const view::View& view,
+                            int nx, int ny);
 
 }  // namespace trace

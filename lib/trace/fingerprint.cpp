@@ -9,9 +9,9 @@
 namespace trace {
 namespace {
 
-std::string scene_hash(const FlatScene& s) {
+std::string scene_hash(const flatten::FlatScene& s) {
     base::Hash hash;
-    for (const FlatScene::Tree& t : s.trees)
+    for (const flatten::FlatScene::Tree& t : s.trees)
         hash.add({t.first_vertex, t.vertex_count, t.first_triangle, t.triangle_count, t.first_shape, t.shape_count});
     hash.add_all(s.prims), hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim);
     hash.add_all(s.shapes), hash.add_all(s.shape_prim), hash.add_all(s.polygon_uv);
@@ -39,7 +39,8 @@ std::string hash_of(const std::string& text) {
 
 }  // namespace
 
-std::string fingerprint(const FlatScene& scene, const view::View& view, int nx, int ny, const RenderOptions& options) {
+std::string fingerprint(const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
+                        const RenderOptions& options) {
     return fmt::format("scene:{} view:{} options:{} estimator:{}", scene_hash(scene),
                        hash_of(fmt::format("{} {} {}", view::to_options(view), nx, ny)), hash_of(option_text(options)),
                        estimator);

@@ -5,7 +5,7 @@
 // files, BSDFs and fonts are in the tables.  Devices and threads do not count, for they give the same bits.
 #pragma once
 #include <string>
-#include "trace/flat_scene.h"
+#include "flatten/flat_scene.h"
 #include "trace/options.h"
 #include "view/view.h"
 
@@ -15,6 +15,7 @@ namespace trace {
 // then), so that frames from before and after are not taken for parts of one picture.
 constexpr int estimator = 1;
 
-std::string fingerprint(const FlatScene& scene, const view::View& view, int nx, int ny, const RenderOptions& options);
+std::string fingerprint(const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
+                        const RenderOptions& options);
 
 }  // namespace trace

@@ -13,7 +13,7 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "trace/build_input.h"
+#include "flatten/build_input.h"
 #include "trace/child.h"
 #include "trace/device.h"
 #include "trace/kernel_cache.h"
@@ -107,10 +107,10 @@ public:
     }
     std::string name() const override { return "opencl: " + name_; }
 
-    void upload(FlatScene s) override {
+    void upload(flatten::FlatScene s) override {
         call("loading the scene", [&] {
             {
-                const std::vector<bvh::Input> in = build_inputs(s);
+                const std::vector<bvh::Input> in = flatten::build_inputs(s);
                 const bvh::Tree bvh = bvh2_ ? bvh::build2(in.data(), in.size()) : bvh::build8(in.data(), in.size());
                 BVH_TABLES(SEND_OF_BVH)
             }

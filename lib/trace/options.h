@@ -4,22 +4,22 @@
 #include <cstdint>
 #include <string>
 #include <vector>
+#include "flatten/flatten.h"
 #include "view/view.h"
 
 namespace trace {
 
-struct RenderOptions {
+struct RenderOptions : flatten::Options {  // which has -dr, -bv and portals
     // RADIANCE's letters
     int ab = 5;             // -ab diffuse bounces
     double st = 0;          // -st specular threshold
     double ss = 16;         // -ss > 1.5: weighted (W-G-M-D) lobes; <= 1.5: unweighted
     double dj = 1, ds = 0;  // -dj source jitter; -ds accepted (a path tracer samples the whole source)
-    int dr = 2, dp = 0;     // -dr virtual source levels
+    int dp = 0;             // -dp accepted
     int lr = -12;
     double lw = 1e-6;          // ray level limit (negative: Russian roulette), weight limit
     double pj = 1;             // -pj pixel jitter
     bool u = true;             // -u accepted
-    bool bv = true;            // -bv back faces visible
     bool dv = true;            // -dv light sources visible
     bool i = false;            // -i irradiance
     double av[3] = {0, 0, 0};  // -av
@@ -27,7 +27,6 @@ struct RenderOptions {
     double pd = 0;                                                // -pd depth of field
     // ours
     uint64_t seed = 1;
-    bool portals = true;      // guide diffuse samples to windows (off: tests that it does not move the mean)
     int direct_samples = 16;  // m of spec paper 7: samples of the direct and specular class in frame 0
 };
 

@@ -12,7 +12,6 @@
 #include "trace/device.h"
 #include "trace/draw_sources.h"
 #include "trace/fingerprint.h"
-#include "trace/portals.h"
 #include "trace/view_params.h"
 
 namespace trace {
@@ -107,11 +106,10 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     s.nx = uint32_t(nx);
     s.ny = uint32_t(ny);
     s.m = uint32_t(std::max(1, o.direct_samples));
-    FlatScene flat = flatten(scene, o, files);
-    if (o.portals && !flat.panes.empty()) find_portals(flat);
+    flatten::FlatScene flat = flatten::flatten(scene, o, files);
     // drawing knows one eye point, and no way on through glass unattenuated
     const bool drawable = flat.source_count > 0 && o.pd <= 0 && o.dv && !o.i;
-    if (drawable) s.drawn = list_drawn_sources(flat, HostTracer(flat), view, nx, ny);
+    if (drawable) s.drawn = list_drawn_sources(flat, flatten::HostTracer(flat), view, nx, ny);
     Params& p = s.base;
     p.view_clip.z = float(o.pj);
     p.view_clip.w = float(o.pd);

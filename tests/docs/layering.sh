@@ -14,8 +14,9 @@ lib/scene: base cal generators kernels
 lib/comfort: base view image
 lib/region: base view image comfort
 lib/bvh: base kernels
-lib/trace: base view image cal scene bvh kernels
-lib/sight: base region scene bvh trace
+lib/flatten: base cal scene bvh kernels
+lib/trace: base view image scene flatten bvh kernels
+lib/sight: base region scene bvh flatten
 tools/ptaccum: base view image
 tools/vcmetrics: base view image comfort region
 tools/vcregion: base view image region sight

@@ -11,7 +11,7 @@
 #include "options.h"
 #include "base/tempfile.h"
 #include "scene/object.h"
-#include "trace/flat_scene.h"
+#include "flatten/flatten.h"
 
 namespace parity {
 namespace {
@@ -56,11 +56,14 @@ std::string disc_at(const std::vector<double>& point) {
 
 Value RowTracer::geometry(const Row& row) {
     const Options opt = read_arguments(row);
-    const trace::FlatScene flat = trace::flatten(scene::read_scene(opt.scene_files, opt.files), opt.render, opt.files);
-    const trace::HostTracer tracer(flat);
+    flatten::Options geometry = opt.render;
+    geometry.portals = false;
+    const flatten::FlatScene flat =
+        flatten::flatten(scene::read_scene(opt.scene_files, opt.files), geometry, opt.files);
+    const flatten::HostTracer tracer(flat);
     const base::Vec3 origin = {row.input[0], row.input[1], row.input[2]};
     const base::Vec3 dir = base::unit({row.input[3], row.input[4], row.input[5]});
-    const auto found = tracer.closest(origin, dir, 0, 1e30, trace::HostTracer::all);
+    const auto found = tracer.closest(origin, dir, 0, 1e30, flatten::HostTracer::all);
     Value value;
     value.samples = 1;
     if (found.t < 0) value.mean = {0, 0, 0, 1e10};

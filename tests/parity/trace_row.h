@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 #include "parity/vectors.h"
-#include "trace/host_tracer.h"
+#include "flatten/host_tracer.h"
 #include "trace/progressive.h"
 
 namespace parity {

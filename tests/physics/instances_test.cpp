@@ -6,7 +6,7 @@
 #include <random>
 
 #include "base/vec.h"
-#include "trace/build_input.h"
+#include "flatten/build_input.h"
 #include "unit/temp_folder.h"
 
 using namespace laws;
@@ -148,7 +148,7 @@ TEST_CASE("lamps inside an instance are seen, and light nothing by themselves") 
     expect(floor + there, options, {{3, 0, 1}, {-3, 0, -1}}, {0}, 64);
     CHECK(error_text([&] {
               const scene::Scene s = scene_of("void light l 0 0 3 7 7 7\nl instance i 1 " + in + " 0 0\n");
-              trace::flatten(s, options, {});
+              flatten::flatten(s, options, {});
           }).find("cannot be a light source") != std::string::npos);
 }
 
@@ -171,11 +171,11 @@ TEST_CASE("geometry is kept once, whatever stands how often") {
         }
     const std::string obj = folder.holding("grid.obj", grid);
     const std::string white = "void plastic m 0 0 5 .5 .5 .5 0 0\nvoid plastic m2 0 0 5 .4 .4 .4 0 0\n";
-    const auto bytes = [](const trace::FlatScene& s) {
+    const auto bytes = [](const flatten::FlatScene& s) {
         return 4 * (s.prims.size() + s.vertices.size() + s.triangles.size() + s.tri_prim.size() + s.shapes.size() +
                     s.shape_prim.size() + s.u.size() + s.f.size() + s.prim_object.size());
     };
-    const auto flat = [&](const std::string& text) { return trace::flatten(scene_of(white + text), {}, {}); };
+    const auto flat = [&](const std::string& text) { return flatten::flatten(scene_of(white + text), {}, {}); };
     const size_t none = bytes(flat("m sphere s 0 0 4 0 0 0 1\n"));
     const auto one = flat("m mesh a 1 " + obj + " 0 0\n");
     CHECK(one.trees.size() == 2);
@@ -193,7 +193,7 @@ TEST_CASE("a scene of nothing but instances far from the origin keeps its digits
         folder.holding("in.rad",
                        "void brightfunc pat 2 Px-5e6 . 0 0\npat glow g 0 0 4 1 1 1 0\n"
                        "g polygon p 0 0 12 5000000 6000000 0 5000001 6000000 0 5000001 6000001 0 5000000 6000001 0\n");
-    const trace::FlatScene s = trace::flatten(scene_of("void instance i 5 " + in + " -t 1e6 0 0 0 0\n"), {}, {});
+    const flatten::FlatScene s = flatten::flatten(scene_of("void instance i 5 " + in + " -t 1e6 0 0 0 0\n"), {}, {});
     CHECK(length(s.centre - Vec3{6000000.5, 6000000.5, 0}) < 2);
     for (float v : s.vertices) CHECK(std::abs(v) < 2);
 }

@@ -11,7 +11,7 @@ namespace kernels {
 #include "kernels/sampler.h"
 #include "kernels/bsdf.h"
 }  // namespace kernels
-#include "trace/flatten_bsdf.h"
+#include "flatten/bsdf.h"
 #include "unit/bsdf_text.h"
 
 using namespace kernels;
@@ -23,7 +23,7 @@ struct Tables {
     uint32_t at;
     SceneTables s = {};
     explicit Tables(const std::string& text) : file(scene::parse_bsdf(text, "test.xml")) {
-        at = trace::bsdf_tables(file, code, "test.xml");
+        at = flatten::bsdf_tables(file, code, "test.xml");
         s.u = code.words.data();
         s.f = code.floats.data();
     }

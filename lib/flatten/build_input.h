@@ -3,9 +3,9 @@
 #pragma once
 #include <vector>
 #include "bvh/build.h"
-#include "trace/flat_scene.h"
+#include "flatten/flat_scene.h"
 
-namespace trace {
+namespace flatten {
 
 inline std::vector<bvh::Input> build_inputs(const FlatScene& s) {
     std::vector<bvh::Input> trees;
@@ -26,4 +26,4 @@ inline std::vector<bvh::Input> build_inputs(const FlatScene& s) {
     return trees;
 }
 
-}  // namespace trace
+}  // namespace flatten

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Single rays on the host: which primitive a ray meets, whether a way is free, points on light sources.
-// For set-up work and region queries; pictures go through Device.
+// Single rays on the host: which primitive a ray meets, whether a way is free, points on light sources.  For work
+// before the first frame; pictures go through Device.
 #pragma once
 #include <cstdint>
 #include <memory>
 #include "base/vec.h"
-#include "trace/flat_scene.h"
+#include "flatten/flat_scene.h"
 
-namespace trace {
+namespace flatten {
 
 class HostTracer {
 public:
@@ -36,17 +36,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// The mean luminance of a light source, patterns included, over its points and the directions in which it shines;
-// record: SOURCE_FLOATS of kernels/tables.h.
-double mean_luminance(const FlatScene& scene, const float* record);
-
-// Runs a .cal program of the scene's arenas for one point; false on a run-time error.  vars: CAL_VARS, out:
-// CAL_OUTPUTS.
-bool run_program(const FlatScene& scene, uint32_t entry, const float* vars, float* out);
-struct RayVars {
-    float values[64];
-};
-// The variables a program sees at point p (relative to scene.centre) for a ray of direction d on a surface of normal n.
-RayVars ray_vars(const FlatScene& scene, base::Vec3 p, base::Vec3 d, base::Vec3 n);
-
-}  // namespace trace
+}  // namespace flatten

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Panes in one plane that lie close together become one portal; a portal must see clearly more of the sky on one side
 // (which side is found by rays, so it does not matter how the glass is oriented); the largest ones are kept.
-#include "trace/portals.h"
+#include "flatten/portals.h"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "trace/flatten.h"
+#include "flatten/host_tracer.h"
 
-namespace trace {
+namespace flatten {
 namespace {
 using base::Vec3;
 
@@ -113,4 +113,4 @@ void find_portals(FlatScene& scene) {
     scene.f.insert(scene.f.end(), records.begin(), records.end());
 }
 
-}  // namespace trace
+}  // namespace flatten

@@ -5,9 +5,9 @@
 #include "cal/compile.h"
 #include "scene/bsdf_xml.h"
 
-namespace trace {
+namespace flatten {
 
 // Appends to code.words and code.floats; returns the index of the four components (MOD_EXTRA).
 uint32_t bsdf_tables(const scene::Bsdf& bsdf, cal::Code& code, const std::string& place);
 
-}  // namespace trace
+}  // namespace flatten

@@ -2,22 +2,23 @@
 // BSDF files -> the tables of kernels/bsdf.h: the Lambertian part taken off, values perturbed as RADIANCE perturbs them
 // (spec: RADIANCE shading 3.16; equal cells become unlike), sums for sampling, hemispherical values.  One file, one
 // set.
+#include "flatten/bsdf.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
 
 #include "base/error.h"
-#include "base/find_file.h"
 #include "scene/bsdf_xml.h"
-#include "trace/flatten.h"
-#include "trace/flatten_bsdf.h"
+#include "flatten/pack.h"
+#include "kernels/host.h"
 
 namespace kernels {
 #include "kernels/sampler.h"
 #include "kernels/bsdf.h"
 }  // namespace kernels
 
-namespace trace {
+namespace flatten {
 namespace {
 using namespace kernels;
 using scene::BsdfBasis;
@@ -30,11 +31,11 @@ constexpr double MIN_LAMBERTIAN = .01 / PI, MAX_LAMBERTIAN = 1.5 / PI;
 
 double fraction(double x) { return x - std::floor(x); }
 
-class Builder {
+class BsdfWriter {
 public:
-    Builder(const scene::Bsdf& b, cal::Code& code, const std::string& place) : b_(b), code_(code), place_(place) {}
+    BsdfWriter(const scene::Bsdf& b, cal::Code& code, const std::string& place) : b_(b), code_(code), place_(place) {}
 
-    uint32_t build() {
+    uint32_t write() {
         for (const BsdfBasis& basis : b_.bases) bases_.push_back(add_basis(basis));
         uint32_t comp[BSDF_COMPONENTS * BSDF_COMPONENT_WORDS];
         for (int side = 0; side < 2; side++) {
@@ -260,14 +261,7 @@ private:
 }  // namespace
 
 uint32_t bsdf_tables(const scene::Bsdf& bsdf, cal::Code& code, const std::string& place) {
-    return Builder(bsdf, code, place).build();
+    return BsdfWriter(bsdf, code, place).write();
 }
 
-uint32_t Flattener::bsdf_file(const std::string& name, const std::string& place) {
-    const std::string path = base::find_file(name, files, place);
-    const auto known = bsdf_files.find(path);
-    if (known != bsdf_files.end()) return known->second;
-    return bsdf_files[path] = bsdf_tables(scene::read_bsdf(path), code, path);
-}
-
-}  // namespace trace
+}  // namespace flatten

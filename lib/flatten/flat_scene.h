@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The scene as flat tables (kernels/tables.h), ready to upload to any device, and what the host still needs of it.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
 #include "base/vec.h"
-#include "scene/object.h"
-#include "trace/options.h"
 
-namespace trace {
+namespace flatten {
 
 struct FlatScene {
     // Geometry of all trees: 0 is the scene, the others are what its instances hold, in coordinates of their own.
@@ -31,8 +30,11 @@ struct FlatScene {
     uint32_t mods_at = 0, sources_at = 0, source_count = 0, distant_at = 0, distant_count = 0;
     uint32_t portals_at = 0, portal_count = 0, cdf_at = 0, light_sets_at = 0;
     uint32_t shadow_mode = 0;  // SHADOW_* of tables.h
+    void shadows_need(uint32_t mode) { shadow_mode = std::max(shadow_mode, mode); }
     bool antimatter = false;
     bool absorbs = false;  // some segment may lie in an absorbing medium
+
+    const uint32_t* record(uint32_t mod) const;  // MOD_WORDS of a modifier
 
     // Transparent polygons (world coordinates): candidates for portals.
     struct Pane {
@@ -48,10 +50,10 @@ struct FlatScene {
     std::vector<uint32_t> instance_object;
 };
 
-// Does the eye go on through what a ray met (prim and inst of kernels/intersect.h)?  Glass, dielectrics, prisms, mist.
+// The material of a chain, from record `mod` on; NONE (kernels/tables.h) for none and for mixtures of materials.
+uint32_t material_record(const FlatScene& scene, uint32_t mod);
+
+// Does the eye go on through what a ray met (prim and inst of kernels/intersect.h)?  MT_CLEAR of its material.
 bool see_through(const FlatScene& scene, uint32_t prim, uint32_t inst);
 
-// Throws Error naming file:line for what ptrace cannot render.
-FlatScene flatten(const scene::Scene& scene, const RenderOptions& options, const scene::ReadOptions& files);
-
-}  // namespace trace
+}  // namespace flatten

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Questions to the finished tables.
+#include "flatten/flat_scene.h"
+
+#include "flatten/pack.h"
+#include "kernels/host.h"
+
+namespace flatten {
+using namespace kernels;
+
+const uint32_t* FlatScene::record(uint32_t mod) const { return &u[mods_at + MOD_WORDS * size_t(mod)]; }
+
+uint32_t material_record(const FlatScene& scene, uint32_t mod) {
+    while (mod != NONE && scene.record(mod)[MOD_TYPE] < M_FIRST_MATERIAL) mod = scene.record(mod)[MOD_NEXT];
+    return mod;
+}
+
+bool see_through(const FlatScene& scene, uint32_t prim, uint32_t inst) {
+    uint32_t mod = scene.prims[PRIM_WORDS * size_t(prim) + PRIM_MOD];
+    if (inst != FlatScene::NO_OBJECT) {
+        const uint32_t replaced = bits(scene.shapes[SHAPE_FLOATS * size_t(inst) + INST_MOD]);
+        if (replaced != NONE) mod = replaced;
+    }
+    mod = material_record(scene, mod);
+    return mod != NONE && material_has(scene.record(mod)[MOD_TYPE], MT_CLEAR) != 0u;
+}
+
+}  // namespace flatten

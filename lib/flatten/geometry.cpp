@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All geometry of a scene: its own tree, the trees that its instances share, and the records of these.
+#include <cmath>
+
+#include "base/error.h"
+#include "flatten/instances.h"
+#include "flatten/pack.h"
+
+namespace flatten {
+namespace {
+using namespace kernels;
+using base::Vec3;
+using base::Xform;
+
+// The matrix of a row-vector transform, shifted: local = p m - shift, as three rows of four.
+void put_matrix(float* q, const Xform& x, Vec3 from, Vec3 shift) {
+    const Vec3 t = base::point(x, from) - shift;  // where the origin of the tables comes to lie
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) q[4 * i + j] = float(x.m[j][i]);
+        q[4 * i + 3] = float(t[i]);
+    }
+}
+
+// What `fill` appends to the tables of geometry is a tree.
+template <class Fill>
+void add_tree(FlatScene& out, const Fill& fill) {
+    FlatScene::Tree t;
+    t.first_vertex = out.vertices.size() / 3;
+    t.first_triangle = out.triangles.size() / 3;
+    t.first_shape = out.shapes.size() / SHAPE_FLOATS;
+    fill();
+    t.vertex_count = out.vertices.size() / 3 - t.first_vertex;
+    t.triangle_count = out.triangles.size() / 3 - t.first_triangle;
+    t.shape_count = out.shapes.size() / SHAPE_FLOATS - t.first_shape;
+    out.trees.push_back(t);
+}
+
+// A place for the records of instances behind all shapes
+uint32_t add_shapes(FlatScene& out, size_t count) {
+    const size_t first = out.shapes.size() / SHAPE_FLOATS;
+    out.shapes.resize(SHAPE_FLOATS * (first + count), 0.0f);
+    out.shape_prim.resize(first + count, 0);
+    return uint32_t(first);
+}
+}  // namespace
+
+void flatten_geometry(const Modifiers& modifiers, const Instances& instances, FlatScene& out, Lights& lights) {
+    Box box = surface_bounds(modifiers.scene);
+    instances.grow_to_places(box);
+    out.centre = centre_of(box);
+
+    uint32_t places_at = 0;
+    add_tree(out, [&] {
+        flatten_surfaces(modifiers.scene, &modifiers, out.centre, out, &lights);
+        places_at = instances.write_places(out);
+    });
+    for (size_t tree = 1; tree <= instances.tree_count(); tree++)
+        add_tree(out, [&] { instances.write_tree(tree, out); });
+    instances.write_records(places_at, out);
+}
+
+void Instances::grow_to_places(Box& box) const {
+    for (const Place& p : places_) {
+        const Box& b = trees_[p.tree - 1].box;
+        for (int k = 0; k < 8; k++) {
+            const Vec3 inside = {k & 1 ? b.hi.x : b.lo.x, k & 2 ? b.hi.y : b.lo.y, k & 4 ? b.hi.z : b.lo.z};
+            const Vec3 corner = base::point(p.to_world, inside);
+            if (!within_reach(corner))
+                base::fail(top_.place(top_.objects[p.object]), "a coordinate of its instance is beyond 1e18");
+            grow(box, corner);
+        }
+    }
+}
+
+uint32_t Instances::write_places(FlatScene& out) const {
+    const uint32_t first = add_shapes(out, places_.size());
+    for (size_t i = 0; i < places_.size(); i++) {
+        const Place& p = places_[i];
+        float* q = &out.shapes[SHAPE_FLOATS * (first + i)];
+        q[0] = from_bits(SHAPE_INSTANCE);
+        put_matrix(q + 1, base::inverse(p.to_world), out.centre, trees_[p.tree - 1].centre);
+        q[13] = from_bits(p.tree);
+        q[15] = from_bits(p.forced);
+        if (p.forced == RAY_TRANSPARENT) out.shadows_need(SHADOW_STRAIGHT);
+    }
+    return first;
+}
+
+void Instances::write_tree(size_t tree, FlatScene& out) const {
+    const Tree& t = trees_[tree - 1];
+    if (t.mesh) flatten_mesh(*t.mesh, t.modifiers, t.materials, t.centre, out);
+    else flatten_surfaces(*t.scene, t.modifiers, t.centre, out, nullptr);
+}
+
+void Instances::write_records(uint32_t places_at, FlatScene& out) const {
+    out.instances_at = add_shapes(out, places_.size());
+    for (size_t i = 0; i < places_.size(); i++) {
+        const Place& p = places_[i];
+        const Box& b = trees_[p.tree - 1].box;
+        const uint32_t record = out.instances_at + uint32_t(i);
+        out.shapes[SHAPE_FLOATS * (places_at + i) + 14] = from_bits(record);
+        float* q = &out.shapes[SHAPE_FLOATS * record];
+        const Xform frame = base::inverse(p.frame);
+        q[INST_SHAPE] = from_bits(uint32_t(places_at + i));
+        put_matrix(q + INST_FRAME, frame, out.centre, {});
+        q[INST_MOD] = from_bits(p.mod);
+        q[INST_SCALE] = float(std::fabs(frame.scale));
+        q[INST_REACH] = float(length(b.hi - b.lo) * 0.5 * std::fabs(p.to_world.scale));
+        out.instance_object.push_back(p.object);
+    }
+}
+
+}  // namespace flatten

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shared traversal compiled for plain hosts.
+#include "flatten/host_tracer.h"
+
+#include <cstdint>
+#include <cstring>
+#include <math.h>
+
+#include "flatten/build_input.h"
+
+namespace host {
+#include "kernels/compat_host.h"
+#include "kernels/all.h"
+}  // namespace host
+
+namespace flatten {
+using namespace host;
+
+#define POINT_AT_BVH(type, name) tables.name = bvh.name.data();
+#define POINT_AT_SCENE(type, name) tables.name = scene.name.data();
+
+struct HostTracer::State {
+    const FlatScene& scene;
+    bvh::Tree bvh;
+    SceneTables tables{};
+    Params params{};
+    static bvh::Tree build(const FlatScene& s) {
+        const std::vector<bvh::Input> trees = build_inputs(s);
+        return bvh::build8(trees.data(), trees.size());
+    }
+    explicit State(const FlatScene& s) : scene(s), bvh(build(s)) {
+        BVH_TABLES(POINT_AT_BVH)
+        FLAT_TABLES(POINT_AT_SCENE)
+        params.sources_at = s.sources_at;
+        params.source_count = s.source_count;
+    }
+    Ray ray(base::Vec3 o, base::Vec3 d, double tmin, double tmax) const {
+        o = o - scene.centre;
+        Ray r;
+        r.org = F3(float(o.x), float(o.y), float(o.z));
+        r.dir = F3(float(d.x), float(d.y), float(d.z));
+        r.tmin = float(tmin);
+        r.tmax = float(tmax);
+        return r;
+    }
+};
+
+HostTracer::HostTracer(const FlatScene& scene) : state_(std::make_unique<State>(scene)) {}
+HostTracer::~HostTracer() = default;
+
+HostTracer::Found HostTracer::closest(base::Vec3 o, base::Vec3 d, double tmin, double tmax, Mask mask) const {
+    const Ray r = state_->ray(o, d, tmin, tmax);
+    Hit h;
+    trace_closest(&state_->tables, &r, mask, &h);
+    if (h.prim == NO_HIT) return {-1, NO_HIT, {}};
+    Surface g;
+    surface_at(&state_->tables, &r, &h, &g);
+    return {h.t, h.prim, {g.nface.x, g.nface.y, g.nface.z}};
+}
+
+bool HostTracer::blocked(base::Vec3 o, base::Vec3 d, double tmin, double tmax, Mask mask) const {
+    const Ray r = state_->ray(o, d, tmin, tmax);
+    return trace_any(&state_->tables, &r, mask) != 0;
+}
+
+HostTracer::SourcePoint HostTracer::source_point(uint32_t i, base::Vec3 p, double x, double y) const {
+    p = p - state_->scene.centre;
+    LightSample l;
+    float2 r;
+    r.x = float(x);
+    r.y = float(y);
+    sample_source(&state_->tables, &state_->params, i, F3(float(p.x), float(p.y), float(p.z)), r, 1.0f, &l);
+    if (l.w <= 0) return {{}, 0, 0};
+    const float* q = source_record(&state_->tables, &state_->params, i);
+    double w = l.w;
+    if (q[SRC_SPOT + 3] > -1.5f) {  // the focal length dims the light a spotlight gives, not how it looks
+        const bool sphere = as_uint_(q[SRC_KIND]) == SK_SPHERE;
+        const double d = sphere ? length(base::Vec3{q[SRC_CENTRE], q[SRC_CENTRE + 1], q[SRC_CENTRE + 2]} - p) : l.dist;
+        const double k = d / (d + q[SRC_SPOT + 4]);
+        w /= k * k;
+    }
+    return {{l.dir.x, l.dir.y, l.dir.z}, l.dist, w};
+}
+
+}  // namespace flatten

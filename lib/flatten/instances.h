@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Meshes and instances of a scene: which files they hold, where they stand, their geometry once per file.
+// Octrees within octrees become one level: transforms are multiplied (inner first, spec scene 3).  One tree serves all
+// places of a file; a modifier of the instance itself is kept with the place, so that it needs no geometry of its own.
+#pragma once
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+#include "base/xform.h"
+#include "flatten/modifiers.h"
+#include "flatten/surfaces.h"
+#include "scene/assets.h"
+
+namespace flatten {
+
+class Instances {
+public:
+    Instances(const scene::Scene& scene, bool backs, const scene::ReadOptions& files, ModifierTables& tables);
+
+    // What the meshes of a scene use and its surfaces need not name: for flatten_modifiers().
+    std::vector<int32_t> mesh_materials(const scene::Scene& scene);
+
+    // Reads all files; their modifiers join the tables.  top: of the scene itself.
+    void place(const Modifiers& top, Lights& lights);
+
+    // For flatten_geometry(): the reach of all places, the places as shapes of tree 0, the trees, and the records of
+    // the places, which follow the shapes of all trees.
+    void grow_to_places(Box& box) const;
+    uint32_t write_places(FlatScene& out) const;         // gives the first one's number
+    size_t tree_count() const { return trees_.size(); }  // tree 0 not counted
+    void write_tree(size_t tree, FlatScene& out) const;
+    void write_records(uint32_t places_at, FlatScene& out) const;
+
+private:
+    // What replaces the modifiers inside, and the coordinates its functions see.
+    struct Replacement {
+        uint32_t mod;
+        bool passes;
+        base::Xform frame;
+    };
+    // Part of the scene, or of an octree in it.
+    struct Level {
+        const scene::Scene& scene;
+        const Modifiers* modifiers;  // null: replaced
+        base::Xform to_world;
+        const Replacement* replaced;  // null: not
+        uint32_t object;              // of the scene, to which all of this belongs; NONE in the scene itself
+    };
+    struct Tree {
+        const scene::Scene* scene = nullptr;
+        const scene::Mesh* mesh = nullptr;
+        const Modifiers* modifiers = nullptr;  // null: replaced by the instances'
+        std::vector<int32_t> materials;        // .obj: objects of modifiers->scene
+        Box box;
+        base::Vec3 centre;
+    };
+    struct Place {
+        uint32_t tree;
+        base::Xform to_world, frame;
+        uint32_t mod, forced, object;
+    };
+    using Materials = std::vector<int32_t>;
+    using Key = std::tuple<const void*, const void*, Materials>;
+
+    void place_all(const Level& level, Lights& lights);
+    void place_one(const scene::Object& o, const Level& level, const base::Xform& to_world, const Replacement* replaced,
+                   uint32_t owner, Lights& lights);
+    void add(uint32_t tree, const base::Xform& to_world, const Replacement* replaced, uint32_t object);
+    uint32_t tree_of(const scene::Scene* scene, const scene::Mesh* mesh, const Modifiers* modifiers,
+                     Materials materials);
+    const Modifiers& modifiers_of(const scene::Scene& scene, const scene::Mesh* mesh = nullptr);
+    Materials obj_materials(const scene::Scene& scene, const scene::Mesh& mesh, const scene::Object& o) const;
+
+    const scene::Scene& top_;
+    const bool backs_;
+    const scene::ReadOptions& files_;
+    ModifierTables& tables_;
+    scene::Assets assets_;
+    std::map<const scene::Scene*, std::unique_ptr<const Modifiers>> modifiers_;
+    std::vector<Tree> trees_;  // without tree 0
+    std::map<Key, uint32_t> index_;
+    std::vector<Place> places_;
+};
+
+}  // namespace flatten

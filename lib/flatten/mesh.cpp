@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A triangle mesh as one tree: one primitive a triangle, corner data shared by the triangles around a vertex.
+// About 85 bytes a triangle in the tables, beside the hierarchy's own.
+#include "base/error.h"
+#include "flatten/pack.h"
+#include "flatten/surfaces.h"
+
+namespace flatten {
+namespace {
+
+using namespace kernels;
+using base::Vec3;
+
+// Room for all, asked for once.
+void reserve(const scene::Mesh& mesh, bool corners, FlatScene& out) {
+    const size_t n = mesh.positions.size(), triangles = mesh.triangles.size();
+    if (out.f.size() + CORNER_FLOATS * n > 0xffffffffu || out.u.size() + 3 * triangles > 0xffffffffu ||
+        out.prims.size() / PRIM_WORDS + triangles > ID_PRIM)
+        base::fail(mesh.path, "too many triangles");
+    out.vertices.reserve(out.vertices.size() + 3 * n);
+    out.prims.reserve(out.prims.size() + PRIM_WORDS * triangles);
+    out.prim_object.reserve(out.prim_object.size() + triangles);
+    out.triangles.reserve(out.triangles.size() + 3 * triangles);
+    out.tri_prim.reserve(out.tri_prim.size() + triangles);
+    if (!corners) return;
+    out.f.reserve(out.f.size() + CORNER_FLOATS * n);
+    out.u.reserve(out.u.size() + 3 * triangles);
+}
+
+void add_corners(const scene::Mesh& mesh, FlatScene& out) {
+    const bool smooth = !mesh.normals.empty(), mapped = !mesh.uvs.empty();
+    for (size_t i = 0; i < mesh.positions.size(); i++) {
+        const scene::Mesh::Normal a = smooth ? mesh.normals[i] : scene::Mesh::Normal{0, 0, 0};
+        const scene::Mesh::Uv t = mapped ? mesh.uvs[i] : scene::Mesh::Uv{0, 0};
+        out.f.insert(out.f.end(), {a.x, a.y, a.z, t.u, t.v});
+    }
+}
+
+bool has_normals(const scene::Mesh& mesh, const scene::Mesh::Triangle& t) {
+    for (uint32_t v : t.v)
+        if (mesh.normals[v].x == 0 && mesh.normals[v].y == 0 && mesh.normals[v].z == 0) return false;
+    return true;
+}
+
+}  // namespace
+
+void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std::vector<int32_t>& materials,
+                  Vec3 centre, FlatScene& out) {
+    const bool smooth = !mesh.normals.empty(), corners = smooth || !mesh.uvs.empty();
+    reserve(mesh, corners, out);
+    for (const Vec3& position : mesh.positions) {
+        const Vec3 p = position - centre;
+        out.vertices.insert(out.vertices.end(), {float(p.x), float(p.y), float(p.z)});
+    }
+    const uint32_t corner_at = uint32_t(out.f.size());
+    if (corners) add_corners(mesh, out);
+
+    for (const scene::Mesh::Triangle& t : mesh.triangles) {
+        uint32_t mod = NONE;
+        bool passes = false;
+        if (modifiers) {
+            int32_t m = t.material;
+            if (m >= 0 && !materials.empty()) m = materials[size_t(m)];
+            if (m < 0 || !modifiers->has_material[m]) continue;
+            mod = modifiers->record[m];
+            passes = modifiers->passes[m];
+        }
+        const Vec3 a = mesh.positions[t.v[0]];
+        const Vec3 across = cross(mesh.positions[t.v[1]] - a, mesh.positions[t.v[2]] - a);
+        const double area2 = length(across);
+        if (!(area2 > 0)) continue;
+        const Vec3 normal = across * (1 / area2);
+        uint32_t kind = corners ? PRIM_SMOOTH : PRIM_FLAT;
+        if (smooth && has_normals(mesh, t)) kind |= PRIM_CORNER_NORMALS;
+
+        const uint32_t prim = uint32_t(out.prims.size() / PRIM_WORDS);
+        const uint32_t record[PRIM_WORDS] = {kind,
+                                             mod,
+                                             NONE,
+                                             bits(float(normal.x)),
+                                             bits(float(normal.y)),
+                                             bits(float(normal.z)),
+                                             uint32_t(out.u.size()),
+                                             bits(0.0f)};
+        out.prims.insert(out.prims.end(), record, record + PRIM_WORDS);
+        out.prim_object.push_back(FlatScene::NO_OBJECT);
+        out.triangles.insert(out.triangles.end(), {t.v[0], t.v[1], t.v[2]});
+        out.tri_prim.push_back(prim | (passes ? ID_TRANSPARENT : 0u));
+        if (passes) out.shadows_need(SHADOW_STRAIGHT);
+        if (corners)
+            for (uint32_t v : t.v) out.u.push_back(corner_at + CORNER_FLOATS * v);
+    }
+}
+
+}  // namespace flatten

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Modifiers always stand before their users, so one pass down marks what is needed and one pass up builds it, without
+// recursion (chains may be 10,000 deep).
+#include "flatten/modifiers.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <map>
+
+#include "base/error.h"
+#include "base/find_file.h"
+#include "cal/pattern.h"
+#include "flatten/bsdf.h"
+#include "scene/bsdf_xml.h"
+#include "scene/materials.h"
+
+namespace flatten {
+namespace {
+using namespace kernels;
+using scene::Object;
+using scene::Type;
+
+constexpr int wgmd_names[3] = {0, 4, 8};        // strings of WGMDfunc that name modifiers
+constexpr uint32_t WGMD_INHERIT = 0xfffffffeu;  // as kernels/mat_wgmd.h
+
+uint32_t mod_type(cal::ProgramKind k) {
+    switch (k) {
+    case cal::ProgramKind::brightness: return M_PATTERN1;
+    case cal::ProgramKind::color: return M_PATTERN3;
+    case cal::ProgramKind::texture: return M_TEXTURE;
+    default: return M_MIXTURE;
+    }
+}
+
+cal::PatternSpec spec_of(const scene::Scene& scene, const Object& o) {
+    const auto s = scene.strings(o);
+    const auto r = scene.reals(o);
+    return {type_name(o.type), {s.begin(), s.end()}, {r.begin(), r.end()}, scene.place(o), {}};
+}
+
+bool has_alternate(const scene::Scene& scene, const Object& o) {
+    return (o.type == Type::mirror || o.type == Type::illum) && scene.strings(o).size() > 0;
+}
+
+// The modifiers that the string arguments of an object name, where the chain does not lead to them.
+std::vector<int32_t> named_modifiers(const scene::Scene& scene, uint32_t object) {
+    const Object& o = scene.objects[object];
+    const auto s = scene.strings(o);
+    std::vector<int32_t> out;
+    const auto add = [&](size_t k) { out.push_back(scene.lookup_modifier(s[k], int32_t(object))); };
+    if (has_alternate(scene, o)) add(0);
+    if (o.type == Type::antimatter)
+        for (size_t k = 0; k < s.size(); k++) add(k);
+    if (o.type == Type::WGMDfunc)
+        for (int k : wgmd_names)
+            if (s[size_t(k)] != "inherit") add(size_t(k));
+    if (is_mixture(o.type)) {
+        add(0);
+        add(1);
+    }
+    return out;
+}
+
+std::vector<uint8_t> needed_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used) {
+    std::vector<uint8_t> needed(scene.objects.size(), 0);
+    const auto need = [&](int32_t i) {
+        if (i >= 0) needed[i] = 1;
+    };
+    for (int32_t m : also_used) need(m);
+    for (size_t i = scene.objects.size(); i-- > 0;) {
+        if (scene::is_surface(scene.objects[i].type)) {
+            need(scene.objects[i].modifier);
+        } else if (needed[i]) {
+            const auto r = scene.resolve(int32_t(i));
+            need(r.modifier);
+            for (int32_t m : named_modifiers(scene, uint32_t(r.object))) need(m);
+        }
+    }
+    return needed;
+}
+
+class ModifierWriter {
+public:
+    ModifierWriter(const scene::Scene& scene, bool backs, const scene::ReadOptions& files, ModifierTables& tables)
+        : scene_(scene), backs_(backs), files_(files), tables_(tables), library_(files), out_{scene, {}, {},
+                                                                                              {},    {}, {}} {
+        const size_t n = scene.objects.size();
+        out_.record.assign(n, NONE);
+        out_.has_material.assign(n, 0);
+        out_.passes.assign(n, 0);
+        out_.material.assign(n, NONE);
+        nesting_.assign(n, 0);
+    }
+
+    Modifiers run(const std::vector<int32_t>& also_used) {
+        const std::vector<uint8_t> needed = needed_modifiers(scene_, also_used);
+        for (size_t i = 0; i < needed.size(); i++)
+            if (needed[i]) add(i);
+        return std::move(out_);
+    }
+
+private:
+    // One modifier on its way into the tables.
+    struct Link {
+        size_t index;     // of the object in the chain
+        const Object& o;  // with its aliases resolved: type and arguments
+        int32_t object;   // its index
+        int32_t above;    // the next modifier of the chain, VOID if none
+        bool above_ends;  // that one's chain has a material
+        uint32_t record[MOD_WORDS];
+    };
+
+    void add(size_t i) {
+        const auto r = scene_.resolve(int32_t(i));
+        Link link{i,
+                  scene_.objects[r.object],
+                  r.object,
+                  r.modifier,
+                  r.modifier >= 0 && out_.has_material[r.modifier],
+                  {0, NONE, NONE, uint32_t(tables_.arguments.size()), NONE, NONE, 0, 0}};
+        if (r.modifier >= 0) {
+            link.record[MOD_NEXT] = out_.record[r.modifier];
+            nesting_[i] = nesting_[r.modifier];
+        }
+        if (scene::is_material(link.o.type)) add_material(link);
+        else if (is_mixture(link.o.type)) add_mixture(link);
+        else add_pattern(link);
+        out_.record[i] = uint32_t(tables_.records.size() / MOD_WORDS);
+        tables_.records.insert(tables_.records.end(), link.record, link.record + MOD_WORDS);
+    }
+
+    // ---- textures and patterns
+
+    void add_pattern(Link& link) {
+        const cal::Program p = cal::compile_pattern(library_, spec_of(scene_, link.o), tables_.code);
+        link.record[MOD_PROGRAM] = p.entry;
+        link.record[MOD_TYPE] = mod_type(p.kind);
+        out_.has_material[link.index] = link.above_ends;
+        out_.passes[link.index] = link.above_ends && out_.passes[link.above];
+        if (link.above_ends) out_.material[link.index] = out_.material[link.above];
+    }
+
+    void add_mixture(Link& link) {
+        link.record[MOD_PROGRAM] = cal::compile_pattern(library_, spec_of(scene_, link.o), tables_.code).entry;
+        link.record[MOD_TYPE] = M_MIXTURE;
+        bool materials = false, passes = false;
+        int inside = 0;
+        const std::vector<int32_t> branches = named_modifiers(scene_, uint32_t(link.object));
+        for (size_t k = 0; k < 2; k++) {
+            const int32_t m = branches[k];
+            const bool material = m >= 0 && out_.has_material[m];
+            if (m >= 0) link.record[MOD_BRANCH1 + k] = out_.record[m];
+            if (m >= 0) inside = std::max(inside, nesting_[m]);
+            materials = materials || material;
+            passes = passes || !material || out_.passes[m];
+        }
+        if (materials && link.above >= 0)
+            base::fail(scene_.place(scene_.objects[link.index]), "a mixture of materials cannot have a modifier");
+        if (!materials) link.record[MOD_FLAGS] |= MF_PATTERNS_ONLY;
+
+        int& nesting = nesting_[link.index];
+        nesting = std::max(nesting, materials ? 0 : inside + 1);
+        if (nesting > MIX_DEPTH)
+            base::fail(scene_.place(link.o),
+                       fmt::format("more than {} mixtures of patterns one inside the other", MIX_DEPTH));
+
+        out_.has_material[link.index] = materials || link.above_ends;
+        out_.passes[link.index] = materials ? passes : (link.above_ends && out_.passes[link.above]);
+        if (!materials && link.above_ends) out_.material[link.index] = out_.material[link.above];
+    }
+
+    // ---- materials: what their row says (kernels/materials.h), then what is special to a few
+
+    void add_material(Link& link) {
+        const Object& o = link.o;
+        if (link.above_ends) {
+            const Object& named = scene_.objects[link.index];
+            base::fail(scene_.place(named),
+                       fmt::format("material \"{}\" has another material above it", scene_.name(named)));
+        }
+        const scene::Material& row = scene::material_row(o.type);
+        link.record[MOD_TYPE] = row.number;
+        link.record[MOD_FLAGS] = row.flags;
+        if ((row.traits & MT_MEDIUM) != 0) tables_.media = true;
+        if ((row.traits & MT_BENDS) != 0) tables_.bends = true;
+        for (double a : scene_.reals(o)) tables_.arguments.push_back(float(a));
+        if (scene_.reals(o).size() < row.filled) tables_.arguments.resize(link.record[MOD_ARGS] + row.filled, row.fill);
+
+        if (has_alternate(scene_, o)) add_alternate(link);
+        else if (o.type == Type::mirror || o.type == Type::illum) link.record[MOD_FLAGS] |= MF_ALTERNATE_PASSES;
+        if (cal::has_functions(type_name(o.type))) add_functions(link);
+        if (o.type == Type::antimatter) add_antimatter(link);
+        if (o.type == Type::mist) add_mist(link);
+        if (eye_passes(scene_, o)) link.record[MOD_FLAGS] |= MF_SEEN_THROUGH;
+
+        out_.has_material[link.index] = 1;
+        out_.passes[link.index] = light_passes(scene_, o, backs_);
+        out_.material[link.index] = uint32_t(link.object);
+    }
+
+    void add_alternate(Link& link) {
+        const int32_t m = scene_.lookup_modifier(scene_.strings(link.o)[0], link.object);
+        link.record[MOD_FLAGS] |= MF_HAS_ALTERNATE;
+        if (m >= 0) link.record[MOD_BRANCH1] = out_.record[m];
+        const bool nothing = m < 0 || !out_.has_material[m], mixed = !nothing && out_.material[m] == NONE;
+        if (nothing || (!mixed && mirror_gives_way(scene_, scene_.objects[out_.material[m]])))
+            link.record[MOD_FLAGS] |= MF_ALTERNATE_PASSES;
+    }
+
+    void add_functions(Link& link) {
+        cal::Code& code = tables_.code;
+        const cal::MaterialProgram p = cal::compile_material(library_, spec_of(scene_, link.o), code);
+        link.record[MOD_PROGRAM] = p.values;
+        link.record[MOD_EXTRA] = p.lobe;
+        link.record[MOD_FLAGS] |= (p.value_count > 0 ? MF_VALUES : 0) | uint32_t(p.lobe_count) << MF_LOBES_SHIFT;
+        if (link.o.type == Type::WGMDfunc) {  // modifiers of rs, ts, td: records for mat_wgmd, in the word arena
+            link.record[MOD_BRANCH1] = uint32_t(code.words.size());
+            for (int k : wgmd_names) {
+                const std::string& name = scene_.strings(link.o)[size_t(k)];
+                const int32_t m = name == "inherit" ? scene::VOID : scene_.lookup_modifier(name, link.object);
+                code.words.push_back(name == "inherit" ? WGMD_INHERIT : m >= 0 ? out_.record[m] : NONE);
+            }
+        }
+        if (!p.file.empty()) link.record[MOD_EXTRA] = bsdf_file(p.file, scene_.place(link.o));
+    }
+
+    // Tables of a BSDF file, found along RAYPATH: index for MOD_EXTRA.
+    uint32_t bsdf_file(const std::string& name, const std::string& place) {
+        const std::string path = base::find_file(name, files_, place);
+        const auto known = bsdf_files_.find(path);
+        if (known != bsdf_files_.end()) return known->second;
+        return bsdf_files_[path] = bsdf_tables(scene::read_bsdf(path), tables_.code, path);
+    }
+
+    // The number of this one, its cut face, and a mark on what it lists.
+    void add_antimatter(Link& link) {
+        if (antimatters_ > 3) base::fail(scene_.place(link.o), "more than four antimatter materials are not supported");
+        tables_.arguments.push_back(float(antimatters_));
+        const std::vector<int32_t> listed = named_modifiers(scene_, uint32_t(link.object));
+        for (size_t k = 0; k < listed.size(); k++) {
+            const int32_t m = listed[k];
+            if (m < 0) continue;
+            if (k == 0) link.record[MOD_BRANCH1] = out_.record[m];
+            out_.passes[m] = 1;
+            if (out_.record[m] != NONE)
+                tables_.records[out_.record[m] * MOD_WORDS + MOD_FLAGS] |= 1u << (MF_CLIPPED_SHIFT + antimatters_);
+        }
+        antimatters_++;
+        tables_.antimatter = true;
+    }
+
+    // Absent arguments: no extinction; the albedo and eccentricity around it stay.
+    void add_mist(Link& link) {
+        const size_t given = scene_.reals(link.o).size();
+        link.record[MOD_EXTRA] = 0;
+        link.record[MOD_FLAGS] |= (given > 3 ? MF_ALBEDO : 0) | (given > 6 ? MF_ECCENTRICITY : 0);
+        out_.mists.push_back({uint32_t(tables_.records.size() / MOD_WORDS), uint32_t(link.object)});
+    }
+
+    const scene::Scene& scene_;
+    const bool backs_;
+    const scene::ReadOptions& files_;
+    ModifierTables& tables_;
+    cal::Library library_;
+    std::map<std::string, uint32_t> bsdf_files_;  // tables by path
+    std::vector<int> nesting_;                    // of mixtures of patterns, from here on
+    uint32_t antimatters_ = 0;
+    Modifiers out_;
+};
+
+}  // namespace
+
+Modifiers flatten_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used, bool backs,
+                            const scene::ReadOptions& files, ModifierTables& tables) {
+    return ModifierWriter(scene, backs, files, tables).run(also_used);
+}
+
+void write_modifiers(ModifierTables t, FlatScene& out) {
+    out.u = std::move(t.code.words);
+    out.f = std::move(t.code.floats);
+    const uint32_t args_at = uint32_t(out.f.size());
+    out.f.insert(out.f.end(), t.arguments.begin(), t.arguments.end());
+    for (size_t i = 0; i < t.records.size(); i += MOD_WORDS) t.records[i + MOD_ARGS] += args_at;
+    out.mods_at = uint32_t(out.u.size());
+    out.u.insert(out.u.end(), t.records.begin(), t.records.end());
+    if (t.bends) out.shadow_mode = SHADOW_AIMED;
+    out.absorbs = t.media;
+    out.antimatter = t.antimatter;
+}
+
+}  // namespace flatten

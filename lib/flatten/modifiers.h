@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Modifier chains as records (MOD_* of kernels/tables.h).
+#pragma once
+#include <cstdint>
+#include <vector>
+#include "cal/compile.h"
+#include "flatten/flat_scene.h"
+#include "kernels/host.h"
+#include "scene/object.h"
+
+namespace flatten {
+
+// What the scene and the octrees of its instances fill together.
+struct ModifierTables {
+    cal::Code code;                 // programs: become the start of both arenas, for their addresses are absolute
+    std::vector<uint32_t> records;  // MOD_WORDS each
+    std::vector<float> arguments;   // real ones; MOD_ARGS counts from their start
+    bool bends = false;             // some material is MT_BENDS
+    bool media = false;             // MT_MEDIUM
+    bool antimatter = false;
+};
+
+// The modifiers of one scene, by the index of the object.
+struct Modifiers {
+    const scene::Scene& scene;
+    std::vector<uint32_t> record;       // NONE: not used by any surface
+    std::vector<uint8_t> has_material;  // the chain from here ends in one, or in a mixture of some
+    std::vector<uint8_t> passes;        // a shadow ray may pass
+    std::vector<uint32_t> material;     // object of the chain's material, aliases resolved; NONE: a mixture, or none
+
+    struct Mist {
+        uint32_t record, object;
+    };
+    std::vector<Mist> mists;
+};
+
+// Only what surfaces use, and what `also_used` names, is compiled.  backs: the sides that -bv shows.
+Modifiers flatten_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used, bool backs,
+                            const scene::ReadOptions& files, ModifierTables& tables);
+
+// Into the arenas, which are still empty.
+void write_modifiers(ModifierTables tables, FlatScene& out);
+
+}  // namespace flatten

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a source is and how large, kind by kind (SRC_*, SK_* of kernels/tables.h).
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "flatten/sources.h"
+
+namespace flatten {
+namespace {
+using namespace kernels;
+using base::Vec3;
+using scene::Object;
+using scene::Type;
+
+constexpr double PI = 3.14159265358979323846;
+using Reals = scene::Span<double>;
+
+void shape_sphere(const Reals& r, Vec3 centre, float* q) {
+    q[SRC_KIND] = from_bits(SK_SPHERE);
+    put(q + SRC_CENTRE, vec_at(r, 0) - centre);
+    q[SRC_RADIUS] = float(std::fabs(r[3]));
+    q[SRC_AREA] = float(PI * r[3] * r[3]);  // as seen: the silhouette
+}
+
+void shape_ring(const Reals& r, const std::string& place, Vec3 centre, float* q) {
+    if (std::min(r[6], r[7]) > 0) base::fail(place, "a light ring must have inner radius 0");
+    const double radius = std::max(r[6], r[7]);
+    const Vec3 n = unit(vec_at(r, 3)), u = unit(std::fabs(n.z) < 0.9 ? cross(n, {0, 0, 1}) : cross(n, {1, 0, 0}));
+    q[SRC_KIND] = from_bits(SK_RING);
+    put(q + SRC_CENTRE, vec_at(r, 0) - centre);
+    put(q + SRC_U, u * radius);
+    put(q + SRC_V, cross(n, u) * radius);
+    put(q + SRC_NORMAL, n);
+    q[SRC_AREA] = float(PI * radius * radius);
+    q[SRC_RADIUS] = float(radius);
+}
+
+void shape_cylinder(const Reals& r, const std::string& place, Vec3 centre, float* q) {
+    const Vec3 a = vec_at(r, 0), b = vec_at(r, 3);
+    q[SRC_KIND] = from_bits(SK_CYLINDER);
+    put(q + SRC_CENTRE, (a + b) * 0.5 - centre);
+    put(q + SRC_U, (b - a) * 0.5);
+    q[SRC_AREA] = float(2 * PI * r[6] * length(b - a));
+    q[SRC_RADIUS] = float(r[6]);
+    if (r[6] > 0.2 * length(b - a)) base::warn(place, "cylindrical light source is not long and thin");
+}
+
+// ---- polygons
+
+// Ear clipping of a simple polygon in its plane; the fan's triangles by vertex index.  Falls back to a fan.
+std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3>& v, Vec3 n) {
+    std::vector<std::array<int, 3>> out;
+    std::vector<int> left(v.size());
+    for (size_t i = 0; i < v.size(); i++) left[i] = int(i);
+    const auto turn = [&](int a, int b, int c) { return dot(cross(v[b] - v[a], v[c] - v[b]), n); };
+    while (left.size() > 3) {
+        bool clipped = false;
+        for (size_t i = 0; i < left.size() && !clipped; i++) {
+            const int a = left[(i + left.size() - 1) % left.size()], b = left[i], c = left[(i + 1) % left.size()];
+            if (turn(a, b, c) <= 0) continue;
+            bool empty = true;
+            for (int k : left) {
+                if (v[k] == v[a] || v[k] == v[b] || v[k] == v[c]) continue;
+                const auto inside = [&](int s, int e) { return dot(cross(v[e] - v[s], v[k] - v[s]), n) >= 0; };
+                if (inside(a, b) && inside(b, c) && inside(c, a)) {
+                    empty = false;
+                    break;
+                }
+            }
+            if (!empty) continue;
+            out.push_back({a, b, c});
+            left.erase(left.begin() + long(i));
+            clipped = true;
+        }
+        if (!clipped) {  // degenerate: drop a vertex of no area
+            left.erase(left.begin());
+        }
+    }
+    out.push_back({left[0], left[1], left[2]});
+    return out;
+}
+// The half vectors of RADIANCE's partition: quadrilaterals as if parallelograms, triangles by the edge nearest the
+// centroid, others a square of equal area.
+void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec3& u, Vec3& w) {
+    if (v.size() == 4) {
+        u = (v[1] - v[0]) * 0.5;
+        w = (v[3] - v[0]) * 0.5;
+        return;
+    }
+    Vec3 along = unit(v[1] - v[0]);
+    double size = std::sqrt(area) / 2;
+    if (v.size() == 3) {
+        size = 1e30;
+        for (int i = 0; i < 3; i++) {
+            const Vec3 e = unit(v[(i + 1) % 3] - v[i]);
+            const double d = length(cross(mid - v[i], e));
+            if (d < size) {
+                size = d;
+                along = e;
+            }
+        }
+    }
+    u = along * size;
+    w = cross(n, along) * size;
+}
+
+// The triangles of a general polygon; each knows its part of [0,1) by area.
+void add_fan(const std::vector<Vec3>& v, Vec3 normal, Vec3 centre, Sources& sources) {
+    const auto triangles = triangulate(v, normal);
+    double total = 0, done = 0;
+    std::vector<double> area;
+    for (const auto& t : triangles) {
+        area.push_back(length(cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]])) / 2);
+        total += area.back();
+    }
+    const size_t source = sources.count() - 1;
+    sources.fan_of.push_back({source, sources.fans.size()});
+    float* q = sources.record(source);
+    q[SRC_NTRIS] = from_bits(uint32_t(triangles.size()));
+    q[SRC_AREA] = float(total);
+    for (size_t i = 0; i < triangles.size(); i++) {
+        float f[FAN_FLOATS] = {};
+        const Vec3 a = v[triangles[i][0]] - centre;
+        put(f, a);
+        put(f + 3, v[triangles[i][1]] - centre - a);
+        put(f + 6, v[triangles[i][2]] - centre - a);
+        f[10] = float(done / total);
+        done += area[i];
+        f[9] = float(done / total);
+        sources.fans.insert(sources.fans.end(), f, f + FAN_FLOATS);
+    }
+}
+
+void shape_polygon(const Reals& r, Vec3 centre, Sources& sources) {
+    const std::vector<Vec3> v = polygon_corners(r);
+    const size_t n = v.size();
+    Vec3 sum, mid;
+    for (size_t i = 1; i + 1 < n; i++) sum = sum + cross(v[i] - v[0], v[i + 1] - v[0]);
+    for (const Vec3& p : v) mid = mid + p * (1.0 / double(n));
+    const Vec3 normal = unit(sum);
+    const double area = length(sum) / 2;
+    double radius = 0;
+    for (const Vec3& p : v) radius = std::max(radius, length(p - mid));
+
+    float* q = sources.record(sources.count() - 1);
+    put(q + SRC_CENTRE, mid - centre);
+    put(q + SRC_NORMAL, normal);
+    q[SRC_AREA] = float(area);
+    q[SRC_RADIUS] = float(radius);
+    if (n == 4 && length(v[0] + v[2] - v[1] - v[3]) <= 1e-4 * radius) {
+        q[SRC_KIND] = from_bits(SK_PARALLELOGRAM);
+        put(q + SRC_U, (v[1] - v[0]) * 0.5);
+        put(q + SRC_V, (v[3] - v[0]) * 0.5);
+        return;
+    }
+    q[SRC_KIND] = from_bits(SK_POLYGON);
+    Vec3 u, w;  // RADIANCE's size vectors, for -ds with -dj below 1 (spec shading 4.3)
+    size_vectors(v, mid, normal, area, u, w);
+    put(q + SRC_U, u);
+    put(q + SRC_V, w);
+    add_fan(v, normal, centre, sources);
+}
+
+}  // namespace
+
+void shape_source(const scene::Scene& scene, const Object& surface, Vec3 centre, Sources& sources) {
+    float* q = sources.record(sources.count() - 1);
+    const Reals r = scene.reals(surface);
+    const std::string place = scene.place(surface);
+    switch (surface.type) {
+    case Type::sphere: return shape_sphere(r, centre, q);
+    case Type::ring: return shape_ring(r, place, centre, q);
+    case Type::cylinder: return shape_cylinder(r, place, centre, q);
+    case Type::polygon: return shape_polygon(r, centre, sources);
+    default: base::fail(place, fmt::format("a {} cannot be a light source", type_name(surface.type)));
+    }
+}
+
+}  // namespace flatten

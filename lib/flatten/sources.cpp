@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which emitters are active sources (spec shading 4.1) and their records; the distant surfaces in order; the cumulative
+// power table.  Everything else that glows is found by sampled rays alone.
+#include "flatten/sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "flatten/evaluate.h"
+#include "scene/materials.h"
+
+namespace flatten {
+namespace {
+using namespace kernels;
+using base::Vec3;
+using scene::Object;
+using scene::Type;
+
+constexpr double PI = 3.14159265358979323846;
+using Reals = scene::Span<double>;
+
+double luminance_weight(const Reals& c) { return .265074126 * c[0] + .670114631 * c[1] + .064811243 * c[2]; }
+bool black(const Reals& c) { return c[0] <= 0 && c[1] <= 0 && c[2] <= 0; }
+
+void aim_spotlight(const Reals& c, const std::string& place, float* q) {
+    const Vec3 aim = vec_at(c, 4);
+    if (c[3] <= 0 || length(aim) <= 0) base::fail(place, "spotlight with zero angle or direction");
+    put(q + SRC_SPOT, unit(aim));
+    q[SRC_SPOT + 3] = float(std::cos(std::min(c[3], 360.0) * PI / 360));
+    q[SRC_SPOT + 4] = float(length(aim));
+}
+
+// What the eye sees of a distant surface: an illum's alternate, or the alternate's.
+uint32_t distant_seen(const FlatScene& out, uint32_t mod) {
+    for (;;) {
+        const uint32_t m = material_record(out, mod);
+        if (m == NONE) return mod == NONE ? NONE : DISTANT_BLACK;
+        const uint32_t type = out.record(m)[MOD_TYPE];
+        if (type != M_ILLUM) return material_has(type, MT_SHINES) != 0u ? mod : DISTANT_BLACK;
+        mod = out.record(m)[MOD_BRANCH1];
+    }
+}
+
+// The material of a distant surface, which must be a light.
+const Object& distant_material(const Modifiers& modifiers, const Object& o) {
+    const scene::Scene& scene = modifiers.scene;
+    const uint32_t m = modifiers.material[o.modifier];
+    if (m == NONE) base::fail(scene.place(o), "a distant source needs a light or glow");
+    const Object& material = scene.objects[m];
+    if (!scene::shines(material.type))
+        base::fail(scene.place(o),
+                   fmt::format("a distant source of material {} is not supported", type_name(material.type)));
+    return material;
+}
+
+}  // namespace
+
+float* add_source(const Modifiers& modifiers, const Object& surface, Sources& sources) {
+    const scene::Scene& scene = modifiers.scene;
+    const Object& material = scene.objects[modifiers.material[surface.modifier]];
+    const Reals c = scene.reals(material);
+    sources.objects.push_back(uint32_t(&surface - scene.objects.data()));
+    sources.records.resize(sources.records.size() + SOURCE_FLOATS, 0.0f);
+    float* q = sources.record(sources.count() - 1);
+    q[SRC_PRIM] = from_bits(NONE);
+    q[SRC_MOD] = from_bits(modifiers.record[surface.modifier]);
+    q[SRC_POWER] = float(luminance_weight(c));
+    q[SRC_SPOT + 3] = -2.0f;
+    q[SRC_VIRTUAL] = from_bits(NONE);
+    q[SRC_CLASS] = from_bits(scene::material_row(material.type).number);
+    return q;
+}
+
+void add_local_sources(const Modifiers& modifiers, const std::vector<Lights::Emitter>& emitters, FlatScene& out,
+                       Sources& sources) {
+    const scene::Scene& scene = modifiers.scene;
+    for (const Lights::Emitter& e : emitters) {
+        const Object& o = scene.objects[e.object];
+        const Object& material = scene.objects[modifiers.material[o.modifier]];
+        const Reals c = scene.reals(material);
+        if (black(c)) continue;
+        if (material.type == Type::glow && c[3] <= 1e-6) continue;
+        float* q = add_source(modifiers, o, sources);
+        q[SRC_PRIM] = from_bits(e.prim);
+        if (material.type == Type::glow) q[SRC_MAXRAD] = float(c[3]);
+        if (material.type == Type::spotlight) aim_spotlight(c, scene.place(material), q);
+        shape_source(scene, o, out.centre, sources);
+        out.prims[PRIM_WORDS * e.prim + PRIM_SOURCE] = sources.count() - 1;
+    }
+}
+
+void add_distant_sources(const Modifiers& modifiers, const FlatScene& out, Sources& sources) {
+    const scene::Scene& scene = modifiers.scene;
+    for (const Object& o : scene.objects) {
+        if (o.type != Type::source || o.modifier < 0 || !modifiers.has_material[o.modifier]) continue;
+        const Object& material = distant_material(modifiers, o);
+        const Reals r = scene.reals(o);
+        const Vec3 d = unit(vec_at(r, 0));
+        const double half = std::min(r[3], 360.0) * PI / 360, s = std::sin(half / 2), cap = r[3] >= 360 ? 3 : 2 * s * s;
+        uint32_t record[DISTANT_WORDS] = {bits(float(d.x)),
+                                          bits(float(d.y)),
+                                          bits(float(d.z)),
+                                          bits(float(cap)),
+                                          distant_seen(out, modifiers.record[o.modifier]),
+                                          NONE,
+                                          0,
+                                          0};
+        if (material.type != Type::glow && !black(scene.reals(material))) {
+            float* q = add_source(modifiers, o, sources);
+            q[SRC_KIND] = from_bits(SK_DISTANT);
+            put(q + SRC_CENTRE, d);
+            q[SRC_CAP] = float(std::min(cap, 2.0));
+            q[SRC_AREA] = float(2 * PI * std::min(cap, 2.0));
+            q[SRC_RADIUS] = float(std::sin(half));
+            record[DISTANT_SOURCE] = sources.count() - 1;
+        }
+        sources.distant.insert(sources.distant.end(), record, record + DISTANT_WORDS);
+    }
+}
+
+// A source is chosen by what it gives in the mean.  Its pattern may hide more than these few looks find, so it keeps a
+// hundredth of the bare material's power.
+void weigh_patterns(const FlatScene& out, Sources& sources) {
+    for (uint32_t i = 0; i < sources.count(); i++) {
+        float* q = sources.record(i);
+        const uint32_t* m = out.record(bits(q[SRC_MOD]));
+        if (m[MOD_TYPE] >= M_FIRST_MATERIAL && m[MOD_NEXT] == NONE) continue;
+        q[SRC_POWER] = std::max(float(mean_luminance(out, q)), .01f * q[SRC_POWER]);
+    }
+}
+
+void write_sources(Sources sources, FlatScene& out) {
+    out.source_count = sources.count();
+    out.distant_count = uint32_t(sources.distant.size() / DISTANT_WORDS);
+    out.distant_at = uint32_t(out.u.size());
+    out.u.insert(out.u.end(), sources.distant.begin(), sources.distant.end());
+
+    const uint32_t fans_at = uint32_t(out.f.size());
+    out.f.insert(out.f.end(), sources.fans.begin(), sources.fans.end());
+    for (const Sources::Fan& fan : sources.fan_of)
+        sources.record(fan.source)[SRC_TRIS] = from_bits(uint32_t(fans_at + fan.at));
+    out.sources_at = uint32_t(out.f.size());
+    out.f.insert(out.f.end(), sources.records.begin(), sources.records.end());
+
+    out.cdf_at = uint32_t(out.f.size());
+    const auto power = [&](uint32_t i) {  // never 0, so that the table can reach every source
+        const float* q = sources.record(i);
+        return double(std::max(q[SRC_POWER], 1e-20f)) * std::max(q[SRC_AREA], 1e-20f);
+    };
+    double total = 0, sum = 0;
+    for (uint32_t i = 0; i < out.source_count; i++) total += power(i);
+    for (uint32_t i = 0; i < out.source_count; i++) {
+        sum += power(i);
+        out.f.push_back(float(sum / total));
+    }
+}
+
+}  // namespace flatten

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Active sources (spec shading 4.1) on their way into the tables: every step adds records or changes them, the last one
+// writes all.
+#pragma once
+#include <cstdint>
+#include <vector>
+#include "flatten/modifiers.h"
+#include "flatten/pack.h"
+#include "flatten/surfaces.h"
+
+namespace flatten {
+
+constexpr size_t FAN_FLOATS = 12;  // a triangle of a polygon: corner, two edges, end and begin of its share, -
+
+struct Sources {
+    std::vector<float> records;     // SOURCE_FLOATS each
+    std::vector<uint32_t> objects;  // of the real ones, which stand first: objects of the scene
+    std::vector<float> fans;        // triangles of general polygons
+    struct Fan {
+        size_t source, at;  // `at` floats into fans
+    };
+    std::vector<Fan> fan_of;
+    std::vector<uint32_t> distant;  // DISTANT_WORDS each
+
+    uint32_t count() const { return uint32_t(records.size() / SOURCE_FLOATS); }
+    float* record(size_t i) { return &records[i * SOURCE_FLOATS]; }
+    const float* record(size_t i) const { return &records[i * SOURCE_FLOATS]; }
+};
+
+// A record that says of which material it is, and no more.
+float* add_source(const Modifiers& modifiers, const scene::Object& surface, Sources& sources);
+// Where and how large it is, for each kind of surface (source_shapes.cpp); throws for those that cannot shine.
+void shape_source(const scene::Scene& scene, const scene::Object& surface, base::Vec3 centre, Sources& sources);
+
+// The surfaces of the scene that shine and are active sources; the rest is found by sampled rays alone.
+void add_local_sources(const Modifiers& modifiers, const std::vector<Lights::Emitter>& emitters, FlatScene& out,
+                       Sources& sources);
+// All distant surfaces in order, the active sources among them.
+void add_distant_sources(const Modifiers& modifiers, const FlatScene& out, Sources& sources);
+// What patterns take from the power by which sources are chosen.
+void weigh_patterns(const FlatScene& out, Sources& sources);
+// Copies of the sources mirrored in the relays, up to `levels` of them (virtual_sources.cpp).
+void add_virtual_sources(const std::vector<Lights::Relay>& relays, int levels, FlatScene& out, Sources& sources);
+// The sources that mists name, to scatter (mists.cpp).
+void link_mists(const Modifiers& modifiers, const std::vector<Lights::Relay>& relays, const Sources& sources,
+                FlatScene& out);
+void write_sources(Sources sources, FlatScene& out);
+
+}  // namespace flatten

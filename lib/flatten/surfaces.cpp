@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces -> primitives, triangles and analytic shapes (spec: scene language 3).  Triangles and convex quads become
+// triangles; every other polygon (holes by seams, concave) stays one shape with RADIANCE's even-odd inside test.
+#include "flatten/surfaces.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "flatten/instances.h"
+#include "flatten/pack.h"
+#include "scene/materials.h"
+
+namespace flatten {
+namespace {
+using namespace kernels;
+using base::Vec3;
+using scene::Object;
+using scene::Type;
+
+constexpr double TINY = 1e-6;  // FTINY of the reference
+constexpr size_t MOST_PANES = 100000;
+
+// A polygon and its plane.
+struct Polygon {
+    std::vector<Vec3> corners;
+    Vec3 normal;
+    double area = 0;  // 0: no plane
+
+    explicit Polygon(const scene::Span<double>& r) : corners(polygon_corners(r)) {
+        const std::vector<Vec3>& v = corners;
+        Vec3 sum;  // Newell
+        for (size_t i = 1; i + 1 < v.size(); i++) sum = sum + cross(v[i] - v[0], v[i + 1] - v[0]);
+        const double area2 = length(sum);
+        area = area2 / 2;
+        if (area2 != 0) normal = sum * (1 / area2);
+    }
+
+    // A triangle, or four corners in one plane that turn one way; a bent quad keeps the reference's mean plane.
+    bool is_triangles() const {
+        const std::vector<Vec3>& v = corners;
+        if (v.size() != 4) return v.size() == 3;
+        for (size_t i = 0; i < 4; i++)
+            if (!(dot(cross(v[(i + 1) % 4] - v[i], v[(i + 2) % 4] - v[(i + 1) % 4]), normal) > 0)) return false;
+        const double flat = 1e-5 * std::max(1.0, std::fabs(dot(v[0], normal)));
+        for (size_t i = 1; i < 4; i++)
+            if (!(std::fabs(dot(v[i] - v[0], normal)) <= flat)) return false;
+        return true;
+    }
+};
+
+// The rectangle along the first edge that holds all corners.
+Gate rectangle_about(const std::vector<Vec3>& corners, Vec3 normal, Vec3 centre, bool both_sides) {
+    const Vec3 u = unit(corners[1] - corners[0]), v = cross(normal, u), origin = corners[0];
+    double low[2] = {0, 0}, high[2] = {0, 0};
+    for (const Vec3& c : corners)
+        for (int k = 0; k < 2; k++) {
+            const double at = dot(c - origin, k ? v : u);
+            low[k] = std::min(low[k], at);
+            high[k] = std::max(high[k], at);
+        }
+    const Vec3 middle = origin + u * ((low[0] + high[0]) / 2) + v * ((low[1] + high[1]) / 2);
+    return {middle - centre, normal, u * (2 / (high[0] - low[0])), v * (2 / (high[1] - low[1])), both_sides};
+}
+
+class SurfaceWriter {
+public:
+    SurfaceWriter(const scene::Scene& scene, const Modifiers* modifiers, Vec3 centre, FlatScene& out, Lights* lights)
+        : scene_(scene), modifiers_(modifiers), centre_(centre), out_(out), lights_(lights) {}
+
+    void add(const Object& o) {
+        switch (o.type) {
+        case Type::polygon: return add_polygon(o);
+        case Type::sphere:
+        case Type::bubble: return add_sphere(o);
+        case Type::ring: return add_ring(o);
+        default: return add_cone(o);
+        }
+    }
+
+private:
+    // Number of a new primitive; `tagged` with its class, as the trees want it.
+    uint32_t add_prim(const Object& o, uint32_t kind, Vec3 normal, uint32_t& tagged) {
+        const uint32_t id = uint32_t(out_.prims.size() / PRIM_WORDS);
+        const uint32_t record[PRIM_WORDS] = {kind,
+                                             modifiers_ ? modifiers_->record[o.modifier] : NONE,
+                                             NONE,
+                                             bits(float(normal.x)),
+                                             bits(float(normal.y)),
+                                             bits(float(normal.z)),
+                                             0,
+                                             0};
+        out_.prims.insert(out_.prims.end(), record, record + PRIM_WORDS);
+        out_.prim_object.push_back(lights_ ? index_of(o) : FlatScene::NO_OBJECT);
+        const bool passes = modifiers_ && modifiers_->passes[o.modifier];
+        tagged = id | (passes ? ID_TRANSPARENT : 0u);
+        if (passes) out_.shadows_need(SHADOW_STRAIGHT);
+        return id;
+    }
+    uint32_t add_curved_prim(const Object& o, uint32_t kind, uint32_t shape) {
+        uint32_t tagged;
+        const uint32_t prim = add_prim(o, kind, {}, tagged);
+        out_.prims[PRIM_WORDS * prim + PRIM_NORMAL] = shape;
+        out_.shape_prim.push_back(tagged);
+        return prim;
+    }
+    void set_extent(uint32_t prim, double size) { out_.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(size)); }
+
+    uint32_t add_shape(uint32_t kind, std::initializer_list<double> values) {
+        const uint32_t id = uint32_t(out_.shapes.size() / SHAPE_FLOATS);
+        out_.shapes.resize(out_.shapes.size() + SHAPE_FLOATS, 0.0f);
+        float* q = &out_.shapes[SHAPE_FLOATS * id];
+        q[0] = from_bits(kind);
+        int i = 1;
+        for (double v : values) q[i++] = float(v);
+        return id;
+    }
+
+    uint32_t index_of(const Object& o) const { return uint32_t(&o - scene_.objects.data()); }
+    void ignore(const Object& o, const char* what) const {
+        base::warn(scene_.place(o), fmt::format("{}, surface ignored", what));
+    }
+
+    // ---- what sources want to know
+
+    void note_emitter(const Object& o, uint32_t prim) {
+        if (!lights_) return;
+        const uint32_t m = modifiers_->material[o.modifier];
+        if (m != NONE && scene::shines(scene_.objects[m].type)) lights_->emitters.push_back({index_of(o), prim});
+    }
+
+    // Mirrors and prisms, also as the alternate of an illum, relay the light of sources (spec shading 4.6): polygons
+    // and rings only.
+    void note_relay(const Object& o, uint32_t prim, Vec3 normal, Vec3 middle, const std::vector<Vec3>& corners) {
+        if (!lights_) return;
+        int32_t modifier = o.modifier;
+        uint32_t m = modifiers_->material[modifier];
+        if (m != NONE && scene_.objects[m].type == Type::illum) {
+            const auto names = scene_.strings(scene_.objects[m]);
+            modifier = names.size() > 0 ? scene_.lookup_modifier(names[0], m) : scene::VOID;
+            m = modifier >= 0 ? modifiers_->material[modifier] : NONE;
+        }
+        if (m == NONE) return;
+        const Type t = scene_.objects[m].type;
+        const int exits = t == Type::prism1 ? 1 : t == Type::prism2 ? 2 : 0;
+        if (t != Type::mirror && !exits) return;
+        const auto c = scene_.reals(scene_.objects[m]);
+        const double reflectance = exits ? 1 : std::max(.01, (c[0] + c[1] + c[2]) / 3);
+        lights_->relays.push_back({prim, normal, middle - centre_, exits,
+                                   material_record(out_, modifiers_->record[modifier]), index_of(o), reflectance,
+                                   rectangle_about(corners, normal, centre_, exits > 0)});
+    }
+
+    // ---- one function a kind
+
+    void add_polygon(const Object& o) {
+        const Polygon p(scene_.reals(o));
+        if (p.area == 0) return ignore(o, "polygon of zero area");
+        uint32_t tagged;
+        const uint32_t prim = add_prim(o, PRIM_FLAT | PRIM_TEXTURE_FLAT, p.normal, tagged);
+        if (p.is_triangles()) add_triangles(p, tagged);
+        else add_outline(p, tagged);
+        note_emitter(o, prim);
+
+        Vec3 mid;
+        double radius = 0;
+        for (const Vec3& v : p.corners) mid = mid + v * (1.0 / double(p.corners.size()));
+        for (const Vec3& v : p.corners) radius = std::max(radius, length(v - mid));
+        set_extent(prim, 2 * radius);
+        note_relay(o, prim, p.normal, mid, p.corners);
+        if (lights_ && modifiers_->passes[o.modifier] && out_.panes.size() < MOST_PANES)
+            out_.panes.push_back({p.corners[0], p.corners[1] - p.corners[0], p.normal, p.area, p.corners});
+    }
+
+    void add_triangles(const Polygon& p, uint32_t tagged) {
+        const uint32_t first = uint32_t(out_.vertices.size() / 3 - first_vertex_);
+        for (const Vec3& v : p.corners) {
+            const Vec3 q = v - centre_;
+            out_.vertices.insert(out_.vertices.end(), {float(q.x), float(q.y), float(q.z)});
+        }
+        for (uint32_t i = 1; i + 1 < p.corners.size(); i++) {
+            out_.triangles.insert(out_.triangles.end(), {first, first + i, first + i + 1});
+            out_.tri_prim.push_back(tagged);
+        }
+    }
+
+    // The corners on the coordinate plane that the polygon faces most.
+    void add_outline(const Polygon& p, uint32_t tagged) {
+        const Vec3 n = p.normal;
+        double offset = 0;
+        for (const Vec3& v : p.corners) offset += dot(v - centre_, n);
+        offset /= double(p.corners.size());
+        const double a[3] = {std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
+        const int drop = a[0] > a[1] ? (a[0] > a[2] ? 0 : 2) : (a[1] > a[2] ? 1 : 2);
+        const uint32_t at = uint32_t(out_.polygon_uv.size() / 2);
+        for (const Vec3& v : p.corners) {
+            const Vec3 q = v - centre_;
+            out_.polygon_uv.push_back(float(q[drop == 0 ? 1 : 0]));
+            out_.polygon_uv.push_back(float(q[drop == 2 ? 1 : 2]));
+        }
+        float* q = &out_.shapes[SHAPE_FLOATS * add_shape(SHAPE_POLYGON, {n.x, n.y, n.z, offset})];
+        q[5] = from_bits(uint32_t(drop));
+        q[6] = from_bits(at);
+        q[7] = from_bits(uint32_t(p.corners.size()));
+        out_.shape_prim.push_back(tagged);
+    }
+
+    void add_sphere(const Object& o) {
+        const auto r = scene_.reals(o);
+        const bool inward = (o.type == Type::bubble) != (r[3] < 0);
+        const Vec3 c = vec_at(r, 0) - centre_;
+        const uint32_t shape = add_shape(SHAPE_SPHERE, {c.x, c.y, c.z, std::fabs(r[3])});
+        const uint32_t prim = add_curved_prim(o, PRIM_SPHERE | (inward ? PRIM_INWARD : 0u), shape);
+        set_extent(prim, 2 * std::fabs(r[3]));
+        note_emitter(o, prim);
+    }
+
+    void add_cone(const Object& o) {
+        const auto r = scene_.reals(o);
+        const bool straight = o.type == Type::cylinder || o.type == Type::tube;
+        double r0 = r[6], r1 = straight ? r[6] : r[7];
+        bool inward = o.type == Type::cup || o.type == Type::tube;
+        if (r0 * r1 < 0) return ignore(o, "cone radii of opposite sign");
+        if (r0 < 0 || r1 < 0) {
+            inward = !inward;
+            r0 = std::fabs(r0);
+            r1 = std::fabs(r1);
+        }
+        if (r0 <= TINY && r1 <= TINY) return ignore(o, "radius too small");
+        const Vec3 p0 = vec_at(r, 0) - centre_, axis = vec_at(r, 3) - vec_at(r, 0);
+        const double len = length(axis);
+        if (len <= TINY) return ignore(o, "axis of zero length");
+        const uint32_t shape =
+            add_shape(SHAPE_CONE, {p0.x, p0.y, p0.z, axis.x / len, axis.y / len, axis.z / len, len, r0, r1});
+        const uint32_t prim = add_curved_prim(o, PRIM_CONE | (inward ? PRIM_INWARD : 0u), shape);
+        set_extent(prim, 2 * std::max(r0, r1));
+        note_emitter(o, prim);
+    }
+
+    void add_ring(const Object& o) {
+        const auto r = scene_.reals(o);
+        const Vec3 n = vec_at(r, 3);
+        const double r0 = std::min(r[6], r[7]), r1 = std::max(r[6], r[7]);
+        if (length(n) <= TINY) return ignore(o, "ring with zero normal");
+        if (r0 < 0 || r1 - r0 <= TINY) return ignore(o, "bad ring radii");
+        const Vec3 c = vec_at(r, 0) - centre_, u = unit(n);
+        add_shape(SHAPE_RING, {c.x, c.y, c.z, u.x, u.y, u.z, r0, r1});
+        uint32_t tagged;
+        const uint32_t prim = add_prim(o, PRIM_FLAT | PRIM_TEXTURE_FLAT, u, tagged);
+        out_.shape_prim.push_back(tagged);
+        note_emitter(o, prim);
+        set_extent(prim, 2 * r1);
+        const Vec3 mid = vec_at(r, 0), across = std::fabs(u.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+        const Vec3 a = unit(cross(u, across)) * r1, b = cross(u, a);
+        note_relay(o, prim, u, mid, {mid - a - b, mid + a - b, mid + a + b, mid - a + b});
+    }
+
+    const scene::Scene& scene_;
+    const Modifiers* modifiers_;
+    const Vec3 centre_;
+    FlatScene& out_;
+    Lights* lights_;
+    const size_t first_vertex_ = out_.vertices.size() / 3;
+};
+
+}  // namespace
+
+std::vector<Vec3> polygon_corners(const scene::Span<double>& r) {
+    std::vector<Vec3> v(r.size() / 3);
+    for (size_t i = 0; i < v.size(); i++) v[i] = vec_at(r, 3 * i);
+    if (v.size() > 3 && length(v[0] - v.back()) <= TINY) v.pop_back();
+    return v;
+}
+
+void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, Vec3 centre, FlatScene& out,
+                      Lights* lights) {
+    SurfaceWriter writer(scene, modifiers, centre, out, lights);
+    for (const Object& o : scene.objects) {
+        if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance)
+            continue;
+        // a chain without material lets rays pass
+        if (modifiers && (o.modifier < 0 || !modifiers->has_material[o.modifier])) continue;
+        writer.add(o);
+    }
+}
+
+}  // namespace flatten

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces as primitives, triangles and analytic shapes; and what of them concerns sources.
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <vector>
+#include "base/vec.h"
+#include "flatten/modifiers.h"
+#include "scene/mesh.h"
+
+namespace flatten {
+
+class Instances;
+
+// A rectangle about a mirror or prism, relative to the centre (GATE_* of kernels/tables.h).
+struct Gate {
+    base::Vec3 centre, normal, u, v;
+    bool both_sides;
+};
+
+// What geometry finds for sources.
+struct Lights {
+    struct Emitter {
+        uint32_t object, prim;  // NONE: a mesh or an instance
+    };
+    std::vector<Emitter> emitters;
+
+    // Flat mirrors and prisms, relative to the centre.
+    struct Relay {
+        uint32_t prim;
+        base::Vec3 normal, centre;
+        int exits;  // of a prism; 0: a mirror
+        uint32_t material, object;
+        double reflectance;
+        Gate gate;
+    };
+    std::vector<Relay> relays;
+};
+
+// All trees: the scene's own, with the places of its instances, then what these hold.
+void flatten_geometry(const Modifiers& modifiers, const Instances& instances, FlatScene& out, Lights& lights);
+
+// The surfaces of one scene, its meshes and instances left out, as part of the tree at hand with the origin `centre`.
+// modifiers: null if those of an instance replace them all.  lights: null inside an instance, where nothing may be a
+// source, a relay or a window.
+void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, base::Vec3 centre, FlatScene& out,
+                      Lights* lights);
+
+// The corners of a polygon, without a repeated last one.
+std::vector<base::Vec3> polygon_corners(const base::Span<double>& reals);
+
+// A mesh as the tree at hand.  materials: of an .obj, objects of modifiers->scene by the mesh's own numbers.
+void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std::vector<int32_t>& materials,
+                  base::Vec3 centre, FlatScene& out);
+
+struct Box {
+    base::Vec3 lo{1e30, 1e30, 1e30}, hi{-1e30, -1e30, -1e30};
+};
+void grow(Box& box, base::Vec3 p);
+Box surface_bounds(const scene::Scene& scene);
+// Origin of tables: single precision would spoil positions far from it.
+base::Vec3 centre_of(const Box& box);
+
+// Coordinates are floats in the end, and are squared: beyond this nothing can be said of a surface.
+constexpr double farthest = 1e18;
+inline bool within_reach(base::Vec3 p) {
+    return std::fabs(p.x) < farthest && std::fabs(p.y) < farthest && std::fabs(p.z) < farthest;  // false for NaN
+}
+
+}  // namespace flatten
