@@ -91,12 +91,16 @@ std::vector<int> text_advances(const Font& font, const std::string& line, int sp
     int pending = half;
     for (char c : line) {
         const Font::Glyph& g = font.glyphs[static_cast<unsigned char>(c)];
-        if (g.defined && g.right > g.left) {
+        if (!g.defined) {
+            a.push_back(0);
+            continue;
+        }
+        if (g.right > g.left) {
             a.push_back(pending + half - g.left);
             pending = g.right + half;
         } else {
             a.push_back(pending);
-            pending = g.defined ? font.mean_width : 0;
+            pending = font.mean_width;
         }
     }
     a.push_back(pending + half);
