@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <fmt/format.h>
 #include <png.h>
 #include "base/error.h"
@@ -82,10 +83,29 @@ private:
     std::vector<int> steps_;  // > 0 inside
 };
 
+// libpng takes and clears the memory that a chunk asks for, up to 2 GB, before it reads it.
+void require_whole_chunks(const Shape& s) {
+    std::ifstream in(s.text, std::ios::binary);
+    in.ignore(8);
+    uint64_t left = std::filesystem::file_size(s.text);
+    left -= std::min<uint64_t>(left, 8);
+    unsigned char head[8];
+    while (in.read(reinterpret_cast<char*>(head), 8) && std::memcmp(head + 4, "IEND", 4) != 0) {
+        left -= 8;
+        const uint64_t asked = 4 + (uint64_t(head[0]) << 24 | head[1] << 16 | head[2] << 8 | head[3]);
+        if (asked > left)
+            base::fail(s.place,
+                       fmt::format("mask {}: a chunk of {} bytes, where {} are left", s.text, asked - 4, left));
+        in.ignore(std::streamsize(asked));
+        left -= asked;
+    }
+}
+
 MaskPicture read_png(const Shape& s) {
     png_image png;
     std::memset(&png, 0, sizeof png);
     png.version = PNG_IMAGE_VERSION;
+    if (std::filesystem::is_regular_file(s.text)) require_whole_chunks(s);
     if (!png_image_begin_read_from_file(&png, s.text.c_str()))
         base::fail(s.place, fmt::format("mask {}: {}", s.text, png.message));
     if (uint64_t(png.width) * png.height > (1u << 28)) {

@@ -185,6 +185,13 @@ TEST_CASE("bad geometry is an error at its line") {
     CHECK_THROWS_WITH(plane("a mask large.png", v, 64),
                       doctest::Contains("test:1: mask large.png is too short for its 16000 x 16000 pixels"));
     std::remove("large.png");
+    const unsigned char chunk[] = {0x89, 'P',  'N',  'G',  13,   10,   26, 10, 0,  0,   0,   13,  'I', 'H',
+                                   'D',  'R',  0,    0,    0,    1,    0,  0,  0,  1,   8,   0,   0,   0,
+                                   0,    0x3a, 0x7e, 0x9b, 0x55, 0x1c, 0,  0,  14, 't', 'E', 'X', 't'};
+    std::ofstream("chunk.png", std::ios::binary).write(reinterpret_cast<const char*>(chunk), sizeof chunk);
+    CHECK_THROWS_WITH(plane("a mask chunk.png", v, 64),
+                      doctest::Contains("test:1: mask chunk.png: a chunk of 469762062 bytes, where 0 are left"));
+    std::remove("chunk.png");
 }
 
 TEST_CASE("mask pictures: their grey alone, in or out at one half in sets, any size") {
