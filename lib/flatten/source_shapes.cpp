@@ -125,11 +125,11 @@ void add_fan(const std::vector<Vec3>& v, Vec3 normal, Vec3 centre, Sources& sour
         float f[FAN_FLOATS] = {};
         const Vec3 a = v[triangles[i][0]] - centre;
         put(f, a);
-        put(f + 3, v[triangles[i][1]] - centre - a);
-        put(f + 6, v[triangles[i][2]] - centre - a);
-        f[10] = float(done / total);
+        put(f + FAN_EDGE1, v[triangles[i][1]] - centre - a);
+        put(f + FAN_EDGE2, v[triangles[i][2]] - centre - a);
+        f[FAN_FROM] = float(done / total);
         done += area[i];
-        f[9] = float(done / total);
+        f[FAN_UPTO] = float(done / total);
         sources.fans.insert(sources.fans.end(), f, f + FAN_FLOATS);
     }
 }

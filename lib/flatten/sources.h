@@ -10,8 +10,6 @@
 
 namespace flatten {
 
-constexpr size_t FAN_FLOATS = 12;  // a triangle of a polygon: corner, two edges, end and begin of its share, -
-
 struct Sources {
     std::vector<float> records;     // SOURCE_FLOATS each
     std::vector<uint32_t> objects;  // of the real ones, which stand first: objects of the scene

@@ -11,8 +11,13 @@
 #define BVH2_LEAF_FLOATS 12u
 #define BVH2_STACK 128  // the builder refuses trees that need more (bvh/build.cpp)
 
+typedef struct {
+    uint ref[BVH2_STACK];
+    int size;
+} Bvh2Stack;
+
 // Entry distance of a box, or a negative number if the ray misses it between tmin >= 0 and limit.
-FN float bvh2_box_(float3 lo, float3 hi, PRIVATE const WoopRay* r, float tmin, float limit) {
+FN float bvh2_box(float3 lo, float3 hi, PRIVATE const WoopRay* r, float tmin, float limit) {
     float x0 = (lo.x - r->org.x) * r->inv.x, x1 = (hi.x - r->org.x) * r->inv.x;
     float y0 = (lo.y - r->org.y) * r->inv.y, y1 = (hi.y - r->org.y) * r->inv.y;
     float z0 = (lo.z - r->org.z) * r->inv.z, z1 = (hi.z - r->org.z) * r->inv.z;
@@ -28,74 +33,88 @@ FN float bvh2_box_(float3 lo, float3 hi, PRIVATE const WoopRay* r, float tmin, f
     return tn <= tf ? tn : -1.0f;
 }
 
+// Two boxes: *cur becomes the nearer child that the ray meets, the other one waits on the stack.  0: it meets none.
+FN int bvh2_node(GLOBAL const float* n, PRIVATE const WoopRay* r, float tmin, float tmax, PRIVATE Bvh2Stack* stack,
+                 PRIVATE uint* cur) {
+    float4 a = loadf4_(n), b = loadf4_(n + 4), c = loadf4_(n + 8), refs = loadf4_(n + 12);
+    float t0 = bvh2_box(F3(a.x, a.y, a.z), F3(a.w, b.x, b.y), r, tmin, tmax);
+    float t1 = bvh2_box(F3(b.z, b.w, c.x), F3(c.y, c.z, c.w), r, tmin, tmax);
+    uint ref0 = as_uint_(refs.x), ref1 = as_uint_(refs.y);
+    if (t0 >= 0.0f && t1 >= 0.0f) {
+        stack->ref[stack->size++] = t0 <= t1 ? ref1 : ref0;
+        *cur = t0 <= t1 ? ref0 : ref1;
+        return 1;
+    }
+    if (t0 >= 0.0f || t1 >= 0.0f) {
+        *cur = t0 >= 0.0f ? ref0 : ref1;
+        return 1;
+    }
+    return 0;
+}
+
+// A shape of a leaf; an instance waits on the stack.  1 if it became the nearest hit.
+FN int bvh2_shape(PRIVATE const SceneTables* s, uint number, uint id, PRIVATE const TreeRay* in, float tmin,
+                  PRIVATE Bvh2Stack* stack, PRIVATE Hit* hit) {
+    GLOBAL const float* shape = shape_record(s, number);
+    float t;
+    if (as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
+        stack->ref[stack->size++] = number | REF_LEAF | REF_INSTANCE;
+        return 0;
+    }
+    return ((in->mask >> (id >> 31)) & 1u) != 0u && shape_hit(shape, s->polygon_uv, in->r.org, in->r.dir, tmin, &t) &&
+           hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, in->inst);
+}
+
+// A triangle, likewise.
+FN int bvh2_triangle(float4 v0, float4 v1, float4 v2, uint id, PRIVATE const TreeRay* in, float tmin,
+                     PRIVATE Hit* hit) {
+    float t, u, v;
+    return ((in->mask >> (id >> 31)) & 1u) != 0u &&
+           woop_triangle(&in->r, F3(v0.x, v0.y, v0.z), F3(v1.x, v1.y, v1.z), F3(v2.x, v2.y, v2.z), &t, &u, &v) &&
+           t > tmin && hit_offer(hit, t, id & ID_PRIM, u, v, in->inst);
+}
+
+FN int bvh2_leaf(PRIVATE const SceneTables* s, uint ref, PRIVATE const TreeRay* in, float tmin,
+                 PRIVATE Bvh2Stack* stack, PRIVATE Hit* hit) {
+    GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * BVH2_LEAF_FLOATS;
+    int found = 0;
+    for (;; block += BVH2_LEAF_FLOATS) {
+        float4 v0 = loadf4_(block), v1 = loadf4_(block + 4), v2 = loadf4_(block + 8);
+        uint id = as_uint_(v0.w);
+        if ((id & ID_SHAPE) == 0u) {
+            if (bvh2_triangle(v0, v1, v2, id, in, tmin, hit)) found = 1;
+        } else {
+            if (bvh2_shape(s, as_uint_(v0.x), id, in, tmin, stack, hit)) found = 1;
+        }
+        if ((id & ID_LAST) != 0u) return found;
+    }
+}
+
 // The nearest hit, or with any != 0 some hit (1 at once); hit->t = tmax and hit->prim = NO_HIT on entry.
-FN int bvh2_traverse_(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, int any, PRIVATE Hit* hit) {
-    uint stack[BVH2_STACK];
-    WoopRay r;
-    uint cur = 0u, inst = NO_HIT, cls = mask;
-    int size = 0, found = 0;
-    woop_prepare(ray->org, ray->dir, &r);
+FN int bvh2_traverse(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, int any, PRIVATE Hit* hit) {
+    Bvh2Stack stack;
+    TreeRay in;
+    uint cur = 0u;
+    int found = 0;
+    stack.size = 0;
+    enter_scene(ray, mask, &in);
+
     for (;;) {
         if ((cur & REF_LEAF) == 0u) {
-            GLOBAL const float* n = s->nodes + (ulong64)cur * BVH2_NODE_FLOATS;
-            float4 p = loadf4_(n), q = loadf4_(n + 4), w = loadf4_(n + 8), refs = loadf4_(n + 12);
-            float t0 = bvh2_box_(F3(p.x, p.y, p.z), F3(p.w, q.x, q.y), &r, ray->tmin, hit->t);
-            float t1 = bvh2_box_(F3(q.z, q.w, w.x), F3(w.y, w.z, w.w), &r, ray->tmin, hit->t);
-            uint c0 = as_uint_(refs.x), c1 = as_uint_(refs.y);
-            if (t0 >= 0.0f && t1 >= 0.0f) {
-                stack[size++] = t0 <= t1 ? c1 : c0;
-                cur = t0 <= t1 ? c0 : c1;
-                continue;
-            }
-            if (t0 >= 0.0f || t1 >= 0.0f) {
-                cur = t0 >= 0.0f ? c0 : c1;
-                continue;
-            }
+            GLOBAL const float* node = s->nodes + (ulong64)cur * BVH2_NODE_FLOATS;
+            if (bvh2_node(node, &in.r, ray->tmin, hit->t, &stack, &cur)) continue;
         } else if ((cur & REF_INSTANCE) == 0u) {
-            GLOBAL const float* b = s->leaves + (ulong64)(cur & REF_INDEX) * BVH2_LEAF_FLOATS;
-            uint id;
-            do {
-                float4 v0 = loadf4_(b), v1 = loadf4_(b + 4), v2 = loadf4_(b + 8);
-                float t, u = 0.0f, v = 0.0f;
-                id = as_uint_(v0.w);
-                if ((id & ID_SHAPE) == 0u) {
-                    if (((cls >> (id >> 31)) & 1u) != 0u &&
-                        woop_triangle(&r, F3(v0.x, v0.y, v0.z), F3(v1.x, v1.y, v1.z), F3(v2.x, v2.y, v2.z), &t, &u,
-                                      &v) &&
-                        t > ray->tmin && hit_offer(hit, t, id & ID_PRIM, u, v, inst))
-                        found = 1;
-                } else {
-                    uint shape = as_uint_(v0.x);
-                    GLOBAL const float* q = s->shapes + (ulong64)shape * SHAPE_FLOATS;
-                    if (as_uint_(q[0]) == SHAPE_INSTANCE) {
-                        stack[size++] = shape | REF_LEAF | REF_INSTANCE;
-                    } else if (((cls >> (id >> 31)) & 1u) != 0u &&
-                               shape_hit(q, s->polygon_uv, r.org, r.dir, ray->tmin, &t) &&
-                               hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, inst)) {
-                        found = 1;
-                    }
-                }
-                b += BVH2_LEAF_FLOATS;
-            } while ((id & ID_LAST) == 0u);
+            if (bvh2_leaf(s, cur, &in, ray->tmin, &stack, hit)) found = 1;
             if (any && found) return 1;
         } else if (cur == REF_NONE) {  // back from an instance
-            woop_prepare(ray->org, ray->dir, &r);
-            inst = NO_HIT;
-            cls = mask;
-        } else {
-            GLOBAL const float* q = s->shapes + (ulong64)(cur & REF_INDEX) * SHAPE_FLOATS;
-            uint forced = as_uint_(q[15]);
-            if (forced == 0u || (mask & forced) != 0u) {
-                woop_prepare_instance(q, ray->org, ray->dir, &r);
-                inst = as_uint_(q[14]);
-                cls = forced == 0u ? mask : RAY_ALL;
-                stack[size++] = REF_NONE;
-                cur = as_uint_(q[13]);
-                continue;
-            }
+            enter_scene(ray, mask, &in);
+        } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, &in, &cur)) {
+            stack.ref[stack.size++] = REF_NONE;
+            continue;
         }
-        if (size == 0) return found;
-        cur = stack[--size];
+
+        if (stack.size == 0) return found;
+        cur = stack.ref[--stack.size];
     }
 }
 
@@ -105,7 +124,7 @@ FN void trace_closest(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint
     hit->inst = NO_HIT;
     hit->u = 0.0f;
     hit->v = 0.0f;
-    bvh2_traverse_(s, ray, mask, 0, hit);
+    bvh2_traverse(s, ray, mask, 0, hit);
 }
 
 FN int trace_any(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask) {
@@ -113,6 +132,6 @@ FN int trace_any(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask
     hit.t = ray->tmax;
     hit.prim = NO_HIT;
     hit.inst = NO_HIT;
-    return bvh2_traverse_(s, ray, mask, 1, &hit);
+    return bvh2_traverse(s, ray, mask, 1, &hit);
 }
 #endif

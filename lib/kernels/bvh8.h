@@ -8,7 +8,10 @@
 #define LUX_BVH8_H
 
 #define BVH8_NODE_FLOATS 64u
+#define BVH8_REFS 48u  // in a node
 #define BVH8_LEAF_FLOATS 40u
+#define BVH8_IDS 36u    // in a block
+#define BVH8_COUNT 4u   // in a block of shapes
 #define BVH8_STACK 320  // the builder refuses trees that need more (bvh/build.cpp)
 
 typedef struct {
@@ -17,7 +20,7 @@ typedef struct {
     int size;
 } Bvh8Stack;
 
-FN void bvh8_push_(PRIVATE Bvh8Stack* stack, int bottom, uint ref, float t) {  // sorted above bottom, nearest on top
+FN void bvh8_push(PRIVATE Bvh8Stack* stack, int bottom, uint ref, float t) {  // sorted above bottom, nearest on top
     int i = stack->size++;
     while (i > bottom && stack->t[i - 1] < t) {
         stack->ref[i] = stack->ref[i - 1];
@@ -29,8 +32,8 @@ FN void bvh8_push_(PRIVATE Bvh8Stack* stack, int bottom, uint ref, float t) {  /
 }
 
 // Four triangles; 1 if one of them became the nearest hit.
-FN int bvh8_triangles_(GLOBAL const float* b, PRIVATE const WoopRay* r, float tmin, uint mask, uint inst,
-                       PRIVATE Hit* hit) {
+FN int bvh8_triangles(GLOBAL const float* b, PRIVATE const WoopRay* r, float tmin, uint mask, uint inst,
+                      PRIVATE Hit* hit) {
     v4f az = load4_(b + 4u * r->kz) - r->oz, bz = load4_(b + 12u + 4u * r->kz) - r->oz;
     v4f cz = load4_(b + 24u + 4u * r->kz) - r->oz;
     v4f ax = (load4_(b + 4u * r->kx) - r->ox) - r->sx * az, ay = (load4_(b + 4u * r->ky) - r->oy) - r->sy * az;
@@ -52,100 +55,107 @@ FN int bvh8_triangles_(GLOBAL const float* b, PRIVATE const WoopRay* r, float tm
     store4_(wb / det, us);
     store4_(wc / det, vs);
     while (m != 0u) {
-        uint k = lane_first_(m), id = as_uint_(b[36u + k]);
+        uint k = lane_first_(m), id = as_uint_(b[BVH8_IDS + k]);
         m = lane_drop_(m, k);
         if (((mask >> (id >> 31)) & 1u) != 0u && hit_offer(hit, ts[k], id & ID_PRIM, us[k], vs[k], inst)) found = 1;
     }
     return found;
 }
 
+// Eight boxes: *cur becomes the nearest child that the ray meets, the others wait on the stack.  0: it meets none.
+FN int bvh8_node(GLOBAL const float* n, PRIVATE const WoopRay* r, float tmin, float tmax, PRIVATE Bvh8Stack* stack,
+                 PRIVATE uint* cur, PRIVATE float* cur_t) {
+    uint nx = r->inv.x < 0.0f ? 8u : 0u, ny = r->inv.y < 0.0f ? 24u : 16u, nz = r->inv.z < 0.0f ? 40u : 32u;
+    v8f tx = (load8_(n + nx) - r->org.x) * r->inv.x, fx = (load8_(n + (nx ^ 8u)) - r->org.x) * r->inv.x;
+    v8f ty = (load8_(n + ny) - r->org.y) * r->inv.y, fy = (load8_(n + (ny ^ 8u)) - r->org.y) * r->inv.y;
+    v8f tz = (load8_(n + nz) - r->org.z) * r->inv.z, fz = (load8_(n + (nz ^ 8u)) - r->org.z) * r->inv.z;
+    v8f tn = tx > ty ? tx : ty, tf = fx < fy ? fx : fy, lo = splat8_(tmin), hi = splat8_(tmax);
+    tn = tn > tz ? tn : tz;
+    tn = tn > lo ? tn : lo;
+    tf = tf < fz ? tf : fz;
+    tf = (tf < hi ? tf : hi) * SLAB_WIDEN;
+    LaneMask met = lanes8_(tn <= tf);
+    if (met == 0u) return 0;
+
+    float ts[8];
+    store8_(tn, ts);
+    uint k = lane_first_(met);
+    int bottom = stack->size;
+    *cur = as_uint_(n[BVH8_REFS + k]);
+    *cur_t = ts[k];
+    for (met = lane_drop_(met, k); met != 0u; met = lane_drop_(met, k)) {
+        k = lane_first_(met);
+        uint ref = as_uint_(n[BVH8_REFS + k]);
+        if (ts[k] < *cur_t) {
+            bvh8_push(stack, bottom, *cur, *cur_t);
+            *cur = ref;
+            *cur_t = ts[k];
+        } else {
+            bvh8_push(stack, bottom, ref, ts[k]);
+        }
+    }
+    return 1;
+}
+
+// A leaf block of shapes; instances wait on the stack.  1 if a shape became the nearest hit.
+FN int bvh8_shapes(PRIVATE const SceneTables* s, GLOBAL const float* block, PRIVATE const TreeRay* in, float tmin,
+                   float entered, PRIVATE Bvh8Stack* stack, PRIVATE Hit* hit) {
+    uint count = as_uint_(block[BVH8_COUNT]);
+    int found = 0;
+    for (uint k = 0u; k < count; k++) {
+        uint id = as_uint_(block[BVH8_IDS + k]), number = as_uint_(block[k]);
+        GLOBAL const float* shape = shape_record(s, number);
+        float t;
+        if (as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
+            bvh8_push(stack, stack->size, number | REF_LEAF | REF_INSTANCE, entered);
+        } else if (((in->mask >> (id >> 31)) & 1u) != 0u &&
+                   shape_hit(shape, s->polygon_uv, in->r.org, in->r.dir, tmin, &t) &&
+                   hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, in->inst)) {
+            found = 1;
+        }
+    }
+    return found;
+}
+
+FN int bvh8_leaf(PRIVATE const SceneTables* s, uint ref, PRIVATE const TreeRay* in, float tmin, float entered,
+                 PRIVATE Bvh8Stack* stack, PRIVATE Hit* hit) {
+    GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * BVH8_LEAF_FLOATS;
+    int found = 0;
+    for (;; block += BVH8_LEAF_FLOATS) {
+        uint first = as_uint_(block[BVH8_IDS]);
+        if ((first & ID_SHAPE) == 0u) {
+            if (bvh8_triangles(block, &in->r, tmin, in->mask, in->inst, hit)) found = 1;
+        } else {
+            if (bvh8_shapes(s, block, in, tmin, entered, stack, hit)) found = 1;
+        }
+        if ((first & ID_LAST) != 0u) return found;
+    }
+}
+
 // The nearest hit, or with any != 0 some hit (1 at once); hit->t = tmax and hit->prim = NO_HIT on entry.
-FN int bvh8_traverse_(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, int any, PRIVATE Hit* hit) {
+FN int bvh8_traverse(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, int any, PRIVATE Hit* hit) {
     Bvh8Stack stack;
-    WoopRay r;
-    uint cur = 0u, inst = NO_HIT, cls = mask;
+    TreeRay in;
+    uint cur = 0u;
     float cur_t = ray->tmin;
     int found = 0;
     stack.size = 0;
-    woop_prepare(ray->org, ray->dir, &r);
+    enter_scene(ray, mask, &in);
+
     for (;;) {
         if ((cur & REF_LEAF) == 0u) {
-            GLOBAL const float* n = s->nodes + (ulong64)cur * BVH8_NODE_FLOATS;
-            uint nx = r.inv.x < 0.0f ? 8u : 0u, ny = r.inv.y < 0.0f ? 24u : 16u, nz = r.inv.z < 0.0f ? 40u : 32u;
-            v8f tx = (load8_(n + nx) - r.org.x) * r.inv.x, fx = (load8_(n + (nx ^ 8u)) - r.org.x) * r.inv.x;
-            v8f ty = (load8_(n + ny) - r.org.y) * r.inv.y, fy = (load8_(n + (ny ^ 8u)) - r.org.y) * r.inv.y;
-            v8f tz = (load8_(n + nz) - r.org.z) * r.inv.z, fz = (load8_(n + (nz ^ 8u)) - r.org.z) * r.inv.z;
-            v8f tn = tx > ty ? tx : ty, tf = fx < fy ? fx : fy, lo = splat8_(ray->tmin), hi = splat8_(hit->t);
-            LaneMask m;
-            tn = tn > tz ? tn : tz;
-            tn = tn > lo ? tn : lo;
-            tf = tf < fz ? tf : fz;
-            tf = (tf < hi ? tf : hi) * SLAB_WIDEN;
-            m = lanes8_(tn <= tf);
-            if (m != 0u) {
-                uint k = lane_first_(m);
-                int bottom = stack.size;
-                float ts[8];
-                store8_(tn, ts);
-                m = lane_drop_(m, k);
-                cur = as_uint_(n[48u + k]);
-                cur_t = ts[k];
-                while (m != 0u) {  // go on with the nearest, keep the others in order
-                    uint ref;
-                    k = lane_first_(m);
-                    m = lane_drop_(m, k);
-                    ref = as_uint_(n[48u + k]);
-                    if (ts[k] < cur_t) {
-                        bvh8_push_(&stack, bottom, cur, cur_t);
-                        cur = ref;
-                        cur_t = ts[k];
-                    } else {
-                        bvh8_push_(&stack, bottom, ref, ts[k]);
-                    }
-                }
-                continue;
-            }
+            GLOBAL const float* node = s->nodes + (ulong64)cur * BVH8_NODE_FLOATS;
+            if (bvh8_node(node, &in.r, ray->tmin, hit->t, &stack, &cur, &cur_t)) continue;
         } else if ((cur & REF_INSTANCE) == 0u) {
-            GLOBAL const float* b = s->leaves + (ulong64)(cur & REF_INDEX) * BVH8_LEAF_FLOATS;
-            uint first;
-            do {
-                first = as_uint_(b[36]);
-                if ((first & ID_SHAPE) == 0u) {
-                    if (bvh8_triangles_(b, &r, ray->tmin, cls, inst, hit)) found = 1;
-                } else {
-                    uint count = as_uint_(b[4]);
-                    for (uint k = 0u; k < count; k++) {
-                        uint id = as_uint_(b[36u + k]), shape = as_uint_(b[k]);
-                        GLOBAL const float* q = s->shapes + (ulong64)shape * SHAPE_FLOATS;
-                        float t;
-                        if (as_uint_(q[0]) == SHAPE_INSTANCE) {
-                            bvh8_push_(&stack, stack.size, shape | REF_LEAF | REF_INSTANCE, cur_t);
-                        } else if (((cls >> (id >> 31)) & 1u) != 0u &&
-                                   shape_hit(q, s->polygon_uv, r.org, r.dir, ray->tmin, &t) &&
-                                   hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, inst)) {
-                            found = 1;
-                        }
-                    }
-                }
-                b += BVH8_LEAF_FLOATS;
-            } while ((first & ID_LAST) == 0u);
+            if (bvh8_leaf(s, cur, &in, ray->tmin, cur_t, &stack, hit)) found = 1;
             if (any && found) return 1;
         } else if (cur == REF_NONE) {  // back from an instance
-            woop_prepare(ray->org, ray->dir, &r);
-            inst = NO_HIT;
-            cls = mask;
-        } else {
-            GLOBAL const float* q = s->shapes + (ulong64)(cur & REF_INDEX) * SHAPE_FLOATS;
-            uint forced = as_uint_(q[15]);
-            if (forced == 0u || (mask & forced) != 0u) {
-                woop_prepare_instance(q, ray->org, ray->dir, &r);
-                inst = as_uint_(q[14]);
-                cls = forced == 0u ? mask : RAY_ALL;
-                bvh8_push_(&stack, stack.size, REF_NONE, ray->tmin);
-                cur = as_uint_(q[13]);
-                continue;
-            }
+            enter_scene(ray, mask, &in);
+        } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, &in, &cur)) {
+            bvh8_push(&stack, stack.size, REF_NONE, ray->tmin);
+            continue;
         }
+
         do {
             if (stack.size == 0) return found;
             stack.size--;
@@ -161,7 +171,7 @@ FN void trace_closest(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint
     hit->inst = NO_HIT;
     hit->u = 0.0f;
     hit->v = 0.0f;
-    bvh8_traverse_(s, ray, mask, 0, hit);
+    bvh8_traverse(s, ray, mask, 0, hit);
 }
 
 FN int trace_any(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask) {
@@ -169,6 +179,6 @@ FN int trace_any(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask
     hit.t = ray->tmax;
     hit.prim = NO_HIT;
     hit.inst = NO_HIT;
-    return bvh8_traverse_(s, ray, mask, 1, &hit);
+    return bvh8_traverse(s, ray, mask, 1, &hit);
 }
 #endif

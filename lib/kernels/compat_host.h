@@ -7,7 +7,6 @@
 #include <cstring>
 #include <math.h>
 
-#define LUX_HOST 1
 #define LUX_DOUBLE 1
 #define FN static inline
 #define FN_RARE static __attribute__((noinline, unused))  // kept out of the way of what every scene runs

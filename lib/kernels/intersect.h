@@ -13,18 +13,38 @@
 #define RAY_TRANSPARENT 2u  // query mask: surfaces a shadow ray may pass (their prim flag is set)
 #define RAY_ALL 3u
 
-// Analytic shapes in `shapes` (16 floats each): word 0 = kind (as uint bits), 1..15 parameters.
+// ---- analytic shapes, SHAPE_FLOATS each in SceneTables.shapes: SHAPE_KIND, then what the kind needs
 #define SHAPE_FLOATS 16u
-#define SHAPE_SPHERE 1u  // 1-3 centre 4 radius (bubble: the host flips the normal, see prim flags)
-#define SHAPE_CONE 2u    // 1-3 p0, 4-6 axis unit, 7 length, 8 r0, 9 r1 (cylinder: r0 = r1); open ends
-#define SHAPE_RING 3u    // 1-3 centre 4-6 unit normal 7 r0 8 r1 (r0 <= r1)
-// Polygon: 1-3 unit normal 4 offset (n.p = offset) 5 dropped axis (uint) 6 first vertex in polygon_uv (uint) 7 count
-// (uint). polygon_uv holds the two coordinates left, in order: axis 0 dropped: (y, z), 1: (x, z), 2: (x, y).
+#define SHAPE_KIND 0u  // word
+// a bubble is the same: the host flips its normal (flags of the primitive)
+#define SHAPE_SPHERE 1u
+#define SPHERE_CENTRE 1u  // 3
+#define SPHERE_RADIUS 4u
+// with open ends; of a cylinder both radii are the same
+#define SHAPE_CONE 2u
+#define CONE_START 1u  // 3
+#define CONE_AXIS 4u   // 3, unit
+#define CONE_LENGTH 7u
+#define CONE_RADIUS0 8u
+#define CONE_RADIUS1 9u
+#define SHAPE_RING 3u
+#define RING_CENTRE 1u  // 3
+#define RING_NORMAL 4u  // 3, unit
+#define RING_INNER 7u   // radius
+#define RING_OUTER 8u
+// polygon_uv holds the two coordinates left, in order: axis 0 dropped: (y, z), 1: (x, z), 2: (x, y)
 #define SHAPE_POLYGON 4u
-// Instance of tree k of the BVH (only tree 0 may hold instances): 1-12 local-from-world matrix, three rows of four;
-// 13 tree (uint, >= 1); 14 number for Hit.inst (uint); 15 class of all it holds: RAY_OPAQUE, RAY_TRANSPARENT, or 0 =
-// their own.
+#define POLYGON_NORMAL 1u  // 3, unit
+#define POLYGON_OFFSET 4u  // n.p of its plane
+#define POLYGON_AXIS 5u    // the dropped axis (word)
+#define POLYGON_FIRST 6u   // its first vertex in polygon_uv (word)
+#define POLYGON_COUNT 7u   // and their number (word)
+// an instance of tree k of the BVH; only tree 0 may hold instances
 #define SHAPE_INSTANCE 5u
+#define INSTANCE_MATRIX 1u   // 12: local from world, three rows of four
+#define INSTANCE_TREE 13u    // k >= 1 (word)
+#define INSTANCE_NUMBER 14u  // for Hit.inst (word)
+#define INSTANCE_CLASS 15u   // RAY_* of all that it holds; 0: their own (word)
 
 typedef struct {
     float3 org;
@@ -32,7 +52,7 @@ typedef struct {
     float3 dir;
     float tmax;
 } Ray;
-// prim: index into prims, NO_HIT if none; u,v barycentric of v1,v2; inst: word 14 of the instance, NO_HIT outside
+// prim: index into prims, NO_HIT if none; u, v: barycentric, of v1 and v2; inst: INSTANCE_NUMBER, NO_HIT outside
 // instances
 typedef struct {
     float t;
@@ -71,6 +91,10 @@ typedef struct {
 typedef struct {
     SCENE_TABLES(TABLE_POINTER)
 } SceneTables;
+
+FN GLOBAL const float* shape_record(PRIVATE const SceneTables* s, uint number) {
+    return s->shapes + (ulong64)number * SHAPE_FLOATS;
+}
 
 // Nearest hit with tmin < t < tmax among primitives whose class is in mask; hit->prim = NO_HIT if none.
 //   void trace_closest(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, PRIVATE Hit* hit)

@@ -9,6 +9,9 @@
 #define LUX_MATH_H
 
 #define K_PI 3.14159265f
+#define K_TURN 6.28318531f  // 2 pi
+#define K_INV_PI 0.31830989f
+#define K_RADIANS 0.01745329252f  // of a degree
 #define K_INF as_float_(0x7f800000u)
 
 // 2^n for -126 <= n <= 127

@@ -4,6 +4,8 @@
 #ifndef LUX_MODIFIER_H
 #define LUX_MODIFIER_H
 
+#define LONGEST_CHAIN 4096  // modifiers one above the other
+
 FN GLOBAL const uint* mod_record(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint mod) {
     return s->u + par->mods_at + MOD_WORDS * mod;
 }
@@ -63,69 +65,87 @@ FN void turn_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, 
     v[2] = w.z;
 }
 
+// What patterns and textures have made so far.
+typedef struct {
+    float3 color, pert;
+} Patterns;
+
+FN Patterns no_patterns(void) {
+    Patterns none;
+    none.color = F3(1.0f, 1.0f, 1.0f);
+    none.pert = F3(0.0f, 0.0f, 0.0f);
+    return none;
+}
+
+// Adds what the program of a pattern or texture gave.
+FN void apply_pattern(PRIVATE const SceneTables* s, PRIVATE const Surface* g, uint type, PRIVATE const float* out,
+                      PRIVATE Patterns* sum) {
+    if (type == M_PATTERN1) sum->color = scale3(sum->color, out[0]);
+    if (type == M_PATTERN3) sum->color = mul3(sum->color, F3(out[0], out[1], out[2]));
+    if (type == M_TEXTURE) sum->pert = add3(sum->pert, vector_from_frame(s, g, F3(out[0], out[1], out[2])));
+}
+
+// The foreground's share of a mixture, as its program gave it.
+FN float mixture_share(float x) { return x < 0.0f ? 0.0f : x > 1.0f ? 1.0f : x; }
+
 // A mixture of patterns that is being walked through: what was found before it and in its first branch, where to go on.
 typedef struct {
-    float3 color, pert, color1, pert1;
+    Patterns before, first;
     float share;  // of the first branch
     uint second, next;
     int first_done;
 } PatternMix;
 
+FN void mix_enter(GLOBAL const uint* m, float share, PRIVATE Patterns* sum, PRIVATE uint* mod,
+                  PRIVATE PatternMix* mix) {
+    mix->before = *sum;
+    mix->share = share;
+    mix->second = m[MOD_BRANCH2];
+    mix->next = *mod;
+    mix->first_done = 0;
+    *sum = no_patterns();
+    *mod = m[MOD_BRANCH1];
+}
+
+// A branch has ended: on to the second one, or, mixed, to what follows the mixture.  1: the mixture is done.
+FN int mix_branch_ends(PRIVATE PatternMix* mix, PRIVATE Patterns* sum, PRIVATE uint* mod) {
+    if (!mix->first_done) {
+        mix->first_done = 1;
+        mix->first = *sum;
+        *sum = no_patterns();
+        *mod = mix->second;
+        return 0;
+    }
+    float c = mix->share;
+    sum->color = mul3(mix->before.color, madd3(mix->first.color, c, scale3(sum->color, 1.0f - c)));
+    sum->pert = add3(mix->before.pert, madd3(mix->first.pert, c, scale3(sum->pert, 1.0f - c)));
+    *mod = mix->next;
+    return 1;
+}
+
 // Patterns and textures of a chain without material: colours and perturbations mix linearly (spec shading 3.10).
-FN void chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint mod,
-                       PRIVATE const float* vars, PRIVATE float3* color, PRIVATE float3* pert) {
+FN Patterns chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint mod,
+                           PRIVATE const float* vars) {
     float out[CAL_OUTPUTS];
     PatternMix stack[MIX_DEPTH];
-    float3 white = F3(1.0f, 1.0f, 1.0f), none = F3(0.0f, 0.0f, 0.0f);
     int depth = 0;
-    *color = white;
-    *pert = none;
-    for (int guard = 0; guard < 4096; guard++) {
+    Patterns sum = no_patterns();
+
+    for (int guard = 0; guard < LONGEST_CHAIN; guard++) {
         GLOBAL const uint* m = mod != NONE ? mod_record(s, par, mod) : s->u;
         if (mod == NONE || m[MOD_TYPE] >= M_FIRST_MATERIAL) {  // the end of a branch
-            if (depth == 0) return;
-            PRIVATE PatternMix* mix = &stack[depth - 1];
-            if (!mix->first_done) {
-                mix->first_done = 1;
-                mix->color1 = *color;
-                mix->pert1 = *pert;
-                *color = white;
-                *pert = none;
-                mod = mix->second;
-            } else {
-                float c = mix->share;
-                *color = mul3(mix->color, madd3(mix->color1, c, scale3(*color, 1.0f - c)));
-                *pert = add3(mix->pert, madd3(mix->pert1, c, scale3(*pert, 1.0f - c)));
-                mod = mix->next;
-                depth--;
-            }
+            if (depth == 0) return sum;
+            depth -= mix_branch_ends(&stack[depth - 1], &sum, &mod);
             continue;
         }
+
         uint type = m[MOD_TYPE];
         mod = m[MOD_NEXT];
-        if (type == M_SPECTRUM) {
-            GLOBAL const float* a = s->f + m[MOD_ARGS];
-            *color = mul3(*color, F3(a[0], a[1], a[2]));
-            continue;
-        }
-        int bad = cal_run(s, m[MOD_PROGRAM], vars, out);
-        if (bad) continue;
-        if (type == M_MIXTURE && depth < MIX_DEPTH) {
-            PRIVATE PatternMix* mix = &stack[depth++];
-            mix->color = *color;
-            mix->pert = *pert;
-            mix->share = out[0] < 0.0f ? 0.0f : out[0] > 1.0f ? 1.0f : out[0];
-            mix->second = m[MOD_BRANCH2];
-            mix->next = mod;
-            mix->first_done = 0;
-            *color = white;
-            *pert = none;
-            mod = m[MOD_BRANCH1];
-        }
-        if (type == M_PATTERN1) *color = scale3(*color, out[0]);
-        if (type == M_PATTERN3) *color = mul3(*color, F3(out[0], out[1], out[2]));
-        if (type == M_TEXTURE) *pert = add3(*pert, vector_from_frame(s, g, F3(out[0], out[1], out[2])));
+        if (cal_run(s, m[MOD_PROGRAM], vars, out)) continue;
+        if (type != M_MIXTURE) apply_pattern(s, g, type, out, &sum);
+        else if (depth < MIX_DEPTH) mix_enter(m, mixture_share(out[0]), &sum, &mod, &stack[depth++]);
     }
+    return sum;
 }
 
 // The normal that textures and smoothing make (spec shading 2): on the viewer's side.
@@ -146,25 +166,47 @@ FN void without_own_chain(PRIVATE const SceneTables* s, PRIVATE Surface* g) {
     g->flat = drawn_flat(s, g) && dot3(g->pert, g->pert) <= 0.0f;
 }
 
+// A mixture of patterns alone: both branches, mixed.
+FN void apply_pattern_mixture(PRIVATE const SceneTables* s, PRIVATE const Params* par, GLOBAL const uint* m,
+                              float share, PRIVATE const float* vars, PRIVATE Surface* g) {
+    Patterns first = chain_patterns(s, par, g, m[MOD_BRANCH1], vars);
+    Patterns second = chain_patterns(s, par, g, m[MOD_BRANCH2], vars);
+    float3 pert = madd3(first.pert, share, scale3(second.pert, 1.0f - share));
+    g->color = mul3(g->color, madd3(first.color, share, scale3(second.color, 1.0f - share)));
+    g->pert = add3(g->pert, pert);
+    if (dot3(pert, pert) > 0.0f) g->flat = 0;
+}
+
+// The same of a single pattern or texture.
+FN void apply_single_pattern(PRIVATE const SceneTables* s, uint type, PRIVATE const float* out, PRIVATE Surface* g) {
+    Patterns sum;
+    sum.color = g->color;
+    sum.pert = g->pert;
+    apply_pattern(s, g, type, out, &sum);
+    g->color = sum.color;
+    g->pert = sum.pert;
+    if (type == M_TEXTURE) g->flat = 0;
+}
+
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
 FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g,
                      PRIVATE Sampler* rnd) {
-    uint stack[MIX_DEPTH];
-    int depth = 0, found = 0;
+    uint stack[MIX_DEPTH];  // where the chains of mixtures go on
+    int depth = 0, have_vars = 0;
     uint mod = g->mod, material = NONE;
     float vars[CAL_VARS], out[CAL_OUTPUTS];
-    int have_vars = 0;
-    for (int guard = 0; guard < 4096; guard++) {
+
+    for (int guard = 0; guard < LONGEST_CHAIN; guard++) {
         if (mod == NONE) {
             if (depth == 0) break;
             mod = stack[--depth];
             continue;
         }
+
         GLOBAL const uint* m = mod_record(s, par, mod);
         uint type = m[MOD_TYPE];
         if (type >= M_FIRST_MATERIAL) {
-            if (found) break;  // a second material above one is an error at load
-            found = 1;
+            if (material != NONE) break;  // a second material above one is an error at load
             material = mod;
             g->type = type;
             g->color_before = g->color;
@@ -172,50 +214,31 @@ FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
             mod = m[MOD_NEXT];
             continue;
         }
-        if (type == M_SPECTRUM) {
-            GLOBAL const float* a = s->f + m[MOD_ARGS];
-            g->color = mul3(g->color, F3(a[0], a[1], a[2]));
-            mod = m[MOD_NEXT];
-            continue;
-        }
+
         if (!have_vars) {
             surface_vars(par, g, vars);
             vars_to_frame(s, g, vars);
             have_vars = 1;
         }
         int bad = cal_run(s, m[MOD_PROGRAM], vars, out);
-        if (type == M_MIXTURE) {
-            if (bad) return 0;  // an error yields no material here
-            float c = out[0] < 0.0f ? 0.0f : out[0] > 1.0f ? 1.0f : out[0];
-            if ((m[MOD_FLAGS] & MF_PATTERNS_ONLY) !=
-                0u) {  // colours and perturbations mix linearly (spec shading 3.10)
-                float3 c1, c2, p1, p2;
-                chain_patterns(s, par, g, m[MOD_BRANCH1], vars, &c1, &p1);
-                chain_patterns(s, par, g, m[MOD_BRANCH2], vars, &c2, &p2);
-                g->color = mul3(g->color, madd3(c1, c, scale3(c2, 1.0f - c)));
-                p1 = madd3(p1, c, scale3(p2, 1.0f - c));
-                g->pert = add3(g->pert, p1);
-                if (dot3(p1, p1) > 0.0f) g->flat = 0;
-                mod = m[MOD_NEXT];
-                continue;
-            }
-            uint branch = (c >= 1.0f || (c > 0.0f && sample1(rnd) < c)) ? MOD_BRANCH1 : MOD_BRANCH2;
-            if (m[MOD_NEXT] != NONE && depth < MIX_DEPTH) stack[depth++] = m[MOD_NEXT];
-            mod = m[branch];
-            g->mixed = 1;
+        mod = m[MOD_NEXT];
+        if (type != M_MIXTURE) {
+            if (!bad) apply_single_pattern(s, type, out, g);
             continue;
         }
-        if (!bad) {
-            if (type == M_PATTERN1) g->color = scale3(g->color, out[0]);
-            if (type == M_PATTERN3) g->color = mul3(g->color, F3(out[0], out[1], out[2]));
-            if (type == M_TEXTURE) {
-                g->pert = add3(g->pert, vector_from_frame(s, g, F3(out[0], out[1], out[2])));
-                g->flat = 0;
-            }
+
+        if (bad) return 0;  // an error yields no material here
+        float share = mixture_share(out[0]);
+        if ((m[MOD_FLAGS] & MF_PATTERNS_ONLY) != 0u) {
+            apply_pattern_mixture(s, par, m, share, vars, g);
+            continue;
         }
-        mod = m[MOD_NEXT];
+        if (mod != NONE && depth < MIX_DEPTH) stack[depth++] = mod;
+        mod = m[share >= 1.0f || (share > 0.0f && sample1(rnd) < share) ? MOD_BRANCH1 : MOD_BRANCH2];
+        g->mixed = 1;
     }
-    if (!found) return 0;
+
+    if (material == NONE) return 0;
     g->mod = material;
     shading_normal(g);
     return 1;

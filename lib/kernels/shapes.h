@@ -8,10 +8,8 @@
 
 #define SHAPE_GRAZING 1e-6f
 
-FN float3 shape_vec_(GLOBAL const float* q) { return F3(q[0], q[1], q[2]); }
-
 // Roots of a t^2 + 2 b t + c = 0, the smaller first; the count.  Both by the stable form q = -(b + sign(b) sqrt(disc)).
-FN int quadratic_(float a, float b, float c, PRIVATE float* t0, PRIVATE float* t1) {
+FN int quadratic(float a, float b, float c, PRIVATE float* t0, PRIVATE float* t1) {
     float disc = b * b - a * c, q;
     if (!(disc >= 0.0f)) return 0;
     q = -(b + (b < 0.0f ? -sqrt_(disc) : sqrt_(disc)));
@@ -32,9 +30,9 @@ FN int quadratic_(float a, float b, float c, PRIVATE float* t0, PRIVATE float* t
 }
 
 // Sphere: with p the point of the ray nearest the centre, t = t_p -+ sqrt((r^2 - |p - c|^2) / d.d).
-FN int sphere_hit_(GLOBAL const float* q, float3 org, float3 dir, float tmin, PRIVATE float* t) {
-    float3 oc = sub3(shape_vec_(q + 1), org);
-    float dd = dot3(dir, dir), tp = dot3(oc, dir) / dd, r = q[4];
+FN int sphere_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+    float3 oc = sub3(f3_at(shape + SPHERE_CENTRE), org);
+    float dd = dot3(dir, dir), tp = dot3(oc, dir) / dd, r = shape[SPHERE_RADIUS];
     float3 l = sub3(oc, scale3(dir, tp));
     float d2 = r * r - dot3(l, l), h;
     if (!(d2 >= 0.0f)) return 0;
@@ -46,15 +44,15 @@ FN int sphere_hit_(GLOBAL const float* q, float3 org, float3 dir, float tmin, PR
 }
 
 // Cone: |w - (w.a) a| = r0 + k w.a with w from p0 and k = (r1 - r0)/length; 0 <= w.a <= length.
-FN int cone_hit_(GLOBAL const float* q, float3 org, float3 dir, float tmin, PRIVATE float* t) {
-    float3 p0 = shape_vec_(q + 1), axis = shape_vec_(q + 4);
-    float len = q[7], r0 = q[8], k = (q[9] - r0) / len;
+FN int cone_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+    float3 p0 = f3_at(shape + CONE_START), axis = f3_at(shape + CONE_AXIS);
+    float len = shape[CONE_LENGTH], r0 = shape[CONE_RADIUS0], k = (shape[CONE_RADIUS1] - r0) / len;
     float ts = dot3(sub3(madd3(axis, 0.5f * len, p0), org), dir) / dot3(dir, dir);
     float3 w = sub3(madd3(dir, ts, org), p0);
     float wa = dot3(w, axis), da = dot3(dir, axis), r = r0 + k * wa, t0 = 0.0f, t1 = 0.0f, h;
     float3 wp = sub3(w, scale3(axis, wa)), dp = sub3(dir, scale3(axis, da));
     float a = dot3(dp, dp) - k * k * da * da, b = dot3(wp, dp) - k * da * r, c = dot3(wp, wp) - r * r;
-    if (quadratic_(a, b, c, &t0, &t1) == 0) return 0;
+    if (quadratic(a, b, c, &t0, &t1) == 0) return 0;
     h = wa + t0 * da;
     *t = ts + t0;
     if (*t > tmin && h >= 0.0f && h <= len) return 1;
@@ -63,20 +61,20 @@ FN int cone_hit_(GLOBAL const float* q, float3 org, float3 dir, float tmin, PRIV
     return *t > tmin && h >= 0.0f && h <= len;
 }
 
-FN int ring_hit_(GLOBAL const float* q, float3 org, float3 dir, float tmin, PRIVATE float* t) {
-    float3 oc = sub3(shape_vec_(q + 1), org), n = shape_vec_(q + 4), l;
+FN int ring_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+    float3 oc = sub3(f3_at(shape + RING_CENTRE), org), n = f3_at(shape + RING_NORMAL), l;
     float c = dot3(dir, n), d2;
     if (c * c <= SHAPE_GRAZING * SHAPE_GRAZING * dot3(dir, dir)) return 0;
     *t = dot3(oc, n) / c;
     if (!(*t > tmin)) return 0;
     l = sub3(scale3(dir, *t), oc);
     d2 = dot3(l, l);
-    return d2 >= q[7] * q[7] && d2 <= q[8] * q[8];
+    return d2 >= shape[RING_INNER] * shape[RING_INNER] && d2 <= shape[RING_OUTER] * shape[RING_OUTER];
 }
 
 // Even-odd rule in the plane of two coordinates; a point within 1e-6 (and the rounding of its coordinates) of an edge
 // is inside.  Loops joined by seams (holes) need nothing special: a seam is crossed twice.
-FN int polygon_inside_(GLOBAL const float* uv, uint count, float u, float v) {
+FN int polygon_inside(GLOBAL const float* uv, uint count, float u, float v) {
     float eps = 1e-6f + 2.4e-7f * (fabs_(u) + fabs_(v));
     float pu = uv[2u * count - 2u], pv = uv[2u * count - 1u];
     int odd = 0;
@@ -100,26 +98,27 @@ FN int polygon_inside_(GLOBAL const float* uv, uint count, float u, float v) {
     return odd;
 }
 
-FN int polygon_hit_(GLOBAL const float* q, GLOBAL const float* uv, float3 org, float3 dir, float tmin,
-                    PRIVATE float* t) {
-    float3 n = shape_vec_(q + 1), p;
+FN int polygon_hit(GLOBAL const float* shape, GLOBAL const float* uv, float3 org, float3 dir, float tmin,
+                   PRIVATE float* t) {
+    float3 n = f3_at(shape + POLYGON_NORMAL), p;
     float c = dot3(dir, n);
-    uint axis = as_uint_(q[5]);
+    uint axis = as_uint_(shape[POLYGON_AXIS]);
     if (c * c <= SHAPE_GRAZING * SHAPE_GRAZING * dot3(dir, dir)) return 0;
-    *t = (q[4] - dot3(n, org)) / c;
+    *t = (shape[POLYGON_OFFSET] - dot3(n, org)) / c;
     if (!(*t > tmin)) return 0;
     p = madd3(dir, *t, org);
-    return polygon_inside_(uv + 2u * as_uint_(q[6]), as_uint_(q[7]), axis == 0u ? p.y : p.x, axis == 2u ? p.y : p.z);
+    return polygon_inside(uv + 2u * as_uint_(shape[POLYGON_FIRST]), as_uint_(shape[POLYGON_COUNT]),
+                          axis == 0u ? p.y : p.x, axis == 2u ? p.y : p.z);
 }
 
 // The first t > tmin at which the ray meets the shape; 0 if it does not.
-FN int shape_hit(GLOBAL const float* q, GLOBAL const float* polygon_uv, float3 org, float3 dir, float tmin,
+FN int shape_hit(GLOBAL const float* shape, GLOBAL const float* polygon_uv, float3 org, float3 dir, float tmin,
                  PRIVATE float* t) {
-    uint kind = as_uint_(q[0]);
-    if (kind == SHAPE_SPHERE) return sphere_hit_(q, org, dir, tmin, t);
-    if (kind == SHAPE_CONE) return cone_hit_(q, org, dir, tmin, t);
-    if (kind == SHAPE_RING) return ring_hit_(q, org, dir, tmin, t);
-    if (kind == SHAPE_POLYGON) return polygon_hit_(q, polygon_uv, org, dir, tmin, t);
+    uint kind = as_uint_(shape[SHAPE_KIND]);
+    if (kind == SHAPE_SPHERE) return sphere_hit(shape, org, dir, tmin, t);
+    if (kind == SHAPE_CONE) return cone_hit(shape, org, dir, tmin, t);
+    if (kind == SHAPE_RING) return ring_hit(shape, org, dir, tmin, t);
+    if (kind == SHAPE_POLYGON) return polygon_hit(shape, polygon_uv, org, dir, tmin, t);
     return 0;
 }
 #endif

@@ -32,14 +32,14 @@ FN int drawn_flat(PRIVATE const SceneTables* s, PRIVATE const Surface* g) {
     return g->inst == NONE || as_uint_(instance_record(s, g->inst)[INST_MOD]) == NONE;
 }
 
-FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint shape, float3 p) {
-    GLOBAL const float* q = s->shapes + 16u * shape;
-    if (kind == PRIM_SPHERE) return unit3(sub3(p, F3(q[1], q[2], q[3])));
+// Of a sphere or cone at the point p, outwards.
+FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint number, float3 p) {
+    GLOBAL const float* shape = shape_record(s, number);
+    if (kind == PRIM_SPHERE) return unit3(sub3(p, f3_at(shape + SPHERE_CENTRE)));
     // cone: perpendicular to the slanted side, away from the axis
-    float3 p0 = F3(q[1], q[2], q[3]), axis = F3(q[4], q[5], q[6]);
-    float3 r = sub3(p, p0);
+    float3 axis = f3_at(shape + CONE_AXIS), r = sub3(p, f3_at(shape + CONE_START));
     float3 radial = unit3(sub3(r, scale3(axis, dot3(r, axis))));
-    float length = q[7], slope = q[8] - q[9];
+    float length = shape[CONE_LENGTH], slope = shape[CONE_RADIUS0] - shape[CONE_RADIUS1];
     float side = sqrt_(length * length + slope * slope);
     return unit3(add3(scale3(radial, length / side), scale3(axis, slope / side)));
 }
@@ -63,25 +63,50 @@ FN void mesh_corners(PRIVATE const SceneTables* s, GLOBAL const uint* prim, PRIV
     g->smooth = 1;
 }
 
-FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE const Hit* hit, PRIVATE Surface* g) {
-    GLOBAL const uint* prim = s->prims + PRIM_WORDS * hit->prim;
-    uint kind = prim[PRIM_KIND];
-    float3 at;  // the point in the coordinates of the primitive
-    GLOBAL const float* matrix = 0;
-    g->p = madd3(ray->dir, hit->t, ray->org);
-    at = g->p;
-    g->v = neg3(ray->dir);
-    g->prim = hit->prim;
-    g->mod = prim[PRIM_MOD];
+// Normal and, of a sphere, the exact place of a hit at the point `at` of the primitive's coordinates; matrix: to these,
+// 0 outside instances.
+FN void surface_shape(PRIVATE const SceneTables* s, GLOBAL const uint* prim, float3 at, GLOBAL const float* matrix,
+                      PRIVATE Surface* g) {
+    uint kind = prim[PRIM_KIND] & PRIM_KIND_MASK;
+    if (kind != PRIM_SPHERE && kind != PRIM_CONE) {
+        g->nface =
+            F3(as_float_(prim[PRIM_NORMAL]), as_float_(prim[PRIM_NORMAL + 1u]), as_float_(prim[PRIM_NORMAL + 2u]));
+        return;
+    }
+    float3 n = shape_normal(s, kind, prim[PRIM_NORMAL], at);
+    g->nface = (prim[PRIM_KIND] & PRIM_INWARD) != 0u ? neg3(n) : n;
+    if (kind != PRIM_SPHERE) return;
+
+    // put the point on the surface: far from it single precision drifts
+    GLOBAL const float* sphere = shape_record(s, prim[PRIM_NORMAL]);
+    float3 on = madd3(n, sphere[SPHERE_RADIUS], f3_at(sphere + SPHERE_CENTRE));
+    if (matrix == 0) g->p = on;
+    else g->p = madd3(affine_back(matrix, sub3(on, at)), 1.0f / affine_scale2(matrix), g->p);
+}
+
+// What a surface is before its modifiers are looked at.
+FN void surface_plain(uint prim, uint mod, uint inst, float length, PRIVATE Surface* g) {
+    g->prim = prim;
+    g->mod = mod;
+    g->inst = inst;
+    g->length = length;
     g->color = F3(1.0f, 1.0f, 1.0f);
     g->pert = F3(0.0f, 0.0f, 0.0f);
     g->u = 0.0f;
     g->vv = 0.0f;
-    g->length = hit->t;
-    g->reach = MAX_(hit->t, as_float_(prim[PRIM_EXTENT]));
-    g->inst = hit->inst;
     g->smooth = 0;
     g->mixed = 0;
+}
+
+FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE const Hit* hit, PRIVATE Surface* g) {
+    GLOBAL const uint* prim = s->prims + PRIM_WORDS * hit->prim;
+    GLOBAL const float* matrix = 0;
+    surface_plain(hit->prim, prim[PRIM_MOD], hit->inst, hit->t, g);
+    g->p = madd3(ray->dir, hit->t, ray->org);
+    g->v = neg3(ray->dir);
+    g->reach = MAX_(hit->t, as_float_(prim[PRIM_EXTENT]));
+
+    float3 at = g->p;  // the point in the coordinates of the primitive
     if (hit->inst != NONE) {
         GLOBAL const float* record = instance_record(s, hit->inst);
         matrix = instance_matrix(s, record);
@@ -90,28 +115,17 @@ FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE
         // the matrix rounds by the size of the point, traversal by that of the tree
         g->reach = MAX_(MAX_(hit->t, record[INST_REACH]), fabs_(g->p.x) + fabs_(g->p.y) + fabs_(g->p.z));
     }
+
     g->flat = drawn_flat(s, g);
-    uint shape = kind & PRIM_KIND_MASK;
-    if (shape == PRIM_SPHERE || shape == PRIM_CONE) {
-        float3 n = shape_normal(s, shape, prim[PRIM_NORMAL], at);
-        g->nface = (kind & PRIM_INWARD) != 0u ? neg3(n) : n;
-        if (shape == PRIM_SPHERE) {  // put the point on the surface: far from it single precision drifts
-            GLOBAL const float* q = s->shapes + 16u * prim[PRIM_NORMAL];
-            float3 on = madd3(n, q[4], F3(q[1], q[2], q[3]));
-            if (matrix == 0) g->p = on;
-            else g->p = madd3(affine_back(matrix, sub3(on, at)), 1.0f / affine_scale2(matrix), g->p);
-        }
-    } else {
-        g->nface =
-            F3(as_float_(prim[PRIM_NORMAL]), as_float_(prim[PRIM_NORMAL + 1u]), as_float_(prim[PRIM_NORMAL + 2u]));
-    }
-    if (shape == PRIM_SMOOTH) mesh_corners(s, prim, hit, g);
+    surface_shape(s, prim, at, matrix, g);
+    if ((prim[PRIM_KIND] & PRIM_KIND_MASK) == PRIM_SMOOTH) mesh_corners(s, prim, hit, g);
     if (matrix != 0) {  // mirrored ones keep their sides: the normal is mirrored as the geometry is
         float3 n = affine_back(matrix, g->nface);
         float k = 1.0f / length3(n);
         g->nface = scale3(n, k);
         g->pert = scale3(affine_back(matrix, g->pert), k);
     }
+
     g->front = dot3(g->nface, g->v) > 0.0f;
     g->ng = g->front ? g->nface : neg3(g->nface);
     g->n = g->ng;

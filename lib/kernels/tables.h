@@ -47,7 +47,6 @@
 #define M_PATTERN3 2u  // program gives RGB
 #define M_TEXTURE 3u   // program gives a displacement
 #define M_MIXTURE 4u   // program gives the foreground's share
-#define M_SPECTRUM 5u  // constant RGB factor in args
 // materials: M_* of the rows of materials.h
 #define M_FIRST_MATERIAL 16u
 #define MATERIAL_NUMBER_(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) \
@@ -78,25 +77,36 @@ FN uint material_has(uint type, uint trait) { return material_traits_[type - M_F
 
 // ---- active sources: SOURCE_FLOATS floats each at f[Params.sources_at] (words by as_uint_)
 #define SOURCE_FLOATS 32u
-#define SRC_KIND 0u     // SK_*
-#define SRC_PRIM 1u     // prim (word); NONE for distant
-#define SRC_MOD 2u      // modifier (word)
-#define SRC_CENTRE 3u   // 3: centre, or unit direction to a distant source
-#define SRC_U 6u        // 3: half vector
-#define SRC_V 9u        // 3: half vector (sphere: U.x = radius)
-#define SRC_NORMAL 12u  // 3
-#define SRC_AREA 15u    // m2, or sr for distant sources
-#define SRC_CAP 16u     // distant: 1 - cos of the half angle
-#define SRC_POWER 17u   // luminance-like radiance for choosing
-#define SRC_MAXRAD 18u  // glow: > 0 limit; else 0
-#define SRC_SPOT 19u    // 5: aim unit 3, cos of the half cone, focal length; cos = -2 if no spotlight
-#define SRC_RADIUS 24u  // bounding radius around the centre (rings, spheres)
-#define SRC_TRIS 25u    // general polygons: index into f of triangle fan records (word), SRC_NTRIS (word)
-#define SRC_NTRIS 26u
+#define SRC_KIND 0u         // SK_*
+#define SRC_PRIM 1u         // prim (word); NONE for distant
+#define SRC_MOD 2u          // modifier (word)
+#define SRC_CENTRE 3u       // 3: centre, or unit direction to a distant source
+#define SRC_U 6u            // 3: half vector
+#define SRC_V 9u            // 3: half vector (sphere: U.x = radius)
+#define SRC_NORMAL 12u      // 3
+#define SRC_AREA 15u        // m2, or sr for distant sources
+#define SRC_CAP 16u         // distant: 1 - cos of the half angle
+#define SRC_POWER 17u       // luminance-like radiance for choosing
+#define SRC_MAXRAD 18u      // glow: > 0 limit; else 0
+#define SRC_SPOT 19u        // 3: aim of a spotlight, unit
+#define SRC_SPOT_COS 22u    // cosine of its half cone, NO_SPOT for other sources
+#define SRC_SPOT_FOCUS 23u  // its focal length
+#define NO_SPOT -2.0f
+#define IS_SPOT(src) ((src)[SRC_SPOT_COS] > -1.5f)
+#define SRC_RADIUS 24u   // bounding radius around the centre (rings, spheres)
+#define SRC_TRIS 25u     // general polygons: index into f of its fan of triangles (word)
+#define SRC_NTRIS 26u    // and their number (word)
 #define SRC_CLASS 27u    // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
 #define SRC_VIRTUAL 28u  // virtual sources: relay record in u (word), NONE for real ones
 #define SRC_SHEARED 30u  // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
 #define SRC_DRAWN 29u    // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
+
+// a triangle of the fan: a corner, then
+#define FAN_FLOATS 12u
+#define FAN_EDGE1 3u  // 3
+#define FAN_EDGE2 6u  // 3
+#define FAN_UPTO 9u   // share of the source's area up to this triangle, with it
+#define FAN_FROM 10u  // and without it
 
 // ---- relay record of a virtual source, in u (spec shading 4.6)
 #define RELAY_PRIM 0u

@@ -15,45 +15,35 @@ typedef struct {
     float sx, sy, sz;  // shear
 } WoopRay;
 
-FN float axis3_(float3 v, uint k) { return k == 0u ? v.x : k == 1u ? v.y : v.z; }
+FN float axis3(float3 v, uint k) { return k == 0u ? v.x : k == 1u ? v.y : v.z; }
 
 // Slabs parallel to the ray: a large finite slope, because 0 times infinity is not a number.
-FN float slab_inverse_(float d) { return fabs_(d) > 1e-18f ? 1.0f / d : d < 0.0f ? -1e18f : 1e18f; }
+FN float slab_inverse(float d) { return fabs_(d) > 1e-18f ? 1.0f / d : d < 0.0f ? -1e18f : 1e18f; }
 
 FN void woop_prepare(float3 org, float3 dir, PRIVATE WoopRay* r) {
     float ax = fabs_(dir.x), ay = fabs_(dir.y), az = fabs_(dir.z);
     r->org = org;
     r->dir = dir;
-    r->inv = F3(slab_inverse_(dir.x), slab_inverse_(dir.y), slab_inverse_(dir.z));
+    r->inv = F3(slab_inverse(dir.x), slab_inverse(dir.y), slab_inverse(dir.z));
     r->kz = ax > ay ? (ax > az ? 0u : 2u) : (ay > az ? 1u : 2u);
     r->kx = r->kz == 2u ? 0u : r->kz + 1u;
     r->ky = r->kx == 2u ? 0u : r->kx + 1u;
-    r->ox = axis3_(org, r->kx);
-    r->oy = axis3_(org, r->ky);
-    r->oz = axis3_(org, r->kz);
-    r->sz = axis3_(dir, r->kz);
-    r->sx = axis3_(dir, r->kx) / r->sz;
-    r->sy = axis3_(dir, r->ky) / r->sz;
+    r->ox = axis3(org, r->kx);
+    r->oy = axis3(org, r->ky);
+    r->oz = axis3(org, r->kz);
+    r->sz = axis3(dir, r->kz);
+    r->sx = axis3(dir, r->kx) / r->sz;
+    r->sy = axis3(dir, r->ky) / r->sz;
     r->sz = 1.0f / r->sz;
-}
-
-// The ray in the coordinates of an instance; t keeps its meaning.  q: the shape of the instance.
-FN void woop_prepare_instance(GLOBAL const float* q, float3 o, float3 d, PRIVATE WoopRay* r) {
-    float3 lo, ld;
-    lo = F3(q[1] * o.x + q[2] * o.y + q[3] * o.z + q[4], q[5] * o.x + q[6] * o.y + q[7] * o.z + q[8],
-            q[9] * o.x + q[10] * o.y + q[11] * o.z + q[12]);
-    ld = F3(q[1] * d.x + q[2] * d.y + q[3] * d.z, q[5] * d.x + q[6] * d.y + q[7] * d.z,
-            q[9] * d.x + q[10] * d.y + q[11] * d.z);
-    woop_prepare(lo, ld, r);
 }
 
 // Triangle a b c; t, u (of b), v (of c) if the ray's line meets it.  bvh8.h has the same in four lanes, step by step.
 FN int woop_triangle(PRIVATE const WoopRay* r, float3 a, float3 b, float3 c, PRIVATE float* t, PRIVATE float* u,
                      PRIVATE float* v) {
-    float az = axis3_(a, r->kz) - r->oz, bz = axis3_(b, r->kz) - r->oz, cz = axis3_(c, r->kz) - r->oz;
-    float ax = (axis3_(a, r->kx) - r->ox) - r->sx * az, ay = (axis3_(a, r->ky) - r->oy) - r->sy * az;
-    float bx = (axis3_(b, r->kx) - r->ox) - r->sx * bz, by = (axis3_(b, r->ky) - r->oy) - r->sy * bz;
-    float cx = (axis3_(c, r->kx) - r->ox) - r->sx * cz, cy = (axis3_(c, r->ky) - r->oy) - r->sy * cz;
+    float az = axis3(a, r->kz) - r->oz, bz = axis3(b, r->kz) - r->oz, cz = axis3(c, r->kz) - r->oz;
+    float ax = (axis3(a, r->kx) - r->ox) - r->sx * az, ay = (axis3(a, r->ky) - r->oy) - r->sy * az;
+    float bx = (axis3(b, r->kx) - r->ox) - r->sx * bz, by = (axis3(b, r->ky) - r->oy) - r->sy * bz;
+    float cx = (axis3(c, r->kx) - r->ox) - r->sx * cz, cy = (axis3(c, r->ky) - r->oy) - r->sy * cz;
     float wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
     float det = wa + wb + wc;
     if ((wa < 0.0f || wb < 0.0f || wc < 0.0f) && (wa > 0.0f || wb > 0.0f || wc > 0.0f)) return 0;
@@ -74,6 +64,32 @@ FN int hit_offer(PRIVATE Hit* best, float t, uint prim, float u, float v, uint i
     best->u = u;
     best->v = v;
     best->inst = inst;
+    return 1;
+}
+
+// The tree that a ray is in, the scene's or an instance's, and what it looks for there.
+typedef struct {
+    WoopRay r;  // in the tree's coordinates
+    uint inst;  // Hit.inst of what it meets
+    uint mask;  // RAY_*
+} TreeRay;
+
+FN void enter_scene(PRIVATE const Ray* ray, uint mask, PRIVATE TreeRay* in) {
+    woop_prepare(ray->org, ray->dir, &in->r);
+    in->inst = NO_HIT;
+    in->mask = mask;
+}
+
+// *root: the tree's first node.  0: all that the instance holds is of a class that the ray does not look for.
+FN int enter_instance(GLOBAL const float* instance, PRIVATE const Ray* ray, uint mask, PRIVATE TreeRay* in,
+                      PRIVATE uint* root) {
+    uint forced = as_uint_(instance[INSTANCE_CLASS]);
+    if (forced != 0u && (mask & forced) == 0u) return 0;
+    GLOBAL const float* matrix = instance + INSTANCE_MATRIX;
+    woop_prepare(affine_point(matrix, ray->org), affine_vector(matrix, ray->dir), &in->r);
+    in->inst = as_uint_(instance[INSTANCE_NUMBER]);
+    in->mask = forced == 0u ? mask : RAY_ALL;
+    *root = as_uint_(instance[INSTANCE_TREE]);
     return 1;
 }
 #endif

@@ -45,14 +45,16 @@ inline void brute_part(const bvh_scenes::Scene& s, size_t part, const Ray& ray, 
             hit_offer(hit, t, s.tri_prim[i] & ID_PRIM, u, vv, inst);
     }
     for (size_t i = p.shape; i < p.shape + p.shapes; i++) {
-        const float* q = &s.shapes[16 * i];
+        const float* q = &s.shapes[SHAPE_FLOATS * i];
         float t;
-        if (as_uint_(q[0]) == SHAPE_INSTANCE) {
+        if (as_uint_(q[SHAPE_KIND]) == SHAPE_INSTANCE) {
             WoopRay local;
-            woop_prepare_instance(q, ray.org, ray.dir, &local);
-            const uint forced = as_uint_(q[15]);
+            const float* matrix = q + INSTANCE_MATRIX;
+            woop_prepare(affine_point(matrix, ray.org), affine_vector(matrix, ray.dir), &local);
+            const uint forced = as_uint_(q[INSTANCE_CLASS]);
             if (forced == 0 || (mask & forced))
-                brute_part(s, as_uint_(q[13]), ray, local, forced ? RAY_ALL : mask, as_uint_(q[14]), hit);
+                brute_part(s, as_uint_(q[INSTANCE_TREE]), ray, local, forced ? RAY_ALL : mask,
+                           as_uint_(q[INSTANCE_NUMBER]), hit);
         } else if ((mask >> (s.shape_prim[i] >> 31) & 1) &&
                    shape_hit(q, s.polygon_uv.data(), w.org, w.dir, ray.tmin, &t)) {
             hit_offer(hit, t, s.shape_prim[i] & ID_PRIM, 0, 0, inst);

@@ -10,6 +10,7 @@
 namespace kernels {
 #include "kernels/sampler.h"
 #include "kernels/bsdf.h"
+#include "kernels/bsdf_sample.h"
 }  // namespace kernels
 #include "flatten/bsdf.h"
 #include "unit/bsdf_text.h"

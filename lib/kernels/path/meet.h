@@ -51,7 +51,7 @@ FN int vertex_meet(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIV
     if (!find_material(s, par, g, &vertex->rnd)) return MET_NOTHING;
     if (take_alternate(s, par, g, vertex->flags, &vertex->rnd)) return MET_NOTHING;
 
-    if (g->type >= M_LIGHT && g->type <= M_ILLUM) {
+    if (material_has(g->type, MT_SHINES) != 0u) {
         int passes;
         vertex->emitted = emitter_radiance(s, par, g, vertex->flags, &passes);
         return passes ? MET_NOTHING : MET_LAMP;

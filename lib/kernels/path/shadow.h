@@ -3,171 +3,225 @@
 #ifndef LUX_PATH_SHADOW_H
 #define LUX_PATH_SHADOW_H
 
-// What a shadow ray lets through: straight through glass, smooth trans, mixtures with void (spec shading 4.5).
-FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float dist,
-                          uint source, Medium medium, uint clip, PRIVATE Sampler* rnd) {
-    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f);
-    GLOBAL const float* q = source_record(s, par, source);
-    uint kind = as_uint_(q[SRC_KIND]);
+// A shadow ray on its way to the source sample that it was sent to.
+typedef struct {
     Ray ray;
-    ray.org = org;
-    ray.dir = dir;
-    ray.tmin = 0.0f;
-    ray.tmax = IS_FAR(dist) ? FAR_AWAY : shadow_end(dist);
-    int must_hit = par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING || kind == SK_CYLINDER);
-    if (kind == SK_SPHERE || kind == SK_CYLINDER || must_hit) {
-        // near its outline a round source may stand in its own light; with -ds RADIANCE aims beside odd shapes, too
-        Hit hit;
-        if (must_hit) ray.tmax = dist * 1.001f;
-        trace_closest(s, &ray, RAY_OPAQUE, &hit);
-        if (hit.prim == as_uint_(q[SRC_PRIM])) must_hit = 0;
-        else if (hit.prim != NO_HIT && hit.t <= shadow_end(dist)) return black;
-        if (!must_hit) ray.tmax = shadow_end(dist);
-    } else if (trace_any(s, &ray, RAY_OPAQUE)) {
-        return black;
+    GLOBAL const float* src;  // record of the source aimed at; behind a virtual one's relay, that of the next
+    float3 T;                 // what was let through so far
+    float total;              // path length so far
+    Medium medium;            // where it is: the medium around,
+    uint clip;                // and what antimatter cuts away
+    int absorbs;              // is there any medium in the scene?
+    int is_virtual;           // it was sent to a virtual source: its radiance is known only where it arrives
+    int bent;                 // it does not lie on one straight line
+    Sampler rnd;
+} ShadowRay;
+
+// What stands in its way, one of MET_*: a lamp stops it, of a surface the lobes say what passes.  g, the surface, gets
+// its material; *here and *beyond, the media of the segment that ends here and behind the surface, come as what the ray
+// knows.  relayed: g is the relay of the virtual source aimed at.
+FN int shadow_meet(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow,
+                   PRIVATE Surface* g, int relayed, PRIVATE Medium* here, PRIVATE Medium* beyond,
+                   PRIVATE Lobes* lobes) {
+    int antimatter = (par->flags & PF_ANTIMATTER) != 0u;
+    uint carried = g->mod;
+
+    if (antimatter && clip_hit(s, par, g, &shadow->clip) == CLIP_IGNORE) return MET_NOTHING;
+    if (!find_material(s, par, g, &shadow->rnd)) return MET_NOTHING;
+    if (shadow_alternate(s, par, g, shadow->src, relayed, &shadow->rnd)) return MET_NOTHING;
+
+    if (material_has(g->type, MT_SHINES) != 0u) return MET_LAMP;
+    if (g->type == M_MIST) {
+        mist_crossing(s, par, g, here, beyond);
+        return MET_NOTHING;
     }
-    int absorbs = par->medium.w > 0.0f;
-    if (must_hit && par->shadow_mode == SHADOW_OPAQUE) return black;
-    if (par->shadow_mode == SHADOW_OPAQUE) return absorbs ? shadow_attenuation(&medium, MIN_(dist, ENDLESS_MEDIUM)) : T;
-    float total = 0.0f;
-    for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
-        Hit hit;
-        Surface g;
-        Lobes l;
-        trace_closest(s, &ray, RAY_TRANSPARENT, &hit);
-        if (hit.prim == NO_HIT && must_hit) return black;
-        if (hit.prim == NO_HIT)
-            return absorbs ? mul3(T, shadow_attenuation(&medium, MIN_(ray.tmax, ENDLESS_MEDIUM))) : T;
-        Medium crossed = medium, beyond = medium;
-        int at_source = hit.prim == as_uint_(q[SRC_PRIM]);
-        surface_at(s, &ray, &hit, &g);
-        total += hit.t;
-        g.total = total;
-        uint carried = g.mod;
-        if (!at_source && !((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
-            find_material(s, par, &g, rnd) && !shadow_alternate(s, par, &g, q, 0, rnd)) {
-            if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
-                return black;
-            } else if (g.type == M_MIST) {
-                mist_crossing(s, par, &g, &medium, &beyond);
-            } else {
-                material_lobes(s, par, &g, LOBES_SHADOW, rnd, &medium, &beyond, &l);
-                if ((par->flags & PF_ANTIMATTER) != 0u) clip_turned(s, par, &g, carried, &clip);
-                if ((l.flags & LOBE_PASS) == 0u) T = mul3(T, l.through);
-            }
-            if (max3(T) <= 0.0f) return black;
-        }
-        if (!g.mixed) crossed = medium;
-        if (absorbs) T = mul3(T, shadow_attenuation(&crossed, hit.t));
-        if (at_source) return T;
-        medium = beyond;
-        ray.org = offset_ray(g.p, neg3(g.ng), g.reach);
-        if (!IS_FAR(ray.tmax)) {
-            ray.tmax -= hit.t;
-            if (ray.tmax <= 0.0f) return must_hit ? black : T;
-        }
-    }
-    return black;
+
+    material_lobes(s, par, g, LOBES_SHADOW, &shadow->rnd, here, beyond, lobes);
+    if (antimatter) clip_turned(s, par, g, carried, &shadow->clip);
+    return (lobes->flags & LOBE_PASS) != 0u ? MET_NOTHING : MET_SURFACE;
 }
 
-// The same where light may bend (dielectric) or be relayed (mirror): followed surface by surface; it must arrive at the
-// real source aimed at (spec shading 3.6, 4.6).  For virtual sources the result holds the source's radiance.
-FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, float total,
-                       uint source, Medium medium, uint clip, PRIVATE Sampler* rnd) {
-    float3 T = F3(1.0f, 1.0f, 1.0f), black = F3(0.0f, 0.0f, 0.0f);
-    GLOBAL const float* q = source_record(s, par, source);
-    int is_virtual = as_uint_(q[SRC_VIRTUAL]) != NONE, bent = 0;
-    Ray ray;
-    ray.org = org;
-    ray.dir = dir;
-    ray.tmin = 0.0f;
-    ray.tmax = FAR_AWAY;
+// Does anything opaque stand between?  Also sets how far the ray looks for what lets light through, and *must_hit if it
+// has still to find the source itself.
+FN int shadow_blocked(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow, float dist,
+                      PRIVATE int* must_hit) {
+    PRIVATE Ray* ray = &shadow->ray;
+    uint kind = as_uint_(shadow->src[SRC_KIND]);
+    *must_hit = par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING || kind == SK_CYLINDER);
+    ray->tmax = IS_FAR(dist) ? FAR_AWAY : shadow_end(dist);
+    if (kind != SK_SPHERE && kind != SK_CYLINDER && !*must_hit) return trace_any(s, ray, RAY_OPAQUE);
+
+    // near its outline a round source may stand in its own light; with -ds RADIANCE aims beside odd shapes, too
+    Hit hit;
+    if (*must_hit) ray->tmax = dist * 1.001f;
+    trace_closest(s, ray, RAY_OPAQUE, &hit);
+    if (hit.prim == as_uint_(shadow->src[SRC_PRIM])) *must_hit = 0;
+    else if (hit.prim != NO_HIT && hit.t <= shadow_end(dist)) return 1;
+    if (!*must_hit) ray->tmax = shadow_end(dist);
+    return 0;
+}
+
+// What reaches the point straight through glass, smooth trans, mixtures with void (spec shading 4.5).
+FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow,
+                          float dist) {
+    float3 black = F3(0.0f, 0.0f, 0.0f);
+    PRIVATE Ray* ray = &shadow->ray;
+    int must_hit;
+    if (shadow_blocked(s, par, shadow, dist, &must_hit)) return black;
+
+    if (par->shadow_mode == SHADOW_OPAQUE) {
+        if (must_hit) return black;
+        return shadow->absorbs ? shadow_attenuation(&shadow->medium, MIN_(dist, ENDLESS_MEDIUM)) : shadow->T;
+    }
+
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
         Hit hit;
         Surface g;
-        Lobes l;
-        uint relay = as_uint_(q[SRC_VIRTUAL]);
-        trace_closest(s, &ray, RAY_ALL, &hit);
+        Lobes lobes;
+        trace_closest(s, ray, RAY_TRANSPARENT, &hit);
         if (hit.prim == NO_HIT) {
-            if (relay != NONE || as_uint_(q[SRC_KIND]) != SK_DISTANT) return black;
-            float3 e = sub3(ray.dir, f3_at(q + SRC_CENTRE));
-            if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&medium, ENDLESS_MEDIUM));
-            if ((bent || is_virtual) && 0.5f * dot3(e, e) > q[SRC_CAP]) return black;
-            if (!is_virtual) return T;
-            return mul3(T, light_radiance(s, par, as_uint_(q[SRC_MOD]), NONE, ray.dir, ray.org, neg3(ray.dir), FAR_AWAY,
-                                          FAR_AWAY, rnd));
+            if (must_hit) return black;
+            if (!shadow->absorbs) return shadow->T;
+            return mul3(shadow->T, shadow_attenuation(&shadow->medium, MIN_(ray->tmax, ENDLESS_MEDIUM)));
         }
-        surface_at(s, &ray, &hit, &g);
-        total += hit.t;
-        g.total = total;
-        uint carried = g.mod;
-        if (relay == NONE && hit.prim == as_uint_(q[SRC_PRIM])) {
-            if (!g.front) return black;
-            if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(&medium, hit.t));
-            if (!is_virtual) return T;
-            return mul3(
-                T, light_radiance(s, par, as_uint_(q[SRC_MOD]), hit.prim, ray.dir, g.p, g.nface, hit.t, total, rnd));
-        }
-        float3 next = ray.dir;
-        Medium here = medium, beyond = medium;  // of the segment that ends here; behind the surface
-        uint before = clip;
-        int relayed = relay != NONE && hit.prim == s->u[relay + RELAY_PRIM];
-        if (!((par->flags & PF_ANTIMATTER) != 0u && clip_hit(s, par, &g, &clip) == CLIP_IGNORE) &&
-            find_material(s, par, &g, rnd) && !shadow_alternate(s, par, &g, q, relayed, rnd)) {
-            if (g.type >= M_LIGHT && g.type <= M_ILLUM) {
-                return black;
-            } else if (g.type == M_MIST) {
-                mist_crossing(s, par, &g, &here, &beyond);
-            } else {
-                material_lobes(s, par, &g, LOBES_SHADOW, rnd, &here, &beyond, &l);
-                if ((par->flags & PF_ANTIMATTER) != 0u) clip_turned(s, par, &g, carried, &clip);
-                if ((l.flags & LOBE_PASS) == 0u) {
-                    if (relayed) {  // the one aimed at
-                        q = source_record(s, par, s->u[relay + RELAY_SOURCE]);
-                        if (g.type == M_PRISM) {
-                            float3 aim = f3_at(q + SRC_CENTRE);
-                            if (as_uint_(q[SRC_KIND]) != SK_DISTANT) aim = unit3(sub3(aim, g.p));
-                            T = scale3(T, prism_exit(s, par, &g, aim, s->u[relay + RELAY_EXIT], &next));
-                        } else {
-                            T = mul3(T, l.mirror);
-                            next = sub3(scale3(g.ng, 2.0f * dot3(g.ng, g.v)), g.v);  // textures do not act here
-                        }
-                    } else if (max3(l.refract) > 0.0f) {
-                        T = mul3(T, l.refract);
-                        next = l.refract_dir;
-                        bent = 1;
-                    } else {
-                        T = mul3(T, l.through);
-                    }
-                }
-            }
-            if (max3(T) <= 0.0f) return black;
-        }
-        if (par->medium.w > 0.0f) T = mul3(T, shadow_attenuation(g.mixed ? &medium : &here, hit.t));
-        int reflected = dot3(next, g.ng) > 0.0f;
-        medium = reflected ? here : beyond;
-        if (reflected) clip = before;
-        ray.org = offset_ray(g.p, reflected ? g.ng : neg3(g.ng), g.reach);
-        ray.dir = next;
+        surface_at(s, ray, &hit, &g);
+        shadow->total += hit.t;
+        g.total = shadow->total;
+
+        int at_source = hit.prim == as_uint_(shadow->src[SRC_PRIM]);
+        Medium here = shadow->medium, beyond = shadow->medium;
+        int met = at_source ? MET_NOTHING : shadow_meet(s, par, shadow, &g, 0, &here, &beyond, &lobes);
+        if (met == MET_SURFACE) shadow->T = mul3(shadow->T, lobes.through);
+        if (met == MET_LAMP || max3(shadow->T) <= 0.0f) return black;
+
+        if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(g.mixed ? &shadow->medium : &here, hit.t));
+        if (at_source) return shadow->T;
+
+        shadow->medium = beyond;
+        ray->org = offset_ray(g.p, neg3(g.ng), g.reach);
+        if (IS_FAR(ray->tmax)) continue;
+        ray->tmax -= hit.t;
+        if (ray->tmax <= 0.0f) return must_hit ? black : shadow->T;
     }
     return black;
 }
 
-FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
-    float4 o = paths->shadow_org[slot], d = paths->shadow_dir[slot], c = paths->shadow_rad[slot];
-    uint4 info = paths->info[slot];
-    Sampler rnd = path_sampler(info);
-    rnd.key = hash_(rnd.key ^ 0x5bd1e995u);
-    float3 T;
-    Medium medium = par->medium.w > 0.0f ? shadow_medium(paths, slot) : medium_open(par);
-    uint clip = (par->flags & PF_ANTIMATTER) != 0u ? as_uint_(paths->shadow_medium[slot].w) : CLIP_START;
-    if (par->shadow_mode == SHADOW_AIMED) {
-        T = shadow_aimed(s, par, xyz4(o), xyz4(d), c.w, as_uint_(o.w), medium, clip, &rnd);
-    } else {
-        T = shadow_straight(s, par, xyz4(o), xyz4(d), d.w, as_uint_(o.w), medium, clip, &rnd);
+// A ray that was aimed leaves the scene: the source must lie there.
+FN float3 aimed_at_sky(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow) {
+    float3 black = F3(0.0f, 0.0f, 0.0f);
+    GLOBAL const float* src = shadow->src;
+    PRIVATE const Ray* ray = &shadow->ray;
+    if (as_uint_(src[SRC_VIRTUAL]) != NONE || as_uint_(src[SRC_KIND]) != SK_DISTANT) return black;
+
+    float3 e = sub3(ray->dir, f3_at(src + SRC_CENTRE));
+    if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(&shadow->medium, ENDLESS_MEDIUM));
+    if ((shadow->bent || shadow->is_virtual) && 0.5f * dot3(e, e) > src[SRC_CAP]) return black;
+    if (!shadow->is_virtual) return shadow->T;
+    return mul3(shadow->T, light_radiance(s, par, as_uint_(src[SRC_MOD]), NONE, ray->dir, ray->org, neg3(ray->dir),
+                                          FAR_AWAY, FAR_AWAY, &shadow->rnd));
+}
+
+// It has arrived at its source.
+FN float3 aimed_at_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow,
+                          PRIVATE const Surface* g) {
+    if (!g->front) return F3(0.0f, 0.0f, 0.0f);
+    if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(&shadow->medium, g->length));
+    if (!shadow->is_virtual) return shadow->T;
+    return mul3(shadow->T, light_radiance(s, par, as_uint_(shadow->src[SRC_MOD]), g->prim, shadow->ray.dir, g->p,
+                                          g->nface, g->length, g->total, &shadow->rnd));
+}
+
+// The relay of the virtual source sends the ray on, to the source behind it.  Returns the new direction.
+FN float3 aimed_relay(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow,
+                      PRIVATE const Surface* g, PRIVATE const Lobes* lobes) {
+    GLOBAL const uint* relay = s->u + as_uint_(shadow->src[SRC_VIRTUAL]);
+    shadow->src = source_record(s, par, relay[RELAY_SOURCE]);
+    if (g->type != M_PRISM) {
+        shadow->T = mul3(shadow->T, lobes->mirror);
+        return sub3(scale3(g->ng, 2.0f * dot3(g->ng, g->v)),
+                    g->v);  // textures do not act here
     }
-    float4 r = paths->rad[slot];
-    paths->rad[slot] = pack4(add3(xyz4(r), mul3(xyz4(c), T)), r.w);
+
+    float3 next = shadow->ray.dir, aim = f3_at(shadow->src + SRC_CENTRE);
+    if (as_uint_(shadow->src[SRC_KIND]) != SK_DISTANT) aim = unit3(sub3(aim, g->p));
+    shadow->T = scale3(shadow->T, prism_exit(s, par, g, aim, relay[RELAY_EXIT], &next));
+    return next;
+}
+
+// What another surface lets through of it, and in which direction.
+FN float3 aimed_through(PRIVATE ShadowRay* shadow, PRIVATE const Lobes* lobes) {
+    if (max3(lobes->refract) > 0.0f) {
+        shadow->T = mul3(shadow->T, lobes->refract);
+        shadow->bent = 1;
+        return lobes->refract_dir;
+    }
+    shadow->T = mul3(shadow->T, lobes->through);
+    return shadow->ray.dir;
+}
+
+// What reaches the point where light may bend (dielectric) or be relayed (mirror): followed surface by surface; it must
+// arrive at the real source aimed at (spec shading 3.6, 4.6).  For virtual sources the result holds the source's
+// radiance.
+FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow) {
+    float3 black = F3(0.0f, 0.0f, 0.0f);
+    PRIVATE Ray* ray = &shadow->ray;
+    ray->tmax = FAR_AWAY;
+
+    for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
+        Hit hit;
+        Surface g;
+        Lobes lobes;
+        uint relay = as_uint_(shadow->src[SRC_VIRTUAL]), before = shadow->clip;
+        trace_closest(s, ray, RAY_ALL, &hit);
+        if (hit.prim == NO_HIT) return aimed_at_sky(s, par, shadow);
+
+        surface_at(s, ray, &hit, &g);
+        shadow->total += hit.t;
+        g.total = shadow->total;
+        if (relay == NONE && hit.prim == as_uint_(shadow->src[SRC_PRIM])) return aimed_at_source(s, par, shadow, &g);
+
+        // the surface turns the ray, weakens it or stops it
+        float3 next = ray->dir;
+        Medium here = shadow->medium, beyond = shadow->medium;
+        int relayed = relay != NONE && hit.prim == s->u[relay + RELAY_PRIM];
+        int met = shadow_meet(s, par, shadow, &g, relayed, &here, &beyond, &lobes);
+        if (met == MET_SURFACE)
+            next = relayed ? aimed_relay(s, par, shadow, &g, &lobes) : aimed_through(shadow, &lobes);
+        if (met == MET_LAMP || max3(shadow->T) <= 0.0f) return black;
+
+        // and so does the medium before it
+        int reflected = dot3(next, g.ng) > 0.0f;
+        if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(g.mixed ? &shadow->medium : &here, hit.t));
+        shadow->medium = reflected ? here : beyond;
+        if (reflected) shadow->clip = before;
+        ray->org = offset_ray(g.p, reflected ? g.ng : neg3(g.ng), g.reach);
+        ray->dir = next;
+    }
+    return black;
+}
+
+// Adds what the shadow ray of a slot brings.
+FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
+    float4 org = paths->shadow_org[slot], dir = paths->shadow_dir[slot], rad = paths->shadow_rad[slot];
+    int antimatter = (par->flags & PF_ANTIMATTER) != 0u, aimed = par->shadow_mode == SHADOW_AIMED;
+    ShadowRay shadow;
+    shadow.ray.org = xyz4(org);
+    shadow.ray.dir = xyz4(dir);
+    shadow.ray.tmin = 0.0f;
+    shadow.src = source_record(s, par, as_uint_(org.w));
+    shadow.T = F3(1.0f, 1.0f, 1.0f);
+    shadow.total = aimed ? rad.w : 0.0f;
+    shadow.absorbs = par->medium.w > 0.0f;
+    shadow.medium = shadow.absorbs ? shadow_medium(paths, slot) : medium_open(par);
+    shadow.clip = antimatter ? as_uint_(paths->shadow_medium[slot].w) : CLIP_START;
+    shadow.is_virtual = as_uint_(shadow.src[SRC_VIRTUAL]) != NONE;
+    shadow.bent = 0;
+    shadow.rnd = path_sampler(paths->info[slot]);
+    shadow.rnd.key = hash_(shadow.rnd.key ^ 0x5bd1e995u);
+
+    float3 T = aimed ? shadow_aimed(s, par, &shadow) : shadow_straight(s, par, &shadow, dir.w);
+    float4 sum = paths->rad[slot];
+    paths->rad[slot] = pack4(add3(xyz4(sum), mul3(xyz4(rad), T)), sum.w);
 }
 
 // MODE_DRAW: slot i holds a straight ray from the eye to a point of a source and its weight, written by the host into

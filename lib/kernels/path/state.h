@@ -46,16 +46,6 @@ FN int path_media_used(PRIVATE const Params* par) { return par->medium.w > 0.0f 
 // turned.
 FN int path_sampled(uint flags) { return (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u; }
 
-FN float4 pack4(float3 v, float w) {
-    float4 r;
-    r.x = v.x;
-    r.y = v.y;
-    r.z = v.z;
-    r.w = w;
-    return r;
-}
-FN float3 xyz4(float4 v) { return F3(v.x, v.y, v.z); }
-
 FN Sampler path_sampler(uint4 info) {
     Sampler rnd;
     rnd.key = info.y;

@@ -36,9 +36,9 @@ typedef struct {
 #define PATH_GOES_ON 1  // the slot holds the next ray
 #define PATH_SHADOW 2   // and a shadow ray
 
-// What a stage may leave of a step.
-#define MET_NOTHING 0  // the ray goes straight on
-#define MET_LAMP 1     // the path ends in a light
+// What a ray has met.
+#define MET_NOTHING 0  // it goes straight on
+#define MET_LAMP 1     // it ends in a light
 #define MET_SURFACE 2  // lobes say how light is scattered
 
 FN void vertex_load(PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot, PRIVATE Vertex* vertex) {

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A point on an active source as seen from the point p that it lights: one function per kind of source.  They take the
+// source's record, two random numbers x and the jitter dj, 0 (the centre) .. 1 (all of it), and fill the sample; its
+// solid angle w stays 0 where the source cannot shine.
+#ifndef LUX_SOURCE_SAMPLE_H
+#define LUX_SOURCE_SAMPLE_H
+
+// RADIANCE's partition of a large source (-ds; spec shading 4.3): the piece that holds this sample, found by halving
+// the source while it is large for its distance, each half with equal chance.  *c is moved to the piece's centre, *u
+// and *v become its half vectors; the result is the piece's share of the source.  Only -dj < 1 can tell it from the
+// whole.  line: there is no v.
+FN float source_piece(float3 p, float ds, int line, PRIVATE float3* c, PRIVATE float3* u, PRIVATE float3* v,
+                      PRIVATE float2* x) {
+    float share = 1.0f, k = 2.0f / ds, du = k * length3(*u), dv = line ? 0.0f : k * length3(*v);
+    for (int i = 0; i < 6; i++) {  // at most 64 pieces
+        float d = length3(sub3(p, *c)), sign;
+        if (d >= du && d >= dv) break;
+        if (du >= dv) {
+            sign = x->x < 0.5f ? -0.5f : 0.5f;
+            x->x = x->x < 0.5f ? 2.0f * x->x : 2.0f * x->x - 1.0f;
+            *c = madd3(*u, sign, *c);
+            *u = scale3(*u, 0.5f);
+            du *= 0.5f;
+        } else {
+            sign = x->y < 0.5f ? -0.5f : 0.5f;
+            x->y = x->y < 0.5f ? 2.0f * x->y : 2.0f * x->y - 1.0f;
+            *c = madd3(*v, sign, *c);
+            *v = scale3(*v, 0.5f);
+            dv *= 0.5f;
+        }
+        share *= 0.5f;
+    }
+    return share;
+}
+
+// What a glow's reach and a spotlight's cone leave of a sample.
+FN void source_limits(GLOBAL const float* src, uint kind, float3 p, PRIVATE LightSample* light) {
+    if (src[SRC_MAXRAD] > 0.0f && light->dist > src[SRC_MAXRAD]) light->w = 0.0f;
+    if (!IS_SPOT(src)) return;
+
+    // inside the cone, and as if its light came from f behind (spec 4.2); a sphere counts from its centre
+    float f = src[SRC_SPOT_FOCUS], d = light->dist;
+    if (kind == SK_SPHERE) d = length3(sub3(f3_at(src + SRC_CENTRE), p));
+    if (-dot3(f3_at(src + SRC_SPOT), light->dir) < src[SRC_SPOT_COS]) light->w = 0.0f;
+    light->w *= d * d / ((d + f) * (d + f));
+}
+
+// RADIANCE's way from a square of half width 1 to a disc of equal area, nearly (spec shading 4.3).
+FN float2 square_to_disc(float a, float b) {
+    float2 d;
+    d.x = 1.1284f * a * sqrt_(1.0f - 0.5f * b * b);
+    d.y = 1.1284f * b * sqrt_(1.0f - 0.5f * a * a);
+    return d;
+}
+
+// A direction `turn` of a whole turn about the axis, 1 - cos = z1 away from it.
+FN float3 cone_direction(float3 axis, float z1, float turn) {
+    float3 t, b;
+    float sn, cs, r = sqrt_(z1 * (2.0f - z1));
+    frame_of(axis, &t, &b);
+    k_sincos(K_TURN * turn, &sn, &cs);
+    return unit3(add3(scale3(axis, 1.0f - z1), add3(scale3(t, r * cs), scale3(b, r * sn))));
+}
+
+// From p to a point at distance* dist.
+FN float3 light_direction(float3 to, PRIVATE float* dist) {
+    *dist = length3(to);
+    return scale3(to, 1.0f / MAX_(*dist, 1e-9f));
+}
+
+// A sphere or a sun through a prism: its axes are sheared as the prism shears its place, and what is sampled decides
+// how much of it the bent rays hit.  So these are RADIANCE's samples (spec shading 4.3): points of a ball; a square
+// made a disc.
+FN float3 sheared_place(GLOBAL const float* src, int distant, float2 x, float dj) {
+    float third = 4096.0f * x.x;  // what is left of the first number
+    float3 k = F3(2.0f * x.x - 1.0f, 2.0f * x.y - 1.0f, 2.0f * (third - floor_(third)) - 1.0f);
+    if (dj > 0.7f && distant) {
+        float2 d = square_to_disc(k.x, k.y);
+        k = F3(d.x, d.y, 0.0f);
+    } else if (dj > 0.7f) {
+        float most = MAX_(fabs_(k.x), MAX_(fabs_(k.y), fabs_(k.z)));
+        k = scale3(k, most / (MAX_(length3(k), 1e-6f) * 0.7236f));
+    }
+    k = scale3(k, dj);
+    float3 at = madd3(f3_at(src + SRC_U), k.x, madd3(f3_at(src + SRC_V), k.y, f3_at(src + SRC_CENTRE)));
+    return distant ? at : madd3(f3_at(src + SRC_NORMAL), k.z, at);
+}
+
+// A sun: uniform over its cap, pulled to its centre by dj.
+FN void sample_distant(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE LightSample* light) {
+    float3 axis = f3_at(src + SRC_CENTRE);
+    if (dj <= 0.0f) light->dir = axis;
+    else if (src[SRC_SHEARED] != 0.0f) light->dir = unit3(sheared_place(src, 1, x, dj));
+    else light->dir = cone_direction(axis, x.x * dj * dj * src[SRC_CAP], x.y);
+
+    light->dist = FAR_AWAY;
+    light->w = src[SRC_AREA];
+    light->point = p;  // patterns on a sun see where the ray starts
+    light->normal = neg3(light->dir);
+}
+
+FN void sample_sheared_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE LightSample* light) {
+    light->dir = light_direction(sub3(sheared_place(src, 0, x, dj), p), &light->dist);
+    light->w = K_PI * src[SRC_RADIUS] * src[SRC_RADIUS] / MAX_(light->dist * light->dist, 1e-18f);
+    light->point = madd3(light->dir, light->dist, p);
+    light->normal = neg3(light->dir);
+}
+
+FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE LightSample* light) {
+    float r = src[SRC_RADIUS];
+    float3 c = f3_at(src + SRC_CENTRE), to = sub3(c, p);
+    float d2 = dot3(to, to);
+    if (d2 <= r * r) return;
+    float d = sqrt_(d2);
+    to = scale3(to, 1.0f / d);
+
+    if (dj <= 0.0f) {  // the reference's centre sample (spec shading 4.2)
+        if (src[SRC_MAXRAD] > 0.0f && d > src[SRC_MAXRAD]) return;
+        light->dir = to;
+        light->dist = d - r;
+        light->w = K_PI * r * r / d2;
+        light->point = madd3(to, -r, c);
+        light->normal = neg3(to);
+        return;
+    }
+    if (src[SRC_SHEARED] != 0.0f) {
+        sample_sheared_sphere(src, p, x, dj, light);
+        return;
+    }
+
+    // exact: uniform over the cone it subtends
+    float s2 = r * r / d2,
+          cap = s2 / (1.0f + sqrt_(1.0f - s2));  // 1 - cos of the half angle
+    float z1 = x.x * cap, off = sqrt_(z1 * (2.0f - z1)), e = r * r - d2 * off * off;
+    light->dir = cone_direction(to, z1, x.y);
+    light->dist = d * (1.0f - z1) - sqrt_(e > 0.0f ? e : 0.0f);
+    light->w = K_TURN * cap;
+    light->point = madd3(light->dir, light->dist, p);
+    light->normal = unit3(sub3(light->point, c));
+}
+
+// A parallelogram; with -ds also a polygon or ring, in RADIANCE's own pieces and its idea of the shape: the shadow ray
+// must then hit the source.
+FN float3 point_of_pieces(PRIVATE const Params* par, GLOBAL const float* src, uint kind, float3 p, float2 x, float dj,
+                          PRIVATE float* pieces) {
+    float3 centre = f3_at(src + SRC_CENTRE), u = f3_at(src + SRC_U), v = f3_at(src + SRC_V);
+    if (kind == SK_RING) {  // square of equal area
+        u = scale3(u, 0.886226925f);
+        v = scale3(v, 0.886226925f);
+    }
+
+    float3 c = centre, pu = u, pv = v;
+    if (par->ds > 0.0f) *pieces = 1.0f / source_piece(p, par->ds, 0, &c, &pu, &pv, &x);
+    float3 at = madd3(pu, dj * (2.0f * x.x - 1.0f), madd3(pv, dj * (2.0f * x.y - 1.0f), c));
+    if (kind != SK_RING) return at;
+
+    float3 o = sub3(at, centre);
+    float2 d = square_to_disc(dot3(o, u) / dot3(u, u), dot3(o, v) / dot3(v, v));
+    return madd3(u, d.x, madd3(v, d.y, centre));
+}
+
+FN float3 point_of_ring(GLOBAL const float* src, float2 x, float dj) {
+    float r = dj * sqrt_(x.x), sn, cs;
+    k_sincos(K_TURN * x.y, &sn, &cs);
+    return madd3(f3_at(src + SRC_U), r * cs, madd3(f3_at(src + SRC_V), r * sn, f3_at(src + SRC_CENTRE)));
+}
+
+// A triangle of the fan, by area, and a point in it.
+FN float3 point_of_polygon(PRIVATE const SceneTables* s, GLOBAL const float* src, float2 x, float dj) {
+    if (dj <= 0.0f) return f3_at(src + SRC_CENTRE);
+    uint count = as_uint_(src[SRC_NTRIS]), k = 0u;
+    GLOBAL const float* fan = s->f + as_uint_(src[SRC_TRIS]);
+    while (k + 1u < count && x.x >= fan[FAN_UPTO]) {
+        k++;
+        fan += FAN_FLOATS;
+    }
+    float u = (x.x - fan[FAN_FROM]) / (fan[FAN_UPTO] - fan[FAN_FROM]), su = sqrt_(u);
+    return madd3(f3_at(fan + FAN_EDGE1), su * (1.0f - x.y), madd3(f3_at(fan + FAN_EDGE2), su * x.y, f3_at(fan)));
+}
+
+// A sample from its point and the normal there.
+FN void sample_point(GLOBAL const float* src, float3 at, float3 n, float3 p, PRIVATE LightSample* light) {
+    float3 to = sub3(at, p);
+    float d2 = dot3(to, to);
+    if (d2 <= 0.0f) return;
+    light->dist = sqrt_(d2);
+    light->dir = scale3(to, 1.0f / light->dist);
+    float cosine = -dot3(n, light->dir);
+    if (cosine <= 1e-4f) return;
+    light->w = src[SRC_AREA] * cosine / d2;
+    light->point = at;
+    light->normal = n;
+}
+
+FN void sample_flat(PRIVATE const SceneTables* s, PRIVATE const Params* par, GLOBAL const float* src, uint kind,
+                    float3 p, float2 x, float dj, PRIVATE LightSample* light) {
+    float3 at;
+    if (kind == SK_PARALLELOGRAM || par->ds > 0.0f) at = point_of_pieces(par, src, kind, p, x, dj, &light->pieces);
+    else if (kind == SK_RING) at = point_of_ring(src, x, dj);
+    else at = point_of_polygon(s, src, x, dj);
+    sample_point(src, at, f3_at(src + SRC_NORMAL), p, light);
+}
+
+// A cylinder as RADIANCE sees it, with -dj 0 or in the pieces of -ds: a line, as wide as it looks from the side.
+FN void sample_line(PRIVATE const Params* par, GLOBAL const float* src, float3 p, float2 x, float dj,
+                    PRIVATE LightSample* light) {
+    float3 c = f3_at(src + SRC_CENTRE), axis = f3_at(src + SRC_U), none = axis;
+    float r = src[SRC_RADIUS], share = 1.0f;
+    if (par->ds > 0.0f) {
+        float3 across = cross3(sub3(p, c), axis);
+        if (length3(across) > 2.0f * r * length3(axis)) share = source_piece(p, par->ds, 1, &c, &axis, &none, &x);
+        c = madd3(axis, dj * (2.0f * x.x - 1.0f), c);
+    }
+
+    float3 to = sub3(c, p);
+    float d2 = dot3(to, to), h = length3(axis), ca = dot3(to, axis) / (h * sqrt_(d2)), sa = 1.0f - ca * ca;
+    light->pieces = 1.0f / share;
+    light->dist = sqrt_(d2);
+    light->dir = scale3(to, 1.0f / light->dist);
+    light->w = 4.0f * r * (h / share) * sqrt_(sa > 0.0f ? sa : 0.0f) / d2;
+    light->point = c;
+    light->normal = neg3(light->dir);
+}
+
+// SRC_U is half its axis.
+FN void sample_cylinder(PRIVATE const Params* par, GLOBAL const float* src, float3 p, float2 x, float dj,
+                        PRIVATE LightSample* light) {
+    if (dj <= 0.0f || par->ds > 0.0f) {
+        sample_line(par, src, p, x, dj, light);
+        return;
+    }
+    float3 axis = f3_at(src + SRC_U), t, b;
+    float sn, cs;
+    frame_of(unit3(axis), &t, &b);
+    k_sincos(K_TURN * x.y, &sn, &cs);
+    float3 n = add3(scale3(t, cs), scale3(b, sn));
+    float3 at = madd3(n, src[SRC_RADIUS], madd3(axis, 2.0f * x.x - 1.0f, f3_at(src + SRC_CENTRE)));
+    sample_point(src, at, n, p, light);
+}
+
+// A point of active source `source` as seen from p; w = 0 if it cannot shine there.
+FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint source, float3 p, float2 x,
+                      float dj, PRIVATE LightSample* light) {
+    GLOBAL const float* src = source_record(s, par, source);
+    uint kind = as_uint_(src[SRC_KIND]);
+    light->w = 0.0f;
+    light->pieces = 1.0f;
+
+    if (kind == SK_DISTANT) {
+        sample_distant(src, p, x, dj, light);
+        return;
+    }
+    if (kind == SK_SPHERE) sample_sphere(src, p, x, dj, light);
+    else if (kind == SK_CYLINDER) sample_cylinder(par, src, p, x, dj, light);
+    else sample_flat(s, par, src, kind, p, x, dj, light);
+    if (!(light->w <= 0.0f)) source_limits(src, kind, p, light);
+}
+#endif
