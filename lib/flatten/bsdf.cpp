@@ -58,12 +58,14 @@ private:
         code_.floats.insert(code_.floats.end(), v.begin(), v.end());
         return at;
     }
+
     uint32_t add_words(const std::vector<uint32_t>& v) {
         if (code_.words.size() + v.size() > 0x7fffffffu) base::fail(place_, "BSDF tables above 8 GB");
         const uint32_t at = uint32_t(code_.words.size());
         code_.words.insert(code_.words.end(), v.begin(), v.end());
         return at;
     }
+
     uint32_t add_basis(const BsdfBasis& basis) {
         std::vector<uint32_t> w{uint32_t(basis.count.size()), uint32_t(basis.cells())};
         uint32_t first = 0;
@@ -74,6 +76,7 @@ private:
         }
         return add_words(w);
     }
+
     static std::vector<float> psa_of(const BsdfBasis& basis) {
         std::vector<float> psa;
         for (size_t k = 0; k < basis.count.size(); k++) {
@@ -105,6 +108,7 @@ private:
         for (size_t k = 0; k < ni * no; k++) least = std::min(least, t.y[k] * noise[k]);
         if (least <= MIN_LAMBERTIAN) least = 0;
         diffuse = PI * least;
+
         // rows by v, columns by l
         const size_t nv = swap ? no : ni, nl = swap ? ni : no;
         const std::vector<float> psa_v = psa_of(swap ? out : in), psa_l = psa_of(swap ? in : out);
@@ -121,6 +125,7 @@ private:
             }
             hemi[v] = sums[v * nl + nl - 1];
         }
+
         std::vector<uint32_t> w(BT_WORDS);
         w[BT_KIND] = BSDF_MATRIX;
         w[BT_SWAP] = swap;
@@ -137,6 +142,7 @@ private:
         w[BT_RGB] = rgb.empty() ? NONE : add_floats(rgb);
         return add_words(w);
     }
+
     // XYZ -> RADIANCE's RGB for Y = 1
     static void put_rgb(float X, float Y, float Z, float* rgb) {
         const double x = Y > 0 ? X / Y : 1, z = Y > 0 ? Z / Y : 1;
@@ -158,11 +164,13 @@ private:
             leaves(t, t.child[node] + c, corner, width / 2, visit);
         }
     }
+
     template <class F>
     static void leaves(const BsdfTree& t, const F& visit) {
         const double origin[4] = {0, 0, 0, 0};
         leaves(t, 0, origin, 1, visit);
     }
+
     static float set_means(const BsdfTree& t, std::vector<float>& value, uint32_t node) {
         if (t.child[node] == BsdfTree::LEAF) return value[node];
         double sum = 0;
@@ -210,6 +218,7 @@ private:
         w[BT_PSA] = add_floats(psa);
         return add_words(w);
     }
+
     // By cell of v's dimensions: pi * sum of f * area over l's square, and the smallest cell met there.
     static void tree_grids(const BsdfTree& t, const std::vector<float>& values, int first, uint32_t n,
                            std::vector<float>& hemi, std::vector<float>& psa) {
@@ -230,6 +239,7 @@ private:
         });
         hemi.assign(sum.begin(), sum.end());
     }
+
     // An isotropic tree looked up the other way round: no dimension is v's; by quadrature.
     void turned_tree(const std::vector<uint32_t>& w, uint32_t n, float least, std::vector<float>& hemi,
                      std::vector<float>& psa) {

@@ -28,6 +28,7 @@ double mean_luminance(const FlatScene& scene, const float* record) {
     const uint kind = as_uint_(record[SRC_KIND]);
     const bool one_sided = kind == SK_PARALLELOGRAM || kind == SK_POLYGON || kind == SK_RING;
     const float3 centre = f3_at(record + SRC_CENTRE), normal = f3_at(record + SRC_NORMAL);
+
     double sum = 0, weights = 0;
     for (uint i = 0; i < samples; i++) {
         Sampler rnd = sampler_start(0u, 0u, 0u, i, 0u);
@@ -50,6 +51,7 @@ double mean_luminance(const FlatScene& scene, const float* record) {
         } else {
             point = madd3(out, record[SRC_RADIUS], centre);
         }
+
         const float far = kind == SK_DISTANT ? 1e30f : 8.0f * record[SRC_RADIUS];
         const float3 e = light_radiance(&t, &par, as_uint_(record[SRC_MOD]), as_uint_(record[SRC_PRIM]), neg3(out),
                                         point, one_sided ? normal : out, far, far, &rnd);

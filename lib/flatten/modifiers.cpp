@@ -82,15 +82,13 @@ std::vector<uint8_t> needed_modifiers(const scene::Scene& scene, const std::vect
 class ModifierWriter {
 public:
     ModifierWriter(const scene::Scene& scene, bool backs, const scene::ReadOptions& files, ModifierTables& tables)
-        : scene_(scene), backs_(backs), files_(files), tables_(tables), library_(files), out_{scene, {}, {},
-                                                                                              {},    {}, {}} {
-        const size_t n = scene.objects.size();
-        out_.record.assign(n, NONE);
-        out_.has_material.assign(n, 0);
-        out_.passes.assign(n, 0);
-        out_.material.assign(n, NONE);
-        nesting_.assign(n, 0);
-    }
+        : scene_(scene),
+          backs_(backs),
+          files_(files),
+          tables_(tables),
+          library_(files),
+          nesting_(scene.objects.size(), 0),
+          out_(scene) {}
 
     Modifiers run(const std::vector<int32_t>& also_used) {
         const std::vector<uint8_t> needed = needed_modifiers(scene_, also_used);
@@ -269,6 +267,13 @@ private:
 };
 
 }  // namespace
+
+Modifiers::Modifiers(const scene::Scene& s)
+    : scene(s),
+      record(s.objects.size(), NONE),
+      has_material(s.objects.size(), 0),
+      passes(s.objects.size(), 0),
+      material(s.objects.size(), NONE) {}
 
 Modifiers flatten_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used, bool backs,
                             const scene::ReadOptions& files, ModifierTables& tables) {

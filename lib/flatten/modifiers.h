@@ -22,6 +22,8 @@ struct ModifierTables {
 
 // The modifiers of one scene, by the index of the object.
 struct Modifiers {
+    explicit Modifiers(const scene::Scene& scene);  // none is used yet
+
     const scene::Scene& scene;
     std::vector<uint32_t> record;       // NONE: not used by any surface
     std::vector<uint8_t> has_material;  // the chain from here ends in one, or in a mixture of some

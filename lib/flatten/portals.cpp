@@ -13,7 +13,8 @@ namespace flatten {
 namespace {
 using base::Vec3;
 
-constexpr size_t MOST = 16;     // each costs a few operations per diffuse sample
+constexpr size_t MOST = 16;  // each costs a few operations per diffuse sample
+constexpr size_t MOST_PANES = 2000;
 constexpr int RAYS = 256;       // per side
 constexpr double ENOUGH = 0.1;  // share of rays that must escape on the outer side beyond those on the inner
 
@@ -63,13 +64,17 @@ bool merge(Rect& a, const Rect& b) {
     a = m;
     return true;
 }
-}  // namespace
 
-void find_portals(FlatScene& scene) {
-    std::vector<Rect> rects;
-    for (const auto& p : scene.panes) rects.push_back(rect_of(p));
+void largest_first(std::vector<Rect>& rects, size_t most) {
     std::stable_sort(rects.begin(), rects.end(), [](const Rect& a, const Rect& b) { return a.area() > b.area(); });
-    if (rects.size() > 2000) rects.resize(2000);
+    if (rects.size() > most) rects.resize(most);
+}
+
+// The panes, those of one window put together.
+std::vector<Rect> windows_of(const std::vector<FlatScene::Pane>& panes) {
+    std::vector<Rect> rects;
+    for (const FlatScene::Pane& p : panes) rects.push_back(rect_of(p));
+    largest_first(rects, MOST_PANES);
     for (bool again = true; again;) {
         again = false;
         for (size_t i = 0; i < rects.size(); i++)
@@ -79,34 +84,48 @@ void find_portals(FlatScene& scene) {
                     again = true;
                 } else j++;
     }
-    std::stable_sort(rects.begin(), rects.end(), [](const Rect& a, const Rect& b) { return a.area() > b.area(); });
-    if (rects.size() > 4 * MOST) rects.resize(4 * MOST);
-    if (rects.empty()) return;
+    largest_first(rects, 4 * MOST);
+    return rects;
+}
+
+// The share of rays from the window, spread by cosine about n, that meet nothing opaque.
+double open_share(const HostTracer& tracer, const Rect& r, Vec3 n, std::mt19937& random) {
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const double off = 1e-4 * std::sqrt(r.area());
+    double share = 0;
+    for (int i = 0; i < RAYS; i++) {
+        const double a = r.lo[0] + (r.hi[0] - r.lo[0]) * uniform(random);
+        const double b = r.lo[1] + (r.hi[1] - r.lo[1]) * uniform(random);
+        const double s = uniform(random), phi = 2 * M_PI * uniform(random);
+        const Vec3 d =
+            r.u * (std::sqrt(s) * std::cos(phi)) + r.v * (std::sqrt(s) * std::sin(phi)) + n * std::sqrt(1 - s);
+        if (!tracer.blocked(r.origin + r.u * a + r.v * b + n * off, d, 0, 1e30, HostTracer::opaque))
+            share += 1.0 / RAYS;
+    }
+    return share;
+}
+
+// n: outdoors
+void add_record(const Rect& r, Vec3 n, Vec3 centre, std::vector<float>& records) {
+    const Vec3 corner = r.origin + r.u * r.lo[0] + r.v * r.lo[1] - centre;
+    const Vec3 u = r.u * (r.hi[0] - r.lo[0]), v = r.v * (r.hi[1] - r.lo[1]);
+    for (const Vec3& q : {corner, u, v, n})
+        for (int k = 0; k < 3; k++) records.push_back(float(q[k]));
+    records.insert(records.end(), {float(r.area()), 0, 0, 0});
+}
+
+}  // namespace
+
+void find_portals(FlatScene& scene) {
+    const std::vector<Rect> windows = windows_of(scene.panes);
+    if (windows.empty()) return;
     const HostTracer tracer(scene);
     std::mt19937 random(7);
-    std::uniform_real_distribution<double> uniform(0, 1);
     std::vector<float> records;
-    for (const Rect& r : rects) {
-        double escaped[2] = {0, 0};
-        for (int side = 0; side < 2; side++)
-            for (int i = 0; i < RAYS; i++) {
-                const double a = r.lo[0] + (r.hi[0] - r.lo[0]) * uniform(random),
-                             b = r.lo[1] + (r.hi[1] - r.lo[1]) * uniform(random);
-                const double s = uniform(random), phi = 2 * M_PI * uniform(random);
-                const Vec3 n = side ? -r.n : r.n;
-                const Vec3 d =
-                    r.u * (std::sqrt(s) * std::cos(phi)) + r.v * (std::sqrt(s) * std::sin(phi)) + n * std::sqrt(1 - s);
-                const double eps = 1e-4 * std::sqrt(r.area());
-                if (!tracer.blocked(r.origin + r.u * a + r.v * b + n * eps, d, 0, 1e30, HostTracer::opaque))
-                    escaped[side] += 1.0 / RAYS;
-            }
-        const int out = escaped[1] > escaped[0];
-        if (escaped[out] - escaped[!out] < ENOUGH) continue;
-        const Vec3 corner = r.origin + r.u * r.lo[0] + r.v * r.lo[1] - scene.centre;
-        const Vec3 u = r.u * (r.hi[0] - r.lo[0]), v = r.v * (r.hi[1] - r.lo[1]), n = out ? -r.n : r.n;
-        for (const Vec3& q : {corner, u, v, n})
-            for (int k = 0; k < 3; k++) records.push_back(float(q[k]));
-        records.insert(records.end(), {float(r.area()), 0, 0, 0});
+    for (const Rect& r : windows) {
+        const double front = open_share(tracer, r, r.n, random), back = open_share(tracer, r, -r.n, random);
+        if (std::fabs(front - back) < ENOUGH) continue;
+        add_record(r, back > front ? -r.n : r.n, scene.centre, records);
         if (++scene.portal_count == MOST) break;
     }
     scene.portals_at = uint32_t(scene.f.size());

@@ -50,7 +50,8 @@ void shape_cylinder(const Reals& r, const std::string& place, Vec3 centre, float
 
 // ---- polygons
 
-// Ear clipping of a simple polygon in its plane; the fan's triangles by vertex index.  Falls back to a fan.
+// Ear clipping of a simple polygon in its plane; the fan's triangles by vertex index.  Apart from scene/triangulate.h,
+// since polygons may have seams, whose corners coincide, and the triangles' order decides which point a sample means.
 std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3>& v, Vec3 n) {
     std::vector<std::array<int, 3>> out;
     std::vector<int> left(v.size());
@@ -82,6 +83,7 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3>& v, Vec3 n) 
     out.push_back({left[0], left[1], left[2]});
     return out;
 }
+
 // The half vectors of RADIANCE's partition: quadrilaterals as if parallelograms, triangles by the edge nearest the
 // centroid, others a square of equal area.
 void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec3& u, Vec3& w) {
@@ -116,11 +118,13 @@ void add_fan(const std::vector<Vec3>& v, Vec3 normal, Vec3 centre, Sources& sour
         area.push_back(length(cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]])) / 2);
         total += area.back();
     }
+
     const size_t source = sources.count() - 1;
     sources.fan_of.push_back({source, sources.fans.size()});
     float* q = sources.record(source);
     q[SRC_NTRIS] = from_bits(uint32_t(triangles.size()));
     q[SRC_AREA] = float(total);
+
     for (size_t i = 0; i < triangles.size(); i++) {
         float f[FAN_FLOATS] = {};
         const Vec3 a = v[triangles[i][0]] - centre;
