@@ -7,7 +7,8 @@
 
 FN void material_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
     surface_vars(par, g, vars);
-    if (g->type != M_BRTD && g->type != M_WGMD && g->type != M_PRISM) {  // of these the normal stays as modelled
+    // of these the normal stays as modelled
+    if (g->type != M_BRTD && g->type != M_WGMD && g->type != M_PRISM && g->type != M_BSDF) {
         vars[CAL_NX] = g->ng.x;
         vars[CAL_NY] = g->ng.y;
         vars[CAL_NZ] = g->ng.z;
