@@ -146,7 +146,7 @@ private:
         } else {
             const size_t shape = in.first_shape + (k - in.triangle_count);
             const float* q = in.shapes + SHAPE_FLOATS * shape;
-            if (as_uint_(q[0]) == SHAPE_INSTANCE) return instance_box(q);
+            if (as_uint_(q[SHAPE_KIND]) == SHAPE_INSTANCE) return instance_box(q);
             float b[6];
             shape_box(in, shape, b);
             box = {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
@@ -156,7 +156,7 @@ private:
     }
 
     Bounds instance_box(const float* q) const {
-        const uint32_t tree = as_uint_(q[13]);
+        const uint32_t tree = as_uint_(q[INSTANCE_TREE]);
         if (tree == 0 || tree >= tree_count_) base::fail("", "an instance of a tree that does not exist");
         const Bounds& local = tree_box_[tree];
         Bounds box = empty_bounds();
@@ -242,11 +242,11 @@ private:
                     continue;
                 }
                 const float* q = in.shapes + SHAPE_FLOATS * (in.first_shape + leaf->prim[i] - in.triangle_count);
-                if (as_uint_(q[0]) != SHAPE_INSTANCE) continue;
+                if (as_uint_(q[SHAPE_KIND]) != SHAPE_INSTANCE) continue;
                 if (&in != trees_) base::fail("", "an instance within an instance was not flattened");
                 instances++;
-                need.stack = std::max(need.stack, tree_need_[as_uint_(q[13])]);
-                need.depth = std::max(need.depth, tree_depth_[as_uint_(q[13])]);
+                need.stack = std::max(need.stack, tree_need_[as_uint_(q[INSTANCE_TREE])]);
+                need.depth = std::max(need.depth, tree_depth_[as_uint_(q[INSTANCE_TREE])]);
             }
             const unsigned n = layout_.per_block;
             need.blocks = (triangles + n - 1) / n + (leaf->prims - triangles + n - 1) / n;
@@ -370,7 +370,7 @@ void shape_box(const Input& in, size_t k, float out[6]) {
         grow(box, hi);
     };
     const double c[3] = {q[1], q[2], q[3]};
-    switch (as_uint_(q[0])) {
+    switch (as_uint_(q[SHAPE_KIND])) {
     case SHAPE_SPHERE: {
         const float along[3] = {0, 0, 0};  // a "disc" without normal reaches r everywhere
         disc(c, along, q[4]);

@@ -156,7 +156,7 @@ struct EmbreeScene::State {
         float rows[12];
         for (int i = 0; i < 12; i++) rows[i] = float(m[i]);
         RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-        rtcSetGeometryInstancedScene(g, trees.at(as_uint_(q[13])).scene);
+        rtcSetGeometryInstancedScene(g, trees.at(as_uint_(q[INSTANCE_TREE])).scene);
         rtcSetGeometryTimeStepCount(g, 1);
         rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, rows);
         instances.push_back(shape);
@@ -205,8 +205,8 @@ EmbreeScene::Hit EmbreeScene::closest(const float org[3], float tmin, const floa
     uint32_t inst = NO_HIT;
     if (rh.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
         const float* q = state_->instance(rh.hit.instID[0]);
-        tree = &state_->trees[as_uint_(q[13])];
-        inst = as_uint_(q[14]);
+        tree = &state_->trees[as_uint_(q[INSTANCE_TREE])];
+        inst = as_uint_(q[INSTANCE_NUMBER]);
     }
     const uint32_t id = rh.hit.geomID == triangle_geometry ? tree->tri_prim[rh.hit.primID]
                                                            : state_->shape_prim[tree->shape_of[rh.hit.primID]];

@@ -77,10 +77,10 @@ uint32_t Instances::write_places(FlatScene& out) const {
     for (size_t i = 0; i < places_.size(); i++) {
         const Place& p = places_[i];
         float* q = &out.shapes[SHAPE_FLOATS * (first + i)];
-        q[0] = from_bits(SHAPE_INSTANCE);
-        put_matrix(q + 1, base::inverse(p.to_world), out.centre, trees_[p.tree - 1].centre);
-        q[13] = from_bits(p.tree);
-        q[15] = from_bits(p.forced);
+        q[SHAPE_KIND] = from_bits(SHAPE_INSTANCE);
+        put_matrix(q + INSTANCE_MATRIX, base::inverse(p.to_world), out.centre, trees_[p.tree - 1].centre);
+        q[INSTANCE_TREE] = from_bits(p.tree);
+        q[INSTANCE_CLASS] = from_bits(p.forced);
         if (p.forced == RAY_TRANSPARENT) out.shadows_need(SHADOW_STRAIGHT);
     }
     return first;
@@ -98,7 +98,7 @@ void Instances::write_records(uint32_t places_at, FlatScene& out) const {
         const Place& p = places_[i];
         const Box& b = trees_[p.tree - 1].box;
         const uint32_t record = out.instances_at + uint32_t(i);
-        out.shapes[SHAPE_FLOATS * (places_at + i) + 14] = from_bits(record);
+        out.shapes[SHAPE_FLOATS * (places_at + i) + INSTANCE_NUMBER] = from_bits(record);
         float* q = &out.shapes[SHAPE_FLOATS * record];
         const Xform frame = base::inverse(p.frame);
         q[INST_SHAPE] = from_bits(uint32_t(places_at + i));

@@ -73,10 +73,10 @@ HostTracer::SourcePoint HostTracer::source_point(uint32_t i, base::Vec3 p, doubl
     if (l.w <= 0) return {{}, 0, 0};
     const float* q = source_record(&state_->tables, &state_->params, i);
     double w = l.w;
-    if (q[SRC_SPOT + 3] > -1.5f) {  // the focal length dims the light a spotlight gives, not how it looks
+    if (IS_SPOT(q)) {  // the focal length dims the light a spotlight gives, not how it looks
         const bool sphere = as_uint_(q[SRC_KIND]) == SK_SPHERE;
         const double d = sphere ? length(base::Vec3{q[SRC_CENTRE], q[SRC_CENTRE + 1], q[SRC_CENTRE + 2]} - p) : l.dist;
-        const double k = d / (d + q[SRC_SPOT + 4]);
+        const double k = d / (d + q[SRC_SPOT_FOCUS]);
         w /= k * k;
     }
     return {{l.dir.x, l.dir.y, l.dir.z}, l.dist, w};

@@ -28,8 +28,8 @@ void aim_spotlight(const Reals& c, const std::string& place, float* q) {
     const Vec3 aim = vec_at(c, 4);
     if (c[3] <= 0 || length(aim) <= 0) base::fail(place, "spotlight with zero angle or direction");
     put(q + SRC_SPOT, unit(aim));
-    q[SRC_SPOT + 3] = float(std::cos(std::min(c[3], 360.0) * PI / 360));
-    q[SRC_SPOT + 4] = float(length(aim));
+    q[SRC_SPOT_COS] = float(std::cos(std::min(c[3], 360.0) * PI / 360));
+    q[SRC_SPOT_FOCUS] = float(length(aim));
 }
 
 // What the eye sees of a distant surface: an illum's alternate, or the alternate's.
@@ -67,7 +67,7 @@ float* add_source(const Modifiers& modifiers, const Object& surface, Sources& so
     q[SRC_PRIM] = from_bits(NONE);
     q[SRC_MOD] = from_bits(modifiers.record[surface.modifier]);
     q[SRC_POWER] = float(luminance_weight(c));
-    q[SRC_SPOT + 3] = -2.0f;
+    q[SRC_SPOT_COS] = NO_SPOT;
     q[SRC_VIRTUAL] = from_bits(NONE);
     q[SRC_CLASS] = from_bits(scene::material_row(material.type).number);
     return q;

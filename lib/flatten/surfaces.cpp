@@ -110,7 +110,7 @@ private:
         const uint32_t id = uint32_t(out_.shapes.size() / SHAPE_FLOATS);
         out_.shapes.resize(out_.shapes.size() + SHAPE_FLOATS, 0.0f);
         float* q = &out_.shapes[SHAPE_FLOATS * id];
-        q[0] = from_bits(kind);
+        q[SHAPE_KIND] = from_bits(kind);
         int i = 1;
         for (double v : values) q[i++] = float(v);
         return id;
@@ -199,9 +199,9 @@ private:
             out_.polygon_uv.push_back(float(q[drop == 2 ? 1 : 2]));
         }
         float* q = &out_.shapes[SHAPE_FLOATS * add_shape(SHAPE_POLYGON, {n.x, n.y, n.z, offset})];
-        q[5] = from_bits(uint32_t(drop));
-        q[6] = from_bits(at);
-        q[7] = from_bits(uint32_t(p.corners.size()));
+        q[POLYGON_AXIS] = from_bits(uint32_t(drop));
+        q[POLYGON_FIRST] = from_bits(at);
+        q[POLYGON_COUNT] = from_bits(uint32_t(p.corners.size()));
         out_.shape_prim.push_back(tagged);
     }
 

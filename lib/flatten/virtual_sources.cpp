@@ -100,7 +100,7 @@ void project(const Projection& m, bool by_prism, float* q) {
     put(q + SRC_CENTRE, distant ? unit(m.vector(c)) : m.point(c));
     const double scale = distant ? 1 / length(m.vector(c)) : 1;
     for (uint32_t k : {SRC_U, SRC_V, SRC_NORMAL, SRC_SPOT}) put(q + k, m.vector(get(q + k)) * scale);
-    if (q[SRC_SPOT + 3] > -1.5f) put(q + SRC_SPOT, unit(get(q + SRC_SPOT)));
+    if (IS_SPOT(q)) put(q + SRC_SPOT, unit(get(q + SRC_SPOT)));
     if (!sphere && !distant) put(q + SRC_NORMAL, unit(get(q + SRC_NORMAL)));
 }
 

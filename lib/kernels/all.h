@@ -1,5 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole device code in its order of inclusion, for C++ and OpenCL C alike, after the compat file of the device.
+//
+// Letters and short words mean the same in all of these files; the numerical ones (math*.h, cal_noise.h, shapes.h,
+// woop.h, bvh*.h) have besides the letters of their formulas.
+//   s        SceneTables; s->u its words, s->f its floats     par     Params
+//   paths    Paths, of which a path has a slot                vertex  Vertex: what one step of a path knows (path/)
+//   g        Surface: the point that is shaded                lobes   Lobes: what its material does with light there
+//   light    LightSample                                      rnd     Sampler
+//   m        record of a modifier in s->u                     arg     its real arguments in s->f
+//   source   number of an active source                       src     its record in s->f
+//   p, at    points                                           n       normal
+//   v        direction to the viewer                          l       direction to the light
+//   dir      where a ray goes                                 e1, e2  axes across a normal
+//   t        distance along a ray                             T       what a way lets through, rgb
+//   r        radius, or a random number in use                x, y    random numbers; coordinates
+//   w        solid angle of a sample, or a weight             sn, cs  sine and cosine of one angle
+//   _r, _t   of reflection, of transmission                   k, i    counters, or a factor
+// A trailing underscore marks the words of the compat files (sqrt_, as_uint_, MAX_), and nothing else.
+//
 // LUX_BVH2 (GPUs) or LUX_EMBREE (the check: a header of the host) choose another traversal than the CPU's.
 #include "kernels/vec.h"
 #include "kernels/math.h"

@@ -8,9 +8,11 @@
 #define LUX_BSDF_H
 
 // A material: BSDF_COMPONENTS of BSDF_COMPONENT_WORDS at u[MOD_EXTRA]: front reflection, front transmission, back.. (by
-// the side v is on): table (u index, NONE if there is none), Lambertian part (float).
+// the side v is on).
 #define BSDF_COMPONENTS 4u
 #define BSDF_COMPONENT_WORDS 2u
+#define BSDF_TABLE 0u    // index into u, NONE if there is none
+#define BSDF_LAMBERT 1u  // its Lambertian part (float)
 // A table, BT_WORDS words.  "at f" and "at u" are indices of the arenas.
 #define BT_WORDS 12u
 #define BT_KIND 0u     // BSDF_MATRIX, BSDF_TREE4, BSDF_TREE3
@@ -28,9 +30,14 @@
 #define BSDF_MATRIX 1u
 #define BSDF_TREE4 2u
 #define BSDF_TREE3 3u
-// A basis: rings, cells, then per ring: cosine of the lower and the upper bound (floats), patches, first cell.
-#define BASIS_HEAD 2u
+// A basis: how many rings, how many cells, then a record for each ring.
+#define BASIS_RINGS 0u
+#define BASIS_HEAD 2u  // words before the rings
 #define BASIS_RING 4u
+#define BASIS_LOW 0u   // cosine of its lower bound (float)
+#define BASIS_HIGH 1u  // and of its upper one
+#define BASIS_CELLS 2u
+#define BASIS_FIRST 3u  // its first cell
 
 // The disc as a square and back (Shirley & Chiu 1997), areas in proportion.
 FN float2 bsdf_square(float x, float y) {
@@ -50,13 +57,15 @@ FN float2 bsdf_square(float x, float y) {
         b = -r;
         a = (phi - 6.0f) * r;
     }
+
     float2 q;
     q.x = MIN_(MAX_(0.5f + 0.5f * a, 0.0f), 0.99999994f);
     q.y = MIN_(MAX_(0.5f + 0.5f * b, 0.0f), 0.99999994f);
     return q;
 }
+
 FN float2 bsdf_disc(float sx, float sy) {
-    float a = 2.0f * sx - 1.0f, b = 2.0f * sy - 1.0f, r, phi, s, c;
+    float a = 2.0f * sx - 1.0f, b = 2.0f * sy - 1.0f, r, phi, sn, cs;
     if (a > -b) {
         if (a > b) {
             r = a;
@@ -74,12 +83,14 @@ FN float2 bsdf_disc(float sx, float sy) {
             phi = b != 0.0f ? 6.0f - a / b : 0.0f;
         }
     }
-    k_sincos(phi * 0.78539816f, &s, &c);
+
+    k_sincos(phi * 0.78539816f, &sn, &cs);
     float2 d;
-    d.x = r * c;
-    d.y = r * s;
+    d.x = r * cs;
+    d.y = r * sn;
     return d;
 }
+
 FN float bsdf_height(float x, float y) {
     float z2 = 1.0f - x * x - y * y;
     return sqrt_(MAX_(z2, 0.0f));
@@ -87,36 +98,39 @@ FN float bsdf_height(float x, float y) {
 
 // ---- matrices
 FN uint basis_cell(PRIVATE const SceneTables* s, uint basis, float x, float y, float z) {
-    GLOBAL const uint* b = s->u + basis;
-    uint rings = b[0], k = 0u;
+    GLOBAL const uint* head = s->u + basis;
+    uint rings = head[BASIS_RINGS], k = 0u;
     z = fabs_(z);
-    while (k + 1u < rings && z <= as_float_(b[BASIS_HEAD + BASIS_RING * (k + 1u)])) k++;
-    GLOBAL const uint* q = b + BASIS_HEAD + BASIS_RING * k;
-    int count = (int)q[2];
+    while (k + 1u < rings && z <= as_float_(head[BASIS_HEAD + BASIS_RING * (k + 1u)])) k++;
+    GLOBAL const uint* ring = head + BASIS_HEAD + BASIS_RING * k;
+    int count = (int)ring[BASIS_CELLS];
     int i = (int)floor_(k_atan2(y, x) * 0.159154943f * (float)count + 0.5f);
     if (i < 0) i += count;
     if (i >= count) i -= count;
-    return q[3] + (uint)i;
+    return ring[BASIS_FIRST] + (uint)i;
 }
+
 // A direction in a cell: cosine squared and azimuth even, which is even in projected solid angle.
 FN float3 basis_direction(PRIVATE const SceneTables* s, uint basis, uint cell, float2 x) {
-    GLOBAL const uint* b = s->u + basis;
+    GLOBAL const uint* head = s->u + basis;
     uint k = 0u;
-    while (k + 1u < b[0] && cell >= b[BASIS_HEAD + BASIS_RING * (k + 1u) + 3u]) k++;
-    GLOBAL const uint* q = b + BASIS_HEAD + BASIS_RING * k;
-    float c0 = as_float_(q[0]), c1 = as_float_(q[1]), sn, cs;
+    while (k + 1u < head[BASIS_RINGS] && cell >= head[BASIS_HEAD + BASIS_RING * (k + 1u) + BASIS_FIRST]) k++;
+    GLOBAL const uint* ring = head + BASIS_HEAD + BASIS_RING * k;
+    float c0 = as_float_(ring[BASIS_LOW]), c1 = as_float_(ring[BASIS_HIGH]), sn, cs;
     float z2 = c0 * c0 + (c1 * c1 - c0 * c0) * x.x, r = sqrt_(MAX_(1.0f - z2, 0.0f));
-    k_sincos(((float)(cell - q[3]) + x.y - 0.5f) * 6.28318531f / (float)q[2], &sn, &cs);
+    k_sincos(((float)(cell - ring[BASIS_FIRST]) + x.y - 0.5f) * K_TURN / (float)ring[BASIS_CELLS], &sn, &cs);
     return F3(r * cs, r * sn, sqrt_(MAX_(z2, 0.0f)));
 }
+
 // Incident directions are counted from the far side, so that cell i straight through is cell i (swap: the other way).
-FN uint bsdf_v_cell(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v) {
-    float k = t[BT_SWAP] != 0u ? 1.0f : -1.0f;
-    return basis_cell(s, t[BT_V], k * v.x, k * v.y, v.z);
+FN uint bsdf_v_cell(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v) {
+    float k = table[BT_SWAP] != 0u ? 1.0f : -1.0f;
+    return basis_cell(s, table[BT_V], k * v.x, k * v.y, v.z);
 }
-FN uint bsdf_l_cell(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 l) {
-    float k = t[BT_SWAP] != 0u ? -1.0f : 1.0f;
-    return basis_cell(s, t[BT_L], k * l.x, k * l.y, l.z);
+
+FN uint bsdf_l_cell(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 l) {
+    float k = table[BT_SWAP] != 0u ? -1.0f : 1.0f;
+    return basis_cell(s, table[BT_L], k * l.x, k * l.y, l.z);
 }
 
 // ---- trees
@@ -126,11 +140,13 @@ FN float tree_radius(float3 in) {
     float c = 0.5f - 0.5f * sqrt_(in.x * in.x + in.y * in.y) - 2e-8f;
     return MIN_(MAX_(c, 0.0f), 0.49999997f);
 }
+
 // Coordinates of a pair of directions in the cube; c[3] is not used in three dimensions.
-FN void tree_coordinates(GLOBAL const uint* t, float3 v, float3 l, PRIVATE float* c) {
-    float3 in = t[BT_SWAP] != 0u ? l : v, out = t[BT_SWAP] != 0u ? v : l;
+FN void tree_coordinates(GLOBAL const uint* table, float3 v, float3 l, PRIVATE float* c) {
+    float3 in = table[BT_SWAP] != 0u ? l : v, out = table[BT_SWAP] != 0u ? v : l;
     float2 q;
-    if (t[BT_KIND] == BSDF_TREE4) {
+
+    if (table[BT_KIND] == BSDF_TREE4) {
         q = bsdf_square(-in.x, -in.y);
         c[0] = q.x;
         c[1] = q.y;
@@ -139,6 +155,7 @@ FN void tree_coordinates(GLOBAL const uint* t, float3 v, float3 l, PRIVATE float
         c[3] = q.y;
         return;
     }
+
     float r = sqrt_(in.x * in.x + in.y * in.y);
     float cs = r > 0.0f ? -in.x / r : 1.0f, sn = r > 0.0f ? -in.y / r : 0.0f;
     q = bsdf_square(out.x * cs + out.y * sn, out.y * cs - out.x * sn);
@@ -147,12 +164,14 @@ FN void tree_coordinates(GLOBAL const uint* t, float3 v, float3 l, PRIVATE float
     c[2] = q.y;
     c[3] = 0.0f;
 }
+
 FN float tree_value(PRIVATE const SceneTables* s, uint values, uint children, int dims, PRIVATE const float* at,
                     PRIVATE float* width) {
     float c[4];
     uint node = 0u;
     for (int k = 0; k < 4; k++) c[k] = at[k];
     *width = 1.0f;
+
     for (;;) {
         uint next = s->u[children + node];
         if (next == NONE) return s->f[values + node];
@@ -167,45 +186,53 @@ FN float tree_value(PRIVATE const SceneTables* s, uint values, uint children, in
         *width *= 0.5f;
     }
 }
-FN uint tree_v_cell(GLOBAL const uint* t, float3 v) {
-    float n = (float)t[BT_V];
-    if (t[BT_KIND] == BSDF_TREE3) return (uint)(tree_radius(v) * n);
-    float k = t[BT_SWAP] != 0u ? 1.0f : -1.0f;
+
+FN uint tree_v_cell(GLOBAL const uint* table, float3 v) {
+    float n = (float)table[BT_V];
+    if (table[BT_KIND] == BSDF_TREE3) return (uint)(tree_radius(v) * n);
+    float k = table[BT_SWAP] != 0u ? 1.0f : -1.0f;
     float2 q = bsdf_square(k * v.x, k * v.y);
-    return (uint)(q.x * n) + t[BT_V] * (uint)(q.y * n);
+    return (uint)(q.x * n) + table[BT_V] * (uint)(q.y * n);
 }
 
 // ---- one face for both
-FN uint bsdf_cell(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v) {
-    return t[BT_KIND] == BSDF_MATRIX ? bsdf_v_cell(s, t, v) : tree_v_cell(t, v);
+FN uint bsdf_cell(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v) {
+    return table[BT_KIND] == BSDF_MATRIX ? bsdf_v_cell(s, table, v) : tree_v_cell(table, v);
 }
-FN float bsdf_hemispherical(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v) {
-    return s->f[t[BT_HEMI] + bsdf_cell(s, t, v)];
+
+FN float bsdf_hemispherical(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v) {
+    return s->f[table[BT_HEMI] + bsdf_cell(s, table, v)];
 }
+
 // f(v, l) without its Lambertian part, 1/sr; *psa: projected solid angle of the pair's (smaller) cell.
-FN float bsdf_value(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v, float3 l, PRIVATE float* psa) {
-    if (t[BT_KIND] == BSDF_MATRIX) {
-        uint i = bsdf_v_cell(s, t, v), o = bsdf_l_cell(s, t, l);
-        *psa = MIN_(s->f[t[BT_PSA] + i], s->f[t[BT_LPSA] + o]);
-        return s->f[t[BT_VALUES] + i * t[BT_NL] + o];
+FN float bsdf_value(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v, float3 l, PRIVATE float* psa) {
+    if (table[BT_KIND] == BSDF_MATRIX) {
+        uint i = bsdf_v_cell(s, table, v), o = bsdf_l_cell(s, table, l);
+        *psa = MIN_(s->f[table[BT_PSA] + i], s->f[table[BT_LPSA] + o]);
+        return s->f[table[BT_VALUES] + i * table[BT_NL] + o];
     }
+
     float c[4], w;
-    tree_coordinates(t, v, l, c);
-    float f = tree_value(s, t[BT_VALUES], t[BT_MORE], (int)t[BT_L], c, &w);
-    *psa = 3.14159265f * w * w;
+    tree_coordinates(table, v, l, c);
+    float f = tree_value(s, table[BT_VALUES], table[BT_MORE], (int)table[BT_L], c, &w);
+    *psa = K_PI * w * w;
     return f;
 }
+
 // RGB of f(v, l) for luminance 1 (RADIANCE's primaries).
-FN float3 bsdf_color(PRIVATE const SceneTables* s, GLOBAL const uint* t, float3 v, float3 l) {
-    if (t[BT_RGB] == NONE) return F3(1.0f, 1.0f, 1.0f);
-    if (t[BT_KIND] == BSDF_MATRIX) {
-        GLOBAL const float* q = s->f + t[BT_RGB] + 3u * (bsdf_v_cell(s, t, v) * t[BT_NL] + bsdf_l_cell(s, t, l));
-        return F3(q[0], q[1], q[2]);
+FN float3 bsdf_color(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v, float3 l) {
+    if (table[BT_RGB] == NONE) return F3(1.0f, 1.0f, 1.0f);
+    if (table[BT_KIND] == BSDF_MATRIX) {
+        GLOBAL const float* q =
+            s->f + table[BT_RGB] + 3u * (bsdf_v_cell(s, table, v) * table[BT_NL] + bsdf_l_cell(s, table, l));
+        return f3_at(q);
     }
-    GLOBAL const uint* uv = s->u + t[BT_RGB];
+
+    GLOBAL const uint* uv = s->u + table[BT_RGB];
     float c[4], w;
-    tree_coordinates(t, v, l, c);
-    float u1 = tree_value(s, uv[0], uv[1], (int)t[BT_L], c, &w), v1 = tree_value(s, uv[2], uv[3], (int)t[BT_L], c, &w);
+    tree_coordinates(table, v, l, c);
+    float u1 = tree_value(s, uv[0], uv[1], (int)table[BT_L], c, &w),
+          v1 = tree_value(s, uv[2], uv[3], (int)table[BT_L], c, &w);
     if (v1 <= 1e-6f) return F3(1.0f, 1.0f, 1.0f);
     float X = 2.25f * u1 / v1, Z = (3.0f - 0.75f * u1) / v1 - 5.0f;  // CIE 1976 u'v' to X/Y, Z/Y
     return F3(MAX_(2.56531284f * X - 1.16684962f - 0.39846323f * Z, 0.0f),

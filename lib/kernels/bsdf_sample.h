@@ -10,16 +10,19 @@ FN float matrix_sample(PRIVATE const SceneTables* s, GLOBAL const uint* table, f
     GLOBAL const float* sums = s->f + table[BT_MORE] + bsdf_v_cell(s, table, v) * cells;
     float total = sums[cells - 1u], x = pick * total;
     if (total <= 0.0f) return 0.0f;
+
     while (low < high) {
         uint mid = (low + high) >> 1;
         if (sums[mid] > x) high = mid;
         else low = mid + 1u;
     }
+
     *l = basis_direction(s, table[BT_L], low, place);
     if (table[BT_SWAP] != 0u) {
         l->x = -l->x;
         l->y = -l->y;
     }
+
     return total;
 }
 
@@ -37,6 +40,7 @@ FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE float* x, PRIVAT
         m[k] = mean[k << first];
         sum += m[k];
     }
+
     if (sum <= 0.0f) return 4u;
 
     float r = *x * sum;
@@ -45,6 +49,7 @@ FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE float* x, PRIVAT
         r -= m[k];
         k++;
     }
+
     *x = m[k] > 0.0f ? MIN_(r / m[k], 0.99999994f) : 0.0f;
     *chance *= m[k] / sum;
     return k;
@@ -81,6 +86,7 @@ FN int tree_descend(PRIVATE const SceneTables* s, GLOBAL const uint* table, floa
         if ((child & 2u) != 0u) leaf->corner_y += leaf->width;
         node = next + (child << first);
     }
+
     leaf->value = s->f[table[BT_VALUES] + node];
     return 1;
 }
@@ -98,6 +104,7 @@ FN float tree_sample(PRIVATE const SceneTables* s, GLOBAL const uint* table, flo
     TreeLeaf leaf;
     if (!tree_descend(s, table, v, four && !swap ? 2 : four ? 0 : 1, pick, &leaf)) return 0.0f;
     float2 d = bsdf_disc(leaf.corner_x + leaf.width * place.x, leaf.corner_y + leaf.width * place.y);
+
     if (!four) {  // turned with v's azimuth
         float r = sqrt_(v.x * v.x + v.y * v.y);
         float cs = r > 0.0f ? -v.x / r : 1.0f, sn = r > 0.0f ? -v.y / r : 0.0f, dx = d.x * cs - d.y * sn;
@@ -107,6 +114,7 @@ FN float tree_sample(PRIVATE const SceneTables* s, GLOBAL const uint* table, flo
         d.x = -d.x;
         d.y = -d.y;
     }
+
     *l = F3(d.x, d.y, bsdf_height(d.x, d.y));
     return leaf.chance > 0.0f ? K_PI * leaf.value * leaf.width * leaf.width / leaf.chance : 0.0f;
 }

@@ -40,15 +40,18 @@ FN int bvh2_node(GLOBAL const float* n, PRIVATE const WoopRay* r, float tmin, fl
     float t0 = bvh2_box(F3(a.x, a.y, a.z), F3(a.w, b.x, b.y), r, tmin, tmax);
     float t1 = bvh2_box(F3(b.z, b.w, c.x), F3(c.y, c.z, c.w), r, tmin, tmax);
     uint ref0 = as_uint_(refs.x), ref1 = as_uint_(refs.y);
+
     if (t0 >= 0.0f && t1 >= 0.0f) {
         stack->ref[stack->size++] = t0 <= t1 ? ref1 : ref0;
         *cur = t0 <= t1 ? ref0 : ref1;
         return 1;
     }
+
     if (t0 >= 0.0f || t1 >= 0.0f) {
         *cur = t0 >= 0.0f ? ref0 : ref1;
         return 1;
     }
+
     return 0;
 }
 
@@ -61,6 +64,7 @@ FN int bvh2_shape(PRIVATE const SceneTables* s, uint number, uint id, PRIVATE co
         stack->ref[stack->size++] = number | REF_LEAF | REF_INSTANCE;
         return 0;
     }
+
     return ((in->mask >> (id >> 31)) & 1u) != 0u && shape_hit(shape, s->polygon_uv, in->r.org, in->r.dir, tmin, &t) &&
            hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, in->inst);
 }
@@ -78,6 +82,7 @@ FN int bvh2_leaf(PRIVATE const SceneTables* s, uint ref, PRIVATE const TreeRay* 
                  PRIVATE Bvh2Stack* stack, PRIVATE Hit* hit) {
     GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * BVH2_LEAF_FLOATS;
     int found = 0;
+
     for (;; block += BVH2_LEAF_FLOATS) {
         float4 v0 = loadf4_(block), v1 = loadf4_(block + 4), v2 = loadf4_(block + 8);
         uint id = as_uint_(v0.w);

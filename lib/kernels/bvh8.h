@@ -22,11 +22,13 @@ typedef struct {
 
 FN void bvh8_push(PRIVATE Bvh8Stack* stack, int bottom, uint ref, float t) {  // sorted above bottom, nearest on top
     int i = stack->size++;
+
     while (i > bottom && stack->t[i - 1] < t) {
         stack->ref[i] = stack->ref[i - 1];
         stack->t[i] = stack->t[i - 1];
         i--;
     }
+
     stack->ref[i] = ref;
     stack->t[i] = t;
 }
@@ -54,11 +56,13 @@ FN int bvh8_triangles(GLOBAL const float* b, PRIVATE const WoopRay* r, float tmi
     store4_(t, ts);
     store4_(wb / det, us);
     store4_(wc / det, vs);
+
     while (m != 0u) {
         uint k = lane_first_(m), id = as_uint_(b[BVH8_IDS + k]);
         m = lane_drop_(m, k);
         if (((mask >> (id >> 31)) & 1u) != 0u && hit_offer(hit, ts[k], id & ID_PRIM, us[k], vs[k], inst)) found = 1;
     }
+
     return found;
 }
 
@@ -83,6 +87,7 @@ FN int bvh8_node(GLOBAL const float* n, PRIVATE const WoopRay* r, float tmin, fl
     int bottom = stack->size;
     *cur = as_uint_(n[BVH8_REFS + k]);
     *cur_t = ts[k];
+
     for (met = lane_drop_(met, k); met != 0u; met = lane_drop_(met, k)) {
         k = lane_first_(met);
         uint ref = as_uint_(n[BVH8_REFS + k]);
@@ -94,6 +99,7 @@ FN int bvh8_node(GLOBAL const float* n, PRIVATE const WoopRay* r, float tmin, fl
             bvh8_push(stack, bottom, ref, ts[k]);
         }
     }
+
     return 1;
 }
 
@@ -102,6 +108,7 @@ FN int bvh8_shapes(PRIVATE const SceneTables* s, GLOBAL const float* block, PRIV
                    float entered, PRIVATE Bvh8Stack* stack, PRIVATE Hit* hit) {
     uint count = as_uint_(block[BVH8_COUNT]);
     int found = 0;
+
     for (uint k = 0u; k < count; k++) {
         uint id = as_uint_(block[BVH8_IDS + k]), number = as_uint_(block[k]);
         GLOBAL const float* shape = shape_record(s, number);
@@ -114,6 +121,7 @@ FN int bvh8_shapes(PRIVATE const SceneTables* s, GLOBAL const float* block, PRIV
             found = 1;
         }
     }
+
     return found;
 }
 
@@ -121,6 +129,7 @@ FN int bvh8_leaf(PRIVATE const SceneTables* s, uint ref, PRIVATE const TreeRay* 
                  PRIVATE Bvh8Stack* stack, PRIVATE Hit* hit) {
     GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * BVH8_LEAF_FLOATS;
     int found = 0;
+
     for (;; block += BVH8_LEAF_FLOATS) {
         uint first = as_uint_(block[BVH8_IDS]);
         if ((first & ID_SHAPE) == 0u) {

@@ -12,10 +12,11 @@
 #define CAL_EVEN 0xffffffffu
 
 // Linear inside and up to one division outside; farther out it fades like 1/distance (spec: scene language 7.4).
-FN void cal_interval_(PRIVATE const SceneTables* s, uint dim, float x, PRIVATE uint* at, PRIVATE float* c0,
-                      PRIVATE float* c1) {
+FN void cal_interval(PRIVATE const SceneTables* s, uint dim, float x, PRIVATE uint* at, PRIVATE float* c0,
+                     PRIVATE float* c1) {
     uint n = s->u[dim], positions = s->u[dim + 3u], low, high, mid;
     float first = as_float_(s->u[dim + 1u]), step = as_float_(s->u[dim + 2u]), t, a, b;
+
     if (positions == CAL_EVEN) {
         t = (x - first) / step;
         if (!(t >= 1.0f)) low = 0u;
@@ -34,8 +35,10 @@ FN void cal_interval_(PRIVATE const SceneTables* s, uint dim, float x, PRIVATE u
         b = s->f[positions + low + 1u];
         t = (float)low + (x - a) / (b - a);
     }
+
     *at = low;
     a = t - (float)low;  // position within [low, low + 1]
+
     if (!(a <= 2.0f)) {
         *c0 = 1.0f / ((float)low - 1.0f - t);
         *c1 = -2.0f * *c0;
@@ -57,8 +60,9 @@ FN void cal_data(PRIVATE const SceneTables* s, uint table, PRIVATE const float* 
     uint dims = s->u[table], channels = s->u[table + 1u], samples = s->u[table + 2u], d, corner, k;
     uint at[CAL_MAX_DIMENSIONS];
     float c0[CAL_MAX_DIMENSIONS], c1[CAL_MAX_DIMENSIONS], sum[3];
-    for (d = 0u; d < dims; d++) cal_interval_(s, table + 3u + 4u * d, x[d], &at[d], &c0[d], &c1[d]);
+    for (d = 0u; d < dims; d++) cal_interval(s, table + 3u + 4u * d, x[d], &at[d], &c0[d], &c1[d]);
     sum[0] = sum[1] = sum[2] = 0.0f;
+
     for (corner = 0u; corner < (1u << dims); corner++) {
         float w = 1.0f;
         uint index = 0u;
@@ -69,16 +73,18 @@ FN void cal_data(PRIVATE const SceneTables* s, uint table, PRIVATE const float* 
         }
         for (k = 0u; k < channels; k++) sum[k] += w * s->f[samples + index * channels + k];
     }
+
     for (k = 0u; k < channels; k++) out[k] = sum[k];
 }
 
 // Is (x, y) inside the glyph?  Even-odd; the point sits at the centre of its integer cell, so no vertex is ever hit.
-FN int cal_inside_glyph_(PRIVATE const SceneTables* s, uint glyph, int x, int y) {
+FN int cal_inside_glyph(PRIVATE const SceneTables* s, uint glyph, int x, int y) {
     uint n = s->u[glyph], i;
     int inside = 0, x0, y0, x1, y1, px = 2 * x + 1, py = 2 * y + 1;
     if (n == 0u) return 0;
     x0 = 2 * (int)s->u[glyph + 2u * n - 1u];
     y0 = 2 * (int)s->u[glyph + 2u * n];
+
     for (i = 0u; i < n; i++) {
         x1 = 2 * (int)s->u[glyph + 1u + 2u * i];
         y1 = 2 * (int)s->u[glyph + 2u + 2u * i];
@@ -89,6 +95,7 @@ FN int cal_inside_glyph_(PRIVATE const SceneTables* s, uint glyph, int x, int y)
         x0 = x1;
         y0 = y1;
     }
+
     return inside;
 }
 
@@ -104,11 +111,13 @@ FN float cal_text(PRIVATE const SceneTables* s, uint table, float x, float row) 
     yi = (int)(((float)line + 1.0f - row) * 255.0f);
     chars = s->u[table + 2u + 2u * line];
     count = s->u[chars];
+
     for (k = 0u; k < count; k++) {
         uint glyph = s->u[chars + 2u + 2u * k];
         start = (int)s->u[chars + 1u + 2u * k];
-        if (glyph != 0u && xi >= start && xi - start <= 255 && cal_inside_glyph_(s, glyph, xi - start, yi)) return 1.0f;
+        if (glyph != 0u && xi >= start && xi - start <= 255 && cal_inside_glyph(s, glyph, xi - start, yi)) return 1.0f;
     }
+
     return 0.0f;
 }
 #endif

@@ -25,53 +25,53 @@ CONSTANT uint cal_permutation[64] = {
     0xdaf661e4u, 0xfb22f2c1u, 0xeed2900cu, 0xbfb3a2f1u, 0x513391ebu, 0xf90eef6bu, 0x31c0d61fu, 0xb5c76a9du,
     0xb854ccb0u, 0x7379322du, 0x7f0496feu, 0x8aeccd5du, 0xde72431du, 0x1848f38du, 0x80c34e42u, 0xd73d9cb4u};
 
-FN int cal_perm_(int i) {
+FN int cal_perm(int i) {
     uint k = (uint)i & 255u;
     return (int)((cal_permutation[k >> 2] >> (24u - 8u * (k & 3u))) & 255u);
 }
 
-FN cal_real cal_gradient_(int hash, cal_real x, cal_real y, cal_real z) {
+FN cal_real cal_gradient(int hash, cal_real x, cal_real y, cal_real z) {
     int h = hash & 15;
     cal_real u = h < 8 ? x : y, v = h < 4 ? y : ((h == 12 || h == 14) ? x : z);
     return ((h & 1) ? -u : u) + ((h & 2) ? -v : v);
 }
 
-FN cal_real cal_fade_(cal_real t) { return t * t * t * (t * (t * CAL_REAL(6.0) - CAL_REAL(15.0)) + CAL_REAL(10.0)); }
+FN cal_real cal_fade(cal_real t) { return t * t * t * (t * (t * CAL_REAL(6.0) - CAL_REAL(15.0)) + CAL_REAL(10.0)); }
 
 // Truncation, but into the cell below for negative numbers, whole ones included.
-FN int cal_cell_(cal_real x) {
+FN int cal_cell(cal_real x) {
     if (!(x > CAL_REAL(-1e9) && x < CAL_REAL(1e9))) return 0;
     return (int)x - (x < CAL_REAL(0.0) ? 1 : 0);
 }
 
 FN cal_real cal_noise3(cal_real x, cal_real y, cal_real z) {
-    int xi = cal_cell_(x), yi = cal_cell_(y), zi = cal_cell_(z);
+    int xi = cal_cell(x), yi = cal_cell(y), zi = cal_cell(z);
     int a, b, aa, ab, ba, bb;
     cal_real u, v, w, low, high, l, h, one = CAL_REAL(1.0);
     x -= (cal_real)xi;
     y -= (cal_real)yi;
     z -= (cal_real)zi;
-    u = cal_fade_(x);
-    v = cal_fade_(y);
-    w = cal_fade_(z);
-    a = cal_perm_(xi) + yi;
-    b = cal_perm_(xi + 1) + yi;
-    aa = cal_perm_(a) + zi;
-    ab = cal_perm_(a + 1) + zi;
-    ba = cal_perm_(b) + zi;
-    bb = cal_perm_(b + 1) + zi;
-    l = cal_gradient_(cal_perm_(aa), x, y, z);
-    h = cal_gradient_(cal_perm_(ba), x - one, y, z);
+    u = cal_fade(x);
+    v = cal_fade(y);
+    w = cal_fade(z);
+    a = cal_perm(xi) + yi;
+    b = cal_perm(xi + 1) + yi;
+    aa = cal_perm(a) + zi;
+    ab = cal_perm(a + 1) + zi;
+    ba = cal_perm(b) + zi;
+    bb = cal_perm(b + 1) + zi;
+    l = cal_gradient(cal_perm(aa), x, y, z);
+    h = cal_gradient(cal_perm(ba), x - one, y, z);
     low = l + u * (h - l);
-    l = cal_gradient_(cal_perm_(ab), x, y - one, z);
-    h = cal_gradient_(cal_perm_(bb), x - one, y - one, z);
+    l = cal_gradient(cal_perm(ab), x, y - one, z);
+    h = cal_gradient(cal_perm(bb), x - one, y - one, z);
     l = l + u * (h - l);
     low = low + v * (l - low);
-    l = cal_gradient_(cal_perm_(aa + 1), x, y, z - one);
-    h = cal_gradient_(cal_perm_(ba + 1), x - one, y, z - one);
+    l = cal_gradient(cal_perm(aa + 1), x, y, z - one);
+    h = cal_gradient(cal_perm(ba + 1), x - one, y, z - one);
     high = l + u * (h - l);
-    l = cal_gradient_(cal_perm_(ab + 1), x, y - one, z - one);
-    h = cal_gradient_(cal_perm_(bb + 1), x - one, y - one, z - one);
+    l = cal_gradient(cal_perm(ab + 1), x, y - one, z - one);
+    h = cal_gradient(cal_perm(bb + 1), x - one, y - one, z - one);
     l = l + u * (h - l);
     high = high + v * (l - high);
     return low + w * (high - low);
@@ -85,14 +85,14 @@ FN cal_real cal_noise3_slope(cal_real x, cal_real y, cal_real z, int axis) {
 }
 
 // Hash of a lattice point to [-1, 1), wrapping 64-bit arithmetic.
-FN cal_real cal_lattice_(long64 x, long64 y, long64 z) {
+FN cal_real cal_lattice(long64 x, long64 y, long64 z) {
     ulong64 k = (ulong64)17 * (ulong64)x + (ulong64)23 * (ulong64)y + (ulong64)29 * (ulong64)z;
     k = (k << 13) ^ k;
     k = (k * (k * k * (ulong64)15731 + (ulong64)789221) + (ulong64)1376312589) & (ulong64)0x7fffffff;
     return CAL_REAL(1.0) - (cal_real)(uint)k * CAL_REAL(9.31322574615478515625e-10);
 }
 
-FN cal_real cal_whole_(cal_real x) {  // floor; numbers of 1e15 and more are whole already
+FN cal_real cal_whole(cal_real x) {  // floor; numbers of 1e15 and more are whole already
     cal_real t;
     if (!(x > CAL_REAL(-1e15) && x < CAL_REAL(1e15))) return x;
     t = (cal_real)(long64)x;
@@ -100,27 +100,29 @@ FN cal_real cal_whole_(cal_real x) {  // floor; numbers of 1e15 and more are who
 }
 
 // 2000 x; a float within rounding of a lattice plane counts as on it, as the double it stands for would be.
-FN cal_real cal_lattice_place_(cal_real x) {
+FN cal_real cal_lattice_place(cal_real x) {
     cal_real t = x * CAL_REAL(2000.0), near, off;
     if (!(t > CAL_REAL(-2e12) && t < CAL_REAL(2e12))) return CAL_REAL(0.0);
-    near = cal_whole_(t + CAL_REAL(0.5));
+    near = cal_whole(t + CAL_REAL(0.5));
     off = t - near;
     return off * off <= near * near * CAL_REAL(1.4e-14) ? near : t;
 }
 
 FN cal_real cal_fnoise3(cal_real x, cal_real y, cal_real z) {
-    long64 t[3], b[3], m[3], s = 2000;
+    long64 t[3], b[3], m[3], size = 2000;
     cal_real f[8], old[8], p[3], c, scale;
     int i, j, branch, sign[3];
-    p[0] = cal_lattice_place_(x);
-    p[1] = cal_lattice_place_(y);
-    p[2] = cal_lattice_place_(z);
+    p[0] = cal_lattice_place(x);
+    p[1] = cal_lattice_place(y);
+    p[2] = cal_lattice_place(z);
     for (i = 0; i < 3; i++) {
         t[i] = (long64)p[i];
-        b[i] = 2000 * (long64)cal_whole_(p[i] / CAL_REAL(2000.0));
+        b[i] = 2000 * (long64)cal_whole(p[i] / CAL_REAL(2000.0));
     }
+
     for (j = 0; j < 8; j++)
-        f[j] = cal_lattice_(b[0] + ((j & 1) ? s : 0), b[1] + ((j & 2) ? s : 0), b[2] + ((j & 4) ? s : 0));
+        f[j] = cal_lattice(b[0] + ((j & 1) ? size : 0), b[1] + ((j & 2) ? size : 0), b[2] + ((j & 4) ? size : 0));
+
     for (;;) {
         c = CAL_REAL(0.0);
         for (j = 0; j < 8; j++) {
@@ -128,12 +130,12 @@ FN cal_real cal_fnoise3(cal_real x, cal_real y, cal_real z) {
             c += f[j];
         }
         c = c * CAL_REAL(0.125);
-        s = s >> 1;
-        if (s == 0) return c;
-        scale = CAL_REAL(0.0005) * (cal_real)s;
+        size = size >> 1;
+        if (size == 0) return c;
+        scale = CAL_REAL(0.0005) * (cal_real)size;
         branch = 0;
         for (i = 0; i < 3; i++) {
-            m[i] = b[i] + s;
+            m[i] = b[i] + size;
             if (t[i] > m[i]) {
                 branch |= 1 << i;
                 sign[i] = 1;
@@ -141,29 +143,29 @@ FN cal_real cal_fnoise3(cal_real x, cal_real y, cal_real z) {
                 sign[i] = -1;
             }
         }
-        f[7 & ~branch] = c + scale * cal_lattice_(m[0], m[1], m[2]);
+        f[7 & ~branch] = c + scale * cal_lattice(m[0], m[1], m[2]);
         for (i = 0; i < 3; i++) {
-            long64 d = s * sign[i], dx = i == 0 ? d : 0, dy = i == 1 ? d : 0, dz = i == 2 ? d : 0;
+            long64 d = size * sign[i], dx = i == 0 ? d : 0, dy = i == 1 ? d : 0, dz = i == 2 ? d : 0;
             cal_real face = CAL_REAL(0.0);
             for (j = 0; j < 8; j++)
                 if (((j ^ branch) & (1 << i)) == 0) face += old[j];
-            f[7 & ~(branch ^ (1 << i))] = face * CAL_REAL(0.25) + scale * cal_lattice_(m[0] + dx, m[1] + dy, m[2] + dz);
-            dx = i == 0 ? 0 : s * sign[0];
-            dy = i == 1 ? 0 : s * sign[1];
-            dz = i == 2 ? 0 : s * sign[2];
+            f[7 & ~(branch ^ (1 << i))] = face * CAL_REAL(0.25) + scale * cal_lattice(m[0] + dx, m[1] + dy, m[2] + dz);
+            dx = i == 0 ? 0 : size * sign[0];
+            dy = i == 1 ? 0 : size * sign[1];
+            dz = i == 2 ? 0 : size * sign[2];
             f[branch ^ (1 << i)] = (old[branch] + old[branch ^ (1 << i)]) * CAL_REAL(0.5) +
-                                   scale * cal_lattice_(m[0] + dx, m[1] + dy, m[2] + dz);
+                                   scale * cal_lattice(m[0] + dx, m[1] + dy, m[2] + dz);
         }
         for (i = 0; i < 3; i++)
-            if (branch & (1 << i)) b[i] += s;
+            if (branch & (1 << i)) b[i] += size;
     }
 }
 
 // RADIANCE's hash of a number to [0, 1)
 FN cal_real cal_rand(cal_real x) {
     cal_real y = x * (CAL_REAL(1.0) / (CAL_REAL(1.0) + x * x) + CAL_REAL(2.71828182845904));
-    y = y - cal_whole_(y) + CAL_REAL(0.785398163397447);
+    y = y - cal_whole(y) + CAL_REAL(0.785398163397447);
     y = CAL_REAL(1e5) / y;
-    return y - cal_whole_(y);
+    return y - cal_whole(y);
 }
 #endif

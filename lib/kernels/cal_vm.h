@@ -81,6 +81,7 @@ FN int cal_run(PRIVATE const SceneTables* s, uint entry, PRIVATE const float* va
     float r[CAL_REGISTERS];
     int error = 0;
     uint pc = entry;
+
     for (;;) {
         uint word = s->u[pc++], op = word & 127u, d = (word >> 8) & 255u;
         float a = r[(word >> 16) & 255u], b, v = 0.0f;  // fields are below CAL_REGISTERS whatever they mean

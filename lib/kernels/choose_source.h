@@ -12,13 +12,13 @@
 
 // May light from a source about p + to reach p through gate q?  reach: the sine of half the angle that the source
 // subtends.  Gates stand where the relays of a virtual source seem to be from p.
-FN int gate_passes(GLOBAL const float* q, float3 p, float3 to, float reach) {
-    float3 c = sub3(f3_at(q + GATE_CENTRE), p), n = f3_at(q + GATE_NORMAL);
-    float3 u = f3_at(q + GATE_U), v = f3_at(q + GATE_V);
+FN int gate_passes(GLOBAL const float* gate, float3 p, float3 to, float reach) {
+    float3 c = sub3(f3_at(gate + GATE_CENTRE), p), n = f3_at(gate + GATE_NORMAL);
+    float3 u = f3_at(gate + GATE_U), v = f3_at(gate + GATE_V);
     float down = dot3(n, to), d2 = dot3(to, to);
     if (down * down < 4.0f * reach * reach * d2) return 1;  // too much on edge to tell
     float along = dot3(n, c) / down;
-    if (along < -1e-3f || (down > 0.0f && q[GATE_BOTH_SIDES] == 0.0f)) return 0;  // behind p; its back
+    if (along < -1e-3f || (down > 0.0f && gate[GATE_BOTH_SIDES] == 0.0f)) return 0;  // behind p; its back
     float3 off = sub3(scale3(to, along), c);
     float wide = 3.0f * reach * fabs_(along) * d2 / fabs_(down);  // no less than the source's cone on the gate's plane
     return fabs_(dot3(off, u)) <= 1.001f + wide * length3(u) && fabs_(dot3(off, v)) <= 1.001f + wide * length3(v);
@@ -26,20 +26,22 @@ FN int gate_passes(GLOBAL const float* q, float3 p, float3 to, float reach) {
 
 // What source i could give a surface at p with normal n, up to a factor; both: from behind, too.
 FN float source_promise(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i, float3 p, float3 n, int both) {
-    GLOBAL const float* q = source_record(s, par, i);
-    uint kind = as_uint_(q[SRC_KIND]), relay = as_uint_(q[SRC_VIRTUAL]);
-    float3 to = f3_at(q + SRC_CENTRE);
-    float r = q[SRC_RADIUS], power = q[SRC_POWER] * q[SRC_AREA], d2 = 1.0f, d = 1.0f;
-    if (kind == SK_CYLINDER) r += length3(f3_at(q + SRC_U));
-    if (q[SRC_SHEARED] != 0.0f)  // no less than any sampled point is away
-        r = 2.0f * (length3(f3_at(q + SRC_U)) + length3(f3_at(q + SRC_V)) + length3(f3_at(q + SRC_NORMAL)));
+    GLOBAL const float* src = source_record(s, par, i);
+    uint kind = as_uint_(src[SRC_KIND]), relay = as_uint_(src[SRC_VIRTUAL]);
+    float3 to = f3_at(src + SRC_CENTRE);
+    float r = src[SRC_RADIUS], power = src[SRC_POWER] * src[SRC_AREA], d2 = 1.0f, d = 1.0f;
+    if (kind == SK_CYLINDER) r += length3(f3_at(src + SRC_U));
+    if (src[SRC_SHEARED] != 0.0f)  // no less than any sampled point is away
+        r = 2.0f * (length3(f3_at(src + SRC_U)) + length3(f3_at(src + SRC_V)) + length3(f3_at(src + SRC_NORMAL)));
+
     if (kind != SK_DISTANT) {
         to = sub3(to, p);
         d2 = dot3(to, to);
         d = sqrt_(d2);
-        if (q[SRC_MAXRAD] > 0.0f && d > q[SRC_MAXRAD] + r) return 0.0f;
+        if (src[SRC_MAXRAD] > 0.0f && d > src[SRC_MAXRAD] + r) return 0.0f;
         power /= MAX_(d2, 0.25f * r * r);
     }
+
     float reach = r / MAX_(d, 1e-9f);  // sine of its half angle
     if (relay != NONE) {
         uint count = s->u[relay + RELAY_GATES];
@@ -47,11 +49,13 @@ FN float source_promise(PRIVATE const SceneTables* s, PRIVATE const Params* par,
         for (uint k = 0u; k < count; k++, gate += GATE_FLOATS)
             if (!gate_passes(gate, p, to, reach)) return 0.0f;
     }
+
     if (kind == SK_PARALLELOGRAM || kind == SK_POLYGON || kind == SK_RING) {
-        float c = -dot3(to, f3_at(q + SRC_NORMAL));
+        float c = -dot3(to, f3_at(src + SRC_NORMAL));
         if (c <= 0.0f) return 0.0f;
         power *= MIN_(c / MAX_(d, 1e-9f) + reach, 1.0f);
     }
+
     float c = dot3(to, n) / MAX_(d, 1e-9f);
     c = (both ? fabs_(c) : c) + reach;
     return power * MIN_(MAX_(c, 0.0f) + LEAST_COSINE, 1.0f);
@@ -63,11 +67,13 @@ FN float source_candidate(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     GLOBAL const float* cdf = s->f + par->cdf_at;
     float y = ((float)j + x) / (float)count;
     uint lo = 0u, hi = par->source_count - 1u;
+
     while (lo < hi) {
         uint mid = (lo + hi) / 2u;
         if (cdf[mid] > y) hi = mid;
         else lo = mid + 1u;
     }
+
     *source = lo;
     float pdf = cdf[lo] - (lo > 0u ? cdf[lo - 1u] : 0.0f);
     return source_promise(s, par, lo, p, n, both) / (pdf * (float)count);
@@ -83,9 +89,11 @@ FN float choose_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         *chosen = 0u;
         return 1.0f;
     }
+
     float2 x = sample2(rnd);
     float sum = 0.0f, kept = 0.0f, r = x.x;
     if (!all) count = SOURCE_CANDIDATES;
+
     for (uint j = 0u; j < count; j++) {
         uint i = j;
         float w = all ? source_promise(s, par, i, p, n, both) : source_candidate(s, par, p, n, both, j, count, x.y, &i);
@@ -100,6 +108,7 @@ FN float choose_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
             r = (r - t) / (1.0f - t);
         }
     }
+
     if (sum <= 0.0f) return 0.0f;
     *chosen = picked;
     return sum / kept * (all ? 1.0f : kept / source_promise(s, par, picked, p, n, both));

@@ -23,6 +23,7 @@ FN uint clip_count(uint state, uint listed, int step) {
         entered = entered < 0 ? 0 : entered > 15 ? 15 : entered;
         state = (state & ~(15u << (16u + 4u * i))) | ((uint)entered << (16u + 4u * i));
     }
+
     return state;
 }
 

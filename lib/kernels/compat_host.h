@@ -35,19 +35,24 @@ FN float3 F3(float x, float y, float z) {
     v.z = z;
     return v;
 }
+
 FN float as_float_(uint u) {
     float f;
     memcpy(&f, &u, 4);
     return f;
 }
+
 FN uint as_uint_(float f) {
     uint u;
     memcpy(&u, &f, 4);
     return u;
 }
+#define MIN_(a, b) ((a) < (b) ? (a) : (b))
+#define MAX_(a, b) ((a) > (b) ? (a) : (b))
 FN float sqrt_(float x) { return __builtin_sqrtf(x); }
 FN float floor_(float x) { return __builtin_floorf(x); }
 FN float fabs_(float x) { return __builtin_fabsf(x); }
+
 // p on a 16-byte boundary
 FN float4 loadf4_(const float* p) {
     float4 v;
@@ -67,15 +72,18 @@ FN v4f load4_(const float* p) {
     memcpy(&v, p, 16);
     return v;
 }
+
 FN v8f load8_(const float* p) {
     v8f v;
     memcpy(&v, p, 32);
     return v;
 }
+
 FN v8f splat8_(float x) {
     v8f v = {x, x, x, x, x, x, x, x};
     return v;
 }
+
 FN void store4_(v4f v, float* p) { memcpy(p, &v, 16); }
 FN void store8_(const v8f& v, float* p) { memcpy(p, &v, 32); }
 #if defined(__AVX__)
@@ -94,12 +102,14 @@ FN LaneMask lanes4_(const v4i& c) {
     memcpy(&u, &b, 4);
     return u;
 }
+
 FN LaneMask lanes8_(const v8i& c) {
     uint64_t u;
     v8c_ b = __builtin_convertvector(c, v8c_);
     memcpy(&u, &b, 8);
     return u;
 }
+
 FN uint lane_first_(LaneMask m) { return (uint)__builtin_ctzll(m) >> 3; }
 FN LaneMask lane_drop_(LaneMask m, uint lane) { return m & ~((LaneMask)255u << (8u * lane)); }
 #endif

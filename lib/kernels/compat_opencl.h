@@ -15,6 +15,8 @@ typedef long long64;
 #define F3(x, y, z) ((float3)((x), (y), (z)))
 #define as_float_(u) as_float(u)
 #define as_uint_(f) as_uint(f)
+#define MIN_(a, b) ((a) < (b) ? (a) : (b))
+#define MAX_(a, b) ((a) > (b) ? (a) : (b))
 #define sqrt_(x) sqrt(x)
 #define floor_(x) floor(x)
 #define fabs_(x) fabs(x)

@@ -22,10 +22,12 @@ __kernel void k_generate(ALL_ARGS, __global uint *counters, __global uint *queue
     if (i >= par.slots) return;
     if (path_generate(&par, &paths, i)) queue[atomic_inc(&counters[0])] = i;
 }
+
 __kernel void k_extend(ALL_ARGS, __global uint *counters, __global const uint *queue) {
     SET_UP
     if (i < counters[0]) path_extend(&s, &paths, queue[i]);
 }
+
 __kernel void k_shade(ALL_ARGS, __global uint *counters, __global const uint *queue, __global uint *next,
                       __global uint *shadow) {
     SET_UP
@@ -35,10 +37,12 @@ __kernel void k_shade(ALL_ARGS, __global uint *counters, __global const uint *qu
     if (result & PATH_GOES_ON) next[atomic_inc(&counters[1])] = slot;
     if (result & PATH_SHADOW) shadow[atomic_inc(&counters[2])] = slot;
 }
+
 __kernel void k_shadow(ALL_ARGS, __global uint *counters, __global const uint *shadow) {
     SET_UP
     if (i < counters[2]) path_shadow(&s, &par, &paths, shadow[i]);
 }
+
 // After a round: the next queue becomes the current one.
 __kernel void k_swap(__global uint *counters) {
     if (get_global_id(0) == 0) {
@@ -47,12 +51,14 @@ __kernel void k_swap(__global uint *counters) {
         counters[2] = 0;
     }
 }
+
 __kernel void k_draw(ALL_ARGS) {
     SET_UP
     if (i >= par.slots) return;
     path_draw(&s, &par, &paths, i);
     path_shadow(&s, &par, &paths, i);
 }
+
 // Sizes and offsets as the device sees them, for the test against the host's.
 __kernel void k_layout(__global uint *out) {
     if (get_global_id(0) != 0) return;

@@ -52,6 +52,7 @@ typedef struct {
     float3 dir;
     float tmax;
 } Ray;
+
 // prim: index into prims, NO_HIT if none; u, v: barycentric, of v1 and v2; inst: INSTANCE_NUMBER, NO_HIT outside
 // instances
 typedef struct {

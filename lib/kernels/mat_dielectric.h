@@ -5,9 +5,10 @@
 #ifndef LUX_MAT_DIELECTRIC_H
 #define LUX_MAT_DIELECTRIC_H
 
-FN float extinction_(float t) { return t < 1e-40f ? 100.0f : t >= 1.0f ? 0.0f : -k_log(t); }
-FN float3 extinction3_(GLOBAL const float* t, float3 pattern) {
-    return F3(extinction_(t[0] * pattern.x), extinction_(t[1] * pattern.y), extinction_(t[2] * pattern.z));
+FN float extinction(float t) { return t < 1e-40f ? 100.0f : t >= 1.0f ? 0.0f : -k_log(t); }
+
+FN float3 extinction3(GLOBAL const float* t, float3 pattern) {
+    return F3(extinction(t[0] * pattern.x), extinction(t[1] * pattern.y), extinction(t[2] * pattern.z));
 }
 
 FN Medium solid_medium(float3 k, PRIVATE const Medium* around) {
@@ -22,9 +23,10 @@ FN Medium solid_medium(float3 k, PRIVATE const Medium* around) {
 // Also: *arriving is the medium of the segment that ends here if the surface knows it, *beyond the medium behind the
 // surface (the refracted ray's).  Solids do not scatter.
 FN void mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg,
-                       PRIVATE Lobes* out, PRIVATE Medium* arriving, PRIVATE Medium* beyond) {
-    Medium inside = solid_medium(extinction3_(arg, g->color), arriving);
+                       PRIVATE Lobes* lobes, PRIVATE Medium* arriving, PRIVATE Medium* beyond) {
+    Medium inside = solid_medium(extinction3(arg, g->color), arriving);
     float ratio;  // index on the viewer's side over index beyond
+
     if (type == M_DIELECTRIC) {
         float n = arg[3] + arg[4] * 0.002f;
         ratio = g->front ? 1.0f / n : n;
@@ -35,13 +37,15 @@ FN void mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint
         }
         beyond->lights = arriving->lights;
     } else {
-        Medium outside = solid_medium(extinction3_(arg + 4, g->color), arriving);
+        Medium outside = solid_medium(extinction3(arg + 4, g->color), arriving);
         ratio = g->front ? arg[7] / arg[3] : arg[3] / arg[7];
         *arriving = g->front ? outside : inside;
         *beyond = g->front ? inside : outside;
     }
+
     float c1 = dot3(g->n, g->v), R = 1.0f;
     float c2 = 1.0f - ratio * ratio * (1.0f - c1 * c1);
+
     if (c2 >= 1e-6f) {
         c2 = sqrt_(c2);
         float r1 = (c1 - ratio * c2) / (c1 + ratio * c2);
@@ -51,11 +55,12 @@ FN void mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint
         float T = (1.0f - R) * ratio * ratio;
         float3 d = madd3(g->n, ratio * c1 - c2, scale3(g->v, -ratio));
         if (dot3(d, g->ng) < -1e-6f) {
-            out->refract = F3(T, T, T);
-            out->refract_dir = unit3(d);
+            lobes->refract = F3(T, T, T);
+            lobes->refract_dir = unit3(d);
         }
     }
-    out->mirror = F3(R, R, R);
-    out->mirror_dir = mirror_direction(g);
+
+    lobes->mirror = F3(R, R, R);
+    lobes->mirror_dir = mirror_direction(g);
 }
 #endif

@@ -5,6 +5,10 @@
 #ifndef LUX_MAT_FUNCTION_H
 #define LUX_MAT_FUNCTION_H
 
+// ashik2 keeps its powers along u and v in fields of Lobes that it has no other use for.
+#define ASHIK_POWER_U alpha2_ru
+#define ASHIK_POWER_V alpha2_rv
+
 FN void material_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
     surface_vars(par, g, vars);
     // of these the normal stays as modelled
@@ -14,6 +18,7 @@ FN void material_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVA
         vars[CAL_NZ] = g->ng.z;
         vars[CAL_RDOT] = dot3(g->ng, g->v);
     }
+
     vars[CAL_NXP] = g->n.x;
     vars[CAL_NYP] = g->n.y;
     vars[CAL_NZP] = g->n.z;  // always on the viewer's side
@@ -36,108 +41,110 @@ FN void values_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g
 }
 
 // plasfunc.. : args R G B spec [trans tspec]; type of the specular colour by `metal`.
-FN void mat_brdf(PRIVATE const Surface* g, GLOBAL const float* arg, uint flags, PRIVATE Lobes* out) {
-    float3 C = mul3(F3(arg[0], arg[1], arg[2]), g->color);
-    float s = arg[3], t = (flags & MF_TRANS) != 0u ? arg[4] : 0.0f, ts = (flags & MF_TRANS) != 0u ? arg[5] : 0.0f;
-    float T = t * (1.0f - s), rd = 1.0f - T - s;
-    out->diffuse_r = scale3(C, rd);
-    out->diffuse_t = scale3(C, T - T * ts);
-    out->ambient_r = scale3(C, 1.0f - T);
-    out->ambient_t = scale3(C, T);
-    out->fn_r = (flags & MF_METAL) != 0u ? scale3(C, s) : F3(s, s, s);
-    out->fn_t = scale3(C, T * ts);
-    out->flags |= LOBE_FUNCTION;
+FN void mat_brdf(PRIVATE const Surface* g, GLOBAL const float* arg, uint flags, PRIVATE Lobes* lobes) {
+    float3 C = mul3(f3_at(arg), g->color);
+    float spec = arg[3], trans = 0.0f, trans_spec = 0.0f;
+    if ((flags & MF_TRANS) != 0u) {
+        trans = arg[4];
+        trans_spec = arg[5];
+    }
+
+    float T = trans * (1.0f - spec), rd = 1.0f - T - spec;
+    lobes->diffuse_r = scale3(C, rd);
+    lobes->diffuse_t = scale3(C, T - T * trans_spec);
+    lobes->ambient_r = scale3(C, 1.0f - T);
+    lobes->ambient_t = scale3(C, T);
+    lobes->fn_r = (flags & MF_METAL) != 0u ? scale3(C, spec) : F3(spec, spec, spec);
+    lobes->fn_t = scale3(C, T * trans_spec);
+    lobes->flags |= LOBE_FUNCTION;
 }
 
 // ashik2: args diffuse3 specular3 u-power v-power; the frame comes in u.
 FN void mat_ashik(PRIVATE const Params* par, PRIVATE const Surface* g, GLOBAL const float* arg, float3 uvec,
-                  PRIVATE Lobes* out) {
+                  PRIVATE Lobes* lobes) {
     float cv = dot3(g->n, g->v), f = 1.0f - MAX_(cv, 0.001f);
     f = f * f * f * f * f;
-    out->diffuse_r = mul3(F3(arg[0], arg[1], arg[2]), g->color);
-    out->ambient_r = out->diffuse_r;
-    float3 S = F3(arg[3], arg[4], arg[5]);
-    out->rough_r = F3(S.x + (1.0f - S.x) * f, S.y + (1.0f - S.y) * f, S.z + (1.0f - S.z) * f);
-    out->au = arg[6];
-    out->av = arg[7];
-    float3 v = cross3(g->n, uvec);
-    float l = length3(v);
-    if (l > 1e-6f) {
-        out->v = scale3(v, 1.0f / l);
-        out->u = cross3(out->v, g->n);
-    } else frame_of(g->n, &out->u, &out->v);
-    out->flags |= LOBE_ASHIK;
-    if (par->st >= luminance3(S) - 1e-6f) out->ambient_r = add3(out->ambient_r, out->rough_r);
-    else out->flags |= LOBE_SAMPLE_R;
+    lobes->diffuse_r = mul3(f3_at(arg), g->color);
+    lobes->ambient_r = lobes->diffuse_r;
+
+    float3 S = f3_at(arg + 3);
+    float3 color = F3(S.x + (1.0f - S.x) * f, S.y + (1.0f - S.y) * f, S.z + (1.0f - S.z) * f);
+    lobes_rough_r(par, color, luminance3(S), lobes);
+    lobes->ASHIK_POWER_U = arg[6];
+    lobes->ASHIK_POWER_V = arg[7];
+
+    if (!tangent_frame(g->n, uvec, &lobes->u, &lobes->v)) frame_of(g->n, &lobes->u, &lobes->v);
+    lobes->flags |= LOBE_ASHIK;
 }
 
 // BRTDfunc (spec 3.14): mirror and straight transmission by functions (values), diffuse args front3 back3 trans3;
 // the surface is not turned to the viewer.
-FN void mat_brtd(PRIVATE const Surface* g, GLOBAL const float* arg, PRIVATE const float* value, PRIVATE Lobes* out) {
-    out->diffuse_r = mul3(F3(arg[g->front ? 0 : 3], arg[g->front ? 1 : 4], arg[g->front ? 2 : 5]), g->color);
-    out->diffuse_t = mul3(F3(arg[6], arg[7], arg[8]), g->color);
-    out->ambient_r = out->diffuse_r;
-    out->ambient_t = out->diffuse_t;
-    if (value[0] + value[1] + value[2] > 0.0f) {
-        out->mirror = F3(value[0], value[1], value[2]);
-        out->mirror_dir = mirror_direction(g);
-    }
-    if (value[3] + value[4] + value[5] > 0.0f) {
-        out->through = F3(value[3], value[4], value[5]);
-        out->through_dir = transmitted_direction(g);
-    }
-    out->fn_r = F3(1.0f, 1.0f, 1.0f);
-    out->fn_t = out->fn_r;
-    out->flags |= LOBE_FUNCTION;
+FN void mat_brtd(PRIVATE const Surface* g, GLOBAL const float* arg, PRIVATE const float* value, PRIVATE Lobes* lobes) {
+    lobes->diffuse_r = mul3(f3_at(arg + (g->front ? 0 : 3)), g->color);
+    lobes->diffuse_t = mul3(f3_at(arg + 6), g->color);
+    lobes->ambient_r = lobes->diffuse_r;
+    lobes->ambient_t = lobes->diffuse_t;
+
+    if (value[0] + value[1] + value[2] > 0.0f) lobes_mirror(g, F3(value[0], value[1], value[2]), lobes);
+    if (value[3] + value[4] + value[5] > 0.0f)
+        lobes_through(transmitted_direction(g), F3(value[3], value[4], value[5]), lobes);
+
+    lobes->fn_r = F3(1.0f, 1.0f, 1.0f);
+    lobes->fn_t = lobes->fn_r;
+    lobes->flags |= LOBE_FUNCTION;
 }
 
-FN float3 ashik_direct(PRIVATE const Lobes* a, PRIVATE const Surface* g, float3 l, float w) {
+FN float3 ashik_direct(PRIVATE const Lobes* lobes, PRIVATE const Surface* g, float3 l, float w) {
     float cl = dot3(g->n, l), cv = MAX_(dot3(g->n, g->v), 0.001f);
     if (cl <= 0.0f) return F3(0.0f, 0.0f, 0.0f);
     float q = 1.0f - cl;
-    float3 sum = scale3(a->diffuse_r, cl * w * 0.31830989f * (1.0f - q * q * q * q * q));
+    float3 sum = scale3(lobes->diffuse_r, cl * w * K_INV_PI * (1.0f - q * q * q * q * q));
+
     float3 h = unit3(add3(l, g->v));
-    float hn = dot3(h, g->n), hu = dot3(h, a->u), hv = dot3(h, a->v), s2 = 1.0f - hn * hn;
-    float e = s2 > 1e-9f ? (a->au * hu * hu + a->av * hv * hv) / s2 : 0.0f;
-    float D =
-        k_pow(MAX_(hn, 1e-9f), e) * sqrt_((a->au + 1.0f) * (a->av + 1.0f)) / (25.1327412f * dot3(l, h) * MAX_(cl, cv));
-    return madd3(a->rough_r, D * cl * w, sum);
+    float hn = dot3(h, g->n), hu = dot3(h, lobes->u), hv = dot3(h, lobes->v), s2 = 1.0f - hn * hn;
+    float e = s2 > 1e-9f ? (lobes->ASHIK_POWER_U * hu * hu + lobes->ASHIK_POWER_V * hv * hv) / s2 : 0.0f;
+    float D = k_pow(MAX_(hn, 1e-9f), e) * sqrt_((lobes->ASHIK_POWER_U + 1.0f) * (lobes->ASHIK_POWER_V + 1.0f)) /
+              (25.1327412f * dot3(l, h) * MAX_(cl, cv));
+    return madd3(lobes->rough_r, D * cl * w, sum);
 }
 
 // Half-vector of the anisotropic power lobe (Ashikhmin & Shirley 2000), never weighted (spec 3.12).
-FN float ashik_sample(PRIVATE const Lobes* a, PRIVATE const Surface* g, PRIVATE Sampler* rnd, PRIVATE float3* dir) {
+FN float ashik_sample(PRIVATE const Lobes* lobes, PRIVATE const Surface* g, PRIVATE Sampler* rnd, PRIVATE float3* dir) {
     for (int i = 0; i < 10; i++) {
         float2 x = sample2(rnd);
-        float s, c;
-        k_sincos(6.28318531f * x.x, &s, &c);
+        float sn, cs;
+        k_sincos(K_TURN * x.x, &sn, &cs);
         // azimuth: tan phi = sqrt((pu+1)/(pv+1)) tan(2 pi x)
-        float ku = c * sqrt_(a->av + 1.0f), kv = s * sqrt_(a->au + 1.0f), kk = sqrt_(ku * ku + kv * kv);
+        float ku = cs * sqrt_(lobes->ASHIK_POWER_V + 1.0f), kv = sn * sqrt_(lobes->ASHIK_POWER_U + 1.0f),
+              kk = sqrt_(ku * ku + kv * kv);
         ku /= kk;
         kv /= kk;
-        float e = a->au * ku * ku + a->av * kv * kv;
-        float ct = k_pow(MAX_(1.0f - x.y, 1e-9f), 1.0f / (e + 1.0f)), st = 1.0f - ct * ct;
-        st = sqrt_(st > 0.0f ? st : 0.0f);
-        float3 h = add3(scale3(g->n, ct), add3(scale3(a->u, st * ku), scale3(a->v, st * kv)));
+        float e = lobes->ASHIK_POWER_U * ku * ku + lobes->ASHIK_POWER_V * kv * kv;
+        float cos_h = k_pow(MAX_(1.0f - x.y, 1e-9f), 1.0f / (e + 1.0f)), sin_h = 1.0f - cos_h * cos_h;
+        sin_h = sqrt_(sin_h > 0.0f ? sin_h : 0.0f);
+        float3 h = add3(scale3(g->n, cos_h), add3(scale3(lobes->u, sin_h * ku), scale3(lobes->v, sin_h * kv)));
         float3 r = sub3(scale3(h, 2.0f * dot3(h, g->v)), g->v);
         if (dot3(r, g->ng) > 1e-6f) {
             *dir = unit3(r);
             return 1.0f;
         }
     }
+
     return 0.0f;
 }
 
 // Direct coefficient of the function lobes: s f(l) cos w on the viewer's side, Ts f(l) |cos| w on the other.
-FN float3 function_direct(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Lobes* a,
+FN float3 function_direct(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Lobes* lobes,
                           PRIVATE const Surface* g, float3 l, float w) {
     float vars[CAL_VARS], out[CAL_OUTPUTS];
     float3 zero = F3(0.0f, 0.0f, 0.0f);
-    GLOBAL const uint* m = s->u + par->mods_at + MOD_WORDS * g->mod;
+    GLOBAL const uint* m = mod_record(s, par, g->mod);
     uint count = m[MOD_FLAGS] >> MF_LOBES_SHIFT;
     if (count == 0u) return zero;
     float cl = dot3(g->n, l);
-    float3 k = cl > 0.0f ? a->fn_r : a->fn_t;
+    float3 k = cl > 0.0f ? lobes->fn_r : lobes->fn_t;
     if (max3(k) <= 0.0f) return zero;
+
     material_vars(par, g, vars);
     vars[CAL_LX] = l.x;
     vars[CAL_LY] = l.y;
@@ -145,6 +152,7 @@ FN float3 function_direct(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     vars[CAL_OMEGA] = w;
     vars_to_frame(s, g, vars);
     if (cal_run(s, m[MOD_EXTRA], vars, out)) return zero;
+
     float3 f = count >= 3u ? F3(out[0], out[1], out[2]) : F3(out[0], out[0], out[0]);
     if (max3(f) <= 1e-6f) return zero;
     return scale3(mul3(k, f), fabs_(cl) * w);

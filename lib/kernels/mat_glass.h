@@ -3,7 +3,7 @@
 #ifndef LUX_MAT_GLASS_H
 #define LUX_MAT_GLASS_H
 
-FN void glass_channel_(float t, float r1, float r2, float c2, PRIVATE float* T, PRIVATE float* R) {
+FN void glass_channel(float t, float r1, float r2, float c2, PRIVATE float* T, PRIVATE float* R) {
     float d = t <= 1e-15f ? 0.0f : k_pow(t, 1.0f / c2);
     float d2 = d * d;
     float k1 = 0.5f / (1.0f - r1 * r1 * d2), k2 = 0.5f / (1.0f - r2 * r2 * d2);
@@ -11,7 +11,7 @@ FN void glass_channel_(float t, float r1, float r2, float c2, PRIVATE float* T, 
     *R = r1 * (1.0f + (1.0f - 2.0f * r1) * d2) * k1 + r2 * (1.0f + (1.0f - 2.0f * r2) * d2) * k2;
 }
 
-FN void mat_glass(PRIVATE const Surface* g, GLOBAL const float* arg, int shadow, PRIVATE Lobes* out) {
+FN void mat_glass(PRIVATE const Surface* g, GLOBAL const float* arg, int shadow, PRIVATE Lobes* lobes) {
     float n = arg[3], cv = fabs_(dot3(g->n, g->v));
     float c2 = sqrt_(1.0f - 1.0f / (n * n) + cv * cv / (n * n));
     float r1 = (cv - n * c2) / (cv + n * c2);
@@ -20,18 +20,19 @@ FN void mat_glass(PRIVATE const Surface* g, GLOBAL const float* arg, int shadow,
     r1 *= r1;
     r2 *= r2;
     float Tr, Tg, Tb, Rr, Rg, Rb;
-    glass_channel_(arg[0], r1, r2, c2, &Tr, &Rr);
-    glass_channel_(arg[1], r1, r2, c2, &Tg, &Rg);
-    glass_channel_(arg[2], r1, r2, c2, &Tb, &Rb);
-    out->through = mul3(F3(Tr, Tg, Tb), g->color);
+    glass_channel(arg[0], r1, r2, c2, &Tr, &Rr);
+    glass_channel(arg[1], r1, r2, c2, &Tg, &Rg);
+    glass_channel(arg[2], r1, r2, c2, &Tb, &Rb);
+    lobes->through = mul3(F3(Tr, Tg, Tb), g->color);
     float3 p = neg3(g->v);
     if (!shadow && !g->smooth && dot3(g->pert, g->pert) > 1e-12f) {
         p = unit3(madd3(g->pert, (g->front ? 2.0f : -2.0f) * (1.0f - n), p));  // it turns with the normal
     }
-    out->through_dir = p;
+
+    lobes->through_dir = p;
     if (!shadow) {  // alone among the mirrors it may send the ray on below the surface
-        out->mirror = F3(Rr, Rg, Rb);
-        out->mirror_dir = unit3(sub3(scale3(g->n, 2.0f * dot3(g->n, g->v)), g->v));
+        lobes->mirror = F3(Rr, Rg, Rb);
+        lobes->mirror_dir = unit3(sub3(scale3(g->n, 2.0f * dot3(g->n, g->v)), g->v));
     }
 }
 #endif

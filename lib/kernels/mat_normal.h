@@ -4,70 +4,65 @@
 #ifndef LUX_MAT_NORMAL_H
 #define LUX_MAT_NORMAL_H
 
-FN void mat_normal(PRIVATE const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg, float3 uvec,
-                   PRIVATE Lobes* out) {
-    int aniso = type >= M_ANISO_PLASTIC && type <= M_ANISO_TRANS;
-    int metal = type == M_METAL || type == M_ANISO_METAL, trans = type == M_TRANS || type == M_ANISO_TRANS;
-    float3 C = mul3(F3(arg[0], arg[1], arg[2]), g->color);
-    float s = arg[3], a = arg[4];
-    float t = 0.0f, ts = 0.0f;
-    if (trans) {
-        t = arg[aniso ? 6 : 5];
-        ts = arg[aniso ? 7 : 6];
+// The roughnesses along both axes, if uvec gives these, else their mean.
+FN void normal_axes(PRIVATE const Surface* g, float rough_u, float rough_v, float3 uvec, PRIVATE Lobes* lobes) {
+    lobes->alpha2_ru = rough_u * rough_u;
+    lobes->alpha2_rv = rough_v * rough_v;
+    if (tangent_frame(g->n, uvec, &lobes->u, &lobes->v)) {
+        lobes->flags |= LOBE_ANISO;
+    } else {
+        lobes->alpha2_ru = 0.5f * (lobes->alpha2_ru + lobes->alpha2_rv);
+        lobes->alpha2_rv = lobes->alpha2_ru;
     }
-    int smooth = !aniso && a * a <= 1e-6f;
+}
+
+FN void mat_normal(PRIVATE const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg, float3 uvec,
+                   PRIVATE Lobes* lobes) {
+    int aniso = type >= M_ANISO_PLASTIC && type <= M_ANISO_TRANS;
+    int metal = type == M_METAL || type == M_ANISO_METAL, is_trans = type == M_TRANS || type == M_ANISO_TRANS;
+    float3 C = mul3(f3_at(arg), g->color);
+    float spec0 = arg[3], rough = arg[4], trans = 0.0f, trans_spec = 0.0f;
+    if (is_trans) {
+        trans = arg[aniso ? 6 : 5];
+        trans_spec = arg[aniso ? 7 : 6];
+    }
+
+    // how the light is shared out
+    int smooth = !aniso && rough * rough <= 1e-6f;
     float cv = dot3(g->n, g->v), f = 0.0f;
     if (cv < 0.001f) cv = 0.001f;
-    if (smooth && s >= 0.017999f) f = fresnel_estimate(cv);
-    float rs = s + f * (1.0f - s);
-    float T = t * (1.0f - rs), Ts = T * ts, Td = T - Ts, rd = 1.0f - T - rs;
+    if (smooth && spec0 >= FRESNEL_FROM) f = fresnel_estimate(cv);
+    float rs = spec0 + f * (1.0f - spec0);
+    float T = trans * (1.0f - rs), Ts = T * trans_spec, Td = T - Ts, rd = 1.0f - T - rs;
     float3 spec = F3(rs, rs, rs);
-    if (metal) spec = f > 1e-6f ? add3(F3(f, f, f), scale3(C, s * (1.0f - f))) : scale3(C, rs);
+    if (metal) spec = f > 1e-6f ? add3(F3(f, f, f), scale3(C, spec0 * (1.0f - f))) : scale3(C, rs);
 
-    out->diffuse_r = scale3(C, rd);
-    out->diffuse_t = scale3(C, Td);
-    out->ambient_r = out->diffuse_r;
-    out->ambient_t = out->diffuse_t;
-    float3 p = trans ? transmitted_direction(g) : neg3(g->v);
+    lobes->diffuse_r = scale3(C, rd);
+    lobes->diffuse_t = scale3(C, Td);
+    lobes->ambient_r = lobes->diffuse_r;
+    lobes->ambient_t = lobes->diffuse_t;
+
+    // the specular part: rays of their own if it is smooth, else lobes
+    float3 dir = is_trans ? transmitted_direction(g) : neg3(g->v);
+
     if (smooth) {
-        if (rs >= 0.017999f) out->flags |= LOBE_FRESNEL;
-        if (rs > 1e-6f) {
-            out->mirror = spec;
-            out->mirror_dir = mirror_direction(g);
-        }
-        if (Ts > 1e-6f) {
-            out->through = scale3(C, Ts);
-            out->through_dir = p;
-        }
+        if (rs >= FRESNEL_FROM) lobes->flags |= LOBE_FRESNEL;
+        if (rs > LOBE_LEAST) lobes_mirror(g, spec, lobes);
+        if (Ts > LOBE_LEAST) lobes_through(dir, scale3(C, Ts), lobes);
         return;
     }
-    out->au = a * a;
-    out->av = a * a;
+
     if (aniso) {
-        out->av = arg[5] * arg[5];
-        float3 v = cross3(g->n, uvec);
-        float l = length3(v);
-        if (l > 1e-6f) {
-            out->v = scale3(v, 1.0f / l);
-            out->u = cross3(out->v, g->n);
-            out->flags |= LOBE_ANISO;
-        } else {
-            out->au = 0.5f * (out->au + out->av);
-            out->av = out->au;
-        }
+        normal_axes(g, rough, arg[5], uvec, lobes);
+    } else {
+        lobes->alpha2_ru = rough * rough;
+        lobes->alpha2_rv = rough * rough;
     }
-    out->tu = out->au;
-    out->tv = out->av;
-    if (rs > 1e-6f) {
-        out->rough_r = spec;
-        if (par->st >= rs - 1e-6f) out->ambient_r = add3(out->ambient_r, spec);
-        else out->flags |= LOBE_SAMPLE_R;
-    }
-    if (Ts > 1e-6f) {
-        out->rough_t = scale3(C, Ts);
-        out->trans_dir = p;
-        if (par->st >= Ts - 1e-6f) out->ambient_t = add3(out->ambient_t, out->rough_t);
-        else out->flags |= LOBE_SAMPLE_T;
-    }
+
+    lobes->alpha2_tu = lobes->alpha2_ru;
+    lobes->alpha2_tv = lobes->alpha2_rv;
+    lobes->trans_dir = dir;
+    if (rs > LOBE_LEAST) lobes_rough_r(par, spec, rs, lobes);
+    if (Ts > LOBE_LEAST) lobes_rough_t(par, scale3(C, Ts), Ts, lobes);
 }
 #endif

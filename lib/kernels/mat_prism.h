@@ -5,17 +5,18 @@
 #define LUX_MAT_PRISM_H
 
 // Rays that are not aimed at one of the panel's virtual sources: exit 1 (and 2), the sum of both.
-FN void mat_prism(uint flags, PRIVATE const float* value, PRIVATE Lobes* out) {
+FN void mat_prism(uint flags, PRIVATE const float* value, PRIVATE Lobes* lobes) {
     float3 d = F3(value[1], value[2], value[3]);
     if (value[0] > 0.0f && length3(d) > 1e-6f) {
-        out->through = F3(value[0], value[0], value[0]);
-        out->through_dir = unit3(d);
+        lobes->through = F3(value[0], value[0], value[0]);
+        lobes->through_dir = unit3(d);
     }
+
     if ((flags & MF_TWO_EXITS) == 0u) return;
     d = F3(value[5], value[6], value[7]);
     if (value[4] > 0.0f && length3(d) > 1e-6f) {
-        out->refract = F3(value[4], value[4], value[4]);
-        out->refract_dir = unit3(d);
+        lobes->refract = F3(value[4], value[4], value[4]);
+        lobes->refract_dir = unit3(d);
     }
 }
 

@@ -46,126 +46,125 @@ FN float3 wgmd_transmitted(PRIVATE const Surface* c) {
     return dot3(p, c->ng) < -1e-6f ? p : neg3(c->v);
 }
 
-// The tangent frame about n, if u gives one.
-FN int wgmd_frame(float3 n, float3 along, PRIVATE float3* u, PRIVATE float3* v) {
-    *v = cross3(n, along);
-    float l = length3(*v);
-    if (l <= 1e-6f) return 0;
-    *v = scale3(*v, 1.0f / l);
-    *u = cross3(*v, n);
-    return 1;
+// Roughness and tangent frames of both rough lobes.
+FN void wgmd_axes(PRIVATE const Surface* refl, PRIVATE const Surface* trans, float3 along, PRIVATE Lobes* lobes) {
+    if (tangent_frame(refl->n, along, &lobes->u, &lobes->v) &&
+        tangent_frame(trans->n, along, &lobes->t_u, &lobes->t_v)) {
+        lobes->flags |= LOBE_ANISO;
+        return;
+    }
+
+    lobes->alpha2_ru = 0.5f * (lobes->alpha2_ru + lobes->alpha2_rv);
+    lobes->alpha2_rv = lobes->alpha2_ru;
+    lobes->alpha2_tu = 0.5f * (lobes->alpha2_tu + lobes->alpha2_tv);
+    lobes->alpha2_tv = lobes->alpha2_tu;
+}
+
+FN void wgmd_normals(PRIVATE const Surface* g, PRIVATE const Surface* refl, PRIVATE const Surface* trans,
+                     PRIVATE const Surface* diff, PRIVATE Lobes* lobes) {
+    if (wgmd_same_normal(g, refl) && wgmd_same_normal(g, trans) && wgmd_same_normal(g, diff)) return;
+    lobes->n_r = refl->n;
+    lobes->n_t = trans->n;
+    lobes->n_dt = diff->n;
+    lobes->flags |= LOBE_OWN_NORMALS | (refl->flat ? LOBE_FLAT_R : 0u);
+}
+
+// Reflection of a smooth surface of specularity *rs.  Returns what is left for the other components.
+FN float wgmd_mirror(PRIVATE const Surface* refl, float3 viewer, PRIVATE float3* rs, PRIVATE Lobes* lobes) {
+    float rest = 1.0f;
+    if (luminance3(*rs) >= FRESNEL_FROM) {
+        float f = fresnel_estimate_wgmd(MAX_(dot3(refl->n, viewer), 0.001f));
+        rest = 1.0f - f;
+        *rs = F3(rs->x + f * (1.0f - rs->x), rs->y + f * (1.0f - rs->y), rs->z + f * (1.0f - rs->z));
+        lobes->flags |= LOBE_WGMD_FRESNEL;
+    }
+
+    if (max3(*rs) > LOBE_LEAST) lobes_mirror(refl, *rs, lobes);
+    return rest;
 }
 
 FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
-                      GLOBAL const uint* m, PRIVATE const float* value, PRIVATE Sampler* rnd, PRIVATE Lobes* out) {
+                      GLOBAL const uint* m, PRIVATE const float* value, PRIVATE Sampler* rnd, PRIVATE Lobes* lobes) {
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     GLOBAL const uint* mods = s->u + m[MOD_BRANCH1];
-    Surface r, t, d;
-    float of_r[CAL_OUTPUTS], of_t[CAL_OUTPUTS];
-    wgmd_component(s, par, g, mods[0], rnd, &r);
-    wgmd_component(s, par, g, mods[1], rnd, &t);
-    wgmd_component(s, par, g, mods[2], rnd, &d);
-    wgmd_values(s, par, g, &r, m[MOD_PROGRAM], value, of_r);
-    wgmd_values(s, par, g, &t, m[MOD_PROGRAM], value, of_t);
-    float3 rs = scale3(r.color, of_r[0]), ts = scale3(t.color, of_t[3]);
-    out->diffuse_r = mul3(F3(arg[g->front ? 0 : 3], arg[g->front ? 1 : 4], arg[g->front ? 2 : 5]), g->color);
-    out->diffuse_t = mul3(F3(arg[6], arg[7], arg[8]), d.color);
-    out->trans_dir = wgmd_transmitted(&t);
-    out->au = of_r[1] * of_r[1];
-    out->av = of_r[2] * of_r[2];
-    out->tu = of_t[4] * of_t[4];
-    out->tv = of_t[5] * of_t[5];
-    float3 along = F3(value[6], value[7], value[8]);
-    if (wgmd_frame(r.n, along, &out->u, &out->v) && wgmd_frame(t.n, along, &out->ut, &out->vt)) {
-        out->flags |= LOBE_ANISO;
-    } else {
-        out->au = 0.5f * (out->au + out->av);
-        out->av = out->au;
-        out->tu = 0.5f * (out->tu + out->tv);
-        out->tv = out->tu;
-    }
-    if (!wgmd_same_normal(g, &r) || !wgmd_same_normal(g, &t) || !wgmd_same_normal(g, &d)) {
-        out->n_r = r.n;
-        out->n_t = t.n;
-        out->n_dt = d.n;
-        out->flags |= LOBE_OWN_NORMALS | (r.flat ? LOBE_FLAT_R : 0u);
-    }
-    float rest = 1.0f, lum = luminance3(rs);
-    int smooth_r = out->au <= 1e-6f || out->av <= 1e-6f, smooth_t = out->tu <= 1e-6f || out->tv <= 1e-6f;
-    if (smooth_r) {
-        if (lum >= 0.017999f) {
-            float f = fresnel_estimate_wgmd(MAX_(dot3(r.n, g->v), 0.001f));
-            rest = 1.0f - f;
-            rs = F3(rs.x + f * (1.0f - rs.x), rs.y + f * (1.0f - rs.y), rs.z + f * (1.0f - rs.z));
-            out->flags |= LOBE_WGMD_FRESNEL;
-        }
-        if (max3(rs) > 1e-6f) {
-            out->mirror = rs;
-            out->mirror_dir = mirror_direction(&r);
-        }
-    }
-    out->diffuse_r = scale3(out->diffuse_r, rest);
-    out->diffuse_t = scale3(out->diffuse_t, rest);
+    Surface refl, trans, diff;
+    float refl_value[CAL_OUTPUTS], trans_value[CAL_OUTPUTS];
+    wgmd_component(s, par, g, mods[0], rnd, &refl);
+    wgmd_component(s, par, g, mods[1], rnd, &trans);
+    wgmd_component(s, par, g, mods[2], rnd, &diff);
+    wgmd_values(s, par, g, &refl, m[MOD_PROGRAM], value, refl_value);
+    wgmd_values(s, par, g, &trans, m[MOD_PROGRAM], value, trans_value);
+
+    lobes->trans_dir = wgmd_transmitted(&trans);
+    lobes->alpha2_ru = refl_value[1] * refl_value[1];
+    lobes->alpha2_rv = refl_value[2] * refl_value[2];
+    lobes->alpha2_tu = trans_value[4] * trans_value[4];
+    lobes->alpha2_tv = trans_value[5] * trans_value[5];
+    wgmd_axes(&refl, &trans, F3(value[6], value[7], value[8]), lobes);
+    wgmd_normals(g, &refl, &trans, &diff, lobes);
+
+    float3 rs = scale3(refl.color, refl_value[0]), ts = scale3(trans.color, trans_value[3]);
+    int smooth_r = lobes->alpha2_ru <= 1e-6f || lobes->alpha2_rv <= 1e-6f;
+    int smooth_t = lobes->alpha2_tu <= 1e-6f || lobes->alpha2_tv <= 1e-6f;
+    float rest = smooth_r ? wgmd_mirror(&refl, g->v, &rs, lobes) : 1.0f;
     ts = scale3(ts, rest);
-    out->ambient_r = out->diffuse_r;
-    out->ambient_t = out->diffuse_t;
-    if (!smooth_r && max3(rs) > 1e-6f) {
-        out->rough_r = rs;
-        if (par->st >= luminance3(rs) - 1e-6f) out->ambient_r = add3(out->ambient_r, rs);
-        else out->flags |= LOBE_SAMPLE_R;
-    }
-    if (max3(ts) > 1e-6f) {
-        if (smooth_t) {
-            out->through = ts;
-            out->through_dir = out->trans_dir;
-        } else {
-            out->rough_t = ts;
-            if (par->st >= luminance3(ts) - 1e-6f) out->ambient_t = add3(out->ambient_t, ts);
-            else out->flags |= LOBE_SAMPLE_T;
-        }
-    }
+
+    lobes->diffuse_r = mul3(f3_at(arg + (g->front ? 0 : 3)), g->color);
+    lobes->diffuse_t = mul3(f3_at(arg + 6), diff.color);
+    lobes->diffuse_r = scale3(lobes->diffuse_r, rest);
+    lobes->diffuse_t = scale3(lobes->diffuse_t, rest);
+    lobes->ambient_r = lobes->diffuse_r;
+    lobes->ambient_t = lobes->diffuse_t;
+
+    if (!smooth_r && max3(rs) > LOBE_LEAST) lobes_rough_r(par, rs, luminance3(rs), lobes);
+    if (max3(ts) <= LOBE_LEAST) return;
+    if (smooth_t) lobes_through(lobes->trans_dir, ts, lobes);
+    else lobes_rough_t(par, ts, luminance3(ts), lobes);
 }
 
 // Gives g and the lobes the normal and frame of one component, before that is sampled or lit.
 #define WGMD_ROUGH_R 0
 #define WGMD_ROUGH_T 1
 #define WGMD_DIFFUSE_T 2
-FN_RARE void wgmd_turn(PRIVATE Lobes* l, PRIVATE Surface* g, int component) {
-    if (component == WGMD_DIFFUSE_T) g->n = l->n_dt;
+FN_RARE void wgmd_turn(PRIVATE Lobes* lobes, PRIVATE Surface* g, int component) {
+    if (component == WGMD_DIFFUSE_T) g->n = lobes->n_dt;
     if (component == WGMD_ROUGH_R) {
-        g->n = l->n_r;
-        g->flat = (l->flags & LOBE_FLAT_R) != 0u;
+        g->n = lobes->n_r;
+        g->flat = (lobes->flags & LOBE_FLAT_R) != 0u;
     }
+
     if (component == WGMD_ROUGH_T) {
-        g->n = l->n_t;
-        l->u = l->ut;
-        l->v = l->vt;
+        g->n = lobes->n_t;
+        lobes->u = lobes->t_u;
+        lobes->v = lobes->t_v;
     }
 }
 
 // Coefficient of a source sample, as lobes_direct(): the components one by one, each about its normal.  What a smooth
 // reflection takes from the diffuse ones goes by its own.
-FN_RARE float3 wgmd_direct(PRIVATE const Lobes* a, PRIVATE const Surface* g, float3 l, float w, float dj) {
+FN_RARE float3 wgmd_direct(PRIVATE const Lobes* lobes, PRIVATE const Surface* g, float3 l, float w, float dj) {
     float3 zero = F3(0.0f, 0.0f, 0.0f);
-    Lobes none = *a, part;
+    Lobes none = *lobes, part;
     none.diffuse_r = zero;
     none.diffuse_t = zero;
     none.rough_r = zero;
     none.rough_t = zero;
-    float rest = lobes_fresnel(a->flags, fabs_(dot3(a->n_r, l)));
+    float rest = lobes_fresnel(lobes->flags, fabs_(dot3(lobes->n_r, l)));
     none.flags &= ~LOBE_WGMD_FRESNEL;
     part = none;
-    part.diffuse_r = scale3(a->diffuse_r, rest);
+    part.diffuse_r = scale3(lobes->diffuse_r, rest);
     float3 sum = lobes_direct(&part, g, l, w, dj);
+
     for (int i = WGMD_ROUGH_R; i <= WGMD_DIFFUSE_T; i++) {
         Surface c = *g;
         part = none;
-        if (i == WGMD_ROUGH_R) part.rough_r = a->rough_r;
-        if (i == WGMD_ROUGH_T) part.rough_t = a->rough_t;
-        if (i == WGMD_DIFFUSE_T) part.diffuse_t = scale3(a->diffuse_t, rest);
+        if (i == WGMD_ROUGH_R) part.rough_r = lobes->rough_r;
+        if (i == WGMD_ROUGH_T) part.rough_t = lobes->rough_t;
+        if (i == WGMD_DIFFUSE_T) part.diffuse_t = scale3(lobes->diffuse_t, rest);
         wgmd_turn(&part, &c, i);
         sum = add3(sum, lobes_direct(&part, &c, l, w, dj));
     }
+
     return sum;
 }
 #endif

@@ -21,16 +21,17 @@ FN int back_passes(uint type, int asked) {
 // medium of the segment that ended here, is corrected where the surface knows it; so is *beyond, the one behind the
 // surface.  Both come as what the ray knows.
 FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g, int asked,
-                       PRIVATE Sampler* rnd, PRIVATE Medium* arriving, PRIVATE Medium* beyond, PRIVATE Lobes* l) {
+                       PRIVATE Sampler* rnd, PRIVATE Medium* arriving, PRIVATE Medium* beyond, PRIVATE Lobes* lobes) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     float vars[CAL_VARS], value[CAL_OUTPUTS];
     uint type = g->type;
-    lobes_clear(l);
+    lobes_clear(lobes);
     if (!g->front && par->bv == 0u && back_passes(type, asked)) {
-        l->flags |= LOBE_PASS;
+        lobes->flags |= LOBE_PASS;
         return;
     }
+
     if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {  // functions evaluated once per hit
         material_vars(par, g, vars);
         vars_to_frame(s, g, vars);
@@ -38,30 +39,28 @@ FN void material_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
             for (int i = 0; i < CAL_OUTPUTS; i++) value[i] = 0.0f;
         values_from_frame(s, g, m[MOD_FLAGS], value);
     }
+
     switch (type) {
     case M_PLASTIC:
     case M_METAL:
-    case M_TRANS: mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), l); break;
-    case M_GLASS: mat_glass(g, arg, asked == LOBES_SHADOW, l); break;
+    case M_TRANS: mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), lobes); break;
+    case M_GLASS: mat_glass(g, arg, asked == LOBES_SHADOW, lobes); break;
     case M_ANISO_PLASTIC:
     case M_ANISO_METAL:
-    case M_ANISO_TRANS: mat_normal(par, g, type, arg, F3(value[0], value[1], value[2]), l); break;
-    case M_ASHIK: mat_ashik(par, g, arg, F3(value[0], value[1], value[2]), l); break;
-    case M_BRDF: mat_brdf(g, arg, m[MOD_FLAGS], l); break;
-    case M_BRTD: mat_brtd(g, arg, value, l); break;
-    case M_WGMD: mat_wgmd(s, par, g, m, value, rnd, l); break;
-    case M_BSDF: mat_bsdf(s, par, g, m, value, asked, rnd, l); break;
+    case M_ANISO_TRANS: mat_normal(par, g, type, arg, F3(value[0], value[1], value[2]), lobes); break;
+    case M_ASHIK: mat_ashik(par, g, arg, F3(value[0], value[1], value[2]), lobes); break;
+    case M_BRDF: mat_brdf(g, arg, m[MOD_FLAGS], lobes); break;
+    case M_BRTD: mat_brtd(g, arg, value, lobes); break;
+    case M_WGMD: mat_wgmd(s, par, g, m, value, rnd, lobes); break;
+    case M_BSDF: mat_bsdf(s, par, g, m, value, asked, rnd, lobes); break;
     case M_DIELECTRIC:
-    case M_INTERFACE: mat_dielectric(par, g, type, arg, l, arriving, beyond); break;
+    case M_INTERFACE: mat_dielectric(par, g, type, arg, lobes, arriving, beyond); break;
     case M_PRISM:
         if (asked != LOBES_SHADOW)
-            mat_prism(m[MOD_FLAGS], value, l);  // shadow rays pass by virtual sources only (shadow_aimed)
+            mat_prism(m[MOD_FLAGS], value, lobes);  // shadow rays pass by virtual sources only (shadow_aimed)
         break;
     case M_MIRROR:
-        if (g->front) {
-            l->mirror = mul3(f3_at(arg), g->color);
-            l->mirror_dir = mirror_direction(g);
-        }
+        if (g->front) lobes_mirror(g, mul3(f3_at(arg), g->color), lobes);
         break;
     default: break;
     }
@@ -93,11 +92,12 @@ FN int alternate_acts(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
 
 // The same for a shadow ray to the source of record q.  relayed: q is a virtual source and this surface is its relay.
 FN int alternate_acts_for_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
-                                 GLOBAL const float* q, int relayed) {
+                                 GLOBAL const float* src, int relayed) {
     if (g->type == M_ILLUM) {  // the light of other illums and of glows ends at its front: its own stands for it
-        uint kind = as_uint_(q[SRC_CLASS]);
-        return !(g->front && (kind == M_ILLUM || kind == M_GLOW) && as_uint_(q[SRC_VIRTUAL]) == NONE);
+        uint kind = as_uint_(src[SRC_CLASS]);
+        return !(g->front && (kind == M_ILLUM || kind == M_GLOW) && as_uint_(src[SRC_VIRTUAL]) == NONE);
     }
+
     return g->type == M_MIRROR && !relayed && (mod_record(s, par, g->mod)[MOD_FLAGS] & MF_HAS_ALTERNATE) != 0u;
 }
 
@@ -108,9 +108,10 @@ FN int take_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
         if (!become_alternate(s, par, g, rnd)) return 1;
     return 0;
 }
+
 FN int shadow_alternate(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g,
-                        GLOBAL const float* q, int relayed, PRIVATE Sampler* rnd) {
-    while (alternate_acts_for_shadow(s, par, g, q, relayed))
+                        GLOBAL const float* src, int relayed, PRIVATE Sampler* rnd) {
+    while (alternate_acts_for_shadow(s, par, g, src, relayed))
         if (!become_alternate(s, par, g, rnd)) return 1;
     return 0;
 }

@@ -12,65 +12,67 @@ typedef struct {
 
 // The global medium (-me -ma -mg), where no surface says otherwise.
 FN Medium medium_open(PRIVATE const Params* par) {
-    Medium m;
-    m.k = F3(par->medium.x, par->medium.y, par->medium.z);
-    m.albedo = F3(par->albedo.x, par->albedo.y, par->albedo.z);
-    m.ecc = par->albedo.w;
-    m.lights = 0u;
-    return m;
+    Medium medium;
+    medium.k = F3(par->medium.x, par->medium.y, par->medium.z);
+    medium.albedo = F3(par->albedo.x, par->albedo.y, par->albedo.z);
+    medium.ecc = par->albedo.w;
+    medium.lights = 0u;
+    return medium;
 }
 
 FN Medium path_medium(PRIVATE const Paths* paths, uint slot) {
-    Medium m;
+    Medium medium;
     float4 k = paths->medium[slot], albedo = paths->albedo[slot];
-    m.k = xyz4(k);
-    m.lights = as_uint_(k.w);
-    m.albedo = xyz4(albedo);
-    m.ecc = albedo.w;
-    return m;
+    medium.k = xyz4(k);
+    medium.lights = as_uint_(k.w);
+    medium.albedo = xyz4(albedo);
+    medium.ecc = albedo.w;
+    return medium;
 }
-FN void set_path_medium(PRIVATE const Paths* paths, uint slot, PRIVATE const Medium* m) {
-    paths->medium[slot] = pack4(m->k, as_float_(m->lights));
-    paths->albedo[slot] = pack4(m->albedo, m->ecc);
+
+FN void set_path_medium(PRIVATE const Paths* paths, uint slot, PRIVATE const Medium* medium) {
+    paths->medium[slot] = pack4(medium->k, as_float_(medium->lights));
+    paths->albedo[slot] = pack4(medium->albedo, medium->ecc);
 }
 
 // A shadow ray keeps the same but the eccentricity, and with it what antimatter it is in.
 FN Medium shadow_medium(PRIVATE const Paths* paths, uint slot) {
-    Medium m;
+    Medium medium;
     float4 albedo = paths->shadow_albedo[slot];
-    m.k = xyz4(paths->shadow_medium[slot]);
-    m.lights = as_uint_(albedo.w);
-    m.albedo = xyz4(albedo);
-    m.ecc = 0.0f;
-    return m;
+    medium.k = xyz4(paths->shadow_medium[slot]);
+    medium.lights = as_uint_(albedo.w);
+    medium.albedo = xyz4(albedo);
+    medium.ecc = 0.0f;
+    return medium;
 }
-FN void set_shadow_medium(PRIVATE const Paths* paths, uint slot, PRIVATE const Medium* m, uint clip) {
-    paths->shadow_medium[slot] = pack4(m->k, as_float_(clip));
-    paths->shadow_albedo[slot] = pack4(m->albedo, as_float_(m->lights));
+
+FN void set_shadow_medium(PRIVATE const Paths* paths, uint slot, PRIVATE const Medium* medium, uint clip) {
+    paths->shadow_medium[slot] = pack4(medium->k, as_float_(clip));
+    paths->shadow_albedo[slot] = pack4(medium->albedo, as_float_(medium->lights));
 }
 
 // Mists keep what they do not state: a mist without albedo has that around it, one without list its lights.
 FN void mist_enter(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
-                   PRIVATE Medium* m) {
-    GLOBAL const uint* record = mod_record(s, par, g->mod);
-    GLOBAL const float* arg = s->f + record[MOD_ARGS];
-    m->k = add3(m->k, mul3(f3_at(arg), g->color));
-    if ((record[MOD_FLAGS] & MF_ALBEDO) != 0u) m->albedo = f3_at(arg + 3);
-    if ((record[MOD_FLAGS] & MF_ECCENTRICITY) != 0u) m->ecc = arg[6];
-    m->lights |= record[MOD_EXTRA];
+                   PRIVATE Medium* medium) {
+    GLOBAL const uint* m = mod_record(s, par, g->mod);
+    GLOBAL const float* arg = s->f + m[MOD_ARGS];
+    medium->k = add3(medium->k, mul3(f3_at(arg), g->color));
+    if ((m[MOD_FLAGS] & MF_ALBEDO) != 0u) medium->albedo = f3_at(arg + 3);
+    if ((m[MOD_FLAGS] & MF_ECCENTRICITY) != 0u) medium->ecc = arg[6];
+    medium->lights |= m[MOD_EXTRA];
 }
 
 // Leaving takes away what it stated, down to the global medium: what an outer mist stated is forgotten, too.
 FN void mist_leave(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
-                   PRIVATE Medium* m) {
-    GLOBAL const uint* record = mod_record(s, par, g->mod);
-    GLOBAL const float* arg = s->f + record[MOD_ARGS];
+                   PRIVATE Medium* medium) {
+    GLOBAL const uint* m = mod_record(s, par, g->mod);
+    GLOBAL const float* arg = s->f + m[MOD_ARGS];
     Medium open = medium_open(par);
-    float3 k = sub3(m->k, mul3(f3_at(arg), g->color));
-    m->k = F3(MAX_(k.x, open.k.x), MAX_(k.y, open.k.y), MAX_(k.z, open.k.z));
-    if ((record[MOD_FLAGS] & MF_ALBEDO) != 0u) m->albedo = open.albedo;
-    if ((record[MOD_FLAGS] & MF_ECCENTRICITY) != 0u) m->ecc = open.ecc;
-    m->lights &= ~record[MOD_EXTRA];
+    float3 k = sub3(medium->k, mul3(f3_at(arg), g->color));
+    medium->k = F3(MAX_(k.x, open.k.x), MAX_(k.y, open.k.y), MAX_(k.z, open.k.z));
+    if ((m[MOD_FLAGS] & MF_ALBEDO) != 0u) medium->albedo = open.albedo;
+    if ((m[MOD_FLAGS] & MF_ECCENTRICITY) != 0u) medium->ecc = open.ecc;
+    medium->lights &= ~m[MOD_EXTRA];
 }
 
 // *here: the medium of the segment that ends at a mist's surface, corrected if the ray leaves a mist that it never
@@ -93,15 +95,15 @@ FN float3 attenuation(float3 k, float length) {
 }
 
 // What the constant of deeper bounces (-av) scatters into a segment that lets T through.
-FN float3 medium_glow(PRIVATE const Params* par, PRIVATE const Medium* m, float3 T) {
+FN float3 medium_glow(PRIVATE const Params* par, PRIVATE const Medium* medium, float3 T) {
     float3 av = F3(par->av.x, par->av.y, par->av.z), one = F3(1.0f, 1.0f, 1.0f);
-    return mul3(mul3(m->albedo, av), sub3(one, T));
+    return mul3(mul3(medium->albedo, av), sub3(one, T));
 }
 
 // What it lets through of a shadow ray, to which scattering takes nothing away (spec shading 3.9).
-FN float3 shadow_attenuation(PRIVATE const Medium* m, float length) {
-    float3 rest = sub3(F3(1.0f, 1.0f, 1.0f), m->albedo);
+FN float3 shadow_attenuation(PRIVATE const Medium* medium, float length) {
+    float3 rest = sub3(F3(1.0f, 1.0f, 1.0f), medium->albedo);
     rest = F3(MAX_(rest.x, 0.0f), MAX_(rest.y, 0.0f), MAX_(rest.z, 0.0f));
-    return attenuation(mul3(m->k, rest), length);
+    return attenuation(mul3(medium->k, rest), length);
 }
 #endif

@@ -37,6 +37,7 @@ FN void vars_to_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, PR
     if (g->inst == NONE) return;
     GLOBAL const float* record = instance_record(s, g->inst);
     float scale = record[INST_SCALE];
+
     for (int i = 0; i < 5; i++) {
         PRIVATE float* d = vars + dirs[i];
         float3 v = scale3(affine_vector(record + INST_FRAME, F3(d[0], d[1], d[2])), 1.0f / scale);
@@ -44,6 +45,7 @@ FN void vars_to_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, PR
         d[1] = v.y;
         d[2] = v.z;
     }
+
     float3 p = affine_point(record + INST_FRAME, g->p);
     vars[CAL_PX] = p.x;
     vars[CAL_PY] = p.y;
@@ -58,6 +60,7 @@ FN float3 vector_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface*
     GLOBAL const float* record = instance_record(s, g->inst);
     return scale3(affine_back(record + INST_FRAME, v), 1.0f / record[INST_SCALE]);
 }
+
 FN void turn_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, PRIVATE float* v) {
     float3 w = vector_from_frame(s, g, F3(v[0], v[1], v[2]));
     v[0] = w.x;
@@ -116,6 +119,7 @@ FN int mix_branch_ends(PRIVATE PatternMix* mix, PRIVATE Patterns* sum, PRIVATE u
         *mod = mix->second;
         return 0;
     }
+
     float c = mix->share;
     sum->color = mul3(mix->before.color, madd3(mix->first.color, c, scale3(sum->color, 1.0f - c)));
     sum->pert = add3(mix->before.pert, madd3(mix->first.pert, c, scale3(sum->pert, 1.0f - c)));
@@ -145,6 +149,7 @@ FN Patterns chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* p
         if (type != M_MIXTURE) apply_pattern(s, g, type, out, &sum);
         else if (depth < MIX_DEPTH) mix_enter(m, mixture_share(out[0]), &sum, &mod, &stack[depth++]);
     }
+
     return sum;
 }
 
@@ -152,6 +157,7 @@ FN Patterns chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* p
 FN void shading_normal(PRIVATE Surface* g) {
     g->n = g->ng;
     if (dot3(g->pert, g->pert) <= 1e-12f) return;
+
     // g->pert is in the frame of the modelled normal; seen from behind it turns with the normal
     float3 n = unit3(add3(g->nface, g->pert));
     if (!g->front) n = neg3(n);

@@ -12,7 +12,7 @@
 #define OFFSET_SHARE 3.0517578e-5f  // 2^-15: 256 ulp
 #define OFFSET_FLOOR 1.5258789e-5f  // 2^-16 m
 
-FN float offset_axis_(float p, float n, float least) {
+FN float offset_axis(float p, float n, float least) {
     float d = fabs_(p) * OFFSET_SHARE;
     return p + n * (d > least ? d : least);
 }
@@ -21,7 +21,7 @@ FN float offset_axis_(float p, float n, float least) {
 FN float3 offset_ray(float3 p, float3 n, float reach) {
     float least = reach * (0.03125f * OFFSET_SHARE);
     least = least > OFFSET_FLOOR ? least : OFFSET_FLOOR;
-    return F3(offset_axis_(p.x, n.x, least), offset_axis_(p.y, n.y, least), offset_axis_(p.z, n.z, least));
+    return F3(offset_axis(p.x, n.x, least), offset_axis(p.y, n.y, least), offset_axis(p.z, n.z, least));
 }
 
 // The far end of a shadow ray to a point at distance d, just before the surface there.

@@ -13,19 +13,23 @@ FN int quadratic(float a, float b, float c, PRIVATE float* t0, PRIVATE float* t1
     float disc = b * b - a * c, q;
     if (!(disc >= 0.0f)) return 0;
     q = -(b + (b < 0.0f ? -sqrt_(disc) : sqrt_(disc)));
+
     if (fabs_(a) <= 1e-9f * fabs_(b)) {  // along the slant of a cone: one root
         if (b == 0.0f) return 0;
         *t0 = -0.5f * c / b;
         *t1 = *t0;
         return 1;
     }
+
     *t0 = q / a;
     *t1 = q != 0.0f ? c / q : *t0;
+
     if (*t1 < *t0) {
         float s = *t0;
         *t0 = *t1;
         *t1 = s;
     }
+
     return 2;
 }
 
@@ -78,12 +82,14 @@ FN int polygon_inside(GLOBAL const float* uv, uint count, float u, float v) {
     float eps = 1e-6f + 2.4e-7f * (fabs_(u) + fabs_(v));
     float pu = uv[2u * count - 2u], pv = uv[2u * count - 1u];
     int odd = 0;
+
     for (uint i = 0u; i < count; i++) {
         float qu = uv[2u * i], qv = uv[2u * i + 1u];
         if ((pv > v) != (qv > v) && u < (qu - pu) * (v - pv) / (qv - pv) + pu) odd = !odd;
         pu = qu;
         pv = qv;
     }
+
     for (uint i = 0u; i < count && !odd; i++) {
         float qu = uv[2u * i], qv = uv[2u * i + 1u];
         float eu = qu - pu, ev = qv - pv, wu = u - pu, wv = v - pv, ee = eu * eu + ev * ev;
@@ -95,6 +101,7 @@ FN int polygon_inside(GLOBAL const float* uv, uint count, float u, float v) {
         pu = qu;
         pv = qv;
     }
+
     return odd;
 }
 

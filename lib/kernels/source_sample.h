@@ -30,6 +30,7 @@ FN float source_piece(float3 p, float ds, int line, PRIVATE float3* c, PRIVATE f
         }
         share *= 0.5f;
     }
+
     return share;
 }
 
@@ -55,11 +56,11 @@ FN float2 square_to_disc(float a, float b) {
 
 // A direction `turn` of a whole turn about the axis, 1 - cos = z1 away from it.
 FN float3 cone_direction(float3 axis, float z1, float turn) {
-    float3 t, b;
+    float3 e1, e2;
     float sn, cs, r = sqrt_(z1 * (2.0f - z1));
-    frame_of(axis, &t, &b);
+    frame_of(axis, &e1, &e2);
     k_sincos(K_TURN * turn, &sn, &cs);
-    return unit3(add3(scale3(axis, 1.0f - z1), add3(scale3(t, r * cs), scale3(b, r * sn))));
+    return unit3(add3(scale3(axis, 1.0f - z1), add3(scale3(e1, r * cs), scale3(e2, r * sn))));
 }
 
 // From p to a point at distance* dist.
@@ -81,6 +82,7 @@ FN float3 sheared_place(GLOBAL const float* src, int distant, float2 x, float dj
         float most = MAX_(fabs_(k.x), MAX_(fabs_(k.y), fabs_(k.z)));
         k = scale3(k, most / (MAX_(length3(k), 1e-6f) * 0.7236f));
     }
+
     k = scale3(k, dj);
     float3 at = madd3(f3_at(src + SRC_U), k.x, madd3(f3_at(src + SRC_V), k.y, f3_at(src + SRC_CENTRE)));
     return distant ? at : madd3(f3_at(src + SRC_NORMAL), k.z, at);
@@ -123,6 +125,7 @@ FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRI
         light->normal = neg3(to);
         return;
     }
+
     if (src[SRC_SHEARED] != 0.0f) {
         sample_sheared_sphere(src, p, x, dj, light);
         return;
@@ -174,6 +177,7 @@ FN float3 point_of_polygon(PRIVATE const SceneTables* s, GLOBAL const float* src
         k++;
         fan += FAN_FLOATS;
     }
+
     float u = (x.x - fan[FAN_FROM]) / (fan[FAN_UPTO] - fan[FAN_FROM]), su = sqrt_(u);
     return madd3(f3_at(fan + FAN_EDGE1), su * (1.0f - x.y), madd3(f3_at(fan + FAN_EDGE2), su * x.y, f3_at(fan)));
 }
@@ -206,6 +210,7 @@ FN void sample_line(PRIVATE const Params* par, GLOBAL const float* src, float3 p
                     PRIVATE LightSample* light) {
     float3 c = f3_at(src + SRC_CENTRE), axis = f3_at(src + SRC_U), none = axis;
     float r = src[SRC_RADIUS], share = 1.0f;
+
     if (par->ds > 0.0f) {
         float3 across = cross3(sub3(p, c), axis);
         if (length3(across) > 2.0f * r * length3(axis)) share = source_piece(p, par->ds, 1, &c, &axis, &none, &x);
@@ -229,11 +234,12 @@ FN void sample_cylinder(PRIVATE const Params* par, GLOBAL const float* src, floa
         sample_line(par, src, p, x, dj, light);
         return;
     }
-    float3 axis = f3_at(src + SRC_U), t, b;
+
+    float3 axis = f3_at(src + SRC_U), e1, e2;
     float sn, cs;
-    frame_of(unit3(axis), &t, &b);
+    frame_of(unit3(axis), &e1, &e2);
     k_sincos(K_TURN * x.y, &sn, &cs);
-    float3 n = add3(scale3(t, cs), scale3(b, sn));
+    float3 n = add3(scale3(e1, cs), scale3(e2, sn));
     float3 at = madd3(n, src[SRC_RADIUS], madd3(axis, 2.0f * x.x - 1.0f, f3_at(src + SRC_CENTRE)));
     sample_point(src, at, n, p, light);
 }
@@ -250,6 +256,7 @@ FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
         sample_distant(src, p, x, dj, light);
         return;
     }
+
     if (kind == SK_SPHERE) sample_sphere(src, p, x, dj, light);
     else if (kind == SK_CYLINDER) sample_cylinder(par, src, p, x, dj, light);
     else sample_flat(s, par, src, kind, p, x, dj, light);

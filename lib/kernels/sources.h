@@ -37,6 +37,7 @@ FN float3 light_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par
         if (!find_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
         m = mod_record(s, par, g.mod);
     }
+
     return mul3(g.color, f3_at(s->f + m[MOD_ARGS]));
 }
 
@@ -54,15 +55,16 @@ FN float3 sampled_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* p
 FN uint distant_at(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 dir, int sampled) {
     uint glow = NONE;
     for (uint i = 0u; i < par->distant_count; i++) {
-        GLOBAL const uint* q = s->u + par->distant_at + DISTANT_WORDS * i;
-        float cap = as_float_(q[DISTANT_CAP]);
-        float3 d = F3(as_float_(q[0]), as_float_(q[1]), as_float_(q[2]));
+        GLOBAL const uint* distant = s->u + par->distant_at + DISTANT_WORDS * i;
+        float cap = as_float_(distant[DISTANT_CAP]);
+        float3 d = f3_bits(distant + DISTANT_DIR);
         // 1 - cos by the chord: single precision would lose a sun of half a degree in 1 - dot
         float3 e = sub3(dir, d);
-        if (0.5f * dot3(e, e) > cap || (q[DISTANT_SEEN] == NONE && !sampled)) continue;
-        if (q[DISTANT_SOURCE] != NONE) return i;
+        if (0.5f * dot3(e, e) > cap || (distant[DISTANT_SEEN] == NONE && !sampled)) continue;
+        if (distant[DISTANT_SOURCE] != NONE) return i;
         if (glow == NONE) glow = i;
     }
+
     return glow;
 }
 #endif

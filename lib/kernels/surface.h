@@ -36,6 +36,7 @@ FN int drawn_flat(PRIVATE const SceneTables* s, PRIVATE const Surface* g) {
 FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint number, float3 p) {
     GLOBAL const float* shape = shape_record(s, number);
     if (kind == PRIM_SPHERE) return unit3(sub3(p, f3_at(shape + SPHERE_CENTRE)));
+
     // cone: perpendicular to the slanted side, away from the axis
     float3 axis = f3_at(shape + CONE_AXIS), r = sub3(p, f3_at(shape + CONE_START));
     float3 radial = unit3(sub3(r, scale3(axis, dot3(r, axis))));
@@ -51,15 +52,15 @@ FN void mesh_corners(PRIVATE const SceneTables* s, GLOBAL const uint* prim, PRIV
     GLOBAL const float* a = s->f + corner[0];
     GLOBAL const float* b = s->f + corner[1];
     GLOBAL const float* c = s->f + corner[2];
-    float w = 1.0f - hit->u - hit->v, l;
+    float w = 1.0f - hit->u - hit->v, len;
     g->u = w * a[3] + hit->u * b[3] + hit->v * c[3];
     g->vv = w * a[4] + hit->u * b[4] + hit->v * c[4];
     if ((prim[PRIM_KIND] & PRIM_CORNER_NORMALS) == 0u) return;
     float3 n = F3(w * a[0] + hit->u * b[0] + hit->v * c[0], w * a[1] + hit->u * b[1] + hit->v * c[1],
                   w * a[2] + hit->u * b[2] + hit->v * c[2]);
-    l = length3(n);
-    if (l <= 1e-6f) return;
-    g->pert = sub3(scale3(n, 1.0f / l), g->nface);
+    len = length3(n);
+    if (len <= 1e-6f) return;
+    g->pert = sub3(scale3(n, 1.0f / len), g->nface);
     g->smooth = 1;
 }
 
@@ -69,10 +70,10 @@ FN void surface_shape(PRIVATE const SceneTables* s, GLOBAL const uint* prim, flo
                       PRIVATE Surface* g) {
     uint kind = prim[PRIM_KIND] & PRIM_KIND_MASK;
     if (kind != PRIM_SPHERE && kind != PRIM_CONE) {
-        g->nface =
-            F3(as_float_(prim[PRIM_NORMAL]), as_float_(prim[PRIM_NORMAL + 1u]), as_float_(prim[PRIM_NORMAL + 2u]));
+        g->nface = f3_bits(prim + PRIM_NORMAL);
         return;
     }
+
     float3 n = shape_normal(s, kind, prim[PRIM_NORMAL], at);
     g->nface = (prim[PRIM_KIND] & PRIM_INWARD) != 0u ? neg3(n) : n;
     if (kind != PRIM_SPHERE) return;
@@ -119,6 +120,7 @@ FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE
     g->flat = drawn_flat(s, g);
     surface_shape(s, prim, at, matrix, g);
     if ((prim[PRIM_KIND] & PRIM_KIND_MASK) == PRIM_SMOOTH) mesh_corners(s, prim, hit, g);
+
     if (matrix != 0) {  // mirrored ones keep their sides: the normal is mirrored as the geometry is
         float3 n = affine_back(matrix, g->nface);
         float k = 1.0f / length3(n);

@@ -49,10 +49,9 @@
 #define M_MIXTURE 4u   // program gives the foreground's share
 // materials: M_* of the rows of materials.h
 #define M_FIRST_MATERIAL 16u
-#define MATERIAL_NUMBER_(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) \
-    M_##number,
-#define MATERIAL_NONE_(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits)
-enum { M_BEFORE_MATERIALS_ = M_FIRST_MATERIAL - 1u, MATERIALS(MATERIAL_NUMBER_, MATERIAL_NONE_) M_END };
+#define NUMBER_OF_ROW(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) M_##number,
+#define NOTHING_OF_ROW(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits)
+enum { M_BEFORE_MATERIALS = M_FIRST_MATERIAL - 1u, MATERIALS(NUMBER_OF_ROW, NOTHING_OF_ROW) M_END };
 // flags
 #define MF_SEEN_THROUGH 1u       // a type that -i looks through
 #define MF_HAS_ALTERNATE 2u      // MOD_BRANCH1 is an alternate material (NONE = void)
@@ -70,10 +69,10 @@ enum { M_BEFORE_MATERIALS_ = M_FIRST_MATERIAL - 1u, MATERIALS(MATERIAL_NUMBER_, 
 #define MF_LOBES_SHIFT 16u  // number of outputs of the lobe program (MOD_EXTRA)
 
 // ---- what the kernels ask of a type of material: MT_* of materials.h by number
-#define MATERIAL_TRAITS_(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) \
+#define TRAITS_OF_ROW(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) \
     MATERIAL_TRAITS(region, back, traits),
-CONSTANT uint material_traits_[] = {MATERIALS(MATERIAL_TRAITS_, MATERIAL_NONE_)};
-FN uint material_has(uint type, uint trait) { return material_traits_[type - M_FIRST_MATERIAL] & trait; }
+CONSTANT uint material_traits[] = {MATERIALS(TRAITS_OF_ROW, NOTHING_OF_ROW)};
+FN uint material_has(uint type, uint trait) { return material_traits[type - M_FIRST_MATERIAL] & trait; }
 
 // ---- active sources: SOURCE_FLOATS floats each at f[Params.sources_at] (words by as_uint_)
 #define SOURCE_FLOATS 32u
@@ -143,8 +142,12 @@ FN uint material_has(uint type, uint trait) { return material_traits_[type - M_F
 #define DISTANT_SOURCE 5u          // active source index, NONE
 
 // ---- portals (windows that guide diffuse samples): PORTAL_FLOATS floats at f[Params.portals_at]
-#define PORTAL_FLOATS \
-    16u  // 0-2 corner, 3-5 edge u, 6-8 edge v, 9-11 unit normal pointing outdoors, 12 area, 13 triangle flag
+#define PORTAL_FLOATS 16u
+#define PORTAL_CORNER 0u  // 3
+#define PORTAL_U 3u       // 3: edge from the corner
+#define PORTAL_V 6u       // 3: the other edge
+#define PORTAL_NORMAL 9u  // 3: unit, outdoors
+#define PORTAL_AREA 12u
 
 // Everything a kernel needs beside the tables; one block, uploaded per pass.
 typedef struct {

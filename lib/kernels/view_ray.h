@@ -15,6 +15,7 @@ FN float3 round_view(PRIVATE const Params* par, float a, float b, float z, float
 FN int view_direction(PRIVATE const Params* par, float a, float b, PRIVATE float3* org, PRIVATE float3* dir) {
     float3 d = xyz4(par->view_d), h = xyz4(par->view_h), up = xyz4(par->view_u);
     float sn, cs, r2 = a * a + b * b;
+
     switch ((int)par->view_d.w) {
     case 'v': *dir = madd3(up, b, madd3(h, a, d)); return 1;
     case 'l':
@@ -59,6 +60,7 @@ FN void view_lens(PRIVATE const Params* par, float3 lens, PRIVATE float3* org, P
         shift = madd3(d, par->view_clip.w * (0.5f - lens.z), shift);
         *dir = scale3(*dir, 1.0f / *stretch);
     }
+
     *org = add3(*org, shift);
     *dir = madd3(shift, -1.0f / par->view_h.w, *dir);
     if (planar) *stretch = length3(*dir);

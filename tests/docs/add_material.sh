@@ -21,16 +21,16 @@ cat > lib/kernels/mat_matte.h << 'END'
 #ifndef LUX_MAT_MATTE_H
 #define LUX_MAT_MATTE_H
 
-FN void mat_matte(PRIVATE const Surface* g, GLOBAL const float* arg, PRIVATE Lobes* out) {
-    out->diffuse_r = mul3(F3(arg[0], arg[1], arg[2]), g->color);
-    out->ambient_r = out->diffuse_r;
+FN void mat_matte(PRIVATE const Surface* g, GLOBAL const float* arg, PRIVATE Lobes* lobes) {
+    lobes->diffuse_r = mul3(f3_at(arg), g->color);
+    lobes->ambient_r = lobes->diffuse_r;
 }
 #endif
 END
 
 # 3. its case
 sed -i -e 's|^#include "kernels/mat_glass.h"|&\n#include "kernels/mat_matte.h"|' \
-    -e 's|^    case M_GLASS:.*|&\n    case M_MATTE: mat_matte(g, arg, l); break;|' lib/kernels/material.h
+    -e 's|^    case M_GLASS:.*|&\n    case M_MATTE: mat_matte(g, arg, lobes); break;|' lib/kernels/material.h
 
 recipe() { sed -n '/^## Add a material/,/^Only where/s/^[0-9]\. `\(lib[^`]*\)`.*/\1/p' "$TOP/CONTRIBUTING.md"; }
 cd ..

@@ -7,6 +7,7 @@
 FN uint path_pixel(PRIVATE const Params* par, uint slot) {
     return par->mode == MODE_RAY ? 0u : (par->first + slot) % (par->nx * par->ny);
 }
+
 FN uint path_sample_index(PRIVATE const Params* par, uint slot) {
     uint gid = par->first + slot;
     return par->frame + (par->mode == MODE_RAY ? gid : gid / (par->nx * par->ny));
@@ -24,6 +25,7 @@ FN int camera_ray(PRIVATE const Params* par, uint pixel, PRIVATE Sampler* rnd, P
         r = sample2(rnd);
         lens = F3(r.x, r.y, sample1(rnd));
     }
+
     return view_lens_ray(par, x / (float)par->nx, y / (float)par->ny, lens, ray);
 }
 
@@ -37,6 +39,7 @@ FN void given_ray(PRIVATE const Params* par, PRIVATE Sampler* rnd, PRIVATE Ray* 
 // 1 if the slot has a ray to follow.
 FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
     uint pixel = path_pixel(par, slot), index = path_sample_index(par, slot);
+
     // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct
     // class of L'(n) is the mean of its first n samples: full nets at 64, 128, ...
     if (par->mode == MODE_FRAMES) index--;

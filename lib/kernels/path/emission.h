@@ -18,15 +18,18 @@ FN float3 path_background(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     int sampled = path_sampled(flags);
     uint i = distant_at(s, par, dir, sampled);
     if (i == NONE) return black;
-    GLOBAL const uint* q = s->u + par->distant_at + DISTANT_WORDS * i;
-    uint src = q[DISTANT_SOURCE];
-    if (src != NONE) {  // an active source (the sun): only eye and mirror rays see it (spec shading 0.1)
+    GLOBAL const uint* distant = s->u + par->distant_at + DISTANT_WORDS * i;
+    uint source = distant[DISTANT_SOURCE];
+
+    if (source != NONE) {  // an active source (the sun): only eye and mirror rays see it (spec shading 0.1)
         if (sampled || (par->flags & PF_DV) == 0u) return black;
-        if ((flags & PC_BENT) == 0u && par->mode != MODE_RAY && as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u)
+        if ((flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
+            as_uint_(source_record(s, par, source)[SRC_DRAWN]) != 0u)
             return black;  // frame 0 holds it by area
     }
-    if (q[DISTANT_SEEN] >= DISTANT_BLACK) return black;
-    return light_radiance(s, par, q[DISTANT_SEEN], NONE, dir, org, neg3(dir), FAR_AWAY, FAR_AWAY, rnd);
+
+    if (distant[DISTANT_SEEN] >= DISTANT_BLACK) return black;
+    return light_radiance(s, par, distant[DISTANT_SEEN], NONE, dir, org, neg3(dir), FAR_AWAY, FAR_AWAY, rnd);
 }
 
 // Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray goes on through it.
@@ -35,25 +38,28 @@ FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* p
     float3 black = F3(0.0f, 0.0f, 0.0f);
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
-    uint src = s->prims[PRIM_WORDS * g->prim + PRIM_SOURCE];
+    uint source = s->prims[PRIM_WORDS * g->prim + PRIM_SOURCE];
     *pass = 0;
     int sampled = path_sampled(flags);
     if (sampled && g->front) {
         if (g->type != M_GLOW || arg[3] < 0.0f) return black;
         if (arg[3] > 0.0f && g->length <= arg[3]) return black;
     }
+
     if ((par->flags & PF_DV) == 0u && !(g->type == M_GLOW && arg[3] >= 0.0f && g->total > arg[3])) return black;
     if (!g->front) {
         *pass = par->bv == 0u;
         return black;
     }
-    if (!sampled && src != NONE && (flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
-        as_uint_(source_record(s, par, src)[SRC_DRAWN]) != 0u)
+
+    if (!sampled && source != NONE && (flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
+        as_uint_(source_record(s, par, source)[SRC_DRAWN]) != 0u)
         return black;
     if (g->type == M_SPOTLIGHT) {
         float3 aim = f3_at(arg + 4);
-        if (dot3(unit3(aim), g->v) < k_cos(arg[3] * 0.5f * 0.01745329252f)) return black;
+        if (dot3(unit3(aim), g->v) < k_cos(arg[3] * 0.5f * K_RADIANS)) return black;
     }
+
     return mul3(g->color, f3_at(arg));
 }
 #endif

@@ -27,10 +27,10 @@ FN int path_limited(PRIVATE const Params* par, PRIVATE const Vertex* vertex) {
 FN int path_roulette(PRIVATE Vertex* vertex) {
     uint bounces = (vertex->flags >> PC_AB_SHIFT) & 255u;
     if (bounces < 2u || !(vertex->weight < RR_START)) return 1;
-    float q = MAX_(vertex->weight / RR_START, RR_LEAST);
-    if (sample1(&vertex->rnd) >= q) return 0;
-    vertex->thr = scale3(vertex->thr, 1.0f / q);
-    vertex->weight /= q;
+    float chance = MAX_(vertex->weight / RR_START, RR_LEAST);
+    if (sample1(&vertex->rnd) >= chance) return 0;
+    vertex->thr = scale3(vertex->thr, 1.0f / chance);
+    vertex->weight /= chance;
     return 1;
 }
 

@@ -22,6 +22,7 @@ FN int path_media(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
         vertex->went_to_medium = x.x >= 0.5f;
         if (vertex->went_to_medium) result = path_scatter(s, par, paths, &crossed, x, y, vertex);
     }
+
     vertex->thr = mul3(vertex->thr, T);
     return result;
 }

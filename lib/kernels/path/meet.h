@@ -34,6 +34,7 @@ FN int vertex_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
         mist_crossing(s, par, g, &vertex->arriving, &vertex->beyond);
         return MET_NOTHING;
     }
+
     int asked = path_sampled(vertex->flags) ? LOBES_SAMPLED : LOBES_EYE;
     material_lobes(s, par, g, asked, &vertex->rnd, &vertex->arriving, &vertex->beyond, &vertex->lobes);
     return (vertex->lobes.flags & LOBE_PASS) != 0u ? MET_NOTHING : MET_SURFACE;

@@ -8,21 +8,22 @@ FN GLOBAL const uint* light_set(PRIVATE const SceneTables* s, PRIVATE const Para
 }
 
 // How many sources a medium scatters.
-FN uint scattered_count(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Medium* m) {
+FN uint scattered_count(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Medium* medium) {
     uint count = 0u;
-    if (m->lights == 0u || max3(mul3(m->k, m->albedo)) <= 0.0f) return 0u;
-    for (uint set = 0u, left = m->lights; left != 0u; set++, left >>= 1)
+    if (medium->lights == 0u || max3(mul3(medium->k, medium->albedo)) <= 0.0f) return 0u;
+    for (uint set = 0u, left = medium->lights; left != 0u; set++, left >>= 1)
         if ((left & 1u) != 0u) count += light_set(s, par, set)[LIGHT_SET_COUNT];
     return count;
 }
 
 FN uint scattered_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint lights, uint pick) {
     for (uint set = 0u, left = lights; left != 0u; set++, left >>= 1) {
-        GLOBAL const uint* q = light_set(s, par, set);
+        GLOBAL const uint* lights_of = light_set(s, par, set);
         if ((left & 1u) == 0u) continue;
-        if (pick < q[LIGHT_SET_COUNT]) return s->u[q[LIGHT_SET_FIRST] + pick];
-        pick -= q[LIGHT_SET_COUNT];
+        if (pick < lights_of[LIGHT_SET_COUNT]) return s->u[lights_of[LIGHT_SET_FIRST] + pick];
+        pick -= lights_of[LIGHT_SET_COUNT];
     }
+
     return NONE;
 }
 
@@ -30,10 +31,10 @@ FN uint scattered_source(PRIVATE const SceneTables* s, PRIVATE const Params* par
 // of the sources; with Henyey and Greenstein's phase function.  x, y: random, x.x in .5 .. 1, for half of the steps do
 // this and half light the surface.  Returns PATH_SHADOW if a shadow ray waits.
 FN int path_scatter(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths,
-                    PRIVATE const Medium* m, float2 x, float2 y, PRIVATE Vertex* vertex) {
+                    PRIVATE const Medium* medium, float2 x, float2 y, PRIVATE Vertex* vertex) {
     float count = (float)vertex->scatterers, length = vertex->g.length;
     uint pick = (uint)((2.0f * x.x - 1.0f) * count);
-    uint source = scattered_source(s, par, m->lights, MIN_(pick, vertex->scatterers - 1u));
+    uint source = scattered_source(s, par, medium->lights, MIN_(pick, vertex->scatterers - 1u));
 
     float t = x.y * length, total = vertex->before + t;
     float3 p = madd3(vertex->ray.dir, t, vertex->ray.org);
@@ -42,17 +43,17 @@ FN int path_scatter(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
     if (light.w <= 0.0f) return 0;
     float3 radiance = sampled_radiance(s, par, source_record(s, par, source), &light, total, &vertex->rnd);
 
-    float ecc = MAX_(m->ecc, 0.0f);  // RADIANCE takes one below 0 for 0
+    float ecc = MAX_(medium->ecc, 0.0f);  // RADIANCE takes one below 0 for 0
     float c = dot3(light.dir, vertex->ray.dir), d = 1.0f + ecc * ecc - 2.0f * ecc * c;
     float phase = (1.0f - ecc * ecc) / (d * sqrt_(d)) * 0.0795774715f;
-    float3 w = mul3(mul3(mul3(m->k, m->albedo), attenuation(m->k, t)), mul3(vertex->thr, radiance));
+    float3 w = mul3(mul3(mul3(medium->k, medium->albedo), attenuation(medium->k, t)), mul3(vertex->thr, radiance));
     w = scale3(w, 2.0f * count * length * phase * light.w);
     if (max3(w) <= 0.0f) return 0;
 
     paths->shadow_org[vertex->slot] = pack4(p, as_float_(source));
     paths->shadow_dir[vertex->slot] = pack4(light.dir, light.dist);
     paths->shadow_rad[vertex->slot] = pack4(w, total);
-    set_shadow_medium(paths, vertex->slot, m, vertex->clip_before);
+    set_shadow_medium(paths, vertex->slot, medium, vertex->clip_before);
     return PATH_SHADOW;
 }
 #endif

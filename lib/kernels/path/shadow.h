@@ -103,6 +103,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         ray->tmax -= hit.t;
         if (ray->tmax <= 0.0f) return must_hit ? black : shadow->T;
     }
+
     return black;
 }
 
@@ -136,6 +137,7 @@ FN float3 aimed_relay(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
                       PRIVATE const Surface* g, PRIVATE const Lobes* lobes) {
     GLOBAL const uint* relay = s->u + as_uint_(shadow->src[SRC_VIRTUAL]);
     shadow->src = source_record(s, par, relay[RELAY_SOURCE]);
+
     if (g->type != M_PRISM) {
         shadow->T = mul3(shadow->T, lobes->mirror);
         return sub3(scale3(g->ng, 2.0f * dot3(g->ng, g->v)),
@@ -155,6 +157,7 @@ FN float3 aimed_through(PRIVATE ShadowRay* shadow, PRIVATE const Lobes* lobes) {
         shadow->bent = 1;
         return lobes->refract_dir;
     }
+
     shadow->T = mul3(shadow->T, lobes->through);
     return shadow->ray.dir;
 }
@@ -197,6 +200,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         ray->org = offset_ray(g.p, reflected ? g.ng : neg3(g.ng), g.reach);
         ray->dir = next;
     }
+
     return black;
 }
 
@@ -217,7 +221,7 @@ FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
     shadow.is_virtual = as_uint_(shadow.src[SRC_VIRTUAL]) != NONE;
     shadow.bent = 0;
     shadow.rnd = path_sampler(paths->info[slot]);
-    shadow.rnd.key = hash_(shadow.rnd.key ^ 0x5bd1e995u);
+    shadow.rnd.key = hash32(shadow.rnd.key ^ 0x5bd1e995u);
 
     float3 T = aimed ? shadow_aimed(s, par, &shadow) : shadow_straight(s, par, &shadow, dir.w);
     float4 sum = paths->rad[slot];
@@ -227,25 +231,30 @@ FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
 // MODE_DRAW: slot i holds a straight ray from the eye to a point of a source and its weight, written by the host into
 // the slot's shadow ray; the source's own radiance is applied here, path_shadow follows.
 FN void path_draw(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
-    uint i = as_uint_(paths->shadow_org[slot].w);
-    GLOBAL const float* q = source_record(s, par, i);
+    uint source = as_uint_(paths->shadow_org[slot].w);
+    GLOBAL const float* src = source_record(s, par, source);
     float3 org = xyz4(paths->shadow_org[slot]), dir = xyz4(paths->shadow_dir[slot]);
     float dist = paths->shadow_dir[slot].w;
     Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, slot + par->first, 0u, 3u);
     float3 normal = neg3(dir), point = org;
-    if (as_uint_(q[SRC_KIND]) != SK_DISTANT) {
+
+    if (as_uint_(src[SRC_KIND]) != SK_DISTANT) {
         point = madd3(dir, dist, org);
-        normal = as_uint_(q[SRC_KIND]) == SK_SPHERE ? unit3(sub3(point, f3_at(q + SRC_CENTRE))) : f3_at(q + SRC_NORMAL);
+        normal = as_uint_(src[SRC_KIND]) == SK_SPHERE ? unit3(sub3(point, f3_at(src + SRC_CENTRE)))
+                                                      : f3_at(src + SRC_NORMAL);
     }
+
     float3 e =
-        light_radiance(s, par, as_uint_(q[SRC_MOD]), as_uint_(q[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
+        light_radiance(s, par, as_uint_(src[SRC_MOD]), as_uint_(src[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
     paths->shadow_rad[slot] = pack4(mul3(xyz4(paths->shadow_rad[slot]), e), 0.0f);
     paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
+
     if (path_media_used(par)) {
         Medium open = medium_open(par);
         open.albedo = F3(0.0f, 0.0f, 0.0f);  // what the eye sees is dimmed by all extinction
         set_shadow_medium(paths, slot, &open, CLIP_START);
     }
+
     uint4 info;
     info.x = 0u;
     info.y = rnd.key;

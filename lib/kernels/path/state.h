@@ -53,6 +53,7 @@ FN Sampler path_sampler(uint4 info) {
     rnd.dim = info.z >> 8;
     return rnd;
 }
+
 FN uint path_sampler_word(PRIVATE const Sampler* rnd) { return rnd->index | (rnd->dim << 8); }
 
 FN Hit path_hit(PRIVATE const Paths* paths, uint slot) {
@@ -65,6 +66,7 @@ FN Hit path_hit(PRIVATE const Paths* paths, uint slot) {
     hit.inst = paths->info[slot].w;
     return hit;
 }
+
 FN void set_path_hit(PRIVATE const Paths* paths, uint slot, PRIVATE const Hit* hit) {
     float4 q;
     q.x = hit->t;

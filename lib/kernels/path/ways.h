@@ -42,6 +42,7 @@ FN float ways_weigh(PRIVATE const Params* par, PRIVATE const Vertex* vertex, PRI
     weight[WAY_THROUGH] = way_weight(lobes->through);
     weight[WAY_MIRROR] = way_weight(lobes->mirror);
     weight[WAY_REFRACT] = way_weight(lobes->refract);
+
     // a solid's surface shares out energy; that radiance is greater inside, by the index squared, does not matter
     if (weight[WAY_REFRACT] > 0.0f && (vertex->g.type == M_DIELECTRIC || vertex->g.type == M_INTERFACE))
         weight[WAY_REFRACT] = 1.0f - weight[WAY_MIRROR];
@@ -70,6 +71,7 @@ FN float sample_rough_r(PRIVATE const SceneTables* s, PRIVATE const Params* par,
         return bsdf_sample_lobe(s, par, lobes, g, 0, &vertex->rnd, &way->color, &way->dir);
     return lobes_sample_rough_r(lobes, g, &vertex->rnd, weighted, par->ss, &way->dir);
 }
+
 FN float sample_rough_t(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Vertex* vertex,
                         PRIVATE Way* way) {
     PRIVATE Lobes* lobes = &vertex->lobes;
@@ -94,6 +96,7 @@ FN void way_sample(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIV
     PRIVATE Lobes* lobes = &vertex->lobes;
     way->factor = 1.0f;
     way->dir = vertex->ray.dir;
+
     switch (way->way) {
     case WAY_DIFFUSE_R:
         way->color = lobes->ambient_r;
@@ -125,6 +128,7 @@ FN void way_sample(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIV
         way->dir = lobes->refract_dir;
         break;
     }
+
     if (way->chance <= 0.0f) way->factor = 0.0f;
 }
 
