@@ -56,8 +56,8 @@ END
 view='-vtv -vp -3 0 0 -vd 1 0 0 -vh 90 -vv 90 -x 24 -y 24'
 picture() { # line of the wall's material
     { echo "$1"; cat room.rad; } > scene.rad
-    build/bin/ptrace -w- -device cpu $view -frames 4 -ab 2 -o picture.hdr scene.rad
-    tail -c $((24 * 24 * 12)) picture.hdr
+    build/bin/ptrace -w- -device cpu $view -frames 4 -ab 2 scene.rad > frames
+    tail -c $((24 * 24 * 12)) frames
 }
 check 'it looks as plastic without gloss, to the last bit' '
     picture "void plastic wall 0 0 5 .7 .5 .3 0 0" > plastic; picture "void matte wall 0 0 3 .7 .5 .3" > matte
