@@ -4,39 +4,30 @@
 // + union, - difference, & intersection, ! complement.  + and - need blanks around them (names may hold '-').
 // A name stands for a region above it, so there are no cycles.
 #include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <fmt/format.h>
 #include "base/error.h"
+#include "base/text_file.h"
 #include "region/region.h"
+#include "region/tokens.h"
 
 namespace region {
 namespace {
-
-struct Token {
-    std::string text;
-    bool quoted;
-    int line;
-};
 
 struct Keyword {
     const char* name;
     Kind kind;
 };
-const Keyword KEYWORDS[] = {
+const Keyword keywords[] = {
     {"polygon3d", Kind::polygon3d}, {"disc3d", Kind::disc3d},     {"box3d", Kind::box3d},
     {"sphere3d", Kind::sphere3d},   {"circle", Kind::circle},     {"rect", Kind::rect},
     {"polygon", Kind::polygon},     {"mask", Kind::mask},         {"zone", Kind::zone},
     {"surface", Kind::surface},     {"modifier", Kind::modifier},
 };
 const Keyword* find_keyword(const std::string& word) {
-    for (const Keyword& k : KEYWORDS)
+    for (const Keyword& k : keywords)
         if (word == k.name) return &k;
     return nullptr;
 }
@@ -48,58 +39,9 @@ bool is_name(const std::string& word) {
     return !word.empty() && word != "-";
 }
 
-// A whole word that is a finite number; `rest` takes what follows it (a unit), if wanted.
-bool is_number(const std::string& word, double& value, std::string* rest = nullptr) {
-    char* end = nullptr;
-    if (word.empty() || std::isspace((unsigned char)word[0])) return false;
-    value = std::strtod(word.c_str(), &end);
-    if (end == word.c_str() || !std::isfinite(value)) return false;
-    if (rest) *rest = end;
-    return rest || *end == 0;
-}
-
-std::vector<std::vector<Token>> split(const std::string& text, const std::string& file) {
-    std::vector<std::vector<Token>> regions;
-    int line = 0;
-    for (size_t at = 0; at < text.size();) {
-        ++line;
-        size_t stop = std::min(text.find('\n', at), text.size());
-        std::string s = text.substr(at, stop - at);
-        at = stop + 1;
-        bool indented = !s.empty() && (s[0] == ' ' || s[0] == '\t'), first = true;
-        for (size_t i = 0; i < s.size();) {
-            if (s[i] == ' ' || s[i] == '\t' || s[i] == '\r') {
-                ++i;
-                continue;
-            }
-            if (s[i] == '#') break;
-            Token t{"", false, line};
-            if (s[i] == '"') {
-                size_t close = s.find('"', i + 1);
-                if (close == std::string::npos) base::fail(fmt::format("{}:{}", file, line), "a quote is not closed");
-                t = {s.substr(i + 1, close - i - 1), true, line};
-                i = close + 1;
-            } else if (std::strchr("()&!", s[i])) {
-                t.text = s[i++];
-            } else {
-                size_t end = s.find_first_of(" \t\r()&!\"", i);
-                t.text = s.substr(i, end - i);
-                i = end == std::string::npos ? s.size() : end;
-            }
-            if (first && !indented) regions.emplace_back();
-            if (regions.empty())
-                base::fail(fmt::format("{}:{}", file, line),
-                           "an indented line continues the region above, but there is none");
-            first = false;
-            regions.back().push_back(t);
-        }
-    }
-    return regions;
-}
-
-class Parser {
+class RegionParser {
 public:
-    Parser(Regions& out, std::vector<Token> tokens) : out_(out), tokens_(std::move(tokens)) {}
+    RegionParser(Regions& out, std::vector<Token> tokens) : out_(out), tokens_(std::move(tokens)) {}
 
     void region() {
         Token name = tokens_[at_++];
@@ -137,11 +79,11 @@ private:
     }
     int factor() {
         if (++depth_ > 200) fail(last(), "nested too deeply");
-        int result = factor_();
+        const int result = factor_at_depth();
         --depth_;
         return result;
     }
-    int factor_() {
+    int factor_at_depth() {
         Token t = take("a shape, a region name, ! or (");
         if (!t.quoted && t.text == "!") return add({'!', factor()});
         if (!t.quoted && t.text == "(") {
@@ -156,7 +98,7 @@ private:
             if (r.name == t.text) return r.root;
             known.push_back(r.name);
         }
-        for (const Keyword& k : KEYWORDS) known.push_back(k.name);
+        for (const Keyword& k : keywords) known.push_back(k.name);
         fail(t, fmt::format("\"{}\" is neither a shape nor a region defined above{}{}", t.text,
                             near_matches(t.text, known), hint(t.text)));
     }
@@ -333,28 +275,15 @@ Regions parse(const std::string& text, const std::string& file) {
     out.file = file;
     size_t nul = text.find('\0');
     if (nul != std::string::npos) base::fail(file, "is not a text file");
-    for (auto& tokens : split(text, file)) Parser(out, std::move(tokens)).region();
+    for (auto& tokens : split_regions(text, file)) RegionParser(out, std::move(tokens)).region();
     if (out.regions.empty()) base::fail(file, "holds no region");
     return out;
 }
 
 Regions read(const std::string& path) {
-    std::string text;
-    if (path == "-") {
-        text.assign(std::istreambuf_iterator<char>(std::cin), {});
-        return parse(text, "stdin");
-    }
-    errno = 0;
-    std::ifstream in(path, std::ios::binary);
-    if (!in) base::fail(path, std::string("cannot be opened: ") + std::strerror(errno));
-    const size_t limit = 64u << 20;  // a text of regions, not a picture given by mistake
-    char block[65536];
-    while (in.read(block, sizeof block), in.gcount() > 0) {
-        text.append(block, size_t(in.gcount()));
-        if (text.size() > limit) base::fail(path, "is too large for a region file (64 MB)");
-    }
-    if (in.bad() || (text.empty() && errno == EISDIR)) base::fail(path, "cannot be read");
-    return parse(text, path);
+    if (path == "-") return parse(std::string(std::istreambuf_iterator<char>(std::cin), {}), "stdin");
+    constexpr size_t limit = 64u << 20;  // a text of regions, not a picture given by mistake
+    return parse(base::read_text_file(path, limit), path);
 }
 
 bool needs_scene(const Regions& regions) {

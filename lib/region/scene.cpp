@@ -6,47 +6,30 @@
 // Nothing depends on threads or chance.
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
-#include <set>
-#include <fmt/format.h>
-#include "base/error.h"
-#include "region/match.h"
+#include "region/border.h"
+#include "region/queries.h"
 #include "region/raster.h"
+#include "region/seen.h"
 
 namespace region {
 namespace {
 
-constexpr int ROOM = 24;           // surfaces along a ray that are told apart
-constexpr int GRID = 8;            // cells of a sampled pixel, along each side
-constexpr int HALVINGS = 3;        // of a cell's edge, to find a border
-constexpr int TILE = 16;           // pixels
-constexpr double COINCIDE = 3e-4;  // of the distance: a region drawn on a surface is seen
-
-// What one ray sees.
-struct Sight {
-    Point p;
-    bool seen = false;          // the view has a ray here
-    double begin = 0, end = 0;  // along p.dir from the eye: where the view begins, where something opaque ends it
-    int n = 0;
-    Crossing crossings[ROOM];  // t from the eye as well
-};
+constexpr double coincide = 3e-4;  // of the distance: a region drawn on a surface is seen
 
 class SceneRaster {
 public:
     SceneRaster(const Prepared& prepared, const SceneView& eye, bool centre, image::MaskSet& set)
         : in_(prepared),
           space_(prepared.space),
-          eye_(eye),
           centre_(centre),
           set_(set),
           nx_(space_.nx),
-          ny_(space_.ny) {}
+          ny_(space_.ny),
+          meant_(meant_surfaces(prepared.regions, eye)),
+          seen_(space_, eye) {}
 
     void run() {
-        resolve_names();
-        look_at_centres();
-        collect_tiles();
+        answer_queries();
         Pyramid pyramid(space_);
         const size_t count = in_.regions.regions.size();
         std::vector<std::vector<uint32_t>> open(count);
@@ -55,119 +38,26 @@ public:
     }
 
 private:
-    // ---- names ----
-    void resolve_names() {
-        matched_.resize(in_.regions.shapes.size());
-        std::vector<std::string> all[2];
-        for (int kind = 0; kind < 2; ++kind)
-            for (const Shape& s : in_.regions.shapes) {
-                if (s.kind != (kind ? Kind::modifier : Kind::surface)) continue;
-                std::vector<char>& good = matched_[size_t(&s - in_.regions.shapes.data())];
-                good.assign(eye_.surfaces(), 0);
-                bool any = false;
-                for (unsigned k = 0; k < eye_.surfaces(); ++k) {
-                    if (kind) {
-                        for (const std::string& name : eye_.modifier_names(k))
-                            good[k] = good[k] || matches(s.text, name);
-                    } else {
-                        std::string name = eye_.surface_name(k);
-                        good[k] = !name.empty() && matches(s.text, name);
-                    }
-                    any = any || good[k];
-                }
-                if (any) continue;
-                if (all[kind].empty())
-                    for (unsigned k = 0; k < eye_.surfaces(); ++k) {
-                        if (!kind) all[0].push_back(eye_.surface_name(k));
-                        else
-                            for (const std::string& name : eye_.modifier_names(k)) all[1].push_back(name);
-                    }
-                std::sort(all[kind].begin(), all[kind].end());
-                all[kind].erase(std::unique(all[kind].begin(), all[kind].end()), all[kind].end());
-                base::fail(s.place,
-                           fmt::format("no {} of the scene is called \"{}\"{}", kind ? "surface's modifier" : "surface",
-                                       s.text, near_matches(s.text, all[kind])));
-            }
-    }
-
-    // ---- rays ----
-    Sight look(double x, double y) const {
-        Sight s;
-        const auto ray = space_.projector.ray(x / nx_, y / ny_);
-        s.seen = bool(ray);
-        if (!ray) return s;
-        s.p = {ray->dir, x, y};
-        if (space_.behind > 0) space_.point(x, y, s.p);
-        s.begin = dot(ray->origin - space_.eye, s.p.dir);
-        bool closed = false;
-        s.n = eye_.look(ray->origin, ray->dir, ray->tmax, s.crossings, ROOM, closed);
-        for (int i = 0; i < s.n; ++i) s.crossings[i].t += s.begin;
-        s.end = closed && s.n ? s.crossings[s.n - 1].t : ray->tmax > 0 ? s.begin + ray->tmax : INFINITY;
-        return s;
-    }
-
-    void look_at_centres() {
-        dirs_.resize(size_t(nx_) * size_t(ny_));
-        ends_.resize(dirs_.size());
-        seen_.resize(dirs_.size());
-        lists_.push_back({});  // 0: no ray
-        std::mutex lock;
-        std::map<std::vector<unsigned>, uint32_t> known;
-        for_all(size_t(ny_), [&](size_t y) {
-            std::map<std::vector<unsigned>, uint32_t> mine;
-            std::vector<unsigned> list;
-            for (int x = 0; x < nx_; ++x) {
-                Sight s = look(x + .5, double(y) + .5);
-                size_t i = y * size_t(nx_) + size_t(x);
-                dirs_[i] = s.p.dir;
-                ends_[i] = s.end;
-                if (!s.seen) continue;
-                list.clear();
-                for (int k = 0; k < s.n; ++k) list.push_back(s.crossings[k].surface);
-                auto found = mine.find(list);
-                if (found == mine.end()) {
-                    std::lock_guard<std::mutex> hold(lock);
-                    auto global = known.find(list);
-                    if (global == known.end()) {
-                        global = known.emplace(list, uint32_t(lists_.size())).first;
-                        lists_.push_back(list);
-                    }
-                    found = mine.emplace(list, global->second).first;
-                }
-                seen_[i] = found->second;
-            }
-        });
-        // Does a list of surfaces answer a query?
-        answers_.resize(matched_.size());
-        for (size_t q = 0; q < matched_.size(); ++q) {
-            if (matched_[q].empty()) continue;
-            answers_[q].resize(lists_.size());
-            for (size_t l = 0; l < lists_.size(); ++l)
-                for (unsigned s : lists_[l]) answers_[q][l] = answers_[q][l] || matched_[q][s];
+    // Does a list of surfaces answer a query?
+    void answer_queries() {
+        const std::vector<std::vector<unsigned>>& lists = seen_.lists();
+        answers_.resize(meant_.size());
+        for (size_t q = 0; q < meant_.size(); ++q) {
+            if (meant_[q].empty()) continue;
+            answers_[q].resize(lists.size());
+            for (size_t l = 0; l < lists.size(); ++l)
+                for (unsigned s : lists[l]) answers_[q][l] = answers_[q][l] || meant_[q][s];
         }
     }
 
-    void collect_tiles() {
-        across_ = (nx_ + TILE - 1) / TILE;
-        tiles_.resize(size_t(across_) * size_t((ny_ + TILE - 1) / TILE));
-        for_all(tiles_.size(), [&](size_t t) {  // with a rim of one pixel
-            int x0 = int(t) % across_ * TILE, y0 = int(t) / across_ * TILE;
-            std::set<uint32_t> lists;
-            for (int y = std::max(y0 - 1, 0); y <= std::min(y0 + TILE, ny_ - 1); ++y)
-                for (int x = std::max(x0 - 1, 0); x <= std::min(x0 + TILE, nx_ - 1); ++x) lists.insert(seen_[at(x, y)]);
-            tiles_[t].assign(lists.begin(), lists.end());
-        });
-    }
-
     // ---- in, out or open ----
-    size_t at(int x, int y) const { return size_t(y) * size_t(nx_) + size_t(x); }  // y from the bottom
     const Shape& shape(int s) const { return in_.regions.shapes[size_t(s)]; }
     static bool in_space(Kind k) {
         return k == Kind::polygon3d || k == Kind::disc3d || k == Kind::box3d || k == Kind::sphere3d;
     }
     bool asks_scene(int node) const {
         const Node& n = in_.regions.nodes[size_t(node)];
-        if (n.op == 's') return in_space(shape(n.a).kind) || !matched_[size_t(n.a)].empty();
+        if (n.op == 's') return in_space(shape(n.a).kind) || !meant_[size_t(n.a)].empty();
         return asks_scene(n.a) || (n.b >= 0 && asks_scene(n.b));
     }
 
@@ -176,7 +66,7 @@ private:
         const Node& n = in_.regions.nodes[size_t(node)];
         switch (n.op) {
         case 's': {
-            if (!matched_[size_t(n.a)].empty()) return query_value(n.a, c);
+            if (!meant_[size_t(n.a)].empty()) return query_value(n.a, c);
             if (g.centre.dir == Vec3{}) return 0;
             double v = in_.value(node, g.centre, g.reach);
             return v >= -1 && in_space(shape(n.a).kind) ? space_value(n.a, c, v) : v;
@@ -196,11 +86,11 @@ private:
         };
         if (c.size == 1) {
             for (int y = std::max(c.y - 1, 0); y <= std::min(c.y + 1, ny_ - 1); ++y)
-                for (int x = std::max(c.x - 1, 0); x <= std::min(c.x + 1, nx_ - 1); ++x) take(seen_[at(x, y)]);
+                for (int x = std::max(c.x - 1, 0); x <= std::min(c.x + 1, nx_ - 1); ++x) take(seen_.list(x, y));
         } else {
-            for (int y = c.y; y < std::min(c.y + c.size, ny_); y += TILE)
-                for (int x = c.x; x < std::min(c.x + c.size, nx_); x += TILE)
-                    for (uint32_t list : tiles_[size_t(y / TILE) * size_t(across_) + size_t(x / TILE)]) take(list);
+            for (int y = c.y; y < std::min(c.y + c.size, ny_); y += SeenPixels::tile)
+                for (int x = c.x; x < std::min(c.x + c.size, nx_); x += SeenPixels::tile)
+                    for (uint32_t list : seen_.lists_in_tile(x, y)) take(list);
         }
         if (!any) return -2;
         return all && shape(s).within < 0 ? 2 : 0;
@@ -212,18 +102,18 @@ private:
         bool seen = false, hidden = false;
         for (int y = std::max(c.y - 1, 0); y <= std::min(c.y + 1, ny_ - 1); ++y)
             for (int x = std::max(c.x - 1, 0); x <= std::min(c.x + 1, nx_ - 1); ++x) {
-                Point p{dirs_[at(x, y)], x + .5, y + .5};
+                Point p{seen_.direction(x, y), x + .5, y + .5};
                 if (p.dir == Vec3{}) return 0;
                 double d = field.distance(p);
                 if (d < 0 || (d == 0 && v <= 2) || space_.projector.view().vo > 0) return 0;
-                (visible(d, space_.behind, ends_[at(x, y)]) ? seen : hidden) = true;
+                (visible(d, space_.behind, seen_.end(x, y)) ? seen : hidden) = true;
             }
         if (seen && hidden) return 0;
         if (hidden) return -2;
         return v > 1 ? v : 0;
     }
     static bool visible(double d, double begin, double end) {
-        double slack = COINCIDE * (std::min(end, std::max(d, begin)) - begin) + 1e-9;
+        double slack = coincide * (std::min(end, std::max(d, begin)) - begin) + 1e-9;
         return d == 0 || (d >= begin - slack && d <= end + slack);
     }
 
@@ -232,7 +122,7 @@ private:
         switch (n.op) {
         case 's': {
             const Shape& sh = shape(n.a);
-            const std::vector<char>& good = matched_[size_t(n.a)];
+            const std::vector<char>& good = meant_[size_t(n.a)];
             if (!good.empty()) {
                 for (int i = 0; i < s.n; ++i) {
                     if (!good[s.crossings[i].surface]) continue;
@@ -263,7 +153,7 @@ private:
                      [&](const Cell& c, bool in) {
                          if (in) fill(plane, space_, c, 1);
                      },
-                     [&](int x, int y, const CellGeometry&) { open.push_back(uint32_t(at(x, y))); });
+                     [&](int x, int y, const CellGeometry&) { open.push_back(uint32_t(seen_.at(x, y))); });
     }
 
     // ---- open pixels ----
@@ -297,9 +187,9 @@ private:
                     if (c <= 0 || c >= 1) continue;
                     for (int Y = std::max(y - 1, 0); Y <= std::min(y + 1, ny_ - 1); ++Y)
                         for (int X = std::max(x - 1, 0); X <= std::min(x + 1, nx_ - 1); ++X) {
-                            if (asked[t.region][at(X, Y)]) continue;
-                            asked[t.region][at(X, Y)] = true;
-                            next.push_back({uint32_t(at(X, Y)), t.region});
+                            if (asked[t.region][seen_.at(X, Y)]) continue;
+                            asked[t.region][seen_.at(X, Y)] = true;
+                            next.push_back({uint32_t(seen_.at(X, Y)), t.region});
                         }
                 }
             tasks.swap(next);
@@ -314,93 +204,34 @@ private:
     void sample(const Task* first, const Task* last) const {
         const double x = first->pixel % uint32_t(nx_), y = first->pixel / uint32_t(nx_);
         if (centre_) {
-            Sight s = look(x + .5, y + .5);
+            Sight s = seen_.look(x + .5, y + .5);
             for (const Task* t = first; t < last; ++t)
                 *coverage(*t) = s.seen && inside(in_.regions.regions[t->region].root, s);
             return;
         }
-        std::vector<Sight> sights((GRID + 1) * (GRID + 1));
-        for (int j = 0; j <= GRID; ++j)
-            for (int i = 0; i <= GRID; ++i)
-                sights[size_t(j * (GRID + 1) + i)] = look(x + double(i) / GRID, y + double(j) / GRID);
+        std::vector<Sight> sights;
+        for (int j = 0; j <= border_cells; ++j)
+            for (int i = 0; i <= border_cells; ++i)
+                sights.push_back(seen_.look(x + double(i) / border_cells, y + double(j) / border_cells));
         for (const Task* t = first; t < last; ++t)
             *coverage(*t) = float(share(in_.regions.regions[t->region].root, x, y, sights));
     }
     double share(int root, double x, double y, const std::vector<Sight>& sights) const {
-        bool in[GRID + 1][GRID + 1];
-        int count = 0;
-        for (int j = 0; j <= GRID; ++j)
-            for (int i = 0; i <= GRID; ++i) {
-                const Sight& s = sights[size_t(j * (GRID + 1) + i)];
-                count += in[j][i] = s.seen && inside(root, s);
-            }
-        if (count == 0 || count == (GRID + 1) * (GRID + 1)) return count > 0;
-        // Border on the edge from grid point (i, j) to its right (upper) neighbour, as a share of the edge; each once.
-        double right[GRID + 1][GRID], above[GRID][GRID + 1];
-        auto border = [&](double X, double Y, double dx, double dy, bool from) {
-            double a = 0, b = 1;
-            for (int k = 0; k < HALVINGS; ++k) {
-                double m = (a + b) / 2;
-                Sight s = look(x + (X + m * dx) / GRID, y + (Y + m * dy) / GRID);
-                ((s.seen && inside(root, s)) == from ? a : b) = m;
-            }
-            return (a + b) / 2;
-        };
-        for (int j = 0; j <= GRID; ++j)
-            for (int i = 0; i <= GRID; ++i) {
-                if (i < GRID && in[j][i] != in[j][i + 1]) right[j][i] = border(i, j, 1, 0, in[j][i]);
-                if (j < GRID && in[j][i] != in[j + 1][i]) above[j][i] = border(i, j, 0, 1, in[j][i]);
-            }
-        double sum = 0;
-        for (int j = 0; j < GRID; ++j)
-            for (int i = 0; i < GRID; ++i) {
-                // Around the cell: corners and, on edges between unlike corners, borders.
-                const bool c[4] = {in[j][i], in[j][i + 1], in[j + 1][i + 1], in[j + 1][i]};
-                const int n = c[0] + c[1] + c[2] + c[3];
-                if (n == 0 || n == 4) {
-                    sum += n / 4;
-                    continue;
-                }
-                const double corner[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-                double edge[4][2] = {{0, 0}, {1, 0}, {0, 1}, {0, 0}};
-                if (c[0] != c[1]) edge[0][0] = right[j][i];
-                if (c[1] != c[2]) edge[1][1] = above[j][i + 1];
-                if (c[2] != c[3]) edge[2][0] = right[j + 1][i];
-                if (c[3] != c[0]) edge[3][1] = above[j][i];
-                if (n == 2 && c[0] == c[2]) {  // a saddle: the middle tells which pair of corners is joined
-                    Sight s = look(x + (i + .5) / GRID, y + (j + .5) / GRID);
-                    const bool middle = s.seen && inside(root, s),
-                               low = c[0] != middle;  // the corners that are cut off
-                    double cut = low ? edge[0][0] * edge[3][1] + (1 - edge[1][1]) * (1 - edge[2][0])
-                                     : (1 - edge[0][0]) * edge[1][1] + edge[2][0] * (1 - edge[3][1]);
-                    sum += middle ? 1 - cut / 2 : cut / 2;
-                    continue;
-                }
-                double px[8], py[8], area = 0;
-                int m = 0;
-                for (int k = 0; k < 4; ++k) {
-                    if (c[k]) px[m] = corner[k][0], py[m++] = corner[k][1];
-                    if (c[k] != c[(k + 1) % 4]) px[m] = edge[k][0], py[m++] = edge[k][1];
-                }
-                for (int k = 0; k < m; ++k) area += px[k] * py[(k + 1) % m] - px[(k + 1) % m] * py[k];
-                sum += area / 2;
-            }
-        return sum / (GRID * GRID);
+        const auto in_region = [&](const Sight& s) { return s.seen && inside(root, s); };
+        BorderSamples in;
+        for (int j = 0; j <= border_cells; ++j)
+            for (int i = 0; i <= border_cells; ++i) in[j][i] = in_region(sights[size_t(j * (border_cells + 1) + i)]);
+        return share_inside(in, [&](double u, double v) { return in_region(seen_.look(x + u, y + v)); });
     }
 
     const Prepared& in_;
     const Space& space_;
-    const SceneView& eye_;
     bool centre_;
     image::MaskSet& set_;
-    int nx_, ny_, across_ = 0;
-    std::vector<std::vector<char>> matched_;    // by shape: does it ask for this surface?
-    std::vector<std::vector<unsigned>> lists_;  // the different lists of surfaces that rays met
-    std::vector<std::vector<char>> answers_;    // by shape and list
-    std::vector<Vec3> dirs_;                    // of the pixels' centres, rows from the bottom
-    std::vector<double> ends_;
-    std::vector<uint32_t> seen_;                // list of each centre
-    std::vector<std::vector<uint32_t>> tiles_;  // lists seen in each tile
+    int nx_, ny_;
+    std::vector<std::vector<char>> meant_;  // by shape: does it ask for this surface?
+    SeenPixels seen_;
+    std::vector<std::vector<char>> answers_;  // by shape and list of surfaces
 };
 
 }  // namespace

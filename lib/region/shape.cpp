@@ -122,9 +122,9 @@ private:
 };
 
 // The outline of a box is made of the edges between a face turned to the eye and one turned away.
-class Box : public Field {
+class Box3d : public Field {
 public:
-    Box(const std::vector<double>& n, Vec3 eye) : eye_(eye) {
+    Box3d(const std::vector<double>& n, Vec3 eye) : eye_(eye) {
         for (int k = 0; k < 3; ++k) {
             lo_[k] = std::min(n[size_t(k)], n[size_t(k) + 3]) - eye[k];
             hi_[k] = std::max(n[size_t(k)], n[size_t(k) + 3]) - eye[k];
@@ -281,7 +281,7 @@ std::unique_ptr<Field> make_field(const Shape& s, const Space& space) {
     switch (s.kind) {
     case Kind::polygon3d: return polygon3d(s, space);
     case Kind::disc3d: return disc3d(s, space);
-    case Kind::box3d: return std::make_unique<Box>(s.numbers, space.eye);
+    case Kind::box3d: return std::make_unique<Box3d>(s.numbers, space.eye);
     case Kind::sphere3d: return std::make_unique<Sphere>(triple(s.numbers, 0), s.numbers[3], space.eye);
     case Kind::circle: return circle(s, space);
     case Kind::polygon_direction: return polygon_direction(s, space);
