@@ -28,11 +28,18 @@ struct Environment {
     const Environment* caller = nullptr;
 };
 
-class Builder {
+// Counts how deep we are, also when an exception passes.
+struct Nesting {
+    int& depth;
+    explicit Nesting(int& counter) : depth(counter) { depth++; }
+    ~Nesting() { depth--; }
+};
+
+class GraphBuilder {
 public:
     // `xform`: object -> world
-    Builder(const Library::State& library, Graph& graph, const std::vector<double>& args, const base::Xform& xform,
-            const std::string& place);
+    GraphBuilder(const Library::State& library, Graph& graph, const std::vector<double>& args, const base::Xform& xform,
+                 const std::string& place);
 
     int expression(const Expr* e, const std::string& context);
     // A function named in a primitive (or a parameterless expression), called with finished values.
@@ -45,7 +52,6 @@ public:
     struct TooLarge {};  // thrown beyond step_limit: try again with a smaller recursion_limit
 
 private:
-    using Args = std::vector<const Expr*>;
     int eval(const Expr* e, const Environment& env);
     const Thunk& given(const Environment& env, size_t i) const;
     int force(const Thunk& t);
@@ -53,6 +59,7 @@ private:
     int invoke(const std::string& function, std::vector<Thunk> args, const Environment& env);
     int expand(const Definition& def, std::vector<Thunk> args, const Environment& env);
     int variable(const Definition& def);
+    int channel(double number);
     bool ray_variable(const std::string& name, int& node);
     bool builtin(const std::string& function, const std::vector<Thunk>& args, int& node);
     int vector_component(uint32_t first, int axis, bool is_point);

@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two steps.  1. Walk the graph from the outputs: every value is computed once, where it is first needed; a value
-// needed only in one branch of an `if` is computed there, one needed in both before the jump.  2. Jumps only go
-// forward, so a value lives from its first to its last mention: registers are given by one scan over these intervals.
+// From the graph to steps over virtual registers: the graph is walked from the outputs, and every value is computed
+// once, where it is first needed; a value needed only in one branch of an `if` is computed there, one needed in both
+// before the jump.  assemble() gives the steps their registers.
 #include "cal/codegen.h"
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
 #include "base/error.h"
+#include "cal/steps.h"
 
 namespace cal {
 
 namespace {
 
-constexpr size_t MAX_INSTRUCTIONS = 200000;
-constexpr int MAX_WALK = 3000;  // depth of the graph walk: C++ stack
-
-// One instruction over virtual registers; -1 = none.
-struct Step {
-    uint32_t op;
-    int d = -1, a = -1, b = -1, c = -1;  // c: OP_SEL
-    bool immediate = false;              // b is `value`
-    float value = 0;
-    uint32_t aux = 0;  // raw destination, b field or table, by operation
-    int target = -1;   // jumps: index of the step to go on with
-};
+constexpr size_t max_steps = 200000;
+constexpr int max_walk = 3000;  // depth of the graph walk: C++ stack
 
 // Is node `id` a min with something not above `limit`, or a max with something not below it (also one inside the
 // other)?
@@ -61,11 +52,11 @@ bool forgets(const Node& n) {
            n.op == OP_POW || (n.op >= OP_SQRT && n.op <= OP_RAND);
 }
 
-class Generator {
+class StepWriter {
 public:
-    Generator(const Graph& graph, const std::string& place) : g_(graph), place_(place), where_(graph.size(), -1) {}
+    StepWriter(const Graph& graph, const std::string& place) : g_(graph), place_(place), where_(graph.size(), -1) {}
 
-    void run(const std::vector<int>& outputs) {
+    Steps run(const std::vector<int>& outputs) {
         for (size_t i = 0; i < outputs.size(); i++) {
             Step s{OP_OUT};
             s.aux = uint32_t(i);
@@ -73,14 +64,14 @@ public:
             emit(s);
         }
         emit(Step{OP_END});
+        return {std::move(steps_), std::move(width_)};
     }
-    uint32_t assemble(Code& code);
 
 private:
     [[noreturn]] void too_large() const { base::fail(place_, "function is too large to compile"); }
 
     int emit(const Step& s) {
-        if (steps_.size() >= MAX_INSTRUCTIONS) too_large();
+        if (steps_.size() >= max_steps) too_large();
         steps_.push_back(s);
         return int(steps_.size()) - 1;
     }
@@ -111,7 +102,7 @@ private:
     // The virtual register that holds node `id`, computed now unless it is there.
     int value(int id) {
         if (where_[size_t(id)] >= 0) return where_[size_t(id)];
-        if (++depth_ > MAX_WALK) too_large();
+        if (++depth_ > max_walk) too_large();
         const Node& n = g_[id];
         if (forgets(n) && failed_) {
             emit(Step{OP_CLEAR});
@@ -283,86 +274,11 @@ private:
     int depth_ = 0;
 };
 
-uint32_t Generator::assemble(Code& code) {
-    // Life of each block of registers.
-    const size_t count = width_.size();
-    std::vector<int> block(count), first(count, -1), last(count, -1), place(count, -1);
-    for (size_t v = 0, head = 0; v < count; v++) {
-        if (width_[v] > 0) head = v;
-        block[v] = int(head);
-    }
-    auto mention = [&](int v, size_t at) {
-        if (v < 0) return;
-        const size_t h = size_t(block[size_t(v)]);
-        if (first[h] < 0) first[h] = int(at);
-        last[h] = int(at);
-    };
-    for (size_t i = 0; i < steps_.size(); i++)
-        for (int v : {steps_[i].a, steps_[i].b, steps_[i].c, steps_[i].d}) mention(v, i);
-
-    std::vector<std::vector<size_t>> ends(steps_.size());
-    std::vector<char> used(CAL_REGISTERS, 0);
-    for (size_t i = 0; i < steps_.size(); i++) {
-        // what ends here is free for the destination, except for blocks read while written
-        std::vector<size_t> starting;
-        for (int v : {steps_[i].a, steps_[i].b, steps_[i].c, steps_[i].d})
-            if (v >= 0 && first[size_t(block[size_t(v)])] == int(i)) starting.push_back(size_t(block[size_t(v)]));
-        auto release = [&] {
-            for (size_t h : ends[i])
-                for (int k = 0; k < width_[h]; k++) used[size_t(place[h] + k)] = 0;
-            ends[i].clear();
-        };
-        if (steps_[i].op != OP_DATA) release();
-        for (size_t h : starting) {
-            if (place[h] >= 0) continue;
-            int at = 0;
-            const int w = width_[h];
-            for (; at + w <= CAL_REGISTERS; at++) {
-                int k = 0;
-                while (k < w && !used[size_t(at + k)]) k++;
-                if (k == w) break;
-            }
-            if (at + w > CAL_REGISTERS) base::fail(place_, "function needs too many intermediate values");
-            place[h] = at;
-            for (int k = 0; k < w; k++) used[size_t(at + k)] = 1;
-            ends[size_t(last[h])].push_back(h);
-        }
-        release();
-    }
-    auto reg = [&](int v) { return v < 0 ? 0u : uint32_t(place[size_t(block[size_t(v)])] + (v - block[size_t(v)])); };
-
-    // Words; jumps are patched when the positions are known.
-    const uint32_t entry = uint32_t(code.words.size());
-    std::vector<uint32_t> position(steps_.size() + 1);
-    std::vector<std::pair<size_t, int>> patches;
-    for (size_t i = 0; i < steps_.size(); i++) {
-        const Step& s = steps_[i];
-        position[i] = uint32_t(code.words.size());
-        uint32_t word = s.op | reg(s.d) << 8 | reg(s.a) << 16 | reg(s.b) << 24;
-        if (s.op == OP_OUT) word = s.op | s.aux << 8 | reg(s.b) << 24;
-        if (s.op == OP_VAR) word = s.op | reg(s.d) << 8 | s.aux << 16;
-        if (s.op == OP_NOISE) word = s.op | reg(s.d) << 8 | reg(s.a) << 16 | s.aux << 24;
-        if (s.immediate) word |= 128u;
-        code.words.push_back(word);
-        if (s.immediate) code.words.push_back(as_uint_(s.value));
-        if (s.op == OP_SEL) code.words.push_back(reg(s.c));
-        if (s.op == OP_DATA || s.op == OP_TEXT) code.words.push_back(s.aux);
-        if (s.target >= 0) {
-            patches.emplace_back(code.words.size(), s.target);
-            code.words.push_back(0);
-        }
-    }
-    for (const auto& p : patches) code.words[p.first] = position[size_t(p.second)] - uint32_t(p.first) - 1;
-    return entry;
-}
-
 }  // namespace
 
 uint32_t generate(const Graph& graph, const std::vector<int>& outputs, const std::string& place, Code& code) {
     if (outputs.size() > CAL_OUTPUTS) base::fail(place, "too many function values");
-    Generator generator(graph, place);
-    generator.run(outputs);
-    return generator.assemble(code);
+    return assemble(StepWriter(graph, place).run(outputs), place, code);
 }
 
 }  // namespace cal

@@ -10,14 +10,14 @@ namespace cal {
 
 uint32_t with_builder(Library& library, const std::vector<double>& args, const base::Xform& xform,
                       const std::string& place, Code& code,
-                      const std::function<std::vector<int>(Builder&, Graph&)>& make) {
+                      const std::function<std::vector<int>(GraphBuilder&, Graph&)>& make) {
     for (int limit = 32;; limit /= 2) {
         Graph graph;
-        Builder builder(library.state(), graph, args, xform, place);
+        GraphBuilder builder(library.state(), graph, args, xform, place);
         builder.recursion_limit = limit;
         try {
             return generate(graph, make(builder, graph), place, code);
-        } catch (const Builder::TooLarge&) {
+        } catch (const GraphBuilder::TooLarge&) {
             if (limit == 1) base::fail(place, "function is too large to compile");
         }
     }
@@ -28,7 +28,7 @@ uint32_t compile(Library& library, const std::vector<std::string>& outputs, cons
     const std::string context = library.state().load(cal_file, place);
     std::vector<const Expr*> trees;
     for (const std::string& text : outputs) trees.push_back(parse_expression(text, place, library.state().pool));
-    return with_builder(library, args, xform, place, code, [&](Builder& builder, Graph&) {
+    return with_builder(library, args, xform, place, code, [&](GraphBuilder& builder, Graph&) {
         std::vector<int> nodes;
         for (const Expr* e : trees) nodes.push_back(builder.expression(e, context));
         return nodes;

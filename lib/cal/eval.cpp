@@ -15,16 +15,16 @@ struct Evaluator::State {
 
     explicit State(const base::ReadOptions& files) : library(files) {}
 
-    double run(const std::string& place, const std::function<int(Builder&)>& make) {
+    double run(const std::string& place, const std::function<int(GraphBuilder&)>& make) {
         graph.clear();
-        Builder builder(library.state(), graph, no_arguments, base::Xform(), place);
+        GraphBuilder builder(library.state(), graph, no_arguments, base::Xform(), place);
         builder.step_limit = 2000000;
         try {
             const int node = make(builder);
             if (!graph.is_constant(node)) base::fail(place, "ray variables have no value here");
             if (graph.error) errors++;
             return graph.value(node);
-        } catch (const Builder::TooLarge&) {
+        } catch (const GraphBuilder::TooLarge&) {
             base::fail(place, "evaluation takes too long: a definition that never ends?");
         }
     }
@@ -48,7 +48,7 @@ bool Evaluator::has_function(const std::string& name) const {
 
 double Evaluator::call(const std::string& function, const std::vector<double>& arguments, const std::string& place) {
     static const std::string global;
-    return state_->run(place, [&](Builder& b) {
+    return state_->run(place, [&](GraphBuilder& b) {
         std::vector<int> nodes;
         for (double a : arguments) nodes.push_back(state_->graph.constant(a));
         return b.call(function, nodes, global);
@@ -58,7 +58,7 @@ double Evaluator::call(const std::string& function, const std::vector<double>& a
 double Evaluator::value(const std::string& expression, const std::string& place) {
     static const std::string global;
     const Expr* tree = parse_expression(expression, place, state_->library.state().pool);
-    return state_->run(place, [&](Builder& b) { return b.expression(tree, global); });
+    return state_->run(place, [&](GraphBuilder& b) { return b.expression(tree, global); });
 }
 
 long Evaluator::errors() const { return state_->errors; }

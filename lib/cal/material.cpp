@@ -20,7 +20,7 @@ void direction(Parts& p, size_t first, Nodes& out) {
     for (int n : p.to_world({p.expression(first), p.expression(first + 1), p.expression(first + 2)})) out.push_back(n);
 }
 // Light direction and solid angle as given to the program
-Nodes light(Parts& p, Builder& b, Library& library) {
+Nodes light(Parts& p, GraphBuilder& b, Library& library) {
     Nodes l;
     for (const char* channel : {"$101", "$102", "$103", "$104"})
         l.push_back(b.expression(parse_expression(channel, p.spec.place, library.state().pool), ""));

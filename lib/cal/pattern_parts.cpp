@@ -27,7 +27,7 @@ Parts::Parts(Library& library, const PatternSpec& pattern, Code& code) : spec(pa
 void Parts::fail(const std::string& fact) const { base::fail(spec.place, fact); }
 
 uint32_t Parts::compile(const std::function<std::vector<int>()>& make) {
-    return with_builder(library_, spec.reals, xform_, spec.place, code_, [&](Builder& b, Graph& g) {
+    return with_builder(library_, spec.reals, xform_, spec.place, code_, [&](GraphBuilder& b, Graph& g) {
         builder_ = &b;
         graph = &g;
         return make();

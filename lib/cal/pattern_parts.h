@@ -31,7 +31,7 @@ public:
     std::vector<int> to_world(const std::vector<int>& v);  // rotates a displacement or direction, its length kept
     [[noreturn]] void fail(const std::string& fact) const;
 
-    Builder& builder() { return *builder_; }
+    GraphBuilder& builder() { return *builder_; }
 
     const PatternSpec& spec;
     Graph* graph = nullptr;
@@ -39,7 +39,7 @@ public:
 private:
     Library& library_;
     Code& code_;
-    Builder* builder_ = nullptr;
+    GraphBuilder* builder_ = nullptr;
     base::Xform xform_;  // object -> world
     std::string context_;
 };

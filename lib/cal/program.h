@@ -9,6 +9,6 @@ namespace cal {
 
 uint32_t with_builder(Library& library, const std::vector<double>& args, const base::Xform& xform,
                       const std::string& place, Code& code,
-                      const std::function<std::vector<int>(Builder&, Graph&)>& make);
+                      const std::function<std::vector<int>(GraphBuilder&, Graph&)>& make);
 
 }  // namespace cal

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading: see exr_file.h.
+#include "image/exr_file.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.h"
+#include "image/exr_parts.h"
+#include "image/header.h"
+
+namespace image {
+
+struct ExrInput::File {
+    Imf::MultiPartInputFile parts;  // reads headers only
+    Imf::InputPart in;
+    explicit File(const std::string& path) : parts(path.c_str()), in((check_blocks(parts.header(0), path), parts), 0) {}
+};
+
+ExrInput::ExrInput(const std::string& path) : path_(path) {
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) base::fail_system(path, "cannot be read");
+    check_attributes(file, path);
+    Imf::Header::setMaxImageSize(most_side, most_side);  // before OpenEXR reserves anything
+    Imf::Header::setMaxTileSize(most_side, most_side);
+    try {
+        file_.reset(new File(path));
+        const Imath::Box2i shown = file_->in.header().displayWindow();
+        const int64_t w = int64_t(shown.max.x) - shown.min.x + 1, h = int64_t(shown.max.y) - shown.min.y + 1;
+        if (w < 1 || h < 1 || w > most_side || h > most_side)
+            base::fail(path, "picture size is not within 1.." + std::to_string(most_side));
+        width_ = int(w);
+        height_ = int(h);
+    } catch (const base::Error&) {
+        throw;
+    } catch (const std::exception& e) {
+        base::fail(path, "is no readable OpenEXR file: " + one_line(e.what()));
+    }
+}
+
+ExrInput::~ExrInput() = default;
+
+std::vector<std::string> ExrInput::channels() const {
+    std::vector<std::string> names;
+    const Imf::ChannelList& list = file_->in.header().channels();
+    for (auto c = list.begin(); c != list.end(); ++c) names.push_back(c.name());
+    return names;
+}
+
+bool ExrInput::has(const std::string& channel) const {
+    return file_->in.header().channels().findChannel(channel) != nullptr;
+}
+
+std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
+    const size_t n = names.size();
+    std::vector<float> out;
+    try {
+        const Imf::Header& header = file_->in.header();
+        for (const std::string& name : names) {
+            const Imf::Channel* c = header.channels().findChannel(name);
+            if (!c) base::fail(path_, "has no channel " + name);
+            if (c->xSampling != 1 || c->ySampling != 1)
+                base::fail(path_, "channel " + name + " is subsampled: not read");
+        }
+        const Imath::Box2i shown = header.displayWindow(), data = header.dataWindow();
+        const size_t data_width = size_t(data.max.x - data.min.x + 1);
+        const int lines = int(std::clamp<int64_t>(
+            most_block / int64_t(sizeof(float) * std::max<size_t>(n, 1) * data_width), 1, block_lines));
+        std::vector<float> block(data_width * size_t(lines) * n);
+        for (int y = data.min.y; y <= data.max.y; y += lines) {
+            const int last = std::min(y + lines - 1, data.max.y);
+            Imf::FrameBuffer frame;
+            for (size_t c = 0; c < n; ++c) {
+                // OpenEXR wants the address that pixel (0,0) would have
+                char* origin = reinterpret_cast<char*>(block.data() + c) -
+                               ptrdiff_t(sizeof(float) * n) * (data.min.x + ptrdiff_t(data_width) * y);
+                frame.insert(names[c],
+                             Imf::Slice(Imf::FLOAT, origin, sizeof(float) * n, sizeof(float) * n * data_width));
+            }
+            file_->in.setFrameBuffer(frame);
+            file_->in.readPixels(y, last);
+            const int top = std::max(y, shown.min.y), bottom = std::min(last, shown.max.y);
+            const int left = std::max(data.min.x, shown.min.x), right = std::min(data.max.x, shown.max.x);
+            for (int row = top; row <= bottom && left <= right; ++row) {
+                const float* from = &block[n * (size_t(row - y) * data_width + size_t(left - data.min.x))];
+                const size_t at = n * (size_t(row - shown.min.y) * width_ + size_t(left - shown.min.x));
+                if (out.size() < at + n * width_) out.resize(at + n * width_);
+                std::copy(from, from + n * size_t(right - left + 1), &out[at]);
+            }
+        }
+        out.resize(n * width_ * size_t(height_));
+    } catch (const base::Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& e) {
+        base::fail(path_, "is a broken OpenEXR file: " + one_line(e.what()));
+    }
+    return out;
+}
+
+std::map<std::string, std::string> ExrInput::texts() const {
+    std::map<std::string, std::string> all;
+    const Imf::Header& h = file_->in.header();
+    for (auto a = h.begin(); a != h.end(); ++a)
+        if (const auto* s = dynamic_cast<const Imf::StringAttribute*>(&a.attribute())) all[a.name()] = s->value();
+    return all;
+}
+
+std::optional<std::string> ExrInput::text(const std::string& attribute) const {
+    const auto all = texts();
+    const auto found = all.find(attribute);
+    if (found == all.end()) return std::nullopt;
+    return found->second;
+}
+
+Header ExrInput::header() const {
+    Header h;
+    Encoding unused;
+    if (const auto lines = text("radianceHeader")) {
+        std::istringstream in(*lines);
+        for (std::string line; std::getline(in, line);) parse_header_line(line, h, unused, path_);
+    } else {
+        for (const auto& [name, value] : texts())
+            if (!name.empty() && value.find('\n') == std::string::npos)
+                parse_header_line((name == "view" ? "VIEW" : name) + "=" + value, h, unused, path_);
+        h.pixel_aspect = 1 / std::max(1e-6f, file_->in.header().pixelAspectRatio());
+    }
+    h.exposure = 1;  // the pixels carry no exposure
+    return h;
+}
+
+double ExrInput::white_luminance() const {
+    const Imf::Header& h = file_->in.header();
+    return Imf::hasWhiteLuminance(h) && Imf::whiteLuminance(h) > 0 ? Imf::whiteLuminance(h) : 179;
+}
+
+std::optional<std::array<double, 8>> ExrInput::primaries() const {
+    const Imf::Header& h = file_->in.header();
+    if (!Imf::hasChromaticities(h)) return std::nullopt;
+    const Imf::Chromaticities& c = Imf::chromaticities(h);
+    return std::array<double, 8>{c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y};
+}
+
+}  // namespace image
