@@ -2,8 +2,7 @@
 // rtcBuildBVH makes a tree of our small temporary nodes in its own memory; a second pass writes it into the flat arrays
 // of kernels/bvh8.h or kernels/bvh2.h, children of a node side by side. Settings
 // (docs/decisions/0008-own-traversal.md): quality MEDIUM (spatial splits were slower), 8-wide: blocks of 4, leaves up
-// to 16 and a cheap intersection (0.3), because four triangles are tested at once.  Boxes are padded by an ulp or two:
-// Woop's test works in coordinates relative to the ray's origin and rounds there (kernels/woop.h).
+// to 16 and a cheap intersection (0.3), because four triangles are tested at once.
 #include "bvh/build.h"
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <memory>
 
 #include "kernels/compat_host.h"
+#include "bvh/bounds.h"
 #include "bvh/embree_device.h"
 
 namespace bvh {
@@ -29,43 +29,16 @@ namespace scalar {
 
 constexpr unsigned max_wide = 8;
 
-struct Bounds {
-    float lo[3], hi[3];
-};
-
 struct TempNode {  // an inner node, or a leaf if children == 0
     unsigned children, prims;
 };
 struct TempInner : TempNode {
     TempNode* child[max_wide];
-    Bounds box[max_wide];
+    Bounds bounds[max_wide];
 };
 struct TempLeaf : TempNode {
     uint32_t prim[1];  // prims of them
 };
-
-Bounds empty_bounds() {
-    const float inf = INFINITY;
-    return {{inf, inf, inf}, {-inf, -inf, -inf}};
-}
-
-void grow(Bounds& box, const float p[3]) {
-    for (int a = 0; a < 3; a++) {
-        if (!(std::fabs(p[a]) < 1e18f)) base::fail("", "a coordinate is not a number or too large");
-        box.lo[a] = std::min(box.lo[a], p[a]);
-        box.hi[a] = std::max(box.hi[a], p[a]);
-    }
-}
-
-void pad(Bounds& box, float least) {
-    float size = 0;  // of the largest coordinate: the distance to a large flat face rounds like its extent
-    for (int a = 0; a < 3; a++) size = std::max({size, std::fabs(box.lo[a]), std::fabs(box.hi[a])});
-    const float d = size * 2.4e-7f + least;
-    for (int a = 0; a < 3; a++) {
-        box.lo[a] -= d;
-        box.hi[a] += d;
-    }
-}
 
 // What differs between the two kinds of tree.
 struct Layout {
@@ -87,7 +60,7 @@ public:
         : layout_(layout),
           trees_(trees),
           tree_count_(tree_count),
-          tree_box_(tree_count, empty_bounds()),
+          tree_bounds_(tree_count, empty_bounds()),
           tree_need_(tree_count),
           tree_depth_(tree_count) {}
 
@@ -120,7 +93,7 @@ public:
             }
             if (roots[k]->children == 0) {  // a single leaf gets a node above it
                 const uint32_t ref = write_leaf(trees_[k], static_cast<TempLeaf*>(roots[k]));
-                write_children(k, &tree_box_[k], &ref, 1);
+                write_children(k, &tree_bounds_[k], &ref, 1);
             } else {
                 write_inner(trees_[k], static_cast<TempInner*>(roots[k]), k);
             }
@@ -135,48 +108,6 @@ private:
         int stack = 0, depth = 0;
     };
 
-    Bounds primitive_box(const Input& in, size_t k) const {
-        Bounds box = empty_bounds();
-        if (k < in.triangle_count) {
-            for (int i = 0; i < 3; i++) {
-                const uint32_t v = in.triangles[3 * k + i];
-                grow(box, in.vertices + 3 * size_t(v));
-            }
-            pad(box, 1e-30f);
-        } else {
-            const size_t shape = in.first_shape + (k - in.triangle_count);
-            const float* q = in.shapes + SHAPE_FLOATS * shape;
-            if (as_uint_(q[SHAPE_KIND]) == SHAPE_INSTANCE) return instance_box(q);
-            float b[6];
-            shape_box(in, shape, b);
-            box = {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
-            pad(box, 2e-6f);  // a polygon reaches 1e-6 beyond its edges
-        }
-        return box;
-    }
-
-    Bounds instance_box(const float* q) const {
-        const uint32_t tree = as_uint_(q[INSTANCE_TREE]);
-        if (tree == 0 || tree >= tree_count_) base::fail("", "an instance of a tree that does not exist");
-        const Bounds& local = tree_box_[tree];
-        Bounds box = empty_bounds();
-        if (local.lo[0] > local.hi[0]) return box;
-        double m[12];
-        invert_affine(q + 1, m);
-        for (int corner = 0; corner < 8; corner++) {
-            float p[3];
-            for (int a = 0; a < 3; a++) {
-                double x = m[4 * a + 3];
-                for (int b = 0; b < 3; b++) x += m[4 * a + b] * (corner >> b & 1 ? local.hi[b] : local.lo[b]);
-                p[a] = float(x);
-            }
-            grow(box, p);
-        }
-        const float size = std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]});
-        pad(box, 1e-6f * size);
-        return box;
-    }
-
     TempNode* build_tree(size_t tree, RTCBVH bvh) {
         const Input& in = trees_[tree];
         const size_t count = in.triangle_count + in.shape_count;
@@ -184,11 +115,11 @@ private:
         std::vector<RTCBuildPrimitive> prims;
         prims.reserve(count);
         for (size_t k = 0; k < count; k++) {
-            const Bounds box = primitive_box(in, k);
+            const Bounds box = primitive_bounds(in, k, tree_bounds_);
             if (box.lo[0] > box.hi[0]) continue;  // an instance of nothing
             prims.push_back({box.lo[0], box.lo[1], box.lo[2], 0, box.hi[0], box.hi[1], box.hi[2], uint32_t(k)});
-            grow(tree_box_[tree], box.lo);
-            grow(tree_box_[tree], box.hi);
+            grow(tree_bounds_[tree], box.lo);
+            grow(tree_bounds_[tree], box.hi);
         }
         if (prims.empty()) return nullptr;
         RTCBuildArguments args = rtcDefaultBuildArguments();
@@ -213,8 +144,8 @@ private:
         };
         args.setNodeBounds = [](void* node, const RTCBounds** b, unsigned n, void*) {
             for (unsigned i = 0; i < n; i++)
-                static_cast<TempInner*>(node)->box[i] = {{b[i]->lower_x, b[i]->lower_y, b[i]->lower_z},
-                                                         {b[i]->upper_x, b[i]->upper_y, b[i]->upper_z}};
+                static_cast<TempInner*>(node)->bounds[i] = {{b[i]->lower_x, b[i]->lower_y, b[i]->lower_z},
+                                                            {b[i]->upper_x, b[i]->upper_y, b[i]->upper_z}};
         };
         args.createLeaf = [](RTCThreadLocalAllocator memory, const RTCBuildPrimitive* p, size_t n, void*) -> void* {
             auto* leaf = static_cast<TempLeaf*>(rtcThreadLocalAlloc(memory, sizeof(TempLeaf) + 4 * n, 16));
@@ -273,16 +204,16 @@ private:
             if (node->child[i]->children != 0) ref[i] = uint32_t(next_node_++);
             else ref[i] = write_leaf(in, static_cast<const TempLeaf*>(node->child[i]));
         }
-        write_children(at, node->box, ref, node->children);
+        write_children(at, node->bounds, ref, node->children);
         for (unsigned i = 0; i < node->children; i++)
             if (node->child[i]->children != 0) write_inner(in, static_cast<const TempInner*>(node->child[i]), ref[i]);
     }
 
-    void write_children(size_t at, const Bounds* box, const uint32_t* ref, unsigned count) {
+    void write_children(size_t at, const Bounds* bounds, const uint32_t* ref, unsigned count) {
         float* n = &out_.nodes[at * layout_.node_floats];
         const Bounds none = empty_bounds();
         for (unsigned i = 0; i < layout_.wide; i++) {
-            const Bounds& b = i < count ? box[i] : none;
+            const Bounds& b = i < count ? bounds[i] : none;
             for (int a = 0; a < 3; a++) {
                 if (layout_.wide == 8) {
                     n[16 * a + i] = b.lo[a];
@@ -344,7 +275,7 @@ private:
     const Input* trees_;
     size_t tree_count_;
     EmbreeDevice device_;
-    std::vector<Bounds> tree_box_;
+    std::vector<Bounds> tree_bounds_;
     std::vector<int> tree_need_, tree_depth_;
     Tree out_;
     size_t next_node_ = 0, next_block_ = 0;
@@ -354,73 +285,5 @@ private:
 
 Tree build8(const Input* trees, size_t tree_count) { return TreeBuilder(layout8, trees, tree_count).build(); }
 Tree build2(const Input* trees, size_t tree_count) { return TreeBuilder(layout2, trees, tree_count).build(); }
-
-void shape_box(const Input& in, size_t k, float out[6]) {
-    const float* q = in.shapes + SHAPE_FLOATS * k;
-    Bounds box = empty_bounds();
-    // A disc of radius r with normal n reaches r sqrt(1 - n_a^2) along axis a.
-    const auto disc = [&](const double c[3], const float n[3], double r) {
-        float lo[3], hi[3];
-        for (int a = 0; a < 3; a++) {
-            const double d = r * std::sqrt(std::max(0.0, 1.0 - double(n[a]) * n[a]));
-            lo[a] = float(c[a] - d);
-            hi[a] = float(c[a] + d);
-        }
-        grow(box, lo);
-        grow(box, hi);
-    };
-    const double c[3] = {q[1], q[2], q[3]};
-    switch (as_uint_(q[SHAPE_KIND])) {
-    case SHAPE_SPHERE: {
-        const float along[3] = {0, 0, 0};  // a "disc" without normal reaches r everywhere
-        disc(c, along, q[4]);
-        break;
-    }
-    case SHAPE_CONE: {
-        const double end[3] = {c[0] + double(q[4]) * q[7], c[1] + double(q[5]) * q[7], c[2] + double(q[6]) * q[7]};
-        disc(c, q + 4, q[8]);
-        disc(end, q + 4, q[9]);
-        break;
-    }
-    case SHAPE_RING: disc(c, q + 4, q[8]); break;
-    case SHAPE_POLYGON: {
-        const uint32_t axis = as_uint_(q[5]), first = as_uint_(q[6]), count = as_uint_(q[7]);
-        const int iu = axis == 0 ? 1 : 0, iv = axis == 2 ? 1 : 2;
-        for (uint32_t i = 0; i < count; i++) {
-            const float* uv = in.polygon_uv + 2 * (size_t(first) + i);
-            float p[3];
-            p[iu] = uv[0];
-            p[iv] = uv[1];
-            p[axis] = float((double(q[4]) - double(q[1 + iu]) * uv[0] - double(q[1 + iv]) * uv[1]) / q[1 + axis]);
-            grow(box, p);
-        }
-        break;
-    }
-    default: base::fail("", "unknown kind of shape");
-    }
-    for (int a = 0; a < 3; a++) {
-        out[a] = box.lo[a];
-        out[3 + a] = box.hi[a];
-    }
-}
-
-void invert_affine(const float m[12], double out[12]) {
-    double c[9];  // cofactors, transposed
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            const int a = (j + 1) % 3, b = (j + 2) % 3, d = (i + 1) % 3, e = (i + 2) % 3;
-            c[3 * i + j] = double(m[4 * a + d]) * m[4 * b + e] - double(m[4 * a + e]) * m[4 * b + d];
-        }
-    }
-    const double det = m[0] * c[0] + m[1] * c[3] + m[2] * c[6];
-    if (det == 0) base::fail("", "the transform of an instance cannot be inverted");
-    for (int i = 0; i < 3; i++) {
-        out[4 * i + 3] = 0;
-        for (int j = 0; j < 3; j++) {
-            out[4 * i + j] = c[3 * i + j] / det;
-            out[4 * i + 3] -= out[4 * i + j] * m[4 * j + 3];
-        }
-    }
-}
 
 }  // namespace bvh

@@ -53,8 +53,6 @@ Tree build2(const Input* trees, size_t tree_count = 1);
 inline Tree build8(const Input& scene) { return build8(&scene, 1); }
 inline Tree build2(const Input& scene) { return build2(&scene, 1); }
 
-// World box of shape k (lower xyz, upper xyz), not padded; also Embree's bounds callback.  Not for instances.
-void shape_box(const Input& in, size_t k, float box[6]);
 // World from local of an instance shape's matrix (words 1-12): the inverse, in double.
 void invert_affine(const float local_from_world[12], double world_from_local[12]);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kernels/compat_host.h"
+#include "bvh/bounds.h"
 #include "bvh/embree_device.h"
 
 namespace bvh {
@@ -87,10 +88,13 @@ struct EmbreeScene::State {
         Input in;
         in.shapes = tree.state->shapes;
         in.polygon_uv = tree.state->polygon_uv;
-        float b[6];
-        shape_box(in, tree.shape_of[a->primID], b);
-        for (float& x : b) x += (&x - b < 3 ? -1 : 1) * (std::fabs(x) * 2.4e-7f + 2e-6f);
-        *a->bounds_o = {b[0], b[1], b[2], 0, b[3], b[4], b[5], 0};
+        Bounds b = bvh::shape_bounds(in, tree.shape_of[a->primID]);
+        const auto margin = [](float x) { return std::fabs(x) * 2.4e-7f + 2e-6f; };
+        for (int k = 0; k < 3; k++) {
+            b.lo[k] -= margin(b.lo[k]);
+            b.hi[k] += margin(b.hi[k]);
+        }
+        *a->bounds_o = {b.lo[0], b.lo[1], b.lo[2], 0, b.hi[0], b.hi[1], b.hi[2], 0};
     }
 
     static void shape_intersect(const RTCIntersectFunctionNArguments* a) {
