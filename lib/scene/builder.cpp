@@ -10,19 +10,19 @@
 
 namespace scene {
 
-Builder::Builder(Scene& scene, const Limits& limits) : scene_(scene), limit_(limits.bytes) {
+SceneBuilder::SceneBuilder(Scene& scene, const Limits& limits) : scene_(scene), limit_(limits.bytes) {
     const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
     if (!limit_) limit_ = pages > 0 && page > 0 ? static_cast<uint64_t>(pages) * page / 5 * 4 : uint64_t(8) << 30;
 }
 
-uint32_t Builder::file(const std::string& name) {
+uint32_t SceneBuilder::file(const std::string& name) {
     for (size_t i = scene_.files.size(); i-- > 0;)
         if (scene_.files[i] == name) return static_cast<uint32_t>(i);
     scene_.files.push_back(name);
     return static_cast<uint32_t>(scene_.files.size() - 1);
 }
 
-int32_t Builder::modifier(const Primitive& p) {
+int32_t SceneBuilder::modifier(const Primitive& p) {
     if (p.modifier_object != Primitive::by_name) return p.modifier_object;
     if (p.modifier == "void") return VOID;
     if (p.modifier == last_name_) return last_modifier_;
@@ -34,7 +34,7 @@ int32_t Builder::modifier(const Primitive& p) {
 }
 
 // Vectors double when they grow: count old and new block.
-void Builder::check_memory(const Primitive& p) {
+void SceneBuilder::check_memory(const Primitive& p) {
     const uint64_t used = scene_.objects.capacity() * sizeof(Object) + scene_.names.capacity() * sizeof(std::string) +
                           scene_.string_pool.capacity() * sizeof(std::string) +
                           scene_.real_pool.capacity() * sizeof(double) + extra_;
@@ -46,7 +46,7 @@ void Builder::check_memory(const Primitive& p) {
         base::fail(place(p), "the scene has more primitives or strings than 32-bit indices reach");
 }
 
-int32_t Builder::add(Primitive& p) {
+int32_t SceneBuilder::add(Primitive& p) {
     Scene& s = scene_;
     const size_t index = s.objects.size();
     if ((index & 1023) == 0 || p.reals.size() + p.strings.size() > 1024) check_memory(p);

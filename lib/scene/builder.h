@@ -6,9 +6,9 @@
 
 namespace scene {
 
-class Builder {
+class SceneBuilder {
 public:
-    Builder(Scene& scene, const Limits& limits);
+    SceneBuilder(Scene& scene, const Limits& limits);
     int32_t add(Primitive& p);               // p may be changed; index of the object, VOID if it was left out
     uint32_t file(const std::string& name);  // index into scene.files
     Type type(int32_t object) const { return scene_.objects[object].type; }

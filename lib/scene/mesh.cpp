@@ -132,7 +132,7 @@ void read_rtm(base::TextReader& source, const Limits& limits, Mesh& mesh) {
     r.size = r.in.text_real();
     for (double& limit : r.uv_limits) limit = r.in.real();
     skip_tree(r.in, index_size);
-    Builder builder(mesh.materials, limits);
+    SceneBuilder builder(mesh.materials, limits);
     r.materials = read_objects(r.in, index_size, -1, builder);
     for (const Object& o : mesh.materials.objects)
         if (is_surface(o.type)) r.in.fail("a mesh with a surface among its materials");

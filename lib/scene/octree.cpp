@@ -44,7 +44,7 @@ Octree read_octree(Binary& in) {
     return o;
 }
 
-std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, Builder& builder) {
+std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, SceneBuilder& builder) {
     struct TypeName {
         std::string name;
         Type type;

@@ -22,6 +22,6 @@ void skip_tree(Binary& in, int index_size);
 
 // The primitives of a frozen octree (as many as expected), or the modifiers of a mesh (expected = -1).
 // Returns the object of the scene that each became; VOID: left out.
-std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, Builder& builder);
+std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, SceneBuilder& builder);
 
 }  // namespace scene
