@@ -96,15 +96,11 @@ void split_global(double global, double extraterrestrial, double sine, double& d
     direct = (global - diffuse) / sine;
 }
 
-}  // namespace
-
-void gendaylit(const Call& call, std::string& out) {
+// Where the sun stands; writes the comments about it.  At the zenith it is moved to 87 degrees, as in RADIANCE.
+Sun find_sun(const Call& call, const Options& o, int& day, std::string& out) {
     auto text = std::back_inserter(out);
-    const bool angles = call.has(1) && call.words[1] == "-ang";
-    const Options o = read_options(call, 4);
     Sun sun;
-    int day = 0;
-    if (angles) {
+    if (call.has(1) && call.words[1] == "-ang") {
         sun.altitude = call.real(2, "the altitude") * degree;
         sun.azimuth = call.real(3, "the azimuth") * degree;
     } else {
@@ -124,27 +120,23 @@ void gendaylit(const Call& call, std::string& out) {
         base::warn(call.place, "gendaylit: the sun is moved from the zenith to an altitude of 87 degrees");
         sun.altitude = 87 * degree;
     }
-    const base::Vec3 to_sun = sun_direction(sun.altitude, sun.azimuth);
-    const double sine = std::sin(sun.altitude), z = M_PI / 2 - sun.altitude;
+    return sun;
+}
 
-    auto error_sky = [&](const char* why) {
-        if (why && !o.quiet) base::warn(call.place, std::string("gendaylit: ") + why + ": a black sky");
-        fmt::format_to(text,
-                       "\nvoid brightfunc skyfunc\n2 skybright perezlum.cal\n0\n10 0.00 0.00 0.000 0.000 0.000 0.000 "
-                       "0.000 {:f} {:f} {:f}\n",
-                       to_sun.x, to_sun.y, to_sun.z);
-    };
-    if (sun.altitude <= 0) return error_sky("the sun is below the horizon");
-    if (o.input != 'P' && o.a + o.b == 0) return error_sky("no light");
+struct Irradiance {
+    double direct, diffuse;  // W/m2, normal and horizontal
+    Clearness clearness;
+};
 
-    const PerezSky sky(day, z, o.dew_point);
-    double direct = o.a, diffuse = o.b;  // irradiances
+// From whichever pair of numbers the options gave.
+Irradiance irradiance(const Options& o, const PerezSky& sky, double sine) {
+    double direct = o.a, diffuse = o.b;
     Clearness c;
     switch (o.input) {
     case 'P':
         c = clamp({o.a, o.b});
         sky.irradiances(c, direct, diffuse);
-        break;
+        return {direct, diffuse, c};
     case 'E': split_global(o.a, sky.extraterrestrial, sine, direct, diffuse); break;
     case 'G': direct = o.a / sine; break;
     case 'L':  // a fixed point of irradiance -> efficacy -> irradiance
@@ -159,31 +151,20 @@ void gendaylit(const Call& call, std::string& out) {
         }
         break;
     }
-    if (o.input != 'P') c = clamp(sky.clearness(direct, diffuse));  // no diffuse light: as clear as can be
-    const PerezShape shape(c, z);
-    if (shape.c[1] > 0) return error_sky("the horizon's Perez coefficient b is positive");
-    const double diffuse_lux = diffuse * sky.diffuse_efficacy(c), direct_lux = direct * sky.direct_efficacy(c);
-    if (diffuse_lux < 0) return error_sky("the sky's illuminance is negative");
-    if (direct > most_watts || direct_lux > most_lux) return error_sky("more sun than outside the atmosphere");
-    auto wanted = [&](double watts, double lux) {
-        return o.output == 0 ? lux / efficacy : o.output == 1 ? watts : lux;
-    };
-    const double level = wanted(diffuse, diffuse_lux) / shape.horizontal(z);
-    const double solar = wanted(direct, direct_lux) / (2 * M_PI * (1 - std::cos(sun_half_angle)));
+    return {direct, diffuse, clamp(sky.clearness(direct, diffuse))};  // no diffuse light: as clear as can be
+}
 
-    const double factor = c.epsilon <= 1   ? .777778
-                          : c.epsilon >= 6 ? clear_factor(sun.altitude)
-                                           : intermediate_factor(sun.altitude);
-    double ground = shape.relative(0, z) * level * factor;
-    if (o.sun && c.epsilon > 1) ground += 6.8e-5 / M_PI * solar * sine;
-    ground *= o.ground;
+void write_sun(std::string& out, const Options& o, const Clearness& c, double radiance, base::Vec3 to_sun) {
+    auto text = std::back_inserter(out);
+    if (!o.sun) return;
+    if (c.epsilon <= 1) out += "\nvoid light solar\n0\n0\n3 0.0 0.0 0.0\n";
+    else fmt::format_to(text, "\nvoid light solar\n0\n0\n3 {0:.3e} {0:.3e} {0:.3e}\n", radiance);
+    fmt::format_to(text, "\nsolar source sun\n0\n0\n4 {:f} {:f} {:f} 0.533\n", to_sun.x, to_sun.y, to_sun.z);
+}
 
-    fmt::format_to(text, "# Ground ambient level: {:.1f}\n", ground);
-    if (o.sun) {
-        if (c.epsilon <= 1) out += "\nvoid light solar\n0\n0\n3 0.0 0.0 0.0\n";
-        else fmt::format_to(text, "\nvoid light solar\n0\n0\n3 {0:.3e} {0:.3e} {0:.3e}\n", solar);
-        fmt::format_to(text, "\nsolar source sun\n0\n0\n4 {:f} {:f} {:f} 0.533\n", to_sun.x, to_sun.y, to_sun.z);
-    }
+void write_sky(std::string& out, const Options& o, const Clearness& c, const PerezShape& shape, double level,
+               double ground, base::Vec3 to_sun) {
+    auto text = std::back_inserter(out);
     const bool colour = o.colour && (c.epsilon <= 1.065 || c.epsilon >= 4.5);
     if (colour)
         fmt::format_to(text, "\nvoid colorfunc skyfunc\n4 skybright_r skybright_g skybright_b perezlum_c.cal\n0\n22");
@@ -201,6 +182,51 @@ void gendaylit(const Call& call, std::string& out) {
         for (float x : o.cie ? cie : usual) fmt::format_to(text, " {:f}", x);
     }
     out += '\n';
+}
+
+}  // namespace
+
+void gendaylit(const Call& call, std::string& out) {
+    auto text = std::back_inserter(out);
+    const Options o = read_options(call, 4);
+    int day = 0;
+    const Sun sun = find_sun(call, o, day, out);
+    const base::Vec3 to_sun = sun_direction(sun.altitude, sun.azimuth);
+    const double sine = std::sin(sun.altitude), z = M_PI / 2 - sun.altitude;
+
+    auto error_sky = [&](const char* why) {
+        if (!o.quiet) base::warn(call.place, std::string("gendaylit: ") + why + ": a black sky");
+        fmt::format_to(text,
+                       "\nvoid brightfunc skyfunc\n2 skybright perezlum.cal\n0\n10 0.00 0.00 0.000 0.000 0.000 0.000 "
+                       "0.000 {:f} {:f} {:f}\n",
+                       to_sun.x, to_sun.y, to_sun.z);
+    };
+    if (sun.altitude <= 0) return error_sky("the sun is below the horizon");
+    if (o.input != 'P' && o.a + o.b == 0) return error_sky("no light");
+
+    const PerezSky sky(day, z, o.dew_point);
+    const auto [direct, diffuse, c] = irradiance(o, sky, sine);
+    const PerezShape shape(c, z);
+    if (shape.c[1] > 0) return error_sky("the horizon's Perez coefficient b is positive");
+    const double diffuse_lux = diffuse * sky.diffuse_efficacy(c), direct_lux = direct * sky.direct_efficacy(c);
+    if (diffuse_lux < 0) return error_sky("the sky's illuminance is negative");
+    if (direct > most_watts || direct_lux > most_lux) return error_sky("more sun than outside the atmosphere");
+
+    const auto wanted = [&](double watts, double lux) {
+        return o.output == 0 ? lux / efficacy : o.output == 1 ? watts : lux;
+    };
+    const double level = wanted(diffuse, diffuse_lux) / shape.horizontal(z);
+    const double solar = wanted(direct, direct_lux) / (2 * M_PI * (1 - std::cos(sun_half_angle)));
+    const double factor = c.epsilon <= 1   ? .777778
+                          : c.epsilon >= 6 ? clear_factor(sun.altitude)
+                                           : intermediate_factor(sun.altitude);
+    double ground = shape.relative(0, z) * level * factor;
+    if (o.sun && c.epsilon > 1) ground += 6.8e-5 / M_PI * solar * sine;
+    ground *= o.ground;
+
+    fmt::format_to(text, "# Ground ambient level: {:.1f}\n", ground);
+    write_sun(out, o, c, solar, to_sun);
+    write_sky(out, o, c, shape, level, ground, to_sun);
 }
 
 }  // namespace generators
