@@ -70,7 +70,7 @@ bool TextReader::refill() {
         const ssize_t n = read_some(fd_, buffer_.data() + have, buffer_.size() - have);
         if (n < 0) fail_system(name_, "read error");
         if (n == 0) break;
-        have += static_cast<size_t>(n);
+        have += size_t(n);
     }
     at_ = buffer_.data();
     end_ = at_ + have;
@@ -80,7 +80,7 @@ bool TextReader::refill() {
 
 std::string TextReader::header_format() {
     peek();
-    const std::string_view text(at_, static_cast<size_t>(end_ - at_));
+    const std::string_view text(at_, size_t(end_ - at_));
     if (text.substr(0, 2) != "#?") return "";
     std::string format;
     for (size_t i = 0; i < text.size();) {
@@ -105,7 +105,7 @@ bool TextReader::line(std::string& text, size_t longest) {
     if (peek() < 0) return false;
     int c;
     while ((c = get()) >= 0 && c != '\n') {
-        text += static_cast<char>(c);
+        text += char(c);
         if (text.size() > longest) fail(place(), "the line is longer than " + std::to_string(longest) + " characters");
     }
     return true;
@@ -127,8 +127,8 @@ bool TextReader::word(std::string_view& word) {
     // Nearly always a whole plain word lies in the buffer: no copy.
     const char* p = at_;
     while (p<end_&& static_cast<unsigned char>(*p)> ' ' && *p != '"' && *p != '\'') p++;
-    if (p > at_ && p < end_ && space(*p) && p - at_ <= static_cast<ptrdiff_t>(longest_word)) {
-        word = {at_, static_cast<size_t>(p - at_)};
+    if (p > at_ && p < end_ && space(*p) && p - at_ <= ptrdiff_t(longest_word)) {
+        word = {at_, size_t(p - at_)};
         at_ = p;
         return true;
     }
@@ -139,7 +139,7 @@ bool TextReader::word(std::string_view& word) {
     while ((c = peek()) >= 0 && (quote || !space(c))) {
         get();
         if (quote ? c == quote : c == '"' || c == '\'') quote = quote ? 0 : c;
-        else word_ += static_cast<char>(c);
+        else word_ += char(c);
         if (word_.size() > longest_word) fail(start, "word \"" + excerpt(word_) + "\" is longer than 511 characters");
     }
     if (quote) fail(start, "a quoted word does not end");
@@ -155,7 +155,7 @@ std::string TextReader::rest_of_line() {
     std::string line;
     int c;
     while ((c = get()) >= 0 && (c != '\n' || ends_with(line, "\\", 1) || ends_with(line, "\\\r", 2))) {
-        line += static_cast<char>(c);
+        line += char(c);
         if (line.size() > (1 << 20)) fail(place(), "the command is longer than a million characters");
     }
     while (!line.empty() && line.back() == '\r') line.pop_back();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Transform options to matrices.
+#include "base/angle.h"
 #include "base/xform.h"
 #include <cmath>
 #include "base/error.h"
@@ -44,7 +45,7 @@ bool is_xform_option(const std::string& w) {
 }
 
 static Xform rotation(int axis, double degrees) {
-    const double a = degrees * (M_PI / 180), c = std::cos(a), s = std::sin(a);
+    const double a = degrees * degree, c = std::cos(a), s = std::sin(a);
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     Xform r;
     r.m[i][i] = r.m[j][j] = c;
@@ -100,7 +101,7 @@ int parse_xform(const Span<std::string>& words, size_t at, Xform& result, const 
     for (const auto& row : result.m)
         for (double v : row)
             if (!std::isfinite(v)) fail(place, "the transform is not finite");
-    return static_cast<int>(i - at);
+    return int(i - at);
 }
 
 }  // namespace base

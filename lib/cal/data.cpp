@@ -14,9 +14,9 @@ namespace cal {
 
 namespace {
 
-constexpr size_t MAX_FILE = size_t(256) << 20;
-constexpr uint32_t MAX_DIMS = 5;
-constexpr uint32_t EVEN = 0xffffffffu;
+constexpr size_t max_file = size_t(256) << 20;
+constexpr uint32_t max_dims = 5;
+constexpr uint32_t even = 0xffffffffu;
 
 class Numbers {  // the words of a data file, comments left out
 public:
@@ -55,11 +55,11 @@ private:
 }  // namespace
 
 DataFile read_data(const std::string& path, const std::string& place) {
-    const std::string text = read_text(path, MAX_FILE, place);
+    const std::string text = read_text(path, max_file, place);
     Numbers in(text, path, place);
     DataFile data;
     const uint32_t dims = in.count("number of dimensions");
-    if (dims > MAX_DIMS) in.fail("more than 5 dimensions");
+    if (dims > max_dims) in.fail("more than 5 dimensions");
     size_t total = 1;
     for (uint32_t d = 0; d < dims; d++) {
         DataFile::Dimension dim;
@@ -95,7 +95,7 @@ uint32_t add_data(const DataFile& data, uint32_t channels, Code& code) {
         code.words.push_back(d.count);
         code.words.push_back(as_uint_(float(d.begin)));
         code.words.push_back(as_uint_(float((d.end - d.begin) / (d.count - 1))));
-        code.words.push_back(d.positions.empty() ? EVEN : uint32_t(code.floats.size()));
+        code.words.push_back(d.positions.empty() ? even : uint32_t(code.floats.size()));
         code.floats.insert(code.floats.end(), d.positions.begin(), d.positions.end());
     }
     return table;

@@ -8,7 +8,7 @@
 namespace cal {
 
 namespace {
-constexpr size_t MAX_FILE = size_t(4) << 20;  // function files; trees take a hundred times the text
+constexpr size_t max_file = size_t(4) << 20;  // function files; trees take a hundred times the text
 
 std::string context_of(const std::string& file) {  // "lib/my sky.cal" -> "my_sky"
     std::string name = file.substr(file.find_last_of('/') + 1);
@@ -20,7 +20,7 @@ std::string context_of(const std::string& file) {  // "lib/my sky.cal" -> "my_sk
 }
 
 // "x`ctx." -> base x, context ctx; false if there is no mark in the name
-bool split(const std::string& name, std::string& base, std::string& context) {
+bool split_context(const std::string& name, std::string& base, std::string& context) {
     const size_t mark = name.find('`');
     if (mark == std::string::npos) return false;
     base = name.substr(0, mark);
@@ -62,7 +62,7 @@ void Library::State::add(std::string_view text, const std::string& file, const s
     for (Definition& def : parse_definitions(text, file, pool)) {
         std::string base, own;
         def.context = context;
-        if (split(def.name, base, own)) {
+        if (split_context(def.name, base, own)) {
             if (base.empty()) def.name = own;  // `x: in this context anyway
             else {
                 def.name = base;
@@ -80,7 +80,7 @@ void Library::State::add(std::string_view text, const std::string& file, const s
 void Library::State::add_file(const std::string& file, const std::string& context, const std::string& place,
                               bool warn) {
     const std::string path = base::look_for_file(file, files);
-    if (!path.empty()) return add(read_text(path, MAX_FILE, place), path, context, warn);
+    if (!path.empty()) return add(read_text(path, max_file, place), path, context, warn);
     const bool has_ending = file.size() > 4 && file.compare(file.size() - 4, 4, ".cal") == 0;
     const char* text = builtin_file(has_ending ? file : file + ".cal");
     if (!text) base::fail(place, "cannot find function file \"" + file + "\"");
@@ -108,7 +108,7 @@ const Definition* Library::State::lookup(const std::string& name, const std::str
         return d == c->second.end() ? nullptr : &d->second;
     };
     std::string base, own;
-    if (split(name, base, own)) {
+    if (split_context(name, base, own)) {
         if (base.empty()) return in(context, own);
         return in(own, base);
     }

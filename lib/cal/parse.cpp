@@ -10,8 +10,8 @@ namespace cal {
 
 namespace {
 
-constexpr int MAX_NESTING = 1000;
-constexpr int MAX_DEPTH = 2500;  // of a tree: also long sums lean to the left
+constexpr int max_nesting = 1000;
+constexpr int max_depth = 2500;  // of a tree: also long sums lean to the left
 
 bool is_name_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '`'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -55,7 +55,7 @@ public:
     }
 
     const Expr* expression() {
-        if (++nesting_ > MAX_NESTING) fail("expression is nested too deeply");
+        if (++nesting_ > max_nesting) fail("expression is nested too deeply");
         const Expr* left = term();
         for (;;) {
             if (accept('+')) left = binary(Expr::Kind::add, left, term());
@@ -105,7 +105,7 @@ private:
     }
 
     const Expr* factor() {
-        if (++nesting_ > MAX_NESTING) fail("expression is nested too deeply");
+        if (++nesting_ > max_nesting) fail("expression is nested too deeply");
         const Expr* base = unary();
         if (accept('^')) base = binary(Expr::Kind::power, base, factor());
         nesting_--;
@@ -202,7 +202,7 @@ private:
     const Expr* finish(Expr* e) {
         int depth = 0;
         for (const Expr* k : e->kids) depth = std::max<int>(depth, k->depth);
-        if (++depth > MAX_DEPTH) fail("expression is too long");
+        if (++depth > max_depth) fail("expression is too long");
         e->depth = uint16_t(depth);
         return e;
     }

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "cal/pattern_parts.h"
 #include "cal/spectrum.h"
+#include "image/picture.h"
 
 namespace cal {
 
@@ -81,13 +82,13 @@ void colortext(Parts& p, Nodes& out) { text(p, out, 0, 3); }
 void mixtext(Parts& p, Nodes& out) { out.push_back(p.text(2, 9)); }
 
 // ---- spectral types: RGB by the colour matching functions, as RADIANCE's RGB mode does
-constexpr double STEP = 10;  // nm, where a function is sampled for each point
+constexpr double step_nm = 10;  // nm, where a function is sampled for each point
 
 // A colour outside the triangle of the primaries is moved towards the grey of its luminance.
 void inside_gamut(Parts& p, Nodes rgb, Nodes& out) {
     Graph& g = *p.graph;
     int y = g.constant(0);
-    for (size_t k = 0; k < 3; k++) y = g.add(y, g.mul(rgb[k], g.constant(rgb_luminance[k])));
+    for (size_t k = 0; k < 3; k++) y = g.add(y, g.mul(rgb[k], g.constant(image::luminance_weights[k])));
     const int least = g.make(OP_MIN, g.make(OP_MIN, rgb[0], rgb[1]), rgb[2]);
     const int share =
         g.choose(g.make(OP_NEG, least), g.choose(y, g.make(OP_DIV, y, g.sub(y, least)), g.constant(0)), g.constant(1));
@@ -103,9 +104,9 @@ void constant_spectrum(Parts& p, const std::function<double(double)>& f, Nodes& 
 template <class F>
 void sampled_spectrum(Parts& p, double low, double high, F value, Nodes& out) {
     Nodes rgb(3, p.graph->constant(0));
-    for (double nm = 380 + STEP / 2; nm < 780; nm += STEP) {
+    for (double nm = 380 + step_nm / 2; nm < 780; nm += step_nm) {
         if (nm < low || nm > high) continue;
-        const std::array<double, 3> w = spectrum_weight(nm, STEP);
+        const std::array<double, 3> w = spectrum_weight(nm, step_nm);
         const int v = value(p.graph->constant(nm));
         for (size_t k = 0; k < 3; k++) rgb[k] = p.graph->add(rgb[k], p.graph->mul(v, p.graph->constant(w[k])));
     }

@@ -39,8 +39,6 @@ double matched(double nm, int k) {
 
 }  // namespace
 
-const double rgb_luminance[3] = {.265074126, .670114631, .064811243};
-
 std::array<double, 3> spectrum_weight(double nm, double step) {
     double xyz[3], total[3] = {0, 0, 0};
     for (double w = 380 + step / 2; w < 780; w += step)

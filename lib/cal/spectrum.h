@@ -14,6 +14,4 @@ std::array<double, 3> spectrum_weight(double nm, double step);
 // The same for a band of constant value between two wavelengths, in either order.
 std::array<double, 3> band_weight(double a, double b);
 
-extern const double rgb_luminance[3];  // of RADIANCE's primaries
-
 }  // namespace cal

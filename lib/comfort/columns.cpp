@@ -19,12 +19,12 @@ struct Entry {
 
 double omega_sources(M m) {
     double sum = 0;
-    for (const Source& s : m.sources) sum += s.omega;
+    for (const GlareSource& s : m.sources) sum += s.omega;
     return sum;
 }
 double lum_sources(M m) {
     double flux = 0;
-    for (const Source& s : m.sources) flux += s.lum * s.omega;
+    for (const GlareSource& s : m.sources) flux += s.lum * s.omega;
     return m.sources.empty() ? 0 : flux / omega_sources(m);
 }
 
@@ -68,19 +68,20 @@ const Entry entries[] = {
 
 struct PartEntry {
     const char* name;
-    double AreaValues::*value;
+    double RegionValues::*value;
 };
-const PartEntry parts[] = {{"TAL", &AreaValues::tal},    {"mean", &AreaValues::mean},   {"median", &AreaValues::median},
-                           {"min", &AreaValues::lowest}, {"max", &AreaValues::highest}, {"share", &AreaValues::share}};
+const PartEntry parts[] = {{"TAL", &RegionValues::tal},       {"mean", &RegionValues::mean},
+                           {"median", &RegionValues::median}, {"min", &RegionValues::lowest},
+                           {"max", &RegionValues::highest},   {"share", &RegionValues::share}};
 
 struct SetEntry {
     const char* name;
-    double AreaStatistics::*value;
+    double PixelStatistics::*value;
 };
 const SetEntry set_parts[] = {
-    {"omega", &AreaStatistics::omega},   {"mean", &AreaStatistics::mean},   {"median", &AreaStatistics::median},
-    {"std", &AreaStatistics::deviation}, {"p75", &AreaStatistics::p75},     {"p95", &AreaStatistics::p95},
-    {"min", &AreaStatistics::lowest},    {"max", &AreaStatistics::highest}, {"Ev", &AreaStatistics::eye_lux}};
+    {"omega", &PixelStatistics::omega},   {"mean", &PixelStatistics::mean},   {"median", &PixelStatistics::median},
+    {"std", &PixelStatistics::deviation}, {"p75", &PixelStatistics::p75},     {"p95", &PixelStatistics::p95},
+    {"min", &PixelStatistics::lowest},    {"max", &PixelStatistics::highest}, {"Ev", &PixelStatistics::eye_lux}};
 
 class Chooser {
 public:
@@ -128,7 +129,7 @@ private:
     void mean_of(const char* column, const std::string& name) {
         const size_t k = region_index(name);
         if (k == choice_.regions.size()) columns_.push_back({column, [](M) { return std::nan(""); }});
-        else columns_.push_back({column, [k](M m) { return m.areas[k].tal; }});
+        else columns_.push_back({column, [k](M m) { return m.region_values[k].tal; }});
     }
 
     bool plain(const std::string& name) {
@@ -153,7 +154,8 @@ private:
         for (const ContrastPair& p : choice_.pairs) {
             if (name != "CR" && name != p.column + ".CR") continue;
             const size_t low = region_index(p.low), high = region_index(p.high);
-            columns_.push_back({p.column + ".CR", [low, high](M m) { return m.areas[low].tal / m.areas[high].tal; }});
+            columns_.push_back(
+                {p.column + ".CR", [low, high](M m) { return m.region_values[low].tal / m.region_values[high].tal; }});
             found = true;
         }
         if (name == "CR" && !found) base::fail("-metrics", "CR needs a contrast pair (-cr low/high)");
@@ -165,9 +167,9 @@ private:
             for (size_t k = 0; k < choice_.regions.size(); ++k) {
                 const std::string full = choice_.regions[k] + "." + part.name;
                 if (name != part.name && name != full) continue;
-                needs_.regions_in_full |= part.value != &AreaValues::tal;
+                needs_.regions_in_full |= part.value != &RegionValues::tal;
                 const auto value = part.value;
-                columns_.push_back({full, [k, value](M m) { return m.areas[k].*value; }});
+                columns_.push_back({full, [k, value](M m) { return m.region_values[k].*value; }});
                 found = true;
             }
         for (const PartEntry& part : parts)
@@ -176,7 +178,7 @@ private:
     }
     bool pixel_set(const std::string& name) {
         bool found = false;
-        const auto offer = [&](const char* set, bool there, std::optional<AreaStatistics> Measurement::*member) {
+        const auto offer = [&](const char* set, bool there, std::optional<PixelStatistics> Measurement::*member) {
             for (const SetEntry& part : set_parts) {
                 const std::string full = std::string(set) + "." + part.name;
                 if (name != set && name != full) continue;

@@ -51,7 +51,7 @@ double number(const std::string& text, const std::string& place) {
     return value;
 }
 
-std::vector<std::string> split(const std::string& line, char by) {
+std::vector<std::string> split_cells(const std::string& line, char by) {
     std::vector<std::string> out(1);
     bool quoted = false;
     for (char c : line) {
@@ -62,9 +62,9 @@ std::vector<std::string> split(const std::string& line, char by) {
     return out;
 }
 
-class Reader {
+class TableReader {
 public:
-    explicit Reader(const std::string& path) : in_(path) { table_.name = path; }
+    explicit TableReader(const std::string& path) : in_(path) { table_.name = path; }
     std::optional<NumberTable> read() {
         std::string line;
         for (long n = 1; next_line(line); ++n) {
@@ -98,7 +98,7 @@ private:
         if (line.find('\t') != std::string::npos || line.compare(0, 5, "file,") == 0 ||
             line.compare(0, 6, "frame,") == 0) {
             separator_ = line.find('\t') != std::string::npos ? '\t' : ',';
-            header_ = split(line, separator_);
+            header_ = split_cells(line, separator_);
             for (const std::string& h : header_)
                 if (!is_label(h)) table_.names.push_back(h);
             return;
@@ -112,7 +112,7 @@ private:
         if (!detail) base::fail(place_, "is neither a table of vcmetrics nor a line of evalglare");
     }
     void plain(const std::string& line) {
-        const std::vector<std::string> cells = split(line, separator_);
+        const std::vector<std::string> cells = split_cells(line, separator_);
         if (cells.size() != header_.size())
             base::fail(place_, "has " + std::to_string(cells.size()) + " columns, the header " +
                                    std::to_string(header_.size()));
@@ -125,7 +125,7 @@ private:
         std::vector<std::string> names;
         std::vector<double> row;
         std::istringstream words(line.substr(colon + 2));
-        for (const std::string& name : split(line.substr(0, colon), ',')) {
+        for (const std::string& name : split_cells(line.substr(0, colon), ',')) {
             std::string word;
             if (!(words >> word)) base::fail(place_, "evalglare's line ends before \"" + name + "\"");
             const auto known = evalglare_names.find(name);
@@ -191,7 +191,7 @@ std::optional<NumberTable> read_numbers(const std::string& path) {
         const int first = test.peek();
         if (first == 0x76) return std::nullopt;  // OpenEXR
     }
-    return Reader(path).read();
+    return TableReader(path).read();
 }
 
 Tolerance tolerance_for(const std::string& metric, const std::vector<Tolerance>& rules) {

@@ -13,9 +13,9 @@ namespace {
 double sum_of_terms(const Measurement& m, const Meter& meter) {
     double sum = 0;
     if (meter.finder().before_zones().empty()) {
-        for (const GlareSource& o : m.glare) sum += dgp_term(o, {});
+        for (const GlareTerm& o : m.glare) sum += dgp_term(o, {});
     } else {
-        for (const Source& o : meter.finder().before_zones()) sum += dgp_term({o.lum, o.omega, o.P, 0, 0, 0}, {});
+        for (const GlareSource& o : meter.finder().before_zones()) sum += dgp_term({o.lum, o.omega, o.P, 0, 0, 0}, {});
     }
     return sum;
 }
@@ -24,19 +24,19 @@ double sum_of_terms(const Measurement& m, const Meter& meter) {
 struct Shares {
     double contrast, dgp;
 };
-Shares shares_of(const GlareSource& s, double sum, const Measurement& m, const DgpConstants& k) {
+Shares shares_of(const GlareTerm& s, double sum, const Measurement& m, const DgpConstants& k) {
     const double scale = std::pow(m.ev, k.a3);
     const double alone = std::log10(1 + dgp_term(s, {}) / scale);
     return {alone / std::log10(1 + sum / scale), k.c2 * alone / m.dgp_computed};
 }
 
-std::string statistics_line(const AreaStatistics& a) {
+std::string statistics_line(const PixelStatistics& a) {
     if (a.pixels == 0) return fmt::sprintf("%f %f %f %f %f %f %f %f", a.omega, a.mean, 0., 0., 0., 0., 0., 0.);
     return fmt::sprintf("%f %f %f %f %f %f %f %f", a.omega, a.mean, a.median, a.deviation, a.p75, a.p95, a.lowest,
                         a.highest);
 }
 
-std::string zone_line(const AreaStatistics& a, int zone, long count, const char* gap) {
+std::string zone_line(const PixelStatistics& a, int zone, long count, const char* gap) {
     const std::string z = "z" + std::to_string(zone);
     return fmt::sprintf(
                "zoning:%s_omega,%s_av_lum,%s_median_lum,%s_std_lum,%s_perc_75,%s_perc_95,%s_lum_min,%s_lum_max,E%s,i_%"
@@ -53,8 +53,8 @@ std::string source_lines(const Measurement& m, const Settings& settings, const M
         int(m.sources.size()));
     const double sum = sum_of_terms(m, meter);
     for (size_t i = 0; i < m.sources.size(); ++i) {
-        const Source& s = m.sources[i];
-        const GlareSource& g = m.glare[i];
+        const GlareSource& s = m.sources[i];
+        const GlareTerm& g = m.glare[i];
         const Shares share = shares_of(g, sum, m, settings.constants);
         out +=
             fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f %f %f %f %f %f %f %f %f %f %d %f %f \n", int(i + 1),
@@ -73,7 +73,7 @@ std::string source_lines(const Measurement& m, const Settings& settings, const M
 
 std::string summary_line(const Measurement& m, const Settings& settings) {
     double flux = 0, omega = 0;
-    for (const Source& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
+    for (const GlareSource& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
     const double d = dgr(m.glare, m.mean_lum);
     const double values[] = {m.dgp,
                              m.mean_lum,
@@ -110,8 +110,8 @@ std::string summary_line(const Measurement& m, const Settings& settings) {
 Measurement as_fast(Measurement m) {
     m.ev = m.eye_lux_used;
     m.background = m.direct_lux = m.max_lum = 0;
-    for (Source& s : m.sources) s.eye_lux = 0;
-    for (GlareSource& s : m.glare) s.eye_lux = 0;
+    for (GlareSource& s : m.sources) s.eye_lux = 0;
+    for (GlareTerm& s : m.glare) s.eye_lux = 0;
     return m;
 }
 
@@ -125,7 +125,7 @@ std::string patch_lines(const Measurement& m, const Meter& meter) {
     const Geometry& g = meter.geometry();
     std::string out;
     std::map<uint32_t, int> number;  // of the live groups
-    for (const Source& s : m.sources) {
+    for (const GlareSource& s : m.sources) {
         const int n = int(number.size()) + 1;
         number[s.group] = n;
         out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f \n", n, s.pixels, s.x, s.y, s.lum, s.omega, s.P,

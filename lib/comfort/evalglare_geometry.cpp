@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The roundings that decide on which side of a border evalglare puts a pixel (evalglare_geometry.h).
 #include "comfort/evalglare_geometry.h"
+#include "base/angle.h"
 #include <cmath>
 
 namespace comfort {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using base::pi;
 
 // Nearly unit vectors take one Newton step of 1/sqrt; others the root.
 Vec3 normalised(Vec3 v) {
@@ -20,7 +21,7 @@ Vec3 sum(double a, Vec3 u, double b, Vec3 v, double c, Vec3 w) {
     return {a * u.x + (b * v.x + c * w.x), a * u.y + (b * v.y + c * w.y), a * u.z + (b * v.z + c * w.z)};
 }
 
-constexpr double rad = pi / 180;
+constexpr double rad = base::degree;
 
 // evalglare's sine of a right angle comes from its compiler's vector library, one bit below 1.
 double half_sine(double angle_deg) {

@@ -9,10 +9,10 @@
 
 namespace comfort {
 
-struct GlareSource {  // what the formulas need of a source
+struct GlareTerm {  // what the formulas need of a source
     double lum, omega, P, sigma_deg, eye_lux, theta_deg;
 };
-using Sources = std::vector<GlareSource>;
+using GlareTerms = std::vector<GlareTerm>;
 
 // L^a1 w^a2 E^a3 P^a4 E^a5 c1 c2 c3 of evalglare's -w:  c1 E^a5 + c3 + c2 log10(1 + sum L^a1 w^a2 / P^a4 / E^a3)
 struct DgpConstants {
@@ -20,21 +20,21 @@ struct DgpConstants {
 };
 constexpr DgpConstants paper_dgp{2, 1, 1.87, 2, 1, 5.87e-5, 0.0918, 0.16};
 
-double dgp_term(const GlareSource& s, const DgpConstants& k);               // L^a1 w^a2 / P^a4
+double dgp_term(const GlareTerm& s, const DgpConstants& k);                 // L^a1 w^a2 / P^a4
 double dgp_of_sum(double sum, bool any, double ev, const DgpConstants& k);  // at most 1
-double dgp(const Sources& s, double ev, const DgpConstants& k);
+double dgp(const GlareTerms& s, double ev, const DgpConstants& k);
 double low_light_factor(double ev);  // below 1000 lux, else 1
 
-double dgi(const Sources& s, double background);
-double dgi_mod(const Sources& s, double background, double ev);
-double ugr(const Sources& s, double background);
-double ugr_exp(const Sources& s, double background, double ev);
-double ugp(const Sources& s, double background);
-double ugp2(const Sources& s, double background);
-double cgi(const Sources& s, double direct_lux, double ev);
-double dgr(const Sources& s, double mean_lum);
-double vcp(const Sources& s, double dgr);
-double veil_poynter(const Sources& s);
-double veil_cie(const Sources& s, double cut);  // terms up to `cut` are left out (-k)
+double dgi(const GlareTerms& s, double background);
+double dgi_mod(const GlareTerms& s, double background, double ev);
+double ugr(const GlareTerms& s, double background);
+double ugr_exp(const GlareTerms& s, double background, double ev);
+double ugp(const GlareTerms& s, double background);
+double ugp2(const GlareTerms& s, double background);
+double cgi(const GlareTerms& s, double direct_lux, double ev);
+double dgr(const GlareTerms& s, double mean_lum);
+double vcp(const GlareTerms& s, double dgr);
+double veil_poynter(const GlareTerms& s);
+double veil_cie(const GlareTerms& s, double cut);  // terms up to `cut` are left out (-k)
 
 }  // namespace comfort

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Directions, solid angles and runs of valid pixels of a view and size (geometry.h).
 #include "comfort/geometry.h"
+#include "base/angle.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +9,7 @@
 namespace comfort {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using base::pi;
 
 struct Corner {
     Vec3 d;

@@ -3,13 +3,14 @@
 #include "comfort/measure.h"
 #include <algorithm>
 #include <cmath>
+#include "base/angle.h"
 #include "base/error.h"
 #include "comfort/detect.h"
 #include "comfort/evalglare_format.h"
 
 namespace comfort {
 
-constexpr double pi = 3.14159265358979323846;
+using base::pi;
 
 Meter::Meter(const Settings& settings, const Needs& needs, std::optional<image::MaskSet> regions, DrawRegions draw)
     : settings_(settings), needs_(needs), regions_(std::move(regions)), draw_(std::move(draw)) {
@@ -41,9 +42,9 @@ void Meter::prepare(const view::View& view, const image::Picture& picture, const
     finder_ = std::make_unique<SourceFinder>(*geometry_, settings_);
     position_index_.clear();
     mask_.reset();
-    areas_.clear();
+    region_pixels_.clear();
     if (regions_)
-        for (const image::Mask& m : regions_->masks) areas_.emplace_back(m.coverage, *geometry_);
+        for (const image::Mask& m : regions_->masks) region_pixels_.emplace_back(m.coverage, *geometry_);
 }
 
 void Meter::photometry(const Luminance& lum, Measurement& m) const {
@@ -116,7 +117,7 @@ void Meter::glare(Luminance& lum, Measurement& m) {
         m.task_lum = task_luminance(lum, g, *settings_.task, settings_.slips, settings_.fast != 0);
     } else {
         for (size_t k = 0; k < region_names_.size(); ++k)
-            if (region_names_[k] == settings_.task_region) m.task_lum = areas_[k].tal(lum);
+            if (region_names_[k] == settings_.task_region) m.task_lum = region_pixels_[k].tal(lum);
     }
     m.task_lum = float(m.task_lum);
     m.threshold = source_threshold(settings_, has_task, m.task_lum);
@@ -129,7 +130,8 @@ void Meter::glare(Luminance& lum, Measurement& m) {
     if (settings_.dgp_form == DgpForm::pixel) {
         m.glare = finder_->every_pixel(lum, m.threshold);
     } else {
-        for (const Source& s : m.sources) m.glare.push_back({s.lum, s.omega, s.P, s.sigma_deg, s.eye_lux, s.sigma_deg});
+        for (const GlareSource& s : m.sources)
+            m.glare.push_back({s.lum, s.omega, s.P, s.sigma_deg, s.eye_lux, s.sigma_deg});
     }
     m.any_source = !m.sources.empty();
     const double direct = settings_.fast == 2 ? settings_.fast_direct : m.direct_lux;
@@ -140,7 +142,7 @@ void Meter::glare(Luminance& lum, Measurement& m) {
         // Lb as by default, whatever -q says
     } else if (settings_.background == 1) {
         double flux = 0, omega = 0;
-        for (const Source& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
+        for (const GlareSource& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
         m.background =
             m.omega - omega < 1e-11 * m.omega ? m.mean_lum : (m.omega * m.mean_lum - flux) / (m.omega - omega);
     } else if (settings_.background == 2) {
@@ -188,10 +190,10 @@ Measurement Meter::measure(image::Picture& picture, const std::string& place, co
     }
     if (settings_.fill) fill_rows(lum, g, *settings_.fill);
     photometry(lum, m);
-    for (const Area& a : areas_) {
-        m.areas.emplace_back();
-        if (needs_.regions_in_full) m.areas.back() = a.measure(lum);
-        else m.areas.back().tal = a.tal(lum);
+    for (const RegionPixels& r : region_pixels_) {
+        m.region_values.emplace_back();
+        if (needs_.regions_in_full) m.region_values.back() = r.measure(lum);
+        else m.region_values.back().tal = r.tal(lum);
     }
     if (needs_.rammg) m.rammg = rammg(lum, g, settings_.rammg_area);
     if (needs_.medians) position_statistics(lum, m);

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 #include <vector>
-#include "comfort/area.h"
+#include "comfort/region_pixels.h"
 #include "comfort/settings.h"
 #include "comfort/sources.h"
 #include "comfort/statistics.h"
@@ -20,15 +20,15 @@ struct Measurement {
     double task_lum = 0;  // reference luminance of the threshold: task area, else the mean
     double threshold = 0;
     double direct_lux = 0, background = 0, background0 = 0;  // background0: -q 0 whatever -q says
-    std::vector<Source> sources;
-    Sources glare;  // the same for the formulas (or every bright pixel)
+    std::vector<GlareSource> sources;
+    GlareTerms glare;  // the same for the formulas (or every bright pixel)
     bool any_source = false;
     double dgp = 0;           // with the external Ev if there is one, corrected, at most 1
     double dgp_computed = 0;  // with the computed Ev, before corrections
     double eye_lux_used = 0;  // the Ev of `dgp`
     double mean_pos = 0, mean_pos2 = 0, median = 0, median_pos = 0, median_pos2 = 0;  // of L, L/P, L/P^2
-    std::vector<AreaValues> areas;
-    std::optional<AreaStatistics> band, mask, zone1, zone2;
+    std::vector<RegionValues> region_values;
+    std::optional<PixelStatistics> band, mask, zone1, zone2;
     Pgsv pgsv{0, 0, 0};
     std::optional<double> black_corners;  // percent, type v
 };
@@ -60,7 +60,7 @@ private:
     std::vector<std::string> region_names_;
     std::unique_ptr<Geometry> geometry_;
     std::unique_ptr<SourceFinder> finder_;
-    std::vector<Area> areas_;
+    std::vector<RegionPixels> region_pixels_;
     std::vector<float> position_index_;  // by pixel, made when medians are asked for
     std::optional<std::vector<uint32_t>> mask_;
 };

@@ -47,7 +47,7 @@ SourceFinder::SourceFinder(const Geometry& geometry, const Settings& settings)
     if (settings.slips) as_evalglare_ = std::make_unique<EvalglareGroups>(geometry, settings.search_opening);
 }
 
-std::vector<Source> SourceFinder::find(const Luminance& lum, double threshold) {
+std::vector<GlareSource> SourceFinder::find(const Luminance& lum, double threshold) {
     extra_.clear();
     zone_of_group_.clear();
     slipped_eye_lux_.clear();
@@ -166,19 +166,19 @@ void SourceFinder::split_zones(const Luminance& lum) {
     runs_ = to_runs(std::move(pixels), g.width);
 }
 
-std::vector<Source> SourceFinder::sums(const Luminance& lum) const {
+std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {
     const Geometry& g = geometry_;
-    std::vector<Source> sources(groups_ + 1);
+    std::vector<GlareSource> sources(groups_ + 1);
     if (as_evalglare_) {
         for (uint32_t group = 1; group <= groups_; ++group) {
             const GroupSums& s = as_evalglare_->sums()[group];
-            Source& to = sources[group];
+            GlareSource& to = sources[group];
             to.pixels = s.pixels, to.omega = s.omega, to.lum = s.lum;
             to.x = s.x, to.y = s.y, to.brightest = s.brightest;
         }
     } else {
         const auto add = [&](const Run& r) {
-            Source& s = sources[r.group];
+            GlareSource& s = sources[r.group];
             const int y = g.y_of(r.start);
             int x = g.x_of(r.start);
             for (uint32_t p = r.start; p < r.start + r.length; ++p, ++x) {
@@ -190,14 +190,14 @@ std::vector<Source> SourceFinder::sums(const Luminance& lum) const {
         };
         for (const Run& r : runs_) add(r);
         for (const Run& r : extra_) add(r);
-        for (Source& s : sources) s.x /= s.lum, s.y /= s.lum, s.lum /= s.omega;
+        for (GlareSource& s : sources) s.x /= s.lum, s.y /= s.lum, s.lum /= s.omega;
     }
     for (const Run& r : runs_)
         for (uint32_t p = r.start; p < r.start + r.length; ++p) sources[r.group].eye_lux += lum.at(p) * g.omega_cos[p];
 
-    std::vector<Source> live;
+    std::vector<GlareSource> live;
     for (uint32_t group = 1; group <= groups_; ++group) {
-        Source& s = sources[group];
+        GlareSource& s = sources[group];
         if (!(s.pixels > 0)) continue;
         s.group = group;
         if (!zone_of_group_.empty()) s.zone = zone_of_group_[group];
@@ -213,8 +213,8 @@ std::vector<Source> SourceFinder::sums(const Luminance& lum) const {
     return live;
 }
 
-std::vector<GlareSource> SourceFinder::every_pixel(const Luminance& lum, double threshold) const {
-    std::vector<GlareSource> out;
+std::vector<GlareTerm> SourceFinder::every_pixel(const Luminance& lum, double threshold) const {
+    std::vector<GlareTerm> out;
     for (const Run& r : bright_runs(lum, geometry_, threshold))
         for (uint32_t p = r.start; p < r.start + r.length; ++p) {
             const Vec3 d = geometry_.direction(p);

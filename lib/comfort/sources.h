@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From bright pixels to glare sources, in evalglare's order: connect, smooth (-s), extract peaks (-y),
-// split at zones (-l, -L); or fixed patches (-z) in place of connecting.  One Source per group that kept pixels.
+// split at zones (-l, -L); or fixed patches (-z) in place of connecting.  One GlareSource per group that kept pixels.
 #pragma once
 #include <memory>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace comfort {
 
-struct Source {
+struct GlareSource {
     double pixels = 0, omega = 0, lum = 0;  // omega-weighted mean luminance
     double x = 0, y = 0;                    // mean of the pixels weighted by L w; y from the bottom
     double brightest = 0;
@@ -24,19 +24,19 @@ struct Source {
 class SourceFinder {
 public:
     SourceFinder(const Geometry& geometry, const Settings& settings);
-    std::vector<Source> find(const Luminance& lum, double threshold);
+    std::vector<GlareSource> find(const Luminance& lum, double threshold);
     const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
     double direct_lux() const { return direct_lux_; }
-    const std::vector<Source>& before_zones() const { return before_zones_; }  // empty without zones
+    const std::vector<GlareSource>& before_zones() const { return before_zones_; }  // empty without zones
     double radius_px() const { return radius_px_; }
-    std::vector<GlareSource> every_pixel(const Luminance& lum, double threshold) const;  // DgpForm::pixel
+    std::vector<GlareTerm> every_pixel(const Luminance& lum, double threshold) const;  // DgpForm::pixel
 
 private:
     void connect_as_evalglare(const Luminance& lum);
     void smooth(const Luminance& lum);
     void extract_peaks(const Luminance& lum);
     void split_zones(const Luminance& lum);
-    std::vector<Source> sums(const Luminance& lum) const;
+    std::vector<GlareSource> sums(const Luminance& lum) const;
 
     const Geometry& geometry_;
     const Settings& settings_;
@@ -46,7 +46,7 @@ private:
     std::vector<int> zone_of_group_;                 // by group number, empty without zones
     std::vector<double> slipped_eye_lux_;            // by group number, evalglare's after zones; else empty
     std::unique_ptr<EvalglareGroups> as_evalglare_;  // with settings.slips
-    std::vector<Source> before_zones_;
+    std::vector<GlareSource> before_zones_;
     uint32_t groups_ = 0;  // highest number in use
     double direct_lux_ = 0;
 };

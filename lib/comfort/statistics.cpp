@@ -21,8 +21,8 @@ double percentile(const std::vector<double>& sorted, double p) {
 
 }  // namespace
 
-AreaStatistics statistics_of(const std::vector<uint32_t>& pixels, const Luminance& lum, const Geometry& g) {
-    AreaStatistics s;
+PixelStatistics statistics_of(const std::vector<uint32_t>& pixels, const Luminance& lum, const Geometry& g) {
+    PixelStatistics s;
     s.pixels = long(pixels.size());
     std::vector<double> sorted;
     double flux = 0, sum = 0, squares = 0;
@@ -100,7 +100,7 @@ double median(std::vector<float>& v) {
 }
 
 // Tokura, Iwata and Shukuya 1996: contrast and saturation forms; lg is the decimal logarithm.
-Pgsv pgsv(const AreaStatistics& m, double mean_lum, double ev, bool has_task, double task_lum) {
+Pgsv pgsv(const PixelStatistics& m, double mean_lum, double ev, bool has_task, double task_lum) {
     constexpr double pi = 3.14159265359;
     const double background = (2 * pi * mean_lum - m.mean * m.omega) / (2 * pi - m.omega);
     const double lg_omega = std::log10(m.omega);

@@ -10,12 +10,12 @@
 
 namespace comfort {
 
-struct AreaStatistics {
+struct PixelStatistics {
     long pixels = 0;
     double omega = 0, mean = 0, median = 0, deviation = 0, p75 = 0, p95 = 0, lowest = 0, highest = 0, eye_lux = 0;
 };
 
-AreaStatistics statistics_of(const std::vector<uint32_t>& pixels, const Luminance& lum, const Geometry& geometry);
+PixelStatistics statistics_of(const std::vector<uint32_t>& pixels, const Luminance& lum, const Geometry& geometry);
 
 // Horizontal band: valid pixels within `half_rad` of the middle row's pixel of their column, and the middle row.
 std::vector<uint32_t> band_pixels(const Geometry& geometry, double half_rad);
@@ -31,6 +31,6 @@ double median(
 struct Pgsv {
     double contrast, saturation, value;
 };
-Pgsv pgsv(const AreaStatistics& mask, double mean_lum, double ev, bool has_task, double task_lum);
+Pgsv pgsv(const PixelStatistics& mask, double mean_lum, double ev, bool has_task, double task_lum);
 
 }  // namespace comfort

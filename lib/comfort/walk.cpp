@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far a search has to look: the smallest cosine that is near, and a bound on the rows.
 #include "comfort/walk.h"
+#include "base/angle.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +9,7 @@
 namespace comfort {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using base::pi;
 
 }  // namespace
 

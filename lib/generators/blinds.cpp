@@ -4,6 +4,7 @@
 // in chords of at most 3 degrees.
 #include <cmath>
 #include "generators/generators.h"
+#include "base/angle.h"
 
 namespace generators {
 
@@ -13,7 +14,7 @@ void genblinds(const Call& call, std::string& out) {
     const double depth = call.real(3, "the depth"), width = call.real(4, "the width"),
                  height = call.real(5, "the height");
     const long long slats = call.integer(6, "the number of slats", 0, call.most);
-    const double tilt = call.real(7, "the angle") * (M_PI / 180);
+    const double tilt = call.real(7, "the angle") * base::degree;
     double radius = 0;
     for (size_t i = 8; call.has(i); i++) {
         if (call.words[i] == "+r") radius = call.real(++i, "+r");
@@ -26,7 +27,7 @@ void genblinds(const Call& call, std::string& out) {
         if (depth <= 0) call.fail("curved slats need a depth above 0");
         if (2 * std::fabs(radius) < depth) call.fail("the radius is smaller than half the depth");
         const double half = std::asin(depth / (2 * std::fabs(radius)));
-        const int chords = static_cast<int>(2 * half / (3 * M_PI / 180) + .99999);
+        const int chords = int(2 * half / (3 * base::pi / 180) + .99999);
         profile.clear();
         for (int k = 0; k <= chords; k++) {
             const double a = half * (2. * k / chords - 1);

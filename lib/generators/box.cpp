@@ -28,7 +28,7 @@ const int round_edges[12][2] = {{070, 071}, {070, 074}, {070, 072}, {073, 071}, 
 
 char code_letter(int code) { return "0123456789._ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"[code]; }
 
-struct Box {
+struct RoundedBox {
     std::string material, name;
     double size[3];
     double bevel = 0, radius = 0;
@@ -69,7 +69,7 @@ struct Box {
 // y, 060 x.
 class Pieces {
 public:
-    Pieces(const Box& box, int segments) : box_(box), segments_(segments) {}
+    Pieces(const RoundedBox& box, int segments) : box_(box), segments_(segments) {}
     void write(bool smooth);
 
 private:
@@ -89,7 +89,7 @@ private:
     void corner(int corner, base::Vec3 a, base::Vec3 b, base::Vec3 c, int segments);
     void put(const Piece& piece, bool smooth);
 
-    const Box& box_;
+    const RoundedBox& box_;
     const int segments_;
     std::vector<Piece> edges_, corners_;
     int written_ = 0;
@@ -163,7 +163,7 @@ void Pieces::write(bool smooth) {
 }  // namespace
 
 void genbox(const Call& call, std::string& out) {
-    Box b;
+    RoundedBox b;
     b.material = call.word(1, "the material");
     b.name = call.word(2, "the name");
     for (int i = 0; i < 3; i++) b.size[i] = call.real(3 + i, "the size");
@@ -175,7 +175,7 @@ void genbox(const Call& call, std::string& out) {
         if (w == "-i") b.inward = true;
         else if (w == "-b") bevelled = true, b.bevel = call.real(++i, "-b");
         else if (w == "-r") round = true, b.radius = call.real(++i, "-r");
-        else if (w == "-n") segments = static_cast<int>(call.integer(++i, "-n", 1, call.most));
+        else if (w == "-n") segments = int(call.integer(++i, "-n", 1, call.most));
         else if (w == "-s") smooth = true;
         else if (w == "-o") call.fail("-o writes a Wavefront file, which cannot stand in a scene");
         else call.fail("unknown option " + w);
@@ -195,7 +195,7 @@ void genbox(const Call& call, std::string& out) {
     if (round && (segments > 2 || (b.inward && segments != 2))) {
         int n = segments > 2 ? 4 : 32;
         while (n < segments) n *= 2;
-        if (6 + 12. * n + 8. * n * n > static_cast<double>(call.most))
+        if (6 + 12. * n + 8. * n * n > double(call.most))
             call.fail("-n: more than " + std::to_string(call.most) + " polygons");
         return Pieces(b, n).write(smooth);
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/printable.h"
 #include "generators/generators.h"
@@ -17,7 +18,7 @@ namespace generators {
 
 namespace {
 
-constexpr double degree = M_PI / 180;
+using base::degree;
 constexpr double sun_half_angle = .2665 * degree, efficacy = 179;
 constexpr double most_lux = 127500, most_watts = 1367;
 
@@ -49,7 +50,7 @@ Options read_options(const Call& call, size_t i) {
             break;
         case 'i': o.interval = call.real(++i, "-i"); break;
         case 'g': o.ground = call.real(++i, "-g"); break;
-        case 'O': o.output = static_cast<int>(call.integer(++i, "-O", 0, 2)); break;
+        case 'O': o.output = int(call.integer(++i, "-O", 0, 2)); break;
         case 'P':
         case 'W':
         case 'G':
@@ -77,7 +78,8 @@ Options read_options(const Call& call, size_t i) {
 void move_into_day(const Site& site, double minutes, Sun& s) {
     const double x = -std::tan(site.latitude) * std::tan(s.declination);
     if (x <= -1 || x >= 1) return;
-    const double half_day = std::acos(x) * 12 / M_PI, rise = 12 - half_day, set = 12 + half_day, half = minutes / 120;
+    const double half_day = std::acos(x) * 12 / base::pi, rise = 12 - half_day, set = 12 + half_day,
+                 half = minutes / 120;
     double t = s.solar_time;
     if (std::fabs(t - rise) <= half) t = (t + half + rise) / 2;
     else if (std::fabs(t - set) <= half) t = (t - half + set) / 2;
@@ -192,7 +194,7 @@ void gendaylit(const Call& call, std::string& out) {
     int day = 0;
     const Sun sun = find_sun(call, o, day, out);
     const base::Vec3 to_sun = sun_direction(sun.altitude, sun.azimuth);
-    const double sine = std::sin(sun.altitude), z = M_PI / 2 - sun.altitude;
+    const double sine = std::sin(sun.altitude), z = base::pi / 2 - sun.altitude;
 
     auto error_sky = [&](const char* why) {
         if (!o.quiet) base::warn(call.place, std::string("gendaylit: ") + why + ": a black sky");
@@ -216,12 +218,12 @@ void gendaylit(const Call& call, std::string& out) {
         return o.output == 0 ? lux / efficacy : o.output == 1 ? watts : lux;
     };
     const double level = wanted(diffuse, diffuse_lux) / shape.horizontal(z);
-    const double solar = wanted(direct, direct_lux) / (2 * M_PI * (1 - std::cos(sun_half_angle)));
+    const double solar = wanted(direct, direct_lux) / (2 * base::pi * (1 - std::cos(sun_half_angle)));
     const double factor = c.epsilon <= 1   ? .777778
                           : c.epsilon >= 6 ? clear_factor(sun.altitude)
                                            : intermediate_factor(sun.altitude);
     double ground = shape.relative(0, z) * level * factor;
-    if (o.sun && c.epsilon > 1) ground += 6.8e-5 / M_PI * solar * sine;
+    if (o.sun && c.epsilon > 1) ground += 6.8e-5 / base::pi * solar * sine;
     ground *= o.ground;
 
     fmt::format_to(text, "# Ground ambient level: {:.1f}\n", ground);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include "base/angle.h"
 
 namespace generators {
 
@@ -13,7 +14,7 @@ constexpr double solar_constant = 1367;  // W/m2
 
 int bin(double epsilon) {
     const double edges[7] = {1.065, 1.23, 1.5, 1.95, 2.8, 4.5, 6.2};
-    return static_cast<int>(std::upper_bound(std::begin(edges), std::end(edges), epsilon) - std::begin(edges));
+    return int(std::upper_bound(std::begin(edges), std::end(edges), epsilon) - std::begin(edges));
 }
 
 // clang-format off
@@ -51,15 +52,15 @@ const double shape_table[8][5][4] = {
 
 // Eccentricity of the earth's orbit: Spencer's series, as in the Perez papers.
 PerezSky::PerezSky(int day_of_year, double zenith, double dew_point_c) : zenith_angle(zenith) {
-    const double x = 2 * M_PI * (day_of_year - 1) / 365;
+    const double x = 2 * base::pi * (day_of_year - 1) / 365;
     extraterrestrial = solar_constant * (1.00011 + .034221 * std::cos(x) + .00128 * std::sin(x) +
                                          .000719 * std::cos(2 * x) + .000077 * std::sin(2 * x));
     water = std::exp(.07 * dew_point_c - .075);
 }
 
 double PerezSky::air_mass() const {
-    const double z = std::min(zenith_angle, M_PI / 2);
-    return 1 / (std::cos(z) + .15 * std::pow(93.885 - z * (180 / M_PI), -1.253));
+    const double z = std::min(zenith_angle, base::pi / 2);
+    return 1 / (std::cos(z) + .15 * std::pow(93.885 - z * (180 / base::pi), -1.253));
 }
 
 Clearness PerezSky::clearness(double direct, double diffuse) const {
@@ -105,14 +106,14 @@ double PerezShape::horizontal(double z) const {
     const int count[] = {30, 30, 24, 24, 18, 12, 6, 1};
     double sum = 0;
     for (int ring = 0; ring < 8; ring++) {
-        const double theta = (84 - 12 * ring) * (M_PI / 180);
+        const double theta = (84 - 12 * ring) * base::degree;
         for (int k = 0; k < count[ring]; k++) {
-            const double azimuth = 2 * M_PI * k / count[ring];
+            const double azimuth = 2 * base::pi * k / count[ring];
             const double cg = std::cos(theta) * std::cos(z) + std::sin(theta) * std::sin(z) * std::cos(azimuth);
             sum += relative(theta, std::acos(std::clamp(cg, -1., 1.))) * std::cos(theta);
         }
     }
-    return sum * 2 * M_PI / 145;
+    return sum * 2 * base::pi / 145;
 }
 
 }  // namespace generators

@@ -41,8 +41,8 @@ void genrev(const Call& call, std::string& out) {
     }
     std::vector<double> z, r;
     for (long long i = 0; i <= n; i++) {
-        z.push_back(f("rev_z", {static_cast<double>(i) / static_cast<double>(n)}));
-        r.push_back(f("rev_r", {static_cast<double>(i) / static_cast<double>(n)}));
+        z.push_back(f("rev_z", {double(i) / double(n)}));
+        r.push_back(f("rev_r", {double(i) / double(n)}));
     }
     // Values that differ by rounding alone are equal, so that a flat or upright piece is known as such.
     double largest = 0;
@@ -84,7 +84,7 @@ void genworm(const Call& call, std::string& out) {
     base::Vec3 last;
     double last_r = 0;
     for (long long i = 0; i <= n; i++) {
-        const std::vector<double> t{static_cast<double>(i) / static_cast<double>(n)};
+        const std::vector<double> t{double(i) / double(n)};
         const base::Vec3 p{f(names[0], t), f(names[1], t), f(names[2], t)};
         const double r = f(names[3], t);
         const base::Vec3 d = p - last;

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/number.h"
 #include "base/printable.h"
@@ -17,7 +18,7 @@ namespace generators {
 
 namespace {
 
-constexpr double degree = M_PI / 180;
+using base::degree;
 enum Sky { clear = 1, overcast = 2, uniform = 3, intermediate = 4 };  // skybright.cal's numbers
 
 struct Options {
@@ -29,12 +30,12 @@ struct Options {
     Site site;
 };
 
-struct Zone {
+struct TimeZone {
     const char* name;
     double west;
 };
 // clang-format off
-const Zone zones[] = {
+const TimeZone zones[] = {
     {"YST", 135}, {"YDT", 120}, {"PST", 120}, {"PDT", 105}, {"MST", 105}, {"MDT", 90}, {"CST", 90},
     {"CDT", 75}, {"EST", 75}, {"EDT", 60}, {"AST", 60}, {"ADT", 45}, {"NST", 52.5}, {"NDT", 37.5}, {"GMT", 0},
     {"BST", 0}, {"CET", -15}, {"CEST", -30}, {"EET", -30}, {"EEST", -45}, {"GST", -60}, {"GDT", -75},
@@ -58,8 +59,8 @@ void read_hour(const Call& call, size_t at, Moment& t, double& zone_meridian) {
     t.hour += minutes / 60;
     if (zone.empty()) return;
     if (t.solar) call.fail("a time zone and solar time exclude each other");
-    for (char& c : zone) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    for (const Zone& z : zones)
+    for (char& c : zone) c = char(std::toupper(static_cast<unsigned char>(c)));
+    for (const TimeZone& z : zones)
         if (zone == z.name) {
             zone_meridian = z.west * degree;
             return;
@@ -124,7 +125,7 @@ void gensky(const Call& call, std::string& out) {
                                               : intermediate_factor(altitude);
     double zenith = o.zenith;
     if (!std::isnan(o.diffuse)) {
-        zenith = o.diffuse / (factor * M_PI);
+        zenith = o.diffuse / (factor * base::pi);
     } else if (std::isnan(zenith)) {
         zenith = cloudy ? 8.6 * sine + .123 : (1.376 * o.turbidity - 1.81) * std::tan(altitude) + .38;
         if (o.sky == intermediate) zenith = (zenith + 8.6 * sine + .123) / 2;
@@ -137,7 +138,7 @@ void gensky(const Call& call, std::string& out) {
                     ? o.radiance
                     : 1.5e9 / 208 * (1.147 - .147 / std::max(sine, .16)) * (o.sky == intermediate ? .15 : 1);
         solar = std::max(solar, 0.);
-        ground += 6e-5 / M_PI * solar * sine;
+        ground += 6e-5 / base::pi * solar * sine;
     }
     ground *= o.ground;
     fmt::format_to(text, "# Ground ambient level: {:.1f}\n", ground);
@@ -147,7 +148,7 @@ void gensky(const Call& call, std::string& out) {
             "\nvoid light solar\n0\n0\n3 {0:.3e} {0:.3e} {0:.3e}\n\nsolar source sun\n0\n0\n4 {1:f} {2:f} {3:f} 0.5\n",
             solar, sun.x, sun.y, sun.z);
     fmt::format_to(text, "\nvoid brightfunc skyfunc\n2 skybr skybright.cal\n0\n{} {} {:.3e} {:.3e}", cloudy ? 3 : 7,
-                   static_cast<int>(o.sky), zenith, ground);
+                   int(o.sky), zenith, ground);
     if (!cloudy) {
         const double f2 = o.sky == clear ? clear_norm(altitude) : intermediate_norm(altitude);
         fmt::format_to(text, " {:.3e} {:f} {:f} {:f}", f2, sun.x, sun.y, sun.z);

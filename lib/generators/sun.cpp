@@ -4,14 +4,12 @@
 // Solar Energy 40, 1988).
 #include "generators/sun.h"
 #include <cmath>
+#include "base/angle.h"
 #include "base/error.h"
 #include "generators/generators.h"
 
 namespace generators {
-
-namespace {
-constexpr double degree = M_PI / 180;
-}
+using base::degree;
 
 bool Site::option(const Call& call, size_t& i) {
     switch (call.words[i].size() > 1 ? call.words[i][1] : 0) {
@@ -19,7 +17,7 @@ bool Site::option(const Call& call, size_t& i) {
     case 'o': longitude = call.real(++i, "-o") * degree; return true;
     case 'm': meridian = call.real(++i, "-m") * degree; return true;
     case 'y':
-        year = static_cast<int>(call.integer(++i, "-y", 1, 9999));
+        year = int(call.integer(++i, "-y", 1, 9999));
         if (year < 1950 || year > 2050)
             base::warn(call.place, call.words[0] + ": the sun's position is meant for the years 1950-2050");
         return true;
@@ -30,8 +28,8 @@ bool Site::option(const Call& call, size_t& i) {
 Moment read_date(const Call& call, size_t i) {
     static const int days[] = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
     Moment t;
-    t.month = static_cast<int>(call.integer(i, "the month", 1, 12));
-    t.day = static_cast<int>(call.integer(i + 1, "the day", 1, 31));
+    t.month = int(call.integer(i, "the month", 1, 12));
+    t.day = int(call.integer(i + 1, "the day", 1, 31));
     if (t.day > days[t.month - 1]) base::warn(call.place, call.words[0] + ": this month has fewer days");
     return t;
 }
@@ -42,7 +40,7 @@ int Moment::day_of_year() const {
 }
 
 void set_solar_time(const Site& site, double hours, Sun& s) {
-    const double h = hours * M_PI / 12, lat = site.latitude, dec = s.declination;
+    const double h = hours * base::pi / 12, lat = site.latitude, dec = s.declination;
     s.solar_time = hours;
     s.altitude = std::asin(std::sin(lat) * std::sin(dec) - std::cos(lat) * std::cos(dec) * std::cos(h));
     s.azimuth = -std::atan2(std::cos(dec) * std::sin(h),
@@ -54,14 +52,14 @@ Sun sun_position(const Site& site, const Moment& t) {
     const int j = t.day_of_year();
     double hours = t.hour;
     if (site.year == 0) {
-        s.declination = .4093 * std::sin(2 * M_PI / 365 * (j - 81));
+        s.declination = .4093 * std::sin(2 * base::pi / 365 * (j - 81));
         if (!t.solar)
-            hours += .170 * std::sin(4 * M_PI / 373 * (j - 80)) - .129 * std::sin(2 * M_PI / 355 * (j - 8)) +
-                     12 / M_PI * (site.meridian - site.longitude);
+            hours += .170 * std::sin(4 * base::pi / 373 * (j - 80)) - .129 * std::sin(2 * base::pi / 355 * (j - 8)) +
+                     12 / base::pi * (site.meridian - site.longitude);
     } else {
         const int y = site.year;
         const double days = j + (t.month > 2 && y % 4 == 0) + 365 * (y - 1949) + std::floor((y - 1949) / 4.) +
-                            (t.hour + 12 * site.meridian / M_PI) / 24 + 2432916.5 - 2451545.;
+                            (t.hour + 12 * site.meridian / base::pi) / 24 + 2432916.5 - 2451545.;
         const double mean_longitude = 280.460 + .9856474 * days, anomaly = (357.528 + .9856003 * days) * degree;
         const double l = (mean_longitude + 1.915 * std::sin(anomaly) + .020 * std::sin(2 * anomaly)) * degree;
         const double obliquity = (23.439 - 4e-7 * days) * degree;
@@ -69,7 +67,7 @@ Sun sun_position(const Site& site, const Moment& t) {
         s.declination = std::asin(std::sin(obliquity) * std::sin(l));
         const double ut = 24 * (days - std::floor(days)) + 12;
         if (!t.solar) {
-            hours = 6.697375 + .0657098242 * days + ut - 12 / M_PI * (site.longitude + ascension) + 12;
+            hours = 6.697375 + .0657098242 * days + ut - 12 / base::pi * (site.longitude + ascension) + 12;
             hours -= 24 * std::floor(hours / 24);
         }
     }
@@ -82,26 +80,26 @@ base::Vec3 sun_direction(double altitude, double azimuth) {
 }
 
 static double polynomial(const double (&c)[5], double altitude) {
-    const double x = (altitude - M_PI / 4) / (M_PI / 4);
+    const double x = (altitude - base::pi / 4) / (base::pi / 4);
     return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * c[4])));
 }
 
 double clear_norm(double altitude) {
     const double s = std::sin(altitude);
-    return .274 * (.91 + 10 * std::exp(-3 * (M_PI / 2 - altitude)) + .45 * s * s);
+    return .274 * (.91 + 10 * std::exp(-3 * (base::pi / 2 - altitude)) + .45 * s * s);
 }
 
 double intermediate_norm(double altitude) {
     return (2.739 + .9891 * std::sin(.3119 + 2.6 * altitude)) *
-           std::exp(-(M_PI / 2 - altitude) * (.4441 + 1.48 * altitude));
+           std::exp(-(base::pi / 2 - altitude) * (.4441 + 1.48 * altitude));
 }
 
 double clear_factor(double altitude) {
-    return polynomial({2.766521, .547665, -.369832, .009237, .059229}, altitude) / clear_norm(altitude) / M_PI;
+    return polynomial({2.766521, .547665, -.369832, .009237, .059229}, altitude) / clear_norm(altitude) / base::pi;
 }
 
 double intermediate_factor(double altitude) {
-    return polynomial({3.5556, -2.7152, -1.3081, 1.0660, .60227}, altitude) / intermediate_norm(altitude) / M_PI;
+    return polynomial({3.5556, -2.7152, -1.3081, 1.0660, .60227}, altitude) / intermediate_norm(altitude) / base::pi;
 }
 
 }  // namespace generators

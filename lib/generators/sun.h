@@ -3,6 +3,7 @@
 // Angles in radians; latitude north, longitude and meridian west; azimuth west of south; x east, y north, z up.
 #pragma once
 #include <string>
+#include "base/angle.h"
 #include "base/vec.h"
 
 namespace generators {
@@ -10,7 +11,7 @@ namespace generators {
 struct Call;
 
 struct Site {
-    double latitude = .66, longitude = 2.13, meridian = 120 * 3.14159265358979323846 / 180;
+    double latitude = .66, longitude = 2.13, meridian = 120 * base::pi / 180;
     int year = 0;                              // 0: the approximate formulas without a year
     bool option(const Call& call, size_t& i);  // -a -o -m -y at word i (then stepped over)
 };

@@ -28,7 +28,7 @@ struct Data {
     bool cells = false;  // values at the middles of the cells
 
     double at(int i, int j) const {  // of grid point i, j
-        if (!cells) return v[static_cast<size_t>(j) * nx + i];
+        if (!cells) return v[size_t(j) * nx + i];
         auto place = [](int k, int n, int& low) {  // between the cells k-1 and k; extrapolated at the rim
             low = n < 2 ? 0 : k - 1 < 0 ? 0 : k - 1 > n - 2 ? n - 2 : k - 1;
             return n < 2 ? 0. : k - .5 - low;
@@ -36,9 +36,7 @@ struct Data {
         int i0, j0;
         const double x = place(i, nx, i0), y = place(j, ny, j0);
         const int i1 = nx < 2 ? i0 : i0 + 1, j1 = ny < 2 ? j0 : j0 + 1;
-        auto row = [&](int jj) {
-            return v[static_cast<size_t>(jj) * nx + i0] * (1 - x) + v[static_cast<size_t>(jj) * nx + i1] * x;
-        };
+        auto row = [&](int jj) { return v[size_t(jj) * nx + i0] * (1 - x) + v[size_t(jj) * nx + i1] * x; };
         return row(j0) * (1 - y) + row(j1) * y;
     }
 };
@@ -57,7 +55,7 @@ private:
     void read_coordinate(int k, const std::string& word);
     Point evaluate(int i, int j);
     void find_normal(int i, int j);
-    Point& point(int i, int j) { return grid_[static_cast<size_t>(i + 1) * (n_ + 3) + (j + 1)]; }
+    Point& point(int i, int j) { return grid_[size_t(i + 1) * (n_ + 3) + (j + 1)]; }
     void cell(const std::array<const Point*, 4>& corner, int j);
     void face(const std::array<const Point*, 4>& cell, const std::vector<Vec3>& v);
     bool texture(const std::array<const Point*, 4>& cell, Vec3 normal);
@@ -82,7 +80,7 @@ void Surface::read_coordinate(int k, const std::string& word) {
     base::TextReader in = base::TextReader::from_file(path, call_.place);
     Data& d = data_[k];
     double value;
-    const size_t points = static_cast<size_t>(m_ + 1) * (n_ + 1), cells = static_cast<size_t>(m_) * n_;
+    const size_t points = size_t(m_ + 1) * (n_ + 1), cells = size_t(m_) * n_;
     for (std::string_view w; in.word(w);) {
         if (!base::parse_real(w, value)) call_.fail(in.place() + ": \"" + base::excerpt(w) + "\" is not a number");
         d.v.push_back(value);
@@ -97,7 +95,7 @@ void Surface::read_coordinate(int k, const std::string& word) {
 
 Point Surface::evaluate(int i, int j) {
     Point q;
-    const std::vector<double> st{static_cast<double>(i) / m_, static_cast<double>(j) / n_};
+    const std::vector<double> st{double(i) / m_, double(j) / n_};
     const bool outside = i < 0 || j < 0 || i > m_ || j > n_;
     q.valid = !f_.has("valid") || f_("valid", st) > 0;
     for (int k = 0; k < 3; k++) {
@@ -202,10 +200,9 @@ void Surface::cell(const std::array<const Point*, 4>& c, int j) {
 void Surface::run() {
     material_ = call_.word(1, "the material");
     name_ = call_.word(2, "the name");
-    m_ = static_cast<int>(call_.integer(6, "m", 1, call_.most));
-    n_ = static_cast<int>(call_.integer(7, "n", 1, call_.most));
-    if (static_cast<double>(m_) * n_ > static_cast<double>(call_.most))
-        call_.fail("more than " + std::to_string(call_.most) + " cells");
+    m_ = int(call_.integer(6, "m", 1, call_.most));
+    n_ = int(call_.integer(7, "n", 1, call_.most));
+    if (double(m_) * n_ > double(call_.most)) call_.fail("more than " + std::to_string(call_.most) + " cells");
     for (size_t i = 8; call_.has(i); i++) {
         const std::string& w = call_.words[i];
         if (w == "-s") smooth_ = true;
@@ -214,7 +211,7 @@ void Surface::run() {
         else if (!f_.option(i)) call_.fail("unknown option " + w);
     }
     for (int k = 0; k < 3; k++) read_coordinate(k, call_.word(3 + k, "x(s,t) y(s,t) z(s,t)"));
-    grid_.resize(static_cast<size_t>(m_ + 3) * (n_ + 3));
+    grid_.resize(size_t(m_ + 3) * (n_ + 3));
     const int rim = smooth_ ? 1 : 0;
     for (int i = -rim; i <= m_ + rim; i++)
         for (int j = -rim; j <= n_ + rim; j++) point(i, j) = evaluate(i, j);

@@ -41,16 +41,16 @@ Picture read_exr(const std::string& path) {
     if (!color && in.has("RY")) base::fail(path, "is stored as luminance and chroma (Y RY BY): not read");
     if (color) {
         p.rgb = in.read({"R", "G", "B"});
-        scale_colors(p.rgb, in.white_luminance() / 179, in.primaries());
+        scale_colors(p.rgb, in.white_luminance() / lumens_per_watt, in.primaries());
         if (in.has("frame0.R") && in.has("frame0.G") && in.has("frame0.B"))
             p.frame0 = in.read({"frame0.R", "frame0.G", "frame0.B"});
-        scale_colors(p.frame0, in.white_luminance() / 179, in.primaries());
+        scale_colors(p.frame0, in.white_luminance() / lumens_per_watt, in.primaries());
         return p;
     }
     const std::vector<float> grey = in.read({"Y"});
     p.rgb.resize(3 * grey.size());
     for (size_t i = 0; i < grey.size(); ++i) p.rgb[3 * i] = p.rgb[3 * i + 1] = p.rgb[3 * i + 2] = grey[i];
-    scale_colors(p.rgb, in.white_luminance() / 179, std::nullopt);
+    scale_colors(p.rgb, in.white_luminance() / lumens_per_watt, std::nullopt);
     return p;
 }
 

@@ -143,7 +143,7 @@ Header ExrInput::header() const {
 
 double ExrInput::white_luminance() const {
     const Imf::Header& h = file_->in.header();
-    return Imf::hasWhiteLuminance(h) && Imf::whiteLuminance(h) > 0 ? Imf::whiteLuminance(h) : 179;
+    return Imf::hasWhiteLuminance(h) && Imf::whiteLuminance(h) > 0 ? Imf::whiteLuminance(h) : lumens_per_watt;
 }
 
 std::optional<std::array<double, 8>> ExrInput::primaries() const {

@@ -96,7 +96,7 @@ void write_exr_channels(const std::string& path, int width, int height, const st
         h.insert("radianceHeader", Imf::StringAttribute(lines));
         if (header.view) h.insert("VIEW", Imf::StringAttribute(view::to_options(*header.view)));
         for (const auto& [name, value] : texts) h.insert(name, Imf::StringAttribute(value));
-        Imf::addWhiteLuminance(h, 179);
+        Imf::addWhiteLuminance(h, float(lumens_per_watt));
         const auto& p = radiance_primaries;
         const auto xy = [&](int i) { return Imath::V2f(float(p[i]), float(p[i + 1])); };
         Imf::addChromaticities(h, Imf::Chromaticities(xy(0), xy(2), xy(4), xy(6)));

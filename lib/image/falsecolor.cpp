@@ -11,8 +11,6 @@
 namespace image {
 namespace {
 
-double luminance(const float* p) { return 179 * (0.265074126 * p[0] + 0.670114631 * p[1] + 0.064811243 * p[2]); }
-
 // Top of the scale: what all but a thousandth of the lit pixels stay below (the sun must not flatten the room).
 double automatic_top(const Picture& p) {
     std::vector<double> lit;

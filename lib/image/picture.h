@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One picture in memory, in standard orientation, with its header kept.
 // Pixels are RGB spectral radiance, W/(sr m2), exposure and colour correction already divided out, row 0 = TOP,
-// 3 floats a pixel.  Luminance in cd/m2 is 179 * (0.265074126 R + 0.670114631 G + 0.064811243 B)
-// (evalglare's own weights differ in the 4th digit; lib/comfort has them).
+// 3 floats a pixel.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -12,6 +11,15 @@
 #include "view/view.h"
 
 namespace image {
+
+// Luminance in cd/m2 of RADIANCE's primaries is 179 lm/W times their weighted sum.  (evalglare's own weights differ in
+// the 4th digit: comfort/luminance.h.)
+constexpr double lumens_per_watt = 179;
+constexpr double luminance_weights[3] = {0.265074126, 0.670114631, 0.064811243};
+inline double luminance(const float* rgb) {
+    const double* w = luminance_weights;
+    return lumens_per_watt * (w[0] * rgb[0] + w[1] * rgb[1] + w[2] * rgb[2]);
+}
 
 using Ranges = std::vector<std::pair<int64_t, int64_t>>;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the readers of RADIANCE pictures share: the header, the resolution line, the order of pixels.
+// What the readers and writers of RADIANCE pictures share: the header, the resolution line, the order of pixels.
 #pragma once
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 #include "image/header.h"
@@ -20,6 +22,14 @@ struct Head {
     Layout layout;
 };
 Head read_head(Input& in, const std::string& place);  // up to the pixels
+
+// Of the numbers of 32-bit float pictures (BigEndian=).
+inline bool host_is_big_endian() {
+    const uint16_t one = 1;
+    uint8_t first;
+    std::memcpy(&first, &one, 1);
+    return first == 0;
+}
 
 // From file order to rows from the top, columns from the left; `channels` values a pixel.
 void reorient(std::vector<float>& values, const Layout& layout, size_t channels);

@@ -25,13 +25,6 @@ constexpr size_t most_header = 1 << 20, longest_line = 1 << 16;
 constexpr int most_side = 32768;
 constexpr size_t grow_floats = 1 << 24;  // 64 MiB at a time
 
-bool host_is_big_endian() {
-    const uint16_t one = 1;
-    uint8_t first;
-    std::memcpy(&first, &one, 1);
-    return first == 0;
-}
-
 std::string read_line(Input& in, const std::string& place) {
     std::string line;
     for (int c; (c = in.get()) != '\n';) {
@@ -136,7 +129,7 @@ void to_radiance(std::vector<float>& rgb, const Header& h, const Encoding& e) {
     if (e.format == Format::xyze) {
         m = rgb_from_xyz();
         mixes = true;
-        unit /= 179;  // XYZ pixels are cd/m2
+        unit /= lumens_per_watt;  // XYZ pixels are cd/m2
     } else if (e.primaries) {
         for (int i = 0; i < 8; ++i) mixes = mixes || std::fabs((*e.primaries)[i] - radiance_primaries[i]) > .001;
         if (mixes) m = rgb_from_primaries(*e.primaries);

@@ -11,32 +11,28 @@
 #include "image/header.h"
 #include "image/rgbe.h"
 #include "image/stream.h"
+#include "image/stream_parts.h"
 
 namespace image {
 namespace {
 
 using Sink = std::function<void(const void*, size_t)>;
 
-int host_big_endian() {
-    const uint16_t one = 1;
-    uint8_t first;
-    std::memcpy(&first, &one, 1);
-    return first == 0;
-}
-
 void write_xyz_row(const float* rgb, int width, std::vector<float>& xyz) {
     static const Matrix3 m = xyz_from_radiance_rgb();
     for (int x = 0; x < width; ++x)
         for (int c = 0; c < 3; ++c)
-            xyz[3 * size_t(x) + c] =
-                float(179 * (m[3 * c] * rgb[3 * x] + m[3 * c + 1] * rgb[3 * x + 1] + m[3 * c + 2] * rgb[3 * x + 2]));
+            xyz[3 * size_t(x) + c] = float(lumens_per_watt * (m[3 * c] * rgb[3 * x] + m[3 * c + 1] * rgb[3 * x + 1] +
+                                                              m[3 * c + 2] * rgb[3 * x + 2]));
 }
 
 void write_to(const Sink& sink, const Picture& p, Format format) {
     std::string head;
     for (const std::string& line : header_lines(p.header)) head += line + "\n";
     switch (format) {
-    case Format::flt: head += "NCOMP=3\nBigEndian=" + std::to_string(host_big_endian()) + "\nFORMAT=float\n"; break;
+    case Format::flt:
+        head += "NCOMP=3\nBigEndian=" + std::to_string(int(host_is_big_endian())) + "\nFORMAT=float\n";
+        break;
     case Format::rgbe: head += "FORMAT=32-bit_rle_rgbe\n"; break;
     case Format::xyze: head += "FORMAT=32-bit_rle_xyze\n"; break;
     }

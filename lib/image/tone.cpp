@@ -10,8 +10,6 @@
 namespace image {
 namespace {
 
-double luminance(const float* p) { return 179 * (0.265074126 * p[0] + 0.670114631 * p[1] + 0.064811243 * p[2]); }
-
 // sRGB (IEC 61966-2-1) encoding of a display value 0..1.
 uint8_t srgb(double v) {
     v = v > 0 ? std::min(v, 1.0) : 0;
@@ -48,7 +46,7 @@ Image8 photo(const Picture& p, const ToneOptions& options) {
     for (size_t i = 0; i + 2 < p.rgb.size(); i += 3) {
         const double world = luminance(&p.rgb[i]), l = scale * world;
         const double shown = l * (1 + l / white2) / (1 + l);  // Eq. 4
-        const double factor = world > 0 && std::isfinite(shown) ? shown / world * 179 : 0;
+        const double factor = world > 0 && std::isfinite(shown) ? shown / world * lumens_per_watt : 0;
         for (size_t c = 0; c < 3; ++c) out.rgb[i + c] = srgb(p.rgb[i + c] * factor);
     }
     return out;

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <iterator>
 #include <fmt/format.h>
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/text_file.h"
 #include "region/region.h"
@@ -213,7 +214,7 @@ private:
         double value;
         std::string unit;
         while (more() && !next().quoted && is_number(next().text, value, &unit)) {
-            if (angle_last && unit == "rad") value *= 180 / M_PI;
+            if (angle_last && unit == "rad") value *= 180 / base::pi;
             else if (!(unit.empty() || (angle_last && unit == "deg"))) break;
             s.numbers.push_back(value);
             ++at_;

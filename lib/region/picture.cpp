@@ -176,9 +176,10 @@ MaskPicture read_mask_picture(const Shape& s) {
             throw base::Error(e.kind, s.place, "mask " + e.text);
         }
         m = {p.width, p.height, std::vector<float>(p.rgb.size() / 3)};
+        const float weights[3] = {float(image::luminance_weights[0]), float(image::luminance_weights[1]),
+                                  float(image::luminance_weights[2])};
         for (size_t i = 0; i < m.values.size(); ++i)
-            m.values[i] =
-                0.265074126f * p.rgb[3 * i] + 0.670114631f * p.rgb[3 * i + 1] + 0.064811243f * p.rgb[3 * i + 2];
+            m.values[i] = weights[0] * p.rgb[3 * i] + weights[1] * p.rgb[3 * i + 1] + weights[2] * p.rgb[3 * i + 2];
     }
     if (m.values.empty()) base::fail(s.place, fmt::format("mask {} has no pixels", s.text));
     for (float& v : m.values) v = v > 0 ? std::min(v, 1.f) : 0.f;  // NaN is out

@@ -12,6 +12,7 @@
 #include <thread>
 #include <unistd.h>
 #include <fmt/format.h>
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/threads.h"
 #include "region/arcs.h"
@@ -28,7 +29,7 @@ Prepared::Prepared(const Regions& r, const view::View& view, int nx, int ny) : r
 
 double Prepared::view_field(const Point& p, const Reach& reach) const {
     if (space.projector.view().type != 'a') return 2;
-    return (M_PI / 2 - angle_between(p.dir, space.projector.forward())) / reach.angle;
+    return (base::pi / 2 - angle_between(p.dir, space.projector.forward())) / reach.angle;
 }
 
 double Prepared::value(int node, const Point& p, const Reach& reach) const {
@@ -87,7 +88,7 @@ CellGeometry cell_geometry(const Space& s, const Cell& c) {
 }
 
 Pyramid::Pyramid(const Space& space) : space_(space) {
-    for (int size = COARSE; size >= FINE; size /= 2) {
+    for (int size = coarse; size >= fine; size /= 2) {
         Level level{size, (space.nx + size - 1) / size, {}};
         int down = (space.ny + size - 1) / size;
         level.cells.resize(size_t(level.across) * size_t(down));

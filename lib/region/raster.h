@@ -54,13 +54,13 @@ private:
     const CellGeometry* stored(const Cell& c) const;
     template <class Value, class Sure, class Open>
     void walk(const Cell& c, const Value& value, const Sure& sure, const Open& open) const;
-    static constexpr int COARSE = 64, FINE = 8;
+    static constexpr int coarse = 64, fine = 8;
     const Space& space_;
     struct Level {
         int size, across;
         std::vector<CellGeometry> cells;
     };
-    std::vector<Level> levels_;  // sizes COARSE .. FINE; smaller cells are worked out where they are met
+    std::vector<Level> levels_;  // sizes coarse .. fine; smaller cells are worked out where they are met
 };
 
 void fill(std::vector<float>& plane, const Space& s, const Cell& c, float v);
@@ -72,8 +72,8 @@ void rasterize_scene(const Prepared& prepared, const SceneView& eye, bool centre
 
 template <class Value, class Sure, class Open>
 void Pyramid::walk(const Value& value, const Sure& sure, const Open& open) const {
-    for (int y = 0; y < space_.ny; y += COARSE)
-        for (int x = 0; x < space_.nx; x += COARSE) walk(Cell{x, y, COARSE}, value, sure, open);
+    for (int y = 0; y < space_.ny; y += coarse)
+        for (int x = 0; x < space_.nx; x += coarse) walk(Cell{x, y, coarse}, value, sure, open);
 }
 template <class Value, class Sure, class Open>
 void Pyramid::walk(const Cell& c, const Value& value, const Sure& sure, const Open& open) const {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include "base/angle.h"
 #include "base/error.h"
 #include "region/arcs.h"
 #include "region/picture.h"
@@ -43,7 +44,7 @@ bool Space::counts(double x, double y) const {
 
 namespace {
 
-const double FAR = 10;  // beyond any angle
+const double beyond_any = 10;  // beyond any angle
 
 class Constant : public Field {
 public:
@@ -107,7 +108,7 @@ public:
         around_ = d <= r_;
         if (!around_) axis_ = unit(c_), half_ = std::asin(r_ / d);
     }
-    double value(const Point& p) const override { return around_ ? FAR : half_ - angle_between(p.dir, axis_); }
+    double value(const Point& p) const override { return around_ ? beyond_any : half_ - angle_between(p.dir, axis_); }
     double distance(const Point& p) const override {
         if (around_) return 0;
         double b = dot(c_, p.dir);
@@ -146,7 +147,7 @@ public:
                 }
     }
     double value(const Point& p) const override {
-        if (around_) return FAR;
+        if (around_) return beyond_any;
         double t0, d = outline_.distance(p.dir);
         return hit(p.dir, t0) ? d : -d;
     }
@@ -214,7 +215,7 @@ std::unique_ptr<Field> polygon3d(const Shape& s, const Space& space) {
     std::vector<Vec3> corners;
     for (Vec3 p : points) {
         Vec3 d = p - space.eye;
-        if (!(dot(d, normal) > 1e-9 * size)) return std::make_unique<Constant>(-FAR);  // seen edge on
+        if (!(dot(d, normal) > 1e-9 * size)) return std::make_unique<Constant>(-beyond_any);  // seen edge on
         corners.push_back(unit(d));
     }
     return std::make_unique<Polygon3d>(corners, normal, height);
@@ -223,7 +224,7 @@ std::unique_ptr<Field> polygon3d(const Shape& s, const Space& space) {
 std::unique_ptr<Field> disc3d(const Shape& s, const Space& space) {
     Vec3 centre = triple(s.numbers, 0) - space.eye, normal = unit(triple(s.numbers, 3));
     if (dot(centre, normal) < 0) normal = -normal;
-    if (dot(centre, normal) <= 1e-9 * s.numbers[6]) return std::make_unique<Constant>(-FAR);  // edge on
+    if (dot(centre, normal) <= 1e-9 * s.numbers[6]) return std::make_unique<Constant>(-beyond_any);  // edge on
     return std::make_unique<Disc>(centre, normal, s.numbers[6]);
 }
 
@@ -272,7 +273,7 @@ std::unique_ptr<Field> circle(const Shape& s, const Space& space) {
         axis = p.dir;
     }
     }
-    return std::make_unique<Cone>(axis, n.back() / 2 * (M_PI / 180));
+    return std::make_unique<Cone>(axis, n.back() / 2 * base::degree);
 }
 
 }  // namespace

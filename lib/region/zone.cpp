@@ -5,6 +5,7 @@
 #include "region/zone.h"
 #include <algorithm>
 #include <cmath>
+#include "base/angle.h"
 #include "base/error.h"
 #include "comfort/position_index.h"
 #include "region/arcs.h"
@@ -13,11 +14,9 @@ namespace region {
 using namespace base;
 namespace {
 
-const double DEG = M_PI / 180;
-
 class Cone : public Field {
 public:
-    Cone(const Space& s, double full_deg) : axis_(s.projector.forward()), half_(full_deg / 2 * DEG) {}
+    Cone(const Space& s, double full_deg) : axis_(s.projector.forward()), half_(full_deg / 2 * base::degree) {}
     double value(const Point& p) const override { return half_ - angle_between(p.dir, axis_); }
 
 private:
@@ -48,15 +47,15 @@ class Eye : public Field {
 public:
     Eye(const Space& s, bool both) : projector_(s.projector), both_(both) {}
     double value(const Point& p) const override {
-        double ahead = M_PI / 2 - angle_between(p.dir, projector_.forward());
+        double ahead = base::pi / 2 - angle_between(p.dir, projector_.forward());
         if (ahead <= 0) return ahead;
         comfort::EyeAngles at = comfort::eye_angles(projector_, p.dir);
-        double v = std::min((limit(at) - at.sigma_deg) / 4, 90 - at.sigma_deg) * DEG;
+        double v = std::min((limit(at) - at.sigma_deg) / 4, 90 - at.sigma_deg) * base::degree;
         if (both_) return v;
         // The total field has steps at tau = 135 and along the horizon: never claim to know beyond them.
-        double s = std::sin(at.sigma_deg * DEG);
-        double step = std::min(std::asin(std::min(1.0, s * std::fabs(std::sin((at.tau_deg - 135) * DEG)))),
-                               std::asin(std::min(1.0, s * std::fabs(std::cos(at.tau_deg * DEG)))));
+        double s = std::sin(at.sigma_deg * base::degree);
+        double step = std::min(std::asin(std::min(1.0, s * std::fabs(std::sin((at.tau_deg - 135) * base::degree)))),
+                               std::asin(std::min(1.0, s * std::fabs(std::cos(at.tau_deg * base::degree)))));
         step = std::max(step, 1e-9);
         return std::clamp(v, -step, step);
     }

@@ -38,9 +38,8 @@ Xform Assets::transform(const Scene& scene, const Object& o) {
     Xform x;
     const auto words = scene.strings(o);
     const int used = parse_xform(words, 1, x, scene.place(o));
-    if (static_cast<size_t>(used) + 1 < words.size())
-        base::fail(scene.place(o),
-                   "\"" + base::excerpt(words[static_cast<size_t>(used) + 1]) + "\" is no transform option");
+    if (size_t(used) + 1 < words.size())
+        base::fail(scene.place(o), "\"" + base::excerpt(words[size_t(used) + 1]) + "\" is no transform option");
     return x;
 }
 

@@ -25,7 +25,7 @@ int Binary::byte() {
 
 uint64_t Binary::unsigned_integer(int bytes) {
     uint64_t v = 0;
-    while (bytes-- > 0) v = v << 8 | static_cast<uint64_t>(byte());
+    while (bytes-- > 0) v = v << 8 | uint64_t(byte());
     return v;
 }
 
@@ -33,21 +33,21 @@ int64_t Binary::integer(int bytes) {
     uint64_t v = unsigned_integer(bytes);
     const int unused = 64 - 8 * bytes;
     if (unused && v >> (8 * bytes - 1)) v |= ~uint64_t(0) << (64 - unused);
-    return static_cast<int64_t>(v);
+    return int64_t(v);
 }
 
 // The mantissa is rounded toward zero when written: half a unit goes back.
 double Binary::real() {
     const int64_t mantissa = integer(4);
-    const int exponent = static_cast<int>(integer(1));
+    const int exponent = int(integer(1));
     if (mantissa == 0) return 0;
-    return std::ldexp((static_cast<double>(mantissa) + (mantissa > 0 ? .5 : -.5)) / 0x7fffffff, exponent);
+    return std::ldexp((double(mantissa) + (mantissa > 0 ? .5 : -.5)) / 0x7fffffff, exponent);
 }
 
 std::string Binary::text() {
     std::string s;
     for (int c; (c = byte()) != 0;) {
-        s += static_cast<char>(c);
+        s += char(c);
         if (s.size() > (1 << 16)) fail("a string is longer than 65536 characters");
     }
     return s;

@@ -12,14 +12,14 @@ namespace scene {
 
 SceneBuilder::SceneBuilder(Scene& scene, const Limits& limits) : scene_(scene), limit_(limits.bytes) {
     const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
-    if (!limit_) limit_ = pages > 0 && page > 0 ? static_cast<uint64_t>(pages) * page / 5 * 4 : uint64_t(8) << 30;
+    if (!limit_) limit_ = pages > 0 && page > 0 ? uint64_t(pages) * page / 5 * 4 : uint64_t(8) << 30;
 }
 
 uint32_t SceneBuilder::file(const std::string& name) {
     for (size_t i = scene_.files.size(); i-- > 0;)
-        if (scene_.files[i] == name) return static_cast<uint32_t>(i);
+        if (scene_.files[i] == name) return uint32_t(i);
     scene_.files.push_back(name);
-    return static_cast<uint32_t>(scene_.files.size() - 1);
+    return uint32_t(scene_.files.size() - 1);
 }
 
 int32_t SceneBuilder::modifier(const Primitive& p) {
@@ -41,7 +41,7 @@ void SceneBuilder::check_memory(const Primitive& p) {
     if (used > limit_ / 2)
         base::fail(place(p), "the scene needs more memory than allowed (" + std::to_string(limit_ >> 20) +
                                  " MB) after " + std::to_string(scene_.objects.size()) + " primitives");
-    if (scene_.objects.size() >= static_cast<size_t>(std::numeric_limits<int32_t>::max()) ||
+    if (scene_.objects.size() >= size_t(std::numeric_limits<int32_t>::max()) ||
         scene_.string_pool.size() + p.strings.size() >= std::numeric_limits<uint32_t>::max())
         base::fail(place(p), "the scene has more primitives or strings than 32-bit indices reach");
 }
@@ -85,27 +85,27 @@ int32_t SceneBuilder::add(Primitive& p) {
         s.names.push_back(p.name);
         if (p.name.size() > 15) extra_ += p.name.size() + 17;
     }
-    o.name = static_cast<uint32_t>(s.names.size() - 1);
+    o.name = uint32_t(s.names.size() - 1);
     if (p.strings.size() > std::numeric_limits<uint16_t>::max() ||
         p.reals.size() > std::numeric_limits<uint32_t>::max())
         base::fail(place(p),
                    std::string(type_name(p.type)) + " \"" + base::excerpt(p.name) + "\" has too many arguments");
-    o.string_at = static_cast<uint32_t>(s.string_pool.size());
-    o.string_count = static_cast<uint16_t>(p.strings.size());
+    o.string_at = uint32_t(s.string_pool.size());
+    o.string_count = uint16_t(p.strings.size());
     for (const std::string& w : p.strings) {
         s.string_pool.push_back(w);
         if (w.size() > 15) extra_ += w.size() + 17;
     }
     o.real_at = s.real_pool.size();
-    o.real_count = static_cast<uint32_t>(p.reals.size());
+    o.real_count = uint32_t(p.reals.size());
     s.real_pool.insert(s.real_pool.end(), p.reals.begin(), p.reals.end());
     s.objects.push_back(o);
     if (!is_surface(p.type)) {
-        s.definitions[p.name].push_back(static_cast<int32_t>(index));
+        s.definitions[p.name].push_back(int32_t(index));
         extra_ += 120 + p.name.size();
         last_name_.clear();
     }
-    return static_cast<int32_t>(index);
+    return int32_t(index);
 }
 
 }  // namespace scene

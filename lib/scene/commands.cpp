@@ -44,7 +44,7 @@ void SceneReader::run(const CommandLine& line, const std::string& text, size_t s
                 const std::string path = base::beside(file, from.name());
                 base::TextReader s = base::TextReader::from_file(path, from.place());
                 std::string all;
-                for (int c; (c = s.get()) >= 0 && all.size() < definitions_limit;) all += static_cast<char>(c);
+                for (int c; (c = s.get()) >= 0 && all.size() < definitions_limit;) all += char(c);
                 work_.spend(work_file + all.size() / work_bytes, from.place());
                 return all;
             },

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double two_32 = 4294967296.;
 
-double fraction(uint64_t v) { return (static_cast<double>(v) + .5) / two_32; }
+double fraction(uint64_t v) { return (double(v) + .5) / two_32; }
 
 // Bits: 0-2 signs, 3 and 4 which axes d1 and d2 stand for, 5-17 and 18-30 their values in steps of 1/11584.5.
 Mesh::Normal decode_normal(uint32_t code) {
@@ -25,7 +25,7 @@ Mesh::Normal decode_normal(uint32_t code) {
     double x, y, z;
     if (x_first) x = d1, (z_second ? z : y) = d2, (z_second ? y : z) = d3;
     else y = d1, (z_second ? z : x) = d2, (z_second ? x : z) = d3;
-    auto sign = [&](int bit, double v) { return static_cast<float>(code >> bit & 1 ? -v : v); };
+    auto sign = [&](int bit, double v) { return float(code >> bit & 1 ? -v : v); };
     return {sign(0, x), sign(1, y), sign(2, z)};
 }
 
@@ -41,7 +41,7 @@ struct RtmReader {
     int32_t material() {
         const int64_t i = in.integer(2);
         if (i == -1) return VOID;
-        if (i < 0 || i >= static_cast<int64_t>(materials.size()))
+        if (i < 0 || i >= int64_t(materials.size()))
             in.fail("a triangle with material " + std::to_string(i) + ", which the mesh does not hold");
         return materials[i];
     }
@@ -49,7 +49,7 @@ struct RtmReader {
     uint32_t count(uint32_t most, const char* what) {
         const uint64_t n = in.unsigned_integer(2);
         if (n > most) in.fail(std::string("a patch with ") + std::to_string(n) + " " + what);
-        return static_cast<uint32_t>(n);
+        return uint32_t(n);
     }
 
     void add(uint32_t a, uint32_t b, uint32_t c, int32_t material) { mesh.triangles.push_back({{a, b, c}, material}); }
@@ -59,7 +59,7 @@ struct RtmReader {
         const uint32_t n = count(256, "vertices");
         if (!(flags & 1) || n == 0) in.fail("a patch without vertices");
         const size_t first = mesh.positions.size();
-        first_vertex.push_back(static_cast<uint32_t>(first));
+        first_vertex.push_back(uint32_t(first));
         for (uint32_t i = 0; i < n; i++) {
             base::Vec3 p;
             for (int j = 0; j < 3; j++) p[j] = corner[j] + fraction(in.unsigned_integer(4)) * size;
@@ -69,8 +69,7 @@ struct RtmReader {
         mesh.uvs.resize(first + n, {0, 0});
         if (flags & 2) {
             any_normals = true;
-            for (uint32_t i = 0; i < n; i++)
-                mesh.normals[first + i] = decode_normal(static_cast<uint32_t>(in.unsigned_integer(4)));
+            for (uint32_t i = 0; i < n; i++) mesh.normals[first + i] = decode_normal(uint32_t(in.unsigned_integer(4)));
         }
         if (flags & 4) {
             any_uvs = true;
@@ -78,15 +77,13 @@ struct RtmReader {
                 float uv[2];
                 for (int j = 0; j < 2; j++) {
                     const uint64_t v = in.unsigned_integer(4);
-                    uv[j] = v ? static_cast<float>(uv_limits[2 * j] +
-                                                   (uv_limits[2 * j + 1] - uv_limits[2 * j]) * fraction(v))
-                              : 0.f;
+                    uv[j] = v ? float(uv_limits[2 * j] + (uv_limits[2 * j + 1] - uv_limits[2 * j]) * fraction(v)) : 0.f;
                 }
                 mesh.uvs[first + i] = {uv[0], uv[1]};
             }
         }
-        auto local = [&] { return number << 8 | static_cast<uint32_t>(in.byte()); };
-        auto global = [&] { return static_cast<uint32_t>(in.unsigned_integer(4)); };
+        auto local = [&] { return number << 8 | uint32_t(in.byte()); };
+        auto global = [&] { return uint32_t(in.unsigned_integer(4)); };
         const size_t first_triangle = mesh.triangles.size();
         const uint32_t triangles = count(512, "triangles");
         for (uint32_t i = 0; i < triangles; i++) {
@@ -138,7 +135,7 @@ void read_rtm(base::TextReader& source, const Limits& limits, Mesh& mesh) {
         if (is_surface(o.type)) r.in.fail("a mesh with a surface among its materials");
     const int64_t patches = r.in.integer(4);
     if (patches < 0 || patches > (1 << 24)) r.in.fail("a number of patches that cannot be");
-    for (int64_t i = 0; i < patches; i++) r.patch(static_cast<uint32_t>(i));
+    for (int64_t i = 0; i < patches; i++) r.patch(uint32_t(i));
     r.resolve();
     if (!r.any_normals) mesh.normals.clear();
     if (!r.any_uvs) mesh.uvs.clear();

@@ -68,7 +68,7 @@ struct ObjReader {
         if (i < 0) i += static_cast<long long>(count) + 1;
         if (i < 1 || i > static_cast<long long>(count))
             base::fail(place, std::string(what) + " " + base::excerpt(text) + " does not exist");
-        return static_cast<uint32_t>(i);
+        return uint32_t(i);
     }
 
     uint32_t vertex(std::string_view w) {
@@ -82,7 +82,7 @@ struct ObjReader {
             if (second != std::string_view::npos && second + 1 < tail.size())
                 c.normal = index(tail.substr(second + 1), normals.size(), "normal");
         }
-        const auto [found, fresh] = vertices.emplace(c, static_cast<uint32_t>(mesh.positions.size()));
+        const auto [found, fresh] = vertices.emplace(c, uint32_t(mesh.positions.size()));
         if (fresh) {
             mesh.positions.push_back(positions[c.position - 1]);
             mesh.normals.push_back(c.normal ? normals[c.normal - 1] : Mesh::Normal{0, 0, 0});
@@ -118,18 +118,17 @@ struct ObjReader {
             positions.push_back({v[0], v[1], v[2]});
         } else if (key == "vt") {
             numbers(v, 1, 2);
-            uvs.push_back({static_cast<float>(v[0]), static_cast<float>(v[1])});
+            uvs.push_back({float(v[0]), float(v[1])});
         } else if (key == "vn") {
             numbers(v, 3, 3);
             const base::Vec3 n = base::unit({v[0], v[1], v[2]});
-            normals.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
+            normals.push_back({float(n.x), float(n.y), float(n.z)});
         } else if (key == "f") {
             read_face();
         } else if (key == "usemtl") {
             std::string_view name;
             if (!word(name)) base::fail(place, "usemtl without a name");
-            const auto [found, fresh] =
-                materials.emplace(std::string(name), static_cast<int32_t>(mesh.material_names.size()));
+            const auto [found, fresh] = materials.emplace(std::string(name), int32_t(mesh.material_names.size()));
             if (fresh) mesh.material_names.emplace_back(name);
             material = found->second;
         }

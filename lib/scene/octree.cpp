@@ -8,7 +8,7 @@
 namespace scene {
 
 int read_magic(Binary& in, int magic, const char* what) {
-    const int size = static_cast<int>(in.integer(2)) - magic;
+    const int size = int(in.integer(2)) - magic;
     if (size != 2 && size != 4 && size != 8) in.fail(std::string("not ") + what + " of RADIANCE 4 to 6");
     return size;
 }
@@ -63,12 +63,11 @@ std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, 
     for (;;) {
         const int type = in.byte();
         if (type == 0xff) break;
-        if (type >= static_cast<int>(types.size())) in.fail("damaged object table (type " + std::to_string(type) + ")");
+        if (type >= int(types.size())) in.fail("damaged object table (type " + std::to_string(type) + ")");
         if (!types[type].known) in.fail("unknown type \"" + base::excerpt(types[type].name) + "\"");
         p.type = types[type].type;
         const int64_t modifier = in.integer(index_size);
-        if (modifier >= static_cast<int64_t>(index.size()) || modifier < -1)
-            in.fail("a modifier that comes later than its user");
+        if (modifier >= int64_t(index.size()) || modifier < -1) in.fail("a modifier that comes later than its user");
         p.modifier_object = modifier < 0 ? VOID : index[modifier];
         p.name = in.text();
         p.strings.clear();
@@ -81,10 +80,10 @@ std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, 
             const std::string fault = argument_fault(p.type, p.strings.size(), p.reals.size());
             if (!fault.empty()) in.fail(std::string(type_name(p.type)) + " \"" + base::excerpt(p.name) + "\" " + fault);
         }
-        p.line = static_cast<uint32_t>(index.size() + 1);  // "room.oct:17" is the 17th object
+        p.line = uint32_t(index.size() + 1);  // "room.oct:17" is the 17th object
         index.push_back(builder.add(p));
     }
-    if (expected >= 0 && expected != static_cast<int64_t>(index.size()))
+    if (expected >= 0 && expected != int64_t(index.size()))
         in.fail("holds " + std::to_string(index.size()) + " objects where it promises " + std::to_string(expected));
     return index;
 }

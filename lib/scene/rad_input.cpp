@@ -15,6 +15,7 @@
 
 #include "base/error.h"
 #include "base/radopts.h"
+#include "base/split.h"
 #include "base/text_file.h"
 
 namespace scene {
@@ -42,11 +43,6 @@ struct Values {
         return found == by_name.end() ? "" : found->second;
     }
 };
-
-std::vector<std::string> split(const std::string& text) {
-    std::istringstream in(text);
-    return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
-}
 
 // File names and "!commands": a word that begins with a quote ends at the next one.
 std::vector<std::string> split_quoted(const std::string& text, const std::string& place) {
@@ -144,7 +140,7 @@ bool truth(const Values& values, const char* name) {
 }
 
 void read_zone(const std::string& text, RadInput& input) {
-    std::vector<std::string> words = split(text);
+    std::vector<std::string> words = base::split_words(text);
     if (!words.empty() && std::isalpha((unsigned char)words[0][0])) {
         input.interior = std::toupper((unsigned char)words[0][0]) == 'I';
         words.erase(words.begin());
@@ -168,7 +164,8 @@ void read_up(const std::string& text, RadInput& input) {
 std::vector<std::string> render_options(const Values& values, const RadInput& input) {
     const int quality = level(values, "QUALITY", 0), detail = level(values, "DETAIL", 1);
     std::string text;
-    const std::vector<std::string> size = split(values.get("RESOLUTION").empty() ? "512" : values.get("RESOLUTION"));
+    const std::vector<std::string> size =
+        base::split_words(values.get("RESOLUTION").empty() ? "512" : values.get("RESOLUTION"));
     text += "-x " + size[0] + " -y " + size[size.size() > 1];
     if (size.size() > 2) text += " -pa " + size[2];
     if (input.has_zone && quality > 0) {
@@ -186,7 +183,7 @@ std::vector<std::string> render_options(const Values& values, const RadInput& in
     text += fmt::format(" -av {0:.2g} {0:.2g} {0:.2g}", ambient);
     const char* limits[] = {" -lr 6 -lw .001", " -lr 8 -lw 1e-4", " -lr 12 -lw 5e-6"};
     text += limits[quality];
-    return split(text + " " + values.get("render") + " " + values.get("rpict"));
+    return base::split_words(text + " " + values.get("render") + " " + values.get("rpict"));
 }
 
 // Words of a standard view: signs of x y z in this order, then a type; empty if `name` is none.
@@ -213,7 +210,7 @@ std::vector<std::string> standard_view(const RadInput& input, const std::string&
     if (axes == 1 && sign[up]) up = (up + 2) % 3, up_sign = 1;  // along the view: Z -> Y, Y -> X, X -> Z
     const double h = type == 'v' ? 45 : type == 'l' ? std::sqrt(squares) : 180;
     const double v = type == 'c' ? 90 : h;
-    return split(fmt::format(
+    return base::split_words(fmt::format(
         "-vt{} -vp {:.3g} {:.3g} {:.3g} -vd {:.3g} {:.3g} {:.3g} -vu {} {} {} -vh {:.3g} -vv {:.3g}", type, vp[0],
         vp[1], vp[2], vd[0], vd[1], vd[2], up == 0 ? up_sign : 0, up == 1 ? up_sign : 0, up == 2 ? up_sign : 0, h, v));
 }
@@ -226,14 +223,14 @@ std::string up_option(const RadInput& input) {
 
 // A view= line: a name (also a standard one) and options.
 RadInput::NamedView read_view(const RadInput& input, const std::string& line) {
-    std::vector<std::string> words = split(line);
+    std::vector<std::string> words = base::split_words(line);
     RadInput::NamedView view;
     if (!words.empty() && words[0][0] != '-') {
         view.name = words[0];
         words.erase(words.begin());
         view.words = standard_view(input, view.name);
     }
-    if (view.words.empty()) view.words = split(up_option(input));
+    if (view.words.empty()) view.words = base::split_words(up_option(input));
     view.words.insert(view.words.end(), words.begin(), words.end());
     return view;
 }

@@ -88,7 +88,7 @@ void SceneReader::octree(base::TextReader& in) {
         if (file[0] == '!') read_command(file, in.name(), 1);
         else read_included(file, here);
     }
-    if (primitives_ - before != static_cast<uint64_t>(head.objects))
+    if (primitives_ - before != uint64_t(head.objects))
         base::warn(in.name(), "the octree is older than its scene files; the files are what is used");
 }
 

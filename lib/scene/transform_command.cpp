@@ -82,7 +82,7 @@ void each_copy(const XformCommand& command, const std::string& place, uint64_t l
     for (size_t i = 0; i + 1 < command.words.size(); i += 1 + std::max(0, option_arguments(command.words[i]))) {
         long long n;
         if (command.words[i] != "-a" || !base::parse_integer(command.words[i + 1], n) || n <= 0) continue;
-        promised *= std::min<uint64_t>(static_cast<uint64_t>(n), limit + 1);
+        promised *= std::min<uint64_t>(uint64_t(n), limit + 1);
         if (promised > limit) base::fail(place, "xform: more than " + std::to_string(limit) + " copies");
     }
     const std::function<void(const Words&, int)> expand = [&](const Words& words, int depth) {

@@ -28,7 +28,7 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<base::Vec3>& 
     std::vector<uint32_t> left(n);
     for (size_t i = 0; i < n; i++) {
         p[i] = {v[i][(axis + 1) % 3], sign * v[i][(axis + 2) % 3]};  // counter-clockwise
-        left[i] = static_cast<uint32_t>(i);
+        left[i] = uint32_t(i);
     }
     auto ear = [&](size_t i) {
         const size_t m = left.size();
@@ -45,7 +45,7 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<base::Vec3>& 
         const size_t m = left.size();
         if (ear(i % m)) {
             triangles.push_back({left[(i + m - 1) % m], left[i % m], left[(i + 1) % m]});
-            left.erase(left.begin() + static_cast<std::ptrdiff_t>(i % m));
+            left.erase(left.begin() + ptrdiff_t(i % m));
             tries = 0;
         } else {
             i = (i + 1) % m;

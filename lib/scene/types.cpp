@@ -43,9 +43,9 @@ const Row rows[] = {
 };
 // clang-format on
 #undef ROW_OF_MATERIAL
-static_assert(sizeof rows / sizeof rows[0] == static_cast<size_t>(Type::count), "a row for every type, in its order");
+static_assert(sizeof rows / sizeof rows[0] == size_t(Type::count), "a row for every type, in its order");
 
-const Row& row(Type t) { return rows[static_cast<size_t>(t)]; }
+const Row& row(Type t) { return rows[size_t(t)]; }
 
 }  // namespace
 
@@ -54,7 +54,7 @@ const char* type_name(Type t) { return row(t).name; }
 bool type_from_name(std::string_view name, Type& t) {
     static const auto index = [] {
         std::unordered_map<std::string_view, Type> m;
-        for (size_t i = 0; i < static_cast<size_t>(Type::count); i++) m.emplace(rows[i].name, static_cast<Type>(i));
+        for (size_t i = 0; i < size_t(Type::count); i++) m.emplace(rows[i].name, Type(i));
         return m;
     }();
     const auto found = index.find(name);
@@ -65,13 +65,13 @@ bool type_from_name(std::string_view name, Type& t) {
 
 std::string argument_fault(Type type, size_t strings, size_t reals) {
     const Row& r = row(type);
-    if (strings < static_cast<size_t>(r.strings_min))
+    if (strings < size_t(r.strings_min))
         return "needs at least " + std::to_string(r.strings_min) + " string arguments, has " + std::to_string(strings);
     const std::string has = ", has " + std::to_string(reals);
     if (type == Type::polygon)
         return reals >= 9 && reals % 3 == 0 ? "" : "needs 9 or more real arguments, a multiple of 3" + has;
     if (r.reals.counts == 0)
-        return reals >= static_cast<size_t>(r.reals.least)
+        return reals >= size_t(r.reals.least)
                    ? ""
                    : "needs at least " + std::to_string(r.reals.least) + " real arguments" + has;
     if (reals < 32 && (r.reals.counts >> reals & 1)) return "";

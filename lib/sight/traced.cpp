@@ -4,6 +4,7 @@
 #include "sight/sight.h"
 #include <cmath>
 #include <unordered_map>
+#include "base/angle.h"
 #include "base/error.h"
 #include "scene/materials.h"
 #include "flatten/build_input.h"
@@ -40,7 +41,7 @@ public:
                                scene::is_clear(scene_.objects[size_t(material.object)].type));
             if (o.type == Type::source) {
                 const auto r = scene_.reals(o);
-                distant_.push_back({s, base::unit({r[0], r[1], r[2]}), r[3] / 2 * (M_PI / 180)});
+                distant_.push_back({s, base::unit({r[0], r[1], r[2]}), r[3] / 2 * base::degree});
             }
         }
         const auto surface = [&](unsigned object) { return index.count(object) ? index[object] : none; };

@@ -2,6 +2,7 @@
 // A view as the numbers kernels/view_ray.h wants.
 #pragma once
 #include <cmath>
+#include "base/angle.h"
 #include "kernels/host.h"
 #include "view/view.h"
 
@@ -9,7 +10,7 @@ namespace trace {
 
 inline void set_view(kernels::Params& p, const view::View& v, base::Vec3 centre) {
     const view::Projector projector(v);
-    const double rad = M_PI / 180;
+    const double rad = base::degree;
     const auto put = [](kernels::float4& f, base::Vec3 a, double w) {
         f = {float(a.x), float(a.y), float(a.z), float(w)};
     };

@@ -4,12 +4,13 @@
 // coordinates are a = sx x, b = sy y; each type says what (a,b) means (see the switch).
 #include <cmath>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "view/view.h"
 
 namespace view {
 namespace {
-constexpr double rad = M_PI / 180;
+using base::degree;
 }
 
 Projector::Projector(const View& v) : view_(v) {
@@ -18,12 +19,12 @@ Projector::Projector(const View& v) : view_(v) {
     h_ = unit(cross(d_, unit(v.vu)));
     u_ = cross(h_, d_);
     switch (v.type) {
-    case 'v': sx_ = 2 * std::tan(v.vh / 2 * rad), sy_ = 2 * std::tan(v.vv / 2 * rad); break;
+    case 'v': sx_ = 2 * std::tan(v.vh / 2 * degree), sy_ = 2 * std::tan(v.vv / 2 * degree); break;
     case 'l': sx_ = v.vh, sy_ = v.vv; break;
     case 'a': sx_ = v.vh / 180, sy_ = v.vv / 180; break;  // angle from d in units of 180 degrees
-    case 'h': sx_ = 2 * std::sin(v.vh / 2 * rad), sy_ = 2 * std::sin(v.vv / 2 * rad); break;
-    case 's': sx_ = 2 * std::tan(v.vh / 4 * rad), sy_ = 2 * std::tan(v.vv / 4 * rad); break;
-    default: sx_ = v.vh * rad, sy_ = 2 * std::tan(v.vv / 2 * rad); break;  // c
+    case 'h': sx_ = 2 * std::sin(v.vh / 2 * degree), sy_ = 2 * std::sin(v.vv / 2 * degree); break;
+    case 's': sx_ = 2 * std::tan(v.vh / 4 * degree), sy_ = 2 * std::tan(v.vv / 4 * degree); break;
+    default: sx_ = v.vh * degree, sy_ = 2 * std::tan(v.vv / 2 * degree); break;  // c
     }
 }
 
@@ -37,8 +38,8 @@ bool Projector::unnormalised(double X, double Y, Vec3& D) const {
     case 'a': {
         const double q = std::sqrt(q2);
         if (q > 1) return false;
-        const double k = q > 0 ? std::sin(M_PI * q) / q : M_PI;
-        D = d_ * std::cos(M_PI * q) + h_ * (k * a) + u_ * (k * b);
+        const double k = q > 0 ? std::sin(base::pi * q) / q : base::pi;
+        D = d_ * std::cos(base::pi * q) + h_ * (k * a) + u_ * (k * b);
         return true;
     }
     case 'h':
@@ -87,7 +88,7 @@ bool Projector::locate_direction(Vec3 dir, double& X, double& Y) const {
     case 'a': {
         const double s = std::hypot(a, b);  // sine of the angle from d
         if (s == 0 && z < 0) return false;  // straight behind: the whole rim
-        const double k = s > 0 ? std::atan2(s, z) / M_PI / s : 0;
+        const double k = s > 0 ? std::atan2(s, z) / base::pi / s : 0;
         return plane_of(a * k, b * k, X, Y);
     }
     case 'h': return z >= 0 && plane_of(a, b, X, Y);

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/radopts.h"
 
@@ -17,7 +18,7 @@ namespace view {
 namespace {
 
 constexpr double tiny = 1e-6;
-constexpr double rad = M_PI / 180;
+using base::degree;
 constexpr size_t most_bytes = size_t(64) << 20;  // that are searched for a view: a file may have no end
 
 // words[at] is the option; its arguments follow.
@@ -161,10 +162,10 @@ void validate(const View& v) {
 
 double aspect(const View& v) {
     switch (v.type) {
-    case 'v': return std::tan(v.vv / 2 * rad) / std::tan(v.vh / 2 * rad);
-    case 'h': return std::sin(v.vv / 2 * rad) / std::sin(v.vh / 2 * rad);
-    case 's': return std::tan(v.vv / 4 * rad) / std::tan(v.vh / 4 * rad);
-    case 'c': return 2 * std::tan(v.vv / 2 * rad) / (v.vh * rad);
+    case 'v': return std::tan(v.vv / 2 * degree) / std::tan(v.vh / 2 * degree);
+    case 'h': return std::sin(v.vv / 2 * degree) / std::sin(v.vh / 2 * degree);
+    case 's': return std::tan(v.vv / 4 * degree) / std::tan(v.vh / 4 * degree);
+    case 'c': return 2 * std::tan(v.vv / 2 * degree) / (v.vh * degree);
     default: return v.vv / v.vh;  // l, a
     }
 }

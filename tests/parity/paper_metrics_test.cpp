@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include "comfort/area.h"
+#include "comfort/region_pixels.h"
 #include "comfort/measure.h"
 #include "image/stream.h"
 
@@ -71,7 +71,7 @@ TEST_CASE("the paper's metrics agree with an independent program to 1e-6") {
         check_near(double(g.valid_count), at(line, "pixels"), name + " pixels");
         check_near(g.omega_sum, at(line, "omega"), name + " omega");
         const auto tal = [&](const char* x, const char* y, double opening) {
-            return comfort::Area(circle(g, int(at(line, x)), int(at(line, y)), opening), g).tal(lum);
+            return comfort::RegionPixels(circle(g, int(at(line, x)), int(at(line, y)), opening), g).tal(lum);
         };
         const double high = tal("high_x", "high_y", at(line, "region_angle")),
                      low = tal("low_x", "low_y", at(line, "region_angle"));

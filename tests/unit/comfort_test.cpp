@@ -112,12 +112,12 @@ TEST_CASE("a region: coverage weighs") {
     image::Picture p = picture(2, 1, {100, 400});
     const Geometry g(*p.header.view, 2, 1);
     const Luminance lum = make_luminance(p);
-    const AreaValues v = Area({1.f, .5f}, g).measure(lum);  // both pixels have one solid angle
+    const RegionValues v = RegionPixels({1.f, .5f}, g).measure(lum);  // both pixels have one solid angle
     CHECK(v.tal == doctest::Approx((100 + 0.5 * 400) / 1.5));
     CHECK(v.share == doctest::Approx(0.75));
     CHECK(v.lowest == doctest::Approx(100));
     CHECK(v.highest == doctest::Approx(400));
-    CHECK(std::isnan(Area({0.f, 0.f}, g).tal(lum)));
+    CHECK(std::isnan(RegionPixels({0.f, 0.f}, g).tal(lum)));
 }
 
 TEST_CASE("the stopping rule holds when the whole window is within tolerance") {

@@ -15,9 +15,9 @@
 namespace {
 
 // All pictures of all inputs, one after another.
-class Source {
+class Pictures {
 public:
-    explicit Source(const std::vector<std::string>& names) : names_(names) {}
+    explicit Pictures(const std::vector<std::string>& names) : names_(names) {}
     bool next(image::Picture& picture) {
         for (; at_ < names_.size(); ++at_) {
             if (!reader_) reader_ = std::make_unique<image::StreamReader>(names_[at_]);
@@ -42,11 +42,11 @@ private:
 bool is_frame(const image::Picture& p) { return p.header.frame && !p.header.frames; }
 
 // Frames into one sum after another.  What came whole is kept in the files, also when the rest is wrong.
-void sum_frames(Source& source, image::Picture& frame, Sums&& sums) {
+void sum_frames(Pictures& pictures, image::Picture& frame, Sums&& sums) {
     base::finish_on_signal();
     try {
-        do sums.add(frame, source.place());
-        while (!base::stop_requested() && source.next(frame));
+        do sums.add(frame, pictures.place());
+        while (!base::stop_requested() && pictures.next(frame));
         sums.end_stream();
     } catch (const base::ClosedPipe&) {
         // The reader has what it wants; the files still get the last sum.
@@ -59,20 +59,20 @@ void sum_frames(Source& source, image::Picture& frame, Sums&& sums) {
     sums.warn_of_stream_in_file();
 }
 
-void merge(const Options& opt, Source& source, image::Picture& first, const Output& output) {
+void merge(const Options& opt, Pictures& pictures, image::Picture& first, const Output& output) {
     image::Picture result, further, last = std::move(first);
-    std::string name = source.name();
-    size_t input = source.input();
+    std::string name = pictures.name();
+    size_t input = pictures.input();
     int pictures = 1;
     image::Merger merger;
     const bool plain = !last.header.frames;  // no sum of ours: one such picture is only converted
     // An input may be a stream of growing sums: its last one counts.
-    while (source.next(further) && !is_frame(further)) {
+    while (pictures.next(further) && !is_frame(further)) {
         ++pictures;
-        if (source.input() != input) {
+        if (pictures.input() != input) {
             merger.add(std::move(last), name);
-            name = source.name();
-            input = source.input();
+            name = pictures.name();
+            input = pictures.input();
         }
         last = std::move(further);
         further = image::Picture();
@@ -84,7 +84,7 @@ void merge(const Options& opt, Source& source, image::Picture& first, const Outp
         merger.add(std::move(last), name);
         result = merger.result();
     }
-    if (frames_follow) sum_frames(source, further, Sums(opt, output, result, name));
+    if (frames_follow) sum_frames(pictures, further, Sums(opt, output, result, name));
     else output.final_picture(result);
 }
 
@@ -95,11 +95,11 @@ int main(int argc, char** argv) {
         const auto opt = parse_options(argc, argv);
         if (!opt) return 0;
         const Output output(*opt, base::command_line(argc, argv));
-        Source source(opt->inputs);
+        Pictures pictures(opt->inputs);
         image::Picture first;
-        if (!source.next(first)) base::fail("", "no picture to read");
-        if (is_frame(first)) sum_frames(source, first, Sums(*opt, output));
-        else merge(*opt, source, first, output);
+        if (!pictures.next(first)) base::fail("", "no picture to read");
+        if (is_frame(first)) sum_frames(pictures, first, Sums(*opt, output));
+        else merge(*opt, pictures, first, output);
         return 0;
     });
 }

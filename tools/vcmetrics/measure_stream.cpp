@@ -133,10 +133,10 @@ private:
     }
     void list_sources(const Measurement& m, const std::vector<Cell>& start) {
         double sum = 0;
-        for (const Source& s : m.sources) sum += dgp_term({s.lum, s.omega, s.P, 0, 0, 0}, o_.settings.constants);
+        for (const GlareSource& s : m.sources) sum += dgp_term({s.lum, s.omega, s.P, 0, 0, 0}, o_.settings.constants);
         std::string text;
         for (size_t k = 0; k < m.sources.size(); ++k) {
-            const Source& s = m.sources[k];
+            const GlareSource& s = m.sources[k];
             std::vector<Cell> cells = start;
             const double share = dgp_term({s.lum, s.omega, s.P, 0, 0, 0}, o_.settings.constants) / sum;
             for (double v : {double(k + 1), s.pixels, s.x, s.y, s.omega, s.lum, s.P, s.sigma_deg, s.direction.x,

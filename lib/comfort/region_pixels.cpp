@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Means of a region's pixels, weighted by solid angle and coverage (area.h).
-#include "comfort/area.h"
+#include "comfort/region_pixels.h"
 #include <algorithm>
 #include <limits>
 #include "comfort/statistics.h"
 
 namespace comfort {
 
-Area::Area(const std::vector<float>& coverage, const Geometry& g) {
+RegionPixels::RegionPixels(const std::vector<float>& coverage, const Geometry& g) {
     for (size_t i = 0; i < coverage.size(); ++i) {
         if (!(coverage[i] > 0) || !g.valid(i)) continue;
         members_.push_back({uint32_t(i), coverage[i], coverage[i] * g.omega[i]});
@@ -16,14 +16,14 @@ Area::Area(const std::vector<float>& coverage, const Geometry& g) {
     share_ = weight_ / g.omega_sum;
 }
 
-double Area::tal(const Luminance& lum) const {
+double RegionPixels::tal(const Luminance& lum) const {
     double flux = 0;
     for (const Member& m : members_) flux += m.weight * lum.at(m.pixel);
     return flux / weight_;  // nan without a pixel
 }
 
-AreaValues Area::measure(const Luminance& lum) const {
-    AreaValues out;
+RegionValues RegionPixels::measure(const Luminance& lum) const {
+    RegionValues out;
     out.tal = tal(lum);
     out.share = share_;
     out.lowest = std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@
 
 namespace comfort {
 
-struct AreaValues {
+struct RegionValues {
     double tal = 0;  // cd/m2
     double mean = 0, median = 0, lowest = 0,
            highest = 0;  // of pixels (mean weighted by coverage; median: half covered or more)
@@ -19,11 +19,11 @@ struct AreaValues {
 };
 
 // One region laid over one geometry: only its pixels are kept.
-class Area {
+class RegionPixels {
 public:
-    Area(const std::vector<float>& coverage, const Geometry& geometry);
+    RegionPixels(const std::vector<float>& coverage, const Geometry& geometry);
     double tal(const Luminance& lum) const;
-    AreaValues measure(const Luminance& lum) const;
+    RegionValues measure(const Luminance& lum) const;
 
 private:
     struct Member {

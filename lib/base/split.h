@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Text in parts.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace base {
+
+// At white space: "a  b" is a, b.
+std::vector<std::string> split_words(const std::string& text);
+
+// At a separator; empty parts are left out: "a,,b" is a, b.
+std::vector<std::string> split_list(const std::string& text, char separator);
+
+}  // namespace base
