@@ -9,7 +9,6 @@
 #include <memory>
 #include <new>
 #include <string>
-#include <thread>
 #include "base/error.h"
 #include "base/threads.h"
 
@@ -42,7 +41,7 @@ public:
 private:
     // Embree ends the program where a thread cannot be started; so it is asked for no more than there can be.
     static std::string threads() {
-        const unsigned wanted = std::thread::hardware_concurrency(), there = base::threads_to_be_had(wanted);
+        const unsigned wanted = base::processors(), there = base::threads_to_be_had(wanted);
         return there < wanted ? "threads=" + std::to_string(there) : "";
     }
     RTCDevice device_;

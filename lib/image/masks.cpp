@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <thread>
 
 #include "base/error.h"
 #include "base/threads.h"
@@ -23,6 +22,12 @@ bool name_is_valid(const std::string& name) {
     return !name.empty() && name.size() < 64 &&
            name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
                std::string::npos;
+}
+
+// OpenEXR compresses on threads of its own, and only there; it does not survive one that cannot be started.
+void start_threads() {
+    const unsigned threads = base::threads_to_be_had(base::processors());
+    if (threads > 1) Imf::setGlobalThreadCount(int(threads));
 }
 
 }  // namespace
@@ -60,12 +65,6 @@ MaskSet read_masks(const std::string& path) {
         }
     }
     return set;
-}
-
-// OpenEXR's own; it does not survive a thread that cannot be started.
-static void start_threads() {
-    const unsigned threads = base::threads_to_be_had(std::thread::hardware_concurrency());
-    if (threads > 1) Imf::setGlobalThreadCount(int(threads));
 }
 
 void write_masks(const std::string& path, const MaskSet& set) {

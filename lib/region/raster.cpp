@@ -9,7 +9,6 @@
 #include <cmath>
 #include <exception>
 #include <mutex>
-#include <thread>
 #include <unistd.h>
 #include <fmt/format.h>
 #include "base/angle.h"
@@ -61,7 +60,7 @@ void for_all(size_t count, const std::function<void(size_t)>& work) {
             }
         }
     };
-    size_t n = std::min<size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
+    size_t n = std::min<size_t>(count, base::processors());
     base::on_threads(unsigned(n), loop);
     if (trouble) std::rethrow_exception(trouble);
 }

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <cstdlib>
 #include <mutex>
-#include <thread>
 
 #include <fmt/core.h>
 
@@ -40,8 +39,7 @@ const CpuKernels& best_kernels(const std::string& wanted) {
 unsigned thread_count() {
     if (const char* v = std::getenv("LUXPIPE_THREADS"))
         if (const int n = std::atoi(v); n > 0) return unsigned(n);
-    const unsigned n = std::thread::hardware_concurrency();
-    return n ? n : 1;
+    return base::processors();
 }
 
 class CpuDevice : public Device {
