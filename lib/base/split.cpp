@@ -23,4 +23,8 @@ std::vector<std::string> split_list(const std::string& text, char separator) {
     return parts;
 }
 
+bool ends_with(std::string_view text, std::string_view ending) {
+    return text.size() >= ending.size() && text.substr(text.size() - ending.size()) == ending;
+}
+
 }  // namespace base

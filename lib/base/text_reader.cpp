@@ -9,6 +9,7 @@
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "base/printable.h"
+#include "base/split.h"
 #include "base/text_file.h"
 
 namespace base {
@@ -147,14 +148,10 @@ bool TextReader::word(std::string_view& word) {
     return true;
 }
 
-static bool ends_with(const std::string& s, const char* tail, size_t n) {
-    return s.size() >= n && s.compare(s.size() - n, n, tail) == 0;
-}
-
 std::string TextReader::rest_of_line() {
     std::string line;
     int c;
-    while ((c = get()) >= 0 && (c != '\n' || ends_with(line, "\\", 1) || ends_with(line, "\\\r", 2))) {
+    while ((c = get()) >= 0 && (c != '\n' || ends_with(line, "\\") || ends_with(line, "\\\r"))) {
         line += char(c);
         if (line.size() > (1 << 20)) fail(place(), "the command is longer than a million characters");
     }

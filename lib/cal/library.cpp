@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include "base/error.h"
+#include "base/split.h"
 
 namespace cal {
 
@@ -12,7 +13,7 @@ constexpr size_t max_file = size_t(4) << 20;  // function files; trees take a hu
 
 std::string context_of(const std::string& file) {  // "lib/my sky.cal" -> "my_sky"
     std::string name = file.substr(file.find_last_of('/') + 1);
-    if (name.size() > 4 && name.compare(name.size() - 4, 4, ".cal") == 0) name.resize(name.size() - 4);
+    if (base::ends_with(name, ".cal")) name.resize(name.size() - 4);
     for (char& c : name)
         if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.'))
             c = '_';
@@ -81,7 +82,7 @@ void Library::State::add_file(const std::string& file, const std::string& contex
                               bool warn) {
     const std::string path = base::look_for_file(file, files);
     if (!path.empty()) return add(read_text(path, max_file, place), path, context, warn);
-    const bool has_ending = file.size() > 4 && file.compare(file.size() - 4, 4, ".cal") == 0;
+    const bool has_ending = base::ends_with(file, ".cal");
     const char* text = builtin_file(has_ending ? file : file + ".cal");
     if (!text) base::fail(place, "cannot find function file \"" + file + "\"");
     add(text, file, context, false);

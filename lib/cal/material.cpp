@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Function materials: which of their strings are values of a hit, which a lobe of the light direction (pattern.h).
 #include "base/error.h"
+#include "base/split.h"
 #include "cal/pattern_parts.h"
 #include "kernels/materials.h"
 
@@ -42,11 +43,6 @@ const Kind* find(const std::string& name) {
     return nullptr;
 }
 
-bool ends_with(const std::string& s, const char* end) {
-    const std::string e = end;
-    return s.size() >= e.size() && s.compare(s.size() - e.size(), e.size(), e) == 0;
-}
-
 }  // namespace
 
 bool has_functions(const std::string& type) { return find(type) != nullptr; }
@@ -60,7 +56,7 @@ MaterialProgram compile_material(Library& library, const PatternSpec& spec, Code
     m.lobe_count = kind->lobe;
     Parts p(library, spec, code);
     const std::string& type = spec.type;
-    if (ends_with(type, "data")) {
+    if (base::ends_with(type, "data")) {
         m.lobe = p.compile([&] {
             p.file(2);
             const Nodes l = light(p, p.builder(), library);

@@ -3,12 +3,13 @@
 #include "cal/pattern_parts.h"
 #include <cmath>
 #include "base/error.h"
+#include "base/split.h"
 
 namespace cal {
 
 Parts::Parts(Library& library, const PatternSpec& pattern, Code& code) : spec(pattern), library_(library), code_(code) {
     // Text patterns have no transform; their words may look like one.
-    if (spec.type.size() > 4 && spec.type.compare(spec.type.size() - 4, 4, "text") == 0) {
+    if (base::ends_with(spec.type, "text")) {
         xform_ = spec.outer;
         return;
     }

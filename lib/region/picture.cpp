@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <png.h>
 #include "base/error.h"
+#include "base/split.h"
 #include "image/stream.h"
 
 namespace region {
@@ -127,11 +128,6 @@ MaskPicture read_png(const Shape& s) {
     return m;
 }
 
-bool ends(const std::string& name, const char* ending) {
-    size_t n = std::strlen(ending);
-    return name.size() > n && name.compare(name.size() - n, n, ending) == 0;
-}
-
 MaskPicture read_exr_channel(const Shape& s) {
     image::MaskSet set = image::read_masks(s.text);
     std::vector<std::string> names;
@@ -164,7 +160,7 @@ std::unique_ptr<Field> make_mask_field(const Shape& s, const Space& space) {
 
 MaskPicture read_mask_picture(const Shape& s) {
     MaskPicture m;
-    if (ends(s.text, ".png") || ends(s.text, ".PNG")) {
+    if (base::ends_with(s.text, ".png") || base::ends_with(s.text, ".PNG")) {
         m = read_png(s);
     } else if (!s.channel.empty()) {
         m = read_exr_channel(s);

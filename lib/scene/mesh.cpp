@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include "base/error.h"
+#include "base/split.h"
 #include "scene/mesh_formats.h"
 #include "scene/octree.h"
 
@@ -146,7 +147,7 @@ Mesh read_mesh(const std::string& path, const Limits& limits) {
     mesh.path = path;
     base::TextReader in = base::TextReader::from_file(path, "");
     if (in.header_format() == "Radiance_tmesh") read_rtm(in, limits, mesh);
-    else if (path.size() > 4 && path.compare(path.size() - 4, 4, ".obj") == 0) read_obj(in, mesh);
+    else if (base::ends_with(path, ".obj")) read_obj(in, mesh);
     else base::fail(path, "neither a compiled mesh (.rtm) nor a Wavefront .obj file");
     return mesh;
 }

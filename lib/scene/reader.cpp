@@ -5,6 +5,7 @@
 #include "base/find_file.h"
 #include "base/number.h"
 #include "base/printable.h"
+#include "base/split.h"
 #include "scene/octree.h"
 #include "scene/types.h"
 
@@ -13,8 +14,7 @@ namespace scene {
 namespace {
 
 bool is_mesh(base::TextReader& in) {
-    const std::string& name = in.name();
-    return in.header_format() == "Radiance_tmesh" || (name.size() > 4 && name.compare(name.size() - 4, 4, ".obj") == 0);
+    return in.header_format() == "Radiance_tmesh" || base::ends_with(in.name(), ".obj");
 }
 
 // For messages: polygon "floor".

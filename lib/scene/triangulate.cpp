@@ -45,7 +45,7 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<base::Vec3>& 
         const size_t m = left.size();
         if (ear(i % m)) {
             triangles.push_back({left[(i + m - 1) % m], left[i % m], left[(i + 1) % m]});
-            left.erase(left.begin() + ptrdiff_t(i % m));
+            left.erase(left.begin() + long(i % m));
             tries = 0;
         } else {
             i = (i + 1) % m;

@@ -63,12 +63,12 @@ void merge(const Options& opt, Pictures& pictures, image::Picture& first, const 
     image::Picture result, further, last = std::move(first);
     std::string name = pictures.name();
     size_t input = pictures.input();
-    int pictures = 1;
+    int count = 1;
     image::Merger merger;
     const bool plain = !last.header.frames;  // no sum of ours: one such picture is only converted
     // An input may be a stream of growing sums: its last one counts.
     while (pictures.next(further) && !is_frame(further)) {
-        ++pictures;
+        ++count;
         if (pictures.input() != input) {
             merger.add(std::move(last), name);
             name = pictures.name();
@@ -78,7 +78,7 @@ void merge(const Options& opt, Pictures& pictures, image::Picture& first, const 
         further = image::Picture();
     }
     const bool frames_follow = is_frame(further);
-    if (plain && pictures == 1 && !frames_follow) {
+    if (plain && count == 1 && !frames_follow) {
         result = std::move(last);
     } else {
         merger.add(std::move(last), name);
