@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "scene/bsdf_xml.h"
 #include "flatten/pack.h"
@@ -25,9 +26,9 @@ using scene::BsdfBasis;
 using scene::BsdfTable;
 using scene::BsdfTree;
 
-constexpr double PI = 3.14159265358979323846;
+using base::pi;
 constexpr uint32_t MAX_GRID = 128;  // cells per side of the grid of hemispherical values
-constexpr double MIN_LAMBERTIAN = .01 / PI, MAX_LAMBERTIAN = 1.5 / PI;
+constexpr double MIN_LAMBERTIAN = .01 / pi, MAX_LAMBERTIAN = 1.5 / pi;
 
 double fraction(double x) { return x - std::floor(x); }
 
@@ -70,7 +71,7 @@ private:
         std::vector<uint32_t> w{uint32_t(basis.count.size()), uint32_t(basis.cells())};
         uint32_t first = 0;
         for (size_t k = 0; k < basis.count.size(); k++) {
-            const auto cosine = [&](double deg) { return deg >= 90 ? 0.0f : float(std::cos(deg * PI / 180)); };
+            const auto cosine = [&](double deg) { return deg >= 90 ? 0.0f : float(std::cos(deg * pi / 180)); };
             w.insert(w.end(), {bits(cosine(basis.theta[k])), bits(cosine(basis.theta[k + 1])), basis.count[k], first});
             first += basis.count[k];
         }
@@ -80,8 +81,8 @@ private:
     static std::vector<float> psa_of(const BsdfBasis& basis) {
         std::vector<float> psa;
         for (size_t k = 0; k < basis.count.size(); k++) {
-            const double c0 = std::cos(basis.theta[k] * PI / 180), c1 = std::cos(basis.theta[k + 1] * PI / 180);
-            psa.insert(psa.end(), basis.count[k], float(PI * (c0 * c0 - c1 * c1) / basis.count[k]));
+            const double c0 = std::cos(basis.theta[k] * pi / 180), c1 = std::cos(basis.theta[k + 1] * pi / 180);
+            psa.insert(psa.end(), basis.count[k], float(pi * (c0 * c0 - c1 * c1) / basis.count[k]));
         }
         return psa;
     }
@@ -107,7 +108,7 @@ private:
         double least = 1e30;
         for (size_t k = 0; k < ni * no; k++) least = std::min(least, t.y[k] * noise[k]);
         if (least <= MIN_LAMBERTIAN) least = 0;
-        diffuse = PI * least;
+        diffuse = pi * least;
 
         // rows by v, columns by l
         const size_t nv = swap ? no : ni, nl = swap ? ni : no;
@@ -187,7 +188,7 @@ private:
             narrow = std::min(narrow, width);
         });
         if (!(least > MIN_LAMBERTIAN && least < MAX_LAMBERTIAN)) least = 0;
-        diffuse = PI * least;
+        diffuse = pi * least;
         std::vector<float> values = t.value;
         leaves(t, [&](uint32_t n, const double* low, double) {
             double noise = 0;
@@ -200,7 +201,7 @@ private:
         std::vector<uint32_t> w(BT_WORDS);
         w[BT_KIND] = t.dims == 4 ? BSDF_TREE4 : BSDF_TREE3;
         w[BT_SWAP] = swap;
-        w[BT_MIN_PSA] = bits(float(PI * narrow * narrow));
+        w[BT_MIN_PSA] = bits(float(pi * narrow * narrow));
         w[BT_V] = grid;
         w[BT_L] = uint32_t(t.dims);
         w[BT_VALUES] = add_floats(values);
@@ -212,7 +213,7 @@ private:
             w[BT_RGB] = add_words(uv);
         }
         std::vector<float> hemi, psa;
-        if (t.dims == 3 && swap) turned_tree(w, grid, float(PI * narrow * narrow), hemi, psa);
+        if (t.dims == 3 && swap) turned_tree(w, grid, float(pi * narrow * narrow), hemi, psa);
         else tree_grids(t, values, swap ? 2 : 0, grid, hemi, psa);
         w[BT_HEMI] = add_floats(hemi);
         w[BT_PSA] = add_floats(psa);
@@ -225,16 +226,16 @@ private:
         const int mine = t.dims == 4 ? 2 : 1;
         const size_t rows = mine == 2 ? n : 1;
         std::vector<double> sum(n * rows, 0.0);
-        psa.assign(n * rows, float(PI));
+        psa.assign(n * rows, float(pi));
         leaves(t, [&](uint32_t leaf, const double* low, double width) {
             const double x0 = low[first] * n, x1 = x0 + width * n;
             const double y0 = mine == 2 ? low[first + 1] * n : 0, y1 = mine == 2 ? y0 + width * n : 1;
             const double share = std::min(1.0, width * n) * (mine == 2 ? std::min(1.0, width * n) : 1.0);
-            const double part = PI * values[leaf] * width * width * share;  // share: leaves finer than the grid
+            const double part = pi * values[leaf] * width * width * share;  // share: leaves finer than the grid
             for (size_t y = size_t(y0); double(y) < y1; y++)
                 for (size_t x = size_t(x0); double(x) < x1; x++) {
                     sum[y * n + x] += part;
-                    psa[y * n + x] = std::min(psa[y * n + x], float(PI * width * width));
+                    psa[y * n + x] = std::min(psa[y * n + x], float(pi * width * width));
                 }
         });
         hemi.assign(sum.begin(), sum.end());
@@ -258,7 +259,7 @@ private:
                 float unused;
                 sum += double(bsdf_value(&s, w.data(), v, F3(d.x, d.y, bsdf_height(d.x, d.y)), &unused));
             }
-            hemi[i] = float(PI * sum / (steps * steps));
+            hemi[i] = float(pi * sum / (steps * steps));
         }
     }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "base/angle.h"
 #include "flatten/host_tracer.h"
 
 namespace flatten {
@@ -96,7 +97,7 @@ double open_share(const HostTracer& tracer, const Rect& r, Vec3 n, std::mt19937&
     for (int i = 0; i < RAYS; i++) {
         const double a = r.lo[0] + (r.hi[0] - r.lo[0]) * uniform(random);
         const double b = r.lo[1] + (r.hi[1] - r.lo[1]) * uniform(random);
-        const double s = uniform(random), phi = 2 * M_PI * uniform(random);
+        const double s = uniform(random), phi = 2 * base::pi * uniform(random);
         const Vec3 d =
             r.u * (std::sqrt(s) * std::cos(phi)) + r.v * (std::sqrt(s) * std::sin(phi)) + n * std::sqrt(1 - s);
         if (!tracer.blocked(r.origin + r.u * a + r.v * b + n * off, d, 0, 1e30, HostTracer::opaque))

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "flatten/sources.h"
 
@@ -15,14 +16,14 @@ using base::Vec3;
 using scene::Object;
 using scene::Type;
 
-constexpr double PI = 3.14159265358979323846;
+using base::pi;
 using Reals = scene::Span<double>;
 
 void shape_sphere(const Reals& r, Vec3 centre, float* q) {
     q[SRC_KIND] = from_bits(SK_SPHERE);
     put(q + SRC_CENTRE, vec_at(r, 0) - centre);
     q[SRC_RADIUS] = float(std::fabs(r[3]));
-    q[SRC_AREA] = float(PI * r[3] * r[3]);  // as seen: the silhouette
+    q[SRC_AREA] = float(pi * r[3] * r[3]);  // as seen: the silhouette
 }
 
 void shape_ring(const Reals& r, const std::string& place, Vec3 centre, float* q) {
@@ -34,7 +35,7 @@ void shape_ring(const Reals& r, const std::string& place, Vec3 centre, float* q)
     put(q + SRC_U, u * radius);
     put(q + SRC_V, cross(n, u) * radius);
     put(q + SRC_NORMAL, n);
-    q[SRC_AREA] = float(PI * radius * radius);
+    q[SRC_AREA] = float(pi * radius * radius);
     q[SRC_RADIUS] = float(radius);
 }
 
@@ -43,7 +44,7 @@ void shape_cylinder(const Reals& r, const std::string& place, Vec3 centre, float
     q[SRC_KIND] = from_bits(SK_CYLINDER);
     put(q + SRC_CENTRE, (a + b) * 0.5 - centre);
     put(q + SRC_U, (b - a) * 0.5);
-    q[SRC_AREA] = float(2 * PI * r[6] * length(b - a));
+    q[SRC_AREA] = float(2 * pi * r[6] * length(b - a));
     q[SRC_RADIUS] = float(r[6]);
     if (r[6] > 0.2 * length(b - a)) base::warn(place, "cylindrical light source is not long and thin");
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
+#include "base/angle.h"
 #include "base/error.h"
 #include "flatten/evaluate.h"
 #include "scene/materials.h"
@@ -18,7 +19,7 @@ using base::Vec3;
 using scene::Object;
 using scene::Type;
 
-constexpr double PI = 3.14159265358979323846;
+using base::pi;
 using Reals = scene::Span<double>;
 
 double luminance_weight(const Reals& c) { return .265074126 * c[0] + .670114631 * c[1] + .064811243 * c[2]; }
@@ -28,7 +29,7 @@ void aim_spotlight(const Reals& c, const std::string& place, float* q) {
     const Vec3 aim = vec_at(c, 4);
     if (c[3] <= 0 || length(aim) <= 0) base::fail(place, "spotlight with zero angle or direction");
     put(q + SRC_SPOT, unit(aim));
-    q[SRC_SPOT_COS] = float(std::cos(std::min(c[3], 360.0) * PI / 360));
+    q[SRC_SPOT_COS] = float(std::cos(std::min(c[3], 360.0) * pi / 360));
     q[SRC_SPOT_FOCUS] = float(length(aim));
 }
 
@@ -98,7 +99,7 @@ void add_distant_sources(const Modifiers& modifiers, const FlatScene& out, Sourc
         const Object& material = distant_material(modifiers, o);
         const Reals r = scene.reals(o);
         const Vec3 d = unit(vec_at(r, 0));
-        const double half = std::min(r[3], 360.0) * PI / 360, s = std::sin(half / 2), cap = r[3] >= 360 ? 3 : 2 * s * s;
+        const double half = std::min(r[3], 360.0) * pi / 360, s = std::sin(half / 2), cap = r[3] >= 360 ? 3 : 2 * s * s;
         uint32_t record[DISTANT_WORDS] = {bits(float(d.x)),
                                           bits(float(d.y)),
                                           bits(float(d.z)),
@@ -112,7 +113,7 @@ void add_distant_sources(const Modifiers& modifiers, const FlatScene& out, Sourc
             q[SRC_KIND] = from_bits(SK_DISTANT);
             put(q + SRC_CENTRE, d);
             q[SRC_CAP] = float(std::min(cap, 2.0));
-            q[SRC_AREA] = float(2 * PI * std::min(cap, 2.0));
+            q[SRC_AREA] = float(2 * pi * std::min(cap, 2.0));
             q[SRC_RADIUS] = float(std::sin(half));
             record[DISTANT_SOURCE] = sources.count() - 1;
         }
