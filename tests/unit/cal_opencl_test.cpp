@@ -67,8 +67,8 @@ Result run_on(const Device& device, const cal::Code& code, const std::vector<uin
     REQUIRE(e == CL_SUCCESS);
     cl_command_queue queue = clCreateCommandQueue(context, device.id, 0, &e);
     cl_program program = clCreateProgramWithSource(context, 1, const_cast<const char**>(&source), nullptr, &e);
-    const std::string options =
-        std::string("-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt -I ") + LUXPIPE_TESTS "/../lib/kernels";
+    const std::string options = std::string("-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt -I ") +
+                                LUXPIPE_TESTS "/../lib -I " + LUXPIPE_TESTS "/../lib/kernels";
     if (clBuildProgram(program, 1, &device.id, options.c_str(), nullptr, nullptr) != CL_SUCCESS) {
         char log[4000] = "";
         clGetProgramBuildInfo(program, device.id, CL_PROGRAM_BUILD_LOG, sizeof log - 1, log, nullptr);
