@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "base/error.h"
-#include "base/radopts.h"
+#include "base/value.h"
 
 namespace base {
 

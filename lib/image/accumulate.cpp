@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/radopts.h"
+#include "base/value.h"
 #include "image/fingerprint.h"
 #include "image/header.h"
 

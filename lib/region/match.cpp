@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wildcards, and the "did you mean" of names that do not exist: Damerau's edit distance, restricted form
-// (F. J. Damerau, CACM 7(3), 1964).
+// Wildcards, and the "did you mean" of names that do not exist.
 #include "region/match.h"
 #include <algorithm>
 #include <cctype>
+
+#include "base/near.h"
 #include "region/region.h"
 
 namespace region {
@@ -28,22 +29,6 @@ bool matches(const std::string& pattern, const std::string& name) {
     return p == pattern.size();
 }
 
-int edit_distance(const std::string& a, const std::string& b) {
-    std::vector<int> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
-    for (size_t j = 0; j <= b.size(); ++j) above[j] = int(j);
-    for (size_t i = 1; i <= a.size(); ++i) {
-        row[0] = int(i);
-        for (size_t j = 1; j <= b.size(); ++j) {
-            row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] != b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                row[j] = std::min(row[j], before[j - 2] + 1);
-        }
-        before.swap(above);
-        above.swap(row);
-    }
-    return above[b.size()];
-}
-
 std::string near_matches(const std::string& name, const std::vector<std::string>& names) {
     auto lower = [](std::string s) {
         for (char& c : s) c = char(std::tolower((unsigned char)c));
@@ -56,10 +41,10 @@ std::string near_matches(const std::string& name, const std::vector<std::string>
     for (const std::string& candidate : names) {
         if (candidate.size() > 200) continue;
         std::string other = lower(candidate);
-        int d = edit_distance(wanted, other);
+        int d = base::edit_distance(wanted, other);
         if (other.find(wanted) != std::string::npos || (other.size() > 2 && wanted.find(other) != std::string::npos))
             d = std::min(d, 1);
-        if (d <= std::max(1, int(wanted.size()) / 3)) good.emplace_back(d, candidate);
+        if (d <= base::largest_slip(wanted.size())) good.emplace_back(d, candidate);
     }
     std::sort(good.begin(), good.end());
     good.erase(std::unique(good.begin(), good.end()), good.end());

@@ -5,6 +5,4 @@
 
 namespace region {
 bool matches(const std::string& pattern, const std::string& name);
-// Letters to insert, delete, exchange or swap to turn one word into the other.
-int edit_distance(const std::string& a, const std::string& b);
 }  // namespace region

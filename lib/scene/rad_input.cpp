@@ -14,8 +14,8 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "base/radopts.h"
 #include "base/split.h"
+#include "base/value.h"
 #include "base/text_file.h"
 
 namespace scene {

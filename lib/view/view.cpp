@@ -8,11 +8,12 @@
 #include <cerrno>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "base/angle.h"
 #include "base/error.h"
-#include "base/radopts.h"
+#include "base/options.h"
 
 namespace view {
 namespace {
@@ -21,12 +22,6 @@ constexpr double tiny = 1e-6;
 using base::degree;
 constexpr size_t most_bytes = size_t(64) << 20;  // that are searched for a view: a file may have no end
 
-// words[at] is the option; its arguments follow.
-double argument(const std::vector<std::string>& words, size_t at, size_t i) {
-    if (at + i >= words.size()) base::fail(words[at], "an argument is missing");
-    return base::to_real(words[at + i], words[at]);
-}
-
 }  // namespace
 
 bool operator==(const View& a, const View& b) {
@@ -34,53 +29,51 @@ bool operator==(const View& a, const View& b) {
            a.vo == b.vo && a.va == b.va && a.vs == b.vs && a.vl == b.vl;
 }
 
-int parse_option(View& v, const std::vector<std::string>& words, size_t at) {
-    if (at >= words.size()) return 0;
-    const std::string& word = words[at];
-    if (word.compare(0, 3, "-vt") == 0) {
-        if (word.size() != 4 || std::string("vlahsc").find(word[3]) == std::string::npos)
-            base::fail(word, "the view type is one of v l a h s c, as in -vta");
-        v.type = word[3];
-        return 1;
-    }
-    if (word.size() != 3 || word[0] != '-' || word[1] != 'v') return 0;
-    Vec3* vec = nullptr;
-    double* real = nullptr;
-    switch (word[2]) {
-    case 'p': vec = &v.vp; break;
-    case 'd': vec = &v.vd; break;
-    case 'u': vec = &v.vu; break;
-    case 'h': real = &v.vh; break;
-    case 'v': real = &v.vv; break;
-    case 'o': real = &v.vo; break;
-    case 'a': real = &v.va; break;
-    case 's': real = &v.vs; break;
-    case 'l': real = &v.vl; break;
-    default: return 0;
-    }
-    if (real) {
-        *real = argument(words, at, 1);
-        return 2;
-    }
-    const Vec3 value{argument(words, at, 1), argument(words, at, 2), argument(words, at, 3)};
-    *vec = value;
-    return 4;
+void declare_options(base::OptionTable& t, View& v, const std::string& otherwise) {
+    const auto add = [&](const char* spelling, const char* sentence, auto& target) -> base::Option& {
+        base::Option& option = t.add(spelling, sentence, target).from_scene();
+        if (!otherwise.empty()) option.otherwise(otherwise).target.show = {};
+        return option;
+    };
+    auto type = base::one_of(v.type, {{"v", 'v'}, {"l", 'l'}, {"a", 'a'}, {"h", 'h'}, {"s", 's'}, {"c", 'c'}});
+
+    t.group("View");
+    add("-vp x y z", "View point", v.vp);
+    add("-vd x y z", "View direction", v.vd);
+    add("-vu x y z", "Upward direction", v.vu);
+    add("-vt T",
+        "View type: v perspective, l parallel, a angular fisheye, h hemispherical fisheye, s planispheric "
+        "(stereographic) fisheye, c cylindrical panorama",
+        type)
+        .joined();
+    add("-vh a", "Horizontal size (for -vtl a length)", v.vh).unit("degrees");
+    add("-vv a", "Vertical size (for -vtl a length)", v.vv).unit("degrees");
+    add("-vo d", "Fore clipping distance; 0 is none", v.vo);
+    add("-va d", "Aft clipping distance; 0 is none", v.va);
+    add("-vs f", "Shift to the right, in picture widths", v.vs).share();
+    add("-vl f", "Lift, in picture heights", v.vl).share();
+}
+
+void declare_file_option(base::OptionTable& t, std::function<void(const View&)> use) {
+    const auto read = [=](base::Arguments& a) { use(read_view_file(a.file())); };
+    t.add("-vf file", "Take the view from a view file or from the header of a picture", read).from_scene();
 }
 
 bool parse_line(View& v, const std::string& line) {
     std::istringstream in(line.compare(0, 5, "VIEW=") == 0 ? line.substr(5) : line);
-    std::vector<std::string> words;
-    for (std::string word; in >> word;) words.push_back(word);
+    base::OptionTable options;  // without -vf: a header opens no files
+    declare_options(options, v);
+
     bool any = false;
-    for (size_t at = 0; at < words.size();) {
-        int used = 0;
+    base::Words words({std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()});
+    while (words.left()) {
+        const size_t at = words.at();
         try {
-            used = parse_option(v, words, at);
+            if (options.read(words)) any = true;
+            else words.take();
         } catch (const base::Error&) {
-            // A word that only looks like a view option: skipped, as RADIANCE's readers do.
+            words.go_to(at + 1);  // a word that only looks like a view option: skipped, as RADIANCE's readers do
         }
-        any = any || used > 0;
-        at += used > 0 ? size_t(used) : 1;
     }
     return any;
 }

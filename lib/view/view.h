@@ -4,10 +4,15 @@
 // its centre is ((i+.5)/nx, (j+.5)/ny).  Angles in degrees, lengths in world units.
 // Formulas: the view section of RADIANCE's reference manual; measured against vwrays (tests/golden/vwrays.tsv).
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 #include "base/vec.h"
+
+namespace base {
+class OptionTable;
+}
 
 namespace view {
 using base::Vec3;
@@ -24,9 +29,10 @@ struct View {
 bool operator==(const View& a, const View& b);
 inline bool operator!=(const View& a, const View& b) { return !(a == b); }
 
-// If words[at] is a view option (-vt* -vp -vd -vu -vh -vv -vo -va -vs -vl), applies it and returns the number of
-// words used; 0 if it is none.  Throws Error on missing or malformed arguments.  -vf is read_view_file's business.
-int parse_option(View& v, const std::vector<std::string>& words, size_t at);
+// -vp -vd -vu -vt -vh -vv -vo -va -vs -vl, and -vf with what is done with the file's view.  `otherwise`: where a view
+// comes from without them, in place of v's own values.
+void declare_options(base::OptionTable& table, View& v, const std::string& otherwise = "");
+void declare_file_option(base::OptionTable& table, std::function<void(const View&)> use);
 // Applies every view option found in a header or view-file line (unknown words are skipped); true if there was one.
 bool parse_line(View& v, const std::string& line);
 // Lines that hold a view in headers and view files: VIEW= and the command lines of rpict, rvu and their kin.

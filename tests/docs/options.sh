@@ -1,25 +1,61 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Each option is told twice, by -help and by the manual page; here the two lists are compared.
+# Each option is declared once (base/options.h); -help prints it, and the manual says it again in the same words before
+# it goes on.  Here the two are compared: spellings, arguments, sentences, units and defaults.
 . "${TOP:?}/tests/lib.sh"
 needs mandoc ptaccum vcmetrics vcregion
 
-# Options that begin a line of the help, one dash, joined [+-] and arguments cut off.
-help_options() {
-    "$1" -help | sed -nE 's/^ {1,8}(--?[A-Za-z0-9].*)/\1/p' | cut_names
+# "-x n <tab> Horizontal resolution (512)." for each option of the help; broken lines are put together.
+help_items() {
+    "$1" -help | awk '
+        /^  -/ { if (head) print head "\t" text; text = ""; sub(/^  /, "")
+                 if (match($0, /   */)) { head = substr($0, 1, RSTART - 1); text = substr($0, RSTART + RLENGTH) }
+                 else head = $0; next }
+        /^   / && head { sub(/^ */, ""); text = text (text ? " " : "") $0; next }
+        { if (head) print head "\t" text; head = "" }'
 }
-# Options that begin an item in the page's OPTIONS section.
+
+# The words of the page's OPTIONS section, one blank between two.
+page_words() {
+    mandoc -T ascii -O width=1000 "$TOP/man/$1.1" | sed 's/.\x08//g' |
+    awk '/^[A-Z]/ { on = ($1 == "OPTIONS") } on' | tr -s ' \n' ' '
+}
+
+# Words that begin an item of the OPTIONS section: "-a x, -b y" is -a and -b.
 page_options() {
     mandoc -T ascii "$TOP/man/$1.1" | sed 's/.\x08//g' |
     awk '/^[A-Z]/ { on = ($1 == "OPTIONS") } on' | sed -nE 's/^ {5,8}(-[A-Za-z0-9].*)/\1/p' | cut_names
 }
-# "-a x, -b y  words" -> -a and -b
 cut_names() {
-    sed -E 's/  .*//; s/\t.*//; s/, ?-/\n-/g' | sed -E 's/^--/-/; s/[^A-Za-z0-9_-].*//; s/-$//' | grep -E "^-[A-Za-z0-9]" | sort -u
+    sed -E 's/  .*//; s/, ?-/\n-/g' | sed -E 's/[^A-Za-z0-9_-].*//; s/-$//' |
+    grep -E '^-[A-Za-z0-9]' | sort -u
 }
+
+# Options of the help, one a line, that page $2 does not say word by word.
+not_said() {
+    while IFS=$'\t' read -r head text; do
+        grep -qF -e " $head $text " "$2" || printf '%s\n%s\n' "$head" "$text"
+    done < "$1"
+}
+
 for tool in ptrace ptaccum vcmetrics vcregion; do
     command -v $tool > /dev/null || continue
-    help_options $tool > $tool.help
-    page_options $tool > $tool.page
-    check "$tool: -help lists options" "test -s $tool.help"
-    check "$tool: every option of -help is in the page, and no other" "diff $tool.help $tool.page"
+    help_items $tool > $tool.items
+    page_words $tool > $tool.words
+    cut -f 1 $tool.items | cut_names > $tool.names
+    check "$tool: -help lists options" "test -s $tool.items"
+    check "$tool: every option of -help is in the page, and no other" "page_options $tool | diff $tool.names -"
+    check "$tool: the page says of each what -help says" "
+        not_said $tool.items $tool.words > missing; cat missing >&2; test ! -s missing"
+    check "$tool: -help breaks its lines" "$tool -help | awk 'length > 100' | wc -l | grep -qx 0"
 done
+
+printf -- '-x n\tSize (3).\n' > one.items
+echo ' OPTIONS -x n Size (4). More words. ' > one.words
+check 'another default in the page is seen' 'not_said one.items one.words | grep -q Size'
+
+if command -v ptrace > /dev/null; then
+    unneeded() { tr -s ' \n' ' ' | grep -o "$1[^)]*" | grep -oE -e '-[A-Za-z]+' | sort; }
+    check 'ptrace(1) names the options that are read past' '
+        ptrace -help | unneeded "Accepted and not needed:" > ours
+        mandoc -T ascii "$TOP/man/ptrace.1" | sed "s/.\x08//g" | unneeded "named once in a warning:" | diff ours -'
+fi

@@ -39,7 +39,7 @@ if command -v vcmetrics > /dev/null; then
 fi
 check 'a closed stdout is a quiet end' "vcregion $view -list office.regions | true"
 check '-version and -help go to stdout' 'vcregion -version | grep -q luxpipe; vcregion -help | grep -q -- -centre'
-check '-defaults shows what the options before it have set' 'vcregion -x 77 -vtv -defaults | grep -qx -- "-x 77"'
+check '-defaults shows what the options before it have set' 'vcregion -x 77 -vtv -defaults | grep -q -- "^-x 77  *# Horizontal resolution"'
 
 echo 'tiny circle 0 -1 0 .8' > tiny
 check 'a region below 32 pixels is warned of, with its price' "
@@ -54,7 +54,8 @@ check_error 'a mistake in the file names its line' 1 '^vcregion: bad:2: ' "print
 check_error 'a name that is not there, and one that is near' 1 'no region is called "dsk" .did you mean "desk"' "vcregion $view -single dsk office.regions"
 check_error 'no region file' 1 '^vcregion: no region file' 'vcregion -list'
 check_error 'nothing to do' 1 '^vcregion: nothing to write' 'vcregion office.regions'
-check_error 'an unknown option' 1 '^vcregion: -foo: ' 'vcregion -foo office.regions'
+check_error 'an unknown option' 1 '^vcregion: -foo: unknown option' 'vcregion -foo office.regions'
+check_error 'the nearest one is named' 1 '^vcregion: -center: unknown option; did you mean -centre[?]$' 'vcregion -center office.regions'
 check_error 'an option after the file' 1 '^vcregion: -list: ' 'vcregion office.regions -list'
 check_error 'an ending that means nothing' 1 '^vcregion: x.tif: ' 'vcregion -o x.tif office.regions'
 check_error '.hdr needs -single' 1 '^vcregion: x.hdr: ' 'vcregion -o x.hdr office.regions'

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/options.h"
 #include "temp_folder.h"
 #include "view/view.h"
 
@@ -189,15 +190,23 @@ TEST_CASE("header lines that hold views") {
 
 TEST_CASE("options: words used, later ones win, bad arguments name the option") {
     View v;
-    CHECK(view::parse_option(v, {"-vp", "1", "2", "3"}, 0) == 4);
-    CHECK(view::parse_option(v, {"-vta"}, 0) == 1);
-    CHECK(view::parse_option(v, {"-vh", "60"}, 0) == 2);
-    CHECK(view::parse_option(v, {"-vf", "file"}, 0) == 0);
-    CHECK(view::parse_option(v, {"-v"}, 0) == 0);
-    CHECK(view::parse_option(v, {"-ab", "2"}, 0) == 0);
-    CHECK_THROWS_WITH_AS(view::parse_option(v, {"-vp", "1", "2"}, 0), "-vp: an argument is missing", base::Error);
-    CHECK_THROWS_WITH_AS(view::parse_option(v, {"-vp", "1", "2", "x"}, 0), "-vp: \"x\" is not a number", base::Error);
-    CHECK_THROWS_AS(view::parse_option(v, {"-vtx"}, 0), base::Error);
+    base::OptionTable table;
+    view::declare_options(table, v);
+    const auto words_used = [&](std::vector<std::string> words) {
+        base::Words w(std::move(words));
+        table.read(w);
+        return w.at();
+    };
+    CHECK(words_used({"-vp", "1", "2", "3"}) == 4);
+    CHECK(words_used({"-vta"}) == 1);
+    CHECK(words_used({"-vh", "60"}) == 2);
+    CHECK(words_used({"-vf", "file"}) == 0);
+    CHECK(words_used({"-v"}) == 0);
+    CHECK(words_used({"-ab", "2"}) == 0);
+    CHECK_THROWS_WITH_AS(words_used({"-vp", "1", "2"}), "-vp: an argument is missing (-vp x y z)", base::Error);
+    CHECK_THROWS_WITH_AS(words_used({"-vp", "1", "2", "x"}), "-vp: \"x\" is not a number", base::Error);
+    CHECK_THROWS_AS(words_used({"-vtx"}), base::Error);
+    CHECK_THROWS_AS(words_used({"-vt"}), base::Error);
     CHECK(v.vp == base::Vec3{1, 2, 3});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options of ptaccum.  To add one: 1. a field here, 2. a line in options.cpp, 3. man/ptaccum.1, 4. a test.
+// The options of ptaccum.  To add one: CONTRIBUTING.md, "Add an option".
 #pragma once
 #include <optional>
 #include <string>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ptrace's command line: rpict's view and rendering options, read in order, plus our own few words.
-// To add an option: 1. a field here or in trace/options.h; 2. a row in options.cpp (reads it, shows it in -help and
-// -defaults); 3. a paragraph in man/ptrace.1 (a test compares it with -help); 4. a line in
-// tests/tools/ptrace_options.sh.
+// To add an option: CONTRIBUTING.md, "Add an option".
 #pragma once
 #include <cstdint>
 #include <optional>

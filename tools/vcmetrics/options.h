@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vcmetrics' command line.  One-letter options are evalglare's, with its meanings; ours are words.
+// To add an option: CONTRIBUTING.md, "Add an option".
 #pragma once
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ struct Options {
     std::string until;
     int window = 10;
     bool compare = false;
+    bool warnings = true;
     std::string tolerances;          // rules, or a file of them
     std::optional<view::View> view;  // replaces the header's
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vcregion's command line: RADIANCE's view and size options and a few words.
-// To add an option: 1. a field here  2. a row in options.cpp  3. a paragraph in man/vcregion.1 (a test compares it with
-// -help).
+// To add an option: CONTRIBUTING.md, "Add an option".
 #pragma once
 #include <optional>
 #include <string>

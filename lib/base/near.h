@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How near two words are to each other, for "did you mean".
+#pragma once
+#include <string>
+
+namespace base {
+
+// Letters to insert, delete, exchange or swap to turn one word into the other: Damerau's distance in its restricted
+// form (F. J. Damerau, CACM 7(3), 1964).
+int edit_distance(const std::string& a, const std::string& b);
+
+// The largest distance at which a word may be a slip for another of that length.
+inline int largest_slip(size_t length) { return length < 6 ? 1 : int(length / 3); }
+
+}  // namespace base

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// ptrace's options, each declared once (base/options.h).  from_scene() marks what a rad input file may say: how light
+// is followed and from where it is seen.  Programs, files to write, devices, frames and messages are the user's
+// (docs/security.md).
+#include "declare.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "base/error.h"
+#include "base/text_file.h"
+#include "base/value.h"
+#include "trace/progressive.h"
+
+namespace {
+
+using base::Arguments;
+using base::OptionTable;
+
+// Opened before stderr is given up, so that a failure is still told there.
+void send_messages_to(const std::string& path) {
+    errno = 0;
+    const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (fd < 0 || dup2(fd, 2) < 0) base::fail_system(path, "cannot be written");
+    close(fd);
+}
+
+void read_frames(const std::string& text, Options& opt) {
+    const size_t colon = text.find(':');
+    if (colon == std::string::npos) {
+        const long n = base::to_int(text, "-frames");
+        if (n < 1) base::fail("-frames", "at least 1 frame, not " + text);
+        opt.first = 0, opt.last = n - 1;
+    } else {
+        opt.first = base::to_int(text.substr(0, colon), "-frames");
+        opt.last = base::to_int(text.substr(colon + 1), "-frames");
+        if (opt.first < 0) base::fail("-frames", "frames count from 0, not from " + std::to_string(opt.first));
+        if (opt.last < opt.first) base::fail("-frames", text + " holds no frame");
+    }
+    if (opt.last >= Options::endless)
+        base::fail("-frames", fmt::format("frames end before number {}", Options::endless));
+}
+
+void read_rif(const std::string& path, OptionTable& t, Options& opt, std::optional<scene::RadInput>& rad_input) {
+    rad_input = scene::read_rad_input(path);
+    t.read_scene_words(rad_input->options, path);
+    for (const std::string& file : rad_input->scene_files) base::require_ordinary_file(file, path);
+    opt.exposure = rad_input->exposure;
+}
+
+std::string devices() {
+    std::string text;
+    for (const std::string& device : trace::list_devices()) text += device + "\n";
+    return text;
+}
+
+void declare_picture(OptionTable& t, Options& opt) {
+    trace::RenderOptions& r = opt.render;
+    t.group("Picture");
+    t.add("-x n", "Horizontal resolution", opt.nx).within(1, 32768).from_scene();
+    t.add("-y n", "Vertical resolution", opt.ny).within(1, 32768).from_scene();
+    t.add("-pa f", "Pixel aspect, height over width; 0 keeps both resolutions", opt.pixel_aspect)
+        .at_least(0)
+        .from_scene();
+    t.add("-pj f", "Pixel jitter: 0 samples pixel centres, 1 the whole pixel", r.pj).within(0, 1).share().from_scene();
+    t.add("-pd d", "Diameter of the lens for depth of field", r.pd).at_least(0).from_scene();
+    t.add("-i[+-]", "Irradiance on the surfaces seen instead of radiance", r.i).from_scene();
+}
+
+void declare_light(OptionTable& t, Options& opt) {
+    trace::RenderOptions& r = opt.render;
+    t.group("Light");
+    t.add("-ab n", "Diffuse bounces", r.ab).within(0, 10000).from_scene();
+    t.add("-av r g b", "Radiance that stands for all light beyond the last bounce", r.av).at_least(0).from_scene();
+    t.add("-st f", "Specular threshold: highlights weaker than this are left out", r.st)
+        .within(0, 1)
+        .share()
+        .from_scene();
+    t.add("-ss f", "Specular sampling", r.ss).at_least(0).from_scene();
+    t.add("-dj f", "Direct jitter: 0 takes the middle of a source, 1 any part of it", r.dj)
+        .within(0, 1)
+        .share()
+        .from_scene();
+    t.add("-ds f", "Pieces of light sources as RADIANCE cuts them; 0 is the true shape", r.ds).at_least(0).from_scene();
+    t.add("-dr n", "Relays of virtual sources: how many mirrors and prisms light may pass", r.dr)
+        .within(0, 100)
+        .from_scene();
+    t.add("-dp n", "Presampling of virtual sources: no effect", r.dp).at_least(0).from_scene();
+    t.add("-dv[+-]", "Light sources can be seen", r.dv).from_scene();
+    t.add("-bv[+-]", "Back faces of opaque surfaces can be seen", r.bv).from_scene();
+    t.add("-u[+-]", "Uncorrelated samples: no effect", r.u).from_scene();
+    t.add("-lr n", "Ray levels; below 0, longer rays are ended by Russian roulette", r.lr)
+        .within(-10000, 10000)
+        .from_scene();
+    t.add("-lw f", "Weight below which a ray ends, or roulette begins", r.lw).at_least(0).from_scene();
+    t.add("-me r g b", "Extinction of the air, per unit of length", r.me).at_least(0).from_scene();
+    t.add("-ma r g b", "Scattering albedo of the air", r.ma).at_least(0).from_scene();
+    t.add("-mg f", "Eccentricity of that scattering", r.mg).within(0, 1).from_scene();
+    t.add("-ms d", "Sampling distance in mist", r.ms).at_least(0).from_scene();
+    t.add("-f file", "A function file whose definitions every function of the scene sees", opt.files.cal_files)
+        .from_scene();
+}
+
+void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>& rad_input) {
+    t.group("Frames and devices");
+    t.add("-frames N|A:B", "Frames 0 to N-1, or A to B, both included", [&](Arguments& a) {
+         read_frames(a.text(), opt);
+     }).otherwise("endless");
+    t.add("-seed n", "Seed of the random numbers", opt.render.seed).at_least(0);
+    t.add("-device name", "Where to render: auto, cpu, cpu:embree, opencl or opencl:N", opt.device);
+    t.add("-o pattern", "Write frames to files such as f%04d.hdr", [&](Arguments& a) {
+        opt.output = a.text();
+        if (opt.output.empty()) base::fail(a.name(), "the name is empty");
+    });
+    t.add("-exec", "Let the scene run its !commands", opt.files.exec);
+    t.add("-rif file", "Take scene, options and views from an input file of rad(1)",
+          [&](Arguments& a) { read_rif(a.text(), t, opt, rad_input); });
+}
+
+void declare_messages(OptionTable& t, Options& opt) {
+    t.group("Messages");
+    t.add("-t s", "A line on the standard error every s seconds", opt.report_s)
+        .at_least(0)
+        .otherwise("none")
+        .passed_over_in_scene();
+    t.add("-w[+-]", "Warnings", opt.warnings).passed_over_in_scene();
+    t.add("-e file", "Append messages to a file instead of the standard error",
+          [](Arguments& a) { send_messages_to(a.text()); });
+    t.question("-devices", "Print the devices there are", devices);
+}
+
+// Options of rpict that steer what a path tracer does not have: its cache, its thresholds, its pixel interpolation,
+// its animations and its files.
+void declare_rpicts(OptionTable& t) {
+    using Scenes = OptionTable::Scenes;
+    t.unneeded("-aa -ar -ad -as -aw -af -ai -aI -ae -aE -am", 1, Scenes::yes);
+    t.unneeded("-ap", 1, Scenes::yes, 2);  // a file and up to two bandwidths
+    t.unneeded("-dt -dc -ps -pt -pm -cs", 1, Scenes::yes);
+    t.unneeded("-cw", 2, Scenes::yes);
+    t.unneeded("-pRGB", 0, Scenes::yes);
+    t.unneeded("-S -P -PP -r -ro -z -n", 1, Scenes::no);
+    for (const char* name : {"-pXYZ", "-pc"}) t.refuse(name, "", "frames are in RADIANCE's RGB");
+}
+
+}  // namespace
+
+void declare_options(OptionTable& t, Options& opt, std::optional<scene::RadInput>& rad_input) {
+    view::declare_options(t, opt.view);
+    view::declare_file_option(t, [&](const view::View& v) { opt.view = v; });
+    declare_picture(t, opt);
+    declare_light(t, opt);
+    declare_frames(t, opt, rad_input);
+    declare_messages(t, opt);
+    declare_rpicts(t);
+    t.options_come_before("the scene files");
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Our own options: see declare.h.
+#include "declare.h"
+
+#include "comfort/columns.h"
+
+namespace {
+
+using base::Arguments;
+using base::OptionTable;
+
+std::vector<std::string> split_at_commas(const std::string& list) {
+    std::vector<std::string> out;
+    for (size_t at = 0; at <= list.size();) {
+        const size_t comma = std::min(list.find(',', at), list.size());
+        if (comma > at) out.push_back(list.substr(at, comma - at));
+        at = comma + 1;
+    }
+    return out;
+}
+
+void define_dgp(Arguments& a, comfort::Settings& s) {
+    switch (a.one_of({"evalglare", "paper", "pixel"})) {
+    case 0: s.dgp_form = comfort::DgpForm::merged, s.constants = {}; break;
+    case 1: s.constants = comfort::paper_dgp; break;
+    default: s.dgp_form = comfort::DgpForm::pixel;
+    }
+}
+
+void declare_output(OptionTable& t, Options& o) {
+    using Format = comfort::TableFormat;
+    t.group("What is printed");
+    t.add("-metrics list", "The columns, comma separated: " + comfort::column_names(),
+          [&](Arguments& a) { o.metrics = split_at_commas(a.text()); });
+    t.add("-regions file", "Named regions: masks of vcregion(1), or a file of vcregion(5)", o.regions_file);
+    t.add("-cr pair", "Contrast ratio of two regions, low/high or name=low/high; may be repeated", [&](Arguments& a) {
+        for (const std::string& pair : split_at_commas(a.text())) o.contrast_pairs.push_back(pair);
+    });
+    t.add("-sources", "A line for each glare source in place of the metrics", o.list_sources);
+    t.add("-format name", "Form of the table: tsv, csv or jsonl",
+          base::one_of(o.format, {{"tsv", Format::tsv}, {"csv", Format::csv}, {"jsonl", Format::jsonl}}));
+}
+
+void declare_comparison(OptionTable& t, Options& o) {
+    t.group("When to stop, and comparing");
+    t.add("-until rule", "Stop when the rule holds, for instance 'DGP 1%, Ev 0.5%'", o.until);
+    t.add("-window n", "The number of lines over which the rule of -until must hold", o.window).within(2, 1000000);
+    t.add("-compare", "Compare two inputs: pictures, streams, recorded tables or evalglare's lines", o.compare);
+    t.add("-tolerance rules", "For -compare: 'DGP 0.01, Ev 1%, all 2%', or a file of such lines", o.tolerances);
+}
+
+void declare_definitions(OptionTable& t, Options& o) {
+    using Area = comfort::RammgArea;
+    t.group("Definitions");
+    t.add("-task name", "This region sets the threshold: 5 times its mean luminance", o.settings.task_region);
+    t.add("-like program", "Print and measure as evalglare or accelerad does", [&](Arguments& a) {
+        speak_as(a.one_of({"evalglare", "accelerad"}) ? Like::accelerad : Like::evalglare, o);
+    });
+    t.add("-dgp form", "DGP as evalglare; paper: its constants 0.16 and 0.0918; pixel: every bright pixel is a source",
+          [&](Arguments& a) { define_dgp(a, o.settings); })
+        .otherwise("evalglare");
+    t.add(
+        "-rammg area",
+        "RAMMG over view; rect: black corners too; interior: pixels with eight neighbours; prototype: that without 1/8",
+        base::one_of(o.settings.rammg_area, {{"view", Area::view},
+                                             {"rect", Area::rectangle},
+                                             {"interior", Area::interior},
+                                             {"prototype", Area::prototype_scale}}));
+}
+
+}  // namespace
+
+void speak_as(Like program, Options& o) {
+    o.like = program;
+    if (program == Like::evalglare) o.settings.slips = true;
+    if (program != Like::accelerad) return;
+
+    // AcceleradRT: every bright pixel, older position index, always corrected
+    o.format = comfort::TableFormat::csv;
+    o.settings.dgp_form = comfort::DgpForm::pixel;
+    o.settings.position = comfort::PositionModel::accelerad;
+    o.settings.low_light = true;
+    o.settings.rammg_area = comfort::RammgArea::prototype_scale;
+}
+
+void declare_options(OptionTable& t, Options& o, view::View& view) {
+    declare_output(t, o);
+    declare_comparison(t, o);
+    declare_definitions(t, o);
+    view::declare_options(t, view, "the picture's");
+    view::declare_file_option(t, [&](const view::View& v) { o.view = v; });
+    declare_evalglares_options(t, o);
+
+    t.group("General");
+    t.add("-W[+-]", "Warnings", o.warnings);
+    t.question("-v", "Print the version, too", [&t] { return t.version(); });
+    t.footer("Options of one letter are evalglare's.  ");
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// evalglare's options, with its letters, arguments and meanings: see declare.h.
+#include "declare.h"
+
+namespace {
+
+using base::Arguments;
+using base::OptionTable;
+
+const base::Range pixels = base::within(-(1 << 20), 1 << 20);  // a column or row, possibly outside the picture
+
+comfort::Circle circle(Arguments& a) {
+    comfort::Circle c;
+    c.x = int(a.integer(pixels));
+    c.y = int(a.integer(pixels));
+    c.opening = a.real(base::above(0));
+    return c;
+}
+
+void read_fill(Arguments& a, comfort::Settings& s) {
+    s.external_ev = a.real();
+    comfort::Fill fill;
+    fill.y_max = int(a.integer(pixels));
+    fill.y_min = int(a.integer(pixels));
+    s.fill = fill;
+}
+
+void read_constants(Arguments& a, comfort::DgpConstants& k) {
+    for (double* v : {&k.a1, &k.a2, &k.a3, &k.a4, &k.a5, &k.c1, &k.c2, &k.c3}) *v = a.real();
+}
+
+void read_patches(Arguments& a, Options& o) {
+    comfort::Patches patches;
+    patches.angle_deg = a.real();
+    patches.mode = int(a.integer(base::within(1, 3)));
+    o.settings.patches = patches;
+    if (patches.mode == 3) speak_as(Like::evalglare, o);
+}
+
+void read_low_light(Arguments& a, comfort::Settings& s) {
+    const std::string what = a.text();
+    if (what == "l+") s.low_light = true;
+    if (what == "l-" || what == "0") s.low_light = false;
+}
+
+void read_zones(Arguments& a, comfort::Settings& s, bool two) {
+    s.zones = comfort::Zones{circle(a), {}};
+    if (two) s.zones->outer_opening = a.real();
+}
+
+void declare_sources(OptionTable& t, Options& o) {
+    comfort::Settings& s = o.settings;
+    t.group("evalglare's: glare sources");
+    t.add("-b factor", "Threshold: factor of the task's or mean luminance; above 100, a luminance in cd/m2",
+          s.threshold)
+        .otherwise("2000; 5 with a task");
+    t.add("-t x y angle", "Task area: centre pixel, y from the bottom, and full opening angle in radians",
+          [&](Arguments& a) { s.task = circle(a); });
+    t.add("-T x y angle", "The same", [&](Arguments& a) { s.task = circle(a); });
+    t.add("-r angle", "Search radius between pixels of one source, an opening angle", s.search_opening)
+        .unit("radians")
+        .above(0);
+    t.add("-s", "Smooth sources: a dark pixel joins a source that covers a fifth of its surroundings", s.smooth);
+    t.add("-y", "Extract peaks (the default)", base::set(s.peaks, true));
+    t.add("-Y lum", "Extract peaks from this luminance on", [&](Arguments& a) {
+         s.peaks = true;
+         s.peak_limit = a.real();
+     }).otherwise("50000 cd/m2");
+    t.add("-x", "Extract no peaks", base::set(s.peaks, false));
+    t.add("-z angle mode", "Fixed patches in place of sources, in degrees; mode 1 prints metrics, 3 coefficients",
+          [&](Arguments& a) { read_patches(a, o); });
+    t.add("-l x y angle", "A zone: sources are split at its border, and it has statistics",
+          [&](Arguments& a) { read_zones(a, s, false); });
+    t.add("-L x y angle1 angle2", "Two zones, one around the other", [&](Arguments& a) { read_zones(a, s, true); });
+}
+
+void declare_measures(OptionTable& t, comfort::Settings& s) {
+    using Model = comfort::PositionModel;
+    t.group("evalglare's: what is measured");
+    t.add("-G type", "Cut the field of view after Ev is taken: 1 total, 2 both eyes, 3 both eyes, weighted by 1/P",
+          [&](Arguments& a) { s.field_cut = int(a.integer(base::within(1, 3))); });
+    t.add("-q mode", "Background luminance: 0 from Ev - Edir, 1 mean outside the sources, 2 Ev/pi", s.background)
+        .within(0, 2);
+    t.add("-C what", "Low light correction of DGP: l+ on, l- or 0 off", [&](Arguments& a) {
+         read_low_light(a, s);
+     }).otherwise("off");
+    t.add("-4", "No low light correction", base::set(s.low_light, false));
+    t.add("-i Ev", "For DGP only: an illuminance from elsewhere", s.external_ev).unit("lux");
+    t.add("-I Ev ymax ymin", "The same, and rows from ymax up and from ymin down are filled from their neighbours",
+          [&](Arguments& a) { read_fill(a, s); });
+    t.add("-k lum", "Leave out terms of LveilCIE up to this luminance", [&](Arguments& a) {
+         s.veil_cut = a.real();
+     }).unit("cd/m2");
+    t.add("-P model", "Position index: 0 Guth, 1 KIM", [&](Arguments& a) {
+         s.position = a.integer(base::within(0, 1)) ? Model::kim : Model::guth;
+     }).otherwise("0");
+    t.add("-w a1 a2 a3 a4 a5 c1 c2 c3", "Constants of DGP", [&](Arguments& a) { read_constants(a, s.constants); });
+    t.add("-A file", "Mask picture (pixels above 0.1 cd/m2): its statistics, PGSV",
+          [&](Arguments& a) { s.mask_file = a.text(); });
+    t.add("-B angle", "Statistics of a horizontal band, half height", s.band_rad).unit("radians");
+    t.add("-f", "Measure a perspective picture with black corners all the same", s.force);
+}
+
+// What only evalglare's lines have: each implies -like evalglare.
+void declare_lines(OptionTable& t, Options& o) {
+    comfort::Settings& s = o.settings;
+    const auto implies = [&](auto& variable, auto value) {
+        return [&o, &variable, value](Arguments&) {
+            speak_as(Like::evalglare, o);
+            variable = value;
+        };
+    };
+    t.group("evalglare's: its lines (each implies -like evalglare)");
+    t.add("-d", "The detailed lines", implies(o.evalglare.detailed, true));
+    t.add("-D", "The line with Ev and the largest luminance", implies(o.evalglare.dgp_and_ev, true));
+    t.add("-V", "The line of Ev alone; status 1, as there", implies(o.evalglare.ev_only, true));
+    t.add("-1", "The fast DGP, of -i Ev", implies(s.fast, 1));
+    t.add("-2 Edir", "The fast DGP and UGR", [&](Arguments& a) {
+        speak_as(Like::evalglare, o);
+        s.fast = 2;
+        s.fast_direct = a.real();
+    });
+    t.add("-3", "The third fast mode: prints nothing", implies(s.fast, 3));
+}
+
+void declare_refused(OptionTable& t) {
+    const char* const pictures =
+        "evalglare writes a picture here; vcmetrics only measures (pcomb and pvalue change pictures)";
+    t.group("evalglare's: not here");
+    t.add("-u r g b", "Colour of sources in a check picture: no effect", [](Arguments& a) { a.vec(); });
+    t.refuse("-a age", "Gone from evalglare: an error",
+             "the age factor is gone from evalglare, and not supported here");
+    t.refuse("-c file", "Not here: writes a check picture", pictures);
+    for (const char* spelling : {"-m ...", "-M ...", "-N ...", "-O ..."})
+        t.refuse(spelling, "Not here: rewrites the picture", pictures);
+    t.refuse("-p ...", "Not here: writes the position index", pictures);
+    t.refuse("-g type", "Not here: writes the field of view (-G measures it)", pictures);
+    t.refuse("-Q ...", "Not here: several pictures pasted into one",
+             "evalglare's several-pictures mode is not here; vcmetrics reads any number of pictures one after another");
+}
+
+}  // namespace
+
+void declare_evalglares_options(OptionTable& t, Options& o) {
+    declare_sources(t, o);
+    declare_measures(t, o.settings);
+    declare_lines(t, o);
+    declare_refused(t);
+}
