@@ -59,24 +59,23 @@ uint32_t EvalglareGroups::open() {
     return count();
 }
 
-void EvalglareGroups::add(uint32_t p, uint32_t group, const Luminance& lum) {
+void EvalglareGroups::add(uint32_t p, uint32_t group, const CheckPicture& lum) {
     sums_[group].add(lum.at(p), geometry_.omega[p], geometry_.x_of(p), geometry_.y_of(p));
     if (!group_[p]) pixels_.push_back(p);
     group_[p] = group;
 }
 
-void EvalglareGroups::join(uint32_t p, uint32_t group, const Luminance& lum) {
+void EvalglareGroups::join(uint32_t p, uint32_t group, const CheckPicture& lum) {
     sums_[group].add(lum.at(p), geometry_.omega[p], geometry_.x_of(p), geometry_.y_of(p));
     group_[p] = group;
     members_[group].push_back(p);
 }
 
-void EvalglareGroups::move(uint32_t p, uint32_t group, const Luminance& lum) {
+void EvalglareGroups::leave(uint32_t p, const CheckPicture& lum) {
     sums_[group_[p]].remove(lum.at(p), geometry_.omega[p], geometry_.x_of(p), geometry_.y_of(p));
-    join(p, group, lum);
 }
 
-void EvalglareGroups::find(const std::vector<Run>& bright, const Luminance& lum, bool shortcut, bool merge_too) {
+void EvalglareGroups::find(const std::vector<Run>& bright, const CheckPicture& lum, bool shortcut, bool merge_too) {
     start(bright);
     for (const uint32_t p : pixels_) {
         uint32_t group =
@@ -87,7 +86,7 @@ void EvalglareGroups::find(const std::vector<Run>& bright, const Luminance& lum,
     if (merge_too) merge(pixels_, 1, true, lum);
 }
 
-void EvalglareGroups::take(const std::vector<Run>& grouped, const Luminance& lum) {
+void EvalglareGroups::take(const std::vector<Run>& grouped, const CheckPicture& lum) {
     start(grouped);
     std::vector<uint32_t> wanted(group_.size(), 0);
     for (const Run& r : grouped) std::fill_n(wanted.begin() + r.start, r.length, r.group);
@@ -137,7 +136,7 @@ bool EvalglareGroups::surrounded(uint32_t p) const {
 
 // Whole passes until one changes nothing.  A group is dissolved into a strictly larger one, never into its equal.
 void EvalglareGroups::merge(const std::vector<uint32_t>& pixels, uint32_t from_group, bool skip_surrounded,
-                            const Luminance& lum) {
+                            const CheckPicture& lum) {
     for (bool changed = true; changed;) {
         changed = false;
         for (const uint32_t p : pixels) {
@@ -178,7 +177,7 @@ uint32_t EvalglareGroups::peak_in_reach(uint32_t p, const Reach& reach, uint32_t
     return found;
 }
 
-void EvalglareGroups::extract_peaks(const Luminance& lum, double limit) {
+void EvalglareGroups::extract_peaks(const CheckPicture& lum, double limit) {
     if (std::none_of(sums_.begin(), sums_.end(), [&](const GroupSums& s) { return s.brightest > limit; })) return;
     const Reach half = walk_.reach(opening_ / 2);
     const uint32_t before = count();
@@ -192,7 +191,8 @@ void EvalglareGroups::extract_peaks(const Luminance& lum, double limit) {
         const uint32_t first = count() + 1;
         for (const uint32_t p : peaks) {
             const uint32_t found = peak_in_reach(p, half, first);
-            move(p, found ? found : open(), lum);
+            leave(p, lum);
+            join(p, found ? found : open(), lum);
         }
         merge(peaks, first, false, lum);
     }

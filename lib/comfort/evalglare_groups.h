@@ -5,8 +5,8 @@
 #pragma once
 #include <cstdint>
 #include <vector>
+#include "comfort/check_picture.h"
 #include "comfort/connect.h"
-#include "comfort/luminance.h"
 #include "comfort/walk.h"
 
 namespace comfort {
@@ -25,12 +25,13 @@ public:
     EvalglareGroups(const Geometry& geometry, double search_opening);
     // First scan: every bright pixel joins a group in reach or opens one.  Second, with `merge`: groups join a larger
     // one in reach until none can.  `shortcut`: a pixel above a bright one takes its group unseen.
-    void find(const std::vector<Run>& bright, const Luminance& lum, bool shortcut, bool merge);
-    void take(const std::vector<Run>& grouped, const Luminance& lum);  // groups that are known
+    void find(const std::vector<Run>& bright, const CheckPicture& lum, bool shortcut, bool merge);
+    void take(const std::vector<Run>& grouped, const CheckPicture& lum);  // groups that are known
     // Pixels of at least `limit` leave their group for new ones, connected at half the reach and then merged.
-    void extract_peaks(const Luminance& lum, double limit);
-    void add(uint32_t pixel, uint32_t group, const Luminance& lum);
-    void move(uint32_t pixel, uint32_t group, const Luminance& lum);
+    void extract_peaks(const CheckPicture& lum, double limit);
+    void add(uint32_t pixel, uint32_t group, const CheckPicture& lum);
+    void leave(uint32_t pixel, const CheckPicture& lum);
+    void join(uint32_t pixel, uint32_t group, const CheckPicture& lum);
     uint32_t open();
     uint32_t count() const { return uint32_t(sums_.size() - 1); }
     const std::vector<GroupSums>& sums() const { return sums_; }  // by number, from 1
@@ -38,13 +39,12 @@ public:
 
 private:
     void start(const std::vector<Run>& pixels);
-    void join(uint32_t pixel, uint32_t group, const Luminance& lum);
     uint32_t group_in_reach(uint32_t pixel) const;
     uint32_t larger_in_reach(uint32_t pixel, uint32_t from_group) const;
     uint32_t peak_in_reach(uint32_t pixel, const Reach& reach, uint32_t from_group) const;
     bool follows_bright(uint32_t pixel) const;
     bool surrounded(uint32_t pixel) const;
-    void merge(const std::vector<uint32_t>& pixels, uint32_t from_group, bool skip_surrounded, const Luminance& lum);
+    void merge(const std::vector<uint32_t>& pixels, uint32_t from_group, bool skip_surrounded, const CheckPicture& lum);
     uint32_t column_key(uint32_t pixel) const;
     void sort_by_column(std::vector<uint32_t>& pixels) const;
 

@@ -41,6 +41,7 @@ struct Settings {
     bool peaks = true;                             // -x off, -y on
     double peak_limit = 50000;                     // -Y, cd/m2
     std::optional<Circle> task;                    // -t, -T
+    bool task_painted = false;                     // -T
     std::string task_region;                       // -task NAME
     int field_cut = 0;                             // -G 1, 2, 3
     int background = 0;                            // -q 0, 1, 2

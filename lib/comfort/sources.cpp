@@ -54,12 +54,14 @@ std::vector<GlareSource> SourceFinder::find(const Luminance& lum, double thresho
     runs_ = bright_runs(lum, geometry_, threshold);
     if (settings_.patches) assign_patches(runs_, geometry_, *settings_.patches);
     if (as_evalglare_) {
-        connect_as_evalglare(lum);
+        check_.emplace(lum);
+        if (settings_.task && settings_.task_painted) paint_task();
+        connect_as_evalglare();
     } else {
         groups_ = 0;
         if (!settings_.patches) groups_ = connector_.connect(runs_, 1);
         for (const Run& r : runs_) groups_ = std::max(groups_, r.group);
-        if (settings_.smooth && radius_px_ >= 1) smooth(lum);
+        if (settings_.smooth && radius_px_ >= 1) smooth();
         if (settings_.peaks && radius_px_ >= 1) extract_peaks(lum);
     }
     direct_lux_ = 0;
@@ -73,26 +75,40 @@ std::vector<GlareSource> SourceFinder::find(const Luminance& lum, double thresho
     return sums(lum);
 }
 
-// The fast modes keep what the first scan found; so does a search radius of at most a pixel.
-void SourceFinder::connect_as_evalglare(const Luminance& lum) {
-    EvalglareGroups& groups = *as_evalglare_;
-    const bool wide = radius_px_ > 1;
-    if (settings_.patches) groups.take(runs_, lum);
-    else groups.find(runs_, lum, wide, wide && !settings_.fast);
-    runs_ = groups.runs();
-    if (settings_.smooth && radius_px_ >= 1) smooth(lum);
-    if (settings_.peaks && radius_px_ >= 1) groups.extract_peaks(lum, settings_.peak_limit);
-    runs_ = groups.runs();
-    groups_ = groups.count();
+void SourceFinder::paint_task() {
+    const Vec3 centre = geometry_.direction(settings_.task->x, settings_.task->y);
+    const double limit = inside_cosine(float(settings_.task->opening));
+    for (size_t i = 0; i < geometry_.omega.size(); ++i)
+        if (geometry_.valid(i) && inside(dot(centre, geometry_.direction(i)), limit, settings_.slips))
+            check_->paint(i, task_paint);
 }
 
-void SourceFinder::smooth(const Luminance& lum) {
+// The fast modes keep what the first scan found; so does a search radius of at most a pixel.
+void SourceFinder::connect_as_evalglare() {
+    EvalglareGroups& groups = *as_evalglare_;
+    const bool wide = radius_px_ > 1;
+    if (settings_.patches) groups.take(runs_, *check_);
+    else groups.find(runs_, *check_, wide, wide && !settings_.fast);
+    runs_ = groups.runs();
+    if (settings_.smooth && radius_px_ >= 1) smooth();
+    if (settings_.peaks && radius_px_ >= 1) groups.extract_peaks(*check_, settings_.peak_limit);
+    runs_ = groups.runs();
+    groups_ = groups.count();
+    paint_sources();
+}
+
+void SourceFinder::paint_sources() {
+    for (const Run& r : runs_)
+        for (uint32_t p = r.start; p < r.start + r.length; ++p) check_->paint(p, source_paint(r.group));
+}
+
+void SourceFinder::smooth() {
     const std::vector<Joining> joining = comfort::smooth(runs_, geometry_, float(radius_px_ / 1.75));
     for (size_t k = 0; k < joining.size(); ++k) {
         const Joining& j = joining[k];
         const bool last_of_pixel = k + 1 == joining.size() || joining[k + 1].pixel != j.pixel;
         (last_of_pixel ? runs_ : extra_).push_back({j.pixel, 1, j.group});
-        if (as_evalglare_) as_evalglare_->add(j.pixel, j.group, lum);
+        if (as_evalglare_) as_evalglare_->add(j.pixel, j.group, *check_);
     }
     std::sort(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
 }
@@ -159,7 +175,9 @@ void SourceFinder::split_zones(const Luminance& lum) {
             const double lux = lum.at(p.pixel) * g.omega_cos[p.pixel];
             slipped_eye_lux_[p.group] -= lux;
             slipped_eye_lux_.back() += lux;
-            as_evalglare_->move(p.pixel, target, lum);
+            as_evalglare_->leave(p.pixel, *check_);
+            check_->paint(p.pixel, zone_paint[zone - 1]);
+            as_evalglare_->join(p.pixel, target, *check_);
         }
         p.group = target;
     }

@@ -3,7 +3,9 @@
 // split at zones (-l, -L); or fixed patches (-z) in place of connecting.  One GlareSource per group that kept pixels.
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
+#include "comfort/check_picture.h"
 #include "comfort/connect.h"
 #include "comfort/evalglare_groups.h"
 #include "comfort/settings.h"
@@ -32,8 +34,10 @@ public:
     std::vector<GlareTerm> every_pixel(const Luminance& lum, double threshold) const;  // DgpForm::pixel
 
 private:
-    void connect_as_evalglare(const Luminance& lum);
-    void smooth(const Luminance& lum);
+    void connect_as_evalglare();
+    void paint_task();
+    void paint_sources();
+    void smooth();
     void extract_peaks(const Luminance& lum);
     void split_zones(const Luminance& lum);
     std::vector<GlareSource> sums(const Luminance& lum) const;
@@ -46,6 +50,7 @@ private:
     std::vector<int> zone_of_group_;                 // by group number, empty without zones
     std::vector<double> slipped_eye_lux_;            // by group number, evalglare's after zones; else empty
     std::unique_ptr<EvalglareGroups> as_evalglare_;  // with settings.slips
+    std::optional<CheckPicture> check_;              // likewise
     std::vector<GlareSource> before_zones_;
     uint32_t groups_ = 0;  // highest number in use
     double direct_lux_ = 0;

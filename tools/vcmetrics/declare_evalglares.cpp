@@ -56,7 +56,10 @@ void declare_sources(OptionTable& t, Options& o) {
         .otherwise("2000; 5 with a task");
     t.add("-t x y angle", "Task area: centre pixel, y from the bottom, and full opening angle in radians",
           [&](Arguments& a) { s.task = circle(a); });
-    t.add("-T x y angle", "The same", [&](Arguments& a) { s.task = circle(a); });
+    t.add("-T x y angle", "The same", [&](Arguments& a) {
+        s.task = circle(a);
+        s.task_painted = true;
+    });
     t.add("-r angle", "Search radius between pixels of one source, an opening angle", s.search_opening)
         .unit("radians")
         .above(0);

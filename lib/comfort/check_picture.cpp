@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Colours of given luminance, and the luminance they have after rounding to float (check_picture.h).
+#include "comfort/check_picture.h"
+
+namespace comfort {
+
+Paint source_paint(uint32_t group) {
+    constexpr Paint palette[] = {{0, 1, 0}, {0.15, 0.15, 0.7}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}};
+    return palette[group % 5];
+}
+
+CheckPicture::CheckPicture(const Luminance& lum) : grey_(lum.size()) {
+    for (size_t i = 0; i < grey_.size(); ++i) {
+        const double f = lum.grey[i];
+        grey_[i] = (grey_red * f + grey_blue * f) + grey_green * f;
+    }
+}
+
+void CheckPicture::paint(size_t pixel, const Paint& paint) {
+    const double grey = grey_[pixel];
+    const float red = float(paint.red * (1 / grey_red) * grey), green = float(paint.green * (1 / grey_green) * grey),
+                blue = float(paint.blue * (1 / grey_blue) * grey);
+    grey_[pixel] = (grey_red * red + grey_blue * blue) + grey_green * green;
+}
+
+}  // namespace comfort
