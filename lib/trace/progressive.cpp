@@ -41,16 +41,18 @@ struct Renderer::State {
     std::vector<float> exact;  // drawn sources, 3 floats a pixel (empty: none)
     DrawList drawn;
     std::string fingerprint;
-    int64_t bad = 0;  // samples that were not numbers
+    int64_t bad = 0;  // samples that were set to 0
 
+    // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.
     void scrub(std::vector<float>& rgb) {
+        constexpr float brightest = 1e32f;
         int64_t found = 0;
         for (float& v : rgb)
-            if (!std::isfinite(v)) {
+            if (!(std::fabs(v) <= brightest)) {
                 v = 0;
                 found++;
             }
-        if (found && !bad) base::warn("", "samples that were not finite numbers were set to 0");
+        if (found && !bad) base::warn("", "samples that were not numbers, or above 1e32, were set to 0");
         bad += found;
     }
     // Runs samples first .. first+count-1 of every pixel; give(sample, pixel values) in order; false stops.

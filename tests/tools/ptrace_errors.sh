@@ -7,6 +7,7 @@ printf 'void plastic mat 0 0 5 .5 .5 .5 0 0\nmat polygon floor 0 0 12 -5 -5 0 5 
 printf 'void plastic mat 0 0 5 .5 .5 .5 0 0\n\nglas polygon floor 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n' > modifier.rad
 printf 'void plastic mat 0 0 5 .5 .5 .5 0\n' > short.rad
 printf '!touch ran\n' > command.rad
+printf 'void light l 0 0 3 1 10 3e38\nl polygon p 0 0 9 360 0 1 0 1 180 1 0 1\n' | cat - good.rad > bright.rad
 mkdir folder
 
 check 'a good scene renders' "ptrace $view -frames 2 good.rad"
@@ -22,5 +23,10 @@ check_error 'no OpenCL platform' 2 '^ptrace: .*[Oo]penCL' "OCL_ICD_VENDORS=/none
 check_error 'no such device' 1 '^ptrace: -device: ' "ptrace $view -device abacus -frames 1 good.rad | cat"
 check_error 'a wrong number' 1 '^ptrace: -ab' "ptrace $view -ab many -frames 1 good.rad | cat"
 check_error 'a view without direction' 1 '^ptrace: ' "ptrace $view -vd 0 0 0 -frames 1 good.rad | cat"
+check 'light too bright for sums of floats is left out, and the picture is of numbers' \
+  "(ptrace -vta -vp .1 -2 .3 -vd 0 1 0 -vh 180 -vv 180 -x 8 -y 8 -ab 2 -ds .2 -frames 2 bright.rad |
+    ptaccum -o sum.exr -) 2> said && ! grep '^ptaccum: warning' said"
+check 'which is said' "grep -q '^ptrace: warning: samples that were not numbers, or above 1e32, were set to 0' said"
+rm -f sum.exr bright.rad said
 check 'nothing half-written is left' 'test "$(ls | sort | tr "\n" " ")" = "command.rad folder good.rad modifier.rad short.rad "'
 check 'a reader that leaves ends an endless stream quietly' "ptrace $view good.rad | head -c 2000 > first && test ! -s .stderr"
