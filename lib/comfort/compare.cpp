@@ -1,175 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads recorded tables and lines, pairs their columns, and tells which differ by more than they may (compare.h).
+// Pairs the rows and columns of two tables, and tells which differ by more than they may (compare.h).
 #include "comfort/compare.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
+#include <map>
+#include <set>
+#include <unordered_map>
 #include "base/error.h"
+#include "base/near.h"
 
 namespace comfort {
 namespace {
-
-// evalglare's column names and ours; av_lum_pos2 is left out (its value is divided twice), dgp_ext is always 0.
-const std::map<std::string, std::string> evalglare_names = {{"dgp", "DGP"},
-                                                            {"dgi", "DGI"},
-                                                            {"ugr", "UGR"},
-                                                            {"vcp", "VCP"},
-                                                            {"cgi", "CGI"},
-                                                            {"Lveil", "Lveil"},
-                                                            {"Ev_calc", "Ev"},
-                                                            {"E_v", "Ev"},
-                                                            {"abs_max", "Lmax"},
-                                                            {"av_lum", "Lavg"},
-                                                            {"lum_backg", "Lb"},
-                                                            {"E_v_dir", "Edir"},
-                                                            {"lum_sources", "L_sources"},
-                                                            {"omega_sources", "omega_sources"},
-                                                            {"Lveil_cie", "LveilCIE"},
-                                                            {"dgr", "DGR"},
-                                                            {"ugp", "UGP"},
-                                                            {"ugr_exp", "UGRexp"},
-                                                            {"dgi_mod", "DGImod"},
-                                                            {"av_lum_pos", "LavgPos"},
-                                                            {"med_lum", "Lmed"},
-                                                            {"med_lum_pos", "LmedPos"},
-                                                            {"med_lum_pos2", "LmedPos2"},
-                                                            {"ugp2", "UGP2"},
-                                                            {"dgp_ext", ""},
-                                                            {"av_lum_pos2", ""}};
-
-bool is_label(const std::string& name) {
-    return name == "frame" || name == "seconds" || name == "file" || name == "source";
-}
-
-double number(const std::string& text, const std::string& place) {
-    if (text == "null") return std::nan("");
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end) base::fail(place, "\"" + text + "\" is not a number");
-    return value;
-}
-
-std::vector<std::string> split_cells(const std::string& line, char by) {
-    std::vector<std::string> out(1);
-    bool quoted = false;
-    for (char c : line) {
-        if (c == '"' && by == ',') quoted = !quoted;
-        else if (c == by && !quoted) out.emplace_back();
-        else out.back() += c;
-    }
-    return out;
-}
-
-class TableReader {
-public:
-    explicit TableReader(const std::string& path) : in_(path) { table_.name = path; }
-    std::optional<NumberTable> read() {
-        std::string line;
-        for (long n = 1; next_line(line); ++n) {
-            place_ = table_.name + ":" + std::to_string(n);
-            if (n > most_lines) base::fail(place_, "a table of more than ten million lines");
-            if (line.compare(0, 2, "#?") == 0 || line.find('\0') != std::string::npos) return std::nullopt;
-            if (!line.empty() && line[0] != '#') take(line);
-        }
-        if (table_.rows.empty()) base::fail(table_.name, "holds no line of metrics");
-        return std::move(table_);
-    }
-
-private:
-    static constexpr size_t longest_line = 1 << 20;
-    static constexpr long most_lines = 10000000;
-
-    // As std::getline, but of a file without end (/dev/zero) it takes no more than a line may have.
-    bool next_line(std::string& line) {
-        line.clear();
-        for (int c; (c = in_.get()) != EOF && c != '\n';) {
-            line += char(c);
-            if (line.size() > longest_line) base::fail(table_.name, "holds a line of more than a million characters");
-        }
-        return !line.empty() || in_.good();
-    }
-    void take(const std::string& line) {
-        if (line[0] == '{') return json(line);
-        const size_t colon = line.find(": ");
-        if (line.compare(0, 4, "dgp,") == 0 && colon != std::string::npos) return evalglare(line, colon);
-        if (separator_) return plain(line);
-        if (line.find('\t') != std::string::npos || line.compare(0, 5, "file,") == 0 ||
-            line.compare(0, 6, "frame,") == 0) {
-            separator_ = line.find('\t') != std::string::npos ? '\t' : ',';
-            header_ = split_cells(line, separator_);
-            for (const std::string& h : header_)
-                if (!is_label(h)) table_.names.push_back(h);
-            return;
-        }
-        const bool bare = line.find_first_not_of("0123456789.+-e") == std::string::npos;
-        if (bare) return add({"Ev"}, {number(line, place_)});  // evalglare -V
-        const bool detail =
-            line.compare(0, 5, "band:") == 0 || line.compare(0, 7, "zoning:") == 0 ||
-            line.compare(0, 8, "masking:") == 0 ||
-            std::isdigit(static_cast<unsigned char>(line[0]));  // sources and statistics of -d: not compared
-        if (!detail) base::fail(place_, "is neither a table of vcmetrics nor a line of evalglare");
-    }
-    void plain(const std::string& line) {
-        const std::vector<std::string> cells = split_cells(line, separator_);
-        if (cells.size() != header_.size())
-            base::fail(place_, "has " + std::to_string(cells.size()) + " columns, the header " +
-                                   std::to_string(header_.size()));
-        std::vector<double> row;
-        for (size_t k = 0; k < cells.size(); ++k)
-            if (!is_label(header_[k])) row.push_back(number(cells[k], place_));
-        table_.rows.push_back(row);
-    }
-    void evalglare(const std::string& line, size_t colon) {
-        std::vector<std::string> names;
-        std::vector<double> row;
-        std::istringstream words(line.substr(colon + 2));
-        for (const std::string& name : split_cells(line.substr(0, colon), ',')) {
-            std::string word;
-            if (!(words >> word)) base::fail(place_, "evalglare's line ends before \"" + name + "\"");
-            const auto known = evalglare_names.find(name);
-            if (known == evalglare_names.end()) base::fail(place_, "\"" + name + "\" is no column of evalglare 3.06");
-            if (known->second.empty()) continue;
-            names.push_back(known->second);
-            row.push_back(number(word, place_));
-        }
-        add(names, row);
-    }
-    void json(const std::string& line) {  // one flat object, as table.cpp writes it
-        std::vector<std::string> names;
-        std::vector<double> row;
-        for (size_t at = 1; (at = line.find('"', at)) != std::string::npos;) {
-            const size_t end = line.find('"', at + 1), colon = end == std::string::npos ? end : line.find(':', end);
-            if (colon == std::string::npos) base::fail(place_, "is no JSON object of metrics");
-            const std::string name = line.substr(at + 1, end - at - 1);
-            const size_t start = line.find_first_not_of(' ', colon + 1);
-            if (start != std::string::npos && line[start] == '"') {
-                at = line.find('"', start + 1);
-                if (at == std::string::npos) base::fail(place_, "is no JSON object of metrics");
-                ++at;
-                continue;
-            }
-            const size_t stop = line.find_first_of(",} ", start);
-            if (start == std::string::npos || stop == std::string::npos)
-                base::fail(place_, "is no JSON object of metrics");
-            if (!is_label(name)) names.push_back(name), row.push_back(number(line.substr(start, stop - start), place_));
-            at = stop;
-        }
-        add(names, row);
-    }
-    void add(const std::vector<std::string>& names, const std::vector<double>& row) {
-        if (table_.names.empty()) table_.names = names;
-        if (table_.names != names) base::fail(place_, "has other metrics than the lines before it");
-        table_.rows.push_back(row);
-    }
-
-    std::ifstream in_;
-    NumberTable table_;
-    std::string place_;
-    std::vector<std::string> header_;
-    char separator_ = 0;
-};
 
 // Relative tolerances of the metrics that are not computed from one sum: the spread between builds of evalglare itself.
 const std::map<std::string, Tolerance> defaults = {{"DGP", {"DGP", 2e-5, false}},
@@ -181,18 +22,49 @@ const std::map<std::string, Tolerance> defaults = {{"DGP", {"DGP", 2e-5, false}}
                                                    {"not_finite", {"not_finite", 0, false}},
                                                    {"negative", {"negative", 0, false}}};
 
-}  // namespace
-
-std::optional<NumberTable> read_numbers(const std::string& path) {
-    if (path == "-") return std::nullopt;
-    {
-        std::ifstream test(path, std::ios::binary);
-        if (!test) base::fail_system(path, "cannot be read");
-        const int first = test.peek();
-        if (first == 0x76) return std::nullopt;  // OpenEXR
-    }
-    return TableReader(path).read();
+bool rows_have_names(const NumberTable& t) {
+    const std::set<std::string> different(t.row_names.begin(), t.row_names.end());
+    return !t.labels.empty() && different.size() == t.rows.size();
 }
+
+// "TAL" means every region's, as for -metrics.
+bool means(const std::string& wanted, const std::string& metric) {
+    return metric == wanted || (metric.size() > wanted.size() && metric.compare(metric.size() - wanted.size() - 1,
+                                                                                std::string::npos, "." + wanted) == 0);
+}
+
+size_t column(const NumberTable& t, const std::string& metric) {
+    return size_t(std::find(t.names.begin(), t.names.end(), metric) - t.names.begin());
+}
+
+// The row of `second` for each row of `first`.
+std::vector<size_t> pair_rows(const NumberTable& first, const NumberTable& second) {
+    std::vector<size_t> partner;
+    const bool single = first.rows.size() == 1 && second.rows.size() == 1;
+    if (!single && first.labels == second.labels && rows_have_names(first) && rows_have_names(second)) {
+        for (const auto& [one, other] : {std::pair(&second, &first), std::pair(&first, &second)}) {
+            std::unordered_map<std::string, size_t> row_of;
+            for (size_t r = 0; r < other->rows.size(); ++r) row_of[other->row_names[r]] = r;
+            partner.clear();
+            for (const std::string& name : one->row_names) {
+                const auto found = row_of.find(name);
+                if (found == row_of.end())
+                    base::fail(other->name, "has no row for " + one->labels[0] + " " + name + " of " + one->name);
+                partner.push_back(found->second);
+            }
+        }
+        return partner;
+    }
+    if (first.rows.size() != second.rows.size()) {
+        const NumberTable& shorter = first.rows.size() < second.rows.size() ? first : second;
+        base::fail(shorter.name, "has only " + std::to_string(shorter.rows.size()) + " rows of " +
+                                     std::to_string(std::max(first.rows.size(), second.rows.size())));
+    }
+    for (size_t r = 0; r < first.rows.size(); ++r) partner.push_back(r);
+    return partner;
+}
+
+}  // namespace
 
 Tolerance tolerance_for(const std::string& metric, const std::vector<Tolerance>& rules) {
     Tolerance t{metric, 1e-4, true};
@@ -204,28 +76,54 @@ Tolerance tolerance_for(const std::string& metric, const std::vector<Tolerance>&
     return t;
 }
 
+void require_known(const std::vector<Tolerance>& rules, const std::vector<std::string>& names) {
+    for (const Tolerance& rule : rules) {
+        if (rule.metric == "all" || std::find(names.begin(), names.end(), rule.metric) != names.end()) continue;
+        std::string meant;
+        int best = base::largest_slip(rule.metric.size()) + 1;
+        for (const std::string& name : names)
+            if (const int d = base::edit_distance(rule.metric, name); d < best) best = d, meant = name;
+        base::fail("-tolerance", "there is no metric \"" + rule.metric + "\" here" +
+                                     (meant.empty() ? "" : "; did you mean " + meant + "?"));
+    }
+}
+
+NumberTable only(const NumberTable& table, const std::vector<std::string>& metrics) {
+    NumberTable kept = table;
+    kept.names.clear();
+    std::vector<size_t> columns;
+    for (const std::string& wanted : metrics) {
+        const size_t before = columns.size();
+        for (size_t k = 0; k < table.names.size(); ++k)
+            if (means(wanted, table.names[k])) columns.push_back(k);
+        if (columns.size() == before) base::fail(table.name, "lacks the metric " + wanted + " of -metrics");
+    }
+    for (size_t k : columns) kept.names.push_back(table.names[k]);
+    for (size_t r = 0; r < table.rows.size(); ++r) {
+        kept.rows[r].clear();
+        for (size_t k : columns) kept.rows[r].push_back(table.rows[r][k]);
+    }
+    return kept;
+}
+
 std::vector<Difference> compare_tables(const NumberTable& first, const NumberTable& second,
                                        const std::vector<Tolerance>& rules) {
     for (const auto& [one, other] : {std::pair(&first, &second), std::pair(&second, &first)})
         for (const std::string& name : one->names)
-            if (std::find(other->names.begin(), other->names.end(), name) == other->names.end())
+            if (column(*other, name) == other->names.size())
                 base::fail(other->name, "lacks the metric " + name + " of " + one->name);
-    if (first.rows.size() != second.rows.size()) {
-        const NumberTable& shorter = first.rows.size() < second.rows.size() ? first : second;
-        base::fail(shorter.name, "has only " + std::to_string(shorter.rows.size()) + " rows of " +
-                                     std::to_string(std::max(first.rows.size(), second.rows.size())));
-    }
+    const std::vector<size_t> partner = pair_rows(first, second);
     std::vector<Difference> out;
     for (size_t r = 0; r < first.rows.size(); ++r)
         for (size_t k = 0; k < first.names.size(); ++k) {
-            const size_t other =
-                size_t(std::find(second.names.begin(), second.names.end(), first.names[k]) - second.names.begin());
-            const double a = first.rows[r][k], b = second.rows[r][other];
+            const double a = first.rows[r][k], b = second.rows[partner[r]][column(second, first.names[k])];
             const Tolerance t = tolerance_for(first.names[k], rules);
             const double limit = t.relative ? t.amount * std::max(std::fabs(a), std::fabs(b)) : t.amount;
             const bool same = a == b || (std::isnan(a) && std::isnan(b));
+            const bool named = first.row_names.size() > r && !first.row_names[r].empty();
             // 6 decimals of a recorded line carry an error of half a unit
-            out.push_back({r, first.names[k], a, b, t, same || std::fabs(a - b) <= limit + 1e-6});
+            out.push_back({named ? first.row_names[r] : std::to_string(r + 1), first.names[k], a, b, t,
+                           same || std::fabs(a - b) <= limit + 1e-6});
         }
     return out;
 }

@@ -1,37 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two tables of metrics side by side: what a build server asks after each change.
-// Recorded tables are read as vcmetrics wrote them (tsv, csv, jsonl) or as evalglare printed them; evalglare's names
-// become ours.
 #pragma once
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
+#include "comfort/number_table.h"
 #include "comfort/until.h"
 
 namespace comfort {
-
-struct NumberTable {
-    std::string name;                       // where it came from
-    std::vector<std::string> names;         // metrics; frame, seconds and file are left out
-    std::vector<std::vector<double>> rows;  // one value for each name
-};
-
-// Nothing if the file does not look like text of metrics (then it should be pictures); throws Error if it is malformed.
-std::optional<NumberTable> read_numbers(const std::string& path);
 
 // The defaults of -compare, then those of `rules` ("DGP 0.01, Ev 1%"; "all 1%" for every metric).
 // Relative ones are of the larger of the two values.
 Tolerance tolerance_for(const std::string& metric, const std::vector<Tolerance>& rules);
 
+// Throws Error on a rule for a metric that is none of these, so that a typing error does not pass as a wide tolerance.
+void require_known(const std::vector<Tolerance>& rules, const std::vector<std::string>& names);
+
+// The table with these metrics alone, in their order; throws Error if it lacks one.
+NumberTable only(const NumberTable& table, const std::vector<std::string>& metrics);
+
 struct Difference {
-    size_t row;
+    std::string row;  // its name, or its number from 1
     std::string metric;
     double first, second;
     Tolerance tolerance;
     bool within;
 };
-// Throws Error if one side lacks a metric or a row of the other.
+// Rows that have names on both sides (the picture's file, its view, its frame) are paired by them, others by their
+// order, and so are two single rows.  Throws Error if one side lacks a metric or a row of the other.
 std::vector<Difference> compare_tables(const NumberTable& first, const NumberTable& second,
                                        const std::vector<Tolerance>& rules);
 

@@ -8,7 +8,7 @@
 
 namespace comfort {
 
-std::vector<Tolerance> parse_tolerances(const std::string& rule) {
+std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::string& place) {
     std::vector<Tolerance> out;
     std::istringstream parts(rule);
     for (std::string part; std::getline(parts, part, ',');) {
@@ -16,16 +16,16 @@ std::vector<Tolerance> parse_tolerances(const std::string& rule) {
         Tolerance t;
         std::string amount, more;
         if (!(words >> t.metric >> amount))
-            base::fail("-until", "\"" + part + "\" is no rule; write for example 'DGP 1%, Ev 0.5%'");
+            base::fail(place, "\"" + part + "\" is no rule; write for example 'DGP 1%, Ev 0.5%'");
         if (words >> more && more == "%") amount += more, more.clear();
         t.relative = amount.back() == '%';
         if (t.relative) amount.pop_back();
         if (!more.empty() || !base::parse_real(amount, t.amount) || t.amount < 0)
-            base::fail("-until", "\"" + part + "\" has no tolerance such as 1% or 0.01");
+            base::fail(place, "\"" + part + "\" has no tolerance such as 1% or 0.01");
         if (t.relative) t.amount /= 100;
         out.push_back(t);
     }
-    if (out.empty()) base::fail("-until", "the rule is empty; write for example 'DGP 1%, Ev 0.5%'");
+    if (out.empty()) base::fail(place, "the rule is empty; write for example 'DGP 1%, Ev 0.5%'");
     return out;
 }
 

@@ -14,8 +14,8 @@ struct Tolerance {
     bool relative = false;  // amount is a fraction of the mean
 };
 
-// Throws Error (place -until) on a rule that cannot be read.
-std::vector<Tolerance> parse_tolerances(const std::string& rule);
+// Throws Error on a rule that cannot be read; place: which option, or which line of which file, says it.
+std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::string& place = "-until");
 
 class StoppingRule {
 public:

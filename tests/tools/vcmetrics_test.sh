@@ -71,6 +71,27 @@ check_exit 'out of tolerance: status 5' 5 'vcmetrics -compare office256.hdr sunp
 check 'unless the tolerance is wide' 'printf "all 100000%% # wide\n\nDGP 2\n" > tol && vcmetrics -compare -tolerance tol -metrics Ev,DGP office256.hdr sunpeak.hdr'
 check 'the output of another run too: two streams' '
     ptaccum < frames.lux > a.lux && vcmetrics -compare a.lux a.lux > t && ! grep -q "no$" t'
-check_error 'a row too few' 1 'rows' 'ptaccum -last < frames.lux > b.lux && vcmetrics -W- -compare a.lux b.lux'
+check_error 'a row too few' 1 '^vcmetrics: b.lux: has no row for frame 0 of a.lux$' 'ptaccum -last < frames.lux > b.lux && vcmetrics -W- -compare a.lux b.lux'
 check_error 'a metric too few' 1 'lacks the metric' '
     vcmetrics -metrics Ev,DGP office256.hdr > r1 && vcmetrics -metrics Ev office256.hdr > r2 && vcmetrics -compare r1 r2'
+check '-metrics chooses what of a table is compared' '
+    vcmetrics -metrics Ev,DGP office256.hdr > r1; sed "2s/\t[0-9.]*$/\t.5/" r1 > dgp; sed "2s/\t[0-9.]*\t/\t9\t/" r1 > ev
+    vcmetrics -compare -metrics DGP ev office256.hdr && vcmetrics -compare -metrics DGP ev r1
+    ! vcmetrics -compare -metrics DGP dgp office256.hdr && ! vcmetrics -compare -metrics DGP dgp r1'
+check_error 'of which it must have them' 1 '^vcmetrics: r1: lacks the metric UGR of -metrics$' 'vcmetrics -compare -metrics UGR r1 office256.hdr'
+check_error 'a tolerance for no metric is a typing error' 1 '^vcmetrics: -tolerance: .*"DPG" here; did you mean DGP[?]$' '
+    vcmetrics -compare -tolerance "DPG .01" r1 office256.hdr'
+check 'one for a metric that is not compared is not' 'vcmetrics -compare -tolerance "UGR 1%" r1 office256.hdr'
+check_error 'a bad tolerance is told by its option' 1 '^vcmetrics: -tolerance: "DGP x"' 'vcmetrics -compare -tolerance "DGP x" r1 r1'
+check_error 'or by the line of its file' 1 '^vcmetrics: tol:2: "DGP"' 'printf "Ev 1%%\nDGP\n" > tol; vcmetrics -compare -tolerance tol r1 r1'
+mkdir -p elsewhere && cp office256.hdr sunpeak.hdr elsewhere
+check 'rows are paired by the picture, wherever it lay' '
+    for f in tsv csv jsonl; do
+        vcmetrics -format $f office256.hdr sunpeak.hdr > one; vcmetrics -format $f elsewhere/sunpeak.hdr elsewhere/office256.hdr > two
+        vcmetrics -compare one two > t; grep -q "^sunpeak.hdr.Ev" t; done'
+check_error 'and one that is missing is named' 1 '^vcmetrics: two: has no row for file sunpeak.hdr of one$' '
+    vcmetrics office256.hdr sunpeak.hdr > one; vcmetrics office256.hdr > two; vcmetrics -compare one two'
+check 'rows of a stream are paired by their frame' '
+    ptaccum < frames.lux | vcmetrics > one; { head -n 1 one; tail -n +2 one | tac; } > two; vcmetrics -compare one two > t
+    grep -q "^40.Ev" t; ptaccum < frames.lux > a.lux; vcmetrics -compare two a.lux'
+check 'of one picture a side the names may differ' 'cp office256.hdr new.hdr; vcmetrics new.hdr > two; vcmetrics -compare r1 office256.hdr && vcmetrics -metrics Ev,DGP new.hdr > two && vcmetrics -compare r1 two'

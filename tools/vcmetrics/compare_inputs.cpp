@@ -6,7 +6,9 @@
 #include <unistd.h>
 #include "base/error.h"
 #include "base/run.h"
+#include "base/split.h"
 #include "base/text_file.h"
+#include "comfort/columns.h"
 #include "comfort/compare.h"
 #include "measure_stream.h"
 
@@ -16,13 +18,15 @@ using namespace comfort;
 // Rules as typed, or the lines of a file (# begins a comment).
 std::vector<Tolerance> rules_of(const std::string& text) {
     if (text.empty()) return {};
-    if (access(text.c_str(), F_OK) != 0) return parse_tolerances(text);
+    if (access(text.c_str(), F_OK) != 0) return parse_tolerances(text, "-tolerance");
     std::istringstream in(base::read_text_file(text));
     std::vector<Tolerance> out;
+    int number = 0;
     for (std::string line; std::getline(in, line);) {
+        ++number;
         line = line.substr(0, line.find('#'));
         if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-        for (const Tolerance& t : parse_tolerances(line)) out.push_back(t);
+        for (const Tolerance& t : parse_tolerances(line, text + ":" + std::to_string(number))) out.push_back(t);
     }
     return out;
 }
@@ -31,14 +35,12 @@ const std::vector<std::string> all_metrics = {
     "Ev",    "DGP",      "DGI",  "UGR",  "VCP",  "CGI", "UGP",  "UGP2",      "DGImod",        "UGRexp", "DGR",
     "Lveil", "LveilCIE", "Lavg", "Lmax", "Lmed", "Lb",  "Edir", "n_sources", "omega_sources", "RAMMG"};
 
-}  // namespace
-
-int compare_inputs(const Options& o) {
-    const std::vector<Tolerance> rules = rules_of(o.tolerances);
+// Both sides with the same metrics: those of -metrics, else those that a record holds, else all.
+std::pair<NumberTable, NumberTable> both_sides(const Options& o) {
     std::optional<NumberTable> side[2] = {read_numbers(o.files[0]), read_numbers(o.files[1])};
     std::vector<std::string> metrics = o.metrics;
     for (const auto& s : side)
-        if (s) metrics = s->names;  // what the record holds
+        if (s && o.metrics.empty()) metrics = s->names;
     if (metrics.empty()) {
         metrics = all_metrics;
         if (!o.regions_file.empty()) metrics.push_back("TAL");
@@ -46,16 +48,33 @@ int compare_inputs(const Options& o) {
     }
     for (int k = 0; k < 2; ++k)
         if (!side[k]) side[k] = measure_table(o, o.files[k], metrics);
+        else if (!o.metrics.empty()) side[k] = only(*side[k], o.metrics);
+    return {*side[0], *side[1]};
+}
+
+// What a rule of -tolerance may name: what is compared here, or would be with other -metrics.
+std::vector<std::string> metrics_there_are(const NumberTable& compared) {
+    std::vector<std::string> names = base::split_words(comfort::column_names());
+    names.insert(names.end(), compared.names.begin(), compared.names.end());
+    return names;
+}
+
+}  // namespace
+
+int compare_inputs(const Options& o) {
+    const std::vector<Tolerance> rules = rules_of(o.tolerances);
+    const auto [first, second] = both_sides(o);
+    require_known(rules, metrics_there_are(first));
     const std::vector<std::string> names = {"row", "metric", "first", "second", "difference", "tolerance", "within"};
     std::string text = header_line(names, o.format);
     bool all_within = true;
-    for (const Difference& d : compare_tables(*side[0], *side[1], rules)) {
+    for (const Difference& d : compare_tables(first, second, rules)) {
         const Cell amount = number_cell(d.tolerance.amount * (d.tolerance.relative ? 100 : 1), 4);
         text +=
             table_line(names,
-                       {number_cell(double(d.row + 1)), text_cell(d.metric), number_cell(d.first, 10),
-                        number_cell(d.second, 10), number_cell(d.second - d.first, 4),
-                        text_cell(amount.text + (d.tolerance.relative ? "%" : "")), text_cell(d.within ? "yes" : "no")},
+                       {text_cell(d.row), text_cell(d.metric), number_cell(d.first, 10), number_cell(d.second, 10),
+                        number_cell(d.second - d.first, 4), text_cell(amount.text + (d.tolerance.relative ? "%" : "")),
+                        text_cell(d.within ? "yes" : "no")},
                        o.format);
         all_within = all_within && d.within;
     }

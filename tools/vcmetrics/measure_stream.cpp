@@ -32,6 +32,11 @@ image::Pixels pixels_for(const Options& o) {
     return o.settings.slips ? image::Pixels::exposed : image::Pixels::radiance;
 }
 
+// Diffuse frames in a sum, else the number of a single frame, else the place in the stream.
+int64_t frame_number(const image::Header& header, long index) {
+    return header.frames.value_or(header.frame.value_or(index));
+}
+
 // What one run prints: a table of metrics, a table of sources, or evalglare's lines.
 class Printer {
 public:
@@ -85,7 +90,7 @@ public:
     // True: the rule of -until holds.
     bool picture(image::Picture& p, const std::string& place, const std::string& file, long index) {
         require_measurable(p, place);
-        const int64_t frame = p.header.frames.value_or(p.header.frame.value_or(index));
+        const int64_t frame = frame_number(p.header, index);
         const bool first_frame = p.header.frames ? *p.header.frames == 0 : p.header.frame && *p.header.frame == 0;
         Measurement m;
         try {
@@ -183,11 +188,14 @@ comfort::NumberTable measure_table(const Options& options, const std::string& fi
     o.metrics = metrics;
     if (o.like == Like::evalglare) o.like = Like::vcmetrics;  // its rounding stays, the columns are ours
     Printer printer(o, true);
-    NumberTable table{file, printer.value_names(), {}};
+    NumberTable table{file, printer.value_names(), {"frame"}, {}, {}};
     image::StreamReader reader(file, pixels_for(o));
     image::Picture picture;
-    for (long index = 0; reader.next(picture); ++index)
-        table.rows.push_back(printer.values(
-            picture, (file == "-" ? "stdin" : file) + (index ? ": picture " + std::to_string(index + 1) : "")));
+    for (long index = 0; reader.next(picture); ++index) {
+        const std::string place =
+            (file == "-" ? "stdin" : file) + (index ? ": picture " + std::to_string(index + 1) : "");
+        const std::vector<double> values = printer.values(picture, place);
+        table.add_row(values, {std::to_string(frame_number(picture.header, index))});
+    }
     return table;
 }
