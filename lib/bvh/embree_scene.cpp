@@ -187,8 +187,17 @@ EmbreeScene::EmbreeScene(const Input* trees, size_t tree_count, bool robust, boo
 
 EmbreeScene::~EmbreeScene() = default;
 
+// Embree ends the program over a ray beyond its limits (1.8e18) or of NaN; such a ray meets nothing.
+static bool beyond_embree(const float org[3], float tmin, const float dir[3]) {
+    const auto takes = [](float x) { return std::fabs(x) < 1e18f; };
+    for (int k = 0; k < 3; k++)
+        if (!takes(org[k]) || !takes(dir[k])) return true;
+    return !takes(tmin);
+}
+
 EmbreeScene::Hit EmbreeScene::closest(const float org[3], float tmin, const float dir[3], float tmax,
                                       uint32_t mask) const {
+    if (beyond_embree(org, tmin, dir)) return {tmax, NO_HIT, 0, 0, NO_HIT};
     Query query;
     init_context(&query.context);
     query.mask = mask;
@@ -218,6 +227,7 @@ EmbreeScene::Hit EmbreeScene::closest(const float org[3], float tmin, const floa
 }
 
 bool EmbreeScene::any(const float org[3], float tmin, const float dir[3], float tmax, uint32_t mask) const {
+    if (beyond_embree(org, tmin, dir)) return false;
     Query query;
     init_context(&query.context);
     query.mask = mask;

@@ -85,6 +85,27 @@ TEST_CASE("Embree's own traversal finds the same") {
     }
 }
 
+TEST_CASE("a ray that is not of numbers meets nothing, in Embree too") {
+    const auto scene = bvh_scenes::random_scene(23, 200, false);
+    const auto in = scene.input();
+    const auto bvh = bvh::build8(in.data(), in.size());
+    const auto tables = kernels::tables(scene, bvh);
+    const bvh::EmbreeScene embree(in.data(), in.size());
+    for (const float spoiled : {NAN, INFINITY, -INFINITY, 3e38f})
+        for (int place = 0; place < 6; place++) {
+            bvh_scenes::Ray row = bvh_scenes::random_rays(9, 1)[0];
+            (place < 3 ? row.org : row.dir)[place % 3] = spoiled;
+            const kernels::Ray ray = kernels::ray_of(row);
+            kernels::Hit mine;
+            kernels::wide::trace_closest(&tables, &ray, RAY_ALL, &mine);
+            CAPTURE(spoiled);
+            CAPTURE(place);
+            CHECK(mine.prim == NO_HIT);
+            CHECK(embree.closest(row.org, row.tmin, row.dir, row.tmax, RAY_ALL).prim == NO_HIT);
+            CHECK(!embree.any(row.org, row.tmin, row.dir, row.tmax, RAY_ALL));
+        }
+}
+
 TEST_CASE("an empty scene has no hits") {
     bvh_scenes::Scene scene;
     scene.end_part();
