@@ -2,7 +2,6 @@
 // See threads.h.
 #include "base/threads.h"
 
-#include <algorithm>
 #include <condition_variable>
 #include <mutex>
 #include <system_error>
@@ -30,8 +29,6 @@ void on_threads(unsigned count, const std::function<void()>& body) {
     body();
     for (std::thread& t : threads) t.join();
 }
-
-unsigned processors() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 unsigned threads_to_be_had(unsigned count) {
     std::mutex lock;

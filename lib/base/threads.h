@@ -9,9 +9,6 @@ namespace base {
 // its share from a common counter, so that it does not matter how many there are; it must not throw.
 void on_threads(unsigned count, const std::function<void()>& body);
 
-// Of this machine, 1 where it does not say.
-unsigned processors();
-
 // How many of `count` threads can be had at once, the caller's among them: for libraries that take it amiss otherwise.
 unsigned threads_to_be_had(unsigned count);
 

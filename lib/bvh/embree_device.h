@@ -10,6 +10,7 @@
 #include <new>
 #include <string>
 #include "base/error.h"
+#include "base/processors.h"
 #include "base/threads.h"
 
 namespace bvh {
@@ -40,10 +41,7 @@ public:
 
 private:
     // Embree ends the program where a thread cannot be started; so it is asked for no more than there can be.
-    static std::string threads() {
-        const unsigned wanted = base::processors(), there = base::threads_to_be_had(wanted);
-        return there < wanted ? "threads=" + std::to_string(there) : "";
-    }
+    static std::string threads() { return "threads=" + std::to_string(base::threads_to_be_had(base::processors())); }
     RTCDevice device_;
     std::string error_;
 };

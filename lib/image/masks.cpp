@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/processors.h"
 #include "base/threads.h"
 #include "image/exr_file.h"
 

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include "base/angle.h"
 #include "base/error.h"
+#include "base/processors.h"
 #include "base/threads.h"
 #include "region/arcs.h"
 #include "region/picture.h"

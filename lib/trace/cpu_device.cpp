@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "base/processors.h"
 #include "base/threads.h"
 #include "flatten/build_input.h"
 #include "trace/cpu_kernels.h"
@@ -36,18 +37,12 @@ const CpuKernels& best_kernels(const std::string& wanted) {
     return cpu_baseline;
 }
 
-unsigned thread_count() {
-    if (const char* v = std::getenv("LUXPIPE_THREADS"))
-        if (const int n = std::atoi(v); n > 0) return unsigned(n);
-    return base::processors();
-}
-
 class CpuDevice : public Device {
 public:
     explicit CpuDevice(const std::string& variant)
         : embree_(variant == "embree"),
           kernels_(embree_ ? cpu_embree : best_kernels(variant)),
-          threads_(thread_count()) {}
+          threads_(base::processors()) {}
 
     std::string name() const override { return fmt::format("cpu ({}, {} threads)", kernels_.name, threads_); }
 

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "base/processors.h"
 #include "image/accumulate.h"
 
 using namespace laws;
@@ -91,16 +92,16 @@ TEST_CASE("devices give the same frames") {
 
 TEST_CASE("the number of threads changes nothing") {
     const Office scene;
-    std::map<std::string, std::vector<float>> frames;
-    for (const char* threads : {"1", "2", "5"}) {
-        setenv("LUXPIPE_THREADS", threads, 1);
+    std::map<unsigned, std::vector<float>> frames;
+    for (unsigned threads : {1u, 2u, 5u}) {
+        base::use_processors(threads);
         trace::Renderer renderer = scene.renderer("cpu", 33);
         renderer.frame(17, frames[threads]);
     }
-    unsetenv("LUXPIPE_THREADS");
-    CHECK(luminance_sum(frames["1"]) != 0);
-    CHECK(frames["1"] == frames["2"]);
-    CHECK(frames["1"] == frames["5"]);
+    base::use_processors(0);  // as many as there are
+    CHECK(luminance_sum(frames[1]) != 0);
+    CHECK(frames[1] == frames[2]);
+    CHECK(frames[1] == frames[5]);
 }
 
 TEST_CASE("ranges of frames merge to the run in one piece") {

@@ -29,6 +29,15 @@ check 'options that a path tracer does not need are named in one warning' '
 check 'and -w- silences it'                       'ptrace -w- -aa .1 -frames 1 -x 8 -y 8 sky.rad 2>&1 > /dev/null | { ! grep .; }'
 check '-e sends messages to a file'               'ptrace -e log -aa .1 -frames 1 -x 8 -y 8 sky.rad > /dev/null; grep -q "warning.*-aa" log'
 
+unset LUXPIPE_THREADS SLURM_CPUS_PER_TASK
+check 'threads: what the process may use'         'taskset -c 0 ptrace -defaults | grep -q "^-n 1 "'
+check 'a job of Slurm has so many'                'SLURM_CPUS_PER_TASK=1 ptrace -defaults | grep -q "^-n 1 "'
+check 'LUXPIPE_THREADS is taken, -n before it'    'export LUXPIPE_THREADS=7; want="-n 7" && in_force && want="-n 3" && in_force -n 3'
+check '-n threads do the work'                    '
+    ptrace -n 3 -x 512 -y 512 -vta -vh 180 -vv 180 -vd 0 0 1 -vu 0 1 0 -frames 1000000 sky.rad 2> said > /dev/null & p=$!; most=0
+    for i in $(seq 300); do n=$(ls /proc/$p/task | wc -l); [ "$n" -le "$most" ] || most=$n; done; kill -9 $p; [ "$most" -eq 3 ]'
+check_error '-n 0 is told'                        1 '^ptrace: -n: 0 is outside'         'ptrace -n 0 sky.rad'
+
 check_error 'an unknown option is told'           1 '^ptrace: -zz: unknown option'      'ptrace -zz sky.rad'
 check_error 'and the nearest one is named'        1 '^ptrace: -vx: unknown option; did you mean -vp[?]$' 'ptrace -vx sky.rad'
 check_error 'a missing argument is told'          1 '^ptrace: -ab: an argument is missing .-ab n.$' 'ptrace -ab'

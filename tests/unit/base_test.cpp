@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/printable.h"
+#include "base/processors.h"
 #include "base/run.h"
 #include "base/tempfile.h"
 #include "base/warnings.h"
@@ -151,4 +152,25 @@ TEST_CASE("exit statuses") {
     CHECK(base::run("test", []() -> int { base::fail_system("place", "fact"); }) == 2);
     CHECK(base::run("test", []() -> int { throw base::ClosedPipe{}; }) == 0);
     CHECK(base::run("test", []() -> int { throw std::bad_alloc(); }) == 2);
+}
+
+TEST_CASE("processors: the least limit of a process's control groups and those above them, rounded up") {
+    namespace fs = std::filesystem;
+    TempFolder folder;
+    const std::string mount = folder.name("groups");
+    fs::create_directories(mount + "/job/step");
+    fs::create_directories(mount + "/cpu/old");
+    std::ofstream(mount + "/cpu.max") << "max 100000\n";
+    CHECK(base::control_group_limit("0::/job/step\n", mount) == 0);
+    std::ofstream(mount + "/job/step/cpu.max") << "700000 100000\n";
+    CHECK(base::control_group_limit("0::/job/step\n", mount) == 7);
+    std::ofstream(mount + "/job/cpu.max") << "250000 100000\n";
+    CHECK(base::control_group_limit("0::/job/step\n", mount) == 3);
+    CHECK(base::control_group_limit("0::/\n", mount) == 0);
+    std::ofstream(mount + "/cpu/old/cpu.cfs_quota_us") << "150000\n";
+    std::ofstream(mount + "/cpu/old/cpu.cfs_period_us") << "100000\n";
+    CHECK(base::control_group_limit("5:memory:/old\n4:cpu,cpuacct:/old/gone\n", mount) == 2);
+    std::ofstream(mount + "/cpu/old/cpu.cfs_quota_us") << "-1\n";
+    CHECK(base::control_group_limit("4:cpu,cpuacct:/old\n", mount) == 0);
+    CHECK(base::control_group_limit("no groups here", mount) == 0);
 }

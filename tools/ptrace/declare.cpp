@@ -111,6 +111,7 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
      }).otherwise("endless");
     t.add("-seed n", "Seed of the random numbers", opt.render.seed).at_least(0);
     t.add("-device name", "Where to render: auto, cpu, cpu:embree, opencl or opencl:N", opt.device);
+    t.add("-n n", "Threads of the CPU devices", opt.threads).within(1, 4096).otherwise("all that the process may use");
     t.add("-o pattern", "Write frames to files such as f%04d.hdr", [&](Arguments& a) {
         opt.output = a.text();
         if (opt.output.empty()) base::fail(a.name(), "the name is empty");
@@ -141,7 +142,7 @@ void declare_rpicts(OptionTable& t) {
     t.unneeded("-dt -dc -ps -pt -pm -cs", 1, Scenes::yes);
     t.unneeded("-cw", 2, Scenes::yes);
     t.unneeded("-pRGB", 0, Scenes::yes);
-    t.unneeded("-S -P -PP -r -ro -z -n", 1, Scenes::no);
+    t.unneeded("-S -P -PP -r -ro -z", 1, Scenes::no);
     for (const char* name : {"-pXYZ", "-pc"}) t.refuse(name, "", "frames are in RADIANCE's RGB");
 }
 

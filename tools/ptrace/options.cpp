@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/find_file.h"
+#include "base/processors.h"
 #include "base/run.h"
 #include "base/warnings.h"
 #include "declare.h"
@@ -82,6 +83,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& opt) {
         opt.scene_files = *operands;
     }
     base::search_beside(opt.scene_files, opt.files);
+    base::use_processors(unsigned(opt.threads));
     if (!opt.warnings) base::set_warning_sink({});
     std::string unneeded;
     for (const std::string& name : table.unneeded_ones_said()) unneeded += " " + name;

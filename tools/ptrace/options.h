@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/processors.h"
 #include "scene/object.h"
 #include "trace/options.h"
 #include "view/view.h"
@@ -19,10 +20,11 @@ struct Options {
     double exposure = 1;                // -rif: of the pictures written
     int64_t first = 0, last = endless;  // frames, both included
     std::string device = "auto";
-    std::string output;        // -o pattern; empty: stdout
-    int report_s = 0;          // -t: a line on stderr every so many seconds
-    bool warnings = true;      // -w
-    scene::ReadOptions files;  // RAYPATH, -exec
+    std::string output;                     // -o pattern; empty: stdout
+    int threads = int(base::processors());  // -n
+    int report_s = 0;                       // -t: a line on stderr every so many seconds
+    bool warnings = true;                   // -w
+    scene::ReadOptions files;               // RAYPATH, -exec
     std::vector<std::string> scene_files;
 
     static constexpr int64_t endless = 0xfffffffe;  // the samplers count frames in 32 bits

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See processors.h.  Control groups: cgroup v2's cpu.max ("quota period" or "max period"), v1's cpu.cfs_quota_us (-1:
+// none) and cpu.cfs_period_us; a group's own limit and those of all groups above it hold.
+#include "base/processors.h"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "base/value.h"
+
+namespace base {
+namespace {
+
+unsigned said_by_user = 0;
+
+// Processors that the process may run on; the set grows until the system's fits.
+unsigned affinity() {
+    for (int most = 1024; most <= 1 << 20; most *= 2) {
+        cpu_set_t* set = CPU_ALLOC(size_t(most));
+        if (!set) break;
+        const size_t size = CPU_ALLOC_SIZE(size_t(most));
+        const bool known = sched_getaffinity(0, size, set) == 0;
+        const int count = known ? CPU_COUNT_S(size, set) : 0;
+        CPU_FREE(set);
+        if (known) return unsigned(count);
+    }
+    return std::thread::hardware_concurrency();
+}
+
+std::string first_line(const std::string& path) {
+    std::ifstream in(path);
+    std::string line;
+    std::getline(in, line);
+    return line;
+}
+
+// Quota over period; 0 where there is none.
+double group_share(const std::string& folder, bool version2) {
+    std::istringstream in(version2 ? first_line(folder + "/cpu.max")
+                                   : first_line(folder + "/cpu.cfs_quota_us") + " " +
+                                         first_line(folder + "/cpu.cfs_period_us"));
+    double quota = 0, period = 0;
+    return in >> quota >> period && quota > 0 && period > 0 ? quota / period : 0;
+}
+
+unsigned environment_count(const char* name) {
+    const char* text = std::getenv(name);
+    const int count = text ? std::atoi(text) : 0;
+    return count > 0 ? unsigned(count) : 0;
+}
+
+// The least limit that is one.
+void limit(unsigned& count, unsigned by) {
+    if (by) count = std::min(count, by);
+}
+
+unsigned found() {
+    if (const unsigned wanted = environment_count("LUXPIPE_THREADS")) return wanted;
+    std::ostringstream groups;
+    groups << std::ifstream("/proc/self/cgroup").rdbuf();
+    unsigned count = std::max(1u, affinity());
+    limit(count, control_group_limit(groups.str(), "/sys/fs/cgroup"));
+    limit(count, environment_count("SLURM_CPUS_PER_TASK"));
+    return count;
+}
+
+}  // namespace
+
+unsigned control_group_limit(const std::string& groups, const std::string& mount) {
+    double least = 0;
+    std::istringstream lines(groups);
+    for (std::string line; std::getline(lines, line);) {
+        const size_t first = line.find(':'), second = line.find(':', first + 1);
+        if (second == std::string::npos) continue;
+        const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+        const bool version2 = controllers == ",,";
+        if (!version2 && controllers.find(",cpu,") == std::string::npos) continue;
+        const std::string top = mount + (version2 ? "" : "/cpu");
+        for (std::string group = line.substr(second + 1);; group.erase(group.rfind('/'))) {
+            const double share = group_share(top + group, version2);
+            if (share > 0 && (least == 0 || share < least)) least = share;
+            if (group.find('/') == std::string::npos) break;
+        }
+    }
+    return unsigned(std::ceil(std::min(least, 1e6)));
+}
+
+void use_processors(unsigned count) { said_by_user = count; }
+
+unsigned processors() {
+    static const unsigned by_itself = found();
+    return said_by_user ? said_by_user : by_itself;
+}
+
+}  // namespace base

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How many threads this process should use: what it may use, not what the machine has.  A job on a cluster, a
+// container or a user of taskset has fewer processors than there are, and more threads than these stand in each
+// other's way.
+#pragma once
+#include <string>
+
+namespace base {
+
+// $LUXPIPE_THREADS, or the least of: processors the process may run on (taskset), the limit of its control group
+// (containers, systemd, Slurm), $SLURM_CPUS_PER_TASK.  At least 1.
+unsigned processors();
+
+// What the user says holds from now on (-n); 0: nothing was said.
+void use_processors(unsigned count);
+
+// The limit of a process's control groups, of either version, rounded up; 0: none.  `groups` is the text of
+// /proc/PID/cgroup, `mount` where the groups are seen.
+unsigned control_group_limit(const std::string& groups, const std::string& mount);
+
+}  // namespace base
