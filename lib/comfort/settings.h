@@ -29,6 +29,11 @@ struct Patches {
     int mode = 1;
 };
 
+// Shares of the luminance that red, green and blue give.
+struct Paint {
+    double red, green, blue;
+};
+
 enum class DgpForm {
     merged,  // sources found and merged as evalglare does
     pixel,   // every bright pixel is a source of its own
@@ -58,6 +63,8 @@ struct Settings {
     std::optional<std::string> mask_file;  // -A
     int fast = 0;                          // -1, -2
     double fast_direct = 0;                // -2 Edir
+    bool check_picture = false;            // -c
+    std::optional<Paint> source_paint;     // -u: of all sources; else five colours in turn
     bool force = false;                    // -f: a perspective picture with black corners is measured
     RammgArea rammg_area = RammgArea::view;
     bool slips = false;  // -like evalglare: mirrored solid angles, its order of sums and truncations

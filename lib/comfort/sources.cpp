@@ -53,9 +53,9 @@ std::vector<GlareSource> SourceFinder::find(const Luminance& lum, double thresho
     slipped_eye_lux_.clear();
     runs_ = bright_runs(lum, geometry_, threshold);
     if (settings_.patches) assign_patches(runs_, geometry_, *settings_.patches);
+    if (settings_.slips || settings_.check_picture) check_.emplace(lum, settings_.check_picture);
+    if (check_ && settings_.task && settings_.task_painted) paint_task();
     if (as_evalglare_) {
-        check_.emplace(lum);
-        if (settings_.task && settings_.task_painted) paint_task();
         connect_as_evalglare();
     } else {
         groups_ = 0;
@@ -63,6 +63,7 @@ std::vector<GlareSource> SourceFinder::find(const Luminance& lum, double thresho
         for (const Run& r : runs_) groups_ = std::max(groups_, r.group);
         if (settings_.smooth && radius_px_ >= 1) smooth();
         if (settings_.peaks && radius_px_ >= 1) extract_peaks(lum);
+        if (check_) paint_sources();
     }
     direct_lux_ = 0;
     for (const Run& r : runs_)
@@ -99,7 +100,8 @@ void SourceFinder::connect_as_evalglare() {
 
 void SourceFinder::paint_sources() {
     for (const Run& r : runs_)
-        for (uint32_t p = r.start; p < r.start + r.length; ++p) check_->paint(p, source_paint(r.group));
+        for (uint32_t p = r.start; p < r.start + r.length; ++p)
+            check_->paint(p, settings_.source_paint.value_or(source_paint(r.group)));
 }
 
 void SourceFinder::smooth() {
@@ -176,12 +178,25 @@ void SourceFinder::split_zones(const Luminance& lum) {
             slipped_eye_lux_[p.group] -= lux;
             slipped_eye_lux_.back() += lux;
             as_evalglare_->leave(p.pixel, *check_);
-            check_->paint(p.pixel, zone_paint[zone - 1]);
-            as_evalglare_->join(p.pixel, target, *check_);
         }
+        if (check_) check_->paint(p.pixel, zone_paint[zone - 1]);
+        if (settings_.slips) as_evalglare_->join(p.pixel, target, *check_);
         p.group = target;
     }
     runs_ = to_runs(std::move(pixels), g.width);
+    if (settings_.check_picture) paint_zones(centre, inner, outer);
+}
+
+// Sources in zones have their colour when they are split; this is the rest.
+void SourceFinder::paint_zones(const Vec3& centre, double inner, double outer) {
+    std::vector<bool> source(geometry_.omega.size());
+    for (const Run& r : runs_) std::fill_n(source.begin() + r.start, r.length, true);
+    for (size_t i = 0; i < source.size(); ++i) {
+        if (source[i] || !geometry_.valid(i)) continue;
+        const double c = dot(centre, geometry_.direction(i));
+        const int zone = inside(c, inner, settings_.slips) ? 1 : inside(c, outer, settings_.slips) ? 2 : 0;
+        if (zone) check_->paint(i, zone_paint[zone - 1]);
+    }
 }
 
 std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {

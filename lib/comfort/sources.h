@@ -27,6 +27,7 @@ class SourceFinder {
 public:
     SourceFinder(const Geometry& geometry, const Settings& settings);
     std::vector<GlareSource> find(const Luminance& lum, double threshold);
+    const CheckPicture* check_picture() const { return check_ ? &*check_ : nullptr; }  // with -c
     const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
     double direct_lux() const { return direct_lux_; }
     const std::vector<GlareSource>& before_zones() const { return before_zones_; }  // empty without zones
@@ -40,6 +41,7 @@ private:
     void smooth();
     void extract_peaks(const Luminance& lum);
     void split_zones(const Luminance& lum);
+    void paint_zones(const Vec3& centre, double inner, double outer);  // cosines
     std::vector<GlareSource> sums(const Luminance& lum) const;
 
     const Geometry& geometry_;
@@ -50,7 +52,7 @@ private:
     std::vector<int> zone_of_group_;                 // by group number, empty without zones
     std::vector<double> slipped_eye_lux_;            // by group number, evalglare's after zones; else empty
     std::unique_ptr<EvalglareGroups> as_evalglare_;  // with settings.slips
-    std::optional<CheckPicture> check_;              // likewise
+    std::optional<CheckPicture> check_;              // likewise, or with -c
     std::vector<GlareSource> before_zones_;
     uint32_t groups_ = 0;  // highest number in use
     double direct_lux_ = 0;

@@ -56,7 +56,23 @@ check 'which -f overrules' 'vcmetrics -f err_corners.hdr'
 check_error 'a picture cut short' 1 '^vcmetrics: err_short.hdr: ' 'vcmetrics err_short.hdr > /dev/null'
 check_error 'a file that is not there' 2 '^vcmetrics: nothere.hdr: ' 'vcmetrics nothere.hdr'
 check_error 'a full disc' 2 '^vcmetrics: ' 'vcmetrics office256.hdr > /dev/full'
-check_error 'what rewrites pictures is not here' 1 '^vcmetrics: -c: ' 'vcmetrics -c out.hdr office256.hdr'
+check_error 'what rewrites pictures is not here' 1 '^vcmetrics: -m: ' 'vcmetrics -m out.hdr office256.hdr'
+check '-c: a grey picture with coloured sources, which has the same metrics' '
+    vcmetrics -c check.exr -metrics Ev,DGP,n_sources fire128.hdr > a; vcmetrics -metrics Ev,DGP,n_sources check.exr > b
+    vcmetrics -compare -tolerance "all 0.01%" a b; ptaccum -ff check.exr | strings > s; grep -q "^VIEW= -vta" s
+    vcmetrics -c plain.exr -b 1e9 fire128.hdr; ! cmp check.exr plain.exr'
+check 'Honeybee and VI-Suite call it so' '
+    vcmetrics -like evalglare -c c1.HDR -T 60 60 .5 -b 5 -d fire128.hdr; vcmetrics -like evalglare -u 1 0 0 -c c2.hdr < fire128.hdr
+    test -s c1.HDR; ptaccum -ff c2.hdr > /dev/null'
+if command -v evalglare > /dev/null && command -v pvalue > /dev/null; then
+    for options in '' '-u .2 .3 .5' '-T 60 60 .5 -b 5' '-L 60 60 .6 1.2' '-s -b 3'; do
+        check "the check picture is evalglare's, byte for byte: $options" '
+            evalglare $options -c theirs.hdr fire128.hdr > t 2> said; vcmetrics -like evalglare $options -c ours.hdr fire128.hdr > o
+            cmp t o; pvalue -h -H -d theirs.hdr > t; pvalue -h -H -d ours.hdr > o; cmp t o'
+    done
+fi
+check_error 'a colour must be one' 1 '^vcmetrics: -u: ' 'vcmetrics -u 0 0 0 -c x.hdr fire128.hdr'
+check_error 'the ending chooses the format' 1 '^vcmetrics: x.txt: ' 'vcmetrics -c x.txt fire128.hdr'
 check_error 'a mask of another size' 1 '^vcmetrics: mask128_dark.hdr: the mask has 128 x 128' 'vcmetrics -A mask128_dark.hdr office256.hdr > /dev/null'
 check_error 'the task lies in the picture' 1 '^vcmetrics: -t: ' 'vcmetrics -t 256 0 0.4 office256.hdr'
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // evalglare's options, with its letters, arguments and meanings: see declare.h.
+#include "base/error.h"
 #include "declare.h"
+#include "image/stream.h"
 
 namespace {
 
@@ -126,14 +128,31 @@ void declare_lines(OptionTable& t, Options& o) {
     t.add("-3", "The third fast mode: prints nothing", implies(s.fast, 3));
 }
 
+void read_colour(Arguments& a, comfort::Settings& s) {
+    const base::Vec3 c = a.vec();
+    const double sum = c.x + c.y + c.z;
+    if (!(c.x >= 0 && c.y >= 0 && c.z >= 0 && sum > 0)) base::fail(a.name(), "a colour has no negative part and a sum");
+    s.source_paint = comfort::Paint{c.x / sum, c.y / sum, c.z / sum};
+}
+
+void declare_check_picture(OptionTable& t, Options& o) {
+    t.group("evalglare's: its check picture");
+    t.add("-c file", "Write a grey picture with the sources, task (-T) and zones in colours", [&](Arguments& a) {
+        o.check_file = a.text();
+        o.settings.check_picture = true;
+        image::require_writable_ending(o.check_file);
+    });
+    t.add("-u r g b", "One colour for all sources in it, as shares of their luminance", [&](Arguments& a) {
+         read_colour(a, o.settings);
+     }).otherwise("five colours in turn");
+}
+
 void declare_refused(OptionTable& t) {
     const char* const pictures =
         "evalglare writes a picture here; vcmetrics only measures (pcomb and pvalue change pictures)";
     t.group("evalglare's: not here");
-    t.add("-u r g b", "Colour of sources in a check picture: no effect", [](Arguments& a) { a.vec(); });
     t.refuse("-a age", "Gone from evalglare: an error",
              "the age factor is gone from evalglare, and not supported here");
-    t.refuse("-c file", "Not here: writes a check picture", pictures);
     for (const char* spelling : {"-m ...", "-M ...", "-N ...", "-O ..."})
         t.refuse(spelling, "Not here: rewrites the picture", pictures);
     t.refuse("-p ...", "Not here: writes the position index", pictures);
@@ -148,5 +167,6 @@ void declare_evalglares_options(OptionTable& t, Options& o) {
     declare_sources(t, o);
     declare_measures(t, o.settings);
     declare_lines(t, o);
+    declare_check_picture(t, o);
     declare_refused(t);
 }

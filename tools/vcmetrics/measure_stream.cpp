@@ -7,6 +7,7 @@
 #include "base/stop.h"
 #include "comfort/columns.h"
 #include "comfort/until.h"
+#include "image/header.h"
 #include "image/stream.h"
 #include "regions.h"
 
@@ -62,7 +63,7 @@ public:
             }
         }
         if (o.like == Like::evalglare) needs = {true, false, o.evalglare.detailed || o.settings.mask_file, false};
-        if (o.list_sources) needs.sources = true;
+        if (o.list_sources || o.settings.check_picture) needs.sources = true;
         meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_), std::move(draw));
         if (o.like == Like::accelerad) names_ = {"Time", "Frame"};
         else names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
@@ -99,6 +100,7 @@ public:
             if (o_.like == Like::evalglare) print(refusal.evalglare_says);
             throw;
         }
+        if (o_.settings.check_picture) write_check_picture(p);
         if (o_.like == Like::evalglare) {
             print(evalglare_lines(m, o_.settings, o_.evalglare, *meter_));
             return false;
@@ -135,6 +137,16 @@ private:
         for (size_t k : rule_columns_) watched.push_back(values[k]);
         rule_->add(watched);
         return rule_->holds();
+    }
+    void write_check_picture(const image::Picture& measured) {
+        image::Picture check;
+        check.width = measured.width;
+        check.height = measured.height;
+        check.rgb = meter_->finder().check_picture()->rgb();
+        check.header.lines = measured.header.lines;
+        check.header.view = o_.view ? o_.view : measured.header.view;
+        image::add_history(check.header, o_.command);
+        image::write_file(o_.check_file, check);
     }
     void list_sources(const Measurement& m, const std::vector<Cell>& start) {
         double sum = 0;

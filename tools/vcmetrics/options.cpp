@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/run.h"
 #include "base/warnings.h"
 #include "declare.h"
 
@@ -47,6 +48,7 @@ void check(const Options& o) {
 
     if (o.files.size() != 2) base::fail("-compare", fmt::format("compares two inputs, not {}", o.files.size()));
     const bool no_table = o.like == Like::evalglare && (o.evalglare.ev_only || o.settings.fast);
+    if (o.settings.check_picture) base::fail("-c", "a comparison writes no check picture");
     if (!o.until.empty() || o.list_sources || no_table)
         base::fail("-compare", "works on tables of metrics: not with -until, -sources, -V, -1, -2 or -3");
 }
@@ -60,6 +62,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     const auto operands = table.parse(argc, argv);
     if (!operands) return 0;
 
+    o.command = base::command_line(argc, argv);
     if (!o.warnings) base::set_warning_sink({});
     if (says_view(table)) o.view = view;
     o.files = *operands;

@@ -26,6 +26,8 @@ struct Options {
     int window = 10;
     bool compare = false;
     bool warnings = true;
+    std::string check_file;          // -c
+    std::string command;             // the whole command line, for its header
     std::string tolerances;          // rules, or a file of them
     std::optional<view::View> view;  // replaces the header's
 };
