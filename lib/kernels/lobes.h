@@ -106,11 +106,12 @@ FN void lobes_rough_t(PRIVATE const Params* par, float3 color, float energy, PRI
     else lobes->flags |= LOBE_SAMPLE_T;
 }
 
+FN float3 reflection(float3 n, float3 v) { return sub3(scale3(n, 2.0f * dot3(n, v)), v); }
+
 // Mirror direction about the shading normal; about the geometric one if that would point below the surface.
 FN float3 mirror_direction(PRIVATE const Surface* g) {
-    float3 r = sub3(scale3(g->n, 2.0f * dot3(g->n, g->v)), g->v);
-    if (dot3(r, g->ng) <= 1e-6f) r = sub3(scale3(g->ng, 2.0f * dot3(g->ng, g->v)), g->v);
-    return unit3(r);
+    float3 r = reflection(g->n, g->v);
+    return unit3(dot3(r, g->ng) <= 1e-6f ? reflection(g->ng, g->v) : r);
 }
 
 // Straight on; textures bend it, mesh smoothing does not, nor one that would point back (spec shading 2).

@@ -210,7 +210,6 @@ FN_RARE float3 bsdf_direct(PRIVATE const SceneTables* s, PRIVATE const Params* p
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     float3 z = bsdf_normal(g), v = bsdf_local(lobes->BSDF_X, z, g->v), l = bsdf_local(lobes->BSDF_X, z, dir);
     int transmit = (l.z > 0.0f) != (v.z > 0.0f);
-    if (transmit != (dot3(dir, g->ng) < 0.0f)) return F3(0.0f, 0.0f, 0.0f);
     float3 sum = scale3(transmit ? lobes->diffuse_t : lobes->diffuse_r, fabs_(l.z) * w * K_INV_PI);
     uint at = bsdf_component(s, m, g->front, transmit)[BSDF_TABLE];
     if (at == NONE) return sum;
@@ -261,8 +260,7 @@ FN_RARE float bsdf_sample_lobe(PRIVATE const SceneTables* s, PRIVATE const Param
 
     *coef = scale3(bsdf_color(s, table, v, l), hemi);
     if (transmit) *coef = mul3(*coef, g->color);
-    *dir = bsdf_world(lobes->BSDF_X, z, l);
-    if ((dot3(*dir, g->ng) < 0.0f) != transmit) return 0.0f;
+    *dir = bsdf_world(lobes->BSDF_X, z, l);  // textures may turn it to the other side: it goes there
     return weight / hemi;
 }
 #endif

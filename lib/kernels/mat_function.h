@@ -85,7 +85,10 @@ FN void mat_brtd(PRIVATE const Surface* g, GLOBAL const float* arg, PRIVATE cons
     lobes->ambient_r = lobes->diffuse_r;
     lobes->ambient_t = lobes->diffuse_t;
 
-    if (value[0] + value[1] + value[2] > 0.0f) lobes_mirror(g, F3(value[0], value[1], value[2]), lobes);
+    if (value[0] + value[1] + value[2] > 0.0f) {
+        lobes_mirror(g, F3(value[0], value[1], value[2]), lobes);
+        lobes->mirror_dir = unit3(reflection(g->n, g->v));  // it may point below the surface
+    }
     if (value[3] + value[4] + value[5] > 0.0f)
         lobes_through(transmitted_direction(g), F3(value[3], value[4], value[5]), lobes);
 
