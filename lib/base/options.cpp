@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/near.h"
+#include "base/split.h"
 #include "base/printable.h"
 #include "base/run.h"
 
@@ -22,8 +23,6 @@ bool is_whole_number(const std::string& word) { return word.find_first_not_of("0
 [[noreturn]] void fail_missing(const Option& option) {
     fail(option.name, "an argument is missing (" + option.spelling() + ")");
 }
-
-bool begins_with(const std::string& word, const std::string& name) { return word.compare(0, name.size(), name) == 0; }
 
 // "--frames" is "-frames".
 std::string one_dash(const std::string& word) {

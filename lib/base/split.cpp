@@ -23,6 +23,10 @@ std::vector<std::string> split_list(const std::string& text, char separator) {
     return parts;
 }
 
+bool begins_with(std::string_view text, std::string_view beginning) {
+    return text.substr(0, beginning.size()) == beginning;
+}
+
 bool ends_with(std::string_view text, std::string_view ending) {
     return text.size() >= ending.size() && text.substr(text.size() - ending.size()) == ending;
 }

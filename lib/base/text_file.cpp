@@ -11,6 +11,7 @@
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "base/printable.h"
+#include "base/split.h"
 
 namespace base {
 
@@ -27,6 +28,7 @@ std::string read_text_file(const std::string& path, size_t limit) {
     errno = code;
     if (n < 0) fail_system(path, "cannot be read");
     if (text.size() > limit) fail(path, "is longer than the " + std::to_string(limit) + " bytes such a file may have");
+    if (begins_with(text, byte_order_mark)) text.erase(0, byte_order_mark.size());
     return text;
 }
 

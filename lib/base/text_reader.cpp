@@ -75,6 +75,7 @@ bool TextReader::refill() {
     }
     at_ = buffer_.data();
     end_ = at_ + have;
+    if (bytes_ == 0 && begins_with(std::string_view(at_, have), byte_order_mark)) at_ += byte_order_mark.size();
     bytes_ += have;
     return have > 0;
 }

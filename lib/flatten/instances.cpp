@@ -3,6 +3,7 @@
 #include "flatten/instances.h"
 
 #include "base/error.h"
+#include "base/printable.h"
 #include "scene/materials.h"
 
 namespace flatten {
@@ -15,6 +16,11 @@ using scene::Type;
 constexpr uint64_t PLACE = 10;  // steps of base::Work: a place takes 128 bytes and a share of the tree above it
 
 bool is_obj(const scene::Mesh& mesh) { return !mesh.material_names.empty(); }
+
+void warn_of_bare_faces(const scene::Mesh& mesh) {
+    for (const scene::Mesh::Triangle& t : mesh.triangles)
+        if (t.material < 0) return base::warn(mesh.path, "faces without a material (usemtl) are left out");
+}
 }  // namespace
 
 Instances::Instances(const scene::Scene& scene, bool backs, const scene::ReadOptions& files, ModifierTables& tables)
@@ -23,8 +29,16 @@ Instances::Instances(const scene::Scene& scene, bool backs, const scene::ReadOpt
 Instances::Materials Instances::obj_materials(const scene::Scene& scene, const scene::Mesh& mesh,
                                               const scene::Object& o) const {
     Materials m;
-    for (const std::string& name : mesh.material_names)
-        m.push_back(scene.lookup_modifier(name, int32_t(&o - scene.objects.data())));
+    const auto user = int32_t(&o - scene.objects.data());
+    for (size_t k = 0; k < mesh.material_names.size(); ++k) {
+        const std::string& name = mesh.material_names[k];
+        std::optional<int32_t> found = scene.find_modifier(name, user);
+        if (!found) found = scene.find_modifier(name.substr(0, name.find_first_of(" \t")), user);  // as obj2mesh
+        if (!found)
+            base::fail(mesh.path + ":" + std::to_string(mesh.material_lines[k]),
+                       "modifier \"" + base::excerpt(name) + "\" is not defined");
+        m.push_back(*found);
+    }
     return m;
 }
 
@@ -123,6 +137,7 @@ void Instances::place_one(const scene::Object& o, const Level& level, const Xfor
         return;
     }
     const scene::Mesh& mesh = assets_.mesh(level.scene, o);
+    if (!replaced) warn_of_bare_faces(mesh);
     if (replaced) add(tree_of(nullptr, &mesh, nullptr, {}), x, replaced, owner);
     else if (is_obj(mesh))
         add(tree_of(nullptr, &mesh, level.modifiers, obj_materials(level.scene, mesh, o)), x, replaced, owner);

@@ -29,6 +29,7 @@ struct Mesh {
     std::vector<Uv> uvs;          // empty, or one per position
     std::vector<Triangle> triangles;
     Scene materials;                          // .rtm: Triangle::material is an index into its objects
+    std::vector<uint32_t> material_lines;     // where each of them is first named
     std::vector<std::string> material_names;  // .obj: Triangle::material is an index into these (lookup_modifier() in
                                               // the scene of the mesh primitive); empty for .rtm
 };

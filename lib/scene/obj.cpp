@@ -39,6 +39,7 @@ struct ObjReader {
     int32_t material = VOID;
     bool any_normals = false, any_uvs = false;
     std::string place;
+    uint32_t in_line = 0;
     std::string_view rest;  // of the line
 
     bool word(std::string_view& w) {
@@ -109,6 +110,20 @@ struct ObjReader {
             mesh.triangles.push_back({{face[t[0]], face[t[1]], face[t[2]]}, material});
     }
 
+    // The rest of the line is the name, blanks and all.
+    void use_material() {
+        const char* const blanks = " \t\r";
+        const size_t begin = rest.find_first_not_of(blanks);
+        if (begin == std::string_view::npos) base::fail(place, "usemtl without a name");
+        const std::string name(rest.substr(begin, rest.find_last_not_of(blanks) - begin + 1));
+        const auto [found, fresh] = materials.emplace(name, int32_t(mesh.material_names.size()));
+        if (fresh) {
+            mesh.material_names.push_back(name);
+            mesh.material_lines.push_back(in_line);
+        }
+        material = found->second;
+    }
+
     void statement() {
         std::string_view key;
         if (!word(key) || key[0] == '#') return;
@@ -126,11 +141,7 @@ struct ObjReader {
         } else if (key == "f") {
             read_face();
         } else if (key == "usemtl") {
-            std::string_view name;
-            if (!word(name)) base::fail(place, "usemtl without a name");
-            const auto [found, fresh] = materials.emplace(std::string(name), int32_t(mesh.material_names.size()));
-            if (fresh) mesh.material_names.emplace_back(name);
-            material = found->second;
+            use_material();
         }
     }
 };
@@ -142,6 +153,7 @@ void read_obj(base::TextReader& in, Mesh& mesh) {
     std::string line, more;
     for (;;) {
         r.place = in.place();
+        r.in_line = in.line();
         if (!in.line(line, 1 << 20)) break;
         while (!line.empty() && line.back() == '\\' && in.line(more, 1 << 20)) {
             line.pop_back();

@@ -8,14 +8,18 @@ namespace scene {
 
 std::string Scene::place(const Object& o) const { return files[o.file] + ":" + std::to_string(o.line); }
 
-int32_t Scene::lookup_modifier(const std::string& name, int32_t user) const {
+std::optional<int32_t> Scene::find_modifier(const std::string& name, int32_t user) const {
     if (name == "void") return VOID;
     const auto found = definitions.find(name);
-    if (found != definitions.end()) {
-        const auto& list = found->second;
-        const auto after = std::lower_bound(list.begin(), list.end(), user);  // the last one before the user
-        if (after != list.begin()) return after[-1];
-    }
+    if (found == definitions.end()) return {};
+    const auto& list = found->second;
+    const auto after = std::lower_bound(list.begin(), list.end(), user);  // the last one before the user
+    if (after == list.begin()) return {};
+    return after[-1];
+}
+
+int32_t Scene::lookup_modifier(const std::string& name, int32_t user) const {
+    if (const auto found = find_modifier(name, user)) return *found;
     base::fail(place(objects[user]), "modifier \"" + name + "\" is not defined");
 }
 

@@ -3,6 +3,7 @@
 // Arguments live in pools, so that a million polygons cost little more than their numbers.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -71,6 +72,8 @@ struct Scene {
     Span<double> reals(const Object& o) const { return {real_pool.data() + o.real_at, o.real_count}; }
     const std::string& name(const Object& o) const { return names[o.name]; }
     std::string place(const Object& o) const;  // "office.rad:14"
+    // As lookup_modifier(); nothing if undefined.
+    std::optional<int32_t> find_modifier(const std::string& name, int32_t user) const;
     // The modifier object meant by a string argument of `user` (the last definition before it); VOID for "void";
     // throws Error (place of user) if undefined.
     int32_t lookup_modifier(const std::string& name, int32_t user) const;

@@ -44,8 +44,9 @@ void read_frames(const std::string& text, Options& opt) {
         base::fail("-frames", fmt::format("frames end before number {}", Options::endless));
 }
 
-void read_rif(const std::string& path, OptionTable& t, Options& opt, std::optional<scene::RadInput>& rad_input) {
-    rad_input = scene::read_rad_input(path);
+void read_rif(const std::string& path, const std::vector<std::string>& assignments, OptionTable& t, Options& opt,
+              std::optional<scene::RadInput>& rad_input) {
+    rad_input = scene::read_rad_input(path, assignments);
     t.read_scene_words(rad_input->options, path);
     for (const std::string& file : rad_input->scene_files) base::require_ordinary_file(file, path);
     opt.exposure = rad_input->exposure;
@@ -104,7 +105,8 @@ void declare_light(OptionTable& t, Options& opt) {
         .from_scene();
 }
 
-void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>& rad_input) {
+void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>& rad_input,
+                    const std::vector<std::string>& assignments) {
     t.group("Frames and devices");
     t.add("-frames N|A:B", "Frames 0 to N-1, or A to B, both included", [&](Arguments& a) {
          read_frames(a.text(), opt);
@@ -118,7 +120,7 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
     });
     t.add("-exec", "Let the scene run its !commands", opt.files.exec);
     t.add("-rif file", "Take scene, options and views from an input file of rad(1)",
-          [&](Arguments& a) { read_rif(a.text(), t, opt, rad_input); });
+          [&](Arguments& a) { read_rif(a.text(), assignments, t, opt, rad_input); });
 }
 
 void declare_messages(OptionTable& t, Options& opt) {
@@ -148,12 +150,13 @@ void declare_rpicts(OptionTable& t) {
 
 }  // namespace
 
-void declare_options(OptionTable& t, Options& opt, std::optional<scene::RadInput>& rad_input) {
+void declare_options(OptionTable& t, Options& opt, std::optional<scene::RadInput>& rad_input,
+                     const std::vector<std::string>& assignments) {
     view::declare_options(t, opt.view);
     view::declare_file_option(t, [&](const view::View& v) { opt.view = v; });
     declare_picture(t, opt);
     declare_light(t, opt);
-    declare_frames(t, opt, rad_input);
+    declare_frames(t, opt, rad_input, assignments);
     declare_messages(t, opt);
     declare_rpicts(t);
     t.options_come_before("the scene files");

@@ -4,6 +4,8 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/find_file.h"
 #include "base/processors.h"
@@ -50,32 +52,27 @@ void check(const Options& opt) {
         base::fail("-frames", "say how many frames; without a reader on stdout there is no end");
 }
 
-}  // namespace
-
-std::string output_name(const std::string& pattern, int64_t k) {
-    const size_t at = pattern.find('%');
-    if (at == std::string::npos) return pattern;
-    size_t end = at + 1;
-    while (end < pattern.size() && pattern[end] >= '0' && pattern[end] <= '9') ++end;
-    const std::string width = pattern.substr(at + 1, end - at - 1);
-    if (end == pattern.size() || pattern[end] != 'd' || width.size() > 2 || pattern.find('%', end) != std::string::npos)
-        base::fail("-o", "\"" + pattern + "\" must hold one %d, such as %04d");
-    const std::string number = std::to_string(k);
-    const size_t wide = width.empty() ? 0 : std::stoul(width);
-    const std::string pad(wide > number.size() ? wide - number.size() : 0, width[0] == '0' ? '0' : ' ');
-    return pattern.substr(0, at) + pad + number + pattern.substr(end + 1);
-}
-
-std::optional<int> parse_options(int argc, char** argv, Options& opt) {
+// "QUALITY=Low" after a rad input file stands for a line at its end, as on rad's own command line.  What the file says
+// is read where -rif stands among the options; so the command line is read again once such words have been seen.
+std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& assignments, Options& opt) {
     opt.files.raypath = base::raypath_from_environment();
     opt.files.work = base::work_from_environment();
     std::optional<scene::RadInput> rad_input;
     base::OptionTable table("ptrace", LUXPIPE_VERSION, "[options] scene.rad ... (\"-\": stdin)");
-    declare_options(table, opt, rad_input);
-    const auto operands = table.parse(argc, argv);
+    declare_options(table, opt, rad_input, assignments);
+    auto operands = table.parse(argc, argv);
     if (!operands) return 0;
 
     if (rad_input) {
+        const auto split = std::stable_partition(operands->begin(), operands->end(), [](const std::string& word) {
+            return word.find('=') == std::string::npos;
+        });
+        const std::vector<std::string> said(split, operands->end());
+        if (assignments != said) {
+            opt = Options();
+            return parse(argc, argv, said, opt);
+        }
+        operands->erase(split, operands->end());
         if (operands->size() > 1) base::fail("-rif", "one view name at most, not \"" + (*operands)[1] + "\" too");
         opt.scene_files = rad_input->scene_files;
         choose_view(*rad_input, operands->empty() ? "" : operands->front(), table, opt);
@@ -92,3 +89,21 @@ std::optional<int> parse_options(int argc, char** argv, Options& opt) {
     view::fit_size(opt.view, opt.pixel_aspect, opt.nx, opt.ny);
     return std::nullopt;
 }
+
+}  // namespace
+
+std::string output_name(const std::string& pattern, int64_t k) {
+    const size_t at = pattern.find('%');
+    if (at == std::string::npos) return pattern;
+    size_t end = at + 1;
+    while (end < pattern.size() && pattern[end] >= '0' && pattern[end] <= '9') ++end;
+    const std::string width = pattern.substr(at + 1, end - at - 1);
+    if (end == pattern.size() || pattern[end] != 'd' || width.size() > 2 || pattern.find('%', end) != std::string::npos)
+        base::fail("-o", "\"" + pattern + "\" must hold one %d, such as %04d");
+    const std::string number = std::to_string(k);
+    const size_t wide = width.empty() ? 0 : std::stoul(width);
+    const std::string pad(wide > number.size() ? wide - number.size() : 0, width[0] == '0' ? '0' : ' ');
+    return pattern.substr(0, at) + pad + number + pattern.substr(end + 1);
+}
+
+std::optional<int> parse_options(int argc, char** argv, Options& opt) { return parse(argc, argv, {}, opt); }
