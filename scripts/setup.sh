@@ -14,7 +14,7 @@ for part in "$@"; do
         tests) packages="$packages doctest-dev mandoc pocl-opencl-icd" ;;  # PoCL: OpenCL on the CPU
         demo) packages="$packages gnuplot-nox" ;;                          # the plot
         fuzz) packages="$packages clang" ;;
-        deb) packages="$packages dpkg-dev" ;;                              # tells which libraries the programs need
+        deb) packages="$packages dpkg-dev" ;;                              # finds which libraries the programs need
         *) echo "setup: no part \"$part\": tools, ptrace, tests, demo, fuzz or deb" >&2; exit 1 ;;
     esac
 done

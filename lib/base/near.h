@@ -9,7 +9,7 @@ namespace base {
 // form (F. J. Damerau, CACM 7(3), 1964).
 int edit_distance(const std::string& a, const std::string& b);
 
-// The largest distance at which a word may be a slip for another of that length.
+// The largest distance at which a word may be a misspelling of another of that length.
 inline int largest_slip(size_t length) { return length < 6 ? 1 : int(length / 3); }
 
 }  // namespace base

@@ -62,7 +62,7 @@ size_t Arguments::one_of(const std::vector<std::string>& names) {
         if (names[i] == word) return i;
         all += (i ? ", " : "") + names[i];
     }
-    fail(name(), "\"" + word + "\" is none of " + all);
+    fail(name(), "\"" + word + "\" is not one of " + all);
 }
 
 Target into(int& value) {

@@ -157,7 +157,7 @@ std::optional<std::vector<std::string>> OptionTable::parse(int argc, char** argv
             operands_only = true;
             words.take();
         } else if (!first_.empty() && !operands.empty()) {
-            fail(words.peek(), "options come before " + first_);
+            fail(words.peek(), "options must come before " + first_);
         } else if (!read(words)) {
             unknown(words.peek());
         }
@@ -182,8 +182,8 @@ void OptionTable::read_scene_words(const std::vector<std::string>& list, const s
 void OptionTable::require_allowed(const Found& found, const Words& words) const {
     if (found.option && found.option->scene != Option::Scene::refused) return;
     const std::string &word = words.peek(), &file = words.scene_file();
-    if (!words.is_option()) fail(file, "holds a word where an option is expected: a scene may give no other");
-    fail(file, "\"" + excerpt(word, 8) + "\" is no rendering or view option: a scene may not give it");
+    if (!words.is_option()) fail(file, "holds a word where an option is expected: a scene may give options only");
+    fail(file, "\"" + excerpt(word, 8) + "\" is not a rendering or view option: a scene may not set it");
 }
 
 // The nearest option, of several that one that begins alike.  Of one letter only -X is near to -x.

@@ -10,7 +10,7 @@ namespace base {
 
 int run(const char* tool, const std::function<int()>& body);
 
-// Thrown by writers that meet EPIPE on stdout; run() turns it into status 0 without a word.
+// Thrown by writers that meet EPIPE on stdout; run() turns it into status 0 without a message.
 struct ClosedPipe {};
 
 // Write all bytes to stdout, or throw ClosedPipe / Error (system).  flush_stdout() likewise.

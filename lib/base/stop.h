@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wish to end: SIGINT, SIGTERM or SIGHUP under base::run().  At first a signal ends a program at once (status 3).
 // A program that works frame by frame calls finish_on_signal(): from then on the first signal only asks.  It finishes
-// the frame at hand, writes what there is and returns; run() gives status 3.  A second signal ends at once.
+// the current frame, writes what there is and returns; run() gives status 3.  A second signal ends at once.
 #pragma once
 
 namespace base {

@@ -35,7 +35,7 @@ std::string read_text_file(const std::string& path, size_t limit) {
 void require_ordinary_file(const std::string& path, const std::string& who) {
     struct stat info;
     if (stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode))
-        fail(who, "\"" + excerpt(path) + "\" is no ordinary file");
+        fail(who, "\"" + excerpt(path) + "\" is not an ordinary file");
 }
 
 }  // namespace base

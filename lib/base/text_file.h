@@ -13,7 +13,7 @@ constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 std::string read_text_file(const std::string& path, size_t limit = size_t(1) << 20);
 
 // A file that a scene names must be an ordinary one: a FIFO or a device would hold us up for ever.  Throws Error (place
-// = who) for what is there and is none; what is not there is for whoever opens it to tell.
+// = who) for what exists and is not one; a file that does not exist is reported by whoever opens it.
 void require_ordinary_file(const std::string& path, const std::string& who);
 
 }  // namespace base

@@ -23,7 +23,7 @@ Xform inverse(const Xform& x);
 bool is_xform_option(const std::string& word);
 
 // Parses words[at..] as transform options, x becomes their product; returns the number of words used (it stops at the
-// first word that is no option).  A missing or bad number throws Error(place).
+// first word that is not an option).  A missing or bad number throws Error(place).
 int parse_xform(const Span<std::string>& words, size_t at, Xform& x, const std::string& place);
 
 }  // namespace base

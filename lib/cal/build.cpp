@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Symbolic evaluation: see build.h.  What is built in stands in build_builtins.cpp.
+// Symbolic evaluation: see build.h.  Built-in functions are in build_builtins.cpp.
 #include "cal/build.h"
 #include <cmath>
 #include "base/error.h"

@@ -157,7 +157,7 @@ private:
             at_++;
             run();
         }
-        if (digits == ".") fail("a lone '.' is no number");
+        if (digits == ".") fail("a lone '.' is not a number");
         if (peek() == 'e' || peek() == 'E') {
             size_t next = at_ + 1;
             if (next < text_.size() && (text_[next] == '+' || text_[next] == '-')) next++;

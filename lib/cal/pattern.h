@@ -9,7 +9,7 @@
 
 namespace cal {
 
-// A primitive as it stands in the scene file.  `outer`: transform of the instance or mesh it acts in (object -> world),
+// A primitive as written in the scene file.  `outer`: transform of the instance or mesh it acts in (object -> world),
 // which acts after the one in its own string arguments; identity for most.
 struct PatternSpec {
     std::string type;  // "brightfunc", "colorpict", ..

@@ -227,7 +227,7 @@ ContrastPair parse_pair(const std::string& text, const std::vector<std::string>&
     const std::string pair = equals == std::string::npos ? text : text.substr(equals + 1);
     const size_t slash = pair.find('/');
     if (slash == std::string::npos || slash == 0 || slash + 1 == pair.size() || equals == 0)
-        base::fail("-cr", "\"" + text + "\" is no contrast pair; write low/high or name=low/high");
+        base::fail("-cr", "\"" + text + "\" is not a contrast pair; write low/high or name=low/high");
     const ContrastPair out{pair.substr(0, slash), pair.substr(slash + 1),
                            equals == std::string::npos ? pair : text.substr(0, equals)};
     for (const std::string& name : {out.low, out.high})

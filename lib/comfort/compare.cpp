@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs the rows and columns of two tables, and tells which differ by more than they may (compare.h).
+// Pairs the rows and columns of two tables, and finds those that differ by more than the tolerance (compare.h).
 #include "comfort/compare.h"
 #include <algorithm>
 #include <cmath>

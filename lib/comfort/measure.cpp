@@ -185,7 +185,7 @@ Measurement Meter::measure(image::Picture& picture, const std::string& place, co
             throw Refusal(place,
                           "the view is perspective (-vtv) but " + std::to_string(int(*m.black_corners)) +
                               " % of the corners are black, as in a fisheye picture; correct the view with -vt, or "
-                              "insist with -f",
+                              "use -f to measure it all the same",
                           evalglare_black_corners(*m.black_corners, true));
     }
     if (settings_.fill) fill_rows(lum, g, *settings_.fill);

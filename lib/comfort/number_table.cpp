@@ -137,7 +137,7 @@ private:
             std::string word;
             if (!(words >> word)) base::fail(place_, "evalglare's line ends before \"" + name + "\"");
             const auto known = evalglare_names.find(name);
-            if (known == evalglare_names.end()) base::fail(place_, "\"" + name + "\" is no column of evalglare 3.06");
+            if (known == evalglare_names.end()) base::fail(place_, "\"" + name + "\" is not a column of evalglare 3.06");
             if (known->second.empty()) continue;
             names.push_back(known->second);
             row.push_back(number(word, place_));
@@ -149,12 +149,12 @@ private:
         std::vector<double> row;
         for (size_t at = 1; (at = line.find('"', at)) != std::string::npos;) {
             const size_t end = line.find('"', at + 1), colon = end == std::string::npos ? end : line.find(':', end);
-            if (colon == std::string::npos) base::fail(place_, "is no JSON object of metrics");
+            if (colon == std::string::npos) base::fail(place_, "is not a JSON object of metrics");
             const std::string name = line.substr(at + 1, end - at - 1);
             const size_t start = line.find_first_not_of(' ', colon + 1);
             if (start != std::string::npos && line[start] == '"') {
                 at = line.find('"', start + 1);
-                if (at == std::string::npos) base::fail(place_, "is no JSON object of metrics");
+                if (at == std::string::npos) base::fail(place_, "is not a JSON object of metrics");
                 labels.push_back(name);
                 label.push_back(name_in_folder(line.substr(start + 1, at - start - 1)));
                 ++at;
@@ -162,7 +162,7 @@ private:
             }
             const size_t stop = line.find_first_of(",} ", start);
             if (start == std::string::npos || stop == std::string::npos)
-                base::fail(place_, "is no JSON object of metrics");
+                base::fail(place_, "is not a JSON object of metrics");
             const std::string value = line.substr(start, stop - start);
             if (is_metric(name)) names.push_back(name), row.push_back(number(value, place_));
             if (is_label(name)) labels.push_back(name), label.push_back(value);
@@ -173,7 +173,7 @@ private:
     void add(const std::vector<std::string>& names, const std::vector<double>& row,
              const std::vector<std::string>& labels = {}, const std::vector<std::string>& label = {}) {
         if (table_.rows.empty()) table_.names = names, table_.labels = labels;
-        if (table_.names != names) base::fail(place_, "has other metrics than the lines before it");
+        if (table_.names != names) base::fail(place_, "has different metrics than the lines before it");
         table_.add_row(row, label);
     }
 

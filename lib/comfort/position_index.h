@@ -27,7 +27,7 @@ EyeAngles eye_angles(const view::Projector& p, Vec3 d, bool picture_up = false);
 // but for rounding counts as above.
 EyeAngles eye_angles(const Geometry& geometry, Vec3 d, bool picture_up = false);
 double position_index(const view::Projector& p, Vec3 d, PositionModel model = PositionModel::guth);
-// The same, or with evalglare's slips the upper limit, which it takes for what is not a number.
+// The same, or with evalglare's errors the upper limit, which it takes for what is not a number.
 double position_index(const Geometry& geometry, Vec3 d, PositionModel model);
 // ln P by guth, not rounded, for unit d ahead of the eye: a third of the time, for borders that are looked at millions
 // of times.

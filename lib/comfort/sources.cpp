@@ -236,7 +236,7 @@ std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {
         if (!zone_of_group_.empty()) s.zone = zone_of_group_[group];
         if (!slipped_eye_lux_.empty()) s.eye_lux = slipped_eye_lux_[group];
         // The position index belongs to the pixel of the centre narrowed to float (90.99999999999 becomes 91);
-        // evalglare takes the other directions from the pixel of the unrounded centre, we only when told to.
+        // evalglare takes the other directions from the pixel of the unrounded centre, we only when asked to.
         const Vec3 at = g.direction(int(float(s.x)), int(float(s.y)));
         s.P = position_index(g, at, settings_.position);
         s.direction = settings_.slips ? g.direction(int(s.x), int(s.y)) : at;

@@ -16,7 +16,7 @@ std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::stri
         Tolerance t;
         std::string amount, more;
         if (!(words >> t.metric >> amount))
-            base::fail(place, "\"" + part + "\" is no rule; write for example 'DGP 1%, Ev 0.5%'");
+            base::fail(place, "\"" + part + "\" is not a rule; write for example 'DGP 1%, Ev 0.5%'");
         if (words >> more && more == "%") amount += more, more.clear();
         t.relative = amount.back() == '%';
         if (t.relative) amount.pop_back();
@@ -31,7 +31,7 @@ std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::stri
 
 StoppingRule::StoppingRule(std::vector<Tolerance> tolerances, int window)
     : tolerances_(std::move(tolerances)), window_(size_t(window)) {
-    if (window < 2) base::fail("-window", "a window has two lines or more");
+    if (window < 2) base::fail("-window", "a window must have at least two lines");
 }
 
 void StoppingRule::add(const std::vector<double>& values) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The geometry of a FlatScene as the BVH builder wants it.
+// The geometry of a FlatScene as the BVH builder needs it.
 #pragma once
 #include <vector>
 #include "bvh/build.h"

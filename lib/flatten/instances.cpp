@@ -122,7 +122,7 @@ void Instances::place_all(const Level& level, Lights& lights) {
                               level.to_world};
         const uint32_t m = level.modifiers->material[o.modifier];
         if (level.object == NONE && m != NONE && scene::shines(scene.objects[m].type))
-            lights.emitters.push_back({owner, NONE});  // refused unless it is no active source
+            lights.emitters.push_back({owner, NONE});  // refused if it is an active source
         place_one(o, level, x, &own, owner, lights);
     }
 }

@@ -48,7 +48,7 @@ private:
         return name == scene_.name(scene_.objects[sources_.objects[i]]);
     }
 
-    // Of two sources of the same name, does i stand later in RADIANCE's list than j?  Real ones stand in the scene's
+    // Of two sources of the same name, does i come later in RADIANCE's list than j?  Real ones are in the scene's
     // order; virtual ones follow, the last real source's first, by its relays in the scene's order.
     bool is_later(uint32_t i, uint32_t j) const {
         const uint32_t a = way(i), b = way(j);
@@ -77,7 +77,9 @@ void link_mists(const Modifiers& modifiers, const std::vector<Lights::Relay>& re
         for (const std::string& name : scene.strings(o)) {
             const uint32_t found = names.find(name);
             if (found != NONE) named_by[found].insert(mist.record);
-            else base::warn(scene.place(o), fmt::format("mist: \"{}\" is no light source, not scattered", name));
+            else
+                base::warn(scene.place(o),
+                           fmt::format("mist: \"{}\" is not a light source and is not scattered", name));
         }
     }
 

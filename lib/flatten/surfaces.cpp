@@ -79,7 +79,7 @@ public:
     }
 
 private:
-    // Number of a new primitive; `tagged` with its class, as the trees want it.
+    // Number of a new primitive; `tagged` with its class, as the trees need it.
     uint32_t add_prim(const Object& o, uint32_t kind, Vec3 normal, uint32_t& tagged) {
         const uint32_t id = uint32_t(out_.prims.size() / PRIM_WORDS);
         const uint32_t record[PRIM_WORDS] = {kind,
@@ -121,7 +121,7 @@ private:
         base::warn(scene_.place(o), fmt::format("{}, surface ignored", what));
     }
 
-    // ---- what sources want to know
+    // ---- what sources need to know
 
     void note_emitter(const Object& o, uint32_t prim) {
         if (!lights_) return;

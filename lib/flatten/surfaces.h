@@ -40,7 +40,7 @@ struct Lights {
 // All trees: the scene's own, with the places of its instances, then what these hold.
 void flatten_geometry(const Modifiers& modifiers, const Instances& instances, FlatScene& out, Lights& lights);
 
-// The surfaces of one scene, its meshes and instances left out, as part of the tree at hand with the origin `centre`.
+// The surfaces of one scene, its meshes and instances left out, as part of the current tree with the origin `centre`.
 // modifiers: null if those of an instance replace them all.  lights: null inside an instance, where nothing may be a
 // source, a relay or a window.
 void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, base::Vec3 centre, FlatScene& out,
@@ -49,7 +49,7 @@ void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, bas
 // The corners of a polygon, without a repeated last one.
 std::vector<base::Vec3> polygon_corners(const base::Span<double>& reals);
 
-// A mesh as the tree at hand.  materials: of an .obj, objects of modifiers->scene by the mesh's own numbers.
+// A mesh as the current tree.  materials: of an .obj, objects of modifiers->scene by the mesh's own numbers.
 void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std::vector<int32_t>& materials,
                   base::Vec3 centre, FlatScene& out);
 

@@ -177,7 +177,7 @@ void genbox(const Call& call, std::string& out) {
         else if (w == "-r") round = true, b.radius = call.real(++i, "-r");
         else if (w == "-n") segments = int(call.integer(++i, "-n", 1, call.most));
         else if (w == "-s") smooth = true;
-        else if (w == "-o") call.fail("-o writes a Wavefront file, which cannot stand in a scene");
+        else if (w == "-o") call.fail("-o writes a Wavefront file, which a scene cannot contain");
         else call.fail("unknown option " + w);
     }
     if ((bevelled && b.bevel <= 0) || (round && b.radius <= 0) || (bevelled && round))

@@ -197,7 +197,7 @@ void gendaylit(const Call& call, std::string& out) {
     const double sine = std::sin(sun.altitude), z = base::pi / 2 - sun.altitude;
 
     auto error_sky = [&](const char* why) {
-        if (!o.quiet) base::warn(call.place, std::string("gendaylit: ") + why + ": a black sky");
+        if (!o.quiet) base::warn(call.place, std::string("gendaylit: ") + why + ": the sky is black");
         fmt::format_to(text,
                        "\nvoid brightfunc skyfunc\n2 skybright perezlum.cal\n0\n10 0.00 0.00 0.000 0.000 0.000 0.000 "
                        "0.000 {:f} {:f} {:f}\n",
@@ -212,7 +212,7 @@ void gendaylit(const Call& call, std::string& out) {
     if (shape.c[1] > 0) return error_sky("the horizon's Perez coefficient b is positive");
     const double diffuse_lux = diffuse * sky.diffuse_efficacy(c), direct_lux = direct * sky.direct_efficacy(c);
     if (diffuse_lux < 0) return error_sky("the sky's illuminance is negative");
-    if (direct > most_watts || direct_lux > most_lux) return error_sky("more sun than outside the atmosphere");
+    if (direct > most_watts || direct_lux > most_lux) return error_sky("more sunlight than above the atmosphere");
 
     const auto wanted = [&](double watts, double lux) {
         return o.output == 0 ? lux / efficacy : o.output == 1 ? watts : lux;

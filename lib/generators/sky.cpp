@@ -58,7 +58,7 @@ void read_hour(const Call& call, size_t at, Moment& t, double& zone_meridian) {
         call.fail("\"" + base::excerpt(call.words[at]) + "\" is not an hour");
     t.hour += minutes / 60;
     if (zone.empty()) return;
-    if (t.solar) call.fail("a time zone and solar time exclude each other");
+    if (t.solar) call.fail("a time zone and solar time cannot be used together");
     for (char& c : zone) c = char(std::toupper(static_cast<unsigned char>(c)));
     for (const TimeZone& z : zones)
         if (zone == z.name) {

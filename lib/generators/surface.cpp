@@ -207,7 +207,7 @@ void Surface::run() {
         const std::string& w = call_.words[i];
         if (w == "-s") smooth_ = true;
         else if (w == "-i") inside_out_ = true;
-        else if (w == "-o") call_.fail("-o writes a Wavefront file, which cannot stand in a scene");
+        else if (w == "-o") call_.fail("-o writes a Wavefront file, which a scene cannot contain");
         else if (!f_.option(i)) call_.fail("unknown option " + w);
     }
     for (int k = 0; k < 3; k++) read_coordinate(k, call_.word(3 + k, "x(s,t) y(s,t) z(s,t)"));

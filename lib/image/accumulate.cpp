@@ -61,7 +61,7 @@ void Accumulator::add(const Picture& frame, const std::string& place) {
         else
             for (size_t i = 0; i < n; ++i) sum_[i] += std::isfinite(from[i]) ? from[i] : 0;
     }
-    if (trouble) base::warn(place, "values that are no finite numbers were taken as 0");
+    if (trouble) base::warn(place, "values that are not finite were taken as 0");
 }
 
 void Accumulator::require_next(int64_t k, const std::string& place) const {

@@ -37,7 +37,7 @@ Picture read_exr(const std::string& path) {
     p.height = in.height();
     p.header = in.header();
     const bool color = in.has("R") && in.has("G") && in.has("B");
-    if (!color && !in.has("Y")) base::fail(path, "has neither the channels R G B nor Y: it is no picture");
+    if (!color && !in.has("Y")) base::fail(path, "has neither the channels R G B nor Y: it is not a picture");
     if (!color && in.has("RY")) base::fail(path, "is stored as luminance and chroma (Y RY BY): not read");
     if (color) {
         p.rgb = in.read({"R", "G", "B"});

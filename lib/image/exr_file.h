@@ -25,7 +25,7 @@ public:
     std::optional<std::string> text(const std::string& attribute) const;  // string attribute
     std::map<std::string, std::string> texts() const;                     // all of them
     Header header() const;           // from "radianceHeader", else from VIEW and the other string attributes
-    double white_luminance() const;  // cd/m2 of R = G = B = 1; 179 if not told
+    double white_luminance() const;  // cd/m2 of R = G = B = 1; 179 if the file does not say
     std::optional<std::array<double, 8>> primaries() const;
 
 private:

@@ -45,7 +45,7 @@ ExrInput::ExrInput(const std::string& path) : path_(path) {
     } catch (const base::Error&) {
         throw;
     } catch (const std::exception& e) {
-        base::fail(path, "is no readable OpenEXR file: " + one_line(e.what()));
+        base::fail(path, "is not a readable OpenEXR file: " + one_line(e.what()));
     }
 }
 
@@ -82,7 +82,7 @@ std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
             const int last = std::min(y + lines - 1, data.max.y);
             Imf::FrameBuffer frame;
             for (size_t c = 0; c < n; ++c) {
-                // OpenEXR wants the address that pixel (0,0) would have
+                // OpenEXR expects the address that pixel (0,0) would have
                 char* origin = reinterpret_cast<char*>(block.data() + c) -
                                ptrdiff_t(sizeof(float) * n) * (data.min.x + ptrdiff_t(data_width) * y);
                 frame.insert(names[c],

@@ -62,7 +62,7 @@ public:
             if (half_) {
                 halves_[k].resize(size_t(count) * width_);
                 for (size_t i = 0; i < halves_[k].size(); ++i) halves_[k][i] = half(from[i * c.stride]);
-                // OpenEXR wants the address that line 0 would have
+                // OpenEXR expects the address that line 0 would have
                 char* origin = reinterpret_cast<char*>(halves_[k].data()) - ptrdiff_t(sizeof(half)) * width_ * first;
                 buffer.insert(c.name, Imf::Slice(Imf::HALF, origin, sizeof(half), sizeof(half) * width_));
             } else {

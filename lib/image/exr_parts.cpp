@@ -103,11 +103,11 @@ void check_attributes(std::istream& in, const std::string& path) {
         any = true;
         if (!std::getline(in, type, '\0') || !in.read(size.data(), 4)) return;
         const int64_t bytes = number_at(size, 0);
-        const std::string what = "is no readable OpenEXR file: attribute " + name.substr(0, 32);
+        const std::string what = "is not a readable OpenEXR file: attribute " + name.substr(0, 32);
         if (bytes < 0 || bytes > end - in.tellg()) base::fail(path, what + " is longer than the file");
         std::string value(size_t(bytes), '\0');
         if (!in.read(value.data(), bytes)) return;
-        if (!fits(type, value)) base::fail(path, what + " has not the length of its type");
+        if (!fits(type, value)) base::fail(path, what + " does not have the length of its type");
     }
 }
 

@@ -43,7 +43,7 @@ Picture read_file(const std::string& path, Pixels pixels) {
     Picture picture;
     in.next(picture);
     Picture further;
-    if (in.next(further)) base::fail(path, "holds several pictures where one is wanted");
+    if (in.next(further)) base::fail(path, "holds several pictures, but one was expected");
     return picture;
 }
 

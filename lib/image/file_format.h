@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The formats of picture files.  To add one: a file like png.cpp that writes it or like exr.cpp that reads it, too, and
-// a row in file_format.cpp; the tools take it from there (and man/luxpipe-stream.5 tells the users).
+// a row in file_format.cpp; the tools take it from there (man/luxpipe-stream.5 describes them).
 #pragma once
 #include <string>
 #include "image/exr.h"
@@ -8,7 +8,7 @@
 
 namespace image {
 
-// What each format's writer may be told; it takes what concerns it.
+// Settings for the writers; each uses those that concern its format.
 struct WriteOptions {
     Format pixels = Format::rgbe;  // of RADIANCE pictures
     ExrOptions exr;

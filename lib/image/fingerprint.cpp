@@ -23,7 +23,7 @@ void require_same_fingerprint(const Header& header, const Header& other, const s
                               const std::string& of) {
     if (header.fingerprint == other.fingerprint) return;
     if (header.fingerprint.empty() || other.fingerprint.empty()) {
-        base::warn(place, "nothing tells whether scene and options are those of " + of + " (no FINGERPRINT= line)");
+        base::warn(place, "cannot tell whether scene and options are the same as in " + of + " (no FINGERPRINT= line)");
         return;
     }
     auto mine = parts_of(header.fingerprint), theirs = parts_of(other.fingerprint);
@@ -34,7 +34,7 @@ void require_same_fingerprint(const Header& header, const Header& other, const s
     else if (differs("scene")) what = "another scene";
     else if (differs("view")) what = "another view or size";
     else what = "another fingerprint";
-    base::fail(place, "has " + what + " than " + of + ": such frames do not make one picture");
+    base::fail(place, "has " + what + " than " + of + ": they cannot be combined into one picture");
 }
 
 }  // namespace image

@@ -182,7 +182,7 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
     } else if (auto t = value_of(line, "PRIMARIES=")) {
         const auto p = numbers<8>(line, *t, where);
         for (int i = 1; i < 8; i += 2)
-            if (!(p[i] > 0)) base::fail(where, "header line \"" + line + "\" is no set of chromaticities");
+            if (!(p[i] > 0)) base::fail(where, "header line \"" + line + "\" is not a set of chromaticities");
         e.primaries = p;
     } else if (auto t = value_of(line, "FORMAT=")) {
         e.spectra = *t == "Radiance_spectra";
@@ -270,8 +270,9 @@ bool lacks_frame0(const Header& h) {
 void require_complete(const Picture& picture, const std::string& where) {
     const Header& h = picture.header;
     if (h.frame && !h.frames && *h.frame > 0)
-        base::fail(where, fmt::format("is single frame {}, no picture of the scene: sum the frames with ptaccum first",
-                                      *h.frame));
+        base::fail(
+            where,
+            fmt::format("is single frame {}, not a picture of the scene: sum the frames with ptaccum first", *h.frame));
     if (lacks_frame0(h))
         base::fail(where, fmt::format("is a partial sum without frame 0 (RANGE={}): merge it with ptaccum first",
                                       to_text(h.ranges)));

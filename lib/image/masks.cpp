@@ -53,7 +53,7 @@ MaskSet read_masks(const std::string& path) {
     }
     for (const std::string& name : names)
         if (!name_is_valid(name))
-            base::fail(path, "channel \"" + name + "\" is no region name (letters, digits, _ and -)");
+            base::fail(path, "channel \"" + name + "\" is not a region name (letters, digits, _ and -)");
     for (size_t k = 0; k < names.size(); k += group) {  // a pass over the file decodes all channels: few passes
         const std::vector<std::string> some(names.begin() + k, names.begin() + std::min(k + group, names.size()));
         const std::vector<float> interleaved = in.read(some);
@@ -73,7 +73,7 @@ void write_masks(const std::string& path, const MaskSet& set) {
     std::vector<ExrChannel> channels;
     for (const Mask& mask : set.masks) {
         if (!name_is_valid(mask.name))
-            base::fail(path, "\"" + mask.name + "\" is no region name (letters, digits, _ and -)");
+            base::fail(path, "\"" + mask.name + "\" is not a region name (letters, digits, _ and -)");
         if (mask.coverage.size() != size_t(set.width) * set.height)
             base::fail(path, "region \"" + mask.name + "\" has the wrong size");
         order += (order.empty() ? "" : " ") + mask.name;

@@ -82,7 +82,7 @@ void Merger::check_ranges(const Header& h, const std::string& name) const {
 void Merger::add(Picture p, const std::string& name) {
     Header& h = p.header;
     if (!h.frames)
-        base::fail(name, h.frame ? "is a single frame: merging wants sums of frames"
+        base::fail(name, h.frame ? "is a single frame: merging needs sums of frames"
                                  : "has no FRAMES= line: not a sum of frames");
     if (h.ranges.empty()) h.ranges = {{0, *h.frames}};
     int64_t held = diffuse_frames(h.ranges);
@@ -149,9 +149,9 @@ Picture Merger::result() const {
                     seed_text(g.has_seed, g.seed), to_text(g.ranges)));
         if (groups_.size() > 1 && g.frames == 0)
             base::fail(g.last_name, seed_text(g.has_seed, g.seed) +
-                                        ": frame 0 alone has no weight beside the frames of another seed");
+                                        ": frame 0 by itself cannot be averaged with the frames of another seed");
         if (groups_.size() > 1 && !g.has_seed)
-            base::fail(g.last_name, "has no SEED= line: it cannot be told from the others");
+            base::fail(g.last_name, "has no SEED= line: it cannot be distinguished from the others");
     }
     std::vector<double> sum(3 * size_t(width_) * height_, 0);
     for (const Group& g : groups_) {

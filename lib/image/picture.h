@@ -32,8 +32,8 @@ struct Header {
     std::optional<int64_t> frame;       // FRAME=k: a single frame
     std::optional<int64_t> frames;      // FRAMES=n: diffuse frames averaged
     std::optional<int64_t> last_frame;  // LASTFRAME=k: the stream goes on to frame k
-    std::string fingerprint;            // FINGERPRINT=: of all that decides the pixels (fingerprint.h); empty: not told
-    Ranges ranges;                      // RANGE=a:b, both included; several after a merge
+    std::string fingerprint;  // FINGERPRINT=: of all that decides the pixels (fingerprint.h); empty: not known
+    Ranges ranges;            // RANGE=a:b, both included; several after a merge
     std::vector<std::pair<uint64_t, Ranges>>
         other_seeds;               // further SEED= lines with their RANGE= lines (merges of runs)
     bool tabbed_exposure = false;  // a line held EXPOSURE= and a TAB (evalglare refuses such)
@@ -51,7 +51,7 @@ struct Picture {
 // A partial sum: the mean of frames without frame 0, which may be negative.
 bool lacks_frame0(const Header& header);
 
-// Throws Error (place = where) for what is no picture of a scene: a single frame k > 0 and a partial sum
+// Throws Error (place = where) for what is not a picture of a scene: a single frame k > 0 and a partial sum
 // that lacks frame 0 (paper Eq. 7: only L'(n) is one).
 void require_complete(const Picture& picture, const std::string& where);
 

@@ -15,7 +15,7 @@ struct SpectralPicture {
     std::vector<float> values;  // row 0 = top, the bands of a pixel together; the exposure is not divided out
 };
 
-// Nothing if the file is no such picture.
+// Nothing if the file is not such a picture.
 std::optional<SpectralPicture> read_spectral_file(const std::string& path);
 
 }  // namespace image

@@ -41,7 +41,7 @@ Layout parse_resolution(const std::string& line, const std::string& place) {
     long size[2];
     const char* at = line.c_str();
     const auto wrong = [&] {
-        base::fail(place, "\"" + line.substr(0, 60) + "\" is no resolution line such as -Y 512 +X 512");
+        base::fail(place, "\"" + line.substr(0, 60) + "\" is not a resolution line such as -Y 512 +X 512");
     };
     for (int i = 0; i < 2; ++i) {
         while (*at == ' ') ++at;
@@ -204,8 +204,8 @@ struct StreamReader::State {
     }
     void require_announced(const std::string& place, const char* fact) const {
         if (reached < announced)
-            base::fail(place, fmt::format("{} after frame {}, where frames up to {} were announced: what wrote it was "
-                                          "stopped",
+            base::fail(place, fmt::format("{} after frame {}, where frames up to {} were announced: the program "
+                                          "that wrote it was stopped",
                                           fact, reached, announced));
     }
 };
@@ -231,8 +231,8 @@ bool StreamReader::next(Picture& picture) {
     picture.frame0.clear();
     char start[2];
     if (!in.look(start, 2) || start[0] != '#' || start[1] != '?')
-        base::fail(place, state_->count ? "what follows is no picture (it does not begin with #?)"
-                                        : "is no RADIANCE picture (it does not begin with #?)");
+        base::fail(place, state_->count ? "what follows is not a picture (it does not begin with #?)"
+                                        : "is not a RADIANCE picture (it does not begin with #?)");
     Head head = read_head(in, place);
     Encoding& encoding = head.encoding;
     const Layout& layout = head.layout;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every material of the scene language, a row each: all that the reader, the flattening, region queries and the kernels
-// know of it as a type.  What depends on its arguments stands in scene/materials.cpp, how it scatters in mat_*.h.
-// Only macros, for C++ and OpenCL C: each user gives ROW and SAME the form that it wants.  To add a material: the
+// know of it as a type.  What depends on its arguments is in scene/materials.cpp, how it scatters in mat_*.h.
+// Only macros, for C++ and OpenCL C: each user defines ROW and SAME as it needs them.  To add a material: the
 // recipe in CONTRIBUTING.md (docs/decisions/0015-one-table-of-materials.md says why it is like this).
 //
 //   number    M_number: MOD_TYPE of a modifier's record.  ROW takes the next number, SAME that of the ROW above it.
@@ -20,7 +20,7 @@
 //               open   both pass; with -bv+ the back as it is
 //               thin   both pass; with -bv+ the normal turns to the viewer
 //               none   it has no back: -bv does not matter
-//   traits    MT_* below, and those MF_* (tables.h) that tell rows of one number apart
+//   traits    MT_* below, and those MF_* (tables.h) that distinguish rows of the same number
 #ifndef LUX_MATERIALS_H
 #define LUX_MATERIALS_H
 

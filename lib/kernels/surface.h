@@ -22,7 +22,7 @@ typedef struct {
     int front;                         // hit from the side the modelled normal points to
     int flat;                          // polygon or ring without texture
     int smooth;                        // perturbation from mesh smoothing
-    int mixed;  // the material stands in a mixture: what it knows of the medium before it does not count
+    int mixed;  // the material is part of a mixture: what it knows of the medium before it does not count
 } Surface;
 
 // A polygon or ring, which a texture may still bend.  Where an instance's own modifier covers it, RADIANCE takes the

@@ -229,7 +229,7 @@ private:
         }
         if (n < low)
             fail(word, fmt::format("{} needs at least {} points; it has {} numbers", word.text, low / group, n));
-        if (n % group) fail(word, fmt::format("{} has {} numbers, which is no multiple of {}", word.text, n, group));
+        if (n % group) fail(word, fmt::format("{} has {} numbers, which is not a multiple of {}", word.text, n, group));
     }
 
     int add(Node n) {  // the tree that is walked for every pixel stays finite, however often names are used

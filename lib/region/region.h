@@ -74,7 +74,7 @@ public:
     virtual unsigned surfaces() const = 0;
     virtual std::string surface_name(unsigned s) const = 0;
     virtual std::vector<std::string> modifier_names(unsigned s) const = 0;  // the whole chain, nearest first
-    // At most `room` crossings with 0 < t < tmax (tmax 0: no limit), sorted; `closed` tells that the last is opaque.
+    // At most `room` crossings with 0 < t < tmax (tmax 0: no limit), sorted; `closed` says that the last is opaque.
     // Thread safe.
     virtual int look(Vec3 origin, Vec3 dir, double tmax, Crossing* out, int room, bool& closed) const = 0;
 };

@@ -8,7 +8,7 @@ namespace region {
 
 // What one ray sees.
 struct Sight {
-    static constexpr int room = 24;  // surfaces along a ray that are told apart
+    static constexpr int room = 24;  // surfaces along a ray that are kept apart
     Point p;
     bool seen = false;          // the view has a ray here
     double begin = 0, end = 0;  // along p.dir from the eye: where the view begins, where something opaque ends it

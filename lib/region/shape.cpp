@@ -293,7 +293,7 @@ std::unique_ptr<Field> make_field(const Shape& s, const Space& space) {
     case Kind::surface:
     case Kind::modifier: break;
     }
-    fail(s.place, "a question to the scene is no shape");
+    fail(s.place, "a question to the scene is not a shape");
 }
 
 }  // namespace region

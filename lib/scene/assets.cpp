@@ -39,7 +39,7 @@ Xform Assets::transform(const Scene& scene, const Object& o) {
     const auto words = scene.strings(o);
     const int used = parse_xform(words, 1, x, scene.place(o));
     if (size_t(used) + 1 < words.size())
-        base::fail(scene.place(o), "\"" + base::excerpt(words[size_t(used) + 1]) + "\" is no transform option");
+        base::fail(scene.place(o), "\"" + base::excerpt(words[size_t(used) + 1]) + "\" is not a transform option");
     return x;
 }
 

@@ -6,7 +6,7 @@
 
 namespace scene {
 
-// Throws Error (place) for text that is no tree of so many dimensions.
+// Throws Error (place) for text that is not a tree of so many dimensions.
 BsdfTree read_bsdf_tree(const char* text, int dims, const std::string& place);
 
 }  // namespace scene

@@ -88,11 +88,11 @@ std::vector<float> read_matrix(const char* text, size_t incident, size_t exit, b
     std::vector<float> file;
     while (in.peek()) {
         if (file.size() == incident * exit)
-            fail(place, fmt::format("more than {} x {} scattering data", incident, exit));
+            fail(place, fmt::format("more than {} x {} scattering values", incident, exit));
         file.push_back(in.value());
     }
     if (file.size() != incident * exit)
-        fail(place, fmt::format("{} scattering data where {} x {} are due", file.size(), incident, exit));
+        fail(place, fmt::format("{} scattering values where {} x {} are expected", file.size(), incident, exit));
     if (!columns) return file;
     std::vector<float> m(file.size());
     for (size_t o = 0; o < exit; o++)
@@ -132,7 +132,7 @@ void read_block(pugi::xml_node block, Channel channel, const std::string& struct
                          : channel == Channel::v ? &table->v
                                                  : nullptr;
         if (!tree) return;  // X and Z of a tensor are not used
-        if (tree->dims) fail(place, "data stand twice");
+        if (tree->dims) fail(place, "the same data appear twice");
         *tree = read_bsdf_tree(data, structure.back() - '0', place);
     } else {
         const bool columns = same_but_case(structure, "Columns");
@@ -146,7 +146,7 @@ void read_block(pugi::xml_node block, Channel channel, const std::string& struct
                                 : channel == Channel::z ? &table->z
                                                         : nullptr;
         if (!m) return;
-        if (!m->empty()) fail(place, "data stand twice");
+        if (!m->empty()) fail(place, "the same data appear twice");
         const bool first = table->y.empty() && table->x.empty() && table->z.empty();
         if (!first && (table->incident != incident || table->exit != exit))
             fail(place, "the colours have different angle bases");

@@ -69,11 +69,10 @@ void SceneReader::run(const CommandLine& line, const std::string& text, size_t s
     } else if (options_.exec) {
         read_text(run_shell(text.substr(0, last.end), from.place()), from);
     } else if (line.needs_shell) {
-        base::fail(from.place(), "\"!" + base::excerpt(text) + "\" needs a shell (" + line.needs_shell +
-                                     "), which -exec would allow");
-    } else {
         base::fail(from.place(),
-                   "command \"" + base::excerpt(name) + "\" is not built in; -exec would allow to run it");
+                   "\"!" + base::excerpt(text) + "\" needs a shell (" + line.needs_shell + "); -exec would allow it");
+    } else {
+        base::fail(from.place(), "command \"" + base::excerpt(name) + "\" is not built in; -exec would allow it");
     }
 }
 

@@ -9,7 +9,7 @@ enum class Passes { no, yes, ask };
 
 struct Material {
     uint32_t number;  // M_* of the kernels
-    uint32_t flags;   // MF_* that tell rows of one number apart
+    uint32_t flags;   // MF_* that distinguish rows of the same number
     uint32_t traits;  // MT_*
     Passes light, eye;
     size_t filled;  // absent arguments up to this many are `fill`

@@ -135,7 +135,7 @@ void read_rtm(base::TextReader& source, const Limits& limits, Mesh& mesh) {
     for (const Object& o : mesh.materials.objects)
         if (is_surface(o.type)) r.in.fail("a mesh with a surface among its materials");
     const int64_t patches = r.in.integer(4);
-    if (patches < 0 || patches > (1 << 24)) r.in.fail("a number of patches that cannot be");
+    if (patches < 0 || patches > (1 << 24)) r.in.fail("an impossible number of patches");
     for (int64_t i = 0; i < patches; i++) r.patch(uint32_t(i));
     r.resolve();
     if (!r.any_normals) mesh.normals.clear();

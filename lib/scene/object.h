@@ -67,7 +67,7 @@ struct Scene {
     std::vector<std::string> names, files, string_pool;
     std::vector<double> real_pool;
     std::unordered_map<std::string, std::vector<int32_t>>
-        definitions;  // objects that are no surfaces, by name, in order
+        definitions;  // objects that are not surfaces, by name, in order
     Span<std::string> strings(const Object& o) const { return {string_pool.data() + o.string_at, o.string_count}; }
     Span<double> reals(const Object& o) const { return {real_pool.data() + o.real_at, o.real_count}; }
     const std::string& name(const Object& o) const { return names[o.name]; }

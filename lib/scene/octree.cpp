@@ -67,7 +67,7 @@ std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, 
         if (!types[type].known) in.fail("unknown type \"" + base::excerpt(types[type].name) + "\"");
         p.type = types[type].type;
         const int64_t modifier = in.integer(index_size);
-        if (modifier >= int64_t(index.size()) || modifier < -1) in.fail("a modifier that comes later than its user");
+        if (modifier >= int64_t(index.size()) || modifier < -1) in.fail("an object that comes before its modifier");
         p.modifier_object = modifier < 0 ? VOID : index[modifier];
         p.name = in.text();
         p.strings.clear();
@@ -84,7 +84,7 @@ std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, 
         index.push_back(builder.add(p));
     }
     if (expected >= 0 && expected != int64_t(index.size()))
-        in.fail("holds " + std::to_string(index.size()) + " objects where it promises " + std::to_string(expected));
+        in.fail("holds " + std::to_string(index.size()) + " objects but announces " + std::to_string(expected));
     return index;
 }
 

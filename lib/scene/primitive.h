@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One primitive as it stands in the text, on its way from the lexer through transforms into the tables.
+// One primitive as written in the text, on its way from the lexer through transforms into the tables.
 #pragma once
 #include <string>
 #include <vector>

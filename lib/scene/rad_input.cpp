@@ -94,7 +94,7 @@ void assign(const std::string& line, const std::string& place, Values& values) {
         }
         return;
     }
-    base::fail(place, "\"" + name + "\" is no variable of rad");
+    base::fail(place, "\"" + name + "\" is not a variable of rad");
 }
 
 Values read_values(const std::string& path, const std::vector<std::string>& more) {
@@ -127,7 +127,7 @@ int level(const Values& values, const char* name, int otherwise) {
     const std::string text = values.get(name);
     if (text.empty()) return otherwise;
     const size_t at = std::string("LMH").find(char(std::toupper((unsigned char)text[0])));
-    if (at == std::string::npos) base::fail(name, "\"" + text + "\" is none of LOW, MEDIUM, HIGH");
+    if (at == std::string::npos) base::fail(name, "\"" + text + "\" is not LOW, MEDIUM or HIGH");
     return int(at);
 }
 
@@ -155,7 +155,7 @@ void read_zone(const std::string& text, RadInput& input) {
 void read_up(const std::string& text, RadInput& input) {
     const bool sign = !text.empty() && (text[0] == '+' || text[0] == '-');
     const size_t axis = std::string("XYZ").find(char(std::toupper((unsigned char)text.back())));
-    if (text.size() != 1u + sign || axis == std::string::npos) base::fail("UP", "\"" + text + "\" is no axis");
+    if (text.size() != 1u + sign || axis == std::string::npos) base::fail("UP", "\"" + text + "\" is not an axis");
     input.up_axis = int(axis);
     input.up_sign = text[0] == '-' ? -1 : 1;
 }

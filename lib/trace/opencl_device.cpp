@@ -263,9 +263,9 @@ private:
 
 std::unique_ptr<Device> make_opencl_device(const std::string& name) {
     if (!choose_kernel_cache())
-        base::warn("OpenCL", "no folder of yours to keep compiled kernels: compiled anew each time");
+        base::warn("OpenCL", "no private folder to keep compiled kernels in: they are compiled at every start");
     if (!ask_in_child([] { return std::to_string(all_devices().size()); }))
-        base::fail_system("-device " + name, "an OpenCL driver fails when it is asked for its devices");
+        base::fail_system("-device " + name, "an OpenCL driver failed when asked for its devices");
     const auto devices = all_devices();
     if (devices.empty()) base::fail_system("-device " + name, "no OpenCL platform or device on this machine");
     size_t index = 0;
@@ -294,7 +294,7 @@ std::vector<std::string> opencl_devices() {
         for (size_t i = 0; i < devices.size(); i++) lines += fmt::format("opencl:{} {}\n", i, describe(devices[i]));
         return lines;
     });
-    if (!text) base::warn("OpenCL", "a driver fails when it is asked for its devices: left out");
+    if (!text) base::warn("OpenCL", "a driver failed when asked for its devices and is left out");
     std::vector<std::string> out;
     std::istringstream lines(text.value_or(""));
     for (std::string line; std::getline(lines, line);) out.push_back(line);
@@ -306,7 +306,7 @@ bool opencl_has_gpu() {
         const auto devices = all_devices();
         return std::string(!devices.empty() && devices[0].gpu ? "gpu" : "");
     });
-    if (!text) base::warn("OpenCL", "a driver fails when it is asked for its devices: left out");
+    if (!text) base::warn("OpenCL", "a driver failed when asked for its devices and is left out");
     return text == "gpu";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A view as the numbers kernels/view_ray.h wants.
+// A view in the form that kernels/view_ray.h needs.
 #pragma once
 #include <cmath>
 #include "base/angle.h"

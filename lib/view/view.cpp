@@ -101,7 +101,7 @@ void apply_view_file(View& v, const std::string& path) {
             break;
         }
         if (c != '\n') {
-            if (line.size() >= 1 << 16) base::fail(path, "is no view file: a line is longer than 65536 characters");
+            if (line.size() >= 1 << 16) base::fail(path, "is not a view file: a line is longer than 65536 characters");
             line += c;
             continue;
         }

@@ -72,7 +72,7 @@ std::map<Place, Known> read_blocks(const std::string& path) {
     for (int c, r; std::getline(in, line);) {
         Known k;
         if (!(std::istringstream(line) >> c >> r >> k.mean >> k.error))
-            base::fail(path, "\"" + line + "\" is no block");
+            base::fail(path, "\"" + line + "\" is not a block");
         blocks[{c, r}] = k;
     }
     return blocks;

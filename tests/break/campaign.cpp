@@ -59,7 +59,7 @@ Settings parse_settings(int argc, char** argv, uint64_t tries) {
         else if (option == "-only") s.only = std::atol(value);
         else if (option == "-limit") s.limit_s = std::atof(value);
         else if (option == "-keep") s.keep = value;
-        else give_up(option + ": is none of -tries -seed -only -limit -keep");
+        else give_up(option + ": is not one of -tries -seed -only -limit -keep");
     }
     s.keep = fs::absolute(s.keep).string();
     signal(SIGPIPE, SIG_IGN);

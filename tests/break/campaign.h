@@ -2,7 +2,7 @@
 // A campaign: many trials from a seed, each with its own folder; a table of outcomes; what was found is kept.
 // All programs of tests/break take the same options:
 //   -tries N    how many (each has a number, from 0)          -seed S    other trials (1)
-//   -only K     trial K alone, and tell what happened         -limit S   seconds until a trial counts as a hang (30)
+//   -only K     only trial K, and say what happened         -limit S   seconds until a trial counts as a hang (30)
 //   -keep DIR   where the folders of finds stay (break-finds)
 // They run the tools that lie beside them.  Status 0: no find, 1: finds, 2: the campaign itself failed.
 #pragma once

@@ -90,7 +90,7 @@ std::string check_frames(const std::string& out, std::vector<double>& pixels) {
         return "status 0, but there are not two whole frames";
     for (const ModelPicture& p : stream.pictures)
         for (const double v : p.rgb) {
-            if (!std::isfinite(v)) return "status 0, but a pixel is no finite number";
+            if (!std::isfinite(v)) return "status 0, but a pixel is not finite";
             pixels.push_back(v);
         }
     return "";

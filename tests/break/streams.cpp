@@ -85,7 +85,7 @@ std::string compare_sums(const std::string& in, const std::string& out, bool las
         if (p.frames != wanted[k]->n || p.rgb.size() != wanted[k]->rgb.size())
             return "status 0, but the sum of other frames";
         for (size_t i = 0; i < p.rgb.size(); ++i) {
-            if (!std::isfinite(p.rgb[i])) return "status 0, but a pixel of the sum is no finite number";
+            if (!std::isfinite(p.rgb[i])) return "status 0, but a pixel of the sum is not finite";
             if (!is_close(p.rgb[i], wanted[k]->rgb[i], wanted[k]->scale[i]))
                 return "status 0, but a pixel has another value";
         }
@@ -121,7 +121,7 @@ std::string compare_metrics(const Settings& s, const std::string& in, const std:
     if (rows.size() != read.pictures.size()) return "status 0, but another number of lines than pictures";
     for (const std::string& row : rows)  // below 0 lux there is no DGP; the negative pixels were warned of
         if (row.find_first_of("ni") != std::string::npos && numbers_of(row, 2).compare(0, 2, "\t-") != 0)
-            return "status 0, but a metric is no finite number";
+            return "status 0, but a metric is not finite";
     Job alone;
     alone.folder = folder;
     alone.stages = {{{s.tool("vcmetrics")}}};
@@ -132,10 +132,11 @@ std::string compare_metrics(const Settings& s, const std::string& in, const std:
     }
     const Result again = run_patiently(alone, s);
     const auto rows_alone = table_rows(again.out);
-    if (rows_alone.size() != rows.size()) return "status 0, but a picture of it alone is refused: " + again.describe();
+    if (rows_alone.size() != rows.size())
+        return "status 0, but a picture of it is refused by itself: " + again.describe();
     for (size_t i = 0; i < rows.size(); ++i)
         if (numbers_of(rows[i], 2) != numbers_of(rows_alone[i], 1))
-            return "status 0, but picture " + std::to_string(i) + " alone gives other numbers:\n" + rows[i] + "\n" +
+            return "status 0, but picture " + std::to_string(i) + " by itself gives other numbers:\n" + rows[i] + "\n" +
                    rows_alone[i];
     outcome = "status 0, the metrics are right";
     return "";

@@ -12,7 +12,7 @@ check 'it counts scenes and pixels' 'grep -q "^3 scenes, seeds 3 to 5, 60 rays e
 check_exit 'a fault is found' 1 "$compare -n 1 --rays 60 --seed 3 --ours '-av .3 .3 .3'"
 check 'and shrunk to a scene of few primitives' 'test $(grep -c "^[a-z]" out/3/minimal/scene.rad) -le 3'
 check 'with a row for the table' 'test $(awk -F "\t" "NF >= 6" out/3/minimal/row.tsv | wc -l) -eq 1'
-check 'the differences that it knows are told in differences.md' 'cd $TOP/tests/compare/radiance && python3 -B -c "
+check 'the differences that it knows are listed in differences.md' 'cd $TOP/tests/compare/radiance && python3 -B -c "
 import known
 page = \" \".join(open(\"$TOP/docs/differences.md\").read().split())
 assert all(words in page for _, words, _, _ in known.RULES)"'

@@ -2,10 +2,10 @@
 // Two renderings of one small view, compared in standard errors (tests/golden/suite).
 //   blocks gather WIDTH HEIGHT RAYS < floats     means over 8 x 8 pixels of what rtrace -ff gave for RAYS rays a pixel
 //   blocks compare TABLE < frames                those means against ptrace's frames; one line: 10 numbers, see below
-// A block's standard error comes from the scatter within its pixels, so that detail inside a block is no noise:
-// from ray to ray in the reference, from batch to batch of four frames (a stratum of the sequence) in ours.  Every
-// error has .1 % of the value in it: RADIANCE 6.0a reflects .00085 too much where there is a Fresnel term, its suns
-// of eight degrees are .03 % dark, and our function files run in single precision.
+// A block's standard error comes from the scatter within its pixels, so that detail inside a block does not count as
+// noise: from ray to ray in the reference, from batch to batch of four frames (a stratum of the sequence) in ours.
+// Every error has .1 % of the value in it: RADIANCE 6.0a reflects .00085 too much where there is a Fresnel term, its
+// suns of eight degrees are .03 % dark, and our function files run in single precision.
 //
 // The line: blocks; how many are beyond 3 errors in any channel; the largest deviation; the rms of all; per channel how
 // much brighter ours is as a whole, in per cent; the largest of these in errors; and what such a test can see: one
@@ -100,7 +100,7 @@ Blocks read_table(const std::string& path, int width, int height) {
         std::istringstream words(line);
         for (Estimate& e : block) {
             double error;
-            if (!(words >> e.mean >> error)) base::fail(path, fmt::format("\"{}\" is no block", line));
+            if (!(words >> e.mean >> error)) base::fail(path, fmt::format("\"{}\" is not a block", line));
             e.variance = error * error;
         }
     }

@@ -32,4 +32,4 @@ check 'words of rad after a rad input file stand for lines of it' '
     [ "$(options_of up QUAL=Low)" = "$(options_of QUALITY=Low)" ] && [ -n "$(options_of)" ]
     ptrace -rif t.rif -w- -frames 1 RES=8 up | head -c 1000 | strings | grep -qx -e "-Y 8 +X 8"'
 check 'options after -rif come later than they' 'ptrace -rif t.rif -x 4 -y 4 -w- -frames 1 RES=8 up | head -c 1000 | strings | grep -qx -e "-Y 4 +X 4"'
-check_error 'one that is no variable is told' 1 '^ptrace: QALITY=Low: "QALITY" is no variable of rad' 'ptrace -rif t.rif -frames 1 QALITY=Low > x'
+check_error 'one that is no variable is told' 1 '^ptrace: QALITY=Low: "QALITY" is not a variable of rad' 'ptrace -rif t.rif -frames 1 QALITY=Low > x'

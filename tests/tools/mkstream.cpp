@@ -93,6 +93,6 @@ int main(int argc, char** argv) {
         if (what == "numbers") return numbers(argc, argv);
         if (what == "show") return show(argc, argv);
         if (what == "differ") return differ(argc, argv);
-        base::fail(what, "is none of frames numbers show differ");
+        base::fail(what, "is not one of frames numbers show differ");
     });
 }

@@ -92,7 +92,7 @@ check_error 'a stream cut inside a header' 1 'picture 2: input ends inside the h
 check_error 'a picture of the wrong size' 1 'input ends inside the picture' 'sed "s/-Y 8 +X 8/-Y 9 +X 9/" n8.hdr > n9.hdr; head -c 900 n9.hdr | ptaccum > out'
 check_error 'an empty input' 1 '^ptaccum: stdin: holds no picture' 'ptaccum < /dev/null'
 check_error 'an unreadable file' 2 '^ptaccum: nowhere.exr: cannot be read: No such file' 'ptaccum nowhere.exr'
-check_error 'a folder is no picture' 2 'cannot be read: Is a directory' 'ptaccum .'
+check_error 'a folder is not a picture' 2 'cannot be read: Is a directory' 'ptaccum .'
 
 # Streams that say how many frames are to come
 announce() { sed "s/^SEED=/LASTFRAME=$1\n&/"; }
@@ -106,21 +106,21 @@ check 'its frames are kept' 'mkstream show short.exr | grep -q "FRAMES=4 RANGE=0
 check_error 'one that begins anew early' 1 'picture 6: begins anew after frame 4' '
     { mkstream numbers 0 4 | announce 8; mkstream numbers 0 2; } | ptaccum -last > out'
 check 'the sums announce it to the next program' 'ptaccum -every 4 t8.hdr | mkstream show | wc -l | grep -qx 3; ptaccum t8.hdr | grep -ac "^LASTFRAME=8" | grep -qx 9'
-check_error 'which tells, too' 1 '^mkstream: stdin: ends after frame 4' 'mkstream numbers 0 4 | announce 8 | ptaccum 2> said | mkstream show'
+check_error 'which is reported as well' 1 '^mkstream: stdin: ends after frame 4' 'mkstream numbers 0 4 | announce 8 | ptaccum 2> said | mkstream show'
 sum_badly() { ptaccum "$@" 2> said && return 1; true; }
 ends_with_error() { vcmetrics > t 2> said2 && return 1; grep -q "input ends inside the header" said2 && [ "$(wc -l < t)" = "$1" ]; }
 check 'who reads the sums of frames that are refused fails, too' '
-    { mkstream frames 0 3 32 32; echo rubbish; } | sum_badly | ends_with_error 5; grep -q "picture 5: what follows is no picture" said'
+    { mkstream frames 0 3 32 32; echo rubbish; } | sum_badly | ends_with_error 5; grep -q "picture 5: what follows is not a picture" said'
 check 'also after the last one that was announced' '{ mkstream frames 0 3 32 32 | announce 3; echo rubbish; } | sum_badly | ends_with_error 5'
 check 'and with a picture by itself' '
     { mkstream frames 0 3 32 32; mkstream frames 0 1 32 32; echo rubbish; } | sum_badly -last | ends_with_error 2'
 check_error 'an announcement holds until the next one' 1 'ends after frame 4, where frames up to 8' '
     { mkstream numbers 0 3 | announce 8; mkstream numbers 4 4; } | ptaccum > out'
-check 'a stream in a file is told of: other programs misread it' '
+check 'a stream in a file gets a warning: other programs misread it' '
     ptaccum t8.hdr > s.hdr 2> said; [ "$(wc -l < said)" = 1 ]; grep -q "^ptaccum: warning: stdout: .*-last" said
     for quiet in -last -ff -fc; do ptaccum $quiet t8.hdr > s.hdr 2> said; [ ! -s said ]; done; ptaccum t8.hdr 2> said | cat > s.hdr; [ ! -s said ]'
 check 'a picture by itself announces nothing' 'ptaccum -last t8.hdr -o l.hdr -o - > l2.hdr; ! grep -a "^LASTFRAME" l.hdr l2.hdr'
-check 'a wanted close is no early end' '{ mkstream frames 0 5000 32 32 | announce 5000 || true; } | ptaccum 2> said | head -c 100000 > some; [ ! -s said ]'
+check 'a pipe that the reader closes is not an early end' '{ mkstream frames 0 5000 32 32 | announce 5000 || true; } | ptaccum 2> said | head -c 100000 > some; [ ! -s said ]'
 check 'shares in one stream' '{ mkstream numbers 0 3 | announce 3; mkstream numbers 4 8 | announce 8; } | ptaccum -last -ff | mkstream show | grep -q "RANGE=0:8 14.5"'
 
 # Going on from a sum
@@ -148,7 +148,7 @@ if [ -e /dev/full ]; then
     check_error 'a full disk as file' 2 'cannot be written: No space left' 'ln -s /dev/full full.exr; ptaccum -last n8.hdr -o full.exr'
 fi
 check_error 'a file in no folder' 2 'no/where.exr: cannot be written: No such file' 'ptaccum -last n8.hdr -o no/where.exr > out'
-check_error 'an unknown ending is told before the work' 1 '^ptaccum: out.jpg: the ending' 'ptaccum n8.hdr -o out.jpg > out'
+check_error 'an unknown ending is reported before the work' 1 '^ptaccum: out.jpg: the ending' 'ptaccum n8.hdr -o out.jpg > out'
 check 'a closed pipe is a quiet end, and the file is still written' '
     mkstream frames 0 500 64 64 | ptaccum -o final.exr -o - 2> said | head -c 100000 > some
     [ ! -s said ] && mkstream show final.exr | grep -q "^64x64 FRAMES="'
@@ -179,7 +179,7 @@ check 'several files at once, and a sum may be converted' '
     ptaccum -last n8.hdr -o m.exr -o m.png && ptaccum m.exr -tone falsecolor -max 5000 -decades 3 -o m2.png
     for f in m.png m2.png; do [ "$(head -c 4 $f | tail -c 3)" = PNG ]; done'
 check 'one dash and two, help on stdout' 'ptaccum -help | grep -q -- -every && ptaccum --help > /dev/null && ptaccum --every 2 n8.hdr > s'
-unsigned() { sed '/^ptaccum /d' "$@"; }  # without the line that tells what was typed
+unsigned() { sed '/^ptaccum /d' "$@"; }  # without the line that says what was typed
 check 'options as CLI11 took them, and @file' '
     ptaccum -last n8.hdr | unsigned > s && ptaccum n8.hdr --last | unsigned | cmp - s
     ptaccum --every=3 n8.hdr | unsigned > t && ptaccum -every=3 n8.hdr | unsigned | cmp - t
@@ -187,6 +187,6 @@ check 'options as CLI11 took them, and @file' '
     echo "-last n8.hdr" > words && ptaccum @words | unsigned | cmp - s'
 check_error 'an unknown option' 1 '^ptaccum: -foo: unknown option; ptaccum -help lists them$' 'ptaccum -foo'
 check_error 'and the nearest one is named' 1 '^ptaccum: -nolegned: unknown option; did you mean -nolegend[?]$' 'ptaccum -nolegned'
-check_error 'a curve that is none' 1 '^ptaccum: -tone: "sepia" is none of photo, falsecolor$' 'ptaccum -tone sepia n8.hdr'
+check_error 'an unknown curve' 1 '^ptaccum: -tone: "sepia" is not one of photo, falsecolor$' 'ptaccum -tone sepia n8.hdr'
 check_error 'a luminance of 0' 1 '^ptaccum: -max: 0 is not above 0$' 'ptaccum -max 0 n8.hdr'
-check_error 'an interval that is no number' 1 '^ptaccum: -every: "often" is not an integer' 'ptaccum -every often n8.hdr'
+check_error 'an interval that is not a number' 1 '^ptaccum: -every: "often" is not an integer' 'ptaccum -every often n8.hdr'

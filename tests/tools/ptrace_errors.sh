@@ -14,7 +14,7 @@ check 'a good scene renders' "ptrace $view -frames 2 good.rad"
 check_error 'an undefined modifier names its line' 1 '^ptrace: modifier.rad:3: .*"?glas"?.* not defined' "ptrace $view -frames 1 modifier.rad | cat"
 check_error 'too few arguments name their primitive' 1 '^ptrace: short.rad:2: .*"mat"' "ptrace $view -frames 1 short.rad | cat"
 check_error 'a missing scene' 2 '^ptrace: absent.rad: .*No such file' "ptrace $view -frames 1 absent.rad | cat"
-check_error 'a folder is no scene' '[12]' '^ptrace: folder: ' "ptrace $view -frames 1 folder | cat"
+check_error 'a folder is not a scene' '[12]' '^ptrace: folder: ' "ptrace $view -frames 1 folder | cat"
 check_error 'commands do not run unasked' 1 '^ptrace: command.rad:1: .*-exec' "ptrace $view -frames 1 command.rad | cat"
 check 'and did not' 'test ! -e ran'
 check_error 'a full disk' 2 '^ptrace: .*No space left' "ptrace $view -frames 2 good.rad > /dev/full"

@@ -26,7 +26,7 @@ check_error 'it cannot ask for the environment' 1 '^ptrace: t.rif: ' "SECRET=wor
 check 'and sees nothing of it' '! grep word123 .stderr'
 echo 'word123 is my password' > private
 rif good.rad 'render= @private'
-check_error 'what is no option in an @file is not shown' 1 '^ptrace: t.rif: holds a word where an option is expected' "$t_rif"
+check_error 'a word of an @file that is not an option is not shown' 1 '^ptrace: t.rif: holds a word where an option is expected' "$t_rif"
 rif good.rad 'render= -ab 2 -aa .1 -ad 1024 -av 1 1 1 -u+ -i- -w -t 60 @words'
 echo '-ab 3 -ss 1' > words
 check 'what renders is taken, and an @file of such words' "$t_rif && test -s x"
@@ -47,7 +47,7 @@ check 'names of temporaries are not to be guessed' '
 check 'the permissions of a file that is replaced stay' 'for mode in 600 640 444; do
     chmod $mode s.exr; ptaccum -last two.hdr -o s.exr; test $(stat -c %a s.exr) = $mode; done'
 check 'a new file has those of the umask' 'umask 027; ptaccum -last two.hdr -o new.exr; test $(stat -c %a new.exr) = 640'
-check_error 'a file that may not grow is told, not died of' 2 '^ptaccum: big.hdr: .*too large' '
+check_error 'a file that may not grow is reported and does not kill the program' 2 '^ptaccum: big.hdr: .*too large' '
     ulimit -f 1; ptrace $view -x 64 -y 64 -frames 2 good.rad | ptaccum -last -o big.hdr > /dev/null'
 check 'and leaves nothing behind' 'test -z "$(ls -A | grep -E "luxpipe|[.]tmp|^big")"'
 long=$(printf 'n%.0s' $(seq 251)).exr
@@ -154,7 +154,7 @@ printf 'void plastic mat 0 0 5 .5 .5 .5 0 0\nmat mesh m 3 t.obj -s 1e25 0 0\n' >
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' > t.obj
 check_error 'that of a mesh or instance, too' 1 '^ptrace: far.rad:2: .*coordinate' "ptrace $view -frames 1 far.rad > x"
 check_error '-e to a folder that is not there' 2 '^ptrace: nowhere/log: cannot be written' "ptrace -e nowhere/log $view -frames 1 good.rad > x"
-check_error '-o without an ending is told before the work' 1 '^ptrace: .*ending' "timeout 20 ptrace -vta -vh 180 -vv 180 -x 4096 -y 4096 -frames 20000 -o %d good.rad"
+check_error '-o without an ending is reported before the work' 1 '^ptrace: .*ending' "timeout 20 ptrace -vta -vh 180 -vv 180 -x 4096 -y 4096 -frames 20000 -o %d good.rad"
 check_error 'and a folder that is not there' 2 '^ptrace: nowhere/' "timeout 20 ptrace $view -x 4096 -y 4096 -frames 20000 -o nowhere/%d.hdr good.rad"
 check_error '-o wants a name' 1 "^ptrace: -o: " "ptrace $view -frames 1 -o '' good.rad > x"
 check_error '-I with rows beyond int' 1 '^vcmetrics: -I: ' "vcmetrics -I 100 4294967297 4294967297 two.hdr"

@@ -21,7 +21,7 @@ check 'ptrace needs both, and no PoCL'      'setup tools ptrace; grep -q embree 
 check 'nothing runs when all are there'     '
     sed -nE "s/.*apt-get install -q -y --no-install-recommends //p" asked | tr " " "\n" > there
     setup tools ptrace; test ! -e asked; test ! -s said'
-check_exit 'a part that is none is told' 1  'setup everything'
+check_exit 'an unknown part is reported' 1  'setup everything'
 check 'make all and make install leave tests and plots alone' 'for goal in all install; do test "$(parts $goal)" = "tools ptrace"; done'
 check 'make test adds what the tests need'  'parts test | grep -qx "tools ptrace tests"'
 check 'so do the goals that build tests' 'for goal in test-gpu test-sanitize compare-radiance; do

@@ -35,7 +35,7 @@ check 'vcmetrics: whole lines, status 3' '
     mkfifo d; (mkstream frames 0 3 32 32 | ptaccum; sleep 60) > d & feeder=$!; vcmetrics < d > lines & m=$!
     for ((i = 0; i < 600; i++)); do [ "$(wc -l < lines)" = 5 ] && break; sleep .1; done
     s=0; stop TERM $m || s=$?; kill $feeder; [ $s = 3 ]; [ "$(wc -l < lines)" = 5 ]'
-check 'a pipe that Ctrl-C ends keeps its picture and tells nothing' '
+check 'a pipe that Ctrl-C ends keeps its picture and prints nothing' '
     (trap - INT; exec setsid timeout 60 bash -c "ptrace $view -x 32 -y 32 room.rad 2> said | ptaccum -every 1 -o whole.exr -o - 2>> said | vcmetrics > t 2>> said") & g=$!
     await whole.exr 3; kill -INT -- -$g; wait $g || true
     for ((i = 0; i < 100; i++)); do pgrep -s $g > /dev/null || break; sleep .1; done; [ ! -s said ] && await whole.exr 3 && ! ls -A | grep "[.]tmp"'

@@ -49,7 +49,7 @@ printf 'a circle 0 -1 0 9\nback circle 0 1 0 9\n' > back
 check_error 'an empty region is an error at its line' 1 '^vcregion: back:2: region "back" is empty' "vcregion $view -o b.exr back"
 check 'and leaves no file' 'test ! -e b.exr'
 check_error 'a missing region file' 1 '^vcregion: nothere: ' "vcregion $view -list nothere"
-check_error 'a folder is no region file' 1 '^vcregion: [.]: ' "vcregion $view -list ."
+check_error 'a folder is not a region file' 1 '^vcregion: [.]: ' "vcregion $view -list ."
 check_error 'a mistake in the file names its line' 1 '^vcregion: bad:2: ' "printf 'a rect 0 0 1 1\nb rekt 0 0 1 1\n' > bad; vcregion -list bad"
 check_error 'a name that is not there, and one that is near' 1 'no region is called "dsk" .did you mean "desk"' "vcregion $view -single dsk office.regions"
 check_error 'no region file' 1 '^vcregion: no region file' 'vcregion -list'
@@ -60,8 +60,8 @@ check_error 'an option after the file' 1 '^vcregion: -list: ' 'vcregion office.r
 check_error 'an ending that means nothing' 1 '^vcregion: x.tif: ' 'vcregion -o x.tif office.regions'
 check_error '.hdr needs -single' 1 '^vcregion: x.hdr: ' 'vcregion -o x.hdr office.regions'
 check_error '.png needs -over' 1 '^vcregion: x.png: ' 'vcregion -o x.png office.regions'
-check_error 'a size that cannot be' 1 '^vcregion: -x: ' 'vcregion -x 0 -list office.regions'
-check_error 'a view that cannot be' 1 '^vcregion: -vh' 'vcregion -vtv -vh 200 -list office.regions'
+check_error 'an impossible size' 1 '^vcregion: -x: ' 'vcregion -x 0 -list office.regions'
+check_error 'an impossible view' 1 '^vcregion: -vh' 'vcregion -vtv -vh 200 -list office.regions'
 check_error 'a picture without a view' 1 'nv.hdr: ' "
     printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n1234' > nv.hdr; vcregion -over nv.hdr -o x.png office.regions"
 check_error 'a folder that is not there' 2 '^vcregion: ' "vcregion $view -o no/such/x.exr office.regions"

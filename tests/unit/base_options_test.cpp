@@ -141,7 +141,7 @@ TEST_CASE("the later of two options holds; -- ends options; options may have to 
     CHECK(t.parse({"-x", "1", "-x", "2", "--", "-x", "@file"}) == Strings{"-x", "@file"});
     CHECK(t.v.n == 2);
     t.table.options_come_before("the scene files");
-    CHECK(t.error({"a", "-x", "1"}) == "-x: options come before the scene files");
+    CHECK(t.error({"a", "-x", "1"}) == "-x: options must come before the scene files");
 }
 
 TEST_CASE("what is wrong is said in one way") {
@@ -160,8 +160,8 @@ TEST_CASE("what is wrong is said in one way") {
     CHECK(t.error({"-x", "1001"}) == "-x: 1001 is outside 1 to 1000");
     CHECK(t.error({"-lw", "-1"}) == "-lw: -1 is below 0");
     CHECK(t.error({"-Y", "0"}) == "-Y: 0 is not above 0");
-    CHECK(t.error({"-format", "xml"}) == "-format: \"xml\" is none of tsv, csv");
-    CHECK(t.error({"-vtab"}) == "-vt: \"ab\" is none of v, a");
+    CHECK(t.error({"-format", "xml"}) == "-format: \"xml\" is not one of tsv, csv");
+    CHECK(t.error({"-vtab"}) == "-vt: \"ab\" is not one of v, a");
     CHECK(t.error({"-c"}) == "-c: writes a picture");
     CHECK(t.v.n == 512);
 }
@@ -179,11 +179,12 @@ TEST_CASE("a scene says what its options allow") {
     CHECK(t.v.n == 3);
     CHECK(t.v.peaks);  // -w is the user's
     CHECK(t.table.said().empty());
-    const std::string refused = " is no rendering or view option: a scene may not give it";
+    const std::string refused = " is not a rendering or view option: a scene may not set it";
     for (const char* word : {"-exec", "-o", "-ap", "-help", "-c", "-seed", "--exec", "-exec=1"})
         CHECK(t.scene_error({word, "1"}).find(refused) != std::string::npos);
     CHECK(t.scene_error({"-password"}) == "room.rif: \"-passwor...\"" + refused);
-    CHECK(t.scene_error({"word"}) == "room.rif: holds a word where an option is expected: a scene may give no other");
+    CHECK(t.scene_error({"word"}) ==
+          "room.rif: holds a word where an option is expected: a scene may give options only");
 }
 
 TEST_CASE("-help and -defaults follow from the declarations") {

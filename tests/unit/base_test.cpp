@@ -123,7 +123,7 @@ TEST_CASE("words of a scene see no environment") {
     base::Words w({"$LUX_TEST_WORDS"}, "room.rif");
     CHECK_THROWS_WITH_AS(w.more(), "room.rif: a scene's file may not ask for an environment variable", base::Error);
     base::Words device({"@/dev/null"}, "room.rif");
-    CHECK_THROWS_WITH_AS(device.more(), "room.rif: \"/dev/null\" is no ordinary file", base::Error);
+    CHECK_THROWS_WITH_AS(device.more(), "room.rif: \"/dev/null\" is not an ordinary file", base::Error);
 }
 
 TEST_CASE("work: one budget, spent once") {

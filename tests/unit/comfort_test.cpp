@@ -132,7 +132,7 @@ TEST_CASE("the stopping rule holds when the whole window is within tolerance") {
     rule.restart();
     CHECK_FALSE(rule.holds());
     for (int k = 0; k < 3; ++k) rule.add({std::nan(""), 1});
-    CHECK_FALSE(rule.holds());  // what is no number never settles
+    CHECK_FALSE(rule.holds());  // a value that is not a number never settles
     CHECK_THROWS_AS(parse_tolerances("DGP"), base::Error);
     CHECK_THROWS_AS(parse_tolerances("DGP -1%"), base::Error);
     CHECK_THROWS_AS(parse_tolerances(""), base::Error);

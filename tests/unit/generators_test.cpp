@@ -165,11 +165,11 @@ TEST_CASE("a wrong command line names the line, the program and the fact") {
           "t.rad:1: genbox: bevel and radius must be positive, and only one of them given");
     CHECK(error_in("!genbox m b 1 2 3 -r .1 -n 1000") == "t.rad:1: genbox: -n: more than 1000000 polygons");
     CHECK(error_in("!genbox m b 1 2 3 -o") ==
-          "t.rad:1: genbox: -o writes a Wavefront file, which cannot stand in a scene");
+          "t.rad:1: genbox: -o writes a Wavefront file, which a scene cannot contain");
     CHECK(error_in("!gensurf m s s t 0 2 2 -o") ==
-          "t.rad:1: gensurf: -o writes a Wavefront file, which cannot stand in a scene");
+          "t.rad:1: gensurf: -o writes a Wavefront file, which a scene cannot contain");
     CHECK(error_in("!gensky 13 1 12\n") == "t.rad:1: gensky: the month: \"13\" is not an integer of 1 to 12");
-    CHECK(error_in("!gensky 6 21 +12EST\n") == "t.rad:1: gensky: a time zone and solar time exclude each other");
+    CHECK(error_in("!gensky 6 21 +12EST\n") == "t.rad:1: gensky: a time zone and solar time cannot be used together");
     CHECK(error_in("!gendaylit 6 21 12\n") == "t.rad:1: gendaylit: one of -P -W -G -L -E is needed");
     CHECK(error_in("!genprism m p 2 0 0 1 1\n") ==
           "t.rad:1: genprism: the number of vertices: \"2\" is not an integer of 3 to 1000000");

@@ -157,7 +157,7 @@ TEST_CASE("a new frame 0 starts again, whatever its size and seed") {
     CHECK(p.header.seed == 9);
 }
 
-TEST_CASE("values that are no finite numbers count as 0, with a warning") {
+TEST_CASE("values that are not finite count as 0, with a warning") {
     base::take_warnings();
     Accumulator a;
     a.add(frame(0), "x");
@@ -210,7 +210,8 @@ TEST_CASE("what cannot be weighted rightly is refused") {
     CHECK(merge_error({sum_of(0, 9), sum_of(0, 9)}) == "p1: frame 0 of seed 1 is in p0 already");
     CHECK(merge_error({sum_of(0, 9), sum_of(5, 20)}) == "p1: frame 5 of seed 1 is in p0 already");
     CHECK(merge_error({sum_of(0, 9), sum_of(5, 20, 2)}).find("p1: seed 2: frames 5:20 come without frame 0") == 0);
-    CHECK(merge_error({sum_of(0, 9), sum_of(0, 0, 2)}).find("frame 0 alone has no weight") != std::string::npos);
+    CHECK(merge_error({sum_of(0, 9), sum_of(0, 0, 2)}).find("frame 0 by itself cannot be averaged") !=
+          std::string::npos);
     Picture no_layer = sum_of(0, 9);
     no_layer.frame0.clear();
     CHECK(merge_error({no_layer}).empty());
@@ -227,7 +228,7 @@ TEST_CASE("what cannot be weighted rightly is refused") {
     Picture turned = sum_of(10, 20);
     turned.header.view = view::View();
     CHECK(merge_error({sum_of(0, 9), turned}) == "p1: has another view than p0");
-    CHECK(merge_error({frame(3)}) == "p0: is a single frame: merging wants sums of frames");
+    CHECK(merge_error({frame(3)}) == "p0: is a single frame: merging needs sums of frames");
 }
 
 TEST_CASE("schedules") {

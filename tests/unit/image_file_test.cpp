@@ -108,7 +108,7 @@ TEST_CASE("OpenEXR of other programs: luminance only, windows, white luminance, 
     CHECK(p.header.view->vh == 33);
     write_foreign(path, "depth");
     CHECK(error_text([&] { image::read_file(path); }) ==
-          path + ": has neither the channels R G B nor Y: it is no picture");
+          path + ": has neither the channels R G B nor Y: it is not a picture");
 }
 
 TEST_CASE("a broken OpenEXR file is an error in one line") {
@@ -145,13 +145,13 @@ TEST_CASE("an OpenEXR header that claims more than there can be is refused befor
     bent.insert(8, std::string("note\0string\0\xf0\xff\xff\x7f", 16));
     temp.holding("a.exr", bent);
     CHECK(error_text([&] { image::read_file(path); }) ==
-          path + ": is no readable OpenEXR file: attribute note is longer than the file");
+          path + ": is not a readable OpenEXR file: attribute note is longer than the file");
 
     bent = bytes;
     bent[bent.find(std::string("chlist\0", 7)) + 7]++;  // what follows would be read one byte off
     temp.holding("a.exr", bent);
     CHECK(error_text([&] { image::read_file(path); }) ==
-          path + ": is no readable OpenEXR file: attribute channels has not the length of its type");
+          path + ": is not a readable OpenEXR file: attribute channels does not have the length of its type");
 
     bent = bytes;
     const size_t at = bent.find(std::string("tiledesc\0", 9));

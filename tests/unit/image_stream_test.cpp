@@ -337,7 +337,7 @@ TEST_CASE("partial sums and single frames are no pictures") {
     CHECK(error_text([&] { image::require_complete(p, "x"); }).empty());
     p.header.frame = 3;
     CHECK(error_text([&] { image::require_complete(p, "x"); }) ==
-          "x: is single frame 3, no picture of the scene: sum the frames with ptaccum first");
+          "x: is single frame 3, not a picture of the scene: sum the frames with ptaccum first");
 }
 
 TEST_CASE("sizes are checked before memory is taken") {
@@ -352,12 +352,12 @@ TEST_CASE("sizes are checked before memory is taken") {
     CHECK(why("#?RADIANCE\nFORMAT=float\nNCOMP=24\n\n-Y 1 +X 1\n") == "NCOMP=24: float pictures have 1 or 3 channels");
 }
 
-TEST_CASE("what is no picture says so") {
-    CHECK(why("P6 5 5") == "is no RADIANCE picture (it does not begin with #?)");
+TEST_CASE("input that is not a picture is reported as such") {
+    CHECK(why("P6 5 5") == "is not a RADIANCE picture (it does not begin with #?)");
     CHECK(why("") == "holds no picture");
     CHECK(why("#?RADIANCE\nFORMAT=ascii\n\n").find("this pixel format is not read") != std::string::npos);
-    CHECK(why(rgbe_head + "-Y 5 +Y 5\n") == "\"-Y 5 +Y 5\" is no resolution line such as -Y 512 +X 512");
-    CHECK(why(rgbe_head + "-Y 5 +X\n") == "\"-Y 5 +X\" is no resolution line such as -Y 512 +X 512");
+    CHECK(why(rgbe_head + "-Y 5 +Y 5\n") == "\"-Y 5 +Y 5\" is not a resolution line such as -Y 512 +X 512");
+    CHECK(why(rgbe_head + "-Y 5 +X\n") == "\"-Y 5 +X\" is not a resolution line such as -Y 512 +X 512");
     CHECK(why("#?RADIANCE\n" + std::string(70000, 'a')) == "a header line is longer than 65536 characters");
     std::string endless = "#?RADIANCE\n";
     for (int i = 0; i < 30000; ++i) endless += std::string(50, 'a') + "\n";
@@ -369,7 +369,7 @@ TEST_CASE("what is no picture says so") {
     Picture p;
     CHECK(in.next(p));
     CHECK(error_text([&] { in.next(p); }) ==
-          path + ": picture 2: what follows is no picture (it does not begin with #?)");
+          path + ": picture 2: what follows is not a picture (it does not begin with #?)");
 }
 
 TEST_CASE("a picture cut anywhere is an error, never a picture") {

@@ -75,7 +75,8 @@ TEST_CASE("an octree within itself is refused") {
     CHECK(inner.objects.size() == 2);
     CHECK(&inner == &good.octree(u, u.objects[1]));
     CHECK(scene::Assets::transform(u, u.objects[0]).m[3][2] == 3);
-    CHECK(error_of([&] { scene::Assets::transform(u, u.objects[1]); }) == "t.rad:2: \"oops\" is no transform option");
+    CHECK(error_of([&] { scene::Assets::transform(u, u.objects[1]); }) ==
+          "t.rad:2: \"oops\" is not a transform option");
 }
 
 TEST_CASE("a compiled mesh: positions, texture coordinates, normals, materials") {

@@ -119,9 +119,9 @@ TEST_CASE("a wrong file is told by place and fact") {
         return "";
     };
     CHECK(message({}).find("has no view \"left\"") != std::string::npos);
-    CHECK(message({"COLOUR=1"}) == "COLOUR=1: \"COLOUR\" is no variable of rad");
+    CHECK(message({"COLOUR=1"}) == "COLOUR=1: \"COLOUR\" is not a variable of rad");
     CHECK(message({"ZONE=I 0 1 0 1"}) == "ZONE: needs xmin xmax ymin ymax zmin zmax");
     CHECK(message({"scene=\"a b"}).find("test.rif: scene: a quote does not end: \"a b") != std::string::npos);
-    CHECK(message({"UP=W"}) == "UP: \"W\" is no axis");
-    CHECK(message({"QUALITY=best"}) == "QUALITY: \"best\" is none of LOW, MEDIUM, HIGH");
+    CHECK(message({"UP=W"}) == "UP: \"W\" is not an axis");
+    CHECK(message({"QUALITY=best"}) == "QUALITY: \"best\" is not LOW, MEDIUM or HIGH");
 }

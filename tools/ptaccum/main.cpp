@@ -49,7 +49,7 @@ void sum_frames(Pictures& pictures, image::Picture& frame, Sums&& sums) {
         while (!base::stop_requested() && pictures.next(frame));
         sums.end_stream();
     } catch (const base::ClosedPipe&) {
-        // The reader has what it wants; the files still get the last sum.
+        // The reader has seen enough; the files still get the last sum.
     } catch (...) {
         sums.break_off();
         sums.end_files();

@@ -43,7 +43,7 @@ void declare_tone(OptionTable& t, Options& opt) {
     t.add("-decades number", "Falsecolor: decades of luminance from the bottom colour to the top one; 0 is linear",
           opt.tone.decades)
         .within(0, 12);
-    t.add("-nolegend", "Falsecolor: the picture alone", base::set(opt.tone.legend, false));
+    t.add("-nolegend", "Falsecolor: leave out the legend", base::set(opt.tone.legend, false));
 }
 
 }  // namespace
@@ -57,8 +57,8 @@ std::optional<Options> parse_options(int argc, char** argv) {
     if (!operands) return std::nullopt;
 
     opt.every_given = table.given("-every");
-    if (opt.last_only && opt.every_given) base::fail("-last", "does not go with -every");
-    if (opt.floats && opt.bytes) base::fail("-ff", "does not go with -fc");
+    if (opt.last_only && opt.every_given) base::fail("-last", "cannot be used with -every");
+    if (opt.floats && opt.bytes) base::fail("-ff", "cannot be used with -fc");
     const auto files_end = std::remove(opt.outputs.begin(), opt.outputs.end(), "-");
     opt.to_stdout = opt.outputs.empty() || files_end != opt.outputs.end();
     opt.outputs.erase(files_end, opt.outputs.end());

@@ -23,7 +23,7 @@ Sums::Sums(const Options& options, const Output& output, const image::Picture& s
 void Sums::add(const image::Picture& frame, const std::string& place) {
     const bool restarts = frame.header.frame == 0;
     if (sum_.empty() && output_.leaves_a_pipe() && !frame.header.last_frame)
-        base::warn("stdout", "gets nothing with -o; -o - gives the sums to a program that reads them");
+        base::warn("stdout", "receives nothing when -o is used; add -o - to pass the sums on");
     if (restarts && !sum_.empty()) end_stream();  // the last picture of the scene before
     sum_.add(frame, place);
     if (restarts) schedule_.restart();
@@ -61,7 +61,8 @@ void Sums::break_off() {
 void Sums::warn_of_stream_in_file() const {
     if (options_.last_only || options_.floats || options_.bytes || !output_.to_stdout() || !base::stdout_is_file())
         return;
-    base::warn("stdout", "the file got all sums, in float, which luxpipe alone reads; -last makes one picture");
+    base::warn("stdout",
+               "all sums were written to the file, as floats that only luxpipe reads; -last writes a single picture");
 }
 
 void Sums::write_files(bool passing) {

@@ -20,7 +20,7 @@ namespace {
 using base::Arguments;
 using base::OptionTable;
 
-// Opened before stderr is given up, so that a failure is still told there.
+// Opened before stderr is given up, so that a failure is still reported there.
 void send_messages_to(const std::string& path) {
     errno = 0;
     const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
@@ -32,16 +32,16 @@ void read_frames(const std::string& text, Options& opt) {
     const size_t colon = text.find(':');
     if (colon == std::string::npos) {
         const long n = base::to_int(text, "-frames");
-        if (n < 1) base::fail("-frames", "at least 1 frame, not " + text);
+        if (n < 1) base::fail("-frames", "needs at least 1 frame, not " + text);
         opt.first = 0, opt.last = n - 1;
     } else {
         opt.first = base::to_int(text.substr(0, colon), "-frames");
         opt.last = base::to_int(text.substr(colon + 1), "-frames");
         if (opt.first < 0) base::fail("-frames", "frames count from 0, not from " + std::to_string(opt.first));
-        if (opt.last < opt.first) base::fail("-frames", text + " holds no frame");
+        if (opt.last < opt.first) base::fail("-frames", text + " contains no frames");
     }
     if (opt.last >= Options::endless)
-        base::fail("-frames", fmt::format("frames end before number {}", Options::endless));
+        base::fail("-frames", fmt::format("frame numbers must be below {}", Options::endless));
 }
 
 void read_rif(const std::string& path, const std::vector<std::string>& assignments, OptionTable& t, Options& opt,
@@ -75,33 +75,33 @@ void declare_light(OptionTable& t, Options& opt) {
     trace::RenderOptions& r = opt.render;
     t.group("Light");
     t.add("-ab n", "Diffuse bounces", r.ab).within(0, 10000).from_scene();
-    t.add("-av r g b", "Radiance that stands for all light beyond the last bounce", r.av).at_least(0).from_scene();
+    t.add("-av r g b", "Radiance in place of all light beyond the last bounce", r.av).at_least(0).from_scene();
     t.add("-st f", "Specular threshold: highlights weaker than this are left out", r.st)
         .within(0, 1)
         .share()
         .from_scene();
     t.add("-ss f", "Specular sampling", r.ss).at_least(0).from_scene();
-    t.add("-dj f", "Direct jitter: 0 takes the middle of a source, 1 any part of it", r.dj)
+    t.add("-dj f", "Direct jitter: 0 samples the centre of a source, 1 all of it", r.dj)
         .within(0, 1)
         .share()
         .from_scene();
-    t.add("-ds f", "Pieces of light sources as RADIANCE cuts them; 0 is the true shape", r.ds).at_least(0).from_scene();
-    t.add("-dr n", "Relays of virtual sources: how many mirrors and prisms light may pass", r.dr)
+    t.add("-ds f", "Divide light sources as RADIANCE does; 0 samples their true shape", r.ds).at_least(0).from_scene();
+    t.add("-dr n", "Virtual source relays: how many mirrors and prisms light may pass", r.dr)
         .within(0, 100)
         .from_scene();
     t.add("-dp n", "Presampling of virtual sources: no effect", r.dp).at_least(0).from_scene();
-    t.add("-dv[+-]", "Light sources can be seen", r.dv).from_scene();
-    t.add("-bv[+-]", "Back faces of opaque surfaces can be seen", r.bv).from_scene();
+    t.add("-dv[+-]", "Light sources are visible", r.dv).from_scene();
+    t.add("-bv[+-]", "Back faces of opaque surfaces are visible", r.bv).from_scene();
     t.add("-u[+-]", "Uncorrelated samples: no effect", r.u).from_scene();
-    t.add("-lr n", "Ray levels; below 0, longer rays are ended by Russian roulette", r.lr)
+    t.add("-lr n", "Largest number of reflections of a path; 0 for no limit, below 0 without the limit of -lw", r.lr)
         .within(-10000, 10000)
         .from_scene();
-    t.add("-lw f", "Weight below which a ray ends, or roulette begins", r.lw).at_least(0).from_scene();
-    t.add("-me r g b", "Extinction of the air, per unit of length", r.me).at_least(0).from_scene();
+    t.add("-lw f", "Weight below which a path ends, where -lr is above 0", r.lw).at_least(0).from_scene();
+    t.add("-me r g b", "Extinction coefficient of the air, per unit of length", r.me).at_least(0).from_scene();
     t.add("-ma r g b", "Scattering albedo of the air", r.ma).at_least(0).from_scene();
-    t.add("-mg f", "Eccentricity of that scattering", r.mg).within(0, 1).from_scene();
-    t.add("-ms d", "Sampling distance in mist", r.ms).at_least(0).from_scene();
-    t.add("-f file", "A function file whose definitions every function of the scene sees", opt.files.cal_files)
+    t.add("-mg f", "Scattering eccentricity of the air", r.mg).within(0, 1).from_scene();
+    t.add("-ms d", "Sampling distance in mist: no effect", r.ms).at_least(0).from_scene();
+    t.add("-f file", "A function file whose definitions all functions of the scene may use", opt.files.cal_files)
         .from_scene();
 }
 
@@ -125,14 +125,14 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
 
 void declare_messages(OptionTable& t, Options& opt) {
     t.group("Messages");
-    t.add("-t s", "A line on the standard error every s seconds", opt.report_s)
+    t.add("-t s", "Report progress on the standard error every s seconds", opt.report_s)
         .at_least(0)
         .otherwise("none")
         .passed_over_in_scene();
     t.add("-w[+-]", "Warnings", opt.warnings).passed_over_in_scene();
     t.add("-e file", "Append messages to a file instead of the standard error",
           [](Arguments& a) { send_messages_to(a.text()); });
-    t.question("-devices", "Print the devices there are", devices);
+    t.question("-devices", "List the devices", devices);
 }
 
 // Options of rpict that steer what a path tracer does not have: its cache, its thresholds, its pixel interpolation,

@@ -71,7 +71,8 @@ int render(int argc, char** argv) {
         return k < opt.last && !base::stop_requested();
     };
     if (streams && base::stdout_is_file())
-        base::warn("stdout", "a file gets frames, which luxpipe alone reads; \"| ptaccum -last >\" makes a picture");
+        base::warn("stdout",
+                   "writing frames to a file, which only luxpipe can read; \"| ptaccum -last >\" makes a picture");
     base::finish_on_signal();
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
     for (int64_t k = opt.first; k <= opt.last && !base::stop_requested(); k += block)

@@ -38,7 +38,7 @@ void check(const Options& opt) {
     if (opt.scene_files.empty()) base::fail("", "no scene file; ptrace -help lists the options");
     view::validate(opt.view);
     if (!opt.output.empty()) {
-        if (opt.last == Options::endless) base::fail("-frames", "say how many frames; files have no end");
+        if (opt.last == Options::endless) base::fail("-frames", "say how many frames to write to files");
         if (opt.last > opt.first && output_name(opt.output, 0) == output_name(opt.output, 1))
             base::fail("-o", "\"" + opt.output + "\" needs a %d for the number of the frame");
         image::require_writable_ending(output_name(opt.output, opt.first));
@@ -49,7 +49,7 @@ void check(const Options& opt) {
     if (base::stdout_is_terminal()) base::fail("stdout", "pictures are binary; pipe them or name files with -o");
     const bool reader = S_ISFIFO(info.st_mode) || S_ISSOCK(info.st_mode);
     if (!reader && opt.last == Options::endless)
-        base::fail("-frames", "say how many frames; without a reader on stdout there is no end");
+        base::fail("-frames", "say how many frames; stdout has no reader that could end the stream");
 }
 
 // "QUALITY=Low" after a rad input file stands for a line at its end, as on rad's own command line.  What the file says

@@ -36,7 +36,7 @@ void declare_output(OptionTable& t, Options& o) {
     t.add("-cr pair", "Contrast ratio of two regions, low/high or name=low/high; may be repeated", [&](Arguments& a) {
         for (const std::string& pair : split_at_commas(a.text())) o.contrast_pairs.push_back(pair);
     });
-    t.add("-sources", "A line for each glare source in place of the metrics", o.list_sources);
+    t.add("-sources", "Print a line for each glare source instead of the metrics", o.list_sources);
     t.add("-format name", "Form of the table: tsv, csv or jsonl",
           base::one_of(o.format, {{"tsv", Format::tsv}, {"csv", Format::csv}, {"jsonl", Format::jsonl}}));
 }
@@ -52,7 +52,7 @@ void declare_comparison(OptionTable& t, Options& o) {
 void declare_definitions(OptionTable& t, Options& o) {
     using Area = comfort::RammgArea;
     t.group("Definitions");
-    t.add("-task name", "This region sets the threshold: 5 times its mean luminance", o.settings.task_region);
+    t.add("-task name", "Take the threshold from this region: 5 times its mean luminance", o.settings.task_region);
     t.add("-like program", "Print and measure as evalglare or accelerad does", [&](Arguments& a) {
         speak_as(a.one_of({"evalglare", "accelerad"}) ? Like::accelerad : Like::evalglare, o);
     });
@@ -93,6 +93,6 @@ void declare_options(OptionTable& t, Options& o, view::View& view) {
 
     t.group("General");
     t.add("-W[+-]", "Warnings", o.warnings);
-    t.question("-v", "Print the version, too", [&t] { return t.version(); });
+    t.question("-v", "Print the version as well", [&t] { return t.version(); });
     t.footer("Options of one letter are evalglare's.  ");
 }

@@ -65,7 +65,7 @@ void declare_sources(OptionTable& t, Options& o) {
     t.add("-r angle", "Search radius between pixels of one source, an opening angle", s.search_opening)
         .unit("radians")
         .above(0);
-    t.add("-s", "Smooth sources: a dark pixel joins a source that covers a fifth of its surroundings", s.smooth);
+    t.add("-s", "Smooth sources: add dark pixels of whose surroundings a source covers a fifth", s.smooth);
     t.add("-y", "Extract peaks (the default)", base::set(s.peaks, true));
     t.add("-Y lum", "Extract peaks from this luminance on", [&](Arguments& a) {
          s.peaks = true;
@@ -74,7 +74,7 @@ void declare_sources(OptionTable& t, Options& o) {
     t.add("-x", "Extract no peaks", base::set(s.peaks, false));
     t.add("-z angle mode", "Fixed patches in place of sources, in degrees; mode 1 prints metrics, 3 coefficients",
           [&](Arguments& a) { read_patches(a, o); });
-    t.add("-l x y angle", "A zone: sources are split at its border, and it has statistics",
+    t.add("-l x y angle", "A zone: sources are split at its border, and statistics of it are printed",
           [&](Arguments& a) { read_zones(a, s, false); });
     t.add("-L x y angle1 angle2", "Two zones, one around the other", [&](Arguments& a) { read_zones(a, s, true); });
 }
@@ -86,12 +86,12 @@ void declare_measures(OptionTable& t, comfort::Settings& s) {
           [&](Arguments& a) { s.field_cut = int(a.integer(base::within(1, 3))); });
     t.add("-q mode", "Background luminance: 0 from Ev - Edir, 1 mean outside the sources, 2 Ev/pi", s.background)
         .within(0, 2);
-    t.add("-C what", "Low light correction of DGP: l+ on, l- or 0 off", [&](Arguments& a) {
+    t.add("-C what", "Low light correction of DGP: l+ for on, l- or 0 for off", [&](Arguments& a) {
          read_low_light(a, s);
      }).otherwise("off");
     t.add("-4", "No low light correction", base::set(s.low_light, false));
-    t.add("-i Ev", "For DGP only: an illuminance from elsewhere", s.external_ev).unit("lux");
-    t.add("-I Ev ymax ymin", "The same, and rows from ymax up and from ymin down are filled from their neighbours",
+    t.add("-i Ev", "For DGP only: illuminance measured elsewhere", s.external_ev).unit("lux");
+    t.add("-I Ev ymax ymin", "The same, and fill the rows above ymax and below ymin from their neighbours",
           [&](Arguments& a) { read_fill(a, s); });
     t.add("-k lum", "Leave out terms of LveilCIE up to this luminance", [&](Arguments& a) {
          s.veil_cut = a.real();
@@ -103,7 +103,7 @@ void declare_measures(OptionTable& t, comfort::Settings& s) {
     t.add("-A file", "Mask picture (pixels above 0.1 cd/m2): its statistics, PGSV",
           [&](Arguments& a) { s.mask_file = a.text(); });
     t.add("-B angle", "Statistics of a horizontal band, half height", s.band_rad).unit("radians");
-    t.add("-f", "Measure a perspective picture with black corners all the same", s.force);
+    t.add("-f", "Measure a perspective picture even if its corners are black", s.force);
 }
 
 // What only evalglare's lines have: each implies -like evalglare.
@@ -118,7 +118,7 @@ void declare_lines(OptionTable& t, Options& o) {
     t.group("evalglare's: its lines (each implies -like evalglare)");
     t.add("-d", "The detailed lines", implies(o.evalglare.detailed, true));
     t.add("-D", "The line with Ev and the largest luminance", implies(o.evalglare.dgp_and_ev, true));
-    t.add("-V", "The line of Ev alone; status 1, as there", implies(o.evalglare.ev_only, true));
+    t.add("-V", "Print only Ev; the status is 1, as evalglare's", implies(o.evalglare.ev_only, true));
     t.add("-1", "The fast DGP, of -i Ev", implies(s.fast, 1));
     t.add("-2 Edir", "The fast DGP and UGR", [&](Arguments& a) {
         speak_as(Like::evalglare, o);
@@ -151,13 +151,13 @@ void declare_refused(OptionTable& t) {
     const char* const pictures =
         "evalglare writes a picture here; vcmetrics only measures (pcomb and pvalue change pictures)";
     t.group("evalglare's: not here");
-    t.refuse("-a age", "Gone from evalglare: an error",
-             "the age factor is gone from evalglare, and not supported here");
+    t.refuse("-a age", "Removed from evalglare: an error",
+             "the age factor was removed from evalglare and is not supported here");
     for (const char* spelling : {"-m ...", "-M ...", "-N ...", "-O ..."})
         t.refuse(spelling, "Not here: rewrites the picture", pictures);
     t.refuse("-p ...", "Not here: writes the position index", pictures);
     t.refuse("-g type", "Not here: writes the field of view (-G measures it)", pictures);
-    t.refuse("-Q ...", "Not here: several pictures pasted into one",
+    t.refuse("-Q ...", "Not here: pastes several pictures into one",
              "evalglare's several-pictures mode is not here; vcmetrics reads any number of pictures one after another");
 }
 

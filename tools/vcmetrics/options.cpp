@@ -38,19 +38,19 @@ bool says_view(const base::OptionTable& t) {
 }
 
 void check(const Options& o) {
-    if (o.settings.mask_file && o.settings.zones) base::fail("-A", "a mask and zones (-l, -L) exclude each other");
+    if (o.settings.mask_file && o.settings.zones) base::fail("-A", "a mask and zones (-l, -L) cannot be used together");
     if (o.like != Like::vcmetrics && !o.compare && (o.list_sources || !o.metrics.empty()))
-        base::fail("-like", "has its own columns: no -metrics, no -sources");
+        base::fail("-like", "prints its own columns and cannot be used with -metrics or -sources");
     if (o.like != Like::vcmetrics && !o.until.empty())
-        base::fail("-until", "works with vcmetrics' own columns: not with -like");
-    if (o.list_sources && !o.until.empty()) base::fail("-until", "works on metrics: not with -sources");
+        base::fail("-until", "works on vcmetrics' own columns and cannot be used with -like");
+    if (o.list_sources && !o.until.empty()) base::fail("-until", "works on metrics and cannot be used with -sources");
     if (!o.compare) return;
 
     if (o.files.size() != 2) base::fail("-compare", fmt::format("compares two inputs, not {}", o.files.size()));
     const bool no_table = o.like == Like::evalglare && (o.evalglare.ev_only || o.settings.fast);
     if (o.settings.check_picture) base::fail("-c", "a comparison writes no check picture");
     if (!o.until.empty() || o.list_sources || no_table)
-        base::fail("-compare", "works on tables of metrics: not with -until, -sources, -V, -1, -2 or -3");
+        base::fail("-compare", "works on tables of metrics and cannot be used with -until, -sources, -V, -1, -2 or -3");
 }
 
 }  // namespace

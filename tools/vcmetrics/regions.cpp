@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Masks as they are, or a region file drawn for the view at hand (regions.h).
+// Masks as they are, or a region file drawn for the current view (regions.h).
 #include "regions.h"
 #include <algorithm>
 #include <fstream>
@@ -17,8 +17,8 @@ image::MaskSet open_regions(const std::string& path, comfort::DrawRegions& draw)
     for (const region::Shape& s : regions->shapes)
         if (s.kind == region::Kind::surface || s.kind == region::Kind::modifier)
             base::fail(s.place,
-                       "asks the scene for a surface or modifier: draw masks with vcregion, regions file and scene, "
-                       "and give these");
+                       "asks the scene for a surface or modifier: make masks of it with vcregion and the scene, "
+                       "and use those");
     image::MaskSet set;
     for (const region::Region& r : regions->regions) set.masks.push_back({r.name, {}});
     draw = [regions](const view::View& view, int width, int height) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// -regions file: masks (OpenEXR, written by vcregion) or a region file (man/vcregion.5), told apart by their first
+// -regions file: masks (OpenEXR, written by vcregion) or a region file (man/vcregion.5), distinguished by their first
 // bytes.
 #pragma once
 #include <string>

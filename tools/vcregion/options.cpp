@@ -26,7 +26,7 @@ void declare(OptionTable& t, Options& o) {
     t.add("-o file", "Write masks (.exr), one mask (.hdr or .pic, with -single) or a preview (.png, with -over)",
           o.outputs);
     t.add("-centre", "A pixel is in or out by its centre: coverage is 1 or 0", o.centre);
-    t.add("-single name", "Write this region alone, by the pixels' centres, as a mask for evalglare -A", o.single);
+    t.add("-single name", "Write only this region, by the pixels' centres, as a mask for evalglare -A", o.single);
     t.add("-list", "Print a line for each region: pixels, solid angle, share of the view and mean direction", o.list);
     t.add("-over picture", "The picture under the preview", o.over);
     t.add("-exec", "Let the scene run its !commands", o.files.exec);

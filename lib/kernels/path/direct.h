@@ -29,7 +29,7 @@ FN void direct_shadow_ray(PRIVATE const Params* par, PRIVATE const Paths* paths,
     float3 start = bsdf_start(&vertex->lobes, g, above);
     float3 from = offset_ray(start, above ? g->ng : neg3(g->ng), g->reach);
 
-    if (!IS_FAR(light->dist)) {  // aimed anew from where it starts, else the source would stand in its own light
+    if (!IS_FAR(light->dist)) {  // aimed anew from where it starts, else the source would shadow itself
         float3 to = sub3(scale3(light->dir, light->dist), sub3(from, start));
         light->dist = length3(to);
         light->dir = scale3(to, 1.0f / MAX_(light->dist, 1e-9f));

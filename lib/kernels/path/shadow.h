@@ -17,7 +17,7 @@ typedef struct {
     Sampler rnd;
 } ShadowRay;
 
-// What stands in its way, one of MET_*: a lamp stops it, of a surface the lobes say what passes.  g, the surface, gets
+// What is in its way, one of MET_*: a lamp stops it, of a surface the lobes say what passes.  g, the surface, gets
 // its material; *here and *beyond, the media of the segment that ends here and behind the surface, come as what the ray
 // knows.  relayed: g is the relay of the virtual source aimed at.
 FN int shadow_meet(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow,
@@ -51,7 +51,7 @@ FN int shadow_blocked(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     ray->tmax = IS_FAR(dist) ? FAR_AWAY : shadow_end(dist);
     if (kind != SK_SPHERE && kind != SK_CYLINDER && !*must_hit) return trace_any(s, ray, RAY_OPAQUE);
 
-    // near its outline a round source may stand in its own light; with -ds RADIANCE aims beside odd shapes, too
+    // near its outline a round source may shadow itself; with -ds RADIANCE aims beside odd shapes, too
     Hit hit;
     if (*must_hit) ray->tmax = dist * 1.001f;
     trace_closest(s, ray, RAY_OPAQUE, &hit);

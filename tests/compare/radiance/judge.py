@@ -3,7 +3,7 @@
 
 A ray agrees if each channel is within 0.2 % of its value and 2e-4 of the brightest (or of what is as good as black in
 this scene), or within 4.5 standard errors of both means together.  Where rtrace itself changes as much between rays
-1e-4 apart, an edge is in the way, and which side of it single precision finds is no difference."""
+1e-4 apart, an edge is in the way, and which side of it single precision finds does not count as a difference."""
 import math
 
 import tracers

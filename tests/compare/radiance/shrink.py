@@ -26,7 +26,7 @@ class Shrinker:
         return self.differs(scene)
 
     def differs(self, scene):
-        """By more than one in a hundred: a shadow of rounding is no end."""
+        """By more than one in a hundred: a shadow caused by rounding is not enough."""
         with tempfile.TemporaryDirectory() as folder:
             self.bed(folder)
             if scene.write(folder):

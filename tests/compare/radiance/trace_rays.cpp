@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
             std::istringstream in(line);
             row.input.assign(6, 0);
             for (double& v : row.input) in >> v;
-            if (!in) base::fail("stdin", "\"" + line + "\" is no ray");
+            if (!in) base::fail("stdin", "\"" + line + "\" is not a ray");
             const parity::Value v = tracer.trace(row);
             for (double mean : v.mean) fmt::print("{:.9g} ", mean);
             fmt::print("{:.3g} {:.3g} {:.3g} {}\n", v.error[0], v.error[1], v.error[2], v.samples);
