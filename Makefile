@@ -37,7 +37,8 @@ test-sanitize: setup ## the tests under the address, undefined and thread saniti
 fuzz: PARTS += fuzz
 fuzz: setup ## every fuzz target for SECONDS=60 each (clang); finds in out/fuzz
 	@cmake -S . -B build-fuzz -G Ninja --log-level=WARNING -DCMAKE_CXX_COMPILER=clang++ -DLUXPIPE_FUZZ=ON > /dev/null
-	@cmake --build build-fuzz -j $(JOBS) --target fuzz && bash tests/fuzz/run.sh build-fuzz/bin out/fuzz $(or $(SECONDS),60)
+	@cmake --build build-fuzz -j $(JOBS) --target fuzz
+	@bash tests/fuzz/run.sh build-fuzz/bin out/fuzz $(or $(SECONDS),60)
 
 deb: PARTS += deb
 deb: setup ## a Debian package in out/deb; the same bytes for the same sources
@@ -54,7 +55,8 @@ compare-evalglare: all ## N=100 rows of random pictures from SEED=1 on, by evalg
 	@python3 tests/compare/evalglare/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) --vcmetrics $(BUILD)/bin/vcmetrics
 
 man: ## the manual pages as HTML in out/man
-	@mkdir -p out/man && for p in man/*.[157]; do mandoc -T html -O man=%N.%S.html $$p > out/man/$$(basename $$p).html; done
+	@mkdir -p out/man
+	@for p in man/*.[157]; do mandoc -T html -O man=%N.%S.html $$p > out/man/$$(basename $$p).html; done
 	@echo out/man/luxpipe.7.html
 
 format: ## lay out the C++ files with clang-format
@@ -72,4 +74,5 @@ clean: ## remove build/ and out/
 setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 
-.PHONY: help all everything demo test test-gpu test-sanitize fuzz deb bench compare-radiance compare-evalglare man format lint install clean setup
+.PHONY: help all everything demo test test-gpu test-sanitize fuzz deb bench compare-radiance compare-evalglare \
+	man format lint install clean setup

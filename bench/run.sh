@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The speed claims, measured again: bench/run.sh build/bin.  Rates are per second of processor time, so that other jobs on
-# the machine matter less; the numbers in the sources' headers and in docs/ come from these lines.
+# The speed claims, measured again: bench/run.sh build/bin.  Rates are per second of processor time, so that other jobs
+# on the machine matter less; the numbers in the sources' headers and in docs/ come from these lines.
 set -eu
 bin=$(cd "$1" && pwd)
 cmake --build "$bin/.." --target bench_programs >/dev/null

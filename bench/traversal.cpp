@@ -60,11 +60,79 @@ static double median(F f) {
     return t[2];
 }
 
+static std::vector<Vec> normals(const bvh_scenes::Scene& scene) {
+    std::vector<Vec> normal(scene.next_prim);
+    for (size_t i = 0; i < scene.tri_prim.size(); i++) {
+        const auto at = [&](int k) {
+            const float* v = &scene.vertices[3 * scene.triangles[3 * i + k]];
+            return Vec{v[0], v[1], v[2]};
+        };
+        normal[scene.tri_prim[i]] = unit(cross(at(1) - at(0), at(2) - at(0)));
+    }
+    return normal;
+}
+
+struct Rays {
+    std::vector<kernels::Ray> paths, shadows;
+};
+
+// Four hits of each path from the middle of the room; a shadow ray from each point.
+static Rays bouncing_rays(const bvh_scenes::Scene& scene, const kernels::SceneTables& tables, size_t count) {
+    const std::vector<Vec> normal = normals(scene);
+    Rays rays;
+    bvh_scenes::Random r(7);
+    while (rays.paths.size() < count) {
+        const Vec d = r.direction();
+        kernels::Ray ray = {F3(0.1f, 0.2f, 1.3f), 0, F3(float(d.x), float(d.y), float(d.z)), 1e30f};
+        for (int bounce = 0; bounce < 4; bounce++) {
+            kernels::Hit hit;
+            kernels::scalar::trace_closest(&tables, &ray, RAY_ALL, &hit);
+            if (hit.prim == NO_HIT) break;
+            const float3 p = kernels::madd3(ray.dir, hit.t, ray.org);
+            Vec n = normal[hit.prim];
+            if (dot(n, {ray.dir.x, ray.dir.y, ray.dir.z}) > 0) n = n * -1;
+            const Vec out = unit(n + r.direction() * 0.999);
+            const float3 o = kernels::offset_ray(p, F3(float(n.x), float(n.y), float(n.z)), hit.t);
+            const Vec to = Vec{r.in(-1, 1), r.in(-1, 1), 2.99} - Vec{o.x, o.y, o.z};
+            const double dist = std::sqrt(dot(to, to));
+            rays.shadows.push_back({o, 0, F3(float(to.x / dist), float(to.y / dist), float(to.z / dist)),
+                                    kernels::shadow_end(float(dist))});
+            ray.org = o;
+            ray.dir = F3(float(out.x), float(out.y), float(out.z));
+            rays.paths.push_back(ray);
+        }
+    }
+    return rays;
+}
+
+template <class Closest, class Any>
+static void measure(const char* name, const Rays& rays, Closest closest, Any any) {
+    double sum = 0;
+    long blocked = 0;
+    const auto paths = [&] {
+        sum = 0;
+        for (const auto& ray : rays.paths) {
+            const float t = closest(ray);
+            if (t < 1e30f) sum += t;
+        }
+    };
+    const auto shadows = [&] {
+        blocked = 0;
+        for (const auto& ray : rays.shadows) blocked += any(ray);
+    };
+    paths();
+    const double a = median(paths), b = median(shadows);
+    std::printf("%-16s %6.2f closest  %6.2f any   Mrays per CPU second   (mean t %.6f, %ld blocked)\n", name,
+                double(rays.paths.size()) / a / 1e6, double(rays.shadows.size()) / b / 1e6,
+                sum / double(rays.paths.size()), blocked);
+}
+
 int main(int argc, char** argv) {
     const int thousands = argc > 1 ? std::atoi(argv[1]) : 20;
     const size_t count = size_t(argc > 2 ? std::atoi(argv[2]) : 300) * 1000;
     const auto scene = room(thousands);
     const auto in = scene.input();
+
     reset_peak();
     const double before = memory("VmRSS");
     double w = wall_seconds(), c = cpu_seconds();
@@ -79,66 +147,11 @@ int main(int argc, char** argv) {
         "%.0f while building\n",
         tris, w, c, 4 * double(b8.nodes.size() + b8.leaves.size()) / tris,
         4 * double(b2.nodes.size() + b2.leaves.size()) / tris, peak8 / tris);
+
     const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
-
-    std::vector<Vec> normal(scene.next_prim);
-    for (size_t i = 0; i < scene.tri_prim.size(); i++) {
-        const auto at = [&](int k) {
-            const float* v = &scene.vertices[3 * scene.triangles[3 * i + k]];
-            return Vec{v[0], v[1], v[2]};
-        };
-        normal[scene.tri_prim[i]] = unit(cross(at(1) - at(0), at(2) - at(0)));
-    }
-    // Three bounces of paths from the middle of the room; a shadow ray from each point.
-    std::vector<kernels::Ray> rays, shadows;
-    bvh_scenes::Random r(7);
-    while (rays.size() < count) {
-        const Vec d = r.direction();
-        kernels::Ray ray = {F3(0.1f, 0.2f, 1.3f), 0, F3(float(d.x), float(d.y), float(d.z)), 1e30f};
-        for (int bounce = 0; bounce < 4; bounce++) {
-            kernels::Hit hit;
-            kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &hit);
-            if (hit.prim == NO_HIT) break;
-            const float3 p = kernels::madd3(ray.dir, hit.t, ray.org);
-            Vec n = normal[hit.prim];
-            if (dot(n, {ray.dir.x, ray.dir.y, ray.dir.z}) > 0) n = n * -1;
-            const Vec out = unit(n + r.direction() * 0.999);
-            const float3 o = kernels::offset_ray(p, F3(float(n.x), float(n.y), float(n.z)), hit.t);
-            const Vec to = Vec{r.in(-1, 1), r.in(-1, 1), 2.99} - Vec{o.x, o.y, o.z};
-            const double dist = std::sqrt(dot(to, to));
-            shadows.push_back({o, 0, F3(float(to.x / dist), float(to.y / dist), float(to.z / dist)),
-                               kernels::shadow_end(float(dist))});
-            ray.org = o;
-            ray.dir = F3(float(out.x), float(out.y), float(out.z));
-            rays.push_back(ray);
-        }
-    }
-
-    double sum = 0;
-    long blocked = 0;
-    const auto report = [&](const char* name, double closest, double any) {
-        std::printf("%-16s %6.2f closest  %6.2f any   Mrays per CPU second   (mean t %.6f, %ld blocked)\n", name,
-                    double(rays.size()) / closest / 1e6, double(shadows.size()) / any / 1e6, sum / double(rays.size()),
-                    blocked);
-    };
-    const auto measure = [&](const char* name, auto closest, auto any) {
-        const auto all = [&] {
-            sum = 0;
-            for (const auto& ray : rays) {
-                const float t = closest(ray);
-                if (t < 1e30f) sum += t;
-            }
-        };
-        const auto every = [&] {
-            blocked = 0;
-            for (const auto& ray : shadows) blocked += any(ray);
-        };
-        all();
-        const double a = median(all), b = median(every);
-        report(name, a, b);
-    };
+    const Rays rays = bouncing_rays(scene, t2, count);
     measure(
-        "BVH8",
+        "BVH8", rays,
         [&](const kernels::Ray& ray) {
             kernels::Hit h;
             kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &h);
@@ -146,7 +159,7 @@ int main(int argc, char** argv) {
         },
         [&](const kernels::Ray& ray) { return kernels::wide::trace_any(&t8, &ray, RAY_ALL); });
     measure(
-        "BVH2 (scalar)",
+        "BVH2 (scalar)", rays,
         [&](const kernels::Ray& ray) {
             kernels::Hit h;
             kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &h);
@@ -156,7 +169,7 @@ int main(int argc, char** argv) {
     for (bool robust : {true, false}) {
         const bvh::EmbreeScene embree(in.data(), 1, robust, false);
         measure(
-            robust ? "Embree1 ROBUST" : "Embree1",
+            robust ? "Embree1 ROBUST" : "Embree1", rays,
             [&](const kernels::Ray& ray) {
                 return embree.closest(&ray.org.x, ray.tmin, &ray.dir.x, ray.tmax, RAY_ALL).t;
             },

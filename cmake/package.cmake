@@ -28,7 +28,8 @@ if(LUXPIPE_DEB)  # set by scripts/deb.sh
   add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}=. -ffile-prefix-map=${CMAKE_BINARY_DIR}=build)
   string(TIMESTAMP day "%a, %d %b %Y %H:%M:%S +0000" UTC)  # knows SOURCE_DATE_EPOCH
   set(head "luxpipe (${LUXPIPE_VERSION_TEXT}) unstable; urgency=medium")
-  file(WRITE ${CMAKE_BINARY_DIR}/doc/changelog "${head}\n\n  * See CHANGELOG.md.\n\n -- ${LUXPIPE_MAINTAINER}  ${day}\n")
+  file(WRITE ${CMAKE_BINARY_DIR}/doc/changelog
+    "${head}\n\n  * See CHANGELOG.md.\n\n -- ${LUXPIPE_MAINTAINER}  ${day}\n")
   file(COPY ${PROJECT_SOURCE_DIR}/man DESTINATION ${CMAKE_BINARY_DIR})
   file(GLOB pages ${CMAKE_BINARY_DIR}/man/*.[157])
   execute_process(COMMAND gzip -9nf ${pages} ${CMAKE_BINARY_DIR}/doc/changelog COMMAND_ERROR_IS_FATAL ANY)

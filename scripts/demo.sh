@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # The main job, as `make demo` runs it: demo.sh BIN OUT
-# The office at 14:00 is rendered, summed and measured until DGP, Ev, the desk's luminance and the screen's contrast have
-# settled over two doublings of the number of frames; vcmetrics then closes the pipe and everything upstream ends.
+# The office at 14:00 is rendered, summed and measured until DGP, Ev, the desk's luminance and the screen's contrast
+# have settled over two doublings of the number of frames; vcmetrics then closes the pipe and everything upstream ends.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=$(cd "${1:-build/bin}" && pwd) out=${2:-out}

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# setup.sh PARTS: installs the Debian packages that these parts of luxpipe need, if any is missing; does nothing when all
-# are there.  Parts: tools (the three that measure), ptrace, tests, demo, fuzz, deb.
+# setup.sh PARTS: installs the Debian packages that these parts of luxpipe need, if any is missing; does nothing
+# otherwise.  Parts: tools (the three that measure), ptrace, tests, demo, fuzz, deb.
 # It says what it will install, then runs `apt-get` (as root, or through sudo), and changes nothing else.
 # `make SETUP=no` leaves it out.  Elsewhere than on Debian and its relatives it only names what is needed.
 set -eu
@@ -9,7 +9,8 @@ set -eu
 packages=
 for part in "$@"; do
     case $part in
-        tools) packages="$packages g++ make cmake ninja-build libopenexr-dev libimath-dev libfmt-dev libpng-dev libpugixml-dev" ;;
+        tools) packages="$packages g++ make cmake ninja-build
+            libopenexr-dev libimath-dev libfmt-dev libpng-dev libpugixml-dev" ;;
         ptrace) packages="$packages libembree-dev ocl-icd-opencl-dev opencl-headers opencl-clhpp-headers" ;;
         tests) packages="$packages doctest-dev mandoc pocl-opencl-icd" ;;  # PoCL: OpenCL on the CPU
         demo) packages="$packages gnuplot-nox" ;;                          # the plot

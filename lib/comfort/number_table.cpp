@@ -137,7 +137,8 @@ private:
             std::string word;
             if (!(words >> word)) base::fail(place_, "evalglare's line ends before \"" + name + "\"");
             const auto known = evalglare_names.find(name);
-            if (known == evalglare_names.end()) base::fail(place_, "\"" + name + "\" is not a column of evalglare 3.06");
+            if (known == evalglare_names.end())
+                base::fail(place_, "\"" + name + "\" is not a column of evalglare 3.06");
             if (known->second.empty()) continue;
             names.push_back(known->second);
             row.push_back(number(word, place_));

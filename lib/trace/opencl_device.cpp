@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The OpenCL device: wavefront kernels over buffers; GPUs get the scalar two-wide BVH, CPUs (PoCL) the eight-wide one.
 // Compiled programs are cached by the drivers themselves (PoCL, NVIDIA), so that only a first run pays for them.
-#define CL_HPP_TARGET_OPENCL_VERSION 120
-#define CL_HPP_MINIMUM_OPENCL_VERSION 120
-#define CL_HPP_ENABLE_EXCEPTIONS
-#define CL_TARGET_OPENCL_VERSION 120
-#include <CL/opencl.hpp>
-
-#include <algorithm>
 #include <cstring>
 #include <fmt/core.h>
-#include <sstream>
 
 #include "base/error.h"
 #include "flatten/build_input.h"
 #include "trace/child.h"
 #include "trace/device.h"
 #include "trace/kernel_cache.h"
+#include "trace/opencl_list.h"
 
 namespace trace {
 extern const char* const kernel_source;
@@ -38,45 +31,9 @@ enum { PATH_STATE(FIELD_NUMBER) PATH_FIELDS };
 #define SEND_OF_BVH(type, name) tables_[TABLE_##name] = send(bvh.name.data(), bvh.name.size() * 4);
 #define SEND_OF_SCENE(type, name) tables_[TABLE_##name] = send(s.name.data(), s.name.size() * 4);
 
-struct Entry {
-    cl::Platform platform;
-    cl::Device device;
-    bool gpu;
-};
-
-std::vector<Entry> all_devices() {
-    choose_kernel_cache();
-    std::vector<Entry> out;
-    std::vector<cl::Platform> platforms;
-    try {
-        cl::Platform::get(&platforms);
-    } catch (const cl::Error&) {
-        return out;
-    }
-    for (const auto& p : platforms) {
-        std::vector<cl::Device> devices;
-        try {
-            p.getDevices(CL_DEVICE_TYPE_ALL, &devices);
-        } catch (const cl::Error&) {
-            continue;
-        }
-        for (const auto& d : devices) out.push_back({p, d, (d.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0});
-    }
-    std::stable_sort(out.begin(), out.end(), [](const Entry& a, const Entry& b) { return a.gpu > b.gpu; });
-    return out;
-}
-std::string clean(std::string s) {
-    while (!s.empty() && (s.back() == '\0' || s.back() == ' ')) s.pop_back();
-    return s;
-}
-std::string describe(const Entry& e) {
-    return fmt::format("{} ({}, {})", clean(e.device.getInfo<CL_DEVICE_NAME>()), e.gpu ? "GPU" : "CPU",
-                       clean(e.platform.getInfo<CL_PLATFORM_NAME>()));
-}
-
 class OpenclDevice : public Device {
 public:
-    OpenclDevice(int index, const Entry& e, bool bvh2)
+    OpenclDevice(int index, const OpenclEntry& e, bool bvh2)
         : where_(fmt::format("opencl:{}", index)), gpu_(e.gpu), bvh2_(bvh2) {
         call("starting", [&] {
             name_ = describe(e);
@@ -264,9 +221,9 @@ private:
 std::unique_ptr<Device> make_opencl_device(const std::string& name) {
     if (!choose_kernel_cache())
         base::warn("OpenCL", "no private folder to keep compiled kernels in: they are compiled at every start");
-    if (!ask_in_child([] { return std::to_string(all_devices().size()); }))
+    if (!ask_in_child([] { return std::to_string(opencl_entries().size()); }))
         base::fail_system("-device " + name, "an OpenCL driver failed when asked for its devices");
-    const auto devices = all_devices();
+    const auto devices = opencl_entries();
     if (devices.empty()) base::fail_system("-device " + name, "no OpenCL platform or device on this machine");
     size_t index = 0;
     int traversal = 0;
@@ -285,29 +242,6 @@ std::unique_ptr<Device> make_opencl_device(const std::string& name) {
         base::fail("-device", fmt::format("there is no OpenCL device {} (only {})", index, devices.size()));
     const bool bvh2 = traversal ? traversal == 2 : devices[index].gpu;
     return std::make_unique<OpenclDevice>(int(index), devices[index], bvh2);
-}
-
-std::vector<std::string> opencl_devices() {
-    const auto text = ask_in_child([] {
-        std::string lines;
-        const auto devices = all_devices();
-        for (size_t i = 0; i < devices.size(); i++) lines += fmt::format("opencl:{} {}\n", i, describe(devices[i]));
-        return lines;
-    });
-    if (!text) base::warn("OpenCL", "a driver failed when asked for its devices and is left out");
-    std::vector<std::string> out;
-    std::istringstream lines(text.value_or(""));
-    for (std::string line; std::getline(lines, line);) out.push_back(line);
-    return out;
-}
-
-bool opencl_has_gpu() {
-    const auto text = ask_in_child([] {
-        const auto devices = all_devices();
-        return std::string(!devices.empty() && devices[0].gpu ? "gpu" : "");
-    });
-    if (!text) base::warn("OpenCL", "a driver failed when asked for its devices and is left out");
-    return text == "gpu";
 }
 
 }  // namespace trace

@@ -1,8 +1,9 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# uncorrelated.sh OUT NAME ...: the reference pictures once more with rtrace -u+, whose samples are independent, and otherwise the
-# options they were made with (tests/golden/reference/README.md).  Needs RADIANCE's programs on PATH.  Writes OUT/NAME.hdr (floats) and
-# OUT/NAME.blocks.tsv for `GOLDEN=OUT run.sh`; RAYS (4) jittered rays a pixel, whose scatter gives the standard errors.
+# uncorrelated.sh OUT NAME ...: the reference pictures once more with rtrace -u+, whose samples are independent, and
+# otherwise the options they were made with (tests/golden/reference/README.md).  Needs RADIANCE's programs on PATH.
+# Writes OUT/NAME.hdr (floats) and OUT/NAME.blocks.tsv for `GOLDEN=OUT run.sh`; RAYS (4) jittered rays per pixel, whose
+# scatter gives the standard errors.
 set -euo pipefail
 top=$(cd "$(dirname "$0")/../.." && pwd)
 mkdir -p "$1" && out=$(cd "$1" && pwd) && shift
@@ -18,7 +19,8 @@ for name; do
     [ "$name" != classroom_back_row ] || ds=0
     oconv $(awk -F '\t' -v name="${name/west/east}" '$1 == name { print $4 }' "$golden/ev.tsv") > "$work/scene.oct"
     vwrays -ff -vf "$view" -x 256 -y 256 -pj 1 -c "$rays" |
-        rtrace -h -fff -u+ -ds $ds -dj 1 -dt 0 -dc 1 -dr 2 -dp 0 -aa 0 -ab 6 -ad 64 -as 0 -lr -12 -lw 1e-6 -st 0 -ss 4 "$work/scene.oct" |
+        rtrace -h -fff -u+ -ds $ds -dj 1 -dt 0 -dc 1 -dr 2 -dp 0 -aa 0 -ab 6 -ad 64 -as 0 -lr -12 -lw 1e-6 -st 0 -ss 4 \
+            "$work/scene.oct" |
         perl -e '
             my ($out, $rays) = @ARGV;
             my (@sum, @square, $picture);
@@ -28,7 +30,8 @@ for name; do
                 my @v = unpack("f<*", $bytes);
                 my (@mean, $lum, $square);
                 for my $k (0 .. $rays - 1) {
-                    my $l = 179 * (0.265074126 * $v[3 * $k] + 0.670114631 * $v[3 * $k + 1] + 0.064811243 * $v[3 * $k + 2]);
+                    my ($r, $g, $b) = @v[3 * $k .. 3 * $k + 2];
+                    my $l = 179 * (0.265074126 * $r + 0.670114631 * $g + 0.064811243 * $b);
                     $lum += $l / $rays; $square += $l * $l / $rays;
                     $mean[$_] += $v[3 * $k + $_] / $rays for 0 .. 2;
                 }

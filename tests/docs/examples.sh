@@ -18,8 +18,11 @@ blocks() {
         /^[.]S[Hh]/ { on = /EXAMPLES/ }
         on && /^[.](EX|Bd -literal)/ { n++; inside = 1; next }
         on && /^[.](EE|Ed)/ { inside = 0; next }
-        inside { gsub(/\\-/, "-"); gsub(/\\e/, "\\"); gsub(/\\&/, ""); gsub(/\\\(aq/, "\047"); gsub(/\\\(ti/, "~"); gsub(/\\\(ha/, "^")
-                 print > (name "." n ".sh") }' "$1"
+        inside {
+            gsub(/\\-/, "-"); gsub(/\\e/, "\\"); gsub(/\\&/, "")
+            gsub(/\\\(aq/, "\047"); gsub(/\\\(ti/, "~"); gsub(/\\\(ha/, "^")
+            print > (name "." n ".sh")
+        }' "$1"
 }
 
 mkdir pages && cd pages || exit 2

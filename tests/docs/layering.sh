@@ -42,7 +42,8 @@ for folder in "$TOP"/lib/*/ "$TOP"/tools/*/; do
     check "$who has its row in the table" "grep -q '^$who:' layers"
 done
 check 'docs/architecture.md shows the same table' '
-    sed -nE "s/^\| \`([a-z/]+)\` \| *([a-z ]*[a-z])? *\|.*/\1: \2/p" "$TOP/docs/architecture.md" | sed "s/ *$//" | sort > page
+    sed -nE "s/^\| \`([a-z/]+)\` \| *([a-z ]*[a-z])? *\|.*/\1: \2/p" "$TOP/docs/architecture.md" | sed "s/ *$//" |
+        sort > page
     sort layers | diff page -'
 
 mkdir -p lib/base tools && echo '#include "trace/options.h"' > lib/base/x.h

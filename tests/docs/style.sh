@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# How the code looks: a head that says what a file is for, 120 columns, clang-format's layout (.clang-format; version 14).
+# How the code looks: a head that says what a file is for, 120 columns, functions of at most 80 and files of at most 300
+# lines, clang-format's layout (.clang-format; version 14).
 . "${TOP:?}/tests/lib.sh"
 
 files() {  # patterns: those files, by name
@@ -7,12 +8,33 @@ files() {  # patterns: those files, by name
     git ls-files -- "$@" 2> /dev/null || find . -path ./build\* -prune -o -type f -print
 }
 cxx() { files '*.cpp' '*.h' '*.inl' '*.cl' | grep -E '[.](cpp|h|inl|cl)$' | sed "s|^|$TOP/|"; }
-export TOP && export -f files cxx
+scripts() {
+    files '*.sh' '*.py' '*.awk' '*.cmake' '*CMakeLists.txt' Makefile .ci/run |
+        grep -E '[.](sh|py|awk|cmake)$|CMakeLists.txt$|Makefile$|[.]ci/run$' | sed "s|^|$TOP/|"
+}
+# Tests may be longer: their tables and cases are read from top to bottom.
+outside_tests() { grep -v "^$TOP/\(./\)\?tests/"; }
+export TOP && export -f files cxx scripts outside_tests
 
 check 'no line is longer than 120 columns' '
-    ! cxx | xargs awk "length > 120 { print FILENAME \":\" FNR \": \" length \" columns\" }" | grep . >&2'
+    ! { cxx; scripts; } | xargs awk "length > 120 { print FILENAME \":\" FNR \": \" length \" columns\" }" | grep . >&2'
 check 'every file begins with its licence and says what it is for' '
     ! cxx | xargs awk "FNR == 1 && !/SPDX/ || FNR == 2 && !/^\/\/ / { print FILENAME \": has no head\" }" | grep . >&2'
+check 'no file is longer than 300 lines' '
+    ! { cxx; scripts; } | outside_tests | xargs awk "FNR == 301 { print FILENAME }" | grep . >&2'
+
+long_functions() { awk -v most=80 -f "$TOP/tests/docs/long_functions.awk" "$@"; }
+export -f long_functions
+check 'no function is longer than 80 lines' '! long_functions $(cxx | outside_tests) | grep . >&2'
+
+lines() { for ((i = 0; i < $1; i++)); do echo "        x += $i;"; done; }
+{ echo 'int f(int x,'; echo '      int y) {'; lines 77; echo '}'; } > 80.cpp
+{ echo 'int f(int x,'; echo '      int y) {'; lines 78; echo '}'; } > 81.cpp
+{ echo 'class A {'; echo '    int f() const {  // a member'; lines 79; echo '    }'; echo '};'; } > member.cpp
+check 'a function of 81 lines is seen, in a class too' '
+    long_functions 80.cpp 81.cpp member.cpp | cut -d : -f 1,2 > seen
+    printf "81 81.cpp:1\n81 member.cpp:2\n" | diff - seen'
+
 if command -v clang-format > /dev/null; then
     check 'clang-format would change nothing' 'cxx | grep -E "[.](cpp|h)$" | xargs clang-format --dry-run --Werror'
 fi

@@ -11,15 +11,18 @@ printf 'void light l 0 0 3 1 10 3e38\nl polygon p 0 0 9 360 0 1 0 1 180 1 0 1\n'
 mkdir folder
 
 check 'a good scene renders' "ptrace $view -frames 2 good.rad"
-check_error 'an undefined modifier names its line' 1 '^ptrace: modifier.rad:3: .*"?glas"?.* not defined' "ptrace $view -frames 1 modifier.rad | cat"
-check_error 'too few arguments name their primitive' 1 '^ptrace: short.rad:2: .*"mat"' "ptrace $view -frames 1 short.rad | cat"
+check_error 'an undefined modifier names its line' 1 '^ptrace: modifier.rad:3: .*"?glas"?.* not defined' "
+    ptrace $view -frames 1 modifier.rad | cat"
+check_error 'too few arguments name their primitive' 1 '^ptrace: short.rad:2: .*"mat"' "
+    ptrace $view -frames 1 short.rad | cat"
 check_error 'a missing scene' 2 '^ptrace: absent.rad: .*No such file' "ptrace $view -frames 1 absent.rad | cat"
 check_error 'a folder is not a scene' '[12]' '^ptrace: folder: ' "ptrace $view -frames 1 folder | cat"
 check_error 'commands do not run unasked' 1 '^ptrace: command.rad:1: .*-exec' "ptrace $view -frames 1 command.rad | cat"
 check 'and did not' 'test ! -e ran'
 check_error 'a full disk' 2 '^ptrace: .*No space left' "ptrace $view -frames 2 good.rad > /dev/full"
 check_error 'a folder that is not there' 2 '^ptrace: ' "ptrace $view -frames 1 -o nowhere/f.hdr good.rad"
-check_error 'no OpenCL platform' 2 '^ptrace: .*[Oo]penCL' "OCL_ICD_VENDORS=/nonexistent ptrace $view -device opencl -frames 1 good.rad | cat"
+check_error 'no OpenCL platform' 2 '^ptrace: .*[Oo]penCL' "
+    OCL_ICD_VENDORS=/nonexistent ptrace $view -device opencl -frames 1 good.rad | cat"
 check_error 'no such device' 1 '^ptrace: -device: ' "ptrace $view -device abacus -frames 1 good.rad | cat"
 check_error 'a wrong number' 1 '^ptrace: -ab' "ptrace $view -ab many -frames 1 good.rad | cat"
 check_error 'a view without direction' 1 '^ptrace: ' "ptrace $view -vd 0 0 0 -frames 1 good.rad | cat"
@@ -28,5 +31,7 @@ check 'light too bright for sums of floats is left out, and the picture is of nu
     ptaccum -o sum.exr -) 2> said && ! grep '^ptaccum: warning' said"
 check 'which is said' "grep -q '^ptrace: warning: samples that were not numbers, or above 1e32, were set to 0' said"
 rm -f sum.exr bright.rad said
-check 'nothing half-written is left' 'test "$(ls | sort | tr "\n" " ")" = "command.rad folder good.rad modifier.rad short.rad "'
-check 'a reader that leaves ends an endless stream quietly' "ptrace $view good.rad | head -c 2000 > first && test ! -s .stderr"
+check 'nothing half-written is left' '
+    test "$(ls | sort | tr "\n" " ")" = "command.rad folder good.rad modifier.rad short.rad "'
+check 'a reader that leaves ends an endless stream quietly' "
+    ptrace $view good.rad | head -c 2000 > first && test ! -s .stderr"

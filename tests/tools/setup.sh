@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# make and packages: what is missing is named before it is installed, no more than the goal needs, nothing with SETUP=no.
+# make and packages: what is missing is named before it is installed, no more than the goal needs, nothing with
+# SETUP=no.
 # dpkg-query and apt-get are played by scripts here.
 . "${TOP:?}/tests/lib.sh"
 needs make
 mkdir bin && PATH=$TMP/bin:$PATH
 touch there
 printf '#!/bin/sh\ngrep -qx "$4" "%s/there" || exit 1\nprintf "install ok installed"\n' "$TMP" > bin/dpkg-query
-printf '#!/bin/sh\necho "apt-get $*" >> "%s/asked"; cat "%s/said" >> "%s/asked" 2> /dev/null\n' "$TMP" "$TMP" "$TMP" > bin/apt-get
+printf '#!/bin/sh\necho "apt-get $*" >> "%s/asked"; cat "%s/said" >> "%s/asked" 2> /dev/null\n' "$TMP" "$TMP" "$TMP" \
+        > bin/apt-get
 printf '#!/bin/sh\n[ "$1" = -u ] && echo 0\n' > bin/id
 chmod +x bin/*
 setup() { rm -f asked; sh "$TOP/scripts/setup.sh" "$@" 2> said; }
@@ -17,17 +19,21 @@ check 'what is missing is named before apt-get runs' '
     grep -n . asked | grep -q "^2:setup: .*libfmt-dev"; grep -q "apt-get install .*libfmt-dev" asked'
 check 'the way out is named, too'           'grep -q SETUP=no said'
 check 'the three tools need neither Embree nor OpenCL' '! grep -qiE "embree|opencl|doctest|gnuplot|mandoc" asked'
-check 'ptrace needs both, and no PoCL'      'setup tools ptrace; grep -q embree asked; grep -q opencl-headers asked; ! grep -q pocl asked'
+check 'ptrace needs both, and no PoCL' '
+    setup tools ptrace; grep -q embree asked; grep -q opencl-headers asked; ! grep -q pocl asked'
 check 'nothing runs when all are there'     '
     sed -nE "s/.*apt-get install -q -y --no-install-recommends //p" asked | tr " " "\n" > there
     setup tools ptrace; test ! -e asked; test ! -s said'
 check_exit 'an unknown part is reported' 1  'setup everything'
-check 'make all and make install leave tests and plots alone' 'for goal in all install; do test "$(parts $goal)" = "tools ptrace"; done'
+check 'make all and make install leave tests and plots alone' '
+    for goal in all install; do test "$(parts $goal)" = "tools ptrace"; done'
 check 'make test adds what the tests need'  'parts test | grep -qx "tools ptrace tests"'
 check 'so do the goals that build tests' 'for goal in test-gpu test-sanitize compare-radiance; do
     parts $goal | grep -qx "tools ptrace tests"; done'
-check 'make fuzz and make deb need more'    'parts fuzz | grep -qx "tools ptrace tests fuzz"; parts deb | grep -qx "tools ptrace deb"'
-check 'a machine without make gets it from .ci/run' 'parts=$(sed -n "s/.*setup.sh//p" "$TOP/.ci/run"); : > there; setup $parts; grep -q " make " asked'
+check 'make fuzz and make deb need more' '
+    parts fuzz | grep -qx "tools ptrace tests fuzz"; parts deb | grep -qx "tools ptrace deb"'
+check 'a machine without make gets it from .ci/run' '
+    parts=$(sed -n "s/.*setup.sh//p" "$TOP/.ci/run"); : > there; setup $parts; grep -q " make " asked'
 check 'make demo adds the plot'             'parts demo | grep -qx "tools ptrace demo"'
 check 'without ptrace its libraries are not asked for' 'parts all FLAGS=-DLUXPIPE_PTRACE=OFF | grep -qE "^tools ?$"'
 check 'SETUP=no installs nothing'           'rm -f asked; : > there; make -s -C "$TOP" setup SETUP=no; test ! -e asked'

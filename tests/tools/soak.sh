@@ -5,7 +5,12 @@
 needs ptrace ptaccum vcmetrics mkstream
 [ -r /proc/self/status ] || skip 'no /proc here'
 frames=${SOAK:-4000}
-printf 'void light l 0 0 3 9 9 9\nl sphere s 0 0 4 0 5 0 1\nvoid plastic w 0 0 5 .5 .5 .5 0 0\nw bubble b 0 0 4 0 0 0 9\n' > room.rad
+cat > room.rad << 'END'
+void light l 0 0 3 9 9 9
+l sphere s 0 0 4 0 5 0 1
+void plastic w 0 0 5 .5 .5 .5 0 0
+w bubble b 0 0 4 0 0 0 9
+END
 view='-vta -vp 0 0 0 -vd 0 1 0 -vu 0 0 1 -vh 180 -vv 180'
 
 held() { mkstream show "$1" 2> /dev/null | sed 's/.*FRAMES=//; s/ .*//' | tail -n 1 | grep . || echo -1; }
@@ -20,6 +25,7 @@ check "$frames frames through ptrace, ptaccum and vcmetrics" '
     await sum.exr $((frames / 10)); for p in $trace $sum $measure; do kilobytes $p; done > first
     await sum.exr $frames; for p in $trace $sum $measure; do kilobytes $p; done > last
     s=0; kill -TERM $trace; wait $trace || s=$?; [ $s = 3 ]; wait $sum; wait $measure; cat first last >&2
-    n=$(held sum.exr); [ $n -ge $frames ]; [ "$(tail -n 1 lines | cut -f 1)" = $n ]; [ "$(wc -l < lines)" = $(((n + 19) / 20 + 2)) ]'
+    n=$(held sum.exr); [ $n -ge $frames ]; [ "$(tail -n 1 lines | cut -f 1)" = $n ];
+    [ "$(wc -l < lines)" = $(((n + 19) / 20 + 2)) ]'
 check 'memory at the end is that of the beginning' '
     paste first last | awk "{ n++; grown = grown || \$2 - \$1 > 2000 } END { exit grown || n != 3 }"'

@@ -5,16 +5,19 @@ needs vcmetrics ptaccum
 images=$TOP/tests/golden/glare/images
 mkstream=$(command -v mkstream || echo "$BIN/mkstream")
 [ -x "$mkstream" ] || skip "no mkstream here"
-cp "$images"/office256.hdr "$images"/sunpeak.hdr "$images"/fire128.hdr "$images"/err_*.hdr "$images"/mask128_dark.hdr "$images"/shift.hdr .
+cp "$images"/office256.hdr "$images"/sunpeak.hdr "$images"/fire128.hdr "$images"/err_*.hdr "$images"/mask128_dark.hdr \
+        "$images"/shift.hdr .
 $mkstream frames 0 40 64 64 > frames.lux 2> /dev/null
 
 check 'a named file: column file, the same every time' '
     vcmetrics office256.hdr > a && vcmetrics office256.hdr > b && cmp a b &&
     [ "$(head -n 1 a)" = "$(printf "file\tEv\tDGP\tRAMMG")" ] && [ $(wc -l < a) -eq 2 ]'
 check 'a stream: columns frame and seconds, one line a picture' '
-    ptaccum < frames.lux | vcmetrics > a && head -n 1 a | grep -q "^frame.seconds.Ev.DGP.RAMMG$" && [ $(wc -l < a) -eq 42 ] &&
+    ptaccum < frames.lux | vcmetrics > a && head -n 1 a | grep -q "^frame.seconds.Ev.DGP.RAMMG$" &&
+        [ $(wc -l < a) -eq 42 ] &&
     [ "$(cut -f 1 a | tail -n 1)" = 40 ]'
-check 'several files, patterns too' '[ $(vcmetrics office256.hdr sunpeak.hdr | wc -l) -eq 3 ] && [ $(vcmetrics "*256.hdr" | wc -l) -eq 2 ]'
+check 'several files, patterns too' '
+    [ $(vcmetrics office256.hdr sunpeak.hdr | wc -l) -eq 3 ] && [ $(vcmetrics "*256.hdr" | wc -l) -eq 2 ]'
 check 'csv and jsonl' '
     vcmetrics -format csv office256.hdr | head -n 1 | grep -q "^file,Ev,DGP,RAMMG$" &&
     vcmetrics -format jsonl office256.hdr | grep -q "^{\"file\": \"office256.hdr\", \"Ev\": [0-9.]*, "'
@@ -22,7 +25,8 @@ printf "task circle view 10\nlow rect 40 40 60 60\nhigh rect 120 120 160 160\n" 
 check '-like accelerad: its columns, its contrast ratio' '
     vcmetrics -like accelerad -regions three.regions -cr low/high office256.hdr > a
     [ "$(head -n 1 a)" = "Time,Frame,AvLum,Ev,DGP,RAMMG,TaskLum,HighLum,LowLum,CR" ]
-    vcmetrics -metrics task.TAL,high.TAL,low.TAL -regions three.regions office256.hdr | tail -n 1 | cut -f 2- | tr "\t" , > b
+    vcmetrics -metrics task.TAL,high.TAL,low.TAL -regions three.regions office256.hdr | tail -n 1 | cut -f 2- |
+        tr "\t" , > b
     grep -q "^0,0,.*,$(cat b)," a && awk -F , "END { d = \$10 * \$9 / \$8; exit !(d > .9999 && d < 1.0001) }" a'
 check '-like accelerad without regions: nan in their place' '
     vcmetrics -like accelerad office256.hdr | tail -n 1 | grep -q ",nan,nan,nan,nan$"'
@@ -30,16 +34,19 @@ check 'columns as asked for, in that order' '
     [ "$(vcmetrics -metrics UGR,n_sources,Ev office256.hdr | head -n 1)" = "$(printf "file\tUGR\tn_sources\tEv")" ]'
 check_error 'an unknown metric is named' 1 '^vcmetrics: -metrics: .*"Dgp"' 'vcmetrics -metrics Dgp office256.hdr'
 check 'a line for each source; their shares add up' '
-    vcmetrics -sources fire128.hdr | awk -F "\t" "NR > 1 { s += \$NF; n++ } END { exit !(n > 3 && s > 0.999 && s < 1.001) }"'
+    vcmetrics -sources fire128.hdr |
+        awk -F "\t" "NR > 1 { s += \$NF; n++ } END { exit !(n > 3 && s > 0.999 && s < 1.001) }"'
 
 check_exit 'a rule that never holds: status 4' 4 'ptaccum < frames.lux | vcmetrics -until "Ev 0.0000001%"'
 check 'a rule that holds: a quiet end everywhere, early' '
     ptaccum < frames.lux | vcmetrics -until "Ev 30%" -window 3 > a && [ $(wc -l < a) -lt 30 ]'
 check_error 'a rule needs its column' 1 '^vcmetrics: -until: .*"UGR"' 'vcmetrics -until "UGR 1%" office256.hdr'
 check_exit 'the window begins again at a new frame 0' 4 '
-    for k in 1 2 3; do $mkstream frames 0 2 32 32 2> /dev/null; done | ptaccum | vcmetrics -until "Ev 100000%" -window 3'
+    for k in 1 2 3; do $mkstream frames 0 2 32 32 2> /dev/null;
+    done | ptaccum | vcmetrics -until "Ev 100000%" -window 3'
 
-check_error 'a single frame is refused with a word about ptaccum' 1 '^vcmetrics: stdin.*ptaccum' '$mkstream frames 3 3 32 32 | vcmetrics'
+check_error 'a single frame is refused with a word about ptaccum' 1 '^vcmetrics: stdin.*ptaccum' '
+    $mkstream frames 3 3 32 32 | vcmetrics'
 check_error 'a view beside the picture' 1 '^vcmetrics: stdin: no pixel' \
     '$mkstream frames 0 0 16 16 1 "VIEW= -vta -vh 180 -vv 180 -vl 1e18" | vcmetrics'
 check 'pixels beyond any light are as black as those that are no number' '
@@ -62,18 +69,21 @@ check '-c: a grey picture with coloured sources, which has the same metrics' '
     vcmetrics -compare -tolerance "all 0.01%" a b; ptaccum -ff check.exr | strings > s; grep -q "^VIEW= -vta" s
     vcmetrics -c plain.exr -b 1e9 fire128.hdr; ! cmp check.exr plain.exr'
 check 'Honeybee and VI-Suite call it so' '
-    vcmetrics -like evalglare -c c1.HDR -T 60 60 .5 -b 5 -d fire128.hdr; vcmetrics -like evalglare -u 1 0 0 -c c2.hdr < fire128.hdr
+    vcmetrics -like evalglare -c c1.HDR -T 60 60 .5 -b 5 -d fire128.hdr;
+    vcmetrics -like evalglare -u 1 0 0 -c c2.hdr < fire128.hdr
     test -s c1.HDR; ptaccum -ff c2.hdr > /dev/null'
 if command -v evalglare > /dev/null && command -v pvalue > /dev/null; then
     for options in '' '-u .2 .3 .5' '-T 60 60 .5 -b 5' '-L 60 60 .6 1.2' '-s -b 3'; do
         check "the check picture is evalglare's, byte for byte: $options" '
-            evalglare $options -c theirs.hdr fire128.hdr > t 2> said; vcmetrics -like evalglare $options -c ours.hdr fire128.hdr > o
+            evalglare $options -c theirs.hdr fire128.hdr > t 2> said;
+            vcmetrics -like evalglare $options -c ours.hdr fire128.hdr > o
             cmp t o; pvalue -h -H -d theirs.hdr > t; pvalue -h -H -d ours.hdr > o; cmp t o'
     done
 fi
 check_error 'a colour must be one' 1 '^vcmetrics: -u: ' 'vcmetrics -u 0 0 0 -c x.hdr fire128.hdr'
 check_error 'the ending chooses the format' 1 '^vcmetrics: x.txt: ' 'vcmetrics -c x.txt fire128.hdr'
-check_error 'a mask of another size' 1 '^vcmetrics: mask128_dark.hdr: the mask has 128 x 128' 'vcmetrics -A mask128_dark.hdr office256.hdr > /dev/null'
+check_error 'a mask of another size' 1 '^vcmetrics: mask128_dark.hdr: the mask has 128 x 128' '
+    vcmetrics -A mask128_dark.hdr office256.hdr > /dev/null'
 check_error 'the task lies in the picture' 1 '^vcmetrics: -t: ' 'vcmetrics -t 256 0 0.4 office256.hdr'
 
 check_exit 'evalglare -V has status 1' 1 'vcmetrics -V office256.hdr'
@@ -81,33 +91,48 @@ check 'and its default line two blanks at the end' '
     vcmetrics -like evalglare office256.hdr | grep -q "^dgp,dgi,ugr,vcp,cgi,Lveil: 0.4216.*  $"'
 check_error 'mirrored solid angles come with a warning' 0 'warning: .*mirrored' 'vcmetrics -like evalglare shift.hdr'
 
-check 'a picture compares with its own record' 'vcmetrics office256.hdr > rec.tsv && vcmetrics -compare rec.tsv office256.hdr'
-check 'and with recorded lines of evalglare' 'vcmetrics -d office256.hdr > rec.txt && vcmetrics -compare rec.txt office256.hdr'
+check 'a picture compares with its own record' '
+    vcmetrics office256.hdr > rec.tsv && vcmetrics -compare rec.tsv office256.hdr'
+check 'and with recorded lines of evalglare' '
+    vcmetrics -d office256.hdr > rec.txt && vcmetrics -compare rec.txt office256.hdr'
 check_exit 'out of tolerance: status 5' 5 'vcmetrics -compare office256.hdr sunpeak.hdr'
-check 'unless the tolerance is wide' 'printf "all 100000%% # wide\n\nDGP 2\n" > tol && vcmetrics -compare -tolerance tol -metrics Ev,DGP office256.hdr sunpeak.hdr'
+check 'unless the tolerance is wide' '
+    printf "all 100000%% # wide\n\nDGP 2\n" > tol &&
+        vcmetrics -compare -tolerance tol -metrics Ev,DGP office256.hdr sunpeak.hdr'
 check 'the output of another run too: two streams' '
     ptaccum < frames.lux > a.lux && vcmetrics -compare a.lux a.lux > t && ! grep -q "no$" t'
-check_error 'a row too few' 1 '^vcmetrics: b.lux: has no row for frame 0 of a.lux$' 'ptaccum -last < frames.lux > b.lux && vcmetrics -W- -compare a.lux b.lux'
+check_error 'a row too few' 1 '^vcmetrics: b.lux: has no row for frame 0 of a.lux$' '
+    ptaccum -last < frames.lux > b.lux && vcmetrics -W- -compare a.lux b.lux'
 check_error 'a metric too few' 1 'lacks the metric' '
-    vcmetrics -metrics Ev,DGP office256.hdr > r1 && vcmetrics -metrics Ev office256.hdr > r2 && vcmetrics -compare r1 r2'
+    vcmetrics -metrics Ev,DGP office256.hdr > r1 && vcmetrics -metrics Ev office256.hdr > r2 &&
+        vcmetrics -compare r1 r2'
 check '-metrics chooses what of a table is compared' '
-    vcmetrics -metrics Ev,DGP office256.hdr > r1; sed "2s/\t[0-9.]*$/\t.5/" r1 > dgp; sed "2s/\t[0-9.]*\t/\t9\t/" r1 > ev
+    vcmetrics -metrics Ev,DGP office256.hdr > r1; sed "2s/\t[0-9.]*$/\t.5/" r1 > dgp;
+    sed "2s/\t[0-9.]*\t/\t9\t/" r1 > ev
     vcmetrics -compare -metrics DGP ev office256.hdr && vcmetrics -compare -metrics DGP ev r1
     ! vcmetrics -compare -metrics DGP dgp office256.hdr && ! vcmetrics -compare -metrics DGP dgp r1'
-check_error 'of which it must have them' 1 '^vcmetrics: r1: lacks the metric UGR of -metrics$' 'vcmetrics -compare -metrics UGR r1 office256.hdr'
+check_error 'of which it must have them' 1 '^vcmetrics: r1: lacks the metric UGR of -metrics$' '
+    vcmetrics -compare -metrics UGR r1 office256.hdr'
 check_error 'a tolerance for no metric is a typing error' 1 '^vcmetrics: -tolerance: .*"DPG" here; did you mean DGP[?]$' '
+    
     vcmetrics -compare -tolerance "DPG .01" r1 office256.hdr'
 check 'one for a metric that is not compared is not' 'vcmetrics -compare -tolerance "UGR 1%" r1 office256.hdr'
-check_error 'a bad tolerance is told by its option' 1 '^vcmetrics: -tolerance: "DGP x"' 'vcmetrics -compare -tolerance "DGP x" r1 r1'
-check_error 'or by the line of its file' 1 '^vcmetrics: tol:2: "DGP"' 'printf "Ev 1%%\nDGP\n" > tol; vcmetrics -compare -tolerance tol r1 r1'
+check_error 'a bad tolerance is told by its option' 1 '^vcmetrics: -tolerance: "DGP x"' '
+    vcmetrics -compare -tolerance "DGP x" r1 r1'
+check_error 'or by the line of its file' 1 '^vcmetrics: tol:2: "DGP"' '
+    printf "Ev 1%%\nDGP\n" > tol; vcmetrics -compare -tolerance tol r1 r1'
 mkdir -p elsewhere && cp office256.hdr sunpeak.hdr elsewhere
 check 'rows are paired by the picture, wherever it lay' '
     for f in tsv csv jsonl; do
-        vcmetrics -format $f office256.hdr sunpeak.hdr > one; vcmetrics -format $f elsewhere/sunpeak.hdr elsewhere/office256.hdr > two
+        vcmetrics -format $f office256.hdr sunpeak.hdr > one;
+        vcmetrics -format $f elsewhere/sunpeak.hdr elsewhere/office256.hdr > two
         vcmetrics -compare one two > t; grep -q "^sunpeak.hdr.Ev" t; done'
 check_error 'and one that is missing is named' 1 '^vcmetrics: two: has no row for file sunpeak.hdr of one$' '
     vcmetrics office256.hdr sunpeak.hdr > one; vcmetrics office256.hdr > two; vcmetrics -compare one two'
 check 'rows of a stream are paired by their frame' '
-    ptaccum < frames.lux | vcmetrics > one; { head -n 1 one; tail -n +2 one | tac; } > two; vcmetrics -compare one two > t
+    ptaccum < frames.lux | vcmetrics > one; { head -n 1 one; tail -n +2 one | tac; } > two;
+    vcmetrics -compare one two > t
     grep -q "^40.Ev" t; ptaccum < frames.lux > a.lux; vcmetrics -compare two a.lux'
-check 'of one picture a side the names may differ' 'cp office256.hdr new.hdr; vcmetrics new.hdr > two; vcmetrics -compare r1 office256.hdr && vcmetrics -metrics Ev,DGP new.hdr > two && vcmetrics -compare r1 two'
+check 'of one picture a side the names may differ' '
+    cp office256.hdr new.hdr; vcmetrics new.hdr > two; vcmetrics -compare r1 office256.hdr &&
+        vcmetrics -metrics Ev,DGP new.hdr > two && vcmetrics -compare r1 two'

@@ -30,32 +30,41 @@ check 'a mask is a shape again: all of it, and nothing else' "
 check 'a preview over a picture takes its size and view' "
     vcregion -over desk.hdr -o p.png office.regions; head -c 4 p.png | grep -q PNG"
 check 'the size follows the aspect of the view' "
-    vcregion -vtv -vp 2 2.7 1.2 -vd 0 -1 0 -vh 60 -vv 30 -x 100 -y 100 -single screen_high office.regions | grep -aq '^-Y 46 +X 100$'"
+    vcregion -vtv -vp 2 2.7 1.2 -vd 0 -1 0 -vh 60 -vv 30 -x 100 -y 100 -single screen_high office.regions |
+        grep -aq '^-Y 46 +X 100$'"
 if command -v vcmetrics > /dev/null; then
     check 'vcmetrics takes the region file as it takes the masks' "
         vcregion $view -x 64 -y 64 -o m64.exr office.regions
-        vcmetrics -regions m64.exr desk.hdr > a; vcmetrics -regions office.regions desk.hdr > b; cmp a b; grep -q desk.TAL a"
-    check_error 'but not one that asks the scene' 1 '^vcmetrics: q:1: ' "echo 'd surface top.*' > q; vcmetrics -regions q desk.hdr"
+        vcmetrics -regions m64.exr desk.hdr > a; vcmetrics -regions office.regions desk.hdr > b; cmp a b;
+        grep -q desk.TAL a"
+    check_error 'but not one that asks the scene' 1 '^vcmetrics: q:1: ' "
+        echo 'd surface top.*' > q; vcmetrics -regions q desk.hdr"
 fi
 check 'a closed stdout is a quiet end' "vcregion $view -list office.regions | true"
 check '-version and -help go to stdout' 'vcregion -version | grep -q luxpipe; vcregion -help | grep -q -- -centre'
-check '-defaults shows what the options before it have set' 'vcregion -x 77 -vtv -defaults | grep -q -- "^-x 77  *# Horizontal resolution"'
+check '-defaults shows what the options before it have set' '
+    vcregion -x 77 -vtv -defaults | grep -q -- "^-x 77  *# Horizontal resolution"'
 
 echo 'tiny circle 0 -1 0 .8' > tiny
 check 'a region below 32 pixels is warned of, with its price' "
-    vcregion $view -list tiny 2> err; test \$(wc -l < err) -eq 1; grep -q '^vcregion: warning: tiny:1: region \"tiny\" covers .* frames' err"
+    vcregion $view -list tiny 2> err; test \$(wc -l < err) -eq 1;
+    grep -q '^vcregion: warning: tiny:1: region \"tiny\" covers .* frames' err"
 check '-w- keeps quiet' "vcregion $view -list -w- tiny 2> err; test ! -s err"
 printf 'a circle 0 -1 0 9\nback circle 0 1 0 9\n' > back
-check_error 'an empty region is an error at its line' 1 '^vcregion: back:2: region "back" is empty' "vcregion $view -o b.exr back"
+check_error 'an empty region is an error at its line' 1 '^vcregion: back:2: region "back" is empty' "
+    vcregion $view -o b.exr back"
 check 'and leaves no file' 'test ! -e b.exr'
 check_error 'a missing region file' 1 '^vcregion: nothere: ' "vcregion $view -list nothere"
 check_error 'a folder is not a region file' 1 '^vcregion: [.]: ' "vcregion $view -list ."
-check_error 'a mistake in the file names its line' 1 '^vcregion: bad:2: ' "printf 'a rect 0 0 1 1\nb rekt 0 0 1 1\n' > bad; vcregion -list bad"
-check_error 'a name that is not there, and one that is near' 1 'no region is called "dsk" .did you mean "desk"' "vcregion $view -single dsk office.regions"
+check_error 'a mistake in the file names its line' 1 '^vcregion: bad:2: ' "
+    printf 'a rect 0 0 1 1\nb rekt 0 0 1 1\n' > bad; vcregion -list bad"
+check_error 'a name that is not there, and one that is near' 1 'no region is called "dsk" .did you mean "desk"' "
+    vcregion $view -single dsk office.regions"
 check_error 'no region file' 1 '^vcregion: no region file' 'vcregion -list'
 check_error 'nothing to do' 1 '^vcregion: nothing to write' 'vcregion office.regions'
 check_error 'an unknown option' 1 '^vcregion: -foo: unknown option' 'vcregion -foo office.regions'
-check_error 'the nearest one is named' 1 '^vcregion: -center: unknown option; did you mean -centre[?]$' 'vcregion -center office.regions'
+check_error 'the nearest one is named' 1 '^vcregion: -center: unknown option; did you mean -centre[?]$' '
+    vcregion -center office.regions'
 check_error 'an option after the file' 1 '^vcregion: -list: ' 'vcregion office.regions -list'
 check_error 'an ending that means nothing' 1 '^vcregion: x.tif: ' 'vcregion -o x.tif office.regions'
 check_error '.hdr needs -single' 1 '^vcregion: x.hdr: ' 'vcregion -o x.hdr office.regions'
@@ -63,13 +72,16 @@ check_error '.png needs -over' 1 '^vcregion: x.png: ' 'vcregion -o x.png office.
 check_error 'an impossible size' 1 '^vcregion: -x: ' 'vcregion -x 0 -list office.regions'
 check_error 'an impossible view' 1 '^vcregion: -vh' 'vcregion -vtv -vh 200 -list office.regions'
 check_error 'a picture without a view' 1 'nv.hdr: ' "
-    printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n1234' > nv.hdr; vcregion -over nv.hdr -o x.png office.regions"
+    printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n1234' > nv.hdr;
+    vcregion -over nv.hdr -o x.png office.regions"
 check_error 'a folder that is not there' 2 '^vcregion: ' "vcregion $view -o no/such/x.exr office.regions"
-check_error 'surfaces need a scene' 1 '^vcregion: s:1: asks for a surface' "echo 's surface top.*' > s; vcregion $view -list s"
+check_error 'surfaces need a scene' 1 '^vcregion: s:1: asks for a surface' "
+    echo 's surface top.*' > s; vcregion $view -list s"
 check_error 'a full disk' 2 '^vcregion: stdout: ' "vcregion $view -list office.regions > /dev/full"
 
 # The examples of vcregion(5), with a mask in place of the painted one.
-awk '/^[.]SH/ { on = /EXAMPLES/ } on && /^[.]EX/ { inside = 1; next } /^[.]EE/ { inside = 0 } inside' "$TOP/man/vcregion.5" |
+awk '/^[.]SH/ { on = /EXAMPLES/ } on && /^[.]EX/ { inside = 1; next } /^[.]EE/ { inside = 0 } inside' \
+        "$TOP/man/vcregion.5" |
     sed 's/\\-/-/g; s/painted.png/desk.hdr/' > page
 check 'the page has examples' 'test $(wc -l < page) -gt 5'
 
@@ -77,7 +89,8 @@ check 'the page has examples' 'test $(wc -l < page) -gt 5'
 scene="$office/materials.rad $office/layout.rad"
 echo 'a surface top.6457' > s
 if vcregion -w- $view -x 32 -y 32 -list s $scene 2>&1 | grep -q 'built without the tracer'; then
-    check_error 'without the tracer scenes are refused in one line' 1 'built without the tracer' "vcregion $view -list s $scene"
+    check_error 'without the tracer scenes are refused in one line' 1 'built without the tracer' "
+        vcregion $view -list s $scene"
     exit 0
 fi
 cat > named <<'END'
@@ -94,23 +107,28 @@ check 'by polygon and by name, through the glass cover, regions agree within 1 %
     awk -F'\t' 'NR > 1 { sr[\$1] = \$3 }
         function near(a, b) { return a > 0 && (a / b - 1)^2 < 1e-4 }
         END { exit !(near(sr[\"desk\"], sr[\"desk_named\"]) && near(sr[\"desk\"], sr[\"desk_within\"]) &&
-                     near(sr[\"screen_high\"], sr[\"high_named\"]) && near(sr[\"screen_low\"], sr[\"low_named\"])) }' by_scene"
+                     near(sr[\"screen_high\"], sr[\"high_named\"]) &&
+                         near(sr[\"screen_low\"], sr[\"low_named\"])) }' by_scene"
 check 'the monitor hides a part of the desk' "
     awk '\$1 == \"desk\" { print \$3 }' list by_scene > both
     awk 'NR == 1 { a = \$1 } NR == 2 { exit !(\$1 < .97 * a && \$1 > .8 * a) }' both"
 check 'with a scene, too, the same bytes on every run' "
-    for k in 1 2; do mkdir t\$k; (cd t\$k; cp ../named .; vcregion $view -x 100 -y 100 -o m.exr named $scene); done; cmp t1/m.exr t2/m.exr"
-check_error 'a surface that is not there, and one that is near' 1 '^vcregion: t:1: no surface of the scene is called "scren_low" .did you mean "screen_low"' "
+    for k in 1 2; do mkdir t\$k; (cd t\$k; cp ../named .; vcregion $view -x 100 -y 100 -o m.exr named $scene); done;
+    cmp t1/m.exr t2/m.exr"
+check_error 'a surface that is not there, and one that is near' 1 '^vcregion: t:1: no surface.*"screen_low"' "
     echo 'a surface scren_low' > t; vcregion $view -list t $scene"
 check_error 'a modifier that is not there, and one that is near' 1 '^vcregion: t:1: no surface.s modifier .*"glazing"' "
     echo 'a modifier glasing' > t; vcregion $view -list t $scene"
 check_error 'what is wholly hidden is empty' 1 '^vcregion: t:1: region "a" is empty' "
     echo 'a polygon3d 1.8 1.8 .9  2.2 1.8 .9  2.2 1.8 1.2  1.8 1.8 1.2' > t; vcregion $view -list t $scene"
-check_error 'a broken scene names its line' 1 '^vcregion: broken.rad:1: ' "echo 'nothing polygon p 0 0 9 0 0 0 1 0 0 0 1 0' > broken.rad; vcregion $view -list named broken.rad"
+check_error 'a broken scene names its line' 1 '^vcregion: broken.rad:1: ' "
+    echo 'nothing polygon p 0 0 9 0 0 0 1 0 0 0 1 0' > broken.rad; vcregion $view -list named broken.rad"
 check 'the examples of the page work in the office with blinds' "
     vcregion $view -x 256 -y 256 -list page $office/materials.rad $office/blinds.rad $office/layout.rad"
 check 'the sun is a surface far away' "
-    printf 'void light suns 0 0 3 1e6 1e6 1e6\nsuns source sun 0 0 4 0 1 1 2\nvoid plastic p 0 0 5 .5 .5 .5 0 0\np sphere ball 0 0 4 0 5 -3 .5\n' > sun.rad
+    printf 'void light suns 0 0 3 1e6 1e6 1e6\nsuns source sun 0 0 4 0 1 1 2\n' > sun.rad
+    printf 'void plastic p 0 0 5 .5 .5 .5 0 0\np sphere ball 0 0 4 0 5 -3 .5\n' >> sun.rad
     echo 'sun surface sun' > sun.regions; echo 'disc circle 0 1 1 2' >> sun.regions
     vcregion -vta -vh 120 -vv 120 -x 400 -y 400 -w- -list sun.regions sun.rad |
-        awk -F'\t' '\$1 == \"sun\" { a = \$3 } \$1 == \"disc\" { b = \$3 } END { exit !(a > 0 && (a / b - 1)^2 < 1e-4) }'"
+        awk -F'\t' '\$1 == \"sun\" { a = \$3 } \$1 == \"disc\" { b = \$3 }
+            END { exit !(a > 0 && (a / b - 1)^2 < 1e-4) }'"

@@ -23,8 +23,8 @@ class Materials(Modifiers):
     def colour(self, low=.1, high=.9):
         return [number(self.rng, low, high) for _ in range(3)]
 
-    # RADIANCE 6.0a's Fresnel term is 8e-4 larger than 6.1a's.  It shows in what is smooth, so that is below .018 here, where
-    # there is no such term; mirror, glass and dielectric have none of it.
+    # RADIANCE 6.0a's Fresnel term is 8e-4 larger than 6.1a's.  It shows in smooth materials, so their gloss stays below
+    # .018 here, where there is no such term; mirror, glass and dielectric do not have it.
     def finish(self, strong):
         rough = self.rng.choice([.03, .1, .2]) if strong else self.rough()
         if strong:

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The list of OpenCL devices (opencl_list.h), and what users see of it (device.h).
+#include "trace/opencl_list.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <sstream>
+
+#include "base/error.h"
+#include "trace/child.h"
+#include "trace/device.h"
+#include "trace/kernel_cache.h"
+
+namespace trace {
+namespace {
+
+std::string clean(std::string s) {
+    while (!s.empty() && (s.back() == '\0' || s.back() == ' ')) s.pop_back();
+    return s;
+}
+
+}  // namespace
+
+std::vector<OpenclEntry> opencl_entries() {
+    choose_kernel_cache();
+    std::vector<OpenclEntry> out;
+    std::vector<cl::Platform> platforms;
+    try {
+        cl::Platform::get(&platforms);
+    } catch (const cl::Error&) {
+        return out;
+    }
+    for (const auto& p : platforms) {
+        std::vector<cl::Device> devices;
+        try {
+            p.getDevices(CL_DEVICE_TYPE_ALL, &devices);
+        } catch (const cl::Error&) {
+            continue;
+        }
+        for (const auto& d : devices) out.push_back({p, d, (d.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0});
+    }
+    std::stable_sort(out.begin(), out.end(), [](const OpenclEntry& a, const OpenclEntry& b) { return a.gpu > b.gpu; });
+    return out;
+}
+
+std::string describe(const OpenclEntry& e) {
+    return fmt::format("{} ({}, {})", clean(e.device.getInfo<CL_DEVICE_NAME>()), e.gpu ? "GPU" : "CPU",
+                       clean(e.platform.getInfo<CL_PLATFORM_NAME>()));
+}
+
+std::vector<std::string> opencl_devices() {
+    const auto text = ask_in_child([] {
+        std::string lines;
+        const auto devices = opencl_entries();
+        for (size_t i = 0; i < devices.size(); i++) lines += fmt::format("opencl:{} {}\n", i, describe(devices[i]));
+        return lines;
+    });
+    if (!text) base::warn("OpenCL", "a driver failed when asked for its devices and is left out");
+    std::vector<std::string> out;
+    std::istringstream lines(text.value_or(""));
+    for (std::string line; std::getline(lines, line);) out.push_back(line);
+    return out;
+}
+
+bool opencl_has_gpu() {
+    const auto text = ask_in_child([] {
+        const auto devices = opencl_entries();
+        return std::string(!devices.empty() && devices[0].gpu ? "gpu" : "");
+    });
+    if (!text) base::warn("OpenCL", "a driver failed when asked for its devices and is left out");
+    return text == "gpu";
+}
+
+}  // namespace trace

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The OpenCL devices of this machine, GPUs first: an index into this list is the N of `-device opencl:N`.
+#pragma once
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#define CL_HPP_ENABLE_EXCEPTIONS
+#define CL_TARGET_OPENCL_VERSION 120
+#include <CL/opencl.hpp>
+
+#include <string>
+#include <vector>
+
+namespace trace {
+
+struct OpenclEntry {
+    cl::Platform platform;
+    cl::Device device;
+    bool gpu;
+};
+
+// A failing driver may end the program here: ask in a child process first (trace/child.h).
+std::vector<OpenclEntry> opencl_entries();
+
+// "NVIDIA H200 (GPU, NVIDIA CUDA)"
+std::string describe(const OpenclEntry& e);
+
+}  // namespace trace
