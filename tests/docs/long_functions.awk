@@ -13,7 +13,8 @@ inside {
 
 { line = $0; sub(/ *\/\/.*$/, "", line) }
 
-head == "" && line ~ /^(    )?[A-Za-z~]/ && line !~ /^ *(namespace|struct|class|enum|union|extern|typedef|using|public|private|protected)[ :]/ {
+head == "" && line ~ /^(    )?[A-Za-z~]/ &&
+line !~ /^ *(namespace|struct|class|enum|union|extern|typedef|using|public|private|protected)[ :]/ {
     head = line; first = FNR; margin = line ~ /^ / ? "    " : ""
 }
 

@@ -161,14 +161,15 @@ printf '!xform -rz 90 fifo\n' > f1.rad
 printf 'void instance i 1 fifo 0 0\n' > f2.rad
 printf 'void brightfunc p 2 a fifo 0 0\np plastic m 0 0 5 .5 .5 .5 0 0\nm sphere s 0 0 4 0 0 0 1\n' > f3.rad
 for scene in f1 f2; do
-    check_error "a FIFO named by a scene is refused ($scene)" 1 "^ptrace: $scene.rad:1: .*no ordinary file" "
+    check_error "a FIFO named by a scene is refused ($scene)" 1 "^ptrace: $scene.rad:1: .*not an ordinary file" "
         timeout 20 ptrace $view -frames 1 good.rad $scene.rad > x"
 done
 check_error 'as a function file it is not found' 1 '^ptrace: f3.rad:1: ' "
     timeout 20 ptrace $view -frames 1 good.rad f3.rad > x"
 for line in 'scene= fifo' 'render= @fifo' 'render= -vf fifo'; do
     rif good.rad "$line"
-    check_error "and so is one in a rad input file: $line" 1 '^ptrace: t.rif: .*no ordinary file' "timeout 20 $t_rif"
+    check_error "and so is one in a rad input file: $line" 1 '^ptrace: t.rif: .*not an ordinary file' "
+        timeout 20 $t_rif"
 done
 check 'on the command line it is welcome' '(cat good.rad > fifo &); timeout 20 ptrace $view -frames 1 fifo > x'
 
