@@ -119,7 +119,7 @@ TEST_CASE("a broken file is one line that names it") {
     CHECK(error_of(bsdf_file("Diagonals", bsdf_block("Reflection Back", "1"))) ==
           "a.xml: unknown <IncidentDataStructure> \"Diagonals\"");
     CHECK(error_of(three("1 2 3")) == "a.xml: Reflection Back: 3 scattering values where 3 x 3 are expected");
-    CHECK(error_of(three("1 2 3 4 5 6 7 8 9 10")) == "a.xml: Reflection Back: more than 3 x 3 scattering data");
+    CHECK(error_of(three("1 2 3 4 5 6 7 8 9 10")) == "a.xml: Reflection Back: more than 3 x 3 scattering values");
     CHECK(error_of(three("1 2 3 4 five")) == "a.xml: Reflection Back: \"five\" is not a number");
     CHECK(error_of(three("1 2 3 4 nan")) == "a.xml: Reflection Back: \"nan\" is not a number");
     CHECK(error_of(three("1", "four")) == "a.xml: Reflection Back: unknown angle basis \"four\"");
