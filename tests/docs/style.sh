@@ -35,6 +35,7 @@ check 'a function of 81 lines is seen, in a class too' '
     long_functions 80.cpp 81.cpp member.cpp | cut -d : -f 1,2 > seen
     printf "81 81.cpp:1\n81 member.cpp:2\n" | diff - seen'
 
+check 'every shell script can be parsed' 'for script in $(scripts | grep "[.]sh$"); do bash -n "$script"; done'
 if command -v clang-format > /dev/null; then
     check 'clang-format would change nothing' 'cxx | grep -E "[.](cpp|h)$" | xargs clang-format --dry-run --Werror'
 fi

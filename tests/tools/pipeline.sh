@@ -8,12 +8,12 @@ render() { ptrace -frames "$1" $office; }
 # Numbers of the picture, to 6 digits: the same picture within float rounding gives the same text.
 numbers() { vcmetrics "$1" | tail -n 1 | cut -f 2- | tr '\t' '\n' | awk '{ printf "%.6g\n", $1 }'; }
 
-check 'the same command gives the same bits'      'render 4 > a; render 4 > b; cmp a b'
+check 'the same command gives the same bits' 'render 4 > a; render 4 > b; cmp a b'
 check 'another seed gives others' 'ptrace -seed 2 -frames 2 $office > b; ! cmp -s <(head -c 20000 a) <(head -c 20000 b)'
 check 'frames do not depend on the range asked for' '
     render 3:3 > alone; n=$(wc -c < alone); tail -c $((48 * 48 * 12)) alone > pixels;
     tail -c $((48 * 48 * 12)) a | cmp - pixels'
-check 'ranges merge to what one run gives'        '
+check 'ranges merge to what one run gives' '
     render 64 | ptaccum -last -o whole.exr
     for r in 0:9 10:40 41:63; do render $r | ptaccum -last -o part_$r.exr; done
     ptaccum part_0:9.exr part_10:40.exr part_41:63.exr -o merged.exr
@@ -23,7 +23,7 @@ check 'one thread or many: the same frames' '
 check 'metrics come line by line, header first' '
     render 4 | ptaccum | vcmetrics > t; test $(wc -l < t) -eq 5; head -n 1 t | grep -q "^frame	seconds	Ev	DGP";
     cut -f 1 t | tail -n 1 | grep -qx 3'
-check 'regions and contrast have their columns'   '
+check 'regions and contrast have their columns' '
     vcregion -vf view.vf -x 48 -y 48 -o r.exr office.regions
     render 3 | ptaccum -last | vcmetrics -regions r.exr -cr screen=screen_low/screen_high | head -n 1 |
         grep -q "desk.TAL.*screen.CR"'
@@ -35,9 +35,9 @@ check_exit 'frames that end before the rule holds' 4 'render 3 | ptaccum | vcmet
 check 'a reader that goes away is not an error' '
     ptrace $office 2> said | ptaccum 2>> said | head -c 500 > /dev/null; test ! -s said'
 
-check_error 'single frames are no picture'        1 '^vcmetrics: .*ptaccum'  'render 2 | vcmetrics > t'
+check_error 'single frames are no picture' 1 '^vcmetrics: .*ptaccum' 'render 2 | vcmetrics > t'
 check_error 'a stream cut in the middle is reported' 1 '^ptaccum: stdin: ' 'render 2 | head -c 40000 | ptaccum > t'
-check_error 'a partial sum has no metrics'        1 '^vcmetrics: '           'vcmetrics part_10:40.exr > t'
+check_error 'a partial sum has no metrics' 1 '^vcmetrics: ' 'vcmetrics part_10:40.exr > t'
 check_error 'the same frames twice are refused' 1 '^ptaccum: ' 'ptaccum part_0:9.exr part_0:9.exr -o twice.exr'
 check_error 'an undefined modifier is reported' 1 '^ptrace: bad.rad:2: .*glas' '
     printf "\nglas sphere s 0 0 4 0 0 0 1\n" > bad.rad; ptrace -frames 1 bad.rad > t'

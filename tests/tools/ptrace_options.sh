@@ -6,25 +6,25 @@ cp "$TOP"/examples/scenes/office/view.vf .
 printf 'void light l 0 0 3 1 1 1\nl source s 0 0 4 0 0 1 30\n' > sky.rad
 in_force() { ptrace "$@" -defaults | sed 's, *#.*,,' | grep -x -e "$want"; }
 
-check 'it says its version'                       'ptrace -version | grep -q "^ptrace "'
-check 'it names its devices'                      'ptrace -devices | grep -q cpu'
+check 'it says its version' 'ptrace -version | grep -q "^ptrace "'
+check 'it names its devices' 'ptrace -devices | grep -q cpu'
 check 'defaults are those of a converged picture' '
     for want in "-ab 5" "-st 0" "-dj 1" "-dr 2" "-pj 1" "-lr -12" "-x 512" "-y 512"; do in_force; done'
-check 'an option before -defaults shows'          'want="-ab 3" && in_force -ab 3'
-check 'the later of two options holds'            'want="-ab 4" && in_force -ab 3 -ab 4'
-check 'a later -vp overrides the view file'       'want="-vp 1 2 3" && in_force -vf view.vf -vp 1 2 3'
-check 'a view file overrides an earlier -vp'      'want="-vp 2 2.7 1.2" && in_force -vp 1 2 3 -vf view.vf'
+check 'an option before -defaults shows' 'want="-ab 3" && in_force -ab 3'
+check 'the later of two options holds' 'want="-ab 4" && in_force -ab 3 -ab 4'
+check 'a later -vp overrides the view file' 'want="-vp 1 2 3" && in_force -vf view.vf -vp 1 2 3'
+check 'a view file overrides an earlier -vp' 'want="-vp 2 2.7 1.2" && in_force -vp 1 2 3 -vf view.vf'
 check '-i toggles, -i+ and -i- set' '
     for w in "-i:+" "-i -i:-" "-i+ -i+:+" "-i -i-:-" "-i1:+"; do want="-i${w#*:}"; in_force ${w%:*}; done'
-check '@file stands for the words in it'          'echo "-ab 2
+check '@file stands for the words in it' 'echo "-ab 2
     -vp 4 5 6" > o.opt; want="-ab 2" && in_force @o.opt && want="-vp 4 5 6" && in_force @o.opt'
-check '$VARIABLE stands for its words'            'export OPTS="-ab 9"; want="-ab 9" && in_force "\$OPTS"'
+check '$VARIABLE stands for its words' 'export OPTS="-ab 9"; want="-ab 9" && in_force "\$OPTS"'
 check 'numbers are read in one way' '
     want="-x 1000" && in_force -pa 0 -x 1e3 && want="-pj 0.5" && in_force -pj 50% && want="-ab 3" && in_force --ab 3 &&
         in_force -ab=3'
-check 'negative numbers are arguments'            'want="-vd -1 -2 -3" && in_force -vd -1 -2 -3'
-check_error 'a variable that is not set is reported'  1 '^ptrace: \$NONE: '                'ptrace "\$NONE" sky.rad'
-check_error 'a missing @file is a system error'   2 '^ptrace: none.opt: cannot be read' 'ptrace @none.opt sky.rad'
+check 'negative numbers are arguments' 'want="-vd -1 -2 -3" && in_force -vd -1 -2 -3'
+check_error 'a variable that is not set is reported' 1 '^ptrace: \$NONE: ' 'ptrace "\$NONE" sky.rad'
+check_error 'a missing @file is a system error' 2 '^ptrace: none.opt: cannot be read' 'ptrace @none.opt sky.rad'
 check_error 'options that run in a circle stop' 1 'expands without end' 'echo @loop > loop; ptrace @loop sky.rad'
 
 check 'options that a path tracer does not need are named in one warning' '
@@ -36,42 +36,38 @@ check 'and -w- silences it' 'ptrace -w- -aa .1 -frames 1 -x 8 -y 8 sky.rad 2>&1 
 check '-e sends messages to a file' '
     ptrace -e log -aa .1 -frames 1 -x 8 -y 8 sky.rad > /dev/null; grep -q "warning.*-aa" log'
 
-<<<<<<< HEAD
 unset LUXPIPE_THREADS SLURM_CPUS_PER_TASK
-check 'threads: what the process may use'         'taskset -c 0 ptrace -defaults | grep -q "^-n 1 "'
-check 'a job of Slurm has so many'                'SLURM_CPUS_PER_TASK=1 ptrace -defaults | grep -q "^-n 1 "'
+check 'threads: what the process may use' 'taskset -c 0 ptrace -defaults | grep -q "^-n 1 "'
+check 'a job of Slurm has so many' 'SLURM_CPUS_PER_TASK=1 ptrace -defaults | grep -q "^-n 1 "'
 check 'LUXPIPE_THREADS is taken, -n before it' '
     export LUXPIPE_THREADS=7; want="-n 7" && in_force && want="-n 3" && in_force -n 3'
-check '-n threads do the work'                    '
+check '-n threads do the work' '
     ptrace -n 3 -x 512 -y 512 -vta -vh 180 -vv 180 -vd 0 0 1 -vu 0 1 0 -frames 1000000 sky.rad 2> said \
         > /dev/null & p=$!; most=0
     for i in $(seq 300); do n=$(ls /proc/$p/task | wc -l); [ "$n" -le "$most" ] || most=$n; done; kill -9 $p;
     [ "$most" -eq 3 ]'
-check_error '-n 0 is reported'                        1 '^ptrace: -n: 0 is outside'         'ptrace -n 0 sky.rad'
+check_error '-n 0 is reported' 1 '^ptrace: -n: 0 is outside' 'ptrace -n 0 sky.rad'
 
-check_error 'an unknown option is reported'           1 '^ptrace: -zz: unknown option'      'ptrace -zz sky.rad'
-=======
-check_error 'an unknown option is reported'           1 '^ptrace: -zz: unknown option'      'ptrace -zz sky.rad'
->>>>>>> f1ee174 (Messages, options and manual pages in plain English)
+check_error 'an unknown option is reported' 1 '^ptrace: -zz: unknown option' 'ptrace -zz sky.rad'
 check_error 'and the nearest one is named' 1 '^ptrace: -vx: unknown option; did you mean -vp[?]$' 'ptrace -vx sky.rad'
-check_error 'a missing argument is reported'          1 '^ptrace: -ab: an argument is missing .-ab n.$' 'ptrace -ab'
-check_error 'a word is not a number'                 1 '^ptrace: -vp: "sky.rad" is not'    'ptrace -vp 1 2 sky.rad'
-check_error 'no scene is reported'                    1 '^ptrace: no scene file'           'ptrace -frames 1'
+check_error 'a missing argument is reported' 1 '^ptrace: -ab: an argument is missing .-ab n.$' 'ptrace -ab'
+check_error 'a word is not a number' 1 '^ptrace: -vp: "sky.rad" is not' 'ptrace -vp 1 2 sky.rad'
+check_error 'no scene is reported' 1 '^ptrace: no scene file' 'ptrace -frames 1'
 check_error 'a size of 0 is reported' 1 '^ptrace: -x: 0 is outside' 'ptrace -x 0 -frames 1 sky.rad'
 check_error 'a huge size is reported' 1 '^ptrace: -y: ' 'ptrace -y 999999 -frames 1 sky.rad'
 check_error 'an impossible view is reported' 1 '^ptrace: -vh: ' 'ptrace -vh 200 -frames 1 sky.rad'
-check_error 'options after the scene are an error'    1 '^ptrace: -ab: options must come before' 'ptrace sky.rad -ab 3'
-check_error 'other primaries are refused'         1 '^ptrace: -pXYZ: '                 'ptrace -pXYZ sky.rad'
+check_error 'options after the scene are an error' 1 '^ptrace: -ab: options must come before' 'ptrace sky.rad -ab 3'
+check_error 'other primaries are refused' 1 '^ptrace: -pXYZ: ' 'ptrace -pXYZ sky.rad'
 check 'frames in a file get a warning: other programs misread them' '
     ptrace -frames 1 -x 8 -y 8 sky.rad > file.hdr 2> said; [ "$(wc -l < said)" = 1 ];
     grep -q "^ptrace: warning: stdout: .*ptaccum -last" said
     ptrace -w- -frames 1 -x 8 -y 8 sky.rad > file.hdr 2> said; [ ! -s said ]
     ptrace -frames 1 -x 8 -y 8 sky.rad 2> said | cat > file.hdr; [ ! -s said ]'
-check_error 'frames without end need a reader'    1 '^ptrace: -frames: '               'ptrace sky.rad > file.hdr'
-check_error 'files have an end'                   1 '^ptrace: -frames: '               'ptrace -o f%d.hdr sky.rad'
+check_error 'frames without end need a reader' 1 '^ptrace: -frames: ' 'ptrace sky.rad > file.hdr'
+check_error 'files have an end' 1 '^ptrace: -frames: ' 'ptrace -o f%d.hdr sky.rad'
 check_error 'no frame is reported' 1 '^ptrace: -frames: needs at least 1' 'ptrace -frames 0 sky.rad'
 check_error 'a range runs forward' 1 '^ptrace: -frames: 5:2 contains no frames' 'ptrace -frames 5:2 sky.rad'
-check_error 'frames count from 0'                 1 '^ptrace: -frames: '               'ptrace -frames -3:2 sky.rad'
+check_error 'frames count from 0' 1 '^ptrace: -frames: ' 'ptrace -frames -3:2 sky.rad'
 check_error 'several frames need %d in -o' 1 '^ptrace: -o: ' 'ptrace -frames 2 -o f.hdr sky.rad'
 check_error 'a pattern holds a %d only' 1 '^ptrace: -o: ' 'ptrace -frames 2 -o f%s.hdr sky.rad'
 check_error 'a missing scene is reported by name' 2 '^ptrace: none.rad: ' 'ptrace -frames 1 none.rad > x'
@@ -85,11 +81,11 @@ check 'a closed pipe is a quiet end' '
 check '-o writes one file a frame, in float' '
     ptrace -x 8 -y 8 -frames 2:3 -o f%03d.hdr sky.rad; grep -aq FORMAT=float f002.hdr; test -f f003.hdr;
     test $(ls f0* | wc -l) -eq 2'
-check 'a frame carries its history'               '
+check 'a frame carries its history' '
     for line in "#?RADIANCE" "ptrace .*sky.rad" "SOFTWARE=.*luxpipe" "VIEW=.* -vp 0 0 1" "SEED=7" "FRAME=0" \
         "FORMAT=float" "-Y 8 +X 8"; do
         ptrace -vp 0 0 1 -x 8 -y 8 -seed 7 -frames 1 sky.rad | head -c 1000 | strings | grep -q -e "^$line"; done'
-check '-f defines functions for the whole scene'   '
+check '-f defines functions for the whole scene' '
     echo "half = .5;" > half.cal;
     printf "void brightfunc b 2 half . 0 0\nb glow g 0 0 4 2 2 2 0\ng source s 0 0 4 0 0 1 360\n" > half.rad
     ptrace -f half.cal -vta -vh 180 -vv 180 -x 32 -y 32 -frames 1 half.rad | ptaccum -last -ff |
