@@ -91,7 +91,7 @@ void declare_measures(OptionTable& t, comfort::Settings& s) {
      }).otherwise("off");
     t.add("-4", "No low light correction", base::set(s.low_light, false));
     t.add("-i Ev", "For DGP only: illuminance measured elsewhere", s.external_ev).unit("lux");
-    t.add("-I Ev ymax ymin", "The same, and fill the rows above ymax and below ymin from their neighbours",
+    t.add("-I Ev ymax ymin", "The same, and fill the rows from ymax up and from ymin down from the row beside them",
           [&](Arguments& a) { read_fill(a, s); });
     t.add("-k lum", "Leave out terms of LveilCIE up to this luminance", [&](Arguments& a) {
          s.veil_cut = a.real();
