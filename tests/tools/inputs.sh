@@ -12,24 +12,33 @@ view='-w- -vtv -vd 0 0 -1 -vu 0 1 0 -x 16 -y 16 -frames 2'
 brightness() { ptrace $view "$@" | ptaccum -last -ff | vcmetrics -metrics Lavg | tail -n 1 | cut -f 3 | cut -c 1-5; }
 
 check 'a material of an .obj file may have a blank in its name' 'brightness wall.rad wall.obj | grep -x 24.28'
-check 'or go by its first word, as obj2mesh takes it' '[ "$(brightness brick.rad wall.obj)" = "$(brightness wall.rad wall.obj)" ]'
-check_error 'one that is not defined is told where it is named' 1 '^ptrace: ./wall.obj:6: modifier "Brick Wall" is not defined$' '
+check 'or go by its first word, as obj2mesh takes it' '
+    [ "$(brightness brick.rad wall.obj)" = "$(brightness wall.rad wall.obj)" ]'
+check_error 'one that is not defined is reported where it is named' 1 \
+    '^ptrace: ./wall.obj:6: modifier "Brick Wall" is not defined$' '
     printf "$lamp" > none.rad; ptrace $view none.rad wall.obj > x'
-check_error 'faces without a material are told of' 0 '^ptrace: warning: ./bare.obj: faces without a material .usemtl. are left out$' '
+check_error 'faces without a material give a warning' 0 \
+    '^ptrace: warning: ./bare.obj: faces without a material .usemtl. are left out$' '
     ptrace $view -w+ wall.rad bare.obj | cat > x'
 
 printf '\357\273\277void plastic m 0 0 5 .5 .5 .5 0 0\r\nm polygon p 0 0 9 0 0 0 1 0 0 0 1 0\r\n' > marked.rad
 check 'a byte order mark before a scene means nothing' 'ptrace $view marked.rad > x'
 mkdir -p parts/deep && cp marked.rad parts/box.rad && cp marked.rad parts/deep/box.rad
 check 'paths of Windows are paths' '
-    printf "!xform -t 1 0 0 parts\\\\deep\\\\box.rad\n!xform parts\\\\box.rad\n!xform .\\\\parts\\\\box.rad\n" > windows.rad
+    printf "!xform -t 1 0 0 parts\\\\deep\\\\box.rad\n!xform parts\\\\box.rad\n!xform .\\\\parts\\\\box.rad\n" \
+        > windows.rad
     grep -q "parts.deep" windows.rad; ptrace $view windows.rad > x'
 
-printf '\357\273\277ZONE= I -1 1 -1 1 -1 1\nscene= wall.rad\nRESOLUTION= 16 16\nQUALITY= High\nview= up -vtv -vp 0 0 0 -vd 0 0 1 -vu 0 1 0\n' > t.rif
-options_of() { ptrace -rif t.rif -w- -frames 1 "$@" | strings | sed -n "s/^FINGERPRINT=.*options:\([0-9a-f]*\).*/\1/p"; }
+printf '\357\273\277ZONE= I -1 1 -1 1 -1 1\nscene= wall.rad\nRESOLUTION= 16 16\nQUALITY= High\n' > t.rif
+echo 'view= up -vtv -vp 0 0 0 -vd 0 0 1 -vu 0 1 0' >> t.rif
+options_of() {
+    ptrace -rif t.rif -w- -frames 1 "$@" | strings | sed -n "s/^FINGERPRINT=.*options:\([0-9a-f]*\).*/\1/p"
+}
 check 'words of rad after a rad input file stand for lines of it' '
     [ "$(options_of)" = "$(options_of QUALITY=High)" ] && [ "$(options_of)" != "$(options_of QUALITY=Low)" ]
     [ "$(options_of up QUAL=Low)" = "$(options_of QUALITY=Low)" ] && [ -n "$(options_of)" ]
     ptrace -rif t.rif -w- -frames 1 RES=8 up | head -c 1000 | strings | grep -qx -e "-Y 8 +X 8"'
-check 'options after -rif come later than they' 'ptrace -rif t.rif -x 4 -y 4 -w- -frames 1 RES=8 up | head -c 1000 | strings | grep -qx -e "-Y 4 +X 4"'
-check_error 'one that is no variable is told' 1 '^ptrace: QALITY=Low: "QALITY" is not a variable of rad' 'ptrace -rif t.rif -frames 1 QALITY=Low > x'
+check 'options after -rif come later than they' '
+    ptrace -rif t.rif -x 4 -y 4 -w- -frames 1 RES=8 up | head -c 1000 | strings | grep -qx -e "-Y 4 +X 4"'
+check_error 'an unknown one is reported' 1 '^ptrace: QALITY=Low: "QALITY" is not a variable of rad' '
+    ptrace -rif t.rif -frames 1 QALITY=Low > x'
