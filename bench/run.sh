@@ -19,6 +19,7 @@ echo "# bench_scene_load"
 echo "# bench_cal_vm"
 "$bin/bench_cal_vm"
 "$(dirname "$0")/regions.sh" "$bin"
+"$(dirname "$0")/sampling.sh" "$bin"
 echo "# ptrace, the office at 14:00, 512 x 512, -ab 5: seconds a frame (wall, processor) after frame 0"
 cd "$(dirname "$0")/../examples/scenes/office"
 TIMEFORMAT='%R %U'

@@ -37,7 +37,7 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     write_sources(std::move(sources), out);
 
     // Windows, which need rays through the finished geometry.
-    if (options.portals) find_portals(out);
+    if (options.sampling != Sampling::plain) find_portals(out);
     return out;
 }
 

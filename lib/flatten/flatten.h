@@ -6,11 +6,15 @@
 
 namespace flatten {
 
+// How the directions of diffuse light are chosen (-sampling): by the cosine; half of them toward the windows; by what
+// is learned of the light before the frames, toward the windows where nothing is.
+enum class Sampling { plain, portals, guided };
+
 // What the tables depend on besides the scene; letters as in ptrace's options.
 struct Options {
-    int dr = 2;           // levels of virtual sources
-    bool bv = true;       // back faces are visible
-    bool portals = true;  // guide diffuse samples to windows (off: tests that it does not move the mean)
+    int dr = 2;      // levels of virtual sources
+    bool bv = true;  // back faces are visible
+    Sampling sampling = Sampling::portals;
 };
 
 // Throws Error naming file:line for what cannot be rendered.

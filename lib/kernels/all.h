@@ -45,6 +45,7 @@
 #include "kernels/source_sample.h"
 #include "kernels/choose_source.h"
 #include "kernels/portals.h"
+#include "kernels/guide.h"
 #include "kernels/path/state.h"
 #include "kernels/medium.h"
 #include "kernels/bsdf.h"

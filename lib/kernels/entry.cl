@@ -59,6 +59,12 @@ __kernel void k_draw(ALL_ARGS) {
     path_shadow(&s, &par, &paths, i);
 }
 
+__kernel void k_walk(ALL_ARGS, __global uint *counters, __global uint *queue) {
+    SET_UP
+    if (i >= par.slots) return;
+    if (path_begin_walk(&par, &paths, i)) queue[atomic_inc(&counters[0])] = i;
+}
+
 // Sizes and offsets as the device sees them, for the test against the host's.
 __kernel void k_layout(__global uint *out) {
     if (get_global_id(0) != 0) return;

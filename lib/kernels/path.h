@@ -14,6 +14,7 @@
 #include "kernels/path/direct.h"
 #include "kernels/path/ways.h"
 #include "kernels/path/end.h"
+#include "kernels/path/walk.h"
 #include "kernels/path/shadow.h"
 
 // Shades the hit of a slot.  Returns bits: PATH_GOES_ON, PATH_SHADOW.
@@ -54,6 +55,12 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
     path_ambient_value(par, &vertex);
     if (!choose_way(s, par, &vertex, &way)) {
         vertex_store(paths, &vertex, vertex.before);
+        return shadow;
+    }
+
+    // A walk of the guide's lessons ends where a bounce would begin.
+    if (par->mode == MODE_WALK && way_bounces(&way)) {
+        path_end_walk(paths, &vertex, &way);
         return shadow;
     }
 

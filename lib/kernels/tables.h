@@ -160,6 +160,7 @@ typedef struct {
     float4 ray_org, ray_dir;  // MODE_RAY
     float4 albedo;            // of the medium: -ma rgb, w = -mg
     float4 medium;            // global extinction rgb; w = 1 if any segment of the scene may absorb
+    float4 guide_grid;        // corner of the guide's grid (guide.h); w: cells a unit of length
     // sizes and modes
     uint nx, ny, mode, frame;             // frame = sample index of slot 0
     uint seed_lo, seed_hi, slots, first;  // first = global index of slot 0
@@ -170,7 +171,7 @@ typedef struct {
     float st, ss, dj, lw;
     float ds;
     uint light_sets_at;
-    float pad2, pad3;
+    uint guide_mask, guide_from;  // of its hash table, 0: there is no guide; first frame that it guides
     uint skip_direct_below, cdf_at, draw_at, draw_count;
 } Params;
 
@@ -179,6 +180,10 @@ typedef struct {
 #define MODE_FRAMES 1u  // frames k >= 1: diffuse class; both classes where frame > skip_direct_below
 #define MODE_RAY 2u     // all classes along one given ray (tests, -I)
 #define MODE_DRAW 3u    // straight rays to drawn sources
+#define MODE_WALK 4u    // given rays, followed up to their first diffuse bounce (path/walk.h)
+// MODE_WALK says by dir.w of a path:
+#define WALK_FROM_EYE -2.0f   // its ray is given as the place (org.x, org.y) in the picture, 0 .. 1
+#define WALK_AT_BOUNCE -1.0f  // it has come to a bounce: org is the place, dir the normal there
 // shadow_mode: what may stand between a point and a source
 #define SHADOW_OPAQUE 0u    // nothing lets light through
 #define SHADOW_STRAIGHT 1u  // glass and the like: light goes on straight

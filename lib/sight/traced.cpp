@@ -19,7 +19,7 @@ using scene::Type;
 
 flatten::Options without_portals() {
     flatten::Options o;
-    o.portals = false;
+    o.sampling = flatten::Sampling::plain;
     return o;
 }
 

@@ -71,6 +71,23 @@ public:
             kernels_.draw(&tables_, &par, rays.data(), first, count, scratch, &rgb[size_t(first) * 3]);
         });
     }
+    void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) override {
+        if (embree_) {  // the check is of frames: it is guided by the same table
+            if (!learner_) {
+                learner_ = std::make_unique<CpuDevice>("");
+                learner_->upload(scene_);
+            }
+            return learner_->walk(par, rays, ends);
+        }
+        ends.resize(rays.size());
+        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
+            kernels_.walk(&tables_, &par, rays.data(), first, count, scratch, ends.data());
+        });
+    }
+    void set_guide(std::vector<uint32_t> guide) override {
+        guide_ = std::move(guide);
+        tables_.guide = guide_.data();
+    }
     uint32_t good_slots() const override { return 64 * TILE; }
 
 private:
@@ -101,7 +118,9 @@ private:
     unsigned threads_;
     flatten::FlatScene scene_;
     bvh::Tree bvh_;
+    std::vector<uint32_t> guide_;
     std::unique_ptr<bvh::EmbreeScene> check_;
+    std::unique_ptr<CpuDevice> learner_;
     kernels::SceneTables tables_{};
 };
 

@@ -14,6 +14,9 @@ struct CpuKernels {
     // Rays in the layout of trace::DrawRay.
     void (*draw)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
                  void* scratch, float* rgb);
+    // Rays and ends in the layouts of trace::WalkRay and WalkEnd.
+    void (*walk)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
+                 void* scratch, void* ends);
     uint64_t (*scratch_bytes)(uint32_t count);
 };
 extern const CpuKernels cpu_baseline, cpu_avx2, cpu_avx512, cpu_embree;

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "trace/cpu_kernels.h"
+#include "trace/walks.h"
 
 namespace LUX_ISA {
 #include "kernels/compat_host.h"
@@ -39,15 +40,8 @@ static void store(const Tile& t, uint32_t count, float* rgb) {
         rgb[3 * i + 2] = t.paths.rad[i].z;
     }
 }
-static void run(const void* tables, const void* params, uint32_t first, uint32_t count, void* scratch, float* rgb) {
-    const SceneTables s = *static_cast<const SceneTables*>(tables);
-    Params par = *static_cast<const Params*>(params);
-    par.first = first;
-    par.slots = count;
-    Tile t = carve(scratch, count);
-    uint32_t n = 0;
-    for (uint32_t i = 0; i < count; i++)
-        if (path_generate(&par, &t.paths, i)) t.now[n++] = i;
+// Follows the n paths of the queue to their ends.
+static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
     while (n > 0) {
         uint32_t goes_on = 0, shadows = 0;
         for (uint32_t i = 0; i < n; i++) path_extend(&s, &t.paths, t.now[i]);
@@ -62,6 +56,21 @@ static void run(const void* tables, const void* params, uint32_t first, uint32_t
         t.next = swap;
         n = goes_on;
     }
+}
+static Params part_of(const void* params, uint32_t first, uint32_t count) {
+    Params par = *static_cast<const Params*>(params);
+    par.first = first;
+    par.slots = count;
+    return par;
+}
+static void run(const void* tables, const void* params, uint32_t first, uint32_t count, void* scratch, float* rgb) {
+    const SceneTables s = *static_cast<const SceneTables*>(tables);
+    const Params par = part_of(params, first, count);
+    Tile t = carve(scratch, count);
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < count; i++)
+        if (path_generate(&par, &t.paths, i)) t.now[n++] = i;
+    follow(s, par, t, n);
     store(t, count, rgb);
 }
 // trace::DrawRay
@@ -72,9 +81,7 @@ struct Ray9 {
 static void draw(const void* tables, const void* params, const void* rays, uint32_t first, uint32_t count,
                  void* scratch, float* rgb) {
     const SceneTables s = *static_cast<const SceneTables*>(tables);
-    Params par = *static_cast<const Params*>(params);
-    par.first = first;
-    par.slots = count;
+    const Params par = part_of(params, first, count);
     Tile t = carve(scratch, count);
     const Ray9* r = static_cast<const Ray9*>(rays) + first;
     for (uint32_t i = 0; i < count; i++) {
@@ -86,11 +93,39 @@ static void draw(const void* tables, const void* params, const void* rays, uint3
     }
     store(t, count, rgb);
 }
+static void put3(float3 v, float* out) {
+    out[0] = v.x;
+    out[1] = v.y;
+    out[2] = v.z;
+}
+static void walk(const void* tables, const void* params, const void* rays, uint32_t first, uint32_t count,
+                 void* scratch, void* ends) {
+    const SceneTables s = *static_cast<const SceneTables*>(tables);
+    const Params par = part_of(params, first, count);
+    Tile t = carve(scratch, count);
+    const trace::WalkRay* r = static_cast<const trace::WalkRay*>(rays) + first;
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        t.paths.org[i] = pack4(F3(r[i].org[0], r[i].org[1], r[i].org[2]), 0.0f);
+        t.paths.dir[i] = pack4(F3(r[i].dir[0], r[i].dir[1], r[i].dir[2]), r[i].dir_w);
+        if (path_begin_walk(&par, &t.paths, i)) t.now[n++] = i;
+    }
+    follow(s, par, t, n);
+    trace::WalkEnd* end = static_cast<trace::WalkEnd*>(ends) + first;
+    for (uint32_t i = 0; i < count; i++) {
+        put3(xyz4(t.paths.rad[i]), end[i].gathered);
+        put3(xyz4(t.paths.thr[i]), end[i].share);
+        put3(xyz4(t.paths.org[i]), end[i].p);
+        put3(xyz4(t.paths.dir[i]), end[i].n);
+        end[i].bounce = t.paths.dir[i].w == WALK_AT_BOUNCE;
+    }
+}
 }  // namespace LUX_ISA
 
 namespace trace {
 #define LUX_PASTE_(a, b) a##b
 #define LUX_PASTE(a, b) LUX_PASTE_(a, b)
 extern const CpuKernels LUX_PASTE(cpu_, LUX_ISA);
-const CpuKernels LUX_PASTE(cpu_, LUX_ISA) = {LUX_ISA_NAME, LUX_ISA::run, LUX_ISA::draw, LUX_ISA::scratch_bytes};
+const CpuKernels LUX_PASTE(cpu_, LUX_ISA) = {LUX_ISA_NAME, LUX_ISA::run, LUX_ISA::draw, LUX_ISA::walk,
+                                             LUX_ISA::scratch_bytes};
 }  // namespace trace

@@ -6,6 +6,7 @@
 #include <vector>
 #include "kernels/host.h"
 #include "flatten/flat_scene.h"
+#include "trace/walks.h"
 
 namespace trace {
 
@@ -27,6 +28,10 @@ public:
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
     // MODE_DRAW: radiance times weight for each ray, 3 floats each.
     virtual void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) = 0;
+    // MODE_WALK: how the walk of each ray ends.
+    virtual void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) = 0;
+    // Takes what was learned (kernels/guide.h), for the passes that follow.
+    virtual void set_guide(std::vector<uint32_t> guide) = 0;
     // Paths to hand over at once, so that the device is full.
     virtual uint32_t good_slots() const = 0;
 };

@@ -26,9 +26,10 @@ std::string scene_hash(const flatten::FlatScene& s) {
 std::string option_text(const RenderOptions& o) {
     return fmt::format(
         "ab {} st {} ss {} dj {} ds {} dr {} lr {} lw {} pj {} bv {} dv {} i {} av {} {} {} me {} {} {} "
-        "ma {} {} {} mg {} pd {} portals {} direct {}",
+        "ma {} {} {} mg {} pd {} portals {}{} direct {}",
         o.ab, o.st, o.ss, o.dj, o.ds, o.dr, o.lr, o.lw, o.pj, o.bv, o.dv, o.i, o.av[0], o.av[1], o.av[2], o.me[0],
-        o.me[1], o.me[2], o.ma[0], o.ma[1], o.ma[2], o.mg, o.pd, o.portals, o.direct_samples);
+        o.me[1], o.me[2], o.ma[0], o.ma[1], o.ma[2], o.mg, o.pd, o.sampling != flatten::Sampling::plain,
+        o.sampling == flatten::Sampling::guided ? fmt::format(" guided from {}", o.guide_from) : "", o.direct_samples);
 }
 
 std::string hash_of(const std::string& text) {

@@ -16,6 +16,9 @@ extern const char* const kernel_source;
 
 namespace {
 
+using kernels::float4;  // types of the lists below
+using kernels::uint4;
+
 constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it
 
 // The buffers of a scene and of the path state, in the order of their lists (kernels/intersect.h,
@@ -25,8 +28,7 @@ enum { SCENE_TABLES(TABLE_NUMBER) TABLES };
 #define FIELD_NUMBER(type, name, when) PATH_##name,
 enum { PATH_STATE(FIELD_NUMBER) PATH_FIELDS };
 
-#define RESERVE_FIELD(type, name, when) \
-    paths_[PATH_##name] = room(media || (when) == PATH_ALWAYS ? slots : 1, sizeof(kernels::type));
+#define RESERVE_FIELD(type, name, when) paths_[PATH_##name] = room(((when) & ~needs_) == 0 ? slots : 1, sizeof(type));
 
 #define SEND_OF_BVH(type, name) tables_[TABLE_##name] = send(bvh.name.data(), bvh.name.size() * 4);
 #define SEND_OF_SCENE(type, name) tables_[TABLE_##name] = send(s.name.data(), s.name.size() * 4);
@@ -57,6 +59,7 @@ public:
             shadow_ = cl::Kernel(program_, "k_shadow");
             swap_ = cl::Kernel(program_, "k_swap");
             draw_ = cl::Kernel(program_, "k_draw");
+            walk_ = cl::Kernel(program_, "k_walk");
             counters_ = cl::Buffer(context_, CL_MEM_READ_WRITE, 16);
             params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(Params));
             check_layout();
@@ -72,44 +75,15 @@ public:
                 BVH_TABLES(SEND_OF_BVH)
             }
             FLAT_TABLES(SEND_OF_SCENE)
+            tables_[TABLE_guide] = send(nullptr, 0);
         });
     }
 
     void run(const Params& par, std::vector<float>& rgb) override {
         call("rendering", [&] {
             reserve(par, par.slots);
-            queue_.enqueueWriteBuffer(params_, CL_FALSE, 0, sizeof par, &par);
-            const uint32_t zero[4] = {0, 0, 0, 0};
-            queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zero);
-            unsigned a = set_scene(generate_);
-            generate_.setArg(a++, counters_);
-            generate_.setArg(a++, now_);
-            launch(generate_, par.slots);
-            uint32_t active = count();
-            // Reading a counter stalls a GPU: it looks every few rounds only, idle work items leave at once.
-            const int rounds = gpu_ ? 4 : 1;
-            while (active > 0) {
-                for (int i = 0; i < rounds; i++) {
-                    a = set_scene(extend_);
-                    extend_.setArg(a++, counters_);
-                    extend_.setArg(a++, now_);
-                    launch(extend_, active);
-                    a = set_scene(shade_);
-                    shade_.setArg(a++, counters_);
-                    shade_.setArg(a++, now_);
-                    shade_.setArg(a++, next_);
-                    shade_.setArg(a++, shadow_queue_);
-                    launch(shade_, active);
-                    a = set_scene(shadow_);
-                    shadow_.setArg(a++, counters_);
-                    shadow_.setArg(a++, shadow_queue_);
-                    launch(shadow_, active);
-                    swap_.setArg(0, counters_);
-                    launch(swap_, 1);
-                    std::swap(now_, next_);
-                }
-                active = count();
-            }
+            begin(generate_, par);
+            follow();
             receive(par.slots, rgb);
         });
     }
@@ -134,6 +108,36 @@ public:
             receive(n, rgb);
         });
     }
+    void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) override {
+        call("learning where light comes from", [&] {
+            const uint32_t n = uint32_t(rays.size());
+            reserve(par, n);
+            std::vector<kernels::float4> p(n), d(n), share(n);
+            for (uint32_t i = 0; i < n; i++) {
+                p[i] = {rays[i].org[0], rays[i].org[1], rays[i].org[2], 0};
+                d[i] = {rays[i].dir[0], rays[i].dir[1], rays[i].dir[2], rays[i].dir_w};
+            }
+            queue_.enqueueWriteBuffer(paths_[PATH_org], CL_TRUE, 0, n * 16, p.data());
+            queue_.enqueueWriteBuffer(paths_[PATH_dir], CL_TRUE, 0, n * 16, d.data());
+            begin(walk_, par);
+            follow();
+            rad_.resize(n);
+            queue_.enqueueReadBuffer(paths_[PATH_rad], CL_TRUE, 0, n * 16, rad_.data());
+            queue_.enqueueReadBuffer(paths_[PATH_thr], CL_TRUE, 0, n * 16, share.data());
+            queue_.enqueueReadBuffer(paths_[PATH_org], CL_TRUE, 0, n * 16, p.data());
+            queue_.enqueueReadBuffer(paths_[PATH_dir], CL_TRUE, 0, n * 16, d.data());
+            ends.resize(n);
+            for (uint32_t i = 0; i < n; i++)
+                ends[i] = {{rad_[i].x, rad_[i].y, rad_[i].z},
+                           {share[i].x, share[i].y, share[i].z},
+                           {p[i].x, p[i].y, p[i].z},
+                           {d[i].x, d[i].y, d[i].z},
+                           d[i].w == WALK_AT_BOUNCE};
+        });
+    }
+    void set_guide(std::vector<uint32_t> guide) override {
+        call("sending the guide", [&] { tables_[TABLE_guide] = send(guide.data(), guide.size() * 4); });
+    }
     uint32_t good_slots() const override { return gpu_ ? 1u << 21 : 1u << 18; }
 
 private:
@@ -151,14 +155,53 @@ private:
         return b;
     }
     void reserve(const Params& par, uint32_t slots) {
-        const bool media = kernels::path_media_used(&par) != 0;
-        if (slots <= capacity_ && media <= media_) return;
-        capacity_ = slots;
-        media_ = media;
+        const uint32_t needs = kernels::path_needs(&par);
+        if (slots <= capacity_ && (needs & ~needs_) == 0) return;
+        capacity_ = std::max(capacity_, slots);
+        needs_ |= needs;
+        slots = capacity_;
         PATH_STATE(RESERVE_FIELD)
         now_ = room(slots, 4);
         next_ = room(slots, 4);
         shadow_queue_ = room(slots, 4);
+    }
+    // Fills the queue with the paths that have a ray.
+    void begin(cl::Kernel& kernel, const Params& par) {
+        queue_.enqueueWriteBuffer(params_, CL_FALSE, 0, sizeof par, &par);
+        const uint32_t zero[4] = {0, 0, 0, 0};
+        queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zero);
+        unsigned a = set_scene(kernel);
+        kernel.setArg(a++, counters_);
+        kernel.setArg(a++, now_);
+        launch(kernel, par.slots);
+    }
+    // Follows the paths of the queue to their ends.
+    void follow() {
+        uint32_t active = count();
+        // Reading a counter stalls a GPU: it looks every few rounds only, idle work items leave at once.
+        const int rounds = gpu_ ? 4 : 1;
+        while (active > 0) {
+            for (int i = 0; i < rounds; i++) {
+                unsigned a = set_scene(extend_);
+                extend_.setArg(a++, counters_);
+                extend_.setArg(a++, now_);
+                launch(extend_, active);
+                a = set_scene(shade_);
+                shade_.setArg(a++, counters_);
+                shade_.setArg(a++, now_);
+                shade_.setArg(a++, next_);
+                shade_.setArg(a++, shadow_queue_);
+                launch(shade_, active);
+                a = set_scene(shadow_);
+                shadow_.setArg(a++, counters_);
+                shadow_.setArg(a++, shadow_queue_);
+                launch(shadow_, active);
+                swap_.setArg(0, counters_);
+                launch(swap_, 1);
+                std::swap(now_, next_);
+            }
+            active = count();
+        }
     }
     cl::Buffer room(size_t count, size_t bytes_each) {
         return cl::Buffer(context_, CL_MEM_READ_WRITE, count * bytes_each);
@@ -208,11 +251,11 @@ private:
     cl::Context context_;
     cl::CommandQueue queue_;
     cl::Program program_;
-    cl::Kernel generate_, extend_, shade_, shadow_, swap_, draw_;
+    cl::Kernel generate_, extend_, shade_, shadow_, swap_, draw_, walk_;
     cl::Buffer tables_[TABLES], paths_[PATH_FIELDS];  // in the order of the kernels' arguments
     cl::Buffer params_, counters_, now_, next_, shadow_queue_;
     uint32_t capacity_ = 0;
-    bool media_ = false;  // the fields of PATH_MEDIA have that capacity, too
+    uint32_t needs_ = PATH_ALWAYS;  // the fields that have that capacity
     std::vector<kernels::float4> rad_;
 };
 

@@ -8,8 +8,9 @@
 #include "view/view.h"
 
 namespace trace {
+using flatten::Sampling;
 
-struct RenderOptions : flatten::Options {  // which has -dr, -bv and portals
+struct RenderOptions : flatten::Options {  // which has -dr, -bv and -sampling
     // RADIANCE's letters
     int ab = 5;             // -ab diffuse bounces
     double st = 0;          // -st specular threshold
@@ -28,6 +29,7 @@ struct RenderOptions : flatten::Options {  // which has -dr, -bv and portals
     // ours
     uint64_t seed = 1;
     int direct_samples = 16;  // m of spec paper 7: samples of the direct and specular class in frame 0
+    int guide_from = 8;       // first frame that -sampling guided guides: fewer do not pay for learning the light
 };
 
 }  // namespace trace

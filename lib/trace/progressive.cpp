@@ -12,6 +12,7 @@
 #include "trace/device.h"
 #include "trace/draw_sources.h"
 #include "trace/fingerprint.h"
+#include "trace/guide.h"
 #include "trace/view_params.h"
 
 namespace trace {
@@ -41,7 +42,8 @@ struct Renderer::State {
     std::vector<float> exact;  // drawn sources, 3 floats a pixel (empty: none)
     DrawList drawn;
     std::string fingerprint;
-    int64_t bad = 0;  // samples that were set to 0
+    bool guided = false;  // and the guide is still to be learned
+    int64_t bad = 0;      // samples that were set to 0
 
     // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.
     void scrub(std::vector<float>& rgb) {
@@ -74,6 +76,15 @@ struct Renderer::State {
                 if (!give(first + done + i, rgb.data() + size_t(i) * pixels * 3)) return;
             done += n;
         }
+    }
+    void ensure_guide() {
+        if (!guided) return;
+        guided = false;
+        Guide guide = learn_guide(*device, base);
+        if (guide.mask == 0) return;
+        base.guide_mask = guide.mask;
+        base.guide_grid = guide.grid;
+        device->set_guide(std::move(guide.words));
     }
     void ensure_s0() {
         if (!s0.empty()) return;
@@ -144,6 +155,8 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.ds = float(o.ds);
     p.lw = float(o.lw);
     p.skip_direct_below = s.m;
+    p.guide_from = uint32_t(o.guide_from);
+    s.guided = o.sampling == flatten::Sampling::guided;
     s.fingerprint = trace::fingerprint(flat, view, nx, ny, o);
     s.device->upload(std::move(flat));
 }
@@ -164,12 +177,18 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
         k = 1;
     }
     if (k >= end) return;
-    s.samples(MODE_FRAMES, k, end - k, [&](int64_t frame, const float* v) {
+    bool goes_on = true;
+    const auto sample = [&](int64_t frame, const float* v) {
         if (frame > s.m)
             for (size_t i = 0; i < out.size(); i++) out[i] = v[i] - s.s0[i];
         else std::copy(v, v + out.size(), out.begin());
-        return give(frame, out);
-    });
+        return goes_on = give(frame, out);
+    };
+    const int64_t unguided = s.guided ? std::clamp<int64_t>(s.base.guide_from - k, 0, end - k) : 0;
+    if (unguided > 0) s.samples(MODE_FRAMES, k, unguided, sample);
+    if (!goes_on || k + unguided >= end) return;
+    s.ensure_guide();
+    s.samples(MODE_FRAMES, k + unguided, end - k - unguided, sample);
 }
 
 void Renderer::frame(int64_t k, std::vector<float>& rgb) {

@@ -22,7 +22,7 @@
 
 namespace {
 
-constexpr int size = 40, frames = 8;
+constexpr int size = 40;
 constexpr long samples = 64;  // of each single ray
 const std::string vectors = LUXPIPE_TESTS "/golden/vectors";
 
@@ -42,7 +42,7 @@ private:
 
 std::string hash_of_frames(const std::string& arguments, const std::string& device) {
     std::vector<std::string> words = {"ptrace",  "-w-", "-x", std::to_string(size), "-y", std::to_string(size),
-                                      "-frames", "1",   "-o", "unused.hdr"};
+                                      "-frames", "8",   "-o", "unused%d.hdr"};
     std::istringstream in(arguments);
     for (std::string word; in >> word;) words.push_back(word);
     std::vector<char*> argv;
@@ -53,7 +53,7 @@ std::string hash_of_frames(const std::string& arguments, const std::string& devi
     const scene::Scene scene = scene::read_scene(opt.scene_files, opt.files);
     trace::Renderer renderer(scene, opt.view, opt.nx, opt.ny, opt.render, device, opt.files);
     Hash hash;
-    renderer.frames(0, frames, [&](int64_t, const std::vector<float>& rgb) {
+    renderer.frames(opt.first, int(opt.last - opt.first + 1), [&](int64_t, const std::vector<float>& rgb) {
         hash.add(rgb);
         return true;
     });

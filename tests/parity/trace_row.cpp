@@ -57,7 +57,7 @@ std::string disc_at(const std::vector<double>& point) {
 Value RowTracer::geometry(const Row& row) {
     const Options opt = read_arguments(row);
     flatten::Options geometry = opt.render;
-    geometry.portals = false;
+    geometry.sampling = flatten::Sampling::plain;
     const flatten::FlatScene flat =
         flatten::flatten(scene::read_scene(opt.scene_files, opt.files), geometry, opt.files);
     const flatten::HostTracer tracer(flat);

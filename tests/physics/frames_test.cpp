@@ -58,17 +58,17 @@ image::Picture sum_of(trace::Renderer& renderer, int size, int64_t first, int64_
     return out;
 }
 
-}  // namespace
-
-TEST_CASE("devices give the same frames") {
+void devices_agree(trace::Sampling sampling) {
     const Office scene;
     const int size = 40;
-    trace::Renderer cpu = scene.renderer("cpu", size);
+    trace::RenderOptions options;
+    options.sampling = sampling;
+    trace::Renderer cpu = scene.renderer("cpu", size, options);
     std::vector<std::vector<float>> mine(20), theirs(20);
     for (int k : {0, 1, 19}) cpu.frame(k, mine[size_t(k)]);
     for (const std::string& device : devices()) {
         CAPTURE(device);
-        trace::Renderer other = scene.renderer(device, size);
+        trace::Renderer other = scene.renderer(device, size, options);
         for (int k : {0, 1, 19}) {
             CAPTURE(k);
             other.frame(k, theirs[size_t(k)]);
@@ -90,28 +90,16 @@ TEST_CASE("devices give the same frames") {
     }
 }
 
-TEST_CASE("the number of threads changes nothing") {
-    const Office scene;
-    std::map<unsigned, std::vector<float>> frames;
-    for (unsigned threads : {1u, 2u, 5u}) {
-        base::use_processors(threads);
-        trace::Renderer renderer = scene.renderer("cpu", 33);
-        renderer.frame(17, frames[threads]);
-    }
-    base::use_processors(0);  // as many as there are
-    CHECK(luminance_sum(frames[1]) != 0);
-    CHECK(frames[1] == frames[2]);
-    CHECK(frames[1] == frames[5]);
-}
-
-TEST_CASE("ranges of frames merge to the run in one piece") {
+void ranges_merge(trace::Sampling sampling) {
     const Office scene;
     const int size = 24;
-    trace::Renderer renderer = scene.renderer("cpu", size);
+    trace::RenderOptions options;
+    options.sampling = sampling;
+    trace::Renderer renderer = scene.renderer("cpu", size, options);
     const image::Picture whole = sum_of(renderer, size, 0, 63);
     image::Merger merger;
     for (const auto& range : {std::pair{10, 40}, std::pair{0, 9}, std::pair{41, 63}}) {
-        trace::Renderer machine = scene.renderer("cpu", size);
+        trace::Renderer machine = scene.renderer("cpu", size, options);
         merger.add(sum_of(machine, size, range.first, range.second), "part");
     }
     const image::Picture merged = merger.result();
@@ -121,6 +109,95 @@ TEST_CASE("ranges of frames merge to the run in one piece") {
         worst =
             std::max(worst, double(std::abs(merged.rgb[i] - whole.rgb[i])) / std::max(1e-3f, std::abs(whole.rgb[i])));
     CHECK(worst < 2e-6);
+}
+
+// Means of frames first .. last and their standard errors, of the picture and of each of 8 x 8 blocks, from 16 seeds.
+struct Means {
+    std::vector<double> mean = std::vector<double>(65), variance = std::vector<double>(65);
+};
+
+Means means_of(const Office& scene, trace::Sampling sampling, int64_t first, int64_t last) {
+    const int size = 32, block = size / 8, seeds = 16;
+    Means out;
+    for (int seed = 1; seed <= seeds; seed++) {
+        trace::RenderOptions options;
+        options.sampling = sampling;
+        options.seed = uint64_t(seed);
+        options.direct_samples = 1 << 20;  // frames of the diffuse class alone
+        trace::Renderer renderer = scene.renderer("cpu", size, options);
+        std::vector<double> value(65);
+        renderer.frames(first, int(last - first + 1), [&](int64_t, const std::vector<float>& rgb) {
+            for (int i = 0; i < size * size; i++) {
+                const double v = rgb[3 * size_t(i) + 1] / double(last - first + 1);
+                value[64] += v / (size * size);
+                value[size_t(i / size / block * 8 + i % size / block)] += v / (block * block);
+            }
+            return true;
+        });
+        for (size_t i = 0; i < 65; i++) {
+            out.mean[i] += value[i] / seeds;
+            out.variance[i] += value[i] * value[i] / seeds;
+        }
+    }
+    for (size_t i = 0; i < 65; i++) out.variance[i] = (out.variance[i] - out.mean[i] * out.mean[i]) / (seeds - 1);
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("devices give the same frames") { devices_agree(trace::Sampling::portals); }
+TEST_CASE("devices give the same guided frames") { devices_agree(trace::Sampling::guided); }
+
+TEST_CASE("the number of threads changes nothing") {
+    const Office scene;
+    std::map<unsigned, std::vector<float>> frames;
+    trace::RenderOptions options;
+    options.sampling = trace::Sampling::guided;
+    for (unsigned threads : {1u, 2u, 5u}) {
+        base::use_processors(threads);
+        trace::Renderer renderer = scene.renderer("cpu", 33, options);
+        renderer.frame(17, frames[threads]);
+    }
+    base::use_processors(0);  // as many as there are
+    CHECK(luminance_sum(frames[1]) != 0);
+    CHECK(frames[1] == frames[2]);
+    CHECK(frames[1] == frames[5]);
+}
+
+TEST_CASE("ranges of frames merge to the run in one piece") { ranges_merge(trace::Sampling::portals); }
+TEST_CASE("ranges of guided frames do, too") { ranges_merge(trace::Sampling::guided); }
+
+TEST_CASE("frames before the guide are those toward the windows, and the others are not") {
+    const Office scene;
+    trace::RenderOptions options;
+    trace::Renderer portals = scene.renderer("cpu", 16, options);
+    options.sampling = trace::Sampling::guided;
+    trace::Renderer guided = scene.renderer("cpu", 16, options);
+    std::vector<float> a, b;
+    for (const int64_t k : {0, 1, options.guide_from - 1, options.guide_from, 100}) {
+        CAPTURE(k);
+        portals.frame(k, a);
+        guided.frame(k, b);
+        CHECK((a == b) == (k < options.guide_from));
+    }
+}
+
+// Standard errors come from 16 seeds (Student's t with 15 degrees of freedom, of two means: 4 is exceeded by chance in
+// one of 1500 comparisons).  The blocks together: their mean square is 1 and a little more, that of t.
+TEST_CASE("the guide moves no mean") {
+    const Office scene;
+    const Means guided = means_of(scene, trace::Sampling::guided, 8, 71);
+    const Means plain = means_of(scene, trace::Sampling::portals, 8, 135);
+    double square = 0;
+    for (size_t i = 0; i < 65; i++) {
+        const double z = (guided.mean[i] - plain.mean[i]) / std::sqrt(guided.variance[i] + plain.variance[i]);
+        CAPTURE(i);
+        CHECK(std::abs(z) < 4.5);
+        if (i < 64) square += z * z / 64;
+    }
+    CHECK(square < 1.8);
+    CHECK(guided.variance[64] < plain.variance[64]);
+    CHECK(std::sqrt(guided.variance[64]) < .01 * guided.mean[64]);
 }
 
 // Soft shadow of a square lamp and its image in a rough floor, -ab 0: nothing but frame 0's own noise.  The rms error

@@ -13,6 +13,11 @@ FN uint path_sample_index(PRIVATE const Params* par, uint slot) {
     return par->frame + (par->mode == MODE_RAY ? gid : gid / (par->nx * par->ny));
 }
 
+// Does the guide choose the directions of this path?
+FN int path_guided(PRIVATE const Params* par, uint slot) {
+    return par->guide_mask != 0u && par->mode == MODE_FRAMES && path_sample_index(par, slot) >= par->guide_from;
+}
+
 // The ray through a random place of the pixel and of the lens.  0 if the view has none there.
 FN int camera_ray(PRIVATE const Params* par, uint pixel, PRIVATE Sampler* rnd, PRIVATE Ray* ray) {
     float2 r = sample2(rnd);
@@ -36,6 +41,26 @@ FN void given_ray(PRIVATE const Params* par, PRIVATE Sampler* rnd, PRIVATE Ray* 
     rnd->dim = 1u;
 }
 
+// What every path begins with, beside the direction of its first ray.
+FN void path_start(PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot, float3 org,
+                   PRIVATE const Sampler* rnd, uint flags) {
+    paths->org[slot] = pack4(org, as_float_(CLIP_START));
+    paths->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
+    if (par->medium.w > 0.0f) {
+        Medium open = medium_open(par);
+        set_path_medium(paths, slot, &open);
+    }
+
+    if (par->guide_mask != 0u) paths->expected[slot] = 0.0f;
+
+    uint4 info;
+    info.x = flags;
+    info.y = rnd->key;
+    info.z = path_sampler_word(rnd);
+    info.w = NONE;
+    paths->info[slot] = info;
+}
+
 // 1 if the slot has a ray to follow.
 FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
     uint pixel = path_pixel(par, slot), index = path_sample_index(par, slot);
@@ -54,20 +79,8 @@ FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* paths, uint
     paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
     if (!has_ray) return 0;
 
-    paths->org[slot] = pack4(ray.org, as_float_(CLIP_START));
     paths->dir[slot] = pack4(ray.dir, ray.tmax);
-    paths->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
-    if (par->medium.w > 0.0f) {
-        Medium open = medium_open(par);
-        set_path_medium(paths, slot, &open);
-    }
-
-    uint4 info;
-    info.x = 0u;
-    info.y = rnd.key;
-    info.z = path_sampler_word(&rnd);
-    info.w = NONE;
-    paths->info[slot] = info;
+    path_start(par, paths, slot, ray.org, &rnd, 0u);
     return 1;
 }
 

@@ -6,7 +6,7 @@
 
 // Whether this path's present class is wanted in this pass.
 FN int class_wanted(PRIVATE const Params* par, uint flags, uint index) {
-    if (par->mode == MODE_RAY) return 1;
+    if (par->mode == MODE_RAY || par->mode == MODE_WALK) return 1;
     if ((flags & PC_DIFFUSE) != 0u) return par->mode == MODE_FRAMES;
     return par->mode == MODE_DIRECT || index > par->skip_direct_below;
 }

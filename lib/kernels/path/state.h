@@ -6,7 +6,7 @@
 
 // The one list of what a path is made of: FIELD(type, name, when) for each field, four words a slot.  The struct Paths,
 // what both devices allocate and the arguments of the OpenCL kernels come from it.
-//   when: PATH_ALWAYS, or PATH_MEDIA if only scenes with media or antimatter need it (path_media_used)
+//   when: PATH_ALWAYS, or what makes it needed: PATH_MEDIA media or antimatter in the scene, PATH_GUIDED a guide
 // clang-format off
 #define PATH_STATE(FIELD)                                                                                       \
     FIELD(float4, org, PATH_ALWAYS)           /* the ray's origin; w: what is cut away there (bits; clip.h) */  \
@@ -21,7 +21,8 @@
     FIELD(float4, medium, PATH_MEDIA)         /* the medium around, extinction rgb; w: sets of lights (bits) */ \
     FIELD(float4, albedo, PATH_MEDIA)         /* its albedo, rgb; w: eccentricity */                            \
     FIELD(float4, shadow_medium, PATH_MEDIA)  /* the shadow ray's, extinction rgb; w: cut away there (bits) */  \
-    FIELD(float4, shadow_albedo, PATH_MEDIA)  /* its albedo, rgb; w: sets of lights (bits) */
+    FIELD(float4, shadow_albedo, PATH_MEDIA)  /* its albedo, rgb; w: sets of lights (bits) */                  \
+    FIELD(float, expected, PATH_GUIDED)       /* what was expected of it at its first bounce; 0: not yet */
 // clang-format on
 
 #define PATH_POINTER(type, name, when) GLOBAL type* name;
@@ -31,7 +32,11 @@ typedef struct {
 
 #define PATH_ALWAYS 0u
 #define PATH_MEDIA 1u
+#define PATH_GUIDED 2u
 FN int path_media_used(PRIVATE const Params* par) { return par->medium.w > 0.0f || (par->flags & PF_ANTIMATTER) != 0u; }
+FN uint path_needs(PRIVATE const Params* par) {
+    return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->guide_mask != 0u ? PATH_GUIDED : 0u);
+}
 
 // flags in info.x
 #define PC_DIFFUSE 1u      // some ancestor was a hemisphere sample

@@ -14,6 +14,8 @@ typedef struct {
     float weight;  // RADIANCE's ray weight: what the surfaces have left, whatever the chance of the directions was
     float before;  // path length from the eye to where the last ray began
     Sampler rnd;
+    int guided;      // does the guide choose its directions (guide.h)?
+    float expected;  // if so, what was expected of it at its first bounce; 0: that is still to come
 
     // the ray that has come here, and the surface that it met
     Ray ray;
@@ -54,6 +56,9 @@ FN void vertex_load(PRIVATE const Params* par, PRIVATE const Paths* paths, uint 
     vertex->weight = thr.w;
     vertex->wanted = class_wanted(par, info.x, path_sample_index(par, slot));
 
+    vertex->guided = path_guided(par, slot);
+    vertex->expected = vertex->guided ? paths->expected[slot] : 0.0f;
+
     vertex->ray.org = xyz4(org);
     vertex->ray.dir = xyz4(dir);
     vertex->ray.tmin = 0.0f;
@@ -74,6 +79,7 @@ FN void vertex_store(PRIVATE const Paths* paths, PRIVATE const Vertex* vertex, f
     paths->rad[vertex->slot] = pack4(vertex->rad, length);
     paths->info[vertex->slot].x = vertex->flags;
     paths->info[vertex->slot].z = path_sampler_word(&vertex->rnd);
+    if (vertex->guided) paths->expected[vertex->slot] = vertex->expected;
 }
 
 FN void vertex_add(PRIVATE Vertex* vertex, float3 radiance) {

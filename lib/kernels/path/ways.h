@@ -15,6 +15,10 @@
 #define WAYS 7u
 
 // What is known of the way taken.
+
+#define GUIDED_ENOUGH 0.5f  // a guided path is sure to go on if so much of what was expected is left
+#define GUIDED_LEAST 0.1f   // least chance that it has
+
 typedef struct {
     uint way;
     float3 dir;
@@ -23,6 +27,8 @@ typedef struct {
     float chance;  // in units of sum
     float sum;
 } Way;
+
+FN int way_bounces(PRIVATE const Way* way) { return way->way == WAY_DIFFUSE_R || way->way == WAY_DIFFUSE_T; }
 
 FN float way_weight(float3 color) {
     float m = max3(color);
@@ -82,12 +88,31 @@ FN float sample_rough_t(PRIVATE const SceneTables* s, PRIVATE const Params* par,
     return lobes_sample_rough_t(lobes, g, &vertex->rnd, par->ss, &way->dir);
 }
 
+// The same for a guided path: by what is known of light there.  A path of which much less is expected than was at its
+// first bounce goes on by chance (adjoint-driven Russian roulette, Vorba and Krivanek 2016).
+FN float sample_guided(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Vertex* vertex, float3 n,
+                       PRIVATE Way* way) {
+    PRIVATE const Surface* g = &vertex->g;
+    uint cell = guide_cell(s, par, g->p, n, &vertex->rnd);
+    if (cell == NONE) return sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->dir);
+
+    float carried = luminance3(mul3(vertex->thr, way->color)) * way->sum / MAX_(way->chance, 1e-30f);
+    float expects = carried * guide_light(s, cell), chance = 1.0f;
+    if (vertex->expected <= 0.0f) vertex->expected = expects;
+    else chance = MIN_(MAX_(expects / (GUIDED_ENOUGH * vertex->expected), GUIDED_LEAST), 1.0f);
+
+    if (chance < 1.0f && sample1(&vertex->rnd) >= chance) return 0.0f;
+    float factor = guide_sample(s, cell, n, sample2(&vertex->rnd), &way->dir);
+    return dot3(way->dir, n) > 0.0f ? factor / chance : 0.0f;
+}
+
 // A direction about n on either side of the surface; returns the factor, 0 if it is on the wrong side of the geometry.
 FN float sample_hemisphere(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Vertex* vertex, float side,
                            PRIVATE Way* way) {
     PRIVATE const Surface* g = &vertex->g;
     float3 n = side > 0.0f ? g->n : neg3(g->n);
-    float factor = sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->dir);
+    float factor = vertex->guided ? sample_guided(s, par, vertex, n, way)
+                                  : sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->dir);
     return side * dot3(way->dir, g->ng) <= 0.0f ? 0.0f : factor;
 }
 
@@ -135,7 +160,7 @@ FN void way_sample(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIV
 // What the path has been through once it takes this way.
 FN uint way_flags(PRIVATE const Vertex* vertex, PRIVATE const Way* way) {
     uint flags = vertex->flags;
-    if (way->way == WAY_DIFFUSE_R || way->way == WAY_DIFFUSE_T) flags = (flags | PC_DIFFUSE) + (1u << PC_AB_SHIFT);
+    if (way_bounces(way)) flags = (flags | PC_DIFFUSE) + (1u << PC_AB_SHIFT);
     else if (way->way == WAY_ROUGH_R || way->way == WAY_ROUGH_T) flags |= PC_ROUGH | PC_BENT;
     else if (way->way != WAY_THROUGH || dot3(way->dir, vertex->g.v) > -0.99999f) flags |= PC_BENT;
 
