@@ -65,8 +65,12 @@ format: ## lay out the C++ files with clang-format
 lint: ## checks that need no build: layout, layers, manual pages, stray paths
 	@for t in style layering pages paths; do TOP=. bash tests/docs/$$t.sh || exit 1; done
 
-install: all ## tools and manual pages to PREFIX (/usr/local)
+install: SETUP = no
+install: all ## tools, manual pages and completions to PREFIX (/usr/local); installs no packages
 	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+uninstall: ## remove what the last `make install` of this build put there
+	@xargs -r -d '\n' rm -fv < $(BUILD)/install_manifest.txt && rm -f $(BUILD)/install_manifest.txt
 
 clean: ## remove build/ and out/
 	@rm -rf $(BUILD) build-asan build-tsan build-fuzz out
@@ -75,4 +79,4 @@ setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 
 .PHONY: help all everything demo test test-gpu test-sanitize fuzz deb bench compare-radiance compare-evalglare \
-	man format lint install clean setup
+	man format lint install uninstall clean setup

@@ -163,6 +163,8 @@ std::optional<std::vector<std::string>> OptionTable::parse(int argc, char** argv
         }
         if (answered_) return std::nullopt;
     }
+    command_ = words.all();
+    command_.insert(command_.begin(), argc > 0 ? argv[0] : tool_);
     return operands;
 }
 

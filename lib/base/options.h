@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/option_target.h"
+#include "base/run.h"
 #include "base/words.h"
 
 namespace base {
@@ -89,6 +90,9 @@ public:
     // The whole command line; returns the operands.  Nothing: a question was answered, main ends with status 0.
     std::optional<std::vector<std::string>> parse(int argc, char** argv);
 
+    // After parse(): the program and its words as one line, @files and $VARIABLES replaced by what they said.
+    std::string command() const { return command_line(command_); }
+
     // Words that are options and nothing else: the user's, or those of a scene's file, which may say less.
     void read_words(const std::vector<std::string>& words);
     void read_scene_words(const std::vector<std::string>& words, const std::string& file);
@@ -124,6 +128,7 @@ private:
     std::string tool_, version_, usage_, group_, first_, footer_;
     std::deque<Option> options_;  // add() gives out references
     std::vector<Said> said_;
+    std::vector<std::string> command_;
     bool answered_ = false;
 };
 

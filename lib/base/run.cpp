@@ -110,6 +110,12 @@ void write_stdout(const void* data, size_t bytes) {
 
 bool stdout_is_terminal() { return isatty(1); }
 
+bool stdin_is_terminal() { return isatty(0); }
+
+void say_on_terminal(const std::string& text) {
+    if (isatty(2)) std::fprintf(stderr, "%s\n", text.c_str());
+}
+
 bool stdout_is_file() {
     struct stat info = {};
     return fstat(1, &info) == 0 && S_ISREG(info.st_mode);
@@ -133,14 +139,13 @@ void flush_stdout() {
     write_now(now.data(), now.size());
 }
 
-std::string command_line(int argc, char** argv) {
+std::string command_line(const std::vector<std::string>& words) {
     std::string line;
-    for (int i = 0; i < argc; ++i) {
-        const std::string word = argv[i];
+    for (const std::string& word : words) {
         const bool plain = !word.empty() && word.find_first_not_of(
                                                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                                 "0123456789-_+=.,:/@%^") == std::string::npos;
-        if (i) line += ' ';
+        if (&word != words.data()) line += ' ';
         if (plain) {
             line += word;
             continue;

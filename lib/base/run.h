@@ -5,6 +5,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace base {
 
@@ -17,11 +18,13 @@ struct ClosedPipe {};
 void write_stdout(const void* data, size_t bytes);
 void flush_stdout();
 bool stdout_is_terminal();  // no binary to a terminal
-bool stdout_is_file();      // what is written is kept under a name
-bool stdout_is_closed();    // the reader of the pipe has gone: for tools that write seldom
-void leave_stdout();        // nothing will be written: whoever reads the pipe gets its end at once
+bool stdin_is_terminal();
+void say_on_terminal(const std::string& text);  // a line on stderr if that is a terminal
+bool stdout_is_file();                          // what is written is kept under a name
+bool stdout_is_closed();                        // the reader of the pipe has gone: for tools that write seldom
+void leave_stdout();                            // nothing will be written: whoever reads the pipe gets its end at once
 
 // "a b 'c d'": the command line as one header line, quoted for the shell where needed.
-std::string command_line(int argc, char** argv);
+std::string command_line(const std::vector<std::string>& words);
 
 }  // namespace base

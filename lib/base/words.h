@@ -27,6 +27,8 @@ public:
     void go_to(size_t at) { at_ = at; }
     std::vector<std::string> since(size_t from) const;
 
+    const std::vector<std::string>& all() const { return words_; }  // what was replaced so far is
+
     const std::string& scene_file() const { return scene_file_; }
 
 private:

@@ -31,6 +31,10 @@ std::vector<std::string> header_lines(const Header& header);
 // A command line or other text as a line of history, cut to RADIANCE's limit; in brackets if it would mean more.
 void add_history(Header& header, const std::string& text);
 
+// "CAPDATE= 2026:11:22 03:10:54", local time, as RADIANCE's programs date pictures, unless the history has one.
+// $SOURCE_DATE_EPOCH (seconds) stands for now where the same bytes are wanted again, and is written in UTC.
+void add_date(Header& header);
+
 // The inputs' headers as history of a picture made from several: every line indented by one tab.
 void add_input_history(Header& header, const std::string& name, const Header& input);
 

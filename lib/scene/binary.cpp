@@ -10,10 +10,12 @@ namespace scene {
 
 void Binary::fail(const std::string& fact) const { base::fail(in_.name(), fact); }
 
-void Binary::skip_header() {
-    std::string line;
-    while (in_.line(line, 1 << 16))
-        if (line.empty() || line == "\r") return;
+std::vector<std::string> Binary::header() {
+    std::vector<std::string> lines;
+    for (std::string line; in_.line(line, 1 << 16);) {
+        if (line.empty() || line == "\r") return lines;
+        if (lines.size() < 1000) lines.push_back(line);
+    }
     fail("the file ends within its header");
 }
 

@@ -10,9 +10,9 @@ namespace scene {
 class Binary {
 public:
     explicit Binary(base::TextReader& in) : in_(in) {}
-    void skip_header();          // "#?" lines up to the empty one
-    int byte();                  // 0..255; the end of the file throws
-    int64_t integer(int bytes);  // two's complement, 1 to 8 bytes
+    std::vector<std::string> header();  // "#?" lines up to the empty one
+    int byte();                         // 0..255; the end of the file throws
+    int64_t integer(int bytes);         // two's complement, 1 to 8 bytes
     uint64_t unsigned_integer(int bytes);
     double real();       // 4-byte mantissa, 1-byte exponent
     double text_real();  // a number as a string

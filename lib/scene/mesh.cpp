@@ -124,7 +124,7 @@ struct RtmReader {
 
 void read_rtm(base::TextReader& source, const Limits& limits, Mesh& mesh) {
     RtmReader r{Binary(source), mesh, {}, {}, {}, 0, {}};
-    r.in.skip_header();
+    r.in.header();
     const int index_size = read_magic(r.in, mesh_magic, "a mesh");
     for (int i = 0; i < 3; i++) r.corner[i] = r.in.text_real();
     r.size = r.in.text_real();

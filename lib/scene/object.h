@@ -65,6 +65,7 @@ static_assert(sizeof(Object) == 40, "a million polygons should stay cheap");
 struct Scene {
     std::vector<Object> objects;
     std::vector<std::string> names, files, string_pool;
+    std::vector<std::string> history;  // what the headers of its octrees say
     std::vector<double> real_pool;
     std::unordered_map<std::string, std::vector<int32_t>>
         definitions;  // objects that are not surfaces, by name, in order

@@ -3,6 +3,7 @@
 #include "scene/octree.h"
 #include "base/error.h"
 #include "base/printable.h"
+#include "base/split.h"
 #include "scene/types.h"
 
 namespace scene {
@@ -31,7 +32,8 @@ void skip_tree(Binary& in, int index_size) {
 
 Octree read_octree(Binary& in) {
     Octree o;
-    in.skip_header();
+    for (const std::string& line : in.header())
+        if (!base::begins_with(line, "#?") && !base::begins_with(line, "FORMAT=")) o.history.push_back(line);
     const int size = o.index_size = read_magic(in, octree_magic, "an octree");
     for (int i = 0; i < 4; i++) in.text_real();  // bounding cube
     for (std::string name; !(name = in.text()).empty();) {

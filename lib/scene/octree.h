@@ -12,7 +12,8 @@ namespace scene {
 constexpr int octree_magic = 283, mesh_magic = 319;  // plus the size of an object index
 
 struct Octree {
-    std::vector<std::string> files;  // none: frozen, read_objects() comes next
+    std::vector<std::string> history;  // header lines that tell how it was made: oconv's command
+    std::vector<std::string> files;    // none: frozen, read_objects() comes next
     int64_t objects = 0;
     int index_size = 4;
 };

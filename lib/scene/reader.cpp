@@ -78,6 +78,7 @@ void SceneReader::octree(base::TextReader& in) {
     const Deeper deeper(depth_, limits_.depth, in.name());
     Binary b(in);
     const Octree head = read_octree(b);
+    scene_.history.insert(scene_.history.end(), head.history.begin(), head.history.end());
     if (head.files.empty()) {
         work_.spend(read_objects(b, head.index_size, head.objects, builder_).size(), in.name());
         return;

@@ -40,7 +40,7 @@ int frames(int argc, char** argv) {
     v.vh = v.vv = 180;
     if (argc > 7) view::parse_line(v, argv[7]);
     p.header.view = v;
-    p.header.lines = {base::command_line(argc, argv)};
+    p.header.lines = {base::command_line({argv, argv + argc})};
     for (int64_t k = number(2, 0); k <= number(3, 0); ++k) {
         p.header.frame = k;
         for (size_t i = 0; i < p.rgb.size(); ++i) p.rgb[i] = value(*p.header.seed, k, i);

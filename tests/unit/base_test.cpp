@@ -46,7 +46,7 @@ TEST_CASE("words: @file and $VAR are replaced in option position only, also insi
 TEST_CASE("command lines become one header line") {
     char a[] = "ptrace", b[] = "-vp", c[] = "two words", d[] = "it's", e[] = "new\nline";
     char* argv[] = {a, b, c, d, e};
-    CHECK(base::command_line(5, argv) == "ptrace -vp 'two words' 'it'\\''s' 'new line'");
+    CHECK(base::command_line({argv, argv + 5}) == "ptrace -vp 'two words' 'it'\\''s' 'new line'");
 }
 
 TEST_CASE("warnings: the first of a cause is told, the others counted") {

@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
     return base::run("ptaccum", [&] {
         const auto opt = parse_options(argc, argv);
         if (!opt) return 0;
-        const Output output(*opt, base::command_line(argc, argv));
+        const Output output(*opt, opt->command);
         Pictures pictures(opt->inputs);
         image::Picture first;
         if (!pictures.next(first)) base::fail("", "no picture to read");

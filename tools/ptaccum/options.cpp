@@ -56,6 +56,7 @@ std::optional<Options> parse_options(int argc, char** argv) {
     const auto operands = table.parse(argc, argv);
     if (!operands) return std::nullopt;
 
+    opt.command = table.command();
     opt.every_given = table.given("-every");
     if (opt.last_only && opt.every_given) base::fail("-last", "cannot be used with -every");
     if (opt.floats && opt.bytes) base::fail("-ff", "cannot be used with -fc");

@@ -9,6 +9,7 @@
 #include "image/tone.h"
 
 struct Options {
+    std::string command;               // the whole command line, for headers
     std::vector<std::string> inputs;   // none: stdin
     std::vector<std::string> outputs;  // -o, may repeat: files
     bool to_stdout = true;             // no -o, or one of them is "-"

@@ -39,6 +39,7 @@ void Output::stdout_picture(image::Picture& picture) const {
 
 void Output::files(image::Picture& picture, bool passing) const {
     sign(picture);
+    image::add_date(picture.header);
     picture.header.last_frame.reset();
     write_files(picture, passing);
 }

@@ -23,13 +23,19 @@ using Clock = std::chrono::steady_clock;
 // Says how far we are: in place on a terminal, or (-t) a line every so many seconds.
 class Report {
 public:
-    Report(int every_s, std::string device) : every_s_(every_s), device_(std::move(device)) {}
+    // last: the frame after which it ends; Options::endless: not known.
+    Report(int every_s, std::string device, int64_t last)
+        : every_s_(every_s), device_(std::move(device)), last_(last) {}
     void frame(int64_t k, int64_t done) {
         const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
         const bool line_due = every_s_ > 0 && seconds >= next_s_;
         if (!line_due && !progress_.due()) return;
-        const std::string text =
-            fmt::format("frame {}, {:.1f} s, {:.3g} s a frame, {}", k, seconds, seconds / double(done), device_);
+        const double a_frame = seconds / double(done);
+        std::string text = fmt::format("frame {}", k);
+        if (last_ != Options::endless) text += fmt::format(" of {}", last_);
+        text += fmt::format(", {:.1f} s, {:.3g} s a frame, ", seconds, a_frame);
+        if (last_ != Options::endless) text += fmt::format("{:.0f} s left, ", a_frame * double(last_ - k));
+        text += device_;
         if (line_due) fmt::print(stderr, "ptrace: {}\n", text);
         else progress_.show(text);
         while (line_due && next_s_ <= seconds) next_s_ += every_s_;
@@ -38,6 +44,7 @@ public:
 private:
     int every_s_;
     std::string device_;
+    int64_t last_;
     Clock::time_point start_ = Clock::now();
     double next_s_ = every_s_;
     base::Progress progress_{"ptrace"};
@@ -52,7 +59,8 @@ int render(int argc, char** argv) {
     image::Picture picture;
     picture.width = opt.nx;
     picture.height = opt.ny;
-    image::add_history(picture.header, base::command_line(argc, argv));
+    for (const std::string& line : scene.history) image::add_history(picture.header, line);
+    image::add_history(picture.header, opt.command);
     picture.header.view = opt.view;
     picture.header.seed = opt.render.seed;
     picture.header.exposure = opt.exposure;
@@ -61,7 +69,7 @@ int render(int argc, char** argv) {
     if (streams && opt.last != Options::endless) picture.header.last_frame = opt.last;
     image::WriteOptions as_float;
     as_float.pixels = image::Format::flt;
-    Report report(opt.report_s, renderer.device_name());
+    Report report(opt.report_s, renderer.device_name(), opt.last);
     const auto give = [&](int64_t k, const std::vector<float>& rgb) {
         picture.rgb = rgb;
         picture.header.frame = k;

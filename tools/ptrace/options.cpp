@@ -80,6 +80,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
         opt.scene_files = *operands;
     }
     base::search_beside(opt.scene_files, opt.files);
+    opt.command = table.command();
     base::use_processors(unsigned(opt.threads));
     if (!opt.warnings) base::set_warning_sink({});
     std::string unneeded;

@@ -14,7 +14,9 @@
 namespace {
 using namespace comfort;
 
+// On a terminal each line begins with an empty one: programs upstream show their progress there.
 void print(const std::string& text) {
+    if (base::stdout_is_terminal()) base::write_stdout("\r\033[K", 4);
     base::write_stdout(text.data(), text.size());
     base::flush_stdout();
 }
@@ -179,6 +181,8 @@ private:
 
 int measure_all(const Options& o) {
     const bool from_files = !o.files.empty();
+    if (!from_files && base::stdin_is_terminal())
+        base::say_on_terminal("vcmetrics: waits for pictures on the standard input; vcmetrics -help tells more");
     Printer printer(o, from_files);
     image::Picture picture;
     for (const std::string& file : from_files ? o.files : std::vector<std::string>{"-"}) {

@@ -9,7 +9,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "base/run.h"
 #include "base/warnings.h"
 #include "declare.h"
 
@@ -62,7 +61,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     const auto operands = table.parse(argc, argv);
     if (!operands) return 0;
 
-    o.command = base::command_line(argc, argv);
+    o.command = table.command();
     if (!o.warnings) base::set_warning_sink({});
     if (says_view(table)) o.view = view;
     o.files = *operands;

@@ -66,7 +66,7 @@ int work(int argc, char** argv) {
     image::MaskSet set;
     std::vector<region::Extent> extents;
     image::Header header;
-    header.lines = {base::command_line(argc, argv)};
+    header.lines = {opt.command};
     header.view = opt.view;
     auto all_regions = [&] {  // only where asked for: -single alone needs one of them
         if (!set.masks.empty()) return;

@@ -9,6 +9,7 @@
 #include "view/view.h"
 
 struct Options {
+    std::string command;  // the whole command line, for headers
     view::View view;
     bool view_given = false;
     int nx = 512, ny = 512;
