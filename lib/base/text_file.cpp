@@ -10,6 +10,7 @@
 
 #include "base/descriptor.h"
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/printable.h"
 #include "base/split.h"
 
@@ -19,6 +20,7 @@ std::string read_text_file(const std::string& path, size_t limit) {
     errno = 0;
     const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (fd < 0) fail_system(path, "cannot be read");
+    note_file_read(path);
     std::string text;
     char block[1 << 14];
     ssize_t n;

@@ -8,6 +8,7 @@
 #include <utility>
 #include "base/descriptor.h"
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/printable.h"
 #include "base/split.h"
 #include "base/text_file.h"
@@ -26,6 +27,7 @@ TextReader TextReader::from_file(const std::string& path, const std::string& ask
     s.close_ = path != "-";
     s.fd_ = s.close_ ? open(path.c_str(), O_RDONLY | O_CLOEXEC) : 0;
     if (s.fd_ < 0) fail_system(asked_by.empty() ? path : asked_by, "cannot open \"" + excerpt(path) + "\"");
+    if (s.close_) note_file_read(path);
     struct stat st;
     if (fstat(s.fd_, &st) == 0) {
         if (S_ISDIR(st.st_mode)) fail(asked_by.empty() ? path : asked_by, "\"" + excerpt(path) + "\" is a directory");

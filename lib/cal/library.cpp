@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/split.h"
 
 namespace cal {
@@ -35,6 +36,7 @@ std::string read_text(const std::string& path, size_t limit, const std::string& 
     errno = 0;
     FILE* file = std::fopen(path.c_str(), "rb");
     if (!file) base::fail_system(place, "cannot open \"" + path + "\"");
+    base::note_file_read(path);
     std::string text;
     char block[65536];
     size_t n;

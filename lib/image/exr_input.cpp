@@ -16,6 +16,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/files_read.h"
 #include "image/exr_parts.h"
 #include "image/header.h"
 
@@ -31,6 +32,7 @@ ExrInput::ExrInput(const std::string& path) : path_(path) {
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     if (!file) base::fail_system(path, "cannot be read");
+    base::note_file_read(path);
     check_attributes(file, path);
     Imf::Header::setMaxImageSize(most_side, most_side);  // before OpenEXR reserves anything
     Imf::Header::setMaxTileSize(most_side, most_side);

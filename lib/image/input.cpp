@@ -12,6 +12,7 @@
 
 #include "base/descriptor.h"
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/stop.h"
 
 namespace image {
@@ -24,6 +25,7 @@ Input::Input(const std::string& path) : name_(path == "-" ? "stdin" : path), buf
         fd_ = open(path.c_str(), O_RDONLY | O_CLOEXEC);
         if (fd_ < 0) base::fail_system(name_, "cannot be read");
         own_ = true;
+        base::note_file_read(path);
     }
     struct stat info = {};
     const bool known = fstat(fd_, &info) == 0;

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <pugixml.hpp>
 #include "base/error.h"
+#include "base/files_read.h"
 #include "scene/bsdf_text.h"
 #include "scene/bsdf_tree.h"
 
@@ -213,6 +214,7 @@ Bsdf parse_bsdf(const std::string& text, const std::string& place) {
 Bsdf read_bsdf(const std::string& path) {
     std::ifstream in(path, std::ios::binary | std::ios::ate);
     if (!in) base::fail_system(path, "cannot be read");
+    base::note_file_read(path);
     const auto size = in.tellg();
     if (size < 0) base::fail_system(path, "cannot be read");
     if (uint64_t(size) > max_file) fail(path, "BSDF files above 1 GB are not read");

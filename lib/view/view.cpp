@@ -13,6 +13,7 @@
 
 #include "base/angle.h"
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/options.h"
 
 namespace view {
@@ -91,6 +92,7 @@ void apply_view_file(View& v, const std::string& path) {
     errno = 0;
     std::ifstream in(path, std::ios::binary);
     if (!in) base::fail_system(path, "cannot be read");
+    base::note_file_read(path);
     bool any = false;
     std::string line;
     line.reserve(256);

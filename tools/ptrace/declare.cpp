@@ -122,6 +122,8 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
         opt.output = a.text();
         if (opt.output.empty()) base::fail(a.name(), "the name is empty");
     });
+    t.add("-M target", "Print a rule of make: this target and all files that are read for it; render nothing",
+          opt.rule_for);
     t.add("-exec", "Let the scene run its !commands", opt.files.exec);
     t.add("-rif file", "Take scene, options and views from an input file of rad(1)",
           [&](Arguments& a) { read_rif(a.text(), assignments, t, opt, rad_input); });

@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/progress.h"
 #include "base/run.h"
 #include "base/stop.h"
@@ -50,10 +51,21 @@ private:
     base::Progress progress_{"ptrace"};
 };
 
+// What the scene names is read when it is flattened; so a renderer is made, but not used.
+void print_rule(const scene::Scene& scene, const Options& opt) {
+    const trace::Renderer reads_the_rest(scene, opt.view, 1, 1, opt.render, "cpu", opt.files);
+    const std::string rule = base::make_rule(opt.rule_for, base::files_read());
+    base::write_stdout(rule.data(), rule.size());
+}
+
 int render(int argc, char** argv) {
     Options opt;
     if (auto status = parse_options(argc, argv, opt)) return *status;
     const scene::Scene scene = scene::read_scene(opt.scene_files, opt.files);
+    if (!opt.rule_for.empty()) {
+        print_rule(scene, opt);
+        return 0;
+    }
     trace::Renderer renderer(scene, opt.view, opt.nx, opt.ny, opt.render, opt.device, opt.files);
 
     image::Picture picture;

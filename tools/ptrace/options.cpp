@@ -37,6 +37,7 @@ void choose_view(const scene::RadInput& rad_input, const std::string& name, base
 void check(const Options& opt) {
     if (opt.scene_files.empty()) base::fail("", "no scene file; ptrace -help lists the options");
     view::validate(opt.view);
+    if (!opt.rule_for.empty()) return;
     if (!opt.output.empty()) {
         if (opt.last == Options::endless) base::fail("-frames", "say how many frames to write to files");
         if (opt.last > opt.first && output_name(opt.output, 0) == output_name(opt.output, 1))

@@ -20,6 +20,7 @@ struct Options {
     double exposure = 1;                // -rif: of the pictures written
     int64_t first = 0, last = endless;  // frames, both included
     std::string device = "auto";
+    std::string rule_for;                   // -M: the target of a rule of make; empty: render
     std::string command;                    // the whole command line, for the headers of the frames
     std::string output;                     // -o pattern; empty: stdout
     int threads = int(base::processors());  // -n
