@@ -18,11 +18,15 @@ d colorpict c 7 red green blue pictures/p.hdr . Px Py 0 0
 c plastic mat 0 0 5 .5 .5 .5 0 0
 void mesh t 1 "./a folder/t $1#.obj" 0 0
 SCENE
-files() { ptrace -w- "$@" -M out.hdr scene.rad > rule; sed -n '/^out.hdr:/,/^$/p' rule | sed 's/ \\$//; s/^ *//' | sed 1d | sed '/^$/d' | sort; }
+files() {
+    ptrace -w- "$@" -M out.hdr scene.rad > rule
+    sed -n '/^out.hdr:/,/^$/p' rule | sed 's/ \\$//; s/^ *//; 1d; /^$/d' | sort
+}
 
 check 'all files are there: text, functions, data, pictures, meshes, options, views' '
     files -f half.cal -vf view.vf @render.opt > said
-    printf "%s\n" "a\\ folder/t\\ \$\$1\\#.obj" d.dat f.cal half.cal parts/ball.rad parts/more.rad pictures/p.hdr render.opt scene.rad view.vf | sort > want
+    printf "%s\n" "a\\ folder/t\\ \$\$1\\#.obj" d.dat f.cal half.cal parts/ball.rad parts/more.rad \
+        pictures/p.hdr render.opt scene.rad view.vf | sort > want
     diff want said'
 check 'make takes it, names with blanks, too' '
     printf "all: out.hdr\n\nout.hdr:\n\techo made > out.hdr\n" > Makefile; cat rule >> Makefile
@@ -32,4 +36,5 @@ check 'and goes on when a file has been removed' ': > out.hdr; rm parts/more.rad
 check 'an octree stands for its files' '
     command -v oconv > /dev/null || exit 0
     cp parts/ball.rad parts/more.rad; oconv parts/ball.rad > o.oct; ptrace -w- -M x o.oct | grep -q "^parts/ball.rad:"'
-check_error 'a missing file is an error, not a rule' '[12]' '^ptrace: .*half.cal' 'rm half.cal; ptrace -f half.cal -M x scene.rad'
+check_error 'a missing file is an error, not a rule' '[12]' '^ptrace: .*half.cal' '
+    rm half.cal; ptrace -f half.cal -M x scene.rad'
