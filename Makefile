@@ -62,7 +62,7 @@ man: ## the manual pages as HTML in out/man
 format: ## lay out the C++ files with clang-format
 	@clang-format -i $(CXX_FILES)
 
-lint: ## checks that need no build: layout, layers, manual pages, stray paths
+lint: ## checks that need no build: layout, layers, manual pages, stray paths, ghost files
 	@for t in style layering pages paths; do TOP=. bash tests/docs/$$t.sh || exit 1; done
 
 install: SETUP = no

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The four words our CMake files use.  Sources are listed by name.
 
-# lux_library(name SOURCES ... LINK ...): static library lux_<name>; includes are "name/file.h".
+# lux_library(name SOURCES ... LINK ...): static library lux_<name>; includes are "NAME/file.h".
 function(lux_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_library(lux_${name} STATIC ${ARG_SOURCES})

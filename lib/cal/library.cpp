@@ -12,7 +12,7 @@ namespace cal {
 namespace {
 constexpr size_t max_file = size_t(4) << 20;  // function files; trees take a hundred times the text
 
-std::string context_of(const std::string& file) {  // "lib/my sky.cal" -> "my_sky"
+std::string context_of(const std::string& file) {  // "skies/my sky.cal" -> "my_sky"
     std::string name = file.substr(file.find_last_of('/') + 1);
     if (base::ends_with(name, ".cal")) name.resize(name.size() - 4);
     for (char& c : name)

@@ -221,8 +221,6 @@ const Type* find(const std::string& name) {
 
 }  // namespace
 
-bool is_pattern(const std::string& type) { return find(type) != nullptr; }
-
 Program compile_pattern(Library& library, const PatternSpec& spec, Code& code) {
     const Type* type = find(spec.type);
     if (!type) base::fail(spec.place, "\"" + spec.type + "\" is not a pattern, texture or mixture");

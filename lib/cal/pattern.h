@@ -33,7 +33,6 @@ struct Program {
     std::string first, second;  // mixtures: names of the modifiers
 };
 
-bool is_pattern(const std::string& type);
 Program compile_pattern(Library& library, const PatternSpec& spec, Code& code);
 
 // Functions of a material.  values: what is needed once per hit; lobe: what is needed per light direction, with

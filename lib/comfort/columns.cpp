@@ -87,7 +87,7 @@ class Chooser {
 public:
     Chooser(const ColumnChoice& choice, const Settings& settings, Needs& needs)
         : choice_(choice), settings_(settings), needs_(needs) {
-        needs_ = {false, false, false, false, false};
+        needs_ = {false, false, false, false};
     }
     std::vector<Column> all() {
         if (choice_.accelerad) {

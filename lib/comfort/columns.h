@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The columns vcmetrics can print, by name, and what each one needs to be worked out.
-// To add a metric: 1. a line in the table of columns.cpp; 2. if it costs time, a field in Needs (settings.h) and its
-// computation in measure.cpp; 3. its equation in man/vcmetrics.1.
+// The columns vcmetrics can print, by name, and what must be calculated for each one.  CONTRIBUTING.md says how to add
+// a metric.
 #pragma once
 #include <functional>
 #include <string>

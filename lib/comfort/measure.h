@@ -45,7 +45,6 @@ public:
     Measurement measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
     const Geometry& geometry() const { return *geometry_; }
     const SourceFinder& finder() const { return *finder_; }
-    const std::vector<std::string>& region_names() const { return region_names_; }
 
 private:
     void prepare(const view::View& view, const image::Picture& picture, const std::string& place);

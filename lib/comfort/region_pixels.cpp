@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Means of a region's pixels, weighted by solid angle and coverage (area.h).
+// Means of a region's pixels, weighted by solid angle and coverage (region_pixels.h).
 #include "comfort/region_pixels.h"
 #include <algorithm>
 #include <limits>

@@ -30,8 +30,7 @@ public:
     const CheckPicture* check_picture() const { return check_ ? &*check_ : nullptr; }  // with -c
     const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
     double direct_lux() const { return direct_lux_; }
-    const std::vector<GlareSource>& before_zones() const { return before_zones_; }  // empty without zones
-    double radius_px() const { return radius_px_; }
+    const std::vector<GlareSource>& before_zones() const { return before_zones_; }     // empty without zones
     std::vector<GlareTerm> every_pixel(const Luminance& lum, double threshold) const;  // DgpForm::pixel
 
 private:

@@ -172,7 +172,8 @@ typedef struct {
     float ds;
     uint light_sets_at;
     uint guide_mask, guide_from;  // of its hash table, 0: there is no guide; first frame that it guides
-    uint skip_direct_below, cdf_at, draw_at, draw_count;
+    uint skip_direct_below, cdf_at;
+    uint padding[2];  // to a multiple of 16 bytes
 } Params;
 
 // modes: what a pass computes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Picture location -> ray, for the six projections (the double-precision twin is lib/view; a test compares them).
-// Host fills Params.view_*: unit d, h, u; view_size.x/.y = the scale factors of each type (see trace/view_params.cpp).
+// Host fills Params.view_*: unit d, h, u; view_size.x/.y = the scale factors of each type (see trace/view_params.h).
 #ifndef LUX_VIEW_RAY_H
 #define LUX_VIEW_RAY_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Frames of Eq. 7.  L(0) = exact part (small sources drawn by area) + S0, the mean of m samples of the direct class;
 // frames 1..m carry the diffuse class; frame k > m adds S(k) - S0, so that for n >= m both classes are plain means of n
-// samples and frame 0's own noise averages out (paper section 7 in docs/spec; docs/decisions/0002).
+// samples and frame 0's own noise averages out (docs/spec/paper.md 7, docs/decisions/0002-frame-zero.md).
 #include "trace/progressive.h"
 
 #include <algorithm>

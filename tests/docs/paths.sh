@@ -12,3 +12,15 @@ check 'no file names a path of one machine' '
 check 'every source file says its licence' '
     ! (cd "$TOP" && files | grep -E "[.](cpp|h|cl|sh|cmake)$|CMakeLists.txt$|Makefile$" | tr "\n" "\0" |
         xargs -0 grep -L "SPDX-License-Identifier: BSD-3-Clause" | grep .)'
+
+named() {  # files in comments and pages; CHANGELOG tells of files that were
+    (cd "$TOP" && files > "$TMP/list"
+     grep -E '[.](h|cpp|cl|inl|sh|py|md|awk|cmake|[157])$|(CMakeLists.txt|Makefile)$' "$TMP/list" |
+         grep -vE '^([.]/)?(tests/golden/|CHANGELOG)' | xargs awk -f tests/docs/names.awk "$TMP/list")
+}
+check 'every file that a comment or page names is there' 'named > ghosts; cat ghosts >&2; test ! -s ghosts'
+
+echo '// as in lib/gone.cpp, ghost.h and mat_NAME.h' > page.cpp
+check 'a name without a file is seen' '
+    echo lib/base/error.h | awk -f "$TOP/tests/docs/names.awk" - page.cpp | sed "s/.*: //" | sort | tr "\n" " " > seen
+    grep -qx "ghost.h lib/gone.cpp " seen'

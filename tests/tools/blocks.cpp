@@ -109,7 +109,7 @@ Blocks read_table(const std::string& path, int width, int height) {
 }
 
 // ptrace's frames: frame 0 is itself the mean of m samples of the direct class, which later frames refine
-// (docs/decisions/0002), so only frames beyond m show the whole scatter.
+// (docs/decisions/0002-frame-zero.md), so only frames beyond m show the whole scatter.
 Blocks read_frames() {
     const int whole_from = trace::RenderOptions().direct_samples + 1;
     image::StreamReader in("-");

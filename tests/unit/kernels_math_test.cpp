@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The device's elementary functions against the double ones: the worst error in ulp over each function's range,
-// and defined results at the extremes.  (Device = host bits is checked in kernels_cal_vm_test.cpp, on OpenCL.)
+// and defined results at the extremes.  (Device = host bits is checked in cal_opencl_test.cpp.)
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 

@@ -2,22 +2,13 @@
 // Our own options: see declare.h.
 #include "declare.h"
 
+#include "base/split.h"
 #include "comfort/columns.h"
 
 namespace {
 
 using base::Arguments;
 using base::OptionTable;
-
-std::vector<std::string> split_at_commas(const std::string& list) {
-    std::vector<std::string> out;
-    for (size_t at = 0; at <= list.size();) {
-        const size_t comma = std::min(list.find(',', at), list.size());
-        if (comma > at) out.push_back(list.substr(at, comma - at));
-        at = comma + 1;
-    }
-    return out;
-}
 
 void define_dgp(Arguments& a, comfort::Settings& s) {
     switch (a.one_of({"evalglare", "paper", "pixel"})) {
@@ -31,10 +22,10 @@ void declare_output(OptionTable& t, Options& o) {
     using Format = comfort::TableFormat;
     t.group("What is printed");
     t.add("-metrics list", "The columns, comma separated: " + comfort::column_names(),
-          [&](Arguments& a) { o.metrics = split_at_commas(a.text()); });
+          [&](Arguments& a) { o.metrics = base::split_list(a.text(), ','); });
     t.add("-regions file", "Named regions: masks of vcregion(1), or a file of vcregion(5)", o.regions_file);
     t.add("-cr pair", "Contrast ratio of two regions, low/high or name=low/high; may be repeated", [&](Arguments& a) {
-        for (const std::string& pair : split_at_commas(a.text())) o.contrast_pairs.push_back(pair);
+        for (const std::string& pair : base::split_list(a.text(), ',')) o.contrast_pairs.push_back(pair);
     });
     t.add("-sources", "Print a line for each glare source instead of the metrics", o.list_sources);
     t.add("-format name", "Form of the table: tsv, csv or jsonl",
