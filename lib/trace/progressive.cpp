@@ -154,6 +154,7 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.dj = float(o.dj);
     p.ds = float(o.ds);
     p.lw = float(o.lw);
+    p.way_least = float(o.way_least);
     p.skip_direct_below = s.m;
     p.guide_from = uint32_t(o.guide_from);
     s.guided = o.sampling == flatten::Sampling::guided;

@@ -35,7 +35,20 @@ FN float way_weight(float3 color) {
     return m > 0.0f ? m : 0.0f;
 }
 
+// Each way that there is gets at least this weight.  Returns the new sum.
+FN float ways_raise(float least, PRIVATE float* weight) {
+    float sum = 0.0f;
+    for (uint way = 0u; way < WAYS; way++) {
+        if (weight[way] > 0.0f) weight[way] = MAX_(weight[way], least);
+        sum += weight[way];
+    }
+
+    return sum;
+}
+
 // How likely each way is, and the sum; 0: there is none.
+// Light that comes by the fourth reflection in a pane is rare: one path in millions finds it.  Tests that look for it
+// give each way a least chance; pictures do not, for what is rare here is dark as a rule.
 FN float ways_weigh(PRIVATE const Params* par, PRIVATE const Vertex* vertex, PRIVATE float* weight) {
     PRIVATE const Lobes* lobes = &vertex->lobes;
     int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
@@ -53,8 +66,9 @@ FN float ways_weigh(PRIVATE const Params* par, PRIVATE const Vertex* vertex, PRI
     if (weight[WAY_REFRACT] > 0.0f && (vertex->g.type == M_DIELECTRIC || vertex->g.type == M_INTERFACE))
         weight[WAY_REFRACT] = 1.0f - weight[WAY_MIRROR];
 
-    return weight[WAY_MIRROR] + weight[WAY_THROUGH] + weight[WAY_REFRACT] + weight[WAY_DIFFUSE_R] +
-           weight[WAY_DIFFUSE_T] + weight[WAY_ROUGH_R] + weight[WAY_ROUGH_T];
+    float sum = weight[WAY_MIRROR] + weight[WAY_THROUGH] + weight[WAY_REFRACT] + weight[WAY_DIFFUSE_R] +
+                weight[WAY_DIFFUSE_T] + weight[WAY_ROUGH_R] + weight[WAY_ROUGH_T];
+    return par->way_least > 0.0f ? ways_raise(par->way_least * sum, weight) : sum;
 }
 
 FN uint way_pick(PRIVATE const float* weight, float r) {

@@ -28,7 +28,8 @@ from shrink import Shrinker  # noqa: E402
 VECTORS = os.path.join(HERE, "..", "..", "golden", "vectors")
 FROM_VECTORS = ["tiny.fnt", "tri2.fnt", "small.hdr", "klemsq.xml", "peak.xml", "tt3.xml", "tt4.xml", "quad.rtm"]
 NEEDED = ["rtrace", "oconv", "obj2mesh"]
-COLUMNS = ["seed", "status", "pixels", "differ", "edges", "noisy"]  # of results.tsv, a line as soon as a scene is done
+# of results.tsv, a line as soon as a scene is done
+COLUMNS = ["seed", "status", "pixels", "differ", "edges", "rare", "noisy"]
 
 
 def wave_obj(normals):
@@ -71,7 +72,7 @@ def compare_scene(job):
     """One seed: a dictionary that the main process reports."""
     seed, args, bed = job
     scene = generate(seed, args.rays)
-    result = {"seed": seed, "pixels": 0, "differ": 0, "edges": 0, "noisy": 0, "status": "agrees", "why": ""}
+    result = {"seed": seed, "pixels": 0, "differ": 0, "edges": 0, "rare": 0, "noisy": 0, "status": "agrees", "why": ""}
     with tempfile.TemporaryDirectory() as folder:
         bed(folder)
         fault = scene.write(folder)
@@ -82,7 +83,7 @@ def compare_scene(job):
         except tracers.Refused as refused:
             return refusal(result, refused, scene, folder, args)
     result.update(pixels=len(pixels), differ=len(wrong), edges=sum(p.edge for p in pixels),
-                  noisy=sum(p.noise() > .1 for p in pixels))
+                  rare=sum(p.rare for p in pixels), noisy=sum(p.noise() > .1 for p in pixels))
     if wrong:
         result["status"] = "differs"
         worst = max(wrong, key=lambda p: p.deviation())
@@ -152,7 +153,8 @@ def report(results, args, seconds):
              + ", ".join(f"{n} {status}" for status, n in sorted(count.items()))]
     if pixels:
         lines.append(f"{pixels} pixels: {100 * (pixels - unknown - known) / pixels:.3f} % agree within noise "
-                     f"({sum(r['edges'] for r in results)} on edges, {sum(r['noisy'] for r in results)} noisy), "
+                     f"({sum(r['edges'] for r in results)} on edges, {sum(r['rare'] for r in results)} by rare ways, "
+                     f"{sum(r['noisy'] for r in results)} noisy), "
                      f"{known} differ as docs/differences.md says, {unknown} differ")
     lines.append(f"{seconds:.0f} s")
     return lines

@@ -2,15 +2,15 @@
 """Both programs on the rays of a scene, with more samples where they seem to differ, until it is noise or a difference.
 
 A ray agrees if each channel is within 0.2 % of its value and 2e-4 of the brightest (or of what is as good as black in
-this scene), or within 4.5 standard errors of both means together.  Where rtrace itself changes as much between rays
-1e-4 apart, an edge is in the way, and which side of it single precision finds does not count as a difference."""
+this scene), or within 4.5 standard errors of both means together.  Rays that do not are looked at once more
+(second_look.py)."""
 import math
 
 import tracers
+from second_look import look_for_rare_ways, mark_edges
 
 RELATIVE, SIGMA = 2e-3, 4.5
 BLACK = 2e-3           # of typical(): nobody sees it
-SMALL = 1e-4           # how far neighbours of a ray are, for edges
 FIRST, LAST = 0, 3     # stages
 OURS = [(32, 64), (512, 2048), (8192, 8192), (65536, 65536)]
 THEIRS = [2, 16, 128, 1024]
@@ -19,7 +19,7 @@ MANY = 10
 
 class Pixel:
     def __init__(self, ray):
-        self.ray, self.ours, self.theirs, self.edge = ray, None, None, False
+        self.ray, self.ours, self.theirs, self.edge, self.rare = ray, None, None, False, False
 
     def agrees(self, floor):
         """Channels as a whole: a mean of noise and a bound of what no one sees."""
@@ -59,25 +59,6 @@ def trace_stage(pixels, stage, scene, folder, tracer, extra):
         p.ours, p.theirs = a, b
 
 
-def neighbours(ray):
-    for axis in range(3):
-        for sign in (-1, 1):
-            other = list(ray)
-            other[axis] += sign * SMALL
-            yield tuple(other)
-
-
-def mark_edges(pixels, floor, scene, folder):
-    """A pixel whose value is among those of rtrace's neighbours of the ray stands on an edge."""
-    rays = [n for p in pixels for n in neighbours(p.ray)]
-    values = tracers.rtrace(folder, scene.arguments(), rays, 16)
-    for i, p in enumerate(pixels):
-        near = [v for v, _ in values[6 * i:6 * i + 6]] + [p.theirs[0]]
-        slack = [RELATIVE * abs(v) + 2e-4 * floor + SIGMA * e for v, e in zip(*p.ours)]
-        spread = [(min(v[c] for v in near), max(v[c] for v in near)) for c in range(3)]
-        p.edge = all(low - s <= v <= high + s for (low, high), v, s in zip(spread, p.ours[0], slack))
-
-
 def typical(pixels):
     """A twentieth of the scene's typical brightness: what is darker is as good as black."""
     values = sorted(max(p.theirs[0]) for p in pixels)
@@ -101,6 +82,9 @@ def judge(scene, folder, tracer, extra="", first=FIRST, last=LAST, floor=None):
         still = [p for p in some if not p.agrees(floor) or (p.noise() > .05 and stage == 1)]
         wrong = sure + still + (wrong[MANY:] if len(some) < len(wrong) and 2 * len(still) > len(some) else [])
     wrong = [p for p in wrong if not p.agrees(floor)]
+    if wrong and len(wrong) <= MANY:
+        look_for_rare_ways(wrong, scene, folder, tracer, extra)
+        wrong = [p for p in wrong if not p.agrees(floor)]
     if wrong:
-        mark_edges(wrong, floor, scene, folder)
+        mark_edges(wrong, RELATIVE, 2e-4 * floor, scene, folder, tracer, extra)
     return pixels, [p for p in wrong if not p.edge]

@@ -45,10 +45,10 @@ def ray_text(ray):
     return " ".join(f"{v:.9g}" for v in ray)
 
 
-def rtrace(folder, arguments, rays, repeats):
+def rtrace(folder, arguments, rays, repeats, octree="scene.oct"):
     """Each ray `repeats` times; means and standard errors of the mean."""
     text = "".join((ray_text(ray) + "\n") * repeats for ray in rays)
-    command = ["rtrace", "-h", "-faf"] + EXACT.split() + arguments.split() + ["scene.oct"]
+    command = ["rtrace", "-h", "-faf"] + EXACT.split() + arguments.split() + [octree]
     out = run("rtrace", command, folder, text, timeout(rays))
     if len(out) != 12 * repeats * len(rays):
         raise Refused("rtrace", f"gives {len(out)} bytes for {len(rays)} rays")
@@ -66,9 +66,10 @@ def rtrace(folder, arguments, rays, repeats):
     return results
 
 
-def ptrace(tracer, folder, arguments, rays, fewest, most):
+def ptrace(tracer, folder, arguments, rays, fewest, most, least="0"):
+    """least: of the chances of the ways on from a surface."""
     text = "".join(ray_text(ray) + "\n" for ray in rays)
-    command = [tracer, str(fewest), str(most), "scene.rad", EXACT + " " + arguments]
+    command = [tracer, str(fewest), str(most), "scene.rad", EXACT + " " + arguments, least]
     out = run("ptrace", command, folder, text, timeout(rays))
     results = []
     for line in out.decode().splitlines():
