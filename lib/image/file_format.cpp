@@ -50,6 +50,12 @@ const FileFormat* format_by_magic(const char* four_bytes) {
     return nullptr;
 }
 
+std::string endings() {
+    std::string text;
+    for (const FileFormat& f : formats) text += (text.empty() ? "" : " ") + std::string(f.endings);
+    return text;
+}
+
 std::string writable_endings() {
     std::vector<std::string> all;
     for (const FileFormat& f : formats)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The formats of picture files.  To add one: a file like png.cpp that writes it or like exr.cpp that reads it, too, and
-// a row in file_format.cpp; the tools take it from there (man/luxpipe-stream.5 describes them).
+// The formats of picture files.  CONTRIBUTING.md says how to add one; the tools take it from the table in
+// file_format.cpp (man/luxpipe-stream.5 describes them).
 #pragma once
 #include <string>
 #include "image/exr.h"
@@ -26,6 +26,7 @@ struct FileFormat {
 // Null where there is none.
 const FileFormat* format_by_ending(const std::string& ending);
 const FileFormat* format_by_magic(const char* four_bytes);
+std::string endings();           // ".hdr .pic .exr .png", for -help
 std::string writable_endings();  // ".hdr, .pic, .exr or .png", for messages
 
 }  // namespace image

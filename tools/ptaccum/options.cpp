@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/options.h"
+#include "image/file_format.h"
 #include "image/stream.h"
 
 namespace {
@@ -20,7 +21,7 @@ void declare_output(OptionTable& t, Options& opt) {
           [&](Arguments& a) { opt.schedule = image::Schedule::parse(a.text(), a.name()); })
         .otherwise("1");
     t.add("-last", "Write the last sum only", opt.last_only);
-    t.add("-o file", "Write to this file (.hdr .pic .exr .png), or with - to the standard output; may be repeated",
+    t.add("-o file", "Write to this file (" + image::endings() + "), or with - to the standard output; may be repeated",
           opt.outputs)
         .also_joined();
     t.add("-ff", "Float pixels in all RADIANCE pictures", opt.floats);
