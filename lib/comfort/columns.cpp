@@ -9,7 +9,8 @@ namespace comfort {
 namespace {
 
 using M = const Measurement&;
-enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8 };
+// noisy: of noisy pixels it comes out wrong on average, and there is a column NAMEu that does not (unbiased.h).
+enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, noisy = 16 };
 
 struct Entry {
     const char* name;
@@ -28,23 +29,26 @@ double lum_sources(M m) {
     return m.sources.empty() ? 0 : flux / omega_sources(m);
 }
 
+double class_value(M m) { return dgp_class(m.dgp); }
+
 const Entry entries[] = {
     {"Ev", nothing, [](M m) { return m.ev; }},
-    {"DGP", sources, [](M m) { return m.dgp; }},
-    {"DGI", sources, [](M m) { return dgi(m.glare, m.background); }},
-    {"UGR", sources, [](M m) { return ugr(m.glare, m.background); }},
-    {"VCP", sources, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }},
-    {"CGI", sources, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }},
-    {"UGP", sources, [](M m) { return ugp(m.glare, m.background); }},
-    {"UGP2", sources, [](M m) { return ugp2(m.glare, m.background); }},
-    {"DGImod", sources, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }},
-    {"UGRexp", sources, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }},
-    {"DGR", sources, [](M m) { return dgr(m.glare, m.mean_lum); }},
+    {"DGP", sources | noisy, [](M m) { return m.dgp; }},
+    {"class", sources | noisy, class_value},
+    {"DGI", sources | noisy, [](M m) { return dgi(m.glare, m.background); }},
+    {"UGR", sources | noisy, [](M m) { return ugr(m.glare, m.background); }},
+    {"VCP", sources | noisy, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }},
+    {"CGI", sources | noisy, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }},
+    {"UGP", sources | noisy, [](M m) { return ugp(m.glare, m.background); }},
+    {"UGP2", sources | noisy, [](M m) { return ugp2(m.glare, m.background); }},
+    {"DGImod", sources | noisy, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }},
+    {"UGRexp", sources | noisy, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }},
+    {"DGR", sources | noisy, [](M m) { return dgr(m.glare, m.mean_lum); }},
     {"PGSV", sources | mask, [](M m) { return m.pgsv.value; }},
     {"PGSVcon", sources | mask, [](M m) { return m.pgsv.contrast; }},
     {"PGSVsat", sources | mask, [](M m) { return m.pgsv.saturation; }},
-    {"Lveil", sources, [](M m) { return veil_poynter(m.glare); }},
-    {"LveilCIE", sources, [](M m) { return veil_cie(m.glare, -HUGE_VAL); }},
+    {"Lveil", sources | noisy, [](M m) { return veil_poynter(m.glare); }},
+    {"LveilCIE", sources | noisy, [](M m) { return veil_cie(m.glare, -HUGE_VAL); }},
     {"Lavg", nothing, [](M m) { return m.mean_lum; }},
     {"Lmax", nothing, [](M m) { return m.max_lum; }},
     {"Lmed", medians, [](M m) { return m.median; }},
@@ -52,14 +56,14 @@ const Entry entries[] = {
     {"LavgPos2", medians, [](M m) { return m.mean_pos2; }},
     {"LmedPos", medians, [](M m) { return m.median_pos; }},
     {"LmedPos2", medians, [](M m) { return m.median_pos2; }},
-    {"Lb", sources, [](M m) { return m.background; }},
+    {"Lb", sources | noisy, [](M m) { return m.background; }},
     {"Lt", sources, [](M m) { return m.task_lum; }},
     {"threshold", sources, [](M m) { return m.threshold; }},
-    {"Edir", sources, [](M m) { return m.direct_lux; }},
+    {"Edir", sources | noisy, [](M m) { return m.direct_lux; }},
     {"n_sources", sources, [](M m) { return double(m.sources.size()); }},
     {"omega_sources", sources, omega_sources},
     {"L_sources", sources, lum_sources},
-    {"RAMMG", rammg, [](M m) { return m.rammg; }},
+    {"RAMMG", rammg | noisy, [](M m) { return m.rammg; }},
     {"omega", nothing, [](M m) { return m.omega; }},
     {"pixels", nothing, [](M m) { return double(m.valid_pixels); }},
     {"not_finite", nothing, [](M m) { return double(m.not_finite); }},
@@ -132,33 +136,46 @@ private:
         else columns_.push_back({column, [k](M m) { return m.region_values[k].tal; }});
     }
 
+    // NAME or, where noise makes NAME too large, NAMEu.
     bool plain(const std::string& name) {
-        for (const Entry& e : entries)
-            if (name == e.name) {
-                if (e.wants & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
-                needs_.sources |= (e.wants & sources) != 0;
-                needs_.rammg |= (e.wants & rammg) != 0;
-                needs_.medians |= (e.wants & medians) != 0;
-                if (name == "LveilCIE") {
-                    const double cut = settings_.veil_cut;
-                    columns_.push_back({name, [cut](M m) { return veil_cie(m.glare, cut); }});
-                } else {
-                    columns_.push_back({name, e.value});
-                }
-                return true;
+        for (const Entry& e : entries) {
+            const bool shows_unbiased = e.wants & noisy && name == std::string(e.name) + "u";
+            if (name != e.name && !shows_unbiased) continue;
+            if (e.wants & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
+            needs_.sources |= (e.wants & sources) != 0;
+            needs_.rammg |= (e.wants & rammg) != 0;
+            needs_.medians |= (e.wants & medians) != 0;
+
+            Column column{name, e.value};
+            if (std::string(e.name) == "LveilCIE")
+                column.value = [cut = settings_.veil_cut](M m) { return veil_cie(m.glare, cut); };
+            if (e.value == class_value) column.words = dgp_classes;
+            column.printed_unbiased = shows_unbiased;
+            if (e.wants & noisy && (choice_.certain || shows_unbiased)) {
+                column.unbiased = [value = column.value](M m) { return value(*m.unbiased); };
+                needs_.unbiased_sources |= (e.wants & sources) != 0;
+                needs_.unbiased_rammg |= (e.wants & rammg) != 0;
             }
+            columns_.push_back(std::move(column));
+            return true;
+        }
         return false;
     }
     bool contrast(const std::string& name) {
         bool found = false;
         for (const ContrastPair& p : choice_.pairs) {
-            if (name != "CR" && name != p.column + ".CR") continue;
+            const bool plain = name == "CR" || name == p.column + ".CR";
+            if (!plain && name != "CRu" && name != p.column + ".CRu") continue;
             const size_t low = region_index(p.low), high = region_index(p.high);
-            columns_.push_back(
-                {p.column + ".CR", [low, high](M m) { return m.region_values[low].tal / m.region_values[high].tal; }});
+            Column column{p.column + (plain ? ".CR" : ".CRu"),
+                          [low, high](M m) { return m.region_values[low].tal / m.region_values[high].tal; }};
+            column.ratio = true;
+            column.printed_unbiased = !plain;
+            columns_.push_back(std::move(column));
             found = true;
         }
-        if (name == "CR" && !found) base::fail("-metrics", "CR needs a contrast pair (-cr low/high)");
+        if ((name == "CR" || name == "CRu") && !found)
+            base::fail("-metrics", name + " needs a contrast pair (-cr low/high)");
         return found;
     }
     bool region(const std::string& name) {
@@ -214,6 +231,14 @@ private:
 
 std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Needs& needs) {
     return Chooser(choice, settings, needs).all();
+}
+
+const char* const dgp_classes[5] = {"imperceptible", "perceptible", "disturbing", "intolerable", "unknown"};
+const double dgp_limits[3] = {0.35, 0.40, 0.45};
+
+int dgp_class(double dgp) {
+    if (std::isnan(dgp)) return 4;
+    return dgp > dgp_limits[2] ? 3 : dgp >= dgp_limits[1] ? 2 : dgp >= dgp_limits[0] ? 1 : 0;
 }
 
 std::string column_names() {

@@ -12,6 +12,10 @@ namespace comfort {
 struct Column {
     std::string name;
     std::function<double(const Measurement&)> value;
+    std::function<double(const Measurement&)> unbiased = {};  // the same without bias (m.unbiased is set)
+    bool printed_unbiased = false;                            // DGPu: the column shows that
+    bool ratio = false;                                       // CR: its bias is taken off by the jackknife
+    const char* const* words = nullptr;                       // class: the value is an index of these
 };
 
 struct ColumnChoice {
@@ -19,7 +23,14 @@ struct ColumnChoice {
     std::vector<std::string> regions;  // in file order
     std::vector<ContrastPair> pairs;
     bool accelerad = false;  // AcceleradRT's columns and its contrast ratio, high over low; names stay unread
+    bool certain = false;    // every column's value without the bias of noise is needed, too
 };
+
+// What DGP means (paper, section 2): 0 imperceptible, below 0.35; 1 perceptible; 2 disturbing, from 0.40; 3
+// intolerable, above 0.45.  Index into dgp_classes.
+int dgp_class(double dgp);
+extern const char* const dgp_classes[5];  // the last one is "unknown"
+extern const double dgp_limits[3];
 
 // Names without a region (TAL, mean, median, min, max, share) stand for all regions, CR for all pairs.
 // Throws Error on a name that is none, with the names there are.

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "comfort/detect.h"
 #include "comfort/evalglare_format.h"
+#include "comfort/unbiased.h"
 
 namespace comfort {
 
@@ -106,6 +107,26 @@ void Meter::position_statistics(const Luminance& lum, Measurement& m) {
     m.mean_pos2 = sum2 / g.omega_sum / (settings_.slips ? g.omega_sum : 1);
 }
 
+void Meter::background_and_dgp(double ev, double direct, Measurement& m) const {
+    const bool all_is_source = std::fabs(ev - direct) < 1e-11 * ev;  // two sums over the same pixels
+    m.background0 = all_is_source ? 0 : (ev - direct) / evalglare_pi;
+    m.background = m.background0;
+    if (settings_.fast) {
+        // Lb as by default, whatever -q says
+    } else if (settings_.background == 1) {
+        double flux = 0, omega = 0;
+        for (const GlareSource& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
+        m.background =
+            m.omega - omega < 1e-11 * m.omega ? m.mean_lum : (m.omega * m.mean_lum - flux) / (m.omega - omega);
+    } else if (settings_.background == 2) {
+        m.background = ev / evalglare_pi;
+    }
+    m.eye_lux_used = settings_.external_ev.value_or(ev);
+    m.dgp_computed = dgp(m.glare, ev, settings_.constants);
+    m.dgp = dgp(m.glare, m.eye_lux_used, settings_.constants) *
+            (settings_.low_light ? low_light_factor(m.eye_lux_used) : 1);
+}
+
 void Meter::glare(Luminance& lum, Measurement& m) {
     const Geometry& g = *geometry_;
     if (settings_.field_cut) cut_field(lum, g, settings_.field_cut, settings_.position);
@@ -127,31 +148,9 @@ void Meter::glare(Luminance& lum, Measurement& m) {
         base::fail("-l", "the zone's centre is outside the picture");
     m.sources = finder_->find(lum, m.threshold);
     m.direct_lux = finder_->direct_lux();
-    if (settings_.dgp_form == DgpForm::pixel) {
-        m.glare = finder_->every_pixel(lum, m.threshold);
-    } else {
-        for (const GlareSource& s : m.sources)
-            m.glare.push_back({s.lum, s.omega, s.P, s.sigma_deg, s.eye_lux, s.sigma_deg});
-    }
+    m.glare = glare_terms(*finder_, lum, settings_, m.threshold, m.sources);
     m.any_source = !m.sources.empty();
-    const double direct = settings_.fast == 2 ? settings_.fast_direct : m.direct_lux;
-    const bool all_is_source = std::fabs(ev - direct) < 1e-11 * ev;  // two sums over the same pixels
-    m.background0 = all_is_source ? 0 : (ev - direct) / evalglare_pi;
-    m.background = m.background0;
-    if (settings_.fast) {
-        // Lb as by default, whatever -q says
-    } else if (settings_.background == 1) {
-        double flux = 0, omega = 0;
-        for (const GlareSource& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
-        m.background =
-            m.omega - omega < 1e-11 * m.omega ? m.mean_lum : (m.omega * m.mean_lum - flux) / (m.omega - omega);
-    } else if (settings_.background == 2) {
-        m.background = ev / evalglare_pi;
-    }
-    m.eye_lux_used = settings_.external_ev.value_or(ev);
-    m.dgp_computed = dgp(m.glare, ev, settings_.constants);
-    m.dgp = dgp(m.glare, m.eye_lux_used, settings_.constants) *
-            (settings_.low_light ? low_light_factor(m.eye_lux_used) : 1);
+    background_and_dgp(ev, settings_.fast == 2 ? settings_.fast_direct : m.direct_lux, m);
 
     if (settings_.band_rad) m.band = statistics_of(band_pixels(g, *settings_.band_rad), lum, g);
     if (settings_.mask_file) {
@@ -166,19 +165,28 @@ void Meter::glare(Luminance& lum, Measurement& m) {
     }
 }
 
-Measurement Meter::measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view) {
+Luminance Meter::read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view) {
     if (!view && !picture.header.view)
         base::fail(place, "the header has no view; give one with -vf file or with -vt, -vh and -vv");
     prepare(view ? *view : *picture.header.view, picture, place);
-    const Geometry& g = *geometry_;
-    if (g.valid_count == 0) base::fail(place, "no pixel of the picture lies in its view");
+    if (geometry_->valid_count == 0) base::fail(place, "no pixel of the picture lies in its view");
     Luminance lum = make_luminance(picture);
-    Measurement m;
-    m.not_finite = lum.not_finite;
-    m.negative = lum.negative;
     if (lum.not_finite)
         base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
     if (lum.negative) base::warn(place, "pixels are negative (-metrics negative counts them)");
+    return lum;
+}
+
+Measurement Meter::measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view) {
+    Luminance lum = read(picture, place, view);
+    return measure(lum, place);
+}
+
+Measurement Meter::measure(Luminance& lum, const std::string& place) {
+    const Geometry& g = *geometry_;
+    Measurement m;
+    m.not_finite = lum.not_finite;
+    m.negative = lum.negative;
     if (g.projector.view().type == 'v') {
         m.black_corners = black_corner_percent(lum);
         if (*m.black_corners > 70 && !settings_.force)
@@ -199,6 +207,30 @@ Measurement Meter::measure(image::Picture& picture, const std::string& place, co
     if (needs_.medians) position_statistics(lum, m);
     if (needs_.sources) glare(lum, m);
     return m;
+}
+
+void Meter::extrapolate(Batches::Parts& parts, Measurement& m) {
+    m.unbiased.reset();
+    if (noise_of_halves(parts, 1) < least_noise_of_halves) return;
+    auto u = std::make_shared<Measurement>(m);
+    if (needs_.unbiased_rammg) {
+        Luminance lum[Batches::parts];
+        double counts[Batches::parts];
+        for (int p = 0; p < Batches::parts; ++p)
+            lum[p] = parts.mean[p].luminance(), counts[p] = double(parts.frames[p]);
+        const double halves = rammg_of_halves(lum, counts, *geometry_, settings_.rammg_area);
+        u->rammg = extrapolated(m.rammg, halves, noise_of_halves(parts, 0.5));
+    }
+    if (needs_.unbiased_sources) {
+        HalvesSources halves = sources_of_halves(*finder_, parts, settings_, m.threshold);
+        const double noise = noise_of_halves(parts, 1);
+        for (GlareTerm& t : u->glare) t.weight = noise / (noise - 1);
+        for (GlareTerm& t : halves.terms) t.weight /= 1 - noise;
+        u->glare.insert(u->glare.end(), halves.terms.begin(), halves.terms.end());
+        u->direct_lux = extrapolated(m.direct_lux, halves.direct_lux, noise);
+        background_and_dgp(m.ev, u->direct_lux, *u);
+    }
+    m.unbiased = std::move(u);
 }
 
 }  // namespace comfort

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <vector>
+#include "comfort/batches.h"
 #include "comfort/region_pixels.h"
 #include "comfort/settings.h"
 #include "comfort/sources.h"
@@ -30,7 +31,8 @@ struct Measurement {
     std::vector<RegionValues> region_values;
     std::optional<PixelStatistics> band, mask, zone1, zone2;
     Pgsv pgsv{0, 0, 0};
-    std::optional<double> black_corners;  // percent, type v
+    std::optional<double> black_corners;    // percent, type v
+    std::shared_ptr<Measurement> unbiased;  // the same with sources and RAMMG without the bias of noise (unbiased.h)
 };
 
 // Regions of a file that fits any view and size, drawn when these are known (lib/region/region.h).
@@ -43,6 +45,13 @@ public:
           DrawRegions draw = {});
     // `view`: the one to use; without it the picture's own.  The picture's pixels are used up.
     Measurement measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
+    // The same in two steps: the grey picture over the picture's memory, checked and warned about; and what it
+    // measures.
+    Luminance read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
+    Measurement measure(Luminance& lum, const std::string& place);
+    // Sets m.unbiased, from the parts of the picture that m measured.
+    void extrapolate(Batches::Parts& parts, Measurement& m);
+    const Needs& needs() const { return needs_; }
     const Geometry& geometry() const { return *geometry_; }
     const SourceFinder& finder() const { return *finder_; }
 
@@ -51,6 +60,7 @@ private:
     void photometry(const Luminance& lum, Measurement& m) const;
     void position_statistics(const Luminance& lum, Measurement& m);
     void glare(Luminance& lum, Measurement& m);
+    void background_and_dgp(double ev, double direct_lux, Measurement& m) const;
 
     Settings settings_;
     Needs needs_;

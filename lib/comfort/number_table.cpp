@@ -44,7 +44,9 @@ bool is_label(const std::string& name) {
     return name == "file" || name == "view" || name == "frame" || name == "source";
 }
 
-bool is_metric(const std::string& name) { return !is_label(name) && name != "seconds"; }
+bool is_metric(const std::string& name) {
+    return !is_label(name) && name != "seconds" && name != "class" && name != "tails";
+}
 
 double number(const std::string& text, const std::string& place) {
     if (text == "null") return std::nan("");

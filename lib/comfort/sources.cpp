@@ -258,4 +258,12 @@ std::vector<GlareTerm> SourceFinder::every_pixel(const Luminance& lum, double th
     return out;
 }
 
+GlareTerms glare_terms(const SourceFinder& finder, const Luminance& lum, const Settings& settings, double threshold,
+                       const std::vector<GlareSource>& sources) {
+    if (settings.dgp_form == DgpForm::pixel) return finder.every_pixel(lum, threshold);
+    GlareTerms out;
+    for (const GlareSource& s : sources) out.push_back({s.lum, s.omega, s.P, s.sigma_deg, s.eye_lux, s.sigma_deg});
+    return out;
+}
+
 }  // namespace comfort

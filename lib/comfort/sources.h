@@ -57,6 +57,10 @@ private:
     double direct_lux_ = 0;
 };
 
+// What the formulas need: of the sources that were found, or with DgpForm::pixel of every bright pixel.
+GlareTerms glare_terms(const SourceFinder& finder, const Luminance& lum, const Settings& settings, double threshold,
+                       const std::vector<GlareSource>& sources);
+
 // -z: group of every pixel on evalglare's staggered grid of patches.
 void assign_patches(std::vector<Run>& runs, const Geometry& geometry, const Patches& patches);
 

@@ -39,8 +39,12 @@ struct Header {
     bool tabbed_exposure = false;  // a line held EXPOSURE= and a TAB (evalglare refuses such)
 };
 
+// Samples of the direct and specular light in frame 0; frames above this number correct them (decisions, page 2).
+constexpr int direct_samples = 16;
+
 struct Picture {
     int width = 0, height = 0;
+    bool floats = false;        // the pixels came as 32-bit floats: differences of such pictures mean something
     std::vector<float> rgb;     // 3 * width * height, row 0 = top
     std::vector<float> frame0;  // accumulated pictures in EXR: L(0), as rgb; else empty
     Header header;

@@ -255,6 +255,7 @@ bool StreamReader::next(Picture& picture) {
         to_radiance(picture.rgb, picture.header, encoding);
     picture.width = layout.width;
     picture.height = layout.height;
+    picture.floats = encoding.format == Format::flt;
     const int64_t number = last_frame_in(picture.header);
     if (number == 0) state_->require_announced(place, "begins anew");
     state_->reached = number;

@@ -28,14 +28,20 @@ void declare_output(OptionTable& t, Options& o) {
         for (const std::string& pair : base::split_list(a.text(), ',')) o.contrast_pairs.push_back(pair);
     });
     t.add("-sources", "Print a line for each glare source instead of the metrics", o.list_sources);
+    t.add("-ci percent", "NAME.lo and NAME.hi after each column: where the converged value lies, this certain",
+          [&](Arguments& a) { o.ci = a.real(base::within(50, 99.99)) / 100; });
     t.add("-format name", "Form of the table: tsv, csv or jsonl",
           base::one_of(o.format, {{"tsv", Format::tsv}, {"csv", Format::csv}, {"jsonl", Format::jsonl}}));
 }
 
 void declare_comparison(OptionTable& t, Options& o) {
     t.group("When to stop, and comparing");
-    t.add("-until rule", "Stop when the rule holds, for instance 'DGP 1%, Ev 0.5%'", o.until);
-    t.add("-window n", "The number of lines over which the rule of -until must hold", o.window).within(2, 1000000);
+    t.add("-until rule", "Stop when numbers are so certain, for instance 'DGP 0.01, Ev 1%, class'", o.until);
+    t.add("-window n", "Stop when numbers stay within the rule of -until over n lines instead",
+          [&](Arguments& a) { o.window = int(a.integer(base::within(2, 1000000))); });
+    t.add("-max-frames n", "Stop at this number of frames",
+          [&](Arguments& a) { o.max_frames = a.integer(base::within(1, 1e15)); });
+    t.add("-max-seconds s", "Stop when so much time is over", o.max_seconds).above(0);
     t.add("-compare", "Compare two inputs: pictures, streams, recorded tables or evalglare's lines", o.compare);
     t.add("-tolerance rules", "For -compare: 'DGP 0.01, Ev 1%, all 2%', or a file of such lines", o.tolerances);
 }

@@ -5,11 +5,12 @@
 #include "base/error.h"
 #include "base/run.h"
 #include "base/stop.h"
+#include "certain.h"
 #include "comfort/columns.h"
-#include "comfort/until.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "regions.h"
+#include "stopping.h"
 
 namespace {
 using namespace comfort;
@@ -53,27 +54,22 @@ public:
         if (regions_)
             for (const image::Mask& m : regions_->masks) choice.regions.push_back(m.name);
         for (const std::string& p : o.contrast_pairs) choice.pairs.push_back(parse_pair(p, choice.regions));
+        choice.certain = o.ci || (!o.until.empty() && !o.window);
         Needs needs;
         columns_ = choose_columns(choice, o.settings, needs);
-        if (!o.until.empty()) {
-            rule_.emplace(parse_tolerances(o.until), o.window);
-            for (const Tolerance& t : rule_->tolerances()) {
-                size_t k = 0;
-                while (k < columns_.size() && columns_[k].name != t.metric) ++k;
-                if (k == columns_.size()) base::fail("-until", "there is no column \"" + t.metric + "\" in this run");
-                rule_columns_.push_back(k);
-            }
-        }
+        stopping_ = std::make_unique<Stopping>(o, columns_);
         if (o.like == Like::evalglare) needs = {true, false, o.evalglare.detailed || o.settings.mask_file, false};
         if (o.list_sources || o.settings.check_picture) needs.sources = true;
         meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_), std::move(draw));
+        bool batches = choice.certain, errors = choice.certain;
+        for (const Column& c : columns_) batches |= c.printed_unbiased, errors |= c.printed_unbiased && c.ratio;
+        if (batches) steps_ = std::make_unique<Steps>(*meter_, columns_, errors);
         if (o.like == Like::accelerad) names_ = {"Time", "Frame"};
         else names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
         if (o.list_sources)
             names_.insert(names_.end(), {"source", "pixels", "x", "y", "omega", "L", "P", "sigma", "xdir", "ydir",
                                          "zdir", "Edir", "zone", "DGPshare"});
-        else
-            for (const Column& c : columns_) names_.push_back(c.name);
+        else add_column_names();
     }
 
     // Values of one picture, and the names they have.
@@ -81,7 +77,7 @@ public:
         require_measurable(p, place);
         const Measurement m = meter_->measure(p, place, o_.view);
         std::vector<double> out;
-        for (const Column& c : columns_) out.push_back(c.value(m));
+        for (const Column& c : columns_) out.push_back(c.printed_unbiased ? std::nan("") : c.value(m));
         return out;
     }
     std::vector<std::string> value_names() const {
@@ -90,19 +86,22 @@ public:
         return out;
     }
 
-    // True: the rule of -until holds.
+    // True: stop here.
     bool picture(image::Picture& p, const std::string& place, const std::string& file, long index) {
         require_measurable(p, place);
         const int64_t frame = frame_number(p.header, index);
         const bool first_frame = p.header.frames ? *p.header.frames == 0 : p.header.frame && *p.header.frame == 0;
         Measurement m;
         try {
-            m = meter_->measure(p, place, o_.view);
+            Luminance lum = meter_->read(p, place, o_.view);
+            if (steps_) steps_->add(p, lum, place);
+            m = meter_->measure(lum, place);
         } catch (const Refusal& refusal) {
             if (o_.like == Like::evalglare) print(refusal.evalglare_says);
             throw;
         }
         if (o_.settings.check_picture) write_check_picture(p);
+        const bool looked = steps_ && steps_->look(m);
         if (o_.like == Like::evalglare) {
             print(evalglare_lines(m, o_.settings, o_.evalglare, *meter_));
             return false;
@@ -120,25 +119,55 @@ public:
             return false;
         }
         std::vector<double> values;
-        for (const Column& c : columns_) {
-            values.push_back(c.value(m));
-            cells.push_back(number_cell(values.back()));
+        for (size_t k = 0; k < columns_.size(); ++k) {
+            values.push_back(printed_value(k, m));
+            add_cells(k, values.back(), frame, cells);
         }
+        if (o_.ci) cells.push_back(text_cell(heavy_tailed()));
         print(table_line(names_, cells, o_.format));
-        return rule_ && settled(values, first_frame);
+        return stopping_->after({values, frame, first_frame, seconds, looked ? &steps_->certainty() : nullptr});
     }
-    bool has_rule() const { return rule_.has_value(); }
+    void end_input(const std::string& place) {
+        if (steps_) steps_->end_input(place);
+    }
+    int status() const { return stopping_->status(); }
 
 private:
-    bool settled(const std::vector<double>& values, bool first_frame) {
-        if (first_frame) {
-            rule_->restart();
-            return false;
+    // In JSON a column is an object with lo and hi in it.
+    bool has_interval(const Column& c) const { return o_.ci && !c.words; }
+    void add_column_names() {
+        for (const Column& c : columns_) {
+            names_.push_back(c.name);
+            if (has_interval(c) && o_.format != TableFormat::jsonl)
+                names_.insert(names_.end(), {c.name + ".lo", c.name + ".hi"});
         }
-        std::vector<double> watched;
-        for (size_t k : rule_columns_) watched.push_back(values[k]);
-        rule_->add(watched);
-        return rule_->holds();
+        if (o_.ci) names_.push_back("tails");
+    }
+    double printed_value(size_t k, const Measurement& m) const {
+        return columns_[k].printed_unbiased ? steps_->certainty().estimate(k).value : columns_[k].value(m);
+    }
+    // The interval lies around the value without bias, which the column itself may show or not.
+    void add_cells(size_t k, double value, int64_t frame, std::vector<Cell>& cells) const {
+        const Column& c = columns_[k];
+        if (c.words) {
+            cells.push_back(text_cell(c.words[int(value)]));
+        } else if (!o_.ci) {
+            cells.push_back(number_cell(value));
+        } else {
+            const Estimate& e = steps_->certainty().estimate(k);
+            const double half = e.half_width(1 - *o_.ci, frame), middle = c.unbiased || c.ratio ? e.value : value;
+            if (o_.format == TableFormat::jsonl) {
+                cells.push_back(interval_cell(value, middle - half, middle + half));
+                return;
+            }
+            for (double v : {value, middle - half, middle + half}) cells.push_back(number_cell(v));
+        }
+    }
+    std::string heavy_tailed() const {
+        std::string out;
+        for (size_t k = 0; k < columns_.size(); ++k)
+            if (steps_->certainty().estimate(k).tails) out += (out.empty() ? "" : " ") + columns_[k].name;
+        return out.empty() ? "-" : out;
     }
     void write_check_picture(const image::Picture& measured) {
         image::Picture check;
@@ -173,8 +202,8 @@ private:
     std::unique_ptr<Meter> meter_;
     std::vector<Column> columns_;
     std::vector<std::string> names_;
-    std::optional<StoppingRule> rule_;
-    std::vector<size_t> rule_columns_;
+    std::unique_ptr<Steps> steps_;  // where intervals or values from batches are asked for
+    std::unique_ptr<Stopping> stopping_;
 };
 
 }  // namespace
@@ -191,11 +220,13 @@ int measure_all(const Options& o) {
             base::finish_on_signal();  // from the first picture on: its line is finished
             const std::string place =
                 (file == "-" ? "stdin" : file) + (index ? ": picture " + std::to_string(index + 1) : "");
-            if (printer.picture(picture, place, file, index) || base::stop_requested()) return 0;
+            if (printer.picture(picture, place, file, index)) return printer.status();
+            if (base::stop_requested()) return 0;
         }
+        printer.end_input(file == "-" ? "stdin" : file);
     }
     if (o.like == Like::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
-    return printer.has_rule() ? 4 : 0;
+    return printer.status();
 }
 
 comfort::NumberTable measure_table(const Options& options, const std::string& file,

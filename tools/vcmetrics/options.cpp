@@ -43,6 +43,11 @@ void check(const Options& o) {
     if (o.like != Like::vcmetrics && !o.until.empty())
         base::fail("-until", "works on vcmetrics' own columns and cannot be used with -like");
     if (o.list_sources && !o.until.empty()) base::fail("-until", "works on metrics and cannot be used with -sources");
+    const bool intervals = o.ci || (!o.until.empty() && !o.window);
+    if (o.ci && (o.like != Like::vcmetrics || o.list_sources || o.compare))
+        base::fail("-ci", "works on vcmetrics' own columns and cannot be used with -like, -sources or -compare");
+    if (intervals && (o.settings.field_cut || o.settings.fill))
+        base::fail(o.ci ? "-ci" : "-until", "needs the whole picture as it is and cannot be used with -G or -I");
     if (!o.compare) return;
 
     if (o.files.size() != 2) base::fail("-compare", fmt::format("compares two inputs, not {}", o.files.size()));

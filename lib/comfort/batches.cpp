@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Means at the batches' ends, and what follows from their differences (batches.h).
+#include "comfort/batches.h"
+
+namespace comfort {
+
+Luminance GreyPicture::luminance() {
+    Luminance out;
+    out.width = width;
+    out.height = height;
+    out.grey = grey.data();
+    return out;
+}
+
+void Batches::add(const Luminance& mean, int64_t n) {
+    if (mean.width != width_ || mean.height != height_) ends_.clear();
+    width_ = mean.width;
+    height_ = mean.height;
+    spare_.resize(mean.size());
+    std::copy(mean.grey, mean.grey + mean.size(), spare_.begin());
+    ends_.push_back({n, std::move(spare_)});
+    spare_.clear();
+    if (ends_.size() <= most) return;
+
+    size_t least = 0;
+    for (size_t k = 1; k + 1 < ends_.size(); ++k)
+        if (frames(k) + frames(k + 1) < frames(least) + frames(least + 1)) least = k;
+    spare_ = std::move(ends_[least].mean);
+    ends_.erase(ends_.begin() + long(least));
+}
+
+// Adds factor * (sum over the batch's frames), row 0 = top.
+void Batches::add_sum(size_t batch, double factor, std::vector<float>& to) const {
+    const float* end = ends_[batch].mean.data();
+    const float at_end = float(factor * double(ends_[batch].n));
+    if (batch == 0) {
+        for (size_t i = 0; i < to.size(); ++i) to[i] += at_end * end[i];
+        return;
+    }
+    // b L'(b) - a L'(a) = (b - a) L'(b) + a (L'(b) - L'(a)): of two close floats the difference is exact
+    const float* start = ends_[batch - 1].mean.data();
+    const float growth = float(factor * double(frames(batch))), before = float(factor * double(begin(batch)));
+    for (size_t i = 0; i < to.size(); ++i) to[i] += growth * end[i] + before * (end[i] - start[i]);
+}
+
+void Batches::without(size_t batch, GreyPicture& out) const {
+    out.width = width_;
+    out.height = height_;
+    out.grey = ends_.back().mean;
+    const double n = double(frames()), rest = n - double(frames(batch));
+    const float share = float(n / rest);
+    for (float& v : out.grey) v *= share;
+    add_sum(batch, -1 / rest, out.grey);
+}
+
+void Batches::split(Parts& out) const {
+    for (int p = 0; p < parts; ++p) {
+        out.mean[p].width = width_;
+        out.mean[p].height = height_;
+        out.mean[p].grey.assign(size_t(width_) * height_, 0);
+        out.frames[p] = 0;
+        for (size_t k = size_t(p); k < count(); k += parts) out.frames[p] += frames(k);
+        for (size_t k = size_t(p); k < count(); k += parts) add_sum(k, 1 / double(out.frames[p]), out.mean[p].grey);
+    }
+}
+
+void Batches::without(size_t batch, const Parts& whole, Parts& out) const {
+    const int p = part_of(batch);
+    for (int other = 0; other < parts; ++other)
+        if (other != p && (out.frames[other] != whole.frames[other] || out.mean[other].grey.empty())) {
+            out.mean[other] = whole.mean[other];
+            out.frames[other] = whole.frames[other];
+        }
+    out.frames[p] = whole.frames[p] - frames(batch);
+    out.mean[p] = whole.mean[p];
+    if (out.frames[p] == 0) return;
+    const float share = float(double(whole.frames[p]) / double(out.frames[p]));
+    for (float& v : out.mean[p].grey) v *= share;
+    add_sum(batch, -1 / double(out.frames[p]), out.mean[p].grey);
+}
+
+}  // namespace comfort

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A growing mean cut into batches of frames, from which its error can be told.
+// The sum of L(0) + L(k) over frames a+1..b is b L'(b) - a L'(a): so the means L'(b) at the batches' ends are all that
+// is kept, at most 17 grey pictures, and two neighbouring batches become one by forgetting the mean between them.
+// Beyond 16 batches those two neighbours are joined that hold the fewest frames together.
+// What is told of a batch may be slightly negative in places.
+#pragma once
+#include <cstdint>
+#include <vector>
+#include "comfort/luminance.h"
+
+namespace comfort {
+
+// A grey picture of its own.
+struct GreyPicture {
+    int width = 0, height = 0;
+    std::vector<float> grey;
+    Luminance luminance();  // borrows `grey`
+};
+
+class Batches {
+public:
+    static constexpr size_t most = 16;
+    static constexpr int parts = 4;
+
+    void restart() { ends_.clear(); }
+    // L'(n), n rising and above 0.
+    void add(const Luminance& mean, int64_t n);
+
+    size_t count() const { return ends_.size(); }
+    int64_t frames() const { return ends_.empty() ? 0 : ends_.back().n; }
+    int64_t frames(size_t batch) const { return ends_[batch].n - begin(batch); }
+    int64_t begin(size_t batch) const { return batch ? ends_[batch - 1].n : 0; }  // frames before it
+
+    const std::vector<float>& whole() const { return ends_.back().mean; }  // L'(n)
+    // The mean of all frames but those of a batch.
+    void without(size_t batch, GreyPicture& out) const;
+
+    // Every fourth batch, so that four parts are independent pictures of the same thing: their means, and how many
+    // frames they hold.  Or the same without one batch.
+    struct Parts {
+        GreyPicture mean[parts];
+        int64_t frames[parts] = {};
+    };
+    void split(Parts& out) const;
+    void without(size_t batch, const Parts& whole, Parts& out) const;
+    static int part_of(size_t batch) { return int(batch % parts); }
+
+private:
+    struct End {
+        int64_t n;
+        std::vector<float> mean;  // L'(n)
+    };
+    void add_sum(size_t batch, double factor, std::vector<float>& to) const;
+    int width_ = 0, height_ = 0;
+    std::vector<End> ends_;
+    std::vector<float> spare_;
+};
+
+}  // namespace comfort

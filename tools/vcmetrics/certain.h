@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which pictures of a run are steps of one growing sum, so that intervals can be told (comfort/certainty.h), and what
+// the others lack, said once.
+#pragma once
+#include <string>
+#include "comfort/certainty.h"
+#include "image/picture.h"
+
+class Steps {
+public:
+    Steps(comfort::Meter& meter, const std::vector<comfort::Column>& columns, bool errors)
+        : certainty_(meter, columns, errors) {}
+
+    // A picture's luminance, before it is measured.
+    void add(const image::Picture& picture, const comfort::Luminance& lum, const std::string& place);
+    // After it is measured.  True: this was a look, the estimates are new.
+    bool look(comfort::Measurement& m);
+    void end_input(const std::string& place);  // of a file
+    const comfort::Certainty& certainty() const { return certainty_; }
+
+private:
+    void tell(const std::string& place, const std::string& fact);
+    comfort::Certainty certainty_;
+    int64_t last_ = -1;  // frames of the picture before; -1: none
+    bool step_ = false;  // the picture at hand is one
+    bool told_ = false, warned_ = false;
+};
