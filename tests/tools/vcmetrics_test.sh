@@ -45,18 +45,24 @@ check 'an interval around each number, narrower and narrower' '
     awk "NR > 4 && !(\$4 <= \$3 && \$3 <= \$5) { exit 1 } NR == 5 { first = \$5 - \$4 }
         END { exit !(\$5 - \$4 < first) }" ci'
 check 'in JSON an object'                        '
-    ptaccum < frames.lux | vcmetrics -metrics Ev -ci 95 -W -format jsonl | grep -q "\"Ev\": {\"value\": .*, \"lo\": .*, \"hi\": "'
+    ptaccum < frames.lux | vcmetrics -metrics Ev -ci 95 -W -format jsonl |
+        grep -q "\"Ev\": {\"value\": .*, \"lo\": .*, \"hi\": "'
 check 'no intervals of pictures by themselves, of RGBE, of merges, and why' '
     ptaccum -last -ff < frames.lux > one.hdr && ptaccum -fc < frames.lux > rgbe.lux &&
-    $mkstream frames 0 2 64 64 7 2> /dev/null | ptaccum -last -ff > other.hdr && ptaccum -ff one.hdr other.hdr > both.hdr &&
+    $mkstream frames 0 2 64 64 7 2> /dev/null | ptaccum -last -ff > other.hdr &&
+    ptaccum -ff one.hdr other.hdr > both.hdr &&
     for f in one.hdr rgbe.lux both.hdr; do
-        vcmetrics -metrics Ev -ci 95 $f 2>&1 > t | grep -q "no intervals: " && tail -1 t | grep -qP "nan\tnan\t-$" || exit 1
+        vcmetrics -metrics Ev -ci 95 $f 2>&1 > t | grep -q "no intervals: " &&
+            tail -1 t | grep -qP "nan\tnan\t-$" || exit 1
     done'
-check 'half of all frames in a step is told'     'ptaccum -every x2 < frames.lux | vcmetrics -ci 95 2>&1 > /dev/null | grep -q "x2/16"'
+check 'half of all frames in a step is told' '
+    ptaccum -every x2 < frames.lux | vcmetrics -ci 95 2>&1 > /dev/null | grep -q "x2/16"'
 check 'a rule of widths holds, and says so'      '
-    ptaccum < frames.lux | vcmetrics -until "Ev 30%" 2>&1 > a | grep -q "stopped after [34][0-9]* frames: Ev " && [ $(wc -l < a) -lt 60 ]'
+    ptaccum < frames.lux | vcmetrics -until "Ev 30%" 2>&1 > a | grep -q "stopped after [34][0-9]* frames: Ev " &&
+    [ $(wc -l < a) -lt 60 ]'
 check_exit '-max-frames without a rule: status 0' 0 'ptaccum < frames.lux | vcmetrics -max-frames 5'
-check_exit '-max-frames before the rule holds: status 4' 4 'ptaccum < frames.lux | vcmetrics -max-frames 5 -until "Ev 1%"'
+check_exit '-max-frames before the rule holds: status 4' 4 '
+    ptaccum < frames.lux | vcmetrics -max-frames 5 -until "Ev 1%"'
 check_error 'the class is that of DGP'           1 'no column "DGP"' 'vcmetrics -metrics Ev -until class one.hdr'
 check_error 'a rule needs its column' 1 '^vcmetrics: -until: .*"UGR"' 'vcmetrics -until "UGR 1%" office256.hdr'
 check_exit 'the window begins again at a new frame 0' 4 '
