@@ -30,7 +30,7 @@ struct RenderOptions : flatten::Options {  // which has -dr, -bv and -sampling
     uint64_t seed = 1;
     double way_least = 0;     // for tests of ways hardly ever taken (kernels/path/ways.h)
     int direct_samples = 16;  // m of spec paper 7: samples of the direct and specular class in frame 0
-    int guide_from = 8;       // first frame that -sampling guided guides: fewer do not pay for learning the light
+    int guide_from = 2;       // first frame that -sampling guided guides: shorter runs do not learn
 };
 
 }  // namespace trace
