@@ -78,7 +78,7 @@ std::vector<Run> bright_runs(const Luminance& lum, const Geometry& g, double abo
 void cut_field(Luminance& lum, const Geometry& g, int type, PositionModel model) {
     for (size_t i = 0; i < lum.size(); ++i) {
         if (!g.valid(i)) continue;
-        const Vec3 d = g.direction(i);
+        const Vec3 d = g.seen_direction(i);
         const EyeAngles a = eye_angles(g, d);
         const double tau = float(a.tau_deg);
         if (type == 3) lum.grey[i] = float(lum.grey[i] / position_index(g, d, model));

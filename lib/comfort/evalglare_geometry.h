@@ -11,15 +11,19 @@ using base::Vec3;
 class EvalglareRays {
 public:
     explicit EvalglareRays(const view::View& view);
+    // Before the first position index, for solid angles and searches, and from then on: see again_.
     Vec3 forward() const { return forward_; }
-    bool direction(double X, double Y, Vec3& d) const;
+    Vec3 line_of_sight() const { return again_; }
+    Vec3 sky() const { return sky_; }  // up, as long as the sine of the angle between -vd and -vu
+    bool direction(double X, double Y, Vec3 forward, Vec3& d) const;
     // Quadrilateral of four great circles: sum of (pi - |acos(n_k . n_k+1)|) - 2 pi over the sides' normals; for the
     // pixel in the mirrored row, as evalglare has it.  0 where a corner has no direction, negative if impossible.
     double omega(int x, int y, int width, int height) const;
 
 private:
     view::View view_;
-    Vec3 forward_, right_, up_;
+    // With the first position index, evalglare scales the view direction to length 1 a second time, and nothing else.
+    Vec3 forward_, right_, up_, again_, sky_;
     double across_, along_;
 };
 

@@ -86,12 +86,18 @@ void EvalglareGroups::find(const std::vector<Run>& bright, const CheckPicture& l
     if (merge_too) merge(pixels_, 1, true, lum);
 }
 
-void EvalglareGroups::take(const std::vector<Run>& grouped, const CheckPicture& lum) {
+void EvalglareGroups::take(const std::vector<Run>& grouped, uint32_t groups, const CheckPicture& lum) {
     start(grouped);
     std::vector<uint32_t> wanted(group_.size(), 0);
     for (const Run& r : grouped) std::fill_n(wanted.begin() + r.start, r.length, r.group);
-    for (const uint32_t p : pixels_) {
-        while (count() < wanted[p]) open();
+    std::vector<uint32_t> by_row = pixels_;
+    std::sort(by_row.begin(), by_row.end(), [&](uint32_t a, uint32_t b) {
+        const int ya = geometry_.y_of(a), yb = geometry_.y_of(b);
+        return ya != yb ? ya < yb : a < b;
+    });
+    while (count() < groups) open();
+    for (const uint32_t p : by_row) {
+        while (count() < wanted[p]) open();  // a pixel in the last row can have the number after the last patch's
         join(p, wanted[p], lum);
     }
 }

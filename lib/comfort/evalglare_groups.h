@@ -26,7 +26,8 @@ public:
     // First scan: every bright pixel joins a group in reach or opens one.  Second, with `merge`: groups join a larger
     // one in reach until none can.  `shortcut`: a pixel above a bright one takes its group unseen.
     void find(const std::vector<Run>& bright, const CheckPicture& lum, bool shortcut, bool merge);
-    void take(const std::vector<Run>& grouped, const CheckPicture& lum);  // groups that are known
+    // `groups` groups that are known (-z), pixels in the order in which evalglare adds them up: row by row from below.
+    void take(const std::vector<Run>& grouped, uint32_t groups, const CheckPicture& lum);
     // Pixels of at least `limit` leave their group for new ones, connected at half the reach and then merged.
     void extract_peaks(const CheckPicture& lum, double limit);
     void add(uint32_t pixel, uint32_t group, const CheckPicture& lum);

@@ -108,9 +108,16 @@ void Geometry::find_spans() {
 
 Vec3 Geometry::direction(int x, int y) const {
     Vec3 exact;
-    if (slips_) return slips_->direction((x + 0.5) / width, (y + 0.5) / height, exact) ? exact : Vec3{};
+    if (slips_)
+        return slips_->direction((x + 0.5) / width, (y + 0.5) / height, slips_->forward(), exact) ? exact : Vec3{};
     const auto d = projector.direction((x + 0.5) / width, (y + 0.5) / height);
     return d ? *d : Vec3{};
+}
+
+Vec3 Geometry::seen_direction(int x, int y) const {
+    Vec3 exact;
+    if (!slips_) return direction(x, y);
+    return slips_->direction((x + 0.5) / width, (y + 0.5) / height, slips_->line_of_sight(), exact) ? exact : Vec3{};
 }
 
 // The largest stretch of each projection, angle per picture plane length:

@@ -38,10 +38,13 @@ public:
     int y_of(size_t i) const { return height - 1 - int(i / width); }
     Vec3 direction(int x, int y) const;  // (0,0,0) if none
     Vec3 direction(size_t i) const { return direction(x_of(i), y_of(i)); }
-    bool slips() const { return slips_.has_value(); }
+    // The same, to the last bit with evalglare's slips, for angles to the line of sight.
+    Vec3 seen_direction(int x, int y) const;
+    Vec3 seen_direction(size_t i) const { return seen_direction(x_of(i), y_of(i)); }
+    const EvalglareRays* slips() const { return slips_ ? &*slips_ : nullptr; }
     // With evalglare's slips: the angle to the line of sight is not a number, since rounding carried its cosine
     // above 1.
-    bool angle_undefined(Vec3 d) const { return slips_ && dot(slips_->forward(), d) > 1; }
+    bool angle_undefined(Vec3 d) const { return slips_ && dot(slips_->line_of_sight(), d) > 1; }
     double pitch_bound() const;  // no two valid side-by-side pixels are farther apart (radians; inf for type h)
     bool fits(const view::View& view, int w, int h) const {
         return w == width && h == height && view == projector.view();

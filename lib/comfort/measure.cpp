@@ -87,7 +87,7 @@ void Meter::position_statistics(const Luminance& lum, Measurement& m) {
     if (position_index_.empty()) {
         position_index_.resize(g.omega.size());
         for (size_t i = 0; i < g.omega.size(); ++i)
-            if (g.valid(i)) position_index_[i] = float(position_index(g, g.direction(i), settings_.position));
+            if (g.valid(i)) position_index_[i] = float(position_index(g, g.seen_direction(i), settings_.position));
     }
     std::vector<float> values;
     values.reserve(g.valid_count);

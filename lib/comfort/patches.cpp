@@ -8,7 +8,7 @@
 
 namespace comfort {
 
-void assign_patches(std::vector<Run>& runs, const Geometry& g, const Patches& patches) {
+uint32_t assign_patches(std::vector<Run>& runs, const Geometry& g, const Patches& patches) {
     const view::View& v = g.projector.view();
     if (v.type != 'a') base::fail("-z", "patches need an angular fisheye view (-vta)");
     const int dx = int(std::floor(g.width / v.vh * patches.angle_deg)),
@@ -34,6 +34,7 @@ void assign_patches(std::vector<Run>& runs, const Geometry& g, const Patches& pa
             single.push_back({p, 1, uint32_t(second ? b : a)});
         }
     runs.swap(single);
+    return uint32_t(nx * ny);
 }
 
 }  // namespace comfort

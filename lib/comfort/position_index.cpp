@@ -55,7 +55,10 @@ EyeAngles eye_angles(const view::Projector& p, Vec3 d, bool picture_up) {
 
 EyeAngles eye_angles(const Geometry& g, Vec3 d, bool picture_up) {
     EyeAngles a = eye_angles(g.projector, d, picture_up);
-    if (g.slips()) a.elevation_deg = 90 - std::acos(std::clamp(dot(d, g.projector.up()), -1.0, 1.0)) * evalglare_deg;
+    if (const EvalglareRays* rays = g.slips()) {
+        a.sigma_deg = std::acos(std::clamp(dot(rays->line_of_sight(), d), -1.0, 1.0)) * evalglare_deg;
+        a.elevation_deg = 90 - std::acos(std::clamp(dot(rays->sky(), d), -1.0, 1.0)) * evalglare_deg;
+    }
     return a;
 }
 

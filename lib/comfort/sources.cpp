@@ -52,13 +52,12 @@ std::vector<GlareSource> SourceFinder::find(const Luminance& lum, double thresho
     zone_of_group_.clear();
     slipped_eye_lux_.clear();
     runs_ = bright_runs(lum, geometry_, threshold);
-    if (settings_.patches) assign_patches(runs_, geometry_, *settings_.patches);
+    groups_ = settings_.patches ? assign_patches(runs_, geometry_, *settings_.patches) : 0;
     if (settings_.slips || settings_.check_picture) check_.emplace(lum, settings_.check_picture);
     if (check_ && settings_.task && settings_.task_painted) paint_task();
     if (as_evalglare_) {
         connect_as_evalglare();
     } else {
-        groups_ = 0;
         if (!settings_.patches) groups_ = connector_.connect(runs_, 1);
         for (const Run& r : runs_) groups_ = std::max(groups_, r.group);
         if (settings_.smooth && radius_px_ >= 1) smooth();
@@ -88,7 +87,7 @@ void SourceFinder::paint_task() {
 void SourceFinder::connect_as_evalglare() {
     EvalglareGroups& groups = *as_evalglare_;
     const bool wide = radius_px_ > 1;
-    if (settings_.patches) groups.take(runs_, *check_);
+    if (settings_.patches) groups.take(runs_, groups_, *check_);
     else groups.find(runs_, *check_, wide, wide && !settings_.fast);
     runs_ = groups.runs();
     if (settings_.smooth && radius_px_ >= 1) smooth();
@@ -237,10 +236,12 @@ std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {
         if (!slipped_eye_lux_.empty()) s.eye_lux = slipped_eye_lux_[group];
         // The position index belongs to the pixel of the centre narrowed to float (90.99999999999 becomes 91);
         // evalglare takes the other directions from the pixel of the unrounded centre, we only when asked to.
-        const Vec3 at = g.direction(int(float(s.x)), int(float(s.y)));
+        const Vec3 at = g.seen_direction(int(float(s.x)), int(float(s.y)));
         s.P = position_index(g, at, settings_.position);
-        s.direction = settings_.slips ? g.direction(int(s.x), int(s.y)) : at;
-        s.sigma_deg = eye_angles(g.projector, s.direction).sigma_deg;
+        s.direction = settings_.slips ? g.seen_direction(int(s.x), int(s.y)) : at;
+        s.sigma_deg = s.theta_deg = eye_angles(g, s.direction).sigma_deg;
+        // evalglare leaves the angle as it was, of the source before, where the centre's pixel has no direction.
+        if (settings_.slips && length(s.direction) == 0) s.sigma_deg = live.empty() ? 0 : live.back().sigma_deg;
         live.push_back(s);
     }
     return live;
@@ -262,7 +263,7 @@ GlareTerms glare_terms(const SourceFinder& finder, const Luminance& lum, const S
                        const std::vector<GlareSource>& sources) {
     if (settings.dgp_form == DgpForm::pixel) return finder.every_pixel(lum, threshold);
     GlareTerms out;
-    for (const GlareSource& s : sources) out.push_back({s.lum, s.omega, s.P, s.sigma_deg, s.eye_lux, s.sigma_deg});
+    for (const GlareSource& s : sources) out.push_back({s.lum, s.omega, s.P, s.sigma_deg, s.eye_lux, s.theta_deg});
     return out;
 }
 

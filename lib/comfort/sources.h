@@ -18,9 +18,9 @@ struct GlareSource {
     double brightest = 0;
     double eye_lux = 0;  // its share of the direct illuminance: sum L w cos
     int zone = 0;
-    uint32_t group = 0;  // evalglare's number, from 1
-    double P = 1, sigma_deg = 0;
-    Vec3 direction;  // of the pixel the centre falls into
+    uint32_t group = 0;                          // evalglare's number, from 1
+    double P = 1, sigma_deg = 0, theta_deg = 0;  // theta: sigma, but for a slip of evalglare's
+    Vec3 direction;                              // of the pixel the centre falls into
 };
 
 class SourceFinder {
@@ -61,7 +61,7 @@ private:
 GlareTerms glare_terms(const SourceFinder& finder, const Luminance& lum, const Settings& settings, double threshold,
                        const std::vector<GlareSource>& sources);
 
-// -z: group of every pixel on evalglare's staggered grid of patches.
-void assign_patches(std::vector<Run>& runs, const Geometry& geometry, const Patches& patches);
+// -z: group of every pixel on evalglare's staggered grid of patches; returns the number of patches.
+uint32_t assign_patches(std::vector<Run>& runs, const Geometry& geometry, const Patches& patches);
 
 }  // namespace comfort
