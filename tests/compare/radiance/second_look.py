@@ -74,6 +74,9 @@ def mark_edges(pixels, relative, least, scene, folder, tracer, extra):
         p.edge = among(p.ours[0], near, slack(p.ours, relative, least))
     rest = [p for p in pixels if not p.edge]
     for p in rest[:FEW]:  # many have another reason
-        ours = tracers.ptrace(tracer, folder, arguments + " " + extra, list(neighbours(p.ray)), *OURS)
+        try:
+            ours = tracers.ptrace(tracer, folder, arguments + " " + extra, list(neighbours(p.ray)), *OURS)
+        except tracers.Refused:  # it takes too long
+            continue
         near = [v for v, _ in ours] + [p.ours[0]]
         p.edge = among(p.theirs[0], near, slack(p.theirs, relative, least))
