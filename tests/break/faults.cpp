@@ -75,7 +75,7 @@ Job job_of(const Settings& s, const Deed& deed, const std::string& folder) {
     job.input = deed.input;
     job.folder = folder;
     job.limit_s = s.limit_s;
-    job.environment = {"HOME=" + folder, "PATH=/usr/bin:/bin"};
+    job.environment = {"HOME=" + folder, "PATH=/usr/bin:/bin", "SOURCE_DATE_EPOCH=0"};  // files' CAPDATE= is the same
     return job;
 }
 
