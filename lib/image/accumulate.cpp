@@ -4,9 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "base/error.h"
@@ -16,13 +14,32 @@
 
 namespace image {
 
+void add_frames_of(const Picture& picture, const std::string& name, ExactSum& sum) {
+    const int64_t n = picture.header.frames.value_or(0);
+    if (n == 0) return;
+    if (!picture.sum.empty()) {
+        ExactSum exact;
+        exact.clear(picture.rgb.size());
+        exact.add(picture.sum, name);
+        for (size_t i = 0; i < picture.rgb.size(); ++i)
+            if (float(eq7(picture.frame0, exact, n, i)) != picture.rgb[i])
+                base::fail(name, "its pixels are not those of its exact sums: another program has changed it");
+        sum.add(picture.sum, name);
+        return;
+    }
+    std::vector<double> rounded(picture.rgb.begin(), picture.rgb.end());
+    for (size_t i = 0; i < rounded.size(); ++i)
+        rounded[i] = double(n) * (rounded[i] - (picture.frame0.empty() ? 0 : double(picture.frame0[i])));
+    sum.add(rounded);
+}
+
 void Accumulator::start(const Picture& frame, int64_t k) {
     width_ = frame.width;
     height_ = frame.height;
     first_ = next_ = k;
     header_ = frame.header;
     frame0_.clear();
-    sum_.assign(frame.rgb.size(), 0);
+    sum_.clear(frame.rgb.size());
 }
 
 void Accumulator::add(const Picture& frame, const std::string& place) {
@@ -47,19 +64,7 @@ void Accumulator::add(const Picture& frame, const std::string& place) {
         for (float& v : frame0_)
             if (!std::isfinite(v)) v = 0, trouble = true;
     } else {
-        const size_t n = frame.rgb.size();
-        const float* from = frame.rgb.data();
-        uint32_t worst = 0;  // the largest exponent field; all ones means infinite or NaN
-        for (size_t i = 0; i < n; ++i) {
-            uint32_t bits;
-            std::memcpy(&bits, from + i, 4);
-            worst = std::max(worst, bits & 0x7f800000u);
-        }
-        trouble = worst == 0x7f800000u;
-        if (!trouble)
-            for (size_t i = 0; i < n; ++i) sum_[i] += from[i];
-        else
-            for (size_t i = 0; i < n; ++i) sum_[i] += std::isfinite(from[i]) ? from[i] : 0;
+        trouble = !sum_.add(frame.rgb);
     }
     if (trouble) base::warn(place, "values that are not finite were taken as 0");
 }
@@ -94,7 +99,7 @@ void Accumulator::resume(const Picture& sum, const std::string& name) {
     if (h.ranges.size() != 1 || !h.other_seeds.empty())
         base::fail(name, "has several seeds or holes between its frames: sum further frames by themselves and merge");
     const bool zero = h.ranges[0].first == 0;
-    const double n = double(h.frames.value_or(0));
+    const int64_t n = h.frames.value_or(0);
     if (zero && n > 0 && sum.frame0.empty())
         base::fail(name,
                    "has frame 0 summed in and not kept apart, so that no further frames can be weighted: "
@@ -104,12 +109,11 @@ void Accumulator::resume(const Picture& sum, const std::string& name) {
     header_.frames.reset();
     header_.ranges.clear();
     if (zero) frame0_ = n > 0 ? sum.frame0 : sum.rgb;
-    if (n > 0)
-        for (size_t i = 0; i < sum_.size(); ++i) sum_[i] = n * (double(sum.rgb[i]) - (zero ? frame0_[i] : 0));
+    add_frames_of(sum, name, sum_);
     resumed_ = name;
 }
 
-void Accumulator::result(Picture& out, bool with_frame0) const {
+void Accumulator::result(Picture& out, bool with_parts) const {
     out.width = width_;
     out.height = height_;
     out.header = header_;
@@ -117,13 +121,9 @@ void Accumulator::result(Picture& out, bool with_frame0) const {
     out.header.frames = frames();
     out.header.ranges = {{first_, next_ - 1}};
     out.rgb.resize(sum_.size());
-    if (with_frame0) out.frame0 = frame0_;
-    else out.frame0.clear();
-    const double share = frames() > 0 ? 1 / double(frames()) : 0;
-    if (frame0_.empty())
-        for (size_t i = 0; i < sum_.size(); ++i) out.rgb[i] = float(sum_[i] * share);
-    else
-        for (size_t i = 0; i < sum_.size(); ++i) out.rgb[i] = float(frame0_[i] + sum_[i] * share);
+    out.frame0 = with_parts ? frame0_ : std::vector<float>();
+    out.sum = with_parts ? sum_.layers() : std::vector<SumLayer>();
+    for (size_t i = 0; i < sum_.size(); ++i) out.rgb[i] = float(eq7(frame0_, sum_, frames(), i));
 }
 
 Schedule Schedule::parse(const std::string& text, const std::string& where) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The sum of frames, paper Eq. 7:  L'(n) = L(0) + (1/n) (L(1) + ... + L(n)),  L'(0) = L(0).
-// n counts diffuse frames.  Sums are double: 100,000 frames lose nothing that a float could show.
+// n counts diffuse frames.  Sums are exact (exact_sum.h), so that the order of frames and merges leaves no trace.
 //
 // A sum that began at a frame a > 0 is a partial result, (1/n) (L(a) + ... + L(b)), without frame 0.
 // Merging weights the diffuse part by frame counts: with frame 0 known apart,
@@ -12,9 +12,17 @@
 #include <cstdint>
 #include <string>
 #include <vector>
+#include "image/exact_sum.h"
 #include "image/picture.h"
 
 namespace image {
+
+// Value i of Eq. 7 for n diffuse frames; frame0 is empty for a partial result.
+inline double eq7(const std::vector<float>& frame0, const ExactSum& sum, int64_t n, size_t i) {
+    return (frame0.empty() ? 0 : double(frame0[i])) + (n > 0 ? sum.value(i) / double(n) : 0);
+}
+// Adds the diffuse frames of a sum: exactly where it has them so (Picture::sum), else its rounded mean times n.
+void add_frames_of(const Picture& picture, const std::string& name, ExactSum& sum);
 
 class Accumulator {
 public:
@@ -26,8 +34,8 @@ public:
     void resume(const Picture& sum, const std::string& name);
     bool empty() const { return next_ < 0; }
     int64_t frames() const { return next_ - (first_ == 0 ? 1 : first_); }  // n, diffuse frames summed
-    // L'(n) or the partial result; reuses the memory of out.  with_frame0 keeps L(0) apart, too (for EXR).
-    void result(Picture& out, bool with_frame0) const;
+    // L'(n) or the partial result; reuses the memory of out.  with_parts keeps L(0) and the exact sum, too (for EXR).
+    void result(Picture& out, bool with_parts) const;
 
 private:
     void start(const Picture& frame, int64_t k);
@@ -39,7 +47,7 @@ private:
     std::string resumed_;  // name of the sum that this one goes on from
     bool grown_ = false;   // it has got frames since
     std::vector<float> frame0_;
-    std::vector<double> sum_;
+    ExactSum sum_;
 };
 
 class Merger {
@@ -54,7 +62,7 @@ private:
         uint64_t seed = 0;
         int64_t frames = 0;
         Ranges ranges;
-        std::vector<double> sum;    // of diffuse frames
+        ExactSum sum;               // of diffuse frames
         std::vector<float> frame0;  // empty: not there
         Picture whole;              // complete, its frame 0 not known apart (no more of this seed can be added)
         bool is_whole() const { return !whole.rgb.empty(); }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures as OpenEXR: see exr.h.  A picture summed from frame 0 on also keeps L(0) as layer "frame0", which
-// merging needs (accumulate.h).
+// Pictures as OpenEXR: see exr.h.  A sum of frames also keeps what merging needs (accumulate.h): L(0) as layer
+// "frame0", and the exact sum of the other frames as layers "sum0" to "sum9", one for each digit (exact_sum.h).
 #include "image/exr.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,17 +17,30 @@ namespace {
 
 constexpr float largest_half = 65504;
 
-void scale_colors(std::vector<float>& rgb, double unit, const std::optional<std::array<double, 8>>& primaries) {
+// True: they were not what we write.
+bool scale_colors(std::vector<float>& rgb, double unit, const std::optional<std::array<double, 8>>& primaries) {
     bool mixes = false;
     if (primaries)
         for (int i = 0; i < 8; ++i) mixes = mixes || std::fabs((*primaries)[i] - radiance_primaries[i]) > .001;
-    if (!mixes && unit == 1) return;
+    if (!mixes && unit == 1) return false;
     Matrix3 m{1, 0, 0, 0, 1, 0, 0, 0, 1};
     if (mixes) m = rgb_from_primaries(*primaries);
     for (size_t i = 0; i + 2 < rgb.size(); i += 3) {
         const double r = rgb[i] * unit, g = rgb[i + 1] * unit, b = rgb[i + 2] * unit;
         for (int c = 0; c < 3; ++c) rgb[i + c] = float(m[3 * c] * r + m[3 * c + 1] * g + m[3 * c + 2] * b);
     }
+    return true;
+}
+
+// Sums of pixels whose colours are converted would be those of other numbers, and are left out.
+std::vector<SumLayer> read_sum(const ExrInput& in) {
+    std::vector<SumLayer> all;
+    for (int k = 0; k < ExactSum::digits; ++k) {
+        const std::string layer = "sum" + std::to_string(k);
+        if (in.has(layer + ".R") && in.has(layer + ".G") && in.has(layer + ".B"))
+            all.push_back({k, in.read_whole({layer + ".R", layer + ".G", layer + ".B"})});
+    }
+    return all;
 }
 
 }  // namespace
@@ -44,7 +59,7 @@ Picture read_exr(const std::string& path) {
         scale_colors(p.rgb, in.white_luminance() / lumens_per_watt, in.primaries());
         if (in.has("frame0.R") && in.has("frame0.G") && in.has("frame0.B"))
             p.frame0 = in.read({"frame0.R", "frame0.G", "frame0.B"});
-        scale_colors(p.frame0, in.white_luminance() / lumens_per_watt, in.primaries());
+        if (!scale_colors(p.frame0, in.white_luminance() / lumens_per_watt, in.primaries())) p.sum = read_sum(in);
         return p;
     }
     const std::vector<float> grey = in.read({"Y"});
@@ -77,6 +92,9 @@ void write_exr(const std::string& path, const Picture& picture, const ExrOptions
     std::vector<ExrChannel> channels{{"R", base_rgb, 3}, {"G", base_rgb + 1, 3}, {"B", base_rgb + 2, 3}};
     if (!picture.frame0.empty())
         for (int c = 0; c < 3; ++c) channels.push_back({std::string("frame0.") + "RGB"[c], base_frame0 + c, 3});
+    for (const SumLayer& layer : picture.sum)
+        for (size_t c = 0; c < 3 && !options.half; ++c)  // halves are not the pixels that these are the sums of
+            channels.push_back({fmt::format("sum{}.{}", layer.digit, "RGB"[c]), layer.words.data() + c, 3, true});
     write_exr_channels(path, picture.width, picture.height, channels, picture.header, {}, options);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OpenEXR files as named float channels plus the text of a RADIANCE header: what pictures and masks share.
+// OpenEXR files as named channels plus the text of a RADIANCE header: what pictures and masks share.
 #pragma once
 #include <array>
 #include <map>
@@ -22,14 +22,17 @@ public:
     bool has(const std::string& channel) const;
     // Channels interleaved, rows from the top.  Memory grows with what could be decoded.
     std::vector<float> read(const std::vector<std::string>& channels) const;
-    std::optional<std::string> text(const std::string& attribute) const;  // string attribute
-    std::map<std::string, std::string> texts() const;                     // all of them
+    std::vector<uint32_t> read_whole(const std::vector<std::string>& channels) const;  // channels of whole numbers
+    std::optional<std::string> text(const std::string& attribute) const;               // string attribute
+    std::map<std::string, std::string> texts() const;                                  // all of them
     Header header() const;           // from "radianceHeader", else from VIEW and the other string attributes
     double white_luminance() const;  // cd/m2 of R = G = B = 1; 179 if the file does not say
     std::optional<std::array<double, 8>> primaries() const;
 
 private:
     struct File;
+    template <class T>
+    std::vector<T> read_as(const std::vector<std::string>& channels) const;
     std::string path_;
     std::unique_ptr<File> file_;
     int width_ = 0, height_ = 0;
@@ -37,8 +40,9 @@ private:
 
 struct ExrChannel {
     std::string name;
-    const float* first;  // of the top left pixel
-    int stride;          // floats from pixel to pixel
+    const void* first;   // of the top left pixel: a float, or where whole is set a uint32_t
+    int stride;          // of them from pixel to pixel
+    bool whole = false;  // whole numbers, never made half
 };
 // Whole or not at all.
 void write_exr_channels(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,

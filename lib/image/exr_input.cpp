@@ -64,9 +64,11 @@ bool ExrInput::has(const std::string& channel) const {
     return file_->in.header().channels().findChannel(channel) != nullptr;
 }
 
-std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
+template <class T>
+std::vector<T> ExrInput::read_as(const std::vector<std::string>& names) const {
+    constexpr bool whole = std::is_same_v<T, uint32_t>;
     const size_t n = names.size();
-    std::vector<float> out;
+    std::vector<T> out;
     try {
         const Imf::Header& header = file_->in.header();
         for (const std::string& name : names) {
@@ -74,28 +76,29 @@ std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
             if (!c) base::fail(path_, "has no channel " + name);
             if (c->xSampling != 1 || c->ySampling != 1)
                 base::fail(path_, "channel " + name + " is subsampled: not read");
+            if (whole && c->type != Imf::UINT) base::fail(path_, "channel " + name + " is not of whole numbers");
         }
         const Imath::Box2i shown = header.displayWindow(), data = header.dataWindow();
         const size_t data_width = size_t(data.max.x - data.min.x + 1);
-        const int lines = int(std::clamp<int64_t>(
-            most_block / int64_t(sizeof(float) * std::max<size_t>(n, 1) * data_width), 1, block_lines));
-        std::vector<float> block(data_width * size_t(lines) * n);
+        const int lines = int(
+            std::clamp<int64_t>(most_block / int64_t(sizeof(T) * std::max<size_t>(n, 1) * data_width), 1, block_lines));
+        std::vector<T> block(data_width * size_t(lines) * n);
         for (int y = data.min.y; y <= data.max.y; y += lines) {
             const int last = std::min(y + lines - 1, data.max.y);
             Imf::FrameBuffer frame;
             for (size_t c = 0; c < n; ++c) {
                 // OpenEXR expects the address that pixel (0,0) would have
                 char* origin = reinterpret_cast<char*>(block.data() + c) -
-                               ptrdiff_t(sizeof(float) * n) * (data.min.x + ptrdiff_t(data_width) * y);
-                frame.insert(names[c],
-                             Imf::Slice(Imf::FLOAT, origin, sizeof(float) * n, sizeof(float) * n * data_width));
+                               ptrdiff_t(sizeof(T) * n) * (data.min.x + ptrdiff_t(data_width) * y);
+                frame.insert(names[c], Imf::Slice(whole ? Imf::UINT : Imf::FLOAT, origin, sizeof(T) * n,
+                                                  sizeof(T) * n * data_width));
             }
             file_->in.setFrameBuffer(frame);
             file_->in.readPixels(y, last);
             const int top = std::max(y, shown.min.y), bottom = std::min(last, shown.max.y);
             const int left = std::max(data.min.x, shown.min.x), right = std::min(data.max.x, shown.max.x);
             for (int row = top; row <= bottom && left <= right; ++row) {
-                const float* from = &block[n * (size_t(row - y) * data_width + size_t(left - data.min.x))];
+                const T* from = &block[n * (size_t(row - y) * data_width + size_t(left - data.min.x))];
                 const size_t at = n * (size_t(row - shown.min.y) * width_ + size_t(left - shown.min.x));
                 if (out.size() < at + n * width_) out.resize(at + n * width_);
                 std::copy(from, from + n * size_t(right - left + 1), &out[at]);
@@ -110,6 +113,12 @@ std::vector<float> ExrInput::read(const std::vector<std::string>& names) const {
         base::fail(path_, "is a broken OpenEXR file: " + one_line(e.what()));
     }
     return out;
+}
+
+std::vector<float> ExrInput::read(const std::vector<std::string>& names) const { return read_as<float>(names); }
+
+std::vector<uint32_t> ExrInput::read_whole(const std::vector<std::string>& names) const {
+    return read_as<uint32_t>(names);
 }
 
 std::map<std::string, std::string> ExrInput::texts() const {

@@ -49,7 +49,7 @@ Imf::Compression compression_of(const std::string& name) {
     base::fail("compression", "\"" + name + "\" is not one of none rle zips zip piz pxr24 b44 b44a dwaa dwab");
 }
 
-// One block of lines of every channel into a frame buffer, as halves or, uncopied, as floats.
+// One block of lines of every channel into a frame buffer, as halves or, uncopied, as they are.
 class Lines {
 public:
     Lines(bool half_floats, int width, const std::vector<ExrChannel>& channels)
@@ -58,16 +58,16 @@ public:
         Imf::FrameBuffer buffer;
         for (size_t k = 0; k < channels_.size(); ++k) {
             const ExrChannel& c = channels_[k];
-            const float* from = c.first + size_t(first) * width_ * c.stride;
-            if (half_) {
+            if (half_ && !c.whole) {
+                const float* from = static_cast<const float*>(c.first) + size_t(first) * width_ * c.stride;
                 halves_[k].resize(size_t(count) * width_);
                 for (size_t i = 0; i < halves_[k].size(); ++i) halves_[k][i] = half(from[i * c.stride]);
                 // OpenEXR expects the address that line 0 would have
                 char* origin = reinterpret_cast<char*>(halves_[k].data()) - ptrdiff_t(sizeof(half)) * width_ * first;
                 buffer.insert(c.name, Imf::Slice(Imf::HALF, origin, sizeof(half), sizeof(half) * width_));
             } else {
-                char* origin = reinterpret_cast<char*>(const_cast<float*>(c.first));
-                buffer.insert(c.name, Imf::Slice(Imf::FLOAT, origin, sizeof(float) * c.stride,
+                char* origin = static_cast<char*>(const_cast<void*>(c.first));
+                buffer.insert(c.name, Imf::Slice(c.whole ? Imf::UINT : Imf::FLOAT, origin, sizeof(float) * c.stride,
                                                  sizeof(float) * c.stride * width_));
             }
         }
@@ -101,7 +101,7 @@ void write_exr_channels(const std::string& path, int width, int height, const st
         const auto xy = [&](int i) { return Imath::V2f(float(p[i]), float(p[i + 1])); };
         Imf::addChromaticities(h, Imf::Chromaticities(xy(0), xy(2), xy(4), xy(6)));
         for (const ExrChannel& c : channels)
-            h.channels().insert(c.name, Imf::Channel(options.half ? Imf::HALF : Imf::FLOAT));
+            h.channels().insert(c.name, Imf::Channel(c.whole ? Imf::UINT : options.half ? Imf::HALF : Imf::FLOAT));
         Lines lines_of(options.half, width, channels);
         if (options.tiled) {
             h.setTileDescription(Imf::TileDescription(64, 64, Imf::ONE_LEVEL));

@@ -121,11 +121,8 @@ void Merger::add(Picture p, const std::string& name) {
         return;
     }
     if (zero) g.frame0 = *h.frames == 0 ? p.rgb : p.frame0;
-    if (g.sum.empty()) g.sum.assign(p.rgb.size(), 0);
-    const double n = double(*h.frames);
-    if (*h.frames == 0) return;
-    for (size_t i = 0; i < p.rgb.size(); ++i)
-        g.sum[i] += n * (zero ? double(p.rgb[i]) - p.frame0[i] : double(p.rgb[i]));
+    if (g.sum.size() == 0) g.sum.clear(p.rgb.size());
+    add_frames_of(p, name, g.sum);
 }
 
 Picture Merger::result() const {
@@ -156,13 +153,14 @@ Picture Merger::result() const {
     std::vector<double> sum(3 * size_t(width_) * height_, 0);
     for (const Group& g : groups_) {
         const double weight = groups_.size() > 1 ? double(g.frames) / double(total) : 1;
-        const double share = g.frames > 0 ? 1 / double(g.frames) : 0;
         for (size_t i = 0; i < sum.size(); ++i)
-            sum[i] += weight * (g.is_whole() ? double(g.whole.rgb[i])
-                                             : (g.frame0.empty() ? 0 : double(g.frame0[i])) + g.sum[i] * share);
+            sum[i] += weight * (g.is_whole() ? double(g.whole.rgb[i]) : eq7(g.frame0, g.sum, g.frames, i));
     }
     out.rgb.assign(sum.begin(), sum.end());
-    if (groups_.size() == 1) out.frame0 = groups_[0].frame0;
+    if (groups_.size() == 1) {
+        out.frame0 = groups_[0].frame0;
+        out.sum = groups_[0].sum.layers();
+    }
     for (size_t i = 0; i < groups_.size(); ++i) {
         const Group& g = groups_[i];
         if (i == 0) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 #include <vector>
+#include "image/exact_sum.h"
 #include "view/view.h"
 
 namespace image {
@@ -47,6 +48,7 @@ struct Picture {
     bool floats = false;        // the pixels came as 32-bit floats: differences of such pictures mean something
     std::vector<float> rgb;     // 3 * width * height, row 0 = top
     std::vector<float> frame0;  // accumulated pictures in EXR: L(0), as rgb; else empty
+    std::vector<SumLayer> sum;  // accumulated pictures in EXR: the sum of the frames above 0, exactly; else empty
     Header header;
     float* at(int x, int y_from_top) { return &rgb[3 * (size_t(y_from_top) * width + x)]; }
     const float* at(int x, int y_from_top) const { return &rgb[3 * (size_t(y_from_top) * width + x)]; }

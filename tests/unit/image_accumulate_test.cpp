@@ -3,12 +3,15 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <random>
 
 #include "base/warnings.h"
 #include "image/accumulate.h"
+#include "image/stream.h"
 #include "temp_folder.h"
 
 using image::Accumulator;
@@ -191,6 +194,61 @@ TEST_CASE("ranges merge to the whole, in any order and any split") {
     CHECK(later.header.frames == 53);
     const Picture all = merged({later, sum_of(40, 40), sum_of(0, 9)});
     CHECK(worst(all, whole) < 4e-7);
+}
+
+// Bit for bit, as pictures that were written to OpenEXR and read back.
+TEST_CASE("parts merge to the bits of one run, in any order and any grouping") {
+    TempFolder folder;
+    const std::string file = folder.name("p.exr");
+    const auto through_file = [&](const Picture& p) {
+        image::write_file(file, p);
+        return image::read_file(file);
+    };
+    const auto same = [](const Picture& a, const Picture& b) {
+        if (a.sum.size() != b.sum.size()) return false;
+        for (size_t k = 0; k < a.sum.size(); ++k)
+            if (a.sum[k].digit != b.sum[k].digit || a.sum[k].words != b.sum[k].words) return false;
+        return a.rgb == b.rgb && a.frame0 == b.frame0;
+    };
+    const Picture whole = sum_of(0, 99);
+    CHECK(!whole.sum.empty());
+    CHECK(same(through_file(whole), whole));
+
+    std::mt19937 dice(5);
+    for (int trial = 0; trial < 200; ++trial) {
+        std::vector<Picture> parts;
+        for (int64_t first = 0; first < 100;) {
+            const int64_t last = std::min<int64_t>(99, first + int64_t(dice() % 30));
+            parts.push_back(sum_of(first, last));
+            first = last + 1;
+        }
+        while (parts.size() > 1) {  // any few of them at a time
+            std::shuffle(parts.begin(), parts.end(), dice);
+            const size_t together = 2 + dice() % (parts.size() - 1);
+            const std::vector<Picture> some(parts.begin(), parts.begin() + std::ptrdiff_t(together));
+            parts.erase(parts.begin(), parts.begin() + std::ptrdiff_t(together));
+            const Picture one = merged(some);
+            parts.push_back(trial % 20 == 0 ? through_file(one) : one);
+        }
+        REQUIRE(same(parts[0], whole));
+    }
+
+    Accumulator goes_on;
+    goes_on.resume(through_file(sum_of(0, 41)), "x");
+    for (int64_t k = 42; k < 100; ++k) goes_on.add(frame(k), "x");
+    Picture later;
+    goes_on.result(later, true);
+    CHECK(same(later, whole));
+}
+
+TEST_CASE("exact sums that do not belong to the pixels are refused") {
+    Picture changed = sum_of(0, 9);
+    changed.rgb[7] *= 2;
+    CHECK(merge_error({changed, sum_of(10, 19)}) ==
+          "p0: its pixels are not those of its exact sums: another program has changed it");
+    Picture gap = sum_of(0, 9);
+    gap.sum.back().digit++;
+    CHECK(merge_error({gap}).find("p0: its layers of exact sums have a gap") == 0);
 }
 
 TEST_CASE("complete sums of several seeds average by their frames") {
