@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Directions for diffuse light: half of them by the cosine, half toward the windows ("portals"), one mixed density, so
-// that the estimator stays unbiased whatever the portals are and no sample weighs more than twice its cosine weight
-// (one-sample multiple importance sampling with the balance heuristic, Veach 1997, section 9.2.4).
+// Directions for diffuse light: a share of them toward the windows ("portals"), the others by the cosine, one mixed
+// density, so that the estimator stays unbiased whatever portals and share are (one-sample multiple importance sampling
+// with the balance heuristic, Veach 1997, section 9.2.4).  trace/window_share.h finds the share.
 // The sky seen through a window is the main light of a daylit room and small in solid angle: this is where noise goes.
 #ifndef LUX_PORTALS_H
 #define LUX_PORTALS_H
-
-#define PORTAL_SHARE 0.5f
 
 FN GLOBAL const float* portal_record(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint k) {
     return s->f + par->portals_at + PORTAL_FLOATS * k;
@@ -41,6 +39,25 @@ FN float portal_density(GLOBAL const float* portal, float3 p, float3 dir) {
     float along_u = (ru * vv - rv * uv) / det, along_v = (rv * uu - ru * uv) / det;
     if (along_u < 0.0f || along_v < 0.0f || along_u > 1.0f || along_v > 1.0f) return 0.0f;
     return t * t / (portal[PORTAL_AREA] * c);
+}
+
+FN float portals_weight(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n) {
+    float total = 0.0f;
+    for (uint k = 0u; k < par->portal_count; k++) total += portal_weight(portal_record(s, par, k), p, n);
+    return total;
+}
+
+// Density (per sr) of direction dir from p among those toward portals, whose weights sum to `total`.
+FN float portals_density(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n, float3 dir,
+                         float total) {
+    float density = 0.0f;
+    for (uint k = 0u; k < par->portal_count; k++) {
+        GLOBAL const float* portal = portal_record(s, par, k);
+        float d = portal_density(portal, p, dir);
+        if (d > 0.0f) density += portal_weight(portal, p, n) / total * d;
+    }
+
+    return density;
 }
 
 // The direction from p to a point of a portal, which r, 0 .. the sum of their weights, picks by its weight.
@@ -79,8 +96,8 @@ FN float sample_diffuse(PRIVATE const SceneTables* s, PRIVATE const Params* par,
                         PRIVATE Sampler* rnd, PRIVATE float3* dir) {
     float2 x = sample2(rnd);
     float total = 0.0f;
-    for (uint k = 0u; k < par->portal_count; k++) total += portal_weight(portal_record(s, par, k), p, n);
-    float share = total > 0.0f ? PORTAL_SHARE : 0.0f;
+    if (par->portal_share > 0.0f) total = portals_weight(s, par, p, n);
+    float share = total > 0.0f ? par->portal_share : 0.0f;
 
     if (share > 0.0f && x.x < share) *dir = portal_direction(s, par, p, n, x.x / share * total, x.y);
     else *dir = cosine_direction(n, share > 0.0f ? (x.x - share) / (1.0f - share) : x.x, x.y);
@@ -88,13 +105,6 @@ FN float sample_diffuse(PRIVATE const SceneTables* s, PRIVATE const Params* par,
     if (c <= 0.0f) return 0.0f;
     if (share <= 0.0f) return 1.0f;
 
-    float density = (1.0f - share) * c * K_INV_PI;
-    for (uint k = 0u; k < par->portal_count; k++) {
-        GLOBAL const float* portal = portal_record(s, par, k);
-        float d = portal_density(portal, p, *dir);
-        if (d > 0.0f) density += share * portal_weight(portal, p, n) / total * d;
-    }
-
-    return c * K_INV_PI / density;
+    return c * K_INV_PI / ((1.0f - share) * c * K_INV_PI + share * portals_density(s, par, p, n, *dir, total));
 }
 #endif

@@ -173,8 +173,8 @@ typedef struct {
     uint light_sets_at;
     uint guide_mask, guide_from;  // of its hash table, 0: there is no guide; first frame that it guides
     uint skip_direct_below, cdf_at;
-    float way_least;  // least chance of a way (path/ways.h); 0: none
-    uint padding;     // to a multiple of 16 bytes
+    float way_least;     // least chance of a way (path/ways.h); 0: none
+    float portal_share;  // of diffuse directions that go toward windows (portals.h)
 } Params;
 
 // modes: what a pass computes

@@ -14,6 +14,7 @@
 #include "trace/fingerprint.h"
 #include "trace/guide.h"
 #include "trace/view_params.h"
+#include "trace/window_share.h"
 
 namespace trace {
 using namespace kernels;
@@ -34,6 +35,8 @@ std::unique_ptr<Device> make_device(const std::string& name) {
 }
 }  // namespace
 
+constexpr float RAY_PORTAL_SHARE = 0.5f;  // a single ray is not worth a search for the best
+
 struct Renderer::State {
     std::unique_ptr<Device> device;
     Params base{};
@@ -42,8 +45,9 @@ struct Renderer::State {
     std::vector<float> exact;  // drawn sources, 3 floats a pixel (empty: none)
     DrawList drawn;
     std::string fingerprint;
-    bool guided = false;  // and the guide is still to be learned
-    int64_t bad = 0;      // samples that were set to 0
+    bool guided = false;         // and the guide is still to be learned
+    std::vector<float> portals;  // records of windows, until their share is known
+    int64_t bad = 0;             // samples that were set to 0
 
     // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.
     void scrub(std::vector<float>& rgb) {
@@ -76,6 +80,11 @@ struct Renderer::State {
                 if (!give(first + done + i, rgb.data() + size_t(i) * pixels * 3)) return;
             done += n;
         }
+    }
+    void ensure_window_share() {
+        if (portals.empty()) return;
+        base.portal_share = find_window_share(*device, base, portals);
+        portals.clear();
     }
     void ensure_guide() {
         if (!guided) return;
@@ -139,6 +148,8 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.distant_count = flat.distant_count;
     p.portals_at = flat.portals_at;
     p.portal_count = flat.portal_count;
+    const auto portals = flat.f.begin() + long(flat.portals_at);
+    s.portals.assign(portals, portals + long(flat.portal_count) * PORTAL_FLOATS);
     p.cdf_at = flat.cdf_at;
     p.light_sets_at = flat.light_sets_at;
     p.shadow_mode = flat.shadow_mode;
@@ -178,6 +189,7 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
         k = 1;
     }
     if (k >= end) return;
+    s.ensure_window_share();
     bool goes_on = true;
     const auto sample = [&](int64_t frame, const float* v) {
         if (frame > s.m)
@@ -203,6 +215,7 @@ Renderer::RayValue Renderer::trace_ray(const double origin[3], const double dir[
     State& s = *state_;
     Params p = s.base;
     p.mode = MODE_RAY;
+    p.portal_share = RAY_PORTAL_SHARE;
     const base::Vec3 d = base::unit({dir[0], dir[1], dir[2]});
     p.ray_org = {float(origin[0] - p.centre.x), float(origin[1] - p.centre.y), float(origin[2] - p.centre.z), 0};
     p.ray_dir = {float(d.x), float(d.y), float(d.z), 0};

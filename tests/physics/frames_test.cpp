@@ -21,10 +21,10 @@ struct Office {
     base::ReadOptions files;
     scene::Scene scene;
     view::View view = view::read_view_file(office + "view.vf");
-    Office() {
+    explicit Office(const std::vector<std::string>& parts = {"materials", "layout", "sky_1400"}) {
         files.raypath = {"."};
         std::vector<std::string> names;
-        for (const char* name : {"materials", "layout", "sky_1400"}) names.push_back(office + name + ".rad");
+        for (const std::string& part : parts) names.push_back(office + part + ".rad");
         scene = scene::read_scene(names, files);
     }
     trace::Renderer renderer(const std::string& device, int size, const trace::RenderOptions& options = {}) const {
@@ -180,6 +180,46 @@ TEST_CASE("frames before the guide are those toward the windows, and the others 
         guided.frame(k, b);
         CHECK((a == b) == (k < options.guide_from));
     }
+}
+
+// Behind blinds with the sun on them directions toward windows do not pay: none go there.
+TEST_CASE("where windows do not pay, their share is none") {
+    const Office scene({"materials", "layout", "blinds", "sky_1100"});
+    trace::RenderOptions options;
+    trace::Renderer portals = scene.renderer("cpu", 16, options);
+    options.sampling = trace::Sampling::plain;
+    trace::Renderer plain = scene.renderer("cpu", 16, options);
+    std::vector<float> a, b;
+    for (const int64_t k : {1, 100}) {
+        portals.frame(k, a);
+        plain.frame(k, b);
+        CHECK(a == b);
+    }
+}
+
+// Median over pixels of the squared difference of two seeds' means of 64 frames, over their squared sum.
+TEST_CASE("under an overcast sky windows take half of the noise away") {
+    const Office scene({"materials", "layout", "sky_overcast"});
+    const int size = 32;
+    std::map<trace::Sampling, double> noise;
+    for (const auto sampling : {trace::Sampling::portals, trace::Sampling::plain}) {
+        std::vector<image::Picture> seeds;
+        for (const uint64_t seed : {1, 2}) {
+            trace::RenderOptions options;
+            options.sampling = sampling;
+            options.seed = seed;
+            trace::Renderer renderer = scene.renderer("cpu", size, options);
+            seeds.push_back(sum_of(renderer, size, 0, 64));
+        }
+        std::vector<double> squares;
+        for (size_t i = 1; i < seeds[0].rgb.size(); i += 3) {
+            const double a = seeds[0].rgb[i], b = seeds[1].rgb[i];
+            if (a + b > 0) squares.push_back((a - b) * (a - b) / ((a + b) * (a + b)));
+        }
+        std::nth_element(squares.begin(), squares.begin() + long(squares.size() / 2), squares.end());
+        noise[sampling] = squares[squares.size() / 2];
+    }
+    CHECK(noise[trace::Sampling::portals] < .6 * noise[trace::Sampling::plain]);
 }
 
 // Standard errors come from 16 seeds (Student's t with 15 degrees of freedom, of two means: 4 is exceeded by chance in
