@@ -13,12 +13,14 @@
 namespace comfort {
 
 constexpr Paint task_paint{0, 0, 1};
+constexpr Paint band_paint{0, 1, 0};
 constexpr Paint zone_paint[] = {{0.66, 0.01, 0.33}, {0.65, 0.33, 0.02}};  // inner, outer
 Paint source_paint(uint32_t group);                                       // five colours in turn
 
 class CheckPicture {
 public:
     CheckPicture(const Luminance& lum, bool to_be_seen);
+    double grey(size_t pixel) const { return grey_[pixel]; }
     double at(size_t pixel) const { return 179 * grey_[pixel]; }
     void paint(size_t pixel, const Paint& paint);
     const std::vector<float>& rgb() const { return rgb_; }  // as pictures have it; empty unless to be seen

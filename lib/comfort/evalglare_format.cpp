@@ -183,10 +183,11 @@ std::string evalglare_lines(const Measurement& m, const Settings& settings, cons
     const double ugr_value = ugr(m.glare, m.background), dgi_value = dgi(m.glare, m.background);
     const double vcp_value = vcp(m.glare, dgr(m.glare, m.mean_lum)), cgi_value = cgi(m.glare, m.direct_lux, m.ev);
     const double veil = veil_poynter(m.glare);
-    if (out.dgp_and_ev)
+    if (out.dgp_and_ev) {
+        const double corrected = m.dgp_computed * (settings.low_light ? low_light_factor(m.ev) : 1);
         return text + fmt::sprintf("dgp,dgi,ugr,vcp,cgi,dgp_ext,Ev_calc,abs_max,Lveil: %f %f %f %f %f %f %f %f %f \n",
-                                   m.dgp_computed, dgi_value, ugr_value, vcp_value, cgi_value, 0., m.ev, m.max_lum,
-                                   veil);
+                                   corrected, dgi_value, ugr_value, vcp_value, cgi_value, 0., m.ev, m.max_lum, veil);
+    }
     return text + fmt::sprintf("dgp,dgi,ugr,vcp,cgi,Lveil: %f %f %f %f %f %f  \n", m.dgp, dgi_value, ugr_value,
                                vcp_value, cgi_value, veil);
 }

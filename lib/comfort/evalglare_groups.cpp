@@ -59,10 +59,13 @@ uint32_t EvalglareGroups::open() {
     return count();
 }
 
-void EvalglareGroups::add(uint32_t p, uint32_t group, const CheckPicture& lum) {
+void EvalglareGroups::count_too(uint32_t p, uint32_t group, const CheckPicture& lum) {
     sums_[group].add(lum.at(p), geometry_.omega[p], geometry_.x_of(p), geometry_.y_of(p));
-    if (!group_[p]) pixels_.push_back(p);
-    group_[p] = group;
+}
+
+void EvalglareGroups::add(uint32_t p, uint32_t group, const CheckPicture& lum) {
+    pixels_.push_back(p);
+    join(p, group, lum);
 }
 
 void EvalglareGroups::join(uint32_t p, uint32_t group, const CheckPicture& lum) {

@@ -30,7 +30,9 @@ public:
     void take(const std::vector<Run>& grouped, uint32_t groups, const CheckPicture& lum);
     // Pixels of at least `limit` leave their group for new ones, connected at half the reach and then merged.
     void extract_peaks(const CheckPicture& lum, double limit);
+    // A pixel of no group joins one, from now on like all others; or it only adds to a group's sums (smoothing).
     void add(uint32_t pixel, uint32_t group, const CheckPicture& lum);
+    void count_too(uint32_t pixel, uint32_t group, const CheckPicture& lum);
     void leave(uint32_t pixel, const CheckPicture& lum);
     void join(uint32_t pixel, uint32_t group, const CheckPicture& lum);
     uint32_t open();

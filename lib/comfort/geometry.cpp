@@ -50,7 +50,7 @@ Geometry::Geometry(const view::View& v, int w, int h, bool evalglare_slips)
     : width(w), height(h), projector(v), omega(size_t(w) * h), omega_cos(size_t(w) * h) {
     if (evalglare_slips) slips_.emplace(v);
     solid_angles();
-    const Vec3 forward = projector.forward();
+    const Vec3 forward = line_of_sight();
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
             const size_t i = index(x, y);
@@ -105,6 +105,8 @@ void Geometry::find_spans() {
     }
     row_spans.push_back(spans.size());
 }
+
+Vec3 Geometry::line_of_sight() const { return slips_ ? slips_->line_of_sight() : projector.forward(); }
 
 Vec3 Geometry::direction(int x, int y) const {
     Vec3 exact;

@@ -38,6 +38,7 @@ public:
     int y_of(size_t i) const { return height - 1 - int(i / width); }
     Vec3 direction(int x, int y) const;  // (0,0,0) if none
     Vec3 direction(size_t i) const { return direction(x_of(i), y_of(i)); }
+    Vec3 line_of_sight() const;
     // The same, to the last bit with evalglare's slips, for angles to the line of sight.
     Vec3 seen_direction(int x, int y) const;
     Vec3 seen_direction(size_t i) const { return seen_direction(x_of(i), y_of(i)); }

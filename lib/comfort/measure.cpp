@@ -49,6 +49,7 @@ void Meter::prepare(const view::View& view, const image::Picture& picture, const
 }
 
 void Meter::photometry(const Luminance& lum, Measurement& m) const {
+    if (settings_.slips) return photometry_by_column(lum, m);
     const Geometry& g = *geometry_;
     double ev = 0, flux = 0;
     float brightest = 0;
@@ -80,6 +81,24 @@ void Meter::photometry(const Luminance& lum, Measurement& m) const {
     m.valid_pixels = g.valid_count;
 }
 
+// The same in evalglare's order: columns from the left, each from the bottom.  See SourceFinder::light_of_groups.
+void Meter::photometry_by_column(const Luminance& lum, Measurement& m) const {
+    const Geometry& g = *geometry_;
+    double flux = 0;
+    for (int x = 0; x < g.width; ++x)
+        for (int y = 0; y < g.height; ++y) {
+            const size_t i = g.index(x, y);
+            if (!g.valid(i)) continue;
+            const double L = lum.at(i);
+            m.ev += L * g.omega_cos[i];
+            flux += L * g.omega[i];
+            m.omega += g.omega[i];
+            m.max_lum = std::max(m.max_lum, L);
+        }
+    m.mean_lum = flux / m.omega;
+    m.valid_pixels = g.valid_count;
+}
+
 // Means and medians of L, L/P and L/P^2.  evalglare divides the last mean by the solid angle twice; so do we when
 // its slips are asked for.
 void Meter::position_statistics(const Luminance& lum, Measurement& m) {
@@ -108,7 +127,8 @@ void Meter::position_statistics(const Luminance& lum, Measurement& m) {
 }
 
 void Meter::background_and_dgp(double ev, double direct, Measurement& m) const {
-    const bool all_is_source = std::fabs(ev - direct) < 1e-11 * ev;  // two sums over the same pixels
+    // Two sums over the same pixels, or nearly so; evalglare takes what rounding leaves.
+    const bool all_is_source = !settings_.slips && std::fabs(ev - direct) < 1e-11 * ev;
     m.background0 = all_is_source ? 0 : (ev - direct) / evalglare_pi;
     m.background = m.background0;
     if (settings_.fast) {
@@ -116,8 +136,9 @@ void Meter::background_and_dgp(double ev, double direct, Measurement& m) const {
     } else if (settings_.background == 1) {
         double flux = 0, omega = 0;
         for (const GlareSource& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
-        m.background =
-            m.omega - omega < 1e-11 * m.omega ? m.mean_lum : (m.omega * m.mean_lum - flux) / (m.omega - omega);
+        const double rest = m.omega - omega;
+        const bool no_rest = settings_.slips ? rest == 0 : rest < 1e-11 * m.omega;
+        m.background = no_rest ? m.mean_lum : (m.omega * m.mean_lum - flux) / rest;
     } else if (settings_.background == 2) {
         m.background = ev / evalglare_pi;
     }
@@ -146,23 +167,36 @@ void Meter::glare(Luminance& lum, Measurement& m) {
     if (settings_.zones && (settings_.zones->inner.x < 0 || settings_.zones->inner.y < 0 ||
                             settings_.zones->inner.x >= g.width || settings_.zones->inner.y >= g.height))
         base::fail("-l", "the zone's centre is outside the picture");
-    m.sources = finder_->find(lum, m.threshold);
+    finder_->find_groups(lum, m.threshold);
+    pixel_sets(lum, m);
+    m.sources = finder_->split(lum);
     m.direct_lux = finder_->direct_lux();
     m.glare = glare_terms(*finder_, lum, settings_, m.threshold, m.sources);
     m.any_source = !m.sources.empty();
     background_and_dgp(ev, settings_.fast == 2 ? settings_.fast_direct : m.direct_lux, m);
 
-    if (settings_.band_rad) m.band = statistics_of(band_pixels(g, *settings_.band_rad), lum, g);
+    if (m.mask) m.pgsv = pgsv(*m.mask, settings_.fast ? 0 : m.mean_lum, ev, has_task, m.task_lum);
+}
+
+// Band, mask and zones, before zones take pixels out of sources.  evalglare reads them from its check picture, where
+// sources and the band are painted by then.
+void Meter::pixel_sets(const Luminance& lum, Measurement& m) {
+    const Geometry& g = *geometry_;
+    const bool slips = settings_.slips;
+    const auto at = [&](size_t p) { return slips ? finder_->check_picture()->at(p) : lum.at(p); };
+    if (settings_.band_rad) {
+        const std::vector<uint32_t> band = band_pixels(g, *settings_.band_rad);
+        m.band = statistics_of(band, at, g, slips);
+        finder_->paint_band(band);
+    }
     if (settings_.mask_file) {
         if (!mask_) mask_ = mask_pixels(*settings_.mask_file, g);
-        m.mask = statistics_of(*mask_, lum, g);
-        m.pgsv = pgsv(*m.mask, settings_.fast ? 0 : m.mean_lum, ev, has_task, m.task_lum);
+        m.mask = statistics_of(*mask_, at, g, slips);
     }
-    if (settings_.zones) {
-        m.zone1 = statistics_of(zone_pixels(g, *settings_.zones, 1, settings_.slips), lum, g);
-        if (settings_.zones->outer_opening)
-            m.zone2 = statistics_of(zone_pixels(g, *settings_.zones, 2, settings_.slips), lum, g);
-    }
+    if (!settings_.zones) return;
+    m.zone1 = statistics_of(zone_pixels(g, *settings_.zones, 1, slips), at, g, slips);
+    if (settings_.zones->outer_opening)
+        m.zone2 = statistics_of(zone_pixels(g, *settings_.zones, 2, slips), at, g, slips);
 }
 
 Luminance Meter::read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view) {

@@ -58,8 +58,10 @@ public:
 private:
     void prepare(const view::View& view, const image::Picture& picture, const std::string& place);
     void photometry(const Luminance& lum, Measurement& m) const;
+    void photometry_by_column(const Luminance& lum, Measurement& m) const;
     void position_statistics(const Luminance& lum, Measurement& m);
     void glare(Luminance& lum, Measurement& m);
+    void pixel_sets(const Luminance& lum, Measurement& m);
     void background_and_dgp(double ev, double direct_lux, Measurement& m) const;
 
     Settings settings_;

@@ -48,6 +48,11 @@ SourceFinder::SourceFinder(const Geometry& geometry, const Settings& settings)
 }
 
 std::vector<GlareSource> SourceFinder::find(const Luminance& lum, double threshold) {
+    find_groups(lum, threshold);
+    return split(lum);
+}
+
+void SourceFinder::find_groups(const Luminance& lum, double threshold) {
     extra_.clear();
     zone_of_group_.clear();
     slipped_eye_lux_.clear();
@@ -62,11 +67,28 @@ std::vector<GlareSource> SourceFinder::find(const Luminance& lum, double thresho
         for (const Run& r : runs_) groups_ = std::max(groups_, r.group);
         if (settings_.smooth && radius_px_ >= 1) smooth();
         if (settings_.peaks && radius_px_ >= 1) extract_peaks(lum);
-        if (check_) paint_sources();
     }
-    direct_lux_ = 0;
-    for (const Run& r : runs_)
-        for (uint32_t p = r.start; p < r.start + r.length; ++p) direct_lux_ += lum.at(p) * geometry_.omega_cos[p];
+    direct_lux_ = light_of_groups(lum);
+    if (check_) paint_sources();
+}
+
+// Where the whole picture is a source, evalglare's background is what rounding leaves of two sums of the same light: so
+// columns, and products taken in its order.
+double SourceFinder::light_of_groups(const Luminance& lum) const {
+    const Geometry& g = geometry_;
+    double lux = 0;
+    if (as_evalglare_) {
+        const Vec3 forward = g.line_of_sight();
+        for (const GroupPixel& p : column_order(runs_, g))
+            lux += 179 * g.omega[p.pixel] * (check_->grey(p.pixel) * dot(forward, g.direction(p.pixel)));
+    } else {
+        for (const Run& r : runs_)
+            for (uint32_t p = r.start; p < r.start + r.length; ++p) lux += lum.at(p) * g.omega_cos[p];
+    }
+    return lux;
+}
+
+std::vector<GlareSource> SourceFinder::split(const Luminance& lum) {
     before_zones_.clear();
     if (settings_.zones) {
         if (settings_.slips) before_zones_ = sums(lum);
@@ -94,7 +116,6 @@ void SourceFinder::connect_as_evalglare() {
     if (settings_.peaks && radius_px_ >= 1) groups.extract_peaks(*check_, settings_.peak_limit);
     runs_ = groups.runs();
     groups_ = groups.count();
-    paint_sources();
 }
 
 void SourceFinder::paint_sources() {
@@ -103,13 +124,19 @@ void SourceFinder::paint_sources() {
             check_->paint(p, settings_.source_paint.value_or(source_paint(r.group)));
 }
 
+void SourceFinder::paint_band(const std::vector<uint32_t>& pixels) {
+    if (!check_) return;
+    for (const uint32_t p : pixels) check_->paint(p, band_paint);
+}
+
 void SourceFinder::smooth() {
     const std::vector<Joining> joining = comfort::smooth(runs_, geometry_, float(radius_px_ / 1.75));
     for (size_t k = 0; k < joining.size(); ++k) {
         const Joining& j = joining[k];
         const bool last_of_pixel = k + 1 == joining.size() || joining[k + 1].pixel != j.pixel;
         (last_of_pixel ? runs_ : extra_).push_back({j.pixel, 1, j.group});
-        if (as_evalglare_) as_evalglare_->add(j.pixel, j.group, *check_);
+        if (as_evalglare_ && last_of_pixel) as_evalglare_->add(j.pixel, j.group, *check_);
+        else if (as_evalglare_) as_evalglare_->count_too(j.pixel, j.group, *check_);
     }
     std::sort(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
 }
@@ -172,14 +199,14 @@ void SourceFinder::split_zones(const Luminance& lum) {
             zone_of_group_.push_back(zone);
             if (settings_.slips) slipped_eye_lux_.push_back(0);
         }
-        if (settings_.slips) {  // evalglare credits the newest group
-            const double lux = lum.at(p.pixel) * g.omega_cos[p.pixel];
+        if (check_) check_->paint(p.pixel, zone_paint[zone - 1]);
+        if (settings_.slips) {  // evalglare credits the newest group, and removes what it has painted
+            const double lux = check_->at(p.pixel) * g.omega_cos[p.pixel];
             slipped_eye_lux_[p.group] -= lux;
             slipped_eye_lux_.back() += lux;
             as_evalglare_->leave(p.pixel, *check_);
+            as_evalglare_->join(p.pixel, target, *check_);
         }
-        if (check_) check_->paint(p.pixel, zone_paint[zone - 1]);
-        if (settings_.slips) as_evalglare_->join(p.pixel, target, *check_);
         p.group = target;
     }
     runs_ = to_runs(std::move(pixels), g.width);

@@ -27,6 +27,10 @@ class SourceFinder {
 public:
     SourceFinder(const Geometry& geometry, const Settings& settings);
     std::vector<GlareSource> find(const Luminance& lum, double threshold);
+    // The same in two steps: groups, painted in the check picture; and what they are after zones have split them.
+    void find_groups(const Luminance& lum, double threshold);
+    std::vector<GlareSource> split(const Luminance& lum);
+    void paint_band(const std::vector<uint32_t>& pixels);
     const CheckPicture* check_picture() const { return check_ ? &*check_ : nullptr; }  // with -c
     const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
     double direct_lux() const { return direct_lux_; }
@@ -38,6 +42,7 @@ private:
     void paint_task();
     void paint_sources();
     void smooth();
+    double light_of_groups(const Luminance& lum) const;
     void extract_peaks(const Luminance& lum);
     void split_zones(const Luminance& lum);
     void paint_zones(const Vec3& centre, double inner, double outer);  // cosines

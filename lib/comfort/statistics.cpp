@@ -21,13 +21,14 @@ double percentile(const std::vector<double>& sorted, double p) {
 
 }  // namespace
 
-PixelStatistics statistics_of(const std::vector<uint32_t>& pixels, const Luminance& lum, const Geometry& g) {
+PixelStatistics statistics_of(const std::vector<uint32_t>& pixels, const std::function<double(size_t)>& lum_at,
+                              const Geometry& g, bool slips) {
     PixelStatistics s;
     s.pixels = long(pixels.size());
     std::vector<double> sorted;
     double flux = 0, sum = 0, squares = 0;
     for (uint32_t p : pixels) {
-        const double L = lum.at(p), w = std::max(g.omega[p], 0.0);
+        const double L = lum_at(p), w = std::max(g.omega[p], 0.0);
         s.omega += w, flux += w * L, sum += L, squares += L * L;
         s.eye_lux += g.omega_cos[p] * L;
         sorted.push_back(L);
@@ -40,7 +41,8 @@ PixelStatistics statistics_of(const std::vector<uint32_t>& pixels, const Luminan
     std::sort(sorted.begin(), sorted.end());
     const size_t n = sorted.size();
     s.median = n % 2 ? sorted[n / 2] : (sorted[n / 2 - 1] + sorted[n / 2]) / 2;
-    s.deviation = std::sqrt(std::max(squares / n - sum / n * (sum / n), 0.0));
+    const double variance = squares / n - sum / n * (sum / n);
+    s.deviation = std::sqrt(slips ? variance : std::max(variance, 0.0));
     s.p75 = percentile(sorted, 0.75);
     s.p95 = percentile(sorted, 0.95);
     s.lowest = sorted.front();

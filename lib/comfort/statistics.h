@@ -3,6 +3,7 @@
 // Over pixels, not weighted by solid angle, except the mean.  std = sqrt(E[L^2] - E[L]^2); percentile p of n sorted
 // values: the mean of entries int(n p) and int(n p - 1), as evalglare takes it.
 #pragma once
+#include <functional>
 #include <vector>
 #include "comfort/geometry.h"
 #include "comfort/luminance.h"
@@ -15,7 +16,9 @@ struct PixelStatistics {
     double omega = 0, mean = 0, median = 0, deviation = 0, p75 = 0, p95 = 0, lowest = 0, highest = 0, eye_lux = 0;
 };
 
-PixelStatistics statistics_of(const std::vector<uint32_t>& pixels, const Luminance& lum, const Geometry& geometry);
+// `lum_at`: a pixel's luminance.  A deviation that rounding carries below 0 is 0, or with `slips` not a number.
+PixelStatistics statistics_of(const std::vector<uint32_t>& pixels, const std::function<double(size_t)>& lum_at,
+                              const Geometry& geometry, bool slips = false);
 
 // Horizontal band: valid pixels within `half_rad` of the middle row's pixel of their column, and the middle row.
 std::vector<uint32_t> band_pixels(const Geometry& geometry, double half_rad);
