@@ -86,6 +86,12 @@ check '-device cpu does not ask OpenCL' '
     command -v strace > /dev/null || exit 0
     strace -f -e trace=openat ptrace $view -device cpu -frames 1 good.rad 2>&1 > /dev/null | {
     ! grep -E "OpenCL/vendors|libpocl"; }'
+check 'nor -device auto where the system shows no graphics processor' '
+    command -v strace > /dev/null || exit 0
+    ls /dev/dri/renderD* /dev/kfd /dev/nvidia[0-9]* /dev/dxg /dev/mali* /dev/kgsl* 2> /dev/null > gpus || true
+    test ! -s gpus || exit 0
+    strace -f -e trace=openat ptrace $view -device auto -frames 1 good.rad 2>&1 > /dev/null | {
+    ! grep -E "OpenCL/vendors|libpocl"; }'
 if [ -n "$NO_THREADS" ] && [ -f "$NO_THREADS" ]; then
     few="LD_PRELOAD=$NO_THREADS"
     check 'frames without threads are the same' '
