@@ -62,11 +62,13 @@ FN float4 loadf4_(const float* p) {
 
 // Wide words (bvh8.h): gcc vectors, whose operators are those of OpenCL's float4 and float8.  A comparison gives -1 or
 // 0 in each lane; lanes4_/lanes8_ turn it into a LaneMask, to be walked by lane_first_ and lane_drop_.
+#define WIDE_WORDS 1  // are they fast?
 #pragma GCC diagnostic ignored "-Wpsabi"
 typedef float v4f __attribute__((vector_size(16)));
 typedef int v4i __attribute__((vector_size(16)));
 typedef float v8f __attribute__((vector_size(32)));
 typedef int v8i __attribute__((vector_size(32)));
+typedef uint v8u __attribute__((vector_size(32)));
 FN v4f load4_(const float* p) {
     v4f v;
     memcpy(&v, p, 16);
@@ -84,6 +86,24 @@ FN v8f splat8_(float x) {
     return v;
 }
 
+FN v8u splat8u_(uint x) {
+    v8u v = {x, x, x, x, x, x, x, x};
+    return v;
+}
+
+// {a, a + step, a + 2 step, a + 3 step} twice
+FN v8u count4_(uint a, uint step) {
+    v8u v = {0u, 1u, 2u, 3u, 0u, 1u, 2u, 3u};
+    return v * step + a;
+}
+
+// of the last four lanes, in all bits
+FN v8u second_half8_(void) {
+    v8u v = {0u, 0u, 0u, 0u, ~0u, ~0u, ~0u, ~0u};
+    return v;
+}
+
+FN v8f float8_(const v8u& v) { return __builtin_convertvector((v8i)v, v8f); }
 FN void store4_(v4f v, float* p) { memcpy(p, &v, 16); }
 FN void store8_(const v8f& v, float* p) { memcpy(p, &v, 32); }
 #if defined(__AVX__)

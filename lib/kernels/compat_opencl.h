@@ -23,13 +23,23 @@ typedef long long64;
 #define loadf4_(p) (*(__global const float4*)(p))
 
 // Wide words (bvh8.h), see compat_host.h.
+#ifdef LUX_BVH2
+#define WIDE_WORDS 0  // a GPU's lanes are its work items
+#else
+#define WIDE_WORDS 1
+#endif
 typedef float4 v4f;
 typedef int4 v4i;
 typedef float8 v8f;
 typedef int8 v8i;
+typedef uint8 v8u;
 #define load4_(p) vload4(0, p)
 #define load8_(p) vload8(0, p)
 #define splat8_(x) ((float8)(x))
+#define splat8u_(x) ((uint8)(x))
+#define count4_(a, step) ((uint8)(0u, 1u, 2u, 3u, 0u, 1u, 2u, 3u) * (uint8)(step) + (uint8)(a))
+#define second_half8_() ((uint8)(0u, 0u, 0u, 0u, ~0u, ~0u, ~0u, ~0u))
+#define float8_(v) convert_float8(as_int8(v))
 #define store4_(v, p) vstore4(v, 0, p)
 #define store8_(v, p) vstore8(v, 0, p)
 typedef ulong LaneMask;

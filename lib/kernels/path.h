@@ -31,6 +31,7 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
 
     // It has met a surface.  What is it: a hole, a lamp, something that scatters light?
     if (!vertex_arrive(s, &vertex)) return 0;
+    sampler_ahead(&vertex.rnd);
     int met = vertex_meet(s, par, paths, &vertex);
 
     // What lies between has dimmed the path and may have scattered light into it.

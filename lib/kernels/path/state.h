@@ -56,6 +56,7 @@ FN Sampler path_sampler(uint4 info) {
     rnd.key = info.y;
     rnd.index = info.z & 255u;
     rnd.dim = info.z >> 8;
+    rnd.until = 0u;
     return rnd;
 }
 
