@@ -20,9 +20,4 @@ echo "# bench_cal_vm"
 "$bin/bench_cal_vm"
 "$(dirname "$0")/regions.sh" "$bin"
 "$(dirname "$0")/sampling.sh" "$bin"
-echo "# ptrace, the office at 14:00, 512 x 512, -ab 5: seconds a frame (wall, processor) after frame 0"
-cd "$(dirname "$0")/../examples/scenes/office"
-TIMEFORMAT='%R %U'
-for range in 0:0 0:64; do
-    { time "$bin/ptrace" -w- -vf view.vf -frames $range materials.rad layout.rad sky_1400.rad > /dev/null; } 2>&1
-done | awk 'NR == 1 { wall = $1; user = $2 } NR == 2 { printf "%.3f %.3f\n", ($1 - wall) / 64, ($2 - user) / 64 }'
+"$(dirname "$0")/frames.sh" "$bin"
