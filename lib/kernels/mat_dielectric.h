@@ -20,6 +20,11 @@ FN Medium solid_medium(float3 k, PRIVATE const Medium* around) {
     return m;
 }
 
+// Where a ray from v goes on to.  Not of unit length unless the cosines are n's own.
+FN float3 refracted(float ratio, float c1, float c2, float3 n, float3 v) {
+    return madd3(n, ratio * c1 - c2, scale3(v, -ratio));
+}
+
 // Also: *arriving is the medium of the segment that ends here if the surface knows it, *beyond the medium behind the
 // surface (the refracted ray's).  Solids do not scatter.
 FN void mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg,
@@ -53,11 +58,10 @@ FN void mat_dielectric(PRIVATE const Params* par, PRIVATE const Surface* g, uint
         float r2 = (i1 - i2) / (i1 + i2);
         R = 0.5f * (r1 * r1 + r2 * r2);
         float T = (1.0f - R) * ratio * ratio;
-        float3 d = madd3(g->n, ratio * c1 - c2, scale3(g->v, -ratio));
-        if (dot3(d, g->ng) < -1e-6f) {
-            lobes->refract = F3(T, T, T);
-            lobes->refract_dir = unit3(d);
-        }
+        float3 d = refracted(ratio, c1, c2, g->n, g->v);
+        if (dot3(d, g->ng) >= 0.0f) d = refracted(ratio, c1, c2, g->ng, g->v);  // a steep texture turned it back
+        lobes->refract = F3(T, T, T);
+        lobes->refract_dir = unit3(d);
     }
 
     lobes->mirror = F3(R, R, R);

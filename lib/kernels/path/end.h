@@ -47,7 +47,7 @@ FN int path_go_on(PRIVATE const Params* par, PRIVATE const Paths* paths, PRIVATE
     uint slot = vertex->slot;
     int above = dot3(way->dir, g->ng) > 0.0f;
     float3 from = offset_ray(bsdf_start(&vertex->lobes, g, above), above ? g->ng : neg3(g->ng), g->reach);
-    if (vertex->absorbs) set_path_medium(paths, slot, above ? &vertex->arriving : &vertex->beyond);
+    if (vertex->absorbs) set_path_medium(paths, slot, way_reflects(way->way) ? &vertex->arriving : &vertex->beyond);
     paths->org[slot] = pack4(from, as_float_(above ? vertex->clip_before : vertex->clip_beyond));
     paths->dir[slot] = pack4(way->dir, FAR_AWAY);
     paths->thr[slot] = pack4(vertex->thr, vertex->weight);

@@ -195,7 +195,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
         // and so does the medium before it
         int reflected = dot3(next, g.ng) > 0.0f;
         if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(g.mixed ? &shadow->medium : &here, hit.t));
-        shadow->medium = reflected ? here : beyond;
+        shadow->medium = relayed && reflected ? here : beyond;
         if (reflected) shadow->clip = before;
         ray->org = offset_ray(g.p, reflected ? g.ng : neg3(g.ng), g.reach);
         ray->dir = next;

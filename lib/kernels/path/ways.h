@@ -171,6 +171,9 @@ FN void way_sample(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIV
     if (way->chance <= 0.0f) way->factor = 0.0f;
 }
 
+// Whether it stays before the surface, in the medium there; steep textures may turn its direction all the same.
+FN int way_reflects(uint way) { return way == WAY_DIFFUSE_R || way == WAY_ROUGH_R || way == WAY_MIRROR; }
+
 // What the path has been through once it takes this way.
 FN uint way_flags(PRIVATE const Vertex* vertex, PRIVATE const Way* way) {
     uint flags = vertex->flags;
