@@ -13,6 +13,7 @@
 #include "kernels/compat_host.h"
 #include "bvh/bounds.h"
 #include "bvh/embree_device.h"
+#include "bvh/temp_tree.h"
 
 namespace bvh {
 namespace {
@@ -27,23 +28,11 @@ namespace scalar {
 #include "kernels/bvh2.h"
 }
 
-constexpr unsigned max_wide = 8;
-
-struct TempNode {  // an inner node, or a leaf if children == 0
-    unsigned children, prims;
-};
-struct TempInner : TempNode {
-    TempNode* child[max_wide];
-    Bounds bounds[max_wide];
-};
-struct TempLeaf : TempNode {
-    uint32_t prim[1];  // prims of them
-};
-
 // What differs between the two kinds of tree.
 struct Layout {
     unsigned wide;  // children of a node
     size_t node_floats, leaf_floats;
+    size_t panes;        // where the first node holds the root of the tree of panes
     unsigned per_block;  // primitives in a leaf block
     int stack;           // size of the kernel's stack
     int depth_alone,
@@ -51,8 +40,8 @@ struct Layout {
     unsigned sah_block, max_leaf;
     float intersection_cost;
 };
-constexpr Layout layout8 = {8, BVH8_NODE_FLOATS, BVH8_LEAF_FLOATS, 4, BVH8_STACK, 32, 20, 4, 16, 0.3f};
-constexpr Layout layout2 = {2, BVH2_NODE_FLOATS, BVH2_LEAF_FLOATS, 1, BVH2_STACK, 100, 54, 1, 8, 1.0f};
+constexpr Layout layout8 = {8, BVH8_NODE_FLOATS, BVH8_LEAF_FLOATS, BVH8_PANES, 4, BVH8_STACK, 32, 20, 4, 16, 0.3f};
+constexpr Layout layout2 = {2, BVH2_NODE_FLOATS, BVH2_LEAF_FLOATS, BVH2_PANES, 1, BVH2_STACK, 100, 54, 1, 8, 1.0f};
 
 class TreeBuilder {
 public:
@@ -60,21 +49,24 @@ public:
         : layout_(layout),
           trees_(trees),
           tree_count_(tree_count),
-          tree_bounds_(tree_count, empty_bounds()),
-          tree_need_(tree_count),
-          tree_depth_(tree_count) {}
+          tree_bounds_(tree_count + 1, empty_bounds()),
+          tree_passes_(tree_count),
+          tree_need_(tree_count + 1),
+          tree_depth_(tree_count + 1) {}
 
     Tree build() {
         struct Release {
             void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); }
         };
         std::vector<std::unique_ptr<std::remove_pointer_t<RTCBVH>, Release>> memory;  // of the temporary nodes
-        std::vector<TempNode*> roots(tree_count_, nullptr);
-        size_t nodes = tree_count_, blocks = 0;
-        for (size_t k = tree_count_; k-- > 0;) {  // tree 0 last: it needs the boxes of the others
+        const size_t panes = tree_count_, all = tree_count_ + 1;
+        std::vector<TempNode*> roots(all, nullptr);
+        size_t nodes = all, blocks = 0;
+        for (size_t n = all; n-- > 0;) {
+            const size_t k = n > 0 ? n - 1 : panes;  // tree 0 needs the boxes of the others, the panes, too
             memory.emplace_back(rtcNewBVH(device_));
             roots[k] = build_tree(k, memory.back().get());
-            Need need = roots[k] ? measure(trees_[k], roots[k]) : Need{};
+            Need need = roots[k] ? measure(input(k), roots[k]) : Need{};
             tree_need_[k] = need.stack;
             tree_depth_[k] = need.depth;
             nodes += need.nodes;
@@ -85,19 +77,20 @@ public:
         if (blocks > REF_INDEX || nodes > REF_LEAF) base::fail("", "too many primitives");
         out_.nodes.assign(nodes * layout_.node_floats, 0.0f);
         out_.leaves.assign(std::max<size_t>(blocks, 1) * layout_.leaf_floats, 0.0f);
-        next_node_ = tree_count_;
-        for (size_t k = 0; k < tree_count_; k++) {
+        next_node_ = all;
+        for (size_t k = 0; k < all; k++) {
             if (!roots[k]) {
                 write_children(k, nullptr, nullptr, 0);
                 continue;
             }
             if (roots[k]->children == 0) {  // a single leaf gets a node above it
-                const uint32_t ref = write_leaf(trees_[k], static_cast<TempLeaf*>(roots[k]));
+                const uint32_t ref = write_leaf(input(k), static_cast<TempLeaf*>(roots[k]));
                 write_children(k, &tree_bounds_[k], &ref, 1);
             } else {
-                write_inner(trees_[k], static_cast<TempInner*>(roots[k]), k);
+                write_inner(input(k), static_cast<TempInner*>(roots[k]), k);
             }
         }
+        out_.nodes[layout_.panes] = as_float_(uint32_t(panes));
         out_.depth = tree_depth_[0];
         return std::move(out_);
     }
@@ -108,13 +101,28 @@ private:
         int stack = 0, depth = 0;
     };
 
+    // The tree after the last is that of the panes: what of the scene lets shadow rays pass.
+    const Input& input(size_t tree) const { return trees_[tree < tree_count_ ? tree : 0]; }
+
+    bool lets_pass(const Input& in, size_t k) const {
+        if (k < in.triangle_count) return (in.tri_prim[k] & ID_TRANSPARENT) != 0;
+        const size_t shape = in.first_shape + k - in.triangle_count;
+        const float* q = in.shapes + SHAPE_FLOATS * shape;
+        if (as_uint_(q[SHAPE_KIND]) != SHAPE_INSTANCE) return (in.shape_prim[shape] & ID_TRANSPARENT) != 0;
+        const uint32_t forced = as_uint_(q[INSTANCE_CLASS]);
+        return forced != 0 ? (forced & RAY_TRANSPARENT) != 0 : tree_passes_[as_uint_(q[INSTANCE_TREE])];
+    }
+
     TempNode* build_tree(size_t tree, RTCBVH bvh) {
-        const Input& in = trees_[tree];
+        const Input& in = input(tree);
         const size_t count = in.triangle_count + in.shape_count;
         if (count >= ID_PRIM) base::fail("", "too many primitives");
         std::vector<RTCBuildPrimitive> prims;
-        prims.reserve(count);
+        if (tree < tree_count_) prims.reserve(count);
         for (size_t k = 0; k < count; k++) {
+            const bool passes = lets_pass(in, k);
+            if (tree == tree_count_ && !passes) continue;
+            if (tree < tree_count_ && passes) tree_passes_[tree] = true;
             const Bounds box = primitive_bounds(in, k, tree_bounds_);
             if (box.lo[0] > box.hi[0]) continue;  // an instance of nothing
             prims.push_back({box.lo[0], box.lo[1], box.lo[2], 0, box.hi[0], box.hi[1], box.hi[2], uint32_t(k)});
@@ -122,40 +130,9 @@ private:
             grow(tree_bounds_[tree], box.hi);
         }
         if (prims.empty()) return nullptr;
-        RTCBuildArguments args = rtcDefaultBuildArguments();
-        args.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
-        args.maxBranchingFactor = layout_.wide;
-        args.maxDepth = tree_count_ > 1 ? layout_.depth_nested : layout_.depth_alone;
-        args.sahBlockSize = layout_.sah_block;
-        args.minLeafSize = 1;
-        args.maxLeafSize = layout_.max_leaf;
-        args.traversalCost = 1.0f;
-        args.intersectionCost = layout_.intersection_cost;
-        args.bvh = bvh;
-        args.primitives = prims.data();
-        args.primitiveCount = args.primitiveArrayCapacity = prims.size();
-        args.createNode = [](RTCThreadLocalAllocator memory, unsigned n, void*) -> void* {
-            auto* node = static_cast<TempInner*>(rtcThreadLocalAlloc(memory, sizeof(TempInner), 16));
-            node->children = n;
-            return node;
-        };
-        args.setNodeChildren = [](void* node, void** child, unsigned n, void*) {
-            for (unsigned i = 0; i < n; i++) static_cast<TempInner*>(node)->child[i] = static_cast<TempNode*>(child[i]);
-        };
-        args.setNodeBounds = [](void* node, const RTCBounds** b, unsigned n, void*) {
-            for (unsigned i = 0; i < n; i++)
-                static_cast<TempInner*>(node)->bounds[i] = {{b[i]->lower_x, b[i]->lower_y, b[i]->lower_z},
-                                                            {b[i]->upper_x, b[i]->upper_y, b[i]->upper_z}};
-        };
-        args.createLeaf = [](RTCThreadLocalAllocator memory, const RTCBuildPrimitive* p, size_t n, void*) -> void* {
-            auto* leaf = static_cast<TempLeaf*>(rtcThreadLocalAlloc(memory, sizeof(TempLeaf) + 4 * n, 16));
-            leaf->children = 0;
-            leaf->prims = unsigned(n);
-            for (size_t i = 0; i < n; i++) leaf->prim[i] = p[i].primID;
-            std::sort(leaf->prim, leaf->prim + n);  // threads may partition in any order; results must not depend on it
-            return leaf;
-        };
-        auto* root = static_cast<TempNode*>(rtcBuildBVH(&args));
+        const TempSettings settings = {layout_.wide, layout_.sah_block, layout_.max_leaf, layout_.intersection_cost,
+                                       tree_count_ > 1 ? layout_.depth_nested : layout_.depth_alone};
+        TempNode* root = build_temp_tree(bvh, prims, settings);
         device_.check();
         if (!root) throw base::Error(base::Kind::system, "Embree", "no tree was built");
         return root;
@@ -276,6 +253,7 @@ private:
     size_t tree_count_;
     EmbreeDevice device_;
     std::vector<Bounds> tree_bounds_;
+    std::vector<bool> tree_passes_;  // does it hold anything that lets shadow rays pass?
     std::vector<int> tree_need_, tree_depth_;
     Tree out_;
     size_t next_node_ = 0, next_block_ = 0;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bounding volume hierarchies for kernels/bvh8.h and kernels/bvh2.h, by Embree's builder (rtcBuildBVH) on all cores.
 // The arrays go to the device as they are.  Tree 0 is the scene; trees 1, 2, ... are what its SHAPE_INSTANCE shapes
-// stand for (word 13 = tree), node k is the root of tree k.  An empty scene gives one empty node and no leaves. Memory
-// per triangle of large meshes: 55 bytes (BVH8) or 82 (BVH2), with BVH8's 75 at most while building (bench/traversal);
-// scattered single polygons take more, up to 200.  10 million triangles: 6.5 s of one core.
+// stand for (word 13 = tree), node k is the root of tree k.  One more tree has only what of tree 0 lets shadow rays
+// pass, so that they look for panes there alone; a word of node 0 (BVH8_PANES, BVH2_PANES) is its root.  An empty scene
+// gives empty nodes and no leaves.
+// Memory per triangle of large meshes: 55 bytes (BVH8) or 82 (BVH2), with BVH8's 75 at most while building
+// (bench/traversal), twice as much for what lets shadow rays pass; scattered single polygons take more, up to 200.
+// 10 million triangles: 6.5 s of one core.
 // Limits: 2^29 primitives, 2^30 leaf blocks; nodes and leaves are addressed with 64-bit offsets, so more than 4 GB is
 // fine.
 #pragma once

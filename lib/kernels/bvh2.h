@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Traversal for GPUs: one scalar ray per work item, binary nodes that hold both children's boxes in 64 bytes
 // (Aila and Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs"), small private stack.
-// Node: 16 floats: child 0 min xyz, max xyz, child 1 min xyz, max xyz, two references (words), 2 spare.
+// Node: 16 floats: child 0 min xyz, max xyz, child 1 min xyz, max xyz, two references (words), 2 spare but for
+// BVH2_PANES.
 // Both are read by four floats at a time: buffers start on 16-byte boundaries.
 // Leaf block: 12 floats: v0 xyz, id, v1 xyz, 0, v2 xyz, 0; with ID_SHAPE in the id: word 0 = index of the shape.
 #ifndef LUX_BVH2_H
 #define LUX_BVH2_H
 
 #define BVH2_NODE_FLOATS 16u
+#define BVH2_PANES 14u  // in node 0: the root of the tree of what lets shadow rays pass
 #define BVH2_LEAF_FLOATS 12u
 #define BVH2_STACK 128  // the builder refuses trees that need more (bvh/build.cpp)
 
@@ -99,7 +101,7 @@ FN int bvh2_leaf(PRIVATE const SceneTables* s, uint ref, PRIVATE const TreeRay* 
 FN int bvh2_traverse(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, int any, PRIVATE Hit* hit) {
     Bvh2Stack stack;
     TreeRay in;
-    uint cur = 0u;
+    uint cur = mask == RAY_TRANSPARENT ? as_uint_(s->nodes[BVH2_PANES]) : 0u;
     int found = 0;
     stack.size = 0;
     enter_scene(ray, mask, &in);

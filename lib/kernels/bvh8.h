@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Traversal for CPUs (and PoCL): nodes of eight boxes tested at once, leaves of four triangles tested at once.
 // One ray at a time; the wide words of the compat files become AVX.  Nearest child first, also for occlusion.
-// Node: 64 floats: min x (8 lanes), max x, min y, max y, min z, max z, references (8 words), 8 spare.
+// Node: 64 floats: min x (8 lanes), max x, min y, max y, min z, max z, references (8 words), 8 spare but for
+// BVH8_PANES.
 // Leaf block: 40 floats: v0 x (4 lanes) y z, v1 x y z, v2 x y z, 4 ids; or, if its first id has ID_SHAPE: 0-3 indices
 // of shapes, 4 their count, 36-39 their ids.
 #ifndef LUX_BVH8_H
 #define LUX_BVH8_H
 
 #define BVH8_NODE_FLOATS 64u
-#define BVH8_REFS 48u  // in a node
+#define BVH8_REFS 48u   // in a node
+#define BVH8_PANES 56u  // in node 0: the root of the tree of what lets shadow rays pass
 #define BVH8_LEAF_FLOATS 40u
 #define BVH8_IDS 36u    // in a block
 #define BVH8_COUNT 4u   // in a block of shapes
@@ -141,26 +143,25 @@ FN int bvh8_leaf(PRIVATE const SceneTables* s, uint ref, PRIVATE const TreeRay* 
     }
 }
 
-// The nearest hit, or with any != 0 some hit (1 at once); hit->t = tmax and hit->prim = NO_HIT on entry.
-FN int bvh8_traverse(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, int any, PRIVATE Hit* hit) {
+// From the root of the tree that *in is in.  The nearest hit, or with any != 0 some hit (1 at once).
+FN int bvh8_walk(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, PRIVATE TreeRay* in, uint root,
+                 int any, PRIVATE Hit* hit) {
     Bvh8Stack stack;
-    TreeRay in;
-    uint cur = 0u;
+    uint cur = root;
     float cur_t = ray->tmin;
     int found = 0;
     stack.size = 0;
-    enter_scene(ray, mask, &in);
 
     for (;;) {
         if ((cur & REF_LEAF) == 0u) {
             GLOBAL const float* node = s->nodes + (ulong64)cur * BVH8_NODE_FLOATS;
-            if (bvh8_node(node, &in.r, ray->tmin, hit->t, &stack, &cur, &cur_t)) continue;
+            if (bvh8_node(node, &in->r, ray->tmin, hit->t, &stack, &cur, &cur_t)) continue;
         } else if ((cur & REF_INSTANCE) == 0u) {
-            if (bvh8_leaf(s, cur, &in, ray->tmin, cur_t, &stack, hit)) found = 1;
+            if (bvh8_leaf(s, cur, in, ray->tmin, cur_t, &stack, hit)) found = 1;
             if (any && found) return 1;
         } else if (cur == REF_NONE) {  // back from an instance
-            enter_scene(ray, mask, &in);
-        } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, &in, &cur)) {
+            enter_scene(ray, mask, in);
+        } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, in, &cur)) {
             bvh8_push(&stack, stack.size, REF_NONE, ray->tmin);
             continue;
         }
@@ -172,6 +173,14 @@ FN int bvh8_traverse(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint 
             cur_t = stack.t[stack.size];
         } while (cur_t > hit->t * SLAB_WIDEN);
     }
+}
+
+// The same in the scene; hit->t = tmax and hit->prim = NO_HIT on entry.
+FN int bvh8_traverse(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, int any, PRIVATE Hit* hit) {
+    TreeRay in;
+    uint root = mask == RAY_TRANSPARENT ? as_uint_(s->nodes[BVH8_PANES]) : 0u;
+    enter_scene(ray, mask, &in);
+    return bvh8_walk(s, ray, mask, &in, root, any, hit);
 }
 
 FN void trace_closest(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, PRIVATE Hit* hit) {

@@ -100,7 +100,7 @@ TEST_CASE("OpenCL devices find the host's hits, bit for bit") {
             const auto ray_buffer = send(context, rays.data(), 32 * rays.size());
             cl::Buffer out(context, CL_MEM_WRITE_ONLY, 32 * rays.size());
             const auto tables = kernels::tables(scene, bvh);
-            for (cl_uint mask : {RAY_OPAQUE, RAY_ALL}) {
+            for (cl_uint mask : {RAY_OPAQUE, RAY_TRANSPARENT, RAY_ALL}) {
                 unsigned a = 0;
                 for (const auto& b : {nodes, leaves, shapes, uv, ray_buffer, out}) kernel.setArg(a++, b);
                 kernel.setArg(a, mask);
