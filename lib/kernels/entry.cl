@@ -40,7 +40,7 @@ __kernel void k_shade(ALL_ARGS, __global uint *counters, __global const uint *qu
 
 __kernel void k_shadow(ALL_ARGS, __global uint *counters, __global const uint *shadow) {
     SET_UP
-    if (i < counters[2]) path_shadow(&s, &par, &paths, shadow[i]);
+    if (i < counters[2]) path_shadow(&s, &par, &paths, shadow[i], SHADOW_TO_TRACE);
 }
 
 // After a round: the next queue becomes the current one.
@@ -56,7 +56,7 @@ __kernel void k_draw(ALL_ARGS) {
     SET_UP
     if (i >= par.slots) return;
     path_draw(&s, &par, &paths, i);
-    path_shadow(&s, &par, &paths, i);
+    path_shadow(&s, &par, &paths, i, SHADOW_TO_TRACE);
 }
 
 __kernel void k_walk(ALL_ARGS, __global uint *counters, __global uint *queue) {

@@ -11,6 +11,9 @@
 namespace LUX_ISA {
 #include "kernels/compat_host.h"
 #include "kernels/all.h"
+#ifndef LUX_EMBREE
+#include "trace/packets.h"
+#endif
 
 struct Tile {
     Paths paths;
@@ -40,17 +43,54 @@ static void store(const Tile& t, uint32_t count, float* rgb) {
         rgb[3 * i + 2] = t.paths.rad[i].z;
     }
 }
-// Follows the n paths of the queue to their ends.
-static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-    while (n > 0) {
+static void extend(const SceneTables& s, Tile& t, uint32_t n) {
+    for (uint32_t i = 0; i < n; i++) path_extend(&s, &t.paths, t.now[i]);
+}
+static void shadow(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+    for (uint32_t i = 0; i < n; i++) path_shadow(&s, &par, &t.paths, t.shadow[i], SHADOW_TO_TRACE);
+}
+#ifdef LUX_EMBREE
+static void extend_together(const SceneTables& s, Tile& t, uint32_t n) { extend(s, t, n); }
+static void shadow_together(const SceneTables& s, const Params& par, Tile& t, uint32_t n) { shadow(s, par, t, n); }
+#else
+// The same in packets, where rays that follow one another in the queue lie side by side.
+static void extend_together(const SceneTables& s, Tile& t, uint32_t n) {
+    Packet p = {};
+    for (uint32_t i = 0; i < n;) {
+        for (p.count = 0; i < n && packet_add(p, path_ray(&t.paths, t.now[i]), t.now[i]); i++) {}
+        packet_trace(s, p, RAY_ALL, 0);
+        for (uint32_t k = 0; k < p.count; k++) set_path_hit(&t.paths, p.slot[k], &p.hit[k]);
+    }
+}
+static void shadow_together(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+    Packet p = {};
+    for (uint32_t i = 0; i < n;) {
+        Ray ray;
+        for (p.count = 0;
+             i < n && shadow_is_plain(&s, &par, &t.paths, t.shadow[i], &ray) && packet_add(p, ray, t.shadow[i]); i++) {}
+        if (p.count == 0) {
+            path_shadow(&s, &par, &t.paths, t.shadow[i++], SHADOW_TO_TRACE);
+            continue;
+        }
+        packet_trace(s, p, RAY_OPAQUE, 1);
+        for (uint32_t k = 0; k < p.count; k++)
+            path_shadow(&s, &par, &t.paths, p.slot[k], (p.open >> k & 1u) != 0 ? SHADOW_OPEN : SHADOW_BLOCKED);
+    }
+}
+#endif
+// Follows the n paths of the queue to their ends.  together: their rays lie side by side.
+static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n, bool together) {
+    for (; n > 0; together = false) {
         uint32_t goes_on = 0, shadows = 0;
-        for (uint32_t i = 0; i < n; i++) path_extend(&s, &t.paths, t.now[i]);
+        if (together) extend_together(s, t, n);
+        else extend(s, t, n);
         for (uint32_t i = 0; i < n; i++) {
             const int r = path_shade(&s, &par, &t.paths, t.now[i]);
             if (r & PATH_GOES_ON) t.next[goes_on++] = t.now[i];
             if (r & PATH_SHADOW) t.shadow[shadows++] = t.now[i];
         }
-        for (uint32_t i = 0; i < shadows; i++) path_shadow(&s, &par, &t.paths, t.shadow[i]);
+        if (together) shadow_together(s, par, t, shadows);
+        else shadow(s, par, t, shadows);
         uint32_t* swap = t.now;
         t.now = t.next;
         t.next = swap;
@@ -70,7 +110,7 @@ static void run(const void* tables, const void* params, uint32_t first, uint32_t
     uint32_t n = 0;
     for (uint32_t i = 0; i < count; i++)
         if (path_generate(&par, &t.paths, i)) t.now[n++] = i;
-    follow(s, par, t, n);
+    follow(s, par, t, n, par.mode != MODE_RAY);
     store(t, count, rgb);
 }
 // trace::DrawRay
@@ -89,7 +129,7 @@ static void draw(const void* tables, const void* params, const void* rays, uint3
         t.paths.shadow_dir[i] = pack4(F3(r[i].dir[0], r[i].dir[1], r[i].dir[2]), r[i].dist);
         t.paths.shadow_rad[i] = pack4(F3(r[i].weight, r[i].weight, r[i].weight), 0.0f);
         path_draw(&s, &par, &t.paths, i);
-        path_shadow(&s, &par, &t.paths, i);
+        path_shadow(&s, &par, &t.paths, i, SHADOW_TO_TRACE);
     }
     store(t, count, rgb);
 }
@@ -110,7 +150,7 @@ static void walk(const void* tables, const void* params, const void* rays, uint3
         t.paths.dir[i] = pack4(F3(r[i].dir[0], r[i].dir[1], r[i].dir[2]), r[i].dir_w);
         if (path_begin_walk(&par, &t.paths, i)) t.now[n++] = i;
     }
-    follow(s, par, t, n);
+    follow(s, par, t, n, false);
     trace::WalkEnd* end = static_cast<trace::WalkEnd*>(ends) + first;
     for (uint32_t i = 0; i < count; i++) {
         put3(xyz4(t.paths.rad[i]), end[i].gathered);

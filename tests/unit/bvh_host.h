@@ -12,7 +12,8 @@ namespace kernels {
 #include "kernels/offset_ray.h"
 namespace wide {
 #include "kernels/bvh8.h"
-}
+#include "trace/packets.h"
+}  // namespace wide
 namespace scalar {
 #include "kernels/bvh2.h"
 }

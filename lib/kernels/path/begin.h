@@ -84,15 +84,20 @@ FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* paths, uint
     return 1;
 }
 
-// Follows the ray of a slot to the nearest surface.
-FN void path_extend(PRIVATE const SceneTables* s, PRIVATE const Paths* paths, uint slot) {
+FN Ray path_ray(PRIVATE const Paths* paths, uint slot) {
     Ray ray;
-    Hit hit;
     float4 dir = paths->dir[slot];
     ray.org = xyz4(paths->org[slot]);
     ray.dir = xyz4(dir);
     ray.tmin = 0.0f;
     ray.tmax = dir.w;
+    return ray;
+}
+
+// Follows the ray of a slot to the nearest surface.
+FN void path_extend(PRIVATE const SceneTables* s, PRIVATE const Paths* paths, uint slot) {
+    Ray ray = path_ray(paths, slot);
+    Hit hit;
     trace_closest(s, &ray, RAY_ALL, &hit);
     set_path_hit(paths, slot, &hit);
 }

@@ -3,6 +3,11 @@
 #ifndef LUX_PATH_SHADOW_H
 #define LUX_PATH_SHADOW_H
 
+// What is known of the opaque surfaces in a shadow ray's way: nothing yet, that there is none, that there is one.
+#define SHADOW_TO_TRACE 0
+#define SHADOW_OPEN 1
+#define SHADOW_BLOCKED 2
+
 // A shadow ray on its way to the source sample that it was sent to.
 typedef struct {
     Ray ray;
@@ -14,6 +19,7 @@ typedef struct {
     int absorbs;              // is there any medium in the scene?
     int is_virtual;           // it was sent to a virtual source: its radiance is known only where it arrives
     int bent;                 // it does not lie on one straight line
+    int known;                // SHADOW_TO_TRACE ...
     Sampler rnd;
 } ShadowRay;
 
@@ -41,14 +47,36 @@ FN int shadow_meet(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIV
     return (lobes->flags & LOBE_PASS) != 0u ? MET_NOTHING : MET_SURFACE;
 }
 
+// May a ray to this source end at the source itself, so that the source's own hit counts?
+FN int shadow_seeks_source(PRIVATE const Params* par, GLOBAL const float* src) {
+    uint kind = as_uint_(src[SRC_KIND]);
+    return par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING || kind == SK_CYLINDER);
+}
+
+// Is all that counts before it meets glass whether anything opaque lies between?  *ray: the one to trace.
+FN int shadow_is_plain(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot,
+                       PRIVATE Ray* ray) {
+    float4 org = paths->shadow_org[slot], dir = paths->shadow_dir[slot];
+    GLOBAL const float* src = source_record(s, par, as_uint_(org.w));
+    uint kind = as_uint_(src[SRC_KIND]);
+    if (par->shadow_mode == SHADOW_AIMED || kind == SK_SPHERE || kind == SK_CYLINDER) return 0;
+    if (shadow_seeks_source(par, src)) return 0;
+    ray->org = xyz4(org);
+    ray->dir = xyz4(dir);
+    ray->tmin = 0.0f;
+    ray->tmax = IS_FAR(dir.w) ? FAR_AWAY : shadow_end(dir.w);
+    return 1;
+}
+
 // Does anything opaque stand between?  Also sets how far the ray looks for what lets light through, and *must_hit if it
 // has still to find the source itself.
 FN int shadow_blocked(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow, float dist,
                       PRIVATE int* must_hit) {
     PRIVATE Ray* ray = &shadow->ray;
     uint kind = as_uint_(shadow->src[SRC_KIND]);
-    *must_hit = par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING || kind == SK_CYLINDER);
+    *must_hit = shadow_seeks_source(par, shadow->src);
     ray->tmax = IS_FAR(dist) ? FAR_AWAY : shadow_end(dist);
+    if (shadow->known != SHADOW_TO_TRACE) return shadow->known == SHADOW_BLOCKED;
     if (kind != SK_SPHERE && kind != SK_CYLINDER && !*must_hit) return trace_any(s, ray, RAY_OPAQUE);
 
     // near its outline a round source may shadow itself; with -ds RADIANCE aims beside odd shapes, too
@@ -204,8 +232,9 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     return black;
 }
 
-// Adds what the shadow ray of a slot brings.
-FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
+// Adds what the shadow ray of a slot brings.  known: of a plain one (shadow_is_plain).
+FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot,
+                    int known) {
     float4 org = paths->shadow_org[slot], dir = paths->shadow_dir[slot], rad = paths->shadow_rad[slot];
     int antimatter = (par->flags & PF_ANTIMATTER) != 0u, aimed = par->shadow_mode == SHADOW_AIMED;
     ShadowRay shadow;
@@ -220,6 +249,7 @@ FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
     shadow.clip = antimatter ? as_uint_(paths->shadow_medium[slot].w) : CLIP_START;
     shadow.is_virtual = as_uint_(shadow.src[SRC_VIRTUAL]) != NONE;
     shadow.bent = 0;
+    shadow.known = known;
     shadow.rnd = path_sampler(paths->info[slot]);
     shadow.rnd.key = hash32(shadow.rnd.key ^ 0x5bd1e995u);
 
