@@ -2,6 +2,8 @@
 // Means at the batches' ends, and what follows from their differences (batches.h).
 #include "comfort/batches.h"
 
+#include <cstdlib>
+
 namespace comfort {
 
 Luminance GreyPicture::luminance() {
@@ -53,30 +55,12 @@ void Batches::without(size_t batch, GreyPicture& out) const {
     add_sum(batch, -1 / rest, out.grey);
 }
 
-void Batches::split(Parts& out) const {
-    for (int p = 0; p < parts; ++p) {
-        out.mean[p].width = width_;
-        out.mean[p].height = height_;
-        out.mean[p].grey.assign(size_t(width_) * height_, 0);
-        out.frames[p] = 0;
-        for (size_t k = size_t(p); k < count(); k += parts) out.frames[p] += frames(k);
-        for (size_t k = size_t(p); k < count(); k += parts) add_sum(k, 1 / double(out.frames[p]), out.mean[p].grey);
-    }
-}
-
-void Batches::without(size_t batch, const Parts& whole, Parts& out) const {
-    const int p = part_of(batch);
-    for (int other = 0; other < parts; ++other)
-        if (other != p && (out.frames[other] != whole.frames[other] || out.mean[other].grey.empty())) {
-            out.mean[other] = whole.mean[other];
-            out.frames[other] = whole.frames[other];
-        }
-    out.frames[p] = whole.frames[p] - frames(batch);
-    out.mean[p] = whole.mean[p];
-    if (out.frames[p] == 0) return;
-    const float share = float(double(whole.frames[p]) / double(out.frames[p]));
-    for (float& v : out.mean[p].grey) v *= share;
-    add_sum(batch, -1 / double(out.frames[p]), out.mean[p].grey);
+size_t Batches::middle() const {
+    if (count() < 2) return count();
+    size_t best = 0;
+    for (size_t k = 1; k + 1 < count(); ++k)
+        if (std::abs(2 * ends_[k].n - frames()) < std::abs(2 * ends_[best].n - frames())) best = k;
+    return best;
 }
 
 }  // namespace comfort

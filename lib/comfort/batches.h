@@ -21,13 +21,14 @@ struct GreyPicture {
 class Batches {
 public:
     static constexpr size_t most = 16;
-    static constexpr int parts = 4;
 
     void restart() { ends_.clear(); }
     // L'(n), n rising and above 0.
     void add(const Luminance& mean, int64_t n);
 
     size_t count() const { return ends_.size(); }
+    int width() const { return width_; }
+    int height() const { return height_; }
     int64_t frames() const { return ends_.empty() ? 0 : ends_.back().n; }
     int64_t frames(size_t batch) const { return ends_[batch].n - begin(batch); }
     int64_t begin(size_t batch) const { return batch ? ends_[batch - 1].n : 0; }  // frames before it
@@ -36,15 +37,9 @@ public:
     // The mean of all frames but those of a batch.
     void without(size_t batch, GreyPicture& out) const;
 
-    // Every fourth batch, so that four parts are independent pictures of the same thing: their means, and how many
-    // frames they hold.  Or the same without one batch.
-    struct Parts {
-        GreyPicture mean[parts];
-        int64_t frames[parts] = {};
-    };
-    void split(Parts& out) const;
-    void without(size_t batch, const Parts& whole, Parts& out) const;
-    static int part_of(size_t batch) { return int(batch % parts); }
+    // The end of a batch that lies nearest to half of all frames; with one batch there is none: count().
+    size_t middle() const;
+    const std::vector<float>& mean_at(size_t batch) const { return ends_[batch].mean; }  // L' at the batch's end
 
 private:
     struct End {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Leaving out one batch after another (certainty.h).
+// Looks: half pictures for the columns of the whole picture, batches for those of regions (certainty.h).
 #include "comfort/certainty.h"
 
 #include <algorithm>
@@ -17,12 +17,9 @@ constexpr double growth_between_looks = 1.41421356;
 constexpr int moved_pictures = 4;
 constexpr int enough_batches = 6;
 
-// A standard error below this share of the value is the rounding of floats.
-constexpr double rounding = 1e-6;
-
-// Chance that one of `count` batches has by luck the share that the worst one has in the sum of squares (Cochran's
-// test): such a share s of one degree in count - 1 goes with t^2 = s/(1-s) (count - 2).
-bool one_batch_dominates(double share, double degrees) {
+// Chance that one of `degrees` + 1 terms has by luck the share that the largest one has in the sum of squares
+// (Cochran's test): such a share s goes with t^2 = s/(1-s) (degrees - 1).
+bool one_dominates(double share, double degrees) {
     if (degrees < 3 || !(share < 1)) return share >= 1;
     return (degrees + 1) * student_outside(std::sqrt(share / (1 - share) * (degrees - 1)), degrees - 1) < 0.001;
 }
@@ -32,12 +29,8 @@ bool is_whole(const Batches& batches, size_t k) {
     return batches.begin(k) >= image::direct_samples || (k == 0 && batches.frames(k) >= image::direct_samples);
 }
 
-struct Spread {
-    double variance = 0, degrees = 0, worst_share = 0;
-};
-
-// The variance of an estimate from its changes when batches are left out (certainty.h).
-Spread spread_of(const Batches& batches, const std::vector<double>& change, bool whole_ones) {
+// Error, skewness and heavy tails of an estimate from its changes when batches are left out (certainty.h).
+void spread_of(const Batches& batches, const std::vector<double>& change, bool whole_ones, Estimate& out) {
     const double n = double(batches.frames());
     std::vector<std::pair<double, double>> off;  // weight, and how far the batch lies off
     double mean = 0, weight = 0;
@@ -47,25 +40,22 @@ Spread spread_of(const Batches& batches, const std::vector<double>& change, bool
         off.push_back({m, (n - m) / m * change[k]});
         mean += m * off.back().second, weight += m;
     }
-    Spread out;
-    double sum = 0, worst = 0;
+    double squares = 0, cubes = 0, worst = 0;
     for (const auto& [m, x] : off) {
-        const double square = m * std::pow(x - mean / weight, 2);
-        sum += square, worst = std::max(worst, square);
+        const double d = x - mean / weight;
+        squares += m * d * d, cubes += std::pow(m * d, 3), worst = std::max(worst, m * d * d);
     }
-    out.degrees = double(off.size()) - 1;
-    out.variance = sum / out.degrees / n;
-    out.worst_share = sum > 0 ? worst / sum : 0;
-    return out;
+    const double count = double(off.size());
+    const double variance = squares / (count - 1) / weight;  // with as many frames as these batches hold
+    out.degrees = count - 1;
+    out.error = std::sqrt(variance * weight / n);
+    out.tails = one_dominates(squares > 0 ? worst / squares : 0, out.degrees);
+    if (count < enough_batches || !(variance > 0)) return;
+    const double third = cubes / std::pow(weight, 3) * count * count / ((count - 1) * (count - 2));
+    out.skewness = third / std::pow(variance, 1.5) * std::sqrt(weight / n);
 }
 
 }  // namespace
-
-bool Estimate::known() const { return error > rounding * std::fabs(value) && degrees > 0; }
-
-double Estimate::half_width(double outside, int64_t n) const {
-    return known() ? error * std::sqrt(double(frames) / double(n)) * student_quantile(outside, degrees) : nan;
-}
 
 Certainty::Certainty(Meter& meter, const std::vector<Column>& columns, bool errors)
     : meter_(meter), columns_(columns), errors_(errors) {
@@ -75,8 +65,8 @@ Certainty::Certainty(Meter& meter, const std::vector<Column>& columns, bool erro
 void Certainty::restart() {
     batches_.restart();
     frame0_error_.clear();
-    estimates_.assign(columns_.size(), {nan, nan, 0, false, 0});
-    own_ = estimates_;
+    own_.clear();
+    estimates_.assign(columns_.size(), {nan, nan, 0, 0, false, 0});
     next_look_ = 2;
     looks_ = 0;
 }
@@ -96,46 +86,84 @@ void Certainty::frame0(const Luminance& lum) {
 
 void Certainty::add(const Luminance& lum, int64_t n) { batches_.add(lum, n); }
 
-Certainty::Values Certainty::values(const Measurement& m) const {
+bool Certainty::has(Kind kind) const {
+    return std::any_of(columns_.begin(), columns_.end(),
+                       [&](const Column& c) { return c.regional == (kind == Kind::region); });
+}
+
+Certainty::Values Certainty::values(const Measurement& m, Kind kind) const {
     Values out;
-    for (const Column& c : columns_) {
-        out.plain.push_back(c.value(m));
-        out.unbiased.push_back(c.unbiased && m.unbiased ? c.unbiased(m) : nan);
-    }
+    for (const Column& c : columns_) out.push_back(c.regional == (kind == Kind::region) ? c.value(m) : nan);
     return out;
 }
 
-Certainty::Values Certainty::leave_out(size_t batch, const Batches::Parts& whole, Batches::Parts& parts) {
-    batches_.without(batch, scratch_);
-    Luminance lum = scratch_.luminance();
-    Measurement m = meter_.measure(lum, "");
-    if (meter_.needs().unbiased()) {
-        batches_.without(batch, whole, parts);
-        meter_.extrapolate(parts, m);
-    }
-    return values(m);
-}
-
-void Certainty::look(Measurement& m) {
+void Certainty::look(const Measurement& m) {
     next_look_ = int64_t(std::ceil(double(batches_.frames()) * growth_between_looks));
     ++looks_;
-    Batches::Parts whole, parts;
-    if (meter_.needs().unbiased()) {
-        batches_.split(whole);
-        meter_.extrapolate(whole, m);
-    }
-    const Values now = values(m);
-    std::vector<Values> without;
-    if (errors_)
-        for (size_t k = 0; k < batches_.count(); ++k) without.push_back(leave_out(k, whole, parts));
-    std::vector<Estimate> fresh;
-    for (size_t c = 0; c < columns_.size(); ++c) fresh.push_back(estimate_of(c, now, without));
-    if (errors_ && !whole_batches_suffice()) add_frame0_error(now, fresh);
+    std::vector<Estimate> fresh(columns_.size(), {nan, nan, 0, 0, false, batches_.frames()});
+    if (has(Kind::picture)) look_at_halves(m, fresh);
+    if (has(Kind::region)) look_at_batches(m, fresh);
+    if (errors_) add_frame0_error(m, fresh);
+
+    while (!own_.empty() && 2 * own_.front()[0].frames < batches_.frames()) own_.pop_front();
+    own_.push_back(fresh);
     for (size_t c = 0; c < columns_.size(); ++c) {
-        const Estimate before = own_[c];
-        own_[c] = estimates_[c] = fresh[c];
-        const double carried = before.error * std::sqrt(double(before.frames) / double(fresh[c].frames));
-        if (carried > fresh[c].error) estimates_[c].error = carried;  // a nan is not
+        estimates_[c] = fresh[c];
+        for (const std::vector<Estimate>& before : own_) {
+            const Estimate& e = before[c];
+            constexpr double any = 0.05;
+            if (!(e.half_width(any, fresh[c].frames) > estimates_[c].half_width(any, fresh[c].frames))) continue;
+            const double shrink = std::sqrt(double(e.frames) / double(fresh[c].frames));
+            estimates_[c].error = e.error * shrink, estimates_[c].skewness = e.skewness * shrink;
+            estimates_[c].degrees = e.degrees;
+        }
+    }
+}
+
+void Certainty::look_at_halves(const Measurement& m, std::vector<Estimate>& estimates) {
+    if (!halves_.take(batches_)) return;
+    std::vector<double> of_column(columns_.size() * Halves::count);
+    for (int k = 0; k < Halves::count; ++k) {
+        halves_.picture(k, scratch_);
+        Luminance lum = scratch_.luminance();
+        const Values v = values(meter_.measure(lum, ""), Kind::picture);
+        for (size_t c = 0; c < v.size(); ++c) of_column[c * Halves::count + size_t(k)] = v[c];
+    }
+    for (size_t c = 0; c < columns_.size(); ++c) {
+        const Column& column = columns_[c];
+        if (column.regional) continue;
+        Estimate& e = estimates[c];
+        const double *halves = &of_column[c * Halves::count], r = column.bias_of_halves;
+        e.value = r > 0 ? Halves::without_bias(column.value(m), halves, r) : column.value(m);
+        if (!errors_) continue;
+        const Halves::Variance v = Halves::variance(halves);
+        e.error = std::sqrt(v.sum);
+        e.degrees = Halves::degrees;
+        e.tails = one_dominates(v.sum > 0 ? v.largest / v.sum : 0, e.degrees);
+    }
+}
+
+void Certainty::look_at_batches(const Measurement& m, std::vector<Estimate>& estimates) {
+    const Values now = values(m, Kind::region);
+    std::vector<Values> without;
+    for (size_t k = 0; errors_ && k < batches_.count(); ++k) {
+        batches_.without(k, scratch_);
+        without.push_back(values(meter_.measure_regions(scratch_.luminance()), Kind::region));
+    }
+    for (size_t c = 0; c < columns_.size(); ++c) {
+        if (!columns_[c].regional) continue;
+        Estimate& e = estimates[c];
+        e.value = now[c];
+        if (without.size() < 2) continue;
+
+        std::vector<double> change;
+        double corrected = double(without.size()) * now[c];
+        for (size_t k = 0; k < without.size(); ++k) {
+            change.push_back(now[c] - without[k][c]);
+            corrected -= (1 - double(batches_.frames(k)) / double(batches_.frames())) * without[k][c];
+        }
+        if (columns_[c].ratio) e.value = corrected;
+        spread_of(batches_, change, whole_batches_suffice(), e);
     }
 }
 
@@ -145,29 +173,15 @@ bool Certainty::whole_batches_suffice() const {
     return whole >= enough_batches;
 }
 
-Estimate Certainty::estimate_of(size_t column, const Values& now, const std::vector<Values>& without) const {
-    const bool unbiased = bool(columns_[column].unbiased);
-    const auto value = [&](const Values& v) { return unbiased ? v.unbiased[column] : v.plain[column]; };
-    Estimate out{value(now), nan, 0, false, batches_.frames()};
-    if (without.size() < 2) return out;
-
-    std::vector<double> change;
-    double corrected = double(without.size()) * out.value;
-    for (size_t k = 0; k < without.size(); ++k) {
-        change.push_back(out.value - value(without[k]));
-        corrected -= (1 - double(batches_.frames(k)) / double(batches_.frames())) * value(without[k]);
-    }
-    if (columns_[column].ratio) out.value = corrected;
-    const Spread s = spread_of(batches_, change, whole_batches_suffice());
-    out.error = std::sqrt(s.variance);
-    out.degrees = s.degrees;
-    out.tails = one_batch_dominates(s.worst_share, s.degrees);
-    return out;
-}
-
-void Certainty::add_frame0_error(const Values& now, std::vector<Estimate>& estimates) {
+// For columns whose halves or batches do not know it.
+void Certainty::add_frame0_error(const Measurement& m, std::vector<Estimate>& estimates) {
+    const int64_t first_half = batches_.begin(batches_.middle()) + batches_.frames(batches_.middle());
+    const bool in_halves = first_half >= image::direct_samples, in_batches = whole_batches_suffice();
+    if (in_halves && in_batches) return;
+    const auto knows_it = [&](size_t c) { return columns_[c].regional ? in_batches : in_halves; };
     if (frame0_error_.empty()) {  // the stream did not begin with it: nothing tells its error
-        for (Estimate& e : estimates) e.error = nan;
+        for (size_t c = 0; c < columns_.size(); ++c)
+            if (!knows_it(c)) estimates[c].error = nan;
         return;
     }
     std::vector<double> square(columns_.size(), 0);
@@ -179,17 +193,18 @@ void Certainty::add_frame0_error(const Values& now, std::vector<Estimate>& estim
             scratch_.grey[i] += random & 0x80000000u ? frame0_error_[i] : -frame0_error_[i];
         }
         Luminance lum = scratch_.luminance();
-        const Measurement m = meter_.measure(lum, "");
-        const Values moved = values(m);
+        const Measurement moved = meter_.measure(lum, "");
         for (size_t c = 0; c < square.size(); ++c)
-            square[c] += std::pow(moved.plain[c] - now.plain[c], 2) / moved_pictures;
+            square[c] += std::pow(columns_[c].value(moved) - columns_[c].value(m), 2) / moved_pictures;
     }
     // From frame 17 on there are more direct samples than frame 0's.
     const double share = std::min(1., double(image::direct_samples) / double(batches_.frames()));
     for (size_t c = 0; c < square.size(); ++c) {
+        if (knows_it(c)) continue;
         Estimate& e = estimates[c];
         const double own = e.error * e.error, zero = square[c] * share, both = own + zero;
         if (zero > 0) e.degrees = both * both / (own * own / e.degrees + zero * zero / moved_pictures);
+        if (both > 0) e.skewness *= std::pow(own / both, 1.5);
         e.error = std::sqrt(both);
     }
 }

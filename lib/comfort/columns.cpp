@@ -9,7 +9,7 @@ namespace comfort {
 namespace {
 
 using M = const Measurement&;
-// noisy: of noisy pixels it comes out wrong on average, and there is a column NAMEu that does not (unbiased.h).
+// noisy: of noisy pixels it comes out wrong on average, and there is a column NAMEu that does not (halves.h).
 enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, noisy = 16 };
 
 struct Entry {
@@ -34,7 +34,7 @@ double class_value(M m) { return dgp_class(m.dgp); }
 const Entry entries[] = {
     {"Ev", nothing, [](M m) { return m.ev; }},
     {"DGP", sources | noisy, [](M m) { return m.dgp; }},
-    {"class", sources | noisy, class_value},
+    {"class", sources, class_value},
     {"DGI", sources | noisy, [](M m) { return dgi(m.glare, m.background); }},
     {"UGR", sources | noisy, [](M m) { return ugr(m.glare, m.background); }},
     {"VCP", sources | noisy, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }},
@@ -151,11 +151,7 @@ private:
                 column.value = [cut = settings_.veil_cut](M m) { return veil_cie(m.glare, cut); };
             if (e.value == class_value) column.words = dgp_classes;
             column.printed_unbiased = shows_unbiased;
-            if (e.wants & noisy && (choice_.certain || shows_unbiased)) {
-                column.unbiased = [value = column.value](M m) { return value(*m.unbiased); };
-                needs_.unbiased_sources |= (e.wants & sources) != 0;
-                needs_.unbiased_rammg |= (e.wants & rammg) != 0;
-            }
+            if (e.wants & noisy) column.bias_of_halves = e.wants & rammg ? std::sqrt(2.) : 2;
             columns_.push_back(std::move(column));
             return true;
         }
@@ -169,7 +165,7 @@ private:
             const size_t low = region_index(p.low), high = region_index(p.high);
             Column column{p.column + (plain ? ".CR" : ".CRu"),
                           [low, high](M m) { return m.region_values[low].tal / m.region_values[high].tal; }};
-            column.ratio = true;
+            column.regional = column.ratio = true;
             column.printed_unbiased = !plain;
             columns_.push_back(std::move(column));
             found = true;
@@ -187,6 +183,7 @@ private:
                 needs_.regions_in_full |= part.value != &RegionValues::tal;
                 const auto value = part.value;
                 columns_.push_back({full, [k, value](M m) { return m.region_values[k].*value; }});
+                columns_.back().regional = true;
                 found = true;
             }
         for (const PartEntry& part : parts)

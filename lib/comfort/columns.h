@@ -12,10 +12,11 @@ namespace comfort {
 struct Column {
     std::string name;
     std::function<double(const Measurement&)> value;
-    std::function<double(const Measurement&)> unbiased = {};  // the same without bias (m.unbiased is set)
-    bool printed_unbiased = false;                            // DGPu: the column shows that
-    bool ratio = false;                                       // CR: its bias is taken off by the jackknife
-    const char* const* words = nullptr;                       // class: the value is an index of these
+    double bias_of_halves = 0;           // how many times as large it is in half the frames (halves.h); 0: none
+    bool regional = false;               // made of regions alone
+    bool ratio = false;                  // CR: its bias is taken off by the jackknife
+    bool printed_unbiased = false;       // DGPu, CRu: the column shows the value without bias
+    const char* const* words = nullptr;  // class: the value is an index of these
 };
 
 struct ColumnChoice {
@@ -23,7 +24,6 @@ struct ColumnChoice {
     std::vector<std::string> regions;  // in file order
     std::vector<ContrastPair> pairs;
     bool accelerad = false;  // AcceleradRT's columns and its contrast ratio, high over low; names stay unread
-    bool certain = false;    // every column's value without the bias of noise is needed, too
 };
 
 // What DGP means (paper, section 2): 0 imperceptible, below 0.35; 1 perceptible; 2 disturbing, from 0.40; 3

@@ -12,7 +12,7 @@ double lg(double x) { return std::log10(x); }  // of a double, also where the ar
 
 double guth_sum(const GlareTerms& sources) {  // sum (L/P)^2 w
     double sum = 0;
-    for (const GlareTerm& s : sources) sum += s.weight * (std::pow(s.lum / s.P, 2) * s.omega);
+    for (const GlareTerm& s : sources) sum += std::pow(s.lum / s.P, 2) * s.omega;
     return sum;
 }
 
@@ -22,8 +22,8 @@ double dgi_over(const GlareTerms& sources, double background) {
     float sum = 0;
     for (const GlareTerm& s : sources) {
         const float weighted = float(s.omega / (s.P * s.P));
-        sum = float(sum + s.weight * (0.478 * std::pow(s.lum, 1.6) * std::pow(double(weighted), 0.8) /
-                                      (background + 0.07 * std::sqrt(s.omega) * s.lum)));
+        sum = float(sum + 0.478 * std::pow(s.lum, 1.6) * std::pow(double(weighted), 0.8) /
+                              (background + 0.07 * std::sqrt(s.omega) * s.lum));
     }
     return float(10 * lg(sum));
 }
@@ -35,14 +35,13 @@ double dgp_term(const GlareTerm& s, const DgpConstants& k) {
 }
 
 double dgp_of_sum(double sum, bool any, double ev, const DgpConstants& k) {
-    const double value =
-        k.c1 * std::pow(ev, k.a5) + k.c3 + (any ? k.c2 * lg(1 + std::max(sum, 0.) / std::pow(ev, k.a3)) : 0);
+    const double value = k.c1 * std::pow(ev, k.a5) + k.c3 + (any ? k.c2 * lg(1 + sum / std::pow(ev, k.a3)) : 0);
     return value > 1 ? 1 : value;
 }
 
 double dgp(const GlareTerms& sources, double ev, const DgpConstants& k) {
     double sum = 0;
-    for (const GlareTerm& s : sources) sum += s.weight * dgp_term(s, k);
+    for (const GlareTerm& s : sources) sum += dgp_term(s, k);
     return dgp_of_sum(sum, !sources.empty(), ev, k);
 }
 
@@ -70,7 +69,7 @@ double ugr_exp(const GlareTerms& sources, double background, double ev) {
     double sum = 0;
     for (const GlareTerm& s : sources) {
         const float inverse = float(1 / s.P);
-        sum += s.weight * (s.lum * s.omega * double(inverse) * double(inverse));
+        sum += s.lum * s.omega * double(inverse) * double(inverse);
     }
     const double adaptation = float(ev / evalglare_pi);
     return float(8 * lg(adaptation) + 8 * lg(sum / double(float(background))));
@@ -90,13 +89,11 @@ double cgi(const GlareTerms& s, double direct_lux, double ev) {
 
 double dgr(const GlareTerms& sources, double mean_lum) {
     if (sources.empty()) return 0;
-    double sum = 0, count = 0;
-    for (const GlareTerm& s : sources) {
-        const double size = 20.4 * s.omega + 1.52 * std::pow(s.omega, 0.2) - 0.075;
-        sum += s.weight * (0.5 * s.lum * size / (s.P * std::pow(mean_lum, 0.44)));
-        count += std::fabs(s.weight);
-    }
-    return float(std::pow(sum, std::pow(count, -0.0914)));
+    double sum = 0;
+    for (const GlareTerm& s : sources)
+        sum +=
+            0.5 * s.lum * (20.4 * s.omega + 1.52 * std::pow(s.omega, 0.2) - 0.075) / (s.P * std::pow(mean_lum, 0.44));
+    return float(std::pow(sum, std::pow(double(sources.size()), -0.0914)));
 }
 
 double vcp(const GlareTerms& s, double value) {
@@ -108,7 +105,7 @@ double vcp(const GlareTerms& s, double value) {
 double veil_poynter(const GlareTerms& sources) {
     double sum = 0;
     for (const GlareTerm& s : sources)
-        sum += s.weight * (s.lum * s.omega * std::cos(s.sigma_deg / evalglare_deg + 1e-11) / (s.sigma_deg + 1e-11));
+        sum += s.lum * s.omega * std::cos(s.sigma_deg / evalglare_deg + 1e-11) / (s.sigma_deg + 1e-11);
     return float(5 * sum);
 }
 
@@ -116,7 +113,7 @@ double veil_cie(const GlareTerms& sources, double cut) {
     double sum = 0;
     for (const GlareTerm& s : sources) {
         const double term = 10 * s.eye_lux / (s.theta_deg * s.theta_deg + 1e-16);
-        if (!(term <= cut)) sum += s.weight * term;
+        if (!(term <= cut)) sum += term;
     }
     return sum;
 }

@@ -11,7 +11,6 @@ namespace comfort {
 
 struct GlareTerm {  // what the formulas need of a source
     double lum, omega, P, sigma_deg, eye_lux, theta_deg;
-    double weight = 1;  // its share in the sums, also below 0 in those of de-biased metrics (unbiased.h)
 };
 using GlareTerms = std::vector<GlareTerm>;
 

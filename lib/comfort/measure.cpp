@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "comfort/detect.h"
 #include "comfort/evalglare_format.h"
-#include "comfort/unbiased.h"
 
 namespace comfort {
 
@@ -232,39 +231,25 @@ Measurement Meter::measure(Luminance& lum, const std::string& place) {
     }
     if (settings_.fill) fill_rows(lum, g, *settings_.fill);
     photometry(lum, m);
-    for (const RegionPixels& r : region_pixels_) {
-        m.region_values.emplace_back();
-        if (needs_.regions_in_full) m.region_values.back() = r.measure(lum);
-        else m.region_values.back().tal = r.tal(lum);
-    }
+    regions(lum, m);
     if (needs_.rammg) m.rammg = rammg(lum, g, settings_.rammg_area);
     if (needs_.medians) position_statistics(lum, m);
     if (needs_.sources) glare(lum, m);
     return m;
 }
 
-void Meter::extrapolate(Batches::Parts& parts, Measurement& m) {
-    m.unbiased.reset();
-    if (noise_of_halves(parts, 1) < least_noise_of_halves) return;
-    auto u = std::make_shared<Measurement>(m);
-    if (needs_.unbiased_rammg) {
-        Luminance lum[Batches::parts];
-        double counts[Batches::parts];
-        for (int p = 0; p < Batches::parts; ++p)
-            lum[p] = parts.mean[p].luminance(), counts[p] = double(parts.frames[p]);
-        const double halves = rammg_of_halves(lum, counts, *geometry_, settings_.rammg_area);
-        u->rammg = extrapolated(m.rammg, halves, noise_of_halves(parts, 0.5));
+void Meter::regions(const Luminance& lum, Measurement& m) const {
+    for (const RegionPixels& r : region_pixels_) {
+        m.region_values.emplace_back();
+        if (needs_.regions_in_full) m.region_values.back() = r.measure(lum);
+        else m.region_values.back().tal = r.tal(lum);
     }
-    if (needs_.unbiased_sources) {
-        HalvesSources halves = sources_of_halves(*finder_, parts, settings_, m.threshold);
-        const double noise = noise_of_halves(parts, 1);
-        for (GlareTerm& t : u->glare) t.weight = noise / (noise - 1);
-        for (GlareTerm& t : halves.terms) t.weight /= 1 - noise;
-        u->glare.insert(u->glare.end(), halves.terms.begin(), halves.terms.end());
-        u->direct_lux = extrapolated(m.direct_lux, halves.direct_lux, noise);
-        background_and_dgp(m.ev, u->direct_lux, *u);
-    }
-    m.unbiased = std::move(u);
+}
+
+Measurement Meter::measure_regions(const Luminance& lum) const {
+    Measurement m;
+    regions(lum, m);
+    return m;
 }
 
 }  // namespace comfort

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <vector>
-#include "comfort/batches.h"
 #include "comfort/region_pixels.h"
 #include "comfort/settings.h"
 #include "comfort/sources.h"
@@ -31,8 +30,7 @@ struct Measurement {
     std::vector<RegionValues> region_values;
     std::optional<PixelStatistics> band, mask, zone1, zone2;
     Pgsv pgsv{0, 0, 0};
-    std::optional<double> black_corners;    // percent, type v
-    std::shared_ptr<Measurement> unbiased;  // the same with sources and RAMMG without the bias of noise (unbiased.h)
+    std::optional<double> black_corners;  // percent, type v
 };
 
 // Regions of a file that fits any view and size, drawn when these are known (lib/region/region.h).
@@ -49,9 +47,8 @@ public:
     // measures.
     Luminance read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
     Measurement measure(Luminance& lum, const std::string& place);
-    // Sets m.unbiased, from the parts of the picture that m measured.
-    void extrapolate(Batches::Parts& parts, Measurement& m);
-    const Needs& needs() const { return needs_; }
+    // Region values alone.
+    Measurement measure_regions(const Luminance& lum) const;
     const Geometry& geometry() const { return *geometry_; }
     const SourceFinder& finder() const { return *finder_; }
 
@@ -63,6 +60,7 @@ private:
     void glare(Luminance& lum, Measurement& m);
     void pixel_sets(const Luminance& lum, Measurement& m);
     void background_and_dgp(double ev, double direct_lux, Measurement& m) const;
+    void regions(const Luminance& lum, Measurement& m) const;
 
     Settings settings_;
     Needs needs_;

@@ -18,8 +18,8 @@ bool narrow_enough(const Tolerance& t, const Estimate& e) {
 }
 
 bool inside_one_class(const Estimate& e, int look) {
-    const double half = e.half_width(PrecisionRule::outside / (double(look) * (look + 1)), e.frames);
-    return std::isfinite(half) && dgp_class(e.value - half) == dgp_class(e.value + half);
+    const Interval off = e.around(PrecisionRule::outside / (double(look) * (look + 1)), e.frames);
+    return std::isfinite(off.half_width()) && dgp_class(e.value + off.low) == dgp_class(e.value + off.high);
 }
 
 }  // namespace

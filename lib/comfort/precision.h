@@ -3,7 +3,8 @@
 //
 // Looking again and again until an interval happens to be narrow makes it miss more often than 5 %.  A rule on widths
 // alone never looks at the value, so that little is lost (Chow and Robbins 1965; Glynn and Whitt 1992 for simulations),
-// and that little goes with few looks, a least number of frames, Student's t, and two looks in a row that agree.
+// and that little goes with few looks, a whole block of the sampler at least, and the widest interval of the last
+// looks.
 //
 // "class" is another matter: whether DGP lies inside one class depends on its value, and one look too many finds it by
 // luck.  So look k may be wrong with probability 0.05/(k (k + 1)), which sum to 0.05 over all looks there can be.
@@ -18,7 +19,7 @@ namespace comfort {
 class PrecisionRule {
 public:
     static constexpr double outside = 0.05;
-    static constexpr int64_t least_frames = 32;
+    static constexpr int64_t least_frames = 64;
 
     // 'DGP 0.01, Ev 1%' and the word "class" as one of them.  Throws Error (place -until).
     explicit PrecisionRule(const std::string& rule);

@@ -7,49 +7,31 @@
 namespace comfort {
 namespace {
 
-// What is summed over pairs of pixels: the absolute difference of one picture, or what stands for it where there are
-// four.  Eight lanes so that the compiler can use vectors, in short stretches so that float is enough.
-struct OnePicture {
+// One level: rows of values and, per row, the stretches of columns that count.
+struct Level {
+    int width, height;
     const float* value;
-    float difference(size_t a, size_t b) const { return std::fabs(value[a] - value[b]); }
+    std::vector<Span> spans;
+    std::vector<size_t> row;  // spans of row r: row[r] .. row[r+1]-1
 };
 
-struct Halves {
-    const float* part[4];
-    float weight[4];  // a pair counts as much as its two parts: the six pairs together 1
-    float difference(size_t i, size_t j) const {
-        float d[4];
-        for (int k = 0; k < 4; ++k) d[k] = weight[k] * (part[k][i] - part[k][j]);
-        return (std::fabs(d[0] + d[1]) + std::fabs(d[2] + d[3])) + (std::fabs(d[0] + d[2]) + std::fabs(d[1] + d[3])) +
-               (std::fabs(d[0] + d[3]) + std::fabs(d[1] + d[2]));
-    }
-};
-
-template <class Values>
-double differences(const Values& values, size_t a, size_t b, int n) {
+// sum |a[k] - b[k]|, eight lanes so that the compiler can use vectors, in short stretches so that float is enough.
+double difference(const float* a, const float* b, int n) {
     double sum = 0;
     for (int first = 0; first < n; first += 128) {
         const int count = std::min(128, n - first);
         float lane[8] = {};
         int k = 0;
         for (; k + 8 <= count; k += 8)
-            for (int j = 0; j < 8; ++j) lane[j] += values.difference(a + first + k + j, b + first + k + j);
-        for (; k < count; ++k) lane[0] += values.difference(a + first + k, b + first + k);
+            for (int j = 0; j < 8; ++j) lane[j] += std::fabs(a[first + k + j] - b[first + k + j]);
+        for (; k < count; ++k) lane[0] += std::fabs(a[first + k] - b[first + k]);
         for (float l : lane) sum += l;
     }
     return sum;
 }
 
-// One level: its size and, per row, the stretches of columns that count.
-struct Level {
-    int width, height;
-    std::vector<Span> spans;
-    std::vector<size_t> row;  // spans of row r: row[r] .. row[r+1]-1
-};
-
 // Pairs between row r, column x and row s, column x + shift, where both count.
-template <class Values>
-double pairs(const Level& level, const Values& values, int r, int s, int shift) {
+double pairs(const Level& level, int r, int s, int shift) {
     double sum = 0;
     size_t b = level.row[s];
     for (size_t a = level.row[r]; a < level.row[r + 1]; ++a) {
@@ -58,28 +40,27 @@ double pairs(const Level& level, const Values& values, int r, int s, int shift) 
             const int x0 = std::max(level.spans[a].begin, level.spans[c].begin - shift);
             const int x1 = std::min(level.spans[a].end, level.spans[c].end - shift);
             if (x0 < x1)
-                sum += differences(values, size_t(r) * level.width + x0, size_t(s) * level.width + x0 + shift, x1 - x0);
+                sum += difference(level.value + size_t(r) * level.width + x0,
+                                  level.value + size_t(s) * level.width + x0 + shift, x1 - x0);
         }
     }
     return sum;
 }
 
 // sum_i sum_j a_j |L_i - L_j| over ordered pairs that both count: every unordered pair twice.
-template <class Values>
-double ordered_sum(const Level& level, const Values& values) {
+double ordered_sum(const Level& level) {
     double edge = 0, corner = 0;
     for (int r = 0; r < level.height; ++r) {
-        edge += pairs(level, values, r, r, 1);
+        edge += pairs(level, r, r, 1);
         if (r + 1 == level.height) break;
-        edge += pairs(level, values, r, r + 1, 0);
-        corner += pairs(level, values, r, r + 1, 1) + pairs(level, values, r, r + 1, -1);
+        edge += pairs(level, r, r + 1, 0);
+        corner += pairs(level, r, r + 1, 1) + pairs(level, r, r + 1, -1);
     }
     return 2 * (edge + std::sqrt(0.5) * corner);
 }
 
 // The share of ordered_sum whose centre pixel lies on the frame (such pixels lack some of their neighbours).
-template <class Values>
-double border_sum(const Level& level, const Values& values) {
+double border_sum(const Level& level) {
     const int w = level.width, h = level.height;
     double edge = 0, corner = 0;
     for (int y = 0; y < h; ++y)
@@ -88,7 +69,8 @@ double border_sum(const Level& level, const Values& values) {
                 for (int dx = -1; dx <= 1; ++dx) {
                     const int nx = x + dx, ny = y + dy;
                     if (nx < 0 || ny < 0 || nx >= w || ny >= h) continue;
-                    (dx && dy ? corner : edge) += values.difference(size_t(y) * w + x, size_t(ny) * w + nx);
+                    (dx && dy ? corner : edge) +=
+                        std::fabs(level.value[size_t(y) * w + x] - level.value[size_t(ny) * w + nx]);
                 }
     return edge + std::sqrt(0.5) * corner;
 }
@@ -111,64 +93,45 @@ void shrink_spans(const Level& from, Level& to) {
     to.row.push_back(to.spans.size());
 }
 
-void shrink_values(const Level& from, const float* value, int width, int height, std::vector<float>& out) {
+void shrink_values(const Level& from, int width, int height, std::vector<float>& out) {
     out.resize(size_t(width) * height);
     for (int r = 0; r < height; ++r) {
-        const float* a = value + size_t(2 * r + from.height % 2) * from.width;
+        const float* a = from.value + size_t(2 * r + from.height % 2) * from.width;
         const float* b = a + from.width;
         float* o = &out[size_t(r) * width];
         for (int x = 0; x < width; ++x) o[x] = ((a[2 * x] + a[2 * x + 1]) + (b[2 * x] + b[2 * x + 1])) * 0.25f;
     }
 }
 
-// Over the levels of the pyramids of `count` pictures; make() gives what is summed, of their values in a level.
-template <int count, class Make>
-double over_levels(const Luminance* pictures, const Geometry& geometry, RammgArea area, const Make& make) {
-    Level level{pictures[0].width, pictures[0].height, geometry.spans, geometry.row_spans};
-    const float* value[count];
-    for (int k = 0; k < count; ++k) value[k] = pictures[k].grey;
+}  // namespace
+
+double rammg(const Luminance& lum, const Geometry& geometry, RammgArea area) {
+    Level level{lum.width, lum.height, lum.grey, geometry.spans, geometry.row_spans};
     if (area != RammgArea::view) {
-        level.spans.assign(level.height, {0, level.width});
-        level.row.resize(level.height + 1);
-        for (int r = 0; r <= level.height; ++r) level.row[r] = r;
+        level.spans.assign(lum.height, {0, lum.width});
+        level.row.resize(lum.height + 1);
+        for (int r = 0; r <= lum.height; ++r) level.row[r] = r;
     }
-    std::vector<float> room[count][2];
+    std::vector<float> values[2];
     double total = 0;
     int levels = 0;
     while (std::min(level.width, level.height) > 2) {
         double n = 0;
         for (const Span& s : level.spans) n += s.end - s.begin;
         if (n == 0) break;
-        const auto values = make(value);
-        double sum = ordered_sum(level, values);
-        if (area == RammgArea::interior || area == RammgArea::prototype_scale) sum -= border_sum(level, values);
+        double sum = ordered_sum(level);
+        if (area == RammgArea::interior || area == RammgArea::prototype_scale) sum -= border_sum(level);
         total += sum / n;
         ++levels;
-        Level next{level.width / 2, level.height / 2, {}, {}};
-        for (int k = 0; k < count; ++k) {
-            shrink_values(level, value[k], next.width, next.height, room[k][levels % 2]);
-            value[k] = room[k][levels % 2].data();
-        }
+        Level next{level.width / 2, level.height / 2, nullptr, {}, {}};
+        std::vector<float>& room = values[levels % 2];
+        shrink_values(level, next.width, next.height, room);
+        next.value = room.data();
         shrink_spans(level, next);
         level = std::move(next);
     }
     const double scale = cdm2_per_grey / (4 + 2 * std::sqrt(2.0)) / (area == RammgArea::prototype_scale ? 1 : 8);
     return total * scale / levels;  // 0/0 is nan: the picture was too small
-}
-
-}  // namespace
-
-double rammg(const Luminance& lum, const Geometry& geometry, RammgArea area) {
-    return over_levels<1>(&lum, geometry, area, [](const float* const* v) { return OnePicture{v[0]}; });
-}
-
-double rammg_of_halves(const Luminance parts[4], const double counts[4], const Geometry& geometry, RammgArea area) {
-    const double all = counts[0] + counts[1] + counts[2] + counts[3];
-    return over_levels<4>(parts, geometry, area, [&](const float* const* v) {
-        Halves halves;
-        for (int k = 0; k < 4; ++k) halves.part[k] = v[k], halves.weight[k] = float(counts[k] / (3 * all));
-        return halves;
-    });
 }
 
 }  // namespace comfort

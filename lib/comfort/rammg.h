@@ -17,9 +17,4 @@ enum class RammgArea { view, rectangle, interior, prototype_scale };
 // nan if a side is 2 or less.
 double rammg(const Luminance& lum, const Geometry& geometry, RammgArea area = RammgArea::view);
 
-// The mean over the six pairs of four parts of a picture, weighted by how much each part counts: what RAMMG is of
-// pictures that hold half the samples (unbiased.h).
-double rammg_of_halves(const Luminance parts[4], const double counts[4], const Geometry& geometry,
-                       RammgArea area = RammgArea::view);
-
 }  // namespace comfort

@@ -80,8 +80,6 @@ struct Refusal : base::Error {
 // What to work out beyond Ev and the luminance statistics that cost nothing.
 struct Needs {
     bool sources = true, rammg = true, medians = false, regions_in_full = false;
-    bool unbiased_sources = false, unbiased_rammg = false;  // from parts (unbiased.h)
-    bool unbiased() const { return unbiased_sources || unbiased_rammg; }
 };
 
 }  // namespace comfort

@@ -43,7 +43,7 @@ void Steps::add(const image::Picture& picture, const comfort::Luminance& lum, co
     last_ = n;
 }
 
-bool Steps::look(comfort::Measurement& m) {
+bool Steps::look(const comfort::Measurement& m) {
     if (!step_ || !certainty_.due()) return false;
     certainty_.look(m);
     return true;

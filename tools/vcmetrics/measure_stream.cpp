@@ -54,14 +54,14 @@ public:
         if (regions_)
             for (const image::Mask& m : regions_->masks) choice.regions.push_back(m.name);
         for (const std::string& p : o.contrast_pairs) choice.pairs.push_back(parse_pair(p, choice.regions));
-        choice.certain = o.ci || (!o.until.empty() && !o.window);
         Needs needs;
         columns_ = choose_columns(choice, o.settings, needs);
         stopping_ = std::make_unique<Stopping>(o, columns_);
         if (o.like == Like::evalglare) needs = {true, false, o.evalglare.detailed || o.settings.mask_file, false};
         if (o.list_sources || o.settings.check_picture) needs.sources = true;
         meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_), std::move(draw));
-        bool batches = choice.certain, errors = choice.certain;
+        const bool intervals = o.ci || (!o.until.empty() && !o.window);
+        bool batches = intervals, errors = intervals;
         for (const Column& c : columns_) batches |= c.printed_unbiased, errors |= c.printed_unbiased && c.ratio;
         if (batches) steps_ = std::make_unique<Steps>(*meter_, columns_, errors);
         if (o.like == Like::accelerad) names_ = {"Time", "Frame"};
@@ -155,12 +155,13 @@ private:
             cells.push_back(number_cell(value));
         } else {
             const Estimate& e = steps_->certainty().estimate(k);
-            const double half = e.half_width(1 - *o_.ci, frame), middle = c.unbiased || c.ratio ? e.value : value;
+            const Interval off = e.around(1 - *o_.ci, frame);
+            const double middle = c.bias_of_halves > 0 || c.ratio ? e.value : value;
             if (o_.format == TableFormat::jsonl) {
-                cells.push_back(interval_cell(value, middle - half, middle + half));
+                cells.push_back(interval_cell(value, middle + off.low, middle + off.high));
                 return;
             }
-            for (double v : {value, middle - half, middle + half}) cells.push_back(number_cell(v));
+            for (double v : {value, middle + off.low, middle + off.high}) cells.push_back(number_cell(v));
         }
     }
     std::string heavy_tailed() const {

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The first half of the frames against the second, pixel by pixel (halves.h).
+#include "comfort/halves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace comfort {
+namespace {
+
+// Element of the Hadamard matrix of Sylvester: -1 where row and column have an odd number of bits in common.
+bool negative(unsigned row, unsigned column) {
+    unsigned bits = row & column;
+    bits ^= bits >> 2;
+    bits ^= bits >> 1;
+    return bits & 1;
+}
+
+// Rows 1 to 15, each as it is and turned round.
+std::vector<uint16_t> sign_patterns() {
+    std::vector<uint16_t> out;
+    for (unsigned row = 1; row < unsigned(Halves::count); ++row) {
+        unsigned bits = 0;
+        for (unsigned column = 0; column < unsigned(Halves::count); ++column)
+            bits |= unsigned(negative(row, column)) << column;
+        out.push_back(uint16_t(bits));
+        out.push_back(uint16_t(~bits));
+    }
+    return out;
+}
+
+}  // namespace
+
+bool Halves::take(const Batches& batches) {
+    const size_t middle = batches.middle();
+    if (middle == batches.count()) return false;
+    whole_ = &batches.whole();
+    if (width_ != batches.width() || height_ != batches.height()) {
+        width_ = batches.width(), height_ = batches.height();
+        const std::vector<uint16_t> patterns = sign_patterns();
+        uint32_t random = 1;
+        signs_.resize(whole_->size());
+        for (uint16_t& s : signs_) {
+            random = random * 1664525u + 1013904223u;
+            s = patterns[(uint64_t(random) * patterns.size()) >> 32];
+        }
+    }
+    const double a = double(batches.begin(middle) + batches.frames(middle)), b = double(batches.frames()) - a;
+    const float factor = float(std::sqrt(a / b));
+    const std::vector<float>& first = batches.mean_at(middle);
+    off_.resize(whole_->size());
+    for (size_t i = 0; i < off_.size(); ++i) off_[i] = factor * (first[i] - (*whole_)[i]);
+    return true;
+}
+
+void Halves::picture(int number, GreyPicture& out) const {
+    out.width = width_, out.height = height_;
+    out.grey.resize(off_.size());
+    for (size_t i = 0; i < off_.size(); ++i) {
+        uint32_t bits;  // the sign of a float is its highest bit
+        std::memcpy(&bits, &off_[i], sizeof bits);
+        bits ^= uint32_t(signs_[i] >> number) << 31;
+        float off;
+        std::memcpy(&off, &bits, sizeof off);
+        out.grey[i] = (*whole_)[i] + off;
+    }
+}
+
+Halves::Variance Halves::variance(const double* values) {
+    Variance out;
+    for (unsigned row = 1; row < unsigned(count); ++row) {
+        double sum = 0;
+        for (unsigned k = 0; k < unsigned(count); ++k) sum += negative(row, k) ? -values[k] : values[k];
+        const double square = std::pow(sum / count, 2);
+        out.sum += square, out.largest = std::max(out.largest, square);
+    }
+    return out;
+}
+
+double Halves::without_bias(double whole, const double* values, double r) {
+    double mean = 0;
+    for (int k = 0; k < count; ++k) mean += values[k] / count;
+    return (r * whole - mean) / (r - 1);
+}
+
+}  // namespace comfort

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of half the frames: each pixel of each shows it after the first half of the frames or after the second.
+// Samples of different pixels are independent, so which half a pixel shows may differ from pixel to pixel, and two
+// halves make as many pictures as one likes.  They are noisier than the whole picture, by a variance twice as large,
+// and lie around it as far as the whole lies around the truth: what a metric is of them tells its error and its bias.
+//
+// Bias: DGP and its relatives select bright pixels and square their luminance, RAMMG sums absolute differences, so that
+// noise makes them too large (or too small, where it carries pixels of a source below the threshold).  If halves are r
+// times as far off, x(n) = x + bias and x(n/2) = x + r bias, then x = (r x(n) - x(n/2)) / (r - 1).  What is selected
+// and squared goes with the variance, r = 2; absolute differences of noise with its deviation, r = sqrt 2.  This is
+// right to first order; a hot pixel, twice as bright in half of the halves and gone in the others, drops out.
+//
+// With a frames in the first half, b behind it and d = sqrt(a/b) (L'(a) - L'(a+b)), a pixel shows L' + d or L' - d
+// (L' of the half itself where a = b).  The signs over the 16 pictures are a row of a Hadamard matrix, chosen for each
+// pixel by a random number: they sum to 0, so that the mean picture is L' itself, and what is linear in the pixels
+// falls into 15 sums of the same variance that know nothing of each other.
+#pragma once
+#include <cstdint>
+#include <vector>
+#include "comfort/batches.h"
+
+namespace comfort {
+
+class Halves {
+public:
+    static constexpr int count = 16, degrees = count - 1;
+
+    // False: there are no halves yet.
+    bool take(const Batches& batches);
+    void picture(int number, GreyPicture& out) const;
+
+    // What a metric's values, one of each picture, say of its value of the whole one.
+    struct Variance {
+        double sum = 0, largest = 0;  // of 15 terms
+    };
+    static Variance variance(const double* values);
+    static double without_bias(double whole, const double* values, double r);
+
+private:
+    int width_ = 0, height_ = 0;
+    const std::vector<float>* whole_ = nullptr;
+    std::vector<float> off_;       // d
+    std::vector<uint16_t> signs_;  // by pixel: bit k is set where picture k shows L' - d
+};
+
+}  // namespace comfort
