@@ -75,13 +75,13 @@ std::vector<Run> bright_runs(const Luminance& lum, const Geometry& g, double abo
     return runs;
 }
 
-void cut_field(Luminance& lum, const Geometry& g, int type, PositionModel model) {
+void cut_field(Luminance& lum, const Geometry& g, int type) {
     for (size_t i = 0; i < lum.size(); ++i) {
         if (!g.valid(i)) continue;
         const Vec3 d = g.seen_direction(i);
         const EyeAngles a = eye_angles(g, d);
         const double tau = float(a.tau_deg);
-        if (type == 3) lum.grey[i] = float(lum.grey[i] / position_index(g, d, model));
+        if (type == 3) lum.grey[i] = float(lum.grey[i] / position_index(g, d, PositionModel::guth));
         if (type == 1 ? outside_total_field(a.sigma_deg, tau, a.elevation_deg)
                       : outside_both_eyes(a.sigma_deg, tau, a.elevation_deg))
             lum.grey[i] = 0;

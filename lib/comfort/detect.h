@@ -28,7 +28,7 @@ double radius_in_pixels(const Geometry& geometry, double opening);
 std::vector<Run> bright_runs(const Luminance& lum, const Geometry& geometry, double above_cdm2);
 
 // -G: blackens what the eyes do not see (1 total field, 2 both eyes, 3 weighted by 1/P and both eyes).
-void cut_field(Luminance& lum, const Geometry& geometry, int type, PositionModel model);
+void cut_field(Luminance& lum, const Geometry& geometry, int type);
 
 // -I: rows from y_min down to 1 repeat row y_min + 1, valid pixels from y_max up repeat the pixel below.
 void fill_rows(Luminance& lum, const Geometry& geometry, const Fill& fill);

@@ -43,7 +43,16 @@ double cosine(double angle) { return std::cos(angle); }
 
 double planispheric(double half_angle) { return 2 * sine(half_angle) / (1 + cosine(half_angle)); }
 
+double dot_from_last(Vec3 a, Vec3 b) { return a.x * b.x + (a.y * b.y + a.z * b.z); }
+
 }  // namespace
+
+double EvalglareRays::sigma_cosine(Vec3 d) const { return dot_from_last(again_, d); }
+
+double EvalglareRays::tau_cosine(Vec3 d, double sigma) const {
+    const Vec3 beside = normalised(d * (1 / std::cos(sigma)) - again_);
+    return dot(normalised(view_.vu), beside);
+}
 
 EvalglareRays::EvalglareRays(const view::View& v) : view_(v) {
     forward_ = normalised(v.vd);

@@ -14,6 +14,10 @@ public:
     // Before the first position index, for solid angles and searches, and from then on: see again_.
     Vec3 forward() const { return forward_; }
     Vec3 line_of_sight() const { return again_; }
+    // Cosines of the angles sigma and tau of the position index (position_index.h); above 1 or not a number where
+    // evalglare's are.
+    double sigma_cosine(Vec3 d) const;
+    double tau_cosine(Vec3 d, double sigma) const;
     Vec3 sky() const { return sky_; }  // up, as long as the sine of the angle between -vd and -vu
     bool direction(double X, double Y, Vec3 forward, Vec3& d) const;
     // Quadrilateral of four great circles: sum of (pi - |acos(n_k . n_k+1)|) - 2 pi over the sides' normals; for the

@@ -56,7 +56,9 @@ EyeAngles eye_angles(const view::Projector& p, Vec3 d, bool picture_up) {
 EyeAngles eye_angles(const Geometry& g, Vec3 d, bool picture_up) {
     EyeAngles a = eye_angles(g.projector, d, picture_up);
     if (const EvalglareRays* rays = g.slips()) {
-        a.sigma_deg = std::acos(std::clamp(dot(rays->line_of_sight(), d), -1.0, 1.0)) * evalglare_deg;
+        const double sigma = std::acos(rays->sigma_cosine(d));
+        a.sigma_deg = sigma * evalglare_deg;
+        a.tau_deg = std::acos(rays->tau_cosine(d, sigma)) * evalglare_deg;
         a.elevation_deg = 90 - std::acos(std::clamp(dot(rays->sky(), d), -1.0, 1.0)) * evalglare_deg;
     }
     return a;

@@ -27,8 +27,8 @@ std::vector<uint32_t> zone_pixels(const Geometry& geometry, const Zones& zones, 
 // Valid pixels where a mask picture is brighter than 0.1 cd/m2; throws Error if the size differs.
 std::vector<uint32_t> mask_pixels(const std::string& file, const Geometry& geometry);
 
-double median(
-    std::vector<float>& values);  // middle value, mean of the two middle ones; the order is lost; nan if empty
+double median(std::vector<float>&
+                  values);  // middle value, mean of the two middle ones; the order is lost; nan if empty or one is
 
 // Predicted glare sensation vote of a masked (daylight) area of mean luminance `mask`, solid angle `omega`.
 struct Pgsv {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // evalglare's search around a pixel (-like evalglare): row by row, first the pixel's own row and those below it, then
 // those above.  In a row it steps left until a pixel is out of reach, then right, both from the middle of the stretch
-// of the row before, so that it follows the lens of near pixels.
-// A pixel whose direction rounds to a length above 1 is out of its own reach: in its own row both steps end at once.
-// That is how single bright pixels in one row stay apart in evalglare.
+// of the row before, so that it follows the lens of near pixels.  Only a pixel out of reach moves an end of the
+// stretch, the picture's border does not. A pixel whose direction rounds to a length above 1 is out of its own reach:
+// in its own row both steps end at once. That is how single bright pixels in one row stay apart in evalglare.
 #pragma once
 #include <cstdint>
 #include <cstdlib>
@@ -39,14 +39,20 @@ private:
         int low = x, high = x;
         for (int row = first; row >= 0 && row < geometry_.height && std::abs(row - y) <= reach.rows; row += step) {
             const size_t start = geometry_.index(0, row);
-            int c = (low + high) / 2;
-            for (; c >= 0 && reach.holds(dot(from, direction_[start + c])); --c)
+            for (int c = (low + high) / 2; c >= 0; --c) {
+                if (!reach.holds(dot(from, direction_[start + c]))) {
+                    low = c + 1;
+                    break;
+                }
                 if (stop(start + c)) return;
-            low = c + 1;
-            c = (low + high) / 2;
-            for (; c <= last_column && reach.holds(dot(from, direction_[start + c])); ++c)
+            }
+            for (int c = (low + high) / 2; c <= last_column; ++c) {
+                if (!reach.holds(dot(from, direction_[start + c]))) {
+                    high = c - 1;
+                    break;
+                }
                 if (stop(start + c)) return;
-            high = c - 1;
+            }
         }
     }
     double rows_per_radian(double reach_rad) const;
