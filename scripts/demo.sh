@@ -2,22 +2,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The main job, as `make demo` runs it: demo.sh BIN OUT
 # The office at 14:00 is rendered, summed and measured until DGP, Ev, the desk's luminance and the screen's contrast
-# have settled over two doublings of the number of frames; vcmetrics then closes the pipe and everything upstream ends.
+# are known as exactly as asked; vcmetrics then closes the pipe and everything upstream ends.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=$(cd "${1:-build/bin}" && pwd) out=${2:-out}
 size=${SIZE:-512}
-until=${UNTIL:-'DGP 1%, Ev 0.5%, desk.TAL 1%, screen.CR 3%'}
+until=${UNTIL:-'DGPu 0.005, Ev 1%, desk.TAL 2%, screen.CRu 10%'}
 mkdir -p "$out" && out=$(cd "$out" && pwd)
 PATH=$bin:$PATH
 cd examples/scenes/office
 started=$(date +%s)
 
-echo "The office at 14:00, $size x $size.  Frames run until $until over two doublings of their number:"
+echo "The office at 14:00, $size x $size.  Frames run until these are known so exactly: $until"
 vcregion -vf view.vf -x "$size" -y "$size" -o "$out/regions.exr" ../../office.regions
 ptrace -vf view.vf -x "$size" -y "$size" materials.rad layout.rad sky_1400.rad |
     ptaccum -every "x2/4" -o "$out/office.exr" -o - |
-    vcmetrics -regions "$out/regions.exr" -cr screen=screen_low/screen_high -until "$until" -window 8 |
+    vcmetrics -regions "$out/regions.exr" -cr screen=screen_low/screen_high \
+        -metrics Ev,DGPu,desk.TAL,CRu,RAMMGu -ci 95 -until "$until" |
     tee "$out/metrics.tsv"
 settled=$(date +%s)
 
@@ -26,22 +27,39 @@ ptaccum "$out/office.exr" -o "$out/office.hdr"
 ptaccum "$out/office.exr" -o "$out/office.png" -tone photo
 ptaccum "$out/office.exr" -o "$out/falsecolor.png" -tone falsecolor
 
-# Metrics against frames, each relative to its last value.
+# Metrics against frames, each with its interval.
 # (The script is fixed text and the folder stands nowhere in it: gnuplot would run what is between ` and ` in a name.)
 command -v gnuplot > /dev/null && (cd "$out" && gnuplot << 'END'
-set terminal pngcairo size 900,600
+set terminal pngcairo size 900,1100
 set output "metrics.png"
-set title "The office at 14:00: metrics against frames"
-set xlabel "diffuse frames"; set ylabel "value / last value"
-set logscale x; set key outside right; set grid
-stats "metrics.tsv" skip 1 nooutput
-n = STATS_columns
-array last[n]
-do for [i=3:n] { stats "metrics.tsv" skip 1 using (last[i] = column(i)) nooutput }
-plot for [i=3:n] "metrics.tsv" using (column(1) < 1 ? NaN : column(1)):(column(i) / last[i]) \
-    with lines lw 2 title columnheader(i) noenhanced
+stats "metrics.tsv" skip 1 using 1 nooutput
+end = STATS_max
+array middle[5]; array reach[5]
+do for [k=1:5] {
+    stats "metrics.tsv" skip 1 using (column(1) < 8 ? NaN : column(3 * k)) nooutput
+    middle[k] = STATS_median; reach[k] = 1.5 * (STATS_max - STATS_min) + 0.02 * abs(STATS_median)
+}
+set xrange [1:end * 1.1]; set logscale x; set grid; set key top right
+set style fill transparent solid 0.25 noborder
+set arrow from end, graph 0 to end, graph 1 nohead dashtype 2
+set label "stop" at end, graph 0.08 right offset -0.5, 0
+array words[5]
+words[1] = "Light at the eye, lux (Ev)"; words[2] = "Probability of glare (DGP)"
+words[3] = "The desk, cd/m2"; words[4] = "Contrast of the screen, dark over bright"
+words[5] = "Contrast of the view (RAMMG): not waited for"
+frame(n) = n < 2 ? NaN : n
+set multiplot layout 5, 1 title "The office at 14:00: what is known after so many frames"
+do for [k=1:5] {
+    first = 3 * k
+    set title words[k]
+    if (k == 5) { set xlabel "diffuse frames" }
+    set yrange [middle[k] - reach[k]:middle[k] + reach[k]]
+    plot "metrics.tsv" skip 1 using (frame(column(1))):(column(first + 1)):(column(first + 2)) with filledcurves \
+        lc rgb "steelblue" title "true value, with 95 % certainty", \
+        "" skip 1 using (frame(column(1))):(column(first)) with lines lw 2 lc rgb "steelblue" title "value so far"
+}
 END
 )
 echo
-echo "Settled after $(tail -n 1 "$out/metrics.tsv" | cut -f 1) frames, $((settled - started)) seconds.  In ${2:-out}/:"
+echo "Known after $(tail -n 1 "$out/metrics.tsv" | cut -f 1) frames, $((settled - started)) seconds.  In ${2:-out}/:"
 cd "$out" && ls office.hdr office.exr office.png falsecolor.png metrics.tsv metrics.png regions.exr

@@ -4,7 +4,7 @@
 # wide they are; and how far the means of the metrics lie off.  The first 20 seeds choose the tolerances, no others.
 import math, os, statistics, sys
 
-PILOT, LEAST, RULE_FRAMES = 20, 32, 64
+PILOT, LEAST, RULE_FRAMES, LONG = 20, 64, 73, 900001
 
 
 def read(path):
@@ -32,11 +32,8 @@ def holds(row, m, truth):
 
 
 def stop(run, m, tolerance):
-    agreeing = 0
     for row in run:
-        met = row['frame'] >= LEAST and half(row, m) <= tolerance and m not in row['tails'].split()
-        agreeing = agreeing + 1 if met else 0
-        if agreeing == 2:
+        if row['frame'] >= LEAST and half(row, m) <= tolerance and m not in row['tails'].split():
             return row
     return None
 
@@ -47,39 +44,35 @@ def share(hits):
 
 
 def scene(folder, name):
-    truth = read(os.path.join(folder, 'long.tsv'))[-1]
-    seeds = sorted(int(f[:-4]) for f in os.listdir(folder) if f[:-4].isdigit())
-    runs = [looks(read(os.path.join(folder, '%d.tsv' % s))) for s in seeds]
+    truth = read(os.path.join(folder, '%d.tsv' % LONG))[-1]
+    seeds = sorted(int(f[:-4]) for f in os.listdir(folder) if f[:-4].isdigit() and f.endswith('.tsv'))
+    runs = [looks(read(os.path.join(folder, '%d.tsv' % s))) for s in seeds if s != LONG]
     pilot, runs = runs[:PILOT], runs[PILOT:]
     metrics = [n[:-3] for n in truth if n.endswith('.lo')]
     print('\n%s: %d runs; the long run has %d frames' % (name, len(runs), truth['frame']))
-    print('metric\tlong-run\tits half\tframes\tcoverage %\twidth ratio\tbias\tbias error')
+    print('metric\tlong-run\tframes\tcoverage %\twidth ratio\tbias\tbias error')
     for m in metrics:
-        value = (truth[m + '.lo'] + truth[m + '.hi']) / 2
+        value = truth[m]
+        width = {}  # 1.96 x the spread over the seeds, by frames
         for k, row in enumerate(runs[0]):
-            if row['frame'] not in (4, 5, 8, 11, 16, 32, 64, 91, 128, 181):
-                continue
             at = [run[k] for run in runs if not math.isnan(half(run[k], m))]
-            if len(at) < len(runs) // 2:
+            if row['frame'] < 4 or len(at) < len(runs) // 2:
                 continue
-            middle = [(r[m + '.lo'] + r[m + '.hi']) / 2 for r in at]
-            spread = statistics.stdev(middle)
             shown = [r[m] for r in at]
-            print('%s\t%.6g\t%.2g\t%d\t%s\t%.2f\t%.4g\t%.2g' % (
-                m, value, half(truth, m), row['frame'], share([holds(r, m, value) for r in at]),
-                statistics.median(half(r, m) for r in at) / (1.96 * spread), statistics.mean(shown) - value,
+            width[row['frame']] = 1.96 * statistics.stdev(shown)
+            print('%s\t%.6g\t%d\t%s\t%.2f\t%.4g\t%.2g' % (
+                m, value, row['frame'], share([holds(r, m, value) for r in at]),
+                statistics.median(half(r, m) for r in at) / width[row['frame']], statistics.mean(shown) - value,
                 statistics.stdev(shown) / math.sqrt(len(shown))))
         near = [half(r, m) for run in pilot for r in run if r['frame'] == RULE_FRAMES and not math.isnan(half(r, m))]
-        if not near:
-            continue
-        stops = [stop(run, m, statistics.median(near)) for run in runs]
-        done = [s for s in stops if s]
+        done = [s for s in (stop(run, m, statistics.median(near)) for run in runs) if s] if near else []
         if done:
-            print('%s\t-until %s %.3g: %d of %d stop, median at %d\t%s' % (
+            print('%s\t-until %s %.3g: %d of %d stop, median at %d\t%s\t%.2f' % (
                 m, m, statistics.median(near), len(done), len(runs), statistics.median(s['frame'] for s in done),
-                share([holds(s, m, value) for s in done])))
+                share([holds(s, m, value) for s in done]),
+                statistics.median(half(s, m) / width[s['frame']] for s in done)))
 
 
 for entry in sorted(os.listdir(sys.argv[1])):
-    if os.path.exists(os.path.join(sys.argv[1], entry, 'long.tsv')):
+    if os.path.exists(os.path.join(sys.argv[1], entry, '%d.tsv' % LONG)):
         scene(os.path.join(sys.argv[1], entry), entry)

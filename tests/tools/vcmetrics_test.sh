@@ -157,6 +157,10 @@ check 'rows of a stream are paired by their frame' '
     ptaccum < frames.lux | vcmetrics > one; { head -n 1 one; tail -n +2 one | tac; } > two;
     vcmetrics -compare one two > t
     grep -q "^40.Ev" t; ptaccum < frames.lux > a.lux; vcmetrics -compare two a.lux'
+check 'intervals are compared, too, in tables and in JSON' '
+    ptaccum < frames.lux > a.lux; vcmetrics -W -metrics Ev,DGP,class -ci 95 a.lux > one
+    vcmetrics -W -metrics Ev,DGP,class -ci 95 -format jsonl a.lux > two
+    vcmetrics -compare one two > t; grep -q "Ev.lo" t; grep -q "DGP.hi" t; ! grep -q tails t'
 check 'of one picture a side the names may differ' '
     cp office256.hdr new.hdr; vcmetrics new.hdr > two; vcmetrics -compare r1 office256.hdr &&
         vcmetrics -metrics Ev,DGP new.hdr > two && vcmetrics -compare r1 two'
