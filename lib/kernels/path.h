@@ -13,12 +13,13 @@
 #include "kernels/path/media.h"
 #include "kernels/path/direct.h"
 #include "kernels/path/ways.h"
+#include "kernels/path/fork.h"
 #include "kernels/path/end.h"
 #include "kernels/path/walk.h"
 #include "kernels/path/shadow.h"
 
 // Shades the hit of a slot.  Returns bits: PATH_GOES_ON, PATH_SHADOW.
-FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
+FN int path_step(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
     Vertex vertex;
     Way way;
     vertex_load(par, paths, slot, &vertex);
@@ -67,5 +68,12 @@ FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVA
 
     // The path takes that way, unless a limit or roulette ends it.
     return shadow | path_go_on(par, paths, &vertex, &way);
+}
+
+// The same, and where a sub-path ends the next one begins.
+FN int path_shade(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
+    int result = path_step(s, par, paths, slot);
+    if ((result & PATH_GOES_ON) != 0 || par->guide_mask == 0u) return result;
+    return result | path_fork_again(s, par, paths, slot);
 }
 #endif

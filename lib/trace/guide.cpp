@@ -24,8 +24,8 @@ using namespace kernels;
 constexpr uint32_t EYE_SIDE = 128;                  // walks from the eye, a square of so many
 constexpr size_t MOST_SEEN = 1024;                  // cells that the eye sees
 constexpr size_t MOST_BEYOND = 2048;                // and those that it does not
-constexpr uint32_t SEEN_SIDE = 16, SEEN_WALKS = 2;  // their bins a side, and the walks of each
-constexpr uint32_t BEYOND_SIDE = 8, BEYOND_WALKS = 4;
+constexpr uint32_t SEEN_SIDE = 16, SEEN_WALKS = 1;  // their bins a side, and the walks of each
+constexpr uint32_t BEYOND_SIDE = 8, BEYOND_WALKS = 2;
 constexpr int MOST_BOUNCES = 8;        // more add little light
 constexpr size_t MOST_PLACES = 16;     // kept of a cell
 constexpr size_t TOGETHER = 1u << 18;  // walks handed to the device

@@ -38,7 +38,15 @@ FN int path_roulette(PRIVATE Vertex* vertex) {
 FN int path_go_on(PRIVATE const Params* par, PRIVATE const Paths* paths, PRIVATE Vertex* vertex,
                   PRIVATE const Way* way) {
     vertex->weight *= MIN_(1.0f, max3(way->color));
-    vertex->thr = scale3(mul3(vertex->thr, way->color), way->factor * way->sum / MAX_(way->chance, 1e-30f));
+    float rarity = way->sum / MAX_(way->chance, 1e-30f);
+    if (way->forks && !path_limited(par, vertex)) {
+        vertex->thr = scale3(mul3(vertex->thr, way->color), rarity);
+        path_fork(paths, vertex, way);
+        vertex->thr = scale3(vertex->thr, way->factor);
+    } else {
+        vertex->thr = scale3(mul3(vertex->thr, way->color), way->factor * way->sum / MAX_(way->chance, 1e-30f));
+    }
+
     int ends = way->factor <= 0.0f || max3(vertex->thr) <= 0.0f || path_limited(par, vertex) || !path_roulette(vertex);
     vertex_store(paths, vertex, ends ? vertex->before : vertex->g.total);
     if (ends) return 0;

@@ -5,7 +5,8 @@
 #define LUX_PATH_STATE_H
 
 // The one list of what a path is made of: FIELD(type, name, when) for each field, four words a slot.  The struct Paths,
-// what both devices allocate and the arguments of the OpenCL kernels come from it.
+// what both devices allocate and the arguments of the OpenCL kernels come from it.  Wide types first, for they are laid
+// one after another.
 //   when: PATH_ALWAYS, or what makes it needed: PATH_MEDIA media or antimatter in the scene, PATH_GUIDED a guide
 // clang-format off
 #define PATH_STATE(FIELD)                                                                                       \
@@ -22,6 +23,10 @@
     FIELD(float4, albedo, PATH_MEDIA)         /* its albedo, rgb; w: eccentricity */                            \
     FIELD(float4, shadow_medium, PATH_MEDIA)  /* the shadow ray's, extinction rgb; w: cut away there (bits) */  \
     FIELD(float4, shadow_albedo, PATH_MEDIA)  /* its albedo, rgb; w: sets of lights (bits) */                  \
+    FIELD(float4, fork_org, PATH_GUIDED)      /* where it forks; w: first dimension of its directions (bits) */ \
+    FIELD(float4, fork_n, PATH_GUIDED)        /* the normal about which they lie; w: path length from the eye */\
+    FIELD(float4, fork_ng, PATH_GUIDED)       /* the geometry's on their side; w: PC_ flags */                  \
+    FIELD(float4, fork_thr, PATH_GUIDED)      /* throughput, rgb; w: ray weight */                                   \
     FIELD(float, expected, PATH_GUIDED)       /* what was expected of it at its first bounce; 0: not yet */
 // clang-format on
 
@@ -39,9 +44,11 @@ FN uint path_needs(PRIVATE const Params* par) {
 }
 
 // flags in info.x
-#define PC_DIFFUSE 1u      // some ancestor was a hemisphere sample
-#define PC_ROUGH 2u        // some ancestor was a rough-specular sample
-#define PC_BENT 4u         // some reflection or refraction lies behind: not the eye's straight ray
+#define PC_DIFFUSE 1u     // some ancestor was a hemisphere sample
+#define PC_ROUGH 2u       // some ancestor was a rough-specular sample
+#define PC_BENT 4u        // some reflection or refraction lies behind: not the eye's straight ray
+#define PC_FORK_SHIFT 3u  // sub-paths of its fork that are still to follow, 3 bits
+#define PC_FORK_MASK 7u
 #define PC_LEVEL_SHIFT 8u  // reflection level, 8 bits
 #define PC_AB_SHIFT 16u    // diffuse depth, 8 bits
 #define PC_STEP_SHIFT 24u  // surfaces met, 8 bits, saturating
