@@ -35,7 +35,6 @@ $$(shell mkdir -p $(dir $(1)))
 $$(file >$(1).words,$(strip -x $(SIZE) -y $(SIZE) -frames $(FRAMES) $(2) $(UNTIL)))
 endif
 $(1).exr: $(1).words
-	$$(PTRACE) -M $$@ $(2) > $(1).d
 	$$(call luxpipe_render,$(1),$(2))
 	mv $(1).part.exr $$@
 $(1).tsv: $(1).exr
@@ -43,10 +42,12 @@ $(1).tsv: $(1).exr
 -include $(1).d
 endef
 
+# The rule is written by the rendering itself, which reads the scene anyway.
+luxpipe_frames = $(PTRACE) -M $(1).exr -MF $(1).d -x $(SIZE) -y $(SIZE) -frames $(FRAMES) $(2)
 ifeq ($(strip $(UNTIL)),)
-luxpipe_render = $(PTRACE) -x $(SIZE) -y $(SIZE) -frames $(FRAMES) $(2) | $(PTACCUM) -last -o $(1).part.exr
+luxpipe_render = $(luxpipe_frames) | $(PTACCUM) -last -o $(1).part.exr
 else
-luxpipe_render = $(PTRACE) -x $(SIZE) -y $(SIZE) -frames $(FRAMES) $(2) | $(PTACCUM) -o $(1).part.exr -o - | \
+luxpipe_render = $(luxpipe_frames) | $(PTACCUM) -o $(1).part.exr -o - | \
 	$(VCMETRICS) -metrics $(METRICS) -until '$(UNTIL)' > $(1).log $(if $(filter yes,$(UNSETTLED)),|| [ $$? = 4 ])
 endif
 

@@ -41,7 +41,7 @@ const std::map<std::string, std::string> evalglare_names = {{"dgp", "DGP"},
 
 // Columns that tell rows apart; "seconds" tells nothing.
 bool is_label(const std::string& name) {
-    return name == "file" || name == "view" || name == "frame" || name == "source";
+    return name == "file" || name == "view" || name == "sky" || name == "frame" || name == "source";
 }
 
 bool is_metric(const std::string& name) {

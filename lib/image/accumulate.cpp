@@ -42,13 +42,18 @@ void Accumulator::start(const Picture& frame, int64_t k) {
     sum_.clear(frame.rgb.size());
 }
 
+bool Accumulator::restarts(const Header& frame) const {
+    if (empty() || !resumed_.empty()) return false;
+    return frame.frame == 0 || frame.view_name != header_.view_name || frame.sky_name != header_.sky_name;
+}
+
 void Accumulator::add(const Picture& frame, const std::string& place) {
     const Header& h = frame.header;
     if (!h.frame || h.frames)
         base::fail(place, h.frames || !h.ranges.empty() ? "is a sum of frames inside a stream of frames"
                                                         : "has no FRAME= line: not a frame of ptrace");
     const int64_t k = *h.frame;
-    if (empty() || (k == 0 && resumed_.empty())) {
+    if (empty() || restarts(h)) {
         start(frame, k);
     } else {
         require_next(k, place);

@@ -26,12 +26,15 @@ void add_frames_of(const Picture& picture, const std::string& name, ExactSum& su
 
 class Accumulator {
 public:
-    // The next frame of the stream (FRAME=k in its header).  Frame 0 restarts the sum.  Throws Error (place) for a
+    // Does this frame begin a sum of its own?  Frame 0 does, and the first one of another view or sky (VIEWNAME=).
+    bool restarts(const Header& frame) const;
+    // The next frame of the stream (FRAME=k in its header).  Throws Error (place) for a
     // frame missing, repeated or out of order, and for another size, view, seed or fingerprint inside one sum.
     void add(const Picture& frame, const std::string& place);
     // Goes on from a sum made before: its frames of one seed, without holes, frame 0 known apart.  The next frame is
     // the one after its last; frame 0 does not restart it.
     void resume(const Picture& sum, const std::string& name);
+    const Header& header() const { return header_; }  // of the first frame
     bool empty() const { return next_ < 0; }
     int64_t frames() const { return next_ - (first_ == 0 ? 1 : first_); }  // n, diffuse frames summed
     // L'(n) or the partial result; reuses the memory of out.  with_parts keeps L(0) and the exact sum, too (for EXR).

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/printable.h"
 #include "base/split.h"
 
 namespace image {
@@ -215,6 +216,12 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         h.last_frame = integer<int64_t>(line, *t, where);
     } else if (auto t = value_of(line, "FINGERPRINT=")) {
         h.fingerprint = *t;
+    } else if (auto t = value_of(line, "VIEWNAME=")) {
+        require_plain_name(*t, where);
+        h.view_name = *t;
+    } else if (auto t = value_of(line, "SKYNAME=")) {
+        require_plain_name(*t, where);
+        h.sky_name = *t;
     } else if (auto t = value_of(line, "RANGE=")) {
         Ranges& ranges = h.other_seeds.empty() ? h.ranges : h.other_seeds.back().second;
         add_range(ranges, range(line, *t, where), line, where);
@@ -230,6 +237,8 @@ std::vector<std::string> header_lines(const Header& h) {
         if (!line.empty() && line != software) out.push_back(one_line(line));  // an empty line would end the header
     out.push_back(software);                                                   // once, after the command lines
     if (h.view) out.push_back("VIEW=" + view::to_options(*h.view));
+    if (!h.view_name.empty()) out.push_back("VIEWNAME=" + h.view_name);
+    if (!h.sky_name.empty()) out.push_back("SKYNAME=" + h.sky_name);
     if (h.pixel_aspect != 1) out.push_back(fmt::format("PIXASPECT={}", h.pixel_aspect));
     if (!h.fingerprint.empty()) out.push_back(one_line("FINGERPRINT=" + h.fingerprint));
     if (h.last_frame) out.push_back(fmt::format("LASTFRAME={}", *h.last_frame));
@@ -268,6 +277,17 @@ void add_input_history(Header& header, const std::string& name, const Header& in
         for (size_t at = 0; (at = line.find("EXPOSURE=", at)) != std::string::npos;) line[at + 8] = ':';
         header.lines.push_back(one_line("\t" + line));
     }
+}
+
+void require_plain_name(const std::string& name, const std::string& where) {
+    const bool odd =
+        std::any_of(name.begin(), name.end(), [](unsigned char c) { return c <= ' ' || c == '/' || c == 0x7f; });
+    if (name.empty() || odd || name[0] == '.' || name.size() > 100)
+        base::fail(where, "\"" + base::excerpt(name) + "\" cannot be part of a file's name");
+}
+
+std::string label(const Header& h) {
+    return h.view_name + (h.view_name.empty() || h.sky_name.empty() ? "" : "_") + h.sky_name;
 }
 
 std::string to_text(const Ranges& ranges) {

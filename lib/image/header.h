@@ -38,6 +38,12 @@ void add_date(Header& header);
 // The inputs' headers as history of a picture made from several: every line indented by one tab.
 void add_input_history(Header& header, const std::string& name, const Header& input);
 
+// A name of a view or a sky becomes part of file names: throws Error (place) for one that would be a path.
+void require_plain_name(const std::string& name, const std::string& where);
+
+// "desk_sky_0900": what the picture shows, if its stream shows several things; else empty.
+std::string label(const Header& header);
+
 // "0:9,12:20" for messages.
 std::string to_text(const Ranges& ranges);
 

@@ -48,6 +48,7 @@ public:
 
     void upload(flatten::FlatScene s) override {
         scene_ = std::move(s);
+        learner_.reset();
         const std::vector<bvh::Input> in = flatten::build_inputs(scene_);
         if (embree_) {
             check_ = std::make_unique<bvh::EmbreeScene>(in.data(), in.size());
@@ -56,6 +57,12 @@ public:
             bvh_ = bvh::build8(in.data(), in.size());
             BVH_TABLES(POINT_AT_BVH)
         }
+        FLAT_TABLES(POINT_AT_SCENE)
+    }
+
+    void set_numbers(std::vector<float> numbers) override {
+        scene_.f = std::move(numbers);
+        learner_.reset();
         FLAT_TABLES(POINT_AT_SCENE)
     }
 

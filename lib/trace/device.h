@@ -22,8 +22,10 @@ class Device {
 public:
     virtual ~Device() = default;
     virtual std::string name() const = 0;
-    // Builds the device's BVH and takes the tables.
+    // Builds the device's BVH and takes the tables, in place of those it had.
     virtual void upload(flatten::FlatScene scene) = 0;
+    // The scene's arena of numbers (FlatScene::f) once more: which sources are drawn depends on the view.
+    virtual void set_numbers(std::vector<float> numbers) = 0;
     // Runs par.slots paths; rgb gets 3 floats a slot.
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
     // MODE_DRAW: radiance times weight for each ray, 3 floats each.

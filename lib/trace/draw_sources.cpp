@@ -35,7 +35,11 @@ double density(const view::Projector& p, double X, double Y) {
 }
 }  // namespace
 
-DrawList list_drawn_sources(flatten::FlatScene& scene, const flatten::HostTracer& tracer, const view::View& view,
+void mark_drawn(const DrawList& list, std::vector<float>& numbers) {
+    for (uint32_t at : list.marked) numbers[at] = from_bits(1u);
+}
+
+DrawList list_drawn_sources(const flatten::FlatScene& scene, const flatten::HostTracer& tracer, const view::View& view,
                             int nx, int ny) {
     DrawList out;
     if (view.type == 'l') return out;  // parallel views have no eye point
@@ -43,7 +47,7 @@ DrawList list_drawn_sources(flatten::FlatScene& scene, const flatten::HostTracer
     const double fore = view.vo, aft = view.va;
     std::vector<uint32_t> taken;
     for (uint32_t i = 0; i < scene.source_count; i++) {
-        float* q = &scene.f[scene.sources_at + SOURCE_FLOATS * i];
+        const float* q = &scene.f[scene.sources_at + SOURCE_FLOATS * i];
         const uint32_t kind = bits(q[SRC_KIND]);
         if (q[SRC_MAXRAD] > 0 || bits(q[SRC_CLASS]) == M_ILLUM || bits(q[SRC_VIRTUAL]) != NONE) continue;
         if (kind == SK_DISTANT ? aft > 0 : (fore > 0 || aft > 0)) continue;  // clipping: leave it to the rays
@@ -57,7 +61,7 @@ DrawList list_drawn_sources(flatten::FlatScene& scene, const flatten::HostTracer
     if (taken.empty()) return out;
     const uint32_t points = std::max<uint32_t>(16, std::min<uint32_t>(POINTS, MOST_RAYS / uint32_t(taken.size())));
     for (uint32_t i : taken) {
-        scene.f[scene.sources_at + SOURCE_FLOATS * i + SRC_DRAWN] = from_bits(1u);
+        out.marked.push_back(scene.sources_at + SOURCE_FLOATS * i + SRC_DRAWN);
         const uint32_t kind = bits(scene.f[scene.sources_at + SOURCE_FLOATS * i + SRC_KIND]);
         for (uint32_t k = 0; k < points; k++) {
             // Roberts' R2 sequence: even in both numbers at any count

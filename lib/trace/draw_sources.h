@@ -11,10 +11,12 @@ namespace trace {
 
 struct DrawList {
     std::vector<DrawRay> rays;
-    std::vector<uint32_t> pixel;  // row from the top * nx + column, of each ray
+    std::vector<uint32_t> pixel;   // row from the top * nx + column, of each ray
+    std::vector<uint32_t> marked;  // words of scene.f that say SRC_DRAWN of the sources taken
 };
-// Marks the sources it takes (SRC_DRAWN in scene.f) and lists their rays.
-DrawList list_drawn_sources(flatten::FlatScene& scene, const flatten::HostTracer& tracer, const view::View& view,
+// They depend on the view; mark_drawn() says so to the kernels, in a copy of scene.f.
+void mark_drawn(const DrawList& list, std::vector<float>& numbers);
+DrawList list_drawn_sources(const flatten::FlatScene& scene, const flatten::HostTracer& tracer, const view::View& view,
                             int nx, int ny);
 
 }  // namespace trace

@@ -79,6 +79,10 @@ public:
         });
     }
 
+    void set_numbers(std::vector<float> numbers) override {
+        call("sending the view's sources", [&] { tables_[TABLE_f] = send(numbers.data(), numbers.size() * 4); });
+    }
+
     void run(const Params& par, std::vector<float>& rgb) override {
         call("rendering", [&] {
             reserve(par, par.slots);

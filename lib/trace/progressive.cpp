@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <optional>
 
 #include "base/error.h"
 #include "trace/device.h"
@@ -38,15 +39,24 @@ std::unique_ptr<Device> make_device(const std::string& name) {
 constexpr float RAY_PORTAL_SHARE = 0.5f;  // a single ray is not worth a search for the best
 
 struct Renderer::State {
+    struct Picture {
+        Shot shot;
+        DrawList drawn;
+        std::string fingerprint;
+    };
     std::unique_ptr<Device> device;
     Params base{};
+    std::vector<Picture> pictures;
+    const Picture* picture = nullptr;  // the one looked at
+    std::vector<float> numbers;        // the scene's, without a view's marks; empty for a single picture
+    base::Vec3 centre;
+    bool guides = false;
     uint32_t nx, ny, m;
-    std::vector<float> s0;     // mean of the direct class in frame 0
-    std::vector<float> exact;  // drawn sources, 3 floats a pixel (empty: none)
-    DrawList drawn;
-    std::string fingerprint;
-    bool guided = false;         // and the guide is still to be learned
-    std::vector<float> portals;  // records of windows, until their share is known
+    std::vector<float> s0;       // mean of the direct class in frame 0
+    std::vector<float> exact;    // drawn sources, 3 floats a pixel (empty: none)
+    bool guided = false;         // a guide is still to be learned
+    std::vector<float> windows;  // their records
+    std::vector<float> portals;  // the same, until their share is known
     int64_t bad = 0;             // samples that were set to 0
 
     // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.
@@ -104,6 +114,7 @@ struct Renderer::State {
         });
         s0.resize(sum.size());
         for (size_t i = 0; i < sum.size(); i++) s0[i] = float(sum[i] / m);
+        const DrawList& drawn = picture->drawn;
         if (drawn.rays.empty()) return;
         exact.assign(sum.size(), 0.0f);
         std::vector<float> rgb;
@@ -120,25 +131,13 @@ struct Renderer::State {
     }
 };
 
-Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& o,
-                   const std::string& device, const scene::ReadOptions& files)
-    : state_(std::make_unique<State>()) {
-    State& s = *state_;
-    s.device = make_device(device);
-    s.nx = uint32_t(nx);
-    s.ny = uint32_t(ny);
-    s.m = uint32_t(std::max(1, o.direct_samples));
-    flatten::FlatScene flat = flatten::flatten(scene, o, files);
-    // drawing knows one eye point, and no way on through glass unattenuated
-    const bool drawable = flat.source_count > 0 && o.pd <= 0 && o.dv && !o.i;
-    if (drawable) s.drawn = list_drawn_sources(flat, flatten::HostTracer(flat), view, nx, ny);
-    Params& p = s.base;
+namespace {
+// All that does not depend on the view.
+Params params_of(const flatten::FlatScene& flat, const RenderOptions& o) {
+    Params p{};
     p.view_clip.z = float(o.pj);
     p.view_clip.w = float(o.pd);
-    set_view(p, view, flat.centre);
     p.av = {float(o.av[0]), float(o.av[1]), float(o.av[2]), 0};
-    p.nx = s.nx;
-    p.ny = s.ny;
     p.seed_lo = uint32_t(o.seed);
     p.seed_hi = uint32_t(o.seed >> 32);
     p.mods_at = flat.mods_at;
@@ -148,8 +147,6 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.distant_count = flat.distant_count;
     p.portals_at = flat.portals_at;
     p.portal_count = flat.portal_count;
-    const auto portals = flat.f.begin() + long(flat.portals_at);
-    s.portals.assign(portals, portals + long(flat.portal_count) * PORTAL_FLOATS);
     p.cdf_at = flat.cdf_at;
     p.light_sets_at = flat.light_sets_at;
     p.shadow_mode = flat.shadow_mode;
@@ -166,15 +163,73 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     p.ds = float(o.ds);
     p.lw = float(o.lw);
     p.way_least = float(o.way_least);
-    p.skip_direct_below = s.m;
+    p.skip_direct_below = uint32_t(std::max(1, o.direct_samples));
     p.guide_from = uint32_t(o.guide_from);
-    s.guided = o.sampling == flatten::Sampling::guided;
-    s.fingerprint = trace::fingerprint(flat, view, nx, ny, o);
-    s.device->upload(std::move(flat));
+    return p;
 }
+}  // namespace
+
+Renderer::Renderer(const std::string& device) : state_(std::make_unique<State>()) {
+    state_->device = make_device(device);
+}
+
+Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& options,
+                   const std::string& device, const scene::ReadOptions& files)
+    : Renderer(device) {
+    load(scene, {{view, nx, ny}}, options, files);
+}
+
+void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, const RenderOptions& o,
+                    const scene::ReadOptions& files) {
+    State& s = *state_;
+    flatten::FlatScene flat = flatten::flatten(scene, o, files);
+    s.base = params_of(flat, o);
+    s.m = s.base.skip_direct_below;
+    s.guides = o.sampling == flatten::Sampling::guided;
+    const auto windows = flat.f.begin() + long(flat.portals_at);
+    s.windows.assign(windows, windows + long(flat.portal_count) * PORTAL_FLOATS);
+    s.centre = flat.centre;
+    s.pictures.clear();
+    // drawing knows one eye point, and no way on through glass unattenuated
+    const bool drawable = flat.source_count > 0 && o.pd <= 0 && o.dv && !o.i;
+    std::optional<flatten::HostTracer> tracer;
+    if (drawable) tracer.emplace(flat);
+    s.numbers = shots.size() > 1 ? flat.f : std::vector<float>();
+    for (const Shot& shot : shots) {
+        DrawList drawn;
+        if (drawable) drawn = list_drawn_sources(flat, *tracer, shot.view, shot.nx, shot.ny);
+        mark_drawn(drawn, flat.f);
+        const std::string fingerprint = trace::fingerprint(flat, shot.view, shot.nx, shot.ny, o);
+        s.pictures.push_back({shot, std::move(drawn), fingerprint});
+        if (shots.size() > 1) flat.f = s.numbers;
+    }
+    tracer.reset();
+    s.device->upload(std::move(flat));
+    look(0);
+}
+
+void Renderer::look(size_t shot) {
+    State& s = *state_;
+    s.picture = &s.pictures.at(shot);
+    const Shot& of = s.picture->shot;
+    s.nx = s.base.nx = uint32_t(of.nx);
+    s.ny = s.base.ny = uint32_t(of.ny);
+    set_view(s.base, of.view, s.centre);
+    s.s0.clear(), s.exact.clear();
+    s.portals = s.windows;  // their share and the guide are learned from where the eye is
+    s.base.portal_share = Params{}.portal_share;
+    s.guided = s.guides;
+    s.base.guide_mask = 0;
+    s.base.guide_grid = Params{}.guide_grid;
+    if (s.pictures.size() == 1) return;
+    std::vector<float> numbers = s.numbers;
+    mark_drawn(s.picture->drawn, numbers);
+    s.device->set_numbers(std::move(numbers));
+}
+
 Renderer::~Renderer() = default;
 
-std::string Renderer::fingerprint() const { return state_->fingerprint; }
+std::string Renderer::fingerprint() const { return state_->picture->fingerprint; }
 std::string Renderer::device_name() const { return state_->device->name(); }
 
 void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, const std::vector<float>&)>& give) {

@@ -15,12 +15,25 @@ namespace trace {
 // "opencl:1".
 std::vector<std::string> list_devices();  // one line each, for -devices
 
+// A picture of the scene: frames of it have the same bits whatever other pictures are made beside it.
+struct Shot {
+    view::View view;
+    int nx = 0, ny = 0;
+};
+
 class Renderer {
 public:
-    // Flattens the scene and uploads it.  Throws Error (unsupported input with file:line; no such device).
+    // A device, for scenes one after another.  Throws Error where there is no such device.
+    explicit Renderer(const std::string& device);
+    // The same with a scene and one picture of it.
     Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& options,
              const std::string& device, const scene::ReadOptions& files);
     ~Renderer();
+    // Flattens the scene and uploads it; the first shot is looked at.  Throws Error (unsupported input with file:line).
+    void load(const scene::Scene& scene, const std::vector<Shot>& shots, const RenderOptions& options,
+              const scene::ReadOptions& files);
+    // What follows is of this shot.
+    void look(size_t shot);
     std::string device_name() const;
     std::string fingerprint() const;  // of what it renders (fingerprint.h)
     // Frame k: 3 floats a pixel, row 0 = top, W/(sr m2).  Depends on (seed, k, pixel) alone.

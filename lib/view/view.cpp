@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <sstream>
 
@@ -121,6 +122,40 @@ View read_view_file(const std::string& path) {
     View v;
     apply_view_file(v, path);
     return v;
+}
+
+std::vector<NamedView> read_views(const std::string& path, const View& start) {
+    const bool from_stdin = path == "-";
+    const std::string where = from_stdin ? "stdin" : path;
+    std::ifstream file;
+    errno = 0;
+    if (!from_stdin) file.open(path, std::ios::binary);
+    std::istream& in = from_stdin ? std::cin : file;
+    if (!in) base::fail_system(path, "cannot be read");
+    if (!from_stdin) base::note_file_read(path);
+
+    std::vector<NamedView> all;
+    View view = start;
+    size_t bytes = 0, number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        if ((bytes += line.size() + 1) > most_bytes) base::fail(where, "is no list of views: it does not end");
+        if (!is_view_line(line) && line.compare(0, 5, "view=") != 0) continue;
+        std::istringstream words(line.substr(line.find_first_of("= \t") + 1));
+        std::string name;
+        words >> name;
+        if (name.empty() || name[0] == '-') name.clear();
+        if (!parse_line(view, line)) continue;
+        try {
+            validate(view);
+        } catch (const base::Error& e) {
+            base::fail(fmt::format("{}:{}: {}", where, number, e.where), e.message);
+        }
+        all.push_back({name, view});
+    }
+    if (in.bad()) base::fail_system(where, "cannot be read");
+    if (all.empty()) base::fail(where, "holds no view (no VIEW= line with a view option)");
+    return all;
 }
 
 std::string to_options(const View& v) {

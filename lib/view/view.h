@@ -41,6 +41,14 @@ bool is_view_line(const std::string& line);
 View read_view_file(const std::string& path);
 // The same as rpict's -vf: options in the file override v, others stay.
 void apply_view_file(View& v, const std::string& path);
+// Every view of a file ("-": the standard input), as rpict -S reads them: each line that holds a view changes the view
+// before it, the first one `start`.  The name is the line's first word, if that is no option ("VIEW= desk -vta ...", or
+// rad's "view= desk -vta ..."); else empty.
+struct NamedView {
+    std::string name;
+    View view;
+};
+std::vector<NamedView> read_views(const std::string& path, const View& start);
 // " -vta -vp 0 0 1.2 ..." as RADIANCE's programs write it after "VIEW=" (leading blank included), with as many
 // digits as it takes to read the same view back.
 std::string to_options(const View& v);

@@ -9,6 +9,22 @@
 #include "image/header.h"
 #include "image/stream.h"
 
+namespace {
+
+bool has_place_for_name(const std::string& pattern) { return pattern.find("%s") != std::string::npos; }
+
+std::string name_of(const std::string& pattern, const image::Header& header) {
+    std::string name = pattern;
+    const std::string label = image::label(header);
+    for (size_t at = 0; (at = name.find("%s", at)) != std::string::npos; at += label.size()) {
+        if (label.empty()) base::fail("-o", "\"" + pattern + "\": the pictures have no names (ptrace -views)");
+        name.replace(at, 2, label);
+    }
+    return name;
+}
+
+}  // namespace
+
 Output::Output(const Options& options, std::string command) : options_(options), command_(std::move(command)) {
     if (to_stdout() && base::stdout_is_terminal())
         base::fail("stdout", "is a terminal: pictures go to a pipe, a file or -o file");
@@ -16,6 +32,13 @@ Output::Output(const Options& options, std::string command) : options_(options),
     struct stat info = {};
     leaves_a_pipe_ = fstat(1, &info) == 0 && S_ISFIFO(info.st_mode);
     base::leave_stdout();
+}
+
+void Output::require_names_for(const image::Header& header) const {
+    for (const std::string& pattern : options_.outputs)
+        if (!image::label(header).empty() && !has_place_for_name(pattern))
+            base::fail("-o", "\"" + pattern + "\" needs a %s for the names of several pictures");
+        else name_of(pattern, header);
 }
 
 void Output::sign(image::Picture& picture) const { image::add_history(picture.header, command_); }
@@ -55,5 +78,5 @@ void Output::write_files(const image::Picture& picture, bool passing) const {
     how.tone = options_.tone;
     how.exr.half = options_.half;
     if (passing) how.exr.compression = "none";
-    for (const std::string& name : options_.outputs) image::write_file(name, picture, how);
+    for (const std::string& name : options_.outputs) image::write_file(name_of(name, picture.header), picture, how);
 }

@@ -14,6 +14,9 @@ public:
     // Nothing is written to a standard output that is a pipe: someone may wait for it in vain.
     bool leaves_a_pipe() const { return leaves_a_pipe_; }
 
+    // A stream of several pictures goes to several files: throws Error where a file has no %s for their names.
+    void require_names_for(const image::Header& header) const;
+
     // These sign the picture: every output carries its history.
     void stream_picture(image::Picture& picture) const;  // to the standard output, one of several
     void stdout_picture(image::Picture& picture) const;  // to the standard output, by itself

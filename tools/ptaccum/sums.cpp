@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/run.h"
+#include "image/header.h"
 
 namespace {
 constexpr int files_share = 20;  // without -every the files are written as often as takes a 20th of the time
@@ -21,10 +22,14 @@ Sums::Sums(const Options& options, const Output& output, const image::Picture& s
 }
 
 void Sums::add(const image::Picture& frame, const std::string& place) {
-    const bool restarts = frame.header.frame == 0;
+    const bool restarts = sum_.restarts(frame.header) || (sum_.empty() && frame.header.frame == 0);
+    if (sum_.empty()) output_.require_names_for(frame.header);
     if (sum_.empty() && output_.leaves_a_pipe() && !frame.header.last_frame)
         base::warn("stdout", "receives nothing when -o is used; add -o - to pass the sums on");
-    if (restarts && !sum_.empty()) end_stream();  // the last picture of the scene before
+    if (restarts && !sum_.empty()) {  // the last picture of what came before
+        end_stream();
+        if (image::label(frame.header) != image::label(sum_.header())) end_files();
+    }
     sum_.add(frame, place);
     if (restarts) schedule_.restart();
     streamed_ = filed_ = false;

@@ -59,6 +59,16 @@ std::string devices() {
     return text;
 }
 
+void declare_pictures(OptionTable& t, Options& opt) {
+    t.group("Several pictures");
+    t.add("-views file", "A picture for each view of this file", [&](Arguments& a) { opt.views_file = a.text(); });
+    t.add("-S n", "A picture for each view from the standard input, numbered from n", [&](Arguments& a) {
+        opt.first_view = a.integer(base::within(0, 1e9));
+        opt.views_file = "-";
+    });
+    t.add("-sky file", "A picture with this file added to the scene; may be repeated", opt.skies);
+}
+
 void declare_picture(OptionTable& t, Options& opt) {
     trace::RenderOptions& r = opt.render;
     t.group("Picture");
@@ -124,6 +134,7 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
     });
     t.add("-M target", "Print a rule of make: this target and all files that are read for it; render nothing",
           opt.rule_for);
+    t.add("-MF file", "Write the rule of -M to this file, and render", opt.rule_file);
     t.add("-exec", "Let the scene run its !commands", opt.files.exec);
     t.add("-rif file", "Take scene, options and views from an input file of rad(1)",
           [&](Arguments& a) { read_rif(a.text(), assignments, t, opt, rad_input); });
@@ -150,7 +161,7 @@ void declare_rpicts(OptionTable& t) {
     t.unneeded("-dt -dc -ps -pt -pm -cs", 1, Scenes::yes);
     t.unneeded("-cw", 2, Scenes::yes);
     t.unneeded("-pRGB", 0, Scenes::yes);
-    t.unneeded("-S -P -PP -r -ro -z", 1, Scenes::no);
+    t.unneeded("-P -PP -r -ro -z", 1, Scenes::no);
     for (const char* name : {"-pXYZ", "-pc"}) t.refuse(name, "", "frames are in RADIANCE's RGB");
 }
 
@@ -160,6 +171,7 @@ void declare_options(OptionTable& t, Options& opt, std::optional<scene::RadInput
                      const std::vector<std::string>& assignments) {
     view::declare_options(t, opt.view);
     view::declare_file_option(t, [&](const view::View& v) { opt.view = v; });
+    declare_pictures(t, opt);
     declare_picture(t, opt);
     declare_light(t, opt);
     declare_frames(t, opt, rad_input, assignments);

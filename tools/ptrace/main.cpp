@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <memory>
 
 #include "base/error.h"
 #include "base/files_read.h"
@@ -25,14 +26,14 @@ using Clock = std::chrono::steady_clock;
 class Report {
 public:
     // last: the frame after which it ends; Options::endless: not known.
-    Report(int every_s, std::string device, int64_t last)
-        : every_s_(every_s), device_(std::move(device)), last_(last) {}
+    Report(int every_s, std::string device, const std::string& label, int64_t last)
+        : every_s_(every_s), device_(std::move(device)), what_(label.empty() ? "" : label + ": "), last_(last) {}
     void frame(int64_t k, int64_t done) {
         const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
         const bool line_due = every_s_ > 0 && seconds >= next_s_;
         if (!line_due && !progress_.due()) return;
         const double a_frame = seconds / double(done);
-        std::string text = fmt::format("frame {}", k);
+        std::string text = fmt::format("{}frame {}", what_, k);
         if (last_ != Options::endless) text += fmt::format(" of {}", last_);
         text += fmt::format(", {:.1f} s, {:.3g} s a frame, ", seconds, a_frame);
         if (last_ != Options::endless) text += fmt::format("{:.0f} s left, ", a_frame * double(last_ - k));
@@ -44,59 +45,93 @@ public:
 
 private:
     int every_s_;
-    std::string device_;
+    std::string device_, what_;
     int64_t last_;
     Clock::time_point start_ = Clock::now();
     double next_s_ = every_s_;
     base::Progress progress_{"ptrace"};
 };
 
-// What the scene names is read when it is flattened; so a renderer is made, but not used.
-void print_rule(const scene::Scene& scene, const Options& opt) {
-    const trace::Renderer reads_the_rest(scene, opt.view, 1, 1, opt.render, "cpu", opt.files);
+// Reads the scene, with one sky of several or as it is, and loads it on the device, which is started for the first one.
+scene::Scene load(const Options& opt, const std::string& sky, const std::string& device,
+                  std::unique_ptr<trace::Renderer>& renderer) {
+    std::vector<std::string> files = opt.scene_files;
+    if (!sky.empty()) files.push_back(sky);
+    scene::ReadOptions how = opt.files;
+    how.work = base::work_from_environment();  // each is a scene of its own
+    scene::Scene scene = scene::read_scene(files, how);
+    if (!renderer) renderer = std::make_unique<trace::Renderer>(device);
+    std::vector<trace::Shot> shots;
+    for (const NamedShot& s : opt.shots) shots.push_back(s.shot);
+    renderer->load(scene, shots, opt.render, how);
+    return scene;
+}
+
+// Frames first to last of the picture that the renderer looks at.
+void render_frames(const Options& opt, trace::Renderer& renderer, image::Picture& picture) {
+    const bool streams = opt.output.empty();
+    const std::string label = image::label(picture.header);
+    image::WriteOptions as_float;
+    as_float.pixels = image::Format::flt;
+    Report report(opt.report_s, renderer.device_name(), label, opt.last);
+    const auto give = [&](int64_t k, const std::vector<float>& rgb) {
+        picture.rgb = rgb;
+        picture.header.frame = k;
+        if (streams) image::write_picture_stdout(picture, image::Format::flt);
+        else image::write_file(output_name(opt.output, k, label), picture, as_float);
+        report.frame(k, k - opt.first + 1);
+        return k < opt.last && !base::stop_requested();
+    };
+    constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
+    for (int64_t k = opt.first; k <= opt.last && !base::stop_requested(); k += block)
+        renderer.frames(k, int(std::min(block, opt.last - k + 1)), give);
+}
+
+void write_rule(const Options& opt) {
     const std::string rule = base::make_rule(opt.rule_for, base::files_read());
-    base::write_stdout(rule.data(), rule.size());
+    if (opt.rule_file.empty()) base::write_stdout(rule.data(), rule.size());
+    else image::write_bytes(opt.rule_file, rule);
+}
+
+// All views under one sky.
+void render_views(const Options& opt, trace::Renderer& renderer, const scene::Scene& scene, const std::string& sky) {
+    for (size_t i = 0; i < opt.shots.size() && !base::stop_requested(); ++i) {
+        const NamedShot& s = opt.shots[i];
+        renderer.look(i);
+        image::Picture picture;
+        picture.width = s.shot.nx;
+        picture.height = s.shot.ny;
+        for (const std::string& line : scene.history) image::add_history(picture.header, line);
+        image::add_history(picture.header, opt.command);
+        picture.header.view = s.shot.view;
+        picture.header.view_name = s.name;
+        if (!sky.empty()) picture.header.sky_name = sky_name(sky);
+        picture.header.seed = opt.render.seed;
+        picture.header.exposure = opt.exposure;
+        picture.header.fingerprint = renderer.fingerprint();
+        if (opt.output.empty() && opt.last != Options::endless) picture.header.last_frame = opt.last;
+        render_frames(opt, renderer, picture);
+    }
 }
 
 int render(int argc, char** argv) {
     Options opt;
     if (auto status = parse_options(argc, argv, opt)) return *status;
-    const scene::Scene scene = scene::read_scene(opt.scene_files, opt.files);
-    if (!opt.rule_for.empty()) {
-        print_rule(scene, opt);
-        return 0;
-    }
-    trace::Renderer renderer(scene, opt.view, opt.nx, opt.ny, opt.render, opt.device, opt.files);
-
-    image::Picture picture;
-    picture.width = opt.nx;
-    picture.height = opt.ny;
-    for (const std::string& line : scene.history) image::add_history(picture.header, line);
-    image::add_history(picture.header, opt.command);
-    picture.header.view = opt.view;
-    picture.header.seed = opt.render.seed;
-    picture.header.exposure = opt.exposure;
-    picture.header.fingerprint = renderer.fingerprint();
-    const bool streams = opt.output.empty();
-    if (streams && opt.last != Options::endless) picture.header.last_frame = opt.last;
-    image::WriteOptions as_float;
-    as_float.pixels = image::Format::flt;
-    Report report(opt.report_s, renderer.device_name(), opt.last);
-    const auto give = [&](int64_t k, const std::vector<float>& rgb) {
-        picture.rgb = rgb;
-        picture.header.frame = k;
-        if (streams) image::write_picture_stdout(picture, image::Format::flt);
-        else image::write_file(output_name(opt.output, k), picture, as_float);
-        report.frame(k, k - opt.first + 1);
-        return k < opt.last && !base::stop_requested();
-    };
-    if (streams && base::stdout_is_file())
+    const bool only_rule = !opt.rule_for.empty() && opt.rule_file.empty();
+    if (!only_rule && opt.output.empty() && base::stdout_is_file())
         base::warn("stdout",
                    "writing frames to a file, which only luxpipe can read; \"| ptaccum -last >\" makes a picture");
-    base::finish_on_signal();
-    constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
-    for (int64_t k = opt.first; k <= opt.last && !base::stop_requested(); k += block)
-        renderer.frames(k, int(std::min(block, opt.last - k + 1)), give);
+    std::unique_ptr<trace::Renderer> renderer;
+    const std::vector<std::string> skies = opt.skies.empty() ? std::vector<std::string>{""} : opt.skies;
+    for (const std::string& sky : skies) {
+        // What a scene names is read when it is loaded; so the rule of -M needs a device, too.
+        const scene::Scene scene = load(opt, sky, only_rule ? "cpu" : opt.device, renderer);
+        if (!opt.rule_for.empty() && &sky == &skies.back()) write_rule(opt);
+        if (only_rule) continue;
+        base::finish_on_signal();
+        render_views(opt, *renderer, scene, sky);
+        if (base::stop_requested()) break;
+    }
     return 0;
 }
 

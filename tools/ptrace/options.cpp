@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <set>
 
 #include "base/error.h"
 #include "base/find_file.h"
@@ -12,6 +13,7 @@
 #include "base/run.h"
 #include "base/warnings.h"
 #include "declare.h"
+#include "image/header.h"
 #include "image/stream.h"
 #include "scene/rad_input.h"
 
@@ -34,17 +36,71 @@ void choose_view(const scene::RadInput& rad_input, const std::string& name, base
     table.read_words(view_words_after_rif(table));
 }
 
+void add_shot(const std::string& name, Options& opt) {
+    trace::Shot shot{opt.view, opt.nx, opt.ny};
+    view::fit_size(shot.view, opt.pixel_aspect, shot.nx, shot.ny);
+    opt.shots.push_back({name, shot});
+}
+
+// Which pictures: one, those of -views, or all of a rad input file where none of its views is named.
+void choose_shots(const std::optional<scene::RadInput>& rad_input, const std::string& view_name,
+                  base::OptionTable& table, Options& opt) {
+    const bool all = rad_input && view_name.empty() && rad_input->views.size() > 1;
+    if (rad_input && !all) choose_view(*rad_input, view_name, table, opt);
+    if (!opt.views_file.empty()) {
+        int64_t number = opt.first_view;
+        for (const view::NamedView& v : view::read_views(opt.views_file, opt.view)) {
+            opt.view = v.view;
+            add_shot(v.name.empty() ? std::to_string(number) : v.name, opt);
+            ++number;
+        }
+    } else if (all) {
+        for (size_t k = 0; k < rad_input->views.size(); ++k) {
+            const std::string number = std::to_string(k + 1), name = rad_input->views[k].name;
+            choose_view(*rad_input, name.empty() ? number : name, table, opt);
+            add_shot(name.empty() ? number : name, opt);
+        }
+    } else {
+        add_shot("", opt);
+    }
+}
+
+// Names are those of files and of rows in tables.
+void check_names(const Options& opt) {
+    std::set<std::string> views, skies;
+    for (const NamedShot& s : opt.shots) {
+        if (!s.name.empty()) image::require_plain_name(s.name, "the view");
+        if (!views.insert(s.name).second) base::fail("", "two views are called \"" + s.name + "\"");
+    }
+    for (const std::string& path : opt.skies) {
+        image::require_plain_name(sky_name(path), path);
+        if (!skies.insert(sky_name(path)).second) base::fail(path, "two skies are called \"" + sky_name(path) + "\"");
+    }
+}
+
+void check_output(const Options& opt) {
+    if (opt.last == Options::endless) base::fail("-frames", "say how many frames to write to files");
+    const std::string label = opt.shots[0].name + (opt.skies.empty() ? "" : sky_name(opt.skies[0]));
+    if (opt.last > opt.first && output_name(opt.output, 0, label) == output_name(opt.output, 1, label))
+        base::fail("-o", "\"" + opt.output + "\" needs a %d for the number of the frame");
+    const bool several = !opt.shots[0].name.empty() || !opt.skies.empty();
+    if (several && opt.output.find("%s") == std::string::npos)
+        base::fail("-o", "\"" + opt.output + "\" needs a %s for the names of several pictures");
+    image::require_writable_ending(output_name(opt.output, opt.first, label));
+}
+
 void check(const Options& opt) {
     if (opt.scene_files.empty()) base::fail("", "no scene file; ptrace -help lists the options");
-    view::validate(opt.view);
-    if (!opt.rule_for.empty()) return;
-    if (!opt.output.empty()) {
-        if (opt.last == Options::endless) base::fail("-frames", "say how many frames to write to files");
-        if (opt.last > opt.first && output_name(opt.output, 0) == output_name(opt.output, 1))
-            base::fail("-o", "\"" + opt.output + "\" needs a %d for the number of the frame");
-        image::require_writable_ending(output_name(opt.output, opt.first));
-        return;
-    }
+    for (const NamedShot& s : opt.shots) view::validate(s.shot.view);
+    check_names(opt);
+    const auto reads_stdin = std::count(opt.scene_files.begin(), opt.scene_files.end(), "-");
+    if (reads_stdin && opt.views_file == "-") base::fail("-", "the standard input has the views, not a scene");
+    if (reads_stdin && opt.skies.size() > 1) base::fail("-", "is read once, but the scene is read again for each -sky");
+    if (!opt.rule_file.empty() && opt.rule_for.empty()) base::fail("-MF", "needs -M for the rule's target");
+    if (!opt.rule_for.empty() && opt.rule_file.empty()) return;
+    const bool several = opt.shots.size() > 1 || opt.skies.size() > 1;
+    if (several && opt.last == Options::endless) base::fail("-frames", "say how many frames each picture gets");
+    if (!opt.output.empty()) return check_output(opt);
     struct stat info = {};
     if (fstat(1, &info) != 0) base::fail_system("stdout", "cannot be written");
     if (base::stdout_is_terminal()) base::fail("stdout", "pictures are binary; pipe them or name files with -o");
@@ -76,10 +132,10 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
         operands->erase(split, operands->end());
         if (operands->size() > 1) base::fail("-rif", "one view name at most, not \"" + (*operands)[1] + "\" too");
         opt.scene_files = rad_input->scene_files;
-        choose_view(*rad_input, operands->empty() ? "" : operands->front(), table, opt);
     } else {
         opt.scene_files = *operands;
     }
+    choose_shots(rad_input, rad_input && !operands->empty() ? operands->front() : "", table, opt);
     base::search_beside(opt.scene_files, opt.files);
     opt.command = table.command();
     base::use_processors(unsigned(opt.threads));
@@ -88,24 +144,33 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     for (const std::string& name : table.unneeded_ones_said()) unneeded += " " + name;
     if (!unneeded.empty()) base::warn("", "a path tracer does not need" + unneeded);
     check(opt);
-    view::fit_size(opt.view, opt.pixel_aspect, opt.nx, opt.ny);
     return std::nullopt;
 }
 
 }  // namespace
 
-std::string output_name(const std::string& pattern, int64_t k) {
-    const size_t at = pattern.find('%');
-    if (at == std::string::npos) return pattern;
+std::string output_name(const std::string& pattern, int64_t k, const std::string& label) {
+    std::string name = pattern;
+    if (const size_t at = name.find("%s"); at != std::string::npos) {
+        if (label.empty()) base::fail("-o", "\"" + pattern + "\": a single picture has no name for %s");
+        name.replace(at, 2, label);
+    }
+    const size_t at = name.find('%');
+    if (at == std::string::npos) return name;
     size_t end = at + 1;
-    while (end < pattern.size() && pattern[end] >= '0' && pattern[end] <= '9') ++end;
-    const std::string width = pattern.substr(at + 1, end - at - 1);
-    if (end == pattern.size() || pattern[end] != 'd' || width.size() > 2 || pattern.find('%', end) != std::string::npos)
+    while (end < name.size() && name[end] >= '0' && name[end] <= '9') ++end;
+    const std::string width = name.substr(at + 1, end - at - 1);
+    if (end == name.size() || name[end] != 'd' || width.size() > 2 || name.find('%', end) != std::string::npos)
         base::fail("-o", "\"" + pattern + "\" must hold one %d, such as %04d");
     const std::string number = std::to_string(k);
     const size_t wide = width.empty() ? 0 : std::stoul(width);
     const std::string pad(wide > number.size() ? wide - number.size() : 0, width[0] == '0' ? '0' : ' ');
-    return pattern.substr(0, at) + pad + number + pattern.substr(end + 1);
+    return name.substr(0, at) + pad + number + name.substr(end + 1);
+}
+
+std::string sky_name(const std::string& path) {
+    const std::string name = path.substr(path.rfind('/') + 1);
+    return name.substr(0, name.rfind('.'));
 }
 
 std::optional<int> parse_options(int argc, char** argv, Options& opt) { return parse(argc, argv, {}, opt); }

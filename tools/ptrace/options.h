@@ -10,17 +10,28 @@
 #include "base/processors.h"
 #include "scene/object.h"
 #include "trace/options.h"
+#include "trace/progressive.h"
 #include "view/view.h"
+
+// A picture and its name; a single one has none.
+struct NamedShot {
+    std::string name;
+    trace::Shot shot;
+};
 
 struct Options {
     trace::RenderOptions render;
     view::View view;
+    std::string views_file;          // -views: a picture of each; "-": standard input (-S)
+    int64_t first_view = 1;          // -S: the number of the first one without a name
+    std::vector<std::string> skies;  // -sky: the scene with each of these files in turn
     int nx = 512, ny = 512;
     double pixel_aspect = 1;            // -pa, 0 keeps both sides
     double exposure = 1;                // -rif: of the pictures written
     int64_t first = 0, last = endless;  // frames, both included
     std::string device = "auto";
-    std::string rule_for;                   // -M: the target of a rule of make; empty: render
+    std::string rule_for;                   // -M: the target of a rule of make; empty: none
+    std::string rule_file;                  // -MF: where it goes, before rendering; empty: stdout, and render nothing
     std::string command;                    // the whole command line, for the headers of the frames
     std::string output;                     // -o pattern; empty: stdout
     int threads = int(base::processors());  // -n
@@ -28,6 +39,7 @@ struct Options {
     bool warnings = true;                   // -w
     scene::ReadOptions files;               // RAYPATH, -exec
     std::vector<std::string> scene_files;
+    std::vector<NamedShot> shots;  // what is rendered, one or several
 
     static constexpr int64_t endless = 0xfffffffe;  // the samplers count frames in 32 bits
 };
@@ -35,5 +47,9 @@ struct Options {
 // Fills opt and checks it.  A status: the answer (-help, -version, -defaults, -devices) was printed, main ends with it.
 std::optional<int> parse_options(int argc, char** argv, Options& opt);
 
-// The file of frame k: the pattern's one %d (%4d, %04d) replaced; a pattern without serves a single frame.
-std::string output_name(const std::string& pattern, int64_t k);
+// The file of frame k: the pattern's one %d (%4d, %04d) replaced, and %s by the name of the picture; a pattern without
+// serves a single frame.
+std::string output_name(const std::string& pattern, int64_t k, const std::string& label);
+
+// "sky_0900" of "skies/sky_0900.rad".
+std::string sky_name(const std::string& path);

@@ -112,8 +112,13 @@ public:
         std::vector<Cell> cells = {frame_cell, seconds_cell};
         if (o_.like == Like::accelerad) cells = {seconds_cell, frame_cell};
         else if (from_files_) cells = {text_cell(file)};
-        if (!header_printed_) print(header_line(names_, o_.format));
-        header_printed_ = true;
+        if (!header_printed_) {
+            show_names(p.header, cells.size());
+            print(header_line(names_, o_.format));
+            header_printed_ = true;
+        }
+        if (shows_view_) cells.push_back(text_cell(p.header.view_name.empty() ? "-" : p.header.view_name));
+        if (shows_sky_) cells.push_back(text_cell(p.header.sky_name.empty() ? "-" : p.header.sky_name));
         if (o_.list_sources) {
             list_sources(m, cells);
             return false;
@@ -133,6 +138,14 @@ public:
     int status() const { return stopping_->status(); }
 
 private:
+    // Streams of several views or skies name them (ptrace -views, -sky): columns of the table, from this one on.
+    void show_names(const image::Header& first, size_t column) {
+        shows_view_ = !first.view_name.empty();
+        shows_sky_ = !first.sky_name.empty();
+        const auto at = names_.begin() + std::ptrdiff_t(column);
+        if (shows_sky_) names_.insert(at, "sky");
+        if (shows_view_) names_.insert(names_.begin() + std::ptrdiff_t(column), "view");
+    }
     // In JSON a column is an object with lo and hi in it.
     bool has_interval(const Column& c) const { return o_.ci && !c.words; }
     void add_column_names() {
@@ -198,7 +211,7 @@ private:
 
     const Options& o_;
     std::chrono::steady_clock::time_point start_;
-    bool from_files_, header_printed_ = false;
+    bool from_files_, header_printed_ = false, shows_view_ = false, shows_sky_ = false;
     std::optional<image::MaskSet> regions_;
     std::unique_ptr<Meter> meter_;
     std::vector<Column> columns_;
