@@ -16,15 +16,14 @@ started=$(date +%s)
 echo "The office at 14:00, $size x $size.  Frames run until these are known so exactly: $until"
 vcregion -vf view.vf -x "$size" -y "$size" -o "$out/regions.exr" ../../office.regions
 ptrace -vf view.vf -x "$size" -y "$size" materials.rad layout.rad sky_1400.rad |
-    ptaccum -every "x2/4" -o "$out/office.exr" -o - |
+    ptaccum -every "x2/4" -o "$out/office.exr" -o "$out/office.png" -o - |
     vcmetrics -regions "$out/regions.exr" -cr screen=screen_low/screen_high \
         -metrics Ev,DGPu,desk.TAL,CRu,RAMMGu -ci 95 -until "$until" |
     tee "$out/metrics.tsv"
 settled=$(date +%s)
 
-# The same picture for other programs (.hdr) and for people (.png).
+# The same picture for other programs (.hdr) and in colours of luminance.
 ptaccum "$out/office.exr" -o "$out/office.hdr"
-ptaccum "$out/office.exr" -o "$out/office.png" -tone photo
 ptaccum "$out/office.exr" -o "$out/falsecolor.png" -tone falsecolor
 
 # Metrics against frames, each with its interval.

@@ -18,7 +18,7 @@ void exr(const std::string& path, const Picture& picture, const WriteOptions& op
     write_exr(path, picture, options.exr);
 }
 void png(const std::string& path, const Picture& picture, const WriteOptions& options) {
-    write_png(path, picture, options.tone);
+    write_png(path, picture, options.tone, options.filtered);
 }
 
 // RADIANCE pictures are read as streams (stream_reader.cpp); PNG is for people.

@@ -3,6 +3,7 @@
 // file_format.cpp (man/luxpipe-stream.5 describes them).
 #pragma once
 #include <string>
+#include <vector>
 #include "image/exr.h"
 #include "image/tone.h"
 
@@ -13,6 +14,7 @@ struct WriteOptions {
     Format pixels = Format::rgbe;  // of RADIANCE pictures
     ExrOptions exr;
     ToneOptions tone;
+    const std::vector<float>* filtered = nullptr;  // PNG: shown in place of the picture's pixels (denoise.h)
 };
 
 struct FileFormat {

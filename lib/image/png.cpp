@@ -50,10 +50,18 @@ std::string png_bytes(const Image8& image, const std::string& comment) {
     return bytes;
 }
 
-void write_png(const std::string& path, const Picture& picture, const ToneOptions& options) {
+void write_png(const std::string& path, const Picture& picture, const ToneOptions& options,
+               const std::vector<float>* filtered) {
     std::string comment;
     for (const std::string& line : header_lines(picture.header)) comment += line + "\n";
-    write_bytes(path, png_bytes(tone(picture, options), comment));
+    if (!filtered) {
+        write_bytes(path, png_bytes(tone(picture, options), comment + "FILTERED= no\n"));
+        return;
+    }
+    Picture shown = picture;
+    shown.rgb = *filtered;
+    comment += "FILTERED= non-local means of two halves of the frames, for viewing only\n";
+    write_bytes(path, png_bytes(tone(shown, options), comment));
 }
 
 }  // namespace image

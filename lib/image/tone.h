@@ -38,8 +38,10 @@ double round_up_125(double value);
 void draw_text(Image8& image, int x, int y, const std::string& text, int scale, std::array<uint8_t, 3> color);
 int text_width(const std::string& text, int scale);
 
-// PNG, sRGB, with the picture's header as comment; whole or not at all.
+// PNG, sRGB, with the picture's header as comment; whole or not at all.  filtered: the pixels that are shown in place
+// of the picture's, as the comment says then.
 std::string png_bytes(const Image8& image, const std::string& comment);
-void write_png(const std::string& path, const Picture& picture, const ToneOptions& options);
+void write_png(const std::string& path, const Picture& picture, const ToneOptions& options,
+               const std::vector<float>* filtered = nullptr);
 
 }  // namespace image

@@ -246,3 +246,16 @@ check_error 'an unknown curve' 1 '^ptaccum: -tone: "sepia" is not one of photo, 
 check_error 'a luminance of 0' 1 '^ptaccum: -max: 0 is not above 0$' 'ptaccum -max 0 n8.hdr'
 check_error 'an interval that is not a number' 1 '^ptaccum: -every: "often" is not an integer' '
     ptaccum -every often n8.hdr'
+
+# What people look at
+check 'PNG files of frames are filtered, and say so; no other file is' '
+    mkstream frames 0 20 > f.str; ptaccum -o lit.png -o lit.exr -last < f.str
+    ptaccum -filter none -o raw.png -o raw.exr -last < f.str
+    grep -aq "FILTERED= non-local means" lit.png && grep -aq "FILTERED= no$" raw.png && ! cmp -s lit.png raw.png
+    [ "$(mkstream differ lit.exr raw.exr)" = 0 ]'
+check 'the same bytes again, with any number of threads' '
+    export SOURCE_DATE_EPOCH=1; for k in 1 2; do ptaccum -o p.png < f.str; mv p.png p$k.png; done; cmp p1.png p2.png
+    taskset -c 0 ptaccum -o p.png < f.str; cmp p1.png p.png'
+check 'too few frames and pictures on disk are shown as they are' '
+    mkstream frames 0 3 | ptaccum -o few.png; ptaccum lit.exr -o disk.png
+    grep -aq "FILTERED= no$" few.png && grep -aq "FILTERED= no$" disk.png'

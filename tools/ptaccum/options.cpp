@@ -44,6 +44,8 @@ void declare_tone(OptionTable& t, Options& opt) {
     t.add("-decades number", "Falsecolor: decades of luminance from the bottom colour to the top one; 0 is linear",
           opt.tone.decades)
         .within(0, 12);
+    t.add("-filter name", "What removes noise from PNG files of frames: nlm (non-local means) or none",
+          base::one_of(opt.filter, {{"nlm", true}, {"none", false}}));
     t.add("-nolegend", "Falsecolor: leave out the legend", base::set(opt.tone.legend, false));
 }
 

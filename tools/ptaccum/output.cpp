@@ -60,11 +60,11 @@ void Output::stdout_picture(image::Picture& picture) const {
     image::write_picture_stdout(picture, format_of(picture));
 }
 
-void Output::files(image::Picture& picture, bool passing) const {
+void Output::files(image::Picture& picture, bool passing, const std::vector<float>* filtered) const {
     sign(picture);
     image::add_date(picture.header);
     picture.header.last_frame.reset();
-    write_files(picture, passing);
+    write_files(picture, passing, filtered);
 }
 
 void Output::final_picture(image::Picture& picture) const {
@@ -72,10 +72,11 @@ void Output::final_picture(image::Picture& picture) const {
     if (to_stdout()) image::write_picture_stdout(picture, format_of(picture));
 }
 
-void Output::write_files(const image::Picture& picture, bool passing) const {
+void Output::write_files(const image::Picture& picture, bool passing, const std::vector<float>* filtered) const {
     image::WriteOptions how;
     how.pixels = format_of(picture);
     how.tone = options_.tone;
+    how.filtered = filtered;
     how.exr.half = options_.half;
     if (passing) how.exr.compression = "none";
     for (const std::string& name : options_.outputs) image::write_file(name_of(name, picture.header), picture, how);

@@ -22,13 +22,14 @@ public:
     void stdout_picture(image::Picture& picture) const;  // to the standard output, by itself
     // Each whole or not at all.  Passing ones will be written again: OpenEXR without compression, which takes most of
     // the time.
-    void files(image::Picture& picture, bool passing) const;
+    // filtered: what PNG files show; null: the picture's pixels.
+    void files(image::Picture& picture, bool passing, const std::vector<float>* filtered = nullptr) const;
     void final_picture(image::Picture& picture) const;  // to all outputs
 
 private:
     image::Format format_of(const image::Picture& picture) const;
     void sign(image::Picture& picture) const;
-    void write_files(const image::Picture& picture, bool passing) const;
+    void write_files(const image::Picture& picture, bool passing, const std::vector<float>* filtered) const;
     const Options& options_;
     std::string command_;
     bool leaves_a_pipe_ = false;

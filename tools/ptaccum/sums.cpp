@@ -4,20 +4,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.h"
+#include "base/processors.h"
 #include "base/run.h"
 #include "image/header.h"
+#include "image/stream.h"
 
 namespace {
-constexpr int files_share = 20;  // without -every the files are written as often as takes a 20th of the time
+bool writes_png(const Options& options) {
+    return std::any_of(options.outputs.begin(), options.outputs.end(),
+                       [](const std::string& name) { return image::ending_of(name) == ".png"; });
 }
 
+constexpr int files_share = 20;  // without -every the files are written as often as takes a 20th of the time
+}  // namespace
+
 Sums::Sums(const Options& options, const Output& output)
-    : options_(options), output_(output), schedule_(options.schedule) {}
+    : options_(options),
+      output_(output),
+      schedule_(options.schedule),
+      filters_(options.filter && writes_png(options)) {}
 
 Sums::Sums(const Options& options, const Output& output, const image::Picture& sum, const std::string& name)
     : Sums(options, output) {
     sum_.resume(sum, name);
+    filters_ = false;
     schedule_.resume(sum_.frames());
 }
 
@@ -31,6 +44,8 @@ void Sums::add(const image::Picture& frame, const std::string& place) {
         if (image::label(frame.header) != image::label(sum_.header())) end_files();
     }
     sum_.add(frame, place);
+    if (filters_ && frame.header.frame == 0) halves_.clear(frame.rgb.size());
+    else if (filters_) halves_.add(frame.rgb);
     if (restarts) schedule_.restart();
     streamed_ = filed_ = false;
     if (output_.to_stdout() && base::stdout_is_closed()) throw base::ClosedPipe{};  // the next write may be far
@@ -70,9 +85,17 @@ void Sums::warn_of_stream_in_file() const {
                "all sums were written to the file, as floats that only luxpipe reads; -last writes a single picture");
 }
 
+// A sum that lacks frame 0 is no picture, and two frames tell nothing of their noise.
+bool Sums::can_filter() const {
+    return filters_ && !result_.frame0.empty() && halves_.frames() >= image::HalfSums::least_frames;
+}
+
 void Sums::write_files(bool passing) {
     sum_.result(result_, true);
-    output_.files(result_, passing);
+    if (passing || !can_filter()) return output_.files(result_, passing);
+    const std::vector<float> filtered =
+        image::denoised(halves_, result_.frame0, result_.width, result_.height, base::processors());
+    output_.files(result_, passing, &filtered);
 }
 
 void Sums::end_files() {

@@ -6,6 +6,7 @@
 #include <string>
 #include "base/progress.h"
 #include "image/accumulate.h"
+#include "image/denoise.h"
 #include "output.h"
 
 class Sums {
@@ -27,11 +28,14 @@ private:
     void write_due();
     void stream_sum(bool by_itself);
     void write_files(bool passing);
+    bool can_filter() const;
     const Options& options_;
     const Output& output_;
     image::Accumulator sum_;
     image::Picture result_;
     image::Schedule schedule_;
+    bool filters_;            // PNG files are asked for, and all frames come through here
+    image::HalfSums halves_;  // where it does
     base::Progress progress_{"ptaccum"};
     bool streamed_ = true, filed_ = true;  // the last sum is written there for good
     bool seems_whole_ = false;             // the stream of sums, to a reader that finds its end here
