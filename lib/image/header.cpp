@@ -12,7 +12,6 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "base/printable.h"
 #include "base/split.h"
 
 namespace image {
@@ -277,17 +276,6 @@ void add_input_history(Header& header, const std::string& name, const Header& in
         for (size_t at = 0; (at = line.find("EXPOSURE=", at)) != std::string::npos;) line[at + 8] = ':';
         header.lines.push_back(one_line("\t" + line));
     }
-}
-
-void require_plain_name(const std::string& name, const std::string& where) {
-    const bool odd =
-        std::any_of(name.begin(), name.end(), [](unsigned char c) { return c <= ' ' || c == '/' || c == 0x7f; });
-    if (name.empty() || odd || name[0] == '.' || name.size() > 100)
-        base::fail(where, "\"" + base::excerpt(name) + "\" cannot be part of a file's name");
-}
-
-std::string label(const Header& h) {
-    return h.view_name + (h.view_name.empty() || h.sky_name.empty() ? "" : "_") + h.sky_name;
 }
 
 std::string to_text(const Ranges& ranges) {

@@ -51,7 +51,8 @@ std::string hash_of_frames(const std::string& arguments, const std::string& devi
     parse_options(int(argv.size()), argv.data(), opt);
     opt.files.raypath = {".", vectors};
     const scene::Scene scene = scene::read_scene(opt.scene_files, opt.files);
-    trace::Renderer renderer(scene, opt.view, opt.nx, opt.ny, opt.render, device, opt.files);
+    const trace::Shot& shot = opt.shots.at(0).shot;
+    trace::Renderer renderer(scene, shot.view, shot.nx, shot.ny, opt.render, device, opt.files);
     Hash hash;
     renderer.frames(opt.first, int(opt.last - opt.first + 1), [&](int64_t, const std::vector<float>& rgb) {
         hash.add(rgb);

@@ -12,7 +12,10 @@ render() { ptrace -w- -x 20 -y 20 -frames 20 "$@"; }
 
 render -views all.vf -sky $office/sky_0900.rad -sky $office/sky_overcast.rad $scene > all.str
 ptaccum -o '%s.exr' < all.str
-alone() { render $2 $scene $office/$3.rad | ptaccum -last -o alone.exr; [ "$(mkstream differ alone.exr $1_$3.exr)" = 0 ]; }
+alone() {
+    render $2 $scene $office/$3.rad | ptaccum -last -o alone.exr
+    [ "$(mkstream differ alone.exr $1_$3.exr)" = 0 ]
+}
 for sky in sky_0900 sky_overcast; do
     check "frames of desk, $sky, as in a run of its own" 'alone desk "$desk" $sky'
     check "frames of a view without a name, $sky" 'alone 2 "$door" $sky'

@@ -118,9 +118,6 @@ int render(int argc, char** argv) {
     Options opt;
     if (auto status = parse_options(argc, argv, opt)) return *status;
     const bool only_rule = !opt.rule_for.empty() && opt.rule_file.empty();
-    if (!only_rule && opt.output.empty() && base::stdout_is_file())
-        base::warn("stdout",
-                   "writing frames to a file, which only luxpipe can read; \"| ptaccum -last >\" makes a picture");
     std::unique_ptr<trace::Renderer> renderer;
     const std::vector<std::string> skies = opt.skies.empty() ? std::vector<std::string>{""} : opt.skies;
     for (const std::string& sky : skies) {
@@ -128,6 +125,9 @@ int render(int argc, char** argv) {
         const scene::Scene scene = load(opt, sky, only_rule ? "cpu" : opt.device, renderer);
         if (!opt.rule_for.empty() && &sky == &skies.back()) write_rule(opt);
         if (only_rule) continue;
+        if (opt.output.empty() && base::stdout_is_file() && &sky == &skies.front())
+            base::warn("stdout",
+                       "writing frames to a file, which only luxpipe can read; \"| ptaccum -last >\" makes a picture");
         base::finish_on_signal();
         render_views(opt, *renderer, scene, sky);
         if (base::stop_requested()) break;
