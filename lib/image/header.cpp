@@ -216,11 +216,9 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
     } else if (auto t = value_of(line, "FINGERPRINT=")) {
         h.fingerprint = *t;
     } else if (auto t = value_of(line, "VIEWNAME=")) {
-        require_plain_name(*t, where);
-        h.view_name = *t;
+        h.view_name = plain_name(*t, where);
     } else if (auto t = value_of(line, "SKYNAME=")) {
-        require_plain_name(*t, where);
-        h.sky_name = *t;
+        h.sky_name = plain_name(*t, where);
     } else if (auto t = value_of(line, "RANGE=")) {
         Ranges& ranges = h.other_seeds.empty() ? h.ranges : h.other_seeds.back().second;
         add_range(ranges, range(line, *t, where), line, where);
@@ -276,12 +274,6 @@ void add_input_history(Header& header, const std::string& name, const Header& in
         for (size_t at = 0; (at = line.find("EXPOSURE=", at)) != std::string::npos;) line[at + 8] = ':';
         header.lines.push_back(one_line("\t" + line));
     }
-}
-
-std::string to_text(const Ranges& ranges) {
-    std::string text;
-    for (const auto& r : ranges) text += fmt::format("{}{}:{}", text.empty() ? "" : ",", r.first, r.second);
-    return text;
 }
 
 bool lacks_frame0(const Header& h) {

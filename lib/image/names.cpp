@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of views and skies, which streams of several pictures carry and files are called by.
+// What pictures are called: names of views and skies, by which files are called as well, and ranges of frames.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/error.h"
@@ -8,15 +10,22 @@
 
 namespace image {
 
-void require_plain_name(const std::string& name, const std::string& where) {
+const std::string& plain_name(const std::string& name, const std::string& where) {
     const bool odd =
         std::any_of(name.begin(), name.end(), [](unsigned char c) { return c <= ' ' || c == '/' || c == 0x7f; });
     if (name.empty() || odd || name[0] == '.' || name.size() > 100)
         base::fail(where, "\"" + base::excerpt(name) + "\" cannot be part of a file's name");
+    return name;
 }
 
 std::string label(const Header& h) {
     return h.view_name + (h.view_name.empty() || h.sky_name.empty() ? "" : "_") + h.sky_name;
+}
+
+std::string to_text(const Ranges& ranges) {
+    std::string text;
+    for (const auto& r : ranges) text += fmt::format("{}{}:{}", text.empty() ? "" : ",", r.first, r.second);
+    return text;
 }
 
 }  // namespace image

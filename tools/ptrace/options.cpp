@@ -69,11 +69,11 @@ void choose_shots(const std::optional<scene::RadInput>& rad_input, const std::st
 void check_names(const Options& opt) {
     std::set<std::string> views, skies;
     for (const NamedShot& s : opt.shots) {
-        if (!s.name.empty()) image::require_plain_name(s.name, "the view");
+        if (!s.name.empty()) image::plain_name(s.name, "the view");
         if (!views.insert(s.name).second) base::fail("", "two views are called \"" + s.name + "\"");
     }
     for (const std::string& path : opt.skies) {
-        image::require_plain_name(sky_name(path), path);
+        image::plain_name(sky_name(path), path);
         if (!skies.insert(sky_name(path)).second) base::fail(path, "two skies are called \"" + sky_name(path) + "\"");
     }
 }
