@@ -26,7 +26,10 @@ demo: all ## the office: pictures, metrics and a plot in out/
 
 everything test-sanitize fuzz compare-radiance: PARTS += tests
 test: everything ## every test that needs no GPU
-	@cd $(BUILD) && ctest --no-tests=error --output-on-failure -j $(JOBS) -LE 'gpu|slow'
+	@cd $(BUILD) && ctest --no-tests=error --output-on-failure -j $(JOBS) -LE 'gpu|slow|slurm'
+
+test-slurm: everything ## a job array on a Slurm cluster of this machine, where Slurm is installed (as root)
+	@cd $(BUILD) && ctest --output-on-failure -L slurm
 
 test-gpu: everything ## the tests for a machine with a GPU
 	@cd $(BUILD) && ctest --output-on-failure -L gpu
@@ -78,5 +81,6 @@ clean: ## remove build/ and out/
 setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 
-.PHONY: help all everything demo test test-gpu test-sanitize fuzz deb bench compare-radiance compare-evalglare \
+.PHONY: help all everything demo test test-gpu test-slurm test-sanitize fuzz deb bench \
+	compare-radiance compare-evalglare \
 	man format lint install uninstall clean setup

@@ -17,7 +17,7 @@ try() {  # folder, sanitizers, which tests
     cmake -S . -B "$1" -G Ninja --log-level=WARNING -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
         -DLUXPIPE_SANITIZE="$2" > /dev/null
     cmake --build "$1" -j "$jobs"
-    (cd "$1" && shift 2 && ctest --output-on-failure -j "$jobs" -LE 'gpu|slow' --timeout 3000 "$@")
+    (cd "$1" && shift 2 && ctest --output-on-failure -j "$jobs" -LE 'gpu|slow|slurm' --timeout 3000 "$@")
 }
 
 try build-asan address,undefined
