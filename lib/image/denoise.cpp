@@ -18,6 +18,10 @@ constexpr int reach = 7;         // the search window has 15 x 15 pixels
 constexpr int patch = 3;         // a patch 7 x 7
 constexpr float damping = .45f;  // k of the paper: smaller keeps more detail and more noise
 constexpr float tiny = 1e-12f;
+constexpr float none = 30;  // a distance from which on a pixel counts for nothing: exp(-30)
+// One pixel of a patch can bring that about and no more: where there is no noise distances have no bound, and those
+// that a box filter takes out of its sum again would leave their rounding in it.
+constexpr float farthest = 2 * none * (2 * patch + 1) * (2 * patch + 1);
 
 // One half: its picture and the variance of that, 3 floats a pixel.
 struct Half {
@@ -100,7 +104,7 @@ private:
                     const float d = half.mean[p + c] - half.mean[q + c];
                     all += (d * d - (vp + std::min(vp, vq))) / (tiny + damping * damping * (vp + vq));
                 }
-                distance.push_back(all / 3);
+                distance.push_back(all / 3 < farthest ? all / 3 : farthest);  // so is what is no number
             }
     }
     void average(const Half& half, const Box& box, ptrdiff_t offset, const std::vector<float>& distance, int first,
@@ -108,7 +112,7 @@ private:
         for (int y = std::max(first, box.top); y < std::min(end, box.bottom); ++y)
             for (int x = box.left; x < box.right; ++x) {
                 const float d = distance[size_t(y - box.top) * size_t(box.right - box.left) + size_t(x - box.left)];
-                if (d > 30) continue;
+                if (d > none) continue;
                 const float w = d > 0 ? std::exp(-d) : 1;
                 const size_t to = size_t(y - first) * width_ + size_t(x);
                 const float* from = &half.mean[size_t(3 * (ptrdiff_t(y) * width_ + x + offset))];
@@ -151,7 +155,7 @@ std::vector<float> denoised(const HalfSums& sums, const std::vector<float>& fram
             const float mean = (sums.half_[0][i] + sums.half_[1][i]) / n;
             const float variance = std::max(0.f, sums.squares_[i] / n - mean * mean) * n / (n - 1);
             half[h].mean[i] += sums.half_[h][i] / of_half[h];
-            half[h].variance[i] = variance / of_half[h];
+            half[h].variance[i] = std::min(1e30f, variance / of_half[h]);  // squares may have overflowed
         }
         smooth_channels(half[h].variance, width, height);
     }
