@@ -29,6 +29,16 @@ trap finish EXIT
 skip() { echo "skipped: $*"; exit 77; }
 needs() { for program in "$@"; do command -v "$program" > /dev/null || skip "no $program here"; done; }
 
+# smaller SIZE: from here on ptrace and vcregion make pictures of SIZE where nothing else is said (512 otherwise).
+smaller() {
+    mkdir -p "$TMP/smaller"
+    for tool in ptrace vcregion; do
+        printf '#!/bin/sh\nexec "%s" -x %s -y %s "$@"\n' "$BIN/$tool" "$1" "$1" > "$TMP/smaller/$tool"
+    done
+    chmod +x "$TMP"/smaller/*
+    PATH=$TMP/smaller:$PATH
+}
+
 # grep -q leaves at its first match, and under pipefail the program before it then fails of SIGPIPE, now and then.
 # Here it reads to the end of its input: it counts (-c), unseen.
 grep() {

@@ -5,12 +5,7 @@
 needs ptrace ptaccum vcmetrics vcregion
 
 size=48
-mkdir bin                                   # without -x and -y the tools take 512; here they take 48
-for tool in ptrace vcregion; do
-    printf '#!/bin/sh\nexec "%s" -x %s -y %s "$@"\n' "$BIN/$tool" $size $size > bin/$tool
-done
-chmod +x bin/*
-PATH=$TMP/bin:$PATH
+smaller $size
 
 # blocks PAGE: writes each example of the page to PAGE.1.sh, PAGE.2.sh ...
 blocks() {
