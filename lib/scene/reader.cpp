@@ -165,13 +165,17 @@ void SceneReader::primitive(base::TextReader& in) {
     primitives_++;
 }
 
-Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits) {
-    Scene scene;
+void read_more(Scene& scene, const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits) {
     SceneReader reader(scene, options, limits);
     for (const std::string& file : files) {
         if (file[0] == '!') reader.read_command(file, "command line", 1);
         else reader.read_file(file, "");
     }
+}
+
+Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits) {
+    Scene scene;
+    read_more(scene, files, options, limits);
     return scene;
 }
 

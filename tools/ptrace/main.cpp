@@ -52,19 +52,13 @@ private:
     base::Progress progress_{"ptrace"};
 };
 
-// Reads the scene, with one sky of several or as it is, and loads it on the device, which is started for the first one.
-scene::Scene load(const Options& opt, const std::string& sky, const std::string& device,
-                  std::unique_ptr<trace::Renderer>& renderer) {
-    std::vector<std::string> files = opt.scene_files;
-    if (!sky.empty()) files.push_back(sky);
-    scene::ReadOptions how = opt.files;
-    how.work = base::work_from_environment();  // each is a scene of its own
-    scene::Scene scene = scene::read_scene(files, how);
+// Loads the scene on the device, which is started for the first one.
+void load(const Options& opt, const scene::Scene& scene, const scene::ReadOptions& how, const std::string& device,
+          std::unique_ptr<trace::Renderer>& renderer) {
     if (!renderer) renderer = std::make_unique<trace::Renderer>(device);
     std::vector<trace::Shot> shots;
     for (const NamedShot& s : opt.shots) shots.push_back(s.shot);
     renderer->load(scene, shots, opt.render, how);
-    return scene;
 }
 
 // Frames first to last of the picture that the renderer looks at.
@@ -120,9 +114,14 @@ int render(int argc, char** argv) {
     const bool only_rule = !opt.rule_for.empty() && opt.rule_file.empty();
     std::unique_ptr<trace::Renderer> renderer;
     const std::vector<std::string> skies = opt.skies.empty() ? std::vector<std::string>{""} : opt.skies;
+    scene::Scene without_sky = scene::read_scene(opt.scene_files, opt.files);
     for (const std::string& sky : skies) {
+        scene::Scene scene = &sky == &skies.back() ? std::move(without_sky) : without_sky;
+        scene::ReadOptions how = opt.files;
+        how.work = std::make_shared<base::Work>(*opt.files.work);  // each sky goes on with what the rest has left
+        if (!sky.empty()) scene::read_more(scene, {sky}, how);
         // What a scene names is read when it is loaded; so the rule of -M needs a device, too.
-        const scene::Scene scene = load(opt, sky, only_rule ? "cpu" : opt.device, renderer);
+        load(opt, scene, how, only_rule ? "cpu" : opt.device, renderer);
         if (!opt.rule_for.empty() && &sky == &skies.back()) write_rule(opt);
         if (only_rule) continue;
         if (opt.output.empty() && base::stdout_is_file() && &sky == &skies.front())
