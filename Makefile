@@ -22,7 +22,7 @@ everything: all ## the tools, the tests, studies and benchmarks
 
 demo: PARTS += demo
 demo: all ## the office: pictures, metrics and a plot in out/
-	@bash scripts/demo.sh $(BUILD)/bin out
+	@bash examples/demo.sh $(BUILD)/bin out
 
 everything test-sanitize fuzz compare-radiance: PARTS += tests
 test: everything ## every test that needs no GPU
@@ -46,6 +46,9 @@ fuzz: setup ## every fuzz target for SECONDS=60 each (clang); finds in out/fuzz
 deb: PARTS += deb
 deb: setup ## a Debian package in out/deb; the same bytes for the same sources
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/deb.sh out/deb
+
+test-deb: deb ## the package put into an empty Debian (debootstrap, as root; from the network), the demo run there
+	@bash scripts/try_deb.sh out/deb/luxpipe_*.deb
 
 bench: everything ## the speed claims, measured again
 	@bash bench/run.sh $(BUILD)/bin
@@ -81,6 +84,6 @@ clean: ## remove build/ and out/
 setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 
-.PHONY: help all everything demo test test-gpu test-slurm test-sanitize fuzz deb bench \
+.PHONY: help all everything demo test test-gpu test-slurm test-deb test-sanitize fuzz deb bench \
 	compare-radiance compare-evalglare \
 	man format lint install uninstall clean setup

@@ -1,16 +1,15 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The main job, as `make demo` runs it: demo.sh BIN OUT
+# The main job, as `make demo` runs it: demo.sh [BIN [OUT]]; without BIN the programs on PATH.
 # The office at 14:00 is rendered, summed and measured until DGP, Ev, the desk's luminance and the screen's contrast
 # are known as exactly as asked; vcmetrics then closes the pipe and everything upstream ends.
 set -euo pipefail
-cd "$(dirname "$0")/.."
-bin=$(cd "${1:-build/bin}" && pwd) out=${2:-out}
+[ $# = 0 ] || PATH=$(cd "$1" && pwd):$PATH
+out=${2:-out}
 size=${SIZE:-512}
 until=${UNTIL:-'DGPu 0.005, Ev 1%, desk.TAL 2%, screen.CRu 10%'}
 mkdir -p "$out" && out=$(cd "$out" && pwd)
-PATH=$bin:$PATH
-cd examples/scenes/office
+cd "$(dirname "$0")/scenes/office"
 started=$(date +%s)
 
 echo "The office at 14:00, $size x $size.  Frames run until these are known so exactly: $until"
