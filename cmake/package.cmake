@@ -34,5 +34,7 @@ if(LUXPIPE_DEB)  # set by scripts/deb.sh
   file(GLOB pages ${CMAKE_BINARY_DIR}/man/*.[157])
   execute_process(COMMAND gzip -9nf ${pages} ${CMAKE_BINARY_DIR}/doc/changelog COMMAND_ERROR_IS_FATAL ANY)
   install(FILES LICENSE DESTINATION share/doc/luxpipe RENAME copyright)
+  install(DIRECTORY examples DESTINATION share/doc/luxpipe
+    PATTERN "office.hdr" EXCLUDE PATTERN "day_*.hdr" EXCLUDE PATTERN "*.exr" EXCLUDE PATTERN "*.png" EXCLUDE)
   install(FILES CHANGELOG.md ${CMAKE_BINARY_DIR}/doc/changelog.gz DESTINATION share/doc/luxpipe)
 endif()
