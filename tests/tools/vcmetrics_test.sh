@@ -92,10 +92,21 @@ check '-c: a grey picture with coloured sources, which has the same metrics' '
     vcmetrics -c check.exr -metrics Ev,DGP,n_sources fire128.hdr > a; vcmetrics -metrics Ev,DGP,n_sources check.exr > b
     vcmetrics -compare -tolerance "all 0.01%" a b; ptaccum -ff check.exr | strings > s; grep -q "^VIEW= -vta" s
     vcmetrics -c plain.exr -b 1e9 fire128.hdr; ! cmp check.exr plain.exr'
-check 'Honeybee and VI-Suite call it so' '
-    vcmetrics -like evalglare -c c1.HDR -T 60 60 .5 -b 5 -d fire128.hdr;
-    vcmetrics -like evalglare -u 1 0 0 -c c2.hdr < fire128.hdr
-    test -s c1.HDR; ptaccum -ff c2.hdr > /dev/null'
+# Programs that call evalglare, with their own words; each reads its line in its own way.
+mkdir as_evalglare && printf '#!/bin/sh\nexec vcmetrics -like evalglare "$@"\n' > as_evalglare/evalglare
+chmod +x as_evalglare/evalglare && echo 'rvu -vth -vp 0 0 0 -vd 0 1 0 -vu 0 0 1 -vh 180 -vv 180' > their.vf
+check 'Honeybee calls it so: a view for a picture without one, a check picture, a task; numbers follow a colon' '
+    PATH=$PWD/as_evalglare:$PATH
+    evalglare -c check_hdr.hdr -vth -vv 180 -vh 180 err_noview.hdr > said; test -s check_hdr.hdr
+    [ "$(sed "s/.*: *//" said | wc -w)" = 6 ]; [ "$(sed "s/:.*//" said)" = dgp,dgi,ugr,vcp,cgi,Lveil ]
+    evalglare -c task.hdr -T 60 60 0.349 fire128.hdr > said; test -s task.hdr; sed "s/.*: *//" said | grep -q "^0[.]"
+    evalglare -c c1.HDR -T 60 60 .5 -b 5 -d fire128.hdr; test -s c1.HDR'
+check 'VI-Suite so: the picture on the standard input, a colour, a view file; numbers are words 7 to 12' '
+    PATH=$PWD/as_evalglare:$PATH
+    evalglare -u 1.0 0.0 0.0 -c "glare-0.hdr" < fire128.hdr > said; ptaccum -ff glare-0.hdr > /dev/null
+    tr , " " < said | cut -d " " -f 7-12 | grep -qxE "([0-9.]+ ?){6}"
+    evalglare -u 1.0 0.0 0.0 -vf their.vf -c "glare-1.hdr" < err_noview.hdr | grep -q "^dgp,"; test -s glare-1.hdr
+    evalglare -c "glare-2.hdr" < fire128.hdr > said; test -s glare-2.hdr'
 if command -v evalglare > /dev/null && command -v pvalue > /dev/null; then
     for options in '' '-u .2 .3 .5' '-T 60 60 .5 -b 5' '-L 60 60 .6 1.2' '-s -b 3'; do
         check "the check picture is evalglare's, byte for byte: $options" '
