@@ -19,6 +19,7 @@ check 'its pipe prints such lines, and stops' '
     diff <(head -n 1 lines) <(head -n 1 block.2); diff <(tail -n 5 lines | forms) <(tail -n 5 block.2 | forms)'
 check 'with such numbers' '
     { tail -n 1 lines; tail -n 1 block.2; } |
-        awk "{ ev[NR] = \$3; dgp[NR] = \$6 } END { exit !((ev[1] / ev[2] - 1)^2 < .03^2 && (dgp[1] - dgp[2])^2 < .02^2) }"'
+        awk "{ ev[NR] = \$3; dgp[NR] = \$6 }
+            END { exit !((ev[1] / ev[2] - 1)^2 < .03^2 && (dgp[1] - dgp[2])^2 < .02^2) }"'
 check 'its make goals are there' '
     for goal in $(sed -n "s/^make \([a-z]*\) .*/\1/p" "$TOP/README.md"); do grep -q "^$goal:" "$TOP/Makefile"; done'
