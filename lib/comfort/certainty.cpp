@@ -14,7 +14,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double growth_between_looks = 1.41421356;
-constexpr int moved_pictures = 4;
+constexpr uint32_t moved_pictures = 4;
 constexpr int enough_batches = 6;
 
 // Chance that one of `degrees` + 1 terms has by luck the share that the largest one has in the sum of squares
@@ -97,13 +97,13 @@ Certainty::Values Certainty::values(const Measurement& m, Kind kind) const {
     return out;
 }
 
-void Certainty::look(const Measurement& m) {
+void Certainty::look(const Luminance& lum, const Measurement& m) {
     next_look_ = int64_t(std::ceil(double(batches_.frames()) * growth_between_looks));
     ++looks_;
     std::vector<Estimate> fresh(columns_.size(), {nan, nan, 0, 0, false, batches_.frames()});
-    if (has(Kind::picture)) look_at_halves(m, fresh);
+    if (has(Kind::picture)) look_at_halves(lum, m, fresh);
     if (has(Kind::region)) look_at_batches(m, fresh);
-    if (errors_) add_frame0_error(m, fresh);
+    if (errors_) add_frame0_error(fresh);
 
     while (!own_.empty() && 2 * own_.front()[0].frames < batches_.frames()) own_.pop_front();
     own_.push_back(fresh);
@@ -120,21 +120,32 @@ void Certainty::look(const Measurement& m) {
     }
 }
 
-void Certainty::look_at_halves(const Measurement& m, std::vector<Estimate>& estimates) {
+void Certainty::look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates) {
     if (!halves_.take(batches_)) return;
+    const bool sources = chooses_sources();
+    if (sources) calm_.take(halves_, meter_.geometry(), m.threshold);
     std::vector<double> of_column(columns_.size() * Halves::count);
+    Values of_whole(columns_.size(), 0);
     for (int k = 0; k < Halves::count; ++k) {
         halves_.picture(k, scratch_);
-        Luminance lum = scratch_.luminance();
-        const Values v = values(meter_.measure(lum, ""), Kind::picture);
-        for (size_t c = 0; c < v.size(); ++c) of_column[c * Halves::count + size_t(k)] = v[c];
+        Luminance half = scratch_.luminance(), bright_in = half;
+        if (sources) {
+            halves_.sway(k, calm_.mean(), calm_.sway(), swayed_);
+            bright_in = swayed_.luminance();
+        }
+        const Values v = values(meter_.measure(half, "", &bright_in), Kind::picture);
+        const Values w = values(sources ? meter_.with_last_sources(lum, bright_in, m) : m, Kind::picture);
+        for (size_t c = 0; c < v.size(); ++c) {
+            of_column[c * Halves::count + size_t(k)] = v[c];
+            of_whole[c] += w[c] / Halves::count;
+        }
     }
     for (size_t c = 0; c < columns_.size(); ++c) {
         const Column& column = columns_[c];
         if (column.regional) continue;
         Estimate& e = estimates[c];
         const double *halves = &of_column[c * Halves::count], r = column.bias_of_halves;
-        e.value = r > 0 ? Halves::without_bias(column.value(m), halves, r) : column.value(m);
+        e.value = r > 0 ? Halves::without_bias(of_whole[c], halves, r) : column.value(m);
         if (!errors_) continue;
         const Halves::Variance v = Halves::variance(halves);
         e.error = std::sqrt(v.sum);
@@ -167,6 +178,8 @@ void Certainty::look_at_batches(const Measurement& m, std::vector<Estimate>& est
     }
 }
 
+bool Certainty::chooses_sources() const { return meter_.finds_sources() && has(Kind::picture); }
+
 bool Certainty::whole_batches_suffice() const {
     int whole = 0;
     for (size_t k = 0; k < batches_.count(); ++k) whole += is_whole(batches_, k);
@@ -174,7 +187,7 @@ bool Certainty::whole_batches_suffice() const {
 }
 
 // For columns whose halves or batches do not know it.
-void Certainty::add_frame0_error(const Measurement& m, std::vector<Estimate>& estimates) {
+void Certainty::add_frame0_error(std::vector<Estimate>& estimates) {
     const int64_t first_half = batches_.begin(batches_.middle()) + batches_.frames(batches_.middle());
     const bool in_halves = first_half >= image::direct_samples, in_batches = whole_batches_suffice();
     if (in_halves && in_batches) return;
@@ -184,18 +197,27 @@ void Certainty::add_frame0_error(const Measurement& m, std::vector<Estimate>& es
             if (!knows_it(c)) estimates[c].error = nan;
         return;
     }
+    const auto moved = [&](float factor, uint32_t random) {
+        const auto move = [&](const std::vector<float>& from, GreyPicture& to) {
+            to.width = batches_.width(), to.height = batches_.height();
+            to.grey = from;
+            uint32_t r = random;
+            for (size_t i = 0; i < from.size(); ++i) {
+                r = r * 1664525u + 1013904223u;
+                to.grey[i] += r & 0x80000000u ? factor * frame0_error_[i] : -factor * frame0_error_[i];
+            }
+            return to.luminance();
+        };
+        Luminance lum = move(batches_.whole(), scratch_), bright_in = lum;
+        if (chooses_sources()) bright_in = move(calm_.mean(), swayed_);
+        return meter_.measure(lum, "", &bright_in);
+    };
+    const Measurement unmoved = moved(0, 1);
     std::vector<double> square(columns_.size(), 0);
-    uint32_t random = 1;
-    for (int k = 0; k < moved_pictures; ++k) {
-        scratch_.grey = batches_.whole();
-        for (size_t i = 0; i < scratch_.grey.size(); ++i) {
-            random = random * 1664525u + 1013904223u;
-            scratch_.grey[i] += random & 0x80000000u ? frame0_error_[i] : -frame0_error_[i];
-        }
-        Luminance lum = scratch_.luminance();
-        const Measurement moved = meter_.measure(lum, "");
+    for (uint32_t k = 1; k <= moved_pictures; ++k) {
+        const Measurement m = moved(1, k * 0x9e3779b9u);
         for (size_t c = 0; c < square.size(); ++c)
-            square[c] += std::pow(columns_[c].value(moved) - columns_[c].value(m), 2) / moved_pictures;
+            square[c] += std::pow(columns_[c].value(m) - columns_[c].value(unmoved), 2) / moved_pictures;
     }
     // From frame 17 on there are more direct samples than frame 0's.
     const double share = std::min(1., double(image::direct_samples) / double(batches_.frames()));

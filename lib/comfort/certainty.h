@@ -2,7 +2,8 @@
 // How certain the numbers of a growing picture are: an estimate without bias, and an interval, for each column.
 //
 // Columns of the whole picture are measured again in 16 pictures of half the frames (halves.h): how these differ gives
-// the standard error with 15 degrees of freedom, and their mean the bias.
+// the standard error with 15 degrees of freedom, and their mean the bias.  Which of their pixels are bright is decided
+// in a calmer picture, which differs among them as far as noise allows other decisions (calm.h).
 //
 // Columns of regions have few pixels, sometimes one: their errors come from up to 16 batches of frames (batches.h),
 // left out one at a time.  With n frames, m_j in batch j and d_j the change without it, x_j = d_j (n - m_j)/m_j is how
@@ -26,6 +27,7 @@
 #include <string>
 #include <vector>
 #include "comfort/batches.h"
+#include "comfort/calm.h"
 #include "comfort/columns.h"
 #include "comfort/halves.h"
 #include "comfort/interval.h"
@@ -42,7 +44,7 @@ public:
     // L'(n).  Then, when a look is due, m of the same picture.
     void add(const Luminance& lum, int64_t n);
     bool due() const { return batches_.count() >= 2 && batches_.frames() >= next_look_; }
-    void look(const Measurement& m);
+    void look(const Luminance& lum, const Measurement& m);
 
     int looks() const { return looks_; }
     const Estimate& estimate(size_t column) const { return estimates_[column]; }
@@ -52,10 +54,11 @@ private:
     using Values = std::vector<double>;  // of all columns; nan for those not asked for
     enum class Kind { picture, region };
     Values values(const Measurement& m, Kind kind) const;
-    void look_at_halves(const Measurement& m, std::vector<Estimate>& estimates);
+    void look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates);
     void look_at_batches(const Measurement& m, std::vector<Estimate>& estimates);
-    void add_frame0_error(const Measurement& m, std::vector<Estimate>& estimates);
+    void add_frame0_error(std::vector<Estimate>& estimates);
     bool has(Kind kind) const;
+    bool chooses_sources() const;  // in the calm picture
     bool whole_batches_suffice() const;
 
     Meter& meter_;
@@ -63,8 +66,9 @@ private:
     bool errors_;
     Batches batches_;
     Halves halves_;
+    Calm calm_;
     std::vector<float> frame0_error_;  // by pixel; empty: not known
-    GreyPicture scratch_;
+    GreyPicture scratch_, swayed_;
     std::deque<std::vector<Estimate>> own_;  // of each look since half as many frames, by itself
     std::vector<Estimate> estimates_;        // with the widest of them
     int64_t next_look_ = 0;

@@ -54,16 +54,16 @@ bool Halves::take(const Batches& batches) {
     return true;
 }
 
-void Halves::picture(int number, GreyPicture& out) const {
+void Halves::sway(int number, const std::vector<float>& mean, const std::vector<float>& off, GreyPicture& out) const {
     out.width = width_, out.height = height_;
-    out.grey.resize(off_.size());
-    for (size_t i = 0; i < off_.size(); ++i) {
+    out.grey.resize(off.size());
+    for (size_t i = 0; i < off.size(); ++i) {
         uint32_t bits;  // the sign of a float is its highest bit
-        std::memcpy(&bits, &off_[i], sizeof bits);
+        std::memcpy(&bits, &off[i], sizeof bits);
         bits ^= uint32_t(signs_[i] >> number) << 31;
-        float off;
-        std::memcpy(&off, &bits, sizeof off);
-        out.grey[i] = (*whole_)[i] + off;
+        float swayed;
+        std::memcpy(&swayed, &bits, sizeof swayed);
+        out.grey[i] = mean[i] + swayed;
     }
 }
 

@@ -4,11 +4,11 @@
 // halves make as many pictures as one likes.  They are noisier than the whole picture, by a variance twice as large,
 // and lie around it as far as the whole lies around the truth: what a metric is of them tells its error and its bias.
 //
-// Bias: DGP and its relatives select bright pixels and square their luminance, RAMMG sums absolute differences, so that
-// noise makes them too large (or too small, where it carries pixels of a source below the threshold).  If halves are r
-// times as far off, x(n) = x + bias and x(n/2) = x + r bias, then x = (r x(n) - x(n/2)) / (r - 1).  What is selected
-// and squared goes with the variance, r = 2; absolute differences of noise with its deviation, r = sqrt 2.  This is
-// right to first order; a hot pixel, twice as bright in half of the halves and gone in the others, drops out.
+// Bias: DGP and its relatives square the luminance of bright pixels, RAMMG sums absolute differences, so that noise
+// makes them too large.  (Which pixels are bright is another matter: calm.h.)  If halves are r times as far off, x(n) =
+// x + bias and x(n/2) = x + r bias, then x = (r x(n) - x(n/2)) / (r - 1).  What is squared goes with the variance, r =
+// 2; absolute differences of noise with its deviation, r = sqrt 2.  This is right to first order; a hot pixel, twice as
+// bright in half of the halves and gone in the others, drops out.
 //
 // With a frames in the first half, b behind it and d = sqrt(a/b) (L'(a) - L'(a+b)), a pixel shows L' + d or L' - d
 // (L' of the half itself where a = b).  The signs over the 16 pictures are a row of a Hadamard matrix, chosen for each
@@ -27,7 +27,11 @@ public:
 
     // False: there are no halves yet.
     bool take(const Batches& batches);
-    void picture(int number, GreyPicture& out) const;
+    const std::vector<float>& whole() const { return *whole_; }  // L'
+    const std::vector<float>& off() const { return off_; }       // d
+    void picture(int number, GreyPicture& out) const { sway(number, *whole_, off_, out); }
+    // Another picture with another d, by the same signs.
+    void sway(int number, const std::vector<float>& mean, const std::vector<float>& off, GreyPicture& out) const;
 
     // What a metric's values, one of each picture, say of its value of the whole one.
     struct Variance {

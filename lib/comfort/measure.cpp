@@ -147,9 +147,10 @@ void Meter::background_and_dgp(double ev, double direct, Measurement& m) const {
             (settings_.low_light ? low_light_factor(m.eye_lux_used) : 1);
 }
 
-void Meter::glare(Luminance& lum, Measurement& m) {
+void Meter::glare(Luminance& lum, Luminance& bright_in, Measurement& m) {
     const Geometry& g = *geometry_;
     if (settings_.field_cut) cut_field(lum, g, settings_.field_cut);
+    if (settings_.field_cut && bright_in.grey != lum.grey) cut_field(bright_in, g, settings_.field_cut);
     const bool has_task = settings_.task || !settings_.task_region.empty();
     // The fast modes know the picture by its external illuminance alone, and look at pixels outside the view as well.
     const double ev = settings_.fast ? settings_.external_ev.value_or(0) : m.ev;
@@ -166,15 +167,27 @@ void Meter::glare(Luminance& lum, Measurement& m) {
     if (settings_.zones && (settings_.zones->inner.x < 0 || settings_.zones->inner.y < 0 ||
                             settings_.zones->inner.x >= g.width || settings_.zones->inner.y >= g.height))
         base::fail("-l", "the zone's centre is outside the picture");
-    finder_->find_groups(lum, m.threshold);
+    finder_->find_groups(lum, bright_in, m.threshold);
     pixel_sets(lum, m);
     m.sources = finder_->split(lum);
     m.direct_lux = finder_->direct_lux();
-    m.glare = glare_terms(*finder_, lum, settings_, m.threshold, m.sources);
-    m.any_source = !m.sources.empty();
-    background_and_dgp(ev, settings_.fast == 2 ? settings_.fast_direct : m.direct_lux, m);
+    terms_and_dgp(lum, bright_in, ev, m);
 
     if (m.mask) m.pgsv = pgsv(*m.mask, settings_.fast ? 0 : m.mean_lum, ev, has_task, m.task_lum);
+}
+
+// From the sources that are known.
+void Meter::terms_and_dgp(const Luminance& lum, const Luminance& bright_in, double ev, Measurement& m) const {
+    m.glare = glare_terms(*finder_, lum, bright_in, settings_, m.threshold, m.sources);
+    m.any_source = !m.sources.empty();
+    background_and_dgp(ev, settings_.fast == 2 ? settings_.fast_direct : m.direct_lux, m);
+}
+
+Measurement Meter::with_last_sources(const Luminance& lum, const Luminance& bright_in, Measurement of_lum) const {
+    of_lum.sources = finder_->sums(lum);
+    of_lum.direct_lux = finder_->light_of_groups(lum);
+    terms_and_dgp(lum, bright_in, of_lum.ev, of_lum);
+    return of_lum;
 }
 
 // Band, mask and zones, before zones take pixels out of sources.  evalglare reads them from its check picture, where
@@ -215,7 +228,7 @@ Measurement Meter::measure(image::Picture& picture, const std::string& place, co
     return measure(lum, place);
 }
 
-Measurement Meter::measure(Luminance& lum, const std::string& place) {
+Measurement Meter::measure(Luminance& lum, const std::string& place, Luminance* bright_in) {
     const Geometry& g = *geometry_;
     Measurement m;
     m.not_finite = lum.not_finite;
@@ -230,11 +243,12 @@ Measurement Meter::measure(Luminance& lum, const std::string& place) {
                           evalglare_black_corners(*m.black_corners, true));
     }
     if (settings_.fill) fill_rows(lum, g, *settings_.fill);
+    if (settings_.fill && bright_in) fill_rows(*bright_in, g, *settings_.fill);
     photometry(lum, m);
     regions(lum, m);
     if (needs_.rammg) m.rammg = rammg(lum, g, settings_.rammg_area);
     if (needs_.medians) position_statistics(lum, m);
-    if (needs_.sources) glare(lum, m);
+    if (needs_.sources) glare(lum, bright_in ? *bright_in : lum, m);
     return m;
 }
 

@@ -46,9 +46,13 @@ public:
     // The same in two steps: the grey picture over the picture's memory, checked and warned about; and what it
     // measures.
     Luminance read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
-    Measurement measure(Luminance& lum, const std::string& place);
+    // bright_in: which pixels are bright is decided in this picture, which is changed like `lum`; null: in `lum`.
+    Measurement measure(Luminance& lum, const std::string& place, Luminance* bright_in = nullptr);
+    // `of_lum`, what `lum` measures, with the source pixels found last in place of its own.
+    Measurement with_last_sources(const Luminance& lum, const Luminance& bright_in, Measurement of_lum) const;
     // Region values alone.
     Measurement measure_regions(const Luminance& lum) const;
+    bool finds_sources() const { return needs_.sources; }
     const Geometry& geometry() const { return *geometry_; }
     const SourceFinder& finder() const { return *finder_; }
 
@@ -57,7 +61,8 @@ private:
     void photometry(const Luminance& lum, Measurement& m) const;
     void photometry_by_column(const Luminance& lum, Measurement& m) const;
     void position_statistics(const Luminance& lum, Measurement& m);
-    void glare(Luminance& lum, Measurement& m);
+    void glare(Luminance& lum, Luminance& bright_in, Measurement& m);
+    void terms_and_dgp(const Luminance& lum, const Luminance& bright_in, double ev, Measurement& m) const;
     void pixel_sets(const Luminance& lum, Measurement& m);
     void background_and_dgp(double ev, double direct_lux, Measurement& m) const;
     void regions(const Luminance& lum, Measurement& m) const;

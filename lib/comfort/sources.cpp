@@ -48,15 +48,15 @@ SourceFinder::SourceFinder(const Geometry& geometry, const Settings& settings)
 }
 
 std::vector<GlareSource> SourceFinder::find(const Luminance& lum, double threshold) {
-    find_groups(lum, threshold);
+    find_groups(lum, lum, threshold);
     return split(lum);
 }
 
-void SourceFinder::find_groups(const Luminance& lum, double threshold) {
+void SourceFinder::find_groups(const Luminance& lum, const Luminance& bright_in, double threshold) {
     extra_.clear();
     zone_of_group_.clear();
     slipped_eye_lux_.clear();
-    runs_ = bright_runs(lum, geometry_, threshold);
+    runs_ = bright_runs(bright_in, geometry_, threshold);
     groups_ = settings_.patches ? assign_patches(runs_, geometry_, *settings_.patches) : 0;
     if (settings_.slips || settings_.check_picture) check_.emplace(lum, settings_.check_picture);
     if (check_ && settings_.task && settings_.task_painted) paint_task();
@@ -66,7 +66,7 @@ void SourceFinder::find_groups(const Luminance& lum, double threshold) {
         if (!settings_.patches) groups_ = connector_.connect(runs_, 1);
         for (const Run& r : runs_) groups_ = std::max(groups_, r.group);
         if (settings_.smooth && radius_px_ >= 1) smooth();
-        if (settings_.peaks && radius_px_ >= 1) extract_peaks(lum);
+        if (settings_.peaks && radius_px_ >= 1) extract_peaks(bright_in);
     }
     direct_lux_ = light_of_groups(lum);
     if (check_) paint_sources();
@@ -274,9 +274,10 @@ std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {
     return live;
 }
 
-std::vector<GlareTerm> SourceFinder::every_pixel(const Luminance& lum, double threshold) const {
+std::vector<GlareTerm> SourceFinder::every_pixel(const Luminance& lum, const Luminance& bright_in,
+                                                 double threshold) const {
     std::vector<GlareTerm> out;
-    for (const Run& r : bright_runs(lum, geometry_, threshold))
+    for (const Run& r : bright_runs(bright_in, geometry_, threshold))
         for (uint32_t p = r.start; p < r.start + r.length; ++p) {
             const Vec3 d = geometry_.direction(p);
             const double sigma = eye_angles(geometry_.projector, d).sigma_deg;
@@ -286,9 +287,9 @@ std::vector<GlareTerm> SourceFinder::every_pixel(const Luminance& lum, double th
     return out;
 }
 
-GlareTerms glare_terms(const SourceFinder& finder, const Luminance& lum, const Settings& settings, double threshold,
-                       const std::vector<GlareSource>& sources) {
-    if (settings.dgp_form == DgpForm::pixel) return finder.every_pixel(lum, threshold);
+GlareTerms glare_terms(const SourceFinder& finder, const Luminance& lum, const Luminance& bright_in,
+                       const Settings& settings, double threshold, const std::vector<GlareSource>& sources) {
+    if (settings.dgp_form == DgpForm::pixel) return finder.every_pixel(lum, bright_in, threshold);
     GlareTerms out;
     for (const GlareSource& s : sources) out.push_back({s.lum, s.omega, s.P, s.sigma_deg, s.eye_lux, s.theta_deg});
     return out;

@@ -28,25 +28,28 @@ public:
     SourceFinder(const Geometry& geometry, const Settings& settings);
     std::vector<GlareSource> find(const Luminance& lum, double threshold);
     // The same in two steps: groups, painted in the check picture; and what they are after zones have split them.
-    void find_groups(const Luminance& lum, double threshold);
+    // Which pixels are bright, and which are peaks, is decided in `bright_in`.
+    void find_groups(const Luminance& lum, const Luminance& bright_in, double threshold);
     std::vector<GlareSource> split(const Luminance& lum);
+    // The source pixels found last as they are in another picture: sources, and light at the eye.
+    std::vector<GlareSource> sums(const Luminance& lum) const;
+    double light_of_groups(const Luminance& lum) const;
     void paint_band(const std::vector<uint32_t>& pixels);
     const CheckPicture* check_picture() const { return check_ ? &*check_ : nullptr; }  // with -c
     const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
     double direct_lux() const { return direct_lux_; }
-    const std::vector<GlareSource>& before_zones() const { return before_zones_; }     // empty without zones
-    std::vector<GlareTerm> every_pixel(const Luminance& lum, double threshold) const;  // DgpForm::pixel
+    const std::vector<GlareSource>& before_zones() const { return before_zones_; }  // empty without zones
+    // DgpForm::pixel
+    std::vector<GlareTerm> every_pixel(const Luminance& lum, const Luminance& bright_in, double threshold) const;
 
 private:
     void connect_as_evalglare();
     void paint_task();
     void paint_sources();
     void smooth();
-    double light_of_groups(const Luminance& lum) const;
     void extract_peaks(const Luminance& lum);
     void split_zones(const Luminance& lum);
     void paint_zones(const Vec3& centre, double inner, double outer);  // cosines
-    std::vector<GlareSource> sums(const Luminance& lum) const;
 
     const Geometry& geometry_;
     const Settings& settings_;
@@ -63,8 +66,8 @@ private:
 };
 
 // What the formulas need: of the sources that were found, or with DgpForm::pixel of every bright pixel.
-GlareTerms glare_terms(const SourceFinder& finder, const Luminance& lum, const Settings& settings, double threshold,
-                       const std::vector<GlareSource>& sources);
+GlareTerms glare_terms(const SourceFinder& finder, const Luminance& lum, const Luminance& bright_in,
+                       const Settings& settings, double threshold, const std::vector<GlareSource>& sources);
 
 // -z: group of every pixel on evalglare's staggered grid of patches; returns the number of patches.
 uint32_t assign_patches(std::vector<Run>& runs, const Geometry& geometry, const Patches& patches);

@@ -140,7 +140,8 @@ struct Room {
             Luminance lum = meter->read(p, "sum");
             certainty.add(lum, stream.frames());
             if (!certainty.due()) continue;
-            certainty.look(meter->measure(lum, "sum"));
+            const Measurement m = meter->measure(lum, "sum");
+            certainty.look(lum, m);
             if (done()) return;
         }
     }

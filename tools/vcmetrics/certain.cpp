@@ -43,9 +43,9 @@ void Steps::add(const image::Picture& picture, const comfort::Luminance& lum, co
     last_ = n;
 }
 
-bool Steps::look(const comfort::Measurement& m) {
+bool Steps::look(const comfort::Luminance& lum, const comfort::Measurement& m) {
     if (!step_ || !certainty_.due()) return false;
-    certainty_.look(m);
+    certainty_.look(lum, m);
     return true;
 }
 

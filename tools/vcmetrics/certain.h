@@ -14,7 +14,7 @@ public:
     // A picture's luminance, before it is measured.
     void add(const image::Picture& picture, const comfort::Luminance& lum, const std::string& place);
     // After it is measured.  True: this was a look, the estimates are new.
-    bool look(const comfort::Measurement& m);
+    bool look(const comfort::Luminance& lum, const comfort::Measurement& m);
     void end_input(const std::string& place);  // of a file
     const comfort::Certainty& certainty() const { return certainty_; }
 

@@ -91,9 +91,10 @@ public:
         require_measurable(p, place);
         const int64_t frame = frame_number(p.header, index);
         const bool first_frame = p.header.frames ? *p.header.frames == 0 : p.header.frame && *p.header.frame == 0;
+        Luminance lum;
         Measurement m;
         try {
-            Luminance lum = meter_->read(p, place, o_.view);
+            lum = meter_->read(p, place, o_.view);
             if (steps_) steps_->add(p, lum, place);
             m = meter_->measure(lum, place);
         } catch (const Refusal& refusal) {
@@ -101,7 +102,7 @@ public:
             throw;
         }
         if (o_.settings.check_picture) write_check_picture(p);
-        const bool looked = steps_ && steps_->look(m);
+        const bool looked = steps_ && steps_->look(lum, m);
         if (o_.like == Like::evalglare) {
             print(evalglare_lines(m, o_.settings, o_.evalglare, *meter_));
             return false;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A calmer picture, in which it is decided which pixels are bright.
+//
+// Glare sources are pixels above a threshold, joined where they lie near each other (connect.h).  A dark wall of noisy
+// pixels has some above the threshold: they make sources of their own and join windows that are apart, so that DGP is
+// wrong by much and changes by leaps when the last of them sinks.  Half pictures are noisier, so they all agree on such
+// a mistake and tell nothing of it.
+//
+// What is known is that a pixel so far off its neighbours is not sure itself.  So wherever noise may decide (the
+// threshold lies within 2.5 standard errors) a pixel is replaced by the mean of those of the 5 x 5 pixels around it
+// that differ from it by no more than their noise explains, weighted by (1 - q)^2 with q = difference^2/(8 (v + v')).
+// The variance v of a pixel is that of its two halves (halves.h), or the mean of these around it if that is larger:
+// where few samples are bright, pixels without one seem to be sure.  What error the mean has left sways it in each of
+// the 16 pictures, by the same signs as the half, so that decisions that noise allows differ among them.
+//
+// With more frames variances fall, no pixel is in doubt, and the picture is the plain one.
+#pragma once
+#include <vector>
+#include "comfort/geometry.h"
+#include "comfort/halves.h"
+
+namespace comfort {
+
+class Calm {
+public:
+    // Of what `halves` has taken.
+    void take(const Halves& halves, const Geometry& geometry, double threshold_cdm2);
+    const std::vector<float>& mean() const { return mean_; }
+    const std::vector<float>& sway() const { return sway_; }
+
+private:
+    void find_variance(const Halves& halves, const Geometry& geometry);
+    void average(size_t pixel, const std::vector<float>& noisy, const Geometry& geometry);
+    std::vector<float> mean_, sway_, variance_, rows_;
+};
+
+}  // namespace comfort
