@@ -148,7 +148,8 @@ void Certainty::look_at_halves(const Luminance& lum, const Measurement& m, std::
         e.value = r > 0 ? Halves::without_bias(of_whole[c], halves, r) : column.value(m);
         if (!errors_) continue;
         const Halves::Variance v = Halves::variance(halves);
-        e.error = std::sqrt(v.sum);
+        const double taken_off = e.value - column.value(m);
+        e.error = std::sqrt(v.sum + std::pow(column.doubt_of_bias * taken_off, 2));
         e.degrees = Halves::degrees;
         e.tails = one_dominates(v.sum > 0 ? v.largest / v.sum : 0, e.degrees);
     }

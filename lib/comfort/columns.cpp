@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include "base/error.h"
+#include "comfort/halves.h"
 
 namespace comfort {
 namespace {
@@ -151,7 +152,8 @@ private:
                 column.value = [cut = settings_.veil_cut](M m) { return veil_cie(m.glare, cut); };
             if (e.value == class_value) column.words = dgp_classes;
             column.printed_unbiased = shows_unbiased;
-            if (e.wants & noisy) column.bias_of_halves = e.wants & rammg ? std::sqrt(2.) : 2;
+            if (e.wants & noisy) column.bias_of_halves = e.wants & rammg ? Halves::of_differences : 2;
+            if (e.wants & rammg) column.doubt_of_bias = 0.05;
             columns_.push_back(std::move(column));
             return true;
         }
