@@ -60,4 +60,6 @@ END
 )
 echo
 echo "Known after $(tail -n 1 "$out/metrics.tsv" | cut -f 1) frames, $((settled - started)) seconds.  In ${2:-out}/:"
-cd "$out" && ls office.hdr office.exr office.png falsecolor.png metrics.tsv metrics.png regions.exr
+cd "$out" && for file in office.hdr office.exr office.png falsecolor.png metrics.tsv metrics.png regions.exr; do
+    [ ! -e "$file" ] || echo "$file"  # the plot needs gnuplot
+done

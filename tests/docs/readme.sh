@@ -23,3 +23,8 @@ check 'with such numbers' '
             END { exit !((ev[1] / ev[2] - 1)^2 < .03^2 && (dgp[1] - dgp[2])^2 < .02^2) }"'
 check 'its make goals are there' '
     for goal in $(sed -n "s/^make \([a-z]*\) .*/\1/p" "$TOP/README.md"); do grep -q "^$goal:" "$TOP/Makefile"; done'
+
+mkdir few && for program in bash cut date dirname ls mkdir tail tee; do ln -s "$(command -v $program)" few; done
+check 'the demo ends well where there is no gnuplot for its plot' '
+    PATH=$BIN:$TMP/few SIZE=16 UNTIL="Ev 20%" bash "$TOP/examples/demo.sh" "$BIN" out > said
+    [ "$(tail -n 1 said)" = regions.exr ]'
