@@ -48,8 +48,8 @@ lamps() {
         print "void light lamp_light 0 0 3 50 50 50"; k = int(sqrt(n) + .999)
         for (i = 0; i < n; i++) {
             x = .2 + 3.5 * int(i / k) / k; y = .2 + 5 * (i % k) / k
-            printf "lamp_light polygon lamp%d 0 0 12 %g %g 2.75 %g %g 2.75 %g %g 2.75 %g %g 2.75\n", i, x, y, x, y + .02,
-                x + .02, y + .02, x + .02, y
+            printf "lamp_light polygon lamp%d 0 0 12 %g %g 2.75 %g %g 2.75 %g %g 2.75 %g %g 2.75\n", i, x, y,
+                x, y + .02, x + .02, y + .02, x + .02, y
         } }'
 }
 
