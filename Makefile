@@ -11,7 +11,7 @@ PARTS   = tools $(if $(findstring LUXPIPE_PTRACE=OFF,$(FLAGS)),,ptrace)
 CXX_FILES = $(shell git ls-files '*.cpp' '*.h')
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-16s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 }' Makefile
 
 all: setup ## a release build of the four tools in build/bin
 	cmake -S . -B $(BUILD) -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX=$(PREFIX) $(FLAGS)
