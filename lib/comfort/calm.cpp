@@ -10,7 +10,6 @@
 namespace comfort {
 namespace {
 
-constexpr int radius = 2;
 constexpr float doubt = 2.5f;  // standard errors from the threshold
 constexpr float likeness = 8;  // q = 1 at sqrt 8 standard errors of the difference
 constexpr uint32_t how_far_of = 8;
@@ -19,10 +18,18 @@ constexpr uint32_t how_far_of = 8;
 // scaled to a mean square of 1.
 constexpr float how_far[how_far_of] = {.082f, .247f, .419f, .603f, .808f, 1.051f, 1.371f, 1.938f};
 
+// Pixels to each side of the neighbourhood, which shall not be wider than evalglare's search radius by default.
+int radius_of(const Geometry& geometry) {
+    constexpr double widest_rad = 0.1;
+    const double pitch = std::sqrt(geometry.omega_sum / double(std::max(1L, geometry.valid_count)));
+    return std::min(2, int(widest_rad / (2 * pitch)));
+}
+
 }  // namespace
 
 void Calm::take(const Halves& halves, const Geometry& geometry, double threshold_cdm2) {
     const std::vector<float>& noisy = halves.whole();
+    radius_ = radius_of(geometry);
     find_variance(halves, geometry);
     mean_ = noisy;
     sway_.assign(noisy.size(), 0);
@@ -40,7 +47,7 @@ void Calm::take(const Halves& halves, const Geometry& geometry, double threshold
             }
 }
 
-// The half's own, or the mean of the 5 x 5 pixels around it if that is larger.
+// The half's own, or the mean of the neighbourhood if that is larger.
 void Calm::find_variance(const Halves& halves, const Geometry& geometry) {
     const std::vector<float>& off = halves.off();
     const int w = geometry.width, h = geometry.height;
@@ -49,13 +56,13 @@ void Calm::find_variance(const Halves& halves, const Geometry& geometry) {
     for (size_t i = 0; i < off.size(); ++i) variance_[i] = off[i] * off[i];
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
-            const int first = std::max(0, x - radius), last = std::min(w - 1, x + radius);
+            const int first = std::max(0, x - radius_), last = std::min(w - 1, x + radius_);
             float sum = 0;
             for (int k = first; k <= last; ++k) sum += variance_[size_t(y) * w + k];
             rows_[size_t(y) * w + x] = sum / float(last - first + 1);
         }
     for (int y = 0; y < h; ++y) {
-        const int first = std::max(0, y - radius), last = std::min(h - 1, y + radius);
+        const int first = std::max(0, y - radius_), last = std::min(h - 1, y + radius_);
         for (int x = 0; x < w; ++x) {
             float sum = 0;
             for (int k = first; k <= last; ++k) sum += rows_[size_t(k) * w + x];
@@ -70,8 +77,8 @@ void Calm::average(size_t pixel, const std::vector<float>& noisy, const Geometry
     const int w = geometry.width, h = geometry.height, x = int(pixel % w), y = int(pixel / w);
     const float own = noisy[pixel], variance = variance_[pixel];
     float weights = 0, sum = 0, errors = 0;
-    for (int r = std::max(0, y - radius); r <= std::min(h - 1, y + radius); ++r)
-        for (int c = std::max(0, x - radius); c <= std::min(w - 1, x + radius); ++c) {
+    for (int r = std::max(0, y - radius_); r <= std::min(h - 1, y + radius_); ++r)
+        for (int c = std::max(0, x - radius_); c <= std::min(w - 1, x + radius_); ++c) {
             const size_t j = size_t(r) * w + c;
             if (!geometry.valid(j)) continue;
             const float d = noisy[j] - own, left = likeness * (variance + variance_[j]) - d * d;

@@ -9,9 +9,10 @@
 // What is known is that a pixel so far off its neighbours is not sure itself.  So wherever noise may decide (the
 // threshold lies within 2.5 standard errors) a pixel is replaced by the mean of those of the 5 x 5 pixels around it
 // that differ from it by no more than their noise explains, weighted by (1 - q)^2 with q = difference^2/(8 (v + v')).
-// The variance v of a pixel is that of its two halves (halves.h), or the mean of these around it if that is larger:
-// where few samples are bright, pixels without one seem to be sure.  What error the mean has left sways it in each of
-// the 16 pictures, by the same signs as the half, so that decisions that noise allows differ among them.
+// Pixels wider than 1.3 degrees have less in common with their neighbours: 3 x 3 up to 2.9 degrees, then each by
+// itself. The variance v of a pixel is that of its two halves (halves.h), or the mean of these around it if that is
+// larger: where few samples are bright, pixels without one seem to be sure.  What error the mean has left sways it in
+// each of the 16 pictures, by the same signs as the half, so that decisions that noise allows differ among them.
 //
 // With more frames variances fall, no pixel is in doubt, and the picture is the plain one.
 #pragma once
@@ -31,6 +32,7 @@ public:
 private:
     void find_variance(const Halves& halves, const Geometry& geometry);
     void average(size_t pixel, const std::vector<float>& noisy, const Geometry& geometry);
+    int radius_ = 0;  // of the neighbourhood, in pixels
     std::vector<float> mean_, sway_, variance_, rows_;
 };
 

@@ -123,7 +123,11 @@ void Certainty::look(const Luminance& lum, const Measurement& m) {
 void Certainty::look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates) {
     if (!halves_.take(batches_)) return;
     const bool sources = chooses_sources();
-    if (sources) calm_.take(halves_, meter_.geometry(), m.threshold);
+    Values value = values(m, Kind::picture);
+    if (sources) {
+        calm_.take(halves_, meter_.geometry(), m.threshold);
+        value = values(moved(0, 1), Kind::picture);
+    }
     std::vector<double> of_column(columns_.size() * Halves::count);
     Values of_whole(columns_.size(), 0);
     for (int k = 0; k < Halves::count; ++k) {
@@ -145,7 +149,8 @@ void Certainty::look_at_halves(const Luminance& lum, const Measurement& m, std::
         if (column.regional) continue;
         Estimate& e = estimates[c];
         const double *halves = &of_column[c * Halves::count], r = column.bias_of_halves;
-        e.value = r > 0 ? Halves::without_bias(of_whole[c], halves, r) : column.value(m);
+        e.value = column.value(m);
+        if (r > 0) e.value = value[c] + Halves::without_bias(of_whole[c], halves, r) - of_whole[c];
         if (!errors_) continue;
         const Halves::Variance v = Halves::variance(halves);
         const double taken_off = e.value - column.value(m);
@@ -187,6 +192,24 @@ bool Certainty::whole_batches_suffice() const {
     return whole >= enough_batches;
 }
 
+// The whole picture with each pixel moved by factor times frame 0's error, up or down at random.
+Measurement Certainty::moved(float factor, uint32_t random) {
+    const auto move = [&](const std::vector<float>& from, GreyPicture& to) {
+        to.width = batches_.width(), to.height = batches_.height();
+        to.grey = from;
+        if (factor == 0) return to.luminance();
+        uint32_t r = random;
+        for (size_t i = 0; i < from.size(); ++i) {
+            r = r * 1664525u + 1013904223u;
+            to.grey[i] += r & 0x80000000u ? factor * frame0_error_[i] : -factor * frame0_error_[i];
+        }
+        return to.luminance();
+    };
+    Luminance lum = move(batches_.whole(), scratch_), bright_in = lum;
+    if (chooses_sources()) bright_in = move(calm_.mean(), swayed_);
+    return meter_.measure(lum, "", &bright_in);
+}
+
 // For columns whose halves or batches do not know it.
 void Certainty::add_frame0_error(std::vector<Estimate>& estimates) {
     const int64_t first_half = batches_.begin(batches_.middle()) + batches_.frames(batches_.middle());
@@ -198,21 +221,6 @@ void Certainty::add_frame0_error(std::vector<Estimate>& estimates) {
             if (!knows_it(c)) estimates[c].error = nan;
         return;
     }
-    const auto moved = [&](float factor, uint32_t random) {
-        const auto move = [&](const std::vector<float>& from, GreyPicture& to) {
-            to.width = batches_.width(), to.height = batches_.height();
-            to.grey = from;
-            uint32_t r = random;
-            for (size_t i = 0; i < from.size(); ++i) {
-                r = r * 1664525u + 1013904223u;
-                to.grey[i] += r & 0x80000000u ? factor * frame0_error_[i] : -factor * frame0_error_[i];
-            }
-            return to.luminance();
-        };
-        Luminance lum = move(batches_.whole(), scratch_), bright_in = lum;
-        if (chooses_sources()) bright_in = move(calm_.mean(), swayed_);
-        return meter_.measure(lum, "", &bright_in);
-    };
     const Measurement unmoved = moved(0, 1);
     std::vector<double> square(columns_.size(), 0);
     for (uint32_t k = 1; k <= moved_pictures; ++k) {

@@ -9,7 +9,7 @@
 // x + bias and x(n/2) = x + r bias, then x = (r x(n) - x(n/2)) / (r - 1).  What is squared goes with the variance, r =
 // 2; absolute differences of noise with its deviation, r = sqrt 2.  Pixels that differ by about as much as their noise
 // have a larger r, rare bright samples a smaller one: 1.45 was best for RAMMG, and what is taken off has itself an
-// error of 5 % (docs/decisions/0019-certainty.md).  All this is right to first order; a hot pixel, twice as bright in
+// error of 8 % (docs/decisions/0019-certainty.md).  All this is right to first order; a hot pixel, twice as bright in
 // half of the halves and gone in the others, drops out.
 //
 // With a frames in the first half, b behind it and d = sqrt(a/b) (L'(a) - L'(a+b)), a pixel shows L' + d or L' - d

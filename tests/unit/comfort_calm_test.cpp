@@ -14,10 +14,12 @@ using namespace comfort;
 
 namespace {
 
-constexpr int side = 30;
+constexpr int side = 44;
 constexpr double window_cdm2 = 6000, wall_cdm2 = 300, glimpse = 0.01;
 
-bool in_window(int x, int row) { return row >= 8 && row < 20 && ((x >= 3 && x < 11) || (x >= 19 && x < 27)); }
+// Even sides: the mean of a window's columns and rows, whose whole part is where its position index is taken, is half
+// odd.
+bool in_window(int x, int row) { return row >= 12 && row < 30 && ((x >= 4 && x < 16) || (x >= 28 && x < 40)); }
 
 image::Picture picture(const std::vector<double>& cdm2) {
     image::Picture p;
