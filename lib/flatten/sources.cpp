@@ -79,6 +79,7 @@ void add_local_sources(const Modifiers& modifiers, const std::vector<Lights::Emi
     const scene::Scene& scene = modifiers.scene;
     for (const Lights::Emitter& e : emitters) {
         const Object& o = scene.objects[e.object];
+        if (o.type == Type::instance || o.type == Type::mesh) continue;  // they are seen, and light nothing
         const Object& material = scene.objects[modifiers.material[o.modifier]];
         const Reals c = scene.reals(material);
         if (black(c)) continue;

@@ -114,11 +114,16 @@ FN float3 mirror_direction(PRIVATE const Surface* g) {
     return unit3(dot3(r, g->ng) <= 1e-6f ? reflection(g->ng, g->v) : r);
 }
 
-// Straight on; textures bend it, mesh smoothing does not, nor one that would point back (spec shading 2).
-FN float3 transmitted_direction(PRIVATE const Surface* g) {
+// Straight on; textures bend it, mesh smoothing does not (spec shading 2).
+FN float3 bent_direction(PRIVATE const Surface* g) {
     float3 p = neg3(g->v);
     if (g->smooth || dot3(g->pert, g->pert) <= 1e-12f) return p;
-    p = unit3(sub3(p, g->front ? g->pert : neg3(g->pert)));
+    return unit3(sub3(p, g->front ? g->pert : neg3(g->pert)));
+}
+
+// The same, unbent where a steep texture would turn it back.
+FN float3 transmitted_direction(PRIVATE const Surface* g) {
+    float3 p = bent_direction(g);
     return dot3(p, g->ng) < -1e-6f ? p : neg3(g->v);
 }
 

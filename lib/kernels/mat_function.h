@@ -70,6 +70,8 @@ FN void mat_ashik(PRIVATE const Params* par, PRIVATE const Surface* g, GLOBAL co
     float3 S = f3_at(arg + 3);
     float3 color = F3(S.x + (1.0f - S.x) * f, S.y + (1.0f - S.y) * f, S.z + (1.0f - S.z) * f);
     lobes_rough_r(par, color, luminance3(S), lobes);
+    // below -st it joins the indirect light, where there is any
+    if (max3(lobes->diffuse_r) <= LOBE_LEAST) lobes->ambient_r = F3(0.0f, 0.0f, 0.0f);
     lobes->ASHIK_POWER_U = arg[6];
     lobes->ASHIK_POWER_V = arg[7];
 
@@ -90,7 +92,7 @@ FN void mat_brtd(PRIVATE const Surface* g, GLOBAL const float* arg, PRIVATE cons
         lobes->mirror_dir = unit3(reflection(g->n, g->v));  // it may point below the surface
     }
     if (value[3] + value[4] + value[5] > 0.0f)
-        lobes_through(transmitted_direction(g), F3(value[3], value[4], value[5]), lobes);
+        lobes_through(bent_direction(g), F3(value[3], value[4], value[5]), lobes);  // so may this
 
     lobes->fn_r = F3(1.0f, 1.0f, 1.0f);
     lobes->fn_t = lobes->fn_r;

@@ -64,5 +64,9 @@ FN void mat_normal(PRIVATE const Params* par, PRIVATE const Surface* g, uint typ
     lobes->trans_dir = dir;
     if (rs > LOBE_LEAST) lobes_rough_r(par, spec, rs, lobes);
     if (Ts > LOBE_LEAST) lobes_rough_t(par, scale3(C, Ts), Ts, lobes);
+
+    // what is below -st joins the indirect light of its side, but only where the side has any
+    if (rd <= LOBE_LEAST) lobes->ambient_r = F3(0.0f, 0.0f, 0.0f);
+    if (Td <= LOBE_LEAST) lobes->ambient_t = F3(0.0f, 0.0f, 0.0f);
 }
 #endif

@@ -47,10 +47,20 @@ FN int shadow_meet(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIV
     return (lobes->flags & LOBE_PASS) != 0u ? MET_NOTHING : MET_SURFACE;
 }
 
-// May a ray to this source end at the source itself, so that the source's own hit counts?
+// May the ray have been aimed beside this source, so that only the source's own hit counts?  A tube is aimed at by its
+// axis, where it is open.
 FN int shadow_seeks_source(PRIVATE const Params* par, GLOBAL const float* src) {
     uint kind = as_uint_(src[SRC_KIND]);
-    return par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING || kind == SK_CYLINDER);
+    if (kind == SK_CYLINDER) return par->ds > 0.0f || par->dj <= 0.0f;
+    return par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING);
+}
+
+// Does a ray that meets this source at t come from behind?  Into a tube it may come by an open end.
+FN int shadow_from_behind(GLOBAL const float* src, PRIVATE const Ray* ray, float t) {
+    if (as_uint_(src[SRC_KIND]) != SK_CYLINDER) return 0;
+    float3 axis = f3_at(src + SRC_U), from = sub3(madd3(ray->dir, t, ray->org), f3_at(src + SRC_CENTRE));
+    float3 radial = madd3(axis, -dot3(from, axis) / dot3(axis, axis), from);
+    return dot3(radial, ray->dir) > 0.0f;
 }
 
 // Is all that counts before it meets glass whether anything opaque lies between?  *ray: the one to trace.
@@ -83,8 +93,10 @@ FN int shadow_blocked(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     Hit hit;
     if (*must_hit) ray->tmax = dist * 1.001f;
     trace_closest(s, ray, RAY_OPAQUE, &hit);
-    if (hit.prim == as_uint_(shadow->src[SRC_PRIM])) *must_hit = 0;
-    else if (hit.prim != NO_HIT && hit.t <= shadow_end(dist)) return 1;
+    if (hit.prim == as_uint_(shadow->src[SRC_PRIM])) {
+        if (*must_hit && shadow_from_behind(shadow->src, ray, hit.t)) return 1;
+        *must_hit = 0;
+    } else if (hit.prim != NO_HIT && hit.t <= shadow_end(dist)) return 1;
     if (!*must_hit) ray->tmax = shadow_end(dist);
     return 0;
 }
@@ -123,7 +135,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
         if (met == MET_LAMP || max3(shadow->T) <= 0.0f) return black;
 
         if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(g.mixed ? &shadow->medium : &here, hit.t));
-        if (at_source) return shadow->T;
+        if (at_source) return must_hit && !g.front ? black : shadow->T;
 
         shadow->medium = beyond;
         ray->org = offset_ray(g.p, neg3(g.ng), g.reach);

@@ -5,6 +5,7 @@ The words that a rule stands for must be on that page (tests/compare/compare_rad
 
 
 LAMPS = {"light", "spotlight", "glow", "illum"}
+OPAQUE = {"plastic", "metal", "plastic2", "metal2", "ashik2", "plasfunc", "metfunc", "plasdata", "metdata"}
 
 
 def has(scene, *kinds):
@@ -91,6 +92,17 @@ def plain_lamps(scene):
             p.modifier = "void"
 
 
+def bent(scene):
+    return has(scene, "dielectric", "interface") and has(scene, "light", "spotlight", "glow", "illum")
+
+
+def see_through(scene):
+    """Nothing that stops light for good: RADIANCE remembers opaque surfaces only."""
+    for p in scene.primitives():
+        if p.kind in OPAQUE:
+            p.kind, p.strings, p.names, p.reals = "trans", [], (), [.5, .5, .5, 0, 0, .01, 0]
+
+
 # Name, the page's words, the test, and what takes the difference away (None: the test says enough).
 RULES = [
     ("fewer pieces", "RADIANCE takes fewer pieces for rays of low weight", pieces, whole),
@@ -99,6 +111,7 @@ RULES = [
     ("overlapping mists", "Overlapping volumes of a mist with a list", listed_mist, unlisted),
     ("sun in a medium", "A sun in mist or in a solid", sun_in_medium, clear),
     ("patterned lamp behind a solid", "A lamp's pattern seen through a solid", patterned_lamp, plain_lamps),
+    ("bent round what is remembered", "tests them on the straight line", bent, see_through),
     ("rank-3 tree", "A rank-3 tree that gives transmission for one side only", tree3, matrix),
     ("pattern on aBSDF", "Beside the peak of an `aBSDF` a pattern acts once", lambda scene: has(scene, "aBSDF"), plain),
 ]
