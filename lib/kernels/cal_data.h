@@ -77,20 +77,18 @@ FN void cal_data(PRIVATE const SceneTables* s, uint table, PRIVATE const float* 
     for (k = 0u; k < channels; k++) out[k] = sum[k];
 }
 
-// Is (x, y) inside the glyph?  Even-odd; the point sits at the centre of its integer cell, so no vertex is ever hit.
-FN int cal_inside_glyph(PRIVATE const SceneTables* s, uint glyph, int x, int y) {
-    uint n = s->u[glyph], i;
-    int inside = 0, x0, y0, x1, y1, px = 2 * x + 1, py = 2 * y + 1;
+// Is (x, y) inside the glyph?  Even-odd; its corners are integers.
+FN int cal_inside_glyph(PRIVATE const SceneTables* s, uint glyph, float x, float y) {
+    uint n = s->u[glyph];
+    int inside = 0;
     if (n == 0u) return 0;
-    x0 = 2 * (int)s->u[glyph + 2u * n - 1u];
-    y0 = 2 * (int)s->u[glyph + 2u * n];
+    float x0 = (float)(int)s->u[glyph + 2u * n - 1u], y0 = (float)(int)s->u[glyph + 2u * n];
 
-    for (i = 0u; i < n; i++) {
-        x1 = 2 * (int)s->u[glyph + 1u + 2u * i];
-        y1 = 2 * (int)s->u[glyph + 2u + 2u * i];
-        if ((y0 > py) != (y1 > py)) {
-            int cross = (px - x0) * (y1 - y0) - (x1 - x0) * (py - y0);
-            if ((cross < 0) == (y1 > y0)) inside = !inside;
+    for (uint i = 0u; i < n; i++) {
+        float x1 = (float)(int)s->u[glyph + 1u + 2u * i], y1 = (float)(int)s->u[glyph + 2u + 2u * i];
+        if ((y0 > y) != (y1 > y)) {
+            float cross = (x - x0) * (y1 - y0) - (x1 - x0) * (y - y0);
+            if ((cross < 0.0f) == (y1 > y0)) inside = !inside;
         }
         x0 = x1;
         y0 = y1;
@@ -102,20 +100,18 @@ FN int cal_inside_glyph(PRIVATE const SceneTables* s, uint glyph, int x, int y) 
 // 1 where the text has ink: x in 1/255 of a cell from the line's start, row counted downwards.
 FN float cal_text(PRIVATE const SceneTables* s, uint table, float x, float row) {
     uint lines = s->u[table], line, chars, count, k;
-    int xi, yi, start;
     if (!(x >= 0.0f && x < 1e8f && row >= 0.0f && row < (float)lines)) return 0.0f;
     line = (uint)row;
     if (line >= lines) return 0.0f;
     if (x >= (float)(int)s->u[table + 1u + 2u * line]) return 0.0f;
-    xi = (int)x;
-    yi = (int)(((float)line + 1.0f - row) * 255.0f);
+    float y = ((float)line + 1.0f - row) * 255.0f;
     chars = s->u[table + 2u + 2u * line];
     count = s->u[chars];
 
     for (k = 0u; k < count; k++) {
         uint glyph = s->u[chars + 2u + 2u * k];
-        start = (int)s->u[chars + 1u + 2u * k];
-        if (glyph != 0u && xi >= start && xi - start <= 255 && cal_inside_glyph(s, glyph, xi - start, yi)) return 1.0f;
+        float along = x - (float)(int)s->u[chars + 1u + 2u * k];
+        if (glyph != 0u && along >= 0.0f && along < 256.0f && cal_inside_glyph(s, glyph, along, y)) return 1.0f;
     }
 
     return 0.0f;

@@ -191,7 +191,7 @@ FN void apply_single_pattern(PRIVATE const SceneTables* s, uint type, PRIVATE co
     apply_pattern(s, g, type, out, &sum);
     g->color = sum.color;
     g->pert = sum.pert;
-    if (type == M_TEXTURE) g->flat = 0;
+    if (dot3(g->pert, g->pert) > 1e-12f) g->flat = 0;
 }
 
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.

@@ -17,6 +17,7 @@
 #include "kernels/path/end.h"
 #include "kernels/path/walk.h"
 #include "kernels/path/shadow.h"
+#include "kernels/path/draw.h"
 
 // Shades the hit of a slot.  Returns bits: PATH_GOES_ON, PATH_SHADOW.
 FN int path_step(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {

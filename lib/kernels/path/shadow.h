@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadow rays: what reaches a point from the source sample it chose; and the small sources drawn into frame 0.
+// Shadow rays: what reaches a point from the source sample it chose.
 #ifndef LUX_PATH_SHADOW_H
 #define LUX_PATH_SHADOW_H
 
@@ -268,40 +268,5 @@ FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
     float3 T = aimed ? shadow_aimed(s, par, &shadow) : shadow_straight(s, par, &shadow, dir.w);
     float4 sum = paths->rad[slot];
     paths->rad[slot] = pack4(add3(xyz4(sum), mul3(xyz4(rad), T)), sum.w);
-}
-
-// MODE_DRAW: slot i holds a straight ray from the eye to a point of a source and its weight, written by the host into
-// the slot's shadow ray; the source's own radiance is applied here, path_shadow follows.
-FN void path_draw(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
-    uint source = as_uint_(paths->shadow_org[slot].w);
-    GLOBAL const float* src = source_record(s, par, source);
-    float3 org = xyz4(paths->shadow_org[slot]), dir = xyz4(paths->shadow_dir[slot]);
-    float dist = paths->shadow_dir[slot].w;
-    Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, slot + par->first, 0u, 3u);
-    float3 normal = neg3(dir), point = org;
-
-    if (as_uint_(src[SRC_KIND]) != SK_DISTANT) {
-        point = madd3(dir, dist, org);
-        normal = as_uint_(src[SRC_KIND]) == SK_SPHERE ? unit3(sub3(point, f3_at(src + SRC_CENTRE)))
-                                                      : f3_at(src + SRC_NORMAL);
-    }
-
-    float3 e =
-        light_radiance(s, par, as_uint_(src[SRC_MOD]), as_uint_(src[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
-    paths->shadow_rad[slot] = pack4(mul3(xyz4(paths->shadow_rad[slot]), e), 0.0f);
-    paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
-
-    if (path_media_used(par)) {
-        Medium open = medium_open(par);
-        open.albedo = F3(0.0f, 0.0f, 0.0f);  // what the eye sees is dimmed by all extinction
-        set_shadow_medium(paths, slot, &open, CLIP_START);
-    }
-
-    uint4 info;
-    info.x = 0u;
-    info.y = rnd.key;
-    info.z = rnd.index;
-    info.w = NONE;
-    paths->info[slot] = info;
 }
 #endif

@@ -25,7 +25,7 @@ def point(rng):
 
 
 def wave(rng):
-    """Something between -1 and 1."""
+    """Something between -1 and 1.  Steps lie beside 0: what is 0 there is so but for rounding."""
     v = variable(rng)
     return rng.choice([
         lambda: f"sin({term(rng)})", lambda: f"cos({term(rng)})", lambda: f"noise3({point(rng)})",
@@ -33,12 +33,13 @@ def wave(rng):
         lambda: f"noise3x({point(rng)})/2", lambda: f"(2*exp(-sq({v}))-1)", lambda: f"atan2({v},2)/PI",
         lambda: f"if({v}-.3,.8,-.6)", lambda: f"(tri({term(rng)},1)-.5)", lambda: f"tan(bound(-.7,{v},.7))",
         lambda: f"erf({v})", lambda: f"(2*fnoise3({point(rng)})-1)", lambda: f"mod({term(rng)},1)",
-        lambda: f"Acos({v})/PI", lambda: f"(2*mod(floor(2*{v}),2)-1)", lambda: f"hermite(-.5,.7,.2,.3,frac({v}))",
-        lambda: f"linterp(frac({v}),-.7,.8)", lambda: f"select(floor(3*frac({v}))+1,-.5,.2,.9)",
+        lambda: f"Acos({v})/PI", lambda: f"(2*mod(floor(2*{v}+.013),2)-1)",
+        lambda: f"hermite(-.5,.7,.2,.3,frac({v}+.013))",
+        lambda: f"linterp(frac({v}+.013),-.7,.8)", lambda: f"select(floor(3*frac({v}+.013))+1,-.5,.2,.9)",
         lambda: f"turbulence({point(rng)},.2)/2", lambda: f"(1-2*Exp(-abs({v})))", lambda: f"min({v},max(-.5,Rdot))/4",
-        lambda: f"Sqrt(abs({v}))/2", lambda: f"bezier(-.4,.1,.8,.2,frac({v}))", lambda: f"clip({v})",
-        lambda: f"fade(1,-.5,abs({v}))", lambda: f"and({v},.7-{v})/4", lambda: f"log10(1.5+abs({v}))",
-        lambda: f"bspline(-.3,.9,.2,-.6,frac({v}))", lambda: f"unif2norm(.2+.6*frac({v}))",
+        lambda: f"Sqrt(abs({v}))/2", lambda: f"bezier(-.4,.1,.8,.2,frac({v}+.013))", lambda: f"clip({v})",
+        lambda: f"fade(1,-.5,abs({v}))", lambda: f"and({v}-.013,.7-{v})/4", lambda: f"log10(1.5+abs({v}))",
+        lambda: f"bspline(-.3,.9,.2,-.6,frac({v}+.013))", lambda: f"unif2norm(.2+.6*frac({v}+.013))",
     ])()
 
 

@@ -54,6 +54,16 @@ def plain(scene):
             p.modifier = "void"
 
 
+def mirrored_spotlight(scene):
+    return has(scene, "spotlight") and has(scene, "mirror", "prism1", "prism2") and scene.option("-dr", ["0"])[0] != "0"
+
+
+def wide_beams(scene):
+    for p in scene.primitives():
+        if p.kind == "spotlight":
+            p.reals[3] = 360
+
+
 def listed_mist(scene):
     return any(p.kind == "mist" and p.strings for p in scene.primitives())
 
@@ -108,6 +118,7 @@ RULES = [
     ("fewer pieces", "RADIANCE takes fewer pieces for rays of low weight", pieces, whole),
     ("Fresnel of 6.0a", "6.0a's is 8.3e-4 larger at every angle", fresnel, None),
     ("smoothed meshes of 6.0a", "6.0a bends by the interpolated normal", smoothed, flat),
+    ("mirrored spotlight", "narrows the beam of a spotlight in a mirror", mirrored_spotlight, wide_beams),
     ("overlapping mists", "Overlapping volumes of a mist with a list", listed_mist, unlisted),
     ("sun in a medium", "A sun in mist or in a solid", sun_in_medium, clear),
     ("patterned lamp behind a solid", "A lamp's pattern seen through a solid", patterned_lamp, plain_lamps),

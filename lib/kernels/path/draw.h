@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The small sources that are drawn into frame 0, by area.
+#ifndef LUX_PATH_DRAW_H
+#define LUX_PATH_DRAW_H
+
+// MODE_DRAW: slot i holds a straight ray from the eye to a point of a source and its weight, written by the host into
+// the slot's shadow ray; the source's own radiance is applied here, path_shadow follows.
+FN void path_draw(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
+    uint source = as_uint_(paths->shadow_org[slot].w);
+    GLOBAL const float* src = source_record(s, par, source);
+    float3 org = xyz4(paths->shadow_org[slot]), dir = xyz4(paths->shadow_dir[slot]);
+    float dist = paths->shadow_dir[slot].w;
+    Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, slot + par->first, 0u, 3u);
+    float3 normal = neg3(dir), point = org;
+
+    if (as_uint_(src[SRC_KIND]) != SK_DISTANT) {
+        point = madd3(dir, dist, org);
+        normal = as_uint_(src[SRC_KIND]) == SK_SPHERE ? unit3(sub3(point, f3_at(src + SRC_CENTRE)))
+                                                      : f3_at(src + SRC_NORMAL);
+    }
+
+    float3 e =
+        light_radiance(s, par, as_uint_(src[SRC_MOD]), as_uint_(src[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
+    paths->shadow_rad[slot] = pack4(mul3(xyz4(paths->shadow_rad[slot]), e), 0.0f);
+    paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
+
+    if (path_media_used(par)) {
+        Medium open = medium_open(par);
+        open.albedo = F3(0.0f, 0.0f, 0.0f);  // what the eye sees is dimmed by all extinction
+        set_shadow_medium(paths, slot, &open, CLIP_START);
+    }
+
+    uint4 info;
+    info.x = 0u;
+    info.y = rnd.key;
+    info.z = rnd.index;
+    info.w = NONE;
+    paths->info[slot] = info;
+}
+#endif
