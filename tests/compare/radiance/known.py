@@ -64,6 +64,29 @@ def wide_beams(scene):
             p.reals[3] = 360
 
 
+def textured_ball(scene):
+    solid = has(scene, "glass", "dielectric", "interface")
+    return solid and has(scene, "sphere", "bubble") and has(scene, "texfunc")
+
+
+def untextured(scene):
+    for p in scene.primitives():
+        if p.kind == "texfunc":
+            p.strings, p.names = ["0", "0", "0", "."], ()
+
+
+def moving_up(scene):
+    return has(scene, "BSDF", "aBSDF") and any("pict" in p.kind or "func" in p.kind or "data" in p.kind
+                                               for p in scene.primitives())
+
+
+def still_up(scene):
+    for p in scene.primitives():
+        if p.kind in ("BSDF", "aBSDF"):
+            at = p.strings.index(next(word for word in p.strings if word.endswith(".xml"))) + 1
+            p.strings[at:at + 3] = ["0", "0", "1"]
+
+
 def listed_mist(scene):
     return any(p.kind == "mist" and p.strings for p in scene.primitives())
 
@@ -123,6 +146,8 @@ RULES = [
     ("sun in a medium", "A sun in mist or in a solid", sun_in_medium, clear),
     ("patterned lamp behind a solid", "A lamp's pattern seen through a solid", patterned_lamp, plain_lamps),
     ("bent round what is remembered", "tests them on the straight line", bent, see_through),
+    ("grazing chains in a textured ball", "Chains of grazing reflections", textured_ball, untextured),
+    ("up vector in a pattern's place", "in that pattern's coordinates", moving_up, still_up),
     ("rank-3 tree", "A rank-3 tree that gives transmission for one side only", tree3, matrix),
     ("pattern on aBSDF", "Beside the peak of an `aBSDF` a pattern acts once", lambda scene: has(scene, "aBSDF"), plain),
 ]
