@@ -223,8 +223,12 @@ FN void sample_line(PRIVATE const Params* par, GLOBAL const float* src, float3 p
     light->dist = sqrt_(d2);
     light->dir = scale3(to, 1.0f / light->dist);
     light->w = 4.0f * r * (h / share) * sqrt_(sa > 0.0f ? sa : 0.0f) / d2;
-    light->point = c;
-    light->normal = neg3(light->dir);
+
+    // patterns are seen where the ray meets the tube, not in its axis
+    float3 out = madd3(axis, ca / h, neg3(light->dir));
+    float sine = length3(out);
+    light->point = sine > 1e-4f ? madd3(light->dir, -r / sine, c) : c;
+    light->normal = sine > 1e-4f ? scale3(out, 1.0f / sine) : neg3(light->dir);
 }
 
 // SRC_U is half its axis.
