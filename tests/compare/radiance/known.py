@@ -61,7 +61,7 @@ def mirrored_spotlight(scene):
 def wide_beams(scene):
     for p in scene.primitives():
         if p.kind == "spotlight":
-            p.reals[3] = 360
+            p.reals[3] = 180
 
 
 def textured_ball(scene):
