@@ -100,12 +100,14 @@ FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     lobes->alpha2_rv = refl_value[2] * refl_value[2];
     lobes->alpha2_tu = trans_value[4] * trans_value[4];
     lobes->alpha2_tv = trans_value[5] * trans_value[5];
+
+    // one roughness of nothing makes it smooth, also where there is no axis and the lobe has their mean
+    int smooth_r = lobes->alpha2_ru <= 1e-6f || lobes->alpha2_rv <= 1e-6f;
+    int smooth_t = lobes->alpha2_tu <= 1e-6f || lobes->alpha2_tv <= 1e-6f;
     wgmd_axes(&refl, &trans, F3(value[6], value[7], value[8]), lobes);
     wgmd_normals(g, &refl, &trans, &diff, lobes);
 
     float3 rs = scale3(refl.color, refl_value[0]), ts = scale3(trans.color, trans_value[3]);
-    int smooth_r = lobes->alpha2_ru <= 1e-6f || lobes->alpha2_rv <= 1e-6f;
-    int smooth_t = lobes->alpha2_tu <= 1e-6f || lobes->alpha2_tv <= 1e-6f;
     float rest = smooth_r ? wgmd_mirror(&refl, g->v, &rs, lobes) : 1.0f;
     ts = scale3(ts, rest);
 
