@@ -101,9 +101,9 @@ void Certainty::look(const Luminance& lum, const Measurement& m) {
     next_look_ = int64_t(std::ceil(double(batches_.frames()) * growth_between_looks));
     ++looks_;
     std::vector<Estimate> fresh(columns_.size(), {nan, nan, 0, 0, false, batches_.frames()});
-    if (has(Kind::picture)) look_at_halves(lum, m, fresh);
+    const Measurement unmoved = has(Kind::picture) ? look_at_halves(lum, m, fresh) : m;
     if (has(Kind::region)) look_at_batches(m, fresh);
-    if (errors_) add_frame0_error(fresh);
+    if (errors_) add_frame0_error(unmoved, fresh);
 
     while (!own_.empty() && 2 * own_.front()[0].frames < batches_.frames()) own_.pop_front();
     own_.push_back(fresh);
@@ -120,25 +120,24 @@ void Certainty::look(const Luminance& lum, const Measurement& m) {
     }
 }
 
-void Certainty::look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates) {
-    if (!halves_.take(batches_)) return;
+// Returns what the whole picture measures with the sources of its calm one.
+Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates) {
+    if (!halves_.take(batches_)) return m;
     const bool sources = chooses_sources();
-    Values value = values(m, Kind::picture);
-    if (sources) {
-        calm_.take(halves_, meter_.geometry(), m.threshold);
-        value = values(moved(0, 1), Kind::picture);
-    }
+    if (sources) calm_.take(halves_, meter_.geometry(), m.threshold);
+    const Measurement whole = sources ? moved(0, 1) : m;
+    const Values value = values(whole, Kind::picture);
     std::vector<double> of_column(columns_.size() * Halves::count);
     Values of_whole(columns_.size(), 0);
     for (int k = 0; k < Halves::count; ++k) {
         halves_.picture(k, scratch_);
-        Luminance half = scratch_.luminance(), bright_in = half;
+        Luminance half = scratch_.luminance(), bright_in;
         if (sources) {
             halves_.sway(k, calm_.mean(), calm_.sway(), swayed_);
             bright_in = swayed_.luminance();
         }
-        const Values v = values(meter_.measure(half, "", &bright_in), Kind::picture);
-        const Values w = values(sources ? meter_.with_last_sources(lum, bright_in, m) : m, Kind::picture);
+        const Values v = values(meter_.measure(half, "", sources ? &bright_in : nullptr), Kind::picture);
+        const Values w = sources ? values(meter_.with_last_sources(lum, bright_in, m), Kind::picture) : value;
         for (size_t c = 0; c < v.size(); ++c) {
             of_column[c * Halves::count + size_t(k)] = v[c];
             of_whole[c] += w[c] / Halves::count;
@@ -158,6 +157,7 @@ void Certainty::look_at_halves(const Luminance& lum, const Measurement& m, std::
         e.degrees = Halves::degrees;
         e.tails = one_dominates(v.sum > 0 ? v.largest / v.sum : 0, e.degrees);
     }
+    return whole;
 }
 
 void Certainty::look_at_batches(const Measurement& m, std::vector<Estimate>& estimates) {
@@ -205,13 +205,14 @@ Measurement Certainty::moved(float factor, uint32_t random) {
         }
         return to.luminance();
     };
-    Luminance lum = move(batches_.whole(), scratch_), bright_in = lum;
-    if (chooses_sources()) bright_in = move(calm_.mean(), swayed_);
+    Luminance lum = move(batches_.whole(), scratch_);
+    if (!chooses_sources()) return meter_.measure(lum, "");
+    Luminance bright_in = move(calm_.mean(), swayed_);
     return meter_.measure(lum, "", &bright_in);
 }
 
 // For columns whose halves or batches do not know it.
-void Certainty::add_frame0_error(std::vector<Estimate>& estimates) {
+void Certainty::add_frame0_error(const Measurement& unmoved, std::vector<Estimate>& estimates) {
     const int64_t first_half = batches_.begin(batches_.middle()) + batches_.frames(batches_.middle());
     const bool in_halves = first_half >= image::direct_samples, in_batches = whole_batches_suffice();
     if (in_halves && in_batches) return;
@@ -221,7 +222,6 @@ void Certainty::add_frame0_error(std::vector<Estimate>& estimates) {
             if (!knows_it(c)) estimates[c].error = nan;
         return;
     }
-    const Measurement unmoved = moved(0, 1);
     std::vector<double> square(columns_.size(), 0);
     for (uint32_t k = 1; k <= moved_pictures; ++k) {
         const Measurement m = moved(1, k * 0x9e3779b9u);

@@ -54,10 +54,10 @@ private:
     using Values = std::vector<double>;  // of all columns; nan for those not asked for
     enum class Kind { picture, region };
     Values values(const Measurement& m, Kind kind) const;
-    void look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates);
+    Measurement look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates);
     void look_at_batches(const Measurement& m, std::vector<Estimate>& estimates);
     Measurement moved(float factor, uint32_t random);
-    void add_frame0_error(std::vector<Estimate>& estimates);
+    void add_frame0_error(const Measurement& unmoved, std::vector<Estimate>& estimates);
     bool has(Kind kind) const;
     bool chooses_sources() const;  // in the calm picture
     bool whole_batches_suffice() const;

@@ -150,7 +150,7 @@ void Meter::background_and_dgp(double ev, double direct, Measurement& m) const {
 void Meter::glare(Luminance& lum, Luminance& bright_in, Measurement& m) {
     const Geometry& g = *geometry_;
     if (settings_.field_cut) cut_field(lum, g, settings_.field_cut);
-    if (settings_.field_cut && bright_in.grey != lum.grey) cut_field(bright_in, g, settings_.field_cut);
+    if (settings_.field_cut && &bright_in != &lum) cut_field(bright_in, g, settings_.field_cut);
     const bool has_task = settings_.task || !settings_.task_region.empty();
     // The fast modes know the picture by its external illuminance alone, and look at pixels outside the view as well.
     const double ev = settings_.fast ? settings_.external_ev.value_or(0) : m.ev;

@@ -92,18 +92,18 @@ FN int tangent_frame(float3 n, float3 along, PRIVATE float3* u, PRIVATE float3* 
     return 1;
 }
 
-// Rough lobes of a colour: sampled where there is more of them than -st, else part of the indirect light.  energy: of
-// the lobe, for that.
-FN void lobes_rough_r(PRIVATE const Params* par, float3 color, float energy, PRIVATE Lobes* lobes) {
+// Rough lobes of a colour: sampled where there is more of them than -st (energy: of the lobe, for that).  Else they are
+// part of their side's indirect light, if it has any: diffuse is the share that it scatters.
+FN void lobes_rough_r(PRIVATE const Params* par, float3 color, float energy, float diffuse, PRIVATE Lobes* lobes) {
     lobes->rough_r = color;
-    if (par->st >= energy - LOBE_LEAST) lobes->ambient_r = add3(lobes->ambient_r, color);
-    else lobes->flags |= LOBE_SAMPLE_R;
+    if (par->st < energy - LOBE_LEAST) lobes->flags |= LOBE_SAMPLE_R;
+    else if (diffuse > LOBE_LEAST) lobes->ambient_r = add3(lobes->ambient_r, color);
 }
 
-FN void lobes_rough_t(PRIVATE const Params* par, float3 color, float energy, PRIVATE Lobes* lobes) {
+FN void lobes_rough_t(PRIVATE const Params* par, float3 color, float energy, float diffuse, PRIVATE Lobes* lobes) {
     lobes->rough_t = color;
-    if (par->st >= energy - LOBE_LEAST) lobes->ambient_t = add3(lobes->ambient_t, color);
-    else lobes->flags |= LOBE_SAMPLE_T;
+    if (par->st < energy - LOBE_LEAST) lobes->flags |= LOBE_SAMPLE_T;
+    else if (diffuse > LOBE_LEAST) lobes->ambient_t = add3(lobes->ambient_t, color);
 }
 
 FN float3 reflection(float3 n, float3 v) { return sub3(scale3(n, 2.0f * dot3(n, v)), v); }
@@ -117,7 +117,7 @@ FN float3 mirror_direction(PRIVATE const Surface* g) {
 // Straight on; textures bend it, mesh smoothing does not (spec shading 2).
 FN float3 bent_direction(PRIVATE const Surface* g) {
     float3 p = neg3(g->v);
-    if (g->smooth || dot3(g->pert, g->pert) <= 1e-12f) return p;
+    if (g->smooth || !is_textured(g)) return p;
     return unit3(sub3(p, g->front ? g->pert : neg3(g->pert)));
 }
 

@@ -69,9 +69,7 @@ FN void mat_ashik(PRIVATE const Params* par, PRIVATE const Surface* g, GLOBAL co
 
     float3 S = f3_at(arg + 3);
     float3 color = F3(S.x + (1.0f - S.x) * f, S.y + (1.0f - S.y) * f, S.z + (1.0f - S.z) * f);
-    lobes_rough_r(par, color, luminance3(S), lobes);
-    // below -st it joins the indirect light, where there is any
-    if (max3(lobes->diffuse_r) <= LOBE_LEAST) lobes->ambient_r = F3(0.0f, 0.0f, 0.0f);
+    lobes_rough_r(par, color, luminance3(S), max3(lobes->diffuse_r), lobes);
     lobes->ASHIK_POWER_U = arg[6];
     lobes->ASHIK_POWER_V = arg[7];
 

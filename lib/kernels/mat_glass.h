@@ -25,7 +25,7 @@ FN void mat_glass(PRIVATE const Surface* g, GLOBAL const float* arg, int shadow,
     glass_channel(arg[2], r1, r2, c2, &Tb, &Rb);
     lobes->through = mul3(F3(Tr, Tg, Tb), g->color);
     float3 p = neg3(g->v);
-    if (!shadow && !g->smooth && dot3(g->pert, g->pert) > 1e-12f) {
+    if (!shadow && !g->smooth && is_textured(g)) {
         p = unit3(madd3(g->pert, (g->front ? 2.0f : -2.0f) * (1.0f - n), p));  // it turns with the normal
     }
 

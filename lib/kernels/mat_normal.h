@@ -62,11 +62,7 @@ FN void mat_normal(PRIVATE const Params* par, PRIVATE const Surface* g, uint typ
     lobes->alpha2_tu = lobes->alpha2_ru;
     lobes->alpha2_tv = lobes->alpha2_rv;
     lobes->trans_dir = dir;
-    if (rs > LOBE_LEAST) lobes_rough_r(par, spec, rs, lobes);
-    if (Ts > LOBE_LEAST) lobes_rough_t(par, scale3(C, Ts), Ts, lobes);
-
-    // what is below -st joins the indirect light of its side, but only where the side has any
-    if (rd <= LOBE_LEAST) lobes->ambient_r = F3(0.0f, 0.0f, 0.0f);
-    if (Td <= LOBE_LEAST) lobes->ambient_t = F3(0.0f, 0.0f, 0.0f);
+    if (rs > LOBE_LEAST) lobes_rough_r(par, spec, rs, rd, lobes);
+    if (Ts > LOBE_LEAST) lobes_rough_t(par, scale3(C, Ts), Ts, Td, lobes);
 }
 #endif

@@ -118,10 +118,10 @@ FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
     lobes->ambient_r = lobes->diffuse_r;
     lobes->ambient_t = lobes->diffuse_t;
 
-    if (!smooth_r && max3(rs) > LOBE_LEAST) lobes_rough_r(par, rs, luminance3(rs), lobes);
+    if (!smooth_r && max3(rs) > LOBE_LEAST) lobes_rough_r(par, rs, luminance3(rs), max3(lobes->diffuse_r), lobes);
     if (max3(ts) <= LOBE_LEAST) return;
     if (smooth_t) lobes_through(lobes->trans_dir, ts, lobes);
-    else lobes_rough_t(par, ts, luminance3(ts), lobes);
+    else lobes_rough_t(par, ts, luminance3(ts), max3(lobes->diffuse_t), lobes);
 }
 
 // Gives g and the lobes the normal and frame of one component, before that is sampled or lit.

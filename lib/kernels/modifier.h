@@ -156,7 +156,7 @@ FN Patterns chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* p
 // The normal that textures and smoothing make (spec shading 2): on the viewer's side.
 FN void shading_normal(PRIVATE Surface* g) {
     g->n = g->ng;
-    if (dot3(g->pert, g->pert) <= 1e-12f) return;
+    if (!is_textured(g)) return;
 
     // g->pert is in the frame of the modelled normal; seen from behind it turns with the normal
     float3 n = unit3(add3(g->nface, g->pert));
@@ -169,7 +169,7 @@ FN void shading_normal(PRIVATE Surface* g) {
 FN void without_own_chain(PRIVATE const SceneTables* s, PRIVATE Surface* g) {
     g->color = g->color_before;
     g->pert = g->pert_before;
-    g->flat = drawn_flat(s, g) && dot3(g->pert, g->pert) <= 0.0f;
+    g->flat = drawn_flat(s, g) && !is_textured(g);
 }
 
 // A mixture of patterns alone: both branches, mixed.
@@ -180,7 +180,7 @@ FN void apply_pattern_mixture(PRIVATE const SceneTables* s, PRIVATE const Params
     float3 pert = madd3(first.pert, share, scale3(second.pert, 1.0f - share));
     g->color = mul3(g->color, madd3(first.color, share, scale3(second.color, 1.0f - share)));
     g->pert = add3(g->pert, pert);
-    if (dot3(pert, pert) > 0.0f) g->flat = 0;
+    if (is_textured(g)) g->flat = 0;
 }
 
 // The same of a single pattern or texture.
@@ -191,7 +191,7 @@ FN void apply_single_pattern(PRIVATE const SceneTables* s, uint type, PRIVATE co
     apply_pattern(s, g, type, out, &sum);
     g->color = sum.color;
     g->pert = sum.pert;
-    if (dot3(g->pert, g->pert) > 1e-12f) g->flat = 0;
+    if (is_textured(g)) g->flat = 0;
 }
 
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.

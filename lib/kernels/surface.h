@@ -32,6 +32,9 @@ FN int drawn_flat(PRIVATE const SceneTables* s, PRIVATE const Surface* g) {
     return g->inst == NONE || as_uint_(instance_record(s, g->inst)[INST_MOD]) == NONE;
 }
 
+// Has a texture or mesh smoothing turned its normal?  Less is nothing, as in RADIANCE.
+FN int is_textured(PRIVATE const Surface* g) { return dot3(g->pert, g->pert) > 1e-12f; }
+
 // Of a sphere or cone at the point p, outwards.
 FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint number, float3 p) {
     GLOBAL const float* shape = shape_record(s, number);

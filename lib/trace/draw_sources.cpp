@@ -35,8 +35,8 @@ double density(const view::Projector& p, double X, double Y) {
 }
 }  // namespace
 
-void mark_drawn(const DrawList& list, std::vector<float>& numbers) {
-    for (uint32_t at : list.marked) numbers[at] = from_bits(1u);
+void mark_drawn(const DrawList& list, std::vector<float>& numbers, bool drawn) {
+    for (uint32_t at : list.marked) numbers[at] = from_bits(drawn ? 1u : 0u);
 }
 
 DrawList list_drawn_sources(const flatten::FlatScene& scene, const flatten::HostTracer& tracer, const view::View& view,

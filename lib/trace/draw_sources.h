@@ -14,9 +14,10 @@ struct DrawList {
     std::vector<uint32_t> pixel;   // row from the top * nx + column, of each ray
     std::vector<uint32_t> marked;  // words of scene.f that say SRC_DRAWN of the sources taken
 };
-// They depend on the view; mark_drawn() says so to the kernels, in a copy of scene.f.
-void mark_drawn(const DrawList& list, std::vector<float>& numbers);
+// Those that are small in this view, and their rays.
 DrawList list_drawn_sources(const flatten::FlatScene& scene, const flatten::HostTracer& tracer, const view::View& view,
                             int nx, int ny);
+// Says so to the kernels in the scene's numbers (FlatScene::f), or takes it back.
+void mark_drawn(const DrawList& list, std::vector<float>& numbers, bool drawn = true);
 
 }  // namespace trace

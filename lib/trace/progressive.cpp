@@ -201,7 +201,7 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
         mark_drawn(drawn, flat.f);
         const std::string fingerprint = trace::fingerprint(flat, shot.view, shot.nx, shot.ny, o);
         s.pictures.push_back({shot, std::move(drawn), fingerprint});
-        if (shots.size() > 1) flat.f = s.numbers;
+        if (shots.size() > 1) mark_drawn(s.pictures.back().drawn, flat.f, false);
     }
     tracer.reset();
     s.device->upload(std::move(flat));

@@ -9,6 +9,7 @@
 
 #include "comfort/calm.h"
 #include "comfort/certainty.h"
+#include "comfort_pictures.h"
 
 using namespace comfort;
 
@@ -20,18 +21,6 @@ constexpr double window_cdm2 = 6000, wall_cdm2 = 300, glimpse = 0.01;
 // Even sides: the mean of a window's columns and rows, whose whole part is where its position index is taken, is half
 // odd.
 bool in_window(int x, int row) { return row >= 12 && row < 30 && ((x >= 4 && x < 16) || (x >= 28 && x < 40)); }
-
-image::Picture picture(const std::vector<double>& cdm2) {
-    image::Picture p;
-    p.width = p.height = side;
-    for (double v : cdm2)
-        for (int c = 0; c < 3; ++c) p.rgb.push_back(float(v / cdm2_per_grey));
-    view::View v;
-    v.type = 'a';
-    v.vh = v.vv = 60;
-    p.header.view = v;
-    return p;
-}
 
 // Windows are seen exactly.  Of the wall's samples one in a hundred is a hundred times as bright as the mean.
 class Wall {
@@ -68,7 +57,7 @@ TEST_CASE("DGP's interval is honest while noise joins two windows") {
     choice.names = {"DGP"};
     const std::vector<Column> columns = choose_columns(choice, settings, needs);
     Meter meter(settings, needs);
-    image::Picture exact = picture(Wall::truth());
+    image::Picture exact = fisheye_of(Wall::truth(), side, 60);
     const double truth = meter.measure(exact, "truth").dgp;
 
     const std::vector<int64_t> looks = {3, 5, 8, 12, 17, 25};
@@ -78,11 +67,11 @@ TEST_CASE("DGP's interval is honest while noise joins two windows") {
     for (int seed = 1; seed <= seeds; ++seed) {
         Wall wall{uint32_t(seed)};
         Certainty certainty(meter, columns, true);
-        image::Picture none = picture(std::vector<double>(side * side, 0));
+        image::Picture none = fisheye_of(std::vector<double>(side * side, 0), side, 60);
         certainty.frame0(meter.read(none, "frame 0"));
         size_t look = 0;
         for (int64_t n = 1; n <= looks.back(); ++n) {
-            image::Picture p = picture(wall.next());
+            image::Picture p = fisheye_of(wall.next(), side, 60);
             Luminance lum = meter.read(p, "sum");
             certainty.add(lum, n);
             if (!certainty.due()) continue;

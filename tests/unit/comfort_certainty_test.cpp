@@ -14,25 +14,13 @@
 #include "comfort/halves.h"
 #include "comfort/rammg.h"
 #include "comfort/student.h"
+#include "comfort_pictures.h"
 
 using namespace comfort;
 
 namespace {
 
 constexpr int side = 12;
-
-image::Picture picture(const std::vector<double>& cdm2, int width = side) {
-    image::Picture p;
-    p.width = width;
-    p.height = int(cdm2.size()) / width;
-    for (double v : cdm2)
-        for (int c = 0; c < 3; ++c) p.rgb.push_back(float(v / cdm2_per_grey));
-    view::View v;
-    v.type = 'a';
-    v.vh = v.vv = 180;
-    p.header.view = v;
-    return p;
-}
 
 // A stream of sums: every pixel of frame k > 0 is its mean times a sample of mean 1, and frame 0 a tenth of the mean
 // times the mean of 16 samples, which frames above 16 correct (paper section 7).  What is bright is seen exactly.
@@ -127,16 +115,16 @@ struct Room {
         choice.pairs = {{"low", "high", "screen"}};
         columns = choose_columns(choice, settings, needs);
         meter = std::make_unique<Meter>(settings, needs, screen());
-        image::Picture exact = picture(room());
+        image::Picture exact = fisheye_of(room(), side);
         const Measurement m = meter->measure(exact, "room");
         for (const Column& c : columns) truth.push_back(c.value(m));
     }
     // Looks at a stream until done(certainty) or so many frames.
     void watch(Stream& stream, int64_t most, Certainty& certainty, const std::function<bool()>& done) {
-        image::Picture p = picture(stream.frame0());
+        image::Picture p = fisheye_of(stream.frame0(), side);
         certainty.frame0(meter->read(p, "frame 0"));
         while (stream.frames() < most) {
-            p = picture(stream.next());
+            p = fisheye_of(stream.next(), side);
             Luminance lum = meter->read(p, "sum");
             certainty.add(lum, stream.frames());
             if (!certainty.due()) continue;
@@ -267,7 +255,7 @@ TEST_CASE("DGP without the bias of squares") {
         Stream stream(::room(), gaussian, uint32_t(seed), 1e9);
         Certainty certainty(*room.meter, room.columns, false);
         room.watch(stream, frames, certainty, [] { return false; });
-        image::Picture p = picture(stream.last());
+        image::Picture p = fisheye_of(stream.last(), side);
         const double value = certainty.estimate(0).value, off = room.meter->measure(p, "sum").dgp - value;
         unbiased += value / seeds, squares += value * value / seeds;
         taken_off += off / seeds, squares_off += off * off / seeds;
