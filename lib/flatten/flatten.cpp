@@ -4,6 +4,7 @@
 
 #include "flatten/instances.h"
 #include "flatten/modifiers.h"
+#include "flatten/highlights.h"
 #include "flatten/portals.h"
 #include "flatten/sources.h"
 #include "flatten/surfaces.h"
@@ -36,8 +37,11 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     link_mists(modifiers, lights.relays, sources, out);
     write_sources(std::move(sources), out);
 
-    // Windows, which need rays through the finished geometry.
-    if (options.sampling != Sampling::plain) find_portals(out);
+    // Windows and highlights, which need rays through the finished geometry.
+    if (options.sampling != Sampling::plain) {
+        find_portals(out);
+        find_highlights(out);
+    }
     return out;
 }
 

@@ -44,6 +44,7 @@
 #include "kernels/sources.h"
 #include "kernels/source_sample.h"
 #include "kernels/choose_source.h"
+#include "kernels/highlights.h"
 #include "kernels/portals.h"
 #include "kernels/guide.h"
 #include "kernels/path/state.h"

@@ -82,17 +82,61 @@ FN float3 guide_direction(float3 n, float x, float y) {
 
 FN float guide_light(PRIVATE const SceneTables* s, uint cell) { return as_float_(s->guide[cell + GUIDE_LIGHT]); }
 
-// Samples a direction over the hemisphere of n by a cell's chances.  Returns cos/(pi density).
-FN float guide_sample(PRIVATE const SceneTables* s, uint cell, float3 n, float2 r, PRIVATE float3* dir) {
-    uint side = s->guide[cell + GUIDE_SIDE], row, column;
-    GLOBAL const uint* chances = s->guide + cell + GUIDE_CHANCES;
-    float x = r.x, y = r.y;
-    float chance = guide_pick(chances, side, &x, &row);
-    chance *= guide_pick(chances + (side + side * row) / 2u, side, &y, &column);
+// The chance of the bin in which dir lies: the map backwards.
+FN float guide_chance(GLOBAL const uint* chances, uint side, float3 n, float3 dir) {
+    float3 e1, e2;
+    frame_of(n, &e1, &e2);
+    float a = dot3(dir, e1), b = dot3(dir, e2), r = sqrt_(a * a + b * b), u = 0.0f, v = 0.0f;
+    if (fabs_(a) > fabs_(b)) {
+        u = a < 0.0f ? -r : r;
+        v = 4.0f * K_INV_PI * u * k_atan(b / a);
+    } else if (b != 0.0f) {
+        v = b < 0.0f ? -r : r;
+        u = 4.0f * K_INV_PI * v * k_atan(a / b);
+    }
 
+    float bins = (float)side, x = 0.5f * (u + 1.0f) * bins, y = 0.5f * (v + 1.0f) * bins;
+    uint row = MIN_((uint)MAX_(x, 0.0f), side - 1u), column = MIN_((uint)MAX_(y, 0.0f), side - 1u);
+    GLOBAL const uint* columns = chances + (side + side * row) / 2u;
+    float row_end = row + 1u < side ? guide_begin(chances, row + 1u) : GUIDE_ONE;
+    float column_end = column + 1u < side ? guide_begin(columns, column + 1u) : GUIDE_ONE;
+    float in_row = row_end - guide_begin(chances, row), in_column = column_end - guide_begin(columns, column);
+    return in_row * (1.0f / GUIDE_ONE) * (in_column * (1.0f / GUIDE_ONE));
+}
+
+// A direction by the chances of the bins.  Returns its bin's.
+FN float guide_bin(GLOBAL const uint* chances, uint side, float3 n, float2 r, PRIVATE float3* dir) {
+    uint row, column;
+    float x = r.x, y = r.y, chance = guide_pick(chances, side, &x, &row);
+    chance *= guide_pick(chances + (side + side * row) / 2u, side, &y, &column);
     float bins = (float)side;
     *dir = guide_direction(n, ((float)row + x) / bins, ((float)column + y) / bins);
-    return 1.0f / (chance * bins * bins);
+    return chance;
+}
+
+// Samples a direction over the hemisphere of n at p by a cell's chances, a share of them toward highlights.  Returns
+// cos/(pi density).
+FN float guide_sample(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint cell, float3 p, float3 n, float2 r,
+                      PRIVATE float3* dir) {
+    uint side = s->guide[cell + GUIDE_SIDE];
+    GLOBAL const uint* chances = s->guide + cell + GUIDE_CHANCES;
+    float bins = (float)side * (float)side, shine = par->highlight_share;
+    uint met = shine > 0.0f ? highlights_met(s, par, p, n) : 0u;
+    if (met == 0u) return 1.0f / (guide_bin(chances, side, n, r, dir) * bins);
+
+    int shines = r.x < shine;
+    float chance = 0.0f;
+    if (shines) {
+        *dir = highlight_direction(s, par, met, r.x / shine, r.y);
+    } else {
+        r.x = MIN_((r.x - shine) / (1.0f - shine), 0.99999994f);
+        chance = guide_bin(chances, side, n, r, dir);
+    }
+
+    float c = dot3(*dir, n), bright = highlights_density(s, par, met, *dir);
+    if (!(c > 0.0f) || (shines && !(bright > 0.0f))) return 0.0f;
+    if (shines) chance = guide_chance(chances, side, n, *dir);
+    return c * K_INV_PI / ((1.0f - shine) * chance * bins * c * K_INV_PI + shine * bright);
 }
 
 // The cell that guides at p: that of a place nearby, so that cells show no borders; else p's own.

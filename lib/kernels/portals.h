@@ -2,6 +2,7 @@
 // Directions for diffuse light: a share of them toward the windows ("portals"), the others by the cosine, one mixed
 // density, so that the estimator stays unbiased whatever portals and share are (one-sample multiple importance sampling
 // with the balance heuristic, Veach 1997, section 9.2.4).  trace/window_share.h finds the share.
+// Another share goes toward highlights (highlights.h).
 // The sky seen through a window is the main light of a daylit room and small in solid angle: this is where noise goes.
 #ifndef LUX_PORTALS_H
 #define LUX_PORTALS_H
@@ -98,13 +99,29 @@ FN float sample_diffuse(PRIVATE const SceneTables* s, PRIVATE const Params* par,
     float total = 0.0f;
     if (par->portal_share > 0.0f) total = portals_weight(s, par, p, n);
     float share = total > 0.0f ? par->portal_share : 0.0f;
+    uint met = par->highlight_share > 0.0f ? highlights_met(s, par, p, n) : 0u;
+    float shine = met != 0u ? par->highlight_share : 0.0f;
 
-    if (share > 0.0f && x.x < share) *dir = portal_direction(s, par, p, n, x.x / share * total, x.y);
-    else *dir = cosine_direction(n, share > 0.0f ? (x.x - share) / (1.0f - share) : x.x, x.y);
+    int shines = shine > 0.0f && x.x < shine;
+    if (shines) {
+        *dir = highlight_direction(s, par, met, x.x / shine, x.y);
+    } else {
+        if (shine > 0.0f) x.x = (x.x - shine) / (1.0f - shine);
+        if (share > 0.0f && x.x < share) *dir = portal_direction(s, par, p, n, x.x / share * total, x.y);
+        else *dir = cosine_direction(n, share > 0.0f ? (x.x - share) / (1.0f - share) : x.x, x.y);
+    }
     float c = dot3(*dir, n);
     if (c <= 0.0f) return 0.0f;
-    if (share <= 0.0f) return 1.0f;
+    if (share <= 0.0f && shine <= 0.0f) return 1.0f;
 
-    return c * K_INV_PI / ((1.0f - share) * c * K_INV_PI + share * portals_density(s, par, p, n, *dir, total));
+    float density = c * K_INV_PI;
+    if (share > 0.0f) density = (1.0f - share) * c * K_INV_PI + share * portals_density(s, par, p, n, *dir, total);
+    if (shine > 0.0f) {
+        float bright = highlights_density(s, par, met, *dir);
+        if (shines && !(bright > 0.0f)) return 0.0f;
+        density = (1.0f - shine) * density + shine * bright;
+    }
+
+    return c * K_INV_PI / density;
 }
 #endif

@@ -149,6 +149,16 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define PORTAL_NORMAL 9u  // 3: unit, outdoors
 #define PORTAL_AREA 12u
 
+// ---- highlights (sunlit rectangles on polished planes): HIGHLIGHT_FLOATS floats at f[Params.highlights_at]
+#define HIGHLIGHT_FLOATS 16u
+#define HIGHLIGHT_CORNER 0u   // 3
+#define HIGHLIGHT_U 3u        // 3: edge from the corner
+#define HIGHLIGHT_V 6u        // 3: the other, perpendicular
+#define HIGHLIGHT_NORMAL 9u   // 3: unit, on the sun's side
+#define HIGHLIGHT_DIR 12u     // 3: unit, toward the mirrored sun, from above
+#define HIGHLIGHT_ALPHA2 15u  // roughness, squared
+#define MOST_HIGHLIGHTS 8u
+
 // Everything a kernel needs beside the tables; one block, uploaded per pass.
 typedef struct {
     // view
@@ -175,6 +185,9 @@ typedef struct {
     uint skip_direct_below, cdf_at;
     float way_least;     // least chance of a way (path/ways.h); 0: none
     float portal_share;  // of diffuse directions that go toward windows (portals.h)
+    uint highlights_at, highlight_count;
+    float highlight_share;  // of those that go toward highlights, where there are any (highlights.h)
+    uint nothing;           // fills the row
 } Params;
 
 // modes: what a pass computes

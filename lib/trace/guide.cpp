@@ -13,6 +13,7 @@
 namespace kernels {
 #include "kernels/instance.h"
 #include "kernels/surface.h"
+#include "kernels/highlights.h"
 #include "kernels/guide.h"
 }  // namespace kernels
 

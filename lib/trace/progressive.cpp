@@ -93,7 +93,9 @@ struct Renderer::State {
     }
     void ensure_window_share() {
         if (portals.empty()) return;
-        base.portal_share = find_window_share(*device, base, portals);
+        const Shares shares = find_shares(*device, base, portals);
+        base.portal_share = shares.windows;
+        base.highlight_share = shares.highlights;
         portals.clear();
     }
     void ensure_guide() {
@@ -147,6 +149,8 @@ Params params_of(const flatten::FlatScene& flat, const RenderOptions& o) {
     p.distant_count = flat.distant_count;
     p.portals_at = flat.portals_at;
     p.portal_count = flat.portal_count;
+    p.highlights_at = flat.highlights_at;
+    p.highlight_count = flat.highlight_count;
     p.cdf_at = flat.cdf_at;
     p.light_sets_at = flat.light_sets_at;
     p.shadow_mode = flat.shadow_mode;
@@ -188,6 +192,8 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
     s.guides = o.sampling == flatten::Sampling::guided;
     const auto windows = flat.f.begin() + long(flat.portals_at);
     s.windows.assign(windows, windows + long(flat.portal_count) * PORTAL_FLOATS);
+    const auto highlights = flat.f.begin() + long(flat.highlights_at);
+    s.windows.insert(s.windows.end(), highlights, highlights + long(flat.highlight_count) * HIGHLIGHT_FLOATS);
     s.centre = flat.centre;
     s.pictures.clear();
     // drawing knows one eye point, and no way on through glass unattenuated
@@ -218,6 +224,7 @@ void Renderer::look(size_t shot) {
     s.s0.clear(), s.exact.clear();
     s.portals = s.windows;  // their share and the guide are learned from where the eye is
     s.base.portal_share = Params{}.portal_share;
+    s.base.highlight_share = Params{}.highlight_share;
     s.guided = s.guides;
     s.base.guide_mask = 0;
     s.base.guide_grid = Params{}.guide_grid;

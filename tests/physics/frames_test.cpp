@@ -10,6 +10,7 @@
 
 #include "base/processors.h"
 #include "image/accumulate.h"
+#include "physics/seeds.h"
 
 using namespace laws;
 
@@ -111,18 +112,13 @@ void ranges_merge(trace::Sampling sampling) {
     CHECK(worst < 2e-6);
 }
 
-// Means of frames first .. last and their standard errors, of the picture and of each of 8 x 8 blocks, from 16 seeds.
-struct Means {
-    std::vector<double> mean = std::vector<double>(65), variance = std::vector<double>(65);
-};
-
+// Means of frames first .. last, of each of 8 x 8 blocks and of the picture, from 16 seeds.
 Means means_of(const Office& scene, trace::Sampling sampling, int64_t first, int64_t last) {
-    const int size = 32, block = size / 8, seeds = 16;
-    Means out;
-    for (int seed = 1; seed <= seeds; seed++) {
+    const int size = 32, block = size / 8;
+    return over_seeds(16, 65, [&](uint64_t seed) {
         trace::RenderOptions options;
         options.sampling = sampling;
-        options.seed = uint64_t(seed);
+        options.seed = seed;
         options.direct_samples = 1 << 20;  // frames of the diffuse class alone
         trace::Renderer renderer = scene.renderer("cpu", size, options);
         std::vector<double> value(65);
@@ -134,13 +130,8 @@ Means means_of(const Office& scene, trace::Sampling sampling, int64_t first, int
             }
             return true;
         });
-        for (size_t i = 0; i < 65; i++) {
-            out.mean[i] += value[i] / seeds;
-            out.variance[i] += value[i] * value[i] / seeds;
-        }
-    }
-    for (size_t i = 0; i < 65; i++) out.variance[i] = (out.variance[i] - out.mean[i] * out.mean[i]) / (seeds - 1);
-    return out;
+        return value;
+    });
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 namespace kernels {
 #include "kernels/instance.h"
 #include "kernels/surface.h"
+#include "kernels/highlights.h"
 #include "kernels/guide.h"
 }  // namespace kernels
 
@@ -89,7 +90,7 @@ TEST_CASE("directions fall into the bins as their chances say, evenly inside, wi
                 r.x = unit_float(uint32_t(random()));
                 r.y = unit_float(uint32_t(random()));
                 float3 dir;
-                const double weight = guide_sample(&learned.s, cell, n, r, &dir);
+                const double weight = guide_sample(&learned.s, &learned.par, cell, F3(0, 0, 0), n, r, &dir);
                 const Square q = square_of(n, dir);
                 const auto at = [&](double x, uint32_t k) { return std::min(uint32_t(std::max(x, 0.) * k), k - 1); };
                 count[at(q.x, fine) * fine + at(q.y, fine)]++;

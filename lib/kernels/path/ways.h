@@ -108,7 +108,7 @@ FN float sample_rough_t(PRIVATE const SceneTables* s, PRIVATE const Params* par,
 FN float guided_direction(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint cell, float3 p, float3 n,
                           PRIVATE Sampler* rnd, PRIVATE float3* dir) {
     if (cell == NONE) return sample_diffuse(s, par, p, n, rnd, dir);
-    float factor = guide_sample(s, cell, n, sample2(rnd), dir);
+    float factor = guide_sample(s, par, cell, p, n, sample2(rnd), dir);
     return dot3(*dir, n) > 0.0f ? factor : 0.0f;
 }
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sun's highlight on a polished floor lights a wall: aiming at it takes noise away and moves no mean, and every
+// device does the same.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include "physics/laws.h"
+
+#include "physics/seeds.h"
+
+using namespace laws;
+
+namespace {
+
+const std::string scene_text =
+    "void light sun_light 0 0 3 1e4 1e4 1e4\nsun_light source sun 0 0 4 .2 -.6 1 .5333\n"
+    "void plastic polished 0 0 5 .2 .2 .2 .05 .04\npolished polygon floor 0 0 12 -3 -3 0 3 -3 0 3 3 0 -3 3 0\n"
+    "void plastic white 0 0 5 .7 .7 .7 0 0\nwhite polygon wall 0 0 12 -3 3 0 3 3 0 3 3 3 -3 3 3\n"
+    "white polygon shade 0 0 12 -1 -1 1 -1 1 1 1 1 1 1 -1 1\n";
+
+view::View toward_wall() {
+    view::View view;
+    view.vp = {0, -2, 1.5};
+    view.vd = {0, 1, 0};
+    view.vh = view.vv = 70;
+    return view;
+}
+
+constexpr int size = 16, blocks = 16, seeds = 16, frames = 64;
+
+// Means of frames 1 .. 64, of each block of 4 x 4 pixels and, last, of the picture.
+Means means_of(const scene::Scene& scene, trace::Sampling sampling) {
+    return over_seeds(seeds, blocks + 1, [&](uint64_t seed) {
+        trace::RenderOptions options;
+        options.sampling = sampling;
+        options.seed = seed;
+        options.ab = 2;
+        options.direct_samples = 1 << 20;  // frames of the diffuse class alone
+        trace::Renderer renderer(scene, toward_wall(), size, size, options, "cpu", {});
+        std::vector<double> value(blocks + 1);
+        renderer.frames(1, frames, [&](int64_t, const std::vector<float>& rgb) {
+            for (int i = 0; i < size * size; i++) {
+                const double v = rgb[3 * size_t(i) + 1] / double(frames);
+                value[blocks] += v / (size * size);
+                value[size_t(i / size / 4 * 4 + i % size / 4)] += v / 16;
+            }
+            return true;
+        });
+        return value;
+    });
+}
+
+}  // namespace
+
+TEST_CASE("aiming at highlights takes noise away and moves no mean") {
+    const scene::Scene scene = scene_of(scene_text);
+    const Means plain = means_of(scene, trace::Sampling::plain);
+    for (const auto sampling : {trace::Sampling::portals, trace::Sampling::guided}) {
+        const Means aimed = means_of(scene, sampling);
+        for (size_t i = 0; i <= blocks; i++) {
+            CAPTURE(i);
+            CHECK(std::abs(aimed.mean[i] - plain.mean[i]) <= 4.5 * std::sqrt(aimed.variance[i] + plain.variance[i]));
+        }
+        CHECK(aimed.variance[blocks] < .3 * plain.variance[blocks]);
+        CHECK(std::sqrt(aimed.variance[blocks]) < .01 * aimed.mean[blocks]);
+    }
+}
+
+TEST_CASE("every device aims alike") {
+    const scene::Scene scene = scene_of(scene_text);
+    std::vector<float> first, other;
+    for (const std::string& device : devices()) {
+        if (device == "cpu:embree") continue;  // rounds its own way
+        CAPTURE(device);
+        trace::Renderer renderer(scene, toward_wall(), size, size, {}, device, {});
+        renderer.frame(3, first.empty() ? first : other);
+        if (!other.empty()) CHECK(first == other);
+    }
+}
