@@ -38,6 +38,8 @@ public:
     virtual uint32_t good_slots() const = 0;
 };
 
+// name: "auto" (a GPU by OpenCL, else the CPU), or one for either of these.
+std::unique_ptr<Device> make_device(const std::string& name);
 // name: "cpu", "cpu:embree", "cpu:baseline|avx2|avx512" (a lower instruction set than the machine has, for tests).
 std::unique_ptr<Device> make_cpu_device(const std::string& name);
 // name: "opencl[:index][:bvh2|bvh8]", index among all OpenCL devices, GPUs first.  Throws Error (system) without any.
