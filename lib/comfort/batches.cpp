@@ -21,26 +21,19 @@ void Batches::add(const Luminance& mean, int64_t n) {
     spare_.resize(mean.size());
     std::copy(mean.grey, mean.grey + mean.size(), spare_.begin());
     ends_.push_back({n, std::move(spare_)});
-    spare_.clear();
-    if (ends_.size() <= most) return;
-
-    size_t least = 0;
-    for (size_t k = 1; k + 1 < ends_.size(); ++k)
-        if (frames(k) + frames(k + 1) < frames(least) + frames(least + 1)) least = k;
-    spare_ = std::move(ends_[least].mean);
-    ends_.erase(ends_.begin() + long(least));
+    spare_ = image::forget_means(ends_, image::most_means);
 }
 
 // Adds factor * (sum over the batch's frames), row 0 = top.
 void Batches::add_sum(size_t batch, double factor, std::vector<float>& to) const {
-    const float* end = ends_[batch].mean.data();
-    const float at_end = float(factor * double(ends_[batch].n));
+    const float* end = ends_[batch].grey.data();
+    const float at_end = float(factor * double(ends_[batch].frames));
     if (batch == 0) {
         for (size_t i = 0; i < to.size(); ++i) to[i] += at_end * end[i];
         return;
     }
     // b L'(b) - a L'(a) = (b - a) L'(b) + a (L'(b) - L'(a)): of two close floats the difference is exact
-    const float* start = ends_[batch - 1].mean.data();
+    const float* start = ends_[batch - 1].grey.data();
     const float growth = float(factor * double(frames(batch))), before = float(factor * double(begin(batch)));
     for (size_t i = 0; i < to.size(); ++i) to[i] += growth * end[i] + before * (end[i] - start[i]);
 }
@@ -48,7 +41,7 @@ void Batches::add_sum(size_t batch, double factor, std::vector<float>& to) const
 void Batches::without(size_t batch, GreyPicture& out) const {
     out.width = width_;
     out.height = height_;
-    out.grey = ends_.back().mean;
+    out.grey = ends_.back().grey;
     const double n = double(frames()), rest = n - double(frames(batch));
     const float share = float(n / rest);
     for (float& v : out.grey) v *= share;
@@ -59,7 +52,7 @@ size_t Batches::middle() const {
     if (count() < 2) return count();
     size_t best = 0;
     for (size_t k = 1; k + 1 < count(); ++k)
-        if (std::abs(2 * ends_[k].n - frames()) < std::abs(2 * ends_[best].n - frames())) best = k;
+        if (std::abs(2 * ends_[k].frames - frames()) < std::abs(2 * ends_[best].frames - frames())) best = k;
     return best;
 }
 

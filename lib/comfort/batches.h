@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A growing mean cut into batches of frames, from which its error can be told.
-// The sum of L(0) + L(k) over frames a+1..b is b L'(b) - a L'(a): so the means L'(b) at the batches' ends are all that
-// is kept, at most 17 grey pictures, and two neighbouring batches become one by forgetting the mean between them.
-// Beyond 16 batches those two neighbours are joined that hold the fewest frames together.
+// What is kept are the means at the batches' ends (image/means.h), at most 17 grey pictures.  Beyond 16 batches those
+// two neighbours are joined that hold the fewest frames together.
 // What is told of a batch may be slightly negative in places.
 #pragma once
 #include <cstdint>
 #include <vector>
 #include "comfort/luminance.h"
+#include "image/means.h"
 
 namespace comfort {
 
@@ -20,8 +20,6 @@ struct GreyPicture {
 
 class Batches {
 public:
-    static constexpr size_t most = 16;
-
     void restart() { ends_.clear(); }
     // L'(n), n rising and above 0.
     void add(const Luminance& mean, int64_t n);
@@ -29,26 +27,22 @@ public:
     size_t count() const { return ends_.size(); }
     int width() const { return width_; }
     int height() const { return height_; }
-    int64_t frames() const { return ends_.empty() ? 0 : ends_.back().n; }
-    int64_t frames(size_t batch) const { return ends_[batch].n - begin(batch); }
-    int64_t begin(size_t batch) const { return batch ? ends_[batch - 1].n : 0; }  // frames before it
+    int64_t frames() const { return ends_.empty() ? 0 : ends_.back().frames; }
+    int64_t frames(size_t batch) const { return ends_[batch].frames - begin(batch); }
+    int64_t begin(size_t batch) const { return batch ? ends_[batch - 1].frames : 0; }  // frames before it
 
-    const std::vector<float>& whole() const { return ends_.back().mean; }  // L'(n)
+    const std::vector<float>& whole() const { return ends_.back().grey; }  // L'(n)
     // The mean of all frames but those of a batch.
     void without(size_t batch, GreyPicture& out) const;
 
     // The end of a batch that lies nearest to half of all frames; with one batch there is none: count().
     size_t middle() const;
-    const std::vector<float>& mean_at(size_t batch) const { return ends_[batch].mean; }  // L' at the batch's end
+    const std::vector<float>& mean_at(size_t batch) const { return ends_[batch].grey; }  // L' at the batch's end
 
 private:
-    struct End {
-        int64_t n;
-        std::vector<float> mean;  // L'(n)
-    };
     void add_sum(size_t batch, double factor, std::vector<float>& to) const;
     int width_ = 0, height_ = 0;
-    std::vector<End> ends_;
+    std::vector<image::GreyMean> ends_;
     std::vector<float> spare_;
 };
 

@@ -97,9 +97,13 @@ Certainty::Values Certainty::values(const Measurement& m, Kind kind) const {
     return out;
 }
 
-void Certainty::look(const Luminance& lum, const Measurement& m) {
+void Certainty::pass_look() {
     next_look_ = int64_t(std::ceil(double(batches_.frames()) * growth_between_looks));
     ++looks_;
+}
+
+void Certainty::look(const Luminance& lum, const Measurement& m) {
+    pass_look();
     std::vector<Estimate> fresh(columns_.size(), {nan, nan, 0, 0, false, batches_.frames()});
     const Measurement unmoved = has(Kind::picture) ? look_at_halves(lum, m, fresh) : m;
     if (has(Kind::region)) look_at_batches(m, fresh);

@@ -45,6 +45,7 @@ public:
     void add(const Luminance& lum, int64_t n);
     bool due() const { return batches_.count() >= 2 && batches_.frames() >= next_look_; }
     void look(const Luminance& lum, const Measurement& m);
+    void pass_look();  // without looking
 
     int looks() const { return looks_; }
     const Estimate& estimate(size_t column) const { return estimates_[column]; }

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The grey picture that every metric reads: one float a pixel, made in place over the first third of the picture's
 // RGB memory (12 bytes a pixel hold everything), row 0 = top.
-// Grey = kr R + kg G + kb B with evalglare's weights (RADIANCE primaries, equal-energy white), rounded to float;
-// luminance = 179 grey, cd/m2.  Not finite pixels, and those beyond any light, become 0 and are counted; negative ones
-// are counted and kept.
+// Grey is that of image/grey.h; luminance = 179 grey, cd/m2.  Not finite pixels, and those beyond any light, become 0
+// and are counted; negative ones are counted and kept.
 #pragma once
 #include <cstddef>
+#include "image/grey.h"
 #include "image/picture.h"
 
 namespace comfort {
 
-constexpr double grey_red = 0.26510582010582007, grey_green = 0.67010582010581987, grey_blue = 0.064788359788359784;
+using image::grey_blue, image::grey_green, image::grey_red;
 constexpr double cdm2_per_grey = 179 * (grey_red + grey_green + grey_blue);
-
-// A pixel beyond this is a mistake of whoever wrote it (the sun is 1e7); sums over such pixels would not be finite.
-constexpr float brightest_grey = 1e30f;
 
 struct Luminance {
     int width = 0, height = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures as OpenEXR: see exr.h.  A sum of frames also keeps what merging needs (accumulate.h): L(0) as layer
-// "frame0", and the exact sum of the other frames as layers "sum0" to "sum9", one for each digit (exact_sum.h).
+// "frame0", and the exact sum of the other frames as layers "sum0" to "sum9", one for each digit (exact_sum.h).  What
+// tells its error are means of its first n frames, "mean<n>.Y" (means.h).
 #include "image/exr.h"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 
 #include "base/error.h"
 #include "image/exr_file.h"
+#include "image/grey.h"
 #include "image/header.h"
 
 namespace image {
@@ -32,7 +34,7 @@ bool scale_colors(std::vector<float>& rgb, double unit, const std::optional<std:
     return true;
 }
 
-// Sums of pixels whose colours are converted would be those of other numbers, and are left out.
+// Sums and means of pixels whose colours are converted would be those of other numbers, and are left out.
 std::vector<SumLayer> read_sum(const ExrInput& in) {
     std::vector<SumLayer> all;
     for (int k = 0; k < ExactSum::digits; ++k) {
@@ -41,6 +43,42 @@ std::vector<SumLayer> read_sum(const ExrInput& in) {
             all.push_back({k, in.read_whole({layer + ".R", layer + ".G", layer + ".B"})});
     }
     return all;
+}
+
+// n of "mean<n>.Y"; 0 for any other channel.
+int64_t frames_of_mean(const std::string& channel) {
+    const size_t digits = channel.size() - std::min<size_t>(channel.size(), 6);
+    if (digits < 1 || digits > 15 || channel.compare(0, 4, "mean") != 0 || channel.substr(4 + digits) != ".Y") return 0;
+    int64_t n = 0;
+    for (const char c : channel.substr(4, digits)) {
+        if (c < '0' || c > '9') return 0;
+        n = 10 * n + (c - '0');
+    }
+    return n;
+}
+
+// One pass over the file, which decodes all channels.
+std::vector<GreyMean> read_means(const ExrInput& in, int64_t frames, const std::string& path) {
+    std::vector<GreyMean> means;
+    for (const std::string& channel : in.channels())
+        if (const int64_t n = frames_of_mean(channel)) means.push_back({n, {}});
+    if (means.empty()) return means;
+    std::sort(means.begin(), means.end(), [](const GreyMean& a, const GreyMean& b) { return a.frames < b.frames; });
+    if (means.size() > most_means) base::fail(path, fmt::format("holds more than {} means of batches", most_means));
+    if (means.back().frames >= frames)
+        base::fail(path, fmt::format("holds the mean of {} frames, where there are {}", means.back().frames, frames));
+    std::vector<std::string> channels;
+    for (const GreyMean& m : means) channels.push_back(fmt::format("mean{}.Y", m.frames));
+    const std::vector<float> together = in.read(channels);
+    for (size_t k = 0; k < means.size(); ++k) {
+        std::vector<float>& grey = means[k].grey;
+        grey.resize(together.size() / means.size());
+        for (size_t i = 0; i < grey.size(); ++i) {
+            const float v = together[i * means.size() + k];
+            grey[i] = std::fabs(v) <= brightest_grey ? v : 0;
+        }
+    }
+    return means;
 }
 
 }  // namespace
@@ -59,7 +97,9 @@ Picture read_exr(const std::string& path) {
         scale_colors(p.rgb, in.white_luminance() / lumens_per_watt, in.primaries());
         if (in.has("frame0.R") && in.has("frame0.G") && in.has("frame0.B"))
             p.frame0 = in.read({"frame0.R", "frame0.G", "frame0.B"});
-        if (!scale_colors(p.frame0, in.white_luminance() / lumens_per_watt, in.primaries())) p.sum = read_sum(in);
+        if (scale_colors(p.frame0, in.white_luminance() / lumens_per_watt, in.primaries())) return p;
+        p.sum = read_sum(in);
+        if (p.header.frames) p.means = read_means(in, *p.header.frames, path);
         return p;
     }
     const std::vector<float> grey = in.read({"Y"});
@@ -95,6 +135,9 @@ void write_exr(const std::string& path, const Picture& picture, const ExrOptions
     for (const SumLayer& layer : picture.sum)
         for (size_t c = 0; c < 3 && !options.half; ++c)  // halves are not the pixels that these are the sums of
             channels.push_back({fmt::format("sum{}.{}", layer.digit, "RGB"[c]), layer.words.data() + c, 3, true});
+    for (const GreyMean& mean : picture.means)
+        if (!options.half && mean.frames != picture.header.frames)
+            channels.push_back({fmt::format("mean{}.Y", mean.frames), mean.grey.data(), 1});
     write_exr_channels(path, picture.width, picture.height, channels, picture.header, {}, options);
 }
 

@@ -116,6 +116,7 @@ void Merger::add(Picture p, const std::string& name) {
     g.frames += *h.frames;
     add_ranges(g.ranges, h.ranges);
     g.last_name = name;
+    means_.add(p, size_t(&g - groups_.data()), name);
     if (!apart) {
         g.whole = std::move(p);
         return;
@@ -161,6 +162,9 @@ Picture Merger::result() const {
         out.frame0 = groups_[0].frame0;
         out.sum = groups_[0].sum.layers();
     }
+    std::vector<const std::vector<float>*> frame0;
+    for (const Group& g : groups_) frame0.push_back(&g.frame0);
+    means_.result(frame0, out);
     for (size_t i = 0; i < groups_.size(); ++i) {
         const Group& g = groups_[i];
         if (i == 0) {

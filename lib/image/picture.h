@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 #include "image/exact_sum.h"
+#include "image/means.h"
 #include "view/view.h"
 
 namespace image {
@@ -46,10 +47,11 @@ constexpr int direct_samples = 16;
 
 struct Picture {
     int width = 0, height = 0;
-    bool floats = false;        // the pixels came as 32-bit floats: differences of such pictures mean something
-    std::vector<float> rgb;     // 3 * width * height, row 0 = top
-    std::vector<float> frame0;  // accumulated pictures in EXR: L(0), as rgb; else empty
-    std::vector<SumLayer> sum;  // accumulated pictures in EXR: the sum of the frames above 0, exactly; else empty
+    bool floats = false;          // the pixels came as 32-bit floats: differences of such pictures mean something
+    std::vector<float> rgb;       // 3 * width * height, row 0 = top
+    std::vector<float> frame0;    // accumulated pictures in EXR: L(0), as rgb; else empty
+    std::vector<SumLayer> sum;    // likewise: the sum of the frames above 0, exactly
+    std::vector<GreyMean> means;  // likewise: at the ends of batches, if kept; may end with the picture itself
     Header header;
     float* at(int x, int y_from_top) { return &rgb[3 * (size_t(y_from_top) * width + x)]; }
     const float* at(int x, int y_from_top) const { return &rgb[3 * (size_t(y_from_top) * width + x)]; }

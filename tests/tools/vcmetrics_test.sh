@@ -55,6 +55,17 @@ check 'no intervals of pictures by themselves, of RGBE, of merges, and why' '
         vcmetrics -metrics Ev -ci 95 $f 2>&1 > t | grep -q "no intervals: " &&
             tail -1 t | grep -qP "nan\tnan\t-$" || exit 1
     done'
+check 'a file with batches has the intervals that the last line of its stream had' '
+    $mkstream frames 0 12 64 64 2> /dev/null | ptaccum -batches 16 -o all.exr -o - |
+        vcmetrics -metrics Ev,RAMMGu -ci 95 -W | tail -1 | cut -f 3- > told &&
+    vcmetrics -metrics Ev,RAMMGu -ci 95 -W all.exr 2> err | tail -1 | cut -f 2- > later &&
+    cmp told later && ! grep -q nan later && [ ! -s err ]'
+check 'so have shares of several machines, merged' '
+    $mkstream frames 0 6 64 64 2> /dev/null | ptaccum -last -batches 8 -o one.exr &&
+    $mkstream frames 7 12 64 64 2> /dev/null | ptaccum -last -batches 8 -o two.exr &&
+    ptaccum two.exr one.exr -batches 16 -o all.exr &&
+    vcmetrics -metrics Ev,RAMMGu -ci 95 -W all.exr | tail -1 | cut -f 2- | paste told - |
+        awk "{ for (k = 1; k <= 6; ++k) if ((\$k - \$(k + 7)) ^ 2 > 1e-8 * \$k ^ 2) exit 1 }"'
 check 'half of all frames in a step is told' '
     ptaccum -every x2 < frames.lux | vcmetrics -ci 95 2>&1 > /dev/null | grep -q "x2/16"'
 check 'a rule of widths holds, and says so'      '

@@ -264,6 +264,77 @@ TEST_CASE("complete sums of several seeds average by their frames") {
     CHECK(q.header.frames == 60);
 }
 
+namespace {
+// As ptaccum -batches: a mean after every `step` frames.
+Picture with_batches(int64_t first, int64_t last, int64_t step, uint64_t seed = 1) {
+    Picture p = sum_of(first, last, seed);
+    for (int64_t k = first; k <= last; ++k) {
+        const Picture part = sum_of(first, k, seed);
+        if (*part.header.frames % step == 0) image::add_mean(p.means, *part.header.frames, part.rgb, image::most_means);
+    }
+    return p;
+}
+double worst(const image::GreyMean& mean, const Picture& sum) {
+    std::vector<image::GreyMean> exact;
+    image::add_mean(exact, *sum.header.frames, sum.rgb, 1);
+    double w = 0;
+    for (size_t i = 0; i < mean.grey.size(); ++i)
+        w = std::max(w, double(std::fabs(mean.grey[i] - exact[0].grey[i])) / std::max(1.f, exact[0].grey[i]));
+    return w;
+}
+}  // namespace
+
+TEST_CASE("beyond the most, means are forgotten between the batches that hold the fewest frames") {
+    std::vector<image::GreyMean> means;
+    for (int64_t n : {1, 2, 3, 5, 8, 13}) image::add_mean(means, n, sum_of(0, n).rgb, 4);
+    std::vector<int64_t> frames;
+    for (const image::GreyMean& m : means) frames.push_back(m.frames);
+    CHECK(frames == std::vector<int64_t>{3, 5, 8, 13});
+    for (const image::GreyMean& m : means) CHECK(worst(m, sum_of(0, m.frames)) == 0);
+}
+
+TEST_CASE("parts keep their batches when they are merged, in any order") {
+    for (const bool turned : {false, true}) {
+        std::vector<Picture> parts{with_batches(0, 16, 4), with_batches(17, 24, 4), sum_of(25, 30)};
+        if (turned) std::reverse(parts.begin(), parts.end());
+        Merger all(8);
+        for (const Picture& p : parts) all.add(p, "part");
+        const Picture p = all.result();
+        std::vector<int64_t> frames;
+        for (const image::GreyMean& m : p.means) {
+            frames.push_back(m.frames);
+            CHECK(worst(m, sum_of(0, m.frames)) < 3e-7);  // three roundings to float
+        }
+        CHECK(frames == std::vector<int64_t>{4, 8, 12, 16, 20, 24, 30});
+    }
+    CHECK(merged({with_batches(0, 16, 4), sum_of(17, 30)}).means.empty());  // not asked for, and one has none
+    CHECK(merged({with_batches(0, 16, 4), with_batches(17, 32, 4)}).means.size() == 8);
+}
+
+TEST_CASE("batches of several seeds, each with its own frame 0") {
+    const Picture p = merged({with_batches(0, 20, 5, 3), with_batches(0, 24, 6, 4)});
+    std::vector<int64_t> frames;
+    for (const image::GreyMean& m : p.means) frames.push_back(m.frames);
+    // frames 1 to 16 of the second seed share its frame 0: no batch ends among them
+    CHECK(frames == std::vector<int64_t>{5, 10, 15, 20, 38, 44});
+    CHECK(worst(p.means[2], sum_of(0, 15, 3)) == doctest::Approx(0).epsilon(3e-7));
+    CHECK(worst(p.means[4], merged({sum_of(0, 20, 3), sum_of(0, 18, 4)})) < 3e-7);
+    CHECK(worst(p.means.back(), p) < 3e-7);
+}
+
+TEST_CASE("a sum that is rounded to bytes is no batch") {
+    Picture coarse = sum_of(17, 30);
+    coarse.sum.clear();
+    Merger all(16);
+    all.add(with_batches(0, 16, 4), "fine.exr");
+    all.add(coarse, "coarse.hdr");
+    base::take_warnings();
+    CHECK(all.result().means.empty());
+    const auto told = base::take_warnings();
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].first.find("no batches are kept") != std::string::npos);
+}
+
 TEST_CASE("what cannot be weighted rightly is refused") {
     CHECK(merge_error({sum_of(0, 9), sum_of(0, 9)}) == "p1: frame 0 of seed 1 is in p0 already");
     CHECK(merge_error({sum_of(0, 9), sum_of(5, 20)}) == "p1: frame 5 of seed 1 is in p0 already");

@@ -64,6 +64,42 @@ TEST_CASE("OpenEXR keeps frame 0 beside the sum") {
     CHECK(image::read_file(path).frame0 == p.frame0);
 }
 
+TEST_CASE("OpenEXR keeps the means at the ends of batches, but not with half floats") {
+    TempFolder temp;
+    Picture p = small_picture(4, 4);
+    p.header.frames = 9;
+    for (int64_t n : {2, 5, 9}) image::add_mean(p.means, n, std::vector<float>(48, float(n) / 3), image::most_means);
+    const std::string path = temp.name("a.exr");
+    image::write_file(path, p);
+    const Picture q = image::read_file(path);
+    REQUIRE(q.means.size() == 2);  // the third one is the picture
+    for (size_t k = 0; k < 2; ++k) {
+        CHECK(q.means[k].frames == p.means[k].frames);
+        CHECK(q.means[k].grey == p.means[k].grey);
+    }
+    image::WriteOptions half;
+    half.exr.half = true;
+    image::write_file(path, p, half);
+    CHECK(image::read_file(path).means.empty());
+}
+
+TEST_CASE("means that no picture can have are told in a line") {
+    TempFolder temp;
+    const std::string path = temp.name("a.exr");
+    Picture p = small_picture(2, 2);
+    p.header.frames = 20;
+    p.means.push_back({21, {1, 2, 3, NAN}});
+    image::write_file(path, p);
+    CHECK(error_text([&] { image::read_file(path); }) == path + ": holds the mean of 21 frames, where there are 20");
+    p.means[0].frames = 7;
+    image::write_file(path, p);
+    CHECK(image::read_file(path).means[0].grey == std::vector<float>{1, 2, 3, 0});
+    for (int64_t n = 1; n < 18; ++n) p.means.push_back({n, std::vector<float>(4)});
+    p.means.erase(p.means.begin());
+    image::write_file(path, p);
+    CHECK(error_text([&] { image::read_file(path); }) == path + ": holds more than 16 means of batches");
+}
+
 TEST_CASE("half floats are cut at 65504 with a warning") {
     TempFolder temp;
     Picture p = small_picture(2, 2);

@@ -64,7 +64,7 @@ void merge(const Options& opt, Pictures& pictures, image::Picture& first, const 
     std::string name = pictures.name();
     size_t input = pictures.input();
     int count = 1;
-    image::Merger merger;
+    image::Merger merger(opt.batches);
     const bool plain = !last.header.frames;  // no sum of ours: one such picture is only converted
     // An input may be a stream of growing sums: its last one counts.
     while (pictures.next(further) && !is_frame(further)) {

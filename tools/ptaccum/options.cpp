@@ -26,6 +26,9 @@ void declare_output(OptionTable& t, Options& opt) {
         .also_joined();
     t.add("-ff", "Float pixels in all RADIANCE pictures", opt.floats);
     t.add("-fc", "RGBE pixels in all RADIANCE pictures", opt.bytes);
+    t.add("-batches N", "Keep the means of N batches of frames in OpenEXR files, for vcmetrics -ci", [&](Arguments& a) {
+         opt.batches = int(a.integer(base::within(2, double(image::most_means))));
+     }).otherwise("those of the inputs");
     t.add("-half", "16-bit floats in OpenEXR files", opt.half);
 }
 
@@ -64,6 +67,10 @@ std::optional<Options> parse_options(int argc, char** argv) {
     if (opt.last_only && opt.every_given) base::fail("-last", "cannot be used with -every");
     if (opt.floats && opt.bytes) base::fail("-ff", "cannot be used with -fc");
     const auto files_end = std::remove(opt.outputs.begin(), opt.outputs.end(), "-");
+    const bool exr = std::any_of(opt.outputs.begin(), files_end,
+                                 [](const std::string& name) { return image::ending_of(name) == ".exr"; });
+    if (opt.batches && !exr) base::fail("-batches", "are kept in OpenEXR files: -o file.exr");
+    if (opt.batches && opt.half) base::fail("-batches", "cannot be used with -half, whose pixels are too coarse");
     opt.to_stdout = opt.outputs.empty() || files_end != opt.outputs.end();
     opt.outputs.erase(files_end, opt.outputs.end());
     for (const std::string& name : opt.outputs) image::require_writable_ending(name);

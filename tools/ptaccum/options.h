@@ -18,8 +18,9 @@ struct Options {
     bool last_only = false;              // -last
     bool floats = false, bytes = false;  // -ff -fc: not what output.h says
     image::ToneOptions tone;
-    bool filter = true;  // -filter: PNG files of frames that come in
-    bool half = false;   // -half: OpenEXR with 16-bit floats
+    bool filter = true;          // -filter: PNG files of frames that come in
+    std::optional<int> batches;  // -batches: so many, for OpenEXR files
+    bool half = false;           // -half: OpenEXR with 16-bit floats
 };
 
 // Nothing: help or version was printed.

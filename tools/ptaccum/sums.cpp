@@ -25,12 +25,15 @@ Sums::Sums(const Options& options, const Output& output)
     : options_(options),
       output_(output),
       schedule_(options.schedule),
+      batches_(size_t(options.batches.value_or(0))),
       filters_(options.filter && writes_png(options)) {}
 
 Sums::Sums(const Options& options, const Output& output, const image::Picture& sum, const std::string& name)
     : Sums(options, output) {
     sum_.resume(sum, name);
     filters_ = false;
+    result_.means = sum.means;
+    if (!sum.means.empty() && !options.batches) batches_ = image::most_means;
     schedule_.resume(sum_.frames());
 }
 
@@ -44,17 +47,21 @@ void Sums::add(const image::Picture& frame, const std::string& place) {
         if (image::label(frame.header) != image::label(sum_.header())) end_files();
     }
     sum_.add(frame, place);
+    if (restarts) result_.means.clear();
     if (filters_ && frame.header.frame == 0) halves_.clear(frame.rgb.size());
     else if (filters_) halves_.add(frame.rgb);
     if (restarts) schedule_.restart();
     streamed_ = filed_ = false;
     if (output_.to_stdout() && base::stdout_is_closed()) throw base::ClosedPipe{};  // the next write may be far
-    if (!options_.last_only && schedule_.due(sum_.frames())) write_due();
+    if (schedule_.due(sum_.frames())) write_due();
     if (progress_.due()) progress_.show(fmt::format("{} frames", sum_.frames()));
 }
 
 void Sums::write_due() {
-    if (output_.to_stdout()) stream_sum(false);
+    const bool to_stdout = output_.to_stdout() && !options_.last_only;
+    if (to_stdout) stream_sum(false);
+    else if (batches_) take_sum();
+    if (options_.last_only) return;
     if (options_.outputs.empty() || (!options_.every_given && Clock::now() < files_again_)) return;
     const Clock::time_point began = Clock::now();
     write_files(true);
@@ -65,8 +72,13 @@ void Sums::end_stream() {
     if (!streamed_ && output_.to_stdout()) stream_sum(options_.last_only);
 }
 
-void Sums::stream_sum(bool by_itself) {
+void Sums::take_sum() {
     sum_.result(result_, false);
+    if (batches_) image::add_mean(result_.means, sum_.frames(), result_.rgb, batches_);
+}
+
+void Sums::stream_sum(bool by_itself) {
+    take_sum();
     if (by_itself) output_.stdout_picture(result_);
     else output_.stream_picture(result_);
     const auto& last = result_.header.last_frame;
@@ -92,6 +104,7 @@ bool Sums::can_filter() const {
 
 void Sums::write_files(bool passing) {
     sum_.result(result_, true);
+    if (batches_) image::add_mean(result_.means, sum_.frames(), result_.rgb, batches_);
     if (passing || !can_filter()) return output_.files(result_, passing);
     const std::vector<float> filtered =
         image::denoised(halves_, result_.frame0, result_.width, result_.height, base::processors());

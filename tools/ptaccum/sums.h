@@ -26,6 +26,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     void write_due();
+    void take_sum();  // into result_
     void stream_sum(bool by_itself);
     void write_files(bool passing);
     bool can_filter() const;
@@ -34,6 +35,7 @@ private:
     image::Accumulator sum_;
     image::Picture result_;
     image::Schedule schedule_;
+    size_t batches_;          // how many are kept (image/means.h)
     bool filters_;            // PNG files are asked for, and all frames come through here
     image::HalfSums halves_;  // where it does
     base::Progress progress_{"ptaccum"};

@@ -9,10 +9,10 @@
 class Steps {
 public:
     Steps(comfort::Meter& meter, const std::vector<comfort::Column>& columns, bool errors)
-        : certainty_(meter, columns, errors) {}
+        : meter_(meter), certainty_(meter, columns, errors) {}
 
-    // A picture's luminance, before it is measured.
-    void add(const image::Picture& picture, const comfort::Luminance& lum, const std::string& place);
+    // A picture's luminance, before it is measured.  Takes the picture's frame 0 and means, if it has some.
+    void add(image::Picture& picture, const comfort::Luminance& lum, const std::string& place);
     // After it is measured.  True: this was a look, the estimates are new.
     bool look(const comfort::Luminance& lum, const comfort::Measurement& m);
     void end_input(const std::string& place);  // of a file
@@ -20,8 +20,11 @@ public:
 
 private:
     void tell(const std::string& place, const std::string& fact);
+    void replay(image::Picture& picture, int64_t frames);
+    comfort::Meter& meter_;
     comfort::Certainty certainty_;
     int64_t last_ = -1;  // frames of the picture before; -1: none
     bool step_ = false;  // the picture at hand is one
+    bool ends_ = false;  // and no more follow it
     bool told_ = false, warned_ = false;
 };
