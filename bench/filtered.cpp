@@ -18,7 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void write_both(const image::Accumulator& sum, const image::HalfSums& halves, const std::string& name) {
+void write_both(image::Accumulator& sum, const image::HalfSums& halves, const std::string& name) {
     image::Picture picture;
     sum.result(picture, true);
     image::write_file(name + "_plain.exr", picture);
@@ -36,9 +36,9 @@ int run(int argc, char** argv) {
     image::Accumulator sum;
     image::HalfSums halves;
     for (image::Picture frame; frames.next(frame);) {
-        sum.add(frame, "stdin");
-        if (frame.header.frame == 0) halves.clear(frame.rgb.size());
-        else halves.add(frame.rgb);
+        const std::vector<float>& values = sum.add(std::move(frame), "stdin");
+        if (frame.header.frame == 0) halves.clear(values.size());
+        else halves.add(values);
         if (wanted.count(sum.frames())) write_both(sum, halves, argv[1] + ("_" + std::to_string(sum.frames())));
     }
     return 0;

@@ -2,6 +2,8 @@
 // See threads.h.
 #include "base/threads.h"
 
+#include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <system_error>
@@ -28,6 +30,14 @@ void on_threads(unsigned count, const std::function<void()>& body) {
     std::vector<std::thread> threads = start(count > 0 ? count - 1 : 0, body);
     body();
     for (std::thread& t : threads) t.join();
+}
+
+void in_shares(size_t count, size_t share, unsigned threads, const std::function<void(size_t, size_t)>& body) {
+    const size_t shares = (count + share - 1) / share;
+    std::atomic<size_t> next{0};
+    on_threads(unsigned(std::min<size_t>(threads, shares)), [&] {
+        for (size_t k; (k = next.fetch_add(1)) < shares;) body(k * share, std::min(count, (k + 1) * share));
+    });
 }
 
 unsigned threads_to_be_had(unsigned count) {

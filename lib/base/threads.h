@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Work on several threads, on fewer where the system gives no more (a limit of processes, no memory for a stack).
 #pragma once
+#include <cstddef>
 #include <functional>
 
 namespace base {
@@ -8,6 +9,9 @@ namespace base {
 // Calls body on up to `count` threads at once, the caller's among them, and returns when all have ended.  A body takes
 // its share from a common counter, so that it does not matter how many there are; it must not throw.
 void on_threads(unsigned count, const std::function<void()>& body);
+
+// Calls body(first, end) for shares of 0 .. count - 1, each `share` long but the last, on up to `threads` threads.
+void in_shares(size_t count, size_t share, unsigned threads, const std::function<void(size_t, size_t)>& body);
 
 // How many of `count` threads can be had at once, the caller's among them: for libraries that take it amiss otherwise.
 unsigned threads_to_be_had(unsigned count);

@@ -7,61 +7,14 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/threads.h"
+#include "image/exact_loops.h"
 
 namespace image {
 namespace {
 
 constexpr uint64_t low_half = 0xffffffff;
 constexpr uint32_t room = 1u << 29;
-
-// The widest lanes of the processor that runs it, for loops over all pixels.  (Sanitizers start before such a choice.)
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define WIDE_LOOP __attribute__((target_clones("avx2", "default")))
-#else
-#define WIDE_LOOP
-#endif
-
-// What floats add to the sums' digits `digit` and the one above, a few at a time: without branches, so that they are
-// taken side by side.
-struct Terms {
-    static constexpr size_t room = 256;
-    int64_t digit[room], low[room], high[room];
-};
-
-WIDE_LOOP void split(const float* values, size_t count, Terms& terms) {
-    for (size_t i = 0; i < count; ++i) {
-        uint32_t bits;
-        std::memcpy(&bits, values + i, 4);
-        const uint32_t field = bits << 1 >> 24, exponent = field > 0 ? field - 1 : 0;
-        const uint32_t fraction = field == 0xff ? 0 : (bits & 0x7fffff) | (field > 0 ? 0x800000 : 0);
-        const uint64_t wide = uint64_t(fraction) << (exponent & 31);
-        const int64_t sign = -int64_t(bits >> 31);
-        terms.digit[i] = exponent >> 5;
-        terms.low[i] = (int64_t(wide & low_half) ^ sign) - sign;
-        terms.high[i] = (int64_t(wide >> 32) ^ sign) - sign;
-    }
-}
-
-WIDE_LOOP void add_terms(const Terms& terms, size_t count, int64_t digit, int64_t* lane) {
-    for (size_t i = 0; i < count; ++i)
-        lane[i] += (terms.digit[i] == digit ? terms.low[i] : 0) + (terms.digit[i] == digit - 1 ? terms.high[i] : 0);
-}
-
-// Exponent fields of the least and the greatest value that are not 0.
-WIDE_LOOP void exponents(const float* values, size_t count, uint32_t& least, uint32_t& most) {
-    uint32_t lo = least, hi = most;
-    for (size_t i = 0; i < count; ++i) {
-        uint32_t bits;
-        std::memcpy(&bits, values + i, 4);
-        const uint32_t field = bits << 1 >> 24, exponent = field > 0 ? field : 1;
-        const uint32_t seen = bits << 1 ? exponent : 0xff;
-        lo = seen < lo ? seen : lo;
-        hi = exponent > hi ? exponent : hi;
-    }
-    least = lo;
-    most = hi;
-}
 
 // A word of ones or of zeros, as the sign goes on above this word.
 uint32_t sign_of(uint32_t word) { return word >> 31 ? 0xffffffffu : 0; }
@@ -87,21 +40,51 @@ void ExactSum::about_to_add() {
 
 // A float's 24 bits lie in two digits at most.
 bool ExactSum::add(const std::vector<float>& values) {
-    about_to_add();
-    constexpr uint32_t not_finite = 0xff;
-    uint32_t least = not_finite, most = 1;  // exponent fields of those that are not 0
-    exponents(values.data(), count_, least, most);
-    if (least == not_finite) return most != not_finite;
-    const int first = int(least - 1) / 32, last = int(most - 1) / 32 + 1;
-    reach(first, last);
+    exact::Exponents all;
+    exact::widen(all, values.data(), count_);
+    add({&values, 1}, all, 1);
+    return all.finite();
+}
 
-    Terms terms;
-    for (size_t i = 0; i < count_; i += Terms::room) {
-        const size_t n = std::min(Terms::room, count_ - i);
-        split(&values[i], n, terms);
-        for (int k = first; k <= last; ++k) add_terms(terms, n, k, &lane_[size_t(k)][i]);
+void ExactSum::add(base::Span<std::vector<float>> frames, const exact::Exponents& all, unsigned threads) {
+    for (size_t k = 0; k < frames.size(); ++k) about_to_add();
+    if (!all.any()) return;
+    reach(all.first_digit(), all.last_digit());
+
+    base::in_shares(count_, share, threads, [&](size_t from, size_t end) {
+        const float* values[exact::most_frames];
+        for (size_t k = 0; k < frames.size(); k += exact::most_frames) {
+            const size_t some = std::min(exact::most_frames, frames.size() - k);
+            for (size_t i = from; i < end; i += exact::room) {
+                for (size_t f = 0; f < some; ++f) values[f] = &frames[k + f][i];
+                add_block(values, some, i, std::min(exact::room, end - i));
+            }
+        }
+    });
+}
+
+void ExactSum::add_block(const float* const* frames, size_t frame_count, size_t first, size_t count) {
+    exact::Exponents here;
+    for (size_t f = 0; f < frame_count; ++f) exact::widen(here, frames[f], count);
+    if (!here.any()) return;
+    if (exact::fit_a_word(here)) {
+        const auto at = [&](int k) { return k < end_ ? &lane_[size_t(k)][first] : nullptr; };
+        int64_t* const lane[3] = {at(here.first_digit()), at(here.first_digit() + 1), at(here.first_digit() + 2)};
+        return exact::add(frames, frame_count, count, here.least, lane);
     }
-    return most != not_finite;
+    for (size_t f = 0; f < frame_count; ++f)
+        for (size_t i = 0; i < count; ++i) add_one(frames[f][i], first + i);
+}
+
+void ExactSum::add_one(float value, size_t i) {
+    if (value == 0 || !std::isfinite(value)) return;
+    uint32_t bits;
+    std::memcpy(&bits, &value, 4);
+    const uint32_t field = bits << 1 >> 24, exponent = field > 0 ? field - 1 : 0;
+    const uint64_t wide = uint64_t((bits & 0x7fffff) | (field > 0 ? 0x800000 : 0)) << (exponent & 31);
+    const int64_t sign = bits >> 31 ? -1 : 1;
+    lane_[exponent >> 5][i] += sign * int64_t(wide & low_half);
+    if (wide >> 32) lane_[(exponent >> 5) + 1][i] += sign * int64_t(wide >> 32);
 }
 
 void ExactSum::add(const std::vector<double>& values) {
@@ -164,26 +147,20 @@ void ExactSum::carry() {
 }
 
 double ExactSum::value(size_t i) const {
-    static const std::array<double, digits + 3> worth = [] {  // of a digit, from two below the lowest up
-        std::array<double, digits + 3> all;
-        for (int k = 0; k < digits + 3; ++k) all[size_t(k)] = std::ldexp(1., 32 * (k - 2) - 149);
-        return all;
-    }();
-    if (lowest_ >= end_) return 0;
-    Number n = number(i);
-    const bool negative = sign_of(n[size_t(end_)]) != 0;
-    uint64_t carried = 1;
-    for (int k = lowest_; negative && k <= end_; ++k) {
-        carried += uint32_t(~n[size_t(k)]);
-        n[size_t(k)] = uint32_t(carried & low_half);
-        carried >>= 32;
+    double v;
+    values(i, 1, &v);
+    return v;
+}
+
+void ExactSum::values(size_t first, size_t count, double* out) const {
+    std::fill(out, out + count, 0.);
+    if (lowest_ >= end_) return;
+    const double unit = std::ldexp(1., 32 * lowest_ - 149);
+    for (size_t i = 0; i < count; i += exact::room) {
+        const int64_t* lane[digits];
+        for (int k = lowest_; k < end_; ++k) lane[k - lowest_] = &lane_[size_t(k)][first + i];
+        exact::to_doubles(lane, end_ - lowest_, unit, std::min(exact::room, count - i), out + i);
     }
-    int top = end_;
-    while (top > lowest_ && n[size_t(top)] == 0) --top;
-    const auto word = [&](int k) { return k < lowest_ ? 0 : uint64_t(n[size_t(k)]); };
-    const double leading = double(word(top) << 32 | word(top - 1)) * 4294967296. + double(word(top - 2));
-    const double magnitude = leading * worth[size_t(top)];
-    return negative ? -magnitude : magnitude;
 }
 
 std::vector<SumLayer> ExactSum::layers() const {

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/processors.h"
+#include "base/threads.h"
 #include "image/accumulate.h"
 #include "image/fingerprint.h"
 #include "image/header.h"
@@ -154,8 +156,12 @@ Picture Merger::result() const {
     std::vector<double> sum(3 * size_t(width_) * height_, 0);
     for (const Group& g : groups_) {
         const double weight = groups_.size() > 1 ? double(g.frames) / double(total) : 1;
-        for (size_t i = 0; i < sum.size(); ++i)
-            sum[i] += weight * (g.is_whole() ? double(g.whole.rgb[i]) : eq7(g.frame0, g.sum, g.frames, i));
+        base::in_shares(sum.size(), ExactSum::share, base::processors(), [&](size_t first, size_t end) {
+            double values[ExactSum::share];
+            if (g.is_whole()) std::copy(&g.whole.rgb[first], &g.whole.rgb[0] + end, values);
+            else eq7(g.frame0, g.sum, g.frames, first, end, values);
+            for (size_t i = first; i < end; ++i) sum[i] += weight * values[i - first];
+        });
     }
     out.rgb.assign(sum.begin(), sum.end());
     if (groups_.size() == 1) {

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         image::StreamReader in(file.path());
         image::Accumulator sum;
         image::Picture picture;
-        while (in.next(picture)) try_to([&] { sum.add(picture, "fuzz"); });
+        while (in.next(picture)) try_to([&] { sum.add(std::move(picture), "fuzz"); });
         if (!sum.empty()) sum.result(picture, true);
     });
     try_to([&] { image::read_spectral_file(file.path()); });

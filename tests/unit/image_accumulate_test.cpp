@@ -101,7 +101,7 @@ TEST_CASE("accumulation does not drift") {
             f.rgb[i] = k == 0 ? 0 : float(9 * std::pow(u, 8) + (u < 1e-4 ? 1e4 : 0) - 1e-3);
             sum[i] += f.rgb[i];
         }
-        a.add(f, "x");
+        a.add(Picture(f), "x");
     }
     Picture p;
     a.result(p, false);
@@ -140,7 +140,7 @@ TEST_CASE("100,000 frames lose nothing") {
     for (int64_t k = 0; k <= 100000; ++k) {
         f.header.frame = k;
         f.rgb.assign(3, k ? 1 + std::ldexp(1.f, -20) : 0);
-        a.add(f, "x");
+        a.add(Picture(f), "x");
     }
     Picture p;
     a.result(p, false);
@@ -152,7 +152,7 @@ TEST_CASE("a new frame 0 starts again, whatever its size and seed") {
     for (int64_t k = 0; k < 5; ++k) a.add(frame(k), "x");
     Picture big = frame(0, 9);
     big.width = 5, big.height = 6;
-    a.add(big, "x");
+    a.add(std::move(big), "x");
     CHECK(a.frames() == 0);
     Picture p;
     a.result(p, true);
@@ -167,7 +167,7 @@ TEST_CASE("values that are not finite count as 0, with a warning") {
     Picture f = frame(1);
     f.rgb[3] = NAN;
     f.rgb[5] = INFINITY;
-    a.add(f, "x");
+    a.add(Picture(f), "x");
     Picture p;
     a.result(p, false);
     CHECK(p.rgb[3] == frame(0).rgb[3]);

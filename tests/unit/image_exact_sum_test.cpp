@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 
+#include "image/exact_loops.h"
 #include "image/exact_sum.h"
 
 using image::ExactSum;
@@ -87,5 +88,36 @@ TEST_CASE("any order and grouping gives the same digits") {
         }
         REQUIRE(same(whole, parts));
         for (size_t i = 0; i < 5; ++i) CHECK(whole.value(i) == parts.value(i));
+    }
+}
+
+// The loops take 256 sums and eight frames at a time, of near exponents together and of distant ones one by one.
+TEST_CASE("many frames at once are the same as one after the other") {
+    std::mt19937 dice(3);
+    constexpr size_t count = 1003;
+    for (int spread : {0, 20, 200}) {
+        std::vector<std::vector<float>> frames(19, std::vector<float>(count));
+        ExactSum one_by_one, at_once;
+        one_by_one.clear(count), at_once.clear(count);
+        image::exact::Exponents exponents;
+        for (auto& frame : frames) {
+            for (float& v : frame) v = dice() % 3 ? std::ldexp(float(dice()) - 1e9f, -int(dice() % (spread + 1))) : 0;
+            frame[700] = -std::numeric_limits<float>::max();
+            frame[710] = std::numeric_limits<float>::denorm_min();
+            for (size_t i : {size_t(5), size_t(300)}) frame[i] = i == 5 ? NAN : INFINITY;
+            image::exact::widen(exponents, frame.data(), count);
+            one_by_one.add(frame);
+        }
+        at_once.add({frames.data(), frames.size()}, exponents, 3);
+        REQUIRE(same(one_by_one, at_once));
+
+        std::vector<double> values(count);
+        at_once.values(0, count, values.data());
+        for (size_t i = 0; i < count; ++i) {
+            long double sum = 0;  // near enough: the terms have 24 bits
+            for (const auto& frame : frames) sum += std::isfinite(frame[i]) ? frame[i] : 0;
+            CHECK(values[i] == one_by_one.value(i));
+            if (spread <= 20) CHECK(values[i] == double(sum));
+        }
     }
 }
