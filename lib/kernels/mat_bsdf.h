@@ -19,7 +19,10 @@
 #define BSDF_HEMI_R alpha2_ru  // directional-hemispherical values there
 #define BSDF_HEMI_T alpha2_rv
 #define BSDF_THICKNESS alpha2_tu
-#define BSDF_PEAK fn_r  // x: light beside the peak, y: its squared radius, z: 1 if there is one
+#define BSDF_PEAK fn_r  // x: light beside the peak, y: its squared radius, z: PEAK_...
+#define PEAK_NONE 0.0f
+#define PEAK_RAY 1.0f      // passes as a sharp ray
+#define PEAK_SCATTER 2.0f  // is scattered with the rest, but beside direct light
 
 #define PEAK_PROBES 29
 #define PEAK_GRID 25  // of these on a grid, the others on the axes
@@ -114,19 +117,20 @@ FN float bsdf_peak(PRIVATE const SceneTables* s, GLOBAL const uint* table, float
     return peak < 0.0005f ? 0.0f : peak;
 }
 
-// aBSDF: the peak as a sharp ray.  Returns its integral.
+// aBSDF: the peak as a sharp ray.  Returns its integral.  Sampled rays find it, but scatter all there is (vectors
+// absdf_sampled_*).
 FN float bsdf_through(PRIVATE const SceneTables* s, GLOBAL const uint* component, PRIVATE const Surface* g, float3 v,
-                      PRIVATE Lobes* lobes) {
+                      int asked, PRIVATE Lobes* lobes) {
     if (component[BSDF_TABLE] == NONE) return 0.0f;
     GLOBAL const uint* table = s->u + component[BSDF_TABLE];
     float beside = 0.0f, peak = bsdf_peak(s, table, as_float_(component[BSDF_LAMBERT]), v, &beside);
 
-    if (peak > 0.0f) {
-        lobes->through = mul3(scale3(bsdf_color(s, table, v, neg3(v)), peak), g->color);
-        lobes->through_dir = neg3(g->v);
-        lobes->BSDF_PEAK = F3(beside, as_float_(table[BT_MIN_PSA]), 1.0f);
-    }
+    if (peak <= 0.0f) return 0.0f;
+    lobes->BSDF_PEAK = F3(beside, as_float_(table[BT_MIN_PSA]), asked == LOBES_SAMPLED ? PEAK_SCATTER : PEAK_RAY);
+    if (asked == LOBES_SAMPLED) return 0.0f;
 
+    lobes->through = mul3(scale3(bsdf_color(s, table, v, neg3(v)), peak), g->color);
+    lobes->through_dir = neg3(g->v);
     return peak;
 }
 
@@ -185,7 +189,7 @@ FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
 
     GLOBAL const uint* refl = bsdf_component(s, m, g->front, 0);
     GLOBAL const uint* trans = bsdf_component(s, m, g->front, 1);
-    float peak = peaked ? bsdf_through(s, trans, g, v, lobes) : 0.0f;
+    float peak = peaked ? bsdf_through(s, trans, g, v, asked, lobes) : 0.0f;
     if (asked == LOBES_SHADOW) return;
 
     lobes->flags |= LOBE_BSDF;
@@ -216,7 +220,7 @@ FN_RARE float3 bsdf_direct(PRIVATE const SceneTables* s, PRIVATE const Params* p
     GLOBAL const uint* table = s->u + at;
     float3 tint = transmit ? g->color : F3(1.0f, 1.0f, 1.0f);
 
-    if (transmit && lobes->BSDF_PEAK.z > 0.0f) {
+    if (transmit && lobes->BSDF_PEAK.z != PEAK_NONE) {
         float dx = l.x + v.x, dy = l.y + v.y, W = w * fabs_(l.z), r2 = lobes->BSDF_PEAK.y;
         if (dx * dx + dy * dy <= 3.18309886f * (W + r2 + 2.0f * sqrt_(W * r2)))
             return madd3(mul3(tint, bsdf_color(s, table, v, l)), lobes->BSDF_PEAK.x * fabs_(l.z) * w, sum);
@@ -252,7 +256,7 @@ FN_RARE float bsdf_sample_lobe(PRIVATE const SceneTables* s, PRIVATE const Param
     if (weight <= 0.0f || hemi <= 0.0f) return 0.0f;
     if ((v.z > 0.0f) == transmit) l.z = -l.z;
 
-    if (transmit && lobes->BSDF_PEAK.z > 0.0f) {  // the peak has its own ray
+    if (transmit && lobes->BSDF_PEAK.z == PEAK_RAY) {
         float dx = l.x + v.x, dy = l.y + v.y;
         float3 straight = bsdf_local(lobes->BSDF_X, z, g->v);
         if (dx * dx + dy * dy <= s->f[table[BT_PSA] + bsdf_cell(s, table, straight)]) return 0.0f;

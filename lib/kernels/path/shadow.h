@@ -244,6 +244,17 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
     return black;
 }
 
+// Where patterns fall below 0 RADIANCE counts light that arrives with the sum of its channels above 0.  (A lamp's own
+// pattern is not in this sum.)
+FN int shadow_counts(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const ShadowRay* shadow,
+                     float3 T) {
+    if (T.x >= 0.0f && T.y >= 0.0f && T.z >= 0.0f) return 1;
+    GLOBAL const uint* lamp = mod_record(s, par, as_uint_(shadow->src[SRC_MOD]));
+    int plain = !shadow->is_virtual && lamp[MOD_TYPE] >= M_FIRST_MATERIAL;
+    float3 light = plain ? mul3(T, f3_at(s->f + lamp[MOD_ARGS])) : T;
+    return light.x + light.y + light.z > 0.0f;
+}
+
 // Adds what the shadow ray of a slot brings.  known: of a plain one (shadow_is_plain).
 FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot,
                     int known) {
@@ -266,6 +277,7 @@ FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
     shadow.rnd.key = hash32(shadow.rnd.key ^ 0x5bd1e995u);
 
     float3 T = aimed ? shadow_aimed(s, par, &shadow) : shadow_straight(s, par, &shadow, dir.w);
+    if (!shadow_counts(s, par, &shadow, T)) return;
     float4 sum = paths->rad[slot];
     paths->rad[slot] = pack4(add3(xyz4(sum), mul3(xyz4(rad), T)), sum.w);
 }

@@ -58,7 +58,7 @@ def coefficient(rng):
     if p < .1:
         return rng.choice(["0", "1", "-.2", "1.3"])
     if p < .4:
-        return f"if({wave(rng)},1,0)"
+        return f"if({wave(rng)}-.013,1,0)"
     return f"clip({share(rng)})"
 
 

@@ -75,6 +75,28 @@ def untextured(scene):
             p.strings, p.names = ["0", "0", "0", "."], ()
 
 
+def glass_ball(scene):
+    return has(scene, "glass", "dielectric", "interface") and has(scene, "sphere", "bubble")
+
+
+def disc_for_ball(scene):
+    """As wide, but flat."""
+    for p in scene.primitives():
+        if p.kind in ("sphere", "bubble"):
+            x, y, z, r = p.reals
+            p.kind, p.reals = "ring", [x, y, z, .3, -.5, .8, 0, r]
+
+
+def coloured_mirror(scene):
+    return has(scene, "mirror") and any(k.startswith("color") for k in scene.kinds())
+
+
+def grey_mirror(scene):
+    for p in scene.primitives():
+        if p.kind == "mirror":
+            p.reals = [.6, .6, .6]
+
+
 def moving_up(scene):
     return has(scene, "BSDF", "aBSDF") and any("pict" in p.kind or "func" in p.kind or "data" in p.kind
                                                for p in scene.primitives())
@@ -147,6 +169,8 @@ RULES = [
     ("patterned lamp behind a solid", "A lamp's pattern seen through a solid", patterned_lamp, plain_lamps),
     ("bent round what is remembered", "tests them on the straight line", bent, see_through),
     ("grazing chains in a textured ball", "Chains of grazing reflections", textured_ball, untextured),
+    ("rim of a glass ball", "The rim of a glass ball", glass_ball, disc_for_ball),
+    ("mirrored light below 0", "Coloured light below 0 in a mirror", coloured_mirror, grey_mirror),
     ("up vector in a pattern's place", "in that pattern's coordinates", moving_up, still_up),
     ("rank-3 tree", "A rank-3 tree that gives transmission for one side only", tree3, matrix),
     ("pattern on aBSDF", "Beside the peak of an `aBSDF` a pattern acts once", lambda scene: has(scene, "aBSDF"), plain),

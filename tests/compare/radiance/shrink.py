@@ -11,6 +11,7 @@ from judge import judge
 # Options a row keeps: what rtrace takes without them depends on its version.
 BASE = {"-ab", "-ad", "-dj", "-lr", "-lw", "-ds", "-ss", "-st", "-dr"}
 SIMPLE_STRINGS = ["0", ".5", "Px"]
+NOT_NOTHING = [".5", "Px"]  # of a BSDF's up vector: 0 0 0 is another difference
 
 
 class Shrinker:
@@ -123,10 +124,11 @@ class Shrinker:
         if start is not None and p.kind != "source":
             self.change(stem, name, lambda q: q.strings.__delitem__(slice(start, None)))
         p = self.find(stem, name)
+        simple = NOT_NOTHING if p.kind in ("BSDF", "aBSDF") else SIMPLE_STRINGS
         for k, s in enumerate(p.strings):
             if k in p.names or not any(c in s for c in "*+("):
                 continue
-            for text in SIMPLE_STRINGS:
+            for text in simple:
                 if self.change(stem, name, lambda q: q.strings.__setitem__(k, text)):
                     break
 
