@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "flatten/host_tracer.h"
@@ -77,6 +78,13 @@ private:
     const FlatScene& scene_;
     const HostTracer tracer_;
     std::vector<Sheet> sheets_;
+    std::map<int, std::vector<size_t>> facing_;  // sheets by their normals: a million triangles ask
+
+    // A number for directions within a hundredth or so; walls, floors and slopes of whole percents lie well inside.
+    static int facing(Vec3 n) {
+        const auto step = [](double x) { return int(std::floor(x * 99.7 + .5)) + 128; };
+        return (step(n.x) * 256 + step(n.y)) * 256 + step(n.z);
+    }
 
     template <class Key>
     void largest_first(size_t most, Key&& key) {
@@ -103,13 +111,17 @@ private:
         const Vec3 p = corner(triangle, 0);
         const double area = .5 * length(cross(corner(triangle, 1) - p, corner(triangle, 2) - p));
         const float alpha2 = arg[4] * arg[4] + SUN_ALPHA2;
+        std::vector<size_t>& alike = facing_[facing(n)];
         Sheet* of = nullptr;
-        for (Sheet& sheet : sheets_)
+        for (size_t i : alike) {
+            Sheet& sheet = sheets_[i];
             if (sheet.alpha2 == alpha2 && dot(sheet.n, n) > .99999 && dot(sheet.sun, sun) > .99999 &&
                 std::fabs(dot(p - sheet.p, n)) < 1e-4 * (1 + length(p - sheet.p)))
                 of = &sheet;
+        }
         if (of == nullptr) {
             if (sheets_.size() == MOST_KNOWN) return;
+            alike.push_back(sheets_.size());
             sheets_.push_back({});
             of = &sheets_.back();
             of->p = p;
