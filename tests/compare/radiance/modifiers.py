@@ -56,7 +56,8 @@ class Modifiers:
         if kind == "colorpict":
             functions = r.choice([["red", "green", "blue"], ["clip_r", "clip_g", "clip_b"], ["grey"] * 3,
                                   ["blue", "red", "green"]])
-            u, v = r.choice([("frac(Px)", "frac(Py)"), ("frac(Py+.3)", "frac(Pz)"), ("Px/4+.5", "Py/4+.5")])
+            u, v = r.choice([("frac(Px+.013)", "frac(Py+.013)"), ("frac(Py+.3)", "frac(Pz+.013)"),
+                             ("Px/4+.5", "Py/4+.5")])
             return self.add(modifier, kind, functions + ["small.hdr", ".", u, v] + self.transform())
         words = r.choice(WORDS).split()
         font = [r.choice(["tiny.fnt", "tri2.fnt"]), "."] + words
@@ -83,7 +84,7 @@ class Modifiers:
             strings = [fore, back, "clip", "steps.dat", "."] + self.coordinates(1) + self.transform()
         elif kind == "mixpict":
             function = r.choice(["clipgrey", "clip_r"])
-            strings = [fore, back, function, "small.hdr", ".", "frac(Px)", "frac(Py)"] + self.transform()
+            strings = [fore, back, function, "small.hdr", ".", "frac(Px+.013)", "frac(Py+.013)"] + self.transform()
         else:
             strings = [fore, back, "tiny.fnt", "."] + r.choice(WORDS).split()
             return self.add(modifier, kind, strings, self.frame() + r.choice([[], [.2], [-.2]]), (0, 1))

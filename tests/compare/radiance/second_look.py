@@ -5,15 +5,15 @@ Rare ways: rtrace follows each reflection of a reflection, ptrace one way of sev
 that it may never see the sun by the fifth reflection in a pane and then knows nothing of its error.  Traced again with
 each way as likely as the others, which has the same mean, that light is seen.
 
-Edges: where one of the programs itself changes as much between rays 1e-4 apart, or rtrace with the scene rounded to
-single precision (a frozen octree), an edge is in the way, and which side of it a program finds does
-not count as a difference."""
+Edges: where one of the programs itself changes as much between rays 1e-4 or 1e-5 apart, or rtrace with the scene
+rounded to single precision (a frozen octree), an edge is in the way, and which side of it a program finds does not
+count as a difference."""
 import os
 import subprocess
 
 import tracers
 
-SMALL = 1e-4  # how far neighbours of a ray are
+SMALL = (1e-4, 1e-5)  # how far neighbours of a ray are; nearer ones where light changes steeply beside the edge
 FEW = 10
 RARE_SAMPLES = [1 << 17, 1 << 20]
 RARE_NOISE = .03       # an estimate with more does not say that both programs agree
@@ -40,9 +40,10 @@ def look_for_rare_ways(pixels, scene, folder, tracer, extra):
 def neighbours(ray):
     for axis in range(3):
         for sign in (-1, 1):
-            other = list(ray)
-            other[axis] += sign * SMALL
-            yield tuple(other)
+            for far in SMALL:
+                other = list(ray)
+                other[axis] += sign * far
+                yield tuple(other)
 
 
 def frozen(folder):
@@ -66,11 +67,12 @@ def mark_edges(pixels, relative, least, scene, folder, tracer, extra):
     """`relative` of a value and `least` are no difference (judge.py)."""
     arguments = scene.arguments()
     theirs = tracers.rtrace(folder, arguments, [n for p in pixels for n in neighbours(p.ray)], THEIRS)
+    count = len(theirs) // len(pixels)
     rounded = []
     if frozen(folder):
         rounded = tracers.rtrace(folder, arguments, [p.ray for p in pixels], THEIRS, "frozen.oct")
     for i, p in enumerate(pixels):
-        near = [v for v, _ in theirs[6 * i:6 * i + 6] + rounded[i:i + 1]] + [p.theirs[0]]
+        near = [v for v, _ in theirs[count * i:count * i + count] + rounded[i:i + 1]] + [p.theirs[0]]
         p.edge = among(p.ours[0], near, slack(p.ours, relative, least))
     rest = [p for p in pixels if not p.edge]
     for p in rest[:FEW]:  # many have another reason
