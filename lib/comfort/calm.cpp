@@ -33,6 +33,7 @@ void Calm::take(const Halves& halves, const Geometry& geometry, double threshold
     find_variance(halves, geometry);
     mean_ = noisy;
     sway_.assign(noisy.size(), 0);
+    doubtful_.clear();
     const float threshold = grey_limit(threshold_cdm2);
     uint32_t random = 1;
     for (int r = 0; r < geometry.height; ++r)
@@ -42,6 +43,7 @@ void Calm::take(const Halves& halves, const Geometry& geometry, double threshold
                 const float off = noisy[i] - threshold;
                 if (off * off > doubt * doubt * variance_[i]) continue;
                 average(i, noisy, geometry);
+                doubtful_.push_back(uint32_t(i));
                 random = random * 1664525u + 1013904223u;
                 sway_[i] *= how_far[random >> 29];
             }
@@ -54,21 +56,24 @@ void Calm::find_variance(const Halves& halves, const Geometry& geometry) {
     rows_.resize(off.size());
     variance_.resize(off.size());
     for (size_t i = 0; i < off.size(); ++i) variance_[i] = off[i] * off[i];
-    for (int y = 0; y < h; ++y)
+    for (int y = 0; y < h; ++y) {
+        const float* own = &variance_[size_t(y) * w];
+        float* mean = &rows_[size_t(y) * w];
         for (int x = 0; x < w; ++x) {
             const int first = std::max(0, x - radius_), last = std::min(w - 1, x + radius_);
             float sum = 0;
-            for (int k = first; k <= last; ++k) sum += variance_[size_t(y) * w + k];
-            rows_[size_t(y) * w + x] = sum / float(last - first + 1);
+            for (int k = first; k <= last; ++k) sum += own[k];
+            mean[x] = sum / float(last - first + 1);
         }
+    }
+    std::vector<float> sum(w);
     for (int y = 0; y < h; ++y) {
         const int first = std::max(0, y - radius_), last = std::min(h - 1, y + radius_);
-        for (int x = 0; x < w; ++x) {
-            float sum = 0;
-            for (int k = first; k <= last; ++k) sum += rows_[size_t(k) * w + x];
-            float& v = variance_[size_t(y) * w + x];
-            v = std::max(v, sum / float(last - first + 1));
-        }
+        std::fill(sum.begin(), sum.end(), 0.f);
+        for (int k = first; k <= last; ++k)
+            for (int x = 0; x < w; ++x) sum[x] += rows_[size_t(k) * w + x];
+        float* v = &variance_[size_t(y) * w];
+        for (int x = 0; x < w; ++x) v[x] = std::max(v[x], sum[x] / float(last - first + 1));
     }
 }
 

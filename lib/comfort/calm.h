@@ -28,12 +28,14 @@ public:
     void take(const Halves& halves, const Geometry& geometry, double threshold_cdm2);
     const std::vector<float>& mean() const { return mean_; }
     const std::vector<float>& sway() const { return sway_; }
+    const std::vector<uint32_t>& doubtful() const { return doubtful_; }  // pixels that have been replaced
 
 private:
     void find_variance(const Halves& halves, const Geometry& geometry);
     void average(size_t pixel, const std::vector<float>& noisy, const Geometry& geometry);
     int radius_ = 0;  // of the neighbourhood, in pixels
     std::vector<float> mean_, sway_, variance_, rows_;
+    std::vector<uint32_t> doubtful_;
 };
 
 }  // namespace comfort

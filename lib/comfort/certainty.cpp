@@ -133,14 +133,17 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
     const Values value = values(whole, Kind::picture);
     std::vector<double> of_column(columns_.size() * Halves::count);
     Values of_whole(columns_.size(), 0);
+    const Geometry& g = meter_.geometry();
+    const auto eye = halves_.sums(g.omega_cos), all = halves_.sums(g.omega);
+    swayed_.width = batches_.width(), swayed_.height = batches_.height();
+    swayed_.grey = sources ? calm_.mean() : std::vector<float>();
     for (int k = 0; k < Halves::count; ++k) {
         halves_.picture(k, scratch_);
-        Luminance half = scratch_.luminance(), bright_in;
-        if (sources) {
-            halves_.sway(k, calm_.mean(), calm_.sway(), swayed_);
-            bright_in = swayed_.luminance();
-        }
-        const Values v = values(meter_.measure(half, "", sources ? &bright_in : nullptr), Kind::picture);
+        Luminance half = scratch_.luminance(), bright_in = swayed_.luminance();
+        for (const uint32_t i : sources ? calm_.doubtful() : std::vector<uint32_t>())
+            swayed_.grey[i] = halves_.swayed(k, i, calm_.mean()[i], calm_.sway()[i]);
+        const Light light{eye[size_t(k)], all[size_t(k)]};
+        const Values v = values(meter_.measure(half, "", sources ? &bright_in : nullptr, &light), Kind::picture);
         const Values w = sources ? values(meter_.with_last_sources(lum, bright_in, m), Kind::picture) : value;
         for (size_t c = 0; c < v.size(); ++c) {
             of_column[c * Halves::count + size_t(k)] = v[c];
@@ -203,9 +206,10 @@ Measurement Certainty::moved(float factor, uint32_t random) {
         to.grey = from;
         if (factor == 0) return to.luminance();
         uint32_t r = random;
+        const float sides[2] = {-factor, factor};  // no branch: half of them would be guessed wrong
         for (size_t i = 0; i < from.size(); ++i) {
             r = r * 1664525u + 1013904223u;
-            to.grey[i] += r & 0x80000000u ? factor * frame0_error_[i] : -factor * frame0_error_[i];
+            to.grey[i] += sides[r >> 31] * frame0_error_[i];
         }
         return to.luminance();
     };

@@ -62,10 +62,17 @@ double radius_in_pixels(const Geometry& g, double opening) {
 std::vector<Run> bright_runs(const Luminance& lum, const Geometry& g, double above) {
     std::vector<Run> runs;
     const float limit = grey_limit(above);
+    constexpr int block = 32;  // most are dark: looked at side by side
+    const auto dark = [&](const float* values) {
+        int bright = 0;
+        for (int k = 0; k < block; ++k) bright |= values[k] > limit;
+        return !bright;
+    };
     for (int r = 0; r < g.height; ++r) {
         const float* row = lum.grey + size_t(r) * g.width;
         for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s)
             for (int x = g.spans[s].begin; x < g.spans[s].end; ++x) {
+                while (x + block < g.spans[s].end && dark(row + x)) x += block;
                 if (!(row[x] > limit)) continue;
                 const int begin = x;
                 while (x < g.spans[s].end && row[x] > limit) ++x;

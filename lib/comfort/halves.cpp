@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace comfort {
 namespace {
@@ -41,9 +40,11 @@ bool Halves::take(const Batches& batches) {
         const std::vector<uint16_t> patterns = sign_patterns();
         uint32_t random = 1;
         signs_.resize(whole_->size());
-        for (uint16_t& s : signs_) {
+        pattern_.resize(whole_->size());
+        for (size_t i = 0; i < signs_.size(); ++i) {
             random = random * 1664525u + 1013904223u;
-            s = patterns[(uint64_t(random) * patterns.size()) >> 32];
+            pattern_[i] = uint8_t((uint64_t(random) * patterns.size()) >> 32);
+            signs_[i] = patterns[pattern_[i]];
         }
     }
     const double a = double(batches.begin(middle) + batches.frames(middle)), b = double(batches.frames()) - a;
@@ -54,17 +55,27 @@ bool Halves::take(const Batches& batches) {
     return true;
 }
 
-void Halves::sway(int number, const std::vector<float>& mean, const std::vector<float>& off, GreyPicture& out) const {
+void Halves::picture(int number, GreyPicture& out) const {
     out.width = width_, out.height = height_;
-    out.grey.resize(off.size());
-    for (size_t i = 0; i < off.size(); ++i) {
-        uint32_t bits;  // the sign of a float is its highest bit
-        std::memcpy(&bits, &off[i], sizeof bits);
-        bits ^= uint32_t(signs_[i] >> number) << 31;
-        float swayed;
-        std::memcpy(&swayed, &bits, sizeof swayed);
-        out.grey[i] = mean[i] + swayed;
+    out.grey.resize(off_.size());
+    for (size_t i = 0; i < off_.size(); ++i) out.grey[i] = swayed(number, i, (*whole_)[i], off_[i]);
+}
+
+std::array<double, Halves::count> Halves::sums(const std::vector<double>& weight) const {
+    const std::vector<uint16_t> patterns = sign_patterns();
+    std::vector<double> off(patterns.size(), 0);
+    double whole = 0;
+    for (size_t i = 0; i < off_.size(); ++i) {
+        const double w = std::max(weight[i], 0.);
+        whole += w * double((*whole_)[i]);
+        off[pattern_[i]] += w * double(off_[i]);
     }
+    std::array<double, count> out;
+    for (int k = 0; k < count; ++k) {
+        out[size_t(k)] = whole;
+        for (size_t p = 0; p < patterns.size(); ++p) out[size_t(k)] += patterns[p] >> k & 1 ? -off[p] : off[p];
+    }
+    return out;
 }
 
 Halves::Variance Halves::variance(const double* values) {

@@ -17,7 +17,9 @@
 // pixel by a random number: they sum to 0, so that the mean picture is L' itself, and what is linear in the pixels
 // falls into 15 sums of the same variance that know nothing of each other.
 #pragma once
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 #include "comfort/batches.h"
 
@@ -32,9 +34,13 @@ public:
     bool take(const Batches& batches);
     const std::vector<float>& whole() const { return *whole_; }  // L'
     const std::vector<float>& off() const { return off_; }       // d
-    void picture(int number, GreyPicture& out) const { sway(number, *whole_, off_, out); }
-    // Another picture with another d, by the same signs.
-    void sway(int number, const std::vector<float>& mean, const std::vector<float>& off, GreyPicture& out) const;
+    void picture(int number, GreyPicture& out) const;
+    // A pixel of another picture with another d, by the same signs.
+    float swayed(int number, size_t pixel, float mean, float off) const {
+        return mean + with_sign(off, signs_[pixel] >> number);
+    }
+    // Sums over the pixels of each picture, weighted where the weight is above 0.
+    std::array<double, count> sums(const std::vector<double>& weight) const;
 
     // What a metric's values, one of each picture, say of its value of the whole one.
     struct Variance {
@@ -44,10 +50,19 @@ public:
     static double without_bias(double whole, const double* values, double r);
 
 private:
+    // Turned round where the lowest bit is set.
+    static float with_sign(float value, unsigned bit) {
+        uint32_t bits;  // the sign of a float is its highest bit
+        std::memcpy(&bits, &value, sizeof bits);
+        bits ^= uint32_t(bit) << 31;
+        std::memcpy(&value, &bits, sizeof value);
+        return value;
+    }
     int width_ = 0, height_ = 0;
     const std::vector<float>* whole_ = nullptr;
-    std::vector<float> off_;       // d
-    std::vector<uint16_t> signs_;  // by pixel: bit k is set where picture k shows L' - d
+    std::vector<float> off_;        // d
+    std::vector<uint16_t> signs_;   // by pixel: bit k is set where picture k shows L' - d
+    std::vector<uint8_t> pattern_;  // by pixel: number of its signs among the 30 that there are
 };
 
 }  // namespace comfort

@@ -47,37 +47,47 @@ void Meter::prepare(const view::View& view, const image::Picture& picture, const
         for (const image::Mask& m : regions_->masks) region_pixels_.emplace_back(m.coverage, *geometry_);
 }
 
-void Meter::photometry(const Luminance& lum, Measurement& m) const {
+void Meter::photometry(const Luminance& lum, Measurement& m, const Light* known) const {
     if (settings_.slips) return photometry_by_column(lum, m);
     const Geometry& g = *geometry_;
-    double ev = 0, flux = 0;
-    float brightest = 0;
+    const Light light = known ? *known : light_of(lum);
+    float top[8] = {};
+    for (int r = 0; r < g.height; ++r)
+        for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s) {
+            const float* row = lum.grey + size_t(r) * g.width;
+            int x = g.spans[s].begin;
+            for (; x + 8 <= g.spans[s].end; x += 8)
+                for (int k = 0; k < 8; ++k) top[k] = std::max(top[k], row[x + k]);
+            for (; x < g.spans[s].end; ++x) top[0] = std::max(top[0], row[x]);
+        }
+    m.ev = cdm2_per_grey * light.eye;
+    m.omega = g.omega_sum;
+    m.mean_lum = cdm2_per_grey * light.all / g.omega_sum;
+    m.max_lum = cdm2_per_grey * *std::max_element(top, top + 8);
+    m.valid_pixels = g.valid_count;
+}
+
+Light Meter::light_of(const Luminance& lum) const {
+    const Geometry& g = *geometry_;
+    Light sum{0, 0};
     for (int r = 0; r < g.height; ++r)
         for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s) {
             const size_t first = size_t(r) * g.width, end = first + g.spans[s].end;
             double e[4] = {}, f[4] = {};
-            float top[4] = {};
             size_t i = first + g.spans[s].begin;
             for (; i + 4 <= end; i += 4)
                 for (int k = 0; k < 4; ++k) {
                     e[k] += lum.grey[i + k] * g.omega_cos[i + k];
                     f[k] += lum.grey[i + k] * g.omega[i + k];
-                    top[k] = std::max(top[k], lum.grey[i + k]);
                 }
             for (; i < end; ++i) {
                 e[0] += lum.grey[i] * g.omega_cos[i];
                 f[0] += lum.grey[i] * g.omega[i];
-                top[0] = std::max(top[0], lum.grey[i]);
             }
-            ev += (e[0] + e[1]) + (e[2] + e[3]);
-            flux += (f[0] + f[1]) + (f[2] + f[3]);
-            brightest = std::max({brightest, top[0], top[1], top[2], top[3]});
+            sum.eye += (e[0] + e[1]) + (e[2] + e[3]);
+            sum.all += (f[0] + f[1]) + (f[2] + f[3]);
         }
-    m.ev = cdm2_per_grey * ev;
-    m.omega = g.omega_sum;
-    m.mean_lum = cdm2_per_grey * flux / g.omega_sum;
-    m.max_lum = cdm2_per_grey * brightest;
-    m.valid_pixels = g.valid_count;
+    return sum;
 }
 
 // The same in evalglare's order: columns from the left, each from the bottom.  See SourceFinder::light_of_groups.
@@ -185,7 +195,8 @@ void Meter::terms_and_dgp(const Luminance& lum, const Luminance& bright_in, doub
 
 Measurement Meter::with_last_sources(const Luminance& lum, const Luminance& bright_in, Measurement of_lum) const {
     of_lum.sources = finder_->sums(lum);
-    of_lum.direct_lux = finder_->light_of_groups(lum);
+    of_lum.direct_lux = 0;
+    for (const GlareSource& s : of_lum.sources) of_lum.direct_lux += s.eye_lux;
     terms_and_dgp(lum, bright_in, of_lum.ev, of_lum);
     return of_lum;
 }
@@ -228,7 +239,7 @@ Measurement Meter::measure(image::Picture& picture, const std::string& place, co
     return measure(lum, place);
 }
 
-Measurement Meter::measure(Luminance& lum, const std::string& place, Luminance* bright_in) {
+Measurement Meter::measure(Luminance& lum, const std::string& place, Luminance* bright_in, const Light* known) {
     const Geometry& g = *geometry_;
     Measurement m;
     m.not_finite = lum.not_finite;
@@ -244,7 +255,7 @@ Measurement Meter::measure(Luminance& lum, const std::string& place, Luminance* 
     }
     if (settings_.fill) fill_rows(lum, g, *settings_.fill);
     if (settings_.fill && bright_in) fill_rows(*bright_in, g, *settings_.fill);
-    photometry(lum, m);
+    photometry(lum, m, known);
     regions(lum, m);
     if (needs_.rammg) m.rammg = rammg(lum, g, settings_.rammg_area);
     if (needs_.medians) position_statistics(lum, m);

@@ -3,6 +3,7 @@
 #include "comfort/rammg.h"
 #include <algorithm>
 #include <cmath>
+#include "base/wide.h"
 
 namespace comfort {
 namespace {
@@ -16,7 +17,7 @@ struct Level {
 };
 
 // sum |a[k] - b[k]|, eight lanes so that the compiler can use vectors, in short stretches so that float is enough.
-double difference(const float* a, const float* b, int n) {
+WIDE_LOOP double difference(const float* a, const float* b, int n) {
     double sum = 0;
     for (int first = 0; first < n; first += 128) {
         const int count = std::min(128, n - first);
@@ -93,7 +94,7 @@ void shrink_spans(const Level& from, Level& to) {
     to.row.push_back(to.spans.size());
 }
 
-void shrink_values(const Level& from, int width, int height, std::vector<float>& out) {
+WIDE_LOOP void shrink_values(const Level& from, int width, int height, std::vector<float>& out) {
     out.resize(size_t(width) * height);
     for (int r = 0; r < height; ++r) {
         const float* a = from.value + size_t(2 * r + from.height % 2) * from.width;

@@ -235,25 +235,27 @@ std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {
             to.pixels = s.pixels, to.omega = s.omega, to.lum = s.lum;
             to.x = s.x, to.y = s.y, to.brightest = s.brightest;
         }
+        for (const Run& r : runs_)
+            for (uint32_t p = r.start; p < r.start + r.length; ++p)
+                sources[r.group].eye_lux += lum.at(p) * g.omega_cos[p];
     } else {
-        const auto add = [&](const Run& r) {
-            GlareSource& s = sources[r.group];
+        const auto add = [&](const Run& r, bool at_eye) {
+            GlareSource s = sources[r.group];
             const int y = g.y_of(r.start);
             int x = g.x_of(r.start);
             for (uint32_t p = r.start; p < r.start + r.length; ++p, ++x) {
                 const double L = lum.at(p), power = L * g.omega[p];
                 s.omega += g.omega[p], s.lum += power, s.x += power * x, s.y += power * y;
                 s.brightest = std::max(s.brightest, L);
+                if (at_eye) s.eye_lux += L * g.omega_cos[p];
             }
             s.pixels += r.length;
+            sources[r.group] = s;
         };
-        for (const Run& r : runs_) add(r);
-        for (const Run& r : extra_) add(r);
+        for (const Run& r : runs_) add(r, true);
+        for (const Run& r : extra_) add(r, false);
         for (GlareSource& s : sources) s.x /= s.lum, s.y /= s.lum, s.lum /= s.omega;
     }
-    for (const Run& r : runs_)
-        for (uint32_t p = r.start; p < r.start + r.length; ++p) sources[r.group].eye_lux += lum.at(p) * g.omega_cos[p];
-
     std::vector<GlareSource> live;
     for (uint32_t group = 1; group <= groups_; ++group) {
         GlareSource& s = sources[group];

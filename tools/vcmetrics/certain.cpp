@@ -71,8 +71,10 @@ void Steps::add(image::Picture& picture, const comfort::Luminance& lum, const st
 
 bool Steps::look(const comfort::Luminance& lum, const comfort::Measurement& m) {
     if (!step_ || certainty_.batches().count() < 2 || !(ends_ || certainty_.due())) return false;
-    certainty_.look(lum, m);
-    return true;
+    const bool counts = certainty_.batches().frames() >= first_look_;
+    if (counts) certainty_.look(lum, m);
+    else certainty_.pass_look();
+    return counts;
 }
 
 void Steps::end_input(const std::string& place) {

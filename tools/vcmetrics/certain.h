@@ -8,8 +8,9 @@
 
 class Steps {
 public:
-    Steps(comfort::Meter& meter, const std::vector<comfort::Column>& columns, bool errors)
-        : meter_(meter), certainty_(meter, columns, errors) {}
+    // Looks before `first_look` frames are left out.
+    Steps(comfort::Meter& meter, const std::vector<comfort::Column>& columns, bool errors, int64_t first_look)
+        : meter_(meter), certainty_(meter, columns, errors), first_look_(first_look) {}
 
     // A picture's luminance, before it is measured.  Takes the picture's frame 0 and means, if it has some.
     void add(image::Picture& picture, const comfort::Luminance& lum, const std::string& place);
@@ -23,6 +24,7 @@ private:
     void replay(image::Picture& picture, int64_t frames);
     comfort::Meter& meter_;
     comfort::Certainty certainty_;
+    int64_t first_look_;
     int64_t last_ = -1;  // frames of the picture before; -1: none
     bool step_ = false;  // the picture at hand is one
     bool ends_ = false;  // and no more follow it

@@ -7,6 +7,7 @@
 #include "base/stop.h"
 #include "certain.h"
 #include "comfort/columns.h"
+#include "comfort/precision.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "regions.h"
@@ -61,9 +62,14 @@ public:
         if (o.list_sources || o.settings.check_picture) needs.sources = true;
         meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_), std::move(draw));
         const bool intervals = o.ci || (!o.until.empty() && !o.window);
-        bool batches = intervals, errors = intervals;
-        for (const Column& c : columns_) batches |= c.printed_unbiased, errors |= c.printed_unbiased && c.ratio;
-        if (batches) steps_ = std::make_unique<Steps>(*meter_, columns_, errors);
+        bool batches = intervals, errors = intervals, shown = o.ci.has_value();
+        for (const Column& c : columns_) {
+            batches |= c.printed_unbiased, shown |= c.printed_unbiased;
+            errors |= c.printed_unbiased && c.ratio;
+        }
+        // A rule that does not hold before counts the widest interval since half as many frames.
+        const int64_t first_look = shown ? 0 : PrecisionRule::least_frames / 2;
+        if (batches) steps_ = std::make_unique<Steps>(*meter_, columns_, errors, first_look);
         if (o.like == Like::accelerad) names_ = {"Time", "Frame"};
         else names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
         if (o.list_sources)
