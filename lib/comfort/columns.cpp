@@ -153,7 +153,7 @@ private:
             if (e.value == class_value) column.words = dgp_classes;
             column.printed_unbiased = shows_unbiased;
             if (e.wants & noisy) column.bias_of_halves = e.wants & rammg ? Halves::of_differences : 2;
-            if (e.wants & rammg) column.doubt_of_bias = 0.08;
+            if (e.wants & rammg) column.doubt_of_bias = 0.1;
             columns_.push_back(std::move(column));
             return true;
         }
