@@ -102,12 +102,15 @@ FN float k_cos_octant(float r) {
     return 1.0f - (0.5f * z - z * z * p);
 }
 
+// The quadrant of a random angle cannot be foreseen, so no branch asks for it: sine and cosine change places, and their
+// signs, by bits.
 FN void k_sincos(float x, PRIVATE float* sine, PRIVATE float* cosine) {
     int q;
-    float r = k_reduce(x, &q), sn = k_sin_octant(r), cs = k_cos_octant(r);
-    float a = (q & 1) ? cs : sn, b = (q & 1) ? sn : cs;
-    *sine = (q & 2) ? -a : a;
-    *cosine = ((q + 1) & 2) ? -b : b;
+    float r = k_reduce(x, &q);
+    uint sn = as_uint_(k_sin_octant(r)), cs = as_uint_(k_cos_octant(r)), quadrant = (uint)q;
+    uint exchanged = (sn ^ cs) & (0u - (quadrant & 1u));
+    *sine = as_float_((sn ^ exchanged) ^ (quadrant & 2u) << 30);
+    *cosine = as_float_((cs ^ exchanged) ^ ((quadrant + 1u) & 2u) << 30);
 }
 
 FN float k_sin(float x) {
