@@ -13,6 +13,9 @@ if command -v script > /dev/null; then
     check 'progress tells the last frame and the time left' '
         on_terminal "ptrace -w- -x 256 -y 256 -vta -vh 180 -vv 180 -vd 0 0 1 -vu 0 1 0 -frames 40 sky.rad | cat > x" |
             grep -qE "ptrace: frame [0-9]+ of 39, .* s left, "'
+    check 'a start that may take long is told of' '
+        on_terminal "OCL_ICD_VENDORS=/nonexistent ptrace -device opencl -frames 1 sky.rad | cat > x" > t
+        grep -q "ptrace: starts opencl; the first start compiles its kernels" t'
     check 'a row of a table takes the place of progress' '
         on_terminal "vcmetrics office256.hdr" | grep -q "^.\[Koffice256.hdr"
         vcmetrics office256.hdr | grep -q "^office256.hdr"'

@@ -52,10 +52,17 @@ private:
     base::Progress progress_{"ptrace"};
 };
 
+// A driver of OpenCL that sees the kernels for the first time compiles them, which takes it some ten seconds.
+std::unique_ptr<trace::Renderer> start(const std::string& device) {
+    base::Progress progress("ptrace");
+    if (device.rfind("opencl", 0) == 0) progress.show("starts " + device + "; the first start compiles its kernels");
+    return std::make_unique<trace::Renderer>(device);
+}
+
 // Loads the scene on the device, which is started for the first one.
 void load(const Options& opt, const scene::Scene& scene, const scene::ReadOptions& how, const std::string& device,
           std::unique_ptr<trace::Renderer>& renderer) {
-    if (!renderer) renderer = std::make_unique<trace::Renderer>(device);
+    if (!renderer) renderer = start(device);
     std::vector<trace::Shot> shots;
     for (const NamedShot& s : opt.shots) shots.push_back(s.shot);
     renderer->load(scene, shots, opt.render, how);
