@@ -25,7 +25,7 @@ FN int gate_passes(GLOBAL const float* gate, float3 p, float3 to, float reach) {
 }
 
 // What source i could give a surface at p with normal n, up to a factor; both: from behind, too.
-FN float source_promise(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i, float3 p, float3 n, int both) {
+FN float source_promise(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint i, float3 p, float3 n, int both) {
     GLOBAL const float* src = source_record(s, par, i);
     uint kind = as_uint_(src[SRC_KIND]), relay = as_uint_(src[SRC_VIRTUAL]);
     float3 to = f3_at(src + SRC_CENTRE);
@@ -62,7 +62,7 @@ FN float source_promise(PRIVATE const SceneTables* s, PRIVATE const Params* par,
 }
 
 // Candidate j of `count`: its source, by the cumulative power table, and its weight.
-FN float source_candidate(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n, int both, uint j,
+FN float source_candidate(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, int both, uint j,
                           uint count, float x, PRIVATE uint* source) {
     GLOBAL const float* cdf = s->f + par->cdf_at;
     float y = ((float)j + x) / (float)count;
@@ -81,7 +81,7 @@ FN float source_candidate(PRIVATE const SceneTables* s, PRIVATE const Params* pa
 
 // Chooses one active source for a surface at p with normal n, lit from both sides or not.  Returns 1/probability, or 0
 // if none can shine.
-FN float choose_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n, int both,
+FN float choose_source(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, int both,
                        PRIVATE Sampler* rnd, PRIVATE uint* chosen) {
     uint count = par->source_count, picked = 0u, all = count <= SOURCES_LOOKED_AT;
     if (count == 0u) return 0.0f;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The words of the shared device code, for C++17.  compat_opencl.h holds the same words for OpenCL C 1.2.
-// Rules (docs/architecture.md): static functions by the word FN, pointers are GLOBAL or PRIVATE, out-parameters by
-// pointer, float3 only through F3() and the functions of vec.h, no recursion, literals with f, own math (math.h).
+// Rules (docs/architecture.md): static functions by the word FN, pointers are GLOBAL or PRIVATE, to the parameters of a
+// pass UNIFORM, out-parameters by pointer, float3 only through F3() and the functions of vec.h, no recursion, literals
+// with f, own math (math.h).
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -13,6 +14,7 @@
 #define GLOBAL
 #define PRIVATE
 #define CONSTANT static const
+#define UNIFORM
 typedef uint32_t uint;
 typedef uint64_t ulong64;
 typedef int64_t long64;

@@ -10,6 +10,7 @@
 #define GLOBAL __global
 #define PRIVATE __private
 #define CONSTANT __constant
+#define UNIFORM __constant
 typedef ulong ulong64;
 typedef long long64;
 #define F3(x, y, z) ((float3)((x), (y), (z)))

@@ -5,22 +5,33 @@
 // Arguments of every kernel but k_swap and k_layout: the scene's tables, the parameters, the path state.
 #define TABLE_ARG(type, name) __global const type *table_##name,
 #define PATH_ARG(type, name, when) , __global type *path_##name
-#define ALL_ARGS SCENE_TABLES(TABLE_ARG) __global const Params *params PATH_STATE(PATH_ARG)
+#define ALL_ARGS SCENE_TABLES(TABLE_ARG) __constant Params *par PATH_STATE(PATH_ARG)
 
 #define TABLE_SET(type, name) s.name = table_##name;
 #define PATH_SET(type, name, when) paths.name = path_##name;
 #define SET_UP               \
     SceneTables s;           \
-    Params par = *params;    \
     Paths paths;             \
     SCENE_TABLES(TABLE_SET)  \
     PATH_STATE(PATH_SET)     \
     uint i = (uint)get_global_id(0);
 
+// A place in a queue for each work item that wants one: a group of them asks the queue's counter once, not each.
+// All work items must come here; group: two words.
+static inline void push(int wanted, uint slot, __global uint *counter, __global uint *queue, __local uint *group) {
+    if (get_local_id(0) == 0) group[0] = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    uint place = wanted ? atomic_inc(&group[0]) : 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (get_local_id(0) == 0) group[1] = atomic_add(counter, group[0]);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (wanted) queue[group[1] + place] = slot;
+}
+
 __kernel void k_generate(ALL_ARGS, __global uint *counters, __global uint *queue) {
     SET_UP
-    if (i >= par.slots) return;
-    if (path_generate(&par, &paths, i)) queue[atomic_inc(&counters[0])] = i;
+    __local uint group[2];
+    push(i < par->slots && path_generate(par, &paths, i), i, &counters[0], queue, group);
 }
 
 __kernel void k_extend(ALL_ARGS, __global uint *counters, __global const uint *queue) {
@@ -31,16 +42,17 @@ __kernel void k_extend(ALL_ARGS, __global uint *counters, __global const uint *q
 __kernel void k_shade(ALL_ARGS, __global uint *counters, __global const uint *queue, __global uint *next,
                       __global uint *shadow) {
     SET_UP
-    if (i >= counters[0]) return;
-    uint slot = queue[i];
-    int result = path_shade(&s, &par, &paths, slot);
-    if (result & PATH_GOES_ON) next[atomic_inc(&counters[1])] = slot;
-    if (result & PATH_SHADOW) shadow[atomic_inc(&counters[2])] = slot;
+    __local uint going_on[2], shadowed[2];
+    int active = i < counters[0];
+    uint slot = active ? queue[i] : 0;
+    int result = active ? path_shade(&s, par, &paths, slot) : 0;
+    push((result & PATH_GOES_ON) != 0, slot, &counters[1], next, going_on);
+    push((result & PATH_SHADOW) != 0, slot, &counters[2], shadow, shadowed);
 }
 
 __kernel void k_shadow(ALL_ARGS, __global uint *counters, __global const uint *shadow) {
     SET_UP
-    if (i < counters[2]) path_shadow(&s, &par, &paths, shadow[i], SHADOW_TO_TRACE);
+    if (i < counters[2]) path_shadow(&s, par, &paths, shadow[i], SHADOW_TO_TRACE);
 }
 
 // After a round: the next queue becomes the current one.
@@ -54,15 +66,15 @@ __kernel void k_swap(__global uint *counters) {
 
 __kernel void k_draw(ALL_ARGS) {
     SET_UP
-    if (i >= par.slots) return;
-    path_draw(&s, &par, &paths, i);
-    path_shadow(&s, &par, &paths, i, SHADOW_TO_TRACE);
+    if (i >= par->slots) return;
+    path_draw(&s, par, &paths, i);
+    path_shadow(&s, par, &paths, i, SHADOW_TO_TRACE);
 }
 
 __kernel void k_walk(ALL_ARGS, __global uint *counters, __global uint *queue) {
     SET_UP
-    if (i >= par.slots) return;
-    if (path_begin_walk(&par, &paths, i)) queue[atomic_inc(&counters[0])] = i;
+    __local uint group[2];
+    push(i < par->slots && path_begin_walk(par, &paths, i), i, &counters[0], queue, group);
 }
 
 // Sizes and offsets as the device sees them, for the test against the host's.

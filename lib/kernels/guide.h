@@ -24,7 +24,7 @@
 #define GUIDE_WORDS(n) (((n) + (n) * (n)) / 2u)
 
 // The cell of a point on a surface with normal n; NONE outside the grid.
-FN uint guide_key(PRIVATE const Params* par, float3 p, float3 n) {
+FN uint guide_key(UNIFORM const Params* par, float3 p, float3 n) {
     float3 at = scale3(sub3(p, xyz4(par->guide_grid)), par->guide_grid.w);
     if (!(MIN_(at.x, MIN_(at.y, at.z)) >= 0.0f && MAX_(at.x, MAX_(at.y, at.z)) < GUIDE_CELLS_A_SIDE)) return NONE;
 
@@ -34,7 +34,7 @@ FN uint guide_key(PRIVATE const Params* par, float3 p, float3 n) {
 }
 
 // Where its record begins; NONE: nothing was learned there.
-FN uint guide_find(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint key) {
+FN uint guide_find(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint key) {
     for (uint i = hash32(key);; i++) {
         GLOBAL const uint* entry = s->guide + GUIDE_ENTRY * (i & par->guide_mask);
         if (entry[0] == key && key != NONE) return entry[1];
@@ -116,7 +116,7 @@ FN float guide_bin(GLOBAL const uint* chances, uint side, float3 n, float2 r, PR
 
 // Samples a direction over the hemisphere of n at p by a cell's chances, a share of them toward highlights.  Returns
 // cos/(pi density).
-FN float guide_sample(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint cell, float3 p, float3 n, float2 r,
+FN float guide_sample(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint cell, float3 p, float3 n, float2 r,
                       PRIVATE float3* dir) {
     uint side = s->guide[cell + GUIDE_SIDE];
     GLOBAL const uint* chances = s->guide + cell + GUIDE_CHANCES;
@@ -140,7 +140,7 @@ FN float guide_sample(PRIVATE const SceneTables* s, PRIVATE const Params* par, u
 }
 
 // The cell that guides at p: that of a place nearby, so that cells show no borders; else p's own.
-FN uint guide_cell(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n,
+FN uint guide_cell(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n,
                    PRIVATE const Sampler* rnd) {
     float3 e1, e2;
     float size = 1.0f / par->guide_grid.w;

@@ -141,13 +141,13 @@ FN float3 bsdf_diffuse(GLOBAL const float* arg, GLOBAL const uint* component, PR
 }
 
 // v in the frame, moved at random in its cell of the table.
-FN float3 bsdf_moved(PRIVATE const SceneTables* s, PRIVATE const Params* par, GLOBAL const uint* table, float3 v,
+FN float3 bsdf_moved(PRIVATE const SceneTables* s, UNIFORM const Params* par, GLOBAL const uint* table, float3 v,
                      float2 move) {
     return bsdf_jitter(v, s->f[table[BT_PSA] + bsdf_cell(s, table, v)], par->ss, move);
 }
 
 // The rest of both tables, sampled where there is more of it than -st, else part of the indirect light.
-FN void bsdf_tables(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint refl,
+FN void bsdf_tables(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g, uint refl,
                     uint trans, float3 v, float peak, float2 move, PRIVATE Lobes* lobes) {
     if (refl != NONE) {
         lobes->BSDF_V_R = bsdf_moved(s, par, s->u + refl, v, move);
@@ -168,7 +168,7 @@ FN void bsdf_tables(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
     }
 }
 
-FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g,
                       GLOBAL const uint* m, PRIVATE const float* value, int asked, PRIVATE Sampler* rnd,
                       PRIVATE Lobes* lobes) {
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
@@ -209,7 +209,7 @@ FN float3 bsdf_start(PRIVATE const Lobes* lobes, PRIVATE const Surface* g, int a
 }
 
 // Coefficient of a source sample, as lobes_direct().
-FN_RARE float3 bsdf_direct(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Lobes* lobes,
+FN_RARE float3 bsdf_direct(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Lobes* lobes,
                            PRIVATE const Surface* g, float3 dir, float w, PRIVATE Sampler* rnd) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     float3 z = bsdf_normal(g), v = bsdf_local(lobes->BSDF_X, z, g->v), l = bsdf_local(lobes->BSDF_X, z, dir);
@@ -246,7 +246,7 @@ FN_RARE float3 bsdf_direct(PRIVATE const SceneTables* s, PRIVATE const Params* p
 }
 
 // One sample of the tabulated part.  *coef: its colour; returns the factor beside it, 0 = lost.
-FN_RARE float bsdf_sample_lobe(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Lobes* lobes,
+FN_RARE float bsdf_sample_lobe(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Lobes* lobes,
                                PRIVATE const Surface* g, int transmit, PRIVATE Sampler* rnd, PRIVATE float3* coef,
                                PRIVATE float3* dir) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);

@@ -11,7 +11,7 @@ typedef struct {
 } Medium;
 
 // The global medium (-me -ma -mg), where no surface says otherwise.
-FN Medium medium_open(PRIVATE const Params* par) {
+FN Medium medium_open(UNIFORM const Params* par) {
     Medium medium;
     medium.k = F3(par->medium.x, par->medium.y, par->medium.z);
     medium.albedo = F3(par->albedo.x, par->albedo.y, par->albedo.z);
@@ -52,7 +52,7 @@ FN void set_shadow_medium(PRIVATE const Paths* paths, uint slot, PRIVATE const M
 }
 
 // Mists keep what they do not state: a mist without albedo has that around it, one without list its lights.
-FN void mist_enter(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+FN void mist_enter(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g,
                    PRIVATE Medium* medium) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
@@ -63,7 +63,7 @@ FN void mist_enter(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIV
 }
 
 // Leaving takes away what it stated, down to the global medium: what an outer mist stated is forgotten, too.
-FN void mist_leave(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+FN void mist_leave(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g,
                    PRIVATE Medium* medium) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
@@ -77,7 +77,7 @@ FN void mist_leave(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIV
 
 // *here: the medium of the segment that ends at a mist's surface, corrected if the ray leaves a mist that it never
 // entered, which only its list can tell; *beyond: the medium of the next.
-FN void mist_crossing(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+FN void mist_crossing(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g,
                       PRIVATE Medium* here, PRIVATE Medium* beyond) {
     uint lights = mod_record(s, par, g->mod)[MOD_EXTRA];
     if (!g->front && (here->lights & lights) != lights) mist_enter(s, par, g, here);
@@ -95,7 +95,7 @@ FN float3 attenuation(float3 k, float length) {
 }
 
 // What the constant of deeper bounces (-av) scatters into a segment that lets T through.
-FN float3 medium_glow(PRIVATE const Params* par, PRIVATE const Medium* medium, float3 T) {
+FN float3 medium_glow(UNIFORM const Params* par, PRIVATE const Medium* medium, float3 T) {
     float3 av = F3(par->av.x, par->av.y, par->av.z), one = F3(1.0f, 1.0f, 1.0f);
     return mul3(mul3(medium->albedo, av), sub3(one, T));
 }

@@ -6,13 +6,13 @@
 
 #define LONGEST_CHAIN 4096  // modifiers one above the other
 
-FN GLOBAL const uint* mod_record(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint mod) {
+FN GLOBAL const uint* mod_record(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint mod) {
     return s->u + par->mods_at + MOD_WORDS * mod;
 }
 
 // The variables .cal programs see (spec: scene language 7.6), in world coordinates.  Patterns, textures and mixtures
 // see the normal as modelled, from behind, too: RADIANCE turns it to the viewer after them.
-FN void surface_vars(PRIVATE const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
+FN void surface_vars(UNIFORM const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
     float3 p = F3(g->p.x + par->centre.x, g->p.y + par->centre.y, g->p.z + par->centre.z);
     for (int i = 0; i < CAL_VARS; i++) vars[i] = 0.0f;
     vars[CAL_DX] = -g->v.x;
@@ -128,7 +128,7 @@ FN int mix_branch_ends(PRIVATE PatternMix* mix, PRIVATE Patterns* sum, PRIVATE u
 }
 
 // Patterns and textures of a chain without material: colours and perturbations mix linearly (spec shading 3.10).
-FN Patterns chain_patterns(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g, uint mod,
+FN Patterns chain_patterns(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g, uint mod,
                            PRIVATE const float* vars) {
     float out[CAL_OUTPUTS];
     PatternMix stack[MIX_DEPTH];
@@ -173,7 +173,7 @@ FN void without_own_chain(PRIVATE const SceneTables* s, PRIVATE Surface* g) {
 }
 
 // A mixture of patterns alone: both branches, mixed.
-FN void apply_pattern_mixture(PRIVATE const SceneTables* s, PRIVATE const Params* par, GLOBAL const uint* m,
+FN void apply_pattern_mixture(PRIVATE const SceneTables* s, UNIFORM const Params* par, GLOBAL const uint* m,
                               float share, PRIVATE const float* vars, PRIVATE Surface* g) {
     Patterns first = chain_patterns(s, par, g, m[MOD_BRANCH1], vars);
     Patterns second = chain_patterns(s, par, g, m[MOD_BRANCH2], vars);
@@ -195,7 +195,7 @@ FN void apply_single_pattern(PRIVATE const SceneTables* s, uint type, PRIVATE co
 }
 
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
-FN int find_material(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Surface* g,
+FN int find_material(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Surface* g,
                      PRIVATE Sampler* rnd) {
     uint stack[MIX_DEPTH];  // where the chains of mixtures go on
     int depth = 0, have_vars = 0;

@@ -7,7 +7,7 @@
 #ifndef LUX_PORTALS_H
 #define LUX_PORTALS_H
 
-FN GLOBAL const float* portal_record(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint k) {
+FN GLOBAL const float* portal_record(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint k) {
     return s->f + par->portals_at + PORTAL_FLOATS * k;
 }
 
@@ -42,14 +42,14 @@ FN float portal_density(GLOBAL const float* portal, float3 p, float3 dir) {
     return t * t / (portal[PORTAL_AREA] * c);
 }
 
-FN float portals_weight(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n) {
+FN float portals_weight(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n) {
     float total = 0.0f;
     for (uint k = 0u; k < par->portal_count; k++) total += portal_weight(portal_record(s, par, k), p, n);
     return total;
 }
 
 // Density (per sr) of direction dir from p among those toward portals, whose weights sum to `total`.
-FN float portals_density(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n, float3 dir,
+FN float portals_density(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, float3 dir,
                          float total) {
     float density = 0.0f;
     for (uint k = 0u; k < par->portal_count; k++) {
@@ -62,7 +62,7 @@ FN float portals_density(PRIVATE const SceneTables* s, PRIVATE const Params* par
 }
 
 // The direction from p to a point of a portal, which r, 0 .. the sum of their weights, picks by its weight.
-FN float3 portal_direction(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n, float r,
+FN float3 portal_direction(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, float r,
                            float across) {
     float before = 0.0f, w = 0.0f;
     uint pick = 0u;
@@ -93,7 +93,7 @@ FN float3 cosine_direction(float3 n, float x, float turn) {
 }
 
 // Samples a direction over the hemisphere of n.  Returns cos/(pi density): the factor of the diffuse coefficient.
-FN float sample_diffuse(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 p, float3 n,
+FN float sample_diffuse(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n,
                         PRIVATE Sampler* rnd, PRIVATE float3* dir) {
     float2 x = sample2(rnd);
     float total = 0.0f;

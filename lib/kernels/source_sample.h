@@ -144,7 +144,7 @@ FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRI
 
 // A parallelogram; with -ds also a polygon or ring, in RADIANCE's own pieces and its idea of the shape: the shadow ray
 // must then hit the source.
-FN float3 point_of_pieces(PRIVATE const Params* par, GLOBAL const float* src, uint kind, float3 p, float2 x, float dj,
+FN float3 point_of_pieces(UNIFORM const Params* par, GLOBAL const float* src, uint kind, float3 p, float2 x, float dj,
                           PRIVATE float* pieces) {
     float3 centre = f3_at(src + SRC_CENTRE), u = f3_at(src + SRC_U), v = f3_at(src + SRC_V);
     if (kind == SK_RING) {  // square of equal area
@@ -196,7 +196,7 @@ FN void sample_point(GLOBAL const float* src, float3 at, float3 n, float3 p, PRI
     light->normal = n;
 }
 
-FN void sample_flat(PRIVATE const SceneTables* s, PRIVATE const Params* par, GLOBAL const float* src, uint kind,
+FN void sample_flat(PRIVATE const SceneTables* s, UNIFORM const Params* par, GLOBAL const float* src, uint kind,
                     float3 p, float2 x, float dj, PRIVATE LightSample* light) {
     float3 at;
     if (kind == SK_PARALLELOGRAM || par->ds > 0.0f) at = point_of_pieces(par, src, kind, p, x, dj, &light->pieces);
@@ -206,7 +206,7 @@ FN void sample_flat(PRIVATE const SceneTables* s, PRIVATE const Params* par, GLO
 }
 
 // A cylinder as RADIANCE sees it, with -dj 0 or in the pieces of -ds: a line, as wide as it looks from the side.
-FN void sample_line(PRIVATE const Params* par, GLOBAL const float* src, float3 p, float2 x, float dj,
+FN void sample_line(UNIFORM const Params* par, GLOBAL const float* src, float3 p, float2 x, float dj,
                     PRIVATE LightSample* light) {
     float3 c = f3_at(src + SRC_CENTRE), axis = f3_at(src + SRC_U), none = axis;
     float r = src[SRC_RADIUS], share = 1.0f;
@@ -232,7 +232,7 @@ FN void sample_line(PRIVATE const Params* par, GLOBAL const float* src, float3 p
 }
 
 // SRC_U is half its axis.
-FN void sample_cylinder(PRIVATE const Params* par, GLOBAL const float* src, float3 p, float2 x, float dj,
+FN void sample_cylinder(UNIFORM const Params* par, GLOBAL const float* src, float3 p, float2 x, float dj,
                         PRIVATE LightSample* light) {
     if (dj <= 0.0f || par->ds > 0.0f) {
         sample_line(par, src, p, x, dj, light);
@@ -249,7 +249,7 @@ FN void sample_cylinder(PRIVATE const Params* par, GLOBAL const float* src, floa
 }
 
 // A point of active source `source` as seen from p; w = 0 if it cannot shine there.
-FN void sample_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint source, float3 p, float2 x,
+FN void sample_source(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint source, float3 p, float2 x,
                       float dj, PRIVATE LightSample* light) {
     GLOBAL const float* src = source_record(s, par, source);
     uint kind = as_uint_(src[SRC_KIND]);

@@ -5,7 +5,7 @@
 #ifndef LUX_SOURCES_H
 #define LUX_SOURCES_H
 
-FN GLOBAL const float* source_record(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint i) {
+FN GLOBAL const float* source_record(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint i) {
     return s->f + par->sources_at + SOURCE_FLOATS * i;
 }
 
@@ -19,7 +19,7 @@ typedef struct {
 } LightSample;
 
 // Radiance of light material `mod` seen along dir (from the viewer to the light), patterns included.
-FN float3 light_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint mod, uint prim, float3 dir,
+FN float3 light_radiance(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint mod, uint prim, float3 dir,
                          float3 point, float3 normal, float length, float total, PRIVATE Sampler* rnd) {
     Surface g;
     GLOBAL const uint* m = mod_record(s, par, mod);
@@ -43,7 +43,7 @@ FN float3 light_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par
 
 // Radiance of the source of record src at its sampled point.  before: path length from the eye to the point lit.  A
 // virtual source's is known only where its shadow ray arrives: 1 until then.
-FN float3 sampled_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par, GLOBAL const float* src,
+FN float3 sampled_radiance(PRIVATE const SceneTables* s, UNIFORM const Params* par, GLOBAL const float* src,
                            PRIVATE const LightSample* light, float before, PRIVATE Sampler* rnd) {
     if (as_uint_(src[SRC_VIRTUAL]) != NONE) return F3(1.0f, 1.0f, 1.0f);
     return light_radiance(s, par, as_uint_(src[SRC_MOD]), as_uint_(src[SRC_PRIM]), light->dir, light->point,
@@ -52,7 +52,7 @@ FN float3 sampled_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* p
 
 // The distant surface seen in direction dir: the first non-glow that matches, else the first glow.  NONE if none.
 // sampled: by a ray that illums stop (emission.h).
-FN uint distant_at(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 dir, int sampled) {
+FN uint distant_at(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 dir, int sampled) {
     uint glow = NONE;
     for (uint i = 0u; i < par->distant_count; i++) {
         GLOBAL const uint* distant = s->u + par->distant_at + DISTANT_WORDS * i;

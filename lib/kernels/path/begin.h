@@ -4,22 +4,22 @@
 #define LUX_PATH_BEGIN_H
 
 // The pixel of a slot, and which of its samples the slot is.
-FN uint path_pixel(PRIVATE const Params* par, uint slot) {
+FN uint path_pixel(UNIFORM const Params* par, uint slot) {
     return par->mode == MODE_RAY ? 0u : (par->first + slot) % (par->nx * par->ny);
 }
 
-FN uint path_sample_index(PRIVATE const Params* par, uint slot) {
+FN uint path_sample_index(UNIFORM const Params* par, uint slot) {
     uint gid = par->first + slot;
     return par->frame + (par->mode == MODE_RAY ? gid : gid / (par->nx * par->ny));
 }
 
 // Does the guide choose the directions of this path?
-FN int path_guided(PRIVATE const Params* par, uint slot) {
+FN int path_guided(UNIFORM const Params* par, uint slot) {
     return par->guide_mask != 0u && par->mode == MODE_FRAMES && path_sample_index(par, slot) >= par->guide_from;
 }
 
 // The ray through a random place of the pixel and of the lens.  0 if the view has none there.
-FN int camera_ray(PRIVATE const Params* par, uint pixel, PRIVATE Sampler* rnd, PRIVATE Ray* ray) {
+FN int camera_ray(UNIFORM const Params* par, uint pixel, PRIVATE Sampler* rnd, PRIVATE Ray* ray) {
     float2 r = sample2(rnd);
     float jitter = par->view_clip.z;  // -pj
     float x = (float)(pixel % par->nx) + 0.5f + jitter * (0.5f - r.x);
@@ -34,7 +34,7 @@ FN int camera_ray(PRIVATE const Params* par, uint pixel, PRIVATE Sampler* rnd, P
     return view_lens_ray(par, x / (float)par->nx, y / (float)par->ny, lens, ray);
 }
 
-FN void given_ray(PRIVATE const Params* par, PRIVATE Sampler* rnd, PRIVATE Ray* ray) {
+FN void given_ray(UNIFORM const Params* par, PRIVATE Sampler* rnd, PRIVATE Ray* ray) {
     ray->org = F3(par->ray_org.x, par->ray_org.y, par->ray_org.z);
     ray->dir = F3(par->ray_dir.x, par->ray_dir.y, par->ray_dir.z);
     ray->tmax = FAR_AWAY;
@@ -42,7 +42,7 @@ FN void given_ray(PRIVATE const Params* par, PRIVATE Sampler* rnd, PRIVATE Ray* 
 }
 
 // What every path begins with, beside the direction of its first ray.
-FN void path_start(PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot, float3 org,
+FN void path_start(UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot, float3 org,
                    PRIVATE const Sampler* rnd, uint flags) {
     paths->org[slot] = pack4(org, as_float_(CLIP_START));
     paths->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
@@ -62,7 +62,7 @@ FN void path_start(PRIVATE const Params* par, PRIVATE const Paths* paths, uint s
 }
 
 // 1 if the slot has a ray to follow.
-FN int path_generate(PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
+FN int path_generate(UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot) {
     uint pixel = path_pixel(par, slot), index = path_sample_index(par, slot);
 
     // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct

@@ -4,7 +4,7 @@
 #define LUX_PATH_DIRECT_H
 
 // What the lobes make of light from the sampled point: outgoing radiance over the source's.
-FN float3 direct_response(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const LightSample* light,
+FN float3 direct_response(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const LightSample* light,
                           PRIVATE Vertex* vertex) {
     PRIVATE const Surface* g = &vertex->g;
     PRIVATE const Lobes* lobes = &vertex->lobes;
@@ -21,7 +21,7 @@ FN float3 direct_response(PRIVATE const SceneTables* s, PRIVATE const Params* pa
 }
 
 // Leaves the shadow ray, which brings `radiance` if nothing stops it, in the slot.
-FN void direct_shadow_ray(PRIVATE const Params* par, PRIVATE const Paths* paths, PRIVATE const Vertex* vertex,
+FN void direct_shadow_ray(UNIFORM const Params* par, PRIVATE const Paths* paths, PRIVATE const Vertex* vertex,
                           uint source, PRIVATE LightSample* light, float3 radiance) {
     PRIVATE const Surface* g = &vertex->g;
     uint slot = vertex->slot;
@@ -44,7 +44,7 @@ FN void direct_shadow_ray(PRIVATE const Params* par, PRIVATE const Paths* paths,
 }
 
 // Returns PATH_SHADOW if a shadow ray waits.
-FN int path_direct(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths,
+FN int path_direct(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths,
                    PRIVATE Vertex* vertex) {
     PRIVATE const Surface* g = &vertex->g;
     if (!vertex->wanted || par->source_count == 0u) return 0;

@@ -5,14 +5,14 @@
 #define LUX_PATH_EMISSION_H
 
 // Whether this path's present class is wanted in this pass.
-FN int class_wanted(PRIVATE const Params* par, uint flags, uint index) {
+FN int class_wanted(UNIFORM const Params* par, uint flags, uint index) {
     if (par->mode == MODE_RAY || par->mode == MODE_WALK) return 1;
     if ((flags & PC_DIFFUSE) != 0u) return par->mode == MODE_FRAMES;
     return par->mode == MODE_DIRECT || index > par->skip_direct_below;
 }
 
 // What a ray that met nothing sees: sun, sky, ground glow.
-FN float3 path_background(PRIVATE const SceneTables* s, PRIVATE const Params* par, float3 org, float3 dir, uint flags,
+FN float3 path_background(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 org, float3 dir, uint flags,
                           PRIVATE Sampler* rnd) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     int sampled = path_sampled(flags);
@@ -33,7 +33,7 @@ FN float3 path_background(PRIVATE const SceneTables* s, PRIVATE const Params* pa
 }
 
 // Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray goes on through it.
-FN float3 emitter_radiance(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Surface* g,
+FN float3 emitter_radiance(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g,
                            uint flags, PRIVATE int* pass) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     GLOBAL const uint* m = mod_record(s, par, g->mod);

@@ -7,7 +7,7 @@
 #define RR_LEAST 0.05f  // least chance to survive it
 
 // The constant that stands for light of deeper bounces (-av), where -ab ends.
-FN void path_ambient_value(PRIVATE const Params* par, PRIVATE Vertex* vertex) {
+FN void path_ambient_value(UNIFORM const Params* par, PRIVATE Vertex* vertex) {
     int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
     if (bounces < par->ab || !vertex->wanted) return;
     float3 av = F3(par->av.x, par->av.y, par->av.z);
@@ -15,7 +15,7 @@ FN void path_ambient_value(PRIVATE const Params* par, PRIVATE Vertex* vertex) {
 }
 
 // The limits of -lr and -lw.
-FN int path_limited(PRIVATE const Params* par, PRIVATE const Vertex* vertex) {
+FN int path_limited(UNIFORM const Params* par, PRIVATE const Vertex* vertex) {
     int level = (int)((vertex->flags >> PC_LEVEL_SHIFT) & 255u);
     if (par->lr > 0) return level > par->lr || vertex->weight < par->lw;
     return par->lr < 0 && level > -par->lr;
@@ -35,7 +35,7 @@ FN int path_roulette(PRIVATE Vertex* vertex) {
 }
 
 // The path takes its way.  Returns PATH_GOES_ON, or 0 if it ends.
-FN int path_go_on(PRIVATE const Params* par, PRIVATE const Paths* paths, PRIVATE Vertex* vertex,
+FN int path_go_on(UNIFORM const Params* par, PRIVATE const Paths* paths, PRIVATE Vertex* vertex,
                   PRIVATE const Way* way) {
     vertex->weight *= MIN_(1.0f, max3(way->color));
     float rarity = way->sum / MAX_(way->chance, 1e-30f);

@@ -25,7 +25,7 @@ FN void path_fork(PRIVATE const Paths* paths, PRIVATE Vertex* vertex, PRIVATE co
 }
 
 // The next sub-path that finds a direction.  Returns PATH_GOES_ON, or 0 if none is left.
-FN int path_fork_again(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
+FN int path_fork_again(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot) {
     uint4 info = paths->info[slot];
     uint left = path_forks_left(info.x);
     if (left == 0u) return 0;

@@ -13,7 +13,7 @@ FN int vertex_arrive(PRIVATE const SceneTables* s, PRIVATE Vertex* vertex) {
 }
 
 // -i: the first surface that the eye sees is white and Lambertian, so that its radiance is the irradiance there.
-FN int irradiance_surface(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths,
+FN int irradiance_surface(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths,
                           int passes, PRIVATE Vertex* vertex) {
     // what the material knows of media does not count
     if (vertex->absorbs) vertex->arriving = path_medium(paths, vertex->slot);
@@ -28,7 +28,7 @@ FN int irradiance_surface(PRIVATE const SceneTables* s, PRIVATE const Params* pa
     return MET_SURFACE;
 }
 
-FN int vertex_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Vertex* vertex) {
+FN int vertex_lobes(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex) {
     PRIVATE Surface* g = &vertex->g;
     if (g->type == M_MIST) {
         mist_crossing(s, par, g, &vertex->arriving, &vertex->beyond);
@@ -41,7 +41,7 @@ FN int vertex_lobes(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRI
 }
 
 // One of MET_*.
-FN int vertex_meet(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths,
+FN int vertex_meet(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths,
                    PRIVATE Vertex* vertex) {
     PRIVATE Surface* g = &vertex->g;
     int antimatter = (par->flags & PF_ANTIMATTER) != 0u;

@@ -3,7 +3,7 @@
 #ifndef LUX_PATH_MISS_H
 #define LUX_PATH_MISS_H
 
-FN void path_miss(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths,
+FN void path_miss(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths,
                   PRIVATE Vertex* vertex) {
     if (vertex->absorbs) {
         float3 T = attenuation(vertex->arriving.k, ENDLESS_MEDIUM);

@@ -3,12 +3,12 @@
 #ifndef LUX_PATH_SCATTER_H
 #define LUX_PATH_SCATTER_H
 
-FN GLOBAL const uint* light_set(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint set) {
+FN GLOBAL const uint* light_set(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint set) {
     return s->u + par->light_sets_at + LIGHT_SET_WORDS * set;
 }
 
 // How many sources a medium scatters.
-FN uint scattered_count(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Medium* medium) {
+FN uint scattered_count(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Medium* medium) {
     uint count = 0u;
     if (medium->lights == 0u || max3(mul3(medium->k, medium->albedo)) <= 0.0f) return 0u;
     for (uint set = 0u, left = medium->lights; left != 0u; set++, left >>= 1)
@@ -16,7 +16,7 @@ FN uint scattered_count(PRIVATE const SceneTables* s, PRIVATE const Params* par,
     return count;
 }
 
-FN uint scattered_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint lights, uint pick) {
+FN uint scattered_source(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint lights, uint pick) {
     for (uint set = 0u, left = lights; left != 0u; set++, left >>= 1) {
         GLOBAL const uint* lights_of = light_set(s, par, set);
         if ((left & 1u) == 0u) continue;
@@ -30,7 +30,7 @@ FN uint scattered_source(PRIVATE const SceneTables* s, PRIVATE const Params* par
 // Single scattering along the ray that has come to the vertex, through the medium m: a random point of it, a random one
 // of the sources; with Henyey and Greenstein's phase function.  x, y: random, x.x in .5 .. 1, for half of the steps do
 // this and half light the surface.  Returns PATH_SHADOW if a shadow ray waits.
-FN int path_scatter(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths,
+FN int path_scatter(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths,
                     PRIVATE const Medium* medium, float2 x, float2 y, PRIVATE Vertex* vertex) {
     float count = (float)vertex->scatterers, length = vertex->g.length;
     uint pick = (uint)((2.0f * x.x - 1.0f) * count);

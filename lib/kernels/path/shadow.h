@@ -26,7 +26,7 @@ typedef struct {
 // What is in its way, one of MET_*: a lamp stops it, of a surface the lobes say what passes.  g, the surface, gets
 // its material; *here and *beyond, the media of the segment that ends here and behind the surface, come as what the ray
 // knows.  relayed: g is the relay of the virtual source aimed at.
-FN int shadow_meet(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow,
+FN int shadow_meet(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow,
                    PRIVATE Surface* g, int relayed, PRIVATE Medium* here, PRIVATE Medium* beyond,
                    PRIVATE Lobes* lobes) {
     int antimatter = (par->flags & PF_ANTIMATTER) != 0u;
@@ -49,7 +49,7 @@ FN int shadow_meet(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIV
 
 // May the ray have been aimed beside this source, so that only the source's own hit counts?  A tube is aimed at by its
 // axis, where it is open.
-FN int shadow_seeks_source(PRIVATE const Params* par, GLOBAL const float* src) {
+FN int shadow_seeks_source(UNIFORM const Params* par, GLOBAL const float* src) {
     uint kind = as_uint_(src[SRC_KIND]);
     if (kind == SK_CYLINDER) return par->ds > 0.0f || par->dj <= 0.0f;
     return par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING);
@@ -64,7 +64,7 @@ FN int shadow_from_behind(GLOBAL const float* src, PRIVATE const Ray* ray, float
 }
 
 // Is all that counts before it meets glass whether anything opaque lies between?  *ray: the one to trace.
-FN int shadow_is_plain(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot,
+FN int shadow_is_plain(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot,
                        PRIVATE Ray* ray) {
     float4 org = paths->shadow_org[slot], dir = paths->shadow_dir[slot];
     GLOBAL const float* src = source_record(s, par, as_uint_(org.w));
@@ -80,7 +80,7 @@ FN int shadow_is_plain(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
 
 // Does anything opaque stand between?  Also sets how far the ray looks for what lets light through, and *must_hit if it
 // has still to find the source itself.
-FN int shadow_blocked(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow, float dist,
+FN int shadow_blocked(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow, float dist,
                       PRIVATE int* must_hit) {
     PRIVATE Ray* ray = &shadow->ray;
     uint kind = as_uint_(shadow->src[SRC_KIND]);
@@ -102,7 +102,7 @@ FN int shadow_blocked(PRIVATE const SceneTables* s, PRIVATE const Params* par, P
 }
 
 // What reaches the point straight through glass, smooth trans, mixtures with void (spec shading 4.5).
-FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow,
+FN float3 shadow_straight(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow,
                           float dist) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     PRIVATE Ray* ray = &shadow->ray;
@@ -148,7 +148,7 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, PRIVATE const Params* pa
 }
 
 // A ray that was aimed leaves the scene: the source must lie there.
-FN float3 aimed_at_sky(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow) {
+FN float3 aimed_at_sky(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     GLOBAL const float* src = shadow->src;
     PRIVATE const Ray* ray = &shadow->ray;
@@ -163,7 +163,7 @@ FN float3 aimed_at_sky(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
 }
 
 // It has arrived at its source.
-FN float3 aimed_at_source(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow,
+FN float3 aimed_at_source(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow,
                           PRIVATE const Surface* g) {
     if (!g->front) return F3(0.0f, 0.0f, 0.0f);
     if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(&shadow->medium, g->length));
@@ -173,7 +173,7 @@ FN float3 aimed_at_source(PRIVATE const SceneTables* s, PRIVATE const Params* pa
 }
 
 // The relay of the virtual source sends the ray on, to the source behind it.  Returns the new direction.
-FN float3 aimed_relay(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow,
+FN float3 aimed_relay(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow,
                       PRIVATE const Surface* g, PRIVATE const Lobes* lobes) {
     GLOBAL const uint* relay = s->u + as_uint_(shadow->src[SRC_VIRTUAL]);
     shadow->src = source_record(s, par, relay[RELAY_SOURCE]);
@@ -205,7 +205,7 @@ FN float3 aimed_through(PRIVATE ShadowRay* shadow, PRIVATE const Lobes* lobes) {
 // What reaches the point where light may bend (dielectric) or be relayed (mirror): followed surface by surface; it must
 // arrive at the real source aimed at (spec shading 3.6, 4.6).  For virtual sources the result holds the source's
 // radiance.
-FN float3 shadow_aimed(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE ShadowRay* shadow) {
+FN float3 shadow_aimed(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     PRIVATE Ray* ray = &shadow->ray;
     ray->tmax = FAR_AWAY;
@@ -256,7 +256,7 @@ FN int shadow_counts(PRIVATE const SceneTables* s, PRIVATE const Params* par, PR
 }
 
 // Adds what the shadow ray of a slot brings.  known: of a plain one (shadow_is_plain).
-FN void path_shadow(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot,
+FN void path_shadow(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot,
                     int known) {
     float4 org = paths->shadow_org[slot], dir = paths->shadow_dir[slot], rad = paths->shadow_rad[slot];
     int antimatter = (par->flags & PF_ANTIMATTER) != 0u, aimed = par->shadow_mode == SHADOW_AIMED;

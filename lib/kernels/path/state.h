@@ -38,8 +38,8 @@ typedef struct {
 #define PATH_ALWAYS 0u
 #define PATH_MEDIA 1u
 #define PATH_GUIDED 2u
-FN int path_media_used(PRIVATE const Params* par) { return par->medium.w > 0.0f || (par->flags & PF_ANTIMATTER) != 0u; }
-FN uint path_needs(PRIVATE const Params* par) {
+FN int path_media_used(UNIFORM const Params* par) { return par->medium.w > 0.0f || (par->flags & PF_ANTIMATTER) != 0u; }
+FN uint path_needs(UNIFORM const Params* par) {
     return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->guide_mask != 0u ? PATH_GUIDED : 0u);
 }
 

@@ -43,7 +43,7 @@ typedef struct {
 #define MET_LAMP 1     // it ends in a light
 #define MET_SURFACE 2  // lobes say how light is scattered
 
-FN void vertex_load(PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot, PRIVATE Vertex* vertex) {
+FN void vertex_load(UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot, PRIVATE Vertex* vertex) {
     float4 org = paths->org[slot], dir = paths->dir[slot], thr = paths->thr[slot], rad = paths->rad[slot];
     uint4 info = paths->info[slot];
 

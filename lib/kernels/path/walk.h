@@ -5,7 +5,7 @@
 #define LUX_PATH_WALK_H
 
 // org and dir of the slot hold the ray; 1 if there is one.
-FN_RARE int path_begin_walk(PRIVATE const Params* par, PRIVATE const Paths* paths, uint slot) {
+FN_RARE int path_begin_walk(UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot) {
     Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, par->first + slot, par->frame, 3u);
     uint flags = PC_DIFFUSE | (1u << PC_AB_SHIFT);
     paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);

@@ -51,7 +51,7 @@ FN float ways_raise(float least, PRIVATE float* weight) {
 // How likely each way is, and the sum; 0: there is none.
 // Light that comes by the fourth reflection in a pane is rare: one path in millions finds it.  Tests that look for it
 // give each way a least chance; pictures do not, for what is rare here is dark as a rule.
-FN float ways_weigh(PRIVATE const Params* par, PRIVATE const Vertex* vertex, PRIVATE float* weight) {
+FN float ways_weigh(UNIFORM const Params* par, PRIVATE const Vertex* vertex, PRIVATE float* weight) {
     PRIVATE const Lobes* lobes = &vertex->lobes;
     int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
     int diffuse = bounces < par->ab && par->mode != MODE_DIRECT;
@@ -82,7 +82,7 @@ FN uint way_pick(PRIVATE const float* weight, float r) {
 // A direction of the reflected rough lobe; returns the factor.
 // RADIANCE weights a rough lobe where its ray's weight earns it two samples or more, -ss times the weight; what several
 // samples or a hemisphere of them sent out earns one (spec shading 3.4).
-FN float sample_rough_r(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Vertex* vertex,
+FN float sample_rough_r(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex,
                         PRIVATE Way* way) {
     PRIVATE Lobes* lobes = &vertex->lobes;
     PRIVATE Surface* g = &vertex->g;
@@ -94,7 +94,7 @@ FN float sample_rough_r(PRIVATE const SceneTables* s, PRIVATE const Params* par,
     return lobes_sample_rough_r(lobes, g, &vertex->rnd, weighted, par->ss, &way->dir);
 }
 
-FN float sample_rough_t(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Vertex* vertex,
+FN float sample_rough_t(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex,
                         PRIVATE Way* way) {
     PRIVATE Lobes* lobes = &vertex->lobes;
     PRIVATE Surface* g = &vertex->g;
@@ -105,7 +105,7 @@ FN float sample_rough_t(PRIVATE const SceneTables* s, PRIVATE const Params* par,
 }
 
 // A direction about n by what is known of light there; returns cosine over (pi density).
-FN float guided_direction(PRIVATE const SceneTables* s, PRIVATE const Params* par, uint cell, float3 p, float3 n,
+FN float guided_direction(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint cell, float3 p, float3 n,
                           PRIVATE Sampler* rnd, PRIVATE float3* dir) {
     if (cell == NONE) return sample_diffuse(s, par, p, n, rnd, dir);
     float factor = guide_sample(s, par, cell, p, n, sample2(rnd), dir);
@@ -115,7 +115,7 @@ FN float guided_direction(PRIVATE const SceneTables* s, PRIVATE const Params* pa
 // The same for a guided path.  At its first bounce it forks, but in media, of which each sub-path would have to keep
 // its own.  From then on it goes on by chance where much less is expected of it than was there (adjoint-driven Russian
 // roulette, Vorba and Krivanek 2016).
-FN float sample_guided(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Vertex* vertex, float3 n,
+FN float sample_guided(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex, float3 n,
                        PRIVATE Way* way) {
     PRIVATE const Surface* g = &vertex->g;
     uint cell = guide_cell(s, par, g->p, n, &vertex->rnd);
@@ -140,7 +140,7 @@ FN float sample_guided(PRIVATE const SceneTables* s, PRIVATE const Params* par, 
 }
 
 // A direction about n on either side of the surface; returns the factor, 0 if it is on the wrong side of the geometry.
-FN float sample_hemisphere(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Vertex* vertex, float side,
+FN float sample_hemisphere(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex, float side,
                            PRIVATE Way* way) {
     PRIVATE const Surface* g = &vertex->g;
     float3 n = side > 0.0f ? g->n : neg3(g->n);
@@ -150,7 +150,7 @@ FN float sample_hemisphere(PRIVATE const SceneTables* s, PRIVATE const Params* p
 }
 
 // The direction, colour and factor of the way taken, and what the path is from here on.
-FN void way_sample(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Vertex* vertex, PRIVATE Way* way) {
+FN void way_sample(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex, PRIVATE Way* way) {
     PRIVATE Lobes* lobes = &vertex->lobes;
     way->factor = 1.0f;
     way->dir = vertex->ray.dir;
@@ -205,7 +205,7 @@ FN uint way_flags(PRIVATE const Vertex* vertex, PRIVATE const Way* way) {
 }
 
 // Chooses a way and a direction along it.  0: there is none, the path ends.
-FN int choose_way(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE Vertex* vertex, PRIVATE Way* way) {
+FN int choose_way(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex, PRIVATE Way* way) {
     float weight[WAYS];
     way->sum = ways_weigh(par, vertex, weight);
     if (way->sum <= 0.0f) return 0;
