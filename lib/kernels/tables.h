@@ -172,7 +172,7 @@ typedef struct {
     float4 medium;            // global extinction rgb; w = 1 if any segment of the scene may absorb
     float4 guide_grid;        // corner of the guide's grid (guide.h); w: cells a unit of length
     // sizes and modes
-    uint nx, ny, mode, frame;             // frame = sample index of slot 0
+    uint nx, ny, mode, frame;             // frame = sample index of global index 0
     uint seed_lo, seed_hi, slots, first;  // first = global index of slot 0
     uint mods_at, sources_at, source_count, distant_at;
     uint distant_count, portals_at, portal_count, shadow_mode;
@@ -187,7 +187,7 @@ typedef struct {
     float portal_share;  // of diffuse directions that go toward windows (portals.h)
     uint highlights_at, highlight_count;
     float highlight_share;  // of those that go toward highlights, where there are any (highlights.h)
-    uint nothing;           // fills the row
+    uint together;          // slots of a pixel side by side: samples frame .. frame + together - 1
 } Params;
 
 // modes: what a pass computes

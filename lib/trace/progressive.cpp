@@ -14,6 +14,7 @@
 #include "trace/draw_sources.h"
 #include "trace/fingerprint.h"
 #include "trace/guide.h"
+#include "trace/scene_params.h"
 #include "trace/view_params.h"
 #include "trace/window_share.h"
 
@@ -55,25 +56,38 @@ struct Renderer::State {
         if (found && !bad) base::warn("", "samples that were not numbers, or above 1e32, were set to 0");
         bad += found;
     }
-    // Runs samples first .. first+count-1 of every pixel; give(sample, pixel values) in order; false stops.
+    // Runs frames first .. first+count-1; give(sample, pixel values) in order; false stops.
     template <class Give>
-    void samples(uint32_t mode, int64_t first, int64_t count, Give&& give) {
+    void samples(int64_t first, int64_t count, Give&& give) {
         const uint32_t pixels = nx * ny;
         const int64_t together = std::max<int64_t>(1, device->good_slots() / pixels);
-        std::vector<float> rgb;
+        std::vector<float> rgb, one;
         for (int64_t done = 0; done < count;) {
             const int64_t n = std::min(together, count - done);
-            Params p = base;
-            p.mode = mode;
-            p.frame = uint32_t(first + done);
-            p.first = 0;
-            p.slots = uint32_t(n) * pixels;
-            device->run(p, rgb);
-            scrub(rgb);
-            for (int64_t i = 0; i < n; i++)
-                if (!give(first + done + i, rgb.data() + size_t(i) * pixels * 3)) return;
+            run(MODE_FRAMES, first + done, uint32_t(n), 0, pixels, rgb);
+            for (int64_t i = 0; i < n; i++) {
+                if (n > 1) take_sample(rgb, size_t(n), size_t(i), one);
+                if (!give(first + done + i, n > 1 ? one.data() : rgb.data())) return;
+            }
             done += n;
         }
+    }
+    // n samples of each of some pixels; the samples of a pixel lie side by side, as do their rays.
+    void run(uint32_t mode, int64_t first_sample, uint32_t n, uint32_t first_pixel, uint32_t pixels,
+             std::vector<float>& rgb) {
+        Params p = base;
+        p.mode = mode;
+        p.frame = uint32_t(first_sample);
+        p.together = n;
+        p.first = first_pixel * n;
+        p.slots = pixels * n;
+        device->run(p, rgb);
+        scrub(rgb);
+    }
+    static void take_sample(const std::vector<float>& rgb, size_t n, size_t sample, std::vector<float>& one) {
+        one.resize(rgb.size() / n);
+        for (size_t pixel = 0; 3 * pixel < one.size(); pixel++)
+            std::copy_n(&rgb[3 * (n * pixel + sample)], 3, &one[3 * pixel]);
     }
     void ensure_window_share() {
         if (portals.empty()) return;
@@ -91,18 +105,32 @@ struct Renderer::State {
         base.guide_grid = guide.grid;
         device->set_guide(std::move(guide.words));
     }
-    void ensure_s0() {
-        if (!s0.empty()) return;
-        std::vector<double> sum(size_t(nx) * ny * 3, 0.0);
-        samples(MODE_DIRECT, 0, m, [&](int64_t, const float* v) {
-            for (size_t i = 0; i < sum.size(); i++) sum[i] += v[i];
-            return true;
-        });
+    // Pixel by pixel, all its samples at once: neighbours in the picture are followed together.
+    void add_direct_samples() {
+        const uint32_t pixels = nx * ny, most = UINT32_MAX / pixels;  // indices of slots are 32 bits
+        std::vector<double> sum(size_t(pixels) * 3, 0.0);
+        std::vector<float> rgb;
+        for (uint32_t done = 0; done < m;) {
+            const uint32_t n = std::min(m - done, most), some = std::max(1u, device->good_slots() / n);
+            for (uint32_t first = 0; first < pixels; first += some) {
+                const uint32_t count = std::min(some, pixels - first);
+                run(MODE_DIRECT, done, n, first, count, rgb);
+                const float* from = rgb.data();
+                for (size_t pixel = first; pixel < first + count; pixel++)
+                    for (uint32_t k = 0; k < n; k++)
+                        for (size_t c = 0; c < 3; c++) sum[3 * pixel + c] += *from++;
+            }
+            done += n;
+        }
         s0.resize(sum.size());
         for (size_t i = 0; i < sum.size(); i++) s0[i] = float(sum[i] / m);
+    }
+    void ensure_s0() {
+        if (!s0.empty()) return;
+        add_direct_samples();
         const DrawList& drawn = picture->drawn;
         if (drawn.rays.empty()) return;
-        exact.assign(sum.size(), 0.0f);
+        exact.assign(s0.size(), 0.0f);
         std::vector<float> rgb;
         Params p = base;
         p.mode = MODE_DRAW;
@@ -110,52 +138,12 @@ struct Renderer::State {
         p.slots = uint32_t(drawn.rays.size());
         device->draw(p, drawn.rays, rgb);
         scrub(rgb);
-        std::vector<double> add(sum.size(), 0.0);
+        std::vector<double> add(s0.size(), 0.0);
         for (size_t i = 0; i < drawn.rays.size(); i++)
             for (int c = 0; c < 3; c++) add[3 * size_t(drawn.pixel[i]) + c] += rgb[3 * i + c];
         for (size_t i = 0; i < add.size(); i++) exact[i] = float(add[i]);
     }
 };
-
-namespace {
-// All that does not depend on the view.
-Params params_of(const flatten::FlatScene& flat, const RenderOptions& o) {
-    Params p{};
-    p.view_clip.z = float(o.pj);
-    p.view_clip.w = float(o.pd);
-    p.av = {float(o.av[0]), float(o.av[1]), float(o.av[2]), 0};
-    p.seed_lo = uint32_t(o.seed);
-    p.seed_hi = uint32_t(o.seed >> 32);
-    p.mods_at = flat.mods_at;
-    p.sources_at = flat.sources_at;
-    p.source_count = flat.source_count;
-    p.distant_at = flat.distant_at;
-    p.distant_count = flat.distant_count;
-    p.portals_at = flat.portals_at;
-    p.portal_count = flat.portal_count;
-    p.highlights_at = flat.highlights_at;
-    p.highlight_count = flat.highlight_count;
-    p.cdf_at = flat.cdf_at;
-    p.light_sets_at = flat.light_sets_at;
-    p.shadow_mode = flat.shadow_mode;
-    p.medium = {float(o.me[0]), float(o.me[1]), float(o.me[2]),
-                flat.absorbs || o.me[0] > 0 || o.me[1] > 0 || o.me[2] > 0 ? 1.0f : 0.0f};
-    p.albedo = {float(o.ma[0]), float(o.ma[1]), float(o.ma[2]), float(o.mg)};
-    p.ab = o.ab;
-    p.lr = o.lr;
-    p.bv = o.bv;
-    p.flags = (o.i ? PF_IRRADIANCE : 0u) | (o.dv ? PF_DV : 0u) | (flat.antimatter ? PF_ANTIMATTER : 0u);
-    p.st = float(o.st);
-    p.ss = float(o.ss);
-    p.dj = float(o.dj);
-    p.ds = float(o.ds);
-    p.lw = float(o.lw);
-    p.way_least = float(o.way_least);
-    p.skip_direct_below = uint32_t(std::max(1, o.direct_samples));
-    p.guide_from = uint32_t(o.guide_from);
-    return p;
-}
-}  // namespace
 
 Renderer::Renderer(const std::string& device) : state_(std::make_unique<State>()) {
     state_->device = make_device(device);
@@ -244,10 +232,10 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
         return goes_on = give(frame, out);
     };
     const int64_t unguided = s.guided ? std::clamp<int64_t>(s.base.guide_from - k, 0, end - k) : 0;
-    if (unguided > 0) s.samples(MODE_FRAMES, k, unguided, sample);
+    if (unguided > 0) s.samples(k, unguided, sample);
     if (!goes_on || k + unguided >= end) return;
     s.ensure_guide();
-    s.samples(MODE_FRAMES, k + unguided, end - k - unguided, sample);
+    s.samples(k + unguided, end - k - unguided, sample);
 }
 
 void Renderer::frame(int64_t k, std::vector<float>& rgb) {

@@ -5,12 +5,12 @@
 
 // The pixel of a slot, and which of its samples the slot is.
 FN uint path_pixel(UNIFORM const Params* par, uint slot) {
-    return par->mode == MODE_RAY ? 0u : (par->first + slot) % (par->nx * par->ny);
+    return par->mode == MODE_RAY ? 0u : (par->first + slot) / par->together;
 }
 
 FN uint path_sample_index(UNIFORM const Params* par, uint slot) {
     uint gid = par->first + slot;
-    return par->frame + (par->mode == MODE_RAY ? gid : gid / (par->nx * par->ny));
+    return par->frame + (par->mode == MODE_RAY ? gid : gid % par->together);
 }
 
 // Does the guide choose the directions of this path?
