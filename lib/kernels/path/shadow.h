@@ -246,7 +246,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, UNIFORM const Params* par, 
 
 // Where patterns fall below 0 RADIANCE counts light that arrives with the sum of its channels above 0.  (A lamp's own
 // pattern is not in this sum.)
-FN int shadow_counts(PRIVATE const SceneTables* s, PRIVATE const Params* par, PRIVATE const ShadowRay* shadow,
+FN int shadow_counts(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const ShadowRay* shadow,
                      float3 T) {
     if (T.x >= 0.0f && T.y >= 0.0f && T.z >= 0.0f) return 1;
     GLOBAL const uint* lamp = mod_record(s, par, as_uint_(shadow->src[SRC_MOD]));
