@@ -2,9 +2,10 @@
 // The order in which a scene becomes tables.  Each step reads what those before it have written, and nothing else.
 #include "flatten/flatten.h"
 
-#include "flatten/instances.h"
-#include "flatten/modifiers.h"
 #include "flatten/highlights.h"
+#include "flatten/instances.h"
+#include "flatten/light_tree.h"
+#include "flatten/modifiers.h"
 #include "flatten/portals.h"
 #include "flatten/sources.h"
 #include "flatten/surfaces.h"
@@ -28,7 +29,7 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     flatten_geometry(modifiers, instances, out, lights);
 
     // Sources: surfaces that shine, distant ones, and all of them again in mirrors and prisms; which of them mists
-    // scatter.
+    // scatter; how they are chosen among if they are many.
     Sources sources;
     add_local_sources(modifiers, lights.emitters, out, sources);
     add_distant_sources(modifiers, out, sources);
@@ -36,6 +37,7 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     add_virtual_sources(lights.relays, options.dr, out, sources);
     link_mists(modifiers, lights.relays, sources, out);
     write_sources(std::move(sources), out);
+    plant_light_tree(out);
 
     // Windows and highlights, which need rays through the finished geometry.
     if (options.sampling != Sampling::plain) {

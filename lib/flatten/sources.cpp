@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which emitters are active sources (spec shading 4.1) and their records; the distant surfaces in order; the cumulative
-// power table.  Everything else that glows is found by sampled rays alone.
+// Which emitters are active sources (spec shading 4.1) and their records; the distant surfaces in order.  Everything
+// else that glows is found by sampled rays alone.
 #include "flatten/sources.h"
 
 #include <algorithm>
@@ -145,18 +145,6 @@ void write_sources(Sources sources, FlatScene& out) {
         sources.record(fan.source)[SRC_TRIS] = from_bits(uint32_t(fans_at + fan.at));
     out.sources_at = uint32_t(out.f.size());
     out.f.insert(out.f.end(), sources.records.begin(), sources.records.end());
-
-    out.cdf_at = uint32_t(out.f.size());
-    const auto power = [&](uint32_t i) {  // never 0, so that the table can reach every source
-        const float* q = sources.record(i);
-        return double(std::max(q[SRC_POWER], 1e-20f)) * std::max(q[SRC_AREA], 1e-20f);
-    };
-    double total = 0, sum = 0;
-    for (uint32_t i = 0; i < out.source_count; i++) total += power(i);
-    for (uint32_t i = 0; i < out.source_count; i++) {
-        sum += power(i);
-        out.f.push_back(float(sum / total));
-    }
 }
 
 }  // namespace flatten

@@ -43,6 +43,8 @@
 #include "kernels/clip.h"
 #include "kernels/sources.h"
 #include "kernels/source_sample.h"
+#include "kernels/gate.h"
+#include "kernels/light_tree.h"
 #include "kernels/choose_source.h"
 #include "kernels/highlights.h"
 #include "kernels/portals.h"

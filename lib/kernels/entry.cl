@@ -86,5 +86,5 @@ __kernel void k_layout(__global uint *out) {
     out[1] = (uint)((__private uchar *)&p.nx - base);
     out[2] = (uint)((__private uchar *)&p.mods_at - base);
     out[3] = (uint)((__private uchar *)&p.st - base);
-    out[4] = (uint)((__private uchar *)&p.cdf_at - base);
+    out[4] = (uint)((__private uchar *)&p.light_tree_at - base);
 }

@@ -127,6 +127,22 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define SK_SPHERE 4u
 #define SK_CYLINDER 5u
 
+// ---- tree of many sources (light_tree.h): LIGHT_FLOATS floats a node at f[Params.light_tree_at], each node followed
+// by its two halves with all that they hold
+#define LIGHT_TREE_FROM 33u  // so many sources make one
+#define LIGHT_FLOATS 16u
+#define LIGHT_CENTRE 0u       // 3: of a ball about all its sources, or of the unit directions to distant ones
+#define LIGHT_RADIUS 3u       // of the ball
+#define LIGHT_AXIS 4u         // 3: unit, about which the normals of its sources lie; 0 if some have none
+#define LIGHT_SPREAD 7u       // how far the normals are from the axis
+#define LIGHT_POWER 8u        // radiance (SRC_POWER) times area, the sum
+#define LIGHT_FAR 9u          // no source reaches points that far from the centre; 0: distant sources
+#define LIGHT_GATES 10u       // how many gates are the same for all its sources (word)
+#define LIGHT_GATES_AT 11u    // index into f of the first (word)
+#define LIGHT_PAST 12u        // the node that comes after all that this one holds (word)
+#define LIGHT_MORE_GATES 14u  // 1: some have further ones, of their own
+#define LIGHT_SOURCE 13u      // a single source (word); NONE: two halves
+
 // ---- sets of sources that mists name, in a set those that the same mists name: LIGHT_SET_WORDS words each at
 // u[Params.light_sets_at]
 #define LIGHT_SET_WORDS 2u
@@ -182,12 +198,14 @@ typedef struct {
     float ds;
     uint light_sets_at;
     uint guide_mask, guide_from;  // of its hash table, 0: there is no guide; first frame that it guides
-    uint skip_direct_below, cdf_at;
+    uint skip_direct_below, light_tree_at;
     float way_least;     // least chance of a way (path/ways.h); 0: none
     float portal_share;  // of diffuse directions that go toward windows (portals.h)
     uint highlights_at, highlight_count;
     float highlight_share;  // of those that go toward highlights, where there are any (highlights.h)
     uint together;          // slots of a pixel side by side: samples frame .. frame + together - 1
+    uint light_nodes;       // of the tree; 0: each source is looked at
+    uint nothing[3];        // fills the row
 } Params;
 
 // modes: what a pass computes

@@ -18,7 +18,7 @@ std::string scene_hash(const flatten::FlatScene& s) {
     hash.add_all(s.u), hash.add_all(s.f);
     hash.add_all(std::vector<float>{float(s.centre.x), float(s.centre.y), float(s.centre.z)});
     hash.add({s.mods_at, s.sources_at, s.source_count, s.distant_at, s.distant_count, s.portals_at, s.portal_count,
-              s.cdf_at, s.shadow_mode, s.antimatter, s.absorbs, s.instances_at});
+              s.light_tree_at, s.light_nodes, s.shadow_mode, s.antimatter, s.absorbs, s.instances_at});
     return hash.text();
 }
 

@@ -244,7 +244,7 @@ private:
         uint32_t v[5];
         queue_.enqueueReadBuffer(b, CL_TRUE, 0, sizeof v, v);
         const uint32_t here[5] = {sizeof(Params), offsetof(Params, nx), offsetof(Params, mods_at), offsetof(Params, st),
-                                  offsetof(Params, cdf_at)};
+                                  offsetof(Params, light_tree_at)};
         if (std::memcmp(v, here, sizeof v) != 0)
             base::fail_system(where_, "the device lays out structures differently");
     }

@@ -25,7 +25,8 @@ inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOpt
     p.portal_count = flat.portal_count;
     p.highlights_at = flat.highlights_at;
     p.highlight_count = flat.highlight_count;
-    p.cdf_at = flat.cdf_at;
+    p.light_tree_at = flat.light_tree_at;
+    p.light_nodes = flat.light_nodes;
     p.light_sets_at = flat.light_sets_at;
     p.shadow_mode = flat.shadow_mode;
     p.medium = {float(o.me[0]), float(o.me[1]), float(o.me[2]),
