@@ -65,7 +65,7 @@ def wide_beams(scene):
 
 
 def textured_ball(scene):
-    solid = has(scene, "glass", "dielectric", "interface")
+    solid = has(scene, "glass", "dielectric", "interface", "BRTDfunc")
     return solid and has(scene, "sphere", "bubble") and has(scene, "texfunc")
 
 
