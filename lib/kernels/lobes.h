@@ -171,8 +171,9 @@ FN float rough_transmission(PRIVATE const Lobes* lobes, PRIVATE const Surface* g
         e = (2.0f - 2.0f * dot3(lobes->trans_dir, l)) / alpha2_u;
     }
 
-    float G = k_exp(-e) * sqrt_(cl / cv) * K_INV_PI / sqrt_(alpha2_u * alpha2_v);
-    return G > 1e-6f ? G * w : 0.0f;
+    float turn = sqrt_(cl / cv), G = k_exp(-e) * turn * K_INV_PI / sqrt_(alpha2_u * alpha2_v);
+    float least = (lobes->flags & LOBE_ANISO) != 0u ? 1e-6f : 1e-6f * turn;  // as in RADIANCE
+    return G > least ? G * w : 0.0f;
 }
 
 // Coefficient of a source sample of solid angle w in direction l: outgoing radiance = coefficient * source radiance.
