@@ -3,7 +3,8 @@
 // transmission, RGB each; values: [thickness] up-vector.  The tables' Lambertian part joins the diffuse one.
 // Where RADIANCE averages several jittered look-ups, one is drawn: the same mean.
 //   thickness != 0  a proxy of real geometry: the eye and shadows pass, sampled rays scatter
-//   aBSDF           what goes straight on is taken out of the table and becomes a sharp ray ("peak")
+//   aBSDF           what goes straight on is taken out of the table and becomes a sharp ray ("peak") for the eye's rays
+//                   and for shadow rays
 #ifndef LUX_MAT_BSDF_H
 #define LUX_MAT_BSDF_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Directions for diffuse light: a share of them toward the windows ("portals"), the others by the cosine, one mixed
 // density, so that the estimator stays unbiased whatever portals and share are (one-sample multiple importance sampling
-// with the balance heuristic, Veach 1997, section 9.2.4).  trace/window_share.h finds the share.
+// with the balance heuristic, Veach 1997, section 9.2.4).  trace/aim_shares.h finds the share.
 // Another share goes toward highlights (highlights.h).
 // The sky seen through a window is the main light of a daylit room and small in solid angle: this is where noise goes.
 #ifndef LUX_PORTALS_H

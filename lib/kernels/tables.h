@@ -140,8 +140,8 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define LIGHT_GATES 10u       // how many gates are the same for all its sources (word)
 #define LIGHT_GATES_AT 11u    // index into f of the first (word)
 #define LIGHT_PAST 12u        // the node that comes after all that this one holds (word)
-#define LIGHT_MORE_GATES 14u  // 1: some have further ones, of their own
 #define LIGHT_SOURCE 13u      // a single source (word); NONE: two halves
+#define LIGHT_MORE_GATES 14u  // 1: some have further ones, of their own
 
 // ---- sets of sources that mists name, in a set those that the same mists name: LIGHT_SET_WORDS words each at
 // u[Params.light_sets_at]

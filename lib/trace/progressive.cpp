@@ -16,7 +16,7 @@
 #include "trace/guide.h"
 #include "trace/scene_params.h"
 #include "trace/view_params.h"
-#include "trace/window_share.h"
+#include "trace/aim_shares.h"
 
 namespace trace {
 using namespace kernels;
@@ -37,12 +37,12 @@ struct Renderer::State {
     base::Vec3 centre;
     bool guides = false;
     uint32_t nx, ny, m;
-    std::vector<float> s0;       // mean of the direct class in frame 0
-    std::vector<float> exact;    // drawn sources, 3 floats a pixel (empty: none)
-    bool guided = false;         // a guide is still to be learned
-    std::vector<float> windows;  // their records
-    std::vector<float> portals;  // the same, until their share is known
-    int64_t bad = 0;             // samples that were set to 0
+    std::vector<float> s0;        // mean of the direct class in frame 0
+    std::vector<float> exact;     // drawn sources, 3 floats a pixel (empty: none)
+    bool guided = false;          // a guide is still to be learned
+    std::vector<float> aims;      // records of windows, then of highlights
+    std::vector<float> unshared;  // the same, until their shares are known
+    int64_t bad = 0;              // samples that were set to 0
 
     // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.
     void scrub(std::vector<float>& rgb) {
@@ -89,12 +89,12 @@ struct Renderer::State {
         for (size_t pixel = 0; 3 * pixel < one.size(); pixel++)
             std::copy_n(&rgb[3 * (n * pixel + sample)], 3, &one[3 * pixel]);
     }
-    void ensure_window_share() {
-        if (portals.empty()) return;
-        const Shares shares = find_shares(*device, base, portals);
+    void ensure_aim_shares() {
+        if (unshared.empty()) return;
+        const Shares shares = find_shares(*device, base, unshared);
         base.portal_share = shares.windows;
         base.highlight_share = shares.highlights;
-        portals.clear();
+        unshared.clear();
     }
     void ensure_guide() {
         if (!guided) return;
@@ -163,9 +163,9 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
     s.m = s.base.skip_direct_below;
     s.guides = o.sampling == flatten::Sampling::guided;
     const auto windows = flat.f.begin() + long(flat.portals_at);
-    s.windows.assign(windows, windows + long(flat.portal_count) * PORTAL_FLOATS);
+    s.aims.assign(windows, windows + long(flat.portal_count) * PORTAL_FLOATS);
     const auto highlights = flat.f.begin() + long(flat.highlights_at);
-    s.windows.insert(s.windows.end(), highlights, highlights + long(flat.highlight_count) * HIGHLIGHT_FLOATS);
+    s.aims.insert(s.aims.end(), highlights, highlights + long(flat.highlight_count) * HIGHLIGHT_FLOATS);
     s.centre = flat.centre;
     s.pictures.clear();
     // drawing knows one eye point, and no way on through glass unattenuated
@@ -194,7 +194,7 @@ void Renderer::look(size_t shot) {
     s.ny = s.base.ny = uint32_t(of.ny);
     set_view(s.base, of.view, s.centre);
     s.s0.clear(), s.exact.clear();
-    s.portals = s.windows;  // their share and the guide are learned from where the eye is
+    s.unshared = s.aims;  // their shares and the guide are learned from where the eye is
     s.base.portal_share = Params{}.portal_share;
     s.base.highlight_share = Params{}.highlight_share;
     s.guided = s.guides;
@@ -223,7 +223,7 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
         k = 1;
     }
     if (k >= end) return;
-    s.ensure_window_share();
+    s.ensure_aim_shares();
     bool goes_on = true;
     const auto sample = [&](int64_t frame, const float* v) {
         if (frame > s.m)

@@ -60,7 +60,7 @@ void Sums::add(image::Picture& frame, const std::string& place) {
 void Sums::write_due() {
     const bool to_stdout = output_.to_stdout() && !options_.last_only;
     if (to_stdout) stream_sum(false);
-    else if (batches_) take_sum();
+    else if (batches_) take_sum(false);
     if (options_.last_only) return;
     if (options_.outputs.empty() || (!options_.every_given && Clock::now() < files_again_)) return;
     const Clock::time_point began = Clock::now();
@@ -72,13 +72,13 @@ void Sums::end_stream() {
     if (!streamed_ && output_.to_stdout()) stream_sum(options_.last_only);
 }
 
-void Sums::take_sum() {
-    sum_.result(result_, false);
+void Sums::take_sum(bool with_parts) {
+    sum_.result(result_, with_parts);
     if (batches_) image::add_mean(result_.means, sum_.frames(), result_.rgb, batches_);
 }
 
 void Sums::stream_sum(bool by_itself) {
-    take_sum();
+    take_sum(false);
     if (by_itself) output_.stdout_picture(result_);
     else output_.stream_picture(result_);
     const auto& last = result_.header.last_frame;
@@ -103,8 +103,7 @@ bool Sums::can_filter() const {
 }
 
 void Sums::write_files(bool passing) {
-    sum_.result(result_, true);
-    if (batches_) image::add_mean(result_.means, sum_.frames(), result_.rgb, batches_);
+    take_sum(true);
     if (passing || !can_filter()) return output_.files(result_, passing);
     const std::vector<float> filtered =
         image::denoised(halves_, result_.frame0, result_.width, result_.height, base::processors());

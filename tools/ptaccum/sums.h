@@ -26,7 +26,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     void write_due();
-    void take_sum();  // into result_
+    void take_sum(bool with_parts);  // into result_
     void stream_sum(bool by_itself);
     void write_files(bool passing);
     bool can_filter() const;

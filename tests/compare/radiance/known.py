@@ -2,6 +2,7 @@
 """Differences from RADIANCE that docs/differences.md describes, recognised in a minimal scene.
 
 The words that a rule stands for must be on that page (tests/compare/compare_radiance.sh looks)."""
+import math
 
 
 LAMPS = {"light", "spotlight", "glow", "illum"}
@@ -75,16 +76,21 @@ def untextured(scene):
             p.strings, p.names = ["0", "0", "0", "."], ()
 
 
-def glass_ball(scene):
-    return has(scene, "glass", "dielectric", "interface") and has(scene, "sphere", "bubble")
-
-
-def disc_for_ball(scene):
-    """As wide, but flat."""
-    for p in scene.primitives():
-        if p.kind in ("sphere", "bubble"):
-            x, y, z, r = p.reals
-            p.kind, p.reals = "ring", [x, y, z, .3, -.5, .8, 0, r]
+def at_the_rim(scene):
+    """Does the ray pass a ball of glass within .01 of its radius inside its outline?"""
+    if not has(scene, "glass", "dielectric", "interface"):
+        return False
+    eye, way = scene.rays[0][:3], scene.rays[0][3:]
+    length = math.sqrt(sum(d * d for d in way))
+    for p in scene.files["scene"]:
+        if p.kind not in ("sphere", "bubble"):
+            continue
+        to = [c - e for c, e in zip(p.reals, eye)]
+        along = sum(t * d for t, d in zip(to, way)) / length
+        beside = math.sqrt(max(sum(t * t for t in to) - along * along, 0))
+        if .99 < beside / p.reals[3] < 1.0001:
+            return True
+    return False
 
 
 def coloured_mirror(scene):
@@ -169,7 +175,7 @@ RULES = [
     ("patterned lamp behind a solid", "A lamp's pattern seen through a solid", patterned_lamp, plain_lamps),
     ("bent round what is remembered", "tests them on the straight line", bent, see_through),
     ("grazing chains in a textured ball", "Chains of grazing reflections", textured_ball, untextured),
-    ("rim of a glass ball", "The rim of a glass ball", glass_ball, disc_for_ball),
+    ("rim of a glass ball", "The rim of a glass ball", at_the_rim, None),
     ("mirrored light below 0", "Coloured light below 0 in a mirror", coloured_mirror, grey_mirror),
     ("up vector in a pattern's place", "in that pattern's coordinates", moving_up, still_up),
     ("rank-3 tree", "A rank-3 tree that gives transmission for one side only", tree3, matrix),

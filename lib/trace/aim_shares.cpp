@@ -4,7 +4,7 @@
 // 9.2).  f is what the walk has met and a share of the light beyond, bounce by bounce, as if every place were like the
 // mean of all.  Highlights are small: walks of their own go there, and all walks of a place are weighed by the density
 // of them together.
-#include "trace/window_share.h"
+#include "trace/aim_shares.h"
 
 #include <algorithm>
 #include <cmath>
