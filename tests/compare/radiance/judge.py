@@ -6,8 +6,8 @@ this scene), or within 4.5 standard errors of both means together.  Rays that do
 (second_look.py)."""
 import math
 
+import second_look
 import tracers
-from second_look import look_for_rare_ways, mark_edges
 
 RELATIVE, SIGMA = 2e-3, 4.5
 BLACK = 2e-3           # of typical(): nobody sees it
@@ -83,8 +83,9 @@ def judge(scene, folder, tracer, extra="", first=FIRST, last=LAST, floor=None):
         wrong = sure + still + (wrong[MANY:] if len(some) < len(wrong) and 2 * len(still) > len(some) else [])
     wrong = [p for p in wrong if not p.agrees(floor)]
     if wrong and len(wrong) <= MANY:
-        look_for_rare_ways(wrong, scene, folder, tracer, extra)
+        second_look.look_for_rare_ways(wrong, scene, folder, tracer, extra)
         wrong = [p for p in wrong if not p.agrees(floor)]
     if wrong:
-        mark_edges(wrong, RELATIVE, 2e-4 * floor, scene, folder, tracer, extra)
+        samples = second_look.OURS if first == FIRST else second_look.QUICK
+        second_look.mark_edges(wrong, RELATIVE, 2e-4 * floor, scene, folder, tracer, extra, samples)
     return pixels, [p for p in wrong if not p.edge]

@@ -164,6 +164,15 @@ def see_through(scene):
             p.kind, p.strings, p.names, p.reals = "trans", [], (), [.5, .5, .5, 0, 0, .01, 0]
 
 
+def fractal_noise(scene):
+    return any("fnoise3" in word for p in scene.primitives() for word in p.strings)
+
+
+def plain_noise(scene):
+    for p in scene.primitives():
+        p.strings = [word.replace("fnoise3", "noise3") for word in p.strings]
+
+
 # Name, the page's words, the test, and what takes the difference away (None: the test says enough).
 RULES = [
     ("fewer pieces", "RADIANCE takes fewer pieces for rays of low weight", pieces, whole),
@@ -178,6 +187,7 @@ RULES = [
     ("rim of a glass ball", "The rim of a glass ball", at_the_rim, None),
     ("mirrored light below 0", "Coloured light below 0 in a mirror", coloured_mirror, grey_mirror),
     ("up vector in a pattern's place", "in that pattern's coordinates", moving_up, still_up),
+    ("fnoise3 on its grid", "within rounding of a multiple of .0005", fractal_noise, plain_noise),
     ("rank-3 tree", "A rank-3 tree that gives transmission for one side only", tree3, matrix),
     ("pattern on aBSDF", "Beside the peak of an `aBSDF` a pattern acts once", lambda scene: has(scene, "aBSDF"), plain),
 ]

@@ -19,6 +19,7 @@ RARE_SAMPLES = [1 << 17, 1 << 20]
 RARE_NOISE = .03       # an estimate with more does not say that both programs agree
 RARE_FAR = .3          # further off than this and than its noise: the light is not rare, it is missing
 OURS, THEIRS = (65536, 65536), 16
+QUICK = (4096, 4096)   # a shrinker's trial: more noise finds an edge sooner, and the trial is in vain
 
 
 def look_for_rare_ways(pixels, scene, folder, tracer, extra):
@@ -63,7 +64,7 @@ def slack(value, relative, least):
     return [relative * abs(v) + least + 4.5 * e for v, e in zip(mean, error)]
 
 
-def mark_edges(pixels, relative, least, scene, folder, tracer, extra):
+def mark_edges(pixels, relative, least, scene, folder, tracer, extra, samples=OURS):
     """`relative` of a value and `least` are no difference (judge.py)."""
     arguments = scene.arguments()
     theirs = tracers.rtrace(folder, arguments, [n for p in pixels for n in neighbours(p.ray)], THEIRS)
@@ -77,7 +78,7 @@ def mark_edges(pixels, relative, least, scene, folder, tracer, extra):
     rest = [p for p in pixels if not p.edge]
     for p in rest[:FEW]:  # many have another reason
         try:
-            ours = tracers.ptrace(tracer, folder, arguments + " " + extra, list(neighbours(p.ray)), *OURS)
+            ours = tracers.ptrace(tracer, folder, arguments + " " + extra, list(neighbours(p.ray)), *samples)
         except tracers.Refused:  # it takes too long
             continue
         near = [v for v, _ in ours] + [p.ours[0]]
