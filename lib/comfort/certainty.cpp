@@ -24,7 +24,7 @@ bool one_dominates(double share, double degrees) {
     return (degrees + 1) * student_outside(std::sqrt(share / (1 - share) * (degrees - 1)), degrees - 1) < 0.001;
 }
 
-// Has direct samples of its own: the batch lies behind frame 16, or is the first one and holds these frames together.
+// Has direct samples of its own: the batch lies behind frame 8, or is the first one and holds these frames together.
 bool is_whole(const Batches& batches, size_t k) {
     return batches.begin(k) >= image::direct_samples || (k == 0 && batches.frames(k) >= image::direct_samples);
 }
@@ -236,7 +236,7 @@ void Certainty::add_frame0_error(const Measurement& unmoved, std::vector<Estimat
         for (size_t c = 0; c < square.size(); ++c)
             square[c] += std::pow(columns_[c].value(m) - columns_[c].value(unmoved), 2) / moved_pictures;
     }
-    // From frame 17 on there are more direct samples than frame 0's.
+    // Above frame 8 there are more direct samples than frame 0 holds.
     const double share = std::min(1., double(image::direct_samples) / double(batches_.frames()));
     for (size_t c = 0; c < square.size(); ++c) {
         if (knows_it(c)) continue;

@@ -43,7 +43,7 @@ struct Header {
 };
 
 // Samples of the direct and specular light in frame 0; frames above this number correct them (decisions, page 2).
-constexpr int direct_samples = 16;
+constexpr int direct_samples = 8;
 
 struct Picture {
     int width = 0, height = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// bits_test DEVICE [-record] [ID ...] - do frames keep their bits?  tests/golden/bits.tsv holds the pictures of eight
+// bits_test DEVICE [-record] [ID ...] - do frames keep their bits?  tests/golden/bits.tsv holds the pictures of ten
 // frames, or the means of single rays, as hashes: one row a scene, tab separated: id, folder below the source tree,
 // ptrace's arguments (empty: the rays of golden/vectors that name this scene), hash.  A change that only moves code
 // moves no bit, on no device; one that moves numbers on purpose writes the rows anew (-record, on the CPU), raises
@@ -42,7 +42,7 @@ private:
 
 std::string hash_of_frames(const std::string& arguments, const std::string& device) {
     std::vector<std::string> words = {"ptrace",  "-w-", "-x", std::to_string(size), "-y", std::to_string(size),
-                                      "-frames", "8",   "-o", "unused%d.hdr"};
+                                      "-frames", "10",  "-o", "unused%d.hdr"};
     std::istringstream in(arguments);
     for (std::string word; in >> word;) words.push_back(word);
     std::vector<char*> argv;

@@ -23,7 +23,7 @@ namespace {
 constexpr int side = 12;
 
 // A stream of sums: every pixel of frame k > 0 is its mean times a sample of mean 1, and frame 0 a tenth of the mean
-// times the mean of 16 samples, which frames above 16 correct (paper section 7).  What is bright is seen exactly.
+// times the mean of 8 samples, which frames above 8 correct (paper section 7).  What is bright is seen exactly.
 class Stream {
 public:
     using Sample = std::function<double(std::mt19937&)>;
