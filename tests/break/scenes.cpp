@@ -83,10 +83,10 @@ Job render(const Settings& s, const Seeds& seeds, const File& scene, const std::
     return job;
 }
 
-// Both frames, whole, finite; the pixels' bytes for comparing.
+// Both frames of each view that a rif file names, whole, finite; the pixels' bytes for comparing.
 std::string check_frames(const std::string& out, std::vector<double>& pixels) {
     const ModelStream stream = read_stream(out);
-    if (stream.end != ModelStream::End::clean || stream.pictures.size() != 2)
+    if (stream.end != ModelStream::End::clean || stream.pictures.empty() || stream.pictures.size() % 2 != 0)
         return "status 0, but there are not two whole frames";
     for (const ModelPicture& p : stream.pictures)
         for (const double v : p.rgb) {
