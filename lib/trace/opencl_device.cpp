@@ -172,7 +172,7 @@ private:
     // Fills the queue with the paths that have a ray.
     void begin(cl::Kernel& kernel, const Params& par) {
         queue_.enqueueWriteBuffer(params_, CL_FALSE, 0, sizeof par, &par);
-        const uint32_t zero[4] = {0, 0, 0, 0};
+        static const uint32_t zero[4] = {0, 0, 0, 0};  // static: it is read when this has returned
         queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zero);
         unsigned a = set_scene(kernel);
         kernel.setArg(a++, counters_);
