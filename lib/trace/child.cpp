@@ -4,6 +4,9 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,6 +21,9 @@ namespace {
 constexpr unsigned patience_s = 60;
 
 [[noreturn]] void answer(const std::function<std::string()>& question, int to) {
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer of a program that was killed
+#endif
     for (int s : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) signal(s, SIG_DFL);
     const struct rlimit no_core = {0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
