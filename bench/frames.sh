@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # What frames cost one core: bench/frames.sh build/bin [older/bin]
-# One line a scene and device: processor seconds of frame 0, microseconds a pixel of the
-# frames after it; medians of RUNS.  With a second folder the two take turns; then two columns have its time over the
+# One line a scene and device: processor seconds of frame 0, microseconds a pixel of the frames after it; medians of
+# RUNS.  With a second folder the two take turns; then two columns have its time over the
 # first's, and a word says whether the last frames have the same bits.
 set -eu
 new=$(cd "$1" && pwd) old=${2:+$(cd "$2" && pwd)}

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 #include "flatten/flatten.h"
+#include "image/picture.h"
 #include "view/view.h"
 
 namespace trace {
@@ -28,9 +29,10 @@ struct RenderOptions : flatten::Options {  // which has -dr, -bv and -sampling
     double pd = 0;                                                // -pd depth of field
     // ours
     uint64_t seed = 1;
-    double way_least = 0;    // for tests of ways hardly ever taken (kernels/path/ways.h)
-    int direct_samples = 8;  // m of spec paper 7: samples of the direct and specular class in frame 0
-    int guide_from = 2;      // first frame that -sampling guided guides: shorter runs do not learn
+    double way_least = 0;  // for tests of ways hardly ever taken (kernels/path/ways.h)
+    int direct_samples =
+        image::direct_samples;  // m of spec paper 7: samples of the direct and specular class in frame 0
+    int guide_from = 2;         // first frame that -sampling guided guides: shorter runs do not learn
 };
 
 }  // namespace trace

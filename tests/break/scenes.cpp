@@ -87,7 +87,7 @@ Job render(const Settings& s, const Seeds& seeds, const File& scene, const std::
 std::string check_frames(const std::string& out, std::vector<double>& pixels) {
     const ModelStream stream = read_stream(out);
     if (stream.end != ModelStream::End::clean || stream.pictures.empty() || stream.pictures.size() % 2 != 0)
-        return "status 0, but there are not two whole frames";
+        return "status 0, but there are not two whole frames of each view";
     for (const ModelPicture& p : stream.pictures)
         for (const double v : p.rgb) {
             if (!std::isfinite(v)) return "status 0, but a pixel is not finite";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes whose light can be written down, on every device: 16384 samples a ray, within 4 standard errors.
+// Scenes whose light can be written down, on every device: 16384 samples a ray, within 4 standard errors.  Then a sun,
+// which is drawn by its area: Ev of the picture.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include "physics/laws.h"
 
@@ -191,4 +192,41 @@ TEST_CASE("a diffusing sheet under the sky") {
     options.ab = 1;
     expect(text, options, {{0, 0, -1}, {.1, 0, 1}}, {.24, .18, .12}, 65536);
     expect(text, options, {{0, 0, 1}, {.1, 0, -1}}, {.56, .42, .28}, 65536);
+}
+
+// A sun of half angle a in an empty sky: Ev = pi sin(a)^2 cos(t) L.  It is about a pixel wide here, so only drawing it
+// by area can get this right in a single frame; with the sun on the axis its centre is a pixel's corner.
+TEST_CASE("frame 0 has all of the sun, wherever it is in the picture") {
+    const int size = 256;
+    trace::RenderOptions options = direct_only();
+    options.direct_samples = 1;
+    for (const char type : {'v', 'a', 'h', 's', 'c'}) {
+        for (const double tilt : {0., .061, .12}) {
+            CAPTURE(type);
+            CAPTURE(tilt);
+            view::View view;
+            view.type = type;
+            view.vd = {0, 1, 0};
+            view.vh = view.vv = type == 'v' || type == 'c' ? 90 : 180;
+            const view::Projector projector(view);
+            const base::Vec3 sun = base::unit({tilt, 1, tilt / 3});
+            trace::Renderer renderer(
+                scene_of("void light sun 0 0 3 1e6 1e6 1e6\nsun source disc 0 0 4 " + std::to_string(sun.x) + " " +
+                         std::to_string(sun.y) + " " + std::to_string(sun.z) + " .533\n"),
+                view, size, size, options, "cpu", {});
+            std::vector<float> rgb;
+            renderer.frame(0, rgb);
+            double Ev = 0;
+            for (int j = 0; j < size; ++j)
+                for (int i = 0; i < size; ++i) {
+                    const float v = rgb[3 * (size_t(size - 1 - j) * size + size_t(i))];
+                    if (v == 0) continue;
+                    const auto dir = projector.direction((i + .5) / size, (j + .5) / size);
+                    REQUIRE(dir);
+                    Ev += v * view::pixel_solid_angle(projector, i, j, size, size) * dir->y;
+                }
+            const double half = .2665 * pi / 180;
+            CHECK(Ev == doctest::Approx(1e6 * pi * std::sin(half) * std::sin(half) * sun.y).epsilon(.002));
+        }
+    }
 }
