@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "comfort/student.h"
+#include "comfort/swayed_measure.h"
 #include "image/picture.h"
 
 namespace comfort {
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double growth_between_looks = 1.41421356;
-constexpr uint32_t moved_pictures = 4;
+constexpr int moved_pictures = 4;
 constexpr int enough_batches = 6;
 
 // Chance that one of `degrees` + 1 terms has by luck the share that the largest one has in the sum of squares
@@ -55,10 +56,16 @@ void spread_of(const Batches& batches, const std::vector<double>& change, bool w
     out.skewness = third / std::pow(variance, 1.5) * std::sqrt(weight / n);
 }
 
+std::vector<uint32_t> all_patterns(int pictures) {
+    std::vector<uint32_t> out;
+    for (uint32_t p = 0; p < 1u << pictures; ++p) out.push_back(p);
+    return out;
+}
+
 }  // namespace
 
 Certainty::Certainty(Meter& meter, const std::vector<Column>& columns, bool errors)
-    : meter_(meter), columns_(columns), errors_(errors) {
+    : meter_(meter), columns_(columns), errors_(errors), moved_signs_(moved_pictures, all_patterns(moved_pictures)) {
     restart();
 }
 
@@ -107,7 +114,7 @@ void Certainty::look(const Luminance& lum, const Measurement& m) {
     std::vector<Estimate> fresh(columns_.size(), {nan, nan, 0, 0, false, batches_.frames()});
     const Measurement unmoved = has(Kind::picture) ? look_at_halves(lum, m, fresh) : m;
     if (has(Kind::region)) look_at_batches(m, fresh);
-    if (errors_) add_frame0_error(unmoved, fresh);
+    if (errors_) add_frame0_error(lum, m, unmoved, fresh);
 
     while (!own_.empty() && 2 * own_.front()[0].frames < batches_.frames()) own_.pop_front();
     own_.push_back(fresh);
@@ -127,26 +134,21 @@ void Certainty::look(const Luminance& lum, const Measurement& m) {
 // Returns what the whole picture measures with the sources of its calm one.
 Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates) {
     if (!halves_.take(batches_)) return m;
-    const bool sources = chooses_sources();
-    if (sources) calm_.take(halves_, meter_.geometry(), m.threshold);
-    const Measurement whole = sources ? moved(0, 1) : m;
-    const Values value = values(whole, Kind::picture);
+    const Swayed pictures = halves_.pictures();
+    Swayed bright = pictures;
+    if (meter_.needs().sources) {
+        calm_.take(halves_, meter_.geometry(), m.threshold);
+        bright.mean = calm_.mean().data(), bright.off = calm_.sway().data();
+    }
+    SwayedMeasurements seen = measure(pictures, bright, lum, m, meter_);
+    const Values value = values(seen.calm, Kind::picture);
     std::vector<double> of_column(columns_.size() * Halves::count);
     Values of_whole(columns_.size(), 0);
-    const Geometry& g = meter_.geometry();
-    const auto eye = halves_.sums(g.omega_cos), all = halves_.sums(g.omega);
-    swayed_.width = batches_.width(), swayed_.height = batches_.height();
-    swayed_.grey = sources ? calm_.mean() : std::vector<float>();
-    for (int k = 0; k < Halves::count; ++k) {
-        halves_.picture(k, scratch_);
-        Luminance half = scratch_.luminance(), bright_in = swayed_.luminance();
-        for (const uint32_t i : sources ? calm_.doubtful() : std::vector<uint32_t>())
-            swayed_.grey[i] = halves_.swayed(k, i, calm_.mean()[i], calm_.sway()[i]);
-        const Light light{eye[size_t(k)], all[size_t(k)]};
-        const Values v = values(meter_.measure(half, "", sources ? &bright_in : nullptr, &light), Kind::picture);
-        const Values w = sources ? values(meter_.with_last_sources(lum, bright_in, m), Kind::picture) : value;
+    for (size_t k = 0; k < size_t(Halves::count); ++k) {
+        const Values v = values(seen.own[k], Kind::picture);
+        const Values w = seen.of_mean.empty() ? value : values(seen.of_mean[k], Kind::picture);
         for (size_t c = 0; c < v.size(); ++c) {
-            of_column[c * Halves::count + size_t(k)] = v[c];
+            of_column[c * Halves::count + k] = v[c];
             of_whole[c] += w[c] / Halves::count;
         }
     }
@@ -164,7 +166,7 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
         e.degrees = Halves::degrees;
         e.tails = one_dominates(v.sum > 0 ? v.largest / v.sum : 0, e.degrees);
     }
-    return whole;
+    return std::move(seen.calm);
 }
 
 void Certainty::look_at_batches(const Measurement& m, std::vector<Estimate>& estimates) {
@@ -191,36 +193,36 @@ void Certainty::look_at_batches(const Measurement& m, std::vector<Estimate>& est
     }
 }
 
-bool Certainty::chooses_sources() const { return meter_.finds_sources() && has(Kind::picture); }
-
 bool Certainty::whole_batches_suffice() const {
     int whole = 0;
     for (size_t k = 0; k < batches_.count(); ++k) whole += is_whole(batches_, k);
     return whole >= enough_batches;
 }
 
-// The whole picture with each pixel moved by factor times frame 0's error, up or down at random.
-Measurement Certainty::moved(float factor, uint32_t random) {
-    const auto move = [&](const std::vector<float>& from, GreyPicture& to) {
-        to.width = batches_.width(), to.height = batches_.height();
-        to.grey = from;
-        if (factor == 0) return to.luminance();
-        uint32_t r = random;
-        const float sides[2] = {-factor, factor};  // no branch: half of them would be guessed wrong
-        for (size_t i = 0; i < from.size(); ++i) {
-            r = r * 1664525u + 1013904223u;
-            to.grey[i] += sides[r >> 31] * frame0_error_[i];
+// The whole picture with each pixel moved by frame 0's error, up or down at random.
+std::vector<Measurement> Certainty::moved(const Luminance& lum, const Measurement& m) {
+    if (moved_pattern_.size() != lum.size()) {
+        moved_pattern_.assign(lum.size(), 0);
+        for (int k = 0; k < moved_pictures; ++k) {
+            uint32_t random = uint32_t(k + 1) * 0x9e3779b9u;
+            for (uint8_t& p : moved_pattern_) {
+                random = random * 1664525u + 1013904223u;
+                p |= uint8_t((~random >> 31) << k);
+            }
         }
-        return to.luminance();
-    };
-    Luminance lum = move(batches_.whole(), scratch_);
-    if (!chooses_sources()) return meter_.measure(lum, "");
-    Luminance bright_in = move(calm_.mean(), swayed_);
-    return meter_.measure(lum, "", &bright_in);
+    }
+    const Swayed pictures{batches_.width(),     batches_.height(),     batches_.whole().data(),
+                          frame0_error_.data(), moved_pattern_.data(), &moved_signs_};
+    Swayed bright = pictures;
+    if (meter_.needs().sources && has(Kind::picture)) bright.mean = calm_.mean().data();
+    std::vector<Measurement> out = measure(pictures, bright, lum, m, meter_).own;
+    if (has(Kind::region)) add_regions(pictures, meter_, out);
+    return out;
 }
 
 // For columns whose halves or batches do not know it.
-void Certainty::add_frame0_error(const Measurement& unmoved, std::vector<Estimate>& estimates) {
+void Certainty::add_frame0_error(const Luminance& lum, const Measurement& m, const Measurement& unmoved,
+                                 std::vector<Estimate>& estimates) {
     const int64_t first_half = batches_.begin(batches_.middle()) + batches_.frames(batches_.middle());
     const bool in_halves = first_half >= image::direct_samples, in_batches = whole_batches_suffice();
     if (in_halves && in_batches) return;
@@ -231,11 +233,9 @@ void Certainty::add_frame0_error(const Measurement& unmoved, std::vector<Estimat
         return;
     }
     std::vector<double> square(columns_.size(), 0);
-    for (uint32_t k = 1; k <= moved_pictures; ++k) {
-        const Measurement m = moved(1, k * 0x9e3779b9u);
+    for (const Measurement& seen : moved(lum, m))
         for (size_t c = 0; c < square.size(); ++c)
-            square[c] += std::pow(columns_[c].value(m) - columns_[c].value(unmoved), 2) / moved_pictures;
-    }
+            square[c] += std::pow(columns_[c].value(seen) - columns_[c].value(unmoved), 2) / moved_pictures;
     // Above frame 8 there are more direct samples than frame 0 holds.
     const double share = std::min(1., double(image::direct_samples) / double(batches_.frames()));
     for (size_t c = 0; c < square.size(); ++c) {

@@ -20,7 +20,7 @@
 // moved by what a neighbourhood of 2 x 2 pixels is off a plane, with signs at random, four times.  Edges count as noise
 // there, so this errs on the safe side.
 //
-// All this is done at looks only, at 2, 3, 5, 8, 12, 17, 25 ... frames: each costs as much as measuring 16 pictures.
+// All this is done at looks only, at 2, 3, 5, 8, 12, 17, 25 ... frames, for the 16 pictures at once (swayed_measure.h).
 #pragma once
 #include <deque>
 #include <memory>
@@ -57,10 +57,10 @@ private:
     Values values(const Measurement& m, Kind kind) const;
     Measurement look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates);
     void look_at_batches(const Measurement& m, std::vector<Estimate>& estimates);
-    Measurement moved(float factor, uint32_t random);
-    void add_frame0_error(const Measurement& unmoved, std::vector<Estimate>& estimates);
+    std::vector<Measurement> moved(const Luminance& lum, const Measurement& m);
+    void add_frame0_error(const Luminance& lum, const Measurement& m, const Measurement& unmoved,
+                          std::vector<Estimate>& estimates);
     bool has(Kind kind) const;
-    bool chooses_sources() const;  // in the calm picture
     bool whole_batches_suffice() const;
 
     Meter& meter_;
@@ -70,7 +70,9 @@ private:
     Halves halves_;
     Calm calm_;
     std::vector<float> frame0_error_;  // by pixel; empty: not known
-    GreyPicture scratch_, swayed_;
+    Signs moved_signs_;
+    std::vector<uint8_t> moved_pattern_;  // by pixel
+    GreyPicture scratch_;
     std::deque<std::vector<Estimate>> own_;  // of each look since half as many frames, by itself
     std::vector<Estimate> estimates_;        // with the widest of them
     int64_t next_look_ = 0;

@@ -17,6 +17,11 @@ struct Span {
     int begin, end;
 };
 
+// Sums over pixels: grey times omega cos, and grey times omega.
+struct Light {
+    double eye = 0, all = 0;
+};
+
 class Geometry {
 public:
     // evalglare_slips: directions and solid angles as evalglare rounds them, the solid angle that of the pixel in the

@@ -17,19 +17,21 @@ bool negative(unsigned row, unsigned column) {
 }
 
 // Rows 1 to 15, each as it is and turned round.
-std::vector<uint16_t> sign_patterns() {
-    std::vector<uint16_t> out;
+std::vector<uint32_t> sign_patterns() {
+    std::vector<uint32_t> out;
     for (unsigned row = 1; row < unsigned(Halves::count); ++row) {
         unsigned bits = 0;
         for (unsigned column = 0; column < unsigned(Halves::count); ++column)
             bits |= unsigned(negative(row, column)) << column;
-        out.push_back(uint16_t(bits));
-        out.push_back(uint16_t(~bits));
+        out.push_back(bits);
+        out.push_back(~bits & 0xffff);
     }
     return out;
 }
 
 }  // namespace
+
+Halves::Halves() : signs_(count, sign_patterns()) {}
 
 bool Halves::take(const Batches& batches) {
     const size_t middle = batches.middle();
@@ -37,14 +39,11 @@ bool Halves::take(const Batches& batches) {
     whole_ = &batches.whole();
     if (width_ != batches.width() || height_ != batches.height()) {
         width_ = batches.width(), height_ = batches.height();
-        const std::vector<uint16_t> patterns = sign_patterns();
         uint32_t random = 1;
-        signs_.resize(whole_->size());
         pattern_.resize(whole_->size());
-        for (size_t i = 0; i < signs_.size(); ++i) {
+        for (uint8_t& p : pattern_) {
             random = random * 1664525u + 1013904223u;
-            pattern_[i] = uint8_t((uint64_t(random) * patterns.size()) >> 32);
-            signs_[i] = patterns[pattern_[i]];
+            p = uint8_t((uint64_t(random) * signs_.minus.size()) >> 32);
         }
     }
     const double a = double(batches.begin(middle) + batches.frames(middle)), b = double(batches.frames()) - a;
@@ -55,28 +54,7 @@ bool Halves::take(const Batches& batches) {
     return true;
 }
 
-void Halves::picture(int number, GreyPicture& out) const {
-    out.width = width_, out.height = height_;
-    out.grey.resize(off_.size());
-    for (size_t i = 0; i < off_.size(); ++i) out.grey[i] = swayed(number, i, (*whole_)[i], off_[i]);
-}
-
-std::array<double, Halves::count> Halves::sums(const std::vector<double>& weight) const {
-    const std::vector<uint16_t> patterns = sign_patterns();
-    std::vector<double> off(patterns.size(), 0);
-    double whole = 0;
-    for (size_t i = 0; i < off_.size(); ++i) {
-        const double w = std::max(weight[i], 0.);
-        whole += w * double((*whole_)[i]);
-        off[pattern_[i]] += w * double(off_[i]);
-    }
-    std::array<double, count> out;
-    for (int k = 0; k < count; ++k) {
-        out[size_t(k)] = whole;
-        for (size_t p = 0; p < patterns.size(); ++p) out[size_t(k)] += patterns[p] >> k & 1 ? -off[p] : off[p];
-    }
-    return out;
-}
+Swayed Halves::pictures() const { return {width_, height_, whole_->data(), off_.data(), pattern_.data(), &signs_}; }
 
 Halves::Variance Halves::variance(const double* values) {
     Variance out;

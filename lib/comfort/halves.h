@@ -19,28 +19,23 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 #include "comfort/batches.h"
+#include "comfort/swayed.h"
 
 namespace comfort {
 
 class Halves {
 public:
-    static constexpr int count = 16, degrees = count - 1;
+    Halves();
+    static constexpr int count = Signs::most, degrees = count - 1;
     static constexpr double of_differences = 1.5;  // r of RAMMG
 
     // False: there are no halves yet.
     bool take(const Batches& batches);
     const std::vector<float>& whole() const { return *whole_; }  // L'
     const std::vector<float>& off() const { return off_; }       // d
-    void picture(int number, GreyPicture& out) const;
-    // A pixel of another picture with another d, by the same signs.
-    float swayed(int number, size_t pixel, float mean, float off) const {
-        return mean + with_sign(off, signs_[pixel] >> number);
-    }
-    // Sums over the pixels of each picture, weighted where the weight is above 0.
-    std::array<double, count> sums(const std::vector<double>& weight) const;
+    Swayed pictures() const;
 
     // What a metric's values, one of each picture, say of its value of the whole one.
     struct Variance {
@@ -50,19 +45,11 @@ public:
     static double without_bias(double whole, const double* values, double r);
 
 private:
-    // Turned round where the lowest bit is set.
-    static float with_sign(float value, unsigned bit) {
-        uint32_t bits;  // the sign of a float is its highest bit
-        std::memcpy(&bits, &value, sizeof bits);
-        bits ^= uint32_t(bit) << 31;
-        std::memcpy(&value, &bits, sizeof value);
-        return value;
-    }
     int width_ = 0, height_ = 0;
     const std::vector<float>* whole_ = nullptr;
     std::vector<float> off_;        // d
-    std::vector<uint16_t> signs_;   // by pixel: bit k is set where picture k shows L' - d
-    std::vector<uint8_t> pattern_;  // by pixel: number of its signs among the 30 that there are
+    std::vector<uint8_t> pattern_;  // by pixel, of the 30 that there are
+    Signs signs_;
 };
 
 }  // namespace comfort

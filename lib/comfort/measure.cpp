@@ -47,10 +47,10 @@ void Meter::prepare(const view::View& view, const image::Picture& picture, const
         for (const image::Mask& m : regions_->masks) region_pixels_.emplace_back(m.coverage, *geometry_);
 }
 
-void Meter::photometry(const Luminance& lum, Measurement& m, const Light* known) const {
+void Meter::photometry(const Luminance& lum, Measurement& m) const {
     if (settings_.slips) return photometry_by_column(lum, m);
     const Geometry& g = *geometry_;
-    const Light light = known ? *known : light_of(lum);
+    const Light light = light_of(lum);
     float top[8] = {};
     for (int r = 0; r < g.height; ++r)
         for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s) {
@@ -201,6 +201,15 @@ Measurement Meter::with_last_sources(const Luminance& lum, const Luminance& brig
     return of_lum;
 }
 
+void Meter::set_sources(std::vector<GlareSource> sources, Measurement& m) const {
+    m.sources = std::move(sources);
+    m.direct_lux = 0;
+    for (const GlareSource& s : m.sources) m.direct_lux += s.eye_lux;
+    m.glare = terms_of(m.sources);
+    m.any_source = !m.sources.empty();
+    background_and_dgp(m.ev, m.direct_lux, m);
+}
+
 // Band, mask and zones, before zones take pixels out of sources.  evalglare reads them from its check picture, where
 // sources and the band are painted by then.
 void Meter::pixel_sets(const Luminance& lum, Measurement& m) {
@@ -239,7 +248,7 @@ Measurement Meter::measure(image::Picture& picture, const std::string& place, co
     return measure(lum, place);
 }
 
-Measurement Meter::measure(Luminance& lum, const std::string& place, Luminance* bright_in, const Light* known) {
+Measurement Meter::measure(Luminance& lum, const std::string& place, Luminance* bright_in) {
     const Geometry& g = *geometry_;
     Measurement m;
     m.not_finite = lum.not_finite;
@@ -255,7 +264,7 @@ Measurement Meter::measure(Luminance& lum, const std::string& place, Luminance* 
     }
     if (settings_.fill) fill_rows(lum, g, *settings_.fill);
     if (settings_.fill && bright_in) fill_rows(*bright_in, g, *settings_.fill);
-    photometry(lum, m, known);
+    photometry(lum, m);
     regions(lum, m);
     if (needs_.rammg) m.rammg = rammg(lum, g, settings_.rammg_area);
     if (needs_.medians) position_statistics(lum, m);

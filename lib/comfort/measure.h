@@ -33,11 +33,6 @@ struct Measurement {
     std::optional<double> black_corners;  // percent, type v
 };
 
-// Sums over all pixels, if they are known already: grey times omega cos, and grey times omega.
-struct Light {
-    double eye, all;
-};
-
 // Regions of a file that fits any view and size, drawn when these are known (lib/region/region.h).
 using DrawRegions = std::function<image::MaskSet(const view::View& view, int width, int height)>;
 
@@ -52,19 +47,22 @@ public:
     // measures.
     Luminance read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
     // bright_in: which pixels are bright is decided in this picture, which is changed like `lum`; null: in `lum`.
-    Measurement measure(Luminance& lum, const std::string& place, Luminance* bright_in = nullptr,
-                        const Light* known = nullptr);
+    Measurement measure(Luminance& lum, const std::string& place, Luminance* bright_in = nullptr);
     // `of_lum`, what `lum` measures, with the source pixels found last in place of its own.
     Measurement with_last_sources(const Luminance& lum, const Luminance& bright_in, Measurement of_lum) const;
+    // What follows from sources, by the default DgpForm.
+    void set_sources(std::vector<GlareSource> sources, Measurement& m) const;
     // Region values alone.
     Measurement measure_regions(const Luminance& lum) const;
-    bool finds_sources() const { return needs_.sources; }
+    const Settings& settings() const { return settings_; }
+    const Needs& needs() const { return needs_; }
     const Geometry& geometry() const { return *geometry_; }
+    SourceFinder& finder() { return *finder_; }
     const SourceFinder& finder() const { return *finder_; }
 
 private:
     void prepare(const view::View& view, const image::Picture& picture, const std::string& place);
-    void photometry(const Luminance& lum, Measurement& m, const Light* known) const;
+    void photometry(const Luminance& lum, Measurement& m) const;
     Light light_of(const Luminance& lum) const;
     void photometry_by_column(const Luminance& lum, Measurement& m) const;
     void position_statistics(const Luminance& lum, Measurement& m);

@@ -263,38 +263,12 @@ std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {
         s.group = group;
         if (!zone_of_group_.empty()) s.zone = zone_of_group_[group];
         if (!slipped_eye_lux_.empty()) s.eye_lux = slipped_eye_lux_[group];
-        // The position index belongs to the pixel of the centre narrowed to float (90.99999999999 becomes 91);
-        // evalglare takes the other directions from the pixel of the unrounded centre, we only when asked to.
-        const Vec3 at = g.seen_direction(int(float(s.x)), int(float(s.y)));
-        s.P = position_index(g, at, settings_.position);
-        s.direction = settings_.slips ? g.seen_direction(int(s.x), int(s.y)) : at;
-        s.sigma_deg = s.theta_deg = eye_angles(g, s.direction).sigma_deg;
+        place(s, g, settings_);
         // evalglare leaves the angle as it was, of the source before, where the centre's pixel has no direction.
         if (settings_.slips && length(s.direction) == 0) s.sigma_deg = live.empty() ? 0 : live.back().sigma_deg;
         live.push_back(s);
     }
     return live;
-}
-
-std::vector<GlareTerm> SourceFinder::every_pixel(const Luminance& lum, const Luminance& bright_in,
-                                                 double threshold) const {
-    std::vector<GlareTerm> out;
-    for (const Run& r : bright_runs(bright_in, geometry_, threshold))
-        for (uint32_t p = r.start; p < r.start + r.length; ++p) {
-            const Vec3 d = geometry_.direction(p);
-            const double sigma = eye_angles(geometry_.projector, d).sigma_deg;
-            out.push_back({lum.at(p), geometry_.omega[p], position_index(geometry_, d, settings_.position), sigma,
-                           lum.at(p) * geometry_.omega_cos[p], sigma});
-        }
-    return out;
-}
-
-GlareTerms glare_terms(const SourceFinder& finder, const Luminance& lum, const Luminance& bright_in,
-                       const Settings& settings, double threshold, const std::vector<GlareSource>& sources) {
-    if (settings.dgp_form == DgpForm::pixel) return finder.every_pixel(lum, bright_in, threshold);
-    GlareTerms out;
-    for (const GlareSource& s : sources) out.push_back({s.lum, s.omega, s.P, s.sigma_deg, s.eye_lux, s.theta_deg});
-    return out;
 }
 
 }  // namespace comfort

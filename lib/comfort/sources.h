@@ -38,6 +38,7 @@ public:
     const CheckPicture* check_picture() const { return check_ ? &*check_ : nullptr; }  // with -c
     const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
     double direct_lux() const { return direct_lux_; }
+    Connector& connector() { return connector_; }
     const std::vector<GlareSource>& before_zones() const { return before_zones_; }  // empty without zones
     // DgpForm::pixel
     std::vector<GlareTerm> every_pixel(const Luminance& lum, const Luminance& bright_in, double threshold) const;
@@ -65,6 +66,10 @@ private:
     double direct_lux_ = 0;
 };
 
+// Where a source's centre is, and what follows from that.
+void place(GlareSource& source, const Geometry& geometry, const Settings& settings);
+
+GlareTerms terms_of(const std::vector<GlareSource>& sources);
 // What the formulas need: of the sources that were found, or with DgpForm::pixel of every bright pixel.
 GlareTerms glare_terms(const SourceFinder& finder, const Luminance& lum, const Luminance& bright_in,
                        const Settings& settings, double threshold, const std::vector<GlareSource>& sources);

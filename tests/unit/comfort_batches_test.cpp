@@ -70,7 +70,7 @@ TEST_CASE("half pictures lie around the whole one, each pixel by its own sign") 
     Halves halves;
     REQUIRE(halves.take(batches));
     std::vector<GreyPicture> pictures(Halves::count);
-    for (int k = 0; k < Halves::count; ++k) halves.picture(k, pictures[size_t(k)]);
+    for (int k = 0; k < Halves::count; ++k) halves.pictures().picture(k, pictures[size_t(k)]);
     double squares[Halves::count] = {}, sums[Halves::count] = {}, exact = 0;
     for (int i = 0; i < 4096; ++i) {
         double mean = 0;

@@ -157,7 +157,7 @@ TEST_CASE("RAMMG without the contrast of noise") {
     double of_halves[Halves::count], mean = 0;
     for (int k = 0; k < Halves::count; ++k) {
         GreyPicture half;
-        halves.picture(k, half);
+        halves.pictures().picture(k, half);
         of_halves[k] = rammg(half.luminance(), geometry);
         mean += of_halves[k] / Halves::count;
     }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rows and columns count from the bottom left: of an odd number the top row and the right column are dropped
+// (pyramid.h).
+#include "comfort/pyramid.h"
+
+#include <cmath>
+
+#include "comfort/luminance.h"
+
+namespace comfort {
+namespace {
+
+Level half_of(const Level& from) {
+    Level to{from.width / 2, from.height / 2, {}, {}};
+    for (int r = 0; r < to.height; ++r) {
+        to.row.push_back(to.spans.size());
+        const int top = 2 * r + from.height % 2;
+        for (size_t a = from.row[top]; a < from.row[top + 1]; ++a)
+            for (size_t c = from.row[top + 1]; c < from.row[top + 2]; ++c) {
+                const int x0 = std::max(from.spans[a].begin, from.spans[c].begin),
+                          x1 = std::min(from.spans[a].end, from.spans[c].end);
+                const int p0 = (x0 + 1) / 2, p1 = std::min(x1 / 2, to.width);
+                if (p0 < p1) to.spans.push_back({p0, p1});
+            }
+    }
+    to.row.push_back(to.spans.size());
+    return to;
+}
+
+}  // namespace
+
+double Level::pixels() const {
+    double n = 0;
+    for (const Span& s : spans) n += s.end - s.begin;
+    return n;
+}
+
+std::vector<Level> pyramid(const Geometry& geometry, RammgArea area) {
+    Level level{geometry.width, geometry.height, geometry.spans, geometry.row_spans};
+    if (area != RammgArea::view) {
+        level.spans.assign(size_t(level.height), {0, level.width});
+        for (size_t r = 0; r < level.row.size(); ++r) level.row[r] = r;
+    }
+    std::vector<Level> out;
+    while (std::min(level.width, level.height) > 2 && level.pixels() > 0) {
+        out.push_back(std::move(level));
+        level = half_of(out.back());
+    }
+    return out;
+}
+
+double contrast_of(double total, size_t levels, RammgArea area) {
+    const double scale = cdm2_per_grey / (4 + 2 * std::sqrt(2.0)) / (area == RammgArea::prototype_scale ? 1 : 8);
+    return total * scale / double(levels);  // 0/0 is nan: the picture was too small
+}
+
+}  // namespace comfort

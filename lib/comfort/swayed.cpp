@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums by pattern of signs (swayed.h).
+#include "comfort/swayed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/wide.h"
+
+namespace comfort {
+namespace {
+
+constexpr int block = 32;
+
+// The least of what the brightest of these pixels are in each picture.
+WIDE_LOOP float surely_reached(const float* mean, const float* off, int n) {
+    float top[block] = {};
+    int i = 0;
+    for (; i + block <= n; i += block)
+        for (int k = 0; k < block; ++k) top[k] = std::max(top[k], mean[i + k] - std::fabs(off[i + k]));
+    for (; i < n; ++i) top[0] = std::max(top[0], mean[i] - std::fabs(off[i]));
+    return *std::max_element(top, top + block);
+}
+
+WIDE_LOOP bool any_exceeds(const float* mean, const float* off, int n, float limit) {
+    int found = 0;
+    for (int i = 0; i < n; ++i) found |= mean[i] + std::fabs(off[i]) > limit;
+    return found;
+}
+
+}  // namespace
+
+Signs::Signs(int pictures, std::vector<uint32_t> by_pattern) : count(pictures), minus(std::move(by_pattern)) {
+    for (const uint32_t bits : minus) {
+        flip.emplace_back();
+        factor.emplace_back();
+        for (int k = 0; k < most; ++k) {
+            flip.back()[size_t(k)] = (bits >> k & 1) << 31;
+            factor.back()[size_t(k)] = bits >> k & 1 ? -1 : 1;
+        }
+    }
+}
+
+bool Swayed::may_exceed(size_t first, int n, float limit) const {
+    return any_exceeds(mean + first, off + first, n, limit);
+}
+
+void Swayed::picture(int number, GreyPicture& out) const {
+    out.width = width, out.height = height;
+    out.grey.resize(size_t(width) * size_t(height));
+    for (size_t i = 0; i < out.grey.size(); ++i) out.grey[i] = at(number, i);
+}
+
+std::array<Light, Signs::most> Swayed::more_light(const Geometry& g) const {
+    std::vector<Light> by_pattern(signs->minus.size());
+    for (int r = 0; r < height; ++r)
+        for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s) {
+            const size_t first = size_t(r) * width;
+            for (size_t i = first + g.spans[s].begin; i < first + g.spans[s].end; ++i) {
+                Light& sum = by_pattern[pattern[i]];
+                const double grey = off[i];
+                sum.eye += grey * g.omega_cos[i], sum.all += grey * g.omega[i];
+            }
+        }
+    std::array<Light, Signs::most> out;
+    for (size_t p = 0; p < by_pattern.size(); ++p)
+        for (size_t k = 0; k < out.size(); ++k) {
+            out[k].eye += signs->factor[p][k] * by_pattern[p].eye;
+            out[k].all += signs->factor[p][k] * by_pattern[p].all;
+        }
+    return out;
+}
+
+std::array<float, Signs::most> Swayed::brightest(const Geometry& g) const {
+    float least = 0;
+    const auto each_span = [&](auto visit) {
+        for (int r = 0; r < height; ++r)
+            for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s)
+                visit(size_t(r) * width + g.spans[s].begin, g.spans[s].end - g.spans[s].begin);
+    };
+    each_span([&](size_t first, int n) { least = std::max(least, surely_reached(mean + first, off + first, n)); });
+    std::array<float, Signs::most> out;
+    out.fill(least);
+    each_span([&](size_t first, int n) {
+        for (int i = 0; i < n; i += block) {
+            const int count = std::min(block, n - i);
+            if (!may_exceed(first + i, count, least)) continue;
+            for (size_t p = first + i; p < first + i + count; ++p)
+                for (int k = 0; k < this->count(); ++k) out[size_t(k)] = std::max(out[size_t(k)], at(k, p));
+        }
+    });
+    return out;
+}
+
+}  // namespace comfort
