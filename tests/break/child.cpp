@@ -58,6 +58,8 @@ struct Pipe {
     std::vector<char*> words, environment;
     for (const std::string& w : stage.words) words.push_back(const_cast<char*>(w.c_str()));
     for (const std::string& e : job.environment) environment.push_back(const_cast<char*>(e.c_str()));
+    for (char** e = environ; *e; ++e)
+        if (std::strstr(*e, "SAN_OPTIONS=")) environment.push_back(*e);  // of a build with sanitizers
     words.push_back(nullptr);
     environment.push_back(nullptr);
     if (stage.before && !stage.before()) _exit(unavailable_status);

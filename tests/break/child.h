@@ -41,6 +41,12 @@ struct Result {
 
 Result run(const Job& job);
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool bears_little_memory = false;  // a sanitizer maps terabytes
+#else
+constexpr bool bears_little_memory = true;
+#endif
+
 // Faults for Stage::before; false where they cannot be had.
 bool limit_memory(size_t megabytes);
 

@@ -13,6 +13,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "child.h"
+
 namespace breaking {
 namespace {
 
@@ -38,12 +40,6 @@ bool replace_descriptor(int which, const char* path, int how) {
 bool hide(const char* folder) { return unshare(CLONE_NEWNS) == 0 && mount("none", folder, "tmpfs", 0, "size=4k") == 0; }
 
 }  // namespace
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool bears_little_memory = false;  // a sanitizer maps terabytes
-#else
-constexpr bool bears_little_memory = true;
-#endif
 
 Fault some_fault(Dice& dice) {
     const auto sized = [](const char* name, size_t size, const char* unit, std::function<bool()> before) {

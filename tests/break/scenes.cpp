@@ -73,9 +73,7 @@ Job render(const Settings& s, const Seeds& seeds, const File& scene, const std::
     if (dice.chance(.2)) add({"-i+"});
     if (scene.is(".rif")) add({"-rif"});
     stage.words.push_back(scene.name);
-#ifndef __SANITIZE_ADDRESS__
-    stage.before = [] { return limit_memory(4096); };
-#endif
+    if (bears_little_memory) stage.before = [] { return limit_memory(4096); };
     Job job;
     job.stages = {stage};
     job.folder = folder;
