@@ -8,9 +8,9 @@
 // makes them too large.  (Which pixels are bright is another matter: calm.h.)  If halves are r times as far off, x(n) =
 // x + bias and x(n/2) = x + r bias, then x = (r x(n) - x(n/2)) / (r - 1).  What is squared goes with the variance, r =
 // 2; absolute differences of noise with its deviation, r = sqrt 2.  Pixels that differ by about as much as their noise
-// have a larger r, up to 2.  Office, blinds and classroom needed 1.4 to 1.6 for RAMMG, so r is 1.5 and a tenth of what
-// is taken off counts as its error (docs/decisions/0019-certainty.md).  All this is right to first order; a hot pixel,
-// twice as bright in half of the halves and gone in the others, drops out.
+// have a larger r, up to 2.  Office, blinds and classroom needed 1.53 to 1.58 for RAMMG (420 seeds each), so r is 1.55
+// and a tenth of what is taken off counts as its error (docs/decisions/0019-certainty.md).  All this is right to first
+// order; a hot pixel, twice as bright in half of the halves and gone in the others, drops out.
 //
 // With a frames in the first half, b behind it and d = sqrt(a/b) (L'(a) - L'(a+b)), a pixel shows L' + d or L' - d
 // (L' of the half itself where a = b).  The signs over the 16 pictures are a row of a Hadamard matrix, chosen for each
@@ -29,7 +29,7 @@ class Halves {
 public:
     Halves();
     static constexpr int count = Signs::most, degrees = count - 1;
-    static constexpr double of_differences = 1.5;  // r of RAMMG
+    static constexpr double of_differences = 1.55;  // r of RAMMG
 
     // False: there are no halves yet.
     bool take(const Batches& batches);

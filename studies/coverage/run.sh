@@ -13,21 +13,23 @@ whole() { "$@" > "$made.new" && mv "$made.new" "$made"; }
 
 # A stream of frames, of sums where it is long, and its table.  In the scene's folder, with its files.
 one() {  # name, seed, frames
+    local reader=ptaccum
     made=$out/$1/$2.lux
     if [ "$3" -gt 1000 ]; then
+        reader=cat
         [ -s "$made" ] || whole sums "$2" "$3"
     else
         [ -s "$made" ] || whole ptrace -w- -x "$size" -y "$size" -ab 3 -seed "$2" -frames "$3" "${files[@]}"
     fi
     local stream=$made
     made=$out/$1/$2.tsv
-    [ -s "$made" ] || whole table "$stream" "$1"
+    [ -s "$made" ] || whole table "$reader" "$stream" "$1"
 }
 sums() {
     ptrace -x "$size" -y "$size" -ab 3 -seed "$1" -frames "$2" "${files[@]}" | ptaccum -every x2/16 2> /dev/null
 }
-table() {
-    ptaccum "$1" 2> /dev/null | vcmetrics -regions "$out/$2/regions.exr" -cr screen=screen_low/screen_high \
+table() {  # reader, stream, name
+    "$1" "$2" 2> /dev/null | vcmetrics -regions "$out/$3/regions.exr" -cr screen=screen_low/screen_high \
         -metrics Ev,DGP,DGPu,RAMMG,RAMMGu,desk.TAL,CR,CRu -ci 95 -W
 }
 
