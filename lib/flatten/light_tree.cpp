@@ -74,7 +74,9 @@ public:
         if (end - begin > 1) {
             const size_t middle = split(begin, end);
             plant(begin, middle);
+            const size_t second = nodes.size();
             plant(middle, end);
+            nodes[at + LIGHT_SHARE] = share(nodes[at + LIGHT_FLOATS + LIGHT_POWER], nodes[second + LIGHT_POWER]);
         }
         describe(begin, end, &nodes[at]);
         nodes[at + LIGHT_PAST] = from_bits(uint32_t(nodes.size() / LIGHT_FLOATS));
@@ -117,6 +119,11 @@ private:
     Lamps::iterator at(size_t i) const { return lamps_.begin() + long(i); }
     static size_t gap(size_t a, size_t b) { return a < b ? b - a : a - b; }
 
+    // The chance of the first of two halves.  The other may hold the only one that shines: it keeps a chance, too.
+    static float share(float first, float second) {
+        return std::clamp(first / (first + second), 1 / 1024.f, 1023 / 1024.f);
+    }
+
     void describe(size_t begin, size_t end, float* node) const {
         const Lamp& first = lamps_[begin];
         Box box;
@@ -143,10 +150,8 @@ private:
         node[LIGHT_POWER] = float(power);
         node[LIGHT_FAR] = first.distant ? 0 : float(far * rounding);
         const size_t gates = common(begin, end);
-        const bool more = std::any_of(at(begin), at(end), [&](const Lamp& lamp) { return lamp.chain.size() > gates; });
         node[LIGHT_GATES] = from_bits(uint32_t(gates));
         node[LIGHT_GATES_AT] = from_bits(first.gates_at);
-        node[LIGHT_MORE_GATES] = more;
         node[LIGHT_SOURCE] = from_bits(end - begin == 1 ? first.source : NONE);
     }
 

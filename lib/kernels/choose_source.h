@@ -31,7 +31,7 @@ FN float source_promise(PRIVATE const SceneTables* s, UNIFORM const Params* par,
         uint count = s->u[relay + RELAY_GATES];
         GLOBAL const float* gate = s->f + s->u[relay + RELAY_GATES_AT];
         for (uint k = 0u; k < count; k++, gate += GATE_FLOATS)
-            if (gate_passes(gate, p, to, reach, 0) == GATE_SHUT) return 0.0f;
+            if (gate_shuts(gate, p, to, reach, 0)) return 0.0f;
     }
 
     if (kind == SK_PARALLELOGRAM || kind == SK_POLYGON || kind == SK_RING) {
@@ -64,14 +64,9 @@ FN float choose_source(PRIVATE const SceneTables* s, UNIFORM const Params* par, 
         float w = source_promise(s, par, i, p, n, both);
         if (w <= 0.0f) continue;
         sum += w;
-        float t = w / sum;  // one random number, reused (Chao's reservoir)
-        if (r < t) {
-            picked = i;
-            kept = w;
-            r = r / t;
-        } else {
-            r = (r - t) / (1.0f - t);
-        }
+        if (!takes_place(w / sum, &r)) continue;
+        picked = i;
+        kept = w;
     }
 
     if (sum <= 0.0f) return 0.0f;

@@ -3,29 +3,23 @@
 #ifndef LUX_GATE_H
 #define LUX_GATE_H
 
-#define GATE_SHUT 0
-#define GATE_AJAR 1
-#define GATE_OPEN 2
-
-// Does light from a ball about p + to reach p through the gate: none of it (GATE_SHUT), perhaps a part, all of it?
-// reach: the sine of half the angle that it subtends.  Gates stand where the relays of a virtual source seem to be from
-// p.  tight: no more is added to the gate than the ball's cone needs; else three times its width, as the frames of
-// scenes with few sources have it.
-FN int gate_passes(GLOBAL const float* gate, float3 p, float3 to, float reach, int tight) {
+// Does no light from a ball about p + to reach p through the gate?  reach: the sine of half the angle that the ball
+// subtends.  Gates stand where the relays of a virtual source seem to be from p.  tight: no more is added to the gate
+// than the ball's cone needs; else three times its width, as the frames of scenes with few sources have it.
+FN int gate_shuts(GLOBAL const float* gate, float3 p, float3 to, float reach, int tight) {
     float3 c = sub3(f3_at(gate + GATE_CENTRE), p), n = f3_at(gate + GATE_NORMAL);
-    float3 u = f3_at(gate + GATE_U), v = f3_at(gate + GATE_V);
     float down = dot3(n, to), d2 = dot3(to, to);
-    if (down * down < 4.0f * reach * reach * d2) return GATE_AJAR;  // too much on edge to tell
+    if (down * down < 4.0f * reach * reach * d2) return 0;  // too much on edge to tell
     float along = dot3(n, c) / down;
-    if (along < -1e-3f || (down > 0.0f && gate[GATE_BOTH_SIDES] == 0.0f)) return GATE_SHUT;  // behind p; its back
+    if (along < -1e-3f || (down > 0.0f && gate[GATE_BOTH_SIDES] == 0.0f)) return 1;  // behind p; its back
+
+    float3 u = f3_at(gate + GATE_U), v = f3_at(gate + GATE_V), off = sub3(scale3(to, along), c);
+    float at_u = fabs_(dot3(off, u)), at_v = fabs_(dot3(off, v));
+    if (at_u <= 1.001f && at_v <= 1.001f) return 0;  // the ball's middle is seen
 
     // How far the cone reaches on the gate's plane.  Its far side is more on edge than its axis.
-    float3 off = sub3(scale3(to, along), c);
     float wide = 3.0f * reach * fabs_(along) * d2 / fabs_(down);
     if (tight) wide = reach * fabs_(along) * d2 / (fabs_(down) - reach * (1.0f + reach) * sqrt_(d2));
-    float wide_u = wide * length3(u), wide_v = wide * length3(v), at_u = fabs_(dot3(off, u)),
-          at_v = fabs_(dot3(off, v));
-    if (at_u > 1.001f + wide_u || at_v > 1.001f + wide_v) return GATE_SHUT;
-    return at_u + wide_u < 1.0f && at_v + wide_v < 1.0f ? GATE_OPEN : GATE_AJAR;
+    return at_u > 1.001f + wide * length3(u) || at_v > 1.001f + wide * length3(v);
 }
 #endif

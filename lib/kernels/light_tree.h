@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Many active sources stand in a tree (flatten/light_tree.cpp): its nodes are balls about sources that are near each
 // other.  What a node promises at a point is what its sources together could give there; 0 only where none of them can
-// give anything.  A walk opens the nodes that are large for their distance, one of those that it meets then is chosen
-// by their promises, and from there a source by the promises of halves (after Conty Estevez and Kulla 2018).
+// give anything.  A walk opens the nodes that are large for their distance; those that it meets then are the cut.  From
+// these by their promises, and in them by power, candidates are drawn, and of the candidates one is chosen by what it
+// promises itself (after Conty Estevez and Kulla 2018; resampled importance sampling, Talbot et al. 2005).
 #ifndef LUX_LIGHT_TREE_H
 #define LUX_LIGHT_TREE_H
 
-#define LIGHT_OPENED 0.25f         // a node whose radius is more than this share of its distance is opened
-#define GATES_LOOKED_AT 256u       // of no more sources than so many each is opened that gates let through in part
+#define LIGHT_OPENED 0.5f          // a node whose radius is more than this share of its distance is opened
+#define LIGHT_CUT 128u             // most nodes of a cut; no more sources than so many are all in it
+#define LIGHT_CANDIDATES 32u       // of more sources so many are drawn
 #define LEAST_OF_BOTH_SIDES 0.05f  // of the cosine, where other normals than the one given may count
+
+// Nodes that together hold every source once, but for those that can give nothing.
+typedef struct {
+    uint count, at[LIGHT_CUT];
+    float upto[LIGHT_CUT];  // sums of what they promise
+} LightCut;
+
+// Does the next of a row of weights take the place of the one kept so far, if t is its share of their sum?  One random
+// number r serves for all (Chao's reservoir).
+FN int takes_place(float t, PRIVATE float* r) {
+    int takes = *r < t;
+    *r = takes ? *r / t : (*r - t) / (1.0f - t);
+    return takes;
+}
 
 // What a horizon leaves of a ball's cosine c, which subtends an angle of sine `reach`: nothing below, all of it above.
 FN float above_horizon(float c, float reach) {
@@ -17,39 +33,20 @@ FN float above_horizon(float c, float reach) {
     return MIN_((c + reach) * (c + reach) / (4.0f * reach), 1.0f);
 }
 
+FN GLOBAL const float* light_node(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint i) {
+    return s->f + par->light_tree_at + LIGHT_FLOATS * i;
+}
+
+FN int light_is_source(GLOBAL const float* node) { return as_uint_(node[LIGHT_SOURCE]) != NONE; }
+
 // From p to the middle of a node's ball.
 FN float3 way_to_light(GLOBAL const float* node, float3 p) {
     float3 centre = f3_at(node + LIGHT_CENTRE);
     return node[LIGHT_FAR] > 0.0f ? sub3(centre, p) : centre;  // else distant
 }
 
-// What the gates that all sources of a node have in common let through of them: one of GATE_*.
-FN int light_gates(PRIVATE const SceneTables* s, GLOBAL const float* node, float3 p) {
-    uint gates = as_uint_(node[LIGHT_GATES]);
-    if (gates == 0u) return GATE_OPEN;
-    float3 to = way_to_light(node, p);
-    float reach = node[LIGHT_RADIUS] / MAX_(length3(to), 1e-9f);
-    GLOBAL const float* gate = s->f + as_uint_(node[LIGHT_GATES_AT]);
-    int open = GATE_OPEN;
-    for (uint k = 0u; k < gates && open != GATE_SHUT; k++, gate += GATE_FLOATS) {
-        int passes = gate_passes(gate, p, to, reach, 1);
-        open = MIN_(open, passes);
-    }
-    return open;
-}
-
-// Is a node to be replaced by its halves?  gates: what they let through.
-FN int light_is_opened(UNIFORM const Params* par, GLOBAL const float* node, float3 p, int gates) {
-    if (gates == GATE_SHUT || as_uint_(node[LIGHT_SOURCE]) != NONE) return 0;
-    if (node[LIGHT_MORE_GATES] != 0.0f || (gates == GATE_AJAR && par->source_count <= GATES_LOOKED_AT)) return 1;
-    float3 to = way_to_light(node, p);
-    float least = node[LIGHT_RADIUS] * (1.0f / LIGHT_OPENED);
-    return least * least > dot3(to, to);
-}
-
 // What the sources of a node could give a surface at p with normal n, up to a factor; both: from behind, too.
-FN float light_promise(GLOBAL const float* node, float3 p, float3 n, int both, int gates) {
-    if (gates == GATE_SHUT) return 0.0f;
+FN float light_promise(PRIVATE const SceneTables* s, GLOBAL const float* node, float3 p, float3 n, int both) {
     float3 to = way_to_light(node, p);
     float d = MAX_(length3(to), 1e-9f), r = node[LIGHT_RADIUS], far = node[LIGHT_FAR], power = node[LIGHT_POWER];
     float inv_d = 1.0f / d, reach = r * inv_d;
@@ -64,69 +61,103 @@ FN float light_promise(GLOBAL const float* node, float3 p, float3 n, int both, i
 
     float spread = node[LIGHT_SPREAD], facing = -dot3(to, f3_at(node + LIGHT_AXIS)) * inv_d;
     if (!(power > 0.0f) || facing + reach + spread <= 0.0f) return 0.0f;
+
+    uint gates = as_uint_(node[LIGHT_GATES]);
+    GLOBAL const float* gate = s->f + as_uint_(node[LIGHT_GATES_AT]);
+    for (uint k = 0u; k < gates; k++, gate += GATE_FLOATS)
+        if (gate_shuts(gate, p, to, reach, 1)) return 0.0f;
     return power * MIN_(above_horizon(facing, reach) + spread, 1.0f);
 }
 
-FN GLOBAL const float* light_node(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint i) {
-    return s->f + par->light_tree_at + LIGHT_FLOATS * i;
+// Is a node to be replaced by its halves?
+FN int light_is_opened(GLOBAL const float* node, float3 p, float share) {
+    float3 to = way_to_light(node, p);
+    float r = node[LIGHT_RADIUS];
+    return !light_is_source(node) && r * r > share * share * dot3(to, to);
 }
 
-// The node whose sources one is chosen from, and 1/chance of it, or 0 if no source can shine.  Nodes stand in the order
-// of a walk that opens all of them, each followed by its halves, and know where the walk goes on without that.
-FN float choose_light_node(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, int both,
-                           float r, PRIVATE uint* chosen) {
-    float sum = 0.0f, kept = 0.0f;
+// Opens the nodes whose radius is more than that share of their distance.  Returns 0 if they are too many for a cut.
+// Nodes stand in the order of a walk that opens all of them, each followed by its halves, and know where the walk goes
+// on without that.
+FN int cut_tree(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, int both, float share,
+                PRIVATE LightCut* cut) {
+    int all = par->source_count <= LIGHT_CUT;
+    float sum = 0.0f;
+    cut->count = 0u;
     for (uint i = 0u; i < par->light_nodes;) {
         GLOBAL const float* node = light_node(s, par, i);
-        int gates = light_gates(s, node, p);
-        if (light_is_opened(par, node, p, gates)) {
+        if (all ? !light_is_source(node) : light_is_opened(node, p, share)) {
             i++;
             continue;
         }
 
-        float w = light_promise(node, p, n, both, gates);
-        if (w > 0.0f) {
+        float w = light_promise(s, node, p, n, both);
+        if (sum + w > sum) {
+            if (cut->count == LIGHT_CUT) return 0;
             sum += w;
-            float t = w / sum;  // one random number, reused (Chao's reservoir)
-            if (r < t) {
-                *chosen = i;
-                kept = w;
-                r = r / t;
-            } else {
-                r = (r - t) / (1.0f - t);
-            }
+            cut->upto[cut->count] = sum;
+            cut->at[cut->count++] = i;
         }
         i = as_uint_(node[LIGHT_PAST]);
     }
-
-    return sum > 0.0f ? sum / kept : 0.0f;
+    return 1;
 }
 
-// Chooses a source for a surface at p with normal n, lit from both sides or not.  Returns 1/chance, or 0 if none can
-// shine.
+// One of the sources of node i, drawn by power.  u: a random number below *chance, the chance of the node, which
+// becomes the source's.  Returns its node.
+FN uint source_of_light(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint i, float u,
+                        PRIVATE float* chance) {
+    for (;;) {
+        GLOBAL const float* node = light_node(s, par, i);
+        if (light_is_source(node)) return i;
+        float first = *chance * node[LIGHT_SHARE];
+        int is_first = u < first;
+        i = is_first ? i + 1u : as_uint_(node[LIGHT_FLOATS + LIGHT_PAST]);
+        u = is_first ? u : u - first;
+        *chance = is_first ? first : *chance - first;
+    }
+}
+
+// A candidate: its node, what it promises, and its chance times the sum of the cut's promises.
+typedef struct {
+    uint at;
+    float promise, chance;
+} LightCandidate;
+
+// The candidate that y stands for, 0 .. the sum of the cut's promises.  *k: from where in the cut it is looked for; it
+// comes back as where it was found.
+FN LightCandidate light_candidate(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const LightCut* cut,
+                                  float3 p, float3 n, int both, float y, PRIVATE uint* k) {
+    while (*k + 1u < cut->count && cut->upto[*k] <= y) (*k)++;
+    float below = *k > 0u ? cut->upto[*k - 1u] : 0.0f;
+    LightCandidate c;
+    c.promise = cut->upto[*k] - below;
+    c.chance = c.promise;
+    c.at = source_of_light(s, par, cut->at[*k], y - below, &c.chance);
+    if (c.at != cut->at[*k]) c.promise = light_promise(s, light_node(s, par, c.at), p, n, both);
+    return c;
+}
+
+// Chooses a source for a surface at p with normal n, lit from both sides or not.  Returns what a choice counts for, in
+// the mean 1/chance, or 0 if none can shine.
 FN float choose_light(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, int both, float2 x,
                       PRIVATE uint* chosen) {
-    uint at = 0u;
-    float inv_p = choose_light_node(s, par, p, n, both, x.x, &at), r = x.y;
-    if (!(inv_p > 0.0f)) return 0.0f;
+    LightCut cut;
+    for (float share = LIGHT_OPENED; !cut_tree(s, par, p, n, both, share, &cut);) share *= 2.0f;
+    if (cut.count == 0u) return 0.0f;
 
-    for (;;) {
-        GLOBAL const float* node = light_node(s, par, at);
-        *chosen = as_uint_(node[LIGHT_SOURCE]);
-        if (*chosen != NONE) return inv_p;
+    uint candidates = par->source_count <= LIGHT_CUT ? 1u : LIGHT_CANDIDATES, k = 0u;
+    float step = cut.upto[cut.count - 1u] / (float)candidates, sum = 0.0f, kept = 0.0f, r = x.y;
+    for (uint j = 0u; j < candidates; j++) {
+        LightCandidate c = light_candidate(s, par, &cut, p, n, both, ((float)j + x.x) * step, &k);
+        if (!(c.promise > 0.0f)) continue;
 
-        GLOBAL const float* half1 = node + LIGHT_FLOATS;
-        uint second = as_uint_(half1[LIGHT_PAST]);
-        GLOBAL const float* half2 = light_node(s, par, second);
-        float w1 = light_promise(half1, p, n, both, light_gates(s, half1, p));
-        float w2 = light_promise(half2, p, n, both, light_gates(s, half2, p));
-        if (!(w1 + w2 > 0.0f)) return 0.0f;
-
-        float t = w1 / (w1 + w2);
-        int is_first = r < t || !(w2 > 0.0f);
-        at = is_first ? at + 1u : second;
-        r = is_first ? r / t : (r - t) / (1.0f - t);
-        inv_p /= is_first ? t : 1.0f - t;
+        float w = c.promise / c.chance;
+        sum += w;
+        if (!takes_place(w / sum, &r)) continue;
+        *chosen = as_uint_(light_node(s, par, c.at)[LIGHT_SOURCE]);
+        kept = c.promise;
     }
+    return sum > 0.0f ? sum * step / kept : 0.0f;
 }
 #endif

@@ -131,17 +131,17 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 // by its two halves with all that they hold
 #define LIGHT_TREE_FROM 33u  // so many sources make one
 #define LIGHT_FLOATS 16u
-#define LIGHT_CENTRE 0u       // 3: of a ball about all its sources, or of the unit directions to distant ones
-#define LIGHT_RADIUS 3u       // of the ball
-#define LIGHT_AXIS 4u         // 3: unit, about which the normals of its sources lie; 0 if some have none
-#define LIGHT_SPREAD 7u       // how far the normals are from the axis
-#define LIGHT_POWER 8u        // radiance (SRC_POWER) times area, the sum
-#define LIGHT_FAR 9u          // no source reaches points that far from the centre; 0: distant sources
-#define LIGHT_GATES 10u       // how many gates are the same for all its sources (word)
-#define LIGHT_GATES_AT 11u    // index into f of the first (word)
-#define LIGHT_PAST 12u        // the node that comes after all that this one holds (word)
-#define LIGHT_SOURCE 13u      // a single source (word); NONE: two halves
-#define LIGHT_MORE_GATES 14u  // 1: some have further ones, of their own
+#define LIGHT_CENTRE 0u     // 3: of a ball about all its sources, or of the unit directions to distant ones
+#define LIGHT_RADIUS 3u     // of the ball
+#define LIGHT_AXIS 4u       // 3: unit, about which the normals of its sources lie; 0 if some have none
+#define LIGHT_SPREAD 7u     // how far the normals are from the axis
+#define LIGHT_POWER 8u      // radiance (SRC_POWER) times area, the sum
+#define LIGHT_FAR 9u        // no source reaches points that far from the centre; 0: distant sources
+#define LIGHT_GATES 10u     // how many gates are the same for all its sources (word)
+#define LIGHT_GATES_AT 11u  // index into f of the first (word)
+#define LIGHT_PAST 12u      // the node that comes after all that this one holds (word)
+#define LIGHT_SOURCE 13u    // a single source (word); NONE: two halves
+#define LIGHT_SHARE 14u     // of two halves: the chance of the first, by power
 
 // ---- sets of sources that mists name, in a set those that the same mists name: LIGHT_SET_WORDS words each at
 // u[Params.light_sets_at]

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree of many sources: each source stands in it once, is chosen as often as the chance that is given for it says,
-// has a chance wherever it gives light, and the mean over choices is the sum over sources.
+// The tree of many sources: each source stands in it once, is a candidate as often as the chance that is given for it
+// says, has a chance wherever it gives light, and the mean over choices is the sum over sources.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -86,40 +87,54 @@ struct Crowd {
     }
 
     GLOBAL const float* node(uint32_t i) const { return light_node(&s, &par, i); }
-    float promise(uint32_t i, float3 p, float3 n) const {
-        return light_promise(node(i), p, n, 0, light_gates(&s, node(i), p));
+    float promise(uint32_t i, float3 p, float3 n) const { return light_promise(&s, node(i), p, n, 0); }
+
+    // Of each source, its share of what all promise.
+    std::vector<double> promises(float3 p, float3 n) const {
+        std::vector<double> promised(par.source_count);
+        double sum = 0;
+        for (uint32_t i = 0; i < par.light_nodes; i++) {
+            const uint32_t source = as_uint_(node(i)[LIGHT_SOURCE]);
+            if (source != NONE) sum += promised[source] = promise(i, p, n);
+        }
+        for (double& w : promised) w /= sum;
+        return promised;
     }
 
-    // Of each source, at p.  A second way to the numbers of choose_light().
+    // Of each source to be a candidate at p.  A second way to the numbers of candidate().
     std::vector<double> chances(float3 p, float3 n) const {
         std::vector<double> chance(par.source_count);
-        std::vector<uint32_t> cut;
+        std::vector<uint32_t> nodes;
         double sum = 0;
         for (uint32_t i = 0; i < par.light_nodes;) {
-            if (light_is_opened(&par, node(i), p, light_gates(&s, node(i), p))) {
+            const bool all = par.source_count <= LIGHT_CUT && as_uint_(node(i)[LIGHT_SOURCE]) == NONE;
+            if (all || light_is_opened(node(i), p, LIGHT_OPENED)) {
                 i++;
                 continue;
             }
-            cut.push_back(i);
+            nodes.push_back(i);
             sum += promise(i, p, n);
             i = as_uint_(node(i)[LIGHT_PAST]);
         }
-        for (uint32_t i : cut)
+        REQUIRE(nodes.size() <= LIGHT_CUT);
+        for (uint32_t i : nodes)
             if (promise(i, p, n) > 0) descend(i, promise(i, p, n) / sum, p, n, chance);
         return chance;
     }
 
 private:
-    void descend(uint32_t i, double share, float3 p, float3 n, std::vector<double>& chance) const {
+    // A source that can give nothing is no candidate.
+    void descend(uint32_t i, double chance, float3 p, float3 n, std::vector<double>& chances) const {
         const uint32_t source = as_uint_(node(i)[LIGHT_SOURCE]);
         if (source != NONE) {
-            chance[source] += share;
+            if (promise(i, p, n) > 0) chances[source] += chance;
             return;
         }
         const uint32_t second = as_uint_(node(i + 1)[LIGHT_PAST]);
-        const double w1 = promise(i + 1, p, n), w2 = promise(second, p, n);
-        if (w1 > 0) descend(i + 1, share * w1 / (w1 + w2), p, n, chance);
-        if (w2 > 0) descend(second, share * w2 / (w1 + w2), p, n, chance);
+        const double w1 = node(i + 1)[LIGHT_POWER], w2 = node(second)[LIGHT_POWER];
+        const double first = std::clamp(w1 / (w1 + w2), 1 / 1024., 1023 / 1024.);
+        descend(i + 1, chance * first, p, n, chances);
+        descend(second, chance * (1 - first), p, n, chances);
     }
 };
 
@@ -147,25 +162,31 @@ TEST_CASE("few sources make no tree; of many each stands in it once, and each no
     }
 }
 
-TEST_CASE("sources are chosen as often as their chance says (Pearson's chi-square)") {
+TEST_CASE("sources are candidates as often as their chance says (Pearson's chi-square)") {
     for (const Crowd& crowd : {Crowd(40, 0, 0), Crowd(40, 2, 1), Crowd(100, 2, 2), Crowd(300, 0, 1)}) {
         for (int place = 0; place < 3; place++) {
             const float3 p = any_place(), n = any_unit();
             const std::vector<double> chance = crowd.chances(p, n);
+            LightCut cut;
+            REQUIRE(cut_tree(&crowd.s, &crowd.par, p, n, 0, LIGHT_OPENED, &cut));
+            if (cut.count == 0) continue;
+            const float all = cut.upto[cut.count - 1];
             std::vector<double> count(chance.size());
-            const int choices = 40000;
-            for (int k = 0; k < choices; k++) {
-                uint32_t i = 0;
-                const float inv_p = choose(crowd, p, n, uint32_t(k), &i);
-                if (!(inv_p > 0)) continue;
-                CHECK(inv_p == doctest::Approx(1 / chance[i]).epsilon(1e-4));
+            const int draws = 40000;
+            for (int k = 0; k < draws; k++) {
+                uint32_t from = 0;
+                const float y = float(any(0, 1)) * all;
+                const LightCandidate c = light_candidate(&crowd.s, &crowd.par, &cut, p, n, 0, y, &from);
+                if (!(c.promise > 0)) continue;
+                const uint32_t i = as_uint_(crowd.node(c.at)[LIGHT_SOURCE]);
+                CHECK(c.chance / all == doctest::Approx(chance[i]).epsilon(1e-4));
                 count[i]++;
             }
 
-            double chi2 = 0, rest = choices, rest_count = choices;  // the rest: rare ones, and nobody
+            double chi2 = 0, rest = draws, rest_count = draws;  // the rest: rare ones, and none that shines
             int cells = 0;
             for (size_t i = 0; i < chance.size(); i++) {
-                const double expected = choices * chance[i];
+                const double expected = draws * chance[i];
                 if (expected < 10) continue;
                 chi2 += (count[i] - expected) * (count[i] - expected) / expected;
                 rest -= expected;
@@ -218,23 +239,52 @@ TEST_CASE("whatever gives light to a point has a chance there") {
     CHECK(none > 10000);
 }
 
-TEST_CASE("the mean over choices is the sum over sources") {
-    for (const Crowd& crowd : {Crowd(60, 2, 2), Crowd(1000, 0, 0)}) {
+// What choices at a point make of a sum over sources.
+struct Sum {
+    double exact = 0, sum = 0, square = 0;
+    int choices = 0;
+    void add(double v) {
+        sum += v;
+        square += v * v;
+        choices++;
+    }
+    double mean() const { return sum / choices; }
+    double error() const { return std::sqrt((square / choices - mean() * mean()) / choices); }
+    double off() const { return (mean() - exact) / (error() + 1e-6 * exact + 1e-30); }  // in standard errors
+};
+
+TEST_CASE("the mean over choices is the sum over sources, of all and of each") {
+    for (const Crowd& crowd : {Crowd(30, 2, 1), Crowd(60, 2, 2), Crowd(1000, 0, 0)}) {
         const float3 p = F3(.3f, -.2f, .1f), n = unit3(F3(.1f, .2f, 1));
         const std::vector<double> chance = crowd.chances(p, n);
         const auto value = [&](uint32_t i) { return chance[i] > 0 ? 1.0 + i % 3 : 0; };  // not what is promised
-        double exact = 0, sum = 0, square = 0;
-        for (uint32_t i = 0; i < crowd.par.source_count; i++) exact += value(i);
-        const int choices = 400000;
-        for (int k = 0; k < choices; k++) {
-            uint32_t i = 0;
-            const float inv_p = choose(crowd, p, n, uint32_t(k), &i);
-            const double v = inv_p > 0 ? inv_p * value(i) : 0;
-            sum += v;
-            square += v * v;
+        Sum all;
+        std::vector<Sum> each(chance.size());
+        for (uint32_t i = 0; i < chance.size(); i++) {
+            all.exact += value(i);
+            each[i].exact = chance[i] > 0;
         }
-        const double mean = sum / choices, error = std::sqrt((square / choices - mean * mean) / choices);
-        CHECK(std::abs(mean - exact) < 4 * error + 1e-6 * exact);
-        CHECK(error < .05 * exact);
+        for (int k = 0; k < 400000; k++) {
+            uint32_t i = 0;
+            const float counts = choose(crowd, p, n, uint32_t(k), &i);
+            all.add(counts * value(i));
+            each[i].sum += counts;
+            each[i].square += counts * counts;
+        }
+
+        CHECK(std::abs(all.off()) < 4);
+        CHECK(all.error() < .05 * all.exact);
+        const std::vector<double> promised = crowd.promises(p, n);
+        double squares = 0;
+        int cells = 0;
+        for (uint32_t i = 0; i < chance.size(); i++) {
+            each[i].choices = all.choices;
+            if (chance[i] <= 0) CHECK(each[i].sum == 0);
+            if (promised[i] < 5e-4) continue;  // chosen less than 200 times: its error is not known
+            squares += each[i].off() * each[i].off();
+            cells++;
+        }
+        CHECK(cells > 20);
+        CHECK(squares < cells + 5 * std::sqrt(2.0 * cells));
     }
 }
