@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/wide.h"
+#include "comfort/lanes.h"
 #include "comfort/luminance.h"
 
 namespace comfort {
@@ -13,6 +15,7 @@ namespace {
 constexpr float doubt = 2.5f;  // standard errors from the threshold
 constexpr float likeness = 8;  // q = 1 at sqrt 8 standard errors of the difference
 constexpr uint32_t how_far_of = 8;
+constexpr int most_radius = 2;
 
 // How far errors lie off, in standard errors: the middles of eight equally likely parts of a half normal distribution,
 // scaled to a mean square of 1.
@@ -22,7 +25,69 @@ constexpr float how_far[how_far_of] = {.082f, .247f, .419f, .603f, .808f, 1.051f
 int radius_of(const Geometry& geometry) {
     constexpr double widest_rad = 0.1;
     const double pitch = std::sqrt(geometry.omega_sum / double(std::max(1L, geometry.valid_count)));
-    return std::min(2, int(widest_rad / (2 * pitch)));
+    return std::min(most_radius, int(widest_rad / (2 * pitch)));
+}
+
+// Means of 2 radius + 1 values side by side, of fewer at the ends.
+WIDE_LOOP void mean_along(const float* from, int radius, int n, float* to) {
+    const auto at_an_end = [&](int x) {
+        const int first = std::max(0, x - radius), last = std::min(n - 1, x + radius);
+        float sum = 0;
+        for (int k = first; k <= last; ++k) sum += from[k];
+        to[x] = sum / float(last - first + 1);
+    };
+    for (int x = 0; x < std::min(radius, n); ++x) at_an_end(x);
+    for (int x = std::max(radius, n - radius); x < n; ++x) at_an_end(x);
+    for (int x = radius; x < n - radius; ++x) to[x] = 0;
+    for (int k = -radius; k <= radius; ++k)
+        for (int x = radius; x < n - radius; ++x) to[x] += from[x + k];
+    for (int x = radius; x < n - radius; ++x) to[x] /= float(2 * radius + 1);
+}
+
+WIDE_LOOP void add(const float* from, int n, float* to) {
+    for (int x = 0; x < n; ++x) to[x] += from[x];
+}
+WIDE_LOOP void square(const float* from, size_t n, float* to) {
+    for (size_t i = 0; i < n; ++i) to[i] = from[i] * from[i];
+}
+WIDE_LOOP void raise_to_mean(const float* sum, float count, int n, float* values) {
+    for (int x = 0; x < n; ++x) values[x] = std::max(values[x], sum[x] / count);
+}
+
+// Where noise may have carried a pixel over the threshold or below it: bit k of up to 32.
+WIDE_LOOP uint32_t in_doubt(const float* grey, const float* variance, int n, float threshold) {
+    uint32_t found = 0;
+    for (int k = 0; k < n; ++k) {
+        const float off = grey[k] - threshold;
+        found |= uint32_t(!(off * off > doubt * doubt * variance[k])) << k;
+    }
+    return found;
+}
+
+// The rows around eight pixels, from most_radius columns before the first of them.  A variance below 0 marks a pixel
+// that does not count.
+constexpr int rows = 2 * most_radius + 1, columns = lanes + 2 * most_radius;
+struct Surroundings {
+    const float *grey[rows], *variance[rows];
+};
+struct Means {
+    float mean[lanes], error[lanes];
+};
+
+WIDE_LOOP void average(const Surroundings& from, int radius, Means& to) {
+    Floats weights = {}, sum = {}, errors = {};
+    const Floats none = {}, own = load(from.grey[most_radius] + most_radius);
+    const Floats variance = load(from.variance[most_radius] + most_radius);
+    for (int r = most_radius - radius; r <= most_radius + radius; ++r)
+        for (int c = most_radius - radius; c <= most_radius + radius; ++c) {
+            const Floats other = load(from.grey[r] + c), its = load(from.variance[r] + c);
+            const Floats d = other - own, square = d * d, left = likeness * (variance + its) - square;
+            const Floats share = left > none ? left / (left + square) : none + 1;
+            const Floats weight = left < none ? none : its < none ? none : share * share;
+            weights += weight, sum += weight * other, errors += weight * weight * its;
+        }
+    for (int k = 0; k < lanes; ++k) to.mean[k] = sum[k] / weights[k];
+    for (int k = 0; k < lanes; ++k) to.error[k] = std::sqrt(errors[k]) / weights[k];
 }
 
 }  // namespace
@@ -33,66 +98,69 @@ void Calm::take(const Halves& halves, const Geometry& geometry, double threshold
     find_variance(halves, geometry);
     mean_ = noisy;
     sway_.assign(noisy.size(), 0);
-    doubtful_.clear();
+    random_ = 1;
     const float threshold = grey_limit(threshold_cdm2);
-    uint32_t random = 1;
-    for (int r = 0; r < geometry.height; ++r)
-        for (size_t s = geometry.row_spans[r]; s < geometry.row_spans[r + 1]; ++s)
-            for (int x = geometry.spans[s].begin; x < geometry.spans[s].end; ++x) {
-                const size_t i = size_t(r) * geometry.width + x;
-                const float off = noisy[i] - threshold;
-                if (off * off > doubt * doubt * variance_[i]) continue;
-                average(i, noisy, geometry);
-                doubtful_.push_back(uint32_t(i));
-                random = random * 1664525u + 1013904223u;
-                sway_[i] *= how_far[random >> 29];
+    constexpr int block = 4 * lanes;
+    for (int y = 0; y < geometry.height; ++y)
+        for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; ++s)
+            for (int x = geometry.spans[s].begin; x < geometry.spans[s].end; x += block) {
+                const int end = std::min(x + block, geometry.spans[s].end);
+                const size_t first = size_t(y) * geometry.width + x;
+                const uint32_t bits = in_doubt(&noisy[first], &variance_[first], end - x, threshold);
+                for (int part = 0; bits >> part && part < block; part += lanes)
+                    if (bits >> part & 0xff) average_doubtful(noisy, geometry, x + part, y, bits >> part & 0xff);
             }
 }
 
-// The half's own, or the mean of the neighbourhood if that is larger.
+// The half's own, or the mean of the neighbourhood if that is larger; -1 where a pixel does not count.
 void Calm::find_variance(const Halves& halves, const Geometry& geometry) {
     const std::vector<float>& off = halves.off();
     const int w = geometry.width, h = geometry.height;
     rows_.resize(off.size());
     variance_.resize(off.size());
-    for (size_t i = 0; i < off.size(); ++i) variance_[i] = off[i] * off[i];
-    for (int y = 0; y < h; ++y) {
-        const float* own = &variance_[size_t(y) * w];
-        float* mean = &rows_[size_t(y) * w];
-        for (int x = 0; x < w; ++x) {
-            const int first = std::max(0, x - radius_), last = std::min(w - 1, x + radius_);
-            float sum = 0;
-            for (int k = first; k <= last; ++k) sum += own[k];
-            mean[x] = sum / float(last - first + 1);
-        }
-    }
+    square(off.data(), off.size(), variance_.data());
+    for (int y = 0; y < h; ++y) mean_along(&variance_[size_t(y) * w], radius_, w, &rows_[size_t(y) * w]);
     std::vector<float> sum(w);
     for (int y = 0; y < h; ++y) {
         const int first = std::max(0, y - radius_), last = std::min(h - 1, y + radius_);
         std::fill(sum.begin(), sum.end(), 0.f);
-        for (int k = first; k <= last; ++k)
-            for (int x = 0; x < w; ++x) sum[x] += rows_[size_t(k) * w + x];
+        for (int k = first; k <= last; ++k) add(&rows_[size_t(k) * w], w, sum.data());
         float* v = &variance_[size_t(y) * w];
-        for (int x = 0; x < w; ++x) v[x] = std::max(v[x], sum[x] / float(last - first + 1));
+        raise_to_mean(sum.data(), float(last - first + 1), w, v);
+        int x = 0;
+        for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; x = geometry.spans[s++].end)
+            std::fill(v + x, v + geometry.spans[s].begin, -1.f);
+        std::fill(v + x, v + w, -1.f);
     }
 }
 
-// Of one pixel: its mean, and in sway_ the error of that.
-void Calm::average(size_t pixel, const std::vector<float>& noisy, const Geometry& geometry) {
-    const int w = geometry.width, h = geometry.height, x = int(pixel % w), y = int(pixel / w);
-    const float own = noisy[pixel], variance = variance_[pixel];
-    float weights = 0, sum = 0, errors = 0;
-    for (int r = std::max(0, y - radius_); r <= std::min(h - 1, y + radius_); ++r)
-        for (int c = std::max(0, x - radius_); c <= std::min(w - 1, x + radius_); ++c) {
-            const size_t j = size_t(r) * w + c;
-            if (!geometry.valid(j)) continue;
-            const float d = noisy[j] - own, left = likeness * (variance + variance_[j]) - d * d;
-            if (left < 0) continue;
-            const float share = left > 0 ? left / (left + d * d) : 1, weight = share * share;
-            weights += weight, sum += weight * noisy[j], errors += weight * weight * variance_[j];
-        }
-    mean_[pixel] = sum / weights;
-    sway_[pixel] = std::sqrt(errors) / weights;
+// Of the pixels from column x of row y those whose bits are set.
+void Calm::average_doubtful(const std::vector<float>& noisy, const Geometry& geometry, int x, int y, uint32_t bits) {
+    const int w = geometry.width;
+    const size_t first = size_t(y) * w + x;
+    Surroundings near;
+    float grey_room[rows][columns], variance_room[rows][columns];
+    const int begin = std::max(0, x - most_radius), end = std::min(w, x + lanes + most_radius);
+    for (int r = 0; r < rows; ++r) {
+        const int row = y + r - most_radius;
+        const bool inside = row >= 0 && row < geometry.height;
+        const size_t from = size_t(std::clamp(row, 0, geometry.height - 1)) * w + begin;
+        near.grey[r] = &noisy[from], near.variance[r] = &variance_[from];
+        if (inside && end - begin == columns) continue;
+        std::fill_n(grey_room[r], columns, 0.f);
+        std::fill_n(variance_room[r], columns, -1.f);
+        if (inside) std::copy_n(near.grey[r], end - begin, grey_room[r] + begin - (x - most_radius));
+        if (inside) std::copy_n(near.variance[r], end - begin, variance_room[r] + begin - (x - most_radius));
+        near.grey[r] = grey_room[r], near.variance[r] = variance_room[r];
+    }
+    Means means;
+    average(near, radius_, means);
+    for (int k = 0; k < lanes; ++k) {
+        if (!(bits >> k & 1)) continue;
+        random_ = random_ * 1664525u + 1013904223u;
+        mean_[first + k] = means.mean[k];
+        sway_[first + k] = means.error[k] * how_far[random_ >> 29];
+    }
 }
 
 }  // namespace comfort

@@ -27,15 +27,14 @@ public:
     // Of what `halves` has taken.
     void take(const Halves& halves, const Geometry& geometry, double threshold_cdm2);
     const std::vector<float>& mean() const { return mean_; }
-    const std::vector<float>& sway() const { return sway_; }
-    const std::vector<uint32_t>& doubtful() const { return doubtful_; }  // pixels that have been replaced
+    const std::vector<float>& sway() const { return sway_; }  // 0 where a pixel has not been replaced
 
 private:
     void find_variance(const Halves& halves, const Geometry& geometry);
-    void average(size_t pixel, const std::vector<float>& noisy, const Geometry& geometry);
+    void average_doubtful(const std::vector<float>& noisy, const Geometry& geometry, int x, int y, uint32_t bits);
     int radius_ = 0;  // of the neighbourhood, in pixels
+    uint32_t random_ = 0;
     std::vector<float> mean_, sway_, variance_, rows_;
-    std::vector<uint32_t> doubtful_;
 };
 
 }  // namespace comfort

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "comfort/pyramid.h"
 #include "comfort/student.h"
 #include "comfort/swayed_measure.h"
 #include "image/picture.h"
@@ -81,14 +82,24 @@ void Certainty::restart() {
 void Certainty::frame0(const Luminance& lum) {
     const Geometry& g = meter_.geometry();
     const size_t w = size_t(lum.width);
-    std::vector<float> squares(lum.size(), 0), blocks(lum.size(), 0);
-    for (size_t i = 0; i + w + 1 < lum.size(); ++i) {
-        if (i % w + 1 == w || !g.valid(i) || !g.valid(i + 1) || !g.valid(i + w) || !g.valid(i + w + 1)) continue;
-        const float off = (lum.grey[i] - lum.grey[i + 1] - lum.grey[i + w] + lum.grey[i + w + 1]) / 2;
-        for (const size_t p : {i, i + 1, i + w, i + w + 1}) squares[p] += off * off, blocks[p] += 1;
+    // How far 2 x 2 pixels that count are off a plane, by the first of them; the others' rows come before and behind.
+    std::vector<float> off(lum.size() + 2 * (w + 1), 0), blocks(off.size(), 0);
+    Level rows{g.width, g.height, g.spans, g.row_spans};
+    for (int r = 0; r + 1 < g.height; ++r)
+        rows.pairs(r, r + 1, 0, [&](int begin, int end) {
+            const float *a = lum.grey + size_t(r) * w, *b = a + w;
+            const size_t at = w + 1 + size_t(r) * w;
+            for (int x = begin; x + 1 < end; ++x) {
+                const float d = (a[x] - a[x + 1] - b[x] + b[x + 1]) / 2;
+                off[at + size_t(x)] = d * d, blocks[at + size_t(x)] = 1;
+            }
+        });
+    frame0_error_.resize(lum.size());
+    for (size_t i = 0; i < lum.size(); ++i) {
+        const auto around = [&](const std::vector<float>& v) { return ((v[i] + v[i + 1]) + v[i + w]) + v[i + w + 1]; };
+        const float count = around(blocks);
+        frame0_error_[i] = std::sqrt(around(off) / std::max(count, 1.f));
     }
-    for (size_t i = 0; i < squares.size(); ++i) squares[i] = blocks[i] > 0 ? std::sqrt(squares[i] / blocks[i]) : 0;
-    frame0_error_ = std::move(squares);
 }
 
 void Certainty::add(const Luminance& lum, int64_t n) { batches_.add(lum, n); }
@@ -203,13 +214,13 @@ bool Certainty::whole_batches_suffice() const {
 std::vector<Measurement> Certainty::moved(const Luminance& lum, const Measurement& m) {
     if (moved_pattern_.size() != lum.size()) {
         moved_pattern_.assign(lum.size(), 0);
-        for (int k = 0; k < moved_pictures; ++k) {
-            uint32_t random = uint32_t(k + 1) * 0x9e3779b9u;
-            for (uint8_t& p : moved_pattern_) {
-                random = random * 1664525u + 1013904223u;
-                p |= uint8_t((~random >> 31) << k);
+        uint32_t random[moved_pictures];
+        for (int k = 0; k < moved_pictures; ++k) random[k] = uint32_t(k + 1) * 0x9e3779b9u;
+        for (uint8_t& p : moved_pattern_)
+            for (int k = 0; k < moved_pictures; ++k) {
+                random[k] = random[k] * 1664525u + 1013904223u;
+                p |= uint8_t((~random[k] >> 31) << k);
             }
-        }
     }
     const Swayed pictures{batches_.width(),     batches_.height(),     batches_.whole().data(),
                           frame0_error_.data(), moved_pattern_.data(), &moved_signs_};

@@ -11,7 +11,7 @@ namespace {
 
 using M = const Measurement&;
 // noisy: of noisy pixels it comes out wrong on average, and there is a column NAMEu that does not (halves.h).
-enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, noisy = 16 };
+enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, noisy = 16, brightest = 32 };
 
 struct Entry {
     const char* name;
@@ -51,7 +51,7 @@ const Entry entries[] = {
     {"Lveil", sources | noisy, [](M m) { return veil_poynter(m.glare); }},
     {"LveilCIE", sources | noisy, [](M m) { return veil_cie(m.glare, -HUGE_VAL); }},
     {"Lavg", nothing, [](M m) { return m.mean_lum; }},
-    {"Lmax", nothing, [](M m) { return m.max_lum; }},
+    {"Lmax", brightest, [](M m) { return m.max_lum; }},
     {"Lmed", medians, [](M m) { return m.median; }},
     {"LavgPos", medians, [](M m) { return m.mean_pos; }},
     {"LavgPos2", medians, [](M m) { return m.mean_pos2; }},
@@ -92,7 +92,7 @@ class Chooser {
 public:
     Chooser(const ColumnChoice& choice, const Settings& settings, Needs& needs)
         : choice_(choice), settings_(settings), needs_(needs) {
-        needs_ = {false, false, false, false};
+        needs_ = {false, false, false, false, false};
     }
     std::vector<Column> all() {
         if (choice_.accelerad) {
@@ -146,6 +146,7 @@ private:
             needs_.sources |= (e.wants & sources) != 0;
             needs_.rammg |= (e.wants & rammg) != 0;
             needs_.medians |= (e.wants & medians) != 0;
+            needs_.brightest |= (e.wants & brightest) != 0;
 
             Column column{name, e.value};
             if (std::string(e.name) == "LveilCIE")

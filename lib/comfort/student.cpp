@@ -40,13 +40,17 @@ double student_outside(double t, double degrees) {
 
 double student_quantile(double outside, double degrees) {
     if (!(degrees > 0)) return std::numeric_limits<double>::infinity();
+    struct Known {
+        double outside = 0, degrees = 0, quantile = 0;
+    };
+    static thread_local Known last;  // columns and lines ask for the same one again and again
+    if (last.outside == outside && last.degrees == degrees) return last.quantile;
     double low = 0, high = 1;
     while (student_outside(high, degrees) > outside && high < 1e12) high *= 2;
-    for (int k = 0; k < 100; ++k) {
-        const double middle = (low + high) / 2;
+    for (double middle = 0.5 * high; low < middle && middle < high; middle = (low + high) / 2)
         (student_outside(middle, degrees) > outside ? low : high) = middle;
-    }
-    return (low + high) / 2;
+    last = {outside, degrees, (low + high) / 2};
+    return last.quantile;
 }
 
 }  // namespace comfort

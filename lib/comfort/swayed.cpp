@@ -28,6 +28,12 @@ WIDE_LOOP bool any_exceeds(const float* mean, const float* off, int n, float lim
     return found;
 }
 
+WIDE_LOOP bool none_falls_short(const float* mean, const float* off, int n, float limit) {
+    int found = 0;
+    for (int i = 0; i < n; ++i) found |= !(mean[i] - std::fabs(off[i]) > limit);
+    return !found;
+}
+
 }  // namespace
 
 Signs::Signs(int pictures, std::vector<uint32_t> by_pattern) : count(pictures), minus(std::move(by_pattern)) {
@@ -43,6 +49,10 @@ Signs::Signs(int pictures, std::vector<uint32_t> by_pattern) : count(pictures), 
 
 bool Swayed::may_exceed(size_t first, int n, float limit) const {
     return any_exceeds(mean + first, off + first, n, limit);
+}
+
+bool Swayed::all_exceed(size_t first, int n, float limit) const {
+    return none_falls_short(mean + first, off + first, n, limit);
 }
 
 void Swayed::picture(int number, GreyPicture& out) const {

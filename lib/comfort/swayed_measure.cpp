@@ -28,7 +28,8 @@ SwayedMeasurements measure(const Swayed& lum, const Swayed& bright, const Lumina
     const Settings& settings = meter.settings();
     SwayedMeasurements out{std::vector<Measurement>(size_t(lum.count()), of_mean), {}, of_mean};
     const auto more = lum.more_light(g);
-    const auto brightest = lum.brightest(g);
+    std::array<float, Signs::most> brightest{};
+    if (meter.needs().brightest) brightest = lum.brightest(g);
     std::array<double, Signs::most> contrast{};
     if (meter.needs().rammg) contrast = rammg(lum, g, settings.rammg_area);
     std::vector<double> thresholds;

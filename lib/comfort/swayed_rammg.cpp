@@ -5,17 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "base/wide.h"
+#include "comfort/lanes.h"
 #include "comfort/pyramid.h"
 
 namespace comfort {
 namespace {
 
-constexpr int lanes = 8;
-using Floats = float __attribute__((vector_size(4 * lanes)));
-using Words = uint32_t __attribute__((vector_size(4 * lanes)));
 struct alignas(4 * lanes) Pixel {  // what a vector asks for depends on the processor a function is for
     Floats of_picture;
 };
@@ -24,21 +21,21 @@ struct Contrast {
     Sum edge{}, corner{};
 };
 
-// a - b without its sign; the sum takes it.
-#define ADD_DIFFERENCE(sum, a, b) sum += Floats(Words((a) - (b)) & 0x7fffffffu)
+#define DIFFERENCE(a, b) Floats(Words((a) - (b)) & 0x7fffffffu)  // without its sign
 
 inline __attribute__((always_inline)) void add(const Floats& from, Sum& to) {
-    for (int k = 0; k < lanes; ++k) to[size_t(k)] += double(from[k]);
+    float values[lanes];
+    std::memcpy(values, &from, sizeof values);
+    for (int k = 0; k < lanes; ++k) to[size_t(k)] += double(values[k]);
 }
 
 // Short stretches, so that float is enough.
-constexpr int stretch = 16;
+constexpr int stretch = 32;
 
 WIDE_LOOP void add_pairs(const Pixel* a, const Pixel* b, int n, Sum& to) {
     for (int first = 0; first < n; first += stretch) {
         Floats sum = {};
-        for (int i = first; i < std::min(n, first + stretch); ++i)
-            ADD_DIFFERENCE(sum, a[i].of_picture, b[i].of_picture);
+        for (int i = first; i < std::min(n, first + stretch); ++i) sum += DIFFERENCE(a[i].of_picture, b[i].of_picture);
         add(sum, to);
     }
 }
@@ -46,16 +43,23 @@ WIDE_LOOP void add_pairs(const Pixel* a, const Pixel* b, int n, Sum& to) {
 // The pixels of `here` with the one to the right, the one below, and those beside that.
 WIDE_LOOP void add_all_pairs(const Pixel* here, const Pixel* below, int n, Contrast& to) {
     for (int first = 0; first < n; first += stretch) {
-        Floats edge = {}, corner = {}, own = here[first].of_picture;
-        Floats left = below[first - 1].of_picture, middle = below[first].of_picture;
-        for (int i = first; i < std::min(n, first + stretch); ++i) {
+        Floats edge = {}, corner = {};
+        const auto add_pixel = [&](const Floats& own, const Floats& next, const Floats& left, const Floats& middle,
+                                   const Floats& right) __attribute__((always_inline)) {
+            edge += DIFFERENCE(own, next) + DIFFERENCE(own, middle);
+            corner += DIFFERENCE(own, left) + DIFFERENCE(own, right);
+        };
+        Floats own = here[first].of_picture, left = below[first - 1].of_picture, middle = below[first].of_picture;
+        int i = first;
+        for (const int end = std::min(n, first + stretch); i + 1 < end; i += 2) {  // two: nothing is moved on
             const Floats next = here[i + 1].of_picture, right = below[i + 1].of_picture;
-            ADD_DIFFERENCE(edge, own, next);
-            ADD_DIFFERENCE(edge, own, middle);
-            ADD_DIFFERENCE(corner, own, left);
-            ADD_DIFFERENCE(corner, own, right);
-            own = next, left = middle, middle = right;
+            add_pixel(own, next, left, middle, right);
+            own = here[i + 2].of_picture, left = right;
+            const Floats last = below[i + 2].of_picture;
+            add_pixel(next, own, middle, right, last);
+            middle = last;
         }
+        if (i < n && i < first + stretch) add_pixel(own, here[i + 1].of_picture, left, middle, below[i + 1].of_picture);
         add(edge, to.edge);
         add(corner, to.corner);
     }
@@ -67,17 +71,16 @@ WIDE_LOOP void shrink(const Pixel* a, const Pixel* b, int n, Pixel* out) {
             ((a[2 * x].of_picture + a[2 * x + 1].of_picture) + (b[2 * x].of_picture + b[2 * x + 1].of_picture)) * 0.25f;
 }
 
-// Pictures first to first + 7 of a row.
-WIDE_LOOP void show(const Swayed& s, size_t row, int first, Pixel* out) {
-    const size_t start = row * size_t(s.width);
+// Pictures first to first + 7 of n pixels.
+WIDE_LOOP void show(const Swayed& s, size_t start, int n, int first, Pixel* out) {
     const float *mean = s.mean + start, *off = s.off + start;
     const uint8_t* pattern = s.pattern + start;
-    for (int x = 0; x < s.width; ++x) {
-        Words flip, bits;
-        std::memcpy(&flip, s.signs->flip[pattern[x]].data() + first, sizeof flip);
-        const Floats sway = Floats{} + off[x];
-        std::memcpy(&bits, &sway, sizeof bits);
-        out[x].of_picture = Floats(bits ^ flip) + mean[x];
+    const auto* flips = s.signs->flip.data();
+    for (int x = 0; x < n; ++x) {
+        Words flip;
+        std::memcpy(&flip, flips[pattern[x]].data() + first, sizeof flip);
+        const Floats none = {};
+        out[x].of_picture = Floats(Words(none + off[x]) ^ flip) + mean[x];
     }
 }
 
@@ -146,7 +149,11 @@ std::array<double, Signs::most> rammg(const Swayed& pictures, const Geometry& ge
     for (int first = 0; first < pictures.count(); first += lanes) {
         Walk walk(levels);
         for (int r = 0; r < pictures.height && !levels.empty(); ++r) {
-            show(pictures, size_t(r), first, walk.row(0, r));
+            for (size_t s = levels[0].row[size_t(r)]; s < levels[0].row[size_t(r) + 1]; ++s) {
+                const Span span = levels[0].spans[s];
+                const size_t start = size_t(r) * size_t(pictures.width) + size_t(span.begin);
+                show(pictures, start, span.end - span.begin, first, walk.row(0, r) + span.begin);
+            }
             walk.take(0, r);
         }
         const Sum total = walk.total();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/wide.h"
 #include "comfort/detect.h"
 #include "comfort/luminance.h"
 #include "comfort/swayed_groups.h"
@@ -13,44 +12,39 @@
 namespace comfort {
 namespace {
 
-constexpr size_t lanes = Signs::most, most = lanes + 1;  // and the mean
+constexpr size_t most = Signs::most + 1;  // pictures, and the mean
 
-double luminance(const float& grey) {
+double luminance(float grey) {
     Luminance one;
-    one.grey = const_cast<float*>(&grey);
+    one.grey = &grey;
     return one.at(0);
 }
 
+// Sums of L w, that times x and y, and L w cos.
 struct Sum {
-    double power = 0, x = 0, y = 0, eye = 0;  // of L w, that times x and y, and L w cos
+    double power = 0, x = 0, y = 0, eye = 0;
+    void add(double L, double omega, double omega_cos, double at_x, double at_y) {
+        const double p = L * omega;
+        power += p, x += p * at_x, y += p * at_y, eye += L * omega_cos;
+    }
+    void add(const Sum& more, double factor = 1) {
+        power += factor * more.power, x += factor * more.x, y += factor * more.y, eye += factor * more.eye;
+    }
 };
+
+// What a picture shows of a node.
 struct Part {
     double pixels = 0, omega = 0;
     Sum own, mean;
     uint64_t first = UINT64_MAX;  // in column order
 };
-using Node = std::array<Part, most>;
 
-// Of a row's pixels, starting in column x: what all pictures have in common, and what each has more (less y).
-struct RowSums {
-    double omega = 0, power[lanes] = {}, x[lanes] = {}, eye[lanes] = {};
-    Sum middle, mean;
+struct Node {
+    std::array<Part, most> part;
+    // Of what all pictures show: the middle of each pixel's two values, and by pattern how far they lie off it.
+    Part common;
+    std::vector<Sum> off;
 };
-
-WIDE_LOOP void add_row(const Swayed& lum, const Geometry& g, size_t first, size_t length, int x, RowSums& to) {
-    for (size_t p = first; p < first + length; ++p, ++x) {
-        const double plus = luminance(lum.mean[p] + lum.off[p]), minus = luminance(lum.mean[p] - lum.off[p]);
-        const double own = luminance(lum.mean[p]), middle = (plus + minus) / 2, w = g.omega[p], c = g.omega_cos[p];
-        to.omega += w;
-        to.mean.power += own * w, to.mean.x += own * w * x, to.mean.eye += own * c;
-        to.middle.power += middle * w, to.middle.x += middle * w * x, to.middle.eye += middle * c;
-        const double off = (plus - minus) / 2, power = off * w, at_x = power * x, eye = off * c;
-        const double* factor = lum.signs->factor[lum.pattern[p]].data();
-        for (size_t k = 0; k < lanes; ++k) to.power[k] += factor[k] * power;
-        for (size_t k = 0; k < lanes; ++k) to.x[k] += factor[k] * at_x;
-        for (size_t k = 0; k < lanes; ++k) to.eye[k] += factor[k] * eye;
-    }
-}
 
 class AllSources {
 public:
@@ -119,85 +113,103 @@ private:
                     const int n = std::min(block, g_.spans[s].end - x);
                     const size_t first = size_t(r) * g_.width + x;
                     if (!bright_.may_exceed(first, n, low)) continue;
-                    for (size_t p = first; p < first + size_t(n); ++p) add_pixel(p);
+                    const bool joins = !out.empty() && out.back().shown == all_ && x > g_.spans[s].begin &&
+                                       out.back().start + out.back().length == first;
+                    if (joins && bright_.all_exceed(first, n, high)) out.back().length += uint32_t(n);
+                    else
+                        for (size_t p = first; p < first + size_t(n); ++p) add_pixel(p);
                 }
         return out;
     }
     Shown peak(size_t p) const {
         return shown_where(p, [&](float grey) { return luminance(grey) >= settings_.peak_limit; });
     }
+    bool may_have_peaks(const Stretch& s) const {
+        const float nearly = float(settings_.peak_limit / cdm2_per_grey * (1 - 1e-6));
+        return bright_.may_exceed(s.start, int(s.length), nearly);
+    }
     // Peaks leave their group where there is a pixel above the limit; which of them belong together does not depend
     // on their groups, as those within reach of each other are of one.
     std::vector<Stretch> peak_stretches(const std::vector<Stretch>& stretches) {
         std::vector<Stretch> out;
         for (const Stretch& s : stretches)
-            for (uint32_t p = s.start; p < s.start + s.length; ++p) {
+            for (uint32_t p = s.start; may_have_peaks(s) && p < s.start + s.length; ++p) {
                 append(p, peak(p) & s.shown, out);
                 const auto above = [&](float grey) { return cdm2_per_grey * grey > settings_.peak_limit; };
                 peaks_in_ |= shown_where(p, above) & s.shown;
             }
-        if (peaks_in_ != all_)
-            for (Stretch& s : out) s.shown &= peaks_in_;
+        for (Stretch& s : out) s.shown &= peaks_in_;
         out.erase(std::remove_if(out.begin(), out.end(), [](const Stretch& s) { return !s.shown; }), out.end());
         return out;
     }
     std::vector<Stretch> without_peaks(const std::vector<Stretch>& stretches) const {
         std::vector<Stretch> out;
-        for (const Stretch& s : stretches)
-            for (uint32_t p = s.start; p < s.start + s.length; ++p)
-                append(p, s.shown & ~(peak(p) & peaks_in_), out, s.node);
+        for (const Stretch& s : stretches) {
+            if (!may_have_peaks(s)) out.push_back(s);
+            else
+                for (uint32_t p = s.start; p < s.start + s.length; ++p)
+                    append(p, s.shown & ~(peak(p) & peaks_in_), out, s.node);
+        }
         return out;
     }
 
     void find_first(const Stretch& s, Node& node) const {
         const uint64_t key = uint64_t(g_.x_of(s.start)) * uint64_t(g_.height) + uint64_t(g_.y_of(s.start));
+        const auto lower = [&](Part& part) { part.first = std::min(part.first, key); };
+        if (s.shown == all_) return lower(node.common);
         for (int k = 0; k < pictures_; ++k)
-            if (s.shown >> k & 1) node[size_t(k)].first = std::min(node[size_t(k)].first, key);
+            if (s.shown >> k & 1) lower(node.part[size_t(k)]);
     }
     void add(const Stretch& s, Node& node) const {
-        if (s.shown == all_) return add_to_all(s, node);
-        for (uint32_t p = s.start; p < s.start + s.length; ++p)
+        const double y = g_.y_of(s.start);
+        double x = g_.x_of(s.start);
+        if (s.shown == all_ && node.off.empty()) node.off.resize(lum_.signs->minus.size());
+        if (s.shown == all_) node.common.pixels += s.length;
+        for (uint32_t p = s.start; p < s.start + s.length; ++p, ++x) {
+            const double plus = luminance(lum_.mean[p] + lum_.off[p]), minus = luminance(lum_.mean[p] - lum_.off[p]);
+            const double mean = luminance(lum_.mean[p]), omega = g_.omega[p], omega_cos = g_.omega_cos[p];
+            if (s.shown == all_) {
+                node.common.omega += omega;
+                node.common.mean.add(mean, omega, omega_cos, x, y);
+                node.common.own.add((plus + minus) / 2, omega, omega_cos, x, y);
+                node.off[lum_.pattern[p]].add((plus - minus) / 2, omega, omega_cos, x, y);
+                continue;
+            }
+            const Shown below = lum_.minus(p);
             for (int k = 0; k < pictures_; ++k) {
                 if (!(s.shown >> k & 1)) continue;
-                Part& to = node[size_t(k)];
-                const float grey = k < lum_.count() ? lum_.at(k, p) : lum_.mean[p];
-                to.pixels += 1, to.omega += g_.omega[p];
-                for (const auto& [sum, L] :
-                     {std::pair(&to.own, luminance(grey)), {&to.mean, luminance(lum_.mean[p])}}) {
-                    const double power = L * g_.omega[p];
-                    sum->power += power, sum->x += power * g_.x_of(p), sum->y += power * g_.y_of(p);
-                    sum->eye += L * g_.omega_cos[p];
-                }
+                Part& to = node.part[size_t(k)];
+                to.pixels += 1, to.omega += omega;
+                to.mean.add(mean, omega, omega_cos, x, y);
+                to.own.add(k == lum_.count() ? mean : below >> k & 1 ? minus : plus, omega, omega_cos, x, y);
             }
+        }
     }
-    void add_to_all(const Stretch& s, Node& node) const {
-        RowSums row;
-        add_row(lum_, g_, s.start, s.length, g_.x_of(s.start), row);
-        const double y = g_.y_of(s.start);
-        const auto add = [&](Sum& to, double power, double x, double eye) {
-            to.power += power, to.x += x, to.y += power * y, to.eye += eye;
-        };
-        for (size_t k = 0; k < size_t(pictures_); ++k) {
-            const bool mean = k + 1 == size_t(pictures_);
-            node[k].pixels += s.length, node[k].omega += row.omega;
-            add(node[k].mean, row.mean.power, row.mean.x, row.mean.eye);
-            if (mean) add(node[k].own, row.mean.power, row.mean.x, row.mean.eye);
-            else
-                add(node[k].own, row.middle.power + row.power[k], row.middle.x + row.x[k], row.middle.eye + row.eye[k]);
+    // What all pictures show goes to each of them.
+    void share(Node& node) const {
+        if (node.common.first == UINT64_MAX) return;
+        for (int k = 0; k < pictures_; ++k) {
+            Part& to = node.part[size_t(k)];
+            to.pixels += node.common.pixels, to.omega += node.common.omega;
+            to.first = std::min(to.first, node.common.first);
+            to.mean.add(node.common.mean);
+            to.own.add(k == lum_.count() ? node.common.mean : node.common.own);
+            for (size_t p = 0; k < lum_.count() && p < node.off.size(); ++p)
+                to.own.add(node.off[p], lum_.signs->factor[p][size_t(k)]);
         }
     }
 
     // The sources of each picture, in the order of their first pixels.
-    void take(const SwayedGroups& groups, const std::vector<Node>& nodes) {
+    void take(const SwayedGroups& groups, std::vector<Node>& nodes) {
+        for (Node& n : nodes) share(n);
         for (int k = 0; k < pictures_; ++k) {
             std::vector<Part> of_root(nodes.size());
             for (uint32_t n = 0; n < nodes.size(); ++n) {
-                const Part& part = nodes[n][size_t(k)];
+                const Part& part = nodes[n].part[size_t(k)];
                 if (part.first == UINT64_MAX) continue;
                 Part& to = of_root[groups.root(k, n)];
                 to.pixels += part.pixels, to.omega += part.omega, to.first = std::min(to.first, part.first);
-                for (const auto& [sum, more] : {std::pair(&to.own, &part.own), {&to.mean, &part.mean}})
-                    sum->power += more->power, sum->x += more->x, sum->y += more->y, sum->eye += more->eye;
+                to.own.add(part.own), to.mean.add(part.mean);
             }
             const auto none = [](const Part& p) { return p.pixels == 0; };
             of_root.erase(std::remove_if(of_root.begin(), of_root.end(), none), of_root.end());
