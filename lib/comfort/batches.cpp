@@ -18,8 +18,7 @@ void Batches::add(const Luminance& mean, int64_t n) {
     if (mean.width != width_ || mean.height != height_) ends_.clear();
     width_ = mean.width;
     height_ = mean.height;
-    spare_.resize(mean.size());
-    std::copy(mean.grey, mean.grey + mean.size(), spare_.begin());
+    if (mean.grey != spare_.data()) spare_.assign(mean.grey, mean.grey + mean.size());
     ends_.push_back({n, std::move(spare_)});
     spare_ = image::forget_means(ends_, image::most_means);
 }

@@ -21,8 +21,9 @@ struct GreyPicture {
 class Batches {
 public:
     void restart() { ends_.clear(); }
-    // L'(n), n rising and above 0.
+    // L'(n), n rising and above 0.  Not copied if it stands in room(), where it stays until the next one.
     void add(const Luminance& mean, int64_t n);
+    std::vector<float>& room() { return spare_; }
 
     size_t count() const { return ends_.size(); }
     int width() const { return width_; }

@@ -41,7 +41,8 @@ public:
 
     void restart();                     // another picture begins
     void frame0(const Luminance& lum);  // L(0)
-    // L'(n).  Then, when a look is due, m of the same picture.
+    // L'(n), which may stand in room().  Then, when a look is due, m of the same picture.
+    std::vector<float>& room() { return batches_.room(); }
     void add(const Luminance& lum, int64_t n);
     bool due() const { return batches_.count() >= 2 && batches_.frames() >= next_look_; }
     void look(const Luminance& lum, const Measurement& m);

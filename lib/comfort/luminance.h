@@ -5,6 +5,7 @@
 // and are counted; negative ones are counted and kept.
 #pragma once
 #include <cstddef>
+#include <vector>
 #include "image/grey.h"
 #include "image/picture.h"
 
@@ -26,8 +27,9 @@ struct Luminance {
     double at(int x, int y) const { return at(index(x, y)); }
 };
 
-// The picture's colours are lost; its memory stays in use until the luminance is not needed any more.
-Luminance make_luminance(image::Picture& picture);
+// In `room`, or over the picture's colours, which are lost; that memory stays in use until the luminance is not needed
+// any more.
+Luminance make_luminance(image::Picture& picture, std::vector<float>* room = nullptr);
 
 // Largest float whose luminance is not above `cdm2`: a pixel is brighter exactly if its grey is greater.
 float grey_limit(double cdm2);

@@ -231,12 +231,13 @@ void Meter::pixel_sets(const Luminance& lum, Measurement& m) {
         m.zone2 = statistics_of(zone_pixels(g, *settings_.zones, 2, slips), at, g, slips);
 }
 
-Luminance Meter::read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view) {
+Luminance Meter::read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view,
+                      std::vector<float>* room) {
     if (!view && !picture.header.view)
         base::fail(place, "the header has no view; give one with -vf file or with -vt, -vh and -vv");
     prepare(view ? *view : *picture.header.view, picture, place);
     if (geometry_->valid_count == 0) base::fail(place, "no pixel of the picture lies in its view");
-    Luminance lum = make_luminance(picture);
+    Luminance lum = make_luminance(picture, room);
     if (lum.not_finite)
         base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
     if (lum.negative) base::warn(place, "pixels are negative (-metrics negative counts them)");

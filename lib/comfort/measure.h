@@ -43,9 +43,11 @@ public:
           DrawRegions draw = {});
     // `view`: the one to use; without it the picture's own.  The picture's pixels are used up.
     Measurement measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
-    // The same in two steps: the grey picture over the picture's memory, checked and warned about; and what it
-    // measures.
-    Luminance read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
+    // The same in two steps: the grey picture in `room` or over the picture's memory, checked and warned about; and
+    // what it measures.
+    Luminance read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {},
+                   std::vector<float>* room = nullptr);
+    bool changes_pixels() const { return settings_.fill || settings_.field_cut; }  // when it measures
     // bright_in: which pixels are bright is decided in this picture, which is changed like `lum`; null: in `lum`.
     Measurement measure(Luminance& lum, const std::string& place, Luminance* bright_in = nullptr);
     // `of_lum`, what `lum` measures, with the source pixels found last in place of its own.

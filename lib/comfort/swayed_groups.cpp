@@ -26,13 +26,14 @@ SwayedGroups::SwayedGroups(const Geometry& geometry, Connector& connector, std::
     stretches.clear();
     for (const Run& r : common_) stretches.push_back({r.start, r.length, all_, r.group});
     if (wavering.empty()) return;
-    find_cells(wavering);
-    join_cells(wavering);
+    join_cells(find_cells(wavering));
     stretches.insert(stretches.end(), wavering.begin(), wavering.end());
 }
 
-// A cell is one piece: its pixels have one node.
-void SwayedGroups::find_cells(std::vector<Stretch>& wavering) {
+// A cell is one piece: its pixels have one node.  A common pixel that is surrounded by others is never the nearest to
+// one that wavers: the rim suffices.
+std::vector<SwayedGroups::Pixel> SwayedGroups::find_cells(std::vector<Stretch>& wavering) {
+    std::vector<Pixel> pixels;
     const auto note = [&](uint32_t pixel, uint32_t node, Shown shown) {
         const uint32_t c = connector_.cell_of(pixel);
         if (c >= cells_.size()) cells_.resize(c + 1, {none, 0, false});
@@ -40,23 +41,21 @@ void SwayedGroups::find_cells(std::vector<Stretch>& wavering) {
         if (cell.node == none) cell.node = node == none ? nodes_++ : node;
         cell.shown |= shown;
         cell.wavers |= shown != all_;
+        pixels.push_back({pixel, c, shown, {0, 0, 0}});
         return cell.node;
     };
-    for (const Run& r : common_)
-        for (uint32_t p = 0; p < r.length; ++p) note(r.start + p, r.group, all_);
+    for (const Connector::RimPixel& p : connector_.rim(common_)) note(p.pixel, common_[p.run].group, all_);
     for (Stretch& s : wavering) s.node = note(s.start, none, s.shown);
+    return pixels;
 }
 
-void SwayedGroups::join_cells(const std::vector<Stretch>& wavering) {
-    std::vector<Pixel> pixels;  // a common one that is surrounded by others is never the nearest
-    for (const Connector::RimPixel& p : connector_.rim(common_)) pixels.push_back({p.pixel, all_, {0, 0, 0}});
-    for (const Stretch& s : wavering) pixels.push_back({s.start, s.shown, {0, 0, 0}});
+void SwayedGroups::join_cells(const std::vector<Pixel>& pixels) {
     std::vector<uint32_t> first(cells_.size() + 1, 0);  // counting sort by cell
-    for (const Pixel& p : pixels) ++first[connector_.cell_of(p.pixel) + 1];
+    for (const Pixel& p : pixels) ++first[p.cell + 1];
     for (size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
     std::vector<Pixel> sorted(pixels.size());
     std::vector<uint32_t> next(first.begin(), first.end() - 1);
-    for (const Pixel& p : pixels) sorted[next[connector_.cell_of(p.pixel)]++] = p;
+    for (const Pixel& p : pixels) sorted[next[p.cell]++] = p;
 
     parent_.resize(size_t(pictures_) * nodes_);
     for (size_t i = 0; i < parent_.size(); ++i) parent_[i] = uint32_t(i % nodes_);
@@ -80,8 +79,7 @@ void SwayedGroups::join(Pixel* a, size_t as, Pixel* b, size_t bs, Shown open) {
         if (p.direction.x == 0 && p.direction.y == 0 && p.direction.z == 0) p.direction = geometry_.direction(p.pixel);
         return p.direction;
     };
-    const uint32_t node_a = cells_[connector_.cell_of(a->pixel)].node,
-                   node_b = cells_[connector_.cell_of(b->pixel)].node;
+    const uint32_t node_a = cells_[a->cell].node, node_b = cells_[b->cell].node;
     for (size_t i = 0; i < as && open; ++i)
         for (size_t j = 0; j < bs; ++j) {
             const Shown both = a[i].shown & b[j].shown & open;

@@ -32,12 +32,12 @@ private:
         bool wavers;  // has one that not all show
     };
     struct Pixel {
-        uint32_t pixel;
+        uint32_t pixel, cell;
         Shown shown;
         Vec3 direction;  // when it is needed
     };
-    void find_cells(std::vector<Stretch>& wavering);
-    void join_cells(const std::vector<Stretch>& wavering);
+    std::vector<Pixel> find_cells(std::vector<Stretch>& wavering);
+    void join_cells(const std::vector<Pixel>& pixels);
     void join(Pixel* a, size_t as, Pixel* b, size_t bs, Shown open);
     size_t at(int picture, uint32_t node) const { return size_t(picture) * nodes_ + node; }
     Shown apart(uint32_t a, uint32_t b) const;

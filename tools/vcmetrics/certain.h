@@ -12,6 +12,10 @@ public:
     Steps(comfort::Meter& meter, const std::vector<comfort::Column>& columns, bool errors, int64_t first_look)
         : meter_(meter), certainty_(meter, columns, errors), first_look_(first_look) {}
 
+    // Where the picture's luminance need not be copied from; null if measuring changes it, or others come before it.
+    std::vector<float>* room(const image::Picture& picture) {
+        return meter_.changes_pixels() || !picture.means.empty() ? nullptr : &certainty_.room();
+    }
     // A picture's luminance, before it is measured.  Takes the picture's frame 0 and means, if it has some.
     void add(image::Picture& picture, const comfort::Luminance& lum, const std::string& place);
     // After it is measured.  True: this was a look, the estimates are new.

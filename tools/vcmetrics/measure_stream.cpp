@@ -100,7 +100,7 @@ public:
         Luminance lum;
         Measurement m;
         try {
-            lum = meter_->read(p, place, o_.view);
+            lum = meter_->read(p, place, o_.view, steps_ ? steps_->room(p) : nullptr);
             if (steps_) steps_->add(p, lum, place);
             m = meter_->measure(lum, place);
         } catch (const Refusal& refusal) {
