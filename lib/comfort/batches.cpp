@@ -23,28 +23,21 @@ void Batches::add(const Luminance& mean, int64_t n) {
     spare_ = image::forget_means(ends_, image::most_means);
 }
 
-// Adds factor * (sum over the batch's frames), row 0 = top.
-void Batches::add_sum(size_t batch, double factor, std::vector<float>& to) const {
-    const float* end = ends_[batch].grey.data();
-    const float at_end = float(factor * double(ends_[batch].frames));
-    if (batch == 0) {
-        for (size_t i = 0; i < to.size(); ++i) to[i] += at_end * end[i];
-        return;
-    }
-    // b L'(b) - a L'(a) = (b - a) L'(b) + a (L'(b) - L'(a)): of two close floats the difference is exact
-    const float* start = ends_[batch - 1].grey.data();
-    const float growth = float(factor * double(frames(batch))), before = float(factor * double(begin(batch)));
-    for (size_t i = 0; i < to.size(); ++i) to[i] += growth * end[i] + before * (end[i] - start[i]);
-}
-
-void Batches::without(size_t batch, GreyPicture& out) const {
+void Batches::without(size_t batch, const std::vector<uint32_t>& pixels, GreyPicture& out) const {
     out.width = width_;
     out.height = height_;
-    out.grey = ends_.back().grey;
+    out.grey.resize(whole().size());
     const double n = double(frames()), rest = n - double(frames(batch));
     const float share = float(n / rest);
-    for (float& v : out.grey) v *= share;
-    add_sum(batch, -1 / rest, out.grey);
+    // The batch's sum is b L'(b) - a L'(a) = (b - a) L'(b) + a (L'(b) - L'(a)): of two close floats the difference is
+    // exact.
+    const float* end = ends_[batch].grey.data();
+    const float* start = batch ? ends_[batch - 1].grey.data() : end;
+    const float growth = float(-1 / rest * double(frames(batch))), before = float(-1 / rest * double(begin(batch)));
+    for (const uint32_t i : pixels) {
+        out.grey[i] = whole()[i] * share;
+        out.grey[i] += growth * end[i] + before * (end[i] - start[i]);
+    }
 }
 
 size_t Batches::middle() const {

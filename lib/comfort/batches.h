@@ -33,15 +33,14 @@ public:
     int64_t begin(size_t batch) const { return batch ? ends_[batch - 1].frames : 0; }  // frames before it
 
     const std::vector<float>& whole() const { return ends_.back().grey; }  // L'(n)
-    // The mean of all frames but those of a batch.
-    void without(size_t batch, GreyPicture& out) const;
+    // The mean of all frames but those of a batch, of these pixels; the others are left as they are.
+    void without(size_t batch, const std::vector<uint32_t>& pixels, GreyPicture& out) const;
 
     // The end of a batch that lies nearest to half of all frames; with one batch there is none: count().
     size_t middle() const;
     const std::vector<float>& mean_at(size_t batch) const { return ends_[batch].grey; }  // L' at the batch's end
 
 private:
-    void add_sum(size_t batch, double factor, std::vector<float>& to) const;
     int width_ = 0, height_ = 0;
     std::vector<image::GreyMean> ends_;
     std::vector<float> spare_;

@@ -92,46 +92,55 @@ WIDE_LOOP void average(const Surroundings& from, int radius, Means& to) {
 
 }  // namespace
 
+// Row by row, and each row goes all the way while it is in the cache.
 void Calm::take(const Halves& halves, const Geometry& geometry, double threshold_cdm2) {
-    const std::vector<float>& noisy = halves.whole();
+    const size_t size = halves.off().size();
     radius_ = radius_of(geometry);
-    find_variance(halves, geometry);
-    mean_ = noisy;
-    sway_.assign(noisy.size(), 0);
+    variance_.resize(size), mean_.resize(size), sway_.resize(size);
+    row_means_.resize(size_t(rows * geometry.width));
     random_ = 1;
     const float threshold = grey_limit(threshold_cdm2);
-    constexpr int block = 4 * lanes;
-    for (int y = 0; y < geometry.height; ++y)
-        for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; ++s)
-            for (int x = geometry.spans[s].begin; x < geometry.spans[s].end; x += block) {
-                const int end = std::min(x + block, geometry.spans[s].end);
-                const size_t first = size_t(y) * geometry.width + x;
-                const uint32_t bits = in_doubt(&noisy[first], &variance_[first], end - x, threshold);
-                for (int part = 0; bits >> part && part < block; part += lanes)
-                    if (bits >> part & 0xff) average_doubtful(noisy, geometry, x + part, y, bits >> part & 0xff);
-            }
+    for (int y = 0; y < geometry.height + 2 * radius_; ++y) {
+        if (y < geometry.height) square_row(halves.off(), geometry, y);
+        const int behind = y - radius_, last = behind - radius_;
+        if (behind >= 0 && behind < geometry.height) find_variance(geometry, behind);
+        if (last >= 0) calm_row(halves.whole(), geometry, last, threshold);
+    }
+}
+
+void Calm::square_row(const std::vector<float>& off, const Geometry& geometry, int y) {
+    const int w = geometry.width;
+    float* squares = &variance_[size_t(y) * w];
+    square(&off[size_t(y) * w], size_t(w), squares);
+    mean_along(squares, radius_, w, &row_means_[size_t(y % rows) * w]);
 }
 
 // The half's own, or the mean of the neighbourhood if that is larger; -1 where a pixel does not count.
-void Calm::find_variance(const Halves& halves, const Geometry& geometry) {
-    const std::vector<float>& off = halves.off();
-    const int w = geometry.width, h = geometry.height;
-    rows_.resize(off.size());
-    variance_.resize(off.size());
-    square(off.data(), off.size(), variance_.data());
-    for (int y = 0; y < h; ++y) mean_along(&variance_[size_t(y) * w], radius_, w, &rows_[size_t(y) * w]);
-    std::vector<float> sum(w);
-    for (int y = 0; y < h; ++y) {
-        const int first = std::max(0, y - radius_), last = std::min(h - 1, y + radius_);
-        std::fill(sum.begin(), sum.end(), 0.f);
-        for (int k = first; k <= last; ++k) add(&rows_[size_t(k) * w], w, sum.data());
-        float* v = &variance_[size_t(y) * w];
-        raise_to_mean(sum.data(), float(last - first + 1), w, v);
-        int x = 0;
-        for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; x = geometry.spans[s++].end)
-            std::fill(v + x, v + geometry.spans[s].begin, -1.f);
-        std::fill(v + x, v + w, -1.f);
-    }
+void Calm::find_variance(const Geometry& geometry, int y) {
+    const int w = geometry.width;
+    const int first = std::max(0, y - radius_), last = std::min(geometry.height - 1, y + radius_);
+    sum_.assign(size_t(w), 0);
+    for (int k = first; k <= last; ++k) add(&row_means_[size_t(k % rows) * w], w, sum_.data());
+    float* v = &variance_[size_t(y) * w];
+    raise_to_mean(sum_.data(), float(last - first + 1), w, v);
+    int x = 0;
+    for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; x = geometry.spans[s++].end)
+        std::fill(v + x, v + geometry.spans[s].begin, -1.f);
+    std::fill(v + x, v + w, -1.f);
+}
+
+void Calm::calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y, float threshold) {
+    const size_t row = size_t(y) * geometry.width;
+    std::copy_n(&noisy[row], geometry.width, &mean_[row]);
+    std::fill_n(&sway_[row], geometry.width, 0.f);
+    constexpr int block = 4 * lanes;
+    for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; ++s)
+        for (int x = geometry.spans[s].begin; x < geometry.spans[s].end; x += block) {
+            const int n = std::min(block, geometry.spans[s].end - x);
+            const uint32_t bits = in_doubt(&noisy[row + x], &variance_[row + x], n, threshold);
+            for (int part = 0; part < block; part += lanes)
+                if (bits >> part & 0xff) average_doubtful(noisy, geometry, x + part, y, bits >> part & 0xff);
+        }
 }
 
 // Of the pixels from column x of row y those whose bits are set.

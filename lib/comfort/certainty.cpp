@@ -183,8 +183,9 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
 void Certainty::look_at_batches(const Measurement& m, std::vector<Estimate>& estimates) {
     const Values now = values(m, Kind::region);
     std::vector<Values> without;
+    const std::vector<uint32_t> pixels = meter_.pixels_of_regions();
     for (size_t k = 0; errors_ && k < batches_.count(); ++k) {
-        batches_.without(k, scratch_);
+        batches_.without(k, pixels, scratch_);
         without.push_back(values(meter_.measure_regions(scratch_.luminance()), Kind::region));
     }
     for (size_t c = 0; c < columns_.size(); ++c) {

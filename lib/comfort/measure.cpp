@@ -281,6 +281,12 @@ void Meter::regions(const Luminance& lum, Measurement& m) const {
     }
 }
 
+std::vector<uint32_t> Meter::pixels_of_regions() const {
+    std::vector<uint32_t> out;
+    for (const RegionPixels& r : region_pixels_) r.add_pixels(out);
+    return out;
+}
+
 Measurement Meter::measure_regions(const Luminance& lum) const {
     Measurement m;
     regions(lum, m);

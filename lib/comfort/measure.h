@@ -56,6 +56,7 @@ public:
     void set_sources(std::vector<GlareSource> sources, Measurement& m) const;
     // Region values alone.
     Measurement measure_regions(const Luminance& lum) const;
+    std::vector<uint32_t> pixels_of_regions() const;  // some more than once
     const Settings& settings() const { return settings_; }
     const Needs& needs() const { return needs_; }
     const Geometry& geometry() const { return *geometry_; }

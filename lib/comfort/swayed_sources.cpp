@@ -20,12 +20,12 @@ double luminance(float grey) {
     return one.at(0);
 }
 
-// Sums of L w, that times x and y, and L w cos.
+// Sums of grey times omega, that times x and y, and grey times omega cos.
 struct Sum {
     double power = 0, x = 0, y = 0, eye = 0;
-    void add(double L, double omega, double omega_cos, double at_x, double at_y) {
-        const double p = L * omega;
-        power += p, x += p * at_x, y += p * at_y, eye += L * omega_cos;
+    void add(double grey, double omega, double omega_cos, double at_x, double at_y) {
+        const double p = grey * omega;
+        power += p, x += p * at_x, y += p * at_y, eye += grey * omega_cos;
     }
     void add(const Sum& more, double factor = 1) {
         power += factor * more.power, x += factor * more.x, y += factor * more.y, eye += factor * more.eye;
@@ -161,29 +161,35 @@ private:
             if (s.shown >> k & 1) lower(node.part[size_t(k)]);
     }
     void add(const Stretch& s, Node& node) const {
+        if (s.shown == all_) return add_common(s, node);
         const double y = g_.y_of(s.start);
         double x = g_.x_of(s.start);
-        if (s.shown == all_ && node.off.empty()) node.off.resize(lum_.signs->minus.size());
-        if (s.shown == all_) node.common.pixels += s.length;
-        for (uint32_t p = s.start; p < s.start + s.length; ++p, ++x) {
-            const double plus = luminance(lum_.mean[p] + lum_.off[p]), minus = luminance(lum_.mean[p] - lum_.off[p]);
-            const double mean = luminance(lum_.mean[p]), omega = g_.omega[p], omega_cos = g_.omega_cos[p];
-            if (s.shown == all_) {
-                node.common.omega += omega;
-                node.common.mean.add(mean, omega, omega_cos, x, y);
-                node.common.own.add((plus + minus) / 2, omega, omega_cos, x, y);
-                node.off[lum_.pattern[p]].add((plus - minus) / 2, omega, omega_cos, x, y);
-                continue;
-            }
-            const Shown below = lum_.minus(p);
+        for (uint32_t p = s.start; p < s.start + s.length; ++p, ++x)
             for (int k = 0; k < pictures_; ++k) {
                 if (!(s.shown >> k & 1)) continue;
                 Part& to = node.part[size_t(k)];
-                to.pixels += 1, to.omega += omega;
-                to.mean.add(mean, omega, omega_cos, x, y);
-                to.own.add(k == lum_.count() ? mean : below >> k & 1 ? minus : plus, omega, omega_cos, x, y);
+                const float mean = lum_.mean[p], own = k < lum_.count() ? lum_.at(k, p) : mean;
+                to.pixels += 1, to.omega += g_.omega[p];
+                to.mean.add(mean, g_.omega[p], g_.omega_cos[p], x, y);
+                to.own.add(own, g_.omega[p], g_.omega_cos[p], x, y);
             }
+    }
+    void add_common(const Stretch& s, Node& node) const {
+        if (node.off.empty()) node.off.resize(lum_.signs->minus.size());
+        Part sum;
+        const double y = g_.y_of(s.start);
+        double x = g_.x_of(s.start);
+        for (uint32_t p = s.start; p < s.start + s.length; ++p, ++x) {
+            const double omega = g_.omega[p], omega_cos = g_.omega_cos[p];
+            const float mean = lum_.mean[p];
+            const double plus = mean + lum_.off[p], minus = mean - lum_.off[p];
+            sum.omega += omega;
+            sum.mean.add(mean, omega, omega_cos, x, y);
+            sum.own.add((plus + minus) / 2, omega, omega_cos, x, y);
+            node.off[lum_.pattern[p]].add((plus - minus) / 2, omega, omega_cos, x, y);
         }
+        node.common.pixels += s.length, node.common.omega += sum.omega;
+        node.common.mean.add(sum.mean), node.common.own.add(sum.own);
     }
     // What all pictures show goes to each of them.
     void share(Node& node) const {
@@ -222,8 +228,8 @@ private:
     }
     GlareSource source(const Part& part, const Sum& sum) const {
         GlareSource s;
-        s.pixels = part.pixels, s.omega = part.omega, s.lum = sum.power / part.omega;
-        s.x = sum.x / sum.power, s.y = sum.y / sum.power, s.eye_lux = sum.eye;
+        s.pixels = part.pixels, s.omega = part.omega, s.lum = cdm2_per_grey * sum.power / part.omega;
+        s.x = sum.x / sum.power, s.y = sum.y / sum.power, s.eye_lux = cdm2_per_grey * sum.eye;
         place(s, g_, settings_);
         return s;
     }

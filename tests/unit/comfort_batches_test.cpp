@@ -49,7 +49,7 @@ TEST_CASE("batches are what the running means say, and never more than 16") {
         sum += batches.frames(k);
         CHECK(batches.frames(k) <= 16);
         GreyPicture rest;
-        batches.without(k, rest);
+        batches.without(k, {3}, rest);
         const double a = double(batches.begin(k)), b = a + double(batches.frames(k));
         CHECK(rest.grey[3] == doctest::Approx((5050 - (b - a) * (a + b + 1) / 2) / (100 - (b - a))));
     }
