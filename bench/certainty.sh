@@ -36,5 +36,5 @@ for bin in "$new" ${old:+"$old"}; do
             END { print bin, way, time[int((n + 1) / 2)], memory / 1024 }'
     done | awk '
         $2 == "plain" { plain = $3 }
-        { printf "%s\t%s\t%s\t%.0f %%\t%.0f\n", $1, $2, $3, $3 > 0 ? 100 * (1 - plain / $3) : 0, $4 }'
+        { printf "%s\t%s\t%s\t%.0f %%\t%.0f\n", $1, $2, $3, ($3 > 0 ? 100 * (1 - plain / $3) : 0), $4 }'
 done
