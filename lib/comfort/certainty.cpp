@@ -82,8 +82,9 @@ void Certainty::restart() {
 void Certainty::frame0(const Luminance& lum) {
     const Geometry& g = meter_.geometry();
     const size_t w = size_t(lum.width);
-    // How far 2 x 2 pixels that count are off a plane, by the first of them; the others' rows come before and behind.
-    std::vector<float> off(lum.size() + 2 * (w + 1), 0), blocks(off.size(), 0);
+    // Of each 2 x 2 pixels that count, how far they are off a plane, squared.  They stand w + 1 places behind the first
+    // of them, so that those of a pixel's four blocks are found without a look at the picture's edges.
+    std::vector<float> squares(lum.size() + 2 * (w + 1), 0), blocks(squares.size(), 0);
     Level rows{g.width, g.height, g.spans, g.row_spans};
     for (int r = 0; r + 1 < g.height; ++r)
         rows.pairs(r, r + 1, 0, [&](int begin, int end) {
@@ -91,14 +92,14 @@ void Certainty::frame0(const Luminance& lum) {
             const size_t at = w + 1 + size_t(r) * w;
             for (int x = begin; x + 1 < end; ++x) {
                 const float d = (a[x] - a[x + 1] - b[x] + b[x + 1]) / 2;
-                off[at + size_t(x)] = d * d, blocks[at + size_t(x)] = 1;
+                squares[at + size_t(x)] = d * d, blocks[at + size_t(x)] = 1;
             }
         });
     frame0_error_.resize(lum.size());
     for (size_t i = 0; i < lum.size(); ++i) {
         const auto around = [&](const std::vector<float>& v) { return ((v[i] + v[i + 1]) + v[i + w]) + v[i + w + 1]; };
         const float count = around(blocks);
-        frame0_error_[i] = std::sqrt(around(off) / std::max(count, 1.f));
+        frame0_error_[i] = std::sqrt(around(squares) / std::max(count, 1.f));
     }
 }
 
