@@ -6,7 +6,7 @@
 # docs/scale.md has its lines.  RUNS=1 TRIANGLES='1000 100000' is a short one; TRIANGLES=10000000 takes a minute.
 set -euo pipefail
 bin=$(cd "$1" && pwd)
-cmake --build "$bin/.." --target bright_discs > /dev/null
+cmake --build "$bin/.." --target bright_discs large_mesh > /dev/null
 office=$(cd "$(dirname "$0")/../examples/scenes/office" && pwd)
 runs=${RUNS:-3} frames=${FRAMES:-8} triangles=${TRIANGLES:-1000 10000 100000 1000000}
 dir=$(mktemp -d)
@@ -32,16 +32,6 @@ frame_cost() {
 }
 room='materials.rad layout.rad'
 
-# A heap of triangles on the floor behind the desk, 3 x 2 m and some centimetres high, for sun and eye to meet.
-heap() {
-    awk -v n="$1" 'BEGIN {
-        k = int(sqrt(n / 2) + .5); print "usemtl carpet"
-        for (i = 0; i <= k; i++) for (j = 0; j <= k; j++)
-            printf "v %.5f %.5f %.5f\n", .5 + 3 * i / k, .2 + 5 * j / k, .02 + .02 * sin(37 * i / k) * cos(41 * j / k)
-        for (i = 0; i < k; i++) for (j = 0; j < k; j++) {
-            a = i * (k + 1) + j + 1; b = a + k + 1; print "f", a, b, b + 1; print "f", a, b + 1, a + 1
-        } }'
-}
 # Lamps of 10 cm under the ceiling, in rows.
 lamps() {
     awk -v n="$1" 'BEGIN {
@@ -56,10 +46,10 @@ lamps() {
 echo "# what, how many, s to begin, us a pixel and frame; $(nproc) cores, load $(cut -d ' ' -f 1 /proc/loadavg)"
 for size in ${SIZES:-64 128 256 512}; do frame_cost pixels "$size x $size" "$size" $room sky_1400.rad; done
 for n in $triangles; do
-    heap "$n" > "$dir/heap.obj"
-    frame_cost triangles "$n" 128 $room sky_1400.rad "$dir/heap.obj"
+    "$bin/large_mesh" "$n" "$dir/heap.rtm" "$dir/heap.oct"  # a heap on the floor behind the desk, for sun and eye
+    frame_cost triangles "$n" 128 $room sky_1400.rad "$dir/heap.oct"
 done
-rm -f "$dir/heap.obj"
+rm -f "$dir"/heap.*
 for ab in 1 2 5 10; do frame_cost bounces $ab 128 -ab $ab $room sky_1400.rad; done
 for n in 1 10 100 1000; do
     lamps "$n" > "$dir/lamps.rad"

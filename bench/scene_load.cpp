@@ -15,6 +15,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "portable_binary.h"
 #include "scene/mesh.h"
 
 namespace {
@@ -37,17 +38,6 @@ void write_rad(FILE* f, long n, long row) {
                          q.y + (k > 1 ? q.side : 0), q.z);
     }
 }
-
-void put(FILE* f, long long v, int bytes) {
-    while (bytes-- > 0) std::fputc(int(v >> (8 * bytes) & 255), f);
-}
-void put_real(FILE* f, double v) {
-    int e = 0;
-    const double m = std::frexp(v, &e);
-    put(f, v == 0 ? 0 : (long long)(m * 0x7fffffff), 4);
-    put(f, v == 0 ? 0 : e, 1);
-}
-void put_text(FILE* f, const std::string& s) { std::fwrite(s.c_str(), 1, s.size() + 1, f); }
 
 // A frozen octree with an empty tree: readers that build their own hierarchy do not look at it.
 void write_oct(FILE* f, long n, long row) {

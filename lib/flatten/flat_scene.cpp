@@ -2,6 +2,7 @@
 // Questions to the finished tables.
 #include "flatten/flat_scene.h"
 
+#include "flatten/build_input.h"
 #include "flatten/pack.h"
 #include "kernels/host.h"
 
@@ -9,6 +10,20 @@ namespace flatten {
 using namespace kernels;
 
 const uint32_t* FlatScene::record(uint32_t mod) const { return &u[mods_at + MOD_WORDS * size_t(mod)]; }
+
+std::shared_ptr<const bvh::Tree> FlatScene::host_tree() const {
+    if (!host_tree_) {
+        const std::vector<bvh::Input> in = build_inputs(*this);
+        host_tree_ = std::make_shared<const bvh::Tree>(bvh::build8(in.data(), in.size()));
+    }
+    return host_tree_;
+}
+
+void FlatScene::keep_tables_only() {
+    triangles = std::vector<uint32_t>(), tri_prim = std::vector<uint32_t>();  // "= {}" would keep the memory
+    shape_prim = std::vector<uint32_t>(), prim_object = std::vector<uint32_t>();
+    panes = std::vector<Pane>();
+}
 
 uint32_t material_record(const FlatScene& scene, uint32_t mod) {
     while (mod != NONE && scene.record(mod)[MOD_TYPE] < M_FIRST_MATERIAL) mod = scene.record(mod)[MOD_NEXT];

@@ -3,9 +3,11 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 #include "base/vec.h"
+#include "bvh/build.h"
 
 namespace flatten {
 
@@ -50,6 +52,14 @@ struct FlatScene {
     // Of instance records: the first one's number, and the mesh or instance of the scene that each belongs to.
     uint32_t instances_at = 0;
     std::vector<uint32_t> instance_object;
+
+    // The eight-wide tree over the geometry, which must not change any more: built when it is first asked for, one for
+    // all who trace rays on this machine.
+    std::shared_ptr<const bvh::Tree> host_tree() const;
+    void keep_tables_only();  // gives back the memory of what no device traces by: after the last tree is built
+
+private:
+    mutable std::shared_ptr<const bvh::Tree> host_tree_;
 };
 
 // The material of a chain, from record `mod` on; NONE (kernels/tables.h) for none and for mixtures of materials.

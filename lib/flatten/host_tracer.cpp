@@ -6,8 +6,6 @@
 #include <cstring>
 #include <math.h>
 
-#include "flatten/build_input.h"
-
 namespace host {
 #include "kernels/compat_host.h"
 #include "kernels/all.h"
@@ -16,19 +14,15 @@ namespace host {
 namespace flatten {
 using namespace host;
 
-#define POINT_AT_BVH(type, name) tables.name = bvh.name.data();
+#define POINT_AT_BVH(type, name) tables.name = bvh->name.data();
 #define POINT_AT_SCENE(type, name) tables.name = scene.name.data();
 
 struct HostTracer::State {
     const FlatScene& scene;
-    bvh::Tree bvh;
+    std::shared_ptr<const bvh::Tree> bvh;
     SceneTables tables{};
     Params params{};
-    static bvh::Tree build(const FlatScene& s) {
-        const std::vector<bvh::Input> trees = build_inputs(s);
-        return bvh::build8(trees.data(), trees.size());
-    }
-    explicit State(const FlatScene& s) : scene(s), bvh(build(s)) {
+    explicit State(const FlatScene& s) : scene(s), bvh(s.host_tree()) {
         BVH_TABLES(POINT_AT_BVH)
         FLAT_TABLES(POINT_AT_SCENE)
         params.sources_at = s.sources_at;

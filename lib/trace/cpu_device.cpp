@@ -20,7 +20,7 @@ namespace {
 // Paths of one tile: their state (kernels/path/state.h, 220 bytes each) stays in the second-level cache.
 constexpr uint32_t TILE = 4096;
 
-#define POINT_AT_BVH(type, name) tables_.name = bvh_.name.data();
+#define POINT_AT_BVH(type, name) tables_.name = tree_->name.data();
 #define POINT_AT_SCENE(type, name) tables_.name = scene_.name.data();
 
 const CpuKernels& best_kernels(const std::string& wanted) {
@@ -49,13 +49,14 @@ public:
     void upload(flatten::FlatScene s) override {
         scene_ = std::move(s);
         learner_.reset();
-        const std::vector<bvh::Input> in = flatten::build_inputs(scene_);
         if (embree_) {
+            const std::vector<bvh::Input> in = flatten::build_inputs(scene_);
             check_ = std::make_unique<bvh::EmbreeScene>(in.data(), in.size());
             tables_.nodes = reinterpret_cast<const float*>(check_.get());
         } else {
-            bvh_ = bvh::build8(in.data(), in.size());
+            tree_ = scene_.host_tree();
             BVH_TABLES(POINT_AT_BVH)
+            scene_.keep_tables_only();
         }
         FLAT_TABLES(POINT_AT_SCENE)
     }
@@ -124,7 +125,7 @@ private:
     const CpuKernels& kernels_;
     unsigned threads_;
     flatten::FlatScene scene_;
-    bvh::Tree bvh_;
+    std::shared_ptr<const bvh::Tree> tree_;
     std::vector<uint32_t> guide_;
     std::unique_ptr<bvh::EmbreeScene> check_;
     std::unique_ptr<CpuDevice> learner_;

@@ -30,7 +30,7 @@ enum { PATH_STATE(FIELD_NUMBER) PATH_FIELDS };
 
 #define RESERVE_FIELD(type, name, when) paths_[PATH_##name] = room(((when) & ~needs_) == 0 ? slots : 1, sizeof(type));
 
-#define SEND_OF_BVH(type, name) tables_[TABLE_##name] = send(bvh.name.data(), bvh.name.size() * 4);
+#define SEND_OF_BVH(type, name) tables_[TABLE_##name] = send(tree->name.data(), tree->name.size() * 4);
 #define SEND_OF_SCENE(type, name) tables_[TABLE_##name] = send(s.name.data(), s.name.size() * 4);
 
 class OpenclDevice : public Device {
@@ -71,7 +71,8 @@ public:
         call("loading the scene", [&] {
             {
                 const std::vector<bvh::Input> in = flatten::build_inputs(s);
-                const bvh::Tree bvh = bvh2_ ? bvh::build2(in.data(), in.size()) : bvh::build8(in.data(), in.size());
+                const auto tree =
+                    bvh2_ ? std::make_shared<const bvh::Tree>(bvh::build2(in.data(), in.size())) : s.host_tree();
                 BVH_TABLES(SEND_OF_BVH)
             }
             FLAT_TABLES(SEND_OF_SCENE)

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/files_read.h"
+#include "base/memory.h"
 #include "base/progress.h"
 #include "base/run.h"
 #include "base/stop.h"
@@ -95,14 +96,15 @@ void write_rule(const Options& opt) {
 }
 
 // All views under one sky.
-void render_views(const Options& opt, trace::Renderer& renderer, const scene::Scene& scene, const std::string& sky) {
+void render_views(const Options& opt, trace::Renderer& renderer, const std::vector<std::string>& history,
+                  const std::string& sky) {
     for (size_t i = 0; i < opt.shots.size() && !base::stop_requested(); ++i) {
         const NamedShot& s = opt.shots[i];
         renderer.look(i);
         image::Picture picture;
         picture.width = s.shot.nx;
         picture.height = s.shot.ny;
-        for (const std::string& line : scene.history) image::add_history(picture.header, line);
+        for (const std::string& line : history) image::add_history(picture.header, line);
         image::add_history(picture.header, opt.command);
         picture.header.view = s.shot.view;
         picture.header.view_name = s.name;
@@ -135,7 +137,10 @@ int render(int argc, char** argv) {
             base::warn("stdout",
                        "writing frames to a file, which only luxpipe can read; \"| ptaccum -last >\" makes a picture");
         base::finish_on_signal();
-        render_views(opt, *renderer, scene, sky);
+        const std::vector<std::string> history = std::move(scene.history);
+        scene = scene::Scene();  // the renderer has made its own of it
+        base::give_back_memory();
+        render_views(opt, *renderer, history, sky);
         if (base::stop_requested()) break;
     }
     return 0;
