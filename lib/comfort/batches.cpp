@@ -2,7 +2,10 @@
 // Means at the batches' ends, and what follows from their differences (batches.h).
 #include "comfort/batches.h"
 
+#include <algorithm>
 #include <cstdlib>
+
+#include "image/picture.h"
 
 namespace comfort {
 
@@ -40,12 +43,18 @@ void Batches::without(size_t batch, const std::vector<uint32_t>& pixels, GreyPic
     }
 }
 
-size_t Batches::middle() const {
-    if (count() < 2) return count();
+Batches::Split Batches::halves() const {
+    Split out{std::vector<bool>(count(), true), true};
+    if (frames() < 2 * image::direct_samples && int64_t(count()) == frames()) {
+        for (size_t k = 0; k < count(); ++k) out.first[k] = image::in_first_half(int64_t(k) + 1);
+        return out;
+    }
     size_t best = 0;
     for (size_t k = 1; k + 1 < count(); ++k)
         if (std::abs(2 * ends_[k].frames - frames()) < std::abs(2 * ends_[best].frames - frames())) best = k;
-    return best;
+    std::fill(out.first.begin() + long(best) + 1, out.first.end(), false);
+    out.knows_frame0 = ends_[best].frames >= image::direct_samples;
+    return out;
 }
 
 }  // namespace comfort

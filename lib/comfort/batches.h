@@ -36,9 +36,15 @@ public:
     // The mean of all frames but those of a batch, of these pixels; the others are left as they are.
     void without(size_t batch, const std::vector<uint32_t>& pixels, GreyPicture& out) const;
 
-    // The end of a batch that lies nearest to half of all frames; with one batch there is none: count().
-    size_t middle() const;
     const std::vector<float>& mean_at(size_t batch) const { return ends_[batch].grey; }  // L' at the batch's end
+
+    // Two halves of the frames, by batch: those up to the end that lies nearest to half of all, or, as long as each
+    // frame is a batch, those whose halves of frame 0's samples differ (image/picture.h).
+    struct Split {
+        std::vector<bool> first;
+        bool knows_frame0;  // they have other direct samples
+    };
+    Split halves() const;
 
 private:
     int width_ = 0, height_ = 0;

@@ -228,7 +228,8 @@ std::vector<Measurement> Certainty::moved(const Luminance& lum, const Measuremen
                           frame0_error_.data(), moved_pattern_.data(), &moved_signs_};
     Swayed bright = pictures;
     if (meter_.needs().sources && has(Kind::picture)) bright.mean = calm_.mean().data();
-    std::vector<Measurement> out = measure(pictures, bright, lum, m, meter_).own;
+    std::vector<Measurement> out(moved_pictures, m);
+    if (!halves_.know_frame0() && has(Kind::picture)) out = measure(pictures, bright, lum, m, meter_).own;
     if (has(Kind::region)) add_regions(pictures, meter_, out);
     return out;
 }
@@ -236,8 +237,8 @@ std::vector<Measurement> Certainty::moved(const Luminance& lum, const Measuremen
 // For columns whose halves or batches do not know it.
 void Certainty::add_frame0_error(const Luminance& lum, const Measurement& m, const Measurement& unmoved,
                                  std::vector<Estimate>& estimates) {
-    const int64_t first_half = batches_.begin(batches_.middle()) + batches_.frames(batches_.middle());
-    const bool in_halves = first_half >= image::direct_samples, in_batches = whole_batches_suffice();
+    const bool in_halves = !has(Kind::picture) || halves_.know_frame0();
+    const bool in_batches = !has(Kind::region) || whole_batches_suffice();
     if (in_halves && in_batches) return;
     const auto knows_it = [&](size_t c) { return columns_[c].regional ? in_batches : in_halves; };
     if (frame0_error_.empty()) {  // the stream did not begin with it: nothing tells its error

@@ -15,10 +15,11 @@
 // A rule that stops as soon as an interval is narrow picks the looks where it came out too narrow: so it is the widest
 // of the looks since half as many frames, each carried to the same n.
 //
-// Frames 1 to 16 share the direct samples of frame 0 (docs/decisions/0002-frame-zero.md), so what is before them does
-// not tell their error.  Until there are as many frames behind them, frame 0's error is added: each of its pixels is
-// moved by what a neighbourhood of 2 x 2 pixels is off a plane, with signs at random, four times.  Edges count as noise
-// there, so this errs on the safe side.
+// Frames 1 to 8 share the direct samples of frame 0, half of them each (docs/decisions/0002-frame-zero.md).  Half
+// pictures know their error as long as every frame is a batch, and again when half of all frames are behind them;
+// batches do when there are six behind.  Until then frame 0's error is added: each of its pixels is moved by what a
+// neighbourhood of 2 x 2 pixels is off a plane, with signs at random, four times.  Edges count as noise there, so this
+// errs on the safe side.
 //
 // All this is done at looks only, at 2, 3, 5, 8, 12, 17, 25 ... frames, for the 16 pictures at once (swayed_measure.h).
 #pragma once

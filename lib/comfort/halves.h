@@ -12,10 +12,10 @@
 // and a tenth of what is taken off counts as its error (docs/decisions/0019-certainty.md).  All this is right to first
 // order; a hot pixel, twice as bright in half of the halves and gone in the others, drops out.
 //
-// With a frames in the first half, b behind it and d = sqrt(a/b) (L'(a) - L'(a+b)), a pixel shows L' + d or L' - d
-// (L' of the half itself where a = b).  The signs over the 16 pictures are a row of a Hadamard matrix, chosen for each
-// pixel by a random number: they sum to 0, so that the mean picture is L' itself, and what is linear in the pixels
-// falls into 15 sums of the same variance that know nothing of each other.
+// With x the mean of the a frames in one half, y of the b in the other and d = sqrt(a b)/(a + b) (x - y), a pixel shows
+// L' + d or L' - d (the halves themselves where a = b).  The signs over the 16 pictures are a row of a Hadamard matrix,
+// chosen for each pixel by a random number: they sum to 0, so that the mean picture is L' itself, and what is linear in
+// the pixels falls into 15 sums of the same variance that know nothing of each other.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -35,6 +35,7 @@ public:
     bool take(const Batches& batches);
     const std::vector<float>& whole() const { return *whole_; }  // L'
     const std::vector<float>& off() const { return off_; }       // d
+    bool know_frame0() const { return know_frame0_; }            // and its error
     Swayed pictures() const;
 
     // What a metric's values, one of each picture, say of its value of the whole one.
@@ -47,7 +48,8 @@ public:
 private:
     int width_ = 0, height_ = 0;
     const std::vector<float>* whole_ = nullptr;
-    std::vector<float> off_;        // d
+    std::vector<float> off_;  // d
+    bool know_frame0_ = false;
     std::vector<uint8_t> pattern_;  // by pixel, of the 30 that there are
     Signs signs_;
 };

@@ -45,6 +45,14 @@ struct Header {
 // Samples of the direct and specular light in frame 0; frames above this number correct them (decisions, page 2).
 constexpr int direct_samples = 8;
 
+// Which of two halves of the frames k > 0 is in: + - - + - + + - and so on (Thue and Morse), so that any number of them
+// from the first on is halved, too.  Frames up to direct_samples show the same half of frame 0's samples.
+inline bool in_first_half(int64_t k) {
+    bool first = true;
+    for (int64_t bits = k - 1; bits; bits &= bits - 1) first = !first;
+    return first;
+}
+
 struct Picture {
     int width = 0, height = 0;
     bool floats = false;          // the pixels came as 32-bit floats: differences of such pictures mean something

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Frames of Eq. 7.  L(0) = exact part (small sources drawn by area) + S0, the mean of m samples of the direct class;
 // frames 1..m carry the diffuse class; frame k > m adds S(k) - S0, so that for n >= m both classes are plain means of n
-// samples and frame 0's own noise averages out (docs/spec/paper.md 7, docs/decisions/0002-frame-zero.md).
+// samples and frame 0's own noise averages out (docs/spec/paper.md 7, docs/decisions/0002-frame-zero.md).  Half of the
+// frames 1..m show the mean of the first half of frame 0's samples instead of S0, half that of the others.
 #include "trace/progressive.h"
 
 #include <algorithm>
@@ -21,6 +22,13 @@
 namespace trace {
 using namespace kernels;
 
+// In small pictures frame 0 costs little, and a single noisy pixel is much of the light: each of its m samples is then
+// the mean of two or four, so that there are half a million in all.
+uint32_t samples_for_one(size_t pixels) {
+    constexpr size_t enough = 256 * 256;
+    return 4 * pixels <= enough ? 4 : 2 * pixels <= enough ? 2 : 1;
+}
+
 constexpr float RAY_PORTAL_SHARE = 0.5f;  // a single ray is not worth a search for the best
 
 struct Renderer::State {
@@ -36,13 +44,14 @@ struct Renderer::State {
     std::vector<float> numbers;        // the scene's, without a view's marks; empty for a single picture
     base::Vec3 centre;
     bool guides = false;
-    uint32_t nx, ny, m;
-    std::vector<float> s0;        // mean of the direct class in frame 0
-    std::vector<float> exact;     // drawn sources, 3 floats a pixel (empty: none)
-    bool guided = false;          // a guide is still to be learned
-    std::vector<float> aims;      // records of windows, then of highlights
-    std::vector<float> unshared;  // the same, until their shares are known
-    int64_t bad = 0;              // samples that were set to 0
+    uint32_t nx, ny, m, of_frame0;  // of_frame0: samples of the direct class in frame 0
+    std::vector<float> s0;          // mean of the direct class in frame 0
+    std::vector<float> half_off;    // how far the first half of its samples lies off (empty: m is odd)
+    std::vector<float> exact;       // drawn sources, 3 floats a pixel (empty: none)
+    bool guided = false;            // a guide is still to be learned
+    std::vector<float> aims;        // records of windows, then of highlights
+    std::vector<float> unshared;    // the same, until their shares are known
+    int64_t bad = 0;                // samples that were set to 0
 
     // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.
     void scrub(std::vector<float>& rgb) {
@@ -109,21 +118,28 @@ struct Renderer::State {
     void add_direct_samples() {
         const uint32_t pixels = nx * ny, most = UINT32_MAX / pixels;  // indices of slots are 32 bits
         std::vector<double> sum(size_t(pixels) * 3, 0.0);
+        half_off.assign(m % 2 ? 0 : sum.size(), 0.0f);
         std::vector<float> rgb;
-        for (uint32_t done = 0; done < m;) {
-            const uint32_t n = std::min(m - done, most), some = std::max(1u, device->good_slots() / n);
+        // More than m are drawn behind all frames, so that those above m do not draw them again.
+        const int64_t begin = of_frame0 > m ? int64_t(1) << 31 : 0;
+        for (uint32_t done = 0; done < of_frame0;) {
+            const uint32_t n = std::min(of_frame0 - done, most), some = std::max(1u, device->good_slots() / n);
             for (uint32_t first = 0; first < pixels; first += some) {
                 const uint32_t count = std::min(some, pixels - first);
-                run(MODE_DIRECT, done, n, first, count, rgb);
+                run(MODE_DIRECT, begin + done, n, first, count, rgb);
                 const float* from = rgb.data();
                 for (size_t pixel = first; pixel < first + count; pixel++)
                     for (uint32_t k = 0; k < n; k++)
-                        for (size_t c = 0; c < 3; c++) sum[3 * pixel + c] += *from++;
+                        for (size_t c = 0; c < 3; c++) {
+                            if (!half_off.empty()) half_off[3 * pixel + c] += done + k < of_frame0 / 2 ? *from : -*from;
+                            sum[3 * pixel + c] += *from++;
+                        }
             }
             done += n;
         }
         s0.resize(sum.size());
-        for (size_t i = 0; i < sum.size(); i++) s0[i] = float(sum[i] / m);
+        for (size_t i = 0; i < sum.size(); i++) s0[i] = float(sum[i] / of_frame0);
+        for (float& off : half_off) off /= float(of_frame0);
     }
     void ensure_s0() {
         if (!s0.empty()) return;
@@ -192,8 +208,9 @@ void Renderer::look(size_t shot) {
     const Shot& of = s.picture->shot;
     s.nx = s.base.nx = uint32_t(of.nx);
     s.ny = s.base.ny = uint32_t(of.ny);
+    s.of_frame0 = s.m * samples_for_one(size_t(of.nx) * size_t(of.ny));
     set_view(s.base, of.view, s.centre);
-    s.s0.clear(), s.exact.clear();
+    s.s0.clear(), s.half_off.clear(), s.exact.clear();
     s.unshared = s.aims;  // their shares and the guide are learned from where the eye is
     s.base.portal_share = Params{}.portal_share;
     s.base.highlight_share = Params{}.highlight_share;
@@ -215,7 +232,7 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
     State& s = *state_;
     const int64_t end = k + count;
     std::vector<float> out(size_t(s.nx) * s.ny * 3);
-    if (k == 0 || end - 1 > s.m) s.ensure_s0();
+    if (k == 0 || end - 1 > s.m || s.m % 2 == 0) s.ensure_s0();
     if (k == 0) {
         out = s.s0;
         for (size_t i = 0; i < s.exact.size(); i++) out[i] += s.exact[i];
@@ -228,7 +245,10 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
     const auto sample = [&](int64_t frame, const float* v) {
         if (frame > s.m)
             for (size_t i = 0; i < out.size(); i++) out[i] = v[i] - s.s0[i];
-        else std::copy(v, v + out.size(), out.begin());
+        else if (s.half_off.empty()) std::copy(v, v + out.size(), out.begin());
+        else
+            for (size_t i = 0; i < out.size(); i++)
+                out[i] = image::in_first_half(frame) ? v[i] + s.half_off[i] : v[i] - s.half_off[i];
         return goes_on = give(frame, out);
     };
     const int64_t unguided = s.guided ? std::clamp<int64_t>(s.base.guide_from - k, 0, end - k) : 0;

@@ -33,7 +33,7 @@ Means means_of(const scene::Scene& scene, trace::Sampling sampling) {
         options.sampling = sampling;
         options.seed = seed;
         options.ab = 2;
-        options.direct_samples = 1 << 20;  // frames of the diffuse class alone
+        options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
         trace::Renderer renderer(scene, toward_wall(), size, size, options, "cpu", {});
         std::vector<double> value(blocks + 1);
         renderer.frames(1, frames, [&](int64_t, const std::vector<float>& rgb) {

@@ -3,6 +3,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "comfort/batches.h"
@@ -55,9 +56,34 @@ TEST_CASE("batches are what the running means say, and never more than 16") {
     }
     CHECK(sum == 100);
 
-    const size_t middle = batches.middle();
-    CHECK(std::abs(2 * (batches.begin(middle) + batches.frames(middle)) - 100) <= 16);
-    CHECK(batches.mean_at(middle)[0] == float(batches.begin(middle) + batches.frames(middle) + 1) / 2);
+    const Batches::Split halves = batches.halves();
+    int64_t of_first = 0;
+    for (size_t k = 0; k < batches.count(); ++k) of_first += halves.first[k] ? batches.frames(k) : 0;
+    CHECK(std::abs(2 * of_first - 100) <= 16);
+    CHECK(std::is_sorted(halves.first.rbegin(), halves.first.rend()));
+    CHECK(halves.knows_frame0);
+}
+
+// Frames 1 to 8 show one half of frame 0's samples or the other: here 5 and -5 beside k^2 (page 2 of the decisions).
+// The frames of one half less those of the other, whatever their number, tell both.
+TEST_CASE("halves of few frames have halves of frame 0's samples") {
+    Batches batches;
+    Halves halves;
+    double sum = 0, half[2] = {}, frames[2] = {};
+    for (int k = 1; k <= 12; ++k) {
+        const int of = image::in_first_half(k) ? 0 : 1;
+        const double own = k * k + (k > 8 ? 0 : of == 0 ? 5 : -5);
+        sum += own, half[of] += own, frames[of] += 1;
+        float mean = float(sum / k);
+        batches.add({1, 1, &mean}, k);
+        if (k == 1) continue;
+        REQUIRE(halves.take(batches));
+        CHECK(halves.know_frame0());
+        const double d = std::sqrt(frames[0] * frames[1]) / k * (half[0] / frames[0] - half[1] / frames[1]);
+        CHECK(halves.off()[0] == doctest::Approx(d).epsilon(1e-4));
+        if (k % 2 == 0) CHECK(frames[0] == frames[1]);
+    }
+    CHECK(half[0] - half[1] - 40 == doctest::Approx(2 * (1 + 16 + 36 + 49 + 100 + 121) - 650));
 }
 
 // Pixel i has the mean i in the first a frames and -3 i in the b = a/3 behind: d = sqrt(3) (i - 0).

@@ -22,7 +22,8 @@ namespace {
 constexpr int side = 12;
 
 // A stream of sums: every pixel of frame k > 0 is its mean times a sample of mean 1, and frame 0 a tenth of the mean
-// times the mean of 8 samples, which frames above 8 correct (paper section 7).  What is bright is seen exactly.
+// times the mean of 8 samples, of which frames up to 8 show one half or the other and which frames above 8 correct
+// (paper section 7).  What is bright is seen exactly.
 class Stream {
 public:
     using Sample = std::function<double(std::mt19937&)>;
@@ -32,11 +33,14 @@ public:
           exact_above_(exact_above),
           random_(seed),
           frame0_(mean_.size()),
+          half_off_(mean_.size()),
           sum_(mean_.size()) {
         for (size_t i = 0; i < mean_.size(); ++i)
-            for (int k = 0; k < image::direct_samples; ++k)
-                frame0_[i] += exact(i) ? mean_[i] / image::direct_samples
-                                       : direct * mean_[i] * sample_(random_) / image::direct_samples;
+            for (int k = 0; k < image::direct_samples; ++k) {
+                const double own = exact(i) ? mean_[i] / image::direct_samples
+                                            : direct * mean_[i] * sample_(random_) / image::direct_samples;
+                frame0_[i] += own, half_off_[i] += 2 * k < image::direct_samples ? own : -own;
+            }
     }
     std::vector<double> frame0() const { return frame0_; }
     std::vector<double> next() {
@@ -44,7 +48,8 @@ public:
         std::vector<double> out;
         for (size_t i = 0; i < mean_.size(); ++i) {
             if (!exact(i)) sum_[i] += (1 - direct) * mean_[i] * sample_(random_);
-            if (!exact(i) && n_ > image::direct_samples) sum_[i] += direct * mean_[i] * sample_(random_) - frame0_[i];
+            if (n_ <= image::direct_samples) sum_[i] += image::in_first_half(n_) ? half_off_[i] : -half_off_[i];
+            else if (!exact(i)) sum_[i] += direct * mean_[i] * sample_(random_) - frame0_[i];
             out.push_back(frame0_[i] + sum_[i] / double(n_));
         }
         return last_ = out;
@@ -59,7 +64,7 @@ private:
     Sample sample_;
     double exact_above_;
     std::mt19937 random_;
-    std::vector<double> frame0_, sum_, last_;
+    std::vector<double> frame0_, half_off_, sum_, last_;
     int64_t n_ = 0;
 };
 
