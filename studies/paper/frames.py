@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-# frames.py OUT: after how many frames a value is and stays within 1 % of the long run's: the median over the seeds.
-import os, re, statistics, sys
+# frames.py OUT: after how many frames a value is and stays within 1 % of the long run's: median and range of the seeds;
+# and how far the last frame's value lies off (root mean square).
+import math, os, re, statistics, sys
 
 LONG = 900001
 
@@ -23,12 +24,21 @@ def needed(rows, metric, truth):
 
 found = {}
 for name in os.listdir(sys.argv[1]):
-    match = re.fullmatch(r'(.*)\.(default|plain)\.(\d+)\.tsv', name)
+    match = re.fullmatch(r'(.*)\.(default|plain|guided)\.(\d+)\.tsv', name)
     if match:
         found.setdefault(match[1], {}).setdefault(match[2], {})[int(match[3])] = read(os.path.join(sys.argv[1], name))
 
-print('scene\tsampling\tseeds\tmetric\tframes until within 1 %\twithin 1 % at frame 10')
+
+
+def number(n):
+    return 'more' if n == float('inf') else '%.0f' % n
+
+
+print('scene\tsampling\tseeds\tmetric\tframes until within 1 %\tfewest\tmost\twithin 1 % at frame 10\t'
+      'off at the last frame')
 for scene, ways in sorted(found.items()):
+    if LONG not in ways.get('default', {}):
+        continue
     truth = ways['default'].pop(LONG)[-1]
     for way, runs in sorted(ways.items()):
         for metric in ('DGPu', 'DGP', 'screen.CRu', 'screen.CR', 'RAMMGu', 'RAMMG'):
@@ -36,6 +46,9 @@ for scene, ways in sorted(found.items()):
             n = [needed(rows, metric, truth[best]) for rows in runs.values()]
             tenth = [r[metric] for rows in runs.values() for r in rows if r['frame'] == 10]
             at10 = [abs(v / truth[best] - 1) <= 0.01 for v in tenth]
-            middle = statistics.median(n) if n else float('nan')
-            print('%s\t%s\t%d\t%s\t%s\t%s' % (scene, way, len(n), metric, 'more' if middle == float('inf') else
-                                              '%.0f' % middle, '%d of %d' % (sum(at10), len(at10)) if at10 else '-'))
+            if not n:
+                continue
+            off = math.sqrt(statistics.mean((rows[-1][metric] / truth[best] - 1) ** 2 for rows in runs.values()))
+            print('%s\t%s\t%d\t%s\t%s\t%s\t%s\t%s\t%.1f %%' % (
+                scene, way, len(n), metric, number(statistics.median_high(n)), number(min(n)), number(max(n)),
+                '%d of %d' % (sum(at10), len(at10)) if at10 else '-', 100 * off))
