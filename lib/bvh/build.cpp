@@ -45,14 +45,17 @@ constexpr Layout layout2 = {2, BVH2_NODE_FLOATS, BVH2_LEAF_FLOATS, BVH2_PANES, 1
 
 class TreeBuilder {
 public:
-    TreeBuilder(const Layout& layout, const Input* trees, size_t tree_count)
+    TreeBuilder(const Layout& layout, const Input* trees, size_t tree_count, const Tell& tell)
         : layout_(layout),
+          tell_(tell),
           trees_(trees),
           tree_count_(tree_count),
           tree_bounds_(tree_count + 1, empty_bounds()),
           tree_passes_(tree_count),
           tree_need_(tree_count + 1),
-          tree_depth_(tree_count + 1) {}
+          tree_depth_(tree_count + 1) {
+        for (size_t k = 0; k < tree_count; k++) to_do_ += double(trees[k].triangle_count + trees[k].shape_count);
+    }
 
     Tree build() {
         struct Release {
@@ -130,12 +133,23 @@ private:
             grow(tree_bounds_[tree], box.hi);
         }
         if (prims.empty()) return nullptr;
-        const TempSettings settings = {layout_.wide, layout_.sah_block, layout_.max_leaf, layout_.intersection_cost,
-                                       tree_count_ > 1 ? layout_.depth_nested : layout_.depth_alone};
+        const TempSettings settings = {layout_.wide,
+                                       layout_.sah_block,
+                                       layout_.max_leaf,
+                                       layout_.intersection_cost,
+                                       tree_count_ > 1 ? layout_.depth_nested : layout_.depth_alone,
+                                       share_told(count)};
         TempNode* root = build_temp_tree(bvh, prims, settings);
+        if (tree < tree_count_) done_ += double(count);
         device_.check();
         if (!root) throw base::Error(base::Kind::system, "Embree", "no tree was built");
         return root;
+    }
+
+    // What Embree tells of one tree, as a share of all; the tree of panes is part of tree 0.
+    Tell share_told(size_t count) const {
+        if (!tell_ || done_ >= to_do_) return {};
+        return [this, count](double share) { tell_((done_ + share * double(count)) / to_do_); };
     }
 
     // What a subtree takes: nodes and blocks of the arrays, and places of the kernel's stack.
@@ -249,6 +263,8 @@ private:
     }
 
     const Layout& layout_;
+    const Tell& tell_;
+    double done_ = 0, to_do_ = 0;  // primitives
     const Input* trees_;
     size_t tree_count_;
     EmbreeDevice device_;
@@ -261,7 +277,12 @@ private:
 
 }  // namespace
 
-Tree build8(const Input* trees, size_t tree_count) { return TreeBuilder(layout8, trees, tree_count).build(); }
-Tree build2(const Input* trees, size_t tree_count) { return TreeBuilder(layout2, trees, tree_count).build(); }
+Tree build8(const Input* trees, size_t tree_count, const Tell& tell) {
+    return TreeBuilder(layout8, trees, tree_count, tell).build();
+}
+
+Tree build2(const Input* trees, size_t tree_count, const Tell& tell) {
+    return TreeBuilder(layout2, trees, tree_count, tell).build();
+}
 
 }  // namespace bvh

@@ -6,12 +6,13 @@
 // gives empty nodes and no leaves.
 // Memory per triangle of large meshes: 55 bytes (BVH8) or 82 (BVH2), with BVH8's 75 at most while building
 // (bench/traversal), twice as much for what lets shadow rays pass; scattered single polygons take more, up to 200.
-// 10 million triangles: 6.5 s of one core.
+// 10 million triangles: 6 s of one core.
 // Limits: 2^29 primitives, 2^30 leaf blocks; nodes and leaves are addressed with 64-bit offsets, so more than 4 GB is
 // fine.
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <new>
 #include <vector>
 
@@ -51,8 +52,11 @@ struct Tree {
     int depth = 0;                // longest way down, through an instance
 };
 
-Tree build8(const Input* trees, size_t tree_count = 1);
-Tree build2(const Input* trees, size_t tree_count = 1);
+// Is told from time to time which share of the work is done, 0 to 1; from any thread, but from one at a time.
+using Tell = std::function<void(double)>;
+
+Tree build8(const Input* trees, size_t tree_count = 1, const Tell& tell = {});
+Tree build2(const Input* trees, size_t tree_count = 1, const Tell& tell = {});
 inline Tree build8(const Input& scene) { return build8(&scene, 1); }
 inline Tree build2(const Input& scene) { return build2(&scene, 1); }
 

@@ -3,8 +3,25 @@
 #include "bvh/temp_tree.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace bvh {
+
+namespace {
+
+struct Watch {
+    const Tell& tell;
+    std::mutex one_at_a_time;
+};
+
+bool watched(void* user, double share) {
+    auto* watch = static_cast<Watch*>(user);
+    const std::unique_lock<std::mutex> hold(watch->one_at_a_time, std::try_to_lock);
+    if (hold.owns_lock()) watch->tell(std::min(share, 1.0));
+    return true;  // go on
+}
+
+}  // namespace
 
 TempNode* build_temp_tree(RTCBVH bvh, std::vector<RTCBuildPrimitive>& prims, const TempSettings& settings) {
     RTCBuildArguments args = rtcDefaultBuildArguments();
@@ -40,6 +57,9 @@ TempNode* build_temp_tree(RTCBVH bvh, std::vector<RTCBuildPrimitive>& prims, con
         std::sort(leaf->prim, leaf->prim + n);  // threads may partition in any order; results must not depend on it
         return leaf;
     };
+    Watch watch{settings.tell, {}};
+    args.userPtr = &watch;
+    if (settings.tell) args.buildProgress = watched;
     return static_cast<TempNode*>(rtcBuildBVH(&args));
 }
 

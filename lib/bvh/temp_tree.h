@@ -27,6 +27,7 @@ struct TempSettings {
     unsigned sah_block, max_leaf;
     float intersection_cost;
     int max_depth;
+    Tell tell;
 };
 
 // Null if Embree could not; the nodes live as long as bvh.

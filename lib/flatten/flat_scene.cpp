@@ -14,7 +14,7 @@ const uint32_t* FlatScene::record(uint32_t mod) const { return &u[mods_at + MOD_
 std::shared_ptr<const bvh::Tree> FlatScene::host_tree() const {
     if (!host_tree_) {
         const std::vector<bvh::Input> in = build_inputs(*this);
-        host_tree_ = std::make_shared<const bvh::Tree>(bvh::build8(in.data(), in.size()));
+        host_tree_ = std::make_shared<const bvh::Tree>(bvh::build8(in.data(), in.size(), tell_tree));
     }
     return host_tree_;
 }

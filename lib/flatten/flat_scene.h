@@ -56,6 +56,7 @@ struct FlatScene {
     // The eight-wide tree over the geometry, which must not change any more: built when it is first asked for, one for
     // all who trace rays on this machine.
     std::shared_ptr<const bvh::Tree> host_tree() const;
+    bvh::Tell tell_tree;      // how far a tree is
     void keep_tables_only();  // gives back the memory of what no device traces by: after the last tree is built
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From a scene to the flat tables of the kernels.
 #pragma once
+#include <functional>
 #include "flatten/flat_scene.h"
 #include "scene/object.h"
 
@@ -15,6 +16,7 @@ struct Options {
     int dr = 2;      // levels of virtual sources
     bool bv = true;  // back faces are visible
     Sampling sampling = Sampling::portals;
+    std::function<void(double)> tell_tree;  // for people who wait: which share of the tree is built
 };
 
 // Throws Error naming file:line for what cannot be rendered.

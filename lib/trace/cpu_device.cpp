@@ -58,6 +58,7 @@ public:
             BVH_TABLES(POINT_AT_BVH)
             scene_.keep_tables_only();
         }
+        scene_.tell_tree = nullptr;  // nobody waits any more
         FLAT_TABLES(POINT_AT_SCENE)
     }
 

@@ -72,7 +72,8 @@ public:
             {
                 const std::vector<bvh::Input> in = flatten::build_inputs(s);
                 const auto tree =
-                    bvh2_ ? std::make_shared<const bvh::Tree>(bvh::build2(in.data(), in.size())) : s.host_tree();
+                    bvh2_ ? std::make_shared<const bvh::Tree>(bvh::build2(in.data(), in.size(), s.tell_tree))
+                          : s.host_tree();
                 BVH_TABLES(SEND_OF_BVH)
             }
             FLAT_TABLES(SEND_OF_SCENE)

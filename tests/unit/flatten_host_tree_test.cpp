@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "base/tempfile.h"
 #include "flatten/flatten.h"
@@ -51,4 +52,22 @@ TEST_CASE("what only builders of trees read is given back, and rays meet the sam
     CHECK(flat.prim_object.capacity() == 0);
     CHECK(found().t == before.t);
     CHECK(found().prim == before.prim);
+}
+
+TEST_CASE("who waits for a tree is told how far it is") {
+    flatten::FlatScene flat;
+    const size_t n = 50000;
+    flat.trees.push_back({0, 3 * n, 0, n, 0, 0});
+    for (size_t k = 0; k < n; k++) {
+        const float x = float(k % 200), y = float(k) / 200;
+        flat.vertices.insert(flat.vertices.end(), {x, y, 0, x + 1, y, 0, x, y + 1, 0});
+        for (size_t corner = 0; corner < 3; corner++) flat.triangles.push_back(uint32_t(3 * k + corner));
+        flat.tri_prim.push_back(uint32_t(k));
+    }
+    std::vector<double> told;
+    flat.tell_tree = [&](double share) { told.push_back(share); };
+    flat.host_tree();
+    REQUIRE(told.size() > 1);
+    CHECK(told.front() < .9);
+    for (double share : told) CHECK((share > 0 && share <= 1));
 }

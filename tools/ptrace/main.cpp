@@ -66,7 +66,12 @@ void load(const Options& opt, const scene::Scene& scene, const scene::ReadOption
     if (!renderer) renderer = start(device);
     std::vector<trace::Shot> shots;
     for (const NamedShot& s : opt.shots) shots.push_back(s.shot);
-    renderer->load(scene, shots, opt.render, how);
+    base::Progress progress("ptrace");
+    trace::RenderOptions render = opt.render;
+    render.tell_tree = [&](double share) {
+        if (progress.due()) progress.show(fmt::format("builds the tree of all surfaces, {:.0f} %", 100 * share));
+    };
+    renderer->load(scene, shots, render, how);
 }
 
 // Frames first to last of the picture that the renderer looks at.
