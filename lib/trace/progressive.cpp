@@ -139,7 +139,8 @@ struct Renderer::State {
         }
         s0.resize(sum.size());
         for (size_t i = 0; i < sum.size(); i++) s0[i] = float(sum[i] / of_frame0);
-        for (float& off : half_off) off /= float(of_frame0);
+        for (size_t i = 0; i < half_off.size(); i++)  // rounding must not take away more than there is
+            half_off[i] = std::clamp(half_off[i] / float(of_frame0), -std::fabs(s0[i]), std::fabs(s0[i]));
     }
     void ensure_s0() {
         if (!s0.empty()) return;

@@ -231,6 +231,23 @@ TEST_CASE("the guide moves no mean") {
     CHECK(std::sqrt(guided.variance[64]) < .01 * guided.mean[64]);
 }
 
+// Where one half of frame 0's samples holds all of a pixel's light, frame 1 may take it away, but no more than that.
+TEST_CASE("sums are nowhere negative") {
+    const int size = 192;
+    trace::RenderOptions options = direct_only();
+    trace::Renderer renderer = Office().renderer("cpu", size, options);
+    image::Accumulator sum;
+    float least = 1;
+    renderer.frames(0, 17, [&](int64_t k, const std::vector<float>& rgb) {
+        sum.add(picture(rgb, size, k), "test");
+        image::Picture now;
+        sum.result(now, false);
+        least = std::min(least, *std::min_element(now.rgb.begin(), now.rgb.end()));
+        return true;
+    });
+    CHECK(least >= 0);
+}
+
 // Soft shadow of a square lamp and its image in a rough floor, -ab 0: nothing but frame 0's own noise.  The rms error
 // over 16 x 16 pixels against 16384 frames of another seed must fall at least as 1/sqrt(n) from that of the 16 samples
 // of frames 9 to 24 (frame 0 holds more samples in so small a picture).  The rms of
