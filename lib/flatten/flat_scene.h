@@ -30,7 +30,7 @@ struct FlatScene {
     base::Vec3 centre;  // world position of the tables' origin
 
     uint32_t mods_at = 0, sources_at = 0, source_count = 0, distant_at = 0, distant_count = 0;
-    uint32_t portals_at = 0, portal_count = 0, light_sets_at = 0;
+    uint32_t portals_at = 0, portal_count = 0, window_count = 0, light_sets_at = 0;
     uint32_t light_tree_at = 0, light_nodes = 0;
     uint32_t highlights_at = 0, highlight_count = 0;
     uint32_t shadow_mode = 0;  // SHADOW_* of tables.h

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "flatten/host_tracer.h"
+#include "flatten/suns.h"
 #include "kernels/host.h"
 
 namespace flatten {
@@ -16,7 +17,6 @@ namespace {
 using namespace kernels;
 using base::Vec3;
 
-constexpr float SMALL_CAP = 0.001f;                     // 1 - cosine of half the angle of a sun
 constexpr float LEAST_ROUGH = 1e-3f, MOST_ROUGH = .2f;  // duller ones are found by the cosine
 constexpr float SUN_ALPHA2 = 1e-5f;                     // what the sun's disc adds to a roughness, squared
 constexpr double LEAST_COSINE = .02;                    // between a sheet's normal and the sun
@@ -34,16 +34,6 @@ struct Sheet {
     double lit = 0, lo[2] = {1e30, 1e30}, hi[2] = {-1e30, -1e30};
     Vec3 u, v;
 };
-
-std::vector<Vec3> suns_of(const FlatScene& scene) {
-    std::vector<Vec3> suns;
-    for (uint32_t i = 0; i < scene.source_count; i++) {
-        const float* src = &scene.f[scene.sources_at + size_t(SOURCE_FLOATS) * i];
-        if (as_uint_(src[SRC_KIND]) != SK_DISTANT || as_uint_(src[SRC_VIRTUAL]) != NONE) continue;
-        if (src[SRC_CAP] < SMALL_CAP) suns.push_back({src[SRC_CENTRE], src[SRC_CENTRE + 1], src[SRC_CENTRE + 2]});
-    }
-    return suns;
-}
 
 // The arguments of a primitive's material if it is a rough polished one, else null.
 const float* polish(const FlatScene& scene, uint32_t prim) {

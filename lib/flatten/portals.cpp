@@ -9,12 +9,16 @@
 
 #include "base/angle.h"
 #include "flatten/host_tracer.h"
+#include "flatten/patches.h"
+#include "kernels/host.h"
 
 namespace flatten {
 namespace {
 using base::Vec3;
 
 constexpr size_t MOST = 16;  // each costs a few operations per diffuse sample
+constexpr size_t MOST_PATCHES = 8;
+static_assert(MOST + MOST_PATCHES <= MOST_PORTALS, "their lights have places in the parameters");
 constexpr size_t MOST_PANES = 2000;
 constexpr int RAYS = 256;       // per side
 constexpr double ENOUGH = 0.1;  // share of rays that must escape on the outer side beyond those on the inner
@@ -106,31 +110,41 @@ double open_share(const HostTracer& tracer, const Rect& r, Vec3 n, std::mt19937&
     return share;
 }
 
-// n: outdoors
-void add_record(const Rect& r, Vec3 n, Vec3 centre, std::vector<float>& records) {
-    const Vec3 corner = r.origin + r.u * r.lo[0] + r.v * r.lo[1] - centre;
-    const Vec3 u = r.u * (r.hi[0] - r.lo[0]), v = r.v * (r.hi[1] - r.lo[1]);
-    for (const Vec3& q : {corner, u, v, n})
-        for (int k = 0; k < 3; k++) records.push_back(float(q[k]));
-    records.insert(records.end(), {float(r.area()), 0, 0, 0});
+Aim aim_of(const Rect& r, Vec3 outdoors) {
+    const Vec3 middle = r.u * ((r.lo[0] + r.hi[0]) / 2) + r.v * ((r.lo[1] + r.hi[1]) / 2);
+    return {r.origin + middle, r.u * (r.hi[0] - r.lo[0]), r.v * (r.hi[1] - r.lo[1]), outdoors};
+}
+
+void add_record(const Aim& aim, FlatScene& scene) {
+    const Vec3 across = cross(aim.u, aim.v);  // along u: by the vector across v that u is 1 of
+    const double square = dot(across, across);
+    const Vec3 along_u = cross(aim.v, across) * (1 / square), along_v = cross(across, aim.u) * (1 / square);
+    for (const Vec3& q : {aim.centre - scene.centre, aim.u, aim.v, aim.out, along_u, along_v})
+        for (int k = 0; k < 3; k++) scene.f.push_back(float(q[k]));
+    scene.f.insert(scene.f.end(), {float(std::sqrt(square)), 0});
+    scene.portal_count++;
 }
 
 }  // namespace
 
 void find_portals(FlatScene& scene) {
-    const std::vector<Rect> windows = windows_of(scene.panes);
-    if (windows.empty()) return;
+    scene.portals_at = uint32_t(scene.f.size());
+    const std::vector<Rect> rects = windows_of(scene.panes);
+    if (rects.empty()) return;
     const HostTracer tracer(scene);
     std::mt19937 random(7);
-    std::vector<float> records;
-    for (const Rect& r : windows) {
+    std::vector<Aim> windows;
+    for (const Rect& r : rects) {
         const double front = open_share(tracer, r, r.n, random), back = open_share(tracer, r, -r.n, random);
         if (std::fabs(front - back) < ENOUGH) continue;
-        add_record(r, back > front ? -r.n : r.n, scene.centre, records);
-        if (++scene.portal_count == MOST) break;
+        windows.push_back(aim_of(r, back > front ? -r.n : r.n));
+        if (windows.size() == MOST) break;
     }
-    scene.portals_at = uint32_t(scene.f.size());
-    scene.f.insert(scene.f.end(), records.begin(), records.end());
+    scene.window_count = uint32_t(windows.size());
+    std::vector<Aim> aims = windows;
+    const std::vector<Aim> patches = find_patches(scene, tracer, windows, MOST_PATCHES);
+    aims.insert(aims.end(), patches.begin(), patches.end());
+    for (const Aim& aim : aims) add_record(aim, scene);
 }
 
 }  // namespace flatten

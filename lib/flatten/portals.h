@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the windows that guide diffuse samples (kernels/portals.h) and writes their records into the scene's arena.
+// Finds the windows, and the patches of sun behind them, at which diffuse samples aim (kernels/portals.h), and writes
+// their records into the scene's arena.
 // Any choice is right in the mean; a good one is quiet.  Panes come from surfaces.cpp: every transparent polygon.
 #pragma once
 #include "flatten/flat_scene.h"

@@ -157,13 +157,16 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define DISTANT_BLACK 0xfffffffeu  // its alternate does not shine
 #define DISTANT_SOURCE 5u          // active source index, NONE
 
-// ---- portals (windows that guide diffuse samples): PORTAL_FLOATS floats at f[Params.portals_at]
-#define PORTAL_FLOATS 16u
-#define PORTAL_CORNER 0u  // 3
-#define PORTAL_U 3u       // 3: edge from the corner
-#define PORTAL_V 6u       // 3: the other edge
-#define PORTAL_NORMAL 9u  // 3: unit, outdoors
-#define PORTAL_AREA 12u
+// ---- portals (windows and patches of sun, at which diffuse samples aim): PORTAL_FLOATS floats at f[Params.portals_at]
+#define PORTAL_FLOATS 20u
+#define PORTAL_CENTRE 0u    // 3
+#define PORTAL_U 3u         // 3: edge
+#define PORTAL_V 6u         // 3: the other edge
+#define PORTAL_NORMAL 9u    // 3: unit, away from what it lights
+#define PORTAL_ALONG_U 12u  // 3: times a way off the centre in its plane: how much of the edge u that is
+#define PORTAL_ALONG_V 15u  // 3: of v
+#define PORTAL_AREA 18u
+#define MOST_PORTALS 24u
 
 // ---- highlights (sunlit rectangles on polished planes): HIGHLIGHT_FLOATS floats at f[Params.highlights_at]
 #define HIGHLIGHT_FLOATS 16u
@@ -199,13 +202,16 @@ typedef struct {
     uint light_sets_at;
     uint guide_mask, guide_from;  // of its hash table, 0: there is no guide; first frame that it guides
     uint skip_direct_below, light_tree_at;
-    float way_least;     // least chance of a way (path/ways.h); 0: none
-    float portal_share;  // of diffuse directions that go toward windows (portals.h)
+    float way_least;    // least chance of a way (path/ways.h); 0: none
+    float portal_rest;  // light from elsewhere than portals (portals.h)
     uint highlights_at, highlight_count;
-    float highlight_share;  // of those that go toward highlights, where there are any (highlights.h)
-    uint together;          // slots of a pixel side by side: samples frame .. frame + together - 1
-    uint light_nodes;       // of the tree; 0: each source is looked at
-    uint nothing[3];        // fills the row
+    float highlight_share;             // of those that go toward highlights, where there are any (highlights.h)
+    uint together;                     // slots of a pixel side by side: samples frame .. frame + together - 1
+    uint light_nodes;                  // of the tree; 0: each source is looked at
+    float portal_least, portal_most;   // share of the directions toward portals, where there are any
+    uint window_count;                 // of all portals; the others are patches of sun
+    float portal_light[MOST_PORTALS];  // per unit of its view
+    uint portal_pick[MOST_PORTALS];    // which of the records they are
 } Params;
 
 // modes: what a pass computes

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Short walks, by the cosine, tell the second moment of a path for any share.  A sample of light f, in a direction that
-// has q times the cosine's density among those toward windows, counts f^2 / (1 - share + share q) (Veach 1997, section
-// 9.2).  f is what the walk has met and a share of the light beyond, bounce by bounce, as if every place were like the
-// mean of all.  Highlights are small: walks of their own go there, and all walks of a place are weighed by the density
-// of them together.
+// Short walks tell the second moment of a path for any share.  A sample of light f, in a direction that has q times the
+// cosine's density among those aimed at, counts f^2 / (1 - share + share q) (Veach 1997, section 9.2).  f is what the
+// walk has met and a share of the light beyond, bounce by bounce, as if every place were like the mean of all.
+// Portals and highlights are small: walks of their own go there.  Those to highlights and those by the cosine are
+// weighed together by the density of both.
 #include "trace/aim_shares.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "trace/portal_lights.h"
 
 namespace kernels {
 #include "kernels/instance.h"
@@ -21,20 +23,15 @@ namespace {
 
 using namespace kernels;
 
-constexpr uint32_t EYE_SIDE = 48;  // walks from the eye, a square of so many
-constexpr uint32_t WALKS = 8;      // from each place that the eye sees; from those that they reach, one
-constexpr int STEPS = 8;           // shares looked at: 0, 1/8 .. 7/8
+constexpr uint32_t EYE_SIDE = 48;   // walks from the eye, a square of so many
+constexpr uint32_t WALKS = 8;       // from each place that the eye sees; from those that they reach, one
+constexpr float MOST_AIMED = 0.5f;  // of the directions, so that what is not known is found too
+constexpr size_t AIMED = 1024;      // to each portal
 constexpr double SHINES[] = {0, 1. / 32, 1. / 16, 1. / 8, 1. / 4, 3. / 8, 1. / 2};
 constexpr double WORTH_IT = 4;  // squared means: what highlights must take off the second moment
 
 struct Place {
     float3 p, n;
-};
-
-struct Sample {
-    double met = 0, beyond = 0;     // light, and the share of the light beyond
-    double windows = 1, shine = 1;  // densities of directions toward windows and highlights, over the cosine's
-    double weight = 1;              // 1 for a walk by the cosine, where no highlight is met
 };
 
 double luminance(const float (&c)[3]) {
@@ -44,10 +41,11 @@ double luminance(const float (&c)[3]) {
 
 class Survey {
 public:
-    Survey(Device& device, const Params& par, const std::vector<float>& records) : device_(device), par_(par) {
+    Survey(Device& device, const Params& par, const std::vector<float>& records)
+        : device_(device), par_(par), records_(records) {
         par_.mode = MODE_WALK;
         par_.portals_at = 0;
-        par_.portal_share = 0;
+        pick_all_portals(par.portal_count, 1, 0, par_);
         par_.highlights_at = par.portal_count * PORTAL_FLOATS;
         tables_.f = records.data();
         const float edge =
@@ -55,33 +53,30 @@ public:
         clear_ = 1e-4f * edge;
     }
 
-    // The largest share of windows under which the second moment is that of the cosine or less: what is met through
-    // windows is smooth, and many frames have it with less noise than single samples promise.  Highlights are not
-    // smooth: the share of the least (shine).
-    Shares shares() {
-        const std::vector<Place> near = seen(), far = look_around(near, WALKS);
+    void find(Params& par) {
+        const std::vector<Place> near = seen();
+        std::vector<Place> far = look_around(near, WALKS), all = near;
         look_around(far, 1);
-        Shares found;
-        cosines_ = samples_.size();
-        if (cosines_ == 0) return found;
-        const double plain = moments(0).square;
-        int step = par_.portal_count > 0 ? STEPS - 1 : 0;
-        while (step > 0 && !(moments(double(step) / STEPS).square <= plain)) step--;
-        found.windows = float(step) / STEPS;
-
-        if (par_.highlight_count == 0) return found;
+        cosines_ = walks_.size();
+        par.portal_count = 0;
+        if (cosines_ == 0) return;
+        if (par_.portal_count > 0) {
+            all.insert(all.end(), far.begin(), far.end());
+            aim(all, par);
+        }
+        if (par_.highlight_count == 0) return;
         send(near, WALKS, true);
         send(far, 1, true);
-        found.highlights = shine(found.windows);
-        return found;
+        par.highlight_share = shine();
     }
 
 private:
     Device& device_;
     Params par_;
-    SceneTables tables_ = {};  // of windows and highlights
+    const std::vector<float>& records_;
+    SceneTables tables_ = {};  // of portals and highlights
     float clear_;              // rays begin so far from their surface
-    std::vector<Sample> samples_;
+    std::vector<Walk> walks_;
     size_t cosines_ = 0;  // walks by the cosine
 
     std::vector<WalkEnd> walk(const std::vector<WalkRay>& rays) {
@@ -109,7 +104,7 @@ private:
         return places;
     }
 
-    // Samples by walks from each place, by the cosine; returns where they have come to.
+    // Walks by walks from each place, by the cosine; returns where they have come to.
     std::vector<Place> look_around(const std::vector<Place>& places, uint32_t walks) {
         std::vector<Place> reached;
         for (const WalkEnd& end : send(places, walks, false))
@@ -120,7 +115,7 @@ private:
     // Adds samples: walks from each place by the cosine, or toward the highlights that it meets.
     std::vector<WalkEnd> send(const std::vector<Place>& places, uint32_t walks, bool shining) {
         std::vector<WalkRay> rays;
-        const size_t first = samples_.size();
+        const size_t first = walks_.size();
         for (uint32_t i = 0; i < places.size(); i++) {
             const Place& place = places[i];
             const uint32_t met = highlights_met(&tables_, &par_, place.p, place.n);
@@ -129,41 +124,79 @@ private:
                 const float2 r = sample2(&rnd);
                 const float3 dir =
                     shining ? highlight_direction(&tables_, &par_, met, r.x, r.y) : cosine_direction(place.n, r.x, r.y);
-                Sample sample = sample_of(place, met, dir);
-                if (met != 0) sample.weight = 1 / (1 + sample.shine);  // as many go by the cosine as to highlights
-                if (shining && !(dot3(dir, place.n) > 0)) sample.weight = 0;
-                samples_.push_back(sample);
-                const float3 org = madd3(place.n, clear_, place.p);
-                rays.push_back({{org.x, org.y, org.z}, {dir.x, dir.y, dir.z}, FAR_AWAY});
+                walks_.push_back(walk_of(place, met, dir));
+                if (shining && !(dot3(dir, place.n) > 0)) walks_.back().weight = 0;
+                rays.push_back(ray_of(place, dir));
             }
         }
 
         const std::vector<WalkEnd> ends = walk(rays);
         for (size_t k = 0; k < ends.size(); k++) {
-            samples_[first + k].met = luminance(ends[k].gathered);
-            samples_[first + k].beyond = ends[k].bounce ? luminance(ends[k].share) : 0;
+            walks_[first + k].met = luminance(ends[k].gathered);
+            walks_[first + k].beyond = ends[k].bounce ? luminance(ends[k].share) : 0;
         }
         return ends;
     }
 
-    // Densities are 1 where nothing is to aim at: there directions go by the cosine alone.
-    Sample sample_of(const Place& place, uint32_t met, float3 dir) const {
-        Sample sample;
-        const float c = dot3(dir, place.n);
-        if (!(c > 0)) return sample;
-        const double cosine = double(c) * K_INV_PI;
-        const float total = portals_weight(&tables_, &par_, place.p, place.n);
-        if (total > 0) sample.windows = double(portals_density(&tables_, &par_, place.p, place.n, dir, total)) / cosine;
-        if (met != 0) sample.shine = double(highlights_density(&tables_, &par_, met, dir)) / cosine;
-        return sample;
+    WalkRay ray_of(const Place& place, float3 dir) const {
+        const float3 org = madd3(place.n, clear_, place.p);
+        return {{org.x, org.y, org.z}, {dir.x, dir.y, dir.z}, FAR_AWAY};
+    }
+
+    Walk walk_of(const Place& place, uint32_t met, float3 dir) const {
+        Walk walk;
+        walk.p = place.p;
+        walk.n = place.n;
+        walk.dir = dir;
+        const double cosine = double(dot3(dir, place.n)) * K_INV_PI;
+        if (met != 0 && cosine > 0) walk.shine = double(highlights_density(&tables_, &par_, met, dir)) / cosine;
+        if (met != 0) walk.weight = 1 / (1 + walk.shine);  // as many go by the cosine as to highlights
+        return walk;
+    }
+
+    void aim(const std::vector<Place>& places, Params& par) {
+        const double mean = moments(0).mean;
+        for (uint32_t k = 0; k < par_.portal_count; k++) par_.portal_light[k] = light_of(k, places, mean);
+        weigh_portals(records_, walks_, mean, par_);
+        par.portal_count = par_.portal_count;
+        par.portal_rest = par_.portal_rest;
+        par.portal_least = par_.portal_least;
+        par.portal_most = par_.portal_most;
+        std::copy(par_.portal_light, par_.portal_light + par_.portal_count, par.portal_light);
+        std::copy(par_.portal_pick, par_.portal_pick + par_.portal_count, par.portal_pick);
+    }
+
+    // By walks from places all over toward points all over the portal.
+    float light_of(uint32_t k, const std::vector<Place>& places, double mean) {
+        const float* portal = portal_record(&tables_, &par_, k);
+        std::vector<WalkRay> rays;
+        std::vector<double> views;
+        for (size_t i = 0; i < AIMED; i++) {
+            const Place& place = places[i * places.size() / AIMED];
+            const float view = portal_view(portal, place.p, place.n);
+            Sampler rnd = sampler_start(par_.seed_lo, par_.seed_hi, uint32_t(i), k, 7);
+            const float2 r = sample2(&rnd);
+            const float3 along = madd3(f3_at(portal + PORTAL_U), r.x - 0.5f, f3_at(portal + PORTAL_CENTRE));
+            const float3 dir = unit3(sub3(madd3(f3_at(portal + PORTAL_V), r.y - 0.5f, along), place.p));
+            if (!(view > 0 && dot3(dir, place.n) > 0)) continue;
+            rays.push_back(ray_of(place, dir));
+            views.push_back(double(view));
+        }
+        AimedLight light;
+        const std::vector<WalkEnd> ends = walk(rays);
+        for (size_t i = 0; i < ends.size(); i++) {
+            const double beyond = ends[i].bounce ? luminance(ends[i].share) : 0;
+            light.add(luminance(ends[i].gathered) + beyond * mean, views[i]);
+        }
+        return light.root();
     }
 
     // Noise of highlights lies in a few bright samples, and looking for them costs time everywhere.
-    float shine(double windows) const {
-        const Moments without = moments(windows, 0);
+    float shine() const {
+        const Moments without = moments(0);
         double best = 0, least = without.square;
         for (const double shine : SHINES) {
-            const double square = moments(windows, shine).square;
+            const double square = moments(shine).square;
             if (!(square < least)) continue;
             least = square;
             best = shine;
@@ -175,17 +208,13 @@ private:
         double mean = 0, square = 0;
     };
 
-    // Of the light at a place, up to the last bounce; by all walks, or by those that go by the cosine.
-    Moments moments(double share, double shine) const {
+    // Of the light at a place, up to the last bounce.  Without highlights they are those of the walks by the cosine, or
+    // the like of all.
+    Moments moments(double shine) const {
         Sums sums;
-        for (const Sample& sample : samples_)
-            sums.add(sample, sample.weight, (1 - shine) * (1 - share + share * sample.windows) + shine * sample.shine);
-        return moments(sums);
-    }
-
-    Moments moments(double share) const {
-        Sums sums;
-        for (const Sample& sample : samples_) sums.add(sample, 1, 1 - share + share * sample.windows);
+        for (const Walk& walk : walks_)
+            sums.add(walk, walks_.size() == cosines_ ? 1 : walk.weight,
+                     (1 - shine) * walk.portals + shine * walk.shine);
         return moments(sums);
     }
 
@@ -193,12 +222,12 @@ private:
         double met = 0, beyond = 0, met2 = 0, both = 0, beyond2 = 0;
 
         // over: the density of its direction over the cosine's
-        void add(const Sample& sample, double weight, double over) {
-            met += weight * sample.met;
-            beyond += weight * sample.beyond;
-            met2 += weight * sample.met * sample.met / over;
-            both += weight * sample.met * sample.beyond / over;
-            beyond2 += weight * sample.beyond * sample.beyond / over;
+        void add(const Walk& walk, double weight, double over) {
+            met += weight * walk.met;
+            beyond += weight * walk.beyond;
+            met2 += weight * walk.met * walk.met / over;
+            both += weight * walk.met * walk.beyond / over;
+            beyond2 += weight * walk.beyond * walk.beyond / over;
         }
     };
 
@@ -215,9 +244,20 @@ private:
 
 }  // namespace
 
-Shares find_shares(Device& device, const Params& par, const std::vector<float>& records) {
-    if (records.empty() || par.ab < 1) return {};
-    return Survey(device, par, records).shares();
+void pick_all_portals(uint32_t count, float light, float rest, Params& par) {
+    par.portal_count = count;
+    par.portal_rest = rest;
+    par.portal_least = 0;
+    par.portal_most = MOST_AIMED;
+    for (uint32_t k = 0; k < MOST_PORTALS; k++) {
+        par.portal_light[k] = light;
+        par.portal_pick[k] = k;
+    }
+}
+
+void find_shares(Device& device, const std::vector<float>& records, Params& par) {
+    if (records.empty() || par.ab < 1) return;
+    Survey(device, par, records).find(par);
 }
 
 }  // namespace trace

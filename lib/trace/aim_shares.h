@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many of the diffuse directions go toward windows (kernels/portals.h): as many as cost no variance, none where the
-// noise lies elsewhere.  Under an overcast sky it lies at the windows; where the sun comes in it is the patch on the
-// floor, and directions toward windows are missing there.  And how many toward highlights (kernels/highlights.h).
+// Where diffuse directions aim: how many of them toward each window and patch of sun (kernels/portals.h), none where
+// that would not make less noise, and how many toward highlights (kernels/highlights.h).
 #pragma once
 #include <vector>
 #include "trace/device.h"
 
 namespace trace {
 
-struct Shares {
-    float windows = 0, highlights = 0;  // each below 1
-};
+// Sets portal_* and highlight_share of the parameters, from scene, view, options and seed alone.  par: as for frames,
+// with all portals; records: those of the portals, then those of the highlights; the device holds the scene.
+void find_shares(Device& device, const std::vector<float>& records, Params& par);
 
-// From scene, view, options and seed alone.  par: as for frames; records: those of the windows, then those of the
-// highlights; the device holds the scene.
-Shares find_shares(Device& device, const Params& par, const std::vector<float>& records);
+// The portals of a scene before anything is known of them.
+void pick_all_portals(uint32_t count, float light, float rest, Params& par);
 
 }  // namespace trace

@@ -29,7 +29,7 @@ uint32_t samples_for_one(size_t pixels) {
     return 4 * pixels <= enough ? 4 : 2 * pixels <= enough ? 2 : 1;
 }
 
-constexpr float RAY_PORTAL_SHARE = 0.5f;  // a single ray is not worth a search for the best
+constexpr float RAY_REST = 0.3f;  // light from elsewhere, over that of portals: a single ray is not worth a search
 
 struct Renderer::State {
     struct Picture {
@@ -49,9 +49,10 @@ struct Renderer::State {
     std::vector<float> half_off;    // how far the first half of its samples lies off (empty: m is odd)
     std::vector<float> exact;       // drawn sources, 3 floats a pixel (empty: none)
     bool guided = false;            // a guide is still to be learned
-    std::vector<float> aims;        // records of windows, then of highlights
-    std::vector<float> unshared;    // the same, until their shares are known
-    int64_t bad = 0;                // samples that were set to 0
+    std::vector<float> aims;        // records of portals, then of highlights
+    uint32_t portal_count = 0;
+    std::vector<float> unshared;  // the same, until their shares are known
+    int64_t bad = 0;              // samples that were set to 0
 
     // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.
     void scrub(std::vector<float>& rgb) {
@@ -100,9 +101,7 @@ struct Renderer::State {
     }
     void ensure_aim_shares() {
         if (unshared.empty()) return;
-        const Shares shares = find_shares(*device, base, unshared);
-        base.portal_share = shares.windows;
-        base.highlight_share = shares.highlights;
+        find_shares(*device, unshared, base);
         unshared.clear();
     }
     void ensure_guide() {
@@ -179,8 +178,9 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
     s.base = params_of(flat, o);
     s.m = s.base.skip_direct_below;
     s.guides = o.sampling == flatten::Sampling::guided;
-    const auto windows = flat.f.begin() + long(flat.portals_at);
-    s.aims.assign(windows, windows + long(flat.portal_count) * PORTAL_FLOATS);
+    const auto portals = flat.f.begin() + long(flat.portals_at);
+    s.portal_count = flat.portal_count;
+    s.aims.assign(portals, portals + long(flat.portal_count) * PORTAL_FLOATS);
     const auto highlights = flat.f.begin() + long(flat.highlights_at);
     s.aims.insert(s.aims.end(), highlights, highlights + long(flat.highlight_count) * HIGHLIGHT_FLOATS);
     s.centre = flat.centre;
@@ -213,7 +213,7 @@ void Renderer::look(size_t shot) {
     set_view(s.base, of.view, s.centre);
     s.s0.clear(), s.half_off.clear(), s.exact.clear();
     s.unshared = s.aims;  // their shares and the guide are learned from where the eye is
-    s.base.portal_share = Params{}.portal_share;
+    pick_all_portals(s.portal_count, 0, 0, s.base);
     s.base.highlight_share = Params{}.highlight_share;
     s.guided = s.guides;
     s.base.guide_mask = 0;
@@ -270,7 +270,7 @@ Renderer::RayValue Renderer::trace_ray(const double origin[3], const double dir[
     State& s = *state_;
     Params p = s.base;
     p.mode = MODE_RAY;
-    p.portal_share = RAY_PORTAL_SHARE;
+    pick_all_portals(s.portal_count, 1, RAY_REST, p);
     const base::Vec3 d = base::unit({dir[0], dir[1], dir[2]});
     p.ray_org = {float(origin[0] - p.centre.x), float(origin[1] - p.centre.y), float(origin[2] - p.centre.z), 0};
     p.ray_dir = {float(d.x), float(d.y), float(d.z), 0};

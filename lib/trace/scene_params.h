@@ -23,6 +23,7 @@ inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOpt
     p.distant_count = flat.distant_count;
     p.portals_at = flat.portals_at;
     p.portal_count = flat.portal_count;
+    p.window_count = flat.window_count;
     p.highlights_at = flat.highlights_at;
     p.highlight_count = flat.highlight_count;
     p.light_tree_at = flat.light_tree_at;

@@ -134,6 +134,38 @@ Means means_of(const Office& scene, trace::Sampling sampling, int64_t first, int
     });
 }
 
+// Median over pixels of the squared difference of two seeds' means of 64 frames, over their squared sum.
+double noise_of(const Office& scene, trace::Sampling sampling) {
+    const int size = 32;
+    std::vector<image::Picture> seeds;
+    for (const uint64_t seed : {1, 2}) {
+        trace::RenderOptions options;
+        options.sampling = sampling;
+        options.seed = seed;
+        trace::Renderer renderer = scene.renderer("cpu", size, options);
+        seeds.push_back(sum_of(renderer, size, 0, 64));
+    }
+    std::vector<double> squares;
+    for (size_t i = 1; i < seeds[0].rgb.size(); i += 3) {
+        const double a = seeds[0].rgb[i], b = seeds[1].rgb[i];
+        if (a + b > 0) squares.push_back((a - b) * (a - b) / ((a + b) * (a + b)));
+    }
+    std::nth_element(squares.begin(), squares.begin() + long(squares.size() / 2), squares.end());
+    return squares[squares.size() / 2];
+}
+
+// The means of the picture and of its blocks by one way to aim are those by another.
+void means_agree(const Means& one, const Means& other) {
+    double square = 0;
+    for (size_t i = 0; i < 65; i++) {
+        const double z = (one.mean[i] - other.mean[i]) / std::sqrt(one.variance[i] + other.variance[i]);
+        CAPTURE(i);
+        CHECK(std::abs(z) < 4.5);
+        if (i < 64) square += z * z / 64;
+    }
+    CHECK(square < 1.8);
+}
+
 }  // namespace
 
 TEST_CASE("devices give the same frames") { devices_agree(trace::Sampling::portals); }
@@ -173,44 +205,39 @@ TEST_CASE("frames before the guide are those toward the windows, and the others 
     }
 }
 
-// Behind blinds with the sun on them directions toward windows do not pay: none go there.
+// At night no light comes through the window: no directions go there.
 TEST_CASE("where windows do not pay, their share is none") {
-    const Office scene({"materials", "layout", "blinds", "sky_1100"});
+    const scene::Scene night = laws::scene_of(
+        "void light lamp 0 0 3 9 9 9\nlamp polygon l 0 0 12 1 1 2.9 1 2 2.9 2 2 2.9 2 1 2.9\n"
+        "void plastic white 0 0 5 .7 .7 .7 0 0\nwhite polygon floor 0 0 12 0 0 0 3 0 0 3 3 0 0 3 0\n"
+        "white polygon wall 0 0 12 0 3 0 3 3 0 3 3 3 0 3 3\nvoid glass pane 0 0 3 .9 .9 .9\n"
+        "pane polygon window 0 0 12 3 0 1 3 2 1 3 2 2 3 0 2\n");
+    view::View view;
+    view.vp = {1.5, .1, 1};
+    view.vd = {0, 1, 0};
+    view.vh = view.vv = 60;
     trace::RenderOptions options;
-    trace::Renderer portals = scene.renderer("cpu", 16, options);
+    options.ab = 3;
+    trace::Renderer portals(night, view, 16, 16, options, "cpu", {});
     options.sampling = trace::Sampling::plain;
-    trace::Renderer plain = scene.renderer("cpu", 16, options);
+    trace::Renderer plain(night, view, 16, 16, options, "cpu", {});
     std::vector<float> a, b;
     for (const int64_t k : {1, 100}) {
         portals.frame(k, a);
         plain.frame(k, b);
+        CHECK(luminance_sum(a) != 0);
         CHECK(a == b);
     }
 }
 
-// Median over pixels of the squared difference of two seeds' means of 64 frames, over their squared sum.
 TEST_CASE("under an overcast sky windows take half of the noise away") {
     const Office scene({"materials", "layout", "sky_overcast"});
-    const int size = 32;
-    std::map<trace::Sampling, double> noise;
-    for (const auto sampling : {trace::Sampling::portals, trace::Sampling::plain}) {
-        std::vector<image::Picture> seeds;
-        for (const uint64_t seed : {1, 2}) {
-            trace::RenderOptions options;
-            options.sampling = sampling;
-            options.seed = seed;
-            trace::Renderer renderer = scene.renderer("cpu", size, options);
-            seeds.push_back(sum_of(renderer, size, 0, 64));
-        }
-        std::vector<double> squares;
-        for (size_t i = 1; i < seeds[0].rgb.size(); i += 3) {
-            const double a = seeds[0].rgb[i], b = seeds[1].rgb[i];
-            if (a + b > 0) squares.push_back((a - b) * (a - b) / ((a + b) * (a + b)));
-        }
-        std::nth_element(squares.begin(), squares.begin() + long(squares.size() / 2), squares.end());
-        noise[sampling] = squares[squares.size() / 2];
-    }
-    CHECK(noise[trace::Sampling::portals] < .6 * noise[trace::Sampling::plain]);
+    CHECK(noise_of(scene, trace::Sampling::portals) < .6 * noise_of(scene, trace::Sampling::plain));
+}
+
+TEST_CASE("where sun comes in, aiming at its patches takes a third away") {
+    const Office scene;
+    CHECK(noise_of(scene, trace::Sampling::portals) < .67 * noise_of(scene, trace::Sampling::plain));
 }
 
 // Standard errors come from 16 seeds (Student's t with 15 degrees of freedom, of two means: 4 is exceeded by chance in
@@ -219,16 +246,17 @@ TEST_CASE("the guide moves no mean") {
     const Office scene;
     const Means guided = means_of(scene, trace::Sampling::guided, 8, 71);
     const Means plain = means_of(scene, trace::Sampling::portals, 8, 135);
-    double square = 0;
-    for (size_t i = 0; i < 65; i++) {
-        const double z = (guided.mean[i] - plain.mean[i]) / std::sqrt(guided.variance[i] + plain.variance[i]);
-        CAPTURE(i);
-        CHECK(std::abs(z) < 4.5);
-        if (i < 64) square += z * z / 64;
-    }
-    CHECK(square < 1.8);
+    means_agree(guided, plain);
     CHECK(guided.variance[64] < plain.variance[64]);
     CHECK(std::sqrt(guided.variance[64]) < .01 * guided.mean[64]);
+}
+
+TEST_CASE("neither do aims at windows and patches of sun") {
+    const Office scene;
+    const Means aimed = means_of(scene, trace::Sampling::portals, 8, 135);
+    const Means plain = means_of(scene, trace::Sampling::plain, 8, 135);
+    means_agree(aimed, plain);
+    CHECK(aimed.variance[64] < plain.variance[64]);
 }
 
 // Where one half of frame 0's samples holds all of a pixel's light, frame 1 may take it away, but no more than that.

@@ -31,9 +31,10 @@ struct Room {
         add(F3(90, 90, 0), F3(4, 0, 0), F3(0, 4, 0), F3(0, 0, 1), .1f);
         par.highlight_count = uint32_t(f.size() / HIGHLIGHT_FLOATS);
         par.portals_at = uint32_t(f.size());
-        for (const float3 v : {F3(-2, -1, 1), F3(0, 2, 0), F3(0, 0, 1), F3(-1, 0, 0)}) put(v);
-        f.insert(f.end(), {2, 0, 0, 0});
-        par.portal_count = 1;
+        for (const float3 v : {F3(-2, 0, 1.5f), F3(0, 2, 0), F3(0, 0, 1), F3(-1, 0, 0), F3(0, .5f, 0), F3(0, 0, 1)})
+            put(v);
+        f.insert(f.end(), {2, 0});
+        par.portal_light[0] = 1;
         s.f = f.data();
     }
     void put(float3 v) { f.insert(f.end(), {v.x, v.y, v.z}); }
@@ -123,7 +124,8 @@ TEST_CASE("mixed with the cosine and windows they have the cosine's mean") {
         for (const float shine : {0.f, .0625f, .5f}) {
             CAPTURE(windows);
             CAPTURE(shine);
-            room.par.portal_share = windows;
+            room.par.portal_count = windows > 0 ? 1 : 0;
+            room.par.portal_least = room.par.portal_most = windows;
             room.par.highlight_share = shine;
             constexpr int total = 400000;
             double sums[3] = {}, squares[3] = {};

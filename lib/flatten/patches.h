@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Patches of sun: where the light of a sun falls that comes in through a window.
+#pragma once
+#include <vector>
+#include "flatten/flat_scene.h"
+#include "flatten/host_tracer.h"
+
+namespace flatten {
+
+// A parallelogram, seen from one side: windows and patches alike.
+struct Aim {
+    base::Vec3 centre, u, v;  // edges
+    base::Vec3 out;           // unit normal, away from the side that it lights
+};
+
+// Those with the largest lit areas, at most `most`, on what sunlight through these windows meets first.
+std::vector<Aim> find_patches(const FlatScene& scene, const HostTracer& tracer, const std::vector<Aim>& windows,
+                              size_t most);
+
+}  // namespace flatten

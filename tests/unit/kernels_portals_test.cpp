@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Directions toward portals fall as their density says (Pearson's chi-square), a portal's view is about its projected
+// solid angle, and mixed with the cosine the weights have the mean of the cosine whatever the lights are.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+#include "kernels/host.h"
+namespace kernels {
+#include "kernels/instance.h"
+#include "kernels/surface.h"
+#include "kernels/highlights.h"
+#include "kernels/portals.h"
+}  // namespace kernels
+
+using namespace kernels;
+
+// A window in the wall at x = 4, a slanted patch of sun on the floor, and one that is not to be used between them.
+struct Room {
+    std::vector<float> f;
+    SceneTables s = {};
+    Params par = {};
+    Room() {
+        add(F3(4, 1, 1.5f), F3(0, 2, 0), F3(0, 0, 1), F3(1, 0, 0));
+        add(F3(9, 9, 9), F3(0, 1, 0), F3(0, 0, 1), F3(1, 0, 0));
+        add(F3(1, 0, 0), F3(1, .5f, 0), F3(0, 1.5f, 0), F3(0, 0, -1));
+        s.f = f.data();
+        par.portal_count = 2;
+        par.portal_pick[1] = 2;
+        par.portal_light[0] = 3;
+        par.portal_light[1] = 5;
+        par.portal_rest = 2;
+        par.portal_most = .9f;
+    }
+    void put(float3 v) { f.insert(f.end(), {v.x, v.y, v.z}); }
+    void add(float3 centre, float3 u, float3 v, float3 out) {
+        const float3 across = cross3(u, v);
+        const float square = dot3(across, across);
+        for (const float3 w : {centre, u, v, out, scale3(cross3(v, across), 1 / square)}) put(w);
+        put(scale3(cross3(across, u), 1 / square));
+        f.insert(f.end(), {std::sqrt(square), 0});
+    }
+    float light(float3 p, float3 n) const { return portals_light(&s, &par, p, n); }
+};
+
+static const float3 wall = F3(0, .3f, 1.2f), inward = F3(1, 0, 0);
+
+static float2 pair_of(uint32_t k) {
+    Sampler rnd = sampler_start(3, 4, k, 0, 0);
+    return sample2(&rnd);
+}
+
+TEST_CASE("a view is about the projected solid angle, and nothing from behind") {
+    const Room room;
+    const float* window = portal_record(&room.s, &room.par, 0);
+    const float3 to = sub3(F3(4, 1, 1.5f), wall);
+    const double d2 = dot3(to, to), exact = 2 * to.x * to.x / (d2 * d2);
+    CHECK(double(portal_view(window, wall, inward)) == doctest::Approx(exact).epsilon(1e-5));
+    CHECK(portal_view(window, wall, F3(-1, 0, 0)) == 0);          // faces away
+    CHECK(portal_view(window, F3(5, 1, 1.5f), inward) == 0);      // outdoors
+    CHECK(portal_view(window, F3(2, 1, 1.2f), F3(0, 0, 1)) > 0);  // the horizon cuts it
+    CHECK(portal_view(window, F3(2, 1, 2.5f), F3(0, 0, 1)) == 0);
+    CHECK(room.light(wall, inward) > 3 * exact);
+}
+
+TEST_CASE("directions fall as their density says") {
+    const Room room;
+    const float total = room.light(wall, inward);
+    constexpr int side = 40, fine = 6, draws = 1000000;
+    // squares on the plane x = 1 before the wall, of 4 x 4 about its middle
+    std::vector<double> expected(side * side), count(side * side);
+    constexpr double step = 4. / (side * fine);
+    for (int a = 0; a < side * fine; a++)
+        for (int b = 0; b < side * fine; b++) {
+            const double y = (a + .5) * step - 2, z = (b + .5) * step - 2, d2 = 1 + y * y + z * z;
+            const float3 dir = unit3(F3(1, float(y), float(z)));
+            const double density = double(portals_density(&room.s, &room.par, wall, inward, dir, total));
+            expected[size_t(a / fine * side + b / fine)] += draws * density * step * step / (d2 * std::sqrt(d2));
+        }
+    for (int k = 0; k < draws; k++) {
+        const float2 r = pair_of(uint32_t(k));
+        const float3 dir = portal_direction(&room.s, &room.par, wall, inward, r.x * total, r.y);
+        const double y = double(dir.y / dir.x) + 2, z = double(dir.z / dir.x) + 2;
+        if (y < 0 || z < 0 || y >= 4 || z >= 4) continue;
+        count[size_t(int(y / 4 * side) * side + int(z / 4 * side))]++;
+    }
+    // Squares on the portals' edges are left out: there the sum over fine squares is coarse.
+    double chi2 = 0, freedom = 0;
+    for (int a = 1; a + 1 < side; a++)
+        for (int b = 1; b + 1 < side; b++) {
+            double low = 1e30, high = 0;
+            for (int i = -1; i <= 1; i++)
+                for (int j = -1; j <= 1; j++) {
+                    low = std::min(low, expected[size_t((a + i) * side + b + j)]);
+                    high = std::max(high, expected[size_t((a + i) * side + b + j)]);
+                }
+            if (low < 20 || high > 1.5 * low) continue;
+            const size_t k = size_t(a * side + b);
+            chi2 += std::pow(count[k] - expected[k], 2) / expected[k];
+            freedom++;
+        }
+    CHECK(freedom > 20);
+    CHECK(std::abs(chi2 - freedom) < 5 * std::sqrt(2 * freedom));
+}
+
+TEST_CASE("mixed with the cosine they have the cosine's mean") {
+    Room room;
+    for (const float rest : {.5f, 2.f, 50.f})
+        for (const float least : {0.f, .25f}) {
+            CAPTURE(rest);
+            CAPTURE(least);
+            room.par.portal_rest = rest;
+            room.par.portal_least = least;
+            constexpr int total = 400000;
+            double sums[3] = {}, squares[3] = {};
+            for (int k = 0; k < total; k++) {
+                Sampler rnd = sampler_start(1, 2, uint32_t(k), 0, 0);
+                float3 dir;
+                const double weight = double(sample_diffuse(&room.s, &room.par, wall, inward, &rnd, &dir));
+                const double values[3] = {weight, weight * double(dir.x), weight * (dir.z > 0)};
+                for (int i = 0; i < 3; i++) {
+                    sums[i] += values[i] / total;
+                    squares[i] += values[i] * values[i] / total;
+                }
+            }
+            const double means[3] = {1, 2. / 3, .5};
+            for (int i = 0; i < 3; i++) {
+                const double error = std::sqrt(std::max(0., squares[i] - sums[i] * sums[i]) / total) + 1e-6;
+                CHECK(std::abs(sums[i] - means[i]) < 4 * error);
+            }
+        }
+}
