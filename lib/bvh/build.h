@@ -6,7 +6,7 @@
 // gives empty nodes and no leaves.
 // Memory per triangle of large meshes: 55 bytes (BVH8) or 82 (BVH2), with BVH8's 75 at most while building
 // (bench/traversal), twice as much for what lets shadow rays pass; scattered single polygons take more, up to 200.
-// 10 million triangles: 6 s of one core.
+// 10 million triangles: 6.5 s of one core.
 // Limits: 2^29 primitives, 2^30 leaf blocks; nodes and leaves are addressed with 64-bit offsets, so more than 4 GB is
 // fine.
 #pragma once
