@@ -18,6 +18,7 @@ using base::Vec3;
 
 constexpr size_t MOST = 16;  // each costs a few operations per diffuse sample
 constexpr size_t MOST_PATCHES = 8;
+constexpr double SLIVER = 1e-6;  // of the largest window: its record would hold no finite numbers
 static_assert(MOST + MOST_PATCHES <= MOST_PORTALS, "their lights have places in the parameters");
 constexpr size_t MOST_PANES = 2000;
 constexpr int RAYS = 256;       // per side
@@ -135,6 +136,7 @@ void find_portals(FlatScene& scene) {
     std::mt19937 random(7);
     std::vector<Aim> windows;
     for (const Rect& r : rects) {
+        if (!(r.area() > SLIVER * rects.front().area())) break;  // largest first
         const double front = open_share(tracer, r, r.n, random), back = open_share(tracer, r, -r.n, random);
         if (std::fabs(front - back) < ENOUGH) continue;
         windows.push_back(aim_of(r, back > front ? -r.n : r.n));

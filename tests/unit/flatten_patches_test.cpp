@@ -3,6 +3,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -73,6 +74,16 @@ TEST_CASE("a post cuts the patch in two") {
     const auto found = patches(room("paint polygon post 0 0 12 5 -.5 0 5 .5 0 5 .5 9 5 -.5 9\n"), window(1, 3));
     REQUIRE(found.size() == 2);
     for (const flatten::Aim& patch : found) CHECK(std::abs(patch.centre.y) == doctest::Approx(.75).epsilon(1e-5));
+}
+
+TEST_CASE("a sliver of glass is no window") {
+    const std::string pane = "void glass clear 0 0 3 .9 .9 .9\nclear polygon pane 0 0 12 9 -1 1 9 1 1 9 1 3 9 -1 3\n";
+    const std::string sliver = "clear polygon sliver 0 0 12 9 3 1 9 5 1 9 5 1.000000000001 9 3 1.000000000001\n";
+    const flatten::FlatScene one = room(pane), two = room(pane + sliver);
+    CHECK(one.window_count == 1);
+    CHECK(two.window_count == 1);
+    CHECK(two.portal_count > 1);
+    for (size_t k = two.portals_at; k < two.f.size(); k++) CHECK(std::isfinite(two.f[k]));
 }
 
 TEST_CASE("no sun, no patch") {
