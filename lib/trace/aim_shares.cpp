@@ -104,7 +104,7 @@ private:
         return places;
     }
 
-    // Walks by walks from each place, by the cosine; returns where they have come to.
+    // Walks from each place, by the cosine; returns where they have come to.
     std::vector<Place> look_around(const std::vector<Place>& places, uint32_t walks) {
         std::vector<Place> reached;
         for (const WalkEnd& end : send(places, walks, false))
@@ -112,7 +112,7 @@ private:
         return reached;
     }
 
-    // Adds samples: walks from each place by the cosine, or toward the highlights that it meets.
+    // Adds walks from each place by the cosine, or toward the highlights that it meets.
     std::vector<WalkEnd> send(const std::vector<Place>& places, uint32_t walks, bool shining) {
         std::vector<WalkRay> rays;
         const size_t first = walks_.size();
@@ -166,7 +166,7 @@ private:
         std::copy(par_.portal_pick, par_.portal_pick + par_.portal_count, par.portal_pick);
     }
 
-    // By walks from places all over toward points all over the portal.
+    // The light of a portal, by walks from places all over toward points all over it.
     float light_of(uint32_t k, const std::vector<Place>& places, double mean) {
         const float* portal = portal_record(&tables_, &par_, k);
         std::vector<WalkRay> rays;
@@ -208,8 +208,7 @@ private:
         double mean = 0, square = 0;
     };
 
-    // Of the light at a place, up to the last bounce.  Without highlights they are those of the walks by the cosine, or
-    // the like of all.
+    // Of the light at a place, up to the last bounce.  As long as all walks went by the cosine each counts the same.
     Moments moments(double shine) const {
         Sums sums;
         for (const Walk& walk : walks_)
