@@ -74,18 +74,18 @@ std::vector<Extent> count_pixels(const image::MaskSet& set, const view::View& vi
     return all;
 }
 
-void check_sizes(const Regions& regions, const std::vector<Extent>& extents) {
+void check_sizes(const Regions& regions, const std::vector<Extent>& extents, bool warn_of_small) {
     for (size_t i = 0; i < extents.size(); ++i) {
         const Region& r = regions.regions[i];
         double n = extents[i].pixels;
         if (n <= 0)
             base::fail(r.place, fmt::format("region \"{}\" is empty: nothing of it can be seen in this view", r.name));
-        if (n < 32) {
+        if (n < 32 && warn_of_small) {
             double frames = 1000 * 32 / n, unit = std::pow(10, std::floor(std::log10(frames)) - 1);
             base::warn(
                 r.place,
                 fmt::format("region \"{}\" covers {:.3g} pixels: its means converge slowly, to 1 % in roughly {:.0f} "
-                            "frames (1000 at 32 pixels)",
+                            "frames (1000 at 32 pixels; ptrace -focus samples it more)",
                             r.name, n, std::round(frames / unit) * unit));
         }
     }

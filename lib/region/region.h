@@ -97,8 +97,8 @@ std::vector<Extent> measure(const image::MaskSet& set, const view::View& view);
 // Only the names and pixels of it, quicker.
 std::vector<Extent> count_pixels(const image::MaskSet& set, const view::View& view);
 
-// Throws Error for an empty region, warns about those of fewer than 32 pixels and what that costs.
-void check_sizes(const Regions& regions, const std::vector<Extent>& extents);
+// Throws Error for an empty region; warns about those of fewer than 32 pixels and what that costs.
+void check_sizes(const Regions& regions, const std::vector<Extent>& extents, bool warn_of_small = true);
 
 // Up to three of `names` that a person may have meant by `name`, as ' (did you mean "a" or "b"?)'; empty if none is
 // near.

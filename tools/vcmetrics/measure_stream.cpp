@@ -10,7 +10,7 @@
 #include "comfort/precision.h"
 #include "image/header.h"
 #include "image/stream.h"
-#include "regions.h"
+#include "region/open.h"
 #include "stopping.h"
 
 namespace {
@@ -48,7 +48,7 @@ public:
     Printer(const Options& o, bool from_files)
         : o_(o), start_(std::chrono::steady_clock::now()), from_files_(from_files) {
         DrawRegions draw;
-        if (!o.regions_file.empty()) regions_ = open_regions(o.regions_file, draw);
+        if (!o.regions_file.empty()) regions_ = region::open(o.regions_file, draw, true);
         ColumnChoice choice;
         choice.names = o.metrics;
         choice.accelerad = o.like == Like::accelerad;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Masks as they are, or a region file drawn for the current view (open.h).
+#include "region/open.h"
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include "base/error.h"
+#include "region/region.h"
+
+namespace region {
+
+image::MaskSet open(const std::string& path, comfort::DrawRegions& draw, bool warn_of_small) {
+    const char magic[4] = {0x76, 0x2f, 0x31, 0x01};
+    char start[4] = {};
+    std::ifstream(path, std::ios::binary).read(start, 4);
+    if (std::equal(start, start + 4, magic)) return image::read_masks(path);
+
+    auto regions = std::make_shared<Regions>(read(path));
+    for (const Shape& s : regions->shapes)
+        if (s.kind == Kind::surface || s.kind == Kind::modifier)
+            base::fail(s.place,
+                       "asks the scene for a surface or modifier: make masks of it with vcregion and the scene, "
+                       "and use those");
+    image::MaskSet set;
+    for (const Region& r : regions->regions) set.masks.push_back({r.name, {}});
+    draw = [regions, warn_of_small](const view::View& view, int width, int height) {
+        image::MaskSet drawn = rasterize(*regions, view, width, height, false);
+        check_sizes(*regions, count_pixels(drawn, view), warn_of_small);
+        return drawn;
+    };
+    return set;
+}
+
+}  // namespace region
