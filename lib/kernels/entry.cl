@@ -31,7 +31,7 @@ static inline void push(int wanted, uint slot, __global uint *counter, __global 
 __kernel void k_generate(ALL_ARGS, __global uint *counters, __global uint *queue) {
     SET_UP
     __local uint group[2];
-    push(i < par->slots && path_generate(par, &paths, i), i, &counters[0], queue, group);
+    push(i < par->slots && path_generate(&s, par, &paths, i), i, &counters[0], queue, group);
 }
 
 __kernel void k_extend(ALL_ARGS, __global uint *counters, __global const uint *queue) {

@@ -74,7 +74,7 @@ typedef struct {
 #define REF_NONE 0xffffffffu  // no child; on the stack: end of an instance
 
 // What a scene is on a device, TABLE(type, name) for each: what the BVH builder gives, what flattening
-// gives, and what is learned before the frames.
+// gives, and what belongs to a picture.
 // clang-format off
 #define BVH_TABLES(TABLE)                                                                   \
     TABLE(float, nodes)       /* BVH of either kind; node k is the root of tree k */        \
@@ -86,9 +86,10 @@ typedef struct {
     TABLE(float, vertices)    /* 3 floats each, for normals of triangles */                 \
     TABLE(uint, u)            /* word arena (tables.h): modifiers, materials, .cal code */  \
     TABLE(float, f)           /* float arena (tables.h) */
-#define LEARNT_TABLES(TABLE)                                                                \
-    TABLE(uint, guide)        /* where light comes from (guide.h) */
-#define SCENE_TABLES(TABLE) BVH_TABLES(TABLE) FLAT_TABLES(TABLE) LEARNT_TABLES(TABLE)
+#define PICTURE_TABLES(TABLE)                                                               \
+    TABLE(uint, guide)        /* where light comes from (guide.h) */                        \
+    TABLE(uint, focus)        /* pixels of which a pass makes more samples */
+#define SCENE_TABLES(TABLE) BVH_TABLES(TABLE) FLAT_TABLES(TABLE) PICTURE_TABLES(TABLE)
 // clang-format on
 
 #define TABLE_POINTER(type, name) GLOBAL const type* name;

@@ -205,11 +205,13 @@ typedef struct {
     float way_least;    // least chance of a way (path/ways.h); 0: none
     float portal_rest;  // light from elsewhere than portals (portals.h)
     uint highlights_at, highlight_count;
-    float highlight_share;             // of those that go toward highlights, where there are any (highlights.h)
-    uint together;                     // slots of a pixel side by side: samples frame .. frame + together - 1
-    uint light_nodes;                  // of the tree; 0: each source is looked at
-    float portal_least, portal_most;   // share of the directions toward portals, where there are any
-    uint window_count;                 // of all portals; the others are patches of sun
+    float highlight_share;            // of those that go toward highlights, where there are any (highlights.h)
+    uint together;                    // slots of a pixel side by side: samples frame .. frame + together - 1
+    uint light_nodes;                 // of the tree; 0: each source is looked at
+    float portal_least, portal_most;  // share of the directions toward portals, where there are any
+    uint window_count;                // of all portals; the others are patches of sun
+    uint copies, focus_at;            // samples of a frame of a pixel; above 1: of those at focus[focus_at]
+    uint spare[2];
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // which of the records they are
 } Params;

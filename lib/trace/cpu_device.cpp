@@ -97,6 +97,10 @@ public:
         guide_ = std::move(guide);
         tables_.guide = guide_.data();
     }
+    void set_focus(std::vector<uint32_t> pixels) override {
+        focus_ = std::move(pixels);
+        tables_.focus = focus_.data();
+    }
     uint32_t good_slots() const override { return 64 * TILE; }
 
 private:
@@ -127,7 +131,7 @@ private:
     unsigned threads_;
     flatten::FlatScene scene_;
     std::shared_ptr<const bvh::Tree> tree_;
-    std::vector<uint32_t> guide_;
+    std::vector<uint32_t> guide_, focus_;
     std::unique_ptr<bvh::EmbreeScene> check_;
     std::unique_ptr<CpuDevice> learner_;
     kernels::SceneTables tables_{};

@@ -109,7 +109,7 @@ static void run(const void* tables, const void* params, uint32_t first, uint32_t
     Tile t = carve(scratch, count);
     uint32_t n = 0;
     for (uint32_t i = 0; i < count; i++)
-        if (path_generate(&par, &t.paths, i)) t.now[n++] = i;
+        if (path_generate(&s, &par, &t.paths, i)) t.now[n++] = i;
     follow(s, par, t, n, par.mode != MODE_RAY);
     store(t, count, rgb);
 }

@@ -32,6 +32,16 @@ std::string option_text(const RenderOptions& o) {
         o.sampling == flatten::Sampling::guided ? fmt::format(" guided from {}", o.guide_from) : "", o.direct_samples);
 }
 
+std::string focus_text(const Focus& focus) {
+    std::string text;
+    for (const FocusPart& part : focus) {
+        base::Hash pixels;
+        pixels.add_all(part.pixels);
+        text += fmt::format(" {} samples of {}", part.copies, pixels.text());
+    }
+    return text;
+}
+
 std::string hash_of(const std::string& text) {
     base::Hash hash;
     hash.add_all(text);
@@ -41,10 +51,10 @@ std::string hash_of(const std::string& text) {
 }  // namespace
 
 std::string fingerprint(const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
-                        const RenderOptions& options) {
+                        const RenderOptions& options, const Focus& focus) {
     return fmt::format("scene:{} view:{} options:{} estimator:{}", scene_hash(scene),
-                       hash_of(fmt::format("{} {} {}", view::to_options(view), nx, ny)), hash_of(option_text(options)),
-                       estimator);
+                       hash_of(fmt::format("{} {} {}", view::to_options(view), nx, ny)),
+                       hash_of(option_text(options) + focus_text(focus)), estimator);
 }
 
 }  // namespace trace

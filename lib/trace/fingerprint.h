@@ -6,6 +6,7 @@
 #pragma once
 #include <string>
 #include "flatten/flat_scene.h"
+#include "trace/focus.h"
 #include "trace/options.h"
 #include "view/view.h"
 
@@ -16,6 +17,6 @@ namespace trace {
 constexpr int estimator = 11;
 
 std::string fingerprint(const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
-                        const RenderOptions& options);
+                        const RenderOptions& options, const Focus& focus);
 
 }  // namespace trace

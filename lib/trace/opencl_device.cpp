@@ -78,6 +78,7 @@ public:
             }
             FLAT_TABLES(SEND_OF_SCENE)
             tables_[TABLE_guide] = send(nullptr, 0);
+            tables_[TABLE_focus] = send(nullptr, 0);
         });
     }
 
@@ -143,6 +144,9 @@ public:
     }
     void set_guide(std::vector<uint32_t> guide) override {
         call("sending the guide", [&] { tables_[TABLE_guide] = send(guide.data(), guide.size() * 4); });
+    }
+    void set_focus(std::vector<uint32_t> pixels) override {
+        call("sending the focus", [&] { tables_[TABLE_focus] = send(pixels.data(), pixels.size() * 4); });
     }
     uint32_t good_slots() const override { return gpu_ ? 1u << 21 : 1u << 18; }
 

@@ -15,6 +15,7 @@
 #include "trace/draw_sources.h"
 #include "trace/fingerprint.h"
 #include "trace/guide.h"
+#include "trace/samples.h"
 #include "trace/scene_params.h"
 #include "trace/view_params.h"
 #include "trace/aim_shares.h"
@@ -52,20 +53,8 @@ struct Renderer::State {
     std::vector<float> aims;        // records of portals, then of highlights
     uint32_t portal_count = 0;
     std::vector<float> unshared;  // the same, until their shares are known
-    int64_t bad = 0;              // samples that were set to 0
+    Samples sampler;
 
-    // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.
-    void scrub(std::vector<float>& rgb) {
-        constexpr float brightest = 1e32f;
-        int64_t found = 0;
-        for (float& v : rgb)
-            if (!(std::fabs(v) <= brightest)) {
-                v = 0;
-                found++;
-            }
-        if (found && !bad) base::warn("", "samples that were not numbers, or above 1e32, were set to 0");
-        bad += found;
-    }
     // Runs frames first .. first+count-1; give(sample, pixel values) in order; false stops.
     template <class Give>
     void samples(int64_t first, int64_t count, Give&& give) {
@@ -74,7 +63,7 @@ struct Renderer::State {
         std::vector<float> rgb, one;
         for (int64_t done = 0; done < count;) {
             const int64_t n = std::min(together, count - done);
-            run(MODE_FRAMES, first + done, uint32_t(n), 0, pixels, rgb);
+            run({MODE_FRAMES, first + done, uint32_t(n), 0, pixels}, rgb);
             for (int64_t i = 0; i < n; i++) {
                 if (n > 1) take_sample(rgb, size_t(n), size_t(i), one);
                 if (!give(first + done + i, n > 1 ? one.data() : rgb.data())) return;
@@ -82,18 +71,7 @@ struct Renderer::State {
             done += n;
         }
     }
-    // n samples of each of some pixels; the samples of a pixel lie side by side, as do their rays.
-    void run(uint32_t mode, int64_t first_sample, uint32_t n, uint32_t first_pixel, uint32_t pixels,
-             std::vector<float>& rgb) {
-        Params p = base;
-        p.mode = mode;
-        p.frame = uint32_t(first_sample);
-        p.together = n;
-        p.first = first_pixel * n;
-        p.slots = pixels * n;
-        device->run(p, rgb);
-        scrub(rgb);
-    }
+    void run(const Pass& pass, std::vector<float>& rgb) { sampler.run(*device, base, pass, rgb); }
     static void take_sample(const std::vector<float>& rgb, size_t n, size_t sample, std::vector<float>& one) {
         one.resize(rgb.size() / n);
         for (size_t pixel = 0; 3 * pixel < one.size(); pixel++)
@@ -125,7 +103,7 @@ struct Renderer::State {
             const uint32_t n = std::min(of_frame0 - done, most), some = std::max(1u, device->good_slots() / n);
             for (uint32_t first = 0; first < pixels; first += some) {
                 const uint32_t count = std::min(some, pixels - first);
-                run(MODE_DIRECT, begin + done, n, first, count, rgb);
+                run({MODE_DIRECT, begin + done, n, first, count}, rgb);
                 const float* from = rgb.data();
                 for (size_t pixel = first; pixel < first + count; pixel++)
                     for (uint32_t k = 0; k < n; k++)
@@ -153,7 +131,7 @@ struct Renderer::State {
         p.first = 0;
         p.slots = uint32_t(drawn.rays.size());
         device->draw(p, drawn.rays, rgb);
-        scrub(rgb);
+        sampler.scrub(rgb);
         std::vector<double> add(s0.size(), 0.0);
         for (size_t i = 0; i < drawn.rays.size(); i++)
             for (int c = 0; c < 3; c++) add[3 * size_t(drawn.pixel[i]) + c] += rgb[3 * i + c];
@@ -194,7 +172,7 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
         DrawList drawn;
         if (drawable) drawn = list_drawn_sources(flat, *tracer, shot.view, shot.nx, shot.ny);
         mark_drawn(drawn, flat.f);
-        const std::string fingerprint = trace::fingerprint(flat, shot.view, shot.nx, shot.ny, o);
+        const std::string fingerprint = trace::fingerprint(flat, shot.view, shot.nx, shot.ny, o, shot.focus);
         s.pictures.push_back({shot, std::move(drawn), fingerprint});
         if (shots.size() > 1) mark_drawn(s.pictures.back().drawn, flat.f, false);
     }
@@ -211,6 +189,7 @@ void Renderer::look(size_t shot) {
     s.ny = s.base.ny = uint32_t(of.ny);
     s.of_frame0 = s.m * samples_for_one(size_t(of.nx) * size_t(of.ny));
     set_view(s.base, of.view, s.centre);
+    s.sampler.set_focus(*s.device, of.focus);
     s.s0.clear(), s.half_off.clear(), s.exact.clear();
     s.unshared = s.aims;  // their shares and the guide are learned from where the eye is
     pick_all_portals(s.portal_count, 0, 0, s.base);
@@ -281,7 +260,7 @@ Renderer::RayValue Renderer::trace_ray(const double origin[3], const double dir[
         p.first = 0;
         p.slots = uint32_t(std::min<int64_t>(n - done, 1 << 16));
         s.device->run(p, rgb);
-        s.scrub(rgb);
+        s.sampler.scrub(rgb);
         for (size_t i = 0; i < rgb.size(); i++) {
             sum[i % 3] += rgb[i];
             square[i % 3] += double(rgb[i]) * rgb[i];

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 #include "scene/object.h"
+#include "trace/focus.h"
 #include "trace/options.h"
 #include "view/view.h"
 
@@ -19,6 +20,7 @@ std::vector<std::string> list_devices();  // one line each, for -devices
 struct Shot {
     view::View view;
     int nx = 0, ny = 0;
+    Focus focus = {};
 };
 
 class Renderer {

@@ -43,7 +43,7 @@ inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOpt
     p.ds = float(o.ds);
     p.lw = float(o.lw);
     p.way_least = float(o.way_least);
-    p.together = 1;
+    p.together = p.copies = 1;
     p.skip_direct_below = uint32_t(std::max(1, o.direct_samples));
     p.guide_from = uint32_t(o.guide_from);
     return p;

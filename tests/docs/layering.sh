@@ -20,7 +20,7 @@ lib/sight: base region scene bvh flatten
 tools/ptaccum: base view image
 tools/vcmetrics: base view image comfort region
 tools/vcregion: base view image region sight
-tools/ptrace: base view image scene trace
+tools/ptrace: base view image comfort region scene trace
 END
 
 # "file:line: lib/x includes y" for every include that points upwards in the tree at $1.

@@ -3,61 +3,18 @@
 // threads, no range asked for -, and frame 0's own noise averages out.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include "physics/laws.h"
+#include "physics/office.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <map>
 
 #include "base/processors.h"
-#include "image/accumulate.h"
 #include "physics/seeds.h"
 
 using namespace laws;
 
 namespace {
-
-const std::string office = LUXPIPE_TESTS "/../examples/scenes/office/";
-
-struct Office {
-    base::ReadOptions files;
-    scene::Scene scene;
-    view::View view = view::read_view_file(office + "view.vf");
-    explicit Office(const std::vector<std::string>& parts = {"materials", "layout", "sky_1400"}) {
-        files.raypath = {"."};
-        std::vector<std::string> names;
-        for (const std::string& part : parts) names.push_back(office + part + ".rad");
-        scene = scene::read_scene(names, files);
-    }
-    trace::Renderer renderer(const std::string& device, int size, const trace::RenderOptions& options = {}) const {
-        return {scene, view, size, size, options, device, files};
-    }
-};
-
-double luminance_sum(const std::vector<float>& rgb) {
-    double sum = 0;
-    for (size_t i = 0; i < rgb.size(); i += 3) sum += .265 * rgb[i] + .670 * rgb[i + 1] + .065 * rgb[i + 2];
-    return sum;
-}
-
-image::Picture picture(const std::vector<float>& rgb, int size, int64_t k) {
-    image::Picture p;
-    p.width = p.height = size;
-    p.rgb = rgb;
-    p.header.seed = 1;
-    p.header.frame = k;
-    return p;
-}
-
-image::Picture sum_of(trace::Renderer& renderer, int size, int64_t first, int64_t last) {
-    image::Accumulator sum;
-    renderer.frames(first, int(last - first + 1), [&](int64_t k, const std::vector<float>& rgb) {
-        sum.add(picture(rgb, size, k), "test");
-        return true;
-    });
-    image::Picture out;
-    sum.result(out, true);
-    return out;
-}
 
 void devices_agree(trace::Sampling sampling) {
     const Office scene;

@@ -126,6 +126,11 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
          read_frames(a.text(), opt);
      }).otherwise("endless");
     t.add("-seed n", "Seed of the random numbers", opt.render.seed).at_least(0);
+    t.add("-focus file", "More samples for these regions: masks of vcregion(1), or a file of vcregion(5)",
+          opt.focus_file);
+    t.add("-focus-share f", "Samples for the regions of -focus, over those of the picture", opt.focus_share)
+        .within(0, 100)
+        .share();
     t.add("-device name", "Where to render: auto, cpu, cpu:embree, opencl or opencl:N", opt.device);
     t.add("-n n", "Threads of the CPU devices", opt.threads).within(1, 4096).otherwise("all that the process may use");
     t.add("-o pattern", "Write frames to files such as f%04d.hdr", [&](Arguments& a) {

@@ -16,6 +16,7 @@
 #include "image/header.h"
 #include "image/stream.h"
 #include "options.h"
+#include "region/open.h"
 #include "scene/object.h"
 #include "trace/progressive.h"
 
@@ -122,9 +123,23 @@ void render_views(const Options& opt, trace::Renderer& renderer, const std::vect
     }
 }
 
+// A file of regions is drawn for each view; masks are of one size.
+void choose_focus(Options& opt) {
+    if (opt.focus_file.empty()) return;
+    comfort::DrawRegions draw;
+    image::MaskSet masks = region::open(opt.focus_file, draw, false);
+    for (auto& [name, shot] : opt.shots) {
+        if (draw) masks = draw(shot.view, shot.nx, shot.ny);
+        shot.focus = trace::focus_on(masks, shot.nx, shot.ny, opt.focus_share, opt.focus_file);
+        if (shot.focus.empty())
+            base::warn(opt.focus_file, "its regions are so large that none of their pixels gets a second sample");
+    }
+}
+
 int render(int argc, char** argv) {
     Options opt;
     if (auto status = parse_options(argc, argv, opt)) return *status;
+    choose_focus(opt);
     const bool only_rule = !opt.rule_for.empty() && opt.rule_file.empty();
     std::unique_ptr<trace::Renderer> renderer;
     const std::vector<std::string> skies = opt.skies.empty() ? std::vector<std::string>{""} : opt.skies;

@@ -39,6 +39,8 @@ struct Options {
     bool warnings = true;                   // -w
     scene::ReadOptions files;               // RAYPATH, -exec
     std::vector<std::string> scene_files;
+    std::string focus_file;        // -focus: regions that get more samples; empty: none
+    double focus_share = .125;     // their samples, over those of the picture
     std::vector<NamedShot> shots;  // what is rendered, one or several
 
     static constexpr int64_t endless = 0xfffffffe;  // the samplers count frames in 32 bits

@@ -4,13 +4,15 @@
 #define LUX_PATH_BEGIN_H
 
 // The pixel of a slot, and which of its samples the slot is.
-FN uint path_pixel(UNIFORM const Params* par, uint slot) {
-    return par->mode == MODE_RAY ? 0u : (par->first + slot) / par->together;
+FN uint path_pixel(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint slot) {
+    if (par->mode == MODE_RAY) return 0u;
+    uint at = (par->first + slot) / par->together;
+    return par->copies > 1u ? s->focus[par->focus_at + at] : at;
 }
 
 FN uint path_sample_index(UNIFORM const Params* par, uint slot) {
     uint gid = par->first + slot;
-    return par->frame + (par->mode == MODE_RAY ? gid : gid % par->together);
+    return par->frame + (par->mode == MODE_RAY ? gid : gid % par->together / par->copies);
 }
 
 // Does the guide choose the directions of this path?
@@ -62,13 +64,19 @@ FN void path_start(UNIFORM const Params* par, PRIVATE const Paths* paths, uint s
 }
 
 // 1 if the slot has a ray to follow.
-FN int path_generate(UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot) {
-    uint pixel = path_pixel(par, slot), index = path_sample_index(par, slot);
+FN int path_generate(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot) {
+    uint pixel = path_pixel(s, par, slot), index = path_sample_index(par, slot);
 
     // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct
     // class of L'(n) is the mean of its first n samples: full nets at 64, 128, ...
     if (par->mode == MODE_FRAMES) index--;
     uint stream = par->mode == MODE_RAY ? 2u : 0u;
+
+    // Copies are a sequence as well, of its own in each block of frames: blocks stay independent of one another.
+    if (par->copies > 1u) {
+        stream = 4u + (index >> SAMPLER_BLOCK_BITS);
+        index = (index & ((1u << SAMPLER_BLOCK_BITS) - 1u)) * par->copies + (par->first + slot) % par->copies;
+    }
     Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, pixel, index, stream);
 
     Ray ray;
