@@ -24,7 +24,7 @@ def needed(rows, metric, truth):
 
 found = {}
 for name in os.listdir(sys.argv[1]):
-    match = re.fullmatch(r'(.*)\.(default|plain|guided)\.(\d+)\.tsv', name)
+    match = re.fullmatch(r'(.*)\.(default|plain|guided|focus[=.0-9]*)\.(\d+)\.tsv', name)
     if match:
         found.setdefault(match[1], {}).setdefault(match[2], {})[int(match[3])] = read(os.path.join(sys.argv[1], name))
 
@@ -37,12 +37,13 @@ def number(n):
 print('scene\tsampling\tseeds\tmetric\tframes until within 1 %\tfewest\tmost\twithin 1 % at frame 10\t'
       'off at the last frame')
 for scene, ways in sorted(found.items()):
-    if LONG not in ways.get('default', {}):
+    long_runs = [runs.pop(LONG) for runs in ways.values() if LONG in runs]
+    if len(long_runs) != 1:
         continue
-    truth = ways['default'].pop(LONG)[-1]
+    truth = long_runs[0][-1]
     for way, runs in sorted(ways.items()):
-        for metric in ('DGPu', 'DGP', 'screen.CRu', 'screen.CR', 'RAMMGu', 'RAMMG'):
-            best = metric if metric.endswith('u') else metric + 'u'
+        for metric in ('DGPu', 'DGP', 'screen.CRu', 'screen.CR', 'desk.TAL', 'RAMMGu', 'RAMMG'):
+            best = metric if metric.endswith(('u', 'TAL')) else metric + 'u'
             n = [needed(rows, metric, truth[best]) for rows in runs.values()]
             tenth = [r[metric] for rows in runs.values() for r in rows if r['frame'] == 10]
             at10 = [abs(v / truth[best] - 1) <= 0.01 for v in tenth]

@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # frames.sh OUT SEEDS: a table of metrics for each office scene, way of sampling and seed, and a long run of another
 # seed as the truth.  What is there is kept, so that a stopped study goes on; it takes seed after seed, so that all
-# scenes and ways have as many.  SIZE, FRAMES, LONG, SCENES, SAMPLINGS and FIRST (seed) change its cost.
+# scenes and ways have as many.  SIZE, FRAMES, LONG, SCENES, SAMPLINGS and FIRST (seed) change its cost; TRUTH is the
+# long run's way.  A way "focus" samples the regions more (-focus), "focus=5" with that -focus-share.
 set -euo pipefail
 mkdir -p "$1" && out=$(cd "$1" && pwd)
 size=${SIZE:-128} frames=${FRAMES:-256} long=${LONG:-8192} first=${FIRST:-3001}
 scenes=${SCENES:-sky_0900 sky_1400 sky_overcast blinds} samplings=${SAMPLINGS:-default plain guided}
+truth=${TRUTH:-default}
 here=$PWD
 cd ../../examples/scenes/office
 [ -s "$out/regions.exr" ] || { bash "$here/regions.sh" "$size" > "$out/regions.txt"
@@ -26,13 +28,18 @@ one() {  # scene, sampling, seed, frames, steps
     if [ -s "$made" ]; then return; fi
     if [ "$1" = blinds ]; then files+=(blinds.rad sky_1100.rad); else files+=("$1.rad"); fi
     local sampling=()
-    if [ "$2" != default ]; then sampling=(-sampling "$2"); fi
+    case $2 in
+        default) ;;
+        focus) sampling=(-focus "$out/regions.exr") ;;
+        focus=*) sampling=(-focus "$out/regions.exr" -focus-share "${2#focus=}") ;;
+        *) sampling=(-sampling "$2") ;;
+    esac
     ptrace -w- -vf view.vf -x "$size" -y "$size" -seed "$3" -frames "$4" "${sampling[@]}" "${files[@]}" |
         ptaccum -every "$5" | vcmetrics -W- -regions "$out/regions.exr" -cr screen=low/high \
-        -metrics DGP,DGPu,RAMMG,RAMMGu,CR,CRu > "$made.new"
+        -metrics DGP,DGPu,RAMMG,RAMMGu,desk.TAL,CR,CRu > "$made.new"
     mv "$made.new" "$made"
 }
-for scene in $scenes; do one "$scene" default 900001 "$long" x2/16; done
+for scene in $scenes; do one "$scene" "$truth" 900001 "$long" x2/16; done
 for seed in $(seq "$first" $((first + $2 - 1))); do
     for scene in $scenes; do
         for sampling in $samplings; do one "$scene" "$sampling" "$seed" "$frames" 1; done
