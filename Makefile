@@ -83,6 +83,7 @@ clean: ## remove build/ and out/
 
 setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
+	@[ "$(SETUP)" = no ] || $(if $(findstring ptrace,$(PARTS)),sh scripts/ispc.sh .ispc,:)
 
 .PHONY: help all everything demo test test-gpu test-slurm test-deb test-sanitize fuzz deb bench \
 	compare-radiance compare-evalglare \

@@ -18,22 +18,28 @@
 //   _r, _t   of reflection, of transmission                   k, i    counters, or a factor
 // A trailing underscore marks the words of the compat files (sqrt_, as_uint_, MAX_), and nothing else.
 //
-// LUX_BVH2 (GPUs) or LUX_EMBREE (the check: a header of the host) choose another traversal than the CPU's.
+// LUX_BVH2 (GPUs) or LUX_EMBREE (the check: a header of the host) choose another traversal than the CPU's; LUX_LANES
+// (many paths side by side on a CPU) leaves traversal and .cal programs to the kernels of one path.
 #include "kernels/vec.h"
 #include "kernels/math.h"
 #include "kernels/intersect.h"
 #include "kernels/shapes.h"
 #include "kernels/woop.h"
+#include "kernels/cal_vars.h"
 #if defined(LUX_BVH2)
 #include "kernels/bvh2.h"
 #elif defined(LUX_EMBREE)
 #include LUX_EMBREE
+#elif defined(LUX_LANES)
+#include "kernels/lanes_calls.isph"
 #else
 #include "kernels/bvh8.h"
 #endif
 #include "kernels/offset_ray.h"
 #include "kernels/tables.h"
+#ifndef LUX_LANES
 #include "kernels/cal_vm.h"
+#endif
 #include "kernels/sampler.h"
 #include "kernels/view_ray.h"
 #include "kernels/instance.h"

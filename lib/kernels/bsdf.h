@@ -97,7 +97,7 @@ FN float bsdf_height(float x, float y) {
 }
 
 // ---- matrices
-FN uint basis_cell(PRIVATE const SceneTables* s, uint basis, float x, float y, float z) {
+FN uint basis_cell(SHARED(const SceneTables) s, uint basis, float x, float y, float z) {
     GLOBAL const uint* head = s->u + basis;
     uint rings = head[BASIS_RINGS], k = 0u;
     z = fabs_(z);
@@ -111,24 +111,25 @@ FN uint basis_cell(PRIVATE const SceneTables* s, uint basis, float x, float y, f
 }
 
 // A direction in a cell: cosine squared and azimuth even, which is even in projected solid angle.
-FN float3 basis_direction(PRIVATE const SceneTables* s, uint basis, uint cell, float2 x) {
+FN float3 basis_direction(SHARED(const SceneTables) s, uint basis, uint cell, float2 x) {
     GLOBAL const uint* head = s->u + basis;
     uint k = 0u;
     while (k + 1u < head[BASIS_RINGS] && cell >= head[BASIS_HEAD + BASIS_RING * (k + 1u) + BASIS_FIRST]) k++;
     GLOBAL const uint* ring = head + BASIS_HEAD + BASIS_RING * k;
     float c0 = as_float_(ring[BASIS_LOW]), c1 = as_float_(ring[BASIS_HIGH]), sn, cs;
-    float z2 = c0 * c0 + (c1 * c1 - c0 * c0) * x.x, r = sqrt_(MAX_(1.0f - z2, 0.0f));
+    float z2 = c0 * c0 + (c1 * c1 - c0 * c0) * x.x;
+    float r = sqrt_(MAX_(1.0f - z2, 0.0f));
     k_sincos(((float)(cell - ring[BASIS_FIRST]) + x.y - 0.5f) * K_TURN / (float)ring[BASIS_CELLS], &sn, &cs);
     return F3(r * cs, r * sn, sqrt_(MAX_(z2, 0.0f)));
 }
 
 // Incident directions are counted from the far side, so that cell i straight through is cell i (swap: the other way).
-FN uint bsdf_v_cell(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v) {
+FN uint bsdf_v_cell(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v) {
     float k = table[BT_SWAP] != 0u ? 1.0f : -1.0f;
     return basis_cell(s, table[BT_V], k * v.x, k * v.y, v.z);
 }
 
-FN uint bsdf_l_cell(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 l) {
+FN uint bsdf_l_cell(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 l) {
     float k = table[BT_SWAP] != 0u ? -1.0f : 1.0f;
     return basis_cell(s, table[BT_L], k * l.x, k * l.y, l.z);
 }
@@ -136,18 +137,18 @@ FN uint bsdf_l_cell(PRIVATE const SceneTables* s, GLOBAL const uint* table, floa
 // ---- trees
 // The incident coordinate of an isotropic tree; a direction on the edge of two cells (which single precision cannot
 // keep apart) belongs to the outer one.
-FN float tree_radius(float3 in) {
-    float c = 0.5f - 0.5f * sqrt_(in.x * in.x + in.y * in.y) - 2e-8f;
+FN float tree_radius(float3 from) {
+    float c = 0.5f - 0.5f * sqrt_(from.x * from.x + from.y * from.y) - 2e-8f;
     return MIN_(MAX_(c, 0.0f), 0.49999997f);
 }
 
 // Coordinates of a pair of directions in the cube; c[3] is not used in three dimensions.
-FN void tree_coordinates(GLOBAL const uint* table, float3 v, float3 l, PRIVATE float* c) {
-    float3 in = table[BT_SWAP] != 0u ? l : v, out = table[BT_SWAP] != 0u ? v : l;
+FN void tree_coordinates(GLOBAL const uint* table, float3 v, float3 l, PRIVATE(float) c) {
+    float3 from = table[BT_SWAP] != 0u ? l : v, out = table[BT_SWAP] != 0u ? v : l;
     float2 q;
 
     if (table[BT_KIND] == BSDF_TREE4) {
-        q = bsdf_square(-in.x, -in.y);
+        q = bsdf_square(-from.x, -from.y);
         c[0] = q.x;
         c[1] = q.y;
         q = bsdf_square(out.x, out.y);
@@ -156,17 +157,17 @@ FN void tree_coordinates(GLOBAL const uint* table, float3 v, float3 l, PRIVATE f
         return;
     }
 
-    float r = sqrt_(in.x * in.x + in.y * in.y);
-    float cs = r > 0.0f ? -in.x / r : 1.0f, sn = r > 0.0f ? -in.y / r : 0.0f;
+    float r = sqrt_(from.x * from.x + from.y * from.y);
+    float cs = r > 0.0f ? -from.x / r : 1.0f, sn = r > 0.0f ? -from.y / r : 0.0f;
     q = bsdf_square(out.x * cs + out.y * sn, out.y * cs - out.x * sn);
-    c[0] = tree_radius(in);
+    c[0] = tree_radius(from);
     c[1] = q.x;
     c[2] = q.y;
     c[3] = 0.0f;
 }
 
-FN float tree_value(PRIVATE const SceneTables* s, uint values, uint children, int dims, PRIVATE const float* at,
-                    PRIVATE float* width) {
+FN float tree_value(SHARED(const SceneTables) s, uint values, uint children, int dims, PRIVATE(const float) at,
+                    PRIVATE(float) width) {
     float c[4];
     uint node = 0u;
     for (int k = 0; k < 4; k++) c[k] = at[k];
@@ -196,16 +197,16 @@ FN uint tree_v_cell(GLOBAL const uint* table, float3 v) {
 }
 
 // ---- one face for both
-FN uint bsdf_cell(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v) {
+FN uint bsdf_cell(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v) {
     return table[BT_KIND] == BSDF_MATRIX ? bsdf_v_cell(s, table, v) : tree_v_cell(table, v);
 }
 
-FN float bsdf_hemispherical(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v) {
+FN float bsdf_hemispherical(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v) {
     return s->f[table[BT_HEMI] + bsdf_cell(s, table, v)];
 }
 
 // f(v, l) without its Lambertian part, 1/sr; *psa: projected solid angle of the pair's (smaller) cell.
-FN float bsdf_value(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v, float3 l, PRIVATE float* psa) {
+FN float bsdf_value(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, float3 l, PRIVATE(float) psa) {
     if (table[BT_KIND] == BSDF_MATRIX) {
         uint i = bsdf_v_cell(s, table, v), o = bsdf_l_cell(s, table, l);
         *psa = MIN_(s->f[table[BT_PSA] + i], s->f[table[BT_LPSA] + o]);
@@ -220,7 +221,7 @@ FN float bsdf_value(PRIVATE const SceneTables* s, GLOBAL const uint* table, floa
 }
 
 // RGB of f(v, l) for luminance 1 (RADIANCE's primaries).
-FN float3 bsdf_color(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v, float3 l) {
+FN float3 bsdf_color(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, float3 l) {
     if (table[BT_RGB] == NONE) return F3(1.0f, 1.0f, 1.0f);
     if (table[BT_KIND] == BSDF_MATRIX) {
         GLOBAL const float* q =

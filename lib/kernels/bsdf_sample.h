@@ -4,11 +4,13 @@
 #define LUX_BSDF_SAMPLE_H
 
 // A cell of l by the matrix's row of v, and a direction in it.
-FN float matrix_sample(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v, float pick, float2 place,
-                       PRIVATE float3* l) {
-    uint cells = table[BT_NL], low = 0u, high = cells - 1u;
+FN float matrix_sample(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, float pick, float2 place,
+                       PRIVATE(float3) l) {
+    uint cells = table[BT_NL], low = 0u;
+    uint high = cells - 1u;
     GLOBAL const float* sums = s->f + table[BT_MORE] + bsdf_v_cell(s, table, v) * cells;
-    float total = sums[cells - 1u], x = pick * total;
+    float total = sums[cells - 1u];
+    float x = pick * total;
     if (total <= 0.0f) return 0.0f;
 
     while (low < high) {
@@ -27,14 +29,14 @@ FN float matrix_sample(PRIVATE const SceneTables* s, GLOBAL const uint* table, f
 }
 
 // The leaf of a tree that one random number leads to, v given.
-typedef struct {
+STRUCT(TreeLeaf) {
     float value;                      // f there
     float chance;                     // of the way down
     float corner_x, corner_y, width;  // of its square
-} TreeLeaf;
+};
 
 // One of four children, by their means: the number and, in *x, what is left of the random number.  4: all are 0.
-FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE float* x, PRIVATE float* chance) {
+FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE(float) x, PRIVATE(float) chance) {
     float m[4], sum = 0.0f;
     for (uint k = 0u; k < 4u; k++) {
         m[k] = mean[k << first];
@@ -57,8 +59,8 @@ FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE float* x, PRIVAT
 
 // Down the tree: v's dimensions are given, the two from `first` on chosen by the children's means over v's half of the
 // cube.  0: there is nothing.
-FN int tree_descend(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v, int first, float pick,
-                    PRIVATE TreeLeaf* leaf) {
+FN int tree_descend(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, int first, float pick,
+                    PRIVATE(TreeLeaf) leaf) {
     float c[4], x = pick;
     int dims = (int)table[BT_L];
     uint node = 0u;
@@ -91,8 +93,8 @@ FN int tree_descend(PRIVATE const SceneTables* s, GLOBAL const uint* table, floa
     return 1;
 }
 
-FN float tree_sample(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v, float pick, float2 place,
-                     PRIVATE float3* l) {
+FN float tree_sample(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, float pick, float2 place,
+                     PRIVATE(float3) l) {
     int four = table[BT_KIND] == BSDF_TREE4, swap = table[BT_SWAP] != 0u;
     if (!four && swap) {  // no dimension of the tree is v's: even in projected solid angle
         float2 d = bsdf_disc(place.x, place.y);
@@ -107,7 +109,8 @@ FN float tree_sample(PRIVATE const SceneTables* s, GLOBAL const uint* table, flo
 
     if (!four) {  // turned with v's azimuth
         float r = sqrt_(v.x * v.x + v.y * v.y);
-        float cs = r > 0.0f ? -v.x / r : 1.0f, sn = r > 0.0f ? -v.y / r : 0.0f, dx = d.x * cs - d.y * sn;
+        float cs = r > 0.0f ? -v.x / r : 1.0f, sn = r > 0.0f ? -v.y / r : 0.0f;
+        float dx = d.x * cs - d.y * sn;
         d.y = d.y * cs + d.x * sn;
         d.x = dx;
     } else if (swap) {
@@ -121,8 +124,8 @@ FN float tree_sample(PRIVATE const SceneTables* s, GLOBAL const uint* table, flo
 
 // One l for v, on the +z side.  Returns f cos / density: its mean is the hemispherical value (for matrices always so);
 // 0 = none.
-FN float bsdf_sample(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v, PRIVATE Sampler* rnd,
-                     PRIVATE float3* l) {
+FN float bsdf_sample(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, PRIVATE(Sampler) rnd,
+                     PRIVATE(float3) l) {
     float2 pick = sample2(rnd), place = sample2(rnd);
     if (table[BT_KIND] == BSDF_MATRIX) return matrix_sample(s, table, v, pick.x, place, l);
     return tree_sample(s, table, v, pick.x, place, l);

@@ -13,13 +13,13 @@
 #define BVH2_LEAF_FLOATS 12u
 #define BVH2_STACK 128  // the builder refuses trees that need more (bvh/build.cpp)
 
-typedef struct {
+STRUCT(Bvh2Stack) {
     uint ref[BVH2_STACK];
     int size;
-} Bvh2Stack;
+};
 
 // Entry distance of a box, or a negative number if the ray misses it between tmin >= 0 and limit.
-FN float bvh2_box(float3 lo, float3 hi, PRIVATE const WoopRay* r, float tmin, float limit) {
+FN float bvh2_box(float3 lo, float3 hi, PRIVATE(const WoopRay) r, float tmin, float limit) {
     float x0 = (lo.x - r->org.x) * r->inv.x, x1 = (hi.x - r->org.x) * r->inv.x;
     float y0 = (lo.y - r->org.y) * r->inv.y, y1 = (hi.y - r->org.y) * r->inv.y;
     float z0 = (lo.z - r->org.z) * r->inv.z, z1 = (hi.z - r->org.z) * r->inv.z;
@@ -36,8 +36,8 @@ FN float bvh2_box(float3 lo, float3 hi, PRIVATE const WoopRay* r, float tmin, fl
 }
 
 // Two boxes: *cur becomes the nearer child that the ray meets, the other one waits on the stack.  0: it meets none.
-FN int bvh2_node(GLOBAL const float* n, PRIVATE const WoopRay* r, float tmin, float tmax, PRIVATE Bvh2Stack* stack,
-                 PRIVATE uint* cur) {
+FN int bvh2_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, float tmin, float tmax, PRIVATE(Bvh2Stack) stack,
+                 PRIVATE(uint) cur) {
     float4 a = loadf4_(n), b = loadf4_(n + 4), c = loadf4_(n + 8), refs = loadf4_(n + 12);
     float t0 = bvh2_box(F3(a.x, a.y, a.z), F3(a.w, b.x, b.y), r, tmin, tmax);
     float t1 = bvh2_box(F3(b.z, b.w, c.x), F3(c.y, c.z, c.w), r, tmin, tmax);
@@ -58,8 +58,8 @@ FN int bvh2_node(GLOBAL const float* n, PRIVATE const WoopRay* r, float tmin, fl
 }
 
 // A shape of a leaf; an instance waits on the stack.  1 if it became the nearest hit.
-FN int bvh2_shape(PRIVATE const SceneTables* s, uint number, uint id, PRIVATE const TreeRay* in, float tmin,
-                  PRIVATE Bvh2Stack* stack, PRIVATE Hit* hit) {
+FN int bvh2_shape(SHARED(const SceneTables) s, uint number, uint id, PRIVATE(const TreeRay) way, float tmin,
+                  PRIVATE(Bvh2Stack) stack, PRIVATE(Hit) hit) {
     GLOBAL const float* shape = shape_record(s, number);
     float t;
     if (as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
@@ -67,21 +67,22 @@ FN int bvh2_shape(PRIVATE const SceneTables* s, uint number, uint id, PRIVATE co
         return 0;
     }
 
-    return ((in->mask >> (id >> 31)) & 1u) != 0u && shape_hit(shape, s->polygon_uv, in->r.org, in->r.dir, tmin, &t) &&
-           hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, in->inst);
+    return ((way->mask >> (id >> 31)) & 1u) != 0u &&
+           shape_hit(shape, s->polygon_uv, way->r.org, way->r.dir, tmin, &t) &&
+           hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, way->inst);
 }
 
 // A triangle, likewise.
-FN int bvh2_triangle(float4 v0, float4 v1, float4 v2, uint id, PRIVATE const TreeRay* in, float tmin,
-                     PRIVATE Hit* hit) {
+FN int bvh2_triangle(float4 v0, float4 v1, float4 v2, uint id, PRIVATE(const TreeRay) way, float tmin,
+                     PRIVATE(Hit) hit) {
     float t, u, v;
-    return ((in->mask >> (id >> 31)) & 1u) != 0u &&
-           woop_triangle(&in->r, F3(v0.x, v0.y, v0.z), F3(v1.x, v1.y, v1.z), F3(v2.x, v2.y, v2.z), &t, &u, &v) &&
-           t > tmin && hit_offer(hit, t, id & ID_PRIM, u, v, in->inst);
+    return ((way->mask >> (id >> 31)) & 1u) != 0u &&
+           woop_triangle(&way->r, F3(v0.x, v0.y, v0.z), F3(v1.x, v1.y, v1.z), F3(v2.x, v2.y, v2.z), &t, &u, &v) &&
+           t > tmin && hit_offer(hit, t, id & ID_PRIM, u, v, way->inst);
 }
 
-FN int bvh2_leaf(PRIVATE const SceneTables* s, uint ref, PRIVATE const TreeRay* in, float tmin,
-                 PRIVATE Bvh2Stack* stack, PRIVATE Hit* hit) {
+FN int bvh2_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, float tmin,
+                 PRIVATE(Bvh2Stack) stack, PRIVATE(Hit) hit) {
     GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * BVH2_LEAF_FLOATS;
     int found = 0;
 
@@ -89,33 +90,33 @@ FN int bvh2_leaf(PRIVATE const SceneTables* s, uint ref, PRIVATE const TreeRay* 
         float4 v0 = loadf4_(block), v1 = loadf4_(block + 4), v2 = loadf4_(block + 8);
         uint id = as_uint_(v0.w);
         if ((id & ID_SHAPE) == 0u) {
-            if (bvh2_triangle(v0, v1, v2, id, in, tmin, hit)) found = 1;
+            if (bvh2_triangle(v0, v1, v2, id, way, tmin, hit)) found = 1;
         } else {
-            if (bvh2_shape(s, as_uint_(v0.x), id, in, tmin, stack, hit)) found = 1;
+            if (bvh2_shape(s, as_uint_(v0.x), id, way, tmin, stack, hit)) found = 1;
         }
         if ((id & ID_LAST) != 0u) return found;
     }
 }
 
 // The nearest hit, or with any != 0 some hit (1 at once); hit->t = tmax and hit->prim = NO_HIT on entry.
-FN int bvh2_traverse(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, int any, PRIVATE Hit* hit) {
+FN int bvh2_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Hit) hit) {
     Bvh2Stack stack;
-    TreeRay in;
+    TreeRay way;
     uint cur = mask == RAY_TRANSPARENT ? as_uint_(s->nodes[BVH2_PANES]) : 0u;
     int found = 0;
     stack.size = 0;
-    enter_scene(ray, mask, &in);
+    enter_scene(ray, mask, &way);
 
     for (;;) {
         if ((cur & REF_LEAF) == 0u) {
             GLOBAL const float* node = s->nodes + (ulong64)cur * BVH2_NODE_FLOATS;
-            if (bvh2_node(node, &in.r, ray->tmin, hit->t, &stack, &cur)) continue;
+            if (bvh2_node(node, &way.r, ray->tmin, hit->t, &stack, &cur)) continue;
         } else if ((cur & REF_INSTANCE) == 0u) {
-            if (bvh2_leaf(s, cur, &in, ray->tmin, &stack, hit)) found = 1;
+            if (bvh2_leaf(s, cur, &way, ray->tmin, &stack, hit)) found = 1;
             if (any && found) return 1;
         } else if (cur == REF_NONE) {  // back from an instance
-            enter_scene(ray, mask, &in);
-        } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, &in, &cur)) {
+            enter_scene(ray, mask, &way);
+        } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, &way, &cur)) {
             stack.ref[stack.size++] = REF_NONE;
             continue;
         }
@@ -125,7 +126,7 @@ FN int bvh2_traverse(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint 
     }
 }
 
-FN void trace_closest(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, PRIVATE Hit* hit) {
+FN void trace_closest(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Hit) hit) {
     hit->t = ray->tmax;
     hit->prim = NO_HIT;
     hit->inst = NO_HIT;
@@ -134,7 +135,7 @@ FN void trace_closest(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint
     bvh2_traverse(s, ray, mask, 0, hit);
 }
 
-FN int trace_any(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask) {
+FN int trace_any(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask) {
     Hit hit;
     hit.t = ray->tmax;
     hit.prim = NO_HIT;

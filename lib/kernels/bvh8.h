@@ -16,13 +16,13 @@
 #define BVH8_COUNT 4u   // in a block of shapes
 #define BVH8_STACK 320  // the builder refuses trees that need more (bvh/build.cpp)
 
-typedef struct {
+STRUCT(Bvh8Stack) {
     uint ref[BVH8_STACK];
     float t[BVH8_STACK];
     int size;
-} Bvh8Stack;
+};
 
-FN void bvh8_push(PRIVATE Bvh8Stack* stack, int bottom, uint ref, float t) {  // sorted above bottom, nearest on top
+FN void bvh8_push(PRIVATE(Bvh8Stack) stack, int bottom, uint ref, float t) {  // sorted above bottom, nearest on top
     int i = stack->size++;
 
     while (i > bottom && stack->t[i - 1] < t) {
@@ -36,8 +36,8 @@ FN void bvh8_push(PRIVATE Bvh8Stack* stack, int bottom, uint ref, float t) {  //
 }
 
 // Four triangles; 1 if one of them became the nearest hit.
-FN int bvh8_triangles(GLOBAL const float* b, PRIVATE const WoopRay* r, float tmin, uint mask, uint inst,
-                      PRIVATE Hit* hit) {
+FN int bvh8_triangles(GLOBAL const float* b, PRIVATE(const WoopRay) r, float tmin, uint mask, uint inst,
+                      PRIVATE(Hit) hit) {
     v4f az = load4_(b + 4u * r->kz) - r->oz, bz = load4_(b + 12u + 4u * r->kz) - r->oz;
     v4f cz = load4_(b + 24u + 4u * r->kz) - r->oz;
     v4f ax = (load4_(b + 4u * r->kx) - r->ox) - r->sx * az, ay = (load4_(b + 4u * r->ky) - r->oy) - r->sy * az;
@@ -47,20 +47,21 @@ FN int bvh8_triangles(GLOBAL const float* b, PRIVATE const WoopRay* r, float tmi
         cy = (load4_(b + 24u + 4u * r->ky) - r->oy) - r->sy * cz;
     v4f wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
     v4f det = wa + wb + wc, t;
-    v4i in = ((wa >= 0.0f) & (wb >= 0.0f) & (wc >= 0.0f)) | ((wa <= 0.0f) & (wb <= 0.0f) & (wc <= 0.0f));
-    LaneMask m = lanes4_(in & (det != 0.0f));
+    v4i inside = ((wa >= 0.0f) & (wb >= 0.0f) & (wc >= 0.0f)) | ((wa <= 0.0f) & (wb <= 0.0f) & (wc <= 0.0f));
+    LaneMask m = lanes4_(inside & (det != 0.0f));
     float ts[4], us[4], vs[4];
     int found = 0;
     if (m == 0u) return 0;
     t = (wa * az + wb * bz + wc * cz) * r->sz / det;
-    m = lanes4_(in & (det != 0.0f) & (t > tmin) & (t <= hit->t));
+    m = lanes4_(inside & (det != 0.0f) & (t > tmin) & (t <= hit->t));
     if (m == 0u) return 0;
     store4_(t, ts);
     store4_(wb / det, us);
     store4_(wc / det, vs);
 
     while (m != 0u) {
-        uint k = lane_first_(m), id = as_uint_(b[BVH8_IDS + k]);
+        uint k = lane_first_(m);
+        uint id = as_uint_(b[BVH8_IDS + k]);
         m = lane_drop_(m, k);
         if (((mask >> (id >> 31)) & 1u) != 0u && hit_offer(hit, ts[k], id & ID_PRIM, us[k], vs[k], inst)) found = 1;
     }
@@ -69,8 +70,8 @@ FN int bvh8_triangles(GLOBAL const float* b, PRIVATE const WoopRay* r, float tmi
 }
 
 // Eight boxes: *cur becomes the nearest child that the ray meets, the others wait on the stack.  0: it meets none.
-FN int bvh8_node(GLOBAL const float* n, PRIVATE const WoopRay* r, float tmin, float tmax, PRIVATE Bvh8Stack* stack,
-                 PRIVATE uint* cur, PRIVATE float* cur_t) {
+FN int bvh8_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, float tmin, float tmax, PRIVATE(Bvh8Stack) stack,
+                 PRIVATE(uint) cur, PRIVATE(float) cur_t) {
     uint nx = r->inv.x < 0.0f ? 8u : 0u, ny = r->inv.y < 0.0f ? 24u : 16u, nz = r->inv.z < 0.0f ? 40u : 32u;
     v8f tx = (load8_(n + nx) - r->org.x) * r->inv.x, fx = (load8_(n + (nx ^ 8u)) - r->org.x) * r->inv.x;
     v8f ty = (load8_(n + ny) - r->org.y) * r->inv.y, fy = (load8_(n + (ny ^ 8u)) - r->org.y) * r->inv.y;
@@ -106,8 +107,8 @@ FN int bvh8_node(GLOBAL const float* n, PRIVATE const WoopRay* r, float tmin, fl
 }
 
 // A leaf block of shapes; instances wait on the stack.  1 if a shape became the nearest hit.
-FN int bvh8_shapes(PRIVATE const SceneTables* s, GLOBAL const float* block, PRIVATE const TreeRay* in, float tmin,
-                   float entered, PRIVATE Bvh8Stack* stack, PRIVATE Hit* hit) {
+FN int bvh8_shapes(SHARED(const SceneTables) s, GLOBAL const float* block, PRIVATE(const TreeRay) way, float tmin,
+                   float entered, PRIVATE(Bvh8Stack) stack, PRIVATE(Hit) hit) {
     uint count = as_uint_(block[BVH8_COUNT]);
     int found = 0;
 
@@ -117,9 +118,9 @@ FN int bvh8_shapes(PRIVATE const SceneTables* s, GLOBAL const float* block, PRIV
         float t;
         if (as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
             bvh8_push(stack, stack->size, number | REF_LEAF | REF_INSTANCE, entered);
-        } else if (((in->mask >> (id >> 31)) & 1u) != 0u &&
-                   shape_hit(shape, s->polygon_uv, in->r.org, in->r.dir, tmin, &t) &&
-                   hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, in->inst)) {
+        } else if (((way->mask >> (id >> 31)) & 1u) != 0u &&
+                   shape_hit(shape, s->polygon_uv, way->r.org, way->r.dir, tmin, &t) &&
+                   hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, way->inst)) {
             found = 1;
         }
     }
@@ -127,25 +128,25 @@ FN int bvh8_shapes(PRIVATE const SceneTables* s, GLOBAL const float* block, PRIV
     return found;
 }
 
-FN int bvh8_leaf(PRIVATE const SceneTables* s, uint ref, PRIVATE const TreeRay* in, float tmin, float entered,
-                 PRIVATE Bvh8Stack* stack, PRIVATE Hit* hit) {
+FN int bvh8_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, float tmin, float entered,
+                 PRIVATE(Bvh8Stack) stack, PRIVATE(Hit) hit) {
     GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * BVH8_LEAF_FLOATS;
     int found = 0;
 
     for (;; block += BVH8_LEAF_FLOATS) {
         uint first = as_uint_(block[BVH8_IDS]);
         if ((first & ID_SHAPE) == 0u) {
-            if (bvh8_triangles(block, &in->r, tmin, in->mask, in->inst, hit)) found = 1;
+            if (bvh8_triangles(block, &way->r, tmin, way->mask, way->inst, hit)) found = 1;
         } else {
-            if (bvh8_shapes(s, block, in, tmin, entered, stack, hit)) found = 1;
+            if (bvh8_shapes(s, block, way, tmin, entered, stack, hit)) found = 1;
         }
         if ((first & ID_LAST) != 0u) return found;
     }
 }
 
 // From the root of the tree that *in is in.  The nearest hit, or with any != 0 some hit (1 at once).
-FN int bvh8_walk(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, PRIVATE TreeRay* in, uint root,
-                 int any, PRIVATE Hit* hit) {
+FN int bvh8_walk(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way, uint root,
+                 int any, PRIVATE(Hit) hit) {
     Bvh8Stack stack;
     uint cur = root;
     float cur_t = ray->tmin;
@@ -155,13 +156,13 @@ FN int bvh8_walk(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask
     for (;;) {
         if ((cur & REF_LEAF) == 0u) {
             GLOBAL const float* node = s->nodes + (ulong64)cur * BVH8_NODE_FLOATS;
-            if (bvh8_node(node, &in->r, ray->tmin, hit->t, &stack, &cur, &cur_t)) continue;
+            if (bvh8_node(node, &way->r, ray->tmin, hit->t, &stack, &cur, &cur_t)) continue;
         } else if ((cur & REF_INSTANCE) == 0u) {
-            if (bvh8_leaf(s, cur, in, ray->tmin, cur_t, &stack, hit)) found = 1;
+            if (bvh8_leaf(s, cur, way, ray->tmin, cur_t, &stack, hit)) found = 1;
             if (any && found) return 1;
         } else if (cur == REF_NONE) {  // back from an instance
-            enter_scene(ray, mask, in);
-        } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, in, &cur)) {
+            enter_scene(ray, mask, way);
+        } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, way, &cur)) {
             bvh8_push(&stack, stack.size, REF_NONE, ray->tmin);
             continue;
         }
@@ -176,14 +177,14 @@ FN int bvh8_walk(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask
 }
 
 // The same in the scene; hit->t = tmax and hit->prim = NO_HIT on entry.
-FN int bvh8_traverse(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, int any, PRIVATE Hit* hit) {
-    TreeRay in;
+FN int bvh8_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Hit) hit) {
+    TreeRay way;
     uint root = mask == RAY_TRANSPARENT ? as_uint_(s->nodes[BVH8_PANES]) : 0u;
-    enter_scene(ray, mask, &in);
-    return bvh8_walk(s, ray, mask, &in, root, any, hit);
+    enter_scene(ray, mask, &way);
+    return bvh8_walk(s, ray, mask, &way, root, any, hit);
 }
 
-FN void trace_closest(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, PRIVATE Hit* hit) {
+FN void trace_closest(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Hit) hit) {
     hit->t = ray->tmax;
     hit->prim = NO_HIT;
     hit->inst = NO_HIT;
@@ -192,7 +193,7 @@ FN void trace_closest(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint
     bvh8_traverse(s, ray, mask, 0, hit);
 }
 
-FN int trace_any(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask) {
+FN int trace_any(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask) {
     Hit hit;
     hit.t = ray->tmax;
     hit.prim = NO_HIT;

@@ -145,7 +145,8 @@ FN cal_real cal_fnoise3(cal_real x, cal_real y, cal_real z) {
         }
         f[7 & ~branch] = c + scale * cal_lattice(m[0], m[1], m[2]);
         for (i = 0; i < 3; i++) {
-            long64 d = size * sign[i], dx = i == 0 ? d : 0, dy = i == 1 ? d : 0, dz = i == 2 ? d : 0;
+            long64 d = size * sign[i];
+            long64 dx = i == 0 ? d : 0, dy = i == 1 ? d : 0, dz = i == 2 ? d : 0;
             cal_real face = CAL_REAL(0.0);
             for (j = 0; j < 8; j++)
                 if (((j ^ branch) & (1 << i)) == 0) face += old[j];

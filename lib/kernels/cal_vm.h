@@ -6,30 +6,13 @@
 // To add an operation: 1. a number here, 2. a case in cal_run, 3. cal/graph.cpp fold(), 4. cal/build.cpp.
 #ifndef LUX_CAL_VM_H
 #define LUX_CAL_VM_H
+#include "kernels/cal_vars.h"
 #include "cal_noise.h"
 #include "cal_data.h"
 
 #define CAL_REGISTERS 96
-#define CAL_OUTPUTS 10
 
-// Indices of the variables a program may read (all set by the caller).
 // clang-format off
-enum {
-    CAL_DX, CAL_DY, CAL_DZ,          // ray direction, unit
-    CAL_NX, CAL_NY, CAL_NZ,          // unperturbed normal as oriented
-    CAL_PX, CAL_PY, CAL_PZ,          // point
-    CAL_T, CAL_TS,                   // path length from the eye; of this ray and its shadow ancestors
-    CAL_RDOT,                        // -D.N
-    CAL_LU, CAL_LV,                  // mesh coordinates
-    CAL_NXP, CAL_NYP, CAL_NZP, CAL_RDOTP,  // perturbed normal, function materials
-    CAL_CRP, CAL_CGP, CAL_CBP,       // material colour with patterns
-    CAL_DXA, CAL_DYA, CAL_DZA,       // prisms: direction to the source aimed at
-    CAL_LX, CAL_LY, CAL_LZ,          // $101 $102 $103: light direction given to a BRDF function
-    CAL_OMEGA,                       // $104: its solid angle
-    CAL_ARG0,                        // $105.. : free arguments
-    CAL_VARS = CAL_ARG0 + 8
-};
-
 #define OP_END 0u
 #define OP_OUT 1u        // out[d] = b
 #define OP_MOV 2u        // d = b
@@ -77,13 +60,14 @@ enum {
 // Runs a program; out gets its results.  Returns nonzero if the evaluation ended with an error (spec: scene
 // language 5: the last library call or operator to fail), and the caller then ignores the pattern.
 // Slack: acos and asin of 1 + 1e-5 and sqrt of -1e-6 are rounding, not errors.
-FN int cal_run(PRIVATE const SceneTables* s, uint entry, PRIVATE const float* vars, PRIVATE float* out) {
+FN int cal_run(SHARED(const SceneTables) s, uint entry, PRIVATE(const float) vars, PRIVATE(float) out) {
     float r[CAL_REGISTERS];
     int error = 0;
     uint pc = entry;
 
     for (;;) {
-        uint word = s->u[pc++], op = word & 127u, d = (word >> 8) & 255u;
+        uint word = s->u[pc++];
+        uint op = word & 127u, d = (word >> 8) & 255u;
         float a = r[(word >> 16) & 255u], b, v = 0.0f;  // fields are below CAL_REGISTERS whatever they mean
         if (word & 128u) b = as_float_(s->u[pc++]);
         else b = r[word >> 24];

@@ -9,7 +9,7 @@
 #define LEAST_COSINE 0.05f  // what lies behind a surface or on edge may still shine through it or at its rim
 
 // What source i could give a surface at p with normal n, up to a factor; both: from behind, too.
-FN float source_promise(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint i, float3 p, float3 n, int both) {
+FN float source_promise(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint i, float3 p, float3 n, int both) {
     GLOBAL const float* src = source_record(s, par, i);
     uint kind = as_uint_(src[SRC_KIND]), relay = as_uint_(src[SRC_VIRTUAL]);
     float3 to = f3_at(src + SRC_CENTRE);
@@ -47,8 +47,8 @@ FN float source_promise(PRIVATE const SceneTables* s, UNIFORM const Params* par,
 
 // Chooses one active source for a surface at p with normal n, lit from both sides or not.  Returns 1/probability, or 0
 // if none can shine.
-FN float choose_source(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, int both,
-                       PRIVATE Sampler* rnd, PRIVATE uint* chosen) {
+FN float choose_source(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n, int both,
+                       PRIVATE(Sampler) rnd, PRIVATE(uint) chosen) {
     uint count = par->source_count, picked = 0u;
     if (count == 0u) return 0.0f;
     if (count == 1u) {
@@ -60,7 +60,7 @@ FN float choose_source(PRIVATE const SceneTables* s, UNIFORM const Params* par, 
     if (par->light_nodes > 0u) return choose_light(s, par, p, n, both, x, chosen);
 
     float sum = 0.0f, kept = 0.0f, r = x.x;
-    for (uint i = 0u; i < count; i++) {
+    for (SAME uint i = 0u; i < par->source_count; i++) {
         float w = source_promise(s, par, i, p, n, both);
         if (w <= 0.0f) continue;
         sum += w;

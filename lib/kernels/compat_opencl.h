@@ -8,9 +8,14 @@
 #define FN static inline
 #define FN_RARE static
 #define GLOBAL __global
-#define PRIVATE __private
+#define PRIVATE(T) __private T*
+#define SHARED(T) __private T*
 #define CONSTANT __constant
-#define UNIFORM __constant
+#define UNIFORM(T) __constant T*
+#define SAME
+#define STRUCT(name)          \
+    typedef struct name name; \
+    struct name
 typedef ulong ulong64;
 typedef long long64;
 #define F3(x, y, z) ((float3)((x), (y), (z)))

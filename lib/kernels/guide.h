@@ -24,7 +24,7 @@
 #define GUIDE_WORDS(n) (((n) + (n) * (n)) / 2u)
 
 // The cell of a point on a surface with normal n; NONE outside the grid.
-FN uint guide_key(UNIFORM const Params* par, float3 p, float3 n) {
+FN uint guide_key(UNIFORM(const Params) par, float3 p, float3 n) {
     float3 at = scale3(sub3(p, xyz4(par->guide_grid)), par->guide_grid.w);
     if (!(MIN_(at.x, MIN_(at.y, at.z)) >= 0.0f && MAX_(at.x, MAX_(at.y, at.z)) < GUIDE_CELLS_A_SIDE)) return NONE;
 
@@ -34,7 +34,7 @@ FN uint guide_key(UNIFORM const Params* par, float3 p, float3 n) {
 }
 
 // Where its record begins; NONE: nothing was learned there.
-FN uint guide_find(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint key) {
+FN uint guide_find(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint key) {
     for (uint i = hash32(key);; i++) {
         GLOBAL const uint* entry = s->guide + GUIDE_ENTRY * (i & par->guide_mask);
         if (entry[0] == key && key != NONE) return entry[1];
@@ -48,7 +48,7 @@ FN float guide_begin(GLOBAL const uint* chances, uint k) {
 
 // Which of n bins x falls in; *x becomes its place inside.  Returns the bin's chance.  All beginnings are looked at:
 // a search that halves them takes longer, for no processor can foresee its turns.
-FN float guide_pick(GLOBAL const uint* chances, uint n, PRIVATE float* x, PRIVATE uint* bin) {
+FN float guide_pick(GLOBAL const uint* chances, uint n, PRIVATE(float) x, PRIVATE(uint) bin) {
     float r = *x * GUIDE_ONE;
     uint whole = (uint)r, begun = 0u;
     for (uint i = 0u; i < n / 2u; i++) {
@@ -57,7 +57,8 @@ FN float guide_pick(GLOBAL const uint* chances, uint n, PRIVATE float* x, PRIVAT
     }
 
     uint k = begun - 1u;
-    float begin = guide_begin(chances, k), width = (begun < n ? guide_begin(chances, begun) : GUIDE_ONE) - begin;
+    float begin = guide_begin(chances, k);
+    float width = (begun < n ? guide_begin(chances, begun) : GUIDE_ONE) - begin;
     *x = (r - begin) / width;
     *bin = k;
     return width * (1.0f / GUIDE_ONE);
@@ -65,7 +66,8 @@ FN float guide_pick(GLOBAL const uint* chances, uint n, PRIVATE float* x, PRIVAT
 
 // The direction about n of a point of the unit square, which is the hemisphere by its cosine.
 FN float3 guide_direction(float3 n, float x, float y) {
-    float u = 2.0f * x - 1.0f, v = 2.0f * y - 1.0f, r = u, turn = 0.0f, sn, cs;
+    float u = 2.0f * x - 1.0f, v = 2.0f * y - 1.0f;
+    float r = u, turn = 0.0f, sn, cs;
     if (fabs_(u) > fabs_(v)) {
         turn = 0.125f * (v / u);
     } else if (v != 0.0f) {
@@ -80,13 +82,14 @@ FN float3 guide_direction(float3 n, float x, float y) {
     return unit3(add3(scale3(n, sqrt_(MAX_(z2, 0.0f))), add3(scale3(e1, r * cs), scale3(e2, r * sn))));
 }
 
-FN float guide_light(PRIVATE const SceneTables* s, uint cell) { return as_float_(s->guide[cell + GUIDE_LIGHT]); }
+FN float guide_light(SHARED(const SceneTables) s, uint cell) { return as_float_(s->guide[cell + GUIDE_LIGHT]); }
 
 // The chance of the bin in which dir lies: the map backwards.
 FN float guide_chance(GLOBAL const uint* chances, uint side, float3 n, float3 dir) {
     float3 e1, e2;
     frame_of(n, &e1, &e2);
-    float a = dot3(dir, e1), b = dot3(dir, e2), r = sqrt_(a * a + b * b), u = 0.0f, v = 0.0f;
+    float a = dot3(dir, e1), b = dot3(dir, e2);
+    float r = sqrt_(a * a + b * b), u = 0.0f, v = 0.0f;
     if (fabs_(a) > fabs_(b)) {
         u = a < 0.0f ? -r : r;
         v = 4.0f * K_INV_PI * u * k_atan(b / a);
@@ -95,7 +98,8 @@ FN float guide_chance(GLOBAL const uint* chances, uint side, float3 n, float3 di
         u = 4.0f * K_INV_PI * v * k_atan(a / b);
     }
 
-    float bins = (float)side, x = 0.5f * (u + 1.0f) * bins, y = 0.5f * (v + 1.0f) * bins;
+    float bins = (float)side;
+    float x = 0.5f * (u + 1.0f) * bins, y = 0.5f * (v + 1.0f) * bins;
     uint row = MIN_((uint)MAX_(x, 0.0f), side - 1u), column = MIN_((uint)MAX_(y, 0.0f), side - 1u);
     GLOBAL const uint* columns = chances + (side + side * row) / 2u;
     float row_end = row + 1u < side ? guide_begin(chances, row + 1u) : GUIDE_ONE;
@@ -105,9 +109,10 @@ FN float guide_chance(GLOBAL const uint* chances, uint side, float3 n, float3 di
 }
 
 // A direction by the chances of the bins.  Returns its bin's.
-FN float guide_bin(GLOBAL const uint* chances, uint side, float3 n, float2 r, PRIVATE float3* dir) {
+FN float guide_bin(GLOBAL const uint* chances, uint side, float3 n, float2 r, PRIVATE(float3) dir) {
     uint row, column;
-    float x = r.x, y = r.y, chance = guide_pick(chances, side, &x, &row);
+    float x = r.x, y = r.y;
+    float chance = guide_pick(chances, side, &x, &row);
     chance *= guide_pick(chances + (side + side * row) / 2u, side, &y, &column);
     float bins = (float)side;
     *dir = guide_direction(n, ((float)row + x) / bins, ((float)column + y) / bins);
@@ -116,8 +121,8 @@ FN float guide_bin(GLOBAL const uint* chances, uint side, float3 n, float2 r, PR
 
 // Samples a direction over the hemisphere of n at p by a cell's chances, a share of them toward highlights.  Returns
 // cos/(pi density).
-FN float guide_sample(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint cell, float3 p, float3 n, float2 r,
-                      PRIVATE float3* dir) {
+FN float guide_sample(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint cell, float3 p, float3 n, float2 r,
+                      PRIVATE(float3) dir) {
     uint side = s->guide[cell + GUIDE_SIDE];
     GLOBAL const uint* chances = s->guide + cell + GUIDE_CHANCES;
     float bins = (float)side * (float)side, shine = par->highlight_share;
@@ -140,8 +145,8 @@ FN float guide_sample(PRIVATE const SceneTables* s, UNIFORM const Params* par, u
 }
 
 // The cell that guides at p: that of a place nearby, so that cells show no borders; else p's own.
-FN uint guide_cell(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n,
-                   PRIVATE const Sampler* rnd) {
+FN uint guide_cell(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n,
+                   PRIVATE(const Sampler) rnd) {
     float3 e1, e2;
     float size = 1.0f / par->guide_grid.w;
     uint r = hash32(rnd->key ^ hash32(rnd->index ^ hash32(rnd->dim)));

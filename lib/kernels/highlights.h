@@ -8,7 +8,7 @@
 #define HIGHLIGHT_SPREAD2 9.0f    // roughnesses, squared: so far beside its cone a rectangle is still met
 #define HIGHLIGHT_FARTHEST 20.0f  // squared slope over squared roughness; beyond is no density
 
-FN GLOBAL const float* highlight_record(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint k) {
+FN GLOBAL const float* highlight_record(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint k) {
     return s->f + par->highlights_at + HIGHLIGHT_FLOATS * k;
 }
 
@@ -25,7 +25,9 @@ FN int highlight_met(GLOBAL const float* h, float3 p, float3 n) {
     float height = dot3(off, plane);
     if (!(height > 0.0f)) return 0;
 
-    float inv = -1.0f / dot3(plane, dir), t = height * inv, wide = t * inv;
+    float inv = -1.0f / dot3(plane, dir);
+    float t = height * inv;
+    float wide = t * inv;
     float3 at = madd3(dir, t, off), u = f3_at(h + HIGHLIGHT_U), v = f3_at(h + HIGHLIGHT_V);
     float uu = dot3(u, u), vv = dot3(v, v), a = dot3(at, u), b = dot3(at, v);
     float beside_u = MAX_(MAX_(-a, a - uu), 0.0f), beside_v = MAX_(MAX_(-b, b - vv), 0.0f);
@@ -34,9 +36,9 @@ FN int highlight_met(GLOBAL const float* h, float3 p, float3 n) {
 }
 
 // Those that can be met, a bit each.
-FN uint highlights_met(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n) {
+FN uint highlights_met(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n) {
     uint met = 0u;
-    for (uint k = 0u; k < par->highlight_count; k++)
+    for (SAME uint k = 0u; k < par->highlight_count; k++)
         if (highlight_met(highlight_record(s, par, k), p, n)) met |= 1u << k;
     return met;
 }
@@ -49,7 +51,7 @@ FN uint highlights_count(uint met) {
 
 // A direction toward one of those met.  Halfway between the sun and the viewer is a normal of the rough plane; these
 // are spread by a Gaussian of their slope.
-FN float3 highlight_direction(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint met, float x, float y) {
+FN float3 highlight_direction(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint met, float x, float y) {
     float choice = x * (float)highlights_count(met);
     uint pick = 0u;
     while ((met & 1u) == 0u || (choice >= 1.0f && (met & (met - 1u)) != 0u)) {
@@ -69,7 +71,8 @@ FN float3 highlight_direction(PRIVATE const SceneTables* s, UNIFORM const Params
 
 // Density (per sr) of directions toward one rectangle.
 FN float highlight_density(GLOBAL const float* h, float3 dir) {
-    float3 n = f3_at(h + HIGHLIGHT_NORMAL), sun = highlight_sun(h), half_way = sub3(sun, dir);
+    float3 n = f3_at(h + HIGHLIGHT_NORMAL), sun = highlight_sun(h);
+    float3 half_way = sub3(sun, dir);
     float alpha2 = h[HIGHLIGHT_ALPHA2], hn = dot3(half_way, n), hs = dot3(half_way, sun);
     if (!(hn > 0.0f && hs > 0.0f)) return 0.0f;
     float3 off = sub3(half_way, scale3(n, hn));  // not hh - hn^2: sharp lobes would see its rounding
@@ -81,7 +84,7 @@ FN float highlight_density(GLOBAL const float* h, float3 dir) {
 }
 
 // Of direction dir among those toward the rectangles met.
-FN float highlights_density(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint met, float3 dir) {
+FN float highlights_density(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint met, float3 dir) {
     float sum = 0.0f;
     for (uint k = 0u, left = met; left != 0u; k++, left >>= 1)
         if ((left & 1u) != 0u) sum += highlight_density(highlight_record(s, par, k), dir);

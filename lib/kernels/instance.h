@@ -5,9 +5,9 @@
 #ifndef LUX_INSTANCE_H
 #define LUX_INSTANCE_H
 
-FN GLOBAL const float* instance_record(PRIVATE const SceneTables* s, uint inst) { return shape_record(s, inst); }
+FN GLOBAL const float* instance_record(SHARED(const SceneTables) s, uint inst) { return shape_record(s, inst); }
 
-FN GLOBAL const float* instance_matrix(PRIVATE const SceneTables* s, GLOBAL const float* record) {
+FN GLOBAL const float* instance_matrix(SHARED(const SceneTables) s, GLOBAL const float* record) {
     return shape_record(s, as_uint_(record[INST_SHAPE])) + INSTANCE_MATRIX;
 }
 #endif

@@ -46,21 +46,21 @@
 #define INSTANCE_NUMBER 14u  // for Hit.inst (word)
 #define INSTANCE_CLASS 15u   // RAY_* of all that it holds; 0: their own (word)
 
-typedef struct {
+STRUCT(Ray) {
     float3 org;
     float tmin;
     float3 dir;
     float tmax;
-} Ray;
+};
 
 // prim: index into prims, NO_HIT if none; u, v: barycentric, of v1 and v2; inst: INSTANCE_NUMBER, NO_HIT outside
 // instances
-typedef struct {
+STRUCT(Hit) {
     float t;
     uint prim;
     float u, v;
     uint inst;
-} Hit;
+};
 
 // Stored ids of triangles and shapes: the primitive and, in the top bits, what traversal must know.
 #define ID_TRANSPARENT 0x80000000u  // class RAY_TRANSPARENT
@@ -90,19 +90,17 @@ typedef struct {
     TABLE(uint, guide)        /* where light comes from (guide.h) */                        \
     TABLE(uint, focus)        /* pixels of which a pass makes more samples */
 #define SCENE_TABLES(TABLE) BVH_TABLES(TABLE) FLAT_TABLES(TABLE) PICTURE_TABLES(TABLE)
-// clang-format on
+    // clang-format on
 
 #define TABLE_POINTER(type, name) GLOBAL const type* name;
-typedef struct {
-    SCENE_TABLES(TABLE_POINTER)
-} SceneTables;
+STRUCT(SceneTables){SCENE_TABLES(TABLE_POINTER)};
 
-FN GLOBAL const float* shape_record(PRIVATE const SceneTables* s, uint number) {
+FN GLOBAL const float* shape_record(SHARED(const SceneTables) s, uint number) {
     return s->shapes + (ulong64)number * SHAPE_FLOATS;
 }
 
 // Nearest hit with tmin < t < tmax among primitives whose class is in mask; hit->prim = NO_HIT if none.
-//   void trace_closest(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask, PRIVATE Hit* hit)
+//   void trace_closest(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Hit) hit)
 // 1 if anything in mask lies between tmin and tmax.
-//   int trace_any(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, uint mask)
+//   int trace_any(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask)
 #endif

@@ -13,14 +13,14 @@
 #define LEAST_OF_BOTH_SIDES 0.05f  // of the cosine, where other normals than the one given may count
 
 // Nodes that together hold every source once, but for those that can give nothing.
-typedef struct {
+STRUCT(LightCut) {
     uint count, at[LIGHT_CUT];
     float upto[LIGHT_CUT];  // sums of what they promise
-} LightCut;
+};
 
 // Does the next of a row of weights take the place of the one kept so far, if t is its share of their sum?  One random
 // number r serves for all (Chao's reservoir).
-FN int takes_place(float t, PRIVATE float* r) {
+FN int takes_place(float t, PRIVATE(float) r) {
     int takes = *r < t;
     *r = takes ? *r / t : (*r - t) / (1.0f - t);
     return takes;
@@ -33,7 +33,7 @@ FN float above_horizon(float c, float reach) {
     return MIN_((c + reach) * (c + reach) / (4.0f * reach), 1.0f);
 }
 
-FN GLOBAL const float* light_node(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint i) {
+FN GLOBAL const float* light_node(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint i) {
     return s->f + par->light_tree_at + LIGHT_FLOATS * i;
 }
 
@@ -46,10 +46,11 @@ FN float3 way_to_light(GLOBAL const float* node, float3 p) {
 }
 
 // What the sources of a node could give a surface at p with normal n, up to a factor; both: from behind, too.
-FN float light_promise(PRIVATE const SceneTables* s, GLOBAL const float* node, float3 p, float3 n, int both) {
+FN float light_promise(SHARED(const SceneTables) s, GLOBAL const float* node, float3 p, float3 n, int both) {
     float3 to = way_to_light(node, p);
     float d = MAX_(length3(to), 1e-9f), r = node[LIGHT_RADIUS], far = node[LIGHT_FAR], power = node[LIGHT_POWER];
-    float inv_d = 1.0f / d, reach = r * inv_d;
+    float inv_d = 1.0f / d;
+    float reach = r * inv_d;
     if (far > 0.0f) {
         if (d > far) return 0.0f;
         power /= MAX_(d * d, 0.25f * r * r);
@@ -79,34 +80,30 @@ FN int light_is_opened(GLOBAL const float* node, float3 p, float share) {
 // Opens the nodes whose radius is more than that share of their distance.  Returns 0 if they are too many for a cut.
 // Nodes stand in the order of a walk that opens all of them, each followed by its halves, and know where the walk goes
 // on without that.
-FN int cut_tree(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, int both, float share,
-                PRIVATE LightCut* cut) {
+FN int cut_tree(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n, int both, float share,
+                PRIVATE(LightCut) cut) {
     int all = par->source_count <= LIGHT_CUT;
     float sum = 0.0f;
     cut->count = 0u;
     for (uint i = 0u; i < par->light_nodes;) {
         GLOBAL const float* node = light_node(s, par, i);
-        if (all ? !light_is_source(node) : light_is_opened(node, p, share)) {
-            i++;
-            continue;
-        }
-
-        float w = light_promise(s, node, p, n, both);
+        int opened = all ? !light_is_source(node) : light_is_opened(node, p, share);
+        float w = opened ? 0.0f : light_promise(s, node, p, n, both);
         if (sum + w > sum) {
             if (cut->count == LIGHT_CUT) return 0;
             sum += w;
             cut->upto[cut->count] = sum;
             cut->at[cut->count++] = i;
         }
-        i = as_uint_(node[LIGHT_PAST]);
+        i = opened ? i + 1u : as_uint_(node[LIGHT_PAST]);
     }
     return 1;
 }
 
 // One of the sources of node i, drawn by power.  u: a random number below *chance, the chance of the node, which
 // becomes the source's.  Returns its node.
-FN uint source_of_light(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint i, float u,
-                        PRIVATE float* chance) {
+FN uint source_of_light(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint i, float u,
+                        PRIVATE(float) chance) {
     for (;;) {
         GLOBAL const float* node = light_node(s, par, i);
         if (light_is_source(node)) return i;
@@ -119,15 +116,15 @@ FN uint source_of_light(PRIVATE const SceneTables* s, UNIFORM const Params* par,
 }
 
 // A candidate: its node, what it promises, and its chance times the sum of the cut's promises.
-typedef struct {
+STRUCT(LightCandidate) {
     uint at;
     float promise, chance;
-} LightCandidate;
+};
 
 // The candidate that y stands for, 0 .. the sum of the cut's promises.  *k: from where in the cut it is looked for; it
 // comes back as where it was found.
-FN LightCandidate light_candidate(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const LightCut* cut,
-                                  float3 p, float3 n, int both, float y, PRIVATE uint* k) {
+FN LightCandidate light_candidate(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const LightCut) cut,
+                                  float3 p, float3 n, int both, float y, PRIVATE(uint) k) {
     while (*k + 1u < cut->count && cut->upto[*k] <= y) (*k)++;
     float below = *k > 0u ? cut->upto[*k - 1u] : 0.0f;
     LightCandidate c;
@@ -140,8 +137,8 @@ FN LightCandidate light_candidate(PRIVATE const SceneTables* s, UNIFORM const Pa
 
 // Chooses a source for a surface at p with normal n, lit from both sides or not.  Returns what a choice counts for, in
 // the mean 1/chance, or 0 if none can shine.
-FN float choose_light(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, int both, float2 x,
-                      PRIVATE uint* chosen) {
+FN float choose_light(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n, int both, float2 x,
+                      PRIVATE(uint) chosen) {
     LightCut cut;
     for (float share = LIGHT_OPENED; !cut_tree(s, par, p, n, both, share, &cut);) share *= 2.0f;
     if (cut.count == 0u) return 0.0f;
@@ -155,7 +152,7 @@ FN float choose_light(PRIVATE const SceneTables* s, UNIFORM const Params* par, f
         float w = c.promise / c.chance;
         sum += w;
         if (!takes_place(w / sum, &r)) continue;
-        *chosen = as_uint_(light_node(s, par, c.at)[LIGHT_SOURCE]);
+        *chosen = as_uint_(*(light_node(s, par, c.at) + LIGHT_SOURCE));
         kept = c.promise;
     }
     return sum > 0.0f ? sum * step / kept : 0.0f;

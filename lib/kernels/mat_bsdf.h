@@ -28,14 +28,14 @@
 #define PEAK_PROBES 29
 #define PEAK_GRID 25  // of these on a grid, the others on the axes
 
-FN float3 bsdf_normal(PRIVATE const Surface* g) { return g->front ? g->n : neg3(g->n); }
+FN float3 bsdf_normal(PRIVATE(const Surface) g) { return g->front ? g->n : neg3(g->n); }
 FN float3 bsdf_local(float3 x, float3 z, float3 d) { return F3(dot3(x, d), dot3(cross3(z, x), d), dot3(z, d)); }
 
 FN float3 bsdf_world(float3 x, float3 z, float3 d) {
     return add3(scale3(x, d.x), add3(scale3(cross3(z, x), d.y), scale3(z, d.z)));
 }
 
-FN GLOBAL const uint* bsdf_component(PRIVATE const SceneTables* s, GLOBAL const uint* m, int front, int transmit) {
+FN GLOBAL const uint* bsdf_component(SHARED(const SceneTables) s, GLOBAL const uint* m, int front, int transmit) {
     return s->u + m[MOD_EXTRA] + BSDF_COMPONENT_WORDS * (uint)((front ? 0 : 2) + transmit);
 }
 
@@ -67,13 +67,14 @@ FN float2 peak_probe(int i) {
 }
 
 // The cells that the probes meet by falling value f, and their projected solid angles w; returns how many.
-FN int peak_cells(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3 v, float radius, PRIVATE float* f,
-                  PRIVATE float* w) {
+FN int peak_cells(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, float radius, PRIVATE(float) f,
+                  PRIVATE(float) w) {
     int count = 0;
     for (int i = 0; i < PEAK_PROBES; i++) {
         float2 at = peak_probe(i);
         float3 l = unit3(F3(radius * at.x - v.x, radius * at.y - v.y, -v.z));
-        float psa, value = bsdf_value(s, table, v, l, &psa);
+        float psa;
+        float value = bsdf_value(s, table, v, l, &psa);
 
         int place = count;  // equal values are the same cell
         while (place > 0 && f[place - 1] < value) place--;
@@ -91,8 +92,8 @@ FN int peak_cells(PRIVATE const SceneTables* s, GLOBAL const uint* table, float3
 }
 
 // The straight-through peak around v, from 29 look-ups: its integral (0 if there is none), and what is left beside it.
-FN float bsdf_peak(PRIVATE const SceneTables* s, GLOBAL const uint* table, float diffuse, float3 v,
-                   PRIVATE float* beside) {
+FN float bsdf_peak(SHARED(const SceneTables) s, GLOBAL const uint* table, float diffuse, float3 v,
+                   PRIVATE(float) beside) {
     float f[PEAK_PROBES], w[PEAK_PROBES];
     float radius2 = as_float_(table[BT_MIN_PSA]), base = diffuse * K_INV_PI;
     int count = peak_cells(s, table, v, sqrt_(radius2), f, w);
@@ -120,11 +121,12 @@ FN float bsdf_peak(PRIVATE const SceneTables* s, GLOBAL const uint* table, float
 
 // aBSDF: the peak as a sharp ray.  Returns its integral.  Sampled rays find it, but scatter all there is (vectors
 // absdf_sampled_*).
-FN float bsdf_through(PRIVATE const SceneTables* s, GLOBAL const uint* component, PRIVATE const Surface* g, float3 v,
-                      int asked, PRIVATE Lobes* lobes) {
+FN float bsdf_through(SHARED(const SceneTables) s, GLOBAL const uint* component, PRIVATE(const Surface) g, float3 v,
+                      int asked, PRIVATE(Lobes) lobes) {
     if (component[BSDF_TABLE] == NONE) return 0.0f;
     GLOBAL const uint* table = s->u + component[BSDF_TABLE];
-    float beside = 0.0f, peak = bsdf_peak(s, table, as_float_(component[BSDF_LAMBERT]), v, &beside);
+    float beside = 0.0f;
+    float peak = bsdf_peak(s, table, as_float_(component[BSDF_LAMBERT]), v, &beside);
 
     if (peak <= 0.0f) return 0.0f;
     lobes->BSDF_PEAK = F3(beside, as_float_(table[BT_MIN_PSA]), asked == LOBES_SAMPLED ? PEAK_SCATTER : PEAK_RAY);
@@ -136,20 +138,20 @@ FN float bsdf_through(PRIVATE const SceneTables* s, GLOBAL const uint* component
 }
 
 // The Lambertian part: what the arguments state and what the table holds.
-FN float3 bsdf_diffuse(GLOBAL const float* arg, GLOBAL const uint* component, PRIVATE const Surface* g) {
+FN float3 bsdf_diffuse(GLOBAL const float* arg, GLOBAL const uint* component, PRIVATE(const Surface) g) {
     float rho = as_float_(component[BSDF_LAMBERT]);
     return mul3(F3(arg[0] + rho, arg[1] + rho, arg[2] + rho), g->color);
 }
 
 // v in the frame, moved at random in its cell of the table.
-FN float3 bsdf_moved(PRIVATE const SceneTables* s, UNIFORM const Params* par, GLOBAL const uint* table, float3 v,
+FN float3 bsdf_moved(SHARED(const SceneTables) s, UNIFORM(const Params) par, GLOBAL const uint* table, float3 v,
                      float2 move) {
     return bsdf_jitter(v, s->f[table[BT_PSA] + bsdf_cell(s, table, v)], par->ss, move);
 }
 
 // The rest of both tables, sampled where there is more of it than -st, else part of the indirect light.
-FN void bsdf_tables(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g, uint refl,
-                    uint trans, float3 v, float peak, float2 move, PRIVATE Lobes* lobes) {
+FN void bsdf_tables(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint refl,
+                    uint trans, float3 v, float peak, float2 move, PRIVATE(Lobes) lobes) {
     if (refl != NONE) {
         lobes->BSDF_V_R = bsdf_moved(s, par, s->u + refl, v, move);
         float hemi = bsdf_hemispherical(s, s->u + refl, lobes->BSDF_V_R);
@@ -169,9 +171,9 @@ FN void bsdf_tables(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRI
     }
 }
 
-FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g,
-                      GLOBAL const uint* m, PRIVATE const float* value, int asked, PRIVATE Sampler* rnd,
-                      PRIVATE Lobes* lobes) {
+FN_RARE void mat_bsdf(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+                      GLOBAL const uint* m, PRIVATE(const float) value, int asked, PRIVATE(Sampler) rnd,
+                      PRIVATE(Lobes) lobes) {
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     int peaked = (m[MOD_FLAGS] & MF_ABSDF) != 0u;
     float thickness = peaked || fabs_(value[0]) <= 1e-6f ? 0.0f : value[0];
@@ -204,19 +206,20 @@ FN_RARE void mat_bsdf(PRIVATE const SceneTables* s, UNIFORM const Params* par, P
 }
 
 // Where a ray of this side starts: transmitted ones beyond what a proxy stands for.
-FN float3 bsdf_start(PRIVATE const Lobes* lobes, PRIVATE const Surface* g, int above) {
+FN float3 bsdf_start(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, int above) {
     if (above || (lobes->flags & LOBE_BSDF) == 0u || lobes->BSDF_THICKNESS == 0.0f) return g->p;
     return madd3(g->nface, -lobes->BSDF_THICKNESS, g->p);
 }
 
 // Coefficient of a source sample, as lobes_direct().
-FN_RARE float3 bsdf_direct(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Lobes* lobes,
-                           PRIVATE const Surface* g, float3 dir, float w, PRIVATE Sampler* rnd) {
+FN_RARE float3 bsdf_direct(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Lobes) lobes,
+                           PRIVATE(const Surface) g, float3 dir, float w, PRIVATE(Sampler) rnd) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
-    float3 z = bsdf_normal(g), v = bsdf_local(lobes->BSDF_X, z, g->v), l = bsdf_local(lobes->BSDF_X, z, dir);
+    float3 z = bsdf_normal(g);
+    float3 v = bsdf_local(lobes->BSDF_X, z, g->v), l = bsdf_local(lobes->BSDF_X, z, dir);
     int transmit = (l.z > 0.0f) != (v.z > 0.0f);
     float3 sum = scale3(transmit ? lobes->diffuse_t : lobes->diffuse_r, fabs_(l.z) * w * K_INV_PI);
-    uint at = bsdf_component(s, m, g->front, transmit)[BSDF_TABLE];
+    uint at = *(bsdf_component(s, m, g->front, transmit) + BSDF_TABLE);
     if (at == NONE) return sum;
     GLOBAL const uint* table = s->u + at;
     float3 tint = transmit ? g->color : F3(1.0f, 1.0f, 1.0f);
@@ -227,7 +230,8 @@ FN_RARE float3 bsdf_direct(PRIVATE const SceneTables* s, UNIFORM const Params* p
             return madd3(mul3(tint, bsdf_color(s, table, v, l)), lobes->BSDF_PEAK.x * fabs_(l.z) * w, sum);
     }
 
-    float psa, psa0, f = bsdf_value(s, table, v, l, &psa0);
+    float psa, psa0;
+    float f = bsdf_value(s, table, v, l, &psa0);
     float3 seen = v;
 
     if (par->ss > 0.0f) {
@@ -247,11 +251,11 @@ FN_RARE float3 bsdf_direct(PRIVATE const SceneTables* s, UNIFORM const Params* p
 }
 
 // One sample of the tabulated part.  *coef: its colour; returns the factor beside it, 0 = lost.
-FN_RARE float bsdf_sample_lobe(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Lobes* lobes,
-                               PRIVATE const Surface* g, int transmit, PRIVATE Sampler* rnd, PRIVATE float3* coef,
-                               PRIVATE float3* dir) {
+FN_RARE float bsdf_sample_lobe(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Lobes) lobes,
+                               PRIVATE(const Surface) g, int transmit, PRIVATE(Sampler) rnd, PRIVATE(float3) coef,
+                               PRIVATE(float3) dir) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
-    GLOBAL const uint* table = s->u + bsdf_component(s, m, g->front, transmit)[BSDF_TABLE];
+    GLOBAL const uint* table = s->u + *(bsdf_component(s, m, g->front, transmit) + BSDF_TABLE);
     float3 v = transmit ? lobes->BSDF_V_T : lobes->BSDF_V_R, l, z = bsdf_normal(g);
     float hemi = transmit ? lobes->BSDF_HEMI_T : lobes->BSDF_HEMI_R, weight = bsdf_sample(s, table, v, rnd, &l);
     if (weight <= 0.0f || hemi <= 0.0f) return 0.0f;

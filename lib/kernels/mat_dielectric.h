@@ -11,7 +11,7 @@ FN float3 extinction3(GLOBAL const float* t, float3 pattern) {
     return F3(extinction(t[0] * pattern.x), extinction(t[1] * pattern.y), extinction(t[2] * pattern.z));
 }
 
-FN Medium solid_medium(float3 k, PRIVATE const Medium* around) {
+FN Medium solid_medium(float3 k, PRIVATE(const Medium) around) {
     Medium m;
     m.k = k;
     m.albedo = F3(0.0f, 0.0f, 0.0f);
@@ -27,8 +27,8 @@ FN float3 refracted(float ratio, float c1, float c2, float3 n, float3 v) {
 
 // Also: *arriving is the medium of the segment that ends here if the surface knows it, *beyond the medium behind the
 // surface (the refracted ray's).  Solids do not scatter.
-FN void mat_dielectric(UNIFORM const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg,
-                       PRIVATE Lobes* lobes, PRIVATE Medium* arriving, PRIVATE Medium* beyond) {
+FN void mat_dielectric(UNIFORM(const Params) par, PRIVATE(const Surface) g, uint type, GLOBAL const float* arg,
+                       PRIVATE(Lobes) lobes, PRIVATE(Medium) arriving, PRIVATE(Medium) beyond) {
     Medium inside = solid_medium(extinction3(arg, g->color), arriving);
     float ratio;  // index on the viewer's side over index beyond
 

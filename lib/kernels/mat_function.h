@@ -9,7 +9,7 @@
 #define ASHIK_POWER_U alpha2_ru
 #define ASHIK_POWER_V alpha2_rv
 
-FN void material_vars(UNIFORM const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
+FN void material_vars(UNIFORM(const Params) par, PRIVATE(const Surface) g, PRIVATE(float) vars) {
     surface_vars(par, g, vars);
     // of these the normal stays as modelled
     if (g->type != M_BRTD && g->type != M_WGMD && g->type != M_PRISM && g->type != M_BSDF) {
@@ -31,17 +31,17 @@ FN void material_vars(UNIFORM const Params* par, PRIVATE const Surface* g, PRIVA
 // Directions among the values of a material (cal::MaterialProgram) that acts inside an instance, back to the world. The
 // grain of anisotropic materials is not turned by the instance in RADIANCE (checked: plastic2, trans2, ashik2,
 // WGMDfunc).
-FN void values_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, uint flags, PRIVATE float* value) {
+FN void values_from_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, uint flags, PRIVATE(float) value) {
     if (g->type == M_PRISM) {
-        turn_from_frame(s, g, value + 1);
-        if ((flags & MF_TWO_EXITS) != 0u) turn_from_frame(s, g, value + 5);
+        turn_from_frame(s, g, value, 1u);
+        if ((flags & MF_TWO_EXITS) != 0u) turn_from_frame(s, g, value, 5u);
     } else if (g->type == M_BSDF) {
-        turn_from_frame(s, g, value + ((flags & MF_ABSDF) != 0u ? 0 : 1));
+        turn_from_frame(s, g, value, (flags & MF_ABSDF) != 0u ? 0u : 1u);
     }
 }
 
 // plasfunc.. : args R G B spec [trans tspec]; type of the specular colour by `metal`.
-FN void mat_brdf(PRIVATE const Surface* g, GLOBAL const float* arg, uint flags, PRIVATE Lobes* lobes) {
+FN void mat_brdf(PRIVATE(const Surface) g, GLOBAL const float* arg, uint flags, PRIVATE(Lobes) lobes) {
     float3 C = mul3(f3_at(arg), g->color);
     float spec = arg[3], trans = 0.0f, trans_spec = 0.0f;
     if ((flags & MF_TRANS) != 0u) {
@@ -49,7 +49,8 @@ FN void mat_brdf(PRIVATE const Surface* g, GLOBAL const float* arg, uint flags, 
         trans_spec = arg[5];
     }
 
-    float T = trans * (1.0f - spec), rd = 1.0f - T - spec;
+    float T = trans * (1.0f - spec);
+    float rd = 1.0f - T - spec;
     lobes->diffuse_r = scale3(C, rd);
     lobes->diffuse_t = scale3(C, T - T * trans_spec);
     lobes->ambient_r = scale3(C, 1.0f - T);
@@ -60,9 +61,10 @@ FN void mat_brdf(PRIVATE const Surface* g, GLOBAL const float* arg, uint flags, 
 }
 
 // ashik2: args diffuse3 specular3 u-power v-power; the frame comes in u.
-FN void mat_ashik(UNIFORM const Params* par, PRIVATE const Surface* g, GLOBAL const float* arg, float3 uvec,
-                  PRIVATE Lobes* lobes) {
-    float cv = dot3(g->n, g->v), f = 1.0f - MAX_(cv, 0.001f);
+FN void mat_ashik(UNIFORM(const Params) par, PRIVATE(const Surface) g, GLOBAL const float* arg, float3 uvec,
+                  PRIVATE(Lobes) lobes) {
+    float cv = dot3(g->n, g->v);
+    float f = 1.0f - MAX_(cv, 0.001f);
     f = f * f * f * f * f;
     lobes->diffuse_r = mul3(f3_at(arg), g->color);
     lobes->ambient_r = lobes->diffuse_r;
@@ -79,7 +81,7 @@ FN void mat_ashik(UNIFORM const Params* par, PRIVATE const Surface* g, GLOBAL co
 
 // BRTDfunc (spec 3.14): mirror and straight transmission by functions (values), diffuse args front3 back3 trans3;
 // the surface is not turned to the viewer.
-FN void mat_brtd(PRIVATE const Surface* g, GLOBAL const float* arg, PRIVATE const float* value, PRIVATE Lobes* lobes) {
+FN void mat_brtd(PRIVATE(const Surface) g, GLOBAL const float* arg, PRIVATE(const float) value, PRIVATE(Lobes) lobes) {
     lobes->diffuse_r = mul3(f3_at(arg + (g->front ? 0 : 3)), g->color);
     lobes->diffuse_t = mul3(f3_at(arg + 6), g->color);
     lobes->ambient_r = lobes->diffuse_r;
@@ -97,14 +99,15 @@ FN void mat_brtd(PRIVATE const Surface* g, GLOBAL const float* arg, PRIVATE cons
     lobes->flags |= LOBE_FUNCTION;
 }
 
-FN float3 ashik_direct(PRIVATE const Lobes* lobes, PRIVATE const Surface* g, float3 l, float w) {
+FN float3 ashik_direct(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, float3 l, float w) {
     float cl = dot3(g->n, l), cv = MAX_(dot3(g->n, g->v), 0.001f);
     if (cl <= 0.0f) return F3(0.0f, 0.0f, 0.0f);
     float q = 1.0f - cl;
     float3 sum = scale3(lobes->diffuse_r, cl * w * K_INV_PI * (1.0f - q * q * q * q * q));
 
     float3 h = unit3(add3(l, g->v));
-    float hn = dot3(h, g->n), hu = dot3(h, lobes->u), hv = dot3(h, lobes->v), s2 = 1.0f - hn * hn;
+    float hn = dot3(h, g->n), hu = dot3(h, lobes->u), hv = dot3(h, lobes->v);
+    float s2 = 1.0f - hn * hn;
     float e = s2 > 1e-9f ? (lobes->ASHIK_POWER_U * hu * hu + lobes->ASHIK_POWER_V * hv * hv) / s2 : 0.0f;
     float D = k_pow(MAX_(hn, 1e-9f), e) * sqrt_((lobes->ASHIK_POWER_U + 1.0f) * (lobes->ASHIK_POWER_V + 1.0f)) /
               (25.1327412f * dot3(l, h) * MAX_(cl, cv));
@@ -112,18 +115,19 @@ FN float3 ashik_direct(PRIVATE const Lobes* lobes, PRIVATE const Surface* g, flo
 }
 
 // Half-vector of the anisotropic power lobe (Ashikhmin & Shirley 2000), never weighted (spec 3.12).
-FN float ashik_sample(PRIVATE const Lobes* lobes, PRIVATE const Surface* g, PRIVATE Sampler* rnd, PRIVATE float3* dir) {
+FN float ashik_sample(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, PRIVATE(Sampler) rnd, PRIVATE(float3) dir) {
     for (int i = 0; i < 10; i++) {
         float2 x = sample2(rnd);
         float sn, cs;
         k_sincos(K_TURN * x.x, &sn, &cs);
         // azimuth: tan phi = sqrt((pu+1)/(pv+1)) tan(2 pi x)
-        float ku = cs * sqrt_(lobes->ASHIK_POWER_V + 1.0f), kv = sn * sqrt_(lobes->ASHIK_POWER_U + 1.0f),
-              kk = sqrt_(ku * ku + kv * kv);
+        float ku = cs * sqrt_(lobes->ASHIK_POWER_V + 1.0f), kv = sn * sqrt_(lobes->ASHIK_POWER_U + 1.0f);
+        float kk = sqrt_(ku * ku + kv * kv);
         ku /= kk;
         kv /= kk;
         float e = lobes->ASHIK_POWER_U * ku * ku + lobes->ASHIK_POWER_V * kv * kv;
-        float cos_h = k_pow(MAX_(1.0f - x.y, 1e-9f), 1.0f / (e + 1.0f)), sin_h = 1.0f - cos_h * cos_h;
+        float cos_h = k_pow(MAX_(1.0f - x.y, 1e-9f), 1.0f / (e + 1.0f));
+        float sin_h = 1.0f - cos_h * cos_h;
         sin_h = sqrt_(sin_h > 0.0f ? sin_h : 0.0f);
         float3 h = add3(scale3(g->n, cos_h), add3(scale3(lobes->u, sin_h * ku), scale3(lobes->v, sin_h * kv)));
         float3 r = sub3(scale3(h, 2.0f * dot3(h, g->v)), g->v);
@@ -137,8 +141,8 @@ FN float ashik_sample(PRIVATE const Lobes* lobes, PRIVATE const Surface* g, PRIV
 }
 
 // Direct coefficient of the function lobes: s f(l) cos w on the viewer's side, Ts f(l) |cos| w on the other.
-FN float3 function_direct(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Lobes* lobes,
-                          PRIVATE const Surface* g, float3 l, float w) {
+FN float3 function_direct(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Lobes) lobes,
+                          PRIVATE(const Surface) g, float3 l, float w) {
     float vars[CAL_VARS], out[CAL_OUTPUTS];
     float3 zero = F3(0.0f, 0.0f, 0.0f);
     GLOBAL const uint* m = mod_record(s, par, g->mod);

@@ -3,7 +3,7 @@
 #ifndef LUX_MAT_GLASS_H
 #define LUX_MAT_GLASS_H
 
-FN void glass_channel(float t, float r1, float r2, float c2, PRIVATE float* T, PRIVATE float* R) {
+FN void glass_channel(float t, float r1, float r2, float c2, PRIVATE(float) T, PRIVATE(float) R) {
     float d = t <= 1e-15f ? 0.0f : k_pow(t, 1.0f / c2);
     float d2 = d * d;
     float k1 = 0.5f / (1.0f - r1 * r1 * d2), k2 = 0.5f / (1.0f - r2 * r2 * d2);
@@ -11,7 +11,7 @@ FN void glass_channel(float t, float r1, float r2, float c2, PRIVATE float* T, P
     *R = r1 * (1.0f + (1.0f - 2.0f * r1) * d2) * k1 + r2 * (1.0f + (1.0f - 2.0f * r2) * d2) * k2;
 }
 
-FN void mat_glass(PRIVATE const Surface* g, GLOBAL const float* arg, int shadow, PRIVATE Lobes* lobes) {
+FN void mat_glass(PRIVATE(const Surface) g, GLOBAL const float* arg, int shadow, PRIVATE(Lobes) lobes) {
     float n = arg[3], cv = fabs_(dot3(g->n, g->v));
     float c2 = sqrt_(1.0f - 1.0f / (n * n) + cv * cv / (n * n));
     float r1 = (cv - n * c2) / (cv + n * c2);

@@ -5,7 +5,7 @@
 #define LUX_MAT_NORMAL_H
 
 // The roughnesses along both axes, if uvec gives these, else their mean.
-FN void normal_axes(PRIVATE const Surface* g, float rough_u, float rough_v, float3 uvec, PRIVATE Lobes* lobes) {
+FN void normal_axes(PRIVATE(const Surface) g, float rough_u, float rough_v, float3 uvec, PRIVATE(Lobes) lobes) {
     lobes->alpha2_ru = rough_u * rough_u;
     lobes->alpha2_rv = rough_v * rough_v;
     if (tangent_frame(g->n, uvec, &lobes->u, &lobes->v)) {
@@ -16,8 +16,8 @@ FN void normal_axes(PRIVATE const Surface* g, float rough_u, float rough_v, floa
     }
 }
 
-FN void mat_normal(UNIFORM const Params* par, PRIVATE const Surface* g, uint type, GLOBAL const float* arg, float3 uvec,
-                   PRIVATE Lobes* lobes) {
+FN void mat_normal(UNIFORM(const Params) par, PRIVATE(const Surface) g, uint type, GLOBAL const float* arg, float3 uvec,
+                   PRIVATE(Lobes) lobes) {
     int aniso = type >= M_ANISO_PLASTIC && type <= M_ANISO_TRANS;
     int metal = type == M_METAL || type == M_ANISO_METAL, is_trans = type == M_TRANS || type == M_ANISO_TRANS;
     float3 C = mul3(f3_at(arg), g->color);
@@ -33,7 +33,9 @@ FN void mat_normal(UNIFORM const Params* par, PRIVATE const Surface* g, uint typ
     if (cv < 0.001f) cv = 0.001f;
     if (smooth && spec0 >= FRESNEL_FROM) f = fresnel_estimate(cv);
     float rs = spec0 + f * (1.0f - spec0);
-    float T = trans * (1.0f - rs), Ts = T * trans_spec, Td = T - Ts, rd = 1.0f - T - rs;
+    float T = trans * (1.0f - rs);
+    float Ts = T * trans_spec;
+    float Td = T - Ts, rd = 1.0f - T - rs;
     float3 spec = F3(rs, rs, rs);
     if (metal) spec = f > 1e-6f ? add3(F3(f, f, f), scale3(C, spec0 * (1.0f - f))) : scale3(C, rs);
 

@@ -5,7 +5,7 @@
 #define LUX_MAT_PRISM_H
 
 // Rays that are not aimed at one of the panel's virtual sources: exit 1 (and 2), the sum of both.
-FN void mat_prism(uint flags, PRIVATE const float* value, PRIVATE Lobes* lobes) {
+FN void mat_prism(uint flags, PRIVATE(const float) value, PRIVATE(Lobes) lobes) {
     float3 d = F3(value[1], value[2], value[3]);
     if (value[0] > 0.0f && length3(d) > 1e-6f) {
         lobes->through = F3(value[0], value[0], value[0]);
@@ -21,8 +21,8 @@ FN void mat_prism(uint flags, PRIVATE const float* value, PRIVATE Lobes* lobes) 
 }
 
 // A shadow ray aimed at the virtual source of one exit; aim: unit direction to the next source behind the panel.
-FN float prism_exit(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g, float3 aim,
-                    uint exit, PRIVATE float3* dir) {
+FN float prism_exit(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, float3 aim,
+                    uint exit, PRIVATE(float3) dir) {
     float vars[CAL_VARS], value[CAL_OUTPUTS];
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     material_vars(par, g, vars);
@@ -32,10 +32,10 @@ FN float prism_exit(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRI
     vars_to_frame(s, g, vars);
     if (cal_run(s, m[MOD_PROGRAM], vars, value)) return 0.0f;
     values_from_frame(s, g, m[MOD_FLAGS], value);
-    PRIVATE const float* v = value + 4u * exit;
-    float3 d = F3(v[1], v[2], v[3]);
-    if (v[0] <= 0.0f || length3(d) <= 1e-6f) return 0.0f;
+    uint k = 4u * exit;
+    float3 d = F3(value[k + 1u], value[k + 2u], value[k + 3u]);
+    if (value[k] <= 0.0f || length3(d) <= 1e-6f) return 0.0f;
     *dir = unit3(d);
-    return v[0];
+    return value[k];
 }
 #endif

@@ -10,8 +10,8 @@
 #define WGMD_INHERIT 0xfffffffeu  // the modifier "inherit": the material's own
 
 // The surface as one component sees it.
-FN void wgmd_component(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g, uint mod,
-                       PRIVATE Sampler* rnd, PRIVATE Surface* c) {
+FN void wgmd_component(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint mod,
+                       PRIVATE(Sampler) rnd, PRIVATE(Surface) c) {
     *c = *g;
     if (mod == WGMD_INHERIT) return;
     without_own_chain(s, c);
@@ -21,13 +21,13 @@ FN void wgmd_component(PRIVATE const SceneTables* s, UNIFORM const Params* par, 
     shading_normal(c);
 }
 
-FN int wgmd_same_normal(PRIVATE const Surface* a, PRIVATE const Surface* b) {
+FN int wgmd_same_normal(PRIVATE(const Surface) a, PRIVATE(const Surface) b) {
     return a->n.x == b->n.x && a->n.y == b->n.y && a->n.z == b->n.z;
 }
 
 // The values as the functions of a component give them.
-FN void wgmd_values(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g,
-                    PRIVATE const Surface* c, uint program, PRIVATE const float* value, PRIVATE float* own) {
+FN void wgmd_values(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+                    PRIVATE(const Surface) c, uint program, PRIVATE(const float) value, PRIVATE(float) own) {
     float vars[CAL_VARS];
     for (int i = 0; i < CAL_OUTPUTS; i++) own[i] = value[i];
     if (wgmd_same_normal(g, c)) return;
@@ -39,7 +39,7 @@ FN void wgmd_values(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRI
 
 // Straight on, bent by what the textures do to the unit normal, from behind in the same way as from the front (other
 // materials: transmitted_direction()).
-FN float3 wgmd_transmitted(PRIVATE const Surface* c) {
+FN float3 wgmd_transmitted(PRIVATE(const Surface) c) {
     float3 p = neg3(c->v), bend = sub3(c->n, c->ng);
     if (c->smooth || dot3(bend, bend) <= 1e-12f) return p;
     p = unit3(c->front ? sub3(p, bend) : add3(p, bend));
@@ -47,7 +47,7 @@ FN float3 wgmd_transmitted(PRIVATE const Surface* c) {
 }
 
 // Roughness and tangent frames of both rough lobes.
-FN void wgmd_axes(PRIVATE const Surface* refl, PRIVATE const Surface* trans, float3 along, PRIVATE Lobes* lobes) {
+FN void wgmd_axes(PRIVATE(const Surface) refl, PRIVATE(const Surface) trans, float3 along, PRIVATE(Lobes) lobes) {
     if (tangent_frame(refl->n, along, &lobes->u, &lobes->v) &&
         tangent_frame(trans->n, along, &lobes->t_u, &lobes->t_v)) {
         lobes->flags |= LOBE_ANISO;
@@ -60,8 +60,8 @@ FN void wgmd_axes(PRIVATE const Surface* refl, PRIVATE const Surface* trans, flo
     lobes->alpha2_tv = lobes->alpha2_tu;
 }
 
-FN void wgmd_normals(PRIVATE const Surface* g, PRIVATE const Surface* refl, PRIVATE const Surface* trans,
-                     PRIVATE const Surface* diff, PRIVATE Lobes* lobes) {
+FN void wgmd_normals(PRIVATE(const Surface) g, PRIVATE(const Surface) refl, PRIVATE(const Surface) trans,
+                     PRIVATE(const Surface) diff, PRIVATE(Lobes) lobes) {
     if (wgmd_same_normal(g, refl) && wgmd_same_normal(g, trans) && wgmd_same_normal(g, diff)) return;
     lobes->n_r = refl->n;
     lobes->n_t = trans->n;
@@ -70,7 +70,7 @@ FN void wgmd_normals(PRIVATE const Surface* g, PRIVATE const Surface* refl, PRIV
 }
 
 // Reflection of a smooth surface of specularity *rs.  Returns what is left for the other components.
-FN float wgmd_mirror(PRIVATE const Surface* refl, float3 viewer, PRIVATE float3* rs, PRIVATE Lobes* lobes) {
+FN float wgmd_mirror(PRIVATE(const Surface) refl, float3 viewer, PRIVATE(float3) rs, PRIVATE(Lobes) lobes) {
     float rest = 1.0f;
     if (luminance3(*rs) >= FRESNEL_FROM) {
         float f = fresnel_estimate_wgmd(MAX_(dot3(refl->n, viewer), 0.001f));
@@ -83,8 +83,8 @@ FN float wgmd_mirror(PRIVATE const Surface* refl, float3 viewer, PRIVATE float3*
     return rest;
 }
 
-FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g,
-                      GLOBAL const uint* m, PRIVATE const float* value, PRIVATE Sampler* rnd, PRIVATE Lobes* lobes) {
+FN_RARE void mat_wgmd(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+                      GLOBAL const uint* m, PRIVATE(const float) value, PRIVATE(Sampler) rnd, PRIVATE(Lobes) lobes) {
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     GLOBAL const uint* mods = s->u + m[MOD_BRANCH1];
     Surface refl, trans, diff;
@@ -128,7 +128,7 @@ FN_RARE void mat_wgmd(PRIVATE const SceneTables* s, UNIFORM const Params* par, P
 #define WGMD_ROUGH_R 0
 #define WGMD_ROUGH_T 1
 #define WGMD_DIFFUSE_T 2
-FN_RARE void wgmd_turn(PRIVATE Lobes* lobes, PRIVATE Surface* g, int component) {
+FN_RARE void wgmd_turn(PRIVATE(Lobes) lobes, PRIVATE(Surface) g, int component) {
     if (component == WGMD_DIFFUSE_T) g->n = lobes->n_dt;
     if (component == WGMD_ROUGH_R) {
         g->n = lobes->n_r;
@@ -144,7 +144,7 @@ FN_RARE void wgmd_turn(PRIVATE Lobes* lobes, PRIVATE Surface* g, int component) 
 
 // Coefficient of a source sample, as lobes_direct(): the components one by one, each about its normal.  What a smooth
 // reflection takes from the diffuse ones goes by its own.
-FN_RARE float3 wgmd_direct(PRIVATE const Lobes* lobes, PRIVATE const Surface* g, float3 l, float w, float dj) {
+FN_RARE float3 wgmd_direct(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, float3 l, float w, float dj) {
     float3 zero = F3(0.0f, 0.0f, 0.0f);
     Lobes none = *lobes, part;
     none.diffuse_r = zero;

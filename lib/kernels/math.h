@@ -42,7 +42,7 @@ FN float k_exp(float x) {
 }
 
 // x = m 2^e with m in [sqrt(1/2), sqrt(2)), for normal x > 0
-FN float k_split(float x, PRIVATE int* e) {
+FN float k_split(float x, PRIVATE(int) e) {
     uint u = as_uint_(x) - 0x3f3504f3u;
     *e = (int)u >> 23;
     return as_float_((u & 0x007fffffu) + 0x3f3504f3u);
@@ -79,11 +79,13 @@ FN float k_log10(float x) {
 }
 
 // log2 of normal x > 0 as an unevaluated sum hi + lo, through s = (m-1)/(m+1): ln m = 2 (s + s^3/3 + ...)
-FN float k_log2_split(float x, PRIVATE float* lo) {
+FN float k_log2_split(float x, PRIVATE(float) lo) {
     int ie;
     float m = k_split(x, &ie), e = (float)ie;
-    float num = m - 1.0f, den = m + 1.0f, s = num / den;
-    float sh = k_head(s), dh = k_head(den), dl = m - (dh - 1.0f);
+    float num = m - 1.0f, den = m + 1.0f;
+    float s = num / den;
+    float sh = k_head(s), dh = k_head(den);
+    float dl = m - (dh - 1.0f);
     float sl = ((num - sh * dh) - sh * dl) / den, z = s * s;
     float p = 0.235825986f, a, h, t;
     p = p * z + 0.285372853f;
@@ -138,7 +140,8 @@ FN float k_pow(float x, float y) {
 
 // erfc(a) exp(a a) t as a polynomial in t = 2/(2+a), for a >= 1
 FN float k_erfc_tail(float a) {
-    float t = 2.0f / (2.0f + a), p = -0.124913506f, h = k_head(a), l = a - h;
+    float t = 2.0f / (2.0f + a), p = -0.124913506f, h = k_head(a);
+    float l = a - h;
     p = p * t + 0.387905419f;
     p = p * t - 0.40075919f;
     p = p * t + 0.0990234241f;

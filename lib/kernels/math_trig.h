@@ -4,7 +4,7 @@
 #define LUX_MATH_TRIG_H
 
 // 96 bits of 2/pi, the first of weight 2^(1-k): of m 2^k 2/pi mod 4 only these matter.
-FN void k_two_over_pi(int k, PRIVATE uint* w) {
+FN void k_two_over_pi(int k, PRIVATE(uint) w) {
     uint two_over_pi[8];
     two_over_pi[0] = 0u;
     two_over_pi[1] = 0xa2f9836eu;
@@ -29,8 +29,9 @@ FN void k_two_over_pi(int k, PRIVATE uint* w) {
 }
 
 // The quarter turns in x and the rest in [-pi/4, pi/4], for |x| above 2^13: x = m 2^k times 192 bits of 2/pi.
-FN float k_reduce_far(float x, PRIVATE int* quadrant) {
-    uint u = as_uint_(x), m = (u & 0x007fffffu) | 0x00800000u, shift, w[3];
+FN float k_reduce_far(float x, PRIVATE(int) quadrant) {
+    uint u = as_uint_(x);
+    uint m = (u & 0x007fffffu) | 0x00800000u, shift, w[3];
     int k = (int)((u >> 23) & 255u) - 150, q;  // x = m 2^k, k >= -10
     ulong64 a, b, c;
     float hi, frac;
@@ -71,7 +72,7 @@ FN float k_reduce_far(float x, PRIVATE int* quadrant) {
     return frac;
 }
 
-FN float k_reduce(float x, PRIVATE int* quadrant) {
+FN float k_reduce(float x, PRIVATE(int) quadrant) {
     float n;
     if (!(fabs_(x) < 8192.0f)) {
         if (!(fabs_(x) < 3.4e38f)) {
@@ -104,7 +105,7 @@ FN float k_cos_octant(float r) {
 
 // The quadrant of a random angle cannot be foreseen, so no branch asks for it: sine and cosine change places, and their
 // signs, by bits.
-FN void k_sincos(float x, PRIVATE float* sine, PRIVATE float* cosine) {
+FN void k_sincos(float x, PRIVATE(float) sine, PRIVATE(float) cosine) {
     int q;
     float r = k_reduce(x, &q);
     uint sn = as_uint_(k_sin_octant(r)), cs = as_uint_(k_cos_octant(r)), quadrant = (uint)q;
@@ -115,19 +116,22 @@ FN void k_sincos(float x, PRIVATE float* sine, PRIVATE float* cosine) {
 
 FN float k_sin(float x) {
     int q;
-    float r = k_reduce(x, &q), v = (q & 1) ? k_cos_octant(r) : k_sin_octant(r);
+    float r = k_reduce(x, &q);
+    float v = (q & 1) ? k_cos_octant(r) : k_sin_octant(r);
     return (q & 2) ? -v : v;
 }
 
 FN float k_cos(float x) {
     int q;
-    float r = k_reduce(x, &q), v = (q & 1) ? k_sin_octant(r) : k_cos_octant(r);
+    float r = k_reduce(x, &q);
+    float v = (q & 1) ? k_sin_octant(r) : k_cos_octant(r);
     return ((q + 1) & 2) ? -v : v;
 }
 
 FN float k_tan(float x) {
     int q;
-    float r = k_reduce(x, &q), sn = k_sin_octant(r), cs = k_cos_octant(r);
+    float r = k_reduce(x, &q);
+    float sn = k_sin_octant(r), cs = k_cos_octant(r);
     return (q & 1) ? -cs / sn : sn / cs;
 }
 

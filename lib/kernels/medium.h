@@ -3,15 +3,15 @@
 #ifndef LUX_MEDIUM_H
 #define LUX_MEDIUM_H
 
-typedef struct {
+STRUCT(Medium) {
     float3 k;       // extinction per unit length
     float3 albedo;  // the share of it that scatters
     float ecc;      // eccentricity of Henyey and Greenstein's phase function
     uint lights;    // the sets of sources that are scattered, a bit each (light_sets_at)
-} Medium;
+};
 
 // The global medium (-me -ma -mg), where no surface says otherwise.
-FN Medium medium_open(UNIFORM const Params* par) {
+FN Medium medium_open(UNIFORM(const Params) par) {
     Medium medium;
     medium.k = F3(par->medium.x, par->medium.y, par->medium.z);
     medium.albedo = F3(par->albedo.x, par->albedo.y, par->albedo.z);
@@ -20,7 +20,7 @@ FN Medium medium_open(UNIFORM const Params* par) {
     return medium;
 }
 
-FN Medium path_medium(PRIVATE const Paths* paths, uint slot) {
+FN Medium path_medium(SHARED(const Paths) paths, uint slot) {
     Medium medium;
     float4 k = paths->medium[slot], albedo = paths->albedo[slot];
     medium.k = xyz4(k);
@@ -30,13 +30,13 @@ FN Medium path_medium(PRIVATE const Paths* paths, uint slot) {
     return medium;
 }
 
-FN void set_path_medium(PRIVATE const Paths* paths, uint slot, PRIVATE const Medium* medium) {
+FN void set_path_medium(SHARED(const Paths) paths, uint slot, PRIVATE(const Medium) medium) {
     paths->medium[slot] = pack4(medium->k, as_float_(medium->lights));
     paths->albedo[slot] = pack4(medium->albedo, medium->ecc);
 }
 
 // A shadow ray keeps the same but the eccentricity, and with it what antimatter it is in.
-FN Medium shadow_medium(PRIVATE const Paths* paths, uint slot) {
+FN Medium shadow_medium(SHARED(const Paths) paths, uint slot) {
     Medium medium;
     float4 albedo = paths->shadow_albedo[slot];
     medium.k = xyz4(paths->shadow_medium[slot]);
@@ -46,14 +46,14 @@ FN Medium shadow_medium(PRIVATE const Paths* paths, uint slot) {
     return medium;
 }
 
-FN void set_shadow_medium(PRIVATE const Paths* paths, uint slot, PRIVATE const Medium* medium, uint clip) {
+FN void set_shadow_medium(SHARED(const Paths) paths, uint slot, PRIVATE(const Medium) medium, uint clip) {
     paths->shadow_medium[slot] = pack4(medium->k, as_float_(clip));
     paths->shadow_albedo[slot] = pack4(medium->albedo, as_float_(medium->lights));
 }
 
 // Mists keep what they do not state: a mist without albedo has that around it, one without list its lights.
-FN void mist_enter(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g,
-                   PRIVATE Medium* medium) {
+FN void mist_enter(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+                   PRIVATE(Medium) medium) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     medium->k = add3(medium->k, mul3(f3_at(arg), g->color));
@@ -63,8 +63,8 @@ FN void mist_enter(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIV
 }
 
 // Leaving takes away what it stated, down to the global medium: what an outer mist stated is forgotten, too.
-FN void mist_leave(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g,
-                   PRIVATE Medium* medium) {
+FN void mist_leave(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+                   PRIVATE(Medium) medium) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     Medium open = medium_open(par);
@@ -77,9 +77,9 @@ FN void mist_leave(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIV
 
 // *here: the medium of the segment that ends at a mist's surface, corrected if the ray leaves a mist that it never
 // entered, which only its list can tell; *beyond: the medium of the next.
-FN void mist_crossing(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g,
-                      PRIVATE Medium* here, PRIVATE Medium* beyond) {
-    uint lights = mod_record(s, par, g->mod)[MOD_EXTRA];
+FN void mist_crossing(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+                      PRIVATE(Medium) here, PRIVATE(Medium) beyond) {
+    uint lights = mod_word(s, par, g->mod, MOD_EXTRA);
     if (!g->front && (here->lights & lights) != lights) mist_enter(s, par, g, here);
     *beyond = *here;
     if (g->front) mist_enter(s, par, g, beyond);
@@ -95,13 +95,13 @@ FN float3 attenuation(float3 k, float length) {
 }
 
 // What the constant of deeper bounces (-av) scatters into a segment that lets T through.
-FN float3 medium_glow(UNIFORM const Params* par, PRIVATE const Medium* medium, float3 T) {
+FN float3 medium_glow(UNIFORM(const Params) par, PRIVATE(const Medium) medium, float3 T) {
     float3 av = F3(par->av.x, par->av.y, par->av.z), one = F3(1.0f, 1.0f, 1.0f);
     return mul3(mul3(medium->albedo, av), sub3(one, T));
 }
 
 // What it lets through of a shadow ray, to which scattering takes nothing away (spec shading 3.9).
-FN float3 shadow_attenuation(PRIVATE const Medium* medium, float length) {
+FN float3 shadow_attenuation(PRIVATE(const Medium) medium, float length) {
     float3 rest = sub3(F3(1.0f, 1.0f, 1.0f), medium->albedo);
     rest = F3(MAX_(rest.x, 0.0f), MAX_(rest.y, 0.0f), MAX_(rest.z, 0.0f));
     return attenuation(mul3(medium->k, rest), length);

@@ -6,15 +6,19 @@
 
 #define LONGEST_CHAIN 4096  // modifiers one above the other
 
-FN GLOBAL const uint* mod_record(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint mod) {
+FN GLOBAL const uint* mod_record(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod) {
     return s->u + par->mods_at + MOD_WORDS * mod;
+}
+
+FN uint mod_word(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod, uint k) {
+    return s->u[par->mods_at + MOD_WORDS * mod + k];
 }
 
 // The variables .cal programs see (spec: scene language 7.6), in world coordinates.  Patterns, textures and mixtures
 // see the normal as modelled, from behind, too: RADIANCE turns it to the viewer after them.
-FN void surface_vars(UNIFORM const Params* par, PRIVATE const Surface* g, PRIVATE float* vars) {
+FN void surface_vars(UNIFORM(const Params) par, PRIVATE(const Surface) g, PRIVATE(float) vars) {
     float3 p = F3(g->p.x + par->centre.x, g->p.y + par->centre.y, g->p.z + par->centre.z);
-    for (int i = 0; i < CAL_VARS; i++) vars[i] = 0.0f;
+    for (SAME int i = 0; i < CAL_VARS; i++) vars[i] = 0.0f;
     vars[CAL_DX] = -g->v.x;
     vars[CAL_DY] = -g->v.y;
     vars[CAL_DZ] = -g->v.z;
@@ -32,18 +36,18 @@ FN void surface_vars(UNIFORM const Params* par, PRIVATE const Surface* g, PRIVAT
 }
 
 // Inside an instance functions see its coordinates (spec scene 3): turns the variables of surface_vars().
-FN void vars_to_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, PRIVATE float* vars) {
+FN void vars_to_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(float) vars) {
     const int dirs[5] = {CAL_DX, CAL_NX, CAL_NXP, CAL_DXA, CAL_LX};
     if (g->inst == NONE) return;
     GLOBAL const float* record = instance_record(s, g->inst);
     float scale = record[INST_SCALE];
 
-    for (int i = 0; i < 5; i++) {
-        PRIVATE float* d = vars + dirs[i];
-        float3 v = scale3(affine_vector(record + INST_FRAME, F3(d[0], d[1], d[2])), 1.0f / scale);
-        d[0] = v.x;
-        d[1] = v.y;
-        d[2] = v.z;
+    for (SAME int i = 0; i < 5; i++) {
+        int k = dirs[i];
+        float3 v = scale3(affine_vector(record + INST_FRAME, F3(vars[k], vars[k + 1], vars[k + 2])), 1.0f / scale);
+        vars[k] = v.x;
+        vars[k + 1] = v.y;
+        vars[k + 2] = v.z;
     }
 
     float3 p = affine_point(record + INST_FRAME, g->p);
@@ -55,25 +59,23 @@ FN void vars_to_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, PR
 }
 
 // A direction or displacement that such a function gave, in the world; its length is kept.
-FN float3 vector_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, float3 v) {
+FN float3 vector_from_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, float3 v) {
     if (g->inst == NONE) return v;
     GLOBAL const float* record = instance_record(s, g->inst);
     return scale3(affine_back(record + INST_FRAME, v), 1.0f / record[INST_SCALE]);
 }
 
-FN void turn_from_frame(PRIVATE const SceneTables* s, PRIVATE const Surface* g, PRIVATE float* v) {
-    float3 w = vector_from_frame(s, g, F3(v[0], v[1], v[2]));
-    v[0] = w.x;
-    v[1] = w.y;
-    v[2] = w.z;
+FN void turn_from_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(float) v, uint k) {
+    float3 w = vector_from_frame(s, g, F3(v[k], v[k + 1u], v[k + 2u]));
+    v[k] = w.x;
+    v[k + 1u] = w.y;
+    v[k + 2u] = w.z;
 }
 
 // What patterns and textures have made so far.
-typedef struct {
-    float3 color, pert;
-} Patterns;
+STRUCT(Patterns) { float3 color, pert; };
 
-FN Patterns no_patterns(void) {
+FN Patterns no_patterns() {
     Patterns none;
     none.color = F3(1.0f, 1.0f, 1.0f);
     none.pert = F3(0.0f, 0.0f, 0.0f);
@@ -81,8 +83,8 @@ FN Patterns no_patterns(void) {
 }
 
 // Adds what the program of a pattern or texture gave.
-FN void apply_pattern(PRIVATE const SceneTables* s, PRIVATE const Surface* g, uint type, PRIVATE const float* out,
-                      PRIVATE Patterns* sum) {
+FN void apply_pattern(SHARED(const SceneTables) s, PRIVATE(const Surface) g, uint type, PRIVATE(const float) out,
+                      PRIVATE(Patterns) sum) {
     if (type == M_PATTERN1) sum->color = scale3(sum->color, out[0]);
     if (type == M_PATTERN3) sum->color = mul3(sum->color, F3(out[0], out[1], out[2]));
     if (type == M_TEXTURE) sum->pert = add3(sum->pert, vector_from_frame(s, g, F3(out[0], out[1], out[2])));
@@ -92,44 +94,45 @@ FN void apply_pattern(PRIVATE const SceneTables* s, PRIVATE const Surface* g, ui
 FN float mixture_share(float x) { return x < 0.0f ? 0.0f : x > 1.0f ? 1.0f : x; }
 
 // A mixture of patterns that is being walked through: what was found before it and in its first branch, where to go on.
-typedef struct {
+STRUCT(PatternMix) {
     Patterns before, first;
     float share;  // of the first branch
     uint second, next;
     int first_done;
-} PatternMix;
+};
 
-FN void mix_enter(GLOBAL const uint* m, float share, PRIVATE Patterns* sum, PRIVATE uint* mod,
-                  PRIVATE PatternMix* mix) {
-    mix->before = *sum;
-    mix->share = share;
-    mix->second = m[MOD_BRANCH2];
-    mix->next = *mod;
-    mix->first_done = 0;
+FN void mix_enter(GLOBAL const uint* m, float share, PRIVATE(Patterns) sum, PRIVATE(uint) mod,
+                  PRIVATE(PatternMix) stack, int depth) {
+    stack[depth].before = *sum;
+    stack[depth].share = share;
+    stack[depth].second = m[MOD_BRANCH2];
+    stack[depth].next = *mod;
+    stack[depth].first_done = 0;
     *sum = no_patterns();
     *mod = m[MOD_BRANCH1];
 }
 
 // A branch has ended: on to the second one, or, mixed, to what follows the mixture.  1: the mixture is done.
-FN int mix_branch_ends(PRIVATE PatternMix* mix, PRIVATE Patterns* sum, PRIVATE uint* mod) {
-    if (!mix->first_done) {
-        mix->first_done = 1;
-        mix->first = *sum;
+FN int mix_branch_ends(PRIVATE(PatternMix) stack, int depth, PRIVATE(Patterns) sum, PRIVATE(uint) mod) {
+    if (!stack[depth].first_done) {
+        stack[depth].first_done = 1;
+        stack[depth].first = *sum;
         *sum = no_patterns();
-        *mod = mix->second;
+        *mod = stack[depth].second;
         return 0;
     }
 
-    float c = mix->share;
-    sum->color = mul3(mix->before.color, madd3(mix->first.color, c, scale3(sum->color, 1.0f - c)));
-    sum->pert = add3(mix->before.pert, madd3(mix->first.pert, c, scale3(sum->pert, 1.0f - c)));
-    *mod = mix->next;
+    PatternMix mix = stack[depth];
+    float c = mix.share;
+    sum->color = mul3(mix.before.color, madd3(mix.first.color, c, scale3(sum->color, 1.0f - c)));
+    sum->pert = add3(mix.before.pert, madd3(mix.first.pert, c, scale3(sum->pert, 1.0f - c)));
+    *mod = mix.next;
     return 1;
 }
 
 // Patterns and textures of a chain without material: colours and perturbations mix linearly (spec shading 3.10).
-FN Patterns chain_patterns(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Surface* g, uint mod,
-                           PRIVATE const float* vars) {
+FN Patterns chain_patterns(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint mod,
+                           PRIVATE(const float) vars) {
     float out[CAL_OUTPUTS];
     PatternMix stack[MIX_DEPTH];
     int depth = 0;
@@ -139,7 +142,7 @@ FN Patterns chain_patterns(PRIVATE const SceneTables* s, UNIFORM const Params* p
         GLOBAL const uint* m = mod != NONE ? mod_record(s, par, mod) : s->u;
         if (mod == NONE || m[MOD_TYPE] >= M_FIRST_MATERIAL) {  // the end of a branch
             if (depth == 0) return sum;
-            depth -= mix_branch_ends(&stack[depth - 1], &sum, &mod);
+            depth -= mix_branch_ends(stack, depth - 1, &sum, &mod);
             continue;
         }
 
@@ -147,14 +150,14 @@ FN Patterns chain_patterns(PRIVATE const SceneTables* s, UNIFORM const Params* p
         mod = m[MOD_NEXT];
         if (cal_run(s, m[MOD_PROGRAM], vars, out)) continue;
         if (type != M_MIXTURE) apply_pattern(s, g, type, out, &sum);
-        else if (depth < MIX_DEPTH) mix_enter(m, mixture_share(out[0]), &sum, &mod, &stack[depth++]);
+        else if (depth < MIX_DEPTH) mix_enter(m, mixture_share(out[0]), &sum, &mod, stack, depth++);
     }
 
     return sum;
 }
 
 // The normal that textures and smoothing make (spec shading 2): on the viewer's side.
-FN void shading_normal(PRIVATE Surface* g) {
+FN void shading_normal(PRIVATE(Surface) g) {
     g->n = g->ng;
     if (!is_textured(g)) return;
 
@@ -166,15 +169,15 @@ FN void shading_normal(PRIVATE Surface* g) {
 }
 
 // Back to the patterns and textures met before the material, for another chain in place of the material's own.
-FN void without_own_chain(PRIVATE const SceneTables* s, PRIVATE Surface* g) {
+FN void without_own_chain(SHARED(const SceneTables) s, PRIVATE(Surface) g) {
     g->color = g->color_before;
     g->pert = g->pert_before;
     g->flat = drawn_flat(s, g) && !is_textured(g);
 }
 
 // A mixture of patterns alone: both branches, mixed.
-FN void apply_pattern_mixture(PRIVATE const SceneTables* s, UNIFORM const Params* par, GLOBAL const uint* m,
-                              float share, PRIVATE const float* vars, PRIVATE Surface* g) {
+FN void apply_pattern_mixture(SHARED(const SceneTables) s, UNIFORM(const Params) par, GLOBAL const uint* m, float share,
+                              PRIVATE(const float) vars, PRIVATE(Surface) g) {
     Patterns first = chain_patterns(s, par, g, m[MOD_BRANCH1], vars);
     Patterns second = chain_patterns(s, par, g, m[MOD_BRANCH2], vars);
     float3 pert = madd3(first.pert, share, scale3(second.pert, 1.0f - share));
@@ -184,7 +187,7 @@ FN void apply_pattern_mixture(PRIVATE const SceneTables* s, UNIFORM const Params
 }
 
 // The same of a single pattern or texture.
-FN void apply_single_pattern(PRIVATE const SceneTables* s, uint type, PRIVATE const float* out, PRIVATE Surface* g) {
+FN void apply_single_pattern(SHARED(const SceneTables) s, uint type, PRIVATE(const float) out, PRIVATE(Surface) g) {
     Patterns sum;
     sum.color = g->color;
     sum.pert = g->pert;
@@ -195,8 +198,7 @@ FN void apply_single_pattern(PRIVATE const SceneTables* s, uint type, PRIVATE co
 }
 
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
-FN int find_material(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Surface* g,
-                     PRIVATE Sampler* rnd) {
+FN int find_material(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, PRIVATE(Sampler) rnd) {
     uint stack[MIX_DEPTH];  // where the chains of mixtures go on
     int depth = 0, have_vars = 0;
     uint mod = g->mod, material = NONE;

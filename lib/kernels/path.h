@@ -20,7 +20,7 @@
 #include "kernels/path/draw.h"
 
 // Shades the hit of a slot.  Returns bits: PATH_GOES_ON, PATH_SHADOW.
-FN int path_step(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot) {
+FN int path_step(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
     Vertex vertex;
     Way way;
     vertex_load(par, paths, slot, &vertex);
@@ -72,7 +72,7 @@ FN int path_step(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVAT
 }
 
 // The same, and where a sub-path ends the next one begins.
-FN int path_shade(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot) {
+FN int path_shade(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
     int result = path_step(s, par, paths, slot);
     if ((result & PATH_GOES_ON) != 0 || par->guide_mask == 0u) return result;
     return result | path_fork_again(s, par, paths, slot);

@@ -7,7 +7,7 @@
 #ifndef LUX_PORTALS_H
 #define LUX_PORTALS_H
 
-FN GLOBAL const float* portal_record(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint k) {
+FN GLOBAL const float* portal_record(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint k) {
     return s->f + par->portals_at + PORTAL_FLOATS * par->portal_pick[k];
 }
 
@@ -22,7 +22,8 @@ FN float portal_view(GLOBAL const float* portal, float3 p, float3 n) {
     float reach = 0.5f * (fabs_(dot3(f3_at(portal + PORTAL_U), n)) + fabs_(dot3(f3_at(portal + PORTAL_V), n)));
     if (e + reach <= 0.0f) return 0.0f;
     if (e < reach) e = 0.25f * (e + reach) * (e + reach) / reach;
-    float area = portal[PORTAL_AREA], d2 = MAX_(dot3(to, to), 0.25f * area);
+    float area = portal[PORTAL_AREA];
+    float d2 = MAX_(dot3(to, to), 0.25f * area);
     return area * height * e / (d2 * d2);
 }
 
@@ -39,24 +40,24 @@ FN float portal_density(GLOBAL const float* portal, float3 p, float3 dir) {
 }
 
 // Light that comes to p through all portals.
-FN float portals_light(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n) {
+FN float portals_light(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n) {
     float total = 0.0f;
-    for (uint k = 0u; k < par->portal_count; k++)
+    for (SAME uint k = 0u; k < par->portal_count; k++)
         total += par->portal_light[k] * portal_view(portal_record(s, par, k), p, n);
     return total;
 }
 
 // The share of the directions that aim at portals, whose light sums to `total`.
-FN float portals_share(UNIFORM const Params* par, float total) {
+FN float portals_share(UNIFORM(const Params) par, float total) {
     if (!(total > 0.0f)) return 0.0f;
     return MIN_(MAX_(total / (total + par->portal_rest), par->portal_least), par->portal_most);
 }
 
 // Density (per sr) of direction dir from p among those toward portals, whose light sums to `total`.
-FN float portals_density(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, float3 dir,
+FN float portals_density(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n, float3 dir,
                          float total) {
     float density = 0.0f;
-    for (uint k = 0u; k < par->portal_count; k++) {
+    for (SAME uint k = 0u; k < par->portal_count; k++) {
         GLOBAL const float* portal = portal_record(s, par, k);
         float d = portal_density(portal, p, dir);
         if (d > 0.0f) density += par->portal_light[k] * portal_view(portal, p, n) / total * d;
@@ -66,12 +67,12 @@ FN float portals_density(PRIVATE const SceneTables* s, UNIFORM const Params* par
 }
 
 // The direction from p to a point of a portal, which r, 0 .. the sum of their light, picks by its light.
-FN float3 portal_direction(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n, float r,
+FN float3 portal_direction(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n, float r,
                            float across) {
     float before = 0.0f, w = 0.0f;
     uint pick = 0u;
 
-    for (uint k = 0u; k < par->portal_count; k++) {
+    for (SAME uint k = 0u; k < par->portal_count; k++) {
         float wk = par->portal_light[k] * portal_view(portal_record(s, par, k), p, n);
         if (wk <= 0.0f) continue;
         pick = k;
@@ -97,8 +98,8 @@ FN float3 cosine_direction(float3 n, float x, float turn) {
 }
 
 // Samples a direction over the hemisphere of n.  Returns cos/(pi density): the factor of the diffuse coefficient.
-FN float sample_diffuse(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 p, float3 n,
-                        PRIVATE Sampler* rnd, PRIVATE float3* dir) {
+FN float sample_diffuse(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n,
+                        PRIVATE(Sampler) rnd, PRIVATE(float3) dir) {
     float2 x = sample2(rnd);
     float total = portals_light(s, par, p, n);
     float share = portals_share(par, total);

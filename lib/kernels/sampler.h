@@ -9,11 +9,13 @@
 
 #define SAMPLER_AHEAD 4u
 
-typedef struct {
+STRUCT(Sampler) {
     uint key, index, dim;
-    uint until;                       // pairs below this dimension are drawn: the SAMPLER_AHEAD before it
+    uint until;  // pairs below this dimension are drawn: the SAMPLER_AHEAD before it
+#if WIDE_WORDS
     float drawn[2u * SAMPLER_AHEAD];  // first numbers, second numbers
-} Sampler;
+#endif
+};
 
 // The steps from a counter to a random number, for one WORD or the eight of a wide one: the same text, hence the same
 // numbers.
@@ -56,7 +58,9 @@ typedef struct {
     }
 
 SAMPLER_STEPS(uint, hash32, reverse_bits, owen_reversed, sobol_second)
+#if WIDE_WORDS
 SAMPLER_STEPS(v8u, hash8, reverse_bits8, owen_reversed8, sobol_second8)
+#endif
 
 #define SAMPLER_DIM 0x9e3779b9u    // from one dimension's hash to the next
 #define SAMPLER_FIRST 0xa511e9b3u  // what makes the scrambles of a pair differ
@@ -76,8 +80,8 @@ FN float unit_float(uint x) { return (float)(x >> 8) * (1.0f / 16777216.0f); }
 
 // Draws the next pairs at once, where that costs no more than one (WIDE_WORDS): the first four lanes make their first
 // numbers, the others the second.
-FN void sampler_ahead(PRIVATE Sampler* rnd) {
-    if (!WIDE_WORDS) return;
+#if WIDE_WORDS
+FN void sampler_ahead(PRIVATE(Sampler) rnd) {
     v8u second = second_half8_();
     v8u k = hash8(count4_(rnd->key + rnd->dim * SAMPLER_DIM, SAMPLER_DIM));
     v8u shuffled = reverse_bits8(owen_reversed8(splat8u_(reverse_bits(rnd->index)), k));
@@ -87,9 +91,12 @@ FN void sampler_ahead(PRIVATE Sampler* rnd) {
     store8_(float8_(x >> 8) * (1.0f / 16777216.0f), rnd->drawn);
     rnd->until = rnd->dim + SAMPLER_AHEAD;
 }
+#else
+FN void sampler_ahead(PRIVATE(Sampler) rnd) { rnd->until = 0u; }
+#endif
 
 // One pair alone.
-FN float2 sampler_pair(PRIVATE const Sampler* rnd, uint dim) {
+FN float2 sampler_pair(PRIVATE(const Sampler) rnd, uint dim) {
     uint k = hash32(rnd->key + dim * SAMPLER_DIM);
     uint shuffled = reverse_bits(owen_reversed(reverse_bits(rnd->index), k));  // Owen-shuffled index
     float2 r;
@@ -99,17 +106,21 @@ FN float2 sampler_pair(PRIVATE const Sampler* rnd, uint dim) {
 }
 
 // The next pair of dimensions.
-FN float2 sample2(PRIVATE Sampler* rnd) {
+FN float2 sample2(PRIVATE(Sampler) rnd) {
     uint dim = rnd->dim++;
-    if (dim >= rnd->until) return sampler_pair(rnd, dim);
-    PRIVATE const float* drawn = rnd->drawn + (dim + SAMPLER_AHEAD - rnd->until);
-    float2 r;
-    r.x = drawn[0];
-    r.y = drawn[SAMPLER_AHEAD];
-    return r;
+#if WIDE_WORDS
+    if (dim < rnd->until) {
+        uint k = dim + SAMPLER_AHEAD - rnd->until;
+        float2 r;
+        r.x = rnd->drawn[k];
+        r.y = rnd->drawn[k + SAMPLER_AHEAD];
+        return r;
+    }
+#endif
+    return sampler_pair(rnd, dim);
 }
 
-FN float sample1(PRIVATE Sampler* rnd) {
+FN float sample1(PRIVATE(Sampler) rnd) {
     float2 r = sample2(rnd);
     return r.x;
 }

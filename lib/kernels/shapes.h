@@ -9,7 +9,7 @@
 #define SHAPE_GRAZING 1e-6f
 
 // Roots of a t^2 + 2 b t + c = 0, the smaller first; the count.  Both by the stable form q = -(b + sign(b) sqrt(disc)).
-FN int quadratic(float a, float b, float c, PRIVATE float* t0, PRIVATE float* t1) {
+FN int quadratic(float a, float b, float c, PRIVATE(float) t0, PRIVATE(float) t1) {
     float disc = b * b - a * c, q;
     if (!(disc >= 0.0f)) return 0;
     q = -(b + (b < 0.0f ? -sqrt_(disc) : sqrt_(disc)));
@@ -34,9 +34,10 @@ FN int quadratic(float a, float b, float c, PRIVATE float* t0, PRIVATE float* t1
 }
 
 // Sphere: with p the point of the ray nearest the centre, t = t_p -+ sqrt((r^2 - |p - c|^2) / d.d).
-FN int sphere_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+FN int sphere_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE(float) t) {
     float3 oc = sub3(f3_at(shape + SPHERE_CENTRE), org);
-    float dd = dot3(dir, dir), tp = dot3(oc, dir) / dd, r = shape[SPHERE_RADIUS];
+    float dd = dot3(dir, dir);
+    float tp = dot3(oc, dir) / dd, r = shape[SPHERE_RADIUS];
     float3 l = sub3(oc, scale3(dir, tp));
     float d2 = r * r - dot3(l, l), h;
     if (!(d2 >= 0.0f)) return 0;
@@ -48,12 +49,14 @@ FN int sphere_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin,
 }
 
 // Cone: |w - (w.a) a| = r0 + k w.a with w from p0 and k = (r1 - r0)/length; 0 <= w.a <= length.
-FN int cone_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+FN int cone_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE(float) t) {
     float3 p0 = f3_at(shape + CONE_START), axis = f3_at(shape + CONE_AXIS);
-    float len = shape[CONE_LENGTH], r0 = shape[CONE_RADIUS0], k = (shape[CONE_RADIUS1] - r0) / len;
+    float len = shape[CONE_LENGTH], r0 = shape[CONE_RADIUS0];
+    float k = (shape[CONE_RADIUS1] - r0) / len;
     float ts = dot3(sub3(madd3(axis, 0.5f * len, p0), org), dir) / dot3(dir, dir);
     float3 w = sub3(madd3(dir, ts, org), p0);
-    float wa = dot3(w, axis), da = dot3(dir, axis), r = r0 + k * wa, t0 = 0.0f, t1 = 0.0f, h;
+    float wa = dot3(w, axis), da = dot3(dir, axis);
+    float r = r0 + k * wa, t0 = 0.0f, t1 = 0.0f, h;
     float3 wp = sub3(w, scale3(axis, wa)), dp = sub3(dir, scale3(axis, da));
     float a = dot3(dp, dp) - k * k * da * da, b = dot3(wp, dp) - k * da * r, c = dot3(wp, wp) - r * r;
     if (quadratic(a, b, c, &t0, &t1) == 0) return 0;
@@ -65,7 +68,7 @@ FN int cone_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, P
     return *t > tmin && h >= 0.0f && h <= len;
 }
 
-FN int ring_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE float* t) {
+FN int ring_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE(float) t) {
     float3 oc = sub3(f3_at(shape + RING_CENTRE), org), n = f3_at(shape + RING_NORMAL), l;
     float c = dot3(dir, n), d2;
     if (c * c <= SHAPE_GRAZING * SHAPE_GRAZING * dot3(dir, dir)) return 0;
@@ -92,7 +95,8 @@ FN int polygon_inside(GLOBAL const float* uv, uint count, float u, float v) {
 
     for (uint i = 0u; i < count && !odd; i++) {
         float qu = uv[2u * i], qv = uv[2u * i + 1u];
-        float eu = qu - pu, ev = qv - pv, wu = u - pu, wv = v - pv, ee = eu * eu + ev * ev;
+        float eu = qu - pu, ev = qv - pv, wu = u - pu, wv = v - pv;
+        float ee = eu * eu + ev * ev;
         float h = ee > 0.0f ? (wu * eu + wv * ev) / ee : 0.0f;
         h = h < 0.0f ? 0.0f : h > 1.0f ? 1.0f : h;
         wu -= h * eu;
@@ -106,7 +110,7 @@ FN int polygon_inside(GLOBAL const float* uv, uint count, float u, float v) {
 }
 
 FN int polygon_hit(GLOBAL const float* shape, GLOBAL const float* uv, float3 org, float3 dir, float tmin,
-                   PRIVATE float* t) {
+                   PRIVATE(float) t) {
     float3 n = f3_at(shape + POLYGON_NORMAL), p;
     float c = dot3(dir, n);
     uint axis = as_uint_(shape[POLYGON_AXIS]);
@@ -120,7 +124,7 @@ FN int polygon_hit(GLOBAL const float* shape, GLOBAL const float* uv, float3 org
 
 // The first t > tmin at which the ray meets the shape; 0 if it does not.
 FN int shape_hit(GLOBAL const float* shape, GLOBAL const float* polygon_uv, float3 org, float3 dir, float tmin,
-                 PRIVATE float* t) {
+                 PRIVATE(float) t) {
     uint kind = as_uint_(shape[SHAPE_KIND]);
     if (kind == SHAPE_SPHERE) return sphere_hit(shape, org, dir, tmin, t);
     if (kind == SHAPE_CONE) return cone_hit(shape, org, dir, tmin, t);

@@ -9,9 +9,10 @@
 // the source while it is large for its distance, each half with equal chance.  *c is moved to the piece's centre, *u
 // and *v become its half vectors; the result is the piece's share of the source.  Only -dj < 1 can tell it from the
 // whole.  line: there is no v.
-FN float source_piece(float3 p, float ds, int line, PRIVATE float3* c, PRIVATE float3* u, PRIVATE float3* v,
-                      PRIVATE float2* x) {
-    float share = 1.0f, k = 2.0f / ds, du = k * length3(*u), dv = line ? 0.0f : k * length3(*v);
+FN float source_piece(float3 p, float ds, int line, PRIVATE(float3) c, PRIVATE(float3) u, PRIVATE(float3) v,
+                      PRIVATE(float2) x) {
+    float share = 1.0f, k = 2.0f / ds;
+    float du = k * length3(*u), dv = line ? 0.0f : k * length3(*v);
     for (int i = 0; i < 6; i++) {  // at most 64 pieces
         float d = length3(sub3(p, *c)), sign;
         if (d >= du && d >= dv) break;
@@ -35,7 +36,7 @@ FN float source_piece(float3 p, float ds, int line, PRIVATE float3* c, PRIVATE f
 }
 
 // What a glow's reach and a spotlight's cone leave of a sample.
-FN void source_limits(GLOBAL const float* src, uint kind, float3 p, PRIVATE LightSample* light) {
+FN void source_limits(GLOBAL const float* src, uint kind, float3 p, PRIVATE(LightSample) light) {
     if (src[SRC_MAXRAD] > 0.0f && light->dist > src[SRC_MAXRAD]) light->w = 0.0f;
     if (!IS_SPOT(src)) return;
 
@@ -64,7 +65,7 @@ FN float3 cone_direction(float3 axis, float z1, float turn) {
 }
 
 // From p to a point at distance* dist.
-FN float3 light_direction(float3 to, PRIVATE float* dist) {
+FN float3 light_direction(float3 to, PRIVATE(float) dist) {
     *dist = length3(to);
     return scale3(to, 1.0f / MAX_(*dist, 1e-9f));
 }
@@ -89,7 +90,7 @@ FN float3 sheared_place(GLOBAL const float* src, int distant, float2 x, float dj
 }
 
 // A sun: uniform over its cap, pulled to its centre by dj.
-FN void sample_distant(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE LightSample* light) {
+FN void sample_distant(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
     float3 axis = f3_at(src + SRC_CENTRE);
     if (dj <= 0.0f) light->dir = axis;
     else if (src[SRC_SHEARED] != 0.0f) light->dir = unit3(sheared_place(src, 1, x, dj));
@@ -101,16 +102,17 @@ FN void sample_distant(GLOBAL const float* src, float3 p, float2 x, float dj, PR
     light->normal = neg3(light->dir);
 }
 
-FN void sample_sheared_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE LightSample* light) {
+FN void sample_sheared_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
     light->dir = light_direction(sub3(sheared_place(src, 0, x, dj), p), &light->dist);
     light->w = K_PI * src[SRC_RADIUS] * src[SRC_RADIUS] / MAX_(light->dist * light->dist, 1e-18f);
     light->point = madd3(light->dir, light->dist, p);
     light->normal = neg3(light->dir);
 }
 
-FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE LightSample* light) {
+FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
     float r = src[SRC_RADIUS];
-    float3 c = f3_at(src + SRC_CENTRE), to = sub3(c, p);
+    float3 c = f3_at(src + SRC_CENTRE);
+    float3 to = sub3(c, p);
     float d2 = dot3(to, to);
     if (d2 <= r * r) return;
     float d = sqrt_(d2);
@@ -132,9 +134,11 @@ FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRI
     }
 
     // exact: uniform over the cone it subtends
-    float s2 = r * r / d2,
-          cap = s2 / (1.0f + sqrt_(1.0f - s2));  // 1 - cos of the half angle
-    float z1 = x.x * cap, off = sqrt_(z1 * (2.0f - z1)), e = r * r - d2 * off * off;
+    float s2 = r * r / d2;
+    float cap = s2 / (1.0f + sqrt_(1.0f - s2));  // 1 - cos of the half angle
+    float z1 = x.x * cap;
+    float off = sqrt_(z1 * (2.0f - z1));
+    float e = r * r - d2 * off * off;
     light->dir = cone_direction(to, z1, x.y);
     light->dist = d * (1.0f - z1) - sqrt_(e > 0.0f ? e : 0.0f);
     light->w = K_TURN * cap;
@@ -144,8 +148,8 @@ FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRI
 
 // A parallelogram; with -ds also a polygon or ring, in RADIANCE's own pieces and its idea of the shape: the shadow ray
 // must then hit the source.
-FN float3 point_of_pieces(UNIFORM const Params* par, GLOBAL const float* src, uint kind, float3 p, float2 x, float dj,
-                          PRIVATE float* pieces) {
+FN float3 point_of_pieces(UNIFORM(const Params) par, GLOBAL const float* src, uint kind, float3 p, float2 x, float dj,
+                          PRIVATE(float) pieces) {
     float3 centre = f3_at(src + SRC_CENTRE), u = f3_at(src + SRC_U), v = f3_at(src + SRC_V);
     if (kind == SK_RING) {  // square of equal area
         u = scale3(u, 0.886226925f);
@@ -169,7 +173,7 @@ FN float3 point_of_ring(GLOBAL const float* src, float2 x, float dj) {
 }
 
 // A triangle of the fan, by area, and a point in it.
-FN float3 point_of_polygon(PRIVATE const SceneTables* s, GLOBAL const float* src, float2 x, float dj) {
+FN float3 point_of_polygon(SHARED(const SceneTables) s, GLOBAL const float* src, float2 x, float dj) {
     if (dj <= 0.0f) return f3_at(src + SRC_CENTRE);
     uint count = as_uint_(src[SRC_NTRIS]), k = 0u;
     GLOBAL const float* fan = s->f + as_uint_(src[SRC_TRIS]);
@@ -178,12 +182,13 @@ FN float3 point_of_polygon(PRIVATE const SceneTables* s, GLOBAL const float* src
         fan += FAN_FLOATS;
     }
 
-    float u = (x.x - fan[FAN_FROM]) / (fan[FAN_UPTO] - fan[FAN_FROM]), su = sqrt_(u);
+    float u = (x.x - fan[FAN_FROM]) / (fan[FAN_UPTO] - fan[FAN_FROM]);
+    float su = sqrt_(u);
     return madd3(f3_at(fan + FAN_EDGE1), su * (1.0f - x.y), madd3(f3_at(fan + FAN_EDGE2), su * x.y, f3_at(fan)));
 }
 
 // A sample from its point and the normal there.
-FN void sample_point(GLOBAL const float* src, float3 at, float3 n, float3 p, PRIVATE LightSample* light) {
+FN void sample_point(GLOBAL const float* src, float3 at, float3 n, float3 p, PRIVATE(LightSample) light) {
     float3 to = sub3(at, p);
     float d2 = dot3(to, to);
     if (d2 <= 0.0f) return;
@@ -196,8 +201,8 @@ FN void sample_point(GLOBAL const float* src, float3 at, float3 n, float3 p, PRI
     light->normal = n;
 }
 
-FN void sample_flat(PRIVATE const SceneTables* s, UNIFORM const Params* par, GLOBAL const float* src, uint kind,
-                    float3 p, float2 x, float dj, PRIVATE LightSample* light) {
+FN void sample_flat(SHARED(const SceneTables) s, UNIFORM(const Params) par, GLOBAL const float* src, uint kind,
+                    float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
     float3 at;
     if (kind == SK_PARALLELOGRAM || par->ds > 0.0f) at = point_of_pieces(par, src, kind, p, x, dj, &light->pieces);
     else if (kind == SK_RING) at = point_of_ring(src, x, dj);
@@ -206,9 +211,10 @@ FN void sample_flat(PRIVATE const SceneTables* s, UNIFORM const Params* par, GLO
 }
 
 // A cylinder as RADIANCE sees it, with -dj 0 or in the pieces of -ds: a line, as wide as it looks from the side.
-FN void sample_line(UNIFORM const Params* par, GLOBAL const float* src, float3 p, float2 x, float dj,
-                    PRIVATE LightSample* light) {
-    float3 c = f3_at(src + SRC_CENTRE), axis = f3_at(src + SRC_U), none = axis;
+FN void sample_line(UNIFORM(const Params) par, GLOBAL const float* src, float3 p, float2 x, float dj,
+                    PRIVATE(LightSample) light) {
+    float3 c = f3_at(src + SRC_CENTRE), axis = f3_at(src + SRC_U);
+    float3 none = axis;
     float r = src[SRC_RADIUS], share = 1.0f;
 
     if (par->ds > 0.0f) {
@@ -218,7 +224,9 @@ FN void sample_line(UNIFORM const Params* par, GLOBAL const float* src, float3 p
     }
 
     float3 to = sub3(c, p);
-    float d2 = dot3(to, to), h = length3(axis), ca = dot3(to, axis) / (h * sqrt_(d2)), sa = 1.0f - ca * ca;
+    float d2 = dot3(to, to), h = length3(axis);
+    float ca = dot3(to, axis) / (h * sqrt_(d2));
+    float sa = 1.0f - ca * ca;
     light->pieces = 1.0f / share;
     light->dist = sqrt_(d2);
     light->dir = scale3(to, 1.0f / light->dist);
@@ -232,8 +240,8 @@ FN void sample_line(UNIFORM const Params* par, GLOBAL const float* src, float3 p
 }
 
 // SRC_U is half its axis.
-FN void sample_cylinder(UNIFORM const Params* par, GLOBAL const float* src, float3 p, float2 x, float dj,
-                        PRIVATE LightSample* light) {
+FN void sample_cylinder(UNIFORM(const Params) par, GLOBAL const float* src, float3 p, float2 x, float dj,
+                        PRIVATE(LightSample) light) {
     if (dj <= 0.0f || par->ds > 0.0f) {
         sample_line(par, src, p, x, dj, light);
         return;
@@ -249,8 +257,8 @@ FN void sample_cylinder(UNIFORM const Params* par, GLOBAL const float* src, floa
 }
 
 // A point of active source `source` as seen from p; w = 0 if it cannot shine there.
-FN void sample_source(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint source, float3 p, float2 x,
-                      float dj, PRIVATE LightSample* light) {
+FN void sample_source(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint source, float3 p, float2 x, float dj,
+                      PRIVATE(LightSample) light) {
     GLOBAL const float* src = source_record(s, par, source);
     uint kind = as_uint_(src[SRC_KIND]);
     light->w = 0.0f;

@@ -5,22 +5,26 @@
 #ifndef LUX_SOURCES_H
 #define LUX_SOURCES_H
 
-FN GLOBAL const float* source_record(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint i) {
+FN GLOBAL const float* source_record(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint i) {
     return s->f + par->sources_at + SOURCE_FLOATS * i;
 }
 
-typedef struct {
+FN uint source_word(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint i, uint k) {
+    return as_uint_(*(source_record(s, par, i) + k));
+}
+
+STRUCT(LightSample) {
     float3 dir;     // from the point to the source, unit
     float dist;     // FAR_AWAY for distant ones
     float w;        // solid angle this sample stands for
     float pieces;   // with -ds: how many pieces of a source it stands for; lobes are widened by one of them
     float3 point;   // on the source (local ones)
     float3 normal;  // there
-} LightSample;
+};
 
 // Radiance of light material `mod` seen along dir (from the viewer to the light), patterns included.
-FN float3 light_radiance(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint mod, uint prim, float3 dir,
-                         float3 point, float3 normal, float length, float total, PRIVATE Sampler* rnd) {
+FN float3 light_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod, uint prim, float3 dir,
+                         float3 point, float3 normal, float length, float total, PRIVATE(Sampler) rnd) {
     Surface g;
     GLOBAL const uint* m = mod_record(s, par, mod);
     surface_plain(prim, mod, NONE, length, &g);
@@ -43,8 +47,8 @@ FN float3 light_radiance(PRIVATE const SceneTables* s, UNIFORM const Params* par
 
 // Radiance of the source of record src at its sampled point.  before: path length from the eye to the point lit.  A
 // virtual source's is known only where its shadow ray arrives: 1 until then.
-FN float3 sampled_radiance(PRIVATE const SceneTables* s, UNIFORM const Params* par, GLOBAL const float* src,
-                           PRIVATE const LightSample* light, float before, PRIVATE Sampler* rnd) {
+FN float3 sampled_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) par, GLOBAL const float* src,
+                           PRIVATE(const LightSample) light, float before, PRIVATE(Sampler) rnd) {
     if (as_uint_(src[SRC_VIRTUAL]) != NONE) return F3(1.0f, 1.0f, 1.0f);
     return light_radiance(s, par, as_uint_(src[SRC_MOD]), as_uint_(src[SRC_PRIM]), light->dir, light->point,
                           light->normal, light->dist, before + light->dist, rnd);
@@ -52,9 +56,9 @@ FN float3 sampled_radiance(PRIVATE const SceneTables* s, UNIFORM const Params* p
 
 // The distant surface seen in direction dir: the first non-glow that matches, else the first glow.  NONE if none.
 // sampled: by a ray that illums stop (emission.h).
-FN uint distant_at(PRIVATE const SceneTables* s, UNIFORM const Params* par, float3 dir, int sampled) {
+FN uint distant_at(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 dir, int sampled) {
     uint glow = NONE;
-    for (uint i = 0u; i < par->distant_count; i++) {
+    for (SAME uint i = 0u; i < par->distant_count; i++) {
         GLOBAL const uint* distant = s->u + par->distant_at + DISTANT_WORDS * i;
         float cap = as_float_(distant[DISTANT_CAP]);
         float3 d = f3_bits(distant + DISTANT_DIR);

@@ -3,7 +3,7 @@
 #ifndef LUX_SURFACE_H
 #define LUX_SURFACE_H
 
-typedef struct {
+STRUCT(Surface) {
     float3 p;                          // hit point
     float3 nface;                      // geometric normal as modelled, unit
     float3 ng;                         // the same on the viewer's side
@@ -23,20 +23,20 @@ typedef struct {
     int flat;                          // polygon or ring without texture
     int smooth;                        // perturbation from mesh smoothing
     int mixed;  // the material is part of a mixture: what it knows of the medium before it does not count
-} Surface;
+};
 
 // A polygon or ring, which a texture may still bend.  Where an instance's own modifier covers it, RADIANCE takes the
 // instance for the surface, which is not flat.
-FN int drawn_flat(PRIVATE const SceneTables* s, PRIVATE const Surface* g) {
+FN int drawn_flat(SHARED(const SceneTables) s, PRIVATE(const Surface) g) {
     if ((s->prims[PRIM_WORDS * g->prim + PRIM_KIND] & PRIM_TEXTURE_FLAT) == 0u) return 0;
-    return g->inst == NONE || as_uint_(instance_record(s, g->inst)[INST_MOD]) == NONE;
+    return g->inst == NONE || as_uint_(*(instance_record(s, g->inst) + INST_MOD)) == NONE;
 }
 
 // Has a texture or mesh smoothing turned its normal?  Less is nothing, as in RADIANCE.
-FN int is_textured(PRIVATE const Surface* g) { return dot3(g->pert, g->pert) > 1e-12f; }
+FN int is_textured(PRIVATE(const Surface) g) { return dot3(g->pert, g->pert) > 1e-12f; }
 
 // Of a sphere or cone at the point p, outwards.
-FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint number, float3 p) {
+FN float3 shape_normal(SHARED(const SceneTables) s, uint kind, uint number, float3 p) {
     GLOBAL const float* shape = shape_record(s, number);
     if (kind == PRIM_SPHERE) return unit3(sub3(p, f3_at(shape + SPHERE_CENTRE)));
 
@@ -49,8 +49,7 @@ FN float3 shape_normal(PRIVATE const SceneTables* s, uint kind, uint number, flo
 }
 
 // Smoothing and uv of a mesh triangle: the perturbation is the interpolated normal less the plane's (spec scene 3).
-FN void mesh_corners(PRIVATE const SceneTables* s, GLOBAL const uint* prim, PRIVATE const Hit* hit,
-                     PRIVATE Surface* g) {
+FN void mesh_corners(SHARED(const SceneTables) s, GLOBAL const uint* prim, PRIVATE(const Hit) hit, PRIVATE(Surface) g) {
     GLOBAL const uint* corner = s->u + prim[PRIM_VERTEX];
     GLOBAL const float* a = s->f + corner[0];
     GLOBAL const float* b = s->f + corner[1];
@@ -69,8 +68,8 @@ FN void mesh_corners(PRIVATE const SceneTables* s, GLOBAL const uint* prim, PRIV
 
 // Normal and, of a sphere, the exact place of a hit at the point `at` of the primitive's coordinates; matrix: to these,
 // 0 outside instances.
-FN void surface_shape(PRIVATE const SceneTables* s, GLOBAL const uint* prim, float3 at, GLOBAL const float* matrix,
-                      PRIVATE Surface* g) {
+FN void surface_shape(SHARED(const SceneTables) s, GLOBAL const uint* prim, float3 at, GLOBAL const float* matrix,
+                      PRIVATE(Surface) g) {
     uint kind = prim[PRIM_KIND] & PRIM_KIND_MASK;
     if (kind != PRIM_SPHERE && kind != PRIM_CONE) {
         g->nface = f3_bits(prim + PRIM_NORMAL);
@@ -89,7 +88,7 @@ FN void surface_shape(PRIVATE const SceneTables* s, GLOBAL const uint* prim, flo
 }
 
 // What a surface is before its modifiers are looked at.
-FN void surface_plain(uint prim, uint mod, uint inst, float length, PRIVATE Surface* g) {
+FN void surface_plain(uint prim, uint mod, uint inst, float length, PRIVATE(Surface) g) {
     g->prim = prim;
     g->mod = mod;
     g->inst = inst;
@@ -102,7 +101,7 @@ FN void surface_plain(uint prim, uint mod, uint inst, float length, PRIVATE Surf
     g->mixed = 0;
 }
 
-FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE const Hit* hit, PRIVATE Surface* g) {
+FN void surface_at(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(const Hit) hit, PRIVATE(Surface) g) {
     GLOBAL const uint* prim = s->prims + PRIM_WORDS * hit->prim;
     GLOBAL const float* matrix = 0;
     surface_plain(hit->prim, prim[PRIM_MOD], hit->inst, hit->t, g);
@@ -137,9 +136,10 @@ FN void surface_at(PRIVATE const SceneTables* s, PRIVATE const Ray* ray, PRIVATE
 }
 
 // An orthonormal frame around n (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
-FN void frame_of(float3 n, PRIVATE float3* t, PRIVATE float3* b) {
+FN void frame_of(float3 n, PRIVATE(float3) t, PRIVATE(float3) b) {
     float sign = n.z >= 0.0f ? 1.0f : -1.0f;
-    float a = -1.0f / (sign + n.z), c = n.x * n.y * a;
+    float a = -1.0f / (sign + n.z);
+    float c = n.x * n.y * a;
     *t = F3(1.0f + sign * n.x * n.x * a, sign * c, -sign * n.x);
     *b = F3(c, sign + n.y * n.y * a, -n.y);
 }

@@ -179,7 +179,7 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define MOST_HIGHLIGHTS 8u
 
 // Everything a kernel needs beside the tables; one block, uploaded per pass.
-typedef struct {
+STRUCT(Params) {
     // view
     float4 view_org, view_d, view_h, view_u;  // xyz; w: view_d type letter as float, view_h focal distance
     float4 view_size;                         // horizontal and vertical scale by type, shift, lift
@@ -214,7 +214,7 @@ typedef struct {
     uint spare[2];
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // which of the records they are
-} Params;
+};
 
 // modes: what a pass computes
 #define MODE_DIRECT 0u  // frame 0: paths without a diffuse bounce

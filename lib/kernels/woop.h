@@ -8,19 +8,19 @@
 
 #define SLAB_WIDEN 1.0000004f
 
-typedef struct {
+STRUCT(WoopRay) {
     float3 org, dir, inv;
     uint kx, ky, kz;   // kz: longest axis of dir
     float ox, oy, oz;  // origin in the order kx ky kz
     float sx, sy, sz;  // shear
-} WoopRay;
+};
 
 FN float axis3(float3 v, uint k) { return k == 0u ? v.x : k == 1u ? v.y : v.z; }
 
 // Slabs parallel to the ray: a large finite slope, because 0 times infinity is not a number.
 FN float slab_inverse(float d) { return fabs_(d) > 1e-18f ? 1.0f / d : d < 0.0f ? -1e18f : 1e18f; }
 
-FN void woop_prepare(float3 org, float3 dir, PRIVATE WoopRay* r) {
+FN void woop_prepare(float3 org, float3 dir, PRIVATE(WoopRay) r) {
     float ax = fabs_(dir.x), ay = fabs_(dir.y), az = fabs_(dir.z);
     r->org = org;
     r->dir = dir;
@@ -38,8 +38,8 @@ FN void woop_prepare(float3 org, float3 dir, PRIVATE WoopRay* r) {
 }
 
 // Triangle a b c; t, u (of b), v (of c) if the ray's line meets it.  bvh8.h has the same in four lanes, step by step.
-FN int woop_triangle(PRIVATE const WoopRay* r, float3 a, float3 b, float3 c, PRIVATE float* t, PRIVATE float* u,
-                     PRIVATE float* v) {
+FN int woop_triangle(PRIVATE(const WoopRay) r, float3 a, float3 b, float3 c, PRIVATE(float) t, PRIVATE(float) u,
+                     PRIVATE(float) v) {
     float az = axis3(a, r->kz) - r->oz, bz = axis3(b, r->kz) - r->oz, cz = axis3(c, r->kz) - r->oz;
     float ax = (axis3(a, r->kx) - r->ox) - r->sx * az, ay = (axis3(a, r->ky) - r->oy) - r->sy * az;
     float bx = (axis3(b, r->kx) - r->ox) - r->sx * bz, by = (axis3(b, r->ky) - r->oy) - r->sy * bz;
@@ -55,7 +55,7 @@ FN int woop_triangle(PRIVATE const WoopRay* r, float3 a, float3 b, float3 c, PRI
 }
 
 // Keeps a hit if it is nearer, or as near and of a lower primitive.
-FN int hit_offer(PRIVATE Hit* best, float t, uint prim, float u, float v, uint inst) {
+FN int hit_offer(PRIVATE(Hit) best, float t, uint prim, float u, float v, uint inst) {
     if (!(t < best->t ||
           (t == best->t && best->prim != NO_HIT && (prim < best->prim || (prim == best->prim && inst < best->inst)))))
         return 0;
@@ -68,27 +68,27 @@ FN int hit_offer(PRIVATE Hit* best, float t, uint prim, float u, float v, uint i
 }
 
 // The tree that a ray is in, the scene's or an instance's, and what it looks for there.
-typedef struct {
+STRUCT(TreeRay) {
     WoopRay r;  // in the tree's coordinates
     uint inst;  // Hit.inst of what it meets
     uint mask;  // RAY_*
-} TreeRay;
+};
 
-FN void enter_scene(PRIVATE const Ray* ray, uint mask, PRIVATE TreeRay* in) {
-    woop_prepare(ray->org, ray->dir, &in->r);
-    in->inst = NO_HIT;
-    in->mask = mask;
+FN void enter_scene(PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way) {
+    woop_prepare(ray->org, ray->dir, &way->r);
+    way->inst = NO_HIT;
+    way->mask = mask;
 }
 
 // *root: the tree's first node.  0: all that the instance holds is of a class that the ray does not look for.
-FN int enter_instance(GLOBAL const float* instance, PRIVATE const Ray* ray, uint mask, PRIVATE TreeRay* in,
-                      PRIVATE uint* root) {
+FN int enter_instance(GLOBAL const float* instance, PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way,
+                      PRIVATE(uint) root) {
     uint forced = as_uint_(instance[INSTANCE_CLASS]);
     if (forced != 0u && (mask & forced) == 0u) return 0;
     GLOBAL const float* matrix = instance + INSTANCE_MATRIX;
-    woop_prepare(affine_point(matrix, ray->org), affine_vector(matrix, ray->dir), &in->r);
-    in->inst = as_uint_(instance[INSTANCE_NUMBER]);
-    in->mask = forced == 0u ? mask : RAY_ALL;
+    woop_prepare(affine_point(matrix, ray->org), affine_vector(matrix, ray->dir), &way->r);
+    way->inst = as_uint_(instance[INSTANCE_NUMBER]);
+    way->mask = forced == 0u ? mask : RAY_ALL;
     *root = as_uint_(instance[INSTANCE_TREE]);
     return 1;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The native device: tiles of paths over all cores, the widest instruction set the machine has.
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
+#include <iterator>
 #include <mutex>
 
 #include <fmt/core.h>
@@ -23,26 +25,55 @@ constexpr uint32_t TILE = 4096;
 #define POINT_AT_BVH(type, name) tables_.name = tree_->name.data();
 #define POINT_AT_SCENE(type, name) tables_.name = scene_.name.data();
 
-const CpuKernels& best_kernels(const std::string& wanted) {
-    if (wanted == "baseline") return cpu_baseline;
+// A set of kernels by the name that -device cpu:NAME has for it.
+struct Variant {
+    const char* name;
+    const CpuKernels* kernels;
+    bool (*runs)();     // has this machine the instructions?
+    const char* needs;  // these, in words
+};
+
+bool always() { return true; }
 #if defined(__x86_64__)
-    const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
-    const bool avx2 = __builtin_cpu_supports("avx2");
-    if (wanted == "avx512" && !avx512) base::fail("-device", "this machine has no AVX-512");
-    if (wanted == "avx2" && !avx2) base::fail("-device", "this machine has no AVX2");
-    if (avx512 && wanted != "avx2") return cpu_avx512;
-    if (avx2) return cpu_avx2;
+bool has_avx2() { return __builtin_cpu_supports("avx2"); }
+bool has_avx512() {
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+}
+#else
+bool has_avx2() { return false; }
+bool has_avx512() { return false; }
 #endif
-    return cpu_baseline;
+
+// The fastest first.  Eight lanes of AVX2 are slower than one path at a time (docs/decisions/0025-lanes.md).
+const Variant variants[] = {
+#ifdef LUXPIPE_LANES
+    {"lanes16", &cpu_lanes16, has_avx512, "AVX-512"},
+#endif
+    {"avx512", &cpu_avx512, has_avx512, "AVX-512"},
+    {"avx2", &cpu_avx2, has_avx2, "AVX2"},
+    {"baseline", &cpu_baseline, always, ""},
+#ifdef LUXPIPE_LANES
+    {"lanes8", &cpu_lanes8, has_avx2, "AVX2"},
+#endif
+    {"embree", &cpu_embree, always, ""},
+};
+
+// name: "" for the best.
+const CpuKernels& choose_kernels(const std::string& name) {
+    std::string names;
+    for (const Variant& v : variants) {
+        if (name == v.name && !v.runs()) base::fail("-device", fmt::format("this machine has no {}", v.needs));
+        if (name.empty() ? v.runs() : name == v.name) return *v.kernels;
+        names += (names.empty() ? "" : ", ") + std::string(v.name);
+    }
+    base::fail("-device", fmt::format("\"{}\" is not a CPU variant ({})", name, names));
 }
 
 class CpuDevice : public Device {
 public:
     explicit CpuDevice(const std::string& variant)
-        : embree_(variant == "embree"),
-          kernels_(embree_ ? cpu_embree : best_kernels(variant)),
-          threads_(base::processors()) {}
+        : embree_(variant == "embree"), kernels_(choose_kernels(variant)), threads_(base::processors()) {}
 
     std::string name() const override { return fmt::format("cpu ({}, {} threads)", kernels_.name, threads_); }
 
@@ -139,11 +170,14 @@ private:
 
 }  // namespace
 
+bool has_cpu_variant(const std::string& name) {
+    return std::any_of(std::begin(variants), std::end(variants),
+                       [&](const Variant& v) { return name == v.name && v.runs(); });
+}
+
 std::unique_ptr<Device> make_cpu_device(const std::string& name) {
     const size_t colon = name.find(':');
     const std::string variant = colon == std::string::npos ? "" : name.substr(colon + 1);
-    if (!variant.empty() && variant != "embree" && variant != "baseline" && variant != "avx2" && variant != "avx512")
-        base::fail("-device", fmt::format("\"{}\" is not a CPU variant (embree, baseline, avx2, avx512)", variant));
     return std::make_unique<CpuDevice>(variant);
 }
 

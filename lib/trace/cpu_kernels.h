@@ -20,5 +20,8 @@ struct CpuKernels {
     uint64_t (*scratch_bytes)(uint32_t count);
 };
 extern const CpuKernels cpu_baseline, cpu_avx2, cpu_avx512, cpu_embree;
+#ifdef LUXPIPE_LANES
+extern const CpuKernels cpu_lanes8, cpu_lanes16;  // of avx2 and avx512: as many paths side by side
+#endif
 
 }  // namespace trace

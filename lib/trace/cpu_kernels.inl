@@ -18,9 +18,10 @@ namespace LUX_ISA {
 struct Tile {
     Paths paths;
     uint32_t *now, *next, *shadow;
+    int* result;  // of shading
 };
 #define PATH_BYTES(type, name, when) +sizeof(type)
-static uint64_t scratch_bytes(uint32_t count) { return uint64_t(count) * (3 * 4 PATH_STATE(PATH_BYTES)) + 64; }
+static uint64_t scratch_bytes(uint32_t count) { return uint64_t(count) * (4 * 4 PATH_STATE(PATH_BYTES)) + 64; }
 #define PATH_TAKE(type, name, when) t.paths.name = (type*)take(sizeof(type));
 static Tile carve(void* scratch, uint32_t count) {
     char* p = reinterpret_cast<char*>((reinterpret_cast<uintptr_t>(scratch) + 63) & ~uintptr_t(63));
@@ -34,6 +35,7 @@ static Tile carve(void* scratch, uint32_t count) {
     t.now = (uint32_t*)take(4);
     t.next = (uint32_t*)take(4);
     t.shadow = (uint32_t*)take(4);
+    t.result = (int*)take(4);
     return t;
 }
 static void store(const Tile& t, uint32_t count, float* rgb) {
@@ -46,12 +48,25 @@ static void store(const Tile& t, uint32_t count, float* rgb) {
 static void extend(const SceneTables& s, Tile& t, uint32_t n) {
     for (uint32_t i = 0; i < n; i++) path_extend(&s, &t.paths, t.now[i]);
 }
-static void shadow(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-    for (uint32_t i = 0; i < n; i++) path_shadow(&s, &par, &t.paths, t.shadow[i], SHADOW_TO_TRACE);
-}
+// Each stage of the n slots of a queue, one path at a time.
+struct OneByOne {
+    static void generate(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+        for (uint32_t i = 0; i < n; i++) t.result[i] = path_generate(&s, &par, &t.paths, i);
+    }
+    static void shade(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+        for (uint32_t i = 0; i < n; i++) t.result[i] = path_shade(&s, &par, &t.paths, t.now[i]);
+    }
+    // t.result: what is known of the shadow rays
+    static void shadow(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+        for (uint32_t i = 0; i < n; i++) path_shadow(&s, &par, &t.paths, t.shadow[i], t.result[i]);
+    }
+};
+#ifdef LANE_CALL
+#include "trace/cpu_lanes.h"
+#endif
 #ifdef LUX_EMBREE
 static void extend_together(const SceneTables& s, Tile& t, uint32_t n) { extend(s, t, n); }
-static void shadow_together(const SceneTables& s, const Params& par, Tile& t, uint32_t n) { shadow(s, par, t, n); }
+static void block_together(const SceneTables&, const Params&, Tile&, uint32_t) {}
 #else
 // The same in packets, where rays that follow one another in the queue lie side by side.
 static void extend_together(const SceneTables& s, Tile& t, uint32_t n) {
@@ -62,35 +77,38 @@ static void extend_together(const SceneTables& s, Tile& t, uint32_t n) {
         for (uint32_t k = 0; k < p.count; k++) set_path_hit(&t.paths, p.slot[k], &p.hit[k]);
     }
 }
-static void shadow_together(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+// t.result: whether opaque surfaces block the shadow rays, where packets can tell.
+static void block_together(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
     Packet p = {};
     for (uint32_t i = 0; i < n;) {
         Ray ray;
-        for (p.count = 0;
-             i < n && shadow_is_plain(&s, &par, &t.paths, t.shadow[i], &ray) && packet_add(p, ray, t.shadow[i]); i++) {}
+        p.count = 0;
+        while (i < n && shadow_is_plain(&s, &par, &t.paths, t.shadow[i], &ray) && packet_add(p, ray, i)) i++;
         if (p.count == 0) {
-            path_shadow(&s, &par, &t.paths, t.shadow[i++], SHADOW_TO_TRACE);
+            i++;
             continue;
         }
         packet_trace(s, p, RAY_OPAQUE, 1);
         for (uint32_t k = 0; k < p.count; k++)
-            path_shadow(&s, &par, &t.paths, p.slot[k], (p.open >> k & 1u) != 0 ? SHADOW_OPEN : SHADOW_BLOCKED);
+            t.result[p.slot[k]] = (p.open >> k & 1u) != 0 ? SHADOW_OPEN : SHADOW_BLOCKED;
     }
 }
 #endif
 // Follows the n paths of the queue to their ends.  together: their rays lie side by side.
+template <class STAGES>
 static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n, bool together) {
     for (; n > 0; together = false) {
         uint32_t goes_on = 0, shadows = 0;
         if (together) extend_together(s, t, n);
         else extend(s, t, n);
+        STAGES::shade(s, par, t, n);
         for (uint32_t i = 0; i < n; i++) {
-            const int r = path_shade(&s, &par, &t.paths, t.now[i]);
-            if (r & PATH_GOES_ON) t.next[goes_on++] = t.now[i];
-            if (r & PATH_SHADOW) t.shadow[shadows++] = t.now[i];
+            if (t.result[i] & PATH_GOES_ON) t.next[goes_on++] = t.now[i];
+            if (t.result[i] & PATH_SHADOW) t.shadow[shadows++] = t.now[i];
         }
-        if (together) shadow_together(s, par, t, shadows);
-        else shadow(s, par, t, shadows);
+        for (uint32_t i = 0; i < shadows; i++) t.result[i] = SHADOW_TO_TRACE;
+        if (together) block_together(s, par, t, shadows);
+        STAGES::shadow(s, par, t, shadows);
         uint32_t* swap = t.now;
         t.now = t.next;
         t.next = swap;
@@ -103,14 +121,16 @@ static Params part_of(const void* params, uint32_t first, uint32_t count) {
     par.slots = count;
     return par;
 }
+template <class STAGES>
 static void run(const void* tables, const void* params, uint32_t first, uint32_t count, void* scratch, float* rgb) {
     const SceneTables s = *static_cast<const SceneTables*>(tables);
     const Params par = part_of(params, first, count);
     Tile t = carve(scratch, count);
     uint32_t n = 0;
+    STAGES::generate(s, par, t, count);
     for (uint32_t i = 0; i < count; i++)
-        if (path_generate(&s, &par, &t.paths, i)) t.now[n++] = i;
-    follow(s, par, t, n, par.mode != MODE_RAY);
+        if (t.result[i] != 0) t.now[n++] = i;
+    follow<STAGES>(s, par, t, n, par.mode != MODE_RAY);
     store(t, count, rgb);
 }
 // trace::DrawRay
@@ -138,6 +158,7 @@ static void put3(float3 v, float* out) {
     out[1] = v.y;
     out[2] = v.z;
 }
+template <class STAGES>
 static void walk(const void* tables, const void* params, const void* rays, uint32_t first, uint32_t count,
                  void* scratch, void* ends) {
     const SceneTables s = *static_cast<const SceneTables*>(tables);
@@ -150,7 +171,7 @@ static void walk(const void* tables, const void* params, const void* rays, uint3
         t.paths.dir[i] = pack4(F3(r[i].dir[0], r[i].dir[1], r[i].dir[2]), r[i].dir_w);
         if (path_begin_walk(&par, &t.paths, i)) t.now[n++] = i;
     }
-    follow(s, par, t, n, false);
+    follow<STAGES>(s, par, t, n, false);
     trace::WalkEnd* end = static_cast<trace::WalkEnd*>(ends) + first;
     for (uint32_t i = 0; i < count; i++) {
         put3(xyz4(t.paths.rad[i]), end[i].gathered);
@@ -165,7 +186,15 @@ static void walk(const void* tables, const void* params, const void* rays, uint3
 namespace trace {
 #define LUX_PASTE_(a, b) a##b
 #define LUX_PASTE(a, b) LUX_PASTE_(a, b)
+#define LUX_KERNELS(name, STAGES)                                                                      \
+    {                                                                                                  \
+        name, LUX_ISA::run<LUX_ISA::STAGES>, LUX_ISA::draw, LUX_ISA::walk<LUX_ISA::STAGES>,            \
+            LUX_ISA::scratch_bytes                                                                     \
+    }
 extern const CpuKernels LUX_PASTE(cpu_, LUX_ISA);
-const CpuKernels LUX_PASTE(cpu_, LUX_ISA) = {LUX_ISA_NAME, LUX_ISA::run, LUX_ISA::draw, LUX_ISA::walk,
-                                             LUX_ISA::scratch_bytes};
+const CpuKernels LUX_PASTE(cpu_, LUX_ISA) = LUX_KERNELS(LUX_ISA_NAME, OneByOne);
+#ifdef LANE_CALL
+extern const CpuKernels LUX_LANES_OF_ISA;
+const CpuKernels LUX_LANES_OF_ISA = LUX_KERNELS(LUX_LANES_NAME, InLanes);
+#endif
 }  // namespace trace

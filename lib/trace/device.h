@@ -42,8 +42,11 @@ public:
 
 // name: "auto" (a GPU by OpenCL, else the CPU), or one for either of these.
 std::unique_ptr<Device> make_device(const std::string& name);
-// name: "cpu", "cpu:embree", "cpu:baseline|avx2|avx512" (a lower instruction set than the machine has, for tests).
+// name: "cpu", or for tests "cpu:NAME" with embree, an instruction set (baseline, avx2, avx512: one path at a time) or
+// many paths side by side (lanes8, lanes16: where ispc was there when luxpipe was built).
 std::unique_ptr<Device> make_cpu_device(const std::string& name);
+// Are these kernels in the program, and has this machine their instructions?
+bool has_cpu_variant(const std::string& name);
 // name: "opencl[:index][:bvh2|bvh8]", index among all OpenCL devices, GPUs first.  Throws Error (system) without any.
 std::unique_ptr<Device> make_opencl_device(const std::string& name);
 // "opencl:0 NVIDIA H200 (GPU, NVIDIA CUDA)" each; empty without an OpenCL platform.  Both ask in a child process, which

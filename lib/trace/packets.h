@@ -62,7 +62,8 @@ FN PacketBounds packet_bounds(const Packet& p) {
     PacketBounds b;
     b.tmin = p.ray[0].tmin;
     for (int a = 0; a < 3; a++) {
-        float lo = p.org[a][0], hi = lo;
+        float lo = p.org[a][0];
+        float hi = lo;
         b.inv0[a] = b.inv1[a] = p.inv[a][0];
         for (uint32_t i = 1; i < p.count; i++) {
             lo = MIN_(lo, p.org[a][i]);
@@ -147,7 +148,8 @@ FN uint32_t packet_triangle(Packet& p, uint32_t g, uint32_t rays, const float* b
     const v8f ax = (kx[0] - ox) - sx * az, ay = (ky[0] - oy) - sy * az;
     const v8f bx = (kx[12] - ox) - sx * bz, by = (ky[12] - oy) - sy * bz;
     const v8f cx = (kx[24] - ox) - sx * cz, cy = (ky[24] - oy) - sy * cz;
-    const v8f wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax, det = wa + wb + wc;
+    const v8f wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
+    const v8f det = wa + wb + wc;
     v8i in = ((wa >= 0.0f) & (wb >= 0.0f) & (wc >= 0.0f)) | ((wa <= 0.0f) & (wb <= 0.0f) & (wc <= 0.0f));
     in &= det != 0.0f;
     if (lanes8_(in) == 0) return 0;

@@ -92,8 +92,9 @@ int main(int argc, char** argv) {
         std::vector<std::string> ids(argv + 2, argv + argc);
         const bool record = !ids.empty() && ids[0] == "-record";
         if (record) ids.erase(ids.begin());
-        if (device.rfind("opencl", 0) == 0 && trace::opencl_devices().empty()) {
-            fmt::print("skipped: no OpenCL device here\n");
+        const bool opencl = device.rfind("opencl", 0) == 0, variant = device.rfind("cpu:", 0) == 0;
+        if ((opencl && trace::opencl_devices().empty()) || (variant && !trace::has_cpu_variant(device.substr(4)))) {
+            fmt::print("skipped: no {} here\n", device);
             return 77;
         }
         auto rays = parity::read_rays(vectors + "/vectors.tsv");

@@ -4,24 +4,24 @@
 #define LUX_PATH_BEGIN_H
 
 // The pixel of a slot, and which of its samples the slot is.
-FN uint path_pixel(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint slot) {
+FN uint path_pixel(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint slot) {
     if (par->mode == MODE_RAY) return 0u;
     uint at = (par->first + slot) / par->together;
     return par->copies > 1u ? s->focus[par->focus_at + at] : at;
 }
 
-FN uint path_sample_index(UNIFORM const Params* par, uint slot) {
+FN uint path_sample_index(UNIFORM(const Params) par, uint slot) {
     uint gid = par->first + slot;
     return par->frame + (par->mode == MODE_RAY ? gid : gid % par->together / par->copies);
 }
 
 // Does the guide choose the directions of this path?
-FN int path_guided(UNIFORM const Params* par, uint slot) {
+FN int path_guided(UNIFORM(const Params) par, uint slot) {
     return par->guide_mask != 0u && par->mode == MODE_FRAMES && path_sample_index(par, slot) >= par->guide_from;
 }
 
 // The ray through a random place of the pixel and of the lens.  0 if the view has none there.
-FN int camera_ray(UNIFORM const Params* par, uint pixel, PRIVATE Sampler* rnd, PRIVATE Ray* ray) {
+FN int camera_ray(UNIFORM(const Params) par, uint pixel, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
     float2 r = sample2(rnd);
     float jitter = par->view_clip.z;  // -pj
     float x = (float)(pixel % par->nx) + 0.5f + jitter * (0.5f - r.x);
@@ -36,7 +36,7 @@ FN int camera_ray(UNIFORM const Params* par, uint pixel, PRIVATE Sampler* rnd, P
     return view_lens_ray(par, x / (float)par->nx, y / (float)par->ny, lens, ray);
 }
 
-FN void given_ray(UNIFORM const Params* par, PRIVATE Sampler* rnd, PRIVATE Ray* ray) {
+FN void given_ray(UNIFORM(const Params) par, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
     ray->org = F3(par->ray_org.x, par->ray_org.y, par->ray_org.z);
     ray->dir = F3(par->ray_dir.x, par->ray_dir.y, par->ray_dir.z);
     ray->tmax = FAR_AWAY;
@@ -44,8 +44,8 @@ FN void given_ray(UNIFORM const Params* par, PRIVATE Sampler* rnd, PRIVATE Ray* 
 }
 
 // What every path begins with, beside the direction of its first ray.
-FN void path_start(UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot, float3 org,
-                   PRIVATE const Sampler* rnd, uint flags) {
+FN void path_start(UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot, float3 org,
+                   PRIVATE(const Sampler) rnd, uint flags) {
     paths->org[slot] = pack4(org, as_float_(CLIP_START));
     paths->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
     if (par->medium.w > 0.0f) {
@@ -64,7 +64,7 @@ FN void path_start(UNIFORM const Params* par, PRIVATE const Paths* paths, uint s
 }
 
 // 1 if the slot has a ray to follow.
-FN int path_generate(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot) {
+FN int path_generate(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
     uint pixel = path_pixel(s, par, slot), index = path_sample_index(par, slot);
 
     // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct
@@ -92,7 +92,7 @@ FN int path_generate(PRIVATE const SceneTables* s, UNIFORM const Params* par, PR
     return 1;
 }
 
-FN Ray path_ray(PRIVATE const Paths* paths, uint slot) {
+FN Ray path_ray(SHARED(const Paths) paths, uint slot) {
     Ray ray;
     float4 dir = paths->dir[slot];
     ray.org = xyz4(paths->org[slot]);
@@ -103,7 +103,7 @@ FN Ray path_ray(PRIVATE const Paths* paths, uint slot) {
 }
 
 // Follows the ray of a slot to the nearest surface.
-FN void path_extend(PRIVATE const SceneTables* s, PRIVATE const Paths* paths, uint slot) {
+FN void path_extend(SHARED(const SceneTables) s, SHARED(const Paths) paths, uint slot) {
     Ray ray = path_ray(paths, slot);
     Hit hit;
     trace_closest(s, &ray, RAY_ALL, &hit);

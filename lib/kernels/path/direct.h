@@ -4,10 +4,10 @@
 #define LUX_PATH_DIRECT_H
 
 // What the lobes make of light from the sampled point: outgoing radiance over the source's.
-FN float3 direct_response(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const LightSample* light,
-                          PRIVATE Vertex* vertex) {
-    PRIVATE const Surface* g = &vertex->g;
-    PRIVATE const Lobes* lobes = &vertex->lobes;
+FN float3 direct_response(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const LightSample) light,
+                          PRIVATE(Vertex) vertex) {
+    PRIVATE(const Surface) g = &vertex->g;
+    PRIVATE(const Lobes) lobes = &vertex->lobes;
     float w = light->w / light->pieces;
     float3 c;
 
@@ -21,9 +21,9 @@ FN float3 direct_response(PRIVATE const SceneTables* s, UNIFORM const Params* pa
 }
 
 // Leaves the shadow ray, which brings `radiance` if nothing stops it, in the slot.
-FN void direct_shadow_ray(UNIFORM const Params* par, PRIVATE const Paths* paths, PRIVATE const Vertex* vertex,
-                          uint source, PRIVATE LightSample* light, float3 radiance) {
-    PRIVATE const Surface* g = &vertex->g;
+FN void direct_shadow_ray(UNIFORM(const Params) par, SHARED(const Paths) paths, PRIVATE(const Vertex) vertex,
+                          uint source, PRIVATE(LightSample) light, float3 radiance) {
+    PRIVATE(const Surface) g = &vertex->g;
     uint slot = vertex->slot;
     int above = dot3(light->dir, g->ng) > 0.0f;
     float3 start = bsdf_start(&vertex->lobes, g, above);
@@ -38,15 +38,16 @@ FN void direct_shadow_ray(UNIFORM const Params* par, PRIVATE const Paths* paths,
     paths->shadow_org[slot] = pack4(from, as_float_(source));
     paths->shadow_dir[slot] = pack4(light->dir, light->dist);
     paths->shadow_rad[slot] = pack4(radiance, g->total);
-    if (path_media_used(par))
-        set_shadow_medium(paths, slot, above ? &vertex->arriving : &vertex->beyond,
-                          above ? vertex->clip_before : vertex->clip_beyond);
+    if (path_media_used(par)) {
+        Medium there = above ? vertex->arriving : vertex->beyond;
+        set_shadow_medium(paths, slot, &there, above ? vertex->clip_before : vertex->clip_beyond);
+    }
 }
 
 // Returns PATH_SHADOW if a shadow ray waits.
-FN int path_direct(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths,
-                   PRIVATE Vertex* vertex) {
-    PRIVATE const Surface* g = &vertex->g;
+FN int path_direct(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+                   PRIVATE(Vertex) vertex) {
+    PRIVATE(const Surface) g = &vertex->g;
     if (!vertex->wanted || par->source_count == 0u) return 0;
 
     // A source, by what each promises here.  Where the medium scatters, half of the shadow rays are its.

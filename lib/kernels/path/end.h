@@ -7,7 +7,7 @@
 #define RR_LEAST 0.05f  // least chance to survive it
 
 // The constant that stands for light of deeper bounces (-av), where -ab ends.
-FN void path_ambient_value(UNIFORM const Params* par, PRIVATE Vertex* vertex) {
+FN void path_ambient_value(UNIFORM(const Params) par, PRIVATE(Vertex) vertex) {
     int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
     if (bounces < par->ab || !vertex->wanted) return;
     float3 av = F3(par->av.x, par->av.y, par->av.z);
@@ -15,7 +15,7 @@ FN void path_ambient_value(UNIFORM const Params* par, PRIVATE Vertex* vertex) {
 }
 
 // The limits of -lr and -lw.
-FN int path_limited(UNIFORM const Params* par, PRIVATE const Vertex* vertex) {
+FN int path_limited(UNIFORM(const Params) par, PRIVATE(const Vertex) vertex) {
     int level = (int)((vertex->flags >> PC_LEVEL_SHIFT) & 255u);
     if (par->lr > 0) return level > par->lr || vertex->weight < par->lw;
     return par->lr < 0 && level > -par->lr;
@@ -24,7 +24,7 @@ FN int path_limited(UNIFORM const Params* par, PRIVATE const Vertex* vertex) {
 // Russian roulette on what the surfaces reflect, not on the throughput: that also holds how likely the direction was,
 // and a way chosen toward a window is likely because much light is expected from it (spec shading 6).  0: the path
 // ends.
-FN int path_roulette(PRIVATE Vertex* vertex) {
+FN int path_roulette(PRIVATE(Vertex) vertex) {
     uint bounces = (vertex->flags >> PC_AB_SHIFT) & 255u;
     if (bounces < 2u || !(vertex->weight < RR_START)) return 1;
     float chance = MAX_(vertex->weight / RR_START, RR_LEAST);
@@ -35,8 +35,8 @@ FN int path_roulette(PRIVATE Vertex* vertex) {
 }
 
 // The path takes its way.  Returns PATH_GOES_ON, or 0 if it ends.
-FN int path_go_on(UNIFORM const Params* par, PRIVATE const Paths* paths, PRIVATE Vertex* vertex,
-                  PRIVATE const Way* way) {
+FN int path_go_on(UNIFORM(const Params) par, SHARED(const Paths) paths, PRIVATE(Vertex) vertex,
+                  PRIVATE(const Way) way) {
     vertex->weight *= MIN_(1.0f, max3(way->color));
     float rarity = way->sum / MAX_(way->chance, 1e-30f);
     if (way->forks && !path_limited(par, vertex)) {
@@ -51,11 +51,14 @@ FN int path_go_on(UNIFORM const Params* par, PRIVATE const Paths* paths, PRIVATE
     vertex_store(paths, vertex, ends ? vertex->before : vertex->g.total);
     if (ends) return 0;
 
-    PRIVATE const Surface* g = &vertex->g;
+    PRIVATE(const Surface) g = &vertex->g;
     uint slot = vertex->slot;
     int above = dot3(way->dir, g->ng) > 0.0f;
     float3 from = offset_ray(bsdf_start(&vertex->lobes, g, above), above ? g->ng : neg3(g->ng), g->reach);
-    if (vertex->absorbs) set_path_medium(paths, slot, way_reflects(way->way) ? &vertex->arriving : &vertex->beyond);
+    if (vertex->absorbs) {
+        Medium there = way_reflects(way->way) ? vertex->arriving : vertex->beyond;
+        set_path_medium(paths, slot, &there);
+    }
     paths->org[slot] = pack4(from, as_float_(above ? vertex->clip_before : vertex->clip_beyond));
     paths->dir[slot] = pack4(way->dir, FAR_AWAY);
     paths->thr[slot] = pack4(vertex->thr, vertex->weight);

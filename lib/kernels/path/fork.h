@@ -9,8 +9,8 @@ FN uint path_forks_left(uint flags) { return (flags >> PC_FORK_SHIFT) & PC_FORK_
 
 // Keeps what the sub-paths begin with.  vertex: at its first bounce, the way chosen, the throughput not yet with the
 // direction's factor.
-FN void path_fork(PRIVATE const Paths* paths, PRIVATE Vertex* vertex, PRIVATE const Way* way) {
-    PRIVATE const Surface* g = &vertex->g;
+FN void path_fork(SHARED(const Paths) paths, PRIVATE(Vertex) vertex, PRIVATE(const Way) way) {
+    PRIVATE(const Surface) g = &vertex->g;
     uint slot = vertex->slot;
     int above = way->way == WAY_DIFFUSE_R;
     float3 n = above ? g->n : neg3(g->n), ng = above ? g->ng : neg3(g->ng);
@@ -25,7 +25,7 @@ FN void path_fork(PRIVATE const Paths* paths, PRIVATE Vertex* vertex, PRIVATE co
 }
 
 // The next sub-path that finds a direction.  Returns PATH_GOES_ON, or 0 if none is left.
-FN int path_fork_again(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot) {
+FN int path_fork_again(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
     uint4 info = paths->info[slot];
     uint left = path_forks_left(info.x);
     if (left == 0u) return 0;

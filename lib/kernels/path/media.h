@@ -4,8 +4,8 @@
 #define LUX_PATH_MEDIA_H
 
 // Returns PATH_SHADOW if light scattered in the medium waits for its shadow ray.
-FN int path_media(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths,
-                  PRIVATE Vertex* vertex) {
+FN int path_media(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+                  PRIVATE(Vertex) vertex) {
     int result = 0;
     if (!vertex->absorbs) return 0;
     Medium crossed = vertex->arriving;

@@ -4,7 +4,7 @@
 #define LUX_PATH_MEET_H
 
 // Position, normal and modifier of the hit; counts it.  0: the path has met more surfaces than it may.
-FN int vertex_arrive(PRIVATE const SceneTables* s, PRIVATE Vertex* vertex) {
+FN int vertex_arrive(SHARED(const SceneTables) s, PRIVATE(Vertex) vertex) {
     if (vertex->flags >> PC_STEP_SHIFT >= PC_STEP_LIMIT) return 0;
     vertex->flags += 1u << PC_STEP_SHIFT;
     surface_at(s, &vertex->ray, &vertex->hit, &vertex->g);
@@ -13,12 +13,12 @@ FN int vertex_arrive(PRIVATE const SceneTables* s, PRIVATE Vertex* vertex) {
 }
 
 // -i: the first surface that the eye sees is white and Lambertian, so that its radiance is the irradiance there.
-FN int irradiance_surface(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths,
-                          int passes, PRIVATE Vertex* vertex) {
+FN int irradiance_surface(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, int passes,
+                          PRIVATE(Vertex) vertex) {
     // what the material knows of media does not count
     if (vertex->absorbs) vertex->arriving = path_medium(paths, vertex->slot);
     vertex->beyond = vertex->arriving;
-    if (passes || (mod_record(s, par, vertex->g.mod)[MOD_FLAGS] & MF_SEEN_THROUGH) != 0u) return MET_NOTHING;
+    if (passes || (mod_word(s, par, vertex->g.mod, MOD_FLAGS) & MF_SEEN_THROUGH) != 0u) return MET_NOTHING;
 
     vertex->g.pert = vertex->g.pert_before;  // the white surface in its place has no texture of its own
     shading_normal(&vertex->g);
@@ -28,8 +28,8 @@ FN int irradiance_surface(PRIVATE const SceneTables* s, UNIFORM const Params* pa
     return MET_SURFACE;
 }
 
-FN int vertex_lobes(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex) {
-    PRIVATE Surface* g = &vertex->g;
+FN int vertex_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Vertex) vertex) {
+    PRIVATE(Surface) g = &vertex->g;
     if (g->type == M_MIST) {
         mist_crossing(s, par, g, &vertex->arriving, &vertex->beyond);
         return MET_NOTHING;
@@ -41,9 +41,9 @@ FN int vertex_lobes(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRI
 }
 
 // One of MET_*.
-FN int vertex_meet(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths,
-                   PRIVATE Vertex* vertex) {
-    PRIVATE Surface* g = &vertex->g;
+FN int vertex_meet(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+                   PRIVATE(Vertex) vertex) {
+    PRIVATE(Surface) g = &vertex->g;
     int antimatter = (par->flags & PF_ANTIMATTER) != 0u;
     uint carried = g->mod;
 
@@ -66,14 +66,14 @@ FN int vertex_meet(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIV
 }
 
 // The path ends in a lamp.
-FN void path_lamp(PRIVATE const Paths* paths, PRIVATE Vertex* vertex) {
+FN void path_lamp(SHARED(const Paths) paths, PRIVATE(Vertex) vertex) {
     if (vertex->wanted) vertex_add(vertex, vertex->emitted);
     paths->rad[vertex->slot] = pack4(vertex->rad, vertex->before);
 }
 
 // Straight on, as if nothing were there.
-FN void path_pass(PRIVATE const Paths* paths, PRIVATE Vertex* vertex) {
-    PRIVATE const Surface* g = &vertex->g;
+FN void path_pass(SHARED(const Paths) paths, PRIVATE(Vertex) vertex) {
+    PRIVATE(const Surface) g = &vertex->g;
     float left = IS_FAR(vertex->ray.tmax) ? FAR_AWAY : vertex->ray.tmax - vertex->hit.t;
     uint slot = vertex->slot;
 

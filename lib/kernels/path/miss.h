@@ -3,8 +3,8 @@
 #ifndef LUX_PATH_MISS_H
 #define LUX_PATH_MISS_H
 
-FN void path_miss(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths,
-                  PRIVATE Vertex* vertex) {
+FN void path_miss(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+                  PRIVATE(Vertex) vertex) {
     if (vertex->absorbs) {
         float3 T = attenuation(vertex->arriving.k, ENDLESS_MEDIUM);
         if (vertex->wanted) vertex_add(vertex, medium_glow(par, &vertex->arriving, T));
@@ -12,7 +12,7 @@ FN void path_miss(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVA
     }
 
     // a ray that the view cuts off (-va) sees black, not the sky
-    PRIVATE const Ray* ray = &vertex->ray;
+    PRIVATE(const Ray) ray = &vertex->ray;
     if (vertex->wanted && IS_FAR(ray->tmax))
         vertex_add(vertex, path_background(s, par, ray->org, ray->dir, vertex->flags, &vertex->rnd));
     paths->rad[vertex->slot] = pack4(vertex->rad, vertex->before);

@@ -3,20 +3,20 @@
 #ifndef LUX_PATH_SCATTER_H
 #define LUX_PATH_SCATTER_H
 
-FN GLOBAL const uint* light_set(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint set) {
+FN GLOBAL const uint* light_set(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint set) {
     return s->u + par->light_sets_at + LIGHT_SET_WORDS * set;
 }
 
 // How many sources a medium scatters.
-FN uint scattered_count(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Medium* medium) {
+FN uint scattered_count(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Medium) medium) {
     uint count = 0u;
     if (medium->lights == 0u || max3(mul3(medium->k, medium->albedo)) <= 0.0f) return 0u;
     for (uint set = 0u, left = medium->lights; left != 0u; set++, left >>= 1)
-        if ((left & 1u) != 0u) count += light_set(s, par, set)[LIGHT_SET_COUNT];
+        if ((left & 1u) != 0u) count += *(light_set(s, par, set) + LIGHT_SET_COUNT);
     return count;
 }
 
-FN uint scattered_source(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint lights, uint pick) {
+FN uint scattered_source(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint lights, uint pick) {
     for (uint set = 0u, left = lights; left != 0u; set++, left >>= 1) {
         GLOBAL const uint* lights_of = light_set(s, par, set);
         if ((left & 1u) == 0u) continue;
@@ -30,13 +30,14 @@ FN uint scattered_source(PRIVATE const SceneTables* s, UNIFORM const Params* par
 // Single scattering along the ray that has come to the vertex, through the medium m: a random point of it, a random one
 // of the sources; with Henyey and Greenstein's phase function.  x, y: random, x.x in .5 .. 1, for half of the steps do
 // this and half light the surface.  Returns PATH_SHADOW if a shadow ray waits.
-FN int path_scatter(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths,
-                    PRIVATE const Medium* medium, float2 x, float2 y, PRIVATE Vertex* vertex) {
+FN int path_scatter(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+                    PRIVATE(const Medium) medium, float2 x, float2 y, PRIVATE(Vertex) vertex) {
     float count = (float)vertex->scatterers, length = vertex->g.length;
     uint pick = (uint)((2.0f * x.x - 1.0f) * count);
     uint source = scattered_source(s, par, medium->lights, MIN_(pick, vertex->scatterers - 1u));
 
-    float t = x.y * length, total = vertex->before + t;
+    float t = x.y * length;
+    float total = vertex->before + t;
     float3 p = madd3(vertex->ray.dir, t, vertex->ray.org);
     LightSample light;
     sample_source(s, par, source, p, y, par->dj, &light);
@@ -44,7 +45,8 @@ FN int path_scatter(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRI
     float3 radiance = sampled_radiance(s, par, source_record(s, par, source), &light, total, &vertex->rnd);
 
     float ecc = MAX_(medium->ecc, 0.0f);  // RADIANCE takes one below 0 for 0
-    float c = dot3(light.dir, vertex->ray.dir), d = 1.0f + ecc * ecc - 2.0f * ecc * c;
+    float c = dot3(light.dir, vertex->ray.dir);
+    float d = 1.0f + ecc * ecc - 2.0f * ecc * c;
     float phase = (1.0f - ecc * ecc) / (d * sqrt_(d)) * 0.0795774715f;
     float3 w = mul3(mul3(mul3(medium->k, medium->albedo), attenuation(medium->k, t)), mul3(vertex->thr, radiance));
     w = scale3(w, 2.0f * count * length * phase * light.w);

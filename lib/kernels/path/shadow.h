@@ -9,7 +9,7 @@
 #define SHADOW_BLOCKED 2
 
 // A shadow ray on its way to the source sample that it was sent to.
-typedef struct {
+STRUCT(ShadowRay) {
     Ray ray;
     GLOBAL const float* src;  // record of the source aimed at; behind a virtual one's relay, that of the next
     float3 T;                 // what was let through so far
@@ -21,14 +21,14 @@ typedef struct {
     int bent;                 // it does not lie on one straight line
     int known;                // SHADOW_TO_TRACE ...
     Sampler rnd;
-} ShadowRay;
+};
 
 // What is in its way, one of MET_*: a lamp stops it, of a surface the lobes say what passes.  g, the surface, gets
 // its material; *here and *beyond, the media of the segment that ends here and behind the surface, come as what the ray
 // knows.  relayed: g is the relay of the virtual source aimed at.
-FN int shadow_meet(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow,
-                   PRIVATE Surface* g, int relayed, PRIVATE Medium* here, PRIVATE Medium* beyond,
-                   PRIVATE Lobes* lobes) {
+FN int shadow_meet(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow,
+                   PRIVATE(Surface) g, int relayed, PRIVATE(Medium) here, PRIVATE(Medium) beyond,
+                   PRIVATE(Lobes) lobes) {
     int antimatter = (par->flags & PF_ANTIMATTER) != 0u;
     uint carried = g->mod;
 
@@ -49,14 +49,14 @@ FN int shadow_meet(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIV
 
 // May the ray have been aimed beside this source, so that only the source's own hit counts?  A tube is aimed at by its
 // axis, where it is open.
-FN int shadow_seeks_source(UNIFORM const Params* par, GLOBAL const float* src) {
+FN int shadow_seeks_source(UNIFORM(const Params) par, GLOBAL const float* src) {
     uint kind = as_uint_(src[SRC_KIND]);
     if (kind == SK_CYLINDER) return par->ds > 0.0f || par->dj <= 0.0f;
     return par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING);
 }
 
 // Does a ray that meets this source at t come from behind?  Into a tube it may come by an open end.
-FN int shadow_from_behind(GLOBAL const float* src, PRIVATE const Ray* ray, float t) {
+FN int shadow_from_behind(GLOBAL const float* src, PRIVATE(const Ray) ray, float t) {
     if (as_uint_(src[SRC_KIND]) != SK_CYLINDER) return 0;
     float3 axis = f3_at(src + SRC_U), from = sub3(madd3(ray->dir, t, ray->org), f3_at(src + SRC_CENTRE));
     float3 radial = madd3(axis, -dot3(from, axis) / dot3(axis, axis), from);
@@ -64,8 +64,8 @@ FN int shadow_from_behind(GLOBAL const float* src, PRIVATE const Ray* ray, float
 }
 
 // Is all that counts before it meets glass whether anything opaque lies between?  *ray: the one to trace.
-FN int shadow_is_plain(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot,
-                       PRIVATE Ray* ray) {
+FN int shadow_is_plain(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
+                       PRIVATE(Ray) ray) {
     float4 org = paths->shadow_org[slot], dir = paths->shadow_dir[slot];
     GLOBAL const float* src = source_record(s, par, as_uint_(org.w));
     uint kind = as_uint_(src[SRC_KIND]);
@@ -80,9 +80,9 @@ FN int shadow_is_plain(PRIVATE const SceneTables* s, UNIFORM const Params* par, 
 
 // Does anything opaque stand between?  Also sets how far the ray looks for what lets light through, and *must_hit if it
 // has still to find the source itself.
-FN int shadow_blocked(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow, float dist,
-                      PRIVATE int* must_hit) {
-    PRIVATE Ray* ray = &shadow->ray;
+FN int shadow_blocked(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow, float dist,
+                      PRIVATE(int) must_hit) {
+    PRIVATE(Ray) ray = &shadow->ray;
     uint kind = as_uint_(shadow->src[SRC_KIND]);
     *must_hit = shadow_seeks_source(par, shadow->src);
     ray->tmax = IS_FAR(dist) ? FAR_AWAY : shadow_end(dist);
@@ -102,10 +102,10 @@ FN int shadow_blocked(PRIVATE const SceneTables* s, UNIFORM const Params* par, P
 }
 
 // What reaches the point straight through glass, smooth trans, mixtures with void (spec shading 4.5).
-FN float3 shadow_straight(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow,
+FN float3 shadow_straight(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow,
                           float dist) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
-    PRIVATE Ray* ray = &shadow->ray;
+    PRIVATE(Ray) ray = &shadow->ray;
     int must_hit;
     if (shadow_blocked(s, par, shadow, dist, &must_hit)) return black;
 
@@ -134,7 +134,10 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, UNIFORM const Params* pa
         if (met == MET_SURFACE) shadow->T = mul3(shadow->T, lobes.through);
         if (met == MET_LAMP || max3(shadow->T) <= 0.0f) return black;
 
-        if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(g.mixed ? &shadow->medium : &here, hit.t));
+        if (shadow->absorbs) {
+            Medium crossed = g.mixed ? shadow->medium : here;
+            shadow->T = mul3(shadow->T, shadow_attenuation(&crossed, hit.t));
+        }
         if (at_source) return must_hit && !g.front ? black : shadow->T;
 
         shadow->medium = beyond;
@@ -148,10 +151,10 @@ FN float3 shadow_straight(PRIVATE const SceneTables* s, UNIFORM const Params* pa
 }
 
 // A ray that was aimed leaves the scene: the source must lie there.
-FN float3 aimed_at_sky(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow) {
+FN float3 aimed_at_sky(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     GLOBAL const float* src = shadow->src;
-    PRIVATE const Ray* ray = &shadow->ray;
+    PRIVATE(const Ray) ray = &shadow->ray;
     if (as_uint_(src[SRC_VIRTUAL]) != NONE || as_uint_(src[SRC_KIND]) != SK_DISTANT) return black;
 
     float3 e = sub3(ray->dir, f3_at(src + SRC_CENTRE));
@@ -163,8 +166,8 @@ FN float3 aimed_at_sky(PRIVATE const SceneTables* s, UNIFORM const Params* par, 
 }
 
 // It has arrived at its source.
-FN float3 aimed_at_source(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow,
-                          PRIVATE const Surface* g) {
+FN float3 aimed_at_source(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow,
+                          PRIVATE(const Surface) g) {
     if (!g->front) return F3(0.0f, 0.0f, 0.0f);
     if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(&shadow->medium, g->length));
     if (!shadow->is_virtual) return shadow->T;
@@ -173,8 +176,8 @@ FN float3 aimed_at_source(PRIVATE const SceneTables* s, UNIFORM const Params* pa
 }
 
 // The relay of the virtual source sends the ray on, to the source behind it.  Returns the new direction.
-FN float3 aimed_relay(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow,
-                      PRIVATE const Surface* g, PRIVATE const Lobes* lobes) {
+FN float3 aimed_relay(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow,
+                      PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
     GLOBAL const uint* relay = s->u + as_uint_(shadow->src[SRC_VIRTUAL]);
     shadow->src = source_record(s, par, relay[RELAY_SOURCE]);
 
@@ -191,7 +194,7 @@ FN float3 aimed_relay(PRIVATE const SceneTables* s, UNIFORM const Params* par, P
 }
 
 // What another surface lets through of it, and in which direction.
-FN float3 aimed_through(PRIVATE ShadowRay* shadow, PRIVATE const Lobes* lobes) {
+FN float3 aimed_through(PRIVATE(ShadowRay) shadow, PRIVATE(const Lobes) lobes) {
     if (max3(lobes->refract) > 0.0f) {
         shadow->T = mul3(shadow->T, lobes->refract);
         shadow->bent = 1;
@@ -205,9 +208,9 @@ FN float3 aimed_through(PRIVATE ShadowRay* shadow, PRIVATE const Lobes* lobes) {
 // What reaches the point where light may bend (dielectric) or be relayed (mirror): followed surface by surface; it must
 // arrive at the real source aimed at (spec shading 3.6, 4.6).  For virtual sources the result holds the source's
 // radiance.
-FN float3 shadow_aimed(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE ShadowRay* shadow) {
+FN float3 shadow_aimed(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
-    PRIVATE Ray* ray = &shadow->ray;
+    PRIVATE(Ray) ray = &shadow->ray;
     ray->tmax = FAR_AWAY;
 
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
@@ -234,7 +237,10 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, UNIFORM const Params* par, 
 
         // and so does the medium before it
         int reflected = dot3(next, g.ng) > 0.0f;
-        if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(g.mixed ? &shadow->medium : &here, hit.t));
+        if (shadow->absorbs) {
+            Medium crossed = g.mixed ? shadow->medium : here;
+            shadow->T = mul3(shadow->T, shadow_attenuation(&crossed, hit.t));
+        }
         shadow->medium = relayed && reflected ? here : beyond;
         if (reflected) shadow->clip = before;
         ray->org = offset_ray(g.p, reflected ? g.ng : neg3(g.ng), g.reach);
@@ -246,7 +252,7 @@ FN float3 shadow_aimed(PRIVATE const SceneTables* s, UNIFORM const Params* par, 
 
 // Where patterns fall below 0 RADIANCE counts light that arrives with the sum of its channels above 0.  (A lamp's own
 // pattern is not in this sum.)
-FN int shadow_counts(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const ShadowRay* shadow,
+FN int shadow_counts(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const ShadowRay) shadow,
                      float3 T) {
     if (T.x >= 0.0f && T.y >= 0.0f && T.z >= 0.0f) return 1;
     GLOBAL const uint* lamp = mod_record(s, par, as_uint_(shadow->src[SRC_MOD]));
@@ -256,7 +262,7 @@ FN int shadow_counts(PRIVATE const SceneTables* s, UNIFORM const Params* par, PR
 }
 
 // Adds what the shadow ray of a slot brings.  known: of a plain one (shadow_is_plain).
-FN void path_shadow(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot,
+FN void path_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
                     int known) {
     float4 org = paths->shadow_org[slot], dir = paths->shadow_dir[slot], rad = paths->shadow_rad[slot];
     int antimatter = (par->flags & PF_ANTIMATTER) != 0u, aimed = par->shadow_mode == SHADOW_AIMED;

@@ -31,15 +31,13 @@
 // clang-format on
 
 #define PATH_POINTER(type, name, when) GLOBAL type* name;
-typedef struct {
-    PATH_STATE(PATH_POINTER)
-} Paths;
+STRUCT(Paths){PATH_STATE(PATH_POINTER)};
 
 #define PATH_ALWAYS 0u
 #define PATH_MEDIA 1u
 #define PATH_GUIDED 2u
-FN int path_media_used(UNIFORM const Params* par) { return par->medium.w > 0.0f || (par->flags & PF_ANTIMATTER) != 0u; }
-FN uint path_needs(UNIFORM const Params* par) {
+FN int path_media_used(UNIFORM(const Params) par) { return par->medium.w > 0.0f || (par->flags & PF_ANTIMATTER) != 0u; }
+FN uint path_needs(UNIFORM(const Params) par) {
     return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->guide_mask != 0u ? PATH_GUIDED : 0u);
 }
 
@@ -67,9 +65,9 @@ FN Sampler path_sampler(uint4 info) {
     return rnd;
 }
 
-FN uint path_sampler_word(PRIVATE const Sampler* rnd) { return rnd->index | (rnd->dim << 8); }
+FN uint path_sampler_word(PRIVATE(const Sampler) rnd) { return rnd->index | (rnd->dim << 8); }
 
-FN Hit path_hit(PRIVATE const Paths* paths, uint slot) {
+FN Hit path_hit(SHARED(const Paths) paths, uint slot) {
     Hit hit;
     float4 q = paths->hit[slot];
     hit.t = q.x;
@@ -80,7 +78,7 @@ FN Hit path_hit(PRIVATE const Paths* paths, uint slot) {
     return hit;
 }
 
-FN void set_path_hit(PRIVATE const Paths* paths, uint slot, PRIVATE const Hit* hit) {
+FN void set_path_hit(SHARED(const Paths) paths, uint slot, PRIVATE(const Hit) hit) {
     float4 q;
     q.x = hit->t;
     q.y = as_float_(hit->prim);

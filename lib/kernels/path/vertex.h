@@ -4,7 +4,7 @@
 #ifndef LUX_PATH_VERTEX_H
 #define LUX_PATH_VERTEX_H
 
-typedef struct {
+STRUCT(Vertex) {
     // the path so far
     uint slot;     // of Paths
     uint flags;    // PC_ flags
@@ -32,7 +32,7 @@ typedef struct {
     uint clip_beyond;    // and behind the surface
     uint scatterers;     // how many sources the crossed medium scatters
     int went_to_medium;  // this step's shadow ray starts in the medium, not at the surface
-} Vertex;
+};
 
 // What path_shade returns, bits.
 #define PATH_GOES_ON 1  // the slot holds the next ray
@@ -43,7 +43,7 @@ typedef struct {
 #define MET_LAMP 1     // it ends in a light
 #define MET_SURFACE 2  // lobes say how light is scattered
 
-FN void vertex_load(UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot, PRIVATE Vertex* vertex) {
+FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot, PRIVATE(Vertex) vertex) {
     float4 org = paths->org[slot], dir = paths->dir[slot], thr = paths->thr[slot], rad = paths->rad[slot];
     uint4 info = paths->info[slot];
 
@@ -75,14 +75,14 @@ FN void vertex_load(UNIFORM const Params* par, PRIVATE const Paths* paths, uint 
 }
 
 // Puts back what the step has changed of the path.  length: from the eye to where its next ray begins.
-FN void vertex_store(PRIVATE const Paths* paths, PRIVATE const Vertex* vertex, float length) {
+FN void vertex_store(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
     paths->rad[vertex->slot] = pack4(vertex->rad, length);
     paths->info[vertex->slot].x = vertex->flags;
     paths->info[vertex->slot].z = path_sampler_word(&vertex->rnd);
     if (vertex->guided) paths->expected[vertex->slot] = vertex->expected;
 }
 
-FN void vertex_add(PRIVATE Vertex* vertex, float3 radiance) {
+FN void vertex_add(PRIVATE(Vertex) vertex, float3 radiance) {
     vertex->rad = add3(vertex->rad, mul3(vertex->thr, radiance));
 }
 #endif

@@ -5,7 +5,7 @@
 #define LUX_PATH_WALK_H
 
 // org and dir of the slot hold the ray; 1 if there is one.
-FN_RARE int path_begin_walk(UNIFORM const Params* par, PRIVATE const Paths* paths, uint slot) {
+FN_RARE int path_begin_walk(UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
     Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, par->first + slot, par->frame, 3u);
     uint flags = PC_DIFFUSE | (1u << PC_AB_SHIFT);
     paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
@@ -24,8 +24,8 @@ FN_RARE int path_begin_walk(UNIFORM const Params* par, PRIVATE const Paths* path
 }
 
 // The walk has come to a diffuse bounce: what the surface makes of the light that the bounce would find.
-FN_RARE void path_end_walk(PRIVATE const Paths* paths, PRIVATE const Vertex* vertex, PRIVATE const Way* way) {
-    PRIVATE const Surface* g = &vertex->g;
+FN_RARE void path_end_walk(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex, PRIVATE(const Way) way) {
+    PRIVATE(const Surface) g = &vertex->g;
     uint slot = vertex->slot;
     float3 n = way->way == WAY_DIFFUSE_R ? g->n : neg3(g->n);
     paths->org[slot] = pack4(g->p, 0.0f);

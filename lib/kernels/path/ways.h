@@ -19,7 +19,7 @@
 #define GUIDED_LEAST 0.03f  // least chance that it has
 
 // What is known of the way taken.
-typedef struct {
+STRUCT(Way) {
     uint way;
     float3 dir;
     float3 color;  // of the lobe
@@ -28,9 +28,9 @@ typedef struct {
     float sum;
     int forks;      // several sub-paths take it (fork.h)
     uint fork_dim;  // the random numbers of their directions begin there
-} Way;
+};
 
-FN int way_bounces(PRIVATE const Way* way) { return way->way == WAY_DIFFUSE_R || way->way == WAY_DIFFUSE_T; }
+FN int way_bounces(PRIVATE(const Way) way) { return way->way == WAY_DIFFUSE_R || way->way == WAY_DIFFUSE_T; }
 
 FN float way_weight(float3 color) {
     float m = max3(color);
@@ -38,9 +38,9 @@ FN float way_weight(float3 color) {
 }
 
 // Each way that there is gets at least this weight.  Returns the new sum.
-FN float ways_raise(float least, PRIVATE float* weight) {
+FN float ways_raise(float least, PRIVATE(float) weight) {
     float sum = 0.0f;
-    for (uint way = 0u; way < WAYS; way++) {
+    for (SAME uint way = 0u; way < WAYS; way++) {
         if (weight[way] > 0.0f) weight[way] = MAX_(weight[way], least);
         sum += weight[way];
     }
@@ -51,8 +51,8 @@ FN float ways_raise(float least, PRIVATE float* weight) {
 // How likely each way is, and the sum; 0: there is none.
 // Light that comes by the fourth reflection in a pane is rare: one path in millions finds it.  Tests that look for it
 // give each way a least chance; pictures do not, for what is rare here is dark as a rule.
-FN float ways_weigh(UNIFORM const Params* par, PRIVATE const Vertex* vertex, PRIVATE float* weight) {
-    PRIVATE const Lobes* lobes = &vertex->lobes;
+FN float ways_weigh(UNIFORM(const Params) par, PRIVATE(const Vertex) vertex, PRIVATE(float) weight) {
+    PRIVATE(const Lobes) lobes = &vertex->lobes;
     int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
     int diffuse = bounces < par->ab && par->mode != MODE_DIRECT;
 
@@ -73,8 +73,8 @@ FN float ways_weigh(UNIFORM const Params* par, PRIVATE const Vertex* vertex, PRI
     return par->way_least > 0.0f ? ways_raise(par->way_least * sum, weight) : sum;
 }
 
-FN uint way_pick(PRIVATE const float* weight, float r) {
-    for (uint way = 0u; way < WAYS - 1u; way++)
+FN uint way_pick(PRIVATE(const float) weight, float r) {
+    for (SAME uint way = 0u; way < WAYS - 1u; way++)
         if ((r -= weight[way]) < 0.0f) return way;
     return WAYS - 1u;
 }
@@ -82,10 +82,10 @@ FN uint way_pick(PRIVATE const float* weight, float r) {
 // A direction of the reflected rough lobe; returns the factor.
 // RADIANCE weights a rough lobe where its ray's weight earns it two samples or more, -ss times the weight; what several
 // samples or a hemisphere of them sent out earns one (spec shading 3.4).
-FN float sample_rough_r(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex,
-                        PRIVATE Way* way) {
-    PRIVATE Lobes* lobes = &vertex->lobes;
-    PRIVATE Surface* g = &vertex->g;
+FN float sample_rough_r(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Vertex) vertex,
+                        PRIVATE(Way) way) {
+    PRIVATE(Lobes) lobes = &vertex->lobes;
+    PRIVATE(Surface) g = &vertex->g;
     int weighted = !path_sampled(vertex->flags) && par->ss * vertex->weight > 1.5f;
     if ((lobes->flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(lobes, g, WGMD_ROUGH_R);
     if ((lobes->flags & LOBE_ASHIK) != 0u) return ashik_sample(lobes, g, &vertex->rnd, &way->dir);
@@ -94,10 +94,10 @@ FN float sample_rough_r(PRIVATE const SceneTables* s, UNIFORM const Params* par,
     return lobes_sample_rough_r(lobes, g, &vertex->rnd, weighted, par->ss, &way->dir);
 }
 
-FN float sample_rough_t(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex,
-                        PRIVATE Way* way) {
-    PRIVATE Lobes* lobes = &vertex->lobes;
-    PRIVATE Surface* g = &vertex->g;
+FN float sample_rough_t(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Vertex) vertex,
+                        PRIVATE(Way) way) {
+    PRIVATE(Lobes) lobes = &vertex->lobes;
+    PRIVATE(Surface) g = &vertex->g;
     if ((lobes->flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(lobes, g, WGMD_ROUGH_T);
     if ((lobes->flags & LOBE_BSDF) != 0u)
         return bsdf_sample_lobe(s, par, lobes, g, 1, &vertex->rnd, &way->color, &way->dir);
@@ -105,8 +105,8 @@ FN float sample_rough_t(PRIVATE const SceneTables* s, UNIFORM const Params* par,
 }
 
 // A direction about n by what is known of light there; returns cosine over (pi density).
-FN float guided_direction(PRIVATE const SceneTables* s, UNIFORM const Params* par, uint cell, float3 p, float3 n,
-                          PRIVATE Sampler* rnd, PRIVATE float3* dir) {
+FN float guided_direction(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint cell, float3 p, float3 n,
+                          PRIVATE(Sampler) rnd, PRIVATE(float3) dir) {
     if (cell == NONE) return sample_diffuse(s, par, p, n, rnd, dir);
     float factor = guide_sample(s, par, cell, p, n, sample2(rnd), dir);
     return dot3(*dir, n) > 0.0f ? factor : 0.0f;
@@ -115,9 +115,9 @@ FN float guided_direction(PRIVATE const SceneTables* s, UNIFORM const Params* pa
 // The same for a guided path.  At its first bounce it forks, but in media, of which each sub-path would have to keep
 // its own.  From then on it goes on by chance where much less is expected of it than was there (adjoint-driven Russian
 // roulette, Vorba and Krivanek 2016).
-FN float sample_guided(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex, float3 n,
-                       PRIVATE Way* way) {
-    PRIVATE const Surface* g = &vertex->g;
+FN float sample_guided(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Vertex) vertex, float3 n,
+                       PRIVATE(Way) way) {
+    PRIVATE(const Surface) g = &vertex->g;
     uint cell = guide_cell(s, par, g->p, n, &vertex->rnd);
     if (cell == NONE) return sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->dir);
 
@@ -140,9 +140,9 @@ FN float sample_guided(PRIVATE const SceneTables* s, UNIFORM const Params* par, 
 }
 
 // A direction about n on either side of the surface; returns the factor, 0 if it is on the wrong side of the geometry.
-FN float sample_hemisphere(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex, float side,
-                           PRIVATE Way* way) {
-    PRIVATE const Surface* g = &vertex->g;
+FN float sample_hemisphere(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Vertex) vertex, float side,
+                           PRIVATE(Way) way) {
+    PRIVATE(const Surface) g = &vertex->g;
     float3 n = side > 0.0f ? g->n : neg3(g->n);
     float factor = vertex->guided ? sample_guided(s, par, vertex, n, way)
                                   : sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->dir);
@@ -150,8 +150,8 @@ FN float sample_hemisphere(PRIVATE const SceneTables* s, UNIFORM const Params* p
 }
 
 // The direction, colour and factor of the way taken, and what the path is from here on.
-FN void way_sample(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex, PRIVATE Way* way) {
-    PRIVATE Lobes* lobes = &vertex->lobes;
+FN void way_sample(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Vertex) vertex, PRIVATE(Way) way) {
+    PRIVATE(Lobes) lobes = &vertex->lobes;
     way->factor = 1.0f;
     way->dir = vertex->ray.dir;
 
@@ -194,7 +194,7 @@ FN void way_sample(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIV
 FN int way_reflects(uint way) { return way == WAY_DIFFUSE_R || way == WAY_ROUGH_R || way == WAY_MIRROR; }
 
 // What the path has been through once it takes this way.
-FN uint way_flags(PRIVATE const Vertex* vertex, PRIVATE const Way* way) {
+FN uint way_flags(PRIVATE(const Vertex) vertex, PRIVATE(const Way) way) {
     uint flags = vertex->flags;
     if (way_bounces(way)) flags = (flags | PC_DIFFUSE) + (1u << PC_AB_SHIFT);
     else if (way->way == WAY_ROUGH_R || way->way == WAY_ROUGH_T) flags |= PC_ROUGH | PC_BENT;
@@ -205,7 +205,7 @@ FN uint way_flags(PRIVATE const Vertex* vertex, PRIVATE const Way* way) {
 }
 
 // Chooses a way and a direction along it.  0: there is none, the path ends.
-FN int choose_way(PRIVATE const SceneTables* s, UNIFORM const Params* par, PRIVATE Vertex* vertex, PRIVATE Way* way) {
+FN int choose_way(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Vertex) vertex, PRIVATE(Way) way) {
     float weight[WAYS];
     way->sum = ways_weigh(par, vertex, weight);
     if (way->sum <= 0.0f) return 0;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages of many paths side by side, which ispc has compiled (kernels/lanes.ispc), and what these leave to the
+// kernels of one path (kernels/lanes_calls.isph).  Included by cpu_kernels.inl, where LANE_CALL gives their names.
+#ifndef LUX_CPU_LANES_H
+#define LUX_CPU_LANES_H
+
+extern "C" {
+void LANE_CALL(generate)(const SceneTables* s, const Params* par, const Paths* paths, uint32_t n, int* result);
+void LANE_CALL(shade)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
+                      int* result);
+void LANE_CALL(shadow)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
+                       const int* known);
+
+void LANE_CALL(closest)(const SceneTables* s, const float* words, uint32_t mask, Hit* hit);
+int LANE_CALL(any)(const SceneTables* s, const float* words, uint32_t mask);
+int LANE_CALL(cal)(const SceneTables* s, uint32_t entry, const float* vars, float* out);
+}
+
+static Ray lane_ray(const float* words) {
+    Ray ray;
+    ray.org = F3(words[0], words[1], words[2]);
+    ray.dir = F3(words[3], words[4], words[5]);
+    ray.tmin = words[6];
+    ray.tmax = words[7];
+    return ray;
+}
+
+void LANE_CALL(closest)(const SceneTables* s, const float* words, uint32_t mask, Hit* hit) {
+    const Ray ray = lane_ray(words);
+    trace_closest(s, &ray, mask, hit);
+}
+
+int LANE_CALL(any)(const SceneTables* s, const float* words, uint32_t mask) {
+    const Ray ray = lane_ray(words);
+    return trace_any(s, &ray, mask);
+}
+
+int LANE_CALL(cal)(const SceneTables* s, uint32_t entry, const float* vars, float* out) {
+    return cal_run(s, entry, vars, out);
+}
+
+// Puts paths that have met the same material side by side, those that have met nothing first: the lanes of a group then
+// take the same branches.
+static void sort_by_material(const SceneTables& s, Tile& t, uint32_t n) {
+    constexpr uint32_t KINDS = 64;  // of materials, by number; many may share one
+    uint32_t place[KINDS + 1] = {};
+    const auto kind = [&](uint32_t slot) {
+        const uint32_t prim = as_uint_(t.paths.hit[slot].y);
+        return prim == NO_HIT ? 0u : 1u + s.prims[PRIM_WORDS * prim + PRIM_MOD] % (KINDS - 1u);
+    };
+    for (uint32_t i = 0; i < n; i++) place[1u + (t.next[i] = kind(t.now[i]))]++;
+    for (uint32_t k = 1; k < KINDS; k++) place[k] += place[k - 1];
+    for (uint32_t i = 0; i < n; i++) t.shadow[place[t.next[i]]++] = t.now[i];
+    uint32_t* swap = t.now;
+    t.now = t.shadow;
+    t.shadow = swap;
+}
+
+struct InLanes {
+    static void generate(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+        LANE_CALL(generate)(&s, &par, &t.paths, n, t.result);
+    }
+    static void shade(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+        sort_by_material(s, t, n);
+        LANE_CALL(shade)(&s, &par, &t.paths, t.now, n, t.result);
+    }
+    static void shadow(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+        LANE_CALL(shadow)(&s, &par, &t.paths, t.shadow, n, t.result);
+    }
+};
+#endif
