@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// picture_error REFERENCE PICTURE: how far is a noisy picture from a converged one?  Prints four numbers, tab
-// separated: the median of the pixels' relative errors; the rms error of the 98 % of pixels that are nearest, and of
-// all, over the mean; the rms of the relative errors of 8 x 8 blocks.  The brightest 0.5 % of the reference's pixels
-// (the sun's disc, lamps) are left out, and so are black ones.
+// picture_error REFERENCE PICTURES: how far are noisy pictures from a converged one?  For each picture of a file, or of
+// standard input (-), it prints four numbers, tab separated: the median of the pixels' relative errors; the rms error
+// of the 98 % of pixels that are nearest, and of all, over the mean; the rms of the relative errors of 8 x 8 blocks.
+// The brightest 0.5 % of the reference's pixels (the sun's disc, lamps) are left out, and so are black ones.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -78,11 +78,15 @@ void print_errors(const image::Picture& reference, const image::Picture& picture
 
 int main(int argc, char** argv) {
     return base::run("picture_error", [&] {
-        if (argc != 3) base::fail("", "usage: picture_error reference picture");
-        const image::Picture reference = image::read_file(argv[1]), picture = image::read_file(argv[2]);
-        if (reference.width != picture.width || reference.height != picture.height)
-            base::fail(argv[2], "is not of the reference's size");
-        print_errors(reference, picture);
+        if (argc != 3) base::fail("", "usage: picture_error reference pictures");
+        const image::Picture reference = image::read_file(argv[1]);
+        image::StreamReader pictures(argv[2]);
+        image::Picture picture;
+        while (pictures.next(picture)) {
+            if (reference.width != picture.width || reference.height != picture.height)
+                base::fail(argv[2], "is not of the reference's size");
+            print_errors(reference, picture);
+        }
         return 0;
     });
 }
