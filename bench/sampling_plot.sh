@@ -7,7 +7,7 @@ set -eu
     echo "set terminal svg size 900,$((300 * (($# + 1) / 2))) font 'sans,11' noenhanced background 'white'"
     echo "set output 'error_time.svg'"
     echo "set multiplot layout $((($# + 1) / 2)),2"
-    echo "set logscale xy; set grid; set xlabel 'processor seconds'; set ylabel 'error / mean'; set key left bottom"
+    echo "set logscale xy; set grid; set xlabel 'processor seconds'; set ylabel 'error / mean'; set key right top"
     for scene; do
         echo "set title '$scene'"
         color=0 plots=
