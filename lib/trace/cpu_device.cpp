@@ -45,7 +45,7 @@ bool has_avx2() { return false; }
 bool has_avx512() { return false; }
 #endif
 
-// The fastest first.  Eight lanes of AVX2 are slower than one path at a time (docs/decisions/0025-lanes.md).
+// The fastest first.  Eight lanes of AVX2 are slower than one path at a time (docs/decisions/0026-lanes.md).
 const Variant variants[] = {
 #ifdef LUXPIPE_LANES
     {"lanes16", &cpu_lanes16, has_avx512, "AVX-512"},
