@@ -40,7 +40,8 @@ int LANE_CALL(cal)(const SceneTables* s, uint32_t entry, const float* vars, floa
 }
 
 // Puts paths that have met the same material side by side, those that have met nothing first: the lanes of a group then
-// take the same branches.
+// take the same branches.  A counting sort; the queues of what comes after shading are still free, and hold the kinds
+// and the sorted paths.
 static void sort_by_material(const SceneTables& s, Tile& t, uint32_t n) {
     constexpr uint32_t KINDS = 64;  // of materials, by number; many may share one
     uint32_t place[KINDS + 1] = {};
@@ -48,7 +49,10 @@ static void sort_by_material(const SceneTables& s, Tile& t, uint32_t n) {
         const uint32_t prim = as_uint_(t.paths.hit[slot].y);
         return prim == NO_HIT ? 0u : 1u + s.prims[PRIM_WORDS * prim + PRIM_MOD] % (KINDS - 1u);
     };
-    for (uint32_t i = 0; i < n; i++) place[1u + (t.next[i] = kind(t.now[i]))]++;
+    for (uint32_t i = 0; i < n; i++) {
+        t.next[i] = kind(t.now[i]);
+        place[t.next[i] + 1u]++;
+    }
     for (uint32_t k = 1; k < KINDS; k++) place[k] += place[k - 1];
     for (uint32_t i = 0; i < n; i++) t.shadow[place[t.next[i]]++] = t.now[i];
     uint32_t* swap = t.now;

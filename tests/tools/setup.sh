@@ -32,6 +32,10 @@ check 'so do the goals that build tests' 'for goal in test-gpu test-sanitize com
     parts $goal | grep -qx "tools ptrace tests"; done'
 check 'make fuzz and make deb need more' '
     parts fuzz | grep -qx "tools ptrace tests fuzz"; parts deb | grep -qx "tools ptrace deb"'
+if [ "$(uname -m)" = x86_64 ] && ! command -v ispc > /dev/null; then
+    check 'where no ispc can be had the build goes on without it, and says so' '
+        sh "$TOP/scripts/ispc.sh" none 2> said; grep -q "built without lanes" said; test ! -e none/ispc'
+fi
 check 'a machine without make gets it from .ci/run' '
     parts=$(sed -n "s/.*setup.sh//p" "$TOP/.ci/run"); : > there; setup $parts; grep -q " make " asked'
 check 'make demo adds the plot'             'parts demo | grep -qx "tools ptrace demo"'
