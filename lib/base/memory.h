@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What was freed, given back to the system: glibc keeps blocks of up to 32 MB for later.
+// Memory of large tables: asked for once, and given back.
 #pragma once
+#include <algorithm>
+#include <cstddef>
 
 namespace base {
 
+// Room for so many elements more; from call to call it at least doubles, so that many small ones stay cheap.
+template <class Vector>
+void make_room(Vector& v, size_t more) {
+    if (more > v.capacity() - v.size()) v.reserve(std::max(v.size() + more, 2 * v.capacity()));
+}
+
+// What was freed, given back to the system: glibc keeps blocks of up to 32 MB for later.
 void give_back_memory();
 
 }  // namespace base

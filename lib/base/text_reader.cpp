@@ -33,6 +33,7 @@ TextReader TextReader::from_file(const std::string& path, const std::string& ask
         if (S_ISDIR(st.st_mode)) fail(asked_by.empty() ? path : asked_by, "\"" + excerpt(path) + "\" is a directory");
         s.device = st.st_dev;
         s.inode = s.close_ ? st.st_ino : 0;
+        if (S_ISREG(st.st_mode)) s.size = uint64_t(st.st_size);
     }
     return s;
 }
@@ -50,6 +51,7 @@ TextReader TextReader::from_text(std::string_view text, const std::string& name,
 TextReader::TextReader(TextReader&& o) noexcept
     : device(o.device),
       inode(o.inode),
+      size(o.size),
       fd_(std::exchange(o.fd_, -1)),
       close_(o.close_),
       counting_(o.counting_),

@@ -25,6 +25,9 @@ public:
         if (c >= 0) at_++, line_ += c == '\n' && counting_;
         return c;
     }
+    // What of the file lies in the buffer, and so many of these bytes consumed, lines not counted: for binary files.
+    std::string_view buffered() const { return {at_, size_t(end_ - at_)}; }
+    void consume(size_t bytes) { at_ += bytes; }
     void skip_space();
     void skip_line();
     // The next word into `word` (valid until the next call); false at the end of the text.
@@ -39,6 +42,7 @@ public:
     uint64_t bytes() const { return bytes_; }  // of the file, read so far
     std::string place() const;
     uint64_t device = 0, inode = 0;  // of a file, to recognise one that includes itself
+    uint64_t size = 0;               // in bytes, of an ordinary file; 0: not known
 
 private:
     TextReader() = default;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Portable binary numbers.
 #include "scene/binary.h"
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include "base/error.h"
 #include "base/number.h"
@@ -25,9 +27,16 @@ int Binary::byte() {
     return c;
 }
 
+// Nearly always a whole number or string lies in the buffer.
 uint64_t Binary::unsigned_integer(int bytes) {
     uint64_t v = 0;
-    while (bytes-- > 0) v = v << 8 | uint64_t(byte());
+    const std::string_view near = in_.buffered();
+    if (near.size() < size_t(bytes)) {
+        while (bytes-- > 0) v = v << 8 | uint64_t(byte());
+        return v;
+    }
+    for (int i = 0; i < bytes; i++) v = v << 8 | static_cast<unsigned char>(near[size_t(i)]);
+    in_.consume(size_t(bytes));
     return v;
 }
 
@@ -38,16 +47,32 @@ int64_t Binary::integer(int bytes) {
     return int64_t(v);
 }
 
+// 2^e for e from -128 to 127: a product with it is exact, as ldexp() is, at a tenth of the time.
+static double power_of_two(int e) {
+    static const auto powers = [] {
+        std::array<double, 256> p;
+        for (int i = 0; i < 256; i++) p[size_t(i)] = std::ldexp(1., i - 128);
+        return p;
+    }();
+    return powers[size_t(e + 128)];
+}
+
 // The mantissa is rounded toward zero when written: half a unit goes back.
 double Binary::real() {
     const int64_t mantissa = integer(4);
     const int exponent = int(integer(1));
     if (mantissa == 0) return 0;
-    return std::ldexp((double(mantissa) + (mantissa > 0 ? .5 : -.5)) / 0x7fffffff, exponent);
+    return (double(mantissa) + (mantissa > 0 ? .5 : -.5)) / 0x7fffffff * power_of_two(exponent);
 }
 
 std::string Binary::text() {
-    std::string s;
+    const std::string_view near = in_.buffered();
+    const size_t end = near.find('\0');
+    std::string s(near.substr(0, end == near.npos ? 0 : end));
+    if (end != near.npos) {
+        in_.consume(end + 1);
+        return s;
+    }
     for (int c; (c = byte()) != 0;) {
         s += char(c);
         if (s.size() > (1 << 16)) fail("a string is longer than 65536 characters");
@@ -63,7 +88,12 @@ double Binary::text_real() {
 }
 
 void Binary::skip(uint64_t bytes) {
-    while (bytes-- > 0) byte();
+    while (bytes > 0) {
+        const uint64_t near = std::min<uint64_t>(bytes, in_.buffered().size());
+        in_.consume(near);
+        bytes -= near;
+        if (bytes > 0) byte(), bytes--;
+    }
 }
 
 }  // namespace scene

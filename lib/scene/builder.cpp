@@ -2,8 +2,10 @@
 // A modifier means the most recent definition of its name; surfaces are never modifiers.
 #include "scene/builder.h"
 #include <unistd.h>
+#include <algorithm>
 #include <limits>
 #include "base/error.h"
+#include "base/memory.h"
 #include "base/printable.h"
 #include "scene/materials.h"
 #include "scene/types.h"
@@ -33,17 +35,37 @@ int32_t SceneBuilder::modifier(const Primitive& p) {
     return last_modifier_ = found->second.back();
 }
 
+void SceneBuilder::make_room(uint64_t primitives, uint64_t bytes) {
+    constexpr uint64_t least = 8, real = 5;  // bytes of a primitive without name and arguments; of a real
+    primitives = std::min(primitives, bytes / least);
+    const uint64_t reals = (bytes - least * primitives) / real;
+    if (primitives * sizeof(Object) + reals * sizeof(double) > limit_ / 2) return;  // they may be fewer
+    base::make_room(scene_.objects, primitives);
+    base::make_room(scene_.real_pool, reals);
+}
+
 // Vectors double when they grow: count old and new block.
 void SceneBuilder::check_memory(const Primitive& p) {
-    const uint64_t used = scene_.objects.capacity() * sizeof(Object) + scene_.names.capacity() * sizeof(std::string) +
-                          scene_.string_pool.capacity() * sizeof(std::string) +
-                          scene_.real_pool.capacity() * sizeof(double) + extra_;
+    const uint64_t used = scene_.objects.size() * sizeof(Object) + scene_.name_pool.size() +
+                          scene_.string_pool.size() * sizeof(std::string) + scene_.real_pool.size() * sizeof(double) +
+                          extra_;
     if (used > limit_ / 2)
         base::fail(place(p), "the scene needs more memory than allowed (" + std::to_string(limit_ >> 20) +
                                  " MB) after " + std::to_string(scene_.objects.size()) + " primitives");
     if (scene_.objects.size() >= size_t(std::numeric_limits<int32_t>::max()) ||
         scene_.string_pool.size() + p.strings.size() >= std::numeric_limits<uint32_t>::max())
         base::fail(place(p), "the scene has more primitives or strings than 32-bit indices reach");
+}
+
+// Pieces of one thing often have one name: it is kept once.
+uint32_t SceneBuilder::add_name(const Primitive& p) {
+    std::vector<char>& pool = scene_.name_pool;
+    if (!pool.empty() && p.name == &pool[name_at_]) return name_at_;
+    if (pool.size() + p.name.size() >= std::numeric_limits<uint32_t>::max())
+        base::fail(place(p), "the names of the scene need more than 4 GB");
+    name_at_ = uint32_t(pool.size());
+    pool.insert(pool.end(), p.name.c_str(), p.name.c_str() + p.name.size() + 1);
+    return name_at_;
 }
 
 int32_t SceneBuilder::add(Primitive& p) {
@@ -55,7 +77,7 @@ int32_t SceneBuilder::add(Primitive& p) {
     if (!inherits || p.modifier_object != Primitive::by_name) o.modifier = modifier(p);
     if (is_surface(p.type)) {
         std::string fact;
-        if (!normalize_surface(p, place(p), fact)) {
+        if (!normalize_surface(p, *this, fact)) {
             const Type material = [&] {
                 const int32_t m = s.material(o.modifier).object;
                 return m == VOID ? Type::alias : s.objects[m].type;
@@ -81,11 +103,7 @@ int32_t SceneBuilder::add(Primitive& p) {
     o.type = p.type;
     o.file = p.file;
     o.line = p.line;
-    if (s.names.empty() || s.names.back() != p.name) {
-        s.names.push_back(p.name);
-        if (p.name.size() > 15) extra_ += p.name.size() + 17;
-    }
-    o.name = uint32_t(s.names.size() - 1);
+    o.name = add_name(p);
     if (p.strings.size() > std::numeric_limits<uint16_t>::max() ||
         p.reals.size() > std::numeric_limits<uint32_t>::max())
         base::fail(place(p),

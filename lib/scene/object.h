@@ -53,7 +53,7 @@ struct Object {
     Type type;
     uint16_t string_count = 0;
     int32_t modifier = VOID;      // index of an object in the same list; VOID.  Aliases stay objects: see resolve()
-    uint32_t name = 0;            // into names
+    uint32_t name = 0;            // into name_pool
     uint32_t file = 0, line = 0;  // into files; line of the primitive's first word
     uint32_t string_at = 0;
     uint32_t real_count = 0;
@@ -64,14 +64,15 @@ static_assert(sizeof(Object) == 40, "a million polygons should stay cheap");
 
 struct Scene {
     std::vector<Object> objects;
-    std::vector<std::string> names, files, string_pool;
+    std::vector<std::string> files, string_pool;
+    std::vector<char> name_pool;       // each name ends with a NUL
     std::vector<std::string> history;  // what the headers of its octrees say
     std::vector<double> real_pool;
     std::unordered_map<std::string, std::vector<int32_t>>
         definitions;  // objects that are not surfaces, by name, in order
     Span<std::string> strings(const Object& o) const { return {string_pool.data() + o.string_at, o.string_count}; }
     Span<double> reals(const Object& o) const { return {real_pool.data() + o.real_at, o.real_count}; }
-    const std::string& name(const Object& o) const { return names[o.name]; }
+    std::string name(const Object& o) const { return &name_pool[o.name]; }
     std::string place(const Object& o) const;  // "office.rad:14"
     // As lookup_modifier(); nothing if undefined.
     std::optional<int32_t> find_modifier(const std::string& name, int32_t user) const;

@@ -60,6 +60,7 @@ std::vector<int32_t> read_objects(Binary& in, int index_size, int64_t expected, 
         if (types.size() > 255) in.fail("more than 255 types");
     }
     std::vector<int32_t> index;
+    if (expected > 0) builder.make_room(uint64_t(expected), in.source().size);
     Primitive p;
     p.file = builder.file(in.source().name());
     for (;;) {

@@ -15,7 +15,8 @@ constexpr double tiny = 1e-6;
 
 Vec3 at(const std::vector<double>& r, size_t i) { return {r[i], r[i + 1], r[i + 2]}; }
 
-bool check_polygon(std::vector<double>& r, const std::string& place, std::string& fact) {
+bool check_polygon(Primitive& p, const SceneBuilder& builder, std::string& fact) {
+    std::vector<double>& r = p.reals;
     const Vec3 first = at(r, 0);
     if (r.size() > 9 && length(at(r, r.size() - 3) - first) <= tiny) r.resize(r.size() - 3);
     Vec3 sum;  // twice the vector area: the fan of triangles from the first vertex (Newell)
@@ -32,7 +33,7 @@ bool check_polygon(std::vector<double>& r, const std::string& place, std::string
         if (i) {
             const double mean = total / (i / 3);
             if (std::fabs(std::fabs(mean) < 1e-5 ? offset - mean : 1 - offset / mean) > 1e-5) {
-                base::warn(place, "polygon vertices do not lie in a plane");
+                base::warn(builder.place(p), "polygon vertices do not lie in a plane");
                 break;
             }
         }
@@ -42,7 +43,7 @@ bool check_polygon(std::vector<double>& r, const std::string& place, std::string
 }
 
 // Cone, cup, cylinder, tube.  Negative radii swap inside and outside.
-bool check_cone(Primitive& p, const std::string& place, std::string& fact) {
+bool check_cone(Primitive& p, const SceneBuilder& builder, std::string& fact) {
     std::vector<double>& r = p.reals;
     const bool round = p.type == Type::cylinder || p.type == Type::tube;
     const double r0 = r[6], r1 = round ? r0 : r[7];
@@ -56,7 +57,7 @@ bool check_cone(Primitive& p, const std::string& place, std::string& fact) {
             fact = std::string("a ") + type_name(p.type) + " with radii of opposite sign";
             return false;
         }
-        base::warn(place, "a negative radius turns the surface inside out");
+        base::warn(builder.place(p), "a negative radius turns the surface inside out");
         outward = !outward;
     }
     if (length(at(r, 3) - at(r, 0)) <= tiny) {
@@ -76,26 +77,26 @@ bool check_cone(Primitive& p, const std::string& place, std::string& fact) {
 
 }  // namespace
 
-bool normalize_surface(Primitive& p, const std::string& place, std::string& fact) {
+bool normalize_surface(Primitive& p, const SceneBuilder& builder, std::string& fact) {
     std::vector<double>& r = p.reals;
     switch (p.type) {
     case Type::source:
-        if (length(at(r, 0)) <= 0) base::fail(place, "a source needs a direction");
+        if (length(at(r, 0)) <= 0) base::fail(builder.place(p), "a source needs a direction");
         return true;
     case Type::sphere:
     case Type::bubble:
-        if (std::fabs(r[3]) <= tiny) base::fail(place, "a sphere without radius");
+        if (std::fabs(r[3]) <= tiny) base::fail(builder.place(p), "a sphere without radius");
         if (r[3] < 0) {
-            base::warn(place, "a negative radius turns the surface inside out");
+            base::warn(builder.place(p), "a negative radius turns the surface inside out");
             p.type = p.type == Type::sphere ? Type::bubble : Type::sphere;
             r[3] = -r[3];
         }
         return true;
-    case Type::polygon: return check_polygon(r, place, fact);
+    case Type::polygon: return check_polygon(p, builder, fact);
     case Type::cone:
     case Type::cup:
     case Type::cylinder:
-    case Type::tube: return check_cone(p, place, fact);
+    case Type::tube: return check_cone(p, builder, fact);
     case Type::ring:
         if (r[6] < 0 || r[7] < 0 || std::fabs(r[6] - r[7]) <= tiny)
             fact = "a ring with a negative radius or without width";

@@ -57,6 +57,45 @@ TEST_CASE("an unfrozen octree is its scene files") {
     CHECK(error_of([] { scene::read_scene({"t.oct"}, {}); }) == "t.oct: the file is cut short");
 }
 
+// Some twenty blocks of the reader, whose ends fall into each kind of number and name; each real by its definition.
+TEST_CASE("a large octree gives back what was written, wherever the blocks of the file end") {
+    const int n = 20000;
+    std::string oct = "#?RADIANCE\nFORMAT=Radiance_octree\n\n";
+    const auto put = [&](int64_t v, int bytes) {
+        while (bytes-- > 0) oct += char(v >> (8 * bytes) & 255);
+    };
+    const auto put_text = [&](const std::string& text) { oct.append(text.c_str(), text.size() + 1); };
+    const auto mantissa = [](int i, int k) {
+        return (k + i % 2 * 4 + 1) * 97 * (i + 1) % 1000003 * (i % 3 ? 2000 : -2000);
+    };
+    const auto exponent = [](int i) { return i % 40 - 20; };
+    put(283 + 4, 2);
+    for (const char* word : {"0", "0", "0", "1", ""}) put_text(word);
+    put(n + 1, 4), put(1, 1), put(n, 4);  // one leaf that holds all
+    for (int i = 0; i < n; i++) put(i, 4);
+    for (const char* word : {"plastic", "polygon", ""}) put_text(word);
+    put(0, 1), put(-1, 4), put_text("m"), put(0, 2), put(5, 2), oct += std::string(25, '\0');
+    for (int i = 0; i < n; i++) {
+        put(1, 1), put(0, 4), put_text("p" + std::to_string(i)), put(0, 2), put(9, 2);
+        for (int k = 0; k < 9; k++) put(mantissa(i, k % 4 + k), 4), put(exponent(i), 1);
+    }
+    put(255, 1);
+    const Folder folder;
+    Folder::write("large.oct", oct);
+    const scene::Scene s = scene::read_scene({"large.oct"}, {});
+    REQUIRE(s.objects.size() == n + 1);
+    int wrong = 0;
+    for (int i = 0; i < n; i++) {
+        const scene::Object& o = s.objects[size_t(i) + 1];
+        wrong += s.name(o) != "p" + std::to_string(i) || s.reals(o).size() != 9;
+        for (int k = 0; k < 9; k++) {
+            const double m = mantissa(i, k % 4 + k), half = m > 0 ? .5 : -.5;
+            wrong += s.reals(o)[size_t(k)] != std::ldexp((m + half) / 0x7fffffff, exponent(i));
+        }
+    }
+    CHECK(wrong == 0);
+}
+
 TEST_CASE("an octree within itself is refused") {
     const Folder folder;
     std::string oct = text_of(golden + "in_b.oct");  // holds two instances of in_a.oct
