@@ -2,6 +2,7 @@
 // Questions to the finished tables.
 #include "flatten/flat_scene.h"
 
+#include "base/memory.h"
 #include "flatten/build_input.h"
 #include "flatten/pack.h"
 #include "kernels/host.h"
@@ -10,6 +11,14 @@ namespace flatten {
 using namespace kernels;
 
 const uint32_t* FlatScene::record(uint32_t mod) const { return &u[mods_at + MOD_WORDS * size_t(mod)]; }
+
+void FlatScene::make_room(size_t more_vertices, size_t more_triangles, size_t more_prims) {
+    base::make_room(vertices, 3 * more_vertices);
+    base::make_room(triangles, 3 * more_triangles);
+    base::make_room(tri_prim, more_triangles);
+    base::make_room(prims, PRIM_WORDS * more_prims);
+    base::make_room(prim_object, more_prims);
+}
 
 std::shared_ptr<const bvh::Tree> FlatScene::host_tree() const {
     if (!host_tree_) {
@@ -22,7 +31,7 @@ std::shared_ptr<const bvh::Tree> FlatScene::host_tree() const {
 void FlatScene::keep_tables_only() {
     triangles = std::vector<uint32_t>(), tri_prim = std::vector<uint32_t>();  // "= {}" would keep the memory
     shape_prim = std::vector<uint32_t>(), prim_object = std::vector<uint32_t>();
-    panes = std::vector<Pane>();
+    vertices = std::vector<float>(), panes = std::vector<Pane>();
 }
 
 uint32_t material_record(const FlatScene& scene, uint32_t mod) {

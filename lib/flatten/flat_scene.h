@@ -39,6 +39,7 @@ struct FlatScene {
     bool absorbs = false;  // some segment may lie in an absorbing medium
 
     const uint32_t* record(uint32_t mod) const;  // MOD_WORDS of a modifier
+    void make_room(size_t more_vertices, size_t more_triangles, size_t more_prims);
 
     // Transparent polygons (world coordinates): candidates for portals.
     struct Pane {
@@ -56,8 +57,9 @@ struct FlatScene {
     // The eight-wide tree over the geometry, which must not change any more: built when it is first asked for, one for
     // all who trace rays on this machine.
     std::shared_ptr<const bvh::Tree> host_tree() const;
-    bvh::Tell tell_tree;      // how far a tree is
-    void keep_tables_only();  // gives back the memory of what no device traces by: after the last tree is built
+    bvh::Tell tell_tree;  // how far a tree is
+    // Gives back the memory of what no kernel reads: after the last tree is built.
+    void keep_tables_only();
 
 private:
     mutable std::shared_ptr<const bvh::Tree> host_tree_;

@@ -2,6 +2,7 @@
 // A triangle mesh as one tree: one primitive a triangle, corner data shared by the triangles around a vertex.
 // About 85 bytes a triangle in the tables, beside the hierarchy's own.
 #include "base/error.h"
+#include "base/memory.h"
 #include "flatten/pack.h"
 #include "flatten/surfaces.h"
 
@@ -17,14 +18,10 @@ void reserve(const scene::Mesh& mesh, bool corners, FlatScene& out) {
     if (out.f.size() + CORNER_FLOATS * n > 0xffffffffu || out.u.size() + 3 * triangles > 0xffffffffu ||
         out.prims.size() / PRIM_WORDS + triangles > ID_PRIM)
         base::fail(mesh.path, "too many triangles");
-    out.vertices.reserve(out.vertices.size() + 3 * n);
-    out.prims.reserve(out.prims.size() + PRIM_WORDS * triangles);
-    out.prim_object.reserve(out.prim_object.size() + triangles);
-    out.triangles.reserve(out.triangles.size() + 3 * triangles);
-    out.tri_prim.reserve(out.tri_prim.size() + triangles);
+    out.make_room(n, triangles, triangles);
     if (!corners) return;
-    out.f.reserve(out.f.size() + CORNER_FLOATS * n);
-    out.u.reserve(out.u.size() + 3 * triangles);
+    base::make_room(out.f, CORNER_FLOATS * n);
+    base::make_room(out.u, 3 * triangles);
 }
 
 void add_corners(const scene::Mesh& mesh, FlatScene& out) {

@@ -272,8 +272,20 @@ std::vector<Vec3> polygon_corners(const scene::Span<double>& r) {
     return v;
 }
 
+// For what nearly all scenes are made of: polygons of three or four corners.
+static void make_room_for_polygons(const scene::Scene& scene, FlatScene& out) {
+    size_t polygons = 0, corners = 0;
+    for (const Object& o : scene.objects) {
+        if (o.type != Type::polygon || o.real_count > 12) continue;
+        polygons++;
+        corners += o.real_count / 3;
+    }
+    out.make_room(corners, corners - 2 * polygons, polygons);
+}
+
 void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, Vec3 centre, FlatScene& out,
                       Lights* lights) {
+    make_room_for_polygons(scene, out);
     SurfaceWriter writer(scene, modifiers, centre, out, lights);
     for (const Object& o : scene.objects) {
         if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance)
