@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One budget of work for a whole scene: a few lines of text can ask for more copies than there are atoms (arrays of
-// arrays, octrees of octrees), and a reader must end.  Counted are steps: a primitive, a kilobyte of text, an object
-// that an instance shows are one each, an opened file, a copy of xform and a placed instance ten.
+// arrays, octrees of octrees), and a reader must end.  Counted are steps: a primitive and a kilobyte of text are
+// one each, an opened file, a copy of xform and a placed instance ten.
 #pragma once
 #include <cstdint>
 #include <memory>

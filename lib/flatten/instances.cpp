@@ -104,13 +104,21 @@ void Instances::add(uint32_t tree, const Xform& to_world, const Replacement* rep
 
 void Instances::place(const Modifiers& top, Lights& lights) { place_all({top_, &top, Xform(), nullptr, NONE}, lights); }
 
+// Found once a scene: the places of an octree of a million polygons need not look at all of them again.
+const std::vector<uint32_t>& Instances::placed_in(const scene::Scene& scene) {
+    const auto [found, fresh] = placed_in_.emplace(&scene, std::vector<uint32_t>());
+    if (fresh)
+        for (const scene::Object& o : scene.objects)
+            if (o.type == Type::mesh || o.type == Type::instance)
+                found->second.push_back(uint32_t(&o - scene.objects.data()));
+    return found->second;
+}
+
 void Instances::place_all(const Level& level, Lights& lights) {
     const scene::Scene& scene = level.scene;
-    if (level.object != NONE && !files_.work->spend(1 + scene.objects.size() / 64))
-        files_.work->fail(top_.place(top_.objects[level.object]));
-    for (const scene::Object& o : scene.objects) {
-        if (o.type != Type::mesh && o.type != Type::instance) continue;
-        const uint32_t owner = level.object == NONE ? uint32_t(&o - scene.objects.data()) : level.object;
+    for (const uint32_t index : placed_in(scene)) {
+        const scene::Object& o = scene.objects[index];
+        const uint32_t owner = level.object == NONE ? index : level.object;
         if (!files_.work->spend(PLACE)) files_.work->fail(top_.place(top_.objects[owner]));
         const Xform x = base::multiply(scene::Assets::transform(scene, o), level.to_world);
         if (level.replaced || o.modifier < 0) {

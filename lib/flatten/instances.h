@@ -63,6 +63,7 @@ private:
     using Materials = std::vector<int32_t>;
     using Key = std::tuple<const void*, const void*, Materials>;
 
+    const std::vector<uint32_t>& placed_in(const scene::Scene& scene);  // its meshes and instances
     void place_all(const Level& level, Lights& lights);
     void place_one(const scene::Object& o, const Level& level, const base::Xform& to_world, const Replacement* replaced,
                    uint32_t owner, Lights& lights);
@@ -78,6 +79,7 @@ private:
     ModifierTables& tables_;
     scene::Assets assets_;
     std::map<const scene::Scene*, std::unique_ptr<const Modifiers>> modifiers_;
+    std::map<const scene::Scene*, std::vector<uint32_t>> placed_in_;
     std::vector<Tree> trees_;  // without tree 0
     std::map<Key, uint32_t> index_;
     std::vector<Place> places_;

@@ -188,6 +188,22 @@ TEST_CASE("geometry is kept once, whatever stands how often") {
     CHECK(two.instance_object == std::vector<uint32_t>{2, 3});
 }
 
+// Reading takes a step a primitive, a place ten (base/work.h).
+TEST_CASE("an octree is looked through once, however often it is placed") {
+    TempFolder folder;
+    const int inside = 10000, places = 1000;
+    std::string many = "void plastic m 0 0 5 .5 .5 .5 0 0\n", placed;
+    for (int i = 0; i < inside; i++) many += "m sphere s 0 0 4 " + std::to_string(3 * i) + " 0 0 1\n";
+    const std::string in = folder.holding("in.rad", many);
+    for (int i = 0; i < places; i++)
+        placed += "void instance i 5 " + in + " -t 0 " + std::to_string(3 * i) + " 0 0 0\n";
+    scene::ReadOptions how;
+    how.work = std::make_shared<base::Work>(2 * inside + 20 * places);
+    const flatten::FlatScene s = flatten::flatten(scene_of(placed), {}, how);
+    CHECK(s.instance_object.size() == places);
+    CHECK(s.trees.size() == 2);
+}
+
 TEST_CASE("a scene of nothing but instances far from the origin keeps its digits") {
     TempFolder folder;
     const std::string in =
