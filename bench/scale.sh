@@ -32,6 +32,22 @@ frame_cost() {
 }
 room='materials.rad layout.rad'
 
+# ptrace words...: bytes at most until the first frame, and when it is there
+bytes() {
+    [ -p "$dir/frames" ] || mkfifo "$dir/frames"
+    "$bin/ptrace" -w- -device cpu -vf view.vf -x 64 -y 64 -frames 1:1000000 "$@" > "$dir/frames" &
+    exec 3< "$dir/frames"
+    head -c 1 <&3 > /dev/null
+    awk '/^Vm(HWM|RSS)/ { printf "%d ", 1024 * $2 }' /proc/$!/status
+    exec 3<&-
+    wait $!
+}
+# what, how many, the file that holds them: bytes of each above those of the room alone
+memory() {
+    echo "$(bytes $room sky_1400.rad)" "$(bytes $room sky_1400.rad "$3")" | awk -v what="$1" -v n="$2" \
+        '{ printf "%s\t%s\t%.0f\t%.0f\n", what, n, ($3 - $1) / n, ($4 - $2) / n }'
+}
+
 # Lamps of 10 cm under the ceiling, in rows.
 lamps() {
     awk -v n="$1" 'BEGIN {
@@ -48,8 +64,18 @@ for size in ${SIZES:-64 128 256 512}; do frame_cost pixels "$size x $size" "$siz
 for n in $triangles; do
     "$bin/large_mesh" "$n" "$dir/heap.rtm" "$dir/heap.oct"  # a heap on the floor behind the desk, for sun and eye
     frame_cost triangles "$n" 128 $room sky_1400.rad "$dir/heap.oct"
+    "$bin/large_mesh" "$n" "$dir/heap.oct"  # the same, each a polygon of its own
+    frame_cost polygons "$n" 128 $room sky_1400.rad "$dir/heap.oct"
+done
+echo "# what, how many, bytes of each at most while loading, and after it"
+for n in $triangles; do
+    "$bin/large_mesh" "$n" "$dir/heap.rtm" "$dir/heap.oct"
+    memory triangles "$n" "$dir/heap.oct"
+    "$bin/large_mesh" "$n" "$dir/heap.oct"
+    memory polygons "$n" "$dir/heap.oct"
 done
 rm -f "$dir"/heap.*
+echo "# what, how many, s to begin, us a pixel and frame"
 for ab in 1 2 5 10; do frame_cost bounces $ab 128 -ab $ab $room sky_1400.rad; done
 for n in 1 10 100 1000; do
     lamps "$n" > "$dir/lamps.rad"
