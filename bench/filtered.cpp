@@ -36,9 +36,9 @@ int run(int argc, char** argv) {
     image::Accumulator sum;
     image::HalfSums halves;
     for (image::Picture frame; frames.next(frame);) {
-        const std::vector<float>& values = sum.add(std::move(frame), "stdin");
-        if (frame.header.frame == 0) halves.clear(values.size());
-        else halves.add(values);
+        sum.add(frame, "stdin");
+        if (frame.header.frame == 0) halves.clear(frame.rgb.size());
+        else halves.add(frame.rgb);
         if (wanted.count(sum.frames())) write_both(sum, halves, argv[1] + ("_" + std::to_string(sum.frames())));
     }
     return 0;

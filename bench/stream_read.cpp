@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     start = seconds();
     for (int k = 0; k < pictures; ++k) {
         p.header.frame = k;
-        sum.add(image::Picture(p), "frame");
+        sum.add(p, "frame");
         sum.result(out, false);
     }
     std::printf("summing   %7.0f frames/s (each with its result)\n", pictures / (seconds() - start));

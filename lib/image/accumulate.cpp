@@ -20,26 +20,27 @@
 namespace image {
 namespace {
 
-// Frames wait for a few more, so that the sums, which are eight times as large, need not come for each of them.
-constexpr size_t most_waiting = 8, most_bytes_waiting = 64 << 20;
+constexpr size_t blocks_a_share = 4096;
 
 bool has_pixels_of(const Picture& picture, const ExactSum& sum, int64_t n) {
     std::atomic<bool> same{true};
-    base::in_shares(picture.rgb.size(), ExactSum::share, base::processors(), [&](size_t first, size_t end) {
-        double values[ExactSum::share];
-        eq7(picture.frame0, sum, n, first, end, values);
-        for (size_t i = first; i < end; ++i)
-            if (float(values[i - first]) != picture.rgb[i]) same = false;
+    base::in_shares(sum.blocks(), blocks_a_share, base::processors(), [&](size_t from, size_t end) {
+        for (size_t b = from; b < end; ++b) {
+            double values[ExactSum::room];
+            eq7(picture.frame0, sum, n, b, values);
+            for (size_t i = 0; i < sum.size_of(b); ++i)
+                if (float(values[i]) != picture.rgb[b * ExactSum::room + i]) same = false;
+        }
     });
     return same;
 }
 
-WIDE_LOOP void divide(double* values, size_t count, double by) {
-    for (size_t i = 0; i < count; ++i) values[i] /= by;
+WIDE_LOOP void means(const double* sums, double n, size_t count, double* out) {
+    for (size_t i = 0; i < count; ++i) out[i] = sums[i] / n;
 }
 
-WIDE_LOOP void add(double* values, size_t count, const float* more) {
-    for (size_t i = 0; i < count; ++i) values[i] = double(more[i]) + values[i];
+WIDE_LOOP void means_above(const float* frame0, const double* sums, double n, size_t count, double* out) {
+    for (size_t i = 0; i < count; ++i) out[i] = double(frame0[i]) + sums[i] / n;
 }
 
 WIDE_LOOP void to_floats(const double* values, size_t count, float* out) {
@@ -48,12 +49,13 @@ WIDE_LOOP void to_floats(const double* values, size_t count, float* out) {
 
 }  // namespace
 
-void eq7(const std::vector<float>& frame0, const ExactSum& sum, int64_t n, size_t first, size_t end, double* out) {
-    const size_t count = end - first;
-    if (n > 0) sum.values(first, count, out);
-    else std::fill(out, out + count, 0.);
-    if (n > 0) divide(out, count, double(n));
-    if (!frame0.empty()) add(out, count, &frame0[first]);
+void eq7(const std::vector<float>& frame0, const ExactSum& sum, int64_t n, size_t block, double* out) {
+    double space[ExactSum::room];
+    const double* sums = sum.values(block, space);
+    const size_t count = sum.size_of(block);
+    const double divisor = n > 0 ? double(n) : 1;  // of no frames the sums are 0
+    if (frame0.empty()) means(sums, divisor, count, out);
+    else means_above(&frame0[block * ExactSum::room], sums, divisor, count, out);
 }
 
 void add_frames_of(const Picture& picture, const std::string& name, ExactSum& sum) {
@@ -81,8 +83,6 @@ void Accumulator::start(const Picture& frame, int64_t k) {
     header_ = frame.header;
     frame0_.clear();
     sum_.clear(frame.rgb.size());
-    waits_ = 0;
-    exponents_ = {};
 }
 
 bool Accumulator::restarts(const Header& frame) const {
@@ -90,7 +90,7 @@ bool Accumulator::restarts(const Header& frame) const {
     return frame.frame == 0 || frame.view_name != header_.view_name || frame.sky_name != header_.sky_name;
 }
 
-const std::vector<float>& Accumulator::add(Picture&& frame, const std::string& place) {
+void Accumulator::add(const Picture& frame, const std::string& place) {
     const Header& h = frame.header;
     if (!h.frame || h.frames)
         base::fail(place, h.frames || !h.ranges.empty() ? "is a sum of frames inside a stream of frames"
@@ -107,29 +107,14 @@ const std::vector<float>& Accumulator::add(Picture&& frame, const std::string& p
     header_.last_frame = h.last_frame;
     ++next_;
     bool trouble = false;
-    const std::vector<float>* values = &frame0_;
     if (k == 0) {
         frame0_ = frame.rgb;
         for (float& v : frame0_)
             if (!std::isfinite(v)) v = 0, trouble = true;
     } else {
-        exact::Exponents exponents;
-        exact::widen(exponents, frame.rgb.data(), frame.rgb.size());
-        trouble = !exponents.finite();
-        exponents_.take(exponents);
-        if (waits_ == waiting_.size()) waiting_.emplace_back();
-        values = &waiting_[waits_];
-        waiting_[waits_++].swap(frame.rgb);
-        if (waits_ >= most_waiting || waits_ * sum_.size() * sizeof(float) >= most_bytes_waiting) settle();
+        trouble = !sum_.add(frame.rgb, base::processors());
     }
     if (trouble) base::warn(place, "values that are not finite were taken as 0");
-    return *values;
-}
-
-void Accumulator::settle() {
-    if (waits_ > 0) sum_.add({waiting_.data(), waits_}, exponents_, base::processors());
-    waits_ = 0;
-    exponents_ = {};
 }
 
 void Accumulator::require_next(int64_t k, const std::string& place) const {
@@ -176,8 +161,7 @@ void Accumulator::resume(const Picture& sum, const std::string& name) {
     resumed_ = name;
 }
 
-void Accumulator::result(Picture& out, bool with_parts) {
-    settle();
+void Accumulator::result(Picture& out, bool with_parts) const {
     out.width = width_;
     out.height = height_;
     out.header = header_;
@@ -187,10 +171,12 @@ void Accumulator::result(Picture& out, bool with_parts) {
     out.rgb.resize(sum_.size());
     out.frame0 = with_parts ? frame0_ : std::vector<float>();
     out.sum = with_parts ? sum_.layers() : std::vector<SumLayer>();
-    base::in_shares(sum_.size(), ExactSum::share, base::processors(), [&](size_t first, size_t end) {
-        double values[ExactSum::share];
-        eq7(frame0_, sum_, frames(), first, end, values);
-        to_floats(values, end - first, &out.rgb[first]);
+    base::in_shares(sum_.blocks(), blocks_a_share, base::processors(), [&](size_t from, size_t end) {
+        for (size_t b = from; b < end; ++b) {
+            double values[ExactSum::room];
+            eq7(frame0_, sum_, frames(), b, values);
+            to_floats(values, sum_.size_of(b), &out.rgb[b * ExactSum::room]);
+        }
     });
 }
 

@@ -12,15 +12,14 @@
 #include <cstdint>
 #include <string>
 #include <vector>
-#include "image/exact_loops.h"
 #include "image/exact_sum.h"
 #include "image/merge_means.h"
 #include "image/picture.h"
 
 namespace image {
 
-// Values first to end - 1 of Eq. 7 for n diffuse frames; frame0 is empty for a partial result.
-void eq7(const std::vector<float>& frame0, const ExactSum& sum, int64_t n, size_t first, size_t end, double* out);
+// A block's values (exact_sum.h) of Eq. 7 for n diffuse frames; frame0 is empty for a partial result.
+void eq7(const std::vector<float>& frame0, const ExactSum& sum, int64_t n, size_t block, double* out);
 // Adds the diffuse frames of a sum: exactly where it has them so (Picture::sum), else its rounded mean times n.
 void add_frames_of(const Picture& picture, const std::string& name, ExactSum& sum);
 
@@ -30,8 +29,7 @@ public:
     bool restarts(const Header& frame) const;
     // The next frame of the stream (FRAME=k in its header).  Throws Error (place) for a
     // frame missing, repeated or out of order, and for another size, view, seed or fingerprint inside one sum.
-    // The memory of its pixels is taken; it gets that of an earlier frame.  Returns them, until the next call.
-    const std::vector<float>& add(Picture&& frame, const std::string& place);
+    void add(const Picture& frame, const std::string& place);
     // Goes on from a sum made before: its frames of one seed, without holes, frame 0 known apart.  The next frame is
     // the one after its last; frame 0 does not restart it.
     void resume(const Picture& sum, const std::string& name);
@@ -39,10 +37,9 @@ public:
     bool empty() const { return next_ < 0; }
     int64_t frames() const { return next_ - (first_ == 0 ? 1 : first_); }  // n, diffuse frames summed
     // L'(n) or the partial result; reuses the memory of out.  with_parts keeps L(0) and the exact sum, too (for EXR).
-    void result(Picture& out, bool with_parts);
+    void result(Picture& out, bool with_parts) const;
 
 private:
-    void settle();
     void start(const Picture& frame, int64_t k);
     void require_next(int64_t k, const std::string& place) const;
     void require_same(const Picture& frame, const std::string& place) const;
@@ -52,10 +49,7 @@ private:
     std::string resumed_;  // name of the sum that this one goes on from
     bool grown_ = false;   // it has got frames since
     std::vector<float> frame0_;
-    ExactSum sum_;  // without those that wait
-    std::vector<std::vector<float>> waiting_;
-    size_t waits_ = 0;            // how many of them
-    exact::Exponents exponents_;  // theirs
+    ExactSum sum_;
 };
 
 class Merger {

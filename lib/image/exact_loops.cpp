@@ -2,6 +2,8 @@
 // See exact_loops.h.  Four numbers at a time, in the compiler's words for that, which every processor can follow.
 #include "image/exact_loops.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "base/wide.h"
@@ -9,8 +11,6 @@
 namespace image::exact {
 namespace {
 
-using Bits = uint32_t __attribute__((vector_size(16)));
-using Signed = int32_t __attribute__((vector_size(16)));
 using Word = uint64_t __attribute__((vector_size(32)));
 using Int = int64_t __attribute__((vector_size(32)));
 using Double = double __attribute__((vector_size(32)));
@@ -18,18 +18,27 @@ constexpr size_t lanes = 4;
 constexpr uint64_t low_half = 0xffffffff;
 constexpr double two_32 = 4294967296.;
 
-// The end of an array may be less than four.
 template <class Vector, class T>
-inline __attribute__((always_inline)) Vector load(const T* from, size_t left) {
-    Vector v = {};
-    if (left >= lanes) std::memcpy(&v, from, sizeof v);
-    else std::memcpy(&v, from, left * sizeof(T));
+inline __attribute__((always_inline)) Vector load(const T* from) {
+    Vector v;
+    std::memcpy(&v, from, sizeof v);
     return v;
 }
 template <class Vector, class T>
-inline __attribute__((always_inline)) void store(const Vector& v, T* to, size_t left) {
-    if (left >= lanes) std::memcpy(to, &v, sizeof v);
-    else std::memcpy(to, &v, left * sizeof(T));
+inline __attribute__((always_inline)) void store(const Vector& v, T* to) {
+    std::memcpy(to, &v, sizeof v);
+}
+template <class T>
+inline __attribute__((always_inline)) void add_to(const Int& v, T* to) {
+    store(load<Int>(to) + v, to);
+}
+
+// 2^exponent.
+inline double power(int exponent) {
+    const uint64_t bits = uint64_t(exponent + 1023) << 52;
+    double value;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
 }
 
 // Of words of 32 bits: written below the point of 2^52, as not every processor converts such side by side.
@@ -42,57 +51,58 @@ inline __attribute__((always_inline)) Double to_double(const Word& word) {
 
 }  // namespace
 
+// The sign is shifted out, so that words are in the order of magnitudes; a 0 less 1 is above all of them.
 WIDE_LOOP void widen(Exponents& exponents, const float* values, size_t count) {
-    uint32_t lo = exponents.least, hi = exponents.most;
+    uint32_t lo = ~0u, hi = 0;
     for (size_t i = 0; i < count; ++i) {
         uint32_t bits;
         std::memcpy(&bits, values + i, 4);
-        const uint32_t field = bits << 1 >> 24, exponent = field > 0 ? field : 1;
-        const uint32_t seen = bits << 1 ? exponent : Exponents::not_finite;
-        lo = seen < lo ? seen : lo;
-        hi = exponent > hi ? exponent : hi;
+        bits <<= 1;
+        lo = bits - 1 < lo ? bits - 1 : lo;
+        hi = bits > hi ? bits : hi;
     }
-    exponents.least = lo;
-    exponents.most = hi;
+    if (hi == 0) return;
+    const auto exponent = [](uint32_t magnitude) { return magnitude >> 24 ? magnitude >> 24 : 1; };
+    exponents.least = std::min(exponents.least, exponent(lo + 1));
+    exponents.most = std::max(exponents.most, exponent(hi));
 }
 
-WIDE_LOOP void add(const float* const* frames, size_t frame_count, size_t count, uint32_t least_exponent,
-                   int64_t* const lane[3]) {
-    const int shift = int(least_exponent - 1) % 32;
-    for (size_t i = 0; i < count; i += lanes) {
-        const size_t left = count - i;
-        Int sum = {};
-        for (size_t k = 0; k < frame_count; ++k) {
-            const Bits bits = load<Bits>(frames[k] + i, left);
-            const Bits field = bits << 1 >> 24;
-            const Bits normal = Bits(field != 0), finite = Bits(field != Exponents::not_finite);
-            const Bits fraction = ((bits & 0x7fffff) | (normal & 0x800000)) & finite;
-            const Bits above = (field + (~normal & 1)) - least_exponent;  // of a 0 it may be anything
-            const Int sign = __builtin_convertvector(Signed(bits) >> 31, Int);
-            const Word wide = __builtin_convertvector(fraction, Word) << __builtin_convertvector(above & 63, Word);
-            sum += (Int(wide) ^ sign) - sign;
-        }
+bool Held::take(const Exponents& more) {
+    const uint32_t new_least = std::min(least, more.least);
+    const double new_most = most + power(int(more.most) - 1 + 24);
+    if (!more.finite() || new_most > power(int(new_least) - 1 + 53)) return false;
+    least = new_least, most = new_most;
+    return true;
+}
+
+int Held::last_digit() const { return std::max(first_digit() + 1, std::ilogb(most) / 32); }
+
+WIDE_LOOP void add(const float* values, size_t count, double* sums) {
+    for (size_t i = 0; i < count; ++i) sums[i] += double(values[i]);
+}
+
+WIDE_LOOP void add_digits(const double* sums, const Held& held, int64_t* lane) {
+    const int shift = int(held.least - 1) % 32;
+    const double whole = power(149 - int(held.least - 1));
+    const bool third = held.last_digit() > held.first_digit() + 1;
+    for (size_t i = 0; i < room; i += lanes) {
+        const Int sum = __builtin_convertvector(load<Double>(sums + i) * whole, Int);
         const Word low = (Word(sum) & low_half) << shift;
         const Int high = Int(Word(sum >> 32) << shift) + Int(low >> 32);
-        store(load<Int>(lane[0] + i, left) + Int(low & low_half), lane[0] + i, left);
-        if (lane[2]) {
-            store(load<Int>(lane[1] + i, left) + Int(Word(high) & low_half), lane[1] + i, left);
-            store(load<Int>(lane[2] + i, left) + (high >> 32), lane[2] + i, left);
-        } else {
-            store(load<Int>(lane[1] + i, left) + high, lane[1] + i, left);
-        }
+        add_to(Int(low & low_half), lane + i);
+        add_to(third ? Int(Word(high) & low_half) : high, lane + room + i);
+        if (third) add_to(high >> 32, lane + 2 * room + i);
     }
 }
 
 // The digits are carried to words of 32 bits, of which the last has the sign; a negative number is turned; then the
 // highest word that is not 0 and the two below it make the double.
-WIDE_LOOP void to_doubles(const int64_t* const* lane, int digits, double unit, size_t count, double* out) {
+WIDE_LOOP void to_doubles(const int64_t* lane, int digits, double unit, double* out) {
     Word word[most_digits + 3] = {};  // two of zeros below the lowest
-    for (size_t i = 0; i < count; i += lanes) {
-        const size_t left = count - i;
+    for (size_t i = 0; i < room; i += lanes) {
         Int carried = {};
         for (int k = 0; k < digits; ++k) {
-            carried += load<Int>(lane[k] + i, left);
+            carried += load<Int>(lane + size_t(k) * room + i);
             word[k + 2] = Word(carried) & low_half;
             carried >>= 32;
         }
@@ -111,7 +121,7 @@ WIDE_LOOP void to_doubles(const int64_t* const* lane, int digits, double unit, s
             const Word is_top = Word(word[k + 2] != 0);
             magnitude = Double((is_top & Word(here)) | (~is_top & Word(magnitude)));
         }
-        store(Double(Word(magnitude) ^ (negative << 63)), out + i, left);
+        store(Double(Word(magnitude) ^ (negative << 63)), out + i);
     }
 }
 

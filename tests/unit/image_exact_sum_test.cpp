@@ -9,7 +9,6 @@
 #include <limits>
 #include <random>
 
-#include "image/exact_loops.h"
 #include "image/exact_sum.h"
 
 using image::ExactSum;
@@ -91,33 +90,51 @@ TEST_CASE("any order and grouping gives the same digits") {
     }
 }
 
-// The loops take 256 sums and eight frames at a time, of near exponents together and of distant ones one by one.
-TEST_CASE("many frames at once are the same as one after the other") {
+// Sums in doubles first, 256 to a block, of near exponents for long and of distant ones hardly ever: the frames, in
+// order on three threads and in reverse on one; and once each by itself, as digits.
+TEST_CASE("many frames of like and of unlike values") {
     std::mt19937 dice(3);
     constexpr size_t count = 1003;
-    for (int spread : {0, 20, 200}) {
-        std::vector<std::vector<float>> frames(19, std::vector<float>(count));
-        ExactSum one_by_one, at_once;
-        one_by_one.clear(count), at_once.clear(count);
-        image::exact::Exponents exponents;
+    for (int spread : {0, 20, 28, 36, 200}) {
+        std::vector<std::vector<float>> frames(59, std::vector<float>(count));
+        ExactSum forwards, backwards, digits;
+        for (ExactSum* sum : {&forwards, &backwards, &digits}) sum->clear(count);
         for (auto& frame : frames) {
             for (float& v : frame) v = dice() % 3 ? std::ldexp(float(dice()) - 1e9f, -int(dice() % (spread + 1))) : 0;
             frame[700] = -std::numeric_limits<float>::max();
             frame[710] = std::numeric_limits<float>::denorm_min();
             for (size_t i : {size_t(5), size_t(300)}) frame[i] = i == 5 ? NAN : INFINITY;
-            image::exact::widen(exponents, frame.data(), count);
-            one_by_one.add(frame);
+            CHECK_FALSE(forwards.add(frame, 3));
+            ExactSum alone;
+            alone.clear(count);
+            alone.add(frame);
+            digits.add(alone.layers(), "frame");
         }
-        at_once.add({frames.data(), frames.size()}, exponents, 3);
-        REQUIRE(same(one_by_one, at_once));
+        for (auto frame = frames.rbegin(); frame != frames.rend(); ++frame) backwards.add(*frame);
+        REQUIRE(same(forwards, backwards));
+        REQUIRE(same(forwards, digits));
 
-        std::vector<double> values(count);
-        at_once.values(0, count, values.data());
         for (size_t i = 0; i < count; ++i) {
             long double sum = 0;  // near enough: the terms have 24 bits
             for (const auto& frame : frames) sum += std::isfinite(frame[i]) ? frame[i] : 0;
-            CHECK(values[i] == one_by_one.value(i));
-            if (spread <= 20) CHECK(values[i] == double(sum));
+            const double value = forwards.value(i);
+            if (value != backwards.value(i) || value != digits.value(i)) FAIL(i);
+            if (spread <= 20 && value != double(sum)) FAIL(i);
+        }
+    }
+}
+
+// 53 bits, and one more: 2^29 and the 24 bits of a float near 1, then what makes a carry.
+TEST_CASE("a double that is full") {
+    const float small = 1 + 0x1p-23f;
+    for (const float large : {0x1p28f, 0x1p29f, 0x1p30f, 0x1p31f, 0x1p40f}) {
+        for (const int count : {1, 2, 3, 4, 5}) {
+            std::vector<float> values{small};
+            for (int k = 0; k < count; ++k) values.push_back(large);
+            for (int k = 0; k < count; ++k) values.push_back(-large);
+            CHECK(sum_of(values) == double(small));
+            values.push_back(-small);
+            CHECK(sum_of(values) == 0);
         }
     }
 }

@@ -37,7 +37,7 @@ Sums::Sums(const Options& options, const Output& output, const image::Picture& s
     schedule_.resume(sum_.frames());
 }
 
-void Sums::add(image::Picture& frame, const std::string& place) {
+void Sums::add(const image::Picture& frame, const std::string& place) {
     const bool restarts = sum_.restarts(frame.header) || (sum_.empty() && frame.header.frame == 0);
     if (sum_.empty()) output_.require_names_for(frame.header);
     if (sum_.empty() && output_.leaves_a_pipe() && !frame.header.last_frame)
@@ -46,10 +46,10 @@ void Sums::add(image::Picture& frame, const std::string& place) {
         end_stream();
         if (image::label(frame.header) != image::label(sum_.header())) end_files();
     }
-    const std::vector<float>& values = sum_.add(std::move(frame), place);
+    sum_.add(frame, place);
     if (restarts) result_.means.clear();
-    if (filters_ && frame.header.frame == 0) halves_.clear(values.size());
-    else if (filters_) halves_.add(values);
+    if (filters_ && frame.header.frame == 0) halves_.clear(frame.rgb.size());
+    else if (filters_) halves_.add(frame.rgb);
     if (restarts) schedule_.restart();
     streamed_ = filed_ = false;
     if (output_.to_stdout() && base::stdout_is_closed()) throw base::ClosedPipe{};  // the next write may be far

@@ -14,7 +14,7 @@ public:
     Sums(const Options& options, const Output& output);
     // Goes on from a sum made before.
     Sums(const Options& options, const Output& output, const image::Picture& sum, const std::string& name);
-    void add(image::Picture& frame, const std::string& place);  // its pixels' memory is taken
+    void add(const image::Picture& frame, const std::string& place);
     void end_stream();  // the last sum to the standard output, if it is not there yet
     void end_files();   // likewise to the files
     // The frames are refused.  A stream of sums that promises no more would seem whole to its reader, which does not
