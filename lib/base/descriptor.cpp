@@ -3,8 +3,10 @@
 #include "base/descriptor.h"
 
 #include <poll.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 
 namespace base {
@@ -29,13 +31,22 @@ ssize_t read_some(int fd, void* data, size_t bytes) {
     }
 }
 
-bool write_all(int fd, const void* data, size_t bytes) {
-    const char* from = static_cast<const char*>(data);
-    while (bytes > 0) {
+bool write_all(int fd, const void* data, size_t bytes, const void* more, size_t more_bytes) {
+    struct iovec parts[2] = {{const_cast<void*>(data), bytes}, {const_cast<void*>(more), more_bytes}};
+    for (int at = 0; at < 2;) {
+        if (parts[at].iov_len == 0) {
+            ++at;
+            continue;
+        }
         errno = 0;
-        const ssize_t n = ::write(fd, from, bytes);
+        const ssize_t n = ::writev(fd, parts + at, 2 - at);
         if (n < 0 && !again(fd, POLLOUT)) return false;
-        if (n > 0) from += n, bytes -= size_t(n);
+        size_t written = n > 0 ? size_t(n) : 0;
+        for (int k = at; k < 2 && written > 0; ++k) {
+            const size_t of_it = std::min(written, parts[k].iov_len);
+            parts[k].iov_base = static_cast<char*>(parts[k].iov_base) + of_it;
+            parts[k].iov_len -= of_it, written -= of_it;
+        }
     }
     return true;
 }

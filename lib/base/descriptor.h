@@ -8,7 +8,8 @@
 
 namespace base {
 
-ssize_t read_some(int fd, void* data, size_t bytes);     // as read(2)
-bool write_all(int fd, const void* data, size_t bytes);  // false: errno says why
+ssize_t read_some(int fd, void* data, size_t bytes);  // as read(2)
+// Both, one after the other.  False: errno says why.
+bool write_all(int fd, const void* data, size_t bytes, const void* more = nullptr, size_t more_bytes = 0);
 
 }  // namespace base

@@ -31,8 +31,11 @@ namespace {
 std::string pending;
 constexpr size_t most_pending = 1 << 16;
 
-void write_now(const char* data, size_t bytes) {
-    if (write_all(1, data, bytes)) return;
+// What is held back, and then this: together, so that a picture and its header wake its reader once.
+void write_now(const void* data, size_t bytes) {
+    const std::string before = std::move(pending);
+    pending.clear();  // whatever becomes of it
+    if (write_all(1, before.data(), before.size(), data, bytes)) return;
     if (errno == EPIPE) throw ClosedPipe{};
     fail_system("stdout", "cannot be written");
 }
@@ -103,9 +106,9 @@ int run(const char* tool, const std::function<int()>& body) {
 }
 
 void write_stdout(const void* data, size_t bytes) {
+    if (bytes > most_pending) return write_now(data, bytes);
     if (pending.size() + bytes > most_pending) flush_stdout();
-    if (bytes > most_pending) write_now(static_cast<const char*>(data), bytes);
-    else pending.append(static_cast<const char*>(data), bytes);
+    pending.append(static_cast<const char*>(data), bytes);
 }
 
 bool stdout_is_terminal() { return isatty(1); }
@@ -133,11 +136,7 @@ bool stdout_is_closed() {
     return poll(&out, 1, 0) > 0 && (out.revents & POLLERR);
 }
 
-void flush_stdout() {
-    const std::string now = std::move(pending);
-    pending.clear();  // whatever becomes of it
-    write_now(now.data(), now.size());
-}
+void flush_stdout() { write_now(nullptr, 0); }
 
 std::string command_line(const std::vector<std::string>& words) {
     std::string line;
