@@ -15,7 +15,7 @@ namespace {
 constexpr float doubt = 2.5f;  // standard errors from the threshold
 constexpr float likeness = 8;  // q = 1 at sqrt 8 standard errors of the difference
 constexpr uint32_t how_far_of = 8;
-constexpr int most_radius = 2;
+constexpr int most_radius = 2, rows = 2 * most_radius + 1;
 
 // How far errors lie off, in standard errors: the middles of eight equally likely parts of a half normal distribution,
 // scaled to a mean square of 1.
@@ -28,30 +28,39 @@ int radius_of(const Geometry& geometry) {
     return std::min(most_radius, int(widest_rad / (2 * pitch)));
 }
 
-// Means of 2 radius + 1 values side by side, of fewer at the ends.
-WIDE_LOOP void mean_along(const float* from, int radius, int n, float* to) {
+// Means of 2 radius + 1 values side by side: those away from the ends.
+template <int radius>
+inline __attribute__((always_inline)) void inner_means(const float* from, int n, float* to) {
+    for (int x = radius; x < n - radius; ++x) {
+        float sum = 0;
+        for (int k = -radius; k <= radius; ++k) sum += from[x + k];
+        to[x] = sum / float(2 * radius + 1);
+    }
+}
+
+// Squares, and their means side by side, of fewer at the ends.
+WIDE_LOOP void square_row(const float* off, int radius, int n, float* squares, float* means) {
+    for (int x = 0; x < n; ++x) squares[x] = off[x] * off[x];
     const auto at_an_end = [&](int x) {
         const int first = std::max(0, x - radius), last = std::min(n - 1, x + radius);
         float sum = 0;
-        for (int k = first; k <= last; ++k) sum += from[k];
-        to[x] = sum / float(last - first + 1);
+        for (int k = first; k <= last; ++k) sum += squares[k];
+        means[x] = sum / float(last - first + 1);
     };
     for (int x = 0; x < std::min(radius, n); ++x) at_an_end(x);
     for (int x = std::max(radius, n - radius); x < n; ++x) at_an_end(x);
-    for (int x = radius; x < n - radius; ++x) to[x] = 0;
-    for (int k = -radius; k <= radius; ++k)
-        for (int x = radius; x < n - radius; ++x) to[x] += from[x + k];
-    for (int x = radius; x < n - radius; ++x) to[x] /= float(2 * radius + 1);
+    if (radius == 0) inner_means<0>(squares, n, means);
+    else if (radius == 1) inner_means<1>(squares, n, means);
+    else inner_means<most_radius>(squares, n, means);
 }
 
-WIDE_LOOP void add(const float* from, int n, float* to) {
-    for (int x = 0; x < n; ++x) to[x] += from[x];
-}
-WIDE_LOOP void square(const float* from, size_t n, float* to) {
-    for (size_t i = 0; i < n; ++i) to[i] = from[i] * from[i];
-}
-WIDE_LOOP void raise_to_mean(const float* sum, float count, int n, float* values) {
-    for (int x = 0; x < n; ++x) values[x] = std::max(values[x], sum[x] / count);
+// To the mean of what five rows hold, of which some may be rows of zeros.
+WIDE_LOOP void raise_to_mean(const float* const* row, float count, int n, float* values) {
+    const float *a = row[0], *b = row[1], *c = row[2], *d = row[3], *e = row[4];
+    for (int x = 0; x < n; ++x) {
+        const float mean = ((((a[x] + b[x]) + c[x]) + d[x]) + e[x]) / count;
+        values[x] = std::max(values[x], mean);
+    }
 }
 
 // Where noise may have carried a pixel over the threshold or below it: bit k of up to 32.
@@ -66,7 +75,7 @@ WIDE_LOOP uint32_t in_doubt(const float* grey, const float* variance, int n, flo
 
 // The rows around eight pixels, from most_radius columns before the first of them.  A variance below 0 marks a pixel
 // that does not count.
-constexpr int rows = 2 * most_radius + 1, columns = lanes + 2 * most_radius;
+constexpr int columns = lanes + 2 * most_radius;
 struct Surroundings {
     const float *grey[rows], *variance[rows];
 };
@@ -98,31 +107,30 @@ void Calm::take(const Halves& halves, const Geometry& geometry, double threshold
     radius_ = radius_of(geometry);
     variance_.resize(size), mean_.resize(size), sway_.resize(size);
     row_means_.resize(size_t(rows * geometry.width));
+    zeros_.resize(size_t(geometry.width));
     random_ = 1;
     const float threshold = grey_limit(threshold_cdm2);
     for (int y = 0; y < geometry.height + 2 * radius_; ++y) {
-        if (y < geometry.height) square_row(halves.off(), geometry, y);
+        if (y < geometry.height) {
+            const size_t row = size_t(y) * geometry.width;
+            square_row(&halves.off()[row], radius_, geometry.width, &variance_[row], row_means(geometry, y));
+        }
         const int behind = y - radius_, last = behind - radius_;
         if (behind >= 0 && behind < geometry.height) find_variance(geometry, behind);
         if (last >= 0) calm_row(halves.whole(), geometry, last, threshold);
     }
 }
 
-void Calm::square_row(const std::vector<float>& off, const Geometry& geometry, int y) {
-    const int w = geometry.width;
-    float* squares = &variance_[size_t(y) * w];
-    square(&off[size_t(y) * w], size_t(w), squares);
-    mean_along(squares, radius_, w, &row_means_[size_t(y % rows) * w]);
-}
+float* Calm::row_means(const Geometry& geometry, int y) { return &row_means_[size_t(y % rows) * geometry.width]; }
 
 // The half's own, or the mean of the neighbourhood if that is larger; -1 where a pixel does not count.
 void Calm::find_variance(const Geometry& geometry, int y) {
     const int w = geometry.width;
     const int first = std::max(0, y - radius_), last = std::min(geometry.height - 1, y + radius_);
-    sum_.assign(size_t(w), 0);
-    for (int k = first; k <= last; ++k) add(&row_means_[size_t(k % rows) * w], w, sum_.data());
+    const float* near[rows];
+    for (int k = 0; k < rows; ++k) near[k] = first + k <= last ? row_means(geometry, first + k) : zeros_.data();
     float* v = &variance_[size_t(y) * w];
-    raise_to_mean(sum_.data(), float(last - first + 1), w, v);
+    raise_to_mean(near, float(last - first + 1), w, v);
     int x = 0;
     for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; x = geometry.spans[s++].end)
         std::fill(v + x, v + geometry.spans[s].begin, -1.f);
