@@ -1,8 +1,9 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # What intervals cost vcmetrics: bench/certainty.sh build/bin [older/bin]
-# Processor seconds (medians of RUNS, taking turns) of a stream of sums of the office (ptaccum -every x2/16) without
-# intervals, with -ci and with -until alone, and the most memory; with a second folder also of its programs.
+# Processor seconds, the system's included (medians of RUNS, taking turns, each the mean of five), of a stream of sums
+# of the office (ptaccum -every x2/16) without intervals, with -ci and with -until alone, and the most memory; with a
+# second folder also of its programs.
 set -eu
 new=$(cd "$1" && pwd) old=${2:+$(cd "$2" && pwd)}
 top=$(cd "$(dirname "$0")/.." && pwd)
@@ -22,8 +23,9 @@ for ((run = 0; run < runs; run++)); do
                 ci) options=(-ci 95) ;;
                 until) options=(-until 'Ev .0001%') ;;
             esac
-            /usr/bin/time -a -o "$way$(cksum <<< "$bin" | cut -d ' ' -f 1)" -f '%U %M' \
-                "$bin/vcmetrics" "${options[@]}" stream > out 2> /dev/null || [ "$way" = until ]
+            /usr/bin/time -a -o "$way$(cksum <<< "$bin" | cut -d ' ' -f 1)" -f '%U %S %M' \
+                bash -c 'for k in 1 2 3 4 5; do "$@" stream > out 2> /dev/null; done' - \
+                "$bin/vcmetrics" "${options[@]}" || [ "$way" = until ]
         done
     done
 done
@@ -31,8 +33,8 @@ echo "# $size x $size, $(($(wc -l < out) - 1)) sums of $((frames - 1)) frames: s
 for bin in "$new" ${old:+"$old"}; do
     id=$(cksum <<< "$bin" | cut -d ' ' -f 1)
     for way in plain ci until; do
-        sort -n "$way$id" | awk -v way=$way -v bin="$bin" '
-            /^[0-9.]+ [0-9]+$/ { time[++n] = $1; memory = $2 }
+        awk '/^[0-9. ]+$/ { print ($1 + $2) / 5, $3 }' "$way$id" | sort -n | awk -v way=$way -v bin="$bin" '
+            { time[++n] = $1; memory = $2 }
             END { print bin, way, time[int((n + 1) / 2)], memory / 1024 }'
     done | awk '
         $2 == "plain" { plain = $3 }

@@ -37,9 +37,17 @@ for name in new ${old:+old}; do
     printf '%s\t%.2f\t%.2f\t%.2f\n' $name "$(cost "$dir/$name.often" "$frames")" \
         "$(cost "$dir/$name.last" "$frames")" "$(cost "$dir/$name.measure" 41)"
 done
+# By the clock, taking turns, too; and the stream alone, which is what the pipe itself can do.
 TIMEFORMAT=%R
-for bin in "$new" ${old:+"$old"}; do
-    for ((run = 0; run < runs; run++)); do
-        { time stream | "$bin/ptaccum" -every x2/16 | "$bin/vcmetrics" > /dev/null; } 2>&1
-    done | middle | awk -v n="$frames" '{ printf "the pipe: %.0f frames/s\n", n / $1 }'
+for ((run = 0; run < runs; run++)); do
+    { time stream | cat > /dev/null; } 2>> "$dir/alone"
+    for bin in "$new" ${old:+"$old"}; do
+        name=new
+        [ "$bin" = "$new" ] || name=old
+        { time stream | "$bin/ptaccum" -every x2/16 | "$bin/vcmetrics" > /dev/null; } 2>> "$dir/$name.pipe"
+    done
+done
+for name in new ${old:+old} alone; do
+    [ $name = alone ] || mv "$dir/$name.pipe" "$dir/$name"
+    printf '%s\t%s frames/s\n' $name "$(middle < "$dir/$name" | awk -v n="$frames" '{ printf "%.0f", n / $1 }')"
 done
