@@ -1,9 +1,10 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Is a build slower at equal error than another?  bench/before_after.sh build/bin old/bin scene ...
+# Is a build slower at equal error than another?  bench/before_after.sh build/bin old/bin [scene ...]
 # A scene is a name from tests/golden/bits.tsv or `folder: words of ptrace`, so that scenes from elsewhere can be asked,
-# too.  A line each: seconds of one core, before and now, for FRAMES frames with the defaults of each; errors as in
-# bench/sampling.sh of both; then squared error times seconds, before over now: above 1 the new build is faster.
+# too; without one five of ours and those that bench/foreign.sh can have, in FOREIGN (out/foreign).  A line each:
+# seconds of one core, before and now, for FRAMES frames with the defaults of each; errors as in bench/sampling.sh of
+# both; then squared error times seconds, before over now: above 1 the new build is faster.
 # The last column is the difference of the mean pictures of the two in percent of the mean, with its standard error.
 set -eu
 new=$(cd "$1" && pwd) old=$(cd "$2" && pwd)
@@ -11,6 +12,10 @@ shift 2
 cmake --build "$new/.." --target picture_error picture_means > /dev/null
 size=${SIZE:-96} frames=${FRAMES:-64} reference=${REFERENCE:-1024} seeds=${SEEDS:-4}
 top=$(cd "$(dirname "$0")/.." && pwd)
+if [ $# = 0 ]; then
+    mapfile -t foreign < <("$top/bench/foreign.sh" "${FOREIGN:-$top/out/foreign}")
+    set -- office_clear_1400 office_blinds_1100 office_clear_overcast classroom_back_row gallery_east "${foreign[@]}"
+fi
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 export LUXPIPE_THREADS=1
@@ -42,7 +47,8 @@ for scene; do
                 "$("$new/picture_error" "$dir/reference.hdr" "$dir/$age.$seed.hdr")" >> "$dir/$age.runs"
         done
     done
-    printf '%s' "${scene##*/}"
+    folder=${scene%%:*}
+    printf '%s' "${folder##*/}"
     awk '{ age = FILENAME ~ /old.runs$/; n[age]++; time[age] += $1
            for (i = 2; i <= 5; i++) square[age, i] += $i * $i }
          END { for (age = 1; age >= 0; age--) {
