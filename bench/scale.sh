@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What a frame and a line of numbers cost, against everything that grows: bench/scale.sh build/bin
 # Tab separated lines: what, how many, seconds of a core to begin, microseconds of a core a pixel and frame (ptrace,
-# one thread, the office at 14:00, 128 x 128), or milliseconds of a core a picture (vcmetrics, 512 x 512).
+# one thread, the office at 14:00, 128 x 128), bytes of ptrace's memory for each, or milliseconds of a core a picture
+# (vcmetrics, 512 x 512).
 # docs/scale.md has its lines.  RUNS=1 TRIANGLES='1000 100000' is a short one; TRIANGLES=10000000 takes a minute.
 set -euo pipefail
 bin=$(cd "$1" && pwd)
@@ -77,7 +78,7 @@ done
 rm -f "$dir"/heap.*
 echo "# what, how many, s to begin, us a pixel and frame"
 for ab in 1 2 5 10; do frame_cost bounces $ab 128 -ab $ab $room sky_1400.rad; done
-for n in 1 10 100 1000; do
+for n in 1 10 100 1000 10000; do
     lamps "$n" > "$dir/lamps.rad"
     frame_cost lamps "$n" 128 $room "$dir/lamps.rad" sky_overcast.rad
 done
