@@ -2,6 +2,7 @@
 // Laws and closed forms of the metrics.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include "base/error.h"
@@ -9,6 +10,7 @@
 #include "comfort/measure.h"
 #include "comfort/rammg.h"
 #include "comfort/until.h"
+#include "image/grey.h"
 
 using namespace comfort;
 
@@ -92,6 +94,28 @@ TEST_CASE("position index is 1 on the line of sight and meets itself on the hori
             for (double Y = .02; Y < 1; Y += .0377)
                 if (auto d = q.direction(X, Y); d && dot(*d, q.forward()) > 1e-3)
                     CHECK(log_position_index(q, *d) == doctest::Approx(std::log(position_index(q, *d))).epsilon(1e-6));
+}
+
+// Four pixels side by side, blocks of 256, and what is left over; in the memory of the colours, too.
+TEST_CASE("grey is the weighted sum of the colours, to the bit") {
+    uint32_t random = 1;
+    for (const size_t pixels : {1u, 3u, 4u, 7u, 255u, 259u, 1030u}) {
+        std::vector<float> rgb(3 * pixels), grey(pixels), want;
+        for (float& v : rgb) {
+            random = random * 1664525u + 1013904223u;
+            v = std::ldexp(float(random >> 8), -int(random >> 27) - 4);
+        }
+        std::copy_n(std::vector<float>{1, 1, -100}.begin(), 3, rgb.end() - 3);  // a negative one
+        for (size_t i = 0; i < pixels; ++i)
+            want.push_back(float((image::grey_red * rgb[3 * i] + image::grey_blue * rgb[3 * i + 2]) +
+                                 image::grey_green * rgb[3 * i + 1]));
+        const image::OddPixels odd = image::to_grey(rgb.data(), pixels, grey.data());
+        CHECK(grey == want);
+        CHECK(odd.negative == 1);
+        image::to_grey(rgb.data(), pixels, rgb.data());
+        rgb.resize(pixels);
+        CHECK(rgb == want);
+    }
 }
 
 TEST_CASE("not finite pixels are black and counted, negative ones only counted") {
