@@ -56,4 +56,4 @@ if command -v rpict oconv > /dev/null; then
           for (i = 1; i <= 4; i++) printf "\t%+.2f", 100 * ($i / truth[i] - 1); print "" }' "$dir/truth" -
 fi
 [ -z "$older" ] || way before "$older" ""
-for sampling in portals guided plain; do way $sampling "$bin" $sampling; done
+for sampling in shared portals guided plain; do way $sampling "$bin" $sampling; done

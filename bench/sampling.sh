@@ -13,7 +13,7 @@ shift
 [ $# -gt 0 ] || set -- office_clear_1400 office_blinds_1100 office_clear_overcast classroom_back_row gallery_east
 cmake --build "$bin/.." --target picture_error > /dev/null
 size=${SIZE:-128} frames=${FRAMES:-256} reference=${REFERENCE:-1024} seeds=${SEEDS:-2}
-ways=${WAYS:-portals plain guided}
+ways=${WAYS:-shared portals plain guided}
 bench=$(cd "$(dirname "$0")" && pwd) top=$(dirname "$(cd "$(dirname "$0")" && pwd)")
 out=${OUT:-$top/out/sampling}
 mkdir -p "$out" ${REFERENCES:+"$REFERENCES"}
@@ -80,7 +80,7 @@ for scene; do
         awk -f "$bench/sampling_mean.awk" "$kept.noise" "$dir/runs" > "$out/$scene.cached.tsv"
     fi
     printf '%s reference\t%d\t\t%s\n' "$scene" "$reference" "$(< "$kept.noise")"
-    (cd "$out" && awk -f "$bench/sampling.awk" $(printf '%s\n' rpict cached plain portals guided |
+    (cd "$out" && awk -f "$bench/sampling.awk" $(printf '%s\n' rpict cached plain portals shared guided |
         sed "s/.*/$scene.&.tsv/" | while read -r f; do [ ! -s "$f" ] || echo "$f"; done))
 done
 if command -v gnuplot > /dev/null; then (cd "$out" && bash "$bench/sampling_plot.sh" "$@"); fi

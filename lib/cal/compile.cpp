@@ -8,6 +8,28 @@
 
 namespace cal {
 
+namespace {
+
+// Does it read where the ray comes from: its direction, its length, its angle with the surface?
+bool reads_ray(const Graph& graph) {
+    for (int i = 0; i < int(graph.size()); i++) {
+        if (graph[i].op != OP_VAR) continue;
+        switch (graph[i].aux) {
+        case device::CAL_DX:
+        case device::CAL_DY:
+        case device::CAL_DZ:
+        case device::CAL_T:
+        case device::CAL_TS:
+        case device::CAL_RDOT:
+        case device::CAL_RDOTP: return true;
+        default: break;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
 uint32_t with_builder(Library& library, const std::vector<double>& args, const base::Xform& xform,
                       const std::string& place, Code& code,
                       const std::function<std::vector<int>(GraphBuilder&, Graph&)>& make) {
@@ -16,7 +38,9 @@ uint32_t with_builder(Library& library, const std::vector<double>& args, const b
         GraphBuilder builder(library.state(), graph, args, xform, place);
         builder.recursion_limit = limit;
         try {
-            return generate(graph, make(builder, graph), place, code);
+            const uint32_t entry = generate(graph, make(builder, graph), place, code);
+            code.looks = code.looks || reads_ray(graph);
+            return entry;
         } catch (const GraphBuilder::TooLarge&) {
             if (limit == 1) base::fail(place, "function is too large to compile");
         }

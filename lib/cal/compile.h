@@ -33,6 +33,7 @@ struct Code {
     std::vector<uint32_t> words;             // instructions, table headers, glyphs
     std::vector<float> floats;               // data arrays, pictures
     std::map<std::string, uint32_t> tables;  // files already in the arenas
+    bool looks = false;                      // a program read the ray's direction or length since this was set to false
 };
 
 // Compiles `outputs` (expressions such as "skybr" or "red(r,g,b)") in the context of file `cal_file` ("." = global)

@@ -7,15 +7,16 @@
 
 namespace flatten {
 
-// How the directions of diffuse light are chosen (-sampling): by the cosine; half of them toward the windows; by what
-// is learned of the light before the frames, toward the windows where nothing is.
-enum class Sampling { plain, portals, guided };
+// How the directions of diffuse light are chosen (-sampling): by the cosine; a share of them toward windows and patches
+// of sun; the same, and what they meet lights the pixels around, too; by what is learned of the light before the
+// frames, toward the windows where nothing is.
+enum class Sampling { plain, portals, shared, guided };
 
 // What the tables depend on besides the scene; letters as in ptrace's options.
 struct Options {
     int dr = 2;      // levels of virtual sources
     bool bv = true;  // back faces are visible
-    Sampling sampling = Sampling::portals;
+    Sampling sampling = Sampling::shared;
     std::function<void(double)> tell_tree;  // for people who wait: which share of the tree is built
 };
 

@@ -11,6 +11,7 @@
 #include "base/find_file.h"
 #include "cal/pattern.h"
 #include "flatten/bsdf.h"
+#include "flatten/named_modifiers.h"
 #include "scene/bsdf_xml.h"
 #include "scene/materials.h"
 
@@ -20,7 +21,6 @@ using namespace kernels;
 using scene::Object;
 using scene::Type;
 
-constexpr int wgmd_names[3] = {0, 4, 8};        // strings of WGMDfunc that name modifiers
 constexpr uint32_t WGMD_INHERIT = 0xfffffffeu;  // as kernels/mat_wgmd.h
 
 uint32_t mod_type(cal::ProgramKind k) {
@@ -36,47 +36,6 @@ cal::PatternSpec spec_of(const scene::Scene& scene, const Object& o) {
     const auto s = scene.strings(o);
     const auto r = scene.reals(o);
     return {type_name(o.type), {s.begin(), s.end()}, {r.begin(), r.end()}, scene.place(o), {}};
-}
-
-bool has_alternate(const scene::Scene& scene, const Object& o) {
-    return (o.type == Type::mirror || o.type == Type::illum) && scene.strings(o).size() > 0;
-}
-
-// The modifiers that the string arguments of an object name, where the chain does not lead to them.
-std::vector<int32_t> named_modifiers(const scene::Scene& scene, uint32_t object) {
-    const Object& o = scene.objects[object];
-    const auto s = scene.strings(o);
-    std::vector<int32_t> out;
-    const auto add = [&](size_t k) { out.push_back(scene.lookup_modifier(s[k], int32_t(object))); };
-    if (has_alternate(scene, o)) add(0);
-    if (o.type == Type::antimatter)
-        for (size_t k = 0; k < s.size(); k++) add(k);
-    if (o.type == Type::WGMDfunc)
-        for (int k : wgmd_names)
-            if (s[size_t(k)] != "inherit") add(size_t(k));
-    if (is_mixture(o.type)) {
-        add(0);
-        add(1);
-    }
-    return out;
-}
-
-std::vector<uint8_t> needed_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used) {
-    std::vector<uint8_t> needed(scene.objects.size(), 0);
-    const auto need = [&](int32_t i) {
-        if (i >= 0) needed[i] = 1;
-    };
-    for (int32_t m : also_used) need(m);
-    for (size_t i = scene.objects.size(); i-- > 0;) {
-        if (scene::is_surface(scene.objects[i].type)) {
-            need(scene.objects[i].modifier);
-        } else if (needed[i]) {
-            const auto r = scene.resolve(int32_t(i));
-            need(r.modifier);
-            for (int32_t m : named_modifiers(scene, uint32_t(r.object))) need(m);
-        }
-    }
-    return needed;
 }
 
 class ModifierWriter {
@@ -120,11 +79,22 @@ private:
             link.record[MOD_NEXT] = out_.record[r.modifier];
             nesting_[i] = nesting_[r.modifier];
         }
+        tables_.code.looks = false;
         if (scene::is_material(link.o.type)) add_material(link);
         else if (is_mixture(link.o.type)) add_mixture(link);
         else add_pattern(link);
+        if (looks(link)) link.record[MOD_FLAGS] |= MF_LOOKS;
         out_.record[i] = uint32_t(tables_.records.size() / MOD_WORDS);
         tables_.records.insert(tables_.records.end(), link.record, link.record + MOD_WORDS);
+    }
+
+    // Does it, or what it is made of, depend on where it is seen from?
+    bool looks(const Link& link) const {
+        const auto marked = [&](int32_t m) {
+            return m >= 0 && (tables_.records[out_.record[m] * MOD_WORDS + MOD_FLAGS] & MF_LOOKS) != 0;
+        };
+        const std::vector<int32_t> parts = named_modifiers(scene_, uint32_t(link.object));
+        return tables_.code.looks || marked(link.above) || std::any_of(parts.begin(), parts.end(), marked);
     }
 
     // ---- textures and patterns

@@ -55,6 +55,7 @@
 #include "kernels/highlights.h"
 #include "kernels/portals.h"
 #include "kernels/guide.h"
+#include "kernels/share.h"
 #include "kernels/path/state.h"
 #include "kernels/medium.h"
 #include "kernels/bsdf.h"

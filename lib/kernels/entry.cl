@@ -55,6 +55,22 @@ __kernel void k_shadow(ALL_ARGS, __global uint *counters, __global const uint *s
     if (i < counters[2]) path_shadow(&s, par, &paths, shadow[i], SHADOW_TO_TRACE);
 }
 
+__kernel void k_thin(ALL_ARGS) {
+    SET_UP
+    if (i < par->slots) path_thin(&paths, i);
+}
+
+__kernel void k_connect(ALL_ARGS) {
+    SET_UP
+    if (i >= par->slots || !has_far_end(&paths, i)) return;
+    path_connect(&s, par, &paths, i, links_known(&s, par, &paths, i));
+}
+
+__kernel void k_collect(ALL_ARGS) {
+    SET_UP
+    if (i < par->slots) path_collect(&paths, i);
+}
+
 // After a round: the next queue becomes the current one.
 __kernel void k_swap(__global uint *counters) {
     if (get_global_id(0) == 0) {

@@ -11,5 +11,6 @@ namespace kernels {
 #include "kernels/intersect.h"
 #include "kernels/tables.h"
 #include "kernels/sampler.h"
+#include "kernels/share.h"
 #include "kernels/path/state.h"
 }  // namespace kernels

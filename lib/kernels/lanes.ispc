@@ -20,3 +20,18 @@ export void LANE_CALL(shadow)(SHARED(const SceneTables) s, UNIFORM(const Params)
                               const uniform uint* uniform queue, uniform uint n, const uniform int* uniform known) {
     foreach (i = 0 ... n) path_shadow(s, par, paths, queue[i], known[i]);
 }
+
+// result: of slots 0 .. n-1, whether its far end is linked.
+export void LANE_CALL(thin)(SHARED(const Paths) paths, uniform uint n, uniform int* uniform result) {
+    foreach (i = 0 ... n) result[i] = path_thin(paths, i);
+}
+
+// known: of each slot of the queue, what is known of its links (path/connect.h).
+export void LANE_CALL(connect)(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+                               const uniform uint* uniform queue, uniform uint n, const uniform int* uniform known) {
+    foreach (i = 0 ... n) path_connect(s, par, paths, queue[i], (uint)known[i]);
+}
+
+export void LANE_CALL(collect)(SHARED(const Paths) paths, uniform uint n) {
+    foreach (i = 0 ... n) path_collect(paths, i);
+}

@@ -177,6 +177,13 @@ FN float rough_transmission(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g
     return G > least ? G * w : 0.0f;
 }
 
+// The part of lobes_direct() (below) that is the same in all directions, of materials without Fresnel's.
+FN float3 lobes_even(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, float3 l, float w) {
+    float cl = dot3(g->n, l);
+    if (!(cl > 0.0f || cl < 0.0f)) return F3(0.0f, 0.0f, 0.0f);
+    return cl > 0.0f ? scale3(lobes->diffuse_r, cl * w * K_INV_PI) : scale3(lobes->diffuse_t, -cl * w * K_INV_PI);
+}
+
 // Coefficient of a source sample of solid angle w in direction l: outgoing radiance = coefficient * source radiance.
 // The shading normal decides on which side it is, as in RADIANCE, even where the light is behind the geometry.
 FN float3 lobes_direct(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, float3 l, float w, float dj) {

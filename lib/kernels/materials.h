@@ -31,6 +31,7 @@
 #define MT_TURNS 0x10000000u   // back
 #define MT_OPEN_BACK 0x20000000u
 #define MT_NO_BACK 0x40000000u
+#define MT_EVEN 0x80000000u   // what it scatters evenly is the same for all who see it (path/far.h)
 #define MT_FLAGS 0x00ffffffu  // the MF_* among the traits
 
 #define REGION_no 0u
@@ -46,9 +47,9 @@
 // clang-format off
 #define MATERIALS(ROW, SAME) \
   /*   number         type        strings, reals   absent        func. light,eye,region back  traits */                \
-  ROW (PLASTIC,       plastic,    0,  only(5),      none,         0, 0, no,  no,  no,  turns, 0)                       \
-  ROW (METAL,         metal,      0,  only(5),      none,         0, 0, no,  no,  no,  turns, 0)                       \
-  ROW (TRANS,         trans,      0,  only(7),      none,         0, 0, ask, yes, no,  thin,  0)                       \
+  ROW (PLASTIC,       plastic,    0,  only(5),      none,         0, 0, no,  no,  no,  turns, MT_EVEN)                 \
+  ROW (METAL,         metal,      0,  only(5),      none,         0, 0, no,  no,  no,  turns, MT_EVEN)                 \
+  ROW (TRANS,         trans,      0,  only(7),      none,         0, 0, ask, yes, no,  thin,  MT_EVEN)                 \
   ROW (GLASS,         glass,      0,  any(3,4),     fill(4,1.52), 0, 0, yes, yes, yes, thin,  0)                       \
   ROW (LIGHT,         light,      0,  only(3),      fill(8,0),    0, 0, no,  no,  no,  dark,  MT_SHINES)               \
   ROW (GLOW,          glow,       0,  only(4),      fill(8,0),    0, 0, no,  no,  no,  dark,  MT_SHINES)               \
@@ -57,9 +58,9 @@
   ROW (MIRROR,        mirror,     0,  only(3),      none,         0, 0, yes, no,  no,  dark,  0)                       \
   ROW (DIELECTRIC,    dielectric, 0,  only(5),      none,         0, 0, yes, yes, yes, none,  MT_BENDS | MT_MEDIUM)    \
   ROW (INTERFACE,     interface,  0,  only(8),      none,         0, 0, yes, yes, yes, none,  MT_BENDS | MT_MEDIUM)    \
-  ROW (ANISO_PLASTIC, plastic2,   4,  only(6),      none,         3, 0, no,  no,  no,  turns, 0)                       \
-  ROW (ANISO_METAL,   metal2,     4,  only(6),      none,         3, 0, no,  no,  no,  turns, 0)                       \
-  ROW (ANISO_TRANS,   trans2,     4,  only(8),      none,         3, 0, no,  yes, no,  turns, 0)                       \
+  ROW (ANISO_PLASTIC, plastic2,   4,  only(6),      none,         3, 0, no,  no,  no,  turns, MT_EVEN)                 \
+  ROW (ANISO_METAL,   metal2,     4,  only(6),      none,         3, 0, no,  no,  no,  turns, MT_EVEN)                 \
+  ROW (ANISO_TRANS,   trans2,     4,  only(8),      none,         3, 0, no,  yes, no,  turns, MT_EVEN)                 \
   ROW (ASHIK,         ashik2,     4,  only(8),      none,         3, 0, no,  no,  no,  turns, 0)                       \
   ROW (BRDF,          plasfunc,   2,  from(4),      none,         0, 1, no,  no,  no,  turns, 0)                       \
   SAME(BRDF,          metfunc,    2,  from(4),      none,         0, 1, no,  no,  no,  turns, MF_METAL)                \

@@ -7,16 +7,19 @@
 #include "kernels/path/emission.h"
 #include "kernels/path/begin.h"
 #include "kernels/path/vertex.h"
+#include "kernels/path/far.h"
 #include "kernels/path/miss.h"
 #include "kernels/path/meet.h"
 #include "kernels/path/scatter.h"
 #include "kernels/path/media.h"
 #include "kernels/path/direct.h"
 #include "kernels/path/ways.h"
+#include "kernels/path/near.h"
 #include "kernels/path/fork.h"
 #include "kernels/path/end.h"
 #include "kernels/path/walk.h"
 #include "kernels/path/shadow.h"
+#include "kernels/path/connect.h"
 #include "kernels/path/draw.h"
 
 // Shades the hit of a slot.  Returns bits: PATH_GOES_ON, PATH_SHADOW.
@@ -35,6 +38,9 @@ FN int path_step(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(
     if (!vertex_arrive(s, &vertex)) return 0;
     sampler_ahead(&vertex.rnd);
     int met = vertex_meet(s, par, paths, &vertex);
+
+    // It may be the far end that the path seeks for all its group.
+    if ((vertex.flags & PC_SEEKS) != 0u) path_seek(s, par, paths, &vertex, met);
 
     // What lies between has dimmed the path and may have scattered light into it.
     int shadow = path_media(s, par, paths, &vertex);
@@ -68,7 +74,7 @@ FN int path_step(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(
     }
 
     // The path takes that way, unless a limit or roulette ends it.
-    return shadow | path_go_on(par, paths, &vertex, &way);
+    return shadow | path_go_on(s, par, paths, &vertex, &way);
 }
 
 // The same, and where a sub-path ends the next one begins.

@@ -97,35 +97,52 @@ FN float3 cosine_direction(float3 n, float x, float turn) {
     return unit3(add3(scale3(n, z), add3(scale3(e1, r * cs), scale3(e2, r * sn))));
 }
 
+// What diffuse rays from a place aim at.
+STRUCT(Aims) {
+    float light;      // that comes through all portals
+    uint highlights;  // those that can be met, a bit each
+};
+
+FN Aims aims_at(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n) {
+    Aims aims;
+    aims.light = portals_light(s, par, p, n);
+    aims.highlights = par->highlight_share > 0.0f ? highlights_met(s, par, p, n) : 0u;
+    return aims;
+}
+
+FN float highlights_share(UNIFORM(const Params) par, PRIVATE(const Aims) aims) {
+    return aims->highlights != 0u ? par->highlight_share : 0.0f;
+}
+
+// Density (per sr) of direction dir about n from p among diffuse rays.
+FN float diffuse_density(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Aims) aims, float3 p,
+                         float3 n, float3 dir) {
+    float share = portals_share(par, aims->light), shine = highlights_share(par, aims);
+    float c = dot3(dir, n);
+    float density = c * K_INV_PI;
+    if (share > 0.0f) density = (1.0f - share) * c * K_INV_PI + share * portals_density(s, par, p, n, dir, aims->light);
+    if (shine > 0.0f) density = (1.0f - shine) * density + shine * highlights_density(s, par, aims->highlights, dir);
+    return density;
+}
+
 // Samples a direction over the hemisphere of n.  Returns cos/(pi density): the factor of the diffuse coefficient.
 FN float sample_diffuse(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n,
                         PRIVATE(Sampler) rnd, PRIVATE(float3) dir) {
     float2 x = sample2(rnd);
-    float total = portals_light(s, par, p, n);
-    float share = portals_share(par, total);
-    uint met = par->highlight_share > 0.0f ? highlights_met(s, par, p, n) : 0u;
-    float shine = met != 0u ? par->highlight_share : 0.0f;
+    Aims aims = aims_at(s, par, p, n);
+    float share = portals_share(par, aims.light), shine = highlights_share(par, &aims);
 
-    int shines = shine > 0.0f && x.x < shine;
-    if (shines) {
-        *dir = highlight_direction(s, par, met, x.x / shine, x.y);
+    if (shine > 0.0f && x.x < shine) {
+        *dir = highlight_direction(s, par, aims.highlights, x.x / shine, x.y);
+        if (!(highlights_density(s, par, aims.highlights, *dir) > 0.0f)) return 0.0f;
     } else {
         if (shine > 0.0f) x.x = (x.x - shine) / (1.0f - shine);
-        if (share > 0.0f && x.x < share) *dir = portal_direction(s, par, p, n, x.x / share * total, x.y);
+        if (share > 0.0f && x.x < share) *dir = portal_direction(s, par, p, n, x.x / share * aims.light, x.y);
         else *dir = cosine_direction(n, share > 0.0f ? (x.x - share) / (1.0f - share) : x.x, x.y);
     }
     float c = dot3(*dir, n);
     if (c <= 0.0f) return 0.0f;
     if (share <= 0.0f && shine <= 0.0f) return 1.0f;
-
-    float density = c * K_INV_PI;
-    if (share > 0.0f) density = (1.0f - share) * c * K_INV_PI + share * portals_density(s, par, p, n, *dir, total);
-    if (shine > 0.0f) {
-        float bright = highlights_density(s, par, met, *dir);
-        if (shines && !(bright > 0.0f)) return 0.0f;
-        density = (1.0f - shine) * density + shine * bright;
-    }
-
-    return c * K_INV_PI / density;
+    return c * K_INV_PI / diffuse_density(s, par, &aims, p, n, *dir);
 }
 #endif

@@ -66,6 +66,7 @@ enum { M_BEFORE_MATERIALS = M_FIRST_MATERIAL - 1u, MATERIALS(NUMBER_OF_ROW, NOTH
 #define MF_CLIPPED_SHIFT 9u    // 4 bits: listed by antimatter 0..3
 #define MF_ALBEDO 8192u        // a mist that states its albedo
 #define MF_ECCENTRICITY 16384u
+#define MF_LOOKS 32768u     // it, or what it is made of, depends on where it is seen from
 #define MF_LOBES_SHIFT 16u  // number of outputs of the lobe program (MOD_EXTRA)
 
 // ---- what the kernels ask of a type of material: MT_* of materials.h by number
@@ -211,7 +212,8 @@ STRUCT(Params) {
     float portal_least, portal_most;  // share of the directions toward portals, where there are any
     uint window_count;                // of all portals; the others are patches of sun
     uint copies, focus_at;            // samples of a frame of a pixel; above 1: of those at focus[focus_at]
-    uint spare[2];
+    uint shared_slots;                // of a sample whose paths share their far ends (share.h); 0: none does
+    uint spare;
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // which of the records they are
 };

@@ -60,6 +60,16 @@ struct OneByOne {
     static void shadow(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
         for (uint32_t i = 0; i < n; i++) path_shadow(&s, &par, &t.paths, t.shadow[i], t.result[i]);
     }
+    static void thin(Tile& t, uint32_t n) {
+        for (uint32_t i = 0; i < n; i++) t.result[i] = path_thin(&t.paths, i);
+    }
+    // t.result: what is known of the links
+    static void connect(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+        for (uint32_t i = 0; i < n; i++) path_connect(&s, &par, &t.paths, t.now[i], uint32_t(t.result[i]));
+    }
+    static void collect(Tile& t, uint32_t n) {
+        for (uint32_t i = 0; i < n; i++) path_collect(&t.paths, i);
+    }
 };
 #ifdef LANE_CALL
 #include "trace/cpu_lanes.h"
@@ -67,6 +77,9 @@ struct OneByOne {
 #ifdef LUX_EMBREE
 static void extend_together(const SceneTables& s, Tile& t, uint32_t n) { extend(s, t, n); }
 static void block_together(const SceneTables&, const Params&, Tile&, uint32_t) {}
+static void know_links(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+    for (uint32_t i = 0; i < n; i++) t.result[i] = int(links_known(&s, &par, &t.paths, t.now[i]));
+}
 #else
 // The same in packets, where rays that follow one another in the queue lie side by side.
 static void extend_together(const SceneTables& s, Tile& t, uint32_t n) {
@@ -93,6 +106,33 @@ static void block_together(const SceneTables& s, const Params& par, Tile& t, uin
             t.result[p.slot[k]] = (p.open >> k & 1u) != 0 ? SHADOW_OPEN : SHADOW_BLOCKED;
     }
 }
+// Which of these links of the far end of a slot nothing of the mask blocks, a bit a member of the group.
+static uint32_t open_links(const SceneTables& s, Tile& t, uint32_t slot, uint32_t wanted, uint32_t mask) {
+    Packet p = {};
+    uint32_t open = 0;
+    for (uint32_t m = 0; m < SHARE_GROUP;) {
+        Link link;
+        p.count = 0;
+        for (; m < SHARE_GROUP; m++) {
+            if ((wanted >> m & 1u) == 0 || !link_ends(&t.paths, share_member(slot, m), slot, &link)) continue;
+            if (!packet_add(p, link.ray, m)) break;
+        }
+        if (p.count == 0) break;
+        packet_trace(s, p, mask, 1);
+        for (uint32_t k = 0; k < p.count; k++) open |= (p.open >> k & 1u) << p.slot[k];
+    }
+    return open;
+}
+// t.result: what is known of the links of each slot of the queue, as links_known() says.
+static void know_links(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t all = (1u << SHARE_GROUP) - 1u, open = open_links(s, t, t.now[i], all, RAY_ALL);
+        uint32_t panes = 0;
+        if (par.shadow_mode != SHADOW_OPAQUE && open != all)
+            panes = open_links(s, t, t.now[i], all & ~open, RAY_OPAQUE);
+        t.result[i] = int(open | panes << SHARE_GROUP);
+    }
+}
 #endif
 // Follows the n paths of the queue to their ends.  together: their rays lie side by side.
 template <class STAGES>
@@ -115,6 +155,17 @@ static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n,
         n = goes_on;
     }
 }
+// Far ends light the near ends of their groups.
+template <class STAGES>
+static void share(const SceneTables& s, const Params& par, Tile& t, uint32_t count) {
+    uint32_t n = 0;
+    STAGES::thin(t, count);
+    for (uint32_t i = 0; i < count; i++)
+        if (t.result[i] != 0) t.now[n++] = i;
+    know_links(s, par, t, n);
+    STAGES::connect(s, par, t, n);
+    STAGES::collect(t, count);
+}
 static Params part_of(const void* params, uint32_t first, uint32_t count) {
     Params par = *static_cast<const Params*>(params);
     par.first = first;
@@ -131,6 +182,7 @@ static void run(const void* tables, const void* params, uint32_t first, uint32_t
     for (uint32_t i = 0; i < count; i++)
         if (t.result[i] != 0) t.now[n++] = i;
     follow<STAGES>(s, par, t, n, par.mode != MODE_RAY);
+    if (par.shared_slots != 0) share<STAGES>(s, par, t, count);
     store(t, count, rgb);
 }
 // trace::DrawRay
@@ -186,11 +238,8 @@ static void walk(const void* tables, const void* params, const void* rays, uint3
 namespace trace {
 #define LUX_PASTE_(a, b) a##b
 #define LUX_PASTE(a, b) LUX_PASTE_(a, b)
-#define LUX_KERNELS(name, STAGES)                                                                      \
-    {                                                                                                  \
-        name, LUX_ISA::run<LUX_ISA::STAGES>, LUX_ISA::draw, LUX_ISA::walk<LUX_ISA::STAGES>,            \
-            LUX_ISA::scratch_bytes                                                                     \
-    }
+#define LUX_KERNELS(name, STAGES) \
+    { name, LUX_ISA::run<LUX_ISA::STAGES>, LUX_ISA::draw, LUX_ISA::walk<LUX_ISA::STAGES>, LUX_ISA::scratch_bytes }
 extern const CpuKernels LUX_PASTE(cpu_, LUX_ISA);
 const CpuKernels LUX_PASTE(cpu_, LUX_ISA) = LUX_KERNELS(LUX_ISA_NAME, OneByOne);
 #ifdef LANE_CALL

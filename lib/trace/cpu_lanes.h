@@ -10,6 +10,10 @@ void LANE_CALL(shade)(const SceneTables* s, const Params* par, const Paths* path
                       int* result);
 void LANE_CALL(shadow)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
                        const int* known);
+void LANE_CALL(thin)(const Paths* paths, uint32_t n, int* result);
+void LANE_CALL(connect)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
+                        const int* known);
+void LANE_CALL(collect)(const Paths* paths, uint32_t n);
 
 void LANE_CALL(closest)(const SceneTables* s, const float* words, uint32_t mask, Hit* hit);
 int LANE_CALL(any)(const SceneTables* s, const float* words, uint32_t mask);
@@ -71,5 +75,10 @@ struct InLanes {
     static void shadow(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
         LANE_CALL(shadow)(&s, &par, &t.paths, t.shadow, n, t.result);
     }
+    static void thin(Tile& t, uint32_t n) { LANE_CALL(thin)(&t.paths, n, t.result); }
+    static void connect(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+        LANE_CALL(connect)(&s, &par, &t.paths, t.now, n, t.result);
+    }
+    static void collect(Tile& t, uint32_t n) { LANE_CALL(collect)(&t.paths, n); }
 };
 #endif

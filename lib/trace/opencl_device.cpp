@@ -17,6 +17,7 @@ extern const char* const kernel_source;
 namespace {
 
 using kernels::float4;  // types of the lists below
+using kernels::Gifts;
 using kernels::uint4;
 
 constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it
@@ -60,6 +61,9 @@ public:
             swap_ = cl::Kernel(program_, "k_swap");
             draw_ = cl::Kernel(program_, "k_draw");
             walk_ = cl::Kernel(program_, "k_walk");
+            thin_ = cl::Kernel(program_, "k_thin");
+            connect_ = cl::Kernel(program_, "k_connect");
+            collect_ = cl::Kernel(program_, "k_collect");
             counters_ = cl::Buffer(context_, CL_MEM_READ_WRITE, 16);
             params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(Params));
             check_layout();
@@ -91,6 +95,7 @@ public:
             reserve(par, par.slots);
             begin(generate_, par);
             follow();
+            if (par.shared_slots != 0) share(par.slots);
             receive(par.slots, rgb);
         });
     }
@@ -213,6 +218,13 @@ private:
             active = count();
         }
     }
+    // Far ends light the near ends of their groups.
+    void share(uint32_t slots) {
+        for (cl::Kernel* k : {&thin_, &connect_, &collect_}) {
+            set_scene(*k);
+            launch(*k, slots);
+        }
+    }
     cl::Buffer room(size_t count, size_t bytes_each) {
         return cl::Buffer(context_, CL_MEM_READ_WRITE, count * bytes_each);
     }
@@ -261,7 +273,7 @@ private:
     cl::Context context_;
     cl::CommandQueue queue_;
     cl::Program program_;
-    cl::Kernel generate_, extend_, shade_, shadow_, swap_, draw_, walk_;
+    cl::Kernel generate_, extend_, shade_, shadow_, swap_, draw_, walk_, thin_, connect_, collect_;
     cl::Buffer tables_[TABLES], paths_[PATH_FIELDS];  // in the order of the kernels' arguments
     cl::Buffer params_, counters_, now_, next_, shadow_queue_;
     uint32_t capacity_ = 0;
@@ -278,23 +290,8 @@ std::unique_ptr<Device> make_opencl_device(const std::string& name) {
         base::fail_system("-device " + name, "an OpenCL driver failed when asked for its devices");
     const auto devices = opencl_entries();
     if (devices.empty()) base::fail_system("-device " + name, "no OpenCL platform or device on this machine");
-    size_t index = 0;
-    int traversal = 0;
-    std::string rest = name.size() > 6 ? name.substr(7) : "";
-    while (!rest.empty()) {
-        const size_t colon = rest.find(':');
-        const std::string word = rest.substr(0, colon);
-        rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
-        if (word == "bvh2") traversal = 2;
-        else if (word == "bvh8") traversal = 8;
-        else if (!word.empty() && word.find_first_not_of("0123456789") == std::string::npos && word.size() < 5)
-            index = size_t(std::stoul(word));
-        else base::fail("-device", fmt::format("\"{}\" is not opencl[:index][:bvh2|bvh8]", name));
-    }
-    if (index >= devices.size())
-        base::fail("-device", fmt::format("there is no OpenCL device {} (only {})", index, devices.size()));
-    const bool bvh2 = traversal ? traversal == 2 : devices[index].gpu;
-    return std::make_unique<OpenclDevice>(int(index), devices[index], bvh2);
+    const OpenclChoice choice = choose_opencl(name, devices);
+    return std::make_unique<OpenclDevice>(int(choice.index), devices[choice.index], choice.bvh2);
 }
 
 }  // namespace trace

@@ -64,6 +64,25 @@ std::string describe(const OpenclEntry& e) {
                        clean(e.platform.getInfo<CL_PLATFORM_NAME>()));
 }
 
+OpenclChoice choose_opencl(const std::string& name, const std::vector<OpenclEntry>& devices) {
+    size_t index = 0;
+    int traversal = 0;
+    std::string rest = name.size() > 6 ? name.substr(7) : "";
+    while (!rest.empty()) {
+        const size_t colon = rest.find(':');
+        const std::string word = rest.substr(0, colon);
+        rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
+        if (word == "bvh2") traversal = 2;
+        else if (word == "bvh8") traversal = 8;
+        else if (!word.empty() && word.find_first_not_of("0123456789") == std::string::npos && word.size() < 5)
+            index = size_t(std::stoul(word));
+        else base::fail("-device", fmt::format("\"{}\" is not opencl[:index][:bvh2|bvh8]", name));
+    }
+    if (index >= devices.size())
+        base::fail("-device", fmt::format("there is no OpenCL device {} (only {})", index, devices.size()));
+    return {index, traversal ? traversal == 2 : devices[index].gpu};
+}
+
 std::vector<std::string> opencl_devices() {
     const auto text = ask_in_child([] {
         std::string lines;

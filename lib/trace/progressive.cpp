@@ -32,6 +32,12 @@ uint32_t samples_for_one(size_t pixels) {
 
 constexpr float RAY_REST = 0.3f;  // light from elsewhere, over that of portals: a single ray is not worth a search
 
+// What a far end sends out must not depend on the path that found it: on what it came through, on what -lw lets it be.
+bool may_share(const Params& par) {
+    const bool mist = par.medium.x > 0 || par.medium.y > 0 || par.medium.z > 0;
+    return par.ab > 0 && par.lr <= 0 && par.way_least == 0 && (par.flags & PF_ANTIMATTER) == 0 && !mist;
+}
+
 struct Renderer::State {
     struct Picture {
         Shot shot;
@@ -156,6 +162,7 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
     s.base = params_of(flat, o);
     s.m = s.base.skip_direct_below;
     s.guides = o.sampling == flatten::Sampling::guided;
+    s.sampler.set_sharing(o.sampling == Sampling::shared && may_share(s.base));
     const auto portals = flat.f.begin() + long(flat.portals_at);
     s.portal_count = flat.portal_count;
     s.aims.assign(portals, portals + long(flat.portal_count) * PORTAL_FLOATS);

@@ -9,6 +9,10 @@
 
 namespace trace {
 
+namespace {
+constexpr double worth_of_shared = 8;  // copies
+}
+
 void Samples::set_focus(Device& device, const Focus& focus) {
     focus_ = focus;
     focus_at_.clear();
@@ -27,12 +31,32 @@ void Samples::run(Device& device, const Params& base, const Pass& pass, std::vec
     p.together = pass.n;
     p.first = pass.first_pixel * pass.n;
     p.slots = pass.pixels * pass.n;
-    device.run(p, rgb);
-    scrub(rgb);
+    if (shares_ && pass.mode == MODE_FRAMES) {
+        run_shared(device, p, pass.n, rgb);
+    } else {
+        device.run(p, rgb);
+        scrub(rgb);
+    }
     for (size_t part = 0; part < focus_.size(); part++) refine(device, base, pass, part, rgb);
 }
 
-// Samples of a part of the focus, as far as the pass has its pixels, become means of their copies.
+// Pixels lie by groups there, sample after sample.
+void Samples::run_shared(Device& device, Params p, uint32_t n, std::vector<float>& rgb) {
+    p.shared_slots = kernels::share_slots(p.nx, p.ny);
+    p.first = 0;
+    p.slots = p.shared_slots * n;
+    device.run(p, grouped_);
+    scrub(grouped_);
+    rgb.resize(size_t(p.nx) * p.ny * n * 3);
+    for (uint32_t slot = 0; slot < p.slots; slot++) {
+        const uint32_t pixel = kernels::shared_pixel(&p, slot);
+        if (pixel == NONE) continue;
+        std::copy_n(&grouped_[3 * size_t(slot)], 3, &rgb[3 * (size_t(pixel) * n + slot / p.shared_slots)]);
+    }
+}
+
+// Samples of a part of the focus, as far as the pass has its pixels, become means of their copies.  A shared sample
+// stays and counts for several copies: it is less noisy than one, and any fixed weights keep the expectation.
 void Samples::refine(Device& device, const Params& base, const Pass& pass, size_t part, std::vector<float>& rgb) {
     const auto& [pixels, copies] = focus_[part];
     const auto place_of = [&pixels = pixels](uint64_t pixel) {
@@ -49,6 +73,7 @@ void Samples::refine(Device& device, const Params& base, const Pass& pass, size_
         p.frame = uint32_t(pass.first_sample + done);
         p.together = n * copies;
         const uint32_t first = begin * p.together, last = end * p.together;
+        const double before = shares_ && pass.mode == MODE_FRAMES ? worth_of_shared : 0;
         std::vector<double> sum(size_t(end - begin) * n * 3);
         for (p.first = first; p.first < last; p.first += p.slots) {
             p.slots = std::min(device.good_slots(), last - p.first);
@@ -59,7 +84,8 @@ void Samples::refine(Device& device, const Params& base, const Pass& pass, size_
         }
         for (size_t i = 0; i < sum.size(); i++) {
             const size_t pixel = pixels[begin + i / 3 / n] - pass.first_pixel, sample = done + i / 3 % n;
-            rgb[3 * (pixel * pass.n + sample) + i % 3] = float(sum[i] / copies);
+            float& value = rgb[3 * (pixel * pass.n + sample) + i % 3];
+            value = float((sum[i] + before * double(value)) / (copies + before));
         }
     }
 }

@@ -11,7 +11,7 @@ cd tree || exit 2
 # 1. the row, after the last one
 sed -i -E '/^  (ROW |SAME)\(.*\)$/ {
     s/$/ \\/
-    a\  ROW (MATTE, matte, 0, only(3), none, 0, 0, no, no, no, turns, 0)
+    a\  ROW (MATTE, matte, 0, only(3), none, 0, 0, no, no, no, turns, MT_EVEN)
 }' lib/kernels/materials.h
 
 # 2. what it does

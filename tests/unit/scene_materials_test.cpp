@@ -25,7 +25,7 @@ struct One {
 }  // namespace
 
 TEST_CASE("kernels know of a number what its rows say") {
-    const uint32_t asked = MT_SHINES | MT_CLEAR | MT_TURNS | MT_OPEN_BACK | MT_NO_BACK | MT_BENDS | MT_MEDIUM;
+    const uint32_t asked = MT_SHINES | MT_CLEAR | MT_TURNS | MT_OPEN_BACK | MT_NO_BACK | MT_BENDS | MT_MEDIUM | MT_EVEN;
     for (Type t : all_materials()) {
         CAPTURE(type_name(t));
         const Material& row = material_row(t);

@@ -103,9 +103,11 @@ void declare_light(OptionTable& t, Options& opt) {
     t.add("-dp n", "Presampling of virtual sources: no effect", r.dp).at_least(0).from_scene();
     t.add("-dv[+-]", "Light sources are visible", r.dv).from_scene();
     t.add("-bv[+-]", "Back faces of opaque surfaces are visible", r.bv).from_scene();
-    t.add("-sampling name", "How diffuse rays are aimed: plain, portals or guided",
-          base::one_of(r.sampling,
-                       {{"plain", Sampling::plain}, {"portals", Sampling::portals}, {"guided", Sampling::guided}}));
+    t.add("-sampling name", "How diffuse rays are aimed: plain, portals, shared or guided",
+          base::one_of(r.sampling, {{"plain", Sampling::plain},
+                                    {"portals", Sampling::portals},
+                                    {"shared", Sampling::shared},
+                                    {"guided", Sampling::guided}}));
     t.add("-u[+-]", "Uncorrelated samples: no effect", r.u).from_scene();
     t.add("-lr n", "Largest number of reflections of a path; 0 for no limit, below 0 without the limit of -lw", r.lr)
         .within(-10000, 10000)

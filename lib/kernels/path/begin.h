@@ -3,15 +3,17 @@
 #ifndef LUX_PATH_BEGIN_H
 #define LUX_PATH_BEGIN_H
 
-// The pixel of a slot, and which of its samples the slot is.
+// The pixel of a slot, NONE if it lies beside the picture, and which of its samples the slot is.
 FN uint path_pixel(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint slot) {
     if (par->mode == MODE_RAY) return 0u;
+    if (par->shared_slots != 0u) return shared_pixel(par, par->first + slot);
     uint at = (par->first + slot) / par->together;
     return par->copies > 1u ? s->focus[par->focus_at + at] : at;
 }
 
 FN uint path_sample_index(UNIFORM(const Params) par, uint slot) {
     uint gid = par->first + slot;
+    if (par->shared_slots != 0u) return par->frame + gid / par->shared_slots;
     return par->frame + (par->mode == MODE_RAY ? gid : gid % par->together / par->copies);
 }
 
@@ -63,9 +65,18 @@ FN void path_start(UNIFORM(const Params) par, SHARED(const Paths) paths, uint sl
     paths->info[slot] = info;
 }
 
+// A path that shares has no ends yet (far.h).
+FN void no_ends(SHARED(const Paths) paths, uint slot) {
+    paths->near_n[slot] = pack4(F3(0.0f, 0.0f, 0.0f), NO_NEAR_END);
+    paths->far_p[slot] = pack4(F3(0.0f, 0.0f, 0.0f), FAR_NOTHING);
+}
+
 // 1 if the slot has a ray to follow.
 FN int path_generate(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
     uint pixel = path_pixel(s, par, slot), index = path_sample_index(par, slot);
+    paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
+    if (par->shared_slots != 0u) no_ends(paths, slot);
+    if (pixel == NONE) return 0;
 
     // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct
     // class of L'(n) is the mean of its first n samples: full nets at 64, 128, ...
@@ -84,7 +95,6 @@ FN int path_generate(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHA
     if (par->mode == MODE_RAY) given_ray(par, &rnd, &ray);
     else has_ray = camera_ray(par, pixel, &rnd, &ray);
 
-    paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
     if (!has_ray) return 0;
 
     paths->dir[slot] = pack4(ray.dir, ray.tmax);

@@ -20,9 +20,9 @@ FN float3 direct_response(SHARED(const SceneTables) s, UNIFORM(const Params) par
     return scale3(c, light->pieces);
 }
 
-// Leaves the shadow ray, which brings `radiance` if nothing stops it, in the slot.
+// Leaves the shadow ray, which brings `radiance` if nothing stops it, and `far` to the far end, in the slot.
 FN void direct_shadow_ray(UNIFORM(const Params) par, SHARED(const Paths) paths, PRIVATE(const Vertex) vertex,
-                          uint source, PRIVATE(LightSample) light, float3 radiance) {
+                          uint source, PRIVATE(LightSample) light, float3 radiance, float3 far) {
     PRIVATE(const Surface) g = &vertex->g;
     uint slot = vertex->slot;
     int above = dot3(light->dir, g->ng) > 0.0f;
@@ -38,6 +38,7 @@ FN void direct_shadow_ray(UNIFORM(const Params) par, SHARED(const Paths) paths, 
     paths->shadow_org[slot] = pack4(from, as_float_(source));
     paths->shadow_dir[slot] = pack4(light->dir, light->dist);
     paths->shadow_rad[slot] = pack4(radiance, g->total);
+    if (par->shared_slots != 0u) paths->shadow_far[slot] = pack4(far, vertex->at_far ? 1.0f : 0.0f);
     if (path_media_used(par)) {
         Medium there = above ? vertex->arriving : vertex->beyond;
         set_shadow_medium(paths, slot, &there, above ? vertex->clip_before : vertex->clip_beyond);
@@ -73,8 +74,15 @@ FN int path_direct(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARE
     int itself = as_uint_(src[SRC_PRIM]) == g->prim && as_uint_(src[SRC_VIRTUAL]) == NONE;
     if (!(luminance3(mul3(response, radiance)) > 0.0f) || itself) return 0;
 
-    radiance = mul3(mul3(vertex->thr, response), scale3(radiance, inv_p));
-    direct_shadow_ray(par, paths, vertex, source, &light, radiance);
+    radiance = scale3(radiance, inv_p);
+    float3 far = F3(0.0f, 0.0f, 0.0f);
+    if (vertex->at_far) {  // what it scatters evenly goes to all who see it, the rest back along this path
+        float3 even = scale3(lobes_even(&vertex->lobes, g, light.dir, light.w / light.pieces), light.pieces);
+        far = mul3(even, radiance);
+        response = sub3(response, even);
+    }
+    radiance = mul3(mul3(vertex->thr, response), radiance);
+    direct_shadow_ray(par, paths, vertex, source, &light, radiance, far);
     return PATH_SHADOW;
 }
 #endif

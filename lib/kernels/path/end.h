@@ -11,7 +11,9 @@ FN void path_ambient_value(UNIFORM(const Params) par, PRIVATE(Vertex) vertex) {
     int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
     if (bounces < par->ab || !vertex->wanted) return;
     float3 av = F3(par->av.x, par->av.y, par->av.z);
-    vertex_add(vertex, mul3(add3(vertex->lobes.ambient_r, vertex->lobes.ambient_t), av));
+    float3 value = mul3(add3(vertex->lobes.ambient_r, vertex->lobes.ambient_t), av);
+    if (vertex->at_far) vertex->far_rad = add3(vertex->far_rad, value);
+    else vertex_add(vertex, value);
 }
 
 // The limits of -lr and -lw.
@@ -35,8 +37,9 @@ FN int path_roulette(PRIVATE(Vertex) vertex) {
 }
 
 // The path takes its way.  Returns PATH_GOES_ON, or 0 if it ends.
-FN int path_go_on(UNIFORM(const Params) par, SHARED(const Paths) paths, PRIVATE(Vertex) vertex,
-                  PRIVATE(const Way) way) {
+FN int path_go_on(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+                  PRIVATE(Vertex) vertex, PRIVATE(const Way) way) {
+    if (par->shared_slots != 0u) path_ends(s, par, paths, vertex, way);
     vertex->weight *= MIN_(1.0f, max3(way->color));
     float rarity = way->sum / MAX_(way->chance, 1e-30f);
     if (way->forks && !path_limited(par, vertex)) {

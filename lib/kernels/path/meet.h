@@ -68,7 +68,7 @@ FN int vertex_meet(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARE
 // The path ends in a lamp.
 FN void path_lamp(SHARED(const Paths) paths, PRIVATE(Vertex) vertex) {
     if (vertex->wanted) vertex_add(vertex, vertex->emitted);
-    paths->rad[vertex->slot] = pack4(vertex->rad, vertex->before);
+    vertex_store_rad(paths, vertex, vertex->before);
 }
 
 // Straight on, as if nothing were there.

@@ -13,8 +13,11 @@ FN void path_miss(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED
 
     // a ray that the view cuts off (-va) sees black, not the sky
     PRIVATE(const Ray) ray = &vertex->ray;
-    if (vertex->wanted && IS_FAR(ray->tmax))
-        vertex_add(vertex, path_background(s, par, ray->org, ray->dir, vertex->flags, &vertex->rnd));
-    paths->rad[vertex->slot] = pack4(vertex->rad, vertex->before);
+    if (vertex->wanted && IS_FAR(ray->tmax)) {
+        float3 sky = path_background(s, par, ray->org, ray->dir, vertex->flags, &vertex->rnd);
+        if ((vertex->flags & PC_SEEKS) != 0u) far_sky(paths, vertex, sky);
+        else vertex_add(vertex, sky);
+    }
+    vertex_store_rad(paths, vertex, vertex->before);
 }
 #endif

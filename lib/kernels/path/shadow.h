@@ -284,7 +284,6 @@ FN void path_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHAR
 
     float3 T = aimed ? shadow_aimed(s, par, &shadow) : shadow_straight(s, par, &shadow, dir.w);
     if (!shadow_counts(s, par, &shadow, T)) return;
-    float4 sum = paths->rad[slot];
-    paths->rad[slot] = pack4(add3(xyz4(sum), mul3(xyz4(rad), T)), sum.w);
+    path_receive(par, paths, slot, mul3(xyz4(rad), T), T);
 }
 #endif

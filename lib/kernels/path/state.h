@@ -7,7 +7,8 @@
 // The one list of what a path is made of: FIELD(type, name, when) for each field, four words a slot.  The struct Paths,
 // what both devices allocate and the arguments of the OpenCL kernels come from it.  Wide types first, for they are laid
 // one after another.
-//   when: PATH_ALWAYS, or what makes it needed: PATH_MEDIA media or antimatter in the scene, PATH_GUIDED a guide
+//   when: PATH_ALWAYS, or what makes it needed: PATH_MEDIA media or antimatter in the scene, PATH_GUIDED a guide,
+//   PATH_SHARED that paths share their far ends
 // clang-format off
 #define PATH_STATE(FIELD)                                                                                       \
     FIELD(float4, org, PATH_ALWAYS)           /* the ray's origin; w: what is cut away there (bits; clip.h) */  \
@@ -27,8 +28,25 @@
     FIELD(float4, fork_n, PATH_GUIDED)        /* the normal about which they lie; w: path length from the eye */\
     FIELD(float4, fork_ng, PATH_GUIDED)       /* the geometry's on their side; w: PC_ flags */                  \
     FIELD(float4, fork_thr, PATH_GUIDED)      /* throughput, rgb; w: ray weight */                                   \
+    FIELD(float4, near_p, PATH_SHARED)        /* near end (far.h): its next ray begins; w: portals' light */     \
+    FIELD(float4, near_n, PATH_SHARED)        /* shading normal; w: factor of its own ray, or NO_NEAR_END */     \
+    FIELD(float4, near_ng, PATH_SHARED)       /* the geometry's; w: highlights met there (bits) */              \
+    FIELD(float4, near_thr, PATH_SHARED)      /* throughput without that, rgb; w: chance of its far end */       \
+    FIELD(float4, far_p, PATH_SHARED)         /* far end: point or direction; w: FAR_ ... */                    \
+    FIELD(float4, far_n, PATH_SHARED)         /* normal on the ray's side; w: reach */                          \
+    FIELD(float4, far_rad, PATH_SHARED)       /* radiance that it sends out, rgb; w: path length as in rad */   \
+    FIELD(float4, shadow_far, PATH_SHARED)    /* what the shadow ray brings to it, rgb; w: 1, 0: nothing */     \
+    FIELD(Gifts, gifts, PATH_SHARED)          /* of the far end */                                               \
     FIELD(float, expected, PATH_GUIDED)       /* what was expected of it at its first bounce; 0: not yet */
 // clang-format on
+
+#define NO_NEAR_END -1.0f  // a factor that there is not
+#define FAR_NOTHING 0.0f   // what far_p is
+#define FAR_POINT 1.0f
+#define FAR_DIRECTION 2.0f
+
+// What a far end is worth to the near ends of its group (connect.h).
+STRUCT(Gifts) { float4 to[SHARE_GROUP]; };
 
 #define PATH_POINTER(type, name, when) GLOBAL type* name;
 STRUCT(Paths){PATH_STATE(PATH_POINTER)};
@@ -36,9 +54,11 @@ STRUCT(Paths){PATH_STATE(PATH_POINTER)};
 #define PATH_ALWAYS 0u
 #define PATH_MEDIA 1u
 #define PATH_GUIDED 2u
+#define PATH_SHARED 4u
 FN int path_media_used(UNIFORM(const Params) par) { return par->medium.w > 0.0f || (par->flags & PF_ANTIMATTER) != 0u; }
 FN uint path_needs(UNIFORM(const Params) par) {
-    return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->guide_mask != 0u ? PATH_GUIDED : 0u);
+    return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->guide_mask != 0u ? PATH_GUIDED : 0u) |
+           (par->shared_slots != 0u ? PATH_SHARED : 0u);
 }
 
 // flags in info.x
@@ -47,6 +67,8 @@ FN uint path_needs(UNIFORM(const Params) par) {
 #define PC_BENT 4u        // some reflection or refraction lies behind: not the eye's straight ray
 #define PC_FORK_SHIFT 3u  // sub-paths of its fork that are still to follow, 3 bits
 #define PC_FORK_MASK 7u
+#define PC_SEEKS 64u       // it has a near end, and no far end yet (far.h)
+#define PC_FAR 128u        // what it gathers is what its far end sends out
 #define PC_LEVEL_SHIFT 8u  // reflection level, 8 bits
 #define PC_AB_SHIFT 16u    // diffuse depth, 8 bits
 #define PC_STEP_SHIFT 24u  // surfaces met, 8 bits, saturating

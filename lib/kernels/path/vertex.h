@@ -17,6 +17,10 @@ STRUCT(Vertex) {
     int guided;      // does the guide choose its directions (guide.h)?
     float expected;  // if so, what was expected of it at its first bounce; 0: that is still to come
 
+    // the far end that this vertex is, if so (far.h)
+    int at_far;
+    float3 far_rad;  // what it sends out
+
     // the ray that has come here, and the surface that it met
     Ray ray;
     Hit hit;
@@ -46,6 +50,7 @@ STRUCT(Vertex) {
 FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot, PRIVATE(Vertex) vertex) {
     float4 org = paths->org[slot], dir = paths->dir[slot], thr = paths->thr[slot], rad = paths->rad[slot];
     uint4 info = paths->info[slot];
+    if ((info.x & PC_FAR) != 0u) rad = paths->far_rad[slot];
 
     vertex->slot = slot;
     vertex->flags = info.x;
@@ -58,6 +63,9 @@ FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint s
 
     vertex->guided = path_guided(par, slot);
     vertex->expected = vertex->guided ? paths->expected[slot] : 0.0f;
+
+    vertex->at_far = 0;
+    vertex->far_rad = F3(0.0f, 0.0f, 0.0f);
 
     vertex->ray.org = xyz4(org);
     vertex->ray.dir = xyz4(dir);
@@ -74,9 +82,17 @@ FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint s
     vertex->went_to_medium = 0;
 }
 
+// Puts back what the path has gathered, for itself or for its far end.  length: as below.
+FN void vertex_store_rad(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
+    uint slot = vertex->slot;
+    if (vertex->at_far) paths->far_rad[slot] = pack4(vertex->far_rad, length);
+    if (vertex->at_far || (vertex->flags & PC_FAR) == 0u) paths->rad[slot] = pack4(vertex->rad, length);
+    else paths->far_rad[slot] = pack4(vertex->rad, length);
+}
+
 // Puts back what the step has changed of the path.  length: from the eye to where its next ray begins.
 FN void vertex_store(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
-    paths->rad[vertex->slot] = pack4(vertex->rad, length);
+    vertex_store_rad(paths, vertex, length);
     paths->info[vertex->slot].x = vertex->flags;
     paths->info[vertex->slot].z = path_sampler_word(&vertex->rnd);
     if (vertex->guided) paths->expected[vertex->slot] = vertex->expected;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Ends that paths share (share.h).  Where a path first leaves a surface that the eye sees straight, into the
+// hemisphere, is its near end.  What that ray meets, straight on or through panes, is its far end, if it sends the same
+// radiance to all who see it: the sky, a lamp, what a matt surface scatters evenly.  Then the far end lights the near
+// ends of all the group (connect.h), not that of its path alone.
+#ifndef LUX_PATH_FAR_H
+#define LUX_PATH_FAR_H
+
+// Does the surface, or what it is made of, depend on where it is seen from?
+FN int surface_looks(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g) {
+    uint mod = s->prims[PRIM_WORDS * g->prim + PRIM_MOD];
+    if (g->inst != NONE) {
+        uint of_all = as_uint_(*(instance_record(s, g->inst) + INST_MOD));
+        if (of_all != NONE) mod = of_all;
+    }
+    return (mod_word(s, par, mod, MOD_FLAGS) & MF_LOOKS) != 0u;
+}
+
+// A plain pane, through which the far end is sought.
+FN int is_pane(PRIVATE(const Surface) g) { return g->type == M_GLASS && !g->mixed && (g->smooth || !is_textured(g)); }
+
+// The chance that a path goes on through a pane, where it may be mirrored, too.
+FN float pane_chance(PRIVATE(const Lobes) lobes) {
+    float through = max3(lobes->through), mirror = max3(lobes->mirror);
+    through = through > 0.0f ? through : 0.0f;
+    mirror = mirror > 0.0f ? mirror : 0.0f;
+    return through > 0.0f ? through / (through + mirror) : 0.0f;
+}
+
+// Does a part of what the surface scatters look the same from everywhere?
+FN int scatters_evenly(PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
+    if (material_has(g->type, MT_EVEN) == 0u || is_textured(g)) return 0;
+    if ((lobes->flags & LOBE_FRESNEL) != 0u || max3(lobes->through) > 0.0f) return 0;
+    return max3(add3(lobes->diffuse_r, lobes->diffuse_t)) > 0.0f;
+}
+
+FN void far_point(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex) {
+    PRIVATE(const Surface) g = &vertex->g;
+    paths->far_p[vertex->slot] = pack4(g->p, FAR_POINT);
+    paths->far_n[vertex->slot] = pack4(g->ng, g->reach);
+}
+
+// A path that seeks has met a surface.
+FN void path_seek(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+                  PRIVATE(Vertex) vertex, int met) {
+    PRIVATE(const Surface) g = &vertex->g;
+    if (met == MET_SURFACE && is_pane(g)) return;
+    vertex->flags &= ~PC_SEEKS;
+    if (met == MET_NOTHING || surface_looks(s, par, g)) return;
+
+    if (met == MET_SURFACE) {
+        if (!scatters_evenly(g, &vertex->lobes)) return;
+        vertex->at_far = 1;
+        far_point(paths, vertex);
+        return;
+    }
+
+    // a lamp; whether a glow shines may depend on how far away it is
+    GLOBAL const float* arg = s->f + mod_word(s, par, g->mod, MOD_ARGS);
+    if (!vertex->wanted || g->mixed || (g->type == M_GLOW && arg[3] > 0.0f)) return;
+    far_point(paths, vertex);
+    paths->far_rad[vertex->slot] = pack4(vertex->emitted, vertex->before);
+    vertex->emitted = F3(0.0f, 0.0f, 0.0f);
+}
+
+// A path that seeks has met nothing.
+FN void far_sky(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex, float3 radiance) {
+    paths->far_p[vertex->slot] = pack4(vertex->ray.dir, FAR_DIRECTION);
+    paths->far_rad[vertex->slot] = pack4(radiance, vertex->before);
+}
+
+// Light has come to the path: by the shadow ray of its last step, T of what the ray would have brought.
+FN void path_receive(UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot, float3 light, float3 T) {
+    if (par->shared_slots != 0u) {
+        float4 even = paths->shadow_far[slot], far = paths->far_rad[slot];
+        int at_far = even.w > 0.0f;
+        if (at_far || (paths->info[slot].x & PC_FAR) != 0u)
+            paths->far_rad[slot] = pack4(add3(xyz4(far), at_far ? mul3(xyz4(even), T) : light), far.w);
+        if (!at_far && (paths->info[slot].x & PC_FAR) != 0u) return;
+    }
+    float4 sum = paths->rad[slot];
+    paths->rad[slot] = pack4(add3(xyz4(sum), light), sum.w);
+}
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which pixels share what their paths have found (-sampling shared): groups of 16 in squares of 16 x 16, every fourth
+// pixel of every fourth row, so that a group's pixels are near one another and groups overlap.  The squares lie
+// elsewhere in each frame, or their edges would show.
+#ifndef LUX_SHARE_H
+#define LUX_SHARE_H
+
+#define SHARE_GROUP 16u    // pixels that share
+#define SHARE_ACROSS 4u    // in a row and in a column of a group
+#define SHARE_STRIDE 4u    // from one to the next
+#define SHARE_SIDE 16u     // of a square
+#define SHARE_SQUARE 256u  // its pixels, row by row in slots that follow one another
+
+// How many slots a sample of a picture needs: whole squares.
+FN uint share_slots(uint nx, uint ny) {
+    return (nx + SHARE_SIDE - 1u) / SHARE_SIDE * ((ny + SHARE_SIDE - 1u) / SHARE_SIDE) * SHARE_SQUARE;
+}
+
+// The pixel of slot gid of a pass, NONE if it lies beside the picture.
+FN uint shared_pixel(UNIFORM(const Params) par, uint gid) {
+    uint index = par->frame + gid / par->shared_slots, at = gid % par->shared_slots;
+    uint wide = (par->nx + SHARE_SIDE - 1u) / SHARE_SIDE, high = (par->ny + SHARE_SIDE - 1u) / SHARE_SIDE;
+    uint square = at / SHARE_SQUARE, inside = at % SHARE_SQUARE, shift = hash32(index ^ 0x9e3779b9u);
+    uint x = (square % wide * SHARE_SIDE + inside % SHARE_SIDE + (shift & 0xffffu)) % (wide * SHARE_SIDE);
+    uint y = (square / wide * SHARE_SIDE + inside / SHARE_SIDE + (shift >> 16)) % (high * SHARE_SIDE);
+    return x < par->nx && y < par->ny ? y * par->nx + x : NONE;
+}
+
+// The slot of member m of the group to which the slot belongs, and which member the slot is.
+FN uint share_member(uint slot, uint m) {
+    uint inside = slot % SHARE_SQUARE;
+    uint x = inside % SHARE_STRIDE + SHARE_STRIDE * (m % SHARE_ACROSS);
+    uint y = inside / SHARE_SIDE % SHARE_STRIDE + SHARE_STRIDE * (m / SHARE_ACROSS);
+    return slot - inside + y * SHARE_SIDE + x;
+}
+
+FN uint share_which(uint slot) {
+    uint inside = slot % SHARE_SQUARE;
+    return inside / SHARE_SIDE / SHARE_STRIDE * SHARE_ACROSS + inside % SHARE_SIDE / SHARE_STRIDE;
+}
+#endif

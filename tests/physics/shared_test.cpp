@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Paths that share their far ends (-sampling shared): every pixel has its sample, no mean moves whatever the far ends
+// are made of, and where they would not look the same from elsewhere nothing is shared.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include "physics/laws.h"
+
+#include <numeric>
+#include <set>
+
+#include "physics/seeds.h"
+
+using namespace laws;
+
+namespace {
+
+constexpr int size = 32, blocks = 16;
+
+// A room in the sun, behind a pane; all that light can come from over one bounce: matt, polished and mirrored
+// surfaces, some of them only half there or bent by textures, a lit panel, the ground and the sky behind the pane.
+const char* const room =
+    "void light sun_light 0 0 3 2e4 2e4 2e4\nsun_light source sun 0 0 4 .3 -1 .8 .5333\n"
+    "void glow bright 0 0 4 9 9 12 0\nbright source sky 0 0 4 0 0 1 180\n"
+    "void plastic matt 0 0 5 .7 .6 .5 0 0\nvoid plastic polished 0 0 5 .3 .3 .4 .05 .1\n"
+    "void plastic shiny 0 0 5 .3 .5 .3 .06 0\nvoid metal steel 0 0 5 .6 .6 .6 .9 .1\n"
+    "void trans paper 0 0 7 .6 .6 .6 0 0 .5 .2\nvoid glass pane 0 0 3 .8 .9 .8\n"
+    "void mixfunc half 4 matt void .5 .\n0 0\n"
+    "void texfunc bumps 4 .1*cos(9*Px) 0 .1*cos(9*Py) .\n0 0\nbumps plastic rough_plaster 0 0 5 .5 .5 .6 0 0\n"
+    "void brightfunc looks 2 .5+.5*abs(Rdot) .\n0 0\nlooks plastic velvet 0 0 5 .6 .3 .3 0 0\n"
+    "void glow panel 0 0 4 3 3 2 0\nvoid glow near_panel 0 0 4 5 5 5 2\n"
+    "matt polygon ground 0 0 12 -20 -20 -.1 20 -20 -.1 20 20 -.1 -20 20 -.1\n"
+    "polished polygon floor 0 0 12 -2 -2 0 2 -2 0 2 2 0 -2 2 0\n"
+    "matt polygon ceiling 0 0 12 -2 -2 3 -2 2 3 2 2 3 2 -2 3\n"
+    "velvet polygon left 0 0 12 -2 -2 0 -2 2 0 -2 2 3 -2 -2 3\n"
+    "rough_plaster polygon right 0 0 12 2 -2 0 2 -2 3 2 2 3 2 2 0\n"
+    "matt polygon back 0 0 12 -2 2 0 2 2 0 2 2 3 -2 2 3\n"
+    "matt polygon sill 0 0 12 -2 -2 0 -2 -2 1 2 -2 1 2 -2 0\n"
+    "pane polygon window 0 0 12 -2 -2 1 -2 -2 3 2 -2 3 2 -2 1\n"
+    "panel polygon screen 0 0 12 -1.9 1 1 -1.9 1.5 1 -1.9 1.5 1.5 -1.9 1 1.5\n"
+    "near_panel polygon lamp 0 0 12 1.9 1 2 1.9 1.5 2 1.9 1.5 2.5 1.9 1 2.5\n"
+    "shiny polygon table 0 0 12 -1 0 .7 1 0 .7 1 1.5 .7 -1 1.5 .7\n"
+    "paper polygon sheet 0 0 12 .5 0 1 .5 1 1 .5 1 1.6 .5 0 1.6\n"
+    "half polygon net 0 0 12 -1.2 -1 1 -.2 -1 1 -.2 -1 2 -1.2 -1 2\n"
+    "steel sphere ball 0 0 4 -.6 .6 1 .3\n";
+
+view::View into_room() {
+    view::View view;
+    view.vp = {0, -1.5, 1.6};
+    view.vd = {0, 1, -.25};
+    view.vh = view.vv = 90;
+    return view;
+}
+
+// Means of frames 1 .. n, of each of 4 x 4 blocks and, last, of the picture; and of the pixels' squares.
+Means means_of(const scene::Scene& scene, trace::Sampling sampling, int frames) {
+    return over_seeds(16, blocks + 1, [&](uint64_t seed) {
+        trace::RenderOptions options;
+        options.sampling = sampling;
+        options.seed = seed + (sampling == trace::Sampling::shared ? 100 : 0);
+        options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
+        trace::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
+        std::vector<double> value(blocks + 1);
+        renderer.frames(1, frames, [&](int64_t, const std::vector<float>& rgb) {
+            for (int i = 0; i < size * size; i++) {
+                const double v = rgb[3 * size_t(i) + 1] / double(frames);
+                value[blocks] += v / (size * size);
+                value[size_t(i / size / 8 * 4 + i % size / 8)] += v / 64;
+            }
+            return true;
+        });
+        return value;
+    });
+}
+
+// Mean over pixels of the squared difference of two seeds' frames, over the squared mean.
+double noise_of(const scene::Scene& scene, trace::Sampling sampling) {
+    std::vector<float> a, b;
+    double squares = 0, sum = 0;
+    for (int64_t k = 1; k <= 8; k++) {
+        trace::RenderOptions options;
+        options.sampling = sampling;
+        trace::Renderer one(scene, into_room(), size, size, options, "cpu", {});
+        one.frame(k, a);
+        options.seed = 2;
+        trace::Renderer two(scene, into_room(), size, size, options, "cpu", {});
+        two.frame(k, b);
+        for (size_t i = 1; i < a.size(); i += 3) {
+            squares += std::pow(std::min(std::abs(double(a[i]) - double(b[i])), 100.0), 2);
+            sum += a[i] + b[i];
+        }
+    }
+    return squares / (sum * sum);
+}
+
+// One frame of a scene, and is it that of rays toward windows, which share nothing?
+bool shares_nothing(const std::string& text, trace::RenderOptions options = {}) {
+    const scene::Scene scene = scene_of(text);
+    std::vector<float> frames[2];
+    for (const auto sampling : {trace::Sampling::shared, trace::Sampling::portals}) {
+        options.sampling = sampling;
+        trace::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
+        renderer.frame(1, frames[sampling == trace::Sampling::shared]);
+    }
+    CHECK(std::accumulate(frames[0].begin(), frames[0].end(), 0.0) != 0);
+    return frames[0] == frames[1];
+}
+
+// A floor and a wall of a material named "it", in the sun.
+std::string corner(const std::string& it) {
+    return "void light sun_light 0 0 3 2e4 2e4 2e4\nsun_light source sun 0 0 4 .3 -1 .8 .5333\n" + it +
+           "it polygon floor 0 0 12 -2 -2 0 2 -2 0 2 2 0 -2 2 0\nit polygon back 0 0 12 -2 2 0 2 2 0 2 2 3 -2 2 3\n";
+}
+
+const std::string matt = "void plastic it 0 0 5 .5 .5 .5 0 0\n";
+
+}  // namespace
+
+TEST_CASE("each pixel has one slot of a sample, and each slot its place in its group") {
+    using namespace kernels;
+    for (const auto& [nx, ny] : {std::pair{1u, 1u}, std::pair{17u, 5u}, std::pair{64u, 48u}}) {
+        Params par{};
+        par.nx = nx;
+        par.ny = ny;
+        par.shared_slots = share_slots(nx, ny);
+        for (uint32_t sample = 0; sample < 3; sample++) {
+            std::set<uint32_t> pixels;
+            for (uint32_t slot = 0; slot < par.shared_slots; slot++) {
+                const uint32_t gid = sample * par.shared_slots + slot, pixel = shared_pixel(&par, gid);
+                if (pixel != NONE) CHECK(pixels.insert(pixel).second);
+                CHECK(share_member(gid, share_which(gid)) == gid);
+                for (uint32_t m = 0; m < SHARE_GROUP; m++) {
+                    const uint32_t member = share_member(gid, m);
+                    CHECK(member / SHARE_SQUARE == gid / SHARE_SQUARE);
+                    CHECK(share_member(member, share_which(gid)) == gid);
+                }
+            }
+            CHECK(pixels.size() == nx * ny);
+            CHECK(*pixels.rbegin() == nx * ny - 1);
+        }
+    }
+}
+
+TEST_CASE("sharing takes noise away and moves no mean") {
+    const scene::Scene scene = scene_of(room);
+    const Means plain = means_of(scene, trace::Sampling::plain, 400);
+    const Means shared = means_of(scene, trace::Sampling::shared, 400);
+    double square = 0;
+    for (size_t i = 0; i <= blocks; i++) {
+        const double z = (shared.mean[i] - plain.mean[i]) / std::sqrt(shared.variance[i] + plain.variance[i]);
+        CAPTURE(i);
+        CHECK(std::abs(z) < 4.5);
+        if (i < blocks) square += z * z / blocks;
+    }
+    CHECK(square < 2.2);
+    CHECK(std::sqrt(plain.variance[blocks] + shared.variance[blocks]) < .004 * plain.mean[blocks]);
+    CHECK(noise_of(scene, trace::Sampling::shared) < .4 * noise_of(scene, trace::Sampling::plain));
+}
+
+TEST_CASE("what looks different from elsewhere is not shared") {
+    CHECK(!shares_nothing(corner(matt)));
+    CHECK(!shares_nothing(corner("void brightfunc stripes 2 .5+.4*cos(9*Px) .\n0 0\nstripes " + matt.substr(5))));
+    for (const char* seen : {"Rdot", "abs(Dz)", "T/9", "Ts/9"}) {
+        CAPTURE(seen);
+        const std::string looks = std::string("void brightfunc looks 2 .5+.5*") + seen + " .\n0 0\n";
+        CHECK(shares_nothing(corner(looks + "looks " + matt.substr(5))));
+        CHECK(shares_nothing(corner(
+            looks + "void brightfunc plain 2 .9 .\n0 0\nlooks brightfunc over 2 .8 .\n0 0\nover " + matt.substr(5))));
+        CHECK(shares_nothing(corner(looks + "void mixfunc both 4 looks void .5 .\n0 0\nboth " + matt.substr(5))));
+    }
+    CHECK(shares_nothing(corner("void plastic it 0 0 5 .5 .5 .5 .05 0\n")));  // Fresnel
+    CHECK(shares_nothing(corner("void texfunc bumps 4 .1*cos(9*Px) 0 .1*cos(9*Py) .\n0 0\nbumps " + matt.substr(5))));
+    CHECK(shares_nothing(corner("void ashik2 it 4 1 0 0 .\n0 8 .5 .5 .5 .1 .1 .1 30 30\n")));
+}
+
+TEST_CASE("where light fades on its way, or paths end by their weight, nothing is shared") {
+    trace::RenderOptions options;
+    options.lr = 3;
+    CHECK(shares_nothing(corner(matt), options));
+    options = {};
+    options.me[0] = options.me[1] = options.me[2] = .01;
+    const std::string bulb = "void light lamp 0 0 3 50 50 50\nlamp sphere bulb 0 0 4 0 0 2.5 .1\n";
+    CHECK(shares_nothing(corner(matt) + bulb, options));  // no sun is left
+    CHECK(shares_nothing(corner(matt) + "void antimatter hole 1 it 0 0\nhole sphere hollow 0 0 4 9 9 9 .1\n"));
+}
+
+TEST_CASE("every device shares alike") {
+    const scene::Scene scene = scene_of(room);
+    std::vector<float> first, other;
+    for (const std::string& device : devices()) {
+        if (device == "cpu:embree") continue;  // rounds its own way
+        CAPTURE(device);
+        trace::Renderer renderer(scene, into_room(), size, size, {}, device, {});
+        renderer.frame(3, first.empty() ? first : other);
+        if (!other.empty()) CHECK(first == other);
+    }
+}
