@@ -65,7 +65,7 @@ struct Renderer::State {
     template <class Give>
     void samples(int64_t first, int64_t count, Give&& give) {
         const uint32_t pixels = nx * ny;
-        const int64_t together = std::max<int64_t>(1, device->good_slots() / pixels);
+        const int64_t together = std::max<int64_t>(1, device->good_slots() / sampler.slots(base));
         std::vector<float> rgb, one;
         for (int64_t done = 0; done < count;) {
             const int64_t n = std::min(together, count - done);

@@ -24,6 +24,13 @@ void Samples::set_focus(Device& device, const Focus& focus) {
     device.set_focus(std::move(pixels));
 }
 
+// Pictures smaller than a square of groups do not: nearly all slots would lie beside them.
+bool Samples::shares(const Params& par) const { return may_share_ && par.nx >= SHARE_SIDE && par.ny >= SHARE_SIDE; }
+
+uint32_t Samples::slots(const Params& base) const {
+    return shares(base) ? kernels::share_slots(base.nx, base.ny) : base.nx * base.ny;
+}
+
 void Samples::run(Device& device, const Params& base, const Pass& pass, std::vector<float>& rgb) {
     Params p = base;
     p.mode = pass.mode;
@@ -31,7 +38,7 @@ void Samples::run(Device& device, const Params& base, const Pass& pass, std::vec
     p.together = pass.n;
     p.first = pass.first_pixel * pass.n;
     p.slots = pass.pixels * pass.n;
-    if (shares_ && pass.mode == MODE_FRAMES) {
+    if (shares(base) && pass.mode == MODE_FRAMES) {
         run_shared(device, p, pass.n, rgb);
     } else {
         device.run(p, rgb);
@@ -73,7 +80,7 @@ void Samples::refine(Device& device, const Params& base, const Pass& pass, size_
         p.frame = uint32_t(pass.first_sample + done);
         p.together = n * copies;
         const uint32_t first = begin * p.together, last = end * p.together;
-        const double before = shares_ && pass.mode == MODE_FRAMES ? worth_of_shared : 0;
+        const double before = shares(base) && pass.mode == MODE_FRAMES ? worth_of_shared : 0;
         std::vector<double> sum(size_t(end - begin) * n * 3);
         for (p.first = first; p.first < last; p.first += p.slots) {
             p.slots = std::min(device.good_slots(), last - p.first);

@@ -16,20 +16,23 @@ struct Pass {
 class Samples {
 public:
     void set_focus(Device& device, const Focus& focus);
-    // Do the paths of whole pictures share their far ends (kernels/share.h)?
-    void set_sharing(bool shares) { shares_ = shares; }
+    // May the paths of whole pictures share their far ends (kernels/share.h)?
+    void set_sharing(bool may) { may_share_ = may; }
+    // How many slots a sample of the whole picture takes.
+    uint32_t slots(const Params& base) const;
     // rgb: the samples of a pixel lie side by side, as do their rays.
     void run(Device& device, const Params& base, const Pass& pass, std::vector<float>& rgb);
     // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.
     void scrub(std::vector<float>& rgb);
 
 private:
+    bool shares(const Params& par) const;
     void run_shared(Device& device, Params p, uint32_t n, std::vector<float>& rgb);
     void refine(Device& device, const Params& base, const Pass& pass, size_t part, std::vector<float>& rgb);
 
     Focus focus_;
     std::vector<uint32_t> focus_at_;  // of each part among all pixels of the focus
-    bool shares_ = false;
+    bool may_share_ = false;
     std::vector<float> copies_, grouped_;
     int64_t bad_ = 0;  // samples that were set to 0
 };
