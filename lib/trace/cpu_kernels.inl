@@ -166,6 +166,16 @@ static void share(const SceneTables& s, const Params& par, Tile& t, uint32_t cou
     STAGES::connect(s, par, t, n);
     STAGES::collect(t, count);
 }
+// The same square by square: what the paths of one share stays in the cache.
+#define PATH_SKIP(type, name, when) square.paths.name += first;
+template <class STAGES>
+static void share_squares(const SceneTables& s, const Params& par, const Tile& t, uint32_t count) {
+    for (uint32_t first = 0; first < count; first += SHARE_SQUARE) {
+        Tile square = t;
+        PATH_STATE(PATH_SKIP)
+        share<STAGES>(s, par, square, count - first < SHARE_SQUARE ? count - first : SHARE_SQUARE);
+    }
+}
 static Params part_of(const void* params, uint32_t first, uint32_t count) {
     Params par = *static_cast<const Params*>(params);
     par.first = first;
@@ -182,7 +192,7 @@ static void run(const void* tables, const void* params, uint32_t first, uint32_t
     for (uint32_t i = 0; i < count; i++)
         if (t.result[i] != 0) t.now[n++] = i;
     follow<STAGES>(s, par, t, n, par.mode != MODE_RAY);
-    if (par.shared_slots != 0) share<STAGES>(s, par, t, count);
+    if (par.shared_slots != 0) share_squares<STAGES>(s, par, t, count);
     store(t, count, rgb);
 }
 // trace::DrawRay
