@@ -70,11 +70,11 @@ Bounds shape_bounds(const Input& in, size_t k) {
         const uint32_t axis = as_uint_(q[5]), first = as_uint_(q[6]), count = as_uint_(q[7]);
         const int iu = axis == 0 ? 1 : 0, iv = axis == 2 ? 1 : 2;
         for (uint32_t i = 0; i < count; i++) {
-            const float* uv = in.polygon_uv + 2 * (size_t(first) + i);
+            const float u = in.polygon_uv[size_t(first) + i], v = in.polygon_uv[size_t(first) + POLYGON_ROW(count) + i];
             float p[3];
-            p[iu] = uv[0];
-            p[iv] = uv[1];
-            p[axis] = float((double(q[4]) - double(q[1 + iu]) * uv[0] - double(q[1 + iv]) * uv[1]) / q[1 + axis]);
+            p[iu] = u;
+            p[iv] = v;
+            p[axis] = float((double(q[4]) - double(q[1 + iu]) * u - double(q[1 + iv]) * v) / q[1 + axis]);
             grow(bounds, p);
         }
         break;

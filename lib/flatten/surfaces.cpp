@@ -192,16 +192,17 @@ private:
         offset /= double(p.corners.size());
         const double a[3] = {std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
         const int drop = a[0] > a[1] ? (a[0] > a[2] ? 0 : 2) : (a[1] > a[2] ? 1 : 2);
-        const uint32_t at = uint32_t(out_.polygon_uv.size() / 2);
-        for (const Vec3& v : p.corners) {
-            const Vec3 q = v - centre_;
-            out_.polygon_uv.push_back(float(q[drop == 0 ? 1 : 0]));
-            out_.polygon_uv.push_back(float(q[drop == 2 ? 1 : 2]));
+        const uint32_t at = uint32_t(out_.polygon_uv.size()), count = uint32_t(p.corners.size());
+        for (int axis : {drop == 0 ? 1 : 0, drop == 2 ? 1 : 2}) {
+            const size_t row = out_.polygon_uv.size();
+            out_.polygon_uv.push_back(float((p.corners.back() - centre_)[axis]));
+            for (const Vec3& v : p.corners) out_.polygon_uv.push_back(float((v - centre_)[axis]));
+            out_.polygon_uv.resize(row + POLYGON_ROW(count), NAN);
         }
         float* q = &out_.shapes[SHAPE_FLOATS * add_shape(SHAPE_POLYGON, {n.x, n.y, n.z, offset})];
         q[POLYGON_AXIS] = from_bits(uint32_t(drop));
         q[POLYGON_FIRST] = from_bits(at);
-        q[POLYGON_COUNT] = from_bits(uint32_t(p.corners.size()));
+        q[POLYGON_COUNT] = from_bits(count);
         out_.shape_prim.push_back(tagged);
     }
 

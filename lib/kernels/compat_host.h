@@ -69,7 +69,8 @@ FN float4 loadf4_(const float* p) {
 }
 
 // Wide words (bvh8.h): gcc vectors, whose operators are those of OpenCL's float4 and float8.  A comparison gives -1 or
-// 0 in each lane; lanes4_/lanes8_ turn it into a LaneMask, to be walked by lane_first_ and lane_drop_.
+// 0 in each lane; lanes4_/lanes8_ turn it into a LaneMask, to be walked by lane_first_ and lane_drop_; lane_odd_: are
+// they an odd number?
 #define WIDE_WORDS 1  // are they fast?
 #pragma GCC diagnostic ignored "-Wpsabi"
 typedef float v4f __attribute__((vector_size(16)));
@@ -120,6 +121,7 @@ FN LaneMask lanes4_(v4i c) { return (uint)__builtin_ia32_movmskps((v4f)c); }
 FN LaneMask lanes8_(v8i c) { return (uint)__builtin_ia32_movmskps256((v8f)c); }
 FN uint lane_first_(LaneMask m) { return (uint)__builtin_ctz(m); }
 FN LaneMask lane_drop_(LaneMask m, uint) { return m & (m - 1u); }
+FN int lane_odd_(LaneMask m) { return __builtin_parity(m); }
 #else
 typedef uint64_t LaneMask;
 typedef signed char v4c_ __attribute__((vector_size(4)));
@@ -140,4 +142,5 @@ FN LaneMask lanes8_(const v8i& c) {
 
 FN uint lane_first_(LaneMask m) { return (uint)__builtin_ctzll(m) >> 3; }
 FN LaneMask lane_drop_(LaneMask m, uint lane) { return m & ~((LaneMask)255u << (8u * lane)); }
+FN int lane_odd_(LaneMask m) { return __builtin_parityll(m & 0x0101010101010101u); }
 #endif

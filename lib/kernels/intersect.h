@@ -32,13 +32,18 @@
 #define RING_NORMAL 4u  // 3, unit
 #define RING_INNER 7u   // radius
 #define RING_OUTER 8u
-// polygon_uv holds the two coordinates left, in order: axis 0 dropped: (y, z), 1: (x, z), 2: (x, y)
+// polygon_uv holds the two coordinates left, in order (axis 0 dropped: y z, 1: x z, 2: x y), each in a row of its own:
+// that of the last corner, those of all corners, and NaN until eight can be read from each corner on
 #define SHAPE_POLYGON 4u
 #define POLYGON_NORMAL 1u  // 3, unit
 #define POLYGON_OFFSET 4u  // n.p of its plane
 #define POLYGON_AXIS 5u    // the dropped axis (word)
-#define POLYGON_FIRST 6u   // its first vertex in polygon_uv (word)
-#define POLYGON_COUNT 7u   // and their number (word)
+#define POLYGON_FIRST 6u   // its first row in polygon_uv (word)
+#define POLYGON_COUNT 7u   // the number of its corners (word)
+
+// Floats of a row.
+#define POLYGON_ROW(count) (((count) + 7u) / 8u * 8u + 1u)
+
 // an instance of tree k of the BVH; only tree 0 may hold instances
 #define SHAPE_INSTANCE 5u
 #define INSTANCE_MATRIX 1u   // 12: local from world, three rows of four
@@ -81,7 +86,7 @@ STRUCT(Hit) {
     TABLE(float, leaves)      /* triangle blocks and shape references */
 #define FLAT_TABLES(TABLE)                                                                  \
     TABLE(float, shapes)      /* SHAPE_FLOATS each */                                       \
-    TABLE(float, polygon_uv)  /* projected vertices, 2 floats each */                       \
+    TABLE(float, polygon_uv)  /* projected corners (SHAPE_POLYGON) */                       \
     TABLE(uint, prims)        /* PRIM_WORDS each, shading side (tables.h) */                \
     TABLE(float, vertices)    /* 3 floats each, for normals of triangles */                 \
     TABLE(uint, u)            /* word arena (tables.h): modifiers, materials, .cal code */  \

@@ -80,34 +80,65 @@ FN int ring_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, P
 }
 
 // Even-odd rule in the plane of two coordinates; a point within 1e-6 (and the rounding of its coordinates) of an edge
-// is inside.  Loops joined by seams (holes) need nothing special: a seam is crossed twice.
-FN int polygon_inside(GLOBAL const float* uv, uint count, float u, float v) {
-    float eps = 1e-6f + 2.4e-7f * (fabs_(u) + fabs_(v));
-    float pu = uv[2u * count - 2u], pv = uv[2u * count - 1u];
+// is inside.  Loops joined by seams (holes) need nothing special: a seam is crossed twice.  us: the polygon's corners
+// (POLYGON_ROW).
+FN float polygon_margin(float u, float v) { return 1e-6f + 2.4e-7f * (fabs_(u) + fabs_(v)); }
+
+FN int polygon_inside(GLOBAL const float* us, uint count, float u, float v) {
+    GLOBAL const float* vs = us + POLYGON_ROW(count);
+    float eps = polygon_margin(u, v);
     int odd = 0;
 
     for (uint i = 0u; i < count; i++) {
-        float qu = uv[2u * i], qv = uv[2u * i + 1u];
+        float pu = us[i], qu = us[i + 1u], pv = vs[i], qv = vs[i + 1u];
         if ((pv > v) != (qv > v) && u < (qu - pu) * (v - pv) / (qv - pv) + pu) odd = !odd;
-        pu = qu;
-        pv = qv;
     }
 
     for (uint i = 0u; i < count && !odd; i++) {
-        float qu = uv[2u * i], qv = uv[2u * i + 1u];
-        float eu = qu - pu, ev = qv - pv, wu = u - pu, wv = v - pv;
+        float pu = us[i], pv = vs[i];
+        float eu = us[i + 1u] - pu, ev = vs[i + 1u] - pv, wu = u - pu, wv = v - pv;
         float ee = eu * eu + ev * ev;
         float h = ee > 0.0f ? (wu * eu + wv * ev) / ee : 0.0f;
         h = h < 0.0f ? 0.0f : h > 1.0f ? 1.0f : h;
         wu -= h * eu;
         wv -= h * ev;
         odd = wu * wu + wv * wv <= eps * eps;
-        pu = qu;
-        pv = qv;
     }
 
     return odd;
 }
+
+#if WIDE_WORDS
+// The same, eight edges at once: what fills the rows up is not a number, and no such edge is crossed or near.
+FN int polygon_inside8(GLOBAL const float* us, uint count, float u, float v) {
+    GLOBAL const float* vs = us + POLYGON_ROW(count);
+    float eps = polygon_margin(u, v);
+    v8f none = splat8_(0.0f), all = splat8_(1.0f);
+    int odd = 0;
+
+    for (uint i = 0u; i < count; i += 8u) {
+        v8f pu = load8_(us + i), qu = load8_(us + i + 1u), pv = load8_(vs + i), qv = load8_(vs + i + 1u);
+        odd ^= lane_odd_(lanes8_(((pv > v) ^ (qv > v)) & ((qu - pu) * (v - pv) / (qv - pv) + pu > u)));
+    }
+
+    for (uint i = 0u; i < count && !odd; i += 8u) {
+        v8f pu = load8_(us + i), pv = load8_(vs + i);
+        v8f eu = load8_(us + i + 1u) - pu, ev = load8_(vs + i + 1u) - pv, wu = u - pu, wv = v - pv;
+        v8f ee = eu * eu + ev * ev;
+        v8f h = (wu * eu + wv * ev) / ee;
+        h = ee > 0.0f ? h : none;
+        h = h < 0.0f ? none : h;
+        h = h > 1.0f ? all : h;
+        wu -= h * eu;
+        wv -= h * ev;
+        odd = lanes8_(wu * wu + wv * wv <= eps * eps) != 0u;
+    }
+
+    return odd;
+}
+#else
+#define polygon_inside8 polygon_inside
+#endif
 
 FN int polygon_hit(GLOBAL const float* shape, GLOBAL const float* uv, float3 org, float3 dir, float tmin,
                    PRIVATE(float) t) {
@@ -118,8 +149,8 @@ FN int polygon_hit(GLOBAL const float* shape, GLOBAL const float* uv, float3 org
     *t = (shape[POLYGON_OFFSET] - dot3(n, org)) / c;
     if (!(*t > tmin)) return 0;
     p = madd3(dir, *t, org);
-    return polygon_inside(uv + 2u * as_uint_(shape[POLYGON_FIRST]), as_uint_(shape[POLYGON_COUNT]),
-                          axis == 0u ? p.y : p.x, axis == 2u ? p.y : p.z);
+    return polygon_inside8(uv + as_uint_(shape[POLYGON_FIRST]), as_uint_(shape[POLYGON_COUNT]), axis == 0u ? p.y : p.x,
+                           axis == 2u ? p.y : p.z);
 }
 
 // The first t > tmin at which the ray meets the shape; 0 if it does not.

@@ -122,11 +122,13 @@ struct Scene {
         put(q + 1, n);
         q[4] = float(offset);
         q[5] = word(axis);
-        q[6] = word(uint32_t(polygon_uv.size() / 2));
+        q[6] = word(uint32_t(polygon_uv.size()));
         q[7] = word(uint32_t(p.size()));
-        for (Vec v : p) {
-            polygon_uv.push_back(float(axis == 0 ? v.y : v.x));
-            polygon_uv.push_back(float(axis == 2 ? v.y : v.z));
+        for (const auto coordinate : {axis == 0 ? &Vec::y : &Vec::x, axis == 2 ? &Vec::y : &Vec::z}) {
+            const size_t row = polygon_uv.size();
+            polygon_uv.push_back(float(p.back().*coordinate));
+            for (Vec v : p) polygon_uv.push_back(float(v.*coordinate));
+            polygon_uv.resize(row + (p.size() + 7) / 8 * 8 + 1, NAN);
         }
     }
     // An instance of part `tree`: world = rows (3x3, orthogonal times scale) local + move.

@@ -49,6 +49,35 @@ TEST_CASE("both trees find what a search through all primitives finds") {
     }
 }
 
+// Stars of 3 to 40 corners; points at random, at corners, on edges and a hair beside them, which the margin decides.
+TEST_CASE("a polygon's edges by eight say what they say one by one") {
+    bvh_scenes::Random random(41);
+    int inside = 0, wrong = 0, points = 0;
+    for (uint count = 3; count <= 40; count++) {
+        std::vector<float> rows(2 * POLYGON_ROW(count), NAN);
+        float *us = rows.data(), *vs = us + POLYGON_ROW(count);
+        for (uint i = 1; i <= count; i++) {
+            const double angle = 6.283185307179586 * i / count, r = random.in(.2, 3);
+            us[i] = float(r * std::cos(angle)), vs[i] = float(r * std::sin(angle));
+        }
+        us[0] = us[count], vs[0] = vs[count];
+        for (int n = 0; n < 3000; n++) {
+            const uint edge = uint(random.in(0, count));
+            const float along = n % 3 == 0 ? 0.0f : float(random.in(-.1, 1.1)), beside = 3e-6f;
+            float u = us[edge] + along * (us[edge + 1] - us[edge]) + float(random.in(-beside, beside));
+            float v = vs[edge] + along * (vs[edge + 1] - vs[edge]) + float(random.in(-beside, beside));
+            if (n % 3 == 2) u = float(random.in(-3, 3)), v = float(random.in(-3, 3));
+            const int want = kernels::polygon_inside(us, count, u, v);
+            wrong += kernels::polygon_inside8(us, count, u, v) != want;
+            inside += want;
+            points++;
+        }
+    }
+    CHECK(wrong == 0);
+    CHECK(inside > points / 4);
+    CHECK(inside < 3 * points / 4);
+}
+
 TEST_CASE("rays in packets find what they find alone") {
     using namespace kernels::wide;
     for (bool instances : {false, true}) {
