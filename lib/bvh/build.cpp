@@ -200,20 +200,24 @@ private:
             if (node->child[i]->children != 0) write_inner(in, static_cast<const TempInner*>(node->child[i]), ref[i]);
     }
 
+    // One of `wide` boxes, side by side: min x of all, max x, min y ...
+    static void write_box(float* at, unsigned wide, const Bounds& box) {
+        for (unsigned a = 0; a < 3; a++) {
+            at[2 * a * wide] = box.lo[a];
+            at[(2 * a + 1) * wide] = box.hi[a];
+        }
+    }
+
     void write_children(size_t at, const Bounds* bounds, const uint32_t* ref, unsigned count) {
         float* n = &out_.nodes[at * layout_.node_floats];
         const Bounds none = empty_bounds();
         for (unsigned i = 0; i < layout_.wide; i++) {
             const Bounds& b = i < count ? bounds[i] : none;
-            for (int a = 0; a < 3; a++) {
-                if (layout_.wide == 8) {
-                    n[16 * a + i] = b.lo[a];
-                    n[16 * a + 8 + i] = b.hi[a];
-                } else {
-                    n[6 * i + a] = b.lo[a];
-                    n[6 * i + 3 + a] = b.hi[a];
-                }
+            for (int a = 0; a < 3 && layout_.wide == 2; a++) {
+                n[6 * i + a] = b.lo[a];
+                n[6 * i + 3 + a] = b.hi[a];
             }
+            if (layout_.wide == 8) write_box(n + i, 8, b);
             n[6 * layout_.wide + i] = as_float_(i < count ? ref[i] : REF_NONE);
         }
     }
@@ -250,6 +254,7 @@ private:
     void write_shapes(const Input& in, const uint32_t* prim, unsigned count, bool last) {
         float* b = &out_.leaves[next_block_++ * layout_.leaf_floats];
         const unsigned n = layout_.per_block;
+        const Bounds none = empty_bounds();
         for (unsigned i = 0; i < n; i++) {
             uint32_t shape = 0, id = ID_SHAPE | (last ? ID_LAST : 0);
             if (i < count) {
@@ -258,8 +263,9 @@ private:
             }
             b[i] = as_float_(shape);
             b[n == 4 ? 36 + i : 3] = as_float_(id);
+            if (n == 4)
+                write_box(b + BVH8_BOXES + i, 4, i < count ? primitive_bounds(in, prim[i], tree_bounds_) : none);
         }
-        if (n == 4) b[4] = as_float_(count);
     }
 
     const Layout& layout_;

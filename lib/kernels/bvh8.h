@@ -4,7 +4,7 @@
 // Node: 64 floats: min x (8 lanes), max x, min y, max y, min z, max z, references (8 words), 8 spare but for
 // BVH8_PANES.
 // Leaf block: 40 floats: v0 x (4 lanes) y z, v1 x y z, v2 x y z, 4 ids; or, if its first id has ID_SHAPE: 0-3 indices
-// of shapes, 4 their count, 36-39 their ids.
+// of shapes, 8-31 their boxes: min x (4 lanes), max x, min y ..., 36-39 their ids.
 #ifndef LUX_BVH8_H
 #define LUX_BVH8_H
 
@@ -13,7 +13,7 @@
 #define BVH8_PANES 56u  // in node 0: the root of the tree of what lets shadow rays pass
 #define BVH8_LEAF_FLOATS 40u
 #define BVH8_IDS 36u    // in a block
-#define BVH8_COUNT 4u   // in a block of shapes
+#define BVH8_BOXES 8u   // in a block of shapes
 #define BVH8_STACK 320  // the builder refuses trees that need more (bvh/build.cpp)
 
 STRUCT(Bvh8Stack) {
@@ -106,18 +106,36 @@ FN int bvh8_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, float tmin, fl
     return 1;
 }
 
+// Which of four boxes the ray meets, and from where on.
+FN LaneMask bvh8_boxes(GLOBAL const float* b, PRIVATE(const WoopRay) r, float tmin, float tmax, PRIVATE(float) from) {
+    uint nx = r->inv.x < 0.0f ? 4u : 0u, ny = r->inv.y < 0.0f ? 12u : 8u, nz = r->inv.z < 0.0f ? 20u : 16u;
+    v4f tx = (load4_(b + nx) - r->org.x) * r->inv.x, fx = (load4_(b + (nx ^ 4u)) - r->org.x) * r->inv.x;
+    v4f ty = (load4_(b + ny) - r->org.y) * r->inv.y, fy = (load4_(b + (ny ^ 4u)) - r->org.y) * r->inv.y;
+    v4f tz = (load4_(b + nz) - r->org.z) * r->inv.z, fz = (load4_(b + (nz ^ 4u)) - r->org.z) * r->inv.z;
+    v4f tn = tx > ty ? tx : ty, tf = fx < fy ? fx : fy, lo = splat4_(tmin), hi = splat4_(tmax);
+    tn = tn > tz ? tn : tz;
+    tn = tn > lo ? tn : lo;
+    tf = tf < fz ? tf : fz;
+    tf = (tf < hi ? tf : hi) * SLAB_WIDEN;
+    store4_(tn, from);
+    return lanes4_(tn <= tf);
+}
+
 // A leaf block of shapes; instances wait on the stack.  1 if a shape became the nearest hit.
 FN int bvh8_shapes(SHARED(const SceneTables) s, GLOBAL const float* block, PRIVATE(const TreeRay) way, float tmin,
-                   float entered, PRIVATE(Bvh8Stack) stack, PRIVATE(Hit) hit) {
-    uint count = as_uint_(block[BVH8_COUNT]);
+                   PRIVATE(Bvh8Stack) stack, PRIVATE(Hit) hit) {
+    float from[4];
+    LaneMask met = bvh8_boxes(block + BVH8_BOXES, &way->r, tmin, hit->t, from);
     int found = 0;
 
-    for (uint k = 0u; k < count; k++) {
+    while (met != 0u) {
+        uint k = lane_first_(met);
         uint id = as_uint_(block[BVH8_IDS + k]), number = as_uint_(block[k]);
         GLOBAL const float* shape = shape_record(s, number);
         float t;
+        met = lane_drop_(met, k);
         if (as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
-            bvh8_push(stack, stack->size, number | REF_LEAF | REF_INSTANCE, entered);
+            bvh8_push(stack, stack->size, number | REF_LEAF | REF_INSTANCE, from[k]);
         } else if (((way->mask >> (id >> 31)) & 1u) != 0u &&
                    shape_hit(shape, s->polygon_uv, way->r.org, way->r.dir, tmin, &t) &&
                    hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, way->inst)) {
@@ -128,7 +146,7 @@ FN int bvh8_shapes(SHARED(const SceneTables) s, GLOBAL const float* block, PRIVA
     return found;
 }
 
-FN int bvh8_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, float tmin, float entered,
+FN int bvh8_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, float tmin,
                  PRIVATE(Bvh8Stack) stack, PRIVATE(Hit) hit) {
     GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * BVH8_LEAF_FLOATS;
     int found = 0;
@@ -138,7 +156,7 @@ FN int bvh8_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) w
         if ((first & ID_SHAPE) == 0u) {
             if (bvh8_triangles(block, &way->r, tmin, way->mask, way->inst, hit)) found = 1;
         } else {
-            if (bvh8_shapes(s, block, way, tmin, entered, stack, hit)) found = 1;
+            if (bvh8_shapes(s, block, way, tmin, stack, hit)) found = 1;
         }
         if ((first & ID_LAST) != 0u) return found;
     }
@@ -158,7 +176,7 @@ FN int bvh8_walk(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask,
             GLOBAL const float* node = s->nodes + (ulong64)cur * BVH8_NODE_FLOATS;
             if (bvh8_node(node, &way->r, ray->tmin, hit->t, &stack, &cur, &cur_t)) continue;
         } else if ((cur & REF_INSTANCE) == 0u) {
-            if (bvh8_leaf(s, cur, way, ray->tmin, cur_t, &stack, hit)) found = 1;
+            if (bvh8_leaf(s, cur, way, ray->tmin, &stack, hit)) found = 1;
             if (any && found) return 1;
         } else if (cur == REF_NONE) {  // back from an instance
             enter_scene(ray, mask, way);

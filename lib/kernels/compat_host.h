@@ -90,6 +90,11 @@ FN v8f load8_(const float* p) {
     return v;
 }
 
+FN v4f splat4_(float x) {
+    v4f v = {x, x, x, x};
+    return v;
+}
+
 FN v8f splat8_(float x) {
     v8f v = {x, x, x, x, x, x, x, x};
     return v;

@@ -41,6 +41,7 @@ typedef int8 v8i;
 typedef uint8 v8u;
 #define load4_(p) vload4(0, p)
 #define load8_(p) vload8(0, p)
+#define splat4_(x) ((float4)(x))
 #define splat8_(x) ((float8)(x))
 #define splat8u_(x) ((uint8)(x))
 #define count4_(a, step) ((uint8)(0u, 1u, 2u, 3u, 0u, 1u, 2u, 3u) * (uint8)(step) + (uint8)(a))

@@ -121,22 +121,22 @@ FN void packet_node(const Packet& p, const PacketBounds& b, const float* n, Pack
     }
 }
 
-// Which of the open rays meet child k of a node, as each would alone (bvh8_node).
-FN uint32_t packet_box(const Packet& p, const float* n, uint32_t k, float tmin) {
+// Which of these rays meet box k of `wide` boxes side by side, as each would alone (bvh8_node, bvh8_boxes).
+FN uint32_t packet_box(const Packet& p, const float* boxes, uint32_t wide, uint32_t k, uint32_t rays, float tmin) {
     uint32_t met = 0;
     for (uint32_t g = 0; 8 * g < p.count; g++) {
-        if ((p.open >> 8 * g & 255u) == 0) continue;
+        if ((rays >> 8 * g & 255u) == 0) continue;
         v8f tn = splat8_(tmin), tf = load8_(p.t + 8 * g);
         for (int a = 0; a < 3; a++) {
-            const uint32_t near = 16u * a + k + ((p.signs >> a & 1u) != 0 ? 8u : 0u);
+            const uint32_t near = 2 * wide * a + k + ((p.signs >> a & 1u) != 0 ? wide : 0u);
             const v8f org = load8_(p.org[a] + 8 * g), inv = load8_(p.inv[a] + 8 * g);
-            tn = max8((n[near] - org) * inv, tn);
-            tf = min8((n[near ^ 8u] - org) * inv, tf);
+            tn = max8((boxes[near] - org) * inv, tn);
+            tf = min8((boxes[near ^ wide] - org) * inv, tf);
         }
         LaneMask lanes = lanes8_(tn <= tf * SLAB_WIDEN);
         for (; lanes != 0; lanes = lane_drop_(lanes, lane_first_(lanes))) met |= 1u << (8 * g + lane_first_(lanes));
     }
-    return met & p.open;
+    return met & rays;
 }
 
 // Rays 8 g ... 8 g + 7 against triangle k of a block, step by step as bvh8_triangles().  The rays that came nearer.
@@ -170,24 +170,31 @@ FN uint32_t packet_triangle(Packet& p, uint32_t g, uint32_t rays, const float* b
     return found;
 }
 
-// One ray of a packet against a block of shapes.
-FN int packet_shapes(const SceneTables& s, Packet& p, uint32_t i, const float* block, uint32_t mask, int any) {
-    const uint32_t count = as_uint_(block[BVH8_COUNT]);
-    int found = 0;
-    for (uint32_t k = 0; k < count; k++) {
-        const uint32_t id = as_uint_(block[BVH8_IDS + k]);
-        const float* shape = shape_record(&s, as_uint_(block[k]));
-        TreeRay in;
-        uint32_t root;
-        float t;
-        if (as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
-            if (enter_instance(shape, &p.ray[i], mask, &in, &root) &&
-                bvh8_walk(&s, &p.ray[i], mask, &in, root, any, &p.hit[i]))
-                found = 1;
-        } else if ((mask >> (id >> 31) & 1u) != 0 &&
-                   shape_hit(shape, s.polygon_uv, p.ray[i].org, p.ray[i].dir, p.ray[i].tmin, &t) &&
-                   hit_offer(&p.hit[i], t, id & ID_PRIM, 0.0f, 0.0f, NO_HIT)) {
-            found = 1;
+// Ray i of a packet against a shape.  1 if it came nearer.
+FN int packet_shape(const SceneTables& s, Packet& p, uint32_t i, uint32_t number, uint32_t id, uint32_t mask, int any) {
+    const float* shape = shape_record(&s, number);
+    float t;
+    if (as_uint_(shape[SHAPE_KIND]) != SHAPE_INSTANCE)
+        return (mask >> (id >> 31) & 1u) != 0 &&
+               shape_hit(shape, s.polygon_uv, p.ray[i].org, p.ray[i].dir, p.ray[i].tmin, &t) &&
+               hit_offer(&p.hit[i], t, id & ID_PRIM, 0.0f, 0.0f, NO_HIT);
+    TreeRay in;
+    uint32_t root;
+    return enter_instance(shape, &p.ray[i], mask, &in, &root) &&
+           bvh8_walk(&s, &p.ray[i], mask, &in, root, any, &p.hit[i]);
+}
+
+// The rays against a block of shapes.  Those that came nearer.
+FN uint32_t packet_shapes(const SceneTables& s, Packet& p, const float* block, uint32_t rays, float tmin, uint32_t mask,
+                          int any) {
+    uint32_t found = 0;
+    for (uint32_t k = 0; k < 4; k++) {
+        uint32_t left = packet_box(p, block + BVH8_BOXES, 4, k, rays, tmin);
+        for (; left != 0; left &= left - 1) {
+            const uint32_t i = uint32_t(__builtin_ctz(left));
+            if (!packet_shape(s, p, i, as_uint_(block[k]), as_uint_(block[BVH8_IDS + k]), mask, any)) continue;
+            p.t[i] = p.hit[i].t;
+            found |= 1u << i;
         }
     }
     return found;
@@ -213,12 +220,7 @@ FN uint32_t packet_leaf(const SceneTables& s, Packet& p, uint32_t ref, uint32_t 
                 found |= nearer;
             }
         }
-        for (uint32_t left = (first & ID_SHAPE) != 0 ? rays : 0; left != 0; left &= left - 1) {
-            const uint32_t i = uint32_t(__builtin_ctz(left));
-            if (!packet_shapes(s, p, i, block, mask, any)) continue;
-            p.t[i] = p.hit[i].t;
-            found |= 1u << i;
-        }
+        if ((first & ID_SHAPE) != 0) found |= packet_shapes(s, p, block, rays, tmin, mask, any);
         if ((first & ID_LAST) != 0) return found;
     }
 }
@@ -237,7 +239,7 @@ FN void packet_trace(const SceneTables& s, Packet& p, uint32_t mask, int any) {
             packet_node(p, b, s.nodes + uint64_t(at.ref) * BVH8_NODE_FLOATS, stack);
             continue;
         }
-        const uint32_t rays = packet_box(p, at.node, at.child, b.tmin);
+        const uint32_t rays = packet_box(p, at.node, 8, at.child, p.open, b.tmin);
         const uint32_t found = rays != 0 ? packet_leaf(s, p, at.ref, rays, b.tmin, mask, any) : 0;
         if (found == 0) continue;
         if (any) p.open &= ~found;
