@@ -63,7 +63,10 @@ __kernel void k_thin(ALL_ARGS) {
 __kernel void k_connect(ALL_ARGS) {
     SET_UP
     if (i >= par->slots || !has_far_end(&paths, i)) return;
-    path_connect(&s, par, &paths, i, links_known(&s, par, &paths, i));
+    uint known = links_known(&s, par, &paths, i), through = links_to_look_through(i, known);
+    for (uint m = 0; m < SHARE_GROUP; m++)
+        if (through >> m & 1u) path_look_through(&s, par, &paths, i, m);
+    path_connect(&s, par, &paths, i, known);
 }
 
 __kernel void k_collect(ALL_ARGS) {

@@ -26,6 +26,12 @@ export void LANE_CALL(thin)(SHARED(const Paths) paths, uniform uint n, uniform i
     foreach (i = 0 ... n) result[i] = path_thin(paths, i);
 }
 
+// links: slots and members of their groups, slot * SHARE_GROUP + member.
+export void LANE_CALL(look_through)(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+                                    const uniform uint* uniform links, uniform uint n) {
+    foreach (i = 0 ... n) path_look_through(s, par, paths, links[i] / SHARE_GROUP, links[i] % SHARE_GROUP);
+}
+
 // known: of each slot of the queue, what is known of its links (path/connect.h).
 export void LANE_CALL(connect)(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
                                const uniform uint* uniform queue, uniform uint n, const uniform int* uniform known) {

@@ -63,6 +63,10 @@ struct OneByOne {
     static void thin(Tile& t, uint32_t n) {
         for (uint32_t i = 0; i < n; i++) t.result[i] = path_thin(&t.paths, i);
     }
+    static void look_through(const SceneTables& s, const Params& par, Tile& t, const uint32_t* links, uint32_t n) {
+        for (uint32_t i = 0; i < n; i++)
+            path_look_through(&s, &par, &t.paths, links[i] / SHARE_GROUP, links[i] % SHARE_GROUP);
+    }
     // t.result: what is known of the links
     static void connect(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
         for (uint32_t i = 0; i < n; i++) path_connect(&s, &par, &t.paths, t.now[i], uint32_t(t.result[i]));
@@ -155,7 +159,17 @@ static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n,
         n = goes_on;
     }
 }
-// Far ends light the near ends of their groups.
+// The links of the queue that may lead through panes: a row of their own, for few far ends have some.
+template <class STAGES>
+static void look_through(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+    uint32_t links[SHARE_SQUARE * SHARE_GROUP], count = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        uint32_t left = links_to_look_through(t.now[i], uint32_t(t.result[i]));
+        for (; left != 0; left &= left - 1) links[count++] = t.now[i] * SHARE_GROUP + uint32_t(__builtin_ctz(left));
+    }
+    STAGES::look_through(s, par, t, links, count);
+}
+// Far ends light the near ends of their groups, in one square.
 template <class STAGES>
 static void share(const SceneTables& s, const Params& par, Tile& t, uint32_t count) {
     uint32_t n = 0;
@@ -163,10 +177,11 @@ static void share(const SceneTables& s, const Params& par, Tile& t, uint32_t cou
     for (uint32_t i = 0; i < count; i++)
         if (t.result[i] != 0) t.now[n++] = i;
     know_links(s, par, t, n);
+    look_through<STAGES>(s, par, t, n);
     STAGES::connect(s, par, t, n);
     STAGES::collect(t, count);
 }
-// The same square by square: what the paths of one share stays in the cache.
+// Square by square: what the paths of one share stays in the cache.
 #define PATH_SKIP(type, name, when) square.paths.name += first;
 template <class STAGES>
 static void share_squares(const SceneTables& s, const Params& par, const Tile& t, uint32_t count) {

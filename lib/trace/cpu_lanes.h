@@ -11,6 +11,8 @@ void LANE_CALL(shade)(const SceneTables* s, const Params* par, const Paths* path
 void LANE_CALL(shadow)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
                        const int* known);
 void LANE_CALL(thin)(const Paths* paths, uint32_t n, int* result);
+void LANE_CALL(look_through)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* links,
+                             uint32_t n);
 void LANE_CALL(connect)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
                         const int* known);
 void LANE_CALL(collect)(const Paths* paths, uint32_t n);
@@ -76,6 +78,9 @@ struct InLanes {
         LANE_CALL(shadow)(&s, &par, &t.paths, t.shadow, n, t.result);
     }
     static void thin(Tile& t, uint32_t n) { LANE_CALL(thin)(&t.paths, n, t.result); }
+    static void look_through(const SceneTables& s, const Params& par, Tile& t, const uint32_t* links, uint32_t n) {
+        LANE_CALL(look_through)(&s, &par, &t.paths, links, n);
+    }
     static void connect(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
         LANE_CALL(connect)(&s, &par, &t.paths, t.now, n, t.result);
     }

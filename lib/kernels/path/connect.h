@@ -120,23 +120,39 @@ FN int link_panes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVAT
     return 0;
 }
 
+// The members whose links to the far end of a slot may lead through panes, a bit each: where nothing opaque lies in the
+// way, and its own, along which its path went.
+FN uint links_to_look_through(uint slot, uint known) {
+    return (known >> SHARE_GROUP | 1u << share_which(slot)) & ~known & ((1u << SHARE_GROUP) - 1u);
+}
+
+// Looks along such a link.  Its gift becomes what the panes let through; w: the chance that a path goes on through
+// them, below 0 if something else is in the way.
+FN void path_look_through(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
+                          uint m) {
+    Link link;
+    float3 T = F3(1.0f, 1.0f, 1.0f);
+    float chance = 1.0f;
+    if (!link_ends(paths, share_member(slot, m), slot, &link) || !link_panes(s, par, &link.ray, &T, &chance))
+        chance = -1.0f;
+    paths->gifts[slot].to[m] = pack4(T, chance);
+}
+
 // What the far end of a slot brings to each of its group: its gifts times its radiance, which is divided by the sum of
-// the densities.  known: links_known() of it.
+// the densities.  known: links_known() of it; those that may lead through panes have been looked through.
 FN void path_connect(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
                      uint known) {
-    uint own = share_which(slot);
+    uint own = share_which(slot), panes = links_to_look_through(slot, known);
     float densities = 0.0f;
 
     for (SAME uint m = 0u; m < SHARE_GROUP; m++) {
         Link link;
         uint near = share_member(slot, m);
-        float3 T = F3(1.0f, 1.0f, 1.0f);
-        float chance = 1.0f;
-        int open = (known >> m & 1u) != 0u, perhaps = m == own || (known >> m & 65536u) != 0u;
+        float4 through = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
+        if ((panes >> m & 1u) != 0u) through = paths->gifts[slot].to[m];
         paths->gifts[slot].to[m] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
-        if (!open && !perhaps) continue;
+        if (((known | panes) >> m & 1u) == 0u || through.w < 0.0f) continue;
         if (!link_ends(paths, near, slot, &link)) continue;
-        if (!open && !link_panes(s, par, &link.ray, &T, &chance)) continue;
 
         float density;
         if (m == own) {
@@ -147,8 +163,8 @@ FN void path_connect(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHA
             aims.highlights = as_uint_(paths->near_ng[near].w);
             density = diffuse_density(s, par, &aims, xyz4(paths->near_p[near]), xyz4(paths->near_n[near]), link.dir);
         }
-        densities += density * link.per_area * chance;
-        paths->gifts[slot].to[m] = pack4(scale3(T, link.cosine * K_INV_PI * link.per_area), 0.0f);
+        densities += density * link.per_area * through.w;
+        paths->gifts[slot].to[m] = pack4(scale3(xyz4(through), link.cosine * K_INV_PI * link.per_area), 0.0f);
     }
 
     float4 radiance = paths->far_rad[slot];
