@@ -127,6 +127,7 @@ FN LaneMask lanes8_(v8i c) { return (uint)__builtin_ia32_movmskps256((v8f)c); }
 FN uint lane_first_(LaneMask m) { return (uint)__builtin_ctz(m); }
 FN LaneMask lane_drop_(LaneMask m, uint) { return m & (m - 1u); }
 FN int lane_odd_(LaneMask m) { return __builtin_parity(m); }
+FN uint lane_bits_(LaneMask m) { return m; }
 #else
 typedef uint64_t LaneMask;
 typedef signed char v4c_ __attribute__((vector_size(4)));
@@ -148,4 +149,5 @@ FN LaneMask lanes8_(const v8i& c) {
 FN uint lane_first_(LaneMask m) { return (uint)__builtin_ctzll(m) >> 3; }
 FN LaneMask lane_drop_(LaneMask m, uint lane) { return m & ~((LaneMask)255u << (8u * lane)); }
 FN int lane_odd_(LaneMask m) { return __builtin_parityll(m & 0x0101010101010101u); }
+FN uint lane_bits_(LaneMask m) { return (uint)((m & 0x0101010101010101u) * 0x0102040810204080u >> 56); }
 #endif

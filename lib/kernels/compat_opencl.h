@@ -54,4 +54,4 @@ typedef ulong LaneMask;
 #define lanes8_(c) as_ulong(convert_char8(c))
 #define lane_first_(m) ((uint)(63u - (uint)clz(m)) >> 3)
 #define lane_drop_(m, lane) ((m) & ~(255ul << (8u * (lane))))
-#define lane_odd_(m) ((int)(popcount((m) & 0x0101010101010101ul) & 1ul))
+#define lane_odd_(m) ((int)(popcount((m)&0x0101010101010101ul) & 1ul))

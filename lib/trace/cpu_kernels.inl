@@ -12,7 +12,9 @@ namespace LUX_ISA {
 #include "kernels/compat_host.h"
 #include "kernels/all.h"
 #ifndef LUX_EMBREE
+#include "trace/packet_rays.h"
 #include "trace/packets.h"
+#include "trace/packet_look.h"
 #endif
 
 struct Tile {
@@ -90,7 +92,7 @@ static void extend_together(const SceneTables& s, Tile& t, uint32_t n) {
     Packet p = {};
     for (uint32_t i = 0; i < n;) {
         for (p.count = 0; i < n && packet_add(p, path_ray(&t.paths, t.now[i]), t.now[i]); i++) {}
-        packet_trace(s, p, RAY_ALL, 0);
+        packet_trace(s, p, RAY_ALL);
         for (uint32_t k = 0; k < p.count; k++) set_path_hit(&t.paths, p.slot[k], &p.hit[k]);
     }
 }
@@ -99,44 +101,19 @@ static void block_together(const SceneTables& s, const Params& par, Tile& t, uin
     Packet p = {};
     for (uint32_t i = 0; i < n;) {
         Ray ray;
+        uint32_t panes;
         p.count = 0;
         while (i < n && shadow_is_plain(&s, &par, &t.paths, t.shadow[i], &ray) && packet_add(p, ray, i)) i++;
         if (p.count == 0) {
             i++;
             continue;
         }
-        packet_trace(s, p, RAY_OPAQUE, 1);
+        packet_look(s, p, RAY_OPAQUE, &panes);
         for (uint32_t k = 0; k < p.count; k++)
             t.result[p.slot[k]] = (p.open >> k & 1u) != 0 ? SHADOW_OPEN : SHADOW_BLOCKED;
     }
 }
-// Which of these links of the far end of a slot nothing of the mask blocks, a bit a member of the group.
-static uint32_t open_links(const SceneTables& s, Tile& t, uint32_t slot, uint32_t wanted, uint32_t mask) {
-    Packet p = {};
-    uint32_t open = 0;
-    for (uint32_t m = 0; m < SHARE_GROUP;) {
-        Link link;
-        p.count = 0;
-        for (; m < SHARE_GROUP; m++) {
-            if ((wanted >> m & 1u) == 0 || !link_ends(&t.paths, share_member(slot, m), slot, &link)) continue;
-            if (!packet_add(p, link.ray, m)) break;
-        }
-        if (p.count == 0) break;
-        packet_trace(s, p, mask, 1);
-        for (uint32_t k = 0; k < p.count; k++) open |= (p.open >> k & 1u) << p.slot[k];
-    }
-    return open;
-}
-// t.result: what is known of the links of each slot of the queue, as links_known() says.
-static void know_links(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-    for (uint32_t i = 0; i < n; i++) {
-        const uint32_t all = (1u << SHARE_GROUP) - 1u, open = open_links(s, t, t.now[i], all, RAY_ALL);
-        uint32_t panes = 0;
-        if (par.shadow_mode != SHADOW_OPAQUE && open != all)
-            panes = open_links(s, t, t.now[i], all & ~open, RAY_OPAQUE);
-        t.result[i] = int(open | panes << SHARE_GROUP);
-    }
-}
+#include "trace/cpu_links.h"
 #endif
 // Follows the n paths of the queue to their ends.  together: their rays lie side by side.
 template <class STAGES>
@@ -174,8 +151,11 @@ template <class STAGES>
 static void share(const SceneTables& s, const Params& par, Tile& t, uint32_t count) {
     uint32_t n = 0;
     STAGES::thin(t, count);
-    for (uint32_t i = 0; i < count; i++)
-        if (t.result[i] != 0) t.now[n++] = i;
+    for (uint32_t i = 0; i < count; i++) {  // group by group
+        const uint32_t group = i / SHARE_GROUP;
+        const uint32_t slot = share_member(group / SHARE_STRIDE * SHARE_SIDE + group % SHARE_STRIDE, i % SHARE_GROUP);
+        if (t.result[slot] != 0) t.now[n++] = slot;
+    }
     know_links(s, par, t, n);
     look_through<STAGES>(s, par, t, n);
     STAGES::connect(s, par, t, n);

@@ -12,7 +12,9 @@ namespace kernels {
 #include "kernels/offset_ray.h"
 namespace wide {
 #include "kernels/bvh8.h"
+#include "trace/packet_rays.h"
 #include "trace/packets.h"
+#include "trace/packet_look.h"
 }  // namespace wide
 namespace scalar {
 #include "kernels/bvh2.h"

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies in the way of rays side by side (packet_rays.h): the answers of trace_any(), to both classes of surfaces in
+// one walk.
+#ifndef LUX_PACKET_LOOK_H
+#define LUX_PACKET_LOOK_H
+
+// The rays, of those given, that a shape of these classes stops: in lanes 8 g ... 8 g + 7, or one by one.
+FN uint32_t packet_met(const PacketRays& p, uint32_t rays, const float* triangle) {
+    uint32_t met = 0;
+    for (uint32_t g = 0; 8 * g < p.count; g++) {
+        PacketInside at;
+        if ((rays >> 8 * g & 255u) == 0 || !packet_inside(p, g, triangle, at)) continue;
+        met |= lane_bits_(lanes8_(at.in & (at.t > p.tmin) & (at.t < load8_(p.t + 8 * g)))) << 8 * g;
+    }
+    return met & rays;
+}
+
+// Does a ray meet a shape, or what of a class an instance holds?
+FN int shape_met(const SceneTables& s, const Ray& ray, const float* shape, uint32_t mask) {
+    float t;
+    if (as_uint_(shape[SHAPE_KIND]) != SHAPE_INSTANCE)
+        return shape_hit(shape, s.polygon_uv, ray.org, ray.dir, ray.tmin, &t) && t < ray.tmax;
+    TreeRay in;
+    uint32_t root;
+    Hit hit = {ray.tmax, NO_HIT, 0.0f, 0.0f, NO_HIT};
+    return enter_instance(shape, &ray, mask, &in, &root) && bvh8_walk(&s, &ray, mask, &in, root, 1, &hit);
+}
+
+// Shape k of a block, of one of these classes; those rays of `rays` that it stops.
+FN uint32_t packet_met_shape(const SceneTables& s, const PacketRays& p, uint32_t rays, const float* block, uint32_t k,
+                             uint32_t mask) {
+    const float* shape = shape_record(&s, as_uint_(block[k]));
+    uint32_t met = 0;
+    for (uint32_t left = rays; left != 0; left &= left - 1)
+        if (shape_met(s, packet_ray(p, uint32_t(__builtin_ctz(left))), shape, mask)) met |= left & (0u - left);
+    return met;
+}
+
+// All blocks of a leaf: closes rays that something opaque stops, and adds those that something else of the mask stops
+// to *panes.  Those it closed.
+FN uint32_t packet_look_leaf(const SceneTables& s, PacketRays& p, const float* block, uint32_t rays, uint32_t mask,
+                             uint32_t* panes) {
+    const uint32_t before = p.open;
+    for (;; block += BVH8_LEAF_FLOATS) {
+        const uint32_t first = as_uint_(block[BVH8_IDS]);
+        for (uint32_t k = 0; k < 4; k++) {
+            const uint32_t id = as_uint_(block[BVH8_IDS + k]);
+            if ((first & ID_SHAPE) != 0) {
+                const uint32_t near = packet_box(p, block + BVH8_BOXES, 4, k, rays & p.open);
+                const bool instance = near != 0 && as_uint_(*shape_record(&s, as_uint_(block[k]))) == SHAPE_INSTANCE;
+                if (near == 0) continue;
+                if (instance || id >> 31 == 0) p.open &= ~packet_met_shape(s, p, near, block, k, RAY_OPAQUE);
+                if ((instance || id >> 31 != 0) && (mask & RAY_TRANSPARENT) != 0)
+                    *panes |= packet_met_shape(s, p, near & p.open & ~*panes, block, k, RAY_TRANSPARENT);
+            } else if (!packet_no_triangle(block + k)) {
+                if (id >> 31 == 0) p.open &= ~packet_met(p, rays & p.open, block + k);
+                else if ((mask & RAY_TRANSPARENT) != 0) *panes |= packet_met(p, rays & p.open & ~*panes, block + k);
+            }
+        }
+        if ((first & ID_LAST) != 0 || p.open == 0) return before & ~p.open;
+    }
+}
+
+// p.open: what remains are rays that nothing opaque stops.  *panes: of these, those that something transparent does, if
+// the mask asks for it.
+FN void packet_look(const SceneTables& s, PacketRays& p, uint32_t mask, uint32_t* panes) {
+    *panes = 0;
+    packet_walk(s, p,
+                [&](const float* block, uint32_t rays) { return packet_look_leaf(s, p, block, rays, mask, panes); });
+    *panes &= p.open;
+}
+#endif
