@@ -24,7 +24,8 @@ def timeout(rays):
 
 def environment(folder):
     env = dict(os.environ)
-    env["RAYPATH"] = os.pathsep.join([".", env.get("RAYPATH", ".")])
+    if "RAYPATH" in env:  # without it each program looks where it was told to when it was built
+        env["RAYPATH"] = os.pathsep.join([".", env["RAYPATH"]])
     env["LUXPIPE_THREADS"] = "1"  # scenes are traced side by side
     return env
 
