@@ -10,6 +10,7 @@
 #include <map>
 
 #include "base/processors.h"
+#include "physics/blocks.h"
 #include "physics/seeds.h"
 
 using namespace laws;
@@ -72,24 +73,15 @@ void ranges_merge(trace::Sampling sampling) {
 }
 
 // Means of frames first .. last, of each of 8 x 8 blocks and of the picture, from 16 seeds.
-Means means_of(const Office& scene, trace::Sampling sampling, int64_t first, int64_t last) {
-    const int size = 32, block = size / 8;
+Means means_of(const Office& scene, trace::Sampling sampling, int first, int last) {
+    const int size = 32;
     return over_seeds(16, 65, [&](uint64_t seed) {
         trace::RenderOptions options;
         options.sampling = sampling;
         options.seed = seed;
         options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
         trace::Renderer renderer = scene.renderer("cpu", size, options);
-        std::vector<double> value(65);
-        renderer.frames(first, int(last - first + 1), [&](int64_t, const std::vector<float>& rgb) {
-            for (int i = 0; i < size * size; i++) {
-                const double v = rgb[3 * size_t(i) + 1] / double(last - first + 1);
-                value[64] += v / (size * size);
-                value[size_t(i / size / block * 8 + i % size / block)] += v / (block * block);
-            }
-            return true;
-        });
-        return value;
+        return block_means(renderer, size, 8, first, last);
     });
 }
 

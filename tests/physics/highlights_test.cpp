@@ -4,6 +4,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include "physics/laws.h"
 
+#include "physics/blocks.h"
 #include "physics/seeds.h"
 
 using namespace laws;
@@ -35,16 +36,7 @@ Means means_of(const scene::Scene& scene, trace::Sampling sampling) {
         options.ab = 2;
         options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
         trace::Renderer renderer(scene, toward_wall(), size, size, options, "cpu", {});
-        std::vector<double> value(blocks + 1);
-        renderer.frames(1, frames, [&](int64_t, const std::vector<float>& rgb) {
-            for (int i = 0; i < size * size; i++) {
-                const double v = rgb[3 * size_t(i) + 1] / double(frames);
-                value[blocks] += v / (size * size);
-                value[size_t(i / size / 4 * 4 + i % size / 4)] += v / 16;
-            }
-            return true;
-        });
-        return value;
+        return block_means(renderer, size, 4, 1, frames);
     });
 }
 

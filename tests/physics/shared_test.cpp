@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "physics/blocks.h"
 #include "physics/seeds.h"
 
 using namespace laws;
@@ -58,16 +59,7 @@ Means means_of(const scene::Scene& scene, trace::Sampling sampling, int frames) 
         options.seed = seed + (sampling == trace::Sampling::shared ? 100 : 0);
         options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
         trace::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
-        std::vector<double> value(blocks + 1);
-        renderer.frames(1, frames, [&](int64_t, const std::vector<float>& rgb) {
-            for (int i = 0; i < size * size; i++) {
-                const double v = rgb[3 * size_t(i) + 1] / double(frames);
-                value[blocks] += v / (size * size);
-                value[size_t(i / size / 8 * 4 + i % size / 8)] += v / 64;
-            }
-            return true;
-        });
-        return value;
+        return block_means(renderer, size, 4, 1, frames);
     });
 }
 

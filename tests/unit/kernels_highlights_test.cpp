@@ -8,22 +8,13 @@
 #include <cmath>
 #include <random>
 #include <vector>
-#include "kernels/host.h"
-namespace kernels {
-#include "kernels/instance.h"
-#include "kernels/surface.h"
-#include "kernels/highlights.h"
-#include "kernels/portals.h"
-}  // namespace kernels
+#include "kernels_tables.h"
 
 using namespace kernels;
 
 // A floor 4 x 4 about the origin, a tilted sheet in the same place and a floor far away, all in the sun; a window in
 // the wall at x = -2.
-struct Room {
-    std::vector<float> f;
-    SceneTables s = {};
-    Params par = {};
+struct Room : Tables {
     const float3 sun = unit3(F3(-.5f, .3f, .8f));
     Room() {
         add(F3(-2, -2, 0), F3(4, 0, 0), F3(0, 4, 0), F3(0, 0, 1), .05f);
@@ -31,13 +22,10 @@ struct Room {
         add(F3(90, 90, 0), F3(4, 0, 0), F3(0, 4, 0), F3(0, 0, 1), .1f);
         par.highlight_count = uint32_t(f.size() / HIGHLIGHT_FLOATS);
         par.portals_at = uint32_t(f.size());
-        for (const float3 v : {F3(-2, 0, 1.5f), F3(0, 2, 0), F3(0, 0, 1), F3(-1, 0, 0), F3(0, .5f, 0), F3(0, 0, 1)})
-            put(v);
-        f.insert(f.end(), {2, 0});
+        put_portal(F3(-2, 0, 1.5f), F3(0, 2, 0), F3(0, 0, 1), F3(-1, 0, 0));
         par.portal_light[0] = 1;
         s.f = f.data();
     }
-    void put(float3 v) { f.insert(f.end(), {v.x, v.y, v.z}); }
     void add(float3 corner, float3 u, float3 v, float3 n, float alpha) {
         const float3 dir = sub3(sun, scale3(n, 2 * dot3(n, sun)));
         for (const float3 w : {corner, u, v, n, dir}) put(w);

@@ -7,25 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
-#include "kernels/host.h"
-namespace kernels {
-#include "kernels/instance.h"
-#include "kernels/surface.h"
-#include "kernels/highlights.h"
-#include "kernels/portals.h"
-}  // namespace kernels
+#include "kernels_tables.h"
 
 using namespace kernels;
 
 // A window in the wall at x = 4, a slanted patch of sun on the floor, and one that is not to be used between them.
-struct Room {
-    std::vector<float> f;
-    SceneTables s = {};
-    Params par = {};
+struct Room : Tables {
     Room() {
-        add(F3(4, 1, 1.5f), F3(0, 2, 0), F3(0, 0, 1), F3(1, 0, 0));
-        add(F3(9, 9, 9), F3(0, 1, 0), F3(0, 0, 1), F3(1, 0, 0));
-        add(F3(1, 0, 0), F3(1, .5f, 0), F3(0, 1.5f, 0), F3(0, 0, -1));
+        put_portal(F3(4, 1, 1.5f), F3(0, 2, 0), F3(0, 0, 1), F3(1, 0, 0));
+        put_portal(F3(9, 9, 9), F3(0, 1, 0), F3(0, 0, 1), F3(1, 0, 0));
+        put_portal(F3(1, 0, 0), F3(1, .5f, 0), F3(0, 1.5f, 0), F3(0, 0, -1));
         s.f = f.data();
         par.portal_count = 2;
         par.portal_pick[1] = 2;
@@ -33,14 +24,6 @@ struct Room {
         par.portal_light[1] = 5;
         par.portal_rest = 2;
         par.portal_most = .9f;
-    }
-    void put(float3 v) { f.insert(f.end(), {v.x, v.y, v.z}); }
-    void add(float3 centre, float3 u, float3 v, float3 out) {
-        const float3 across = cross3(u, v);
-        const float square = dot3(across, across);
-        for (const float3 w : {centre, u, v, out, scale3(cross3(v, across), 1 / square)}) put(w);
-        put(scale3(cross3(across, u), 1 / square));
-        f.insert(f.end(), {std::sqrt(square), 0});
     }
     float light(float3 p, float3 n) const { return portals_light(&s, &par, p, n); }
 };

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene's tables as the kernels read them, for tests of what aims at windows and highlights: filled by hand.
+#pragma once
+#include <cmath>
+#include <vector>
+#include "kernels/host.h"
+namespace kernels {
+#include "kernels/instance.h"
+#include "kernels/surface.h"
+#include "kernels/highlights.h"
+#include "kernels/portals.h"
+}  // namespace kernels
+
+struct Tables {
+    std::vector<float> f;
+    kernels::SceneTables s = {};  // its pointer to f is set when all is there
+    kernels::Params par = {};
+
+    void put(kernels::float3 v) { f.insert(f.end(), {v.x, v.y, v.z}); }
+    // A parallelogram about its centre (portals.h); u and v are its sides.
+    void put_portal(kernels::float3 centre, kernels::float3 u, kernels::float3 v, kernels::float3 out) {
+        const kernels::float3 across = kernels::cross3(u, v);
+        const float square = kernels::dot3(across, across);
+        for (const kernels::float3 w : {centre, u, v, out}) put(w);
+        put(kernels::scale3(kernels::cross3(v, across), 1 / square));
+        put(kernels::scale3(kernels::cross3(across, u), 1 / square));
+        f.insert(f.end(), {std::sqrt(square), 0});
+    }
+};
