@@ -88,7 +88,6 @@ STRUCT(Hit) {
     TABLE(float, shapes)      /* SHAPE_FLOATS each */                                       \
     TABLE(float, polygon_uv)  /* projected corners (SHAPE_POLYGON) */                       \
     TABLE(uint, prims)        /* PRIM_WORDS each, shading side (tables.h) */                \
-    TABLE(float, vertices)    /* 3 floats each, for normals of triangles */                 \
     TABLE(uint, u)            /* word arena (tables.h): modifiers, materials, .cal code */  \
     TABLE(float, f)           /* float arena (tables.h) */
 #define PICTURE_TABLES(TABLE)                                                               \
