@@ -1,19 +1,20 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # What intervals cost vcmetrics: bench/certainty.sh build/bin [older/bin]
-# Processor seconds, the system's included (medians of RUNS, taking turns, each the mean of five), of a stream of sums
-# of the office (ptaccum -every x2/16) without intervals, with -ci and with -until alone, and the most memory; with a
-# second folder also of its programs.
+# Processor seconds, the system's included, of a stream of sums of the office (EVERY, x2/16) without intervals, with
+# -ci and with -until alone, and the most memory; with a second folder also of its programs.  Each of RUNS (11) runs
+# takes turns among all, and is the mean of five.  A share is of the time beside it in the same run: what is shown is
+# its median over the runs and the two quartiles between which half of them lie, which tell the machine's noise.
 set -eu
 new=$(cd "$1" && pwd) old=${2:+$(cd "$2" && pwd)}
 top=$(cd "$(dirname "$0")/.." && pwd)
-size=${SIZE:-512} frames=${FRAMES:-129} runs=${RUNS:-5}
+size=${SIZE:-512} frames=${FRAMES:-129} runs=${RUNS:-11} every=${EVERY:-x2/16}
 dir=$(mktemp -d "${TMPDIR:-/dev/shm}/certainty-bench.XXXXXX")
 trap 'rm -rf "$dir"' EXIT
 
 cd "$top/examples/scenes/office"
 "$new/ptrace" -w- -ab 2 -vf view.vf -x "$size" -y "$size" -frames "$frames" materials.rad layout.rad sky_1400.rad |
-    "$new/ptaccum" -every x2/16 -ff > "$dir/stream"
+    "$new/ptaccum" -every "$every" -ff > "$dir/stream"
 cd "$dir"
 for ((run = 0; run < runs; run++)); do
     for bin in "$new" ${old:+"$old"}; do
@@ -29,14 +30,18 @@ for ((run = 0; run < runs; run++)); do
         done
     done
 done
-echo "# $size x $size, $(($(wc -l < out) - 1)) sums of $((frames - 1)) frames: seconds, share for intervals, MB"
+# quantile COLUMN SHARE
+quantile() {
+    sort -n -k "$1,$1" runs | awk -v k="$1" -v q="$2" '{ v[NR] = $k } END { print v[int(1.5 + q * (NR - 1))] }'
+}
+sums=$(($(wc -l < out) - 1))
+echo "# $size x $size, $sums sums of $((frames - 1)) frames: seconds, share for intervals (quartiles), MB"
 for bin in "$new" ${old:+"$old"}; do
     id=$(cksum <<< "$bin" | cut -d ' ' -f 1)
     for way in plain ci until; do
-        awk '/^[0-9. ]+$/ { print ($1 + $2) / 5, $3 }' "$way$id" | sort -n | awk -v way=$way -v bin="$bin" '
-            { time[++n] = $1; memory = $2 }
-            END { print bin, way, time[int((n + 1) / 2)], memory / 1024 }'
-    done | awk '
-        $2 == "plain" { plain = $3 }
-        { printf "%s\t%s\t%s\t%.0f %%\t%.0f\n", $1, $2, $3, ($3 > 0 ? 100 * (1 - plain / $3) : 0), $4 }'
+        paste <(grep -E '^[0-9. ]+$' "plain$id") <(grep -E '^[0-9. ]+$' "$way$id") |
+            awk '{ print ($4 + $5) / 5, 100 * (1 - ($1 + $2) / ($4 + $5)), $6 / 1024 }' > runs
+        printf '%s\t%s\t%.3f\t%.0f %% (%.0f to %.0f)\t%.0f\n' "$bin" "$way" "$(quantile 1 .5)" \
+            "$(quantile 2 .5)" "$(quantile 2 .25)" "$(quantile 2 .75)" "$(quantile 3 .5)"
+    done
 done

@@ -3,11 +3,38 @@
 #include "comfort/batches.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <utility>
 
+#include "base/wide.h"
 #include "image/picture.h"
 
 namespace comfort {
+namespace {
+
+constexpr double growth_between_looks = 1.41421356;
+
+WIDE_LOOP void add_difference(float factor, const float* a, const float* b, size_t n, float* to) {
+    for (size_t i = 0; i < n; ++i) to[i] += factor * (a[i] - b[i]);
+}
+
+WIDE_LOOP void set_difference(float factor, const float* a, const float* b, size_t n, float* to) {
+    for (size_t i = 0; i < n; ++i) to[i] = factor * (a[i] - b[i]);
+}
+
+WIDE_LOOP void set_multiple(float factor, const float* a, size_t n, float* to) {
+    for (size_t i = 0; i < n; ++i) to[i] = factor * a[i];
+}
+
+// Of the frames 1 to n.
+int64_t in_first_half(int64_t n) {
+    int64_t count = 0;
+    for (int64_t k = 1; k <= n; ++k) count += image::in_first_half(k);
+    return count;
+}
+
+}  // namespace
 
 Luminance GreyPicture::luminance() {
     Luminance out;
@@ -17,16 +44,65 @@ Luminance GreyPicture::luminance() {
     return out;
 }
 
-void Batches::add(const Luminance& mean, int64_t n) {
-    if (mean.width != width_ || mean.height != height_) ends_.clear();
-    width_ = mean.width;
-    height_ = mean.height;
-    if (mean.grey != spare_.data()) spare_.assign(mean.grey, mean.grey + mean.size());
-    ends_.push_back({n, std::move(spare_)});
-    spare_ = image::forget_means(ends_, image::most_means);
+void Batches::restart() {
+    for (image::GreyMean& m : middle_) release(std::move(m.grey));
+    release(std::move(whole_));
+    ends_.clear(), middle_.clear(), whole_.clear();
+    whole_is_middle_ = false;
 }
 
-void Batches::without(size_t batch, const std::vector<uint32_t>& pixels, GreyPicture& out) const {
+std::vector<float>& Batches::room() {
+    if (spare_.empty() && !unused_.empty()) {
+        spare_ = std::move(unused_.back());
+        unused_.pop_back();
+    }
+    return spare_;
+}
+
+void Batches::release(std::vector<float>&& picture) {
+    if (!picture.empty()) unused_.push_back(std::move(picture));
+}
+
+int64_t Batches::look_after(int64_t n) { return int64_t(std::ceil(double(n) * growth_between_looks)); }
+
+void Batches::add(const Luminance& mean, int64_t n, int64_t next_look, std::optional<int64_t> last) {
+    if (mean.width != width_ || mean.height != height_) restart();
+    width_ = mean.width;
+    height_ = mean.height;
+    if (mean.grey != spare_.data()) room().assign(mean.grey, mean.grey + mean.size());
+    const int64_t step = n - frames();
+    std::vector<float> before = std::move(whole_);
+    whole_ = std::move(spare_);
+    spare_.clear();
+    ends_.push_back({n, {}});
+    for (const uint32_t i : watched_) ends_.back().grey.push_back(whole_[i]);
+    if (alternate()) follow_alternate(before, n);
+    else release(std::exchange(alternate_, {}));
+    if (whole_is_middle_) middle_.push_back({n - step, std::move(before)});
+    else release(std::move(before));
+    image::forget_means(ends_, image::most_means);
+    // Half of this number of frames, or of a larger one, is nearer to the next one.
+    while (middle_.size() > 1 && 2 * middle_[1].frames <= n) {
+        release(std::move(middle_[0].grey));
+        middle_.erase(middle_.begin());
+    }
+    whole_is_middle_ = may_be_half(n, step, next_look, last);
+}
+
+// If more means come in steps like the last one.
+bool Batches::may_be_half(int64_t n, int64_t step, int64_t next_look, std::optional<int64_t> last) const {
+    if (middle_.empty() || 3 * middle_.back().frames < n) return true;
+    const auto is_half = [&](int64_t look) { return std::abs(2 * n - look) <= step; };
+    if (last && is_half(*last)) return true;
+    for (int64_t due = next_look; due <= 2 * n + step;) {
+        const int64_t look = n + std::max<int64_t>(0, due - n + step - 1) / step * step;
+        if (is_half(look)) return true;
+        due = look_after(look);
+    }
+    return false;
+}
+
+void Batches::without(size_t batch, GreyPicture& out) const {
     out.width = width_;
     out.height = height_;
     out.grey.resize(whole().size());
@@ -34,27 +110,39 @@ void Batches::without(size_t batch, const std::vector<uint32_t>& pixels, GreyPic
     const float share = float(n / rest);
     // The batch's sum is b L'(b) - a L'(a) = (b - a) L'(b) + a (L'(b) - L'(a)): of two close floats the difference is
     // exact.
-    const float* end = ends_[batch].grey.data();
-    const float* start = batch ? ends_[batch - 1].grey.data() : end;
+    const std::vector<float>& now = ends_.back().grey;
+    const std::vector<float>& end = ends_[batch].grey;
+    const std::vector<float>& start = batch ? ends_[batch - 1].grey : end;
     const float growth = float(-1 / rest * double(frames(batch))), before = float(-1 / rest * double(begin(batch)));
-    for (const uint32_t i : pixels) {
-        out.grey[i] = whole()[i] * share;
-        out.grey[i] += growth * end[i] + before * (end[i] - start[i]);
+    for (size_t k = 0; k < watched_.size(); ++k) {
+        const float all = now[k] * share;
+        out.grey[watched_[k]] = all + (growth * end[k] + before * (end[k] - start[k]));
     }
 }
 
-Batches::Split Batches::halves() const {
-    Split out{std::vector<bool>(count(), true), true};
-    if (frames() < 2 * image::direct_samples && int64_t(count()) == frames()) {
-        for (size_t k = 0; k < count(); ++k) out.first[k] = image::in_first_half(int64_t(k) + 1);
-        return out;
+bool Batches::alternate() const { return frames() < 2 * image::direct_samples && int64_t(count()) == frames(); }
+
+// Frame n is L'(n) + (n - 1) (L'(n) - L'(n-1)), and L' has grown for those before it.
+void Batches::follow_alternate(const std::vector<float>& before, int64_t n) {
+    if (n == 1) return alternate_.assign(whole_.size(), 0);
+    const int64_t factor = (image::in_first_half(n) ? n - 1 : 0) - in_first_half(n - 1);
+    add_difference(float(factor), whole_.data(), before.data(), alternate_.size(), alternate_.data());
+}
+
+bool Batches::halves(std::vector<float>& d) const {
+    d.resize(whole_.size());
+    if (alternate()) {
+        const double a = double(in_first_half(frames())), b = double(frames()) - a;
+        set_multiple(float(1 / std::sqrt(a * b)), alternate_.data(), d.size(), d.data());
+        return true;
     }
-    size_t best = 0;
-    for (size_t k = 1; k + 1 < count(); ++k)
-        if (std::abs(2 * ends_[k].frames - frames()) < std::abs(2 * ends_[best].frames - frames())) best = k;
-    std::fill(out.first.begin() + long(best) + 1, out.first.end(), false);
-    out.knows_frame0 = ends_[best].frames >= image::direct_samples;
-    return out;
+    const auto nearer = [&](const image::GreyMean& m, const image::GreyMean& other) {
+        return std::abs(2 * m.frames - frames()) < std::abs(2 * other.frames - frames());
+    };
+    const image::GreyMean& half = *std::min_element(middle_.begin(), middle_.end(), nearer);
+    const double a = double(half.frames), b = double(frames()) - a;
+    set_difference(float(std::sqrt(a / b)), half.grey.data(), whole_.data(), d.size(), d.data());
+    return half.frames >= image::direct_samples;
 }
 
 }  // namespace comfort

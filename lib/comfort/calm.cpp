@@ -16,6 +16,7 @@ constexpr float doubt = 2.5f;  // standard errors from the threshold
 constexpr float likeness = 8;  // q = 1 at sqrt 8 standard errors of the difference
 constexpr uint32_t how_far_of = 8;
 constexpr int most_radius = 2, rows = 2 * most_radius + 1;
+constexpr int kept_rows = 8;  // of variances: at least `rows`
 
 // How far errors lie off, in standard errors: the middles of eight equally likely parts of a half normal distribution,
 // scaled to a mean square of 1.
@@ -105,7 +106,10 @@ WIDE_LOOP void average(const Surroundings& from, int radius, Means& to) {
 void Calm::take(const Halves& halves, const Geometry& geometry, double threshold_cdm2) {
     const size_t size = halves.off().size();
     radius_ = radius_of(geometry);
-    variance_.resize(size), mean_.resize(size), sway_.resize(size);
+    for (const uint32_t p : replaced_) sway_[p] = 0;
+    replaced_.clear();
+    mean_.resize(size), sway_.resize(size);
+    variance_.resize(size_t(kept_rows * geometry.width));
     row_means_.resize(size_t(rows * geometry.width));
     zeros_.resize(size_t(geometry.width));
     random_ = 1;
@@ -113,7 +117,7 @@ void Calm::take(const Halves& halves, const Geometry& geometry, double threshold
     for (int y = 0; y < geometry.height + 2 * radius_; ++y) {
         if (y < geometry.height) {
             const size_t row = size_t(y) * geometry.width;
-            square_row(&halves.off()[row], radius_, geometry.width, &variance_[row], row_means(geometry, y));
+            square_row(&halves.off()[row], radius_, geometry.width, variance(geometry, y), row_means(geometry, y));
         }
         const int behind = y - radius_, last = behind - radius_;
         if (behind >= 0 && behind < geometry.height) find_variance(geometry, behind);
@@ -121,6 +125,7 @@ void Calm::take(const Halves& halves, const Geometry& geometry, double threshold
     }
 }
 
+float* Calm::variance(const Geometry& geometry, int y) { return &variance_[size_t(y % kept_rows) * geometry.width]; }
 float* Calm::row_means(const Geometry& geometry, int y) { return &row_means_[size_t(y % rows) * geometry.width]; }
 
 // The half's own, or the mean of the neighbourhood if that is larger; -1 where a pixel does not count.
@@ -129,7 +134,7 @@ void Calm::find_variance(const Geometry& geometry, int y) {
     const int first = std::max(0, y - radius_), last = std::min(geometry.height - 1, y + radius_);
     const float* near[rows];
     for (int k = 0; k < rows; ++k) near[k] = first + k <= last ? row_means(geometry, first + k) : zeros_.data();
-    float* v = &variance_[size_t(y) * w];
+    float* v = variance(geometry, y);
     raise_to_mean(near, float(last - first + 1), w, v);
     int x = 0;
     for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; x = geometry.spans[s++].end)
@@ -140,12 +145,12 @@ void Calm::find_variance(const Geometry& geometry, int y) {
 void Calm::calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y, float threshold) {
     const size_t row = size_t(y) * geometry.width;
     std::copy_n(&noisy[row], geometry.width, &mean_[row]);
-    std::fill_n(&sway_[row], geometry.width, 0.f);
+    const float* row_variance = variance(geometry, y);
     constexpr int block = 4 * lanes;
     for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; ++s)
         for (int x = geometry.spans[s].begin; x < geometry.spans[s].end; x += block) {
             const int n = std::min(block, geometry.spans[s].end - x);
-            const uint32_t bits = in_doubt(&noisy[row + x], &variance_[row + x], n, threshold);
+            const uint32_t bits = in_doubt(&noisy[row + x], row_variance + x, n, threshold);
             for (int part = 0; part < block; part += lanes)
                 if (bits >> part & 0xff) average_doubtful(noisy, geometry, x + part, y, bits >> part & 0xff);
         }
@@ -161,8 +166,8 @@ void Calm::average_doubtful(const std::vector<float>& noisy, const Geometry& geo
     for (int r = 0; r < rows; ++r) {
         const int row = y + r - most_radius;
         const bool inside = row >= 0 && row < geometry.height;
-        const size_t from = size_t(std::clamp(row, 0, geometry.height - 1)) * w + begin;
-        near.grey[r] = &noisy[from], near.variance[r] = &variance_[from];
+        const int from = std::clamp(row, 0, geometry.height - 1);
+        near.grey[r] = &noisy[size_t(from) * w + begin], near.variance[r] = variance(geometry, from) + begin;
         if (inside && end - begin == columns) continue;
         std::fill_n(grey_room[r], columns, 0.f);
         std::fill_n(variance_room[r], columns, -1.f);
@@ -175,6 +180,7 @@ void Calm::average_doubtful(const std::vector<float>& noisy, const Geometry& geo
     for (int k = 0; k < lanes; ++k) {
         if (!(bits >> k & 1)) continue;
         random_ = random_ * 1664525u + 1013904223u;
+        replaced_.push_back(uint32_t(first) + uint32_t(k));
         mean_[first + k] = means.mean[k];
         sway_[first + k] = means.error[k] * how_far[random_ >> 29];
     }

@@ -30,14 +30,16 @@ public:
     const std::vector<float>& sway() const { return sway_; }  // 0 where a pixel has not been replaced
 
 private:
+    float* variance(const Geometry& geometry, int y);  // of one of the last rows
     float* row_means(const Geometry& geometry, int y);
     void find_variance(const Geometry& geometry, int y);
     void calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y, float threshold);
     void average_doubtful(const std::vector<float>& noisy, const Geometry& geometry, int x, int y, uint32_t bits);
     int radius_ = 0;  // of the neighbourhood, in pixels
     uint32_t random_ = 0;
-    std::vector<float> mean_, sway_, variance_;
-    std::vector<float> row_means_, zeros_;  // of squares, of the last rows; and a row without
+    std::vector<float> mean_, sway_;
+    std::vector<uint32_t> replaced_;
+    std::vector<float> variance_, row_means_, zeros_;  // of the last rows, of their squares; and a row without
 };
 
 }  // namespace comfort

@@ -15,7 +15,6 @@ namespace comfort {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double growth_between_looks = 1.41421356;
 constexpr int moved_pictures = 4;
 constexpr int enough_batches = 6;
 
@@ -72,7 +71,7 @@ Certainty::Certainty(Meter& meter, const std::vector<Column>& columns, bool erro
 
 void Certainty::restart() {
     batches_.restart();
-    frame0_error_.clear();
+    frame0_.clear(), frame0_error_.clear();
     own_.clear();
     estimates_.assign(columns_.size(), {nan, nan, 0, 0, false, 0});
     next_look_ = 2;
@@ -80,30 +79,42 @@ void Certainty::restart() {
 }
 
 void Certainty::frame0(const Luminance& lum) {
+    std::vector<float>& room = batches_.room();
+    frame0_error_.clear();
+    if (lum.grey == room.data()) frame0_ = std::move(room);
+    else frame0_.assign(lum.grey, lum.grey + lum.size());
+    room.clear();
+}
+
+// Of each 2 x 2 pixels that count, how far they are off a plane, squared: the mean of those that a pixel belongs to.
+void Certainty::find_frame0_error() {
     const Geometry& g = meter_.geometry();
-    const size_t w = size_t(lum.width);
-    // Of each 2 x 2 pixels that count, how far they are off a plane, squared.  They stand w + 1 places behind the first
-    // of them, so that those of a pixel's four blocks are found without a look at the picture's edges.
-    std::vector<float> squares(lum.size() + 2 * (w + 1), 0), blocks(squares.size(), 0);
+    const size_t w = size_t(g.width), size = frame0_.size();
+    // They stand w + 1 places behind the first of their pixels, so that those of a pixel's four blocks are found
+    // without a look at the picture's edges.
+    std::vector<float> squares(size + 2 * (w + 1), 0), blocks(squares.size(), 0);
     Level rows{g.width, g.height, g.spans, g.row_spans};
     for (int r = 0; r + 1 < g.height; ++r)
         rows.pairs(r, r + 1, 0, [&](int begin, int end) {
-            const float *a = lum.grey + size_t(r) * w, *b = a + w;
+            const float *a = frame0_.data() + size_t(r) * w, *b = a + w;
             const size_t at = w + 1 + size_t(r) * w;
             for (int x = begin; x + 1 < end; ++x) {
                 const float d = (a[x] - a[x + 1] - b[x] + b[x + 1]) / 2;
                 squares[at + size_t(x)] = d * d, blocks[at + size_t(x)] = 1;
             }
         });
-    frame0_error_.resize(lum.size());
-    for (size_t i = 0; i < lum.size(); ++i) {
+    frame0_error_.resize(size);
+    for (size_t i = 0; i < size; ++i) {
         const auto around = [&](const std::vector<float>& v) { return ((v[i] + v[i + 1]) + v[i + w]) + v[i + w + 1]; };
         const float count = around(blocks);
         frame0_error_[i] = std::sqrt(around(squares) / std::max(count, 1.f));
     }
 }
 
-void Certainty::add(const Luminance& lum, int64_t n) { batches_.add(lum, n); }
+void Certainty::add(const Luminance& lum, int64_t n, std::optional<int64_t> last) {
+    if (batches_.count() == 0 && errors_ && has(Kind::region)) batches_.watch(meter_.pixels_of_regions());
+    batches_.add(lum, n, next_look_, last);
+}
 
 bool Certainty::has(Kind kind) const {
     return std::any_of(columns_.begin(), columns_.end(),
@@ -117,7 +128,7 @@ Certainty::Values Certainty::values(const Measurement& m, Kind kind) const {
 }
 
 void Certainty::pass_look() {
-    next_look_ = int64_t(std::ceil(double(batches_.frames()) * growth_between_looks));
+    next_look_ = Batches::look_after(batches_.frames());
     ++looks_;
 }
 
@@ -184,9 +195,8 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
 void Certainty::look_at_batches(const Measurement& m, std::vector<Estimate>& estimates) {
     const Values now = values(m, Kind::region);
     std::vector<Values> without;
-    const std::vector<uint32_t> pixels = meter_.pixels_of_regions();
     for (size_t k = 0; errors_ && k < batches_.count(); ++k) {
-        batches_.without(k, pixels, scratch_);
+        batches_.without(k, scratch_);
         without.push_back(values(meter_.measure_regions(scratch_.luminance()), Kind::region));
     }
     for (size_t c = 0; c < columns_.size(); ++c) {
@@ -214,6 +224,7 @@ bool Certainty::whole_batches_suffice() const {
 
 // The whole picture with each pixel moved by frame 0's error, up or down at random.
 std::vector<Measurement> Certainty::moved(const Luminance& lum, const Measurement& m) {
+    if (frame0_error_.empty()) find_frame0_error();
     if (moved_pattern_.size() != lum.size()) {
         moved_pattern_.assign(lum.size(), 0);
         uint32_t random[moved_pictures];
@@ -241,7 +252,7 @@ void Certainty::add_frame0_error(const Luminance& lum, const Measurement& m, con
     const bool in_batches = !has(Kind::region) || whole_batches_suffice();
     if (in_halves && in_batches) return;
     const auto knows_it = [&](size_t c) { return columns_[c].regional ? in_batches : in_halves; };
-    if (frame0_error_.empty()) {  // the stream did not begin with it: nothing tells its error
+    if (frame0_.empty()) {  // the stream did not begin with it: nothing tells its error
         for (size_t c = 0; c < columns_.size(); ++c)
             if (!knows_it(c)) estimates[c].error = nan;
         return;

@@ -25,6 +25,7 @@
 #pragma once
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 #include "comfort/batches.h"
@@ -42,9 +43,10 @@ public:
 
     void restart();                     // another picture begins
     void frame0(const Luminance& lum);  // L(0)
-    // L'(n), which may stand in room().  Then, when a look is due, m of the same picture.
+    // L'(n), which may stand in room(), of a picture that will have `last` frames.  Then, when a look is due, m of the
+    // same picture.
     std::vector<float>& room() { return batches_.room(); }
-    void add(const Luminance& lum, int64_t n);
+    void add(const Luminance& lum, int64_t n, std::optional<int64_t> last = {});
     bool due() const { return batches_.count() >= 2 && batches_.frames() >= next_look_; }
     void look(const Luminance& lum, const Measurement& m);
     void pass_look();  // without looking
@@ -59,6 +61,7 @@ private:
     Values values(const Measurement& m, Kind kind) const;
     Measurement look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates);
     void look_at_batches(const Measurement& m, std::vector<Estimate>& estimates);
+    void find_frame0_error();
     std::vector<Measurement> moved(const Luminance& lum, const Measurement& m);
     void add_frame0_error(const Luminance& lum, const Measurement& m, const Measurement& unmoved,
                           std::vector<Estimate>& estimates);
@@ -71,7 +74,7 @@ private:
     Batches batches_;
     Halves halves_;
     Calm calm_;
-    std::vector<float> frame0_error_;  // by pixel; empty: not known
+    std::vector<float> frame0_, frame0_error_;  // by pixel; empty: not known, not needed so far
     Signs moved_signs_;
     std::vector<uint8_t> moved_pattern_;  // by pixel
     GreyPicture scratch_;

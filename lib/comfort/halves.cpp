@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/wide.h"
-
 namespace comfort {
 namespace {
 
@@ -31,23 +29,6 @@ std::vector<uint32_t> sign_patterns() {
     return out;
 }
 
-// d = sum of c (L'(end) - L') over the batches' ends.  The sum of a batch is b L'(b) - a L'(a), so that an end counts
-// in its own batch and, with the other sign, in the next one.
-std::vector<float> shares_of_ends(const Batches& batches, const std::vector<bool>& first) {
-    double frames[2] = {};
-    for (size_t k = 0; k < batches.count(); ++k) frames[first[k] ? 0 : 1] += double(batches.frames(k));
-    const double scale = std::sqrt(frames[0] * frames[1]) / (frames[0] + frames[1]);
-    const auto weight = [&](size_t k) { return scale * (first[k] ? 1 / frames[0] : -1 / frames[1]); };
-    std::vector<float> out;
-    for (size_t k = 0; k + 1 < batches.count(); ++k)
-        out.push_back(float(double(batches.begin(k + 1)) * (weight(k) - weight(k + 1))));
-    return out;
-}
-
-WIDE_LOOP void add_difference(float share, const float* a, const float* b, size_t n, float* to) {
-    for (size_t i = 0; i < n; ++i) to[i] += share * (a[i] - b[i]);
-}
-
 }  // namespace
 
 Halves::Halves() : signs_(count, sign_patterns()) {}
@@ -64,13 +45,7 @@ bool Halves::take(const Batches& batches) {
             p = uint8_t((uint64_t(random) * signs_.minus.size()) >> 32);
         }
     }
-    const Batches::Split split = batches.halves();
-    know_frame0_ = split.knows_frame0;
-    off_.assign(whole_->size(), 0);
-    const std::vector<float> shares = shares_of_ends(batches, split.first);
-    for (size_t k = 0; k < shares.size(); ++k)
-        if (shares[k] != 0)
-            add_difference(shares[k], batches.mean_at(k).data(), whole_->data(), off_.size(), off_.data());
+    know_frame0_ = batches.halves(off_);
     return true;
 }
 

@@ -79,8 +79,9 @@ WIDE_LOOP void show(const Swayed& s, size_t start, int n, int first, Pixel* out)
     for (int x = 0; x < n; ++x) {
         Words flip;
         std::memcpy(&flip, flips[pattern[x]].data() + first, sizeof flip);
-        const Floats none = {};
-        out[x].of_picture = Floats(Words(none + off[x]) ^ flip) + mean[x];
+        uint32_t bits;
+        std::memcpy(&bits, off + x, sizeof bits);
+        out[x].of_picture = Floats(flip ^ bits) + mean[x];
     }
 }
 
@@ -100,8 +101,14 @@ public:
             level.pairs(r, r, 1, [&](int x0, int x1) { pairs(k, r, r, 1, x0, x1, sums_[k].edge); });
         const int odd = level.height % 2;
         if (k + 1 == levels_.size() || r - odd < 1 || (r - odd) % 2 == 0) return;
-        shrink(row(k, r - 1), row(k, r), levels_[k + 1].width, row(k + 1, (r - odd) / 2));
-        take(k + 1, (r - odd) / 2);
+        const int half = (r - odd) / 2;
+        const Level& next = levels_[k + 1];
+        for (size_t s = next.row[size_t(half)]; s < next.row[size_t(half) + 1]; ++s) {
+            const Span span = next.spans[s];
+            shrink(row(k, r - 1) + 2 * span.begin, row(k, r) + 2 * span.begin, span.end - span.begin,
+                   row(k + 1, half) + span.begin);
+        }
+        take(k + 1, half);
     }
     Sum total() const {
         Sum out{};

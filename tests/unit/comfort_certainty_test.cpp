@@ -155,8 +155,8 @@ TEST_CASE("RAMMG without the contrast of noise") {
         first.push_back(float(exact.back() + a)), whole.push_back(float(exact.back() + (a + b) / 2));
     }
     Batches batches;
-    batches.add({n, n, first.data()}, 8);
-    batches.add({n, n, whole.data()}, 16);
+    batches.add({n, n, first.data()}, 8, 16);
+    batches.add({n, n, whole.data()}, 16, 16);
     Halves halves;
     halves.take(batches);
     double of_halves[Halves::count], mean = 0;

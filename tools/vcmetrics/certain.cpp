@@ -42,7 +42,7 @@ void Steps::replay(image::Picture& picture, int64_t frames) {
     }
     for (image::GreyMean& mean : picture.means) {
         comfort::Luminance lum = luminance(mean.grey);
-        certainty_.add(lum, mean.frames);
+        certainty_.add(lum, mean.frames, frames);
         if (!certainty_.due()) continue;
         if (2 * mean.frames < frames) certainty_.pass_look();
         else certainty_.look(lum, meter_.measure(lum, ""));
@@ -59,7 +59,7 @@ void Steps::add(image::Picture& picture, const comfort::Luminance& lum, const st
     if (has_batches) replay(picture, n);
     else if (n == 0 || n <= last_) certainty_.restart();
     if (n == 0) certainty_.frame0(lum);
-    else certainty_.add(lum, n);
+    else certainty_.add(lum, n, picture.header.last_frame);
     if (!has_batches && !warned_ && last_ >= 16 && double(n - last_) > large_step * double(n)) {
         base::warn(place, fmt::format("{} of {} frames came in one step, which tells little about their error: "
                                       "ptaccum -every x2/16 makes small ones",
