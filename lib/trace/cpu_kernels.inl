@@ -89,28 +89,27 @@ static void know_links(const SceneTables& s, const Params& par, Tile& t, uint32_
 #else
 // The same in packets, where rays that follow one another in the queue lie side by side.
 static void extend_together(const SceneTables& s, Tile& t, uint32_t n) {
-    Packet p = {};
-    for (uint32_t i = 0; i < n;) {
-        for (p.count = 0; i < n && packet_add(p, path_ray(&t.paths, t.now[i]), t.now[i]); i++) {}
+    Packet p;
+    for (uint32_t i = 0; i < n; i += p.count) {
+        p.count = n - i < PACKET ? n - i : PACKET;
+        for (uint32_t k = 0; k < p.count; k++) packet_put(p, k, path_ray(&t.paths, t.now[i + k]));
         packet_trace(s, p, RAY_ALL);
-        for (uint32_t k = 0; k < p.count; k++) set_path_hit(&t.paths, p.slot[k], &p.hit[k]);
+        for (uint32_t k = 0; k < p.count; k++) set_path_hit(&t.paths, t.now[i + k], &p.hit[k]);
     }
 }
 // t.result: whether opaque surfaces block the shadow rays, where packets can tell.
 static void block_together(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-    Packet p = {};
+    PacketRays p;
+    uint32_t of[PACKET], panes;
     for (uint32_t i = 0; i < n;) {
-        Ray ray;
-        uint32_t panes;
-        p.count = 0;
-        while (i < n && shadow_is_plain(&s, &par, &t.paths, t.shadow[i], &ray) && packet_add(p, ray, i)) i++;
-        if (p.count == 0) {
-            i++;
-            continue;
+        for (p.count = 0; i < n && p.count < PACKET; i++) {
+            Ray ray;
+            if (!shadow_is_plain(&s, &par, &t.paths, t.shadow[i], &ray)) continue;
+            of[p.count] = i;
+            packet_put(p, p.count++, ray);
         }
-        packet_look(s, p, RAY_OPAQUE, &panes);
-        for (uint32_t k = 0; k < p.count; k++)
-            t.result[p.slot[k]] = (p.open >> k & 1u) != 0 ? SHADOW_OPEN : SHADOW_BLOCKED;
+        const uint32_t open = packet_look(s, p, packet_all(p), RAY_OPAQUE, &panes);
+        for (uint32_t k = 0; k < p.count; k++) t.result[of[k]] = (open >> k & 1u) != 0 ? SHADOW_OPEN : SHADOW_BLOCKED;
     }
 }
 #include "trace/cpu_links.h"
@@ -128,7 +127,7 @@ static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n,
             if (t.result[i] & PATH_SHADOW) t.shadow[shadows++] = t.now[i];
         }
         for (uint32_t i = 0; i < shadows; i++) t.result[i] = SHADOW_TO_TRACE;
-        if (together) block_together(s, par, t, shadows);
+        block_together(s, par, t, shadows);
         STAGES::shadow(s, par, t, shadows);
         uint32_t* swap = t.now;
         t.now = t.next;

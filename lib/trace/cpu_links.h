@@ -44,31 +44,13 @@ FN uint32_t link_rays(const Paths& paths, const NearEnds& near, uint32_t far, Pa
         const float reach = length3(open);
         const float3 toward = distant ? end : scale3(way, 1.0f / sqrt_(dot3(way, way)));
         const float3 dir = distant ? end : scale3(open, 1.0f / reach);
-        p.org[0][m] = from.x, p.org[1][m] = from.y, p.org[2][m] = from.z;
-        p.dir[0][m] = dir.x, p.dir[1][m] = dir.y, p.dir[2][m] = dir.z;
-        p.t[m] = distant ? FAR_AWAY : reach;
+        packet_put(p, m, {from, p.tmin, dir, distant ? FAR_AWAY : reach});
         const int faced = distant | int(-dot3(toward, n) > 0.0f), up = dot3(toward, lane3(near.n, m)) > 0.0f;
         faces[m] = faced & up & int(dot3(toward, lane3(near.ng, m)) > 0.0f);
     }
     uint32_t facing = 0;
     for (uint32_t m = 0; m < SHARE_GROUP; m++) facing |= uint32_t(faces[m]) << m;
     return facing & near.there;
-}
-
-// What the tree's walk needs of the rays, as woop_prepare() gives it, and the kind of each.
-FN void prepare_links(PacketRays& p, uint32_t* kind) {
-    for (uint32_t m = 0; m < SHARE_GROUP; m++) {
-        const float x = p.dir[0][m], y = p.dir[1][m], z = p.dir[2][m];
-        const float ax = fabs_(x), ay = fabs_(y), az = fabs_(z);
-        const bool long_x = ax > ay && ax > az, long_y = !(ax > ay) && ay > az;
-        const float3 inv = F3(slab_inverse(x), slab_inverse(y), slab_inverse(z));
-        const float along = long_x ? x : long_y ? y : z;
-        p.inv[0][m] = inv.x, p.inv[1][m] = inv.y, p.inv[2][m] = inv.z;
-        p.s[0][m] = (long_x ? y : long_y ? z : x) / along;
-        p.s[1][m] = (long_x ? z : long_y ? x : y) / along;
-        p.s[2][m] = 1.0f / along;
-        kind[m] = packet_kind(inv, long_x ? 0u : long_y ? 1u : 2u);
-    }
 }
 
 // What is known of the links of each slot of the queue, as links_known() says.
@@ -79,19 +61,9 @@ FN void know_links(const SceneTables& s, const Params& par, Tile& t, uint32_t n)
     for (uint32_t i = 0; i < n; i++) {
         const uint32_t slot = t.now[i];
         if (i == 0 || share_member(slot, 0) != share_member(t.now[i - 1], 0)) near_ends(t.paths, slot, near);
-        uint32_t kind[SHARE_GROUP], open = 0, through = 0, left = link_rays(t.paths, near, slot, p);
-        prepare_links(p, kind);
-        while (left != 0) {
-            uint32_t panes;
-            p.kind = kind[__builtin_ctz(left)];
-            p.open = 0;
-            for (uint32_t m = 0; m < SHARE_GROUP; m++) p.open |= (kind[m] == p.kind ? 1u : 0u) << m;
-            p.open &= left;
-            left &= ~p.open;
-            packet_look(s, p, RAY_ALL, &panes);
-            open |= p.open & ~panes;
-            through |= panes;
-        }
+        uint32_t through = 0;
+        const uint32_t facing = link_rays(t.paths, near, slot, p);
+        const uint32_t open = packet_look(s, p, facing, RAY_ALL, &through) & ~through;
         if (par.shadow_mode == SHADOW_OPAQUE) through = 0;
         t.result[i] = int(open | through << SHARE_GROUP);
     }

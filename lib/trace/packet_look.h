@@ -4,6 +4,8 @@
 #ifndef LUX_PACKET_LOOK_H
 #define LUX_PACKET_LOOK_H
 
+constexpr uint32_t LOOK_NODES = 3;  // a ray; where a packet has to ask more, its rays are faster alone
+
 // The rays, of those given, that a shape of these classes stops: in lanes 8 g ... 8 g + 7, or one by one.
 FN uint32_t packet_met(const PacketRays& p, uint32_t rays, const float* triangle) {
     uint32_t met = 0;
@@ -61,12 +63,30 @@ FN uint32_t packet_look_leaf(const SceneTables& s, PacketRays& p, const float* b
     }
 }
 
-// p.open: what remains are rays that nothing opaque stops.  *panes: of these, those that something transparent does, if
-// the mask asks for it.
-FN void packet_look(const SceneTables& s, PacketRays& p, uint32_t mask, uint32_t* panes) {
-    *panes = 0;
-    packet_walk(s, p,
-                [&](const float* block, uint32_t rays) { return packet_look_leaf(s, p, block, rays, mask, panes); });
-    *panes &= p.open;
+// The open rays one by one, in the same way.
+FN void look_alone(const SceneTables& s, PacketRays& p, uint32_t mask, uint32_t* panes) {
+    for (uint32_t left = p.open; left != 0; left &= left - 1) {
+        const uint32_t one = left & (0u - left);
+        const Ray ray = packet_ray(p, uint32_t(__builtin_ctz(left)));
+        if (trace_any(&s, &ray, RAY_OPAQUE)) p.open &= ~one;
+        else if ((mask & RAY_TRANSPARENT) != 0 && trace_any(&s, &ray, RAY_TRANSPARENT)) *panes |= one;
+    }
+}
+
+// Of those of the rays put that are wanted, those that nothing opaque stops; *panes: of these, those that something
+// transparent does, if the mask asks for it.
+FN uint32_t packet_look(const SceneTables& s, PacketRays& p, uint32_t wanted, uint32_t mask, uint32_t* panes) {
+    uint32_t open = 0, through = 0;
+    packet_prepare(p);
+    for (uint32_t left = wanted; left != 0; open |= p.open) {
+        left = packet_open(p, left);
+        const uint32_t patience = LOOK_NODES * (4u + uint32_t(__builtin_popcount(p.open)));
+        const bool done = packet_walk(s, p, patience, [&](const float* block, uint32_t rays) {
+            return packet_look_leaf(s, p, block, rays, mask, &through);
+        });
+        if (!done) look_alone(s, p, mask, &through);
+    }
+    *panes = through & open;
+    return open;
 }
 #endif

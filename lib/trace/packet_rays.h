@@ -11,22 +11,56 @@
 constexpr uint32_t PACKET_GROUPS = 4;  // of eight rays each
 constexpr uint32_t PACKET = 8 * PACKET_GROUPS;
 
-// Rays whose directions have the same signs and the same longest axis, and that begin at the same distance.
+// Rays side by side, a lane each.  Those that go through the tree together are of one kind: their directions have the
+// same signs and the same longest axis.  The others wait in their lanes.
 struct PacketRays {
-    uint32_t count = 0, open = 0;  // rays; those, a bit each, that still look for something
-    uint32_t kind = 0;             // signs of the directions, a bit each, and the longest axis << 3
+    uint32_t count = 0, open = 0;  // rays; those, a bit each, that look for something
+    uint32_t kind = 0;             // of the open ones
     float tmin = 0.0f;
     // by ray: origin, direction, 1/direction, shear (WoopRay), how far it looks
     alignas(32) float org[3][PACKET], dir[3][PACKET], inv[3][PACKET], s[3][PACKET], t[PACKET];
+    uint32_t kinds[PACKET];  // signs, a bit each, and the longest axis << 3
 };
 
-FN uint32_t packet_kind(float3 inv, uint32_t kz) {
-    return (inv.x < 0.0f ? 1u : 0u) | (inv.y < 0.0f ? 2u : 0u) | (inv.z < 0.0f ? 4u : 0u) | kz << 3;
+FN void packet_put(PacketRays& p, uint32_t i, const Ray& ray) {
+    p.org[0][i] = ray.org.x, p.org[1][i] = ray.org.y, p.org[2][i] = ray.org.z;
+    p.dir[0][i] = ray.dir.x, p.dir[1][i] = ray.dir.y, p.dir[2][i] = ray.dir.z;
+    p.t[i] = ray.tmax;
 }
 
 FN Ray packet_ray(const PacketRays& p, uint32_t i) {
     return {F3(p.org[0][i], p.org[1][i], p.org[2][i]), p.tmin, F3(p.dir[0][i], p.dir[1][i], p.dir[2][i]), p.t[i]};
 }
+
+// What the walk needs of the rays that have been put, as woop_prepare() gives it.
+FN void packet_prepare(PacketRays& p) {
+    for (uint32_t i = 0; i < p.count; i++) {
+        const float x = p.dir[0][i], y = p.dir[1][i], z = p.dir[2][i];
+        const float ax = fabs_(x), ay = fabs_(y), az = fabs_(z);
+        const bool long_x = ax > ay && ax > az, long_y = !(ax > ay) && ay > az;
+        const float3 inv = F3(slab_inverse(x), slab_inverse(y), slab_inverse(z));
+        const float along = long_x ? x : long_y ? y : z;
+        p.inv[0][i] = inv.x, p.inv[1][i] = inv.y, p.inv[2][i] = inv.z;
+        p.s[0][i] = (long_x ? y : long_y ? z : x) / along;
+        p.s[1][i] = (long_x ? z : long_y ? x : y) / along;
+        p.s[2][i] = 1.0f / along;
+        p.kinds[i] = (inv.x < 0.0f ? 1u : 0u) | (inv.y < 0.0f ? 2u : 0u) | (inv.z < 0.0f ? 4u : 0u) |
+                     (long_x   ? 0u
+                      : long_y ? 1u << 3
+                               : 2u << 3);
+    }
+}
+
+// Opens the first of the rays that wait, and those of its kind; returns what still waits.
+FN uint32_t packet_open(PacketRays& p, uint32_t waiting) {
+    uint32_t same = 0;
+    p.kind = p.kinds[__builtin_ctz(waiting)];
+    for (uint32_t i = 0; i < p.count; i++) same |= (p.kinds[i] == p.kind ? 1u : 0u) << i;
+    p.open = same & waiting;
+    return waiting & ~same;
+}
+
+FN uint32_t packet_all(const PacketRays& p) { return p.count == 32 ? ~0u : (1u << p.count) - 1u; }
 
 FN v8f min8(v8f a, v8f b) { return a < b ? a : b; }
 FN v8f max8(v8f a, v8f b) { return a > b ? a : b; }
@@ -164,9 +198,10 @@ FN bool packet_inside(const PacketRays& p, uint32_t g, const float* b, PacketIns
 FN bool packet_no_triangle(const float* b) { return b[0] == b[12] && b[4] == b[16] && b[8] == b[20]; }
 
 // Calls leaf(block, rays) for each leaf that some of the open rays meet, the nearest first, until none is open.
-// It returns those for which something has changed: that look less far, or no more.
+// It returns those for which something has changed: that look less far, or no more.  False: more than `patience` nodes
+// would have to be asked, for the rays lie too far apart; the open ones are not done.
 template <class LEAF>
-FN void packet_walk(const SceneTables& s, PacketRays& p, LEAF&& leaf) {
+FN bool packet_walk(const SceneTables& s, PacketRays& p, uint32_t patience, LEAF&& leaf) {
     PacketStack stack;
     PacketBounds b = packet_bounds(p);
     packet_node(p, b, s.nodes, stack);
@@ -174,13 +209,15 @@ FN void packet_walk(const SceneTables& s, PacketRays& p, LEAF&& leaf) {
         const PacketPlace at = stack.place[--stack.size];
         if (at.t > b.tmax * SLAB_WIDEN) continue;
         if ((at.ref & REF_LEAF) == 0) {
+            if (patience-- == 0) return false;
             packet_node(p, b, s.nodes + uint64_t(at.ref) * BVH8_NODE_FLOATS, stack);
             continue;
         }
         const uint32_t rays = packet_box(p, at.node, 8, at.child, p.open);
         if (rays == 0 || leaf(s.leaves + uint64_t(at.ref & REF_INDEX) * BVH8_LEAF_FLOATS, rays) == 0) continue;
-        if (p.open == 0) return;
+        if (p.open == 0) return true;
         b.tmax = packet_reach(p);
     }
+    return true;
 }
 #endif

@@ -6,32 +6,7 @@
 
 struct Packet : PacketRays {
     Hit hit[PACKET];
-    uint32_t slot[PACKET];
 };
-
-// 0: it does not go with the others, or there is no room.
-FN int packet_add(Packet& p, const Ray& ray, uint32_t slot) {
-    WoopRay r;
-    woop_prepare(ray.org, ray.dir, &r);
-    const uint32_t kind = packet_kind(r.inv, r.kz);
-    if (p.count == PACKET || (p.count > 0 && (kind != p.kind || ray.tmin != p.tmin))) return 0;
-    p.kind = kind;
-    p.tmin = ray.tmin;
-
-    const uint32_t i = p.count++;
-    p.open = i == 0 ? 1u : p.open | 1u << i;
-    p.slot[i] = slot;
-    p.hit[i] = Hit{ray.tmax, NO_HIT, 0.0f, 0.0f, NO_HIT};
-    const float3 vectors[4] = {r.org, r.dir, r.inv, F3(r.sx, r.sy, r.sz)};
-    float(*const to[4])[PACKET] = {p.org, p.dir, p.inv, p.s};
-    for (int k = 0; k < 4; k++) {
-        to[k][0][i] = vectors[k].x;
-        to[k][1][i] = vectors[k].y;
-        to[k][2][i] = vectors[k].z;
-    }
-    p.t[i] = ray.tmax;
-    return 1;
-}
 
 // Rays 8 g ... 8 g + 7 against triangle k of a block.  Those of `rays` that came nearer.
 FN uint32_t packet_triangle(Packet& p, uint32_t g, uint32_t rays, const float* b, uint32_t id) {
@@ -91,7 +66,13 @@ FN uint32_t packet_leaf(const SceneTables& s, Packet& p, const float* block, uin
     }
 }
 
+// Of all rays that have been put.
 FN void packet_trace(const SceneTables& s, Packet& p, uint32_t mask) {
-    packet_walk(s, p, [&](const float* block, uint32_t rays) { return packet_leaf(s, p, block, rays, mask); });
+    packet_prepare(p);
+    for (uint32_t i = 0; i < p.count; i++) p.hit[i] = Hit{p.t[i], NO_HIT, 0.0f, 0.0f, NO_HIT};
+    for (uint32_t left = packet_all(p); left != 0;) {
+        left = packet_open(p, left);
+        packet_walk(s, p, ~0u, [&](const float* block, uint32_t rays) { return packet_leaf(s, p, block, rays, mask); });
+    }
 }
 #endif
