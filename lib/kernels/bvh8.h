@@ -93,14 +93,12 @@ FN int bvh8_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, float tmin, fl
 
     for (met = lane_drop_(met, k); met != 0u; met = lane_drop_(met, k)) {
         k = lane_first_(met);
-        uint ref = as_uint_(n[BVH8_REFS + k]);
-        if (ts[k] < *cur_t) {
-            bvh8_push(stack, bottom, *cur, *cur_t);
-            *cur = ref;
-            *cur_t = ts[k];
-        } else {
-            bvh8_push(stack, bottom, ref, ts[k]);
-        }
+        uint ref = as_uint_(n[BVH8_REFS + k]), waits = *cur;
+        float t = ts[k], waits_t = *cur_t;
+        int nearer = t < waits_t;
+        *cur = nearer ? ref : waits;
+        *cur_t = nearer ? t : waits_t;
+        bvh8_push(stack, bottom, nearer ? waits : ref, nearer ? waits_t : t);
     }
 
     return 1;
