@@ -40,10 +40,10 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     write_sources(std::move(sources), out);
     plant_light_tree(out);
 
-    // Windows and highlights, which need rays through the finished geometry.
+    // Highlights and windows, which need rays through the finished geometry.
     if (options.sampling != Sampling::plain) {
-        find_portals(out);
         find_highlights(out);
+        find_portals(out);
     }
     return out;
 }

@@ -11,6 +11,10 @@ namespace flatten {
 struct Aim {
     base::Vec3 centre, u, v;  // edges
     base::Vec3 out;           // unit normal, away from the side that it lights
+    // of a polished one in the sun: its roughness, squared, and where the mirrored sun stands, from the side that it
+    // lights
+    float gloss2 = 0;
+    base::Vec3 sun = {0, 0, 0};
 };
 
 // Those with the largest lit areas, at most `most`, on what sunlight through these windows meets first.

@@ -19,7 +19,8 @@ using base::Vec3;
 constexpr size_t MOST = 16;  // each costs a few operations per diffuse sample
 constexpr size_t MOST_PATCHES = 8;
 constexpr double SLIVER = 1e-6;  // of the largest window: its record would hold no finite numbers
-static_assert(MOST + MOST_PATCHES <= MOST_PORTALS, "their lights have places in the parameters");
+static_assert(MOST + MOST_PATCHES + MOST_HIGHLIGHTS <= MOST_PORTALS, "their lights have places in the parameters");
+constexpr double NEAR_BY = 2;  // metres or so from which a narrow highlight is looked at
 constexpr size_t MOST_PANES = 2000;
 constexpr int RAYS = 256;       // per side
 constexpr double ENOUGH = 0.1;  // share of rays that must escape on the outer side beyond those on the inner
@@ -116,13 +117,31 @@ Aim aim_of(const Rect& r, Vec3 outdoors) {
     return {r.origin + middle, r.u * (r.hi[0] - r.lo[0]), r.v * (r.hi[1] - r.lo[1]), outdoors};
 }
 
+// Of the sunlit polished rectangles (flatten/highlights.h) those so narrow that a cone about the mirrored sun would
+// mostly miss them: frames, sills, edges of tables.
+std::vector<Aim> polished_strips(const FlatScene& scene) {
+    std::vector<Aim> aims;
+    for (uint32_t k = 0; k < scene.highlight_count; k++) {
+        const float* h = &scene.f[scene.highlights_at + HIGHLIGHT_FLOATS * k];
+        const auto at = [&](uint32_t word) { return Vec3{h[word], h[word + 1], h[word + 2]}; };
+        const Vec3 u = at(HIGHLIGHT_U), v = at(HIGHLIGHT_V);
+        const double cone = NEAR_BY * std::sqrt(double(h[HIGHLIGHT_ALPHA2]));
+        if (!(std::min(length(u), length(v)) < cone)) continue;
+        const Vec3 centre = scene.centre + at(HIGHLIGHT_CORNER) + (u + v) * .5;
+        aims.push_back({centre, u, v, -at(HIGHLIGHT_NORMAL), h[HIGHLIGHT_ALPHA2], at(HIGHLIGHT_DIR)});
+    }
+    return aims;
+}
+
 void add_record(const Aim& aim, FlatScene& scene) {
     const Vec3 across = cross(aim.u, aim.v);  // along u: by the vector across v that u is 1 of
     const double square = dot(across, across);
     const Vec3 along_u = cross(aim.v, across) * (1 / square), along_v = cross(across, aim.u) * (1 / square);
     for (const Vec3& q : {aim.centre - scene.centre, aim.u, aim.v, aim.out, along_u, along_v})
         for (int k = 0; k < 3; k++) scene.f.push_back(float(q[k]));
-    scene.f.insert(scene.f.end(), {float(std::sqrt(square)), 0});
+    scene.f.insert(scene.f.end(), {float(std::sqrt(square)), aim.gloss2});
+    for (int k = 0; k < 3; k++) scene.f.push_back(float(aim.sun[k]));
+    scene.f.push_back(0);
     scene.portal_count++;
 }
 
@@ -146,6 +165,11 @@ void find_portals(FlatScene& scene) {
     std::vector<Aim> aims = windows;
     const std::vector<Aim> patches = find_patches(scene, tracer, windows, MOST_PATCHES);
     aims.insert(aims.end(), patches.begin(), patches.end());
+    if (!patches.empty()) {
+        const std::vector<Aim> strips = polished_strips(scene);
+        aims.insert(aims.end(), strips.begin(), strips.end());
+    }
+    scene.portals_at = uint32_t(scene.f.size());
     for (const Aim& aim : aims) add_record(aim, scene);
 }
 

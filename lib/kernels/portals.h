@@ -11,11 +11,39 @@ FN GLOBAL const float* portal_record(SHARED(const SceneTables) s, UNIFORM(const 
     return s->f + par->portals_at + PORTAL_FLOATS * par->portal_pick[k];
 }
 
+// Seen from p, how bright is the sun's highlight on a polished rectangle, 1 where it is brightest?  *to, from p to its
+// middle, becomes the way to its brightest place: where the mirrored sun stands, or what of the rectangle is next to
+// that.  height: of p above its plane.
+FN float portal_gloss(GLOBAL const float* portal, float height, PRIVATE(float3) to) {
+    float3 out = f3_at(portal + PORTAL_NORMAL), dir = f3_at(portal + PORTAL_SUN);
+    float down = dot3(dir, out);
+    float s = height / down;
+
+    // over the plane toward the mirrored sun, as far as that or to the rectangle
+    float3 along_u = f3_at(portal + PORTAL_ALONG_U), along_v = f3_at(portal + PORTAL_ALONG_V);
+    float a = -dot3(*to, along_u), b = -dot3(*to, along_v), da = dot3(dir, along_u), db = dot3(dir, along_v);
+    float inv_a = 1.0f / (fabs_(da) > 1e-12f ? da : 1e-12f), inv_b = 1.0f / (fabs_(db) > 1e-12f ? db : 1e-12f);
+    float a0 = (-0.5f - a) * inv_a, a1 = (0.5f - a) * inv_a, b0 = (-0.5f - b) * inv_b, b1 = (0.5f - b) * inv_b;
+    float first = MAX_(MAX_(MIN_(a0, a1), MIN_(b0, b1)), 0.0f), last = MIN_(MAX_(a0, a1), MAX_(b0, b1));
+    if (first <= last) s = MIN_(MAX_(s, first), last);
+    a = MIN_(MAX_(a + s * da, -0.5f), 0.5f);
+    b = MIN_(MAX_(b + s * db, -0.5f), 0.5f);
+    *to = madd3(f3_at(portal + PORTAL_V), b, madd3(f3_at(portal + PORTAL_U), a, *to));
+
+    float3 half_way = sub3(sub3(dir, scale3(out, 2.0f * down)), unit3(*to));
+    float hn = -dot3(half_way, out);
+    if (!(hn > 0.0f)) return 0.0f;
+    float far = (dot3(half_way, half_way) - hn * hn) / (hn * hn * portal[PORTAL_GLOSS2]);
+    return far < HIGHLIGHT_FARTHEST ? k_exp(-far) : 0.0f;
+}
+
 // How much of the view from p a portal takes up, with the cosines at both ends, about; 0 from behind it.
 FN float portal_view(GLOBAL const float* portal, float3 p, float3 n) {
     float3 to = sub3(f3_at(portal + PORTAL_CENTRE), p);
     float height = dot3(to, f3_at(portal + PORTAL_NORMAL));
     if (height <= 1e-4f) return 0.0f;  // at or beyond the glass
+    float bright = 1.0f;
+    if (portal[PORTAL_GLOSS2] > 0.0f) bright = portal_gloss(portal, height, &to);
 
     // its height above the surface's horizon; where the horizon cuts it, about that of the part above
     float e = dot3(to, n);
@@ -24,7 +52,7 @@ FN float portal_view(GLOBAL const float* portal, float3 p, float3 n) {
     if (e < reach) e = 0.25f * (e + reach) * (e + reach) / reach;
     float area = portal[PORTAL_AREA];
     float d2 = MAX_(dot3(to, to), 0.25f * area);
-    return area * height * e / (d2 * d2);
+    return bright * area * height * e / (d2 * d2);
 }
 
 // Density (per sr) with which a uniform point on portal k lies in direction dir from p; 0 if dir misses it.

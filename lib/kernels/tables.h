@@ -159,7 +159,7 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define DISTANT_SOURCE 5u          // active source index, NONE
 
 // ---- portals (windows and patches of sun, at which diffuse samples aim): PORTAL_FLOATS floats at f[Params.portals_at]
-#define PORTAL_FLOATS 20u
+#define PORTAL_FLOATS 24u
 #define PORTAL_CENTRE 0u    // 3
 #define PORTAL_U 3u         // 3: edge
 #define PORTAL_V 6u         // 3: the other edge
@@ -167,7 +167,9 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define PORTAL_ALONG_U 12u  // 3: times a way off the centre in its plane: how much of the edge u that is
 #define PORTAL_ALONG_V 15u  // 3: of v
 #define PORTAL_AREA 18u
-#define MOST_PORTALS 24u
+#define PORTAL_GLOSS2 19u  // a polished rectangle in the sun: its roughness, squared; else 0
+#define PORTAL_SUN 20u     // 3: unit, toward the mirrored sun, from the side that it lights
+#define MOST_PORTALS 32u
 
 // ---- highlights (sunlit rectangles on polished planes): HIGHLIGHT_FLOATS floats at f[Params.highlights_at]
 #define HIGHLIGHT_FLOATS 16u

@@ -77,7 +77,8 @@ private:
     SceneTables tables_ = {};  // of portals and highlights
     float clear_;              // rays begin so far from their surface
     std::vector<Walk> walks_;
-    size_t cosines_ = 0;  // walks by the cosine
+    size_t cosines_ = 0;           // walks by the cosine
+    std::vector<Walk> to_strips_;  // toward polished ones
 
     std::vector<WalkEnd> walk(const std::vector<WalkRay>& rays) {
         std::vector<WalkEnd> ends;
@@ -157,7 +158,7 @@ private:
     void aim(const std::vector<Place>& places, Params& par) {
         const double mean = moments(0).mean;
         for (uint32_t k = 0; k < par_.portal_count; k++) par_.portal_light[k] = light_of(k, places, mean);
-        weigh_portals(records_, walks_, mean, par_);
+        weigh_portals(records_, walks_, to_strips_, mean, par_);
         par.portal_count = par_.portal_count;
         par.portal_rest = par_.portal_rest;
         par.portal_least = par_.portal_least;
@@ -171,6 +172,7 @@ private:
         const float* portal = portal_record(&tables_, &par_, k);
         std::vector<WalkRay> rays;
         std::vector<double> views;
+        std::vector<Walk> walks;
         for (size_t i = 0; i < AIMED; i++) {
             const Place& place = places[i * places.size() / AIMED];
             const float view = portal_view(portal, place.p, place.n);
@@ -181,13 +183,18 @@ private:
             if (!(view > 0 && dot3(dir, place.n) > 0)) continue;
             rays.push_back(ray_of(place, dir));
             views.push_back(double(view));
+            walks.push_back(walk_of(place, 0, dir));
         }
         AimedLight light;
         const std::vector<WalkEnd> ends = walk(rays);
         for (size_t i = 0; i < ends.size(); i++) {
             const double beyond = ends[i].bounce ? luminance(ends[i].share) : 0;
             light.add(luminance(ends[i].gathered) + beyond * mean, views[i]);
+            walks[i].met = luminance(ends[i].gathered);
+            walks[i].beyond = ends[i].bounce ? luminance(ends[i].share) : 0;
+            walks[i].aim = k;
         }
+        if (portal[PORTAL_GLOSS2] > 0) to_strips_.insert(to_strips_.end(), walks.begin(), walks.end());
         return light.root();
     }
 

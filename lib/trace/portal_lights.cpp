@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where sun comes in, portals get directions by the light that they send to each place, all dimmed by one factor; under
-// the sky alone one share is the same everywhere.  What is tried is judged by the second moment of the walks' light.
+// Where sun comes in, portals get directions by the light that they send to each place, all dimmed by one factor;
+// under the sky alone one share is the same everywhere.  What is tried is judged by the second moment of the walks'
+// light.  Polished strips are added to that, each if it clearly pays where its highlight is seen.
 #include "trace/portal_lights.h"
 
 #include <algorithm>
@@ -19,6 +20,8 @@ namespace {
 using namespace kernels;
 
 constexpr double HARDLY = .015;    // share of the directions below which a portal only costs time
+constexpr double CLEARLY = 10;     // what a polished strip must take off the second moment, over what it adds
+constexpr double SELDOM = .0005;   // the same for a polished strip
 constexpr size_t BRIGHTEST = 500;  // one walk of so many is left out: they tell more of chance than of light
 constexpr double DIMMED[] = {1, .5, .25, .125};  // tried: all portals' light, times this
 constexpr int STEPS = 8;                         // and shares that are the same everywhere: 0, 1/8 .. 7/8
@@ -35,18 +38,23 @@ double trimmed_mean(std::vector<double>& squares) {
 
 class Weighing {
 public:
-    Weighing(const std::vector<float>& records, std::vector<Walk>& walks, double mean, Params& par)
-        : walks_(walks), mean_(mean), par_(par) {
+    Weighing(const std::vector<float>& records, std::vector<Walk>& walks, const std::vector<Walk>& to_strips,
+             double mean, Params& par)
+        : walks_(walks), to_strips_(to_strips), mean_(mean), par_(par) {
         tables_.f = records.data();
     }
 
     void weigh() {
-        const bool sun_comes_in = par_.portal_count > par_.window_count;
+        const uint32_t all = par_.portal_count;
+        while (par_.portal_count > 0 && is_strip(par_.portal_count - 1)) par_.portal_count--;  // they come last
+        const uint32_t strips = par_.portal_count;
+        const bool sun_comes_in = strips > par_.window_count;
         look();
         if (sun_comes_in) {
             leave_out();
             look();
             choose_light();
+            add_strips(strips, all);
         } else {
             choose_share();
         }
@@ -61,6 +69,7 @@ private:
     };
     SceneTables tables_ = {};
     std::vector<Walk>& walks_;
+    const std::vector<Walk>& to_strips_;
     const double mean_;
     Params& par_;
     std::vector<Aimed> aimed_;
@@ -85,23 +94,66 @@ private:
         par_.portal_rest = K_PI * float(std::sqrt(trimmed_mean(squares)));
     }
 
+    bool is_strip(uint32_t k) const { return portal_record(&tables_, &par_, k)[PORTAL_GLOSS2] > 0; }
+
+    // What share of all directions a portal gets.
+    double share_of(uint32_t k) const {
+        double share = 0;
+        for (size_t i = 0; i < walks_.size(); i++) {
+            const float view = portal_view(portal_record(&tables_, &par_, k), walks_[i].p, walks_[i].n);
+            const double sent = double(par_.portal_light[k]) * double(view);
+            if (sent > 0) share += sent / (aimed_[i].total + double(par_.portal_rest)) / double(walks_.size());
+        }
+        return share;
+    }
+
+    void keep(uint32_t k) {
+        par_.portal_pick[par_.portal_count] = par_.portal_pick[k];
+        par_.portal_light[par_.portal_count++] = par_.portal_light[k];
+    }
+
     // Leaves those portals out that get few directions.
     void leave_out() {
-        std::vector<double> shares(par_.portal_count, 0.0);
-        for (size_t i = 0; i < walks_.size(); i++)
-            for (uint32_t k = 0; k < par_.portal_count && aimed_[i].total > 0; k++) {
-                const float view = portal_view(portal_record(&tables_, &par_, k), walks_[i].p, walks_[i].n);
-                const double sent = double(par_.portal_light[k]) * double(view);
-                shares[k] += sent / (aimed_[i].total + double(par_.portal_rest)) / double(walks_.size());
-            }
+        std::vector<double> shares;
+        for (uint32_t k = 0; k < par_.portal_count; k++) shares.push_back(share_of(k));
         const double least = std::min(HARDLY, .2 * *std::max_element(shares.begin(), shares.end()));
-        uint32_t kept = 0;
-        for (uint32_t k = 0; k < par_.portal_count; k++) {
-            if (shares[k] < least) continue;
-            par_.portal_pick[kept] = par_.portal_pick[k];
-            par_.portal_light[kept++] = par_.portal_light[k];
+        par_.portal_count = 0;
+        for (uint32_t k = 0; k < shares.size(); k++)
+            if (!(shares[k] < least)) keep(k);
+    }
+
+    // Portals first .. end - 1 are polished strips.  The walks by the cosine meet highlights so seldom that they cannot
+    // tell what those are worth, but the walks toward them can.
+    void add_strips(uint32_t first, uint32_t end) {
+        const float rest = par_.portal_rest;
+        for (uint32_t k = first; k < end; k++)
+            if (worth_it(k)) keep(k);
+        look();
+        par_.portal_rest = rest;
+    }
+
+    // At the places from which walks went to strip k: does the second moment of the strip's own light fall by more than
+    // that of all other light rises, which gets fewer directions?
+    bool worth_it(uint32_t k) const {
+        const float* strip = portal_record(&tables_, &par_, k);
+        double saved = 0, lost = 0;
+        for (const Walk& walk : to_strips_) {
+            const float view = portal_view(strip, walk.p, walk.n), aimed = portal_density(strip, walk.p, walk.dir);
+            if (walk.aim != par_.portal_pick[k] || !(view > 0 && aimed > 0)) continue;
+            const float total = portals_light(&tables_, &par_, walk.p, walk.n);
+            const double others = double(total), sent = double(par_.portal_light[k]) * double(view);
+            const double before = double(portals_share(&par_, total));
+            const double now = double(portals_share(&par_, float(others + sent))),
+                         strips = now * sent / (others + sent);
+
+            const double cosine = double(dot3(walk.dir, walk.n)) * K_INV_PI, f = light(walk) * cosine;
+            const double by_cosine = (1 - before) * cosine, mixed = (1 - now) * cosine + strips * double(aimed);
+            saved += (f * f / by_cosine - f * f / mixed) / double(aimed);
+            const double rest = double(par_.portal_rest) * K_INV_PI, through = others * K_INV_PI;
+            lost += rest * rest * (1 / (1 - now) - 1 / (1 - before));
+            if (before > 0) lost += through * through * (1 / (now - strips) - 1 / before);
         }
-        par_.portal_count = kept;
+        return saved > CLEARLY * lost && share_of(k) >= SELDOM;
     }
 
     // Density of a walk's direction over the cosine's, if portals send `dimmed` times their light.
@@ -180,8 +232,9 @@ private:
 
 }  // namespace
 
-void weigh_portals(const std::vector<float>& records, std::vector<Walk>& walks, double mean, Params& par) {
-    Weighing(records, walks, mean, par).weigh();
+void weigh_portals(const std::vector<float>& records, std::vector<Walk>& walks, const std::vector<Walk>& to_strips,
+                   double mean, Params& par) {
+    Weighing(records, walks, to_strips, mean, par).weigh();
 }
 
 }  // namespace trace

@@ -15,12 +15,14 @@ struct Walk {
     double met = 0, beyond = 0;     // light, and the share of the light beyond
     double portals = 1, shine = 1;  // densities of its direction, with portals and among highlights, over the cosine's
     double weight = 1;              // 1 for a walk by the cosine, where no highlight is met
+    uint32_t aim = 0;               // the record of the polished strip to which it goes
 };
 
 // What the parameters (portal_* of kernels/tables.h) are to be.  walks: by the cosine; mean: of the light.  par has all
 // portals and their lights; those that are hardly aimed at are left out, and all of them if the noise would not be
-// less.  Writes Walk::portals.  records: of the portals, at par.portals_at.
-void weigh_portals(const std::vector<float>& records, std::vector<Walk>& walks, double mean, kernels::Params& par);
+// less.  Writes Walk::portals.  records: of the portals, at par.portals_at.  to_strips: walks to polished ones.
+void weigh_portals(const std::vector<float>& records, std::vector<Walk>& walks, const std::vector<Walk>& to_strips,
+                   double mean, kernels::Params& par);
 
 // The light of one portal as walks toward it find it; view: portal_view of each one's place.
 struct AimedLight {

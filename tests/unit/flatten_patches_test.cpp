@@ -12,6 +12,7 @@
 #include "flatten/flatten.h"
 #include "flatten/host_tracer.h"
 #include "flatten/patches.h"
+#include "kernels/host.h"
 #include "scene/object.h"
 
 namespace {
@@ -84,6 +85,22 @@ TEST_CASE("a sliver of glass is no window") {
     CHECK(two.window_count == 1);
     CHECK(two.portal_count > 1);
     for (size_t k = two.portals_at; k < two.f.size(); k++) CHECK(std::isfinite(two.f[k]));
+}
+
+TEST_CASE("a narrow polished strip in the sun is aimed at, a wide table has its cone") {
+    const std::string pane = "void glass clear 0 0 3 .9 .9 .9\nclear polygon pane 0 0 12 9 -1 1 9 1 1 9 1 3 9 -1 3\n";
+    const std::string metal = "void metal brushed 0 0 5 .5 .5 .5 .7 .1\n";
+    const std::string sill = "brushed polygon sill 0 0 12 8 -1 1.5 8.05 -1 1.5 8.05 1 1.5 8 1 1.5\n";
+    const std::string table = "brushed polygon table 0 0 12 5 -1 .7 6 -1 .7 6 1 .7 5 1 .7\n";
+    const auto polished = [](const flatten::FlatScene& scene) {
+        int count = 0;
+        for (uint32_t k = 0; k < scene.portal_count; k++)
+            if (scene.f[scene.portals_at + PORTAL_FLOATS * k + PORTAL_GLOSS2] > 0) count++;
+        return count;
+    };
+    CHECK(polished(room(pane + metal + sill + table)) == 1);
+    CHECK(polished(room(pane + metal + table)) == 0);
+    CHECK(polished(room(metal + sill)) == 0);  // no window: no portals
 }
 
 TEST_CASE("no sun, no patch") {

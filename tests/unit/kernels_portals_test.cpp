@@ -11,15 +11,21 @@
 
 using namespace kernels;
 
-// A window in the wall at x = 4, a slanted patch of sun on the floor, and one that is not to be used between them.
+static const float3 mirrored = unit3(F3(1.5f, .2f, -1.2f));  // the sun, from the place before the wall
+
+// A window in the wall at x = 4, a slanted patch of sun on the floor, and one that is not to be used between them; a
+// polished strip on the floor, in which the sun is mirrored to the place before the wall.
 struct Room : Tables {
     Room() {
         put_portal(F3(4, 1, 1.5f), F3(0, 2, 0), F3(0, 0, 1), F3(1, 0, 0));
         put_portal(F3(9, 9, 9), F3(0, 1, 0), F3(0, 0, 1), F3(1, 0, 0));
         put_portal(F3(1, 0, 0), F3(1, .5f, 0), F3(0, 1.5f, 0), F3(0, 0, -1));
+        put_portal(F3(1.5f, .8f, 0), F3(0, 2, 0), F3(.05f, 0, 0), F3(0, 0, -1), .15f, mirrored);
         s.f = f.data();
-        par.portal_count = 2;
+        par.portal_count = 3;
         par.portal_pick[1] = 2;
+        par.portal_pick[2] = 3;
+        par.portal_light[2] = 200;
         par.portal_light[0] = 3;
         par.portal_light[1] = 5;
         par.portal_rest = 2;
@@ -46,6 +52,34 @@ TEST_CASE("a view is about the projected solid angle, and nothing from behind") 
     CHECK(portal_view(window, F3(2, 1, 1.2f), F3(0, 0, 1)) > 0);  // the horizon cuts it
     CHECK(portal_view(window, F3(2, 1, 2.5f), F3(0, 0, 1)) == 0);
     CHECK(room.light(wall, inward) > 3 * exact);
+}
+
+// Its highlight: a Gaussian of the half vector's slope.  The brightest of many points along the strip tells the law.
+TEST_CASE("a polished strip is as bright as its highlight from there") {
+    const Room room;
+    const float* strip = portal_record(&room.s, &room.par, 2);
+    const float3 sun = F3(mirrored.x, mirrored.y, -mirrored.z);
+    int seen = 0;
+    for (uint32_t k = 0; k < 2000; k++) {
+        const float2 a = pair_of(2 * k), b = pair_of(2 * k + 1);
+        const float3 p = F3(3 * a.x - 1, 4 * a.y - 1, .1f + 2 * b.x);
+        double brightest = 0;
+        for (int i = 0; i < 5 * 201; i++) {
+            const float3 at = F3(1.475f + .0125f * float(i / 201), float(i % 201) / 100 - .2f, 0);
+            const float3 to = sub3(at, p), half_way = sub3(sun, unit3(to));
+            const double h = double(half_way.z), hh = double(dot3(half_way, half_way));
+            if (h > 0) brightest = std::max(brightest, std::exp(-(hh - h * h) / (h * h * .15 * .15)));
+        }
+        float3 to = sub3(F3(1.5f, .8f, 0), p);
+        const double found = double(portal_gloss(strip, p.z, &to));
+        CHECK(found <= 1.02 * brightest + .01);
+        if (brightest < .5) continue;
+        CHECK(found > .5 * brightest);
+        seen++;
+    }
+    CHECK(seen > 50);
+    CHECK(portal_view(strip, wall, inward) > 1e-4f);
+    CHECK(portal_view(strip, F3(3, .3f, 1.2f), F3(-1, 0, 0)) < 1e-6f);  // against the light
 }
 
 TEST_CASE("directions fall as their density says") {

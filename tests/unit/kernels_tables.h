@@ -17,13 +17,17 @@ struct Tables {
     kernels::Params par = {};
 
     void put(kernels::float3 v) { f.insert(f.end(), {v.x, v.y, v.z}); }
-    // A parallelogram about its centre (portals.h); u and v are its sides.
-    void put_portal(kernels::float3 centre, kernels::float3 u, kernels::float3 v, kernels::float3 out) {
+    // A parallelogram about its centre (portals.h); u and v are its sides.  A polished one has a roughness and a
+    // mirrored sun.
+    void put_portal(kernels::float3 centre, kernels::float3 u, kernels::float3 v, kernels::float3 out,
+                    float roughness = 0, kernels::float3 sun = {0, 0, 0}) {
         const kernels::float3 across = kernels::cross3(u, v);
         const float square = kernels::dot3(across, across);
         for (const kernels::float3 w : {centre, u, v, out}) put(w);
         put(kernels::scale3(kernels::cross3(v, across), 1 / square));
         put(kernels::scale3(kernels::cross3(across, u), 1 / square));
-        f.insert(f.end(), {std::sqrt(square), 0});
+        f.insert(f.end(), {std::sqrt(square), roughness * roughness});
+        put(sun);
+        f.push_back(0);
     }
 };
