@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Directions for diffuse light: a share of them toward "portals", windows and patches of sun, the others by the cosine,
-// one mixed density, so that the estimator stays unbiased whatever portals and share are (one-sample multiple
-// importance sampling with the balance heuristic, Veach 1997, section 9.2.4).  trace/portal_lights.h finds the share.
+// Directions for diffuse light: a share of them toward "portals", windows, patches of sun and narrow polished strips in
+// it, the others by the cosine, one mixed density, so that the estimator stays unbiased whatever portals and share are
+// (one-sample multiple importance sampling with the balance heuristic, Veach 1997, section 9.2.4).
+// trace/portal_lights.h finds the share.
 // Another share goes toward highlights (highlights.h).
 // Most light of a daylit room comes from a small solid angle: this is where noise goes.
 #ifndef LUX_PORTALS_H

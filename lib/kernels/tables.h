@@ -158,7 +158,8 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define DISTANT_BLACK 0xfffffffeu  // its alternate does not shine
 #define DISTANT_SOURCE 5u          // active source index, NONE
 
-// ---- portals (windows and patches of sun, at which diffuse samples aim): PORTAL_FLOATS floats at f[Params.portals_at]
+// ---- portals (windows, patches of sun, polished strips in it, at which diffuse samples aim): PORTAL_FLOATS floats at
+// f[Params.portals_at]
 #define PORTAL_FLOATS 24u
 #define PORTAL_CENTRE 0u    // 3
 #define PORTAL_U 3u         // 3: edge
@@ -212,7 +213,7 @@ STRUCT(Params) {
     uint together;                    // slots of a pixel side by side: samples frame .. frame + together - 1
     uint light_nodes;                 // of the tree; 0: each source is looked at
     float portal_least, portal_most;  // share of the directions toward portals, where there are any
-    uint window_count;                // of all portals; the others are patches of sun
+    uint window_count;                // of all portals; then come patches of sun and polished strips
     uint copies, focus_at;            // samples of a frame of a pixel; above 1: of those at focus[focus_at]
     uint shared_slots;                // of a sample whose paths share their far ends (share.h); 0: none does
     uint spare;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of the diffuse directions goes toward each window and patch of sun (kernels/portals.h), from short walks
-// before frame 1: the density of least noise is as the root of the mean square of the light, so that is what is asked
-// of each portal and of all else.
+// How much of the diffuse directions goes toward each window, patch of sun and polished strip (kernels/portals.h), from
+// short walks before frame 1: the density of least noise is as the root of the mean square of the light, so that is
+// what is asked of each portal and of all else.
 #pragma once
 #include <cmath>
 #include <vector>

@@ -215,7 +215,7 @@ TEST_CASE("neither do aims at windows, patches of sun and polished strips") {
     const Means aimed = means_of(scene, trace::Sampling::portals, 8, 135);
     const Means plain = means_of(scene, trace::Sampling::plain, 8, 1031);
     means_agree(aimed, plain);
-    CHECK(aimed.variance[64] < 8 * plain.variance[64]);
+    CHECK(aimed.variance[64] < 8 * plain.variance[64]);  // of as many frames
 }
 
 // Where one half of frame 0's samples holds all of a pixel's light, frame 1 may take it away, but no more than that.
