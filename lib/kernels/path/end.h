@@ -3,7 +3,7 @@
 #ifndef LUX_PATH_END_H
 #define LUX_PATH_END_H
 
-#define RR_START 0.05f  // ray weight below which roulette sets in
+#define RR_START 0.05f  // roulette sets in where a path carries less
 #define RR_LEAST 0.05f  // least chance to survive it
 
 // The constant that stands for light of deeper bounces (-av), where -ab ends.
@@ -23,16 +23,16 @@ FN int path_limited(UNIFORM(const Params) par, PRIVATE(const Vertex) vertex) {
     return par->lr < 0 && level > -par->lr;
 }
 
-// Russian roulette on what the surfaces reflect, not on the throughput: that also holds how likely the direction was,
-// and a way chosen toward a window is likely because much light is expected from it (spec shading 6).  0: the path
-// ends.
-FN int path_roulette(PRIVATE(Vertex) vertex) {
+// Russian roulette on what the path carries: its throughput, but for the direction that it now takes.  That one is
+// likely where much light is expected, and has a small factor for that alone; but directions of earlier bounces have
+// found what they were to find, and a path that carries much for them must not be made to carry twenty times as much
+// (spec shading 6).  0: the path ends.
+FN int path_roulette(PRIVATE(Vertex) vertex, float carried) {
     uint bounces = (vertex->flags >> PC_AB_SHIFT) & 255u;
-    if (bounces < 2u || !(vertex->weight < RR_START)) return 1;
-    float chance = MAX_(vertex->weight / RR_START, RR_LEAST);
+    if (bounces < 2u || !(carried < RR_START)) return 1;
+    float chance = MAX_(carried / RR_START, RR_LEAST);
     if (sample1(&vertex->rnd) >= chance) return 0;
     vertex->thr = scale3(vertex->thr, 1.0f / chance);
-    vertex->weight /= chance;
     return 1;
 }
 
@@ -41,16 +41,13 @@ FN int path_go_on(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED
                   PRIVATE(Vertex) vertex, PRIVATE(const Way) way) {
     if (par->shared_slots != 0u) path_ends(s, par, paths, vertex, way);
     vertex->weight *= MIN_(1.0f, max3(way->color));
-    float rarity = way->sum / MAX_(way->chance, 1e-30f);
-    if (way->forks && !path_limited(par, vertex)) {
-        vertex->thr = scale3(mul3(vertex->thr, way->color), rarity);
-        path_fork(paths, vertex, way);
-        vertex->thr = scale3(vertex->thr, way->factor);
-    } else {
-        vertex->thr = scale3(mul3(vertex->thr, way->color), way->factor * way->sum / MAX_(way->chance, 1e-30f));
-    }
+    vertex->thr = scale3(mul3(vertex->thr, way->color), way->sum / MAX_(way->chance, 1e-30f));
+    float carried = max3(vertex->thr);
+    if (way->forks && !path_limited(par, vertex)) path_fork(paths, vertex, way);
+    vertex->thr = scale3(vertex->thr, way->factor);
 
-    int ends = way->factor <= 0.0f || max3(vertex->thr) <= 0.0f || path_limited(par, vertex) || !path_roulette(vertex);
+    int ends = way->factor <= 0.0f || max3(vertex->thr) <= 0.0f || path_limited(par, vertex) ||
+               !path_roulette(vertex, carried);
     vertex_store(paths, vertex, ends ? vertex->before : vertex->g.total);
     if (ends) return 0;
 
