@@ -57,21 +57,31 @@ __kernel void k_shadow(ALL_ARGS, __global uint *counters, __global const uint *s
 
 __kernel void k_thin(ALL_ARGS) {
     SET_UP
-    if (i < par->slots) path_thin(&paths, i);
+    if (i < par->slots) path_thin(&paths, share_first(i), share_which(i));
+}
+
+__kernel void k_link(ALL_ARGS) {
+    SET_UP
+    if (i >= par->slots || !HAS_FAR_END(&paths, i)) return;
+    uint known = links_known(&s, par, &paths, i), through = links_to_look_through(known, share_which(i));
+    for (uint m = 0; m < SHARE_GROUP; m++)
+        if (through >> m & 1u) path_look_through(&s, par, &paths, i, m);
+    paths.links[i] = known;
 }
 
 __kernel void k_connect(ALL_ARGS) {
     SET_UP
-    if (i >= par->slots || !has_far_end(&paths, i)) return;
-    uint known = links_known(&s, par, &paths, i), through = links_to_look_through(i, known);
-    for (uint m = 0; m < SHARE_GROUP; m++)
-        if (through >> m & 1u) path_look_through(&s, par, &paths, i, m);
-    path_connect(&s, par, &paths, i, known);
+    if (i < par->slots) path_connect(&s, par, &paths, share_first(i), share_which(i));
+}
+
+__kernel void k_weigh(ALL_ARGS) {
+    SET_UP
+    if (i < par->slots && HAS_FAR_END(&paths, i)) path_weigh(&paths, i);
 }
 
 __kernel void k_collect(ALL_ARGS) {
     SET_UP
-    if (i < par->slots) path_collect(&paths, i);
+    if (i < par->slots) path_collect(&paths, share_first(i), share_which(i));
 }
 
 // After a round: the next queue becomes the current one.

@@ -10,6 +10,7 @@
 #define SHARE_STRIDE 4u    // from one to the next
 #define SHARE_SIDE 16u     // of a square
 #define SHARE_SQUARE 256u  // its pixels, row by row in slots that follow one another
+#define SHARE_GROUPS (SHARE_SQUARE / SHARE_GROUP)
 
 // How many slots a sample of a picture needs: whole squares.
 FN uint share_slots(uint nx, uint ny) {
@@ -26,13 +27,19 @@ FN uint shared_pixel(UNIFORM(const Params) par, uint gid) {
     return x < par->nx && y < par->ny ? y * par->nx + x : NONE;
 }
 
-// The slot of member m of the group to which the slot belongs, and which member the slot is.
-FN uint share_member(uint slot, uint m) {
+// The slots of member 0 of a square's groups, and of member m of the group of member 0.  Macros, so that paths in lanes
+// know that they have them in common.
+#define SHARE_FIRST(group) ((group) / SHARE_STRIDE * SHARE_SIDE + (group) % SHARE_STRIDE)
+#define SHARE_MEMBER(first, m) \
+    ((first) + (m) / SHARE_ACROSS * (SHARE_STRIDE * SHARE_SIDE) + (m) % SHARE_ACROSS * SHARE_STRIDE)
+
+// The same for the group to which a slot belongs, and which member the slot is.
+FN uint share_first(uint slot) {
     uint inside = slot % SHARE_SQUARE;
-    uint x = inside % SHARE_STRIDE + SHARE_STRIDE * (m % SHARE_ACROSS);
-    uint y = inside / SHARE_SIDE % SHARE_STRIDE + SHARE_STRIDE * (m / SHARE_ACROSS);
-    return slot - inside + y * SHARE_SIDE + x;
+    return slot - inside + inside / SHARE_SIDE % SHARE_STRIDE * SHARE_SIDE + inside % SHARE_STRIDE;
 }
+
+FN uint share_member(uint slot, uint m) { return SHARE_MEMBER(share_first(slot), m); }
 
 FN uint share_which(uint slot) {
     uint inside = slot % SHARE_SQUARE;

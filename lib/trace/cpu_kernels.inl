@@ -50,6 +50,12 @@ static void store(const Tile& t, uint32_t count, float* rgb) {
 static void extend(const SceneTables& s, Tile& t, uint32_t n) {
     for (uint32_t i = 0; i < n; i++) path_extend(&s, &t.paths, t.now[i]);
 }
+// The members of the groups of a square.
+template <class STAGE>
+static void of_groups(STAGE&& stage) {
+    for (uint32_t group = 0; group < SHARE_GROUPS; group++)
+        for (uint32_t which = 0; which < SHARE_GROUP; which++) stage(SHARE_FIRST(group), which);
+}
 // Each stage of the n slots of a queue, one path at a time.
 struct OneByOne {
     static void generate(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
@@ -62,19 +68,22 @@ struct OneByOne {
     static void shadow(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
         for (uint32_t i = 0; i < n; i++) path_shadow(&s, &par, &t.paths, t.shadow[i], t.result[i]);
     }
-    static void thin(Tile& t, uint32_t n) {
-        for (uint32_t i = 0; i < n; i++) t.result[i] = path_thin(&t.paths, i);
+    // of a square, as what follows
+    static void thin(Tile& t) {
+        of_groups([&](uint32_t first, uint32_t which) { path_thin(&t.paths, first, which); });
     }
     static void look_through(const SceneTables& s, const Params& par, Tile& t, const uint32_t* links, uint32_t n) {
         for (uint32_t i = 0; i < n; i++)
             path_look_through(&s, &par, &t.paths, links[i] / SHARE_GROUP, links[i] % SHARE_GROUP);
     }
-    // t.result: what is known of the links
-    static void connect(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-        for (uint32_t i = 0; i < n; i++) path_connect(&s, &par, &t.paths, t.now[i], uint32_t(t.result[i]));
+    static void connect(const SceneTables& s, const Params& par, Tile& t) {
+        of_groups([&](uint32_t first, uint32_t which) { path_connect(&s, &par, &t.paths, first, which); });
     }
-    static void collect(Tile& t, uint32_t n) {
-        for (uint32_t i = 0; i < n; i++) path_collect(&t.paths, i);
+    static void weigh(Tile& t, uint32_t n) {
+        for (uint32_t i = 0; i < n; i++) path_weigh(&t.paths, t.now[i]);
+    }
+    static void collect(Tile& t) {
+        of_groups([&](uint32_t first, uint32_t which) { path_collect(&t.paths, first, which); });
     }
 };
 #ifdef LANE_CALL
@@ -84,7 +93,7 @@ struct OneByOne {
 static void extend_together(const SceneTables& s, Tile& t, uint32_t n) { extend(s, t, n); }
 static void block_together(const SceneTables&, const Params&, Tile&, uint32_t) {}
 static void know_links(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-    for (uint32_t i = 0; i < n; i++) t.result[i] = int(links_known(&s, &par, &t.paths, t.now[i]));
+    for (uint32_t i = 0; i < n; i++) t.paths.links[t.now[i]] = links_known(&s, &par, &t.paths, t.now[i]);
 }
 #else
 // The same in packets, where rays that follow one another in the queue lie side by side.
@@ -140,25 +149,26 @@ template <class STAGES>
 static void look_through(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
     uint32_t links[SHARE_SQUARE * SHARE_GROUP], count = 0;
     for (uint32_t i = 0; i < n; i++) {
-        uint32_t left = links_to_look_through(t.now[i], uint32_t(t.result[i]));
-        for (; left != 0; left &= left - 1) links[count++] = t.now[i] * SHARE_GROUP + uint32_t(__builtin_ctz(left));
+        const uint32_t slot = t.now[i];
+        uint32_t left = links_to_look_through(t.paths.links[slot], share_which(slot));
+        for (; left != 0; left &= left - 1) links[count++] = slot * SHARE_GROUP + uint32_t(__builtin_ctz(left));
     }
     STAGES::look_through(s, par, t, links, count);
 }
 // Far ends light the near ends of their groups, in one square.
 template <class STAGES>
-static void share(const SceneTables& s, const Params& par, Tile& t, uint32_t count) {
+static void share(const SceneTables& s, const Params& par, Tile& t) {
     uint32_t n = 0;
-    STAGES::thin(t, count);
-    for (uint32_t i = 0; i < count; i++) {  // group by group
-        const uint32_t group = i / SHARE_GROUP;
-        const uint32_t slot = share_member(group / SHARE_STRIDE * SHARE_SIDE + group % SHARE_STRIDE, i % SHARE_GROUP);
-        if (t.result[slot] != 0) t.now[n++] = slot;
-    }
+    STAGES::thin(t);
+    of_groups([&](uint32_t first, uint32_t which) {
+        const uint32_t slot = SHARE_MEMBER(first, which);
+        if (HAS_FAR_END(&t.paths, slot)) t.now[n++] = slot;
+    });
     know_links(s, par, t, n);
     look_through<STAGES>(s, par, t, n);
-    STAGES::connect(s, par, t, n);
-    STAGES::collect(t, count);
+    STAGES::connect(s, par, t);
+    STAGES::weigh(t, n);
+    STAGES::collect(t);
 }
 // Square by square: what the paths of one share stays in the cache.
 #define PATH_SKIP(type, name, when) square.paths.name += first;
@@ -167,7 +177,7 @@ static void share_squares(const SceneTables& s, const Params& par, const Tile& t
     for (uint32_t first = 0; first < count; first += SHARE_SQUARE) {
         Tile square = t;
         PATH_STATE(PATH_SKIP)
-        share<STAGES>(s, par, square, count - first < SHARE_SQUARE ? count - first : SHARE_SQUARE);
+        share<STAGES>(s, par, square);
     }
 }
 static Params part_of(const void* params, uint32_t first, uint32_t count) {

@@ -53,19 +53,19 @@ FN uint32_t link_rays(const Paths& paths, const NearEnds& near, uint32_t far, Pa
     return facing & near.there;
 }
 
-// What is known of the links of each slot of the queue, as links_known() says.
+// Sets what is known of the links of each slot of the queue, as links_known() says.
 FN void know_links(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
     PacketRays p;
     NearEnds near;
     p.count = SHARE_GROUP;
     for (uint32_t i = 0; i < n; i++) {
         const uint32_t slot = t.now[i];
-        if (i == 0 || share_member(slot, 0) != share_member(t.now[i - 1], 0)) near_ends(t.paths, slot, near);
+        if (i == 0 || share_first(slot) != share_first(t.now[i - 1])) near_ends(t.paths, slot, near);
         uint32_t through = 0;
         const uint32_t facing = link_rays(t.paths, near, slot, p);
         const uint32_t open = packet_look(s, p, facing, RAY_ALL, &through) & ~through;
         if (par.shadow_mode == SHADOW_OPAQUE) through = 0;
-        t.result[i] = int(open | through << SHARE_GROUP);
+        t.paths.links[slot] = open | through << SHARE_GROUP;
     }
 }
 #endif

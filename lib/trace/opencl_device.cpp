@@ -62,7 +62,9 @@ public:
             draw_ = cl::Kernel(program_, "k_draw");
             walk_ = cl::Kernel(program_, "k_walk");
             thin_ = cl::Kernel(program_, "k_thin");
+            link_ = cl::Kernel(program_, "k_link");
             connect_ = cl::Kernel(program_, "k_connect");
+            weigh_ = cl::Kernel(program_, "k_weigh");
             collect_ = cl::Kernel(program_, "k_collect");
             counters_ = cl::Buffer(context_, CL_MEM_READ_WRITE, 16);
             params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(Params));
@@ -220,7 +222,7 @@ private:
     }
     // Far ends light the near ends of their groups.
     void share(uint32_t slots) {
-        for (cl::Kernel* k : {&thin_, &connect_, &collect_}) {
+        for (cl::Kernel* k : {&thin_, &link_, &connect_, &weigh_, &collect_}) {
             set_scene(*k);
             launch(*k, slots);
         }
@@ -273,7 +275,7 @@ private:
     cl::Context context_;
     cl::CommandQueue queue_;
     cl::Program program_;
-    cl::Kernel generate_, extend_, shade_, shadow_, swap_, draw_, walk_, thin_, connect_, collect_;
+    cl::Kernel generate_, extend_, shade_, shadow_, swap_, draw_, walk_, thin_, link_, connect_, weigh_, collect_;
     cl::Buffer tables_[TABLES], paths_[PATH_FIELDS];  // in the order of the kernels' arguments
     cl::Buffer params_, counters_, now_, next_, shadow_queue_;
     uint32_t capacity_ = 0;

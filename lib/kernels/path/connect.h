@@ -8,6 +8,25 @@
 
 #define FAR_ENOUGH 2.0f  // times what the far ends of a group bring on average: those that bring so much are sure to
 
+// A near end, as links to it are made.
+STRUCT(NearEnd) {
+    float3 p, n, ng;
+    float own;  // factor of its own ray, or NO_NEAR_END
+    Aims aims;
+};
+
+FN NearEnd near_end(SHARED(const Paths) paths, uint slot) {
+    float4 p = paths->near_p[slot], n = paths->near_n[slot], ng = paths->near_ng[slot];
+    NearEnd near;
+    near.p = xyz4(p);
+    near.n = xyz4(n);
+    near.ng = xyz4(ng);
+    near.own = n.w;
+    near.aims.light = p.w;
+    near.aims.highlights = as_uint_(ng.w);
+    return near;
+}
+
 // From a near end to a far end.
 STRUCT(Link) {
     Ray ray;
@@ -16,12 +35,11 @@ STRUCT(Link) {
     float per_area;  // cosine at the far end over squared distance; 1 if that is a direction
 };
 
-// 0: one does not face the other.
-FN int link_ends(SHARED(const Paths) paths, uint near, uint far, PRIVATE(Link) link) {
-    float4 p = paths->near_p[near], n = paths->near_n[near], ng = paths->near_ng[near], to = paths->far_p[far];
-    if (n.w == NO_NEAR_END) return 0;
-    float3 from = xyz4(p);
-    link->ray.org = from;
+// far: its slot.  0: one does not face the other.
+FN int link_ends(SHARED(const Paths) paths, PRIVATE(const NearEnd) near, uint far, PRIVATE(Link) link) {
+    float4 to = paths->far_p[far];
+    if (near->own == NO_NEAR_END) return 0;
+    link->ray.org = near->p;
     link->ray.tmin = 0.0f;
 
     if (to.w == FAR_DIRECTION) {
@@ -31,7 +49,7 @@ FN int link_ends(SHARED(const Paths) paths, uint near, uint far, PRIVATE(Link) l
         link->ray.tmax = FAR_AWAY;
     } else {
         float4 far_n = paths->far_n[far];
-        float3 way = sub3(xyz4(to), from);
+        float3 way = sub3(xyz4(to), near->p);
         float d2 = dot3(way, way);
         link->dir = scale3(way, 1.0f / sqrt_(d2));
         float facing = -dot3(link->dir, xyz4(far_n));
@@ -39,40 +57,41 @@ FN int link_ends(SHARED(const Paths) paths, uint near, uint far, PRIVATE(Link) l
         link->per_area = facing / d2;
 
         // up to a point just before the far end's surface, where its own next ray begins
-        float3 open = sub3(offset_ray(xyz4(to), xyz4(far_n), far_n.w), from);
+        float3 open = sub3(offset_ray(xyz4(to), xyz4(far_n), far_n.w), near->p);
         link->ray.tmax = length3(open);
         link->ray.dir = scale3(open, 1.0f / link->ray.tmax);
     }
 
-    link->cosine = dot3(link->dir, xyz4(n));
-    return link->cosine > 0.0f && dot3(link->dir, xyz4(ng)) > 0.0f;
+    link->cosine = dot3(link->dir, near->n);
+    return link->cosine > 0.0f && dot3(link->dir, near->ng) > 0.0f;
 }
 
 // What a slot's own far end brings to its own near end, if that reflected all.
-FN float far_worth(SHARED(const Paths) paths, uint slot) {
-    float4 n = paths->near_n[slot];
-    if (paths->far_p[slot].w == FAR_NOTHING || !(n.w > 0.0f)) return 0.0f;
-    float3 radiance = xyz4(paths->far_rad[slot]);
-    return (fabs_(radiance.x) + fabs_(radiance.y) + fabs_(radiance.z)) * n.w;
+FN float far_worth(float4 near_n, float4 far_p, float4 far_rad) {
+    if (far_p.w == FAR_NOTHING || !(near_n.w > 0.0f)) return 0.0f;
+    return (fabs_(far_rad.x) + fabs_(far_rad.y) + fabs_(far_rad.z)) * near_n.w;
 }
 
 // Far ends that bring less are linked by chance only (Russian roulette), and then count for more: most are dim, and the
-// links take the time.  Sets the chance of a slot's; 0: it is not linked.
-FN int path_thin(SHARED(const Paths) paths, uint slot) {
-    float all = 0.0f, worth = far_worth(paths, slot), chance = 0.0f;
+// links take the time.  Sets the chance of that of member `which` of a group (SHARE_FIRST); 0: it is not linked.
+FN void path_thin(SHARED(const Paths) paths, SAME uint first, uint which) {
+    uint slot = SHARE_MEMBER(first, which);
+    float worth = far_worth(paths->near_n[slot], paths->far_p[slot], paths->far_rad[slot]), chance = 0.0f, all = 0.0f;
     if (worth > 0.0f) {
-        for (SAME uint m = 0u; m < SHARE_GROUP; m++) all += far_worth(paths, share_member(slot, m));
+        for (SAME uint m = 0u; m < SHARE_GROUP; m++) {
+            SAME uint far = SHARE_MEMBER(first, m);
+            all += far_worth(paths->near_n[far], paths->far_p[far], paths->far_rad[far]);
+        }
         chance = MIN_(worth / (FAR_ENOUGH / (float)SHARE_GROUP * all), 1.0f);
         Sampler rnd = path_sampler(paths->info[slot]);
         rnd.key = hash32(rnd.key ^ 0x2545f491u);
         if (!(sample1(&rnd) < chance)) chance = 0.0f;
     }
     paths->near_thr[slot].w = chance;
-    return chance > 0.0f;
 }
 
 // Is the far end of a slot linked?
-FN int has_far_end(SHARED(const Paths) paths, uint slot) { return paths->near_thr[slot].w > 0.0f; }
+#define HAS_FAR_END(paths, slot) ((paths)->near_thr[slot].w > 0.0f)
 
 // What is known of the links to a far end, two bits a member of the group: nothing lies in the way of member m (bit m);
 // nothing opaque does (bit 16 + m, not set where nothing at all does).
@@ -80,7 +99,8 @@ FN uint links_known(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHAR
     uint known = 0u;
     for (SAME uint m = 0u; m < SHARE_GROUP; m++) {
         Link link;
-        if (!link_ends(paths, share_member(slot, m), slot, &link)) continue;
+        NearEnd near = near_end(paths, share_member(slot, m));
+        if (!link_ends(paths, &near, slot, &link)) continue;
         if (!trace_any(s, &link.ray, RAY_ALL)) known |= 1u << m;
         else if (par->shadow_mode != SHADOW_OPAQUE && !trace_any(s, &link.ray, RAY_OPAQUE)) known |= 65536u << m;
     }
@@ -122,65 +142,68 @@ FN int link_panes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVAT
 
 // The members whose links to the far end of a slot may lead through panes, a bit each: where nothing opaque lies in the
 // way, and its own, along which its path went.
-FN uint links_to_look_through(uint slot, uint known) {
-    return (known >> SHARE_GROUP | 1u << share_which(slot)) & ~known & ((1u << SHARE_GROUP) - 1u);
+FN uint links_to_look_through(uint known, uint own) {
+    return (known >> SHARE_GROUP | 1u << own) & ~known & ((1u << SHARE_GROUP) - 1u);
 }
 
-// Looks along such a link.  Its gift becomes what the panes let through; w: the chance that a path goes on through
-// them, below 0 if something else is in the way.
+// Looks along such a link: what the panes let through; w: the chance that a path goes on through them, below 0 if
+// something else is in the way.
 FN void path_look_through(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
                           uint m) {
     Link link;
+    NearEnd near = near_end(paths, share_member(slot, m));
     float3 T = F3(1.0f, 1.0f, 1.0f);
     float chance = 1.0f;
-    if (!link_ends(paths, share_member(slot, m), slot, &link) || !link_panes(s, par, &link.ray, &T, &chance))
-        chance = -1.0f;
-    paths->gifts[slot].to[m] = pack4(T, chance);
+    if (!link_ends(paths, &near, slot, &link) || !link_panes(s, par, &link.ray, &T, &chance)) chance = -1.0f;
+    paths->panes[slot].of[m] = pack4(T, chance);
 }
 
-// What the far end of a slot brings to each of its group: its gifts times its radiance, which is divided by the sum of
-// the densities.  known: links_known() of it; those that may lead through panes have been looked through.
-FN void path_connect(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
-                     uint known) {
-    uint own = share_which(slot), panes = links_to_look_through(slot, known);
-    float densities = 0.0f;
-
+// The links of the near end of member `which` of a group to all its far ends: with which density it would have found
+// them, and what they are worth to it.  What is known of them is in `links`; those that may lead through panes have
+// been looked through.
+FN void path_connect(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+                     SAME uint first, uint which) {
+    NearEnd near = near_end(paths, SHARE_MEMBER(first, which));
     for (SAME uint m = 0u; m < SHARE_GROUP; m++) {
+        SAME uint far = SHARE_MEMBER(first, m);
+        if (!HAS_FAR_END(paths, far)) continue;
+        uint open = paths->links[far];
+        uint panes = links_to_look_through(open, m);
+        float density = 0.0f, gift = 0.0f, through = 1.0f;
+        if ((panes >> which & 1u) != 0u) through = paths->panes[far].of[which].w;
+
         Link link;
-        uint near = share_member(slot, m);
-        float4 through = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
-        if ((panes >> m & 1u) != 0u) through = paths->gifts[slot].to[m];
-        paths->gifts[slot].to[m] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
-        if (((known | panes) >> m & 1u) == 0u || through.w < 0.0f) continue;
-        if (!link_ends(paths, near, slot, &link)) continue;
-
-        float density;
-        if (m == own) {
-            density = link.cosine * K_INV_PI / paths->near_n[near].w;
-        } else {
-            Aims aims;
-            aims.light = paths->near_p[near].w;
-            aims.highlights = as_uint_(paths->near_ng[near].w);
-            density = diffuse_density(s, par, &aims, xyz4(paths->near_p[near]), xyz4(paths->near_n[near]), link.dir);
+        if (((open | panes) >> which & 1u) != 0u && !(through < 0.0f) && link_ends(paths, &near, far, &link)) {
+            if (which == m) density = link.cosine * K_INV_PI / near.own;
+            else density = diffuse_density(s, par, &near.aims, near.p, near.n, link.dir);
+            density = density * link.per_area * through;
+            gift = link.cosine * K_INV_PI * link.per_area;
         }
-        densities += density * link.per_area * through.w;
-        paths->gifts[slot].to[m] = pack4(scale3(xyz4(through), link.cosine * K_INV_PI * link.per_area), 0.0f);
+        paths->density[far].of[which] = density;
+        paths->gift[far].of[which] = gift;
     }
+}
 
+// Divides what the far end of a slot sends out by the sum of those densities.
+FN void path_weigh(SHARED(const Paths) paths, uint slot) {
+    float densities = 0.0f;
+    for (SAME uint m = 0u; m < SHARE_GROUP; m++) densities += paths->density[slot].of[m];
     float4 radiance = paths->far_rad[slot];
     float each = densities > 0.0f ? 1.0f / (densities * paths->near_thr[slot].w) : 0.0f;
     paths->far_rad[slot] = pack4(scale3(xyz4(radiance), each), radiance.w);
 }
 
-// Adds to a slot what all far ends of its group bring to its near end.
-FN void path_collect(SHARED(const Paths) paths, uint slot) {
+// Adds to member `which` of a group what all far ends of the group bring to its near end.
+FN void path_collect(SHARED(const Paths) paths, SAME uint first, uint which) {
+    uint slot = SHARE_MEMBER(first, which);
     if (paths->near_n[slot].w == NO_NEAR_END) return;
-    uint own = share_which(slot);
     float3 sum = F3(0.0f, 0.0f, 0.0f);
     for (SAME uint m = 0u; m < SHARE_GROUP; m++) {
-        uint from = share_member(slot, m);
-        if (has_far_end(paths, from))
-            sum = add3(sum, mul3(xyz4(paths->gifts[from].to[own]), xyz4(paths->far_rad[from])));
+        SAME uint far = SHARE_MEMBER(first, m);
+        if (!HAS_FAR_END(paths, far)) continue;
+        float3 T = F3(1.0f, 1.0f, 1.0f);
+        if ((links_to_look_through(paths->links[far], m) >> which & 1u) != 0u) T = xyz4(paths->panes[far].of[which]);
+        sum = add3(sum, mul3(scale3(T, paths->gift[far].of[which]), xyz4(paths->far_rad[far])));
     }
 
     float4 rad = paths->rad[slot];

@@ -36,7 +36,10 @@
     FIELD(float4, far_n, PATH_SHARED)         /* normal on the ray's side; w: reach */                          \
     FIELD(float4, far_rad, PATH_SHARED)       /* radiance that it sends out, rgb; w: path length as in rad */   \
     FIELD(float4, shadow_far, PATH_SHARED)    /* what the shadow ray brings to it, rgb; w: 1, 0: nothing */     \
-    FIELD(Gifts, gifts, PATH_SHARED)          /* of the far end */                                               \
+    FIELD(Panes, panes, PATH_SHARED)          /* along the links to the far end (connect.h) */                   \
+    FIELD(LinkWords, density, PATH_SHARED)    /* with which the near ends would have found it */                 \
+    FIELD(LinkWords, gift, PATH_SHARED)       /* what it is worth to them, but for panes */                      \
+    FIELD(uint, links, PATH_SHARED)           /* what is known of them */                                        \
     FIELD(float, expected, PATH_GUIDED)       /* what was expected of it at its first bounce; 0: not yet */
 // clang-format on
 
@@ -45,8 +48,9 @@
 #define FAR_POINT 1.0f
 #define FAR_DIRECTION 2.0f
 
-// What a far end is worth to the near ends of its group (connect.h).
-STRUCT(Gifts) { float4 to[SHARE_GROUP]; };
+// Of the links between a far end and the near ends of its group, a word or what panes let through each.
+STRUCT(LinkWords) { float of[SHARE_GROUP]; };
+STRUCT(Panes) { float4 of[SHARE_GROUP]; };
 
 #define PATH_POINTER(type, name, when) GLOBAL type* name;
 STRUCT(Paths){PATH_STATE(PATH_POINTER)};
