@@ -9,9 +9,10 @@
 #define LEAST_COSINE 0.05f  // what lies behind a surface or on edge may still shine through it or at its rim
 
 // What source i could give a surface at p with normal n, up to a factor; both: from behind, too.
-FN float source_promise(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint i, float3 p, float3 n, int both) {
-    GLOBAL const float* src = source_record(s, par, i);
-    uint kind = as_uint_(src[SRC_KIND]), relay = as_uint_(src[SRC_VIRTUAL]);
+FN float source_promise(SHARED(const SceneTables) s, UNIFORM(const Params) par, SAME uint i, float3 p, float3 n,
+                        int both) {
+    GLOBAL const float* SAME src = s->f + par->sources_at + SOURCE_FLOATS * i;
+    SAME uint kind = as_uint_(src[SRC_KIND]), relay = as_uint_(src[SRC_VIRTUAL]);
     float3 to = f3_at(src + SRC_CENTRE);
     float r = src[SRC_RADIUS], power = src[SRC_POWER] * src[SRC_AREA], d2 = 1.0f, d = 1.0f;
     if (kind == SK_CYLINDER) r += length3(f3_at(src + SRC_U));
@@ -28,9 +29,9 @@ FN float source_promise(SHARED(const SceneTables) s, UNIFORM(const Params) par, 
 
     float reach = r / MAX_(d, 1e-9f);  // sine of its half angle
     if (relay != NONE) {
-        uint count = s->u[relay + RELAY_GATES];
-        GLOBAL const float* gate = s->f + s->u[relay + RELAY_GATES_AT];
-        for (uint k = 0u; k < count; k++, gate += GATE_FLOATS)
+        SAME uint count = s->u[relay + RELAY_GATES];
+        GLOBAL const float* SAME gate = s->f + s->u[relay + RELAY_GATES_AT];
+        for (SAME uint k = 0u; k < count; k++, gate += GATE_FLOATS)
             if (gate_shuts(gate, p, to, reach, 0)) return 0.0f;
     }
 

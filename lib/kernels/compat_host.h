@@ -61,6 +61,10 @@ FN float sqrt_(float x) { return __builtin_sqrtf(x); }
 FN float floor_(float x) { return __builtin_floorf(x); }
 FN float fabs_(float x) { return __builtin_fabsf(x); }
 
+// Four words of a path's slot: float4 or uint4.  In lanes a plain [slot] takes three times as long.
+#define read4_(from, slot) ((from)[slot])
+#define write4_(to, slot, v) ((to)[slot] = (v))
+
 // p on a 16-byte boundary
 FN float4 loadf4_(const float* p) {
     float4 v;

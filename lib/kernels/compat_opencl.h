@@ -27,6 +27,8 @@ typedef long long64;
 #define floor_(x) floor(x)
 #define fabs_(x) fabs(x)
 #define loadf4_(p) (*(__global const float4*)(p))
+#define read4_(from, slot) ((from)[slot])
+#define write4_(to, slot, v) ((to)[slot] = (v))
 
 // Wide words (bvh8.h), see compat_host.h.
 #ifdef LUX_BVH2

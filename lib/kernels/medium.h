@@ -22,7 +22,7 @@ FN Medium medium_open(UNIFORM(const Params) par) {
 
 FN Medium path_medium(SHARED(const Paths) paths, uint slot) {
     Medium medium;
-    float4 k = paths->medium[slot], albedo = paths->albedo[slot];
+    float4 k = read4_(paths->medium, slot), albedo = read4_(paths->albedo, slot);
     medium.k = xyz4(k);
     medium.lights = as_uint_(k.w);
     medium.albedo = xyz4(albedo);
@@ -31,15 +31,15 @@ FN Medium path_medium(SHARED(const Paths) paths, uint slot) {
 }
 
 FN void set_path_medium(SHARED(const Paths) paths, uint slot, PRIVATE(const Medium) medium) {
-    paths->medium[slot] = pack4(medium->k, as_float_(medium->lights));
-    paths->albedo[slot] = pack4(medium->albedo, medium->ecc);
+    write4_(paths->medium, slot, pack4(medium->k, as_float_(medium->lights)));
+    write4_(paths->albedo, slot, pack4(medium->albedo, medium->ecc));
 }
 
 // A shadow ray keeps the same but the eccentricity, and with it what antimatter it is in.
 FN Medium shadow_medium(SHARED(const Paths) paths, uint slot) {
     Medium medium;
-    float4 albedo = paths->shadow_albedo[slot];
-    medium.k = xyz4(paths->shadow_medium[slot]);
+    float4 albedo = read4_(paths->shadow_albedo, slot);
+    medium.k = xyz4(read4_(paths->shadow_medium, slot));
     medium.lights = as_uint_(albedo.w);
     medium.albedo = xyz4(albedo);
     medium.ecc = 0.0f;
@@ -47,8 +47,8 @@ FN Medium shadow_medium(SHARED(const Paths) paths, uint slot) {
 }
 
 FN void set_shadow_medium(SHARED(const Paths) paths, uint slot, PRIVATE(const Medium) medium, uint clip) {
-    paths->shadow_medium[slot] = pack4(medium->k, as_float_(clip));
-    paths->shadow_albedo[slot] = pack4(medium->albedo, as_float_(medium->lights));
+    write4_(paths->shadow_medium, slot, pack4(medium->k, as_float_(clip)));
+    write4_(paths->shadow_albedo, slot, pack4(medium->albedo, as_float_(medium->lights)));
 }
 
 // Mists keep what they do not state: a mist without albedo has that around it, one without list its lights.

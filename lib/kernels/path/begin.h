@@ -48,8 +48,8 @@ FN void given_ray(UNIFORM(const Params) par, PRIVATE(Sampler) rnd, PRIVATE(Ray) 
 // What every path begins with, beside the direction of its first ray.
 FN void path_start(UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot, float3 org,
                    PRIVATE(const Sampler) rnd, uint flags) {
-    paths->org[slot] = pack4(org, as_float_(CLIP_START));
-    paths->thr[slot] = pack4(F3(1.0f, 1.0f, 1.0f), 1.0f);
+    write4_(paths->org, slot, pack4(org, as_float_(CLIP_START)));
+    write4_(paths->thr, slot, pack4(F3(1.0f, 1.0f, 1.0f), 1.0f));
     if (par->medium.w > 0.0f) {
         Medium open = medium_open(par);
         set_path_medium(paths, slot, &open);
@@ -62,19 +62,19 @@ FN void path_start(UNIFORM(const Params) par, SHARED(const Paths) paths, uint sl
     info.y = rnd->key;
     info.z = path_sampler_word(rnd);
     info.w = NONE;
-    paths->info[slot] = info;
+    write4_(paths->info, slot, info);
 }
 
 // A path that shares has no ends yet (far.h).
 FN void no_ends(SHARED(const Paths) paths, uint slot) {
-    paths->near_n[slot] = pack4(F3(0.0f, 0.0f, 0.0f), NO_NEAR_END);
-    paths->far_p[slot] = pack4(F3(0.0f, 0.0f, 0.0f), FAR_NOTHING);
+    write4_(paths->near_n, slot, pack4(F3(0.0f, 0.0f, 0.0f), NO_NEAR_END));
+    write4_(paths->far_p, slot, pack4(F3(0.0f, 0.0f, 0.0f), FAR_NOTHING));
 }
 
 // 1 if the slot has a ray to follow.
 FN int path_generate(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
     uint pixel = path_pixel(s, par, slot), index = path_sample_index(par, slot);
-    paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
+    write4_(paths->rad, slot, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
     if (par->shared_slots != 0u) no_ends(paths, slot);
     if (pixel == NONE) return 0;
 
@@ -97,7 +97,7 @@ FN int path_generate(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHA
 
     if (!has_ray) return 0;
 
-    paths->dir[slot] = pack4(ray.dir, ray.tmax);
+    write4_(paths->dir, slot, pack4(ray.dir, ray.tmax));
     path_start(par, paths, slot, ray.org, &rnd, 0u);
     return 1;
 }

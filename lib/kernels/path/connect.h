@@ -16,7 +16,7 @@ STRUCT(NearEnd) {
 };
 
 FN NearEnd near_end(SHARED(const Paths) paths, uint slot) {
-    float4 p = paths->near_p[slot], n = paths->near_n[slot], ng = paths->near_ng[slot];
+    float4 p = read4_(paths->near_p, slot), n = read4_(paths->near_n, slot), ng = read4_(paths->near_ng, slot);
     NearEnd near;
     near.p = xyz4(p);
     near.n = xyz4(n);
@@ -76,14 +76,15 @@ FN float far_worth(float4 near_n, float4 far_p, float4 far_rad) {
 // links take the time.  Sets the chance of that of member `which` of a group (SHARE_FIRST); 0: it is not linked.
 FN void path_thin(SHARED(const Paths) paths, SAME uint first, uint which) {
     uint slot = SHARE_MEMBER(first, which);
-    float worth = far_worth(paths->near_n[slot], paths->far_p[slot], paths->far_rad[slot]), chance = 0.0f, all = 0.0f;
+    float4 near_n = read4_(paths->near_n, slot), far_p = read4_(paths->far_p, slot);
+    float worth = far_worth(near_n, far_p, read4_(paths->far_rad, slot)), chance = 0.0f, all = 0.0f;
     if (worth > 0.0f) {
         for (SAME uint m = 0u; m < SHARE_GROUP; m++) {
             SAME uint far = SHARE_MEMBER(first, m);
             all += far_worth(paths->near_n[far], paths->far_p[far], paths->far_rad[far]);
         }
         chance = MIN_(worth / (FAR_ENOUGH / (float)SHARE_GROUP * all), 1.0f);
-        Sampler rnd = path_sampler(paths->info[slot]);
+        Sampler rnd = path_sampler(read4_(paths->info, slot));
         rnd.key = hash32(rnd.key ^ 0x2545f491u);
         if (!(sample1(&rnd) < chance)) chance = 0.0f;
     }
@@ -188,9 +189,9 @@ FN void path_connect(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHA
 FN void path_weigh(SHARED(const Paths) paths, uint slot) {
     float densities = 0.0f;
     for (SAME uint m = 0u; m < SHARE_GROUP; m++) densities += paths->density[slot].of[m];
-    float4 radiance = paths->far_rad[slot];
+    float4 radiance = read4_(paths->far_rad, slot);
     float each = densities > 0.0f ? 1.0f / (densities * paths->near_thr[slot].w) : 0.0f;
-    paths->far_rad[slot] = pack4(scale3(xyz4(radiance), each), radiance.w);
+    write4_(paths->far_rad, slot, pack4(scale3(xyz4(radiance), each), radiance.w));
 }
 
 // Adds to member `which` of a group what all far ends of the group bring to its near end.
@@ -206,7 +207,7 @@ FN void path_collect(SHARED(const Paths) paths, SAME uint first, uint which) {
         sum = add3(sum, mul3(scale3(T, paths->gift[far].of[which]), xyz4(paths->far_rad[far])));
     }
 
-    float4 rad = paths->rad[slot];
-    paths->rad[slot] = pack4(add3(xyz4(rad), mul3(xyz4(paths->near_thr[slot]), sum)), rad.w);
+    float4 rad = read4_(paths->rad, slot);
+    write4_(paths->rad, slot, pack4(add3(xyz4(rad), mul3(xyz4(read4_(paths->near_thr, slot)), sum)), rad.w));
 }
 #endif

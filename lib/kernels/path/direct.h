@@ -35,10 +35,10 @@ FN void direct_shadow_ray(UNIFORM(const Params) par, SHARED(const Paths) paths, 
         light->dir = scale3(to, 1.0f / MAX_(light->dist, 1e-9f));
     }
 
-    paths->shadow_org[slot] = pack4(from, as_float_(source));
-    paths->shadow_dir[slot] = pack4(light->dir, light->dist);
-    paths->shadow_rad[slot] = pack4(radiance, g->total);
-    if (par->shared_slots != 0u) paths->shadow_far[slot] = pack4(far, vertex->at_far ? 1.0f : 0.0f);
+    write4_(paths->shadow_org, slot, pack4(from, as_float_(source)));
+    write4_(paths->shadow_dir, slot, pack4(light->dir, light->dist));
+    write4_(paths->shadow_rad, slot, pack4(radiance, g->total));
+    if (par->shared_slots != 0u) write4_(paths->shadow_far, slot, pack4(far, vertex->at_far ? 1.0f : 0.0f));
     if (path_media_used(par)) {
         Medium there = above ? vertex->arriving : vertex->beyond;
         set_shadow_medium(paths, slot, &there, above ? vertex->clip_before : vertex->clip_beyond);

@@ -59,9 +59,9 @@ FN int path_go_on(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED
         Medium there = way_reflects(way->way) ? vertex->arriving : vertex->beyond;
         set_path_medium(paths, slot, &there);
     }
-    paths->org[slot] = pack4(from, as_float_(above ? vertex->clip_before : vertex->clip_beyond));
-    paths->dir[slot] = pack4(way->dir, FAR_AWAY);
-    paths->thr[slot] = pack4(vertex->thr, vertex->weight);
+    write4_(paths->org, slot, pack4(from, as_float_(above ? vertex->clip_before : vertex->clip_beyond)));
+    write4_(paths->dir, slot, pack4(way->dir, FAR_AWAY));
+    write4_(paths->thr, slot, pack4(vertex->thr, vertex->weight));
     return PATH_GOES_ON;
 }
 #endif

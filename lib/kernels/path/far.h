@@ -36,8 +36,8 @@ FN int scatters_evenly(PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
 
 FN void far_point(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex) {
     PRIVATE(const Surface) g = &vertex->g;
-    paths->far_p[vertex->slot] = pack4(g->p, FAR_POINT);
-    paths->far_n[vertex->slot] = pack4(g->ng, g->reach);
+    write4_(paths->far_p, vertex->slot, pack4(g->p, FAR_POINT));
+    write4_(paths->far_n, vertex->slot, pack4(g->ng, g->reach));
 }
 
 // A path that seeks has met a surface.
@@ -59,26 +59,26 @@ FN void path_seek(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED
     GLOBAL const float* arg = s->f + mod_word(s, par, g->mod, MOD_ARGS);
     if (!vertex->wanted || g->mixed || (g->type == M_GLOW && arg[3] > 0.0f)) return;
     far_point(paths, vertex);
-    paths->far_rad[vertex->slot] = pack4(vertex->emitted, vertex->before);
+    write4_(paths->far_rad, vertex->slot, pack4(vertex->emitted, vertex->before));
     vertex->emitted = F3(0.0f, 0.0f, 0.0f);
 }
 
 // A path that seeks has met nothing.
 FN void far_sky(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex, float3 radiance) {
-    paths->far_p[vertex->slot] = pack4(vertex->ray.dir, FAR_DIRECTION);
-    paths->far_rad[vertex->slot] = pack4(radiance, vertex->before);
+    write4_(paths->far_p, vertex->slot, pack4(vertex->ray.dir, FAR_DIRECTION));
+    write4_(paths->far_rad, vertex->slot, pack4(radiance, vertex->before));
 }
 
 // Light has come to the path: by the shadow ray of its last step, T of what the ray would have brought.
 FN void path_receive(UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot, float3 light, float3 T) {
     if (par->shared_slots != 0u) {
-        float4 even = paths->shadow_far[slot], far = paths->far_rad[slot];
+        float4 even = read4_(paths->shadow_far, slot), far = read4_(paths->far_rad, slot);
         int at_far = even.w > 0.0f;
         if (at_far || (paths->info[slot].x & PC_FAR) != 0u)
-            paths->far_rad[slot] = pack4(add3(xyz4(far), at_far ? mul3(xyz4(even), T) : light), far.w);
+            write4_(paths->far_rad, slot, pack4(add3(xyz4(far), at_far ? mul3(xyz4(even), T) : light), far.w));
         if (!at_far && (paths->info[slot].x & PC_FAR) != 0u) return;
     }
-    float4 sum = paths->rad[slot];
-    paths->rad[slot] = pack4(add3(xyz4(sum), light), sum.w);
+    float4 sum = read4_(paths->rad, slot);
+    write4_(paths->rad, slot, pack4(add3(xyz4(sum), light), sum.w));
 }
 #endif

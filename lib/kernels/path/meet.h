@@ -79,8 +79,8 @@ FN void path_pass(SHARED(const Paths) paths, PRIVATE(Vertex) vertex) {
 
     vertex_store(paths, vertex, g->total);
     if (vertex->absorbs) set_path_medium(paths, slot, &vertex->beyond);
-    paths->thr[slot] = pack4(vertex->thr, vertex->weight);
-    paths->org[slot] = pack4(offset_ray(g->p, neg3(g->ng), g->reach), as_float_(vertex->clip_beyond));
-    paths->dir[slot] = pack4(vertex->ray.dir, left);
+    write4_(paths->thr, slot, pack4(vertex->thr, vertex->weight));
+    write4_(paths->org, slot, pack4(offset_ray(g->p, neg3(g->ng), g->reach), as_float_(vertex->clip_beyond)));
+    write4_(paths->dir, slot, pack4(vertex->ray.dir, left));
 }
 #endif

@@ -30,10 +30,10 @@ FN void path_ends(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED
     if (!is_near_end(vertex, way)) return;
     float rarity = way->sum / MAX_(way->chance, 1e-30f);
     Aims aims = aims_at(s, par, g->p, g->n);
-    paths->near_p[slot] = pack4(offset_ray(g->p, g->ng, g->reach), aims.light);
-    paths->near_n[slot] = pack4(g->n, MAX_(way->factor, 0.0f));
-    paths->near_ng[slot] = pack4(g->ng, as_float_(aims.highlights));
-    paths->near_thr[slot] = pack4(scale3(mul3(vertex->thr, way->color), rarity), 0.0f);
+    write4_(paths->near_p, slot, pack4(offset_ray(g->p, g->ng, g->reach), aims.light));
+    write4_(paths->near_n, slot, pack4(g->n, MAX_(way->factor, 0.0f)));
+    write4_(paths->near_ng, slot, pack4(g->ng, as_float_(aims.highlights)));
+    write4_(paths->near_thr, slot, pack4(scale3(mul3(vertex->thr, way->color), rarity), 0.0f));
     vertex->flags |= PC_SEEKS;
 }
 #endif

@@ -264,7 +264,8 @@ FN int shadow_counts(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRI
 // Adds what the shadow ray of a slot brings.  known: of a plain one (shadow_is_plain).
 FN void path_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
                     int known) {
-    float4 org = paths->shadow_org[slot], dir = paths->shadow_dir[slot], rad = paths->shadow_rad[slot];
+    float4 org = read4_(paths->shadow_org, slot), dir = read4_(paths->shadow_dir, slot),
+           rad = read4_(paths->shadow_rad, slot);
     int antimatter = (par->flags & PF_ANTIMATTER) != 0u, aimed = par->shadow_mode == SHADOW_AIMED;
     ShadowRay shadow;
     shadow.ray.org = xyz4(org);
@@ -279,7 +280,7 @@ FN void path_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHAR
     shadow.is_virtual = as_uint_(shadow.src[SRC_VIRTUAL]) != NONE;
     shadow.bent = 0;
     shadow.known = known;
-    shadow.rnd = path_sampler(paths->info[slot]);
+    shadow.rnd = path_sampler(read4_(paths->info, slot));
     shadow.rnd.key = hash32(shadow.rnd.key ^ 0x5bd1e995u);
 
     float3 T = aimed ? shadow_aimed(s, par, &shadow) : shadow_straight(s, par, &shadow, dir.w);

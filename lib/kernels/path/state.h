@@ -93,14 +93,14 @@ FN Sampler path_sampler(uint4 info) {
 
 FN uint path_sampler_word(PRIVATE(const Sampler) rnd) { return rnd->index | (rnd->dim << 8); }
 
-FN Hit path_hit(SHARED(const Paths) paths, uint slot) {
+// q: words of `hit`.
+FN Hit path_hit(float4 q, uint4 info) {
     Hit hit;
-    float4 q = paths->hit[slot];
     hit.t = q.x;
     hit.prim = as_uint_(q.y);
     hit.u = q.z;
     hit.v = q.w;
-    hit.inst = paths->info[slot].w;
+    hit.inst = info.w;
     return hit;
 }
 

@@ -48,9 +48,10 @@ STRUCT(Vertex) {
 #define MET_SURFACE 2  // lobes say how light is scattered
 
 FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot, PRIVATE(Vertex) vertex) {
-    float4 org = paths->org[slot], dir = paths->dir[slot], thr = paths->thr[slot], rad = paths->rad[slot];
-    uint4 info = paths->info[slot];
-    if ((info.x & PC_FAR) != 0u) rad = paths->far_rad[slot];
+    float4 org = read4_(paths->org, slot), dir = read4_(paths->dir, slot), thr = read4_(paths->thr, slot),
+           rad = read4_(paths->rad, slot);
+    uint4 info = read4_(paths->info, slot);
+    if ((info.x & PC_FAR) != 0u) rad = read4_(paths->far_rad, slot);
 
     vertex->slot = slot;
     vertex->flags = info.x;
@@ -71,7 +72,7 @@ FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint s
     vertex->ray.dir = xyz4(dir);
     vertex->ray.tmin = 0.0f;
     vertex->ray.tmax = dir.w;
-    vertex->hit = path_hit(paths, slot);
+    vertex->hit = path_hit(read4_(paths->hit, slot), info);
 
     vertex->absorbs = par->medium.w > 0.0f;
     vertex->arriving = vertex->absorbs ? path_medium(paths, slot) : medium_open(par);
@@ -85,16 +86,20 @@ FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint s
 // Puts back what the path has gathered, for itself or for its far end.  length: as below.
 FN void vertex_store_rad(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
     uint slot = vertex->slot;
-    if (vertex->at_far) paths->far_rad[slot] = pack4(vertex->far_rad, length);
-    if (vertex->at_far || (vertex->flags & PC_FAR) == 0u) paths->rad[slot] = pack4(vertex->rad, length);
-    else paths->far_rad[slot] = pack4(vertex->rad, length);
+    if (vertex->at_far) write4_(paths->far_rad, slot, pack4(vertex->far_rad, length));
+    if (vertex->at_far || (vertex->flags & PC_FAR) == 0u) write4_(paths->rad, slot, pack4(vertex->rad, length));
+    else write4_(paths->far_rad, slot, pack4(vertex->rad, length));
 }
 
 // Puts back what the step has changed of the path.  length: from the eye to where its next ray begins.
 FN void vertex_store(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
     vertex_store_rad(paths, vertex, length);
-    paths->info[vertex->slot].x = vertex->flags;
-    paths->info[vertex->slot].z = path_sampler_word(&vertex->rnd);
+    uint4 info;
+    info.x = vertex->flags;
+    info.y = vertex->rnd.key;
+    info.z = path_sampler_word(&vertex->rnd);
+    info.w = vertex->hit.inst;
+    write4_(paths->info, vertex->slot, info);
     if (vertex->guided) paths->expected[vertex->slot] = vertex->expected;
 }
 
