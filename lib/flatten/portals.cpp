@@ -133,6 +133,17 @@ std::vector<Aim> polished_strips(const FlatScene& scene) {
     return aims;
 }
 
+// The words of a portal from PORTAL_SUN on, in the kernels' precision.
+void add_mirrored(const Aim& aim, Vec3 along_u, Vec3 along_v, std::vector<float>& words) {
+    using namespace kernels;
+    const auto single = [](const Vec3& v) { return F3(float(v[0]), float(v[1]), float(v[2])); };
+    const float3 mirrored = single(aim.sun), out = single(aim.out);
+    const float down = dot3(mirrored, out), u = dot3(mirrored, single(along_u)), v = dot3(mirrored, single(along_v));
+    const float3 sun = sub3(mirrored, scale3(out, 2.0f * down));
+    const auto inverse = [](float x) { return 1.0f / (std::fabs(x) > 1e-12f ? x : 1e-12f); };
+    words.insert(words.end(), {sun.x, sun.y, sun.z, down, u, inverse(u), v, inverse(v)});
+}
+
 void add_record(const Aim& aim, FlatScene& scene) {
     const Vec3 across = cross(aim.u, aim.v);  // along u: by the vector across v that u is 1 of
     const double square = dot(across, across);
@@ -140,8 +151,7 @@ void add_record(const Aim& aim, FlatScene& scene) {
     for (const Vec3& q : {aim.centre - scene.centre, aim.u, aim.v, aim.out, along_u, along_v})
         for (int k = 0; k < 3; k++) scene.f.push_back(float(q[k]));
     scene.f.insert(scene.f.end(), {float(std::sqrt(square)), aim.gloss2});
-    for (int k = 0; k < 3; k++) scene.f.push_back(float(aim.sun[k]));
-    scene.f.push_back(0);
+    add_mirrored(aim, along_u, along_v, scene.f);
     scene.portal_count++;
 }
 

@@ -74,7 +74,7 @@ FN int path_step(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(
     }
 
     // The path takes that way, unless a limit or roulette ends it.
-    return shadow | path_go_on(s, par, paths, &vertex, &way);
+    return shadow | path_go_on(par, paths, &vertex, &way);
 }
 
 // The same, and where a sub-path ends the next one begins.

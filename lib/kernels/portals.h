@@ -16,26 +16,25 @@ FN GLOBAL const float* portal_record(SHARED(const SceneTables) s, UNIFORM(const 
 // middle, becomes the way to its brightest place: where the mirrored sun stands, or what of the rectangle is next to
 // that.  height: of p above its plane.
 FN float portal_gloss(GLOBAL const float* portal, float height, PRIVATE(float3) to) {
-    float3 out = f3_at(portal + PORTAL_NORMAL), dir = f3_at(portal + PORTAL_SUN);
-    float down = dot3(dir, out);
-    float s = height / down;
+    float s = height / portal[PORTAL_MIRRORED_OUT];
 
     // over the plane toward the mirrored sun, as far as that or to the rectangle
     float3 along_u = f3_at(portal + PORTAL_ALONG_U), along_v = f3_at(portal + PORTAL_ALONG_V);
-    float a = -dot3(*to, along_u), b = -dot3(*to, along_v), da = dot3(dir, along_u), db = dot3(dir, along_v);
-    float inv_a = 1.0f / (fabs_(da) > 1e-12f ? da : 1e-12f), inv_b = 1.0f / (fabs_(db) > 1e-12f ? db : 1e-12f);
+    float a = -dot3(*to, along_u), b = -dot3(*to, along_v);
+    float inv_a = portal[PORTAL_MIRRORED_PER_U], inv_b = portal[PORTAL_MIRRORED_PER_V];
     float a0 = (-0.5f - a) * inv_a, a1 = (0.5f - a) * inv_a, b0 = (-0.5f - b) * inv_b, b1 = (0.5f - b) * inv_b;
     float first = MAX_(MAX_(MIN_(a0, a1), MIN_(b0, b1)), 0.0f), last = MIN_(MAX_(a0, a1), MAX_(b0, b1));
     if (first <= last) s = MIN_(MAX_(s, first), last);
-    a = MIN_(MAX_(a + s * da, -0.5f), 0.5f);
-    b = MIN_(MAX_(b + s * db, -0.5f), 0.5f);
+    a = MIN_(MAX_(a + s * portal[PORTAL_MIRRORED_U], -0.5f), 0.5f);
+    b = MIN_(MAX_(b + s * portal[PORTAL_MIRRORED_V], -0.5f), 0.5f);
     *to = madd3(f3_at(portal + PORTAL_V), b, madd3(f3_at(portal + PORTAL_U), a, *to));
 
-    float3 half_way = sub3(sub3(dir, scale3(out, 2.0f * down)), unit3(*to));
-    float hn = -dot3(half_way, out);
+    float3 half_way = sub3(f3_at(portal + PORTAL_SUN), unit3(*to));
+    float hn = -dot3(half_way, f3_at(portal + PORTAL_NORMAL));
     if (!(hn > 0.0f)) return 0.0f;
     float far = (dot3(half_way, half_way) - hn * hn) / (hn * hn * portal[PORTAL_GLOSS2]);
-    return far < HIGHLIGHT_FARTHEST ? k_exp(-far) : 0.0f;
+    if (!(far < HIGHLIGHT_FARTHEST)) return 0.0f;
+    return k_exp(-far);
 }
 
 // How much of the view from p a portal takes up, with the cosines at both ends, about; 0 from behind it.
@@ -44,7 +43,10 @@ FN float portal_view(GLOBAL const float* portal, float3 p, float3 n) {
     float height = dot3(to, f3_at(portal + PORTAL_NORMAL));
     if (height <= 1e-4f) return 0.0f;  // at or beyond the glass
     float bright = 1.0f;
-    if (portal[PORTAL_GLOSS2] > 0.0f) bright = portal_gloss(portal, height, &to);
+    if (portal[PORTAL_GLOSS2] > 0.0f) {
+        bright = portal_gloss(portal, height, &to);
+        if (!(bright > 0.0f)) return 0.0f;
+    }
 
     // its height above the surface's horizon; where the horizon cuts it, about that of the part above
     float e = dot3(to, n);
@@ -155,23 +157,24 @@ FN float diffuse_density(SHARED(const SceneTables) s, UNIFORM(const Params) par,
 }
 
 // Samples a direction over the hemisphere of n.  Returns cos/(pi density): the factor of the diffuse coefficient.
+// *aims: what it may have aimed at.
 FN float sample_diffuse(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n,
-                        PRIVATE(Sampler) rnd, PRIVATE(float3) dir) {
+                        PRIVATE(Sampler) rnd, PRIVATE(Aims) aims, PRIVATE(float3) dir) {
     float2 x = sample2(rnd);
-    Aims aims = aims_at(s, par, p, n);
-    float share = portals_share(par, aims.light), shine = highlights_share(par, &aims);
+    *aims = aims_at(s, par, p, n);
+    float share = portals_share(par, aims->light), shine = highlights_share(par, aims);
 
     if (shine > 0.0f && x.x < shine) {
-        *dir = highlight_direction(s, par, aims.highlights, x.x / shine, x.y);
-        if (!(highlights_density(s, par, aims.highlights, *dir) > 0.0f)) return 0.0f;
+        *dir = highlight_direction(s, par, aims->highlights, x.x / shine, x.y);
+        if (!(highlights_density(s, par, aims->highlights, *dir) > 0.0f)) return 0.0f;
     } else {
         if (shine > 0.0f) x.x = (x.x - shine) / (1.0f - shine);
-        if (share > 0.0f && x.x < share) *dir = portal_direction(s, par, p, n, x.x / share * aims.light, x.y);
+        if (share > 0.0f && x.x < share) *dir = portal_direction(s, par, p, n, x.x / share * aims->light, x.y);
         else *dir = cosine_direction(n, share > 0.0f ? (x.x - share) / (1.0f - share) : x.x, x.y);
     }
     float c = dot3(*dir, n);
     if (c <= 0.0f) return 0.0f;
     if (share <= 0.0f && shine <= 0.0f) return 1.0f;
-    return c * K_INV_PI / diffuse_density(s, par, &aims, p, n, *dir);
+    return c * K_INV_PI / diffuse_density(s, par, aims, p, n, *dir);
 }
 #endif

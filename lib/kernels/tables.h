@@ -160,7 +160,7 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 
 // ---- portals (windows, patches of sun, polished strips in it, at which diffuse samples aim): PORTAL_FLOATS floats at
 // f[Params.portals_at]
-#define PORTAL_FLOATS 24u
+#define PORTAL_FLOATS 28u
 #define PORTAL_CENTRE 0u    // 3
 #define PORTAL_U 3u         // 3: edge
 #define PORTAL_V 6u         // 3: the other edge
@@ -169,7 +169,13 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define PORTAL_ALONG_V 15u  // 3: of v
 #define PORTAL_AREA 18u
 #define PORTAL_GLOSS2 19u  // a polished rectangle in the sun: its roughness, squared; else 0
-#define PORTAL_SUN 20u     // 3: unit, toward the mirrored sun, from the side that it lights
+#define PORTAL_SUN 20u     // 3: unit, toward the sun that it mirrors
+// of the unit vector toward the mirrored sun, from the side that it lights:
+#define PORTAL_MIRRORED_OUT 23u  // along the normal
+#define PORTAL_MIRRORED_U 24u    // how much of the edge u it is, and the inverse of that
+#define PORTAL_MIRRORED_PER_U 25u
+#define PORTAL_MIRRORED_V 26u
+#define PORTAL_MIRRORED_PER_V 27u
 #define MOST_PORTALS 32u
 
 // ---- highlights (sunlit rectangles on polished planes): HIGHLIGHT_FLOATS floats at f[Params.highlights_at]

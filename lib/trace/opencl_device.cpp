@@ -17,7 +17,8 @@ extern const char* const kernel_source;
 namespace {
 
 using kernels::float4;  // types of the lists below
-using kernels::Gifts;
+using kernels::LinkWords;
+using kernels::Panes;
 using kernels::uint4;
 
 constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it

@@ -119,8 +119,9 @@ TEST_CASE("mixed with the cosine and windows they have the cosine's mean") {
             double sums[3] = {}, squares[3] = {};
             for (int k = 0; k < total; k++) {
                 Sampler rnd = sampler_start(1, 2, uint32_t(k), 0, 0);
+                Aims aims;
                 float3 dir;
-                const double weight = sample_diffuse(&room.s, &room.par, ceiling, down, &rnd, &dir);
+                const double weight = sample_diffuse(&room.s, &room.par, ceiling, down, &rnd, &aims, &dir);
                 const double seen = dot3(dir, F3(room.sun.x, room.sun.y, -room.sun.z)) > .98f;
                 const double c = dot3(dir, down), values[3] = {weight, weight * c, weight * seen};
                 for (int i = 0; i < 3; i++) {

@@ -134,8 +134,9 @@ TEST_CASE("mixed with the cosine they have the cosine's mean") {
             double sums[3] = {}, squares[3] = {};
             for (int k = 0; k < total; k++) {
                 Sampler rnd = sampler_start(1, 2, uint32_t(k), 0, 0);
+                Aims aims;
                 float3 dir;
-                const double weight = double(sample_diffuse(&room.s, &room.par, wall, inward, &rnd, &dir));
+                const double weight = double(sample_diffuse(&room.s, &room.par, wall, inward, &rnd, &aims, &dir));
                 const double values[3] = {weight, weight * double(dir.x), weight * (dir.z > 0)};
                 for (int i = 0; i < 3; i++) {
                     sums[i] += values[i] / total;

@@ -20,14 +20,18 @@ struct Tables {
     // A parallelogram about its centre (portals.h); u and v are its sides.  A polished one has a roughness and a
     // mirrored sun.
     void put_portal(kernels::float3 centre, kernels::float3 u, kernels::float3 v, kernels::float3 out,
-                    float roughness = 0, kernels::float3 sun = {0, 0, 0}) {
+                    float roughness = 0, kernels::float3 mirrored = {0, 0, 0}) {
         const kernels::float3 across = kernels::cross3(u, v);
         const float square = kernels::dot3(across, across);
         for (const kernels::float3 w : {centre, u, v, out}) put(w);
-        put(kernels::scale3(kernels::cross3(v, across), 1 / square));
-        put(kernels::scale3(kernels::cross3(across, u), 1 / square));
+        const kernels::float3 along_u = kernels::scale3(kernels::cross3(v, across), 1 / square);
+        const kernels::float3 along_v = kernels::scale3(kernels::cross3(across, u), 1 / square);
+        put(along_u);
+        put(along_v);
         f.insert(f.end(), {std::sqrt(square), roughness * roughness});
-        put(sun);
-        f.push_back(0);
+        const float down = kernels::dot3(mirrored, out), a = kernels::dot3(mirrored, along_u),
+                    b = kernels::dot3(mirrored, along_v);
+        put(kernels::sub3(mirrored, kernels::scale3(out, 2 * down)));
+        f.insert(f.end(), {down, a, 1 / a, b, 1 / b});
     }
 };

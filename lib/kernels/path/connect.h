@@ -162,8 +162,8 @@ FN void path_look_through(SHARED(const SceneTables) s, UNIFORM(const Params) par
 // The links of the near end of member `which` of a group to all its far ends: with which density it would have found
 // them, and what they are worth to it.  What is known of them is in `links`; those that may lead through panes have
 // been looked through.
-FN void path_connect(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
-                     SAME uint first, uint which) {
+FN void path_connect(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, SAME uint first,
+                     uint which) {
     NearEnd near = near_end(paths, SHARE_MEMBER(first, which));
     for (SAME uint m = 0u; m < SHARE_GROUP; m++) {
         SAME uint far = SHARE_MEMBER(first, m);

@@ -37,9 +37,9 @@ FN int path_roulette(PRIVATE(Vertex) vertex, float carried) {
 }
 
 // The path takes its way.  Returns PATH_GOES_ON, or 0 if it ends.
-FN int path_go_on(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
-                  PRIVATE(Vertex) vertex, PRIVATE(const Way) way) {
-    if (par->shared_slots != 0u) path_ends(s, par, paths, vertex, way);
+FN int path_go_on(UNIFORM(const Params) par, SHARED(const Paths) paths, PRIVATE(Vertex) vertex,
+                  PRIVATE(const Way) way) {
+    if (par->shared_slots != 0u) path_ends(paths, vertex, way);
     vertex->weight *= MIN_(1.0f, max3(way->color));
     vertex->thr = scale3(mul3(vertex->thr, way->color), way->sum / MAX_(way->chance, 1e-30f));
     float carried = max3(vertex->thr);

@@ -13,8 +13,7 @@ FN int is_near_end(PRIVATE(const Vertex) vertex, PRIVATE(const Way) way) {
     return !vertex->absorbs || (!(max3(vertex->arriving.k) > 0.0f) && vertex->arriving.lights == 0u);
 }
 
-FN void path_ends(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
-                  PRIVATE(Vertex) vertex, PRIVATE(const Way) way) {
+FN void path_ends(SHARED(const Paths) paths, PRIVATE(Vertex) vertex, PRIVATE(const Way) way) {
     PRIVATE(const Surface) g = &vertex->g;
     uint slot = vertex->slot;
 
@@ -29,10 +28,9 @@ FN void path_ends(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED
 
     if (!is_near_end(vertex, way)) return;
     float rarity = way->sum / MAX_(way->chance, 1e-30f);
-    Aims aims = aims_at(s, par, g->p, g->n);
-    write4_(paths->near_p, slot, pack4(offset_ray(g->p, g->ng, g->reach), aims.light));
+    write4_(paths->near_p, slot, pack4(offset_ray(g->p, g->ng, g->reach), way->aims.light));
     write4_(paths->near_n, slot, pack4(g->n, MAX_(way->factor, 0.0f)));
-    write4_(paths->near_ng, slot, pack4(g->ng, as_float_(aims.highlights)));
+    write4_(paths->near_ng, slot, pack4(g->ng, as_float_(way->aims.highlights)));
     write4_(paths->near_thr, slot, pack4(scale3(mul3(vertex->thr, way->color), rarity), 0.0f));
     vertex->flags |= PC_SEEKS;
 }

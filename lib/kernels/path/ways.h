@@ -28,6 +28,7 @@ STRUCT(Way) {
     float sum;
     int forks;      // several sub-paths take it (fork.h)
     uint fork_dim;  // the random numbers of their directions begin there
+    Aims aims;      // of a diffuse one that is not guided
 };
 
 FN int way_bounces(PRIVATE(const Way) way) { return way->way == WAY_DIFFUSE_R || way->way == WAY_DIFFUSE_T; }
@@ -107,7 +108,8 @@ FN float sample_rough_t(SHARED(const SceneTables) s, UNIFORM(const Params) par, 
 // A direction about n by what is known of light there; returns cosine over (pi density).
 FN float guided_direction(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint cell, float3 p, float3 n,
                           PRIVATE(Sampler) rnd, PRIVATE(float3) dir) {
-    if (cell == NONE) return sample_diffuse(s, par, p, n, rnd, dir);
+    Aims aims;
+    if (cell == NONE) return sample_diffuse(s, par, p, n, rnd, &aims, dir);
     float factor = guide_sample(s, par, cell, p, n, sample2(rnd), dir);
     return dot3(*dir, n) > 0.0f ? factor : 0.0f;
 }
@@ -119,7 +121,7 @@ FN float sample_guided(SHARED(const SceneTables) s, UNIFORM(const Params) par, P
                        PRIVATE(Way) way) {
     PRIVATE(const Surface) g = &vertex->g;
     uint cell = guide_cell(s, par, g->p, n, &vertex->rnd);
-    if (cell == NONE) return sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->dir);
+    if (cell == NONE) return sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->aims, &way->dir);
 
     float carried = luminance3(mul3(vertex->thr, way->color)) * way->sum / MAX_(way->chance, 1e-30f);
     float expects = carried * guide_light(s, cell), chance = 1.0f;
@@ -145,7 +147,7 @@ FN float sample_hemisphere(SHARED(const SceneTables) s, UNIFORM(const Params) pa
     PRIVATE(const Surface) g = &vertex->g;
     float3 n = side > 0.0f ? g->n : neg3(g->n);
     float factor = vertex->guided ? sample_guided(s, par, vertex, n, way)
-                                  : sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->dir);
+                                  : sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->aims, &way->dir);
     return side * dot3(way->dir, g->ng) <= 0.0f ? 0.0f : factor;
 }
 
