@@ -84,6 +84,14 @@ __kernel void k_collect(ALL_ARGS) {
     if (i < par->slots) path_collect(&paths, share_first(i), share_which(i));
 }
 
+// The paths' radiance as the film has it.
+__kernel void k_film(__constant Params *par, __global const float4 *rad, __global float *film) {
+    uint i = (uint)get_global_id(0);
+    if (i >= par->slots) return;
+    uint place = film_place(par, i);
+    if (place != NONE) vstore3(rad[i].xyz, place, film);
+}
+
 // After a round: the next queue becomes the current one.
 __kernel void k_swap(__global uint *counters) {
     if (get_global_id(0) == 0) {

@@ -27,6 +27,19 @@ FN uint shared_pixel(UNIFORM(const Params) par, uint gid) {
     return x < par->nx && y < par->ny ? y * par->nx + x : NONE;
 }
 
+// Where the film of a pass has what a slot brings: a pixel's samples lie side by side.  NONE: beside the picture.
+FN uint film_place(UNIFORM(const Params) par, uint slot) {
+    uint gid = par->first + slot;
+    if (par->shared_slots == 0u) return slot;
+    uint pixel = shared_pixel(par, gid);
+    return pixel == NONE ? NONE : pixel * par->together + gid / par->shared_slots;
+}
+
+// How many places it has.
+FN uint film_places(UNIFORM(const Params) par) {
+    return par->shared_slots == 0u ? par->slots : par->nx * par->ny * par->together;
+}
+
 // The slots of member 0 of a square's groups, and of member m of the group of member 0.  Macros, so that paths in lanes
 // know that they have them in common.
 #define SHARE_FIRST(group) ((group) / SHARE_STRIDE * SHARE_SIDE + (group) % SHARE_STRIDE)

@@ -102,9 +102,10 @@ public:
     }
 
     void run(const Params& par, std::vector<float>& rgb) override {
-        rgb.resize(size_t(par.slots) * 3);
+        rgb.resize(size_t(kernels::film_places(&par)) * 3);
         tiles(par.slots, [&](uint32_t first, uint32_t count, void* scratch) {
-            kernels_.run(&tables_, &par, par.first + first, count, scratch, &rgb[size_t(first) * 3]);
+            float* film = par.shared_slots != 0 ? rgb.data() : &rgb[size_t(first) * 3];
+            kernels_.run(&tables_, &par, par.first + first, count, scratch, film);
         });
     }
     void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) override {

@@ -8,9 +8,10 @@ namespace trace {
 
 struct CpuKernels {
     const char* name;
-    // Runs the paths of slots [first, first + count) of a pass; rgb: 3 floats each.  scratch: scratch_bytes(count).
+    // Runs the paths of slots [first, first + count) of a pass.  film: 3 floats for each of them, or, where paths
+    // share, the whole pass's (kernels/share.h).  scratch: scratch_bytes(count).
     void (*run)(const void* scene_tables, const void* params, uint32_t first, uint32_t count, void* scratch,
-                float* rgb);
+                float* film);
     // Rays in the layout of trace::DrawRay.
     void (*draw)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
                  void* scratch, float* rgb);

@@ -40,11 +40,15 @@ static Tile carve(void* scratch, uint32_t count) {
     t.result = (int*)take(4);
     return t;
 }
-static void store(const Tile& t, uint32_t count, float* rgb) {
+static void put3(float3 v, float* out) {
+    out[0] = v.x;
+    out[1] = v.y;
+    out[2] = v.z;
+}
+static void store(const Params& par, const Tile& t, uint32_t count, float* film) {
     for (uint32_t i = 0; i < count; i++) {
-        rgb[3 * i] = t.paths.rad[i].x;
-        rgb[3 * i + 1] = t.paths.rad[i].y;
-        rgb[3 * i + 2] = t.paths.rad[i].z;
+        const uint32_t place = film_place(&par, i);
+        if (place != NONE) put3(xyz4(t.paths.rad[i]), film + 3 * size_t(place));
     }
 }
 static void extend(const SceneTables& s, Tile& t, uint32_t n) {
@@ -187,7 +191,7 @@ static Params part_of(const void* params, uint32_t first, uint32_t count) {
     return par;
 }
 template <class STAGES>
-static void run(const void* tables, const void* params, uint32_t first, uint32_t count, void* scratch, float* rgb) {
+static void run(const void* tables, const void* params, uint32_t first, uint32_t count, void* scratch, float* film) {
     const SceneTables s = *static_cast<const SceneTables*>(tables);
     const Params par = part_of(params, first, count);
     Tile t = carve(scratch, count);
@@ -197,7 +201,7 @@ static void run(const void* tables, const void* params, uint32_t first, uint32_t
         if (t.result[i] != 0) t.now[n++] = i;
     follow<STAGES>(s, par, t, n, par.mode != MODE_RAY);
     if (par.shared_slots != 0) share_squares<STAGES>(s, par, t, count);
-    store(t, count, rgb);
+    store(par, t, count, film);
 }
 // trace::DrawRay
 struct Ray9 {
@@ -217,12 +221,7 @@ static void draw(const void* tables, const void* params, const void* rays, uint3
         path_draw(&s, &par, &t.paths, i);
         path_shadow(&s, &par, &t.paths, i, SHADOW_TO_TRACE);
     }
-    store(t, count, rgb);
-}
-static void put3(float3 v, float* out) {
-    out[0] = v.x;
-    out[1] = v.y;
-    out[2] = v.z;
+    store(par, t, count, rgb);
 }
 template <class STAGES>
 static void walk(const void* tables, const void* params, const void* rays, uint32_t first, uint32_t count,

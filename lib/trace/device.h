@@ -26,7 +26,7 @@ public:
     virtual void upload(flatten::FlatScene scene) = 0;
     // The scene's arena of numbers (FlatScene::f) once more: which sources are drawn depends on the view.
     virtual void set_numbers(std::vector<float> numbers) = 0;
-    // Runs par.slots paths; rgb gets 3 floats a slot.
+    // Runs par.slots paths; rgb gets 3 floats a slot, or, where paths share, for each sample of the picture's pixels.
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
     // MODE_DRAW: radiance times weight for each ray, 3 floats each.
     virtual void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) = 0;
@@ -38,6 +38,8 @@ public:
     virtual void set_focus(std::vector<uint32_t> pixels) = 0;
     // Paths to hand over at once, so that the device is full.
     virtual uint32_t good_slots() const = 0;
+    // Is the host free while it runs?
+    virtual bool leaves_host_free() const { return false; }
 };
 
 // name: "auto" (a GPU by OpenCL, else the CPU), or one for either of these.

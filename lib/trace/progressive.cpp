@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <future>
 #include <optional>
 
 #include "base/error.h"
@@ -61,20 +62,31 @@ struct Renderer::State {
     std::vector<float> unshared;  // the same, until their shares are known
     Samples sampler;
 
-    // Runs frames first .. first+count-1; give(sample, pixel values) in order; false stops.
+    // Runs frames first .. first+count-1; give(sample, pixel values) in order; false stops.  A device beside the host
+    // has begun with the next ones when these are given.
     template <class Give>
     void samples(int64_t first, int64_t count, Give&& give) {
-        const uint32_t pixels = nx * ny;
         const int64_t together = std::max<int64_t>(1, device->good_slots() / sampler.slots(base));
-        std::vector<float> rgb, one;
-        for (int64_t done = 0; done < count;) {
+        const auto begin = [&](int64_t done) {
+            const Pass pass{MODE_FRAMES, first + done, uint32_t(std::min(together, count - done)), 0, nx * ny};
+            const auto when =
+                device->leaves_host_free() ? std::launch::async | std::launch::deferred : std::launch::deferred;
+            return std::async(when, [this, pass] {
+                std::vector<float> rgb;
+                run(pass, rgb);
+                return rgb;
+            });
+        };
+        std::future<std::vector<float>> next = begin(0);
+        std::vector<float> one;
+        for (int64_t done = 0; done < count; done += together) {
+            const std::vector<float> rgb = next.get();
             const int64_t n = std::min(together, count - done);
-            run({MODE_FRAMES, first + done, uint32_t(n), 0, pixels}, rgb);
+            if (done + n < count) next = begin(done + n);
             for (int64_t i = 0; i < n; i++) {
                 if (n > 1) take_sample(rgb, size_t(n), size_t(i), one);
                 if (!give(first + done + i, n > 1 ? one.data() : rgb.data())) return;
             }
-            done += n;
         }
     }
     void run(const Pass& pass, std::vector<float>& rgb) { sampler.run(*device, base, pass, rgb); }

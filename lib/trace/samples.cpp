@@ -39,27 +39,13 @@ void Samples::run(Device& device, const Params& base, const Pass& pass, std::vec
     p.first = pass.first_pixel * pass.n;
     p.slots = pass.pixels * pass.n;
     if (shares(base) && pass.mode == MODE_FRAMES) {
-        run_shared(device, p, pass.n, rgb);
-    } else {
-        device.run(p, rgb);
-        scrub(rgb);
+        p.shared_slots = kernels::share_slots(p.nx, p.ny);
+        p.first = 0;
+        p.slots = p.shared_slots * pass.n;
     }
+    device.run(p, rgb);
+    scrub(rgb);
     for (size_t part = 0; part < focus_.size(); part++) refine(device, base, pass, part, rgb);
-}
-
-// Pixels lie by groups there, sample after sample.
-void Samples::run_shared(Device& device, Params p, uint32_t n, std::vector<float>& rgb) {
-    p.shared_slots = kernels::share_slots(p.nx, p.ny);
-    p.first = 0;
-    p.slots = p.shared_slots * n;
-    device.run(p, grouped_);
-    scrub(grouped_);
-    rgb.resize(size_t(p.nx) * p.ny * n * 3);
-    for (uint32_t slot = 0; slot < p.slots; slot++) {
-        const uint32_t pixel = kernels::shared_pixel(&p, slot);
-        if (pixel == NONE) continue;
-        std::copy_n(&grouped_[3 * size_t(slot)], 3, &rgb[3 * (size_t(pixel) * n + slot / p.shared_slots)]);
-    }
 }
 
 // Samples of a part of the focus, as far as the pass has its pixels, become means of their copies.  A shared sample

@@ -27,13 +27,12 @@ public:
 
 private:
     bool shares(const Params& par) const;
-    void run_shared(Device& device, Params p, uint32_t n, std::vector<float>& rgb);
     void refine(Device& device, const Params& base, const Pass& pass, size_t part, std::vector<float>& rgb);
 
     Focus focus_;
     std::vector<uint32_t> focus_at_;  // of each part among all pixels of the focus
     bool may_share_ = false;
-    std::vector<float> copies_, grouped_;
+    std::vector<float> copies_;
     int64_t bad_ = 0;  // samples that were set to 0
 };
 
