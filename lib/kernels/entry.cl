@@ -39,6 +39,46 @@ __kernel void k_extend(ALL_ARGS, __global uint *counters, __global const uint *q
     if (i < counters[0]) path_extend(&s, &paths, queue[i]);
 }
 
+// The queue sorted by kind (path/begin.h), so that a group of work items takes the same branches: how many there are of
+// each, where each begins, and its place for each path.  A group has a work item for each kind.
+__kernel void k_count_kinds(ALL_ARGS, __global const uint *counters, __global const uint *queue, __global uint *kinds) {
+    SET_UP
+    __local uint count[PATH_KINDS];
+    uint mine = (uint)get_local_id(0);
+    count[mine] = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (i < counters[0]) atomic_inc(&count[path_kind(&s, &paths, queue[i])]);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (count[mine] > 0) atomic_add(&kinds[mine], count[mine]);
+}
+
+__kernel void k_begin_kinds(__global uint *kinds) {
+    if (get_global_id(0) != 0) return;
+    uint sum = 0;
+    for (uint k = 0; k < PATH_KINDS; k++) {
+        uint count = kinds[k];
+        kinds[PATH_KINDS + k] = sum;
+        sum += count;
+        kinds[k] = 0;  // for the next round
+    }
+}
+
+__kernel void k_sort_kinds(ALL_ARGS, __global const uint *counters, __global const uint *queue, __global uint *kinds,
+                           __global uint *sorted) {
+    SET_UP
+    __local uint count[PATH_KINDS], first[PATH_KINDS];
+    uint mine = (uint)get_local_id(0);
+    count[mine] = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    int active = i < counters[0];
+    uint kind = active ? path_kind(&s, &paths, queue[i]) : 0;
+    uint place = active ? atomic_inc(&count[kind]) : 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (count[mine] > 0) first[mine] = atomic_add(&kinds[PATH_KINDS + mine], count[mine]);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (active) sorted[first[kind] + place] = queue[i];
+}
+
 __kernel void k_shade(ALL_ARGS, __global uint *counters, __global const uint *queue, __global uint *next,
                       __global uint *shadow) {
     SET_UP

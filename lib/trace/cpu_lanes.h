@@ -49,17 +49,12 @@ int LANE_CALL(cal)(const SceneTables* s, uint32_t entry, const float* vars, floa
 // take the same branches.  A counting sort; the queues of what comes after shading are still free, and hold the kinds
 // and the sorted paths.
 static void sort_by_material(const SceneTables& s, Tile& t, uint32_t n) {
-    constexpr uint32_t KINDS = 64;  // of materials, by number; many may share one
-    uint32_t place[KINDS + 1] = {};
-    const auto kind = [&](uint32_t slot) {
-        const uint32_t prim = as_uint_(t.paths.hit[slot].y);
-        return prim == NO_HIT ? 0u : 1u + s.prims[PRIM_WORDS * prim + PRIM_MOD] % (KINDS - 1u);
-    };
+    uint32_t place[PATH_KINDS + 1] = {};
     for (uint32_t i = 0; i < n; i++) {
-        t.next[i] = kind(t.now[i]);
+        t.next[i] = path_kind(&s, &t.paths, t.now[i]);
         place[t.next[i] + 1u]++;
     }
-    for (uint32_t k = 1; k < KINDS; k++) place[k] += place[k - 1];
+    for (uint32_t k = 1; k < PATH_KINDS; k++) place[k] += place[k - 1];
     for (uint32_t i = 0; i < n; i++) t.shadow[place[t.next[i]]++] = t.now[i];
     uint32_t* swap = t.now;
     t.now = t.shadow;

@@ -67,6 +67,7 @@ std::string describe(const OpenclEntry& e) {
 OpenclChoice choose_opencl(const std::string& name, const std::vector<OpenclEntry>& devices) {
     size_t index = 0;
     int traversal = 0;
+    bool gpu = false;
     std::string rest = name.size() > 6 ? name.substr(7) : "";
     while (!rest.empty()) {
         const size_t colon = rest.find(':');
@@ -74,13 +75,15 @@ OpenclChoice choose_opencl(const std::string& name, const std::vector<OpenclEntr
         rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
         if (word == "bvh2") traversal = 2;
         else if (word == "bvh8") traversal = 8;
+        else if (word == "gpu") gpu = true;
         else if (!word.empty() && word.find_first_not_of("0123456789") == std::string::npos && word.size() < 5)
             index = size_t(std::stoul(word));
-        else base::fail("-device", fmt::format("\"{}\" is not opencl[:index][:bvh2|bvh8]", name));
+        else base::fail("-device", fmt::format("\"{}\" is not opencl[:index][:bvh2|bvh8][:gpu]", name));
     }
     if (index >= devices.size())
         base::fail("-device", fmt::format("there is no OpenCL device {} (only {})", index, devices.size()));
-    return {index, traversal ? traversal == 2 : devices[index].gpu};
+    gpu = gpu || devices[index].gpu;
+    return {index, gpu, traversal ? traversal == 2 : gpu};
 }
 
 std::vector<std::string> opencl_devices() {

@@ -113,4 +113,12 @@ FN void set_path_hit(SHARED(const Paths) paths, uint slot, PRIVATE(const Hit) hi
     paths->hit[slot] = q;
     paths->info[slot].w = hit->inst;
 }
+
+// Paths of one kind have met the same material, or nothing (0), and take the same branches: they are shaded side by
+// side where that pays.  By number; many materials may share one.
+#define PATH_KINDS 64u
+FN uint path_kind(SHARED(const SceneTables) s, SHARED(const Paths) paths, uint slot) {
+    uint prim = as_uint_(paths->hit[slot].y);
+    return prim == NO_HIT ? 0u : 1u + s->prims[PRIM_WORDS * prim + PRIM_MOD] % (PATH_KINDS - 1u);
+}
 #endif

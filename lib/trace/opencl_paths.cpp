@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See opencl_paths.h.
+#include "trace/opencl_paths.h"
+
+#include <algorithm>
+
+namespace trace {
+namespace {
+
+using kernels::float4;  // types of the list of fields
+using kernels::LinkWords;
+using kernels::Panes;
+using kernels::uint4;
+
+constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it
+static_assert(LOCAL == PATH_KINDS, "a group has a work item for each kind of path");
+constexpr uint32_t zeros[2 * PATH_KINDS] = {};
+
+}  // namespace
+
+OpenclPaths::OpenclPaths(const cl::Context& context, const cl::CommandQueue& queue, const cl::Program& program,
+                         bool gpu)
+    : gpu_(gpu), context_(context), queue_(queue) {
+    generate_ = cl::Kernel(program, "k_generate");
+    extend_ = cl::Kernel(program, "k_extend");
+    shade_ = cl::Kernel(program, "k_shade");
+    shadow_ = cl::Kernel(program, "k_shadow");
+    swap_ = cl::Kernel(program, "k_swap");
+    draw_ = cl::Kernel(program, "k_draw");
+    walk_ = cl::Kernel(program, "k_walk");
+    thin_ = cl::Kernel(program, "k_thin");
+    link_ = cl::Kernel(program, "k_link");
+    connect_ = cl::Kernel(program, "k_connect");
+    weigh_ = cl::Kernel(program, "k_weigh");
+    collect_ = cl::Kernel(program, "k_collect");
+    film_kernel_ = cl::Kernel(program, "k_film");
+    count_kinds_ = cl::Kernel(program, "k_count_kinds");
+    begin_kinds_ = cl::Kernel(program, "k_begin_kinds");
+    sort_kinds_ = cl::Kernel(program, "k_sort_kinds");
+    params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(Params));
+    counters_ = room(4, 4);
+    kinds_ = room(2 * PATH_KINDS, 4);
+    queue_.enqueueWriteBuffer(kinds_, CL_TRUE, 0, sizeof zeros, zeros);
+}
+
+cl::Buffer OpenclPaths::room(size_t count, size_t bytes_each) const {
+    return cl::Buffer(context_, CL_MEM_READ_WRITE, count * bytes_each);
+}
+
+void OpenclPaths::reserve(const Params& par, uint32_t slots) {
+    const uint32_t needs = kernels::path_needs(&par);
+    queue_.enqueueWriteBuffer(params_, CL_TRUE, 0, sizeof par, &par);
+    if (slots <= capacity_ && (needs & ~needs_) == 0) return;
+    capacity_ = std::max(capacity_, slots);
+    needs_ |= needs;
+#define LUX_ROOM(type, name, when) fields_[PATH_##name] = room(((when) & ~needs_) == 0 ? capacity_ : 1, sizeof(type));
+    PATH_STATE(LUX_ROOM)
+    for (cl::Buffer* queue : {&now_, &next_, &shadow_queue_, &sorted_}) *queue = room(capacity_, 4);
+}
+
+void OpenclPaths::write(int field, const std::vector<float4>& values) {
+    queue_.enqueueWriteBuffer(fields_[field], CL_TRUE, 0, values.size() * 16, values.data());
+}
+
+void OpenclPaths::read(int field, std::vector<float4>& values) {
+    queue_.enqueueReadBuffer(fields_[field], CL_TRUE, 0, values.size() * 16, values.data());
+}
+
+unsigned OpenclPaths::set_scene(cl::Kernel& kernel) {
+    unsigned a = 0;
+    for (const auto& table : tables) kernel.setArg(a++, table);
+    kernel.setArg(a++, params_);
+    for (const auto& field : fields_) kernel.setArg(a++, field);
+    return a;
+}
+
+void OpenclPaths::launch(cl::Kernel& kernel, uint32_t n) {
+    const cl::NDRange items((n + LOCAL - 1) / LOCAL * LOCAL);
+    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, items, cl::NDRange(LOCAL));
+}
+
+uint32_t OpenclPaths::count() {
+    uint32_t n = 0;
+    queue_.enqueueReadBuffer(counters_, CL_TRUE, 0, 4, &n);
+    return n;
+}
+
+void OpenclPaths::run(const Params& par) {
+    reserve(par, par.slots);
+    begin(generate_, par);
+    follow();
+    if (par.shared_slots == 0) return;
+    for (cl::Kernel* kernel : {&thin_, &link_, &connect_, &weigh_, &collect_}) {
+        set_scene(*kernel);
+        launch(*kernel, par.slots);
+    }
+}
+
+void OpenclPaths::walk(const Params& par) {
+    begin(walk_, par);
+    follow();
+}
+
+void OpenclPaths::draw(const Params& par) {
+    set_scene(draw_);
+    launch(draw_, par.slots);
+}
+
+// Fills the queue with the paths that have a ray.
+void OpenclPaths::begin(cl::Kernel& kernel, const Params& par) {
+    queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zeros);
+    unsigned a = set_scene(kernel);
+    kernel.setArg(a++, counters_);
+    kernel.setArg(a++, now_);
+    launch(kernel, par.slots);
+}
+
+// Follows the paths of the queue to their ends.
+void OpenclPaths::follow() {
+    const int rounds = gpu_ ? 4 : 1;  // between looks at the counter; idle work items leave at once
+    for (uint32_t active = count(); active > 0; active = count())
+        for (int i = 0; i < rounds; i++) {
+            unsigned a = set_scene(extend_);
+            extend_.setArg(a++, counters_);
+            extend_.setArg(a++, now_);
+            launch(extend_, active);
+            if (gpu_) sort(active);
+            a = set_scene(shade_);
+            shade_.setArg(a++, counters_);
+            shade_.setArg(a++, now_);
+            shade_.setArg(a++, next_);
+            shade_.setArg(a++, shadow_queue_);
+            launch(shade_, active);
+            a = set_scene(shadow_);
+            shadow_.setArg(a++, counters_);
+            shadow_.setArg(a++, shadow_queue_);
+            launch(shadow_, active);
+            swap_.setArg(0, counters_);
+            launch(swap_, 1);
+            std::swap(now_, next_);
+        }
+}
+
+// Paths of one kind side by side: a counting sort.
+void OpenclPaths::sort(uint32_t active) {
+    unsigned a = set_scene(count_kinds_);
+    count_kinds_.setArg(a++, counters_);
+    count_kinds_.setArg(a++, now_);
+    count_kinds_.setArg(a++, kinds_);
+    launch(count_kinds_, active);
+    begin_kinds_.setArg(0, kinds_);
+    launch(begin_kinds_, 1);
+    a = set_scene(sort_kinds_);
+    sort_kinds_.setArg(a++, counters_);
+    sort_kinds_.setArg(a++, now_);
+    sort_kinds_.setArg(a++, kinds_);
+    sort_kinds_.setArg(a++, sorted_);
+    launch(sort_kinds_, active);
+    std::swap(now_, sorted_);
+}
+
+void OpenclPaths::receive(const Params& par, std::vector<float>& film) {
+    const size_t bytes = size_t(kernels::film_places(&par)) * 12;
+    if (bytes > film_bytes_) film_ = room(film_bytes_ = bytes, 1);
+    film_kernel_.setArg(0, params_);
+    film_kernel_.setArg(1, fields_[PATH_rad]);
+    film_kernel_.setArg(2, film_);
+    launch(film_kernel_, par.slots);
+    film.resize(bytes / 4);
+    queue_.enqueueReadBuffer(film_, CL_TRUE, 0, bytes, film.data());
+}
+
+}  // namespace trace
