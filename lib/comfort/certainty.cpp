@@ -56,16 +56,10 @@ void spread_of(const Batches& batches, const std::vector<double>& change, bool w
     out.skewness = third / std::pow(variance, 1.5) * std::sqrt(weight / n);
 }
 
-std::vector<uint32_t> all_patterns(int pictures) {
-    std::vector<uint32_t> out;
-    for (uint32_t p = 0; p < 1u << pictures; ++p) out.push_back(p);
-    return out;
-}
-
 }  // namespace
 
 Certainty::Certainty(Meter& meter, const std::vector<Column>& columns, bool errors)
-    : meter_(meter), columns_(columns), errors_(errors), moved_signs_(moved_pictures, all_patterns(moved_pictures)) {
+    : meter_(meter), columns_(columns), errors_(errors), moved_signs_(moved_pictures, {1, 2, 4, 8}) {
     restart();
 }
 
@@ -225,16 +219,7 @@ bool Certainty::whole_batches_suffice() const {
 // The whole picture with each pixel moved by frame 0's error, up or down at random.
 std::vector<Measurement> Certainty::moved(const Luminance& lum, const Measurement& m) {
     if (frame0_error_.empty()) find_frame0_error();
-    if (moved_pattern_.size() != lum.size()) {
-        moved_pattern_.assign(lum.size(), 0);
-        uint32_t random[moved_pictures];
-        for (int k = 0; k < moved_pictures; ++k) random[k] = uint32_t(k + 1) * 0x9e3779b9u;
-        for (uint8_t& p : moved_pattern_)
-            for (int k = 0; k < moved_pictures; ++k) {
-                random[k] = random[k] * 1664525u + 1013904223u;
-                p |= uint8_t((~random[k] >> 31) << k);
-            }
-    }
+    if (moved_pattern_.size() != lum.size()) moved_pattern_ = Signs::weave(batches_.width(), batches_.height(), 0);
     const Swayed pictures{batches_.width(),     batches_.height(),     batches_.whole().data(),
                           frame0_error_.data(), moved_pattern_.data(), &moved_signs_};
     Swayed bright = pictures;

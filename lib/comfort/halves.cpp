@@ -16,34 +16,23 @@ bool negative(unsigned row, unsigned column) {
     return bits & 1;
 }
 
-// Rows 1 to 15, each as it is and turned round.
-std::vector<uint32_t> sign_patterns() {
-    std::vector<uint32_t> out;
-    for (unsigned row = 1; row < unsigned(Halves::count); ++row) {
-        unsigned bits = 0;
-        for (unsigned column = 0; column < unsigned(Halves::count); ++column)
-            bits |= unsigned(negative(row, column)) << column;
-        out.push_back(bits);
-        out.push_back(~bits & 0xffff);
-    }
-    return out;
+uint32_t row_of(unsigned row) {
+    uint32_t bits = 0;
+    for (unsigned column = 0; column < unsigned(Halves::count); ++column)
+        bits |= uint32_t(negative(row, column)) << column;
+    return bits;
 }
 
 }  // namespace
 
-Halves::Halves() : signs_(count, sign_patterns()) {}
+Halves::Halves() : signs_(count, {row_of(1), row_of(2), row_of(4), row_of(8)}) {}
 
 bool Halves::take(const Batches& batches) {
     if (batches.count() < 2) return false;
     whole_ = &batches.whole();
     if (width_ != batches.width() || height_ != batches.height()) {
         width_ = batches.width(), height_ = batches.height();
-        uint32_t random = 1;
-        pattern_.resize(whole_->size());
-        for (uint8_t& p : pattern_) {
-            random = random * 1664525u + 1013904223u;
-            p = uint8_t((uint64_t(random) * signs_.minus.size()) >> 32);
-        }
+        pattern_ = Signs::weave(width_, height_, 1);
     }
     know_frame0_ = batches.halves(off_);
     return true;

@@ -14,8 +14,8 @@
 //
 // With x the mean of the a frames in one half, y of the b in the other and d = sqrt(a b)/(a + b) (x - y), a pixel shows
 // L' + d or L' - d (the halves themselves where a = b).  The signs over the 16 pictures are a row of a Hadamard matrix,
-// chosen for each pixel by a random number: they sum to 0, so that the mean picture is L' itself, and what is linear in
-// the pixels falls into 15 sums of the same variance that know nothing of each other.
+// turned round or not by a random number for each pixel: they sum to 0, so that the mean picture is L' itself, and what
+// is linear in the pixels falls into 15 sums of the same variance that know nothing of each other.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -50,7 +50,7 @@ private:
     const std::vector<float>* whole_ = nullptr;
     std::vector<float> off_;  // d
     bool know_frame0_ = false;
-    std::vector<uint8_t> pattern_;  // by pixel, of the 30 that there are
+    std::vector<uint8_t> pattern_;  // by pixel; word w is row w of the matrix, and row 0 is none's
     Signs signs_;
 };
 

@@ -17,4 +17,18 @@ inline __attribute__((always_inline)) Floats load(const float* from) {
     return v;
 }
 
+inline __attribute__((always_inline)) void store(const Floats& v, float* to) { std::memcpy(to, &v, sizeof v); }
+
+// |a - b|, or 0 in lanes that are not wanted.
+constexpr Words all_lanes = ~Words{};
+inline __attribute__((always_inline)) Words first_lanes(int n) {
+    Words out;
+    for (int k = 0; k < lanes; ++k) out[k] = k < n ? ~0u : 0;
+    return out;
+}
+inline __attribute__((always_inline)) Floats distance(const Floats& a, const Floats& b,
+                                                      const Words& wanted = all_lanes) {
+    return Floats(Words(a - b) & 0x7fffffffu & wanted);
+}
+
 }  // namespace comfort

@@ -36,15 +36,45 @@ WIDE_LOOP bool none_falls_short(const float* mean, const float* off, int n, floa
 
 }  // namespace
 
-Signs::Signs(int pictures, std::vector<uint32_t> by_pattern) : count(pictures), minus(std::move(by_pattern)) {
-    for (const uint32_t bits : minus) {
-        flip.emplace_back();
-        factor.emplace_back();
-        for (int k = 0; k < most; ++k) {
-            flip.back()[size_t(k)] = (bits >> k & 1) << 31;
-            factor.back()[size_t(k)] = bits >> k & 1 ? -1 : 1;
+Signs::Signs(int pictures, const std::array<uint32_t, 4>& basis) : count(pictures) {
+    for (unsigned p = 0; p < patterns; ++p) {
+        minus[p] = p & turned ? (uint32_t(1) << pictures) - 1 : 0;
+        for (unsigned b = 0; b < basis.size(); ++b)
+            if (p >> b & 1) minus[p] ^= basis[b];
+        for (unsigned k = 0; k < most; ++k) {
+            flip[p][k] = (minus[p] >> k & 1) << 31;
+            factor[p][k] = minus[p] >> k & 1 ? -1 : 1;
         }
     }
+}
+
+// Each row has every word side by side, in an order of its own; another one in place of those that are not wanted.
+std::vector<uint8_t> Signs::weave(int width, int height, unsigned first_word) {
+    uint64_t state = 0;
+    const auto random = [&] {  // SplitMix64
+        uint64_t z = state += 0x9e3779b97f4a7c15u;
+        z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+        return z ^ z >> 31;
+    };
+    const auto below = [&](unsigned n) { return unsigned((random() >> 32) * n >> 32); };
+    std::vector<uint8_t> out(size_t(width) * size_t(height));
+    for (size_t row = 0; row < out.size(); row += size_t(width)) {
+        uint8_t word[words];
+        for (unsigned k = 0; k < words; ++k) {
+            const unsigned other = below(k + 1);
+            word[k] = word[other];
+            word[other] = uint8_t(k);
+        }
+        for (uint8_t& w : word)
+            if (w < first_word) w = uint8_t(first_word + below(words - first_word));
+        uint64_t bits = 0;
+        for (int x = 0; x < width; ++x, bits >>= 1) {
+            if (x % 64 == 0) bits = random();
+            out[row + size_t(x)] = uint8_t(word[x % words] | (bits & 1 ? turned : 0));
+        }
+    }
+    return out;
 }
 
 bool Swayed::may_exceed(size_t first, int n, float limit) const {
@@ -62,7 +92,7 @@ void Swayed::picture(int number, GreyPicture& out) const {
 }
 
 std::array<Light, Signs::most> Swayed::more_light(const Geometry& g) const {
-    std::vector<Light> by_pattern(signs->minus.size());
+    std::vector<Light> by_pattern(Signs::patterns);
     for (int r = 0; r < height; ++r)
         for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s) {
             const size_t first = size_t(r) * width;

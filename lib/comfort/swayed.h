@@ -10,21 +10,28 @@
 
 namespace comfort {
 
-// The signs that pixels may have.
+// The signs that pixels may have.  A pattern is the number of a word of signs, one for each picture, and whether all of
+// them are turned round.  Each word is a product of some of four: what the product of two words is has the number w ^
+// v.
 struct Signs {
-    static constexpr int most = 16;
-    // minus: by pattern; bit k is set where picture k shows mean - off
-    Signs(int count, std::vector<uint32_t> minus);
-    int count;  // pictures
-    std::vector<uint32_t> minus;
-    std::vector<std::array<uint32_t, most>> flip;  // the same as the highest bit of a float, which is its sign
-    std::vector<std::array<double, most>> factor;  // and as 1 and -1
+    static constexpr int most = 16, words = 16, patterns = 2 * words;
+    static constexpr unsigned turned = words;  // this bit of a pattern
+    // Bit b of a word's number: basis[b] takes part in it.  Bit k of these: picture k shows mean - off.
+    Signs(int count, const std::array<uint32_t, 4>& basis);
+    // By pixel: words from the first given on, and turned or not, both at random.  In a row pixels that are `words`
+    // apart have the same word, so that 16 sums side by side are sums by word.
+    static std::vector<uint8_t> weave(int width, int height, unsigned first_word);
+
+    int count;                                              // pictures
+    std::array<uint32_t, patterns> minus;                   // by pattern
+    std::array<std::array<uint32_t, most>, patterns> flip;  // the same as the highest bit of a float, which is its sign
+    std::array<std::array<double, most>, patterns> factor;  // and as 1 and -1
 };
 
 struct Swayed {
     int width = 0, height = 0;
     const float *mean = nullptr, *off = nullptr;  // by pixel, row 0 = top
-    const uint8_t* pattern = nullptr;             // by pixel, of `signs`
+    const uint8_t* pattern = nullptr;             // by pixel, woven from `signs`
     const Signs* signs = nullptr;
 
     int count() const { return signs->count; }
