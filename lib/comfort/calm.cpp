@@ -104,11 +104,8 @@ WIDE_LOOP void average(const Surroundings& from, int radius, Means& to) {
 
 // Row by row, and each row goes all the way while it is in the cache.
 void Calm::take(const Halves& halves, const Geometry& geometry, double threshold_cdm2) {
-    const size_t size = halves.off().size();
     radius_ = radius_of(geometry);
-    for (const uint32_t p : replaced_) sway_[p] = 0;
     replaced_.clear();
-    mean_.resize(size), sway_.resize(size);
     variance_.resize(size_t(kept_rows * geometry.width));
     row_means_.resize(size_t(rows * geometry.width));
     zeros_.resize(size_t(geometry.width));
@@ -144,7 +141,6 @@ void Calm::find_variance(const Geometry& geometry, int y) {
 
 void Calm::calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y, float threshold) {
     const size_t row = size_t(y) * geometry.width;
-    std::copy_n(&noisy[row], geometry.width, &mean_[row]);
     const float* row_variance = variance(geometry, y);
     constexpr int block = 4 * lanes;
     for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; ++s)
@@ -180,9 +176,7 @@ void Calm::average_doubtful(const std::vector<float>& noisy, const Geometry& geo
     for (int k = 0; k < lanes; ++k) {
         if (!(bits >> k & 1)) continue;
         random_ = random_ * 1664525u + 1013904223u;
-        replaced_.push_back(uint32_t(first) + uint32_t(k));
-        mean_[first + k] = means.mean[k];
-        sway_[first + k] = means.error[k] * how_far[random_ >> 29];
+        replaced_.push_back({uint32_t(first) + uint32_t(k), means.mean[k], means.error[k] * how_far[random_ >> 29]});
     }
 }
 

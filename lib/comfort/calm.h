@@ -17,6 +17,7 @@
 // With more frames variances fall, no pixel is in doubt, and the picture is the plain one.
 #pragma once
 #include <vector>
+#include "comfort/calmed.h"
 #include "comfort/geometry.h"
 #include "comfort/halves.h"
 
@@ -26,8 +27,7 @@ class Calm {
 public:
     // Of what `halves` has taken.
     void take(const Halves& halves, const Geometry& geometry, double threshold_cdm2);
-    const std::vector<float>& mean() const { return mean_; }
-    const std::vector<float>& sway() const { return sway_; }  // 0 where a pixel has not been replaced
+    const std::vector<Doubtful>& replaced() const { return replaced_; }
 
 private:
     float* variance(const Geometry& geometry, int y);  // of one of the last rows
@@ -37,8 +37,7 @@ private:
     void average_doubtful(const std::vector<float>& noisy, const Geometry& geometry, int x, int y, uint32_t bits);
     int radius_ = 0;  // of the neighbourhood, in pixels
     uint32_t random_ = 0;
-    std::vector<float> mean_, sway_;
-    std::vector<uint32_t> replaced_;
+    std::vector<Doubtful> replaced_;
     std::vector<float> variance_, row_means_, zeros_;  // of the last rows, of their squares; and a row without
 };
 

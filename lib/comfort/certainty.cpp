@@ -152,12 +152,8 @@ void Certainty::look(const Luminance& lum, const Measurement& m) {
 Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates) {
     if (!halves_.take(batches_)) return m;
     const Swayed pictures = halves_.pictures();
-    Swayed bright = pictures;
-    if (meter_.needs().sources) {
-        calm_.take(halves_, meter_.geometry(), m.threshold);
-        bright.mean = calm_.mean().data(), bright.off = calm_.sway().data();
-    }
-    SwayedMeasurements seen = measure(pictures, bright, lum, m, meter_);
+    if (meter_.needs().sources) calm_.take(halves_, meter_.geometry(), m.threshold);
+    SwayedMeasurements seen = measure(pictures, Calmed(pictures, calm_.replaced()), lum, m, meter_);
     const Values value = values(seen.calm, Kind::picture);
     std::vector<double> of_column(columns_.size() * Halves::count);
     Values of_whole(columns_.size(), 0);
@@ -222,10 +218,14 @@ std::vector<Measurement> Certainty::moved(const Luminance& lum, const Measuremen
     if (moved_pattern_.size() != lum.size()) moved_pattern_ = Signs::weave(batches_.width(), batches_.height(), 0);
     const Swayed pictures{batches_.width(),     batches_.height(),     batches_.whole().data(),
                           frame0_error_.data(), moved_pattern_.data(), &moved_signs_};
-    Swayed bright = pictures;
-    if (meter_.needs().sources && has(Kind::picture)) bright.mean = calm_.mean().data();
     std::vector<Measurement> out(moved_pictures, m);
-    if (!halves_.know_frame0() && has(Kind::picture)) out = measure(pictures, bright, lum, m, meter_).own;
+    if (!halves_.know_frame0() && has(Kind::picture)) {
+        std::vector<Doubtful> all;  // where calm pixels are sources, all of them move
+        for (size_t p = 0; p < lum.size() && meter_.needs().sources; ++p)
+            all.push_back({uint32_t(p), batches_.whole()[p], frame0_error_[p]});
+        for (const Doubtful& d : calm_.replaced()) all[d.pixel].mean = d.mean;
+        out = measure(pictures, Calmed(pictures, all), lum, m, meter_).own;
+    }
     if (has(Kind::region)) add_regions(pictures, meter_, out);
     return out;
 }

@@ -28,10 +28,21 @@ WIDE_LOOP bool any_exceeds(const float* mean, const float* off, int n, float lim
     return found;
 }
 
-WIDE_LOOP bool none_falls_short(const float* mean, const float* off, int n, float limit) {
-    int found = 0;
-    for (int i = 0; i < n; ++i) found |= !(mean[i] - std::fabs(off[i]) > limit);
-    return !found;
+// Of pixels `words` apart, which have the same word.
+struct LightByColumn {
+    double eye[Signs::words] = {}, all[Signs::words] = {};
+};
+
+WIDE_LOOP void add_light(const float* off, const uint8_t* pattern, const double* omega_cos, const double* omega, int n,
+                         LightByColumn& to) {
+    const auto add = [&](int i, int k) {
+        const double grey = off[i] * float(1 - 2 * int(pattern[i] / Signs::turned));
+        to.eye[k] += grey * omega_cos[i], to.all[k] += grey * omega[i];
+    };
+    int i = 0;
+    for (; i + Signs::words <= n; i += Signs::words)
+        for (int k = 0; k < Signs::words; ++k) add(i + k, k);
+    for (int k = 0; i < n; ++i, ++k) add(i, k);
 }
 
 }  // namespace
@@ -81,10 +92,6 @@ bool Swayed::may_exceed(size_t first, int n, float limit) const {
     return any_exceeds(mean + first, off + first, n, limit);
 }
 
-bool Swayed::all_exceed(size_t first, int n, float limit) const {
-    return none_falls_short(mean + first, off + first, n, limit);
-}
-
 void Swayed::picture(int number, GreyPicture& out) const {
     out.width = width, out.height = height;
     out.grey.resize(size_t(width) * size_t(height));
@@ -92,21 +99,23 @@ void Swayed::picture(int number, GreyPicture& out) const {
 }
 
 std::array<Light, Signs::most> Swayed::more_light(const Geometry& g) const {
-    std::vector<Light> by_pattern(Signs::patterns);
+    std::array<Light, Signs::words> by_word;
     for (int r = 0; r < height; ++r)
         for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s) {
-            const size_t first = size_t(r) * width;
-            for (size_t i = first + g.spans[s].begin; i < first + g.spans[s].end; ++i) {
-                Light& sum = by_pattern[pattern[i]];
-                const double grey = off[i];
-                sum.eye += grey * g.omega_cos[i], sum.all += grey * g.omega[i];
+            const size_t first = size_t(r) * width, from = first + g.spans[s].begin;
+            const int n = g.spans[s].end - g.spans[s].begin;
+            LightByColumn sum;
+            add_light(off + from, pattern + from, &g.omega_cos[from], &g.omega[from], n, sum);
+            for (int k = 0; k < std::min(n, int(Signs::words)); ++k) {
+                Light& to = by_word[pattern[from + k] % Signs::turned];
+                to.eye += sum.eye[k], to.all += sum.all[k];
             }
         }
     std::array<Light, Signs::most> out;
-    for (size_t p = 0; p < by_pattern.size(); ++p)
+    for (size_t w = 0; w < by_word.size(); ++w)
         for (size_t k = 0; k < out.size(); ++k) {
-            out[k].eye += signs->factor[p][k] * by_pattern[p].eye;
-            out[k].all += signs->factor[p][k] * by_pattern[p].all;
+            out[k].eye += signs->factor[w][k] * by_word[w].eye;
+            out[k].all += signs->factor[w][k] * by_word[w].all;
         }
     return out;
 }

@@ -41,7 +41,6 @@ struct Swayed {
     }
     // Whether a picture may show one of n pixels above the limit.
     bool may_exceed(size_t first, int n, float limit) const;
-    bool all_exceed(size_t first, int n, float limit) const;  // all pictures, all of these pixels
     void picture(int number, GreyPicture& out) const;
     // What the pictures have more than their mean.
     std::array<Light, Signs::most> more_light(const Geometry& geometry) const;

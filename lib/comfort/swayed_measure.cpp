@@ -21,7 +21,7 @@ GreyPicture mean_of(const Swayed& s) {
 
 }  // namespace
 
-SwayedMeasurements measure(const Swayed& lum, const Swayed& bright, const Luminance& mean, const Measurement& of_mean,
+SwayedMeasurements measure(const Swayed& lum, const Calmed& bright, const Luminance& mean, const Measurement& of_mean,
                            Meter& meter) {
     if (!at_once(meter)) return measure_one_by_one(lum, bright, mean, of_mean, meter);
     const Geometry& g = meter.geometry();
@@ -55,13 +55,13 @@ SwayedMeasurements measure(const Swayed& lum, const Swayed& bright, const Lumina
     return out;
 }
 
-SwayedMeasurements measure_one_by_one(const Swayed& lum, const Swayed& bright, const Luminance& mean,
+SwayedMeasurements measure_one_by_one(const Swayed& lum, const Calmed& bright, const Luminance& mean,
                                       const Measurement& of_mean, Meter& meter) {
     const bool sources = meter.needs().sources;
     SwayedMeasurements out{{}, {}, of_mean};
     GreyPicture picture, bright_picture;
     if (sources) {
-        picture = mean_of(lum), bright_picture = mean_of(bright);
+        picture = mean_of(lum), bright_picture = bright.mean();
         Luminance grey = picture.luminance(), bright_in = bright_picture.luminance();
         out.calm = meter.measure(grey, "", &bright_in);
     }

@@ -2,8 +2,8 @@
 // What swayed pictures measure: all of them at once wherever settings and metrics allow, else one after the other.
 #pragma once
 #include <vector>
+#include "comfort/calmed.h"
 #include "comfort/measure.h"
-#include "comfort/swayed.h"
 
 namespace comfort {
 
@@ -15,10 +15,10 @@ struct SwayedMeasurements {
 
 // bright: which pixels are sources is decided in its pictures, where the meter finds any.  mean, and of_mean: the
 // picture that has been measured last, and what it measured.
-SwayedMeasurements measure(const Swayed& lum, const Swayed& bright, const Luminance& mean, const Measurement& of_mean,
+SwayedMeasurements measure(const Swayed& lum, const Calmed& bright, const Luminance& mean, const Measurement& of_mean,
                            Meter& meter);
 // The same by Meter alone, a picture at a time.
-SwayedMeasurements measure_one_by_one(const Swayed& lum, const Swayed& bright, const Luminance& mean,
+SwayedMeasurements measure_one_by_one(const Swayed& lum, const Calmed& bright, const Luminance& mean,
                                       const Measurement& of_mean, Meter& meter);
 // Not without regions, which are measured in each picture by itself.
 void add_regions(const Swayed& lum, const Meter& meter, std::vector<Measurement>& own);

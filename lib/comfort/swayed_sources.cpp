@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "comfort/detect.h"
 #include "comfort/luminance.h"
@@ -48,7 +49,7 @@ struct Node {
 
 class AllSources {
 public:
-    AllSources(const Swayed& lum, const Swayed& bright, const std::vector<double>& thresholds, const Geometry& g,
+    AllSources(const Swayed& lum, const Calmed& bright, const std::vector<double>& thresholds, const Geometry& g,
                const Settings& settings, Connector& connector)
         : lum_(lum), bright_(bright), g_(g), settings_(settings), connector_(connector), pictures_(lum.count() + 1) {
         for (const double t : thresholds) limit_.push_back(grey_limit(t));
@@ -84,45 +85,56 @@ private:
     }
     // Which pictures show a pixel for which test(its grey) holds.
     template <class Test>
-    Shown shown_where(size_t p, Test test) const {
-        const Shown mean = Shown(1) << bright_.count(), minus = bright_.minus(p), each = mean - 1;
-        return (test(bright_.mean[p] + bright_.off[p]) ? ~minus & each : 0) |
-               (test(bright_.mean[p] - bright_.off[p]) ? minus & each : 0) | (test(bright_.mean[p]) ? mean : 0);
+    Shown shown_where(size_t p, const Calmed::Pixel& grey, Test test) const {
+        const Shown mean = Shown(1) << lum_.count(), minus = lum_.minus(p), each = mean - 1;
+        return (test(grey.mean + grey.sway) ? ~minus & each : 0) | (test(grey.mean - grey.sway) ? minus & each : 0) |
+               (test(grey.mean) ? mean : 0);
+    }
+    Shown bright(size_t p, const Calmed::Pixel& grey, float low, float high) const {
+        const float off = std::fabs(grey.sway);
+        if (grey.mean - off > high) return all_;
+        if (!(grey.mean + off > low)) return 0;
+        if (low == high) return shown_where(p, grey, [&](float v) { return v > low; });
+        Shown shown = 0;
+        for (int k = 0; k < pictures_; ++k)
+            shown |= shown_where(p, grey, [&](float v) { return v > limit_[size_t(k)]; }) & Shown(1) << k;
+        return shown;
     }
     std::vector<Stretch> bright_stretches() const {
         const float low = *std::min_element(limit_.begin(), limit_.end()),
                     high = *std::max_element(limit_.begin(), limit_.end());
         std::vector<Stretch> out;
-        const auto add_pixel = [&](size_t p) {
-            const float off = std::fabs(bright_.off[p]);
-            Shown shown = 0;
-            if (bright_.mean[p] - off > high) shown = all_;
-            else if (!(bright_.mean[p] + off > low)) return;
-            else if (low == high) shown = shown_where(p, [&](float grey) { return grey > low; });
-            else
-                for (int k = 0; k < pictures_; ++k) {
-                    const float grey = k < bright_.count() ? bright_.at(k, p) : bright_.mean[p];
-                    shown |= Shown(grey > limit_[size_t(k)]) << k;
-                }
-            append(uint32_t(p), shown, out);
-        };
+        const Doubtful *next = bright_.in_doubt().data(), *const end = next + bright_.in_doubt().size();
         constexpr int block = 32;  // most are dark
         for (int r = 0; r < g_.height; ++r)
             for (size_t s = g_.row_spans[r]; s < g_.row_spans[r + 1]; ++s)
                 for (int x = g_.spans[s].begin; x < g_.spans[s].end; x += block) {
                     const int n = std::min(block, g_.spans[s].end - x);
                     const size_t first = size_t(r) * g_.width + x;
-                    if (!bright_.may_exceed(first, n, low)) continue;
+                    while (next != end && next->pixel < first) ++next;
+                    float doubtful = low;  // the most that a pixel in doubt may show
+                    const Doubtful* behind = next;
+                    for (; behind != end && behind->pixel < first + size_t(n); ++behind)
+                        doubtful = std::max(doubtful, behind->mean + std::fabs(behind->sway));
+                    const Doubtful* doubt = std::exchange(next, behind);
+                    const bool sure = doubt == behind;
+                    if (!(doubtful > low) && !bright_.any_exceeds(first, n, low)) continue;
                     const bool joins = !out.empty() && out.back().shown == all_ && x > g_.spans[s].begin &&
                                        out.back().start + out.back().length == first;
-                    if (joins && bright_.all_exceed(first, n, high)) out.back().length += uint32_t(n);
-                    else
-                        for (size_t p = first; p < first + size_t(n); ++p) add_pixel(p);
+                    if (sure && joins && bright_.all_exceed(first, n, high)) {
+                        out.back().length += uint32_t(n);
+                        continue;
+                    }
+                    for (size_t p = first; p < first + size_t(n); ++p) {
+                        Calmed::Pixel grey{lum_.mean[p], 0};
+                        if (doubt != behind && doubt->pixel == p) grey = {doubt->mean, doubt->sway}, ++doubt;
+                        append(uint32_t(p), bright(p, grey, low, high), out);
+                    }
                 }
         return out;
     }
     Shown peak(size_t p) const {
-        return shown_where(p, [&](float grey) { return luminance(grey) >= settings_.peak_limit; });
+        return shown_where(p, bright_.at(p), [&](float grey) { return luminance(grey) >= settings_.peak_limit; });
     }
     bool may_have_peaks(const Stretch& s) const {
         const float nearly = float(settings_.peak_limit / cdm2_per_grey * (1 - 1e-6));
@@ -136,7 +148,7 @@ private:
             for (uint32_t p = s.start; may_have_peaks(s) && p < s.start + s.length; ++p) {
                 append(p, peak(p) & s.shown, out);
                 const auto above = [&](float grey) { return cdm2_per_grey * grey > settings_.peak_limit; };
-                peaks_in_ |= shown_where(p, above) & s.shown;
+                peaks_in_ |= shown_where(p, bright_.at(p), above) & s.shown;
             }
         for (Stretch& s : out) s.shown &= peaks_in_;
         out.erase(std::remove_if(out.begin(), out.end(), [](const Stretch& s) { return !s.shown; }), out.end());
@@ -234,7 +246,8 @@ private:
         return s;
     }
 
-    const Swayed &lum_, &bright_;
+    const Swayed& lum_;
+    const Calmed& bright_;
     const Geometry& g_;
     const Settings& settings_;
     Connector& connector_;
@@ -252,7 +265,7 @@ bool sources_at_once(const Settings& s) {
     return plain_pixels && plain_sources && !s.task && s.task_region.empty() && !s.band_rad && !s.mask_file;
 }
 
-std::vector<SwayedSources> all_sources(const Swayed& lum, const Swayed& bright, const std::vector<double>& thresholds,
+std::vector<SwayedSources> all_sources(const Swayed& lum, const Calmed& bright, const std::vector<double>& thresholds,
                                        const Geometry& geometry, const Settings& settings, Connector& connector) {
     return AllSources(lum, bright, thresholds, geometry, settings, connector).find();
 }

@@ -5,7 +5,7 @@
 #include "comfort/connect.h"
 #include "comfort/settings.h"
 #include "comfort/sources.h"
-#include "comfort/swayed.h"
+#include "comfort/calmed.h"
 
 namespace comfort {
 
@@ -19,7 +19,7 @@ bool sources_at_once(const Settings& settings);
 
 // Of each picture, and last of the mean of `bright` itself.  thresholds: likewise, cd/m2.  Sources have no brightest
 // pixel, group or zone.
-std::vector<SwayedSources> all_sources(const Swayed& lum, const Swayed& bright, const std::vector<double>& thresholds,
+std::vector<SwayedSources> all_sources(const Swayed& lum, const Calmed& bright, const std::vector<double>& thresholds,
                                        const Geometry& geometry, const Settings& settings, Connector& connector);
 
 }  // namespace comfort
