@@ -129,20 +129,22 @@ void Batches::follow_alternate(const std::vector<float>& before, int64_t n) {
     add_difference(float(factor), whole_.data(), before.data(), alternate_.size(), alternate_.data());
 }
 
-bool Batches::halves(std::vector<float>& d) const {
-    d.resize(whole_.size());
+Batches::Distance Batches::halves() const {
     if (alternate()) {
         const double a = double(in_first_half(frames())), b = double(frames()) - a;
-        set_multiple(float(1 / std::sqrt(a * b)), alternate_.data(), d.size(), d.data());
-        return true;
+        return {float(1 / std::sqrt(a * b)), alternate_.data(), nullptr, true};
     }
     const auto nearer = [&](const image::GreyMean& m, const image::GreyMean& other) {
         return std::abs(2 * m.frames - frames()) < std::abs(2 * other.frames - frames());
     };
     const image::GreyMean& half = *std::min_element(middle_.begin(), middle_.end(), nearer);
     const double a = double(half.frames), b = double(frames()) - a;
-    set_difference(float(std::sqrt(a / b)), half.grey.data(), whole_.data(), d.size(), d.data());
-    return half.frames >= image::direct_samples;
+    return {float(std::sqrt(a / b)), half.grey.data(), whole_.data(), half.frames >= image::direct_samples};
+}
+
+void Batches::Distance::find(size_t first, size_t n, float* d) const {
+    if (from) set_difference(factor, of + first, from + first, n, d);
+    else set_multiple(factor, of + first, n, d);
 }
 
 }  // namespace comfort

@@ -45,8 +45,13 @@ public:
     // How far two halves of the frames lie apart: with x the mean of the a frames in one, y of the b in the other,
     // d = sqrt(a b)/(a + b) (x - y).  The first half ends at the mean that lies nearest to half of all, or, as long as
     // each frame is a batch, halves are those whose halves of frame 0's samples differ (image/picture.h).
-    // Returns whether they have other direct samples.
-    bool halves(std::vector<float>& d) const;
+    struct Distance {
+        float factor;
+        const float *of, *from;  // d = factor (of - from), of pixels; or factor of
+        bool know_frame0;        // the halves have other direct samples
+        void find(size_t first, size_t n, float* d) const;
+    };
+    Distance halves() const;
 
 private:
     bool alternate() const;

@@ -102,23 +102,24 @@ WIDE_LOOP void average(const Surroundings& from, int radius, Means& to) {
 
 }  // namespace
 
-// Row by row, and each row goes all the way while it is in the cache.
-void Calm::take(const Halves& halves, const Geometry& geometry, double threshold_cdm2) {
+void Calm::begin(const Geometry& geometry, double threshold_cdm2) {
     radius_ = radius_of(geometry);
+    threshold_ = grey_limit(threshold_cdm2);
     replaced_.clear();
     variance_.resize(size_t(kept_rows * geometry.width));
     row_means_.resize(size_t(rows * geometry.width));
     zeros_.resize(size_t(geometry.width));
     random_ = 1;
-    const float threshold = grey_limit(threshold_cdm2);
-    for (int y = 0; y < geometry.height + 2 * radius_; ++y) {
-        if (y < geometry.height) {
-            const size_t row = size_t(y) * geometry.width;
-            square_row(&halves.off()[row], radius_, geometry.width, variance(geometry, y), row_means(geometry, y));
-        }
-        const int behind = y - radius_, last = behind - radius_;
-        if (behind >= 0 && behind < geometry.height) find_variance(geometry, behind);
-        if (last >= 0) calm_row(halves.whole(), geometry, last, threshold);
+}
+
+// Variances need the rows of their neighbourhood, and calm pixels the variances of theirs.
+void Calm::take_row(const Halves& halves, const Geometry& geometry, int y) {
+    const int w = geometry.width, last = geometry.height - 1;
+    square_row(&halves.off()[size_t(y) * size_t(w)], radius_, w, variance(geometry, y), row_means(geometry, y));
+    for (int at = y; at <= (y < last ? y : last + 2 * radius_); ++at) {
+        const int behind = at - radius_;
+        if (behind >= 0 && behind <= last) find_variance(geometry, behind);
+        if (behind >= radius_) calm_row(halves.whole(), geometry, behind - radius_);
     }
 }
 
@@ -139,14 +140,14 @@ void Calm::find_variance(const Geometry& geometry, int y) {
     std::fill(v + x, v + w, -1.f);
 }
 
-void Calm::calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y, float threshold) {
+void Calm::calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y) {
     const size_t row = size_t(y) * geometry.width;
     const float* row_variance = variance(geometry, y);
     constexpr int block = 4 * lanes;
     for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; ++s)
         for (int x = geometry.spans[s].begin; x < geometry.spans[s].end; x += block) {
             const int n = std::min(block, geometry.spans[s].end - x);
-            const uint32_t bits = in_doubt(&noisy[row + x], row_variance + x, n, threshold);
+            const uint32_t bits = in_doubt(&noisy[row + x], row_variance + x, n, threshold_);
             for (int part = 0; part < block; part += lanes)
                 if (bits >> part & 0xff) average_doubtful(noisy, geometry, x + part, y, bits >> part & 0xff);
         }

@@ -25,17 +25,20 @@ namespace comfort {
 
 class Calm {
 public:
-    // Of what `halves` has taken.
-    void take(const Halves& halves, const Geometry& geometry, double threshold_cdm2);
+    void begin(const Geometry& geometry, double threshold_cdm2);
+    // One row after the other, as `halves` finds them.
+    void take_row(const Halves& halves, const Geometry& geometry, int y);
+    // After the last one: pixels that have been replaced, in their order.
     const std::vector<Doubtful>& replaced() const { return replaced_; }
 
 private:
     float* variance(const Geometry& geometry, int y);  // of one of the last rows
     float* row_means(const Geometry& geometry, int y);
     void find_variance(const Geometry& geometry, int y);
-    void calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y, float threshold);
+    void calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y);
     void average_doubtful(const std::vector<float>& noisy, const Geometry& geometry, int x, int y, uint32_t bits);
     int radius_ = 0;  // of the neighbourhood, in pixels
+    float threshold_ = 0;
     uint32_t random_ = 0;
     std::vector<Doubtful> replaced_;
     std::vector<float> variance_, row_means_, zeros_;  // of the last rows, of their squares; and a row without

@@ -24,8 +24,10 @@ WIDE_LOOP bool none_falls_short(const float* mean, int n, float limit) {
 
 }  // namespace
 
-Calmed::Calmed(const Swayed& pictures, const std::vector<Doubtful>& in_doubt) : lum_(pictures), in_doubt_(in_doubt) {
-    for (const Doubtful& d : in_doubt) brightest_ = std::max(brightest_, d.mean + std::fabs(d.sway));
+float Calmed::most_in_doubt() const {
+    float most = 0;
+    for (const Doubtful& d : in_doubt_) most = std::max(most, d.mean + std::fabs(d.sway));
+    return most;
 }
 
 const Doubtful* Calmed::from(size_t pixel) const {
@@ -38,9 +40,7 @@ Calmed::Pixel Calmed::at(size_t pixel) const {
     return {d->mean, d->sway};
 }
 
-bool Calmed::may_exceed(size_t first, int n, float limit) const {
-    if (any_exceeds(first, n, limit)) return true;
-    if (!(brightest_ > limit)) return false;
+bool Calmed::doubtful_exceeds(size_t first, int n, float limit) const {
     for (const Doubtful* d = from(first); d != end() && d->pixel < first + size_t(n); ++d)
         if (d->mean + std::fabs(d->sway) > limit) return true;
     return false;

@@ -18,13 +18,14 @@ public:
         float mean, sway;
     };
     // in_doubt: in the order of pixels; borrowed.
-    Calmed(const Swayed& pictures, const std::vector<Doubtful>& in_doubt);
+    Calmed(const Swayed& pictures, const std::vector<Doubtful>& in_doubt) : lum_(pictures), in_doubt_(in_doubt) {}
 
     const Swayed& lum() const { return lum_; }
     const std::vector<Doubtful>& in_doubt() const { return in_doubt_; }
     Pixel at(size_t pixel) const;
-    // Whether a picture may show one of n pixels above the limit.
-    bool may_exceed(size_t first, int n, float limit) const;
+    float most_in_doubt() const;  // that a pixel in doubt may show, or 0
+    // Whether a picture may show one of n pixels in doubt above the limit.
+    bool doubtful_exceeds(size_t first, int n, float limit) const;
     // Of n pixels that are not in doubt: whether one of them is above the limit, or all are.
     bool any_exceeds(size_t first, int n, float limit) const;
     bool all_exceed(size_t first, int n, float limit) const;
@@ -36,7 +37,6 @@ private:
     const Doubtful* end() const { return in_doubt_.data() + in_doubt_.size(); }
     const Swayed& lum_;
     const std::vector<Doubtful>& in_doubt_;
-    float brightest_ = 0;  // of those in doubt
 };
 
 }  // namespace comfort

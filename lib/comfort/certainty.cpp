@@ -150,10 +150,13 @@ void Certainty::look(const Luminance& lum, const Measurement& m) {
 
 // Returns what the whole picture measures with the sources of its calm one.
 Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates) {
-    if (!halves_.take(batches_)) return m;
+    if (!halves_.begin(batches_)) return m;
     const Swayed pictures = halves_.pictures();
-    if (meter_.needs().sources) calm_.take(halves_, meter_.geometry(), m.threshold);
-    SwayedMeasurements seen = measure(pictures, Calmed(pictures, calm_.replaced()), lum, m, meter_);
+    calm_.begin(meter_.geometry(), m.threshold);
+    SwayedMeasurements seen = measure(pictures, Calmed(pictures, calm_.replaced()), lum, m, meter_, [&](int row) {
+        halves_.find_row(row);
+        if (meter_.needs().sources) calm_.take_row(halves_, meter_.geometry(), row);
+    });
     const Values value = values(seen.calm, Kind::picture);
     std::vector<double> of_column(columns_.size() * Halves::count);
     Values of_whole(columns_.size(), 0);

@@ -28,13 +28,20 @@ uint32_t row_of(unsigned row) {
 Halves::Halves() : signs_(count, {row_of(1), row_of(2), row_of(4), row_of(8)}) {}
 
 bool Halves::take(const Batches& batches) {
+    const bool found = begin(batches);
+    for (int row = 0; found && row < height_; ++row) find_row(row);
+    return found;
+}
+
+bool Halves::begin(const Batches& batches) {
     if (batches.count() < 2) return false;
     whole_ = &batches.whole();
     if (width_ != batches.width() || height_ != batches.height()) {
         width_ = batches.width(), height_ = batches.height();
         pattern_ = Signs::weave(width_, height_, 1);
     }
-    know_frame0_ = batches.halves(off_);
+    off_.resize(whole_->size());
+    apart_ = batches.halves();
     return true;
 }
 

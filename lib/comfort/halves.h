@@ -33,9 +33,14 @@ public:
 
     // False: there are no halves yet.
     bool take(const Batches& batches);
+    // The same row by row, for who goes through the picture once: begin(), then each row before it is looked at.
+    bool begin(const Batches& batches);
+    void find_row(int row) {
+        apart_.find(size_t(row) * size_t(width_), size_t(width_), &off_[size_t(row) * size_t(width_)]);
+    }
     const std::vector<float>& whole() const { return *whole_; }  // L'
     const std::vector<float>& off() const { return off_; }       // d
-    bool know_frame0() const { return know_frame0_; }            // and its error
+    bool know_frame0() const { return apart_.know_frame0; }      // and its error
     Swayed pictures() const;
 
     // What a metric's values, one of each picture, say of its value of the whole one.
@@ -49,7 +54,7 @@ private:
     int width_ = 0, height_ = 0;
     const std::vector<float>* whole_ = nullptr;
     std::vector<float> off_;  // d
-    bool know_frame0_ = false;
+    Batches::Distance apart_{0, nullptr, nullptr, false};
     std::vector<uint8_t> pattern_;  // by pixel; word w is row w of the matrix, and row 0 is none's
     Signs signs_;
 };

@@ -98,24 +98,26 @@ void Swayed::picture(int number, GreyPicture& out) const {
     for (size_t i = 0; i < out.grey.size(); ++i) out.grey[i] = at(number, i);
 }
 
-std::array<Light, Signs::most> Swayed::more_light(const Geometry& g) const {
-    std::array<Light, Signs::words> by_word;
-    for (int r = 0; r < height; ++r)
-        for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s) {
-            const size_t first = size_t(r) * width, from = first + g.spans[s].begin;
-            const int n = g.spans[s].end - g.spans[s].begin;
-            LightByColumn sum;
-            add_light(off + from, pattern + from, &g.omega_cos[from], &g.omega[from], n, sum);
-            for (int k = 0; k < std::min(n, int(Signs::words)); ++k) {
-                Light& to = by_word[pattern[from + k] % Signs::turned];
-                to.eye += sum.eye[k], to.all += sum.all[k];
-            }
+void MoreLight::add_row(const Swayed& pictures, const Geometry& g, int row) {
+    for (size_t s = g.row_spans[row]; s < g.row_spans[row + 1]; ++s) {
+        const size_t from = size_t(row) * g.width + g.spans[s].begin;
+        const int n = g.spans[s].end - g.spans[s].begin;
+        const uint8_t* pattern = pictures.pattern + from;
+        LightByColumn sum;
+        add_light(pictures.off + from, pattern, &g.omega_cos[from], &g.omega[from], n, sum);
+        for (int k = 0; k < std::min(n, int(Signs::words)); ++k) {
+            Light& to = by_word_[pattern[k] % Signs::turned];
+            to.eye += sum.eye[k], to.all += sum.all[k];
         }
+    }
+}
+
+std::array<Light, Signs::most> MoreLight::of_pictures(const Signs& signs) const {
     std::array<Light, Signs::most> out;
-    for (size_t w = 0; w < by_word.size(); ++w)
+    for (size_t w = 0; w < by_word_.size(); ++w)
         for (size_t k = 0; k < out.size(); ++k) {
-            out[k].eye += signs->factor[w][k] * by_word[w].eye;
-            out[k].all += signs->factor[w][k] * by_word[w].all;
+            out[k].eye += signs.factor[w][k] * by_word_[w].eye;
+            out[k].all += signs.factor[w][k] * by_word_[w].all;
         }
     return out;
 }

@@ -42,9 +42,17 @@ struct Swayed {
     // Whether a picture may show one of n pixels above the limit.
     bool may_exceed(size_t first, int n, float limit) const;
     void picture(int number, GreyPicture& out) const;
-    // What the pictures have more than their mean.
-    std::array<Light, Signs::most> more_light(const Geometry& geometry) const;
     std::array<float, Signs::most> brightest(const Geometry& geometry) const;  // not below 0
+};
+
+// What swayed pictures have more light than their mean, row by row.
+class MoreLight {
+public:
+    void add_row(const Swayed& pictures, const Geometry& geometry, int row);
+    std::array<Light, Signs::most> of_pictures(const Signs& signs) const;
+
+private:
+    std::array<Light, Signs::words> by_word_;
 };
 
 }  // namespace comfort

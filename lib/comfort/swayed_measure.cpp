@@ -22,16 +22,23 @@ GreyPicture mean_of(const Swayed& s) {
 }  // namespace
 
 SwayedMeasurements measure(const Swayed& lum, const Calmed& bright, const Luminance& mean, const Measurement& of_mean,
-                           Meter& meter) {
-    if (!at_once(meter)) return measure_one_by_one(lum, bright, mean, of_mean, meter);
+                           Meter& meter, const std::function<void(int)>& make_row) {
+    if (!at_once(meter)) {
+        for (int r = 0; r < lum.height; ++r) make_row(r);
+        return measure_one_by_one(lum, bright, mean, of_mean, meter);
+    }
     const Geometry& g = meter.geometry();
     const Settings& settings = meter.settings();
     SwayedMeasurements out{std::vector<Measurement>(size_t(lum.count()), of_mean), {}, of_mean};
-    const auto more = lum.more_light(g);
+    MoreLight light;  // with the contrast in one walk down the rows, while these are in the cache
+    const auto take_row = [&](int r) { make_row(r), light.add_row(lum, g, r); };
+    std::array<double, Signs::most> contrast{};
+    if (meter.needs().rammg) contrast = rammg(lum, g, settings.rammg_area, take_row);
+    else
+        for (int r = 0; r < lum.height; ++r) take_row(r);
+    const auto more = light.of_pictures(*lum.signs);
     std::array<float, Signs::most> brightest{};
     if (meter.needs().brightest) brightest = lum.brightest(g);
-    std::array<double, Signs::most> contrast{};
-    if (meter.needs().rammg) contrast = rammg(lum, g, settings.rammg_area);
     std::vector<double> thresholds;
     for (size_t k = 0; k < out.own.size(); ++k) {
         Measurement& m = out.own[k];

@@ -182,16 +182,19 @@ private:
 
 }  // namespace
 
-std::array<double, Signs::most> rammg(const Swayed& pictures, const Geometry& geometry, RammgArea area) {
+std::array<double, Signs::most> rammg(const Swayed& pictures, const Geometry& geometry, RammgArea area,
+                                      const std::function<void(int)>& before_row) {
     const std::vector<Level> levels = pyramid(geometry, area);
     std::array<double, Signs::most> out;
     out.fill(contrast_of(0, levels.size(), area));
+    for (int r = 0; levels.empty() && r < pictures.height; ++r) before_row(r);
     if (levels.empty()) return out;
     const Level& pixels = levels[0];
     PairSums edge, corner;
     std::vector<Walk> below(eights, Walk(levels));
     std::vector<SwayedRow> rows(2, SwayedRow(pictures.width));
     for (int r = 0; r < pictures.height; ++r) {
+        before_row(r);
         SwayedRow &here = rows[size_t(r & 1)], &before = rows[size_t(~r & 1)];
         for (const Span& s : spans(pixels, r)) here.show(pictures, r, s.begin, s.end);
         const auto add = [&](const SwayedRow& a, int row, int shift, PairSums& to) {

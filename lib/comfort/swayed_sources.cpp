@@ -51,7 +51,13 @@ class AllSources {
 public:
     AllSources(const Swayed& lum, const Calmed& bright, const std::vector<double>& thresholds, const Geometry& g,
                const Settings& settings, Connector& connector)
-        : lum_(lum), bright_(bright), g_(g), settings_(settings), connector_(connector), pictures_(lum.count() + 1) {
+        : lum_(lum),
+          bright_(bright),
+          most_in_doubt_(bright.most_in_doubt()),
+          g_(g),
+          settings_(settings),
+          connector_(connector),
+          pictures_(lum.count() + 1) {
         for (const double t : thresholds) limit_.push_back(grey_limit(t));
         all_ = (Shown(1) << pictures_) - 1;
         out_.resize(size_t(pictures_));
@@ -138,7 +144,8 @@ private:
     }
     bool may_have_peaks(const Stretch& s) const {
         const float nearly = float(settings_.peak_limit / cdm2_per_grey * (1 - 1e-6));
-        return bright_.may_exceed(s.start, int(s.length), nearly);
+        return bright_.any_exceeds(s.start, int(s.length), nearly) ||
+               (most_in_doubt_ > nearly && bright_.doubtful_exceeds(s.start, int(s.length), nearly));
     }
     // Peaks leave their group where there is a pixel above the limit; which of them belong together does not depend
     // on their groups, as those within reach of each other are of one.
@@ -248,6 +255,7 @@ private:
 
     const Swayed& lum_;
     const Calmed& bright_;
+    const float most_in_doubt_;
     const Geometry& g_;
     const Settings& settings_;
     Connector& connector_;
