@@ -35,7 +35,7 @@ inline __attribute__((always_inline)) void inner_means(const float* from, int n,
     for (int x = radius; x < n - radius; ++x) {
         float sum = 0;
         for (int k = -radius; k <= radius; ++k) sum += from[x + k];
-        to[x] = sum / float(2 * radius + 1);
+        to[x] = sum * (1 / float(2 * radius + 1));
     }
 }
 
@@ -56,10 +56,10 @@ WIDE_LOOP void square_row(const float* off, int radius, int n, float* squares, f
 }
 
 // To the mean of what five rows hold, of which some may be rows of zeros.
-WIDE_LOOP void raise_to_mean(const float* const* row, float count, int n, float* values) {
+WIDE_LOOP void raise_to_mean(const float* const* row, float share, int n, float* values) {
     const float *a = row[0], *b = row[1], *c = row[2], *d = row[3], *e = row[4];
     for (int x = 0; x < n; ++x) {
-        const float mean = ((((a[x] + b[x]) + c[x]) + d[x]) + e[x]) / count;
+        const float mean = ((((a[x] + b[x]) + c[x]) + d[x]) + e[x]) * share;
         values[x] = std::max(values[x], mean);
     }
 }
@@ -133,7 +133,7 @@ void Calm::find_variance(const Geometry& geometry, int y) {
     const float* near[rows];
     for (int k = 0; k < rows; ++k) near[k] = first + k <= last ? row_means(geometry, first + k) : zeros_.data();
     float* v = variance(geometry, y);
-    raise_to_mean(near, float(last - first + 1), w, v);
+    raise_to_mean(near, 1 / float(last - first + 1), w, v);
     int x = 0;
     for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; x = geometry.spans[s++].end)
         std::fill(v + x, v + geometry.spans[s].begin, -1.f);

@@ -16,12 +16,6 @@ WIDE_LOOP bool one_exceeds(const float* mean, int n, float limit) {
     return found;
 }
 
-WIDE_LOOP bool none_falls_short(const float* mean, int n, float limit) {
-    int found = 0;
-    for (int i = 0; i < n; ++i) found |= !(mean[i] > limit);
-    return !found;
-}
-
 }  // namespace
 
 float Calmed::most_in_doubt() const {
@@ -46,10 +40,7 @@ bool Calmed::doubtful_exceeds(size_t first, int n, float limit) const {
     return false;
 }
 
-bool Calmed::any_exceeds(size_t first, int n, float limit) const { return one_exceeds(lum_.mean + first, n, limit); }
-bool Calmed::all_exceed(size_t first, int n, float limit) const {
-    return none_falls_short(lum_.mean + first, n, limit);
-}
+bool Calmed::mean_exceeds(size_t first, int n, float limit) const { return one_exceeds(lum_.mean + first, n, limit); }
 
 GreyPicture Calmed::mean() const {
     GreyPicture out{lum_.width, lum_.height, {lum_.mean, lum_.mean + size_t(lum_.width) * size_t(lum_.height)}};

@@ -26,9 +26,7 @@ public:
     float most_in_doubt() const;  // that a pixel in doubt may show, or 0
     // Whether a picture may show one of n pixels in doubt above the limit.
     bool doubtful_exceeds(size_t first, int n, float limit) const;
-    // Of n pixels that are not in doubt: whether one of them is above the limit, or all are.
-    bool any_exceeds(size_t first, int n, float limit) const;
-    bool all_exceed(size_t first, int n, float limit) const;
+    bool mean_exceeds(size_t first, int n, float limit) const;  // of n pixels as the mean has them
     void picture(int number, GreyPicture& out) const;
     GreyPicture mean() const;
 

@@ -11,7 +11,16 @@ namespace {
 
 using M = const Measurement&;
 // noisy: of noisy pixels it comes out wrong on average, and there is a column NAMEu that does not (halves.h).
-enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, noisy = 16, brightest = 32 };
+enum Want : unsigned {
+    nothing = 0,
+    sources = 1,
+    rammg = 2,
+    medians = 4,
+    mask = 8,
+    noisy = 16,
+    brightest = 32,
+    mean = 64
+};
 
 struct Entry {
     const char* name;
@@ -38,19 +47,19 @@ const Entry entries[] = {
     {"class", sources, class_value},
     {"DGI", sources | noisy, [](M m) { return dgi(m.glare, m.background); }},
     {"UGR", sources | noisy, [](M m) { return ugr(m.glare, m.background); }},
-    {"VCP", sources | noisy, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }},
+    {"VCP", sources | noisy | mean, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }},
     {"CGI", sources | noisy, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }},
     {"UGP", sources | noisy, [](M m) { return ugp(m.glare, m.background); }},
     {"UGP2", sources | noisy, [](M m) { return ugp2(m.glare, m.background); }},
     {"DGImod", sources | noisy, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }},
     {"UGRexp", sources | noisy, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }},
-    {"DGR", sources | noisy, [](M m) { return dgr(m.glare, m.mean_lum); }},
+    {"DGR", sources | noisy | mean, [](M m) { return dgr(m.glare, m.mean_lum); }},
     {"PGSV", sources | mask, [](M m) { return m.pgsv.value; }},
     {"PGSVcon", sources | mask, [](M m) { return m.pgsv.contrast; }},
     {"PGSVsat", sources | mask, [](M m) { return m.pgsv.saturation; }},
     {"Lveil", sources | noisy, [](M m) { return veil_poynter(m.glare); }},
     {"LveilCIE", sources | noisy, [](M m) { return veil_cie(m.glare, -HUGE_VAL); }},
-    {"Lavg", nothing, [](M m) { return m.mean_lum; }},
+    {"Lavg", mean, [](M m) { return m.mean_lum; }},
     {"Lmax", brightest, [](M m) { return m.max_lum; }},
     {"Lmed", medians, [](M m) { return m.median; }},
     {"LavgPos", medians, [](M m) { return m.mean_pos; }},
@@ -58,7 +67,7 @@ const Entry entries[] = {
     {"LmedPos", medians, [](M m) { return m.median_pos; }},
     {"LmedPos2", medians, [](M m) { return m.median_pos2; }},
     {"Lb", sources | noisy, [](M m) { return m.background; }},
-    {"Lt", sources, [](M m) { return m.task_lum; }},
+    {"Lt", sources | mean, [](M m) { return m.task_lum; }},
     {"threshold", sources, [](M m) { return m.threshold; }},
     {"Edir", sources | noisy, [](M m) { return m.direct_lux; }},
     {"n_sources", sources, [](M m) { return double(m.sources.size()); }},
@@ -147,6 +156,7 @@ private:
             needs_.rammg |= (e.wants & rammg) != 0;
             needs_.medians |= (e.wants & medians) != 0;
             needs_.brightest |= (e.wants & brightest) != 0;
+            needs_.mean |= (e.wants & mean) != 0;
 
             Column column{name, e.value};
             if (std::string(e.name) == "LveilCIE")

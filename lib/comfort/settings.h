@@ -79,7 +79,8 @@ struct Refusal : base::Error {
 
 // What to work out beyond Ev and the luminance statistics that cost nothing.
 struct Needs {
-    bool sources = true, rammg = true, medians = false, regions_in_full = false, brightest = false;
+    bool sources = true, rammg = true, medians = false, regions_in_full = false;
+    bool brightest = false, mean = false;  // of half pictures, too
 };
 
 }  // namespace comfort

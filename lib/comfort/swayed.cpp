@@ -28,21 +28,17 @@ WIDE_LOOP bool any_exceeds(const float* mean, const float* off, int n, float lim
     return found;
 }
 
-// Of pixels `words` apart, which have the same word.
-struct LightByColumn {
-    double eye[Signs::words] = {}, all[Signs::words] = {};
-};
-
-WIDE_LOOP void add_light(const float* off, const uint8_t* pattern, const double* omega_cos, const double* omega, int n,
-                         LightByColumn& to) {
+// Sums of off times weight of pixels `words` apart, which have the same word.
+WIDE_LOOP void add_light(const float* off, const uint8_t* pattern, const double* weight, int n, double* by_column) {
+    double sum[Signs::words] = {};
     const auto add = [&](int i, int k) {
-        const double grey = off[i] * float(1 - 2 * int(pattern[i] / Signs::turned));
-        to.eye[k] += grey * omega_cos[i], to.all[k] += grey * omega[i];
+        sum[k] += double(off[i] * float(1 - 2 * int(pattern[i] / Signs::turned))) * weight[i];
     };
     int i = 0;
     for (; i + Signs::words <= n; i += Signs::words)
         for (int k = 0; k < Signs::words; ++k) add(i + k, k);
     for (int k = 0; i < n; ++i, ++k) add(i, k);
+    for (int k = 0; k < Signs::words; ++k) by_column[k] = sum[k];
 }
 
 }  // namespace
@@ -103,11 +99,12 @@ void MoreLight::add_row(const Swayed& pictures, const Geometry& g, int row) {
         const size_t from = size_t(row) * g.width + g.spans[s].begin;
         const int n = g.spans[s].end - g.spans[s].begin;
         const uint8_t* pattern = pictures.pattern + from;
-        LightByColumn sum;
-        add_light(pictures.off + from, pattern, &g.omega_cos[from], &g.omega[from], n, sum);
+        double eye[Signs::words], all[Signs::words] = {};
+        add_light(pictures.off + from, pattern, &g.omega_cos[from], n, eye);
+        if (all_) add_light(pictures.off + from, pattern, &g.omega[from], n, all);
         for (int k = 0; k < std::min(n, int(Signs::words)); ++k) {
             Light& to = by_word_[pattern[k] % Signs::turned];
-            to.eye += sum.eye[k], to.all += sum.all[k];
+            to.eye += eye[k], to.all += all[k];
         }
     }
 }

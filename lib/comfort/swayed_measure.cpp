@@ -30,7 +30,9 @@ SwayedMeasurements measure(const Swayed& lum, const Calmed& bright, const Lumina
     const Geometry& g = meter.geometry();
     const Settings& settings = meter.settings();
     SwayedMeasurements out{std::vector<Measurement>(size_t(lum.count()), of_mean), {}, of_mean};
-    MoreLight light;  // with the contrast in one walk down the rows, while these are in the cache
+    const bool mean_counts =
+        meter.needs().mean || settings.background == 1 || (settings.threshold && *settings.threshold <= 100);
+    MoreLight light(mean_counts);  // with the contrast in one walk down the rows, while these are in the cache
     const auto take_row = [&](int r) { make_row(r), light.add_row(lum, g, r); };
     std::array<double, Signs::most> contrast{};
     if (meter.needs().rammg) contrast = rammg(lum, g, settings.rammg_area, take_row);

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "base/wide.h"
 #include "comfort/detect.h"
 #include "comfort/luminance.h"
+#include "comfort/source_sums.h"
 #include "comfort/swayed_groups.h"
 
 namespace comfort {
@@ -21,30 +22,25 @@ double luminance(float grey) {
     return one.at(0);
 }
 
-// Sums of grey times omega, that times x and y, and grey times omega cos.
-struct Sum {
-    double power = 0, x = 0, y = 0, eye = 0;
-    void add(double grey, double omega, double omega_cos, double at_x, double at_y) {
-        const double p = grey * omega;
-        power += p, x += p * at_x, y += p * at_y, eye += grey * omega_cos;
-    }
-    void add(const Sum& more, double factor = 1) {
-        power += factor * more.power, x += factor * more.x, y += factor * more.y, eye += factor * more.eye;
-    }
-};
+// Which of up to 32 pixels are above the limit: bit k.
+WIDE_LOOP uint32_t above(const float* grey, int n, float limit) {
+    uint32_t found = 0;
+    for (int k = 0; k < n; ++k) found |= uint32_t(grey[k] > limit) << k;
+    return found;
+}
 
 // What a picture shows of a node.
 struct Part {
     double pixels = 0, omega = 0;
-    Sum own, mean;
+    SourceSum own, mean;
     uint64_t first = UINT64_MAX;  // in column order
 };
 
 struct Node {
     std::array<Part, most> part;
-    // Of what all pictures show: the middle of each pixel's two values, and by pattern how far they lie off it.
+    // Of what all pictures show: the middle of each pixel's two values, and by word how far they lie off it.
     Part common;
-    std::vector<Sum> off;
+    std::vector<SourceSum> off;
 };
 
 class AllSources {
@@ -82,12 +78,12 @@ public:
 
 private:
     // Neighbours in a row that the same pictures show are one stretch.
-    void append(uint32_t pixel, Shown shown, std::vector<Stretch>& to, uint32_t node = 0) const {
-        if (!shown) return;
-        const bool joins = !to.empty() && to.back().shown == shown && to.back().node == node &&
-                           to.back().start + to.back().length == pixel && pixel % uint32_t(g_.width) != 0;
-        if (joins) ++to.back().length;
-        else to.push_back({pixel, 1, shown, node});
+    void append(const Stretch& s, std::vector<Stretch>& to) const {
+        if (!s.shown) return;
+        const bool joins = !to.empty() && to.back().start + to.back().length == s.start && to.back().shown == s.shown &&
+                           to.back().node == s.node && s.start % uint32_t(g_.width) != 0;
+        if (joins) to.back().length += s.length;
+        else to.push_back(s);
     }
     // Which pictures show a pixel for which test(its grey) holds.
     template <class Test>
@@ -111,30 +107,27 @@ private:
                     high = *std::max_element(limit_.begin(), limit_.end());
         std::vector<Stretch> out;
         const Doubtful *next = bright_.in_doubt().data(), *const end = next + bright_.in_doubt().size();
-        constexpr int block = 32;  // most are dark
+        constexpr int block = 32;
         for (int r = 0; r < g_.height; ++r)
             for (size_t s = g_.row_spans[r]; s < g_.row_spans[r + 1]; ++s)
                 for (int x = g_.spans[s].begin; x < g_.spans[s].end; x += block) {
                     const int n = std::min(block, g_.spans[s].end - x);
                     const size_t first = size_t(r) * g_.width + x;
                     while (next != end && next->pixel < first) ++next;
-                    float doubtful = low;  // the most that a pixel in doubt may show
-                    const Doubtful* behind = next;
-                    for (; behind != end && behind->pixel < first + size_t(n); ++behind)
-                        doubtful = std::max(doubtful, behind->mean + std::fabs(behind->sway));
-                    const Doubtful* doubt = std::exchange(next, behind);
-                    const bool sure = doubt == behind;
-                    if (!(doubtful > low) && !bright_.any_exceeds(first, n, low)) continue;
-                    const bool joins = !out.empty() && out.back().shown == all_ && x > g_.spans[s].begin &&
-                                       out.back().start + out.back().length == first;
-                    if (sure && joins && bright_.all_exceed(first, n, high)) {
-                        out.back().length += uint32_t(n);
-                        continue;
-                    }
-                    for (size_t p = first; p < first + size_t(n); ++p) {
+                    const Doubtful* doubt = next;
+                    uint32_t in_doubt = 0;
+                    for (; next != end && next->pixel < first + size_t(n); ++next)
+                        in_doubt |= 1u << (next->pixel - first);
+                    const uint32_t some = above(lum_.mean + first, n, low);
+                    const uint32_t all = low == high ? some : above(lum_.mean + first, n, high);
+                    for (uint32_t rest = some | in_doubt; rest;) {  // most are dark
+                        const uint32_t k = uint32_t(__builtin_ctz(rest)), p = uint32_t(first) + k;
+                        const uint64_t sure = (all & ~in_doubt) >> k;
+                        const uint32_t length = sure & 1 ? uint32_t(__builtin_ctzll(~sure)) : 1;
                         Calmed::Pixel grey{lum_.mean[p], 0};
-                        if (doubt != behind && doubt->pixel == p) grey = {doubt->mean, doubt->sway}, ++doubt;
-                        append(uint32_t(p), bright(p, grey, low, high), out);
+                        if (in_doubt >> k & 1) grey = {doubt->mean, doubt->sway}, ++doubt;
+                        append({p, length, sure & 1 ? all_ : bright(p, grey, low, high)}, out);
+                        rest &= uint32_t(~((uint64_t(1) << (k + length)) - 1));
                     }
                 }
         return out;
@@ -144,7 +137,7 @@ private:
     }
     bool may_have_peaks(const Stretch& s) const {
         const float nearly = float(settings_.peak_limit / cdm2_per_grey * (1 - 1e-6));
-        return bright_.any_exceeds(s.start, int(s.length), nearly) ||
+        return bright_.mean_exceeds(s.start, int(s.length), nearly) ||
                (most_in_doubt_ > nearly && bright_.doubtful_exceeds(s.start, int(s.length), nearly));
     }
     // Peaks leave their group where there is a pixel above the limit; which of them belong together does not depend
@@ -153,7 +146,7 @@ private:
         std::vector<Stretch> out;
         for (const Stretch& s : stretches)
             for (uint32_t p = s.start; may_have_peaks(s) && p < s.start + s.length; ++p) {
-                append(p, peak(p) & s.shown, out);
+                append({p, 1, peak(p) & s.shown}, out);
                 const auto above = [&](float grey) { return cdm2_per_grey * grey > settings_.peak_limit; };
                 peaks_in_ |= shown_where(p, bright_.at(p), above) & s.shown;
             }
@@ -167,7 +160,7 @@ private:
             if (!may_have_peaks(s)) out.push_back(s);
             else
                 for (uint32_t p = s.start; p < s.start + s.length; ++p)
-                    append(p, s.shown & ~(peak(p) & peaks_in_), out, s.node);
+                    append({p, 1, s.shown & ~(peak(p) & peaks_in_), s.node}, out);
         }
         return out;
     }
@@ -194,19 +187,9 @@ private:
             }
     }
     void add_common(const Stretch& s, Node& node) const {
-        if (node.off.empty()) node.off.resize(lum_.signs->minus.size());
-        Part sum;
-        const double y = g_.y_of(s.start);
-        double x = g_.x_of(s.start);
-        for (uint32_t p = s.start; p < s.start + s.length; ++p, ++x) {
-            const double omega = g_.omega[p], omega_cos = g_.omega_cos[p];
-            const float mean = lum_.mean[p];
-            const double plus = mean + lum_.off[p], minus = mean - lum_.off[p];
-            sum.omega += omega;
-            sum.mean.add(mean, omega, omega_cos, x, y);
-            sum.own.add((plus + minus) / 2, omega, omega_cos, x, y);
-            node.off[lum_.pattern[p]].add((plus - minus) / 2, omega, omega_cos, x, y);
-        }
+        if (node.off.empty()) node.off.resize(Signs::words);
+        CommonSums sum;
+        add_stretch(lum_, g_, s.start, s.length, sum, node.off.data());
         node.common.pixels += s.length, node.common.omega += sum.omega;
         node.common.mean.add(sum.mean), node.common.own.add(sum.own);
     }
@@ -245,7 +228,7 @@ private:
             }
         }
     }
-    GlareSource source(const Part& part, const Sum& sum) const {
+    GlareSource source(const Part& part, const SourceSum& sum) const {
         GlareSource s;
         s.pixels = part.pixels, s.omega = part.omega, s.lum = cdm2_per_grey * sum.power / part.omega;
         s.x = sum.x / sum.power, s.y = sum.y / sum.power, s.eye_lux = cdm2_per_grey * sum.eye;
