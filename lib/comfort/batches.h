@@ -30,6 +30,7 @@ public:
     void add(const Luminance& mean, int64_t n, int64_t next_look, std::optional<int64_t> last = {});
     static int64_t look_after(int64_t n);  // the one that follows a look at n
     std::vector<float>& room();
+    void release(std::vector<float>&& picture);  // memory for later ones
 
     size_t count() const { return ends_.size(); }
     int width() const { return width_; }
@@ -57,7 +58,6 @@ private:
     bool alternate() const;
     void follow_alternate(const std::vector<float>& before, int64_t n);
     bool may_be_half(int64_t n, int64_t step, int64_t next_look, std::optional<int64_t> last) const;
-    void release(std::vector<float>&& picture);
     int width_ = 0, height_ = 0;
     std::vector<image::GreyMean> ends_;  // of the watched pixels
     std::vector<uint32_t> watched_;

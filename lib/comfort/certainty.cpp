@@ -150,13 +150,14 @@ void Certainty::look(const Luminance& lum, const Measurement& m) {
 
 // Returns what the whole picture measures with the sources of its calm one.
 Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m, std::vector<Estimate>& estimates) {
-    if (!halves_.begin(batches_)) return m;
+    if (!halves_.begin(batches_, std::move(batches_.room()))) return m;  // where the next mean will stand
     const Swayed pictures = halves_.pictures();
     calm_.begin(meter_.geometry(), m.threshold);
     SwayedMeasurements seen = measure(pictures, Calmed(pictures, calm_.replaced()), lum, m, meter_, [&](int row) {
         halves_.find_row(row);
         if (meter_.needs().sources) calm_.take_row(halves_, meter_.geometry(), row);
     });
+    batches_.release(halves_.give_back());
     const Values value = values(seen.calm, Kind::picture);
     std::vector<double> of_column(columns_.size() * Halves::count);
     Values of_whole(columns_.size(), 0);

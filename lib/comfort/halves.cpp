@@ -33,8 +33,9 @@ bool Halves::take(const Batches& batches) {
     return found;
 }
 
-bool Halves::begin(const Batches& batches) {
+bool Halves::begin(const Batches& batches, std::vector<float>&& room) {
     if (batches.count() < 2) return false;
+    if (!room.empty()) off_ = std::move(room);
     whole_ = &batches.whole();
     if (width_ != batches.width() || height_ != batches.height()) {
         width_ = batches.width(), height_ = batches.height();

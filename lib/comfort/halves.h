@@ -19,6 +19,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 #include "comfort/batches.h"
 #include "comfort/swayed.h"
@@ -34,7 +35,9 @@ public:
     // False: there are no halves yet.
     bool take(const Batches& batches);
     // The same row by row, for who goes through the picture once: begin(), then each row before it is looked at.
-    bool begin(const Batches& batches);
+    // `room` may hold memory of a picture, which is given back below.
+    bool begin(const Batches& batches, std::vector<float>&& room = {});
+    std::vector<float>&& give_back() { return std::move(off_); }
     void find_row(int row) {
         apart_.find(size_t(row) * size_t(width_), size_t(width_), &off_[size_t(row) * size_t(width_)]);
     }
