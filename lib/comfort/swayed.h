@@ -11,8 +11,7 @@
 namespace comfort {
 
 // The signs that pixels may have.  A pattern is the number of a word of signs, one for each picture, and whether all of
-// them are turned round.  Each word is a product of some of four: what the product of two words is has the number w ^
-// v.
+// them are turned round.  Each word is the product of some of four, so that the product of words v and w is word v ^ w.
 struct Signs {
     static constexpr int most = 16, words = 16, patterns = 2 * words;
     static constexpr unsigned turned = words;  // this bit of a pattern

@@ -140,6 +140,30 @@ TEST_CASE("the same with other thresholds, radii and peaks") {
     CHECK(compare(s, noisy, 180) > 1);
 }
 
+// What sums by word rest on: the product of two words is a word, pixels 16 apart in a row have the same one, and each row
+// has all that are wanted.
+TEST_CASE("words of signs") {
+    const Signs signs(16, {0xaaaa, 0xcccc, 0xf0f0, 0x1234});
+    for (unsigned v = 0; v < Signs::words; ++v)
+        for (unsigned w = 0; w < Signs::words; ++w) CHECK(signs.minus[v ^ w] == (signs.minus[v] ^ signs.minus[w]));
+    for (unsigned p = 0; p < Signs::words; ++p) CHECK(signs.minus[p | Signs::turned] == (signs.minus[p] ^ 0xffff));
+
+    const int w = 70, h = 200;
+    const std::vector<uint8_t> pattern = Signs::weave(w, h, 1);
+    int turned = 0;
+    for (size_t row = 0; row < pattern.size(); row += w) {
+        std::set<unsigned> words;
+        for (size_t x = 0; x < w; ++x) {
+            words.insert(pattern[row + x] % Signs::turned);
+            CHECK(pattern[row + x] % Signs::turned == pattern[row + x % Signs::words] % Signs::turned);
+            turned += (pattern[row + x] & Signs::turned) != 0;
+        }
+        CHECK(words.size() == 15);
+        CHECK(words.count(0) == 0);
+    }
+    CHECK(std::abs(turned - w * h / 2) < 3 * std::sqrt(w * h / 4.));
+}
+
 TEST_CASE("RAMMG of many pictures is that of each") {
     for (const auto& [w, h, field] : {std::tuple(57, 50, 180.), {64, 33, 60.}, {3, 3, 180.}, {2, 40, 60.}})
         for (const RammgArea area : {RammgArea::view, RammgArea::rectangle}) {
