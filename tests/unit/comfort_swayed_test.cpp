@@ -140,8 +140,8 @@ TEST_CASE("the same with other thresholds, radii and peaks") {
     CHECK(compare(s, noisy, 180) > 1);
 }
 
-// What sums by word rest on: the product of two words is a word, pixels 16 apart in a row have the same one, and each row
-// has all that are wanted.
+// What sums by word rest on: the product of two words is a word, pixels 16 apart in a row have the same one, and each
+// row has all that are wanted.
 TEST_CASE("words of signs") {
     const Signs signs(16, {0xaaaa, 0xcccc, 0xf0f0, 0x1234});
     for (unsigned v = 0; v < Signs::words; ++v)
