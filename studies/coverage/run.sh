@@ -1,12 +1,12 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # run.sh BIN OUT: a table of metrics with intervals for each scene and seed, and a long run of other seeds as the truth.
-# Frames are kept (1.3 MB a seed and scene), so that a stopped study goes on and another rule can be tried on them.
-# SIZE, FIRST, SEEDS, FRAMES and LONG change its cost: three seconds of one core a seed.
+# Frames are kept (3.2 MB a seed and scene), so that a stopped study goes on and another rule can be tried on them.
+# SIZE, FIRST, SEEDS, FRAMES and LONG change its cost: two seconds of one core a seed.
 set -euo pipefail
 bin=$(cd "$1" && pwd) && mkdir -p "$2" && out=$(cd "$2" && pwd)
 cd "$(dirname "$0")" && here=$PWD && cd ../../examples/scenes
-size=${SIZE:-32} first=${FIRST:-1001} seeds=${SEEDS:-520} frames=${FRAMES:-105} long=${LONG:-8193}
+size=${SIZE:-32} first=${FIRST:-1001} seeds=${SEEDS:-520} frames=${FRAMES:-257} long=${LONG:-65537}
 PATH=$bin:$PATH
 
 whole() { "$@" > "$made.new" && mv "$made.new" "$made"; }
