@@ -66,14 +66,6 @@ void OpenclPaths::read(int field, std::vector<float4>& values) {
     queue_.enqueueReadBuffer(fields_[field], CL_TRUE, 0, values.size() * 16, values.data());
 }
 
-unsigned OpenclPaths::set_scene(cl::Kernel& kernel) {
-    unsigned a = 0;
-    for (const auto& table : tables) kernel.setArg(a++, table);
-    kernel.setArg(a++, params_);
-    for (const auto& field : fields_) kernel.setArg(a++, field);
-    return a;
-}
-
 void OpenclPaths::launch(cl::Kernel& kernel, uint32_t n) {
     const cl::NDRange items((n + LOCAL - 1) / LOCAL * LOCAL);
     queue_.enqueueNDRangeKernel(kernel, cl::NullRange, items, cl::NDRange(LOCAL));
@@ -90,10 +82,7 @@ void OpenclPaths::run(const Params& par) {
     begin(generate_, par);
     follow();
     if (par.shared_slots == 0) return;
-    for (cl::Kernel* kernel : {&thin_, &link_, &connect_, &weigh_, &collect_}) {
-        set_scene(*kernel);
-        launch(*kernel, par.slots);
-    }
+    for (cl::Kernel* kernel : {&thin_, &link_, &connect_, &weigh_, &collect_}) stage(*kernel, par.slots);
 }
 
 void OpenclPaths::walk(const Params& par) {
@@ -101,18 +90,12 @@ void OpenclPaths::walk(const Params& par) {
     follow();
 }
 
-void OpenclPaths::draw(const Params& par) {
-    set_scene(draw_);
-    launch(draw_, par.slots);
-}
+void OpenclPaths::draw(const Params& par) { stage(draw_, par.slots); }
 
 // Fills the queue with the paths that have a ray.
 void OpenclPaths::begin(cl::Kernel& kernel, const Params& par) {
     queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zeros);
-    unsigned a = set_scene(kernel);
-    kernel.setArg(a++, counters_);
-    kernel.setArg(a++, now_);
-    launch(kernel, par.slots);
+    stage(kernel, par.slots, counters_, now_);
 }
 
 // Follows the paths of the queue to their ends.
@@ -120,21 +103,10 @@ void OpenclPaths::follow() {
     const int rounds = gpu_ ? 4 : 1;  // between looks at the counter; idle work items leave at once
     for (uint32_t active = count(); active > 0; active = count())
         for (int i = 0; i < rounds; i++) {
-            unsigned a = set_scene(extend_);
-            extend_.setArg(a++, counters_);
-            extend_.setArg(a++, now_);
-            launch(extend_, active);
+            stage(extend_, active, counters_, now_);
             if (gpu_) sort(active);
-            a = set_scene(shade_);
-            shade_.setArg(a++, counters_);
-            shade_.setArg(a++, now_);
-            shade_.setArg(a++, next_);
-            shade_.setArg(a++, shadow_queue_);
-            launch(shade_, active);
-            a = set_scene(shadow_);
-            shadow_.setArg(a++, counters_);
-            shadow_.setArg(a++, shadow_queue_);
-            launch(shadow_, active);
+            stage(shade_, active, counters_, now_, next_, shadow_queue_);
+            stage(shadow_, active, counters_, shadow_queue_);
             swap_.setArg(0, counters_);
             launch(swap_, 1);
             std::swap(now_, next_);
@@ -143,19 +115,10 @@ void OpenclPaths::follow() {
 
 // Paths of one kind side by side: a counting sort.
 void OpenclPaths::sort(uint32_t active) {
-    unsigned a = set_scene(count_kinds_);
-    count_kinds_.setArg(a++, counters_);
-    count_kinds_.setArg(a++, now_);
-    count_kinds_.setArg(a++, kinds_);
-    launch(count_kinds_, active);
+    stage(count_kinds_, active, counters_, now_, kinds_);
     begin_kinds_.setArg(0, kinds_);
     launch(begin_kinds_, 1);
-    a = set_scene(sort_kinds_);
-    sort_kinds_.setArg(a++, counters_);
-    sort_kinds_.setArg(a++, now_);
-    sort_kinds_.setArg(a++, kinds_);
-    sort_kinds_.setArg(a++, sorted_);
-    launch(sort_kinds_, active);
+    stage(sort_kinds_, active, counters_, now_, kinds_, sorted_);
     std::swap(now_, sorted_);
 }
 

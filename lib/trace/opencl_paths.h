@@ -44,7 +44,16 @@ public:
 
 private:
     cl::Buffer room(size_t count, size_t bytes_each) const;
-    unsigned set_scene(cl::Kernel& kernel);
+    // Runs a kernel that takes the scene, the parameters, the fields, and then `others`.
+    template <class... Buffers>
+    void stage(cl::Kernel& kernel, uint32_t n, const Buffers&... others) {
+        unsigned a = 0;
+        for (const auto& table : tables) kernel.setArg(a++, table);
+        kernel.setArg(a++, params_);
+        for (const auto& field : fields_) kernel.setArg(a++, field);
+        (kernel.setArg(a++, others), ...);
+        launch(kernel, n);
+    }
     void begin(cl::Kernel& kernel, const Params& par);
     void follow();
     void sort(uint32_t active);
