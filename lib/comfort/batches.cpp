@@ -14,6 +14,7 @@ namespace comfort {
 namespace {
 
 constexpr double growth_between_looks = 1.41421356;
+constexpr int64_t frames_of_halves = 2 * image::direct_samples;  // fewer are dealt to halves one by one
 
 WIDE_LOOP void add_difference(float factor, const float* a, const float* b, size_t n, float* to) {
     for (size_t i = 0; i < n; ++i) to[i] += factor * (a[i] - b[i]);
@@ -51,6 +52,11 @@ void Batches::restart() {
     whole_is_middle_ = false;
 }
 
+std::vector<float>& Batches::room_for_next() {
+    if (spare_.empty() && !whole_is_middle_ && alternate_.empty()) release(std::exchange(whole_, {}));
+    return room();
+}
+
 std::vector<float>& Batches::room() {
     if (spare_.empty() && !unused_.empty()) {
         spare_ = std::move(unused_.back());
@@ -76,13 +82,15 @@ void Batches::add(const Luminance& mean, int64_t n, int64_t next_look, std::opti
     spare_.clear();
     ends_.push_back({n, {}});
     for (const uint32_t i : watched_) ends_.back().grey.push_back(whole_[i]);
-    if (alternate()) follow_alternate(before, n);
+    const int64_t look = std::min(next_look, last.value_or(next_look));
+    if (alternate() && look < frames_of_halves) follow_alternate(before, n);
     else release(std::exchange(alternate_, {}));
     if (whole_is_middle_) middle_.push_back({n - step, std::move(before)});
     else release(std::move(before));
     image::forget_means(ends_, image::most_means);
-    // Half of this number of frames, or of a larger one, is nearer to the next one.
-    while (middle_.size() > 1 && 2 * middle_[1].frames <= n) {
+    // Half of the next look's frames, or of a later one's, is nearer to the next one.
+    const int64_t next = std::max(n, alternate_.empty() ? look : frames_of_halves);
+    while (middle_.size() > 1 && middle_[0].frames + middle_[1].frames < next) {
         release(std::move(middle_[0].grey));
         middle_.erase(middle_.begin());
     }
@@ -92,7 +100,10 @@ void Batches::add(const Luminance& mean, int64_t n, int64_t next_look, std::opti
 // If more means come in steps like the last one.
 bool Batches::may_be_half(int64_t n, int64_t step, int64_t next_look, std::optional<int64_t> last) const {
     if (middle_.empty() || 3 * middle_.back().frames < n) return true;
-    const auto is_half = [&](int64_t look) { return std::abs(2 * n - look) <= step; };
+    const auto is_half = [&](int64_t look) {
+        const bool at_frames = step == 1 && alternate() && look < frames_of_halves;
+        return !at_frames && std::abs(2 * n - look) <= step;
+    };
     if (last && is_half(*last)) return true;
     for (int64_t due = next_look; due <= 2 * n + step;) {
         const int64_t look = n + std::max<int64_t>(0, due - n + step - 1) / step * step;
@@ -120,17 +131,18 @@ void Batches::without(size_t batch, GreyPicture& out) const {
     }
 }
 
-bool Batches::alternate() const { return frames() < 2 * image::direct_samples && int64_t(count()) == frames(); }
+bool Batches::alternate() const { return frames() < frames_of_halves && int64_t(count()) == frames(); }
 
 // Frame n is L'(n) + (n - 1) (L'(n) - L'(n-1)), and L' has grown for those before it.
 void Batches::follow_alternate(const std::vector<float>& before, int64_t n) {
     if (n == 1) return alternate_.assign(whole_.size(), 0);
+    if (alternate_.empty()) return;
     const int64_t factor = (image::in_first_half(n) ? n - 1 : 0) - in_first_half(n - 1);
     add_difference(float(factor), whole_.data(), before.data(), alternate_.size(), alternate_.data());
 }
 
 Batches::Distance Batches::halves() const {
-    if (alternate()) {
+    if (!alternate_.empty()) {
         const double a = double(in_first_half(frames())), b = double(frames()) - a;
         return {float(1 / std::sqrt(a * b)), alternate_.data(), nullptr, true};
     }

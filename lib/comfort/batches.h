@@ -25,11 +25,13 @@ class Batches {
 public:
     void restart();
     void watch(std::vector<uint32_t> pixels) { watched_ = std::move(pixels); }  // before the first add()
-    // L'(n), n rising and above 0.  Not copied if it stands in room(), where it stays until the next one.
-    // next_look: the next time that halves are asked for, or the first mean after it; last: likewise, if it is known.
+    // L'(n), n rising and above 0.  Not copied if it stands in room_for_next(), where it stays until the next one:
+    // there whole() is gone if nothing needs it beside that. next_look: the next time that halves are asked for, or the
+    // first mean after it; last: likewise, if it is known.
     void add(const Luminance& mean, int64_t n, int64_t next_look, std::optional<int64_t> last = {});
     static int64_t look_after(int64_t n);  // the one that follows a look at n
-    std::vector<float>& room();
+    std::vector<float>& room_for_next();
+    std::vector<float>& room();                  // of a picture
     void release(std::vector<float>&& picture);  // memory for later ones
 
     size_t count() const { return ends_.size(); }

@@ -45,7 +45,7 @@ public:
     void frame0(const Luminance& lum);  // L(0)
     // L'(n), which may stand in room(), of a picture that will have `last` frames.  Then, when a look is due, m of the
     // same picture.
-    std::vector<float>& room() { return batches_.room(); }
+    std::vector<float>& room() { return batches_.room_for_next(); }
     void add(const Luminance& lum, int64_t n, std::optional<int64_t> last = {});
     bool due() const { return batches_.count() >= 2 && batches_.frames() >= next_look_; }
     void look(const Luminance& lum, const Measurement& m);

@@ -64,6 +64,27 @@ TEST_CASE("batches are what the running means say, and never more than 16") {
     for (const float v : d) CHECK(v == doctest::Approx(-25).epsilon(0.02));
 }
 
+// Means that are read into room_for_next() take the place of those that nothing needs any more; halves are the same.
+TEST_CASE("batches keep what looks need") {
+    Batches copied, moved;
+    std::vector<float> sum(1000, 0);
+    for (int64_t n = 1, look = 2; n <= 150; ++n) {
+        for (size_t i = 0; i < sum.size(); ++i) sum[i] += float((int64_t(i) * n * n) % 101);
+        std::vector<float> mean = sum, &room = moved.room_for_next();
+        for (float& v : mean) v /= float(n);
+        copied.add({100, 10, mean.data()}, n, look);
+        room = mean;
+        moved.add({100, 10, room.data()}, n, look);
+        if (n < look) continue;
+        std::vector<float> d[2] = {mean, mean};
+        copied.halves().find(0, mean.size(), d[0].data());
+        moved.halves().find(0, mean.size(), d[1].data());
+        CHECK(d[0] == d[1]);
+        CHECK(moved.whole() == mean);
+        look = Batches::look_after(n);
+    }
+}
+
 // Frames 1 to 8 show one half of frame 0's samples or the other: here 5 and -5 beside k^2 (page 2 of the decisions).
 // The frames of one half less those of the other, whatever their number, tell both.
 TEST_CASE("halves of few frames have halves of frame 0's samples") {
