@@ -15,7 +15,7 @@ namespace {
 constexpr float doubt = 2.5f;  // standard errors from the threshold
 constexpr float likeness = 8;  // q = 1 at sqrt 8 standard errors of the difference
 constexpr uint32_t how_far_of = 8;
-constexpr int most_radius = 2, rows = 2 * most_radius + 1;
+constexpr int most_radius = CalmRows::radius, rows = CalmRows::count;
 constexpr int kept_rows = 8;  // of variances: at least `rows`
 
 // How far errors lie off, in standard errors: the middles of eight equally likely parts of a half normal distribution,
@@ -64,40 +64,42 @@ WIDE_LOOP void raise_to_mean(const float* const* row, float share, int n, float*
     }
 }
 
-// Where noise may have carried a pixel over the threshold or below it: bit k of up to 32.
-WIDE_LOOP uint32_t in_doubt(const float* grey, const float* variance, int n, float threshold) {
-    uint32_t found = 0;
-    for (int k = 0; k < n; ++k) {
-        const float off = grey[k] - threshold;
-        found |= uint32_t(!(off * off > doubt * doubt * variance[k])) << k;
-    }
-    return found;
+// Where noise may have carried a pixel over the threshold or below it: bits of 32 pixels a word.
+WIDE_LOOP void find_doubtful(const float* grey, const float* variance, int n, float threshold, uint32_t* words) {
+    const auto in_doubt = [&](const Floats& value, const Floats& its_variance) __attribute__((always_inline)) {
+        const Floats off = value - threshold;
+        return ~Words(off * off > doubt * doubt * its_variance);
+    };
+    for (; n >= in_a_word; n -= in_a_word, grey += in_a_word, variance += in_a_word)
+        *words++ = which([&](int k) { return in_doubt(load(grey + k), load(variance + k)); });
+    if (n == 0) return;
+    float few[in_a_word] = {}, their_variance[in_a_word];
+    std::fill_n(their_variance, in_a_word, -1.f);
+    std::copy_n(grey, n, few), std::copy_n(variance, n, their_variance);
+    *words = which([&](int k) { return in_doubt(load(few + k), load(their_variance + k)); });
 }
 
-// The rows around eight pixels, from most_radius columns before the first of them.  A variance below 0 marks a pixel
-// that does not count.
 constexpr int columns = lanes + 2 * most_radius;
-struct Surroundings {
-    const float *grey[rows], *variance[rows];
-};
 struct Means {
-    float mean[lanes], error[lanes];
+    float mean[lanes], variance[lanes], weight[lanes];
+    float error(int k) const { return std::sqrt(variance[k]) / weight[k]; }
 };
 
-WIDE_LOOP void average(const Surroundings& from, int radius, Means& to) {
+// Of the eight pixels from column x on.
+WIDE_LOOP void average(const CalmRows& from, int x, int radius, Means& to) {
     Floats weights = {}, sum = {}, errors = {};
-    const Floats none = {}, own = load(from.grey[most_radius] + most_radius);
-    const Floats variance = load(from.variance[most_radius] + most_radius);
+    const Floats none = {}, own = load(from.grey[most_radius] + x);
+    constexpr float no_division_by_zero = 1e-30f;
+    const Floats variance = at_least(load(from.variance[most_radius] + x), none + no_division_by_zero);
     for (int r = most_radius - radius; r <= most_radius + radius; ++r)
-        for (int c = most_radius - radius; c <= most_radius + radius; ++c) {
+        for (int c = x - radius; c <= x + radius; ++c) {
             const Floats other = load(from.grey[r] + c), its = load(from.variance[r] + c);
-            const Floats d = other - own, square = d * d, left = likeness * (variance + its) - square;
-            const Floats share = left > none ? left / (left + square) : none + 1;
-            const Floats weight = left < none ? none : its < none ? none : share * share;
+            const Floats d = other - own, square = d * d;
+            const Floats left = at_least(likeness * (variance + its) - square, none), share = left / (left + square);
+            const Floats weight = Floats(Words(share * share) & Words(its >= none));
             weights += weight, sum += weight * other, errors += weight * weight * its;
         }
-    for (int k = 0; k < lanes; ++k) to.mean[k] = sum[k] / weights[k];
-    for (int k = 0; k < lanes; ++k) to.error[k] = std::sqrt(errors[k]) / weights[k];
+    store(sum / weights, to.mean), store(errors, to.variance), store(weights, to.weight);
 }
 
 }  // namespace
@@ -109,6 +111,8 @@ void Calm::begin(const Geometry& geometry, double threshold_cdm2) {
     variance_.resize(size_t(kept_rows * geometry.width));
     row_means_.resize(size_t(rows * geometry.width));
     zeros_.resize(size_t(geometry.width));
+    outside_.resize(size_t(geometry.width), -1.f);
+    doubtful_.resize(size_t(geometry.width / in_a_word + 1));
     random_ = 1;
 }
 
@@ -141,43 +145,48 @@ void Calm::find_variance(const Geometry& geometry, int y) {
 }
 
 void Calm::calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y) {
-    const size_t row = size_t(y) * geometry.width;
-    const float* row_variance = variance(geometry, y);
-    constexpr int block = 4 * lanes;
-    for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; ++s)
-        for (int x = geometry.spans[s].begin; x < geometry.spans[s].end; x += block) {
-            const int n = std::min(block, geometry.spans[s].end - x);
-            const uint32_t bits = in_doubt(&noisy[row + x], row_variance + x, n, threshold_);
-            for (int part = 0; part < block; part += lanes)
-                if (bits >> part & 0xff) average_doubtful(noisy, geometry, x + part, y, bits >> part & 0xff);
-        }
-}
-
-// Of the pixels from column x of row y those whose bits are set.
-void Calm::average_doubtful(const std::vector<float>& noisy, const Geometry& geometry, int x, int y, uint32_t bits) {
-    const int w = geometry.width;
-    const size_t first = size_t(y) * w + x;
-    Surroundings near;
-    float grey_room[rows][columns], variance_room[rows][columns];
-    const int begin = std::max(0, x - most_radius), end = std::min(w, x + lanes + most_radius);
+    CalmRows near;
     for (int r = 0; r < rows; ++r) {
         const int row = y + r - most_radius;
         const bool inside = row >= 0 && row < geometry.height;
-        const int from = std::clamp(row, 0, geometry.height - 1);
-        near.grey[r] = &noisy[size_t(from) * w + begin], near.variance[r] = variance(geometry, from) + begin;
-        if (inside && end - begin == columns) continue;
-        std::fill_n(grey_room[r], columns, 0.f);
-        std::fill_n(variance_room[r], columns, -1.f);
-        if (inside) std::copy_n(near.grey[r], end - begin, grey_room[r] + begin - (x - most_radius));
-        if (inside) std::copy_n(near.variance[r], end - begin, variance_room[r] + begin - (x - most_radius));
-        near.grey[r] = grey_room[r], near.variance[r] = variance_room[r];
+        near.grey[r] = inside ? &noisy[size_t(row) * size_t(geometry.width)] : zeros_.data();
+        near.variance[r] = inside ? variance(geometry, row) : outside_.data();
     }
+    for (size_t s = geometry.row_spans[y]; s < geometry.row_spans[y + 1]; ++s) {
+        const Span& span = geometry.spans[s];
+        find_doubtful(near.grey[most_radius] + span.begin, near.variance[most_radius] + span.begin,
+                      span.end - span.begin, threshold_, doubtful_.data());
+        const uint32_t* bits = doubtful_.data();
+        for (int x = span.begin; x < span.end; x += in_a_word, ++bits)
+            for (int part = 0; *bits && part < in_a_word; part += lanes)
+                if (*bits >> part & 0xff) average_doubtful(near, geometry, x + part, y, *bits >> part & 0xff);
+    }
+}
+
+// Of the pixels from column x of row y those whose bits are set.
+void Calm::average_doubtful(const CalmRows& rows_around, const Geometry& geometry, int x, int y, uint32_t bits) {
+    const int begin = x - most_radius, end = begin + columns;
     Means means;
-    average(near, radius_, means);
-    for (int k = 0; k < lanes; ++k) {
-        if (!(bits >> k & 1)) continue;
+    if (begin >= 0 && end <= geometry.width) {
+        average(rows_around, x, radius_, means);
+    } else {
+        float grey[rows][columns], variance[rows][columns];
+        CalmRows near;
+        const int first = std::max(0, begin), n = std::min(geometry.width, end) - first;
+        for (int r = 0; r < rows; ++r) {
+            std::fill_n(grey[r], columns, 0.f);
+            std::fill_n(variance[r], columns, -1.f);
+            std::copy_n(rows_around.grey[r] + first, n, grey[r] + first - begin);
+            std::copy_n(rows_around.variance[r] + first, n, variance[r] + first - begin);
+            near.grey[r] = grey[r], near.variance[r] = variance[r];
+        }
+        average(near, most_radius, radius_, means);
+    }
+    const uint32_t pixel = uint32_t(y) * uint32_t(geometry.width) + uint32_t(x);
+    for (; bits; bits &= bits - 1) {
+        const int k = __builtin_ctz(bits);
         random_ = random_ * 1664525u + 1013904223u;
-        replaced_.push_back({uint32_t(first) + uint32_t(k), means.mean[k], means.error[k] * how_far[random_ >> 29]});
+        replaced_.push_back({pixel + uint32_t(k), means.mean[k], means.error(k) * how_far[random_ >> 29]});
     }
 }
 

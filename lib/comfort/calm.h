@@ -23,6 +23,12 @@
 
 namespace comfort {
 
+// The rows around a pixel's.  A variance below 0 marks a pixel that does not count.
+struct CalmRows {
+    static constexpr int radius = 2, count = 2 * radius + 1;
+    const float *grey[count], *variance[count];
+};
+
 class Calm {
 public:
     void begin(const Geometry& geometry, double threshold_cdm2);
@@ -36,12 +42,14 @@ private:
     float* row_means(const Geometry& geometry, int y);
     void find_variance(const Geometry& geometry, int y);
     void calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y);
-    void average_doubtful(const std::vector<float>& noisy, const Geometry& geometry, int x, int y, uint32_t bits);
+    void average_doubtful(const CalmRows& rows_around, const Geometry& geometry, int x, int y, uint32_t bits);
     int radius_ = 0;  // of the neighbourhood, in pixels
     float threshold_ = 0;
     uint32_t random_ = 0;
     std::vector<Doubtful> replaced_;
-    std::vector<float> variance_, row_means_, zeros_;  // of the last rows, of their squares; and a row without
+    std::vector<float> variance_, row_means_;  // of the last rows, and of their squares
+    std::vector<float> zeros_, outside_;       // rows beyond the picture: no light, and variances below 0
+    std::vector<uint32_t> doubtful_;           // of a row, as bits
 };
 
 }  // namespace comfort
