@@ -38,6 +38,10 @@ public:
     long valid_count = 0;
 
     bool valid(size_t i) const { return omega[i] > 0; }
+    Span extent(int row) const {  // from the first valid pixel to the last one
+        const bool any = row_spans[row] < row_spans[row + 1];
+        return any ? Span{spans[row_spans[row]].begin, spans[row_spans[row + 1] - 1].end} : Span{0, 0};
+    }
     size_t index(int x, int y) const { return size_t(height - 1 - y) * width + x; }  // y from the bottom
     int x_of(size_t i) const { return int(i % width); }
     int y_of(size_t i) const { return height - 1 - int(i / width); }

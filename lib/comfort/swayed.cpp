@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums by pattern of signs (swayed.h).
+// Signs by pattern, and what is told of pictures without making them (swayed.h).
 #include "comfort/swayed.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "base/wide.h"
 
@@ -26,19 +27,6 @@ WIDE_LOOP bool any_exceeds(const float* mean, const float* off, int n, float lim
     int found = 0;
     for (int i = 0; i < n; ++i) found |= mean[i] + std::fabs(off[i]) > limit;
     return found;
-}
-
-// Sums of off times weight of pixels `words` apart, which have the same word.
-WIDE_LOOP void add_light(const float* off, const uint8_t* pattern, const double* weight, int n, double* by_column) {
-    double sum[Signs::words] = {};
-    const auto add = [&](int i, int k) {
-        sum[k] += double(off[i] * float(1 - 2 * int(pattern[i] / Signs::turned))) * weight[i];
-    };
-    int i = 0;
-    for (; i + Signs::words <= n; i += Signs::words)
-        for (int k = 0; k < Signs::words; ++k) add(i + k, k);
-    for (int k = 0; i < n; ++i, ++k) add(i, k);
-    for (int k = 0; k < Signs::words; ++k) by_column[k] = sum[k];
 }
 
 }  // namespace
@@ -76,9 +64,12 @@ std::vector<uint8_t> Signs::weave(int width, int height, unsigned first_word) {
         for (uint8_t& w : word)
             if (w < first_word) w = uint8_t(first_word + below(words - first_word));
         uint64_t bits = 0;
-        for (int x = 0; x < width; ++x, bits >>= 1) {
+        for (int x = 0; x < width; x += 8, bits >>= 8) {
             if (x % 64 == 0) bits = random();
-            out[row + size_t(x)] = uint8_t(word[x % words] | (bits & 1 ? turned : 0));
+            const int n = std::min(8, width - x);
+            uint8_t eight[8];
+            for (unsigned k = 0; k < 8; ++k) eight[k] = uint8_t(word[x % words + k] | (bits >> k & 1) * turned);
+            std::memcpy(&out[row + size_t(x)], eight, size_t(n));
         }
     }
     return out;
@@ -92,31 +83,6 @@ void Swayed::picture(int number, GreyPicture& out) const {
     out.width = width, out.height = height;
     out.grey.resize(size_t(width) * size_t(height));
     for (size_t i = 0; i < out.grey.size(); ++i) out.grey[i] = at(number, i);
-}
-
-void MoreLight::add_row(const Swayed& pictures, const Geometry& g, int row) {
-    for (size_t s = g.row_spans[row]; s < g.row_spans[row + 1]; ++s) {
-        const size_t from = size_t(row) * g.width + g.spans[s].begin;
-        const int n = g.spans[s].end - g.spans[s].begin;
-        const uint8_t* pattern = pictures.pattern + from;
-        double eye[Signs::words], all[Signs::words] = {};
-        add_light(pictures.off + from, pattern, &g.omega_cos[from], n, eye);
-        if (all_) add_light(pictures.off + from, pattern, &g.omega[from], n, all);
-        for (int k = 0; k < std::min(n, int(Signs::words)); ++k) {
-            Light& to = by_word_[pattern[k] % Signs::turned];
-            to.eye += eye[k], to.all += all[k];
-        }
-    }
-}
-
-std::array<Light, Signs::most> MoreLight::of_pictures(const Signs& signs) const {
-    std::array<Light, Signs::most> out;
-    for (size_t w = 0; w < by_word_.size(); ++w)
-        for (size_t k = 0; k < out.size(); ++k) {
-            out[k].eye += signs.factor[w][k] * by_word_[w].eye;
-            out[k].all += signs.factor[w][k] * by_word_[w].all;
-        }
-    return out;
 }
 
 std::array<float, Signs::most> Swayed::brightest(const Geometry& g) const {

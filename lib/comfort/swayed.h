@@ -44,16 +44,4 @@ struct Swayed {
     std::array<float, Signs::most> brightest(const Geometry& geometry) const;  // not below 0
 };
 
-// What swayed pictures have more light than their mean, row by row.
-class MoreLight {
-public:
-    explicit MoreLight(bool all) : all_(all) {}  // else only what comes to the eye
-    void add_row(const Swayed& pictures, const Geometry& geometry, int row);
-    std::array<Light, Signs::most> of_pictures(const Signs& signs) const;
-
-private:
-    bool all_;
-    std::array<Light, Signs::words> by_word_;
-};
-
 }  // namespace comfort

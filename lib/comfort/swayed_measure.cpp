@@ -2,6 +2,9 @@
 // See swayed_measure.h.
 #include "comfort/swayed_measure.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "comfort/detect.h"
 #include "comfort/swayed_rammg.h"
 #include "comfort/swayed_sources.h"
@@ -32,12 +35,20 @@ SwayedMeasurements measure(const Swayed& lum, const Calmed& bright, const Lumina
     SwayedMeasurements out{std::vector<Measurement>(size_t(lum.count()), of_mean), {}, of_mean};
     const bool mean_counts =
         meter.needs().mean || settings.background == 1 || (settings.threshold && *settings.threshold <= 100);
-    MoreLight light(mean_counts);  // with the contrast in one walk down the rows, while these are in the cache
-    const auto take_row = [&](int r) { make_row(r), light.add_row(lum, g, r); };
-    std::array<double, Signs::most> contrast{};
-    if (meter.needs().rammg) contrast = rammg(lum, g, settings.rammg_area, take_row);
-    else
-        for (int r = 0; r < lum.height; ++r) take_row(r);
+    MoreLight light(mean_counts);
+    std::optional<SwayedContrast> contrast;
+    if (meter.needs().rammg) contrast.emplace(g, settings.rammg_area, *lum.signs);
+    const bool all_columns = contrast && settings.rammg_area == RammgArea::rectangle;
+    SwayedRow rows[2]{SwayedRow(g.width), SwayedRow(g.width)};
+    for (int r = 0; r < g.height; ++r) {  // while they are in the cache
+        SwayedRow& here = rows[r % 2];
+        make_row(r);
+        here.show(lum, r, all_columns ? Span{0, g.width} : g.extent(r));
+        light.add(here, g, r);
+        if (contrast) contrast->take(here, rows[(r + 1) % 2], r);
+    }
+    std::array<double, Signs::most> rammg{};
+    if (contrast) rammg = contrast->of_pictures();
     const auto more = light.of_pictures(*lum.signs);
     std::array<float, Signs::most> brightest{};
     if (meter.needs().brightest) brightest = lum.brightest(g);
@@ -48,13 +59,16 @@ SwayedMeasurements measure(const Swayed& lum, const Calmed& bright, const Lumina
         m.ev += cdm2_per_grey * more[k].eye;
         m.mean_lum += cdm2_per_grey * more[k].all / g.omega_sum;
         m.max_lum = cdm2_per_grey * brightest[k];
-        m.rammg = contrast[k];
+        m.rammg = rammg[k];
         m.task_lum = float(m.mean_lum);
         thresholds.push_back(m.threshold = source_threshold(settings, false, m.task_lum));
     }
     if (!meter.needs().sources) return out;
     thresholds.push_back(of_mean.threshold);
-    auto sources = all_sources(lum, bright, thresholds, g, settings, meter.finder().connector());
+    const double lowest = *std::min_element(thresholds.begin(), thresholds.end());
+    const auto& found = meter.finder().runs();
+    const auto bright_in_mean = lowest == of_mean.threshold ? found : bright_runs(mean, g, lowest);
+    auto sources = all_sources(lum, bright, thresholds, bright_in_mean, g, settings, meter.finder().connector());
     for (size_t k = 0; k < out.own.size(); ++k) {
         meter.set_sources(std::move(sources[k].own), out.own[k]);
         out.of_mean.push_back(of_mean);

@@ -22,14 +22,6 @@ struct FourSums {
     float own[side_by_side], other[side_by_side], product[side_by_side];
 };
 
-WIDE_LOOP void show_both(const float* mean, const float* off, const uint8_t* pattern, int n, float* __restrict sway,
-                         float* __restrict plus, float* __restrict minus) {
-    for (int x = 0; x < n; ++x) {
-        const float sign = float(1 - 2 * int(pattern[x] / Signs::turned)), own = sign * off[x];
-        sway[x] = own, plus[x] = mean[x] + own, minus[x] = mean[x] - own;
-    }
-}
-
 // Reads up to the end of the last sixteen.
 WIDE_LOOP void add_pairs(const Values& a, const Values& b, int n, FourSums& to) {
     Floats pp[parts] = {}, pm[parts] = {}, mp[parts] = {}, mm[parts] = {};
@@ -54,19 +46,6 @@ WIDE_LOOP void add_pairs(const Values& a, const Values& b, int n, FourSums& to) 
 }
 
 }  // namespace
-
-SwayedRow::SwayedRow(int width) {
-    for (std::vector<float>* v : {&sway_, &plus_, &minus_}) v->resize(size_t(width + side_by_side));
-}
-
-void SwayedRow::show(const Swayed& s, int row, int begin, int end) {
-    const size_t first = size_t(row) * size_t(s.width), at = first + size_t(begin);
-    for (size_t x = 0; x < word_.size(); ++x)
-        word_[x] = int(x % Signs::words) < s.width ? s.pattern[first + x % Signs::words] % Signs::turned : 0;
-    mean_ = s.mean + first;
-    show_both(s.mean + at, s.off + at, s.pattern + at, end - begin, &sway_[size_t(begin)], &plus_[size_t(begin)],
-              &minus_[size_t(begin)]);
-}
 
 void PairSums::add(const SwayedRow& a, const SwayedRow& b, int x, int shift, int n) {
     const unsigned *v = a.words(x), *w = b.words(x + shift);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pixels themselves are summed by words (swayed_pairs.h).  The levels below have eight pictures at a time, a pixel
-// of all of them side by side.  A row of a level is gone when the next one has been compared with it and the row of the
-// level below is made of both: all that is worked on stays in the cache.
+// The pixels themselves are summed by words (swayed_pairs.h).  The levels below have a pixel of all pictures side by
+// side.  A row of a level is gone when the next one has been compared with it and the row of the level below is made of
+// both: all that is worked on stays in the cache.
 #include "comfort/swayed_rammg.h"
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "base/wide.h"
 #include "comfort/lanes.h"
@@ -15,90 +16,104 @@
 namespace comfort {
 namespace {
 
+constexpr int eights = Signs::most / lanes;
 struct alignas(4 * lanes) Pixel {  // what a vector asks for depends on the processor a function is for
-    Floats of_picture;
+    Floats of_picture[eights];
 };
-using Sum = std::array<double, lanes>;
+using Sum = std::array<double, Signs::most>;
 struct Contrast {
     Sum edge{}, corner{};
 };
 
-inline __attribute__((always_inline)) void add(const Floats& from, Sum& to) {
+inline __attribute__((always_inline)) void add(const Floats& from, double* to) {
     float values[lanes];
     std::memcpy(values, &from, sizeof values);
-    for (int k = 0; k < lanes; ++k) to[size_t(k)] += double(values[k]);
+    for (int k = 0; k < lanes; ++k) to[k] += double(values[k]);
 }
 
 // Short stretches, so that float is enough.
 constexpr int stretch = 32;
 
 WIDE_LOOP void add_pairs(const Pixel* a, const Pixel* b, int n, Sum& to) {
-    for (int first = 0; first < n; first += stretch) {
-        Floats sum = {};
-        for (int i = first; i < std::min(n, first + stretch); ++i) sum += distance(a[i].of_picture, b[i].of_picture);
-        add(sum, to);
-    }
+    for (int first = 0; first < n; first += stretch)
+        for (int e = 0; e < eights; ++e) {
+            Floats sum = {};
+            for (int i = first; i < std::min(n, first + stretch); ++i)
+                sum += distance(a[i].of_picture[e], b[i].of_picture[e]);
+            add(sum, &to[size_t(e * lanes)]);
+        }
 }
 
-// The pixels of `here` with the one to the right, the one below, and those beside that.
-WIDE_LOOP void add_all_pairs(const Pixel* here, const Pixel* below, int n, Contrast& to) {
-    for (int first = 0; first < n; first += stretch) {
-        Floats edge = {}, corner = {};
-        const auto add_pixel = [&](const Floats& own, const Floats& next, const Floats& left, const Floats& middle,
-                                   const Floats& right) __attribute__((always_inline)) {
-            edge += distance(own, next) + distance(own, middle);
-            corner += distance(own, left) + distance(own, right);
-        };
-        Floats own = here[first].of_picture, left = below[first - 1].of_picture, middle = below[first].of_picture;
-        int i = first;
-        for (const int end = std::min(n, first + stretch); i + 1 < end; i += 2) {  // two: nothing is moved on
-            const Floats next = here[i + 1].of_picture, right = below[i + 1].of_picture;
-            add_pixel(own, next, left, middle, right);
-            own = here[i + 2].of_picture, left = right;
-            const Floats last = below[i + 2].of_picture;
-            add_pixel(next, own, middle, right, last);
-            middle = last;
+// The pixels of `here` with the one to the right, the one below, and those beside that; of eight pictures.
+inline __attribute__((always_inline)) void add_all_pairs(const Pixel* here, const Pixel* below, int n, int e,
+                                                         Contrast& to) {
+    Floats edge = {}, corner = {};
+    const auto add_pixels = [&](int first, auto count) __attribute__((always_inline)) {
+        constexpr int n = decltype(count)::value;
+        Floats own[n + 1], other[n + 2];
+        for (int k = 0; k < n + 1; ++k) own[k] = here[first + k].of_picture[e];
+        for (int k = 0; k < n + 2; ++k) other[k] = below[first + k - 1].of_picture[e];
+        for (int k = 0; k < n; ++k) {
+            edge += distance(own[k], own[k + 1]) + distance(own[k], other[k + 1]);
+            corner += distance(own[k], other[k]) + distance(own[k], other[k + 2]);
         }
-        if (i < n && i < first + stretch) add_pixel(own, here[i + 1].of_picture, left, middle, below[i + 1].of_picture);
-        add(edge, to.edge);
-        add(corner, to.corner);
-    }
+    };
+    constexpr std::integral_constant<int, 4> four;  // so that most are loaded once
+    constexpr std::integral_constant<int, 1> one;
+    int i = 0;
+    for (; i + four <= n; i += four) add_pixels(i, four);
+    for (; i < n; ++i) add_pixels(i, one);
+    add(edge, &to.edge[size_t(e * lanes)]);
+    add(corner, &to.corner[size_t(e * lanes)]);
+}
+
+WIDE_LOOP void add_all_pairs(const Pixel* here, const Pixel* below, int n, Contrast& to) {
+    for (int first = 0; first < n; first += stretch)
+        for (int e = 0; e < eights; ++e)
+            add_all_pairs(here + first, below + first, std::min(n - first, stretch), e, to);
 }
 
 WIDE_LOOP void shrink(const Pixel* a, const Pixel* b, int n, Pixel* out) {
     for (int x = 0; x < n; ++x)
-        out[x].of_picture =
-            ((a[2 * x].of_picture + a[2 * x + 1].of_picture) + (b[2 * x].of_picture + b[2 * x + 1].of_picture)) * 0.25f;
+        for (int e = 0; e < eights; ++e)
+            out[x].of_picture[e] = ((a[2 * x].of_picture[e] + a[2 * x + 1].of_picture[e]) +
+                                    (b[2 * x].of_picture[e] + b[2 * x + 1].of_picture[e])) *
+                                   0.25f;
 }
 
-constexpr int eights = Signs::most / lanes;
-
-// The signs of all pictures by column of a row.
-struct Flips {
-    Flips(const SwayedRow& row, const Signs& signs) {
-        for (int x = 0; x < Signs::words; ++x)
-            std::memcpy(by_column[x], signs.flip[row.words(0)[x]].data(), sizeof by_column[x]);
-    }
-    Words by_column[Signs::words][eights];
+// How two by two pixels go together, by column of the level below.  Up to the sign of its first pixel a picture has one
+// of eight sums, by which of the other signs are not those of the pixels before.
+constexpr int pairs_of_columns = Signs::words / 2;
+struct Blocks {
+    Words flip[pairs_of_columns][eights], which[pairs_of_columns][eights];
 };
-
-inline __attribute__((always_inline)) Floats turned(const float& sway, const Words& flip) {
-    uint32_t bits;
-    std::memcpy(&bits, &sway, sizeof bits);
-    return Floats(flip ^ bits);
+WIDE_LOOP void find_blocks(const unsigned* v, const unsigned* w, const Signs& signs, Blocks& out) {
+    for (int x = 0; x < pairs_of_columns; ++x, v += 2, w += 2)
+        for (int e = 0; e < eights; ++e) {
+            const auto flips = [&](unsigned word) __attribute__((always_inline)) {
+                Words flip;
+                std::memcpy(&flip, &signs.flip[word][size_t(e * lanes)], sizeof flip);
+                return flip;
+            };
+            out.flip[x][e] = flips(v[0]);
+            out.which[x][e] = flips(v[0] ^ v[1]) >> 31 | flips(v[0] ^ w[0]) >> 30 | flips(w[0] ^ w[1]) >> 29;
+        }
 }
 
 // The means of two by two pixels, from column `begin` of the level below on.
-WIDE_LOOP void shrink(const SwayedRow& a, const SwayedRow& b, const Flips& of_a, const Flips& of_b, unsigned begin,
-                      unsigned end, Pixel* const* out) {
+WIDE_LOOP void shrink(const SwayedRow& a, const SwayedRow& b, const Blocks& blocks, int begin, int end, Pixel* out) {
+    constexpr uint32_t o = 1u << 31;
+    constexpr Words right{0, o, 0, o, 0, o, 0, o}, lower{0, 0, o, o, 0, 0, o, o}, lower_right{0, 0, 0, 0, o, o, o, o};
     const float *ma = a.mean(), *mb = b.mean(), *sa = a.sway(), *sb = b.sway();
-    for (unsigned x = begin; x < end; ++x) {
-        const unsigned left = 2 * x, right = left + 1, l = left % Signs::words, r = l + 1;
-        const float mean = (ma[left] + ma[right]) + (mb[left] + mb[right]);
-        for (int k = 0; k < eights; ++k) {
-            const Floats sway = (turned(sa[left], of_a.by_column[l][k]) + turned(sa[right], of_a.by_column[r][k])) +
-                                (turned(sb[left], of_b.by_column[l][k]) + turned(sb[right], of_b.by_column[r][k]));
-            out[k][x].of_picture = (sway + mean) * 0.25f;
+    for (int first = begin; first < std::min(end, begin + pairs_of_columns); ++first) {
+        const auto &flip = blocks.flip[first % pairs_of_columns], &which = blocks.which[first % pairs_of_columns];
+        for (int x = first; x < end; x += pairs_of_columns) {
+            const int l = 2 * x, r = l + 1;
+            const float mean = ((ma[l] + ma[r]) + (mb[l] + mb[r])) * 0.25f;
+            const Floats above = sa[l] + turned(sa[r], right), below = sb[l] + turned(sb[r], lower_right);
+            const Floats sums = (above + Floats(Words(below) ^ lower)) * 0.25f;
+            for (int e = 0; e < eights; ++e)
+                out[x].of_picture[e] = Floats(Words(pick(sums, which[e])) ^ flip[e]) + mean;
         }
     }
 }
@@ -119,10 +134,11 @@ Spans spans(const Level& level, int r) {
     return {all + level.row[size_t(r)], all + level.row[size_t(r) + 1]};
 }
 
-// The levels below the pixels, of eight pictures.
-class Walk {
+}  // namespace
+
+class SwayedContrast::Below {
 public:
-    explicit Walk(const std::vector<Level>& levels) : levels_(levels), sums_(levels.size()) {
+    explicit Below(const std::vector<Level>& levels) : levels_(levels), sums_(levels.size()) {
         for (size_t k = 0; k < levels.size(); ++k)
             for (int r = 0; r < 2; ++r) rows_.emplace_back(k ? size_t(levels[k].width) : 0);
     }
@@ -145,7 +161,7 @@ public:
     Sum total() const {
         Sum out{};
         for (size_t k = 1; k < levels_.size(); ++k)
-            for (size_t j = 0; j < lanes; ++j)
+            for (size_t j = 0; j < out.size(); ++j)
                 out[j] += (sums_[k].edge[j] + std::sqrt(0.5) * sums_[k].corner[j]) / levels_[k].pixels();
         return out;
     }
@@ -180,50 +196,51 @@ private:
     std::vector<Contrast> sums_;
 };
 
-}  // namespace
+SwayedContrast::SwayedContrast(const Geometry& geometry, RammgArea area, const Signs& signs)
+    : area_(area), signs_(signs), levels_(pyramid(geometry, area)), below_(std::make_unique<Below>(levels_)) {}
+SwayedContrast::~SwayedContrast() = default;
 
-std::array<double, Signs::most> rammg(const Swayed& pictures, const Geometry& geometry, RammgArea area,
-                                      const std::function<void(int)>& before_row) {
-    const std::vector<Level> levels = pyramid(geometry, area);
+void SwayedContrast::take(const SwayedRow& here, const SwayedRow& before, int r) {
+    if (levels_.empty()) return;
+    const Level& pixels = levels_[0];
+    const auto add = [&](const SwayedRow& a, int row, int shift, PairSums& to) {
+        pixels.pairs(row, r, shift, [&](int x0, int x1) { to.add(a, here, x0, shift, x1 - x0); });
+    };
+    add(here, r, 1, edge_);
+    if (r == 0) return;
+    add(before, r - 1, 0, edge_);
+    add(before, r - 1, 1, corner_);
+    add(before, r - 1, -1, corner_);
+    const int half = row_made(levels_, 0, r);
+    if (half < 0) return;
+    Blocks blocks;
+    find_blocks(before.words(0), here.words(0), signs_, blocks);
+    for (const Span& s : spans(levels_[1], half)) shrink(before, here, blocks, s.begin, s.end, below_->row(1, half));
+    below_->take(1, half);
+}
+
+std::array<double, Signs::most> SwayedContrast::of_pictures() const {
     std::array<double, Signs::most> out;
-    out.fill(contrast_of(0, levels.size(), area));
-    for (int r = 0; levels.empty() && r < pictures.height; ++r) before_row(r);
-    if (levels.empty()) return out;
-    const Level& pixels = levels[0];
-    PairSums edge, corner;
-    std::vector<Walk> below(eights, Walk(levels));
-    std::vector<SwayedRow> rows(2, SwayedRow(pictures.width));
-    for (int r = 0; r < pictures.height; ++r) {
-        before_row(r);
-        SwayedRow &here = rows[size_t(r & 1)], &before = rows[size_t(~r & 1)];
-        for (const Span& s : spans(pixels, r)) here.show(pictures, r, s.begin, s.end);
-        const auto add = [&](const SwayedRow& a, int row, int shift, PairSums& to) {
-            pixels.pairs(row, r, shift, [&](int x0, int x1) { to.add(a, here, x0, shift, x1 - x0); });
-        };
-        add(here, r, 1, edge);
-        if (r == 0) continue;
-        add(before, r - 1, 0, edge);
-        add(before, r - 1, 1, corner);
-        add(before, r - 1, -1, corner);
-        const int half = row_made(levels, 0, r);
-        if (half < 0) continue;
-        Pixel* made[eights];
-        for (int k = 0; k < eights; ++k) made[k] = below[size_t(k)].row(1, half);
-        const Flips of_before(before, *pictures.signs), of_here(here, *pictures.signs);
-        for (const Span& s : spans(levels[1], half))
-            shrink(before, here, of_before, of_here, unsigned(s.begin), unsigned(s.end), made);
-        for (Walk& walk : below) walk.take(1, half);
-    }
-    const auto edges = edge.of_pictures(*pictures.signs), corners = corner.of_pictures(*pictures.signs);
-    const double count = pixels.pixels();
-    for (size_t w = 0; w < below.size(); ++w) {
-        const Sum rest = below[w].total();
-        for (size_t j = 0, k = w * lanes; j < lanes; ++j, ++k) {
-            const double total = (edges[k] + std::sqrt(0.5) * corners[k]) / count + rest[j];
-            out[k] = contrast_of(2 * total, levels.size(), area);
-        }
+    out.fill(contrast_of(0, levels_.size(), area_));
+    if (levels_.empty()) return out;
+    const auto edges = edge_.of_pictures(signs_), corners = corner_.of_pictures(signs_);
+    const Sum below = below_->total();
+    const double count = levels_[0].pixels();
+    for (size_t k = 0; k < out.size(); ++k) {
+        const double total = (edges[k] + std::sqrt(0.5) * corners[k]) / count + below[k];
+        out[k] = contrast_of(2 * total, levels_.size(), area_);
     }
     return out;
+}
+
+std::array<double, Signs::most> rammg(const Swayed& pictures, const Geometry& geometry, RammgArea area) {
+    SwayedContrast out(geometry, area, *pictures.signs);
+    SwayedRow rows[2]{SwayedRow(pictures.width), SwayedRow(pictures.width)};
+    for (int r = 0; r < pictures.height; ++r) {
+        rows[r % 2].show(pictures, r, {0, pictures.width});
+        out.take(rows[r % 2], rows[(r + 1) % 2], r);
+    }
+    return out.of_pictures();
 }
 
 }  // namespace comfort

@@ -2,16 +2,32 @@
 // RAMMG of swayed pictures, all in one walk down the rows.
 #pragma once
 #include <array>
-#include <functional>
+#include <memory>
+#include <vector>
+#include "comfort/pyramid.h"
 #include "comfort/rammg.h"
-#include "comfort/swayed.h"
+#include "comfort/swayed_pairs.h"
 
 namespace comfort {
 
 // As rammg() of each picture, but for the last bits of its sums.  Not for areas without the frame (interior,
-// prototype_scale).  before_row: called with each row before it is looked at.
-std::array<double, Signs::most> rammg(
-    const Swayed& pictures, const Geometry& geometry, RammgArea area,
-    const std::function<void(int)>& before_row = [](int) {});
+// prototype_scale).
+class SwayedContrast {
+public:
+    SwayedContrast(const Geometry& geometry, RammgArea area, const Signs& signs);
+    ~SwayedContrast();
+    void take(const SwayedRow& here, const SwayedRow& before, int row);  // one row after the other, from the top
+    std::array<double, Signs::most> of_pictures() const;
+
+private:
+    RammgArea area_;
+    const Signs& signs_;
+    const std::vector<Level> levels_;
+    PairSums edge_, corner_;
+    class Below;
+    std::unique_ptr<Below> below_;  // the levels below the pixels
+};
+
+std::array<double, Signs::most> rammg(const Swayed& pictures, const Geometry& geometry, RammgArea area);
 
 }  // namespace comfort

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/wide.h"
 #include "comfort/detect.h"
 #include "comfort/luminance.h"
 #include "comfort/source_sums.h"
@@ -20,13 +19,6 @@ double luminance(float grey) {
     Luminance one;
     one.grey = &grey;
     return one.at(0);
-}
-
-// Which of up to 32 pixels are above the limit: bit k.
-WIDE_LOOP uint32_t above(const float* grey, int n, float limit) {
-    uint32_t found = 0;
-    for (int k = 0; k < n; ++k) found |= uint32_t(grey[k] > limit) << k;
-    return found;
 }
 
 // What a picture shows of a node.
@@ -45,10 +37,12 @@ struct Node {
 
 class AllSources {
 public:
-    AllSources(const Swayed& lum, const Calmed& bright, const std::vector<double>& thresholds, const Geometry& g,
-               const Settings& settings, Connector& connector)
+    AllSources(const Swayed& lum, const Calmed& bright, const std::vector<double>& thresholds,
+               const std::vector<Run>& bright_in_mean, const Geometry& g, const Settings& settings,
+               Connector& connector)
         : lum_(lum),
           bright_(bright),
+          bright_in_mean_(bright_in_mean),
           most_in_doubt_(bright.most_in_doubt()),
           g_(g),
           settings_(settings),
@@ -107,29 +101,28 @@ private:
                     high = *std::max_element(limit_.begin(), limit_.end());
         std::vector<Stretch> out;
         const Doubtful *next = bright_.in_doubt().data(), *const end = next + bright_.in_doubt().size();
-        constexpr int block = 32;
-        for (int r = 0; r < g_.height; ++r)
-            for (size_t s = g_.row_spans[r]; s < g_.row_spans[r + 1]; ++s)
-                for (int x = g_.spans[s].begin; x < g_.spans[s].end; x += block) {
-                    const int n = std::min(block, g_.spans[s].end - x);
-                    const size_t first = size_t(r) * g_.width + x;
-                    while (next != end && next->pixel < first) ++next;
-                    const Doubtful* doubt = next;
-                    uint32_t in_doubt = 0;
-                    for (; next != end && next->pixel < first + size_t(n); ++next)
-                        in_doubt |= 1u << (next->pixel - first);
-                    const uint32_t some = above(lum_.mean + first, n, low);
-                    const uint32_t all = low == high ? some : above(lum_.mean + first, n, high);
-                    for (uint32_t rest = some | in_doubt; rest;) {  // most are dark
-                        const uint32_t k = uint32_t(__builtin_ctz(rest)), p = uint32_t(first) + k;
-                        const uint64_t sure = (all & ~in_doubt) >> k;
-                        const uint32_t length = sure & 1 ? uint32_t(__builtin_ctzll(~sure)) : 1;
-                        Calmed::Pixel grey{lum_.mean[p], 0};
-                        if (in_doubt >> k & 1) grey = {doubt->mean, doubt->sway}, ++doubt;
-                        append({p, length, sure & 1 ? all_ : bright(p, grey, low, high)}, out);
-                        rest &= uint32_t(~((uint64_t(1) << (k + length)) - 1));
-                    }
-                }
+        const auto in_doubt = [&](uint32_t before) {
+            for (; next != end && next->pixel < before; ++next) {
+                const Shown shown = bright(next->pixel, {next->mean, next->sway}, low, high);
+                if (shown && g_.valid(next->pixel)) append({next->pixel, 1, shown}, out);
+            }
+        };
+        const auto sure = [&](uint32_t p, uint32_t to) {
+            if (low == high && p < to) return append({p, to - p, all_}, out);
+            for (; p < to; ++p) append({p, 1, bright(p, {lum_.mean[p], 0}, low, high)}, out);
+        };
+        for (const Run& r : bright_in_mean_) {
+            uint32_t p = r.start;
+            const uint32_t to = r.start + r.length;
+            in_doubt(p);
+            while (next != end && next->pixel < to) {
+                sure(p, next->pixel);
+                p = next->pixel + 1;
+                in_doubt(p);
+            }
+            sure(p, to);
+        }
+        in_doubt(uint32_t(g_.omega.size()));
         return out;
     }
     Shown peak(size_t p) const {
@@ -144,12 +137,14 @@ private:
     // on their groups, as those within reach of each other are of one.
     std::vector<Stretch> peak_stretches(const std::vector<Stretch>& stretches) {
         std::vector<Stretch> out;
-        for (const Stretch& s : stretches)
-            for (uint32_t p = s.start; may_have_peaks(s) && p < s.start + s.length; ++p) {
+        for (const Stretch& s : stretches) {
+            if (!may_have_peaks(s)) continue;
+            for (uint32_t p = s.start; p < s.start + s.length; ++p) {
                 append({p, 1, peak(p) & s.shown}, out);
                 const auto above = [&](float grey) { return cdm2_per_grey * grey > settings_.peak_limit; };
                 peaks_in_ |= shown_where(p, bright_.at(p), above) & s.shown;
             }
+        }
         for (Stretch& s : out) s.shown &= peaks_in_;
         out.erase(std::remove_if(out.begin(), out.end(), [](const Stretch& s) { return !s.shown; }), out.end());
         return out;
@@ -238,6 +233,7 @@ private:
 
     const Swayed& lum_;
     const Calmed& bright_;
+    const std::vector<Run>& bright_in_mean_;
     const float most_in_doubt_;
     const Geometry& g_;
     const Settings& settings_;
@@ -257,8 +253,9 @@ bool sources_at_once(const Settings& s) {
 }
 
 std::vector<SwayedSources> all_sources(const Swayed& lum, const Calmed& bright, const std::vector<double>& thresholds,
-                                       const Geometry& geometry, const Settings& settings, Connector& connector) {
-    return AllSources(lum, bright, thresholds, geometry, settings, connector).find();
+                                       const std::vector<Run>& bright_in_mean, const Geometry& geometry,
+                                       const Settings& settings, Connector& connector) {
+    return AllSources(lum, bright, thresholds, bright_in_mean, geometry, settings, connector).find();
 }
 
 }  // namespace comfort

@@ -17,9 +17,10 @@ struct SwayedSources {
 // Whether all_sources() can do what is asked for.
 bool sources_at_once(const Settings& settings);
 
-// Of each picture, and last of the mean of `bright` itself.  thresholds: likewise, cd/m2.  Sources have no brightest
-// pixel, group or zone.
+// Of each picture, and last of the mean of `bright` itself.  thresholds: likewise, cd/m2.  bright_in_mean: the pixels
+// of lum's mean above the lowest of them, in picture order.  Sources have no brightest pixel, group or zone.
 std::vector<SwayedSources> all_sources(const Swayed& lum, const Calmed& bright, const std::vector<double>& thresholds,
-                                       const Geometry& geometry, const Settings& settings, Connector& connector);
+                                       const std::vector<Run>& bright_in_mean, const Geometry& geometry,
+                                       const Settings& settings, Connector& connector);
 
 }  // namespace comfort
