@@ -11,6 +11,7 @@
 #include <vector>
 #include "comfort/luminance.h"
 #include "image/means.h"
+#include "image/picture.h"
 
 namespace comfort {
 
@@ -55,6 +56,7 @@ public:
         void find(size_t first, size_t n, float* d) const;
     };
     Distance halves() const;
+    bool halves_will_know_frame0() const { return !middle_.empty() && middle_.front().frames >= image::direct_samples; }
 
 private:
     bool alternate() const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "comfort/pyramid.h"
 #include "comfort/student.h"
@@ -239,7 +240,10 @@ void Certainty::add_frame0_error(const Luminance& lum, const Measurement& m, con
                                  std::vector<Estimate>& estimates) {
     const bool in_halves = !has(Kind::picture) || halves_.know_frame0();
     const bool in_batches = !has(Kind::region) || whole_batches_suffice();
-    if (in_halves && in_batches) return;
+    if (in_halves && in_batches) {  // and so it stays, if half pictures to come know it, too
+        if (batches_.halves_will_know_frame0()) batches_.release(std::exchange(frame0_, {}));
+        return;
+    }
     const auto knows_it = [&](size_t c) { return columns_[c].regional ? in_batches : in_halves; };
     if (frame0_.empty()) {  // the stream did not begin with it: nothing tells its error
         for (size_t c = 0; c < columns_.size(); ++c)
