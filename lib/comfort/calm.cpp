@@ -79,27 +79,31 @@ WIDE_LOOP void find_doubtful(const float* grey, const float* variance, int n, fl
     *words = which([&](int k) { return in_doubt(load(few + k), load(their_variance + k)); });
 }
 
-constexpr int columns = lanes + 2 * most_radius;
-struct Means {
-    float mean[lanes], variance[lanes], weight[lanes];
-    float error(int k) const { return std::sqrt(variance[k]) / weight[k]; }
-};
+inline __attribute__((always_inline)) float total(const Floats& v) {
+    return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
+}
 
-// Of the eight pixels from column x on.
-WIDE_LOOP void average(const CalmRows& from, int x, int radius, Means& to) {
-    Floats weights = {}, sum = {}, errors = {};
-    const Floats none = {}, own = load(from.grey[most_radius] + x);
+struct Mean {
+    float value, error;
+};
+// Around column x, a row at a time.  Reads up to lanes - radius columns from there on.
+static_assert(CalmRows::count <= lanes);
+WIDE_LOOP Mean average(const CalmRows& from, int x, int radius) {
+    const Floats none = {};
+    const Words wanted = first_lanes(2 * radius + 1);
     constexpr float no_division_by_zero = 1e-30f;
-    const Floats variance = at_least(load(from.variance[most_radius] + x), none + no_division_by_zero);
-    for (int r = most_radius - radius; r <= most_radius + radius; ++r)
-        for (int c = x - radius; c <= x + radius; ++c) {
-            const Floats other = load(from.grey[r] + c), its = load(from.variance[r] + c);
-            const Floats d = other - own, square = d * d;
-            const Floats left = at_least(likeness * (variance + its) - square, none), share = left / (left + square);
-            const Floats weight = Floats(Words(share * share) & Words(its >= none));
-            weights += weight, sum += weight * other, errors += weight * weight * its;
-        }
-    store(sum / weights, to.mean), store(errors, to.variance), store(weights, to.weight);
+    const float own = from.grey[most_radius][x];
+    const float variance = std::max(from.variance[most_radius][x], no_division_by_zero);
+    Floats weights = {}, sum = {}, errors = {};
+    for (int r = most_radius - radius; r <= most_radius + radius; ++r) {
+        const Floats other = load(from.grey[r] + x - radius), its = load(from.variance[r] + x - radius);
+        const Floats d = other - own, square = d * d;
+        const Floats left = at_least(likeness * (variance + its) - square, none), share = left / (left + square);
+        const Floats weight = Floats(Words(share * share) & Words(its >= none) & wanted);
+        weights += weight, sum += weight * other, errors += weight * weight * its;
+    }
+    const float weight = total(weights);
+    return {total(sum) / weight, std::sqrt(total(errors)) / weight};
 }
 
 }  // namespace
@@ -158,36 +162,32 @@ void Calm::calm_row(const std::vector<float>& noisy, const Geometry& geometry, i
                       span.end - span.begin, threshold_, doubtful_.data());
         const uint32_t* bits = doubtful_.data();
         for (int x = span.begin; x < span.end; x += in_a_word, ++bits)
-            for (int part = 0; *bits && part < in_a_word; part += lanes)
-                if (*bits >> part & 0xff) average_doubtful(near, geometry, x + part, y, *bits >> part & 0xff);
+            for (uint32_t rest = *bits; rest; rest &= rest - 1)
+                average_around(near, geometry, x + __builtin_ctz(rest), y);
     }
 }
 
-// Of the pixels from column x of row y those whose bits are set.
-void Calm::average_doubtful(const CalmRows& rows_around, const Geometry& geometry, int x, int y, uint32_t bits) {
-    const int begin = x - most_radius, end = begin + columns;
-    Means means;
+void Calm::average_around(const CalmRows& near, const Geometry& geometry, int x, int y) {
+    const int begin = x - radius_, end = begin + lanes;
+    Mean mean;
     if (begin >= 0 && end <= geometry.width) {
-        average(rows_around, x, radius_, means);
+        mean = average(near, x, radius_);
     } else {
-        float grey[rows][columns], variance[rows][columns];
-        CalmRows near;
+        float grey[rows][lanes], variance[rows][lanes];
+        CalmRows moved;
         const int first = std::max(0, begin), n = std::min(geometry.width, end) - first;
         for (int r = 0; r < rows; ++r) {
-            std::fill_n(grey[r], columns, 0.f);
-            std::fill_n(variance[r], columns, -1.f);
-            std::copy_n(rows_around.grey[r] + first, n, grey[r] + first - begin);
-            std::copy_n(rows_around.variance[r] + first, n, variance[r] + first - begin);
-            near.grey[r] = grey[r], near.variance[r] = variance[r];
+            std::fill_n(grey[r], lanes, 0.f);
+            std::fill_n(variance[r], lanes, -1.f);
+            std::copy_n(near.grey[r] + first, n, grey[r] + first - begin);
+            std::copy_n(near.variance[r] + first, n, variance[r] + first - begin);
+            moved.grey[r] = grey[r], moved.variance[r] = variance[r];
         }
-        average(near, most_radius, radius_, means);
+        mean = average(moved, radius_, radius_);
     }
-    const uint32_t pixel = uint32_t(y) * uint32_t(geometry.width) + uint32_t(x);
-    for (; bits; bits &= bits - 1) {
-        const int k = __builtin_ctz(bits);
-        random_ = random_ * 1664525u + 1013904223u;
-        replaced_.push_back({pixel + uint32_t(k), means.mean[k], means.error(k) * how_far[random_ >> 29]});
-    }
+    random_ = random_ * 1664525u + 1013904223u;
+    replaced_.push_back(
+        {uint32_t(y) * uint32_t(geometry.width) + uint32_t(x), mean.value, mean.error * how_far[random_ >> 29]});
 }
 
 }  // namespace comfort

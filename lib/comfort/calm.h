@@ -42,7 +42,7 @@ private:
     float* row_means(const Geometry& geometry, int y);
     void find_variance(const Geometry& geometry, int y);
     void calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y);
-    void average_doubtful(const CalmRows& rows_around, const Geometry& geometry, int x, int y, uint32_t bits);
+    void average_around(const CalmRows& near, const Geometry& geometry, int x, int y);
     int radius_ = 0;  // of the neighbourhood, in pixels
     float threshold_ = 0;
     uint32_t random_ = 0;

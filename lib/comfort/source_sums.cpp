@@ -29,11 +29,11 @@ WIDE_LOOP void add_pixels(const Swayed& lum, const Geometry& g, uint32_t start, 
         const double omega = g.omega[p];
         const Four each = {omega, omega * x, omega * y, g.omega_cos[p]};
         const double plus = lum.mean[p] + lum.off[p], minus = lum.mean[p] - lum.off[p];
-        const double half = lum.pattern[p] & Signs::turned ? minus - plus : plus - minus;
+        const double sign = 1 - 2 * int(lum.pattern[p] / Signs::turned);  // no branch: half of them would be a surprise
         omegas += omega;
         mean += double(lum.mean[p]) * each;
         own += (plus + minus) / 2 * each;
-        add(half / 2 * each, off[lum.pattern[p] % Signs::turned]);
+        add(sign * (plus - minus) / 2 * each, off[lum.pattern[p] % Signs::turned]);
     }
     to.omega += omegas;
     add(mean, to.mean), add(own, to.own);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace comfort {
 namespace {
@@ -43,13 +44,14 @@ double student_quantile(double outside, double degrees) {
     struct Known {
         double outside = 0, degrees = 0, quantile = 0;
     };
-    static thread_local Known last;  // columns and lines ask for the same one again and again
-    if (last.outside == outside && last.degrees == degrees) return last.quantile;
+    static thread_local Known last, before;  // columns and lines ask for the same two again and again
+    for (const Known& k : {last, before})
+        if (k.outside == outside && k.degrees == degrees) return k.quantile;
     double low = 0, high = 1;
     while (student_outside(high, degrees) > outside && high < 1e12) high *= 2;
     for (double middle = 0.5 * high; low < middle && middle < high; middle = (low + high) / 2)
         (student_outside(middle, degrees) > outside ? low : high) = middle;
-    last = {outside, degrees, (low + high) / 2};
+    before = std::exchange(last, {outside, degrees, (low + high) / 2});
     return last.quantile;
 }
 
