@@ -92,7 +92,7 @@ STRUCT(Hit) {
     TABLE(float, f)           /* float arena (tables.h) */
 #define PICTURE_TABLES(TABLE)                                                               \
     TABLE(uint, guide)        /* where light comes from (guide.h) */                        \
-    TABLE(uint, focus)        /* pixels of which a pass makes more samples */
+    TABLE(uint, focus)        /* pixels of which a pass makes several samples: FOCUS_WORDS each */
 #define SCENE_TABLES(TABLE) BVH_TABLES(TABLE) FLAT_TABLES(TABLE) PICTURE_TABLES(TABLE)
     // clang-format on
 

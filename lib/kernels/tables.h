@@ -220,12 +220,18 @@ STRUCT(Params) {
     uint light_nodes;                 // of the tree; 0: each source is looked at
     float portal_least, portal_most;  // share of the directions toward portals, where there are any
     uint window_count;                // of all portals; then come patches of sun and polished strips
-    uint copies, focus_at;            // samples of a frame of a pixel; above 1: of those at focus[focus_at]
-    uint shared_slots;                // of a sample whose paths share their far ends (share.h); 0: none does
+    uint copies, focus_at;  // samples of a frame of a pixel; above 1: those of entry focus_at and after (below)
+    uint shared_slots;      // of a sample whose paths share their far ends (share.h); 0: none does
     uint spare;
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // which of the records they are
 };
+
+// An entry of the table of pixels with several samples in each frame: a pass makes `copies` of them for it.
+#define FOCUS_WORDS 3u
+#define FOCUS_PIXEL 0u
+#define FOCUS_ALL 1u   // samples that its pixel has in each frame
+#define FOCUS_FROM 2u  // those of this entry: FOCUS_FROM .. FOCUS_FROM + copies - 1
 
 // modes: what a pass computes
 #define MODE_DIRECT 0u  // frame 0: paths without a diffuse bounce

@@ -131,32 +131,38 @@ public:
         guide_ = std::move(guide);
         tables_.guide = guide_.data();
     }
-    void set_focus(std::vector<uint32_t> pixels) override {
-        focus_ = std::move(pixels);
+    void set_focus(std::vector<uint32_t> entries) override {
+        focus_ = std::move(entries);
         tables_.focus = focus_.data();
     }
     uint32_t good_slots() const override { return 64 * TILE; }
 
 private:
+    // Smaller tiles where there are few slots, so that no thread waits.
+    uint32_t tile_of(uint32_t slots) const {
+        const uint32_t each = slots / (2 * threads_) / SHARE_SQUARE * SHARE_SQUARE;
+        return std::clamp(each, SHARE_SQUARE, TILE);
+    }
     template <class F>
     void tiles(uint32_t slots, F&& work) {
+        const uint32_t tile = tile_of(slots);
         std::atomic<uint32_t> next{0};
         std::exception_ptr error;
         std::mutex lock;
         const auto worker = [&] {
             try {
-                std::vector<char> scratch(kernels_.scratch_bytes(TILE));
+                std::vector<char> scratch(kernels_.scratch_bytes(tile));
                 for (;;) {
-                    const uint32_t first = next.fetch_add(TILE);
+                    const uint32_t first = next.fetch_add(tile);
                     if (first >= slots) return;
-                    work(first, std::min(TILE, slots - first), scratch.data());
+                    work(first, std::min(tile, slots - first), scratch.data());
                 }
             } catch (...) {
                 std::lock_guard<std::mutex> hold(lock);
                 if (!error) error = std::current_exception();
             }
         };
-        base::on_threads(std::min(threads_, (slots + TILE - 1) / TILE), worker);
+        base::on_threads(std::min(threads_, (slots + tile - 1) / tile), worker);
         if (error) std::rethrow_exception(error);
     }
 

@@ -34,8 +34,8 @@ public:
     virtual void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) = 0;
     // Takes what was learned (kernels/guide.h), for the passes that follow.
     virtual void set_guide(std::vector<uint32_t> guide) = 0;
-    // The pixels of the focus (kernels/tables.h), for the passes that follow.
-    virtual void set_focus(std::vector<uint32_t> pixels) = 0;
+    // Pixels with several samples in each frame (FOCUS_WORDS of kernels/tables.h), for the passes that follow.
+    virtual void set_focus(std::vector<uint32_t> entries) = 0;
     // Paths to hand over at once, so that the device is full.
     virtual uint32_t good_slots() const = 0;
     // Is the host free while it runs?

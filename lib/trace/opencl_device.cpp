@@ -107,8 +107,8 @@ public:
     void set_guide(std::vector<uint32_t> guide) override {
         call("sending the guide", [&] { paths_.tables[TABLE_guide] = send(guide.data(), guide.size() * 4); });
     }
-    void set_focus(std::vector<uint32_t> pixels) override {
-        call("sending the focus", [&] { paths_.tables[TABLE_focus] = send(pixels.data(), pixels.size() * 4); });
+    void set_focus(std::vector<uint32_t> entries) override {
+        call("sending the focus", [&] { paths_.tables[TABLE_focus] = send(entries.data(), entries.size() * 4); });
     }
     uint32_t good_slots() const override { return gpu_ ? 1u << 21 : 1u << 18; }
     bool leaves_host_free() const override { return true; }

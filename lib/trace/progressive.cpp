@@ -2,7 +2,8 @@
 // Frames of Eq. 7.  L(0) = exact part (small sources drawn by area) + S0, the mean of m samples of the direct class;
 // frames 1..m carry the diffuse class; frame k > m adds S(k) - S0, so that for n >= m both classes are plain means of n
 // samples and frame 0's own noise averages out (docs/spec/paper.md 7, docs/decisions/0002-frame-zero.md).  Half of the
-// frames 1..m show the mean of the first half of frame 0's samples instead of S0, half that of the others.
+// frames 1..m show the mean of the first half of frame 0's samples instead of S0, half that of the others.  In noisy
+// pixels, which have several samples in each frame, all frames k >= 1 add S(k) - S0.
 #include "trace/progressive.h"
 
 #include <algorithm>
@@ -15,7 +16,9 @@
 #include "trace/device.h"
 #include "trace/draw_sources.h"
 #include "trace/fingerprint.h"
+#include "trace/frame_zero.h"
 #include "trace/guide.h"
+#include "trace/noisy.h"
 #include "trace/samples.h"
 #include "trace/scene_params.h"
 #include "trace/view_params.h"
@@ -53,11 +56,12 @@ struct Renderer::State {
     base::Vec3 centre;
     bool guides = false;
     uint32_t nx, ny, m, of_frame0;  // of_frame0: samples of the direct class in frame 0
-    std::vector<float> s0;          // mean of the direct class in frame 0
-    std::vector<float> half_off;    // how far the first half of its samples lies off (empty: m is odd)
-    std::vector<float> exact;       // drawn sources, 3 floats a pixel (empty: none)
-    bool guided = false;            // a guide is still to be learned
-    std::vector<float> aims;        // records of portals, then of highlights
+    FrameZero zero;
+    double noisy_share = 0;
+    bool seeks_noisy = false;     // they are still to be found
+    std::vector<uint32_t> noisy;  // pixels with several samples in each frame, not those of a focus
+    bool guided = false;          // a guide is still to be learned
+    std::vector<float> aims;      // records of portals, then of highlights
     uint32_t portal_count = 0;
     std::vector<float> unshared;  // the same, until their shares are known
     Samples sampler;
@@ -109,51 +113,30 @@ struct Renderer::State {
         base.guide_grid = guide.grid;
         device->set_guide(std::move(guide.words));
     }
-    // Pixel by pixel, all its samples at once: neighbours in the picture are followed together.
-    void add_direct_samples() {
-        const uint32_t pixels = nx * ny, most = UINT32_MAX / pixels;  // indices of slots are 32 bits
-        std::vector<double> sum(size_t(pixels) * 3, 0.0);
-        half_off.assign(m % 2 ? 0 : sum.size(), 0.0f);
-        std::vector<float> rgb;
-        // More than m are drawn behind all frames, so that those above m do not draw them again.
-        const int64_t begin = of_frame0 > m ? int64_t(1) << 31 : 0;
-        for (uint32_t done = 0; done < of_frame0;) {
-            const uint32_t n = std::min(of_frame0 - done, most), some = std::max(1u, device->good_slots() / n);
-            for (uint32_t first = 0; first < pixels; first += some) {
-                const uint32_t count = std::min(some, pixels - first);
-                run({MODE_DIRECT, begin + done, n, first, count}, rgb);
-                const float* from = rgb.data();
-                for (size_t pixel = first; pixel < first + count; pixel++)
-                    for (uint32_t k = 0; k < n; k++)
-                        for (size_t c = 0; c < 3; c++) {
-                            if (!half_off.empty()) half_off[3 * pixel + c] += done + k < of_frame0 / 2 ? *from : -*from;
-                            sum[3 * pixel + c] += *from++;
-                        }
-            }
-            done += n;
-        }
-        s0.resize(sum.size());
-        for (size_t i = 0; i < sum.size(); i++) s0[i] = float(sum[i] / of_frame0);
-        for (size_t i = 0; i < half_off.size(); i++)  // rounding must not take away more than there is
-            half_off[i] = std::clamp(half_off[i] / float(of_frame0), -std::fabs(s0[i]), std::fabs(s0[i]));
+    void ensure_zero() {
+        if (zero.mean.empty()) zero = draw_frame_zero(*device, sampler, base, m, of_frame0, picture->drawn);
     }
-    void ensure_s0() {
-        if (!s0.empty()) return;
-        add_direct_samples();
-        const DrawList& drawn = picture->drawn;
-        if (drawn.rays.empty()) return;
-        exact.assign(s0.size(), 0.0f);
-        std::vector<float> rgb;
-        Params p = base;
-        p.mode = MODE_DRAW;
-        p.first = 0;
-        p.slots = uint32_t(drawn.rays.size());
-        device->draw(p, drawn.rays, rgb);
-        sampler.scrub(rgb);
-        std::vector<double> add(s0.size(), 0.0);
-        for (size_t i = 0; i < drawn.rays.size(); i++)
-            for (int c = 0; c < 3; c++) add[3 * size_t(drawn.pixel[i]) + c] += rgb[3 * i + c];
-        for (size_t i = 0; i < add.size(); i++) exact[i] = float(add[i]);
+    // Which pixels get several samples in each frame.
+    void ensure_noisy() {
+        if (!seeks_noisy) return;
+        seeks_noisy = false;
+        const std::vector<uint32_t> copies = copies_of_noisy(*device, base, noisy_share);
+        for (uint32_t pixel = 0; pixel < copies.size(); pixel++)
+            if (copies[pixel] > 0) noisy.push_back(pixel);
+        if (!noisy.empty()) sampler.set_noisy(*device, copies);
+    }
+    // Frame k of a sample's values.
+    void make_frame(int64_t k, const float* v, std::vector<float>& out) const {
+        if (k > m)
+            for (size_t i = 0; i < out.size(); i++) out[i] = v[i] - zero.mean[i];
+        else if (zero.half_off.empty()) std::copy(v, v + out.size(), out.begin());
+        else
+            for (size_t i = 0; i < out.size(); i++)
+                out[i] = image::in_first_half(k) ? v[i] + zero.half_off[i] : v[i] - zero.half_off[i];
+        for (size_t i = 0; k <= m && i < 3 * noisy.size(); i++) {
+            const size_t at = 3 * size_t(noisy[i / 3]) + i % 3;
+            out[at] = v[at] - zero.mean[at];
+        }
     }
 };
 
@@ -174,6 +157,7 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
     s.base = params_of(flat, o);
     s.m = s.base.skip_direct_below;
     s.guides = o.sampling == flatten::Sampling::guided;
+    s.noisy_share = o.sampling == Sampling::shared ? o.noisy_share : 0;
     s.sampler.set_sharing(o.sampling == Sampling::shared && may_share(s.base));
     const auto portals = flat.f.begin() + long(flat.portals_at);
     s.portal_count = flat.portal_count;
@@ -209,7 +193,9 @@ void Renderer::look(size_t shot) {
     s.of_frame0 = s.m * samples_for_one(size_t(of.nx) * size_t(of.ny));
     set_view(s.base, of.view, s.centre);
     s.sampler.set_focus(*s.device, of.focus);
-    s.s0.clear(), s.half_off.clear(), s.exact.clear();
+    s.zero = {};
+    s.noisy.clear();
+    s.seeks_noisy = s.noisy_share > 0 && of.focus.empty();
     s.unshared = s.aims;  // their shares and the guide are learned from where the eye is
     pick_all_portals(s.portal_count, 0, 0, s.base);
     s.base.highlight_share = Params{}.highlight_share;
@@ -231,23 +217,19 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
     State& s = *state_;
     const int64_t end = k + count;
     std::vector<float> out(size_t(s.nx) * s.ny * 3);
-    if (k == 0 || end - 1 > s.m || s.m % 2 == 0) s.ensure_s0();
+    if (k == 0 || end - 1 > s.m || s.m % 2 == 0 || s.seeks_noisy) s.ensure_zero();
     if (k == 0) {
-        out = s.s0;
-        for (size_t i = 0; i < s.exact.size(); i++) out[i] += s.exact[i];
+        out = s.zero.mean;
+        for (size_t i = 0; i < s.zero.exact.size(); i++) out[i] += s.zero.exact[i];
         if (!give(0, out)) return;
         k = 1;
     }
     if (k >= end) return;
     s.ensure_aim_shares();
+    s.ensure_noisy();
     bool goes_on = true;
     const auto sample = [&](int64_t frame, const float* v) {
-        if (frame > s.m)
-            for (size_t i = 0; i < out.size(); i++) out[i] = v[i] - s.s0[i];
-        else if (s.half_off.empty()) std::copy(v, v + out.size(), out.begin());
-        else
-            for (size_t i = 0; i < out.size(); i++)
-                out[i] = image::in_first_half(frame) ? v[i] + s.half_off[i] : v[i] - s.half_off[i];
+        s.make_frame(frame, v, out);
         return goes_on = give(frame, out);
     };
     const int64_t unguided = s.guided ? std::clamp<int64_t>(s.base.guide_from - k, 0, end - k) : 0;

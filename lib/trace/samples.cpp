@@ -10,18 +10,49 @@
 namespace trace {
 
 namespace {
-constexpr double worth_of_shared = 8;  // copies
+constexpr uint32_t noisy_copies = 4;  // of an entry
+}
+
+uint32_t Samples::Several::first_of(uint64_t pixel) const {
+    uint32_t low = 0, high = uint32_t(count());
+    while (low < high) {
+        const uint32_t middle = (low + high) / 2;
+        if (word(middle, FOCUS_PIXEL) < pixel) low = middle + 1;
+        else high = middle;
+    }
+    return low;
+}
+
+void Samples::set(Device& device, std::vector<Several> several) {
+    several_ = std::move(several);
+    std::vector<uint32_t> all;
+    for (Several& s : several_) {
+        s.at = uint32_t(all.size() / FOCUS_WORDS);
+        all.insert(all.end(), s.entries.begin(), s.entries.end());
+    }
+    device.set_focus(std::move(all));
 }
 
 void Samples::set_focus(Device& device, const Focus& focus) {
-    focus_ = focus;
-    focus_at_.clear();
-    std::vector<uint32_t> pixels;
-    for (const FocusPart& part : focus_) {
-        focus_at_.push_back(uint32_t(pixels.size()));
-        pixels.insert(pixels.end(), part.pixels.begin(), part.pixels.end());
+    std::vector<Several> several;
+    for (const FocusPart& part : focus) {
+        Several s;
+        s.copies = part.copies;
+        s.worth_of_shared = 8;
+        for (const uint32_t pixel : part.pixels) s.entries.insert(s.entries.end(), {pixel, part.copies, 0});
+        several.push_back(std::move(s));
     }
-    device.set_focus(std::move(pixels));
+    set(device, std::move(several));
+}
+
+void Samples::set_noisy(Device& device, const std::vector<uint32_t>& copies) {
+    Several s;
+    s.copies = noisy_copies;
+    s.direct = true;
+    for (uint32_t pixel = 0; pixel < copies.size(); pixel++)
+        for (uint32_t from = 0; from < copies[pixel]; from += noisy_copies)
+            s.entries.insert(s.entries.end(), {pixel, copies[pixel], from});
+    set(device, {std::move(s)});
 }
 
 // Pictures smaller than a square of groups do not: nearly all slots would lie beside them.
@@ -45,40 +76,45 @@ void Samples::run(Device& device, const Params& base, const Pass& pass, std::vec
     }
     device.run(p, rgb);
     scrub(rgb);
-    for (size_t part = 0; part < focus_.size(); part++) refine(device, base, pass, part, rgb);
+    for (const Several& several : several_) refine(device, base, pass, several, rgb);
 }
 
-// Samples of a part of the focus, as far as the pass has its pixels, become means of their copies.  A shared sample
-// stays and counts for several copies: it is less noisy than one, and any fixed weights keep the expectation.
-void Samples::refine(Device& device, const Params& base, const Pass& pass, size_t part, std::vector<float>& rgb) {
-    const auto& [pixels, copies] = focus_[part];
-    const auto place_of = [&pixels = pixels](uint64_t pixel) {
-        return uint32_t(std::lower_bound(pixels.begin(), pixels.end(), pixel) - pixels.begin());
-    };
-    const uint32_t begin = place_of(pass.first_pixel), end = place_of(uint64_t(pass.first_pixel) + pass.pixels);
-    const uint32_t most = UINT32_MAX / (uint32_t(pixels.size()) * copies);  // indices of slots are 32 bits
+// Samples of pixels that have several, as far as the pass has these pixels, become the means of all.  A shared sample
+// may stay and count for several copies: it is less noisy than one, and any fixed weights keep the expectation.
+void Samples::refine(Device& device, const Params& base, const Pass& pass, const Several& several,
+                     std::vector<float>& rgb) {
+    const uint32_t begin = several.first_of(pass.first_pixel),
+                   end = several.first_of(uint64_t(pass.first_pixel) + pass.pixels);
+    if (begin == end) return;
+    const uint32_t most = UINT32_MAX / (uint32_t(several.count()) * several.copies);  // indices of slots are 32 bits
+    const double worth = shares(base) && pass.mode == MODE_FRAMES ? several.worth_of_shared : 0;
     Params p = base;
     p.mode = pass.mode;
-    p.copies = copies;
-    p.focus_at = focus_at_[part];
-    for (uint32_t done = 0, n; begin < end && done < pass.n; done += n) {
+    p.copies = several.copies;
+    p.focus_at = several.at;
+    if (several.direct) p.skip_direct_below = 0;
+    for (uint32_t done = 0, n; done < pass.n; done += n) {
         n = std::min(pass.n - done, most);
         p.frame = uint32_t(pass.first_sample + done);
-        p.together = n * copies;
+        p.together = n * several.copies;
         const uint32_t first = begin * p.together, last = end * p.together;
-        const double before = shares(base) && pass.mode == MODE_FRAMES ? worth_of_shared : 0;
         std::vector<double> sum(size_t(end - begin) * n * 3);
         for (p.first = first; p.first < last; p.first += p.slots) {
             p.slots = std::min(device.good_slots(), last - p.first);
             device.run(p, copies_);
             scrub(copies_);
             for (size_t i = 0; i < copies_.size(); i++)
-                sum[(p.first - first + i / 3) / copies * 3 + i % 3] += double(copies_[i]);
+                sum[(p.first - first + i / 3) / several.copies * 3 + i % 3] += double(copies_[i]);
         }
-        for (size_t i = 0; i < sum.size(); i++) {
-            const size_t pixel = pixels[begin + i / 3 / n] - pass.first_pixel, sample = done + i / 3 % n;
-            float& value = rgb[3 * (pixel * pass.n + sample) + i % 3];
-            value = float((sum[i] + before * double(value)) / (copies + before));
+        for (uint32_t entry = begin, next; entry < end; entry = next) {  // those of a pixel lie side by side
+            const uint32_t pixel = several.word(entry, FOCUS_PIXEL), copies = several.word(entry, FOCUS_ALL);
+            next = entry + copies / several.copies;
+            for (size_t i = 0; i < size_t(n) * 3; i++) {
+                double all = 0;
+                for (uint32_t e = entry; e < next; e++) all += sum[size_t(e - begin) * n * 3 + i];
+                float& value = rgb[3 * (size_t(pixel - pass.first_pixel) * pass.n + done) + i];
+                value = float((all + worth * double(value)) / (copies + worth));
+            }
         }
     }
 }

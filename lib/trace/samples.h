@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples of the pixels of a picture, drawn by a device: one each and, in the focus, the mean of several.
+// Samples of the pixels of a picture, drawn by a device: one each and, in the focus or where noise is, the mean of
+// several.
 #pragma once
 #include "trace/device.h"
 #include "trace/focus.h"
@@ -15,7 +16,11 @@ struct Pass {
 
 class Samples {
 public:
+    // Replaces the pixels with several samples by those of a focus.
     void set_focus(Device& device, const Focus& focus);
+    // The same by noisy ones (noisy.h): copies of each pixel, 0: one.  Their samples hold the direct class in each
+    // frame.
+    void set_noisy(Device& device, const std::vector<uint32_t>& copies);
     // May the paths of whole pictures share their far ends (kernels/share.h)?
     void set_sharing(bool may) { may_share_ = may; }
     // How many slots a sample of the whole picture takes.
@@ -26,11 +31,22 @@ public:
     void scrub(std::vector<float>& rgb);
 
 private:
+    // Pixels with several samples in each frame, in one pass of the device.
+    struct Several {
+        std::vector<uint32_t> entries;  // FOCUS_WORDS each, pixels in ascending order
+        uint32_t at = 0;                // among all entries of the device
+        uint32_t copies = 0;            // samples of an entry
+        double worth_of_shared = 0;     // copies that the sample of the whole picture counts for, where paths share
+        bool direct = false;            // in each frame
+        size_t count() const { return entries.size() / FOCUS_WORDS; }
+        uint32_t word(size_t entry, uint32_t which) const { return entries[entry * FOCUS_WORDS + which]; }
+        uint32_t first_of(uint64_t pixel) const;
+    };
     bool shares(const Params& par) const;
-    void refine(Device& device, const Params& base, const Pass& pass, size_t part, std::vector<float>& rgb);
+    void set(Device& device, std::vector<Several> several);
+    void refine(Device& device, const Params& base, const Pass& pass, const Several& several, std::vector<float>& rgb);
 
-    Focus focus_;
-    std::vector<uint32_t> focus_at_;  // of each part among all pixels of the focus
+    std::vector<Several> several_;
     bool may_share_ = false;
     std::vector<float> copies_;
     int64_t bad_ = 0;  // samples that were set to 0

@@ -58,6 +58,7 @@ Means means_of(const scene::Scene& scene, trace::Sampling sampling, int frames) 
         options.sampling = sampling;
         options.seed = seed + (sampling == trace::Sampling::shared ? 100 : 0);
         options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
+        options.noisy_share = 0;                 // and of one sample each
         trace::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
         return block_means(renderer, size, 4, 1, frames);
     });
@@ -68,6 +69,7 @@ double noise_of(const scene::Scene& scene, trace::Sampling sampling) {
     std::vector<float> a, b;
     double squares = 0, sum = 0;
     trace::RenderOptions options;
+    options.noisy_share = 0;
     options.sampling = sampling;
     trace::Renderer one(scene, into_room(), size, size, options, "cpu", {});
     options.seed = 2;
@@ -87,6 +89,7 @@ double noise_of(const scene::Scene& scene, trace::Sampling sampling) {
 bool shares_nothing(const std::string& text, trace::RenderOptions options = {}) {
     const scene::Scene scene = scene_of(text);
     std::vector<float> frames[2];
+    options.noisy_share = 0;
     for (const auto sampling : {trace::Sampling::shared, trace::Sampling::portals}) {
         options.sampling = sampling;
         trace::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
@@ -181,6 +184,7 @@ TEST_CASE("pictures smaller than a square share nothing") {
     for (const auto sampling : {trace::Sampling::shared, trace::Sampling::portals}) {
         trace::RenderOptions options;
         options.sampling = sampling;
+        options.noisy_share = 0;
         trace::Renderer renderer(scene, into_room(), 32, 15, options, "cpu", {});
         renderer.frame(1, frames[sampling == trace::Sampling::shared]);
     }

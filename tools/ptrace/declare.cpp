@@ -128,6 +128,10 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
          read_frames(a.text(), opt);
      }).otherwise("endless");
     t.add("-seed n", "Seed of the random numbers", opt.render.seed).at_least(0);
+    t.add("-noisy-share f", "Samples for the noisiest pixels, over those of the picture; 0 for none",
+          opt.render.noisy_share)
+        .within(0, 100)
+        .share();
     t.add("-focus file", "More samples for these regions: masks of vcregion(1), or a file of vcregion(5)",
           opt.focus_file);
     t.add("-focus-share f", "Samples for the regions of -focus, over those of the picture", opt.focus_share)

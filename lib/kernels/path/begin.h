@@ -3,12 +3,17 @@
 #ifndef LUX_PATH_BEGIN_H
 #define LUX_PATH_BEGIN_H
 
+// The entry of a slot's pixel, in a pass of pixels with several samples in each frame.
+FN GLOBAL const uint* focus_entry(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint slot) {
+    return s->focus + FOCUS_WORDS * (par->focus_at + (par->first + slot) / par->together);
+}
+
 // The pixel of a slot, NONE if it lies beside the picture, and which of its samples the slot is.
 FN uint path_pixel(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint slot) {
     if (par->mode == MODE_RAY) return 0u;
     if (par->shared_slots != 0u) return shared_pixel(par, par->first + slot);
-    uint at = (par->first + slot) / par->together;
-    return par->copies > 1u ? s->focus[par->focus_at + at] : at;
+    if (par->copies > 1u) return *(focus_entry(s, par, slot) + FOCUS_PIXEL);
+    return (par->first + slot) / par->together;
 }
 
 FN uint path_sample_index(UNIFORM(const Params) par, uint slot) {
@@ -85,8 +90,10 @@ FN int path_generate(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHA
 
     // Copies are a sequence as well, of its own in each block of frames: blocks stay independent of one another.
     if (par->copies > 1u) {
+        GLOBAL const uint* entry = focus_entry(s, par, slot);
+        uint copy = entry[FOCUS_FROM] + (par->first + slot) % par->copies;
         stream = 4u + (index >> SAMPLER_BLOCK_BITS);
-        index = (index & ((1u << SAMPLER_BLOCK_BITS) - 1u)) * par->copies + (par->first + slot) % par->copies;
+        index = (index & ((1u << SAMPLER_BLOCK_BITS) - 1u)) * entry[FOCUS_ALL] + copy;
     }
     Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, pixel, index, stream);
 

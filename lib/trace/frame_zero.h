@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Frame 0 of Eq. 7: the direct and specular light, the mean of a few samples, and drawn sources (docs/decisions/0002).
+#pragma once
+#include <vector>
+#include "trace/draw_sources.h"
+#include "trace/samples.h"
+
+namespace trace {
+
+// Pixels of 3 floats, row 0 = top.
+struct FrameZero {
+    std::vector<float> mean;      // of its samples
+    std::vector<float> half_off;  // how far the first half of them lies off (empty: m is odd)
+    std::vector<float> exact;     // drawn sources (empty: none)
+};
+
+// count: samples of each pixel; m: for how many frames they stand.
+FrameZero draw_frame_zero(Device& device, Samples& sampler, const Params& base, uint32_t m, uint32_t count,
+                          const DrawList& drawn);
+
+}  // namespace trace

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The noisiest pixels get several samples in each frame (docs/decisions/0030-noisy-pixels.md): in proportion to the
+// standard deviation of one, which for a given number of samples leaves the least squared error of the picture (Neyman
+// 1934, "On the Two Different Aspects of the Representative Method").  A few samples that no frame holds tell it: were
+// the choice made by samples that are kept, their means would move.
+#pragma once
+#include <cstdint>
+#include <vector>
+#include "trace/device.h"
+
+namespace trace {
+
+// base: the picture's pass of MODE_FRAMES.  share: samples for noisy pixels, over those of the picture.  Result: how
+// many each pixel gets in a frame, row 0 = top, 0 where it keeps its one.  Depends on seed, scene and view alone.
+std::vector<uint32_t> copies_of_noisy(Device& device, const Params& base, double share);
+
+}  // namespace trace

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The noisiest pixels get several samples in each frame (trace/noisy.h): those and no others, no more than their share
+// of the time, and no mean moves.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include "trace/noisy.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+#include "physics/blocks.h"
+#include "physics/laws.h"
+#include "physics/office.h"
+#include "physics/seeds.h"
+
+using namespace laws;
+
+namespace {
+
+// A device whose samples bring what the test says.
+class Given : public trace::Device {
+public:
+    std::vector<float> diffuse;  // of four paths of each block
+    std::vector<float> direct;   // of two samples of each pixel
+    std::string name() const override { return "given"; }
+    void upload(flatten::FlatScene) override {}
+    void set_numbers(std::vector<float>) override {}
+    void run(const kernels::Params& par, std::vector<float>& rgb) override {
+        const std::vector<float>& light = par.mode == MODE_DIRECT ? direct : diffuse;
+        REQUIRE(par.first + par.slots <= light.size());
+        CHECK(par.frame > 1u << 31);  // no frame's samples
+        rgb.clear();
+        for (uint32_t i = 0; i < par.slots; i++) rgb.insert(rgb.end(), 3, light[par.first + i]);
+    }
+    void draw(const kernels::Params&, const std::vector<trace::DrawRay>&, std::vector<float>&) override {}
+    void walk(const kernels::Params&, const std::vector<trace::WalkRay>&, std::vector<trace::WalkEnd>&) override {}
+    void set_guide(std::vector<uint32_t>) override {}
+    void set_focus(std::vector<uint32_t>) override {}
+    uint32_t good_slots() const override { return 1000; }
+    Given(int nx, int ny, float light)
+        : diffuse(size_t((nx + 3) / 4 * ((ny + 3) / 4) * 4), light), direct(size_t(nx * ny * 2), light) {}
+};
+
+constexpr int side = 64;  // pixels, so 16 blocks
+
+kernels::Params picture_of(int nx, int ny) {
+    kernels::Params p{};
+    p.nx = uint32_t(nx);
+    p.ny = uint32_t(ny);
+    return p;
+}
+
+uint32_t sum(const std::vector<uint32_t>& copies) { return std::accumulate(copies.begin(), copies.end(), 0u); }
+
+}  // namespace
+
+TEST_CASE("noisy blocks get the samples, as many as there are and no more than 64 each") {
+    Given device(side, side, 5);
+    for (int block = 0; block < 256; block++)
+        for (int path = 0; path < 4; path++)
+            device.diffuse[size_t(4 * block + path)] += (path % 2 ? 1.0f : -1.0f) * (block == 119 ? 4.0f : .01f);
+    const auto copies = trace::copies_of_noisy(device, picture_of(side, side), .15);
+    CHECK(sum(copies) <= .15 * side * side);
+    CHECK(sum(copies) > .05 * side * side);
+    for (int y = 0; y < side; y++)
+        for (int x = 0; x < side; x++) {
+            const bool near = std::abs(x / 4 - 119 % 16) <= 1 && std::abs(y / 4 - 119 / 16) <= 1;
+            const uint32_t n = copies[size_t(y * side + x)];
+            CHECK((n > 0) == near);
+            CHECK((n == 0 || (n >= 4 && n <= 64 && (n & (n - 1)) == 0)));
+        }
+}
+
+TEST_CASE("noise of direct light counts, and where there is none nobody gets more") {
+    Given device(side, side, 5);
+    CHECK(sum(trace::copies_of_noisy(device, picture_of(side, side), .15)) == 0);
+    for (size_t i = 0; i < device.direct.size(); i += 2) device.direct[i] += .001f;
+    device.direct[2 * (20 * side + 30)] = 9;
+    const auto copies = trace::copies_of_noisy(device, picture_of(side, side), .15);
+    CHECK(sum(copies) == 9 * 64);  // a pixel and its neighbours
+    CHECK(copies[20 * side + 30] == 64);
+    CHECK(copies[20 * side + 32] == 0);
+}
+
+TEST_CASE("pictures of any size, and light that is no number") {
+    for (const auto& [nx, ny] : {std::pair{1, 1}, std::pair{3, 5}, std::pair{17, 1}}) {
+        Given device(nx, ny, NAN);
+        const auto copies = trace::copies_of_noisy(device, picture_of(nx, ny), .15);
+        CHECK(copies.size() == size_t(nx * ny));
+        CHECK(sum(copies) == 0);
+    }
+}
+
+// The office in the sun, whose direct light is as noisy as what comes by way of others: 16 blocks and the picture, each
+// with the frames up to 32, over 16 seeds.  The largest of 17 differences lies within 4.5 standard errors.
+TEST_CASE("no mean moves, and there is less noise") {
+    const Office office;
+    constexpr int size = 32, blocks = 16;
+    const auto means = [&](double share) {
+        return over_seeds(16, blocks + 1, [&](uint64_t seed) {
+            trace::RenderOptions options;
+            options.seed = seed + (share > 0 ? 100 : 0);
+            options.noisy_share = share;
+            auto renderer = office.renderer("cpu", size, options);
+            std::vector<double> all = block_means(renderer, size, 4, 0, 0);
+            const std::vector<double> later = block_means(renderer, size, 4, 1, 32);
+            for (size_t i = 0; i < all.size(); i++) all[i] += later[i];  // Eq. 7
+            return all;
+        });
+    };
+    const Means even = means(0), more = means(.15);
+    double square = 0, noise_of_even = 0, noise_of_more = 0;
+    for (size_t i = 0; i <= blocks; i++) {
+        const double z = (even.mean[i] - more.mean[i]) / std::sqrt(even.variance[i] + more.variance[i]);
+        CAPTURE(i);
+        CHECK(std::abs(z) < 4.5);
+        if (i == blocks) break;
+        square += z * z / blocks;
+        noise_of_even += even.variance[i];
+        noise_of_more += more.variance[i];
+    }
+    MESSAGE("variance of blocks " << noise_of_even / noise_of_more << " times smaller, z^2 " << square);
+    CHECK(square < 2.2);
+    CHECK(noise_of_more < noise_of_even);
+}
+
+TEST_CASE("frames need no others, on every device") {
+    const Office office;
+    constexpr int size = 24;
+    trace::RenderOptions even;
+    even.noisy_share = 0;
+    std::vector<std::vector<float>> run;
+    auto whole = office.renderer("cpu", size);
+    whole.frames(0, 12, [&](int64_t, const std::vector<float>& rgb) {
+        run.push_back(rgb);
+        return true;
+    });
+    for (const std::string& device : devices()) {
+        if (device == "cpu:embree") continue;  // it rounds its own way
+        CAPTURE(device);
+        for (const int64_t k : {1, 7, 11}) {
+            CAPTURE(k);
+            std::vector<float> alone, plain;
+            auto other = office.renderer(device, size);
+            other.frame(k, alone);
+            CHECK(alone == run[size_t(k)]);
+            auto evenly = office.renderer(device, size, even);
+            evenly.frame(k, plain);
+            int moved = 0;
+            for (int i = 0; i < size * size; i++)
+                moved += std::memcmp(&alone[3 * size_t(i)], &plain[3 * size_t(i)], 12) != 0;
+            CHECK(moved > 0);
+            CHECK(moved <= .15 / 4 * size * size);
+        }
+    }
+}
