@@ -42,7 +42,8 @@ struct Header {
     bool tabbed_exposure = false;  // a line held EXPOSURE= and a TAB (evalglare refuses such)
 };
 
-// Samples of the direct and specular light in frame 0; frames above this number correct them (decisions, page 2).
+// Samples of the direct and specular light in frame 0; frames above this number correct them, in the noisiest pixels
+// all frames (decisions, pages 2 and 30).
 constexpr int direct_samples = 8;
 
 // Which of two halves of the frames k > 0 is in: + - - + - + + - and so on (Thue and Morse), so that any number of them

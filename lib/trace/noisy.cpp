@@ -10,18 +10,17 @@
 namespace trace {
 
 namespace {
-constexpr uint32_t coarse = 4;                // a few paths for each block of 4 x 4 pixels
-constexpr uint32_t paths = 4;                 // of each block
-constexpr uint32_t samples_first = 3u << 30;  // numbers of the samples: no frame's
-constexpr float as_if_normal = 1.45f;     // standard deviation over the mean distance of four samples from their mean
-constexpr uint32_t least = 4, most = 64;  // copies
+constexpr uint32_t coarse = 4;                      // a few paths for each block of some 4 x 4 pixels
+constexpr uint32_t paths = 4;                       // of each block
+constexpr uint32_t samples_first = (3u << 30) + 1;  // numbers of the samples: no frame's
+constexpr float as_if_normal = 1.45f;  // standard deviation over the mean distance of four samples from their mean
+constexpr uint32_t most_copies = 64;
 
 // Luminances of n samples of each pixel of p's picture.
 std::vector<float> sampled(Device& device, Params p, uint32_t mode, uint32_t n) {
     p.mode = mode;
     p.frame = samples_first;
     p.skip_direct_below = UINT32_MAX;  // diffuse paths hold no direct light
-    p.shared_slots = 0;
     p.together = n;
     std::vector<float> rgb, out;
     const uint32_t all = p.nx * p.ny * n, some = std::max(n, device.good_slots() / n * n);
@@ -79,9 +78,9 @@ std::vector<float> direct_variance(Device& device, const Params& base) {
 
 // In powers of two, the nearest to the ratio that there is.
 uint32_t copies_for(float deviation, float of_one) {
-    if (deviation < .75f * least * of_one) return 0;
-    uint32_t copies = least;
-    while (copies < most && deviation > 1.5f * float(copies) * of_one) copies *= 2;
+    if (deviation < .75f * least_copies * of_one) return 0;
+    uint32_t copies = least_copies;
+    while (copies < most_copies && deviation > 1.5f * float(copies) * of_one) copies *= 2;
     return copies;
 }
 }  // namespace
@@ -93,13 +92,14 @@ std::vector<uint32_t> copies_of_noisy(Device& device, const Params& base, double
     std::vector<float> deviation = direct_variance(device, base);
     for (int y = 0; y < ny; y++)
         for (int x = 0; x < nx; x++) {
-            const float d = diffuse[size_t(y / int(coarse)) * wide + x / int(coarse)];
+            const float d = diffuse[size_t(y * high / ny) * wide + x * wide / nx];
             float& both = deviation[size_t(y) * nx + x];
             both = std::sqrt(both + d * d);
         }
 
     // The deviation that deserves one sample, so that all of them are as many as they may be.
-    const double enough = share * double(deviation.size());
+    constexpr double all_that_count = 1u << 31;  // slots of a pass are counted in 32 bits
+    const double enough = std::min(share * double(deviation.size()), all_that_count);
     float high_one = *std::max_element(deviation.begin(), deviation.end()), low_one = 1e-9f * high_one;
     const auto fits = [&](float one) {
         double all = 0;

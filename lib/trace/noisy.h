@@ -10,7 +10,9 @@
 
 namespace trace {
 
-// base: the picture's pass of MODE_FRAMES.  share: samples for noisy pixels, over those of the picture.  Result: how
+constexpr uint32_t least_copies = 4;  // any number of copies is a multiple of it
+
+// base: of the picture.  share: samples for noisy pixels, over those of the picture.  Result: how
 // many each pixel gets in a frame, row 0 = top, 0 where it keeps its one.  Depends on seed, scene and view alone.
 std::vector<uint32_t> copies_of_noisy(Device& device, const Params& base, double share);
 

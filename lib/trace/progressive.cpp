@@ -120,10 +120,7 @@ struct Renderer::State {
     void ensure_noisy() {
         if (!seeks_noisy) return;
         seeks_noisy = false;
-        const std::vector<uint32_t> copies = copies_of_noisy(*device, base, noisy_share);
-        for (uint32_t pixel = 0; pixel < copies.size(); pixel++)
-            if (copies[pixel] > 0) noisy.push_back(pixel);
-        if (!noisy.empty()) sampler.set_noisy(*device, copies);
+        noisy = sampler.add_noisy(*device, copies_of_noisy(*device, base, noisy_share));
     }
     // Frame k of a sample's values.
     void make_frame(int64_t k, const float* v, std::vector<float>& out) const {
@@ -195,7 +192,7 @@ void Renderer::look(size_t shot) {
     s.sampler.set_focus(*s.device, of.focus);
     s.zero = {};
     s.noisy.clear();
-    s.seeks_noisy = s.noisy_share > 0 && of.focus.empty();
+    s.seeks_noisy = s.noisy_share > 0;
     s.unshared = s.aims;  // their shares and the guide are learned from where the eye is
     pick_all_portals(s.portal_count, 0, 0, s.base);
     s.base.highlight_share = Params{}.highlight_share;

@@ -6,11 +6,12 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "trace/noisy.h"
 
 namespace trace {
 
 namespace {
-constexpr uint32_t noisy_copies = 4;  // of an entry
+constexpr double worth_of_shared = 8;  // copies
 }
 
 uint32_t Samples::Several::first_of(uint64_t pixel) const {
@@ -23,36 +24,45 @@ uint32_t Samples::Several::first_of(uint64_t pixel) const {
     return low;
 }
 
-void Samples::set(Device& device, std::vector<Several> several) {
-    several_ = std::move(several);
+void Samples::add(Several several) {
+    several.at = several_.empty() ? 0 : several_.back().at + uint32_t(several_.back().count());
+    several_.push_back(std::move(several));
+}
+
+void Samples::send(Device& device) const {
     std::vector<uint32_t> all;
-    for (Several& s : several_) {
-        s.at = uint32_t(all.size() / FOCUS_WORDS);
-        all.insert(all.end(), s.entries.begin(), s.entries.end());
-    }
+    for (const Several& s : several_) all.insert(all.end(), s.entries.begin(), s.entries.end());
     device.set_focus(std::move(all));
 }
 
 void Samples::set_focus(Device& device, const Focus& focus) {
-    std::vector<Several> several;
+    several_.clear();
     for (const FocusPart& part : focus) {
         Several s;
         s.copies = part.copies;
-        s.worth_of_shared = 8;
+        s.worth_of_shared = worth_of_shared;
         for (const uint32_t pixel : part.pixels) s.entries.insert(s.entries.end(), {pixel, part.copies, 0});
-        several.push_back(std::move(s));
+        add(std::move(s));
     }
-    set(device, std::move(several));
+    send(device);
 }
 
-void Samples::set_noisy(Device& device, const std::vector<uint32_t>& copies) {
+std::vector<uint32_t> Samples::add_noisy(Device& device, std::vector<uint32_t> copies) {
+    for (const Several& s : several_)
+        for (size_t entry = 0; entry < s.count(); entry++) copies[s.word(entry, FOCUS_PIXEL)] = 0;
+    std::vector<uint32_t> pixels;
     Several s;
-    s.copies = noisy_copies;
-    s.direct = true;
-    for (uint32_t pixel = 0; pixel < copies.size(); pixel++)
-        for (uint32_t from = 0; from < copies[pixel]; from += noisy_copies)
+    s.copies = least_copies;
+    s.direct_in_each_frame = true;
+    for (uint32_t pixel = 0; pixel < copies.size(); pixel++) {
+        if (copies[pixel] > 0) pixels.push_back(pixel);
+        for (uint32_t from = 0; from < copies[pixel]; from += least_copies)
             s.entries.insert(s.entries.end(), {pixel, copies[pixel], from});
-    set(device, {std::move(s)});
+    }
+    if (pixels.empty()) return pixels;
+    add(std::move(s));
+    send(device);
+    return pixels;
 }
 
 // Pictures smaller than a square of groups do not: nearly all slots would lie beside them.
@@ -92,7 +102,7 @@ void Samples::refine(Device& device, const Params& base, const Pass& pass, const
     p.mode = pass.mode;
     p.copies = several.copies;
     p.focus_at = several.at;
-    if (several.direct) p.skip_direct_below = 0;
+    if (several.direct_in_each_frame) p.skip_direct_below = 0;
     for (uint32_t done = 0, n; done < pass.n; done += n) {
         n = std::min(pass.n - done, most);
         p.frame = uint32_t(pass.first_sample + done);

@@ -18,9 +18,9 @@ class Samples {
 public:
     // Replaces the pixels with several samples by those of a focus.
     void set_focus(Device& device, const Focus& focus);
-    // The same by noisy ones (noisy.h): copies of each pixel, 0: one.  Their samples hold the direct class in each
-    // frame.
-    void set_noisy(Device& device, const std::vector<uint32_t>& copies);
+    // Adds noisy ones (noisy.h): copies of each pixel, 0: one.  Pixels of a focus keep its number.  Samples of the
+    // others, which are returned, hold the direct class in each frame.
+    std::vector<uint32_t> add_noisy(Device& device, std::vector<uint32_t> copies);
     // May the paths of whole pictures share their far ends (kernels/share.h)?
     void set_sharing(bool may) { may_share_ = may; }
     // How many slots a sample of the whole picture takes.
@@ -37,13 +37,14 @@ private:
         uint32_t at = 0;                // among all entries of the device
         uint32_t copies = 0;            // samples of an entry
         double worth_of_shared = 0;     // copies that the sample of the whole picture counts for, where paths share
-        bool direct = false;            // in each frame
+        bool direct_in_each_frame = false;
         size_t count() const { return entries.size() / FOCUS_WORDS; }
         uint32_t word(size_t entry, uint32_t which) const { return entries[entry * FOCUS_WORDS + which]; }
         uint32_t first_of(uint64_t pixel) const;
     };
     bool shares(const Params& par) const;
-    void set(Device& device, std::vector<Several> several);
+    void add(Several several);
+    void send(Device& device) const;
     void refine(Device& device, const Params& base, const Pass& pass, const Several& several, std::vector<float>& rgb);
 
     std::vector<Several> several_;

@@ -43,4 +43,12 @@ check_error 'a picture that is no mask' 1 '^ptrace: c.exr: ' 'render 1 -focus c.
 check_error 'what only the scene knows' 1 '^ptrace: glass.regions:1: asks the scene' '
     echo "glass modifier pane" > glass.regions; render 1 -focus glass.regions'
 check_error 'no file' '[12]' '^ptrace: none.exr' 'render 1 -focus none.exr'
+# The noisiest pixels have several samples without being asked for (-noisy-share).
+check 'a share of noisy pixels moves frames' '
+    render 3 -noisy-share 0 | ptaccum -last -o even.exr; render 3 | ptaccum -last -o noisy.exr
+    [ "$(mkstream differ even.exr noisy.exr)" != 0 ]'
+check 'it is told apart' '[ "$(print)" != "$(print -noisy-share 0)" ]'
+check 'but not where paths share nothing' '
+    [ "$(print -sampling portals)" = "$(print -sampling portals -noisy-share 0)" ]'
+check_error 'a share of noisy pixels below 0' 1 '^ptrace: -noisy-share' 'render 1 -noisy-share -1'
 check_error 'a share below 0' 1 '^ptrace: -focus-share' 'render 1 -focus masks.exr -focus-share -1'

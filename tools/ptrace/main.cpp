@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ptrace - renders a RADIANCE scene by path tracing, frame after frame, each an ordinary picture on stdout.
-// Frame 0 holds the direct and specular paths, frames 1, 2, ... one diffuse path sample a pixel each (paper Eq. 7).
+// Frame 0 holds the direct and specular paths, frames 1, 2, ... one diffuse path sample a pixel each, more where it
+// is noisy (paper Eq. 7).
 // The rendering lives in lib/trace; this file only connects.  See man/ptrace.1.
 #include <fmt/core.h>
 
