@@ -28,7 +28,7 @@ public:
     void run(const kernels::Params& par, std::vector<float>& rgb) override {
         const std::vector<float>& light = par.mode == MODE_DIRECT ? direct : diffuse;
         REQUIRE(par.first + par.slots <= light.size());
-        CHECK(par.frame > 1u << 31);  // no frame's samples
+        CHECK(par.frame > 3u << 30);  // behind all frames, and behind what frame 0 of small pictures draws
         rgb.clear();
         for (uint32_t i = 0; i < par.slots; i++) rgb.insert(rgb.end(), 3, light[par.first + i]);
     }
@@ -92,7 +92,9 @@ TEST_CASE("pictures of any size, and light that is no number") {
 }
 
 // The office in the sun, whose direct light is as noisy as what comes by way of others: 16 blocks and the picture, each
-// with the frames up to 32, over 16 seeds.  The largest of 17 differences lies within 4.5 standard errors.
+// with the frames up to 32, over 16 seeds.  The largest of 17 differences lies within 4.5 standard errors.  That the
+// choice is not made by samples that are kept is seen above: what it moved (.1 %, page 30) is less than the noise here,
+// .2 %.
 TEST_CASE("no mean moves, and there is less noise") {
     const Office office;
     constexpr int size = 32, blocks = 16;
