@@ -92,9 +92,8 @@ TEST_CASE("pictures of any size, and light that is no number") {
 }
 
 // A wall in the sun with a spot in each pixel that one sample in some hundreds meets.  Were pixels chosen by frame 0's
-// samples, those that have met a spot would lose it, and the rest would keep having met none.  Means of 16 seeds, with
-// and without copies, so that frame 0 is the same in both; samples that are kept moved them by -7 % (13 standard
-// errors).
+// samples, those that have met a spot would lose it, and the rest would keep having met none: chosen by the first two
+// of them, means fell by 30 +- .3 %.  Of 16 seeds, with and without copies, so that frame 0 is the same in both.
 TEST_CASE("samples that are kept do not choose") {
     const scene::Scene wall = scene_of(
         "void light sun_light 0 0 3 2e4 2e4 2e4\nsun_light source sun 0 0 4 .3 -1 .8 .5333\n"
@@ -121,9 +120,8 @@ TEST_CASE("samples that are kept do not choose") {
 }
 
 // The office in the sun, whose direct light is as noisy as what comes by way of others: 16 blocks and the picture, each
-// with the frames up to 32, over 16 seeds.  The largest of 17 differences lies within 4.5 standard errors.  That the
-// choice is not made by samples that are kept is seen above: what it moved (.1 %, page 30) is less than the noise here,
-// .2 %.
+// with the frames up to 32, over 16 seeds.  The largest of 17 differences lies within 4.5 standard errors.  These are
+// .2 % of the picture, more than a wrong choice moved here (page 30): the test above is for that.
 TEST_CASE("no mean moves, and there is less noise") {
     const Office office;
     constexpr int size = 32, blocks = 16;
