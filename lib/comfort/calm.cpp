@@ -18,9 +18,15 @@ constexpr uint32_t how_far_of = 8;
 constexpr int most_radius = CalmRows::radius, rows = CalmRows::count;
 constexpr int kept_rows = 8;  // of variances: at least `rows`
 
-// How far errors lie off, in standard errors: the middles of eight equally likely parts of a half normal distribution,
-// scaled to a mean square of 1.
-constexpr float how_far[how_far_of] = {.082f, .247f, .419f, .603f, .808f, 1.051f, 1.371f, 1.938f};
+// How far a pixel is swayed, in standard errors of its mean: the middles of eight equally likely parts, by which it
+// crosses a threshold z of them off with probability 4 F (1 - F), F the normal distribution up to z.  A step s that
+// half of the pictures show counts s^2/4, so that it counts F (1 - F) s^2 on average: the variance of what noise
+// decides.
+constexpr float how_far[how_far_of] = {.319f, .573f, .771f, .957f, 1.150f, 1.370f, 1.652f, 2.145f};
+
+constexpr float unsure = 2;           // standard errors: the truth of 95 % of all pixels lies no farther off
+constexpr size_t few = 8;             // steps whose mean square is no measure of what the largest may do
+constexpr float well_across = 1.25f;  // thresholds of half pictures are not quite the same
 
 // Pixels to each side of the neighbourhood, which shall not be wider than evalglare's search radius by default.
 int radius_of(const Geometry& geometry) {
@@ -112,6 +118,7 @@ void Calm::begin(const Geometry& geometry, double threshold_cdm2) {
     radius_ = radius_of(geometry);
     threshold_ = grey_limit(threshold_cdm2);
     replaced_.clear();
+    at_threshold_.clear();
     variance_.resize(size_t(kept_rows * geometry.width));
     row_means_.resize(size_t(rows * geometry.width));
     zeros_.resize(size_t(geometry.width));
@@ -128,6 +135,16 @@ void Calm::take_row(const Halves& halves, const Geometry& geometry, int y) {
         const int behind = at - radius_;
         if (behind >= 0 && behind <= last) find_variance(geometry, behind);
         if (behind >= radius_) calm_row(halves.whole(), geometry, behind - radius_);
+        if (behind == last + radius_ && few_at_threshold()) carry_across();
+    }
+}
+
+bool Calm::few_at_threshold() const { return at_threshold_.size() <= few; }
+
+void Calm::carry_across() {
+    for (const size_t k : at_threshold_) {
+        Doubtful& d = replaced_[k];
+        d.sway = std::max(d.sway, well_across * std::fabs(d.mean - threshold_));
     }
 }
 
@@ -185,6 +202,7 @@ void Calm::average_around(const CalmRows& near, const Geometry& geometry, int x,
         }
         mean = average(moved, radius_, radius_);
     }
+    if (std::fabs(mean.value - threshold_) < unsure * mean.error) at_threshold_.push_back(replaced_.size());
     random_ = random_ * 1664525u + 1013904223u;
     replaced_.push_back(
         {uint32_t(y) * uint32_t(geometry.width) + uint32_t(x), mean.value, mean.error * how_far[random_ >> 29]});

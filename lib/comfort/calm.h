@@ -14,6 +14,12 @@
 // larger: where few samples are bright, pixels without one seem to be sure.  What error the mean has left sways it in
 // each of the 16 pictures, by the same signs as the half, so that decisions that noise allows differ among them.
 //
+// DGP leaps where a pixel crosses the threshold.  Where many pixels may, the mean square of their leaps is what counts,
+// and chance decides whether a pixel is swayed far enough.  Where few may, one leap can be all that matters, and an
+// interval holds it or does not: so if no more than eight pixels lie within two standard errors of the threshold, half
+// of the pictures show each of them on its other side, and DGP is taken to be in the middle of its leaps
+// (certainty.cpp).
+//
 // With more frames variances fall, no pixel is in doubt, and the picture is the plain one.
 #pragma once
 #include <vector>
@@ -36,17 +42,20 @@ public:
     void take_row(const Halves& halves, const Geometry& geometry, int y);
     // After the last one: pixels that have been replaced, in their order.
     const std::vector<Doubtful>& replaced() const { return replaced_; }
+    bool few_at_threshold() const;  // and each of these is across it in half of the pictures
 
 private:
     float* variance(const Geometry& geometry, int y);  // of one of the last rows
     float* row_means(const Geometry& geometry, int y);
     void find_variance(const Geometry& geometry, int y);
     void calm_row(const std::vector<float>& noisy, const Geometry& geometry, int y);
+    void carry_across();
     void average_around(const CalmRows& near, const Geometry& geometry, int x, int y);
     int radius_ = 0;  // of the neighbourhood, in pixels
     float threshold_ = 0;
     uint32_t random_ = 0;
     std::vector<Doubtful> replaced_;
+    std::vector<size_t> at_threshold_;         // of these, within two standard errors of it
     std::vector<float> variance_, row_means_;  // of the last rows, and of their squares
     std::vector<float> zeros_, outside_;       // rows beyond the picture: no light, and variances below 0
     std::vector<uint32_t> doubtful_;           // of a row, as bits

@@ -176,7 +176,10 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
         Estimate& e = estimates[c];
         const double *halves = &of_column[c * Halves::count], r = column.bias_of_halves;
         e.value = column.value(m);
-        if (r > 0) e.value = value[c] + Halves::without_bias(of_whole[c], halves, r) - of_whole[c];
+        if (r > 0) {  // what the mean measures with its own sources, or with those of each picture: calm.h
+            const double decided = calm_.few_at_threshold() ? of_whole[c] : value[c];
+            e.value = decided + Halves::without_bias(of_whole[c], halves, r) - of_whole[c];
+        }
         if (!errors_) continue;
         const Halves::Variance v = Halves::variance(halves);
         const double taken_off = e.value - column.value(m);
