@@ -156,6 +156,7 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
     calm_.begin(meter_.geometry(), m.threshold);
     SwayedMeasurements seen = measure(pictures, Calmed(pictures, calm_.replaced()), lum, m, meter_, [&](int row) {
         halves_.find_row(row);
+        if (errors_) halves_.weigh_row(meter_.geometry(), row);
         if (meter_.needs().sources) calm_.take_row(halves_, meter_.geometry(), row);
     });
     batches_.release(halves_.give_back());
@@ -184,8 +185,8 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
         const Halves::Variance v = Halves::variance(halves);
         const double taken_off = e.value - column.value(m);
         e.error = std::sqrt(v.sum + std::pow(column.doubt_of_bias * taken_off, 2));
-        e.degrees = Halves::degrees;
-        e.tails = one_dominates(v.sum > 0 ? v.largest / v.sum : 0, e.degrees);
+        e.degrees = halves_.degrees();
+        e.tails = one_dominates(v.sum > 0 ? v.largest / v.sum : 0, Halves::sums);
     }
     return std::move(seen.calm);
 }

@@ -18,6 +18,11 @@
 // L' + d or L' - d (the halves themselves where a = b).  The signs over the 16 pictures are a row of a Hadamard matrix,
 // turned round or not by a random number for each pixel: they sum to 0, so that the mean picture is L' itself, and what
 // is linear in the pixels falls into 15 sums of the same variance that know nothing of each other.
+//
+// They tell the sum of the pixels' d^2, which is their variance only on average: where few pixels make most of it, it
+// is as uncertain as these.  With z = d times the pixel's weight in the light at the eye, 3 (sum z^2)^2 / sum z^4 is
+// about (sum of variances)^2 / sum of their squares, as the fourth moment of normal errors is three times the square of
+// their variance: the degrees of freedom of a sum of squares (Satterthwaite 1946).  Both uncertainties add up.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -31,7 +36,7 @@ namespace comfort {
 class Halves {
 public:
     Halves();
-    static constexpr int count = Signs::most, degrees = count - 1;
+    static constexpr int count = Signs::most, sums = count - 1;
     static constexpr double of_differences = 1.65;  // r of RAMMG
 
     // False: there are no halves yet.
@@ -43,6 +48,10 @@ public:
     void find_row(int row) {
         apart_.find(size_t(row) * size_t(width_), size_t(width_), &off_[size_t(row) * size_t(width_)]);
     }
+    // After find_row(), where degrees() are wanted.
+    void weigh_row(const Geometry& geometry, int row);
+    double degrees() const;  // of freedom of the variance below, as far as it goes with the light at the eye
+
     const std::vector<float>& whole() const { return *whole_; }  // L'
     const std::vector<float>& off() const { return off_; }       // d
     bool know_frame0() const { return apart_.know_frame0; }      // and its error
@@ -58,7 +67,8 @@ public:
 private:
     int width_ = 0, height_ = 0;
     const std::vector<float>* whole_ = nullptr;
-    std::vector<float> off_;  // d
+    std::vector<float> off_;            // d
+    double squares_ = 0, fourths_ = 0;  // sums of z^2 and z^4
     Batches::Distance apart_{0, nullptr, nullptr, false};
     std::vector<uint8_t> pattern_;  // by pixel; word w is row w of the matrix, and row 0 is none's
     Signs signs_;

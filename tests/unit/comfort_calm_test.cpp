@@ -6,13 +6,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <functional>
 #include <random>
-#include <sstream>
 
-#include "comfort/calm.h"
-#include "comfort/certainty.h"
-#include "comfort_pictures.h"
+#include "comfort_study.h"
 
 using namespace comfort;
 
@@ -51,98 +47,10 @@ private:
     int64_t n_ = 0;
 };
 
-// Pixels of some truth, of which those of one rectangle have noise, the same in each.
-class Even {
-public:
-    struct Noise {
-        int left, right, top, bottom;
-        double cdm2;  // standard deviation of a frame
-    };
-    Even(std::vector<double> truth, Noise noise, uint32_t seed)
-        : truth_(std::move(truth)), noise_(noise), random_(seed), sum_(truth_.size()) {}
-    std::vector<double> next() {
-        ++n_;
-        std::vector<double> mean(sum_.size());
-        for (int i = 0; i < side * side; ++i) {
-            const int x = i % side, row = i / side;
-            const bool noisy = x >= noise_.left && x < noise_.right && row >= noise_.top && row < noise_.bottom;
-            sum_[size_t(i)] += truth_[size_t(i)] + (noisy ? noise_.cdm2 * gaussian_(random_) : 0);
-            mean[size_t(i)] = sum_[size_t(i)] / double(n_);
-        }
-        return mean;
-    }
-
-private:
-    std::vector<double> truth_;
-    Noise noise_;
-    std::mt19937 random_;
-    std::normal_distribution<double> gaussian_;
-    std::vector<double> sum_;
-    int64_t n_ = 0;
-};
-
-// What intervals of DGP do, at some looks and over many seeds.
-struct Study {
-    Study(std::vector<int64_t> at, int how_many) : looks(std::move(at)), seeds(how_many) {}
-    std::vector<int64_t> looks;
-    int seeds;
-    double truth = 0;
-    std::vector<int> covered;
-    std::vector<double> plain, unbiased, half_width, deviation;  // means, and the spread of `unbiased`
-
-    template <class Stream>
-    void run(const std::vector<double>& exact_cdm2, const std::function<Stream(uint32_t)>& stream_of) {
-        Settings settings;
-        Needs needs;
-        ColumnChoice choice;
-        choice.names = {"DGP"};
-        const std::vector<Column> columns = choose_columns(choice, settings, needs);
-        Meter meter(settings, needs);
-        image::Picture exact = fisheye_of(exact_cdm2, side, 60);
-        truth = meter.measure(exact, "truth").dgp;
-        covered.assign(looks.size(), 0);
-        for (auto* sums : {&plain, &unbiased, &half_width, &deviation}) sums->assign(looks.size(), 0);
-        for (int seed = 1; seed <= seeds; ++seed) one(stream_of(uint32_t(seed)), meter, columns);
-        for (size_t k = 0; k < looks.size(); ++k)
-            deviation[k] = std::sqrt(std::max(0., deviation[k] - unbiased[k] * unbiased[k]));
-    }
-    std::string told(size_t k) const {
-        std::ostringstream out;
-        out << looks[k] << " frames: " << covered[k] << " of " << seeds << " intervals hold " << truth << "; plain "
-            << plain[k] << ", without bias " << unbiased[k] << " +- " << half_width[k] << ", deviation "
-            << deviation[k];
-        return out.str();
-    }
-
-private:
-    template <class Stream>
-    void one(Stream stream, Meter& meter, const std::vector<Column>& columns) {
-        Certainty certainty(meter, columns, true);
-        image::Picture none = fisheye_of(std::vector<double>(side * side, 0), side, 60);
-        certainty.frame0(meter.read(none, "frame 0"));
-        size_t look = 0;
-        for (int64_t n = 1; n <= looks.back(); ++n) {
-            image::Picture p = fisheye_of(stream.next(), side, 60);
-            Luminance lum = meter.read(p, "sum");
-            certainty.add(lum, n);
-            if (!certainty.due()) continue;
-            const Measurement m = meter.measure(lum, "sum");
-            certainty.look(lum, m);
-            if (n != looks[look]) continue;
-            const Estimate& e = certainty.estimate(0);
-            const Interval off = e.around(0.05, n);
-            covered[look] += !e.known() || (e.value + off.low <= truth && truth <= e.value + off.high);
-            plain[look] += m.dgp / seeds, unbiased[look] += e.value / seeds;
-            half_width[look] += off.half_width() / seeds, deviation[look] += e.value * e.value / seeds;
-            ++look;
-        }
-    }
-};
-
 }  // namespace
 
 TEST_CASE("DGP's interval is honest while noise joins two windows") {
-    Study study{{3, 5, 8, 12, 17, 25}, 200};
+    Study study{"DGP", {3, 5, 8, 12, 17, 25}, 200};
     study.run<Wall>(Wall::truth(), [](uint32_t seed) { return Wall(seed); });
     for (size_t k = 0; k < study.looks.size(); ++k) {
         INFO(study.told(k));
@@ -157,7 +65,7 @@ TEST_CASE("DGP's interval is honest while noise joins two windows") {
 TEST_CASE("DGP's interval holds the step of a pixel at the threshold") {
     std::vector<double> exact = Wall::truth();
     exact[20 * side + 22] = 2000.1;
-    Study study{{25, 36, 51, 73, 104}, 400};
+    Study study{"DGP", {25, 36, 51, 73, 104}, 400};
     study.run<Even>(exact, [&](uint32_t seed) { return Even(exact, {20, 25, 18, 23, 800}, seed); });
     for (size_t k = 0; k < study.looks.size(); ++k) {
         INFO(study.told(k));
@@ -170,7 +78,7 @@ TEST_CASE("DGP's interval is not made too wide by many pixels near the threshold
     std::vector<double> exact = Wall::truth();
     for (int row = 14; row < 28; ++row)
         for (int x = 16; x < 28; ++x) exact[size_t(row * side + x)] = 4100 - 250 * (x - 16) + 10 * (row - 20);
-    Study study{{25, 36, 51, 73, 104}, 400};
+    Study study{"DGP", {25, 36, 51, 73, 104}, 400};
     study.run<Even>(exact, [&](uint32_t seed) { return Even(exact, {16, 28, 14, 28, 1000}, seed); });
     for (size_t k = 0; k < study.looks.size(); ++k) {
         INFO(study.told(k));

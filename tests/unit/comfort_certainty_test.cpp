@@ -13,7 +13,7 @@
 #include "comfort/precision.h"
 #include "comfort/halves.h"
 #include "comfort/rammg.h"
-#include "comfort_pictures.h"
+#include "comfort_study.h"
 
 using namespace comfort;
 
@@ -236,6 +236,19 @@ TEST_CASE("intervals cover the truth when the rule stops, also with heavy tails"
         CHECK(stopped > seeds / 2);
         CHECK(covered > 0.92 * stopped);
         CHECK(covered < 0.98 * stopped);
+    }
+}
+
+// Two halves tell a pixel's variance with one degree of freedom: of a single pixel's error they know little.
+TEST_CASE("an interval knows how few pixels its error is of") {
+    const std::vector<double> exact(side * side, 1000);
+    for (const int pixels : {1, 3}) {
+        Study study{"Ev", {3, 5, 8, 12}, 400};
+        study.run<Even>(exact, [&](uint32_t seed) { return Even(exact, {4, 4 + pixels, 5, 6, 2e4}, seed); });
+        for (size_t k = 0; k < study.looks.size(); ++k) {
+            INFO(pixels << " pixels, " << study.told(k));
+            CHECK(study.covered[k] > (pixels == 1 ? .89 : .92) * study.seeds);
+        }
     }
 }
 
