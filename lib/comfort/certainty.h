@@ -2,8 +2,8 @@
 // How certain the numbers of a growing picture are: an estimate without bias, and an interval, for each column.
 //
 // Columns of the whole picture are measured again in 16 pictures of half the frames (halves.h): how these differ gives
-// the standard error with 15 degrees of freedom, and their mean the bias.  Which of their pixels are bright is decided
-// in a calmer picture, which differs among them as far as noise allows other decisions (calm.h).
+// the standard error with up to 15 degrees of freedom, and their mean the bias.  Which of their pixels are bright is
+// decided in a calmer picture, which differs among them as far as noise allows other decisions (calm.h).
 //
 // Columns of regions have few pixels, sometimes one: their errors come from up to 16 batches of frames (batches.h),
 // left out one at a time.  With n frames, m_j in batch j and d_j the change without it, x_j = d_j (n - m_j)/m_j is how
