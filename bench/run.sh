@@ -27,6 +27,7 @@ done
 part "bench_traversal_$widest 500" "$bin/bench_traversal_$widest" 500
 part bench_scene_load "$bin/bench_scene_load"
 part bench_cal_vm "$bin/bench_cal_vm"
+part gpu_kernels.sh "$bench/gpu_kernels.sh"
 part regions.sh "$bench/regions.sh" "$bin"
 part sampling.sh small
 part metrics.sh env REFERENCE=384 SEEDS=5 "$bench/metrics.sh" "$bin"
