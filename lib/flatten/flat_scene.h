@@ -36,7 +36,8 @@ struct FlatScene {
     uint32_t shadow_mode = 0;  // SHADOW_* of tables.h
     void shadows_need(uint32_t mode) { shadow_mode = std::max(shadow_mode, mode); }
     bool antimatter = false;
-    bool absorbs = false;  // some segment may lie in an absorbing medium
+    bool absorbs = false;    // some segment may lie in an absorbing medium
+    bool functions = false;  // some material's lobes are .cal functions or tables
 
     const uint32_t* record(uint32_t mod) const;  // MOD_WORDS of a modifier
     void make_room(size_t more_vertices, size_t more_triangles, size_t more_prims);

@@ -176,6 +176,7 @@ private:
     }
 
     void add_functions(Link& link) {
+        tables_.functions = true;
         cal::Code& code = tables_.code;
         const cal::MaterialProgram p = cal::compile_material(library_, spec_of(scene_, link.o), code);
         link.record[MOD_PROGRAM] = p.values;
@@ -261,6 +262,7 @@ void write_modifiers(ModifierTables t, FlatScene& out) {
     if (t.bends) out.shadow_mode = SHADOW_AIMED;
     out.absorbs = t.media;
     out.antimatter = t.antimatter;
+    out.functions = t.functions;
 }
 
 }  // namespace flatten

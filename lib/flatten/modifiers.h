@@ -18,6 +18,7 @@ struct ModifierTables {
     bool bends = false;             // some material is MT_BENDS
     bool media = false;             // MT_MEDIUM
     bool antimatter = false;
+    bool functions = false;  // some material has .cal functions or tables
 };
 
 // The modifiers of one scene, by the index of the object.

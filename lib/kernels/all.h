@@ -19,7 +19,8 @@
 // A trailing underscore marks the words of the compat files (sqrt_, as_uint_, MAX_), and nothing else.
 //
 // LUX_BVH2 (GPUs) or LUX_EMBREE (the check: a header of the host) choose another traversal than the CPU's; LUX_LANES
-// (many paths side by side on a CPU) leaves traversal and .cal programs to the kernels of one path.
+// (many paths side by side on a CPU) leaves traversal and .cal programs to the kernels of one path.  LUX_HAS: see
+// features.h.
 #include "kernels/vec.h"
 #include "kernels/math.h"
 #include "kernels/intersect.h"

@@ -13,11 +13,6 @@
 #define BVH2_LEAF_FLOATS 12u
 #define BVH2_STACK 128  // the builder refuses trees that need more (bvh/build.cpp)
 
-STRUCT(Bvh2Stack) {
-    uint ref[BVH2_STACK];
-    int size;
-};
-
 // Entry distance of a box, or a negative number if the ray misses it between tmin >= 0 and limit.
 FN float bvh2_box(float3 lo, float3 hi, PRIVATE(const WoopRay) r, float tmin, float limit) {
     float x0 = (lo.x - r->org.x) * r->inv.x, x1 = (hi.x - r->org.x) * r->inv.x;
@@ -35,16 +30,17 @@ FN float bvh2_box(float3 lo, float3 hi, PRIVATE(const WoopRay) r, float tmin, fl
     return tn <= tf ? tn : -1.0f;
 }
 
-// Two boxes: *cur becomes the nearer child that the ray meets, the other one waits on the stack.  0: it meets none.
-FN int bvh2_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, float tmin, float tmax, PRIVATE(Bvh2Stack) stack,
-                 PRIVATE(uint) cur) {
+// Two boxes: *cur becomes the nearer child that the ray meets, the other one waits on the stack, which has *waiting
+// references (not in one struct with it: an array lies in memory, and the count should not).  0: it meets none.
+FN int bvh2_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, float tmin, float tmax, PRIVATE(uint) stack,
+                 PRIVATE(int) waiting, PRIVATE(uint) cur) {
     float4 a = loadf4_(n), b = loadf4_(n + 4), c = loadf4_(n + 8), refs = loadf4_(n + 12);
     float t0 = bvh2_box(F3(a.x, a.y, a.z), F3(a.w, b.x, b.y), r, tmin, tmax);
     float t1 = bvh2_box(F3(b.z, b.w, c.x), F3(c.y, c.z, c.w), r, tmin, tmax);
     uint ref0 = as_uint_(refs.x), ref1 = as_uint_(refs.y);
 
     if (t0 >= 0.0f && t1 >= 0.0f) {
-        stack->ref[stack->size++] = t0 <= t1 ? ref1 : ref0;
+        stack[(*waiting)++] = t0 <= t1 ? ref1 : ref0;
         *cur = t0 <= t1 ? ref0 : ref1;
         return 1;
     }
@@ -59,11 +55,11 @@ FN int bvh2_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, float tmin, fl
 
 // A shape of a leaf; an instance waits on the stack.  1 if it became the nearest hit.
 FN int bvh2_shape(SHARED(const SceneTables) s, uint number, uint id, PRIVATE(const TreeRay) way, float tmin,
-                  PRIVATE(Bvh2Stack) stack, PRIVATE(Hit) hit) {
+                  PRIVATE(uint) stack, PRIVATE(int) waiting, PRIVATE(Hit) hit) {
     GLOBAL const float* shape = shape_record(s, number);
     float t;
-    if (as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
-        stack->ref[stack->size++] = number | REF_LEAF | REF_INSTANCE;
+    if (HAS(INSTANCES) && as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
+        stack[(*waiting)++] = number | REF_LEAF | REF_INSTANCE;
         return 0;
     }
 
@@ -81,8 +77,8 @@ FN int bvh2_triangle(float4 v0, float4 v1, float4 v2, uint id, PRIVATE(const Tre
            t > tmin && hit_offer(hit, t, id & ID_PRIM, u, v, way->inst);
 }
 
-FN int bvh2_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, float tmin,
-                 PRIVATE(Bvh2Stack) stack, PRIVATE(Hit) hit) {
+FN int bvh2_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, float tmin, PRIVATE(uint) stack,
+                 PRIVATE(int) waiting, PRIVATE(Hit) hit) {
     GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * BVH2_LEAF_FLOATS;
     int found = 0;
 
@@ -92,7 +88,7 @@ FN int bvh2_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) w
         if ((id & ID_SHAPE) == 0u) {
             if (bvh2_triangle(v0, v1, v2, id, way, tmin, hit)) found = 1;
         } else {
-            if (bvh2_shape(s, as_uint_(v0.x), id, way, tmin, stack, hit)) found = 1;
+            if (bvh2_shape(s, as_uint_(v0.x), id, way, tmin, stack, waiting, hit)) found = 1;
         }
         if ((id & ID_LAST) != 0u) return found;
     }
@@ -100,29 +96,28 @@ FN int bvh2_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) w
 
 // The nearest hit, or with any != 0 some hit (1 at once); hit->t = tmax and hit->prim = NO_HIT on entry.
 FN int bvh2_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Hit) hit) {
-    Bvh2Stack stack;
+    uint stack[BVH2_STACK];
     TreeRay way;
     uint cur = mask == RAY_TRANSPARENT ? as_uint_(s->nodes[BVH2_PANES]) : 0u;
-    int found = 0;
-    stack.size = 0;
+    int found = 0, waiting = 0;
     enter_scene(ray, mask, &way);
 
     for (;;) {
         if ((cur & REF_LEAF) == 0u) {
             GLOBAL const float* node = s->nodes + (ulong64)cur * BVH2_NODE_FLOATS;
-            if (bvh2_node(node, &way.r, ray->tmin, hit->t, &stack, &cur)) continue;
-        } else if ((cur & REF_INSTANCE) == 0u) {
-            if (bvh2_leaf(s, cur, &way, ray->tmin, &stack, hit)) found = 1;
+            if (bvh2_node(node, &way.r, ray->tmin, hit->t, stack, &waiting, &cur)) continue;
+        } else if (!HAS(INSTANCES) || (cur & REF_INSTANCE) == 0u) {
+            if (bvh2_leaf(s, cur, &way, ray->tmin, stack, &waiting, hit)) found = 1;
             if (any && found) return 1;
         } else if (cur == REF_NONE) {  // back from an instance
             enter_scene(ray, mask, &way);
         } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, &way, &cur)) {
-            stack.ref[stack.size++] = REF_NONE;
+            stack[waiting++] = REF_NONE;
             continue;
         }
 
-        if (stack.size == 0) return found;
-        cur = stack.ref[--stack.size];
+        if (waiting == 0) return found;
+        cur = stack[--waiting];
     }
 }
 

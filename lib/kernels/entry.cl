@@ -90,6 +90,13 @@ __kernel void k_shade(ALL_ARGS, __global uint *counters, __global const uint *qu
     push((result & PATH_SHADOW) != 0, slot, &counters[2], shadow, shadowed);
 }
 
+// Paths that have met nothing, where k_shade leaves them (HAS(SKY)): a sky may be a long program, of which surfaces
+// need not pay.
+__kernel void k_sky(ALL_ARGS, __global uint *counters, __global const uint *queue) {
+    SET_UP
+    if (i < counters[0]) path_sky(&s, par, &paths, queue[i]);
+}
+
 __kernel void k_shadow(ALL_ARGS, __global uint *counters, __global const uint *shadow) {
     SET_UP
     if (i < counters[2]) path_shadow(&s, par, &paths, shadow[i], SHADOW_TO_TRACE);
@@ -102,11 +109,15 @@ __kernel void k_thin(ALL_ARGS) {
 
 __kernel void k_link(ALL_ARGS) {
     SET_UP
+    if (i < par->slots && HAS_FAR_END(&paths, i)) paths.links[i] = links_known(&s, par, &paths, i);
+}
+
+__kernel void k_panes(ALL_ARGS) {
+    SET_UP
     if (i >= par->slots || !HAS_FAR_END(&paths, i)) return;
-    uint known = links_known(&s, par, &paths, i), through = links_to_look_through(known, share_which(i));
+    uint through = links_to_look_through(paths.links[i], share_which(i));
     for (uint m = 0; m < SHARE_GROUP; m++)
         if (through >> m & 1u) path_look_through(&s, par, &paths, i, m);
-    paths.links[i] = known;
 }
 
 __kernel void k_connect(ALL_ARGS) {

@@ -5,6 +5,8 @@
 #ifndef LUX_INSTANCE_H
 #define LUX_INSTANCE_H
 
+FN int in_instance(uint inst) { return HAS(INSTANCES) && inst != NO_HIT; }
+
 FN GLOBAL const float* instance_record(SHARED(const SceneTables) s, uint inst) { return shape_record(s, inst); }
 
 FN GLOBAL const float* instance_matrix(SHARED(const SceneTables) s, GLOBAL const float* record) {

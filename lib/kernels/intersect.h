@@ -5,6 +5,7 @@
 // Ties (equal t) go to the lower primitive, so that both give the same hit, bit for bit, in any order of the tree.
 #ifndef LUX_INTERSECT_H
 #define LUX_INTERSECT_H
+#include "kernels/features.h"
 
 #define NO_HIT 0xffffffffu
 #define FAR_AWAY 1e30f  // how far a ray looks that nothing ends, and how far away distant sources are

@@ -29,14 +29,14 @@ STRUCT(Lobes) {
 #define LOBE_FRESNEL 1u   // direct diffuse light is scaled by 1 - F(cos light) (spec 3.1 item 6)
 #define LOBE_SAMPLE_R 2u  // rough_r is sampled (else it is part of ambient_r)
 #define LOBE_SAMPLE_T 4u
-#define LOBE_ANISO 8u
 #define LOBE_PASS 16u  // the ray goes on as if nothing were there
-#define LOBE_WGMD_FRESNEL 32u
-#define LOBE_FUNCTION 64u      // direct light also by the material's lobe program
-#define LOBE_ASHIK 128u        // rough_r is the power lobe of ashik2
-#define LOBE_BSDF 256u         // rough_r and rough_t are tables (mat_bsdf.h says how it uses the fields)
-#define LOBE_OWN_NORMALS 512u  // WGMDfunc with textures (mat_wgmd.h)
-#define LOBE_FLAT_R 1024u      // rough_r has no texture and is on a flat surface
+#define LOBE_ANISO ONLY(FUNCTIONS, 8u)
+#define LOBE_WGMD_FRESNEL ONLY(FUNCTIONS, 32u)
+#define LOBE_FUNCTION ONLY(FUNCTIONS, 64u)      // direct light also by the material's lobe program
+#define LOBE_ASHIK ONLY(FUNCTIONS, 128u)        // rough_r is the power lobe of ashik2
+#define LOBE_BSDF ONLY(FUNCTIONS, 256u)         // rough_r and rough_t are tables (mat_bsdf.h: how it uses the fields)
+#define LOBE_OWN_NORMALS ONLY(FUNCTIONS, 512u)  // WGMDfunc with textures (mat_wgmd.h)
+#define LOBE_FLAT_R 1024u                       // rough_r has no texture and is on a flat surface
 
 // May light from behind the shading normal count?
 FN int lobes_transmit(PRIVATE(const Lobes) lobes) {

@@ -17,22 +17,14 @@ FN int back_passes(uint type, int asked) {
     return asked != LOBES_SHADOW || material_has(type, MT_OPEN_BACK) != 0u;
 }
 
-// Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving, the
-// medium of the segment that ended here, is corrected where the surface knows it; so is *beyond, the one behind the
-// surface.  Both come as what the ray knows.
-FN void material_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, int asked,
-                       PRIVATE(Sampler) rnd, PRIVATE(Medium) arriving, PRIVATE(Medium) beyond, PRIVATE(Lobes) lobes) {
+// Those whose lobes are .cal functions or tables.  Functions are evaluated once per hit.
+FN void function_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, int asked,
+                       PRIVATE(Sampler) rnd, PRIVATE(Lobes) lobes) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     float vars[CAL_VARS], value[CAL_OUTPUTS];
-    uint type = g->type;
-    lobes_clear(lobes);
-    if (!g->front && par->bv == 0u && back_passes(type, asked)) {
-        lobes->flags |= LOBE_PASS;
-        return;
-    }
 
-    if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {  // functions evaluated once per hit
+    if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {
         material_vars(par, g, vars);
         vars_to_frame(s, g, vars);
         if (cal_run(s, m[MOD_PROGRAM], vars, value))
@@ -40,29 +32,51 @@ FN void material_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, P
         values_from_frame(s, g, m[MOD_FLAGS], value);
     }
 
-    switch (type) {
-    case M_PLASTIC:
-    case M_METAL:
-    case M_TRANS: mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), lobes); break;
-    case M_GLASS: mat_glass(g, arg, asked == LOBES_SHADOW, lobes); break;
+    switch (g->type) {
     case M_ANISO_PLASTIC:
     case M_ANISO_METAL:
-    case M_ANISO_TRANS: mat_normal(par, g, type, arg, F3(value[0], value[1], value[2]), lobes); break;
+    case M_ANISO_TRANS: mat_normal(par, g, g->type, arg, F3(value[0], value[1], value[2]), lobes); break;
     case M_ASHIK: mat_ashik(par, g, arg, F3(value[0], value[1], value[2]), lobes); break;
     case M_BRDF: mat_brdf(g, arg, m[MOD_FLAGS], lobes); break;
     case M_BRTD: mat_brtd(g, arg, value, lobes); break;
     case M_WGMD: mat_wgmd(s, par, g, m, value, rnd, lobes); break;
     case M_BSDF: mat_bsdf(s, par, g, m, value, asked, rnd, lobes); break;
-    case M_DIELECTRIC:
-    case M_INTERFACE: mat_dielectric(par, g, type, arg, lobes, arriving, beyond); break;
     case M_PRISM:
         if (asked != LOBES_SHADOW)
             mat_prism(m[MOD_FLAGS], value, lobes);  // shadow rays pass by virtual sources only (shadow_aimed)
         break;
+    default: break;
+    }
+}
+
+// Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving, the
+// medium of the segment that ended here, is corrected where the surface knows it; so is *beyond, the one behind the
+// surface.  Both come as what the ray knows.
+FN void material_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, int asked,
+                       PRIVATE(Sampler) rnd, PRIVATE(Medium) arriving, PRIVATE(Medium) beyond, PRIVATE(Lobes) lobes) {
+    GLOBAL const float* arg = s->f + mod_word(s, par, g->mod, MOD_ARGS);
+    uint type = g->type;
+    lobes_clear(lobes);
+    if (!g->front && par->bv == 0u && back_passes(type, asked)) {
+        lobes->flags |= LOBE_PASS;
+        return;
+    }
+
+    switch (type) {
+    case M_PLASTIC:
+    case M_METAL:
+    case M_TRANS: mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), lobes); break;
+    case M_GLASS: mat_glass(g, arg, asked == LOBES_SHADOW, lobes); break;
+    case M_DIELECTRIC:
+    case M_INTERFACE:
+        if (HAS(SOLIDS)) mat_dielectric(par, g, type, arg, lobes, arriving, beyond);
+        break;
     case M_MIRROR:
         if (g->front) lobes_mirror(g, mul3(f3_at(arg), g->color), lobes);
         break;
-    default: break;
+    default:
+        if (HAS(FUNCTIONS)) function_lobes(s, par, g, asked, rnd, lobes);
+        break;
     }
 }
 

@@ -38,7 +38,7 @@ FN void surface_vars(UNIFORM(const Params) par, PRIVATE(const Surface) g, PRIVAT
 // Inside an instance functions see its coordinates (spec scene 3): turns the variables of surface_vars().
 FN void vars_to_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(float) vars) {
     const int dirs[5] = {CAL_DX, CAL_NX, CAL_NXP, CAL_DXA, CAL_LX};
-    if (g->inst == NONE) return;
+    if (!in_instance(g->inst)) return;
     GLOBAL const float* record = instance_record(s, g->inst);
     float scale = record[INST_SCALE];
 
@@ -60,7 +60,7 @@ FN void vars_to_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, PRI
 
 // A direction or displacement that such a function gave, in the world; its length is kept.
 FN float3 vector_from_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, float3 v) {
-    if (g->inst == NONE) return v;
+    if (!in_instance(g->inst)) return v;
     GLOBAL const float* record = instance_record(s, g->inst);
     return scale3(affine_back(record + INST_FRAME, v), 1.0f / record[INST_SCALE]);
 }
@@ -198,7 +198,8 @@ FN void apply_single_pattern(SHARED(const SceneTables) s, uint type, PRIVATE(con
 }
 
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
-FN int find_material(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, PRIVATE(Sampler) rnd) {
+FN int chain_material(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g,
+                      PRIVATE(Sampler) rnd) {
     uint stack[MIX_DEPTH];  // where the chains of mixtures go on
     int depth = 0, have_vars = 0;
     uint mod = g->mod, material = NONE;
@@ -248,6 +249,17 @@ FN int find_material(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRI
 
     if (material == NONE) return 0;
     g->mod = material;
+    shading_normal(g);
+    return 1;
+}
+
+// The same of a surface or an active source.  Without patterns a chain is its material.
+FN int find_material(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, PRIVATE(Sampler) rnd) {
+    if (HAS(PATTERNS)) return chain_material(s, par, g, rnd);
+    if (g->mod == NONE) return 0;
+    g->type = mod_word(s, par, g->mod, MOD_TYPE);
+    g->color_before = g->color;
+    g->pert_before = g->pert;
     shading_normal(g);
     return 1;
 }

@@ -30,7 +30,7 @@ FN int path_step(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(
 
     // The ray has met nothing: what it sees is the sky, and the path ends.
     if (vertex.hit.prim == NO_HIT) {
-        path_miss(s, par, paths, &vertex);
+        if (HAS(SKY)) path_miss(s, par, paths, &vertex);
         return 0;
     }
 
@@ -77,10 +77,18 @@ FN int path_step(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(
     return shadow | path_go_on(par, paths, &vertex, &way);
 }
 
+// A slot that has met nothing, where the above does not see to it (HAS(SKY)).
+FN void path_sky(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
+    if (as_uint_(paths->hit[slot].y) != NO_HIT) return;
+    Vertex vertex;
+    vertex_load(par, paths, slot, &vertex);
+    path_miss(s, par, paths, &vertex);
+}
+
 // The same, and where a sub-path ends the next one begins.
 FN int path_shade(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
     int result = path_step(s, par, paths, slot);
-    if ((result & PATH_GOES_ON) != 0 || par->guide_mask == 0u) return result;
+    if ((result & PATH_GOES_ON) != 0 || !has_guide(par)) return result;
     return result | path_fork_again(s, par, paths, slot);
 }
 #endif

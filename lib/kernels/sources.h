@@ -22,27 +22,43 @@ STRUCT(LightSample) {
     float3 normal;  // there
 };
 
-// Radiance of light material `mod` seen along dir (from the viewer to the light), patterns included.
+// A point of something that shines, seen along dir (from the viewer to the light); mod: its modifier.
+FN void light_surface(uint mod, uint prim, float3 dir, float3 point, float3 normal, float length, float total,
+                      PRIVATE(Surface) g) {
+    surface_plain(prim, mod, NONE, length, g);
+    g->p = point;
+    g->nface = normal;
+    g->ng = normal;
+    g->n = normal;
+    g->v = neg3(dir);
+    g->total = total;
+    g->type = 0u;
+    g->front = 1;
+    g->flat = 0;
+}
+
+// Is this the only modifier of its chain, a material?
+FN int is_bare(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod) {
+    GLOBAL const uint* m = mod_record(s, par, mod);
+    return m[MOD_TYPE] >= M_FIRST_MATERIAL && m[MOD_NEXT] == NONE;
+}
+
+// Radiance of light material `mod` seen along dir, patterns included.
 FN float3 light_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod, uint prim, float3 dir,
                          float3 point, float3 normal, float length, float total, PRIVATE(Sampler) rnd) {
     Surface g;
-    GLOBAL const uint* m = mod_record(s, par, mod);
-    surface_plain(prim, mod, NONE, length, &g);
-    g.p = point;
-    g.nface = normal;
-    g.ng = normal;
-    g.n = normal;
-    g.v = neg3(dir);
-    g.total = total;
-    g.type = 0u;
-    g.front = 1;
-    g.flat = 0;
-    if (m[MOD_TYPE] < M_FIRST_MATERIAL || m[MOD_NEXT] != NONE) {
-        if (!find_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
-        m = mod_record(s, par, g.mod);
-    }
+    light_surface(mod, prim, dir, point, normal, length, total, &g);
+    if (!is_bare(s, par, mod) && !find_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
+    return mul3(g.color, f3_at(s->f + mod_word(s, par, g.mod, MOD_ARGS)));
+}
 
-    return mul3(g.color, f3_at(s->f + m[MOD_ARGS]));
+// The same of what lies behind everything, which may have patterns where nothing else has.
+FN float3 sky_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod, float3 org, float3 dir,
+                       PRIVATE(Sampler) rnd) {
+    Surface g;
+    light_surface(mod, NONE, dir, org, neg3(dir), FAR_AWAY, FAR_AWAY, &g);
+    if (!is_bare(s, par, mod) && !chain_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
+    return mul3(g.color, f3_at(s->f + mod_word(s, par, g.mod, MOD_ARGS)));
 }
 
 // Radiance of the source of record src at its sampled point.  before: path length from the eye to the point lit.  A

@@ -29,7 +29,7 @@ STRUCT(Surface) {
 // instance for the surface, which is not flat.
 FN int drawn_flat(SHARED(const SceneTables) s, PRIVATE(const Surface) g) {
     if ((s->prims[PRIM_WORDS * g->prim + PRIM_KIND] & PRIM_TEXTURE_FLAT) == 0u) return 0;
-    return g->inst == NONE || as_uint_(*(instance_record(s, g->inst) + INST_MOD)) == NONE;
+    return !in_instance(g->inst) || as_uint_(*(instance_record(s, g->inst) + INST_MOD)) == NONE;
 }
 
 // Has a texture or mesh smoothing turned its normal?  Less is nothing, as in RADIANCE.
@@ -110,7 +110,7 @@ FN void surface_at(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
     g->reach = MAX_(hit->t, as_float_(prim[PRIM_EXTENT]));
 
     float3 at = g->p;  // the point in the coordinates of the primitive
-    if (hit->inst != NONE) {
+    if (in_instance(hit->inst)) {
         GLOBAL const float* record = instance_record(s, hit->inst);
         matrix = instance_matrix(s, record);
         at = affine_point(matrix, g->p);

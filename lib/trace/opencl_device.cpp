@@ -8,6 +8,7 @@
 #include "flatten/build_input.h"
 #include "trace/child.h"
 #include "trace/device.h"
+#include "trace/features.h"
 #include "trace/kernel_cache.h"
 #include "trace/opencl_paths.h"
 
@@ -15,6 +16,8 @@ namespace trace {
 extern const char* const kernel_source;
 
 namespace {
+
+constexpr uint32_t ALL_FEATURES = ~0u;
 
 #define SEND_OF_BVH(type, name) paths_.tables[TABLE_##name] = send(tree->name.data(), tree->name.size() * 4);
 #define SEND_OF_SCENE(type, name) paths_.tables[TABLE_##name] = send(s.name.data(), s.name.size() * 4);
@@ -27,10 +30,9 @@ public:
             name_ = describe(e);
             context_ = cl::Context(e.device);
             queue_ = cl::CommandQueue(context_, e.device);
-            program_ = cl::Program(context_, std::string(kernel_source));
-            compile(e.device);
-            paths_ = OpenclPaths(context_, queue_, program_, gpu_);
-            check_layout();
+            device_ = e.device;
+            paths_ = OpenclPaths(context_, queue_, gpu_);
+            if (!gpu_) compile(ALL_FEATURES);
         });
     }
     std::string name() const override { return "opencl: " + name_; }
@@ -47,6 +49,7 @@ public:
             FLAT_TABLES(SEND_OF_SCENE)
             paths_.tables[TABLE_guide] = send(nullptr, 0);
             paths_.tables[TABLE_focus] = send(nullptr, 0);
+            scene_has_ = features_of_scene(s);
         });
     }
 
@@ -56,6 +59,7 @@ public:
 
     void run(const Params& par, std::vector<float>& rgb) override {
         call("rendering", [&] {
+            prepare(par);
             paths_.run(par);
             paths_.receive(par, rgb);
         });
@@ -71,6 +75,7 @@ public:
                 d[i] = {rays[i].dir[0], rays[i].dir[1], rays[i].dir[2], rays[i].dist};
                 c[i] = {rays[i].weight, rays[i].weight, rays[i].weight, 0};
             }
+            prepare(par);
             paths_.reserve(par, uint32_t(n));
             paths_.write(PATH_shadow_org, o);
             paths_.write(PATH_shadow_dir, d);
@@ -87,6 +92,7 @@ public:
                 p[i] = {rays[i].org[0], rays[i].org[1], rays[i].org[2], 0};
                 d[i] = {rays[i].dir[0], rays[i].dir[1], rays[i].dir[2], rays[i].dir_w};
             }
+            prepare(par);
             paths_.reserve(par, uint32_t(n));
             paths_.write(PATH_org, p);
             paths_.write(PATH_dir, d);
@@ -122,17 +128,27 @@ private:
             base::fail_system(where_, fmt::format("{}: {} failed with OpenCL error {}", doing, e.what(), e.err()));
         }
     }
-    void compile(const cl::Device& device) {
-        std::string options = "-cl-std=CL1.2";
+    // A GPU's kernels have what the scene and the pass need, for all of it takes registers of each work item.
+    void prepare(const Params& par) {
+        if (gpu_) compile(has_ | scene_has_ | features_of_pass(par));
+    }
+    void compile(uint32_t features) {
+        if (compiled_ && features == has_) return;
+        compiled_ = true;
+        has_ = features;
+        std::string options = fmt::format("-cl-std=CL1.2 -DLUX_HAS={}u", features);
         if (bvh2_) options += " -DLUX_BVH2";
-        const auto fp = device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
+        const auto fp = device_.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
         if (fp & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) options += " -cl-fp32-correctly-rounded-divide-sqrt";
+        program_ = cl::Program(context_, std::string(kernel_source));
         try {
             program_.build(options.c_str());
         } catch (const cl::Error&) {
-            std::string log = program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device);
+            std::string log = program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_);
             base::fail_system(where_, "the kernels do not compile: " + log.substr(0, 2000));
         }
+        paths_.use(program_);
+        check_layout();
     }
     cl::Buffer send(const void* data, size_t bytes) {
         cl::Buffer b(context_, CL_MEM_READ_ONLY, std::max<size_t>(bytes, 64));
@@ -154,7 +170,9 @@ private:
     }
 
     std::string where_, name_;
-    bool gpu_, bvh2_;
+    bool gpu_, bvh2_, compiled_ = false;
+    uint32_t has_ = 0, scene_has_ = 0;  // FEATURE_* that the kernels have, and the scene
+    cl::Device device_;
     cl::Context context_;
     cl::CommandQueue queue_;
     cl::Program program_;

@@ -3,6 +3,7 @@
 #include "trace/opencl_paths.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace trace {
 namespace {
@@ -14,13 +15,20 @@ using kernels::uint4;
 
 constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it
 static_assert(LOCAL == PATH_KINDS, "a group has a work item for each kind of path");
+constexpr size_t PIECE = size_t(1) << 21;  // bytes read back at a time
 constexpr uint32_t zeros[2 * PATH_KINDS] = {};
 
 }  // namespace
 
-OpenclPaths::OpenclPaths(const cl::Context& context, const cl::CommandQueue& queue, const cl::Program& program,
-                         bool gpu)
+OpenclPaths::OpenclPaths(const cl::Context& context, const cl::CommandQueue& queue, bool gpu)
     : gpu_(gpu), context_(context), queue_(queue) {
+    params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(Params));
+    counters_ = room(4, 4);
+    kinds_ = room(2 * PATH_KINDS, 4);
+    queue_.enqueueWriteBuffer(kinds_, CL_TRUE, 0, sizeof zeros, zeros);
+}
+
+void OpenclPaths::use(const cl::Program& program) {
     generate_ = cl::Kernel(program, "k_generate");
     extend_ = cl::Kernel(program, "k_extend");
     shade_ = cl::Kernel(program, "k_shade");
@@ -30,6 +38,7 @@ OpenclPaths::OpenclPaths(const cl::Context& context, const cl::CommandQueue& que
     walk_ = cl::Kernel(program, "k_walk");
     thin_ = cl::Kernel(program, "k_thin");
     link_ = cl::Kernel(program, "k_link");
+    panes_ = cl::Kernel(program, "k_panes");
     connect_ = cl::Kernel(program, "k_connect");
     weigh_ = cl::Kernel(program, "k_weigh");
     collect_ = cl::Kernel(program, "k_collect");
@@ -37,10 +46,7 @@ OpenclPaths::OpenclPaths(const cl::Context& context, const cl::CommandQueue& que
     count_kinds_ = cl::Kernel(program, "k_count_kinds");
     begin_kinds_ = cl::Kernel(program, "k_begin_kinds");
     sort_kinds_ = cl::Kernel(program, "k_sort_kinds");
-    params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(Params));
-    counters_ = room(4, 4);
-    kinds_ = room(2 * PATH_KINDS, 4);
-    queue_.enqueueWriteBuffer(kinds_, CL_TRUE, 0, sizeof zeros, zeros);
+    sky_ = cl::Kernel(program, "k_sky");
 }
 
 cl::Buffer OpenclPaths::room(size_t count, size_t bytes_each) const {
@@ -82,7 +88,7 @@ void OpenclPaths::run(const Params& par) {
     begin(generate_, par);
     follow();
     if (par.shared_slots == 0) return;
-    for (cl::Kernel* kernel : {&thin_, &link_, &connect_, &weigh_, &collect_}) stage(*kernel, par.slots);
+    for (cl::Kernel* kernel : {&thin_, &link_, &panes_, &connect_, &weigh_, &collect_}) stage(*kernel, par.slots);
 }
 
 void OpenclPaths::walk(const Params& par) {
@@ -104,7 +110,10 @@ void OpenclPaths::follow() {
     for (uint32_t active = count(); active > 0; active = count())
         for (int i = 0; i < rounds; i++) {
             stage(extend_, active, counters_, now_);
-            if (gpu_) sort(active);
+            if (gpu_) {
+                sort(active);
+                stage(sky_, active, counters_, now_);  // before a guided path goes on with its next sub-path
+            }
             stage(shade_, active, counters_, now_, next_, shadow_queue_);
             stage(shadow_, active, counters_, shadow_queue_);
             swap_.setArg(0, counters_);
@@ -129,8 +138,32 @@ void OpenclPaths::receive(const Params& par, std::vector<float>& film) {
     film_kernel_.setArg(1, fields_[PATH_rad]);
     film_kernel_.setArg(2, film_);
     launch(film_kernel_, par.slots);
+    if (gpu_) {
+        read_pinned(film_, bytes, film);
+        return;
+    }
     film.resize(bytes / 4);
     queue_.enqueueReadBuffer(film_, CL_TRUE, 0, bytes, film.data());
+}
+
+// By way of memory that a GPU writes to by itself, as vendors advise; piece by piece, so that one is copied from there
+// while the next one comes.  Room for them is made while the GPU is still at work.
+void OpenclPaths::read_pinned(const cl::Buffer& from, size_t bytes, std::vector<float>& to) {
+    if (bytes > pinned_bytes_) {
+        pinned_bytes_ = bytes;
+        pinned_ = cl::Buffer(context_, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, bytes);
+        pinned_at_ = static_cast<char*>(queue_.enqueueMapBuffer(pinned_, CL_TRUE, CL_MAP_READ, 0, bytes));
+    }
+    std::vector<cl::Event> come((bytes + PIECE - 1) / PIECE);
+    const auto size_of = [&](size_t k) { return std::min(PIECE, bytes - k * PIECE); };
+    for (size_t k = 0; k < come.size(); k++)
+        queue_.enqueueReadBuffer(from, CL_FALSE, k * PIECE, size_of(k), pinned_at_ + k * PIECE, nullptr, &come[k]);
+    queue_.flush();
+    to.resize(bytes / 4);
+    for (size_t k = 0; k < come.size(); k++) {
+        come[k].wait();
+        std::memcpy(reinterpret_cast<char*>(to.data()) + k * PIECE, pinned_at_ + k * PIECE, size_of(k));
+    }
 }
 
 }  // namespace trace

@@ -87,8 +87,9 @@ TEST_CASE("OpenCL devices find the host's hits, bit for bit") {
             const auto bvh = two ? bvh::build2(in.data(), in.size()) : bvh::build8(in.data(), in.size());
             cl::Program program(context, program_text());
             try {
-                program.build(two ? "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt -DLUX_BVH2"
-                                  : "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt");
+                const std::string options = "-cl-std=CL1.2 -I" LUXPIPE_TESTS "/../lib";
+                program.build(
+                    (options + (two ? " -DLUX_BVH2" : "") + " -cl-fp32-correctly-rounded-divide-sqrt").c_str());
             } catch (const cl::Error&) {
                 FAIL(program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device));
             }

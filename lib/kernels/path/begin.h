@@ -24,7 +24,7 @@ FN uint path_sample_index(UNIFORM(const Params) par, uint slot) {
 
 // Does the guide choose the directions of this path?
 FN int path_guided(UNIFORM(const Params) par, uint slot) {
-    return par->guide_mask != 0u && par->mode == MODE_FRAMES && path_sample_index(par, slot) >= par->guide_from;
+    return has_guide(par) && par->mode == MODE_FRAMES && path_sample_index(par, slot) >= par->guide_from;
 }
 
 // The ray through a random place of the pixel and of the lens.  0 if the view has none there.
@@ -55,12 +55,12 @@ FN void path_start(UNIFORM(const Params) par, SHARED(const Paths) paths, uint sl
                    PRIVATE(const Sampler) rnd, uint flags) {
     write4_(paths->org, slot, pack4(org, as_float_(CLIP_START)));
     write4_(paths->thr, slot, pack4(F3(1.0f, 1.0f, 1.0f), 1.0f));
-    if (par->medium.w > 0.0f) {
+    if (has_media(par)) {
         Medium open = medium_open(par);
         set_path_medium(paths, slot, &open);
     }
 
-    if (par->guide_mask != 0u) paths->expected[slot] = 0.0f;
+    if (has_guide(par)) paths->expected[slot] = 0.0f;
 
     uint4 info;
     info.x = flags;

@@ -28,7 +28,7 @@ FN float3 path_background(SHARED(const SceneTables) s, UNIFORM(const Params) par
     }
 
     if (distant[DISTANT_SEEN] >= DISTANT_BLACK) return black;
-    return light_radiance(s, par, distant[DISTANT_SEEN], NONE, dir, org, neg3(dir), FAR_AWAY, FAR_AWAY, rnd);
+    return sky_radiance(s, par, distant[DISTANT_SEEN], org, dir, rnd);
 }
 
 // Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray goes on through it.

@@ -9,7 +9,7 @@
 // Does the surface, or what it is made of, depend on where it is seen from?
 FN int surface_looks(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g) {
     uint mod = s->prims[PRIM_WORDS * g->prim + PRIM_MOD];
-    if (g->inst != NONE) {
+    if (in_instance(g->inst)) {
         uint of_all = as_uint_(*(instance_record(s, g->inst) + INST_MOD));
         if (of_all != NONE) mod = of_all;
     }

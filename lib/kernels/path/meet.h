@@ -30,7 +30,7 @@ FN int irradiance_surface(SHARED(const SceneTables) s, UNIFORM(const Params) par
 
 FN int vertex_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Vertex) vertex) {
     PRIVATE(Surface) g = &vertex->g;
-    if (g->type == M_MIST) {
+    if (HAS(SOLIDS) && g->type == M_MIST) {
         mist_crossing(s, par, g, &vertex->arriving, &vertex->beyond);
         return MET_NOTHING;
     }
@@ -44,7 +44,7 @@ FN int vertex_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIV
 FN int vertex_meet(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
                    PRIVATE(Vertex) vertex) {
     PRIVATE(Surface) g = &vertex->g;
-    int antimatter = (par->flags & PF_ANTIMATTER) != 0u;
+    int antimatter = has_antimatter(par);
     uint carried = g->mod;
 
     // a hole that antimatter cuts; a chain without material; an illum or mirror with void in its place

@@ -29,7 +29,7 @@ STRUCT(ShadowRay) {
 FN int shadow_meet(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow,
                    PRIVATE(Surface) g, int relayed, PRIVATE(Medium) here, PRIVATE(Medium) beyond,
                    PRIVATE(Lobes) lobes) {
-    int antimatter = (par->flags & PF_ANTIMATTER) != 0u;
+    int antimatter = has_antimatter(par);
     uint carried = g->mod;
 
     if (antimatter && clip_hit(s, par, g, &shadow->clip) == CLIP_IGNORE) return MET_NOTHING;
@@ -37,7 +37,7 @@ FN int shadow_meet(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVA
     if (shadow_alternate(s, par, g, shadow->src, relayed, &shadow->rnd)) return MET_NOTHING;
 
     if (material_has(g->type, MT_SHINES) != 0u) return MET_LAMP;
-    if (g->type == M_MIST) {
+    if (HAS(SOLIDS) && g->type == M_MIST) {
         mist_crossing(s, par, g, here, beyond);
         return MET_NOTHING;
     }
@@ -69,7 +69,7 @@ FN int shadow_is_plain(SHARED(const SceneTables) s, UNIFORM(const Params) par, S
     float4 org = paths->shadow_org[slot], dir = paths->shadow_dir[slot];
     GLOBAL const float* src = source_record(s, par, as_uint_(org.w));
     uint kind = as_uint_(src[SRC_KIND]);
-    if (par->shadow_mode == SHADOW_AIMED || kind == SK_SPHERE || kind == SK_CYLINDER) return 0;
+    if (aims_shadows(par) || kind == SK_SPHERE || kind == SK_CYLINDER) return 0;
     if (shadow_seeks_source(par, src)) return 0;
     ray->org = xyz4(org);
     ray->dir = xyz4(dir);
@@ -266,7 +266,7 @@ FN void path_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHAR
                     int known) {
     float4 org = read4_(paths->shadow_org, slot), dir = read4_(paths->shadow_dir, slot),
            rad = read4_(paths->shadow_rad, slot);
-    int antimatter = (par->flags & PF_ANTIMATTER) != 0u, aimed = par->shadow_mode == SHADOW_AIMED;
+    int antimatter = has_antimatter(par), aimed = aims_shadows(par);
     ShadowRay shadow;
     shadow.ray.org = xyz4(org);
     shadow.ray.dir = xyz4(dir);
@@ -274,7 +274,7 @@ FN void path_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHAR
     shadow.src = source_record(s, par, as_uint_(org.w));
     shadow.T = F3(1.0f, 1.0f, 1.0f);
     shadow.total = aimed ? rad.w : 0.0f;
-    shadow.absorbs = par->medium.w > 0.0f;
+    shadow.absorbs = has_media(par);
     shadow.medium = shadow.absorbs ? shadow_medium(paths, slot) : medium_open(par);
     shadow.clip = antimatter ? as_uint_(paths->shadow_medium[slot].w) : CLIP_START;
     shadow.is_virtual = as_uint_(shadow.src[SRC_VIRTUAL]) != NONE;

@@ -59,9 +59,13 @@ STRUCT(Paths){PATH_STATE(PATH_POINTER)};
 #define PATH_MEDIA 1u
 #define PATH_GUIDED 2u
 #define PATH_SHARED 4u
-FN int path_media_used(UNIFORM(const Params) par) { return par->medium.w > 0.0f || (par->flags & PF_ANTIMATTER) != 0u; }
+FN int has_media(UNIFORM(const Params) par) { return HAS(SOLIDS) && par->medium.w > 0.0f; }
+FN int has_antimatter(UNIFORM(const Params) par) { return HAS(SOLIDS) && (par->flags & PF_ANTIMATTER) != 0u; }
+FN int aims_shadows(UNIFORM(const Params) par) { return HAS(SOLIDS) && par->shadow_mode == SHADOW_AIMED; }
+FN int has_guide(UNIFORM(const Params) par) { return HAS(GUIDE) && par->guide_mask != 0u; }
+FN int path_media_used(UNIFORM(const Params) par) { return has_media(par) || has_antimatter(par); }
 FN uint path_needs(UNIFORM(const Params) par) {
-    return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->guide_mask != 0u ? PATH_GUIDED : 0u) |
+    return (path_media_used(par) ? PATH_MEDIA : 0u) | (has_guide(par) ? PATH_GUIDED : 0u) |
            (par->shared_slots != 0u ? PATH_SHARED : 0u);
 }
 

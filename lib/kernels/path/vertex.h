@@ -74,7 +74,7 @@ FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint s
     vertex->ray.tmax = dir.w;
     vertex->hit = path_hit(read4_(paths->hit, slot), info);
 
-    vertex->absorbs = par->medium.w > 0.0f;
+    vertex->absorbs = has_media(par);
     vertex->arriving = vertex->absorbs ? path_medium(paths, slot) : medium_open(par);
     vertex->beyond = vertex->arriving;
     vertex->clip_before = as_uint_(org.w);
