@@ -17,7 +17,7 @@ END {
     for (i = 1; i <= kernels; i++) {
         k = order[i]
         of_warp = int((registers[k] + 7) / 8) * 8 * 32  # registers are given out by 256
-        warps = 2 * int(int(65536 / of_warp) / 2)       # in groups of two warps
+        warps = 4 * int(16384 / of_warp)                # a multiprocessor has four parts
         printf "%-14s %9d %6d %10s %6d %6d\n", k, registers[k], stack[k], stores[k] "/" loads[k], shared[k],
             (warps > 64 ? 64 : warps)
     }

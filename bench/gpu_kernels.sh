@@ -23,13 +23,16 @@ to_ptx() {  # architecture, features
         -o "$out/kernels.ptx" "$bench/gpu_builtins.cl" 2> "$out/clang.log"
 }
 table() {  # what is said of it, features (lib/kernels/features.h)
-    to_ptx sm_90 "$2" || to_ptx sm_80 "$2" || left_out 'this clang makes no PTX of OpenCL C'
+    to_ptx sm_90 "$2" || to_ptx sm_80 "$2" || { head -n 5 "$out/clang.log" >&2; exit 1; }
     "$ptxas" -v -arch sm_90 -O3 -o "$out/kernels.cubin" "$out/kernels.ptx" > "$out/ptxas.log" 2>&1 ||
         { head -n 5 "$out/ptxas.log"; exit 1; }
     printf '\n%s\n' "$1"
     awk -f "$bench/gpu_kernels.awk" "$out/ptxas.log"
 }
 
+echo '__kernel void one(__global float *x) { *x = 1; }' > "$out/one.cl"
+"$clang" -x cl -cl-std=CL1.2 -target nvptx64-nvidia-nvcl -S -o "$out/one.ptx" "$out/one.cl" 2> "$out/clang.log" ||
+    left_out 'this clang makes no PTX of OpenCL C'
 echo "# $("$clang" --version | head -n 1), ptxas $("$ptxas" --version | sed -n 's/.*, \(V[0-9.]*\).*/\1/p')"
 table 'Plain surfaces and any sky: the office of make demo' 0u
 table 'Patterns on surfaces, too: the classroom' 1u

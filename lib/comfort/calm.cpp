@@ -26,6 +26,7 @@ constexpr float how_far[how_far_of] = {.319f, .573f, .771f, .957f, 1.150f, 1.370
 
 constexpr float unsure = 2;           // standard errors: the truth of 95 % of all pixels lies no farther off
 constexpr size_t few = 8;             // steps whose mean square is no measure of what the largest may do
+constexpr size_t fewest = 2;          // whose middle is at most one step from either end
 constexpr float well_across = 1.25f;  // thresholds of half pictures are not quite the same
 
 // Pixels to each side of the neighbourhood, which shall not be wider than evalglare's search radius by default.
@@ -135,11 +136,11 @@ void Calm::take_row(const Halves& halves, const Geometry& geometry, int y) {
         const int behind = at - radius_;
         if (behind >= 0 && behind <= last) find_variance(geometry, behind);
         if (behind >= radius_) calm_row(halves.whole(), geometry, behind - radius_);
-        if (behind == last + radius_ && few_at_threshold()) carry_across();
+        if (behind == last + radius_ && at_threshold_.size() <= few) carry_across();
     }
 }
 
-bool Calm::few_at_threshold() const { return at_threshold_.size() <= few; }
+bool Calm::in_the_middle() const { return at_threshold_.size() <= fewest; }
 
 void Calm::carry_across() {
     for (const size_t k : at_threshold_) {

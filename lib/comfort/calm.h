@@ -17,8 +17,8 @@
 // DGP leaps where a pixel crosses the threshold.  Where many pixels may, the mean square of their leaps is what counts,
 // and chance decides whether a pixel is swayed far enough.  Where few may, one leap can be all that matters, and an
 // interval holds it or does not: so if no more than eight pixels lie within two standard errors of the threshold, half
-// of the pictures show each of them on its other side, and DGP is taken to be in the middle of its leaps
-// (certainty.cpp).
+// of the pictures show each of them on its other side.  If there are one or two, DGP is taken to be in the middle of
+// their leaps (certainty.cpp); of more, all on one side, the middle would be farther off than squares add up to.
 //
 // With more frames variances fall, no pixel is in doubt, and the picture is the plain one.
 #pragma once
@@ -42,7 +42,8 @@ public:
     void take_row(const Halves& halves, const Geometry& geometry, int y);
     // After the last one: pixels that have been replaced, in their order.
     const std::vector<Doubtful>& replaced() const { return replaced_; }
-    bool few_at_threshold() const;  // and each of these is across it in half of the pictures
+    // So few pixels stand at the threshold that the middle of their steps is as good a guess as either end.
+    bool in_the_middle() const;
 
 private:
     float* variance(const Geometry& geometry, int y);  // of one of the last rows

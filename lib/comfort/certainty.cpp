@@ -161,13 +161,14 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
     });
     batches_.release(halves_.give_back());
     const Values value = values(seen.calm, Kind::picture);
-    std::vector<double> of_column(columns_.size() * Halves::count);
+    std::vector<double> of_column(columns_.size() * Halves::count), undecided(of_column);
     Values of_whole(columns_.size(), 0);
     for (size_t k = 0; k < size_t(Halves::count); ++k) {
         const Values v = values(seen.own[k], Kind::picture);
         const Values w = seen.of_mean.empty() ? value : values(seen.of_mean[k], Kind::picture);
         for (size_t c = 0; c < v.size(); ++c) {
             of_column[c * Halves::count + k] = v[c];
+            undecided[c * Halves::count + k] = v[c] - w[c];
             of_whole[c] += w[c] / Halves::count;
         }
     }
@@ -178,7 +179,7 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
         const double *halves = &of_column[c * Halves::count], r = column.bias_of_halves;
         e.value = column.value(m);
         if (r > 0) {  // what the mean measures with its own sources, or with those of each picture: calm.h
-            const double decided = calm_.few_at_threshold() ? of_whole[c] : value[c];
+            const double decided = calm_.in_the_middle() ? of_whole[c] : value[c];
             e.value = decided + Halves::without_bias(of_whole[c], halves, r) - of_whole[c];
         }
         if (!errors_) continue;
@@ -186,7 +187,9 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
         const double taken_off = e.value - column.value(m);
         e.error = std::sqrt(v.sum + std::pow(column.doubt_of_bias * taken_off, 2));
         e.degrees = halves_.degrees();
-        e.tails = one_dominates(v.sum > 0 ? v.largest / v.sum : 0, Halves::sums);
+        // A pixel at the threshold of sources may be most of the error, too, but that is no matter of its samples.
+        const Halves::Variance of_samples = Halves::variance(&undecided[c * Halves::count]);
+        e.tails = one_dominates(of_samples.sum > 0 ? of_samples.largest / of_samples.sum : 0, Halves::sums);
     }
     return std::move(seen.calm);
 }

@@ -22,7 +22,9 @@
 // They tell the sum of the pixels' d^2, which is their variance only on average: where few pixels make most of it, it
 // is as uncertain as these.  With z = d times the pixel's weight in the light at the eye, 3 (sum z^2)^2 / sum z^4 is
 // about (sum of variances)^2 / sum of their squares, as the fourth moment of normal errors is three times the square of
-// their variance: the degrees of freedom of a sum of squares (Satterthwaite 1946).  Both uncertainties add up.
+// their variance: the degrees of freedom of a sum of squares (Satterthwaite 1946).  Both uncertainties add up.  One
+// pixel counts as 3, though its two halves have 1: the widest of the last looks makes up for part of that, and Welch's
+// correction (less 2) for too much.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -146,23 +146,28 @@ void OpenclPaths::receive(const Params& par, std::vector<float>& film) {
     queue_.enqueueReadBuffer(film_, CL_TRUE, 0, bytes, film.data());
 }
 
-// By way of memory that a GPU writes to by itself, as vendors advise; piece by piece, so that one is copied from there
-// while the next one comes.  Room for them is made while the GPU is still at work.
+// By way of memory that a GPU writes to by itself, as vendors advise: two pieces of it, one of which is copied from
+// while the next one comes.  Room for all of them is made while the GPU is still at work.
 void OpenclPaths::read_pinned(const cl::Buffer& from, size_t bytes, std::vector<float>& to) {
-    if (bytes > pinned_bytes_) {
-        pinned_bytes_ = bytes;
-        pinned_ = cl::Buffer(context_, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, bytes);
-        pinned_at_ = static_cast<char*>(queue_.enqueueMapBuffer(pinned_, CL_TRUE, CL_MAP_READ, 0, bytes));
+    if (!pinned_at_) {
+        pinned_ = cl::Buffer(context_, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, 2 * PIECE);
+        pinned_at_ =
+            static_cast<char*>(queue_.enqueueMapBuffer(pinned_, CL_TRUE, CL_MAP_READ | CL_MAP_WRITE, 0, 2 * PIECE));
     }
-    std::vector<cl::Event> come((bytes + PIECE - 1) / PIECE);
-    const auto size_of = [&](size_t k) { return std::min(PIECE, bytes - k * PIECE); };
-    for (size_t k = 0; k < come.size(); k++)
-        queue_.enqueueReadBuffer(from, CL_FALSE, k * PIECE, size_of(k), pinned_at_ + k * PIECE, nullptr, &come[k]);
-    queue_.flush();
+    cl::Event come[2];
+    const auto size_at = [&](size_t at) { return std::min(PIECE, bytes - at); };
+    const auto place = [&](size_t at) { return at / PIECE % 2; };
+    const auto send_for = [&](size_t at) {
+        queue_.enqueueReadBuffer(from, CL_FALSE, at, size_at(at), pinned_at_ + place(at) * PIECE, nullptr,
+                                 &come[place(at)]);
+        queue_.flush();
+    };
+    if (bytes > 0) send_for(0);
     to.resize(bytes / 4);
-    for (size_t k = 0; k < come.size(); k++) {
-        come[k].wait();
-        std::memcpy(reinterpret_cast<char*>(to.data()) + k * PIECE, pinned_at_ + k * PIECE, size_of(k));
+    for (size_t at = 0; at < bytes; at += PIECE) {
+        if (at + PIECE < bytes) send_for(at + PIECE);
+        come[place(at)].wait();
+        std::memcpy(reinterpret_cast<char*>(to.data()) + at, pinned_at_ + place(at) * PIECE, size_at(at));
     }
 }
 

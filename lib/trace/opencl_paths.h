@@ -70,7 +70,7 @@ private:
     cl::Kernel film_kernel_, sky_, count_kinds_, begin_kinds_, sort_kinds_;
     cl::Buffer fields_[PATH_FIELDS];
     cl::Buffer params_, counters_, kinds_, now_, next_, shadow_queue_, sorted_, film_, pinned_;
-    size_t film_bytes_ = 0, pinned_bytes_ = 0;
+    size_t film_bytes_ = 0;
     char* pinned_at_ = nullptr;  // where the host sees pinned_
     uint32_t capacity_ = 0;
     uint32_t needs_ = PATH_ALWAYS;  // the fields that have that capacity

@@ -55,6 +55,7 @@ TEST_CASE("DGP's interval is honest while noise joins two windows") {
     for (size_t k = 0; k < study.looks.size(); ++k) {
         INFO(study.told(k));
         CHECK(study.covered[k] > 0.92 * study.seeds);
+        CHECK(!study.too_wide(k, 3));
         CHECK(std::fabs(study.unbiased[k] - study.truth) < 0.002);
     }
     CHECK(study.plain[3] > study.truth + 0.004);  // that noise does what it is here for
@@ -70,7 +71,20 @@ TEST_CASE("DGP's interval holds the step of a pixel at the threshold") {
     for (size_t k = 0; k < study.looks.size(); ++k) {
         INFO(study.told(k));
         CHECK(study.covered[k] > 0.92 * study.seeds);
+        CHECK(!study.too_wide(k, 2));
+        CHECK(study.tails[k] < .1 * study.seeds);  // it is no matter of samples: -until may stop
     }
+}
+
+// Six pixels that are all a standard error below the threshold: the middle of their steps would be far off.
+TEST_CASE("DGP's interval holds the steps of several pixels on one side") {
+    std::vector<double> exact = Wall::truth();
+    for (int x = 4; x < 40; x += 6) exact[size_t(5 * side + x)] = 2000 - 100 / std::sqrt(104.);
+    Study study{"DGP", {104}, 400};
+    study.run<Even>(exact, [&](uint32_t seed) { return Even(exact, {0, side, 2, 9, 100}, seed); });
+    INFO(study.told(0));
+    CHECK(study.covered[0] > 0.9 * study.seeds);
+    CHECK(!study.too_wide(0, 3));
 }
 
 // A wall that grows darker from one window to the other: many pixels are in doubt, and each moves DGP by little.
@@ -83,6 +97,6 @@ TEST_CASE("DGP's interval is not made too wide by many pixels near the threshold
     for (size_t k = 0; k < study.looks.size(); ++k) {
         INFO(study.told(k));
         CHECK(study.covered[k] > 0.92 * study.seeds);
-        CHECK(study.half_width[k] < 1.5 * 1.96 * study.deviation[k]);
+        CHECK(!study.too_wide(k, 1.5));
     }
 }

@@ -248,6 +248,7 @@ TEST_CASE("an interval knows how few pixels its error is of") {
         for (size_t k = 0; k < study.looks.size(); ++k) {
             INFO(pixels << " pixels, " << study.told(k));
             CHECK(study.covered[k] > (pixels == 1 ? .89 : .92) * study.seeds);
+            CHECK(!study.too_wide(k, 2.5));
         }
     }
 }

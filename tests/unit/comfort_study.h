@@ -56,7 +56,7 @@ struct Study {
     std::vector<int64_t> looks;  // frames
     int seeds;
     double truth = 0;
-    std::vector<int> covered;
+    std::vector<int> covered, tails;
     std::vector<double> plain, unbiased, half_width, deviation;  // means, and the spread of `unbiased`
 
     template <class Stream>
@@ -70,17 +70,19 @@ struct Study {
         side = int(std::sqrt(double(exact_cdm2.size())));
         image::Picture exact = fisheye_of(exact_cdm2, side, 60);
         truth = columns[0].value(meter.measure(exact, "truth"));
-        covered.assign(looks.size(), 0);
+        covered.assign(looks.size(), 0), tails.assign(looks.size(), 0);
         for (auto* sums : {&plain, &unbiased, &half_width, &deviation}) sums->assign(looks.size(), 0);
         for (int seed = 1; seed <= seeds; ++seed) one(stream_of(uint32_t(seed)), meter, columns);
         for (size_t k = 0; k < looks.size(); ++k)
             deviation[k] = std::sqrt(std::max(0., deviation[k] - unbiased[k] * unbiased[k]));
     }
+    // An interval that never ends holds everything.
+    bool too_wide(size_t k, double times) const { return !(half_width[k] < times * 1.96 * deviation[k]); }
     std::string told(size_t k) const {
         std::ostringstream out;
         out << looks[k] << " frames: " << covered[k] << " of " << seeds << " intervals hold " << truth << "; plain "
-            << plain[k] << ", without bias " << unbiased[k] << " +- " << half_width[k] << ", deviation "
-            << deviation[k];
+            << plain[k] << ", without bias " << unbiased[k] << " +- " << half_width[k] << ", deviation " << deviation[k]
+            << ", tails " << tails[k];
         return out.str();
     }
 
@@ -101,7 +103,8 @@ private:
             if (n != looks[look]) continue;
             const Estimate& e = certainty.estimate(0);
             const Interval off = e.around(0.05, n);
-            covered[look] += !e.known() || (e.value + off.low <= truth && truth <= e.value + off.high);
+            covered[look] += e.known() && e.value + off.low <= truth && truth <= e.value + off.high;
+            tails[look] += e.tails;
             plain[look] += columns[0].value(m) / seeds, unbiased[look] += e.value / seeds;
             half_width[look] += off.half_width() / seeds, deviation[look] += e.value * e.value / seeds;
             ++look;

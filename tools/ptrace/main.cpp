@@ -55,10 +55,11 @@ private:
     base::Progress progress_{"ptrace"};
 };
 
-// A driver of OpenCL that sees the kernels for the first time compiles them, which takes it some ten seconds.
+// A driver of OpenCL that sees the kernels for the first time compiles them, which takes it some ten seconds; for a GPU
+// they are compiled when the scene is known.
 std::unique_ptr<trace::Renderer> start(const std::string& device) {
     base::Progress progress("ptrace");
-    if (device.rfind("opencl", 0) == 0) progress.show("starts " + device + "; the first start compiles its kernels");
+    if (device.rfind("opencl", 0) == 0) progress.show("starts " + device + "; the first time its kernels are compiled");
     return std::make_unique<trace::Renderer>(device);
 }
 
