@@ -59,7 +59,7 @@ private:
 // they are compiled when the scene is known.
 std::unique_ptr<trace::Renderer> start(const std::string& device) {
     base::Progress progress("ptrace");
-    if (device.rfind("opencl", 0) == 0) progress.show("starts " + device + "; the first time its kernels are compiled");
+    if (device.rfind("opencl", 0) == 0) progress.show("starts " + device + "; its kernels are compiled the first time");
     return std::make_unique<trace::Renderer>(device);
 }
 
