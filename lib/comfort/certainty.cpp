@@ -156,7 +156,6 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
     calm_.begin(meter_.geometry(), m.threshold);
     SwayedMeasurements seen = measure(pictures, Calmed(pictures, calm_.replaced()), lum, m, meter_, [&](int row) {
         halves_.find_row(row);
-        if (errors_) halves_.weigh_row(meter_.geometry(), row);
         if (meter_.needs().sources) calm_.take_row(halves_, meter_.geometry(), row);
     });
     batches_.release(halves_.give_back());
@@ -186,7 +185,7 @@ Measurement Certainty::look_at_halves(const Luminance& lum, const Measurement& m
         const Halves::Variance v = Halves::variance(halves);
         const double taken_off = e.value - column.value(m);
         e.error = std::sqrt(v.sum + std::pow(column.doubt_of_bias * taken_off, 2));
-        e.degrees = halves_.degrees();
+        e.degrees = Halves::degrees(seen.off_at_eye);
         // A pixel at the threshold of sources may be most of the error, too, but that is no matter of its samples.
         const Halves::Variance of_samples = Halves::variance(&undecided[c * Halves::count]);
         e.tails = one_dominates(of_samples.sum > 0 ? of_samples.largest / of_samples.sum : 0, Halves::sums);

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/wide.h"
-
 namespace comfort {
 namespace {
 
@@ -23,25 +21,6 @@ uint32_t row_of(unsigned row) {
     for (unsigned column = 0; column < unsigned(Halves::count); ++column)
         bits |= uint32_t(negative(row, column)) << column;
     return bits;
-}
-
-struct Powers {
-    double squares = 0, fourths = 0;
-};
-WIDE_LOOP Powers powers_of(const float* off, const double* weight, int n) {
-    constexpr int lanes = 16;
-    double squares[lanes] = {}, fourths[lanes] = {};
-    const auto add = [&](int i, int k) __attribute__((always_inline)) {
-        const double z = double(off[i]) * weight[i], square = z * z;
-        squares[k] += square, fourths[k] += square * square;
-    };
-    int i = 0;
-    for (; i + lanes <= n; i += lanes)
-        for (int k = 0; k < lanes; ++k) add(i + k, k);
-    for (int k = 0; i < n; ++i, ++k) add(i, k);
-    Powers out;
-    for (int k = 0; k < lanes; ++k) out.squares += squares[k], out.fourths += fourths[k];
-    return out;
 }
 
 }  // namespace
@@ -64,21 +43,12 @@ bool Halves::begin(const Batches& batches, std::vector<float>&& room) {
     }
     off_.resize(whole_->size());
     apart_ = batches.halves();
-    squares_ = fourths_ = 0;
     return true;
 }
 
-void Halves::weigh_row(const Geometry& g, int row) {
-    for (size_t s = g.row_spans[row]; s < g.row_spans[row + 1]; ++s) {
-        const size_t first = size_t(row) * size_t(width_) + size_t(g.spans[s].begin);
-        const Powers of_span = powers_of(&off_[first], &g.omega_cos[first], g.spans[s].end - g.spans[s].begin);
-        squares_ += of_span.squares, fourths_ += of_span.fourths;
-    }
-}
-
-double Halves::degrees() const {
-    if (!(fourths_ > 0)) return sums;  // no pixel is off, or by no number
-    return 1 / (1. / sums + fourths_ / (3 * squares_ * squares_));
+double Halves::degrees(const OffAtEye& off) {
+    if (!(off.fourths > 0)) return sums;  // no pixel is off, or by no number
+    return 1 / (1. / sums + off.fourths / (3 * off.squares * off.squares));
 }
 
 Swayed Halves::pictures() const { return {width_, height_, whole_->data(), off_.data(), pattern_.data(), &signs_}; }

@@ -31,7 +31,7 @@
 #include <utility>
 #include <vector>
 #include "comfort/batches.h"
-#include "comfort/swayed.h"
+#include "comfort/swayed_row.h"
 
 namespace comfort {
 
@@ -50,9 +50,6 @@ public:
     void find_row(int row) {
         apart_.find(size_t(row) * size_t(width_), size_t(width_), &off_[size_t(row) * size_t(width_)]);
     }
-    // After find_row(), where degrees() are wanted.
-    void weigh_row(const Geometry& geometry, int row);
-    double degrees() const;  // of freedom of the variance below, as far as it goes with the light at the eye
 
     const std::vector<float>& whole() const { return *whole_; }  // L'
     const std::vector<float>& off() const { return off_; }       // d
@@ -64,13 +61,13 @@ public:
         double sum = 0, largest = 0;  // of 15 terms
     };
     static Variance variance(const double* values);
+    static double degrees(const OffAtEye& off);  // of freedom of this variance, as far as it goes with that light
     static double without_bias(double whole, const double* values, double r);
 
 private:
     int width_ = 0, height_ = 0;
     const std::vector<float>* whole_ = nullptr;
-    std::vector<float> off_;            // d
-    double squares_ = 0, fourths_ = 0;  // sums of z^2 and z^4
+    std::vector<float> off_;  // d
     Batches::Distance apart_{0, nullptr, nullptr, false};
     std::vector<uint8_t> pattern_;  // by pixel; word w is row w of the matrix, and row 0 is none's
     Signs signs_;

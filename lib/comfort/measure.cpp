@@ -40,6 +40,7 @@ void Meter::prepare(const view::View& view, const image::Picture& picture, const
     geometry_.reset();
     geometry_ = std::make_unique<Geometry>(view, picture.width, picture.height, settings_.slips);
     finder_ = std::make_unique<SourceFinder>(*geometry_, settings_);
+    if (needs_.rammg) pyramid_ = std::make_unique<Pyramid>(*geometry_, settings_.rammg_area);
     position_index_.clear();
     mask_.reset();
     region_pixels_.clear();
@@ -267,7 +268,7 @@ Measurement Meter::measure(Luminance& lum, const std::string& place, Luminance* 
     if (settings_.fill && bright_in) fill_rows(*bright_in, g, *settings_.fill);
     photometry(lum, m);
     regions(lum, m);
-    if (needs_.rammg) m.rammg = rammg(lum, g, settings_.rammg_area);
+    if (needs_.rammg) m.rammg = rammg(lum, *pyramid_);
     if (needs_.medians) position_statistics(lum, m);
     if (needs_.sources) glare(lum, bright_in ? *bright_in : lum, m);
     return m;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <vector>
+#include "comfort/pyramid.h"
 #include "comfort/region_pixels.h"
 #include "comfort/settings.h"
 #include "comfort/sources.h"
@@ -60,6 +61,7 @@ public:
     const Settings& settings() const { return settings_; }
     const Needs& needs() const { return needs_; }
     const Geometry& geometry() const { return *geometry_; }
+    const Pyramid& pyramid() const { return *pyramid_; }  // where RAMMG is asked for
     SourceFinder& finder() { return *finder_; }
     const SourceFinder& finder() const { return *finder_; }
 
@@ -82,6 +84,7 @@ private:
     std::vector<std::string> region_names_;
     std::unique_ptr<Geometry> geometry_;
     std::unique_ptr<SourceFinder> finder_;
+    std::unique_ptr<const Pyramid> pyramid_;
     std::vector<RegionPixels> region_pixels_;
     std::vector<float> position_index_;  // by pixel, made when medians are asked for
     std::optional<std::vector<uint32_t>> mask_;

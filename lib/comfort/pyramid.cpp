@@ -35,23 +35,21 @@ double Level::pixels() const {
     return n;
 }
 
-std::vector<Level> pyramid(const Geometry& geometry, RammgArea area) {
+Pyramid::Pyramid(const Geometry& geometry, RammgArea its_area) : area(its_area) {
     Level level{geometry.width, geometry.height, geometry.spans, geometry.row_spans};
     if (area != RammgArea::view) {
         level.spans.assign(size_t(level.height), {0, level.width});
         for (size_t r = 0; r < level.row.size(); ++r) level.row[r] = r;
     }
-    std::vector<Level> out;
     while (std::min(level.width, level.height) > 2 && level.pixels() > 0) {
-        out.push_back(std::move(level));
-        level = half_of(out.back());
+        levels.push_back(std::move(level));
+        level = half_of(levels.back());
     }
-    return out;
 }
 
-double contrast_of(double total, size_t levels, RammgArea area) {
+double Pyramid::contrast_of(double total) const {
     const double scale = cdm2_per_grey / (4 + 2 * std::sqrt(2.0)) / (area == RammgArea::prototype_scale ? 1 : 8);
-    return total * scale / double(levels);  // 0/0 is nan: the picture was too small
+    return total * scale / double(levels.size());  // 0/0 is nan: the picture was too small
 }
 
 }  // namespace comfort

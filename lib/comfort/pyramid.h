@@ -30,9 +30,13 @@ struct Level {
 };
 
 // From the whole picture down, as long as both sides are above 2 and a pixel counts.
-std::vector<Level> pyramid(const Geometry& geometry, RammgArea area);
+struct Pyramid {
+    Pyramid(const Geometry& geometry, RammgArea area);
+    // Contrast in cd/m2 of `total`, the sum over the levels of edge + corner sqrt(1/2) over pairs, twice, a pixel.
+    double contrast_of(double total) const;
 
-// Contrast in cd/m2 of `total`, the sum over the levels of edge + corner sqrt(1/2) over pairs, twice, a pixel.
-double contrast_of(double total, size_t levels, RammgArea area);
+    RammgArea area;
+    std::vector<Level> levels;
+};
 
 }  // namespace comfort

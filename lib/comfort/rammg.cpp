@@ -74,9 +74,10 @@ WIDE_LOOP void shrink_values(const float* from, int width, int height, std::vect
 
 }  // namespace
 
-double rammg(const Luminance& lum, const Geometry& geometry, RammgArea area) {
-    const std::vector<Level> levels = pyramid(geometry, area);
-    std::vector<float> room[2];
+double rammg(const Luminance& lum, const Pyramid& pyramid) {
+    static thread_local std::vector<float> room[2];  // new memory would take longer than what is done with it
+    const std::vector<Level>& levels = pyramid.levels;
+    const RammgArea area = pyramid.area;
     const float* values = lum.grey;
     double total = 0;
     for (size_t k = 0; k < levels.size(); ++k) {
@@ -88,7 +89,11 @@ double rammg(const Luminance& lum, const Geometry& geometry, RammgArea area) {
         shrink_values(values, level.width, level.height, room[k % 2]);
         values = room[k % 2].data();
     }
-    return contrast_of(total, levels.size(), area);
+    return pyramid.contrast_of(total);
+}
+
+double rammg(const Luminance& lum, const Geometry& geometry, RammgArea area) {
+    return rammg(lum, Pyramid(geometry, area));
 }
 
 }  // namespace comfort

@@ -3,9 +3,9 @@
 // (Abramowitz and Stegun 26.5.8, 26.7.1).
 #include "comfort/student.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace comfort {
 namespace {
@@ -44,15 +44,17 @@ double student_quantile(double outside, double degrees) {
     struct Known {
         double outside = 0, degrees = 0, quantile = 0;
     };
-    static thread_local Known last, before;  // columns and lines ask for the same two again and again
-    for (const Known& k : {last, before})
+    static thread_local std::array<Known, 8> all;  // columns and lines ask for the same few again and again
+    static thread_local size_t oldest = 0;
+    for (const Known& k : all)
         if (k.outside == outside && k.degrees == degrees) return k.quantile;
     double low = 0, high = 1;
     while (student_outside(high, degrees) > outside && high < 1e12) high *= 2;
     for (double middle = 0.5 * high; low < middle && middle < high; middle = (low + high) / 2)
         (student_outside(middle, degrees) > outside ? low : high) = middle;
-    before = std::exchange(last, {outside, degrees, (low + high) / 2});
-    return last.quantile;
+    Known& known = all[oldest++ % all.size()];
+    known = {outside, degrees, (low + high) / 2};
+    return known.quantile;
 }
 
 }  // namespace comfort

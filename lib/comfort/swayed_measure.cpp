@@ -22,6 +22,16 @@ GreyPicture mean_of(const Swayed& s) {
     return {s.width, s.height, std::vector<float>(s.mean, s.mean + size_t(s.width) * size_t(s.height))};
 }
 
+OffAtEye off_at_eye(const Swayed& s, const Geometry& g) {
+    MoreLight light(false);
+    SwayedRow row(s.width);
+    for (int r = 0; r < s.height; ++r) {
+        row.show(s, r, g.extent(r));
+        light.add(row, g, r);
+    }
+    return light.off_at_eye();
+}
+
 }  // namespace
 
 SwayedMeasurements measure(const Swayed& lum, const Calmed& bright, const Luminance& mean, const Measurement& of_mean,
@@ -32,12 +42,12 @@ SwayedMeasurements measure(const Swayed& lum, const Calmed& bright, const Lumina
     }
     const Geometry& g = meter.geometry();
     const Settings& settings = meter.settings();
-    SwayedMeasurements out{std::vector<Measurement>(size_t(lum.count()), of_mean), {}, of_mean};
+    SwayedMeasurements out{std::vector<Measurement>(size_t(lum.count()), of_mean), {}, of_mean, {}};
     const bool mean_counts =
         meter.needs().mean || settings.background == 1 || (settings.threshold && *settings.threshold <= 100);
     MoreLight light(mean_counts);
     std::optional<SwayedContrast> contrast;
-    if (meter.needs().rammg) contrast.emplace(g, settings.rammg_area, *lum.signs);
+    if (meter.needs().rammg) contrast.emplace(meter.pyramid(), *lum.signs);
     const bool all_columns = contrast && settings.rammg_area == RammgArea::rectangle;
     SwayedRow rows[2]{SwayedRow(g.width), SwayedRow(g.width)};
     for (int r = 0; r < g.height; ++r) {  // while they are in the cache
@@ -47,6 +57,7 @@ SwayedMeasurements measure(const Swayed& lum, const Calmed& bright, const Lumina
         light.add(here, g, r);
         if (contrast) contrast->take(here, rows[(r + 1) % 2], r);
     }
+    out.off_at_eye = light.off_at_eye();
     std::array<double, Signs::most> rammg{};
     if (contrast) rammg = contrast->of_pictures();
     const auto more = light.of_pictures(*lum.signs);
@@ -81,7 +92,7 @@ SwayedMeasurements measure(const Swayed& lum, const Calmed& bright, const Lumina
 SwayedMeasurements measure_one_by_one(const Swayed& lum, const Calmed& bright, const Luminance& mean,
                                       const Measurement& of_mean, Meter& meter) {
     const bool sources = meter.needs().sources;
-    SwayedMeasurements out{{}, {}, of_mean};
+    SwayedMeasurements out{{}, {}, of_mean, off_at_eye(lum, meter.geometry())};
     GreyPicture picture, bright_picture;
     if (sources) {
         picture = mean_of(lum), bright_picture = bright.mean();

@@ -5,6 +5,7 @@
 #include <vector>
 #include "comfort/calmed.h"
 #include "comfort/measure.h"
+#include "comfort/swayed_row.h"
 
 namespace comfort {
 
@@ -12,6 +13,7 @@ struct SwayedMeasurements {
     std::vector<Measurement> own;      // of each picture
     std::vector<Measurement> of_mean;  // of the mean picture, with the source pixels of each
     Measurement calm;                  // of the mean picture, with those of the mean of `bright`
+    OffAtEye off_at_eye;
 };
 
 // bright: which pixels are sources is decided in its pictures, where the meter finds any.  mean, and of_mean: the

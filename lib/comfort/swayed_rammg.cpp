@@ -196,8 +196,8 @@ private:
     std::vector<Contrast> sums_;
 };
 
-SwayedContrast::SwayedContrast(const Geometry& geometry, RammgArea area, const Signs& signs)
-    : area_(area), signs_(signs), levels_(pyramid(geometry, area)), below_(std::make_unique<Below>(levels_)) {}
+SwayedContrast::SwayedContrast(const Pyramid& pyramid, const Signs& signs)
+    : pyramid_(pyramid), levels_(pyramid.levels), signs_(signs), below_(std::make_unique<Below>(levels_)) {}
 SwayedContrast::~SwayedContrast() = default;
 
 void SwayedContrast::take(const SwayedRow& here, const SwayedRow& before, int r) {
@@ -221,20 +221,21 @@ void SwayedContrast::take(const SwayedRow& here, const SwayedRow& before, int r)
 
 std::array<double, Signs::most> SwayedContrast::of_pictures() const {
     std::array<double, Signs::most> out;
-    out.fill(contrast_of(0, levels_.size(), area_));
+    out.fill(pyramid_.contrast_of(0));
     if (levels_.empty()) return out;
     const auto edges = edge_.of_pictures(signs_), corners = corner_.of_pictures(signs_);
     const Sum below = below_->total();
     const double count = levels_[0].pixels();
     for (size_t k = 0; k < out.size(); ++k) {
         const double total = (edges[k] + std::sqrt(0.5) * corners[k]) / count + below[k];
-        out[k] = contrast_of(2 * total, levels_.size(), area_);
+        out[k] = pyramid_.contrast_of(2 * total);
     }
     return out;
 }
 
 std::array<double, Signs::most> rammg(const Swayed& pictures, const Geometry& geometry, RammgArea area) {
-    SwayedContrast out(geometry, area, *pictures.signs);
+    const Pyramid pyramid(geometry, area);
+    SwayedContrast out(pyramid, *pictures.signs);
     SwayedRow rows[2]{SwayedRow(pictures.width), SwayedRow(pictures.width)};
     for (int r = 0; r < pictures.height; ++r) {
         rows[r % 2].show(pictures, r, {0, pictures.width});

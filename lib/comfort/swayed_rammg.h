@@ -14,15 +14,15 @@ namespace comfort {
 // prototype_scale).
 class SwayedContrast {
 public:
-    SwayedContrast(const Geometry& geometry, RammgArea area, const Signs& signs);
+    SwayedContrast(const Pyramid& pyramid, const Signs& signs);
     ~SwayedContrast();
     void take(const SwayedRow& here, const SwayedRow& before, int row);  // one row after the other, from the top
     std::array<double, Signs::most> of_pictures() const;
 
 private:
-    RammgArea area_;
+    const Pyramid& pyramid_;
+    const std::vector<Level>& levels_;
     const Signs& signs_;
-    const std::vector<Level> levels_;
     PairSums edge_, corner_;
     class Below;
     std::unique_ptr<Below> below_;  // the levels below the pixels

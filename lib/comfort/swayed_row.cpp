@@ -3,6 +3,7 @@
 #include "comfort/swayed_row.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/wide.h"
 
@@ -26,6 +27,28 @@ WIDE_LOOP void add_light(const float* sway, const double* weight, int n, double*
     for (int k = 0; k < Signs::words; ++k) by_column[k] = sum[k];
 }
 
+// The weights are in the cache by now.
+WIDE_LOOP OffAtEye powers(const float* sway, const double* weight, int n) {
+    constexpr int many = 4;
+    using Doubles = double __attribute__((vector_size(8 * many)));
+    using Singles = float __attribute__((vector_size(4 * many)));
+    Doubles squares = {}, fourths = {};
+    const auto add = [&](int first, int count) __attribute__((always_inline)) {
+        Singles off = {};
+        Doubles weights = {};
+        std::memcpy(&off, sway + first, sizeof(float) * size_t(count));
+        std::memcpy(&weights, weight + first, sizeof(double) * size_t(count));
+        const Doubles z = __builtin_convertvector(off, Doubles) * weights, square = z * z;
+        squares += square, fourths += square * square;
+    };
+    int i = 0;
+    for (; i + many <= n; i += many) add(i, many);
+    if (i < n) add(i, n - i);
+    OffAtEye out;
+    for (int k = 0; k < many; ++k) out.squares += squares[k], out.fourths += fourths[k];
+    return out;
+}
+
 }  // namespace
 
 SwayedRow::SwayedRow(int width) {
@@ -47,6 +70,8 @@ void MoreLight::add(const SwayedRow& pictures, const Geometry& g, int row) {
         const unsigned* word = pictures.words(begin);
         double eye[Signs::words], all[Signs::words] = {};
         add_light(pictures.sway() + begin, &g.omega_cos[from], n, eye);
+        const OffAtEye off = powers(pictures.sway() + begin, &g.omega_cos[from], n);
+        off_at_eye_.squares += off.squares, off_at_eye_.fourths += off.fourths;
         if (all_) add_light(pictures.sway() + begin, &g.omega[from], n, all);
         for (int k = 0; k < Signs::words; ++k) by_word_[word[k]].eye += eye[k], by_word_[word[k]].all += all[k];
     }

@@ -26,15 +26,22 @@ private:
 };
 
 // What swayed pictures have more light than their mean, row by row.
+// Sums over the pixels of z^2 and z^4, z how far a pixel's share of the light at the eye is off its mean.
+struct OffAtEye {
+    double squares = 0, fourths = 0;
+};
+
 class MoreLight {
 public:
     explicit MoreLight(bool all) : all_(all) {}  // else only what comes to the eye
     void add(const SwayedRow& pictures, const Geometry& geometry, int row);
     std::array<Light, Signs::most> of_pictures(const Signs& signs) const;
+    const OffAtEye& off_at_eye() const { return off_at_eye_; }
 
 private:
     bool all_;
     std::array<Light, Signs::words> by_word_;
+    OffAtEye off_at_eye_;
 };
 
 }  // namespace comfort
