@@ -3,6 +3,7 @@
 // none) and cpu.cfs_period_us; a group's own limit and those of all groups above it hold.
 #include "base/processors.h"
 
+#include <fmt/core.h>
 #include <sched.h>
 
 #include <algorithm>
@@ -12,11 +13,13 @@
 #include <sstream>
 #include <thread>
 
+#include "base/error.h"
 #include "base/value.h"
 
 namespace base {
 namespace {
 
+constexpr long most_threads = 4096;
 unsigned said_by_user = 0;
 
 // Processors that the process may run on; the set grows until the system's fits.
@@ -61,7 +64,12 @@ void limit(unsigned& count, unsigned by) {
 }
 
 unsigned found() {
-    if (const unsigned wanted = environment_count("LUXPIPE_THREADS")) return wanted;
+    if (const char* wanted = std::getenv("LUXPIPE_THREADS"); wanted && *wanted) {
+        const long count = to_int(wanted, "LUXPIPE_THREADS");
+        if (count < 1 || count > most_threads)
+            fail("LUXPIPE_THREADS", fmt::format("{} is not a number of threads", count));
+        return unsigned(count);
+    }
     std::ostringstream groups;
     groups << std::ifstream("/proc/self/cgroup").rdbuf();
     unsigned count = std::max(1u, affinity());

@@ -24,6 +24,10 @@ bool whole_text(const std::string& text, double& value) {
     return end != begin && !*end && !std::isspace((unsigned char)*begin);
 }
 
+bool only_digits(const std::string& text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
 }  // namespace
 
 double to_real(const std::string& text, const std::string& where) {
@@ -47,7 +51,7 @@ long to_int(const std::string& text, const std::string& where) {
 
     double real = 0;
     if (!whole_text(text, real) || !(std::fabs(real) <= most_whole) || real != std::floor(real))
-        fail(where, '"' + text + "\" is not an integer");
+        fail(where, '"' + text + (only_digits(text) ? "\" is too large" : "\" is not an integer"));
     return long(real);
 }
 

@@ -18,13 +18,19 @@ std::string quoted_csv(const std::string& s) {
 std::string quoted_json(const std::string& s) {
     std::string out = "\"";
     char code[8];
-    for (unsigned char c : s) {
+    for (size_t k = 0; k < s.size(); ++k) {
+        const unsigned char c = static_cast<unsigned char>(s[k]);
         if (c == '"' || c == '\\') {
             out += '\\';
             out += char(c);
         } else if (c < 0x20 || c == 0x7f) {
             std::snprintf(code, sizeof code, "\\u%04x", c);
             out += code;
+        } else if (c >= 0x80) {  // JSON is UTF-8
+            size_t end = k + 1;
+            while (end < s.size() && static_cast<unsigned char>(s[end]) >= 0x80) ++end;
+            out += base::printable(std::string_view(s).substr(k, end - k));
+            k = end - 1;
         } else out += char(c);
     }
     return out + "\"";

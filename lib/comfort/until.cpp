@@ -15,7 +15,9 @@ std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::stri
         std::istringstream words(part);
         Tolerance t;
         std::string amount, more;
-        if (!(words >> t.metric >> amount))
+        if (words >> t.metric && t.metric == "class")
+            base::fail(place, "class takes no tolerance, and cannot be used with -window or -compare");
+        if (!(words >> amount))
             base::fail(place, "\"" + part + "\" is not a rule; write for example 'DGP 1%, Ev 0.5%'");
         if (words >> more && more == "%") amount += more, more.clear();
         t.relative = amount.back() == '%';

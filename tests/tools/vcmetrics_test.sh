@@ -75,6 +75,18 @@ check_exit '-max-frames without a rule: status 0' 0 'ptaccum < frames.lux | vcme
 check_exit '-max-frames before the rule holds: status 4' 4 '
     ptaccum < frames.lux | vcmetrics -max-frames 5 -until "Ev 1%"'
 check_error 'the class is that of DGP'           1 'no column "DGP"' 'vcmetrics -metrics Ev -until class one.hdr'
+check_error 'class takes no tolerance' 1 '^vcmetrics: -until: class takes no tol' '
+    vcmetrics -until "class 1%" one.hdr'
+check_error 'class speaks of intervals' 1 '^vcmetrics: -until: class .*-window' '
+    vcmetrics -until class -window 3 one.hdr'
+check_error 'an empty rule is none'              1 '^vcmetrics: -until: the rule is empty' 'vcmetrics -until "" one.hdr'
+check_error 'a window needs a rule'              1 '^vcmetrics: -window: .*-until' 'vcmetrics -window 3 one.hdr'
+check_error 'no columns'                         1 '^vcmetrics: -metrics: .*no column' 'vcmetrics -metrics , one.hdr'
+check 'an input that ends too early says so' '
+    { ptaccum < frames.lux | vcmetrics -until "Ev 0.0000001%" > a 2> said || [ $? -eq 4 ]; } &&
+    grep -q "^vcmetrics: the input ended after 40 frames: -until does not hold$" said'
+check 'jsonl of a name that is no UTF-8' '
+    cp one.hdr "$(printf "a\377b.hdr")" && vcmetrics -format jsonl a?b.hdr | grep -q "^{\"file\": \"a?b.hdr\", "'
 check_error 'a rule needs its column' 1 '^vcmetrics: -until: .*"UGR"' 'vcmetrics -until "UGR 1%" office256.hdr'
 check_exit 'the window begins again at a new frame 0' 4 '
     for k in 1 2 3; do $mkstream frames 0 2 32 32 2> /dev/null;

@@ -134,7 +134,9 @@ void choose_focus(Options& opt) {
         if (draw) masks = draw(shot.view, shot.nx, shot.ny);
         shot.focus = trace::focus_on(masks, shot.nx, shot.ny, opt.focus_share, opt.focus_file);
         if (shot.focus.empty())
-            base::warn(opt.focus_file, "its regions are so large that none of their pixels gets a second sample");
+            base::warn(opt.focus_file,
+                       "its regions are so large, or -focus-share so small, that none of their pixels gets a "
+                       "second sample");
     }
 }
 

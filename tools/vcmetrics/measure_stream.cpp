@@ -143,6 +143,7 @@ public:
         if (steps_) steps_->end_input(place);
     }
     int status() const { return stopping_->status(); }
+    void at_end() const { stopping_->at_end(); }
 
 private:
     // Streams of several views or skies name them (ptrace -views, -sky): columns of the table, from this one on.
@@ -246,6 +247,7 @@ int measure_all(const Options& o) {
         }
         printer.end_input(file == "-" ? "stdin" : file);
     }
+    printer.at_end();
     if (o.like == Like::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
     return printer.status();
 }

@@ -36,6 +36,13 @@ bool says_view(const base::OptionTable& t) {
     return any;
 }
 
+void check_said(const base::OptionTable& t, const Options& o) {
+    if (t.given("-metrics") && o.metrics.empty()) base::fail("-metrics", "there is no column in this list");
+    if (t.given("-until") && o.until.empty())
+        base::fail("-until", "the rule is empty; write for example 'DGP 1%, Ev 0.5%'");
+    if (o.window && !t.given("-until")) base::fail("-window", "is for a rule, and there is no -until");
+}
+
 void check(const Options& o) {
     if (o.settings.mask_file && o.settings.zones) base::fail("-A", "a mask and zones (-l, -L) cannot be used together");
     if (o.like != Like::vcmetrics && !o.compare && (o.list_sources || !o.metrics.empty()))
@@ -71,6 +78,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     if (says_view(table)) o.view = view;
     o.files = *operands;
     expand_globs(o.files);
+    check_said(table, o);
     check(o);
     return std::nullopt;
 }

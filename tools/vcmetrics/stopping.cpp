@@ -16,13 +16,13 @@ Stopping::Stopping(const Options& options, const std::vector<Column>& columns) :
     else precision_rule_.emplace(options.until);
     for (const Tolerance& t : window_rule_ ? window_rule_->tolerances() : precision_rule_->tolerances())
         watched_.push_back(column_of(t.metric));
-    if (precision_rule_ && precision_rule_->asks_class()) dgp_ = column_of("DGP");
+    if (precision_rule_ && precision_rule_->asks_class()) dgp_ = column_of("DGP", "class is that of DGP, but ");
 }
 
-size_t Stopping::column_of(const std::string& name) const {
+size_t Stopping::column_of(const std::string& name, const std::string& why) const {
     for (size_t k = 0; k < columns_.size(); ++k)
         if (columns_[k].name == name) return k;
-    base::fail("-until", "there is no column \"" + name + "\" in this run");
+    base::fail("-until", why + "there is no column \"" + name + "\" in this run");
 }
 
 bool Stopping::window_holds(const Line& line) {
@@ -48,6 +48,7 @@ bool Stopping::precision_holds(const Line& line, std::string& reason) {
 
 bool Stopping::after(const Line& line) {
     std::string reason;
+    frames_ = line.frames;
     if (window_rule_ && window_holds(line)) {
         held_ = true;
         reason = fmt::format("{} held over {} lines", options_.until, *options_.window);
@@ -61,4 +62,9 @@ bool Stopping::after(const Line& line) {
     if (!held_ && has_rule()) reason += ", -until does not hold yet";
     fmt::print(stderr, "vcmetrics: stopped after {} frames: {}\n", line.frames, reason);
     return true;
+}
+
+void Stopping::at_end() const {
+    if (status() != 0)
+        fmt::print(stderr, "vcmetrics: the input ended after {} frames: -until does not hold\n", frames_);
 }

@@ -23,10 +23,11 @@ public:
     };
     // True: stop here.  Status 0 if the rule holds or there is none, else 4.
     bool after(const Line& line);
+    void at_end() const;  // of the input, without a stop
     int status() const { return has_rule() && !held_ ? 4 : 0; }
 
 private:
-    size_t column_of(const std::string& name) const;
+    size_t column_of(const std::string& name, const std::string& why = "") const;
     bool window_holds(const Line& line);
     bool precision_holds(const Line& line, std::string& reason);
     const Options& options_;
@@ -35,5 +36,6 @@ private:
     std::optional<comfort::PrecisionRule> precision_rule_;
     std::vector<size_t> watched_;  // columns of the rule, in its order
     size_t dgp_ = 0;               // for the class
+    int64_t frames_ = 0;           // of the last line
     bool held_ = false;
 };
