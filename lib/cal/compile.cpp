@@ -10,22 +10,27 @@ namespace cal {
 
 namespace {
 
-// Does it read where the ray comes from: its direction, its length, its angle with the surface?
-bool reads_ray(const Graph& graph) {
-    for (int i = 0; i < int(graph.size()); i++) {
-        if (graph[i].op != OP_VAR) continue;
-        switch (graph[i].aux) {
-        case device::CAL_DX:
-        case device::CAL_DY:
-        case device::CAL_DZ:
-        case device::CAL_T:
-        case device::CAL_TS:
-        case device::CAL_RDOT:
-        case device::CAL_RDOTP: return true;
-        default: break;
-        }
+unsigned reads_of(uint32_t variable) {
+    switch (variable) {
+    case device::CAL_DX:
+    case device::CAL_DY:
+    case device::CAL_DZ:
+    case device::CAL_TS:
+    case device::CAL_RDOT:
+    case device::CAL_RDOTP: return READS_RAY;
+    case device::CAL_T: return READS_RAY | READS_TOTAL;
+    case device::CAL_PX:
+    case device::CAL_PY:
+    case device::CAL_PZ: return READS_PLACE;
+    default: return 0;
     }
-    return false;
+}
+
+unsigned reads_of(const Graph& graph) {
+    unsigned out = 0;
+    for (int i = 0; i < int(graph.size()); i++)
+        if (graph[i].op == OP_VAR) out |= reads_of(uint32_t(graph[i].aux));
+    return out;
 }
 
 }  // namespace
@@ -39,7 +44,7 @@ uint32_t with_builder(Library& library, const std::vector<double>& args, const b
         builder.recursion_limit = limit;
         try {
             const uint32_t entry = generate(graph, make(builder, graph), place, code);
-            code.looks = code.looks || reads_ray(graph);
+            code.reads |= reads_of(graph);
             return entry;
         } catch (const GraphBuilder::TooLarge&) {
             if (limit == 1) base::fail(place, "function is too large to compile");

@@ -27,13 +27,18 @@ private:
     std::unique_ptr<State> state_;
 };
 
+// What makes a program's value depend on who looks, or from where.
+constexpr unsigned READS_RAY = 1;    // the ray's direction or length, or its angle with the surface
+constexpr unsigned READS_TOTAL = 2;  // the whole way from the eye
+constexpr unsigned READS_PLACE = 4;  // the point; of what is far away, where the ray began
+
 // Flat output shared by all programs of a scene.  The two vectors are the device's arenas u and f themselves (programs
 // hold absolute indices into both): append to them, or start the arenas with them.
 struct Code {
     std::vector<uint32_t> words;             // instructions, table headers, glyphs
     std::vector<float> floats;               // data arrays, pictures
     std::map<std::string, uint32_t> tables;  // files already in the arenas
-    bool looks = false;                      // a program read the ray's direction or length since this was set to false
+    unsigned reads = 0;                      // READS_*: what programs have read since this was set to 0
 };
 
 // Compiles `outputs` (expressions such as "skybr" or "red(r,g,b)") in the context of file `cal_file` ("." = global)

@@ -36,6 +36,7 @@ struct FlatScene {
     uint32_t shadow_mode = 0;  // SHADOW_* of tables.h
     void shadows_need(uint32_t mode) { shadow_mode = std::max(shadow_mode, mode); }
     bool antimatter = false;
+    bool sky_places = false;  // what is far away looks different from place to place
     bool absorbs = false;    // some segment may lie in an absorbing medium
     bool functions = false;  // some material's lobes are .cal functions or tables
 

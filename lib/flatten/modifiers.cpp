@@ -79,22 +79,28 @@ private:
             link.record[MOD_NEXT] = out_.record[r.modifier];
             nesting_[i] = nesting_[r.modifier];
         }
-        tables_.code.looks = false;
+        tables_.code.reads = 0;
         if (scene::is_material(link.o.type)) add_material(link);
         else if (is_mixture(link.o.type)) add_mixture(link);
         else add_pattern(link);
-        if (looks(link)) link.record[MOD_FLAGS] |= MF_LOOKS;
+        link.record[MOD_FLAGS] |= dependence(link);
         out_.record[i] = uint32_t(tables_.records.size() / MOD_WORDS);
         tables_.records.insert(tables_.records.end(), link.record, link.record + MOD_WORDS);
     }
 
-    // Does it, or what it is made of, depend on where it is seen from?
-    bool looks(const Link& link) const {
-        const auto marked = [&](int32_t m) {
-            return m >= 0 && (tables_.records[out_.record[m] * MOD_WORDS + MOD_FLAGS] & MF_LOOKS) != 0;
+    // What it, or what it is made of, depends on: MF_LOOKS, MF_TOTAL, MF_PLACE.
+    uint32_t dependence(const Link& link) const {
+        constexpr uint32_t all = MF_LOOKS | MF_TOTAL | MF_PLACE;
+        const unsigned reads = tables_.code.reads;
+        uint32_t out = ((reads & cal::READS_RAY) != 0 ? MF_LOOKS : 0) |
+                       ((reads & cal::READS_TOTAL) != 0 ? MF_TOTAL : 0) |
+                       ((reads & cal::READS_PLACE) != 0 ? MF_PLACE : 0);
+        const auto inherit = [&](int32_t m) {
+            if (m >= 0) out |= tables_.records[out_.record[m] * MOD_WORDS + MOD_FLAGS] & all;
         };
-        const std::vector<int32_t> parts = named_modifiers(scene_, uint32_t(link.object));
-        return tables_.code.looks || marked(link.above) || std::any_of(parts.begin(), parts.end(), marked);
+        inherit(link.above);
+        for (const int32_t part : named_modifiers(scene_, uint32_t(link.object))) inherit(part);
+        return out;
     }
 
     // ---- textures and patterns

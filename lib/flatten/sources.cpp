@@ -93,7 +93,7 @@ void add_local_sources(const Modifiers& modifiers, const std::vector<Lights::Emi
     }
 }
 
-void add_distant_sources(const Modifiers& modifiers, const FlatScene& out, Sources& sources) {
+void add_distant_sources(const Modifiers& modifiers, FlatScene& out, Sources& sources) {
     const scene::Scene& scene = modifiers.scene;
     for (const Object& o : scene.objects) {
         if (o.type != Type::source || o.modifier < 0 || !modifiers.has_material[o.modifier]) continue;
@@ -101,14 +101,10 @@ void add_distant_sources(const Modifiers& modifiers, const FlatScene& out, Sourc
         const Reals r = scene.reals(o);
         const Vec3 d = unit(vec_at(r, 0));
         const double half = std::min(r[3], 360.0) * pi / 360, s = std::sin(half / 2), cap = r[3] >= 360 ? 3 : 2 * s * s;
-        uint32_t record[DISTANT_WORDS] = {bits(float(d.x)),
-                                          bits(float(d.y)),
-                                          bits(float(d.z)),
-                                          bits(float(cap)),
-                                          distant_seen(out, modifiers.record[o.modifier]),
-                                          NONE,
-                                          0,
-                                          0};
+        const uint32_t seen = distant_seen(out, modifiers.record[o.modifier]);
+        if (seen < DISTANT_BLACK && (out.record(seen)[MOD_FLAGS] & MF_PLACE) != 0) out.sky_places = true;
+        uint32_t record[DISTANT_WORDS] = {
+            bits(float(d.x)), bits(float(d.y)), bits(float(d.z)), bits(float(cap)), seen, NONE, 0, 0};
         if (material.type != Type::glow && !black(scene.reals(material))) {
             float* q = add_source(modifiers, o, sources);
             q[SRC_KIND] = from_bits(SK_DISTANT);

@@ -34,7 +34,7 @@ void shape_source(const scene::Scene& scene, const scene::Object& surface, base:
 void add_local_sources(const Modifiers& modifiers, const std::vector<Lights::Emitter>& emitters, FlatScene& out,
                        Sources& sources);
 // All distant surfaces in order, the active sources among them.
-void add_distant_sources(const Modifiers& modifiers, const FlatScene& out, Sources& sources);
+void add_distant_sources(const Modifiers& modifiers, FlatScene& out, Sources& sources);
 // What patterns take from the power by which sources are chosen.
 void weigh_patterns(const FlatScene& out, Sources& sources);
 // Copies of the sources mirrored in the relays, up to `levels` of them (virtual_sources.cpp).

@@ -67,7 +67,9 @@ enum { M_BEFORE_MATERIALS = M_FIRST_MATERIAL - 1u, MATERIALS(NUMBER_OF_ROW, NOTH
 #define MF_ALBEDO 8192u        // a mist that states its albedo
 #define MF_ECCENTRICITY 16384u
 #define MF_LOOKS 32768u     // it, or what it is made of, depends on where it is seen from
-#define MF_LOBES_SHIFT 16u  // number of outputs of the lobe program (MOD_EXTRA)
+#define MF_TOTAL 65536u     // likewise, on the whole way from the eye
+#define MF_PLACE 131072u    // likewise, on the point; of what is far away, on where the ray began
+#define MF_LOBES_SHIFT 18u  // number of outputs of the lobe program (MOD_EXTRA)
 
 // ---- what the kernels ask of a type of material: MT_* of materials.h by number
 #define TRAITS_OF_ROW(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits) \
@@ -250,4 +252,5 @@ STRUCT(Params) {
 #define PF_IRRADIANCE 1u
 #define PF_DV 2u  // light sources visible
 #define PF_ANTIMATTER 4u
+#define PF_SKY_PLACES 8u  // what is far away looks different from place to place
 #endif

@@ -36,7 +36,8 @@ inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOpt
     p.ab = o.ab;
     p.lr = o.lr;
     p.bv = o.bv;
-    p.flags = (o.i ? PF_IRRADIANCE : 0u) | (o.dv ? PF_DV : 0u) | (flat.antimatter ? PF_ANTIMATTER : 0u);
+    p.flags = (o.i ? PF_IRRADIANCE : 0u) | (o.dv ? PF_DV : 0u) | (flat.antimatter ? PF_ANTIMATTER : 0u) |
+              (flat.sky_places ? PF_SKY_PLACES : 0u);
     p.st = float(o.st);
     p.ss = float(o.ss);
     p.dj = float(o.dj);

@@ -166,6 +166,33 @@ TEST_CASE("what looks different from elsewhere is not shared") {
     CHECK(shares_nothing(corner("void ashik2 it 4 1 0 0 .\n0 8 .5 .5 .5 .1 .1 .1 30 30\n")));
 }
 
+// A floor under a sky of the corner's room.
+std::string open_floor(const std::string& sky, const std::string& above) {
+    return sky + "it source sky 0 0 4 0 0 1 360\n" + "void plastic matt 0 0 5 .5 .5 .5 0 0\n" +
+           "matt polygon floor 0 0 12 -2 -2 0 2 -2 0 2 2 0 -2 2 0\n" + above;
+}
+
+TEST_CASE("a sky that looks different from place to place is not shared") {
+    const std::string glow = "glow it 0 0 4 9 9 9 0\n";
+    CHECK(!shares_nothing(open_floor("void " + glow, "")));
+    CHECK(!shares_nothing(open_floor("void brightfunc seen 2 2+Dz .\n0 0\nseen " + glow, "")));
+    CHECK(shares_nothing(open_floor("void brightfunc seen 2 2+Px .\n0 0\nseen " + glow, "")));
+}
+
+TEST_CASE("links are blocked where panes let no path through, or where these tell how far the eye is") {
+    const std::string pane = "seen glass pane 0 0 3 .9 .9 .9\npane polygon p 0 0 12 -3 -3 1 3 -3 1 3 3 1 -3 3 1\n";
+    for (const char* seen : {"if(sin(6*Px)*sin(6*Py),-.5,1)", "1/(1+T)", "1/(1+Ts)"}) {
+        CAPTURE(seen);
+        const std::string pattern = std::string("void brightfunc seen 2 ") + seen + " .\n0 0\n";
+        const scene::Scene scene = scene_of(open_floor("void glow it 0 0 4 10 10 10 0\n", pattern + pane));
+        const Means plain = means_of(scene, trace::Sampling::plain, 60);
+        const Means shared = means_of(scene, trace::Sampling::shared, 60);
+        const double error = std::sqrt(shared.variance[blocks] + plain.variance[blocks]);
+        CHECK(error < .01 * plain.mean[blocks]);
+        CHECK(std::abs(shared.mean[blocks] - plain.mean[blocks]) < 4 * error);
+    }
+}
+
 TEST_CASE("where light fades on its way, or paths end by their weight, nothing is shared") {
     trace::RenderOptions options;
     options.lr = 3;

@@ -113,7 +113,7 @@ FN int link_pane(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE
     Sampler rnd = sampler_start(0u, 0u, 0u, 0u, 0u);
     Medium open = medium_open(par), beyond = medium_open(par);
     if (!find_material(s, par, g, &rnd) || take_alternate(s, par, g, PC_DIFFUSE, &rnd)) return 0;
-    if (!is_pane(g)) return 0;
+    if (!is_pane(s, par, g)) return 0;
     material_lobes(s, par, g, LOBES_SAMPLED, &rnd, &open, &beyond, lobes);
     return (lobes->flags & LOBE_PASS) == 0u;
 }
@@ -156,6 +156,7 @@ FN void path_look_through(SHARED(const SceneTables) s, UNIFORM(const Params) par
     float3 T = F3(1.0f, 1.0f, 1.0f);
     float chance = 1.0f;
     if (!link_ends(paths, &near, slot, &link) || !link_panes(s, par, &link.ray, &T, &chance)) chance = -1.0f;
+    if (!(chance > 0.0f)) chance = -1.0f;  // no path comes through: a pattern may make a pane black, or less than that
     paths->panes[slot].of[m] = pack4(T, chance);
 }
 

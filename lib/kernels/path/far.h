@@ -6,18 +6,21 @@
 #ifndef LUX_PATH_FAR_H
 #define LUX_PATH_FAR_H
 
-// Does the surface, or what it is made of, depend on where it is seen from?
-FN int surface_looks(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g) {
+// Does the surface, or what it is made of, depend on that (MF_LOOKS, MF_TOTAL)?
+FN int surface_depends(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint on) {
     uint mod = s->prims[PRIM_WORDS * g->prim + PRIM_MOD];
     if (in_instance(g->inst)) {
         uint of_all = as_uint_(*(instance_record(s, g->inst) + INST_MOD));
         if (of_all != NONE) mod = of_all;
     }
-    return (mod_word(s, par, mod, MOD_FLAGS) & MF_LOOKS) != 0u;
+    return (mod_word(s, par, mod, MOD_FLAGS) & on) != 0u;
 }
 
-// A plain pane, through which the far end is sought.
-FN int is_pane(PRIVATE(const Surface) g) { return g->type == M_GLASS && !g->mixed && (g->smooth || !is_textured(g)); }
+// A plain pane, through which the far end is sought.  Links know their own direction and length as paths do, but not
+// how far away the eye is.
+FN int is_pane(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g) {
+    return g->type == M_GLASS && !g->mixed && (g->smooth || !is_textured(g)) && !surface_depends(s, par, g, MF_TOTAL);
+}
 
 // The chance that a path goes on through a pane, where it may be mirrored, too.
 FN float pane_chance(PRIVATE(const Lobes) lobes) {
@@ -44,9 +47,9 @@ FN void far_point(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex) {
 FN void path_seek(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
                   PRIVATE(Vertex) vertex, int met) {
     PRIVATE(const Surface) g = &vertex->g;
-    if (met == MET_SURFACE && is_pane(g)) return;
+    if (met == MET_SURFACE && is_pane(s, par, g)) return;
     vertex->flags &= ~PC_SEEKS;
-    if (met == MET_NOTHING || surface_looks(s, par, g)) return;
+    if (met == MET_NOTHING || surface_depends(s, par, g, MF_LOOKS)) return;
 
     if (met == MET_SURFACE) {
         if (!scatters_evenly(g, &vertex->lobes)) return;

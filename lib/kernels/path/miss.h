@@ -15,7 +15,7 @@ FN void path_miss(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED
     PRIVATE(const Ray) ray = &vertex->ray;
     if (vertex->wanted && IS_FAR(ray->tmax)) {
         float3 sky = path_background(s, par, ray->org, ray->dir, vertex->flags, &vertex->rnd);
-        if ((vertex->flags & PC_SEEKS) != 0u) far_sky(paths, vertex, sky);
+        if ((vertex->flags & PC_SEEKS) != 0u && (par->flags & PF_SKY_PLACES) == 0u) far_sky(paths, vertex, sky);
         else vertex_add(vertex, sky);
     }
     vertex_store_rad(paths, vertex, vertex->before);
