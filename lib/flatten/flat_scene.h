@@ -37,8 +37,8 @@ struct FlatScene {
     void shadows_need(uint32_t mode) { shadow_mode = std::max(shadow_mode, mode); }
     bool antimatter = false;
     bool sky_places = false;  // what is far away looks different from place to place
-    bool absorbs = false;    // some segment may lie in an absorbing medium
-    bool functions = false;  // some material's lobes are .cal functions or tables
+    bool absorbs = false;     // some segment may lie in an absorbing medium
+    bool functions = false;   // some material's lobes are .cal functions or tables
 
     const uint32_t* record(uint32_t mod) const;  // MOD_WORDS of a modifier
     void make_room(size_t more_vertices, size_t more_triangles, size_t more_prims);
