@@ -13,7 +13,7 @@ struct Column {
     std::string name;
     std::function<double(const Measurement&)> value;
     double bias_of_halves = 0;           // how many times as large it is in half the frames (halves.h); 0: none
-    double doubt_of_bias = 0;            // standard error of what is taken off for it, as a share of that
+    double doubt_of_bias = 0;            // standard error of what is taken off for it, as a share of that, late
     bool regional = false;               // made of regions alone
     bool ratio = false;                  // CR: its bias is taken off by the jackknife
     bool printed_unbiased = false;       // DGPu, CRu: the column shows the value without bias

@@ -11,8 +11,8 @@
 // 2; absolute differences of noise with its deviation, r = sqrt 2.  Pixels that differ by about as much as their noise
 // have a larger r, up to 2, and neighbours that share what their paths find are such.  Office, blinds and classroom
 // needed 1.71, 1.73 and 1.55 for RAMMG (500 seeds each), so r is 1.65 and a tenth of what is taken off counts as its
-// error (docs/decisions/0019-certainty.md).  All this is right to first order; a hot pixel, twice as bright in half of
-// the halves and gone in the others, drops out.
+// error, more in early frames (docs/decisions/0019-certainty.md).  All this is right to first order; a hot pixel, twice
+// as bright in half of the halves and gone in the others, drops out.
 //
 // With x the mean of the a frames in one half, y of the b in the other and d = sqrt(a b)/(a + b) (x - y), a pixel shows
 // L' + d or L' - d (the halves themselves where a = b).  The signs over the 16 pictures are a row of a Hadamard matrix,

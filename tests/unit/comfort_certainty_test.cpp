@@ -253,6 +253,18 @@ TEST_CASE("an interval knows how few pixels its error is of") {
     }
 }
 
+// Then halves have sqrt 2 of it, and what is taken off as if they had more is too little by more than a third.
+TEST_CASE("an early interval of RAMMG allows for noise that is all of the contrast") {
+    constexpr int wall_side = 24;
+    const std::vector<double> wall(size_t(wall_side * wall_side), 1000);
+    Study study{"RAMMG", {3, 5}, 100};
+    study.run<Even>(wall, [&](uint32_t seed) { return Even(wall, {0, wall_side, 0, wall_side, 400}, seed); });
+    for (size_t k = 0; k < study.looks.size(); ++k) {
+        INFO(study.told(k));
+        CHECK(study.covered[k] > .92 * study.seeds);
+    }
+}
+
 TEST_CASE("rules of widths and of the class") {
     CHECK_THROWS_AS(PrecisionRule(""), base::Error);
     CHECK_THROWS_AS(PrecisionRule("DGP"), base::Error);
