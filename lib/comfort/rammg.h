@@ -14,8 +14,8 @@ namespace comfort {
 enum class RammgArea { view, rectangle, interior, prototype_scale };
 
 // view: only valid pixels (a parent counts if its four children do); prototype_scale: interior without the 1/8.
-// nan if a side is 2 or less.
-struct Pyramid;  // of the view and the area
+// nan if a side is 2 or less.  A Pyramid (pyramid.h) is that of a view and an area.
+struct Pyramid;
 double rammg(const Luminance& lum, const Pyramid& pyramid);
 double rammg(const Luminance& lum, const Geometry& geometry, RammgArea area = RammgArea::view);
 

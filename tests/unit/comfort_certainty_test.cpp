@@ -262,6 +262,7 @@ TEST_CASE("an early interval of RAMMG allows for noise that is all of the contra
     for (size_t k = 0; k < study.looks.size(); ++k) {
         INFO(study.told(k));
         CHECK(study.covered[k] > .92 * study.seeds);
+        CHECK(study.half_width[k] < .75 * study.plain[k]);
     }
 }
 

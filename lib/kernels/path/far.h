@@ -6,7 +6,7 @@
 #ifndef LUX_PATH_FAR_H
 #define LUX_PATH_FAR_H
 
-// Does the surface, or what it is made of, depend on that (MF_LOOKS, MF_TOTAL)?
+// Does the surface, or what it is made of, depend on how it is seen?  on: MF_LOOKS or MF_TOTAL.
 FN int surface_depends(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint on) {
     uint mod = s->prims[PRIM_WORDS * g->prim + PRIM_MOD];
     if (in_instance(g->inst)) {
