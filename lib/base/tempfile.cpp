@@ -34,6 +34,19 @@ std::string random_name() {
     return text;
 }
 
+// Where a symbolic link leads, also if nothing is there yet.
+std::string end_of_links(std::string path) {
+    char to[longest];
+    for (int links = 0;; ++links) {
+        const ssize_t n = readlink(path.c_str(), to, sizeof to);
+        if (n <= 0 || n == ssize_t(sizeof to)) return path;
+        errno = ELOOP;
+        if (links == 40) fail_system(path, "cannot be written");
+        const size_t folder = to[0] == '/' ? 0 : path.rfind('/') + 1;  // 0 where there is no slash
+        path = path.substr(0, folder) + std::string(to, size_t(n));
+    }
+}
+
 }  // namespace
 
 void remove_temp_files() {
@@ -45,6 +58,7 @@ TempFile::TempFile(const std::string& target) : target_(target) {
     struct stat old = {};
     errno = 0;
     if (stat(target.c_str(), &old) != 0) {
+        target_ = end_of_links(target);
         create(0666);
         return;
     }

@@ -3,6 +3,7 @@
 // Without keep(), or at SIGINT/SIGTERM under base::run(), it is removed.
 // The temporary stands beside the target under a name nobody can guess, and is made new: a file or link that is there
 // already is never written to.  It takes the permissions of the file it replaces.
+// A target that is a symbolic link stays one: what it names is made or replaced.
 // A target that exists and is not a regular file (/dev/null, a FIFO) is written directly.
 #pragma once
 #include <cstddef>

@@ -62,6 +62,12 @@ check 'a name of 255 characters is written' "
 check 'a link is kept and what it names is replaced' '
     ln -s s.exr link.exr; chmod 644 s.exr; : > s.exr; ptaccum -last two.hdr -o link.exr;
     test -L link.exr && test -s s.exr'
+check 'also where that is not there yet, and over several links' '
+    mkdir far; ln -s far/new.exr first.exr; ln -s first.exr second.exr; ptaccum -last two.hdr -o second.exr
+    test -L second.exr && test -L first.exr && test "$(ls -A far)" = new.exr'
+check_error 'a link to itself is an error' 2 '^ptaccum: loop.exr: cannot be written: Too many levels' '
+    ln -s loop.exr loop.exr; ptaccum -last two.hdr -o loop.exr'
+check 'and stays' 'test -L loop.exr && rm loop.exr'
 
 # 3. The terminal, and the cache of kernels.
 esc=$(printf '\033]0;owned\007')
