@@ -2,12 +2,19 @@
 // See memory.h.
 #include "base/memory.h"
 
+#include <unistd.h>
+
 #include <cstdlib>
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif
 
 namespace base {
+
+uint64_t machine_memory() {
+    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+    return pages > 0 && page > 0 ? uint64_t(pages) * uint64_t(page) : 0;
+}
 
 void give_back_memory() {
 #if defined(__GLIBC__)

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace base {
 
@@ -11,6 +12,8 @@ template <class Vector>
 void make_room(Vector& v, size_t more) {
     if (more > v.capacity() - v.size()) v.reserve(std::max(v.size() + more, 2 * v.capacity()));
 }
+
+uint64_t machine_memory();  // bytes; 0 if unknown
 
 // What was freed, given back to the system: glibc keeps blocks of up to 32 MB for later.
 void give_back_memory();

@@ -9,10 +9,10 @@
 #include <cmath>
 #include <exception>
 #include <mutex>
-#include <unistd.h>
 #include <fmt/format.h>
 #include "base/angle.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include "base/processors.h"
 #include "base/threads.h"
 #include "region/arcs.h"
@@ -219,9 +219,8 @@ image::MaskSet rasterize(const Regions& regions, const view::View& view, int nx,
                          const SceneView* eye) {
     if (nx < 1 || ny < 1 || int64_t(nx) * ny > (int64_t(1) << 28))
         base::fail("", fmt::format("a picture of {} x {} pixels is not possible", nx, ny));
-    const double bytes = 4.0 * nx * ny * double(regions.regions.size()),
-                 memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
-    if (bytes > .8 * memory)
+    const double bytes = 4.0 * nx * ny * double(regions.regions.size()), memory = double(base::machine_memory());
+    if (memory > 0 && bytes > .8 * memory)
         base::fail(regions.file, fmt::format("{} regions of {} x {} pixels need {:.1f} GB; this machine has {:.1f} GB",
                                              regions.regions.size(), nx, ny, bytes * 1e-9, memory * 1e-9));
     image::MaskSet set;

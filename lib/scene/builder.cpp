@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A modifier means the most recent definition of its name; surfaces are never modifiers.
 #include "scene/builder.h"
-#include <unistd.h>
 #include <algorithm>
 #include <limits>
 #include "base/error.h"
@@ -13,8 +12,8 @@
 namespace scene {
 
 SceneBuilder::SceneBuilder(Scene& scene, const Limits& limits) : scene_(scene), limit_(limits.bytes) {
-    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
-    if (!limit_) limit_ = pages > 0 && page > 0 ? uint64_t(pages) * page / 5 * 4 : uint64_t(8) << 30;
+    const uint64_t memory = base::machine_memory();
+    if (!limit_) limit_ = memory ? memory / 5 * 4 : uint64_t(8) << 30;
 }
 
 uint32_t SceneBuilder::file(const std::string& name) {

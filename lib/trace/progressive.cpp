@@ -7,12 +7,14 @@
 #include "trace/progressive.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <fmt/core.h>
 #include <future>
 #include <optional>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "trace/device.h"
 #include "trace/draw_sources.h"
 #include "trace/fingerprint.h"
@@ -136,6 +138,15 @@ struct Renderer::State {
         }
     }
 };
+
+void require_memory(const Shot& shot) {
+    constexpr uint64_t pixel = 60;  // bytes: frame 0's sums in double, a sample, a frame and what is written of it
+    const uint64_t memory = base::machine_memory(), least = pixel * uint64_t(shot.nx) * uint64_t(shot.ny);
+    if (memory == 0 || least <= memory) return;
+    errno = 0;
+    base::fail_system("-x, -y", fmt::format("{} x {} pixels need at least {:.1f} GB; this machine has {:.1f} GB",
+                                            shot.nx, shot.ny, double(least) * 1e-9, double(memory) * 1e-9));
+}
 
 Renderer::Renderer(const std::string& device) : state_(std::make_unique<State>()) {
     state_->device = make_device(device);

@@ -23,6 +23,9 @@ struct Shot {
     Focus focus = {};
 };
 
+// Throws Error (system) if its frames alone cannot be held by this machine.
+void require_memory(const Shot& shot);
+
 class Renderer {
 public:
     // A device, for scenes one after another.  Throws Error where there is no such device.
