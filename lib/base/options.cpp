@@ -24,6 +24,11 @@ bool is_whole_number(const std::string& word) { return word.find_first_not_of("0
     fail(option.name, "an argument is missing (" + option.spelling() + ")");
 }
 
+bool names_a_file(const Option& option) {
+    const std::string& what = option.arguments;
+    return what == "file" || what == "picture" || what == "pattern" || what == "target";
+}
+
 // "--frames" is "-frames".
 std::string one_dash(const std::string& word) {
     return word.size() > 3 && begins_with(word, "--") ? word.substr(1) : word;
@@ -123,6 +128,7 @@ void OptionTable::take_arguments(const Found& found, Words& words) {
     for (size_t i = 0; i < o.unneeded.value_or(0) && words.left() && is_whole_number(words.peek()); ++i) words.take();
 
     if (passed_over) return;
+    if (names_a_file(o) && !arguments.empty() && arguments[0].empty()) fail(o.name, "the name is empty");
     Arguments taken(o, std::move(arguments), words.scene_file());
     o.target.read(taken);
 }
@@ -153,6 +159,7 @@ std::optional<std::vector<std::string>> OptionTable::parse(int argc, char** argv
     while (operands_only ? words.left() > 0 : words.more()) {
         if (operands_only || !words.is_option()) {
             operands.push_back(words.take());
+            if (operands.back().empty()) fail("\"\"", "is not the name of a file");
         } else if (words.peek() == "--") {
             operands_only = true;
             words.take();

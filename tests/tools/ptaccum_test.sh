@@ -117,6 +117,8 @@ check_error 'a picture of the wrong size' 1 'input ends inside the picture' '
     sed "s/-Y 8 +X 8/-Y 9 +X 9/" n8.hdr > n9.hdr; head -c 900 n9.hdr | ptaccum > out'
 check_error 'an empty input' 1 '^ptaccum: stdin: holds no picture' 'ptaccum < /dev/null'
 check_error 'an unreadable file' 2 '^ptaccum: nowhere.exr: cannot be read: No such file' 'ptaccum nowhere.exr'
+check_error 'a file without a name' 1 '^ptaccum: "": is not the name of a file' 'ptaccum ""'
+check_error 'an output without a name' 1 '^ptaccum: -o: the name is empty' 'ptaccum n8.hdr -o ""'
 check_error 'a folder is not a picture' 2 'cannot be read: Is a directory' 'ptaccum .'
 
 # Streams that say how many frames are to come

@@ -79,6 +79,8 @@ check_error 'class takes no tolerance' 1 '^vcmetrics: -until: class takes no tol
     vcmetrics -until "class 1%" one.hdr'
 check_error 'class speaks of intervals' 1 '^vcmetrics: -until: class .*-window' '
     vcmetrics -until class -window 3 one.hdr'
+check_error 'regions without a name'             1 '^vcmetrics: -regions: the name is empty' '
+    vcmetrics -regions "" one.hdr'
 check_error 'an empty rule is none'              1 '^vcmetrics: -until: the rule is empty' 'vcmetrics -until "" one.hdr'
 check_error 'a window needs a rule'              1 '^vcmetrics: -window: .*-until' 'vcmetrics -window 3 one.hdr'
 check_error 'no columns'                         1 '^vcmetrics: -metrics: .*no column' 'vcmetrics -metrics , one.hdr'

@@ -139,10 +139,7 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
         .share();
     t.add("-device name", "Where to render: auto, cpu, cpu:embree, opencl or opencl:N", opt.device);
     t.add("-n n", "Threads of the CPU devices", opt.threads).within(1, 4096).otherwise("all that the process may use");
-    t.add("-o pattern", "Write frames to files such as f%04d.hdr", [&](Arguments& a) {
-        opt.output = a.text();
-        if (opt.output.empty()) base::fail(a.name(), "the name is empty");
-    });
+    t.add("-o pattern", "Write frames to files such as f%04d.hdr", opt.output);
     t.add("-M target", "Print a rule of make: this target and all files that are read for it; render nothing",
           opt.rule_for);
     t.add("-MF file", "Write the rule of -M to this file, and render", opt.rule_file);
