@@ -30,7 +30,9 @@ TextReader TextReader::from_file(const std::string& path, const std::string& ask
     if (s.close_) note_file_read(path);
     struct stat st;
     if (fstat(s.fd_, &st) == 0) {
-        if (S_ISDIR(st.st_mode)) fail(asked_by.empty() ? path : asked_by, "\"" + excerpt(path) + "\" is a directory");
+        errno = 0;
+        if (S_ISDIR(st.st_mode))
+            fail_system(asked_by.empty() ? path : asked_by, "\"" + excerpt(path) + "\" is a directory");
         s.device = st.st_dev;
         s.inode = s.close_ ? st.st_ino : 0;
         if (S_ISREG(st.st_mode)) s.size = uint64_t(st.st_size);

@@ -284,13 +284,7 @@ Regions parse(const std::string& text, const std::string& file) {
 Regions read(const std::string& path) {
     if (path == "-") return parse(std::string(std::istreambuf_iterator<char>(std::cin), {}), "stdin");
     constexpr size_t limit = 64u << 20;  // a text of regions, not a picture given by mistake
-    std::string text;
-    try {
-        text = base::read_text_file(path, limit);
-    } catch (const base::Error& e) {
-        base::fail(e.where, e.message);  // an input that is not there is a wrong input: status 1
-    }
-    return parse(text, path);
+    return parse(base::read_text_file(path, limit), path);
 }
 
 }  // namespace region

@@ -3,7 +3,9 @@
 // A mask stretches over the whole picture whatever its size; in set operations a point is in where its mask pixel is
 // at least 1/2, alone a mask keeps its grey.
 #include "region/picture.h"
+#include <unistd.h>
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -106,6 +108,8 @@ MaskPicture read_png(const Shape& s) {
     png_image png;
     std::memset(&png, 0, sizeof png);
     png.version = PNG_IMAGE_VERSION;
+    errno = 0;
+    if (access(s.text.c_str(), R_OK) != 0) base::fail_system(s.place, fmt::format("mask {}: cannot be read", s.text));
     if (std::filesystem::is_regular_file(s.text)) require_whole_chunks(s);
     if (!png_image_begin_read_from_file(&png, s.text.c_str()))
         base::fail(s.place, fmt::format("mask {}: {}", s.text, png.message));
@@ -128,8 +132,18 @@ MaskPicture read_png(const Shape& s) {
     return m;
 }
 
+// What is wrong with a mask is told at the line that names it.
+template <class Read>
+auto read_named(Read&& read, const Shape& s) {
+    try {
+        return read(s.text);
+    } catch (const base::Error& e) {
+        throw base::Error(e.kind, s.place, "mask " + e.text);
+    }
+}
+
 MaskPicture read_exr_channel(const Shape& s) {
-    image::MaskSet set = image::read_masks(s.text);
+    image::MaskSet set = read_named([](const std::string& path) { return image::read_masks(path); }, s);
     std::vector<std::string> names;
     for (image::Mask& mask : set.masks) {
         if (mask.name == s.channel) return {set.width, set.height, std::move(mask.coverage)};
@@ -165,12 +179,7 @@ MaskPicture read_mask_picture(const Shape& s) {
     } else if (!s.channel.empty()) {
         m = read_exr_channel(s);
     } else {  // a picture: its grey value, equal-energy white being 1
-        image::Picture p;
-        try {
-            p = image::read_file(s.text);
-        } catch (const base::Error& e) {
-            throw base::Error(e.kind, s.place, "mask " + e.text);
-        }
+        const image::Picture p = read_named([](const std::string& path) { return image::read_file(path); }, s);
         m = {p.width, p.height, std::vector<float>(p.rgb.size() / 3)};
         const float weights[3] = {float(image::luminance_weights[0]), float(image::luminance_weights[1]),
                                   float(image::luminance_weights[2])};

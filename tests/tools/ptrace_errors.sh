@@ -16,7 +16,19 @@ check_error 'an undefined modifier names its line' 1 '^ptrace: modifier.rad:3: .
 check_error 'too few arguments name their primitive' 1 '^ptrace: short.rad:2: .*"mat"' "
     ptrace $view -frames 1 short.rad | cat"
 check_error 'a missing scene' 2 '^ptrace: absent.rad: .*No such file' "ptrace $view -frames 1 absent.rad | cat"
-check_error 'a folder is not a scene' '[12]' '^ptrace: folder: ' "ptrace $view -frames 1 folder | cat"
+check_error 'a function file that is in no folder searched' 1 '^ptrace: -f: cannot find function file "absent.cal"' "
+    ptrace $view -frames 1 -f absent.cal good.rad | cat"
+if [ "$(awk '/^MemTotal/ { print $2 }' /proc/meminfo)" -lt 60000000 ]; then
+    check_error 'a picture that is larger than memory says so before the work' 2 \
+        '^ptrace: -x, -y: 32768 x 32768 pixels need at least 64[.]4 GB; this machine has [0-9]+[.][0-9] GB$' "
+        ptrace $view -x 32768 -y 32768 -frames 1 good.rad | cat"
+fi
+for option in -vf -views -sky -focus -f -e -o -M -MF -rif; do
+    check_error "$option without a name" 1 "^ptrace: $option: the name is empty" "
+        ptrace $view $option '' -frames 1 good.rad > /dev/null"
+done
+check_error 'a scene without a name' 1 '^ptrace: "": is not the name of a file' "ptrace $view -frames 1 '' > /dev/null"
+check_error 'a folder is not a scene' 2 '^ptrace: folder: ' "ptrace $view -frames 1 folder | cat"
 check_error 'commands do not run unasked' 1 '^ptrace: command.rad:1: .*-exec' "ptrace $view -frames 1 command.rad | cat"
 check 'and did not' 'test ! -e ran'
 check_error 'a full disk' 2 '^ptrace: .*No space left' "ptrace $view -frames 2 good.rad > /dev/full"

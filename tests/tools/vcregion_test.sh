@@ -12,6 +12,15 @@ check 'the office regions lie in the office view' "
 check 'the two halves of the screen mirror each other' "
     awk -F'\t' '\$1 == \"screen_high\" { a = \$3; x = \$5 } \$1 == \"screen_low\" { b = \$3; y = \$5 }
                 END { exit !(a > 0 && (a - b)^2 < 1e-12 && x < 0 && (x + y)^2 < 1e-8) }' list"
+check_error 'a file that cannot be read is a failure of the system, as everywhere' 2 \
+    '^vcregion: none.regions: cannot be read: No such file' "vcregion $view -list none.regions"
+for mask in none.png none.exr 'none.exr channel a'; do
+    check_error "and so is that of a mask: $mask" 2 '^vcregion: m.regions:1: mask none[.].*: No such file' "
+        echo 'm mask $mask' > m.regions; vcregion $view -list m.regions"
+done
+check_error 'one that is too long is wrong input' 1 '^vcregion: long.regions: is longer than' "
+    head -c 68000000 /dev/zero | tr '\\0' '#' > long.regions; vcregion $view -list long.regions; status=\$?
+    rm long.regions; exit \$status"
 check 'the same bytes on every run' "
     vcregion $view -o a.exr office.regions
     mkdir again; cd again; cp ../office.regions .; vcregion $view -o a.exr office.regions; cmp a.exr ../a.exr"
@@ -54,8 +63,8 @@ printf 'a circle 0 -1 0 9\nback circle 0 1 0 9\n' > back
 check_error 'an empty region is an error at its line' 1 '^vcregion: back:2: region "back" is empty' "
     vcregion $view -o b.exr back"
 check 'and leaves no file' 'test ! -e b.exr'
-check_error 'a missing region file' 1 '^vcregion: nothere: ' "vcregion $view -list nothere"
-check_error 'a folder is not a region file' 1 '^vcregion: [.]: ' "vcregion $view -list ."
+check_error 'a missing region file' 2 '^vcregion: nothere: ' "vcregion $view -list nothere"
+check_error 'a folder is not a region file' 2 '^vcregion: [.]: ' "vcregion $view -list ."
 check_error 'a mistake in the file names its line' 1 '^vcregion: bad:2: ' "
     printf 'a rect 0 0 1 1\nb rekt 0 0 1 1\n' > bad; vcregion -list bad"
 check_error 'a name that is not there, and one that is near' 1 'no region is called "dsk" .did you mean "desk"' "
