@@ -46,6 +46,8 @@ void SceneReader::read_file(const std::string& path, const std::string& asked_by
 void SceneReader::content(base::TextReader& in, const std::string& path) {
     if (in.header_format() == "Radiance_octree") return octree(in);
     if (is_mesh(in)) return mesh(in, path);
+    if (const std::string format = in.header_format(); !format.empty())
+        base::fail(in.name(), "is not a scene: its header says FORMAT=" + base::excerpt(format));
     in.skip_space();
     if (in.peek() < 0) base::warn(in.name(), "an empty scene file");
     statements(in);

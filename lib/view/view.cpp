@@ -61,20 +61,22 @@ void declare_file_option(base::OptionTable& t, std::function<void(const View&)> 
     t.add("-vf file", "Take the view from a view file or from the header of a picture", read).from_scene();
 }
 
-bool parse_line(View& v, const std::string& line) {
+bool parse_line(View& v, const std::string& line, std::string* wrong) {
     std::istringstream in(line.compare(0, 5, "VIEW=") == 0 ? line.substr(5) : line);
     base::OptionTable options;  // without -vf: a header opens no files
     declare_options(options, v);
 
     bool any = false;
+    if (wrong) wrong->clear();
     base::Words words({std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()});
     while (words.left()) {
         const size_t at = words.at();
         try {
             if (options.read(words)) any = true;
             else words.take();
-        } catch (const base::Error&) {
+        } catch (const base::Error& e) {
             words.go_to(at + 1);  // a word that only looks like a view option: skipped, as RADIANCE's readers do
+            if (wrong && wrong->empty()) *wrong = e.text;
         }
     }
     return any;
@@ -95,7 +97,7 @@ void apply_view_file(View& v, const std::string& path) {
     if (!in) base::fail_system(path, "cannot be read");
     base::note_file_read(path);
     bool any = false;
-    std::string line;
+    std::string line, wrong;  // wrong: in the last line with a view, which counts
     line.reserve(256);
     size_t bytes = 0;
     for (char c; in.get(c);) {
@@ -110,11 +112,12 @@ void apply_view_file(View& v, const std::string& path) {
         }
         if (!line.empty() && line.back() == '\r') line.pop_back();
         if (line.empty() && any) break;  // end of a picture's header
-        if (is_view_line(line)) any = parse_line(v, line) || any;
+        if (is_view_line(line)) any = parse_line(v, line, &wrong) || any;
         line.clear();
     }
-    if (is_view_line(line)) any = parse_line(v, line) || any;
+    if (is_view_line(line)) any = parse_line(v, line, &wrong) || any;
     if (in.bad()) base::fail_system(path, "cannot be read");
+    if (!wrong.empty()) base::fail(path, wrong);
     if (!any) base::fail(path, "holds no view (no VIEW= line with a view option)");
 }
 
@@ -145,7 +148,10 @@ std::vector<NamedView> read_views(const std::string& path, const View& start) {
         std::string name;
         words >> name;
         if (name.empty() || name[0] == '-') name.clear();
-        if (!parse_line(view, line)) continue;
+        std::string wrong;
+        const bool any = parse_line(view, line, &wrong);
+        if (!wrong.empty()) base::fail(fmt::format("{}:{}", where, number), wrong);
+        if (!any) continue;
         try {
             validate(view);
         } catch (const base::Error& e) {

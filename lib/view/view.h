@@ -34,7 +34,8 @@ inline bool operator!=(const View& a, const View& b) { return !(a == b); }
 void declare_options(base::OptionTable& table, View& v, const std::string& otherwise = "");
 void declare_file_option(base::OptionTable& table, std::function<void(const View&)> use);
 // Applies every view option found in a header or view-file line (unknown words are skipped); true if there was one.
-bool parse_line(View& v, const std::string& line);
+// One that cannot be read is skipped, too, and told in `wrong` (the first one; else empty).
+bool parse_line(View& v, const std::string& line, std::string* wrong = nullptr);
 // Lines that hold a view in headers and view files: VIEW= and the command lines of rpict, rvu and their kin.
 bool is_view_line(const std::string& line);
 // Last view of a view file or picture header; throws Error if there is none.
