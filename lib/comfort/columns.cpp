@@ -19,7 +19,8 @@ enum Want : unsigned {
     mask = 8,
     noisy = 16,
     brightest = 32,
-    mean = 64
+    mean = 64,
+    all_light = 128
 };
 
 struct Entry {
@@ -42,7 +43,7 @@ double lum_sources(M m) {
 double class_value(M m) { return dgp_class(m.dgp); }
 
 const Entry entries[] = {
-    {"Ev", nothing, [](M m) { return m.ev; }},
+    {"Ev", all_light, [](M m) { return m.ev; }},
     {"DGP", sources | noisy, [](M m) { return m.dgp; }},
     {"class", sources, class_value},
     {"DGI", sources | noisy, [](M m) { return dgi(m.glare, m.background); }},
@@ -157,6 +158,7 @@ private:
             needs_.medians |= (e.wants & medians) != 0;
             needs_.brightest |= (e.wants & brightest) != 0;
             needs_.mean |= (e.wants & mean) != 0;
+            needs_.all_light |= (e.wants & (all_light | sources)) != 0 && !settings_.external_ev;
 
             Column column{name, e.value};
             if (std::string(e.name) == "LveilCIE")

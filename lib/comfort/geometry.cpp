@@ -136,4 +136,10 @@ double Geometry::pitch_bound() const {
     }
 }
 
+double Geometry::share_of_light() const {
+    double sum = 0;
+    for (const double each : omega_cos) sum += each;
+    return sum / base::pi;
+}
+
 }  // namespace comfort

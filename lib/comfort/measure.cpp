@@ -39,6 +39,7 @@ void Meter::prepare(const view::View& view, const image::Picture& picture, const
     finder_.reset();
     geometry_.reset();
     geometry_ = std::make_unique<Geometry>(view, picture.width, picture.height, settings_.slips);
+    narrow_ = needs_.all_light && geometry_->share_of_light() < .9;
     finder_ = std::make_unique<SourceFinder>(*geometry_, settings_);
     if (needs_.rammg) pyramid_ = std::make_unique<Pyramid>(*geometry_, settings_.rammg_area);
     position_index_.clear();
@@ -264,6 +265,8 @@ Measurement Meter::measure(Luminance& lum, const std::string& place, Luminance* 
                               "use -f to measure it all the same",
                           evalglare_black_corners(*m.black_corners, true));
     }
+    if (std::exchange(narrow_, false))
+        base::warn(place, "Ev and DGP are of this narrow view; -vta -vh 180 -vv 180 has all that reaches the eye");
     if (settings_.fill) fill_rows(lum, g, *settings_.fill);
     if (settings_.fill && bright_in) fill_rows(*bright_in, g, *settings_.fill);
     photometry(lum, m);

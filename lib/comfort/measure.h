@@ -84,6 +84,7 @@ private:
     std::vector<std::string> region_names_;
     std::unique_ptr<Geometry> geometry_;
     std::unique_ptr<SourceFinder> finder_;
+    bool narrow_ = false;  // a view that is still to be told of
     std::unique_ptr<const Pyramid> pyramid_;
     std::vector<RegionPixels> region_pixels_;
     std::vector<float> position_index_;  // by pixel, made when medians are asked for

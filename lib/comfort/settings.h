@@ -81,6 +81,7 @@ struct Refusal : base::Error {
 struct Needs {
     bool sources = true, rammg = true, medians = false, regions_in_full = false;
     bool brightest = false, mean = false;  // of half pictures, too
+    bool all_light = false;                // all that reaches the eye, which a narrow view leaves out in part
 };
 
 }  // namespace comfort

@@ -28,6 +28,18 @@ for option in -vf -views -sky -focus -f -e -o -M -MF -rif; do
         ptrace $view $option '' -frames 1 good.rad > /dev/null"
 done
 check_error 'a scene without a name' 1 '^ptrace: "": is not the name of a file' "ptrace $view -frames 1 '' > /dev/null"
+printf 'rvu -vta -vp 2 2,6 1 -vh 180 -vv 180\n' > comma.vf
+printf 'VIEW= a -vta -vh 180 -vv 180\nVIEW= b -vd 0 1\n' > short.vf
+printf 'rpict -vp 1 1 scene.oct\nVIEW= -vtv -vp 1 1 1\n' > last.vf
+check_error 'a view file with a word that is no number' 1 '^ptrace: comma.vf: -vp: "2,6" is not a number' "
+    ptrace $view -vf comma.vf -frames 1 good.rad | cat"
+check_error 'a list of views with too few numbers' 1 '^ptrace: short.vf:2: -vd: an argument is missing' "
+    ptrace $view -views short.vf -frames 1 good.rad | cat"
+check 'a line before the last view may look like one' "ptrace $view -vf last.vf -frames 1 good.rad | cat > /dev/null"
+ptrace $view -frames 1 good.rad > picture.hdr 2> /dev/null
+check_error 'a picture is not a scene' 1 '^ptrace: picture.hdr: is not a scene: its header says FORMAT=float' "
+    ptrace $view -frames 1 picture.hdr | cat"
+rm comma.vf short.vf last.vf picture.hdr
 check_error 'a folder is not a scene' 2 '^ptrace: folder: ' "ptrace $view -frames 1 folder | cat"
 check_error 'commands do not run unasked' 1 '^ptrace: command.rad:1: .*-exec' "ptrace $view -frames 1 command.rad | cat"
 check 'and did not' 'test ! -e ran'

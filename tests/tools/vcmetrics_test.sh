@@ -79,6 +79,17 @@ check_error 'class takes no tolerance' 1 '^vcmetrics: -until: class takes no tol
     vcmetrics -until "class 1%" one.hdr'
 check_error 'class speaks of intervals' 1 '^vcmetrics: -until: class .*-window' '
     vcmetrics -until class -window 3 one.hdr'
+wide='-vta -vh 180 -vv 180' narrow='-vtv -vh 60 -vv 60'
+check 'a view that shows a part of what reaches the eye is told of, once, where that matters' '
+    vcmetrics $narrow one.hdr one.hdr 2> said > t; [ "$(wc -l < said)" = 1 ]
+    grep -q "^vcmetrics: warning: one.hdr: Ev and DGP are of this narrow view; -vta -vh 180 -vv 180 has all" said'
+check 'not of a whole one, of regions, with the Ev of a meter, or as evalglare' '
+    echo "a circle view 10" > one.regions
+    vcmetrics $wide one.hdr 2> said > t; vcmetrics $narrow -regions one.regions -metrics TAL,RAMMG one.hdr 2>> said > t
+    vcmetrics $narrow -i 500 one.hdr 2>> said > t
+    vcmetrics $narrow -like evalglare one.hdr 2>> said > t; [ ! -s said ]'
+check 'a list of metrics may have blanks' '
+    vcmetrics -metrics "Ev, DGP" one.hdr > t && vcmetrics -metrics Ev,DGP one.hdr | cmp - t'
 check_error 'regions without a name'             1 '^vcmetrics: -regions: the name is empty' '
     vcmetrics -regions "" one.hdr'
 check_error 'an empty rule is none'              1 '^vcmetrics: -until: the rule is empty' 'vcmetrics -until "" one.hdr'

@@ -2,6 +2,8 @@
 // Our own options: see declare.h.
 #include "declare.h"
 
+#include <algorithm>
+
 #include "base/split.h"
 #include "comfort/columns.h"
 
@@ -18,14 +20,21 @@ void define_dgp(Arguments& a, comfort::Settings& s) {
     }
 }
 
+// 'Ev, DGP' is Ev,DGP, as it is in a rule.
+std::string without_blanks(std::string list) {
+    list.erase(std::remove(list.begin(), list.end(), ' '), list.end());
+    return list;
+}
+
 void declare_output(OptionTable& t, Options& o) {
     using Format = comfort::TableFormat;
     t.group("What is printed");
     t.add("-metrics list", "The columns, comma separated: " + comfort::column_names(),
-          [&](Arguments& a) { o.metrics = base::split_list(a.text(), ','); });
+          [&](Arguments& a) { o.metrics = base::split_list(without_blanks(a.text()), ','); });
     t.add("-regions file", "Named regions: masks of vcregion(1), or a file of vcregion(5)", o.regions_file);
     t.add("-cr pair", "Contrast ratio of two regions, low/high or name=low/high; may be repeated", [&](Arguments& a) {
-        for (const std::string& pair : base::split_list(a.text(), ',')) o.contrast_pairs.push_back(pair);
+        for (const std::string& pair : base::split_list(without_blanks(a.text()), ','))
+            o.contrast_pairs.push_back(pair);
     });
     t.add("-sources", "Print a line for each glare source instead of the metrics", o.list_sources);
     t.add("-ci percent", "NAME.lo and NAME.hi after each column: where the converged value lies, this certain",
