@@ -6,6 +6,8 @@
 LIBRARY float sqrt(float x) { return __builtin_sqrtf(x); }
 LIBRARY float floor(float x) { return __builtin_floorf(x); }
 LIBRARY float fabs(float x) { return __builtin_fabsf(x); }
+LIBRARY uint clz(uint x) { return __builtin_clz(x); }
+LIBRARY uint popcount(uint x) { return __builtin_popcount(x); }
 LIBRARY size_t get_local_id(uint dimension) { return __nvvm_read_ptx_sreg_tid_x(); }
 LIBRARY size_t get_global_id(uint dimension) {
     return __nvvm_read_ptx_sreg_ctaid_x() * __nvvm_read_ptx_sreg_ntid_x() + __nvvm_read_ptx_sreg_tid_x();

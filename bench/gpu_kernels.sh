@@ -19,7 +19,7 @@ out=$(mktemp -d) && trap 'rm -rf "$out"' EXIT
 
 to_ptx() {  # architecture, features
     "$clang" -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -target nvptx64-nvidia-nvcl -Xclang -target-cpu \
-        -Xclang "$1" -I "$bench/../lib" -cl-fp32-correctly-rounded-divide-sqrt -DLUX_BVH2 "-DLUX_HAS=$2" -O3 -S \
+        -Xclang "$1" -I "$bench/../lib" -cl-fp32-correctly-rounded-divide-sqrt -DLUX_COMPACT "-DLUX_HAS=$2" -O3 -S \
         -o "$out/kernels.ptx" "$bench/gpu_builtins.cl" 2> "$out/clang.log"
 }
 table() {  # what is said of it, features (lib/kernels/features.h)

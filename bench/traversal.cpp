@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays per second of processor time: our eight-wide tree (this file's instruction set), the two-wide one, and Embree's
+// Rays per second of processor time: the CPU's tree (this file's instruction set), the GPU's (scalar), and Embree's
 // own traversal of the same triangles (rtcIntersect1/rtcOccluded1, default and ROBUST).  Scene and rays come from a
 // seed: a room with a window and bumpy spheres; rays of cosine-distributed bounces and shadow rays to a ceiling lamp,
 // in order. Usage: bench_traversal_<isa> [triangles in thousands, default 20] [rays in thousands, default 300]
@@ -86,7 +86,7 @@ static Rays bouncing_rays(const bvh_scenes::Scene& scene, const kernels::SceneTa
         kernels::Ray ray = {F3(0.1f, 0.2f, 1.3f), 0, F3(float(d.x), float(d.y), float(d.z)), 1e30f};
         for (int bounce = 0; bounce < 4; bounce++) {
             kernels::Hit hit;
-            kernels::scalar::trace_closest(&tables, &ray, RAY_ALL, &hit);
+            kernels::compact::trace_closest(&tables, &ray, RAY_ALL, &hit);
             if (hit.prim == NO_HIT) break;
             const float3 p = kernels::madd3(ray.dir, hit.t, ray.org);
             Vec n = normal[hit.prim];
@@ -140,16 +140,16 @@ int main(int argc, char** argv) {
     w = wall_seconds() - w;
     c = cpu_seconds() - c;
     const double peak8 = memory("VmHWM") - before;
-    const auto b2 = bvh::build2(in[0]);
+    const auto compact = bvh::build_compact(in[0]);
     const double tris = double(in[0].triangle_count);
     std::printf(
-        "%.0f triangles; built in %.3f s (%.3f CPU s); bytes per triangle: BVH8 %.1f, BVH2 %.1f; with BVH8's at most "
-        "%.0f while building\n",
+        "%.0f triangles; built in %.3f s (%.3f CPU s); bytes per triangle: BVH8 %.1f, compact %.1f; with BVH8's at "
+        "most %.0f while building\n",
         tris, w, c, 4 * double(b8.nodes.size() + b8.leaves.size()) / tris,
-        4 * double(b2.nodes.size() + b2.leaves.size()) / tris, peak8 / tris);
+        4 * double(compact.nodes.size() + compact.leaves.size()) / tris, peak8 / tris);
 
-    const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
-    const Rays rays = bouncing_rays(scene, t2, count);
+    const auto t8 = kernels::tables(scene, b8), compact_tables = kernels::tables(scene, compact);
+    const Rays rays = bouncing_rays(scene, compact_tables, count);
     measure(
         "BVH8", rays,
         [&](const kernels::Ray& ray) {
@@ -159,13 +159,13 @@ int main(int argc, char** argv) {
         },
         [&](const kernels::Ray& ray) { return kernels::wide::trace_any(&t8, &ray, RAY_ALL); });
     measure(
-        "BVH2 (scalar)", rays,
+        "compact", rays,
         [&](const kernels::Ray& ray) {
             kernels::Hit h;
-            kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &h);
+            kernels::compact::trace_closest(&compact_tables, &ray, RAY_ALL, &h);
             return h.t;
         },
-        [&](const kernels::Ray& ray) { return kernels::scalar::trace_any(&t2, &ray, RAY_ALL); });
+        [&](const kernels::Ray& ray) { return kernels::compact::trace_any(&compact_tables, &ray, RAY_ALL); });
     for (bool robust : {true, false}) {
         const bvh::EmbreeScene embree(in.data(), 1, robust, false);
         measure(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // rtcBuildBVH makes a tree of our small temporary nodes in its own memory; a second pass writes it into the flat arrays
-// of kernels/bvh8.h or kernels/bvh2.h, children of a node side by side. Settings
-// (docs/decisions/0008-own-traversal.md): quality MEDIUM (spatial splits were slower), 8-wide: blocks of 4, leaves up
+// of kernels/bvh8.h or kernels/bvh_compact.h, children of a node side by side. Settings
+// (docs/decisions/0008-own-traversal.md): quality MEDIUM (spatial splits were slower); for CPUs blocks of 4, leaves up
 // to 16 and a cheap intersection (0.3), because four triangles are tested at once.
 #include "bvh/build.h"
 
@@ -12,6 +12,7 @@
 
 #include "kernels/compat_host.h"
 #include "bvh/bounds.h"
+#include "bvh/compact_node.h"
 #include "bvh/embree_device.h"
 #include "bvh/temp_tree.h"
 
@@ -24,24 +25,23 @@ namespace {
 namespace wide {
 #include "kernels/bvh8.h"
 }
-namespace scalar {
-#include "kernels/bvh2.h"
+namespace compact {
+#include "kernels/bvh_compact.h"
 }
 
 // What differs between the two kinds of tree.
 struct Layout {
-    unsigned wide;  // children of a node
+    bool compact;
     size_t node_floats, leaf_floats;
-    size_t panes;        // where the first node holds the root of the tree of panes
-    unsigned per_block;  // primitives in a leaf block
-    int stack;           // size of the kernel's stack
-    int depth_alone,
-        depth_nested;  // depth limits of a single tree, and of trees with instances: so that the stack holds
+    unsigned per_block;             // primitives in a leaf block
+    int stack;                      // entries of the kernel's stack
+    int depth_alone, depth_nested;  // limits of a single tree, and of trees with instances: so that the stack holds
     unsigned sah_block, max_leaf;
     float intersection_cost;
 };
-constexpr Layout layout8 = {8, BVH8_NODE_FLOATS, BVH8_LEAF_FLOATS, BVH8_PANES, 4, BVH8_STACK, 32, 20, 4, 16, 0.3f};
-constexpr Layout layout2 = {2, BVH2_NODE_FLOATS, BVH2_LEAF_FLOATS, BVH2_PANES, 1, BVH2_STACK, 100, 54, 1, 8, 1.0f};
+constexpr Layout layout8 = {false, BVH8_NODE_FLOATS, BVH8_LEAF_FLOATS, 4, BVH8_STACK, 32, 20, 4, 16, 0.3f};
+constexpr Layout layout_compact = {true, COMPACT_NODE_FLOATS, COMPACT_BLOCK_FLOATS, 1, COMPACT_STACK, 48, 20, 1, 4,
+                                   0.5f};
 
 class TreeBuilder {
 public:
@@ -82,18 +82,16 @@ public:
         out_.leaves.assign(std::max<size_t>(blocks, 1) * layout_.leaf_floats, 0.0f);
         next_node_ = all;
         for (size_t k = 0; k < all; k++) {
-            if (!roots[k]) {
-                write_children(k, nullptr, nullptr, 0);
+            const size_t at = k == 0 ? 0 : k == panes ? ROOT_OF_PANES : ROOT_OF_TREE(k);
+            if (roots[k] && roots[k]->children != 0) {
+                write_inner(input(k), static_cast<TempInner*>(roots[k]), at);
                 continue;
             }
-            if (roots[k]->children == 0) {  // a single leaf gets a node above it
-                const uint32_t ref = write_leaf(input(k), static_cast<TempLeaf*>(roots[k]));
-                write_children(k, &tree_bounds_[k], &ref, 1);
-            } else {
-                write_inner(input(k), static_cast<TempInner*>(roots[k]), k);
-            }
+            Slots slots;  // a single leaf gets a node above it, and nothing, too
+            if (roots[k]) slots.box[0] = &tree_bounds_[k];
+            if (roots[k]) slots.ref[0] = write_leaf(input(k), static_cast<TempLeaf*>(roots[k]));
+            write_children(at, slots);
         }
-        out_.nodes[layout_.panes] = as_float_(uint32_t(panes));
         out_.depth = tree_depth_[0];
         return std::move(out_);
     }
@@ -102,6 +100,10 @@ private:
     struct Need {
         size_t nodes = 0, blocks = 0;
         int stack = 0, depth = 0;
+    };
+    struct Slots {  // of a node: boxes (null: none) and references
+        const Bounds* box[max_wide] = {};
+        uint32_t ref[max_wide] = {};
     };
 
     // The tree after the last is that of the panes: what of the scene lets shadow rays pass.
@@ -133,7 +135,7 @@ private:
             grow(tree_bounds_[tree], box.hi);
         }
         if (prims.empty()) return nullptr;
-        const TempSettings settings = {layout_.wide,
+        const TempSettings settings = {max_wide,
                                        layout_.sah_block,
                                        layout_.max_leaf,
                                        layout_.intersection_cost,
@@ -184,20 +186,27 @@ private:
             need.stack = std::max(need.stack, c.stack);
             need.depth = std::max(need.depth, c.depth);
         }
-        need.stack += int(inner->children) - 1;
+        need.stack += layout_.compact ? 1 : int(inner->children) - 1;  // a node waits with all its slots
         need.depth++;
         return need;
     }
 
     void write_inner(const Input& in, const TempInner* node, size_t at) {
-        uint32_t ref[max_wide];
-        for (unsigned i = 0; i < node->children; i++) {
-            if (node->child[i]->children != 0) ref[i] = uint32_t(next_node_++);
-            else ref[i] = write_leaf(in, static_cast<const TempLeaf*>(node->child[i]));
+        unsigned slot[max_wide] = {0, 1, 2, 3, 4, 5, 6, 7};
+        if (layout_.compact) choose_slots(node->bounds, node->children, slot);
+        TempNode* child[max_wide] = {};
+        Slots slots;
+        for (unsigned i = 0; i < node->children; i++) child[slot[i]] = node->child[i];
+        for (unsigned i = 0; i < node->children; i++) slots.box[slot[i]] = &node->bounds[i];
+        for (unsigned k = 0; k < max_wide; k++) {
+            if (!child[k]) continue;
+            slots.ref[k] = child[k]->children != 0 ? uint32_t(next_node_++)
+                                                   : write_leaf(in, static_cast<const TempLeaf*>(child[k]));
         }
-        write_children(at, node->bounds, ref, node->children);
-        for (unsigned i = 0; i < node->children; i++)
-            if (node->child[i]->children != 0) write_inner(in, static_cast<const TempInner*>(node->child[i]), ref[i]);
+        write_children(at, slots);
+        for (unsigned k = 0; k < max_wide; k++)
+            if (child[k] && child[k]->children != 0)
+                write_inner(in, static_cast<const TempInner*>(child[k]), slots.ref[k]);
     }
 
     // One of `wide` boxes, side by side: min x of all, max x, min y ...
@@ -208,17 +217,13 @@ private:
         }
     }
 
-    void write_children(size_t at, const Bounds* bounds, const uint32_t* ref, unsigned count) {
+    void write_children(size_t at, const Slots& slots) {
         float* n = &out_.nodes[at * layout_.node_floats];
+        if (layout_.compact) return write_compact_node(n, slots.box, slots.ref);
         const Bounds none = empty_bounds();
-        for (unsigned i = 0; i < layout_.wide; i++) {
-            const Bounds& b = i < count ? bounds[i] : none;
-            for (int a = 0; a < 3 && layout_.wide == 2; a++) {
-                n[6 * i + a] = b.lo[a];
-                n[6 * i + 3 + a] = b.hi[a];
-            }
-            if (layout_.wide == 8) write_box(n + i, 8, b);
-            n[6 * layout_.wide + i] = as_float_(i < count ? ref[i] : REF_NONE);
+        for (unsigned i = 0; i < max_wide; i++) {
+            write_box(n + i, max_wide, slots.box[i] ? *slots.box[i] : none);
+            n[BVH8_REFS + i] = as_float_(slots.box[i] ? slots.ref[i] : REF_NONE);
         }
     }
 
@@ -287,8 +292,8 @@ Tree build8(const Input* trees, size_t tree_count, const Tell& tell) {
     return TreeBuilder(layout8, trees, tree_count, tell).build();
 }
 
-Tree build2(const Input* trees, size_t tree_count, const Tell& tell) {
-    return TreeBuilder(layout2, trees, tree_count, tell).build();
+Tree build_compact(const Input* trees, size_t tree_count, const Tell& tell) {
+    return TreeBuilder(layout_compact, trees, tree_count, tell).build();
 }
 
 }  // namespace bvh

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bounding volume hierarchies for kernels/bvh8.h and kernels/bvh2.h, by Embree's builder (rtcBuildBVH) on all cores.
-// The arrays go to the device as they are.  Tree 0 is the scene; trees 1, 2, ... are what its SHAPE_INSTANCE shapes
-// stand for (word 13 = tree), node k is the root of tree k.  One more tree has only what of tree 0 lets shadow rays
-// pass, so that they look for panes there alone; a word of node 0 (BVH8_PANES, BVH2_PANES) is its root.  An empty scene
-// gives empty nodes and no leaves.
-// Memory per triangle of large meshes: 55 bytes (BVH8) or 82 (BVH2), with BVH8's 75 at most while building
+// Bounding volume hierarchies for kernels/bvh8.h and kernels/bvh_compact.h, by Embree's builder (rtcBuildBVH) on all
+// cores.  The arrays go to the device as they are.  Tree 0 is the scene; trees 1, 2, ... are what its SHAPE_INSTANCE
+// shapes stand for (word 13 = tree).  One more tree has only what of tree 0 lets shadow rays pass, so that they look
+// for panes there alone.  Where trees begin: ROOT_OF_TREE, ROOT_OF_PANES (kernels/intersect.h).  An empty scene gives
+// empty nodes and no leaves.
+// Memory per triangle of large meshes: 55 bytes (BVH8) or 57 (compact), with BVH8's 75 at most while building
 // (bench/traversal), twice as much for what lets shadow rays pass; scattered single polygons take more, up to 200.
 // 10 million triangles: 6.5 s of one core.
 // Limits: 2^29 primitives, 2^30 leaf blocks; nodes and leaves are addressed with 64-bit offsets, so more than 4 GB is
@@ -56,9 +56,9 @@ struct Tree {
 using Tell = std::function<void(double)>;
 
 Tree build8(const Input* trees, size_t tree_count = 1, const Tell& tell = {});
-Tree build2(const Input* trees, size_t tree_count = 1, const Tell& tell = {});
+Tree build_compact(const Input* trees, size_t tree_count = 1, const Tell& tell = {});
 inline Tree build8(const Input& scene) { return build8(&scene, 1); }
-inline Tree build2(const Input& scene) { return build2(&scene, 1); }
+inline Tree build_compact(const Input& scene) { return build_compact(&scene, 1); }
 
 // World from local of an instance shape's matrix (words 1-12): the inverse, in double.
 void invert_affine(const float local_from_world[12], double world_from_local[12]);

@@ -18,7 +18,7 @@
 //   _r, _t   of reflection, of transmission                   k, i    counters, or a factor
 // A trailing underscore marks the words of the compat files (sqrt_, as_uint_, MAX_), and nothing else.
 //
-// LUX_BVH2 (GPUs) or LUX_EMBREE (the check: a header of the host) choose another traversal than the CPU's; LUX_LANES
+// LUX_COMPACT (GPUs) or LUX_EMBREE (the check: a header of the host) choose another traversal than the CPU's; LUX_LANES
 // (many paths side by side on a CPU) leaves traversal and .cal programs to the kernels of one path.  LUX_HAS: see
 // features.h.
 #include "kernels/vec.h"
@@ -27,8 +27,8 @@
 #include "kernels/shapes.h"
 #include "kernels/woop.h"
 #include "kernels/cal_vars.h"
-#if defined(LUX_BVH2)
-#include "kernels/bvh2.h"
+#if defined(LUX_COMPACT)
+#include "kernels/bvh_compact.h"
 #elif defined(LUX_EMBREE)
 #include LUX_EMBREE
 #elif defined(LUX_LANES)

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Traversal for CPUs (and PoCL): nodes of eight boxes tested at once, leaves of four triangles tested at once.
 // One ray at a time; the wide words of the compat files become AVX.  Nearest child first, also for occlusion.
-// Node: 64 floats: min x (8 lanes), max x, min y, max y, min z, max z, references (8 words), 8 spare but for
-// BVH8_PANES.
+// Node: 64 floats: min x (8 lanes), max x, min y, max y, min z, max z, references (8 words), 8 spare.
 // Leaf block: 40 floats: v0 x (4 lanes) y z, v1 x y z, v2 x y z, 4 ids; or, if its first id has ID_SHAPE: 0-3 indices
 // of shapes, 8-31 their boxes: min x (4 lanes), max x, min y ..., 36-39 their ids.
 #ifndef LUX_BVH8_H
 #define LUX_BVH8_H
 
 #define BVH8_NODE_FLOATS 64u
-#define BVH8_REFS 48u   // in a node
-#define BVH8_PANES 56u  // in node 0: the root of the tree of what lets shadow rays pass
+#define BVH8_REFS 48u  // in a node
 #define BVH8_LEAF_FLOATS 40u
 #define BVH8_IDS 36u    // in a block
 #define BVH8_BOXES 8u   // in a block of shapes
@@ -195,7 +193,7 @@ FN int bvh8_walk(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask,
 // The same in the scene; hit->t = tmax and hit->prim = NO_HIT on entry.
 FN int bvh8_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Hit) hit) {
     TreeRay way;
-    uint root = mask == RAY_TRANSPARENT ? as_uint_(s->nodes[BVH8_PANES]) : 0u;
+    uint root = mask == RAY_TRANSPARENT ? ROOT_OF_PANES : 0u;
     enter_scene(ray, mask, &way);
     return bvh8_walk(s, ray, mask, &way, root, any, hit);
 }

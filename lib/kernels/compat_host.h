@@ -60,6 +60,8 @@ FN uint as_uint_(float f) {
 FN float sqrt_(float x) { return __builtin_sqrtf(x); }
 FN float floor_(float x) { return __builtin_floorf(x); }
 FN float fabs_(float x) { return __builtin_fabsf(x); }
+FN uint highest_bit_(uint u) { return 31u - (uint)__builtin_clz(u); }  // u != 0
+FN uint bit_count_(uint u) { return (uint)__builtin_popcount(u); }
 
 // Four words of a path's slot: float4 or uint4.  In lanes a plain [slot] takes three times as long.
 #define read4_(from, slot) ((from)[slot])

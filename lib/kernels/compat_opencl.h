@@ -26,12 +26,14 @@ typedef long long64;
 #define sqrt_(x) sqrt(x)
 #define floor_(x) floor(x)
 #define fabs_(x) fabs(x)
+#define highest_bit_(u) (31u - clz(u))
+#define bit_count_(u) popcount(u)
 #define loadf4_(p) (*(__global const float4*)(p))
 #define read4_(from, slot) ((from)[slot])
 #define write4_(to, slot, v) ((to)[slot] = (v))
 
 // Wide words (bvh8.h), see compat_host.h.
-#ifdef LUX_BVH2
+#ifdef LUX_COMPACT
 #define WIDE_WORDS 0  // a GPU's lanes are its work items
 #else
 #define WIDE_WORDS 1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The one seam between shading and traversal.  Included after compat, vec.h, math.h.
-// One of two files gives the functions below: bvh8.h (float8 boxes, 4-triangle leaves; CPUs, PoCL) or bvh2.h
-// (scalar, GPUs), chosen by LUX_BVH2.  Both are built from the same Embree BVH builder (bvh/build.h).
+// One of two files gives the functions below: bvh8.h (float8 boxes, 4-triangle leaves; CPUs, PoCL) or bvh_compact.h
+// (boxes of bytes; GPUs), chosen by LUX_COMPACT.  Both are built from the same Embree BVH builder (bvh/build.h).
 // Ties (equal t) go to the lower primitive, so that both give the same hit, bit for bit, in any order of the tree.
 #ifndef LUX_INTERSECT_H
 #define LUX_INTERSECT_H
@@ -78,12 +78,15 @@ STRUCT(Hit) {
 #define REF_INSTANCE 0x40000000u  // with REF_LEAF; on the stack only
 #define REF_INDEX 0x3fffffffu
 #define REF_NONE 0xffffffffu  // no child; on the stack: end of an instance
+// Nodes where trees begin: that of the scene 0, of what of it lets shadow rays pass, and of instances, tree k >= 1.
+#define ROOT_OF_PANES 1u
+#define ROOT_OF_TREE(k) ((k) + 1u)
 
 // What a scene is on a device, TABLE(type, name) for each: what the BVH builder gives, what flattening
 // gives, and what belongs to a picture.
 // clang-format off
 #define BVH_TABLES(TABLE)                                                                   \
-    TABLE(float, nodes)       /* BVH of either kind; node k is the root of tree k */        \
+    TABLE(float, nodes)       /* BVH of either kind; its roots: ROOT_OF_TREE, ROOT_OF_PANES */ \
     TABLE(float, leaves)      /* triangle blocks and shape references */
 #define FLAT_TABLES(TABLE)                                                                  \
     TABLE(float, shapes)      /* SHAPE_FLOATS each */                                       \

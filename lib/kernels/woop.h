@@ -89,7 +89,7 @@ FN int enter_instance(GLOBAL const float* instance, PRIVATE(const Ray) ray, uint
     woop_prepare(affine_point(matrix, ray->org), affine_vector(matrix, ray->dir), &way->r);
     way->inst = as_uint_(instance[INSTANCE_NUMBER]);
     way->mask = forced == 0u ? mask : RAY_ALL;
-    *root = as_uint_(instance[INSTANCE_TREE]);
+    *root = ROOT_OF_TREE(as_uint_(instance[INSTANCE_TREE]));
     return 1;
 }
 #endif

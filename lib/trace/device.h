@@ -49,8 +49,8 @@ std::unique_ptr<Device> make_device(const std::string& name);
 std::unique_ptr<Device> make_cpu_device(const std::string& name);
 // Are these kernels in the program, and has this machine their instructions?
 bool has_cpu_variant(const std::string& name);
-// name: "opencl[:index][:bvh2|bvh8][:gpu]" (opencl_list.h), index among all OpenCL devices, GPUs first.  Throws Error
-// (system) without any.
+// name: "opencl[:index][:compact|bvh8][:gpu]" (opencl_list.h), index among all OpenCL devices, GPUs first.  Throws
+// Error (system) without any.
 std::unique_ptr<Device> make_opencl_device(const std::string& name);
 // "opencl:0 NVIDIA H200 (GPU, NVIDIA CUDA)" each; empty without an OpenCL platform.  Both ask in a child process, which
 // a failing driver may end; it costs a warning.

@@ -25,7 +25,7 @@ constexpr uint32_t ALL_FEATURES = ~0u;
 class OpenclDevice : public Device {
 public:
     OpenclDevice(const OpenclEntry& e, const OpenclChoice& choice)
-        : where_(fmt::format("opencl:{}", choice.index)), gpu_(choice.as_gpu), bvh2_(choice.bvh2) {
+        : where_(fmt::format("opencl:{}", choice.index)), gpu_(choice.as_gpu), compact_(choice.compact) {
         call("starting", [&] {
             name_ = describe(e);
             context_ = cl::Context(e.device);
@@ -42,8 +42,8 @@ public:
             {
                 const std::vector<bvh::Input> in = flatten::build_inputs(s);
                 const auto tree =
-                    bvh2_ ? std::make_shared<const bvh::Tree>(bvh::build2(in.data(), in.size(), s.tell_tree))
-                          : s.host_tree();
+                    compact_ ? std::make_shared<const bvh::Tree>(bvh::build_compact(in.data(), in.size(), s.tell_tree))
+                             : s.host_tree();
                 BVH_TABLES(SEND_OF_BVH)
             }
             FLAT_TABLES(SEND_OF_SCENE)
@@ -137,7 +137,7 @@ private:
         compiled_ = true;
         has_ = features;
         std::string options = fmt::format("-cl-std=CL1.2 -DLUX_HAS={}u", features);
-        if (bvh2_) options += " -DLUX_BVH2";
+        if (compact_) options += " -DLUX_COMPACT";
         const auto fp = device_.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
         if (fp & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) options += " -cl-fp32-correctly-rounded-divide-sqrt";
         program_ = cl::Program(context_, std::string(kernel_source));
@@ -170,7 +170,7 @@ private:
     }
 
     std::string where_, name_;
-    bool gpu_, bvh2_, compiled_ = false;
+    bool gpu_, compact_, compiled_ = false;
     uint32_t has_ = 0, scene_has_ = 0;  // FEATURE_* that the kernels have, and the scene
     cl::Device device_;
     cl::Context context_;

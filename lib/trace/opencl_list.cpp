@@ -73,12 +73,12 @@ OpenclChoice choose_opencl(const std::string& name, const std::vector<OpenclEntr
         const size_t colon = rest.find(':');
         const std::string word = rest.substr(0, colon);
         rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
-        if (word == "bvh2") traversal = 2;
+        if (word == "compact") traversal = 2;
         else if (word == "bvh8") traversal = 8;
         else if (word == "gpu") gpu = true;
         else if (!word.empty() && word.find_first_not_of("0123456789") == std::string::npos && word.size() < 5)
             index = size_t(std::stoul(word));
-        else base::fail("-device", fmt::format("\"{}\" is not opencl[:index][:bvh2|bvh8][:gpu]", name));
+        else base::fail("-device", fmt::format("\"{}\" is not opencl[:index][:compact|bvh8][:gpu]", name));
     }
     if (index >= devices.size())
         base::fail("-device", fmt::format("there is no OpenCL device {} (only {})", index, devices.size()));

@@ -24,11 +24,11 @@ std::vector<OpenclEntry> opencl_entries();
 // "NVIDIA H200 (GPU, NVIDIA CUDA)"
 std::string describe(const OpenclEntry& e);
 
-// What "opencl[:index][:bvh2|bvh8][:gpu]" names among these devices: without more the first, and for it the tree that
-// suits.  gpu: it is used as a GPU is, whatever it is (for tests).  Throws Error.
+// What "opencl[:index][:compact|bvh8][:gpu]" names among these devices: without more the first, and for it the tree
+// that suits.  gpu: it is used as a GPU is, whatever it is (for tests).  Throws Error.
 struct OpenclChoice {
     size_t index;
-    bool as_gpu, bvh2;
+    bool as_gpu, compact;
 };
 OpenclChoice choose_opencl(const std::string& name, const std::vector<OpenclEntry>& devices);
 

@@ -11,7 +11,7 @@ tried=0
 for target in nvptx64-nvidia-cuda spir64-unknown-unknown; do
     $opencl -target $target -S -emit-llvm -o one.ll one.cl 2> /dev/null || continue
     tried=1
-    for tree in -DLUX_BVH2 '-DLUX_BVH2 -DLUX_HAS=0u' ''; do
+    for tree in -DLUX_COMPACT '-DLUX_COMPACT -DLUX_HAS=0u' ''; do
         check "the kernels compile for $target $tree" "
             $opencl -target $target $tree -O1 -S -emit-llvm -o kernels.ll $TOP/lib/kernels/program.cl
             grep -q 'define .*k_shade' kernels.ll"

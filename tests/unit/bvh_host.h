@@ -16,8 +16,8 @@ namespace wide {
 #include "trace/packets.h"
 #include "trace/packet_look.h"
 }  // namespace wide
-namespace scalar {
-#include "kernels/bvh2.h"
+namespace compact {
+#include "kernels/bvh_compact.h"
 }
 
 inline SceneTables tables(const bvh_scenes::Scene& s, const bvh::Tree& bvh) {

@@ -30,8 +30,8 @@ static std::string program_text() {
     for (const char* file :
          {"compat_opencl.h", "vec.h", "features.h", "intersect.h", "shapes.h", "woop.h", "offset_ray.h"})
         add(file);
-    text += "#ifdef LUX_BVH2\n";
-    add("bvh2.h");
+    text += "#ifdef LUX_COMPACT\n";
+    add("bvh_compact.h");
     text += "#else\n";
     add("bvh8.h");
     text += R"(
@@ -81,15 +81,15 @@ TEST_CASE("OpenCL devices find the host's hits, bit for bit") {
         cl::Context context(device);
         cl::CommandQueue queue(context, device);
         const bool gpu = device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU;
-        for (bool two : {true, false}) {
-            if (gpu && !two) continue;  // bvh8.h is not meant for GPUs
-            CAPTURE(two);
-            const auto bvh = two ? bvh::build2(in.data(), in.size()) : bvh::build8(in.data(), in.size());
+        for (bool compact : {true, false}) {
+            if (gpu && !compact) continue;  // bvh8.h is not meant for GPUs
+            CAPTURE(compact);
+            const auto bvh = compact ? bvh::build_compact(in.data(), in.size()) : bvh::build8(in.data(), in.size());
             cl::Program program(context, program_text());
             try {
                 const std::string options = "-cl-std=CL1.2";
                 program.build(
-                    (options + (two ? " -DLUX_BVH2" : "") + " -cl-fp32-correctly-rounded-divide-sqrt").c_str());
+                    (options + (compact ? " -DLUX_COMPACT" : "") + " -cl-fp32-correctly-rounded-divide-sqrt").c_str());
             } catch (const cl::Error&) {
                 FAIL(program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device));
             }
@@ -112,7 +112,7 @@ TEST_CASE("OpenCL devices find the host's hits, bit for bit") {
                 for (size_t i = 0; i < rays.size(); i++) {
                     const kernels::Ray ray = kernels::ray_of(rays[i]);
                     kernels::Hit h;
-                    if (two) kernels::scalar::trace_closest(&tables, &ray, mask, &h);
+                    if (compact) kernels::compact::trace_closest(&tables, &ray, mask, &h);
                     else kernels::wide::trace_closest(&tables, &ray, mask, &h);
                     const uint* g = &got[8 * i];
                     hits += h.prim != NO_HIT;

@@ -18,23 +18,23 @@ TEST_CASE("both trees find what a search through all primitives finds") {
         for (int count : {0, 1, 5, 300}) {
             const auto scene = bvh_scenes::random_scene(17 + count, count, instances);
             const auto in = scene.input();
-            const auto b8 = bvh::build8(in.data(), in.size()), b2 = bvh::build2(in.data(), in.size());
-            const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
-            int hits = 0, wrong8 = 0, wrong2 = 0, any8 = 0, any2 = 0, within = 0;
+            const auto b8 = bvh::build8(in.data(), in.size()), compact = bvh::build_compact(in.data(), in.size());
+            const auto t8 = kernels::tables(scene, b8), compact_tables = kernels::tables(scene, compact);
+            int hits = 0, wrong8 = 0, wrong_compact = 0, any8 = 0, any_compact = 0, within = 0;
             for (const auto& r : bvh_scenes::random_rays(5, 6000)) {
                 const kernels::Ray ray = kernels::ray_of(r);
                 for (uint mask : {RAY_OPAQUE, RAY_TRANSPARENT, RAY_ALL}) {
                     const kernels::Hit want = kernels::brute(scene, ray, mask);
-                    kernels::Hit h8, h2;
+                    kernels::Hit h8, compact_hit;
                     kernels::wide::trace_closest(&t8, &ray, mask, &h8);
-                    kernels::scalar::trace_closest(&t2, &ray, mask, &h2);
+                    kernels::compact::trace_closest(&compact_tables, &ray, mask, &compact_hit);
                     const int met = want.prim != NO_HIT;
                     hits += met;
                     within += want.inst != NO_HIT;
                     wrong8 += !same(h8, want);
-                    wrong2 += !same(h2, want);
+                    wrong_compact += !same(compact_hit, want);
                     any8 += kernels::wide::trace_any(&t8, &ray, mask) != met;
-                    any2 += kernels::scalar::trace_any(&t2, &ray, mask) != met;
+                    any_compact += kernels::compact::trace_any(&compact_tables, &ray, mask) != met;
                 }
             }
             CAPTURE(instances);
@@ -42,9 +42,9 @@ TEST_CASE("both trees find what a search through all primitives finds") {
             CHECK(hits > (count == 0 ? 50 : 200));
             CHECK((within > 0) == instances);
             CHECK(wrong8 == 0);
-            CHECK(wrong2 == 0);
+            CHECK(wrong_compact == 0);
             CHECK(any8 == 0);
-            CHECK(any2 == 0);
+            CHECK(any_compact == 0);
         }
     }
 }
@@ -185,17 +185,17 @@ TEST_CASE("an empty scene has no hits") {
     bvh_scenes::Scene scene;
     scene.end_part();
     const auto in = scene.input();
-    const auto b8 = bvh::build8(in[0]), b2 = bvh::build2(in[0]);
-    const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
+    const auto b8 = bvh::build8(in[0]), compact = bvh::build_compact(in[0]);
+    const auto t8 = kernels::tables(scene, b8), compact_tables = kernels::tables(scene, compact);
     for (const auto& r : bvh_scenes::random_rays(5, 100)) {
         const kernels::Ray ray = kernels::ray_of(r);
         kernels::Hit hit;
         kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &hit);
         CHECK(hit.prim == NO_HIT);
-        kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &hit);
+        kernels::compact::trace_closest(&compact_tables, &ray, RAY_ALL, &hit);
         CHECK(hit.prim == NO_HIT);
         CHECK(kernels::wide::trace_any(&t8, &ray, RAY_ALL) == 0);
-        CHECK(kernels::scalar::trace_any(&t2, &ray, RAY_ALL) == 0);
+        CHECK(kernels::compact::trace_any(&compact_tables, &ray, RAY_ALL) == 0);
     }
 }
 
@@ -223,17 +223,17 @@ TEST_CASE("crowded and lopsided scenes fit the stacks") {
         }
         s.end_part();
         const auto in = s.input();
-        const auto b8 = bvh::build8(in.data(), in.size()), b2 = bvh::build2(in.data(), in.size());
-        const auto t8 = kernels::tables(s, b8), t2 = kernels::tables(s, b2);
+        const auto b8 = bvh::build8(in.data(), in.size()), compact = bvh::build_compact(in.data(), in.size());
+        const auto t8 = kernels::tables(s, b8), compact_tables = kernels::tables(s, compact);
         CAPTURE(kind);
         for (int back : {1, -1}) {  // from either end, through everything
             const kernels::Ray ray = {F3(back > 0 ? -1.0f : 2e7f, 1e-8f, 1e-8f), 0, F3(float(back), 0, 0), 1e30f};
             const kernels::Hit want = kind == 2 ? kernels::Hit() : kernels::brute(s, ray, RAY_ALL);
-            kernels::Hit h8, h2;
+            kernels::Hit h8, compact_hit;
             kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &h8);
-            kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &h2);
+            kernels::compact::trace_closest(&compact_tables, &ray, RAY_ALL, &compact_hit);
             CHECK(h8.prim != NO_HIT);
-            CHECK(same(h8, h2));
+            CHECK(same(h8, compact_hit));
             if (kind != 2) CHECK(same(h8, want));
         }
     }

@@ -11,8 +11,8 @@ using bvh_scenes::Vec;
 static void paths(const bvh_scenes::Scene& scene, Vec centre, double radius, int count, int bounces, int* leaks,
                   int* self) {
     const auto in = scene.input();
-    const auto b8 = bvh::build8(in[0]), b2 = bvh::build2(in[0]);
-    const auto t8 = kernels::tables(scene, b8), t2 = kernels::tables(scene, b2);
+    const auto b8 = bvh::build8(in[0]), compact = bvh::build_compact(in[0]);
+    const auto t8 = kernels::tables(scene, b8), compact_tables = kernels::tables(scene, compact);
     const auto corner = [&](size_t tri, int k) {
         const float* v = &scene.vertices[3 * scene.triangles[3 * tri + k]];
         return Vec{v[0], v[1], v[2]};
@@ -30,10 +30,10 @@ static void paths(const bvh_scenes::Scene& scene, Vec centre, double radius, int
         kernels::Ray ray = {F3(float(o.x), float(o.y), float(o.z)), 0, F3(float(d.x), float(d.y), float(d.z)), 1e30f};
         uint from = NO_HIT;
         for (int b = 0; b < bounces; b++) {
-            kernels::Hit hit, h2;
+            kernels::Hit hit, compact_hit;
             kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &hit);
-            kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &h2);
-            if (hit.prim == NO_HIT || h2.prim == NO_HIT) {
+            kernels::compact::trace_closest(&compact_tables, &ray, RAY_ALL, &compact_hit);
+            if (hit.prim == NO_HIT || compact_hit.prim == NO_HIT) {
                 ++*leaks;
                 break;
             }
@@ -87,8 +87,8 @@ TEST_CASE("no ray meets the ground or the shape it left, whatever its size and t
         if (c.kind == 4) s.cone(at - tilt * (10 * z), tilt, 20 * z, z, z);
         s.end_part();
         const auto in = s.input();
-        const auto b8 = bvh::build8(in[0]), b2 = bvh::build2(in[0]);
-        const auto t8 = kernels::tables(s, b8), t2 = kernels::tables(s, b2);
+        const auto b8 = bvh::build8(in[0]), compact = bvh::build_compact(in[0]);
+        const auto t8 = kernels::tables(s, b8), compact_tables = kernels::tables(s, compact);
         bvh_scenes::Random r(41);
         int met = 0, again = 0;
         for (int i = 0; i < 40000; i++) {
@@ -112,10 +112,10 @@ TEST_CASE("no ray meets the ground or the shape it left, whatever its size and t
             ray.org = kernels::offset_ray(p, F3(float(n.x), float(n.y), float(n.z)),
                                           c.kind <= 2 ? std::max(hit.t, float(2.8 * z)) : hit.t);
             ray.dir = F3(float(out.x), float(out.y), float(out.z));
-            kernels::Hit h8, h2;
+            kernels::Hit h8, compact_hit;
             kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &h8);
-            kernels::scalar::trace_closest(&t2, &ray, RAY_ALL, &h2);
-            CHECK(h8.t == h2.t);
+            kernels::compact::trace_closest(&compact_tables, &ray, RAY_ALL, &compact_hit);
+            CHECK(h8.t == compact_hit.t);
             if (h8.prim == NO_HIT) continue;
             const double chord = c.kind >= 3 && inside ? 2 * z * dot(n, out) : 1e30;
             again += h8.t < 0.5 * chord;
