@@ -82,7 +82,7 @@ public:
         out_.leaves.assign(std::max<size_t>(blocks, 1) * layout_.leaf_floats, 0.0f);
         next_node_ = all;
         for (size_t k = 0; k < all; k++) {
-            const size_t at = k == 0 ? 0 : k == panes ? ROOT_OF_PANES : ROOT_OF_TREE(k);
+            const size_t at = k == 0 ? ROOT_OF_SCENE : k == panes ? ROOT_OF_PANES : ROOT_OF_TREE(k);
             if (roots[k] && roots[k]->children != 0) {
                 write_inner(input(k), static_cast<TempInner*>(roots[k]), at);
                 continue;

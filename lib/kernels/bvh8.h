@@ -193,7 +193,7 @@ FN int bvh8_walk(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask,
 // The same in the scene; hit->t = tmax and hit->prim = NO_HIT on entry.
 FN int bvh8_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Hit) hit) {
     TreeRay way;
-    uint root = mask == RAY_TRANSPARENT ? ROOT_OF_PANES : 0u;
+    uint root = mask == RAY_TRANSPARENT ? ROOT_OF_PANES : ROOT_OF_SCENE;
     enter_scene(ray, mask, &way);
     return bvh8_walk(s, ray, mask, &way, root, any, hit);
 }

@@ -164,7 +164,7 @@ FN uint compact_next(GLOBAL const float* n, uint order, PRIVATE(uint) slots) {
 FN int compact_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Hit) hit) {
     uint stack[2 * COMPACT_STACK];
     TreeRay way;
-    uint cur = mask == RAY_TRANSPARENT ? ROOT_OF_PANES : 0u, node = 0u, slots = 0u, order;
+    uint cur = mask == RAY_TRANSPARENT ? ROOT_OF_PANES : ROOT_OF_SCENE, node = 0u, slots = 0u, order;
     int found = 0, waiting = 0;
     enter_scene(ray, mask, &way);
     order = compact_order(&way.r);

@@ -79,6 +79,7 @@ STRUCT(Hit) {
 #define REF_INDEX 0x3fffffffu
 #define REF_NONE 0xffffffffu  // no child; on the stack: end of an instance
 // Nodes where trees begin: that of the scene 0, of what of it lets shadow rays pass, and of instances, tree k >= 1.
+#define ROOT_OF_SCENE 0u
 #define ROOT_OF_PANES 1u
 #define ROOT_OF_TREE(k) ((k) + 1u)
 
@@ -86,7 +87,7 @@ STRUCT(Hit) {
 // gives, and what belongs to a picture.
 // clang-format off
 #define BVH_TABLES(TABLE)                                                                   \
-    TABLE(float, nodes)       /* BVH of either kind; its roots: ROOT_OF_TREE, ROOT_OF_PANES */ \
+    TABLE(float, nodes)       /* BVH of either kind, roots: ROOT_OF_SCENE ... */            \
     TABLE(float, leaves)      /* triangle blocks and shape references */
 #define FLAT_TABLES(TABLE)                                                                  \
     TABLE(float, shapes)      /* SHAPE_FLOATS each */                                       \

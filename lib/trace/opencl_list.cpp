@@ -66,15 +66,14 @@ std::string describe(const OpenclEntry& e) {
 
 OpenclChoice choose_opencl(const std::string& name, const std::vector<OpenclEntry>& devices) {
     size_t index = 0;
-    int traversal = 0;
+    std::string tree;
     bool gpu = false;
     std::string rest = name.size() > 6 ? name.substr(7) : "";
     while (!rest.empty()) {
         const size_t colon = rest.find(':');
         const std::string word = rest.substr(0, colon);
         rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
-        if (word == "compact") traversal = 2;
-        else if (word == "bvh8") traversal = 8;
+        if (word == "compact" || word == "bvh8") tree = word;
         else if (word == "gpu") gpu = true;
         else if (!word.empty() && word.find_first_not_of("0123456789") == std::string::npos && word.size() < 5)
             index = size_t(std::stoul(word));
@@ -83,7 +82,7 @@ OpenclChoice choose_opencl(const std::string& name, const std::vector<OpenclEntr
     if (index >= devices.size())
         base::fail("-device", fmt::format("there is no OpenCL device {} (only {})", index, devices.size()));
     gpu = gpu || devices[index].gpu;
-    return {index, gpu, traversal ? traversal == 2 : gpu};
+    return {index, gpu, tree.empty() ? gpu : tree == "compact"};
 }
 
 std::vector<std::string> opencl_devices() {
