@@ -20,7 +20,8 @@ struct Node {
     float words[COMPACT_NODE_FLOATS];
 };
 
-// Boxes of a node as large as size, some of them flat or a point, about a place that many sizes away.
+// Boxes of a node as large as size, some of them as flat as bvh/bounds.cpp leaves them, about a place that many sizes
+// away.
 Node random_node(Random& random, unsigned count, double size, double away) {
     Node node;
     double centre[3];
@@ -29,7 +30,7 @@ Node random_node(Random& random, unsigned count, double size, double away) {
         bvh::Bounds box;
         for (int a = 0; a < 3; a++) {
             const double lo = centre[a] + random.in(-1, 1) * size;
-            const double extent = random.in(0, 1) < .2 ? 0 : random.in(0, 1) * size;
+            const double extent = random.in(0, 1) < .2 ? std::fabs(lo) * 2.4e-7 : random.in(0, 1) * size;
             box.lo[a] = float(lo);
             box.hi[a] = std::max(box.lo[a], float(lo + extent));
         }
