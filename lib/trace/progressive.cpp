@@ -23,6 +23,7 @@
 #include "trace/noisy.h"
 #include "trace/samples.h"
 #include "trace/scene_params.h"
+#include "trace/tiny_model.h"
 #include "trace/view_params.h"
 #include "trace/aim_shares.h"
 
@@ -182,6 +183,7 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
     for (const Shot& shot : shots) {
         DrawList drawn;
         if (drawable) drawn = list_drawn_sources(flat, *tracer, shot.view, shot.nx, shot.ny);
+        if (drawable) warn_of_tiny_model(*tracer, shot.view);
         mark_drawn(drawn, flat.f);
         const std::string fingerprint = trace::fingerprint(flat, shot.view, shot.nx, shot.ny, o, shot.focus);
         s.pictures.push_back({shot, std::move(drawn), fingerprint});

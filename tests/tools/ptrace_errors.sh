@@ -40,6 +40,18 @@ ptrace $view -frames 1 good.rad > picture.hdr 2> /dev/null
 check_error 'a picture is not a scene' 1 '^ptrace: picture.hdr: is not a scene: its header says FORMAT=float' "
     ptrace $view -frames 1 picture.hdr | cat"
 rm comma.vf short.vf last.vf picture.hdr
+printf '!genbox mat box 4 5 3 -i\nvoid light l 0 0 3 9 9 9\nl sphere s 0 0 4 2 2 2 .1\n' > room.rad
+# in_units S: the same room, S times as large
+in_units() {
+    printf 'void plastic mat 0 0 5 .5 .5 .5 0 0\n!xform -s %s room.rad\n' "$1" |
+        ptrace -vta -vp $(echo 2 1 1 | awk -v s="$1" '{ print s * $1, s * $2, s * $3 }') -vh 180 -vv 180 \
+            -x 8 -y 8 -frames 1 - 2> said > frame
+}
+check 'a room in kilometres is told of' "
+    in_units .001; grep -q '^ptrace: warning: half of what the eye sees is less than 0.015 away; .* kilometres' said"
+check 'one in metres or millimetres is not' '
+    for s in 1 1000; do in_units $s; ! grep -v "writing frames" said || exit 1; done'
+rm -f room.rad said frame
 check_error 'a folder is not a scene' 2 '^ptrace: folder: ' "ptrace $view -frames 1 folder | cat"
 check_error 'commands do not run unasked' 1 '^ptrace: command.rad:1: .*-exec' "ptrace $view -frames 1 command.rad | cat"
 check 'and did not' 'test ! -e ran'
