@@ -16,6 +16,8 @@
 #include "base/error.h"
 #include "base/files_read.h"
 #include "base/options.h"
+#include "base/split.h"
+#include "base/text_file.h"
 
 namespace view {
 namespace {
@@ -108,6 +110,7 @@ void apply_view_file(View& v, const std::string& path) {
         if (c != '\n') {
             if (line.size() >= 1 << 16) base::fail(path, "is not a view file: a line is longer than 65536 characters");
             line += c;
+            if (bytes == 3 && line == base::byte_order_mark) line.clear();
             continue;
         }
         if (!line.empty() && line.back() == '\r') line.pop_back();
@@ -142,6 +145,7 @@ std::vector<NamedView> read_views(const std::string& path, const View& start) {
     size_t bytes = 0, number = 0;
     for (std::string line; std::getline(in, line);) {
         ++number;
+        if (number == 1 && base::begins_with(line, base::byte_order_mark)) line.erase(0, base::byte_order_mark.size());
         if ((bytes += line.size() + 1) > most_bytes) base::fail(where, "is no list of views: it does not end");
         if (!is_view_line(line) && line.compare(0, 5, "view=") != 0) continue;
         std::istringstream words(line.substr(line.find_first_of("= \t") + 1));

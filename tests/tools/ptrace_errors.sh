@@ -39,7 +39,10 @@ check 'a line before the last view may look like one' "ptrace $view -vf last.vf 
 ptrace $view -frames 1 good.rad > picture.hdr 2> /dev/null
 check_error 'a picture is not a scene' 1 '^ptrace: picture.hdr: is not a scene: its header says FORMAT=float' "
     ptrace $view -frames 1 picture.hdr | cat"
-rm comma.vf short.vf last.vf picture.hdr
+printf '\357\273\277rvu -vth -vp 0 0 1 -vd 0 0 -1 -vu 0 1 0 -vh 180 -vv 180\r\n' > mark.vf
+check 'a view file of an editor that marks UTF-8' "
+    for o in -vf -views; do ptrace $view \$o mark.vf -frames 1 good.rad 2> said | strings | grep -q '^VIEW= -vth'; done"
+rm comma.vf short.vf last.vf mark.vf picture.hdr said
 printf '!genbox mat box 4 5 3 -i\nvoid light l 0 0 3 9 9 9\nl sphere s 0 0 4 2 2 2 .1\n' > room.rad
 # in_units S: the same room, S times as large
 in_units() {
