@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The noisiest pixels get several samples in each frame (docs/decisions/0030-adaptive-sampling.md): in proportion to the
+// The noisiest pixels get several samples in each frame (decisions/0030): in proportion to the
 // standard deviation of one, which for a given number of samples leaves the least squared error of the picture (Neyman
 // 1934, "On the Two Different Aspects of the Representative Method").  A few samples that no frame holds tell it: were
 // the choice made by samples that are kept, their means would move.
