@@ -20,8 +20,8 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     // Modifiers first, for all else names them by their records: those of the scene, then those inside the octrees and
     // meshes that it places.
     ModifierTables tables;
-    Instances instances(scene, options.bv, files, tables);
-    const Modifiers modifiers = flatten_modifiers(scene, instances.mesh_materials(scene), options.bv, files, tables);
+    Instances instances(scene, options, files, tables);
+    const Modifiers modifiers = flatten_modifiers(scene, instances.mesh_materials(scene), options, files, tables);
     Lights lights;
     instances.place(modifiers, lights);
     write_modifiers(std::move(tables), out);

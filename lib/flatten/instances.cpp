@@ -23,8 +23,9 @@ void warn_of_bare_faces(const scene::Mesh& mesh) {
 }
 }  // namespace
 
-Instances::Instances(const scene::Scene& scene, bool backs, const scene::ReadOptions& files, ModifierTables& tables)
-    : top_(scene), backs_(backs), files_(files), tables_(tables), assets_(files) {}
+Instances::Instances(const scene::Scene& scene, const Options& options, const scene::ReadOptions& files,
+                     ModifierTables& tables)
+    : top_(scene), options_(options), files_(files), tables_(tables), assets_(files) {}
 
 Instances::Materials Instances::obj_materials(const scene::Scene& scene, const scene::Mesh& mesh,
                                               const scene::Object& o) const {
@@ -65,7 +66,7 @@ const Modifiers& Instances::modifiers_of(const scene::Scene& scene, const scene:
         for (size_t i = 0; i < used.size(); i++)
             if (used[i]) also_used.push_back(int32_t(i));
     }
-    known = std::make_unique<const Modifiers>(flatten_modifiers(scene, also_used, backs_, files_, tables_));
+    known = std::make_unique<const Modifiers>(flatten_modifiers(scene, also_used, options_, files_, tables_));
     return *known;
 }
 

@@ -16,7 +16,8 @@ namespace flatten {
 
 class Instances {
 public:
-    Instances(const scene::Scene& scene, bool backs, const scene::ReadOptions& files, ModifierTables& tables);
+    Instances(const scene::Scene& scene, const Options& options, const scene::ReadOptions& files,
+              ModifierTables& tables);
 
     // What the meshes of a scene use and its surfaces need not name: for flatten_modifiers().
     std::vector<int32_t> mesh_materials(const scene::Scene& scene);
@@ -74,7 +75,7 @@ private:
     Materials obj_materials(const scene::Scene& scene, const scene::Mesh& mesh, const scene::Object& o) const;
 
     const scene::Scene& top_;
-    const bool backs_;
+    const Options& options_;
     const scene::ReadOptions& files_;
     ModifierTables& tables_;
     scene::Assets assets_;

@@ -12,6 +12,7 @@
 #include "cal/pattern.h"
 #include "flatten/bsdf.h"
 #include "flatten/named_modifiers.h"
+#include "flatten/reflectance.h"
 #include "scene/bsdf_xml.h"
 #include "scene/materials.h"
 
@@ -40,13 +41,15 @@ cal::PatternSpec spec_of(const scene::Scene& scene, const Object& o) {
 
 class ModifierWriter {
 public:
-    ModifierWriter(const scene::Scene& scene, bool backs, const scene::ReadOptions& files, ModifierTables& tables)
+    ModifierWriter(const scene::Scene& scene, const Options& options, const scene::ReadOptions& files,
+                   ModifierTables& tables)
         : scene_(scene),
-          backs_(backs),
+          options_(options),
           files_(files),
           tables_(tables),
           library_(files),
           nesting_(scene.objects.size(), 0),
+          patterned_(scene.objects.size(), 0),
           out_(scene) {}
 
     Modifiers run(const std::vector<int32_t>& also_used) {
@@ -78,6 +81,7 @@ private:
         if (r.modifier >= 0) {
             link.record[MOD_NEXT] = out_.record[r.modifier];
             nesting_[i] = nesting_[r.modifier];
+            patterned_[i] = patterned_[r.modifier];
         }
         tables_.code.reads = 0;
         if (scene::is_material(link.o.type)) add_material(link);
@@ -109,6 +113,7 @@ private:
         const cal::Program p = cal::compile_pattern(library_, spec_of(scene_, link.o), tables_.code);
         link.record[MOD_PROGRAM] = p.entry;
         link.record[MOD_TYPE] = mod_type(p.kind);
+        if (p.kind != cal::ProgramKind::texture) patterned_[link.index] = 1;
         out_.has_material[link.index] = link.above_ends;
         out_.passes[link.index] = link.above_ends && out_.passes[link.above];
         if (link.above_ends) out_.material[link.index] = out_.material[link.above];
@@ -130,7 +135,7 @@ private:
         }
         if (materials && link.above >= 0)
             base::fail(scene_.place(scene_.objects[link.index]), "a mixture of materials cannot have a modifier");
-        if (!materials) link.record[MOD_FLAGS] |= MF_PATTERNS_ONLY;
+        if (!materials) link.record[MOD_FLAGS] |= MF_PATTERNS_ONLY, patterned_[link.index] = 1;
 
         int& nesting = nesting_[link.index];
         nesting = std::max(nesting, materials ? 0 : inside + 1);
@@ -152,6 +157,7 @@ private:
             base::fail(scene_.place(named),
                        fmt::format("material \"{}\" has another material above it", scene_.name(named)));
         }
+        check_reflectance(scene_, o, is_patterned(link), options_.any_reflectance);
         const scene::Material& row = scene::material_row(o.type);
         link.record[MOD_TYPE] = row.number;
         link.record[MOD_FLAGS] = row.flags;
@@ -168,8 +174,16 @@ private:
         if (eye_passes(scene_, o)) link.record[MOD_FLAGS] |= MF_SEEN_THROUGH;
 
         out_.has_material[link.index] = 1;
-        out_.passes[link.index] = light_passes(scene_, o, backs_);
+        out_.passes[link.index] = light_passes(scene_, o, options_.bv);
         out_.material[link.index] = uint32_t(link.object);
+    }
+
+    // A pattern multiplies its colours: one above it or, of a WGMDfunc, of its components.
+    bool is_patterned(const Link& link) const {
+        const auto some = [&](int32_t m) { return m >= 0 && patterned_[m] != 0; };
+        if (link.o.type != Type::WGMDfunc) return some(link.above);
+        const std::vector<int32_t> components = named_modifiers(scene_, uint32_t(link.object));
+        return some(link.above) || std::any_of(components.begin(), components.end(), some);
     }
 
     void add_alternate(Link& link) {
@@ -233,12 +247,13 @@ private:
     }
 
     const scene::Scene& scene_;
-    const bool backs_;
+    const Options& options_;
     const scene::ReadOptions& files_;
     ModifierTables& tables_;
     cal::Library library_;
     std::map<std::string, uint32_t> bsdf_files_;  // tables by path
     std::vector<int> nesting_;                    // of mixtures of patterns, from here on
+    std::vector<uint8_t> patterned_;              // a pattern from here on
     uint32_t antimatters_ = 0;
     Modifiers out_;
 };
@@ -252,9 +267,9 @@ Modifiers::Modifiers(const scene::Scene& s)
       passes(s.objects.size(), 0),
       material(s.objects.size(), NONE) {}
 
-Modifiers flatten_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used, bool backs,
+Modifiers flatten_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used, const Options& options,
                             const scene::ReadOptions& files, ModifierTables& tables) {
-    return ModifierWriter(scene, backs, files, tables).run(also_used);
+    return ModifierWriter(scene, options, files, tables).run(also_used);
 }
 
 void write_modifiers(ModifierTables t, FlatScene& out) {

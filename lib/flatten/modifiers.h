@@ -5,6 +5,7 @@
 #include <vector>
 #include "cal/compile.h"
 #include "flatten/flat_scene.h"
+#include "flatten/flatten.h"
 #include "kernels/host.h"
 #include "scene/object.h"
 
@@ -37,8 +38,8 @@ struct Modifiers {
     std::vector<Mist> mists;
 };
 
-// Only what surfaces use, and what `also_used` names, is compiled.  backs: the sides that -bv shows.
-Modifiers flatten_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used, bool backs,
+// Only what surfaces use, and what `also_used` names, is compiled.
+Modifiers flatten_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used, const Options& options,
                             const scene::ReadOptions& files, ModifierTables& tables);
 
 // Into the arenas, which are still empty.

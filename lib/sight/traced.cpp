@@ -20,6 +20,7 @@ using scene::Type;
 flatten::Options without_portals() {
     flatten::Options o;
     o.sampling = flatten::Sampling::plain;
+    o.any_reflectance = true;
     return o;
 }
 

@@ -103,6 +103,8 @@ void declare_light(OptionTable& t, Options& opt) {
     t.add("-dp n", "Presampling of virtual sources: no effect", r.dp).at_least(0).from_scene();
     t.add("-dv[+-]", "Light sources are visible", r.dv).from_scene();
     t.add("-bv[+-]", "Back faces of opaque surfaces are visible", r.bv).from_scene();
+    t.add("-any-reflectance[+-]", "Render materials that give back twice the light that they get, or more",
+          r.any_reflectance);
     t.add("-sampling name", "How diffuse rays are aimed: plain, portals, shared or guided",
           base::one_of(r.sampling, {{"plain", Sampling::plain},
                                     {"portals", Sampling::portals},
