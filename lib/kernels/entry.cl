@@ -1,5 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The __kernel entries, but for those of entry_chains.cl.
+// The __kernel entries: each takes the buffers, finds its slot and calls one stage of path.h.
+// Queues: counters[0] paths to extend, [1] next queue, [2] shadow queue; a work item beyond the count leaves at once.
+
+// Arguments of every kernel but k_swap and k_layout: the scene's tables, the parameters, the path state.
+#define TABLE_ARG(type, name) __global const type *table_##name,
+#define PATH_ARG(type, name, when) , __global type *path_##name
+#define ALL_ARGS SCENE_TABLES(TABLE_ARG) __constant Params *par PATH_STATE(PATH_ARG)
+
+#define TABLE_SET(type, name) s.name = table_##name;
+#define PATH_SET(type, name, when) paths.name = path_##name;
+#define SET_UP               \
+    SceneTables s;           \
+    Paths paths;             \
+    SCENE_TABLES(TABLE_SET)  \
+    PATH_STATE(PATH_SET)     \
+    uint i = (uint)get_global_id(0);
+
+// A place in a queue for each work item that wants one: a group of them asks the queue's counter once, not each.
+// All work items must come here; group: two words.
+static inline void push(int wanted, uint slot, __global uint *counter, __global uint *queue, __local uint *group) {
+    if (get_local_id(0) == 0) group[0] = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    uint place = wanted ? atomic_inc(&group[0]) : 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (get_local_id(0) == 0) group[1] = atomic_add(counter, group[0]);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (wanted) queue[group[1] + place] = slot;
+}
 
 __kernel void k_generate(ALL_ARGS, __global uint *counters, __global uint *queue) {
     SET_UP
@@ -53,15 +80,14 @@ __kernel void k_sort_kinds(ALL_ARGS, __global const uint *counters, __global con
 }
 
 __kernel void k_shade(ALL_ARGS, __global uint *counters, __global const uint *queue, __global uint *next,
-                      __global uint *shadow, __global uint *lamps) {
+                      __global uint *shadow) {
     SET_UP
-    __local uint going_on[2], shadowed[2], lit[2];
+    __local uint going_on[2], shadowed[2];
     int active = i < counters[0];
     uint slot = active ? queue[i] : 0;
     int result = active ? path_shade(&s, par, &paths, slot) : 0;
     push((result & PATH_GOES_ON) != 0, slot, &counters[1], next, going_on);
     push((result & PATH_SHADOW) != 0, slot, &counters[2], shadow, shadowed);
-    if (CHAINS_APART) push((result & PATH_LAMP) != 0, slot, &counters[4], lamps, lit);
 }
 
 // Paths that have met nothing, where k_shade leaves them (HAS(SKY)): a sky may be a long program, of which surfaces
@@ -71,13 +97,9 @@ __kernel void k_sky(ALL_ARGS, __global uint *counters, __global const uint *queu
     if (i < counters[0]) path_sky(&s, par, &paths, queue[i]);
 }
 
-__kernel void k_shadow(ALL_ARGS, __global uint *counters, __global const uint *shadow, __global uint *left) {
+__kernel void k_shadow(ALL_ARGS, __global uint *counters, __global const uint *shadow) {
     SET_UP
-    __local uint group[2];
-    int active = i < counters[2];
-    uint slot = active ? shadow[i] : 0;
-    int leaves = active && path_shadow(&s, par, &paths, slot, SHADOW_TO_TRACE);
-    if (CHAINS_APART) push(leaves, slot, &counters[3], left, group);
+    if (i < counters[2]) path_shadow(&s, par, &paths, shadow[i], SHADOW_TO_TRACE);
 }
 
 __kernel void k_thin(ALL_ARGS) {
@@ -125,8 +147,16 @@ __kernel void k_film(__constant Params *par, __global const float4 *rad, __globa
 __kernel void k_swap(__global uint *counters) {
     if (get_global_id(0) == 0) {
         counters[0] = counters[1];
-        for (int k = 1; k < COUNTERS; k++) counters[k] = 0;
+        counters[1] = 0;
+        counters[2] = 0;
     }
+}
+
+__kernel void k_draw(ALL_ARGS) {
+    SET_UP
+    if (i >= par->slots) return;
+    path_draw(&s, par, &paths, i);
+    path_shadow(&s, par, &paths, i, SHADOW_TO_TRACE);
 }
 
 __kernel void k_walk(ALL_ARGS, __global uint *counters, __global uint *queue) {

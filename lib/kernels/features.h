@@ -11,17 +11,11 @@
 #define FEATURE_SOLIDS 4u     // what lies between surfaces: dielectrics, media, antimatter; shadow rays that are aimed
 #define FEATURE_INSTANCES 8u
 #define FEATURE_GUIDE 16u
-#define FEATURE_LAMPS 64u    // active sources with patterns
-#define FEATURE_CHAINS 128u  // each kernel walks the chains of modifiers that it meets; else kernels of their own do
-#define FEATURE_SKY 32u      // paths that have met nothing are shaded among the others; else by a kernel of their own
+#define FEATURE_SKY 32u  // paths that have met nothing are shaded among the others; else by a kernel of their own
 
 #ifndef LUX_HAS
 #define LUX_HAS 0xffffffffu
 #endif
 #define HAS(feature) ((LUX_HAS & FEATURE_##feature) != 0u)
 #define ONLY(feature, bits) (HAS(feature) ? (bits) : 0u)
-
-// Patterns of surfaces are found before shading (path/pattern.h), those of lamps after it (path/lamp.h).  Shadow rays
-// and links that meet patterns are followed anew by kernels that know them.
-#define CHAINS_APART (HAS(PATTERNS) && !HAS(CHAINS))
 #endif

@@ -253,21 +253,9 @@ FN int chain_material(SHARED(const SceneTables) s, UNIFORM(const Params) par, PR
     return 1;
 }
 
-// Is a chain of modifiers its material, without patterns, textures, mixtures or an alternate?
-FN int is_material_alone(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod) {
-    if (mod == NONE) return 1;
-    GLOBAL const uint* m = mod_record(s, par, mod);
-    return m[MOD_TYPE] >= M_FIRST_MATERIAL && m[MOD_NEXT] == NONE && m[MOD_BRANCH1] == NONE;
-}
-
-// Is this a chain that kernels of their own walk?
-FN int is_chain_apart(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod) {
-    return CHAINS_APART && !is_material_alone(s, par, mod);
-}
-
-// The same as chain_material() of a surface or an active source.  Without patterns a chain is its material.
+// The same of a surface or an active source.  Without patterns a chain is its material.
 FN int find_material(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, PRIVATE(Sampler) rnd) {
-    if (HAS(PATTERNS) && HAS(CHAINS)) return chain_material(s, par, g, rnd);
+    if (HAS(PATTERNS)) return chain_material(s, par, g, rnd);
     if (g->mod == NONE) return 0;
     g->type = mod_word(s, par, g->mod, MOD_TYPE);
     g->color_before = g->color;

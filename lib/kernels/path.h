@@ -9,11 +9,9 @@
 #include "kernels/path/vertex.h"
 #include "kernels/path/far.h"
 #include "kernels/path/miss.h"
-#include "kernels/path/pattern.h"
 #include "kernels/path/meet.h"
 #include "kernels/path/scatter.h"
 #include "kernels/path/media.h"
-#include "kernels/path/lamp.h"
 #include "kernels/path/direct.h"
 #include "kernels/path/ways.h"
 #include "kernels/path/near.h"
@@ -24,7 +22,7 @@
 #include "kernels/path/connect.h"
 #include "kernels/path/draw.h"
 
-// Shades the hit of a slot.  Returns bits: PATH_GOES_ON, PATH_SHADOW, PATH_LAMP.
+// Shades the hit of a slot.  Returns bits: PATH_GOES_ON, PATH_SHADOW.
 FN int path_step(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
     Vertex vertex;
     Way way;

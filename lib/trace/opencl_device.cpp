@@ -130,32 +130,25 @@ private:
     }
     // A GPU's kernels have what the scene and the pass need, for all of it takes registers of each work item.
     void prepare(const Params& par) {
-        if (gpu_) compile(with_features_of_pass(has_ | scene_has_, par));
+        if (gpu_) compile(has_ | scene_has_ | features_of_pass(par));
     }
     void compile(uint32_t features) {
         if (compiled_ && features == has_) return;
         compiled_ = true;
         has_ = features;
-        const cl::Program program = build(features, "");
-        if (chains_apart(features)) {
-            const cl::Program chains = build(features | FEATURE_CHAINS, " -DLUX_CHAINS");
-            paths_.use(program, &chains);
-        } else paths_.use(program, nullptr);
-        check_layout(program);
-    }
-    cl::Program build(uint32_t features, const char* more) {
-        std::string options = fmt::format("-cl-std=CL1.2 -DLUX_HAS={}u{}", features, more);
+        std::string options = fmt::format("-cl-std=CL1.2 -DLUX_HAS={}u", features);
         if (compact_) options += " -DLUX_COMPACT";
         const auto fp = device_.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
         if (fp & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) options += " -cl-fp32-correctly-rounded-divide-sqrt";
-        cl::Program program(context_, std::string(kernel_source));
+        program_ = cl::Program(context_, std::string(kernel_source));
         try {
-            program.build(options.c_str());
+            program_.build(options.c_str());
         } catch (const cl::Error&) {
-            std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_);
+            std::string log = program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_);
             base::fail_system(where_, "the kernels do not compile: " + log.substr(0, 2000));
         }
-        return program;
+        paths_.use(program_);
+        check_layout();
     }
     cl::Buffer send(const void* data, size_t bytes) {
         cl::Buffer b(context_, CL_MEM_READ_ONLY, std::max<size_t>(bytes, 64));
@@ -163,8 +156,8 @@ private:
         return b;
     }
     // The structures must look the same on both sides.
-    void check_layout(const cl::Program& program) {
-        cl::Kernel k(program, "k_layout");
+    void check_layout() {
+        cl::Kernel k(program_, "k_layout");
         cl::Buffer b(context_, CL_MEM_READ_WRITE, 64);
         k.setArg(0, b);
         paths_.launch(k, 1);
@@ -182,6 +175,7 @@ private:
     cl::Device device_;
     cl::Context context_;
     cl::CommandQueue queue_;
+    cl::Program program_;
     OpenclPaths paths_;
 };
 

@@ -16,7 +16,6 @@ using kernels::uint4;
 constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it
 static_assert(LOCAL == PATH_KINDS, "a group has a work item for each kind of path");
 constexpr size_t PIECE = size_t(1) << 21;  // bytes read back at a time
-constexpr size_t COUNTERS = 5;             // as in kernels/entry_words.cl
 constexpr uint32_t zeros[2 * PATH_KINDS] = {};
 
 }  // namespace
@@ -24,18 +23,18 @@ constexpr uint32_t zeros[2 * PATH_KINDS] = {};
 OpenclPaths::OpenclPaths(const cl::Context& context, const cl::CommandQueue& queue, bool gpu)
     : gpu_(gpu), context_(context), queue_(queue) {
     params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(Params));
-    counters_ = room(COUNTERS, 4);
+    counters_ = room(4, 4);
     kinds_ = room(2 * PATH_KINDS, 4);
     queue_.enqueueWriteBuffer(kinds_, CL_TRUE, 0, sizeof zeros, zeros);
 }
 
-void OpenclPaths::use(const cl::Program& program, const cl::Program* chains) {
+void OpenclPaths::use(const cl::Program& program) {
     generate_ = cl::Kernel(program, "k_generate");
     extend_ = cl::Kernel(program, "k_extend");
     shade_ = cl::Kernel(program, "k_shade");
     shadow_ = cl::Kernel(program, "k_shadow");
     swap_ = cl::Kernel(program, "k_swap");
-    draw_ = cl::Kernel(chains != nullptr ? *chains : program, "k_draw");
+    draw_ = cl::Kernel(program, "k_draw");
     walk_ = cl::Kernel(program, "k_walk");
     thin_ = cl::Kernel(program, "k_thin");
     link_ = cl::Kernel(program, "k_link");
@@ -48,12 +47,6 @@ void OpenclPaths::use(const cl::Program& program, const cl::Program* chains) {
     begin_kinds_ = cl::Kernel(program, "k_begin_kinds");
     sort_kinds_ = cl::Kernel(program, "k_sort_kinds");
     sky_ = cl::Kernel(program, "k_sky");
-    apart_ = chains != nullptr;
-    if (!apart_) return;
-    patterns_ = cl::Kernel(*chains, "k_patterns");
-    lamps_ = cl::Kernel(*chains, "k_lamps");
-    shadow_left_ = cl::Kernel(*chains, "k_shadow_left");
-    panes_left_ = cl::Kernel(*chains, "k_panes_left");
 }
 
 cl::Buffer OpenclPaths::room(size_t count, size_t bytes_each) const {
@@ -61,14 +54,14 @@ cl::Buffer OpenclPaths::room(size_t count, size_t bytes_each) const {
 }
 
 void OpenclPaths::reserve(const Params& par, uint32_t slots) {
-    const uint32_t needs = kernels::path_needs(&par) | (apart_ ? PATH_APART : 0);
+    const uint32_t needs = kernels::path_needs(&par);
     queue_.enqueueWriteBuffer(params_, CL_TRUE, 0, sizeof par, &par);
     if (slots <= capacity_ && (needs & ~needs_) == 0) return;
     capacity_ = std::max(capacity_, slots);
     needs_ |= needs;
 #define LUX_ROOM(type, name, when) fields_[PATH_##name] = room(((when) & ~needs_) == 0 ? capacity_ : 1, sizeof(type));
     PATH_STATE(LUX_ROOM)
-    for (cl::Buffer* queue : {&now_, &next_, &shadow_queue_, &free_}) *queue = room(capacity_, 4);
+    for (cl::Buffer* queue : {&now_, &next_, &shadow_queue_, &sorted_}) *queue = room(capacity_, 4);
 }
 
 void OpenclPaths::write(int field, const std::vector<float4>& values) {
@@ -95,9 +88,7 @@ void OpenclPaths::run(const Params& par) {
     begin(generate_, par);
     follow();
     if (par.shared_slots == 0) return;
-    for (cl::Kernel* kernel : {&thin_, &link_, &panes_}) stage(*kernel, par.slots);
-    if (apart_) stage(panes_left_, par.slots);
-    for (cl::Kernel* kernel : {&connect_, &weigh_, &collect_}) stage(*kernel, par.slots);
+    for (cl::Kernel* kernel : {&thin_, &link_, &panes_, &connect_, &weigh_, &collect_}) stage(*kernel, par.slots);
 }
 
 void OpenclPaths::walk(const Params& par) {
@@ -109,7 +100,7 @@ void OpenclPaths::draw(const Params& par) { stage(draw_, par.slots); }
 
 // Fills the queue with the paths that have a ray.
 void OpenclPaths::begin(cl::Kernel& kernel, const Params& par) {
-    queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 4 * COUNTERS, zeros);
+    queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zeros);
     stage(kernel, par.slots, counters_, now_);
 }
 
@@ -123,11 +114,8 @@ void OpenclPaths::follow() {
                 sort(active);
                 stage(sky_, active, counters_, now_);  // before a guided path goes on with its next sub-path
             }
-            if (apart_) stage(patterns_, active, counters_, now_);
-            stage(shade_, active, counters_, now_, next_, shadow_queue_, free_);
-            if (apart_) stage(lamps_, active, counters_, free_, shadow_queue_);
-            stage(shadow_, active, counters_, shadow_queue_, free_);
-            if (apart_) stage(shadow_left_, active, counters_, free_);
+            stage(shade_, active, counters_, now_, next_, shadow_queue_);
+            stage(shadow_, active, counters_, shadow_queue_);
             swap_.setArg(0, counters_);
             launch(swap_, 1);
             std::swap(now_, next_);
@@ -139,8 +127,8 @@ void OpenclPaths::sort(uint32_t active) {
     stage(count_kinds_, active, counters_, now_, kinds_);
     begin_kinds_.setArg(0, kinds_);
     launch(begin_kinds_, 1);
-    stage(sort_kinds_, active, counters_, now_, kinds_, free_);
-    std::swap(now_, free_);
+    stage(sort_kinds_, active, counters_, now_, kinds_, sorted_);
+    std::swap(now_, sorted_);
 }
 
 void OpenclPaths::receive(const Params& par, std::vector<float>& film) {

@@ -21,9 +21,8 @@ public:
     OpenclPaths() = default;
     // gpu: reading a counter stalls it, and work items that stand side by side should take the same branches.
     OpenclPaths(const cl::Context& context, const cl::CommandQueue& queue, bool gpu);
-    // Its kernels from now on.  Those for a GPU shade apart what has met nothing (HAS(SKY), kernels/features.h), and
-    // some walk chains of modifiers apart: these are the program `chains`, if there is one.
-    void use(const cl::Program& program, const cl::Program* chains);
+    // Its kernels from now on.  Those for a GPU shade apart what has met nothing (HAS(SKY), kernels/features.h).
+    void use(const cl::Program& program);
 
     cl::Buffer tables[TABLES];  // the scene's
 
@@ -63,15 +62,14 @@ private:
     uint32_t count();
     void read_pinned(const cl::Buffer& from, size_t bytes, std::vector<float>& to);
 
-    bool gpu_ = false, apart_ = false;
+    bool gpu_ = false;
     cl::Context context_;
     cl::CommandQueue queue_;
     cl::Kernel generate_, extend_, shade_, shadow_, swap_, draw_, walk_, thin_, link_, panes_, connect_, weigh_,
         collect_;
     cl::Kernel film_kernel_, sky_, count_kinds_, begin_kinds_, sort_kinds_;
-    cl::Kernel patterns_, lamps_, shadow_left_, panes_left_;  // where chains are walked apart
     cl::Buffer fields_[PATH_FIELDS];
-    cl::Buffer params_, counters_, kinds_, now_, next_, shadow_queue_, free_, film_, pinned_;  // free_: a queue
+    cl::Buffer params_, counters_, kinds_, now_, next_, shadow_queue_, sorted_, film_, pinned_;
     size_t film_bytes_ = 0;
     char* pinned_at_ = nullptr;  // where the host sees pinned_
     uint32_t capacity_ = 0;

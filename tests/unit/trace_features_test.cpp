@@ -33,7 +33,7 @@ uint32_t features_with(const std::string& more, trace::RenderOptions options = {
     base::TempFile file((std::filesystem::temp_directory_path() / "luxpipe_features.rad").string());
     std::ofstream(file.path()) << room << more;
     const flatten::FlatScene flat = flatten::flatten(scene::read_scene({file.path()}, {}), {}, {});
-    return trace::with_features_of_pass(trace::features_of_scene(flat), trace::params_of(flat, options));
+    return trace::features_of_scene(flat) | trace::features_of_pass(trace::params_of(flat, options));
 }
 
 }  // namespace
@@ -43,31 +43,12 @@ TEST_CASE("plain surfaces under a sky of functions have nothing special") { CHEC
 TEST_CASE("patterns, of a surface, a lamp and an alternate material") {
     CHECK(features_with("stripes plastic cloth 0 0 5 .5 .5 .5 0 0\ncloth sphere ball2 0 0 4 3 3 1 .5\n") ==
           FEATURE_PATTERNS);
-    CHECK(features_with("stripes light tube 0 0 3 1 1 1\ntube sphere lamp2 0 0 4 3 3 2 .1\n") ==
-          (FEATURE_PATTERNS | FEATURE_LAMPS));
+    CHECK(features_with("stripes light tube 0 0 3 1 1 1\ntube sphere lamp2 0 0 4 3 3 2 .1\n") == FEATURE_PATTERNS);
     CHECK((features_with("void mirror silver 1 wall_paint 0 3 .9 .9 .9\n"
                          "silver polygon looking_glass 0 0 9 0 0 1 0 1 1 0 0 2\n") &
            FEATURE_PATTERNS) != 0);
     CHECK(features_with("void mixfunc worn 4 steel wall_paint .5 .\n0 0\nworn sphere ball2 0 0 4 3 3 1 .5\n") ==
           FEATURE_PATTERNS);
-}
-
-TEST_CASE("chains are walked apart but where shading needs more of them than is kept") {
-    const std::string cloth = "stripes plastic cloth 0 0 5 .5 .5 .5 0 0\ncloth sphere ball2 0 0 4 3 3 1 .5\n";
-    const std::string tube = "stripes light tube 0 0 3 1 1 1\ntube sphere lamp2 0 0 4 3 3 2 .1\n";
-    const std::string crystal = "void dielectric crystal 0 0 5 1 1 1 1.5 0\ncrystal sphere ball3 0 0 4 3 1 1 .5\n";
-    CHECK(trace::chains_apart(features_with(cloth + tube)));
-    CHECK(trace::chains_apart(features_with(cloth + crystal)));
-    CHECK_FALSE(trace::chains_apart(features_with("")));
-
-    CHECK_FALSE(trace::chains_apart(features_with(tube + crystal)));
-    CHECK_FALSE(trace::chains_apart(features_with(
-        cloth + "void plastic2 satin 4 1 0 0 .\n0 6 .5 .5 .5 .05 .1 .2\nsatin sphere ball4 0 0 4 1 3 1 .5\n")));
-    CHECK((features_with("void mixfunc flicker 4 bulb void .5 .\n0 0\nflicker sphere lamp3 0 0 4 3 3 2 .1\n") &
-           FEATURE_LAMPS) == 0);  // its patterns could not wait: they choose by random numbers
-    trace::RenderOptions white;
-    white.i = true;
-    CHECK_FALSE(trace::chains_apart(features_with(cloth, white)));
 }
 
 TEST_CASE("materials of functions") {

@@ -118,31 +118,27 @@ FN int link_pane(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE
     return (lobes->flags & LOBE_PASS) == 0u;
 }
 
-#define LINK_CLOSED -1.0f  // no chance: something else than panes is in the way
-#define LINK_LEFT -2.0f    // a chain that is walked apart is: another kernel looks along the link anew
-
-// What panes let through along a ray; returns the chance that a path goes on through them, or LINK_ ...
-FN float link_panes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Ray) ray, PRIVATE(float3) T) {
-    float chance = 1.0f;
+// What panes let through along a ray, and the chance that a path goes on through them; 0: something else is in the way.
+FN int link_panes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Ray) ray, PRIVATE(float3) T,
+                  PRIVATE(float) chance) {
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
         Hit hit;
         Surface g;
         Lobes lobes;
         trace_closest(s, ray, RAY_TRANSPARENT, &hit);
-        if (hit.prim == NO_HIT) return chance;
+        if (hit.prim == NO_HIT) return 1;
         surface_at(s, ray, &hit, &g);
         g.total = hit.t;
-        if (is_chain_apart(s, par, g.mod)) return LINK_LEFT;
-        if (!link_pane(s, par, &g, &lobes)) return LINK_CLOSED;
+        if (!link_pane(s, par, &g, &lobes)) return 0;
         *T = mul3(*T, lobes.through);
-        chance *= pane_chance(&lobes);
+        *chance *= pane_chance(&lobes);
 
         ray->org = offset_ray(g.p, neg3(g.ng), g.reach);
         if (!IS_FAR(ray->tmax)) ray->tmax -= hit.t;
-        if (ray->tmax <= 0.0f) return chance;
+        if (ray->tmax <= 0.0f) return 1;
     }
 
-    return LINK_CLOSED;
+    return 0;
 }
 
 // The members whose links to the far end of a slot may lead through panes, a bit each: where nothing opaque lies in the
@@ -152,16 +148,15 @@ FN uint links_to_look_through(uint known, uint own) {
 }
 
 // Looks along such a link: what the panes let through; w: the chance that a path goes on through them, below 0 if
-// something else is in the way (LINK_ ...).
+// something else is in the way.
 FN void path_look_through(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
                           uint m) {
     Link link;
     NearEnd near = near_end(paths, share_member(slot, m));
     float3 T = F3(1.0f, 1.0f, 1.0f);
-    float chance = LINK_CLOSED;
-    if (link_ends(paths, &near, slot, &link)) chance = link_panes(s, par, &link.ray, &T);
-    // no path comes through: a pattern may make a pane black, or less than that
-    if (!(chance > 0.0f) && chance != LINK_LEFT) chance = LINK_CLOSED;
+    float chance = 1.0f;
+    if (!link_ends(paths, &near, slot, &link) || !link_panes(s, par, &link.ray, &T, &chance)) chance = -1.0f;
+    if (!(chance > 0.0f)) chance = -1.0f;  // no path comes through: a pattern may make a pane black, or less than that
     paths->panes[slot].of[m] = pack4(T, chance);
 }
 

@@ -45,7 +45,7 @@ FN void direct_shadow_ray(UNIFORM(const Params) par, SHARED(const Paths) paths, 
     }
 }
 
-// Returns PATH_SHADOW if a shadow ray waits, PATH_LAMP if first its lamp's radiance is to be found (lamp.h).
+// Returns PATH_SHADOW if a shadow ray waits.
 FN int path_direct(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
                    PRIVATE(Vertex) vertex) {
     PRIVATE(const Surface) g = &vertex->g;
@@ -67,29 +67,22 @@ FN int path_direct(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARE
     float3 response = direct_response(s, par, &light, vertex);
     if (!(max3(response) > 0.0f)) return 0;
 
-    // What the surface scatters evenly goes to all who see it, the rest back along this path.
-    float3 own = response, even = F3(0.0f, 0.0f, 0.0f);
-    if (vertex->at_far) {
-        even = scale3(lobes_even(&vertex->lobes, g, light.dir, light.w / light.pieces), light.pieces);
-        own = sub3(response, even);
-    }
-    own = mul3(vertex->thr, own);
-
-    // The source's radiance.  Where a pattern falls below 0, RADIANCE counts light whose luminance is above it.  An
-    // illum does not light itself.
+    // Its radiance.  Where a pattern falls below 0, RADIANCE counts light whose luminance is above it.  An illum does
+    // not light itself.
     GLOBAL const float* src = source_record(s, par, source);
-    int itself = as_uint_(src[SRC_PRIM]) == g->prim && as_uint_(src[SRC_VIRTUAL]) == NONE;
-    if (is_lamp_apart(s, par, src)) {
-        if (itself) return 0;
-        lamp_keep(paths, vertex->slot, &light, response, inv_p);
-        direct_shadow_ray(par, paths, vertex, source, &light, own, even);
-        return PATH_LAMP;
-    }
     float3 radiance = sampled_radiance(s, par, src, &light, g->total, &vertex->rnd);
+    int itself = as_uint_(src[SRC_PRIM]) == g->prim && as_uint_(src[SRC_VIRTUAL]) == NONE;
     if (!(luminance3(mul3(response, radiance)) > 0.0f) || itself) return 0;
 
     radiance = scale3(radiance, inv_p);
-    direct_shadow_ray(par, paths, vertex, source, &light, mul3(own, radiance), mul3(even, radiance));
+    float3 far = F3(0.0f, 0.0f, 0.0f);
+    if (vertex->at_far) {  // what it scatters evenly goes to all who see it, the rest back along this path
+        float3 even = scale3(lobes_even(&vertex->lobes, g, light.dir, light.w / light.pieces), light.pieces);
+        far = mul3(even, radiance);
+        response = sub3(response, even);
+    }
+    radiance = mul3(mul3(vertex->thr, response), radiance);
+    direct_shadow_ray(par, paths, vertex, source, &light, radiance, far);
     return PATH_SHADOW;
 }
 #endif

@@ -3,6 +3,15 @@
 #ifndef LUX_PATH_MEET_H
 #define LUX_PATH_MEET_H
 
+// Position, normal and modifier of the hit; counts it.  0: the path has met more surfaces than it may.
+FN int vertex_arrive(SHARED(const SceneTables) s, PRIVATE(Vertex) vertex) {
+    if (vertex->flags >> PC_STEP_SHIFT >= PC_STEP_LIMIT) return 0;
+    vertex->flags += 1u << PC_STEP_SHIFT;
+    surface_at(s, &vertex->ray, &vertex->hit, &vertex->g);
+    vertex->g.total = vertex->before + vertex->hit.t;
+    return 1;
+}
+
 // -i: the first surface that the eye sees is white and Lambertian, so that its radiance is the irradiance there.
 FN int irradiance_surface(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, int passes,
                           PRIVATE(Vertex) vertex) {
@@ -40,8 +49,8 @@ FN int vertex_meet(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARE
 
     // a hole that antimatter cuts; a chain without material; an illum or mirror with void in its place
     if (antimatter && clip_hit(s, par, g, &vertex->clip_beyond) == CLIP_IGNORE) return MET_NOTHING;
-    int shows = is_chain_apart(s, par, g->mod) ? pattern_take(s, par, paths, vertex) : vertex_material(s, par, vertex);
-    if (!shows) return MET_NOTHING;
+    if (!find_material(s, par, g, &vertex->rnd)) return MET_NOTHING;
+    if (take_alternate(s, par, g, vertex->flags, &vertex->rnd)) return MET_NOTHING;
 
     if (material_has(g->type, MT_SHINES) != 0u) {
         int passes;

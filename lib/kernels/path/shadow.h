@@ -20,7 +20,6 @@ STRUCT(ShadowRay) {
     int is_virtual;           // it was sent to a virtual source: its radiance is known only where it arrives
     int bent;                 // it does not lie on one straight line
     int known;                // SHADOW_TO_TRACE ...
-    int left;                 // it has met a chain that is walked apart: another kernel follows it anew
     Sampler rnd;
 };
 
@@ -34,10 +33,6 @@ FN int shadow_meet(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVA
     uint carried = g->mod;
 
     if (antimatter && clip_hit(s, par, g, &shadow->clip) == CLIP_IGNORE) return MET_NOTHING;
-    if (is_chain_apart(s, par, g->mod)) {
-        shadow->left = 1;
-        return MET_LAMP;
-    }
     if (!find_material(s, par, g, &shadow->rnd)) return MET_NOTHING;
     if (shadow_alternate(s, par, g, shadow->src, relayed, &shadow->rnd)) return MET_NOTHING;
 
@@ -266,9 +261,9 @@ FN int shadow_counts(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRI
     return light.x + light.y + light.z > 0.0f;
 }
 
-// Adds what the shadow ray of a slot brings.  known: of a plain one (shadow_is_plain).  1: it is left.
-FN int path_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
-                   int known) {
+// Adds what the shadow ray of a slot brings.  known: of a plain one (shadow_is_plain).
+FN void path_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
+                    int known) {
     float4 org = read4_(paths->shadow_org, slot), dir = read4_(paths->shadow_dir, slot),
            rad = read4_(paths->shadow_rad, slot);
     int antimatter = has_antimatter(par), aimed = aims_shadows(par);
@@ -285,13 +280,11 @@ FN int path_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARE
     shadow.is_virtual = as_uint_(shadow.src[SRC_VIRTUAL]) != NONE;
     shadow.bent = 0;
     shadow.known = known;
-    shadow.left = 0;
     shadow.rnd = path_sampler(read4_(paths->info, slot));
     shadow.rnd.key = hash32(shadow.rnd.key ^ 0x5bd1e995u);
 
     float3 T = aimed ? shadow_aimed(s, par, &shadow) : shadow_straight(s, par, &shadow, dir.w);
-    if (CHAINS_APART && shadow.left) return 1;
-    if (shadow_counts(s, par, &shadow, T)) path_receive(par, paths, slot, mul3(xyz4(rad), T), T);
-    return 0;
+    if (!shadow_counts(s, par, &shadow, T)) return;
+    path_receive(par, paths, slot, mul3(xyz4(rad), T), T);
 }
 #endif

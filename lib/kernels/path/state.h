@@ -8,7 +8,7 @@
 // what both devices allocate and the arguments of the OpenCL kernels come from it.  Wide types first, for they are laid
 // one after another.
 //   when: PATH_ALWAYS, or what makes it needed: PATH_MEDIA media or antimatter in the scene, PATH_GUIDED a guide,
-//   PATH_SHARED that paths share their far ends, PATH_APART that chains are walked apart (features.h)
+//   PATH_SHARED that paths share their far ends
 // clang-format off
 #define PATH_STATE(FIELD)                                                                                       \
     FIELD(float4, org, PATH_ALWAYS)           /* the ray's origin; w: what is cut away there (bits; clip.h) */  \
@@ -17,12 +17,6 @@
     FIELD(float4, rad, PATH_ALWAYS)           /* radiance gathered, rgb; w: path length from the eye */         \
     FIELD(uint4, info, PATH_ALWAYS)           /* PC_ flags; sampler: key, index | dim << 8; instance hit */     \
     FIELD(float4, hit, PATH_ALWAYS)           /* t, primitive (bits), u, v */                                   \
-    FIELD(float4, pattern_color, PATH_APART)  /* the surface's patterns (pattern.h), rgb; w: material (bits) */ \
-    FIELD(float4, pattern_pert, PATH_APART)   /* its textures; w: PATTERN_ ... */                               \
-    FIELD(float4, lamp_dir, PATH_APART)       /* to the point of a lamp with patterns (lamp.h); w: how far */   \
-    FIELD(float4, lamp_p, PATH_APART)         /* that point; w: what its radiance is multiplied by */           \
-    FIELD(float4, lamp_n, PATH_APART)         /* the normal there */                                            \
-    FIELD(float4, lamp_response, PATH_APART)  /* what the surface makes of its light, rgb */                    \
     FIELD(float4, shadow_org, PATH_ALWAYS)    /* the shadow ray's origin; w: its source (bits) */               \
     FIELD(float4, shadow_dir, PATH_ALWAYS)    /* its direction; w: distance of the source */                    \
     FIELD(float4, shadow_rad, PATH_ALWAYS)    /* what it brings if unblocked, rgb; w: path length so far */     \
@@ -65,7 +59,6 @@ STRUCT(Paths){PATH_STATE(PATH_POINTER)};
 #define PATH_MEDIA 1u
 #define PATH_GUIDED 2u
 #define PATH_SHARED 4u
-#define PATH_APART 8u
 FN int has_media(UNIFORM(const Params) par) { return HAS(SOLIDS) && par->medium.w > 0.0f; }
 FN int has_antimatter(UNIFORM(const Params) par) { return HAS(SOLIDS) && (par->flags & PF_ANTIMATTER) != 0u; }
 FN int aims_shadows(UNIFORM(const Params) par) { return HAS(SOLIDS) && par->shadow_mode == SHADOW_AIMED; }

@@ -41,7 +41,6 @@ STRUCT(Vertex) {
 // What path_shade returns, bits.
 #define PATH_GOES_ON 1  // the slot holds the next ray
 #define PATH_SHADOW 2   // and a shadow ray
-#define PATH_LAMP 4     // or one that waits for its lamp's patterns (lamp.h)
 
 // What a ray has met.
 #define MET_NOTHING 0  // it goes straight on
@@ -82,15 +81,6 @@ FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint s
     vertex->clip_beyond = vertex->clip_before;
     vertex->scatterers = 0u;
     vertex->went_to_medium = 0;
-}
-
-// Position, normal and modifier of the hit; counts it.  0: the path has met more surfaces than it may.
-FN int vertex_arrive(SHARED(const SceneTables) s, PRIVATE(Vertex) vertex) {
-    if (vertex->flags >> PC_STEP_SHIFT >= PC_STEP_LIMIT) return 0;
-    vertex->flags += 1u << PC_STEP_SHIFT;
-    surface_at(s, &vertex->ray, &vertex->hit, &vertex->g);
-    vertex->g.total = vertex->before + vertex->hit.t;
-    return 1;
 }
 
 // Puts back what the path has gathered, for itself or for its far end.  length: as below.
