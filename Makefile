@@ -53,6 +53,10 @@ test-deb: deb ## the package put into an empty Debian (debootstrap, as root; fro
 bench: everything ## the speed claims, measured again
 	@bash bench/run.sh $(BUILD)/bin
 
+coverage: all ## how often intervals hold the truth: SCENES="1000-1011 office" SEEDS=200 SIZE=48 FRAMES=74 (hours)
+	@python3 studies/coverage/coverage.py -bin $(BUILD)/bin -out out/coverage -scenes "$(or $(SCENES),1000-1011)" \
+		-seeds $(or $(SEEDS),200) -size $(or $(SIZE),48) -frames $(or $(FRAMES),74)
+
 compare-radiance: all ## N=100 random scenes from SEED=1 on, by ptrace and by rtrace (where RADIANCE is)
 	@cmake --build $(BUILD) -j $(JOBS) --target trace_rays
 	@python3 tests/compare/radiance/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) --tracer $(BUILD)/bin/trace_rays
@@ -86,5 +90,5 @@ setup:
 	@[ "$(SETUP)" = no ] || $(if $(findstring ptrace,$(PARTS)),sh scripts/ispc.sh .ispc,:)
 
 .PHONY: help all everything demo test test-gpu test-slurm test-deb test-sanitize fuzz deb bench \
-	compare-radiance compare-evalglare \
+	coverage compare-radiance compare-evalglare \
 	man format lint install uninstall clean setup

@@ -1,78 +1,155 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-# coverage.py OUT: how often intervals hold the long-run value, at fixed frames and where the rule of -until stops; how
-# wide they are; and how far the means of the metrics lie off.  The first 20 seeds choose the tolerances, no others.
-import math, os, statistics, sys
+# How often the intervals of vcmetrics -ci 95 hold the truth.  Frames of each scene and seed are traced once and kept;
+# ptaccum | vcmetrics measures them, and again under another -label when the method has changed.  The truth for odd
+# seeds is the merged picture of all even ones and the other way round: no run is judged by its own frames.
+import argparse, os, re, statistics, subprocess, sys
+import judge, scenes
+from report import Report, rate
 
-PILOT, LEAST, RULE_FRAMES, LONG = 20, 64, 73, 900001
-
-
-def read(path):
-    lines = [line.rstrip('\n').split('\t') for line in open(path)]
-    names = lines[0]
-    return [{n: c if n == 'tails' else float(c) for n, c in zip(names, cells)} for cells in lines[1:]]
-
-
-def looks(rows):
-    """Lines whose intervals are new: each look comes when the frames have grown by the square root of 2."""
-    out, due = [], 2
-    for row in rows:
-        if row['frame'] >= due:
-            out.append(row)
-            due = math.ceil(row['frame'] * 1.41421356)
-    return out
+PLAIN = 'Ev,Lavg,DGP,UGR,DGI,Lveil,RAMMG,desk.TAL,CR,VCP,UGP,CGI,DGR,Lmed'
+METRICS = 'Ev,Lavg,DGPu,UGRu,DGIu,Lveilu,RAMMGu,desk.TAL,CRu,VCPu,UGPu,CGIu,DGRu,Lmed'
+BOUND, CLASSES = .4, ('perceptible', 'disturbing')  # of DGP, and what lies below and above it
+DISTANCES = [.001, .002, .004]                      # of the true DGP from that bound
 
 
-def half(row, m):
-    return (row[m + '.hi'] - row[m + '.lo']) / 2
+def options():
+    p = argparse.ArgumentParser(description='coverage of the intervals of vcmetrics')
+    p.add_argument('-bin', required=True, help='the built programs')
+    p.add_argument('-out', required=True, help='where everything is kept')
+    p.add_argument('-scenes', default='1000-1011', help='draws of make_room.py, office, blinds, classroom, gallery')
+    p.add_argument('-seeds', type=int, default=200)
+    p.add_argument('-first', type=int, default=1, help='the first seed')
+    p.add_argument('-size', type=int, default=48, help='pixels a side')
+    p.add_argument('-frames', type=int, default=74, help='diffuse frames of a run')
+    p.add_argument('-measure', help='ptaccum and vcmetrics of another build')
+    p.add_argument('-label', default='now', help='a name for how it is measured')
+    p.add_argument('-least', type=int, default=64, help='fewest frames at which -until may stop')
+    p.add_argument('-truth', help='recorded values (of record) in place of those of the other seeds')
+    p.add_argument('-do', default='trace,truth,measure,judge', help='also: record, classes, check')
+    return p.parse_args()
 
 
-def holds(row, m, truth):
-    return row[m + '.lo'] <= truth <= row[m + '.hi']
+def make(file, words, folder=None, source=None):
+    """A file from the output of a program, whole or not at all."""
+    if not os.path.exists(file):
+        with open(file + '.part', 'wb') as out:
+            subprocess.run(words, stdout=out, stdin=source, cwd=folder, check=True)
+        os.rename(file + '.part', file)
 
 
-def stop(run, m, tolerance):
-    for row in run:
-        if row['frame'] >= LEAST and half(row, m) <= tolerance and m not in row['tails'].split():
-            return row
-    return None
+class Study:
+    """One scene.  The methods that -do names make what is not there yet."""
+
+    def __init__(self, o, name):
+        self.o, self.name = o, name
+        self.folder, self.words, self.regions = scenes.prepare(name, os.path.abspath(o.out))
+        self.kept = os.path.join(os.path.abspath(o.out), name, str(o.size))
+        self.tables = os.path.join(self.kept, o.label)
+        self.bin, self.measuring = [os.path.abspath(folder) for folder in (o.bin, o.measure or o.bin)]
+        self.seeds = range(o.first, o.first + o.seeds)
+        os.makedirs(self.tables, exist_ok=True)
+
+    def stream(self, seed):
+        return os.path.join(self.kept, '%d.lux' % seed)
+
+    def trace(self):
+        for seed in self.seeds:
+            words = '-w- -n 1 -x %d -y %d -seed %d -frames %d' % (self.o.size, self.o.size, seed, self.o.frames + 1)
+            make(self.stream(seed), [os.path.join(self.bin, 'ptrace')] + words.split() + self.words, self.folder)
+
+    def vcmetrics(self, metrics, *words):
+        return [os.path.join(self.measuring, 'vcmetrics'), '-W-', '-regions', self.regions, '-cr', 'pair=low/high',
+                '-metrics', metrics] + list(words)
+
+    def from_sums(self, seed, run):
+        """run(what ptaccum makes of the frames of a seed)."""
+        with open(self.stream(seed)) as frames:
+            sums = subprocess.Popen([os.path.join(self.measuring, 'ptaccum')], stdin=frames, stdout=subprocess.PIPE,
+                                    stderr=subprocess.DEVNULL)
+            result = run(sums.stdout)
+            sums.stdout.close()
+            sums.wait()
+        return result
+
+    def measure(self):
+        for seed in self.seeds:
+            file = os.path.join(self.tables, '%d.tsv' % seed)
+            self.from_sums(seed, lambda sums: make(file, self.vcmetrics(METRICS, '-ci', '95'), source=sums))
+
+    def truth(self):
+        """Tables of the merged pictures of all even and all odd seeds there are (first line) and of parts of them."""
+        there = [int(f[:-4]) for f in os.listdir(self.kept) if f.endswith('.lux')]
+        for parity in 0, 1:
+            seeds = sorted(s for s in there if s % 2 == parity)
+            name = 'truth%d_%d' % (parity, len(seeds))
+            if not os.path.exists(os.path.join(self.kept, name + '.tsv')):
+                parts = [self.merge('%s_%d' % (name, k), [self.stream(s) for s in seeds[k::judge.PARTS]])
+                         for k in range(judge.PARTS)]
+                make(os.path.join(self.kept, name + '.tsv'), self.vcmetrics(PLAIN, self.merge(name, parts), *parts))
+
+    def merge(self, name, files):
+        out = os.path.join(self.kept, name + '.exr')
+        if not os.path.exists(out):
+            subprocess.run([os.path.join(self.bin, 'ptaccum'), '-last', '-o', out] + files, check=True)
+        return out
+
+    def truths(self):
+        return judge.recorded_truths(self.o.truth, self.name) if self.o.truth else judge.truths(self.kept)
+
+    def found(self):
+        return judge.Scene({s: os.path.join(self.tables, '%d.tsv' % s) for s in self.seeds}, self.truths())
+
+    def record(self):
+        even, odd = self.truths()
+        for m in even:
+            print('%s\t%s\t%.7g\t%.2g' % (self.name, m, (even[m][0] + odd[m][0]) / 2, max(even[m][1], odd[m][1])))
+
+    def class_stop(self, seed, distance):
+        """Frames, and whether the class is right, of -until class where the true DGP lies at a distance from a bound:
+        below it for odd seeds, above it for even ones, by DGP's constant c3."""
+        above = seed % 2 == 0
+        shift = BOUND + (distance if above else -distance) - self.truths()[seed % 2]['DGP'][0]
+        words = self.vcmetrics('DGP', '-w', '2', '1', '1.87', '2', '1', '5.87e-5', '.0918', '%.7f' % (.16 + shift),
+                               '-until', 'class')
+        words.remove('-W-')
+        say = self.from_sums(seed, lambda sums: subprocess.run(words, stdin=sums, stdout=subprocess.DEVNULL,
+                                                               stderr=subprocess.PIPE, text=True).stderr)
+        stopped = re.search(r'stopped after (\d+) frames: glare is (\w+)', say)
+        return (int(stopped[1]), stopped[2] == CLASSES[above]) if stopped else None
 
 
-def share(hits):
-    p = sum(hits) / len(hits)
-    return '%.1f +- %.1f' % (100 * p, 100 * math.sqrt(max(p * (1 - p), 1e-9) / len(hits)))
+def judge_classes(o, studies):
+    print('-until class\ndistance\truns\tstops\twrong, % of stops\tframes (median of runs; > where it did not stop)')
+    for distance in DISTANCES:
+        runs = [s.class_stop(seed, distance) for s in studies if s.truths()[0]['DGP'][0] < .9 for seed in s.seeds]
+        stops = [r for r in runs if r]
+        middle = statistics.median_low([r[0] if r else o.frames + 1 for r in runs])
+        print('%g\t%d\t%d\t%s\t%s' % (distance, len(runs), len(stops), rate([not right for _, right in stops]),
+                                      middle if middle <= o.frames else '> %d' % o.frames))
 
 
-def scene(folder, name):
-    truth = read(os.path.join(folder, '%d.tsv' % LONG))[-1]
-    seeds = sorted(int(f[:-4]) for f in os.listdir(folder) if f[:-4].isdigit() and f.endswith('.tsv'))
-    runs = [looks(read(os.path.join(folder, '%d.tsv' % s))) for s in seeds if s != LONG]
-    pilot, runs = runs[:PILOT], runs[PILOT:]
-    metrics = [n[:-3] for n in truth if n.endswith('.lo')]
-    print('\n%s: %d runs; the long run has %d frames' % (name, len(runs), truth['frame']))
-    print('metric\tlong-run\tframes\tcoverage %\twidth ratio\tbias\tbias error')
-    for m in metrics:
-        value = truth[m]
-        width = {}  # 1.96 x the spread over the seeds, by frames
-        for k, row in enumerate(runs[0]):
-            at = [run[k] for run in runs if not math.isnan(half(run[k], m))]
-            if row['frame'] < 4 or len(at) < len(runs) // 2:
-                continue
-            shown = [r[m] for r in at]
-            width[row['frame']] = 1.96 * statistics.stdev(shown)
-            print('%s\t%.6g\t%d\t%s\t%.2f\t%.4g\t%.2g' % (
-                m, value, row['frame'], share([holds(r, m, value) for r in at]),
-                statistics.median(half(r, m) for r in at) / width[row['frame']], statistics.mean(shown) - value,
-                statistics.stdev(shown) / math.sqrt(len(shown))))
-        near = [half(r, m) for run in pilot for r in run if r['frame'] == RULE_FRAMES and not math.isnan(half(r, m))]
-        done = [s for s in (stop(run, m, statistics.median(near)) for run in runs) if s] if near else []
-        if done:
-            print('%s\t-until %s %.3g: %d of %d stop, median at %d\t%s\t%.2f' % (
-                m, m, statistics.median(near), len(done), len(runs), statistics.median(s['frame'] for s in done),
-                share([holds(s, m, value) for s in done]),
-                statistics.median(half(s, m) / width[s['frame']] for s in done)))
+def main():
+    o = options()
+    studies = [Study(o, name) for name in scenes.names(o.scenes)]
+    good = True
+    for step in o.do.split(','):
+        if step in ('judge', 'check'):
+            report = Report({s.name: s.found() for s in studies}, '%s: %d scenes, %d seeds, %d x %d' % (
+                o.label, len(studies), o.seeds, o.size, o.size))
+        if step == 'judge':
+            report.print_all(o.least)
+            report.write_cells(os.path.join(o.out, '%s_%d.tsv' % (o.label, o.size)))
+            report.draw(os.path.join(o.out, '%s_%d.svg' % (o.label, o.size)))
+        elif step == 'check':
+            good = report.holds()
+        elif step == 'classes':
+            judge_classes(o, studies)
+        else:
+            for s in studies:
+                getattr(s, step)()
+    sys.exit(0 if good else 1)
 
 
-for entry in sorted(os.listdir(sys.argv[1])):
-    if os.path.exists(os.path.join(sys.argv[1], entry, '%d.tsv' % LONG)):
-        scene(os.path.join(sys.argv[1], entry), entry)
+if __name__ == '__main__':
+    main()
