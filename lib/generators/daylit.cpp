@@ -112,6 +112,9 @@ Sun find_sun(const Call& call, const Options& o, int& day, std::string& out) {
         t.hour = std::strtod(hour.c_str(), &end);  // "14:30" and "14EST" are 14, as in RADIANCE
         t.solar = hour[0] == '+';
         if (end == hour.c_str()) call.fail("\"" + base::excerpt(hour) + "\" is not an hour");
+        if (*end)
+            base::warn(call.place, fmt::format("gendaylit: hour \"{}\" counts as {:g}", base::excerpt(hour), t.hour));
+        check_hour(call, 3, t.hour);
         day = t.day_of_year();
         sun = sun_position(o.site, t);
         if (o.interval > 0) move_into_day(o.site, o.interval, sun);

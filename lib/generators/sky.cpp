@@ -56,7 +56,10 @@ void read_hour(const Call& call, size_t at, Moment& t, double& zone_meridian) {
     if (!base::parse_real(clock.substr(0, colon), t.hour) ||
         (colon != std::string::npos && !base::parse_real(clock.substr(colon + 1), minutes)))
         call.fail("\"" + base::excerpt(call.words[at]) + "\" is not an hour");
+    if (minutes < 0 || minutes >= 60)
+        base::warn(call.place, "gensky: the minutes of " + base::excerpt(call.words[at]) + " are outside 0 to 59");
     t.hour += minutes / 60;
+    check_hour(call, at, t.hour);
     if (zone.empty()) return;
     if (t.solar) call.fail("a time zone and solar time cannot be used together");
     for (char& c : zone) c = char(std::toupper(static_cast<unsigned char>(c)));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include "base/angle.h"
 #include "base/error.h"
+#include "base/printable.h"
 #include "generators/generators.h"
 
 namespace generators {
@@ -32,6 +33,11 @@ Moment read_date(const Call& call, size_t i) {
     t.day = int(call.integer(i + 1, "the day", 1, 31));
     if (t.day > days[t.month - 1]) base::warn(call.place, call.words[0] + ": this month has fewer days");
     return t;
+}
+
+void check_hour(const Call& call, size_t i, double hour) {
+    if (hour < 0 || hour > 24)
+        base::warn(call.place, call.words[0] + ": hour " + base::excerpt(call.words[i]) + " is outside 0 to 24");
 }
 
 int Moment::day_of_year() const {

@@ -27,7 +27,8 @@ struct Sun {
 Sun sun_position(const Site& site, const Moment& t);
 void set_solar_time(const Site& site, double hours, Sun& sun);  // altitude and azimuth for another hour of that day
 base::Vec3 sun_direction(double altitude, double azimuth);
-Moment read_date(const Call& call, size_t i);  // month and day at words i, i+1
+Moment read_date(const Call& call, size_t i);              // month and day at words i, i+1
+void check_hour(const Call& call, size_t i, double hour);  // warns outside 0 to 24, as word i says it
 
 // F2 of skybright.cal: the CIE clear and intermediate sky's formula at the zenith.
 double clear_norm(double altitude);

@@ -44,6 +44,9 @@ ExrInput::ExrInput(const std::string& path) : path_(path) {
             base::fail(path, "picture size is not within 1.." + std::to_string(most_side));
         width_ = int(w);
         height_ = int(h);
+        check_windows(file_->in.header(), path);
+        if (file_->parts.parts() > 1)
+            base::warn(path, "holds " + std::to_string(file_->parts.parts()) + " parts: the first one is read");
     } catch (const base::Error&) {
         throw;
     } catch (const std::exception& e) {

@@ -111,6 +111,18 @@ void check_attributes(std::istream& in, const std::string& path) {
     }
 }
 
+void check_windows(const Imf::Header& h, const std::string& path) {
+    const Imath::Box2i shown = h.displayWindow(), data = h.dataWindow();
+    const auto meet = [](int64_t least, int64_t most) { return std::max<int64_t>(most - least + 1, 0); };
+    const int64_t across = meet(std::max(shown.min.x, data.min.x), std::min(shown.max.x, data.max.x)),
+                  down = meet(std::max(shown.min.y, data.min.y), std::min(shown.max.y, data.max.y));
+    if (across * down == 0) base::fail(path, "its data window holds nothing of its display window");
+    const int64_t all = meet(shown.min.x, shown.max.x) * meet(shown.min.y, shown.max.y);
+    if (across * down < all)
+        base::warn(path, std::to_string(all - across * down) + " of its " + std::to_string(all) +
+                             " pixels are outside its data window: they are black");
+}
+
 void check_blocks(const Imf::Header& h, const std::string& path) {
     int64_t bytes = 0;
     for (auto c = h.channels().begin(); c != h.channels().end(); ++c) bytes += c.channel().type == Imf::HALF ? 2 : 4;

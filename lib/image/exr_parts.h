@@ -17,6 +17,9 @@ std::string one_line(const char* text);
 // Throws Error if an attribute of any header has a length that its type or the file cannot have.
 void check_attributes(std::istream& in, const std::string& path);
 
+// Throws Error where nothing of the picture is in the file, warns where part of it is not.
+void check_windows(const Imf::Header& header, const std::string& path);
+
 // Throws Error for tiles or blocks of lines that are too large to decode.
 void check_blocks(const Imf::Header& header, const std::string& path);
 

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/number.h"
 #include "base/split.h"
 
 namespace image {
@@ -31,13 +32,10 @@ std::optional<std::string> value_of(const std::string& line, const char* key) {
 template <size_t n>
 std::array<double, n> numbers(const std::string& line, const std::string& text, const std::string& where) {
     std::array<double, n> all{};
-    const char* at = text.c_str();
-    for (double& value : all) {
-        char* end = nullptr;
-        value = std::strtod(at, &end);
-        if (end == at || !std::isfinite(value)) base::fail(where, "header line \"" + line + "\" is malformed");
-        at = end;
-    }
+    const std::vector<std::string> words = base::split_words(text);
+    bool good = words.size() == n;
+    for (size_t i = 0; good && i < n; ++i) good = base::parse_real(words[i], all[i]);
+    if (!good) base::fail(where, "header line \"" + line + "\" is malformed");
     return all;
 }
 
@@ -172,8 +170,11 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
     if (line.compare(0, 2, "#?") == 0) return;
     if (view::is_view_line(line)) {
         view::View v = h.view.value_or(view::View());
-        if (view::parse_line(v, line)) h.view = v;
-        if (line.compare(0, 5, "VIEW=") != 0) h.lines.push_back(line);  // a command line is history, too
+        const bool command = line.compare(0, 5, "VIEW=") != 0;  // whose words mean many things
+        std::string wrong;
+        if (view::parse_line(v, line, &wrong)) h.view = v;
+        if (command) h.lines.push_back(line);  // is history, too
+        else if (!wrong.empty()) base::fail(where, "header line \"" + line + "\": " + wrong);
     } else if (auto t = value_of(line, "EXPOSURE=")) {
         multiply(h.exposure, numbers<1>(line, *t, where)[0], line, where);
     } else if (auto t = value_of(line, "COLORCORR=")) {

@@ -42,3 +42,22 @@ check 'options after -rif come later than they' '
     ptrace -rif t.rif -x 4 -y 4 -w- -frames 1 RES=8 up | head -c 1000 | strings | grep -qx -e "-Y 4 +X 4"'
 check_error 'an unknown one is reported' 1 '^ptrace: QALITY=Low: "QALITY" is not a variable of rad' '
     ptrace -rif t.rif -frames 1 QALITY=Low > x'
+
+# Numbers with a comma for the point, as some languages write them, are none: they were cut there.
+picture() { printf '#?RADIANCE\n%s\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\200\200\200\201' "$1" > p.hdr; }
+for line in EXPOSURE=1,5 'EXPOSURE=1 5' COLORCORR=1,1,1 PIXASPECT=1,5 'VIEW= -vtv -vh 1,8e2' 'VIEW= -vp 1 2,5 3'; do
+    check_error "a header line $line is reported" 1 "^vcmetrics: p.hdr: header line .$line" '
+        picture "$line"; vcmetrics p.hdr'
+done
+check 'lines that end in blanks are read, and so are command lines of other programs' '
+    picture "EXPOSURE=  1.5  "; vcmetrics -vtv -vh 60 -vv 60 p.hdr
+    picture "rpict -vtv -vd 0 1 0 -vh 60 -vv oops x.oct"; vcmetrics -vtv -vh 60 -vv 60 p.hdr'
+check 'an hour that no clock shows is told of' '
+    for time in "gensky 3 21 25" "gensky 3 21 -1" "gensky 3 21 10:75" "gendaylit 3 21 25 -W 800 100" \
+        "gendaylit 3 21 14:30 -W 800 100"; do
+        printf "!$time\n" > sky.rad; ptrace $view -w+ sky.rad 2> said > x
+        grep -q "^ptrace: warning: sky.rad:1: gen[a-z]*: .*\(hour\|minutes\)" said || { echo "$time"; exit 1; }
+    done
+    for time in "gensky 3 21 0" "gensky 3 21 +24" "gensky 3 21 10:59" "gendaylit 3 21 14.5 -W 800 100"; do
+        printf "!$time\n" > sky.rad; ptrace $view -w+ sky.rad 2>&1 > x | { ! grep hour; } || { echo "$time"; exit 1; }
+    done'

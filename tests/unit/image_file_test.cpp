@@ -6,7 +6,10 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
@@ -115,8 +118,8 @@ TEST_CASE("half floats are cut at 65504 with a warning") {
 
 namespace {
 // An EXR of another program: luminance only, data window smaller than and apart from the display window.
-void write_foreign(const std::string& path, const char* channel) {
-    Imf::Header h(Imath::Box2i({10, 10}, {13, 12}), Imath::Box2i({11, 11}, {12, 12}));
+void write_foreign(const std::string& path, const char* channel, Imath::V2i at = {11, 11}) {
+    Imf::Header h(Imath::Box2i({10, 10}, {13, 12}), Imath::Box2i(at, at + Imath::V2i(1, 1)));
     h.channels().insert(channel, Imf::Channel(Imf::FLOAT));
     h.insert("VIEW", Imf::StringAttribute("-vtv -vh 33 -vv 22"));
     Imf::addWhiteLuminance(h, 358);  // twice ours
@@ -133,6 +136,7 @@ TEST_CASE("OpenEXR of other programs: luminance only, windows, white luminance, 
     TempFolder temp;
     const std::string path = temp.name("y.exr");
     write_foreign(path, "Y");
+    base::take_warnings();
     const Picture p = image::read_file(path);
     CHECK(p.width == 4);
     CHECK(p.height == 3);
@@ -145,6 +149,44 @@ TEST_CASE("OpenEXR of other programs: luminance only, windows, white luminance, 
     write_foreign(path, "depth");
     CHECK(error_text([&] { image::read_file(path); }) ==
           path + ": has neither the channels R G B nor Y: it is not a picture");
+}
+
+TEST_CASE("OpenEXR: pixels outside the data window are told of, windows that do not meet and further parts, too") {
+    TempFolder temp;
+    const std::string path = temp.name("y.exr");
+    write_foreign(path, "Y");
+    base::take_warnings();
+    CHECK(image::read_file(path).at(0, 0)[0] == 0);
+    const auto told = base::take_warnings();
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].first == "8 of its 12 pixels are outside its data window: they are black");
+    for (const Imath::V2i& at : {Imath::V2i(14, 11), Imath::V2i(11, 13), Imath::V2i(7, 11)}) {
+        write_foreign(path, "Y", at);
+        CHECK_THROWS_WITH_AS(image::read_file(path),
+                             (path + ": its data window holds nothing of its display window").c_str(), base::Error);
+    }
+
+    std::vector<Imf::Header> heads(2, Imf::Header(1, 1));
+    for (size_t k = 0; k < 2; ++k) {
+        heads[k].setName(k == 0 ? "left" : "right");
+        heads[k].setType(Imf::SCANLINEIMAGE);
+        heads[k].channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    }
+    {
+        Imf::MultiPartOutputFile file(path.c_str(), heads.data(), 2);
+        for (int k = 0; k < 2; ++k) {
+            const float value = float(k + 3);
+            Imf::FrameBuffer frame;
+            frame.insert("Y", Imf::Slice::Make(Imf::FLOAT, &value, heads[size_t(k)].dataWindow(), 4, 4));
+            Imf::OutputPart part(file, k);
+            part.setFrameBuffer(frame);
+            part.writePixels(1);
+        }
+    }
+    CHECK(image::read_file(path).at(0, 0)[0] == 3);
+    const auto parts = base::take_warnings();
+    REQUIRE(parts.size() == 1);
+    CHECK(parts[0].first == "holds 2 parts: the first one is read");
 }
 
 TEST_CASE("a broken OpenEXR file is an error in one line") {
