@@ -10,20 +10,20 @@
 #include "base/processors.h"
 #include "base/run.h"
 #include "base/value.h"
+#include "display/denoise.h"
 #include "image/accumulate.h"
-#include "image/denoise.h"
 #include "image/stream.h"
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void write_both(image::Accumulator& sum, const image::HalfSums& halves, const std::string& name) {
+void write_both(image::Accumulator& sum, const display::HalfSums& halves, const std::string& name) {
     image::Picture picture;
     sum.result(picture, true);
     image::write_file(name + "_plain.exr", picture);
     const Clock::time_point began = Clock::now();
-    picture.rgb = image::denoised(halves, picture.frame0, picture.width, picture.height, base::processors());
+    picture.rgb = display::denoised(halves, picture.frame0, picture.width, picture.height, base::processors());
     std::printf("%s\t%.2f\n", name.c_str(), std::chrono::duration<double>(Clock::now() - began).count());
     picture.sum.clear();  // which the pixels are not of any more
     image::write_file(name + "_filtered.exr", picture);
@@ -34,7 +34,7 @@ int run(int argc, char** argv) {
     for (int k = 2; k < argc; ++k) wanted.insert(base::to_int(argv[k], "N"));
     image::StreamReader frames("-");
     image::Accumulator sum;
-    image::HalfSums halves;
+    display::HalfSums halves;
     for (image::Picture frame; frames.next(frame);) {
         sum.add(frame, "stdin");
         if (frame.header.frame == 0) halves.clear(frame.rgb.size());

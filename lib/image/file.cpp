@@ -3,10 +3,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 
 #include "base/error.h"
+#include "base/split.h"
 #include "base/tempfile.h"
 #include "image/file_format.h"
 #include "image/stream.h"
@@ -22,8 +24,20 @@ std::string ending_of(const std::string& path) {
     return e;
 }
 
-void require_writable_ending(const std::string& path) {
-    if (!format_by_ending(ending_of(path))) base::fail(path, "the ending of the name must be " + writable_endings());
+namespace {
+// ".hdr, .pic or .exr"
+std::string one_of(const std::vector<std::string>& endings) {
+    std::string text = endings[0];
+    for (size_t k = 1; k < endings.size(); ++k) text += (k + 1 < endings.size() ? ", " : " or ") + endings[k];
+    return text;
+}
+}  // namespace
+
+void require_writable_ending(const std::string& path, const std::vector<std::string>& more) {
+    std::vector<std::string> all = base::split_words(endings());
+    all.insert(all.end(), more.begin(), more.end());
+    if (std::find(all.begin(), all.end(), ending_of(path)) == all.end())
+        base::fail(path, "the ending of the name must be " + one_of(all));
     struct stat there = {};
     if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode)) return;  // a FIFO is written where it is
     const size_t slash = path.rfind('/');

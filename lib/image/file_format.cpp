@@ -17,15 +17,11 @@ void radiance(const std::string& path, const Picture& picture, const WriteOption
 void exr(const std::string& path, const Picture& picture, const WriteOptions& options) {
     write_exr(path, picture, options.exr);
 }
-void png(const std::string& path, const Picture& picture, const WriteOptions& options) {
-    write_png(path, picture, options.tone, options.filtered);
-}
 
-// RADIANCE pictures are read as streams (stream_reader.cpp); PNG is for people.
+// RADIANCE pictures are read as streams (stream_reader.cpp).
 const FileFormat formats[] = {
     {"RADIANCE", ".hdr .pic", nullptr, nullptr, radiance},
     {"OpenEXR", ".exr", "\x76\x2f\x31\x01", read_exr, exr},
-    {"PNG", ".png", nullptr, nullptr, png},
 };
 
 std::vector<std::string> endings_of(const FileFormat& format) {
@@ -53,15 +49,6 @@ const FileFormat* format_by_magic(const char* four_bytes) {
 std::string endings() {
     std::string text;
     for (const FileFormat& f : formats) text += (text.empty() ? "" : " ") + std::string(f.endings);
-    return text;
-}
-
-std::string writable_endings() {
-    std::vector<std::string> all;
-    for (const FileFormat& f : formats)
-        for (const std::string& e : endings_of(f)) all.push_back(e);
-    std::string text = all[0];
-    for (size_t k = 1; k < all.size(); ++k) text += (k + 1 < all.size() ? ", " : " or ") + all[k];
     return text;
 }
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 #include "image/exr.h"
-#include "image/tone.h"
 
 namespace image {
 
@@ -13,8 +12,6 @@ namespace image {
 struct WriteOptions {
     Format pixels = Format::rgbe;  // of RADIANCE pictures
     ExrOptions exr;
-    ToneOptions tone;
-    const std::vector<float>* filtered = nullptr;  // PNG: shown in place of the picture's pixels (denoise.h)
 };
 
 struct FileFormat {
@@ -28,7 +25,6 @@ struct FileFormat {
 // Null where there is none.
 const FileFormat* format_by_ending(const std::string& ending);
 const FileFormat* format_by_magic(const char* four_bytes);
-std::string endings();           // ".hdr .pic .exr .png", for -help
-std::string writable_endings();  // ".hdr, .pic, .exr or .png", for messages
+std::string endings();  // ".hdr .pic .exr", for -help
 
 }  // namespace image

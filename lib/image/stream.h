@@ -36,7 +36,8 @@ void write_bytes(const std::string& path, const std::string& bytes);
 // Whole files: written in the format of their ending, read by their content (file_format.h).
 std::string ending_of(const std::string& path);  // ".exr", in small letters
 // An Error before the work, not after it: another ending than these, a folder that is not there or not writable.
-void require_writable_ending(const std::string& path);
+// `more`: further endings that are right.
+void require_writable_ending(const std::string& path, const std::vector<std::string>& more = {});
 // One picture; throws Error if there are several.
 Picture read_file(const std::string& path, Pixels pixels = Pixels::radiance);
 void write_file(const std::string& path, const Picture& picture, const WriteOptions& options = {});

@@ -8,17 +8,18 @@ lib/base:
 lib/kernels:
 lib/view: base
 lib/image: base view
+lib/display: base image
 lib/cal: base image kernels
 lib/generators: base cal
 lib/scene: base cal generators kernels
 lib/comfort: base view image
-lib/region: base view image comfort
+lib/region: base view image display comfort
 lib/bvh: base kernels
 lib/flatten: base cal scene bvh kernels
 lib/trace: base view image scene flatten bvh kernels
 lib/sight: base region scene bvh flatten
-tools/ptaccum: base view image
-tools/vcmetrics: base view image comfort region
+tools/ptaccum: base view image display
+tools/vcmetrics: base view image display comfort region
 tools/vcregion: base view image region sight
 tools/ptrace: base view image comfort region scene trace
 END

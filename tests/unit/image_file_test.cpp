@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files: OpenEXR in its variants, masks, PNG, tone curves, and writing whole or not at all.
+// Files: OpenEXR in its variants, masks, and writing whole or not at all.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -19,7 +19,6 @@
 #include "image/exr.h"
 #include "image/masks.h"
 #include "image/stream.h"
-#include "image/tone.h"
 #include "image_pictures.h"
 #include "temp_folder.h"
 
@@ -276,51 +275,4 @@ TEST_CASE("a file that cannot be written leaves nothing, one that exists is repl
     const std::string path = temp.holding("a.hdr", "old");
     image::write_file(path, p);
     CHECK(image::read_file(path).width == 4);
-}
-
-TEST_CASE("tone curves: order is kept, the middle is visible, the legend is beside the picture") {
-    Picture p;
-    p.width = 256;
-    p.height = 64;
-    for (int y = 0; y < 64; ++y)
-        for (int x = 0; x < 256; ++x)
-            for (int c = 0; c < 3; ++c) p.rgb.push_back(float(std::pow(10, x / 64. - 2)));  // four decades
-    const image::Image8 photo = image::photo(p, {});
-    for (int x = 1; x < 256; ++x) CHECK(photo.at(x, 0)[1] >= photo.at(x - 1, 0)[1]);
-    CHECK(photo.at(0, 0)[1] < 60);
-    CHECK(photo.at(128, 0)[1] > 60);
-    CHECK(photo.at(128, 0)[1] < 200);
-    CHECK(photo.at(255, 0)[1] > 240);
-    image::ToneOptions o;
-    o.kind = image::ToneOptions::Kind::falsecolor;
-    o.max_cdm2 = 17900;
-    o.decades = 4;
-    const image::Image8 colors = image::falsecolor(p, o);
-    CHECK(colors.width > 256);
-    CHECK(colors.height == 64);
-    // x = 192 is radiance 10 = 1790 cd/m2: one decade below the top of four
-    const auto want = image::ramp(.75);
-    for (size_t c = 0; c < 3; ++c) CHECK(std::abs(colors.at(192, 5)[c] - want[c]) <= 1);
-    const std::string png = image::png_bytes(colors, "header");
-    CHECK(png.substr(1, 3) == "PNG");
-    Picture black;
-    black.width = black.height = 2;
-    black.rgb.assign(12, 0);
-    CHECK(image::photo(black, {}).rgb == std::vector<uint8_t>(12, 0));
-    CHECK(image::falsecolor(black, o).rgb.size() > 0);
-}
-
-TEST_CASE("the colour ramp's lightness rises throughout") {
-    double last = -1;
-    for (int i = 0; i <= 70; ++i) {
-        const auto c = image::ramp(i / 70.);
-        const double light = .2126 * std::pow(c[0] / 255., 2.2) + .7152 * std::pow(c[1] / 255., 2.2) +
-                             .0722 * std::pow(c[2] / 255., 2.2);
-        CHECK(light > last);
-        last = light;
-    }
-    CHECK(image::round_up_125(1900) == 2000);
-    CHECK(image::round_up_125(2000) == 2000);
-    CHECK(image::round_up_125(5001) == 10000);
-    CHECK(image::round_up_125(.013) == doctest::Approx(.02));
 }

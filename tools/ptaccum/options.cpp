@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/options.h"
-#include "image/file_format.h"
+#include "display/file.h"
 #include "image/stream.h"
 
 namespace {
@@ -21,7 +21,8 @@ void declare_output(OptionTable& t, Options& opt) {
           [&](Arguments& a) { opt.schedule = image::Schedule::parse(a.text(), a.name()); })
         .otherwise("1");
     t.add("-last", "Write the last sum only", opt.last_only);
-    t.add("-o file", "Write to this file (" + image::endings() + "), or with - to the standard output; may be repeated",
+    t.add("-o file",
+          "Write to this file (" + display::endings() + "), or with - to the standard output; may be repeated",
           opt.outputs)
         .also_joined();
     t.add("-ff", "Float pixels in all RADIANCE pictures", opt.floats);
@@ -33,12 +34,15 @@ void declare_output(OptionTable& t, Options& opt) {
 }
 
 void declare_tone(OptionTable& t, Options& opt) {
-    using Kind = image::ToneOptions::Kind;
+    using Kind = display::ToneOptions::Kind;
+    using Style = display::ToneOptions::Style;
     t.group("PNG files");
-    t.add("-tone curve", "How PNG files show the picture: photo or falsecolor",
-          base::one_of(opt.tone.kind, {{"photo", Kind::photo}, {"falsecolor", Kind::falsecolor}}));
-    t.add("-stops number", "Photo: brighter or, below 0, darker than the automatic exposure, in factors of 2",
-          opt.tone.stops)
+    t.add("-tone curve", "How PNG files show the picture: photo, linear, grey or falsecolor",
+          base::one_of(opt.tone.kind, {{"photo", Kind::photo},
+                                       {"linear", Kind::linear},
+                                       {"grey", Kind::grey},
+                                       {"falsecolor", Kind::falsecolor}}));
+    t.add("-stops number", "Brighter or, below 0, darker than the automatic exposure, in factors of 2", opt.tone.stops)
         .within(-40, 40);
     t.add("-max luminance", "Falsecolor: luminance of the top colour", opt.tone.max_cdm2)
         .unit("cd/m2")
@@ -47,6 +51,12 @@ void declare_tone(OptionTable& t, Options& opt) {
     t.add("-decades number", "Falsecolor: decades of luminance from the bottom colour to the top one; 0 is linear",
           opt.tone.decades)
         .within(0, 12);
+    t.add("-style name", "Falsecolor: smooth, bands, or contours over the grey picture",
+          base::one_of(opt.tone.style,
+                       {{"smooth", Style::smooth}, {"bands", Style::bands}, {"contours", Style::contours}}));
+    t.add("-divisions N", "Falsecolor: divisions of the scale, for bands and contours", opt.tone.divisions)
+        .within(2, 64);
+    t.add("-mask luminance", "Falsecolor: black below this luminance", opt.tone.mask_cdm2).unit("cd/m2").at_least(0);
     t.add("-filter name", "What removes noise from PNG files of frames: nlm (non-local means) or none",
           base::one_of(opt.filter, {{"nlm", true}, {"none", false}}));
     t.add("-nolegend", "Falsecolor: leave out the legend", base::set(opt.tone.legend, false));
@@ -73,7 +83,7 @@ std::optional<Options> parse_options(int argc, char** argv) {
     if (opt.batches && opt.half) base::fail("-batches", "cannot be used with -half, whose pixels are too coarse");
     opt.to_stdout = opt.outputs.empty() || files_end != opt.outputs.end();
     opt.outputs.erase(files_end, opt.outputs.end());
-    for (const std::string& name : opt.outputs) image::require_writable_ending(name);
+    for (const std::string& name : opt.outputs) display::require_writable_ending(name);
     opt.inputs = operands->empty() ? std::vector<std::string>{"-"} : *operands;
     return opt;
 }

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "display/tone.h"
 #include "image/accumulate.h"
 #include "image/picture.h"
-#include "image/tone.h"
 
 struct Options {
     std::string command;               // the whole command line, for headers
@@ -17,7 +17,7 @@ struct Options {
     bool every_given = false;
     bool last_only = false;              // -last
     bool floats = false, bytes = false;  // -ff -fc: not what output.h says
-    image::ToneOptions tone;
+    display::ToneOptions tone;
     bool filter = true;          // -filter: PNG files of frames that come in
     std::optional<int> batches;  // -batches: so many, for OpenEXR files
     bool half = false;           // -half: OpenEXR with 16-bit floats

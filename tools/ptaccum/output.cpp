@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/run.h"
+#include "display/file.h"
 #include "image/header.h"
 #include "image/stream.h"
 
@@ -75,9 +76,8 @@ void Output::final_picture(image::Picture& picture) const {
 void Output::write_files(const image::Picture& picture, bool passing, const std::vector<float>* filtered) const {
     image::WriteOptions how;
     how.pixels = format_of(picture);
-    how.tone = options_.tone;
-    how.filtered = filtered;
     how.exr.half = options_.half;
     if (passing) how.exr.compression = "none";
-    for (const std::string& name : options_.outputs) image::write_file(name_of(name, picture.header), picture, how);
+    for (const std::string& name : options_.outputs)
+        display::write_file(name_of(name, picture.header), picture, how, options_.tone, filtered);
 }

@@ -99,14 +99,14 @@ void Sums::warn_of_stream_in_file() const {
 
 // A sum that lacks frame 0 is no picture, and two frames tell nothing of their noise.
 bool Sums::can_filter() const {
-    return filters_ && !result_.frame0.empty() && halves_.frames() >= image::HalfSums::least_frames;
+    return filters_ && !result_.frame0.empty() && halves_.frames() >= display::HalfSums::least_frames;
 }
 
 void Sums::write_files(bool passing) {
     take_sum(true);
     if (passing || !can_filter()) return output_.files(result_, passing);
     const std::vector<float> filtered =
-        image::denoised(halves_, result_.frame0, result_.width, result_.height, base::processors());
+        display::denoised(halves_, result_.frame0, result_.width, result_.height, base::processors());
     output_.files(result_, passing, &filtered);
 }
 

@@ -2,7 +2,7 @@
 // evalglare's options, with its letters, arguments and meanings: see declare.h.
 #include "base/error.h"
 #include "declare.h"
-#include "image/stream.h"
+#include "display/file.h"
 
 namespace {
 
@@ -140,7 +140,7 @@ void declare_check_picture(OptionTable& t, Options& o) {
     t.add("-c file", "Write a grey picture with the sources, task (-T) and zones in colours", [&](Arguments& a) {
         o.check_file = a.text();
         o.settings.check_picture = true;
-        image::require_writable_ending(o.check_file);
+        display::require_writable_ending(o.check_file);
     });
     t.add("-u r g b", "One colour for all sources in it, as shares of their luminance", [&](Arguments& a) {
          read_colour(a, o.settings);

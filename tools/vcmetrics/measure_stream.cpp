@@ -8,6 +8,7 @@
 #include "certain.h"
 #include "comfort/columns.h"
 #include "comfort/precision.h"
+#include "display/file.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "region/open.h"
@@ -199,7 +200,7 @@ private:
         check.header.lines = measured.header.lines;
         check.header.view = o_.view ? o_.view : measured.header.view;
         image::add_history(check.header, o_.command);
-        image::write_file(o_.check_file, check);
+        display::write_file(o_.check_file, check, {});
     }
     void list_sources(const Measurement& m, const std::vector<Cell>& start) {
         double sum = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // See denoise.h.  For each offset in the search window the distance of all pixels to those at that offset is one
 // picture, whose box filter is the distance of patches: the work does not grow with the size of the patches.
-#include "image/denoise.h"
+#include "display/denoise.h"
 
 #include <algorithm>
 #include <atomic>
@@ -11,7 +11,7 @@
 
 #include "base/threads.h"
 
-namespace image {
+namespace display {
 namespace {
 
 constexpr int reach = 7;         // the search window has 15 x 15 pixels
@@ -177,4 +177,4 @@ std::vector<float> denoised(const HalfSums& sums, const std::vector<float>& fram
     return out;
 }
 
-}  // namespace image
+}  // namespace display

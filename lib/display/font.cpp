@@ -2,9 +2,9 @@
 // Glyphs of 5 x 7 dots for legends: digits, letters (small ones only) and a few signs.
 #include <algorithm>
 
-#include "image/tone.h"
+#include "display/draw.h"
 
-namespace image {
+namespace display {
 namespace {
 
 struct Glyph {
@@ -55,7 +55,7 @@ constexpr Glyph glyphs[] = {
     {'_', {"     ", "     ", "     ", "     ", "     ", "     ", "#####"}},
 };
 
-void dot(Image8& image, int x0, int y0, int size, std::array<uint8_t, 3> color) {
+void dot(Image8& image, int x0, int y0, int size, Colour color) {
     for (int y = std::max(y0, 0); y < std::min(y0 + size, image.height); ++y)
         for (int x = std::max(x0, 0); x < std::min(x0 + size, image.width); ++x)
             std::copy(color.begin(), color.end(), image.at(x, y));
@@ -65,7 +65,7 @@ void dot(Image8& image, int x0, int y0, int size, std::array<uint8_t, 3> color) 
 
 int text_width(const std::string& text, int scale) { return int(text.size()) * 6 * scale; }
 
-void draw_text(Image8& image, int x, int y, const std::string& text, int scale, std::array<uint8_t, 3> color) {
+void draw_text(Image8& image, int x, int y, const std::string& text, int scale, Colour color) {
     for (char c : text) {
         if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
         for (const Glyph& g : glyphs)
@@ -77,4 +77,4 @@ void draw_text(Image8& image, int x, int y, const std::string& text, int scale, 
     }
 }
 
-}  // namespace image
+}  // namespace display

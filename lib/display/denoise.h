@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace image {
+namespace display {
 
 // What the filter has to know of the frames 1, 2, 3 ... of a sum.
 class HalfSums {
@@ -31,4 +31,4 @@ private:
 std::vector<float> denoised(const HalfSums& sums, const std::vector<float>& frame0, int width, int height,
                             unsigned threads);
 
-}  // namespace image
+}  // namespace display

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "image/denoise.h"
+#include "display/denoise.h"
 
 namespace {
 
@@ -38,9 +38,9 @@ std::vector<float> frame_zero() {
 
 // One path in five finds a lamp: a sample's standard deviation is `noise` times the truth, and with 2 four of five are
 // black.  All channels of a pixel find it together.
-image::HalfSums sampled(const std::vector<float>& truth, float noise, std::vector<float>& mean) {
+display::HalfSums sampled(const std::vector<float>& truth, float noise, std::vector<float>& mean) {
     std::mt19937 dice(7);
-    image::HalfSums sums;
+    display::HalfSums sums;
     sums.clear(truth.size());
     mean.assign(truth.size(), 0);
     for (int k = 0; k < frames; ++k) {
@@ -63,9 +63,9 @@ Trial trial(float noise, unsigned threads = 1) {
     Trial t;
     t.truth = diffuse_truth();
     const std::vector<float> zero = frame_zero();
-    const image::HalfSums sums = sampled(t.truth, noise, t.plain);
+    const display::HalfSums sums = sampled(t.truth, noise, t.plain);
     for (size_t i = 0; i < zero.size(); ++i) t.truth[i] += zero[i], t.plain[i] += zero[i];
-    t.filtered = image::denoised(sums, zero, width, height, threads);
+    t.filtered = display::denoised(sums, zero, width, height, threads);
     return t;
 }
 
@@ -137,14 +137,14 @@ TEST_CASE("without noise nothing moves") {
 TEST_CASE("threads do not show") { CHECK(trial(2, 1).filtered == trial(2, 3).filtered); }
 
 TEST_CASE("a sample that is no number counts as black") {
-    image::HalfSums sums;
+    display::HalfSums sums;
     sums.clear(12);
     for (int k = 0; k < 8; ++k) sums.add(std::vector<float>(12, k == 3 ? NAN : 1));
-    for (float v : image::denoised(sums, std::vector<float>(12, 0), 2, 2, 1)) CHECK(std::isfinite(v));
+    for (float v : display::denoised(sums, std::vector<float>(12, 0), 2, 2, 1)) CHECK(std::isfinite(v));
 }
 
 TEST_CASE("a sample too bright to be squared spoils no pixel far from it") {
-    image::HalfSums sums;
+    display::HalfSums sums;
     const size_t pixels = 40;
     sums.clear(3 * pixels);
     for (int k = 0; k < 8; ++k) {
@@ -152,7 +152,7 @@ TEST_CASE("a sample too bright to be squared spoils no pixel far from it") {
         if (k == 3) frame[60] = 1e25f;
         sums.add(frame);
     }
-    const std::vector<float> out = image::denoised(sums, std::vector<float>(3 * pixels, 0), int(pixels), 1, 1);
+    const std::vector<float> out = display::denoised(sums, std::vector<float>(3 * pixels, 0), int(pixels), 1, 1);
     for (size_t i = 0; i < out.size(); ++i) {
         CHECK(std::isfinite(out[i]));
         if (i / 3 < 10 || i / 3 > 30) CHECK(out[i] == 1);

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PNG files by libpng, composed in memory and written whole.
+// PNG by libpng, composed in memory.
 #include <png.h>
 
 #include <csetjmp>
 
 #include "base/error.h"
-#include "image/header.h"
-#include "image/stream.h"
-#include "image/tone.h"
+#include "display/file.h"
 
-namespace image {
+namespace display {
 namespace {
 
 void append(png_structp png, png_bytep data, png_size_t n) {
@@ -50,18 +48,4 @@ std::string png_bytes(const Image8& image, const std::string& comment) {
     return bytes;
 }
 
-void write_png(const std::string& path, const Picture& picture, const ToneOptions& options,
-               const std::vector<float>* filtered) {
-    std::string comment;
-    for (const std::string& line : header_lines(picture.header)) comment += line + "\n";
-    if (!filtered) {
-        write_bytes(path, png_bytes(tone(picture, options), comment + "FILTERED= no\n"));
-        return;
-    }
-    Picture shown = picture;
-    shown.rgb = *filtered;
-    comment += "FILTERED= non-local means of two halves of the frames, for viewing only\n";
-    write_bytes(path, png_bytes(tone(shown, options), comment));
-}
-
-}  // namespace image
+}  // namespace display
