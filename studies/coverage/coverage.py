@@ -83,12 +83,17 @@ class Study:
         for parity in 0, 1:
             seeds = sorted(s for s in there if s % 2 == parity)
             name = 'truth%d_%d' % (parity, len(seeds))
-            if not os.path.exists(os.path.join(self.kept, name + '.tsv')):
-                parts = [self.merge('%s_%d' % (name, k), [self.stream(s) for s in seeds[k::judge.PARTS]])
-                         for k in range(judge.PARTS)]
-                make(os.path.join(self.kept, name + '.tsv'), self.vcmetrics(PLAIN, self.merge(name, parts), *parts))
+            table = os.path.join(self.kept, name + '.tsv')
+            if os.path.exists(table):
+                continue
+            sums = [self.accumulate('sum%d' % seed, [self.stream(seed)]) for seed in seeds]
+            parts = [self.accumulate('%s_%d' % (name, k), sums[k::judge.PARTS]) for k in range(judge.PARTS)]
+            make(table, self.vcmetrics(PLAIN, self.accumulate(name, parts), *parts))
+            for file in sums:
+                os.remove(file)
 
-    def merge(self, name, files):
+    def accumulate(self, name, files):
+        """The sum of a stream of frames, or of the sums of several seeds."""
         out = os.path.join(self.kept, name + '.exr')
         if not os.path.exists(out):
             subprocess.run([os.path.join(self.bin, 'ptaccum'), '-last', '-o', out] + files, check=True)
