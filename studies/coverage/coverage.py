@@ -24,6 +24,10 @@ def options():
     p.add_argument('-frames', type=int, default=74, help='diffuse frames of a run')
     p.add_argument('-measure', help='ptaccum and vcmetrics of another build')
     p.add_argument('-label', default='now', help='a name for how it is measured')
+    p.add_argument('-beside', help='another label, judged before, in the figure')
+    p.add_argument('-ci', default='95', help='percent')
+    p.add_argument('-through', choices=['stream', 'batches', 'merge'], default='stream',
+                   help='intervals of the stream, of a file with batches, or of the merged files of two seeds')
     p.add_argument('-least', type=int, default=64, help='fewest frames at which -until may stop')
     p.add_argument('-truth', help='recorded values (of record) in place of those of the other seeds')
     p.add_argument('-do', default='trace,truth,measure,judge', help='also: record, classes, check')
@@ -75,7 +79,23 @@ class Study:
     def measure(self):
         for seed in self.seeds:
             file = os.path.join(self.tables, '%d.tsv' % seed)
-            self.from_sums(seed, lambda sums: make(file, self.vcmetrics(METRICS, '-ci', '95'), source=sums))
+            words = self.vcmetrics(METRICS, '-ci', self.o.ci)
+            if self.o.through == 'stream':
+                self.from_sums(seed, lambda sums: make(file, words, source=sums))
+            elif not os.path.exists(file):
+                batches = self.batches(seed)
+                make(file, words + [batches])
+                os.remove(batches)
+
+    def batches(self, seed):
+        """A file with batches; with -through merge, of the frames of this seed and of the next one of like parity."""
+        if self.o.through == 'batches':
+            return self.accumulate('batches', [self.stream(seed)], '-batches', '16')
+        files = [self.accumulate('batches%d' % s, [self.stream(s)], '-batches', '16') for s in (seed, seed + 2)]
+        merged = self.accumulate('batches', files)
+        for file in files:
+            os.remove(file)
+        return merged
 
     def truth(self):
         """Tables of the merged pictures of all even and all odd seeds there are (first line) and of parts of them."""
@@ -92,18 +112,20 @@ class Study:
             for file in sums:
                 os.remove(file)
 
-    def accumulate(self, name, files):
+    def accumulate(self, name, files, *words):
         """The sum of a stream of frames, or of the sums of several seeds."""
         out = os.path.join(self.kept, name + '.exr')
         if not os.path.exists(out):
-            subprocess.run([os.path.join(self.bin, 'ptaccum'), '-last', '-o', out] + files, check=True)
+            subprocess.run([os.path.join(self.bin, 'ptaccum'), '-last', *words, '-o', out] + files, check=True)
         return out
 
     def truths(self):
         return judge.recorded_truths(self.o.truth, self.name) if self.o.truth else judge.truths(self.kept)
 
     def found(self):
-        return judge.Scene({s: os.path.join(self.tables, '%d.tsv' % s) for s in self.seeds}, self.truths())
+        tables = {s: os.path.join(self.tables, '%d.tsv' % s) for s in self.seeds}
+        of_files = self.o.frames * (2 if self.o.through == 'merge' else 1)
+        return judge.Scene(tables, self.truths(), None if self.o.through == 'stream' else of_files)
 
     def record(self):
         even, odd = self.truths()
@@ -144,8 +166,10 @@ def main():
                 o.label, len(studies), o.seeds, o.size, o.size))
         if step == 'judge':
             report.print_all(o.least)
-            report.write_cells(os.path.join(o.out, '%s_%d.tsv' % (o.label, o.size)))
-            report.draw(os.path.join(o.out, '%s_%d.svg' % (o.label, o.size)))
+            path = os.path.join(o.out, '%s_%d')
+            report.write_cells(path % (o.label, o.size) + '.tsv')
+            if o.through == 'stream':
+                report.draw(path % (o.label, o.size), o.beside and path % (o.beside, o.size))
         elif step == 'check':
             good = report.holds()
         elif step == 'classes':

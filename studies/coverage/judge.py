@@ -28,7 +28,7 @@ def truths(folder):
         counts = [int(f[7:-4]) for f in os.listdir(folder) if f.startswith('truth%d_' % parity) and f.endswith('.tsv')]
         whole, *parts = read(os.path.join(folder, 'truth%d_%d.tsv' % (parity, max(counts))))
         values = {}
-        for m in set(whole) - {'file'}:
+        for m in list(whole)[1:]:
             them = [p[m] for p in parts]
             bias = 0 if m in LINEAR else (statistics.mean(them) - whole[m]) / (PARTS - 1)
             values[m] = whole[m] - bias, math.hypot(statistics.stdev(them) / math.sqrt(PARTS), bias)
@@ -72,12 +72,12 @@ class Cell:
 
 
 class Scene:
-    """cells[metric, look]; no cell is missing."""
+    """cells[metric, look]; no cell is missing.  of_files: frames of tables that are of files, not of streams."""
 
-    def __init__(self, tables, truth):
-        rows = {seed: {int(r['frame']): r for r in read(path) if r['frame'] in LOOKS} for seed, path in tables.items()}
+    def __init__(self, tables, truth, of_files):
+        rows = {seed: {int(r.get('frame', of_files)): r for r in read(path)} for seed, path in tables.items()}
         some = next(iter(rows.values()))
-        self.looks = sorted(some)
+        self.looks = [k for k in sorted(some) if k in LOOKS + [of_files]]
         columns = [c[:-3] for c in some[self.looks[0]] if c.endswith('.lo')]
         self.metrics = [plain(c) for c in columns]
         self.cells = {}

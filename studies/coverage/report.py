@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What the study prints.  Errors are binomial where runs are independent (one look, pooled over scenes).  Looks, metrics
 # and tolerances of one run are not independent: pooled over these, the error is that of the mean over runs.
-import math, statistics, subprocess
+import math, os, statistics, subprocess
 from collections import defaultdict
 
 CLAIMED = ['Ev', 'Lavg', 'DGP', 'UGR', 'DGI', 'Lveil', 'RAMMG', 'desk.TAL', 'pair.CR']
@@ -101,20 +101,24 @@ class Report:
                     whole = ['%d' % n for n in (k, c.runs, len(c.intervals))]
                     out.write('\t'.join([name, m] + whole + ['%.7g' % n for n in numbers]) + '\n')
 
-    def draw(self, path):
-        """Coverage by number of frames, pooled over scenes; the numbers stay beside the picture."""
+    def draw(self, path, beside):
+        """Of PATH.dat, PATH.svg: coverage by frames, pooled over scenes.  beside: the PATH of another label."""
         with open(path + '.dat', 'w') as out:
             out.write(' '.join(['frames'] + [m.split('.')[-1] for m in self.claimed]) + '\n')
             for k in self.looks:
                 hits = [[r.inside for c in self.cells(m, k) for r in c.intervals] for m in self.claimed]
                 shares = ['%.2f' % (100 * statistics.mean(h)) if h else 'nan' for h in hits]
                 out.write(' '.join(['%d' % k] + shares) + '\n')
-        words = ('set terminal svg size 640,400 font "sans,12"; set output "%s"; set title "%s"; set logscale x 2; '
-                 'set xlabel "frames"; set ylabel "intervals that hold the truth, %%"; set yrange [40:100]; '
-                 'set key outside; plot 95 dt 2 lc "black" title "95", for [i=2:%d] "%s" using 1:i with linespoints '
-                 'pt 7 ps .4 title columnheader(i)' % (path, self.title, len(self.claimed) + 1, path + '.dat'))
+        panels = ([beside] if beside else []) + [path]
+        words = ['set terminal svg size %d,360 font "sans,12"' % (420 * len(panels)), 'set output "%s.svg"' % path,
+                 'set multiplot layout 1,%d' % len(panels), 'set logscale x 2', 'set yrange [40:100]',
+                 'set xlabel "frames"', 'set ylabel "95 % intervals that hold the truth, %"', 'set key bottom right']
+        for panel in panels:
+            words += ['set title "%s"' % os.path.basename(panel).replace('_', ' '), 'plot 95 dt 2 lc "black" notitle, '
+                      'for [i=2:%d] "%s.dat" using 1:i with linespoints pt 7 ps .4 title columnheader(i)' % (
+                          len(self.claimed) + 1, panel)]
         try:
-            subprocess.run(['gnuplot', '-e', words], check=True)
+            subprocess.run(['gnuplot', '-e', '; '.join(words)], check=True)
         except FileNotFoundError:
             print('no gnuplot here: the numbers of the figure are in %s.dat' % path)
 
