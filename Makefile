@@ -14,25 +14,25 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 }' Makefile
 
 all: setup ## a release build of the four tools in build/bin
-	cmake -S . -B $(BUILD) -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX=$(PREFIX) $(FLAGS)
-	cmake --build $(BUILD) -j $(JOBS) --target tools
+	cmake -S . -B "$(BUILD)" -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX="$(PREFIX)" $(FLAGS)
+	cmake --build "$(BUILD)" -j $(JOBS) --target tools
 
 everything: all ## the tools, the tests, studies and benchmarks
-	cmake --build $(BUILD) -j $(JOBS)
+	cmake --build "$(BUILD)" -j $(JOBS)
 
 demo: PARTS += demo
 demo: all ## the office: pictures, metrics and a plot in out/
-	@bash examples/demo.sh $(BUILD)/bin out
+	@bash examples/demo.sh "$(BUILD)/bin" out
 
 everything test-sanitize fuzz compare-radiance: PARTS += tests
 test: everything ## every test that needs no GPU
-	@cd $(BUILD) && ctest --no-tests=error --output-on-failure -j $(JOBS) -LE 'gpu|slow|slurm'
+	@cd "$(BUILD)" && ctest --no-tests=error --output-on-failure -j $(JOBS) -LE 'gpu|slow|slurm'
 
 test-slurm: everything ## a job array on a Slurm cluster of this machine, where Slurm is installed (as root)
-	@cd $(BUILD) && ctest --output-on-failure -L slurm
+	@cd "$(BUILD)" && ctest --output-on-failure -L slurm
 
 test-gpu: everything ## the tests for a machine with a GPU
-	@cd $(BUILD) && ctest --output-on-failure -L gpu
+	@cd "$(BUILD)" && ctest --output-on-failure -L gpu
 
 test-sanitize: setup ## the tests under the address, undefined and thread sanitizers
 	@bash scripts/sanitize.sh $(JOBS)
@@ -51,18 +51,20 @@ test-deb: deb ## the package put into an empty Debian (debootstrap, as root; fro
 	@bash scripts/try_deb.sh out/deb/luxpipe_*.deb
 
 bench: everything ## the speed claims, measured again
-	@bash bench/run.sh $(BUILD)/bin
+	@bash bench/run.sh "$(BUILD)/bin"
 
 coverage: all ## how often intervals hold the truth: SCENES="1000-1011 office" SEEDS=200 SIZE=48 FRAMES=74 (hours)
-	@python3 studies/coverage/coverage.py -bin $(BUILD)/bin -out out/coverage -scenes "$(or $(SCENES),1000-1011)" \
+	@python3 studies/coverage/coverage.py -bin "$(BUILD)/bin" -out out/coverage -scenes "$(or $(SCENES),1000-1011)" \
 		-seeds $(or $(SEEDS),200) -size $(or $(SIZE),48) -frames $(or $(FRAMES),74)
 
 compare-radiance: all ## N=100 random scenes from SEED=1 on, by ptrace and by rtrace (where RADIANCE is)
-	@cmake --build $(BUILD) -j $(JOBS) --target trace_rays
-	@python3 tests/compare/radiance/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) --tracer $(BUILD)/bin/trace_rays
+	@cmake --build "$(BUILD)" -j $(JOBS) --target trace_rays
+	@python3 tests/compare/radiance/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) \
+		--tracer "$(BUILD)/bin/trace_rays"
 
 compare-evalglare: all ## N=100 rows of random pictures from SEED=1 on, by evalglare and by vcmetrics (where it is)
-	@python3 tests/compare/evalglare/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) --vcmetrics $(BUILD)/bin/vcmetrics
+	@python3 tests/compare/evalglare/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) \
+		--vcmetrics "$(BUILD)/bin/vcmetrics"
 
 man: ## the manual pages as HTML in out/man
 	@mkdir -p out/man
@@ -77,13 +79,13 @@ lint: ## checks that need no build: layout, layers, manual pages, stray paths, g
 
 install: SETUP = no
 install: all ## tools, manual pages and completions to PREFIX (/usr/local); installs no packages
-	@cmake --install $(BUILD) --prefix $(PREFIX)
+	@cmake --install "$(BUILD)" --prefix "$(PREFIX)"
 
 uninstall: ## remove what the last `make install` of this build put there
-	@xargs -r -d '\n' rm -fv < $(BUILD)/install_manifest.txt && rm -f $(BUILD)/install_manifest.txt
+	@xargs -r -d '\n' rm -fv < "$(BUILD)/install_manifest.txt" && rm -f "$(BUILD)/install_manifest.txt"
 
 clean: ## remove build/ and out/
-	@rm -rf $(BUILD) build-asan build-tsan build-fuzz out
+	@rm -rf "$(BUILD)" build-asan build-tsan build-fuzz out
 
 setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)

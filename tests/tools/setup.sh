@@ -42,3 +42,20 @@ check 'make demo adds the plot'             'parts demo | grep -qx "tools ptrace
 check 'without ptrace its libraries are not asked for' 'parts all FLAGS=-DLUXPIPE_PTRACE=OFF | grep -qE "^tools ?$"'
 check 'SETUP=no installs nothing'           'rm -f asked; : > there; make -s -C "$TOP" setup SETUP=no; test ! -e asked'
 check 'and without it, it does'             'make -s -C "$TOP" setup; test -e asked'
+
+# Words of the commands that make runs, one a line; cmake is played, too.
+printf '#!/bin/sh\nprintf "%%s\\n" "$@" >> "%s/words"\n' "$TMP" > bin/cmake
+chmod +x bin/cmake
+check 'folders may have blanks in their names' '
+    rm -f words; make -s -C "$TOP" install SETUP=no BUILD="$TMP/a build" PREFIX="$TMP/my programs"
+    grep -qx -e "$TMP/a build" words; grep -qx -e "-DCMAKE_INSTALL_PREFIX=$TMP/my programs" words
+    grep -qx "$TMP/my programs" words; ! grep -E "^(build|programs)" words'
+rm bin/cmake
+configure() { cmake -S "$TOP" -B b --log-level=ERROR -G Ninja -DLUXPIPE_PTRACE=OFF "$@" > configured; }
+check 'without ptrace its page is not installed' '
+    configure; mkdir -p b/bin; for tool in ptaccum vcmetrics vcregion; do cp /bin/true b/bin/$tool; done
+    cmake --install b --prefix x; test -e x/share/man/man1/vcregion.1
+    test -e x/share/man/man5/luxpipe-stream.5; ! find x | grep "ptrace"'
+check 'a packager may say a later C++' '
+    configure -DCMAKE_CXX_STANDARD=20; grep -q "std=c++20" b/build.ninja; ! grep -q "std=c++17" b/build.ninja
+    rm -r b; configure; grep -q "std=c++17" b/build.ninja'
