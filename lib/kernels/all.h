@@ -55,7 +55,6 @@
 #include "kernels/choose_source.h"
 #include "kernels/highlights.h"
 #include "kernels/portals.h"
-#include "kernels/guide.h"
 #include "kernels/share.h"
 #include "kernels/path/state.h"
 #include "kernels/medium.h"

@@ -10,8 +10,7 @@
 #define FEATURE_FUNCTIONS 2u  // materials with .cal functions or tables of their own
 #define FEATURE_SOLIDS 4u     // what lies between surfaces: dielectrics, media, antimatter; shadow rays that are aimed
 #define FEATURE_INSTANCES 8u
-#define FEATURE_GUIDE 16u
-#define FEATURE_SKY 32u  // paths that have met nothing are shaded among the others; else by a kernel of their own
+#define FEATURE_SKY 16u  // paths that have met nothing are shaded among the others; else by a kernel of their own
 
 #ifndef LUX_HAS
 #define LUX_HAS 0xffffffffu

@@ -96,7 +96,6 @@ STRUCT(Hit) {
     TABLE(uint, u)            /* word arena (tables.h): modifiers, materials, .cal code */  \
     TABLE(float, f)           /* float arena (tables.h) */
 #define PICTURE_TABLES(TABLE)                                                               \
-    TABLE(uint, guide)        /* where light comes from (guide.h) */                        \
     TABLE(uint, focus)        /* pixels of which a pass makes several samples: FOCUS_WORDS each */
 #define SCENE_TABLES(TABLE) BVH_TABLES(TABLE) FLAT_TABLES(TABLE) PICTURE_TABLES(TABLE)
     // clang-format on

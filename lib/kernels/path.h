@@ -15,7 +15,6 @@
 #include "kernels/path/direct.h"
 #include "kernels/path/ways.h"
 #include "kernels/path/near.h"
-#include "kernels/path/fork.h"
 #include "kernels/path/end.h"
 #include "kernels/path/walk.h"
 #include "kernels/path/shadow.h"
@@ -23,7 +22,7 @@
 #include "kernels/path/draw.h"
 
 // Shades the hit of a slot.  Returns bits: PATH_GOES_ON, PATH_SHADOW.
-FN int path_step(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
+FN int path_shade(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
     Vertex vertex;
     Way way;
     vertex_load(par, paths, slot, &vertex);
@@ -67,7 +66,7 @@ FN int path_step(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(
         return shadow;
     }
 
-    // A walk of the guide's lessons ends where a bounce would begin.
+    // A walk that only learns ends where a bounce would begin.
     if (par->mode == MODE_WALK && way_bounces(&way)) {
         path_end_walk(paths, &vertex, &way);
         return shadow;
@@ -83,12 +82,5 @@ FN void path_sky(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(
     Vertex vertex;
     vertex_load(par, paths, slot, &vertex);
     path_miss(s, par, paths, &vertex);
-}
-
-// The same, and where a sub-path ends the next one begins.
-FN int path_shade(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
-    int result = path_step(s, par, paths, slot);
-    if ((result & PATH_GOES_ON) != 0 || !has_guide(par)) return result;
-    return result | path_fork_again(s, par, paths, slot);
 }
 #endif

@@ -201,7 +201,6 @@ STRUCT(Params) {
     float4 ray_org, ray_dir;  // MODE_RAY
     float4 albedo;            // of the medium: -ma rgb, w = -mg
     float4 medium;            // global extinction rgb; w = 1 if any segment of the scene may absorb
-    float4 guide_grid;        // corner of the guide's grid (guide.h); w: cells a unit of length
     // sizes and modes
     uint nx, ny, mode, frame;             // frame = sample index of global index 0
     uint seed_lo, seed_hi, slots, first;  // first = global index of slot 0
@@ -212,7 +211,6 @@ STRUCT(Params) {
     float st, ss, dj, lw;
     float ds;
     uint light_sets_at;
-    uint guide_mask, guide_from;  // of its hash table, 0: there is no guide; first frame that it guides
     uint skip_direct_below, light_tree_at;
     float way_least;    // least chance of a way (path/ways.h); 0: none
     float portal_rest;  // light from elsewhere than portals (portals.h)

@@ -113,7 +113,7 @@ public:
         });
     }
     void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) override {
-        if (embree_) {  // the check is of frames: it is guided by the same table
+        if (embree_) {  // the check is of frames: they aim by the same shares
             if (!learner_) {
                 learner_ = std::make_unique<CpuDevice>("");
                 learner_->upload(scene_);
@@ -124,10 +124,6 @@ public:
         tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
             kernels_.walk(&tables_, &par, rays.data(), first, count, scratch, ends.data());
         });
-    }
-    void set_guide(std::vector<uint32_t> guide) override {
-        guide_ = std::move(guide);
-        tables_.guide = guide_.data();
     }
     void set_focus(std::vector<uint32_t> entries) override {
         focus_ = std::move(entries);
@@ -169,7 +165,7 @@ private:
     unsigned threads_;
     flatten::FlatScene scene_;
     std::shared_ptr<const bvh::Tree> tree_;
-    std::vector<uint32_t> guide_, focus_;
+    std::vector<uint32_t> focus_;
     std::unique_ptr<bvh::EmbreeScene> check_;
     std::unique_ptr<CpuDevice> learner_;
     kernels::SceneTables tables_{};

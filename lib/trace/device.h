@@ -32,8 +32,6 @@ public:
     virtual void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) = 0;
     // MODE_WALK: how the walk of each ray ends.
     virtual void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) = 0;
-    // Takes what was learned (kernels/guide.h), for the passes that follow.
-    virtual void set_guide(std::vector<uint32_t> guide) = 0;
     // Pixels with several samples in each frame (FOCUS_WORDS of kernels/tables.h), for the passes that follow.
     virtual void set_focus(std::vector<uint32_t> entries) = 0;
     // Paths to hand over at once, so that the device is full.

@@ -37,7 +37,7 @@ uint32_t features_of_scene(const FlatScene& scene) {
 }
 
 uint32_t features_of_pass(const Params& par) {
-    return (path_media_used(&par) || aims_shadows(&par) ? FEATURE_SOLIDS : 0) | (has_guide(&par) ? FEATURE_GUIDE : 0);
+    return path_media_used(&par) || aims_shadows(&par) ? FEATURE_SOLIDS : 0;
 }
 
 }  // namespace trace

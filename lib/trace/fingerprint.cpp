@@ -29,9 +29,7 @@ std::string option_text(const RenderOptions& o) {
         "ma {} {} {} mg {} pd {} portals {}{} direct {}",
         o.ab, o.st, o.ss, o.dj, o.ds, o.dr, o.lr, o.lw, o.pj, o.bv, o.dv, o.i, o.av[0], o.av[1], o.av[2], o.me[0],
         o.me[1], o.me[2], o.ma[0], o.ma[1], o.ma[2], o.mg, o.pd, o.sampling != flatten::Sampling::plain,
-        o.sampling == flatten::Sampling::guided   ? fmt::format(" guided from {}", o.guide_from)
-        : o.sampling == flatten::Sampling::shared ? fmt::format(" shared noisy {}", o.noisy_share)
-                                                  : "",
+        o.sampling == flatten::Sampling::shared ? fmt::format(" shared noisy {}", o.noisy_share) : "",
         o.direct_samples);
 }
 

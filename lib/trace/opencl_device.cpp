@@ -47,7 +47,6 @@ public:
                 BVH_TABLES(SEND_OF_BVH)
             }
             FLAT_TABLES(SEND_OF_SCENE)
-            paths_.tables[TABLE_guide] = send(nullptr, 0);
             paths_.tables[TABLE_focus] = send(nullptr, 0);
             scene_has_ = features_of_scene(s);
         });
@@ -109,9 +108,6 @@ public:
                            {d[i].x, d[i].y, d[i].z},
                            d[i].w == WALK_AT_BOUNCE};
         });
-    }
-    void set_guide(std::vector<uint32_t> guide) override {
-        call("sending the guide", [&] { paths_.tables[TABLE_guide] = send(guide.data(), guide.size() * 4); });
     }
     void set_focus(std::vector<uint32_t> entries) override {
         call("sending the focus", [&] { paths_.tables[TABLE_focus] = send(entries.data(), entries.size() * 4); });

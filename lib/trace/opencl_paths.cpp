@@ -112,7 +112,7 @@ void OpenclPaths::follow() {
             stage(extend_, active, counters_, now_);
             if (gpu_) {
                 sort(active);
-                stage(sky_, active, counters_, now_);  // before a guided path goes on with its next sub-path
+                stage(sky_, active, counters_, now_);
             }
             stage(shade_, active, counters_, now_, next_, shadow_queue_);
             stage(shadow_, active, counters_, shadow_queue_);

@@ -33,7 +33,6 @@ struct RenderOptions : flatten::Options {  // which has -dr, -bv and -sampling
     int direct_samples =
         image::direct_samples;  // m of spec paper 7: samples of the direct and specular class in frame 0
     double noisy_share = .15;   // samples for noisy pixels, over those of the picture (noisy.h)
-    int guide_from = 2;         // first frame that -sampling guided guides: shorter runs do not learn
 };
 
 }  // namespace trace

@@ -19,7 +19,6 @@
 #include "trace/draw_sources.h"
 #include "trace/fingerprint.h"
 #include "trace/frame_zero.h"
-#include "trace/guide.h"
 #include "trace/noisy.h"
 #include "trace/samples.h"
 #include "trace/scene_params.h"
@@ -57,13 +56,11 @@ struct Renderer::State {
     const Picture* picture = nullptr;  // the one looked at
     std::vector<float> numbers;        // the scene's, without a view's marks; empty for a single picture
     base::Vec3 centre;
-    bool guides = false;
     uint32_t nx, ny, m, of_frame0;  // of_frame0: samples of the direct class in frame 0
     FrameZero zero;
     double noisy_share = 0;
     bool seeks_noisy = false;     // they are still to be found
     std::vector<uint32_t> noisy;  // pixels with several samples in each frame, not those of a focus
-    bool guided = false;          // a guide is still to be learned
     std::vector<float> aims;      // records of portals, then of highlights
     uint32_t portal_count = 0;
     std::vector<float> unshared;  // the same, until their shares are known
@@ -106,15 +103,6 @@ struct Renderer::State {
         if (unshared.empty()) return;
         find_shares(*device, unshared, base);
         unshared.clear();
-    }
-    void ensure_guide() {
-        if (!guided) return;
-        guided = false;
-        Guide guide = learn_guide(*device, base);
-        if (guide.mask == 0) return;
-        base.guide_mask = guide.mask;
-        base.guide_grid = guide.grid;
-        device->set_guide(std::move(guide.words));
     }
     void ensure_zero() {
         if (zero.mean.empty()) zero = draw_frame_zero(*device, sampler, base, m, of_frame0, picture->drawn);
@@ -165,7 +153,6 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
     flatten::FlatScene flat = flatten::flatten(scene, o, files);
     s.base = params_of(flat, o);
     s.m = s.base.skip_direct_below;
-    s.guides = o.sampling == flatten::Sampling::guided;
     s.noisy_share = o.sampling == Sampling::shared ? o.noisy_share : 0;
     s.sampler.set_sharing(o.sampling == Sampling::shared && may_share(s.base));
     const auto portals = flat.f.begin() + long(flat.portals_at);
@@ -206,12 +193,9 @@ void Renderer::look(size_t shot) {
     s.zero = {};
     s.noisy.clear();
     s.seeks_noisy = s.noisy_share > 0;
-    s.unshared = s.aims;  // their shares and the guide are learned from where the eye is
+    s.unshared = s.aims;  // their shares are learned from where the eye is
     pick_all_portals(s.portal_count, 0, 0, s.base);
     s.base.highlight_share = Params{}.highlight_share;
-    s.guided = s.guides;
-    s.base.guide_mask = 0;
-    s.base.guide_grid = Params{}.guide_grid;
     if (s.pictures.size() == 1) return;
     std::vector<float> numbers = s.numbers;
     mark_drawn(s.picture->drawn, numbers);
@@ -237,16 +221,10 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
     if (k >= end) return;
     s.ensure_aim_shares();
     s.ensure_noisy();
-    bool goes_on = true;
-    const auto sample = [&](int64_t frame, const float* v) {
+    s.samples(k, end - k, [&](int64_t frame, const float* v) {
         s.make_frame(frame, v, out);
-        return goes_on = give(frame, out);
-    };
-    const int64_t unguided = s.guided ? std::clamp<int64_t>(s.base.guide_from - k, 0, end - k) : 0;
-    if (unguided > 0) s.samples(k, unguided, sample);
-    if (!goes_on || k + unguided >= end) return;
-    s.ensure_guide();
-    s.samples(k + unguided, end - k - unguided, sample);
+        return give(frame, out);
+    });
 }
 
 void Renderer::frame(int64_t k, std::vector<float>& rgb) {

@@ -46,7 +46,6 @@ inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOpt
     p.way_least = float(o.way_least);
     p.together = p.copies = 1;
     p.skip_direct_below = uint32_t(std::max(1, o.direct_samples));
-    p.guide_from = uint32_t(o.guide_from);
     return p;
 }
 

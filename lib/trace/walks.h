@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks, by which the guide is learned (guide.h, kernels/path/walk.h), as they cross from and to a device.
+// Walks, by which shares of aimed directions are found (aim_shares.h, kernels/path/walk.h), as they cross from and to a
+// device.
 #pragma once
 
 namespace trace {

@@ -7,7 +7,7 @@
 set -euo pipefail
 mkdir -p "$1" && out=$(cd "$1" && pwd)
 size=${SIZE:-128} frames=${FRAMES:-256} long=${LONG:-8192} first=${FIRST:-3001}
-scenes=${SCENES:-sky_0900 sky_1400 sky_overcast blinds} samplings=${SAMPLINGS:-default plain guided}
+scenes=${SCENES:-sky_0900 sky_1400 sky_overcast blinds} samplings=${SAMPLINGS:-default plain}
 truth=${TRUTH:-default}
 here=$PWD
 cd ../../examples/scenes/office

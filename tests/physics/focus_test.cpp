@@ -70,7 +70,7 @@ TEST_CASE("a focus of another size, or of nothing, is refused") {
 TEST_CASE("other pixels keep their bits, on every device") {
     const Office office;
     trace::RenderOptions options;
-    for (const auto sampling : {trace::Sampling::portals, trace::Sampling::guided, trace::Sampling::shared}) {
+    for (const auto sampling : {trace::Sampling::portals, trace::Sampling::shared}) {
         options.sampling = sampling;
         const auto without = renderer(office, {}, "cpu", options), with = renderer(office, focus(), "cpu", options);
         for (const int64_t k : {0, 1, 8, 9, 100}) {

@@ -121,13 +121,12 @@ void means_agree(const Means& one, const Means& other) {
 
 TEST_CASE("devices give the same frames") { devices_agree(trace::Sampling::portals); }
 TEST_CASE("devices give the same shared frames") { devices_agree(trace::Sampling::shared); }
-TEST_CASE("devices give the same guided frames") { devices_agree(trace::Sampling::guided); }
 
 TEST_CASE("the number of threads changes nothing") {
     const Office scene;
     std::map<unsigned, std::vector<float>> frames;
     trace::RenderOptions options;
-    for (const auto sampling : {trace::Sampling::shared, trace::Sampling::guided}) {
+    for (const auto sampling : {trace::Sampling::shared, trace::Sampling::portals}) {
         options.sampling = sampling;
         for (unsigned threads : {1u, 2u, 5u}) {
             base::use_processors(threads);
@@ -143,23 +142,6 @@ TEST_CASE("the number of threads changes nothing") {
 
 TEST_CASE("ranges of frames merge to the run in one piece") { ranges_merge(trace::Sampling::portals); }
 TEST_CASE("ranges of shared frames do, too") { ranges_merge(trace::Sampling::shared); }
-TEST_CASE("ranges of guided frames do, too") { ranges_merge(trace::Sampling::guided); }
-
-TEST_CASE("frames before the guide are those toward the windows, and the others are not") {
-    const Office scene;
-    trace::RenderOptions options;
-    options.sampling = trace::Sampling::portals;
-    trace::Renderer portals = scene.renderer("cpu", 16, options);
-    options.sampling = trace::Sampling::guided;
-    trace::Renderer guided = scene.renderer("cpu", 16, options);
-    std::vector<float> a, b;
-    for (const int64_t k : {0, 1, options.guide_from - 1, options.guide_from, 100}) {
-        CAPTURE(k);
-        portals.frame(k, a);
-        guided.frame(k, b);
-        CHECK((a == b) == (k < options.guide_from));
-    }
-}
 
 // At night no light comes through the window: no directions go there.
 TEST_CASE("where windows do not pay, their share is none") {
@@ -198,19 +180,10 @@ TEST_CASE("where sun comes in, aiming at its patches takes a third away") {
 }
 
 // Standard errors come from 16 seeds (Student's t with 15 degrees of freedom, of two means: 4 is exceeded by chance in
-// one of 1500 comparisons).  The blocks together: their mean square is 1 and a little more, that of t.
-TEST_CASE("the guide moves no mean") {
-    const Office scene;
-    const Means guided = means_of(scene, trace::Sampling::guided, 8, 71);
-    const Means plain = means_of(scene, trace::Sampling::portals, 8, 135);
-    means_agree(guided, plain);
-    CHECK(guided.variance[64] < means_of(scene, trace::Sampling::plain, 8, 71).variance[64]);
-    CHECK(std::sqrt(guided.variance[64]) < .01 * guided.mean[64]);
-}
-
-// The cosine's paths get eight times the frames: they meet the sun in the window's frame so seldom that fewer have
-// skewed means and too small errors.
-TEST_CASE("neither do aims at windows, patches of sun and polished strips") {
+// one of 1500 comparisons).  The blocks together: their mean square is 1 and a little more, that of t.  The cosine's
+// paths get eight times the frames: they meet the sun in the window's frame so seldom that fewer have skewed means and
+// too small errors.
+TEST_CASE("aims at windows, patches of sun and polished strips move no mean") {
     const Office scene;
     const Means aimed = means_of(scene, trace::Sampling::portals, 8, 135);
     const Means plain = means_of(scene, trace::Sampling::plain, 8, 1031);

@@ -34,7 +34,6 @@ public:
     }
     void draw(const kernels::Params&, const std::vector<trace::DrawRay>&, std::vector<float>&) override {}
     void walk(const kernels::Params&, const std::vector<trace::WalkRay>&, std::vector<trace::WalkEnd>&) override {}
-    void set_guide(std::vector<uint32_t>) override {}
     void set_focus(std::vector<uint32_t>) override {}
     uint32_t good_slots() const override { return 1000; }
     Given(int nx, int ny, float light)

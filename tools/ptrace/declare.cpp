@@ -105,11 +105,9 @@ void declare_light(OptionTable& t, Options& opt) {
     t.add("-bv[+-]", "Back faces of opaque surfaces are visible", r.bv).from_scene();
     t.add("-any-reflectance[+-]", "Render materials that give back twice the light that they get, or more",
           r.any_reflectance);
-    t.add("-sampling name", "How diffuse rays are aimed: plain, portals, shared or guided",
-          base::one_of(r.sampling, {{"plain", Sampling::plain},
-                                    {"portals", Sampling::portals},
-                                    {"shared", Sampling::shared},
-                                    {"guided", Sampling::guided}}));
+    t.add("-sampling name", "How diffuse rays are aimed: plain, portals or shared",
+          base::one_of(r.sampling,
+                       {{"plain", Sampling::plain}, {"portals", Sampling::portals}, {"shared", Sampling::shared}}));
     t.add("-u[+-]", "Uncorrelated samples: no effect", r.u).from_scene();
     t.add("-lr n", "Largest number of reflections of a path; 0 for no limit, below 0 without the limit of -lw", r.lr)
         .within(-10000, 10000)

@@ -22,11 +22,6 @@ FN uint path_sample_index(UNIFORM(const Params) par, uint slot) {
     return par->frame + (par->mode == MODE_RAY ? gid : gid % par->together / par->copies);
 }
 
-// Does the guide choose the directions of this path?
-FN int path_guided(UNIFORM(const Params) par, uint slot) {
-    return has_guide(par) && par->mode == MODE_FRAMES && path_sample_index(par, slot) >= par->guide_from;
-}
-
 // The ray through a random place of the pixel and of the lens.  0 if the view has none there.
 FN int camera_ray(UNIFORM(const Params) par, uint pixel, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
     float2 r = sample2(rnd);
@@ -59,8 +54,6 @@ FN void path_start(UNIFORM(const Params) par, SHARED(const Paths) paths, uint sl
         Medium open = medium_open(par);
         set_path_medium(paths, slot, &open);
     }
-
-    if (has_guide(par)) paths->expected[slot] = 0.0f;
 
     uint4 info;
     info.x = flags;

@@ -43,7 +43,6 @@ FN int path_go_on(UNIFORM(const Params) par, SHARED(const Paths) paths, PRIVATE(
     vertex->weight *= MIN_(1.0f, max3(way->color));
     vertex->thr = scale3(mul3(vertex->thr, way->color), way->sum / MAX_(way->chance, 1e-30f));
     float carried = max3(vertex->thr);
-    if (way->forks && !path_limited(par, vertex)) path_fork(paths, vertex, way);
     vertex->thr = scale3(vertex->thr, way->factor);
 
     int ends = way->factor <= 0.0f || max3(vertex->thr) <= 0.0f || path_limited(par, vertex) ||

@@ -7,8 +7,8 @@
 // The one list of what a path is made of: FIELD(type, name, when) for each field, four words a slot.  The struct Paths,
 // what both devices allocate and the arguments of the OpenCL kernels come from it.  Wide types first, for they are laid
 // one after another.
-//   when: PATH_ALWAYS, or what makes it needed: PATH_MEDIA media or antimatter in the scene, PATH_GUIDED a guide,
-//   PATH_SHARED that paths share their far ends
+//   when: PATH_ALWAYS, or what makes it needed: PATH_MEDIA media or antimatter in the scene, PATH_SHARED
+//   that paths share their far ends
 // clang-format off
 #define PATH_STATE(FIELD)                                                                                       \
     FIELD(float4, org, PATH_ALWAYS)           /* the ray's origin; w: what is cut away there (bits; clip.h) */  \
@@ -24,10 +24,6 @@
     FIELD(float4, albedo, PATH_MEDIA)         /* its albedo, rgb; w: eccentricity */                            \
     FIELD(float4, shadow_medium, PATH_MEDIA)  /* the shadow ray's, extinction rgb; w: cut away there (bits) */  \
     FIELD(float4, shadow_albedo, PATH_MEDIA)  /* its albedo, rgb; w: sets of lights (bits) */                  \
-    FIELD(float4, fork_org, PATH_GUIDED)      /* where it forks; w: first dimension of its directions (bits) */ \
-    FIELD(float4, fork_n, PATH_GUIDED)        /* the normal about which they lie; w: path length from the eye */\
-    FIELD(float4, fork_ng, PATH_GUIDED)       /* the geometry's on their side; w: PC_ flags */                  \
-    FIELD(float4, fork_thr, PATH_GUIDED)      /* throughput, rgb; w: ray weight */                                   \
     FIELD(float4, near_p, PATH_SHARED)        /* near end (far.h): its next ray begins; w: portals' light */     \
     FIELD(float4, near_n, PATH_SHARED)        /* shading normal; w: factor of its own ray, or NO_NEAR_END */     \
     FIELD(float4, near_ng, PATH_SHARED)       /* the geometry's; w: highlights met there (bits) */              \
@@ -39,8 +35,7 @@
     FIELD(Panes, panes, PATH_SHARED)          /* along the links to the far end (connect.h) */                   \
     FIELD(LinkWords, density, PATH_SHARED)    /* with which the near ends would have found it */                 \
     FIELD(LinkWords, gift, PATH_SHARED)       /* what it is worth to them, but for panes */                      \
-    FIELD(uint, links, PATH_SHARED)           /* what is known of them */                                        \
-    FIELD(float, expected, PATH_GUIDED)       /* what was expected of it at its first bounce; 0: not yet */
+    FIELD(uint, links, PATH_SHARED)           /* what is known of them */
 // clang-format on
 
 #define NO_NEAR_END -1.0f  // a factor that there is not
@@ -57,24 +52,19 @@ STRUCT(Paths){PATH_STATE(PATH_POINTER)};
 
 #define PATH_ALWAYS 0u
 #define PATH_MEDIA 1u
-#define PATH_GUIDED 2u
-#define PATH_SHARED 4u
+#define PATH_SHARED 2u
 FN int has_media(UNIFORM(const Params) par) { return HAS(SOLIDS) && par->medium.w > 0.0f; }
 FN int has_antimatter(UNIFORM(const Params) par) { return HAS(SOLIDS) && (par->flags & PF_ANTIMATTER) != 0u; }
 FN int aims_shadows(UNIFORM(const Params) par) { return HAS(SOLIDS) && par->shadow_mode == SHADOW_AIMED; }
-FN int has_guide(UNIFORM(const Params) par) { return HAS(GUIDE) && par->guide_mask != 0u; }
 FN int path_media_used(UNIFORM(const Params) par) { return has_media(par) || has_antimatter(par); }
 FN uint path_needs(UNIFORM(const Params) par) {
-    return (path_media_used(par) ? PATH_MEDIA : 0u) | (has_guide(par) ? PATH_GUIDED : 0u) |
-           (par->shared_slots != 0u ? PATH_SHARED : 0u);
+    return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->shared_slots != 0u ? PATH_SHARED : 0u);
 }
 
 // flags in info.x
-#define PC_DIFFUSE 1u     // some ancestor was a hemisphere sample
-#define PC_ROUGH 2u       // some ancestor was a rough-specular sample
-#define PC_BENT 4u        // some reflection or refraction lies behind: not the eye's straight ray
-#define PC_FORK_SHIFT 3u  // sub-paths of its fork that are still to follow, 3 bits
-#define PC_FORK_MASK 7u
+#define PC_DIFFUSE 1u      // some ancestor was a hemisphere sample
+#define PC_ROUGH 2u        // some ancestor was a rough-specular sample
+#define PC_BENT 4u         // some reflection or refraction lies behind: not the eye's straight ray
 #define PC_SEEKS 64u       // it has a near end, and no far end yet (far.h)
 #define PC_FAR 128u        // what it gathers is what its far end sends out
 #define PC_LEVEL_SHIFT 8u  // reflection level, 8 bits

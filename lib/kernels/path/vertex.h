@@ -14,8 +14,6 @@ STRUCT(Vertex) {
     float weight;  // RADIANCE's ray weight: what the surfaces have left, whatever the chance of the directions was
     float before;  // path length from the eye to where the last ray began
     Sampler rnd;
-    int guided;      // does the guide choose its directions (guide.h)?
-    float expected;  // if so, what was expected of it at its first bounce; 0: that is still to come
 
     // the far end that this vertex is, if so (far.h)
     int at_far;
@@ -62,9 +60,6 @@ FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint s
     vertex->weight = thr.w;
     vertex->wanted = class_wanted(par, info.x, path_sample_index(par, slot));
 
-    vertex->guided = path_guided(par, slot);
-    vertex->expected = vertex->guided ? paths->expected[slot] : 0.0f;
-
     vertex->at_far = 0;
     vertex->far_rad = F3(0.0f, 0.0f, 0.0f);
 
@@ -100,7 +95,6 @@ FN void vertex_store(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex, fl
     info.z = path_sampler_word(&vertex->rnd);
     info.w = vertex->hit.inst;
     write4_(paths->info, vertex->slot, info);
-    if (vertex->guided) paths->expected[vertex->slot] = vertex->expected;
 }
 
 FN void vertex_add(PRIVATE(Vertex) vertex, float3 radiance) {

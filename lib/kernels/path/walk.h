@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MODE_WALK, by which the guide is learned (trace/guide.h): a path from a ray that the host gives up to where the next
-// diffuse bounce would begin.
+// MODE_WALK, by which shares of aimed directions are found (trace/aim_shares.h): a path from a ray that the host gives
+// up to where the next diffuse bounce would begin.
 #ifndef LUX_PATH_WALK_H
 #define LUX_PATH_WALK_H
 

@@ -14,10 +14,6 @@
 #define WAY_REFRACT 6u
 #define WAYS 7u
 
-#define FORKS 4u  // sub-paths; their random numbers are points FORKS k .. FORKS k + FORKS - 1 of sample k's sequence
-#define GUIDED_ENOUGH 1.0f  // a guided path is sure to go on if so much of what was expected is left
-#define GUIDED_LEAST 0.03f  // least chance that it has
-
 // What is known of the way taken.
 STRUCT(Way) {
     uint way;
@@ -26,9 +22,7 @@ STRUCT(Way) {
     float factor;  // of the sampled radiance beside the colour; 0: the sample is lost
     float chance;  // in units of sum
     float sum;
-    int forks;      // several sub-paths take it (fork.h)
-    uint fork_dim;  // the random numbers of their directions begin there
-    Aims aims;      // of a diffuse one that is not guided
+    Aims aims;  // of a diffuse one
 };
 
 FN int way_bounces(PRIVATE(const Way) way) { return way->way == WAY_DIFFUSE_R || way->way == WAY_DIFFUSE_T; }
@@ -105,49 +99,12 @@ FN float sample_rough_t(SHARED(const SceneTables) s, UNIFORM(const Params) par, 
     return lobes_sample_rough_t(lobes, g, &vertex->rnd, par->ss, &way->dir);
 }
 
-// A direction about n by what is known of light there; returns cosine over (pi density).
-FN float guided_direction(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint cell, float3 p, float3 n,
-                          PRIVATE(Sampler) rnd, PRIVATE(float3) dir) {
-    Aims aims;
-    if (cell == NONE) return sample_diffuse(s, par, p, n, rnd, &aims, dir);
-    float factor = guide_sample(s, par, cell, p, n, sample2(rnd), dir);
-    return dot3(*dir, n) > 0.0f ? factor : 0.0f;
-}
-
-// The same for a guided path.  At its first bounce it forks, but in media, of which each sub-path would have to keep
-// its own.  From then on it goes on by chance where much less is expected of it than was there (adjoint-driven Russian
-// roulette, Vorba and Krivanek 2016).
-FN float sample_guided(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Vertex) vertex, float3 n,
-                       PRIVATE(Way) way) {
-    PRIVATE(const Surface) g = &vertex->g;
-    uint cell = guide_cell(s, par, g->p, n, &vertex->rnd);
-    if (cell == NONE) return sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->aims, &way->dir);
-
-    float carried = luminance3(mul3(vertex->thr, way->color)) * way->sum / MAX_(way->chance, 1e-30f);
-    float expects = carried * guide_light(s, cell), chance = 1.0f;
-    if (vertex->expected > 0.0f) {
-        chance = MIN_(MAX_(expects / (GUIDED_ENOUGH * vertex->expected), GUIDED_LEAST), 1.0f);
-        if (chance < 1.0f && sample1(&vertex->rnd) >= chance) return 0.0f;
-    } else {
-        way->forks = (vertex->flags & PC_DIFFUSE) == 0u && !path_media_used(par);
-        way->fork_dim = vertex->rnd.dim;
-        vertex->expected = way->forks ? expects / (float)FORKS : expects;
-        if (way->forks) {
-            vertex->rnd.index *= FORKS;
-            vertex->rnd.until = 0u;  // what was drawn ahead is of the other index
-        }
-    }
-
-    return guided_direction(s, par, cell, g->p, n, &vertex->rnd, &way->dir) / chance;
-}
-
 // A direction about n on either side of the surface; returns the factor, 0 if it is on the wrong side of the geometry.
 FN float sample_hemisphere(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Vertex) vertex, float side,
                            PRIVATE(Way) way) {
     PRIVATE(const Surface) g = &vertex->g;
     float3 n = side > 0.0f ? g->n : neg3(g->n);
-    float factor = vertex->guided ? sample_guided(s, par, vertex, n, way)
-                                  : sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->aims, &way->dir);
+    float factor = sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->aims, &way->dir);
     return side * dot3(way->dir, g->ng) <= 0.0f ? 0.0f : factor;
 }
 
@@ -214,7 +171,6 @@ FN int choose_way(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVAT
 
     way->way = way_pick(weight, sample1(&vertex->rnd) * way->sum);
     way->chance = weight[way->way];
-    way->forks = 0;
     way_sample(s, par, vertex, way);
     vertex->flags = way_flags(vertex, way);
     return 1;
