@@ -10,7 +10,7 @@ packages=
 for part in "$@"; do
     case $part in
         tools) packages="$packages g++ make cmake ninja-build
-            libopenexr-dev libimath-dev libfmt-dev libpng-dev libpugixml-dev" ;;
+            libcli11-dev libopenexr-dev libimath-dev libfmt-dev libpng-dev libpugixml-dev" ;;
         ptrace) packages="$packages libembree-dev ocl-icd-opencl-dev opencl-headers opencl-clhpp-headers" ;;
         tests) packages="$packages doctest-dev mandoc pocl-opencl-icd" ;;  # PoCL: OpenCL on the CPU
         demo) packages="$packages gnuplot-nox" ;;                          # the plot

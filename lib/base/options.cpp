@@ -1,232 +1,281 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See options.h.  How words are read; what -help and -defaults print is in option_text.cpp.
+// See options.h.  The one file that includes CLI11, which takes long to compile: declarations, conversions, ranges and
+// -help.  Messages are ours: the functions that CLI11 calls to convert and check an argument throw them.
 #include "base/options.h"
 
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cctype>
-#include <cstring>
+#include <cmath>
 
 #include "base/error.h"
-#include "base/near.h"
-#include "base/split.h"
-#include "base/printable.h"
 #include "base/run.h"
+#include "base/text_file.h"
+#include "base/value.h"
 
 namespace base {
 namespace {
 
-bool turns_on(char c) { return c && std::strchr("+1yYtT", c); }
-bool turns_off(char c) { return c && std::strchr("-0nNfF", c); }
+const char* const ignored_group = "Accepted and not needed";
 
-bool is_whole_number(const std::string& word) { return word.find_first_not_of("0123456789") == std::string::npos; }
-
-[[noreturn]] void fail_missing(const Option& option) {
-    fail(option.name, "an argument is missing (" + option.spelling() + ")");
+double in_range(const Range& range, double value, const std::string& name) {
+    const std::string text = number_text(value);
+    if (range.open && value <= range.low) fail(name, text + " is not above " + number_text(range.low));
+    if (value >= range.low && value <= range.high) return value;
+    if (std::isinf(range.high)) fail(name, text + " is below " + number_text(range.low));
+    fail(name, fmt::format("{} is outside {} to {}", text, number_text(range.low), number_text(range.high)));
 }
 
-bool names_a_file(const Option& option) {
-    const std::string& what = option.arguments;
-    return what == "file" || what == "picture" || what == "pattern" || what == "target";
+// Values as arguments.
+template <class T>
+std::string shown(const T& whole) {
+    return std::to_string(whole);
 }
+std::string shown(const std::string& text) { return text; }
+std::string shown(double number) { return number_text(number); }
+std::string shown(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
+std::string shown(const Vec3& v) { return shown(v.x) + " " + shown(v.y) + " " + shown(v.z); }
 
-// "--frames" is "-frames".
-std::string one_dash(const std::string& word) {
-    return word.size() > 3 && begins_with(word, "--") ? word.substr(1) : word;
-}
+// Of "-vp x y z" and "-i[+-]": "-vp", "-i"; CLI11's are "--vp" and "--i".
+std::string name_of(const std::string& spelling) { return spelling.substr(0, spelling.find_first_of(" [")); }
+std::string long_name(const std::string& spelling) { return "-" + name_of(spelling); }
 
-std::string lower(std::string text) {
-    for (char& c : text) c = char(std::tolower((unsigned char)c));
-    return text;
-}
-
-std::vector<std::string> split(const std::string& text) {
-    std::vector<std::string> words;
-    for (size_t at = 0; (at = text.find_first_not_of(' ', at)) != std::string::npos;) {
-        const size_t end = std::min(text.find(' ', at), text.size());
-        words.push_back(text.substr(at, end - at));
-        at = end;
+// The spelling, then its text in a column of its own, lines broken at blanks.
+std::string item(const std::string& spelling, const std::string& text) {
+    constexpr size_t text_column = 22, last_column = 100;
+    std::string out, line = fmt::format("  {:<18}  ", spelling);
+    const auto end_line = [&] {
+        out += CLI::detail::rtrim(line) + "\n";
+        line.assign(text_column, ' ');
+    };
+    if (line.size() > text_column) end_line();
+    for (const std::string& word : CLI::detail::split(text, ' ')) {
+        if (line.size() > text_column && line.size() + word.size() > last_column) end_line();
+        line += word + " ";
     }
-    return words;
+    end_line();
+    return out;
 }
+
+class Help : public CLI::Formatter {
+    std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
+        std::vector<std::string> groups = app->get_groups();
+        std::rotate(groups.begin(), groups.begin() + 1, groups.end());  // General is declared first and printed last
+        std::string text = app->get_description(), ignored;
+        for (const std::string& group : groups) {
+            if (!group.empty() && group != ignored_group) text += group + "\n";
+            for (const CLI::Option* o : app->get_options([&](const CLI::Option* o) { return o->get_group() == group; }))
+                if (group == ignored_group) ignored += " " + o->get_option_text();
+                else if (!group.empty()) text += make_option(o, false);
+        }
+        if (!ignored.empty()) text += std::string(ignored_group) + ":\n" + item("", ignored.substr(1));
+        return text + app->get_footer();
+    }
+    std::string make_option(const CLI::Option* o, bool) const override {
+        return item(o->get_option_text(), make_option_desc(o));
+    }
+
+public:
+    std::string make_option_desc(const CLI::Option* o) const override {
+        const std::string value = o->get_default_str();
+        return o->get_description() + (value.empty() ? "" : " (" + value + ")") + ".";
+    }
+};
 
 }  // namespace
 
-OptionTable::OptionTable(std::string tool, std::string version, std::string usage)
-    : tool_(std::move(tool)), version_(std::move(version)), usage_(std::move(usage)) {
+std::string Arguments::file() {
+    if (!scene_file_.empty()) require_ordinary_file(words_[at_], scene_file_);
+    return text();
+}
+
+long Arguments::integer(const Range& range) {
+    const long value = to_int(text(), name());
+    in_range(range, double(value), name());
+    return value;
+}
+
+double Arguments::real(const Range& range) { return in_range(range, to_real(text(), name()), name()); }
+
+Vec3 Arguments::vec() {
+    const double x = real(), y = real();
+    return {x, y, real()};
+}
+
+size_t Arguments::one_of(const std::vector<std::string>& names) {
+    const std::string word = text();
+    const auto at = std::find(names.begin(), names.end(), word);
+    if (at == names.end()) fail(name(), "\"" + word + "\" is not one of " + CLI::detail::join(names, ", "));
+    return size_t(at - names.begin());
+}
+
+Option& Option::unit(const std::string& text) {
+    cli->description(cli->get_description() + " in " + text);
+    return *this;
+}
+
+Option& Option::default_text(const std::string& text) { return cli->default_str(text), *this; }
+
+Option& Option::within(double low, double high, bool open) {
+    cli->check([range = Range{low, high, open}, name = name](const std::string& text) {
+        in_range(range, to_real(text, name), name);
+        return std::string();
+    });
+    return *this;
+}
+
+Option& Option::share() {  // CLI11 runs the transformation that was added last first
+    cli->transform([name = name](const std::string& text) { return number_text(to_share(text, name)); });
+    return *this;
+}
+
+Option& Option::joined() {
+    joint = Joint::joined;
+    spelling.erase(name.size(), 1);
+    cli->option_text(spelling);
+    return *this;
+}
+
+std::string Option::group() const { return ignored ? "" : cli->get_group(); }
+std::string Option::text() const { return Help().make_option_desc(cli); }
+
+std::string Option::in_force() const {
+    const std::string value = show ? show() : "";
+    if (value.empty() || (count == 0 && !is_switch)) return value.empty() ? "" : name;
+    return name + (is_switch || joint == Joint::joined ? "" : " ") + value;
+}
+
+OptionTable::OptionTable() : app_(std::make_unique<CLI::App>()) { app_->set_help_flag(); }
+OptionTable::~OptionTable() = default;
+
+OptionTable::OptionTable(Text tool, Text version, Text usage) : OptionTable() {
+    tool_ = tool, version_ = version;
+    app_->description("usage: " + tool + " " + usage + "\n");
+    app_->formatter(std::make_shared<Help>());
+    footer("");
     group("General");
     question("-defaults", "Print the values in force", [this] { return defaults(); });
     question("-version", "Print the version", [this] { return this->version(); });
     question("-help", "Print the options", [this] { return help(); });
 }
 
-Option& OptionTable::declare(const std::string& spelling, const std::string& sentence, Target target) {
-    const size_t name_end = std::min(spelling.find_first_of(" ["), spelling.size());
-    Option& option = options_.emplace_back();
-    option.group = group_;
-    option.name = spelling.substr(0, name_end);
-    option.is_switch = spelling.substr(name_end) == "[+-]";
-    if (!option.is_switch && name_end < spelling.size()) option.arguments = spelling.substr(name_end + 1);
-    option.count = split(option.arguments).size();
-    option.sentence = sentence;
-    if (option.is_switch) option.default_text = *target.toggle ? "on" : "off";
-    else if (target.show) option.default_text = target.show();
-    option.target = std::move(target);
-    return option;
+void OptionTable::footer(Text text) { app_->footer(text + "Described in " + tool_ + "(1).\n"); }
+
+Option& OptionTable::declare(Text spelling, CLI::Option* cli, std::function<std::string()> show) {
+    Option& o = options_.emplace_back();
+    o.cli = cli->group(group_)->option_text(spelling);
+    o.name = name_of(spelling);
+    o.spelling = spelling;
+    o.count = size_t(std::count(spelling.begin(), spelling.end(), ' '));
+    o.is_switch = spelling == o.name + "[+-]";
+    o.show = std::move(show);
+    if (o.show) o.default_text(o.show());
+    longest_name_ = std::max(longest_name_, o.name.size());
+
+    const std::string argument = spelling.substr(o.name.size());
+    if (argument == " file" || argument == " picture" || argument == " pattern" || argument == " target")
+        cli->check([name = o.name](const std::string& text) {
+            return text.empty() ? fail(name, "the name is empty"), "" : "";
+        });
+    return o;
 }
 
-void OptionTable::question(const std::string& name, const std::string& sentence, std::function<std::string()> answer) {
-    declare(name, sentence, {}).question = std::move(answer);
+// CLI11 converts to variables of one word; the others are read by an action.
+template <class T, class>
+Option& OptionTable::add(Text spelling, Text sentence, T& v) {
+    if constexpr (std::is_same_v<T, Vec3>) {
+        return add(spelling, sentence, {[&v](Arguments& a) { v = a.vec(); }, [&v] { return shown(v); }});
+    } else if constexpr (std::is_array_v<T>) {
+        const auto read = [&v](Arguments& a) { std::generate_n(v, 3, [&] { return a.real(); }); };
+        return add(spelling, sentence, {read, [&v] { return shown(Vec3{v[0], v[1], v[2]}); }});
+    } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+        return add(spelling, sentence, [&v](Arguments& a) { v.push_back(a.text()); });
+    } else if constexpr (std::is_same_v<T, bool>) {
+        Option& o = declare(spelling, app_->add_flag(long_name(spelling), v, sentence), {});
+        o.show = [&v, is_switch = o.is_switch] { return v ? "+" : is_switch ? "-" : ""; };
+        return o.is_switch ? o.default_text(v ? "on" : "off") : o;
+    } else {
+        CLI::Option* cli = app_->add_option(long_name(spelling), v, sentence);
+        const std::string name = name_of(spelling);
+        if constexpr (std::is_integral_v<T>)  // "1e3" is 1000
+            cli->transform([name](const std::string& text) { return std::to_string(to_int(text, name)); });
+        else if constexpr (!std::is_same_v<T, std::string>)  // 17 digits, because CLI11 rounds to a long double first
+            cli->transform([name](const std::string& text) { return fmt::format("{:.17g}", to_real(text, name)); });
+        return declare(spelling, cli, [&v] { return shown(v); });
+    }
+}
+template Option& OptionTable::add(Text, Text, bool&);
+template Option& OptionTable::add(Text, Text, int&);
+template Option& OptionTable::add(Text, Text, uint64_t&);
+template Option& OptionTable::add(Text, Text, double&);
+template Option& OptionTable::add(Text, Text, std::optional<double>&);
+template Option& OptionTable::add(Text, Text, Vec3&);
+template Option& OptionTable::add(Text, Text, double (&)[3]);
+template Option& OptionTable::add(Text, Text, std::string&);
+template Option& OptionTable::add(Text, Text, std::vector<std::string>&);
+
+Option& OptionTable::add(Text spelling, Text sentence, const Action& action) {
+    const auto read = [this, name = name_of(spelling), read = action.read](const CLI::results_t& words) {
+        Arguments arguments(name, words, scene_file_);
+        return read(arguments), true;
+    };
+    Option& o = declare(spelling, app_->add_option(long_name(spelling), read, sentence), action.show);
+    o.cli->type_size(std::max(1, int(o.count)));
+    return o;
 }
 
-void OptionTable::refuse(const std::string& spelling, const std::string& sentence, const std::string& reason) {
-    const auto read = [reason](Arguments& a) { fail(a.name(), reason); };
-    declare(spelling, sentence, into(read)).count = 0;  // refused whatever follows
+void OptionTable::question(Text name, Text sentence, std::function<std::string()> answer) {
+    add(name, sentence, [this, answer](Arguments&) {
+        const std::string text = answer();
+        write_stdout(text.data(), text.size());
+        answered_ = true;
+    });
 }
 
-void OptionTable::unneeded(const std::string& names, size_t arguments, Scenes scenes, size_t numbers) {
-    for (const std::string& name : split(names)) {
-        Option& option = declare(name, "", into([](Arguments&) {}));
-        option.count = arguments;
-        option.unneeded = numbers;
-        if (scenes == Scenes::yes) option.from_scene();
+void OptionTable::refuse(Text spelling, Text sentence, Text reason) {
+    Option& o = add(spelling, sentence, [reason](Arguments& a) { fail(a.name(), reason); });
+    o.count = 0;  // refused whatever follows
+    o.cli->type_size(1)->group(sentence.empty() ? "" : group_);
+}
+
+void OptionTable::ignored(Text names, size_t arguments, Scenes scenes, size_t numbers) {
+    for (const std::string& name : CLI::detail::split(names, ' ')) {
+        Option& o = add(name, "", [](Arguments&) {});
+        o.cli->group(ignored_group)->type_size(std::max(1, int(arguments)));
+        o.count = arguments;
+        o.ignored = numbers;
+        if (scenes == Scenes::yes) o.from_scene();
     }
 }
 
-OptionTable::Found OptionTable::find(const std::string& as_typed) const {
-    const std::string word = one_dash(as_typed);
-    const size_t equals = word.find('=');
-    Found joined;
-    for (const Option& o : options_) {
-        if (word == o.name) return {&o, {}};
-        if (equals != std::string::npos && word.substr(0, equals) == o.name && o.count == 1)
-            return {&o, word.substr(equals + 1)};
-
-        if (word.size() <= o.name.size() || !begins_with(word, o.name)) continue;
-        const std::string rest = word.substr(o.name.size());
-        const bool fits = o.is_switch ? rest.size() == 1 && (turns_on(rest[0]) || turns_off(rest[0]))
-                                      : o.joint != Option::Joint::apart;
-        if (fits && (!joined.option || o.name.size() > joined.option->name.size())) joined = {&o, rest};
-    }
-    return joined;
+const Option* OptionTable::named(Text name) const {
+    const CLI::Option* cli = app_->get_option_no_throw("-" + name);
+    const auto at = std::find_if(options_.begin(), options_.end(), [&](const Option& o) { return o.cli == cli; });
+    return at == options_.end() ? nullptr : &*at;
 }
 
-void OptionTable::take_arguments(const Found& found, Words& words) {
-    const Option& o = *found.option;
-    const bool passed_over = o.scene == Option::Scene::passed_over && !words.scene_file().empty();
-    if (o.is_switch) {
-        if (!passed_over) *o.target.toggle = found.argument ? turns_on((*found.argument)[0]) : !*o.target.toggle;
-        return;
-    }
-
-    std::vector<std::string> arguments;
-    if (found.argument) arguments.push_back(*found.argument);
-    else if (o.joint == Option::Joint::joined) fail_missing(o);
-    while (arguments.size() < o.count) {
-        if (!words.left()) fail_missing(o);
-        arguments.push_back(words.take());
-    }
-    for (size_t i = 0; i < o.unneeded.value_or(0) && words.left() && is_whole_number(words.peek()); ++i) words.take();
-
-    if (passed_over) return;
-    if (names_a_file(o) && !arguments.empty() && arguments[0].empty()) fail(o.name, "the name is empty");
-    Arguments taken(o, std::move(arguments), words.scene_file());
-    o.target.read(taken);
-}
-
-void OptionTable::ask(const Option& option) {
-    const std::string answer = option.question();
-    write_stdout(answer.data(), answer.size());
-    answered_ = true;
-}
-
-bool OptionTable::read(Words& words) {
-    const size_t from = words.at();
-    const Found found = find(words.peek());
-    if (!found.option) return false;
-    words.take();
-
-    if (found.option->question) ask(*found.option);
-    else take_arguments(found, words);
-    if (words.scene_file().empty()) said_.push_back({found.option, words.since(from)});
-    return true;
-}
-
-std::optional<std::vector<std::string>> OptionTable::parse(int argc, char** argv) {
-    Words words({argv + std::min(argc, 1), argv + argc});
-    std::vector<std::string> operands;
-    bool operands_only = false;  // after "--"
-
-    while (operands_only ? words.left() > 0 : words.more()) {
-        if (operands_only || !words.is_option()) {
-            operands.push_back(words.take());
-            if (operands.back().empty()) fail("\"\"", "is not the name of a file");
-        } else if (words.peek() == "--") {
-            operands_only = true;
-            words.take();
-        } else if (!first_.empty() && !operands.empty()) {
-            fail(words.peek(), "options must come before " + first_);
-        } else if (!read(words)) {
-            unknown(words.peek());
-        }
-        if (answered_) return std::nullopt;
-    }
-    command_ = words.all();
-    command_.insert(command_.begin(), argc > 0 ? argv[0] : tool_);
-    return operands;
-}
-
-void OptionTable::read_words(const std::vector<std::string>& list) {
-    for (Words words(list); words.more();)
-        if (!read(words)) unknown(words.peek());
-}
-
-void OptionTable::read_scene_words(const std::vector<std::string>& list, const std::string& file) {
-    for (Words words(list, file); words.more();) {
-        require_allowed(find(words.peek()), words);
-        read(words);
+// An option without arguments gets "true", as CLI11's flags do.
+void OptionTable::carry_out(const Option& option, std::vector<std::string> arguments, Text scene_file) {
+    if (arguments.empty()) arguments.push_back("true");
+    scene_file_ = scene_file;
+    option.cli->clear();
+    option.cli->add_result(arguments);
+    try {
+        option.cli->run_callback();
+    } catch (const CLI::ConversionError&) {  // every number has been read; it does not fit its variable
+        fail(option.name, '"' + arguments[0] + "\" is too large");
     }
 }
 
-// The word itself may come from any file that an @file names, so only its first letters are shown.
-void OptionTable::require_allowed(const Found& found, const Words& words) const {
-    if (found.option && found.option->scene != Option::Scene::refused) return;
-    const std::string &word = words.peek(), &file = words.scene_file();
-    if (!words.is_option()) fail(file, "holds a word where an option is expected: a scene may give options only");
-    fail(file, "\"" + excerpt(word, 8) + "\" is not a rendering or view option: a scene may not set it");
-}
+std::string OptionTable::help() const { return app_->help(); }
 
-// The nearest option, of several that one that begins alike.  Of one letter only -X is near to -x.
-void OptionTable::unknown(const std::string& as_typed) const {
-    const std::string whole = one_dash(as_typed), word = lower(whole.substr(0, whole.find('=')));
-    const int slip = word.size() <= 2 ? 0 : largest_slip(word.size());
-    std::string meant;
-    std::pair<int, long> best{slip + 1, 0};  // distance, and less the letters that agree
-    for (const Option& o : options_) {
-        if (o.sentence.empty()) continue;
-        const std::string name = lower(o.name);
-        const int distance = word.size() > 3 && begins_with(name, word) ? 1 : edit_distance(word, name);
-        const size_t least = std::min(word.size(), name.size());
-        const auto differ = std::mismatch(word.begin(), word.begin() + long(least), name.begin());
-        const std::pair<int, long> rank{distance, -(differ.first - word.begin())};
-        if (rank >= best || distance > slip) continue;
-        best = rank;
-        meant = o.name;
-    }
-    fail(as_typed, "unknown option; " + (meant.empty() ? tool_ + " -help lists them" : "did you mean " + meant + "?"));
-}
-
-bool OptionTable::given(const std::string& name) const {
-    return std::any_of(said_.begin(), said_.end(), [&](const Said& said) { return said.option->name == name; });
-}
-
-std::vector<std::string> OptionTable::unneeded_ones_said() const {
-    std::vector<std::string> names;
-    for (const Said& said : said_) {
-        const Option& o = *said.option;
-        if (o.unneeded && o.count && std::find(names.begin(), names.end(), o.name) == names.end())
-            names.push_back(o.name);
-    }
-    return names;
+std::string OptionTable::defaults() const {
+    std::string text;
+    for (const Option& o : options_)
+        if (const std::string words = o.in_force(); !words.empty())
+            text += fmt::format("{:<31} # {}\n", words, o.text());
+    return text;
 }
 
 }  // namespace base

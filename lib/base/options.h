@@ -1,113 +1,178 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options of a tool, each declared once; reading, -help, -defaults, "did you mean" and what a scene's file may say
-// follow from the declaration, and a test holds the manual against it.
+// The options of a tool, each declared once.  CLI11 holds the declarations: it finds an option by its name, converts
+// and checks its arguments and prints -help (options.cpp).  RADIANCE's spelling stands in front of it
+// (command_line.cpp).  A test compares the manual with the declarations.
 //     OptionTable t("ptrace", LUXPIPE_VERSION, "[options] scene.rad ...");
 //     t.group("Picture");
 //     t.add("-x n", "Horizontal resolution", opt.nx).within(1, 32768).from_scene();
 //     t.add("-i[+-]", "Irradiance on the surfaces seen instead of radiance", opt.irradiance).from_scene();
 //     t.add("-frames N|A:B", "Frames 0 to N-1, or A to B", [&](Arguments& a) { read_frames(a.text(), opt); });
 //     if (auto operands = t.parse(argc, argv)) ...   none: a question (-help) was answered
-// Spellings are RADIANCE's: one dash, a fixed number of arguments whatever they look like (-vd 0 0 -1), the later of
-// two options holds, -i changes a switch and -i+ -i- set it.  Two dashes (--frames 3) and -frames=3 are read, too.
 #pragma once
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
-#include "base/option_target.h"
-#include "base/run.h"
-#include "base/words.h"
+#include "base/vec.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace base {
 
-// One declaration.  What add() returns; further facts are added to it.
+struct ArgCursor;
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+struct Range {
+    double low = -unlimited, high = unlimited;
+    bool open = false;  // low itself is too low
+};
+inline Range within(double low, double high) { return {low, high}; }
+inline Range above(double low) { return {low, unlimited, true}; }
+
+// The arguments of one option, for a function that takes them one after another.  Throws Error (place: the option).
+class Arguments {
+public:
+    Arguments(std::string option, std::vector<std::string> words, std::string scene_file)
+        : name_(std::move(option)), words_(std::move(words)), scene_file_(std::move(scene_file)) {}
+
+    const std::string& name() const { return name_; }  // the option's, for messages
+    std::string text() { return words_[at_++]; }
+    std::string file();  // a name; one that a scene gives must be an ordinary file's
+    long integer(const Range& range = {});
+    double real(const Range& range = {});
+    Vec3 vec();
+    size_t one_of(const std::vector<std::string>& names);  // their index
+
+private:
+    std::string name_;
+    std::vector<std::string> words_;
+    std::string scene_file_;
+    size_t at_ = 0;
+};
+
+// What an option does, if it does more than set a variable.
+struct Action {
+    std::function<void(Arguments&)> read;
+    std::function<std::string()> show;  // the value in force as arguments; none: nothing to show
+
+    Action(std::function<void(Arguments&)> read_, std::function<std::string()> show_) : read(read_), show(show_) {}
+    template <class F, class = std::enable_if_t<std::is_invocable_v<F, Arguments&>>>
+    Action(F f) : read(f) {}
+};
+
+// -x: sets the variable to this.
+template <class T>
+Action set(T& variable, T value) {
+    return [&variable, value](Arguments&) { variable = value; };
+}
+
+// -format name: one of these words.
+template <class T>
+Action one_of(T& variable, std::vector<std::pair<std::string, T>> choices) {
+    std::vector<std::string> names;
+    for (const auto& choice : choices) names.push_back(choice.first);
+    const auto show = [&variable, choices] {
+        for (const auto& [name, value] : choices)
+            if (value == variable) return name;
+        return std::string();
+    };
+    return {[&variable, choices, names](Arguments& a) { variable = choices[a.one_of(names)].second; }, show};
+}
+
+// One declaration.  add() returns it; further facts are appended.
 struct Option {
-    std::string group;
-    std::string name;       // "-vp"
-    std::string arguments;  // "x y z", as -help shows them
-    size_t count = 0;       // of these
-    std::string sentence;   // without its full stop
-    std::string unit_text;
-    std::string default_text;  // taken from the variable when it is declared
-    Target target;
-    Range range;
-    bool percent = false;
-    bool is_switch = false;
+    CLI::Option* cli = nullptr;
+    std::string name, spelling;              // "-vp", "-vp x y z"
+    size_t count = 0;                        // of arguments
+    bool is_switch = false;                  // -i[+-]
+    std::function<std::string()> show = {};  // the value in force as arguments
     enum class Joint { apart, joined, either } joint = Joint::apart;
     enum class Scene { refused, allowed, passed_over } scene = Scene::refused;
-    std::optional<size_t> unneeded;         // read past, with up to so many whole numbers more
-    std::function<std::string()> question;  // its answer goes to stdout and ends the program
+    bool pixels = false;
+    std::optional<size_t> ignored = {};  // read past, with up to so many whole numbers more
 
-    Option& unit(std::string text) { return unit_text = std::move(text), *this; }
-    Option& otherwise(std::string text) { return default_text = std::move(text), *this; }
-    Option& within(double low, double high) { return range = {low, high, false}, *this; }
-    Option& at_least(double low) { return range.low = low, *this; }
-    Option& above(double low) { return range.low = low, range.open = true, *this; }
-    Option& share() { return percent = true, *this; }  // "50%" is .5
-    Option& joined() { return joint = Joint::joined, *this; }
+    Option& unit(const std::string& text);
+    Option& default_text(const std::string& text);  // a default that the variable does not show
+    Option& within(double low, double high, bool open = false);
+    Option& at_least(double low) { return within(low, unlimited); }
+    Option& above(double low) { return within(low, unlimited, true); }
+    Option& share();   // "50%" is .5
+    Option& joined();  // -vtT
     Option& also_joined() { return joint = Joint::either, *this; }
 
     // What the file of a scene may say (read_scene_words); without one of these two it may not.
     Option& from_scene() { return scene = Scene::allowed, *this; }
     Option& passed_over_in_scene() { return scene = Scene::passed_over, *this; }
 
-    std::string spelling() const;  // "-vp x y z", "-vtT", "-i[+-]"
+    // The value decides pixels of frames, and so it enters their fingerprint.
+    Option& moves_pixels() { return pixels = true, *this; }
+
+    std::string group() const;     // empty: not in -help
     std::string text() const;      // "View point (0 0 0)."
+    std::string in_force() const;  // the option with its value, as one would type it; empty: nothing to say
 };
 
 class OptionTable {
 public:
-    OptionTable() = default;  // no tool's: for words in files
-    OptionTable(std::string tool, std::string version, std::string usage);
+    OptionTable();  // no tool's: for words in files
+    OptionTable(const std::string& tool, const std::string& version, const std::string& usage);
+    ~OptionTable();
     OptionTable(const OptionTable&) = delete;
 
-    void group(std::string title) { group_ = std::move(title); }
-
-    // A variable (option_target.h lists the types), or a function of the arguments.
-    template <class T>
-    Option& add(const std::string& spelling, const std::string& sentence, T&& target) {
-        return declare(spelling, sentence, into(std::forward<T>(target)));
-    }
+    // Spelling and arguments as the user types them; a sentence without its full stop; a variable or an action.
+    using Text = const std::string&;
+    void group(Text title) { group_ = title; }
+    template <class T, class = std::enable_if_t<!std::is_convertible_v<T&, Action>>>
+    Option& add(Text spelling, Text sentence, T& variable);  // options.cpp lists the types; of strings one more
+    Option& add(Text spelling, Text sentence, const Action& action);
 
     // Prints what answer() says and ends the program.
-    void question(const std::string& name, const std::string& sentence, std::function<std::string()> answer);
+    void question(Text name, Text sentence, std::function<std::string()> answer);
 
     // An option of another program that is named to refuse it, with the reason.  Without a sentence -help is silent.
-    void refuse(const std::string& spelling, const std::string& sentence, const std::string& reason);
+    void refuse(Text spelling, Text sentence, Text reason);
 
     // Options of another program, a blank between two, that are read past with their arguments: so many words, then
     // up to `numbers` whole numbers.
     enum class Scenes { no, yes };
-    void unneeded(const std::string& names, size_t arguments, Scenes scenes, size_t numbers = 0);
-    std::vector<std::string> unneeded_ones_said() const;  // those with arguments
+    void ignored(Text names, size_t arguments, Scenes scenes, size_t numbers = 0);
+    std::vector<std::string> ignored_ones() const;  // those that were given and have arguments
 
-    void options_come_before(std::string operands) { first_ = std::move(operands); }
-    void footer(std::string text) { footer_ = std::move(text); }
+    void options_come_before(Text operands) { operands_ = operands; }
+    void footer(Text text);
 
     // The whole command line; returns the operands.  Nothing: a question was answered, main ends with status 0.
     std::optional<std::vector<std::string>> parse(int argc, char** argv);
 
-    // After parse(): the program and its words as one line, @files and $VARIABLES replaced by what they said.
-    std::string command() const { return command_line(command_); }
+    // After parse(): the program and its words as one line, @files and $VARIABLES replaced by what they hold.
+    std::string command() const { return command_; }
 
     // Words that are options and nothing else: the user's, or those of a scene's file, which may say less.
     void read_words(const std::vector<std::string>& words);
-    void read_scene_words(const std::vector<std::string>& words, const std::string& file);
+    void read_scene_words(const std::vector<std::string>& words, Text file);
 
-    // The option at the cursor, if it is one of ours.
-    bool read(Words& words);
+    // Options among other words, which are skipped, as is an option that cannot be read; `wrong`: what is wrong with
+    // the first of these.  True if an option was read.
+    bool read_header_words(const std::vector<std::string>& words, std::string& wrong);
 
-    // What the user has said so far, in order.
-    struct Said {
+    // What the user has given so far, in order.
+    struct ParsedOption {
         const Option* option;
         std::vector<std::string> words;
     };
-    const std::vector<Said>& said() const { return said_; }
-    bool given(const std::string& name) const;
+    const std::vector<ParsedOption>& parsed() const { return parsed_; }
+    bool given(Text name) const;
 
+    const std::deque<Option>& options() const { return options_; }
     std::string version() const { return tool_ + " (luxpipe) " + version_ + "\n"; }
     std::string help() const;
     std::string defaults() const;  // the values in force as options, which serve as an @file without the comments
@@ -115,20 +180,21 @@ public:
 private:
     struct Found {
         const Option* option = nullptr;
-        std::optional<std::string> argument;  // what is joined to the name
+        std::optional<std::string> joined;  // to the name
     };
 
-    Option& declare(const std::string& spelling, const std::string& sentence, Target target);
-    Found find(const std::string& word) const;
-    void take_arguments(const Found& found, Words& words);
-    void ask(const Option& option);
-    [[noreturn]] void unknown(const std::string& word) const;
-    void require_allowed(const Found& found, const Words& words) const;
+    Option& declare(Text spelling, CLI::Option* cli, std::function<std::string()> show);
+    const Option* named(Text name) const;
+    Found find(Text word) const;
+    bool read(ArgCursor& words);
+    void carry_out(const Option& option, std::vector<std::string> arguments, Text scene_file);
+    [[noreturn]] void unknown(Text word) const;
 
-    std::string tool_, version_, usage_, group_, first_, footer_;
+    std::string tool_, version_, group_, operands_, command_, scene_file_;
+    std::unique_ptr<CLI::App> app_;
     std::deque<Option> options_;  // add() gives out references
-    std::vector<Said> said_;
-    std::vector<std::string> command_;
+    size_t longest_name_ = 0;
+    std::vector<ParsedOption> parsed_;
     bool answered_ = false;
 };
 

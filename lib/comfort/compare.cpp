@@ -7,7 +7,7 @@
 #include <set>
 #include <unordered_map>
 #include "base/error.h"
-#include "base/near.h"
+#include "base/edit_distance.h"
 
 namespace comfort {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/near.h"
+#include "base/edit_distance.h"
 #include "region/region.h"
 
 namespace region {

@@ -36,7 +36,7 @@ bool operator==(const View& a, const View& b) {
 void declare_options(base::OptionTable& t, View& v, const std::string& otherwise) {
     const auto add = [&](const char* spelling, const char* sentence, auto& target) -> base::Option& {
         base::Option& option = t.add(spelling, sentence, target).from_scene();
-        if (!otherwise.empty()) option.otherwise(otherwise).target.show = {};
+        if (!otherwise.empty()) option.default_text(otherwise).show = {};
         return option;
     };
     auto type = base::one_of(v.type, {{"v", 'v'}, {"l", 'l'}, {"a", 'a'}, {"h", 'h'}, {"s", 's'}, {"c", 'c'}});
@@ -64,23 +64,21 @@ void declare_file_option(base::OptionTable& t, std::function<void(const View&)> 
 }
 
 bool parse_line(View& v, const std::string& line, std::string* wrong) {
-    std::istringstream in(line.compare(0, 5, "VIEW=") == 0 ? line.substr(5) : line);
-    base::OptionTable options;  // without -vf: a header opens no files
-    declare_options(options, v);
+    // One table a thread, because declaring takes longer than reading a line.  Without -vf: a header opens no files.
+    struct Reader {
+        View view;
+        base::OptionTable options;
+        Reader() { declare_options(options, view); }
+    };
+    thread_local Reader reader;
 
-    bool any = false;
-    if (wrong) wrong->clear();
-    base::Words words({std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()});
-    while (words.left()) {
-        const size_t at = words.at();
-        try {
-            if (options.read(words)) any = true;
-            else words.take();
-        } catch (const base::Error& e) {
-            words.go_to(at + 1);  // a word that only looks like a view option: skipped, as RADIANCE's readers do
-            if (wrong && wrong->empty()) *wrong = e.text;
-        }
-    }
+    std::istringstream in(line.compare(0, 5, "VIEW=") == 0 ? line.substr(5) : line);
+    reader.view = v;
+    std::string unread;
+    const bool any = reader.options.read_header_words(
+        {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()}, unread);
+    v = reader.view;
+    if (wrong) *wrong = unread;
     return any;
 }
 

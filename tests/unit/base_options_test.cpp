@@ -3,10 +3,14 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <cstdlib>
+#include <fstream>
+
 #include "base/error.h"
-#include "base/near.h"
+#include "base/edit_distance.h"
 #include "base/options.h"
 #include "base/value.h"
+#include "temp_folder.h"
 
 namespace {
 
@@ -15,7 +19,7 @@ using Strings = std::vector<std::string>;
 
 // One variable of each kind.
 struct Values {
-    int n = 512;
+    int n = 512, level = 0;
     double share = 1, length = 1e-6, rgb[3] = {0, 0, 0};
     std::optional<double> limit;
     uint64_t seed = 1;
@@ -31,6 +35,7 @@ struct Values {
 void declare(base::OptionTable& t, Values& v) {
     t.group("Some");
     t.add("-x n", "Size", v.n).within(1, 1000).from_scene();
+    t.add("-level n", "Level", v.level);
     t.add("-pj f", "Jitter", v.share).within(0, 1).share().from_scene();
     t.add("-lw f", "Weight", v.length).at_least(0).unit("cd/m2");
     t.add("-av r g b", "Ambient", v.rgb);
@@ -47,9 +52,9 @@ void declare(base::OptionTable& t, Values& v) {
     t.add("-format name", "Format",
           base::one_of(v.format, {{"tsv", Values::Format::tsv}, {"csv", Values::Format::csv}}));
     t.add("-cr low high", "Pair", [&](Arguments& a) { v.pair = a.text() + "/", v.pair += a.text(); });
-    t.unneeded("-aa -ar", 1, base::OptionTable::Scenes::yes);
-    t.unneeded("-ap", 1, base::OptionTable::Scenes::no, 2);
-    t.unneeded("-pRGB", 0, base::OptionTable::Scenes::yes);
+    t.ignored("-aa -ar", 1, base::OptionTable::Scenes::yes);
+    t.ignored("-ap", 1, base::OptionTable::Scenes::no, 2);
+    t.ignored("-pRGB", 0, base::OptionTable::Scenes::yes);
     t.refuse("-c file", "Not here: a picture", "writes a picture");
 }
 
@@ -95,6 +100,9 @@ TEST_CASE("values are read in one way") {
     for (const char* bad : {"99999999999999999999", " 1", "1.5", "1e-1", "%", "1e30"})
         CHECK_THROWS_AS(base::to_int(bad, ""), base::Error);
     CHECK_THROWS_AS(base::to_share("%", ""), base::Error);
+    Tool t;
+    t.parse({"-lw", "0.12345678901234567"});
+    CHECK(t.v.length == 0.12345678901234567);
     CHECK(base::number_text(1e-6) == "1e-6");
     CHECK(base::number_text(-0.0) == "0");
 }
@@ -136,6 +144,22 @@ TEST_CASE("switches toggle, + and - set; joined words, two dashes and = are read
     CHECK_FALSE(t.table.given("-pj"));
 }
 
+TEST_CASE("@file and $VARIABLE are replaced where an option may begin only, also inside each other") {
+    TempFolder folder;
+    const std::string path = folder.name("file");
+    std::ofstream(path) << "-x 2\n$LUX_TEST_WORDS   \n -1";
+    setenv("LUX_TEST_WORDS", "-lw 7", 1);
+    Tool t;
+    CHECK(t.parse({"@" + path, "-o", "@name", "scene.rad"}) == Strings{"scene.rad"});
+    CHECK(t.table.command() == "tool -x 2 -lw 7 -1 -o @name scene.rad");
+    CHECK(t.v.files == Strings{"@name"});
+    CHECK(t.v.length == 7);
+    std::ofstream(path) << "@" << path;
+    CHECK(t.error({"@" + path}) == "@" + path + ": expands without end");
+    CHECK(t.error({"@/no/such/file"}) != "");
+    CHECK(t.error({"$LUX_TEST_NOT_SET"}) == "$LUX_TEST_NOT_SET: environment variable is not set");
+}
+
 TEST_CASE("the later of two options holds; -- ends options; options may have to come first") {
     Tool t;
     CHECK(t.parse({"-x", "1", "-x", "2", "--", "-x", "@file"}) == Strings{"-x", "@file"});
@@ -160,6 +184,10 @@ TEST_CASE("what is wrong is said in one way") {
     CHECK(t.error({"-x", "1001"}) == "-x: 1001 is outside 1 to 1000");
     CHECK(t.error({"-lw", "-1"}) == "-lw: -1 is below 0");
     CHECK(t.error({"-Y", "0"}) == "-Y: 0 is not above 0");
+    CHECK(t.error({"-o", ""}) == "-o: the name is empty");
+    CHECK(t.error({"-lw", ""}) == "-lw: \"\" is not a number");
+    CHECK(t.error({"-vp", "0,5", "0", "0"}) == "-vp: \"0,5\" is not a number");
+    CHECK(t.error({"-level", "99999999999"}) == "-level: \"99999999999\" is too large");
     CHECK(t.error({"-format", "xml"}) == "-format: \"xml\" is not one of tsv, csv");
     CHECK(t.error({"-vtab"}) == "-vt: \"ab\" is not one of v, a");
     CHECK(t.error({"-c"}) == "-c: writes a picture");
@@ -170,7 +198,7 @@ TEST_CASE("another program's options are read past and remembered") {
     Tool t;
     CHECK(t.parse({"-aa", ".1", "-ap", "map", "40", "50", "-pRGB", "-ap", "map", "file", "-aa", "0"}) ==
           Strings{"file"});
-    CHECK(t.table.unneeded_ones_said() == Strings{"-aa", "-ap"});
+    CHECK(t.table.ignored_ones() == Strings{"-aa", "-ap"});
 }
 
 TEST_CASE("a scene says what its options allow") {
@@ -178,7 +206,10 @@ TEST_CASE("a scene says what its options allow") {
     t.table.read_scene_words({"-x", "3", "-i-", "-vta", "-aa", "1", "-w-", "-pj", "10%"}, "room.rif");
     CHECK(t.v.n == 3);
     CHECK(t.v.peaks);  // -w is the user's
-    CHECK(t.table.said().empty());
+    CHECK(t.table.parsed().empty());
+    setenv("LUX_TEST_WORDS", "-x 3", 1);
+    CHECK(t.scene_error({"$LUX_TEST_WORDS"}) == "room.rif: a scene's file may not ask for an environment variable");
+    CHECK(t.scene_error({"@/dev/null"}) == "room.rif: \"/dev/null\" is not an ordinary file");
     const std::string refused = " is not a rendering or view option: a scene may not set it";
     for (const char* word : {"-exec", "-o", "-ap", "-help", "-c", "-seed", "--exec", "-exec=1"})
         CHECK(t.scene_error({word, "1"}).find(refused) != std::string::npos);

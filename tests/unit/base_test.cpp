@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Words of a command line, warnings, files that appear whole or not at all.
+// Command lines, warnings, files that appear whole or not at all.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -15,33 +15,8 @@
 #include "base/run.h"
 #include "base/tempfile.h"
 #include "base/warnings.h"
-#include "base/words.h"
 #include "base/work.h"
 #include "temp_folder.h"
-
-TEST_CASE("words: @file and $VAR are replaced in option position only, also inside each other") {
-    TempFolder folder;
-    const std::string path = folder.name("file");
-    std::ofstream(path) << "-ab 2\n$LUX_TEST_WORDS   \n -z";
-    setenv("LUX_TEST_WORDS", "-dj 1", 1);
-    base::Words w({"@" + path, "-o", "@name", "scene.rad"});
-    std::string seen;
-    while (w.more()) {
-        seen += w.peek() + " ";
-        const std::string option = w.take();
-        if (option == "-o") CHECK(w.take() == "@name");
-        else if (option[0] == '-' && option != "-z") w.take();
-    }
-    CHECK(seen == "-ab -dj -z -o scene.rad ");
-    std::ofstream(path) << "@" << path;
-    base::Words endless({"@" + path});
-    CHECK_THROWS_AS(endless.more(), base::Error);
-    std::remove(path.c_str());
-    base::Words missing({"@/no/such/file"});
-    CHECK_THROWS_AS(missing.more(), base::Error);
-    base::Words unset({"$LUX_TEST_NOT_SET"});
-    CHECK_THROWS_AS(unset.more(), base::Error);
-}
 
 TEST_CASE("command lines become one header line") {
     char a[] = "ptrace", b[] = "-vp", c[] = "two words", d[] = "it's", e[] = "new\nline";
@@ -116,14 +91,6 @@ TEST_CASE("text for a terminal: nothing that steers it") {
     CHECK(base::printable("\x9b\xff\xc3") == "???");                   // no UTF-8
     CHECK(base::printable("\xed\xa0\x80 \xe0\x80\xaf") == "??? ???");  // surrogates, overlong
     CHECK(base::excerpt("12345", 3) == "123...");
-}
-
-TEST_CASE("words of a scene see no environment") {
-    setenv("LUX_TEST_WORDS", "-dj 1", 1);
-    base::Words w({"$LUX_TEST_WORDS"}, "room.rif");
-    CHECK_THROWS_WITH_AS(w.more(), "room.rif: a scene's file may not ask for an environment variable", base::Error);
-    base::Words device({"@/dev/null"}, "room.rif");
-    CHECK_THROWS_WITH_AS(device.more(), "room.rif: \"/dev/null\" is not an ordinary file", base::Error);
 }
 
 TEST_CASE("work: one budget, spent once") {

@@ -3,7 +3,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 #include "base/error.h"
-#include "base/near.h"
+#include "base/edit_distance.h"
 #include "region/region.h"
 #include "region/match.h"
 

@@ -192,10 +192,11 @@ TEST_CASE("options: words used, later ones win, bad arguments name the option") 
     View v;
     base::OptionTable table;
     view::declare_options(table, v);
-    const auto words_used = [&](std::vector<std::string> words) {
-        base::Words w(std::move(words));
-        table.read(w);
-        return w.at();
+    const auto words_used = [&](const std::vector<std::string>& words) {
+        std::string wrong;
+        const bool any = table.read_header_words(words, wrong);
+        if (!wrong.empty()) base::fail("", wrong);
+        return any ? table.parsed().back().words.size() : 0;
     };
     CHECK(words_used({"-vp", "1", "2", "3"}) == 4);
     CHECK(words_used({"-vta"}) == 1);

@@ -19,7 +19,7 @@ void declare_output(OptionTable& t, Options& opt) {
     t.add("-every N",
           "Write the sums of n = 0, N, 2N ... frames; x2 as N: n = 0, 1, 2, 4, 8 ..., x2/16: 16 steps a doubling",
           [&](Arguments& a) { opt.schedule = image::Schedule::parse(a.text(), a.name()); })
-        .otherwise("1");
+        .default_text("1");
     t.add("-last", "Write the last sum only", opt.last_only);
     t.add("-o file",
           "Write to this file (" + display::endings() + "), or with - to the standard output; may be repeated",
@@ -29,7 +29,7 @@ void declare_output(OptionTable& t, Options& opt) {
     t.add("-fc", "RGBE pixels in all RADIANCE pictures", opt.bytes);
     t.add("-batches N", "Keep the means of N batches of frames in OpenEXR files, for vcmetrics -ci", [&](Arguments& a) {
          opt.batches = int(a.integer(base::within(2, double(image::most_means))));
-     }).otherwise("those of the inputs");
+     }).default_text("those of the inputs");
     t.add("-half", "16-bit floats in OpenEXR files", opt.half);
 }
 
@@ -46,7 +46,7 @@ void declare_tone(OptionTable& t, Options& opt) {
         .within(-40, 40);
     t.add("-max luminance", "Falsecolor: luminance of the top colour", opt.tone.max_cdm2)
         .unit("cd/m2")
-        .otherwise("chosen from the picture")
+        .default_text("chosen from the picture")
         .above(0);
     t.add("-decades number", "Falsecolor: decades of luminance from the bottom colour to the top one; 0 is linear",
           opt.tone.decades)

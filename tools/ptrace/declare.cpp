@@ -126,7 +126,7 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
     t.group("Frames and devices");
     t.add("-frames N|A:B", "Frames 0 to N-1, or A to B, both included", [&](Arguments& a) {
          read_frames(a.text(), opt);
-     }).otherwise("endless");
+     }).default_text("endless");
     t.add("-seed n", "Seed of the random numbers", opt.render.seed).at_least(0);
     t.add("-noisy-share f", "Samples for the noisiest pixels, over those of the picture; 0 for none",
           opt.render.noisy_share)
@@ -138,7 +138,9 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
         .within(0, 100)
         .share();
     t.add("-device name", "Where to render: auto, cpu, cpu:embree, opencl or opencl:N", opt.device);
-    t.add("-n n", "Threads of the CPU devices", opt.threads).within(1, 4096).otherwise("all that the process may use");
+    t.add("-n n", "Threads of the CPU devices", opt.threads)
+        .within(1, 4096)
+        .default_text("all that the process may use");
     t.add("-o pattern", "Write frames to files such as f%04d.hdr", opt.output);
     t.add("-M target", "Print a rule of make: this target and all files that are read for it; render nothing",
           opt.rule_for);
@@ -152,7 +154,7 @@ void declare_messages(OptionTable& t, Options& opt) {
     t.group("Messages");
     t.add("-t s", "Report progress on the standard error every s seconds", opt.report_s)
         .at_least(0)
-        .otherwise("none")
+        .default_text("none")
         .passed_over_in_scene();
     t.add("-w[+-]", "Warnings", opt.warnings).passed_over_in_scene();
     t.add("-e file", "Append messages to a file instead of the standard error",
@@ -164,12 +166,12 @@ void declare_messages(OptionTable& t, Options& opt) {
 // its animations and its files.
 void declare_rpicts(OptionTable& t) {
     using Scenes = OptionTable::Scenes;
-    t.unneeded("-aa -ar -ad -as -aw -af -ai -aI -ae -aE -am", 1, Scenes::yes);
-    t.unneeded("-ap", 1, Scenes::yes, 2);  // a file and up to two bandwidths
-    t.unneeded("-dt -dc -ps -pt -pm -cs", 1, Scenes::yes);
-    t.unneeded("-cw", 2, Scenes::yes);
-    t.unneeded("-pRGB", 0, Scenes::yes);
-    t.unneeded("-P -PP -r -ro -z", 1, Scenes::no);
+    t.ignored("-aa -ar -ad -as -aw -af -ai -aI -ae -aE -am", 1, Scenes::yes);
+    t.ignored("-ap", 1, Scenes::yes, 2);  // a file and up to two bandwidths
+    t.ignored("-dt -dc -ps -pt -pm -cs", 1, Scenes::yes);
+    t.ignored("-cw", 2, Scenes::yes);
+    t.ignored("-pRGB", 0, Scenes::yes);
+    t.ignored("-P -PP -r -ro -z", 1, Scenes::no);
     for (const char* name : {"-pXYZ", "-pc"}) t.refuse(name, "", "frames are in RADIANCE's RGB");
 }
 

@@ -23,9 +23,9 @@ namespace {
 std::vector<std::string> view_words_after_rif(const base::OptionTable& table) {
     std::vector<std::string> words;
     bool after = false;
-    for (const auto& [option, said] : table.said()) {
+    for (const auto& [option, said] : table.parsed()) {
         after = after || option->name == "-rif";
-        if (after && option->group == "View") words.insert(words.end(), said.begin(), said.end());
+        if (after && option->group() == "View") words.insert(words.end(), said.begin(), said.end());
     }
     return words;
 }
@@ -142,7 +142,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     base::use_processors(unsigned(opt.threads));
     if (!opt.warnings) base::set_warning_sink({});
     std::string unneeded;
-    for (const std::string& name : table.unneeded_ones_said()) unneeded += " " + name;
+    for (const std::string& name : table.ignored_ones()) unneeded += " " + name;
     if (!unneeded.empty()) base::warn("", "a path tracer does not need" + unneeded);
     check(opt);
     return std::nullopt;

@@ -64,7 +64,7 @@ void declare_definitions(OptionTable& t, Options& o) {
     });
     t.add("-dgp form", "DGP as evalglare; paper: its constants 0.16 and 0.0918; pixel: every bright pixel is a source",
           [&](Arguments& a) { define_dgp(a, o.settings); })
-        .otherwise("evalglare");
+        .default_text("evalglare");
     t.add(
         "-rammg area",
         "RAMMG over view; rect: black corners too; interior: pixels with eight neighbours; prototype: that without 1/8",

@@ -55,7 +55,7 @@ void declare_sources(OptionTable& t, Options& o) {
     t.group("evalglare's: glare sources");
     t.add("-b factor", "Threshold: factor of the task's or mean luminance; above 100, a luminance in cd/m2",
           s.threshold)
-        .otherwise("2000; 5 with a task");
+        .default_text("2000; 5 with a task");
     t.add("-t x y angle", "Task area: centre pixel, y from the bottom, and full opening angle in radians",
           [&](Arguments& a) { s.task = circle(a); });
     t.add("-T x y angle", "The same", [&](Arguments& a) {
@@ -70,7 +70,7 @@ void declare_sources(OptionTable& t, Options& o) {
     t.add("-Y lum", "Extract peaks from this luminance on", [&](Arguments& a) {
          s.peaks = true;
          s.peak_limit = a.real();
-     }).otherwise("50000 cd/m2");
+     }).default_text("50000 cd/m2");
     t.add("-x", "Extract no peaks", base::set(s.peaks, false));
     t.add("-z angle mode", "Fixed patches in place of sources, in degrees; mode 1 prints metrics, 3 coefficients",
           [&](Arguments& a) { read_patches(a, o); });
@@ -88,7 +88,7 @@ void declare_measures(OptionTable& t, comfort::Settings& s) {
         .within(0, 2);
     t.add("-C what", "Low light correction of DGP: l+ for on, l- or 0 for off", [&](Arguments& a) {
          read_low_light(a, s);
-     }).otherwise("off");
+     }).default_text("off");
     t.add("-4", "No low light correction", base::set(s.low_light, false));
     t.add("-i Ev", "For DGP only: illuminance measured elsewhere", s.external_ev).unit("lux");
     t.add("-I Ev ymax ymin", "The same, and fill the rows from ymax up and from ymin down from the row beside them",
@@ -98,7 +98,7 @@ void declare_measures(OptionTable& t, comfort::Settings& s) {
      }).unit("cd/m2");
     t.add("-P model", "Position index: 0 Guth, 1 KIM", [&](Arguments& a) {
          s.position = a.integer(base::within(0, 1)) ? Model::kim : Model::guth;
-     }).otherwise("0");
+     }).default_text("0");
     t.add("-w a1 a2 a3 a4 a5 c1 c2 c3", "Constants of DGP", [&](Arguments& a) { read_constants(a, s.constants); });
     t.add("-A file", "Mask picture (pixels above 0.1 cd/m2): its statistics, PGSV",
           [&](Arguments& a) { s.mask_file = a.text(); });
@@ -144,7 +144,7 @@ void declare_check_picture(OptionTable& t, Options& o) {
     });
     t.add("-u r g b", "One colour for all sources in it, as shares of their luminance", [&](Arguments& a) {
          read_colour(a, o.settings);
-     }).otherwise("five colours in turn");
+     }).default_text("five colours in turn");
 }
 
 void declare_refused(OptionTable& t) {

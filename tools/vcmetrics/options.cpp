@@ -28,9 +28,9 @@ void expand_globs(std::vector<std::string>& files) {
 
 // A view on the command line starts afresh, so that its type and both sizes must be given.
 bool says_view(const base::OptionTable& t) {
-    const auto& said = t.said();
+    const auto& said = t.parsed();
     const bool any = std::any_of(said.begin(), said.end(),
-                                 [](const auto& s) { return s.option->group == "View" && s.option->name != "-vf"; });
+                                 [](const auto& s) { return s.option->group() == "View" && s.option->name != "-vf"; });
     if (any && !(t.given("-vt") && t.given("-vh") && t.given("-vv")))
         base::fail("view", "a view on the command line replaces the picture's own and needs at least -vt, -vh and -vv");
     return any;

@@ -38,8 +38,8 @@ void declare(OptionTable& t, Options& o) {
 }
 
 bool says_view(const OptionTable& t) {
-    const auto& said = t.said();
-    return std::any_of(said.begin(), said.end(), [](const auto& s) { return s.option->group == "View"; });
+    const auto& said = t.parsed();
+    return std::any_of(said.begin(), said.end(), [](const auto& s) { return s.option->group() == "View"; });
 }
 
 void check(const Options& o) {

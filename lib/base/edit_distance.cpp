@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See near.h.
-#include "base/near.h"
+// See edit_distance.h.
+#include "base/edit_distance.h"
 
 #include <algorithm>
 #include <vector>
