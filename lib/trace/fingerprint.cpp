@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/hash.h"
+#include "base/options.h"
 
 namespace trace {
 namespace {
@@ -22,15 +23,14 @@ std::string scene_hash(const flatten::FlatScene& s) {
     return hash.text();
 }
 
-// Options that change nothing (-dp, -ms, -u) are left out; the seed has a header line of its own.
-std::string option_text(const RenderOptions& o) {
-    return fmt::format(
-        "ab {} st {} ss {} dj {} ds {} dr {} lr {} lw {} pj {} bv {} dv {} i {} av {} {} {} me {} {} {} "
-        "ma {} {} {} mg {} pd {} portals {}{} direct {}",
-        o.ab, o.st, o.ss, o.dj, o.ds, o.dr, o.lr, o.lw, o.pj, o.bv, o.dv, o.i, o.av[0], o.av[1], o.av[2], o.me[0],
-        o.me[1], o.me[2], o.ma[0], o.ma[1], o.ma[2], o.mg, o.pd, o.sampling != flatten::Sampling::plain,
-        o.sampling == flatten::Sampling::shared ? fmt::format(" shared noisy {}", o.noisy_share) : "",
-        o.direct_samples);
+// Options that move pixels, as one would type them, and what tests set.  The seed has a header line of its own.
+std::string option_text(RenderOptions o) {
+    base::OptionTable table;
+    declare_options(table, o);
+    std::string text;
+    for (const base::Option& option : table.options())
+        if (option.pixels) text += option.in_force() + " ";
+    return text + fmt::format("direct {}", o.direct_samples);
 }
 
 std::string focus_text(const Focus& focus) {

@@ -8,6 +8,10 @@
 #include "image/picture.h"
 #include "view/view.h"
 
+namespace base {
+class OptionTable;
+}
+
 namespace trace {
 using flatten::Sampling;
 
@@ -34,5 +38,8 @@ struct RenderOptions : flatten::Options {  // which has -dr, -bv and -sampling
         image::direct_samples;  // m of spec paper 7: samples of the direct and specular class in frame 0
     double noisy_share = .15;   // samples for noisy pixels, over those of the picture (noisy.h)
 };
+
+// Those that users may set; from_scene() marks what a scene's file may say.
+void declare_options(base::OptionTable& table, RenderOptions& options);
 
 }  // namespace trace

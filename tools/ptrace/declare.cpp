@@ -19,7 +19,6 @@ namespace {
 
 using base::Arguments;
 using base::OptionTable;
-using trace::Sampling;
 
 // Opened before stderr is given up, so that a failure is still reported there.
 void send_messages_to(const std::string& path) {
@@ -70,54 +69,11 @@ void declare_pictures(OptionTable& t, Options& opt) {
 }
 
 void declare_picture(OptionTable& t, Options& opt) {
-    trace::RenderOptions& r = opt.render;
     t.group("Picture");
     t.add("-x n", "Horizontal resolution", opt.nx).within(1, 32768).from_scene();
     t.add("-y n", "Vertical resolution", opt.ny).within(1, 32768).from_scene();
     t.add("-pa f", "Pixel aspect, height over width; 0 keeps both resolutions", opt.pixel_aspect)
         .at_least(0)
-        .from_scene();
-    t.add("-pj f", "Pixel jitter: 0 samples pixel centres, 1 the whole pixel", r.pj).within(0, 1).share().from_scene();
-    t.add("-pd d", "Diameter of the lens for depth of field", r.pd).at_least(0).from_scene();
-    t.add("-i[+-]", "Irradiance on the surfaces seen instead of radiance", r.i).from_scene();
-}
-
-void declare_light(OptionTable& t, Options& opt) {
-    trace::RenderOptions& r = opt.render;
-    t.group("Light");
-    t.add("-ab n", "Diffuse bounces", r.ab).within(0, 10000).from_scene();
-    t.add("-av r g b", "Radiance in place of all light beyond the last bounce", r.av).at_least(0).from_scene();
-    t.add("-st f", "Specular threshold: highlights weaker than this are left out", r.st)
-        .within(0, 1)
-        .share()
-        .from_scene();
-    t.add("-ss f", "Specular sampling", r.ss).at_least(0).from_scene();
-    t.add("-dj f", "Direct jitter: 0 samples the centre of a source, 1 all of it", r.dj)
-        .within(0, 1)
-        .share()
-        .from_scene();
-    t.add("-ds f", "Divide light sources as RADIANCE does; 0 samples their true shape", r.ds).at_least(0).from_scene();
-    t.add("-dr n", "Virtual source relays: how many mirrors and prisms light may pass", r.dr)
-        .within(0, 100)
-        .from_scene();
-    t.add("-dp n", "Presampling of virtual sources: no effect", r.dp).at_least(0).from_scene();
-    t.add("-dv[+-]", "Light sources are visible", r.dv).from_scene();
-    t.add("-bv[+-]", "Back faces of opaque surfaces are visible", r.bv).from_scene();
-    t.add("-any-reflectance[+-]", "Render materials that give back twice the light that they get, or more",
-          r.any_reflectance);
-    t.add("-sampling name", "How diffuse rays are aimed: plain, portals or shared",
-          base::one_of(r.sampling,
-                       {{"plain", Sampling::plain}, {"portals", Sampling::portals}, {"shared", Sampling::shared}}));
-    t.add("-u[+-]", "Uncorrelated samples: no effect", r.u).from_scene();
-    t.add("-lr n", "Largest number of reflections of a path; 0 for no limit, below 0 without the limit of -lw", r.lr)
-        .within(-10000, 10000)
-        .from_scene();
-    t.add("-lw f", "Weight below which a path ends, where -lr is above 0", r.lw).at_least(0).from_scene();
-    t.add("-me r g b", "Extinction coefficient of the air, per unit of length", r.me).at_least(0).from_scene();
-    t.add("-ma r g b", "Scattering albedo of the air", r.ma).at_least(0).from_scene();
-    t.add("-mg f", "Scattering eccentricity of the air", r.mg).within(0, 1).from_scene();
-    t.add("-ms d", "Sampling distance in mist: no effect", r.ms).at_least(0).from_scene();
-    t.add("-f file", "A function file whose definitions all functions of the scene may use", opt.files.cal_files)
         .from_scene();
 }
 
@@ -128,10 +84,6 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
          read_frames(a.text(), opt);
      }).default_text("endless");
     t.add("-seed n", "Seed of the random numbers", opt.render.seed).at_least(0);
-    t.add("-noisy-share f", "Samples for the noisiest pixels, over those of the picture; 0 for none",
-          opt.render.noisy_share)
-        .within(0, 100)
-        .share();
     t.add("-focus file", "More samples for these regions: masks of vcregion(1), or a file of vcregion(5)",
           opt.focus_file);
     t.add("-focus-share f", "Samples for the regions of -focus, over those of the picture", opt.focus_share)
@@ -183,7 +135,9 @@ void declare_options(OptionTable& t, Options& opt, std::optional<scene::RadInput
     view::declare_file_option(t, [&](const view::View& v) { opt.view = v; });
     declare_pictures(t, opt);
     declare_picture(t, opt);
-    declare_light(t, opt);
+    trace::declare_options(t, opt.render);
+    t.add("-f file", "A function file whose definitions all functions of the scene may use", opt.files.cal_files)
+        .from_scene();
     declare_frames(t, opt, rad_input, assignments);
     declare_messages(t, opt);
     declare_rpicts(t);
