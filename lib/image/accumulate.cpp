@@ -13,49 +13,28 @@
 #include "base/processors.h"
 #include "base/threads.h"
 #include "base/value.h"
-#include "base/wide.h"
 #include "image/fingerprint.h"
 #include "image/header.h"
 
 namespace image {
 namespace {
 
-constexpr size_t blocks_a_share = 4096;
+constexpr size_t numbers_a_share = 1u << 16;
 
 bool has_pixels_of(const Picture& picture, const ExactSum& sum, int64_t n) {
     std::atomic<bool> same{true};
-    base::in_shares(sum.blocks(), blocks_a_share, base::processors(), [&](size_t from, size_t end) {
-        for (size_t b = from; b < end; ++b) {
-            double values[ExactSum::room];
-            eq7(picture.frame0, sum, n, b, values);
-            for (size_t i = 0; i < sum.size_of(b); ++i)
-                if (float(values[i]) != picture.rgb[b * ExactSum::room + i]) same = false;
-        }
+    base::in_shares(sum.size(), numbers_a_share, base::processors(), [&](size_t from, size_t end) {
+        for (size_t i = from; i < end; ++i)
+            if (float(eq7(picture.frame0, sum, n, i)) != picture.rgb[i]) same = false;
     });
     return same;
 }
 
-WIDE_LOOP void means(const double* sums, double n, size_t count, double* out) {
-    for (size_t i = 0; i < count; ++i) out[i] = sums[i] / n;
-}
-
-WIDE_LOOP void means_above(const float* frame0, const double* sums, double n, size_t count, double* out) {
-    for (size_t i = 0; i < count; ++i) out[i] = double(frame0[i]) + sums[i] / n;
-}
-
-WIDE_LOOP void to_floats(const double* values, size_t count, float* out) {
-    for (size_t i = 0; i < count; ++i) out[i] = float(values[i]);
-}
-
 }  // namespace
 
-void eq7(const std::vector<float>& frame0, const ExactSum& sum, int64_t n, size_t block, double* out) {
-    double space[ExactSum::room];
-    const double* sums = sum.values(block, space);
-    const size_t count = sum.size_of(block);
-    const double divisor = n > 0 ? double(n) : 1;  // of no frames the sums are 0
-    if (frame0.empty()) means(sums, divisor, count, out);
-    else means_above(&frame0[block * ExactSum::room], sums, divisor, count, out);
+double eq7(const std::vector<float>& frame0, const ExactSum& sum, int64_t n, size_t i) {
+    const double mean = sum.value(i) / (n > 0 ? double(n) : 1);  // of no frames the sums are 0
+    return frame0.empty() ? mean : double(frame0[i]) + mean;
 }
 
 void add_frames_of(const Picture& picture, const std::string& name, ExactSum& sum) {
@@ -171,12 +150,8 @@ void Accumulator::result(Picture& out, bool with_parts) const {
     out.rgb.resize(sum_.size());
     out.frame0 = with_parts ? frame0_ : std::vector<float>();
     out.sum = with_parts ? sum_.layers() : std::vector<SumLayer>();
-    base::in_shares(sum_.blocks(), blocks_a_share, base::processors(), [&](size_t from, size_t end) {
-        for (size_t b = from; b < end; ++b) {
-            double values[ExactSum::room];
-            eq7(frame0_, sum_, frames(), b, values);
-            to_floats(values, sum_.size_of(b), &out.rgb[b * ExactSum::room]);
-        }
+    base::in_shares(sum_.size(), numbers_a_share, base::processors(), [&](size_t from, size_t end) {
+        for (size_t i = from; i < end; ++i) out.rgb[i] = float(eq7(frame0_, sum_, frames(), i));
     });
 }
 

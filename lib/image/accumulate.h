@@ -18,8 +18,8 @@
 
 namespace image {
 
-// A block's values (exact_sum.h) of Eq. 7 for n diffuse frames; frame0 is empty for a partial result.
-void eq7(const std::vector<float>& frame0, const ExactSum& sum, int64_t n, size_t block, double* out);
+// Value i of Eq. 7 for n diffuse frames; frame0 is empty for a partial result.
+double eq7(const std::vector<float>& frame0, const ExactSum& sum, int64_t n, size_t i);
 // Adds the diffuse frames of a sum: exactly where it has them so (Picture::sum), else its rounded mean times n.
 void add_frames_of(const Picture& picture, const std::string& name, ExactSum& sum);
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums without rounding, so that parts of a picture merge to the same bits in any order and grouping.
-// A sum is a whole number of 2^-149, the smallest float, written in digits of 32 bits.  Digit k counts 2^(32 k - 149);
-// ten digits hold 2^32 of the largest floats, and those that no value has touched take no memory (exact_block.h).
+// Sums without rounding (a superaccumulator: Kulisch and Miranker 1986), so that parts of a picture merge to the same
+// bits in any order and grouping.  A sum is a whole number of 2^-149, the smallest float, written in digits of 32 bits.
+// Digit k counts 2^(32 k - 149); ten digits hold 2^32 of the largest floats, and those that no value has touched take
+// no memory.
 #pragma once
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
-#include "image/exact_block.h"
 
 namespace image {
 
@@ -20,8 +19,7 @@ struct SumLayer {
 
 class ExactSum {
 public:
-    static constexpr int digits = ExactBlock::digits;
-    static constexpr size_t room = ExactBlock::room;
+    static constexpr int digits = 10;
 
     void clear(size_t count);
     size_t size() const { return count_; }
@@ -33,18 +31,17 @@ public:
 
     // Sum i as a double: within 2^-53 of it, and a function of its value alone.
     double value(size_t i) const;
-    // Those of block b, which begins with sum b * room.  In `space` (for room numbers), or where they are.
-    const double* values(size_t block, double* space) const { return blocks_[block].values(space); }
-    size_t blocks() const { return blocks_.size(); }
-    size_t size_of(size_t block) const { return std::min(room, count_ - block * room); }
     // As few as hold all sums, from the lowest digit up, without gaps; the same for the same sums.
     std::vector<SumLayer> layers() const;
 
 private:
-    void about_to_add(uint32_t values);
+    void about_to_add();
+    void reach(int first, int last);
     size_t count_ = 0;
-    uint32_t added_ = 0;  // values since the last carry: a lane has room for 2^29 of them
-    std::vector<ExactBlock> blocks_;
+    uint32_t added_ = 0;                 // values since the last carry: a lane has room for 2^29 of them
+    int lowest_ = digits, end_ = 0;      // digits that there are
+    double unit_ = 0;                    // of the lowest
+    std::vector<int64_t> lane_[digits];  // a digit of all sums, not yet carried
 };
 
 }  // namespace image

@@ -156,11 +156,9 @@ Picture Merger::result() const {
     std::vector<double> sum(3 * size_t(width_) * height_, 0);
     for (const Group& g : groups_) {
         const double weight = groups_.size() > 1 ? double(g.frames) / double(total) : 1;
-        base::in_shares(sum.size(), ExactSum::room, base::processors(), [&](size_t first, size_t end) {
-            double values[ExactSum::room];
-            if (g.is_whole()) std::copy(&g.whole.rgb[first], &g.whole.rgb[0] + end, values);
-            else eq7(g.frame0, g.sum, g.frames, first / ExactSum::room, values);
-            for (size_t i = first; i < end; ++i) sum[i] += weight * values[i - first];
+        base::in_shares(sum.size(), 1u << 16, base::processors(), [&](size_t first, size_t end) {
+            for (size_t i = first; i < end; ++i)
+                sum[i] += weight * (g.is_whole() ? double(g.whole.rgb[i]) : eq7(g.frame0, g.sum, g.frames, i));
         });
     }
     out.rgb.assign(sum.begin(), sum.end());
