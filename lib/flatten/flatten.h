@@ -8,8 +8,7 @@
 namespace flatten {
 
 // How the directions of diffuse light are chosen (-sampling): by the cosine; a share of them toward windows and patches
-// of sun; the same, and what they meet lights the pixels around, too; by what is learned of the light before the
-// frames, toward the windows where nothing is.
+// of sun; the same, and what they meet lights the pixels around, too.
 enum class Sampling { plain, portals, shared };
 
 // What the tables depend on besides the scene; letters as in ptrace's options.

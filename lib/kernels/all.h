@@ -18,9 +18,8 @@
 //   _r, _t   of reflection, of transmission                   k, i    counters, or a factor
 // A trailing underscore marks the words of the compat files (sqrt_, as_uint_, MAX_), and nothing else.
 //
-// LUX_COMPACT (GPUs) or LUX_EMBREE (the check: a header of the host) choose another traversal than the CPU's; LUX_LANES
-// (many paths side by side on a CPU) leaves traversal and .cal programs to the kernels of one path.  LUX_HAS: see
-// features.h.
+// LUX_COMPACT (GPUs) chooses another traversal than the CPU's; LUX_LANES (many paths side by side on a CPU) leaves
+// traversal and .cal programs to the kernels of one path.  LUX_HAS: see features.h.
 #include "kernels/vec.h"
 #include "kernels/math.h"
 #include "kernels/intersect.h"
@@ -29,8 +28,6 @@
 #include "kernels/cal_vars.h"
 #if defined(LUX_COMPACT)
 #include "kernels/bvh_compact.h"
-#elif defined(LUX_EMBREE)
-#include LUX_EMBREE
 #elif defined(LUX_LANES)
 #include "kernels/lanes_calls.isph"
 #else

@@ -11,10 +11,8 @@
 #include "base/error.h"
 #include "base/processors.h"
 #include "base/threads.h"
-#include "flatten/build_input.h"
 #include "trace/cpu_kernels.h"
 #include "trace/device.h"
-#include "bvh/embree_scene.h"
 
 namespace trace {
 namespace {
@@ -56,7 +54,6 @@ const Variant variants[] = {
     {"avx512", &cpu_avx512, has_avx512, "AVX-512"},  // one path at a time
     {"avx2", &cpu_avx2, has_avx2, "AVX2"},
     {"baseline", &cpu_baseline, always, ""},
-    {"embree", &cpu_embree, always, ""},  // the check
 };
 
 // name: "" for the best.
@@ -72,30 +69,21 @@ const CpuKernels& choose_kernels(const std::string& name) {
 
 class CpuDevice : public Device {
 public:
-    explicit CpuDevice(const std::string& variant)
-        : embree_(variant == "embree"), kernels_(choose_kernels(variant)), threads_(base::processors()) {}
+    explicit CpuDevice(const std::string& variant) : kernels_(choose_kernels(variant)), threads_(base::processors()) {}
 
     std::string name() const override { return fmt::format("cpu ({}, {} threads)", kernels_.name, threads_); }
 
     void upload(flatten::FlatScene s) override {
         scene_ = std::move(s);
-        learner_.reset();
-        if (embree_) {
-            const std::vector<bvh::Input> in = flatten::build_inputs(scene_);
-            check_ = std::make_unique<bvh::EmbreeScene>(in.data(), in.size());
-            tables_.nodes = reinterpret_cast<const float*>(check_.get());
-        } else {
-            tree_ = scene_.host_tree();
-            BVH_TABLES(POINT_AT_BVH)
-            scene_.keep_tables_only();
-        }
+        tree_ = scene_.host_tree();
+        BVH_TABLES(POINT_AT_BVH)
+        scene_.keep_tables_only();
         scene_.tell_tree = nullptr;  // nobody waits any more
         FLAT_TABLES(POINT_AT_SCENE)
     }
 
     void set_numbers(std::vector<float> numbers) override {
         scene_.f = std::move(numbers);
-        learner_.reset();
         FLAT_TABLES(POINT_AT_SCENE)
     }
 
@@ -113,13 +101,6 @@ public:
         });
     }
     void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) override {
-        if (embree_) {  // the check is of frames: they aim by the same shares
-            if (!learner_) {
-                learner_ = std::make_unique<CpuDevice>("");
-                learner_->upload(scene_);
-            }
-            return learner_->walk(par, rays, ends);
-        }
         ends.resize(rays.size());
         tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
             kernels_.walk(&tables_, &par, rays.data(), first, count, scratch, ends.data());
@@ -160,14 +141,11 @@ private:
         if (error) std::rethrow_exception(error);
     }
 
-    bool embree_;
     const CpuKernels& kernels_;
     unsigned threads_;
     flatten::FlatScene scene_;
     std::shared_ptr<const bvh::Tree> tree_;
     std::vector<uint32_t> focus_;
-    std::unique_ptr<bvh::EmbreeScene> check_;
-    std::unique_ptr<CpuDevice> learner_;
     kernels::SceneTables tables_{};
 };
 

@@ -11,11 +11,9 @@
 namespace LUX_ISA {
 #include "kernels/compat_host.h"
 #include "kernels/all.h"
-#ifndef LUX_EMBREE
 #include "trace/packet_rays.h"
 #include "trace/packets.h"
 #include "trace/packet_look.h"
-#endif
 
 struct Tile {
     Paths paths;
@@ -93,13 +91,6 @@ struct OneByOne {
 #ifdef LANE_CALL
 #include "trace/cpu_lanes.h"
 #endif
-#ifdef LUX_EMBREE
-static void extend_together(const SceneTables& s, Tile& t, uint32_t n) { extend(s, t, n); }
-static void block_together(const SceneTables&, const Params&, Tile&, uint32_t) {}
-static void know_links(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-    for (uint32_t i = 0; i < n; i++) t.paths.links[t.now[i]] = links_known(&s, &par, &t.paths, t.now[i]);
-}
-#else
 // The same in packets, where rays that follow one another in the queue lie side by side.
 static void extend_together(const SceneTables& s, Tile& t, uint32_t n) {
     Packet p;
@@ -126,7 +117,6 @@ static void block_together(const SceneTables& s, const Params& par, Tile& t, uin
     }
 }
 #include "trace/cpu_links.h"
-#endif
 // Follows the n paths of the queue to their ends.  together: their rays lie side by side.
 template <class STAGES>
 static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n, bool together) {

@@ -12,8 +12,7 @@
 
 namespace trace {
 
-// A device name as users write it: "auto", "cpu", "cpu:embree" (Embree's own traversal, the check), "opencl",
-// "opencl:1".
+// A device name as users write it: "auto", "cpu", "opencl", "opencl:1".
 std::vector<std::string> list_devices();  // one line each, for -devices
 
 // A picture of the scene: frames of it have the same bits whatever other pictures are made beside it.

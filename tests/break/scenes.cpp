@@ -62,7 +62,7 @@ std::vector<size_t> named_in(const Seeds& seeds, const std::string& scene) {
 }
 
 Job render(const Settings& s, const Seeds& seeds, const File& scene, const std::string& folder, Dice& dice) {
-    Stage stage{{s.tool("ptrace"), "-device", dice.chance(.1) ? "cpu:embree" : "cpu"}};
+    Stage stage{{s.tool("ptrace"), "-device", "cpu"}};
     const auto add = [&](std::initializer_list<const char*> words) {
         for (const char* w : words) stage.words.push_back(w);
     };

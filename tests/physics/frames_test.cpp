@@ -42,10 +42,7 @@ void devices_agree(trace::Sampling sampling) {
                         break;
                     }
             }
-            // Embree rounds its own way: a few paths in a hundred thousand steps part company there (14 of the 1600
-            // pixels on the average of 40 frames, 26 at most), and shared ones take their group of 16 pixels with them.
-            const int parted = device != "cpu:embree" ? 1 : sampling == trace::Sampling::shared ? 4 * 16 : 32;
-            CHECK(different <= parted);
+            CHECK(different <= 1);
             CHECK(luminance_sum(b) == doctest::Approx(luminance_sum(a)).epsilon(1e-3));
         }
     }

@@ -21,7 +21,7 @@ namespace laws {
 constexpr double pi = 3.14159265358979323846;
 
 inline std::vector<std::string> devices() {
-    std::vector<std::string> names = {"cpu", "cpu:embree"};
+    std::vector<std::string> names = {"cpu"};
     if (!trace::opencl_devices().empty()) names.push_back("opencl");
     return names;
 }
