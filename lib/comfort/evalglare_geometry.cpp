@@ -49,6 +49,8 @@ double dot_from_last(Vec3 a, Vec3 b) { return a.x * b.x + (a.y * b.y + a.z * b.z
 
 double EvalglareRays::sigma_cosine(Vec3 d) const { return dot_from_last(again_, d); }
 
+bool EvalglareRays::angle_undefined(Vec3 d) const { return sigma_cosine(d) > 1 || dot(again_, d) > 1; }
+
 double EvalglareRays::tau_cosine(Vec3 d, double sigma) const {
     const Vec3 beside = normalised(d * (1 / std::cos(sigma)) - again_);
     return dot(normalised(view_.vu), beside);

@@ -17,6 +17,7 @@ public:
     // Cosines of the angles sigma and tau of the position index (position_index.h); above 1 or not a number where
     // evalglare's are.
     double sigma_cosine(Vec3 d) const;
+    bool angle_undefined(Vec3 d) const;  // evalglare adds the products in two orders: one of the sums is above 1
     double tau_cosine(Vec3 d, double sigma) const;
     Vec3 sky() const { return sky_; }  // up, as long as the sine of the angle between -vd and -vu
     bool direction(double X, double Y, Vec3 forward, Vec3& d) const;

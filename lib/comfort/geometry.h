@@ -54,7 +54,7 @@ public:
     const EvalglareRays* slips() const { return slips_ ? &*slips_ : nullptr; }
     // With evalglare's slips: the angle to the line of sight is not a number, since rounding carried its cosine
     // above 1.
-    bool angle_undefined(Vec3 d) const { return slips_ && slips_->sigma_cosine(d) > 1; }
+    bool angle_undefined(Vec3 d) const { return slips_ && slips_->angle_undefined(d); }
     double pitch_bound() const;     // no two valid side-by-side pixels are farther apart (radians; inf for type h)
     double share_of_light() const;  // of the light that reaches the eye, if all directions are as bright
     bool fits(const view::View& view, int w, int h) const {

@@ -147,22 +147,15 @@ private:
         }
         add(names, row);
     }
-    // An object as table.cpp writes it: "Ev": 2800, or "Ev": {"value": 2800, "lo": 2750, "hi": 2850}.
+    // An object as table.cpp writes it: {"frame": 64, "Ev": 2800, "Ev.lo": 2750, "Ev.hi": 2850}
     void json(const std::string& line) {
         std::vector<std::string> names, labels, label;
-        std::string outer;  // Ev
         std::vector<double> row;
         for (size_t at = 1; (at = line.find('"', at)) != std::string::npos;) {
             const size_t end = line.find('"', at + 1), colon = end == std::string::npos ? end : line.find(':', end);
             if (colon == std::string::npos) base::fail(place_, "is not a JSON object of metrics");
-            std::string name = line.substr(at + 1, end - at - 1);
-            if (!outer.empty()) name = name == "value" ? outer : outer + "." + name;
+            const std::string name = line.substr(at + 1, end - at - 1);
             const size_t start = line.find_first_not_of(' ', colon + 1);
-            if (start != std::string::npos && line[start] == '{') {
-                outer = name;
-                at = start + 1;
-                continue;
-            }
             if (start != std::string::npos && line[start] == '"') {
                 at = line.find('"', start + 1);
                 if (at == std::string::npos) base::fail(place_, "is not a JSON object of metrics");
@@ -179,7 +172,6 @@ private:
             const std::string value = line.substr(start, stop - start);
             if (is_metric(name)) names.push_back(name), row.push_back(number(value, place_));
             if (is_label(name)) labels.push_back(name), label.push_back(value);
-            if (line[stop] == '}') outer.clear();
             at = stop;
         }
         add(names, row, labels, label);

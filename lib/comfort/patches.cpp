@@ -10,7 +10,6 @@ namespace comfort {
 
 uint32_t assign_patches(std::vector<Run>& runs, const Geometry& g, const Patches& patches) {
     const view::View& v = g.projector.view();
-    if (v.type != 'a') base::fail("-z", "patches need an angular fisheye view (-vta)");
     const int dx = int(std::floor(g.width / v.vh * patches.angle_deg)),
               dy = int(std::floor(g.height / v.vv * patches.angle_deg));
     if (dx < 1 || dy < 1) base::fail("-z", "patches of this angle are smaller than a pixel");

@@ -3,6 +3,7 @@
 #include "comfort/sources.h"
 #include <algorithm>
 #include <cmath>
+#include "base/error.h"
 #include "comfort/detect.h"
 #include "comfort/smooth.h"
 
@@ -44,6 +45,8 @@ SourceFinder::SourceFinder(const Geometry& geometry, const Settings& settings)
       settings_(settings),
       radius_px_(radius_in_pixels(geometry, settings.search_opening)),
       connector_(geometry, double(float(settings.search_opening)) / 2) {
+    if (settings.patches && geometry.projector.view().type != 'a')
+        base::fail("-z", "patches need an angular fisheye view (-vta)");
     if (settings.slips) as_evalglare_ = std::make_unique<EvalglareGroups>(geometry, settings.search_opening);
 }
 

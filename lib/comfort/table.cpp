@@ -47,20 +47,11 @@ std::string plain_tsv(std::string s) {
 Cell number_cell(double value, int digits) {
     char text[40];
     std::snprintf(text, sizeof text, "%.*g", digits, value);
-    if (std::isnan(value)) return {"nan", true, {}};
-    return {text, true, {}};
+    if (std::isnan(value)) return {"nan", true};
+    return {text, true};
 }
 
-Cell text_cell(const std::string& text) { return {text, false, {}}; }
-
-Cell interval_cell(double value, double low, double high) {
-    Cell out = number_cell(value);
-    const char* name[] = {"{\"value\": ", ", \"lo\": ", ", \"hi\": "};
-    const double number[] = {value, low, high};
-    for (int k = 0; k < 3; ++k) out.json += name[k] + (std::isfinite(number[k]) ? number_cell(number[k]).text : "null");
-    out.json += "}";
-    return out;
-}
+Cell text_cell(const std::string& text) { return {text, false}; }
 
 std::string header_line(const std::vector<std::string>& names, TableFormat format) {
     if (format == TableFormat::jsonl) return "";
@@ -80,10 +71,9 @@ std::string table_line(const std::vector<std::string>& names, const std::vector<
         if (format == TableFormat::jsonl) {
             const bool finite = c.text.find_first_of("ni") == std::string::npos;
             out += (k ? ", " : "{") + quoted_json(names[k]) + ": " +
-                   (!c.json.empty() ? c.json
-                    : !c.number     ? quoted_json(c.text)
-                    : finite        ? c.text
-                                    : "null");
+                   (!c.number ? quoted_json(c.text)
+                    : finite  ? c.text
+                              : "null");
         } else if (format == TableFormat::csv) {
             out += (k ? "," : "") + (c.number ? c.text : quoted_csv(c.text));
         } else {

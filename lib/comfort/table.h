@@ -11,11 +11,9 @@ enum class TableFormat { tsv, csv, jsonl };
 struct Cell {
     std::string text;  // as it shall be printed
     bool number = true;
-    std::string json;  // in JSON in place of it
 };
 Cell number_cell(double value, int digits = 8);  // significant digits; nan and inf by name (null in JSON)
 Cell text_cell(const std::string& text);
-Cell interval_cell(double value, double low, double high);  // in JSON an object, else the value alone
 
 std::string header_line(const std::vector<std::string>& names,
                         TableFormat format);  // empty for JSON; else with newline

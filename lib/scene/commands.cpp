@@ -2,6 +2,7 @@
 // "!commands" of scene text.  A command is a pipe of stages; xform stages act on what comes out of the stage before
 // them, generators write text, anything else needs -exec.
 #include <algorithm>
+#include <fstream>
 #include "base/error.h"
 #include "base/find_file.h"
 #include "base/printable.h"
@@ -14,6 +15,12 @@ namespace scene {
 namespace {
 constexpr size_t text_limit = size_t(1) << 30;         // of one command's output
 constexpr size_t definitions_limit = size_t(1) << 26;  // of an xform -f file
+
+// Also true of what cannot be read, which its reader will tell.
+bool ends_line(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return !in.seekg(-1, std::ios::end) || in.get() == '\n';
+}
 }  // namespace
 
 void SceneReader::command(base::TextReader& in) {
@@ -40,14 +47,7 @@ void SceneReader::run(const CommandLine& line, const std::string& text, size_t s
         if (x.files.empty() && stage == 1) base::fail(from.place(), "xform: no file to transform");
         each_copy(
             x, from.place(), limits_.copies,
-            [&](const std::string& file) {
-                const std::string path = base::beside(file, from.name());
-                base::TextReader s = base::TextReader::from_file(path, from.place());
-                std::string all;
-                for (int c; (c = s.get()) >= 0 && all.size() < definitions_limit;) all += char(c);
-                work_.spend(work_file + all.size() / work_bytes, from.place());
-                return all;
-            },
+            [&](const std::string& file) { return text_of(file, from, definitions_limit); },
             [&](const Transform& t) {
                 work_.spend(work_copy, from.place());
                 transforms_.push_back(&t);
@@ -59,7 +59,7 @@ void SceneReader::run(const CommandLine& line, const std::string& text, size_t s
         if (last.words.size() == 1 && stage == 1 && last.input.empty()) base::fail(from.place(), "cat: no file");
         if (last.words.size() == 1 && stage > 1) run(line, text, stage - 1, from);
         else if (last.words.size() == 1) read_included(last.input, from);
-        for (size_t i = 1; i < last.words.size(); i++) read_included(last.words[i], from);
+        cat({last.words.begin() + 1, last.words.end()}, from);
     } else if (const auto generate = line.needs_shell || stage > 1 ? nullptr : generators::find(name)) {
         std::string out;
         generate(generators::Call{last.words, last.input, from.name(), from.place(), options_,
@@ -74,6 +74,27 @@ void SceneReader::run(const CommandLine& line, const std::string& text, size_t s
     } else {
         base::fail(from.place(), "command \"" + base::excerpt(name) + "\" is not built in; -exec would allow it");
     }
+}
+
+// As oconv has it, a file whose last line does not end goes on with the first line of the next.
+void SceneReader::cat(const std::vector<std::string>& files, const base::TextReader& from) {
+    bool lines = true;  // each file ends one
+    for (size_t i = 0; i + 1 < files.size(); i++) lines = lines && ends_line(base::beside(files[i], from.name()));
+    if (lines) {
+        for (const std::string& file : files) read_included(file, from);
+        return;
+    }
+    std::string all;
+    for (const std::string& file : files) all += text_of(file, from, text_limit);
+    read_text(all, from);
+}
+
+std::string SceneReader::text_of(const std::string& file, const base::TextReader& from, size_t limit) {
+    base::TextReader in = base::TextReader::from_file(base::beside(file, from.name()), from.place());
+    std::string all;
+    for (int c; (c = in.get()) >= 0 && all.size() < limit;) all += char(c);
+    work_.spend(work_file + all.size() / work_bytes, from.place());
+    return all;
 }
 
 void SceneReader::read_text(const std::string& text, const base::TextReader& from) {

@@ -41,6 +41,8 @@ private:
     void primitive(base::TextReader& in);
     void command(base::TextReader& in);
     void run(const CommandLine& line, const std::string& text, size_t stage, const base::TextReader& from);
+    void cat(const std::vector<std::string>& files, const base::TextReader& from);
+    std::string text_of(const std::string& file, const base::TextReader& from, size_t limit);
     void read_text(const std::string& text, const base::TextReader& from);
     void read_included(const std::string& name, const base::TextReader& from);
     std::string run_shell(const std::string& text, const std::string& place) const;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <fstream>
@@ -128,6 +129,43 @@ View read_view_file(const std::string& path) {
     return v;
 }
 
+namespace {
+
+// View files whose last lines do not end, joined by cat: "... -vv 180rvu -vta ..." is two lines.
+std::vector<std::string> lines_of(const std::string& joined) {
+    std::vector<std::string> lines;
+    size_t from = 0;
+    for (size_t at = 1; at < joined.size(); ++at) {
+        const bool after_number = std::isdigit((unsigned char)joined[at - 1]) || joined[at - 1] == '.';
+        if (!after_number || !is_view_line(joined.substr(at, 64)) || !is_view_line(joined.substr(from, 64))) continue;
+        lines.push_back(joined.substr(from, at - from));
+        from = at;
+    }
+    lines.push_back(joined.substr(from));
+    return lines;
+}
+
+// A line with a view, which starts from the view of the line before.
+void take_view(const std::string& line, const std::string& place, View& view, std::vector<NamedView>& all) {
+    if (!is_view_line(line) && line.compare(0, 5, "view=") != 0) return;
+    std::istringstream words(line.substr(line.find_first_of("= \t") + 1));
+    std::string name;
+    words >> name;
+    if (name.empty() || name[0] == '-') name.clear();
+    std::string wrong;
+    const bool any = parse_line(view, line, &wrong);
+    if (!wrong.empty()) base::fail(place, wrong);
+    if (!any) return;
+    try {
+        validate(view);
+    } catch (const base::Error& e) {
+        base::fail(place + ": " + e.where, e.message);
+    }
+    all.push_back({name, view});
+}
+
+}  // namespace
+
 std::vector<NamedView> read_views(const std::string& path, const View& start) {
     const bool from_stdin = path == "-";
     const std::string where = from_stdin ? "stdin" : path;
@@ -145,21 +183,7 @@ std::vector<NamedView> read_views(const std::string& path, const View& start) {
         ++number;
         if (number == 1 && base::begins_with(line, base::byte_order_mark)) line.erase(0, base::byte_order_mark.size());
         if ((bytes += line.size() + 1) > most_bytes) base::fail(where, "is no list of views: it does not end");
-        if (!is_view_line(line) && line.compare(0, 5, "view=") != 0) continue;
-        std::istringstream words(line.substr(line.find_first_of("= \t") + 1));
-        std::string name;
-        words >> name;
-        if (name.empty() || name[0] == '-') name.clear();
-        std::string wrong;
-        const bool any = parse_line(view, line, &wrong);
-        if (!wrong.empty()) base::fail(fmt::format("{}:{}", where, number), wrong);
-        if (!any) continue;
-        try {
-            validate(view);
-        } catch (const base::Error& e) {
-            base::fail(fmt::format("{}:{}: {}", where, number, e.where), e.message);
-        }
-        all.push_back({name, view});
+        for (const std::string& part : lines_of(line)) take_view(part, fmt::format("{}:{}", where, number), view, all);
     }
     if (in.bad()) base::fail_system(where, "cannot be read");
     if (all.empty()) base::fail(where, "holds no view (no VIEW= line with a view option)");

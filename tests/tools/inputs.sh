@@ -61,3 +61,16 @@ check 'an hour that no clock shows is told of' '
     for time in "gensky 3 21 0" "gensky 3 21 +24" "gensky 3 21 10:59" "gendaylit 3 21 14.5 -W 800 100"; do
         printf "!$time\n" > sky.rad; ptrace $view -w+ sky.rad 2>&1 > x | { ! grep hour; } || { echo "$time"; exit 1; }
     done'
+
+# cat joins files whose last lines do not end, and so does oconv.
+floor='5 .5 .5 .5 0 0' wall='void plastic wall 0 0 5 .2 .2 .2 0 0\nwall polygon p 0 0 9 0 0 -1 1 0 -1 0 1 -1\n'
+printf "!cat a.mat b.rad\n$lamp" > cat.rad
+check_error '!cat of a file that ends in the middle of a line: the last word and the first are one' 1 \
+    '^ptrace: cat.rad:1: plastic "floor": "0void" is not a number' '
+    printf "void plastic floor 0 0 $floor" > a.mat; printf "$wall" > b.rad; ptrace $view cat.rad > x'
+check_error 'a comment at its end goes on' 1 '^ptrace: cat.rad:1: modifier "wall" is not defined' '
+    printf "void plastic floor 0 0 $floor # last" > a.mat; printf "$wall" > b.rad; ptrace $view cat.rad > x'
+check 'a primitive in two files is one, a line end anywhere between them is enough' '
+    printf "void plastic floor 0 0 5 .5 " > a.mat; printf ".5 .5 0 0\n$wall" > b.rad; ptrace $view cat.rad > x
+    printf "void plastic floor 0 0 $floor" > a.mat; printf "\n$wall" > b.rad; ptrace $view cat.rad > x
+    printf "void plastic floor 0 0 $floor\n" > a.mat; printf "$wall" > b.rad; ptrace $view cat.rad > x'

@@ -41,6 +41,20 @@ check '-S numbers the views of the standard input, each a change of the one befo
         render -frames 2 -vta -vd 0 -1 0 -vh 180 -vv 180 -S 7 $scene $office/sky_0900.rad > s.str
     strings s.str | grep "^VIEWNAME=" | tr "\n" " " | grep -qx "VIEWNAME=7 VIEWNAME=7 VIEWNAME=8 VIEWNAME=8 "
     [ "$(strings s.str | grep "^VIEW=" | sed -n 3p | cut -d " " -f 2-10)" = "-vta -vp 2 2.7 1.2 -vd 1 0 0" ]'
+names_of() { strings "$@" | sed -n "s/^VIEWNAME=//p" | tr "\n" " "; }
+check 'several -views: all of all files, each file from the view of the command line' '
+    printf "VIEW= -vp 2 2.7 1.2\nVIEW= -vp 1 1 1\n" > a.vf; printf "VIEW= b -vp 3 3 1\nVIEW= -vd 1 0 0\n" > b.vf
+    render -frames 1 -vta -vd 0 -1 0 -vh 180 -vv 180 -views a.vf -views b.vf $scene $office/sky_0900.rad > s.str
+    [ "$(names_of s.str)" = "1 2 b 4 " ]
+    [ "$(strings s.str | sed -n "s/^VIEW= \(-vta.*\) -vu.*/\1/p" | tail -n 1)" = "-vta -vp 3 3 1 -vd 1 0 0" ]'
+check 'view files without line ends, joined by cat' '
+    printf "rvu %s" "$desk" > a.vf; printf "VIEW= %s" "$door" > b.vf
+    cat a.vf a.vf b.vf a.vf | render -frames 1 -S 1 $scene $office/sky_0900.rad > s.str
+    [ "$(names_of s.str)" = "1 2 3 4 " ]
+    strings s.str | sed -n "s/^VIEW= -vta -vp \(.*\) -vd.*/\1/p" | tr "\n" , |
+        grep -qx "2 2.7 1.2,2 2.7 1.2,3.2 5 1.6,2 2.7 1.2,"'
+check_error 'the standard input holds one list of views' 1 '^ptrace: -views: the standard input is read once' '
+    render -views - -S 3 $scene > x < a.vf'
 check 'a rad input file without a name of a view: all of them' '
     printf "scene= %s\nRESOLUTION= 8\nview= a %s\nview= %s\n" "$scene" "$desk" "$door" > t.rif
     ptrace -w- -frames 1 -rif t.rif | strings | grep "^VIEWNAME=" | tr "\n" " " | grep -qx "VIEWNAME=a VIEWNAME=2 "

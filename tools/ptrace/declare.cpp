@@ -60,10 +60,10 @@ std::string devices() {
 
 void declare_pictures(OptionTable& t, Options& opt) {
     t.group("Several pictures");
-    t.add("-views file", "A picture for each view of this file", [&](Arguments& a) { opt.views_file = a.text(); });
+    t.add("-views file", "A picture for each view of this file; may be repeated", opt.views_files);
     t.add("-S n", "A picture for each view from the standard input, numbered from n", [&](Arguments& a) {
         opt.first_view = a.integer(base::within(0, 1e9));
-        opt.views_file = "-";
+        opt.views_files.emplace_back("-");
     });
     t.add("-sky file", "A picture with this file added to the scene; may be repeated", opt.skies);
 }

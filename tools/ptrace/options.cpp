@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/find_file.h"
+#include "base/model_folder.h"
 #include "base/processors.h"
 #include "base/run.h"
 #include "base/warnings.h"
@@ -47,13 +47,15 @@ void choose_shots(const std::optional<scene::RadInput>& rad_input, const std::st
                   base::OptionTable& table, Options& opt) {
     const bool all = rad_input && view_name.empty() && rad_input->views.size() > 1;
     if (rad_input && !all) choose_view(*rad_input, view_name, table, opt);
-    if (!opt.views_file.empty()) {
-        int64_t number = opt.first_view;
-        for (const view::NamedView& v : view::read_views(opt.views_file, opt.view)) {
-            opt.view = v.view;
-            add_shot(v.name.empty() ? std::to_string(number) : v.name, opt);
-            ++number;
-        }
+    if (!opt.views_files.empty()) {
+        if (std::count(opt.views_files.begin(), opt.views_files.end(), "-") > 1)
+            base::fail("-views", "the standard input is read once");
+        const view::View start = opt.view;
+        for (const std::string& file : opt.views_files)
+            for (const view::NamedView& v : view::read_views(file, start)) {
+                opt.view = v.view;
+                add_shot(v.name.empty() ? std::to_string(opt.first_view + int64_t(opt.shots.size())) : v.name, opt);
+            }
     } else if (all) {
         for (size_t k = 0; k < rad_input->views.size(); ++k) {
             const std::string number = std::to_string(k + 1), name = rad_input->views[k].name;
@@ -94,7 +96,8 @@ void check(const Options& opt) {
     for (const NamedShot& s : opt.shots) view::validate(s.shot.view);
     check_names(opt);
     const auto reads_stdin = std::count(opt.scene_files.begin(), opt.scene_files.end(), "-");
-    if (reads_stdin && opt.views_file == "-") base::fail("-", "the standard input has the views, not a scene");
+    if (reads_stdin && std::count(opt.views_files.begin(), opt.views_files.end(), "-"))
+        base::fail("-", "the standard input has the views, not a scene");
     if (reads_stdin && opt.skies.size() > 1) base::fail("-", "is read once, but the scene is read again for each -sky");
     if (!opt.rule_file.empty() && opt.rule_for.empty()) base::fail("-MF", "needs -M for the rule's target");
     if (!opt.rule_for.empty() && opt.rule_file.empty()) return;
@@ -136,8 +139,8 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     } else {
         opt.scene_files = *operands;
     }
+    opt.scene_files = base::open_folders(opt.scene_files, opt.files);
     choose_shots(rad_input, rad_input && !operands->empty() ? operands->front() : "", table, opt);
-    base::search_beside(opt.scene_files, opt.files);
     opt.command = table.command();
     base::use_processors(unsigned(opt.threads));
     if (!opt.warnings) base::set_warning_sink({});

@@ -22,9 +22,9 @@ struct NamedShot {
 struct Options {
     trace::RenderOptions render;
     view::View view;
-    std::string views_file;          // -views: a picture of each; "-": standard input (-S)
-    int64_t first_view = 1;          // -S: the number of the first one without a name
-    std::vector<std::string> skies;  // -sky: the scene with each of these files in turn
+    std::vector<std::string> views_files;  // -views: a picture of each view in them; "-": standard input (-S)
+    int64_t first_view = 1;                // -S: the number of the first one without a name
+    std::vector<std::string> skies;        // -sky: the scene with each of these files in turn
     int nx = 512, ny = 512;
     double pixel_aspect = 1;            // -pa, 0 keeps both sides
     double exposure = 1;                // -rif: of the pictures written

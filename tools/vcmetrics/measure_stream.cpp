@@ -155,13 +155,11 @@ private:
         if (shows_sky_) names_.insert(at, "sky");
         if (shows_view_) names_.insert(names_.begin() + std::ptrdiff_t(column), "view");
     }
-    // In JSON a column is an object with lo and hi in it.
     bool has_interval(const Column& c) const { return o_.ci && !c.words; }
     void add_column_names() {
         for (const Column& c : columns_) {
             names_.push_back(c.name);
-            if (has_interval(c) && o_.format != TableFormat::jsonl)
-                names_.insert(names_.end(), {c.name + ".lo", c.name + ".hi"});
+            if (has_interval(c)) names_.insert(names_.end(), {c.name + ".lo", c.name + ".hi"});
         }
         if (o_.ci) names_.push_back("tails");
     }
@@ -179,10 +177,6 @@ private:
             const Estimate& e = steps_->certainty().estimate(k);
             const Interval off = e.around(1 - *o_.ci, frame);
             const double middle = c.bias_of_halves > 0 || c.ratio ? e.value : value;
-            if (o_.format == TableFormat::jsonl) {
-                cells.push_back(interval_cell(value, middle + off.low, middle + off.high));
-                return;
-            }
             for (double v : {value, middle + off.low, middle + off.high}) cells.push_back(number_cell(v));
         }
     }

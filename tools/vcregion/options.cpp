@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/model_folder.h"
 #include "base/options.h"
 #include "base/run.h"
 #include "base/warnings.h"
@@ -81,9 +82,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     o.view_given = says_view(table);
     if (!operands->empty()) {
         o.regions = operands->front();
-        o.scene.assign(operands->begin() + 1, operands->end());
+        o.scene = base::open_folders({operands->begin() + 1, operands->end()}, o.files);
     }
-    base::search_beside(o.scene, o.files);
     if (!o.warnings) base::set_warning_sink({});
     check(o);
     return std::nullopt;
