@@ -27,6 +27,9 @@ demo: PARTS += demo
 demo: all ## the office: pictures, metrics and a plot in out/
 	@bash examples/demo.sh "$(BUILD)/bin" out
 
+live: all ## the office in a browser: open the printed address; ^C ends it
+	@bash examples/live.sh $(BUILD)/bin
+
 everything test-sanitize fuzz compare-radiance: PARTS += tests
 test: everything ## every test that needs no GPU
 	@cd "$(BUILD)" && ctest --no-tests=error --output-on-failure -j $(JOBS) -LE 'gpu|slow|slurm'
@@ -95,6 +98,6 @@ setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 	@[ "$(SETUP)" = no ] || $(ISPC)
 
-.PHONY: help all everything demo test test-gpu test-slurm test-deb test-sanitize fuzz deb bench \
+.PHONY: help all everything demo live test test-gpu test-slurm test-deb test-sanitize fuzz deb bench \
 	coverage compare-radiance compare-evalglare \
 	man format lint install uninstall clean setup

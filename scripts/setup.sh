@@ -10,9 +10,10 @@ packages=
 for part in "$@"; do
     case $part in
         tools) packages="$packages g++ make cmake ninja-build
-            libcli11-dev libopenexr-dev libimath-dev libfmt-dev libpng-dev libpugixml-dev" ;;
+            libcli11-dev libmicrohttpd-dev libopenexr-dev libimath-dev libfmt-dev libpng-dev libpugixml-dev" ;;
         ptrace) packages="$packages libembree-dev ocl-icd-opencl-dev opencl-headers opencl-clhpp-headers" ;;
-        tests) packages="$packages doctest-dev mandoc pocl-opencl-icd" ;;  # PoCL: OpenCL on the CPU
+        tests) packages="$packages doctest-dev mandoc pocl-opencl-icd
+            chromium chromium-driver python3-selenium python3-pil" ;;  # PoCL: OpenCL on the CPU; the page of vcview
         demo) packages="$packages gnuplot-nox" ;;                          # the plot
         fuzz) packages="$packages clang" ;;
         deb) packages="$packages dpkg-dev" ;;                              # finds which libraries the programs need

@@ -18,9 +18,11 @@ lib/bvh: base kernels
 lib/flatten: base cal scene bvh kernels
 lib/trace: base view image scene flatten bvh kernels
 lib/sight: base region scene bvh flatten
+lib/live: base view image display comfort
 tools/ptaccum: base view image display
 tools/vcmetrics: base view image display comfort region
 tools/vcregion: base view image region sight
+tools/vcview: base live
 tools/ptrace: base view image comfort region scene trace
 END
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See answers.h.
+#include "live/answers.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "base/value.h"
+#include "display/tone.h"
+#include "image/header.h"
+#include "live/json.h"
+#include "live/pixel.h"
+
+namespace live {
+
+namespace {
+
+double number(const Arguments& arguments, const char* name, double otherwise) {
+    const std::string text = arguments(name);
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    return text.empty() || *end || !std::isfinite(value) ? otherwise : value;
+}
+
+size_t count(const Arguments& arguments, const char* name) {
+    const double value = number(arguments, name, 0);
+    return value > 0 && value < 1e15 ? size_t(value) : 0;
+}
+
+std::string table(const display::ColourTable& t) {
+    std::vector<double> colours;
+    for (const display::Colour& c : t.colours) colours.insert(colours.end(), c.begin(), c.end());
+    return "{\"thresholds\":" + json::numbers(t.thresholds) + ",\"colours\":" + json::numbers(colours) + "}";
+}
+
+Answer falsecolor(const Arguments& arguments) {
+    display::ToneOptions o;
+    const double top = number(arguments, "top", 0);
+    o.decades = number(arguments, "decades", o.decades);
+    o.divisions = int(number(arguments, "divisions", o.divisions));
+    o.mask_cdm2 = number(arguments, "mask", 0);
+    if (arguments("style") == "bands") o.style = display::ToneOptions::Style::bands;
+    if (!(top > 0 && o.decades >= 0 && o.decades <= 12 && o.divisions >= 2 && o.divisions <= 64 && o.mask_cdm2 >= 0))
+        return plain(400, "no such scale");
+    return {200, "application/json", table(display::falsecolor_table({top, o.decades}, o))};
+}
+
+// Facts of a picture that the page needs to show it.
+std::string facts(const image::Picture& p) {
+    const image::Header& h = p.header;
+    const display::Exposure e = display::automatic_exposure(p);
+    std::string out =
+        ",\"width\":" + std::to_string(p.width) + ",\"height\":" + std::to_string(p.height) +
+        ",\"aspect\":" + json::number(h.pixel_aspect) + ",\"exposure\":" + json::numbers({e.scale, e.white2}) +
+        ",\"top\":" + json::number(display::falsecolor_scale(p, {}).top) + ",\"name\":" + json::text(image::label(h));
+    if (h.frames) out += ",\"frames\":" + std::to_string(*h.frames);
+    if (h.view) out += ",\"view\":" + json::text(view::to_options(*h.view));
+    return out;
+}
+
+}  // namespace
+
+Answer plain(unsigned status, const std::string& text) { return {status, "text/plain; charset=utf-8", text + "\n"}; }
+
+std::optional<Answer> answer_next(Live& live, const Arguments& arguments) {
+    const auto news = live.since(count(arguments, "picture"), count(arguments, "line"), !arguments("end").empty());
+    if (!news) return std::nullopt;
+    std::string text = "{\"picture\":" + std::to_string(news->picture) + ",\"line\":" + std::to_string(news->line) +
+                       ",\"lines\":" + json::list(news->lines);
+    if (news->ended) text += ",\"ended\":" + std::to_string(*news->ended);
+    if (news->shown) text += facts(*news->shown);
+    text += "}";
+
+    Answer answer{200, "application/octet-stream", {}};
+    const uint32_t length = uint32_t(text.size());
+    for (int k = 0; k < 4; ++k) answer.body += char(length >> 8 * k & 255);
+    answer.body += text;
+    if (news->shown)
+        answer.body.append(reinterpret_cast<const char*>(news->shown->rgb.data()),
+                           news->shown->rgb.size() * sizeof(float));
+    return answer;
+}
+
+Answer answer_query(const Live& live, const std::string& path, const Arguments& arguments) {
+    if (path == "/table") return falsecolor(arguments);
+    if (path == "/srgb") return {200, "application/json", json::numbers(display::srgb_codes().thresholds)};
+    if (path == "/pixel") {
+        const auto picture = live.picture();
+        const std::string known =
+            picture ? pixel_facts(*picture, int(number(arguments, "x", -1)), int(number(arguments, "y", -1))) : "";
+        return known.empty() ? plain(404, "no such pixel") : Answer{200, "application/json", known};
+    }
+    return plain(404, "nothing here");
+}
+
+}  // namespace live

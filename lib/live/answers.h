@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the server answers, apart from how it is sent: functions of the question and of what there is to show.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include "live/live.h"
+
+namespace live {
+
+struct Answer {
+    unsigned status = 200;
+    std::string type = "application/json";
+    std::string body;
+};
+Answer plain(unsigned status, const std::string& text);
+
+// The value of an argument of the question; empty if it is not there.
+using Arguments = std::function<std::string(const char* name)>;
+
+// GET /next.  Nothing: there is no news yet.
+std::optional<Answer> answer_next(Live& live, const Arguments& arguments);
+// The other questions.
+Answer answer_query(const Live& live, const std::string& path, const Arguments& arguments);
+
+}  // namespace live

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program after "--": it reads what vcview reads, and its output goes where vcview's goes.
+#pragma once
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace live {
+
+class Child {
+public:
+    // Throws base::Error (system) if there is no such program.
+    explicit Child(const std::vector<std::string>& command);
+    ~Child();
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+    int input() const { return input_; }    // write to it
+    int output() const { return output_; }  // read from it
+    void close_input();
+    int wait();  // its exit status, 128 + signal if one ended it
+
+private:
+    pid_t pid_ = -1;
+    int input_ = -1, output_ = -1;
+};
+
+}  // namespace live

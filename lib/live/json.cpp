@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See json.h.
+#include "live/json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/printable.h"
+
+namespace live::json {
+
+std::string text(const std::string& s) {
+    std::string out = "\"";
+    std::string line;
+    const auto flush = [&] {
+        for (const char c : base::printable(line)) {
+            if (c == '"' || c == '\\') out += '\\';
+            out += c;
+        }
+        line.clear();
+    };
+    for (const char c : s) {
+        if (c != '\t') {
+            line += c;
+            continue;
+        }
+        flush();
+        out += "\\t";
+    }
+    flush();
+    return out + "\"";
+}
+
+std::string number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : "null"; }
+
+namespace {
+template <class ITEMS, class WRITE>
+std::string list_of(const ITEMS& items, WRITE&& write) {
+    std::string out = "[";
+    for (const auto& item : items) out += (out.size() > 1 ? "," : "") + write(item);
+    return out + "]";
+}
+}  // namespace
+
+std::string list(const std::vector<std::string>& items) { return list_of(items, text); }
+std::string numbers(const std::vector<double>& values) { return list_of(values, number); }
+
+}  // namespace live::json

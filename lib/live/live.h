@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the page may ask for: the newest picture and the lines of the metrics, each numbered from 1.  Written by the
+// threads that pass the bytes on, read by the web server; all functions may be called from any thread.
+#pragma once
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+#include "image/picture.h"
+
+namespace live {
+
+class Live {
+public:
+    // Called after each change, without the lock.
+    explicit Live(std::function<void()> changed = {}) : changed_(std::move(changed)) {}
+    void on_change(std::function<void()> changed) { changed_ = std::move(changed); }
+
+    void put_picture(image::Picture picture);
+    void put_line(std::string line);
+    void put_end(int status);  // the pipe has ended with this status
+
+    struct News {
+        size_t picture = 0, line = 0;                 // numbers of the newest
+        std::shared_ptr<const image::Picture> shown;  // if newer than the one asked about
+        std::vector<std::string> lines;               // those after the one asked about
+        std::optional<int> ended;
+    };
+    // Nothing: there is no news since these.
+    std::optional<News> since(size_t picture, size_t line, bool knows_end) const;
+    std::shared_ptr<const image::Picture> picture() const;
+
+private:
+    mutable std::mutex mutex_;
+    std::function<void()> changed_;
+    std::shared_ptr<const image::Picture> picture_;
+    size_t pictures_ = 0;
+    std::vector<std::string> lines_;
+    std::optional<int> ended_;
+};
+
+}  // namespace live

@@ -1,0 +1,168 @@
+// The picture: floats (radiance) toned on a 2-D canvas, zoomed and moved, down to single pixels with their values.
+// The arithmetic is that of lib/display step by step, so that the bytes are those of `ptaccum -o x.png`.
+const weights = [0.265074126, 0.670114631, 0.064811243], lumens = 179;
+
+export function luminance(rgb, i) {
+  return lumens * (weights[0] * rgb[i] + weights[1] * rgb[i + 1] + weights[2] * rgb[i + 2]);
+}
+
+// How many thresholds are not above v: display::ColourTable::index().
+export function index(thresholds, v) {
+  let low = 0, high = thresholds.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (v >= thresholds[middle]) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+// Bytes of the picture under a table of colours.
+export function falsecolor(rgb, table) {
+  const out = new Uint8ClampedArray(rgb.length / 3 * 4);
+  for (let i = 0, o = 0; i < rgb.length; i += 3, o += 4) {
+    const k = 3 * index(table.thresholds, luminance(rgb, i));
+    out[o] = table.colours[k];
+    out[o + 1] = table.colours[k + 1];
+    out[o + 2] = table.colours[k + 2];
+    out[o + 3] = 255;
+  }
+  return out;
+}
+
+// exposure: [scale, white2] (display::Exposure).
+export function toned(rgb, kind, exposure, srgb) {
+  const [scale, white2] = exposure, straight = scale / Math.sqrt(white2);
+  const out = new Uint8ClampedArray(rgb.length / 3 * 4);
+  for (let i = 0, o = 0; i < rgb.length; i += 3, o += 4) {
+    const world = luminance(rgb, i), l = scale * world, shown = l * (1 + l / white2) / (1 + l);
+    const by = kind === 'linear' ? straight : world > 0 && Number.isFinite(shown) ? shown / world : 0;
+    for (let c = 0; c < 3; c++) out[o + c] = index(srgb, kind === 'grey' ? world * by : rgb[i + c] * by * lumens);
+    out[o + 3] = 255;
+  }
+  return out;
+}
+
+// Lines where the band changes toward the right or the lower neighbour, over the grey picture.
+export function contours(rgb, width, height, table, exposure, srgb) {
+  const out = toned(rgb, 'grey', exposure, srgb), band = new Uint16Array(rgb.length / 3);
+  for (let i = 0; i < band.length; i++) band[i] = index(table.thresholds, luminance(rgb, 3 * i));
+  for (let y = 0; y < height; y++)
+    for (let x = 0; x < width; x++) {
+      const i = y * width + x, right = x + 1 < width ? band[i + 1] : band[i], below = y + 1 < height ? band[i + width] : band[i];
+      const highest = Math.max(band[i], right, below);
+      if (highest !== Math.min(band[i], right, below))
+        for (let c = 0; c < 3; c++) out[4 * i + c] = table.colours[3 * highest + c];
+    }
+  return out;
+}
+
+// Luminance against that of a kept picture: blue darker, red brighter, by the binary logarithm of the ratio.
+export function difference(rgb, kept) {
+  const out = new Uint8ClampedArray(rgb.length / 3 * 4);
+  for (let i = 0, o = 0; i < rgb.length; i += 3, o += 4) {
+    const a = luminance(kept, i), b = luminance(rgb, i), ratio = a > 0 && b > 0 ? Math.log2(b / a) : 0;
+    const t = Math.max(-1, Math.min(1, ratio));
+    out[o] = 235 - (t < 0 ? -t * 205 : t * 45);
+    out[o + 1] = 235 - Math.abs(t) * 185;
+    out[o + 2] = 235 - (t > 0 ? t * 200 : -t * 25);
+    out[o + 3] = 255;
+  }
+  return out;
+}
+
+// A canvas that shows an image at a zoom and a place.
+export class PictureView {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.context = canvas.getContext('2d');
+    this.image = document.createElement('canvas');
+    this.zoom = 0;  // screen pixels a pixel; 0: the whole picture
+    this.x = this.y = 0;  // the picture's place in the middle of the canvas
+    this.wipe = 0.5;
+    new ResizeObserver(() => this.draw()).observe(canvas);
+  }
+
+  // bytes: RGBA; kept: likewise or null, shown on the left of the wipe.
+  show(bytes, width, height, values, kept) {
+    if (this.image.width !== width || this.image.height !== height) {
+      this.image.width = width;
+      this.image.height = height;
+      this.fit();
+    }
+    const to = this.image.getContext('2d');
+    to.putImageData(new ImageData(bytes, width, height), 0, 0);
+    if (kept) {
+      const left = Math.round(this.wipe * width);
+      to.putImageData(new ImageData(kept, width, height), 0, 0, 0, 0, left, height);
+      to.fillStyle = '#fff';
+      to.fillRect(left, 0, 1, height);
+    }
+    this.values = values;
+    this.draw();
+  }
+
+  scale() { return this.zoom || Math.min(this.canvas.clientWidth / this.image.width, this.canvas.clientHeight / this.image.height); }
+  fit() { this.zoom = 0; this.x = this.image.width / 2; this.y = this.image.height / 2; this.draw(); }
+
+  // The pixel under a place of the page; null beside the picture.
+  pixel(clientX, clientY) {
+    const box = this.canvas.getBoundingClientRect(), s = this.scale();
+    const x = Math.floor(this.x + (clientX - box.left - box.width / 2) / s);
+    const y = Math.floor(this.y + (clientY - box.top - box.height / 2) / s);
+    return x >= 0 && y >= 0 && x < this.image.width && y < this.image.height ? { x, y } : null;
+  }
+
+  zoomBy(factor, clientX, clientY) {
+    const box = this.canvas.getBoundingClientRect(), before = this.scale();
+    const dx = (clientX ?? box.left + box.width / 2) - box.left - box.width / 2;
+    const dy = (clientY ?? box.top + box.height / 2) - box.top - box.height / 2;
+    this.zoom = Math.max(0.1, Math.min(200, before * factor));
+    this.x += dx / before - dx / this.zoom;
+    this.y += dy / before - dy / this.zoom;
+    this.draw();
+  }
+
+  moveBy(dx, dy) {  // screen pixels
+    if (!this.zoom) this.zoom = this.scale();
+    this.x -= dx / this.zoom;
+    this.y -= dy / this.zoom;
+    this.draw();
+  }
+
+  draw() {
+    if (!this.image.width) return;
+    const ratio = window.devicePixelRatio || 1, c = this.context;
+    const width = Math.round(this.canvas.clientWidth * ratio), height = Math.round(this.canvas.clientHeight * ratio);
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
+    const s = this.scale() * ratio, left = width / 2 - this.x * s, top = height / 2 - this.y * s;
+    c.setTransform(1, 0, 0, 1, 0, 0);
+    c.clearRect(0, 0, width, height);
+    c.imageSmoothingEnabled = s < 1;
+    c.drawImage(this.image, left, top, this.image.width * s, this.image.height * s);
+    if (s >= 40 * ratio && this.values) this.drawValues(s, left, top, width, height, ratio);
+  }
+
+  drawValues(s, left, top, width, height, ratio) {
+    const c = this.context;
+    c.font = `${11 * ratio}px system-ui, sans-serif`;
+    c.textAlign = 'center';
+    c.strokeStyle = '#000';
+    c.lineWidth = 3 * ratio;
+    for (let y = Math.max(0, Math.floor(-top / s)); y < this.image.height && top + y * s < height; y++)
+      for (let x = Math.max(0, Math.floor(-left / s)); x < this.image.width && left + x * s < width; x++) {
+        const text = short(luminance(this.values, 3 * (y * this.image.width + x)));
+        c.strokeText(text, left + (x + .5) * s, top + (y + .5) * s + 4 * ratio);
+        c.fillStyle = '#fff';
+        c.fillText(text, left + (x + .5) * s, top + (y + .5) * s + 4 * ratio);
+      }
+  }
+}
+
+export function short(v) {
+  return !Number.isFinite(v) ? String(v) : Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < .01) ? v.toExponential(1)
+    : Number(v.toPrecision(4)).toString();
+}

@@ -1,0 +1,103 @@
+// The lines of vcmetrics: read, shown as a table, drawn as SVG over the number of frames with their intervals.
+import { short } from '/picture.js';
+
+const classes = { DGP: [.35, .40, .45], DGPu: [.35, .40, .45], DGPf: [.35, .40, .45], UGR: [13, 16, 19, 22, 25, 28] };
+const beside = /\.(lo|hi)$/;
+const no_metric = new Set(['frame', 'seconds', 'tails', 'view', 'sky', 'edit']);
+
+// Lines become rows of numbers by name; a header line begins a new table.
+export class Lines {
+  constructor() { this.text = []; this.rows = []; this.columns = []; }
+
+  add(line) {
+    this.text.push(line);
+    if (line.startsWith('{')) {
+      try { return this.take(Object.entries(JSON.parse(line))); } catch { return; }
+    }
+    const cells = line.split(line.includes('\t') ? '\t' : ',');
+    if (cells.some((c) => /^[A-Za-z_]/.test(c) && !/^(nan|inf)$/i.test(c)) && (cells.includes('frame') || !this.columns.length)) {
+      this.columns = cells;
+      return;
+    }
+    if (cells.length === this.columns.length) this.take(cells.map((c, k) => [this.columns[k], c]));
+  }
+
+  take(entries) {
+    const row = {};
+    for (const [name, value] of entries) row[name] = value === null || value === '-' || value === '' ? NaN : Number(value);
+    if (!this.columns.length) this.columns = Object.keys(row);
+    const last = this.rows[this.rows.length - 1];
+    if (last && row.frame <= last.frame) this.rows = [];  // a new picture
+    this.rows.push(row);
+  }
+
+  metrics() { return this.columns.filter((c) => !beside.test(c) && !no_metric.has(c)); }
+}
+
+function element(name, attributes, text) {
+  const e = document.createElementNS('http://www.w3.org/2000/svg', name);
+  for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
+  if (text !== undefined) e.textContent = text;
+  return e;
+}
+
+// "1, 2, 5" steps of an axis between two values.
+function steps(low, high) {
+  const power = 10 ** Math.floor(Math.log10((high - low) / 3 || 1)), each = [1, 2, 5, 10].map((m) => m * power)
+    .find((s) => (high - low) / s <= 4.5) ?? 10 * power;
+  const all = [];
+  for (let v = Math.ceil(low / each) * each; v <= high + each * 1e-9; v += each) all.push(v);
+  return all;
+}
+
+export function plot(name, rows) {
+  const width = 420, height = 150, left = 58, right = 8, top = 8, bottom = 20;
+  const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': `${name} by number of frames` });
+  const points = rows.map((r) => ({ x: Math.max(r.frame, .5), y: r[name], lo: r[`${name}.lo`], hi: r[`${name}.hi`] }))
+    .filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y));
+  if (!points.length) return svg;
+
+  const ys = points.flatMap((p) => [p.y, p.lo, p.hi]).filter(Number.isFinite).sort((a, b) => a - b);
+  // early intervals are wide: the axis leaves out the outermost twentieth of what is drawn
+  const cut = points.length > 8 ? Math.floor(ys.length / 20) : 0;
+  let low = ys[cut], high = ys[ys.length - 1 - cut];
+  if (low === high) { low -= Math.abs(low) * .01 || 1; high += Math.abs(high) * .01 || 1; }
+  const pad = .08 * (high - low);
+  low -= pad;
+  high += pad;
+  const first = points[0].x, last = Math.max(points[points.length - 1].x, first * 2);
+  const x = (v) => left + (width - left - right) * Math.log(v / first) / Math.log(last / first);
+  const y = (v) => Math.max(top, Math.min(height - bottom, height - bottom - (height - top - bottom) * (v - low) / (high - low)));
+
+  const band = points.filter((p) => Number.isFinite(p.lo) && Number.isFinite(p.hi));
+  if (band.length > 1)
+    svg.append(element('path', { class: 'interval', d: 'M' + band.map((p) => `${x(p.x).toFixed(1)},${y(p.hi).toFixed(1)}`).join('L') +
+      'L' + band.reverse().map((p) => `${x(p.x).toFixed(1)},${y(p.lo).toFixed(1)}`).join('L') + 'Z' }));
+  for (const limit of classes[name] ?? [])
+    if (limit > low && limit < high) svg.append(element('line', { class: 'class', x1: left, x2: width - right, y1: y(limit), y2: y(limit) }));
+  svg.append(element('path', { class: 'curve', d: 'M' + points.map((p) => `${x(p.x).toFixed(1)},${y(p.y).toFixed(1)}`).join('L') }));
+  svg.append(element('path', { class: 'axis', d: `M${left},${top}V${height - bottom}H${width - right}` }));
+  for (const v of steps(low, high)) svg.append(element('text', { x: left - 4, y: y(v) + 4, 'text-anchor': 'end' }, String(Number(v.toPrecision(5)))));
+  for (let v = 1; v <= last; v *= v < 10 ? 10 : 10)
+    if (v >= first) svg.append(element('text', { x: x(v), y: height - 6, 'text-anchor': 'middle' }, String(v)));
+  return svg;
+}
+
+// The latest values, a row a metric; chosen: names whose curves are drawn; on_choice: called with a name.
+export function fill_table(body, lines, chosen, on_choice) {
+  const last = lines.rows[lines.rows.length - 1];
+  if (!last) return;
+  body.replaceChildren(...lines.metrics().map((name) => {
+    const row = document.createElement('tr');
+    row.setAttribute('aria-selected', String(chosen.has(name)));
+    row.tabIndex = 0;
+    for (const text of [name, short(last[name]), short(last[`${name}.lo`]), short(last[`${name}.hi`])]) {
+      const cell = document.createElement('td');
+      cell.textContent = text === 'NaN' || text === 'undefined' ? '–' : text;
+      row.append(cell);
+    }
+    row.addEventListener('click', () => on_choice(name));
+    row.addEventListener('keydown', (e) => { if (e.key === 'Enter' || e.key === ' ') { e.preventDefault(); on_choice(name); } });
+    return row;
+  }));
+}

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See server.h.
+#include "live/server.h"
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <microhttpd.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <condition_variable>
+#include <cstring>
+#include <thread>
+
+#include "live/answers.h"
+#include "base/descriptor.h"
+#include "base/error.h"
+#include "live/guard.h"
+#include "live/json.h"
+#include "live/page.h"
+
+namespace live {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto longest_wait = std::chrono::seconds(20);  // of a request for news
+constexpr size_t longest_body = 64 * 1024;
+constexpr unsigned most_connections = 200;
+
+struct Request {
+    std::string body;
+    bool too_long = false;
+    Clock::time_point since = Clock::now();
+};
+
+std::string header(MHD_Connection* connection, const char* name) {
+    const char* value = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, name);
+    return value ? value : "";
+}
+
+MHD_Result send(MHD_Connection* connection, const Answer& answer) {
+    MHD_Response* response = MHD_create_response_from_buffer(answer.body.size(), const_cast<char*>(answer.body.data()),
+                                                             MHD_RESPMEM_MUST_COPY);
+    if (!response) return MHD_NO;
+    const std::pair<const char*, const char*> always[] = {
+        {"Content-Type", answer.type.c_str()},
+        {"Cache-Control", "no-store"},
+        {"X-Content-Type-Options", "nosniff"},
+        {"Referrer-Policy", "no-referrer"},
+        {"Cross-Origin-Resource-Policy", "same-origin"},
+        {"Content-Security-Policy",
+         "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src blob:; "
+         "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+    };
+    for (const auto& [name, value] : always) MHD_add_response_header(response, name, value);
+    const MHD_Result result = MHD_queue_response(connection, answer.status, response);
+    MHD_destroy_response(response);
+    return result;
+}
+
+}  // namespace
+
+struct Server::State {
+    Live& live;
+    const ServerOptions& options;
+    std::string token = new_token();
+    MHD_Daemon* daemon = nullptr;
+    std::mutex mutex;  // of what follows
+    std::vector<MHD_Connection*> waiting;
+    bool ends = false;
+    std::condition_variable tick;
+    std::thread ticker;
+
+    State(Live& l, const ServerOptions& o) : live(l), options(o) {}
+
+    void wake() {
+        const std::lock_guard<std::mutex> lock(mutex);
+        for (MHD_Connection* connection : waiting) MHD_resume_connection(connection);
+        waiting.clear();
+    }
+
+    // Lets requests that have waited long look at their clock.
+    void keep_time() {
+        std::unique_lock<std::mutex> lock(mutex);
+        while (!tick.wait_for(lock, longest_wait / 4, [&] { return ends; })) {
+            for (MHD_Connection* connection : waiting) MHD_resume_connection(connection);
+            waiting.clear();
+        }
+    }
+
+    Arguments arguments(MHD_Connection* connection) const {
+        return [connection](const char* name) {
+            const char* value = MHD_lookup_connection_value(connection, MHD_GET_ARGUMENT_KIND, name);
+            return std::string(value ? value : "");
+        };
+    }
+
+    MHD_Result next(MHD_Connection* connection, const Request& request) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        const auto answer = answer_next(live, arguments(connection));
+        if (answer) return send(connection, *answer);
+        if (ends || Clock::now() - request.since > longest_wait) return send(connection, {MHD_HTTP_NO_CONTENT, "", ""});
+        waiting.push_back(connection);
+        MHD_suspend_connection(connection);
+        return MHD_YES;
+    }
+
+    Answer control(const std::string& text) const {
+        if (options.control.empty()) return plain(MHD_HTTP_NOT_FOUND, "vcview was started without -control");
+        for (const char c : text)
+            if ((unsigned char)c < ' ' && c != '\n' && c != '\t')
+                return plain(MHD_HTTP_BAD_REQUEST, "control characters in a command");
+        const std::string lines = text.empty() || text.back() == '\n' ? text : text + "\n";
+        const int fifo = open(options.control.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+        const bool written = fifo >= 0 && write(fifo, lines.data(), lines.size()) == ssize_t(lines.size());
+        if (fifo >= 0) close(fifo);
+        return written ? Answer{MHD_HTTP_NO_CONTENT, "", ""} : plain(MHD_HTTP_CONFLICT, "nobody reads the FIFO");
+    }
+
+    // 0 if the request may go on, else why not.
+    unsigned refused(MHD_Connection* connection, bool open_to_all) const {
+        const std::string host = header(connection, "Host");
+        const bool loopback = options.listen == "127.0.0.1" || options.listen == "::1";
+        if (loopback && !is_loopback_host(host)) return MHD_HTTP_FORBIDDEN;
+        if (!is_own_origin(header(connection, "Origin"), host)) return MHD_HTTP_FORBIDDEN;
+        return open_to_all || same_secret(header(connection, "X-Luxpipe-Token"), token) ? 0 : MHD_HTTP_UNAUTHORIZED;
+    }
+
+    MHD_Result answer(MHD_Connection* connection, const std::string& path, const std::string& method,
+                      const Request& request) {
+        const PageFile* file = nullptr;
+        for (size_t k = 0; k < page_file_count; ++k)
+            if (page_files[k].path == path) file = &page_files[k];
+        if (const unsigned status = refused(connection, file != nullptr)) return send(connection, plain(status, "no"));
+        if (request.too_long) return send(connection, plain(MHD_HTTP_CONTENT_TOO_LARGE, "too long"));
+        if (path == "/control")
+            return send(connection,
+                        method == "POST" ? control(request.body) : plain(MHD_HTTP_METHOD_NOT_ALLOWED, "POST only"));
+        if (method != "GET") return send(connection, plain(MHD_HTTP_METHOD_NOT_ALLOWED, "GET only"));
+        if (file) return send(connection, {MHD_HTTP_OK, std::string(file->type), std::string(file->text)});
+        if (path == "/next") return next(connection, request);
+        if (path == "/facts")
+            return send(connection, {MHD_HTTP_OK, "application/json",
+                                     std::string("{\"control\":") + (options.control.empty() ? "false}" : "true}")});
+        return send(connection, answer_query(live, path, arguments(connection)));
+    }
+
+    static MHD_Result on_request(void* self, MHD_Connection* connection, const char* url, const char* method,
+                                 const char* /*version*/, const char* data, size_t* size, void** request_of) {
+        if (!*request_of) {
+            *request_of = new Request;
+            return MHD_YES;
+        }
+        Request& request = *static_cast<Request*>(*request_of);
+        if (*size > 0) {
+            request.too_long = request.too_long || request.body.size() + *size > longest_body;
+            if (!request.too_long) request.body.append(data, *size);
+            *size = 0;
+            return MHD_YES;
+        }
+        try {
+            return static_cast<State*>(self)->answer(connection, url, method, request);
+        } catch (const std::exception&) {
+            return MHD_NO;
+        }
+    }
+
+    static void on_end(void*, MHD_Connection*, void** request_of, MHD_RequestTerminationCode) {
+        delete static_cast<Request*>(*request_of);
+        *request_of = nullptr;
+    }
+};
+
+Server::Server(Live& live, const ServerOptions& options) : state_(std::make_unique<State>(live, options)) {
+    sockaddr_in address = {};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(uint16_t(options.port));
+    if (inet_pton(AF_INET, options.listen.c_str(), &address.sin_addr) != 1)
+        base::fail("-listen", "\"" + options.listen + "\" is not an address such as 127.0.0.1");
+    errno = 0;
+    state_->daemon = MHD_start_daemon(MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, uint16_t(options.port),
+                                      nullptr, nullptr, &State::on_request, state_.get(), MHD_OPTION_SOCK_ADDR,
+                                      &address, MHD_OPTION_NOTIFY_COMPLETED, &State::on_end, state_.get(),
+                                      MHD_OPTION_CONNECTION_LIMIT, most_connections, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
+                                      size_t(64 * 1024), MHD_OPTION_CONNECTION_TIMEOUT, 30u, MHD_OPTION_END);
+    if (!state_->daemon) base::fail_system("-port", "the page cannot be served there");
+    live.on_change([state = state_.get()] { state->wake(); });
+    state_->ticker = std::thread([state = state_.get()] { state->keep_time(); });
+}
+
+Server::~Server() {
+    state_->live.on_change({});
+    {
+        const std::lock_guard<std::mutex> lock(state_->mutex);
+        state_->ends = true;
+    }
+    state_->tick.notify_all();
+    state_->ticker.join();
+    state_->wake();
+    MHD_stop_daemon(state_->daemon);
+}
+
+std::string Server::link() const {
+    const MHD_DaemonInfo* info = MHD_get_daemon_info(state_->daemon, MHD_DAEMON_INFO_BIND_PORT);
+    const std::string host = state_->options.listen == "0.0.0.0" ? "localhost" : state_->options.listen;
+    return "http://" + host + ":" + std::to_string(info ? info->port : 0) + "/#" + state_->token;
+}
+
+}  // namespace live

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The web server behind the page (libmicrohttpd): one thread, loopback by default, every answer but the page's own
+// files for those who know the token.
+//   GET /next?picture=P&line=L   waits for news since picture P and line L: a length (4 bytes, little endian), so many
+//                                bytes of JSON, then the picture's pixels as floats, if there is a newer one
+//   GET /table?top=&decades=&style=&divisions=&mask=   falsecolor's thresholds and colours (display/tone.h)
+//   GET /srgb                    thresholds of the codes 1 to 255
+//   GET /pixel?x=&y=             what is known of a pixel (pixel.h)
+//   GET /facts                   what vcview was started with
+//   POST /control                lines for the FIFO of ptrace -control
+#pragma once
+#include <memory>
+#include <string>
+#include "live/live.h"
+
+namespace live {
+
+struct ServerOptions {
+    int port = 0;                      // 0: any that is free
+    std::string listen = "127.0.0.1";  // address
+    std::string control;               // FIFO of ptrace -control; empty: none
+};
+
+class Server {
+public:
+    Server(Live& live, const ServerOptions& options);  // throws base::Error (system)
+    ~Server();
+    std::string link() const;  // with the token
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace live

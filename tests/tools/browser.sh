@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The page of vcview in a browser (browser.py), where Chromium and selenium are.
+. "${TOP:?}/tests/lib.sh"
+needs vcview ptaccum ptrace vcmetrics python3 chromedriver
+/usr/bin/python3 -c 'import selenium, PIL' 2> /dev/null || skip 'no selenium or no Pillow here'
+
+cd "$TOP/examples/scenes/office" || exit 2
+ptrace -vf view.vf -x 64 -y 64 -frames 6 materials.rad layout.rad sky_1400.rad | ptaccum -every 1 > "$TMP/sums.str"
+cd "$TMP" || exit 2
+ptaccum -tone falsecolor -nolegend -filter none -o last.png sums.str
+/usr/bin/python3 -c 'from PIL import Image
+open("pixels", "wb").write(Image.open("last.png").convert("RGB").tobytes())'
+: > link
+vcview -stay -- vcmetrics -metrics Ev,DGP -ci 95 < sums.str > lines 2> link &
+running=$!
+for ((k = 0; k < 50; k++)); do [ "$(wc -l < lines)" = 7 ] || sleep .2; done
+check 'the page shows what the programs wrote' '
+    /usr/bin/python3 "$TOP/tests/tools/browser.py" link sums.str lines pixels >&2'
+kill $running

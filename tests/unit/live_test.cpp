@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The live view: pictures are found in passing bytes however these are cut, news is told once, strangers are kept out.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "image/stream.h"
+#include "image_pictures.h"
+#include "live/answers.h"
+#include "live/framer.h"
+#include "live/guard.h"
+#include "live/json.h"
+#include "live/live.h"
+#include "live/pixel.h"
+
+namespace {
+
+// Two float pictures of different sizes, one after the other.
+std::string stream() {
+    return image::picture_bytes(small_picture(9, 7), image::Format::flt) +
+           image::picture_bytes(small_picture(33, 2), image::Format::flt);
+}
+
+live::Arguments arguments(const std::vector<std::pair<std::string, std::string>>& given) {
+    return [given](const char* name) {
+        for (const auto& [key, value] : given)
+            if (key == name) return value;
+        return std::string();
+    };
+}
+
+std::string text_of(const live::Answer& answer) {
+    size_t length = 0;
+    for (size_t k = 0; k < 4; ++k) length |= size_t((unsigned char)answer.body[k]) << 8 * k;
+    return answer.body.substr(4, length);
+}
+
+}  // namespace
+
+TEST_CASE("pictures are found whole, however the bytes are cut") {
+    const std::string bytes = stream();
+    std::minstd_rand random(7);
+    for (int trial = 0; trial < 50; ++trial) {
+        std::vector<image::Picture> found;
+        live::Framer framer([&](image::Picture p) { found.push_back(std::move(p)); });
+        for (size_t at = 0; at < bytes.size();) {
+            const size_t n = std::min<size_t>(1 + random() % (trial < 5 ? 3 : 900), bytes.size() - at);
+            framer.pass(bytes.data() + at, n);
+            at += n;
+        }
+        REQUIRE(found.size() == 2);
+        CHECK(found[0].width == 9);
+        CHECK(found[1].height == 2);
+        CHECK(found[0].rgb == small_picture(9, 7).rgb);
+        CHECK(framer.stopped().empty());
+    }
+}
+
+TEST_CASE("what is no float picture ends the looking, not the program") {
+    for (const std::string& bytes :
+         {image::picture_bytes(small_picture(9, 7), image::Format::rgbe), std::string("#?RADIANCE\n\n-Y 0 +X 4\n"),
+          std::string("#?RADIANCE\nFORMAT=float\nNCOMP=3\nBigEndian=0\n\n-Y 40000 +X 40000\n"),
+          std::string("#?RADIANCE\nFORMAT=float\nNCOMP=3\nBigEndian=0\n\n+X 4 -Y 4\n"), std::string(3 << 20, 'x')}) {
+        int found = 0;
+        live::Framer framer([&](const image::Picture&) { ++found; });
+        framer.pass(bytes.data(), bytes.size());
+        framer.pass(bytes.data(), bytes.size());
+        CHECK(found == 0);
+        CHECK_FALSE(framer.stopped().empty());
+    }
+}
+
+TEST_CASE("news is told once: pictures, lines, the end") {
+    live::Live live;
+    CHECK_FALSE(live.since(0, 0, false));
+    live.put_line("Ev");
+    live.put_line("1000");
+    live.put_picture(small_picture(4, 3));
+    auto news = live.since(0, 1, false);
+    REQUIRE(news);
+    CHECK(news->lines == std::vector<std::string>{"1000"});
+    CHECK(news->shown->width == 4);
+    CHECK_FALSE(live.since(news->picture, news->line, false));
+    live.put_end(4);
+    REQUIRE(live.since(news->picture, news->line, false));
+    CHECK(*live.since(news->picture, news->line, false)->ended == 4);
+    CHECK_FALSE(live.since(news->picture, news->line, true));
+    CHECK(live.since(99, 99, false));  // of an earlier run: the end is news all the same
+}
+
+TEST_CASE("an answer holds its facts, then the pixels to the last bit") {
+    live::Live live;
+    const image::Picture p = small_picture(5, 4);
+    live.put_picture(p);
+    live.put_line("a \"quoted\"\tline \x01\xff");
+    const auto answer = live::answer_next(live, arguments({{"picture", "0"}, {"line", "-3"}}));
+    REQUIRE(answer);
+    const std::string text = text_of(*answer);
+    CHECK(text.find("\"width\":5,\"height\":4") != std::string::npos);
+    CHECK(text.find("\"a \\\"quoted\\\"\\tline ??\"") != std::string::npos);
+    const std::string pixels = answer->body.substr(4 + text.size());
+    CHECK(pixels == std::string(reinterpret_cast<const char*>(p.rgb.data()), p.rgb.size() * sizeof(float)));
+    CHECK_FALSE(live::answer_next(live, arguments({{"picture", "1"}, {"line", "1"}})));
+}
+
+TEST_CASE("tables are those of the pictures on disk; questions that mean nothing are refused") {
+    const live::Live live;
+    const auto table = [&](const char* decades) {
+        return live::answer_query(live, "/table", arguments({{"top", "1000"}, {"decades", decades}}));
+    };
+    CHECK(table("3").status == 200);
+    CHECK(table("3").body.find("\"thresholds\":[") == 1);
+    CHECK(table("-1").status == 400);
+    CHECK(table("1e9").status == 400);
+    CHECK(live::answer_query(live, "/table", arguments({})).status == 400);
+    CHECK(live::answer_query(live, "/pixel", arguments({{"x", "1"}, {"y", "1"}})).status == 404);
+    CHECK(live::answer_query(live, "/etc/passwd", arguments({})).status == 404);
+}
+
+TEST_CASE("a pixel's facts") {
+    image::Picture p = small_picture(8, 8);
+    CHECK(live::pixel_facts(p, 8, 0).empty());
+    CHECK(live::pixel_facts(p, 0, -1).empty());
+    p.header.view.reset();
+    CHECK(live::pixel_facts(p, 0, 0).find("direction") == std::string::npos);
+    p.header.view = view::View();
+    p.header.view->type = 'a';
+    p.header.view->vh = p.header.view->vv = 180;
+    // the view looks along +y; pixel (3, 4) lies left of the line of sight and below it
+    const std::string facts = live::pixel_facts(p, 3, 4);
+    CHECK(facts.find("\"direction\":[-0.19") != std::string::npos);
+    CHECK(facts.find("\"omega\":0.1") != std::string::npos);
+}
+
+TEST_CASE("only this machine's names, only our own pages, only those who know the token") {
+    for (const char* host : {"localhost", "localhost:8080", "127.0.0.1:1", "[::1]", "[::1]:80"})
+        CHECK(live::is_loopback_host(host));
+    for (const char* host : {"", "evil.com", "localhost.evil.com", "127.0.0.1.evil.com:80", "localhost:", "localhost:x",
+                             "localhost:123456", "[::1]x", "localhost:80@evil.com"})
+        CHECK_FALSE(live::is_loopback_host(host));
+    CHECK(live::is_own_origin("", "localhost:1"));
+    CHECK(live::is_own_origin("http://localhost:1", "localhost:1"));
+    CHECK_FALSE(live::is_own_origin("http://evil.com", "localhost:1"));
+    CHECK_FALSE(live::is_own_origin("null", "localhost:1"));
+    const std::string token = live::new_token();
+    CHECK(token.size() == 32);
+    CHECK(token != live::new_token());
+    CHECK(live::same_secret(token, token));
+    CHECK_FALSE(live::same_secret(token, token.substr(1)));
+    CHECK_FALSE(live::same_secret("", token));
+}
+
+TEST_CASE("JSON of numbers") {
+    CHECK(live::json::number(.1) == "0.1");
+    CHECK(live::json::number(std::nan("")) == "null");
+    CHECK(live::json::numbers({1, 2.5}) == "[1,2.5]");
+}

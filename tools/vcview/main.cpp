@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vcview - shows the pictures of a stream and the lines of metrics in a browser while they pass.  The bytes go on as
+// they came: to the program after "--", whose output and status become vcview's, or to the standard output. See
+// man/vcview.1.
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <optional>
+#include <thread>
+
+#include "base/descriptor.h"
+#include "base/error.h"
+#include "base/run.h"
+#include "base/stop.h"
+#include "live/child.h"
+#include "live/framer.h"
+#include "live/live.h"
+#include "live/server.h"
+#include "options.h"
+
+namespace {
+
+constexpr size_t block_size = 1 << 18;
+
+// The child's output to ours, and line by line to the page.
+void pass_lines(int from, live::Live& page) {
+    std::vector<char> block(block_size);
+    std::string line;
+    bool open = true;  // is our own output read?
+    for (ssize_t n; (n = base::read_some(from, block.data(), block.size())) > 0;) {
+        open = open && base::write_all(1, block.data(), size_t(n));
+        for (const char* c = block.data(); c != block.data() + n; ++c) {
+            if (*c != '\n') {
+                line += *c;
+                continue;
+            }
+            page.put_line(line);
+            line.clear();
+        }
+    }
+    if (!line.empty()) page.put_line(line);
+}
+
+// Standard input to the descriptor until either ends; what passes is looked at afterwards.
+void pass_pictures(int to, live::Framer& framer) {
+    std::vector<char> block(block_size);
+    bool told = false;
+    while (base::wait_for_input(0)) {
+        const ssize_t n = base::read_some(0, block.data(), block.size());
+        if (n < 0) base::fail_system("stdin", "cannot be read");
+        if (n == 0) return;
+        errno = 0;
+        if (!base::write_all(to, block.data(), size_t(n))) {
+            if (errno == EPIPE) return;
+            base::fail_system("stdout", "cannot be written");
+        }
+        framer.pass(block.data(), size_t(n));
+        if (!told && !framer.stopped().empty()) base::warn("stdin", framer.stopped() + ": the page shows no more");
+        told = !framer.stopped().empty();
+    }
+}
+
+void wait_for_signal() {
+    int ends[2];
+    errno = 0;
+    if (pipe(ends) != 0) base::fail_system("pipe", "cannot be made");
+    base::wait_for_input(ends[0]);  // nobody writes
+}
+
+int work(const Options& options) {
+    base::finish_on_signal();
+    std::optional<live::Child> child;
+    if (!options.command.empty()) child.emplace(options.command);
+    live::Live page;
+    const live::Server server(page, options.server);
+    fmt::print(stderr, "vcview: {}\n", server.link());
+    live::Framer framer([&](image::Picture p) { page.put_picture(std::move(p)); });
+
+    int status = 0;
+    if (!child) {
+        pass_pictures(1, framer);
+    } else {
+        std::thread lines([&] { pass_lines(child->output(), page); });
+        try {
+            pass_pictures(child->input(), framer);
+        } catch (...) {
+            child->close_input();
+            lines.join();
+            throw;
+        }
+        child->close_input();
+        lines.join();
+        status = child->wait();
+    }
+    close(0);  // whoever still writes to us may end
+    page.put_end(status);
+    if (options.stay && !base::stop_requested()) {
+        base::leave_stdout();
+        base::say_on_terminal("vcview: the pipe has ended; ^C ends the page");
+        wait_for_signal();
+    }
+    return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return base::run("vcview", [&] {
+        const auto options = parse_options(argc, argv);
+        return options ? work(*options) : 0;
+    });
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vcview's options, each declared once (base/options.h), and what they may not say together.
+#include "options.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/error.h"
+#include "base/options.h"
+
+std::optional<Options> parse_options(int argc, char** argv) {
+    Options o;
+    char** const end = argv + argc;
+    char** const dashes = std::find_if(argv, end, [](const char* word) { return std::strcmp(word, "--") == 0; });
+    if (dashes != end) o.command.assign(dashes + 1, end);
+
+    base::OptionTable t("vcview", LUXPIPE_VERSION, "[options] [-- program [argument ...]]");
+    t.group("Page");
+    t.add("-port N", "Port of the page; 0: any that is free", o.server.port).within(0, 65535);
+    t.add("-listen address", "Address that serves the page", o.server.listen);
+    t.add("-stay", "Show the last picture until interrupted, also after the pipe has ended", o.stay);
+    t.group("Scene");
+    t.add("-control file", "FIFO to which the page's commands go (ptrace -control)", o.server.control);
+    const auto operands = t.parse(int(dashes - argv), argv);
+    if (!operands) return std::nullopt;
+    if (!operands->empty())
+        base::fail(operands->front(), "is no option; the program that reads the pictures comes after --");
+    if (dashes != end && o.command.empty()) base::fail("--", "names no program");
+    return o;
+}
