@@ -71,7 +71,7 @@ class Bed:
 def compare_scene(job):
     """One seed: a dictionary that the main process reports."""
     seed, args, bed = job
-    scene = generate(seed, args.rays)
+    scene = generate(seed, args.rays, args.coincident, args.resting)
     result = {"seed": seed, "pixels": 0, "differ": 0, "edges": 0, "rare": 0, "noisy": 0, "status": "agrees", "why": ""}
     with tempfile.TemporaryDirectory() as folder:
         bed(folder)
@@ -169,8 +169,12 @@ def parse_arguments():
     parser.add_argument("--budget", type=int, default=250, help="trials to shrink a difference")
     parser.add_argument("--tracer", default="build/bin/trace_rays")
     parser.add_argument("--ours", default="", help="options for ptrace only (to see that a difference is found)")
+    parser.add_argument("--coincident", action="store_true", help="surfaces in one place with others")
+    parser.add_argument("--resting", action="store_true", help="eyes on surfaces")
+    parser.add_argument("--scale", type=float, default=1, help="of ptrace's model, which rtrace sees at 1")
     parser.add_argument("--out", default="out/compare-radiance")
     args = parser.parse_args()
+    tracers.scale = args.scale
     args.tracer, args.out = os.path.abspath(args.tracer), os.path.abspath(args.out)
     return args
 

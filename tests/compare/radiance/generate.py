@@ -22,8 +22,8 @@ def rotated(rng, points, tilt):
 
 
 class World:
-    def __init__(self, seed):
-        self.rng, self.scene = random.Random(seed), Scene()
+    def __init__(self, seed, coincident):
+        self.rng, self.scene, self.coincident = random.Random(seed), Scene(), coincident
         self.list, self.count = self.scene.files["scene"], 0
         self.options()
         self.materials = Materials(self.rng, self.list, self.kinds)
@@ -48,6 +48,27 @@ class World:
     def surface(self, material, kind, reals, strings=()):
         self.count += 1
         self.list.append(Primitive(material, kind, f"s{self.count}", strings, reals))
+        if self.coincident and kind not in ("source", "instance", "mesh") and self.rng.random() < .4:
+            self.twin(kind, reals)
+
+    def twin(self, kind, reals):
+        """Another surface in the same place: corners of the same numbers lie in one plane to the last digit."""
+        r = self.rng
+        material = self.materials.material(shines=False)
+        if kind == "polygon":
+            corners = [reals[i:i + 3] for i in range(0, len(reals), 3)]
+            if len(corners) == 4 and r.random() < .4:
+                corners.pop(r.randrange(4))
+            if r.random() < .5:
+                corners.reverse()
+            reals = [v for corner in corners for v in corner]
+        elif kind == "ring" and r.random() < .5:
+            reals = reals[:3] + [-v for v in reals[3:6]] + reals[6:]
+        else:
+            other = {"sphere": "bubble", "bubble": "sphere", "cylinder": "tube", "tube": "cylinder", "cone": "cup"}
+            kind = other.get(kind, kind) if r.random() < .5 else kind
+        self.count += 1
+        self.list.append(Primitive(material, kind, f"s{self.count}", (), reals))
 
     def quad(self, material, centre, half, tilt):
         rng = self.rng
@@ -159,7 +180,19 @@ class World:
         self.surface(material, "polygon", [x - half, y - half, z, x - half, y + half, z,
                                            x + half, y + half, z, x + half, y - half, z])
 
-    def rays(self, count):
+    def resting_eye(self):
+        """On the floor or a side of a box, which lie in planes to the last digit."""
+        r = self.rng
+        eye = [number(r, -3, 3), number(r, -3, 3), GROUND]
+        flat = [p.reals for p in self.scene.files["scene"] if p.kind == "polygon" and len(p.reals) == 12
+                and any(len({p.reals[i] for i in (a, a + 3, a + 6, a + 9)}) == 1 for a in range(3))]
+        if flat and r.random() < .7:
+            reals, share = r.choice(flat), [r.uniform(.1, .9), r.uniform(.1, .9)]
+            across = [[reals[3 * k + a] - reals[a] for a in range(3)] for k in (1, 3)]
+            eye = [reals[a] + share[0] * across[0][a] + share[1] * across[1][a] for a in range(3)]
+        return eye
+
+    def rays(self, count, resting):
         r = self.rng
         for _ in range(count):
             target = [r.uniform(-3.4, 3.4), r.uniform(-3.4, 3.4), r.uniform(0, 2.2)]
@@ -168,12 +201,16 @@ class World:
                 eye = [7 * math.cos(a), 7 * math.sin(a), z]
             else:
                 eye = [r.uniform(-3.4, 3.4), r.uniform(-3.4, 3.4), r.uniform(.2, 3)]
+            if resting:
+                eye = self.resting_eye()
+                target[2] += r.choice([0, 2])
             ray = eye + [t - e for t, e in zip(target, eye)]
             self.scene.rays.append(tuple(float(f"{v:.6g}") for v in ray))
 
 
-def generate(seed, ray_count):
-    world = World(seed)
+def generate(seed, ray_count, coincident=False, resting=False):
+    """coincident: surfaces lie in one place with others; resting: eyes on surfaces."""
+    world = World(seed, coincident)
     r = world.rng
     world.lights()
     floor = world.materials.add(world.materials.modifier(), "plastic", [], world.materials.colour() + [0, 0])
@@ -184,6 +221,6 @@ def generate(seed, ray_count):
     for x, y in r.sample(CELLS, r.randint(2, 5)):
         maker = r.choices([world.thing, world.volume, world.instance, world.mesh], [7, 2, 1.5, .7])[0]
         maker(x, y)
-    world.rays(ray_count // 4 if world.indirect else ray_count)  # those take a hundred times as long
+    world.rays(ray_count // 4 if world.indirect else ray_count, resting)  # those take a hundred times as long
     world.scene.prune()
     return world.scene

@@ -18,6 +18,9 @@ class Refused(Exception):
         self.who, self.why = who, why
 
 
+scale = 1  # of the model that ptrace sees; rtrace's lengths of 1e-6 are not made for other units
+
+
 def timeout(rays):
     return 60 + PER_RAY * math.sqrt(len(rays))
 
@@ -69,8 +72,15 @@ def rtrace(folder, arguments, rays, repeats, octree="scene.oct"):
 
 def ptrace(tracer, folder, arguments, rays, fewest, most, least="0"):
     """least: of the chances of the ways on from a surface."""
-    text = "".join(ray_text(ray) + "\n" for ray in rays)
-    command = [tracer, str(fewest), str(most), "scene.rad", EXACT + " " + arguments, least]
+    text = "".join(ray_text([scale * v for v in ray[:3]] + list(ray[3:])) + "\n" for ray in rays)
+    with open(os.path.join(folder, "scaled.rad"), "w") as out:
+        out.write(f"!xform -s {scale} scene.rad\n")
+    words = arguments.split()
+    for i in range(len(words)):
+        if words[i] == "-me":
+            words[i + 1:i + 4] = [f"{float(v) / scale:.9g}" for v in words[i + 1:i + 4]]
+    file = "scene.rad" if scale == 1 else "scaled.rad"
+    command = [tracer, str(fewest), str(most), file, EXACT + " " + " ".join(words), least]
     out = run("ptrace", command, folder, text, timeout(rays))
     results = []
     for line in out.decode().splitlines():
