@@ -86,7 +86,7 @@ static Rays bouncing_rays(const bvh_scenes::Scene& scene, const kernels::SceneTa
         kernels::Ray ray = {F3(0.1f, 0.2f, 1.3f), 0, F3(float(d.x), float(d.y), float(d.z)), 1e30f};
         for (int bounce = 0; bounce < 4; bounce++) {
             kernels::Hit hit;
-            kernels::compact::trace_closest(&tables, &ray, RAY_ALL, &hit);
+            kernels::compact::trace_first(&tables, &ray, RAY_ALL, &hit);
             if (hit.prim == NO_HIT) break;
             const float3 p = kernels::madd3(ray.dir, hit.t, ray.org);
             Vec n = normal[hit.prim];
@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
         "BVH8", rays,
         [&](const kernels::Ray& ray) {
             kernels::Hit h;
-            kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &h);
+            kernels::wide::trace_first(&t8, &ray, RAY_ALL, &h);
             return h.t;
         },
         [&](const kernels::Ray& ray) { return kernels::wide::trace_any(&t8, &ray, RAY_ALL); });
@@ -162,7 +162,7 @@ int main(int argc, char** argv) {
         "compact", rays,
         [&](const kernels::Ray& ray) {
             kernels::Hit h;
-            kernels::compact::trace_closest(&compact_tables, &ray, RAY_ALL, &h);
+            kernels::compact::trace_first(&compact_tables, &ray, RAY_ALL, &h);
             return h.t;
         },
         [&](const kernels::Ray& ray) { return kernels::compact::trace_any(&compact_tables, &ray, RAY_ALL); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far the surfaces of a scene reach.
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 #include "flatten/pack.h"
@@ -24,6 +25,13 @@ Vec3 centre_of(const Box& box) {
     const Vec3 mid = (box.lo + box.hi) * 0.5;
     if (length(mid) <= length(box.hi - box.lo)) return {};
     return {std::round(mid.x), std::round(mid.y), std::round(mid.z)};
+}
+
+// In a room of some metres this is 16: hits are as exact as 2^-20 of it.
+double least_reach_of(double radius) {
+    constexpr double ordinary = 16, small = .5, large = 1024;
+    if (!(radius > 0) || radius >= small) return ordinary;
+    return std::ldexp(ordinary, std::max(-100, std::ilogb(radius / large)));
 }
 
 Box surface_bounds(const scene::Scene& s) {

@@ -2,6 +2,7 @@
 // The order in which a scene becomes tables.  Each step reads what those before it have written, and nothing else.
 #include "flatten/flatten.h"
 
+#include "flatten/coincident.h"
 #include "flatten/highlights.h"
 #include "flatten/instances.h"
 #include "flatten/light_tree.h"
@@ -28,6 +29,7 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
 
     // Surfaces: tree 0 is the scene with the places of its instances, the others are what these hold.
     flatten_geometry(modifiers, instances, out, lights);
+    warn_of_coincident(modifiers, out);
 
     // Sources: surfaces that shine, distant ones, and all of them again in mirrors and prisms; which of them mists
     // scatter; how they are chosen among if they are many.
@@ -39,6 +41,7 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     link_mists(modifiers, lights.relays, sources, out);
     write_sources(std::move(sources), out);
     plant_light_tree(out);
+    mark_covered_sources(out);
 
     // Highlights and windows, which need rays through the finished geometry.
     if (options.sampling != Sampling::plain) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All geometry of a scene: its own tree, the trees that its instances share, and the records of these.
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -48,6 +49,8 @@ void flatten_geometry(const Modifiers& modifiers, const Instances& instances, Fl
     Box box = surface_bounds(modifiers.scene);
     instances.grow_to_places(box);
     out.centre = centre_of(box);
+    out.radius = box.lo.x > box.hi.x ? 0 : length(box.hi - box.lo) / 2;
+    out.least_reach = least_reach_of(out.radius);
 
     uint32_t places_at = 0;
     add_tree(out, [&] {
@@ -81,7 +84,7 @@ uint32_t Instances::write_places(FlatScene& out) const {
         put_matrix(q + INSTANCE_MATRIX, base::inverse(p.to_world), out.centre, trees_[p.tree - 1].centre);
         q[INSTANCE_TREE] = from_bits(p.tree);
         q[INSTANCE_CLASS] = from_bits(p.forced);
-        if (p.forced == RAY_TRANSPARENT) out.shadows_need(SHADOW_STRAIGHT);
+        if ((p.forced & RAY_TRANSPARENT) != 0) out.shadows_need(SHADOW_STRAIGHT);
     }
     return first;
 }
@@ -105,7 +108,7 @@ void Instances::write_records(uint32_t places_at, FlatScene& out) const {
         put_matrix(q + INST_FRAME, frame, out.centre, {});
         q[INST_MOD] = from_bits(p.mod);
         q[INST_SCALE] = float(std::fabs(frame.scale));
-        q[INST_REACH] = float(length(b.hi - b.lo) * 0.5 * std::fabs(p.to_world.scale));
+        q[INST_REACH] = float(std::max(length(b.hi - b.lo) * 0.5 * std::fabs(p.to_world.scale), out.least_reach));
         out.instance_object.push_back(p.object);
     }
 }

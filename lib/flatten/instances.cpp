@@ -98,7 +98,7 @@ void Instances::add(uint32_t tree, const Xform& to_world, const Replacement* rep
     if (replaced) {
         p.frame = replaced->frame;
         p.mod = replaced->mod;
-        p.forced = replaced->passes ? RAY_TRANSPARENT : RAY_OPAQUE;
+        p.forced = (replaced->passes ? RAY_TRANSPARENT : RAY_OPAQUE) | (replaced->clear ? INSTANCE_CLEAR : 0u);
     }
     places_.push_back(p);
 }
@@ -128,7 +128,7 @@ void Instances::place_all(const Level& level, Lights& lights) {
         }
         if (!level.modifiers->has_material[o.modifier]) continue;  // all of it lets rays pass
         const Replacement own{level.modifiers->record[o.modifier], level.modifiers->passes[o.modifier] != 0,
-                              level.to_world};
+                              level.modifiers->is_clear(o.modifier), level.to_world};
         const uint32_t m = level.modifiers->material[o.modifier];
         if (level.object == NONE && m != NONE && scene::shines(scene.objects[m].type))
             lights.emitters.push_back({owner, NONE});  // refused if it is an active source

@@ -37,7 +37,7 @@ private:
     // What replaces the modifiers inside, and the coordinates its functions see.
     struct Replacement {
         uint32_t mod;
-        bool passes;
+        bool passes, clear;
         base::Xform frame;
     };
     // Part of the scene, or of an octree in it.

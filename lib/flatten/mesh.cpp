@@ -54,13 +54,14 @@ void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std
 
     for (const scene::Mesh::Triangle& t : mesh.triangles) {
         uint32_t mod = NONE;
-        bool passes = false;
+        bool passes = false, clear = false;
         if (modifiers) {
             int32_t m = t.material;
             if (m >= 0 && !materials.empty()) m = materials[size_t(m)];
             if (m < 0 || !modifiers->has_material[m]) continue;
             mod = modifiers->record[m];
             passes = modifiers->passes[m];
+            clear = modifiers->is_clear(m);
         }
         const Vec3 a = mesh.positions[t.v[0]];
         const Vec3 across = cross(mesh.positions[t.v[1]] - a, mesh.positions[t.v[2]] - a);
@@ -70,6 +71,7 @@ void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std
         uint32_t kind = corners ? PRIM_SMOOTH : PRIM_FLAT;
         if (smooth && has_normals(mesh, t)) kind |= PRIM_CORNER_NORMALS;
 
+        if (clear) kind |= PRIM_CLEAR;
         const uint32_t prim = uint32_t(out.prims.size() / PRIM_WORDS);
         const uint32_t record[PRIM_WORDS] = {kind,
                                              mod,
@@ -78,7 +80,7 @@ void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std
                                              bits(float(normal.y)),
                                              bits(float(normal.z)),
                                              uint32_t(out.u.size()),
-                                             bits(0.0f)};
+                                             bits(float(out.least_reach))};
         out.prims.insert(out.prims.end(), record, record + PRIM_WORDS);
         out.prim_object.push_back(FlatScene::NO_OBJECT);
         out.triangles.insert(out.triangles.end(), {t.v[0], t.v[1], t.v[2]});

@@ -267,6 +267,12 @@ Modifiers::Modifiers(const scene::Scene& s)
       passes(s.objects.size(), 0),
       material(s.objects.size(), NONE) {}
 
+bool Modifiers::is_clear(int32_t m) const {
+    if (material[m] == NONE) return false;
+    const Object& o = scene.objects[material[m]];
+    return o.type != Type::antimatter && mirror_gives_way(scene, o);
+}
+
 Modifiers flatten_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used, const Options& options,
                             const scene::ReadOptions& files, ModifierTables& tables) {
     return ModifierWriter(scene, options, files, tables).run(also_used);

@@ -82,19 +82,16 @@ private:
     // Number of a new primitive; `tagged` with its class, as the trees need it.
     uint32_t add_prim(const Object& o, uint32_t kind, Vec3 normal, uint32_t& tagged) {
         const uint32_t id = uint32_t(out_.prims.size() / PRIM_WORDS);
-        const uint32_t record[PRIM_WORDS] = {kind,
-                                             modifiers_ ? modifiers_->record[o.modifier] : NONE,
-                                             NONE,
-                                             bits(float(normal.x)),
-                                             bits(float(normal.y)),
-                                             bits(float(normal.z)),
-                                             0,
-                                             0};
+        if (modifiers_ && modifiers_->is_clear(o.modifier)) kind |= PRIM_CLEAR;
+        const uint32_t mod = modifiers_ ? modifiers_->record[o.modifier] : NONE;
+        const uint32_t n[3] = {bits(float(normal.x)), bits(float(normal.y)), bits(float(normal.z))};
+        const uint32_t record[PRIM_WORDS] = {kind, mod, NONE, n[0], n[1], n[2], 0, bits(float(out_.least_reach))};
         out_.prims.insert(out_.prims.end(), record, record + PRIM_WORDS);
         out_.prim_object.push_back(lights_ ? index_of(o) : FlatScene::NO_OBJECT);
-        const bool passes = modifiers_ && modifiers_->passes[o.modifier];
-        tagged = id | (passes ? ID_TRANSPARENT : 0u);
-        if (passes) out_.shadows_need(SHADOW_STRAIGHT);
+        tagged = id;
+        if (!modifiers_ || !modifiers_->passes[o.modifier]) return id;
+        tagged |= ID_TRANSPARENT;
+        out_.shadows_need(SHADOW_STRAIGHT);
         return id;
     }
     uint32_t add_curved_prim(const Object& o, uint32_t kind, uint32_t shape) {
@@ -104,7 +101,9 @@ private:
         out_.shape_prim.push_back(tagged);
         return prim;
     }
-    void set_extent(uint32_t prim, double size) { out_.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(size)); }
+    void set_extent(uint32_t prim, double size) {
+        out_.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(std::max(size, out_.least_reach)));
+    }
 
     uint32_t add_shape(uint32_t kind, std::initializer_list<double> values) {
         const uint32_t id = uint32_t(out_.shapes.size() / SHAPE_FLOATS);

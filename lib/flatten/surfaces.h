@@ -60,6 +60,8 @@ void grow(Box& box, base::Vec3 p);
 Box surface_bounds(const scene::Scene& scene);
 // Origin of tables: single precision would spoil positions far from it.
 base::Vec3 centre_of(const Box& box);
+// FlatScene::least_reach: a step of powers of two where models are small, as those in kilometres are.
+double least_reach_of(double radius);
 
 // Coordinates are floats in the end, and are squared: beyond this nothing can be said of a surface.
 constexpr double farthest = 1e18;

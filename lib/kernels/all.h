@@ -42,6 +42,9 @@
 #include "kernels/view_ray.h"
 #include "kernels/instance.h"
 #include "kernels/surface.h"
+#ifndef LUX_LANES
+#include "kernels/coincide.h"
+#endif
 #include "kernels/lobes.h"
 #include "kernels/modifier.h"
 #include "kernels/clip.h"

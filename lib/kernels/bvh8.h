@@ -34,8 +34,7 @@ FN void bvh8_push(PRIVATE(Bvh8Stack) stack, int bottom, uint ref, float t) {  //
 }
 
 // Four triangles; 1 if one of them became the nearest hit.
-FN int bvh8_triangles(GLOBAL const float* b, PRIVATE(const WoopRay) r, float tmin, uint mask, uint inst,
-                      PRIVATE(Hit) hit) {
+FN int bvh8_triangles(GLOBAL const float* b, PRIVATE(const WoopRay) r, uint mask, uint inst, PRIVATE(Look) look) {
     v4f az = load4_(b + 4u * r->kz) - r->oz, bz = load4_(b + 12u + 4u * r->kz) - r->oz;
     v4f cz = load4_(b + 24u + 4u * r->kz) - r->oz;
     v4f ax = (load4_(b + 4u * r->kx) - r->ox) - r->sx * az, ay = (load4_(b + 4u * r->ky) - r->oy) - r->sy * az;
@@ -51,7 +50,7 @@ FN int bvh8_triangles(GLOBAL const float* b, PRIVATE(const WoopRay) r, float tmi
     int found = 0;
     if (m == 0u) return 0;
     t = (wa * az + wb * bz + wc * cz) * r->sz / det;
-    m = lanes4_(inside & (det != 0.0f) & (t > tmin) & (t <= hit->t));
+    m = lanes4_(inside & (det != 0.0f) & (t > look->from) & (t <= look->limit));
     if (m == 0u) return 0;
     store4_(t, ts);
     store4_(wb / det, us);
@@ -61,7 +60,7 @@ FN int bvh8_triangles(GLOBAL const float* b, PRIVATE(const WoopRay) r, float tmi
         uint k = lane_first_(m);
         uint id = as_uint_(b[BVH8_IDS + k]);
         m = lane_drop_(m, k);
-        if (((mask >> (id >> 31)) & 1u) != 0u && hit_offer(hit, ts[k], id & ID_PRIM, us[k], vs[k], inst)) found = 1;
+        if (((mask >> (id >> 31)) & 1u) != 0u && hit_offer(look, ts[k], id & ID_PRIM, us[k], vs[k], inst)) found = 1;
     }
 
     return found;
@@ -118,10 +117,10 @@ FN LaneMask bvh8_boxes(GLOBAL const float* b, PRIVATE(const WoopRay) r, float tm
 }
 
 // A leaf block of shapes; instances wait on the stack.  1 if a shape became the nearest hit.
-FN int bvh8_shapes(SHARED(const SceneTables) s, GLOBAL const float* block, PRIVATE(const TreeRay) way, float tmin,
-                   PRIVATE(Bvh8Stack) stack, PRIVATE(Hit) hit) {
+FN int bvh8_shapes(SHARED(const SceneTables) s, GLOBAL const float* block, PRIVATE(const TreeRay) way,
+                   PRIVATE(Bvh8Stack) stack, PRIVATE(Look) look) {
     float from[4];
-    LaneMask met = bvh8_boxes(block + BVH8_BOXES, &way->r, tmin, hit->t, from);
+    LaneMask met = bvh8_boxes(block + BVH8_BOXES, &way->r, look->from, look->limit, from);
     int found = 0;
 
     while (met != 0u) {
@@ -133,8 +132,8 @@ FN int bvh8_shapes(SHARED(const SceneTables) s, GLOBAL const float* block, PRIVA
         if (as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
             bvh8_push(stack, stack->size, number | REF_LEAF | REF_INSTANCE, from[k]);
         } else if (((way->mask >> (id >> 31)) & 1u) != 0u &&
-                   shape_hit(shape, s->polygon_uv, way->r.org, way->r.dir, tmin, &t) &&
-                   hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, way->inst)) {
+                   shape_hit(shape, s->polygon_uv, way->r.org, way->r.dir, look->from, &t) &&
+                   hit_offer(look, t, id & ID_PRIM, 0.0f, 0.0f, way->inst)) {
             found = 1;
         }
     }
@@ -142,42 +141,42 @@ FN int bvh8_shapes(SHARED(const SceneTables) s, GLOBAL const float* block, PRIVA
     return found;
 }
 
-FN int bvh8_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, float tmin,
-                 PRIVATE(Bvh8Stack) stack, PRIVATE(Hit) hit) {
+FN int bvh8_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, PRIVATE(Bvh8Stack) stack,
+                 PRIVATE(Look) look) {
     GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * BVH8_LEAF_FLOATS;
     int found = 0;
 
     for (;; block += BVH8_LEAF_FLOATS) {
         uint first = as_uint_(block[BVH8_IDS]);
         if ((first & ID_SHAPE) == 0u) {
-            if (bvh8_triangles(block, &way->r, tmin, way->mask, way->inst, hit)) found = 1;
+            if (bvh8_triangles(block, &way->r, way->mask, way->inst, look)) found = 1;
         } else {
-            if (bvh8_shapes(s, block, way, tmin, stack, hit)) found = 1;
+            if (bvh8_shapes(s, block, way, stack, look)) found = 1;
         }
         if ((first & ID_LAST) != 0u) return found;
     }
 }
 
-// From the root of the tree that *in is in.  The nearest hit, or with any != 0 some hit (1 at once).
+// From the root of the tree that *in is in.  The first hit that look asks for, or with any != 0 some hit (1 at once).
 FN int bvh8_walk(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way, uint root,
-                 int any, PRIVATE(Hit) hit) {
+                 int any, PRIVATE(Look) look) {
     Bvh8Stack stack;
     uint cur = root;
-    float cur_t = ray->tmin;
+    float cur_t = look->from;
     int found = 0;
     stack.size = 0;
 
     for (;;) {
         if ((cur & REF_LEAF) == 0u) {
             GLOBAL const float* node = s->nodes + (ulong64)cur * BVH8_NODE_FLOATS;
-            if (bvh8_node(node, &way->r, ray->tmin, hit->t, &stack, &cur, &cur_t)) continue;
+            if (bvh8_node(node, &way->r, look->from, look->limit, &stack, &cur, &cur_t)) continue;
         } else if ((cur & REF_INSTANCE) == 0u) {
-            if (bvh8_leaf(s, cur, way, ray->tmin, &stack, hit)) found = 1;
+            if (bvh8_leaf(s, cur, way, &stack, look)) found = 1;
             if (any && found) return 1;
         } else if (cur == REF_NONE) {  // back from an instance
             enter_scene(ray, mask, way);
         } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, way, &cur)) {
-            bvh8_push(&stack, stack.size, REF_NONE, ray->tmin);
+            bvh8_push(&stack, stack.size, REF_NONE, look->from);
             continue;
         }
 
@@ -186,32 +185,25 @@ FN int bvh8_walk(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask,
             stack.size--;
             cur = stack.ref[stack.size];
             cur_t = stack.t[stack.size];
-        } while (cur_t > hit->t * SLAB_WIDEN);
+        } while (cur_t > look->limit * SLAB_WIDEN);
     }
 }
 
-// The same in the scene; hit->t = tmax and hit->prim = NO_HIT on entry.
-FN int bvh8_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Hit) hit) {
+// The same in the scene.
+FN int bvh8_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Look) look) {
     TreeRay way;
     uint root = mask == RAY_TRANSPARENT ? ROOT_OF_PANES : ROOT_OF_SCENE;
     enter_scene(ray, mask, &way);
-    return bvh8_walk(s, ray, mask, &way, root, any, hit);
+    return bvh8_walk(s, ray, mask, &way, root, any, look);
 }
 
-FN void trace_closest(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Hit) hit) {
-    hit->t = ray->tmax;
-    hit->prim = NO_HIT;
-    hit->inst = NO_HIT;
-    hit->u = 0.0f;
-    hit->v = 0.0f;
-    bvh8_traverse(s, ray, mask, 0, hit);
+FN void trace_next(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Look) look) {
+    bvh8_traverse(s, ray, mask, 0, look);
 }
 
 FN int trace_any(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask) {
-    Hit hit;
-    hit.t = ray->tmax;
-    hit.prim = NO_HIT;
-    hit.inst = NO_HIT;
-    return bvh8_traverse(s, ray, mask, 1, &hit);
+    Look look;
+    look_along(ray, &look);
+    return bvh8_traverse(s, ray, mask, 1, &look);
 }
 #endif

@@ -108,8 +108,8 @@ FN uint compact_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, uint order
 }
 
 // A shape of a leaf.  1 if it became the nearest hit; an instance waits on the stack.
-FN int compact_shape(SHARED(const SceneTables) s, uint number, uint id, PRIVATE(const TreeRay) way, float tmin,
-                     PRIVATE(uint) stack, PRIVATE(int) waiting, PRIVATE(Hit) hit) {
+FN int compact_shape(SHARED(const SceneTables) s, uint number, uint id, PRIVATE(const TreeRay) way, PRIVATE(uint) stack,
+                     PRIVATE(int) waiting, PRIVATE(Look) look) {
     GLOBAL const float* shape = shape_record(s, number);
     float t;
     if (HAS(INSTANCES) && as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
@@ -118,21 +118,20 @@ FN int compact_shape(SHARED(const SceneTables) s, uint number, uint id, PRIVATE(
     }
 
     return ((way->mask >> (id >> 31)) & 1u) != 0u &&
-           shape_hit(shape, s->polygon_uv, way->r.org, way->r.dir, tmin, &t) &&
-           hit_offer(hit, t, id & ID_PRIM, 0.0f, 0.0f, way->inst);
+           shape_hit(shape, s->polygon_uv, way->r.org, way->r.dir, look->from, &t) &&
+           hit_offer(look, t, id & ID_PRIM, 0.0f, 0.0f, way->inst);
 }
 
 // A triangle, likewise.
-FN int compact_triangle(float4 v0, float4 v1, float4 v2, uint id, PRIVATE(const TreeRay) way, float tmin,
-                        PRIVATE(Hit) hit) {
+FN int compact_triangle(float4 v0, float4 v1, float4 v2, uint id, PRIVATE(const TreeRay) way, PRIVATE(Look) look) {
     float t, u, v;
     return ((way->mask >> (id >> 31)) & 1u) != 0u &&
            woop_triangle(&way->r, F3(v0.x, v0.y, v0.z), F3(v1.x, v1.y, v1.z), F3(v2.x, v2.y, v2.z), &t, &u, &v) &&
-           t > tmin && hit_offer(hit, t, id & ID_PRIM, u, v, way->inst);
+           t > look->from && hit_offer(look, t, id & ID_PRIM, u, v, way->inst);
 }
 
-FN int compact_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, float tmin, PRIVATE(uint) stack,
-                    PRIVATE(int) waiting, PRIVATE(Hit) hit) {
+FN int compact_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, PRIVATE(uint) stack,
+                    PRIVATE(int) waiting, PRIVATE(Look) look) {
     GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * COMPACT_BLOCK_FLOATS;
     int found = 0;
 
@@ -140,9 +139,9 @@ FN int compact_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay
         float4 v0 = loadf4_(block), v1 = loadf4_(block + 4), v2 = loadf4_(block + 8);
         uint id = as_uint_(v0.w);
         if ((id & ID_SHAPE) == 0u) {
-            if (compact_triangle(v0, v1, v2, id, way, tmin, hit)) found = 1;
+            if (compact_triangle(v0, v1, v2, id, way, look)) found = 1;
         } else {
-            if (compact_shape(s, as_uint_(v0.x), id, way, tmin, stack, waiting, hit)) found = 1;
+            if (compact_shape(s, as_uint_(v0.x), id, way, stack, waiting, look)) found = 1;
         }
         if ((id & ID_LAST) != 0u) return found;
     }
@@ -160,8 +159,8 @@ FN uint compact_next(GLOBAL const float* n, uint order, PRIVATE(uint) slots) {
     return as_uint_(children.x) + bit_count_(as_uint_(n[3]) >> 24 & ((1u << slot) - 1u));
 }
 
-// The nearest hit, or with any != 0 some hit (1 at once); hit->t = tmax and hit->prim = NO_HIT on entry.
-FN int compact_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Hit) hit) {
+// The first hit that look asks for, or with any != 0 some hit (1 at once).
+FN int compact_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Look) look) {
     uint stack[2 * COMPACT_STACK];
     TreeRay way;
     uint cur = mask == RAY_TRANSPARENT ? ROOT_OF_PANES : ROOT_OF_SCENE, node = 0u, slots = 0u, order;
@@ -173,13 +172,13 @@ FN int compact_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uin
         if ((cur & REF_LEAF) == 0u) {
             if (slots != 0u) compact_push(stack, &waiting, node, slots);
             node = cur;
-            slots = compact_node(compact_at(s, node), &way.r, order, ray->tmin, hit->t);
+            slots = compact_node(compact_at(s, node), &way.r, order, look->from, look->limit);
         } else if (!HAS(INSTANCES) || (cur & REF_INSTANCE) == 0u) {
             if (HAS(INSTANCES) && slots != 0u) {  // instances come first, so that those of one leaf wait at a time
                 compact_push(stack, &waiting, node, slots);
                 slots = 0u;
             }
-            if (compact_leaf(s, cur, &way, ray->tmin, stack, &waiting, hit)) found = 1;
+            if (compact_leaf(s, cur, &way, stack, &waiting, look)) found = 1;
             if (any && found) return 1;
         } else if (cur == REF_NONE) {  // back from an instance
             enter_scene(ray, mask, &way);
@@ -200,20 +199,13 @@ FN int compact_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uin
     }
 }
 
-FN void trace_closest(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Hit) hit) {
-    hit->t = ray->tmax;
-    hit->prim = NO_HIT;
-    hit->inst = NO_HIT;
-    hit->u = 0.0f;
-    hit->v = 0.0f;
-    compact_traverse(s, ray, mask, 0, hit);
+FN void trace_next(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Look) look) {
+    compact_traverse(s, ray, mask, 0, look);
 }
 
 FN int trace_any(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask) {
-    Hit hit;
-    hit.t = ray->tmax;
-    hit.prim = NO_HIT;
-    hit.inst = NO_HIT;
-    return compact_traverse(s, ray, mask, 1, &hit);
+    Look look;
+    look_along(ray, &look);
+    return compact_traverse(s, ray, mask, 1, &look);
 }
 #endif

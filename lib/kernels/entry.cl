@@ -36,7 +36,7 @@ __kernel void k_generate(ALL_ARGS, __global uint *counters, __global uint *queue
 
 __kernel void k_extend(ALL_ARGS, __global uint *counters, __global const uint *queue) {
     SET_UP
-    if (i < counters[0]) path_extend(&s, &paths, queue[i]);
+    if (i < counters[0]) path_extend(&s, par, &paths, queue[i]);
 }
 
 // The queue sorted by kind (path/state.h), so that a group of work items takes the same branches: how many there are of

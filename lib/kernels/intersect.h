@@ -2,7 +2,8 @@
 // The one seam between shading and traversal.  Included after compat, vec.h, math.h.
 // One of two files gives the functions below: bvh8.h (float8 boxes, 4-triangle leaves; CPUs, PoCL) or bvh_compact.h
 // (boxes of bytes; GPUs), chosen by LUX_COMPACT.  Both are built from the same Embree BVH builder (bvh/build.h).
-// Ties (equal t) go to the lower primitive, so that both give the same hit, bit for bit, in any order of the tree.
+// Hits are in order of t, then primitive, then instance, so that both give the same one, bit for bit, in any order of
+// the tree.  Which of several surfaces in one place is seen: coincide.h.
 #ifndef LUX_INTERSECT_H
 #define LUX_INTERSECT_H
 #include "kernels/features.h"
@@ -50,7 +51,8 @@
 #define INSTANCE_MATRIX 1u   // 12: local from world, three rows of four
 #define INSTANCE_TREE 13u    // k >= 1 (word)
 #define INSTANCE_NUMBER 14u  // for Hit.inst (word)
-#define INSTANCE_CLASS 15u   // RAY_* of all that it holds; 0: their own (word)
+#define INSTANCE_CLASS 15u   // RAY_* of all that it holds, and INSTANCE_CLEAR; 0: their own (word)
+#define INSTANCE_CLEAR 4u    // its modifier is of a transparent type (PRIM_CLEAR)
 
 STRUCT(Ray) {
     float3 org;
@@ -67,6 +69,21 @@ STRUCT(Hit) {
     float u, v;
     uint inst;
 };
+
+// What traversal looks for: the first hit after a given one, in the order above.
+STRUCT(Look) {
+    Hit hit;      // the first so far; while there is none, t is how far the ray goes
+    float limit;  // no box beyond matters: a little behind hit.t, so that what coincides with it is met
+    float from;   // nor one before
+    float after;  // the given hit, or the ray's tmin and NO_HIT
+    uint after_prim, after_inst;
+    float size;  // of the origin's coordinates, for the rounding of t
+    int tied;    // another hit was about as near as the first
+};
+
+// Hits closer together than this share of their distance and the origin's coordinates may coincide: 2^-12, far above
+// their rounding also where a ray grazes them.
+#define TIE_SHARE 2.4414063e-4f
 
 // Stored ids of triangles and shapes: the primitive and, in the top bits, what traversal must know.
 #define ID_TRANSPARENT 0x80000000u  // class RAY_TRANSPARENT
@@ -107,8 +124,8 @@ FN GLOBAL const float* shape_record(SHARED(const SceneTables) s, uint number) {
     return s->shapes + (ulong64)number * SHAPE_FLOATS;
 }
 
-// Nearest hit with tmin < t < tmax among primitives whose class is in mask; hit->prim = NO_HIT if none.
-//   void trace_closest(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Hit) hit)
+// The first hit, among primitives whose class is in mask, of those that look asks for; look->hit.prim = NO_HIT if none.
+//   void trace_next(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Look) look)
 // 1 if anything in mask lies between tmin and tmax.
 //   int trace_any(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask)
 #endif

@@ -135,6 +135,21 @@ FN void surface_at(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
     g->n = g->ng;
 }
 
+// What is no farther from it, along the normal, may be in the same place: a quarter of the way that a ray which leaves
+// it begins above it, at least (offset_ray.h).
+#define SURFACE_ROUNDING 2.3841858e-7f  // 2^-22
+FN float surface_rounding(PRIVATE(const Surface) g) {
+    return SURFACE_ROUNDING * (g->reach + fabs_(g->ng.x * g->p.x) + fabs_(g->ng.y * g->p.y) + fabs_(g->ng.z * g->p.z));
+}
+
+// Does the surface that a ray meets hold the ray's origin, within that?
+FN int holds_origin(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(const Hit) hit) {
+    if (hit->prim == NO_HIT) return 0;
+    Surface g;
+    surface_at(s, ray, hit, &g);
+    return hit->t * fabs_(dot3(ray->dir, g.ng)) <= surface_rounding(&g);
+}
+
 // An orthonormal frame around n (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
 FN void frame_of(float3 n, PRIVATE(float3) t, PRIVATE(float3) b) {
     float sign = n.z >= 0.0f ? 1.0f : -1.0f;

@@ -23,6 +23,7 @@
 #define PRIM_INWARD 16u          // bubble, cup, tube
 #define PRIM_TEXTURE_FLAT 32u    // polygon or ring ("flat flag")
 #define PRIM_CORNER_NORMALS 64u  // PRIM_SMOOTH: all three corners have normals
+#define PRIM_CLEAR 128u          // its modifier is of a transparent type, as RADIANCE has them (coincide.h)
 #define NONE 0xffffffffu
 
 // ---- instances: records of SHAPE_FLOATS floats in SceneTables.shapes, after all shapes; Hit.inst is the number of one
@@ -101,6 +102,7 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define SRC_CLASS 27u    // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
 #define SRC_VIRTUAL 28u  // virtual sources: relay record in u (word), NONE for real ones
 #define SRC_SHEARED 30u  // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
+#define SRC_COVERED 31u  // 1 = something else lies in its plane, and may hide it in part
 #define SRC_DRAWN 29u    // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
 
 // a triangle of the fan: a corner, then
@@ -250,5 +252,6 @@ STRUCT(Params) {
 #define PF_IRRADIANCE 1u
 #define PF_DV 2u  // light sources visible
 #define PF_ANTIMATTER 4u
-#define PF_SKY_PLACES 8u  // what is far away looks different from place to place
+#define PF_SKY_PLACES 8u       // what is far away looks different from place to place
+#define PF_EYE_ON_SURFACE 16u  // rays of the eye may begin on a surface, which they are not to meet
 #endif

@@ -54,16 +54,51 @@ FN int woop_triangle(PRIVATE(const WoopRay) r, float3 a, float3 b, float3 c, PRI
     return 1;
 }
 
-// Keeps a hit if it is nearer, or as near and of a lower primitive.
-FN int hit_offer(PRIVATE(Hit) best, float t, uint prim, float u, float v, uint inst) {
-    if (!(t < best->t ||
-          (t == best->t && best->prim != NO_HIT && (prim < best->prim || (prim == best->prim && inst < best->inst)))))
-        return 0;
+// Everything along a ray.
+FN void look_along(PRIVATE(const Ray) ray, PRIVATE(Look) look) {
+    look->hit.t = ray->tmax;
+    look->hit.prim = NO_HIT;
+    look->hit.u = 0.0f;
+    look->hit.v = 0.0f;
+    look->hit.inst = NO_HIT;
+    look->limit = ray->tmax;
+    look->from = ray->tmin;
+    look->after = ray->tmin;
+    look->after_prim = NO_HIT;
+    look->after_inst = NO_HIT;
+    look->size = TIE_SHARE * (fabs_(ray->org.x) + fabs_(ray->org.y) + fabs_(ray->org.z));
+    look->tied = 0;
+}
+
+// What comes after the hit found, up to a limit.
+FN void look_past(PRIVATE(Look) look, float limit) {
+    look->after = look->hit.t;
+    look->after_prim = look->hit.prim;
+    look->after_inst = look->hit.inst;
+    look->from = MAX_(look->from, look->hit.t - (TIE_SHARE * look->hit.t + look->size));  // boxes are inexact, too
+    look->limit = limit;
+    look->hit.t = limit;
+    look->hit.prim = NO_HIT;
+}
+
+FN int hit_precedes(float t, uint prim, uint inst, float other_t, uint other_prim, uint other_inst) {
+    return t < other_t || (t == other_t && (prim < other_prim || (prim == other_prim && inst < other_inst)));
+}
+
+// Keeps a hit if it is the first so far.
+FN int hit_offer(PRIVATE(Look) look, float t, uint prim, float u, float v, uint inst) {
+    PRIVATE(Hit) best = &look->hit;
+    float near = TIE_SHARE * t + look->size;
+    int none = best->prim == NO_HIT;
+    if (!(t > look->after) && !hit_precedes(look->after, look->after_prim, look->after_inst, t, prim, inst)) return 0;
+    if (!none && fabs_(t - best->t) <= near) look->tied = 1;
+    if (none ? !(t < best->t) : !hit_precedes(t, prim, inst, best->t, best->prim, best->inst)) return 0;
     best->t = t;
     best->prim = prim;
     best->u = u;
     best->v = v;
     best->inst = inst;
+    look->limit = MIN_(look->limit, t + near);
     return 1;
 }
 

@@ -49,8 +49,8 @@ static void store(const Params& par, const Tile& t, uint32_t count, float* film)
         if (place != NONE) put3(xyz4(t.paths.rad[i]), film + 3 * size_t(place));
     }
 }
-static void extend(const SceneTables& s, Tile& t, uint32_t n) {
-    for (uint32_t i = 0; i < n; i++) path_extend(&s, &t.paths, t.now[i]);
+static void extend(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+    for (uint32_t i = 0; i < n; i++) path_extend(&s, &par, &t.paths, t.now[i]);
 }
 // The members of the groups of a square.
 template <class STAGE>
@@ -98,7 +98,12 @@ static void extend_together(const SceneTables& s, Tile& t, uint32_t n) {
         p.count = n - i < PACKET ? n - i : PACKET;
         for (uint32_t k = 0; k < p.count; k++) packet_put(p, k, path_ray(&t.paths, t.now[i + k]));
         packet_trace(s, p, RAY_ALL);
-        for (uint32_t k = 0; k < p.count; k++) set_path_hit(&t.paths, t.now[i + k], &p.hit[k]);
+        for (uint32_t k = 0; k < p.count; k++) {
+            Hit hit = p.look[k].hit;
+            const Ray ray = path_ray(&t.paths, t.now[i + k]);
+            if (p.look[k].tied) trace_on(&s, &ray, RAY_ALL, 1, &p.look[k], &hit);
+            set_path_hit(&t.paths, t.now[i + k], &hit);
+        }
     }
 }
 // t.result: whether opaque surfaces block the shadow rays, where packets can tell.
@@ -123,7 +128,7 @@ static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n,
     for (; n > 0; together = false) {
         uint32_t goes_on = 0, shadows = 0;
         if (together) extend_together(s, t, n);
-        else extend(s, t, n);
+        else extend(s, par, t, n);
         STAGES::shade(s, par, t, n);
         for (uint32_t i = 0; i < n; i++) {
             if (t.result[i] & PATH_GOES_ON) t.next[goes_on++] = t.now[i];
@@ -189,7 +194,7 @@ static void run(const void* tables, const void* params, uint32_t first, uint32_t
     STAGES::generate(s, par, t, count);
     for (uint32_t i = 0; i < count; i++)
         if (t.result[i] != 0) t.now[n++] = i;
-    follow<STAGES>(s, par, t, n, par.mode != MODE_RAY);
+    follow<STAGES>(s, par, t, n, par.mode != MODE_RAY && (par.flags & PF_EYE_ON_SURFACE) == 0);
     if (par.shared_slots != 0) share_squares<STAGES>(s, par, t, count);
     store(par, t, count, film);
 }

@@ -24,8 +24,9 @@ FN int shape_met(const SceneTables& s, const Ray& ray, const float* shape, uint3
         return shape_hit(shape, s.polygon_uv, ray.org, ray.dir, ray.tmin, &t) && t < ray.tmax;
     TreeRay in;
     uint32_t root;
-    Hit hit = {ray.tmax, NO_HIT, 0.0f, 0.0f, NO_HIT};
-    return enter_instance(shape, &ray, mask, &in, &root) && bvh8_walk(&s, &ray, mask, &in, root, 1, &hit);
+    Look look;
+    look_along(&ray, &look);
+    return enter_instance(shape, &ray, mask, &in, &root) && bvh8_walk(&s, &ray, mask, &in, root, 1, &look);
 }
 
 // Shape k of a block, of one of these classes; those rays of `rays` that it stops.

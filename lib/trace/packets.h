@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The nearest hits of rays side by side (packet_rays.h).  Ties are decided by hit_offer(): the hits have the bits of
-// trace_closest().
+// The first hits of rays side by side (packet_rays.h), with the bits of trace_next().
 #ifndef LUX_PACKETS_H
 #define LUX_PACKETS_H
 
 struct Packet : PacketRays {
-    Hit hit[PACKET];
+    Look look[PACKET];
 };
 
 // Rays 8 g ... 8 g + 7 against triangle k of a block.  Those of `rays` that came nearer.
@@ -22,7 +21,7 @@ FN uint32_t packet_triangle(Packet& p, uint32_t g, uint32_t rays, const float* b
     uint32_t found = 0;
     for (; lanes != 0; lanes = lane_drop_(lanes, lane_first_(lanes))) {
         const uint32_t lane = lane_first_(lanes), i = 8 * g + lane;
-        if ((rays >> i & 1u) != 0 && hit_offer(&p.hit[i], ts[lane], id & ID_PRIM, us[lane], vs[lane], NO_HIT))
+        if ((rays >> i & 1u) != 0 && hit_offer(&p.look[i], ts[lane], id & ID_PRIM, us[lane], vs[lane], NO_HIT))
             found |= 1u << i;
     }
     return found;
@@ -34,10 +33,10 @@ FN int packet_shape(const SceneTables& s, Packet& p, uint32_t i, const float* sh
     float t;
     if (as_uint_(shape[SHAPE_KIND]) != SHAPE_INSTANCE)
         return (mask >> (id >> 31) & 1u) != 0 && shape_hit(shape, s.polygon_uv, ray.org, ray.dir, ray.tmin, &t) &&
-               hit_offer(&p.hit[i], t, id & ID_PRIM, 0.0f, 0.0f, NO_HIT);
+               hit_offer(&p.look[i], t, id & ID_PRIM, 0.0f, 0.0f, NO_HIT);
     TreeRay in;
     uint32_t root;
-    return enter_instance(shape, &ray, mask, &in, &root) && bvh8_walk(&s, &ray, mask, &in, root, 0, &p.hit[i]);
+    return enter_instance(shape, &ray, mask, &in, &root) && bvh8_walk(&s, &ray, mask, &in, root, 0, &p.look[i]);
 }
 
 // The rays against all blocks of a leaf.  Those that came nearer.
@@ -45,7 +44,7 @@ FN uint32_t packet_leaf(const SceneTables& s, Packet& p, const float* block, uin
     uint32_t found = 0;
     const auto look_less_far = [&](uint32_t nearer) {
         found |= nearer;
-        for (; nearer != 0; nearer &= nearer - 1) p.t[__builtin_ctz(nearer)] = p.hit[__builtin_ctz(nearer)].t;
+        for (; nearer != 0; nearer &= nearer - 1) p.t[__builtin_ctz(nearer)] = p.look[__builtin_ctz(nearer)].limit;
     };
     for (;; block += BVH8_LEAF_FLOATS) {
         const uint32_t first = as_uint_(block[BVH8_IDS]);
@@ -69,7 +68,10 @@ FN uint32_t packet_leaf(const SceneTables& s, Packet& p, const float* block, uin
 // Of all rays that have been put.
 FN void packet_trace(const SceneTables& s, Packet& p, uint32_t mask) {
     packet_prepare(p);
-    for (uint32_t i = 0; i < p.count; i++) p.hit[i] = Hit{p.t[i], NO_HIT, 0.0f, 0.0f, NO_HIT};
+    for (uint32_t i = 0; i < p.count; i++) {
+        const Ray ray = packet_ray(p, i);
+        look_along(&ray, &p.look[i]);
+    }
     for (uint32_t left = packet_all(p); left != 0;) {
         left = packet_open(p, left);
         packet_walk(s, p, ~0u, [&](const float* block, uint32_t rays) { return packet_leaf(s, p, block, rays, mask); });

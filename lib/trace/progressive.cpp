@@ -17,12 +17,12 @@
 #include "base/memory.h"
 #include "trace/device.h"
 #include "trace/draw_sources.h"
+#include "trace/eye_on_surface.h"
 #include "trace/fingerprint.h"
 #include "trace/frame_zero.h"
 #include "trace/noisy.h"
 #include "trace/samples.h"
 #include "trace/scene_params.h"
-#include "trace/tiny_model.h"
 #include "trace/view_params.h"
 #include "trace/aim_shares.h"
 
@@ -49,6 +49,7 @@ struct Renderer::State {
         Shot shot;
         DrawList drawn;
         std::string fingerprint;
+        bool on_surface;  // its rays may begin on one
     };
     std::unique_ptr<Device> device;
     Params base{};
@@ -164,16 +165,16 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
     s.pictures.clear();
     // drawing knows one eye point, and no way on through glass unattenuated
     const bool drawable = flat.source_count > 0 && o.pd <= 0 && o.dv && !o.i;
-    std::optional<flatten::HostTracer> tracer;
-    if (drawable) tracer.emplace(flat);
+    std::optional<flatten::HostTracer> tracer(std::in_place, flat);
     s.numbers = shots.size() > 1 ? flat.f : std::vector<float>();
     for (const Shot& shot : shots) {
         DrawList drawn;
-        if (drawable) drawn = list_drawn_sources(flat, *tracer, shot.view, shot.nx, shot.ny);
-        if (drawable) warn_of_tiny_model(*tracer, shot.view);
+        const bool one_eye = shot.view.type != 'l' && shot.view.vo == 0 && o.pd <= 0;
+        const bool on_surface = one_eye && eye_on_surface(flat, *tracer, shot.view.vp);
+        if (drawable && !on_surface) drawn = list_drawn_sources(flat, *tracer, shot.view, shot.nx, shot.ny);
         mark_drawn(drawn, flat.f);
         const std::string fingerprint = trace::fingerprint(flat, shot.view, shot.nx, shot.ny, o, shot.focus);
-        s.pictures.push_back({shot, std::move(drawn), fingerprint});
+        s.pictures.push_back({shot, std::move(drawn), fingerprint, on_surface || !one_eye});
         if (shots.size() > 1) mark_drawn(s.pictures.back().drawn, flat.f, false);
     }
     tracer.reset();
@@ -189,6 +190,7 @@ void Renderer::look(size_t shot) {
     s.ny = s.base.ny = uint32_t(of.ny);
     s.of_frame0 = s.m * samples_for_one(size_t(of.nx) * size_t(of.ny));
     set_view(s.base, of.view, s.centre);
+    s.base.flags = (s.base.flags & ~PF_EYE_ON_SURFACE) | (s.picture->on_surface ? PF_EYE_ON_SURFACE : 0u);
     s.sampler.set_focus(*s.device, of.focus);
     s.zero = {};
     s.noisy.clear();
@@ -238,6 +240,7 @@ Renderer::RayValue Renderer::trace_ray(const double origin[3], const double dir[
     State& s = *state_;
     Params p = s.base;
     p.mode = MODE_RAY;
+    p.flags |= PF_EYE_ON_SURFACE;
     pick_all_portals(s.portal_count, 1, RAY_REST, p);
     const base::Vec3 d = base::unit({dir[0], dir[1], dir[2]});
     p.ray_org = {float(origin[0] - p.centre.x), float(origin[1] - p.centre.y), float(origin[2] - p.centre.z), 0};

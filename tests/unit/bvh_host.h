@@ -15,10 +15,22 @@ namespace wide {
 #include "trace/packet_rays.h"
 #include "trace/packets.h"
 #include "trace/packet_look.h"
+inline void trace_first(const SceneTables* s, const Ray* ray, uint mask, Hit* hit) {
+    Look look;
+    look_along(ray, &look);
+    trace_next(s, ray, mask, &look);
+    *hit = look.hit;
+}
 }  // namespace wide
 namespace compact {
 #include "kernels/bvh_compact.h"
+inline void trace_first(const SceneTables* s, const Ray* ray, uint mask, Hit* hit) {
+    Look look;
+    look_along(ray, &look);
+    trace_next(s, ray, mask, &look);
+    *hit = look.hit;
 }
+}  // namespace compact
 
 inline SceneTables tables(const bvh_scenes::Scene& s, const bvh::Tree& bvh) {
     SceneTables t{};
@@ -35,7 +47,7 @@ inline Ray ray_of(const bvh_scenes::Ray& r) {
 
 // Every primitive of a part, one after the other.
 inline void brute_part(const bvh_scenes::Scene& s, size_t part, const Ray& ray, const WoopRay& w, uint mask, uint inst,
-                       Hit* hit) {
+                       Look* look) {
     const auto& p = s.parts[part];
     for (size_t i = p.triangle; i < p.triangle + p.triangles; i++) {
         float3 v[3];
@@ -44,8 +56,8 @@ inline void brute_part(const bvh_scenes::Scene& s, size_t part, const Ray& ray, 
             v[k] = F3(q[0], q[1], q[2]);
         }
         float t, u, vv;
-        if ((mask >> (s.tri_prim[i] >> 31) & 1) && woop_triangle(&w, v[0], v[1], v[2], &t, &u, &vv) && t > ray.tmin)
-            hit_offer(hit, t, s.tri_prim[i] & ID_PRIM, u, vv, inst);
+        if ((mask >> (s.tri_prim[i] >> 31) & 1) && woop_triangle(&w, v[0], v[1], v[2], &t, &u, &vv) && t > look->from)
+            hit_offer(look, t, s.tri_prim[i] & ID_PRIM, u, vv, inst);
     }
     for (size_t i = p.shape; i < p.shape + p.shapes; i++) {
         const float* q = &s.shapes[SHAPE_FLOATS * i];
@@ -57,20 +69,26 @@ inline void brute_part(const bvh_scenes::Scene& s, size_t part, const Ray& ray, 
             const uint forced = as_uint_(q[INSTANCE_CLASS]);
             if (forced == 0 || (mask & forced))
                 brute_part(s, as_uint_(q[INSTANCE_TREE]), ray, local, forced ? RAY_ALL : mask,
-                           as_uint_(q[INSTANCE_NUMBER]), hit);
+                           as_uint_(q[INSTANCE_NUMBER]), look);
         } else if ((mask >> (s.shape_prim[i] >> 31) & 1) &&
-                   shape_hit(q, s.polygon_uv.data(), w.org, w.dir, ray.tmin, &t)) {
-            hit_offer(hit, t, s.shape_prim[i] & ID_PRIM, 0, 0, inst);
+                   shape_hit(q, s.polygon_uv.data(), w.org, w.dir, look->from, &t)) {
+            hit_offer(look, t, s.shape_prim[i] & ID_PRIM, 0, 0, inst);
         }
     }
 }
 
-inline Hit brute(const bvh_scenes::Scene& s, const Ray& ray, uint mask) {
-    Hit hit = {ray.tmax, NO_HIT, 0, 0, NO_HIT};
+// What look asks for.
+inline void brute_next(const bvh_scenes::Scene& s, const Ray& ray, uint mask, Look* look) {
     WoopRay w;
     woop_prepare(ray.org, ray.dir, &w);
-    brute_part(s, 0, ray, w, mask, NO_HIT, &hit);
-    return hit;
+    brute_part(s, 0, ray, w, mask, NO_HIT, look);
+}
+
+inline Hit brute(const bvh_scenes::Scene& s, const Ray& ray, uint mask) {
+    Look look;
+    look_along(&ray, &look);
+    brute_next(s, ray, mask, &look);
+    return look.hit;
 }
 
 }  // namespace kernels

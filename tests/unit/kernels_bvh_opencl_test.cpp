@@ -42,6 +42,7 @@ __kernel void trace_rays(__global const float* nodes, __global const float* leav
     size_t i = get_global_id(0);
     SceneTables s;
     Ray ray;
+    Look look;
     Hit hit;
     float3 p;
     s.nodes = nodes; s.leaves = leaves; s.shapes = shapes; s.polygon_uv = uv;
@@ -49,7 +50,9 @@ __kernel void trace_rays(__global const float* nodes, __global const float* leav
     ray.tmin = rays[8 * i + 3];
     ray.dir = F3(rays[8 * i + 4], rays[8 * i + 5], rays[8 * i + 6]);
     ray.tmax = rays[8 * i + 7];
-    trace_closest(&s, &ray, mask, &hit);
+    look_along(&ray, &look);
+    trace_next(&s, &ray, mask, &look);
+    hit = look.hit;
     p = offset_ray(ray.org, ray.dir, ray.tmin);
     out[8 * i] = as_uint(hit.t);
     out[8 * i + 1] = hit.prim;
@@ -112,8 +115,8 @@ TEST_CASE("OpenCL devices find the host's hits, bit for bit") {
                 for (size_t i = 0; i < rays.size(); i++) {
                     const kernels::Ray ray = kernels::ray_of(rays[i]);
                     kernels::Hit h;
-                    if (compact) kernels::compact::trace_closest(&tables, &ray, mask, &h);
-                    else kernels::wide::trace_closest(&tables, &ray, mask, &h);
+                    if (compact) kernels::compact::trace_first(&tables, &ray, mask, &h);
+                    else kernels::wide::trace_first(&tables, &ray, mask, &h);
                     const uint* g = &got[8 * i];
                     hits += h.prim != NO_HIT;
                     wrong += g[0] != as_uint_(h.t) || g[1] != h.prim || g[2] != as_uint_(h.u) ||

@@ -26,8 +26,8 @@ TEST_CASE("both trees find what a search through all primitives finds") {
                 for (uint mask : {RAY_OPAQUE, RAY_TRANSPARENT, RAY_ALL}) {
                     const kernels::Hit want = kernels::brute(scene, ray, mask);
                     kernels::Hit h8, compact_hit;
-                    kernels::wide::trace_closest(&t8, &ray, mask, &h8);
-                    kernels::compact::trace_closest(&compact_tables, &ray, mask, &compact_hit);
+                    kernels::wide::trace_first(&t8, &ray, mask, &h8);
+                    kernels::compact::trace_first(&compact_tables, &ray, mask, &compact_hit);
                     const int met = want.prim != NO_HIT;
                     hits += met;
                     within += want.inst != NO_HIT;
@@ -78,6 +78,38 @@ TEST_CASE("a polygon's edges by eight say what they say one by one") {
     CHECK(inside < 3 * points / 4);
 }
 
+// Faces in one place and things one behind the other come one by one, each once.
+TEST_CASE("hits after a given one come in their order") {
+    for (bool instances : {false, true}) {
+        const auto scene = bvh_scenes::random_scene(41, 200, instances);
+        const auto in = scene.input();
+        const auto b8 = bvh::build8(in.data(), in.size()), compact = bvh::build_compact(in.data(), in.size());
+        const auto t8 = kernels::tables(scene, b8), compact_tables = kernels::tables(scene, compact);
+        int hits = 0, ties = 0, wrong = 0;
+        for (const auto& r : bvh_scenes::random_rays(43, 8000)) {
+            const kernels::Ray ray = kernels::ray_of(r);
+            kernels::Look want, wide, narrow;
+            kernels::look_along(&ray, &want);
+            wide = narrow = want;
+            for (int k = 0; k < 20; k++) {
+                const float before = want.after;
+                kernels::brute_next(scene, ray, RAY_ALL, &want);
+                kernels::wide::trace_next(&t8, &ray, RAY_ALL, &wide);
+                kernels::compact::trace_next(&compact_tables, &ray, RAY_ALL, &narrow);
+                wrong += !same(wide.hit, want.hit) || !same(narrow.hit, want.hit);
+                if (want.hit.prim == NO_HIT) break;
+                hits++;
+                ties += k > 0 && want.hit.t == before;
+                for (kernels::Look* look : {&want, &wide, &narrow}) kernels::look_past(look, ray.tmax);
+            }
+        }
+        CAPTURE(instances);
+        CHECK(hits > 2000);
+        CHECK(ties > 50);
+        CHECK(wrong == 0);
+    }
+}
+
 TEST_CASE("rays in packets find what they find alone") {
     using namespace kernels::wide;
     for (bool instances : {false, true}) {
@@ -110,9 +142,10 @@ TEST_CASE("rays in packets find what they find alone") {
                 wrong_look += open != alone.open || panes != panes_alone;
                 for (uint i = 0; i < near.count; i++) {
                     kernels::Hit want;
-                    trace_closest(&tables, &rays[i], mask, &want);
+                    trace_first(&tables, &rays[i], mask, &want);
                     hits += want.prim != NO_HIT;
-                    wrong += !same(near.hit[i], want) || near.hit[i].u != want.u || near.hit[i].v != want.v;
+                    wrong +=
+                        !same(near.look[i].hit, want) || near.look[i].hit.u != want.u || near.look[i].hit.v != want.v;
                     wrong_look += ((open & ~panes) >> i & 1u) != (want.prim == NO_HIT);
                     through += panes >> i & 1u;
                 }
@@ -141,7 +174,7 @@ TEST_CASE("Embree's own traversal finds the same") {
             const kernels::Ray ray = kernels::ray_of(r);
             for (uint mask : {RAY_OPAQUE, RAY_TRANSPARENT, RAY_ALL}) {
                 kernels::Hit mine;
-                kernels::wide::trace_closest(&tables, &ray, mask, &mine);
+                kernels::wide::trace_first(&tables, &ray, mask, &mine);
                 const auto theirs = embree.closest(r.org, r.tmin, r.dir, r.tmax, mask);
                 hits += mine.prim != NO_HIT;
                 const bool near = (mine.prim == NO_HIT) == (theirs.prim == NO_HIT) &&
@@ -172,7 +205,7 @@ TEST_CASE("a ray that is not of numbers meets nothing, in Embree too") {
             (place < 3 ? row.org : row.dir)[place % 3] = spoiled;
             const kernels::Ray ray = kernels::ray_of(row);
             kernels::Hit mine;
-            kernels::wide::trace_closest(&tables, &ray, RAY_ALL, &mine);
+            kernels::wide::trace_first(&tables, &ray, RAY_ALL, &mine);
             CAPTURE(spoiled);
             CAPTURE(place);
             CHECK(mine.prim == NO_HIT);
@@ -190,9 +223,9 @@ TEST_CASE("an empty scene has no hits") {
     for (const auto& r : bvh_scenes::random_rays(5, 100)) {
         const kernels::Ray ray = kernels::ray_of(r);
         kernels::Hit hit;
-        kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &hit);
+        kernels::wide::trace_first(&t8, &ray, RAY_ALL, &hit);
         CHECK(hit.prim == NO_HIT);
-        kernels::compact::trace_closest(&compact_tables, &ray, RAY_ALL, &hit);
+        kernels::compact::trace_first(&compact_tables, &ray, RAY_ALL, &hit);
         CHECK(hit.prim == NO_HIT);
         CHECK(kernels::wide::trace_any(&t8, &ray, RAY_ALL) == 0);
         CHECK(kernels::compact::trace_any(&compact_tables, &ray, RAY_ALL) == 0);
@@ -230,8 +263,8 @@ TEST_CASE("crowded and lopsided scenes fit the stacks") {
             const kernels::Ray ray = {F3(back > 0 ? -1.0f : 2e7f, 1e-8f, 1e-8f), 0, F3(float(back), 0, 0), 1e30f};
             const kernels::Hit want = kind == 2 ? kernels::Hit() : kernels::brute(s, ray, RAY_ALL);
             kernels::Hit h8, compact_hit;
-            kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &h8);
-            kernels::compact::trace_closest(&compact_tables, &ray, RAY_ALL, &compact_hit);
+            kernels::wide::trace_first(&t8, &ray, RAY_ALL, &h8);
+            kernels::compact::trace_first(&compact_tables, &ray, RAY_ALL, &compact_hit);
             CHECK(h8.prim != NO_HIT);
             CHECK(same(h8, compact_hit));
             if (kind != 2) CHECK(same(h8, want));
@@ -254,7 +287,7 @@ TEST_CASE("distances to analytic shapes") {
     const auto first = [&](double x, double y, double z, double dx, double dy, double dz) {
         const kernels::Ray ray = {F3(float(x), float(y), float(z)), 0, F3(float(dx), float(dy), float(dz)), 1e30f};
         kernels::Hit hit;
-        kernels::wide::trace_closest(&tables, &ray, RAY_ALL, &hit);
+        kernels::wide::trace_first(&tables, &ray, RAY_ALL, &hit);
         return hit.prim == NO_HIT ? -1.0 : double(hit.t);
     };
     for (double far : {2.0, 1000.0, 100000.0}) {

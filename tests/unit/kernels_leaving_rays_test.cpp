@@ -31,8 +31,8 @@ static void paths(const bvh_scenes::Scene& scene, Vec centre, double radius, int
         uint from = NO_HIT;
         for (int b = 0; b < bounces; b++) {
             kernels::Hit hit, compact_hit;
-            kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &hit);
-            kernels::compact::trace_closest(&compact_tables, &ray, RAY_ALL, &compact_hit);
+            kernels::wide::trace_first(&t8, &ray, RAY_ALL, &hit);
+            kernels::compact::trace_first(&compact_tables, &ray, RAY_ALL, &compact_hit);
             if (hit.prim == NO_HIT || compact_hit.prim == NO_HIT) {
                 ++*leaks;
                 break;
@@ -98,7 +98,7 @@ TEST_CASE("no ray meets the ground or the shape it left, whatever its size and t
             kernels::Ray ray = {F3(float(o.x), float(o.y), float(o.z)), 0, F3(float(d.x), float(d.y), float(d.z)),
                                 1e30f};
             kernels::Hit hit;
-            kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &hit);
+            kernels::wide::trace_first(&t8, &ray, RAY_ALL, &hit);
             if (hit.prim == NO_HIT) continue;
             met++;
             const float3 p = kernels::madd3(ray.dir, hit.t, ray.org);
@@ -113,8 +113,8 @@ TEST_CASE("no ray meets the ground or the shape it left, whatever its size and t
                                           c.kind <= 2 ? std::max(hit.t, float(2.8 * z)) : hit.t);
             ray.dir = F3(float(out.x), float(out.y), float(out.z));
             kernels::Hit h8, compact_hit;
-            kernels::wide::trace_closest(&t8, &ray, RAY_ALL, &h8);
-            kernels::compact::trace_closest(&compact_tables, &ray, RAY_ALL, &compact_hit);
+            kernels::wide::trace_first(&t8, &ray, RAY_ALL, &h8);
+            kernels::compact::trace_first(&compact_tables, &ray, RAY_ALL, &compact_hit);
             CHECK(h8.t == compact_hit.t);
             if (h8.prim == NO_HIT) continue;
             const double chord = c.kind >= 3 && inside ? 2 * z * dot(n, out) : 1e30;

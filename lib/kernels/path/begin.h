@@ -112,11 +112,16 @@ FN Ray path_ray(SHARED(const Paths) paths, uint slot) {
     return ray;
 }
 
-// Follows the ray of a slot to the nearest surface.
-FN void path_extend(SHARED(const SceneTables) s, SHARED(const Paths) paths, uint slot) {
+// Follows the ray of a slot to the nearest surface; past one that the eye lies on.
+FN void path_extend(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
     Ray ray = path_ray(paths, slot);
     Hit hit;
-    trace_closest(s, &ray, RAY_ALL, &hit);
+    int from_surface = (par->flags & PF_EYE_ON_SURFACE) != 0u && paths->info[slot].x >> PC_STEP_SHIFT == 0u;
+    for (;;) {
+        trace_closest(s, &ray, RAY_ALL, &hit);
+        if (!from_surface || !holds_origin(s, &ray, &hit)) break;
+        ray.tmin = hit.t;
+    }
     set_path_hit(paths, slot, &hit);
 }
 #endif

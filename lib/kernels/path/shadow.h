@@ -48,9 +48,10 @@ FN int shadow_meet(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVA
 }
 
 // May the ray have been aimed beside this source, so that only the source's own hit counts?  A tube is aimed at by its
-// axis, where it is open.
+// axis, where it is open.  Or may something that lies in its plane show in its place?
 FN int shadow_seeks_source(UNIFORM(const Params) par, GLOBAL const float* src) {
     uint kind = as_uint_(src[SRC_KIND]);
+    if (src[SRC_COVERED] != 0.0f) return 1;
     if (kind == SK_CYLINDER) return par->ds > 0.0f || par->dj <= 0.0f;
     return par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING);
 }

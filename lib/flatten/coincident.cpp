@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See coincident.h.  Faces are sorted by their planes, then along one axis: n log n, and a bounded number of pairs.
+#include "flatten/coincident.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/core.h>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "base/error.h"
+#include "flatten/host_tracer.h"
+#include "flatten/pack.h"
+#include "flatten/surfaces.h"
+
+namespace flatten {
+namespace {
+using namespace kernels;
+using base::Vec3;
+using scene::Type;
+
+constexpr size_t MOST_PAIRS = 4000000;
+constexpr int GRID = 8;                // points looked at along each side of what two faces have in common
+constexpr double LARGE = 1e-3;         // side of a square, in radii of the scene
+constexpr double SAME_PLANE = 9.5e-7;  // 2^-20 of the radius
+
+struct Face {
+    const scene::Object* object;
+    std::array<int, 3> direction;  // of the plane
+    double offset;
+    int u, v;  // axes across
+    double low[2], high[2];
+    std::vector<Vec3> corners;
+
+    bool holds(double x, double y) const {
+        bool odd = false;
+        for (size_t i = 0, k = corners.size() - 1; i < corners.size(); k = i++) {
+            const Vec3 &p = corners[k], &q = corners[i];
+            if ((p[v] > y) != (q[v] > y) && x < (q[u] - p[u]) * (y - p[v]) / (q[v] - p[v]) + p[u]) odd = !odd;
+        }
+        return odd;
+    }
+};
+
+Face face_of(const scene::Object& o, std::vector<Vec3> corners, Vec3 normal) {
+    Face f{&o, {}, 0, 0, 0, {1e30, 1e30}, {-1e30, -1e30}, std::move(corners)};
+    int main = 0;
+    for (int k = 1; k < 3; k++)
+        if (std::fabs(normal[k]) > std::fabs(normal[main]) + 1e-6) main = k;
+    if (normal[main] < 0) normal = normal * -1;
+    for (int k = 0; k < 3; k++) f.direction[k] = int(std::lround(normal[k] * 4096));
+    f.u = main == 0 ? 1 : 0;
+    f.v = main == 2 ? 1 : 2;
+    for (const Vec3& p : f.corners) {
+        f.offset += dot(p, normal) / double(f.corners.size());
+        for (int k = 0; k < 2; k++) {
+            f.low[k] = std::min(f.low[k], p[k ? f.v : f.u]);
+            f.high[k] = std::max(f.high[k], p[k ? f.v : f.u]);
+        }
+    }
+    return f;
+}
+
+// Those that are large.
+std::vector<Face> faces_of(const Modifiers& modifiers, double large) {
+    std::vector<Face> faces;
+    for (const scene::Object& o : modifiers.scene.objects) {
+        if ((o.type != Type::polygon && o.type != Type::ring) || o.modifier < 0) continue;
+        if (!modifiers.has_material[o.modifier]) continue;
+        const auto r = modifiers.scene.reals(o);
+        std::vector<Vec3> corners;
+        Vec3 normal;
+        if (o.type == Type::polygon) {
+            corners = polygon_corners(r);
+            for (size_t i = 1; i + 1 < corners.size(); i++)
+                normal = normal + cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+        } else {
+            normal = vec_at(r, 3);
+        }
+        if (!(length(normal) > 0)) continue;
+        normal = base::unit(normal);
+        if (o.type == Type::ring) {
+            const Vec3 a = base::unit(cross(normal, std::fabs(normal.z) < .9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+            for (int k = 0; k < 24; k++)
+                corners.push_back(vec_at(r, 0) +
+                                  (a * std::cos(k * .2617994) + cross(normal, a) * std::sin(k * .2617994)) *
+                                      std::max(r[6], r[7]));
+        }
+        Face face = face_of(o, std::move(corners), normal);
+        if (std::min(face.high[0] - face.low[0], face.high[1] - face.low[1]) >= large) faces.push_back(std::move(face));
+    }
+    std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+        return std::tie(a.direction, a.offset) < std::tie(b.direction, b.offset);
+    });
+    return faces;
+}
+
+// A point in both, of a grid over what their boxes have in common, if that is large; else null.
+bool cover(const Face& a, const Face& b, double large, Vec3& where) {
+    double low[2], size[2];
+    for (int k = 0; k < 2; k++) {
+        low[k] = std::max(a.low[k], b.low[k]);
+        size[k] = std::min(a.high[k], b.high[k]) - low[k];
+        if (!(size[k] >= large)) return false;
+    }
+    for (int k = 0; k < GRID * GRID; k++) {
+        const double x = low[0] + size[0] * (k % GRID + .5) / GRID, y = low[1] + size[1] * (k / GRID + .5) / GRID;
+        if (!a.holds(x, y) || !b.holds(x, y)) continue;
+        where = a.corners[0];
+        (a.u == 0 ? where.x : where.y) = x;
+        (a.v == 1 ? where.y : where.z) = y;
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void warn_of_coincident(const Modifiers& modifiers, const FlatScene& scene) {
+    const double near = SAME_PLANE * scene.radius, large = LARGE * scene.radius;
+    std::vector<Face> faces = faces_of(modifiers, large);
+    size_t pairs = 0, count = 0;
+    const Face* first[2] = {nullptr, nullptr};
+    Vec3 where, place;
+    for (size_t from = 0, to; from < faces.size() && pairs < MOST_PAIRS; from = to) {
+        for (to = from + 1; to < faces.size() && faces[to].direction == faces[from].direction &&
+                            faces[to].offset - faces[to - 1].offset <= near;)
+            to++;
+        std::sort(&faces[from], &faces[from] + (to - from),
+                  [](const Face& a, const Face& b) { return a.low[0] < b.low[0]; });
+        for (size_t i = from; i < to; i++)
+            for (size_t k = i + 1; k < to && faces[k].low[0] < faces[i].high[0] && pairs++ < MOST_PAIRS; k++) {
+                const Face &a = faces[i], &b = faces[k];
+                if (a.object->modifier == b.object->modifier || !cover(a, b, large, place)) continue;
+                if (count++ > 0) continue;
+                first[0] = &a, first[1] = &b, where = place;
+            }
+        if (count == 1 && first[0]->object > first[1]->object) std::swap(first[0], first[1]);
+    }
+    if (count == 0) return;
+    const scene::Scene& s = modifiers.scene;
+    const auto name = [&](const Face* f) { return s.name(s.objects[size_t(f->object->modifier)]); };
+    base::warn(
+        s.place(*first[1]->object),
+        fmt::format("{} of large faces with different modifiers {} in the same place, first \"{}\" and \"{}\" "
+                    "about {:.4g} {:.4g} {:.4g}: an opaque one hides a transparent one, then one that faces the eye "
+                    "the other, then that of the later modifier",
+                    count == 1 ? "one pair" : fmt::format("{} pairs", count), count == 1 ? "lies" : "lie",
+                    name(first[0]), name(first[1]), where.x, where.y, where.z));
+}
+
+void mark_covered_sources(FlatScene& scene) {
+    constexpr uint32_t side = 4;
+    std::optional<HostTracer> tracer;
+    for (uint32_t i = 0; i < scene.source_count; i++) {
+        float* q = &scene.f[scene.sources_at + SOURCE_FLOATS * i];
+        const uint32_t kind = bits(q[SRC_KIND]);
+        if (bits(q[SRC_VIRTUAL]) != NONE || (kind != SK_PARALLELOGRAM && kind != SK_POLYGON && kind != SK_RING))
+            continue;
+        if (!tracer) tracer.emplace(scene);
+        const Vec3 normal = get(q + SRC_NORMAL), centre = get(q + SRC_CENTRE) + scene.centre;
+        const double size = std::sqrt(double(q[SRC_AREA]));
+        const double near = std::ldexp(std::max(scene.radius, scene.least_reach) + length(centre), -18);
+        for (uint32_t k = 0; k < side * side; k++) {
+            const Vec3 eye = centre + normal * size;
+            const auto at = tracer->source_point(i, eye, (k % side + .5) / side, (k / side + .5) / side);
+            if (!(at.solid_angle > 0)) continue;
+            const Vec3 start = eye + at.dir * at.dist + normal * near;
+            const auto met = tracer->closest(start, normal * -1, 0, 2 * near, HostTracer::all);
+            if (met.t < 0 || met.prim == bits(q[SRC_PRIM])) continue;
+            q[SRC_COVERED] = 1;
+            break;
+        }
+    }
+}
+
+}  // namespace flatten

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces in one place (kernels/coincide.h), as the host sees them before the first frame.
+#pragma once
+#include "flatten/flat_scene.h"
+#include "flatten/modifiers.h"
+
+namespace flatten {
+
+// One warning that counts large polygons and rings of different modifiers which cover each other, so that there one of
+// them is not seen.
+void warn_of_coincident(const Modifiers& modifiers, const FlatScene& scene);
+
+// Marks flat sources that something else covers in part (SRC_COVERED), by rays to 16 points of each.
+void mark_covered_sources(FlatScene& scene);
+
+}  // namespace flatten

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which of several surfaces in one place is seen: as in RADIANCE one of an opaque type before one of a transparent
+// type, then one that faces the ray, then that whose modifier is defined later. They coincide if the distance between
+// them, along the normal of the first that the ray meets, is within the rounding of coordinates, and if they are
+// parallel there: a wall and a floor are not one surface where they meet.  So the answer depends on the ray alone, not
+// on the order in which a tree offers the hits.  A ray that leaves a surface starts four times as far from it
+// (offset_ray.h), and does not meet what coincides with it.
+#ifndef LUX_COINCIDE_H
+#define LUX_COINCIDE_H
+
+#define COINCIDE_COSINE 0.99f  // between normals
+#define COINCIDE_BEHIND 64.0f  // surfaces much larger than the first one are met so much farther behind it
+#define COINCIDE_MOST 8u       // hits looked at
+
+// Is its modifier of a transparent type?
+FN int is_clear(SHARED(const SceneTables) s, PRIVATE(const Surface) g) {
+    if (in_instance(g->inst)) {
+        GLOBAL const float* record = instance_record(s, g->inst);
+        if (as_uint_(record[INST_MOD]) != NONE)
+            return (as_uint_(shape_record(s, as_uint_(record[INST_SHAPE]))[INSTANCE_CLASS]) & INSTANCE_CLEAR) != 0u;
+    }
+    return (s->prims[PRIM_WORDS * g->prim + PRIM_KIND] & PRIM_CLEAR) != 0u;
+}
+
+FN uint coincide_rank(SHARED(const SceneTables) s, PRIVATE(const Surface) g) {
+    return (is_clear(s, g) ? 0u : 2u) + (g->front ? 1u : 0u);
+}
+
+// The surface that shows where a ray first meets some, among those whose class is in mask.  found: what the ray meets
+// first is in *look already.
+FN void trace_on(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int found, PRIVATE(Look) look,
+                 PRIVATE(Hit) hit) {
+    float3 normal = F3(0.0f, 0.0f, 0.0f);  // of the first
+    float t = 0.0f, cosine = 0.0f, within = 0.0f, limit = 0.0f;
+    uint rank = 0u, mod = 0u;  // of the best
+    for (uint i = 0u; i < COINCIDE_MOST; i++) {
+        if (i > 0u || !found) trace_next(s, ray, mask, look);
+        if (i == 0u) *hit = look->hit;
+        if (look->hit.prim == NO_HIT || (i == 0u && !look->tied)) return;
+
+        Surface g;
+        surface_at(s, ray, &look->hit, &g);
+        float distance = surface_rounding(&g);
+        uint own = coincide_rank(s, &g);
+        if (i == 0u) {
+            normal = g.ng;
+            t = look->hit.t;
+            cosine = fabs_(dot3(ray->dir, normal));
+            within = distance;
+            limit = MIN_(look->limit, t + COINCIDE_BEHIND * within / cosine);
+            rank = own;
+            mod = g.mod;
+        } else if ((look->hit.t - t) * cosine <= MAX_(within, distance) &&
+                   fabs_(dot3(g.ng, normal)) >= COINCIDE_COSINE && (own > rank || (own == rank && g.mod > mod))) {
+            *hit = look->hit;
+            rank = own;
+            mod = g.mod;
+        }
+        look_past(look, limit);
+    }
+}
+
+FN void trace_closest(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Hit) hit) {
+    Look look;
+    look_along(ray, &look);
+    trace_on(s, ray, mask, 0, &look, hit);
+}
+
+#endif
