@@ -67,13 +67,15 @@ struct Renderer::State {
     std::vector<float> unshared;  // the same, until their shares are known
     Samples sampler;
 
-    // Runs frames first .. first+count-1; give(sample, pixel values) in order; false stops.  A device beside the host
-    // has begun with the next ones when these are given.
+    // Runs frames first .. first+count-1; give(sample, pixel values) in order; false stops.  The first ones come one by
+    // one, later ones many at a time where that is faster.  A device beside the host has begun with the next ones when
+    // these are given.
     template <class Give>
     void samples(int64_t first, int64_t count, Give&& give) {
-        const int64_t together = std::max<int64_t>(1, device->good_slots() / sampler.slots(base));
+        const int64_t most = std::max<int64_t>(1, device->good_slots() / sampler.slots(base));
+        const auto together = [&](int64_t done) { return std::min({std::max<int64_t>(1, done), most, count - done}); };
         const auto begin = [&](int64_t done) {
-            const Pass pass{MODE_FRAMES, first + done, uint32_t(std::min(together, count - done)), 0, nx * ny};
+            const Pass pass{MODE_FRAMES, first + done, uint32_t(together(done)), 0, nx * ny};
             const auto when =
                 device->leaves_host_free() ? std::launch::async | std::launch::deferred : std::launch::deferred;
             return std::async(when, [this, pass] {
@@ -84,9 +86,9 @@ struct Renderer::State {
         };
         std::future<std::vector<float>> next = begin(0);
         std::vector<float> one;
-        for (int64_t done = 0; done < count; done += together) {
+        for (int64_t done = 0, n; done < count; done += n) {
             const std::vector<float> rgb = next.get();
-            const int64_t n = std::min(together, count - done);
+            n = together(done);
             if (done + n < count) next = begin(done + n);
             for (int64_t i = 0; i < n; i++) {
                 if (n > 1) take_sample(rgb, size_t(n), size_t(i), one);
