@@ -53,7 +53,7 @@ void handle_signals() {
     struct sigaction act = {};
     act.sa_handler = on_signal;
     act.sa_flags = SA_RESTART;  // a program that finishes its frame reads and writes on
-    for (int s : {SIGINT, SIGTERM, SIGHUP}) {
+    for (int s : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) {
         struct sigaction old = {};
         sigaction(s, nullptr, &old);
         if (old.sa_handler != SIG_IGN) sigaction(s, &act, nullptr);  // nohup stays nohup

@@ -18,6 +18,8 @@ namespace {
 enum State { at_once, finish, asked };
 std::atomic<int> state{at_once};
 int wake[2] = {-1, -1};
+std::atomic<int> end_soon{0};  // how many EndsSoon there are
+constexpr unsigned patience_s = 2;
 
 }  // namespace
 
@@ -32,9 +34,19 @@ void finish_on_signal() {
 
 bool stop_requested() { return state == asked; }
 
+EndsSoon::EndsSoon() {
+    end_soon++;
+    if (stop_requested()) alarm(patience_s);
+}
+
+EndsSoon::~EndsSoon() {
+    if (--end_soon == 0) alarm(0);
+}
+
 bool take_stop_request() {
     int expected = finish;
     if (!state.compare_exchange_strong(expected, asked)) return false;
+    if (end_soon > 0) alarm(patience_s);  // SIGALRM is a second signal
     const int code = errno;
     const ssize_t written = write(wake[1], "", 1);
     (void)written;  // one byte fits

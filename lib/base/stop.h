@@ -12,6 +12,15 @@ bool stop_requested();
 // Waits until the descriptor has bytes or has ended; false: a signal asked to stop before that.
 bool wait_for_input(int descriptor);
 
+// While one lives the program may be where it cannot finish (inside a driver's call): it is then given two seconds from
+// the first signal on, and ends at once.
+class EndsSoon {
+public:
+    EndsSoon();
+    ~EndsSoon();
+    EndsSoon(const EndsSoon&) = delete;
+};
+
 // Of run(): puts our handler in place.  finish_on_signal() does so again, for libraries bring their own (LLVM behind
 // PoCL, which does without SA_RESTART and hands the signal on to the handler before it).
 void handle_signals();

@@ -33,6 +33,7 @@ void require_same_fingerprint(const Header& header, const Header& other, const s
     else if (differs("options")) what = differs("scene") ? "other options, perhaps another scene," : "other options";
     else if (differs("scene")) what = "another scene";
     else if (differs("view")) what = "another view or size";
+    else if (differs("device")) what = "the bits of another device";
     else what = "another fingerprint";
     base::fail(place, "has " + what + " than " + of + ": they cannot be combined into one picture");
 }

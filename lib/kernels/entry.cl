@@ -176,3 +176,8 @@ __kernel void k_layout(__global uint *out) {
     out[3] = (uint)((__private uchar *)&p.st - base);
     out[4] = (uint)((__private uchar *)&p.light_tree_at - base);
 }
+
+__kernel void k_self_test(__global float *out) {
+    uint i = (uint)get_global_id(0);
+    if (i < SELF_TEST_INPUTS * SELF_TEST_VALUES) out[i] = self_test_value(i / SELF_TEST_VALUES, i % SELF_TEST_VALUES);
+}

@@ -2,4 +2,5 @@
 // The OpenCL program: the device's words, the shared code, the entries.
 #include "kernels/compat_opencl.h"
 #include "kernels/all.h"
+#include "kernels/self_test.h"
 #include "kernels/entry.cl"

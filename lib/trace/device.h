@@ -36,6 +36,8 @@ public:
     virtual void set_focus(std::vector<uint32_t> entries) = 0;
     // Paths to hand over at once, so that the device is full.
     virtual uint32_t good_slots() const = 0;
+    // Names the bits of a device that gives others than the processor does (self_test.h), for the fingerprint.
+    virtual std::string own_bits() const { return ""; }
     // Is the host free while it runs?
     virtual bool leaves_host_free() const { return false; }
 };

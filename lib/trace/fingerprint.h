@@ -2,7 +2,8 @@
 // The fingerprint of a rendering (image/fingerprint.h): a hash of everything that decides its frames' pixels besides
 // seed and frame number.  The scene counts as the flat tables that are uploaded, so that names of files, dates,
 // comments and the way a value was written do not matter, but every number that a device sees does; function and data
-// files, BSDFs and fonts are in the tables.  Devices and threads do not count, for they give the same bits.
+// files, BSDFs and fonts are in the tables.  Devices and threads do not count, for they give the same bits; a
+// device that does not is named behind it (Renderer::fingerprint).
 #pragma once
 #include <string>
 #include "flatten/flat_scene.h"

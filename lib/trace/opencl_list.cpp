@@ -3,9 +3,11 @@
 #include "trace/opencl_list.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fmt/core.h>
 #include <glob.h>
 #include <sstream>
+#include <strings.h>
 
 #include "base/error.h"
 #include "trace/child.h"
@@ -39,6 +41,8 @@ bool system_shows_gpu() {
 
 std::vector<OpenclEntry> opencl_entries() {
     choose_kernel_cache();
+    // Intel's runtime for processors puts work items into lanes, and then gets large kernels wrong.
+    setenv("CL_CONFIG_CPU_VECTORIZER_MODE", "1", 0);
     std::vector<OpenclEntry> out;
     std::vector<cl::Platform> platforms;
     try {
@@ -50,19 +54,70 @@ std::vector<OpenclEntry> opencl_entries() {
         std::vector<cl::Device> devices;
         try {
             p.getDevices(CL_DEVICE_TYPE_ALL, &devices);
+            for (const auto& d : devices)
+                out.push_back({p, d, (d.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0});
         } catch (const cl::Error&) {
             continue;
         }
-        for (const auto& d : devices) out.push_back({p, d, (d.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0});
     }
     std::stable_sort(out.begin(), out.end(), [](const OpenclEntry& a, const OpenclEntry& b) { return a.gpu > b.gpu; });
     return out;
+}
+
+std::string opencl_error(int code) {
+    static const std::pair<int, const char*> names[] = {
+#define CODE(name) {CL_##name, "CL_" #name}
+        CODE(DEVICE_NOT_FOUND),
+        CODE(DEVICE_NOT_AVAILABLE),
+        CODE(COMPILER_NOT_AVAILABLE),
+        CODE(MEM_OBJECT_ALLOCATION_FAILURE),
+        CODE(OUT_OF_RESOURCES),
+        CODE(OUT_OF_HOST_MEMORY),
+        CODE(BUILD_PROGRAM_FAILURE),
+        CODE(MAP_FAILURE),
+        CODE(EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST),
+        CODE(INVALID_VALUE),
+        CODE(INVALID_DEVICE),
+        CODE(INVALID_CONTEXT),
+        CODE(INVALID_COMMAND_QUEUE),
+        CODE(INVALID_MEM_OBJECT),
+        CODE(INVALID_BINARY),
+        CODE(INVALID_BUILD_OPTIONS),
+        CODE(INVALID_PROGRAM),
+        CODE(INVALID_PROGRAM_EXECUTABLE),
+        CODE(INVALID_KERNEL_NAME),
+        CODE(INVALID_KERNEL),
+        CODE(INVALID_KERNEL_ARGS),
+        CODE(INVALID_WORK_GROUP_SIZE),
+        CODE(INVALID_EVENT),
+        CODE(INVALID_OPERATION),
+        CODE(INVALID_BUFFER_SIZE),
+        CODE(INVALID_ARG_VALUE),
+        CODE(INVALID_QUEUE_PROPERTIES)
+#undef CODE
+    };
+    for (const auto& [number, name] : names)
+        if (number == code) return fmt::format("{} ({})", name, code);
+    return fmt::format("OpenCL error {}", code);
 }
 
 std::string describe(const OpenclEntry& e) {
     return fmt::format("{} ({}, {})", clean(e.device.getInfo<CL_DEVICE_NAME>()), e.gpu ? "GPU" : "CPU",
                        clean(e.platform.getInfo<CL_PLATFORM_NAME>()));
 }
+
+namespace {
+
+size_t index_of(const std::string& name, const std::vector<OpenclEntry>& devices) {
+    for (size_t i = 0; i < devices.size(); i++) {
+        const std::string has = describe(devices[i]);
+        for (size_t at = 0; at + name.size() <= has.size(); at++)
+            if (strncasecmp(&has[at], name.c_str(), name.size()) == 0) return i;
+    }
+    base::fail("-device", fmt::format("there is no OpenCL device \"{}\"; -devices lists them", name));
+}
+
+}  // namespace
 
 OpenclChoice choose_opencl(const std::string& name, const std::vector<OpenclEntry>& devices) {
     size_t index = 0;
@@ -77,7 +132,7 @@ OpenclChoice choose_opencl(const std::string& name, const std::vector<OpenclEntr
         else if (word == "gpu") gpu = true;
         else if (!word.empty() && word.find_first_not_of("0123456789") == std::string::npos && word.size() < 5)
             index = size_t(std::stoul(word));
-        else base::fail("-device", fmt::format("\"{}\" is not opencl[:index][:compact|bvh8][:gpu]", name));
+        else if (!word.empty()) index = index_of(word, devices);
     }
     if (index >= devices.size())
         base::fail("-device", fmt::format("there is no OpenCL device {} (only {})", index, devices.size()));

@@ -24,8 +24,12 @@ std::vector<OpenclEntry> opencl_entries();
 // "NVIDIA H200 (GPU, NVIDIA CUDA)"
 std::string describe(const OpenclEntry& e);
 
-// What "opencl[:index][:compact|bvh8][:gpu]" names among these devices: without more the first, and for it the tree
-// that suits.  gpu: it is used as a GPU is, whatever it is (for tests).  Throws Error.
+// "CL_OUT_OF_RESOURCES (-5)"
+std::string opencl_error(int code);
+
+// What "opencl[:index|:name][:compact|bvh8][:gpu]" names among these devices: without more the first, and for it the
+// tree that suits; by name the first whose description holds it, in letters of either case.  gpu: it is used as a GPU
+// is, whatever it is (for tests).  Throws Error.
 struct OpenclChoice {
     size_t index;
     bool as_gpu, compact;

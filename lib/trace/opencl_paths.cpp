@@ -16,6 +16,7 @@ using kernels::uint4;
 constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it
 static_assert(LOCAL == PATH_KINDS, "a group has a work item for each kind of path");
 constexpr size_t PIECE = size_t(1) << 21;  // bytes read back at a time
+constexpr size_t QUEUES = 4;
 constexpr uint32_t zeros[2 * PATH_KINDS] = {};
 
 }  // namespace
@@ -25,43 +26,66 @@ OpenclPaths::OpenclPaths(const cl::Context& context, const cl::CommandQueue& que
     params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(Params));
     counters_ = room(4, 4);
     kinds_ = room(2 * PATH_KINDS, 4);
-    queue_.enqueueWriteBuffer(kinds_, CL_TRUE, 0, sizeof zeros, zeros);
+    release();
 }
 
 void OpenclPaths::use(const cl::Program& program) {
-    generate_ = cl::Kernel(program, "k_generate");
-    extend_ = cl::Kernel(program, "k_extend");
-    shade_ = cl::Kernel(program, "k_shade");
-    shadow_ = cl::Kernel(program, "k_shadow");
-    swap_ = cl::Kernel(program, "k_swap");
-    draw_ = cl::Kernel(program, "k_draw");
-    walk_ = cl::Kernel(program, "k_walk");
-    thin_ = cl::Kernel(program, "k_thin");
-    link_ = cl::Kernel(program, "k_link");
-    panes_ = cl::Kernel(program, "k_panes");
-    connect_ = cl::Kernel(program, "k_connect");
-    weigh_ = cl::Kernel(program, "k_weigh");
-    collect_ = cl::Kernel(program, "k_collect");
-    film_kernel_ = cl::Kernel(program, "k_film");
-    count_kinds_ = cl::Kernel(program, "k_count_kinds");
-    begin_kinds_ = cl::Kernel(program, "k_begin_kinds");
-    sort_kinds_ = cl::Kernel(program, "k_sort_kinds");
-    sky_ = cl::Kernel(program, "k_sky");
+#define LUX_KERNEL(name) stages_[STAGE_##name].kernel = cl::Kernel(program, "k_" #name);
+    LUX_STAGES(LUX_KERNEL)
+    forget_arguments();
+}
+
+void OpenclPaths::set_table(int table, const cl::Buffer& buffer) {
+    tables_[table] = buffer;
+    forget_arguments();
+}
+
+void OpenclPaths::forget_arguments() {
+    for (Stage& stage : stages_) stage.has.clear();
+}
+
+void OpenclPaths::Stage::give(unsigned argument, const cl::Buffer& buffer) {
+    if (argument >= has.size()) has.resize(argument + 1);
+    if (has[argument] == buffer()) return;
+    kernel.setArg(argument, buffer);
+    has[argument] = buffer();
 }
 
 cl::Buffer OpenclPaths::room(size_t count, size_t bytes_each) const {
     return cl::Buffer(context_, CL_MEM_READ_WRITE, count * bytes_each);
 }
 
+// Half of the memory, for the scene and others use it, too.
+uint32_t OpenclPaths::most_slots(const cl::Device& device, bool gpu) {
+#define LUX_SIZE(type, name, when) sizeof(type),
+    constexpr size_t sizes[] = {PATH_STATE(LUX_SIZE)};
+    size_t all = QUEUES * 4, largest = 0;
+    for (const size_t size : sizes) all += size, largest = std::max(largest, size);
+    const uint64_t one = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>() / largest,
+                   total = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>() / 2 / all;
+    const uint64_t most = std::min({gpu ? uint64_t(1) << 21 : uint64_t(1) << 18, one, total});
+    return std::max(uint32_t(most) / SHARE_SQUARE, 1u) * SHARE_SQUARE;
+}
+
+void OpenclPaths::release() {
+    for (cl::Buffer& field : fields_) field = {};
+    for (cl::Buffer* queue : {&now_, &next_, &shadow_queue_, &sorted_}) *queue = {};
+    queue_.enqueueWriteBuffer(kinds_, CL_TRUE, 0, sizeof zeros, zeros);
+    forget_arguments();
+    capacity_ = 0;
+    needs_ = PATH_ALWAYS;
+}
+
 void OpenclPaths::reserve(const Params& par, uint32_t slots) {
-    const uint32_t needs = kernels::path_needs(&par);
     queue_.enqueueWriteBuffer(params_, CL_TRUE, 0, sizeof par, &par);
-    if (slots <= capacity_ && (needs & ~needs_) == 0) return;
-    capacity_ = std::max(capacity_, slots);
-    needs_ |= needs;
-#define LUX_ROOM(type, name, when) fields_[PATH_##name] = room(((when) & ~needs_) == 0 ? capacity_ : 1, sizeof(type));
+    const uint32_t needs = needs_ | kernels::path_needs(&par), capacity = std::max(capacity_, slots);
+    if (capacity == capacity_ && needs == needs_) return;
+    release();
+#define LUX_ROOM(type, name, when) fields_[PATH_##name] = room(((when) & ~needs) == 0 ? capacity : 1, sizeof(type));
     PATH_STATE(LUX_ROOM)
-    for (cl::Buffer* queue : {&now_, &next_, &shadow_queue_, &sorted_}) *queue = room(capacity_, 4);
+    for (cl::Buffer* queue : {&now_, &next_, &shadow_queue_, &sorted_}) *queue = room(capacity, 4);
+    capacity_ = capacity;
+    needs_ = needs;
 }
 
 void OpenclPaths::write(int field, const std::vector<float4>& values) {
@@ -72,9 +96,14 @@ void OpenclPaths::read(int field, std::vector<float4>& values) {
     queue_.enqueueReadBuffer(fields_[field], CL_TRUE, 0, values.size() * 16, values.data());
 }
 
-void OpenclPaths::launch(cl::Kernel& kernel, uint32_t n) {
-    const cl::NDRange items((n + LOCAL - 1) / LOCAL * LOCAL);
-    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, items, cl::NDRange(LOCAL));
+// In several launches where a single one could last until a desktop's watchdog ends it: k_link follows up to 16 rays a
+// work item.
+void OpenclPaths::launch(const cl::Kernel& kernel, uint32_t n) {
+    const uint32_t most = kernel() == stages_[STAGE_link].kernel() ? 1u << 18 : n;
+    for (uint32_t first = 0; first < n; first += most) {
+        const cl::NDRange items((std::min(most, n - first) + LOCAL - 1) / LOCAL * LOCAL);
+        queue_.enqueueNDRangeKernel(kernel, first > 0 ? cl::NDRange(first) : cl::NullRange, items, cl::NDRange(LOCAL));
+    }
 }
 
 uint32_t OpenclPaths::count() {
@@ -85,23 +114,24 @@ uint32_t OpenclPaths::count() {
 
 void OpenclPaths::run(const Params& par) {
     reserve(par, par.slots);
-    begin(generate_, par);
+    begin(STAGE_generate, par);
     follow();
     if (par.shared_slots == 0) return;
-    for (cl::Kernel* kernel : {&thin_, &link_, &panes_, &connect_, &weigh_, &collect_}) stage(*kernel, par.slots);
+    for (const int k : {STAGE_thin, STAGE_link, STAGE_panes, STAGE_connect, STAGE_weigh, STAGE_collect})
+        stage(k, par.slots);
 }
 
 void OpenclPaths::walk(const Params& par) {
-    begin(walk_, par);
+    begin(STAGE_walk, par);
     follow();
 }
 
-void OpenclPaths::draw(const Params& par) { stage(draw_, par.slots); }
+void OpenclPaths::draw(const Params& par) { stage(STAGE_draw, par.slots); }
 
 // Fills the queue with the paths that have a ray.
-void OpenclPaths::begin(cl::Kernel& kernel, const Params& par) {
+void OpenclPaths::begin(int first, const Params& par) {
     queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zeros);
-    stage(kernel, par.slots, counters_, now_);
+    stage(first, par.slots, counters_, now_);
 }
 
 // Follows the paths of the queue to their ends.
@@ -109,46 +139,46 @@ void OpenclPaths::follow() {
     const int rounds = gpu_ ? 4 : 1;  // between looks at the counter; idle work items leave at once
     for (uint32_t active = count(); active > 0; active = count())
         for (int i = 0; i < rounds; i++) {
-            stage(extend_, active, counters_, now_);
+            stage(STAGE_extend, active, counters_, now_);
             if (gpu_) {
                 sort(active);
-                stage(sky_, active, counters_, now_);
+                stage(STAGE_sky, active, counters_, now_);
             }
-            stage(shade_, active, counters_, now_, next_, shadow_queue_);
-            stage(shadow_, active, counters_, shadow_queue_);
-            swap_.setArg(0, counters_);
-            launch(swap_, 1);
+            stage(STAGE_shade, active, counters_, now_, next_, shadow_queue_);
+            stage(STAGE_shadow, active, counters_, shadow_queue_);
+            launch(STAGE_swap, 1, counters_);
             std::swap(now_, next_);
         }
 }
 
 // Paths of one kind side by side: a counting sort.
 void OpenclPaths::sort(uint32_t active) {
-    stage(count_kinds_, active, counters_, now_, kinds_);
-    begin_kinds_.setArg(0, kinds_);
-    launch(begin_kinds_, 1);
-    stage(sort_kinds_, active, counters_, now_, kinds_, sorted_);
+    stage(STAGE_count_kinds, active, counters_, now_, kinds_);
+    launch(STAGE_begin_kinds, 1, kinds_);
+    stage(STAGE_sort_kinds, active, counters_, now_, kinds_, sorted_);
     std::swap(now_, sorted_);
 }
 
-void OpenclPaths::receive(const Params& par, std::vector<float>& film) {
+void OpenclPaths::store(const Params& par) {
     const size_t bytes = size_t(kernels::film_places(&par)) * 12;
-    if (bytes > film_bytes_) film_ = room(film_bytes_ = bytes, 1);
-    film_kernel_.setArg(0, params_);
-    film_kernel_.setArg(1, fields_[PATH_rad]);
-    film_kernel_.setArg(2, film_);
-    launch(film_kernel_, par.slots);
-    if (gpu_) {
-        read_pinned(film_, bytes, film);
-        return;
+    if (bytes > film_bytes_) {
+        film_ = {}, film_bytes_ = 0;
+        forget_arguments();
+        film_ = room(bytes, 1), film_bytes_ = bytes;
     }
-    film.resize(bytes / 4);
-    queue_.enqueueReadBuffer(film_, CL_TRUE, 0, bytes, film.data());
+    launch(STAGE_film, par.slots, params_, fields_[PATH_rad], film_);
+}
+
+void OpenclPaths::receive(const Params& par, std::vector<float>& film, size_t at) {
+    const size_t bytes = size_t(kernels::film_places(&par)) * 12;
+    if (gpu_) return read_pinned(film_, bytes, film, at);
+    film.resize(at + bytes / 4);
+    queue_.enqueueReadBuffer(film_, CL_TRUE, 0, bytes, &film[at]);
 }
 
 // By way of memory that a GPU writes to by itself, as vendors advise: two pieces of it, one of which is copied from
 // while the next one comes.  Room for all of them is made while the GPU is still at work.
-void OpenclPaths::read_pinned(const cl::Buffer& from, size_t bytes, std::vector<float>& to) {
+void OpenclPaths::read_pinned(const cl::Buffer& from, size_t bytes, std::vector<float>& to, size_t start) {
     if (!pinned_at_) {
         pinned_ = cl::Buffer(context_, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, 2 * PIECE);
         pinned_at_ =
@@ -163,11 +193,11 @@ void OpenclPaths::read_pinned(const cl::Buffer& from, size_t bytes, std::vector<
         queue_.flush();
     };
     if (bytes > 0) send_for(0);
-    to.resize(bytes / 4);
+    to.resize(start + bytes / 4);
     for (size_t at = 0; at < bytes; at += PIECE) {
         if (at + PIECE < bytes) send_for(at + PIECE);
         come[place(at)].wait();
-        std::memcpy(reinterpret_cast<char*>(to.data()) + at, pinned_at_ + place(at) * PIECE, size_at(at));
+        std::memcpy(reinterpret_cast<char*>(&to[start]) + at, pinned_at_ + place(at) * PIECE, size_at(at));
     }
 }
 

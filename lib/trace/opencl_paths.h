@@ -16,6 +16,15 @@ enum { SCENE_TABLES(LUX_TABLE_NUMBER) TABLES };
 #define LUX_FIELD_NUMBER(type, name, when) PATH_##name,
 enum { PATH_STATE(LUX_FIELD_NUMBER) PATH_FIELDS };
 
+// The kernels, k_NAME each.
+// clang-format off
+#define LUX_STAGES(S)                                                                                           \
+    S(generate) S(extend) S(count_kinds) S(begin_kinds) S(sort_kinds) S(sky) S(shade) S(shadow) S(swap) S(draw) \
+    S(walk) S(thin) S(link) S(panes) S(connect) S(weigh) S(collect) S(film)
+// clang-format on
+#define LUX_STAGE_NUMBER(name) STAGE_##name,
+enum { LUX_STAGES(LUX_STAGE_NUMBER) STAGES };
+
 class OpenclPaths {
 public:
     OpenclPaths() = default;
@@ -23,11 +32,13 @@ public:
     OpenclPaths(const cl::Context& context, const cl::CommandQueue& queue, bool gpu);
     // Its kernels from now on.  Those for a GPU shade apart what has met nothing (HAS(SKY), kernels/features.h).
     void use(const cl::Program& program);
+    void set_table(int table, const cl::Buffer& buffer);  // of the scene
 
-    cl::Buffer tables[TABLES];  // the scene's
-
+    // How many slots this device has memory for.
+    static uint32_t most_slots(const cl::Device& device, bool gpu);
     // Room for so many paths, and the parameters of their pass.
     void reserve(const Params& par, uint32_t slots);
+    void release();  // that room
     // Whole fields of the first n paths.
     void write(int field, const std::vector<kernels::float4>& values);
     void read(int field, std::vector<kernels::float4>& values);
@@ -37,38 +48,51 @@ public:
     // The same from rays that have been written: MODE_WALK, and the shadow rays of MODE_DRAW.
     void walk(const Params& par);
     void draw(const Params& par);
-    // What they have gathered, 3 floats each, in the order of the film (kernels/share.h): the device puts them there,
-    // for a host would take as long as a GPU for all the rest.
-    void receive(const Params& par, std::vector<float>& film);
+    // What they have gathered goes into the film, 3 floats each, in its order (kernels/share.h): the device puts them
+    // there, for a host would take as long as a GPU for all the rest.
+    void store(const Params& par);
+    // The film from place `at` of `film` on.
+    void receive(const Params& par, std::vector<float>& film, size_t at);
 
     // Runs a kernel over n work items.
-    void launch(cl::Kernel& kernel, uint32_t n);
+    void launch(const cl::Kernel& kernel, uint32_t n);
 
 private:
+    // A kernel and the buffers that it has, so that a launch sets only those that are others.
+    struct Stage {
+        cl::Kernel kernel;
+        std::vector<cl_mem> has;
+        void give(unsigned argument, const cl::Buffer& buffer);
+    };
     cl::Buffer room(size_t count, size_t bytes_each) const;
+    void forget_arguments();  // a new buffer may have the handle of one that is gone
+    template <class... Buffers>
+    void launch(int stage, uint32_t n, const Buffers&... arguments) {
+        unsigned a = 0;
+        (stages_[stage].give(a++, arguments), ...);
+        launch(stages_[stage].kernel, n);
+    }
     // Runs a kernel that takes the scene, the parameters, the fields, and then `others`.
     template <class... Buffers>
-    void stage(cl::Kernel& kernel, uint32_t n, const Buffers&... others) {
+    void stage(int stage, uint32_t n, const Buffers&... others) {
         unsigned a = 0;
-        for (const auto& table : tables) kernel.setArg(a++, table);
-        kernel.setArg(a++, params_);
-        for (const auto& field : fields_) kernel.setArg(a++, field);
-        (kernel.setArg(a++, others), ...);
-        launch(kernel, n);
+        for (const auto& table : tables_) stages_[stage].give(a++, table);
+        stages_[stage].give(a++, params_);
+        for (const auto& field : fields_) stages_[stage].give(a++, field);
+        (stages_[stage].give(a++, others), ...);
+        launch(stages_[stage].kernel, n);
     }
-    void begin(cl::Kernel& kernel, const Params& par);
+    void begin(int stage, const Params& par);
     void follow();
     void sort(uint32_t active);
     uint32_t count();
-    void read_pinned(const cl::Buffer& from, size_t bytes, std::vector<float>& to);
+    void read_pinned(const cl::Buffer& from, size_t bytes, std::vector<float>& to, size_t at);
 
     bool gpu_ = false;
     cl::Context context_;
     cl::CommandQueue queue_;
-    cl::Kernel generate_, extend_, shade_, shadow_, swap_, draw_, walk_, thin_, link_, panes_, connect_, weigh_,
-        collect_;
-    cl::Kernel film_kernel_, sky_, count_kinds_, begin_kinds_, sort_kinds_;
-    cl::Buffer fields_[PATH_FIELDS];
+    Stage stages_[STAGES];
+    cl::Buffer tables_[TABLES], fields_[PATH_FIELDS];
     cl::Buffer params_, counters_, kinds_, now_, next_, shadow_queue_, sorted_, film_, pinned_;
     size_t film_bytes_ = 0;
     char* pinned_at_ = nullptr;  // where the host sees pinned_

@@ -208,7 +208,10 @@ void Renderer::look(size_t shot) {
 
 Renderer::~Renderer() = default;
 
-std::string Renderer::fingerprint() const { return state_->picture->fingerprint; }
+std::string Renderer::fingerprint() const {
+    const std::string bits = state_->device->own_bits();
+    return state_->picture->fingerprint + (bits.empty() ? "" : " device:" + bits);
+}
 std::string Renderer::device_name() const { return state_->device->name(); }
 
 void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, const std::vector<float>&)>& give) {

@@ -3,7 +3,9 @@
 #include "trace/samples.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "trace/noisy.h"
@@ -131,14 +133,19 @@ void Samples::refine(Device& device, const Params& base, const Pass& pass, const
 
 void Samples::scrub(std::vector<float>& rgb) {
     constexpr float brightest = 1e32f;
-    int64_t found = 0;
+    constexpr size_t enough = 300;
+    size_t found = 0;
     for (float& v : rgb)
         if (!(std::fabs(v) <= brightest)) {
             v = 0;
             found++;
         }
-    if (found && !bad_) base::warn("", "samples that were not numbers, or above 1e32, were set to 0");
-    bad_ += found;
+    errno = 0;
+    if (rgb.size() >= enough && found > rgb.size() / 2)
+        base::fail_system("", fmt::format("{:.0f} % of a pass's samples are not numbers, or above 1e32",
+                                          100 * double(found) / double(rgb.size())));
+    if (found > 0 && !found_bad_) base::warn("", "samples that were not numbers, or above 1e32, were set to 0");
+    found_bad_ = found_bad_ || found > 0;
 }
 
 }  // namespace trace

@@ -27,7 +27,8 @@ public:
     uint32_t slots(const Params& base) const;
     // rgb: the samples of a pixel lie side by side, as do their rays.
     void run(Device& device, const Params& base, const Pass& pass, std::vector<float>& rgb);
-    // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.
+    // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.  Throws
+    // Error (system) where half of a pass is not.
     void scrub(std::vector<float>& rgb);
 
 private:
@@ -50,7 +51,7 @@ private:
     std::vector<Several> several_;
     bool may_share_ = false;
     std::vector<float> copies_;
-    int64_t bad_ = 0;  // samples that were set to 0
+    bool found_bad_ = false;
 };
 
 }  // namespace trace
