@@ -30,7 +30,8 @@ struct Face {
     const scene::Object* object;
     std::array<int, 3> direction;  // of the plane
     double offset;
-    int u, v;  // axes across
+    int u, v;     // axes across
+    bool turned;  // it faces away from `direction`
     double low[2], high[2];
     std::vector<Vec3> corners;
 
@@ -45,11 +46,12 @@ struct Face {
 };
 
 Face face_of(const scene::Object& o, std::vector<Vec3> corners, Vec3 normal) {
-    Face f{&o, {}, 0, 0, 0, {1e30, 1e30}, {-1e30, -1e30}, std::move(corners)};
+    Face f{&o, {}, 0, 0, 0, false, {1e30, 1e30}, {-1e30, -1e30}, std::move(corners)};
     int main = 0;
     for (int k = 1; k < 3; k++)
         if (std::fabs(normal[k]) > std::fabs(normal[main]) + 1e-6) main = k;
-    if (normal[main] < 0) normal = normal * -1;
+    f.turned = normal[main] < 0;
+    if (f.turned) normal = normal * -1;
     for (int k = 0; k < 3; k++) f.direction[k] = int(std::lround(normal[k] * 4096));
     f.u = main == 0 ? 1 : 0;
     f.v = main == 2 ? 1 : 2;
@@ -133,7 +135,9 @@ void warn_of_coincident(const Modifiers& modifiers, const FlatScene& scene) {
         for (size_t i = from; i < to; i++)
             for (size_t k = i + 1; k < to && faces[k].low[0] < faces[i].high[0] && pairs++ < MOST_PAIRS; k++) {
                 const Face &a = faces[i], &b = faces[k];
-                if (a.object->modifier == b.object->modifier || !cover(a, b, large, place)) continue;
+                // of two that face opposite ways each is seen from its own side: a house on its ground
+                if (a.object->modifier == b.object->modifier || a.turned != b.turned) continue;
+                if (!cover(a, b, large, place)) continue;
                 if (count++ > 0) continue;
                 first[0] = &a, first[1] = &b, where = place;
             }

@@ -25,6 +25,7 @@ std::string scene_hash(const flatten::FlatScene& s) {
 
 // Options that move pixels, as one would type them, and what tests set.  The seed has a header line of its own.
 std::string option_text(RenderOptions o) {
+    if (o.sampling != flatten::Sampling::shared) o.noisy_share = 0;  // the other ways have none
     base::OptionTable table;
     declare_options(table, o);
     std::string text;
