@@ -4,29 +4,32 @@
 #include <algorithm>
 #include <cmath>
 #include "base/error.h"
-#include "comfort/halves.h"
 
 namespace comfort {
 namespace {
 
 using M = const Measurement&;
-// noisy: of noisy pixels it comes out wrong on average, and there is a column NAMEu that does not (halves.h).
-enum Want : unsigned {
-    nothing = 0,
-    sources = 1,
-    rammg = 2,
-    medians = 4,
-    mask = 8,
-    noisy = 16,
-    brightest = 32,
-    mean = 64,
-    all_light = 128
-};
+using uncertainty::NoiseBias;
+using uncertainty::Quantity;
+
+enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, all_light = 16 };
+
+// How the error of a metric is estimated.  A metric with a bias has a column NAMEu without that bias.  The error of the
+// bias is the share of it that intervals needed to cover the truth (docs/decisions/0019-intervals.md).
+constexpr Quantity no_interval{};
+constexpr Quantity linear{Quantity::Method::half_samples, NoiseBias::none, 0, false};
+constexpr Quantity of_dgp{Quantity::Method::half_samples, NoiseBias::variance, .25, false};
+constexpr Quantity of_contrast{Quantity::Method::half_samples, NoiseBias::deviation, .18, false};
+constexpr Quantity of_glare{Quantity::Method::half_samples, NoiseBias::variance, .5, false};
+constexpr Quantity unbiased_only{Quantity::Method::none, NoiseBias::variance, 0, false};
+constexpr Quantity of_region{Quantity::Method::jackknife, NoiseBias::none, 0, false};
+constexpr Quantity of_ratio{Quantity::Method::jackknife, NoiseBias::none, 0, true};
 
 struct Entry {
     const char* name;
     unsigned wants;
     double (*value)(M);
+    Quantity quantity;
 };
 
 double omega_sources(M m) {
@@ -43,66 +46,71 @@ double lum_sources(M m) {
 double class_value(M m) { return dgp_class(m.dgp); }
 
 const Entry entries[] = {
-    {"Ev", all_light, [](M m) { return m.ev; }},
-    {"DGP", sources | noisy, [](M m) { return m.dgp; }},
-    {"class", sources, class_value},
-    {"DGI", sources | noisy, [](M m) { return dgi(m.glare, m.background); }},
-    {"UGR", sources | noisy, [](M m) { return ugr(m.glare, m.background); }},
-    {"VCP", sources | noisy | mean, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }},
-    {"CGI", sources | noisy, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }},
-    {"UGP", sources | noisy, [](M m) { return ugp(m.glare, m.background); }},
-    {"UGP2", sources | noisy, [](M m) { return ugp2(m.glare, m.background); }},
-    {"DGImod", sources | noisy, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }},
-    {"UGRexp", sources | noisy, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }},
-    {"DGR", sources | noisy | mean, [](M m) { return dgr(m.glare, m.mean_lum); }},
-    {"PGSV", sources | mask, [](M m) { return m.pgsv.value; }},
-    {"PGSVcon", sources | mask, [](M m) { return m.pgsv.contrast; }},
-    {"PGSVsat", sources | mask, [](M m) { return m.pgsv.saturation; }},
-    {"Lveil", sources | noisy, [](M m) { return veil_poynter(m.glare); }},
-    {"LveilCIE", sources | noisy, [](M m) { return veil_cie(m.glare, -HUGE_VAL); }},
-    {"Lavg", mean, [](M m) { return m.mean_lum; }},
-    {"Lmax", brightest, [](M m) { return m.max_lum; }},
-    {"Lmed", medians, [](M m) { return m.median; }},
-    {"LavgPos", medians, [](M m) { return m.mean_pos; }},
-    {"LavgPos2", medians, [](M m) { return m.mean_pos2; }},
-    {"LmedPos", medians, [](M m) { return m.median_pos; }},
-    {"LmedPos2", medians, [](M m) { return m.median_pos2; }},
-    {"Lb", sources | noisy, [](M m) { return m.background; }},
-    {"Lt", sources | mean, [](M m) { return m.task_lum; }},
-    {"threshold", sources, [](M m) { return m.threshold; }},
-    {"Edir", sources | noisy, [](M m) { return m.direct_lux; }},
-    {"n_sources", sources, [](M m) { return double(m.sources.size()); }},
-    {"omega_sources", sources, omega_sources},
-    {"L_sources", sources, lum_sources},
-    {"RAMMG", rammg | noisy, [](M m) { return m.rammg; }},
-    {"omega", nothing, [](M m) { return m.omega; }},
-    {"pixels", nothing, [](M m) { return double(m.valid_pixels); }},
-    {"not_finite", nothing, [](M m) { return double(m.not_finite); }},
-    {"negative", nothing, [](M m) { return double(m.negative); }},
+    {"Ev", all_light, [](M m) { return m.ev; }, linear},
+    {"DGP", sources, [](M m) { return m.dgp; }, of_dgp},
+    {"class", sources, class_value, no_interval},
+    {"DGI", sources, [](M m) { return dgi(m.glare, m.background); }, of_glare},
+    {"UGR", sources, [](M m) { return ugr(m.glare, m.background); }, of_glare},
+    {"VCP", sources, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }, unbiased_only},
+    {"CGI", sources, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }, of_glare},
+    {"UGP", sources, [](M m) { return ugp(m.glare, m.background); }, of_glare},
+    {"UGP2", sources, [](M m) { return ugp2(m.glare, m.background); }, of_glare},
+    {"DGImod", sources, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }, of_glare},
+    {"UGRexp", sources, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }, of_glare},
+    {"DGR", sources, [](M m) { return dgr(m.glare, m.mean_lum); }, of_glare},
+    {"PGSV", sources | mask, [](M m) { return m.pgsv.value; }, no_interval},
+    {"PGSVcon", sources | mask, [](M m) { return m.pgsv.contrast; }, no_interval},
+    {"PGSVsat", sources | mask, [](M m) { return m.pgsv.saturation; }, no_interval},
+    {"Lveil", sources, [](M m) { return veil_poynter(m.glare); }, of_glare},
+    {"LveilCIE", sources, [](M m) { return veil_cie(m.glare, -HUGE_VAL); }, of_glare},
+    {"Lavg", nothing, [](M m) { return m.mean_lum; }, linear},
+    {"Lmax", nothing, [](M m) { return m.max_lum; }, no_interval},
+    {"Lmed", medians, [](M m) { return m.median; }, no_interval},
+    {"LavgPos", medians, [](M m) { return m.mean_pos; }, linear},
+    {"LavgPos2", medians, [](M m) { return m.mean_pos2; }, linear},
+    {"LmedPos", medians, [](M m) { return m.median_pos; }, no_interval},
+    {"LmedPos2", medians, [](M m) { return m.median_pos2; }, no_interval},
+    {"Lb", sources, [](M m) { return m.background; }, of_glare},
+    {"Lt", sources, [](M m) { return m.task_lum; }, linear},
+    {"threshold", sources, [](M m) { return m.threshold; }, no_interval},
+    {"Edir", sources, [](M m) { return m.direct_lux; }, of_glare},
+    {"n_sources", sources, [](M m) { return double(m.sources.size()); }, no_interval},
+    {"omega_sources", sources, omega_sources, no_interval},
+    {"L_sources", sources, lum_sources, no_interval},
+    {"RAMMG", rammg, [](M m) { return m.rammg; }, of_contrast},
+    {"omega", nothing, [](M m) { return m.omega; }, no_interval},
+    {"pixels", nothing, [](M m) { return double(m.valid_pixels); }, no_interval},
+    {"not_finite", nothing, [](M m) { return double(m.not_finite); }, no_interval},
+    {"negative", nothing, [](M m) { return double(m.negative); }, no_interval},
 };
 
 struct PartEntry {
     const char* name;
     double RegionValues::*value;
+    Quantity quantity;
 };
-const PartEntry parts[] = {{"TAL", &RegionValues::tal},       {"mean", &RegionValues::mean},
-                           {"median", &RegionValues::median}, {"min", &RegionValues::lowest},
-                           {"max", &RegionValues::highest},   {"share", &RegionValues::share}};
+const PartEntry parts[] = {
+    {"TAL", &RegionValues::tal, of_region},         {"mean", &RegionValues::mean, of_region},
+    {"median", &RegionValues::median, no_interval}, {"min", &RegionValues::lowest, no_interval},
+    {"max", &RegionValues::highest, no_interval},   {"share", &RegionValues::share, no_interval}};
 
 struct SetEntry {
     const char* name;
     double PixelStatistics::*value;
+    Quantity quantity;
 };
 const SetEntry set_parts[] = {
-    {"omega", &PixelStatistics::omega},   {"mean", &PixelStatistics::mean},   {"median", &PixelStatistics::median},
-    {"std", &PixelStatistics::deviation}, {"p75", &PixelStatistics::p75},     {"p95", &PixelStatistics::p95},
-    {"min", &PixelStatistics::lowest},    {"max", &PixelStatistics::highest}, {"Ev", &PixelStatistics::eye_lux}};
+    {"omega", &PixelStatistics::omega, no_interval},   {"mean", &PixelStatistics::mean, linear},
+    {"median", &PixelStatistics::median, no_interval}, {"std", &PixelStatistics::deviation, no_interval},
+    {"p75", &PixelStatistics::p75, no_interval},       {"p95", &PixelStatistics::p95, no_interval},
+    {"min", &PixelStatistics::lowest, no_interval},    {"max", &PixelStatistics::highest, no_interval},
+    {"Ev", &PixelStatistics::eye_lux, linear}};
 
 class Chooser {
 public:
     Chooser(const ColumnChoice& choice, const Settings& settings, Needs& needs)
         : choice_(choice), settings_(settings), needs_(needs) {
-        needs_ = {false, false, false, false, false};
+        needs_ = {false, false, false, false};
     }
     std::vector<Column> all() {
         if (choice_.accelerad) {
@@ -138,35 +146,31 @@ private:
         mean_of("HighLum", pair.high);
         mean_of("LowLum", pair.low);
         const auto high = columns_[5].value, low = columns_[6].value;
-        columns_.push_back({"CR", [high, low](M m) { return high(m) / low(m); }});
+        columns_.push_back({"CR", [high, low](M m) { return high(m) / low(m); }, no_interval});
     }
     // Mean luminance of a region under a name of its own; not a number where there is no such region.
     void mean_of(const char* column, const std::string& name) {
         const size_t k = region_index(name);
-        if (k == choice_.regions.size()) columns_.push_back({column, [](M) { return std::nan(""); }});
-        else columns_.push_back({column, [k](M m) { return m.region_values[k].tal; }});
+        if (k == choice_.regions.size()) columns_.push_back({column, [](M) { return std::nan(""); }, no_interval});
+        else columns_.push_back({column, [k](M m) { return m.region_values[k].tal; }, no_interval});
     }
 
     // NAME or, where noise makes NAME too large, NAMEu.
     bool plain(const std::string& name) {
         for (const Entry& e : entries) {
-            const bool shows_unbiased = e.wants & noisy && name == std::string(e.name) + "u";
+            const bool shows_unbiased = e.quantity.bias != NoiseBias::none && name == std::string(e.name) + "u";
             if (name != e.name && !shows_unbiased) continue;
             if (e.wants & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
             needs_.sources |= (e.wants & sources) != 0;
             needs_.rammg |= (e.wants & rammg) != 0;
             needs_.medians |= (e.wants & medians) != 0;
-            needs_.brightest |= (e.wants & brightest) != 0;
-            needs_.mean |= (e.wants & mean) != 0;
             needs_.all_light |= (e.wants & (all_light | sources)) != 0 && !settings_.external_ev;
 
-            Column column{name, e.value};
+            Column column{name, e.value, e.quantity};
             if (std::string(e.name) == "LveilCIE")
                 column.value = [cut = settings_.veil_cut](M m) { return veil_cie(m.glare, cut); };
             if (e.value == class_value) column.words = dgp_classes;
             column.printed_unbiased = shows_unbiased;
-            if (e.wants & noisy) column.bias_of_halves = e.wants & rammg ? Halves::of_differences : 2;
-            if (e.wants & rammg) column.doubt_of_bias = 0.1;
             columns_.push_back(std::move(column));
             return true;
         }
@@ -179,8 +183,7 @@ private:
             if (!plain && name != "CRu" && name != p.column + ".CRu") continue;
             const size_t low = region_index(p.low), high = region_index(p.high);
             Column column{p.column + (plain ? ".CR" : ".CRu"),
-                          [low, high](M m) { return m.region_values[low].tal / m.region_values[high].tal; }};
-            column.regional = column.ratio = true;
+                          [low, high](M m) { return m.region_values[low].tal / m.region_values[high].tal; }, of_ratio};
             column.printed_unbiased = !plain;
             columns_.push_back(std::move(column));
             found = true;
@@ -197,8 +200,7 @@ private:
                 if (name != part.name && name != full) continue;
                 needs_.regions_in_full |= part.value != &RegionValues::tal;
                 const auto value = part.value;
-                columns_.push_back({full, [k, value](M m) { return m.region_values[k].*value; }});
-                columns_.back().regional = true;
+                columns_.push_back({full, [k, value](M m) { return m.region_values[k].*value; }, part.quantity});
                 found = true;
             }
         for (const PartEntry& part : parts)
@@ -213,7 +215,7 @@ private:
                 if (name != set && name != full) continue;
                 if (!there) base::fail("-metrics", name + " needs -B, -A, -l or -L");
                 const auto value = part.value;
-                columns_.push_back({full, [member, value](M m) { return (*(m.*member)).*value; }});
+                columns_.push_back({full, [member, value](M m) { return (*(m.*member)).*value; }, part.quantity});
                 needs_.sources = true;
                 found = true;
             }

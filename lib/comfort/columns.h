@@ -6,18 +6,19 @@
 #include <string>
 #include <vector>
 #include "comfort/measure.h"
+#include "uncertainty/estimator.h"
 
 namespace comfort {
 
 struct Column {
     std::string name;
     std::function<double(const Measurement&)> value;
-    double bias_of_halves = 0;           // how many times as large it is in half the frames (halves.h); 0: none
-    double doubt_of_bias = 0;            // standard error of what is taken off for it, as a share of that, late
-    bool regional = false;               // made of regions alone
-    bool ratio = false;                  // CR: its bias is taken off by the jackknife
+    uncertainty::Quantity quantity;      // how its error is estimated, if it is
     bool printed_unbiased = false;       // DGPu, CRu: the column shows the value without bias
     const char* const* words = nullptr;  // class: the value is an index of these
+    bool has_interval() const { return quantity.method != uncertainty::Quantity::Method::none; }
+    // The interval lies around the value without bias.
+    bool has_bias() const { return quantity.bias != uncertainty::NoiseBias::none || quantity.ratio; }
 };
 
 struct ColumnChoice {

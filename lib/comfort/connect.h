@@ -25,7 +25,7 @@ public:
     // (views whose neighbours can be farther apart than the reach).  Returns the number of groups.
     uint32_t connect(std::vector<Run>& runs, uint32_t first = 0);
 
-    // What it is made of, for other ways to connect (swayed_groups.h).
+private:
     // Neighbours made earlier; near ones do not touch.
     struct Cell {
         std::vector<uint32_t> touching, near;
@@ -33,13 +33,8 @@ public:
     struct RimPixel {
         uint32_t pixel, run;
     };
-    bool everything() const { return everything_; }  // the reach has no end
-    bool within_reach(Vec3 a, Vec3 b) const { return dot(a, b) >= cos_reach_; }
     uint32_t cell_of(uint32_t pixel);  // all pixels of a cell are one piece
-    const std::vector<Cell>& cells() const { return cells_; }
     std::vector<RimPixel> rim(const std::vector<Run>& runs) const;
-
-private:
     uint32_t make_cell(uint64_t key, int x, int y, int z);
     void join_rows(std::vector<Run>& runs) const;
     void join_cells(std::vector<Run>& runs, const std::vector<RimPixel>& rim);

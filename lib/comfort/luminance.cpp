@@ -6,12 +6,11 @@
 
 namespace comfort {
 
-Luminance make_luminance(image::Picture& picture, std::vector<float>* room) {
+Luminance make_luminance(image::Picture& picture) {
     Luminance lum;
     lum.width = picture.width;
     lum.height = picture.height;
-    if (room) room->resize(lum.size());
-    lum.grey = room ? room->data() : picture.rgb.data();
+    lum.grey = picture.rgb.data();
     const image::OddPixels odd = image::to_grey(picture.rgb.data(), lum.size(), lum.grey);
     lum.not_finite = odd.not_finite;
     lum.negative = odd.negative;

@@ -27,9 +27,8 @@ struct Luminance {
     double at(int x, int y) const { return at(index(x, y)); }
 };
 
-// In `room`, or over the picture's colours, which are lost; that memory stays in use until the luminance is not needed
-// any more.
-Luminance make_luminance(image::Picture& picture, std::vector<float>* room = nullptr);
+// Over the picture's colours, which are lost; that memory stays in use until the luminance is not needed any more.
+Luminance make_luminance(image::Picture& picture);
 
 // Largest float whose luminance is not above `cdm2`: a pixel is brighter exactly if its grey is greater.
 float grey_limit(double cdm2);

@@ -40,9 +40,9 @@ void Meter::prepare(const view::View& view, const image::Picture& picture, const
     geometry_.reset();
     geometry_ = std::make_unique<Geometry>(view, picture.width, picture.height, settings_.slips);
     narrow_ = needs_.all_light && geometry_->share_of_light() < .9;
-    finder_ = std::make_unique<SourceFinder>(*geometry_, settings_);
+    finder_ = make_finder();
     if (needs_.rammg) pyramid_ = std::make_unique<Pyramid>(*geometry_, settings_.rammg_area);
-    position_index_.clear();
+    find_position_index();
     mask_.reset();
     region_pixels_.clear();
     if (regions_)
@@ -110,15 +110,17 @@ void Meter::photometry_by_column(const Luminance& lum, Measurement& m) const {
     m.valid_pixels = g.valid_count;
 }
 
+void Meter::find_position_index() {
+    const Geometry& g = *geometry_;
+    position_index_.assign(needs_.medians ? g.omega.size() : 0, 0);
+    for (size_t i = 0; i < position_index_.size(); ++i)
+        if (g.valid(i)) position_index_[i] = float(position_index(g, g.seen_direction(i), settings_.position));
+}
+
 // Means and medians of L, L/P and L/P^2.  evalglare divides the last mean by the solid angle twice; so do we when
 // its slips are asked for.
-void Meter::position_statistics(const Luminance& lum, Measurement& m) {
+void Meter::position_statistics(const Luminance& lum, Measurement& m) const {
     const Geometry& g = *geometry_;
-    if (position_index_.empty()) {
-        position_index_.resize(g.omega.size());
-        for (size_t i = 0; i < g.omega.size(); ++i)
-            if (g.valid(i)) position_index_[i] = float(position_index(g, g.seen_direction(i), settings_.position));
-    }
     std::vector<float> values;
     values.reserve(g.valid_count);
     double sum1 = 0, sum2 = 0;
@@ -159,7 +161,7 @@ void Meter::background_and_dgp(double ev, double direct, Measurement& m) const {
             (settings_.low_light ? low_light_factor(m.eye_lux_used) : 1);
 }
 
-void Meter::glare(Luminance& lum, Luminance& bright_in, Measurement& m) {
+void Meter::glare(Luminance& lum, Luminance& bright_in, SourceFinder& finder, Measurement& m) const {
     const Geometry& g = *geometry_;
     if (settings_.field_cut) cut_field(lum, g, settings_.field_cut);
     if (settings_.field_cut && &bright_in != &lum) cut_field(bright_in, g, settings_.field_cut);
@@ -179,67 +181,40 @@ void Meter::glare(Luminance& lum, Luminance& bright_in, Measurement& m) {
     if (settings_.zones && (settings_.zones->inner.x < 0 || settings_.zones->inner.y < 0 ||
                             settings_.zones->inner.x >= g.width || settings_.zones->inner.y >= g.height))
         base::fail("-l", "the zone's centre is outside the picture");
-    finder_->find_groups(lum, bright_in, m.threshold);
-    pixel_sets(lum, m);
-    m.sources = finder_->split(lum);
-    m.direct_lux = finder_->direct_lux();
-    terms_and_dgp(lum, bright_in, ev, m);
-
-    if (m.mask) m.pgsv = pgsv(*m.mask, settings_.fast ? 0 : m.mean_lum, ev, has_task, m.task_lum);
-}
-
-// From the sources that are known.
-void Meter::terms_and_dgp(const Luminance& lum, const Luminance& bright_in, double ev, Measurement& m) const {
-    m.glare = glare_terms(*finder_, lum, bright_in, settings_, m.threshold, m.sources);
+    finder.find_groups(lum, bright_in, m.threshold);
+    pixel_sets(lum, finder, m);
+    m.sources = finder.split(lum);
+    m.direct_lux = finder.direct_lux();
+    m.glare = glare_terms(finder, lum, bright_in, settings_, m.threshold, m.sources);
     m.any_source = !m.sources.empty();
     background_and_dgp(ev, settings_.fast == 2 ? settings_.fast_direct : m.direct_lux, m);
-}
-
-Measurement Meter::with_last_sources(const Luminance& lum, const Luminance& bright_in, Measurement of_lum) const {
-    of_lum.sources = finder_->sums(lum);
-    of_lum.direct_lux = 0;
-    for (const GlareSource& s : of_lum.sources) of_lum.direct_lux += s.eye_lux;
-    terms_and_dgp(lum, bright_in, of_lum.ev, of_lum);
-    return of_lum;
-}
-
-void Meter::set_sources(std::vector<GlareSource> sources, Measurement& m) const {
-    m.sources = std::move(sources);
-    m.direct_lux = 0;
-    for (const GlareSource& s : m.sources) m.direct_lux += s.eye_lux;
-    m.glare = terms_of(m.sources);
-    m.any_source = !m.sources.empty();
-    background_and_dgp(m.ev, m.direct_lux, m);
+    if (m.mask) m.pgsv = pgsv(*m.mask, settings_.fast ? 0 : m.mean_lum, ev, has_task, m.task_lum);
 }
 
 // Band, mask and zones, before zones take pixels out of sources.  evalglare reads them from its check picture, where
 // sources and the band are painted by then.
-void Meter::pixel_sets(const Luminance& lum, Measurement& m) {
+void Meter::pixel_sets(const Luminance& lum, SourceFinder& finder, Measurement& m) const {
     const Geometry& g = *geometry_;
     const bool slips = settings_.slips;
-    const auto at = [&](size_t p) { return slips ? finder_->check_picture()->at(p) : lum.at(p); };
+    const auto at = [&](size_t p) { return slips ? finder.check_picture()->at(p) : lum.at(p); };
     if (settings_.band_rad) {
         const std::vector<uint32_t> band = band_pixels(g, *settings_.band_rad);
         m.band = statistics_of(band, at, g, slips);
-        finder_->paint_band(band);
+        finder.paint_band(band);
     }
-    if (settings_.mask_file) {
-        if (!mask_) mask_ = mask_pixels(*settings_.mask_file, g);
-        m.mask = statistics_of(*mask_, at, g, slips);
-    }
+    if (mask_) m.mask = statistics_of(*mask_, at, g, slips);
     if (!settings_.zones) return;
     m.zone1 = statistics_of(zone_pixels(g, *settings_.zones, 1, slips), at, g, slips);
     if (settings_.zones->outer_opening)
         m.zone2 = statistics_of(zone_pixels(g, *settings_.zones, 2, slips), at, g, slips);
 }
 
-Luminance Meter::read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view,
-                      std::vector<float>* room) {
+Luminance Meter::read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view) {
     if (!view && !picture.header.view)
         base::fail(place, "the header has no view; give one with -vf file or with -vt, -vh and -vv");
     prepare(view ? *view : *picture.header.view, picture, place);
     if (geometry_->valid_count == 0) base::fail(place, "no pixel of the picture lies in its view");
-    Luminance lum = make_luminance(picture, room);
+    Luminance lum = make_luminance(picture);
     if (lum.not_finite)
         base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
     if (lum.negative) base::warn(place, "pixels are negative (-metrics negative counts them)");
@@ -251,30 +226,41 @@ Measurement Meter::measure(image::Picture& picture, const std::string& place, co
     return measure(lum, place);
 }
 
-Measurement Meter::measure(Luminance& lum, const std::string& place, Luminance* bright_in) {
-    const Geometry& g = *geometry_;
-    Measurement m;
-    m.not_finite = lum.not_finite;
-    m.negative = lum.negative;
-    if (g.projector.view().type == 'v') {
-        m.black_corners = black_corner_percent(lum);
-        if (*m.black_corners > 70 && !settings_.force)
+Measurement Meter::measure(Luminance& lum, const std::string& place) {
+    std::optional<double> black_corners;
+    if (geometry_->projector.view().type == 'v') {
+        black_corners = black_corner_percent(lum);
+        if (*black_corners > 70 && !settings_.force)
             throw Refusal(place,
-                          "the view is perspective (-vtv) but " + std::to_string(int(*m.black_corners)) +
+                          "the view is perspective (-vtv) but " + std::to_string(int(*black_corners)) +
                               " % of the corners are black, as in a fisheye picture; correct the view with -vt, or "
                               "use -f to measure it all the same",
-                          evalglare_black_corners(*m.black_corners, true));
+                          evalglare_black_corners(*black_corners, true));
     }
     if (std::exchange(narrow_, false))
         base::warn(place, "Ev and DGP are of this narrow view; -vta -vh 180 -vv 180 has all that reaches the eye");
-    if (settings_.fill) fill_rows(lum, g, *settings_.fill);
-    if (settings_.fill && bright_in) fill_rows(*bright_in, g, *settings_.fill);
+    if (settings_.mask_file && needs_.sources && !mask_) mask_ = mask_pixels(*settings_.mask_file, *geometry_);
+    Measurement m = measure(lum, lum, *finder_);
+    m.black_corners = black_corners;
+    return m;
+}
+
+Measurement Meter::measure(Luminance& lum, Luminance& bright_in, SourceFinder& finder) const {
+    Measurement m;
+    m.not_finite = lum.not_finite;
+    m.negative = lum.negative;
+    if (settings_.fill) fill_rows(lum, *geometry_, *settings_.fill);
+    if (settings_.fill && &bright_in != &lum) fill_rows(bright_in, *geometry_, *settings_.fill);
     photometry(lum, m);
     regions(lum, m);
     if (needs_.rammg) m.rammg = rammg(lum, *pyramid_);
     if (needs_.medians) position_statistics(lum, m);
-    if (needs_.sources) glare(lum, bright_in ? *bright_in : lum, m);
+    if (needs_.sources) glare(lum, bright_in, finder, m);
     return m;
+}
+
+std::unique_ptr<SourceFinder> Meter::make_finder() const {
+    return std::make_unique<SourceFinder>(*geometry_, settings_);
 }
 
 void Meter::regions(const Luminance& lum, Measurement& m) const {
@@ -283,12 +269,6 @@ void Meter::regions(const Luminance& lum, Measurement& m) const {
         if (needs_.regions_in_full) m.region_values.back() = r.measure(lum);
         else m.region_values.back().tal = r.tal(lum);
     }
-}
-
-std::vector<uint32_t> Meter::pixels_of_regions() const {
-    std::vector<uint32_t> out;
-    for (const RegionPixels& r : region_pixels_) r.add_pixels(out);
-    return out;
 }
 
 Measurement Meter::measure_regions(const Luminance& lum) const {

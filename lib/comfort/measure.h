@@ -44,36 +44,30 @@ public:
           DrawRegions draw = {});
     // `view`: the one to use; without it the picture's own.  The picture's pixels are used up.
     Measurement measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
-    // The same in two steps: the grey picture in `room` or over the picture's memory, checked and warned about; and
-    // what it measures.
-    Luminance read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {},
-                   std::vector<float>* room = nullptr);
-    bool changes_pixels() const { return settings_.fill || settings_.field_cut; }  // when it measures
-    // bright_in: which pixels are bright is decided in this picture, which is changed like `lum`; null: in `lum`.
-    Measurement measure(Luminance& lum, const std::string& place, Luminance* bright_in = nullptr);
-    // `of_lum`, what `lum` measures, with the source pixels found last in place of its own.
-    Measurement with_last_sources(const Luminance& lum, const Luminance& bright_in, Measurement of_lum) const;
-    // What follows from sources, by the default DgpForm.
-    void set_sources(std::vector<GlareSource> sources, Measurement& m) const;
+    // The same in two steps: the grey picture over the picture's memory, checked and warned about; and what it
+    // measures.
+    Luminance read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
+    Measurement measure(Luminance& lum, const std::string& place);
+    // Any other image of the view read last, on any thread: each thread has a finder of its own.
+    // bright_in: which pixels are bright is decided there.  Both are changed by -G and -I alone.
+    Measurement measure(Luminance& lum, Luminance& bright_in, SourceFinder& finder) const;
+    std::unique_ptr<SourceFinder> make_finder() const;
     // Region values alone.
     Measurement measure_regions(const Luminance& lum) const;
-    std::vector<uint32_t> pixels_of_regions() const;  // some more than once
     const Settings& settings() const { return settings_; }
     const Needs& needs() const { return needs_; }
     const Geometry& geometry() const { return *geometry_; }
-    const Pyramid& pyramid() const { return *pyramid_; }  // where RAMMG is asked for
-    SourceFinder& finder() { return *finder_; }
-    const SourceFinder& finder() const { return *finder_; }
+    const SourceFinder& finder() const { return *finder_; }  // of the picture measured last
 
 private:
     void prepare(const view::View& view, const image::Picture& picture, const std::string& place);
+    void find_position_index();
     void photometry(const Luminance& lum, Measurement& m) const;
     Light light_of(const Luminance& lum) const;
     void photometry_by_column(const Luminance& lum, Measurement& m) const;
-    void position_statistics(const Luminance& lum, Measurement& m);
-    void glare(Luminance& lum, Luminance& bright_in, Measurement& m);
-    void terms_and_dgp(const Luminance& lum, const Luminance& bright_in, double ev, Measurement& m) const;
-    void pixel_sets(const Luminance& lum, Measurement& m);
+    void position_statistics(const Luminance& lum, Measurement& m) const;
+    void glare(Luminance& lum, Luminance& bright_in, SourceFinder& finder, Measurement& m) const;
+    void pixel_sets(const Luminance& lum, SourceFinder& finder, Measurement& m) const;
     void background_and_dgp(double ev, double direct_lux, Measurement& m) const;
     void regions(const Luminance& lum, Measurement& m) const;
 
@@ -87,7 +81,7 @@ private:
     bool narrow_ = false;  // a view that is still to be told of
     std::unique_ptr<const Pyramid> pyramid_;
     std::vector<RegionPixels> region_pixels_;
-    std::vector<float> position_index_;  // by pixel, made when medians are asked for
+    std::vector<float> position_index_;  // by pixel, where medians are asked for
     std::optional<std::vector<uint32_t>> mask_;
 };
 

@@ -24,9 +24,6 @@ public:
     RegionPixels(const std::vector<float>& coverage, const Geometry& geometry);
     double tal(const Luminance& lum) const;
     RegionValues measure(const Luminance& lum) const;
-    void add_pixels(std::vector<uint32_t>& to) const {
-        for (const Member& m : members_) to.push_back(m.pixel);
-    }
 
 private:
     struct Member {

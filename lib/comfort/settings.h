@@ -80,8 +80,7 @@ struct Refusal : base::Error {
 // What to work out beyond Ev and the luminance statistics that cost nothing.
 struct Needs {
     bool sources = true, rammg = true, medians = false, regions_in_full = false;
-    bool brightest = false, mean = false;  // of half pictures, too
-    bool all_light = false;                // all that reaches the eye, which a narrow view leaves out in part
+    bool all_light = false;  // all that reaches the eye, which a narrow view leaves out in part
 };
 
 }  // namespace comfort

@@ -38,7 +38,6 @@ public:
     const CheckPicture* check_picture() const { return check_ ? &*check_ : nullptr; }  // with -c
     const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
     double direct_lux() const { return direct_lux_; }
-    Connector& connector() { return connector_; }
     const std::vector<GlareSource>& before_zones() const { return before_zones_; }  // empty without zones
     // DgpForm::pixel
     std::vector<GlareTerm> every_pixel(const Luminance& lum, const Luminance& bright_in, double threshold) const;

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads a rule and looks at the last lines (until.h).
+// See until.h.
 #include "comfort/until.h"
+#include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include "base/error.h"
 #include "base/number.h"
+#include "comfort/columns.h"
+#include "uncertainty/stopping.h"
 
 namespace comfort {
+
+using uncertainty::Estimate;
 
 std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::string& place) {
     std::vector<Tolerance> out;
@@ -16,7 +22,7 @@ std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::stri
         Tolerance t;
         std::string amount, more;
         if (words >> t.metric && t.metric == "class")
-            base::fail(place, "class takes no tolerance, and cannot be used with -window or -compare");
+            base::fail(place, "class takes no tolerance, and cannot be used with -compare");
         if (!(words >> amount))
             base::fail(place, "\"" + part + "\" is not a rule; write for example 'DGP 1%, Ev 0.5%'");
         if (words >> more && more == "%") amount += more, more.clear();
@@ -31,27 +37,33 @@ std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::stri
     return out;
 }
 
-StoppingRule::StoppingRule(std::vector<Tolerance> tolerances, int window)
-    : tolerances_(std::move(tolerances)), window_(size_t(window)) {
-    if (window < 2) base::fail("-window", "a window must have at least two lines");
-}
-
-void StoppingRule::add(const std::vector<double>& values) {
-    lines_.push_back(values);
-    if (lines_.size() > window_) lines_.pop_front();
-}
-
-bool StoppingRule::holds() const {
-    if (lines_.size() < window_) return false;
-    for (size_t k = 0; k < tolerances_.size(); ++k) {
-        double mean = 0;
-        for (const auto& line : lines_) mean += line[k] / double(lines_.size());
-        const double limit =
-            tolerances_[k].amount * (tolerances_[k].relative ? std::fabs(mean) : 1) + 1e-12 * std::fabs(mean);
-        for (const auto& line : lines_)
-            if (!(std::fabs(line[k] - mean) <= limit)) return false;  // a nan never settles
+UntilRule::UntilRule(const std::string& rule) {
+    std::string others;
+    std::istringstream parts(rule);
+    for (std::string part; std::getline(parts, part, ',');) {
+        std::istringstream words(part);
+        std::string word, more;
+        if (words >> word && word == "class" && !(words >> more)) class_ = true;
+        else others += (others.empty() ? "" : ",") + part;
     }
-    return true;
+    if (!others.empty() || !class_) tolerances_ = parse_tolerances(others, "-until");
+}
+
+bool UntilRule::holds(const std::vector<Estimate>& estimates, const Estimate& dgp) const {
+    const auto narrow = [](const Tolerance& t, const Estimate& e) {
+        return uncertainty::narrow_enough(e, t.amount * (t.relative ? std::fabs(e.value) : 1));
+    };
+    return std::equal(tolerances_.begin(), tolerances_.end(), estimates.begin(), narrow) &&
+           (!class_ || uncertainty::class_is_known(dgp, dgp_class));
+}
+
+std::string UntilRule::reason(const std::vector<Estimate>& estimates, const Estimate& dgp) const {
+    std::string out;
+    for (size_t k = 0; k < tolerances_.size(); ++k)
+        out += fmt::format("{}{} {:.4g} +- {:.2g}", out.empty() ? "" : ", ", tolerances_[k].metric, estimates[k].value,
+                           estimates[k].half_width(uncertainty::alpha, estimates[k].frames));
+    if (class_) out += fmt::format("{}glare is {}", out.empty() ? "" : ", ", dgp_classes[dgp_class(dgp.value)]);
+    return out;
 }
 
 }  // namespace comfort

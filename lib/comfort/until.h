@@ -1,35 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A first stopping rule: "DGP 1%, Ev 0.5%" holds when, over the last `window` lines, every named metric stayed within
-// its tolerance of the window's mean:  |v - mean| <= tolerance (% of |mean|, or plain in the metric's own unit).
+// Rules such as 'DGP 0.01, Ev 1%, class': tolerances of -until and -compare.
 #pragma once
-#include <deque>
 #include <string>
 #include <vector>
+#include "uncertainty/estimate.h"
 
 namespace comfort {
 
 struct Tolerance {
     std::string metric;
     double amount = 0;
-    bool relative = false;  // amount is a fraction of the mean
+    bool relative = false;  // amount is a fraction of the value
 };
 
 // Throws Error on a rule that cannot be read; place: which option, or which line of which file, says it.
-std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::string& place = "-until");
+std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::string& place);
 
-class StoppingRule {
+// -until: half the widths of 95 % intervals, and the word "class", that of DGP (uncertainty/stopping.h).
+class UntilRule {
 public:
-    StoppingRule(std::vector<Tolerance> tolerances, int window);
+    explicit UntilRule(const std::string& rule);  // throws Error (place -until)
     const std::vector<Tolerance>& tolerances() const { return tolerances_; }
-    // Values in the order of tolerances().
-    void add(const std::vector<double>& values);
-    void restart() { lines_.clear(); }  // a new frame 0: the scene changed
-    bool holds() const;
+    bool asks_class() const { return class_; }
+    // At a look; estimates in the order of tolerances(), DGP's for the class.
+    bool holds(const std::vector<uncertainty::Estimate>& estimates, const uncertainty::Estimate& dgp) const;
+    // After it held: "DGP 0.3607 +- 0.0021, glare is perceptible".
+    std::string reason(const std::vector<uncertainty::Estimate>& estimates, const uncertainty::Estimate& dgp) const;
 
 private:
     std::vector<Tolerance> tolerances_;
-    size_t window_;
-    std::deque<std::vector<double>> lines_;
+    bool class_ = false;
 };
 
 }  // namespace comfort

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 #include "image/exact_sum.h"
-#include "image/merge_means.h"
+#include "image/merge_parts.h"
 #include "image/picture.h"
 
 namespace image {
@@ -54,8 +54,8 @@ private:
 
 class Merger {
 public:
-    // batches: how many to keep (merge_means.h).
-    explicit Merger(std::optional<int> batches = {}) : means_(batches) {}
+    // parts: how many to keep (merge_parts.h).
+    explicit Merger(std::optional<int> parts = {}) : parts_(parts) {}
     // An accumulated picture (FRAMES=, RANGE=).  Throws Error if it does not go with those before it.
     void add(Picture picture, const std::string& name);
     Picture result() const;
@@ -76,7 +76,7 @@ private:
     Group& group_of(const Header& header);
     void check_ranges(const Header& header, const std::string& name) const;
     std::vector<Group> groups_;
-    MeansMerger means_;
+    PartsMerger parts_;
     Header first_;
     int width_ = 0, height_ = 0, inputs_ = 0;
     std::string first_name_;

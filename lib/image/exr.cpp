@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures as OpenEXR: see exr.h.  A sum of frames also keeps what merging needs (accumulate.h): L(0) as layer
-// "frame0", and the exact sum of the other frames as layers "sum0" to "sum9", one for each digit (exact_sum.h).  What
-// tells its error are means of its first n frames, "mean<n>.Y" (means.h).
+// "frame0", and the exact sum of the other frames as layers "sum0" to "sum9", one for each digit (exact_sum.h).  Its
+// error is estimated from up to sixteen parts of its frames, "part<k>.Y" (parts.h).
 #include "image/exr.h"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ bool scale_colors(std::vector<float>& rgb, double unit, const std::optional<std:
     return true;
 }
 
-// Sums and means of pixels whose colours are converted would be those of other numbers, and are left out.
+// Sums and parts of pixels whose colours are converted would be those of other numbers, and are left out.
 std::vector<SumLayer> read_sum(const ExrInput& in) {
     std::vector<SumLayer> all;
     for (int k = 0; k < ExactSum::digits; ++k) {
@@ -45,40 +45,68 @@ std::vector<SumLayer> read_sum(const ExrInput& in) {
     return all;
 }
 
-// n of "mean<n>.Y"; 0 for any other channel.
-int64_t frames_of_mean(const std::string& channel) {
-    const size_t digits = channel.size() - std::min<size_t>(channel.size(), 6);
-    if (digits < 1 || digits > 15 || channel.compare(0, 4, "mean") != 0 || channel.substr(4 + digits) != ".Y") return 0;
+// The whole number between `before` and `after` of a channel's name; -1 for any other channel.
+int64_t number_in(const std::string& channel, const std::string& before, const std::string& after) {
+    const size_t around = before.size() + after.size();
+    if (channel.size() <= around || channel.size() > around + 15 || channel.compare(0, before.size(), before) != 0 ||
+        channel.substr(channel.size() - after.size()) != after)
+        return -1;
     int64_t n = 0;
-    for (const char c : channel.substr(4, digits)) {
-        if (c < '0' || c > '9') return 0;
+    for (const char c : channel.substr(before.size(), channel.size() - around)) {
+        if (c < '0' || c > '9') return -1;
         n = 10 * n + (c - '0');
     }
     return n;
 }
 
-// One pass over the file, which decodes all channels.
-std::vector<GreyMean> read_means(const ExrInput& in, int64_t frames, const std::string& path) {
-    std::vector<GreyMean> means;
+// Layers "NAME<number>.Y" by rising number.  One pass over the file, which decodes all channels.
+std::vector<std::pair<int64_t, std::vector<float>>> read_layers(const ExrInput& in, const std::string& name,
+                                                                const std::string& path) {
+    std::vector<std::pair<int64_t, std::vector<float>>> layers;
     for (const std::string& channel : in.channels())
-        if (const int64_t n = frames_of_mean(channel)) means.push_back({n, {}});
-    if (means.empty()) return means;
-    std::sort(means.begin(), means.end(), [](const GreyMean& a, const GreyMean& b) { return a.frames < b.frames; });
-    if (means.size() > most_means) base::fail(path, fmt::format("holds more than {} means of batches", most_means));
-    if (means.back().frames >= frames)
-        base::fail(path, fmt::format("holds the mean of {} frames, where there are {}", means.back().frames, frames));
+        if (const int64_t n = number_in(channel, name, ".Y"); n >= 0) layers.push_back({n, {}});
+    if (layers.size() > most_parts)
+        base::fail(path, fmt::format("holds more than {} layers {}<n>.Y", most_parts, name));
+    std::sort(layers.begin(), layers.end());
     std::vector<std::string> channels;
-    for (const GreyMean& m : means) channels.push_back(fmt::format("mean{}.Y", m.frames));
-    const std::vector<float> together = in.read(channels);
-    for (size_t k = 0; k < means.size(); ++k) {
-        std::vector<float>& grey = means[k].grey;
-        grey.resize(together.size() / means.size());
-        for (size_t i = 0; i < grey.size(); ++i) {
-            const float v = together[i * means.size() + k];
-            grey[i] = std::fabs(v) <= brightest_grey ? v : 0;
-        }
+    for (const auto& layer : layers) channels.push_back(fmt::format("{}{}.Y", name, layer.first));
+    const std::vector<float> together = layers.empty() ? std::vector<float>() : in.read(channels);
+    for (size_t k = 0; k < layers.size(); ++k)
+        for (size_t i = k; i < together.size(); i += layers.size())
+            layers[k].second.push_back(std::fabs(together[i]) <= brightest_grey ? together[i] : 0);
+    return layers;
+}
+
+// "part<k>.Y", whose frames are those of the text "part<k>".
+std::vector<Part> read_parts(const ExrInput& in, int64_t frames, const std::string& path) {
+    std::vector<Part> parts;
+    for (auto& [k, grey] : read_layers(in, "part", path)) {
+        Part part{0, std::move(grey), seed_ranges(in.text(fmt::format("part{}", k)).value_or(""), path)};
+        for (const auto& from : part.from)
+            for (const auto& r : from.second) part.frames += r.second - r.first + 1;
+        if (part.frames < 1) base::fail(path, fmt::format("does not tell the frames of part{}.Y", k));
+        parts.push_back(std::move(part));
     }
-    return means;
+    if (!parts.empty() && frames_of(parts) != frames)
+        base::fail(path, fmt::format("holds parts of {} frames, where there are {}", frames_of(parts), frames));
+    return parts;
+}
+
+// Files of versions up to 0.9: means of the first n frames, "mean<n>.Y"; frames between two means are a range.
+std::vector<Part> read_means(const ExrInput& in, const Picture& p, const std::string& path) {
+    GrowingParts parts;
+    const auto means = read_layers(in, "mean", path);
+    if (means.empty()) return {};
+    if (means.back().first >= *p.header.frames || means.front().first < 1)
+        base::fail(
+            path, fmt::format("holds the mean of {} frames, where there are {}", means.back().first, *p.header.frames));
+    for (const auto& [n, grey] : means) parts.add(grey.data(), grey.size(), n);
+    std::vector<float> whole(p.rgb.size() / 3);
+    to_grey(p.rgb.data(), whole.size(), whole.data());
+    parts.add(whole.data(), whole.size(), *p.header.frames);
+    std::vector<Part> out = parts.parts();
+    for (Part& part : out) part.from.clear();  // of merged files the seeds are not known
+    return out;
 }
 
 }  // namespace
@@ -99,7 +127,8 @@ Picture read_exr(const std::string& path) {
             p.frame0 = in.read({"frame0.R", "frame0.G", "frame0.B"});
         if (scale_colors(p.frame0, in.white_luminance() / lumens_per_watt, in.primaries())) return p;
         p.sum = read_sum(in);
-        if (p.header.frames) p.means = read_means(in, *p.header.frames, path);
+        if (p.header.frames) p.parts = read_parts(in, *p.header.frames, path);
+        if (p.header.frames && p.parts.empty()) p.parts = read_means(in, p, path);
         return p;
     }
     const std::vector<float> grey = in.read({"Y"});
@@ -135,10 +164,13 @@ void write_exr(const std::string& path, const Picture& picture, const ExrOptions
     for (const SumLayer& layer : picture.sum)
         for (size_t c = 0; c < 3 && !options.half; ++c)  // halves are not the pixels that these are the sums of
             channels.push_back({fmt::format("sum{}.{}", layer.digit, "RGB"[c]), layer.words.data() + c, 3, true});
-    for (const GreyMean& mean : picture.means)
-        if (!options.half && mean.frames != picture.header.frames)
-            channels.push_back({fmt::format("mean{}.Y", mean.frames), mean.grey.data(), 1});
-    write_exr_channels(path, picture.width, picture.height, channels, picture.header, {}, options);
+    std::map<std::string, std::string> texts;
+    for (size_t k = 0; k < picture.parts.size() && !options.half; ++k) {
+        const std::string name = fmt::format("part{}", k);
+        channels.push_back({name + ".Y", picture.parts[k].grey.data(), 1});
+        texts[name] = to_text(picture.parts[k].from);
+    }
+    write_exr_channels(path, picture.width, picture.height, channels, picture.header, texts, options);
 }
 
 }  // namespace image

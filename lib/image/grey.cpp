@@ -17,7 +17,7 @@ using Which = int32_t __attribute__((vector_size(16)));
 inline __attribute__((always_inline)) Double wide(const Four& v) { return __builtin_convertvector(v, Double); }
 
 // Whether there is one that needs a second look.
-WIDE_LOOP bool grey_of(const float* rgb, size_t pixels, float* grey) {
+WIDE_LOOP bool convert(const float* rgb, size_t pixels, float* grey) {
     Which odd = {};
     size_t i = 0;
     for (; i + 4 <= pixels; i += 4) {
@@ -50,7 +50,7 @@ OddPixels to_grey(const float* rgb, size_t pixels, float* out) {
     float grey[block];
     for (size_t first = 0; first < pixels; first += block) {
         const size_t count = pixels - first < block ? pixels - first : block;
-        if (grey_of(rgb + 3 * first, count, grey))
+        if (convert(rgb + 3 * first, count, grey))
             for (size_t k = 0; k < count; ++k) {
                 if (!(std::fabs(grey[k]) <= brightest_grey)) {
                     ++found.not_finite;
@@ -61,6 +61,12 @@ OddPixels to_grey(const float* rgb, size_t pixels, float* out) {
         for (size_t k = 0; k < count; ++k) out[first + k] = grey[k];  // never beyond what was read
     }
     return found;
+}
+
+std::vector<float> grey_of(const std::vector<float>& rgb) {
+    std::vector<float> grey(rgb.size() / 3);
+    to_grey(rgb.data(), grey.size(), grey.data());
+    return grey;
 }
 
 }  // namespace image

@@ -3,6 +3,7 @@
 // every metric reads.
 #pragma once
 #include <cstddef>
+#include <vector>
 
 namespace image {
 
@@ -17,5 +18,6 @@ struct OddPixels {
 
 // `grey` may be the memory of `rgb`.  Pixels that are not finite, or beyond any light, become 0; negative ones stay.
 OddPixels to_grey(const float* rgb, size_t pixels, float* grey);
+std::vector<float> grey_of(const std::vector<float>& rgb);
 
 }  // namespace image

@@ -118,7 +118,7 @@ void Merger::add(Picture p, const std::string& name) {
     g.frames += *h.frames;
     add_ranges(g.ranges, h.ranges);
     g.last_name = name;
-    means_.add(p, size_t(&g - groups_.data()), name);
+    parts_.add(p, size_t(&g - groups_.data()), name);
     if (!apart) {
         g.whole = std::move(p);
         return;
@@ -168,7 +168,7 @@ Picture Merger::result() const {
     }
     std::vector<const std::vector<float>*> frame0;
     for (const Group& g : groups_) frame0.push_back(&g.frame0);
-    means_.result(frame0, out);
+    parts_.result(frame0, out);
     for (size_t i = 0; i < groups_.size(); ++i) {
         const Group& g = groups_[i];
         if (i == 0) {

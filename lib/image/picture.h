@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 #include "image/exact_sum.h"
-#include "image/means.h"
+#include "image/parts.h"
 #include "view/view.h"
 
 namespace image {
@@ -22,8 +22,6 @@ inline double luminance(const float* rgb) {
     const double* w = luminance_weights;
     return lumens_per_watt * (w[0] * rgb[0] + w[1] * rgb[1] + w[2] * rgb[2]);
 }
-
-using Ranges = std::vector<std::pair<int64_t, int64_t>>;
 
 struct Header {
     std::vector<std::string> lines;  // history: every line not in the fields below, in order
@@ -56,11 +54,11 @@ inline bool in_first_half(int64_t k) {
 
 struct Picture {
     int width = 0, height = 0;
-    bool floats = false;          // the pixels came as 32-bit floats: differences of such pictures mean something
-    std::vector<float> rgb;       // 3 * width * height, row 0 = top
-    std::vector<float> frame0;    // accumulated pictures in EXR: L(0), as rgb; else empty
-    std::vector<SumLayer> sum;    // likewise: the sum of the frames above 0, exactly
-    std::vector<GreyMean> means;  // likewise: at the ends of batches, if kept; may end with the picture itself
+    bool floats = false;        // the pixels came as 32-bit floats: differences of such pictures mean something
+    std::vector<float> rgb;     // 3 * width * height, row 0 = top
+    std::vector<float> frame0;  // accumulated pictures in EXR: L(0), as rgb; else empty
+    std::vector<SumLayer> sum;  // likewise: the sum of the frames above 0, exactly
+    std::vector<Part> parts;    // likewise: ranges of its frames, if kept
     Header header;
     float* at(int x, int y_from_top) { return &rgb[3 * (size_t(y_from_top) * width + x)]; }
     const float* at(int x, int y_from_top) const { return &rgb[3 * (size_t(y_from_top) * width + x)]; }

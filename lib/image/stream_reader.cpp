@@ -230,7 +230,7 @@ bool StreamReader::next(Picture& picture) {
     const std::string place = in.name() + (state_->count ? ": picture " + std::to_string(state_->count + 1) : "");
     picture.frame0.clear();
     picture.sum.clear();
-    picture.means.clear();
+    picture.parts.clear();
     char start[2];
     if (!in.look(start, 2) || start[0] != '#' || start[1] != '?')
         base::fail(place, state_->count ? "what follows is not a picture (it does not begin with #?)"

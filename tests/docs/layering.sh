@@ -12,7 +12,8 @@ lib/display: base image
 lib/cal: base image kernels
 lib/generators: base cal
 lib/scene: base cal generators kernels
-lib/comfort: base view image
+lib/uncertainty: base image
+lib/comfort: base view image uncertainty
 lib/region: base view image display comfort
 lib/bvh: base kernels
 lib/flatten: base cal scene bvh kernels
@@ -20,7 +21,7 @@ lib/trace: base view image scene flatten bvh kernels
 lib/sight: base region scene bvh flatten
 lib/live: base view image display comfort
 tools/ptaccum: base view image display
-tools/vcmetrics: base view image display comfort region
+tools/vcmetrics: base view image display uncertainty comfort region
 tools/vcregion: base view image region sight
 tools/vcview: base live
 tools/ptrace: base view image comfort region scene trace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Studies of intervals: streams of sums with a known truth, of which a Certainty is asked at some looks.
+// Studies of intervals: streams of sums with a known truth, whose estimates are asked at some looks.
 #pragma once
 #include <cmath>
 #include <functional>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "comfort/certainty.h"
+#include "comfort/estimates.h"
 #include "comfort_pictures.h"
 
 namespace comfort {
@@ -56,7 +56,7 @@ struct Study {
     std::vector<int64_t> looks;  // frames
     int seeds;
     double truth = 0;
-    std::vector<int> covered, tails;
+    std::vector<int> covered, known, tails;
     std::vector<double> plain, unbiased, half_width, deviation;  // means, and the spread of `unbiased`
 
     template <class Stream>
@@ -70,7 +70,7 @@ struct Study {
         side = int(std::sqrt(double(exact_cdm2.size())));
         image::Picture exact = fisheye_of(exact_cdm2, side, 60);
         truth = columns[0].value(meter.measure(exact, "truth"));
-        covered.assign(looks.size(), 0), tails.assign(looks.size(), 0);
+        covered.assign(looks.size(), 0), known.assign(looks.size(), 0), tails.assign(looks.size(), 0);
         for (auto* sums : {&plain, &unbiased, &half_width, &deviation}) sums->assign(looks.size(), 0);
         for (int seed = 1; seed <= seeds; ++seed) one(stream_of(uint32_t(seed)), meter, columns);
         for (size_t k = 0; k < looks.size(); ++k)
@@ -80,7 +80,7 @@ struct Study {
     bool too_wide(size_t k, double times) const { return !(half_width[k] < times * 1.96 * deviation[k]); }
     std::string told(size_t k) const {
         std::ostringstream out;
-        out << looks[k] << " frames: " << covered[k] << " of " << seeds << " intervals hold " << truth << "; plain "
+        out << looks[k] << " frames: " << covered[k] << " of " << known[k] << " intervals hold " << truth << "; plain "
             << plain[k] << ", without bias " << unbiased[k] << " +- " << half_width[k] << ", deviation " << deviation[k]
             << ", tails " << tails[k];
         return out.str();
@@ -89,22 +89,21 @@ struct Study {
 private:
     template <class Stream>
     void one(Stream stream, Meter& meter, const std::vector<Column>& columns) {
-        Certainty certainty(meter, columns, true);
-        image::Picture none = fisheye_of(std::vector<double>(size_t(side * side), 0), side, 60);
-        certainty.frame0(meter.read(none, "frame 0"));
+        ColumnEstimates estimates(meter, columns);
         size_t look = 0;
         for (int64_t n = 1; n <= looks.back(); ++n) {
             image::Picture p = fisheye_of(stream.next(), side, 60);
             Luminance lum = meter.read(p, "sum");
-            certainty.add(lum, n);
-            if (!certainty.due()) continue;
+            estimates.add(lum, n);
+            if (!estimates.due()) continue;
             const Measurement m = meter.measure(lum, "sum");
-            certainty.look(lum, m);
+            estimates.look(lum, m);
             if (n != looks[look]) continue;
-            const Estimate& e = certainty.estimate(0);
-            const Interval off = e.around(0.05, n);
+            const uncertainty::Estimate& e = estimates.estimate(0);
+            const uncertainty::Interval off = e.around(0.05, n);
             covered[look] += e.known() && e.value + off.low <= truth && truth <= e.value + off.high;
-            tails[look] += e.tails;
+            known[look] += e.known();
+            tails[look] += e.unreliable;
             plain[look] += columns[0].value(m) / seeds, unbiased[look] += e.value / seeds;
             half_width[look] += off.half_width() / seeds, deviation[look] += e.value * e.value / seeds;
             ++look;

@@ -144,22 +144,15 @@ TEST_CASE("a region: coverage weighs") {
     CHECK(std::isnan(RegionPixels({0.f, 0.f}, g).tal(lum)));
 }
 
-TEST_CASE("the stopping rule holds when the whole window is within tolerance") {
-    StoppingRule rule(parse_tolerances("DGP 1%, Ev 5"), 3);
-    rule.add({0.40, 1000});
-    rule.add({0.401, 1002});
-    CHECK_FALSE(rule.holds());  // two lines only
-    rule.add({0.402, 1004});
-    CHECK(rule.holds());
-    rule.add({0.402, 1020});
-    CHECK_FALSE(rule.holds());
-    rule.restart();
-    CHECK_FALSE(rule.holds());
-    for (int k = 0; k < 3; ++k) rule.add({std::nan(""), 1});
-    CHECK_FALSE(rule.holds());  // a value that is not a number never settles
-    CHECK_THROWS_AS(parse_tolerances("DGP"), base::Error);
-    CHECK_THROWS_AS(parse_tolerances("DGP -1%"), base::Error);
-    CHECK_THROWS_AS(parse_tolerances(""), base::Error);
+TEST_CASE("rules of tolerances") {
+    const auto rule = parse_tolerances("DGP 1%, Ev 5", "-until");
+    REQUIRE(rule.size() == 2);
+    CHECK(rule[0].relative);
+    CHECK(rule[0].amount == doctest::Approx(.01));
+    CHECK(!rule[1].relative);
+    CHECK_THROWS_AS(parse_tolerances("DGP", "-until"), base::Error);
+    CHECK_THROWS_AS(parse_tolerances("DGP -1%", "-until"), base::Error);
+    CHECK_THROWS_AS(parse_tolerances("", "-until"), base::Error);
 }
 
 TEST_CASE("tables compare metric by metric") {
@@ -169,6 +162,6 @@ TEST_CASE("tables compare metric by metric") {
     REQUIRE(d.size() == 2);
     CHECK(d[0].within);        // 0.01 %
     CHECK_FALSE(d[1].within);  // 2e-5
-    CHECK(compare_tables(a, b, parse_tolerances("DGP 1%"))[1].within);
+    CHECK(compare_tables(a, b, parse_tolerances("DGP 1%", "-tolerance"))[1].within);
     CHECK_THROWS_AS(compare_tables(a, c, {}), base::Error);
 }

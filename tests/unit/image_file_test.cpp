@@ -17,6 +17,7 @@
 
 #include "base/warnings.h"
 #include "image/exr.h"
+#include "image/exr_file.h"
 #include "image/masks.h"
 #include "image/stream.h"
 #include "image_pictures.h"
@@ -66,40 +67,69 @@ TEST_CASE("OpenEXR keeps frame 0 beside the sum") {
     CHECK(image::read_file(path).frame0 == p.frame0);
 }
 
-TEST_CASE("OpenEXR keeps the means at the ends of batches, but not with half floats") {
+TEST_CASE("OpenEXR keeps the parts of a sum, but not with half floats") {
     TempFolder temp;
     Picture p = small_picture(4, 4);
     p.header.frames = 9;
-    for (int64_t n : {2, 5, 9}) image::add_mean(p.means, n, std::vector<float>(48, float(n) / 3), image::most_means);
+    p.parts = {{5, std::vector<float>(16, 2.f), {{7, {{1, 2}, {9, 9}}}, {8, {{1, 2}}}}},
+               {4, std::vector<float>(16, 3.f), {{7, {{3, 6}}}}}};
     const std::string path = temp.name("a.exr");
     image::write_file(path, p);
     const Picture q = image::read_file(path);
-    REQUIRE(q.means.size() == 2);  // the third one is the picture
+    REQUIRE(q.parts.size() == 2);
     for (size_t k = 0; k < 2; ++k) {
-        CHECK(q.means[k].frames == p.means[k].frames);
-        CHECK(q.means[k].grey == p.means[k].grey);
+        CHECK(q.parts[k].frames == p.parts[k].frames);
+        CHECK(q.parts[k].grey == p.parts[k].grey);
+        CHECK(q.parts[k].from == p.parts[k].from);
     }
     image::WriteOptions half;
     half.exr.half = true;
     image::write_file(path, p, half);
-    CHECK(image::read_file(path).means.empty());
+    CHECK(image::read_file(path).parts.empty());
 }
 
-TEST_CASE("means that no picture can have are told in a line") {
+TEST_CASE("parts that no picture can have are told in a line") {
     TempFolder temp;
     const std::string path = temp.name("a.exr");
     Picture p = small_picture(2, 2);
     p.header.frames = 20;
-    p.means.push_back({21, {1, 2, 3, NAN}});
+    p.parts = {{7, {1, 2, 3, NAN}, {{1, {{1, 7}}}}}};
     image::write_file(path, p);
-    CHECK(error_text([&] { image::read_file(path); }) == path + ": holds the mean of 21 frames, where there are 20");
-    p.means[0].frames = 7;
+    CHECK(error_text([&] { image::read_file(path); }) == path + ": holds parts of 7 frames, where there are 20");
+    p.header.frames = 7;
     image::write_file(path, p);
-    CHECK(image::read_file(path).means[0].grey == std::vector<float>{1, 2, 3, 0});
-    for (int64_t n = 1; n < 18; ++n) p.means.push_back({n, std::vector<float>(4)});
-    p.means.erase(p.means.begin());
+    CHECK(image::read_file(path).parts[0].grey == std::vector<float>{1, 2, 3, 0});
+    p.parts[0].from.clear();
     image::write_file(path, p);
-    CHECK(error_text([&] { image::read_file(path); }) == path + ": holds more than 16 means of batches");
+    CHECK(error_text([&] { image::read_file(path); }) == path + ": does not tell the frames of part0.Y");
+    p.parts.resize(17, {1, std::vector<float>(4), {}});
+    image::write_file(path, p);
+    CHECK(error_text([&] { image::read_file(path); }) == path + ": holds more than 16 layers part<n>.Y");
+}
+
+// mean<n>.Y of L'(n) = n: frames 1 to 2 are 2 on average, and 3 to 5 (25 - 4)/3 = 7.
+TEST_CASE("means of earlier versions are read as ranges") {
+    TempFolder temp;
+    const std::string path = temp.name("a.exr");
+    const std::vector<float> rgb(12, 9), two(4, 2), five(4, 5);
+    image::Header header;
+    header.frames = 9;
+    header.ranges = {{0, 9}};
+    image::write_exr_channels(path, 2, 2,
+                              {{"R", rgb.data(), 3},
+                               {"G", rgb.data(), 3},
+                               {"B", rgb.data(), 3},
+                               {"mean2.Y", two.data(), 1},
+                               {"mean5.Y", five.data(), 1}},
+                              header, {}, {});
+    const Picture p = image::read_file(path);
+    REQUIRE(p.parts.size() == 3);
+    CHECK(p.parts[0].frames == 2);
+    CHECK(p.parts[0].grey[0] == doctest::Approx(2));
+    CHECK(p.parts[1].frames == 3);
+    CHECK(p.parts[1].grey[0] == doctest::Approx(7));
+    CHECK(p.parts[2].frames == 4);
+    CHECK(p.parts[2].grey[0] == doctest::Approx((81 - 25) / 4.));
 }
 
 TEST_CASE("half floats are cut at 65504 with a warning") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Merging of sums: ranges in any split give the whole, and keep their batches.
+// Merging of sums: ranges in any split give the whole, and keep their parts.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -11,6 +11,7 @@
 
 #include "base/warnings.h"
 #include "image/accumulate.h"
+#include "image/grey.h"
 #include "image/stream.h"
 #include "image_sums.h"
 #include "temp_folder.h"
@@ -109,71 +110,95 @@ TEST_CASE("complete sums of several seeds average by their frames") {
 }
 
 namespace {
-// As ptaccum -batches: a mean after every `step` frames.
-Picture with_batches(int64_t first, int64_t last, int64_t step, uint64_t seed = 1) {
+// As ptaccum -batches: a range after every `step` frames.
+Picture with_parts(int64_t first, int64_t last, int64_t step, uint64_t seed = 1, size_t most = image::most_parts) {
     Picture p = sum_of(first, last, seed);
+    image::GrowingParts parts(most);
     for (int64_t k = first; k <= last; ++k) {
-        const Picture part = sum_of(first, k, seed);
-        if (*part.header.frames % step == 0) image::add_mean(p.means, *part.header.frames, part.rgb, image::most_means);
+        const Picture sum = sum_of(first, k, seed);
+        if (*sum.header.frames % step && k < last) continue;
+        const std::vector<float> grey = image::grey_of(sum.rgb);
+        parts.add(grey.data(), grey.size(), *sum.header.frames, seed, std::max<int64_t>(first, 1));
     }
+    p.parts = parts.parts();
     return p;
 }
-double worst(const image::GreyMean& mean, const Picture& sum) {
-    std::vector<image::GreyMean> exact;
-    image::add_mean(exact, *sum.header.frames, sum.rgb, 1);
-    double w = 0;
-    for (size_t i = 0; i < mean.grey.size(); ++i)
-        w = std::max(w, double(std::fabs(mean.grey[i] - exact[0].grey[i])) / std::max(1.f, exact[0].grey[i]));
+
+// The mean of L(0) of a seed and of each frame that a part says it has, against its pixels.
+double worst(const image::Part& part) {
+    std::vector<double> sum(part.grey.size(), 0);
+    double n = 0;
+    for (const auto& [seed, ranges] : part.from)
+        for (const auto& r : ranges)
+            for (int64_t k = r.first; k <= r.second; ++k, n += 1)
+                for (const std::vector<float>& grey :
+                     {image::grey_of(frame(0, *seed).rgb), image::grey_of(frame(k, *seed).rgb)})
+                    for (size_t i = 0; i < sum.size(); ++i) sum[i] += grey[i];
+    double w = n == double(part.frames) ? 0 : INFINITY;
+    for (size_t i = 0; i < sum.size(); ++i)
+        w = std::max(w, std::fabs(part.grey[i] - sum[i] / n) / std::max(1., std::fabs(sum[i] / n)));
     return w;
 }
 }  // namespace
 
-TEST_CASE("beyond the most, means are forgotten between the batches that hold the fewest frames") {
-    std::vector<image::GreyMean> means;
-    for (int64_t n : {1, 2, 3, 5, 8, 13}) image::add_mean(means, n, sum_of(0, n).rgb, 4);
+TEST_CASE("a range goes whole to the part of the fewest frames") {
+    const Picture p = with_parts(0, 37, 1);
+    REQUIRE(p.parts.size() == 16);
+    CHECK(image::frames_of(p.parts) == 37);
+    for (const image::Part& part : p.parts) {
+        CHECK(part.frames >= 2);
+        CHECK(part.frames <= 3);
+        CHECK(worst(part) < 1e-5);  // of 37 means that are rounded to float
+    }
     std::vector<int64_t> frames;
-    for (const image::GreyMean& m : means) frames.push_back(m.frames);
-    CHECK(frames == std::vector<int64_t>{3, 5, 8, 13});
-    for (const image::GreyMean& m : means) CHECK(worst(m, sum_of(0, m.frames)) == 0);
+    for (const image::Part& part : with_parts(0, 13, 4, 1, 2).parts) frames.push_back(part.frames);
+    CHECK(frames == std::vector<int64_t>{4 + 4, 4 + 1});
 }
 
-TEST_CASE("parts keep their batches when they are merged, in any order") {
+// Frames k and k + 16 have points with the same four leading digits: a part should not have them alone.
+TEST_CASE("four rounds of frames give each part one of each four") {
+    for (const image::Part& part : with_parts(0, 64, 1).parts) {
+        REQUIRE(part.frames == 4);
+        int residues = 0;
+        for (const auto& r : part.from[0].second) residues |= 1 << (r.first - 1) % 4;
+        CHECK(residues == 15);
+    }
+}
+
+TEST_CASE("sums keep their parts when they are merged, in any order") {
     for (const bool turned : {false, true}) {
-        std::vector<Picture> parts{with_batches(0, 16, 4), with_batches(17, 24, 4), sum_of(25, 30)};
-        if (turned) std::reverse(parts.begin(), parts.end());
+        std::vector<Picture> sums{with_parts(0, 16, 4), with_parts(17, 24, 4), sum_of(25, 30)};
+        if (turned) std::reverse(sums.begin(), sums.end());
         Merger all(8);
-        for (const Picture& p : parts) all.add(p, "part");
+        for (const Picture& p : sums) all.add(p, "part");
         const Picture p = all.result();
         std::vector<int64_t> frames;
-        for (const image::GreyMean& m : p.means) {
-            frames.push_back(m.frames);
-            CHECK(worst(m, sum_of(0, m.frames)) < 3e-7);  // three roundings to float
+        for (const image::Part& part : p.parts) {
+            frames.push_back(part.frames);
+            CHECK(worst(part) < 1e-6);
         }
-        CHECK(frames == std::vector<int64_t>{4, 8, 12, 16, 20, 24, 30});
+        CHECK(frames == std::vector<int64_t>{4, 4, 4, 4, 4, 4, 6});
     }
-    CHECK(merged({with_batches(0, 16, 4), sum_of(17, 30)}).means.empty());  // not asked for, and one has none
-    CHECK(merged({with_batches(0, 16, 4), with_batches(17, 32, 4)}).means.size() == 8);
+    CHECK(merged({with_parts(0, 16, 4), sum_of(17, 30)}).parts.empty());  // not asked for, and one has none
+    CHECK(merged({with_parts(0, 16, 4), with_parts(17, 32, 4)}).parts.size() == 8);
 }
 
-TEST_CASE("batches of several seeds, each with its own frame 0") {
-    const Picture p = merged({with_batches(0, 20, 5, 3), with_batches(0, 24, 6, 4)});
-    std::vector<int64_t> frames;
-    for (const image::GreyMean& m : p.means) frames.push_back(m.frames);
-    // frames 1 to 8 of the second seed share its frame 0: no batch ends among them
-    CHECK(frames == std::vector<int64_t>{5, 10, 15, 20, 32, 38, 44});
-    CHECK(worst(p.means[2], sum_of(0, 15, 3)) < 3e-7);
-    CHECK(worst(p.means[4], merged({sum_of(0, 20, 3), sum_of(0, 12, 4)})) < 3e-7);
-    CHECK(worst(p.means.back(), p) < 3e-7);
+TEST_CASE("parts of several seeds, each with its own frame 0") {
+    const Picture p =
+        merged({with_parts(0, 20, 1, 3), with_parts(0, 24, 6, 4), with_parts(21, 30, 10, 3), with_parts(0, 5, 5, 5)});
+    REQUIRE(p.parts.size() == 16);
+    CHECK(image::frames_of(p.parts) == 20 + 24 + 10 + 5);
+    for (const image::Part& part : p.parts) CHECK(worst(part) < 1e-5);
 }
 
-TEST_CASE("a sum that is rounded to bytes is no batch") {
+TEST_CASE("a sum that is rounded to bytes is no part") {
     Picture coarse = sum_of(17, 30);
     coarse.sum.clear();
     Merger all(16);
-    all.add(with_batches(0, 16, 4), "fine.exr");
+    all.add(with_parts(0, 16, 4), "fine.exr");
     all.add(coarse, "coarse.hdr");
     base::take_warnings();
-    CHECK(all.result().means.empty());
+    CHECK(all.result().parts.empty());
     const auto told = base::take_warnings();
     REQUIRE(told.size() == 1);
     CHECK(told[0].first.find("no batches are kept") != std::string::npos);

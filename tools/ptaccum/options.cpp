@@ -27,8 +27,8 @@ void declare_output(OptionTable& t, Options& opt) {
         .also_joined();
     t.add("-ff", "Float pixels in all RADIANCE pictures", opt.floats);
     t.add("-fc", "RGBE pixels in all RADIANCE pictures", opt.bytes);
-    t.add("-batches N", "Keep the means of N batches of frames in OpenEXR files, for vcmetrics -ci", [&](Arguments& a) {
-         opt.batches = int(a.integer(base::within(2, double(image::most_means))));
+    t.add("-batches N", "Keep N parts of the frames in OpenEXR files, for vcmetrics -ci", [&](Arguments& a) {
+         opt.batches = int(a.integer(base::within(2, double(image::most_parts))));
      }).default_text("those of the inputs");
     t.add("-half", "16-bit floats in OpenEXR files", opt.half);
 }

@@ -10,6 +10,7 @@
 #include "base/processors.h"
 #include "base/run.h"
 #include "image/header.h"
+#include "image/grey.h"
 #include "image/stream.h"
 
 namespace {
@@ -22,18 +23,16 @@ constexpr int files_share = 20;  // without -every the files are written as ofte
 }  // namespace
 
 Sums::Sums(const Options& options, const Output& output)
-    : options_(options),
-      output_(output),
-      schedule_(options.schedule),
-      batches_(size_t(options.batches.value_or(0))),
-      filters_(options.filter && writes_png(options)) {}
+    : options_(options), output_(output), schedule_(options.schedule), filters_(options.filter && writes_png(options)) {
+    if (options.batches) parts_.emplace(size_t(*options.batches));
+}
 
 Sums::Sums(const Options& options, const Output& output, const image::Picture& sum, const std::string& name)
     : Sums(options, output) {
     sum_.resume(sum, name);
     filters_ = false;
-    result_.means = sum.means;
-    if (!sum.means.empty() && !options.batches) batches_ = image::most_means;
+    if (!sum.parts.empty() && !options.batches) parts_.emplace();
+    if (parts_ && !sum.parts.empty()) parts_->resume(sum.parts, image::grey_of(sum.rgb), sum_.frames());
     schedule_.resume(sum_.frames());
 }
 
@@ -47,7 +46,7 @@ void Sums::add(const image::Picture& frame, const std::string& place) {
         if (image::label(frame.header) != image::label(sum_.header())) end_files();
     }
     sum_.add(frame, place);
-    if (restarts) result_.means.clear();
+    if (restarts && parts_) parts_->restart();
     if (filters_ && frame.header.frame == 0) halves_.clear(frame.rgb.size());
     else if (filters_) halves_.add(frame.rgb);
     if (restarts) schedule_.restart();
@@ -60,7 +59,7 @@ void Sums::add(const image::Picture& frame, const std::string& place) {
 void Sums::write_due() {
     const bool to_stdout = output_.to_stdout() && !options_.last_only;
     if (to_stdout) stream_sum(false);
-    else if (batches_) take_sum(false);
+    else if (parts_) take_sum(false);
     if (options_.last_only) return;
     if (options_.outputs.empty() || (!options_.every_given && Clock::now() < files_again_)) return;
     const Clock::time_point began = Clock::now();
@@ -74,7 +73,11 @@ void Sums::end_stream() {
 
 void Sums::take_sum(bool with_parts) {
     sum_.result(result_, with_parts);
-    if (batches_) image::add_mean(result_.means, sum_.frames(), result_.rgb, batches_);
+    if (!parts_) return;
+    const std::vector<float> grey = image::grey_of(result_.rgb);
+    const int64_t first = result_.header.ranges.front().first;
+    parts_->add(grey.data(), grey.size(), sum_.frames(), result_.header.seed, std::max<int64_t>(first, 1));
+    if (with_parts) result_.parts = parts_->parts();
 }
 
 void Sums::stream_sum(bool by_itself) {

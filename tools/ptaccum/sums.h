@@ -35,9 +35,9 @@ private:
     image::Accumulator sum_;
     image::Picture result_;
     image::Schedule schedule_;
-    size_t batches_;            // how many are kept (image/means.h)
-    bool filters_;              // PNG files are asked for, and all frames come through here
-    display::HalfSums halves_;  // where it does
+    std::optional<image::GrowingParts> parts_;  // with -batches
+    bool filters_;                              // PNG files are asked for, and all frames come through here
+    display::HalfSums halves_;                  // where it does
     base::Progress progress_{"ptaccum"};
     bool streamed_ = true, filed_ = true;  // the last sum is written there for good
     bool seems_whole_ = false;             // the stream of sums, to a reader that finds its end here

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From headers to batches (certain.h).
+// See certain.h.
 #include "certain.h"
 
 #include <fmt/format.h>
@@ -27,40 +27,17 @@ void Steps::tell(const std::string& place, const std::string& fact) {
     told_ = true;
 }
 
-// The stream of which a file has kept the sums at the ends of batches.  Looks that the last one would not count any
-// more, since half as many frames, are left out.
-void Steps::replay(image::Picture& picture, int64_t frames) {
-    const auto luminance = [&](std::vector<float>& grey) {
-        comfort::Luminance lum;
-        lum.width = picture.width, lum.height = picture.height, lum.grey = grey.data();
-        return lum;
-    };
-    certainty_.restart();
-    if (!picture.frame0.empty()) {
-        image::to_grey(picture.frame0.data(), picture.frame0.size() / 3, picture.frame0.data());
-        certainty_.frame0(luminance(picture.frame0));
-    }
-    for (image::GreyMean& mean : picture.means) {
-        comfort::Luminance lum = luminance(mean.grey);
-        certainty_.add(lum, mean.frames, frames);
-        if (!certainty_.due()) continue;
-        if (2 * mean.frames < frames) certainty_.pass_look();
-        else certainty_.look(lum, meter_.measure(lum, ""));
-    }
-}
-
-void Steps::add(image::Picture& picture, const comfort::Luminance& lum, const std::string& place) {
-    const bool has_batches = !picture.means.empty();
-    const std::string lack = has_batches ? "" : what_it_lacks(picture);
+void Steps::add(const image::Picture& picture, const comfort::Luminance& lum, const std::string& place) {
+    const bool has_parts = !picture.parts.empty();
+    const std::string lack = has_parts ? "" : what_it_lacks(picture);
     const int64_t n = picture.header.frames.value_or(0);
     step_ = lack.empty();
-    ends_ = has_batches || picture.header.last_frame == n;
+    ends_ = has_parts || picture.header.last_frame == n;
     if (!step_) return tell(place, lack);
-    if (has_batches) replay(picture, n);
-    else if (n == 0 || n <= last_) certainty_.restart();
-    if (n == 0) certainty_.frame0(lum);
-    else certainty_.add(lum, n, picture.header.last_frame);
-    if (!has_batches && !warned_ && last_ >= 16 && double(n - last_) > large_step * double(n)) {
+    if (has_parts || n == 0 || n <= last_) estimates_.restart();
+    if (has_parts) estimates_.take(picture.parts);
+    else if (n > 0) estimates_.add(lum, n);
+    if (!has_parts && !warned_ && last_ >= 16 && double(n - last_) > large_step * double(n)) {
         base::warn(place, fmt::format("{} of {} frames came in one step, which tells little about their error: "
                                       "ptaccum -every x2/16 makes small ones",
                                       n - last_, n));
@@ -70,18 +47,18 @@ void Steps::add(image::Picture& picture, const comfort::Luminance& lum, const st
 }
 
 bool Steps::look(const comfort::Luminance& lum, const comfort::Measurement& m) {
-    if (!step_ || certainty_.batches().count() < 2 || !(ends_ || certainty_.due())) return false;
-    const bool counts = certainty_.batches().frames() >= first_look_;
-    if (counts) certainty_.look(lum, m);
-    else certainty_.pass_look();
+    if (!step_ || estimates_.parts().size() < 2 || !(ends_ || estimates_.due())) return false;
+    const bool counts = estimates_.frames() >= first_look_;
+    if (counts) estimates_.look(lum, m);
+    else estimates_.pass_look();
     return counts;
 }
 
 void Steps::end_input(const std::string& place) {
-    if (step_ && certainty_.batches().count() == 1)
+    if (step_ && estimates_.parts().size() == 1)
         tell(place,
              "a picture by itself holds no batches of frames; the stream of sums does, and a file of "
              "ptaccum -batches 16");
-    certainty_.restart();
+    estimates_.restart();
     last_ = -1;
 }

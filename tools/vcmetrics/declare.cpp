@@ -46,8 +46,6 @@ void declare_output(OptionTable& t, Options& o) {
 void declare_comparison(OptionTable& t, Options& o) {
     t.group("When to stop, and comparing");
     t.add("-until rule", "Stop when numbers are so certain, for instance 'DGP 0.01, Ev 1%, class'", o.until);
-    t.add("-window n", "Stop when numbers stay within the rule of -until over n lines instead",
-          [&](Arguments& a) { o.window = int(a.integer(base::within(2, 1000000))); });
     t.add("-max-frames n", "Stop at this number of frames",
           [&](Arguments& a) { o.max_frames = a.integer(base::within(1, 1e15)); });
     t.add("-max-seconds s", "Stop when so much time is over", o.max_seconds).above(0);

@@ -7,12 +7,12 @@
 #include "base/stop.h"
 #include "certain.h"
 #include "comfort/columns.h"
-#include "comfort/precision.h"
 #include "display/file.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "region/open.h"
 #include "stopping.h"
+#include "uncertainty/stopping.h"
 
 namespace {
 using namespace comfort;
@@ -62,15 +62,10 @@ public:
         if (o.like == Like::evalglare) needs = {true, false, o.evalglare.detailed || o.settings.mask_file, false};
         if (o.list_sources || o.settings.check_picture) needs.sources = true;
         meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_), std::move(draw));
-        const bool intervals = o.ci || (!o.until.empty() && !o.window);
-        bool batches = intervals, errors = intervals, shown = o.ci.has_value();
-        for (const Column& c : columns_) {
-            batches |= c.printed_unbiased, shown |= c.printed_unbiased;
-            errors |= c.printed_unbiased && c.ratio;
-        }
-        // A rule that does not hold before counts the widest interval since half as many frames.
-        const int64_t first_look = shown ? 0 : PrecisionRule::least_frames / 2;
-        if (batches) steps_ = std::make_unique<Steps>(*meter_, columns_, errors, first_look);
+        bool shown = o.ci.has_value();
+        for (const Column& c : columns_) shown |= c.printed_unbiased;
+        const int64_t first_look = shown ? 0 : uncertainty::least_frames;
+        if (shown || !o.until.empty()) steps_ = std::make_unique<Steps>(*meter_, columns_, first_look);
         if (o.like == Like::accelerad) names_ = {"Time", "Frame"};
         else names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
         if (o.list_sources)
@@ -97,11 +92,10 @@ public:
     bool picture(image::Picture& p, const std::string& place, const std::string& file, long index) {
         require_measurable(p, place);
         const int64_t frame = frame_number(p.header, index);
-        const bool first_frame = p.header.frames ? *p.header.frames == 0 : p.header.frame && *p.header.frame == 0;
         Luminance lum;
         Measurement m;
         try {
-            lum = meter_->read(p, place, o_.view, steps_ ? steps_->room(p) : nullptr);
+            lum = meter_->read(p, place, o_.view);
             if (steps_) steps_->add(p, lum, place);
             m = meter_->measure(lum, place);
         } catch (const Refusal& refusal) {
@@ -131,14 +125,10 @@ public:
             list_sources(m, cells);
             return false;
         }
-        std::vector<double> values;
-        for (size_t k = 0; k < columns_.size(); ++k) {
-            values.push_back(printed_value(k, m));
-            add_cells(k, values.back(), frame, cells);
-        }
+        for (size_t k = 0; k < columns_.size(); ++k) add_cells(k, printed_value(k, m), frame, cells);
         if (o_.ci) cells.push_back(text_cell(heavy_tailed()));
         print(table_line(names_, cells, o_.format));
-        return stopping_->after({values, frame, first_frame, seconds, looked ? &steps_->certainty() : nullptr});
+        return stopping_->after({frame, seconds, looked ? &steps_->estimates() : nullptr});
     }
     void end_input(const std::string& place) {
         if (steps_) steps_->end_input(place);
@@ -164,9 +154,11 @@ private:
         if (o_.ci) names_.push_back("tails");
     }
     double printed_value(size_t k, const Measurement& m) const {
-        return columns_[k].printed_unbiased ? steps_->certainty().estimate(k).value : columns_[k].value(m);
+        return columns_[k].printed_unbiased ? steps_->estimates().estimate(k).value : columns_[k].value(m);
     }
-    // The interval lies around the value without bias, which the column itself may show or not.
+    // The interval lies around the value without bias, which the column itself may show or not.  Between looks that is
+    // the last look's value with the interval it had; a value without bias is of the frame itself, and narrows as they
+    // grow.
     void add_cells(size_t k, double value, int64_t frame, std::vector<Cell>& cells) const {
         const Column& c = columns_[k];
         if (c.words) {
@@ -174,16 +166,16 @@ private:
         } else if (!o_.ci) {
             cells.push_back(number_cell(value));
         } else {
-            const Estimate& e = steps_->certainty().estimate(k);
-            const Interval off = e.around(1 - *o_.ci, frame);
-            const double middle = c.bias_of_halves > 0 || c.ratio ? e.value : value;
+            const uncertainty::Estimate& e = steps_->estimates().estimate(k);
+            const uncertainty::Interval off = e.around(1 - *o_.ci, c.has_bias() ? e.frames : frame);
+            const double middle = c.has_bias() ? e.value : value;
             for (double v : {value, middle + off.low, middle + off.high}) cells.push_back(number_cell(v));
         }
     }
     std::string heavy_tailed() const {
         std::string out;
         for (size_t k = 0; k < columns_.size(); ++k)
-            if (steps_->certainty().estimate(k).tails) out += (out.empty() ? "" : " ") + columns_[k].name;
+            if (steps_->estimates().estimate(k).unreliable) out += (out.empty() ? "" : " ") + columns_[k].name;
         return out.empty() ? "-" : out;
     }
     void write_check_picture(const image::Picture& measured) {

@@ -40,7 +40,6 @@ void check_said(const base::OptionTable& t, const Options& o) {
     if (t.given("-metrics") && o.metrics.empty()) base::fail("-metrics", "there is no column in this list");
     if (t.given("-until") && o.until.empty())
         base::fail("-until", "the rule is empty; write for example 'DGP 1%, Ev 0.5%'");
-    if (o.window && !t.given("-until")) base::fail("-window", "is for a rule, and there is no -until");
 }
 
 void check(const Options& o) {
@@ -50,7 +49,7 @@ void check(const Options& o) {
     if (o.like != Like::vcmetrics && !o.until.empty())
         base::fail("-until", "works on vcmetrics' own columns and cannot be used with -like");
     if (o.list_sources && !o.until.empty()) base::fail("-until", "works on metrics and cannot be used with -sources");
-    const bool intervals = o.ci || (!o.until.empty() && !o.window);
+    const bool intervals = o.ci || !o.until.empty();
     if (o.ci && (o.like != Like::vcmetrics || o.list_sources || o.compare))
         base::fail("-ci", "works on vcmetrics' own columns and cannot be used with -like, -sources or -compare");
     if (intervals && (o.settings.field_cut || o.settings.fill))

@@ -23,8 +23,7 @@ struct Options {
     Like like = Like::vcmetrics;
     comfort::EvalglareOutput evalglare;
     std::string until;
-    std::optional<int> window;  // -until as values that stay over so many lines
-    std::optional<double> ci;   // -ci: NAME.lo and NAME.hi, this certain (a share)
+    std::optional<double> ci;  // -ci: NAME.lo and NAME.hi, this certain (a share)
     std::optional<int64_t> max_frames;
     std::optional<double> max_seconds;
     bool compare = false;

@@ -7,52 +7,41 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "uncertainty/stopping.h"
 
 using namespace comfort;
 
 Stopping::Stopping(const Options& options, const std::vector<Column>& columns) : options_(options), columns_(columns) {
     if (options.until.empty()) return;
-    if (options.window) window_rule_.emplace(parse_tolerances(options.until), *options.window);
-    else precision_rule_.emplace(options.until);
-    for (const Tolerance& t : window_rule_ ? window_rule_->tolerances() : precision_rule_->tolerances())
-        watched_.push_back(column_of(t.metric));
-    if (precision_rule_ && precision_rule_->asks_class()) dgp_ = column_of("DGP", "class is that of DGP, but ");
+    rule_.emplace(options.until);
+    for (const Tolerance& t : rule_->tolerances()) watched_.push_back(column_of(t.metric));
+    if (rule_->asks_class()) dgp_ = column_of("DGP", "class is that of DGP, but ");
 }
 
 size_t Stopping::column_of(const std::string& name, const std::string& why) const {
-    for (size_t k = 0; k < columns_.size(); ++k)
-        if (columns_[k].name == name) return k;
+    for (size_t k = 0; k < columns_.size(); ++k) {
+        if (columns_[k].name != name) continue;
+        if (!columns_[k].has_interval())
+            base::fail("-until", name + " has no interval, as none has been shown to hold the truth (vcmetrics(1))");
+        return k;
+    }
     base::fail("-until", why + "there is no column \"" + name + "\" in this run");
 }
 
-bool Stopping::window_holds(const Line& line) {
-    if (line.first_frame) {
-        window_rule_->restart();
-        return false;
-    }
-    std::vector<double> watched;
-    for (size_t k : watched_) watched.push_back(line.values[k]);
-    window_rule_->add(watched);
-    return window_rule_->holds();
-}
-
-bool Stopping::precision_holds(const Line& line, std::string& reason) {
-    if (!line.looked) return false;
-    std::vector<Estimate> estimates;
+bool Stopping::rule_holds(const Line& line, std::string& reason) const {
+    if (!rule_ || !line.looked || line.frames < uncertainty::least_frames) return false;
+    std::vector<uncertainty::Estimate> estimates;
     for (size_t k : watched_) estimates.push_back(line.looked->estimate(k));
-    const Estimate dgp = line.looked->estimate(dgp_);
-    if (!precision_rule_->holds(line.looked->looks(), line.frames, estimates, dgp)) return false;
-    reason = precision_rule_->reason(estimates, dgp);
+    const uncertainty::Estimate dgp = line.looked->estimate(dgp_);
+    if (!rule_->holds(estimates, dgp)) return false;
+    reason = rule_->reason(estimates, dgp);
     return true;
 }
 
 bool Stopping::after(const Line& line) {
     std::string reason;
     frames_ = line.frames;
-    if (window_rule_ && window_holds(line)) {
-        held_ = true;
-        reason = fmt::format("{} held over {} lines", options_.until, *options_.window);
-    } else if (precision_rule_ && precision_holds(line, reason)) {
+    if (rule_holds(line, reason)) {
         held_ = true;
     } else if (options_.max_frames && line.frames >= *options_.max_frames) {
         reason = "-max-frames is reached";

@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When a run ends by itself, and the line on stderr that says why: -until (widths of intervals, or with -window values
-// that stay), -max-frames, -max-seconds.
+// When a run ends by itself, and the line on stderr that says why: -until, -max-frames, -max-seconds.
 #pragma once
 #include <optional>
 #include <string>
 #include <vector>
-#include "comfort/precision.h"
+#include "comfort/estimates.h"
+#include "comfort/until.h"
 #include "options.h"
 
 class Stopping {
 public:
-    // Throws Error if a rule names a column that the run does not have.
+    // Throws Error if a rule names a column that the run does not have, or that has no interval.
     Stopping(const Options& options, const std::vector<comfort::Column>& columns);
-    bool has_rule() const { return window_rule_ || precision_rule_; }
+    bool has_rule() const { return rule_.has_value(); }
 
     struct Line {
-        const std::vector<double>& values;  // by column
         int64_t frames;
-        bool first_frame;                  // a new frame 0
-        double seconds;                    // since the start
-        const comfort::Certainty* looked;  // its estimates are new; else null
+        double seconds;                          // since the start
+        const comfort::ColumnEstimates* looked;  // its estimates are new; else null
     };
     // True: stop here.  Status 0 if the rule holds or there is none, else 4.
     bool after(const Line& line);
@@ -28,12 +26,10 @@ public:
 
 private:
     size_t column_of(const std::string& name, const std::string& why = "") const;
-    bool window_holds(const Line& line);
-    bool precision_holds(const Line& line, std::string& reason);
+    bool rule_holds(const Line& line, std::string& reason) const;
     const Options& options_;
     const std::vector<comfort::Column>& columns_;
-    std::optional<comfort::StoppingRule> window_rule_;
-    std::optional<comfort::PrecisionRule> precision_rule_;
+    std::optional<comfort::UntilRule> rule_;
     std::vector<size_t> watched_;  // columns of the rule, in its order
     size_t dgp_ = 0;               // for the class
     int64_t frames_ = 0;           // of the last line

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See estimate.h.
+#include "uncertainty/estimate.h"
+
+#include <cmath>
+#include <limits>
+
+#include "uncertainty/student.h"
+
+namespace uncertainty {
+namespace {
+
+// A standard error below this share of the value is the rounding of floats.
+constexpr double rounding = 1e-6;
+
+// The T with g(T) = t: g is (1 + G T/3)^3 / G + (G/6 - 1/G).
+double unskewed(double t, double skewness) {
+    if (std::fabs(skewness) < 1e-9) return t;
+    return 3 / skewness * (std::cbrt(1 + skewness * (t - skewness / 6)) - 1);
+}
+
+}  // namespace
+
+bool Estimate::known() const { return error > rounding * std::fabs(value) && degrees > 0; }
+
+Interval Estimate::around(double alpha, int64_t n) const {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    if (!known()) return {nan, nan};
+    const double shrink = std::sqrt(double(frames) / double(n));
+    const double t = student_quantile(alpha, degrees), scale = error * shrink, skew = skewness * shrink;
+    return {-scale * unskewed(t, skew), -scale * unskewed(-t, skew)};
+}
+
+}  // namespace uncertainty

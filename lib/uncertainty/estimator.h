@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Estimates of quantities of a growing mean: each replicate image is measured by the function that measures any image.
+#pragma once
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "image/parts.h"
+#include "uncertainty/replication.h"
+
+namespace uncertainty {
+
+// How the error of a quantity is estimated.
+struct Quantity {
+    enum class Method { none, half_samples, jackknife };
+    Method method = Method::none;
+    NoiseBias bias = NoiseBias::none;
+    double bias_error = 0;  // q: standard error of the bias that is taken off, as a share of it
+    bool ratio = false;     // jackknife: its bias is taken off
+};
+
+using Values = std::vector<double>;  // of all quantities; nan for those that were not asked for
+// `image`, and the image, perhaps the same, that decides which of its pixels are above the threshold.
+using Measure = std::function<Values(std::vector<float>& image, std::vector<float>& classification)>;
+
+struct GrowingMean {
+    int width = 0, height = 0;
+    const float* whole = nullptr;                      // L'(n)
+    const std::vector<image::Part>* parts = nullptr;   // n frames in all
+    const std::vector<float>* frame0_error = nullptr;  // by pixel (frame0.h); null: not known
+    std::vector<bool> counts;                          // by pixel: it is measured
+};
+
+struct Metrics {
+    std::vector<Quantity> quantities;
+    std::function<Measure()> measure;                                  // one for each thread
+    std::function<Values(std::vector<float>& image)> measure_regions;  // of the jackknife's quantities
+    std::optional<float> threshold;                                    // of sources, in the whole mean
+    int filter_radius = 0;                                             // pixels (threshold_filter.h)
+};
+
+// The estimates of all quantities.  whole: their values of the whole mean, by its own classification.
+std::vector<Estimate> estimate(const GrowingMean& mean, const Metrics& metrics, const Values& whole);
+
+}  // namespace uncertainty

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bias and standard error of a quantity from its values of replicates (Wolter, Introduction to Variance Estimation,
+// 2007, chapters 3 and 4).
+#pragma once
+#include <vector>
+
+#include "uncertainty/estimate.h"
+#include "uncertainty/half_samples.h"
+
+namespace uncertainty {
+
+// How the bias of a quantity goes with noise: a square with its variance, an absolute difference with its deviation.
+enum class NoiseBias { none, variance, deviation };
+
+// Balanced repeated replication (McCarthy 1966).  replicates: the quantity of each half-sample's mean.
+//     bias b = (mean of replicates - whole) / (r - 1), r the noise of half-samples over that of the whole
+//     error^2 = mean of odd^2 + mean of (even - mean even)^2 + (q b)^2
+// odd and even: half the difference and half the sum of a half-sample's value and its complement's.  The error of the
+// bias that is taken off is q of it.
+//
+// The bias of absolute differences cannot be known better than to about a tenth,
+// whatever the estimator (Cai and Low, Annals of Statistics 39, 2011, on the mean of |x|), and that does not fall with
+// the number of pixels as noise does: where q b is more than half the error of noise, there is none (nan).
+Estimate brr(double whole, const std::vector<double>& replicates, const Frames& frames, NoiseBias bias, double q);
+
+// Delete-one jackknife for groups of unequal size (Busing, Meijer and van der Leeden, Statistics and Computing 9,
+// 1999), with the skewness of the groups.  without: the quantity of the mean without each part.
+// With n frames, m_j in
+// part j and x_j = (n - m_j)/m_j (whole - without_j):
+//     error^2 = 1/n sum m_j (x_j - mean x)^2 / (parts - 1)
+// ratio: the jackknife's bias is taken off, too.
+Estimate jackknife(double whole, const std::vector<double>& without, const Frames& frames, bool ratio);
+
+// Adds an independent error: its variance and degrees of freedom (Welch 1947, Satterthwaite 1946).
+void add_error(Estimate& to, double variance, double degrees);
+
+}  // namespace uncertainty
