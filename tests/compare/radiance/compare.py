@@ -71,7 +71,7 @@ class Bed:
 def compare_scene(job):
     """One seed: a dictionary that the main process reports."""
     seed, args, bed = job
-    scene = generate(seed, args.rays, args.coincident, args.resting)
+    scene = generate(seed, args.rays, args.coincident, args.resting, args.scale == 1)  # xform keeps extinctions
     result = {"seed": seed, "pixels": 0, "differ": 0, "edges": 0, "rare": 0, "noisy": 0, "status": "agrees", "why": ""}
     with tempfile.TemporaryDirectory() as folder:
         bed(folder)

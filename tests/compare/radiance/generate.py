@@ -208,8 +208,8 @@ class World:
             self.scene.rays.append(tuple(float(f"{v:.6g}") for v in ray))
 
 
-def generate(seed, ray_count, coincident=False, resting=False):
-    """coincident: surfaces lie in one place with others; resting: eyes on surfaces."""
+def generate(seed, ray_count, coincident=False, resting=False, volumes=True):
+    """coincident: surfaces lie in one place with others; resting: eyes on surfaces; volumes: of what absorbs light."""
     world = World(seed, coincident)
     r = world.rng
     world.lights()
@@ -219,7 +219,8 @@ def generate(seed, ray_count, coincident=False, resting=False):
         wall = [-4, 4.0173, GROUND, 4, 4.0173, GROUND, 4, 4.0173, 3, -4, 4.0173, 3]
         world.surface(world.materials.material(), "polygon", wall)
     for x, y in r.sample(CELLS, r.randint(2, 5)):
-        maker = r.choices([world.thing, world.volume, world.instance, world.mesh], [7, 2, 1.5, .7])[0]
+        maker = r.choices([world.thing, world.volume, world.instance, world.mesh],
+                          [7, 2 if volumes else 0, 1.5, .7])[0]
         maker(x, y)
     world.rays(ray_count // 4 if world.indirect else ray_count, resting)  # those take a hundred times as long
     world.scene.prune()
