@@ -5,7 +5,7 @@
 . "${TOP:?}/tests/lib.sh"
 needs ptrace ptaccum vcmetrics mkstream
 [ -r /proc/self/status ] || skip 'no /proc here'
-frames=${SOAK:-4000}
+frames=${SOAK:-8000}
 export ASAN_OPTIONS=${ASAN_OPTIONS-}:quarantine_size_mb=0  # else the address sanitizer keeps what was freed
 cat > room.rad << 'END'
 void light l 0 0 3 9 9 9
