@@ -224,7 +224,7 @@ STRUCT(Params) {
     uint window_count;                // of all portals; then come patches of sun and polished strips
     uint copies, focus_at;  // samples of a frame of a pixel; above 1: those of entry focus_at and after (below)
     uint shared_slots;      // of a sample whose paths share their far ends (share.h); 0: none does
-    uint spare;
+    uint redraw;            // not 0: other random numbers than usual, but for the place in the pixel and on the lens
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // which of the records they are
 };

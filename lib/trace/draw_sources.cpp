@@ -86,6 +86,8 @@ DrawList list_drawn_sources(const flatten::FlatScene& scene, const flatten::Host
             out.rays.push_back(r);
             const uint32_t column = uint32_t(X * nx), row = uint32_t(ny - 1 - int(Y * ny));
             out.pixel.push_back(row * uint32_t(nx) + column);
+            out.right.push_back(float(X * nx - column - .5));
+            out.up.push_back(float(Y * ny - int(Y * ny) - .5));
         }
     }
     return out;

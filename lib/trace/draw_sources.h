@@ -12,6 +12,7 @@ namespace trace {
 struct DrawList {
     std::vector<DrawRay> rays;
     std::vector<uint32_t> pixel;   // row from the top * nx + column, of each ray
+    std::vector<float> right, up;  // of the ray from the pixel's centre, in pixels
     std::vector<uint32_t> marked;  // words of scene.f that say SRC_DRAWN of the sources taken
 };
 // Those that are small in this view, and their rays.

@@ -21,6 +21,7 @@
 #include "trace/fingerprint.h"
 #include "trace/frame_zero.h"
 #include "trace/noisy.h"
+#include "trace/pixel_moments.h"
 #include "trace/samples.h"
 #include "trace/scene_params.h"
 #include "trace/view_params.h"
@@ -59,6 +60,7 @@ struct Renderer::State {
     base::Vec3 centre;
     uint32_t nx, ny, m, of_frame0;  // of_frame0: samples of the direct class in frame 0
     FrameZero zero;
+    std::vector<float> moments;
     double noisy_share = 0;
     bool seeks_noisy = false;     // they are still to be found
     std::vector<uint32_t> noisy;  // pixels with several samples in each frame, not those of a focus
@@ -195,6 +197,7 @@ void Renderer::look(size_t shot) {
     s.base.flags = (s.base.flags & ~PF_EYE_ON_SURFACE) | (s.picture->on_surface ? PF_EYE_ON_SURFACE : 0u);
     s.sampler.set_focus(*s.device, of.focus);
     s.zero = {};
+    s.moments.clear();
     s.noisy.clear();
     s.seeks_noisy = s.noisy_share > 0;
     s.unshared = s.aims;  // their shares are learned from where the eye is
@@ -232,6 +235,13 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
         s.make_frame(frame, v, out);
         return give(frame, out);
     });
+}
+
+const std::vector<float>& Renderer::moments() {
+    State& s = *state_;
+    s.ensure_zero();
+    if (s.moments.empty()) s.moments = pixel_moments(*s.device, s.sampler, s.base, s.zero);
+    return s.moments;
 }
 
 void Renderer::frame(int64_t k, std::vector<float>& rgb) {

@@ -13,7 +13,8 @@
 namespace trace {
 
 namespace {
-constexpr double worth_of_shared = 8;  // copies
+constexpr double worth_of_shared = 8;      // copies
+constexpr uint32_t first_place = 5u << 29;  // number of the samples of run_places: no frame's
 }
 
 uint32_t Samples::Several::first_of(uint64_t pixel) const {
@@ -129,6 +130,29 @@ void Samples::refine(Device& device, const Params& base, const Pass& pass, const
             }
         }
     }
+}
+
+void Samples::run_places(Device& device, const Params& base, const std::vector<uint32_t>& pixels, uint32_t n,
+                         uint32_t redraw, std::vector<float>& rgb) {
+    std::vector<uint32_t> entries;
+    for (const uint32_t pixel : pixels) entries.insert(entries.end(), {pixel, n, 0});
+    device.set_focus(std::move(entries));
+    Params p = base;
+    p.mode = MODE_DIRECT;
+    p.frame = first_place;
+    p.copies = p.together = n;
+    p.focus_at = 0;
+    p.redraw = redraw;
+    const uint32_t slots = uint32_t(pixels.size()) * n;
+    rgb.clear();
+    std::vector<float> some;
+    for (p.first = 0; p.first < slots; p.first += p.slots) {
+        p.slots = std::min(device.good_slots(), slots - p.first);
+        device.run(p, some);
+        rgb.insert(rgb.end(), some.begin(), some.end());
+    }
+    scrub(rgb);
+    send(device);
 }
 
 void Samples::scrub(std::vector<float>& rgb) {

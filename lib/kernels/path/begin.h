@@ -94,6 +94,7 @@ FN int path_generate(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHA
     int has_ray = 1;
     if (par->mode == MODE_RAY) given_ray(par, &rnd, &ray);
     else has_ray = camera_ray(par, pixel, &rnd, &ray);
+    if (par->redraw != 0u) rnd.key = hash32(rnd.key ^ par->redraw);
 
     if (!has_ray) return 0;
 
