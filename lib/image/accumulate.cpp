@@ -61,6 +61,7 @@ void Accumulator::start(const Picture& frame, int64_t k) {
     first_ = next_ = k;
     header_ = frame.header;
     frame0_.clear();
+    moments_ = frame.moments;
     sum_.clear(frame.rgb.size());
 }
 
@@ -149,6 +150,7 @@ void Accumulator::result(Picture& out, bool with_parts) const {
     out.header.ranges = {{first_, next_ - 1}};
     out.rgb.resize(sum_.size());
     out.frame0 = with_parts ? frame0_ : std::vector<float>();
+    out.moments = with_parts ? moments_ : Moments();
     out.sum = with_parts ? sum_.layers() : std::vector<SumLayer>();
     base::in_shares(sum_.size(), numbers_a_share, base::processors(), [&](size_t from, size_t end) {
         for (size_t i = from; i < end; ++i) out.rgb[i] = float(eq7(frame0_, sum_, frames(), i));

@@ -36,7 +36,9 @@ public:
     const Header& header() const { return header_; }  // of the first frame
     bool empty() const { return next_ < 0; }
     int64_t frames() const { return next_ - (first_ == 0 ? 1 : first_); }  // n, diffuse frames summed
-    // L'(n) or the partial result; reuses the memory of out.  with_parts keeps L(0) and the exact sum, too (for EXR).
+    const Moments& moments() const { return moments_; }                    // of frame 0 (picture.h)
+    // L'(n) or the partial result; reuses the memory of out.  with_parts keeps L(0), its moments and the exact sum, too
+    // (for EXR).
     void result(Picture& out, bool with_parts) const;
 
 private:
@@ -49,6 +51,7 @@ private:
     std::string resumed_;  // name of the sum that this one goes on from
     bool grown_ = false;   // it has got frames since
     std::vector<float> frame0_;
+    Moments moments_;
     ExactSum sum_;
 };
 
@@ -68,12 +71,14 @@ private:
         Ranges ranges;
         ExactSum sum;               // of diffuse frames
         std::vector<float> frame0;  // empty: not there
+        Moments moments;            // likewise
         Picture whole;              // complete, its frame 0 not known apart (no more of this seed can be added)
         bool is_whole() const { return !whole.rgb.empty(); }
         bool complete() const { return is_whole() || !frame0.empty(); }
         std::string last_name;
     };
     Group& group_of(const Header& header);
+    Moments merged_moments() const;
     void check_ranges(const Header& header, const std::string& name) const;
     std::vector<Group> groups_;
     PartsMerger parts_;

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "image/exr_file.h"
 #include "image/grey.h"
 #include "image/header.h"
@@ -43,6 +44,28 @@ std::vector<SumLayer> read_sum(const ExrInput& in) {
             all.push_back({k, in.read_whole({layer + ".R", layer + ".G", layer + ".B"})});
     }
     return all;
+}
+
+const std::vector<std::string> moment_channels = {"moments.variance", "moments.difference", "moments.right",
+                                                  "moments.up"};
+constexpr const char* moments_text = "moments";  // attribute: the hash of the pixels that they belong to
+
+std::string hash_of(const std::vector<float>& rgb) {
+    base::Hash hash;
+    hash.add_all(rgb);
+    return hash.text();
+}
+
+Moments read_moments(const ExrInput& in, const std::vector<float>& rgb, const std::string& path) {
+    for (const std::string& channel : moment_channels)
+        if (!in.has(channel)) return {};
+    if (in.text(moments_text) != hash_of(rgb)) {
+        base::warn(path, "another program has changed its pixels: their moments are left out");
+        return {};
+    }
+    std::vector<float> moments = in.read(moment_channels);
+    clean_moments(moments);
+    return std::make_shared<const std::vector<float>>(std::move(moments));
 }
 
 // The whole number between `before` and `after` of a channel's name; -1 for any other channel.
@@ -127,6 +150,7 @@ Picture read_exr(const std::string& path) {
             p.frame0 = in.read({"frame0.R", "frame0.G", "frame0.B"});
         if (scale_colors(p.frame0, in.white_luminance() / lumens_per_watt, in.primaries())) return p;
         p.sum = read_sum(in);
+        p.moments = read_moments(in, p.rgb, path);
         if (p.header.frames) p.parts = read_parts(in, *p.header.frames, path);
         if (p.header.frames && p.parts.empty()) p.parts = read_means(in, p, path);
         return p;
@@ -165,6 +189,11 @@ void write_exr(const std::string& path, const Picture& picture, const ExrOptions
         for (size_t c = 0; c < 3 && !options.half; ++c)  // halves are not the pixels that these are the sums of
             channels.push_back({fmt::format("sum{}.{}", layer.digit, "RGB"[c]), layer.words.data() + c, 3, true});
     std::map<std::string, std::string> texts;
+    if (picture.moments && !options.half) {
+        for (size_t k = 0; k < moment_numbers; ++k)
+            channels.push_back({moment_channels[k], picture.moments->data() + k, int(moment_numbers)});
+        texts[moments_text] = hash_of(picture.rgb);
+    }
     for (size_t k = 0; k < picture.parts.size() && !options.half; ++k) {
         const std::string name = fmt::format("part{}", k);
         channels.push_back({name + ".Y", picture.parts[k].grey.data(), 1});

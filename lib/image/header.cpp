@@ -192,6 +192,10 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         if (!e.spectra) e.format = format(line, *t, where);
     } else if (auto t = value_of(line, "NCOMP=")) {
         e.channels = side(line, *t, where);
+    } else if (auto t = value_of(line, "LAYERS=")) {
+        e.moments_follow = *t == "moments";
+    } else if (auto t = value_of(line, "LAYER=")) {
+        e.moments = *t == "moments";
     } else if (auto t = value_of(line, "WAVELENGTH_SPLITS=")) {
         e.splits = numbers<4>(line, *t, where);
         h.lines.push_back(line);

@@ -15,7 +15,9 @@ struct Encoding {
     std::optional<bool> big_endian;  // BigEndian=; absent: the host's order
     int rows = 0, columns = 0;       // NROWS=, NCOLS=: then no resolution line follows
     std::array<double, 3> colorcorr{1, 1, 1};
-    bool spectra = false;  // FORMAT=Radiance_spectra: NCOMP bands (spectral.h)
+    bool moments_follow = false;  // LAYERS=moments: a picture of this one's moments comes behind it
+    bool moments = false;         // LAYER=moments: this is one
+    bool spectra = false;         // FORMAT=Radiance_spectra: NCOMP bands (spectral.h)
     std::optional<std::array<double, 4>>
         splits;  // WAVELENGTH_SPLITS=, nm: the bands lie between the first and the last
     std::optional<std::array<double, 8>> primaries;  // rx ry gx gy bx by wx wy, if they differ from RADIANCE's

@@ -119,6 +119,7 @@ void Merger::add(Picture p, const std::string& name) {
     add_ranges(g.ranges, h.ranges);
     g.last_name = name;
     parts_.add(p, size_t(&g - groups_.data()), name);
+    if (zero) g.moments = p.moments;
     if (!apart) {
         g.whole = std::move(p);
         return;
@@ -126,6 +127,20 @@ void Merger::add(Picture p, const std::string& name) {
     if (zero) g.frame0 = *h.frames == 0 ? p.rgb : p.frame0;
     if (g.sum.size() == 0) g.sum.clear(p.rgb.size());
     add_frames_of(p, name, g.sum);
+}
+
+// Those of the only seed, else the mean over seeds by their frames; none where one has none.
+Moments Merger::merged_moments() const {
+    if (groups_.size() == 1) return groups_[0].moments;
+    int64_t frames = 0;
+    for (const Group& g : groups_) {
+        if (!g.moments) return {};
+        frames += g.frames;
+    }
+    std::vector<double> sum(groups_[0].moments->size(), 0.0);
+    for (const Group& g : groups_)
+        for (size_t i = 0; i < sum.size(); ++i) sum[i] += double(g.frames) / double(frames) * double((*g.moments)[i]);
+    return std::make_shared<const std::vector<float>>(sum.begin(), sum.end());
 }
 
 Picture Merger::result() const {
@@ -162,6 +177,7 @@ Picture Merger::result() const {
         });
     }
     out.rgb.assign(sum.begin(), sum.end());
+    out.moments = merged_moments();
     if (groups_.size() == 1) {
         out.frame0 = groups_[0].frame0;
         out.sum = groups_[0].sum.layers();

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 #include "image/exact_sum.h"
+#include "image/moments.h"
 #include "image/parts.h"
 #include "view/view.h"
 
@@ -52,13 +53,6 @@ inline bool in_first_half(int64_t k) {
     return first;
 }
 
-// Moments of the light inside of a pixel, of which its mean tells nothing (docs/decisions/0034): numbers of a pixel.
-constexpr size_t moment_numbers = 4;
-constexpr size_t moment_variance = 0;    // of grey (grey.h) over the pixel, (W/(sr m2))^2
-constexpr size_t moment_difference = 1;  // half the difference between two independent estimates of it
-constexpr size_t moment_right = 2;       // centroid of the light from its centre, in pixels
-constexpr size_t moment_up = 3;
-
 struct Picture {
     int width = 0, height = 0;
     bool floats = false;        // the pixels came as 32-bit floats: differences of such pictures mean something
@@ -66,7 +60,7 @@ struct Picture {
     std::vector<float> frame0;  // accumulated pictures in EXR: L(0), as rgb; else empty
     std::vector<SumLayer> sum;  // likewise: the sum of the frames above 0, exactly
     std::vector<Part> parts;    // likewise: ranges of its frames, if kept
-    std::vector<float> moments;  // moment_numbers of each pixel, row 0 = top; empty: not known
+    Moments moments;            // null: not known
     Header header;
     float* at(int x, int y_from_top) { return &rgb[3 * (size_t(y_from_top) * width + x)]; }
     const float* at(int x, int y_from_top) const { return &rgb[3 * (size_t(y_from_top) * width + x)]; }

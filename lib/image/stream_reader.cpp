@@ -121,6 +121,22 @@ void read_bytes(Input& in, const Layout& l, std::vector<float>& rgb, const std::
     }
 }
 
+// The picture that LAYERS=moments of the one before it announces.
+Moments read_moments(Input& in, const Picture& picture, const std::string& place) {
+    const Head head = read_head(in, place);
+    if (!head.encoding.moments) base::fail(place, "LAYERS=moments says that its moments follow, but they do not");
+    if (head.encoding.format != Format::flt || head.encoding.channels != int(moment_numbers))
+        base::fail(place, fmt::format("its moments are not floats with NCOMP={}", moment_numbers));
+    if (head.layout.width != picture.width || head.layout.height != picture.height)
+        base::fail(place, fmt::format("its moments have {} x {} pixels, it has {} x {}", head.layout.width,
+                                      head.layout.height, picture.width, picture.height));
+    std::vector<float> moments;
+    read_floats(in, head.encoding, head.layout, moments, place);
+    reorient(moments, head.layout, moment_numbers);
+    clean_moments(moments);
+    return std::make_shared<const std::vector<float>>(std::move(moments));
+}
+
 // Exposure, colour correction, colour space: afterwards RADIANCE's RGB radiance.
 void to_radiance(std::vector<float>& rgb, const Header& h, const Encoding& e) {
     Matrix3 m{1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -193,6 +209,8 @@ struct StreamReader::State {
     Pixels pixels;
     int64_t announced = -1, reached = -1;  // frame numbers: LASTFRAME=, and that of the picture read last
 
+    CarriedMoments moments;
+
     State(const std::string& path, Pixels wanted) : in(path), pixels(wanted) {
         char start[4];
         if (in.look(start, 4)) whole_file = format_by_magic(start);
@@ -231,6 +249,7 @@ bool StreamReader::next(Picture& picture) {
     picture.frame0.clear();
     picture.sum.clear();
     picture.parts.clear();
+    picture.moments.reset();
     char start[2];
     if (!in.look(start, 2) || start[0] != '#' || start[1] != '?')
         base::fail(place, state_->count ? "what follows is not a picture (it does not begin with #?)"
@@ -241,6 +260,7 @@ bool StreamReader::next(Picture& picture) {
     picture.header = std::move(head.header);
     if (encoding.spectra)
         base::fail(place, "is a hyperspectral picture (FORMAT=Radiance_spectra): only specpict reads such");
+    if (encoding.moments) base::fail(place, "is a layer (LAYER=moments) of a picture that does not come before it");
     if (encoding.format == Format::flt) {
         if (encoding.channels != 1 && encoding.channels != 3)
             base::fail(place, "NCOMP=" + std::to_string(encoding.channels) + ": float pictures have 1 or 3 channels");
@@ -258,6 +278,8 @@ bool StreamReader::next(Picture& picture) {
     picture.width = layout.width;
     picture.height = layout.height;
     picture.floats = encoding.format == Format::flt;
+    if (encoding.moments_follow) picture.moments = read_moments(in, picture, place);
+    state_->moments.pass(picture);
     const int64_t number = last_frame_in(picture.header);
     if (number == 0) state_->require_announced(place, "begins anew");
     state_->reached = number;

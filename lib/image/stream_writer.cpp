@@ -26,19 +26,33 @@ void write_xyz_row(const float* rgb, int width, std::vector<float>& xyz) {
                                                               m[3 * c + 2] * rgb[3 * x + 2]));
 }
 
-void write_to(const Sink& sink, const Picture& p, Format format) {
+std::string float_lines(size_t channels) {
+    return fmt::format("NCOMP={}\nBigEndian={}\nFORMAT=float\n", channels, int(host_is_big_endian()));
+}
+
+std::string resolution_line(const Picture& p) { return fmt::format("-Y {} +X {}\n", p.height, p.width); }
+
+// A picture of its own, in radiance without exposure.
+void write_moments(const Sink& sink, const Picture& p) {
+    std::string head;
+    for (const std::string& line : header_lines({})) head += line + "\n";
+    head += "LAYER=moments\n" + float_lines(moment_numbers) + "\n" + resolution_line(p);
+    sink(head.data(), head.size());
+    sink(p.moments->data(), p.moments->size() * sizeof(float));
+}
+
+void write_pixels(const Sink& sink, const Picture& p, Format format) {
     std::string head;
     for (const std::string& line : header_lines(p.header)) head += line + "\n";
     switch (format) {
-    case Format::flt:
-        head += "NCOMP=3\nBigEndian=" + std::to_string(int(host_is_big_endian())) + "\nFORMAT=float\n";
-        break;
+    case Format::flt: head += float_lines(3); break;
     case Format::rgbe: head += "FORMAT=32-bit_rle_rgbe\n"; break;
     case Format::xyze: head += "FORMAT=32-bit_rle_xyze\n"; break;
     }
     const double exposure = p.header.exposure;
     if (exposure != 1) head += fmt::format("EXPOSURE={}\n", exposure);
-    head += "\n-Y " + std::to_string(p.height) + " +X " + std::to_string(p.width) + "\n";
+    if (format == Format::flt && p.moments) head += "LAYERS=moments\n";
+    head += "\n" + resolution_line(p);
     sink(head.data(), head.size());
     if (format == Format::flt && exposure == 1) {
         sink(p.rgb.data(), p.rgb.size() * sizeof(float));
@@ -60,6 +74,11 @@ void write_to(const Sink& sink, const Picture& p, Format format) {
         sink(out.data(), out.size());
         out.clear();
     }
+}
+
+void write_to(const Sink& sink, const Picture& p, Format format) {
+    write_pixels(sink, p, format);
+    if (format == Format::flt && p.moments) write_moments(sink, p);
 }
 
 }  // namespace

@@ -67,9 +67,11 @@ void Framer::begin_pixels() {
     if (encoding.format != image::Format::flt) return stop("the pixels are no floats (ptaccum -ff)");
     if (read != 2 || width < 1 || height < 1 || width > longest_side || height > longest_side)
         return stop("the pictures are not in standard orientation");
-    if (encoding.big_endian.value_or(false) || !host_is_little_endian() || encoding.channels != 3)
+    const size_t channels = encoding.moments ? image::moment_numbers : 3;
+    if (encoding.big_endian.value_or(false) || !host_is_little_endian() || encoding.channels != int(channels))
         return stop("the pixels are not those of ptaccum");
-    left_ = sizeof(float) * 3 * size_t(width) * size_t(height);
+    layer_ = encoding.moments;
+    left_ = sizeof(float) * channels * size_t(width) * size_t(height);
     if (left_ > largest_picture) return stop("the pictures are too large");
     picture.width = width;
     picture.height = height;
@@ -83,7 +85,7 @@ size_t Framer::pixels(const char* data, size_t bytes) {
     char* to = reinterpret_cast<char*>(values_.data()) + (sizeof(float) * values_.size() - left_);
     std::memcpy(to, data, used);
     left_ -= used;
-    if (left_ > 0) return used;
+    if (left_ > 0 || layer_) return used;
     const float exposure = float(1 / picture_.header.exposure);
     if (exposure != 1)
         for (float& v : values_) v *= exposure;

@@ -27,7 +27,8 @@ private:
     bool resolution_ = false;  // the header has ended, its resolution line follows
     image::Picture picture_;
     std::vector<float> values_;
-    size_t left_ = 0;  // bytes of pixels
+    size_t left_ = 0;     // bytes of pixels
+    bool layer_ = false;  // what comes is a layer of the picture before it, and is passed over
     std::string stopped_;
 };
 

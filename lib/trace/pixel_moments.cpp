@@ -87,7 +87,7 @@ void add_drawn(const FrameZero& zero, size_t i, float* moments) {
 }
 }  // namespace
 
-std::vector<float> pixel_moments(Device& device, Samples& sampler, const Params& base, const FrameZero& zero) {
+image::Moments pixel_moments(Device& device, Samples& sampler, const Params& base, const FrameZero& zero) {
     const uint32_t n = places_of(base.nx * base.ny);
     std::vector<float> out(image::moment_numbers * zero.spread.size(), 0.0f), a, b;
     const std::vector<uint32_t> uneven = uneven_pixels(zero, int(base.nx), int(base.ny));
@@ -101,7 +101,8 @@ std::vector<float> pixel_moments(Device& device, Samples& sampler, const Params&
             estimate(&a[3 * n * k], &b[3 * n * k], n, &out[image::moment_numbers * some[k]]);
     }
     for (size_t i = 0; i < zero.drawn.size(); i++) add_drawn(zero, i, &out[image::moment_numbers * i]);
-    return out;
+    image::clean_moments(out);
+    return std::make_shared<const std::vector<float>>(std::move(out));
 }
 
 }  // namespace trace

@@ -8,12 +8,11 @@
 // Components", 1992, chapter 3).  Pairs are drawn where the samples of frame 0 differ, and no frame holds them.
 // Drawn sources add their exact part.
 #pragma once
-#include <vector>
+#include "image/picture.h"
 #include "trace/frame_zero.h"
 
 namespace trace {
 
-// image::moment_numbers of each pixel, row 0 = top.
-std::vector<float> pixel_moments(Device& device, Samples& sampler, const Params& base, const FrameZero& zero);
+image::Moments pixel_moments(Device& device, Samples& sampler, const Params& base, const FrameZero& zero);
 
 }  // namespace trace

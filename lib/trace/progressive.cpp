@@ -60,7 +60,7 @@ struct Renderer::State {
     base::Vec3 centre;
     uint32_t nx, ny, m, of_frame0;  // of_frame0: samples of the direct class in frame 0
     FrameZero zero;
-    std::vector<float> moments;
+    image::Moments moments;
     double noisy_share = 0;
     bool seeks_noisy = false;     // they are still to be found
     std::vector<uint32_t> noisy;  // pixels with several samples in each frame, not those of a focus
@@ -197,7 +197,7 @@ void Renderer::look(size_t shot) {
     s.base.flags = (s.base.flags & ~PF_EYE_ON_SURFACE) | (s.picture->on_surface ? PF_EYE_ON_SURFACE : 0u);
     s.sampler.set_focus(*s.device, of.focus);
     s.zero = {};
-    s.moments.clear();
+    s.moments.reset();
     s.noisy.clear();
     s.seeks_noisy = s.noisy_share > 0;
     s.unshared = s.aims;  // their shares are learned from where the eye is
@@ -237,10 +237,10 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
     });
 }
 
-const std::vector<float>& Renderer::moments() {
+image::Moments Renderer::moments() {
     State& s = *state_;
     s.ensure_zero();
-    if (s.moments.empty()) s.moments = pixel_moments(*s.device, s.sampler, s.base, s.zero);
+    if (!s.moments) s.moments = pixel_moments(*s.device, s.sampler, s.base, s.zero);
     return s.moments;
 }
 

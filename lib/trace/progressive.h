@@ -43,7 +43,7 @@ public:
     // Frame k: 3 floats a pixel, row 0 = top, W/(sr m2).  Depends on (seed, k, pixel) alone.
     void frame(int64_t k, std::vector<float>& rgb);
     // Moments of the light inside of its pixels (image/picture.h).
-    const std::vector<float>& moments();
+    image::Moments moments();
     // Frames k .. k+count-1 together where that is faster (GPUs); give() is called in order.
     void frames(int64_t k, int count, const std::function<bool(int64_t, const std::vector<float>&)>& give);
     // Mean and standard error of n samples of one ray, all classes (tests compare with rtrace).

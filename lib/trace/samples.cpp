@@ -13,9 +13,9 @@
 namespace trace {
 
 namespace {
-constexpr double worth_of_shared = 8;      // copies
+constexpr double worth_of_shared = 8;       // copies
 constexpr uint32_t first_place = 5u << 29;  // number of the samples of run_places: no frame's
-}
+}  // namespace
 
 uint32_t Samples::Several::first_of(uint64_t pixel) const {
     uint32_t low = 0, high = uint32_t(count());

@@ -27,8 +27,8 @@ public:
     uint32_t slots(const Params& base) const;
     // rgb: the samples of a pixel lie side by side, as do their rays.
     void run(Device& device, const Params& base, const Pass& pass, std::vector<float>& rgb);
-    // n direct samples of each of some pixels, which no frame holds, side by side.  redraw: those of the same places with
-    // other random numbers for the rest of the path; 0 for the first ones.
+    // n direct samples of each of some pixels, which no frame holds, side by side.  redraw: 0, or other random numbers
+    // but for the places of the samples.
     void run_places(Device& device, const Params& base, const std::vector<uint32_t>& pixels, uint32_t n,
                     uint32_t redraw, std::vector<float>& rgb);
     // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.  Throws

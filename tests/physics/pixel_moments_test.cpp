@@ -40,7 +40,7 @@ Seen seen(const std::string& text, const view::View& view = straight_on(), uint6
     trace::Renderer renderer(scene_of(text), view, side, side, options, "cpu", {});
     std::vector<float> rgb;
     renderer.frame(0, rgb);
-    return {image::grey_of(rgb), renderer.moments()};
+    return {image::grey_of(rgb), *renderer.moments()};
 }
 
 const std::string sky = "void glow sky_light 0 0 4 20 20 20 0\nsky_light source sky 0 0 4 0 1 0 360\n";
@@ -81,16 +81,19 @@ TEST_CASE("a pane before a sky fills its pixels") {
 
 // A lamp of one by one above a plate throws the soft shadow of a beam on a floor; each sample takes one place of it.
 TEST_CASE("a penumbra fills its pixels") {
-    const Seen s = seen("void light lamp 0 0 3 500 500 500\nlamp polygon ceiling 0 0 12 -1 .5 3 -1 2.5 3 1 2.5 3 1 .5 3\n"
-                        "void plastic grey 0 0 5 .5 .5 .5 0 0\n"
-                        "grey polygon floor 0 0 12 -9 .2 -.5 9 .2 -.5 9 9 -.5 -9 9 -.5\n"
-                        "grey polygon beam 0 0 12 -9 1 1.2 -9 1.4 1.2 9 1.4 1.2 9 1 1.2\n");
+    const Seen s = seen(
+        "void light lamp 0 0 3 500 500 500\n"
+        "lamp polygon ceiling 0 0 12 -1 .5 3 -1 2.5 3 1 2.5 3 1 .5 3\n"
+        "void plastic grey 0 0 5 .5 .5 .5 0 0\n"
+        "grey polygon floor 0 0 12 -9 .2 -.5 9 .2 -.5 9 9 -.5 -9 9 -.5\n"
+        "grey polygon beam 0 0 12 -9 1 1.2 -9 1.4 1.2 9 1.4 1.2 9 1 1.2\n");
     CHECK(mean_filled(s, 12, 24) == doctest::Approx(1).epsilon(.01));
 }
 
 TEST_CASE("a rough metal before a sky fills its pixels") {
-    const Seen s = seen(sky + "void metal rough 0 0 5 .7 .7 .7 .9 .2\n"
-                              "rough polygon plate 0 0 12 -2 1.5 -2 2 1 -2 2 1 2 -2 1.5 2\n");
+    const Seen s = seen(sky +
+                        "void metal rough 0 0 5 .7 .7 .7 .9 .2\n"
+                        "rough polygon plate 0 0 12 -2 1.5 -2 2 1 -2 2 1 2 -2 1.5 2\n");
     CHECK(mean_filled(s, 0, side) == doctest::Approx(1).epsilon(.01));
 }
 

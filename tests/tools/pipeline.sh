@@ -35,6 +35,15 @@ check_exit 'frames that end before the rule holds' 4 'render 3 | ptaccum | vcmet
 check 'a reader that goes away is not an error' '
     ptrace $office 2> said | ptaccum 2>> said | head -c 500 > /dev/null; test ! -s said'
 
+check 'moments come behind frame 0 and the first sum; frames are the same without; merged shares keep their bits' '
+    render 3 > with.hdr; render 3 -moments- > without.hdr
+    test $(grep -ac "^LAYER=moments" with.hdr) -eq 1; ! grep -aq moments= without.hdr
+    ptaccum < with.hdr > sums.hdr; test $(grep -ac "^LAYER=moments" sums.hdr) -eq 1
+    ptaccum -last < with.hdr -o a.exr; ptaccum -last < without.hdr -o b.exr
+    numbers a.exr > a; numbers b.exr > b; cmp a b
+    render 0:1 | ptaccum -last -o c.exr; render 2:2 | ptaccum -last -o d.exr; ptaccum d.exr c.exr -ff > merged.hdr
+    ptaccum a.exr -ff > whole.hdr
+    for f in merged whole; do tail -c $((48 * 48 * 16)) $f.hdr > $f.moments; done; cmp merged.moments whole.moments'
 check_error 'single frames are no picture' 1 '^vcmetrics: .*ptaccum' 'render 2 | vcmetrics > t'
 check_error 'a stream cut in the middle is reported' 1 '^ptaccum: stdin: ' 'render 2 | head -c 40000 | ptaccum > t'
 check_error 'a partial sum has no metrics' 1 '^vcmetrics: ' 'vcmetrics part_10:40.exr > t'

@@ -67,6 +67,32 @@ TEST_CASE("OpenEXR keeps frame 0 beside the sum") {
     CHECK(image::read_file(path).frame0 == p.frame0);
 }
 
+TEST_CASE("OpenEXR keeps moments, but not with half floats, nor those of other pixels") {
+    TempFolder temp;
+    Picture p = small_picture(4, 4);
+    p.moments = moments_of(p);
+    const std::string path = temp.name("a.exr");
+    image::write_file(path, p);
+    REQUIRE(image::read_file(path).moments);
+    CHECK(*image::read_file(path).moments == *p.moments);
+    image::WriteOptions half;
+    half.exr.half = true;
+    image::write_file(path, p, half);
+    CHECK(!image::read_file(path).moments);
+
+    // another program has changed a pixel
+    std::vector<image::ExrChannel> channels;
+    const char* names[] = {"variance", "difference", "right", "up"};
+    for (int c = 0; c < 3; ++c) channels.push_back({std::string(1, "RGB"[c]), p.rgb.data() + c, 3});
+    for (int k = 0; k < 4; ++k) channels.push_back({std::string("moments.") + names[k], p.moments->data() + k, 4});
+    std::string warned;
+    base::set_warning_sink([&](const std::string& text) { warned += text; });
+    image::write_exr_channels(path, 4, 4, channels, p.header, {{"moments", "0123456789abcdef"}}, {});
+    CHECK(!image::read_file(path).moments);
+    CHECK(warned.find("another program has changed its pixels") != std::string::npos);
+    base::set_warning_sink({});
+}
+
 TEST_CASE("OpenEXR keeps the parts of a sum, but not with half floats") {
     TempFolder temp;
     Picture p = small_picture(4, 4);

@@ -13,6 +13,7 @@
 #include "image/accumulate.h"
 #include "image/grey.h"
 #include "image/stream.h"
+#include "image_pictures.h"
 #include "image_sums.h"
 #include "temp_folder.h"
 
@@ -39,6 +40,21 @@ TEST_CASE("ranges merge to the whole, in any order and any split") {
     CHECK(later.header.frames == 53);
     const Picture all = merged({later, sum_of(40, 40), sum_of(0, 9)});
     CHECK(worst(all, whole) < 4e-7);
+}
+
+TEST_CASE("moments are copied within a seed, weighted by frames over seeds, and lost where one has none") {
+    const auto with = [](Picture p, float first) {
+        p.moments = moments_of(p, first);
+        return p;
+    };
+    const Picture zero = with(sum_of(0, 9), 1), later = sum_of(10, 29), other = with(sum_of(0, 9, 2), 11);
+    CHECK(*merged({later, zero}).moments == *zero.moments);
+    CHECK(!merged({later, sum_of(0, 9)}).moments);
+    const Picture both = merged({zero, later, other});  // 29 and 9 frames
+    REQUIRE(both.moments);
+    CHECK((*both.moments)[0] == doctest::Approx((29 * 1 + 9 * 11) / 38.));
+    CHECK((*both.moments)[5] == (*zero.moments)[5]);
+    CHECK(!merged({zero, sum_of(0, 9, 2)}).moments);
 }
 
 // Bit for bit, as pictures that were written to OpenEXR and read back.

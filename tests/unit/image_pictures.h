@@ -3,6 +3,14 @@
 #pragma once
 #include "image/picture.h"
 
+// Moments that differ in each pixel.
+inline image::Moments moments_of(const image::Picture& p, float first = 1) {
+    std::vector<float> all;
+    for (int i = 0; i < p.width * p.height; ++i)
+        all.insert(all.end(), {first + float(i), -.5f * float(i), .25f, -1.f / float(i + 2)});
+    return std::make_shared<const std::vector<float>>(all);
+}
+
 // Smooth, positive and negative values over many decades; every pixel differs.
 inline image::Picture small_picture(int width, int height) {
     image::Picture p;

@@ -54,6 +54,61 @@ TEST_CASE("a stream is pictures one after another") {
     CHECK(in.pictures() == 5);
 }
 
+TEST_CASE("moments come behind the picture that they belong to, and hold for the sums that follow") {
+    TempFolder temp;
+    Picture p = small_picture(3, 2);
+    const image::Moments own = moments_of(p);
+    const auto sum = [&](int64_t n, const image::Moments& moments) {
+        p.header.frames = n;
+        p.header.ranges = {{0, n}};
+        p.moments = moments;
+        return image::picture_bytes(p, Format::flt);
+    };
+    const std::string first = sum(0, own), second = sum(1, nullptr), other = sum(0, nullptr), last = sum(2, nullptr);
+    StreamReader in(temp.holding("s.hdr", first + second + other + last));
+    Picture q;
+    for (int k = 0; k < 4; ++k) {
+        CHECK(in.next(q));
+        CHECK(bool(q.moments) == (k < 2));
+        if (q.moments) CHECK(*q.moments == *own);
+        CHECK(q.rgb == p.rgb);
+    }
+    CHECK_FALSE(in.next(q));
+    CHECK(in.pictures() == 4);
+    // bytes of 8 bits keep none
+    p.moments = own;
+    CHECK(!image::read_file(temp.holding("b.hdr", image::picture_bytes(p, Format::rgbe))).moments);
+}
+
+TEST_CASE("moments that are not there, of another size or of no picture are told in a line") {
+    TempFolder temp;
+    Picture p = small_picture(3, 2);
+    p.moments = moments_of(p);
+    const std::string bytes = image::picture_bytes(p, Format::flt), of_another = [&] {
+        Picture big = small_picture(4, 2);
+        big.moments = moments_of(big);
+        return image::picture_bytes(big, Format::flt);
+    }();
+    const auto layer = [](const std::string& s) { return s.rfind("#?RADIANCE"); };
+    const auto error = [&](const std::string& s) {
+        return error_text([&] { image::read_file(temp.holding("m.hdr", s)); });
+    };
+    const std::string picture = bytes.substr(0, layer(bytes));
+    CHECK(error(picture).find("input ends inside the header") != std::string::npos);
+    CHECK(error(bytes.substr(0, bytes.size() - 1)).find("input ends inside the picture") != std::string::npos);
+    CHECK(error(bytes.substr(layer(bytes))).find("LAYER=moments) of a picture that does not come") !=
+          std::string::npos);
+    CHECK(error(picture + picture).find("but they do not") != std::string::npos);
+    CHECK(error(picture + of_another.substr(layer(of_another))).find("its moments have 4 x 2 pixels, it has 3 x 2") !=
+          std::string::npos);
+}
+
+TEST_CASE("moments that no light has are 0") {
+    std::vector<float> m = {-1, NAN, 2, -.5f, INFINITY, 3, NAN, .5f};
+    image::clean_moments(m);
+    CHECK(m == std::vector<float>{0, 0, 0, -.5f, 0, 3, 0, .5f});
+}
+
 TEST_CASE("all eight orientations show the same picture") {
     // Pixel value = 10 x + y, x from the left, y from the TOP, 3 wide, 2 high.
     const auto value = [](int x, int y) { return float(10 * x + y); };

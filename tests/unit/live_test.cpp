@@ -58,6 +58,19 @@ TEST_CASE("pictures are found whole, however the bytes are cut") {
     }
 }
 
+TEST_CASE("moments are passed over") {
+    image::Picture p = small_picture(9, 7);
+    p.moments = moments_of(p);
+    const std::string one = image::picture_bytes(p, image::Format::flt), bytes = one + one;
+    std::vector<image::Picture> found;
+    live::Framer framer([&](image::Picture q) { found.push_back(std::move(q)); });
+    for (size_t at = 0; at < bytes.size(); at += 100)
+        framer.pass(bytes.data() + at, std::min<size_t>(100, bytes.size() - at));
+    CHECK(framer.stopped().empty());
+    REQUIRE(found.size() == 2);
+    CHECK(found[1].rgb == p.rgb);
+}
+
 TEST_CASE("what is no float picture ends the looking, not the program") {
     for (const std::string& bytes :
          {image::picture_bytes(small_picture(9, 7), image::Format::rgbe), std::string("#?RADIANCE\n\n-Y 0 +X 4\n"),

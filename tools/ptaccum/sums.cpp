@@ -49,7 +49,7 @@ void Sums::add(const image::Picture& frame, const std::string& place) {
     if (restarts && parts_) parts_->restart();
     if (filters_ && frame.header.frame == 0) halves_.clear(frame.rgb.size());
     else if (filters_) halves_.add(frame.rgb);
-    if (restarts) schedule_.restart();
+    if (restarts) schedule_.restart(), moments_streamed_ = false;
     streamed_ = filed_ = false;
     if (output_.to_stdout() && base::stdout_is_closed()) throw base::ClosedPipe{};  // the next write may be far
     if (schedule_.due(sum_.frames())) write_due();
@@ -82,6 +82,8 @@ void Sums::take_sum(bool with_parts) {
 
 void Sums::stream_sum(bool by_itself) {
     take_sum(false);
+    if (!moments_streamed_) result_.moments = sum_.moments();
+    moments_streamed_ = true;
     if (by_itself) output_.stdout_picture(result_);
     else output_.stream_picture(result_);
     const auto& last = result_.header.last_frame;

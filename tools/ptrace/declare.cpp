@@ -89,6 +89,7 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
     t.add("-focus-share f", "Samples for the regions of -focus, over those of the picture", opt.focus_share)
         .within(0, 100)
         .share();
+    t.add("-moments[+-]", "Moments of the light inside each pixel, behind frame 0", opt.moments);
     t.add("-device name", "Where to render: auto, cpu, opencl, opencl:N or opencl:NAME", opt.device);
     t.add("-n n", "Threads of the CPU devices", opt.threads)
         .within(1, 4096)

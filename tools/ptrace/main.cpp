@@ -87,6 +87,7 @@ void render_frames(const Options& opt, trace::Renderer& renderer, image::Picture
     const auto give = [&](int64_t k, const std::vector<float>& rgb) {
         picture.rgb = rgb;
         picture.header.frame = k;
+        picture.moments = k == 0 && opt.moments ? renderer.moments() : image::Moments();
         if (streams) image::write_picture_stdout(picture, image::Format::flt);
         else image::write_file(output_name(opt.output, k, label), picture, as_float);
         report.frame(k, k - opt.first + 1);

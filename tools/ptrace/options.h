@@ -34,6 +34,7 @@ struct Options {
     std::string rule_file;                  // -MF: where it goes, before rendering; empty: stdout, and render nothing
     std::string command;                    // the whole command line, for the headers of the frames
     std::string output;                     // -o pattern; empty: stdout
+    bool moments = true;                    // -moments
     int threads = int(base::processors());  // -n
     int report_s = 0;                       // -t: a line on stderr every so many seconds
     bool warnings = true;                   // -w
