@@ -12,7 +12,8 @@ using M = const Measurement&;
 using uncertainty::NoiseBias;
 using uncertainty::Quantity;
 
-enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, all_light = 16 };
+// filled: there is a column NAMEf, of sources by what fills their pixels, and NAME.px, its difference from NAMEu.
+enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, all_light = 16, filled = 32 };
 
 // How the error of a metric is estimated.  A metric with a bias has a column NAMEu without that bias.  The error of the
 // bias is the share of it that intervals needed to cover the truth (docs/decisions/0019-intervals.md).
@@ -47,13 +48,13 @@ double class_value(M m) { return dgp_class(m.dgp); }
 
 const Entry entries[] = {
     {"Ev", all_light, [](M m) { return m.ev; }, linear},
-    {"DGP", sources, [](M m) { return m.dgp; }, of_dgp},
+    {"DGP", sources | filled, [](M m) { return m.dgp; }, of_dgp},
     {"class", sources, class_value, no_interval},
-    {"DGI", sources, [](M m) { return dgi(m.glare, m.background); }, of_glare},
-    {"UGR", sources, [](M m) { return ugr(m.glare, m.background); }, of_glare},
-    {"VCP", sources, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }, unbiased_only},
-    {"CGI", sources, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }, of_glare},
-    {"UGP", sources, [](M m) { return ugp(m.glare, m.background); }, of_glare},
+    {"DGI", sources | filled, [](M m) { return dgi(m.glare, m.background); }, of_glare},
+    {"UGR", sources | filled, [](M m) { return ugr(m.glare, m.background); }, of_glare},
+    {"VCP", sources | filled, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }, unbiased_only},
+    {"CGI", sources | filled, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }, of_glare},
+    {"UGP", sources | filled, [](M m) { return ugp(m.glare, m.background); }, of_glare},
     {"UGP2", sources, [](M m) { return ugp2(m.glare, m.background); }, of_glare},
     {"DGImod", sources, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }, of_glare},
     {"UGRexp", sources, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }, of_glare},
@@ -74,7 +75,7 @@ const Entry entries[] = {
     {"Lt", sources, [](M m) { return m.task_lum; }, linear},
     {"threshold", sources, [](M m) { return m.threshold; }, no_interval},
     {"Edir", sources, [](M m) { return m.direct_lux; }, of_glare},
-    {"n_sources", sources, [](M m) { return double(m.sources.size()); }, no_interval},
+    {"n_sources", sources | filled, [](M m) { return double(m.sources.size()); }, no_interval},
     {"omega_sources", sources, omega_sources, no_interval},
     {"L_sources", sources, lum_sources, no_interval},
     {"RAMMG", rammg, [](M m) { return m.rammg; }, of_contrast},
@@ -155,11 +156,13 @@ private:
         else columns_.push_back({column, [k](M m) { return m.region_values[k].tal; }, no_interval});
     }
 
-    // NAME or, where noise makes NAME too large, NAMEu.
+    // NAME or, where noise makes NAME too large, NAMEu; NAMEf and NAME.px.
     bool plain(const std::string& name) {
         for (const Entry& e : entries) {
-            const bool shows_unbiased = e.quantity.bias != NoiseBias::none && name == std::string(e.name) + "u";
-            if (name != e.name && !shows_unbiased) continue;
+            const bool shows_unbiased = e.quantity.bias != NoiseBias::none && name == std::string(e.name) + "u",
+                       shows_filled = (e.wants & filled) != 0 && name == std::string(e.name) + "f",
+                       shows_pixels = (e.wants & filled) != 0 && name == std::string(e.name) + ".px";
+            if (name != e.name && !shows_unbiased && !shows_filled && !shows_pixels) continue;
             if (e.wants & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
             needs_.sources |= (e.wants & sources) != 0;
             needs_.rammg |= (e.wants & rammg) != 0;
@@ -171,6 +174,14 @@ private:
                 column.value = [cut = settings_.veil_cut](M m) { return veil_cie(m.glare, cut); };
             if (e.value == class_value) column.words = dgp_classes;
             column.printed_unbiased = shows_unbiased;
+            if (shows_filled || shows_pixels) {
+                needs_.filled = true;
+                column.printed_unbiased = e.quantity.bias != NoiseBias::none;
+                column.of_filled = true;
+                column.value = [value = e.value, shows_pixels](M m) {
+                    return value(m.filled ? *m.filled : m) - (shows_pixels ? value(m) : 0);
+                };
+            }
             columns_.push_back(std::move(column));
             return true;
         }

@@ -15,6 +15,7 @@ struct Column {
     std::function<double(const Measurement&)> value;
     uncertainty::Quantity quantity;      // how its error is estimated, if it is
     bool printed_unbiased = false;       // DGPu, CRu: the column shows the value without bias
+    bool of_filled = false;              // DGPf, DGP.px: where the bias is not known, with it
     const char* const* words = nullptr;  // class: the value is an index of these
     bool has_interval() const { return quantity.method != uncertainty::Quantity::Method::none; }
     // The interval lies around the value without bias.

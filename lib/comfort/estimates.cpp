@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "comfort/moment_error.h"
 #include "uncertainty/frame0.h"
 #include "uncertainty/threshold_filter.h"
 
@@ -22,8 +23,9 @@ int filter_radius(const Geometry& g) {
     return std::min(uncertainty::ThresholdFilter::largest_radius, int(widest_rad / (2 * pitch)));
 }
 
-Luminance as_luminance(std::vector<float>& grey, const Geometry& g) {
+Luminance as_luminance(std::vector<float>& grey, const Geometry& g, const image::Moments& moments = {}) {
     Luminance lum;
+    lum.moments = moments;
     lum.width = g.width, lum.height = g.height, lum.grey = grey.data();
     return lum;
 }
@@ -92,8 +94,8 @@ void ColumnEstimates::look(const Luminance& lum, const Measurement& m) {
     for (const Column& c : columns_) metrics.quantities.push_back(c.quantity);
     metrics.measure = [&] {
         const std::shared_ptr<SourceFinder> finder = meter_.make_finder();
-        return [this, finder, &g](std::vector<float>& image, std::vector<float>& classification) {
-            Luminance own = as_luminance(image, g), bright_in = as_luminance(classification, g);
+        return [this, finder, &g, &lum](std::vector<float>& image, std::vector<float>& classification) {
+            Luminance own = as_luminance(image, g, lum.moments), bright_in = as_luminance(classification, g);
             return values(meter_.measure(own, &image == &classification ? own : bright_in, *finder), false);
         };
     };
@@ -103,7 +105,10 @@ void ColumnEstimates::look(const Luminance& lum, const Measurement& m) {
     if (meter_.needs().sources) metrics.threshold = float(m.threshold / cdm2_per_grey);
     metrics.filter_radius = filter_radius(g);
     const std::vector<uncertainty::Estimate> before = std::move(own_);
-    own_ = estimates_ = uncertainty::estimate(mean, metrics, values(m, false));
+    own_ = uncertainty::estimate(mean, metrics, values(m, false));
+    const std::vector<double> of_moments = moment_variances(meter_, columns_, lum);
+    for (size_t c = 0; c < own_.size(); ++c) uncertainty::add_error(own_[c], of_moments[c], moment_pairs);
+    estimates_ = own_;
     for (size_t c = 0; c < before.size(); ++c) {
         const double carried = before[c].error * std::sqrt(double(before[c].frames) / double(own_[c].frames));
         const bool filled = before[c].frames >= int64_t(image::most_parts);

@@ -11,6 +11,7 @@ Luminance make_luminance(image::Picture& picture) {
     lum.width = picture.width;
     lum.height = picture.height;
     lum.grey = picture.rgb.data();
+    lum.moments = picture.moments;
     const image::OddPixels odd = image::to_grey(picture.rgb.data(), lum.size(), lum.grey);
     lum.not_finite = odd.not_finite;
     lum.negative = odd.negative;

@@ -18,7 +18,13 @@ struct Luminance {
     int width = 0, height = 0;
     float* grey = nullptr;              // borrowed from the picture: width * height
     long not_finite = 0, negative = 0;  // pixels
+    image::Moments moments;             // of the light inside of its pixels; null: not known
+    const float* share = nullptr;       // of each pixel that its light fills (filled.h); null: all of it
     size_t size() const { return size_t(width) * height; }
+    double filled(size_t i) const { return share ? share[i] : 1; }
+    // Where the light of a pixel is, from its centre, in pixels.
+    double right(size_t i) const { return share ? (*moments)[image::moment_numbers * i + image::moment_right] : 0; }
+    double up(size_t i) const { return share ? (*moments)[image::moment_numbers * i + image::moment_up] : 0; }
     size_t index(int x, int y) const { return size_t(height - 1 - y) * width + x; }  // y from the bottom
     double at(size_t i) const {                                                      // in evalglare's order of rounding
         const double f = grey[i];

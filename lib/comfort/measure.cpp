@@ -181,6 +181,8 @@ void Meter::glare(Luminance& lum, Luminance& bright_in, SourceFinder& finder, Me
     if (settings_.zones && (settings_.zones->inner.x < 0 || settings_.zones->inner.y < 0 ||
                             settings_.zones->inner.x >= g.width || settings_.zones->inner.y >= g.height))
         base::fail("-l", "the zone's centre is outside the picture");
+    if (needs_.filled && lum.moments && !settings_.slips && !settings_.field_cut && !settings_.fill)
+        m.filled = std::make_shared<const Measurement>(measure_filled(lum, bright_in, ev, finder, m));
     finder.find_groups(lum, bright_in, m.threshold);
     pixel_sets(lum, finder, m);
     m.sources = finder.split(lum);
@@ -217,6 +219,10 @@ Luminance Meter::read(image::Picture& picture, const std::string& place, const s
     Luminance lum = make_luminance(picture);
     if (lum.not_finite)
         base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
+    if (needs_.filled && !lum.moments && !std::exchange(told_no_moments_, true))
+        base::warn(place,
+                   "has no moments of its pixels (ptrace, OpenEXR files and streams have): the columns of what "
+                   "fills pixels are those of whole pixels");
     if (lum.negative) base::warn(place, "pixels are negative (-metrics negative counts them)");
     return lum;
 }

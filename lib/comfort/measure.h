@@ -15,6 +15,8 @@
 namespace comfort {
 
 struct Measurement {
+    // The same with sources by what fills their pixels (filled.h); null: not asked for, or the picture has no moments.
+    std::shared_ptr<const Measurement> filled;
     double ev = 0, mean_lum = 0, max_lum = 0, omega = 0;
     long valid_pixels = 0, not_finite = 0, negative = 0;
     double rammg = 0;
@@ -67,6 +69,8 @@ private:
     void photometry_by_column(const Luminance& lum, Measurement& m) const;
     void position_statistics(const Luminance& lum, Measurement& m) const;
     void glare(Luminance& lum, Luminance& bright_in, SourceFinder& finder, Measurement& m) const;
+    Measurement measure_filled(const Luminance& lum, const Luminance& bright_in, double ev, SourceFinder& finder,
+                               const Measurement& m) const;
     void pixel_sets(const Luminance& lum, SourceFinder& finder, Measurement& m) const;
     void background_and_dgp(double ev, double direct_lux, Measurement& m) const;
     void regions(const Luminance& lum, Measurement& m) const;
@@ -78,6 +82,7 @@ private:
     std::vector<std::string> region_names_;
     std::unique_ptr<Geometry> geometry_;
     std::unique_ptr<SourceFinder> finder_;
+    bool told_no_moments_ = false;
     bool narrow_ = false;  // a view that is still to be told of
     std::unique_ptr<const Pyramid> pyramid_;
     std::vector<RegionPixels> region_pixels_;

@@ -80,6 +80,7 @@ struct Refusal : base::Error {
 // What to work out beyond Ev and the luminance statistics that cost nothing.
 struct Needs {
     bool sources = true, rammg = true, medians = false, regions_in_full = false;
+    bool filled = false;     // sources by what fills their pixels (filled.h), too
     bool all_light = false;  // all that reaches the eye, which a narrow view leaves out in part
 };
 

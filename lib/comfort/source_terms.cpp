@@ -5,7 +5,14 @@
 
 namespace comfort {
 
-void place(GlareSource& s, const Geometry& g, const Settings& settings) {
+void place(GlareSource& s, const Geometry& g, const Settings& settings, bool inside_pixel) {
+    if (inside_pixel) {
+        const auto at = g.projector.direction((s.x + .5) / g.width, (s.y + .5) / g.height);
+        s.direction = at ? *at : g.seen_direction(int(s.x), int(s.y));
+        s.P = position_index(g.projector, s.direction, settings.position);
+        s.sigma_deg = s.theta_deg = eye_angles(g.projector, s.direction).sigma_deg;
+        return;
+    }
     // The position index belongs to the pixel of the centre narrowed to float (90.99999999999 becomes 91);
     // evalglare takes the other directions from the pixel of the unrounded centre, we only when asked to.
     const Vec3 at = g.seen_direction(int(float(s.x)), int(float(s.y)));
@@ -21,8 +28,9 @@ std::vector<GlareTerm> SourceFinder::every_pixel(const Luminance& lum, const Lum
         for (uint32_t p = r.start; p < r.start + r.length; ++p) {
             const Vec3 d = geometry_.direction(p);
             const double sigma = eye_angles(geometry_.projector, d).sigma_deg;
-            out.push_back({lum.at(p), geometry_.omega[p], position_index(geometry_, d, settings_.position), sigma,
-                           lum.at(p) * geometry_.omega_cos[p], sigma});
+            const double share = lum.filled(p);
+            out.push_back({lum.at(p), share * geometry_.omega[p], position_index(geometry_, d, settings_.position),
+                           sigma, lum.at(p) * share * geometry_.omega_cos[p], sigma});
         }
     return out;
 }

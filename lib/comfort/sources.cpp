@@ -86,7 +86,7 @@ double SourceFinder::light_of_groups(const Luminance& lum) const {
             lux += 179 * g.omega[p.pixel] * (check_->grey(p.pixel) * dot(forward, g.direction(p.pixel)));
     } else {
         for (const Run& r : runs_)
-            for (uint32_t p = r.start; p < r.start + r.length; ++p) lux += lum.at(p) * g.omega_cos[p];
+            for (uint32_t p = r.start; p < r.start + r.length; ++p) lux += lum.at(p) * lum.filled(p) * g.omega_cos[p];
     }
     return lux;
 }
@@ -247,10 +247,11 @@ std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {
             const int y = g.y_of(r.start);
             int x = g.x_of(r.start);
             for (uint32_t p = r.start; p < r.start + r.length; ++p, ++x) {
-                const double L = lum.at(p), power = L * g.omega[p];
-                s.omega += g.omega[p], s.lum += power, s.x += power * x, s.y += power * y;
+                const double L = lum.at(p), share = lum.filled(p), omega = share * g.omega[p], power = L * omega;
+                s.omega += omega, s.lum += power;
+                s.x += power * (x + lum.right(p)), s.y += power * (y + lum.up(p));
                 s.brightest = std::max(s.brightest, L);
-                if (at_eye) s.eye_lux += L * g.omega_cos[p];
+                if (at_eye) s.eye_lux += L * share * g.omega_cos[p];
             }
             s.pixels += r.length;
             sources[r.group] = s;
@@ -266,7 +267,7 @@ std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {
         s.group = group;
         if (!zone_of_group_.empty()) s.zone = zone_of_group_[group];
         if (!slipped_eye_lux_.empty()) s.eye_lux = slipped_eye_lux_[group];
-        place(s, g, settings_);
+        place(s, g, settings_, lum.share != nullptr);
         // evalglare leaves the angle as it was, of the source before, where the centre's pixel has no direction.
         if (settings_.slips && length(s.direction) == 0) s.sigma_deg = live.empty() ? 0 : live.back().sigma_deg;
         live.push_back(s);

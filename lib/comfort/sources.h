@@ -65,8 +65,8 @@ private:
     double direct_lux_ = 0;
 };
 
-// Where a source's centre is, and what follows from that.
-void place(GlareSource& source, const Geometry& geometry, const Settings& settings);
+// Where a source's centre is, and what follows from that: the pixel there, or the place inside of it.
+void place(GlareSource& source, const Geometry& geometry, const Settings& settings, bool inside_pixel);
 
 GlareTerms terms_of(const std::vector<GlareSource>& sources);
 // What the formulas need: of the sources that were found, or with DgpForm::pixel of every bright pixel.

@@ -79,7 +79,7 @@ public:
         require_measurable(p, place);
         const Measurement m = meter_->measure(p, place, o_.view);
         std::vector<double> out;
-        for (const Column& c : columns_) out.push_back(c.printed_unbiased ? std::nan("") : c.value(m));
+        for (const Column& c : columns_) out.push_back(c.printed_unbiased && !c.of_filled ? std::nan("") : c.value(m));
         return out;
     }
     std::vector<std::string> value_names() const {
@@ -154,7 +154,9 @@ private:
         if (o_.ci) names_.push_back("tails");
     }
     double printed_value(size_t k, const Measurement& m) const {
-        return columns_[k].printed_unbiased ? steps_->estimates().estimate(k).value : columns_[k].value(m);
+        const double unbiased = columns_[k].printed_unbiased ? steps_->estimates().estimate(k).value : std::nan("");
+        const bool plain = !columns_[k].printed_unbiased || (columns_[k].of_filled && std::isnan(unbiased));
+        return plain ? columns_[k].value(m) : unbiased;
     }
     // The interval lies around the value without bias, which the column itself may show or not.  Between looks that is
     // the last look's value with the interval it had; a value without bias is of the frame itself, and narrows as they
