@@ -11,14 +11,14 @@
 #include "base/run.h"
 #include "base/value.h"
 #include "display/denoise.h"
-#include "image/accumulate.h"
+#include "film/accumulate.h"
 #include "image/stream.h"
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void write_both(image::Accumulator& sum, const display::HalfSums& halves, const std::string& name) {
+void write_both(film::Accumulator& sum, const display::HalfSums& halves, const std::string& name) {
     image::Picture picture;
     sum.result(picture, true);
     image::write_file(name + "_plain.exr", picture);
@@ -33,7 +33,7 @@ int run(int argc, char** argv) {
     std::set<int64_t> wanted;
     for (int k = 2; k < argc; ++k) wanted.insert(base::to_int(argv[k], "N"));
     image::StreamReader frames("-");
-    image::Accumulator sum;
+    film::Accumulator sum;
     display::HalfSums halves;
     for (image::Picture frame; frames.next(frame);) {
         sum.add(frame, "stdin");

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "image/accumulate.h"
+#include "film/accumulate.h"
 #include "image/stream.h"
 
 static double seconds() {
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     std::printf("reading   %7.0f pictures/s (%d of %zu bytes)\n", read / (seconds() - start), read, bytes.size());
     waitpid(writer, nullptr, 0);
 
-    image::Accumulator sum;
+    film::Accumulator sum;
     image::Picture out;
     start = seconds();
     for (int k = 0; k < pictures; ++k) {

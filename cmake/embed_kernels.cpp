@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
     std::ostringstream text;
     expand(argv[1], argv[2], text);
     std::ofstream out(argv[3]);
-    out << "namespace trace { extern const char* const " << argv[4] << "; const char* const " << argv[4] << " =\n";
+    out << "namespace device { extern const char* const " << argv[4] << "; const char* const " << argv[4] << " =\n";
     std::istringstream lines(text.str());
     for (std::string line; std::getline(lines, line);) out << "R\"LUX(" << line << "\n)LUX\"\n";
     out << "; }\n";

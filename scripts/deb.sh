@@ -12,7 +12,7 @@ rm -rf "$out/build" "$out"/luxpipe_*.deb
 cmake -S "$top" -B "$out/build" -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX=/usr -DLUXPIPE_DEB=ON \
     ${FLAGS:-} > /dev/null
 tools="ptaccum vcmetrics vcregion"
-[ ! -d "$out/build/lib/trace" ] || tools="$tools ptrace"
+[ ! -d "$out/build/lib/render" ] || tools="$tools ptrace"
 cmake --build "$out/build" -j "${JOBS:-$(nproc)}" --target $tools > /dev/null
 (cd "$out/build" && cpack -B "$out" --config CPackConfig.cmake > /dev/null)
 rm -rf "$out/_CPack_Packages"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pi, and a degree in radians.  Device code has its own in float (kernels/math.h), comfort evalglare's of fewer digits.
+// Pi, and a degree in radians.  Device code has its own in float (kernels/math/math.h), comfort evalglare's of fewer
+// digits.
 #pragma once
 
 namespace base {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Three doubles with the usual algebra.  Host code only; device code has its own float3 (kernels/compat_host.h).
+// Three doubles with the usual algebra.  Host code only; device code has its own float3
+// (kernels/dialect/compat_host.h).
 #pragma once
 #include <cmath>
 

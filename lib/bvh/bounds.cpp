@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See bounds.h.  Woop's test works in coordinates relative to the ray's origin and rounds there (kernels/woop.h); so
-// boxes are padded by an ulp or two.
+// See bounds.h.  Woop's test works in coordinates relative to the ray's origin and rounds there (kernels/bvh/woop.h);
+// so boxes are padded by an ulp or two.
 #include "bvh/bounds.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
-#include "kernels/compat_host.h"
+#include "kernels/dialect/compat_host.h"
 
 namespace bvh {
 namespace {
-#include "kernels/intersect.h"
+#include "kernels/bvh/intersect.h"
 
 void pad(Bounds& box, float least) {
     float size = 0;  // of the largest coordinate: the distance to a large flat face rounds like its extent

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // rtcBuildBVH makes a tree of our small temporary nodes in its own memory; a second pass writes it into the flat arrays
-// of kernels/bvh8.h or kernels/bvh_compact.h, children of a node side by side. Settings
+// of kernels/bvh/bvh8.h or kernels/bvh/bvh_compact.h, children of a node side by side. Settings
 // (docs/decisions/0008-own-traversal.md): quality MEDIUM (spatial splits were slower); for CPUs blocks of 4, leaves up
 // to 16 and a cheap intersection (0.3), because four triangles are tested at once.
 #include "bvh/build.h"
@@ -10,7 +10,7 @@
 #include <cstring>
 #include <memory>
 
-#include "kernels/compat_host.h"
+#include "kernels/dialect/compat_host.h"
 #include "bvh/bounds.h"
 #include "bvh/compact_node.h"
 #include "bvh/embree_device.h"
@@ -18,15 +18,15 @@
 
 namespace bvh {
 namespace {
-#include "kernels/intersect.h"
-#include "kernels/vec.h"
-#include "kernels/shapes.h"
-#include "kernels/woop.h"
+#include "kernels/bvh/intersect.h"
+#include "kernels/math/vec.h"
+#include "kernels/geom/shapes.h"
+#include "kernels/bvh/woop.h"
 namespace wide {
-#include "kernels/bvh8.h"
+#include "kernels/bvh/bvh8.h"
 }
 namespace compact {
-#include "kernels/bvh_compact.h"
+#include "kernels/bvh/bvh_compact.h"
 }
 
 // What differs between the two kinds of tree.

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bounding volume hierarchies for kernels/bvh8.h and kernels/bvh_compact.h, by Embree's builder (rtcBuildBVH) on all
-// cores.  The arrays go to the device as they are.  Tree 0 is the scene; trees 1, 2, ... are what its SHAPE_INSTANCE
-// shapes stand for (word 13 = tree).  One more tree has only what of tree 0 lets shadow rays pass, so that they look
-// for panes there alone.  Where trees begin: ROOT_OF_TREE, ROOT_OF_PANES (kernels/intersect.h).  An empty scene gives
-// empty nodes and no leaves.
-// Memory per triangle of large meshes: 55 bytes (BVH8) or 57 (compact), with BVH8's 75 at most while building
-// (bench/traversal), twice as much for what lets shadow rays pass; scattered single polygons take more, up to 200.
-// 10 million triangles: 6.5 s of one core.
-// Limits: 2^29 primitives, 2^30 leaf blocks; nodes and leaves are addressed with 64-bit offsets, so more than 4 GB is
-// fine.
+// Bounding volume hierarchies for kernels/bvh/bvh8.h and kernels/bvh/bvh_compact.h, by Embree's builder (rtcBuildBVH)
+// on all cores.  The arrays go to the device as they are.  Tree 0 is the scene; trees 1, 2, ... are what its
+// SHAPE_INSTANCE shapes stand for (word 13 = tree).  One more tree has only what of tree 0 lets shadow rays pass, so
+// that they look for panes there alone.  Where trees begin: ROOT_OF_TREE, ROOT_OF_PANES (kernels/bvh/intersect.h).  An
+// empty scene gives empty nodes and no leaves. Memory per triangle of large meshes: 55 bytes (BVH8) or 57 (compact),
+// with BVH8's 75 at most while building (bench/traversal), twice as much for what lets shadow rays pass; scattered
+// single polygons take more, up to 200. 10 million triangles: 6.5 s of one core. Limits: 2^29 primitives, 2^30 leaf
+// blocks; nodes and leaves are addressed with 64-bit offsets, so more than 4 GB is fine.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +30,7 @@ struct AlignedAllocator {
 };
 using AlignedFloats = std::vector<float, AlignedAllocator<float>>;
 
-// Ids (tri_prim, shape_prim): primitive number < 2^29, plus ID_TRANSPARENT (kernels/intersect.h) for its class.
+// Ids (tri_prim, shape_prim): primitive number < 2^29, plus ID_TRANSPARENT (kernels/bvh/intersect.h) for its class.
 // Triangles of one polygon share the id.  The class of an instance is word 15 of its shape; its id is not used.
 struct Input {
     const float* vertices = nullptr;  // 3 floats each

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <cstring>
 
-#include "kernels/compat_host.h"
+#include "kernels/dialect/compat_host.h"
 
 namespace bvh {
 namespace {
-#include "kernels/vec.h"
-#include "kernels/intersect.h"
-#include "kernels/shapes.h"
-#include "kernels/woop.h"
-#include "kernels/bvh_compact.h"
+#include "kernels/math/vec.h"
+#include "kernels/bvh/intersect.h"
+#include "kernels/geom/shapes.h"
+#include "kernels/bvh/woop.h"
+#include "kernels/bvh/bvh_compact.h"
 
 Bounds around(const Bounds* const box[compact_slots]) {
     Bounds all = empty_bounds();

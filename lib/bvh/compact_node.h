@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A node of kernels/bvh_compact.h: boxes as bytes, children in the slots that say which way they lie.
+// A node of kernels/bvh/bvh_compact.h: boxes as bytes, children in the slots that say which way they lie.
 #pragma once
 #include <cstdint>
 

@@ -8,15 +8,15 @@
 #include <cstring>
 #include <vector>
 
-#include "kernels/compat_host.h"
+#include "kernels/dialect/compat_host.h"
 #include "bvh/bounds.h"
 #include "bvh/embree_device.h"
 
 namespace bvh {
 namespace {
-#include "kernels/intersect.h"
-#include "kernels/vec.h"
-#include "kernels/shapes.h"
+#include "kernels/bvh/intersect.h"
+#include "kernels/math/vec.h"
+#include "kernels/geom/shapes.h"
 
 #if RTC_VERSION_MAJOR >= 4
 using RayContext = RTCRayQueryContext;

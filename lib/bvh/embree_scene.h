@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rays against geometry by Embree's own traversal, which takes the processor's widest instructions.  Regions ask it
-// what the eye sees (lib/sight); tests check kernels/bvh8.h and bvh_compact.h by it.  Triangles are Embree's (ROBUST);
-// analytic shapes go through callbacks to kernels/shapes.h; instances are Embree's.  Ties between coincident surfaces
-// are decided by Embree, not by the lower primitive.
+// what the eye sees (lib/visibility); tests check kernels/bvh/bvh8.h and bvh_compact.h by it.  Triangles are Embree's
+// (ROBUST); analytic shapes go through callbacks to kernels/geom/shapes.h; instances are Embree's.  Ties between
+// coincident surfaces are decided by Embree, not by the lower primitive.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -12,7 +12,7 @@ namespace bvh {
 
 class EmbreeScene {
 public:
-    // as kernels/intersect.h; prim 0xffffffff: none
+    // as kernels/bvh/intersect.h; prim 0xffffffff: none
     struct Hit {
         float t;
         uint32_t prim;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The built-in variables and functions of function files, for GraphBuilder (build.h).
-// To add a function of numbers: 1. an operation in kernels/cal_vm.h, 2. fold() in graph.cpp, 3. a row in `functions`.
+// To add a function of numbers: 1. an operation in kernels/cal/cal_vm.h, 2. fold() in graph.cpp, 3. a row in
+// `functions`.
 #include <cmath>
 #include "cal/build.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a graph to the words of the register VM (kernels/cal_vm.h).
+// From a graph to the words of the register VM (kernels/cal/cal_vm.h).
 #pragma once
 #include <string>
 #include <vector>

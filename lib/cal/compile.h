@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// .cal function files: parsed by the host, compiled to flat code for the register VM of kernels/cal_vm.h.
+// .cal function files: parsed by the host, compiled to flat code for the register VM of kernels/cal/cal_vm.h.
 // One program per primitive: its real arguments (A1..), its transform and everything constant are folded in.
 #pragma once
 #include <cstdint>

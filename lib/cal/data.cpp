@@ -8,7 +8,7 @@
 #include "cal/tables.h"
 #include "image/spectral.h"
 #include "image/stream.h"
-#include "kernels/compat_host.h"
+#include "kernels/dialect/compat_host.h"
 
 namespace cal {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An expression as a graph of values: equal subexpressions are one node, constants are folded in double.
-// Nodes hold the VM's operation numbers (kernels/cal_vm.h) and three more.
+// Nodes hold the VM's operation numbers (kernels/cal/cal_vm.h) and three more.
 #pragma once
 #include <cstdint>
 #include <unordered_map>

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/split.h"
 #include "cal/pattern_parts.h"
-#include "kernels/materials.h"
+#include "kernels/material/materials.h"
 
 namespace cal {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The device's words as the host compiler sees them: operation numbers, variable indices, noise functions in double.
 #pragma once
-#include "kernels/compat_host.h"
+#include "kernels/dialect/compat_host.h"
 
 namespace cal {
 #if defined(__GNUC__)
@@ -9,10 +9,10 @@ namespace cal {
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
 namespace device {
-#include "kernels/vec.h"
-#include "kernels/math.h"
-#include "kernels/intersect.h"
-#include "kernels/cal_vm.h"
+#include "kernels/math/vec.h"
+#include "kernels/math/math.h"
+#include "kernels/bvh/intersect.h"
+#include "kernels/cal/cal_vm.h"
 }  // namespace device
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

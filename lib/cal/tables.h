@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Data files, pictures, fonts and text as records of the device (layout: kernels/cal_data.h).  A file is read once per
-// Code, however many patterns use it.
+// Data files, pictures, fonts and text as records of the device (layout: kernels/cal/cal_data.h).  A file is read once
+// per Code, however many patterns use it.
 #pragma once
 #include <optional>
 #include <string>

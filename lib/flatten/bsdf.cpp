@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// BSDF files -> the tables of kernels/bsdf.h: the Lambertian part taken off, values perturbed as RADIANCE perturbs them
-// (spec: RADIANCE shading 3.16; equal cells become unlike), sums for sampling, hemispherical values.  One file, one
-// set.
+// BSDF files -> the tables of kernels/material/bsdf.h: the Lambertian part taken off, values perturbed as RADIANCE
+// perturbs them (spec: RADIANCE shading 3.16; equal cells become unlike), sums for sampling, hemispherical values.  One
+// file, one set.
 #include "flatten/bsdf.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 #include "base/error.h"
 #include "scene/bsdf_xml.h"
 #include "flatten/pack.h"
-#include "kernels/host.h"
+#include "kernels/dialect/host.h"
 
 namespace kernels {
-#include "kernels/sampler.h"
-#include "kernels/bsdf.h"
+#include "kernels/sampling/sampler.h"
+#include "kernels/material/bsdf.h"
 }  // namespace kernels
 
 namespace flatten {

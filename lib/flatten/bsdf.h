@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tables of a BSDF file for the kernels (kernels/bsdf.h).
+// The tables of a BSDF file for the kernels (kernels/material/bsdf.h).
 #pragma once
 #include <string>
 #include "cal/compile.h"

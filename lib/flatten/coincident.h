@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces in one place (kernels/coincide.h), as the host sees them before the first frame.
+// Faces in one place (kernels/bvh/coincide.h), as the host sees them before the first frame.
 #pragma once
 #include "flatten/flat_scene.h"
 #include "flatten/modifiers.h"

@@ -8,7 +8,7 @@
 #include <math.h>
 
 namespace host {
-#include "kernels/compat_host.h"
+#include "kernels/dialect/compat_host.h"
 #include "kernels/all.h"
 }  // namespace host
 

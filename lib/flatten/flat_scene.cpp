@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "flatten/build_input.h"
 #include "flatten/pack.h"
-#include "kernels/host.h"
+#include "kernels/dialect/host.h"
 
 namespace flatten {
 using namespace kernels;

@@ -72,7 +72,7 @@ private:
 // The material of a chain, from record `mod` on; NONE (kernels/tables.h) for none and for mixtures of materials.
 uint32_t material_record(const FlatScene& scene, uint32_t mod);
 
-// Does the eye go on through what a ray met (prim and inst of kernels/intersect.h)?  MT_CLEAR of its material.
+// Does the eye go on through what a ray met (prim and inst of kernels/bvh/intersect.h)?  MT_CLEAR of its material.
 bool see_through(const FlatScene& scene, uint32_t prim, uint32_t inst);
 
 }  // namespace flatten

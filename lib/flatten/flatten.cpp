@@ -3,11 +3,9 @@
 #include "flatten/flatten.h"
 
 #include "flatten/coincident.h"
-#include "flatten/highlights.h"
 #include "flatten/instances.h"
 #include "flatten/light_tree.h"
 #include "flatten/modifiers.h"
-#include "flatten/portals.h"
 #include "flatten/sources.h"
 #include "flatten/surfaces.h"
 
@@ -42,12 +40,6 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     write_sources(std::move(sources), out);
     plant_light_tree(out);
     mark_covered_sources(out);
-
-    // Highlights and windows, which need rays through the finished geometry.
-    if (options.sampling != Sampling::plain) {
-        find_highlights(out);
-        find_portals(out);
-    }
     return out;
 }
 

@@ -7,16 +7,11 @@
 
 namespace flatten {
 
-// How the directions of diffuse light are chosen (-sampling): by the cosine; a share of them toward windows and patches
-// of sun; the same, and what they meet lights the pixels around, too.
-enum class Sampling { plain, portals, shared };
-
 // What the tables depend on besides the scene; letters as in ptrace's options.
 struct Options {
     int dr = 2;                    // levels of virtual sources
     bool bv = true;                // back faces are visible
     bool any_reflectance = false;  // also materials that give back twice the light that they get (reflectance.h)
-    Sampling sampling = Sampling::shared;
     std::function<void(double)> tell_tree;  // for people who wait: which share of the tree is built
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree of many sources (kernels/light_tree.h): distant ones and others apart, then by the gates that their light
-// must pass, so that a node's gates stop all its sources at once, then by place, in halves across the longest side.
-// What a node says follows from its set of sources alone.
+// The tree of many sources (kernels/light/light_tree.h): distant ones and others apart, then by the gates that their
+// light must pass, so that a node's gates stop all its sources at once, then by place, in halves across the longest
+// side. What a node says follows from its set of sources alone.
 #include "flatten/light_tree.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #include "flatten/pack.h"
 #include "flatten/surfaces.h"
-#include "kernels/host.h"
+#include "kernels/dialect/host.h"
 
 namespace flatten {
 namespace {

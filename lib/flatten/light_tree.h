@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree in which many active sources stand, so that one of them is chosen without asking all (kernels/light_tree.h).
+// The tree in which many active sources stand, so that one of them is chosen without asking all
+// (kernels/light/light_tree.h).
 #pragma once
 #include "flatten/flat_scene.h"
 

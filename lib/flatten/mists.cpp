@@ -66,7 +66,7 @@ private:
 
 }  // namespace
 
-// Sources that the same mists name are a set: a medium then is a few bits (kernels/medium.h).
+// Sources that the same mists name are a set: a medium then is a few bits (kernels/material/medium.h).
 void link_mists(const Modifiers& modifiers, const std::vector<Lights::Relay>& relays, const Sources& sources,
                 FlatScene& out) {
     const scene::Scene& scene = modifiers.scene;

@@ -22,7 +22,7 @@ using namespace kernels;
 using scene::Object;
 using scene::Type;
 
-constexpr uint32_t WGMD_INHERIT = 0xfffffffeu;  // as kernels/mat_wgmd.h
+constexpr uint32_t WGMD_INHERIT = 0xfffffffeu;  // as kernels/material/mat_wgmd.h
 
 uint32_t mod_type(cal::ProgramKind k) {
     switch (k) {
@@ -148,7 +148,7 @@ private:
         if (!materials && link.above_ends) out_.material[link.index] = out_.material[link.above];
     }
 
-    // ---- materials: what their row says (kernels/materials.h), then what is special to a few
+    // ---- materials: what their row says (kernels/material/materials.h), then what is special to a few
 
     void add_material(Link& link) {
         const Object& o = link.o;

@@ -6,7 +6,7 @@
 #include "cal/compile.h"
 #include "flatten/flat_scene.h"
 #include "flatten/flatten.h"
-#include "kernels/host.h"
+#include "kernels/dialect/host.h"
 #include "scene/object.h"
 
 namespace flatten {

@@ -38,7 +38,7 @@ bool scale_colors(std::vector<float>& rgb, double unit, const std::optional<std:
 // Sums and parts of pixels whose colours are converted would be those of other numbers, and are left out.
 std::vector<SumLayer> read_sum(const ExrInput& in) {
     std::vector<SumLayer> all;
-    for (int k = 0; k < ExactSum::digits; ++k) {
+    for (int k = 0; k < sum_digits; ++k) {
         const std::string layer = "sum" + std::to_string(k);
         if (in.has(layer + ".R") && in.has(layer + ".G") && in.has(layer + ".B"))
             all.push_back({k, in.read_whole({layer + ".R", layer + ".G", layer + ".B"})});

@@ -2,6 +2,7 @@
 // Region masks: an OpenEXR file with one half/float channel per named region, coverage 0..1 (vcregion writes, vcmetrics
 // reads).
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 #include "image/picture.h"
@@ -17,6 +18,9 @@ struct MaskSet {
     std::vector<Mask> masks;  // in file order (kept in the attribute "luxpipe.regions")
     Header header;
 };
+// Regions of a file that fits any view and size, drawn when these are known (lib/region/region.h).
+using DrawRegions = std::function<MaskSet(const view::View& view, int width, int height)>;
+
 MaskSet read_masks(const std::string& path);
 void write_masks(const std::string& path, const MaskSet& set);
 

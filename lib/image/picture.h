@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-#include "image/exact_sum.h"
 #include "image/moments.h"
 #include "image/parts.h"
 #include "view/view.h"
@@ -16,7 +15,7 @@
 namespace image {
 
 // Luminance in cd/m2 of RADIANCE's primaries is 179 lm/W times their weighted sum.  (evalglare's own weights differ in
-// the 4th digit: comfort/luminance.h.)
+// the 4th digit: glare/luminance.h.)
 constexpr double lumens_per_watt = 179;
 constexpr double luminance_weights[3] = {0.265074126, 0.670114631, 0.064811243};
 inline double luminance(const float* rgb) {
@@ -52,6 +51,13 @@ inline bool in_first_half(int64_t k) {
     for (int64_t bits = k - 1; bits; bits &= bits - 1) first = !first;
     return first;
 }
+
+// The k-th of the digits of exact sums (film/exact_sum.h), two's complement: the highest layer has the sign.
+struct SumLayer {
+    int digit = 0;
+    std::vector<uint32_t> words;
+};
+constexpr int sum_digits = 10;
 
 struct Picture {
     int width = 0, height = 0;

@@ -39,8 +39,8 @@ __kernel void k_extend(ALL_ARGS, __global uint *counters, __global const uint *q
     if (i < counters[0]) path_extend(&s, par, &paths, queue[i]);
 }
 
-// The queue sorted by kind (path/state.h), so that a group of work items takes the same branches: how many there are of
-// each, where each begins, and its place for each path.  A group has a work item for each kind.
+// The queue sorted by kind (integrator/state.h), so that a group of work items takes the same branches: how many there
+// are of each, where each begins, and its place for each path.  A group has a work item for each kind.
 __kernel void k_count_kinds(ALL_ARGS, __global const uint *counters, __global const uint *queue, __global uint *kinds) {
     SET_UP
     __local uint count[PATH_KINDS];

@@ -2,7 +2,7 @@
 // What many scenes have not.  A device that compiles the kernels for its scene (OpenCL on GPUs) says by LUX_HAS which
 // of these there are; the text of the others is then left out, for which each work item of a GPU would keep registers,
 // whether it comes there or not (docs/decisions/0031-kernels-of-a-scene.md).  All other builds have all of them.
-// trace/features.h finds those of a scene.
+// device/features.h finds those of a scene.
 #ifndef LUX_FEATURES_H
 #define LUX_FEATURES_H
 

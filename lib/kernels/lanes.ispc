@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stages of path.h for a row of slots, as many side by side as there are lanes (trace/cpu_kernels.inl calls these).
-#include "kernels/compat_lanes.isph"
+// Stages of path.h for a row of slots, as many side by side as there are lanes (device/cpu_kernels.inl calls these).
+#include "kernels/dialect/compat_lanes.isph"
 #include "kernels/all.h"
 
 // result: of slots 0 .. n-1, that of path_generate.
@@ -15,7 +15,7 @@ export void LANE_CALL(shade)(SHARED(const SceneTables) s, UNIFORM(const Params) 
     foreach (i = 0 ... n) result[i] = path_shade(s, par, paths, queue[i]);
 }
 
-// known: what is known of each slot's shadow ray (path/shadow.h).
+// known: what is known of each slot's shadow ray (integrator/shadow.h).
 export void LANE_CALL(shadow)(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
                               const uniform uint* uniform queue, uniform uint n, const uniform int* uniform known) {
     foreach (i = 0 ... n) path_shadow(s, par, paths, queue[i], known[i]);

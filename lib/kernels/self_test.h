@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers on which all others are built, for some arguments that depend on i alone: a device that gives these bits as
-// the host does is believed to give all (lib/trace/self_test.h).
+// the host does is believed to give all (lib/render/self_test.h).
 #ifndef LUX_SELF_TEST_H
 #define LUX_SELF_TEST_H
 
@@ -13,7 +13,7 @@ FN float self_test_argument(uint i, uint which, uint least) {
     return as_float_((word & 0x807fffffu) | ((127u - least + (word >> 23 & 7u)) << 23));
 }
 
-// value 0 .. SELF_TEST_VALUES - 1, in the order of `operations` in lib/trace/self_test.cpp.
+// value 0 .. SELF_TEST_VALUES - 1, in the order of `operations` in lib/render/self_test.cpp.
 FN float self_test_value(uint i, uint value) {
     float a = self_test_argument(i, 0u, 4u), b = self_test_argument(i, 1u, 4u), c = self_test_argument(i, 2u, 4u);
     float sine, cosine;

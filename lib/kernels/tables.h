@@ -4,7 +4,7 @@
 // scene's centre (Params.centre gives it back), so that single precision stays fine far from the origin.
 #ifndef LUX_TABLES_H
 #define LUX_TABLES_H
-#include "kernels/materials.h"
+#include "kernels/material/materials.h"
 
 // ---- primitives: PRIM_WORDS words each in SceneTables.prims
 #define PRIM_WORDS 8u
@@ -214,7 +214,7 @@ STRUCT(Params) {
     float ds;
     uint light_sets_at;
     uint skip_direct_below, light_tree_at;
-    float way_least;    // least chance of a way (path/ways.h); 0: none
+    float way_least;    // least chance of a way (integrator/ways.h); 0: none
     float portal_rest;  // light from elsewhere than portals (portals.h)
     uint highlights_at, highlight_count;
     float highlight_share;            // of those that go toward highlights, where there are any (highlights.h)
@@ -240,7 +240,7 @@ STRUCT(Params) {
 #define MODE_FRAMES 1u  // frames k >= 1: diffuse class; both classes where frame > skip_direct_below
 #define MODE_RAY 2u     // all classes along one given ray (tests, -I)
 #define MODE_DRAW 3u    // straight rays to drawn sources
-#define MODE_WALK 4u    // given rays, followed up to their first diffuse bounce (path/walk.h)
+#define MODE_WALK 4u    // given rays, followed up to their first diffuse bounce (integrator/walk.h)
 // MODE_WALK says by dir.w of a path:
 #define WALK_FROM_EYE -2.0f   // its ray is given as the place (org.x, org.y) in the picture, 0 .. 1
 #define WALK_AT_BOUNCE -1.0f  // it has come to a bounce: org is the place, dir the normal there

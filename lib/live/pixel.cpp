@@ -3,7 +3,7 @@
 #include "live/pixel.h"
 
 #include "base/angle.h"
-#include "comfort/position_index.h"
+#include "view/position_index.h"
 #include "live/json.h"
 #include "view/view.h"
 
@@ -20,8 +20,8 @@ std::string pixel_facts(const image::Picture& picture, int x, int y) {
         const auto d = eye.direction((x + .5) / picture.width, (row + .5) / picture.height);
         if (d) {
             out += ",\"direction\":" + json::numbers({d->x, d->y, d->z});
-            out += ",\"angle\":" + json::number(comfort::eye_angles(eye, *d).sigma_deg);
-            out += ",\"position\":" + json::number(comfort::position_index(eye, *d));
+            out += ",\"angle\":" + json::number(view::eye_angles(eye, *d).sigma_deg);
+            out += ",\"position\":" + json::number(view::position_index(eye, *d));
         }
         out += ",\"omega\":" + json::number(view::pixel_solid_angle(eye, x, row, picture.width, picture.height));
     }

@@ -10,7 +10,7 @@
 
 namespace region {
 
-image::MaskSet open(const std::string& path, comfort::DrawRegions& draw, bool warn_of_small) {
+image::MaskSet open(const std::string& path, image::DrawRegions& draw, bool warn_of_small) {
     const char magic[4] = {0x76, 0x2f, 0x31, 0x01};
     char start[4] = {};
     std::ifstream(path, std::ios::binary).read(start, 4);

@@ -3,13 +3,12 @@
 // file (man/vcregion.5), distinguished by their first bytes.
 #pragma once
 #include <string>
-#include "comfort/measure.h"
 #include "image/masks.h"
 
 namespace region {
 
 // Masks; or, from a region file, their names and what draws them when view and size are known, which fails where one is
 // empty.  warn_of_small: and warns of those of few pixels.
-image::MaskSet open(const std::string& path, comfort::DrawRegions& draw, bool warn_of_small);
+image::MaskSet open(const std::string& path, image::DrawRegions& draw, bool warn_of_small);
 
 }  // namespace region

@@ -7,7 +7,7 @@
 #include <cmath>
 #include "base/angle.h"
 #include "base/error.h"
-#include "comfort/position_index.h"
+#include "view/position_index.h"
 #include "region/arcs.h"
 
 namespace region {
@@ -33,7 +33,7 @@ public:
     double value(const Point& p) const override {
         double ahead = dot(p.dir, projector_.forward());  // no more than the angle that is left: its sine
         if (ahead <= 0) return ahead;                     // behind the eye there is no position index
-        double log_p = comfort::log_position_index(projector_, p.dir);
+        double log_p = view::log_position_index(projector_, p.dir);
         return std::min(std::min(log_p - low_, high_ - log_p) / 6, ahead);
     }
 
@@ -49,7 +49,7 @@ public:
     double value(const Point& p) const override {
         double ahead = base::pi / 2 - angle_between(p.dir, projector_.forward());
         if (ahead <= 0) return ahead;
-        comfort::EyeAngles at = comfort::eye_angles(projector_, p.dir);
+        view::EyeAngles at = view::eye_angles(projector_, p.dir);
         double v = std::min((limit(at) - at.sigma_deg) / 4, 90 - at.sigma_deg) * base::degree;
         if (both_) return v;
         // The total field has steps at tau = 135 and along the horizon: never claim to know beyond them.
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    double limit(const comfort::EyeAngles& a) const {
+    double limit(const view::EyeAngles& a) const {
         const double t = a.tau_deg, c = 180 - t;
         if (both_) {
             if (a.elevation_deg > 0 || c > 73) return 60;

@@ -2,7 +2,7 @@
 // See materials.h.
 #include "scene/materials.h"
 
-#include "kernels/host.h"
+#include "kernels/dialect/host.h"
 
 namespace scene {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows of kernels/materials.h as the host asks for them, and what depends on a material's arguments.
+// The rows of kernels/material/materials.h as the host asks for them, and what depends on a material's arguments.
 #pragma once
 #include "scene/object.h"
 

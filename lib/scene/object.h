@@ -11,7 +11,7 @@
 #include "base/find_file.h"
 #include "base/span.h"
 #include "base/xform.h"
-#include "kernels/materials.h"
+#include "kernels/material/materials.h"
 
 namespace scene {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every primitive type is called and how many arguments it takes.
-// Materials are rows of kernels/materials.h.  To add another type: its name in object.h (enum Type) and a row in
-// types.cpp, in the same order.
+// Materials are rows of kernels/material/materials.h.  To add another type: its name in object.h (enum Type) and a row
+// in types.cpp, in the same order.
 #pragma once
 #include <string>
 #include "scene/object.h"

@@ -12,7 +12,7 @@ cd tree || exit 2
 sed -i -E '/^  (ROW |SAME)\(.*\)$/ {
     s/$/ \\/
     a\  ROW (MATTE, matte, 0, only(3), none, 0, 0, no, no, no, turns, MT_EVEN)
-}' lib/kernels/materials.h
+}' lib/kernels/material/materials.h
 
 # 2. what it does
 cat > lib/kernels/mat_matte.h << 'END'
@@ -29,8 +29,8 @@ FN void mat_matte(PRIVATE(const Surface) g, GLOBAL const float* arg, PRIVATE(Lob
 END
 
 # 3. its case
-sed -i -e 's|^#include "kernels/mat_glass.h"|&\n#include "kernels/mat_matte.h"|' \
-    -e 's|^    case M_GLASS:.*|&\n    case M_MATTE: mat_matte(g, arg, lobes); break;|' lib/kernels/material.h
+sed -i -e 's|^#include "kernels/material/mat_glass.h"|&\n#include "kernels/mat_matte.h"|' \
+    -e 's|^    case M_GLASS:.*|&\n    case M_MATTE: mat_matte(g, arg, lobes); break;|' lib/kernels/material/material.h
 
 recipe() { sed -n '/^## Add a material/,/^Only where/s/^[0-9]\. `\(lib[^`]*\)`.*/\1/p' "$TOP/CONTRIBUTING.md"; }
 cd ..

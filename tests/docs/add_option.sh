@@ -9,11 +9,11 @@ cp -r tree before
 cd tree || exit 2
 
 # 1. the variable
-sed -i 's|^    uint64_t seed = 1;|&\n    double made_up = .5;  // -made-up|' lib/trace/options.h
+sed -i 's|^    uint64_t seed = 1;|&\n    double made_up = .5;  // -made-up|' lib/render/options.h
 # 2. its declaration
 sed -i '/^    t.add("-me r g b"/i\
     t.add("-made-up f", "Made up", r.made_up).within(0, 1).unit("metres").from_scene().moves_pixels();' \
-    lib/trace/options.cpp
+    lib/render/options.cpp
 # 3. the page
 sed -i 's|^\.BI \\-me " r g b"|.BI \\-made\\-up " f"\nMade up in metres (0.5).\n.TP\n&|' man/ptrace.1
 # 4. what it does
@@ -52,5 +52,5 @@ check 'another value is another fingerprint' '
     one=$(fingerprint -made-up 0); two=$(fingerprint -made-up 1); [ -n "$one" ] && [ "$one" != "$two" ]'
 check 'the test of options passes' 'build/bin/ptrace_options_test'
 check 'it fails where .moves_pixels() is forgotten, and names the option' '
-    sed -i "/-made-up/s/\.moves_pixels()//" tree/lib/trace/options.cpp && build
+    sed -i "/-made-up/s/\.moves_pixels()//" tree/lib/render/options.cpp && build
     ! build/bin/ptrace_options_test > said && grep -q -- "-made-up" said'

@@ -8,23 +8,27 @@ lib/base:
 lib/kernels:
 lib/view: base
 lib/image: base view
+lib/film: base view image
 lib/display: base image
 lib/cal: base image kernels
 lib/generators: base cal
 lib/scene: base cal generators kernels
 lib/uncertainty: base image
-lib/comfort: base view image uncertainty
-lib/region: base view image display comfort
+lib/glare: base view image uncertainty
+lib/report: base view image uncertainty glare
+lib/region: base view image display
 lib/bvh: base kernels
 lib/flatten: base cal scene bvh kernels
-lib/trace: base view image scene flatten bvh kernels
-lib/sight: base region scene bvh flatten
-lib/live: base view image display comfort
-tools/ptaccum: base view image display
-tools/vcmetrics: base view image display uncertainty comfort region
-tools/vcregion: base view image region sight
+lib/device: base flatten bvh kernels
+lib/sampling: base flatten device kernels
+lib/render: base view image scene flatten device sampling kernels
+lib/visibility: base region scene bvh flatten
+lib/live: base view image display
+tools/ptaccum: base view image film display
+tools/vcmetrics: base view image display uncertainty glare report region
+tools/vcregion: base view image region visibility
 tools/vcview: base live
-tools/ptrace: base view image comfort region scene trace
+tools/ptrace: base view image region scene render
 END
 
 # "file:line: lib/x includes y" for every include that points upwards in the tree at $1.
@@ -50,5 +54,5 @@ check 'docs/architecture.md shows the same table' '
         sort > page
     sort layers | diff page -'
 
-mkdir -p lib/base tools && echo '#include "trace/options.h"' > lib/base/x.h
-check 'an upward include is seen' 'upward . | grep -qx "lib/base/x.h:1: includes trace"'
+mkdir -p lib/base tools && echo '#include "render/options.h"' > lib/base/x.h
+check 'an upward include is seen' 'upward . | grep -qx "lib/base/x.h:1: includes render"'

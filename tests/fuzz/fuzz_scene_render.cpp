@@ -3,7 +3,7 @@
 #include "fuzz_folder.h"
 #include "fuzz_try.h"
 #include "scene/object.h"
-#include "trace/progressive.h"
+#include "render/progressive.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     scene::Limits limits;
@@ -14,13 +14,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     try_to([&] {
         const scene::Scene s = scene::read_scene({"t"}, {}, limits);
         if (s.objects.size() > 500) return;
-        trace::RenderOptions options;
+        render::RenderOptions options;
         options.ab = 2;
         view::View v;
         v.type = 'a';
         v.vh = v.vv = 180;
         v.vp = {.1, -2, .3};
-        trace::Renderer renderer(s, v, 2, 2, options, "cpu:baseline", {});
+        render::Renderer renderer(s, v, 2, 2, options, "cpu:baseline", {});
         const double origin[3] = {.1, .2, 5}, dir[3] = {0, 0, -1};
         renderer.trace_ray(origin, dir, 8);
     });

@@ -3,7 +3,7 @@
 // frames, or the means of single rays, as hashes: one row a scene, tab separated: id, folder below the source tree,
 // ptrace's arguments (empty: the rays of golden/vectors that name this scene), hash.  A change that only moves code
 // moves no bit, on no device; one that moves numbers on purpose writes the rows anew (-record, on the CPU), raises
-// trace::estimator (lib/trace/fingerprint.h) and says so in CHANGELOG.
+// render::estimator (lib/render/fingerprint.h) and says so in CHANGELOG.
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -18,7 +18,7 @@
 #include "options.h"
 #include "parity/trace_row.h"
 #include "parity/vectors.h"
-#include "trace/device.h"
+#include "device/device.h"
 
 namespace {
 
@@ -51,8 +51,8 @@ std::string hash_of_frames(const std::string& arguments, const std::string& devi
     parse_options(int(argv.size()), argv.data(), opt);
     opt.files.raypath = {".", vectors};
     const scene::Scene scene = scene::read_scene(opt.scene_files, opt.files);
-    const trace::Shot& shot = opt.shots.at(0).shot;
-    trace::Renderer renderer(scene, shot.view, shot.nx, shot.ny, opt.render, device, opt.files);
+    const render::Shot& shot = opt.shots.at(0).shot;
+    render::Renderer renderer(scene, shot.view, shot.nx, shot.ny, opt.render, device, opt.files);
     Hash hash;
     renderer.frames(opt.first, int(opt.last - opt.first + 1), [&](int64_t, const std::vector<float>& rgb) {
         hash.add(rgb);
@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
         const bool record = !ids.empty() && ids[0] == "-record";
         if (record) ids.erase(ids.begin());
         const bool opencl = device.rfind("opencl", 0) == 0, variant = device.rfind("cpu:", 0) == 0;
-        if ((opencl && trace::opencl_devices().empty()) || (variant && !trace::has_cpu_variant(device.substr(4)))) {
+        if ((opencl && device::opencl_devices().empty()) || (variant && !device::has_cpu_variant(device.substr(4)))) {
             fmt::print("skipped: no {} here\n", device);
             return 77;
         }

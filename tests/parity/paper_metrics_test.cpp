@@ -10,8 +10,8 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include "comfort/region_pixels.h"
-#include "comfort/measure.h"
+#include "glare/region_pixels.h"
+#include "glare/measure.h"
 #include "image/stream.h"
 
 namespace {
@@ -39,7 +39,7 @@ std::vector<Line> read_table(const std::string& path) {
 double at(const Line& l, const char* name) { return std::strtod(l.at(name).c_str(), nullptr); }
 
 // 1 inside the circle (opening angle in radians), y from the bottom.
-std::vector<float> circle(const comfort::Geometry& g, int x, int y, double opening) {
+std::vector<float> circle(const glare::Geometry& g, int x, int y, double opening) {
     std::vector<float> mask(g.omega.size(), 0);
     const auto centre = g.direction(x, y);
     for (size_t i = 0; i < mask.size(); ++i)
@@ -63,26 +63,26 @@ TEST_CASE("the paper's metrics agree with an independent program to 1e-6") {
         if (left_out.count(name)) continue;
         image::Picture picture = image::read_file(folder + "images/" + name);
         REQUIRE(picture.header.view);
-        const comfort::Geometry g(*picture.header.view, picture.width, picture.height);
-        comfort::Luminance lum = comfort::make_luminance(picture);
+        const glare::Geometry g(*picture.header.view, picture.width, picture.height);
+        glare::Luminance lum = glare::make_luminance(picture);
         double ev = 0;
         for (size_t i = 0; i < lum.size(); ++i) ev += lum.at(i) * g.omega_cos[i];
         check_near(ev, at(line, "Ev"), name + " Ev");
         check_near(double(g.valid_count), at(line, "pixels"), name + " pixels");
         check_near(g.omega_sum, at(line, "omega"), name + " omega");
         const auto tal = [&](const char* x, const char* y, double opening) {
-            return comfort::RegionPixels(circle(g, int(at(line, x)), int(at(line, y)), opening), g).tal(lum);
+            return glare::RegionPixels(circle(g, int(at(line, x)), int(at(line, y)), opening), g).tal(lum);
         };
         const double high = tal("high_x", "high_y", at(line, "region_angle")),
                      low = tal("low_x", "low_y", at(line, "region_angle"));
         check_near(tal("task_x", "task_y", at(line, "task_angle")), at(line, "tal"), name + " TAL");
         check_near(high, at(line, "tal_high"), name + " TAL high");
         check_near(low / high, at(line, "cr_paper"), name + " CR");
-        using comfort::RammgArea;
-        check_near(comfort::rammg(lum, g, RammgArea::view), at(line, "rammg_fov"), name + " RAMMG");
-        check_near(comfort::rammg(lum, g, RammgArea::rectangle), at(line, "rammg"), name + " RAMMG rect");
-        check_near(comfort::rammg(lum, g, RammgArea::interior), at(line, "rammg_int"), name + " RAMMG interior");
-        check_near(comfort::rammg(lum, g, RammgArea::prototype_scale), at(line, "rammg_x8"), name + " RAMMG prototype");
+        using glare::RammgArea;
+        check_near(glare::rammg(lum, g, RammgArea::view), at(line, "rammg_fov"), name + " RAMMG");
+        check_near(glare::rammg(lum, g, RammgArea::rectangle), at(line, "rammg"), name + " RAMMG rect");
+        check_near(glare::rammg(lum, g, RammgArea::interior), at(line, "rammg_int"), name + " RAMMG interior");
+        check_near(glare::rammg(lum, g, RammgArea::prototype_scale), at(line, "rammg_x8"), name + " RAMMG prototype");
         ++compared;
     }
     CHECK(compared > 60);

@@ -57,7 +57,6 @@ std::string disc_at(const std::vector<double>& point) {
 Value RowTracer::geometry(const Row& row) {
     const Options opt = read_arguments(row);
     flatten::Options geometry = opt.render;
-    geometry.sampling = flatten::Sampling::plain;
     const flatten::FlatScene flat =
         flatten::flatten(scene::read_scene(opt.scene_files, opt.files), geometry, opt.files);
     const flatten::HostTracer tracer(flat);
@@ -86,7 +85,7 @@ Value RowTracer::trace(const Row& row) {
             opt.scene_files.push_back(patch.path());
         }
         const scene::Scene scene = scene::read_scene(opt.scene_files, opt.files);
-        renderer_ = std::make_unique<trace::Renderer>(scene, view::View(), 1, 1, opt.render, device_, opt.files);
+        renderer_ = std::make_unique<render::Renderer>(scene, view::View(), 1, 1, opt.render, device_, opt.files);
         key_ = key;
     }
     if (at_point)
@@ -96,7 +95,7 @@ Value RowTracer::trace(const Row& row) {
         }
     Value value;
     for (long n = std::min(fewest_, most_);; n = std::min(4 * n, most_)) {
-        const trace::Renderer::RayValue v = renderer_->trace_ray(ray.data(), ray.data() + 3, n);
+        const render::Renderer::RayValue v = renderer_->trace_ray(ray.data(), ray.data() + 3, n);
         value.mean.assign(v.mean, v.mean + 3);
         std::copy(v.error, v.error + 3, value.error);
         value.samples = n;

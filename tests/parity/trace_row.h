@@ -6,7 +6,7 @@
 #include <string>
 #include "parity/vectors.h"
 #include "flatten/host_tracer.h"
-#include "trace/progressive.h"
+#include "render/progressive.h"
 
 namespace parity {
 
@@ -19,7 +19,7 @@ struct Value {
 class RowTracer {
 public:
     // A ray that takes one of several ways may not show its rarest, a reflection of 0.4 %, before 4096 samples.
-    // least: the least chance of each way, for rarer ones (kernels/path/ways.h).
+    // least: the least chance of each way, for rarer ones (kernels/integrator/ways.h).
     RowTracer(std::string device, long most_samples, long fewest_samples = 4096, double least = 0)
         : device_(std::move(device)), most_(most_samples), fewest_(fewest_samples), least_(least) {}
     Value trace(const Row& row);  // throws Error for what ptrace does not support
@@ -29,7 +29,7 @@ private:
     long most_, fewest_;
     double least_;
     std::string key_;  // scene and arguments of the renderer at hand
-    std::unique_ptr<trace::Renderer> renderer_;
+    std::unique_ptr<render::Renderer> renderer_;
 };
 
 }  // namespace parity

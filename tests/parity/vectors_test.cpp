@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "base/run.h"
 #include "parity/trace_row.h"
-#include "trace/device.h"
+#include "device/device.h"
 
 namespace {
 
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     return base::run("vectors_test", [&] {
         if (argc < 2) base::fail("", "usage: vectors_test device [-n samples] [id ...]");
         const std::string device = argv[1];
-        if (device.rfind("opencl", 0) == 0 && trace::opencl_devices().empty()) {
+        if (device.rfind("opencl", 0) == 0 && device::opencl_devices().empty()) {
             fmt::print("skipped: no OpenCL device here\n");
             return 77;
         }

@@ -2,12 +2,12 @@
 // Means of frames over blocks of a picture, where noise is averaged enough to see a bias.
 #pragma once
 #include <vector>
-#include "trace/progressive.h"
+#include "render/progressive.h"
 
 namespace laws {
 
 // Green of the frames first .. last of a square picture: the mean of each of n x n blocks and, last, of the picture.
-inline std::vector<double> block_means(trace::Renderer& renderer, int size, int n, int first, int last) {
+inline std::vector<double> block_means(render::Renderer& renderer, int size, int n, int first, int last) {
     const int side = size / n;
     const double frames = double(last - first + 1);
     std::vector<double> out(size_t(n * n) + 1);

@@ -16,7 +16,7 @@ TEST_CASE("white things in a uniform surround cannot be seen") {
     const std::string things =
         "void plastic white 0 0 5 1 1 1 0 0\nwhite sphere ball 0 0 4 0 0 0 1\nwhite cone hat 0 0 8 0 0 1.5 0 0 3 1 .2\n"
         "white polygon plate 0 0 12 -2 -2 -1.2 2 -2 -1.2 2 2 -1.2 -2 2 -1.2\n";
-    trace::RenderOptions options;
+    render::RenderOptions options;
     options.ab = 100;
     options.lr = -200;
     for (const Ray& ray : {Ray{{5, 0, 0}, {-1, 0, 0}}, Ray{{5, 0, -.5}, {-1, 0, -.15}}, Ray{{4, 1, 4}, {-4, -1, -2}}})
@@ -37,7 +37,7 @@ TEST_CASE("rough lobes behind a bounce keep their energy") {
         "void glow g 0 0 4 1 1 1 0\ng source sky 0 0 4 0 0 1 360\nvoid metal rough 0 0 5 1 1 1 1 .2\n"
         "rough ring ceiling 0 0 8 0 0 1 0 0 -1 0 4\nvoid plastic grey 0 0 5 .5 .5 .5 0 0\n"
         "grey ring spot 0 0 8 0 0 0 0 0 1 0 .01\nrough ring side 0 0 8 3 0 .5 -1 0 0 0 .4\n";
-    trace::RenderOptions options;
+    render::RenderOptions options;
     options.ab = 1;
     for (double ss : {1., 4., 64.}) {
         CAPTURE(ss);
@@ -55,7 +55,7 @@ TEST_CASE("light trapped in a closed sphere sums the geometric series") {
         "void plastic wall 0 0 5 .5 .3 .1 0 0\nwall bubble room 0 0 4 0 0 0 1\n";
     for (int bounces : {0, 1, 2, 60}) {
         CAPTURE(bounces);
-        trace::RenderOptions options;
+        render::RenderOptions options;
         options.ab = bounces;
         options.lr = -200;
         std::vector<double> exact;
@@ -118,7 +118,7 @@ TEST_CASE("sky and ground in one pane and in two") {
             two.push_back(p.through * p.through * between * 5 +
                           p.back * (1 + p.through * p.through * between) * sky[i]);
         }
-        trace::RenderOptions options = direct_only();
+        render::RenderOptions options = direct_only();
         options.lr = -60;
         const Ray ray{{-s * 2, 0, c * 2}, {s, 0, -c}};
         expect(sky_and_ground, options, ray, one, 65536);
@@ -188,7 +188,7 @@ TEST_CASE("a diffusing sheet under the sky") {
     const std::string text =
         "void glow up 0 0 4 1 1 1 0\nup source sky 0 0 4 0 0 1 180\nvoid trans sheet 0 0 7 .8 .6 .4 0 0 .3 0\n"
         "sheet polygon roof 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n";
-    trace::RenderOptions options;
+    render::RenderOptions options;
     options.ab = 1;
     expect(text, options, {{0, 0, -1}, {.1, 0, 1}}, {.24, .18, .12}, 65536);
     expect(text, options, {{0, 0, 1}, {.1, 0, -1}}, {.56, .42, .28}, 65536);
@@ -198,7 +198,7 @@ TEST_CASE("a diffusing sheet under the sky") {
 // by area can get this right in a single frame; with the sun on the axis its centre is a pixel's corner.
 TEST_CASE("frame 0 has all of the sun, wherever it is in the picture") {
     const int size = 256;
-    trace::RenderOptions options = direct_only();
+    render::RenderOptions options = direct_only();
     options.direct_samples = 1;
     for (const char type : {'v', 'a', 'h', 's', 'c'}) {
         for (const double tilt : {0., .061, .12}) {
@@ -210,7 +210,7 @@ TEST_CASE("frame 0 has all of the sun, wherever it is in the picture") {
             view.vh = view.vv = type == 'v' || type == 'c' ? 90 : 180;
             const view::Projector projector(view);
             const base::Vec3 sun = base::unit({tilt, 1, tilt / 3});
-            trace::Renderer renderer(
+            render::Renderer renderer(
                 scene_of("void light sun 0 0 3 1e6 1e6 1e6\nsun source disc 0 0 4 " + std::to_string(sun.x) + " " +
                          std::to_string(sun.y) + " " + std::to_string(sun.z) + " .533\n"),
                 view, size, size, options, "cpu", {});

@@ -62,8 +62,8 @@ const std::string sky = "void glow g 0 0 4 1 1 1 0\ng source sky 0 0 4 0 0 1 360
 const std::string sky_and_two =
     sky + "void plastic A 0 0 5 .5 .5 .5 0 0\nvoid plastic B 0 0 5 .2 .2 .2 0 0\nvoid glass G 0 0 3 .5 .5 .5\n";
 
-trace::RenderOptions one_bounce() {
-    trace::RenderOptions options;
+render::RenderOptions one_bounce() {
+    render::RenderOptions options;
     options.ab = 1;
     return options;
 }
@@ -78,7 +78,7 @@ void expect_seen(const std::string& text, const std::vector<Seen>& seen, long sa
     const scene::Scene scene = scene_of(sky_and_two + text);
     for (const std::string& device : devices()) {
         CAPTURE(device);
-        trace::Renderer renderer(scene, view::View(), 1, 1, one_bounce(), device, {});
+        render::Renderer renderer(scene, view::View(), 1, 1, one_bounce(), device, {});
         for (size_t i = 0; i < seen.size(); i++) {
             CAPTURE(i);
             const auto value = renderer.trace_ray(seen[i].ray.origin, seen[i].ray.dir, samples);
@@ -107,15 +107,15 @@ void expect_pairs(const Place& at, const std::vector<Pair>& pairs) {
 #define PAIR(...) [&](const Place& p) { return std::string() + __VA_ARGS__; }
 
 // A picture of the floor, whose rays go in packets, from -ab 1: its mean.
-double picture(const std::string& text, const std::string& device, trace::Sampling sampling) {
-    trace::RenderOptions options = one_bounce();
+double picture(const std::string& text, const std::string& device, render::Sampling sampling) {
+    render::RenderOptions options = one_bounce();
     options.sampling = sampling;
     view::View view;
     view.vp = {.13, .21, 3};
     view.vd = {.02, .03, -1};
     view.vu = {0, 1, 0};
     view.vh = view.vv = 12;
-    trace::Renderer renderer(scene_of(text), view, 16, 16, options, device, {});
+    render::Renderer renderer(scene_of(text), view, 16, 16, options, device, {});
     double sum = 0;
     renderer.frames(0, 9, [&](int64_t k, const std::vector<float>& rgb) {
         for (float v : rgb) sum += k == 0 ? v : v / 8;
@@ -172,8 +172,8 @@ TEST_CASE("the same in packets, and over shared far ends") {
     const Place at;
     for (const std::string& device : devices()) {
         CAPTURE(device);
-        for (const trace::Sampling s : {trace::Sampling::plain, trace::Sampling::shared}) {
-            const double noise = s == trace::Sampling::plain ? 1e-4 : .01;  // relative
+        for (const render::Sampling s : {render::Sampling::plain, render::Sampling::shared}) {
+            const double noise = s == render::Sampling::plain ? 1e-4 : .01;  // relative
             CHECK(picture(sky_and_two + at.square("A", true) + at.square("B", true), device, s) ==
                   doctest::Approx(.2).epsilon(noise));
             CHECK(picture(sky_and_two + at.square("A", true) + at.square("G", true) + at.square("B", false), device,
@@ -198,7 +198,7 @@ TEST_CASE("shadow rays count surfaces in one place once") {
         CAPTURE(device);
         const auto value = [&](const std::string& panes) {
             const scene::Scene scene = scene_of(floor + glass + panes);
-            trace::Renderer renderer(scene, view::View(), 1, 1, direct_only(), device, {});
+            render::Renderer renderer(scene, view::View(), 1, 1, direct_only(), device, {});
             return renderer.trace_ray(ray.origin, ray.dir, 64).mean[0];
         };
         const double one = value(at.square("H", true));
@@ -246,7 +246,7 @@ TEST_CASE("the same in pictures, of a sun too") {
         double sum[2] = {0, 0};
         for (int on = 0; on < 2; on++) {
             view.vp = {.1, .3, on ? .76 : 1};
-            trace::Renderer renderer(scene_of(floor), view, 32, 32, direct_only(), device, {});
+            render::Renderer renderer(scene_of(floor), view, 32, 32, direct_only(), device, {});
             renderer.frames(0, 1, [&](int64_t, const std::vector<float>& rgb) {
                 for (float v : rgb) sum[on] += v;
                 return true;

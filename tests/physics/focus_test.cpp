@@ -2,7 +2,7 @@
 // The laws of the focus (ptrace -focus): there each sample is the mean of N, so expectations are those without it and
 // variances an Nth; all other pixels keep their bits; and frames still depend on (seed, k, pixel) alone.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
-#include "trace/focus.h"
+#include "render/focus.h"
 
 #include <cstring>
 #include <memory>
@@ -34,11 +34,11 @@ image::MaskSet two_regions() {
 }
 
 // In each region as many samples more as a quarter of the picture has pixels: 18 and 2 copies.
-trace::Focus focus() { return trace::focus_on(two_regions(), size, size, .5, "test"); }
+render::Focus focus() { return render::focus_on(two_regions(), size, size, .5, "test"); }
 
-std::unique_ptr<trace::Renderer> renderer(const Office& office, const trace::Focus& focus, const std::string& device,
-                                          const trace::RenderOptions& options = {}) {
-    auto out = std::make_unique<trace::Renderer>(device);
+std::unique_ptr<render::Renderer> renderer(const Office& office, const render::Focus& focus, const std::string& device,
+                                           const render::RenderOptions& options = {}) {
+    auto out = std::make_unique<render::Renderer>(device);
     out->load(office.scene, {{office.view, size, size, focus}}, options, office.files);
     return out;
 }
@@ -46,7 +46,7 @@ std::unique_ptr<trace::Renderer> renderer(const Office& office, const trace::Foc
 }  // namespace
 
 TEST_CASE("regions share samples alike, and a pixel of two has those of the smaller one") {
-    const trace::Focus parts = focus();
+    const render::Focus parts = focus();
     REQUIRE(parts.size() == 2);
     CHECK(parts[0].copies == 2);
     CHECK(parts[0].pixels.size() == 12 * 6 - 4);
@@ -56,21 +56,21 @@ TEST_CASE("regions share samples alike, and a pixel of two has those of the smal
 }
 
 TEST_CASE("regions that are too large for a second sample are no focus") {
-    CHECK(trace::focus_on(two_regions(), size, size, .01, "test").empty());
+    CHECK(render::focus_on(two_regions(), size, size, .01, "test").empty());
 }
 
 TEST_CASE("a focus of another size, or of nothing, is refused") {
-    CHECK_THROWS_WITH(trace::focus_on(two_regions(), size, 2 * size, .5, "x.exr"),
+    CHECK_THROWS_WITH(render::focus_on(two_regions(), size, 2 * size, .5, "x.exr"),
                       "x.exr: the picture has 24 x 48 pixels, the regions 24 x 24");
     image::MaskSet empty = two_regions();
     empty.masks[0].coverage.assign(size * size, 0.0f);
-    CHECK_THROWS_WITH(trace::focus_on(empty, size, size, .5, "x.exr"), "x.exr: region \"small\" is empty");
+    CHECK_THROWS_WITH(render::focus_on(empty, size, size, .5, "x.exr"), "x.exr: region \"small\" is empty");
 }
 
 TEST_CASE("other pixels keep their bits, on every device") {
     const Office office;
-    trace::RenderOptions options;
-    for (const auto sampling : {trace::Sampling::portals, trace::Sampling::shared}) {
+    render::RenderOptions options;
+    for (const auto sampling : {render::Sampling::portals, render::Sampling::shared}) {
         options.sampling = sampling;
         const auto without = renderer(office, {}, "cpu", options), with = renderer(office, focus(), "cpu", options);
         for (const int64_t k : {0, 1, 8, 9, 100}) {
@@ -113,7 +113,7 @@ TEST_CASE("ranges of frames merge to the run in one piece") {
     const Office office;
     const auto one = renderer(office, focus(), "cpu");
     const image::Picture whole = sum_of(*one, size, 0, 40);
-    image::Merger merger;
+    film::Merger merger;
     for (const auto& range : {std::pair{10, 40}, std::pair{0, 9}}) {
         const auto machine = renderer(office, focus(), "cpu");
         merger.add(sum_of(*machine, size, range.first, range.second), "part");
@@ -130,9 +130,9 @@ TEST_CASE("ranges of frames merge to the run in one piece") {
 // of their squares is 1.
 TEST_CASE("the mean of N samples has the expectation of one and an Nth of its variance") {
     const Office office({"materials", "layout", "sky_overcast"});
-    const auto means = [&](const trace::Focus& focus) {
+    const auto means = [&](const render::Focus& focus) {
         return over_seeds(48, size * size, [&](uint64_t seed) {
-            trace::RenderOptions options;
+            render::RenderOptions options;
             options.seed = seed;
             options.noisy_share = 0;  // else some of them had several without a focus, too
             const auto r = renderer(office, focus, "cpu", options);
@@ -143,7 +143,7 @@ TEST_CASE("the mean of N samples has the expectation of one and an Nth of its va
         });
     };
     const Means one = means({}), several = means(focus());
-    for (const trace::FocusPart& part : focus()) {
+    for (const render::FocusPart& part : focus()) {
         CAPTURE(part.copies);
         double variance_of_one = 0, variance = 0, square = 0;
         for (const uint32_t i : part.pixels) {

@@ -17,17 +17,17 @@ using namespace laws;
 
 namespace {
 
-void devices_agree(trace::Sampling sampling) {
+void devices_agree(render::Sampling sampling) {
     const Office scene;
     const int size = 40;
-    trace::RenderOptions options;
+    render::RenderOptions options;
     options.sampling = sampling;
-    trace::Renderer cpu = scene.renderer("cpu", size, options);
+    render::Renderer cpu = scene.renderer("cpu", size, options);
     std::vector<std::vector<float>> mine(20), theirs(20);
     for (int k : {0, 1, 19}) cpu.frame(k, mine[size_t(k)]);
     for (const std::string& device : devices()) {
         CAPTURE(device);
-        trace::Renderer other = scene.renderer(device, size, options);
+        render::Renderer other = scene.renderer(device, size, options);
         for (int k : {0, 1, 19}) {
             CAPTURE(k);
             other.frame(k, theirs[size_t(k)]);
@@ -48,16 +48,16 @@ void devices_agree(trace::Sampling sampling) {
     }
 }
 
-void ranges_merge(trace::Sampling sampling) {
+void ranges_merge(render::Sampling sampling) {
     const Office scene;
     const int size = 24;
-    trace::RenderOptions options;
+    render::RenderOptions options;
     options.sampling = sampling;
-    trace::Renderer renderer = scene.renderer("cpu", size, options);
+    render::Renderer renderer = scene.renderer("cpu", size, options);
     const image::Picture whole = sum_of(renderer, size, 0, 63);
-    image::Merger merger;
+    film::Merger merger;
     for (const auto& range : {std::pair{10, 40}, std::pair{0, 9}, std::pair{41, 63}}) {
-        trace::Renderer machine = scene.renderer("cpu", size, options);
+        render::Renderer machine = scene.renderer("cpu", size, options);
         merger.add(sum_of(machine, size, range.first, range.second), "part");
     }
     const image::Picture merged = merger.result();
@@ -70,27 +70,27 @@ void ranges_merge(trace::Sampling sampling) {
 }
 
 // Means of frames first .. last, of each of 8 x 8 blocks and of the picture, from 16 seeds.
-Means means_of(const Office& scene, trace::Sampling sampling, int first, int last) {
+Means means_of(const Office& scene, render::Sampling sampling, int first, int last) {
     const int size = 32;
     return over_seeds(16, 65, [&](uint64_t seed) {
-        trace::RenderOptions options;
+        render::RenderOptions options;
         options.sampling = sampling;
         options.seed = seed;
         options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
-        trace::Renderer renderer = scene.renderer("cpu", size, options);
+        render::Renderer renderer = scene.renderer("cpu", size, options);
         return block_means(renderer, size, 8, first, last);
     });
 }
 
 // Median over pixels of the squared difference of two seeds' means of 64 frames, over their squared sum.
-double noise_of(const Office& scene, trace::Sampling sampling) {
+double noise_of(const Office& scene, render::Sampling sampling) {
     const int size = 32;
     std::vector<image::Picture> seeds;
     for (const uint64_t seed : {1, 2}) {
-        trace::RenderOptions options;
+        render::RenderOptions options;
         options.sampling = sampling;
         options.seed = seed;
-        trace::Renderer renderer = scene.renderer("cpu", size, options);
+        render::Renderer renderer = scene.renderer("cpu", size, options);
         seeds.push_back(sum_of(renderer, size, 0, 64));
     }
     std::vector<double> squares;
@@ -116,18 +116,18 @@ void means_agree(const Means& one, const Means& other) {
 
 }  // namespace
 
-TEST_CASE("devices give the same frames") { devices_agree(trace::Sampling::portals); }
-TEST_CASE("devices give the same shared frames") { devices_agree(trace::Sampling::shared); }
+TEST_CASE("devices give the same frames") { devices_agree(render::Sampling::portals); }
+TEST_CASE("devices give the same shared frames") { devices_agree(render::Sampling::shared); }
 
 TEST_CASE("the number of threads changes nothing") {
     const Office scene;
     std::map<unsigned, std::vector<float>> frames;
-    trace::RenderOptions options;
-    for (const auto sampling : {trace::Sampling::shared, trace::Sampling::portals}) {
+    render::RenderOptions options;
+    for (const auto sampling : {render::Sampling::shared, render::Sampling::portals}) {
         options.sampling = sampling;
         for (unsigned threads : {1u, 2u, 5u}) {
             base::use_processors(threads);
-            trace::Renderer renderer = scene.renderer("cpu", 33, options);
+            render::Renderer renderer = scene.renderer("cpu", 33, options);
             renderer.frame(17, frames[threads]);
         }
         base::use_processors(0);  // as many as there are
@@ -137,8 +137,8 @@ TEST_CASE("the number of threads changes nothing") {
     }
 }
 
-TEST_CASE("ranges of frames merge to the run in one piece") { ranges_merge(trace::Sampling::portals); }
-TEST_CASE("ranges of shared frames do, too") { ranges_merge(trace::Sampling::shared); }
+TEST_CASE("ranges of frames merge to the run in one piece") { ranges_merge(render::Sampling::portals); }
+TEST_CASE("ranges of shared frames do, too") { ranges_merge(render::Sampling::shared); }
 
 // At night no light comes through the window: no directions go there.
 TEST_CASE("where windows do not pay, their share is none") {
@@ -151,12 +151,12 @@ TEST_CASE("where windows do not pay, their share is none") {
     view.vp = {1.5, .1, 1};
     view.vd = {0, 1, 0};
     view.vh = view.vv = 60;
-    trace::RenderOptions options;
+    render::RenderOptions options;
     options.ab = 3;
-    options.sampling = trace::Sampling::portals;
-    trace::Renderer portals(night, view, 16, 16, options, "cpu", {});
-    options.sampling = trace::Sampling::plain;
-    trace::Renderer plain(night, view, 16, 16, options, "cpu", {});
+    options.sampling = render::Sampling::portals;
+    render::Renderer portals(night, view, 16, 16, options, "cpu", {});
+    options.sampling = render::Sampling::plain;
+    render::Renderer plain(night, view, 16, 16, options, "cpu", {});
     std::vector<float> a, b;
     for (const int64_t k : {1, 100}) {
         portals.frame(k, a);
@@ -168,12 +168,12 @@ TEST_CASE("where windows do not pay, their share is none") {
 
 TEST_CASE("under an overcast sky windows take half of the noise away") {
     const Office scene({"materials", "layout", "sky_overcast"});
-    CHECK(noise_of(scene, trace::Sampling::portals) < .6 * noise_of(scene, trace::Sampling::plain));
+    CHECK(noise_of(scene, render::Sampling::portals) < .6 * noise_of(scene, render::Sampling::plain));
 }
 
 TEST_CASE("where sun comes in, aiming at its patches takes a third away") {
     const Office scene;
-    CHECK(noise_of(scene, trace::Sampling::portals) < .67 * noise_of(scene, trace::Sampling::plain));
+    CHECK(noise_of(scene, render::Sampling::portals) < .67 * noise_of(scene, render::Sampling::plain));
 }
 
 // Standard errors come from 16 seeds (Student's t with 15 degrees of freedom, of two means: 4 is exceeded by chance in
@@ -182,8 +182,8 @@ TEST_CASE("where sun comes in, aiming at its patches takes a third away") {
 // too small errors.
 TEST_CASE("aims at windows, patches of sun and polished strips move no mean") {
     const Office scene;
-    const Means aimed = means_of(scene, trace::Sampling::portals, 8, 135);
-    const Means plain = means_of(scene, trace::Sampling::plain, 8, 1031);
+    const Means aimed = means_of(scene, render::Sampling::portals, 8, 135);
+    const Means plain = means_of(scene, render::Sampling::plain, 8, 1031);
     means_agree(aimed, plain);
     CHECK(aimed.variance[64] < 8 * plain.variance[64]);  // of as many frames
 }
@@ -191,9 +191,9 @@ TEST_CASE("aims at windows, patches of sun and polished strips move no mean") {
 // Where one half of frame 0's samples holds all of a pixel's light, frame 1 may take it away, but no more than that.
 TEST_CASE("sums are nowhere negative") {
     const int size = 192;
-    trace::RenderOptions options = direct_only();
-    trace::Renderer renderer = Office().renderer("cpu", size, options);
-    image::Accumulator sum;
+    render::RenderOptions options = direct_only();
+    render::Renderer renderer = Office().renderer("cpu", size, options);
+    film::Accumulator sum;
     float least = 1;
     renderer.frames(0, 17, [&](int64_t k, const std::vector<float>& rgb) {
         sum.add(picture(rgb, size, k), "test");
@@ -219,19 +219,19 @@ TEST_CASE("frame 0's own noise averages out") {
     view.vp = {0, -3, 1.5};
     view.vd = {0, 3, -1.3};
     view.vh = view.vv = 40;
-    trace::RenderOptions options = direct_only();
+    render::RenderOptions options = direct_only();
     options.seed = 99;
     const int size = 16;
-    trace::Renderer other(scene, view, size, size, options, "cpu", {});
+    render::Renderer other(scene, view, size, size, options, "cpu", {});
     const image::Picture reference = sum_of(other, size, 0, 16384);
     options.seed = 1;
-    trace::Renderer renderer(scene, view, size, size, options, "cpu", {});
+    render::Renderer renderer(scene, view, size, size, options, "cpu", {});
     const auto error_of = [&](const std::vector<float>& rgb) {
         double square = 0;
         for (size_t i = 0; i < rgb.size(); ++i) square += std::pow(rgb[i] - reference.rgb[i], 2);
         return std::sqrt(square / double(rgb.size()));
     };
-    image::Accumulator sum;
+    film::Accumulator sum;
     std::vector<float> of_16;
     std::map<int64_t, double> error;
     renderer.frames(0, 1025, [&](int64_t k, const std::vector<float>& rgb) {

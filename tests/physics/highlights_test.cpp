@@ -42,14 +42,14 @@ view::View toward_wall() {
 constexpr int size = 16, blocks = 16, seeds = 16, frames = 64;
 
 // Means of frames 1 .. 64, of each block of 4 x 4 pixels and, last, of the picture.
-Means means_of(const scene::Scene& scene, trace::Sampling sampling) {
+Means means_of(const scene::Scene& scene, render::Sampling sampling) {
     return over_seeds(seeds, blocks + 1, [&](uint64_t seed) {
-        trace::RenderOptions options;
+        render::RenderOptions options;
         options.sampling = sampling;
         options.seed = seed;
         options.ab = 2;
         options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
-        trace::Renderer renderer(scene, toward_wall(), size, size, options, "cpu", {});
+        render::Renderer renderer(scene, toward_wall(), size, size, options, "cpu", {});
         return block_means(renderer, size, 4, 1, frames);
     });
 }
@@ -58,8 +58,8 @@ Means means_of(const scene::Scene& scene, trace::Sampling sampling) {
 
 TEST_CASE("aiming at highlights takes noise away and moves no mean") {
     const scene::Scene scene = scene_of(scene_text);
-    const Means plain = means_of(scene, trace::Sampling::plain);
-    const Means aimed = means_of(scene, trace::Sampling::portals);
+    const Means plain = means_of(scene, render::Sampling::plain);
+    const Means aimed = means_of(scene, render::Sampling::portals);
     for (size_t i = 0; i <= blocks; i++) {
         CAPTURE(i);
         CHECK(std::abs(aimed.mean[i] - plain.mean[i]) <= 4.5 * std::sqrt(aimed.variance[i] + plain.variance[i]));
@@ -70,7 +70,7 @@ TEST_CASE("aiming at highlights takes noise away and moves no mean") {
 
 TEST_CASE("aiming at a polished sill takes noise away and moves no mean") {
     const scene::Scene scene = scene_of(sill_text);
-    const Means plain = means_of(scene, trace::Sampling::plain), aimed = means_of(scene, trace::Sampling::portals);
+    const Means plain = means_of(scene, render::Sampling::plain), aimed = means_of(scene, render::Sampling::portals);
     double before = 0, now = 0;
     for (size_t i = 0; i <= blocks; i++) {
         CAPTURE(i);
@@ -86,7 +86,7 @@ TEST_CASE("every device aims alike") {
     std::vector<float> first, other;
     for (const std::string& device : devices()) {
         CAPTURE(device);
-        trace::Renderer renderer(scene, toward_wall(), size, size, {}, device, {});
+        render::Renderer renderer(scene, toward_wall(), size, size, {}, device, {});
         renderer.frame(3, first.empty() ? first : other);
         if (!other.empty()) CHECK(first == other);
     }

@@ -13,8 +13,8 @@ using namespace laws;
 using base::Vec3;
 
 namespace {
-const trace::RenderOptions centre_only = [] {
-    trace::RenderOptions o = direct_only();
+const render::RenderOptions centre_only = [] {
+    render::RenderOptions o = direct_only();
     o.dj = 0;  // the middle of the sun: no noise
     return o;
 }();
@@ -74,7 +74,7 @@ TEST_CASE("an instance looks like its scene put there by xform") {
                       b = sun(30) + "!xform" + moves + " " + in + "\n";
     for (const std::string& device : devices()) {
         CAPTURE(device);
-        trace::Renderer one(scene_of(a), view::View(), 1, 1, centre_only, device, {}),
+        render::Renderer one(scene_of(a), view::View(), 1, 1, centre_only, device, {}),
             two(scene_of(b), view::View(), 1, 1, centre_only, device, {});
         int lit = 0, different = 0, n = 0;
         for (double x = -9; x < 12; x += .7)
@@ -118,7 +118,7 @@ TEST_CASE("surfaces of instances do not shade themselves") {
                        "void plastic m 0 0 5 .5 .5 .5 0 0\nm polygon p 0 0 12 -9 -9 0 9 -9 0 9 9 0 -9 9 0\n"
                        "m sphere s 0 0 4 0 0 -30 5\n");
     const std::string sky = "void glow k 0 0 4 1 1 1 0\nk source sky 0 0 4 0 0 1 360\n";
-    trace::RenderOptions options;
+    render::RenderOptions options;
     options.ab = 1;
     for (const char* moves :
          {" -rx 31 -ry 17 -rz 70", " -rx 31 -ry 17 -rz 70 -s 20 -t 3000 2000 100", " -mx -ry 40 -s .01 -t .5 .5 .5"}) {
@@ -141,7 +141,7 @@ TEST_CASE("lamps inside an instance are seen, and light nothing by themselves") 
     const std::string lamp = "void light l 0 0 3 7 7 7\nl polygon p 0 0 12 -1 -1 2 -1 1 2 1 1 2 1 -1 2\n";
     const std::string in = folder.holding("lamp.rad", lamp);
     const std::string floor = "void plastic m 0 0 5 .5 .5 .5 0 0\nm ring f 0 0 8 0 0 0 0 0 1 0 9\n";
-    trace::RenderOptions options;
+    render::RenderOptions options;
     options.ab = 1;
     const std::string there = "void instance i 1 " + in + " 0 0\n";
     expect(floor + there, options, {{0, 0, .5}, {0, 0, 1}}, {7}, 1);

@@ -13,8 +13,8 @@
 #include "base/tempfile.h"
 #include "base/warnings.h"
 #include "scene/object.h"
-#include "trace/device.h"
-#include "trace/progressive.h"
+#include "device/device.h"
+#include "render/progressive.h"
 
 namespace laws {
 
@@ -22,7 +22,7 @@ constexpr double pi = 3.14159265358979323846;
 
 inline std::vector<std::string> devices() {
     std::vector<std::string> names = {"cpu"};
-    if (!trace::opencl_devices().empty()) names.push_back("opencl");
+    if (!device::opencl_devices().empty()) names.push_back("opencl");
     return names;
 }
 
@@ -38,12 +38,12 @@ struct Ray {
     double origin[3], dir[3];
 };
 
-inline void expect(const std::string& text, const trace::RenderOptions& options, const Ray& ray,
+inline void expect(const std::string& text, const render::RenderOptions& options, const Ray& ray,
                    const std::vector<double>& exact, long samples = 16384, double largest_error = .01) {
     const scene::Scene scene = scene_of(text);
     for (const std::string& device : devices()) {
         CAPTURE(device);
-        trace::Renderer renderer(scene, view::View(), 1, 1, options, device, {});
+        render::Renderer renderer(scene, view::View(), 1, 1, options, device, {});
         const auto value = renderer.trace_ray(ray.origin, ray.dir, samples);
         for (size_t c = 0; c < 3; ++c) {
             CAPTURE(c);
@@ -58,8 +58,8 @@ inline void expect(const std::string& text, const trace::RenderOptions& options,
 }
 
 // Without bounces, without ambient value: what -ab 0 shows.
-inline trace::RenderOptions direct_only() {
-    trace::RenderOptions options;
+inline render::RenderOptions direct_only() {
+    render::RenderOptions options;
     options.ab = 0;
     return options;
 }

@@ -53,7 +53,7 @@ TEST_CASE("a frame is the same alone and after others") {
     view::View view;
     view.vp = {0, -5, 2};
     view.vd = {0, 1, -.3};
-    trace::Renderer one(scene, view, 8, 8, {}, "cpu", {}), other(scene, view, 8, 8, {}, "cpu", {});
+    render::Renderer one(scene, view, 8, 8, {}, "cpu", {}), other(scene, view, 8, 8, {}, "cpu", {});
     std::vector<float> alone, after;
     one.frame(5, alone);
     for (int k = 0; k <= 5; k++) other.frame(k, after);

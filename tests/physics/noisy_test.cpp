@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The noisiest pixels get several samples in each frame (trace/noisy.h): those and no others, no more than their share
+// The noisiest pixels get several samples in each frame (render/noisy.h): those and no others, no more than their share
 // of the time, and no mean moves.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
-#include "trace/noisy.h"
+#include "render/noisy.h"
 
 #include <algorithm>
 #include <cstring>
@@ -18,7 +18,7 @@ using namespace laws;
 namespace {
 
 // A device whose samples bring what the test says.
-class Given : public trace::Device {
+class Given : public device::Device {
 public:
     std::vector<float> diffuse;  // of four paths of each block
     std::vector<float> direct;   // of two samples of each pixel
@@ -32,8 +32,8 @@ public:
         rgb.clear();
         for (uint32_t i = 0; i < par.slots; i++) rgb.insert(rgb.end(), 3, light[par.first + i]);
     }
-    void draw(const kernels::Params&, const std::vector<trace::DrawRay>&, std::vector<float>&) override {}
-    void walk(const kernels::Params&, const std::vector<trace::WalkRay>&, std::vector<trace::WalkEnd>&) override {}
+    void draw(const kernels::Params&, const std::vector<device::DrawRay>&, std::vector<float>&) override {}
+    void walk(const kernels::Params&, const std::vector<device::WalkRay>&, std::vector<device::WalkEnd>&) override {}
     void set_focus(std::vector<uint32_t>) override {}
     uint32_t good_slots() const override { return 1000; }
     Given(int nx, int ny, float light)
@@ -58,7 +58,7 @@ TEST_CASE("noisy blocks get the samples, as many as there are and no more than 6
     for (int block = 0; block < 256; block++)
         for (int path = 0; path < 4; path++)
             device.diffuse[size_t(4 * block + path)] += (path % 2 ? 1.0f : -1.0f) * (block == 119 ? 4.0f : .01f);
-    const auto copies = trace::copies_of_noisy(device, picture_of(side, side), .15);
+    const auto copies = render::copies_of_noisy(device, picture_of(side, side), .15);
     CHECK(sum(copies) <= .15 * side * side);
     CHECK(sum(copies) > .05 * side * side);
     for (int y = 0; y < side; y++)
@@ -72,10 +72,10 @@ TEST_CASE("noisy blocks get the samples, as many as there are and no more than 6
 
 TEST_CASE("noise of direct light counts, and where there is none nobody gets more") {
     Given device(side, side, 5);
-    CHECK(sum(trace::copies_of_noisy(device, picture_of(side, side), .15)) == 0);
+    CHECK(sum(render::copies_of_noisy(device, picture_of(side, side), .15)) == 0);
     for (size_t i = 0; i < device.direct.size(); i += 2) device.direct[i] += .001f;
     device.direct[2 * (20 * side + 30)] = 9;
-    const auto copies = trace::copies_of_noisy(device, picture_of(side, side), .15);
+    const auto copies = render::copies_of_noisy(device, picture_of(side, side), .15);
     CHECK(sum(copies) == 9 * 64);  // a pixel and its neighbours
     CHECK(copies[20 * side + 30] == 64);
     CHECK(copies[20 * side + 32] == 0);
@@ -84,7 +84,7 @@ TEST_CASE("noise of direct light counts, and where there is none nobody gets mor
 TEST_CASE("pictures of any size, and light that is no number") {
     for (const auto& [nx, ny] : {std::pair{1, 1}, std::pair{3, 5}, std::pair{17, 1}}) {
         Given device(nx, ny, NAN);
-        const auto copies = trace::copies_of_noisy(device, picture_of(nx, ny), .15);
+        const auto copies = render::copies_of_noisy(device, picture_of(nx, ny), .15);
         CHECK(copies.size() == size_t(nx * ny));
         CHECK(sum(copies) == 0);
     }
@@ -103,10 +103,10 @@ TEST_CASE("samples that are kept do not choose") {
     view.vh = view.vv = 80;
     constexpr int size = 272;  // frame 0 has 8 samples, numbers 0 to 7
     const auto mean = [&](uint64_t seed, double share) {
-        trace::RenderOptions options = direct_only();
+        render::RenderOptions options = direct_only();
         options.seed = seed;
         options.noisy_share = share;
-        trace::Renderer renderer(wall, view, size, size, options, "cpu", {});
+        render::Renderer renderer(wall, view, size, size, options, "cpu", {});
         return block_means(renderer, size, 1, 0, 0).back() + block_means(renderer, size, 1, 1, 1).back();
     };
     const Means off = over_seeds(16, 1, [&](uint64_t seed) {
@@ -126,7 +126,7 @@ TEST_CASE("no mean moves, and there is less noise") {
     constexpr int size = 32, blocks = 16;
     const auto means = [&](double share) {
         return over_seeds(16, blocks + 1, [&](uint64_t seed) {
-            trace::RenderOptions options;
+            render::RenderOptions options;
             options.seed = seed + (share > 0 ? 100 : 0);
             options.noisy_share = share;
             auto renderer = office.renderer("cpu", size, options);
@@ -155,7 +155,7 @@ TEST_CASE("no mean moves, and there is less noise") {
 TEST_CASE("frames need no others, on every device") {
     const Office office;
     constexpr int size = 24;
-    trace::RenderOptions even;
+    render::RenderOptions even;
     even.noisy_share = 0;
     std::vector<std::vector<float>> run;
     auto whole = office.renderer("cpu", size);

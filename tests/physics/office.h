@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The example's office for tests of frames, and sums of them.
 #pragma once
-#include "image/accumulate.h"
+#include "film/accumulate.h"
 #include "physics/laws.h"
 #include "view/view.h"
 
@@ -19,7 +19,7 @@ struct Office {
         for (const std::string& part : parts) names.push_back(office_folder + part + ".rad");
         scene = scene::read_scene(names, files);
     }
-    trace::Renderer renderer(const std::string& device, int size, const trace::RenderOptions& options = {}) const {
+    render::Renderer renderer(const std::string& device, int size, const render::RenderOptions& options = {}) const {
         return {scene, view, size, size, options, device, files};
     }
 };
@@ -39,8 +39,8 @@ inline image::Picture picture(const std::vector<float>& rgb, int size, int64_t k
     return p;
 }
 
-inline image::Picture sum_of(trace::Renderer& renderer, int size, int64_t first, int64_t last) {
-    image::Accumulator sum;
+inline image::Picture sum_of(render::Renderer& renderer, int size, int64_t first, int64_t last) {
+    film::Accumulator sum;
     renderer.frames(first, int(last - first + 1), [&](int64_t k, const std::vector<float>& rgb) {
         sum.add(picture(rgb, size, k), "test");
         return true;

@@ -35,9 +35,9 @@ struct Seen {
 };
 
 Seen seen(const std::string& text, const view::View& view = straight_on(), uint64_t seed = 1) {
-    trace::RenderOptions options = direct_only();
+    render::RenderOptions options = direct_only();
     options.seed = seed;
-    trace::Renderer renderer(scene_of(text), view, side, side, options, "cpu", {});
+    render::Renderer renderer(scene_of(text), view, side, side, options, "cpu", {});
     std::vector<float> rgb;
     renderer.frame(0, rgb);
     return {image::grey_of(rgb), *renderer.moments()};
@@ -123,7 +123,7 @@ TEST_CASE("the sun in a pixel") {
 
 TEST_CASE("frames do not depend on whether moments were asked for") {
     const scene::Scene scene = scene_of(sky);
-    trace::Renderer a(scene, straight_on(), 32, 32, {}, "cpu", {}), b(scene, straight_on(), 32, 32, {}, "cpu", {});
+    render::Renderer a(scene, straight_on(), 32, 32, {}, "cpu", {}), b(scene, straight_on(), 32, 32, {}, "cpu", {});
     for (const int k : {0, 1, 9}) {
         std::vector<float> first, second;
         a.frame(k, first);

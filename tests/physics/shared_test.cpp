@@ -52,28 +52,28 @@ view::View into_room() {
 }
 
 // Means of frames 1 .. n, of each of 4 x 4 blocks and, last, of the picture.
-Means means_of(const scene::Scene& scene, trace::Sampling sampling, int frames) {
+Means means_of(const scene::Scene& scene, render::Sampling sampling, int frames) {
     return over_seeds(16, blocks + 1, [&](uint64_t seed) {
-        trace::RenderOptions options;
+        render::RenderOptions options;
         options.sampling = sampling;
-        options.seed = seed + (sampling == trace::Sampling::shared ? 100 : 0);
+        options.seed = seed + (sampling == render::Sampling::shared ? 100 : 0);
         options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
         options.noisy_share = 0;                 // and of one sample each
-        trace::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
+        render::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
         return block_means(renderer, size, 4, 1, frames);
     });
 }
 
 // Mean over pixels of the squared difference of two seeds' frames, over the squared mean.
-double noise_of(const scene::Scene& scene, trace::Sampling sampling) {
+double noise_of(const scene::Scene& scene, render::Sampling sampling) {
     std::vector<float> a, b;
     double squares = 0, sum = 0;
-    trace::RenderOptions options;
+    render::RenderOptions options;
     options.noisy_share = 0;
     options.sampling = sampling;
-    trace::Renderer one(scene, into_room(), size, size, options, "cpu", {});
+    render::Renderer one(scene, into_room(), size, size, options, "cpu", {});
     options.seed = 2;
-    trace::Renderer two(scene, into_room(), size, size, options, "cpu", {});
+    render::Renderer two(scene, into_room(), size, size, options, "cpu", {});
     for (int64_t k = 1; k <= 8; k++) {
         one.frame(k, a);
         two.frame(k, b);
@@ -86,14 +86,14 @@ double noise_of(const scene::Scene& scene, trace::Sampling sampling) {
 }
 
 // One frame of a scene, and is it that of rays toward windows, which share nothing?
-bool shares_nothing(const std::string& text, trace::RenderOptions options = {}) {
+bool shares_nothing(const std::string& text, render::RenderOptions options = {}) {
     const scene::Scene scene = scene_of(text);
     std::vector<float> frames[2];
     options.noisy_share = 0;
-    for (const auto sampling : {trace::Sampling::shared, trace::Sampling::portals}) {
+    for (const auto sampling : {render::Sampling::shared, render::Sampling::portals}) {
         options.sampling = sampling;
-        trace::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
-        renderer.frame(1, frames[sampling == trace::Sampling::shared]);
+        render::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
+        renderer.frame(1, frames[sampling == render::Sampling::shared]);
     }
     CHECK(std::accumulate(frames[0].begin(), frames[0].end(), 0.0) != 0);
     return frames[0] == frames[1];
@@ -136,8 +136,8 @@ TEST_CASE("each pixel has one slot of a sample, and each slot its place in its g
 
 TEST_CASE("sharing takes noise away and moves no mean") {
     const scene::Scene scene = scene_of(room);
-    const Means plain = means_of(scene, trace::Sampling::plain, 400);
-    const Means shared = means_of(scene, trace::Sampling::shared, 400);
+    const Means plain = means_of(scene, render::Sampling::plain, 400);
+    const Means shared = means_of(scene, render::Sampling::shared, 400);
     double square = 0;
     for (size_t i = 0; i <= blocks; i++) {
         const double z = (shared.mean[i] - plain.mean[i]) / std::sqrt(shared.variance[i] + plain.variance[i]);
@@ -147,7 +147,7 @@ TEST_CASE("sharing takes noise away and moves no mean") {
     }
     CHECK(square < 2.2);
     CHECK(std::sqrt(plain.variance[blocks] + shared.variance[blocks]) < .004 * plain.mean[blocks]);
-    CHECK(noise_of(scene, trace::Sampling::shared) < .4 * noise_of(scene, trace::Sampling::plain));
+    CHECK(noise_of(scene, render::Sampling::shared) < .4 * noise_of(scene, render::Sampling::plain));
 }
 
 TEST_CASE("what looks different from elsewhere is not shared") {
@@ -185,8 +185,8 @@ TEST_CASE("links are blocked where panes let no path through, or where these tel
         CAPTURE(seen);
         const std::string pattern = std::string("void brightfunc seen 2 ") + seen + " .\n0 0\n";
         const scene::Scene scene = scene_of(open_floor("void glow it 0 0 4 10 10 10 0\n", pattern + pane));
-        const Means plain = means_of(scene, trace::Sampling::plain, 60);
-        const Means shared = means_of(scene, trace::Sampling::shared, 60);
+        const Means plain = means_of(scene, render::Sampling::plain, 60);
+        const Means shared = means_of(scene, render::Sampling::shared, 60);
         const double error = std::sqrt(shared.variance[blocks] + plain.variance[blocks]);
         CHECK(error < .01 * plain.mean[blocks]);
         CHECK(std::abs(shared.mean[blocks] - plain.mean[blocks]) < 4 * error);
@@ -194,7 +194,7 @@ TEST_CASE("links are blocked where panes let no path through, or where these tel
 }
 
 TEST_CASE("where light fades on its way, or paths end by their weight, nothing is shared") {
-    trace::RenderOptions options;
+    render::RenderOptions options;
     options.lr = 3;
     CHECK(shares_nothing(corner(matt), options));
     options = {};
@@ -208,12 +208,12 @@ TEST_CASE("where light fades on its way, or paths end by their weight, nothing i
 TEST_CASE("pictures smaller than a square share nothing") {
     const scene::Scene scene = scene_of(room);
     std::vector<float> frames[2];
-    for (const auto sampling : {trace::Sampling::shared, trace::Sampling::portals}) {
-        trace::RenderOptions options;
+    for (const auto sampling : {render::Sampling::shared, render::Sampling::portals}) {
+        render::RenderOptions options;
         options.sampling = sampling;
         options.noisy_share = 0;
-        trace::Renderer renderer(scene, into_room(), 32, 15, options, "cpu", {});
-        renderer.frame(1, frames[sampling == trace::Sampling::shared]);
+        render::Renderer renderer(scene, into_room(), 32, 15, options, "cpu", {});
+        renderer.frame(1, frames[sampling == render::Sampling::shared]);
     }
     CHECK(frames[0] == frames[1]);
 }
@@ -223,7 +223,7 @@ TEST_CASE("every device shares alike") {
     std::vector<float> first, other;
     for (const std::string& device : devices()) {
         CAPTURE(device);
-        trace::Renderer renderer(scene, into_room(), size, size, {}, device, {});
+        render::Renderer renderer(scene, into_room(), size, size, {}, device, {});
         renderer.frame(3, first.empty() ? first : other);
         if (!other.empty()) CHECK(first == other);
     }

@@ -24,7 +24,7 @@
 #include "base/error.h"
 #include "base/run.h"
 #include "image/stream.h"
-#include "trace/options.h"
+#include "render/options.h"
 
 namespace {
 
@@ -111,7 +111,7 @@ Blocks read_table(const std::string& path, int width, int height) {
 // ptrace's frames: frame 0 is itself the mean of m samples of the direct class, which later frames refine
 // (docs/decisions/0002-frame-zero.md), so only frames beyond m show the whole scatter.
 Blocks read_frames() {
-    const int whole_from = trace::RenderOptions().direct_samples + 1;
+    const int whole_from = render::RenderOptions().direct_samples + 1;
     image::StreamReader in("-");
     image::Picture frame;
     std::vector<double> first, sum, part;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Both traversals in host C++, in namespaces of their own, and a brute-force search over the same primitives.
 #pragma once
-#include "kernels/compat_host.h"
+#include "kernels/dialect/compat_host.h"
 #include "unit/bvh_scenes.h"
 
 namespace kernels {
-#include "kernels/vec.h"
-#include "kernels/intersect.h"
-#include "kernels/shapes.h"
-#include "kernels/woop.h"
-#include "kernels/offset_ray.h"
+#include "kernels/math/vec.h"
+#include "kernels/bvh/intersect.h"
+#include "kernels/geom/shapes.h"
+#include "kernels/bvh/woop.h"
+#include "kernels/bvh/offset_ray.h"
 namespace wide {
-#include "kernels/bvh8.h"
-#include "trace/packet_rays.h"
-#include "trace/packets.h"
-#include "trace/packet_look.h"
+#include "kernels/bvh/bvh8.h"
+#include "device/packet_rays.h"
+#include "device/packets.h"
+#include "device/packet_look.h"
 inline void trace_first(const SceneTables* s, const Ray* ray, uint mask, Hit* hit) {
     Look look;
     look_along(ray, &look);
@@ -23,7 +23,7 @@ inline void trace_first(const SceneTables* s, const Ray* ray, uint mask, Hit* hi
 }
 }  // namespace wide
 namespace compact {
-#include "kernels/bvh_compact.h"
+#include "kernels/bvh/bvh_compact.h"
 inline void trace_first(const SceneTables* s, const Ray* ray, uint mask, Hit* hit) {
     Look look;
     look_along(ray, &look);

@@ -6,11 +6,11 @@
 
 #include <cmath>
 #include <map>
-#include "kernels/host.h"
+#include "kernels/dialect/host.h"
 namespace kernels {
-#include "kernels/sampler.h"
-#include "kernels/bsdf.h"
-#include "kernels/bsdf_sample.h"
+#include "kernels/sampling/sampler.h"
+#include "kernels/material/bsdf.h"
+#include "kernels/material/bsdf_sample.h"
 }  // namespace kernels
 #include "flatten/bsdf.h"
 #include "unit/bsdf_text.h"

@@ -7,18 +7,18 @@
 #include <cmath>
 #include <random>
 #include <vector>
-#include "kernels/host.h"
+#include "kernels/dialect/host.h"
 namespace kernels {
-#include "kernels/cal_vm.h"
-#include "kernels/sampler.h"
-#include "kernels/instance.h"
-#include "kernels/surface.h"
-#include "kernels/lobes.h"
-#include "kernels/modifier.h"
-#include "kernels/sources.h"
-#include "kernels/gate.h"
-#include "kernels/light_tree.h"
-#include "kernels/choose_source.h"
+#include "kernels/cal/cal_vm.h"
+#include "kernels/sampling/sampler.h"
+#include "kernels/bvh/instance.h"
+#include "kernels/geom/surface.h"
+#include "kernels/material/lobes.h"
+#include "kernels/material/modifier.h"
+#include "kernels/light/sources.h"
+#include "kernels/light/gate.h"
+#include "kernels/light/light_tree.h"
+#include "kernels/light/choose_source.h"
 }  // namespace kernels
 
 using namespace kernels;

@@ -6,9 +6,9 @@
 
 #include <cmath>
 #include <random>
-#include "kernels/compat_host.h"
+#include "kernels/dialect/compat_host.h"
 namespace device {
-#include "kernels/math.h"
+#include "kernels/math/math.h"
 }
 
 // Largest |f - exact| in units of the last place of the exact value (of 1e-30 at least) for `count` random arguments.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Russian roulette (kernels/path/end.h, docs/decisions/0029-roulette.md): it keeps the mean of what a path carries,
-// makes none carry more than where roulette sets in, and leaves alone what carries more, however dark its surfaces.
+// Russian roulette (kernels/integrator/end.h, docs/decisions/0029-roulette.md): it keeps the mean of what a path
+// carries, makes none carry more than where roulette sets in, and leaves alone what carries more, however dark its
+// surfaces.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -9,7 +10,7 @@
 #include <cstring>
 #include <vector>
 namespace device {
-#include "kernels/compat_host.h"
+#include "kernels/dialect/compat_host.h"
 #include "kernels/all.h"
 }  // namespace device
 using namespace device;

@@ -6,9 +6,9 @@
 
 #include <cmath>
 #include <vector>
-#include "kernels/compat_host.h"
+#include "kernels/dialect/compat_host.h"
 namespace device {
-#include "kernels/sampler.h"
+#include "kernels/sampling/sampler.h"
 }
 using device::Sampler;
 

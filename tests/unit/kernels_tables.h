@@ -3,12 +3,12 @@
 #pragma once
 #include <cmath>
 #include <vector>
-#include "kernels/host.h"
+#include "kernels/dialect/host.h"
 namespace kernels {
-#include "kernels/instance.h"
-#include "kernels/surface.h"
-#include "kernels/highlights.h"
-#include "kernels/portals.h"
+#include "kernels/bvh/instance.h"
+#include "kernels/geom/surface.h"
+#include "kernels/sampling/highlights.h"
+#include "kernels/sampling/portals.h"
 }  // namespace kernels
 
 struct Tables {

@@ -5,11 +5,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include "trace/view_params.h"
+#include "render/view_params.h"
 #include "view/view.h"
 namespace kernels {
-#include "kernels/sampler.h"
-#include "kernels/view_ray.h"
+#include "kernels/sampling/sampler.h"
+#include "kernels/geom/view_ray.h"
 }  // namespace kernels
 
 TEST_CASE("the device looks where the view does") {
@@ -26,7 +26,7 @@ TEST_CASE("the device looks where the view does") {
         v.vl = -.2;
         const view::Projector projector(v);
         kernels::Params params{};
-        trace::set_view(params, v, {1, 1, 1});
+        render::set_view(params, v, {1, 1, 1});
         int rays = 0;
         for (int i = 0; i <= 20; ++i)
             for (int j = 0; j <= 20; ++j) {
@@ -63,7 +63,7 @@ TEST_CASE("rays through the lens meet at the focal distance") {
         v.vv = 50;
         const view::Projector projector(v);
         kernels::Params params{};
-        trace::set_view(params, v, {0, 0, 0});
+        render::set_view(params, v, {0, 0, 0});
         const auto middle = projector.ray(.3, .6);
         REQUIRE(bool(middle));
         const double to_focus = type == 'v' ? 3 / middle->dir.y : 3;

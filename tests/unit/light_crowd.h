@@ -13,19 +13,19 @@
 
 #include "base/tempfile.h"
 #include "flatten/flatten.h"
-#include "kernels/host.h"
+#include "kernels/dialect/host.h"
 namespace kernels {
-#include "kernels/cal_vm.h"
-#include "kernels/sampler.h"
-#include "kernels/instance.h"
-#include "kernels/surface.h"
-#include "kernels/lobes.h"
-#include "kernels/modifier.h"
-#include "kernels/sources.h"
-#include "kernels/source_sample.h"
-#include "kernels/gate.h"
-#include "kernels/light_tree.h"
-#include "kernels/choose_source.h"
+#include "kernels/cal/cal_vm.h"
+#include "kernels/sampling/sampler.h"
+#include "kernels/bvh/instance.h"
+#include "kernels/geom/surface.h"
+#include "kernels/material/lobes.h"
+#include "kernels/material/modifier.h"
+#include "kernels/light/sources.h"
+#include "kernels/light/source_sample.h"
+#include "kernels/light/gate.h"
+#include "kernels/light/light_tree.h"
+#include "kernels/light/choose_source.h"
 }  // namespace kernels
 
 using namespace kernels;
@@ -74,7 +74,6 @@ struct Crowd {
         base::TempFile file((std::filesystem::temp_directory_path() / "luxpipe_crowd.rad").string());
         std::ofstream(file.path()) << text;
         flatten::Options options;
-        options.sampling = flatten::Sampling::plain;
         options.dr = levels;
         flat = flatten::flatten(scene::read_scene({file.path()}, {}), options, {});
         s.f = flat.f.data();

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "declare.h"
-#include "trace/fingerprint.h"
+#include "render/fingerprint.h"
 
 namespace {
 
@@ -45,11 +45,11 @@ const std::map<std::string, const char*> harmless = {
 };
 
 bool changes(const std::string& option, size_t arguments, const char* value) {
-    trace::RenderOptions render;
-    const auto fingerprint = [&] { return trace::fingerprint({}, {}, 8, 8, render, {}); };
+    render::RenderOptions render;
+    const auto fingerprint = [&] { return render::fingerprint({}, {}, 8, 8, render, {}); };
     const std::string before = fingerprint();
     base::OptionTable table;
-    trace::declare_options(table, render);
+    render::declare_options(table, render);
     std::vector<std::string> words{arguments ? option : option + value};
     words.resize(1 + arguments, value);
     std::string wrong;
@@ -72,7 +72,7 @@ TEST_CASE("an option of ptrace is a part of the fingerprint, or is known to be h
 
         bool changed = false;
         for (const char* value : {"0", "1", "+", "-", "plain"}) changed = changed || changes(o.name, o.count, value);
-        CHECK_MESSAGE(changed, "not in lib/trace/options.cpp, whose options the fingerprint holds");
+        CHECK_MESSAGE(changed, "not in lib/render/options.cpp, whose options the fingerprint holds");
         ++moving;
     }
     CHECK(moving > 15);

@@ -2,7 +2,7 @@
 // The table of materials: what must hold of every row, and the questions whose answers depend on arguments.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
-#include "kernels/host.h"
+#include "kernels/dialect/host.h"
 #include "scene/materials.h"
 #include "scene_text.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ptaccum - sums the frames of a stream, L'(n) = L(0) + (1/n) sum L(i) (paper Eq. 7), or merges such sums.
 // What the first picture is decides: FRAME= begins a stream of frames, FRAMES= a merge; frames that follow the sums of
-// a merge are added to it.  The arithmetic is lib/image/accumulate.h; this file only connects it.  See man/ptaccum.1.
+// a merge are added to it.  The arithmetic is lib/film/accumulate.h; this file only connects it.  See man/ptaccum.1.
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -64,7 +64,7 @@ void merge(const Options& opt, Pictures& pictures, image::Picture& first, const 
     std::string name = pictures.name();
     size_t input = pictures.input();
     int count = 1;
-    image::Merger merger(opt.batches);
+    film::Merger merger(opt.batches);
     const bool plain = !last.header.frames;  // no sum of ours: one such picture is only converted
     // An input may be a stream of growing sums: its last one counts.
     while (pictures.next(further) && !is_frame(further)) {

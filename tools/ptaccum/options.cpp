@@ -18,7 +18,7 @@ void declare_output(OptionTable& t, Options& opt) {
     t.group("Output");
     t.add("-every N",
           "Write the sums of n = 0, N, 2N ... frames; x2 as N: n = 0, 1, 2, 4, 8 ..., x2/16: 16 steps a doubling",
-          [&](Arguments& a) { opt.schedule = image::Schedule::parse(a.text(), a.name()); })
+          [&](Arguments& a) { opt.schedule = film::Schedule::parse(a.text(), a.name()); })
         .default_text("1");
     t.add("-last", "Write the last sum only", opt.last_only);
     t.add("-o file",

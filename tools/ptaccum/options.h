@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 #include "display/tone.h"
-#include "image/accumulate.h"
+#include "film/accumulate.h"
 #include "image/picture.h"
 
 struct Options {
@@ -13,7 +13,7 @@ struct Options {
     std::vector<std::string> inputs;   // none: stdin
     std::vector<std::string> outputs;  // -o, may repeat: files
     bool to_stdout = true;             // no -o, or one of them is "-"
-    image::Schedule schedule;          // -every
+    film::Schedule schedule;           // -every
     bool every_given = false;
     bool last_only = false;              // -last
     bool floats = false, bytes = false;  // -ff -fc: not what output.h says

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <string>
 #include "base/progress.h"
-#include "image/accumulate.h"
+#include "film/accumulate.h"
 #include "display/denoise.h"
 #include "output.h"
 
@@ -32,9 +32,9 @@ private:
     bool can_filter() const;
     const Options& options_;
     const Output& output_;
-    image::Accumulator sum_;
+    film::Accumulator sum_;
     image::Picture result_;
-    image::Schedule schedule_;
+    film::Schedule schedule_;
     std::optional<image::GrowingParts> parts_;  // with -batches
     bool filters_;                              // PNG files are asked for, and all frames come through here
     display::HalfSums halves_;                  // where it does

@@ -13,7 +13,8 @@
 #include "base/error.h"
 #include "base/text_file.h"
 #include "base/value.h"
-#include "trace/progressive.h"
+#include "render/make_device.h"
+#include "render/progressive.h"
 
 namespace {
 
@@ -54,7 +55,7 @@ void read_rif(const std::string& path, const std::vector<std::string>& assignmen
 
 std::string devices() {
     std::string text;
-    for (const std::string& device : trace::list_devices()) text += device + "\n";
+    for (const std::string& device : render::list_devices()) text += device + "\n";
     return text;
 }
 
@@ -136,7 +137,7 @@ void declare_options(OptionTable& t, Options& opt, std::optional<scene::RadInput
     view::declare_file_option(t, [&](const view::View& v) { opt.view = v; });
     declare_pictures(t, opt);
     declare_picture(t, opt);
-    trace::declare_options(t, opt.render);
+    render::declare_options(t, opt.render);
     t.add("-f file", "A function file whose definitions all functions of the scene may use", opt.files.cal_files)
         .from_scene();
     declare_frames(t, opt, rad_input, assignments);

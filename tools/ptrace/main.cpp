@@ -2,7 +2,7 @@
 // ptrace - renders a RADIANCE scene by path tracing, frame after frame, each an ordinary picture on stdout.
 // Frame 0 holds the direct and specular paths, frames 1, 2, ... one diffuse path sample a pixel each, more where it
 // is noisy (paper Eq. 7).
-// The rendering lives in lib/trace; this file only connects.  See man/ptrace.1.
+// The rendering lives in lib/render; this file only connects.  See man/ptrace.1.
 #include <fmt/core.h>
 
 #include <chrono>
@@ -19,7 +19,7 @@
 #include "options.h"
 #include "region/open.h"
 #include "scene/object.h"
-#include "trace/progressive.h"
+#include "render/progressive.h"
 
 namespace {
 
@@ -57,20 +57,20 @@ private:
 
 // A driver of OpenCL that sees the kernels for the first time compiles them, which takes it some ten seconds; for a GPU
 // they are compiled when the scene is known.
-std::unique_ptr<trace::Renderer> start(const std::string& device) {
+std::unique_ptr<render::Renderer> start(const std::string& device) {
     base::Progress progress("ptrace");
     if (device.rfind("opencl", 0) == 0) progress.show("starts " + device + "; its kernels are compiled the first time");
-    return std::make_unique<trace::Renderer>(device);
+    return std::make_unique<render::Renderer>(device);
 }
 
 // Loads the scene on the device, which is started for the first one.
 void load(const Options& opt, const scene::Scene& scene, const scene::ReadOptions& how, const std::string& device,
-          std::unique_ptr<trace::Renderer>& renderer) {
+          std::unique_ptr<render::Renderer>& renderer) {
     if (!renderer) renderer = start(device);
-    std::vector<trace::Shot> shots;
+    std::vector<render::Shot> shots;
     for (const NamedShot& s : opt.shots) shots.push_back(s.shot);
     base::Progress progress("ptrace");
-    trace::RenderOptions render = opt.render;
+    render::RenderOptions render = opt.render;
     render.tell_tree = [&](double share) {
         if (progress.due()) progress.show(fmt::format("builds the tree of all surfaces, {:.0f} %", 100 * share));
     };
@@ -78,7 +78,7 @@ void load(const Options& opt, const scene::Scene& scene, const scene::ReadOption
 }
 
 // Frames first to last of the picture that the renderer looks at.
-void render_frames(const Options& opt, trace::Renderer& renderer, image::Picture& picture) {
+void render_frames(const Options& opt, render::Renderer& renderer, image::Picture& picture) {
     const bool streams = opt.output.empty();
     const std::string label = image::label(picture.header);
     image::WriteOptions as_float;
@@ -105,7 +105,7 @@ void write_rule(const Options& opt) {
 }
 
 // All views under one sky.
-void render_views(const Options& opt, trace::Renderer& renderer, const std::vector<std::string>& history,
+void render_views(const Options& opt, render::Renderer& renderer, const std::vector<std::string>& history,
                   const std::string& sky) {
     for (size_t i = 0; i < opt.shots.size() && !base::stop_requested(); ++i) {
         const NamedShot& s = opt.shots[i];
@@ -129,11 +129,11 @@ void render_views(const Options& opt, trace::Renderer& renderer, const std::vect
 // A file of regions is drawn for each view; masks are of one size.
 void choose_focus(Options& opt) {
     if (opt.focus_file.empty()) return;
-    comfort::DrawRegions draw;
+    image::DrawRegions draw;
     image::MaskSet masks = region::open(opt.focus_file, draw, false);
     for (auto& [name, shot] : opt.shots) {
         if (draw) masks = draw(shot.view, shot.nx, shot.ny);
-        shot.focus = trace::focus_on(masks, shot.nx, shot.ny, opt.focus_share, opt.focus_file);
+        shot.focus = render::focus_on(masks, shot.nx, shot.ny, opt.focus_share, opt.focus_file);
         if (shot.focus.empty())
             base::warn(opt.focus_file,
                        "its regions are so large, or -focus-share so small, that none of their pixels gets a "
@@ -141,12 +141,12 @@ void choose_focus(Options& opt) {
     }
 }
 
-int render(int argc, char** argv) {
+int run(int argc, char** argv) {
     Options opt;
     if (auto status = parse_options(argc, argv, opt)) return *status;
     choose_focus(opt);
     const bool only_rule = !opt.rule_for.empty() && opt.rule_file.empty();
-    std::unique_ptr<trace::Renderer> renderer;
+    std::unique_ptr<render::Renderer> renderer;
     const std::vector<std::string> skies = opt.skies.empty() ? std::vector<std::string>{""} : opt.skies;
     scene::Scene without_sky = scene::read_scene(opt.scene_files, opt.files);
     for (const std::string& sky : skies) {
@@ -174,5 +174,5 @@ int render(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return base::run("ptrace", [&] { return render(argc, argv); });
+    return base::run("ptrace", [&] { return run(argc, argv); });
 }

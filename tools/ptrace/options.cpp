@@ -37,7 +37,7 @@ void choose_view(const scene::RadInput& rad_input, const std::string& name, base
 }
 
 void add_shot(const std::string& name, Options& opt) {
-    trace::Shot shot{opt.view, opt.nx, opt.ny};
+    render::Shot shot{opt.view, opt.nx, opt.ny};
     view::fit_size(shot.view, opt.pixel_aspect, shot.nx, shot.ny);
     opt.shots.push_back({name, shot});
 }
@@ -101,7 +101,7 @@ void check(const Options& opt) {
     if (reads_stdin && opt.skies.size() > 1) base::fail("-", "is read once, but the scene is read again for each -sky");
     if (!opt.rule_file.empty() && opt.rule_for.empty()) base::fail("-MF", "needs -M for the rule's target");
     if (!opt.rule_for.empty() && opt.rule_file.empty()) return;
-    for (const NamedShot& s : opt.shots) trace::require_memory(s.shot);
+    for (const NamedShot& s : opt.shots) render::require_memory(s.shot);
     const bool several = opt.shots.size() > 1 || opt.skies.size() > 1;
     if (several && opt.last == Options::endless) base::fail("-frames", "say how many frames each picture gets");
     if (!opt.output.empty()) return check_output(opt);

@@ -9,18 +9,18 @@
 
 #include "base/processors.h"
 #include "scene/object.h"
-#include "trace/options.h"
-#include "trace/progressive.h"
+#include "render/options.h"
+#include "render/progressive.h"
 #include "view/view.h"
 
 // A picture and its name; a single one has none.
 struct NamedShot {
     std::string name;
-    trace::Shot shot;
+    render::Shot shot;
 };
 
 struct Options {
-    trace::RenderOptions render;
+    render::RenderOptions render;
     view::View view;
     std::vector<std::string> views_files;  // -views: a picture of each view in them; "-": standard input (-S)
     int64_t first_view = 1;                // -S: the number of the first one without a name

@@ -27,7 +27,7 @@ void Steps::tell(const std::string& place, const std::string& fact) {
     told_ = true;
 }
 
-void Steps::add(const image::Picture& picture, const comfort::Luminance& lum, const std::string& place) {
+void Steps::add(const image::Picture& picture, const glare::Luminance& lum, const std::string& place) {
     const bool has_parts = !picture.parts.empty();
     const std::string lack = has_parts ? "" : what_it_lacks(picture);
     const int64_t n = picture.header.frames.value_or(0);
@@ -46,7 +46,7 @@ void Steps::add(const image::Picture& picture, const comfort::Luminance& lum, co
     last_ = n;
 }
 
-bool Steps::look(const comfort::Luminance& lum, const comfort::Measurement& m) {
+bool Steps::look(const glare::Luminance& lum, const glare::Measurement& m) {
     if (!step_ || estimates_.parts().size() < 2 || !(ends_ || estimates_.due())) return false;
     const bool counts = estimates_.frames() >= first_look_;
     if (counts) estimates_.look(lum, m);

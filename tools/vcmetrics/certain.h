@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which pictures of a run are steps of one growing sum, so that errors can be estimated (comfort/estimates.h), and what
+// Which pictures of a run are steps of one growing sum, so that errors can be estimated (report/estimates.h), and what
 // the others lack, said once.
 #pragma once
 #include <string>
-#include "comfort/estimates.h"
+#include "report/estimates.h"
 #include "image/picture.h"
 
 class Steps {
 public:
     // Looks before `first_look` frames are left out.
-    Steps(const comfort::Meter& meter, const std::vector<comfort::Column>& columns, int64_t first_look)
+    Steps(const glare::Meter& meter, const std::vector<glare::Column>& columns, int64_t first_look)
         : estimates_(meter, columns), first_look_(first_look) {}
 
     // A picture's luminance, before it is measured.
-    void add(const image::Picture& picture, const comfort::Luminance& lum, const std::string& place);
+    void add(const image::Picture& picture, const glare::Luminance& lum, const std::string& place);
     // After it is measured.  True: this was a look, the estimates are new.
-    bool look(const comfort::Luminance& lum, const comfort::Measurement& m);
+    bool look(const glare::Luminance& lum, const glare::Measurement& m);
     void end_input(const std::string& place);  // of a file
-    const comfort::ColumnEstimates& estimates() const { return estimates_; }
+    const report::ColumnEstimates& estimates() const { return estimates_; }
 
 private:
     void tell(const std::string& place, const std::string& fact);
-    comfort::ColumnEstimates estimates_;
+    report::ColumnEstimates estimates_;
     int64_t first_look_;
     int64_t last_ = -1;  // frames of the picture before; -1: none
     bool step_ = false;  // the picture at hand is one

@@ -8,12 +8,13 @@
 #include "base/run.h"
 #include "base/split.h"
 #include "base/text_file.h"
-#include "comfort/columns.h"
-#include "comfort/compare.h"
+#include "glare/columns.h"
+#include "report/compare.h"
 #include "measure_stream.h"
 
 namespace {
-using namespace comfort;
+using namespace glare;
+using namespace report;
 
 // Rules as typed, or the lines of a file (# begins a comment).
 std::vector<Tolerance> rules_of(const std::string& text) {
@@ -54,7 +55,7 @@ std::pair<NumberTable, NumberTable> both_sides(const Options& o) {
 
 // What a rule of -tolerance may name: what is compared here, or would be with other -metrics.
 std::vector<std::string> metrics_there_are(const NumberTable& compared) {
-    std::vector<std::string> names = base::split_words(comfort::column_names());
+    std::vector<std::string> names = base::split_words(glare::column_names());
     names.insert(names.end(), compared.names.begin(), compared.names.end());
     return names;
 }

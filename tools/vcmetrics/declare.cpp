@@ -5,18 +5,18 @@
 #include <algorithm>
 
 #include "base/split.h"
-#include "comfort/columns.h"
+#include "glare/columns.h"
 
 namespace {
 
 using base::Arguments;
 using base::OptionTable;
 
-void define_dgp(Arguments& a, comfort::Settings& s) {
+void define_dgp(Arguments& a, glare::Settings& s) {
     switch (a.one_of({"evalglare", "paper", "pixel"})) {
-    case 0: s.dgp_form = comfort::DgpForm::merged, s.constants = {}; break;
-    case 1: s.constants = comfort::paper_dgp; break;
-    default: s.dgp_form = comfort::DgpForm::pixel;
+    case 0: s.dgp_form = glare::DgpForm::merged, s.constants = {}; break;
+    case 1: s.constants = glare::paper_dgp; break;
+    default: s.dgp_form = glare::DgpForm::pixel;
     }
 }
 
@@ -27,9 +27,9 @@ std::string without_blanks(std::string list) {
 }
 
 void declare_output(OptionTable& t, Options& o) {
-    using Format = comfort::TableFormat;
+    using Format = report::TableFormat;
     t.group("What is printed");
-    t.add("-metrics list", "The columns, comma separated: " + comfort::column_names(),
+    t.add("-metrics list", "The columns, comma separated: " + glare::column_names(),
           [&](Arguments& a) { o.metrics = base::split_list(without_blanks(a.text()), ','); });
     t.add("-regions file", "Named regions: masks of vcregion(1), or a file of vcregion(5)", o.regions_file);
     t.add("-cr pair", "Contrast ratio of two regions, low/high or name=low/high; may be repeated", [&](Arguments& a) {
@@ -54,7 +54,7 @@ void declare_comparison(OptionTable& t, Options& o) {
 }
 
 void declare_definitions(OptionTable& t, Options& o) {
-    using Area = comfort::RammgArea;
+    using Area = glare::RammgArea;
     t.group("Definitions");
     t.add("-task name", "Take the threshold from this region: 5 times its mean luminance", o.settings.task_region);
     t.add("-like program", "Print and measure as evalglare or accelerad does", [&](Arguments& a) {
@@ -80,11 +80,11 @@ void speak_as(Like program, Options& o) {
     if (program != Like::accelerad) return;
 
     // AcceleradRT: every bright pixel, older position index, always corrected
-    o.format = comfort::TableFormat::csv;
-    o.settings.dgp_form = comfort::DgpForm::pixel;
-    o.settings.position = comfort::PositionModel::accelerad;
+    o.format = report::TableFormat::csv;
+    o.settings.dgp_form = glare::DgpForm::pixel;
+    o.settings.position = glare::PositionModel::accelerad;
     o.settings.low_light = true;
-    o.settings.rammg_area = comfort::RammgArea::prototype_scale;
+    o.settings.rammg_area = glare::RammgArea::prototype_scale;
 }
 
 void declare_options(OptionTable& t, Options& o, view::View& view) {

@@ -11,47 +11,47 @@ using base::OptionTable;
 
 const base::Range pixels = base::within(-(1 << 20), 1 << 20);  // a column or row, possibly outside the picture
 
-comfort::Circle circle(Arguments& a) {
-    comfort::Circle c;
+glare::Circle circle(Arguments& a) {
+    glare::Circle c;
     c.x = int(a.integer(pixels));
     c.y = int(a.integer(pixels));
     c.opening = a.real(base::above(0));
     return c;
 }
 
-void read_fill(Arguments& a, comfort::Settings& s) {
+void read_fill(Arguments& a, glare::Settings& s) {
     s.external_ev = a.real();
-    comfort::Fill fill;
+    glare::Fill fill;
     fill.y_max = int(a.integer(pixels));
     fill.y_min = int(a.integer(pixels));
     s.fill = fill;
 }
 
-void read_constants(Arguments& a, comfort::DgpConstants& k) {
+void read_constants(Arguments& a, glare::DgpConstants& k) {
     for (double* v : {&k.a1, &k.a2, &k.a3, &k.a4, &k.a5, &k.c1, &k.c2, &k.c3}) *v = a.real();
 }
 
 void read_patches(Arguments& a, Options& o) {
-    comfort::Patches patches;
+    glare::Patches patches;
     patches.angle_deg = a.real();
     patches.mode = int(a.integer(base::within(1, 3)));
     o.settings.patches = patches;
     if (patches.mode == 3) speak_as(Like::evalglare, o);
 }
 
-void read_low_light(Arguments& a, comfort::Settings& s) {
+void read_low_light(Arguments& a, glare::Settings& s) {
     const std::string what = a.text();
     if (what == "l+") s.low_light = true;
     if (what == "l-" || what == "0") s.low_light = false;
 }
 
-void read_zones(Arguments& a, comfort::Settings& s, bool two) {
-    s.zones = comfort::Zones{circle(a), {}};
+void read_zones(Arguments& a, glare::Settings& s, bool two) {
+    s.zones = glare::Zones{circle(a), {}};
     if (two) s.zones->outer_opening = a.real();
 }
 
 void declare_sources(OptionTable& t, Options& o) {
-    comfort::Settings& s = o.settings;
+    glare::Settings& s = o.settings;
     t.group("evalglare's: glare sources");
     t.add("-b factor", "Threshold: factor of the task's or mean luminance; above 100, a luminance in cd/m2",
           s.threshold)
@@ -79,8 +79,8 @@ void declare_sources(OptionTable& t, Options& o) {
     t.add("-L x y angle1 angle2", "Two zones, one around the other", [&](Arguments& a) { read_zones(a, s, true); });
 }
 
-void declare_measures(OptionTable& t, comfort::Settings& s) {
-    using Model = comfort::PositionModel;
+void declare_measures(OptionTable& t, glare::Settings& s) {
+    using Model = glare::PositionModel;
     t.group("evalglare's: what is measured");
     t.add("-G type", "Cut the field of view after Ev is taken: 1 total, 2 both eyes, 3 both eyes, weighted by 1/P",
           [&](Arguments& a) { s.field_cut = int(a.integer(base::within(1, 3))); });
@@ -108,7 +108,7 @@ void declare_measures(OptionTable& t, comfort::Settings& s) {
 
 // What only evalglare's lines have: each implies -like evalglare.
 void declare_lines(OptionTable& t, Options& o) {
-    comfort::Settings& s = o.settings;
+    glare::Settings& s = o.settings;
     const auto implies = [&](auto& variable, auto value) {
         return [&o, &variable, value](Arguments&) {
             speak_as(Like::evalglare, o);
@@ -128,11 +128,11 @@ void declare_lines(OptionTable& t, Options& o) {
     t.add("-3", "The third fast mode: prints nothing", implies(s.fast, 3));
 }
 
-void read_colour(Arguments& a, comfort::Settings& s) {
+void read_colour(Arguments& a, glare::Settings& s) {
     const base::Vec3 c = a.vec();
     const double sum = c.x + c.y + c.z;
     if (!(c.x >= 0 && c.y >= 0 && c.z >= 0 && sum > 0)) base::fail(a.name(), "a colour has no negative part and a sum");
-    s.source_paint = comfort::Paint{c.x / sum, c.y / sum, c.z / sum};
+    s.source_paint = glare::Paint{c.x / sum, c.y / sum, c.z / sum};
 }
 
 void declare_check_picture(OptionTable& t, Options& o) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vcmetrics - glare and visual-comfort metrics of pictures or of a stream of them, one line a picture.
-// The metrics live in lib/comfort; this file only connects them.  See man/vcmetrics.1.
+// The metrics live in lib/glare; this file only connects them.  See man/vcmetrics.1.
 #include "base/run.h"
 #include "compare_inputs.h"
 #include "measure_stream.h"

@@ -6,7 +6,7 @@
 #include "base/run.h"
 #include "base/stop.h"
 #include "certain.h"
-#include "comfort/columns.h"
+#include "glare/columns.h"
 #include "display/file.h"
 #include "image/header.h"
 #include "image/stream.h"
@@ -15,7 +15,8 @@
 #include "uncertainty/stopping.h"
 
 namespace {
-using namespace comfort;
+using namespace glare;
+using namespace report;
 
 // On a terminal each line begins with an empty one: programs upstream show their progress there.
 void print(const std::string& text) {
@@ -48,7 +49,7 @@ class Printer {
 public:
     Printer(const Options& o, bool from_files)
         : o_(o), start_(std::chrono::steady_clock::now()), from_files_(from_files) {
-        DrawRegions draw;
+        image::DrawRegions draw;
         if (!o.regions_file.empty()) regions_ = region::open(o.regions_file, draw, true);
         ColumnChoice choice;
         choice.names = o.metrics;
@@ -241,8 +242,8 @@ int measure_all(const Options& o) {
     return printer.status();
 }
 
-comfort::NumberTable measure_table(const Options& options, const std::string& file,
-                                   const std::vector<std::string>& metrics) {
+report::NumberTable measure_table(const Options& options, const std::string& file,
+                                  const std::vector<std::string>& metrics) {
     Options o = options;
     o.metrics = metrics;
     if (o.like == Like::evalglare) o.like = Like::vcmetrics;  // its rounding stays, the columns are ours

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The main loop: read a picture, measure it, print its line at once, look whether to stop.
 #pragma once
-#include "comfort/compare.h"
+#include "report/compare.h"
 #include "options.h"
 
 int measure_all(const Options& options);  // exit status
 
 // The same into a table: every picture of one input, these metrics.
-comfort::NumberTable measure_table(const Options& options, const std::string& file,
-                                   const std::vector<std::string>& metrics);
+report::NumberTable measure_table(const Options& options, const std::string& file,
+                                  const std::vector<std::string>& metrics);

@@ -5,23 +5,23 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include "comfort/evalglare_format.h"
-#include "comfort/settings.h"
-#include "comfort/table.h"
+#include "glare/evalglare_format.h"
+#include "glare/settings.h"
+#include "report/table.h"
 #include "view/view.h"
 
 enum class Like { vcmetrics, evalglare, accelerad };
 
 struct Options {
-    comfort::Settings settings;
+    glare::Settings settings;
     std::vector<std::string> files;  // empty: stdin
     std::string regions_file;
     std::vector<std::string> contrast_pairs;
     std::vector<std::string> metrics;  // empty: the default columns
     bool list_sources = false;
-    comfort::TableFormat format = comfort::TableFormat::tsv;
+    report::TableFormat format = report::TableFormat::tsv;
     Like like = Like::vcmetrics;
-    comfort::EvalglareOutput evalglare;
+    glare::EvalglareOutput evalglare;
     std::string until;
     std::optional<double> ci;  // -ci: NAME.lo and NAME.hi, this certain (a share)
     std::optional<int64_t> max_frames;

@@ -9,7 +9,8 @@
 #include "base/error.h"
 #include "uncertainty/stopping.h"
 
-using namespace comfort;
+using namespace glare;
+using namespace report;
 
 Stopping::Stopping(const Options& options, const std::vector<Column>& columns) : options_(options), columns_(columns) {
     if (options.until.empty()) return;

@@ -4,20 +4,20 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include "comfort/estimates.h"
-#include "comfort/until.h"
+#include "report/estimates.h"
+#include "report/until.h"
 #include "options.h"
 
 class Stopping {
 public:
     // Throws Error if a rule names a column that the run does not have, or that has no interval.
-    Stopping(const Options& options, const std::vector<comfort::Column>& columns);
+    Stopping(const Options& options, const std::vector<glare::Column>& columns);
     bool has_rule() const { return rule_.has_value(); }
 
     struct Line {
         int64_t frames;
-        double seconds;                          // since the start
-        const comfort::ColumnEstimates* looked;  // its estimates are new; else null
+        double seconds;                         // since the start
+        const report::ColumnEstimates* looked;  // its estimates are new; else null
     };
     // True: stop here.  Status 0 if the rule holds or there is none, else 4.
     bool after(const Line& line);
@@ -28,8 +28,8 @@ private:
     size_t column_of(const std::string& name, const std::string& why = "") const;
     bool rule_holds(const Line& line, std::string& reason) const;
     const Options& options_;
-    const std::vector<comfort::Column>& columns_;
-    std::optional<comfort::UntilRule> rule_;
+    const std::vector<glare::Column>& columns_;
+    std::optional<report::UntilRule> rule_;
     std::vector<size_t> watched_;  // columns of the rule, in its order
     size_t dgp_ = 0;               // for the class
     int64_t frames_ = 0;           // of the last line

@@ -8,7 +8,7 @@
 #include "region/preview.h"
 #include "image/stream.h"
 #include "options.h"
-#include "sight/sight.h"
+#include "visibility/visibility.h"
 
 namespace {
 
@@ -61,7 +61,7 @@ int work(int argc, char** argv) {
     }
     view::validate(opt.view);
     if (opt.over.empty()) view::fit_size(opt.view, opt.pixel_aspect, opt.nx, opt.ny);
-    const std::unique_ptr<region::SceneView> scene = sight::open_scene(opt.scene, opt.files);
+    const std::unique_ptr<region::SceneView> scene = visibility::open_scene(opt.scene, opt.files);
 
     image::MaskSet set;
     std::vector<region::Extent> extents;

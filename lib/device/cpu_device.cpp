@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The native device: tiles of paths over all cores, the widest instruction set the machine has.
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <iterator>
+#include <mutex>
+
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "base/processors.h"
+#include "base/threads.h"
+#include "device/cpu_kernels.h"
+#include "device/device.h"
+
+namespace device {
+namespace {
+
+// Paths of one tile: their state (kernels/integrator/state.h, 220 bytes each) stays in the second-level cache; what
+// they share, 384 bytes more, is touched only when they have ended.
+constexpr uint32_t TILE = 4096;
+static_assert(TILE % SHARE_SQUARE == 0, "groups lie in one tile");
+
+#define POINT_AT_BVH(type, name) tables_.name = tree_->name.data();
+#define POINT_AT_SCENE(type, name) tables_.name = scene_.name.data();
+
+// A set of kernels by the name that -device cpu:NAME has for it.
+struct Variant {
+    const char* name;
+    const CpuKernels* kernels;
+    bool (*runs)();     // has this machine the instructions?
+    const char* needs;  // these, in words
+};
+
+bool always() { return true; }
+#if defined(__x86_64__)
+bool has_avx2() { return __builtin_cpu_supports("avx2"); }
+bool has_avx512() {
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+}
+#else
+bool has_avx2() { return false; }
+bool has_avx512() { return false; }
+#endif
+
+// The fastest first (docs/decisions/0026-lanes.md).
+const Variant variants[] = {
+#ifdef LUXPIPE_LANES
+    {"lanes16", &cpu_lanes16, has_avx512, "AVX-512"},  // so many paths side by side
+    {"lanes8", &cpu_lanes8, has_avx2, "AVX2"},
+#endif
+    {"avx512", &cpu_avx512, has_avx512, "AVX-512"},  // one path at a time
+    {"avx2", &cpu_avx2, has_avx2, "AVX2"},
+    {"baseline", &cpu_baseline, always, ""},
+};
+
+// name: "" for the best.
+const CpuKernels& choose_kernels(const std::string& name) {
+    std::string names;
+    for (const Variant& v : variants) {
+        if (name == v.name && !v.runs()) base::fail("-device", fmt::format("this machine has no {}", v.needs));
+        if (name.empty() ? v.runs() : name == v.name) return *v.kernels;
+        names += (names.empty() ? "" : ", ") + std::string(v.name);
+    }
+    base::fail("-device", fmt::format("\"{}\" is not a CPU variant ({})", name, names));
+}
+
+class CpuDevice : public Device {
+public:
+    explicit CpuDevice(const std::string& variant) : kernels_(choose_kernels(variant)), threads_(base::processors()) {}
+
+    std::string name() const override { return fmt::format("cpu ({}, {} threads)", kernels_.name, threads_); }
+
+    void upload(flatten::FlatScene s) override {
+        scene_ = std::move(s);
+        tree_ = scene_.host_tree();
+        BVH_TABLES(POINT_AT_BVH)
+        scene_.keep_tables_only();
+        scene_.tell_tree = nullptr;  // nobody waits any more
+        FLAT_TABLES(POINT_AT_SCENE)
+    }
+
+    void set_numbers(std::vector<float> numbers) override {
+        scene_.f = std::move(numbers);
+        FLAT_TABLES(POINT_AT_SCENE)
+    }
+
+    void run(const Params& par, std::vector<float>& rgb) override {
+        rgb.resize(size_t(kernels::film_places(&par)) * 3);
+        tiles(par.slots, [&](uint32_t first, uint32_t count, void* scratch) {
+            float* film = par.shared_slots != 0 ? rgb.data() : &rgb[size_t(first) * 3];
+            kernels_.run(&tables_, &par, par.first + first, count, scratch, film);
+        });
+    }
+    void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) override {
+        rgb.resize(rays.size() * 3);
+        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
+            kernels_.draw(&tables_, &par, rays.data(), first, count, scratch, &rgb[size_t(first) * 3]);
+        });
+    }
+    void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) override {
+        ends.resize(rays.size());
+        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
+            kernels_.walk(&tables_, &par, rays.data(), first, count, scratch, ends.data());
+        });
+    }
+    void set_focus(std::vector<uint32_t> entries) override {
+        focus_ = std::move(entries);
+        tables_.focus = focus_.data();
+    }
+    uint32_t good_slots() const override { return 64 * TILE; }
+
+private:
+    // Smaller tiles where there are few slots, so that no thread waits.
+    uint32_t tile_of(uint32_t slots) const {
+        const uint32_t each = slots / (2 * threads_) / SHARE_SQUARE * SHARE_SQUARE;
+        return std::clamp(each, SHARE_SQUARE, TILE);
+    }
+    template <class F>
+    void tiles(uint32_t slots, F&& work) {
+        const uint32_t tile = tile_of(slots);
+        std::atomic<uint32_t> next{0};
+        std::exception_ptr error;
+        std::mutex lock;
+        const auto worker = [&] {
+            try {
+                std::vector<char> scratch(kernels_.scratch_bytes(tile));
+                for (;;) {
+                    const uint32_t first = next.fetch_add(tile);
+                    if (first >= slots) return;
+                    work(first, std::min(tile, slots - first), scratch.data());
+                }
+            } catch (...) {
+                std::lock_guard<std::mutex> hold(lock);
+                if (!error) error = std::current_exception();
+            }
+        };
+        base::on_threads(std::min(threads_, (slots + tile - 1) / tile), worker);
+        if (error) std::rethrow_exception(error);
+    }
+
+    const CpuKernels& kernels_;
+    unsigned threads_;
+    flatten::FlatScene scene_;
+    std::shared_ptr<const bvh::Tree> tree_;
+    std::vector<uint32_t> focus_;
+    kernels::SceneTables tables_{};
+};
+
+}  // namespace
+
+bool has_cpu_variant(const std::string& name) {
+    return std::any_of(std::begin(variants), std::end(variants),
+                       [&](const Variant& v) { return name == v.name && v.runs(); });
+}
+
+std::unique_ptr<Device> make_cpu_device(const std::string& name) {
+    const size_t colon = name.find(':');
+    const std::string variant = colon == std::string::npos ? "" : name.substr(colon + 1);
+    return std::make_unique<CpuDevice>(variant);
+}
+
+}  // namespace device

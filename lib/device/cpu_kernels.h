@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What one instruction-set build of the kernels offers to the CPU device.  The tables cross as void*: each build has
+// its own (identical) types in its own namespace.
+#pragma once
+#include <cstdint>
+
+namespace device {
+
+struct CpuKernels {
+    const char* name;
+    // Runs the paths of slots [first, first + count) of a pass.  film: 3 floats for each of them, or, where paths
+    // share, the whole pass's (kernels/integrator/share.h).  scratch: scratch_bytes(count).
+    void (*run)(const void* scene_tables, const void* params, uint32_t first, uint32_t count, void* scratch,
+                float* film);
+    // Rays in the layout of device::DrawRay.
+    void (*draw)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
+                 void* scratch, float* rgb);
+    // Rays and ends in the layouts of device::WalkRay and WalkEnd.
+    void (*walk)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
+                 void* scratch, void* ends);
+    uint64_t (*scratch_bytes)(uint32_t count);
+};
+extern const CpuKernels cpu_baseline, cpu_avx2, cpu_avx512;
+#ifdef LUXPIPE_LANES
+extern const CpuKernels cpu_lanes8, cpu_lanes16;  // of avx2 and avx512: as many paths side by side
+#endif
+
+}  // namespace device

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What of kernels/features.h a scene and a pass have, FEATURE_* bits.
+#pragma once
+#include "flatten/flat_scene.h"
+#include "kernels/dialect/host.h"
+
+namespace device {
+
+uint32_t features_of_scene(const flatten::FlatScene& scene);
+uint32_t features_of_pass(const kernels::Params& par);
+
+}  // namespace device

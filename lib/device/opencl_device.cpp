@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The OpenCL device: wavefront kernels over buffers; GPUs get the scalar two-wide BVH, CPUs (PoCL) the eight-wide one.
+// Compiled programs are cached by the drivers themselves (PoCL, NVIDIA), so that only a first run pays for them.
+#include <cerrno>
+#include <cstring>
+#include <fmt/core.h>
+#include <optional>
+
+#include "base/error.h"
+#include "base/stop.h"
+#include "flatten/build_input.h"
+#include "device/child.h"
+#include "device/device.h"
+#include "device/features.h"
+#include "device/kernel_cache.h"
+#include "device/opencl_paths.h"
+
+namespace device {
+extern const char* const kernel_source;
+
+namespace {
+
+constexpr uint32_t ALL_FEATURES = ~0u;
+
+#define SEND_OF_BVH(type, name) paths_.set_table(TABLE_##name, send(tree->name.data(), tree->name.size() * 4));
+#define SEND_OF_SCENE(type, name) paths_.set_table(TABLE_##name, send(s.name.data(), s.name.size() * 4));
+
+class OpenclDevice : public Device {
+public:
+    OpenclDevice(const OpenclEntry& e, const OpenclChoice& choice)
+        : where_(fmt::format("opencl:{}", choice.index)), gpu_(choice.as_gpu), compact_(choice.compact) {
+        call("starting", [&] {
+            name_ = describe(e);
+            context_ = cl::Context(e.device);
+            queue_ = cl::CommandQueue(context_, e.device);
+            device_ = e.device;
+            paths_ = OpenclPaths(context_, queue_, gpu_);
+            most_slots_ = OpenclPaths::most_slots(device_, gpu_);
+            if (!gpu_) compile(ALL_FEATURES);
+        });
+    }
+    std::string name() const override { return "opencl: " + name_; }
+
+    void upload(flatten::FlatScene s) override {
+        call("loading the scene", [&] {
+            {
+                const std::vector<bvh::Input> in = flatten::build_inputs(s);
+                const auto tree =
+                    compact_ ? std::make_shared<const bvh::Tree>(bvh::build_compact(in.data(), in.size(), s.tell_tree))
+                             : s.host_tree();
+                BVH_TABLES(SEND_OF_BVH)
+            }
+            FLAT_TABLES(SEND_OF_SCENE)
+            paths_.set_table(TABLE_focus, send(nullptr, 0));
+            needs_ = features_of_scene(s);
+        });
+    }
+
+    void set_numbers(std::vector<float> numbers) override {
+        call("sending the view's sources", [&] { send_table(TABLE_f, numbers); });
+    }
+
+    void run(const Params& par, std::vector<float>& rgb) override {
+        call("rendering", [&] {
+            prepare(par);
+            const bool shared = par.shared_slots != 0;  // then all parts have one film
+            rgb.clear();
+            in_parts(par, par.first, par.slots, [&](const Params& part, uint32_t first) {
+                paths_.run(part);
+                paths_.store(part);
+                if (!shared) paths_.receive(part, rgb, size_t(first) * 3);
+                else if (first + part.slots == par.slots) paths_.receive(part, rgb, 0);
+            });
+        });
+    }
+    void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) override {
+        call("drawing sources", [&] {
+            prepare(par);
+            rgb.clear();
+            in_parts(par, 0, uint32_t(rays.size()), [&](const Params& part, uint32_t first) {
+                const size_t n = part.slots;
+                std::vector<kernels::float4> o(n), d(n), c(n);
+                for (size_t i = 0; i < n; i++) {
+                    const DrawRay& ray = rays[first + i];
+                    float source;
+                    std::memcpy(&source, &ray.source, 4);
+                    o[i] = {ray.org[0], ray.org[1], ray.org[2], source};
+                    d[i] = {ray.dir[0], ray.dir[1], ray.dir[2], ray.dist};
+                    c[i] = {ray.weight, ray.weight, ray.weight, 0};
+                }
+                paths_.reserve(part, part.slots);
+                paths_.write(PATH_shadow_org, o);
+                paths_.write(PATH_shadow_dir, d);
+                paths_.write(PATH_shadow_rad, c);
+                paths_.draw(part);
+                paths_.store(part);
+                paths_.receive(part, rgb, size_t(first) * 3);
+            });
+        });
+    }
+    void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) override {
+        call("learning where light comes from", [&] {
+            prepare(par);
+            ends.resize(rays.size());
+            in_parts(par, 0, uint32_t(rays.size()), [&](const Params& part, uint32_t first) {
+                const size_t n = part.slots;
+                std::vector<kernels::float4> p(n), d(n), rad(n), share(n);
+                for (size_t i = 0; i < n; i++) {
+                    const WalkRay& ray = rays[first + i];
+                    p[i] = {ray.org[0], ray.org[1], ray.org[2], 0};
+                    d[i] = {ray.dir[0], ray.dir[1], ray.dir[2], ray.dir_w};
+                }
+                paths_.reserve(part, part.slots);
+                paths_.write(PATH_org, p);
+                paths_.write(PATH_dir, d);
+                paths_.walk(part);
+                paths_.read(PATH_rad, rad);
+                paths_.read(PATH_thr, share);
+                paths_.read(PATH_org, p);
+                paths_.read(PATH_dir, d);
+                for (size_t i = 0; i < n; i++)
+                    ends[first + i] = {{rad[i].x, rad[i].y, rad[i].z},
+                                       {share[i].x, share[i].y, share[i].z},
+                                       {p[i].x, p[i].y, p[i].z},
+                                       {d[i].x, d[i].y, d[i].z},
+                                       d[i].w == WALK_AT_BOUNCE};
+            });
+        });
+    }
+    void set_focus(std::vector<uint32_t> entries) override {
+        call("sending the focus", [&] { send_table(TABLE_focus, entries); });
+    }
+    uint32_t good_slots() const override { return most_slots_; }
+    bool leaves_host_free() const override { return true; }
+    std::string own_bits() const override { return own_bits_; }
+
+    // The values of kernels/self_test.h as this device gives them, after a frame of any scene.
+    std::vector<float> self_test_numbers(uint32_t n) override {
+        std::vector<float> out(n);
+        call("testing the device", [&] {
+            const cl::Buffer b(context_, CL_MEM_READ_WRITE, out.size() * 4);
+            launch_alone("k_self_test", n, b);
+            queue_.enqueueReadBuffer(b, CL_TRUE, 0, out.size() * 4, out.data());
+        });
+        return out;
+    }
+    std::string identity() override {
+        std::string text;
+        call("starting", [&] {
+            text = name_ + device_.getInfo<CL_DEVICE_VERSION>() + device_.getInfo<CL_DRIVER_VERSION>() + options(0) +
+                   (gpu_ ? "gpu" : "");
+        });
+        return text + kernel_source;
+    }
+    void set_own_bits(std::string bits) override { own_bits_ = std::move(bits); }
+
+private:
+    template <class F>
+    void call(const char* doing, F&& work) {
+        const base::EndsSoon here;
+        try {
+            work();
+        } catch (const cl::Error& e) {
+            errno = 0;
+            base::fail_system(where_, fmt::format("{}: {} failed: {}", doing, e.what(), opencl_error(e.err())));
+        }
+    }
+    // Slots first .. first + slots - 1, as many at once as there is memory for: what a device says of itself may be
+    // more than it gives.
+    template <class F>
+    void in_parts(const Params& par, uint32_t first, uint32_t slots, F&& work) {
+        for (uint32_t done = 0; done < slots;) {
+            Params part = par;
+            part.first = first + done;
+            part.slots = std::min(most_slots_, slots - done);
+            try {
+                work(part, done);
+                done += part.slots;
+            } catch (const cl::Error& e) {
+                const bool memory = e.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE || e.err() == CL_OUT_OF_RESOURCES ||
+                                    e.err() == CL_INVALID_BUFFER_SIZE;
+                if (!memory || part.slots <= SHARE_SQUARE) throw;
+                most_slots_ = std::max(part.slots / 2 / SHARE_SQUARE, 1u) * SHARE_SQUARE;
+                paths_.release();
+            }
+        }
+    }
+    // A GPU's kernels have what the scene and its passes need, for all of it takes registers of each work item.
+    void prepare(const Params& par) {
+        if (!gpu_) return;
+        needs_ |= features_of_pass(par);
+        if (has_ != needs_) compile(needs_);
+    }
+    std::string options(uint32_t features) const {
+        std::string text = fmt::format("-cl-std=CL1.2 -DLUX_HAS={}u", features);
+        if (compact_) text += " -DLUX_COMPACT";
+        const auto fp = device_.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
+        if (fp & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) text += " -cl-fp32-correctly-rounded-divide-sqrt";
+        return text;
+    }
+    void compile(uint32_t features) {
+        program_ = cl::Program(context_, std::string(kernel_source));
+        const cl_device_id device = device_();
+        const cl_int code = clBuildProgram(program_(), 1, &device, options(features).c_str(), nullptr, nullptr);
+        if (code != CL_SUCCESS) {
+            std::string log;
+            try {
+                log = program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_).substr(0, 2000);
+            } catch (const cl::Error&) {}
+            errno = 0;
+            base::fail_system(where_, fmt::format("the kernels do not compile: {} {}", opencl_error(code), log));
+        }
+        paths_.use(program_);
+        has_ = features;
+        check_layout();
+    }
+    void launch_alone(const char* name, uint32_t n, const cl::Buffer& result) {
+        cl::Kernel k(program_, name);
+        k.setArg(0, result);
+        paths_.launch(k, n);
+    }
+    template <class T>
+    void send_table(int table, const std::vector<T>& values) {
+        paths_.set_table(table, send(values.data(), values.size() * 4));
+    }
+    cl::Buffer send(const void* data, size_t bytes) {
+        cl::Buffer b(context_, CL_MEM_READ_ONLY, std::max<size_t>(bytes, 64));
+        if (bytes) queue_.enqueueWriteBuffer(b, CL_TRUE, 0, bytes, data);
+        return b;
+    }
+    // The structures must look the same on both sides.
+    void check_layout() {
+        const cl::Buffer b(context_, CL_MEM_READ_WRITE, 64);
+        launch_alone("k_layout", 1, b);
+        uint32_t v[5];
+        queue_.enqueueReadBuffer(b, CL_TRUE, 0, sizeof v, v);
+        const uint32_t here[5] = {sizeof(Params), offsetof(Params, nx), offsetof(Params, mods_at), offsetof(Params, st),
+                                  offsetof(Params, light_tree_at)};
+        errno = 0;
+        if (std::memcmp(v, here, sizeof v) != 0)
+            base::fail_system(where_, "the device lays out structures differently");
+    }
+
+    std::string where_, name_, own_bits_;
+    bool gpu_, compact_;
+    uint32_t most_slots_ = 0, needs_ = 0;  // FEATURE_* of the scene and its passes
+    std::optional<uint32_t> has_;          // and those that the kernels have
+    cl::Device device_;
+    cl::Context context_;
+    cl::CommandQueue queue_;
+    cl::Program program_;
+    OpenclPaths paths_;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> make_opencl_device(const std::string& name) {
+    if (!choose_kernel_cache())
+        base::warn("OpenCL", "no private folder to keep compiled kernels in: they are compiled at every start");
+    errno = 0;
+    if (!ask_in_child([] { return std::to_string(opencl_entries().size()); }))
+        base::fail_system("-device " + name, "an OpenCL driver failed when asked for its devices");
+    const auto devices = opencl_entries();
+    if (devices.empty()) base::fail_system("-device " + name, "no OpenCL platform or device on this machine");
+    const OpenclChoice choice = choose_opencl(name, devices);
+    return std::make_unique<OpenclDevice>(devices[choice.index], choice);
+}
+
+}  // namespace device

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See opencl_paths.h.
+#include "device/opencl_paths.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace device {
+namespace {
+
+using kernels::float4;  // types of the list of fields
+using kernels::LinkWords;
+using kernels::Panes;
+using kernels::uint4;
+
+constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it
+static_assert(LOCAL == PATH_KINDS, "a group has a work item for each kind of path");
+constexpr size_t PIECE = size_t(1) << 21;  // bytes read back at a time
+constexpr size_t QUEUES = 4;
+constexpr uint32_t zeros[2 * PATH_KINDS] = {};
+
+}  // namespace
+
+OpenclPaths::OpenclPaths(const cl::Context& context, const cl::CommandQueue& queue, bool gpu)
+    : gpu_(gpu), context_(context), queue_(queue) {
+    params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(Params));
+    counters_ = room(4, 4);
+    kinds_ = room(2 * PATH_KINDS, 4);
+    release();
+}
+
+void OpenclPaths::use(const cl::Program& program) {
+#define LUX_KERNEL(name) stages_[STAGE_##name].kernel = cl::Kernel(program, "k_" #name);
+    LUX_STAGES(LUX_KERNEL)
+    forget_arguments();
+}
+
+void OpenclPaths::set_table(int table, const cl::Buffer& buffer) {
+    tables_[table] = buffer;
+    forget_arguments();
+}
+
+void OpenclPaths::forget_arguments() {
+    for (Stage& stage : stages_) stage.has.clear();
+}
+
+void OpenclPaths::Stage::give(unsigned argument, const cl::Buffer& buffer) {
+    if (argument >= has.size()) has.resize(argument + 1);
+    if (has[argument] == buffer()) return;
+    kernel.setArg(argument, buffer);
+    has[argument] = buffer();
+}
+
+cl::Buffer OpenclPaths::room(size_t count, size_t bytes_each) const {
+    return cl::Buffer(context_, CL_MEM_READ_WRITE, count * bytes_each);
+}
+
+// Half of the memory, for the scene and others use it, too.
+uint32_t OpenclPaths::most_slots(const cl::Device& device, bool gpu) {
+#define LUX_SIZE(type, name, when) sizeof(type),
+    constexpr size_t sizes[] = {PATH_STATE(LUX_SIZE)};
+    size_t all = QUEUES * 4, largest = 0;
+    for (const size_t size : sizes) all += size, largest = std::max(largest, size);
+    const uint64_t one = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>() / largest,
+                   total = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>() / 2 / all;
+    const uint64_t most = std::min({gpu ? uint64_t(1) << 21 : uint64_t(1) << 18, one, total});
+    return std::max(uint32_t(most) / SHARE_SQUARE, 1u) * SHARE_SQUARE;
+}
+
+void OpenclPaths::release() {
+    for (cl::Buffer& field : fields_) field = {};
+    for (cl::Buffer* queue : {&now_, &next_, &shadow_queue_, &sorted_}) *queue = {};
+    queue_.enqueueWriteBuffer(kinds_, CL_TRUE, 0, sizeof zeros, zeros);
+    forget_arguments();
+    capacity_ = 0;
+    needs_ = PATH_ALWAYS;
+}
+
+void OpenclPaths::reserve(const Params& par, uint32_t slots) {
+    queue_.enqueueWriteBuffer(params_, CL_TRUE, 0, sizeof par, &par);
+    const uint32_t needs = needs_ | kernels::path_needs(&par), capacity = std::max(capacity_, slots);
+    if (capacity == capacity_ && needs == needs_) return;
+    release();
+#define LUX_ROOM(type, name, when) fields_[PATH_##name] = room(((when) & ~needs) == 0 ? capacity : 1, sizeof(type));
+    PATH_STATE(LUX_ROOM)
+    for (cl::Buffer* queue : {&now_, &next_, &shadow_queue_, &sorted_}) *queue = room(capacity, 4);
+    capacity_ = capacity;
+    needs_ = needs;
+}
+
+void OpenclPaths::write(int field, const std::vector<float4>& values) {
+    queue_.enqueueWriteBuffer(fields_[field], CL_TRUE, 0, values.size() * 16, values.data());
+}
+
+void OpenclPaths::read(int field, std::vector<float4>& values) {
+    queue_.enqueueReadBuffer(fields_[field], CL_TRUE, 0, values.size() * 16, values.data());
+}
+
+// In several launches where a single one could last until a desktop's watchdog ends it: k_link follows up to 16 rays a
+// work item.
+void OpenclPaths::launch(const cl::Kernel& kernel, uint32_t n) {
+    const uint32_t most = kernel() == stages_[STAGE_link].kernel() ? 1u << 18 : n;
+    for (uint32_t first = 0; first < n; first += most) {
+        const cl::NDRange items((std::min(most, n - first) + LOCAL - 1) / LOCAL * LOCAL);
+        queue_.enqueueNDRangeKernel(kernel, first > 0 ? cl::NDRange(first) : cl::NullRange, items, cl::NDRange(LOCAL));
+    }
+}
+
+uint32_t OpenclPaths::count() {
+    uint32_t n = 0;
+    queue_.enqueueReadBuffer(counters_, CL_TRUE, 0, 4, &n);
+    return n;
+}
+
+void OpenclPaths::run(const Params& par) {
+    reserve(par, par.slots);
+    begin(STAGE_generate, par);
+    follow();
+    if (par.shared_slots == 0) return;
+    for (const int k : {STAGE_thin, STAGE_link, STAGE_panes, STAGE_connect, STAGE_weigh, STAGE_collect})
+        stage(k, par.slots);
+}
+
+void OpenclPaths::walk(const Params& par) {
+    begin(STAGE_walk, par);
+    follow();
+}
+
+void OpenclPaths::draw(const Params& par) { stage(STAGE_draw, par.slots); }
+
+// Fills the queue with the paths that have a ray.
+void OpenclPaths::begin(int first, const Params& par) {
+    queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zeros);
+    stage(first, par.slots, counters_, now_);
+}
+
+// Follows the paths of the queue to their ends.
+void OpenclPaths::follow() {
+    const int rounds = gpu_ ? 4 : 1;  // between looks at the counter; idle work items leave at once
+    for (uint32_t active = count(); active > 0; active = count())
+        for (int i = 0; i < rounds; i++) {
+            stage(STAGE_extend, active, counters_, now_);
+            if (gpu_) {
+                sort(active);
+                stage(STAGE_sky, active, counters_, now_);
+            }
+            stage(STAGE_shade, active, counters_, now_, next_, shadow_queue_);
+            stage(STAGE_shadow, active, counters_, shadow_queue_);
+            launch(STAGE_swap, 1, counters_);
+            std::swap(now_, next_);
+        }
+}
+
+// Paths of one kind side by side: a counting sort.
+void OpenclPaths::sort(uint32_t active) {
+    stage(STAGE_count_kinds, active, counters_, now_, kinds_);
+    launch(STAGE_begin_kinds, 1, kinds_);
+    stage(STAGE_sort_kinds, active, counters_, now_, kinds_, sorted_);
+    std::swap(now_, sorted_);
+}
+
+void OpenclPaths::store(const Params& par) {
+    const size_t bytes = size_t(kernels::film_places(&par)) * 12;
+    if (bytes > film_bytes_) {
+        film_ = {}, film_bytes_ = 0;
+        forget_arguments();
+        film_ = room(bytes, 1), film_bytes_ = bytes;
+    }
+    launch(STAGE_film, par.slots, params_, fields_[PATH_rad], film_);
+}
+
+void OpenclPaths::receive(const Params& par, std::vector<float>& film, size_t at) {
+    const size_t bytes = size_t(kernels::film_places(&par)) * 12;
+    if (gpu_) return read_pinned(film_, bytes, film, at);
+    film.resize(at + bytes / 4);
+    queue_.enqueueReadBuffer(film_, CL_TRUE, 0, bytes, &film[at]);
+}
+
+// By way of memory that a GPU writes to by itself, as vendors advise: two pieces of it, one of which is copied from
+// while the next one comes.  Room for all of them is made while the GPU is still at work.
+void OpenclPaths::read_pinned(const cl::Buffer& from, size_t bytes, std::vector<float>& to, size_t start) {
+    if (!pinned_at_) {
+        pinned_ = cl::Buffer(context_, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, 2 * PIECE);
+        pinned_at_ =
+            static_cast<char*>(queue_.enqueueMapBuffer(pinned_, CL_TRUE, CL_MAP_READ | CL_MAP_WRITE, 0, 2 * PIECE));
+    }
+    cl::Event come[2];
+    const auto size_at = [&](size_t at) { return std::min(PIECE, bytes - at); };
+    const auto place = [&](size_t at) { return at / PIECE % 2; };
+    const auto send_for = [&](size_t at) {
+        queue_.enqueueReadBuffer(from, CL_FALSE, at, size_at(at), pinned_at_ + place(at) * PIECE, nullptr,
+                                 &come[place(at)]);
+        queue_.flush();
+    };
+    if (bytes > 0) send_for(0);
+    to.resize(start + bytes / 4);
+    for (size_t at = 0; at < bytes; at += PIECE) {
+        if (at + PIECE < bytes) send_for(at + PIECE);
+        come[place(at)].wait();
+        std::memcpy(reinterpret_cast<char*>(&to[start]) + at, pinned_at_ + place(at) * PIECE, size_at(at));
+    }
+}
+
+}  // namespace device

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The paths in flight on an OpenCL device: their state, their queues, and the kernels that take them from stage to
+// stage (kernels/entry.cl).  Calls throw cl::Error.
+#pragma once
+#include "kernels/dialect/host.h"
+#include "device/opencl_list.h"
+
+namespace device {
+
+using kernels::Params;
+
+// The buffers of a scene and of the path state, in the order of their lists (kernels/bvh/intersect.h,
+// kernels/integrator/state.h), which is that of the kernels' arguments.
+#define LUX_TABLE_NUMBER(type, name) TABLE_##name,
+enum { SCENE_TABLES(LUX_TABLE_NUMBER) TABLES };
+#define LUX_FIELD_NUMBER(type, name, when) PATH_##name,
+enum { PATH_STATE(LUX_FIELD_NUMBER) PATH_FIELDS };
+
+// The kernels, k_NAME each.
+// clang-format off
+#define LUX_STAGES(S)                                                                                           \
+    S(generate) S(extend) S(count_kinds) S(begin_kinds) S(sort_kinds) S(sky) S(shade) S(shadow) S(swap) S(draw) \
+    S(walk) S(thin) S(link) S(panes) S(connect) S(weigh) S(collect) S(film)
+// clang-format on
+#define LUX_STAGE_NUMBER(name) STAGE_##name,
+enum { LUX_STAGES(LUX_STAGE_NUMBER) STAGES };
+
+class OpenclPaths {
+public:
+    OpenclPaths() = default;
+    // gpu: reading a counter stalls it, and work items that stand side by side should take the same branches.
+    OpenclPaths(const cl::Context& context, const cl::CommandQueue& queue, bool gpu);
+    // Its kernels from now on.  Those for a GPU shade apart what has met nothing (HAS(SKY), kernels/features.h).
+    void use(const cl::Program& program);
+    void set_table(int table, const cl::Buffer& buffer);  // of the scene
+
+    // How many slots this device has memory for.
+    static uint32_t most_slots(const cl::Device& device, bool gpu);
+    // Room for so many paths, and the parameters of their pass.
+    void reserve(const Params& par, uint32_t slots);
+    void release();  // that room
+    // Whole fields of the first n paths.
+    void write(int field, const std::vector<kernels::float4>& values);
+    void read(int field, std::vector<kernels::float4>& values);
+
+    // Follows the paths of a pass to their ends, which then light the near ends of their groups where they are shared.
+    void run(const Params& par);
+    // The same from rays that have been written: MODE_WALK, and the shadow rays of MODE_DRAW.
+    void walk(const Params& par);
+    void draw(const Params& par);
+    // What they have gathered goes into the film, 3 floats each, in its order (kernels/integrator/share.h): the device
+    // puts them there, for a host would take as long as a GPU for all the rest.
+    void store(const Params& par);
+    // The film from place `at` of `film` on.
+    void receive(const Params& par, std::vector<float>& film, size_t at);
+
+    // Runs a kernel over n work items.
+    void launch(const cl::Kernel& kernel, uint32_t n);
+
+private:
+    // A kernel and the buffers that it has, so that a launch sets only those that are others.
+    struct Stage {
+        cl::Kernel kernel;
+        std::vector<cl_mem> has;
+        void give(unsigned argument, const cl::Buffer& buffer);
+    };
+    cl::Buffer room(size_t count, size_t bytes_each) const;
+    void forget_arguments();  // a new buffer may have the handle of one that is gone
+    template <class... Buffers>
+    void launch(int stage, uint32_t n, const Buffers&... arguments) {
+        unsigned a = 0;
+        (stages_[stage].give(a++, arguments), ...);
+        launch(stages_[stage].kernel, n);
+    }
+    // Runs a kernel that takes the scene, the parameters, the fields, and then `others`.
+    template <class... Buffers>
+    void stage(int stage, uint32_t n, const Buffers&... others) {
+        unsigned a = 0;
+        for (const auto& table : tables_) stages_[stage].give(a++, table);
+        stages_[stage].give(a++, params_);
+        for (const auto& field : fields_) stages_[stage].give(a++, field);
+        (stages_[stage].give(a++, others), ...);
+        launch(stages_[stage].kernel, n);
+    }
+    void begin(int stage, const Params& par);
+    void follow();
+    void sort(uint32_t active);
+    uint32_t count();
+    void read_pinned(const cl::Buffer& from, size_t bytes, std::vector<float>& to, size_t at);
+
+    bool gpu_ = false;
+    cl::Context context_;
+    cl::CommandQueue queue_;
+    Stage stages_[STAGES];
+    cl::Buffer tables_[TABLES], fields_[PATH_FIELDS];
+    cl::Buffer params_, counters_, kinds_, now_, next_, shadow_queue_, sorted_, film_, pinned_;
+    size_t film_bytes_ = 0;
+    char* pinned_at_ = nullptr;  // where the host sees pinned_
+    uint32_t capacity_ = 0;
+    uint32_t needs_ = PATH_ALWAYS;  // the fields that have that capacity
+};
+
+}  // namespace device

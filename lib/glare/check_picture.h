@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The check picture (-c): grey, with tasks (-T), sources and zones in colours of the same luminance.
+// evalglare paints it, in float, whether or not it is asked for, and reads luminances back from what it painted. So a
+// pixel that moves from a source to a zone is not exactly the pixel that was added to the source: sums over thousands
+// of pixels differ at 1e-8, and with them the pixel that a centre falls into. Seen by running evalglare: colours in the
+// picture that -c writes, and luminances printed of 1156 single pixels.
+#pragma once
+#include <cstdint>
+#include <vector>
+#include "glare/luminance.h"
+#include "glare/settings.h"
+
+namespace glare {
+
+constexpr Paint task_paint{0, 0, 1};
+constexpr Paint band_paint{0, 1, 0};
+constexpr Paint zone_paint[] = {{0.66, 0.01, 0.33}, {0.65, 0.33, 0.02}};  // inner, outer
+Paint source_paint(uint32_t group);                                       // five colours in turn
+
+class CheckPicture {
+public:
+    CheckPicture(const Luminance& lum, bool to_be_seen);
+    double grey(size_t pixel) const { return grey_[pixel]; }
+    double at(size_t pixel) const { return 179 * grey_[pixel]; }
+    void paint(size_t pixel, const Paint& paint);
+    const std::vector<float>& rgb() const { return rgb_; }  // as pictures have it; empty unless to be seen
+
+private:
+    std::vector<double> grey_;
+    std::vector<float> rgb_;
+};
+
+}  // namespace glare

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of all columns: a metric is one row here (columns.h says how to add one).
+#include "glare/columns.h"
+#include <algorithm>
+#include <cmath>
+#include "base/error.h"
+
+namespace glare {
+namespace {
+
+using M = const Measurement&;
+using uncertainty::NoiseBias;
+using uncertainty::Quantity;
+
+// filled: there is a column NAMEf, of sources by what fills their pixels, and NAME.px, its difference from NAMEu.
+enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, all_light = 16, filled = 32 };
+
+// How the error of a metric is estimated.  A metric with a bias has a column NAMEu without that bias.  The error of the
+// bias is the share of it that intervals needed to cover the truth (docs/decisions/0019-intervals.md).
+constexpr Quantity no_interval{};
+constexpr Quantity linear{Quantity::Method::half_samples, NoiseBias::none, 0, false};
+constexpr Quantity of_dgp{Quantity::Method::half_samples, NoiseBias::variance, .25, false};
+constexpr Quantity of_contrast{Quantity::Method::half_samples, NoiseBias::deviation, .18, false};
+constexpr Quantity of_glare{Quantity::Method::half_samples, NoiseBias::variance, .5, false};
+constexpr Quantity unbiased_only{Quantity::Method::none, NoiseBias::variance, 0, false};
+constexpr Quantity of_region{Quantity::Method::jackknife, NoiseBias::none, 0, false};
+constexpr Quantity of_ratio{Quantity::Method::jackknife, NoiseBias::none, 0, true};
+
+struct Entry {
+    const char* name;
+    unsigned wants;
+    double (*value)(M);
+    Quantity quantity;
+};
+
+double omega_sources(M m) {
+    double sum = 0;
+    for (const GlareSource& s : m.sources) sum += s.omega;
+    return sum;
+}
+double lum_sources(M m) {
+    double flux = 0;
+    for (const GlareSource& s : m.sources) flux += s.lum * s.omega;
+    return m.sources.empty() ? 0 : flux / omega_sources(m);
+}
+
+double class_value(M m) { return dgp_class(m.dgp); }
+
+const Entry entries[] = {
+    {"Ev", all_light, [](M m) { return m.ev; }, linear},
+    {"DGP", sources | filled, [](M m) { return m.dgp; }, of_dgp},
+    {"class", sources, class_value, no_interval},
+    {"DGI", sources | filled, [](M m) { return dgi(m.glare, m.background); }, of_glare},
+    {"UGR", sources | filled, [](M m) { return ugr(m.glare, m.background); }, of_glare},
+    {"VCP", sources | filled, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }, unbiased_only},
+    {"CGI", sources | filled, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }, of_glare},
+    {"UGP", sources | filled, [](M m) { return ugp(m.glare, m.background); }, of_glare},
+    {"UGP2", sources, [](M m) { return ugp2(m.glare, m.background); }, of_glare},
+    {"DGImod", sources, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }, of_glare},
+    {"UGRexp", sources, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }, of_glare},
+    {"DGR", sources, [](M m) { return dgr(m.glare, m.mean_lum); }, of_glare},
+    {"PGSV", sources | mask, [](M m) { return m.pgsv.value; }, no_interval},
+    {"PGSVcon", sources | mask, [](M m) { return m.pgsv.contrast; }, no_interval},
+    {"PGSVsat", sources | mask, [](M m) { return m.pgsv.saturation; }, no_interval},
+    {"Lveil", sources, [](M m) { return veil_poynter(m.glare); }, of_glare},
+    {"LveilCIE", sources, [](M m) { return veil_cie(m.glare, -HUGE_VAL); }, of_glare},
+    {"Lavg", nothing, [](M m) { return m.mean_lum; }, linear},
+    {"Lmax", nothing, [](M m) { return m.max_lum; }, no_interval},
+    {"Lmed", medians, [](M m) { return m.median; }, no_interval},
+    {"LavgPos", medians, [](M m) { return m.mean_pos; }, linear},
+    {"LavgPos2", medians, [](M m) { return m.mean_pos2; }, linear},
+    {"LmedPos", medians, [](M m) { return m.median_pos; }, no_interval},
+    {"LmedPos2", medians, [](M m) { return m.median_pos2; }, no_interval},
+    {"Lb", sources, [](M m) { return m.background; }, of_glare},
+    {"Lt", sources, [](M m) { return m.task_lum; }, linear},
+    {"threshold", sources, [](M m) { return m.threshold; }, no_interval},
+    {"Edir", sources, [](M m) { return m.direct_lux; }, of_glare},
+    {"n_sources", sources | filled, [](M m) { return double(m.sources.size()); }, no_interval},
+    {"omega_sources", sources, omega_sources, no_interval},
+    {"L_sources", sources, lum_sources, no_interval},
+    {"RAMMG", rammg, [](M m) { return m.rammg; }, of_contrast},
+    {"omega", nothing, [](M m) { return m.omega; }, no_interval},
+    {"pixels", nothing, [](M m) { return double(m.valid_pixels); }, no_interval},
+    {"not_finite", nothing, [](M m) { return double(m.not_finite); }, no_interval},
+    {"negative", nothing, [](M m) { return double(m.negative); }, no_interval},
+};
+
+struct PartEntry {
+    const char* name;
+    double RegionValues::*value;
+    Quantity quantity;
+};
+const PartEntry parts[] = {
+    {"TAL", &RegionValues::tal, of_region},         {"mean", &RegionValues::mean, of_region},
+    {"median", &RegionValues::median, no_interval}, {"min", &RegionValues::lowest, no_interval},
+    {"max", &RegionValues::highest, no_interval},   {"share", &RegionValues::share, no_interval}};
+
+struct SetEntry {
+    const char* name;
+    double PixelStatistics::*value;
+    Quantity quantity;
+};
+const SetEntry set_parts[] = {
+    {"omega", &PixelStatistics::omega, no_interval},   {"mean", &PixelStatistics::mean, linear},
+    {"median", &PixelStatistics::median, no_interval}, {"std", &PixelStatistics::deviation, no_interval},
+    {"p75", &PixelStatistics::p75, no_interval},       {"p95", &PixelStatistics::p95, no_interval},
+    {"min", &PixelStatistics::lowest, no_interval},    {"max", &PixelStatistics::highest, no_interval},
+    {"Ev", &PixelStatistics::eye_lux, linear}};
+
+class Chooser {
+public:
+    Chooser(const ColumnChoice& choice, const Settings& settings, Needs& needs)
+        : choice_(choice), settings_(settings), needs_(needs) {
+        needs_ = {false, false, false, false};
+    }
+    std::vector<Column> all() {
+        if (choice_.accelerad) {
+            accelerad();
+            return std::move(columns_);
+        }
+        std::vector<std::string> names = choice_.names;
+        if (names.empty()) {
+            names = {"Ev", "DGP"};
+            if (!choice_.regions.empty()) names.push_back("TAL");
+            if (!choice_.pairs.empty()) names.push_back("CR");
+            names.push_back("RAMMG");
+            if (settings_.mask_file) names.insert(names.end(), {"mask", "PGSV"});
+            if (settings_.zones) names.push_back("zone1");
+            if (settings_.zones && settings_.zones->outer_opening) names.push_back("zone2");
+            if (settings_.band_rad) names.push_back("band");
+        }
+        for (const std::string& name : names)
+            if (!plain(name) && !contrast(name) && !region(name) && !pixel_set(name)) refuse(name);
+        return std::move(columns_);
+    }
+
+private:
+    // AvLum Ev DGP RAMMG TaskLum HighLum LowLum CR, of the task's region and the first contrast pair.
+    void accelerad() {
+        for (const char* name : {"Lavg", "Ev", "DGP", "RAMMG"}) plain(name);
+        columns_[0].name = "AvLum";
+        const ContrastPair pair = choice_.pairs.empty() ? ContrastPair{} : choice_.pairs[0];
+        std::string task = settings_.task_region;
+        for (const std::string& name : choice_.regions)  // else the first region that is not of the pair
+            if (task.empty() && name != pair.low && name != pair.high) task = name;
+        mean_of("TaskLum", task);
+        mean_of("HighLum", pair.high);
+        mean_of("LowLum", pair.low);
+        const auto high = columns_[5].value, low = columns_[6].value;
+        columns_.push_back({"CR", [high, low](M m) { return high(m) / low(m); }, no_interval});
+    }
+    // Mean luminance of a region under a name of its own; not a number where there is no such region.
+    void mean_of(const char* column, const std::string& name) {
+        const size_t k = region_index(name);
+        if (k == choice_.regions.size()) columns_.push_back({column, [](M) { return std::nan(""); }, no_interval});
+        else columns_.push_back({column, [k](M m) { return m.region_values[k].tal; }, no_interval});
+    }
+
+    // NAME or, where noise makes NAME too large, NAMEu; NAMEf and NAME.px.
+    bool plain(const std::string& name) {
+        for (const Entry& e : entries) {
+            const bool shows_unbiased = e.quantity.bias != NoiseBias::none && name == std::string(e.name) + "u",
+                       shows_filled = (e.wants & filled) != 0 && name == std::string(e.name) + "f",
+                       shows_pixels = (e.wants & filled) != 0 && name == std::string(e.name) + ".px";
+            if (name != e.name && !shows_unbiased && !shows_filled && !shows_pixels) continue;
+            if (e.wants & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
+            needs_.sources |= (e.wants & sources) != 0;
+            needs_.rammg |= (e.wants & rammg) != 0;
+            needs_.medians |= (e.wants & medians) != 0;
+            needs_.all_light |= (e.wants & (all_light | sources)) != 0 && !settings_.external_ev;
+
+            Column column{name, e.value, e.quantity};
+            if (std::string(e.name) == "LveilCIE")
+                column.value = [cut = settings_.veil_cut](M m) { return veil_cie(m.glare, cut); };
+            if (e.value == class_value) column.words = dgp_classes;
+            column.printed_unbiased = shows_unbiased;
+            if (shows_filled || shows_pixels) {
+                needs_.filled = true;
+                column.printed_unbiased = e.quantity.bias != NoiseBias::none;
+                column.of_filled = true;
+                column.value = [value = e.value, shows_pixels](M m) {
+                    return value(m.filled ? *m.filled : m) - (shows_pixels ? value(m) : 0);
+                };
+            }
+            columns_.push_back(std::move(column));
+            return true;
+        }
+        return false;
+    }
+    bool contrast(const std::string& name) {
+        bool found = false;
+        for (const ContrastPair& p : choice_.pairs) {
+            const bool plain = name == "CR" || name == p.column + ".CR";
+            if (!plain && name != "CRu" && name != p.column + ".CRu") continue;
+            const size_t low = region_index(p.low), high = region_index(p.high);
+            Column column{p.column + (plain ? ".CR" : ".CRu"),
+                          [low, high](M m) { return m.region_values[low].tal / m.region_values[high].tal; }, of_ratio};
+            column.printed_unbiased = !plain;
+            columns_.push_back(std::move(column));
+            found = true;
+        }
+        if ((name == "CR" || name == "CRu") && !found)
+            base::fail("-metrics", name + " needs a contrast pair (-cr low/high)");
+        return found;
+    }
+    bool region(const std::string& name) {
+        bool found = false;
+        for (const PartEntry& part : parts)
+            for (size_t k = 0; k < choice_.regions.size(); ++k) {
+                const std::string full = choice_.regions[k] + "." + part.name;
+                if (name != part.name && name != full) continue;
+                needs_.regions_in_full |= part.value != &RegionValues::tal;
+                const auto value = part.value;
+                columns_.push_back({full, [k, value](M m) { return m.region_values[k].*value; }, part.quantity});
+                found = true;
+            }
+        for (const PartEntry& part : parts)
+            if (name == part.name && !found) base::fail("-metrics", name + " needs regions (-regions file.exr)");
+        return found;
+    }
+    bool pixel_set(const std::string& name) {
+        bool found = false;
+        const auto offer = [&](const char* set, bool there, std::optional<PixelStatistics> Measurement::*member) {
+            for (const SetEntry& part : set_parts) {
+                const std::string full = std::string(set) + "." + part.name;
+                if (name != set && name != full) continue;
+                if (!there) base::fail("-metrics", name + " needs -B, -A, -l or -L");
+                const auto value = part.value;
+                columns_.push_back({full, [member, value](M m) { return (*(m.*member)).*value; }, part.quantity});
+                needs_.sources = true;
+                found = true;
+            }
+        };
+        offer("band", settings_.band_rad.has_value(), &Measurement::band);
+        offer("mask", settings_.mask_file.has_value(), &Measurement::mask);
+        offer("zone1", settings_.zones.has_value(), &Measurement::zone1);
+        offer("zone2", settings_.zones && settings_.zones->outer_opening, &Measurement::zone2);
+        return found;
+    }
+    [[noreturn]] void refuse(const std::string& name) {
+        std::string regions;
+        for (const std::string& r : choice_.regions) regions += (regions.empty() ? "; regions: " : " ") + r;
+        base::fail("-metrics", "there is no metric \"" + name + "\"; there are " + column_names() + regions);
+    }
+    size_t region_index(const std::string& name) const {
+        return size_t(std::find(choice_.regions.begin(), choice_.regions.end(), name) - choice_.regions.begin());
+    }
+
+    const ColumnChoice& choice_;
+    const Settings& settings_;
+    Needs& needs_;
+    std::vector<Column> columns_;
+};
+
+}  // namespace
+
+std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Needs& needs) {
+    return Chooser(choice, settings, needs).all();
+}
+
+const char* const dgp_classes[5] = {"imperceptible", "perceptible", "disturbing", "intolerable", "unknown"};
+const double dgp_limits[3] = {0.35, 0.40, 0.45};
+
+int dgp_class(double dgp) {
+    if (std::isnan(dgp)) return 4;
+    return dgp > dgp_limits[2] ? 3 : dgp >= dgp_limits[1] ? 2 : dgp >= dgp_limits[0] ? 1 : 0;
+}
+
+std::string column_names() {
+    std::string out;
+    for (const Entry& e : entries) out += std::string(e.name) + " ";
+    return out + "CR TAL mean median min max share (of regions) band mask zone1 zone2";
+}
+
+ContrastPair parse_pair(const std::string& text, const std::vector<std::string>& regions) {
+    const size_t equals = text.find('=');
+    const std::string pair = equals == std::string::npos ? text : text.substr(equals + 1);
+    const size_t slash = pair.find('/');
+    if (slash == std::string::npos || slash == 0 || slash + 1 == pair.size() || equals == 0)
+        base::fail("-cr", "\"" + text + "\" is not a contrast pair; write low/high or name=low/high");
+    const ContrastPair out{pair.substr(0, slash), pair.substr(slash + 1),
+                           equals == std::string::npos ? pair : text.substr(0, equals)};
+    for (const std::string& name : {out.low, out.high})
+        if (std::find(regions.begin(), regions.end(), name) == regions.end())
+            base::fail("-cr",
+                       "there is no region \"" + name + "\"" + (regions.empty() ? "; name a file with -regions" : ""));
+    return out;
+}
+
+}  // namespace glare

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The columns vcmetrics can print, by name, and what must be calculated for each one.  CONTRIBUTING.md says how to add
+// a metric.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+#include "glare/measure.h"
+#include "uncertainty/estimator.h"
+
+namespace glare {
+
+struct Column {
+    std::string name;
+    std::function<double(const Measurement&)> value;
+    uncertainty::Quantity quantity;      // how its error is estimated, if it is
+    bool printed_unbiased = false;       // DGPu, CRu: the column shows the value without bias
+    bool of_filled = false;              // DGPf, DGP.px: where the bias is not known, with it
+    const char* const* words = nullptr;  // class: the value is an index of these
+    bool has_interval() const { return quantity.method != uncertainty::Quantity::Method::none; }
+    // The interval lies around the value without bias.
+    bool has_bias() const { return quantity.bias != uncertainty::NoiseBias::none || quantity.ratio; }
+};
+
+struct ColumnChoice {
+    std::vector<std::string> names;    // of -metrics, empty: the default set
+    std::vector<std::string> regions;  // in file order
+    std::vector<ContrastPair> pairs;
+    bool accelerad = false;  // AcceleradRT's columns and its contrast ratio, high over low; names stay unread
+};
+
+// What DGP means (paper, section 2): 0 imperceptible, below 0.35; 1 perceptible; 2 disturbing, from 0.40; 3
+// intolerable, above 0.45.  Index into dgp_classes.
+int dgp_class(double dgp);
+extern const char* const dgp_classes[5];  // the last one is "unknown"
+extern const double dgp_limits[3];
+
+// Names without a region (TAL, mean, median, min, max, share) stand for all regions, CR for all pairs.
+// Throws Error on a name that is none, with the names there are.
+std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Needs& needs);
+
+// "Ev DGP DGI ...": for the help text.
+std::string column_names();
+
+// Contrast pairs as typed, "low/high" or "screen=low/high"; both must be regions.
+ContrastPair parse_pair(const std::string& text, const std::vector<std::string>& regions);
+
+}  // namespace glare

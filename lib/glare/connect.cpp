@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Connected components by cells of direction space (connect.h).
+#include "glare/connect.h"
+#include <algorithm>
+#include <cmath>
+
+namespace glare {
+namespace {
+
+constexpr uint16_t unknown = 0xffff;
+constexpr int offset = 1 << 20;  // cube coordinates are kept positive in the key
+
+uint64_t key_of(int x, int y, int z) {
+    return (uint64_t(x + offset) << 42) | (uint64_t(y + offset) << 21) | uint64_t(z + offset);
+}
+
+// Union-find over runs; the parent lives in `group`.
+uint32_t root(std::vector<Run>& runs, uint32_t r) {
+    while (runs[r].group != r) r = runs[r].group = runs[runs[r].group].group;
+    return r;
+}
+void unite(std::vector<Run>& runs, uint32_t a, uint32_t b) {
+    a = root(runs, a), b = root(runs, b);
+    if (a < b) runs[b].group = a;
+    else runs[a].group = b;
+}
+
+}  // namespace
+
+Connector::Connector(const Geometry& geometry, double reach)
+    : geometry_(geometry),
+      cos_reach_(std::cos(reach)),
+      everything_(reach >= evalglare_pi),
+      pixels_touch_(3 * geometry.pitch_bound() <= reach) {
+    const double chord = 2 * std::sin(std::min(reach, evalglare_pi) / 2);
+    cells_per_unit_ = std::min(std::sqrt(3.0) / std::max(chord, 1e-12) * (1 + 1e-12), 5e5);
+}
+
+uint32_t Connector::make_cell(uint64_t key, int x, int y, int z) {
+    const uint32_t made = uint32_t(cells_.size());
+    cell_index_[key] = made;
+    cells_.emplace_back();
+    for (int dx = -2; dx <= 2; ++dx)
+        for (int dy = -2; dy <= 2; ++dy)
+            for (int dz = -2; dz <= 2; ++dz) {
+                const auto found = cell_index_.find(key_of(x + dx, y + dy, z + dz));
+                if (found == cell_index_.end() || found->second == made) continue;
+                const bool touches = std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) <= 1;
+                (touches ? cells_[made].touching : cells_[made].near).push_back(found->second);
+            }
+    return made;
+}
+
+uint32_t Connector::cell_of(uint32_t pixel) {
+    if (known_cell_.empty()) known_cell_.assign(geometry_.omega.size(), unknown);
+    if (known_cell_[pixel] != unknown) return known_cell_[pixel];
+    const Vec3 d = geometry_.direction(pixel) * cells_per_unit_;
+    const int x = int(std::floor(d.x)), y = int(std::floor(d.y)), z = int(std::floor(d.z));
+    const uint64_t key = key_of(x, y, z);
+    const auto found = cell_index_.find(key);
+    const uint32_t cell = found != cell_index_.end() ? found->second : make_cell(key, x, y, z);
+    if (cell < unknown) known_cell_[pixel] = uint16_t(cell);
+    return cell;
+}
+
+// Runs that overlap a run in the next row.
+void Connector::join_rows(std::vector<Run>& runs) const {
+    const uint32_t width = uint32_t(geometry_.width);
+    size_t below = 0;
+    for (size_t r = 0; r < runs.size(); ++r) {
+        const uint32_t first = runs[r].start + width, last = first + runs[r].length;  // its shadow in the next row
+        while (below < runs.size() && runs[below].start + runs[below].length <= first) ++below;
+        for (size_t b = below; b < runs.size() && runs[b].start < last; ++b) unite(runs, uint32_t(r), uint32_t(b));
+    }
+}
+
+// Pixels not surrounded by four others.  A surrounded pixel within reach of something has a neighbour nearer to it,
+// so the way to it ends on the rim: the inside needs no comparison.
+std::vector<Connector::RimPixel> Connector::rim(const std::vector<Run>& runs) const {
+    std::vector<RimPixel> out;
+    const uint32_t width = uint32_t(geometry_.width);
+    size_t above = 0, below = 0;
+    for (uint32_t r = 0; r < runs.size(); ++r) {
+        const uint32_t first = runs[r].start, last = first + runs[r].length - 1;
+        if (!pixels_touch_ || runs[r].length < 3) {
+            for (uint32_t p = first; p <= last; ++p) out.push_back({p, r});
+            continue;
+        }
+        out.push_back({first, r});
+        while (above < runs.size() && runs[above].start + runs[above].length + width <= first) ++above;
+        while (below < runs.size() && runs[below].start + runs[below].length <= first + width) ++below;
+        size_t a = above, b = below;
+        for (uint32_t p = first + 1; p < last; ++p) {
+            while (a < runs.size() && runs[a].start + runs[a].length + width <= p) ++a;
+            while (b < runs.size() && runs[b].start + runs[b].length <= p + width) ++b;
+            const bool has_above = a < runs.size() && runs[a].start + width <= p;
+            const bool has_below = b < runs.size() && runs[b].start <= p + width;
+            if (!has_above || !has_below) {
+                out.push_back({p, r});
+                continue;
+            }
+            const uint32_t inside_to =
+                std::min({last, runs[a].start + runs[a].length + width, runs[b].start + runs[b].length - width});
+            p = inside_to - 1;  // all of these have both neighbours
+        }
+        out.push_back({last, r});
+    }
+    return out;
+}
+
+bool Connector::within_reach(const std::vector<RimPixel>& p, size_t a0, size_t a1, size_t b0, size_t b1) const {
+    static thread_local std::vector<Vec3> seen;
+    seen.clear();
+    for (size_t a = a0; a < a1; ++a) {
+        const Vec3 da = geometry_.direction(p[a].pixel);
+        for (size_t b = b0; b < b1; ++b) {
+            if (seen.size() == b - b0) seen.push_back(geometry_.direction(p[b].pixel));
+            if (dot(da, seen[b - b0]) >= cos_reach_) return true;
+        }
+    }
+    return false;
+}
+
+void Connector::join_cells(std::vector<Run>& runs, const std::vector<RimPixel>& rim) {
+    std::vector<uint32_t> cell(rim.size());
+    for (size_t k = 0; k < rim.size(); ++k) cell[k] = cell_of(rim[k].pixel);
+    std::vector<uint32_t> first(cells_.size() + 1, 0);  // counting sort by cell
+    for (uint32_t c : cell) ++first[c + 1];
+    for (size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
+    std::vector<RimPixel> sorted(rim.size());
+    std::vector<uint32_t> next(first.begin(), first.end() - 1);
+    for (size_t k = 0; k < rim.size(); ++k) sorted[next[cell[k]]++] = rim[k];
+
+    for (size_t c = 0; c + 1 < first.size(); ++c)  // a cube is one piece
+        for (uint32_t k = first[c]; k + 1 < first[c + 1]; ++k)
+            if (sorted[k].run != sorted[k + 1].run) unite(runs, sorted[k].run, sorted[k + 1].run);
+    for (bool touching : {true, false})  // near ones last: most are joined by then
+        for (size_t c = 0; c + 1 < first.size(); ++c) {
+            if (first[c] == first[c + 1]) continue;
+            for (uint32_t o : touching ? cells_[c].touching : cells_[c].near) {
+                if (first[o] == first[o + 1]) continue;
+                const uint32_t a = sorted[first[c]].run, b = sorted[first[o]].run;
+                if (root(runs, a) == root(runs, b)) continue;
+                if (within_reach(sorted, first[c], first[c + 1], first[o], first[o + 1])) unite(runs, a, b);
+            }
+        }
+}
+
+uint32_t Connector::connect(std::vector<Run>& runs, uint32_t first_group) {
+    if (runs.empty()) return 0;
+    if (!pixels_touch_) {
+        std::vector<Run> single;
+        for (const Run& r : runs)
+            for (uint32_t p = 0; p < r.length; ++p) single.push_back({r.start + p, 1, 0});
+        runs.swap(single);
+    }
+    for (uint32_t r = 0; r < runs.size(); ++r) runs[r].group = r;
+    if (everything_) {
+        for (Run& r : runs) r.group = 0;
+    } else {
+        if (pixels_touch_) join_rows(runs);
+        join_cells(runs, rim(runs));
+    }
+    // number the groups by their first pixel in column order
+    struct Head {
+        uint64_t key;
+        uint32_t run;
+    };
+    std::vector<Head> heads;
+    std::vector<uint32_t> head_of(runs.size(), UINT32_MAX);
+    for (uint32_t r = 0; r < runs.size(); ++r) {
+        const uint32_t top = root(runs, r);
+        const uint64_t key = uint64_t(geometry_.x_of(runs[r].start)) * geometry_.height + geometry_.y_of(runs[r].start);
+        if (head_of[top] == UINT32_MAX) {
+            head_of[top] = uint32_t(heads.size());
+            heads.push_back({key, top});
+        } else heads[head_of[top]].key = std::min(heads[head_of[top]].key, key);
+    }
+    for (uint32_t r = 0; r < runs.size(); ++r) root(runs, r);
+    std::vector<uint32_t> order(heads.size());
+    for (uint32_t k = 0; k < order.size(); ++k) order[k] = k;
+    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return heads[a].key < heads[b].key; });
+    std::vector<uint32_t> number(heads.size());
+    for (uint32_t k = 0; k < order.size(); ++k) number[order[k]] = first_group + k;
+    std::vector<uint32_t> group(runs.size());
+    for (uint32_t r = 0; r < runs.size(); ++r) group[r] = number[head_of[root(runs, r)]];
+    for (uint32_t r = 0; r < runs.size(); ++r) runs[r].group = group[r];
+    return uint32_t(heads.size());
+}
+
+}  // namespace glare

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Threshold, task area, field cut and filling, as a walk over the valid pixels (detect.h).
+#include "glare/detect.h"
+#include <algorithm>
+#include <cmath>
+#include "base/error.h"
+
+namespace glare {
+namespace {
+
+// Fits of the total and the binocular field of view, degrees; c = 180 - tau is 0 straight down.
+bool outside_total_field(double sigma, double tau, double elevation) {
+    if (elevation > 0) {
+        const double limit = 7.7458218 + 5.7407915e-4 * tau - 2.1746318e-4 * tau * tau + 8.5572726e-6 * tau * tau * tau;
+        return sigma > limit * limit;
+    }
+    const double c = 180 - tau;
+    return tau > 135 &&
+           -sigma < 1 / (-0.014699242 - 1.5541106e-5 * c + 4.6898068e-6 * c * c - 5.1539687e-8 * c * c * c);
+}
+
+bool outside_both_eyes(double sigma, double tau, double elevation) {
+    if (elevation > 0) return sigma > 60;
+    const double c = 180 - tau;
+    const double limit = c > 73 ? 60
+                                : (68.227109 - 2.9524084 * c + 0.046674262 * c * c) /
+                                      (1 - 0.042317294 * c + 7.5698419e-4 * c * c - 6.5364285e-7 * c * c * c);
+    return sigma > limit;
+}
+
+}  // namespace
+
+double inside_cosine(double opening) { return opening / 2 >= evalglare_pi ? -2 : std::cos(opening / 2); }
+
+double task_luminance(const Luminance& lum, const Geometry& g, const Circle& task, bool slips, bool as_they_are) {
+    if (task.x < 0 || task.y < 0 || task.x >= g.width || task.y >= g.height)
+        base::fail("-t", "the task position " + std::to_string(task.x) + " " + std::to_string(task.y) +
+                             " is outside the picture of " + std::to_string(g.width) + " x " +
+                             std::to_string(g.height) + " pixels");
+    const Vec3 centre = g.direction(task.x, task.y);
+    const double limit = inside_cosine(float(task.opening));
+    double flux = 0, omega = 0;
+    for (size_t i = 0; i < lum.size(); ++i) {
+        if (g.omega[i] == 0 || !inside(dot(centre, g.direction(i)), limit, slips)) continue;
+        omega += std::fabs(g.omega[i]);
+        if (g.valid(i) || as_they_are) flux += std::fabs(g.omega[i]) * lum.at(i);
+    }
+    return flux / omega;
+}
+
+float source_threshold(const Settings& s, bool has_task, double reference) {
+    const float factor = float(s.threshold ? *s.threshold : has_task ? 5 : 2000);
+    return factor > 100 ? factor : factor * float(reference);
+}
+
+double radius_in_pixels(const Geometry& g, double opening) {
+    const int x = g.width / 2, y = g.height / 2;
+    const double s = 2 * std::acos(std::clamp(dot(g.direction(x, y), g.direction(x + 10, y + 10)), -1.0, 1.0));
+    return opening / (s / 10);
+}
+
+std::vector<Run> bright_runs(const Luminance& lum, const Geometry& g, double above) {
+    std::vector<Run> runs;
+    const float limit = grey_limit(above);
+    constexpr int block = 32;  // most are dark: looked at side by side
+    const auto dark = [&](const float* values) {
+        int bright = 0;
+        for (int k = 0; k < block; ++k) bright |= values[k] > limit;
+        return !bright;
+    };
+    for (int r = 0; r < g.height; ++r) {
+        const float* row = lum.grey + size_t(r) * g.width;
+        for (size_t s = g.row_spans[r]; s < g.row_spans[r + 1]; ++s)
+            for (int x = g.spans[s].begin; x < g.spans[s].end; ++x) {
+                while (x + block < g.spans[s].end && dark(row + x)) x += block;
+                if (!(row[x] > limit)) continue;
+                const int begin = x;
+                while (x < g.spans[s].end && row[x] > limit) ++x;
+                runs.push_back({uint32_t(size_t(r) * g.width + begin), uint32_t(x - begin), 0});
+            }
+    }
+    return runs;
+}
+
+void cut_field(Luminance& lum, const Geometry& g, int type) {
+    for (size_t i = 0; i < lum.size(); ++i) {
+        if (!g.valid(i)) continue;
+        const Vec3 d = g.seen_direction(i);
+        const EyeAngles a = eye_angles(g, d);
+        const double tau = float(a.tau_deg);
+        if (type == 3) lum.grey[i] = float(lum.grey[i] / position_index(g, d, PositionModel::guth));
+        if (type == 1 ? outside_total_field(a.sigma_deg, tau, a.elevation_deg)
+                      : outside_both_eyes(a.sigma_deg, tau, a.elevation_deg))
+            lum.grey[i] = 0;
+    }
+}
+
+void fill_rows(Luminance& lum, const Geometry& g, const Fill& fill) {
+    const int w = lum.width, h = lum.height;
+    if (fill.y_max < 1 || fill.y_max > h || fill.y_min < 0 || fill.y_min + 1 >= h)
+        base::fail("-I", "rows " + std::to_string(fill.y_max) + " and " + std::to_string(fill.y_min) +
+                             " do not lie in a picture of " + std::to_string(h) + " rows");
+    for (int y = fill.y_min; y >= 1; --y)
+        for (int x = 0; x < w; ++x) lum.grey[lum.index(x, y)] = lum.grey[lum.index(x, y + 1)];
+    for (int y = fill.y_max; y < h; ++y)
+        for (int x = 0; x < w; ++x)
+            if (g.valid(g.index(x, y))) lum.grey[lum.index(x, y)] = lum.grey[lum.index(x, y - 1)];
+}
+
+double black_corner_percent(const Luminance& lum) {
+    const int cx = lum.width / 2, cy = lum.height / 2;
+    const double radius = (cx + cy) / 2;
+    long corner = 0, black = 0;
+    for (int y = 0; y < lum.height; ++y)
+        for (int x = 0; x < lum.width; ++x) {
+            if (std::hypot(x - cx, y - cy) <= radius) continue;
+            ++corner;
+            black += lum.at(x, y) < 7;
+        }
+    return corner ? 100.0 * black / corner : 0;
+}
+
+}  // namespace glare

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See moment_error.h.
+#include "glare/moment_error.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "base/processors.h"
+#include "base/threads.h"
+#include "uncertainty/frame0.h"
+
+namespace glare {
+namespace {
+
+// v + e (up: 1) or v - e (-1); below 0 there is none.
+image::Moments moved(const std::vector<float>& moments, int pair, float up) {
+    std::vector<float> out = moments;
+    for (size_t i = 0; i < out.size(); i += image::moment_numbers) {
+        const auto sign = float(uncertainty::random_sign(uint32_t(i / image::moment_numbers), pair));
+        float& v = out[i + image::moment_variance];
+        v = std::max(0.0f, v + up * sign * out[i + image::moment_difference]);
+    }
+    return std::make_shared<const std::vector<float>>(std::move(out));
+}
+
+}  // namespace
+
+std::vector<double> moment_variances(const Meter& meter, const std::vector<Column>& columns, const Luminance& lum) {
+    std::vector<double> out(columns.size(), 0);
+    const auto of_filled = [](const Column& c) { return c.of_filled; };
+    if (!lum.moments || std::none_of(columns.begin(), columns.end(), of_filled)) return out;
+    std::vector<std::vector<double>> seen(2 * moment_pairs);
+    std::atomic<size_t> next{0};
+    base::on_threads(std::min(base::processors(), unsigned(seen.size())), [&] {
+        const auto finder = meter.make_finder();
+        for (size_t k = next++; k < seen.size(); k = next++) {
+            Luminance here = lum;
+            here.moments = moved(*lum.moments, int(k / 2), k % 2 ? -1 : 1);
+            const Measurement m = meter.measure(here, here, *finder);
+            for (const Column& c : columns) seen[k].push_back(c.of_filled ? c.value(m) : 0);
+        }
+    });
+    for (size_t c = 0; c < columns.size(); ++c)
+        for (size_t k = 0; k < seen.size(); k += 2)
+            out[c] += std::pow((seen[k][c] - seen[k + 1][c]) / 2, 2) / moment_pairs;
+    return out;
+}
+
+}  // namespace glare

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The error that columns of filled pixels (filled.h) have from that of the variance inside of pixels, which is
+// estimated once, in frame 0: the same in all replicates of frames.
+// Each pixel's variance has a known error e (image/moments.h).  Pairs of measurements with variances v + e and v - e,
+// with a random sign for each pixel, give the column's error: the mean square of half their differences (balanced
+// repeated replication with random signs; Wolter, Introduction to Variance Estimation, 2007, chapter 3).
+#pragma once
+#include <vector>
+#include "glare/columns.h"
+
+namespace glare {
+
+constexpr int moment_pairs = 4;
+
+// The variance of each column, of degrees of freedom `moment_pairs`; 0 of those that are not of filled pixels.
+std::vector<double> moment_variances(const Meter& meter, const std::vector<Column>& columns, const Luminance& lum);
+
+}  // namespace glare

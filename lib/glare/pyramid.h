@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The levels of RAMMG's pyramid: which columns of each row count, and where two rows have neighbours that both do.
+#pragma once
+#include <algorithm>
+#include <vector>
+#include "glare/geometry.h"
+#include "glare/rammg.h"
+
+namespace glare {
+
+struct Level {
+    int width, height;
+    std::vector<Span> spans;
+    std::vector<size_t> row;  // spans of row r: row[r] .. row[r+1]-1
+
+    double pixels() const;  // that count
+    // Where of row r column x and of row s column x + shift both count: visit(first x, last x + 1).
+    template <class Visit>
+    void pairs(int r, int s, int shift, Visit visit) const {
+        size_t b = row[s];
+        for (size_t a = row[r]; a < row[r + 1]; ++a) {
+            while (b < row[s + 1] && spans[b].end - shift <= spans[a].begin) ++b;
+            for (size_t c = b; c < row[s + 1] && spans[c].begin - shift < spans[a].end; ++c) {
+                const int x0 = std::max(spans[a].begin, spans[c].begin - shift);
+                const int x1 = std::min(spans[a].end, spans[c].end - shift);
+                if (x0 < x1) visit(x0, x1);
+            }
+        }
+    }
+};
+
+// From the whole picture down, as long as both sides are above 2 and a pixel counts.
+struct Pyramid {
+    Pyramid(const Geometry& geometry, RammgArea area);
+    // Contrast in cd/m2 of `total`, the sum over the levels of edge + corner sqrt(1/2) over pairs, twice, a pixel.
+    double contrast_of(double total) const;
+
+    RammgArea area;
+    std::vector<Level> levels;
+};
+
+}  // namespace glare

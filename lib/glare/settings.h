@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything one can choose about a measurement.  The letters are evalglare's options of the same meaning; defaults
+// are its defaults.  All angles named `opening` are full opening angles in radians, as evalglare's -t, -l, -r are.
+#pragma once
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+#include "base/error.h"
+#include "glare/formulas.h"
+#include "glare/position_index.h"
+#include "glare/rammg.h"
+
+namespace glare {
+
+struct Circle {
+    int x = 0, y = 0;  // y from the bottom
+    double opening = 0;
+};
+struct Zones {
+    Circle inner;
+    std::optional<double> outer_opening;
+};
+struct Fill {
+    int y_max = 0, y_min = 0;
+};
+struct Patches {
+    double angle_deg = 0;
+    int mode = 1;
+};
+
+// Shares of the luminance that red, green and blue give.
+struct Paint {
+    double red, green, blue;
+};
+
+enum class DgpForm {
+    merged,  // sources found and merged as evalglare does
+    pixel,   // every bright pixel is a source of its own
+};
+
+struct Settings {
+    std::optional<double> threshold;               // -b: up to 100 a factor of the reference luminance, above it cd/m2
+    double search_opening = 0.2;                   // -r
+    bool smooth = false;                           // -s
+    bool peaks = true;                             // -x off, -y on
+    double peak_limit = 50000;                     // -Y, cd/m2
+    std::optional<Circle> task;                    // -t, -T
+    bool task_painted = false;                     // -T
+    std::string task_region;                       // -task NAME
+    int field_cut = 0;                             // -G 1, 2, 3
+    int background = 0;                            // -q 0, 1, 2
+    bool low_light = false;                        // -C l+
+    std::optional<double> external_ev;             // -i, -I
+    std::optional<Fill> fill;                      // -I
+    PositionModel position = PositionModel::guth;  // -P 1: kim
+    double veil_cut = -std::numeric_limits<double>::infinity();  // -k
+    DgpConstants constants;                                      // -w
+    DgpForm dgp_form = DgpForm::merged;
+    std::optional<Patches> patches;        // -z
+    std::optional<Zones> zones;            // -l, -L
+    std::optional<double> band_rad;        // -B: half height
+    std::optional<std::string> mask_file;  // -A
+    int fast = 0;                          // -1, -2
+    double fast_direct = 0;                // -2 Edir
+    bool check_picture = false;            // -c
+    std::optional<Paint> source_paint;     // -u: of all sources; else five colours in turn
+    bool force = false;                    // -f: a perspective picture with black corners is measured
+    RammgArea rammg_area = RammgArea::view;
+    bool slips = false;  // -like evalglare: mirrored solid angles, its order of sums and truncations
+};
+
+// An input that evalglare refuses with words on stdout, and these words.
+struct Refusal : base::Error {
+    std::string evalglare_says;
+    Refusal(std::string place, std::string fact, std::string says)
+        : base::Error(base::Kind::input, std::move(place), std::move(fact)), evalglare_says(std::move(says)) {}
+};
+
+// What to work out beyond Ev and the luminance statistics that cost nothing.
+struct Needs {
+    bool sources = true, rammg = true, medians = false, regions_in_full = false;
+    bool filled = false;     // sources by what fills their pixels (filled.h), too
+    bool all_light = false;  // all that reaches the eye, which a narrow view leaves out in part
+};
+
+}  // namespace glare

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Picture location -> ray, for the six projections (the double-precision twin is lib/view; a test compares them).
+// Host fills Params.view_*: unit d, h, u; view_size.x/.y = the scale factors of each type (see render/view_params.h).
+#ifndef LUX_VIEW_RAY_H
+#define LUX_VIEW_RAY_H
+
+// the letters of -vt
+#define VIEW_PERSPECTIVE 118    // v
+#define VIEW_PARALLEL 108       // l
+#define VIEW_CYLINDRICAL 99     // c
+#define VIEW_ANGULAR 97         // a
+#define VIEW_HEMISPHERICAL 104  // h
+
+// A direction at the angle whose sine over a length is k and whose cosine is z, in the frame of the view.
+FN float3 round_view(UNIFORM(const Params) par, float a, float b, float z, float k) {
+    return unit3(
+        add3(scale3(xyz4(par->view_d), z), add3(scale3(xyz4(par->view_h), a * k), scale3(xyz4(par->view_u), b * k))));
+}
+
+// The direction of place (a, b) of the view's plane, by type, before fore and aft and with the length that these
+// count in; *org moves in a parallel view.  0 if no ray belongs there.
+FN int view_direction(UNIFORM(const Params) par, float a, float b, PRIVATE(float3) org, PRIVATE(float3) dir) {
+    float3 d = xyz4(par->view_d), h = xyz4(par->view_h), up = xyz4(par->view_u);
+    float sn, cs, r2 = a * a + b * b;
+
+    switch ((int)par->view_d.w) {
+    case VIEW_PERSPECTIVE: *dir = madd3(up, b, madd3(h, a, d)); return 1;
+    case VIEW_PARALLEL:
+        *org = madd3(up, b, madd3(h, a, *org));
+        *dir = d;
+        return 1;
+    case VIEW_CYLINDRICAL:
+        k_sincos(a, &sn, &cs);
+        *dir = add3(scale3(d, cs), madd3(up, b, scale3(h, sn)));
+        return 1;
+    case VIEW_ANGULAR: {  // a, b in units of 180 degrees from the axis
+        float r = sqrt_(r2);
+        if (r > 1.0f) return 0;
+        k_sincos(K_PI * r, &sn, &cs);
+        *dir = round_view(par, a, b, cs, r > 1e-6f ? sn / r : K_PI);
+        return 1;
+    }
+    case VIEW_HEMISPHERICAL: {
+        float z2 = 1.0f - a * a - b * b;
+        if (z2 < 0.0f) return 0;
+        *dir = round_view(par, a, b, sqrt_(z2), 1.0f);
+        return 1;
+    }
+    default: {  // planispheric
+        float z = (1.0f - r2) / (1.0f + r2);
+        *dir = round_view(par, a, b, z, 1.0f + z);
+        return 1;
+    }
+    }
+}
+
+// Moves the ray to a place of the lens and turns it to the same point at the distance |vd|; *stretch is the length of
+// *dir before and after.
+FN void view_lens(UNIFORM(const Params) par, float3 lens, PRIVATE(float3) org, PRIVATE(float3) dir,
+                  PRIVATE(float) stretch) {
+    float3 d = xyz4(par->view_d), h = xyz4(par->view_h), up = xyz4(par->view_u);
+    float r = 0.5f * par->view_clip.w * sqrt_(lens.x), sn, cs;
+    int type = (int)par->view_d.w;
+    int planar = type == VIEW_PERSPECTIVE || type == VIEW_PARALLEL;
+    k_sincos(K_TURN * lens.y, &sn, &cs);
+    float3 shift = add3(scale3(h, r * cs), scale3(up, r * sn));
+    if (!planar) {  // the reference's lens of the round views is as deep as wide, its focus a sphere
+        shift = madd3(d, par->view_clip.w * (0.5f - lens.z), shift);
+        *dir = scale3(*dir, 1.0f / *stretch);
+    }
+
+    *org = add3(*org, shift);
+    *dir = madd3(shift, -1.0f / par->view_h.w, *dir);
+    if (planar) *stretch = length3(*dir);
+    else *dir = scale3(*dir, *stretch / length3(*dir));
+}
+
+// X, Y in [0,1], Y up; lens: three random numbers, the place on the lens of diameter -pd (rays of one X, Y meet again
+// at the distance |vd|).  0 if no ray belongs there.
+FN int view_lens_ray(UNIFORM(const Params) par, float X, float Y, float3 lens, PRIVATE(Ray) ray) {
+    float a = (X - 0.5f + par->view_size.z) * par->view_size.x;
+    float b = (Y - 0.5f + par->view_size.w) * par->view_size.y;
+    float fore = par->view_clip.x, aft = par->view_clip.y;
+    float3 org = xyz4(par->view_org), dir;
+    if (!view_direction(par, a, b, &org, &dir)) return 0;
+    float stretch = length3(dir);
+    if (par->view_clip.w > 0.0f) view_lens(par, lens, &org, &dir, &stretch);
+
+    ray->org = madd3(dir, fore, org);
+    ray->dir = scale3(dir, 1.0f / stretch);
+    ray->tmin = 0.0f;
+    ray->tmax = aft > 0.0f ? (aft - fore) * stretch : FAR_AWAY;
+    return 1;
+}
+
+// Through the middle of the lens.
+FN int view_ray(UNIFORM(const Params) par, float X, float Y, PRIVATE(Ray) ray) {
+    return view_lens_ray(par, X, Y, F3(0.0f, 0.0f, 0.5f), ray);
+}
+#endif

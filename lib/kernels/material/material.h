@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a material record to its lobes: the one list of what scatters how.  To add a material: CONTRIBUTING.md.
+#ifndef LUX_MATERIAL_H
+#define LUX_MATERIAL_H
+
+#include "kernels/material/mat_normal.h"
+#include "kernels/material/mat_glass.h"
+#include "kernels/material/mat_dielectric.h"
+#include "kernels/material/mat_function.h"
+#include "kernels/material/mat_wgmd.h"
+#include "kernels/material/mat_prism.h"
+#include "kernels/material/mat_bsdf.h"
+
+// With -bv-: is there nothing at the back of this type, for what is asked?
+FN int back_passes(uint type, int asked) {
+    if (material_has(type, MT_NO_BACK) != 0u) return 0;
+    return asked != LOBES_SHADOW || material_has(type, MT_OPEN_BACK) != 0u;
+}
+
+// Those whose lobes are .cal functions or tables.  Functions are evaluated once per hit.
+FN void function_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, int asked,
+                       PRIVATE(Sampler) rnd, PRIVATE(Lobes) lobes) {
+    GLOBAL const uint* m = mod_record(s, par, g->mod);
+    GLOBAL const float* arg = s->f + m[MOD_ARGS];
+    float vars[CAL_VARS], value[CAL_OUTPUTS];
+
+    if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {
+        material_vars(par, g, vars);
+        vars_to_frame(s, g, vars);
+        if (cal_run(s, m[MOD_PROGRAM], vars, value))
+            for (int i = 0; i < CAL_OUTPUTS; i++) value[i] = 0.0f;
+        values_from_frame(s, g, m[MOD_FLAGS], value);
+    }
+
+    switch (g->type) {
+    case M_ANISO_PLASTIC:
+    case M_ANISO_METAL:
+    case M_ANISO_TRANS: mat_normal(par, g, g->type, arg, F3(value[0], value[1], value[2]), lobes); break;
+    case M_ASHIK: mat_ashik(par, g, arg, F3(value[0], value[1], value[2]), lobes); break;
+    case M_BRDF: mat_brdf(g, arg, m[MOD_FLAGS], lobes); break;
+    case M_BRTD: mat_brtd(g, arg, value, lobes); break;
+    case M_WGMD: mat_wgmd(s, par, g, m, value, rnd, lobes); break;
+    case M_BSDF: mat_bsdf(s, par, g, m, value, asked, rnd, lobes); break;
+    case M_PRISM:
+        if (asked != LOBES_SHADOW)
+            mat_prism(m[MOD_FLAGS], value, lobes);  // shadow rays pass by virtual sources only (shadow_aimed)
+        break;
+    default: break;
+    }
+}
+
+// Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving, the
+// medium of the segment that ended here, is corrected where the surface knows it; so is *beyond, the one behind the
+// surface.  Both come as what the ray knows.
+FN void material_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, int asked,
+                       PRIVATE(Sampler) rnd, PRIVATE(Medium) arriving, PRIVATE(Medium) beyond, PRIVATE(Lobes) lobes) {
+    GLOBAL const float* arg = s->f + mod_word(s, par, g->mod, MOD_ARGS);
+    uint type = g->type;
+    lobes_clear(lobes);
+    if (!g->front && par->bv == 0u && back_passes(type, asked)) {
+        lobes->flags |= LOBE_PASS;
+        return;
+    }
+
+    switch (type) {
+    case M_PLASTIC:
+    case M_METAL:
+    case M_TRANS: mat_normal(par, g, type, arg, F3(0.0f, 0.0f, 0.0f), lobes); break;
+    case M_GLASS: mat_glass(g, arg, asked == LOBES_SHADOW, lobes); break;
+    case M_DIELECTRIC:
+    case M_INTERFACE:
+        if (HAS(SOLIDS)) mat_dielectric(par, g, type, arg, lobes, arriving, beyond);
+        break;
+    case M_MIRROR:
+        if (g->front) lobes_mirror(g, mul3(f3_at(arg), g->color), lobes);
+        break;
+    default:
+        if (HAS(FUNCTIONS)) function_lobes(s, par, g, asked, rnd, lobes);
+        break;
+    }
+}
+
+// ---- illum and mirror may name an alternate material (spec shading 3.7, 3.8)
+
+// g becomes the alternate, which keeps the patterns and textures met before the illum or mirror itself.  0: there is
+// nothing in its place, the ray passes.
+FN int become_alternate(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g,
+                        PRIVATE(Sampler) rnd) {
+    uint alternate = mod_word(s, par, g->mod, MOD_BRANCH1);
+    if (alternate == NONE) return 0;
+    g->mod = alternate;
+    without_own_chain(s, g);
+    return find_material(s, par, g, rnd);
+}
+
+// Does the alternate act for a ray that is not aimed at a source?
+FN int alternate_acts(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint flags) {
+    int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
+    if (g->type == M_ILLUM) return !(g->front && sampled);  // black to sampled rays: their light comes from the source
+    if (g->type != M_MIRROR) return 0;
+    uint m = mod_word(s, par, g->mod, MOD_FLAGS);
+    if ((m & MF_HAS_ALTERNATE) == 0u) return 0;
+    if ((par->flags & PF_IRRADIANCE) != 0u && !sampled && (flags & PC_BENT) == 0u) return 0;  // white
+    return !(g->front && sampled && (m & MF_ALTERNATE_PASSES) == 0u);
+}
+
+// The same for a shadow ray to the source of record q.  relayed: q is a virtual source and this surface is its relay.
+FN int alternate_acts_for_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+                                 GLOBAL const float* src, int relayed) {
+    if (g->type == M_ILLUM) {  // the light of other illums and of glows ends at its front: its own stands for it
+        uint kind = as_uint_(src[SRC_CLASS]);
+        return !(g->front && (kind == M_ILLUM || kind == M_GLOW) && as_uint_(src[SRC_VIRTUAL]) == NONE);
+    }
+
+    return g->type == M_MIRROR && !relayed && (mod_word(s, par, g->mod, MOD_FLAGS) & MF_HAS_ALTERNATE) != 0u;
+}
+
+// Puts alternates, and theirs, in place.  1: the ray passes.
+FN int take_alternate(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, uint flags,
+                      PRIVATE(Sampler) rnd) {
+    while (alternate_acts(s, par, g, flags))
+        if (!become_alternate(s, par, g, rnd)) return 1;
+    return 0;
+}
+
+FN int shadow_alternate(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g,
+                        GLOBAL const float* src, int relayed, PRIVATE(Sampler) rnd) {
+    while (alternate_acts_for_shadow(s, par, g, src, relayed))
+        if (!become_alternate(s, par, g, rnd)) return 1;
+    return 0;
+}
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Highlights: a rough polished plane in the sun sends its light into a narrow cone about the mirrored sun, the same
+// direction from everywhere, which the cosine hits once in hundreds of samples, and then it is bright.  A share of the
+// diffuse directions goes to the cones of those sunlit rectangles (sampling/highlights.h) that can be met from a place.
+#ifndef LUX_HIGHLIGHTS_H
+#define LUX_HIGHLIGHTS_H
+
+#define HIGHLIGHT_SPREAD2 9.0f    // roughnesses, squared: so far beside its cone a rectangle is still met
+#define HIGHLIGHT_FARTHEST 20.0f  // squared slope over squared roughness; beyond is no density
+
+FN GLOBAL const float* highlight_record(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint k) {
+    return s->f + par->highlights_at + HIGHLIGHT_FLOATS * k;
+}
+
+FN float3 highlight_sun(GLOBAL const float* h) {
+    float3 n = f3_at(h + HIGHLIGHT_NORMAL), dir = f3_at(h + HIGHLIGHT_DIR);
+    return sub3(dir, scale3(n, 2.0f * dot3(n, dir)));
+}
+
+// Does the mirrored sun of this rectangle stand above the surface with normal n at p?  The first answers are cheap.
+FN int highlight_met(GLOBAL const float* h, float3 p, float3 n) {
+    float3 dir = f3_at(h + HIGHLIGHT_DIR);
+    if (dot3(dir, n) <= 0.0f) return 0;
+    float3 plane = f3_at(h + HIGHLIGHT_NORMAL), off = sub3(p, f3_at(h + HIGHLIGHT_CORNER));
+    float height = dot3(off, plane);
+    if (!(height > 0.0f)) return 0;
+
+    float inv = -1.0f / dot3(plane, dir);
+    float t = height * inv;
+    float wide = t * inv;
+    float3 at = madd3(dir, t, off), u = f3_at(h + HIGHLIGHT_U), v = f3_at(h + HIGHLIGHT_V);
+    float uu = dot3(u, u), vv = dot3(v, v), a = dot3(at, u), b = dot3(at, v);
+    float beside_u = MAX_(MAX_(-a, a - uu), 0.0f), beside_v = MAX_(MAX_(-b, b - vv), 0.0f);
+    float far2 = HIGHLIGHT_SPREAD2 * h[HIGHLIGHT_ALPHA2] * wide * wide;
+    return beside_u * beside_u <= far2 * uu && beside_v * beside_v <= far2 * vv;
+}
+
+// Those that can be met, a bit each.
+FN uint highlights_met(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n) {
+    uint met = 0u;
+    for (SAME uint k = 0u; k < par->highlight_count; k++)
+        if (highlight_met(highlight_record(s, par, k), p, n)) met |= 1u << k;
+    return met;
+}
+
+FN uint highlights_count(uint met) {
+    uint count = 0u;
+    for (; met != 0u; met &= met - 1u) count++;
+    return count;
+}
+
+// A direction toward one of those met.  Halfway between the sun and the viewer is a normal of the rough plane; these
+// are spread by a Gaussian of their slope.
+FN float3 highlight_direction(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint met, float x, float y) {
+    float choice = x * (float)highlights_count(met);
+    uint pick = 0u;
+    while ((met & 1u) == 0u || (choice >= 1.0f && (met & (met - 1u)) != 0u)) {
+        if ((met & 1u) != 0u) choice -= 1.0f;
+        met >>= 1;
+        pick++;
+    }
+
+    GLOBAL const float* h = highlight_record(s, par, pick);
+    float3 n = f3_at(h + HIGHLIGHT_NORMAL), sun = highlight_sun(h), e1, e2;
+    float sn, cs, slope = sqrt_(-h[HIGHLIGHT_ALPHA2] * k_log(MAX_(1.0f - choice, 1e-7f)));
+    frame_of(n, &e1, &e2);
+    k_sincos(K_TURN * y, &sn, &cs);
+    float3 half_way = unit3(add3(n, add3(scale3(e1, slope * cs), scale3(e2, slope * sn))));
+    return sub3(sun, scale3(half_way, 2.0f * dot3(half_way, sun)));
+}
+
+// Density (per sr) of directions toward one rectangle.
+FN float highlight_density(GLOBAL const float* h, float3 dir) {
+    float3 n = f3_at(h + HIGHLIGHT_NORMAL), sun = highlight_sun(h);
+    float3 half_way = sub3(sun, dir);
+    float alpha2 = h[HIGHLIGHT_ALPHA2], hn = dot3(half_way, n), hs = dot3(half_way, sun);
+    if (!(hn > 0.0f && hs > 0.0f)) return 0.0f;
+    float3 off = sub3(half_way, scale3(n, hn));  // not hh - hn^2: sharp lobes would see its rounding
+    float far = dot3(off, off) / (hn * hn * alpha2);
+    if (!(far < HIGHLIGHT_FARTHEST)) return 0.0f;
+
+    float hh = dot3(half_way, half_way), inv = 1.0f / hn;
+    return k_exp(-far) * K_INV_PI / alpha2 * hh * hh * inv * inv * inv / (4.0f * hs);
+}
+
+// Of direction dir among those toward the rectangles met.
+FN float highlights_density(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint met, float3 dir) {
+    float sum = 0.0f;
+    for (uint k = 0u, left = met; left != 0u; k++, left >>= 1)
+        if ((left & 1u) != 0u) sum += highlight_density(highlight_record(s, par, k), dir);
+    return sum / (float)highlights_count(met);
+}
+#endif

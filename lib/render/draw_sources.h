@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small bright sources (the sun's disc is 1.4 pixels wide at 512) drawn into frame 0 by area instead of by luck:
+// points spread evenly over the source, each splatted into the pixel it falls in.
+#pragma once
+#include <vector>
+#include "device/device.h"
+#include "flatten/host_tracer.h"
+#include "view/view.h"
+
+namespace render {
+
+struct DrawList {
+    std::vector<device::DrawRay> rays;
+    std::vector<uint32_t> pixel;   // row from the top * nx + column, of each ray
+    std::vector<float> right, up;  // of the ray from the pixel's centre, in pixels
+    std::vector<uint32_t> marked;  // words of scene.f that say SRC_DRAWN of the sources taken
+};
+// Those that are small in this view, and their rays.
+DrawList list_drawn_sources(const flatten::FlatScene& scene, const flatten::HostTracer& tracer, const view::View& view,
+                            int nx, int ny);
+// Says so to the kernels in the scene's numbers (FlatScene::f), or takes it back.
+void mark_drawn(const DrawList& list, std::vector<float>& numbers, bool drawn = true);
+
+}  // namespace render

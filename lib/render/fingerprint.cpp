@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See fingerprint.h.
+#include "render/fingerprint.h"
+
+#include <fmt/format.h>
+
+#include "base/hash.h"
+#include "base/options.h"
+
+namespace render {
+namespace {
+
+std::string scene_hash(const flatten::FlatScene& s) {
+    base::Hash hash;
+    for (const flatten::FlatScene::Tree& t : s.trees)
+        hash.add({t.first_vertex, t.vertex_count, t.first_triangle, t.triangle_count, t.first_shape, t.shape_count});
+    hash.add_all(s.prims), hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim);
+    hash.add_all(s.shapes), hash.add_all(s.shape_prim), hash.add_all(s.polygon_uv);
+    hash.add_all(s.u), hash.add_all(s.f);
+    hash.add_all(std::vector<float>{float(s.centre.x), float(s.centre.y), float(s.centre.z)});
+    hash.add({s.mods_at, s.sources_at, s.source_count, s.distant_at, s.distant_count, s.portals_at, s.portal_count,
+              s.light_tree_at, s.light_nodes, s.shadow_mode, s.antimatter, s.absorbs, s.instances_at});
+    return hash.text();
+}
+
+// Options that move pixels, as one would type them, and what tests set.  The seed has a header line of its own.
+std::string option_text(RenderOptions o) {
+    if (o.sampling != Sampling::shared) o.noisy_share = 0;  // the other ways have none
+    base::OptionTable table;
+    declare_options(table, o);
+    std::string text;
+    for (const base::Option& option : table.options())
+        if (option.pixels) text += option.in_force() + " ";
+    return text + fmt::format("direct {}", o.direct_samples);
+}
+
+std::string focus_text(const Focus& focus) {
+    std::string text;
+    for (const FocusPart& part : focus) {
+        base::Hash pixels;
+        pixels.add_all(part.pixels);
+        text += fmt::format(" {} samples of {}", part.copies, pixels.text());
+    }
+    return text;
+}
+
+std::string hash_of(const std::string& text) {
+    base::Hash hash;
+    hash.add_all(text);
+    return hash.text();
+}
+
+}  // namespace
+
+std::string fingerprint(const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
+                        const RenderOptions& options, const Focus& focus) {
+    return fmt::format("scene:{} view:{} options:{} estimator:{}", scene_hash(scene),
+                       hash_of(fmt::format("{} {} {}", view::to_options(view), nx, ny)),
+                       hash_of(option_text(options) + focus_text(focus)), estimator);
+}
+
+}  // namespace render

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See frame_zero.h.
+#include "render/frame_zero.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/grey.h"
+
+namespace render {
+using namespace kernels;
+
+namespace {
+double grey(const float* rgb) {
+    return image::grey_red * double(rgb[0]) + image::grey_green * double(rgb[1]) + image::grey_blue * double(rgb[2]);
+}
+
+// Adds up the samples of each pixel, those of the first half less those of the other, and their squares.  Pixel by
+// pixel, all its samples at once: neighbours in the picture are followed together.
+void sum_samples(device::Device& device, Samples& sampler, const Params& base, int64_t begin, uint32_t count,
+                 std::vector<double>& sum, std::vector<float>& half_off, std::vector<double>& squares) {
+    const uint32_t pixels = base.nx * base.ny, most = UINT32_MAX / pixels;  // indices of slots are 32 bits
+    std::vector<float> rgb;
+    for (uint32_t done = 0; done < count;) {
+        const uint32_t n = std::min(count - done, most), some = std::max(1u, device.good_slots() / n);
+        for (uint32_t first = 0; first < pixels; first += some) {
+            const uint32_t together = std::min(some, pixels - first);
+            sampler.run(device, base, {MODE_DIRECT, begin + done, n, first, together}, rgb);
+            const float* from = rgb.data();
+            for (size_t pixel = first; pixel < first + together; pixel++)
+                for (uint32_t k = 0; k < n; k++) {
+                    squares[pixel] += grey(from) * grey(from);
+                    for (size_t c = 0; c < 3; c++) {
+                        if (!half_off.empty()) half_off[3 * pixel + c] += done + k < count / 2 ? *from : -*from;
+                        sum[3 * pixel + c] += double(*from++);
+                    }
+                }
+        }
+        done += n;
+    }
+}
+
+void draw_sources(device::Device& device, Samples& sampler, const Params& base, const DrawList& list, FrameZero& zero) {
+    if (list.rays.empty()) return;
+    std::vector<float> rgb;
+    Params p = base;
+    p.mode = MODE_DRAW;
+    p.first = 0;
+    p.slots = uint32_t(list.rays.size());
+    device.draw(p, list.rays, rgb);
+    sampler.scrub(rgb);
+    const size_t pixels = size_t(base.nx) * base.ny;
+    std::vector<double> sum(3 * pixels, 0.0);
+    zero.drawn.resize(pixels);
+    for (size_t i = 0; i < list.rays.size(); i++) {
+        for (size_t c = 0; c < 3; c++) sum[3 * size_t(list.pixel[i]) + c] += double(rgb[3 * i + c]);
+        DrawnLight& to = zero.drawn[list.pixel[i]];
+        const double y = grey(&rgb[3 * i]);
+        to.sum += y, to.right += y * double(list.right[i]), to.up += y * double(list.up[i]);
+        if (y != 0) to.squares += y * y / double(list.rays[i].weight);
+    }
+    zero.exact.assign(sum.begin(), sum.end());
+}
+}  // namespace
+
+FrameZero draw_frame_zero(device::Device& device, Samples& sampler, const Params& base, uint32_t m, uint32_t count,
+                          const DrawList& drawn) {
+    const size_t pixels = size_t(base.nx) * base.ny;
+    std::vector<double> sum(3 * pixels, 0.0), squares(pixels, 0.0);
+    FrameZero zero;
+    zero.half_off.assign(m % 2 ? 0 : sum.size(), 0.0f);
+    // More than m are drawn behind all frames, so that those above m do not draw them again.
+    sum_samples(device, sampler, base, count > m ? int64_t(1) << 31 : 0, count, sum, zero.half_off, squares);
+
+    zero.mean.resize(sum.size());
+    for (size_t i = 0; i < sum.size(); i++) zero.mean[i] = float(sum[i] / count);
+    for (size_t i = 0; i < zero.half_off.size(); i++) {  // rounding must not take away more than there is
+        const float whole = std::fabs(zero.mean[i]);
+        zero.half_off[i] = std::clamp(zero.half_off[i] / float(count), -whole, whole);
+    }
+    zero.spread.resize(pixels);
+    for (size_t i = 0; i < pixels; i++) {
+        const double mean = grey(&zero.mean[3 * i]);
+        zero.spread[i] = float(std::max(0.0, squares[i] / count - mean * mean));
+    }
+    draw_sources(device, sampler, base, drawn, zero);
+    return zero;
+}
+
+}  // namespace render

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Devices by the names of -device, and the list of those that there are.
+#include <fmt/core.h>
+#include <optional>
+
+#include "render/make_device.h"
+
+#include "base/error.h"
+#include "device/device.h"
+#include "render/self_test.h"
+
+namespace render {
+using namespace kernels;
+namespace {
+
+void say_processor_goes_on(const base::Error& e) {
+    if (e.kind != base::Kind::system) throw;
+    base::warn(e.where, e.message + "; the processor goes on in its place");
+}
+
+// -device auto on a machine with a GPU: from the GPU's first failure on it is the processor, in the midst of a frame if
+// need be, for it gives the same bits.  A GPU that gives others is replaced before it has rendered only.
+class GpuOrCpu : public device::Device {
+public:
+    explicit GpuOrCpu(std::unique_ptr<device::Device> gpu) : device_(std::move(gpu)) {}
+    std::string name() const override { return device_->name(); }
+    uint32_t good_slots() const override { return device_->good_slots(); }
+    bool leaves_host_free() const override { return device_->leaves_host_free(); }
+    std::string own_bits() const override { return device_->own_bits(); }
+
+    void upload(flatten::FlatScene scene) override {
+        scene_.reset();
+        attempt([&] { device_->upload(scene); });
+        scene.tell_tree = nullptr;
+        if (!on_cpu_) scene_ = std::move(scene);
+    }
+    void set_numbers(std::vector<float> numbers) override {
+        if (scene_) scene_->f = numbers;
+        attempt([&] { device_->set_numbers(numbers); });
+    }
+    void run(const Params& par, std::vector<float>& rgb) override {
+        attempt([&] { device_->run(par, rgb); });
+        has_run_ = true;
+    }
+    void draw(const Params& par, const std::vector<device::DrawRay>& rays, std::vector<float>& rgb) override {
+        attempt([&] { device_->draw(par, rays, rgb); });
+    }
+    void walk(const Params& par, const std::vector<device::WalkRay>& rays,
+              std::vector<device::WalkEnd>& ends) override {
+        attempt([&] { device_->walk(par, rays, ends); });
+    }
+    void set_focus(std::vector<uint32_t> entries) override {
+        focus_ = std::move(entries);
+        attempt([&] { device_->set_focus(focus_); });
+    }
+
+private:
+    template <class F>
+    void attempt(F&& work) {
+        try {
+            return work();
+        } catch (const base::Error& e) {
+            if (on_cpu_ || (has_run_ && !own_bits().empty())) throw;
+            say_processor_goes_on(e);
+        }
+        device_ = device::make_cpu_device("cpu");
+        on_cpu_ = true;
+        if (scene_) device_->upload(std::move(*scene_));
+        scene_.reset();
+        device_->set_focus(focus_);
+        work();
+    }
+
+    std::unique_ptr<device::Device> device_;
+    bool on_cpu_ = false, has_run_ = false;
+    std::optional<flatten::FlatScene> scene_;  // what the processor would have to be told
+    std::vector<uint32_t> focus_;
+};
+
+std::unique_ptr<device::Device> make_tested_opencl_device(const std::string& name) {
+    std::unique_ptr<device::Device> opencl = device::make_opencl_device(name);
+    opencl->set_own_bits(self_test(*opencl));
+    return opencl;
+}
+
+std::unique_ptr<device::Device> make_auto_device() {
+    if (!device::opencl_has_gpu()) return device::make_cpu_device("cpu");
+    try {
+        return std::make_unique<GpuOrCpu>(make_tested_opencl_device("opencl"));
+    } catch (const base::Error& e) {
+        say_processor_goes_on(e);
+        return device::make_cpu_device("cpu");
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> list_devices() {
+    std::vector<std::string> out = {device::make_cpu_device("cpu")->name()};
+    for (auto& d : device::opencl_devices()) out.push_back(d);
+    return out;
+}
+
+std::unique_ptr<device::Device> make_device(const std::string& name) {
+    if (name == "auto") return make_auto_device();
+    const std::string kind = name.substr(0, name.find(':'));
+    if (kind == "cpu") return device::make_cpu_device(name);
+    if (kind == "opencl") return make_tested_opencl_device(name);
+    base::fail("-device", fmt::format("\"{}\" is not auto, cpu or opencl[:index or name]", name));
+}
+
+}  // namespace render

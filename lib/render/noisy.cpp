@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See noisy.h.
+#include "render/noisy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/picture.h"
+
+namespace render {
+using namespace kernels;
+
+namespace {
+constexpr uint32_t coarse = 4;                      // a few paths for each block of some 4 x 4 pixels
+constexpr uint32_t paths = 4;                       // of each block
+constexpr uint32_t samples_first = (3u << 30) + 1;  // numbers of the samples: no frame's
+constexpr float as_if_normal = 1.45f;  // standard deviation over the mean distance of four samples from their mean
+constexpr uint32_t most_copies = 64;
+
+// Luminances of n samples of each pixel of p's picture.
+std::vector<float> sampled(device::Device& device, Params p, uint32_t mode, uint32_t n) {
+    p.mode = mode;
+    p.frame = samples_first;
+    p.skip_direct_below = UINT32_MAX;  // diffuse paths hold no direct light
+    p.together = n;
+    std::vector<float> rgb, out;
+    const uint32_t all = p.nx * p.ny * n, some = std::max(n, device.good_slots() / n * n);
+    for (p.first = 0; p.first < all; p.first += p.slots) {
+        p.slots = std::min(some, all - p.first);
+        device.run(p, rgb);
+        for (size_t i = 0; i < rgb.size(); i += 3) {
+            const double y = image::luminance(&rgb[i]);
+            out.push_back(std::fabs(y) < 1e18 ? float(y) : 0.0f);
+        }
+    }
+    return out;
+}
+
+// Means of 3 x 3 values, those of the edge repeated.
+std::vector<float> smoothed(const std::vector<float>& values, int nx, int ny) {
+    std::vector<float> out(values.size());
+    for (int y = 0; y < ny; y++)
+        for (int x = 0; x < nx; x++) {
+            float sum = 0;
+            for (int dy = -1; dy <= 1; dy++)
+                for (int dx = -1; dx <= 1; dx++)
+                    sum += values[size_t(std::clamp(y + dy, 0, ny - 1)) * nx + std::clamp(x + dx, 0, nx - 1)];
+            out[size_t(y) * nx + x] = sum / 9;
+        }
+    return out;
+}
+
+// How far the diffuse light of single paths lies from their mean, block by block.  The mean distance, not the mean
+// square: of four paths one bright one would decide all.
+std::vector<float> diffuse_deviation(device::Device& device, Params p, int nx, int ny) {
+    p.nx = uint32_t(nx), p.ny = uint32_t(ny);
+    const std::vector<float> light = sampled(device, p, MODE_FRAMES, paths);
+    std::vector<float> deviation(size_t(nx) * ny);
+    for (size_t block = 0; block < deviation.size(); block++) {
+        const float* of = &light[paths * block];
+        float mean = 0, off = 0;
+        for (uint32_t k = 0; k < paths; k++) mean += of[k] / paths;
+        for (uint32_t k = 0; k < paths; k++) off += std::fabs(of[k] - mean) / paths;
+        deviation[block] = as_if_normal * off;
+    }
+    return smoothed(deviation, nx, ny);
+}
+
+// The variance of the direct light of single samples, by two of each pixel and its neighbours.
+std::vector<float> direct_variance(device::Device& device, const Params& base) {
+    const std::vector<float> light = sampled(device, base, MODE_DIRECT, 2);
+    std::vector<float> variance(light.size() / 2);
+    for (size_t i = 0; i < variance.size(); i++) {
+        const float off = light[2 * i] - light[2 * i + 1];
+        variance[i] = off * off / 2;
+    }
+    return smoothed(variance, int(base.nx), int(base.ny));
+}
+
+// In powers of two, the nearest to the ratio that there is.
+uint32_t copies_for(float deviation, float of_one) {
+    if (deviation < .75f * least_copies * of_one) return 0;
+    uint32_t copies = least_copies;
+    while (copies < most_copies && deviation > 1.5f * float(copies) * of_one) copies *= 2;
+    return copies;
+}
+}  // namespace
+
+std::vector<uint32_t> copies_of_noisy(device::Device& device, const Params& base, double share) {
+    const int nx = int(base.nx), ny = int(base.ny), wide = (nx + int(coarse) - 1) / int(coarse),
+              high = (ny + int(coarse) - 1) / int(coarse);
+    const std::vector<float> diffuse = diffuse_deviation(device, base, wide, high);
+    std::vector<float> deviation = direct_variance(device, base);
+    for (int y = 0; y < ny; y++)
+        for (int x = 0; x < nx; x++) {
+            const float d = diffuse[size_t(y * high / ny) * wide + x * wide / nx];
+            float& both = deviation[size_t(y) * nx + x];
+            both = std::sqrt(both + d * d);
+        }
+
+    // The deviation that deserves one sample, so that all of them are as many as they may be.
+    constexpr double all_that_count = 1u << 31;  // slots of a pass are counted in 32 bits
+    const double enough = std::min(share * double(deviation.size()), all_that_count);
+    float high_one = *std::max_element(deviation.begin(), deviation.end()), low_one = 1e-9f * high_one;
+    const auto fits = [&](float one) {
+        double all = 0;
+        for (const float d : deviation) all += copies_for(d, one);
+        return all <= enough;
+    };
+    for (int step = 0; step < 24 && high_one > 0; step++) {
+        const float one = std::sqrt(low_one) * std::sqrt(high_one);
+        (fits(one) ? high_one : low_one) = one;
+    }
+    std::vector<uint32_t> copies(deviation.size(), 0);
+    if (high_one > 0)
+        for (size_t i = 0; i < copies.size(); i++) copies[i] = copies_for(deviation[i], high_one);
+    return copies;
+}
+
+}  // namespace render

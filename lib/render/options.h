@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the user may set about a rendering; defaults are those of a converged daylight picture (docs/differences.md).
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+#include "flatten/flatten.h"
+#include "image/picture.h"
+#include "view/view.h"
+
+namespace base {
+class OptionTable;
+}
+
+namespace render {
+
+// How the directions of diffuse light are chosen (-sampling): by the cosine; a share of them toward windows and patches
+// of sun; the same, and what they meet lights the pixels around, too.
+enum class Sampling { plain, portals, shared };
+
+struct RenderOptions : flatten::Options {  // which has -dr and -bv
+    // RADIANCE's letters
+    int ab = 5;             // -ab diffuse bounces
+    double st = 0;          // -st specular threshold
+    double ss = 16;         // -ss > 1.5: weighted (W-G-M-D) lobes; <= 1.5: unweighted
+    double dj = 1, ds = 0;  // -dj source jitter; -ds accepted (a path tracer samples the whole source)
+    int dp = 0;             // -dp accepted
+    int lr = -12;
+    double lw = 1e-6;          // ray level limit (negative: Russian roulette), weight limit
+    double pj = 1;             // -pj pixel jitter
+    bool u = true;             // -u accepted
+    bool dv = true;            // -dv light sources visible
+    bool i = false;            // -i irradiance
+    double av[3] = {0, 0, 0};  // -av
+    double me[3] = {0, 0, 0}, ma[3] = {0, 0, 0}, mg = 0, ms = 0;  // mist
+    double pd = 0;                                                // -pd depth of field
+    // ours
+    Sampling sampling = Sampling::shared;
+    uint64_t seed = 1;
+    double way_least = 0;  // for tests of ways hardly ever taken (kernels/integrator/ways.h)
+    int direct_samples =
+        image::direct_samples;  // m of spec paper 7: samples of the direct and specular class in frame 0
+    double noisy_share = .15;   // samples for noisy pixels, over those of the picture (noisy.h)
+};
+
+// Those that users may set; from_scene() marks what a scene's file may say.
+void declare_options(base::OptionTable& table, RenderOptions& options);
+
+}  // namespace render

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See pixel_moments.h.
+#include "render/pixel_moments.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/grey.h"
+#include "image/picture.h"
+
+namespace render {
+using namespace kernels;
+
+namespace {
+constexpr double least_deviation = 20 / image::lumens_per_watt;  // cd/m2 over that: no glare source is so dark
+constexpr double least_share = .05;                              // of the mean: less is a share f above .9975
+constexpr double clear = 3;                                      // standard errors of the noise of a covariance
+constexpr double rounding = 1e-6;                                // of the squared mean
+constexpr uint32_t enough = 1u << 20, least_places = 16, most_places = 256;  // places: of all pixels; of one
+constexpr size_t together = 1u << 14;                                        // pixels
+
+// In small pictures a pixel is much of the light, and samples cost little.
+uint32_t places_of(uint32_t pixels) {
+    uint32_t n = least_places;
+    while (n < most_places && 2 * n * pixels <= enough) n *= 2;
+    return n;
+}
+
+double grey(const float* rgb) {
+    return image::grey_red * double(rgb[0]) + image::grey_green * double(rgb[1]) + image::grey_blue * double(rgb[2]);
+}
+
+// Pixels whose samples in frame 0 differ, and those around them: a small bright thing may have been missed there.
+std::vector<uint32_t> uneven_pixels(const FrameZero& zero, int nx, int ny) {
+    std::vector<bool> chosen(zero.spread.size());
+    for (int y = 0; y < ny; y++)
+        for (int x = 0; x < nx; x++) {
+            const size_t i = size_t(y) * size_t(nx) + size_t(x);
+            const double deviation = std::sqrt(double(zero.spread[i]));
+            if (deviation < least_deviation || deviation < least_share * grey(&zero.mean[3 * i])) continue;
+            for (int v = std::max(0, y - 1); v <= std::min(ny - 1, y + 1); v++)
+                for (int u = std::max(0, x - 1); u <= std::min(nx - 1, x + 1); u++)
+                    chosen[size_t(v) * size_t(nx) + size_t(u)] = true;
+        }
+    std::vector<uint32_t> out;
+    for (size_t i = 0; i < chosen.size(); i++)
+        if (chosen[i]) out.push_back(uint32_t(i));
+    return out;
+}
+
+struct Covariance {
+    double between = 0;  // places: the covariance of both samples
+    double within = 0;   // a place: the variance of a sample's noise
+    double mean = 0;
+};
+
+// Of n pairs.  Divided by n: the places are points of a net, whose mean has next to no error.
+Covariance covariance(const float* a, const float* b, uint32_t n) {
+    double sum_a = 0, sum_b = 0, products = 0, noise = 0;
+    for (uint32_t k = 0; k < n; k++) {
+        const double x = grey(a + 3 * k), y = grey(b + 3 * k);
+        sum_a += x, sum_b += y, products += x * y, noise += (x - y) * (x - y) / 2;
+    }
+    return {products / n - sum_a / n * (sum_b / n), noise / n, (sum_a + sum_b) / (2 * n)};
+}
+
+// The variance of the places' light, and half the difference between those of both halves of them.
+void estimate(const float* a, const float* b, uint32_t n, float* moments) {
+    const Covariance all = covariance(a, b, n), first = covariance(a, b, n / 2),
+                     second = covariance(a + 3 * (n / 2), b + 3 * (n / 2), n / 2);
+    const double least = std::max(clear * all.within / std::sqrt(double(n)), rounding * all.mean * all.mean);
+    if (!(all.between > least)) return;
+    moments[image::moment_variance] = float(all.between);
+    moments[image::moment_difference] = float((first.between - second.between) / 2);
+}
+
+// With sources of luminance E on a share of the pixel, and L, which is 0 there, on the rest:
+//     Var(E + L) = Var E + Var L - 2 mean E mean L
+void add_drawn(const FrameZero& zero, size_t i, float* moments) {
+    const DrawnLight& d = zero.drawn[i];
+    const double rest = std::max(0.0, grey(&zero.mean[3 * i]));
+    if (!(d.sum > 0)) return;
+    const double variance = d.squares - d.sum * d.sum - 2 * d.sum * rest;
+    float& v = moments[image::moment_variance];
+    v = float(std::max(0.0, double(v) + variance));
+    moments[image::moment_right] = float(d.right / (d.sum + rest));
+    moments[image::moment_up] = float(d.up / (d.sum + rest));
+}
+}  // namespace
+
+image::Moments pixel_moments(device::Device& device, Samples& sampler, const Params& base, const FrameZero& zero) {
+    const uint32_t n = places_of(base.nx * base.ny);
+    std::vector<float> out(image::moment_numbers * zero.spread.size(), 0.0f), a, b;
+    const std::vector<uint32_t> uneven = uneven_pixels(zero, int(base.nx), int(base.ny));
+    const size_t step = std::max<size_t>(1, together * least_places / n);
+    for (size_t first = 0; first < uneven.size(); first += step) {
+        const std::vector<uint32_t> some(uneven.begin() + long(first),
+                                         uneven.begin() + long(std::min(uneven.size(), first + step)));
+        sampler.run_places(device, base, some, n, 0, a);
+        sampler.run_places(device, base, some, n, 1, b);
+        for (size_t k = 0; k < some.size(); k++)
+            estimate(&a[3 * n * k], &b[3 * n * k], n, &out[image::moment_numbers * some[k]]);
+    }
+    for (size_t i = 0; i < zero.drawn.size(); i++) add_drawn(zero, i, &out[image::moment_numbers * i]);
+    image::clean_moments(out);
+    return std::make_shared<const std::vector<float>>(std::move(out));
+}
+
+}  // namespace render

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Frames of Eq. 7.  L(0) = exact part (small sources drawn by area) + S0, the mean of m samples of the direct class;
+// frames 1..m carry the diffuse class; frame k > m adds S(k) - S0, so that for n >= m both classes are plain means of n
+// samples and frame 0's own noise averages out (docs/spec/paper.md 7, docs/decisions/0002-frame-zero.md).  Half of the
+// frames 1..m show the mean of the first half of frame 0's samples instead of S0, half that of the others.  In noisy
+// pixels, which have several samples in each frame, all frames k >= 1 add S(k) - S0.
+#include "render/progressive.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <fmt/core.h>
+#include <future>
+#include <optional>
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "device/device.h"
+#include "render/draw_sources.h"
+#include "render/eye_on_surface.h"
+#include "render/fingerprint.h"
+#include "render/frame_zero.h"
+#include "render/make_device.h"
+#include "render/noisy.h"
+#include "render/pixel_moments.h"
+#include "render/samples.h"
+#include "render/scene_params.h"
+#include "render/view_params.h"
+#include "sampling/aim_shares.h"
+#include "sampling/targets.h"
+
+namespace render {
+using namespace kernels;
+
+// In small pictures frame 0 costs little, and a single noisy pixel is much of the light: each of its m samples is then
+// the mean of two or four, so that there are half a million in all.
+uint32_t samples_for_one(size_t pixels) {
+    constexpr size_t enough = 256 * 256;
+    return 4 * pixels <= enough ? 4 : 2 * pixels <= enough ? 2 : 1;
+}
+
+constexpr float RAY_REST = 0.3f;  // light from elsewhere, over that of portals: a single ray is not worth a search
+
+// What a far end sends out must not depend on the path that found it: on what it came through, on what -lw lets it be.
+bool may_share(const Params& par) {
+    const bool mist = par.medium.x > 0 || par.medium.y > 0 || par.medium.z > 0;
+    return par.ab > 0 && par.lr <= 0 && par.way_least == 0 && (par.flags & PF_ANTIMATTER) == 0 && !mist;
+}
+
+struct Renderer::State {
+    struct Picture {
+        Shot shot;
+        DrawList drawn;
+        std::string fingerprint;
+        bool on_surface;  // its rays may begin on one
+    };
+    std::unique_ptr<device::Device> device;
+    Params base{};
+    std::vector<Picture> pictures;
+    const Picture* picture = nullptr;  // the one looked at
+    std::vector<float> numbers;        // the scene's, without a view's marks; empty for a single picture
+    base::Vec3 centre;
+    uint32_t nx, ny, m, of_frame0;  // of_frame0: samples of the direct class in frame 0
+    FrameZero zero;
+    image::Moments moments;
+    double noisy_share = 0;
+    bool seeks_noisy = false;     // they are still to be found
+    std::vector<uint32_t> noisy;  // pixels with several samples in each frame, not those of a focus
+    std::vector<float> aims;      // records of portals, then of highlights
+    uint32_t portal_count = 0;
+    std::vector<float> unshared;  // the same, until their shares are known
+    Samples sampler;
+
+    // Runs frames first .. first+count-1; give(sample, pixel values) in order; false stops.  The first ones come one by
+    // one, later ones many at a time where that is faster.  A device beside the host has begun with the next ones when
+    // these are given.
+    template <class Give>
+    void samples(int64_t first, int64_t count, Give&& give) {
+        const int64_t most = std::max<int64_t>(1, device->good_slots() / sampler.slots(base));
+        const auto together = [&](int64_t done) { return std::min({std::max<int64_t>(1, done), most, count - done}); };
+        const auto begin = [&](int64_t done) {
+            const Pass pass{MODE_FRAMES, first + done, uint32_t(together(done)), 0, nx * ny};
+            const auto when =
+                device->leaves_host_free() ? std::launch::async | std::launch::deferred : std::launch::deferred;
+            return std::async(when, [this, pass] {
+                std::vector<float> rgb;
+                run(pass, rgb);
+                return rgb;
+            });
+        };
+        std::future<std::vector<float>> next = begin(0);
+        std::vector<float> one;
+        for (int64_t done = 0, n; done < count; done += n) {
+            const std::vector<float> rgb = next.get();
+            n = together(done);
+            if (done + n < count) next = begin(done + n);
+            for (int64_t i = 0; i < n; i++) {
+                if (n > 1) take_sample(rgb, size_t(n), size_t(i), one);
+                if (!give(first + done + i, n > 1 ? one.data() : rgb.data())) return;
+            }
+        }
+    }
+    void run(const Pass& pass, std::vector<float>& rgb) { sampler.run(*device, base, pass, rgb); }
+    static void take_sample(const std::vector<float>& rgb, size_t n, size_t sample, std::vector<float>& one) {
+        one.resize(rgb.size() / n);
+        for (size_t pixel = 0; 3 * pixel < one.size(); pixel++)
+            std::copy_n(&rgb[3 * (n * pixel + sample)], 3, &one[3 * pixel]);
+    }
+    void ensure_aim_shares() {
+        if (unshared.empty()) return;
+        sampling::find_shares(*device, unshared, base);
+        unshared.clear();
+    }
+    void ensure_zero() {
+        if (zero.mean.empty()) zero = draw_frame_zero(*device, sampler, base, m, of_frame0, picture->drawn);
+    }
+    // Which pixels get several samples in each frame.
+    void ensure_noisy() {
+        if (!seeks_noisy) return;
+        seeks_noisy = false;
+        noisy = sampler.add_noisy(*device, copies_of_noisy(*device, base, noisy_share));
+    }
+    // Frame k of a sample's values.
+    void make_frame(int64_t k, const float* v, std::vector<float>& out) const {
+        if (k > m)
+            for (size_t i = 0; i < out.size(); i++) out[i] = v[i] - zero.mean[i];
+        else if (zero.half_off.empty()) std::copy(v, v + out.size(), out.begin());
+        else
+            for (size_t i = 0; i < out.size(); i++)
+                out[i] = image::in_first_half(k) ? v[i] + zero.half_off[i] : v[i] - zero.half_off[i];
+        for (size_t i = 0; k <= m && i < 3 * noisy.size(); i++) {
+            const size_t at = 3 * size_t(noisy[i / 3]) + i % 3;
+            out[at] = v[at] - zero.mean[at];
+        }
+    }
+};
+
+void require_memory(const Shot& shot) {
+    constexpr uint64_t pixel = 60;  // bytes: frame 0's sums in double, a sample, a frame and what is written of it
+    const uint64_t memory = base::machine_memory(), least = pixel * uint64_t(shot.nx) * uint64_t(shot.ny);
+    if (memory == 0 || least <= memory) return;
+    errno = 0;
+    base::fail_system("-x, -y", fmt::format("{} x {} pixels need at least {:.1f} GB; this machine has {:.1f} GB",
+                                            shot.nx, shot.ny, double(least) * 1e-9, double(memory) * 1e-9));
+}
+
+Renderer::Renderer(const std::string& device) : state_(std::make_unique<State>()) {
+    state_->device = make_device(device);
+}
+
+Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& options,
+                   const std::string& device, const scene::ReadOptions& files)
+    : Renderer(device) {
+    load(scene, {{view, nx, ny}}, options, files);
+}
+
+void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, const RenderOptions& o,
+                    const scene::ReadOptions& files) {
+    State& s = *state_;
+    flatten::FlatScene flat = flatten::flatten(scene, o, files);
+    if (o.sampling != Sampling::plain) sampling::find_targets(flat);
+    s.base = params_of(flat, o);
+    s.m = s.base.skip_direct_below;
+    s.noisy_share = o.sampling == Sampling::shared ? o.noisy_share : 0;
+    s.sampler.set_sharing(o.sampling == Sampling::shared && may_share(s.base));
+    const auto portals = flat.f.begin() + long(flat.portals_at);
+    s.portal_count = flat.portal_count;
+    s.aims.assign(portals, portals + long(flat.portal_count) * PORTAL_FLOATS);
+    const auto highlights = flat.f.begin() + long(flat.highlights_at);
+    s.aims.insert(s.aims.end(), highlights, highlights + long(flat.highlight_count) * HIGHLIGHT_FLOATS);
+    s.centre = flat.centre;
+    s.pictures.clear();
+    // drawing knows one eye point, and no way on through glass unattenuated
+    const bool drawable = flat.source_count > 0 && o.pd <= 0 && o.dv && !o.i;
+    std::optional<flatten::HostTracer> tracer(std::in_place, flat);
+    s.numbers = shots.size() > 1 ? flat.f : std::vector<float>();
+    for (const Shot& shot : shots) {
+        DrawList drawn;
+        const bool one_eye = shot.view.type != 'l' && shot.view.vo == 0 && o.pd <= 0;
+        const bool on_surface = one_eye && eye_on_surface(flat, *tracer, shot.view.vp);
+        if (drawable && !on_surface) drawn = list_drawn_sources(flat, *tracer, shot.view, shot.nx, shot.ny);
+        mark_drawn(drawn, flat.f);
+        const std::string fingerprint = render::fingerprint(flat, shot.view, shot.nx, shot.ny, o, shot.focus);
+        s.pictures.push_back({shot, std::move(drawn), fingerprint, on_surface || !one_eye});
+        if (shots.size() > 1) mark_drawn(s.pictures.back().drawn, flat.f, false);
+    }
+    tracer.reset();
+    s.device->upload(std::move(flat));
+    look(0);
+}
+
+void Renderer::look(size_t shot) {
+    State& s = *state_;
+    s.picture = &s.pictures.at(shot);
+    const Shot& of = s.picture->shot;
+    s.nx = s.base.nx = uint32_t(of.nx);
+    s.ny = s.base.ny = uint32_t(of.ny);
+    s.of_frame0 = s.m * samples_for_one(size_t(of.nx) * size_t(of.ny));
+    set_view(s.base, of.view, s.centre);
+    s.base.flags = (s.base.flags & ~PF_EYE_ON_SURFACE) | (s.picture->on_surface ? PF_EYE_ON_SURFACE : 0u);
+    s.sampler.set_focus(*s.device, of.focus);
+    s.zero = {};
+    s.moments.reset();
+    s.noisy.clear();
+    s.seeks_noisy = s.noisy_share > 0;
+    s.unshared = s.aims;  // their shares are learned from where the eye is
+    sampling::pick_all_portals(s.portal_count, 0, 0, s.base);
+    s.base.highlight_share = Params{}.highlight_share;
+    if (s.pictures.size() == 1) return;
+    std::vector<float> numbers = s.numbers;
+    mark_drawn(s.picture->drawn, numbers);
+    s.device->set_numbers(std::move(numbers));
+}
+
+Renderer::~Renderer() = default;
+
+std::string Renderer::fingerprint() const {
+    const std::string bits = state_->device->own_bits();
+    return state_->picture->fingerprint + (bits.empty() ? "" : " device:" + bits);
+}
+std::string Renderer::device_name() const { return state_->device->name(); }
+
+void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, const std::vector<float>&)>& give) {
+    State& s = *state_;
+    const int64_t end = k + count;
+    std::vector<float> out(size_t(s.nx) * s.ny * 3);
+    if (k == 0 || end - 1 > s.m || s.m % 2 == 0 || s.seeks_noisy) s.ensure_zero();
+    if (k == 0) {
+        out = s.zero.mean;
+        for (size_t i = 0; i < s.zero.exact.size(); i++) out[i] += s.zero.exact[i];
+        if (!give(0, out)) return;
+        k = 1;
+    }
+    if (k >= end) return;
+    s.ensure_aim_shares();
+    s.ensure_noisy();
+    s.samples(k, end - k, [&](int64_t frame, const float* v) {
+        s.make_frame(frame, v, out);
+        return give(frame, out);
+    });
+}
+
+image::Moments Renderer::moments() {
+    State& s = *state_;
+    s.ensure_zero();
+    if (!s.moments) s.moments = pixel_moments(*s.device, s.sampler, s.base, s.zero);
+    return s.moments;
+}
+
+void Renderer::frame(int64_t k, std::vector<float>& rgb) {
+    frames(k, 1, [&](int64_t, const std::vector<float>& v) {
+        rgb = v;
+        return true;
+    });
+}
+
+Renderer::RayValue Renderer::trace_ray(const double origin[3], const double dir[3], int64_t n) {
+    State& s = *state_;
+    Params p = s.base;
+    p.mode = MODE_RAY;
+    p.flags |= PF_EYE_ON_SURFACE;
+    sampling::pick_all_portals(s.portal_count, 1, RAY_REST, p);
+    const base::Vec3 d = base::unit({dir[0], dir[1], dir[2]});
+    p.ray_org = {float(origin[0] - p.centre.x), float(origin[1] - p.centre.y), float(origin[2] - p.centre.z), 0};
+    p.ray_dir = {float(d.x), float(d.y), float(d.z), 0};
+    double sum[3] = {}, square[3] = {};
+    std::vector<float> rgb;
+    for (int64_t done = 0; done < n;) {
+        p.frame = uint32_t(done);
+        p.first = 0;
+        p.slots = uint32_t(std::min<int64_t>(n - done, 1 << 16));
+        s.device->run(p, rgb);
+        s.sampler.scrub(rgb);
+        for (size_t i = 0; i < rgb.size(); i++) {
+            sum[i % 3] += rgb[i];
+            square[i % 3] += double(rgb[i]) * rgb[i];
+        }
+        done += p.slots;
+    }
+    RayValue v;
+    for (int c = 0; c < 3; c++) {
+        v.mean[c] = sum[c] / double(n);
+        const double var = n > 1 ? (square[c] / double(n) - v.mean[c] * v.mean[c]) * double(n) / double(n - 1) : 0;
+        v.error[c] = std::sqrt(std::max(0.0, var) / double(n));
+    }
+    return v;
+}
+
+}  // namespace render

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The progressive loop: frame k of a scene, view and size, on a device (paper Eq. 7 and its section on frame noise).
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+#include "scene/object.h"
+#include "render/focus.h"
+#include "render/options.h"
+#include "view/view.h"
+
+namespace render {
+
+// A picture of the scene: frames of it have the same bits whatever other pictures are made beside it.
+struct Shot {
+    view::View view;
+    int nx = 0, ny = 0;
+    Focus focus = {};
+};
+
+// Throws Error (system) if its frames alone cannot be held by this machine.
+void require_memory(const Shot& shot);
+
+class Renderer {
+public:
+    // A device, for scenes one after another.  Throws Error where there is no such device.
+    explicit Renderer(const std::string& device);
+    // The same with a scene and one picture of it.
+    Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& options,
+             const std::string& device, const scene::ReadOptions& files);
+    ~Renderer();
+    // Flattens the scene and uploads it; the first shot is looked at.  Throws Error (unsupported input with file:line).
+    void load(const scene::Scene& scene, const std::vector<Shot>& shots, const RenderOptions& options,
+              const scene::ReadOptions& files);
+    // What follows is of this shot.
+    void look(size_t shot);
+    std::string device_name() const;
+    std::string fingerprint() const;  // of what it renders (fingerprint.h)
+    // Frame k: 3 floats a pixel, row 0 = top, W/(sr m2).  Depends on (seed, k, pixel) alone.
+    void frame(int64_t k, std::vector<float>& rgb);
+    // Moments of the light inside of its pixels (image/picture.h).
+    image::Moments moments();
+    // Frames k .. k+count-1 together where that is faster (GPUs); give() is called in order.
+    void frames(int64_t k, int count, const std::function<bool(int64_t, const std::vector<float>&)>& give);
+    // Mean and standard error of n samples of one ray, all classes (tests compare with rtrace).
+    struct RayValue {
+        double mean[3], error[3];
+    };
+    RayValue trace_ray(const double origin[3], const double dir[3], int64_t samples);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace render

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See samples.h.
+#include "render/samples.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "render/noisy.h"
+
+namespace render {
+using namespace kernels;
+
+namespace {
+constexpr double worth_of_shared = 8;       // copies
+constexpr uint32_t first_place = 5u << 29;  // number of the samples of run_places: no frame's
+}  // namespace
+
+uint32_t Samples::Several::first_of(uint64_t pixel) const {
+    uint32_t low = 0, high = uint32_t(count());
+    while (low < high) {
+        const uint32_t middle = (low + high) / 2;
+        if (word(middle, FOCUS_PIXEL) < pixel) low = middle + 1;
+        else high = middle;
+    }
+    return low;
+}
+
+void Samples::add(Several several) {
+    several.at = several_.empty() ? 0 : several_.back().at + uint32_t(several_.back().count());
+    several_.push_back(std::move(several));
+}
+
+void Samples::send(device::Device& device) const {
+    std::vector<uint32_t> all;
+    for (const Several& s : several_) all.insert(all.end(), s.entries.begin(), s.entries.end());
+    device.set_focus(std::move(all));
+}
+
+void Samples::set_focus(device::Device& device, const Focus& focus) {
+    several_.clear();
+    for (const FocusPart& part : focus) {
+        Several s;
+        s.copies = part.copies;
+        s.worth_of_shared = worth_of_shared;
+        for (const uint32_t pixel : part.pixels) s.entries.insert(s.entries.end(), {pixel, part.copies, 0});
+        add(std::move(s));
+    }
+    send(device);
+}
+
+std::vector<uint32_t> Samples::add_noisy(device::Device& device, std::vector<uint32_t> copies) {
+    for (const Several& s : several_)
+        for (size_t entry = 0; entry < s.count(); entry++) copies[s.word(entry, FOCUS_PIXEL)] = 0;
+    std::vector<uint32_t> pixels;
+    Several s;
+    s.copies = least_copies;
+    s.direct_in_each_frame = true;
+    for (uint32_t pixel = 0; pixel < copies.size(); pixel++) {
+        if (copies[pixel] > 0) pixels.push_back(pixel);
+        for (uint32_t from = 0; from < copies[pixel]; from += least_copies)
+            s.entries.insert(s.entries.end(), {pixel, copies[pixel], from});
+    }
+    if (pixels.empty()) return pixels;
+    add(std::move(s));
+    send(device);
+    return pixels;
+}
+
+// Pictures smaller than a square of groups do not: nearly all slots would lie beside them.
+bool Samples::shares(const Params& par) const { return may_share_ && par.nx >= SHARE_SIDE && par.ny >= SHARE_SIDE; }
+
+uint32_t Samples::slots(const Params& base) const {
+    return shares(base) ? kernels::share_slots(base.nx, base.ny) : base.nx * base.ny;
+}
+
+void Samples::run(device::Device& device, const Params& base, const Pass& pass, std::vector<float>& rgb) {
+    Params p = base;
+    p.mode = pass.mode;
+    p.frame = uint32_t(pass.first_sample);
+    p.together = pass.n;
+    p.first = pass.first_pixel * pass.n;
+    p.slots = pass.pixels * pass.n;
+    if (shares(base) && pass.mode == MODE_FRAMES) {
+        p.shared_slots = kernels::share_slots(p.nx, p.ny);
+        p.first = 0;
+        p.slots = p.shared_slots * pass.n;
+    }
+    device.run(p, rgb);
+    scrub(rgb);
+    for (const Several& several : several_) refine(device, base, pass, several, rgb);
+}
+
+// Samples of pixels that have several, as far as the pass has these pixels, become the means of all.  A shared sample
+// may stay and count for several copies: it is less noisy than one, and any fixed weights keep the expectation.
+void Samples::refine(device::Device& device, const Params& base, const Pass& pass, const Several& several,
+                     std::vector<float>& rgb) {
+    const uint32_t begin = several.first_of(pass.first_pixel),
+                   end = several.first_of(uint64_t(pass.first_pixel) + pass.pixels);
+    if (begin == end) return;
+    const uint32_t most = UINT32_MAX / (uint32_t(several.count()) * several.copies);  // indices of slots are 32 bits
+    const double worth = shares(base) && pass.mode == MODE_FRAMES ? several.worth_of_shared : 0;
+    Params p = base;
+    p.mode = pass.mode;
+    p.copies = several.copies;
+    p.focus_at = several.at;
+    if (several.direct_in_each_frame) p.skip_direct_below = 0;
+    for (uint32_t done = 0, n; done < pass.n; done += n) {
+        n = std::min(pass.n - done, most);
+        p.frame = uint32_t(pass.first_sample + done);
+        p.together = n * several.copies;
+        const uint32_t first = begin * p.together, last = end * p.together;
+        std::vector<double> sum(size_t(end - begin) * n * 3);
+        for (p.first = first; p.first < last; p.first += p.slots) {
+            p.slots = std::min(device.good_slots(), last - p.first);
+            device.run(p, copies_);
+            scrub(copies_);
+            for (size_t i = 0; i < copies_.size(); i++)
+                sum[(p.first - first + i / 3) / several.copies * 3 + i % 3] += double(copies_[i]);
+        }
+        for (uint32_t entry = begin, next; entry < end; entry = next) {  // those of a pixel lie side by side
+            const uint32_t pixel = several.word(entry, FOCUS_PIXEL), copies = several.word(entry, FOCUS_ALL);
+            next = entry + copies / several.copies;
+            for (size_t i = 0; i < size_t(n) * 3; i++) {
+                double all = 0;
+                for (uint32_t e = entry; e < next; e++) all += sum[size_t(e - begin) * n * 3 + i];
+                float& value = rgb[3 * (size_t(pixel - pass.first_pixel) * pass.n + done) + i];
+                value = float((all + worth * double(value)) / (copies + worth));
+            }
+        }
+    }
+}
+
+void Samples::run_places(device::Device& device, const Params& base, const std::vector<uint32_t>& pixels, uint32_t n,
+                         uint32_t redraw, std::vector<float>& rgb) {
+    std::vector<uint32_t> entries;
+    for (const uint32_t pixel : pixels) entries.insert(entries.end(), {pixel, n, 0});
+    device.set_focus(std::move(entries));
+    Params p = base;
+    p.mode = MODE_DIRECT;
+    p.frame = first_place;
+    p.copies = p.together = n;
+    p.focus_at = 0;
+    p.redraw = redraw;
+    const uint32_t slots = uint32_t(pixels.size()) * n;
+    rgb.clear();
+    std::vector<float> some;
+    for (p.first = 0; p.first < slots; p.first += p.slots) {
+        p.slots = std::min(device.good_slots(), slots - p.first);
+        device.run(p, some);
+        rgb.insert(rgb.end(), some.begin(), some.end());
+    }
+    scrub(rgb);
+    send(device);
+}
+
+void Samples::scrub(std::vector<float>& rgb) {
+    constexpr float brightest = 1e32f;
+    constexpr size_t enough = 300;
+    size_t found = 0;
+    for (float& v : rgb)
+        if (!(std::fabs(v) <= brightest)) {
+            v = 0;
+            found++;
+        }
+    errno = 0;
+    if (rgb.size() >= enough && found > rgb.size() / 2)
+        base::fail_system("", fmt::format("{:.0f} % of a pass's samples are not numbers, or above 1e32",
+                                          100 * double(found) / double(rgb.size())));
+    if (found > 0 && !found_bad_) base::warn("", "samples that were not numbers, or above 1e32, were set to 0");
+    found_bad_ = found_bad_ || found > 0;
+}
+
+}  // namespace render

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Samples of the pixels of a picture, drawn by a device: one each and, in the focus or where noise is, the mean of
+// several.
+#pragma once
+#include "device/device.h"
+#include "render/focus.h"
+
+namespace render {
+
+// n samples of each of some pixels.
+struct Pass {
+    uint32_t mode;
+    int64_t first_sample;
+    uint32_t n, first_pixel, pixels;
+};
+
+class Samples {
+public:
+    // Replaces the pixels with several samples by those of a focus.
+    void set_focus(device::Device& device, const Focus& focus);
+    // Adds noisy ones (noisy.h): copies of each pixel, 0: one.  Pixels of a focus keep its number.  Samples of the
+    // others, which are returned, hold the direct class in each frame.
+    std::vector<uint32_t> add_noisy(device::Device& device, std::vector<uint32_t> copies);
+    // May the paths of whole pictures share their far ends (kernels/integrator/share.h)?
+    void set_sharing(bool may) { may_share_ = may; }
+    // How many slots a sample of the whole picture takes.
+    uint32_t slots(const kernels::Params& base) const;
+    // rgb: the samples of a pixel lie side by side, as do their rays.
+    void run(device::Device& device, const kernels::Params& base, const Pass& pass, std::vector<float>& rgb);
+    // n direct samples of each of some pixels, which no frame holds, side by side.  redraw: 0, or other random numbers
+    // but for the places of the samples.
+    void run_places(device::Device& device, const kernels::Params& base, const std::vector<uint32_t>& pixels,
+                    uint32_t n, uint32_t redraw, std::vector<float>& rgb);
+    // Whatever is added to a picture passes here, so that every sum of a million of them is a finite float.  Throws
+    // Error (system) where half of a pass is not.
+    void scrub(std::vector<float>& rgb);
+
+private:
+    // Pixels with several samples in each frame, in one pass of the device.
+    struct Several {
+        std::vector<uint32_t> entries;  // FOCUS_WORDS each, pixels in ascending order
+        uint32_t at = 0;                // among all entries of the device
+        uint32_t copies = 0;            // samples of an entry
+        double worth_of_shared = 0;     // copies that the sample of the whole picture counts for, where paths share
+        bool direct_in_each_frame = false;
+        size_t count() const { return entries.size() / FOCUS_WORDS; }
+        uint32_t word(size_t entry, uint32_t which) const { return entries[entry * FOCUS_WORDS + which]; }
+        uint32_t first_of(uint64_t pixel) const;
+    };
+    bool shares(const kernels::Params& par) const;
+    void add(Several several);
+    void send(device::Device& device) const;
+    void refine(device::Device& device, const kernels::Params& base, const Pass& pass, const Several& several,
+                std::vector<float>& rgb);
+
+    std::vector<Several> several_;
+    bool may_share_ = false;
+    std::vector<float> copies_;
+    bool found_bad_ = false;
+};
+
+}  // namespace render

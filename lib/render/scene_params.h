@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parameters that the kernels need of a scene and its options.  Those of a view: view_params.h.
+#pragma once
+#include <algorithm>
+#include "flatten/flat_scene.h"
+#include "kernels/dialect/host.h"
+#include "render/options.h"
+
+namespace render {
+
+// All that does not depend on the view.
+inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOptions& o) {
+    kernels::Params p{};
+    p.view_clip.z = float(o.pj);
+    p.view_clip.w = float(o.pd);
+    p.av = {float(o.av[0]), float(o.av[1]), float(o.av[2]), 0};
+    p.seed_lo = uint32_t(o.seed);
+    p.seed_hi = uint32_t(o.seed >> 32);
+    p.mods_at = flat.mods_at;
+    p.sources_at = flat.sources_at;
+    p.source_count = flat.source_count;
+    p.distant_at = flat.distant_at;
+    p.distant_count = flat.distant_count;
+    p.portals_at = flat.portals_at;
+    p.portal_count = flat.portal_count;
+    p.window_count = flat.window_count;
+    p.highlights_at = flat.highlights_at;
+    p.highlight_count = flat.highlight_count;
+    p.light_tree_at = flat.light_tree_at;
+    p.light_nodes = flat.light_nodes;
+    p.light_sets_at = flat.light_sets_at;
+    p.shadow_mode = flat.shadow_mode;
+    p.medium = {float(o.me[0]), float(o.me[1]), float(o.me[2]),
+                flat.absorbs || o.me[0] > 0 || o.me[1] > 0 || o.me[2] > 0 ? 1.0f : 0.0f};
+    p.albedo = {float(o.ma[0]), float(o.ma[1]), float(o.ma[2]), float(o.mg)};
+    p.ab = o.ab;
+    p.lr = o.lr;
+    p.bv = o.bv;
+    p.flags = (o.i ? PF_IRRADIANCE : 0u) | (o.dv ? PF_DV : 0u) | (flat.antimatter ? PF_ANTIMATTER : 0u) |
+              (flat.sky_places ? PF_SKY_PLACES : 0u);
+    p.st = float(o.st);
+    p.ss = float(o.ss);
+    p.dj = float(o.dj);
+    p.ds = float(o.ds);
+    p.lw = float(o.lw);
+    p.way_least = float(o.way_least);
+    p.together = p.copies = 1;
+    p.skip_direct_below = uint32_t(std::max(1, o.direct_samples));
+    return p;
+}
+
+}  // namespace render

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See estimates.h.
+#include "report/estimates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "glare/moment_error.h"
+#include "uncertainty/frame0.h"
+#include "uncertainty/threshold_filter.h"
+
+namespace report {
+namespace {
+
+using Method = uncertainty::Quantity::Method;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Pixels to each side of the threshold filter's neighbourhood, which is not wider than evalglare's search radius.
+int filter_radius(const glare::Geometry& g) {
+    constexpr double widest_rad = 0.1;
+    const double pitch = std::sqrt(g.omega_sum / double(std::max(1L, g.valid_count)));
+    return std::min(uncertainty::ThresholdFilter::largest_radius, int(widest_rad / (2 * pitch)));
+}
+
+glare::Luminance as_luminance(std::vector<float>& grey, const glare::Geometry& g, const image::Moments& moments = {}) {
+    glare::Luminance lum;
+    lum.moments = moments;
+    lum.width = g.width, lum.height = g.height, lum.grey = grey.data();
+    return lum;
+}
+
+}  // namespace
+
+ColumnEstimates::ColumnEstimates(const glare::Meter& meter, const std::vector<glare::Column>& columns)
+    : meter_(meter), columns_(columns) {
+    restart();
+}
+
+void ColumnEstimates::restart() {
+    growing_.restart();
+    taken_.clear(), frame0_error_.clear(), own_.clear();
+    estimates_.assign(columns_.size(), {nan, nan, 0, 0, false, 0});
+    next_look_ = 2;
+}
+
+void ColumnEstimates::add(const glare::Luminance& mean, int64_t n) {
+    growing_.add(mean.grey, mean.size(), n);
+    if (n <= image::direct_samples) find_frame0_error();
+}
+
+std::vector<bool> ColumnEstimates::counts() const {
+    std::vector<bool> out(meter_.geometry().omega.size());
+    for (size_t i = 0; i < out.size(); ++i) out[i] = meter_.geometry().valid(i);
+    return out;
+}
+
+void ColumnEstimates::take(const std::vector<image::Part>& all) {
+    taken_ = all;
+    find_frame0_error();
+}
+
+// From frames 1 to 8, as long as each is a part by itself.
+void ColumnEstimates::find_frame0_error() {
+    std::vector<image::Part> first = parts();
+    first.resize(std::min(first.size(), size_t(image::direct_samples)));
+    for (size_t k = 0; k < first.size(); ++k) {
+        const image::SeedRanges& from = first[k].from;
+        if (first[k].frames != 1 || from.empty() || from[0].second[0].first != int64_t(k) + 1) return;
+    }
+    const glare::Geometry& g = meter_.geometry();
+    if (first.size() > 2) frame0_error_ = uncertainty::frame0_error(first, g.width, g.height, counts());
+}
+
+void ColumnEstimates::pass_look() {
+    constexpr double growth_between_looks = 1.41421356;
+    next_look_ = std::max(frames() + 1, int64_t(std::llround(double(frames()) * growth_between_looks)));
+}
+
+uncertainty::Values ColumnEstimates::values(const glare::Measurement& m, bool regions_alone) const {
+    uncertainty::Values out;
+    for (const glare::Column& c : columns_)
+        out.push_back(regions_alone && c.quantity.method != Method::jackknife ? nan : c.value(m));
+    return out;
+}
+
+void ColumnEstimates::look(const glare::Luminance& lum, const glare::Measurement& m) {
+    pass_look();
+    const glare::Geometry& g = meter_.geometry();
+    uncertainty::GrowingMean mean{lum.width, lum.height, lum.grey, &parts(), nullptr, counts()};
+    if (!frame0_error_.empty()) mean.frame0_error = &frame0_error_;
+
+    uncertainty::Metrics metrics;
+    for (const glare::Column& c : columns_) metrics.quantities.push_back(c.quantity);
+    metrics.measure = [&] {
+        const std::shared_ptr<glare::SourceFinder> finder = meter_.make_finder();
+        return [this, finder, &g, &lum](std::vector<float>& image, std::vector<float>& classification) {
+            glare::Luminance own = as_luminance(image, g, lum.moments), bright_in = as_luminance(classification, g);
+            return values(meter_.measure(own, &image == &classification ? own : bright_in, *finder), false);
+        };
+    };
+    metrics.measure_regions = [&](std::vector<float>& image) {
+        return values(meter_.measure_regions(as_luminance(image, g)), true);
+    };
+    if (meter_.needs().sources) metrics.threshold = float(m.threshold / glare::cdm2_per_grey);
+    metrics.filter_radius = filter_radius(g);
+    const std::vector<uncertainty::Estimate> before = std::move(own_);
+    own_ = uncertainty::estimate(mean, metrics, values(m, false));
+    const std::vector<double> of_moments = glare::moment_variances(meter_, columns_, lum);
+    for (size_t c = 0; c < own_.size(); ++c) uncertainty::add_error(own_[c], of_moments[c], glare::moment_pairs);
+    estimates_ = own_;
+    for (size_t c = 0; c < before.size(); ++c) {
+        const double carried = before[c].error * std::sqrt(double(before[c].frames) / double(own_[c].frames));
+        const bool filled = before[c].frames >= int64_t(image::most_parts);
+        if (filled && carried > own_[c].error) estimates_[c].error = carried;
+    }
+}
+
+}  // namespace report

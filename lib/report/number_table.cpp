@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Recorded tables and evalglare's lines as columns of numbers (number_table.h).
+#include "report/number_table.h"
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include "base/error.h"
+
+namespace report {
+namespace {
+
+// evalglare's column names and ours; av_lum_pos2 is left out (its value is divided twice), dgp_ext is always 0.
+const std::map<std::string, std::string> evalglare_names = {{"dgp", "DGP"},
+                                                            {"dgi", "DGI"},
+                                                            {"ugr", "UGR"},
+                                                            {"vcp", "VCP"},
+                                                            {"cgi", "CGI"},
+                                                            {"Lveil", "Lveil"},
+                                                            {"Ev_calc", "Ev"},
+                                                            {"E_v", "Ev"},
+                                                            {"abs_max", "Lmax"},
+                                                            {"av_lum", "Lavg"},
+                                                            {"lum_backg", "Lb"},
+                                                            {"E_v_dir", "Edir"},
+                                                            {"lum_sources", "L_sources"},
+                                                            {"omega_sources", "omega_sources"},
+                                                            {"Lveil_cie", "LveilCIE"},
+                                                            {"dgr", "DGR"},
+                                                            {"ugp", "UGP"},
+                                                            {"ugr_exp", "UGRexp"},
+                                                            {"dgi_mod", "DGImod"},
+                                                            {"av_lum_pos", "LavgPos"},
+                                                            {"med_lum", "Lmed"},
+                                                            {"med_lum_pos", "LmedPos"},
+                                                            {"med_lum_pos2", "LmedPos2"},
+                                                            {"ugp2", "UGP2"},
+                                                            {"dgp_ext", ""},
+                                                            {"av_lum_pos2", ""}};
+
+// Columns that tell rows apart; "seconds" tells nothing.
+bool is_label(const std::string& name) {
+    return name == "file" || name == "view" || name == "sky" || name == "frame" || name == "source";
+}
+
+bool is_metric(const std::string& name) {
+    return !is_label(name) && name != "seconds" && name != "class" && name != "tails";
+}
+
+double number(const std::string& text, const std::string& place) {
+    if (text == "null") return std::nan("");
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end) base::fail(place, "\"" + text + "\" is not a number");
+    return value;
+}
+
+std::vector<std::string> split_cells(const std::string& line, char by) {
+    std::vector<std::string> out(1);
+    bool quoted = false;
+    for (char c : line) {
+        if (c == '"' && by == ',') quoted = !quoted;
+        else if (c == by && !quoted) out.emplace_back();
+        else out.back() += c;
+    }
+    return out;
+}
+
+class TableReader {
+public:
+    explicit TableReader(const std::string& path) : in_(path) { table_.name = path; }
+    std::optional<NumberTable> read() {
+        std::string line;
+        for (long n = 1; next_line(line); ++n) {
+            place_ = table_.name + ":" + std::to_string(n);
+            if (n > most_lines) base::fail(place_, "a table of more than ten million lines");
+            if (line.compare(0, 2, "#?") == 0 || line.find('\0') != std::string::npos) return std::nullopt;
+            if (!line.empty() && line[0] != '#') take(line);
+        }
+        if (table_.rows.empty()) base::fail(table_.name, "holds no line of metrics");
+        return std::move(table_);
+    }
+
+private:
+    static constexpr size_t longest_line = 1 << 20;
+    static constexpr long most_lines = 10000000;
+
+    // As std::getline, but of a file without end (/dev/zero) it takes no more than a line may have.
+    bool next_line(std::string& line) {
+        line.clear();
+        for (int c; (c = in_.get()) != EOF && c != '\n';) {
+            line += char(c);
+            if (line.size() > longest_line) base::fail(table_.name, "holds a line of more than a million characters");
+        }
+        return !line.empty() || in_.good();
+    }
+    void take(const std::string& line) {
+        if (line[0] == '{') return json(line);
+        const size_t colon = line.find(": ");
+        if (line.compare(0, 4, "dgp,") == 0 && colon != std::string::npos) return evalglare(line, colon);
+        if (separator_) return plain(line);
+        if (line.find('\t') != std::string::npos || line.compare(0, 5, "file,") == 0 ||
+            line.compare(0, 6, "frame,") == 0) {
+            separator_ = line.find('\t') != std::string::npos ? '\t' : ',';
+            header_ = split_cells(line, separator_);
+            for (const std::string& h : header_) {
+                if (is_metric(h)) table_.names.push_back(h);
+                if (is_label(h)) table_.labels.push_back(h);
+            }
+            return;
+        }
+        const bool bare = line.find_first_not_of("0123456789.+-e") == std::string::npos;
+        if (bare) return add({"Ev"}, {number(line, place_)});  // evalglare -V
+        const bool detail =
+            line.compare(0, 5, "band:") == 0 || line.compare(0, 7, "zoning:") == 0 ||
+            line.compare(0, 8, "masking:") == 0 ||
+            std::isdigit(static_cast<unsigned char>(line[0]));  // sources and statistics of -d: not compared
+        if (!detail) base::fail(place_, "is neither a table of vcmetrics nor a line of evalglare");
+    }
+    void plain(const std::string& line) {
+        const std::vector<std::string> cells = split_cells(line, separator_);
+        if (cells.size() != header_.size())
+            base::fail(place_, "has " + std::to_string(cells.size()) + " columns, the header " +
+                                   std::to_string(header_.size()));
+        std::vector<double> row;
+        std::vector<std::string> label;
+        for (size_t k = 0; k < cells.size(); ++k) {
+            if (is_metric(header_[k])) row.push_back(number(cells[k], place_));
+            if (is_label(header_[k])) label.push_back(name_in_folder(cells[k]));
+        }
+        table_.add_row(row, label);
+    }
+    void evalglare(const std::string& line, size_t colon) {
+        std::vector<std::string> names;
+        std::vector<double> row;
+        std::istringstream words(line.substr(colon + 2));
+        for (const std::string& name : split_cells(line.substr(0, colon), ',')) {
+            std::string word;
+            if (!(words >> word)) base::fail(place_, "evalglare's line ends before \"" + name + "\"");
+            const auto known = evalglare_names.find(name);
+            if (known == evalglare_names.end())
+                base::fail(place_, "\"" + name + "\" is not a column of evalglare 3.06");
+            if (known->second.empty()) continue;
+            names.push_back(known->second);
+            row.push_back(number(word, place_));
+        }
+        add(names, row);
+    }
+    // An object as table.cpp writes it: {"frame": 64, "Ev": 2800, "Ev.lo": 2750, "Ev.hi": 2850}
+    void json(const std::string& line) {
+        std::vector<std::string> names, labels, label;
+        std::vector<double> row;
+        for (size_t at = 1; (at = line.find('"', at)) != std::string::npos;) {
+            const size_t end = line.find('"', at + 1), colon = end == std::string::npos ? end : line.find(':', end);
+            if (colon == std::string::npos) base::fail(place_, "is not a JSON object of metrics");
+            const std::string name = line.substr(at + 1, end - at - 1);
+            const size_t start = line.find_first_not_of(' ', colon + 1);
+            if (start != std::string::npos && line[start] == '"') {
+                at = line.find('"', start + 1);
+                if (at == std::string::npos) base::fail(place_, "is not a JSON object of metrics");
+                if (is_label(name)) {
+                    labels.push_back(name);
+                    label.push_back(name_in_folder(line.substr(start + 1, at - start - 1)));
+                }
+                ++at;
+                continue;
+            }
+            const size_t stop = line.find_first_of(",} ", start);
+            if (start == std::string::npos || stop == std::string::npos)
+                base::fail(place_, "is not a JSON object of metrics");
+            const std::string value = line.substr(start, stop - start);
+            if (is_metric(name)) names.push_back(name), row.push_back(number(value, place_));
+            if (is_label(name)) labels.push_back(name), label.push_back(value);
+            at = stop;
+        }
+        add(names, row, labels, label);
+    }
+    void add(const std::vector<std::string>& names, const std::vector<double>& row,
+             const std::vector<std::string>& labels = {}, const std::vector<std::string>& label = {}) {
+        if (table_.rows.empty()) table_.names = names, table_.labels = labels;
+        if (table_.names != names) base::fail(place_, "has different metrics than the lines before it");
+        table_.add_row(row, label);
+    }
+
+    std::ifstream in_;
+    NumberTable table_;
+    std::string place_;
+    std::vector<std::string> header_;
+    char separator_ = 0;
+};
+
+}  // namespace
+
+void NumberTable::add_row(const std::vector<double>& values, const std::vector<std::string>& label) {
+    rows.push_back(values);
+    std::string text;
+    for (const std::string& part : label) text += (text.empty() ? "" : " ") + part;
+    row_names.push_back(text);
+}
+
+std::string name_in_folder(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+std::optional<NumberTable> read_numbers(const std::string& path) {
+    if (path == "-") return std::nullopt;
+    {
+        std::ifstream test(path, std::ios::binary);
+        if (!test) base::fail_system(path, "cannot be read");
+        const int first = test.peek();
+        if (first == 0x76) return std::nullopt;  // OpenEXR
+    }
+    return TableReader(path).read();
+}
+
+}  // namespace report

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers as text in the three formats (table.h).
+#include "report/table.h"
+#include <cmath>
+#include <cstdio>
+#include "base/printable.h"
+
+namespace report {
+namespace {
+
+std::string quoted_csv(const std::string& s) {
+    if (s.find_first_of(",\"\n") == std::string::npos) return base::printable(s);
+    std::string out = "\"";
+    for (char c : base::printable(s)) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return out + "\"";
+}
+
+std::string quoted_json(const std::string& s) {
+    std::string out = "\"";
+    char code[8];
+    for (size_t k = 0; k < s.size(); ++k) {
+        const unsigned char c = static_cast<unsigned char>(s[k]);
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += char(c);
+        } else if (c < 0x20 || c == 0x7f) {
+            std::snprintf(code, sizeof code, "\\u%04x", c);
+            out += code;
+        } else if (c >= 0x80) {  // JSON is UTF-8
+            size_t end = k + 1;
+            while (end < s.size() && static_cast<unsigned char>(s[end]) >= 0x80) ++end;
+            out += base::printable(std::string_view(s).substr(k, end - k));
+            k = end - 1;
+        } else out += char(c);
+    }
+    return out + "\"";
+}
+
+std::string plain_tsv(std::string s) {
+    for (char& c : s)
+        if (c == '\t' || c == '\n') c = ' ';
+    return base::printable(s);
+}
+
+}  // namespace
+
+Cell number_cell(double value, int digits) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::isnan(value)) return {"nan", true};
+    return {text, true};
+}
+
+Cell text_cell(const std::string& text) { return {text, false}; }
+
+std::string header_line(const std::vector<std::string>& names, TableFormat format) {
+    if (format == TableFormat::jsonl) return "";
+    std::string out;
+    for (const std::string& n : names)
+        out += (out.empty()                  ? ""
+                : format == TableFormat::tsv ? "\t"
+                                             : ",") +
+               (format == TableFormat::tsv ? plain_tsv(n) : quoted_csv(n));
+    return out + "\n";
+}
+
+std::string table_line(const std::vector<std::string>& names, const std::vector<Cell>& cells, TableFormat format) {
+    std::string out;
+    for (size_t k = 0; k < cells.size(); ++k) {
+        const Cell& c = cells[k];
+        if (format == TableFormat::jsonl) {
+            const bool finite = c.text.find_first_of("ni") == std::string::npos;
+            out += (k ? ", " : "{") + quoted_json(names[k]) + ": " +
+                   (!c.number ? quoted_json(c.text)
+                    : finite  ? c.text
+                              : "null");
+        } else if (format == TableFormat::csv) {
+            out += (k ? "," : "") + (c.number ? c.text : quoted_csv(c.text));
+        } else {
+            out += (k ? "\t" : "") + plain_tsv(c.text);
+        }
+    }
+    return out + (format == TableFormat::jsonl ? "}\n" : "\n");
+}
+
+}  // namespace report

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rays along the sunlight from a grid of points on each window: those that meet one plane are a piece of the window,
+// whose image there is a parallelogram.  Where little of it is lit it is cut in two.
+#include "sampling/patches.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/suns.h"
+
+namespace sampling {
+namespace {
+using base::Vec3;
+
+constexpr int SIDE = 64;              // of the grid
+constexpr int LEAST_CELLS = 4;        // of it in a patch
+constexpr double LEAST_COSINE = .02;  // between the sun and a window or what it meets
+constexpr double FULL = .7;           // share of a patch that is lit, above which it is not cut
+
+struct Cell {
+    int a, b;  // place in the grid
+    Vec3 p;    // that its ray has met
+};
+
+struct Plane {
+    Vec3 p, n;  // n: on the sun's side
+    std::vector<Cell> cells;
+};
+
+struct Box {
+    int lo[2] = {SIDE, SIDE}, hi[2] = {-1, -1};
+    double cells() const { return hi[0] < lo[0] ? 0 : double(hi[0] - lo[0] + 1) * (hi[1] - lo[1] + 1); }
+    void take(const Cell& cell) {
+        const int at[2] = {cell.a, cell.b};
+        for (int k = 0; k < 2; k++) {
+            lo[k] = std::min(lo[k], at[k]);
+            hi[k] = std::max(hi[k], at[k]);
+        }
+    }
+};
+
+struct Patch {
+    Aim aim;
+    double lit;  // area times the cosine of the sun
+};
+
+class Search {
+public:
+    Search(const flatten::HostTracer& tracer, const Aim& window, Vec3 sun)
+        : tracer_(tracer), window_(window), sun_(sun) {}
+
+    void patches(std::vector<Patch>& found) {
+        send();
+        for (Plane& plane : planes_) cut(plane, plane.cells, found);
+    }
+
+private:
+    const flatten::HostTracer& tracer_;
+    const Aim& window_;
+    const Vec3 sun_;
+    std::vector<Plane> planes_;
+
+    Vec3 corner() const { return window_.centre - window_.u * .5 - window_.v * .5; }
+    double cell_light() const { return length(cross(window_.u, window_.v)) * dot(window_.out, sun_) / (SIDE * SIDE); }
+
+    void send() {
+        const double off = 1e-4 * std::sqrt(length(cross(window_.u, window_.v)));
+        for (int a = 0; a < SIDE; a++)
+            for (int b = 0; b < SIDE; b++) {
+                const Vec3 from = corner() + window_.u * ((a + .5) / SIDE) + window_.v * ((b + .5) / SIDE);
+                if (tracer_.blocked(from, sun_, -off, 1e30, flatten::HostTracer::opaque)) continue;
+                const flatten::HostTracer::Found met =
+                    tracer_.closest(from, -sun_, off, 1e30, flatten::HostTracer::opaque);
+                if (met.t < 0) continue;
+                const Vec3 n = dot(met.normal, sun_) < 0 ? -met.normal : met.normal, p = from - sun_ * met.t;
+                if (dot(n, sun_) >= LEAST_COSINE) plane_of(p, n).cells.push_back({a, b, p});
+            }
+    }
+
+    Plane& plane_of(Vec3 p, Vec3 n) {
+        for (Plane& plane : planes_)
+            if (dot(plane.n, n) > .9999 && std::fabs(dot(p - plane.p, n)) < 1e-3 * (1 + length(p - plane.p)))
+                return plane;
+        planes_.push_back({p, n, {}});
+        return planes_.back();
+    }
+
+    // The place on a plane to which light comes through (a, b) of the window.
+    Vec3 image(const Plane& plane, double a, double b) const {
+        const Vec3 from = corner() + window_.u * (a / SIDE) + window_.v * (b / SIDE);
+        return from - sun_ * (dot(from - plane.p, plane.n) / dot(sun_, plane.n));
+    }
+
+    // One patch about some cells of a plane, or two where it would be mostly dark.
+    void cut(const Plane& plane, const std::vector<Cell>& cells, std::vector<Patch>& found) {
+        if (cells.size() < LEAST_CELLS) return;
+        Box box;
+        for (const Cell& cell : cells) box.take(cell);
+        int axis = 0, at = 0;
+        double least = box.cells();
+        if (double(cells.size()) < FULL * least) best_cut(box, cells, least, axis, at);
+        if (at > 0) {
+            std::vector<Cell> low, high;
+            for (const Cell& cell : cells) ((axis == 0 ? cell.a : cell.b) < at ? low : high).push_back(cell);
+            cut(plane, low, found);
+            cut(plane, high, found);
+            return;
+        }
+        const Vec3 p = image(plane, box.lo[0], box.lo[1]), u = image(plane, box.hi[0] + 1, box.lo[1]) - p,
+                   v = image(plane, box.lo[0], box.hi[1] + 1) - p;
+        found.push_back({{p + u * .5 + v * .5, u, v, -plane.n}, cell_light() * double(cells.size())});
+    }
+
+    // at: where a cut along an axis leaves two boxes that are clearly smaller together; else it stays 0.
+    static void best_cut(const Box& box, const std::vector<Cell>& cells, double least, int& axis, int& at) {
+        least *= .85;
+        for (int k = 0; k < 2; k++)
+            for (int c = box.lo[k] + 1; c <= box.hi[k]; c++) {
+                Box low, high;
+                for (const Cell& cell : cells) ((k == 0 ? cell.a : cell.b) < c ? low : high).take(cell);
+                if (!(low.cells() + high.cells() < least)) continue;
+                least = low.cells() + high.cells();
+                axis = k;
+                at = c;
+            }
+    }
+};
+
+}  // namespace
+
+std::vector<Aim> find_patches(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
+                              const std::vector<Aim>& windows, size_t most) {
+    std::vector<Patch> found;
+    for (const Vec3& sun : suns_of(scene))
+        for (const Aim& window : windows)
+            if (dot(window.out, sun) > LEAST_COSINE) Search(tracer, window, sun).patches(found);
+    std::stable_sort(found.begin(), found.end(), [](const Patch& a, const Patch& b) { return a.lit > b.lit; });
+    std::vector<Aim> aims;
+    for (const Patch& patch : found)
+        if (aims.size() < most) aims.push_back(patch.aim);
+    return aims;
+}
+
+}  // namespace sampling

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Panes in one plane that lie close together become one portal; a portal must see clearly more of the sky on one side
+// (which side is found by rays, so it does not matter how the glass is oriented); the largest ones are kept.
+#include "sampling/portals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/angle.h"
+#include "flatten/host_tracer.h"
+#include "sampling/patches.h"
+#include "kernels/dialect/host.h"
+
+namespace sampling {
+namespace {
+using base::Vec3;
+
+constexpr size_t MOST = 16;  // each costs a few operations per diffuse sample
+constexpr size_t MOST_PATCHES = 8;
+constexpr double SLIVER = 1e-6;  // of the largest window: its record would hold no finite numbers
+static_assert(MOST + MOST_PATCHES + MOST_HIGHLIGHTS <= MOST_PORTALS, "their lights have places in the parameters");
+constexpr double NEAR_BY = 2;  // metres or so from which a narrow highlight is looked at
+constexpr size_t MOST_PANES = 2000;
+constexpr int RAYS = 256;       // per side
+constexpr double ENOUGH = 0.1;  // share of rays that must escape on the outer side beyond those on the inner
+
+struct Rect {
+    Vec3 origin, u, v, n;  // unit axes, n = u x v
+    double lo[2], hi[2];   // extent along u and v from origin
+    double glass;          // pane area inside
+    double area() const { return (hi[0] - lo[0]) * (hi[1] - lo[1]); }
+};
+
+Rect rect_of(const flatten::FlatScene::Pane& p) {
+    Rect r;
+    r.origin = p.corner;
+    r.u = unit(p.edge);
+    r.n = p.normal;
+    r.v = cross(r.n, r.u);
+    r.glass = p.area;
+    for (int k = 0; k < 2; k++) {
+        r.lo[k] = 1e30;
+        r.hi[k] = -1e30;
+    }
+    for (const Vec3& q : p.points) {
+        const double c[2] = {dot(q - r.origin, r.u), dot(q - r.origin, r.v)};
+        for (int k = 0; k < 2; k++) {
+            r.lo[k] = std::min(r.lo[k], c[k]);
+            r.hi[k] = std::max(r.hi[k], c[k]);
+        }
+    }
+    return r;
+}
+
+// b's extent in a's axes, if they lie in one plane with aligned axes.
+bool merge(Rect& a, const Rect& b) {
+    if (std::fabs(dot(a.n, b.n)) < 0.9999) return false;
+    if (std::fabs(dot(b.origin - a.origin, a.n)) > 0.05 * std::sqrt(std::max(a.area(), b.area()))) return false;
+    Rect m = a;
+    for (int i = 0; i < 4; i++) {
+        const Vec3 q = b.origin + b.u * (i & 1 ? b.hi[0] : b.lo[0]) + b.v * (i & 2 ? b.hi[1] : b.lo[1]);
+        const double c[2] = {dot(q - a.origin, a.u), dot(q - a.origin, a.v)};
+        for (int k = 0; k < 2; k++) {
+            m.lo[k] = std::min(m.lo[k], c[k]);
+            m.hi[k] = std::max(m.hi[k], c[k]);
+        }
+    }
+    m.glass = a.glass + b.glass;
+    if (m.area() > 2 * m.glass) return false;
+    a = m;
+    return true;
+}
+
+void largest_first(std::vector<Rect>& rects, size_t most) {
+    std::stable_sort(rects.begin(), rects.end(), [](const Rect& a, const Rect& b) { return a.area() > b.area(); });
+    if (rects.size() > most) rects.resize(most);
+}
+
+// The panes, those of one window put together.
+std::vector<Rect> windows_of(const std::vector<flatten::FlatScene::Pane>& panes) {
+    std::vector<Rect> rects;
+    for (const flatten::FlatScene::Pane& p : panes) rects.push_back(rect_of(p));
+    largest_first(rects, MOST_PANES);
+    for (bool again = true; again;) {
+        again = false;
+        for (size_t i = 0; i < rects.size(); i++)
+            for (size_t j = i + 1; j < rects.size();)
+                if (merge(rects[i], rects[j])) {
+                    rects.erase(rects.begin() + long(j));
+                    again = true;
+                } else j++;
+    }
+    largest_first(rects, 4 * MOST);
+    return rects;
+}
+
+// The share of rays from the window, spread by cosine about n, that meet nothing opaque.
+double open_share(const flatten::HostTracer& tracer, const Rect& r, Vec3 n, std::mt19937& random) {
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const double off = 1e-4 * std::sqrt(r.area());
+    double share = 0;
+    for (int i = 0; i < RAYS; i++) {
+        const double a = r.lo[0] + (r.hi[0] - r.lo[0]) * uniform(random);
+        const double b = r.lo[1] + (r.hi[1] - r.lo[1]) * uniform(random);
+        const double s = uniform(random), phi = 2 * base::pi * uniform(random);
+        const Vec3 d =
+            r.u * (std::sqrt(s) * std::cos(phi)) + r.v * (std::sqrt(s) * std::sin(phi)) + n * std::sqrt(1 - s);
+        if (!tracer.blocked(r.origin + r.u * a + r.v * b + n * off, d, 0, 1e30, flatten::HostTracer::opaque))
+            share += 1.0 / RAYS;
+    }
+    return share;
+}
+
+Aim aim_of(const Rect& r, Vec3 outdoors) {
+    const Vec3 middle = r.u * ((r.lo[0] + r.hi[0]) / 2) + r.v * ((r.lo[1] + r.hi[1]) / 2);
+    return {r.origin + middle, r.u * (r.hi[0] - r.lo[0]), r.v * (r.hi[1] - r.lo[1]), outdoors};
+}
+
+// Of the sunlit polished rectangles (sampling/highlights.h) those so narrow that a cone about the mirrored sun would
+// mostly miss them: frames, sills, edges of tables.
+std::vector<Aim> polished_strips(const flatten::FlatScene& scene) {
+    std::vector<Aim> aims;
+    for (uint32_t k = 0; k < scene.highlight_count; k++) {
+        const float* h = &scene.f[scene.highlights_at + HIGHLIGHT_FLOATS * k];
+        const auto at = [&](uint32_t word) { return Vec3{h[word], h[word + 1], h[word + 2]}; };
+        const Vec3 u = at(HIGHLIGHT_U), v = at(HIGHLIGHT_V);
+        const double cone = NEAR_BY * std::sqrt(double(h[HIGHLIGHT_ALPHA2]));
+        if (!(std::min(length(u), length(v)) < cone)) continue;
+        const Vec3 centre = scene.centre + at(HIGHLIGHT_CORNER) + (u + v) * .5;
+        aims.push_back({centre, u, v, -at(HIGHLIGHT_NORMAL), h[HIGHLIGHT_ALPHA2], at(HIGHLIGHT_DIR)});
+    }
+    return aims;
+}
+
+// The words of a portal from PORTAL_SUN on, in the kernels' precision.
+void add_mirrored(const Aim& aim, Vec3 along_u, Vec3 along_v, std::vector<float>& words) {
+    using namespace kernels;
+    const auto single = [](const Vec3& v) { return F3(float(v[0]), float(v[1]), float(v[2])); };
+    const float3 mirrored = single(aim.sun), out = single(aim.out);
+    const float down = dot3(mirrored, out), u = dot3(mirrored, single(along_u)), v = dot3(mirrored, single(along_v));
+    const float3 sun = sub3(mirrored, scale3(out, 2.0f * down));
+    const auto inverse = [](float x) { return 1.0f / (std::fabs(x) > 1e-12f ? x : 1e-12f); };
+    words.insert(words.end(), {sun.x, sun.y, sun.z, down, u, inverse(u), v, inverse(v)});
+}
+
+void add_record(const Aim& aim, flatten::FlatScene& scene) {
+    const Vec3 across = cross(aim.u, aim.v);  // along u: by the vector across v that u is 1 of
+    const double square = dot(across, across);
+    const Vec3 along_u = cross(aim.v, across) * (1 / square), along_v = cross(across, aim.u) * (1 / square);
+    for (const Vec3& q : {aim.centre - scene.centre, aim.u, aim.v, aim.out, along_u, along_v})
+        for (int k = 0; k < 3; k++) scene.f.push_back(float(q[k]));
+    scene.f.insert(scene.f.end(), {float(std::sqrt(square)), aim.gloss2});
+    add_mirrored(aim, along_u, along_v, scene.f);
+    scene.portal_count++;
+}
+
+}  // namespace
+
+void find_portals(flatten::FlatScene& scene) {
+    scene.portals_at = uint32_t(scene.f.size());
+    const std::vector<Rect> rects = windows_of(scene.panes);
+    if (rects.empty()) return;
+    const flatten::HostTracer tracer(scene);
+    std::mt19937 random(7);
+    std::vector<Aim> windows;
+    for (const Rect& r : rects) {
+        if (!(r.area() > SLIVER * rects.front().area())) break;  // largest first
+        const double front = open_share(tracer, r, r.n, random), back = open_share(tracer, r, -r.n, random);
+        if (std::fabs(front - back) < ENOUGH) continue;
+        windows.push_back(aim_of(r, back > front ? -r.n : r.n));
+        if (windows.size() == MOST) break;
+    }
+    scene.window_count = uint32_t(windows.size());
+    std::vector<Aim> aims = windows;
+    const std::vector<Aim> patches = find_patches(scene, tracer, windows, MOST_PATCHES);
+    aims.insert(aims.end(), patches.begin(), patches.end());
+    if (!patches.empty()) {
+        const std::vector<Aim> strips = polished_strips(scene);
+        aims.insert(aims.end(), strips.begin(), strips.end());
+    }
+    scene.portals_at = uint32_t(scene.f.size());
+    for (const Aim& aim : aims) add_record(aim, scene);
+}
+
+}  // namespace sampling

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything at which diffuse samples aim besides the cosine lobe, found by rays through the finished geometry.
+#pragma once
+#include "sampling/highlights.h"
+#include "sampling/portals.h"
+
+namespace sampling {
+
+// Appends the records of highlights and portals to the scene's tables.
+inline void find_targets(flatten::FlatScene& scene) {
+    find_highlights(scene);
+    find_portals(scene);
+}
+
+}  // namespace sampling

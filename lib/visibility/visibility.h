@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which surfaces does the eye see along a ray?  What regions ask a scene.  traced.cpp answers by the geometry that is
+// rendered and Embree's traversal of it; none.cpp stands in where the tracer's libraries are not built.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+#include "base/find_file.h"
+#include "region/region.h"
+
+namespace visibility {
+
+// Null if there are no files.  Throws Error for a scene that cannot be read.
+std::unique_ptr<region::SceneView> open_scene(const std::vector<std::string>& files, const base::ReadOptions& options);
+
+}  // namespace visibility
