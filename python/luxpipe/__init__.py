@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Glare metrics with intervals, of RADIANCE scenes, by luxpipe's programs.
+
+>>> import luxpipe
+>>> office = luxpipe.examples / "office"
+>>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_1400.rad"]
+>>> result = luxpipe.render(scene, office / "view.vf", until="DGP 0.01", size=64)
+>>> result["DGP"].lo < 0.35 < result["DGP"].hi + 0.02
+True
+>>> result.converged
+True
+>>> result.picture.shape
+(64, 64, 3)
+
+A scene is files of RADIANCE (text, octrees) or the folder of a Honeybee model; a view is a view file or view options.
+`frames` gives the same step by step, `measure` measures pictures and arrays,
+`evalglare` and `rpict` take pyradiance's arguments.  Under all of them run ptrace, ptaccum and vcmetrics; the line that
+these print when they fail is the text of `luxpipe.Error`.
+"""
+
+from ._programs import Error, HERE as _HERE
+from ._radiance import evalglare, rpict
+from ._render import Warning, frames, measure, read, render
+from ._result import Interval, Result
+
+#: The folder of the example scenes: office, classroom, gallery.
+examples = _HERE / "examples"
+if not examples.is_dir():  # a clone
+    examples = _HERE.parents[1] / "examples" / "scenes"
+
+__all__ = ["Error", "Interval", "Result", "Warning", "evalglare", "examples", "frames", "measure", "read", "render",
+           "rpict"]
+
+
+def __getattr__(name: str) -> object:
+    if name == "__version__":
+        from importlib.metadata import version
+        return version("luxpipe")
+    if name == "rtrace":
+        raise AttributeError("luxpipe has no rtrace yet: pyradiance.rtrace, or RADIANCE's own, does that part")
+    raise AttributeError(f"module 'luxpipe' has no attribute '{name}'")

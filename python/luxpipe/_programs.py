@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where luxpipe's programs are, how they are run, and their errors as exceptions.
+
+The programs are those beside this package (a wheel), in the folder that LUXPIPE_BIN names, or in PATH.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Sequence
+
+HERE = Path(__file__).resolve().parent
+
+
+class Error(RuntimeError):
+    """A program of luxpipe failed: its line ``tool: place: fact``, and its status (1 input, 2 system)."""
+
+    def __init__(self, message: str, status: int = 1):
+        super().__init__(message)
+        self.status = status
+
+
+def program(name: str) -> str:
+    """Return the path of a program: "ptrace", "ptaccum", "vcmetrics", "vcregion" or "vcview"."""
+    folder = os.environ.get("LUXPIPE_BIN")
+    inside = Path(folder) if folder else HERE / "bin"
+    if os.access(inside / name, os.X_OK):
+        return str(inside / name)
+    found = None if folder else shutil.which(name)
+    if not found:
+        raise Error(f"luxpipe: {name}: no such program in {inside}" + ("" if folder else " or PATH"), 2)
+    return found
+
+
+def last_line(stderr: bytes, name: str, status: int) -> str:
+    """Return the line of a failed program that says why: the last one of its name."""
+    lines = stderr.decode(errors="replace").splitlines()
+    mine = [line for line in lines if line.startswith(f"{name}: ") and " warning: " not in line]
+    return (mine or lines or [f"{name}: ended with status {status}"])[-1]
+
+
+def run(name: str, args: Sequence[str], stdin: bytes | bytearray | None = None, good: Sequence[int] = ()) -> bytes:
+    """Run a program and return its standard output; raise Error where it fails.
+
+    It has failed if its status is not 0, unless that is one of `good` and there is output.
+    """
+    done = subprocess.run([program(name), *args], input=b"" if stdin is None else stdin, capture_output=True)
+    if done.returncode and not (done.returncode in good and done.stdout):
+        raise Error(last_line(done.stderr, name, done.returncode), done.returncode)
+    return done.stdout
+
+
+def main() -> None:
+    """Become the program of this command's name; what the wheel's commands ptrace, vcmetrics ... do."""
+    name = Path(sys.argv[0]).name
+    os.execv(program(name), [name, *sys.argv[1:]])

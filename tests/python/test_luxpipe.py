@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""luxpipe from Python: the numbers of the pipe, pictures as arrays, errors, interruption."""
+
+import doctest
+import importlib
+import math
+import os
+import resource
+import signal
+import subprocess
+import sys
+import time
+import warnings
+
+import luxpipe
+import numpy as np
+import pytest
+from conftest import SCENE, VIEW
+from luxpipe._programs import program
+
+FISHEYE = "-vta -vh 180 -vv 180 -vp 0 0 0 -vd 0 1 0 -vu 0 0 1"
+
+
+def children():
+    mine = subprocess.run(["ps", "-o", "comm=", "--ppid", str(os.getpid())], capture_output=True, text=True).stdout
+    return [name for name in mine.split() if name in ("ptrace", "ptaccum", "vcmetrics")]
+
+
+@pytest.mark.parametrize("module", ["luxpipe", "luxpipe._result", "luxpipe._render"])
+def test_doctests(module):
+    found = doctest.testmod(importlib.import_module(module), extraglobs={"luxpipe": luxpipe})
+    assert found.attempted and not found.failed
+
+
+def test_render_is_the_pipe(office):
+    line = ('"$PTRACE" -x 64 -y 64 -vf "$VIEW" "$@" | "$PTACCUM" -every x2/16 | '
+            '"$VCMETRICS" -metrics Ev,DGP -ci 95 -until "DGP 0.02"')
+    programs = {name.upper(): program(name) for name in ("ptrace", "ptaccum", "vcmetrics")}
+    environment = {**os.environ, "VIEW": str(VIEW), **programs}
+    table = subprocess.run(["sh", "-c", line, "sh", *map(str, SCENE)], env=environment, capture_output=True, text=True,
+                           check=True).stdout
+    names, *_, last = [row.split("\t") for row in table.splitlines()]
+    row = dict(zip(names, last))
+    assert office.frames == int(row["frame"])
+    for name in ("Ev", "DGP"):
+        assert office[name] == tuple(float(row[name + end]) for end in ("", ".lo", ".hi"))
+    assert office.converged and "stopped after" in office.reason and office.row["tails"] == row["tails"]
+
+
+def test_picture_has_the_light_at_the_eye(office):
+    assert office.picture.shape == (64, 64, 3) and office.picture.dtype == np.float32
+    assert not office.picture.flags.writeable
+    assert luxpipe.measure(office.picture, view=FISHEYE)["Ev"].value == \
+        pytest.approx(office["Ev"].value, rel=1e-6)
+    luminance = 179 * (office.picture @ [0.265074, 0.670115, 0.064811])
+    assert office.luminance == pytest.approx(luminance, rel=1e-5)
+
+
+def test_saved_pictures(office, hdr, tmp_path):
+    office.save(tmp_path / "office.exr")
+    office.save(tmp_path / "office.png", "-tone", "falsecolor")
+    assert np.array_equal(luxpipe.read(tmp_path / "office.exr"), office.picture)
+    assert luxpipe.read(hdr) == pytest.approx(office.picture, rel=0.02, abs=0.02)
+    assert luxpipe.read(hdr.read_bytes()).shape == (64, 64, 3)
+    assert (tmp_path / "office.png").read_bytes().startswith(b"\x89PNG")
+    assert "data:image/png;base64," in office._repr_html_() and "DGP" in office._repr_html_()
+
+
+def test_table(office):
+    table = pytest.importorskip("pandas") and office.metrics
+    assert list(table.columns) == ["value", "lo", "hi"] and table.loc["DGP", "lo"] == office["DGP"].lo
+
+
+def test_measure(hdr):
+    by_path, by_bytes = luxpipe.measure(hdr, "Ev,DGP,class"), luxpipe.measure(hdr.read_bytes())
+    assert by_path["Ev"] .value == by_bytes["Ev"].value and math.isnan(by_path["Ev"].lo)
+    assert by_path.row["class"] in ("imperceptible", "perceptible")
+    assert by_path.picture.shape == (64, 64, 3)
+
+
+def test_measure_regions(tmp_path):
+    regions = luxpipe.examples.parent / "office.regions"
+    regions = regions if regions.exists() else luxpipe.examples / "office" / "office.regions"
+    desk = luxpipe.render(SCENE, VIEW, None, size=64, max_frames=2, metrics="TAL", regions=regions)["desk.TAL"]
+    assert 300 < desk.value < 1500
+
+
+def test_arrays_need_a_view():
+    white = np.ones((32, 32))
+    with pytest.raises(ValueError, match="view"):
+        luxpipe.measure(white)
+    with pytest.raises(ValueError, match="height x width"):
+        luxpipe.measure(np.ones((3, 32, 32)), view=FISHEYE)
+    grey = luxpipe.measure(white * 500, view=FISHEYE)
+    colour = luxpipe.measure(np.full((32, 32, 3), 500 / 179), view=FISHEYE.split())
+    assert grey["Ev"].value == pytest.approx(colour["Ev"].value, rel=1e-5)
+
+
+def test_frames_end_with_the_loop():
+    for step in luxpipe.frames(SCENE, VIEW, size=32):
+        if step.frames >= 3:
+            break
+    del step
+    assert children() == []
+
+
+def test_frames_keep_memory_flat():
+    sizes = []
+    for step in luxpipe.frames(SCENE, VIEW, size=128, max_frames=24, every="1"):
+        sizes.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+        assert step.picture.shape == (128, 128, 3)
+    assert sizes[-1] - sizes[6] < 2000  # kB; a picture has 196
+
+
+def test_not_converged():
+    result = luxpipe.render(SCENE, VIEW, "DGP 1e-9", size=32, max_frames=3)
+    assert not result.converged and result.frames == 3 and "-max-frames" in result.reason
+
+
+@pytest.mark.parametrize("call, message", [
+    (lambda: luxpipe.render([SCENE[1]], VIEW), r'^ptrace: .*: modifier "carpet" is not defined$'),
+    (lambda: luxpipe.render(SCENE, VIEW, "DPG 0.01"), r"^vcmetrics: -until: "),
+    (lambda: luxpipe.render(SCENE, VIEW, options=["-abb", "3"]), r"^ptrace: -abb: "),
+    (lambda: luxpipe.render(SCENE, "no.vf"), r"^ptrace: no.vf: "),
+    (lambda: luxpipe.measure("no.hdr"), r"^vcmetrics: no.hdr: "),
+    (lambda: luxpipe.evalglare(b"no picture"), r"^vcmetrics: stdin: is not a RADIANCE picture"),
+    (lambda: luxpipe.rpict(["-vf", str(VIEW)], "no.oct"), r"^ptrace: no.oct: ")])
+def test_errors_are_the_programs_lines(call, message):
+    with pytest.raises(luxpipe.Error, match=message) as error:
+        call()
+    assert "\n" not in str(error.value) and error.value.status in (1, 2)
+    assert children() == []
+
+
+def test_other_errors(monkeypatch):
+    with pytest.raises(FileNotFoundError, match="no_such.rad"):
+        luxpipe.render("no_such.rad", VIEW)
+    with pytest.raises(AttributeError, match="pyradiance"):
+        luxpipe.rtrace
+    monkeypatch.setenv("LUXPIPE_BIN", "/nowhere")
+    with pytest.raises(luxpipe.Error, match="ptrace: no such program in /nowhere"):
+        luxpipe.render(SCENE, VIEW)
+
+
+def test_warnings_are_python_warnings(tmp_path):
+    strange = tmp_path / "strange.rad"
+    strange.write_text("void plastic strange 0 0 5 1.5 .5 .5 0 0\nstrange sphere s 0 0 4 0 0 50 .1\n")
+    with pytest.warns(luxpipe.Warning, match="^ptrace: .*strange"):
+        luxpipe.render([*SCENE, strange], VIEW, None, size=16, max_frames=1)
+
+
+def test_interrupt_keeps_what_there_is():
+    script = (f"import luxpipe, sys\n"
+              f"r = luxpipe.render({[str(p) for p in SCENE]!r}, {str(VIEW)!r}, 'DGP 1e-9', size=64)\n"
+              f"print(r.frames, r.converged, r.reason, r.picture.shape)\n")
+    running = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+    time.sleep(4)
+    running.send_signal(signal.SIGINT)
+    said = running.communicate(timeout=30)[0]
+    assert running.returncode == 0 and "False interrupted after" in said and "(64, 64, 3)" in said
+
+
+def test_pyradiance_names(hdr):
+    said = luxpipe.evalglare(hdr, detailed=True, threshold=2000, task_area=None, smooth=True, search_radius=0.3)
+    words = ["-like", "evalglare", "-d", "-s", "-b", "2000", "-r", "0.3", str(hdr)]
+    alone = subprocess.run([program("vcmetrics"), *words], capture_output=True).stdout
+    assert said.split()[-7:] == alone.split()[-7:] and b"Eglare" in said
+    assert float(luxpipe.evalglare(hdr.read_bytes(), ev_only=True)) == pytest.approx(2830, rel=0.03)
+    with pytest.raises(TypeError):
+        luxpipe.evalglare(3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        picture = luxpipe.rpict(["-vf", str(VIEW)], SCENE[0], 16, 16, params=["-ad", "64", "-ab", "2"], frames=2)
+    assert luxpipe.read(picture).shape == (16, 16, 3)
+
+
+def test_pyradiance_takes_the_same_words():
+    pyradiance = pytest.importorskip("pyradiance")
+    import inspect
+    for name in ("evalglare", "rpict"):
+        theirs, ours = (inspect.signature(getattr(m, name)).parameters for m in (pyradiance, luxpipe))
+        assert [p for p in ours if p in theirs] == list(theirs)
+        assert all(ours[p].default == theirs[p].default for p in theirs)
+
+
+def test_types():
+    pytest.importorskip("mypy")
+    top = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    done = subprocess.run([sys.executable, "-m", "mypy", "--no-incremental"], cwd=top, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout
