@@ -57,6 +57,14 @@ deb: setup ## a Debian package in out/deb, the same bytes for the same sources; 
 test-deb: deb ## the package put into an empty Debian (debootstrap, as root; from the network), the demo run there
 	@bash scripts/try_deb.sh out/deb/luxpipe_*.deb
 
+wheel: PARTS += wheel
+wheel: setup ## a Python wheel in out/wheel: the programs and `import luxpipe`; tools for it come from the package index
+	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/wheel.sh out/wheel
+
+test-wheel: PARTS += wheel-test
+test-wheel: wheel all ## the wheel put into a virtual environment and empty Debians 12 and 13 (debootstrap, as root)
+	@bash scripts/try_wheel.sh out/wheel/luxpipe-*.whl "$(BUILD)/bin"
+
 bench: everything ## the speed claims, measured again
 	@bash bench/run.sh "$(BUILD)/bin"
 
@@ -98,6 +106,6 @@ setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 	@[ "$(SETUP)" = no ] || $(ISPC)
 
-.PHONY: help all everything demo live test test-gpu test-slurm test-deb test-sanitize fuzz deb bench \
+.PHONY: help all everything demo live test test-gpu test-slurm test-deb test-sanitize fuzz deb wheel test-wheel bench \
 	coverage compare-radiance compare-evalglare \
 	man format lint install uninstall clean setup

@@ -30,7 +30,8 @@ check 'make all and make install leave tests and plots alone' '
 check 'make test adds what the tests need'  'parts test | grep -qx "tools ptrace tests"'
 check 'so do the goals that build tests' 'for goal in test-gpu test-sanitize compare-radiance; do
     parts $goal | grep -qx "tools ptrace tests"; done'
-check 'make fuzz and make deb need more' '
+check 'make fuzz, make deb and make wheel need more' '
+    parts wheel | grep -qx "tools ptrace wheel"; setup wheel; grep -q " python3-venv" asked; ! grep -q numpy asked
     parts fuzz | grep -qx "tools ptrace tests fuzz"; parts deb | grep -qx "tools ptrace deb"'
 if [ "$(uname -m)" = x86_64 ] && ! command -v ispc > /dev/null; then
     check 'where no ispc can be had the build goes on without it, and says so' '
