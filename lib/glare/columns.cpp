@@ -49,7 +49,7 @@ double class_value(M m) { return dgp_class(m.dgp); }
 const Entry entries[] = {
     {"Ev", all_light, [](M m) { return m.ev; }, linear},
     {"DGP", sources | filled, [](M m) { return m.dgp; }, of_dgp},
-    {"class", sources, class_value, no_interval},
+    {"class", sources | filled, class_value, no_interval},
     {"DGI", sources | filled, [](M m) { return dgi(m.glare, m.background); }, of_glare},
     {"UGR", sources | filled, [](M m) { return ugr(m.glare, m.background); }, of_glare},
     {"VCP", sources | filled, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }, unbiased_only},
@@ -131,6 +131,8 @@ public:
         }
         for (const std::string& name : names)
             if (!plain(name) && !contrast(name) && !region(name) && !pixel_set(name)) refuse(name);
+        for (const std::string& name : choice_.hidden)
+            if (plain(name)) columns_.back().printed = false;
         return std::move(columns_);
     }
 
@@ -161,7 +163,7 @@ private:
         for (const Entry& e : entries) {
             const bool shows_unbiased = e.quantity.bias != NoiseBias::none && name == std::string(e.name) + "u",
                        shows_filled = (e.wants & filled) != 0 && name == std::string(e.name) + "f",
-                       shows_pixels = (e.wants & filled) != 0 && name == std::string(e.name) + ".px";
+                       shows_pixels = name == pixels_column(e.name);
             if (name != e.name && !shows_unbiased && !shows_filled && !shows_pixels) continue;
             if (e.wants & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
             needs_.sources |= (e.wants & sources) != 0;
@@ -264,6 +266,13 @@ const double dgp_limits[3] = {0.35, 0.40, 0.45};
 int dgp_class(double dgp) {
     if (std::isnan(dgp)) return 4;
     return dgp > dgp_limits[2] ? 3 : dgp >= dgp_limits[1] ? 2 : dgp >= dgp_limits[0] ? 1 : 0;
+}
+
+std::string pixels_column(const std::string& metric) {
+    for (const Entry& e : entries)
+        if (metric == e.name && (e.wants & filled) && e.quantity.method != Quantity::Method::none)
+            return metric + ".px";
+    return "";
 }
 
 std::string column_names() {

@@ -16,6 +16,7 @@ struct Column {
     uncertainty::Quantity quantity;      // how its error is estimated, if it is
     bool printed_unbiased = false;       // DGPu, CRu: the column shows the value without bias
     bool of_filled = false;              // DGPf, DGP.px: where the bias is not known, with it
+    bool printed = true;                 // else it serves a rule alone
     const char* const* words = nullptr;  // class: the value is an index of these
     bool has_interval() const { return quantity.method != uncertainty::Quantity::Method::none; }
     // The interval lies around the value without bias.
@@ -24,6 +25,7 @@ struct Column {
 
 struct ColumnChoice {
     std::vector<std::string> names;    // of -metrics, empty: the default set
+    std::vector<std::string> hidden;   // not printed
     std::vector<std::string> regions;  // in file order
     std::vector<ContrastPair> pairs;
     bool accelerad = false;  // AcceleradRT's columns and its contrast ratio, high over low; names stay unread
@@ -38,6 +40,9 @@ extern const double dgp_limits[3];
 // Names without a region (TAL, mean, median, min, max, share) stand for all regions, CR for all pairs.
 // Throws Error on a name that is none, with the names there are.
 std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Needs& needs);
+
+// The column of what pixels do to a metric, "DGP.px"; empty: there is none, or it has no interval.
+std::string pixels_column(const std::string& metric);
 
 // "Ev DGP DGI ...": for the help text.
 std::string column_names();

@@ -222,8 +222,8 @@ Luminance Meter::read(image::Picture& picture, const std::string& place, const s
         base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
     if (needs_.filled && !lum.moments && !std::exchange(told_no_moments_, true))
         base::warn(place,
-                   "has no moments of its pixels (ptrace, OpenEXR files and streams have): the columns of what "
-                   "fills pixels are those of whole pixels");
+                   "has no moments of its pixels (a stream of ptrace and its OpenEXR files have): what their size does "
+                   "to glare is not known");
     if (lum.negative) base::warn(place, "pixels are negative (-metrics negative counts them)");
     return lum;
 }

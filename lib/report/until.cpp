@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include "base/error.h"
 #include "base/number.h"
@@ -12,6 +13,7 @@
 
 namespace report {
 
+using glare::dgp_class, glare::dgp_classes;
 using uncertainty::Estimate;
 
 std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::string& place) {
@@ -21,8 +23,8 @@ std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::stri
         std::istringstream words(part);
         Tolerance t;
         std::string amount, more;
-        if (words >> t.metric && t.metric == "class")
-            base::fail(place, "class takes no tolerance, and cannot be used with -compare");
+        if (words >> t.metric && (t.metric == "class" || t.metric == "classf"))
+            base::fail(place, t.metric + " takes no tolerance, and cannot be used with -compare");
         if (!(words >> amount))
             base::fail(place, "\"" + part + "\" is not a rule; write for example 'DGP 1%, Ev 0.5%'");
         if (words >> more && more == "%") amount += more, more.clear();
@@ -43,28 +45,90 @@ UntilRule::UntilRule(const std::string& rule) {
     for (std::string part; std::getline(parts, part, ',');) {
         std::istringstream words(part);
         std::string word, more;
-        if (words >> word && word == "class" && !(words >> more)) class_ = true;
+        if (words >> word && (word == "class" || word == "classf") && !(words >> more))
+            class_of_ = word == "class" ? "DGP" : "DGPf";
         else others += (others.empty() ? "" : ",") + part;
     }
-    if (!others.empty() || !class_) tolerances_ = parse_tolerances(others, "-until");
+    if (!others.empty() || class_of_.empty()) tolerances_ = parse_tolerances(others, "-until");
 }
 
-bool UntilRule::holds(const std::vector<Estimate>& estimates, const Estimate& dgp) const {
-    const auto narrow = [](const Tolerance& t, const Estimate& e) {
-        return uncertainty::narrow_enough(e, t.amount * (t.relative ? std::fabs(e.value) : 1));
-    };
-    return std::equal(tolerances_.begin(), tolerances_.end(), estimates.begin(), narrow) &&
-           (!class_ || uncertainty::class_is_known(dgp, glare::dgp_class));
+namespace {
+
+double allowed(const Tolerance& t, const Estimate& e) { return t.amount * (t.relative ? std::fabs(e.value) : 1); }
+
+const std::optional<Estimate> none;
+const std::optional<Estimate>& pixels_of(const PixelErrors& pixels, size_t tolerance) {
+    return tolerance < pixels.of_tolerances.size() ? pixels.of_tolerances[tolerance] : none;
 }
 
-std::string UntilRule::reason(const std::vector<Estimate>& estimates, const Estimate& dgp) const {
+Estimate moved(Estimate e, const Estimate& pixels) {
+    e.value += pixels.value;
+    return e;
+}
+
+std::string low_or_high(const Estimate& pixels) {
+    return fmt::format("{:.2g} {}", std::fabs(pixels.value), pixels.value > 0 ? "low" : "high");
+}
+
+// A square picture's side at which an error in proportion to the width of pixels is nine tenths of what is allowed.
+int side_for(int side, double error, double allowed) {
+    constexpr double multiple = 64, share = .9;
+    return int(multiple * std::ceil(side * error / (share * allowed) / multiple));
+}
+
+}  // namespace
+
+bool UntilRule::holds(const std::vector<Estimate>& estimates, const Estimate& dgp, const PixelErrors& pixels) const {
+    for (size_t k = 0; k < tolerances_.size(); ++k) {
+        const std::optional<Estimate>& of_pixels = pixels_of(pixels, k);
+        const double left = allowed(tolerances_[k], estimates[k]) - (of_pixels ? std::fabs(of_pixels->value) : 0);
+        if (!uncertainty::narrow_enough(estimates[k], left)) return false;
+    }
+    if (class_of_.empty()) return true;
+    if (!uncertainty::class_is_known(dgp, dgp_class)) return false;
+    if (!pixels.of_class) return true;
+    const Estimate without = moved(dgp, *pixels.of_class);
+    return uncertainty::class_is_known(without, dgp_class) && dgp_class(without.value) == dgp_class(dgp.value);
+}
+
+std::string UntilRule::reason(const std::vector<Estimate>& estimates, const Estimate& dgp,
+                              const PixelErrors& pixels) const {
     std::string out;
-    for (size_t k = 0; k < tolerances_.size(); ++k)
-        out += fmt::format("{}{} {:.4g} +- {:.2g}", out.empty() ? "" : ", ", tolerances_[k].metric, estimates[k].value,
-                           estimates[k].half_width(uncertainty::alpha, estimates[k].frames));
-    if (class_)
-        out += fmt::format("{}glare is {}", out.empty() ? "" : ", ", glare::dgp_classes[glare::dgp_class(dgp.value)]);
+    for (size_t k = 0; k < tolerances_.size(); ++k) {
+        const Estimate& e = estimates[k];
+        out += fmt::format("{}{} {:.4g} +- {:.2g}", out.empty() ? "" : ", ", tolerances_[k].metric, e.value,
+                           e.half_width(uncertainty::alpha, e.frames));
+        if (const auto& p = pixels_of(pixels, k))
+            out += fmt::format(" of noise; at this size evalglare's definition reads {}", low_or_high(*p));
+    }
+    if (!class_of_.empty())
+        out += fmt::format("{}glare is {}", out.empty() ? "" : ", ", dgp_classes[dgp_class(dgp.value)]);
     return out;
+}
+
+std::string UntilRule::out_of_reach(const std::vector<Estimate>& estimates, const Estimate& dgp,
+                                    const PixelErrors& pixels, int width, int height) const {
+    for (size_t k = 0; k < tolerances_.size(); ++k) {
+        const std::optional<Estimate>& p = pixels_of(pixels, k);
+        if (!p) continue;
+        const uncertainty::Interval off = p->around(uncertainty::alpha, p->frames);
+        const double most = allowed(tolerances_[k], estimates[k]), error = std::fabs(p->value);
+        if (!(p->value + off.low > most) && !(p->value + off.high < -most)) continue;
+        return fmt::format(
+            "at {} x {} pixels {} reads {}, more than the {:.2g} of the rule; about {} x {} may do, and "
+            "{}f does not depend on the size",
+            width, height, tolerances_[k].metric, low_or_high(*p), most, side_for(width, error, most),
+            side_for(height, error, most), tolerances_[k].metric);
+    }
+    if (class_of_.empty() || !pixels.of_class) return "";
+    const Estimate without = moved(dgp, *pixels.of_class);
+    if (!uncertainty::class_is_known(dgp, dgp_class) || !uncertainty::class_is_known(without, dgp_class)) return "";
+    if (dgp_class(without.value) == dgp_class(dgp.value)) return "";
+    return fmt::format(
+        "at {} x {} pixels DGP reads {}: glare is {} by it, and {} by DGPf (classf), which does not "
+        "depend on the size",
+        width, height, low_or_high(*pixels.of_class), dgp_classes[dgp_class(dgp.value)],
+        dgp_classes[dgp_class(without.value)]);
 }
 
 }  // namespace report

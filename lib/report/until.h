@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rules such as 'DGP 0.01, Ev 1%, class': tolerances of -until and -compare.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 #include "uncertainty/estimate.h"
@@ -16,20 +17,34 @@ struct Tolerance {
 // Throws Error on a rule that cannot be read; place: which option, or which line of which file, says it.
 std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::string& place);
 
-// -until: half the widths of 95 % intervals, and the word "class", that of DGP (uncertainty/stopping.h).
+// What the size of pixels does to the metrics of a rule, and to DGP for the class: their columns NAME.px.  None: not
+// known, or nothing.
+struct PixelErrors {
+    std::vector<std::optional<uncertainty::Estimate>> of_tolerances;
+    std::optional<uncertainty::Estimate> of_class;
+};
+
+// -until: half the widths of 95 % intervals, and the words "class" and "classf", those of DGP and DGPf
+// (uncertainty/stopping.h).  The errors of noise and of pixels together must be within a tolerance, and must not change
+// the class.
 class UntilRule {
 public:
     explicit UntilRule(const std::string& rule);  // throws Error (place -until)
     const std::vector<Tolerance>& tolerances() const { return tolerances_; }
-    bool asks_class() const { return class_; }
-    // At a look; estimates in the order of tolerances(), DGP's for the class.
-    bool holds(const std::vector<uncertainty::Estimate>& estimates, const uncertainty::Estimate& dgp) const;
-    // After it held: "DGP 0.3607 +- 0.0021, glare is perceptible".
-    std::string reason(const std::vector<uncertainty::Estimate>& estimates, const uncertainty::Estimate& dgp) const;
+    const std::string& class_of() const { return class_of_; }  // DGP or DGPf; empty: the class is not asked for
+    // At a look; estimates in the order of tolerances(), that of class_of() for the class.
+    bool holds(const std::vector<uncertainty::Estimate>& estimates, const uncertainty::Estimate& dgp,
+               const PixelErrors& pixels = {}) const;
+    // After it held: "DGP 0.3607 +- 0.0021 of noise; at this size it reads 0.0083 low, glare is perceptible".
+    std::string reason(const std::vector<uncertainty::Estimate>& estimates, const uncertainty::Estimate& dgp,
+                       const PixelErrors& pixels = {}) const;
+    // Why no number of frames will do for pictures of this size, and what will; empty: some may.
+    std::string out_of_reach(const std::vector<uncertainty::Estimate>& estimates, const uncertainty::Estimate& dgp,
+                             const PixelErrors& pixels, int width, int height) const;
 
 private:
     std::vector<Tolerance> tolerances_;
-    bool class_ = false;
+    std::string class_of_;
 };
 
 }  // namespace report

@@ -303,7 +303,8 @@ TEST_CASE("rules of widths and of the class") {
     CHECK_THROWS_AS(UntilRule("DGP"), base::Error);
     UntilRule rule("DGP 0.01, class");
     CHECK(rule.tolerances().size() == 1);
-    CHECK(rule.asks_class());
+    CHECK(rule.class_of() == "DGP");
+    CHECK(UntilRule("classf").class_of() == "DGPf");
 
     Estimate e{0.30, 0.003, 8, 0, false, 64};
     CHECK(rule.holds({e}, e));
@@ -318,4 +319,32 @@ TEST_CASE("rules of widths and of the class") {
     CHECK(dgp_class(0.40) == 2);
     CHECK(dgp_class(0.45) == 2);
     CHECK(dgp_class(0.46) == 3);
+}
+
+// The rule is of evalglare's DGP: what pixels do to it counts.
+TEST_CASE("noise and pixels together must be inside of a tolerance, and of a class") {
+    const UntilRule rule("DGP 0.01");
+    const Estimate dgp{.34, .0005, 8, 0, false, 64};
+    const auto pixels = [](double error) { return PixelErrors{{Estimate{error, .0005, 8, 0, false, 64}}, {}}; };
+    CHECK(rule.holds({dgp}, dgp, pixels(.008)));
+    CHECK(!rule.holds({dgp}, dgp, pixels(.0095)));
+    CHECK(!rule.holds({dgp}, dgp, pixels(-.012)));
+    CHECK(rule.reason({dgp}, dgp, pixels(.008)).find("of noise; at this size evalglare's definition reads 0.008 low") !=
+          std::string::npos);
+    CHECK(rule.out_of_reach({dgp}, dgp, pixels(.0105), 128, 128).empty());  // its interval reaches in
+    CHECK(rule.out_of_reach({dgp}, dgp, {}, 128, 128).empty());
+    const std::string why = rule.out_of_reach({dgp}, dgp, pixels(.0175), 128, 128);
+    CHECK(why.find("at 128 x 128 pixels DGP reads 0.018 low, more than the 0.01 of the rule") == 0);
+    CHECK(why.find("about 256 x 256 may do, and DGPf does not") != std::string::npos);
+
+    const UntilRule rule_of_class("class");
+    PixelErrors of_class{{}, Estimate{.005, .0005, 8, 0, false, 64}};
+    CHECK(rule_of_class.holds({}, dgp, of_class));
+    of_class.of_class->value = .015;
+    CHECK(!rule_of_class.holds({}, dgp, of_class));
+    CHECK(
+        rule_of_class.out_of_reach({}, dgp, of_class, 128, 128).find("imperceptible by it, and perceptible by DGPf") !=
+        std::string::npos);
+    of_class.of_class->value = .0101;  // on the border: it may still be either
+    CHECK(rule_of_class.out_of_reach({}, dgp, of_class, 128, 128).empty());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures from files or stdin, one line each, until the rule holds or there are no more (measure_stream.h).
 #include "measure_stream.h"
+#include <algorithm>
 #include <chrono>
 #include "base/error.h"
 #include "base/run.h"
@@ -17,6 +18,7 @@
 namespace {
 using namespace glare;
 using namespace report;
+using uncertainty::least_frames;
 
 // On a terminal each line begins with an empty one: programs upstream show their progress there.
 void print(const std::string& text) {
@@ -44,6 +46,15 @@ int64_t frame_number(const image::Header& header, long index) {
     return header.frames.value_or(header.frame.value_or(index));
 }
 
+// What pixels do to the metrics of a rule is measured, too.
+std::vector<std::string> pixel_columns(const UntilRule& rule) {
+    std::vector<std::string> out;
+    for (const Tolerance& t : rule.tolerances()) out.push_back(pixels_column(t.metric));
+    out.push_back(pixels_column(rule.class_of()));
+    out.erase(std::remove(out.begin(), out.end(), ""), out.end());
+    return out;
+}
+
 // What one run prints: a table of metrics, a table of sources, or evalglare's lines.
 class Printer {
 public:
@@ -56,6 +67,7 @@ public:
         choice.accelerad = o.like == Like::accelerad;
         if (regions_)
             for (const image::Mask& m : regions_->masks) choice.regions.push_back(m.name);
+        if (!o.until.empty()) choice.hidden = pixel_columns(UntilRule(o.until));
         for (const std::string& p : o.contrast_pairs) choice.pairs.push_back(parse_pair(p, choice.regions));
         Needs needs;
         columns_ = choose_columns(choice, o.settings, needs);
@@ -64,8 +76,12 @@ public:
         if (o.list_sources || o.settings.check_picture) needs.sources = true;
         meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_), std::move(draw));
         bool shown = o.ci.has_value();
-        for (const Column& c : columns_) shown |= c.printed_unbiased;
-        const int64_t first_look = shown ? 0 : uncertainty::least_frames;
+        bool watches_pixels = false;
+        for (const Column& c : columns_) {
+            shown |= c.printed && c.printed_unbiased;
+            watches_pixels |= !c.printed;
+        }
+        const int64_t first_look = shown ? 0 : watches_pixels ? Stopping::least_frames_of_pixels : least_frames;
         if (shown || !o.until.empty()) steps_ = std::make_unique<Steps>(*meter_, columns_, first_look);
         if (o.like == Like::accelerad) names_ = {"Time", "Frame"};
         else names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
@@ -126,10 +142,12 @@ public:
             list_sources(m, cells);
             return false;
         }
-        for (size_t k = 0; k < columns_.size(); ++k) add_cells(k, printed_value(k, m), frame, cells);
+        for (size_t k = 0; k < columns_.size(); ++k)
+            if (columns_[k].printed) add_cells(k, printed_value(k, m), frame, cells);
         if (o_.ci) cells.push_back(text_cell(heavy_tailed()));
         print(table_line(names_, cells, o_.format));
-        return stopping_->after({frame, seconds, looked ? &steps_->estimates() : nullptr});
+        return stopping_->after(
+            {frame, seconds, looked ? &steps_->estimates() : nullptr, bool(lum.moments), lum.width, lum.height});
     }
     void end_input(const std::string& place) {
         if (steps_) steps_->end_input(place);
@@ -149,6 +167,7 @@ private:
     bool has_interval(const Column& c) const { return o_.ci && !c.words; }
     void add_column_names() {
         for (const Column& c : columns_) {
+            if (!c.printed) continue;
             names_.push_back(c.name);
             if (has_interval(c)) names_.insert(names_.end(), {c.name + ".lo", c.name + ".hi"});
         }
@@ -178,7 +197,8 @@ private:
     std::string heavy_tailed() const {
         std::string out;
         for (size_t k = 0; k < columns_.size(); ++k)
-            if (steps_->estimates().estimate(k).unreliable) out += (out.empty() ? "" : " ") + columns_[k].name;
+            if (columns_[k].printed && steps_->estimates().estimate(k).unreliable)
+                out += (out.empty() ? "" : " ") + columns_[k].name;
         return out.empty() ? "-" : out;
     }
     void write_check_picture(const image::Picture& measured) {

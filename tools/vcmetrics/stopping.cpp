@@ -15,8 +15,21 @@ using namespace report;
 Stopping::Stopping(const Options& options, const std::vector<Column>& columns) : options_(options), columns_(columns) {
     if (options.until.empty()) return;
     rule_.emplace(options.until);
-    for (const Tolerance& t : rule_->tolerances()) watched_.push_back(column_of(t.metric));
-    if (rule_->asks_class()) dgp_ = column_of("DGP", "class is that of DGP, but ");
+    for (const Tolerance& t : rule_->tolerances()) {
+        watched_.push_back(column_of(t.metric));
+        pixels_.push_back(pixels_of(t.metric));
+    }
+    const std::string& dgp = rule_->class_of();
+    if (dgp.empty()) return;
+    dgp_ = column_of(dgp, std::string(dgp == "DGP" ? "class" : "classf") + " is that of " + dgp + ", but ");
+    dgp_pixels_ = pixels_of(dgp);
+}
+
+std::optional<size_t> Stopping::pixels_of(const std::string& metric) const {
+    const std::string name = pixels_column(metric);
+    for (size_t k = 0; k < columns_.size() && !name.empty(); ++k)
+        if (columns_[k].name == name) return k;
+    return std::nullopt;
 }
 
 size_t Stopping::column_of(const std::string& name, const std::string& why) const {
@@ -29,21 +42,32 @@ size_t Stopping::column_of(const std::string& name, const std::string& why) cons
     base::fail("-until", why + "there is no column \"" + name + "\" in this run");
 }
 
-bool Stopping::rule_holds(const Line& line, std::string& reason) const {
-    if (!rule_ || !line.looked || line.frames < uncertainty::least_frames) return false;
+bool Stopping::rule_holds(const Line& line, std::string& reason, std::string& out_of_reach) const {
+    if (!rule_ || !line.looked) return false;
+    const auto estimate = [&](size_t k) { return line.looked->estimate(k); };
+    const auto of_pixels = [&](std::optional<size_t> k) {
+        return k && line.moments ? std::optional(estimate(*k)) : std::nullopt;
+    };
     std::vector<uncertainty::Estimate> estimates;
-    for (size_t k : watched_) estimates.push_back(line.looked->estimate(k));
-    const uncertainty::Estimate dgp = line.looked->estimate(dgp_);
-    if (!rule_->holds(estimates, dgp)) return false;
-    reason = rule_->reason(estimates, dgp);
+    PixelErrors pixels{{}, of_pixels(dgp_pixels_)};
+    for (size_t k : watched_) estimates.push_back(estimate(k));
+    for (const auto& k : pixels_) pixels.of_tolerances.push_back(of_pixels(k));
+    const uncertainty::Estimate dgp = estimate(dgp_);
+    if (line.frames >= least_frames_of_pixels)
+        out_of_reach = rule_->out_of_reach(estimates, dgp, pixels, line.width, line.height);
+    if (line.frames < uncertainty::least_frames || !rule_->holds(estimates, dgp, pixels)) return false;
+    reason = rule_->reason(estimates, dgp, pixels);
     return true;
 }
 
 bool Stopping::after(const Line& line) {
-    std::string reason;
+    std::string reason, out_of_reach;
     frames_ = line.frames;
-    if (rule_holds(line, reason)) {
+    if (rule_holds(line, reason, out_of_reach)) {
         held_ = true;
+    } else if (!out_of_reach.empty()) {
+        fmt::print(stderr, "vcmetrics: stopped after {} frames: {}\n", line.frames, out_of_reach);
+        return true;
     } else if (options_.max_frames && line.frames >= *options_.max_frames) {
         reason = "-max-frames is reached";
     } else if (options_.max_seconds && line.seconds >= *options_.max_seconds) {

@@ -18,7 +18,11 @@ public:
         int64_t frames;
         double seconds;                         // since the start
         const report::ColumnEstimates* looked;  // its estimates are new; else null
+        bool moments = false;                   // the picture has moments of its pixels
+        int width = 0, height = 0;
     };
+    // What pixels do is known from so many frames on.
+    static constexpr int64_t least_frames_of_pixels = 16;
     // True: stop here.  Status 0 if the rule holds or there is none, else 4.
     bool after(const Line& line);
     void at_end() const;  // of the input, without a stop
@@ -26,12 +30,15 @@ public:
 
 private:
     size_t column_of(const std::string& name, const std::string& why = "") const;
-    bool rule_holds(const Line& line, std::string& reason) const;
+    std::optional<size_t> pixels_of(const std::string& metric) const;
+    bool rule_holds(const Line& line, std::string& reason, std::string& out_of_reach) const;
     const Options& options_;
     const std::vector<glare::Column>& columns_;
     std::optional<report::UntilRule> rule_;
-    std::vector<size_t> watched_;  // columns of the rule, in its order
-    size_t dgp_ = 0;               // for the class
-    int64_t frames_ = 0;           // of the last line
+    std::vector<size_t> watched_;                // columns of the rule, in its order
+    std::vector<std::optional<size_t>> pixels_;  // their columns NAME.px
+    size_t dgp_ = 0;                             // for the class
+    std::optional<size_t> dgp_pixels_;
+    int64_t frames_ = 0;  // of the last line
     bool held_ = false;
 };
