@@ -193,6 +193,25 @@ TEST_CASE("links are blocked where panes let no path through, or where these tel
     }
 }
 
+// The mist fills a part of the room only: paths that found far ends before it go on into it.
+TEST_CASE("light that a mist scatters is counted once, whatever the path's far end has got") {
+    const scene::Scene scene = scene_of(
+        "void light bulb 0 0 3 60 60 60\nbulb sphere lamp 0 0 4 1.5 -1 2.5 .1\n"
+        "void plastic matt 0 0 5 .7 .7 .7 0 0\n"
+        "matt polygon floor 0 0 12 -2 -2 0 2 -2 0 2 2 0 -2 2 0\n"
+        "matt polygon back 0 0 12 -2 2 0 2 2 0 2 2 3 -2 2 3\n"
+        "matt polygon left 0 0 12 -2 -2 0 -2 2 0 -2 2 3 -2 -2 3\n"
+        "void mist fog 1 lamp 0 7 .2 .2 .2 .9 .9 .9 .3\nfog sphere cloud 0 0 4 0 .8 1 .7\n");
+    const Means plain = means_of(scene, render::Sampling::plain, 100);
+    const Means shared = means_of(scene, render::Sampling::shared, 100);
+    const double error = std::sqrt(shared.variance[blocks] + plain.variance[blocks]);
+    CAPTURE(plain.mean[blocks]);
+    CAPTURE(shared.mean[blocks]);
+    CAPTURE(error);
+    CHECK(error < .004 * plain.mean[blocks]);
+    CHECK(std::abs(shared.mean[blocks] - plain.mean[blocks]) < 4 * error);
+}
+
 TEST_CASE("where light fades on its way, or paths end by their weight, nothing is shared") {
     render::RenderOptions options;
     options.lr = 3;

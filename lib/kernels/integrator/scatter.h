@@ -55,6 +55,7 @@ FN int path_scatter(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHAR
     paths->shadow_org[vertex->slot] = pack4(p, as_float_(source));
     paths->shadow_dir[vertex->slot] = pack4(light.dir, light.dist);
     paths->shadow_rad[vertex->slot] = pack4(w, total);
+    if (par->shared_slots != 0u) write4_(paths->shadow_far, vertex->slot, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
     set_shadow_medium(paths, vertex->slot, medium, vertex->clip_before);
     return PATH_SHADOW;
 }
