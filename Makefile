@@ -86,6 +86,10 @@ man: ## the manual pages as HTML in out/man
 	@for p in man/*.[157]; do mandoc -T html -O man=%N.%S.html $$p > out/man/$$(basename $$p).html; done
 	@echo out/man/luxpipe.7.html
 
+site: PARTS = site
+site: setup ## the documentation as a site in out/site/html; its generator comes from the package index
+	@bash scripts/site.sh out/site
+
 format: ## lay out the C++ files with clang-format
 	@clang-format -i $(CXX_FILES)
 
@@ -108,4 +112,4 @@ setup:
 
 .PHONY: help all everything demo live test test-gpu test-slurm test-deb test-sanitize fuzz deb wheel test-wheel bench \
 	coverage compare-radiance compare-evalglare \
-	man format lint install uninstall clean setup
+	man site format lint install uninstall clean setup

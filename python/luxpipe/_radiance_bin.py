@@ -61,7 +61,7 @@ def link(name: Path, target: Path) -> None:
 
 
 def rpict() -> None:
-    """Be rpict: ptrace's frames, LUXPIPE_FRAMES of them (64), summed to one RGBE picture on the standard output or -o."""
+    """Be rpict: the sum of LUXPIPE_FRAMES frames (64) of ptrace as an RGBE picture, to the standard output or -o."""
     args = sys.argv[1:]
     if any(word in ("-version", "-defaults", "-help") for word in args):
         os.execv(program("ptrace"), ["rpict", *args])
