@@ -4,8 +4,8 @@
 >>> import luxpipe
 >>> office = luxpipe.examples / "office"
 >>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_1400.rad"]
->>> result = luxpipe.render(scene, office / "view.vf", until="DGP 0.01", size=64)
->>> result["DGP"].lo < 0.35 < result["DGP"].hi + 0.02
+>>> result = luxpipe.render(scene, office / "view.vf", until="Ev 2%", size=64)
+>>> result["Ev"].lo < 2830 < result["Ev"].hi
 True
 >>> result.converged
 True

@@ -155,8 +155,11 @@ def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
         pipeline.stop()
 
 
-def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], until: str | None = "DGP 0.01",
-           **more: Any) -> Result:
+def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], until: str | None = "DGP 0.01", *,
+           size: int | tuple[int, int] = 512, metrics: str = "Ev,DGP", ci: float = 95,
+           regions: PathLike | None = None, every: str = "x2/16", max_frames: int | None = None,
+           max_seconds: float | None = None, seed: int = 1, options: Sequence[str] = (),
+           measure_options: Sequence[str] = ()) -> Result:
     """Render a scene until its numbers are certain enough, and return the last `Result`.
 
     Ctrl-C ends the run and returns what there is (converged is False then); before the first picture it is raised.
@@ -166,18 +169,23 @@ def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
         scene: RADIANCE's files, one or several, or the folder of a Honeybee model
         view: a view file (path), or view options: "-vta -vp 2 1 1.2 -vd 0 1 0 -vh 180 -vv 180"
         until: half widths of 95 % intervals at which to stop, as "DGP 0.01, Ev 1%" (vcmetrics -until); None for none
-        size: pixels, of a square or (width, height); 512 by default
-        metrics: names of what is measured, "Ev,DGP" by default; all are in vcmetrics(1)
-        ci: certainty of the intervals in percent, 95 by default
+        size: pixels, of a square or (width, height)
+        metrics: names of what is measured; all are in vcmetrics(1)
+        ci: certainty of the intervals in percent
         regions: a file of regions (vcregion), for their TAL, mean ... and contrast
-        every: after which frames to measure; "x2/16" by default, 16 times while the number of frames doubles
-        max_frames, max_seconds: when to stop in any case
-        seed: of the random numbers; 1 by default.  The same seed gives the same pixels
+        every: after which frames to measure; "x2/16": 16 times while the number of frames doubles
+        max_frames: number of frames at which to stop in any case
+        max_seconds: time after which to stop in any case
+        seed: of the random numbers; the same seed gives the same pixels
         options: further options of ptrace, as ["-ab", "7"]
         measure_options: further options of vcmetrics, as ["-task", "desk"]
     """
     result = None
-    steps = frames(scene, view, until, **more)
+    if until is None and max_frames is None and max_seconds is None:
+        raise ValueError("one of until, max_frames and max_seconds is needed: nothing else would end the run")
+    steps = frames(scene, view, until, size=size, metrics=metrics, ci=ci, regions=regions, every=every,
+                   max_frames=max_frames, max_seconds=max_seconds, seed=seed, options=options,
+                   measure_options=measure_options)
     with _progress() as bar:
         try:
             for result in steps:

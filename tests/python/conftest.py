@@ -11,7 +11,7 @@ VIEW = OFFICE / "view.vf"
 
 @pytest.fixture(scope="session")
 def office():
-    return luxpipe.render(SCENE, VIEW, "DGP 0.02", size=64)
+    return luxpipe.render(SCENE, VIEW, "Ev 2%", size=64)
 
 
 @pytest.fixture(scope="session")
