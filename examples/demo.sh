@@ -1,13 +1,13 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # The main job, as `make demo` runs it: demo.sh [BIN [OUT]]; without BIN the programs on PATH.
-# The office at 14:00 is rendered, summed and measured until DGP, Ev, the desk's luminance and the screen's contrast
+# The office at 14:00 is rendered, summed and measured until DGPf, Ev, the desk's luminance and the screen's contrast
 # are known as exactly as asked; vcmetrics then closes the pipe and everything upstream ends.
 set -euo pipefail
 [ $# = 0 ] || PATH=$(cd "$1" && pwd):$PATH
 out=${2:-out}
 size=${SIZE:-512}
-until=${UNTIL:-'DGPu 0.005, Ev 1%, desk.TAL 2%, screen.CRu 10%'}
+until=${UNTIL:-'DGPf 0.005, Ev 1%, desk.TAL 2%, screen.CRu 10%'}
 mkdir -p "$out" && out=$(cd "$out" && pwd)
 cd "$(dirname "$0")/scenes/office"
 started=$(date +%s)
@@ -17,7 +17,7 @@ vcregion -vf view.vf -x "$size" -y "$size" -o "$out/regions.exr" ../../office.re
 ptrace -vf view.vf -x "$size" -y "$size" materials.rad layout.rad sky_1400.rad |
     ptaccum -every "x2/4" -o "$out/office.exr" -o "$out/office.png" -o - |
     vcmetrics -regions "$out/regions.exr" -cr screen=screen_low/screen_high \
-        -metrics Ev,DGPu,desk.TAL,CRu,RAMMGu -ci 95 -until "$until" |
+        -metrics Ev,DGPf,desk.TAL,CRu,RAMMGu -ci 95 -until "$until" |
     tee "$out/metrics.tsv"
 settled=$(date +%s)
 
@@ -42,7 +42,7 @@ set style fill transparent solid 0.25 noborder
 set arrow from end, graph 0 to end, graph 1 nohead dashtype 2
 set label "stop" at end, graph 0.08 right offset -0.5, 0
 array words[5]
-words[1] = "Light at the eye, lux (Ev)"; words[2] = "Probability of glare (DGP)"
+words[1] = "Light at the eye, lux (Ev)"; words[2] = "Probability of glare (DGPf)"
 words[3] = "The desk, cd/m2"; words[4] = "Contrast of the screen, dark over bright"
 words[5] = "Contrast of the view (RAMMG): not waited for"
 frame(n) = n < 2 ? NaN : n

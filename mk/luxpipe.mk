@@ -6,9 +6,9 @@
 #     table.tsv: $(luxpipe_metrics) ; $(luxpipe_join) > $@
 # A picture out/office_0900.exr and its line of metrics out/office_0900.tsv come from each such call.
 FRAMES  ?= 64
-SIZE    ?= 512
-METRICS ?= Ev,DGP,RAMMG
-# With UNTIL='DGP 1%, Ev 0.5%' a picture is ready when the rule of vcmetrics holds, after at most FRAMES frames.
+SIZE    ?= 256
+METRICS ?= Ev,DGPf,RAMMG
+# With UNTIL='DGPf 1%, Ev 0.5%' a picture is ready when the rule of vcmetrics holds, after at most FRAMES frames.
 UNTIL   ?=
 # no: a picture whose rule did not hold (status 4) is not made.  yes: it is kept as it is.
 UNSETTLED ?= no

@@ -70,6 +70,9 @@ std::string low_or_high(const Estimate& pixels) {
     return fmt::format("{:.2g} {}", std::fabs(pixels.value), pixels.value > 0 ? "low" : "high");
 }
 
+// The error of the variance inside of pixels does not fall with frames: then the value itself decides.
+constexpr int64_t least_to_give_up = 1024;
+
 // A square picture's side at which an error in proportion to the width of pixels is nine tenths of what is allowed.
 int side_for(int side, double error, double allowed) {
     constexpr double multiple = 64, share = .9;
@@ -113,7 +116,8 @@ std::string UntilRule::out_of_reach(const std::vector<Estimate>& estimates, cons
         if (!p) continue;
         const uncertainty::Interval off = p->around(uncertainty::alpha, p->frames);
         const double most = allowed(tolerances_[k], estimates[k]), error = std::fabs(p->value);
-        if (!(p->value + off.low > most) && !(p->value + off.high < -most)) continue;
+        const bool outside = p->value + off.low > most || p->value + off.high < -most;
+        if (!outside && !(p->frames >= least_to_give_up && error > most)) continue;
         return fmt::format(
             "at {} x {} pixels {} reads {}, more than the {:.2g} of the rule; about {} x {} may do, and "
             "{}f does not depend on the size",

@@ -118,7 +118,7 @@ class _Pipeline:
 
 
 def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], until: str | None = None, *,
-           size: int | tuple[int, int] = 512, metrics: str = "Ev,DGP", ci: float = 95,
+           size: int | tuple[int, int] = 512, metrics: str = "Ev,DGP,DGPf", ci: float = 95,
            regions: PathLike | None = None, every: str = "x2/16", max_frames: int | None = None,
            max_seconds: float | None = None, seed: int = 1, options: Sequence[str] = (),
            measure_options: Sequence[str] = ()) -> Iterator[Result]:
@@ -155,8 +155,8 @@ def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
         pipeline.stop()
 
 
-def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], until: str | None = "DGP 0.01", *,
-           size: int | tuple[int, int] = 512, metrics: str = "Ev,DGP", ci: float = 95,
+def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], until: str | None = "DGPf 0.01", *,
+           size: int | tuple[int, int] = 512, metrics: str = "Ev,DGP,DGPf", ci: float = 95,
            regions: PathLike | None = None, every: str = "x2/16", max_frames: int | None = None,
            max_seconds: float | None = None, seed: int = 1, options: Sequence[str] = (),
            measure_options: Sequence[str] = ()) -> Result:
@@ -168,7 +168,7 @@ def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
     Args:
         scene: RADIANCE's files, one or several, or the folder of a Honeybee model
         view: a view file (path), or view options: "-vta -vp 2 1 1.2 -vd 0 1 0 -vh 180 -vv 180"
-        until: half widths of 95 % intervals at which to stop, as "DGP 0.01, Ev 1%" (vcmetrics -until); None for none
+        until: half widths of 95 % intervals at which to stop, as "DGPf 0.01, Ev 1%" (vcmetrics -until); None for none
         size: pixels, of a square or (width, height)
         metrics: names of what is measured; all are in vcmetrics(1)
         ci: certainty of the intervals in percent

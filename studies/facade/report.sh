@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# report.sh OUT: one page of OUT/table.tsv: DGP by hour in its classes, and the pictures in falsecolor, worst first.
+# report.sh OUT: one page of OUT/table.tsv: DGPf by hour in its classes, and the pictures in falsecolor, worst first.
 set -euo pipefail
 cd "$1"
 for picture in *_*_*_*.exr; do

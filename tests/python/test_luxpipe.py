@@ -33,7 +33,7 @@ def test_doctests(module):
 
 def test_render_is_the_pipe(office):
     line = ('"$PTRACE" -x 64 -y 64 -vf "$VIEW" "$@" | "$PTACCUM" -every x2/16 | '
-            '"$VCMETRICS" -metrics Ev,DGP -ci 95 -until "Ev 2%"')
+            '"$VCMETRICS" -metrics Ev,DGP,DGPf -ci 95 -until "Ev 2%"')
     programs = {name.upper(): program(name) for name in ("ptrace", "ptaccum", "vcmetrics")}
     environment = {**os.environ, "VIEW": str(VIEW), **programs}
     table = subprocess.run(["sh", "-c", line, "sh", *map(str, SCENE)], env=environment, capture_output=True, text=True,
@@ -41,7 +41,7 @@ def test_render_is_the_pipe(office):
     names, *_, last = [row.split("\t") for row in table.splitlines()]
     row = dict(zip(names, last))
     assert office.frames == int(row["frame"])
-    for name in ("Ev", "DGP"):
+    for name in ("Ev", "DGP", "DGPf"):
         assert office[name] == tuple(float(row[name + end]) for end in ("", ".lo", ".hi"))
     assert office.converged and "stopped after" in office.reason and office.row["tails"] == row["tails"]
 

@@ -23,7 +23,7 @@ std::string what_it_lacks(const image::Picture& p) {
 }  // namespace
 
 void Steps::tell(const std::string& place, const std::string& fact) {
-    if (!told_) base::warn(place, "no intervals: " + fact);
+    if (!told_ && tells_) base::warn(place, "no intervals: " + fact);
     told_ = true;
 }
 

@@ -8,9 +8,9 @@
 
 class Steps {
 public:
-    // Looks before `first_look` frames are left out.
-    Steps(const glare::Meter& meter, const std::vector<glare::Column>& columns, int64_t first_look)
-        : estimates_(meter, columns), first_look_(first_look) {}
+    // Looks before `first_look` frames are left out.  tells: of pictures that are no steps.
+    Steps(const glare::Meter& meter, const std::vector<glare::Column>& columns, int64_t first_look, bool tells)
+        : estimates_(meter, columns), first_look_(first_look), tells_(tells) {}
 
     // A picture's luminance, before it is measured.
     void add(const image::Picture& picture, const glare::Luminance& lum, const std::string& place);
@@ -23,6 +23,7 @@ private:
     void tell(const std::string& place, const std::string& fact);
     report::ColumnEstimates estimates_;
     int64_t first_look_;
+    bool tells_;
     int64_t last_ = -1;  // frames of the picture before; -1: none
     bool step_ = false;  // the picture at hand is one
     bool ends_ = false;  // and no more follow it

@@ -76,13 +76,14 @@ public:
         if (o.list_sources || o.settings.check_picture) needs.sources = true;
         meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_), std::move(draw));
         bool shown = o.ci.has_value();
-        bool watches_pixels = false;
+        bool watches_pixels = false, needs_steps = shown || !o.until.empty();
         for (const Column& c : columns_) {
             shown |= c.printed && c.printed_unbiased;
+            needs_steps |= c.printed_unbiased && !c.of_filled;
             watches_pixels |= !c.printed;
         }
         const int64_t first_look = shown ? 0 : watches_pixels ? Stopping::least_frames_of_pixels : least_frames;
-        if (shown || !o.until.empty()) steps_ = std::make_unique<Steps>(*meter_, columns_, first_look);
+        if (shown || !o.until.empty()) steps_ = std::make_unique<Steps>(*meter_, columns_, first_look, needs_steps);
         if (o.like == Like::accelerad) names_ = {"Time", "Frame"};
         else names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
         if (o.list_sources)
