@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Glare that does not depend on the size of the picture: the sun by its closed form, wherever it is in a pixel, and what
+# pixels do to evalglare's DGP.
+. "${TOP:?}/tests/lib.sh"
+needs ptrace ptaccum vcmetrics
+view="-vta -vp 0 0 0 -vd 0 1 0 -vu 0 0 1 -vh 180 -vv 180"
+
+# A uniform surround of 1000 cd/m2 and a sun of 1e6 cd/m2 and .533 degrees; sigma and tau in degrees.
+sun() {
+    awk -v s="$1" -v t="$2" 'BEGIN {
+        r = 3.14159265358979 / 180
+        print "void glow sky_light 0 0 4 5.58659 5.58659 5.58659 0\nsky_light source sky 0 0 4 0 1 0 360"
+        print "void light sun_light 0 0 3 5586.59 5586.59 5586.59"
+        printf "sun_light source sun 0 0 4 %.9f %.9f %.9f .533\n", sin(s*r)*sin(t*r), cos(s*r), sin(s*r)*cos(t*r) }'
+}
+# Its DGP: that of the formula page, with the position index above the line of sight.
+closed_form() {
+    awk -v s="$1" -v t="$2" 'BEGIN {
+        pi = 3.14159265358979; r = pi / 180; L = 1e6; w = 2 * pi * (1 - cos(.2665 * r)); t = t < 0 ? -t : t
+        P = exp((35.2 - .31889*t - 1.22*exp(-2*t/9))*s/1000 + (21 + .26667*t - .002963*t*t)*s*s/100000)
+        Ev = pi * 1000 + (L - 1000) * w * cos(s*r)
+        print 5.87e-5 * Ev + .159 + .092 * log(1 + L*L*w / (Ev^1.87 * P*P)) / log(10) }'
+}
+# Columns of frame 0, and more frames: measured SIZE FRAMES COLUMNS SCENE...
+measured() {
+    local size=$1 frames=$2 columns=$3; shift 3
+    ptrace -w- -ab 0 $view -x "$size" -y "$size" -frames "$frames" "$@" | ptaccum -last -ff |
+        vcmetrics -W- -metrics "$columns" | tail -n 1 | cut -f 3-
+}
+# within A B TOLERANCE
+within() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { exit !((a - b)^2 < t^2) }'; }
+
+check 'the sun in a uniform surround, on corners of pixels and between them, within .001 of its closed form' '
+    for place in 25.3125 25 26.1 24.5; do
+        for tau in 0 3 -1.7; do
+            sun $place $tau > sun.rad; want=$(closed_form $place $tau)
+            for size in 64 128; do
+                got=$(measured $size 1 DGPf sun.rad); echo "$place $tau $size: $got, want $want"
+                within $got $want .001
+            done
+        done
+    done'
+check 'evalglare'"'"'s DGP of the same pictures rises with their size, and DGP.px tells by how much' '
+    sun 25 3 > sun.rad; want=$(closed_form 25 3)
+    small=$(measured 64 1 DGP sun.rad); large=$(measured 256 1 DGP sun.rad)
+    awk -v s=$small -v l=$large -v w=$want "BEGIN { exit !(s < l - .005 && l < w - .005) }"
+    within $(measured 64 1 DGP.px sun.rad) $(awk -v s=$small -v w=$want "BEGIN { print w - s }") .001'
+check 'a uniform surround keeps its DGP' '
+    grep -v sun_light sun.rad > sky.rad
+    [ "$(measured 64 1 DGP,UGR,n_sources sky.rad)" = "$(measured 64 1 DGPf,UGRf,n_sourcesf sky.rad)" ]'
+# Seen through two panes, half behind a bar, and in a mirror, where it is sampled and not drawn.
+cat > panes.rad << 'END'
+void glass pane 0 0 3 .96 .96 .96
+pane polygon near 0 0 12 -9 1 -9 9 1 -9 9 1 9 -9 1 9
+pane polygon far 0 0 12 -9 1.1 -9 9 1.1 -9 9 1.1 9 -9 1.1 9
+END
+awk 'BEGIN { z = 2 * sin(25.3 / 57.29578) / cos(25.3 / 57.29578)
+             print "void plastic dark 0 0 5 .05 .05 .05 0 0"
+             print "dark polygon bar 0 0 12 -5 2 " z " 5 2 " z " 5 2 " z + .3 " -5 2 " z + .3 }' > bar.rad
+check 'through two panes and half behind a bar it is the same at 64 and at 256 pixels, to .004' '
+    sun 25.3 3 > sun.rad
+    for more in panes bar; do
+        a=$(measured 64 1 DGPf sun.rad $more.rad); b=$(measured 256 1 DGPf sun.rad $more.rad)
+        echo "$more: $a $b"; within $a $b .004
+    done'
+check 'without moments the columns are those of whole pixels, and a warning says so' '
+    ptrace -w- -ab 0 $view -x 64 -y 64 -frames 1 -moments- sun.rad | ptaccum -last -ff > plain.hdr
+    vcmetrics -metrics DGP,DGPf plain.hdr 2> said | tail -n 1 | awk "{ exit \$2 != \$3 }"
+    grep -q "^vcmetrics: warning: .*no moments of its pixels" said'
+check_exit 'a rule that no number of frames can meet ends the run with status 4' 4 '
+    ptrace -w- -ab 0 $view -x 64 -y 64 sun.rad bar.rad | ptaccum | vcmetrics -until "DGP 0.01" > lines 2> said'
+check 'it says what the size does, and what would do' '
+    grep -q "pixels DGP reads 0[.]0[0-9]* low, more than the 0.01 of the rule; about [0-9]* x .* DGPf does not" said'
