@@ -39,6 +39,7 @@ const std::map<std::string, const char*> harmless = {
     {"-n", "the same bits on any number of threads"},
     {"-o", "a name"},
     {"-M", "a name"},
+    {"-control", "a name"},
     {"-MF", "a name"},
     {"-exec", "what the commands print is a part of the scene"},
     {"-rif", "stands for scene files, options and views"},

@@ -19,6 +19,7 @@
 #include "options.h"
 #include "region/open.h"
 #include "scene/object.h"
+#include "render/control.h"
 #include "render/progressive.h"
 
 namespace {
@@ -77,24 +78,28 @@ void load(const Options& opt, const scene::Scene& scene, const scene::ReadOption
     renderer->load(scene, shots, render, how);
 }
 
-// Frames first to last of the picture that the renderer looks at.
-void render_frames(const Options& opt, render::Renderer& renderer, image::Picture& picture) {
+// Frames first to last of the picture that the renderer looks at, unless control ends it before.
+void render_frames(const Options& opt, render::Renderer& renderer, render::Control& control, image::Picture& picture) {
     const bool streams = opt.output.empty();
     const std::string label = image::label(picture.header);
     image::WriteOptions as_float;
     as_float.pixels = image::Format::flt;
     Report report(opt.report_s, renderer.device_name(), label, opt.last);
+    bool ended = false;
     const auto give = [&](int64_t k, const std::vector<float>& rgb) {
         picture.rgb = rgb;
         picture.header.frame = k;
+        const bool ends = k == opt.last || control.ends_picture(label);
+        if (ends && streams) picture.header.last_frame = k;
+        ended = ended || ends;
         picture.moments = k == 0 && opt.moments ? renderer.moments() : image::Moments();
         if (streams) image::write_picture_stdout(picture, image::Format::flt);
         else image::write_file(output_name(opt.output, k, label), picture, as_float);
         report.frame(k, k - opt.first + 1);
-        return k < opt.last && !base::stop_requested();
+        return !ended && !base::stop_requested();
     };
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
-    for (int64_t k = opt.first; k <= opt.last && !base::stop_requested(); k += block)
+    for (int64_t k = opt.first; !ended && !base::stop_requested(); k += block)
         renderer.frames(k, int(std::min(block, opt.last - k + 1)), give);
 }
 
@@ -105,8 +110,8 @@ void write_rule(const Options& opt) {
 }
 
 // All views under one sky.
-void render_views(const Options& opt, render::Renderer& renderer, const std::vector<std::string>& history,
-                  const std::string& sky) {
+void render_views(const Options& opt, render::Renderer& renderer, render::Control& control,
+                  const std::vector<std::string>& history, const std::string& sky) {
     for (size_t i = 0; i < opt.shots.size() && !base::stop_requested(); ++i) {
         const NamedShot& s = opt.shots[i];
         renderer.look(i);
@@ -122,7 +127,7 @@ void render_views(const Options& opt, render::Renderer& renderer, const std::vec
         picture.header.exposure = opt.exposure;
         picture.header.fingerprint = renderer.fingerprint();
         if (opt.output.empty() && opt.last != Options::endless) picture.header.last_frame = opt.last;
-        render_frames(opt, renderer, picture);
+        render_frames(opt, renderer, control, picture);
     }
 }
 
@@ -146,6 +151,7 @@ int run(int argc, char** argv) {
     if (auto status = parse_options(argc, argv, opt)) return *status;
     choose_focus(opt);
     const bool only_rule = !opt.rule_for.empty() && opt.rule_file.empty();
+    render::Control control(opt.control);
     std::unique_ptr<render::Renderer> renderer;
     const std::vector<std::string> skies = opt.skies.empty() ? std::vector<std::string>{""} : opt.skies;
     scene::Scene without_sky = scene::read_scene(opt.scene_files, opt.files);
@@ -165,7 +171,7 @@ int run(int argc, char** argv) {
         const std::vector<std::string> history = std::move(scene.history);
         scene = scene::Scene();  // the renderer has made its own of it
         base::give_back_memory();
-        render_views(opt, *renderer, history, sky);
+        render_views(opt, *renderer, control, history, sky);
         if (base::stop_requested()) break;
     }
     return 0;

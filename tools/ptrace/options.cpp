@@ -103,7 +103,8 @@ void check(const Options& opt) {
     if (!opt.rule_for.empty() && opt.rule_file.empty()) return;
     for (const NamedShot& s : opt.shots) render::require_memory(s.shot);
     const bool several = opt.shots.size() > 1 || opt.skies.size() > 1;
-    if (several && opt.last == Options::endless) base::fail("-frames", "say how many frames each picture gets");
+    if (several && opt.last == Options::endless && opt.control.empty())
+        base::fail("-frames", "say how many frames each picture gets");
     if (!opt.output.empty()) return check_output(opt);
     struct stat info = {};
     if (fstat(1, &info) != 0) base::fail_system("stdout", "cannot be written");

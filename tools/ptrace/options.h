@@ -33,6 +33,7 @@ struct Options {
     std::string rule_for;                   // -M: the target of a rule of make; empty: none
     std::string rule_file;                  // -MF: where it goes, before rendering; empty: stdout, and render nothing
     std::string command;                    // the whole command line, for the headers of the frames
+    std::string control;                    // -control: a FIFO with commands; empty: none
     std::string output;                     // -o pattern; empty: stdout
     bool moments = true;                    // -moments
     int threads = int(base::processors());  // -n

@@ -49,6 +49,7 @@ void declare_comparison(OptionTable& t, Options& o) {
     t.add("-max-frames n", "Stop at this number of frames",
           [&](Arguments& a) { o.max_frames = a.integer(base::within(1, 1e15)); });
     t.add("-max-seconds s", "Stop when so much time is over", o.max_seconds).above(0);
+    t.add("-control fifo", "End each picture of the stream by itself: \"next\" to this FIFO of ptrace", o.control);
     t.add("-compare", "Compare two inputs: pictures, streams, recorded tables or evalglare's lines", o.compare);
     t.add("-tolerance rules", "For -compare: 'DGP 0.01, Ev 1%, all 2%', or a file of such lines", o.tolerances);
 }

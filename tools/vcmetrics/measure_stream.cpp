@@ -110,6 +110,7 @@ public:
     bool picture(image::Picture& p, const std::string& place, const std::string& file, long index) {
         require_measurable(p, place);
         const int64_t frame = frame_number(p.header, index);
+        if (stopping_->passes_over(image::label(p.header), frame)) return false;
         Luminance lum;
         Measurement m;
         try {
@@ -147,8 +148,8 @@ public:
             if (columns_[k].printed) add_cells(k, printed_value(k, m), frame, cells);
         if (o_.ci) cells.push_back(text_cell(heavy_tailed()));
         print(table_line(names_, cells, o_.format));
-        return stopping_->after(
-            {frame, seconds, looked ? &steps_->estimates() : nullptr, bool(lum.moments), lum.width, lum.height});
+        return stopping_->after({frame, seconds, looked ? &steps_->estimates() : nullptr, bool(lum.moments), lum.width,
+                                 lum.height, p.header.last_frame == frame});
     }
     void end_input(const std::string& place) {
         if (steps_) steps_->end_input(place);

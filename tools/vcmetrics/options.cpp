@@ -54,6 +54,9 @@ void check(const Options& o) {
         base::fail("-ci", "works on vcmetrics' own columns and cannot be used with -like, -sources or -compare");
     if (intervals && (o.settings.field_cut || o.settings.fill))
         base::fail(o.ci ? "-ci" : "-until", "needs the whole picture as it is and cannot be used with -G or -I");
+    if (!o.control.empty() && o.until.empty() && !o.max_frames)
+        base::fail("-control", "needs -until or -max-frames, which say when a picture ends");
+    if (!o.control.empty() && !o.files.empty()) base::fail("-control", "works on a stream, not on files");
     if (!o.compare) return;
 
     if (o.files.size() != 2) base::fail("-compare", fmt::format("compares two inputs, not {}", o.files.size()));

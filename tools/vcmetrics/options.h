@@ -26,6 +26,7 @@ struct Options {
     std::optional<double> ci;  // -ci: NAME.lo and NAME.hi, this certain (a share)
     std::optional<int64_t> max_frames;
     std::optional<double> max_seconds;
+    std::string control;  // -control: a FIFO of the renderer; empty: none
     bool compare = false;
     bool warnings = true;
     std::string check_file;          // -c

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 
+#include "base/command_pipe.h"
 #include "base/error.h"
 #include "uncertainty/stopping.h"
 
@@ -60,25 +61,45 @@ bool Stopping::rule_holds(const Line& line, std::string& reason, std::string& ou
     return true;
 }
 
+bool Stopping::passes_over(const std::string& label, int64_t n) {
+    if (options_.control.empty()) return false;
+    const bool begins = frames_ < 0 || label != label_ || n <= frames_;
+    if (begins) {
+        missed_ = missed_ || (frames_ >= 0 && has_rule() && !held_);
+        if (frames_ >= 0) at_end();
+        held_ = settled_ = false;
+        label_ = label;
+    }
+    frames_ = n;
+    return settled_;
+}
+
 bool Stopping::after(const Line& line) {
     std::string reason, out_of_reach;
+    bool ends_all = options_.control.empty();
     frames_ = line.frames;
     if (rule_holds(line, reason, out_of_reach)) {
         held_ = true;
     } else if (!out_of_reach.empty()) {
-        fmt::print(stderr, "vcmetrics: stopped after {} frames: {}\n", line.frames, out_of_reach);
-        return true;
+        reason = out_of_reach;
     } else if (options_.max_frames && line.frames >= *options_.max_frames) {
         reason = "-max-frames is reached";
     } else if (options_.max_seconds && line.seconds >= *options_.max_seconds) {
         reason = "-max-seconds are over";
+        ends_all = true;
     } else return false;
-    if (!held_ && has_rule()) reason += ", -until does not hold yet";
-    fmt::print(stderr, "vcmetrics: stopped after {} frames: {}\n", line.frames, reason);
-    return true;
+    if (!held_ && has_rule() && out_of_reach.empty()) reason += ", -until does not hold yet";
+    const std::string what = label_.empty() ? "" : label_ + ": ";
+    fmt::print(stderr, "vcmetrics: {}stopped after {} frames: {}\n", what, line.frames, reason);
+    if (ends_all) return true;
+    settled_ = true;
+    if (!line.last) base::send_command(options_.control, label_.empty() ? "next" : "next " + label_);
+    return false;
 }
 
 void Stopping::at_end() const {
-    if (status() != 0)
-        fmt::print(stderr, "vcmetrics: the input ended after {} frames: -until does not hold\n", frames_);
+    if (!has_rule() || held_ || settled_) return;
+    const std::string what = label_.empty() ? "the input" : label_;
+    fmt::print(stderr, "vcmetrics: {} ended after {} frames: -until does not hold\n", what,
+               std::max<int64_t>(frames_, 0));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When a run ends by itself, and the line on stderr that says why: -until, -max-frames, -max-seconds.
+// When a run ends by itself, and the line on stderr that says why: -until, -max-frames, -max-seconds.  With -control
+// each picture of the stream ends by itself: its renderer is sent "next", and its further sums are passed over.
 #pragma once
 #include <optional>
 #include <string>
@@ -14,19 +15,22 @@ public:
     Stopping(const Options& options, const std::vector<glare::Column>& columns);
     bool has_rule() const { return rule_.has_value(); }
 
+    // Before a picture is measured: a sum of n frames of the picture `label`.  True: it is passed over.
+    bool passes_over(const std::string& label, int64_t n);
     struct Line {
         int64_t frames;
         double seconds;                         // since the start
         const report::ColumnEstimates* looked;  // its estimates are new; else null
         bool moments = false;                   // the picture has moments of its pixels
         int width = 0, height = 0;
+        bool last = false;  // its stream announces no more frames
     };
     // What pixels do is known from so many frames on.
     static constexpr int64_t least_frames_of_pixels = 16;
     // True: stop here.  Status 0 if the rule holds or there is none, else 4.
     bool after(const Line& line);
-    void at_end() const;  // of the input, without a stop
-    int status() const { return has_rule() && !held_ ? 4 : 0; }
+    void at_end() const;  // of the input or a picture, without a stop
+    int status() const { return has_rule() && (!held_ || missed_) ? 4 : 0; }
 
 private:
     size_t column_of(const std::string& name, const std::string& why = "") const;
@@ -39,6 +43,8 @@ private:
     std::vector<std::optional<size_t>> pixels_;  // their columns NAME.px
     size_t dgp_ = 0;                             // for the class
     std::optional<size_t> dgp_pixels_;
-    int64_t frames_ = 0;  // of the last line
-    bool held_ = false;
+    int64_t frames_ = -1;  // of the last line; -1: there was none
+    std::string label_;
+    bool held_ = false, missed_ = false;  // of this picture; of one before it
+    bool settled_ = false;                // no more of this picture is measured
 };
