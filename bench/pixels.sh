@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# DGP over the size of the picture, of whole pixels and of what fills them (docs/decisions/0034-pixels.md):
+# DGP over the size of the picture, of whole pixels and of what fills them (docs/decisions/0033-pixels.md):
 # pixels.sh OUT [FRAMES [SIZE ...]], with the programs on PATH.  OUT/pixels.tsv and, with gnuplot, OUT/pixels.svg.
 set -euo pipefail
 mkdir -p "$1" && out=$(cd "$1" && pwd)
@@ -24,15 +24,15 @@ measure() {  # NAME FOLDER VIEW FILE ...
 } | tee "$out/pixels.tsv"
 
 command -v gnuplot > /dev/null && cd "$out" && gnuplot << 'END'
-set terminal svg size 620,380 font "sans-serif,12" background "white"
+set terminal svg size 760,340 font "sans-serif,12" background "white"
 set output "pixels.svg"
 set logscale x 2; set xrange [52:1250]; set yrange [0.29:0.37]; set grid
-set xlabel "pixels a side"; set ylabel "daylight glare probability"; set key bottom right
+set xlabel "pixels a side"; set ylabel "daylight glare probability"; set key outside right
 rows(name, column) = sprintf("< awk '$1 == \"%s\" { print $2, $%d, $5, $6 }' pixels.tsv", name, column)
 plot rows("office", 4) using 1:2:3:4 with yerrorlines lw 2 lc 1 pt 7 ps .6 title "office, DGPf", \
-    rows("office", 3) with linespoints lc 1 dt 2 pt 6 ps .6 title "office, DGP", \
+    rows("office", 3) using 1:2 with lines lc 1 dt 2 title "office, DGP", \
     rows("classroom", 4) using 1:2:3:4 with yerrorlines lw 2 lc 2 pt 7 ps .6 title "classroom, DGPf", \
-    rows("classroom", 3) with linespoints lc 2 dt 2 pt 6 ps .6 title "classroom, DGP", \
+    rows("classroom", 3) using 1:2 with lines lc 2 dt 2 title "classroom, DGP", \
     rows("gallery", 4) using 1:2:3:4 with yerrorlines lw 2 lc 4 pt 7 ps .6 title "gallery, DGPf", \
-    rows("gallery", 3) with linespoints lc 4 dt 2 pt 6 ps .6 title "gallery, DGP"
+    rows("gallery", 3) using 1:2 with lines lc 4 dt 2 title "gallery, DGP"
 END

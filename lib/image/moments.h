@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Moments of the light inside of a pixel, of which its mean tells nothing (man/luxpipe-stream.5, docs/decisions/0034).
+// Moments of the light inside of a pixel, of which its mean tells nothing (man/luxpipe-stream.5, docs/decisions/0033).
 #pragma once
 #include <cstddef>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Moments of the light inside of each pixel (image/picture.h, docs/decisions/0034): the variance over the pixel of the
+// Moments of the light inside of each pixel (image/picture.h, docs/decisions/0033): the variance over the pixel of the
 // direct and specular light that comes to the eye, without the noise of single samples.
 //
 // A sample a of a pixel is L(x) + noise, x its place in the pixel.  A second sample b of the same place, with other

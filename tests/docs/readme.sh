@@ -11,7 +11,7 @@ check 'the picture is what the demo renders, filtered, and small' '
     size=$(grep -a "^ptrace " "$picture" | sed -n "s/.* -x \([0-9]*\) .*/\1/p")
     grep -aqxF "$(demos | sed "s/\$size/$size/g")" "$picture"'
 cp "$TOP"/examples/scenes/office/* .
-sed -i 's/ 256/ 32/g' block.1
+sed -i 's, 128, 32,g' block.1
 timeout 200 bash -eo pipefail block.1 > lines 2> said
 forms() { sed -E 's/[0-9.]+/N/g; s/[^\t]*$/TAILS/' "$@"; }
 check 'its pipe prints such lines, and stops' '
