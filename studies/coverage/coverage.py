@@ -59,7 +59,9 @@ class Study:
 
     def trace(self):
         for seed in self.seeds:
-            words = '-w- -n 1 -x %d -y %d -seed %d -frames %d' % (self.o.size, self.o.size, seed, self.o.frames + 1)
+            # without moments: -until class is judged by noise alone
+            words = '-w- -n 1 -moments- -x %d -y %d -seed %d -frames %d' % (
+                self.o.size, self.o.size, seed, self.o.frames + 1)
             make(self.stream(seed), [os.path.join(self.bin, 'ptrace')] + words.split() + self.words, self.folder)
 
     def vcmetrics(self, metrics, *words):
