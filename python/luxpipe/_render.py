@@ -8,6 +8,7 @@ import os
 import select
 import shlex
 import subprocess
+import sys
 import tempfile
 import warnings
 from pathlib import Path
@@ -157,7 +158,7 @@ def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
 
 def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], until: str | None = "DGPf 0.01", *,
            size: int | tuple[int, int] = 512, metrics: str = "Ev,DGP,DGPf", ci: float = 95,
-           regions: PathLike | None = None, every: str = "x2/16", max_frames: int | None = None,
+           regions: PathLike | None = None, every: str = "x2/16", max_frames: int | None = 1000,
            max_seconds: float | None = None, seed: int = 1, options: Sequence[str] = (),
            measure_options: Sequence[str] = ()) -> Result:
     """Render a scene until its numbers are certain enough, and return the last `Result`.
@@ -174,7 +175,7 @@ def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
         ci: certainty of the intervals in percent
         regions: a file of regions (vcregion), for their TAL, mean ... and contrast
         every: after which frames to measure; "x2/16": 16 times while the number of frames doubles
-        max_frames: number of frames at which to stop in any case
+        max_frames: number of frames at which to stop in any case; None for no limit
         max_seconds: time after which to stop in any case
         seed: of the random numbers; the same seed gives the same pixels
         options: further options of ptrace, as ["-ab", "7"]
@@ -219,8 +220,10 @@ class _NoBar:
 
 def _progress() -> Any:
     try:
-        from tqdm.auto import tqdm
-        return tqdm(unit=" frames", disable=None, leave=False)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # tqdm's, where a notebook has no widgets
+            from tqdm.auto import tqdm
+        return tqdm(unit=" frames", disable=False if "ipykernel" in sys.modules else None, leave=False)
     except ImportError:
         return _NoBar()
 

@@ -107,7 +107,7 @@ class Result:
 
         ``result.save("colors.png", "-tone", "falsecolor", "-max", "5000")``
         """
-        run("ptaccum", ["-", "-o", os.fspath(path), *options], self._float_bytes())
+        run("ptaccum", ["-", "-o", os.fspath(path), *options], _stream.alone(self._float_bytes()))
 
     def __repr__(self) -> str:
         numbers = ", ".join(f"{name} {value}" for name, value in self.values.items())

@@ -67,6 +67,12 @@ def pixels(picture: bytes | bytearray) -> npt.NDArray[np.float32]:
     return array
 
 
+def alone(picture: bytes | bytearray) -> bytes:
+    """Return a picture without the number of the last frame of the stream (LASTFRAME=) that it was a part of."""
+    end = picture.index(b"\n\n")
+    return re.sub(rb"\nLASTFRAME=\d+", b"", picture[:end]) + bytes(memoryview(picture)[end:])
+
+
 def from_array(array: npt.NDArray[Any], view: str) -> bytes:
     """Return an array as a float picture: height x width x 3 in W/(sr m2), or height x width in cd/m2 (grey)."""
     import numpy as np
