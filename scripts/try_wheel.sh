@@ -20,13 +20,13 @@ set -euo pipefail
 PATH=$1:$PATH
 cd "$("$1"/python -c 'import luxpipe; print(luxpipe.examples)')/office"
 frames() { ptrace -device cpu -vf view.vf -x 64 -y 64 "$@" materials.rad layout.rad sky_1400.rad; }
-frames | ptaccum -every x2/4 | vcmetrics -metrics Ev,DGP -ci 95 -until 'DGP 0.01, Ev 5%' | tail -n 1 >&2
+frames | ptaccum -every x2/4 | vcmetrics -metrics Ev,DGP -ci 95 -until 'Ev 2%' | tail -n 1 >&2
 frames -frames 3 | ptaccum | vcview -- vcmetrics > /dev/null 2> "$TMPDIR/said"
 grep -q 'http://' "$TMPDIR/said"
 "$1"/python - >&2 << 'PYTHON'
 import luxpipe
 scene = [luxpipe.examples / "office" / name for name in ("materials.rad", "layout.rad", "sky_1400.rad")]
-print(luxpipe.render(scene, luxpipe.examples / "office" / "view.vf", until="DGP 0.02", size=64))
+print(luxpipe.render(scene, luxpipe.examples / "office" / "view.vf", until="Ev 2%", size=64))
 PYTHON
 frames -frames 4 | ptaccum -last -ff | tail -c $((12 * 64 * 64)) | sha256sum
 END
