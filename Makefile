@@ -10,6 +10,8 @@ SETUP  ?= yes
 # ispc, which makes ptrace faster: a copy (47 MB) from Debian 13's archive into .ispc, by apt, which checks signatures.
 # Not where FLAGS=-DLUXPIPE_ISPC=... says which, and never for a package: it takes an ispc that is there.
 ISPC    = $(if $(findstring ptrace,$(PARTS)),$(if $(findstring LUXPIPE_ISPC,$(FLAGS)),:,sh scripts/ispc.sh .ispc),:)
+# Lanes that are built (lib/device): those of this machine, or both in what goes elsewhere and in the tests.
+LANES   = $(if $(shell grep -sw avx512dq /proc/cpuinfo),16,8)
 PARTS   = tools $(if $(findstring LUXPIPE_PTRACE=OFF,$(FLAGS)),,ptrace)
 CXX_FILES = $(shell git ls-files '*.cpp' '*.h')
 
@@ -17,9 +19,11 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 }' Makefile
 
 all: setup ## a release build of the four tools in build/bin (fetches ispc from Debian 13 into .ispc: 47 MB)
-	cmake -S . -B "$(BUILD)" -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX="$(PREFIX)" $(FLAGS)
+	cmake -S . -B "$(BUILD)" -G Ninja --log-level=WARNING -DCMAKE_INSTALL_PREFIX="$(PREFIX)" \
+	    "-DLUXPIPE_LANES=$(LANES)" $(FLAGS)
 	cmake --build "$(BUILD)" -j $(JOBS) --target tools
 
+everything: LANES = 8;16
 everything: all ## the tools, the tests, studies and benchmarks
 	cmake --build "$(BUILD)" -j $(JOBS)
 

@@ -21,7 +21,7 @@ struct CpuKernels {
     uint64_t (*scratch_bytes)(uint32_t count);
 };
 extern const CpuKernels cpu_baseline, cpu_avx2, cpu_avx512;
-#ifdef LUXPIPE_LANES
+#if defined(LUXPIPE_LANES8) || defined(LUXPIPE_LANES16)
 extern const CpuKernels cpu_lanes8, cpu_lanes16;  // of avx2 and avx512: as many paths side by side
 #endif
 

@@ -16,11 +16,18 @@ namespace visibility {
 namespace {
 using base::Vec3;
 using scene::Type;
+// Regions ask where surfaces are, not what they reflect.
+flatten::Options any_reflectance() {
+    flatten::Options o;
+    o.any_reflectance = true;
+    return o;
+}
+
 class TracedScene : public region::SceneView {
 public:
     TracedScene(const std::vector<std::string>& files, const base::ReadOptions& options)
         : scene_(scene::read_scene(files, options)),
-          flat_(flatten::flatten(scene_, {}, options)),
+          flat_(flatten::flatten(scene_, any_reflectance(), options)),
           input_(flatten::build_inputs(flat_)),
           tracer_(input_.data(), input_.size(), true, false) {
         for (size_t i = 0; i < scene_.objects.size(); ++i)

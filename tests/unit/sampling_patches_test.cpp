@@ -12,6 +12,7 @@
 #include "flatten/flatten.h"
 #include "flatten/host_tracer.h"
 #include "sampling/patches.h"
+#include "sampling/targets.h"
 #include "kernels/dialect/host.h"
 #include "scene/object.h"
 
@@ -26,7 +27,9 @@ flatten::FlatScene room(const std::string& more) {
                                   "paint polygon floor 0 0 12 0 -9 0 9 -9 0 9 9 0 0 9 0\n"
                                   "paint polygon wall 0 0 12 0 -9 0 0 9 0 0 9 9 0 -9 9\n"
                                << more;
-    return flatten::flatten(scene::read_scene({file.path()}, {}), {}, {});
+    flatten::FlatScene scene = flatten::flatten(scene::read_scene({file.path()}, {}), {}, {});
+    sampling::find_targets(scene);
+    return scene;
 }
 
 // At x = 4, from y = -1 to 1 and from z = low to high.
