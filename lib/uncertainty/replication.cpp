@@ -15,6 +15,7 @@ namespace {
 constexpr double cochran_level = 0.001;
 constexpr size_t least_for_skewness = 6;  // parts
 constexpr double most_bias_error = 0.5;   // of absolute differences, in errors of noise
+constexpr double reach = 0.95;            // the interval of this level holds all replicates
 
 // Cochran's C (Cochran, Annals of Eugenics 11, 1941): the largest of `terms` squares has a share of their sum that
 // chance gives it with a probability below the level.  One term against the others is t^2 = share/(1 - share) degrees.
@@ -32,29 +33,44 @@ double ratio_of_noise(const Frames& frames, NoiseBias bias) {
     return bias == NoiseBias::deviation ? std::pow(r, power_of_deviation) : r;
 }
 
+// The part of b on which the rows of the matrix agree; variance: of b among rows.
+double agreed(double b, double variance) { return b == 0 ? 0 : b * std::max(0., 1 - 2 * variance / (b * b)); }
+
+double farthest(const std::vector<double>& replicates, double from) {
+    double out = 0;
+    for (const double r : replicates) out = std::max(out, std::fabs(r - from));
+    return out;
+}
+
 }  // namespace
 
 Estimate brr(double whole, const std::vector<double>& replicates, const Frames& frames, NoiseBias bias, double q) {
     Estimate out;
     const double mean = std::accumulate(replicates.begin(), replicates.end(), 0.) / half_samples;
-    double odd[strata], variance = 0, squares = 0, largest = 0;
+    double odd[strata], of_odd = 0, of_even = 0, squares = 0, largest = 0;
     for (int j = 0; j < strata; ++j) {
         const double a = replicates[size_t(j)], b = replicates[size_t(j + strata)];
         odd[j] = (a - b) / 2;
-        variance += (odd[j] * odd[j] + std::pow((a + b) / 2 - mean, 2)) / strata;
+        of_odd += odd[j] * odd[j] / strata, of_even += std::pow((a + b) / 2 - mean, 2) / strata;
     }
+    const double variance = of_odd + of_even;
     const size_t pairs = frames.size() / 2;
     for (size_t s = 0; s < pairs; ++s) {
         double difference = 0;
         for (int j = 0; j < strata; ++j) difference += hadamard(j, int(s)) * odd[j] / strata;
         squares += difference * difference, largest = std::max(largest, difference * difference);
     }
-    const double b = bias == NoiseBias::none ? 0 : (mean - whole) / (ratio_of_noise(frames, bias) - 1);
-    const bool decides = bias == NoiseBias::deviation && q * std::fabs(b) > most_bias_error * std::sqrt(variance);
-    out.value = whole - b;
-    out.error = decides ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(variance + q * q * b * b);
     out.frames = std::accumulate(frames.begin(), frames.end(), int64_t(0));
     out.degrees = degrees_of_freedom(frames);
+    const double excess = ratio_of_noise(frames, bias) - 1;
+    const double b = bias == NoiseBias::none ? 0 : (mean - whole) / excess;
+    const bool decides = bias == NoiseBias::deviation && q * std::fabs(b) > most_bias_error * std::sqrt(variance);
+    const double taken_off = bias == NoiseBias::variance ? agreed(b, of_even / (excess * excess)) : b;
+    out.value = whole - taken_off;
+    out.error = decides ? std::numeric_limits<double>::quiet_NaN()
+                        : std::sqrt(variance + std::pow(q * taken_off, 2) + std::pow(b - taken_off, 2));
+    if (bias == NoiseBias::variance)
+        out.error = std::max(out.error, farthest(replicates, out.value) / student_quantile(1 - reach, out.degrees));
     out.unreliable = pairs > 2 && squares > 0 && one_dominates(largest / squares, double(pairs), double(pairs - 1));
     return out;
 }

@@ -18,6 +18,12 @@ enum class NoiseBias { none, variance, deviation };
 // odd and even: half the difference and half the sum of a half-sample's value and its complement's.  The error of the
 // bias that is taken off is q of it.
 //
+// A pixel near the threshold makes a quantity jump.  The side of the whole is noise then, not bias, and taking b off
+// would double that noise.  So b max(0, 1 - 2 v/b^2) is taken off (positive-part shrinkage, James and Stein 1961), v
+// the variance of (even - whole)/(r - 1) among rows, and the rest of b counts as error.  Half-samples lie beyond the
+// jump as often as the truth does (Efron and Tibshirani, The problem of regions, Annals of Statistics 26, 1998): the
+// 95 % interval holds all of their values.
+//
 // The bias of absolute differences cannot be known better than to about a tenth,
 // whatever the estimator (Cai and Low, Annals of Statistics 39, 2011, on the mean of |x|), and that does not fall with
 // the number of pixels as noise does: where q b is more than half the error of noise, there is none (nan).

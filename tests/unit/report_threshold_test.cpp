@@ -62,17 +62,16 @@ TEST_CASE("DGP's interval holds while noise joins two windows") {
     CHECK(study.plain[3] > study.truth + 0.004);  // that noise does what it is here for
 }
 
-// Sources begin at 2000 cd/m2: DGP makes a step where a pixel crosses that.  Where nothing else has noise, all
-// replicates may lie on one side of a pixel that stands at the threshold, and the step is missed: 77 to 90 % of
-// intervals held.
-TEST_CASE("DGP's interval holds the step of a pixel at the threshold in most runs") {
+// Sources begin at 2000 cd/m2: DGP makes a step where a pixel crosses that.  Where nothing else has noise, the bias
+// that replicates show is the side of the whole, which is noise: taken off, 77 to 90 % of intervals held.
+TEST_CASE("DGP's interval holds the step of a pixel at the threshold") {
     std::vector<double> exact = Wall::truth();
     exact[20 * side + 22] = 2000.1;
     Study study{"DGP", {23, 33, 47, 66, 93}, 400};
     study.run<Even>(exact, [&](uint32_t seed) { return Even(exact, {20, 25, 18, 23, 800}, seed); });
     for (size_t k = 0; k < study.looks.size(); ++k) {
         INFO(study.told(k));
-        CHECK(study.covered[k] > 0.7 * study.seeds);
+        CHECK(study.covered[k] > 0.9 * study.seeds);
         CHECK(!study.too_wide(k, 2));
         CHECK(study.tails[k] < .1 * study.seeds);  // it is no matter of samples: -until may stop
     }

@@ -143,6 +143,27 @@ TEST_CASE("the bias of a square is taken off") {
     CHECK(std::fabs(sum - 9) < 3 * std::sqrt((squares - sum * sum) / trials));
 }
 
+// A pixel near the threshold: the quantity is 1 above it and 0 below.  off: of the truth, in errors of the whole.
+TEST_CASE("intervals hold the step of a pixel near the threshold") {
+    const int trials = 2000;
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    const Frames frames(16, 4);
+    const auto step = [](double x) { return x > 0 ? 1. : 0.; };
+    for (const double off : {.05, .5, 1., 2.}) {
+        int covered = 0;
+        for (int trial = 0; trial < trials; ++trial) {
+            std::vector<double> x(16), halves;
+            for (double& v : x) v = off / 4 + normal(random);
+            for (const double h : of_half_samples(frames, x)) halves.push_back(step(h));
+            const Estimate e = brr(step(mean_of(frames, x)), halves, frames, NoiseBias::variance, .25);
+            covered += e.known() ? std::fabs(1 - e.value) <= e.half_width(.05, 64) : e.value == 1;
+        }
+        INFO(off << " standard errors above: " << covered << " of " << trials);
+        CHECK(covered > (.95 - 3 * .0049) * trials);
+    }
+}
+
 TEST_CASE("one stratum that makes most of the error is told") {
     const Frames frames(16, 4);
     std::vector<double> x(16, 1), halves;
