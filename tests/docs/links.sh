@@ -16,6 +16,7 @@ for page in sorted(p for p in top.rglob("*.md") if not {"out", ".git"} & set(p.r
                 print(f"{page.relative_to(top)}: {target}")
 print(seen, file=sys.stderr)
 END
-check 'every link has its file' 'python3 links.py "$TOP" > gone 2> seen; cat gone; test ! -s gone; test "$(cat seen)" -gt 10'
+check 'every link has its file' '
+    python3 links.py "$TOP" > gone 2> seen; cat gone; test ! -s gone; test "$(cat seen)" -gt 10'
 check 'a link without is seen' 'mkdir t; echo "[a](b.md) [c](https://x)" > t/p.md
     python3 links.py t 2> seen | grep -qx "p.md: b.md"'

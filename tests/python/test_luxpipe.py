@@ -151,6 +151,12 @@ def test_warnings_are_python_warnings(tmp_path):
         luxpipe.render([*SCENE, strange], VIEW, None, size=16, max_frames=1)
 
 
+def test_plots():
+    pytest.importorskip("matplotlib").use("Agg")
+    found = doctest.testmod(importlib.import_module("luxpipe.plot"), extraglobs={"luxpipe": luxpipe})
+    assert found.attempted and not found.failed
+
+
 def test_interrupt_keeps_what_there_is(monkeypatch):
     class Bar(luxpipe._render._NoBar):
         def update(self, frames):

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The cells of examples/notebooks run, in small pictures; by Jupyter itself where nbclient is."""
+
+import json
+import pathlib
+
+import pytest
+
+pytest.importorskip("pandas")
+NOTEBOOKS = sorted((pathlib.Path(__file__).parents[2] / "examples" / "notebooks").glob("*.ipynb"))
+
+
+def test_there_are_notebooks():
+    assert len(NOTEBOOKS) == 3
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
+def test_notebook(path, capsys):
+    cells = json.loads(path.read_text())["cells"]
+    names = {}
+    for cell in cells:
+        if cell["cell_type"] == "code":
+            source = "".join(cell["source"]).replace("size=256", "size=48").replace("(6, 8, 10, 12)", "(6, 12)")
+            exec(compile(source, path.name, "exec"), names)
+            assert cell["outputs"] or "=" in source, f"{path.name}: a cell that shows something keeps what it shows"
+    assert path.stat().st_size < 200_000
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS[:1])
+def test_notebook_in_jupyter(path):
+    nbformat, nbclient = pytest.importorskip("nbformat"), pytest.importorskip("nbclient")
+    pytest.importorskip("ipykernel")
+    notebook = nbformat.reads(path.read_text().replace("size=256", "size=48"), 4)
+    nbclient.NotebookClient(notebook, timeout=300, kernel_name="python3").execute()
+    assert "image/png;base64" in json.dumps(notebook.cells[1].outputs)
