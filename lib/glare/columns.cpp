@@ -107,11 +107,11 @@ const SetEntry set_parts[] = {
     {"min", &PixelStatistics::lowest, no_interval},    {"max", &PixelStatistics::highest, no_interval},
     {"Ev", &PixelStatistics::eye_lux, linear}};
 
-class Chooser {
+class ColumnSelector {
 public:
-    Chooser(const ColumnChoice& choice, const Settings& settings, Needs& needs)
-        : choice_(choice), settings_(settings), needs_(needs) {
-        needs_ = {false, false, false, false};
+    ColumnSelector(const ColumnChoice& choice, const Settings& settings, Requirements& requirements)
+        : choice_(choice), settings_(settings), requirements_(requirements) {
+        requirements_ = {false, false, false, false};
     }
     std::vector<Column> all() {
         if (choice_.accelerad) {
@@ -166,10 +166,10 @@ private:
                        shows_pixels = name == pixels_column(e.name);
             if (name != e.name && !shows_unbiased && !shows_filled && !shows_pixels) continue;
             if (e.wants & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
-            needs_.sources |= (e.wants & sources) != 0;
-            needs_.rammg |= (e.wants & rammg) != 0;
-            needs_.medians |= (e.wants & medians) != 0;
-            needs_.all_light |= (e.wants & (all_light | sources)) != 0 && !settings_.external_ev;
+            requirements_.sources |= (e.wants & sources) != 0;
+            requirements_.rammg |= (e.wants & rammg) != 0;
+            requirements_.medians |= (e.wants & medians) != 0;
+            requirements_.all_light |= (e.wants & (all_light | sources)) != 0 && !settings_.external_ev;
 
             Column column{name, e.value, e.quantity};
             if (std::string(e.name) == "LveilCIE")
@@ -177,7 +177,7 @@ private:
             if (e.value == class_value) column.words = dgp_classes;
             column.printed_unbiased = shows_unbiased;
             if (shows_filled || shows_pixels) {
-                needs_.filled = true;
+                requirements_.filled = true;
                 column.printed_unbiased = e.quantity.bias != NoiseBias::none;
                 column.of_filled = true;
                 column.value = [value = e.value, shows_pixels](M m) {
@@ -211,7 +211,7 @@ private:
             for (size_t k = 0; k < choice_.regions.size(); ++k) {
                 const std::string full = choice_.regions[k] + "." + part.name;
                 if (name != part.name && name != full) continue;
-                needs_.regions_in_full |= part.value != &RegionValues::tal;
+                requirements_.regions_in_full |= part.value != &RegionValues::tal;
                 const auto value = part.value;
                 columns_.push_back({full, [k, value](M m) { return m.region_values[k].*value; }, part.quantity});
                 found = true;
@@ -229,7 +229,7 @@ private:
                 if (!there) base::fail("-metrics", name + " needs -B, -A, -l or -L");
                 const auto value = part.value;
                 columns_.push_back({full, [member, value](M m) { return (*(m.*member)).*value; }, part.quantity});
-                needs_.sources = true;
+                requirements_.sources = true;
                 found = true;
             }
         };
@@ -250,14 +250,14 @@ private:
 
     const ColumnChoice& choice_;
     const Settings& settings_;
-    Needs& needs_;
+    Requirements& requirements_;
     std::vector<Column> columns_;
 };
 
 }  // namespace
 
-std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Needs& needs) {
-    return Chooser(choice, settings, needs).all();
+std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Requirements& requirements) {
+    return ColumnSelector(choice, settings, requirements).all();
 }
 
 const char* const dgp_classes[5] = {"imperceptible", "perceptible", "disturbing", "intolerable", "unknown"};

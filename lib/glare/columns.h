@@ -39,7 +39,7 @@ extern const double dgp_limits[3];
 
 // Names without a region (TAL, mean, median, min, max, share) stand for all regions, CR for all pairs.
 // Throws Error on a name that is none, with the names there are.
-std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Needs& needs);
+std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Requirements& requirements);
 
 // The column of what pixels do to a metric, "DGP.px"; empty: there is none, or it has no interval.
 std::string pixels_column(const std::string& metric);

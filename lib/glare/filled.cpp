@@ -30,9 +30,9 @@ FilledPixels filled_pixels(const Luminance& picture) {
     return out;
 }
 
-Measurement Meter::measure_filled(const Luminance& lum, const Luminance& bright_in, double ev, SourceFinder& finder,
-                                  const Measurement& m) const {
-    Luminance classification = bright_in;
+Measurement PictureAnalyzer::measure_filled(const Luminance& lum, const Luminance& classification_image,
+                                            SourceFinder& finder, const Measurement& m) const {
+    Luminance classification = classification_image;
     classification.moments = lum.moments;
     FilledPixels own = filled_pixels(lum), classified = filled_pixels(classification);
     const Luminance light = own.as(lum), bright = classified.as(classification);
@@ -40,9 +40,9 @@ Measurement Meter::measure_filled(const Luminance& lum, const Luminance& bright_
     finder.find_groups(light, bright, m.threshold);
     out.sources = finder.split(light);
     out.direct_lux = finder.direct_lux();
-    out.glare = glare_terms(finder, light, bright, settings_, m.threshold, out.sources);
+    out.glare = glare_terms(light, bright, *geometry_, settings_, m.threshold, out.sources);
     out.any_source = !out.sources.empty();
-    background_and_dgp(ev, out.direct_lux, out);
+    background_and_dgp(finder, out);
     return out;
 }
 

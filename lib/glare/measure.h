@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One picture in, its numbers out.  A Meter keeps what depends only on view and size from picture to picture.
+// One picture in, its numbers out.  A PictureAnalyzer keeps what depends only on view and size from picture to picture.
 //   Ev = sum L w cos (paper Eq. 1), DGP (Eq. 2 with evalglare's constants), RAMMG (Eqs. 5, 6), TAL and CR (Eqs. 3, 4).
 #pragma once
 #include <functional>
@@ -14,11 +14,16 @@
 
 namespace glare {
 
-struct Measurement {
+// Another program's ways (lib/evalglare); empty: luxpipe's own.
+struct Methods {
+    std::function<std::unique_ptr<const ViewGeometry>(const view::View&, const std::string& place)> geometry;
+    std::function<std::unique_ptr<SourceFinder>(const Geometry&, const Settings&)> finder;
+};
+
+struct Measurement : Photometry {
     // The same with sources by what fills their pixels (filled.h); null: not asked for, or the picture has no moments.
     std::shared_ptr<const Measurement> filled;
-    double ev = 0, mean_lum = 0, max_lum = 0, omega = 0;
-    long valid_pixels = 0, not_finite = 0, negative = 0;
+    long not_finite = 0, negative = 0;
     double rammg = 0;
     double task_lum = 0;  // reference luminance of the threshold: task area, else the mean
     double threshold = 0;
@@ -36,11 +41,11 @@ struct Measurement {
     std::optional<double> black_corners;  // percent, type v
 };
 
-class Meter {
+class PictureAnalyzer {
 public:
     // With `draw`, `regions` need only have names.
-    Meter(const Settings& settings, const Needs& needs, std::optional<image::MaskSet> regions = {},
-          image::DrawRegions draw = {});
+    PictureAnalyzer(const Settings& settings, const Requirements& requirements,
+                    std::optional<image::MaskSet> regions = {}, image::DrawRegions draw = {}, Methods methods = {});
     // `view`: the one to use; without it the picture's own.  The picture's pixels are used up.
     Measurement measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
     // The same in two steps: the grey picture over the picture's memory, checked and warned about; and what it
@@ -48,32 +53,30 @@ public:
     Luminance read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
     Measurement measure(Luminance& lum, const std::string& place);
     // Any other image of the view read last, on any thread: each thread has a finder of its own.
-    // bright_in: which pixels are bright is decided there.  Both are changed by -G and -I alone.
-    Measurement measure(Luminance& lum, Luminance& bright_in, SourceFinder& finder) const;
+    // classification_image: which pixels are bright is decided there.  Both are changed by -G and -I alone.
+    Measurement measure(Luminance& lum, Luminance& classification_image, SourceFinder& finder) const;
     std::unique_ptr<SourceFinder> make_finder() const;
     // Region values alone.
     Measurement measure_regions(const Luminance& lum) const;
     const Settings& settings() const { return settings_; }
-    const Needs& needs() const { return needs_; }
+    const Requirements& requirements() const { return requirements_; }
     const Geometry& geometry() const { return *geometry_; }
     const SourceFinder& finder() const { return *finder_; }  // of the picture measured last
 
 private:
     void prepare(const view::View& view, const image::Picture& picture, const std::string& place);
     void find_position_index();
-    void photometry(const Luminance& lum, Measurement& m) const;
-    Light light_of(const Luminance& lum) const;
-    void photometry_by_column(const Luminance& lum, Measurement& m) const;
     void position_statistics(const Luminance& lum, Measurement& m) const;
-    void glare(Luminance& lum, Luminance& bright_in, SourceFinder& finder, Measurement& m) const;
-    Measurement measure_filled(const Luminance& lum, const Luminance& bright_in, double ev, SourceFinder& finder,
+    void glare(Luminance& lum, Luminance& classification_image, SourceFinder& finder, Measurement& m) const;
+    Measurement measure_filled(const Luminance& lum, const Luminance& classification_image, SourceFinder& finder,
                                const Measurement& m) const;
     void pixel_sets(const Luminance& lum, SourceFinder& finder, Measurement& m) const;
-    void background_and_dgp(double ev, double direct_lux, Measurement& m) const;
+    void background_and_dgp(const SourceFinder& finder, Measurement& m) const;
     void regions(const Luminance& lum, Measurement& m) const;
 
+    Methods methods_;
     Settings settings_;
-    Needs needs_;
+    Requirements requirements_;
     std::optional<image::MaskSet> regions_;
     image::DrawRegions draw_;
     std::vector<std::string> region_names_;

@@ -26,18 +26,19 @@ image::Moments moved(const std::vector<float>& moments, int pair, float up) {
 
 }  // namespace
 
-std::vector<double> moment_variances(const Meter& meter, const std::vector<Column>& columns, const Luminance& lum) {
+std::vector<double> moment_variances(const PictureAnalyzer& analyzer, const std::vector<Column>& columns,
+                                     const Luminance& lum) {
     std::vector<double> out(columns.size(), 0);
     const auto of_filled = [](const Column& c) { return c.of_filled; };
     if (!lum.moments || std::none_of(columns.begin(), columns.end(), of_filled)) return out;
     std::vector<std::vector<double>> seen(2 * moment_pairs);
     std::atomic<size_t> next{0};
     base::on_threads(std::min(base::processors(), unsigned(seen.size())), [&] {
-        const auto finder = meter.make_finder();
+        const auto finder = analyzer.make_finder();
         for (size_t k = next++; k < seen.size(); k = next++) {
             Luminance here = lum;
             here.moments = moved(*lum.moments, int(k / 2), k % 2 ? -1 : 1);
-            const Measurement m = meter.measure(here, here, *finder);
+            const Measurement m = analyzer.measure(here, here, *finder);
             for (const Column& c : columns) seen[k].push_back(c.of_filled ? c.value(m) : 0);
         }
     });

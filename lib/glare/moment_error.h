@@ -13,6 +13,7 @@ namespace glare {
 constexpr int moment_pairs = 4;
 
 // The variance of each column, of degrees of freedom `moment_pairs`; 0 of those that are not of filled pixels.
-std::vector<double> moment_variances(const Meter& meter, const std::vector<Column>& columns, const Luminance& lum);
+std::vector<double> moment_variances(const PictureAnalyzer& analyzer, const std::vector<Column>& columns,
+                                     const Luminance& lum);
 
 }  // namespace glare

@@ -8,10 +8,11 @@
 #include <vector>
 #include "base/error.h"
 #include "glare/formulas.h"
-#include "glare/position_index.h"
+#include "view/position_index.h"
 #include "glare/rammg.h"
 
 namespace glare {
+using view::PositionModel;
 
 struct Circle {
     int x = 0, y = 0;  // y from the bottom
@@ -29,11 +30,6 @@ struct Patches {
     int mode = 1;
 };
 
-// Shares of the luminance that red, green and blue give.
-struct Paint {
-    double red, green, blue;
-};
-
 enum class DgpForm {
     merged,  // sources found and merged as evalglare does
     pixel,   // every bright pixel is a source of its own
@@ -46,7 +42,6 @@ struct Settings {
     bool peaks = true;                             // -x off, -y on
     double peak_limit = 50000;                     // -Y, cd/m2
     std::optional<Circle> task;                    // -t, -T
-    bool task_painted = false;                     // -T
     std::string task_region;                       // -task NAME
     int field_cut = 0;                             // -G 1, 2, 3
     int background = 0;                            // -q 0, 1, 2
@@ -61,24 +56,34 @@ struct Settings {
     std::optional<Zones> zones;            // -l, -L
     std::optional<double> band_rad;        // -B: half height
     std::optional<std::string> mask_file;  // -A
-    int fast = 0;                          // -1, -2
-    double fast_direct = 0;                // -2 Edir
-    bool check_picture = false;            // -c
-    std::optional<Paint> source_paint;     // -u: of all sources; else five colours in turn
     bool force = false;                    // -f: a perspective picture with black corners is measured
     RammgArea rammg_area = RammgArea::view;
-    bool slips = false;  // -like evalglare: mirrored solid angles, its order of sums and truncations
 };
 
-// An input that evalglare refuses with words on stdout, and these words.
-struct Refusal : base::Error {
-    std::string evalglare_says;
-    Refusal(std::string place, std::string fact, std::string says)
-        : base::Error(base::Kind::input, std::move(place), std::move(fact)), evalglare_says(std::move(says)) {}
+// Pictures that are refused.
+struct BlackCorners : base::Error {
+    double percent;
+    BlackCorners(std::string place, double black_percent)
+        : base::Error(base::Kind::input, std::move(place),
+                      "the view is perspective (-vtv) but " + std::to_string(int(black_percent)) +
+                          " % of the corners are black, as in a fisheye picture; correct the view with -vt, or "
+                          "use -f to measure it all the same"),
+          percent(black_percent) {}
+};
+struct MaskSize : base::Error {
+    int width, height, mask_width, mask_height;
+    MaskSize(std::string place, int w, int h, int mask_w, int mask_h)
+        : base::Error(base::Kind::input, std::move(place),
+                      "the mask has " + std::to_string(mask_w) + " x " + std::to_string(mask_h) +
+                          " pixels, the picture " + std::to_string(w) + " x " + std::to_string(h)),
+          width(w),
+          height(h),
+          mask_width(mask_w),
+          mask_height(mask_h) {}
 };
 
-// What to work out beyond Ev and the luminance statistics that cost nothing.
-struct Needs {
+// What to calculate beyond Ev and the luminance statistics that cost nothing.
+struct Requirements {
     bool sources = true, rammg = true, medians = false, regions_in_full = false;
     bool filled = false;     // sources by what fills their pixels (filled.h), too
     bool all_light = false;  // all that reaches the eye, which a narrow view leaves out in part

@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <vector>
-#include "glare/connect.h"
+#include "glare/connected_components.h"
 
 namespace glare {
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From bright pixels to glare sources, in evalglare's order: connect, smooth (-s), extract peaks (-y),
-// split at zones (-l, -L); or fixed patches (-z) in place of connecting.  One GlareSource per group that kept pixels.
+// How the light of a picture is divided: photometry, glare sources, background.  One interface does all three, because
+// a background is the difference of two sums, which must be taken in one order.
 #pragma once
 #include <memory>
-#include <optional>
 #include <vector>
-#include "glare/check_picture.h"
-#include "glare/connect.h"
-#include "glare/evalglare_groups.h"
+#include "glare/connected_components.h"
+#include "glare/photometry.h"
 #include "glare/settings.h"
+#include "glare/statistics.h"
 
 namespace glare {
 
@@ -19,58 +18,72 @@ struct GlareSource {
     double eye_lux = 0;  // its share of the direct illuminance: sum L w cos
     int zone = 0;
     uint32_t group = 0;                          // evalglare's number, from 1
-    double P = 1, sigma_deg = 0, theta_deg = 0;  // theta: sigma, but for a slip of evalglare's
+    double P = 1, sigma_deg = 0, theta_deg = 0;  // theta: sigma, but in evalglare where the centre has no direction
     Vec3 direction;                              // of the pixel the centre falls into
 };
 
 class SourceFinder {
 public:
     SourceFinder(const Geometry& geometry, const Settings& settings);
-    std::vector<GlareSource> find(const Luminance& lum, double threshold);
-    // The same in two steps: groups, painted in the check picture; and what they are after zones have split them.
-    // Which pixels are bright, and which are peaks, is decided in `bright_in`.
-    void find_groups(const Luminance& lum, const Luminance& bright_in, double threshold);
-    std::vector<GlareSource> split(const Luminance& lum);
-    // The source pixels found last as they are in another picture: sources, and light at the eye.
-    std::vector<GlareSource> sums(const Luminance& lum) const;
-    double light_of_groups(const Luminance& lum) const;
-    void paint_band(const std::vector<uint32_t>& pixels);
-    const CheckPicture* check_picture() const { return check_ ? &*check_ : nullptr; }  // with -c
-    const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
-    double direct_lux() const { return direct_lux_; }
-    const std::vector<GlareSource>& before_zones() const { return before_zones_; }  // empty without zones
-    // DgpForm::pixel
-    std::vector<GlareTerm> every_pixel(const Luminance& lum, const Luminance& bright_in, double threshold) const;
+    virtual ~SourceFinder() = default;
 
-private:
-    void connect_as_evalglare();
-    void paint_task();
-    void paint_sources();
-    void smooth();
-    void extract_peaks(const Luminance& lum);
-    void split_zones(const Luminance& lum);
-    void paint_zones(const Vec3& centre, double inner, double outer);  // cosines
+    virtual Photometry photometry(const Luminance& lum) const { return glare::photometry(lum, geometry_); }
+    // Reference luminance of the threshold: the mean of the task area (-t), or of the picture.
+    virtual double reference_luminance(const Luminance& lum, double mean_lum) const;
+    // Groups of bright pixels.  Which pixels are bright, and which are peaks, is decided in `classification_image`.
+    virtual void find_groups(const Luminance& lum, const Luminance& classification_image, double threshold) = 0;
+    // The sources that were found, one for each group, split at the borders of zones (-l, -L).
+    virtual std::vector<GlareSource> split(const Luminance& lum) = 0;
+    // Of a band, a mask or a zone; between find_groups() and split().
+    virtual PixelStatistics statistics(const std::vector<uint32_t>& pixels, const Luminance& lum) const;
+    virtual void mark_band(const std::vector<uint32_t>&) {}
+    // Whether the sources are the whole: what is left of it is rounding.
+    virtual bool nothing_left(double rest, double whole) const { return rest < 1e-11 * whole; }
+
+    const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
+    const std::vector<Run>& runs_before_zones() const { return settings_.zones ? runs_before_zones_ : runs_; }
+    const std::vector<GlareSource>& sources_before_zones() const { return sources_before_zones_; }
+    double direct_lux() const { return direct_lux_; }
+
+protected:
+    // A pixel of a group.
+    struct GroupPixel {
+        uint32_t column_key, pixel, group;
+    };
+    // All pixels of runs(), columns from the left, in a column from the bottom: evalglare's order.
+    std::vector<GroupPixel> column_order() const;
+    bool searches() const { return radius_px_ >= 1; }  // the search radius is a pixel at least
 
     const Geometry& geometry_;
     const Settings& settings_;
     double radius_px_;
-    Connector connector_;
-    std::vector<Run> runs_, extra_;                  // extra: pixels that smoothing counts in a second group
-    std::vector<int> zone_of_group_;                 // by group number, empty without zones
-    std::vector<double> slipped_eye_lux_;            // by group number, evalglare's after zones; else empty
-    std::unique_ptr<EvalglareGroups> as_evalglare_;  // with settings.slips
-    std::optional<CheckPicture> check_;              // likewise, or with -c
-    std::vector<GlareSource> before_zones_;
-    uint32_t groups_ = 0;  // highest number in use
+    std::vector<Run> runs_, runs_before_zones_;
+    std::vector<GlareSource> sources_before_zones_;  // where evalglare's lines need them
     double direct_lux_ = 0;
 };
 
-// Where a source's centre is, and what follows from that: the pixel there, or the place inside of it.
-void place(GlareSource& source, const Geometry& geometry, const Settings& settings, bool inside_pixel);
+// Connected components of bright pixels, smoothed (-s), without their peaks (-y); or fixed patches (-z).
+class ConnectedSources final : public SourceFinder {
+public:
+    ConnectedSources(const Geometry& geometry, const Settings& settings);
+    void find_groups(const Luminance& lum, const Luminance& classification_image, double threshold) override;
+    std::vector<GlareSource> split(const Luminance& lum) override;
+
+private:
+    double light_of_groups(const Luminance& lum) const;
+    void smooth();
+    void extract_peaks(const Luminance& lum);
+    void split_zones();
+
+    ConnectedComponents components_;
+    std::vector<Run> extra_;          // pixels that smoothing counts in a second group
+    std::vector<int> zone_of_group_;  // by group number, empty without zones
+    uint32_t groups_ = 0;             // highest number in use
+};
 
 GlareTerms terms_of(const std::vector<GlareSource>& sources);
 // What the formulas need: of the sources that were found, or with DgpForm::pixel of every bright pixel.
-GlareTerms glare_terms(const SourceFinder& finder, const Luminance& lum, const Luminance& bright_in,
+GlareTerms glare_terms(const Luminance& lum, const Luminance& classification_image, const Geometry& geometry,
                        const Settings& settings, double threshold, const std::vector<GlareSource>& sources);
 
 // -z: group of every pixel on evalglare's staggered grid of patches; returns the number of patches.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 #include "base/error.h"
-#include "glare/detect.h"
+#include "glare/zones.h"
 #include "image/stream.h"
 
 namespace glare {
@@ -22,7 +22,7 @@ double percentile(const std::vector<double>& sorted, double p) {
 }  // namespace
 
 PixelStatistics statistics_of(const std::vector<uint32_t>& pixels, const std::function<double(size_t)>& lum_at,
-                              const Geometry& g, bool slips) {
+                              const Geometry& g) {
     PixelStatistics s;
     s.pixels = long(pixels.size());
     std::vector<double> sorted;
@@ -41,8 +41,8 @@ PixelStatistics statistics_of(const std::vector<uint32_t>& pixels, const std::fu
     std::sort(sorted.begin(), sorted.end());
     const size_t n = sorted.size();
     s.median = n % 2 ? sorted[n / 2] : (sorted[n / 2 - 1] + sorted[n / 2]) / 2;
-    const double variance = squares / n - sum / n * (sum / n);
-    s.deviation = std::sqrt(slips ? variance : std::max(variance, 0.0));
+    s.variance = squares / n - sum / n * (sum / n);
+    s.deviation = std::sqrt(std::max(s.variance, 0.0));
     s.p75 = percentile(sorted, 0.75);
     s.p95 = percentile(sorted, 0.95);
     s.lowest = sorted.front();
@@ -64,28 +64,18 @@ std::vector<uint32_t> band_pixels(const Geometry& g, double half_rad) {
     return out;
 }
 
-std::vector<uint32_t> zone_pixels(const Geometry& g, const Zones& zones, int zone, bool slips) {
+std::vector<uint32_t> zone_pixels(const Geometry& g, const Zones& zones, int zone) {
+    const ZoneBorders borders(g, zones);
     std::vector<uint32_t> out;
-    const Vec3 centre = g.direction(zones.inner.x, zones.inner.y);
-    const double inner = inside_cosine(zones.inner.opening),
-                 outer = zones.outer_opening ? inside_cosine(*zones.outer_opening) : 2;
-    for (size_t i = 0; i < g.omega.size(); ++i) {
-        if (!g.valid(i)) continue;
-        const double c = dot(centre, g.direction(i));
-        if ((inside(c, inner, slips) ? 1 : inside(c, outer, slips) ? 2 : 0) == zone) out.push_back(uint32_t(i));
-    }
+    for (size_t i = 0; i < g.omega.size(); ++i)
+        if (g.valid(i) && borders.zone_of(i) == zone) out.push_back(uint32_t(i));
     return out;
 }
 
 std::vector<uint32_t> mask_pixels(const std::string& file, const Geometry& g) {
     image::Picture mask = image::read_file(file);
     if (mask.width != g.width || mask.height != g.height)
-        throw Refusal(file,
-                      "the mask has " + std::to_string(mask.width) + " x " + std::to_string(mask.height) +
-                          " pixels, the picture " + std::to_string(g.width) + " x " + std::to_string(g.height),
-                      "resolution main image : " + std::to_string(g.width) + "x" + std::to_string(g.height) +
-                          "\nresolution masking image : " + std::to_string(mask.width) + "x" +
-                          std::to_string(mask.height) + "\n");
+        throw MaskSize(file, g.width, g.height, mask.width, mask.height);
     const Luminance lum = make_luminance(mask);
     std::vector<uint32_t> out;
     for (size_t i = 0; i < lum.size(); ++i)

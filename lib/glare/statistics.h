@@ -14,16 +14,17 @@ namespace glare {
 struct PixelStatistics {
     long pixels = 0;
     double omega = 0, mean = 0, median = 0, deviation = 0, p75 = 0, p95 = 0, lowest = 0, highest = 0, eye_lux = 0;
+    double variance = 0;  // below 0 by rounding: the deviation is 0
 };
 
-// `lum_at`: a pixel's luminance.  A deviation that rounding carries below 0 is 0, or with `slips` not a number.
+// `lum_at`: a pixel's luminance.
 PixelStatistics statistics_of(const std::vector<uint32_t>& pixels, const std::function<double(size_t)>& lum_at,
-                              const Geometry& geometry, bool slips = false);
+                              const Geometry& geometry);
 
 // Horizontal band: valid pixels within `half_rad` of the middle row's pixel of their column, and the middle row.
 std::vector<uint32_t> band_pixels(const Geometry& geometry, double half_rad);
 // Zone 1: inside the inner circle; zone 2: between the circles.
-std::vector<uint32_t> zone_pixels(const Geometry& geometry, const Zones& zones, int zone, bool slips = false);
+std::vector<uint32_t> zone_pixels(const Geometry& geometry, const Zones& zones, int zone);
 // Valid pixels where a mask picture is brighter than 0.1 cd/m2; throws Error if the size differs.
 std::vector<uint32_t> mask_pixels(const std::string& file, const Geometry& geometry);
 

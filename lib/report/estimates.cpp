@@ -32,8 +32,8 @@ glare::Luminance as_luminance(std::vector<float>& grey, const glare::Geometry& g
 
 }  // namespace
 
-ColumnEstimates::ColumnEstimates(const glare::Meter& meter, const std::vector<glare::Column>& columns)
-    : meter_(meter), columns_(columns) {
+ColumnEstimates::ColumnEstimates(const glare::PictureAnalyzer& analyzer, const std::vector<glare::Column>& columns)
+    : analyzer_(analyzer), columns_(columns) {
     restart();
 }
 
@@ -50,8 +50,8 @@ void ColumnEstimates::add(const glare::Luminance& mean, int64_t n) {
 }
 
 std::vector<bool> ColumnEstimates::counts() const {
-    std::vector<bool> out(meter_.geometry().omega.size());
-    for (size_t i = 0; i < out.size(); ++i) out[i] = meter_.geometry().valid(i);
+    std::vector<bool> out(analyzer_.geometry().omega.size());
+    for (size_t i = 0; i < out.size(); ++i) out[i] = analyzer_.geometry().valid(i);
     return out;
 }
 
@@ -68,7 +68,7 @@ void ColumnEstimates::find_frame0_error() {
         const image::SeedRanges& from = first[k].from;
         if (first[k].frames != 1 || from.empty() || from[0].second[0].first != int64_t(k) + 1) return;
     }
-    const glare::Geometry& g = meter_.geometry();
+    const glare::Geometry& g = analyzer_.geometry();
     if (first.size() > 2) frame0_error_ = uncertainty::frame0_error(first, g.width, g.height, counts());
 }
 
@@ -86,27 +86,29 @@ uncertainty::Values ColumnEstimates::values(const glare::Measurement& m, bool re
 
 void ColumnEstimates::look(const glare::Luminance& lum, const glare::Measurement& m) {
     pass_look();
-    const glare::Geometry& g = meter_.geometry();
+    const glare::Geometry& g = analyzer_.geometry();
     uncertainty::GrowingMean mean{lum.width, lum.height, lum.grey, &parts(), nullptr, counts()};
     if (!frame0_error_.empty()) mean.frame0_error = &frame0_error_;
 
     uncertainty::Metrics metrics;
     for (const glare::Column& c : columns_) metrics.quantities.push_back(c.quantity);
     metrics.measure = [&] {
-        const std::shared_ptr<glare::SourceFinder> finder = meter_.make_finder();
+        const std::shared_ptr<glare::SourceFinder> finder = analyzer_.make_finder();
         return [this, finder, &g, &lum](std::vector<float>& image, std::vector<float>& classification) {
-            glare::Luminance own = as_luminance(image, g, lum.moments), bright_in = as_luminance(classification, g);
-            return values(meter_.measure(own, &image == &classification ? own : bright_in, *finder), false);
+            glare::Luminance own = as_luminance(image, g, lum.moments),
+                             classification_image = as_luminance(classification, g);
+            return values(analyzer_.measure(own, &image == &classification ? own : classification_image, *finder),
+                          false);
         };
     };
     metrics.measure_regions = [&](std::vector<float>& image) {
-        return values(meter_.measure_regions(as_luminance(image, g)), true);
+        return values(analyzer_.measure_regions(as_luminance(image, g)), true);
     };
-    if (meter_.needs().sources) metrics.threshold = float(m.threshold / glare::cdm2_per_grey);
+    if (analyzer_.requirements().sources) metrics.threshold = float(m.threshold / glare::cdm2_per_grey);
     metrics.filter_radius = filter_radius(g);
     const std::vector<uncertainty::Estimate> before = std::move(own_);
     own_ = uncertainty::estimate(mean, metrics, values(m, false));
-    const std::vector<double> of_moments = glare::moment_variances(meter_, columns_, lum);
+    const std::vector<double> of_moments = glare::moment_variances(analyzer_, columns_, lum);
     for (size_t c = 0; c < own_.size(); ++c) uncertainty::add_error(own_[c], of_moments[c], glare::moment_pairs);
     estimates_ = own_;
     for (size_t c = 0; c < before.size(); ++c) {

@@ -15,7 +15,7 @@ namespace report {
 
 class ColumnEstimates {
 public:
-    ColumnEstimates(const glare::Meter& meter, const std::vector<glare::Column>& columns);
+    ColumnEstimates(const glare::PictureAnalyzer& analyzer, const std::vector<glare::Column>& columns);
 
     void restart();                                     // another sum begins
     void add(const glare::Luminance& mean, int64_t n);  // L'(n)
@@ -32,7 +32,7 @@ private:
     std::vector<bool> counts() const;
     void find_frame0_error();
     uncertainty::Values values(const glare::Measurement& m, bool regions_alone) const;
-    const glare::Meter& meter_;
+    const glare::PictureAnalyzer& analyzer_;
     const std::vector<glare::Column>& columns_;
     image::GrowingParts growing_;
     std::vector<image::Part> taken_;

@@ -15,6 +15,7 @@ lib/generators: base cal
 lib/scene: base cal generators kernels
 lib/uncertainty: base image
 lib/glare: base view image uncertainty
+lib/evalglare: base view glare
 lib/report: base view image uncertainty glare
 lib/region: base view image display
 lib/bvh: base kernels
@@ -25,7 +26,7 @@ lib/render: base view image scene flatten device sampling kernels
 lib/visibility: base region scene bvh flatten
 lib/live: base view image display
 tools/ptaccum: base view image film display
-tools/vcmetrics: base view image display uncertainty glare report region
+tools/vcmetrics: base view image display uncertainty glare evalglare report region
 tools/vcregion: base view image region visibility
 tools/vcview: base live
 tools/ptrace: base view image region scene render

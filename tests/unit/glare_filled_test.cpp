@@ -57,11 +57,11 @@ struct SunPicture {
 std::map<std::string, double> measured(image::Picture p, const std::vector<std::string>& names) {
     ColumnChoice choice;
     choice.names = names;
-    Needs needs;
+    Requirements requirements;
     const Settings settings;
-    const std::vector<Column> columns = choose_columns(choice, settings, needs);
-    Meter meter(settings, needs);
-    const Measurement m = meter.measure(p, "picture");
+    const std::vector<Column> columns = choose_columns(choice, settings, requirements);
+    PictureAnalyzer analyzer(settings, requirements);
+    const Measurement m = analyzer.measure(p, "picture");
     std::map<std::string, double> out;
     for (const Column& c : columns) out[c.name] = c.value(m);
     return out;
@@ -130,9 +130,9 @@ TEST_CASE("intervals of filled pixels know the error of their variance") {
     std::normal_distribution<double> noise;
     ColumnChoice choice;
     choice.names = {"DGPf"};
-    Needs needs;
+    Requirements requirements;
     const Settings settings;
-    const std::vector<Column> columns = choose_columns(choice, settings, needs);
+    const std::vector<Column> columns = choose_columns(choice, settings, requirements);
     int covered = 0;
     constexpr int streams = 200;
     for (int s = 0; s < streams; ++s) {
@@ -143,14 +143,14 @@ TEST_CASE("intervals of filled pixels know the error of their variance") {
             moments[i] = float((first + second) / 2), moments[i + 1] = float((first - second) / 2);
         }
         p.moments = std::make_shared<const std::vector<float>>(std::move(moments));
-        Meter meter(settings, needs);
-        ColumnEstimates estimates(meter, columns);
+        PictureAnalyzer analyzer(settings, requirements);
+        ColumnEstimates estimates(analyzer, columns);
         for (int n = 1; n <= 4; ++n) {
             image::Picture step = p;
             for (float& value : step.rgb) value *= float(1 + 1e-4 * noise(random) / n);
-            Luminance lum = meter.read(step, "step");
+            Luminance lum = analyzer.read(step, "step");
             estimates.add(lum, n);
-            const Measurement measurement = meter.measure(lum, "step");
+            const Measurement measurement = analyzer.measure(lum, "step");
             if (estimates.due()) estimates.look(lum, measurement);
         }
         const uncertainty::Interval off = estimates.estimate(0).around(.05, 4);

@@ -55,8 +55,8 @@ double rect_rammg(int w, int h, const std::vector<double>& cdm2) {
 TEST_CASE("a uniform dome") {
     const int n = 256;
     image::Picture p = picture(n, n, std::vector<double>(size_t(n) * n, 1000));
-    Meter meter({}, {}, {});
-    const Measurement m = meter.measure(p, "dome", fisheye());
+    PictureAnalyzer analyzer({}, {}, {});
+    const Measurement m = analyzer.measure(p, "dome", fisheye());
     CHECK(m.ev == doctest::Approx(1000 * pi).epsilon(1e-4));
     CHECK(m.omega == doctest::Approx(2 * pi).epsilon(1e-4));
     CHECK(m.mean_lum == doctest::Approx(1000).epsilon(1e-6));

@@ -108,9 +108,9 @@ image::MaskSet screen() {
 
 struct Room {
     Settings settings;
-    Needs needs;
+    Requirements requirements;
     std::vector<Column> columns;
-    std::unique_ptr<Meter> meter;
+    std::unique_ptr<PictureAnalyzer> analyzer;
     std::vector<double> truth;
     explicit Room(const std::vector<std::string>& names, DgpForm form = DgpForm::merged,
                   std::vector<double> exact_cdm2 = ::room(), std::optional<double> band = {}) {
@@ -121,23 +121,24 @@ struct Room {
         ColumnChoice choice;
         choice.names = names;
         if (regions) choice.regions = {"low", "high"}, choice.pairs = {{"low", "high", "screen"}};
-        columns = choose_columns(choice, settings, needs);
-        meter = std::make_unique<Meter>(settings, needs, regions ? std::optional(screen()) : std::nullopt);
+        columns = choose_columns(choice, settings, requirements);
+        analyzer =
+            std::make_unique<PictureAnalyzer>(settings, requirements, regions ? std::optional(screen()) : std::nullopt);
         image::Picture exact = fisheye_of(exact_cdm2, width);
-        const Measurement m = meter->measure(exact, "room");
+        const Measurement m = analyzer->measure(exact, "room");
         for (const Column& c : columns) truth.push_back(c.value(m));
     }
     // Looks at a stream until done() or so many frames.
     void watch(Stream& stream, int64_t most, ColumnEstimates& estimates, const std::function<bool()>& done) {
         const int width = int(std::sqrt(double(stream.frame0().size())));
         image::Picture p = fisheye_of(stream.frame0(), width);
-        meter->read(p, "frame 0");
+        analyzer->read(p, "frame 0");
         while (stream.frames() < most) {
             p = fisheye_of(stream.next(), width);
-            Luminance lum = meter->read(p, "sum");
+            Luminance lum = analyzer->read(p, "sum");
             estimates.add(lum, stream.frames());
             if (!estimates.due()) continue;
-            const Measurement m = meter->measure(lum, "sum");
+            const Measurement m = analyzer->measure(lum, "sum");
             estimates.look(lum, m);
             if (done()) return;
         }
@@ -166,10 +167,10 @@ TEST_CASE("DGP without the bias of squares") {
     double unbiased = 0, squares = 0, taken_off = 0, squares_off = 0;
     for (int seed = 1; seed <= seeds; ++seed) {
         Stream stream(::room(), gaussian, uint32_t(seed), 1e9);
-        ColumnEstimates estimates(*room.meter, room.columns);
+        ColumnEstimates estimates(*room.analyzer, room.columns);
         room.watch(stream, frames, estimates, [] { return false; });
         image::Picture p = fisheye_of(stream.last(), side);
-        const double value = estimates.estimate(0).value, off = room.meter->measure(p, "sum").dgp - value;
+        const double value = estimates.estimate(0).value, off = room.analyzer->measure(p, "sum").dgp - value;
         unbiased += value / seeds, squares += value * value / seeds;
         taken_off += off / seeds, squares_off += off * off / seeds;
     }
@@ -201,7 +202,7 @@ TEST_CASE("each column has an interval that moves when noise moves, or is listed
     std::vector<double> width[2];
     for (const int k : {0, 1}) {
         Stream stream(::room(), noisy(k ? .08 : .02), 7, 1e9);
-        ColumnEstimates estimates(*room.meter, room.columns);
+        ColumnEstimates estimates(*room.analyzer, room.columns);
         room.watch(stream, 23, estimates, [] { return false; });
         for (size_t c = 0; c < room.columns.size(); ++c)
             width[k].push_back(estimates.estimate(c).half_width(uncertainty::alpha, 23));
@@ -218,7 +219,7 @@ TEST_CASE("each column has an interval that moves when noise moves, or is listed
 TEST_CASE("without noise the de-biased metrics are the plain ones, and no interval is claimed") {
     Room room({"DGP", "RAMMG"});
     Stream stream(::room(), quiet, 1);
-    ColumnEstimates estimates(*room.meter, room.columns);
+    ColumnEstimates estimates(*room.analyzer, room.columns);
     room.watch(stream, 40, estimates, [] { return false; });
     for (size_t c = 0; c < 2; ++c) {
         CHECK(estimates.estimate(c).value == doctest::Approx(room.truth[c]).epsilon(1e-5));
@@ -243,7 +244,7 @@ TEST_CASE("intervals cover the truth when the rule stops, also with heavy tails"
         for (int seed = 1; seed <= seeds; ++seed) {
             UntilRule until(rule);
             Stream stream(::room(), c.sample, uint32_t(1000 + seed));
-            ColumnEstimates estimates(*room.meter, room.columns);
+            ColumnEstimates estimates(*room.analyzer, room.columns);
             bool held = false;
             room.watch(stream, 400, estimates, [&] {
                 const Estimate& e = estimates.estimate(0);
@@ -274,7 +275,7 @@ TEST_CASE("intervals know frame 0's own error") {
         int covered = 0;
         for (int seed = 1; seed <= seeds; ++seed) {
             Stream stream(mean, rare, uint32_t(seed), 1e9, 1);
-            ColumnEstimates estimates(*room.meter, room.columns);
+            ColumnEstimates estimates(*room.analyzer, room.columns);
             room.watch(stream, frames, estimates, [] { return false; });
             covered += holds(estimates.estimate(0), room.truth[0]);
         }

@@ -63,17 +63,17 @@ struct Study {
     template <class Stream>
     void run(const std::vector<double>& exact_cdm2, const std::function<Stream(uint32_t)>& stream_of) {
         Settings settings;
-        Needs needs;
+        Requirements requirements;
         ColumnChoice choice;
         choice.names = {metric};
-        const std::vector<Column> columns = choose_columns(choice, settings, needs);
-        Meter meter(settings, needs);
+        const std::vector<Column> columns = choose_columns(choice, settings, requirements);
+        PictureAnalyzer analyzer(settings, requirements);
         side = int(std::sqrt(double(exact_cdm2.size())));
         image::Picture exact = fisheye_of(exact_cdm2, side, 60);
-        truth = columns[0].value(meter.measure(exact, "truth"));
+        truth = columns[0].value(analyzer.measure(exact, "truth"));
         covered.assign(looks.size(), 0), known.assign(looks.size(), 0), tails.assign(looks.size(), 0);
         for (auto* sums : {&plain, &unbiased, &half_width, &deviation}) sums->assign(looks.size(), 0);
-        for (int seed = 1; seed <= seeds; ++seed) one(stream_of(uint32_t(seed)), meter, columns);
+        for (int seed = 1; seed <= seeds; ++seed) one(stream_of(uint32_t(seed)), analyzer, columns);
         for (size_t k = 0; k < looks.size(); ++k)
             deviation[k] = std::sqrt(std::max(0., deviation[k] - unbiased[k] * unbiased[k]));
     }
@@ -89,15 +89,15 @@ struct Study {
 
 private:
     template <class Stream>
-    void one(Stream stream, Meter& meter, const std::vector<Column>& columns) {
-        ColumnEstimates estimates(meter, columns);
+    void one(Stream stream, PictureAnalyzer& analyzer, const std::vector<Column>& columns) {
+        ColumnEstimates estimates(analyzer, columns);
         size_t look = 0;
         for (int64_t n = 1; n <= looks.back(); ++n) {
             image::Picture p = fisheye_of(stream.next(), side, 60);
-            Luminance lum = meter.read(p, "sum");
+            Luminance lum = analyzer.read(p, "sum");
             estimates.add(lum, n);
             if (!estimates.due()) continue;
-            const Measurement m = meter.measure(lum, "sum");
+            const Measurement m = analyzer.measure(lum, "sum");
             estimates.look(lum, m);
             if (n != looks[look]) continue;
             const uncertainty::Estimate& e = estimates.estimate(0);

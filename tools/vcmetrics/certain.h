@@ -9,8 +9,9 @@
 class Steps {
 public:
     // Looks before `first_look` frames are left out.  tells: of pictures that are no steps.
-    Steps(const glare::Meter& meter, const std::vector<glare::Column>& columns, int64_t first_look, bool tells)
-        : estimates_(meter, columns), first_look_(first_look), tells_(tells) {}
+    Steps(const glare::PictureAnalyzer& analyzer, const std::vector<glare::Column>& columns, int64_t first_look,
+          bool tells)
+        : estimates_(analyzer, columns), first_look_(first_look), tells_(tells) {}
 
     // A picture's luminance, before it is measured.
     void add(const image::Picture& picture, const glare::Luminance& lum, const std::string& place);

@@ -59,7 +59,7 @@ void declare_definitions(OptionTable& t, Options& o) {
     t.group("Definitions");
     t.add("-task name", "Take the threshold from this region: 5 times its mean luminance", o.settings.task_region);
     t.add("-like program", "Print and measure as evalglare or accelerad does", [&](Arguments& a) {
-        speak_as(a.one_of({"evalglare", "accelerad"}) ? Like::accelerad : Like::evalglare, o);
+        apply_compatibility(a.one_of({"evalglare", "accelerad"}) ? OutputMode::accelerad : OutputMode::evalglare, o);
     });
     t.add("-dgp form", "DGP as evalglare; paper: its constants 0.16 and 0.0918; pixel: every bright pixel is a source",
           [&](Arguments& a) { define_dgp(a, o.settings); })
@@ -75,10 +75,10 @@ void declare_definitions(OptionTable& t, Options& o) {
 
 }  // namespace
 
-void speak_as(Like program, Options& o) {
-    o.like = program;
-    if (program == Like::evalglare) o.settings.slips = true;
-    if (program != Like::accelerad) return;
+void apply_compatibility(OutputMode program, Options& o) {
+    o.mode = program;
+    if (program == OutputMode::evalglare) o.evalglare_bug_compatible = true;
+    if (program != OutputMode::accelerad) return;
 
     // AcceleradRT: every bright pixel, older position index, always corrected
     o.format = report::TableFormat::csv;

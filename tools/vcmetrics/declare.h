@@ -9,4 +9,4 @@ void declare_options(base::OptionTable& table, Options& options, view::View& vie
 void declare_evalglares_options(base::OptionTable& table, Options& options);
 
 // "-like evalglare", which some of evalglare's options imply, and "-like accelerad".
-void speak_as(Like program, Options& options);
+void apply_compatibility(OutputMode program, Options& options);

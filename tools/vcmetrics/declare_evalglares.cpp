@@ -36,7 +36,7 @@ void read_patches(Arguments& a, Options& o) {
     patches.angle_deg = a.real();
     patches.mode = int(a.integer(base::within(1, 3)));
     o.settings.patches = patches;
-    if (patches.mode == 3) speak_as(Like::evalglare, o);
+    if (patches.mode == 3) apply_compatibility(OutputMode::evalglare, o);
 }
 
 void read_low_light(Arguments& a, glare::Settings& s) {
@@ -60,7 +60,7 @@ void declare_sources(OptionTable& t, Options& o) {
           [&](Arguments& a) { s.task = circle(a); });
     t.add("-T x y angle", "The same", [&](Arguments& a) {
         s.task = circle(a);
-        s.task_painted = true;
+        o.evalglare.task_painted = true;
     });
     t.add("-r angle", "Search radius between pixels of one source, an opening angle", s.search_opening)
         .unit("radians")
@@ -108,10 +108,9 @@ void declare_measures(OptionTable& t, glare::Settings& s) {
 
 // What only evalglare's lines have: each implies -like evalglare.
 void declare_lines(OptionTable& t, Options& o) {
-    glare::Settings& s = o.settings;
     const auto implies = [&](auto& variable, auto value) {
         return [&o, &variable, value](Arguments&) {
-            speak_as(Like::evalglare, o);
+            apply_compatibility(OutputMode::evalglare, o);
             variable = value;
         };
     };
@@ -119,31 +118,30 @@ void declare_lines(OptionTable& t, Options& o) {
     t.add("-d", "The detailed lines", implies(o.evalglare.detailed, true));
     t.add("-D", "The line with Ev and the largest luminance", implies(o.evalglare.dgp_and_ev, true));
     t.add("-V", "Print only Ev; the status is 1, as evalglare's", implies(o.evalglare.ev_only, true));
-    t.add("-1", "The fast DGP, of -i Ev", implies(s.fast, 1));
+    t.add("-1", "The fast DGP, of -i Ev", implies(o.evalglare.fast, 1));
     t.add("-2 Edir", "The fast DGP and UGR", [&](Arguments& a) {
-        speak_as(Like::evalglare, o);
-        s.fast = 2;
-        s.fast_direct = a.real();
+        apply_compatibility(OutputMode::evalglare, o);
+        o.evalglare.fast = 2;
+        o.evalglare.fast_direct = a.real();
     });
-    t.add("-3", "The third fast mode: prints nothing", implies(s.fast, 3));
+    t.add("-3", "The third fast mode: prints nothing", implies(o.evalglare.fast, 3));
 }
 
-void read_colour(Arguments& a, glare::Settings& s) {
+void read_colour(Arguments& a, evalglare::Settings& s) {
     const base::Vec3 c = a.vec();
     const double sum = c.x + c.y + c.z;
     if (!(c.x >= 0 && c.y >= 0 && c.z >= 0 && sum > 0)) base::fail(a.name(), "a colour has no negative part and a sum");
-    s.source_paint = glare::Paint{c.x / sum, c.y / sum, c.z / sum};
+    s.source_paint = evalglare::Paint{c.x / sum, c.y / sum, c.z / sum};
 }
 
 void declare_check_picture(OptionTable& t, Options& o) {
     t.group("evalglare's: its check picture");
     t.add("-c file", "Write a grey picture with the sources, task (-T) and zones in colours", [&](Arguments& a) {
         o.check_file = a.text();
-        o.settings.check_picture = true;
         display::require_writable_ending(o.check_file);
     });
     t.add("-u r g b", "One colour for all sources in it, as shares of their luminance", [&](Arguments& a) {
-         read_colour(a, o.settings);
+         read_colour(a, o.evalglare);
      }).default_text("five colours in turn");
 }
 

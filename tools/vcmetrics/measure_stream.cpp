@@ -7,6 +7,8 @@
 #include "base/run.h"
 #include "base/stop.h"
 #include "certain.h"
+#include "evalglare/output.h"
+#include "evalglare/source_finder.h"
 #include "glare/columns.h"
 #include "display/file.h"
 #include "image/header.h"
@@ -38,7 +40,7 @@ void require_measurable(const image::Picture& p, const std::string& place) {
 
 // evalglare knows neither PRIMARIES= nor COLORCORR=.
 image::Pixels pixels_for(const Options& o) {
-    return o.settings.slips ? image::Pixels::exposed : image::Pixels::radiance;
+    return o.evalglare_bug_compatible ? image::Pixels::exposed : image::Pixels::radiance;
 }
 
 // Diffuse frames in a sum, else the number of a single frame, else the place in the stream.
@@ -64,17 +66,21 @@ public:
         if (!o.regions_file.empty()) regions_ = region::open(o.regions_file, draw, true);
         ColumnChoice choice;
         choice.names = o.metrics;
-        choice.accelerad = o.like == Like::accelerad;
+        choice.accelerad = o.mode == OutputMode::accelerad;
         if (regions_)
             for (const image::Mask& m : regions_->masks) choice.regions.push_back(m.name);
         if (!o.until.empty()) choice.hidden = pixel_columns(UntilRule(o.until));
         for (const std::string& p : o.contrast_pairs) choice.pairs.push_back(parse_pair(p, choice.regions));
-        Needs needs;
-        columns_ = choose_columns(choice, o.settings, needs);
+        Requirements requirements;
+        columns_ = choose_columns(choice, o.settings, requirements);
         stopping_ = std::make_unique<Stopping>(o, columns_);
-        if (o.like == Like::evalglare) needs = {true, false, o.evalglare.detailed || o.settings.mask_file, false};
-        if (o.list_sources || o.settings.check_picture) needs.sources = true;
-        meter_ = std::make_unique<Meter>(o.settings, needs, std::move(regions_), std::move(draw));
+        if (o.mode == OutputMode::evalglare)
+            requirements = {true, false, o.evalglare.detailed || o.settings.mask_file, false};
+        if (o.list_sources || !o.check_file.empty()) requirements.sources = true;
+        if (o.evalglare_bug_compatible) requirements.filled = false;
+        analyzer_ =
+            std::make_unique<PictureAnalyzer>(o.settings, requirements, std::move(regions_), std::move(draw),
+                                              o.evalglare_bug_compatible ? evalglare::methods(o.evalglare) : Methods{});
         bool shown = o.ci.has_value();
         bool watches_pixels = false, needs_steps = shown || !o.until.empty();
         for (const Column& c : columns_) {
@@ -83,8 +89,8 @@ public:
             watches_pixels |= !c.printed;
         }
         const int64_t first_look = shown ? 0 : watches_pixels ? Stopping::least_frames_of_pixels : least_frames;
-        if (shown || !o.until.empty()) steps_ = std::make_unique<Steps>(*meter_, columns_, first_look, needs_steps);
-        if (o.like == Like::accelerad) names_ = {"Time", "Frame"};
+        if (shown || !o.until.empty()) steps_ = std::make_unique<Steps>(*analyzer_, columns_, first_look, needs_steps);
+        if (o.mode == OutputMode::accelerad) names_ = {"Time", "Frame"};
         else names_ = from_files ? std::vector<std::string>{"file"} : std::vector<std::string>{"frame", "seconds"};
         if (o.list_sources)
             names_.insert(names_.end(), {"source", "pixels", "x", "y", "omega", "L", "P", "sigma", "xdir", "ydir",
@@ -95,7 +101,7 @@ public:
     // Values of one picture, and the names they have.
     std::vector<double> values(image::Picture& p, const std::string& place) {
         require_measurable(p, place);
-        const Measurement m = meter_->measure(p, place, o_.view);
+        const Measurement m = analyzer_->measure(p, place, o_.view);
         std::vector<double> out;
         for (const Column& c : columns_) out.push_back(c.printed_unbiased && !c.of_filled ? std::nan("") : c.value(m));
         return out;
@@ -114,24 +120,25 @@ public:
         Luminance lum;
         Measurement m;
         try {
-            lum = meter_->read(p, place, o_.view);
+            lum = analyzer_->read(p, place, o_.view);
             if (steps_) steps_->add(p, lum, place);
-            m = meter_->measure(lum, place);
-        } catch (const Refusal& refusal) {
-            if (o_.like == Like::evalglare) print(refusal.evalglare_says);
+            m = analyzer_->measure(lum, place);
+        } catch (const base::Error& refusal) {
+            const std::string text = o_.mode == OutputMode::evalglare ? evalglare::stdout_text(refusal) : "";
+            if (!text.empty()) print(text);
             throw;
         }
-        if (o_.settings.check_picture) write_check_picture(p);
+        if (!o_.check_file.empty()) write_check_picture(p, lum);
         const bool looked = steps_ && steps_->look(lum, m);
-        if (o_.like == Like::evalglare) {
-            print(evalglare_lines(m, o_.settings, o_.evalglare, *meter_));
+        if (o_.mode == OutputMode::evalglare) {
+            print(evalglare::lines(m, o_.evalglare, *analyzer_));
             return false;
         }
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
         const Cell frame_cell = number_cell(double(frame), 15);
         const Cell seconds_cell = number_cell(from_files_ ? 0 : std::round(seconds * 1000) / 1000, 9);
         std::vector<Cell> cells = {frame_cell, seconds_cell};
-        if (o_.like == Like::accelerad) cells = {seconds_cell, frame_cell};
+        if (o_.mode == OutputMode::accelerad) cells = {seconds_cell, frame_cell};
         else if (from_files_) cells = {text_cell(file)};
         if (!header_printed_) {
             show_names(p.header, cells.size());
@@ -203,11 +210,11 @@ private:
                 out += (out.empty() ? "" : " ") + columns_[k].name;
         return out.empty() ? "-" : out;
     }
-    void write_check_picture(const image::Picture& measured) {
+    void write_check_picture(const image::Picture& measured, const Luminance& lum) {
         image::Picture check;
         check.width = measured.width;
         check.height = measured.height;
-        check.rgb = meter_->finder().check_picture()->rgb();
+        check.rgb = evalglare::draw_check_picture(lum, *analyzer_, o_.evalglare);
         check.header.lines = measured.header.lines;
         check.header.view = o_.view ? o_.view : measured.header.view;
         image::add_history(check.header, o_.command);
@@ -233,7 +240,7 @@ private:
     std::chrono::steady_clock::time_point start_;
     bool from_files_, header_printed_ = false, shows_view_ = false, shows_sky_ = false;
     std::optional<image::MaskSet> regions_;
-    std::unique_ptr<Meter> meter_;
+    std::unique_ptr<PictureAnalyzer> analyzer_;
     std::vector<Column> columns_;
     std::vector<std::string> names_;
     std::unique_ptr<Steps> steps_;  // where intervals or values from batches are asked for
@@ -260,7 +267,7 @@ int measure_all(const Options& o) {
         printer.end_input(file == "-" ? "stdin" : file);
     }
     printer.at_end();
-    if (o.like == Like::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
+    if (o.mode == OutputMode::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
     return printer.status();
 }
 
@@ -268,7 +275,7 @@ report::NumberTable measure_table(const Options& options, const std::string& fil
                                   const std::vector<std::string>& metrics) {
     Options o = options;
     o.metrics = metrics;
-    if (o.like == Like::evalglare) o.like = Like::vcmetrics;  // its rounding stays, the columns are ours
+    if (o.mode == OutputMode::evalglare) o.mode = OutputMode::vcmetrics;  // its rounding stays, the columns are ours
     Printer printer(o, true);
     NumberTable table{file, printer.value_names(), {"frame"}, {}, {}};
     image::StreamReader reader(file, pixels_for(o));

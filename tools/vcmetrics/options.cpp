@@ -44,13 +44,13 @@ void check_said(const base::OptionTable& t, const Options& o) {
 
 void check(const Options& o) {
     if (o.settings.mask_file && o.settings.zones) base::fail("-A", "a mask and zones (-l, -L) cannot be used together");
-    if (o.like != Like::vcmetrics && !o.compare && (o.list_sources || !o.metrics.empty()))
+    if (o.mode != OutputMode::vcmetrics && !o.compare && (o.list_sources || !o.metrics.empty()))
         base::fail("-like", "prints its own columns and cannot be used with -metrics or -sources");
-    if (o.like != Like::vcmetrics && !o.until.empty())
+    if (o.mode != OutputMode::vcmetrics && !o.until.empty())
         base::fail("-until", "works on vcmetrics' own columns and cannot be used with -like");
     if (o.list_sources && !o.until.empty()) base::fail("-until", "works on metrics and cannot be used with -sources");
     const bool intervals = o.ci || !o.until.empty();
-    if (o.ci && (o.like != Like::vcmetrics || o.list_sources || o.compare))
+    if (o.ci && (o.mode != OutputMode::vcmetrics || o.list_sources || o.compare))
         base::fail("-ci", "works on vcmetrics' own columns and cannot be used with -like, -sources or -compare");
     if (intervals && (o.settings.field_cut || o.settings.fill))
         base::fail(o.ci ? "-ci" : "-until", "needs the whole picture as it is and cannot be used with -G or -I");
@@ -60,8 +60,8 @@ void check(const Options& o) {
     if (!o.compare) return;
 
     if (o.files.size() != 2) base::fail("-compare", fmt::format("compares two inputs, not {}", o.files.size()));
-    const bool no_table = o.like == Like::evalglare && (o.evalglare.ev_only || o.settings.fast);
-    if (o.settings.check_picture) base::fail("-c", "a comparison writes no check picture");
+    const bool no_table = o.mode == OutputMode::evalglare && (o.evalglare.ev_only || o.evalglare.fast);
+    if (!o.check_file.empty()) base::fail("-c", "a comparison writes no check picture");
     if (!o.until.empty() || o.list_sources || no_table)
         base::fail("-compare", "works on tables of metrics and cannot be used with -until, -sources, -V, -1, -2 or -3");
 }
@@ -82,5 +82,6 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     expand_globs(o.files);
     check_said(table, o);
     check(o);
+    if (o.evalglare.fast) o.settings.background = 0;  // the fast modes ignore -q
     return std::nullopt;
 }

@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include "glare/evalglare_format.h"
+#include "evalglare/settings.h"
 #include "glare/settings.h"
 #include "report/table.h"
 #include "view/view.h"
 
-enum class Like { vcmetrics, evalglare, accelerad };
+enum class OutputMode { vcmetrics, evalglare, accelerad };
 
 struct Options {
     glare::Settings settings;
@@ -20,8 +20,9 @@ struct Options {
     std::vector<std::string> metrics;  // empty: the default columns
     bool list_sources = false;
     report::TableFormat format = report::TableFormat::tsv;
-    Like like = Like::vcmetrics;
-    glare::EvalglareOutput evalglare;
+    OutputMode mode = OutputMode::vcmetrics;
+    bool evalglare_bug_compatible = false;  // its rounding and its slips (lib/evalglare), also where columns are ours
+    evalglare::Settings evalglare;
     std::string until;
     std::optional<double> ci;  // -ci: NAME.lo and NAME.hi, this certain (a share)
     std::optional<int64_t> max_frames;

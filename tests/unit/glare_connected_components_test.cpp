@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 #include <cmath>
 #include <random>
-#include "glare/connect.h"
+#include "glare/connected_components.h"
 
 namespace {
 
@@ -62,8 +62,8 @@ void compare(char type, double angle, int size, double reach, double density, bo
                 bright[i] = 1;
     }
     std::vector<glare::Run> runs = to_runs(bright, g);
-    glare::Connector connector(g, reach);
-    connector.connect(runs, 0);
+    glare::ConnectedComponents components(g, reach);
+    components.label(runs, 0);
     const std::vector<int> want = by_definition(bright, g, reach);
     long wrong = 0;
     for (const glare::Run& r : runs)
@@ -88,7 +88,7 @@ TEST_CASE("components are those of the definition") {
 TEST_CASE("a reach of pi or more makes one group, no pixel none") {
     const glare::Geometry g(fisheye('a', 180), 32, 32);
     std::vector<glare::Run> runs{{g.width * 16u + 3u, 2, 0}, {g.width * 17u + 25u, 1, 0}};
-    CHECK(glare::Connector(g, 3.3).connect(runs, 1) == 1);
+    CHECK(glare::ConnectedComponents(g, 3.3).label(runs, 1) == 1);
     std::vector<glare::Run> none;
-    CHECK(glare::Connector(g, 0.1).connect(none, 1) == 0);
+    CHECK(glare::ConnectedComponents(g, 0.1).label(none, 1) == 0);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Connected components by cells of direction space (connect.h).
-#include "glare/connect.h"
+// Connected components by cells of direction space (connected_components.h).
+#include "glare/connected_components.h"
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +27,7 @@ void unite(std::vector<Run>& runs, uint32_t a, uint32_t b) {
 
 }  // namespace
 
-Connector::Connector(const Geometry& geometry, double reach)
+ConnectedComponents::ConnectedComponents(const Geometry& geometry, double reach)
     : geometry_(geometry),
       cos_reach_(std::cos(reach)),
       everything_(reach >= evalglare_pi),
@@ -36,7 +36,7 @@ Connector::Connector(const Geometry& geometry, double reach)
     cells_per_unit_ = std::min(std::sqrt(3.0) / std::max(chord, 1e-12) * (1 + 1e-12), 5e5);
 }
 
-uint32_t Connector::make_cell(uint64_t key, int x, int y, int z) {
+uint32_t ConnectedComponents::make_cell(uint64_t key, int x, int y, int z) {
     const uint32_t made = uint32_t(cells_.size());
     cell_index_[key] = made;
     cells_.emplace_back();
@@ -51,7 +51,7 @@ uint32_t Connector::make_cell(uint64_t key, int x, int y, int z) {
     return made;
 }
 
-uint32_t Connector::cell_of(uint32_t pixel) {
+uint32_t ConnectedComponents::cell_of(uint32_t pixel) {
     if (known_cell_.empty()) known_cell_.assign(geometry_.omega.size(), unknown);
     if (known_cell_[pixel] != unknown) return known_cell_[pixel];
     const Vec3 d = geometry_.direction(pixel) * cells_per_unit_;
@@ -64,7 +64,7 @@ uint32_t Connector::cell_of(uint32_t pixel) {
 }
 
 // Runs that overlap a run in the next row.
-void Connector::join_rows(std::vector<Run>& runs) const {
+void ConnectedComponents::join_rows(std::vector<Run>& runs) const {
     const uint32_t width = uint32_t(geometry_.width);
     size_t below = 0;
     for (size_t r = 0; r < runs.size(); ++r) {
@@ -75,9 +75,9 @@ void Connector::join_rows(std::vector<Run>& runs) const {
 }
 
 // Pixels not surrounded by four others.  A surrounded pixel within reach of something has a neighbour nearer to it,
-// so the way to it ends on the rim: the inside needs no comparison.
-std::vector<Connector::RimPixel> Connector::rim(const std::vector<Run>& runs) const {
-    std::vector<RimPixel> out;
+// so the way to it ends on the boundary: the inside needs no comparison.
+std::vector<ConnectedComponents::BoundaryPixel> ConnectedComponents::boundary(const std::vector<Run>& runs) const {
+    std::vector<BoundaryPixel> out;
     const uint32_t width = uint32_t(geometry_.width);
     size_t above = 0, below = 0;
     for (uint32_t r = 0; r < runs.size(); ++r) {
@@ -108,7 +108,8 @@ std::vector<Connector::RimPixel> Connector::rim(const std::vector<Run>& runs) co
     return out;
 }
 
-bool Connector::within_reach(const std::vector<RimPixel>& p, size_t a0, size_t a1, size_t b0, size_t b1) const {
+bool ConnectedComponents::within_reach(const std::vector<BoundaryPixel>& p, size_t a0, size_t a1, size_t b0,
+                                       size_t b1) const {
     static thread_local std::vector<Vec3> seen;
     seen.clear();
     for (size_t a = a0; a < a1; ++a) {
@@ -121,15 +122,15 @@ bool Connector::within_reach(const std::vector<RimPixel>& p, size_t a0, size_t a
     return false;
 }
 
-void Connector::join_cells(std::vector<Run>& runs, const std::vector<RimPixel>& rim) {
-    std::vector<uint32_t> cell(rim.size());
-    for (size_t k = 0; k < rim.size(); ++k) cell[k] = cell_of(rim[k].pixel);
+void ConnectedComponents::join_cells(std::vector<Run>& runs, const std::vector<BoundaryPixel>& boundary) {
+    std::vector<uint32_t> cell(boundary.size());
+    for (size_t k = 0; k < boundary.size(); ++k) cell[k] = cell_of(boundary[k].pixel);
     std::vector<uint32_t> first(cells_.size() + 1, 0);  // counting sort by cell
     for (uint32_t c : cell) ++first[c + 1];
     for (size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
-    std::vector<RimPixel> sorted(rim.size());
+    std::vector<BoundaryPixel> sorted(boundary.size());
     std::vector<uint32_t> next(first.begin(), first.end() - 1);
-    for (size_t k = 0; k < rim.size(); ++k) sorted[next[cell[k]]++] = rim[k];
+    for (size_t k = 0; k < boundary.size(); ++k) sorted[next[cell[k]]++] = boundary[k];
 
     for (size_t c = 0; c + 1 < first.size(); ++c)  // a cube is one piece
         for (uint32_t k = first[c]; k + 1 < first[c + 1]; ++k)
@@ -146,7 +147,7 @@ void Connector::join_cells(std::vector<Run>& runs, const std::vector<RimPixel>& 
         }
 }
 
-uint32_t Connector::connect(std::vector<Run>& runs, uint32_t first_group) {
+uint32_t ConnectedComponents::label(std::vector<Run>& runs, uint32_t first_group) {
     if (runs.empty()) return 0;
     if (!pixels_touch_) {
         std::vector<Run> single;
@@ -159,7 +160,7 @@ uint32_t Connector::connect(std::vector<Run>& runs, uint32_t first_group) {
         for (Run& r : runs) r.group = 0;
     } else {
         if (pixels_touch_) join_rows(runs);
-        join_cells(runs, rim(runs));
+        join_cells(runs, boundary(runs));
     }
     // number the groups by their first pixel in column order
     struct Head {

@@ -10,44 +10,46 @@
 #include <vector>
 #include "glare/geometry.h"
 
-namespace glare {
+namespace evalglare {
+using base::Vec3;
+using glare::Geometry;
 
 // Directions no farther apart than half an opening angle, by their dot product; no pixel more than `rows` away is.
-struct Reach {
+struct AngularRadius {
     double lowest;
     int rows;
     bool holds(double cosine) const { return cosine >= lowest && cosine <= 1; }
 };
 
-class Walk {
+class NeighbourSearch {
 public:
-    explicit Walk(const Geometry& geometry);
-    Reach reach(double opening) const;
+    explicit NeighbourSearch(const Geometry& geometry);
+    AngularRadius radius(double opening) const;
     // Shows every pixel in reach, by index, to stop(), whose `true` ends this half of the search; returns nothing:
     // what was found is stop's to remember.  No column beyond `last_column` is looked at.
     template <class Stop>
-    void search(int x, int y, const Reach& reach, int last_column, Stop stop) const {
-        half(x, y, y, -1, reach, last_column, stop);
-        half(x, y, y + 1, 1, reach, last_column, stop);
+    void around(int x, int y, const AngularRadius& radius, int last_column, Stop stop) const {
+        half(x, y, y, -1, radius, last_column, stop);
+        half(x, y, y + 1, 1, radius, last_column, stop);
     }
     Vec3 direction(size_t i) const { return direction_[i]; }
 
 private:
     template <class Stop>
-    void half(int x, int y, int first, int step, const Reach& reach, int last_column, Stop& stop) const {
+    void half(int x, int y, int first, int step, const AngularRadius& radius, int last_column, Stop& stop) const {
         const Vec3 from = direction_[geometry_.index(x, y)];
         int low = x, high = x;
-        for (int row = first; row >= 0 && row < geometry_.height && std::abs(row - y) <= reach.rows; row += step) {
+        for (int row = first; row >= 0 && row < geometry_.height && std::abs(row - y) <= radius.rows; row += step) {
             const size_t start = geometry_.index(0, row);
             for (int c = (low + high) / 2; c >= 0; --c) {
-                if (!reach.holds(dot(from, direction_[start + c]))) {
+                if (!radius.holds(dot(from, direction_[start + c]))) {
                     low = c + 1;
                     break;
                 }
                 if (stop(start + c)) return;
             }
             for (int c = (low + high) / 2; c <= last_column; ++c) {
-                if (!reach.holds(dot(from, direction_[start + c]))) {
+                if (!radius.holds(dot(from, direction_[start + c]))) {
                     high = c - 1;
                     break;
                 }
@@ -61,4 +63,4 @@ private:
     std::vector<Vec3> direction_;
 };
 
-}  // namespace glare
+}  // namespace evalglare

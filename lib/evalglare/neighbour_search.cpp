@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far a search has to look: the smallest cosine that is near, and a bound on the rows.
-#include "glare/walk.h"
+#include "evalglare/neighbour_search.h"
 #include "base/angle.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace glare {
+namespace evalglare {
 namespace {
 
 using base::pi;
 
 }  // namespace
 
-Walk::Walk(const Geometry& geometry) : geometry_(geometry), direction_(geometry.omega.size()) {
+NeighbourSearch::NeighbourSearch(const Geometry& geometry) : geometry_(geometry), direction_(geometry.omega.size()) {
     for (size_t i = 0; i < direction_.size(); ++i) direction_[i] = geometry.direction(i);
 }
 
-Reach Walk::reach(double opening) const {
-    Reach out{-2, geometry_.height};
+AngularRadius NeighbourSearch::radius(double opening) const {
+    AngularRadius out{-2, geometry_.height};
     if (opening / 2 >= pi) return out;
     // The smallest cosine that evalglare, which compares angles, takes for near.
     const auto near = [&](double cosine) { return 2 * std::acos(cosine) <= opening; };
@@ -31,7 +31,7 @@ Reach Walk::reach(double opening) const {
 }
 
 // A bound: the largest stretch of the projection anywhere within `reach` of a pixel that counts.
-double Walk::rows_per_radian(double reach_rad) const {
+double NeighbourSearch::rows_per_radian(double reach_rad) const {
     const view::View& v = geometry_.projector.view();
     const double none = std::numeric_limits<double>::infinity(), vv = v.vv * pi / 180, size = geometry_.height;
     if (v.type == 'h') return size / (2 * std::sin(vv / 2));
@@ -56,4 +56,4 @@ double Walk::rows_per_radian(double reach_rad) const {
     }
 }
 
-}  // namespace glare
+}  // namespace evalglare

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The roundings that decide on which side of a border evalglare puts a pixel (evalglare_geometry.h).
-#include "glare/evalglare_geometry.h"
-#include "base/angle.h"
+// The roundings that decide on which side of a border evalglare puts a pixel (rounded_geometry.h).
+#include "evalglare/rounded_geometry.h"
+#include <algorithm>
 #include <cmath>
+#include "base/angle.h"
 #ifdef LUX_HAVE_LIBMVEC
 #include <emmintrin.h>
 
@@ -12,7 +13,7 @@ __m128d _ZGVbN2v_cos(__m128d);
 }
 #endif
 
-namespace glare {
+namespace evalglare {
 namespace {
 
 using base::pi;
@@ -47,16 +48,16 @@ double dot_from_last(Vec3 a, Vec3 b) { return a.x * b.x + (a.y * b.y + a.z * b.z
 
 }  // namespace
 
-double EvalglareRays::sigma_cosine(Vec3 d) const { return dot_from_last(again_, d); }
+double RoundedGeometry::sigma_cosine(Vec3 d) const { return dot_from_last(again_, d); }
 
-bool EvalglareRays::angle_undefined(Vec3 d) const { return sigma_cosine(d) > 1 || dot(again_, d) > 1; }
+bool RoundedGeometry::angle_undefined(Vec3 d) const { return sigma_cosine(d) > 1 || dot(again_, d) > 1; }
 
-double EvalglareRays::tau_cosine(Vec3 d, double sigma) const {
+double RoundedGeometry::tau_cosine(Vec3 d, double sigma) const {
     const Vec3 beside = normalised(d * (1 / std::cos(sigma)) - again_);
     return dot(normalised(view_.vu), beside);
 }
 
-EvalglareRays::EvalglareRays(const view::View& v) : view_(v) {
+RoundedGeometry::RoundedGeometry(const view::View& v) : ViewGeometry(v), view_(v) {
     forward_ = normalised(v.vd);
     right_ = normalised(cross(forward_, normalised(v.vu)));
     up_ = cross(right_, forward_);
@@ -71,7 +72,7 @@ EvalglareRays::EvalglareRays(const view::View& v) : view_(v) {
     }
 }
 
-bool EvalglareRays::direction(double X, double Y, Vec3 forward, Vec3& d) const {
+bool RoundedGeometry::to_direction(double X, double Y, Vec3 forward, Vec3& d) const {
     double x = X + (view_.vs - 0.5), y = Y + (view_.vl - 0.5);
     if (view_.type == 'a') {
         x *= across_, y *= along_;
@@ -104,12 +105,43 @@ bool EvalglareRays::direction(double X, double Y, Vec3 forward, Vec3& d) const {
     }
 }
 
-double EvalglareRays::omega(int x, int y, int width, int height) const {
+Vec3 RoundedGeometry::direction(double X, double Y) const {
+    Vec3 d;
+    return to_direction(X, Y, forward_, d) ? d : Vec3{};
+}
+
+Vec3 RoundedGeometry::seen_direction(double X, double Y) const {
+    Vec3 d;
+    return to_direction(X, Y, again_, d) ? d : Vec3{};
+}
+
+view::EyeAngles RoundedGeometry::eye_angles(Vec3 d, bool picture_up) const {
+    view::EyeAngles a = ViewGeometry::eye_angles(d, picture_up);
+    const double sigma = std::acos(sigma_cosine(d));
+    a.sigma_deg = sigma * view::evalglare_deg;
+    a.tau_deg = std::acos(tau_cosine(d, sigma)) * view::evalglare_deg;
+    a.elevation_deg = 90 - std::acos(std::clamp(dot(sky_, d), -1.0, 1.0)) * view::evalglare_deg;
+    return a;
+}
+
+double RoundedGeometry::position_index(Vec3 d, view::PositionModel model) const {
+    if (model == view::PositionModel::guth && angle_undefined(d)) return 16;
+    return ViewGeometry::position_index(d, model);
+}
+
+std::vector<double> RoundedGeometry::solid_angles(int width, int height) const {
+    std::vector<double> out(size_t(width) * height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) out[size_t(height - 1 - y) * width + x] = solid_angle(x, y, width, height);
+    return out;
+}
+
+double RoundedGeometry::solid_angle(int x, int y, int width, int height) const {
     const double left = (x + 0.5) / width - 0.5 / width, right = left + 1.0 / width;
     const double low = (height - 1 - y + 0.5) / height - 0.5 / height, high = low + 1.0 / height;
     Vec3 corner[4], normal[4];
-    if (!direction(left, low, forward_, corner[0]) || !direction(left, high, forward_, corner[1]) ||
-        !direction(right, high, forward_, corner[2]) || !direction(right, low, forward_, corner[3]))
+    if (!to_direction(left, low, forward_, corner[0]) || !to_direction(left, high, forward_, corner[1]) ||
+        !to_direction(right, high, forward_, corner[2]) || !to_direction(right, low, forward_, corner[3]))
         return 0;
     for (int k = 0; k < 4; ++k) {
         normal[k] = normalised(cross(corner[k], corner[(k + 1) % 4] - corner[k]));
@@ -121,4 +153,4 @@ double EvalglareRays::omega(int x, int y, int width, int height) const {
     return total >= 0 && total <= 2 * pi ? total : 0;
 }
 
-}  // namespace glare
+}  // namespace evalglare

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bright pixels to groups the way evalglare does it, for -like evalglare: same groups, same numbers, and sums grown
+// Bright pixels to groups as evalglare does, for -like evalglare: same groups, same numbers, and sums grown
 // pixel by pixel in its order, since their last bits decide where a centre falls and which of two groups is larger.
-// Everyone else connects pixels (glare/connect.h), which gives the same groups but for accidents of rounding.
+// luxpipe labels connected components (glare/connected_components.h), which gives the same groups but for accidents of
+// rounding.
 #pragma once
 #include <cstdint>
 #include <vector>
-#include "glare/check_picture.h"
-#include "glare/connect.h"
-#include "glare/walk.h"
+#include "evalglare/check_picture.h"
+#include "evalglare/neighbour_search.h"
+#include "glare/connected_components.h"
 
-namespace glare {
+namespace evalglare {
+using glare::Run;
 
 // Running sums of one group.
 struct GroupSums {
@@ -20,9 +22,9 @@ struct GroupSums {
     void remove(double pixel_lum, double pixel_omega, int pixel_x, int pixel_y);
 };
 
-class EvalglareGroups {
+class Groups {
 public:
-    EvalglareGroups(const Geometry& geometry, double search_opening);
+    Groups(const Geometry& geometry, double search_opening);
     // First scan: every bright pixel joins a group in reach or opens one.  Second, with `merge`: groups join a larger
     // one in reach until none can.  `shortcut`: a pixel above a bright one takes its group unseen.
     void find(const std::vector<Run>& bright, const CheckPicture& lum, bool shortcut, bool merge);
@@ -44,7 +46,7 @@ private:
     void start(const std::vector<Run>& pixels);
     uint32_t group_in_reach(uint32_t pixel) const;
     uint32_t larger_in_reach(uint32_t pixel, uint32_t from_group) const;
-    uint32_t peak_in_reach(uint32_t pixel, const Reach& reach, uint32_t from_group) const;
+    uint32_t peak_in_reach(uint32_t pixel, const AngularRadius& radius, uint32_t from_group) const;
     bool follows_bright(uint32_t pixel) const;
     bool surrounded(uint32_t pixel) const;
     void merge(const std::vector<uint32_t>& pixels, uint32_t from_group, bool skip_surrounded, const CheckPicture& lum);
@@ -52,13 +54,13 @@ private:
     void sort_by_column(std::vector<uint32_t>& pixels) const;
 
     const Geometry& geometry_;
-    Walk walk_;
+    NeighbourSearch search_;
     double opening_;
-    Reach reach_;
+    AngularRadius radius_;
     std::vector<uint32_t> group_;   // by pixel, 0 = none
     std::vector<uint32_t> pixels_;  // of all groups, in column order
     std::vector<GroupSums> sums_;
     std::vector<std::vector<uint32_t>> members_;  // by group, in any order
 };
 
-}  // namespace glare
+}  // namespace evalglare

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Groups of bright pixels by evalglare's two walks: joining, merging, and peaks that leave their group.
-#include "glare/evalglare_groups.h"
+#include "evalglare/groups.h"
 #include <algorithm>
 
-namespace glare {
+namespace evalglare {
 
 // The order of factors is evalglare's, which is not the same in both.
 void GroupSums::add(double L, double w, int px, int py) {
@@ -25,25 +25,25 @@ void GroupSums::remove(double L, double w, int px, int py) {
     pixels -= 1;
 }
 
-EvalglareGroups::EvalglareGroups(const Geometry& g, double search_opening)
+Groups::Groups(const Geometry& g, double search_opening)
     : geometry_(g),
-      walk_(g),
+      search_(g),
       opening_(float(search_opening)),
-      reach_(walk_.reach(opening_)),
+      radius_(search_.radius(opening_)),
       group_(g.omega.size(), 0),
       sums_(1),
       members_(1) {}
 
 // Columns from the left, in a column from the bottom.
-uint32_t EvalglareGroups::column_key(uint32_t p) const {
+uint32_t Groups::column_key(uint32_t p) const {
     return uint32_t(geometry_.x_of(p)) * uint32_t(geometry_.height) + uint32_t(geometry_.y_of(p));
 }
 
-void EvalglareGroups::sort_by_column(std::vector<uint32_t>& pixels) const {
+void Groups::sort_by_column(std::vector<uint32_t>& pixels) const {
     std::sort(pixels.begin(), pixels.end(), [&](uint32_t a, uint32_t b) { return column_key(a) < column_key(b); });
 }
 
-void EvalglareGroups::start(const std::vector<Run>& pixels) {
+void Groups::start(const std::vector<Run>& pixels) {
     for (const uint32_t p : pixels_) group_[p] = 0;
     pixels_.clear();
     sums_.assign(1, {});
@@ -53,32 +53,32 @@ void EvalglareGroups::start(const std::vector<Run>& pixels) {
     sort_by_column(pixels_);
 }
 
-uint32_t EvalglareGroups::open() {
+uint32_t Groups::open() {
     sums_.emplace_back();
     members_.emplace_back();
     return count();
 }
 
-void EvalglareGroups::count_too(uint32_t p, uint32_t group, const CheckPicture& lum) {
+void Groups::count_too(uint32_t p, uint32_t group, const CheckPicture& lum) {
     sums_[group].add(lum.at(p), geometry_.omega[p], geometry_.x_of(p), geometry_.y_of(p));
 }
 
-void EvalglareGroups::add(uint32_t p, uint32_t group, const CheckPicture& lum) {
+void Groups::add(uint32_t p, uint32_t group, const CheckPicture& lum) {
     pixels_.push_back(p);
     join(p, group, lum);
 }
 
-void EvalglareGroups::join(uint32_t p, uint32_t group, const CheckPicture& lum) {
+void Groups::join(uint32_t p, uint32_t group, const CheckPicture& lum) {
     sums_[group].add(lum.at(p), geometry_.omega[p], geometry_.x_of(p), geometry_.y_of(p));
     group_[p] = group;
     members_[group].push_back(p);
 }
 
-void EvalglareGroups::leave(uint32_t p, const CheckPicture& lum) {
+void Groups::leave(uint32_t p, const CheckPicture& lum) {
     sums_[group_[p]].remove(lum.at(p), geometry_.omega[p], geometry_.x_of(p), geometry_.y_of(p));
 }
 
-void EvalglareGroups::find(const std::vector<Run>& bright, const CheckPicture& lum, bool shortcut, bool merge_too) {
+void Groups::find(const std::vector<Run>& bright, const CheckPicture& lum, bool shortcut, bool merge_too) {
     start(bright);
     for (const uint32_t p : pixels_) {
         uint32_t group =
@@ -89,7 +89,7 @@ void EvalglareGroups::find(const std::vector<Run>& bright, const CheckPicture& l
     if (merge_too) merge(pixels_, 1, true, lum);
 }
 
-void EvalglareGroups::take(const std::vector<Run>& grouped, uint32_t groups, const CheckPicture& lum) {
+void Groups::take(const std::vector<Run>& grouped, uint32_t groups, const CheckPicture& lum) {
     start(grouped);
     std::vector<uint32_t> wanted(group_.size(), 0);
     for (const Run& r : grouped) std::fill_n(wanted.begin() + r.start, r.length, r.group);
@@ -105,26 +105,26 @@ void EvalglareGroups::take(const std::vector<Run>& grouped, uint32_t groups, con
     }
 }
 
-bool EvalglareGroups::follows_bright(uint32_t p) const {
+bool Groups::follows_bright(uint32_t p) const {
     const int y = geometry_.y_of(p);
     return y > 0 && group_[geometry_.index(geometry_.x_of(p), y - 1)] != 0;
 }
 
 // What the walk finds above the pixel goes before what it finds below.
-uint32_t EvalglareGroups::group_in_reach(uint32_t p) const {
+uint32_t Groups::group_in_reach(uint32_t p) const {
     uint32_t found = 0;
     const int x = geometry_.x_of(p);
-    walk_.search(x, geometry_.y_of(p), reach_, x, [&](size_t q) {
+    search_.around(x, geometry_.y_of(p), radius_, x, [&](size_t q) {
         if (group_[q]) found = group_[q];
         return group_[q] != 0;
     });
     return found;
 }
 
-uint32_t EvalglareGroups::larger_in_reach(uint32_t p, uint32_t from_group) const {
+uint32_t Groups::larger_in_reach(uint32_t p, uint32_t from_group) const {
     uint32_t found = 0;
     double largest = sums_[group_[p]].omega;
-    walk_.search(geometry_.x_of(p), geometry_.y_of(p), reach_, geometry_.width - 1, [&](size_t q) {
+    search_.around(geometry_.x_of(p), geometry_.y_of(p), radius_, geometry_.width - 1, [&](size_t q) {
         const uint32_t group = group_[q];
         if (group < from_group || !(sums_[group].omega > largest)) return false;
         found = group;
@@ -134,7 +134,7 @@ uint32_t EvalglareGroups::larger_in_reach(uint32_t p, uint32_t from_group) const
     return found;
 }
 
-bool EvalglareGroups::surrounded(uint32_t p) const {
+bool Groups::surrounded(uint32_t p) const {
     const int x = geometry_.x_of(p), y = geometry_.y_of(p);
     if (!(x > 1 && x < geometry_.width - 2 && y > 1 && y < geometry_.height - 2)) return false;
     for (int dx = -1; dx <= 1; ++dx)
@@ -144,8 +144,8 @@ bool EvalglareGroups::surrounded(uint32_t p) const {
 }
 
 // Whole passes until one changes nothing.  A group is dissolved into a strictly larger one, never into its equal.
-void EvalglareGroups::merge(const std::vector<uint32_t>& pixels, uint32_t from_group, bool skip_surrounded,
-                            const CheckPicture& lum) {
+void Groups::merge(const std::vector<uint32_t>& pixels, uint32_t from_group, bool skip_surrounded,
+                   const CheckPicture& lum) {
     for (bool changed = true; changed;) {
         changed = false;
         for (const uint32_t p : pixels) {
@@ -165,14 +165,14 @@ void EvalglareGroups::merge(const std::vector<uint32_t>& pixels, uint32_t from_g
 
 // The last group seen wins.  Each half ends at the first row without a pixel in reach.  By a slip of evalglare's the
 // columns end at the picture's height: a pixel beyond finds nothing.
-uint32_t EvalglareGroups::peak_in_reach(uint32_t p, const Reach& reach, uint32_t from_group) const {
+uint32_t Groups::peak_in_reach(uint32_t p, const AngularRadius& radius, uint32_t from_group) const {
     const int x = geometry_.x_of(p), y = geometry_.y_of(p), last = std::min(geometry_.width, geometry_.height) - 1;
-    const Vec3 from = walk_.direction(p);
+    const Vec3 from = search_.direction(p);
     if (x > last) return 0;
     uint32_t found = 0;
     const auto row_has_any = [&](int row) {
         const size_t start = geometry_.index(0, row);
-        const auto near = [&](int c) { return reach.holds(dot(from, walk_.direction(start + c))); };
+        const auto near = [&](int c) { return radius.holds(dot(from, search_.direction(start + c))); };
         const auto look = [&](int c) {
             if (group_[start + c] >= from_group) found = group_[start + c];
         };
@@ -186,9 +186,9 @@ uint32_t EvalglareGroups::peak_in_reach(uint32_t p, const Reach& reach, uint32_t
     return found;
 }
 
-void EvalglareGroups::extract_peaks(const CheckPicture& lum, double limit) {
+void Groups::extract_peaks(const CheckPicture& lum, double limit) {
     if (std::none_of(sums_.begin(), sums_.end(), [&](const GroupSums& s) { return s.brightest > limit; })) return;
-    const Reach half = walk_.reach(opening_ / 2);
+    const AngularRadius half = search_.radius(opening_ / 2);
     const uint32_t before = count();
     for (uint32_t group = 1; group <= before; ++group) {
         if (!(sums_[group].pixels > 0 && sums_[group].brightest >= limit)) continue;
@@ -207,7 +207,7 @@ void EvalglareGroups::extract_peaks(const CheckPicture& lum, double limit) {
     }
 }
 
-std::vector<Run> EvalglareGroups::runs() const {
+std::vector<Run> Groups::runs() const {
     std::vector<uint32_t> order = pixels_;
     std::sort(order.begin(), order.end());
     std::vector<Run> out;
@@ -220,4 +220,4 @@ std::vector<Run> EvalglareGroups::runs() const {
     return out;
 }
 
-}  // namespace glare
+}  // namespace evalglare

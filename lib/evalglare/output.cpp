@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Format strings are evalglare's, down to its blanks; the numbers come from measure.h.
-#include "glare/evalglare_format.h"
+#include "evalglare/output.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <fmt/printf.h>
 
-namespace glare {
+namespace evalglare {
+
+using namespace glare;
+using OutputSettings = evalglare::Settings;
+
 namespace {
 
 // L^2 w / P^2 of all sources, whatever -w says; evalglare's total is the one of the sources before zones split them.
-double sum_of_terms(const Measurement& m, const Meter& meter) {
+double sum_of_terms(const Measurement& m, const PictureAnalyzer& analyzer) {
     double sum = 0;
-    if (meter.finder().before_zones().empty()) {
+    if (analyzer.finder().sources_before_zones().empty()) {
         for (const GlareTerm& o : m.glare) sum += dgp_term(o, {});
     } else {
-        for (const GlareSource& o : meter.finder().before_zones()) sum += dgp_term({o.lum, o.omega, o.P, 0, 0, 0}, {});
+        for (const GlareSource& o : analyzer.finder().sources_before_zones())
+            sum += dgp_term({o.lum, o.omega, o.P, 0, 0, 0}, {});
     }
     return sum;
 }
@@ -45,13 +50,13 @@ std::string zone_line(const PixelStatistics& a, int zone, long count, const char
            statistics_line(a) + fmt::sprintf(" %f %d\n", a.eye_lux, count);
 }
 
-std::string source_lines(const Measurement& m, const Settings& settings, const Meter& meter) {
-    const int height = meter.geometry().height;
+std::string source_lines(const Measurement& m, const glare::Settings& settings, const PictureAnalyzer& analyzer) {
+    const int height = analyzer.geometry().height;
     std::string out = fmt::sprintf(
         "%d No pixels x-pos y-pos L_s Omega_s Posindx L_b L_t E_v Edir Max_Lum Sigma xdir ydir zdir Eglare "
         "Lveil_cie teta glare_zone r_contrast r_dgp\n",
         int(m.sources.size()));
-    const double sum = sum_of_terms(m, meter);
+    const double sum = sum_of_terms(m, analyzer);
     for (size_t i = 0; i < m.sources.size(); ++i) {
         const GlareSource& s = m.sources[i];
         const GlareTerm& g = m.glare[i];
@@ -71,7 +76,8 @@ std::string source_lines(const Measurement& m, const Settings& settings, const M
     return out;
 }
 
-std::string summary_line(const Measurement& m, const Settings& settings) {
+// evalglare divides the mean of L/P^2 by the solid angle twice.
+std::string summary_line(const Measurement& m, const PictureAnalyzer& analyzer) {
     double flux = 0, omega = 0;
     for (const GlareSource& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
     const double d = dgr(m.glare, m.mean_lum);
@@ -87,13 +93,13 @@ std::string summary_line(const Measurement& m, const Settings& settings) {
                              m.sources.empty() ? 0 : flux / omega,
                              omega,
                              veil_poynter(m.glare),
-                             veil_cie(m.glare, settings.veil_cut),
+                             veil_cie(m.glare, analyzer.settings().veil_cut),
                              d,
                              ugp(m.glare, m.background),
                              ugr_exp(m.glare, m.background0, m.ev),
                              dgi_mod(m.glare, m.background, m.ev),
                              m.mean_pos,
-                             m.mean_pos2,
+                             m.mean_pos2 / analyzer.geometry().omega_sum,
                              m.median,
                              m.median_pos,
                              m.median_pos2,
@@ -106,7 +112,7 @@ std::string summary_line(const Measurement& m, const Settings& settings) {
     return out + "\n";
 }
 
-// What the fast modes did not work out is 0 in their lines.
+// Quantities that the fast modes do not calculate are 0 in their lines.
 Measurement as_fast(Measurement m) {
     m.ev = m.eye_lux_used;
     m.background = m.direct_lux = m.max_lum = 0;
@@ -115,14 +121,14 @@ Measurement as_fast(Measurement m) {
     return m;
 }
 
-std::string fast_line(const Measurement& m, const Settings& settings) {
-    if (settings.fast == 1 || !settings.external_ev) return fmt::sprintf("%f\n", m.dgp);
+std::string fast_line(const Measurement& m, bool short_line) {
+    if (short_line) return fmt::sprintf("%f\n", m.dgp);
     return fmt::sprintf("%f %f \n", m.dgp, ugr(m.glare, m.background));
 }
 
 // -z angle 3: a line for each patch, then one for each bright pixel of each patch.
-std::string patch_lines(const Measurement& m, const Meter& meter) {
-    const Geometry& g = meter.geometry();
+std::string patch_lines(const Measurement& m, const PictureAnalyzer& analyzer) {
+    const Geometry& g = analyzer.geometry();
     std::string out;
     std::map<uint32_t, int> number;  // of the live groups
     for (const GlareSource& s : m.sources) {
@@ -131,7 +137,7 @@ std::string patch_lines(const Measurement& m, const Meter& meter) {
         out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f \n", n, s.pixels, s.x, s.y, s.lum, s.omega, s.P,
                             s.direction.x, s.direction.y, s.direction.z);
     }
-    std::vector<Run> runs = meter.finder().runs();  // rows from the bottom, each from the left
+    std::vector<Run> runs = analyzer.finder().runs();  // rows from the bottom, each from the left
     std::sort(runs.begin(), runs.end(), [&](const Run& a, const Run& b) {
         const int ya = g.y_of(a.start), yb = g.y_of(b.start);
         return ya != yb ? ya < yb : a.start < b.start;
@@ -144,9 +150,7 @@ std::string patch_lines(const Measurement& m, const Meter& meter) {
     return out;
 }
 
-}  // namespace
-
-std::string evalglare_black_corners(double percent, bool stopping) {
+std::string black_corners(double percent, bool stopping) {
     return fmt::sprintf(
                " corner pixels are to  %f %% black! \nerror! The image has black corners AND header contains a "
                "perspective view type "
@@ -155,18 +159,28 @@ std::string evalglare_black_corners(double percent, bool stopping) {
            (stopping ? "stopping...!!!!\n" : "");
 }
 
-std::string evalglare_lines(const Measurement& m, const Settings& settings, const EvalglareOutput& out,
-                            const Meter& meter) {
+}  // namespace
+
+std::string stdout_text(const base::Error& refusal) {
+    if (const auto* corners = dynamic_cast<const BlackCorners*>(&refusal)) return black_corners(corners->percent, true);
+    const auto* sizes = dynamic_cast<const MaskSize*>(&refusal);
+    return sizes ? fmt::sprintf("resolution main image : %dx%d\nresolution masking image : %dx%d\n", sizes->width,
+                                sizes->height, sizes->mask_width, sizes->mask_height)
+                 : "";
+}
+
+std::string lines(const Measurement& m, const OutputSettings& out, const PictureAnalyzer& analyzer) {
+    const glare::Settings& settings = analyzer.settings();
     std::string text;
-    if (m.black_corners && *m.black_corners > 70) text += evalglare_black_corners(*m.black_corners, false);
-    if (out.ev_only && !settings.fast) return text + fmt::sprintf("%f\n", m.ev);
-    if (settings.patches && settings.patches->mode == 3) return text + patch_lines(m, meter);
+    if (m.black_corners && *m.black_corners > 70) text += black_corners(*m.black_corners, false);
+    if (out.ev_only && !out.fast) return text + fmt::sprintf("%f\n", m.ev);
+    if (settings.patches && settings.patches->mode == 3) return text + patch_lines(m, analyzer);
     if (m.band)
         text +=
             "band:band_omega,band_av_lum,band_median_lum,band_std_lum,band_perc_75,band_perc_95,band_lum_min,band_lum_"
             "max: " +
             statistics_line(*m.band) + "\n";
-    if (settings.fast == 3) return text;
+    if (out.fast == 3) return text;
     const bool detailed = out.detailed || m.mask;
     if (m.mask)
         text += fmt::sprintf(
@@ -177,9 +191,10 @@ std::string evalglare_lines(const Measurement& m, const Settings& settings, cons
                 fmt::sprintf(" %f %f %f %f\n", m.pgsv.contrast, m.pgsv.saturation, m.pgsv.value, m.mask->eye_lux);
     if (detailed && m.zone1) text += zone_line(*m.zone1, 1, m.zone1->pixels, " ");
     if (detailed && m.zone2) text += zone_line(*m.zone2, 2, m.zone1->pixels, "  ");  // evalglare repeats zone 1's count
-    if (settings.fast)
-        return text + (detailed ? source_lines(as_fast(m), settings, meter) : "") + fast_line(m, settings);
-    if (detailed) return text + source_lines(m, settings, meter) + summary_line(m, settings);
+    if (out.fast)
+        return text + (detailed ? source_lines(as_fast(m), settings, analyzer) : "") +
+               fast_line(m, out.fast == 1 || !settings.external_ev);
+    if (detailed) return text + source_lines(m, settings, analyzer) + summary_line(m, analyzer);
     const double ugr_value = ugr(m.glare, m.background), dgi_value = dgi(m.glare, m.background);
     const double vcp_value = vcp(m.glare, dgr(m.glare, m.mean_lum)), cgi_value = cgi(m.glare, m.direct_lux, m.ev);
     const double veil = veil_poynter(m.glare);
@@ -192,4 +207,4 @@ std::string evalglare_lines(const Measurement& m, const Settings& settings, cons
                                vcp_value, cgi_value, veil);
 }
 
-}  // namespace glare
+}  // namespace evalglare

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pixels that belong together: connected components of "their directions are at most `reach` apart".
 // evalglare's two scans amount to this relation, except for rounding accidents (docs/differences-evalglare.md).
-// Linear in pixels: picture runs carry the inside of a source; its rim is binned into cubes of direction space whose
-// diagonal is the reach's chord, so that a cube is one piece and only neighbouring cubes are ever compared.
+// Linear in pixels: picture runs carry the inside of a source; its boundary is binned into cubes of direction space
+// whose diagonal is the reach's chord, so that a cube is one piece and only neighbouring cubes are ever compared.
 #pragma once
 #include <cstdint>
 #include <unordered_map>
@@ -17,35 +17,35 @@ struct Run {
     uint32_t group;
 };
 
-class Connector {
+class ConnectedComponents {
 public:
-    Connector(const Geometry& geometry, double reach_rad);
+    ConnectedComponents(const Geometry& geometry, double reach_rad);
     // Sets the runs' groups to first, first+1, ... numbered by each group's first pixel, columns from the left, in a
     // column from the bottom.  Runs must be in picture order, must not overlap; they may be cut into single pixels
     // (views whose neighbours can be farther apart than the reach).  Returns the number of groups.
-    uint32_t connect(std::vector<Run>& runs, uint32_t first = 0);
+    uint32_t label(std::vector<Run>& runs, uint32_t first = 0);
 
 private:
     // Neighbours made earlier; near ones do not touch.
-    struct Cell {
+    struct GridCell {
         std::vector<uint32_t> touching, near;
     };
-    struct RimPixel {
+    struct BoundaryPixel {
         uint32_t pixel, run;
     };
     uint32_t cell_of(uint32_t pixel);  // all pixels of a cell are one piece
-    std::vector<RimPixel> rim(const std::vector<Run>& runs) const;
+    std::vector<BoundaryPixel> boundary(const std::vector<Run>& runs) const;
     uint32_t make_cell(uint64_t key, int x, int y, int z);
     void join_rows(std::vector<Run>& runs) const;
-    void join_cells(std::vector<Run>& runs, const std::vector<RimPixel>& rim);
-    bool within_reach(const std::vector<RimPixel>& p, size_t a0, size_t a1, size_t b0, size_t b1) const;
+    void join_cells(std::vector<Run>& runs, const std::vector<BoundaryPixel>& boundary);
+    bool within_reach(const std::vector<BoundaryPixel>& p, size_t a0, size_t a1, size_t b0, size_t b1) const;
 
     const Geometry& geometry_;
     double cos_reach_;
     bool everything_, pixels_touch_;
     double cells_per_unit_;
     std::unordered_map<uint64_t, uint32_t> cell_index_;
-    std::vector<Cell> cells_;
+    std::vector<GridCell> cells_;
     std::vector<uint16_t> known_cell_;  // by pixel, 0xffff = not looked up yet
 };
 

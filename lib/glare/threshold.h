@@ -3,7 +3,7 @@
 // Distances are evalglare's s(A,B) = 2 acos(dA . dB), compared with opening angles.
 #pragma once
 #include <vector>
-#include "glare/connect.h"
+#include "glare/connected_components.h"
 #include "glare/geometry.h"
 #include "glare/luminance.h"
 #include "glare/settings.h"
@@ -12,12 +12,9 @@ namespace glare {
 
 // cos(opening/2): a pixel is inside if its direction's dot product with the centre's is at least this.
 double inside_cosine(double opening);
-// evalglare takes no care of dot products that rounding carries above 1: such a pixel is outside even its own circle.
-inline bool inside(double cosine, double limit, bool slips) { return cosine >= limit && !(slips && cosine > 1); }
 
 // Mean luminance of a circle over all its pixels; those outside the field of view count as black, or `as_they_are`.
-double task_luminance(const Luminance& lum, const Geometry& geometry, const Circle& task, bool slips = false,
-                      bool as_they_are = false);
+double task_luminance(const Luminance& lum, const Geometry& geometry, const Circle& task, bool as_they_are = false);
 
 // -b: factor (up to 100) of the reference luminance or cd/m2; default 2000, or 5 with a task.
 float source_threshold(const Settings& settings, bool has_task, double reference);

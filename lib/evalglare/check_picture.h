@@ -7,19 +7,16 @@
 #pragma once
 #include <cstdint>
 #include <vector>
-#include "glare/luminance.h"
-#include "glare/settings.h"
+#include "evalglare/settings.h"
+#include "glare/measure.h"
 
-namespace glare {
+namespace evalglare {
 
-constexpr Paint task_paint{0, 0, 1};
-constexpr Paint band_paint{0, 1, 0};
 constexpr Paint zone_paint[] = {{0.66, 0.01, 0.33}, {0.65, 0.33, 0.02}};  // inner, outer
-Paint source_paint(uint32_t group);                                       // five colours in turn
 
 class CheckPicture {
 public:
-    CheckPicture(const Luminance& lum, bool to_be_seen);
+    CheckPicture(const glare::Luminance& lum, bool to_be_seen);
     double grey(size_t pixel) const { return grey_[pixel]; }
     double at(size_t pixel) const { return 179 * grey_[pixel]; }
     void paint(size_t pixel, const Paint& paint);
@@ -30,4 +27,12 @@ private:
     std::vector<float> rgb_;
 };
 
-}  // namespace glare
+void paint_task(CheckPicture& check, const glare::Geometry& geometry, const glare::Circle& task);
+void paint_sources(CheckPicture& check, const std::vector<glare::Run>& runs, const Settings& settings);
+void paint_band(CheckPicture& check, const std::vector<uint32_t>& pixels);
+
+// The colours of -c, of the picture that was measured last.
+std::vector<float> draw_check_picture(const glare::Luminance& lum, const glare::PictureAnalyzer& analyzer,
+                                      const Settings& settings);
+
+}  // namespace evalglare

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Threshold, task area, field cut and filling, as a walk over the valid pixels (detect.h).
-#include "glare/detect.h"
+// Threshold, task area, field cut and filling, as a walk over the valid pixels (threshold.h).
+#include "glare/threshold.h"
 #include <algorithm>
 #include <cmath>
 #include "base/error.h"
+#include "glare/position_index.h"
 
 namespace glare {
 namespace {
@@ -32,7 +33,7 @@ bool outside_both_eyes(double sigma, double tau, double elevation) {
 
 double inside_cosine(double opening) { return opening / 2 >= evalglare_pi ? -2 : std::cos(opening / 2); }
 
-double task_luminance(const Luminance& lum, const Geometry& g, const Circle& task, bool slips, bool as_they_are) {
+double task_luminance(const Luminance& lum, const Geometry& g, const Circle& task, bool as_they_are) {
     if (task.x < 0 || task.y < 0 || task.x >= g.width || task.y >= g.height)
         base::fail("-t", "the task position " + std::to_string(task.x) + " " + std::to_string(task.y) +
                              " is outside the picture of " + std::to_string(g.width) + " x " +
@@ -41,7 +42,7 @@ double task_luminance(const Luminance& lum, const Geometry& g, const Circle& tas
     const double limit = inside_cosine(float(task.opening));
     double flux = 0, omega = 0;
     for (size_t i = 0; i < lum.size(); ++i) {
-        if (g.omega[i] == 0 || !inside(dot(centre, g.direction(i)), limit, slips)) continue;
+        if (g.omega[i] == 0 || !g.inside(dot(centre, g.direction(i)), limit)) continue;
         omega += std::fabs(g.omega[i]);
         if (g.valid(i) || as_they_are) flux += std::fabs(g.omega[i]) * lum.at(i);
     }
