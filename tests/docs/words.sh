@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Names that no reader can look up stay out of the code: docs/glossary.md has the field's terms for them.
+. "${TOP:?}/tests/lib.sh"
+
+# Whole words of names and comments.  A name is added here when the last of its kind is renamed.
+words='Swayed swayed Calm Calmed calmer MoreLight OffAtEye weave Lesson carry_across in_the_middle in_doubt Doubtful
+know_frame0 speak_as evalglare_says Connector bright_in Chooser GreyMean PrecisionRule'
+
+# "file:line:text" for each of them in the folders given.
+private() {
+    grep -rnwE "$(echo $words | tr ' ' '|')" --include='*.h' --include='*.cpp' --include='*.cl' --include='*.isp*' "$@"
+}
+
+check 'no private words in the code' '! private "$TOP/lib" "$TOP/tools" "$TOP/tests/unit" "$TOP/tests/physics" >&2'
+
+echo 'int Swayed = 0;' > x.cpp
+check 'such a word is seen' 'private . | grep -q x.cpp:1:'
+
+check 'each term of the glossary has a meaning and a source' '
+    awk -F "|" "/^\|/ && ++n > 2 && (NF != 5 || \$2 \$3 \$4 ~ /^ *$/ || \$3 ~ /^ *$/ || \$4 ~ /^ *$/)" \
+        "$TOP/docs/glossary.md" > bad; cat bad >&2; test ! -s bad'
