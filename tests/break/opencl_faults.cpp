@@ -6,6 +6,7 @@
 //   read:N=nan|noise|bit   what is read back from call N on is not a number, is off by a third, has a last bit turned
 //   memory=MB        the device says it has so much, and gives no more; a buffer has at most a quarter
 //   lies=MB          the same, but it says that it has a thousand times that
+//   fill=N           buffers hold bytes N before anything is written
 //   gpu              devices say that they are GPUs, and the system shows one
 // A device that is spoiled has a driver version of its own, so that nothing is remembered of it.
 #define CL_TARGET_OPENCL_VERSION 120
@@ -158,6 +159,12 @@ extern "C" cl_mem clCreateBuffer(cl_context c, cl_mem_flags flags, size_t size, 
     if (code) {
         if (error) *error = code;
         return nullptr;
+    }
+    std::vector<char> garbage;
+    if (const long fill = number("fill"); fill && !host) {
+        garbage.assign(size, char(fill));
+        host = garbage.data();
+        flags |= CL_MEM_COPY_HOST_PTR;
     }
     const cl_mem made = REAL(clCreateBuffer)(c, flags, size, host, error);
     std::lock_guard<std::mutex> hold(lock);
