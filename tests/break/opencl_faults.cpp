@@ -191,11 +191,10 @@ extern "C" cl_int clGetDeviceInfo(cl_device_id d, cl_device_info what, size_t si
     if (what == CL_DEVICE_TYPE && says("gpu")) *static_cast<cl_device_type*>(to) = CL_DEVICE_TYPE_GPU;
     if (what == CL_DEVICE_GLOBAL_MEM_SIZE && limit) *static_cast<cl_ulong*>(to) = limit;
     if (what == CL_DEVICE_MAX_MEM_ALLOC_SIZE && limit) *static_cast<cl_ulong*>(to) = limit / 4;
-    if (what == CL_DRIVER_VERSION && std::getenv("OPENCL_FAULT") && size > 2) {
+    if (what == CL_DRIVER_VERSION && std::getenv("OPENCL_FAULT")) {
         unsigned hash = 0;
         for (const char* at = std::getenv("OPENCL_FAULT"); *at; at++) hash = hash * 31 + unsigned(*at);
-        static_cast<char*>(to)[0] = char('A' + hash % 26);
-        static_cast<char*>(to)[1] = char('A' + hash / 26 % 26);
+        for (size_t i = 0; i + 1 < size && hash > 0; i++, hash /= 26) static_cast<char*>(to)[i] = char('A' + hash % 26);
     }
     return code;
 }

@@ -5,12 +5,12 @@
 . "${TOP:?}/tests/lib.sh"
 needs ptrace
 ptrace -devices | grep -o '^opencl:[0-9]*' > devices || skip 'no OpenCL device here'
-cd "$TOP/examples/scenes"
 office='office -vf view.vf materials.rad layout.rad'
 classroom='-vf back_row.vf materials.rad room.rad furniture.rad ceiling_lights.rad outside.rad sky_afternoon.rad'
 # frames NAME DEVICE FOLDER ARGUMENTS: four frames but for their headers: pixels, and the moments behind frame 0
 frames() {
-    (cd "$3" && ptrace -device "$2" -x 48 -y 48 -frames 4 -o "$TMP/f%d.hdr" "${@:4}" 2> "$TMP/said") || return
+    (cd "$TOP/examples/scenes/$3" &&
+        ptrace -device "$2" -x 48 -y 48 -frames 4 -o "$TMP/f%d.hdr" "${@:4}" 2> "$TMP/said") || return
     for k in 0 1 2 3; do sed '1,/^-Y/d' "$TMP/f$k.hdr"; done > "$TMP/$1"
 }
 for device in $(cat "$TMP/devices"); do
