@@ -218,6 +218,14 @@ TEST_CASE("a lamp that a ceiling hides is dark") {
     const double seen = .5 * 1 / (1 + 4.0);  // p sin^2 of the half angle
     expect(ceiling + lamp + rest, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {seen}, 16384);
     expect(lamp + ceiling + rest, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {0});
+
+    // A mixture is of an opaque type, also where it is void; a ray that goes on through it has the lamp behind it.
+    const std::string net = "void mixfunc M 4 C void .5 .\n0 0\n";
+    const std::string covered =
+        "L ring l 0 0 8 0 0 2 0 0 -1 0 1\nM polygon m 0 0 12 -5 -5 2 -5 5 2 5 5 2 5 -5 2\n"
+        "C polygon f 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n";
+    expect(ceiling + net + lamp + covered, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {seen}, 16384);
+    expect(lamp + ceiling + net + covered, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {0});
 }
 
 TEST_CASE("a surface that the eye lies on does not hide what is before it") {

@@ -79,6 +79,19 @@ FN int shadow_is_plain(SHARED(const SceneTables) s, UNIFORM(const Params) par, S
     return 1;
 }
 
+// Is what shows at the place of a source, which the ray meets at hit, a mixture that lies in its plane?
+FN int shadow_covered(SHARED(const SceneTables) s, GLOBAL const float* src, PRIVATE(const Ray) ray,
+                      PRIVATE(const Hit) hit) {
+    if (src[SRC_COVERED] == 0.0f) return 0;
+    Surface g;
+    Hit seen;
+    Ray last = *ray;
+    surface_at(s, ray, hit, &g);
+    last.tmin = MAX_(hit->t - surface_rounding(&g) / fabs_(dot3(ray->dir, g.ng)), 0.0f);
+    trace_closest(s, &last, RAY_ALL, &seen);
+    return seen.prim != hit->prim;
+}
+
 // Does anything opaque stand between?  Also sets how far the ray looks for what lets light through, and *must_hit if it
 // has still to find the source itself.
 FN int shadow_blocked(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow, float dist,
@@ -96,6 +109,7 @@ FN int shadow_blocked(SHARED(const SceneTables) s, UNIFORM(const Params) par, PR
     trace_closest(s, ray, RAY_OPAQUE, &hit);
     if (hit.prim == as_uint_(shadow->src[SRC_PRIM])) {
         if (*must_hit && shadow_from_behind(shadow->src, ray, hit.t)) return 1;
+        if (shadow_covered(s, shadow->src, ray, &hit)) return 1;
         *must_hit = 0;
     } else if (hit.prim != NO_HIT && hit.t <= shadow_end(dist)) return 1;
     if (!*must_hit) ray->tmax = shadow_end(dist);
