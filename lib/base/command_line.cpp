@@ -60,8 +60,8 @@ struct ArgCursor {
     std::string held() const {
         const std::string name = word().substr(1);
         if (word()[0] == '@') {
-            if (!scene_file.empty()) require_ordinary_file(name, scene_file);
-            return read_text_file(name);
+            constexpr size_t limit = size_t(1) << 20;
+            return read_text_file(name, limit, scene_file);
         }
         if (!scene_file.empty()) fail(scene_file, "a scene's file may not ask for an environment variable");
         if (const char* value = std::getenv(name.c_str())) return value;
@@ -130,7 +130,8 @@ std::optional<std::vector<std::string>> OptionTable::parse(int argc, char** argv
         } else if (words.word() == "--") {
             operands_only = true, ++words.at;
         } else if (!operands_.empty() && !operands.empty()) {
-            fail(words.word(), "options must come before " + operands_);
+            fail(words.word(), "options must come before " + operands_ + ", and \"" + excerpt(operands.front()) +
+                                   "\" is taken for one");
         } else if (!read(words)) {
             unknown(words.word());
         }

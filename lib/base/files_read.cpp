@@ -2,15 +2,19 @@
 // See files_read.h.
 #include "base/files_read.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <mutex>
+
+#include "base/error.h"
 
 namespace base {
 namespace {
 
 struct Files {
     std::mutex lock;
-    std::vector<std::string> paths;
+    std::vector<std::string> paths, replaceable;
 };
 
 Files& files() {
@@ -29,7 +33,39 @@ std::string quoted(const std::string& path) {
     return out;
 }
 
+// Of a regular file.
+bool find(const std::string& path, struct stat& info) {
+    return (path == "-" ? fstat(0, &info) : stat(path.c_str(), &info)) == 0 && S_ISREG(info.st_mode);
+}
+
+bool any_is(const std::vector<std::string>& paths, const struct stat& file) {
+    return std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
+        struct stat info;
+        return find(path, info) && info.st_dev == file.st_dev && info.st_ino == file.st_ino;
+    });
+}
+
+std::vector<std::string> replaceable_files() {
+    Files& f = files();
+    const std::lock_guard<std::mutex> hold(f.lock);
+    return f.replaceable;
+}
+
 }  // namespace
+
+void keep_inputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+    for (const std::string& output : outputs) {
+        struct stat there;
+        if (!find(output, there) || !any_is(inputs, there) || any_is(replaceable_files(), there)) continue;
+        fail(output, "is an input as well, which would be replaced: write to another file");
+    }
+}
+
+void may_replace(const std::string& path) {
+    Files& f = files();
+    const std::lock_guard<std::mutex> hold(f.lock);
+    f.replaceable.push_back(path);
+}
 
 void note_file_read(const std::string& path) {
     Files& f = files();

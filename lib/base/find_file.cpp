@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include "base/error.h"
+#include "base/open_file.h"
 #include "base/printable.h"
-#include "base/text_file.h"
 
 namespace base {
 

@@ -13,6 +13,7 @@ struct ReadOptions {
     bool exec = false;                   // -exec: "!command" other than the built-in generators may run
     std::vector<std::string> raypath;    // directories in order; empty = "." only
     std::vector<std::string> cal_files;  // -f: function files whose definitions every primitive sees
+    std::string asked_by;                // what names the scene files, for open_file(); empty: the command line
     std::shared_ptr<Work> work = std::make_shared<Work>();  // what the whole scene may take
 };
 

@@ -85,11 +85,6 @@ public:
 
 }  // namespace
 
-std::string Arguments::file() {
-    if (!scene_file_.empty()) require_ordinary_file(words_[at_], scene_file_);
-    return text();
-}
-
 long Arguments::integer(const Range& range) {
     const long value = to_int(text(), name());
     in_range(range, double(value), name());

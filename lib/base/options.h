@@ -44,9 +44,9 @@ public:
     Arguments(std::string option, std::vector<std::string> words, std::string scene_file)
         : name_(std::move(option)), words_(std::move(words)), scene_file_(std::move(scene_file)) {}
 
-    const std::string& name() const { return name_; }  // the option's, for messages
+    const std::string& name() const { return name_; }            // the option's, for messages
+    const std::string& asked_by() const { return scene_file_; }  // for open_file(): the file that gives it, or empty
     std::string text() { return words_[at_++]; }
-    std::string file();  // a name; one that a scene gives must be an ordinary file's
     long integer(const Range& range = {});
     double real(const Range& range = {});
     Vec3 vec();

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Characters, lines and words of scene text.
 #include "base/text_reader.h"
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <cerrno>
 #include <utility>
 #include "base/descriptor.h"
 #include "base/error.h"
-#include "base/files_read.h"
+#include "base/open_file.h"
 #include "base/printable.h"
 #include "base/split.h"
 #include "base/text_file.h"
@@ -21,13 +20,10 @@ inline bool space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 }  // namespace
 
 TextReader TextReader::from_file(const std::string& path, const std::string& asked_by) {
-    if (!asked_by.empty()) require_ordinary_file(path, asked_by);
     TextReader s;
-    s.name_ = path == "-" ? "stdin" : path;
-    s.close_ = path != "-";
-    s.fd_ = s.close_ ? open(path.c_str(), O_RDONLY | O_CLOEXEC) : 0;
-    if (s.fd_ < 0) fail_system(asked_by.empty() ? path : asked_by, "cannot open \"" + excerpt(path) + "\"");
-    if (s.close_) note_file_read(path);
+    s.close_ = path != "-" || !asked_by.empty();  // the standard input is the user's
+    s.name_ = s.close_ ? path : "stdin";
+    s.fd_ = s.close_ ? open_file(path, asked_by) : 0;
     struct stat st;
     if (fstat(s.fd_, &st) == 0) {
         errno = 0;

@@ -132,7 +132,8 @@ static DataFile picture_plane(int width, int height, double pixel_aspect, const 
 uint32_t picture_table(Library::State& library, const std::string& file, const std::string& place, Code& code) {
     const auto known = code.tables.find("picture " + file);
     if (known != code.tables.end()) return known->second;
-    const image::Picture picture = image::read_file(base::find_file(file, library.files, place), image::Pixels::stored);
+    const std::string path = base::find_file(file, library.files, place);
+    const image::Picture picture = image::read_file(path, image::Pixels::stored, place);
     DataFile data = picture_plane(picture.width, picture.height, picture.header.pixel_aspect, file, place);
     data.values.reserve(picture.rgb.size());
     for (int y = picture.height - 1; y >= 0; y--)
@@ -142,7 +143,7 @@ uint32_t picture_table(Library::State& library, const std::string& file, const s
 
 std::optional<SpectralTables> spectral_tables(Library::State& library, const std::string& file,
                                               const std::string& place, Code& code) {
-    const auto picture = image::read_spectral_file(base::find_file(file, library.files, place));
+    const auto picture = image::read_spectral_file(base::find_file(file, library.files, place), place);
     if (!picture) return {};
     SpectralTables r;
     r.bands = picture->bands;

@@ -4,7 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include "base/error.h"
-#include "base/files_read.h"
+#include "base/open_file.h"
 #include "base/split.h"
 
 namespace cal {
@@ -33,10 +33,8 @@ bool split_context(const std::string& name, std::string& base, std::string& cont
 }  // namespace
 
 std::string read_text(const std::string& path, size_t limit, const std::string& place) {
-    errno = 0;
-    FILE* file = std::fopen(path.c_str(), "rb");
+    FILE* file = fdopen(base::open_file(path, place), "rb");
     if (!file) base::fail_system(place, "cannot open \"" + path + "\"");
-    base::note_file_read(path);
     std::string text;
     char block[65536];
     size_t n;

@@ -218,7 +218,7 @@ private:
         const std::string path = base::find_file(name, files_, place);
         const auto known = bsdf_files_.find(path);
         if (known != bsdf_files_.end()) return known->second;
-        return bsdf_files_[path] = bsdf_tables(scene::read_bsdf(path), tables_.code, path);
+        return bsdf_files_[path] = bsdf_tables(scene::read_bsdf(path, place), tables_.code, path);
     }
 
     // The number of this one, its cut face, and a mark on what it lists.

@@ -134,8 +134,8 @@ std::vector<Part> read_means(const ExrInput& in, const Picture& p, const std::st
 
 }  // namespace
 
-Picture read_exr(const std::string& path) {
-    const ExrInput in(path);
+Picture read_exr(const std::string& path, const std::string& asked_by) {
+    const ExrInput in(path, asked_by);
     Picture p;
     p.width = in.width();
     p.height = in.height();

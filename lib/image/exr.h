@@ -13,7 +13,7 @@ struct ExrOptions {
     std::string compression = "zip";  // none rle zips zip piz pxr24 b44 b44a dwaa dwab
 };
 
-Picture read_exr(const std::string& path);
+Picture read_exr(const std::string& path, const std::string& asked_by = "");
 void write_exr(const std::string& path, const Picture& picture, const ExrOptions& options = {});
 
 }  // namespace image

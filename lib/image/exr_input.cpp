@@ -2,42 +2,82 @@
 // Reading: see exr_file.h.
 #include "image/exr_file.h"
 
+#include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
 #include <sstream>
 
 #include "base/error.h"
-#include "base/files_read.h"
+#include "base/open_file.h"
 #include "image/exr_parts.h"
 #include "image/header.h"
 
 namespace image {
 
-struct ExrInput::File {
-    Imf::MultiPartInputFile parts;  // reads headers only
-    Imf::InputPart in;
-    explicit File(const std::string& path) : parts(path.c_str()), in((check_blocks(parts.header(0), path), parts), 0) {}
+namespace {
+
+// A file by its descriptor, so that it is opened once and by base::open_file().
+class DescriptorIn : public Imf::IStream {
+public:
+    DescriptorIn(const std::string& path, const std::string& asked_by)
+        : Imf::IStream(path.c_str()), fd_(base::open_file(path, asked_by)) {}
+    ~DescriptorIn() override { close(fd_); }
+    bool read(char to[], int n) override {
+        for (int done = 0; done < n;) {
+            const ssize_t got = pread(fd_, to + done, size_t(n - done), off_t(at_));
+            if (got < 0 && errno == EINTR) continue;
+            if (got < 0) base::fail_system(fileName(), "cannot be read");
+            if (got == 0) throw Iex::InputExc("the file ends too early");
+            done += int(got), at_ += uint64_t(got);
+        }
+        return true;  // there may be more
+    }
+    uint64_t tellg() override { return at_; }
+    void seekg(uint64_t pos) override { at_ = pos; }
+    uint64_t size() const {
+        const off_t end = lseek(fd_, 0, SEEK_END);
+        if (end < 0) base::fail_system(fileName(), "cannot be read");
+        return uint64_t(end);
+    }
+
+private:
+    int fd_;
+    uint64_t at_ = 0;
 };
 
-ExrInput::ExrInput(const std::string& path) : path_(path) {
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) base::fail_system(path, "cannot be read");
-    base::note_file_read(path);
-    check_attributes(file, path);
+}  // namespace
+
+struct ExrInput::File {
+    DescriptorIn bytes;
+    Imf::MultiPartInputFile parts;  // reads headers only
+    Imf::InputPart in;
+    File(const std::string& path, const std::string& asked_by)
+        : bytes(path, asked_by), parts(checked(bytes, path)), in((check_blocks(parts.header(0), path), parts), 0) {}
+
+private:
+    static Imf::IStream& checked(DescriptorIn& bytes, const std::string& path) {
+        check_attributes(bytes, bytes.size(), path);
+        bytes.seekg(0);
+        return bytes;
+    }
+};
+
+ExrInput::ExrInput(const std::string& path, const std::string& asked_by) : path_(path) {
     Imf::Header::setMaxImageSize(most_side, most_side);  // before OpenEXR reserves anything
     Imf::Header::setMaxTileSize(most_side, most_side);
     try {
-        file_.reset(new File(path));
+        file_.reset(new File(path, asked_by));
         const Imath::Box2i shown = file_->in.header().displayWindow();
         const int64_t w = int64_t(shown.max.x) - shown.min.x + 1, h = int64_t(shown.max.y) - shown.min.y + 1;
         if (w < 1 || h < 1 || w > most_side || h > most_side)

@@ -88,25 +88,38 @@ std::string one_line(const char* text) {
 }
 
 // Of every header: a file of several parts has several, and an empty one ends them.
-void check_attributes(std::istream& in, const std::string& path) {
-    const int64_t end = in.seekg(0, std::ios::end).tellg();
-    char start[8] = {};
-    in.seekg(0).read(start, 8);
+void check_attributes(Imf::IStream& in, uint64_t end, const std::string& path) {
+    const auto left = [&] { return int64_t(end) - int64_t(in.tellg()); };
+    const auto read = [&](std::string& to) {  // as many bytes as it has; false where the file ends before
+        if (left() < int64_t(to.size())) return false;
+        constexpr size_t most = 1 << 20;  // OpenEXR counts bytes in an int
+        for (size_t at = 0; at < to.size(); at += most) in.read(&to[at], int(std::min(to.size() - at, most)));
+        return true;
+    };
+    const auto word = [&](std::string& to) {  // up to its NUL
+        to.clear();
+        for (std::string c(1, ' '); read(c); to += c)
+            if (c[0] == '\0') return true;
+        return false;
+    };
+    std::string start(8, '\0');
+    in.seekg(0);
+    if (!read(start)) return;
     const bool parts = (uint8_t(start[5]) & 0x10) != 0;
     bool any = false;
-    for (std::string name, type, size(4, '\0'); std::getline(in, name, '\0');) {
+    for (std::string name, type, size(4, '\0'); word(name);) {
         if (name.empty()) {
             if (!parts || !any) return;
             any = false;
             continue;
         }
         any = true;
-        if (!std::getline(in, type, '\0') || !in.read(size.data(), 4)) return;
+        if (!word(type) || !read(size)) return;
         const int64_t bytes = number_at(size, 0);
         const std::string what = "is not a readable OpenEXR file: attribute " + name.substr(0, 32);
-        if (bytes < 0 || bytes > end - in.tellg()) base::fail(path, what + " is longer than the file");
+        if (bytes < 0 || bytes > left()) base::fail(path, what + " is longer than the file");
         std::string value(size_t(bytes), '\0');
-        if (!in.read(value.data(), bytes)) return;
+        if (!read(value)) return;
         if (!fits(type, value)) base::fail(path, what + " does not have the length of its type");
     }
 }

@@ -2,8 +2,8 @@
 // What reading and writing OpenEXR files share: limits, and checks of a file's own claims before OpenEXR believes them.
 #pragma once
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
 #include <cstdint>
-#include <istream>
 #include <string>
 
 namespace image {
@@ -14,8 +14,8 @@ constexpr int64_t most_block = 256 << 20;  // bytes of a tile or of the lines th
 // OpenEXR's messages, which may have several lines.
 std::string one_line(const char* text);
 
-// Throws Error if an attribute of any header has a length that its type or the file cannot have.
-void check_attributes(std::istream& in, const std::string& path);
+// Throws Error if an attribute of any header has a length that its type or the file of so many bytes cannot have.
+void check_attributes(Imf::IStream& in, uint64_t bytes, const std::string& path);
 
 // Throws Error where nothing of the picture is in the file, warns where part of it is not.
 void check_windows(const Imf::Header& header, const std::string& path);

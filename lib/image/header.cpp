@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <ctime>
 #include <sstream>
 
 #include "base/error.h"
@@ -258,18 +256,6 @@ std::vector<std::string> header_lines(const Header& h) {
 // Names are free: one such as "EXPOSURE=2.exr" at the start of a line must not become a field of the header.
 void add_history(Header& header, const std::string& text) {
     header.lines.push_back(one_line(means_something(text) ? "(" + text + ")" : text));
-}
-
-void add_date(Header& header) {
-    for (const std::string& line : header.lines)
-        if (base::begins_with(line, "CAPDATE=")) return;
-    const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
-    const std::time_t now = epoch ? std::time_t(std::atoll(epoch)) : std::time(nullptr);
-    std::tm parts = {};
-    if (!(epoch ? gmtime_r(&now, &parts) : localtime_r(&now, &parts))) return;
-    char text[40];
-    std::strftime(text, sizeof text, "CAPDATE= %Y:%m:%d %H:%M:%S", &parts);
-    header.lines.push_back(text);
 }
 
 // Nor may it stand behind a tab: pictures with a tabbed EXPOSURE= are refused (tabbed_exposure).

@@ -12,21 +12,15 @@
 
 #include "base/descriptor.h"
 #include "base/error.h"
-#include "base/files_read.h"
+#include "base/open_file.h"
 #include "base/stop.h"
 
 namespace image {
 
-Input::Input(const std::string& path) : name_(path == "-" ? "stdin" : path), buffer_(1 << 16) {
-    errno = 0;
-    if (path == "-") {
-        fd_ = 0;
-    } else {
-        fd_ = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-        if (fd_ < 0) base::fail_system(name_, "cannot be read");
-        own_ = true;
-        base::note_file_read(path);
-    }
+Input::Input(const std::string& path, const std::string& asked_by)
+    : name_(path), own_(path != "-" || !asked_by.empty()), buffer_(1 << 16) {
+    if (!own_) name_ = "stdin";
+    fd_ = own_ ? base::open_file(path, asked_by) : 0;
     struct stat info = {};
     const bool known = fstat(fd_, &info) == 0;
     if (known && S_ISDIR(info.st_mode)) {

@@ -11,7 +11,9 @@ namespace image {
 
 class Input {
 public:
-    explicit Input(const std::string& path);  // "-" is stdin; throws Error (system) if it cannot be opened
+    // "-" is stdin, on the command line; throws Error (system) if it cannot be opened.  asked_by: as for
+    // base::open_file().
+    explicit Input(const std::string& path, const std::string& asked_by = "");
     ~Input();
     Input(const Input&) = delete;
     Input& operator=(const Input&) = delete;
@@ -27,8 +29,9 @@ private:
     bool fill();
     size_t read_some(void* data, size_t bytes);
     std::string name_;
+    bool own_;
     int fd_ = -1;
-    bool own_ = false, end_ = false, regular_ = false;
+    bool end_ = false, regular_ = false;
     std::vector<unsigned char> buffer_;
     size_t at_ = 0, have_ = 0;
 };

@@ -33,8 +33,8 @@ void start_threads() {
 
 }  // namespace
 
-MaskSet read_masks(const std::string& path) {
-    const ExrInput in(path);
+MaskSet read_masks(const std::string& path, const std::string& asked_by) {
+    const ExrInput in(path, asked_by);
     MaskSet set;
     set.width = in.width();
     set.height = in.height();

@@ -16,6 +16,6 @@ struct SpectralPicture {
 };
 
 // Nothing if the file is not such a picture.
-std::optional<SpectralPicture> read_spectral_file(const std::string& path);
+std::optional<SpectralPicture> read_spectral_file(const std::string& path, const std::string& asked_by = "");
 
 }  // namespace image

@@ -13,7 +13,7 @@ namespace image {
 // A file that is OpenEXR (whatever its name) is one picture.
 class StreamReader {
 public:
-    explicit StreamReader(const std::string& path, Pixels pixels = Pixels::radiance);
+    explicit StreamReader(const std::string& path, Pixels pixels = Pixels::radiance, const std::string& asked_by = "");
     ~StreamReader();
     // false at a clean end of input; throws Error on anything cut or malformed (place = path, picture number).
     bool next(Picture& picture);
@@ -39,7 +39,7 @@ std::string ending_of(const std::string& path);  // ".exr", in small letters
 // `more`: further endings that are right.
 void require_writable_ending(const std::string& path, const std::vector<std::string>& more = {});
 // One picture; throws Error if there are several.
-Picture read_file(const std::string& path, Pixels pixels = Pixels::radiance);
+Picture read_file(const std::string& path, Pixels pixels = Pixels::radiance, const std::string& asked_by = "");
 void write_file(const std::string& path, const Picture& picture, const WriteOptions& options = {});
 
 }  // namespace image

@@ -207,15 +207,17 @@ struct StreamReader::State {
     int64_t count = 0;
     const FileFormat* whole_file = nullptr;  // null: a stream
     Pixels pixels;
+    std::string named_by;
     int64_t announced = -1, reached = -1;  // frame numbers: LASTFRAME=, and that of the picture read last
 
     CarriedMoments moments;
 
-    State(const std::string& path, Pixels wanted) : in(path), pixels(wanted) {
+    State(const std::string& path, Pixels wanted, const std::string& asked_by)
+        : in(path, asked_by), pixels(wanted), named_by(asked_by) {
         char start[4];
         if (in.look(start, 4)) whole_file = format_by_magic(start);
-        if (whole_file && path == "-")
-            base::fail("stdin",
+        if (whole_file && (path == "-" || !in.remaining()))
+            base::fail(in.name(),
                        fmt::format("holds a picture in the format {}: give the file's name, it cannot be read from "
                                    "a pipe",
                                    whole_file->name));
@@ -228,7 +230,8 @@ struct StreamReader::State {
     }
 };
 
-StreamReader::StreamReader(const std::string& path, Pixels pixels) : state_(new State(path, pixels)) {}
+StreamReader::StreamReader(const std::string& path, Pixels pixels, const std::string& asked_by)
+    : state_(new State(path, pixels, asked_by)) {}
 StreamReader::~StreamReader() = default;
 int64_t StreamReader::pictures() const { return state_->count; }
 
@@ -236,12 +239,14 @@ bool StreamReader::next(Picture& picture) {
     Input& in = state_->in;
     if (state_->whole_file) {
         if (state_->count++) return false;
-        picture = state_->whole_file->read(in.name());
+        picture = state_->whole_file->read(in.name(), state_->named_by);
         return true;
     }
     if (in.at_end()) {
         if (base::stop_requested()) return false;
-        if (state_->count == 0) base::fail(in.name(), "holds no picture");
+        if (state_->count == 0)
+            base::fail(in.name(), std::string("holds no picture") +
+                                      (in.name() == "stdin" ? " (ptaccum with -o passes none on: add -o -)" : ""));
         state_->require_announced(in.name(), "ends");
         return false;
     }

@@ -3,19 +3,28 @@
 #include "region/open.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include "base/error.h"
 #include "region/region.h"
 
 namespace region {
+namespace {
 
-image::MaskSet open(const std::string& path, image::DrawRegions& draw, bool warn_of_small) {
+bool is_exr(const std::string& path) {
+    std::error_code absent;
+    if (!std::filesystem::is_regular_file(path, absent)) return false;  // a pipe is read once, as text
     const char magic[4] = {0x76, 0x2f, 0x31, 0x01};
     char start[4] = {};
     std::ifstream(path, std::ios::binary).read(start, 4);
-    if (std::equal(start, start + 4, magic)) return image::read_masks(path);
+    return std::equal(start, start + 4, magic);
+}
 
+}  // namespace
+
+image::MaskSet open(const std::string& path, image::DrawRegions& draw, bool warn_of_small) {
+    if (is_exr(path)) return image::read_masks(path);
     auto regions = std::make_shared<Regions>(read(path));
     for (const Shape& s : regions->shapes)
         if (s.kind == Kind::surface || s.kind == Kind::modifier)

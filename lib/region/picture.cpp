@@ -3,16 +3,17 @@
 // A mask stretches over the whole picture whatever its size; in set operations a point is in where its mask pixel is
 // at least 1/2, alone a mask keeps its grey.
 #include "region/picture.h"
+#include <sys/stat.h>
 #include <unistd.h>
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <memory>
 #include <fmt/format.h>
 #include <png.h>
 #include "base/error.h"
+#include "base/open_file.h"
 #include "base/split.h"
 #include "image/stream.h"
 
@@ -86,21 +87,29 @@ private:
     std::vector<int> steps_;  // > 0 inside
 };
 
+// What is wrong with a mask is told at the line that names it.
+template <class Read>
+auto read_named(Read&& read, const Shape& s) {
+    try {
+        return read(s.text);
+    } catch (const base::Error& e) {
+        const bool named = e.where == s.place;  // as errors of base::open_file() are
+        throw base::Error(e.kind, s.place, "mask " + (named ? s.text + ": " + e.message : e.text));
+    }
+}
+
 // libpng takes and clears the memory that a chunk asks for, up to 2 GB, before it reads it.
-void require_whole_chunks(const Shape& s) {
-    std::ifstream in(s.text, std::ios::binary);
-    in.ignore(8);
-    uint64_t left = std::filesystem::file_size(s.text);
-    left -= std::min<uint64_t>(left, 8);
+void require_whole_chunks(int fd, uint64_t size, const Shape& s) {
+    uint64_t at = 8;
     unsigned char head[8];
-    while (in.read(reinterpret_cast<char*>(head), 8) && std::memcmp(head + 4, "IEND", 4) != 0) {
-        left -= 8;
+    while (at + 8 <= size && pread(fd, head, 8, off_t(at)) == 8 && std::memcmp(head + 4, "IEND", 4) != 0) {
+        at += 8;
+        const uint64_t left = size - at;
         const uint64_t asked = 4 + (uint64_t(head[0]) << 24 | head[1] << 16 | head[2] << 8 | head[3]);
         if (asked > left)
             base::fail(s.place,
                        fmt::format("mask {}: a chunk of {} bytes, where {} are left", s.text, asked - 4, left));
-        in.ignore(std::streamsize(asked));
-        left -= asked;
+        at += asked;
     }
 }
 
@@ -108,17 +117,21 @@ MaskPicture read_png(const Shape& s) {
     png_image png;
     std::memset(&png, 0, sizeof png);
     png.version = PNG_IMAGE_VERSION;
-    errno = 0;
-    if (access(s.text.c_str(), R_OK) != 0) base::fail_system(s.place, fmt::format("mask {}: cannot be read", s.text));
-    if (std::filesystem::is_regular_file(s.text)) require_whole_chunks(s);
-    if (!png_image_begin_read_from_file(&png, s.text.c_str()))
+    const int fd = read_named([&](const std::string& path) { return base::open_file(path, s.place); }, s);
+    const std::unique_ptr<FILE, int (*)(FILE*)> file(fdopen(fd, "rb"), std::fclose);
+    if (!file) base::fail_system(s.place, fmt::format("mask {}: cannot be read", s.text));
+    struct stat info = {};
+    if (fstat(fd, &info) != 0 || !S_ISREG(info.st_mode))
+        base::fail(s.place, fmt::format("mask {} is a folder", s.text));
+    require_whole_chunks(fd, uint64_t(info.st_size), s);
+    if (!png_image_begin_read_from_stdio(&png, file.get()))
         base::fail(s.place, fmt::format("mask {}: {}", s.text, png.message));
     if (uint64_t(png.width) * png.height > (1u << 28)) {
         png_image_free(&png);
         base::fail(s.place, fmt::format("mask {}: {} x {} pixels are too many", s.text, png.width, png.height));
     }
     // deflate makes at most 1032 bytes of one, and a pixel is a bit at least
-    if (uint64_t(png.width) * png.height / 8 / 1032 > std::filesystem::file_size(s.text)) {
+    if (uint64_t(png.width) * png.height / 8 / 1032 > uint64_t(info.st_size)) {
         png_image_free(&png);
         base::fail(s.place, fmt::format("mask {} is too short for its {} x {} pixels", s.text, png.width, png.height));
     }
@@ -132,18 +145,8 @@ MaskPicture read_png(const Shape& s) {
     return m;
 }
 
-// What is wrong with a mask is told at the line that names it.
-template <class Read>
-auto read_named(Read&& read, const Shape& s) {
-    try {
-        return read(s.text);
-    } catch (const base::Error& e) {
-        throw base::Error(e.kind, s.place, "mask " + e.text);
-    }
-}
-
 MaskPicture read_exr_channel(const Shape& s) {
-    image::MaskSet set = read_named([](const std::string& path) { return image::read_masks(path); }, s);
+    image::MaskSet set = read_named([&](const std::string& path) { return image::read_masks(path, s.place); }, s);
     std::vector<std::string> names;
     for (image::Mask& mask : set.masks) {
         if (mask.name == s.channel) return {set.width, set.height, std::move(mask.coverage)};
@@ -179,7 +182,8 @@ MaskPicture read_mask_picture(const Shape& s) {
     } else if (!s.channel.empty()) {
         m = read_exr_channel(s);
     } else {  // a picture: its grey value, equal-energy white being 1
-        const image::Picture p = read_named([](const std::string& path) { return image::read_file(path); }, s);
+        const image::Picture p = read_named(
+            [&](const std::string& path) { return image::read_file(path, image::Pixels::radiance, s.place); }, s);
         m = {p.width, p.height, std::vector<float>(p.rgb.size() / 3)};
         const float weights[3] = {float(image::luminance_weights[0]), float(image::luminance_weights[1]),
                                   float(image::luminance_weights[2])};

@@ -14,7 +14,9 @@ const Scene& Assets::load(const std::string& path, const std::string& place, int
         if (!found->second) base::fail(place, "octree \"" + base::excerpt(path) + "\" holds an instance of itself");
         return *found->second;
     }
-    auto scene = std::make_unique<Scene>(read_scene({path}, options_, limits_));
+    ReadOptions how = options_;
+    how.asked_by = place;
+    auto scene = std::make_unique<Scene>(read_scene({path}, how, limits_));
     for (const Object& o : scene->objects)
         if (o.type == Type::instance)
             load(find_file(scene->strings(o)[0], options_, scene->place(o)), scene->place(o), depth + 1);
@@ -30,7 +32,7 @@ const Scene& Assets::octree(const Scene& scene, const Object& o) {
 const Mesh& Assets::mesh(const Scene& scene, const Object& o) {
     const std::string path = find_file(scene.strings(o)[0], options_, scene.place(o));
     std::unique_ptr<Mesh>& mesh = meshes_[path];
-    if (!mesh) mesh = std::make_unique<Mesh>(read_mesh(path, limits_));
+    if (!mesh) mesh = std::make_unique<Mesh>(read_mesh(path, limits_, scene.place(o)));
     return *mesh;
 }
 

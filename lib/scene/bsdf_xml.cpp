@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <fmt/core.h>
 #include <pugixml.hpp>
 #include "base/error.h"
-#include "base/files_read.h"
+#include "base/text_file.h"
 #include "scene/bsdf_text.h"
 #include "scene/bsdf_tree.h"
 
@@ -211,18 +210,8 @@ Bsdf parse_bsdf(const std::string& text, const std::string& place) {
     return out;
 }
 
-Bsdf read_bsdf(const std::string& path) {
-    std::ifstream in(path, std::ios::binary | std::ios::ate);
-    if (!in) base::fail_system(path, "cannot be read");
-    base::note_file_read(path);
-    const auto size = in.tellg();
-    if (size < 0) base::fail_system(path, "cannot be read");
-    if (uint64_t(size) > max_file) fail(path, "BSDF files above 1 GB are not read");
-    std::string text(size_t(size), '\0');
-    in.seekg(0);
-    in.read(text.data(), size);
-    if (!in) base::fail_system(path, "cannot be read");
-    return parse_bsdf(text, path);
+Bsdf read_bsdf(const std::string& path, const std::string& asked_by) {
+    return parse_bsdf(base::read_text_file(path, max_file, asked_by), path);
 }
 
 }  // namespace scene

@@ -43,8 +43,8 @@ struct Bsdf {
     std::array<BsdfTable, 2> reflection, transmission;  // by the side of the incident light: 0 = +z, 1 = -z
 };
 
-// path is opened as it is; errors name it.
-Bsdf read_bsdf(const std::string& path);
+// path is opened as it is; errors name it.  asked_by: as for base::open_file().
+Bsdf read_bsdf(const std::string& path, const std::string& asked_by = "");
 Bsdf parse_bsdf(const std::string& text, const std::string& place);
 
 }  // namespace scene

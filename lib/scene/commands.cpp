@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // "!commands" of scene text.  A command is a pipe of stages; xform stages act on what comes out of the stage before
 // them, generators write text, anything else needs -exec.
+#include <unistd.h>
 #include <algorithm>
-#include <fstream>
 #include "base/error.h"
 #include "base/find_file.h"
+#include "base/open_file.h"
 #include "base/printable.h"
 #include "base/shell.h"
 #include "generators/generators.h"
@@ -16,10 +17,13 @@ namespace {
 constexpr size_t text_limit = size_t(1) << 30;         // of one command's output
 constexpr size_t definitions_limit = size_t(1) << 26;  // of an xform -f file
 
-// Also true of what cannot be read, which its reader will tell.
-bool ends_line(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return !in.seekg(-1, std::ios::end) || in.get() == '\n';
+bool ends_line(const std::string& path, const std::string& place) {
+    const int fd = base::open_file(path, place);
+    char last = '\n';  // also of an empty file, and of one that cannot be read, which its reader reports
+    const off_t size = lseek(fd, 0, SEEK_END);
+    if (size > 0 && pread(fd, &last, 1, size - 1) != 1) last = '\n';
+    close(fd);
+    return last == '\n';
 }
 }  // namespace
 
@@ -79,7 +83,8 @@ void SceneReader::run(const CommandLine& line, const std::string& text, size_t s
 // As oconv has it, a file whose last line does not end goes on with the first line of the next.
 void SceneReader::cat(const std::vector<std::string>& files, const base::TextReader& from) {
     bool lines = true;  // each file ends one
-    for (size_t i = 0; i + 1 < files.size(); i++) lines = lines && ends_line(base::beside(files[i], from.name()));
+    for (size_t i = 0; i + 1 < files.size(); i++)
+        lines = lines && ends_line(base::beside(files[i], from.name()), from.place());
     if (lines) {
         for (const std::string& file : files) read_included(file, from);
         return;

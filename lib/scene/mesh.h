@@ -34,7 +34,8 @@ struct Mesh {
                                               // the scene of the mesh primitive); empty for .rtm
 };
 
-// By content (.rtm) or ending (.obj).  Throws Error; sizes are checked against what the file holds.
-Mesh read_mesh(const std::string& path, const Limits& limits = {});
+// By content (.rtm) or ending (.obj).  Throws Error; sizes are checked against what the file holds.  asked_by: as for
+// base::open_file().
+Mesh read_mesh(const std::string& path, const Limits& limits = {}, const std::string& asked_by = "");
 
 }  // namespace scene

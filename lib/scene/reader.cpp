@@ -171,7 +171,7 @@ void read_more(Scene& scene, const std::vector<std::string>& files, const ReadOp
     SceneReader reader(scene, options, limits);
     for (const std::string& file : files) {
         if (file[0] == '!') reader.read_command(file, "command line", 1);
-        else reader.read_file(file, "");
+        else reader.read_file(file, options.asked_by);
     }
 }
 

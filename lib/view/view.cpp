@@ -19,6 +19,7 @@
 #include "base/options.h"
 #include "base/split.h"
 #include "base/text_file.h"
+#include "base/text_reader.h"
 
 namespace view {
 namespace {
@@ -60,7 +61,7 @@ void declare_options(base::OptionTable& t, View& v, const std::string& otherwise
 }
 
 void declare_file_option(base::OptionTable& t, std::function<void(const View&)> use) {
-    const auto read = [=](base::Arguments& a) { use(read_view_file(a.file())); };
+    const auto read = [=](base::Arguments& a) { use(read_view_file(a.text(), a.asked_by())); };
     t.add("-vf file", "Take the view from a view file or from the header of a picture", read).from_scene();
 }
 
@@ -92,24 +93,20 @@ bool is_view_line(const std::string& line) {
     return false;
 }
 
-void apply_view_file(View& v, const std::string& path) {
-    errno = 0;
-    std::ifstream in(path, std::ios::binary);
-    if (!in) base::fail_system(path, "cannot be read");
-    base::note_file_read(path);
+void apply_view_file(View& v, const std::string& path, const std::string& asked_by) {
+    base::TextReader in = base::TextReader::from_file(path, asked_by);
     bool any = false;
     std::string line, wrong;  // wrong: in the last line with a view, which counts
     line.reserve(256);
     size_t bytes = 0;
-    for (char c; in.get(c);) {
+    for (int c; (c = in.get()) >= 0;) {
         if (++bytes > most_bytes) {
             line.clear();
             break;
         }
         if (c != '\n') {
             if (line.size() >= 1 << 16) base::fail(path, "is not a view file: a line is longer than 65536 characters");
-            line += c;
-            if (bytes == 3 && line == base::byte_order_mark) line.clear();
+            line += char(c);
             continue;
         }
         if (!line.empty() && line.back() == '\r') line.pop_back();
@@ -118,14 +115,13 @@ void apply_view_file(View& v, const std::string& path) {
         line.clear();
     }
     if (is_view_line(line)) any = parse_line(v, line, &wrong) || any;
-    if (in.bad()) base::fail_system(path, "cannot be read");
     if (!wrong.empty()) base::fail(path, wrong);
     if (!any) base::fail(path, "holds no view (no VIEW= line with a view option)");
 }
 
-View read_view_file(const std::string& path) {
+View read_view_file(const std::string& path, const std::string& asked_by) {
     View v;
-    apply_view_file(v, path);
+    apply_view_file(v, path, asked_by);
     return v;
 }
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # ptrace's command line: RADIANCE's conventions, our own words, and every way to get it wrong.
 . "${TOP:?}/tests/lib.sh"
-needs ptrace
+needs ptrace ptaccum vcmetrics
 cp "$TOP"/examples/scenes/office/view.vf .
 printf 'void light l 0 0 3 1 1 1\nl source s 0 0 4 0 0 1 30\n' > sky.rad
 in_force() { ptrace "$@" -defaults | sed 's, *#.*,,' | grep -x -e "$want"; }
@@ -28,10 +28,12 @@ check_error 'a missing @file is a system error' 2 '^ptrace: none.opt: cannot be 
 check_error 'options that run in a circle stop' 1 'expands without end' 'echo @loop > loop; ptrace @loop sky.rad'
 
 check 'options that a path tracer does not need are named in one warning' '
-    ptrace -aa .1 -ar 64 -ad 256 -as 128 -dt 0 -dc 1 -ps 1 -pt 0 -aw 0 -ap map 40 50 -z z.zbf -frames 1 -x 8 -y 8 \
+    ptrace -aa .1 -ar 64 -ad 256 -as 128 -dt 0 -dc 1 -ps 1 -pt 0 -aw 0 -ap map 40 50 -frames 1 -x 8 -y 8 \
         -vf view.vf sky.rad 2> said > /dev/null
-    test $(wc -l < said) -eq 1; grep -q "does not need -aa -ar -ad -as -dt -dc -ps -pt -aw -ap -z$" said;
-    test ! -e z.zbf'
+    test $(wc -l < said) -eq 1; grep -q "does not need -aa -ar -ad -as -dt -dc -ps -pt -aw -ap$" said'
+check '-z says that it writes nothing' '
+    ptrace -z z.zbf -frames 1 -x 8 -y 8 -vf view.vf sky.rad 2> said > /dev/null
+    grep -qx "ptrace: warning: -z: ignored: no depth file is written" said; test ! -e z.zbf'
 check 'and -w- silences it' 'ptrace -w- -aa .1 -frames 1 -x 8 -y 8 sky.rad 2>&1 > /dev/null | { ! grep .; }'
 check '-e sends messages to a file' '
     ptrace -e log -aa .1 -frames 1 -x 8 -y 8 sky.rad > /dev/null; grep -q "warning.*-aa" log'
@@ -61,7 +63,8 @@ check_error 'no scene is reported' 1 '^ptrace: no scene file' 'ptrace -frames 1'
 check_error 'a size of 0 is reported' 1 '^ptrace: -x: 0 is outside' 'ptrace -x 0 -frames 1 sky.rad'
 check_error 'a huge size is reported' 1 '^ptrace: -y: ' 'ptrace -y 999999 -frames 1 sky.rad'
 check_error 'an impossible view is reported' 1 '^ptrace: -vh: ' 'ptrace -vh 200 -frames 1 sky.rad'
-check_error 'options after the scene are an error' 1 '^ptrace: -ab: options must come before' 'ptrace sky.rad -ab 3'
+check_error 'options after the scene are an error' 1 \
+    '^ptrace: -ab: options must come before the scene files, and "sky.rad" is taken for one$' 'ptrace sky.rad -ab 3'
 check_error 'other primaries are refused' 1 '^ptrace: -pXYZ: ' 'ptrace -pXYZ sky.rad'
 check 'frames in a file get a warning: other programs misread them' '
     ptrace -frames 1 -x 8 -y 8 sky.rad > file.hdr 2> said; [ "$(wc -l < said)" = 1 ];
@@ -111,3 +114,30 @@ check 'its exposure brightens the picture and moves no number' '
         done'
 check_error 'a view that the rad input file lacks' 1 '^ptrace: t.rif: has no view "left"' '
     ptrace -rif t.rif -frames 1 left > x'
+
+view='-vta -vh 180 -vv 180 -vd 0 0 1 -vu 0 1 0 -x 32 -y 32'
+pixels() { sed -n '/^-Y/,$p' "$1"; }
+check '-picture is the picture that ptaccum -last makes' '
+    ptrace $view -frames 5 sky.rad | ptaccum -last > two.hdr; ptrace -picture $view -frames 5 sky.rad > one.hdr 2> said
+    test ! -s said; pixels one.hdr > a; pixels two.hdr | cmp - a; strings one.hdr | grep -qx FRAMES=4'
+check 'to a file, too, which merges' '
+    ptrace -picture $view -frames 5 -o one.hdr sky.rad; pixels one.hdr | cmp - a
+    ptrace -picture $view -frames 5 -o one.exr sky.rad; ptaccum one.exr | pixels /dev/stdin | cmp - a
+    ptrace -seed 2 $view -frames 5 sky.rad | ptaccum -last | ptaccum one.exr - -o both.exr
+    ptaccum both.exr | strings | grep -qx FRAMES=8'
+check 'of 64 frames where -frames is not given, also to a file' '
+    ptrace -picture $view sky.rad > one.hdr; strings one.hdr | grep -qx FRAMES=63'
+check 'of several views one after another, or each by its name' '
+    for d in 1 2; do echo "VIEW= v$d -vta -vh 180 -vv 180 -vp 0 0 $d -vd 0 0 1 -vu 0 1 0"; done > two.vf
+    ptrace -picture -views two.vf -x 8 -y 8 -frames 2 sky.rad | grep -ao "#?RADIANCE" | wc -l | grep -qx 2
+    ptrace -picture -views two.vf -x 8 -y 8 -frames 2 -o "%s.hdr" sky.rad; test -s v1.hdr && test -s v2.hdr'
+check_error '-picture without frame 0' 1 '^ptrace: -picture: needs frame 0' 'ptrace -picture -frames 2:4 sky.rad > x'
+check_error '-picture has no number of a frame' 1 '^ptrace: -o: .*no frames are written' '
+    ptrace -picture -frames 2 -o x%d.hdr sky.rad'
+check 'a signal ends it with the frames until then' '
+    ptrace -picture -x 256 -y 256 -frames 1000000 sky.rad > x & pid=$!; sleep 1.5; kill -TERM $pid
+    status=0; wait $pid || status=$?; test $status -eq 3; vcmetrics -vta -vh 180 -vv 180 -metrics Ev x > table'
+if command -v pfilt > /dev/null; then
+    check 'pfilt reads it from the pipe' '
+        ptrace -picture $view -frames 4 sky.rad | pfilt -x 16 -y 16 > small.hdr; test -s small.hdr'
+fi

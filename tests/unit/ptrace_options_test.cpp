@@ -34,6 +34,7 @@ const std::map<std::string, const char*> harmless = {
     {"-seed", "frames of different seeds may be summed; the header names the seed"},
     {"-focus", "its pixels are a part of the fingerprint"},
     {"-focus-share", "their samples are a part of the fingerprint"},
+    {"-picture", "frames are the same, their sum is written"},
     {"-moments", "moments are no pixels; frames are the same without"},
     {"-device", "the same bits on every device"},
     {"-n", "the same bits on any number of threads"},

@@ -255,6 +255,6 @@ TEST_CASE("nesting, self-inclusion and array bombs end in an error, soon and in 
 }
 
 TEST_CASE("unreadable files are errors") {
-    CHECK(error_of([] { scene::read_scene({"/no/such.rad"}, {}); }).find("/no/such.rad: cannot open") == 0);
+    CHECK(error_of([] { scene::read_scene({"/no/such.rad"}, {}); }).find("/no/such.rad: cannot be read: No such") == 0);
     CHECK(error_of([] { scene::read_scene({"/"}, {}); }) == "/: \"/\" is a directory");
 }

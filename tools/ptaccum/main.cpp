@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/run.h"
 #include "base/stop.h"
 #include "image/stream.h"
@@ -38,6 +39,19 @@ private:
     size_t at_ = 0;
     std::unique_ptr<image::StreamReader> reader_;
 };
+
+// A sum may be replaced by the sum that it becomes a part of; frames and other pictures would be lost.
+void keep_inputs(const Options& opt) {
+    for (const std::string& input : opt.inputs) {
+        try {
+            base::keep_inputs(opt.outputs, {input});
+        } catch (const base::Error&) {
+            image::Picture first;
+            if (input == "-" || !image::StreamReader(input).next(first) || !first.header.frames) throw;
+            base::may_replace(input);
+        }
+    }
+}
 
 bool is_frame(const image::Picture& p) { return p.header.frame && !p.header.frames; }
 
@@ -94,6 +108,7 @@ int main(int argc, char** argv) {
     return base::run("ptaccum", [&] {
         const auto opt = parse_options(argc, argv);
         if (!opt) return 0;
+        keep_inputs(*opt);
         const Output output(*opt, opt->command);
         Pictures pictures(opt->inputs);
         image::Picture first;

@@ -11,7 +11,6 @@
 #include <cerrno>
 
 #include "base/error.h"
-#include "base/text_file.h"
 #include "base/value.h"
 #include "render/make_device.h"
 #include "render/progressive.h"
@@ -49,7 +48,7 @@ void read_rif(const std::string& path, const std::vector<std::string>& assignmen
               std::optional<scene::RadInput>& rad_input) {
     rad_input = scene::read_rad_input(path, assignments);
     t.read_scene_words(rad_input->options, path);
-    for (const std::string& file : rad_input->scene_files) base::require_ordinary_file(file, path);
+    opt.files.asked_by = path;
     opt.exposure = rad_input->exposure;
 }
 
@@ -84,6 +83,8 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
     t.add("-frames N|A:B", "Frames 0 to N-1, or A to B, both included", [&](Arguments& a) {
          read_frames(a.text(), opt);
      }).default_text("endless");
+    t.add("-picture", "One ordinary picture, the sum of the frames (64 without -frames), as rpict writes it",
+          opt.one_picture);
     t.add("-seed n", "Seed of the random numbers", opt.render.seed).at_least(0);
     t.add("-focus file", "More samples for these regions: masks of vcregion(1), or a file of vcregion(5)",
           opt.focus_file);
@@ -126,7 +127,8 @@ void declare_rpicts(OptionTable& t) {
     t.ignored("-dt -dc -ps -pt -pm -cs", 1, Scenes::yes);
     t.ignored("-cw", 2, Scenes::yes);
     t.ignored("-pRGB", 0, Scenes::yes);
-    t.ignored("-P -PP -r -ro -z", 1, Scenes::no);
+    t.ignored("-P -PP -r -ro", 1, Scenes::no);
+    t.ignored("-z", 1, Scenes::no);
     for (const char* name : {"-pXYZ", "-pc"}) t.refuse(name, "", "frames are in RADIANCE's RGB");
 }
 

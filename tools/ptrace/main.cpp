@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ptrace - renders a RADIANCE scene by path tracing, frame after frame, each an ordinary picture on stdout.
 // Frame 0 holds the direct and specular paths, frames 1, 2, ... one diffuse path sample a pixel each, more where it
-// is noisy (paper Eq. 7).
+// is noisy (paper Eq. 7); -picture writes their sum instead.
 // The rendering lives in lib/render; this file only connects.  See man/ptrace.1.
 #include <fmt/core.h>
 
@@ -14,6 +14,7 @@
 #include "base/progress.h"
 #include "base/run.h"
 #include "base/stop.h"
+#include "film/accumulate.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "options.h"
@@ -78,6 +79,17 @@ void load(const Options& opt, const scene::Scene& scene, const scene::ReadOption
     renderer->load(scene, shots, render, how);
 }
 
+// One ordinary picture, as ptaccum -last writes it.
+void write_sum(const Options& opt, const film::Accumulator& sum, const std::string& label) {
+    if (sum.empty()) return;  // a signal came before frame 0
+    image::Picture picture;
+    sum.result(picture, !opt.output.empty());
+    picture.header.last_frame.reset();
+    if (opt.output.empty()) return image::write_picture_stdout(picture, image::Format::rgbe);
+    image::add_date(picture.header);
+    image::write_file(output_name(opt.output, opt.last, label), picture);
+}
+
 // Frames first to last of the picture that the renderer looks at, unless control ends it before.
 void render_frames(const Options& opt, render::Renderer& renderer, render::Control& control, image::Picture& picture) {
     const bool streams = opt.output.empty();
@@ -86,6 +98,7 @@ void render_frames(const Options& opt, render::Renderer& renderer, render::Contr
     as_float.pixels = image::Format::flt;
     Report report(opt.report_s, renderer.device_name(), label, opt.last);
     bool ended = false;
+    film::Accumulator sum;
     const auto give = [&](int64_t k, const std::vector<float>& rgb) {
         picture.rgb = rgb;
         picture.header.frame = k;
@@ -93,7 +106,8 @@ void render_frames(const Options& opt, render::Renderer& renderer, render::Contr
         if (ends && streams) picture.header.last_frame = k;
         ended = ended || ends;
         picture.moments = k == 0 && opt.moments ? renderer.moments() : image::Moments();
-        if (streams) image::write_picture_stdout(picture, image::Format::flt);
+        if (opt.one_picture) sum.add(picture, fmt::format("frame {}", k));
+        else if (streams) image::write_picture_stdout(picture, image::Format::flt);
         else image::write_file(output_name(opt.output, k, label), picture, as_float);
         report.frame(k, k - opt.first + 1);
         return !ended && !base::stop_requested();
@@ -101,6 +115,7 @@ void render_frames(const Options& opt, render::Renderer& renderer, render::Contr
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
     for (int64_t k = opt.first; !ended && !base::stop_requested(); k += block)
         renderer.frames(k, int(std::min(block, opt.last - k + 1)), give);
+    if (opt.one_picture) write_sum(opt, sum, label);
 }
 
 void write_rule(const Options& opt) {
@@ -159,12 +174,13 @@ int run(int argc, char** argv) {
         scene::Scene scene = &sky == &skies.back() ? std::move(without_sky) : without_sky;
         scene::ReadOptions how = opt.files;
         how.work = std::make_shared<base::Work>(*opt.files.work);  // each sky goes on with what the rest has left
+        how.asked_by.clear();                                      // a sky is the command line's
         if (!sky.empty()) scene::read_more(scene, {sky}, how);
         // What a scene names is read when it is loaded; so the rule of -M needs a device, too.
         load(opt, scene, how, only_rule ? "cpu" : opt.device, renderer);
         if (!opt.rule_for.empty() && &sky == &skies.back()) write_rule(opt);
         if (only_rule) continue;
-        if (opt.output.empty() && base::stdout_is_file() && &sky == &skies.front())
+        if (opt.output.empty() && !opt.one_picture && base::stdout_is_file() && &sky == &skies.front())
             base::warn("stdout",
                        "writing frames to a file, which only luxpipe can read; \"| ptaccum -last >\" makes a picture");
         base::finish_on_signal();

@@ -83,7 +83,10 @@ void check_names(const Options& opt) {
 void check_output(const Options& opt) {
     if (opt.last == Options::endless) base::fail("-frames", "say how many frames to write to files");
     const std::string label = opt.shots[0].name + (opt.skies.empty() ? "" : sky_name(opt.skies[0]));
-    if (opt.last > opt.first && output_name(opt.output, 0, label) == output_name(opt.output, 1, label))
+    if (opt.one_picture) {
+        if (opt.output.find("%d") != std::string::npos)
+            base::fail("-o", "\"" + opt.output + "\": with -picture no frames are written that %d could number");
+    } else if (opt.last > opt.first && output_name(opt.output, 0, label) == output_name(opt.output, 1, label))
         base::fail("-o", "\"" + opt.output + "\" needs a %d for the number of the frame");
     const bool several = !opt.shots[0].name.empty() || !opt.skies.empty();
     if (several && opt.output.find("%s") == std::string::npos)
@@ -143,10 +146,17 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     opt.scene_files = base::open_folders(opt.scene_files, opt.files);
     choose_shots(rad_input, rad_input && !operands->empty() ? operands->front() : "", table, opt);
     opt.command = table.command();
+    if (opt.one_picture) {
+        if (opt.first != 0) base::fail("-picture", "needs frame 0, without which the sum is no picture");
+        if (opt.last == Options::endless) opt.last = Options::frames_of_picture - 1;
+        opt.moments = false;
+    }
     base::use_processors(unsigned(opt.threads));
     if (!opt.warnings) base::set_warning_sink({});
     std::string unneeded;
-    for (const std::string& name : table.ignored_ones()) unneeded += " " + name;
+    for (const std::string& name : table.ignored_ones())
+        if (name == "-z") base::warn("-z", "ignored: no depth file is written");
+        else unneeded += " " + name;
     if (!unneeded.empty()) base::warn("", "a path tracer does not need" + unneeded);
     check(opt);
     return std::nullopt;

@@ -35,6 +35,7 @@ struct Options {
     std::string command;                    // the whole command line, for the headers of the frames
     std::string control;                    // -control: a FIFO with commands; empty: none
     std::string output;                     // -o pattern; empty: stdout
+    bool one_picture = false;               // -picture: their sum instead of the frames
     bool moments = true;                    // -moments
     int threads = int(base::processors());  // -n
     int report_s = 0;                       // -t: a line on stderr every so many seconds
@@ -45,7 +46,8 @@ struct Options {
     double focus_share = .125;     // their samples, over those of the picture
     std::vector<NamedShot> shots;  // what is rendered, one or several
 
-    static constexpr int64_t endless = 0xfffffffe;  // the samplers count frames in 32 bits
+    static constexpr int64_t frames_of_picture = 64;  // of -picture, where -frames is not given
+    static constexpr int64_t endless = 0xfffffffe;    // the samplers count frames in 32 bits
 };
 
 // Fills opt and checks it.  A status: the answer (-help, -version, -defaults, -devices) was printed, main ends with it.

@@ -16,7 +16,9 @@ std::string what_it_lacks(const image::Picture& p) {
     if (!p.header.frames) return "it is no sum of frames (no FRAMES= line)";
     if (p.header.ranges.size() != 1 || p.header.ranges[0].first != 0 || !p.header.other_seeds.empty())
         return "it is merged from several runs, without their batches (ptaccum -batches 16 keeps them)";
-    if (!p.floats) return "it is no stream of float pixels, and no file that ptaccum -batches 16 has made";
+    if (!p.floats)
+        return "its pixels are not floats, which tell too little (leave out -last and -fc of ptaccum; of a file: "
+               "ptaccum -batches 16 -o file.exr)";
     return "";
 }
 
@@ -57,8 +59,8 @@ bool Steps::look(const glare::Luminance& lum, const glare::Measurement& m) {
 void Steps::end_input(const std::string& place) {
     if (step_ && estimates_.parts().size() == 1)
         tell(place,
-             "a picture by itself holds no batches of frames; the stream of sums does, and a file of "
-             "ptaccum -batches 16");
+             "a picture by itself holds no batches of frames; the stream of sums does (ptaccum without -last), and a "
+             "file of ptaccum -batches 16 -o file.exr");
     estimates_.restart();
     last_ = -1;
 }

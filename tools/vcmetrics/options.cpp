@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/warnings.h"
 #include "declare.h"
 
@@ -57,6 +58,8 @@ void check(const Options& o) {
     if (!o.control.empty() && o.until.empty() && !o.max_frames)
         base::fail("-control", "needs -until or -max-frames, which say when a picture ends");
     if (!o.control.empty() && !o.files.empty()) base::fail("-control", "works on a stream, not on files");
+    if (o.settings.check_picture)
+        base::keep_inputs({o.check_file}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);
     if (!o.compare) return;
 
     if (o.files.size() != 2) base::fail("-compare", fmt::format("compares two inputs, not {}", o.files.size()));

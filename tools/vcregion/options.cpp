@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/model_folder.h"
 #include "base/options.h"
 #include "base/run.h"
@@ -62,6 +63,9 @@ void check(const Options& o) {
         for (const std::string& name : o.outputs) png = png || image::ending_of(name) == ".png";
         if (!png) base::fail("-over", "name the preview: -o file.png");
     }
+    std::vector<std::string> inputs = o.scene;
+    inputs.insert(inputs.end(), {o.regions, o.over});
+    base::keep_inputs(o.outputs, inputs);
     if (o.outputs.empty() && !o.list) {
         if (o.single.empty()) base::fail("", "nothing to write: give -o masks.exr, -list or -single name");
         if (base::stdout_is_terminal()) base::fail("stdout", "a mask is binary; pipe it or name a file with -o");
