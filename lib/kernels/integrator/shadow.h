@@ -161,7 +161,6 @@ FN float3 shadow_straight(SHARED(const SceneTables) s, UNIFORM(const Params) par
         ray->tmax -= hit.t;
         if (ray->tmax <= 0.0f) return must_hit ? black : shadow->T;
     }
-
     return black;
 }
 
@@ -261,7 +260,6 @@ FN float3 shadow_aimed(SHARED(const SceneTables) s, UNIFORM(const Params) par, P
         ray->org = offset_ray(g.p, reflected ? g.ng : neg3(g.ng), g.reach);
         ray->dir = next;
     }
-
     return black;
 }
 
