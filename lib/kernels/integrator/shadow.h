@@ -31,17 +31,14 @@ FN int shadow_meet(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVA
                    PRIVATE(Lobes) lobes) {
     int antimatter = has_antimatter(par);
     uint carried = g->mod;
-
     if (antimatter && clip_hit(s, par, g, &shadow->clip) == CLIP_IGNORE) return MET_NOTHING;
     if (!find_material(s, par, g, &shadow->rnd)) return MET_NOTHING;
     if (shadow_alternate(s, par, g, shadow->src, relayed, &shadow->rnd)) return MET_NOTHING;
-
     if (material_has(g->type, MT_SHINES) != 0u) return MET_LAMP;
     if (HAS(SOLIDS) && g->type == M_MIST) {
         mist_crossing(s, par, g, here, beyond);
         return MET_NOTHING;
     }
-
     material_lobes(s, par, g, LOBES_SHADOW, &shadow->rnd, here, beyond, lobes);
     if (antimatter) clip_turned(s, par, g, carried, &shadow->clip);
     return (lobes->flags & LOBE_PASS) != 0u ? MET_NOTHING : MET_SURFACE;
