@@ -58,7 +58,7 @@ void check(const Options& o) {
     if (!o.control.empty() && o.until.empty() && !o.max_frames)
         base::fail("-control", "needs -until or -max-frames, which say when a picture ends");
     if (!o.control.empty() && !o.files.empty()) base::fail("-control", "works on a stream, not on files");
-    if (o.settings.check_picture)
+    if (!o.check_file.empty())
         base::keep_inputs({o.check_file}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);
     if (!o.compare) return;
 
