@@ -10,11 +10,11 @@
 namespace {
 
 const char* const source = R"CL(
-#include "compat_opencl.h"
-#include "vec.h"
-#include "math.h"
-#include "intersect.h"
-#include "cal_vm.h"
+#include "kernels/dialect/compat_opencl.h"
+#include "kernels/math/vec.h"
+#include "kernels/math/math.h"
+#include "kernels/bvh/intersect.h"
+#include "kernels/cal/cal_vm.h"
 // item i runs program entry[i] on its own variables
 __kernel void run(__global const uint* words, __global const float* floats, __global const uint* entry,
                   __global const float* vars, __global float* result, __global int* error) {

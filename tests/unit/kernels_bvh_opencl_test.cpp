@@ -28,12 +28,13 @@ static std::string program_text() {
             if (line.rfind("#include", 0) != 0) text += line + "\n";
     };
     for (const char* file :
-         {"compat_opencl.h", "vec.h", "features.h", "intersect.h", "shapes.h", "woop.h", "offset_ray.h"})
+         {"dialect/compat_opencl.h", "math/vec.h", "features.h", "bvh/intersect.h", "geom/shapes.h", "bvh/woop.h",
+          "bvh/offset_ray.h"})
         add(file);
     text += "#ifdef LUX_COMPACT\n";
-    add("bvh_compact.h");
+    add("bvh/bvh_compact.h");
     text += "#else\n";
-    add("bvh8.h");
+    add("bvh/bvh8.h");
     text += R"(
 #endif
 // Ray: 8 floats; result: t, prim, u, v, inst, any, and a shifted origin's x.
