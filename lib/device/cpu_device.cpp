@@ -20,7 +20,7 @@ namespace {
 // Paths of one tile: their state (kernels/integrator/state.h, 220 bytes each) stays in the second-level cache; what
 // they share, 384 bytes more, is touched only when they have ended.
 constexpr uint32_t TILE = 4096;
-static_assert(TILE % SHARE_SQUARE == 0, "groups lie in one tile");
+static_assert(TILE % REUSE_SQUARE == 0, "groups lie in one tile");
 
 #define POINT_AT_BVH(type, name) tables_.name = tree_->name.data();
 #define POINT_AT_SCENE(type, name) tables_.name = scene_.name.data();
@@ -92,33 +92,33 @@ public:
     void run(const Params& par, std::vector<float>& rgb) override {
         rgb.resize(size_t(kernels::film_places(&par)) * 3);
         tiles(par.slots, [&](uint32_t first, uint32_t count, void* scratch) {
-            float* film = par.shared_slots != 0 ? rgb.data() : &rgb[size_t(first) * 3];
+            float* film = par.reuse_slot_count != 0 ? rgb.data() : &rgb[size_t(first) * 3];
             kernels_.run(&tables_, &par, par.first + first, count, scratch, film);
         });
     }
-    void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) override {
+    void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) override {
         rgb.resize(rays.size() * 3);
         tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
-            kernels_.draw(&tables_, &par, rays.data(), first, count, scratch, &rgb[size_t(first) * 3]);
+            kernels_.splat(&tables_, &par, rays.data(), first, count, scratch, &rgb[size_t(first) * 3]);
         });
     }
-    void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) override {
+    void pilot(const Params& par, const std::vector<PilotRay>& rays, std::vector<PilotEnd>& ends) override {
         ends.resize(rays.size());
         tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
-            kernels_.walk(&tables_, &par, rays.data(), first, count, scratch, ends.data());
+            kernels_.pilot(&tables_, &par, rays.data(), first, count, scratch, ends.data());
         });
     }
     void set_focus(std::vector<uint32_t> entries) override {
         focus_ = std::move(entries);
         tables_.focus = focus_.data();
     }
-    uint32_t good_slots() const override { return 64 * TILE; }
+    uint32_t preferred_batch_size() const override { return 64 * TILE; }
 
 private:
     // Smaller tiles where there are few slots, so that no thread waits.
     uint32_t tile_of(uint32_t slots) const {
-        const uint32_t each = slots / (2 * threads_) / SHARE_SQUARE * SHARE_SQUARE;
-        return std::clamp(each, SHARE_SQUARE, TILE);
+        const uint32_t each = slots / (2 * threads_) / REUSE_SQUARE * REUSE_SQUARE;
+        return std::clamp(each, REUSE_SQUARE, TILE);
     }
     template <class F>
     void tiles(uint32_t slots, F&& work) {

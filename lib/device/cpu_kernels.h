@@ -9,15 +9,15 @@ namespace device {
 struct CpuKernels {
     const char* name;
     // Runs the paths of slots [first, first + count) of a pass.  film: 3 floats for each of them, or, where paths
-    // share, the whole pass's (kernels/integrator/share.h).  scratch: scratch_bytes(count).
+    // share, the whole pass's (kernels/integrator/path_reuse.h).  scratch: scratch_bytes(count).
     void (*run)(const void* scene_tables, const void* params, uint32_t first, uint32_t count, void* scratch,
                 float* film);
-    // Rays in the layout of device::DrawRay.
-    void (*draw)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
-                 void* scratch, float* rgb);
-    // Rays and ends in the layouts of device::WalkRay and WalkEnd.
-    void (*walk)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
-                 void* scratch, void* ends);
+    // Rays in the layout of device::SplatRay.
+    void (*splat)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
+                  void* scratch, float* rgb);
+    // Rays and ends in the layouts of device::PilotRay and PilotEnd.
+    void (*pilot)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
+                  void* scratch, void* ends);
     uint64_t (*scratch_bytes)(uint32_t count);
 };
 extern const CpuKernels cpu_baseline, cpu_avx2, cpu_avx512;

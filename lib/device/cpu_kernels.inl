@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "device/cpu_kernels.h"
-#include "device/walks.h"
+#include "device/pilot_rays.h"
 
 namespace LUX_ISA {
 #include "kernels/dialect/compat_host.h"
@@ -55,8 +55,8 @@ static void extend(const SceneTables& s, const Params& par, Tile& t, uint32_t n)
 // The members of the groups of a square.
 template <class STAGE>
 static void of_groups(STAGE&& stage) {
-    for (uint32_t group = 0; group < SHARE_GROUPS; group++)
-        for (uint32_t which = 0; which < SHARE_GROUP; which++) stage(SHARE_FIRST(group), which);
+    for (uint32_t group = 0; group < REUSE_GROUPS; group++)
+        for (uint32_t which = 0; which < REUSE_GROUP; which++) stage(REUSE_FIRST(group), which);
 }
 // Each stage of the n slots of a queue, one path at a time.
 struct OneByOne {
@@ -71,21 +71,21 @@ struct OneByOne {
         for (uint32_t i = 0; i < n; i++) path_shadow(&s, &par, &t.paths, t.shadow[i], t.result[i]);
     }
     // of a square, as what follows
-    static void thin(Tile& t) {
-        of_groups([&](uint32_t first, uint32_t which) { path_thin(&t.paths, first, which); });
+    static void suffix_roulette(Tile& t) {
+        of_groups([&](uint32_t first, uint32_t which) { path_suffix_roulette(&t.paths, first, which); });
     }
-    static void look_through(const SceneTables& s, const Params& par, Tile& t, const uint32_t* links, uint32_t n) {
+    static void transmittance(const SceneTables& s, const Params& par, Tile& t, const uint32_t* links, uint32_t n) {
         for (uint32_t i = 0; i < n; i++)
-            path_look_through(&s, &par, &t.paths, links[i] / SHARE_GROUP, links[i] % SHARE_GROUP);
+            path_transmittance(&s, &par, &t.paths, links[i] / REUSE_GROUP, links[i] % REUSE_GROUP);
     }
     static void connect(const SceneTables& s, const Params& par, Tile& t) {
         of_groups([&](uint32_t first, uint32_t which) { path_connect(&s, &par, &t.paths, first, which); });
     }
-    static void weigh(Tile& t, uint32_t n) {
-        for (uint32_t i = 0; i < n; i++) path_weigh(&t.paths, t.now[i]);
+    static void normalise_mis(Tile& t, uint32_t n) {
+        for (uint32_t i = 0; i < n; i++) path_normalise_mis(&t.paths, t.now[i]);
     }
-    static void collect(Tile& t) {
-        of_groups([&](uint32_t first, uint32_t which) { path_collect(&t.paths, first, which); });
+    static void gather(Tile& t) {
+        of_groups([&](uint32_t first, uint32_t which) { path_gather(&t.paths, first, which); });
     }
 };
 #ifdef LANE_CALL
@@ -121,7 +121,7 @@ static void block_together(const SceneTables& s, const Params& par, Tile& t, uin
         for (uint32_t k = 0; k < p.count; k++) t.result[of[k]] = (open >> k & 1u) != 0 ? SHADOW_OPEN : SHADOW_BLOCKED;
     }
 }
-#include "device/cpu_links.h"
+#include "device/cpu_connections.h"
 // Follows the n paths of the queue to their ends.  together: their rays lie side by side.
 template <class STAGES>
 static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n, bool together) {
@@ -143,37 +143,37 @@ static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n,
         n = goes_on;
     }
 }
-// The links of the queue that may lead through panes: a row of their own, for few far ends have some.
+// The links of the queue that may lead through panes: a row of their own, for few suffix vertices have some.
 template <class STAGES>
-static void look_through(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-    uint32_t links[SHARE_SQUARE * SHARE_GROUP], count = 0;
+static void transmittance(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+    uint32_t links[REUSE_SQUARE * REUSE_GROUP], count = 0;
     for (uint32_t i = 0; i < n; i++) {
         const uint32_t slot = t.now[i];
-        uint32_t left = links_to_look_through(t.paths.links[slot], share_which(slot));
-        for (; left != 0; left &= left - 1) links[count++] = slot * SHARE_GROUP + uint32_t(__builtin_ctz(left));
+        uint32_t left = connections_to_attenuate(t.paths.links[slot], reuse_which(slot));
+        for (; left != 0; left &= left - 1) links[count++] = slot * REUSE_GROUP + uint32_t(__builtin_ctz(left));
     }
-    STAGES::look_through(s, par, t, links, count);
+    STAGES::transmittance(s, par, t, links, count);
 }
-// Far ends light the near ends of their groups, in one square.
+// Far ends light the prefix vertices of their groups, in one square.
 template <class STAGES>
 static void share(const SceneTables& s, const Params& par, Tile& t) {
     uint32_t n = 0;
-    STAGES::thin(t);
+    STAGES::suffix_roulette(t);
     of_groups([&](uint32_t first, uint32_t which) {
-        const uint32_t slot = SHARE_MEMBER(first, which);
-        if (HAS_FAR_END(&t.paths, slot)) t.now[n++] = slot;
+        const uint32_t slot = REUSE_MEMBER(first, which);
+        if (HAS_PREFIX(&t.paths, slot)) t.now[n++] = slot;
     });
-    know_links(s, par, t, n);
-    look_through<STAGES>(s, par, t, n);
+    know_connections(s, par, t, n);
+    transmittance<STAGES>(s, par, t, n);
     STAGES::connect(s, par, t);
-    STAGES::weigh(t, n);
-    STAGES::collect(t);
+    STAGES::normalise_mis(t, n);
+    STAGES::gather(t);
 }
 // Square by square: what the paths of one share stays in the cache.
 #define PATH_SKIP(type, name, when) square.paths.name += first;
 template <class STAGES>
 static void share_squares(const SceneTables& s, const Params& par, const Tile& t, uint32_t count) {
-    for (uint32_t first = 0; first < count; first += SHARE_SQUARE) {
+    for (uint32_t first = 0; first < count; first += REUSE_SQUARE) {
         Tile square = t;
         PATH_STATE(PATH_SKIP)
         share<STAGES>(s, par, square);
@@ -195,15 +195,15 @@ static void run(const void* tables, const void* params, uint32_t first, uint32_t
     for (uint32_t i = 0; i < count; i++)
         if (t.result[i] != 0) t.now[n++] = i;
     follow<STAGES>(s, par, t, n, par.mode != MODE_RAY && (par.flags & PF_EYE_ON_SURFACE) == 0);
-    if (par.shared_slots != 0) share_squares<STAGES>(s, par, t, count);
+    if (par.reuse_slot_count != 0) share_squares<STAGES>(s, par, t, count);
     store(par, t, count, film);
 }
-// device::DrawRay
+// device::SplatRay
 struct Ray9 {
     float org[3], dir[3], dist, weight;
     uint32_t source;
 };
-static void draw(const void* tables, const void* params, const void* rays, uint32_t first, uint32_t count,
+static void splat(const void* tables, const void* params, const void* rays, uint32_t first, uint32_t count,
                  void* scratch, float* rgb) {
     const SceneTables s = *static_cast<const SceneTables*>(tables);
     const Params par = part_of(params, first, count);
@@ -213,32 +213,32 @@ static void draw(const void* tables, const void* params, const void* rays, uint3
         t.paths.shadow_org[i] = pack4(F3(r[i].org[0], r[i].org[1], r[i].org[2]), as_float_(r[i].source));
         t.paths.shadow_dir[i] = pack4(F3(r[i].dir[0], r[i].dir[1], r[i].dir[2]), r[i].dist);
         t.paths.shadow_rad[i] = pack4(F3(r[i].weight, r[i].weight, r[i].weight), 0.0f);
-        path_draw(&s, &par, &t.paths, i);
+        path_splat(&s, &par, &t.paths, i);
         path_shadow(&s, &par, &t.paths, i, SHADOW_TO_TRACE);
     }
     store(par, t, count, rgb);
 }
 template <class STAGES>
-static void walk(const void* tables, const void* params, const void* rays, uint32_t first, uint32_t count,
+static void pilot(const void* tables, const void* params, const void* rays, uint32_t first, uint32_t count,
                  void* scratch, void* ends) {
     const SceneTables s = *static_cast<const SceneTables*>(tables);
     const Params par = part_of(params, first, count);
     Tile t = carve(scratch, count);
-    const device::WalkRay* r = static_cast<const device::WalkRay*>(rays) + first;
+    const device::PilotRay* r = static_cast<const device::PilotRay*>(rays) + first;
     uint32_t n = 0;
     for (uint32_t i = 0; i < count; i++) {
         t.paths.org[i] = pack4(F3(r[i].org[0], r[i].org[1], r[i].org[2]), 0.0f);
         t.paths.dir[i] = pack4(F3(r[i].dir[0], r[i].dir[1], r[i].dir[2]), r[i].dir_w);
-        if (path_begin_walk(&par, &t.paths, i)) t.now[n++] = i;
+        if (path_begin_pilot(&par, &t.paths, i)) t.now[n++] = i;
     }
     follow<STAGES>(s, par, t, n, false);
-    device::WalkEnd* end = static_cast<device::WalkEnd*>(ends) + first;
+    device::PilotEnd* end = static_cast<device::PilotEnd*>(ends) + first;
     for (uint32_t i = 0; i < count; i++) {
         put3(xyz4(t.paths.rad[i]), end[i].gathered);
         put3(xyz4(t.paths.thr[i]), end[i].share);
         put3(xyz4(t.paths.org[i]), end[i].p);
         put3(xyz4(t.paths.dir[i]), end[i].n);
-        end[i].bounce = t.paths.dir[i].w == WALK_AT_BOUNCE;
+        end[i].bounce = t.paths.dir[i].w == PILOT_AT_BOUNCE;
     }
 }
 }  // namespace LUX_ISA
@@ -247,7 +247,7 @@ namespace device {
 #define LUX_PASTE_(a, b) a##b
 #define LUX_PASTE(a, b) LUX_PASTE_(a, b)
 #define LUX_KERNELS(name, STAGES) \
-    { name, LUX_ISA::run<LUX_ISA::STAGES>, LUX_ISA::draw, LUX_ISA::walk<LUX_ISA::STAGES>, LUX_ISA::scratch_bytes }
+    { name, LUX_ISA::run<LUX_ISA::STAGES>, LUX_ISA::splat, LUX_ISA::pilot<LUX_ISA::STAGES>, LUX_ISA::scratch_bytes }
 extern const CpuKernels LUX_PASTE(cpu_, LUX_ISA);
 const CpuKernels LUX_PASTE(cpu_, LUX_ISA) = LUX_KERNELS(LUX_ISA_NAME, OneByOne);
 #ifdef LANE_CALL

@@ -10,12 +10,12 @@ void LANE_CALL(shade)(const SceneTables* s, const Params* par, const Paths* path
                       int* result);
 void LANE_CALL(shadow)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
                        const int* known);
-void LANE_CALL(thin)(const Paths* paths);
-void LANE_CALL(look_through)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* links,
-                             uint32_t n);
+void LANE_CALL(suffix_roulette)(const Paths* paths);
+void LANE_CALL(transmittance)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* links,
+                              uint32_t n);
 void LANE_CALL(connect)(const SceneTables* s, const Params* par, const Paths* paths);
-void LANE_CALL(weigh)(const Paths* paths, const uint32_t* queue, uint32_t n);
-void LANE_CALL(collect)(const Paths* paths);
+void LANE_CALL(normalise_mis)(const Paths* paths, const uint32_t* queue, uint32_t n);
+void LANE_CALL(gather)(const Paths* paths);
 
 void LANE_CALL(closest)(const SceneTables* s, const float* words, uint32_t mask, Hit* hit);
 int LANE_CALL(any)(const SceneTables* s, const float* words, uint32_t mask);
@@ -72,12 +72,12 @@ struct InLanes {
     static void shadow(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
         LANE_CALL(shadow)(&s, &par, &t.paths, t.shadow, n, t.result);
     }
-    static void thin(Tile& t) { LANE_CALL(thin)(&t.paths); }
-    static void look_through(const SceneTables& s, const Params& par, Tile& t, const uint32_t* links, uint32_t n) {
-        LANE_CALL(look_through)(&s, &par, &t.paths, links, n);
+    static void suffix_roulette(Tile& t) { LANE_CALL(suffix_roulette)(&t.paths); }
+    static void transmittance(const SceneTables& s, const Params& par, Tile& t, const uint32_t* links, uint32_t n) {
+        LANE_CALL(transmittance)(&s, &par, &t.paths, links, n);
     }
     static void connect(const SceneTables& s, const Params& par, Tile& t) { LANE_CALL(connect)(&s, &par, &t.paths); }
-    static void weigh(Tile& t, uint32_t n) { LANE_CALL(weigh)(&t.paths, t.now, n); }
-    static void collect(Tile& t) { LANE_CALL(collect)(&t.paths); }
+    static void normalise_mis(Tile& t, uint32_t n) { LANE_CALL(normalise_mis)(&t.paths, t.now, n); }
+    static void gather(Tile& t) { LANE_CALL(gather)(&t.paths); }
 };
 #endif

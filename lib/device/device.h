@@ -6,14 +6,14 @@
 #include <vector>
 #include "kernels/dialect/host.h"
 #include "flatten/flat_scene.h"
-#include "device/walks.h"
+#include "device/pilot_rays.h"
 
 namespace device {
 
 using kernels::Params;
 
 // A straight ray from the eye to a point of active source `source`, and the share of a pixel it stands for.
-struct DrawRay {
+struct SplatRay {
     float org[3], dir[3], dist, weight;
     uint32_t source;
 };
@@ -28,14 +28,14 @@ public:
     virtual void set_numbers(std::vector<float> numbers) = 0;
     // Runs par.slots paths; rgb gets 3 floats a slot, or, where paths share, for each sample of the picture's pixels.
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
-    // MODE_DRAW: radiance times weight for each ray, 3 floats each.
-    virtual void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) = 0;
-    // MODE_WALK: how the walk of each ray ends.
-    virtual void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) = 0;
+    // MODE_SPLAT: radiance times weight for each ray, 3 floats each.
+    virtual void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) = 0;
+    // MODE_PILOT: how the pilot of each ray ends.
+    virtual void pilot(const Params& par, const std::vector<PilotRay>& rays, std::vector<PilotEnd>& ends) = 0;
     // Pixels with several samples in each frame (FOCUS_WORDS of kernels/tables.h), for the passes that follow.
     virtual void set_focus(std::vector<uint32_t> entries) = 0;
     // Paths to hand over at once, so that the device is full.
-    virtual uint32_t good_slots() const = 0;
+    virtual uint32_t preferred_batch_size() const = 0;
     // Names the bits of a device that gives others than the processor does (self_test.h), for the fingerprint.
     virtual std::string own_bits() const { return ""; }
     virtual void set_own_bits(std::string) {}
@@ -44,7 +44,7 @@ public:
     virtual std::string identity() { return ""; }
     virtual std::vector<float> self_test_numbers(uint32_t) { return {}; }
     // Is the host free while it runs?
-    virtual bool leaves_host_free() const { return false; }
+    virtual bool is_async() const { return false; }
 };
 
 // name: "cpu", or for tests "cpu:NAME" with an instruction set (baseline, avx2, avx512: one path at a time) or

@@ -63,7 +63,7 @@ public:
     void run(const Params& par, std::vector<float>& rgb) override {
         call("rendering", [&] {
             prepare(par);
-            const bool shared = par.shared_slots != 0;  // then all parts have one film
+            const bool shared = par.reuse_slot_count != 0;  // then all parts have one film
             rgb.clear();
             in_parts(par, par.first, par.slots, [&](const Params& part, uint32_t first) {
                 paths_.run(part);
@@ -73,7 +73,7 @@ public:
             });
         });
     }
-    void draw(const Params& par, const std::vector<DrawRay>& rays, std::vector<float>& rgb) override {
+    void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) override {
         call("drawing sources", [&] {
             prepare(par);
             rgb.clear();
@@ -81,7 +81,7 @@ public:
                 const size_t n = part.slots;
                 std::vector<kernels::float4> o(n), d(n), c(n);
                 for (size_t i = 0; i < n; i++) {
-                    const DrawRay& ray = rays[first + i];
+                    const SplatRay& ray = rays[first + i];
                     float source;
                     std::memcpy(&source, &ray.source, 4);
                     o[i] = {ray.org[0], ray.org[1], ray.org[2], source};
@@ -92,13 +92,13 @@ public:
                 paths_.write(PATH_shadow_org, o);
                 paths_.write(PATH_shadow_dir, d);
                 paths_.write(PATH_shadow_rad, c);
-                paths_.draw(part);
+                paths_.splat(part);
                 paths_.store(part);
                 paths_.receive(part, rgb, size_t(first) * 3);
             });
         });
     }
-    void walk(const Params& par, const std::vector<WalkRay>& rays, std::vector<WalkEnd>& ends) override {
+    void pilot(const Params& par, const std::vector<PilotRay>& rays, std::vector<PilotEnd>& ends) override {
         call("learning where light comes from", [&] {
             prepare(par);
             ends.resize(rays.size());
@@ -106,14 +106,14 @@ public:
                 const size_t n = part.slots;
                 std::vector<kernels::float4> p(n), d(n), rad(n), share(n);
                 for (size_t i = 0; i < n; i++) {
-                    const WalkRay& ray = rays[first + i];
+                    const PilotRay& ray = rays[first + i];
                     p[i] = {ray.org[0], ray.org[1], ray.org[2], 0};
                     d[i] = {ray.dir[0], ray.dir[1], ray.dir[2], ray.dir_w};
                 }
                 paths_.reserve(part, part.slots);
                 paths_.write(PATH_org, p);
                 paths_.write(PATH_dir, d);
-                paths_.walk(part);
+                paths_.pilot(part);
                 paths_.read(PATH_rad, rad);
                 paths_.read(PATH_thr, share);
                 paths_.read(PATH_org, p);
@@ -123,15 +123,15 @@ public:
                                        {share[i].x, share[i].y, share[i].z},
                                        {p[i].x, p[i].y, p[i].z},
                                        {d[i].x, d[i].y, d[i].z},
-                                       d[i].w == WALK_AT_BOUNCE};
+                                       d[i].w == PILOT_AT_BOUNCE};
             });
         });
     }
     void set_focus(std::vector<uint32_t> entries) override {
         call("sending the focus", [&] { send_table(TABLE_focus, entries); });
     }
-    uint32_t good_slots() const override { return most_slots_; }
-    bool leaves_host_free() const override { return true; }
+    uint32_t preferred_batch_size() const override { return most_slots_; }
+    bool is_async() const override { return true; }
     std::string own_bits() const override { return own_bits_; }
 
     // The values of kernels/self_test.h as this device gives them, after a frame of any scene.
@@ -179,8 +179,8 @@ private:
             } catch (const cl::Error& e) {
                 const bool memory = e.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE || e.err() == CL_OUT_OF_RESOURCES ||
                                     e.err() == CL_INVALID_BUFFER_SIZE;
-                if (!memory || part.slots <= SHARE_SQUARE) throw;
-                most_slots_ = std::max(part.slots / 2 / SHARE_SQUARE, 1u) * SHARE_SQUARE;
+                if (!memory || part.slots <= REUSE_SQUARE) throw;
+                most_slots_ = std::max(part.slots / 2 / REUSE_SQUARE, 1u) * REUSE_SQUARE;
                 paths_.release();
             }
         }

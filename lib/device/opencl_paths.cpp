@@ -8,8 +8,8 @@
 namespace device {
 namespace {
 
+using kernels::ConnectionWords;
 using kernels::float4;  // types of the list of fields
-using kernels::LinkWords;
 using kernels::Panes;
 using kernels::uint4;
 
@@ -64,7 +64,7 @@ uint32_t OpenclPaths::most_slots(const cl::Device& device, bool gpu) {
     const uint64_t one = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>() / largest,
                    total = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>() / 2 / all;
     const uint64_t most = std::min({gpu ? uint64_t(1) << 21 : uint64_t(1) << 18, one, total});
-    return std::max(uint32_t(most) / SHARE_SQUARE, 1u) * SHARE_SQUARE;
+    return std::max(uint32_t(most) / REUSE_SQUARE, 1u) * REUSE_SQUARE;
 }
 
 void OpenclPaths::release() {
@@ -96,10 +96,10 @@ void OpenclPaths::read(int field, std::vector<float4>& values) {
     queue_.enqueueReadBuffer(fields_[field], CL_TRUE, 0, values.size() * 16, values.data());
 }
 
-// In several launches where a single one could last until a desktop's watchdog ends it: k_link follows up to 16 rays a
-// work item.
+// In several launches where a single one could last until a desktop's watchdog ends it: k_connection follows up to 16
+// rays a work item.
 void OpenclPaths::launch(const cl::Kernel& kernel, uint32_t n) {
-    const uint32_t most = kernel() == stages_[STAGE_link].kernel() ? 1u << 18 : n;
+    const uint32_t most = kernel() == stages_[STAGE_connection].kernel() ? 1u << 18 : n;
     for (uint32_t first = 0; first < n; first += most) {
         const cl::NDRange items((std::min(most, n - first) + LOCAL - 1) / LOCAL * LOCAL);
         queue_.enqueueNDRangeKernel(kernel, first > 0 ? cl::NDRange(first) : cl::NullRange, items, cl::NDRange(LOCAL));
@@ -116,17 +116,18 @@ void OpenclPaths::run(const Params& par) {
     reserve(par, par.slots);
     begin(STAGE_generate, par);
     follow();
-    if (par.shared_slots == 0) return;
-    for (const int k : {STAGE_thin, STAGE_link, STAGE_panes, STAGE_connect, STAGE_weigh, STAGE_collect})
+    if (par.reuse_slot_count == 0) return;
+    for (const int k :
+         {STAGE_suffix_roulette, STAGE_connection, STAGE_panes, STAGE_connect, STAGE_normalise_mis, STAGE_gather})
         stage(k, par.slots);
 }
 
-void OpenclPaths::walk(const Params& par) {
-    begin(STAGE_walk, par);
+void OpenclPaths::pilot(const Params& par) {
+    begin(STAGE_pilot, par);
     follow();
 }
 
-void OpenclPaths::draw(const Params& par) { stage(STAGE_draw, par.slots); }
+void OpenclPaths::splat(const Params& par) { stage(STAGE_splat, par.slots); }
 
 // Fills the queue with the paths that have a ray.
 void OpenclPaths::begin(int first, const Params& par) {

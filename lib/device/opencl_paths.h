@@ -19,8 +19,8 @@ enum { PATH_STATE(LUX_FIELD_NUMBER) PATH_FIELDS };
 // The kernels, k_NAME each.
 // clang-format off
 #define LUX_STAGES(S)                                                                                           \
-    S(generate) S(extend) S(count_kinds) S(begin_kinds) S(sort_kinds) S(sky) S(shade) S(shadow) S(swap) S(draw) \
-    S(walk) S(thin) S(link) S(panes) S(connect) S(weigh) S(collect) S(film)
+    S(generate) S(extend) S(count_kinds) S(begin_kinds) S(sort_kinds) S(sky) S(shade) S(shadow) S(swap) S(splat) \
+    S(pilot) S(suffix_roulette) S(connection) S(panes) S(connect) S(normalise_mis) S(gather) S(film)
 // clang-format on
 #define LUX_STAGE_NUMBER(name) STAGE_##name,
 enum { LUX_STAGES(LUX_STAGE_NUMBER) STAGES };
@@ -43,13 +43,14 @@ public:
     void write(int field, const std::vector<kernels::float4>& values);
     void read(int field, std::vector<kernels::float4>& values);
 
-    // Follows the paths of a pass to their ends, which then light the near ends of their groups where they are shared.
+    // Follows the paths of a pass to their ends, which then light the prefix vertices of their groups where they are
+    // shared.
     void run(const Params& par);
-    // The same from rays that have been written: MODE_WALK, and the shadow rays of MODE_DRAW.
-    void walk(const Params& par);
-    void draw(const Params& par);
-    // What they have gathered goes into the film, 3 floats each, in its order (kernels/integrator/share.h): the device
-    // puts them there, for a host would take as long as a GPU for all the rest.
+    // The same from rays that have been written: MODE_PILOT, and the shadow rays of MODE_SPLAT.
+    void pilot(const Params& par);
+    void splat(const Params& par);
+    // What they have gathered goes into the film, 3 floats each, in its order (kernels/integrator/path_reuse.h): the
+    // device puts them there, for a host would take as long as a GPU for all the rest.
     void store(const Params& par);
     // The film from place `at` of `film` on.
     void receive(const Params& par, std::vector<float>& film, size_t at);

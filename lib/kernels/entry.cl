@@ -102,37 +102,37 @@ __kernel void k_shadow(ALL_ARGS, __global uint *counters, __global const uint *s
     if (i < counters[2]) path_shadow(&s, par, &paths, shadow[i], SHADOW_TO_TRACE);
 }
 
-__kernel void k_thin(ALL_ARGS) {
+__kernel void k_suffix_roulette(ALL_ARGS) {
     SET_UP
-    if (i < par->slots) path_thin(&paths, share_first(i), share_which(i));
+    if (i < par->slots) path_suffix_roulette(&paths, reuse_first(i), reuse_which(i));
 }
 
-__kernel void k_link(ALL_ARGS) {
+__kernel void k_connection(ALL_ARGS) {
     SET_UP
-    if (i < par->slots && HAS_FAR_END(&paths, i)) paths.links[i] = links_known(&s, par, &paths, i);
+    if (i < par->slots && HAS_PREFIX(&paths, i)) paths.links[i] = connections_known(&s, par, &paths, i);
 }
 
 __kernel void k_panes(ALL_ARGS) {
     SET_UP
-    if (i >= par->slots || !HAS_FAR_END(&paths, i)) return;
-    uint through = links_to_look_through(paths.links[i], share_which(i));
-    for (uint m = 0; m < SHARE_GROUP; m++)
-        if (through >> m & 1u) path_look_through(&s, par, &paths, i, m);
+    if (i >= par->slots || !HAS_PREFIX(&paths, i)) return;
+    uint through = connections_to_attenuate(paths.links[i], reuse_which(i));
+    for (uint m = 0; m < REUSE_GROUP; m++)
+        if (through >> m & 1u) path_transmittance(&s, par, &paths, i, m);
 }
 
 __kernel void k_connect(ALL_ARGS) {
     SET_UP
-    if (i < par->slots) path_connect(&s, par, &paths, share_first(i), share_which(i));
+    if (i < par->slots) path_connect(&s, par, &paths, reuse_first(i), reuse_which(i));
 }
 
-__kernel void k_weigh(ALL_ARGS) {
+__kernel void k_normalise_mis(ALL_ARGS) {
     SET_UP
-    if (i < par->slots && HAS_FAR_END(&paths, i)) path_weigh(&paths, i);
+    if (i < par->slots && HAS_PREFIX(&paths, i)) path_normalise_mis(&paths, i);
 }
 
-__kernel void k_collect(ALL_ARGS) {
+__kernel void k_gather(ALL_ARGS) {
     SET_UP
-    if (i < par->slots) path_collect(&paths, share_first(i), share_which(i));
+    if (i < par->slots) path_gather(&paths, reuse_first(i), reuse_which(i));
 }
 
 // The paths' radiance as the film has it.
@@ -152,17 +152,17 @@ __kernel void k_swap(__global uint *counters) {
     }
 }
 
-__kernel void k_draw(ALL_ARGS) {
+__kernel void k_splat(ALL_ARGS) {
     SET_UP
     if (i >= par->slots) return;
-    path_draw(&s, par, &paths, i);
+    path_splat(&s, par, &paths, i);
     path_shadow(&s, par, &paths, i, SHADOW_TO_TRACE);
 }
 
-__kernel void k_walk(ALL_ARGS, __global uint *counters, __global uint *queue) {
+__kernel void k_pilot(ALL_ARGS, __global uint *counters, __global uint *queue) {
     SET_UP
     __local uint group[2];
-    push(i < par->slots && path_begin_walk(par, &paths, i), i, &counters[0], queue, group);
+    push(i < par->slots && path_begin_pilot(par, &paths, i), i, &counters[0], queue, group);
 }
 
 // Sizes and offsets as the device sees them, for the test against the host's.

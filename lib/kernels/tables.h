@@ -96,14 +96,14 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define SRC_SPOT_FOCUS 23u  // its focal length
 #define NO_SPOT -2.0f
 #define IS_SPOT(src) ((src)[SRC_SPOT_COS] > -1.5f)
-#define SRC_RADIUS 24u   // bounding radius around the centre (rings, spheres)
-#define SRC_TRIS 25u     // general polygons: index into f of its fan of triangles (word)
-#define SRC_NTRIS 26u    // and their number (word)
-#define SRC_CLASS 27u    // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
-#define SRC_VIRTUAL 28u  // virtual sources: relay record in u (word), NONE for real ones
-#define SRC_SHEARED 30u  // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
-#define SRC_COVERED 31u  // 1 = something else lies in its plane, and may hide it in part
-#define SRC_DRAWN 29u    // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
+#define SRC_RADIUS 24u    // bounding radius around the centre (rings, spheres)
+#define SRC_TRIS 25u      // general polygons: index into f of its fan of triangles (word)
+#define SRC_NTRIS 26u     // and their number (word)
+#define SRC_CLASS 27u     // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
+#define SRC_VIRTUAL 28u   // virtual sources: relay record in u (word), NONE for real ones
+#define SRC_SHEARED 30u   // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
+#define SRC_COVERED 31u   // 1 = something else lies in its plane, and may hide it in part
+#define SRC_SPLATTED 29u  // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
 
 // a triangle of the fan: a corner, then
 #define FAN_FLOATS 12u
@@ -214,8 +214,8 @@ STRUCT(Params) {
     float ds;
     uint light_sets_at;
     uint skip_direct_below, light_tree_at;
-    float way_least;    // least chance of a way (integrator/ways.h); 0: none
-    float portal_rest;  // light from elsewhere than portals (portals.h)
+    float least_lobe_prob;  // least chance of a way (integrator/sample_bsdf.h); 0: none
+    float portal_rest;      // light from elsewhere than portals (portals.h)
     uint highlights_at, highlight_count;
     float highlight_share;            // of those that go toward highlights, where there are any (highlights.h)
     uint together;                    // slots of a pixel side by side: samples frame .. frame + together - 1
@@ -223,7 +223,7 @@ STRUCT(Params) {
     float portal_least, portal_most;  // share of the directions toward portals, where there are any
     uint window_count;                // of all portals; then come patches of sun and polished strips
     uint copies, focus_at;  // samples of a frame of a pixel; above 1: those of entry focus_at and after (below)
-    uint shared_slots;      // of a sample whose paths share their far ends (share.h); 0: none does
+    uint reuse_slot_count;  // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
     uint redraw;            // not 0: other random numbers than usual, but for the place in the pixel and on the lens
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // which of the records they are
@@ -239,11 +239,11 @@ STRUCT(Params) {
 #define MODE_DIRECT 0u  // frame 0: paths without a diffuse bounce
 #define MODE_FRAMES 1u  // frames k >= 1: diffuse class; both classes where frame > skip_direct_below
 #define MODE_RAY 2u     // all classes along one given ray (tests, -I)
-#define MODE_DRAW 3u    // straight rays to drawn sources
-#define MODE_WALK 4u    // given rays, followed up to their first diffuse bounce (integrator/walk.h)
-// MODE_WALK says by dir.w of a path:
-#define WALK_FROM_EYE -2.0f   // its ray is given as the place (org.x, org.y) in the picture, 0 .. 1
-#define WALK_AT_BOUNCE -1.0f  // it has come to a bounce: org is the place, dir the normal there
+#define MODE_SPLAT 3u   // straight rays to drawn sources
+#define MODE_PILOT 4u   // given rays, followed up to their first diffuse bounce (integrator/pilot.h)
+// MODE_PILOT says by dir.w of a path:
+#define PILOT_FROM_EYE -2.0f   // its ray is given as the place (org.x, org.y) in the picture, 0 .. 1
+#define PILOT_AT_BOUNCE -1.0f  // it has come to a bounce: org is the place, dir the normal there
 // shadow_mode: what may stand between a point and a source
 #define SHADOW_OPAQUE 0u    // nothing lets light through
 #define SHADOW_STRAIGHT 1u  // glass and the like: light goes on straight

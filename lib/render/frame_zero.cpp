@@ -22,7 +22,7 @@ void sum_samples(device::Device& device, Samples& sampler, const Params& base, i
     const uint32_t pixels = base.nx * base.ny, most = UINT32_MAX / pixels;  // indices of slots are 32 bits
     std::vector<float> rgb;
     for (uint32_t done = 0; done < count;) {
-        const uint32_t n = std::min(count - done, most), some = std::max(1u, device.good_slots() / n);
+        const uint32_t n = std::min(count - done, most), some = std::max(1u, device.preferred_batch_size() / n);
         for (uint32_t first = 0; first < pixels; first += some) {
             const uint32_t together = std::min(some, pixels - first);
             sampler.run(device, base, {MODE_DIRECT, begin + done, n, first, together}, rgb);
@@ -40,14 +40,15 @@ void sum_samples(device::Device& device, Samples& sampler, const Params& base, i
     }
 }
 
-void draw_sources(device::Device& device, Samples& sampler, const Params& base, const DrawList& list, FrameZero& zero) {
+void draw_sources(device::Device& device, Samples& sampler, const Params& base, const SplatList& list,
+                  FrameZero& zero) {
     if (list.rays.empty()) return;
     std::vector<float> rgb;
     Params p = base;
-    p.mode = MODE_DRAW;
+    p.mode = MODE_SPLAT;
     p.first = 0;
     p.slots = uint32_t(list.rays.size());
-    device.draw(p, list.rays, rgb);
+    device.splat(p, list.rays, rgb);
     sampler.scrub(rgb);
     const size_t pixels = size_t(base.nx) * base.ny;
     std::vector<double> sum(3 * pixels, 0.0);
@@ -64,7 +65,7 @@ void draw_sources(device::Device& device, Samples& sampler, const Params& base, 
 }  // namespace
 
 FrameZero draw_frame_zero(device::Device& device, Samples& sampler, const Params& base, uint32_t m, uint32_t count,
-                          const DrawList& drawn) {
+                          const SplatList& drawn) {
     const size_t pixels = size_t(base.nx) * base.ny;
     std::vector<double> sum(3 * pixels, 0.0), squares(pixels, 0.0);
     FrameZero zero;

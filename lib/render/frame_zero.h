@@ -2,7 +2,7 @@
 // Frame 0 of Eq. 7: the direct and specular light, the mean of a few samples, and drawn sources (docs/decisions/0002).
 #pragma once
 #include <vector>
-#include "render/draw_sources.h"
+#include "render/splat_emitters.h"
 #include "render/samples.h"
 
 namespace render {
@@ -24,6 +24,6 @@ struct FrameZero {
 
 // count: samples of each pixel; m: for how many frames they stand.
 FrameZero draw_frame_zero(device::Device& device, Samples& sampler, const kernels::Params& base, uint32_t m,
-                          uint32_t count, const DrawList& drawn);
+                          uint32_t count, const SplatList& drawn);
 
 }  // namespace render

@@ -24,8 +24,8 @@ class GpuOrCpu : public device::Device {
 public:
     explicit GpuOrCpu(std::unique_ptr<device::Device> gpu) : device_(std::move(gpu)) {}
     std::string name() const override { return device_->name(); }
-    uint32_t good_slots() const override { return device_->good_slots(); }
-    bool leaves_host_free() const override { return device_->leaves_host_free(); }
+    uint32_t preferred_batch_size() const override { return device_->preferred_batch_size(); }
+    bool is_async() const override { return device_->is_async(); }
     std::string own_bits() const override { return device_->own_bits(); }
 
     void upload(flatten::FlatScene scene) override {
@@ -42,12 +42,12 @@ public:
         attempt([&] { device_->run(par, rgb); });
         has_run_ = true;
     }
-    void draw(const Params& par, const std::vector<device::DrawRay>& rays, std::vector<float>& rgb) override {
-        attempt([&] { device_->draw(par, rays, rgb); });
+    void splat(const Params& par, const std::vector<device::SplatRay>& rays, std::vector<float>& rgb) override {
+        attempt([&] { device_->splat(par, rays, rgb); });
     }
-    void walk(const Params& par, const std::vector<device::WalkRay>& rays,
-              std::vector<device::WalkEnd>& ends) override {
-        attempt([&] { device_->walk(par, rays, ends); });
+    void pilot(const Params& par, const std::vector<device::PilotRay>& rays,
+               std::vector<device::PilotEnd>& ends) override {
+        attempt([&] { device_->pilot(par, rays, ends); });
     }
     void set_focus(std::vector<uint32_t> entries) override {
         focus_ = std::move(entries);

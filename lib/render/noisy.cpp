@@ -24,7 +24,7 @@ std::vector<float> sampled(device::Device& device, Params p, uint32_t mode, uint
     p.skip_direct_below = UINT32_MAX;  // diffuse paths hold no direct light
     p.together = n;
     std::vector<float> rgb, out;
-    const uint32_t all = p.nx * p.ny * n, some = std::max(n, device.good_slots() / n * n);
+    const uint32_t all = p.nx * p.ny * n, some = std::max(n, device.preferred_batch_size() / n * n);
     for (p.first = 0; p.first < all; p.first += p.slots) {
         p.slots = std::min(some, all - p.first);
         device.run(p, rgb);

@@ -37,7 +37,7 @@ struct RenderOptions : flatten::Options {  // which has -dr and -bv
     // ours
     Sampling sampling = Sampling::shared;
     uint64_t seed = 1;
-    double way_least = 0;  // for tests of ways hardly ever taken (kernels/integrator/ways.h)
+    double least_lobe_prob = 0;  // for tests of ways hardly ever taken (kernels/integrator/sample_bsdf.h)
     int direct_samples =
         image::direct_samples;  // m of spec paper 7: samples of the direct and specular class in frame 0
     double noisy_share = .15;   // samples for noisy pixels, over those of the picture (noisy.h)

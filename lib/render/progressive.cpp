@@ -16,7 +16,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "device/device.h"
-#include "render/draw_sources.h"
+#include "render/splat_emitters.h"
 #include "render/eye_on_surface.h"
 #include "render/fingerprint.h"
 #include "render/frame_zero.h"
@@ -26,7 +26,7 @@
 #include "render/samples.h"
 #include "render/scene_params.h"
 #include "render/view_params.h"
-#include "sampling/aim_shares.h"
+#include "sampling/mixture_weights.h"
 #include "sampling/targets.h"
 
 namespace render {
@@ -41,16 +41,17 @@ uint32_t samples_for_one(size_t pixels) {
 
 constexpr float RAY_REST = 0.3f;  // light from elsewhere, over that of portals: a single ray is not worth a search
 
-// What a far end sends out must not depend on the path that found it: on what it came through, on what -lw lets it be.
+// What a suffix vertex sends out must not depend on the path that found it: on what it came through, on what -lw lets
+// it be.
 bool may_share(const Params& par) {
     const bool mist = par.medium.x > 0 || par.medium.y > 0 || par.medium.z > 0;
-    return par.ab > 0 && par.lr <= 0 && par.way_least == 0 && (par.flags & PF_ANTIMATTER) == 0 && !mist;
+    return par.ab > 0 && par.lr <= 0 && par.least_lobe_prob == 0 && (par.flags & PF_ANTIMATTER) == 0 && !mist;
 }
 
 struct Renderer::State {
     struct Picture {
         Shot shot;
-        DrawList drawn;
+        SplatList drawn;
         std::string fingerprint;
         bool on_surface;  // its rays may begin on one
     };
@@ -76,12 +77,11 @@ struct Renderer::State {
     // these are given.
     template <class Give>
     void samples(int64_t first, int64_t count, Give&& give) {
-        const int64_t most = std::max<int64_t>(1, device->good_slots() / sampler.slots(base));
+        const int64_t most = std::max<int64_t>(1, device->preferred_batch_size() / sampler.slots(base));
         const auto together = [&](int64_t done) { return std::min({std::max<int64_t>(1, done), most, count - done}); };
         const auto begin = [&](int64_t done) {
             const Pass pass{MODE_FRAMES, first + done, uint32_t(together(done)), 0, nx * ny};
-            const auto when =
-                device->leaves_host_free() ? std::launch::async | std::launch::deferred : std::launch::deferred;
+            const auto when = device->is_async() ? std::launch::async | std::launch::deferred : std::launch::deferred;
             return std::async(when, [this, pass] {
                 std::vector<float> rgb;
                 run(pass, rgb);
@@ -108,7 +108,7 @@ struct Renderer::State {
     }
     void ensure_aim_shares() {
         if (unshared.empty()) return;
-        sampling::find_shares(*device, unshared, base);
+        sampling::optimise_mixture(*device, unshared, base);
         unshared.clear();
     }
     void ensure_zero() {
@@ -175,14 +175,14 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
     std::optional<flatten::HostTracer> tracer(std::in_place, flat);
     s.numbers = shots.size() > 1 ? flat.f : std::vector<float>();
     for (const Shot& shot : shots) {
-        DrawList drawn;
+        SplatList drawn;
         const bool one_eye = shot.view.type != 'l' && shot.view.vo == 0 && o.pd <= 0;
         const bool on_surface = one_eye && eye_on_surface(flat, *tracer, shot.view.vp);
-        if (drawable && !on_surface) drawn = list_drawn_sources(flat, *tracer, shot.view, shot.nx, shot.ny);
-        mark_drawn(drawn, flat.f);
+        if (drawable && !on_surface) drawn = list_splatted_emitters(flat, *tracer, shot.view, shot.nx, shot.ny);
+        mark_splatted(drawn, flat.f);
         const std::string fingerprint = render::fingerprint(flat, shot.view, shot.nx, shot.ny, o, shot.focus);
         s.pictures.push_back({shot, std::move(drawn), fingerprint, on_surface || !one_eye});
-        if (shots.size() > 1) mark_drawn(s.pictures.back().drawn, flat.f, false);
+        if (shots.size() > 1) mark_splatted(s.pictures.back().drawn, flat.f, false);
     }
     tracer.reset();
     s.device->upload(std::move(flat));
@@ -208,7 +208,7 @@ void Renderer::look(size_t shot) {
     s.base.highlight_share = Params{}.highlight_share;
     if (s.pictures.size() == 1) return;
     std::vector<float> numbers = s.numbers;
-    mark_drawn(s.picture->drawn, numbers);
+    mark_splatted(s.picture->drawn, numbers);
     s.device->set_numbers(std::move(numbers));
 }
 

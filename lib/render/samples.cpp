@@ -14,7 +14,7 @@ namespace render {
 using namespace kernels;
 
 namespace {
-constexpr double worth_of_shared = 8;       // copies
+constexpr double reuse_equivalent_spp = 8;  // copies
 constexpr uint32_t first_place = 5u << 29;  // number of the samples of run_places: no frame's
 }  // namespace
 
@@ -44,7 +44,7 @@ void Samples::set_focus(device::Device& device, const Focus& focus) {
     for (const FocusPart& part : focus) {
         Several s;
         s.copies = part.copies;
-        s.worth_of_shared = worth_of_shared;
+        s.reuse_equivalent_spp = reuse_equivalent_spp;
         for (const uint32_t pixel : part.pixels) s.entries.insert(s.entries.end(), {pixel, part.copies, 0});
         add(std::move(s));
     }
@@ -70,10 +70,10 @@ std::vector<uint32_t> Samples::add_noisy(device::Device& device, std::vector<uin
 }
 
 // Pictures smaller than a square of groups do not: nearly all slots would lie beside them.
-bool Samples::shares(const Params& par) const { return may_share_ && par.nx >= SHARE_SIDE && par.ny >= SHARE_SIDE; }
+bool Samples::shares(const Params& par) const { return may_share_ && par.nx >= REUSE_SIDE && par.ny >= REUSE_SIDE; }
 
 uint32_t Samples::slots(const Params& base) const {
-    return shares(base) ? kernels::share_slots(base.nx, base.ny) : base.nx * base.ny;
+    return shares(base) ? kernels::reuse_slots(base.nx, base.ny) : base.nx * base.ny;
 }
 
 void Samples::run(device::Device& device, const Params& base, const Pass& pass, std::vector<float>& rgb) {
@@ -84,9 +84,9 @@ void Samples::run(device::Device& device, const Params& base, const Pass& pass, 
     p.first = pass.first_pixel * pass.n;
     p.slots = pass.pixels * pass.n;
     if (shares(base) && pass.mode == MODE_FRAMES) {
-        p.shared_slots = kernels::share_slots(p.nx, p.ny);
+        p.reuse_slot_count = kernels::reuse_slots(p.nx, p.ny);
         p.first = 0;
-        p.slots = p.shared_slots * pass.n;
+        p.slots = p.reuse_slot_count * pass.n;
     }
     device.run(p, rgb);
     scrub(rgb);
@@ -101,7 +101,7 @@ void Samples::refine(device::Device& device, const Params& base, const Pass& pas
                    end = several.first_of(uint64_t(pass.first_pixel) + pass.pixels);
     if (begin == end) return;
     const uint32_t most = UINT32_MAX / (uint32_t(several.count()) * several.copies);  // indices of slots are 32 bits
-    const double worth = shares(base) && pass.mode == MODE_FRAMES ? several.worth_of_shared : 0;
+    const double worth = shares(base) && pass.mode == MODE_FRAMES ? several.reuse_equivalent_spp : 0;
     Params p = base;
     p.mode = pass.mode;
     p.copies = several.copies;
@@ -114,7 +114,7 @@ void Samples::refine(device::Device& device, const Params& base, const Pass& pas
         const uint32_t first = begin * p.together, last = end * p.together;
         std::vector<double> sum(size_t(end - begin) * n * 3);
         for (p.first = first; p.first < last; p.first += p.slots) {
-            p.slots = std::min(device.good_slots(), last - p.first);
+            p.slots = std::min(device.preferred_batch_size(), last - p.first);
             device.run(p, copies_);
             scrub(copies_);
             for (size_t i = 0; i < copies_.size(); i++)
@@ -148,7 +148,7 @@ void Samples::run_places(device::Device& device, const Params& base, const std::
     rgb.clear();
     std::vector<float> some;
     for (p.first = 0; p.first < slots; p.first += p.slots) {
-        p.slots = std::min(device.good_slots(), slots - p.first);
+        p.slots = std::min(device.preferred_batch_size(), slots - p.first);
         device.run(p, some);
         rgb.insert(rgb.end(), some.begin(), some.end());
     }

@@ -21,7 +21,7 @@ public:
     // Adds noisy ones (noisy.h): copies of each pixel, 0: one.  Pixels of a focus keep its number.  Samples of the
     // others, which are returned, hold the direct class in each frame.
     std::vector<uint32_t> add_noisy(device::Device& device, std::vector<uint32_t> copies);
-    // May the paths of whole pictures share their far ends (kernels/integrator/share.h)?
+    // May the paths of whole pictures share their suffix vertices (kernels/integrator/path_reuse.h)?
     void set_sharing(bool may) { may_share_ = may; }
     // How many slots a sample of the whole picture takes.
     uint32_t slots(const kernels::Params& base) const;
@@ -38,10 +38,10 @@ public:
 private:
     // Pixels with several samples in each frame, in one pass of the device.
     struct Several {
-        std::vector<uint32_t> entries;  // FOCUS_WORDS each, pixels in ascending order
-        uint32_t at = 0;                // among all entries of the device
-        uint32_t copies = 0;            // samples of an entry
-        double worth_of_shared = 0;     // copies that the sample of the whole picture counts for, where paths share
+        std::vector<uint32_t> entries;    // FOCUS_WORDS each, pixels in ascending order
+        uint32_t at = 0;                  // among all entries of the device
+        uint32_t copies = 0;              // samples of an entry
+        double reuse_equivalent_spp = 0;  // copies that the sample of the whole picture counts for, where paths share
         bool direct_in_each_frame = false;
         size_t count() const { return entries.size() / FOCUS_WORDS; }
         uint32_t word(size_t entry, uint32_t which) const { return entries[entry * FOCUS_WORDS + which]; }

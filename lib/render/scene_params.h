@@ -43,7 +43,7 @@ inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOpt
     p.dj = float(o.dj);
     p.ds = float(o.ds);
     p.lw = float(o.lw);
-    p.way_least = float(o.way_least);
+    p.least_lobe_prob = float(o.least_lobe_prob);
     p.together = p.copies = 1;
     p.skip_direct_below = uint32_t(std::max(1, o.direct_samples));
     return p;

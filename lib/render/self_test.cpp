@@ -60,7 +60,7 @@ std::vector<float> render_room(device::Device& device, const scene::Scene& scene
     device.run(par, direct);
     par.mode = MODE_FRAMES;
     par.frame = 1;
-    par.shared_slots = share_slots(side, side);
+    par.reuse_slot_count = reuse_slots(side, side);
     device.run(par, rgb);
     rgb.insert(rgb.end(), direct.begin(), direct.end());
     return rgb;

@@ -36,15 +36,15 @@ double trimmed_mean(std::vector<double>& squares) {
     return sum / double(kept);
 }
 
-class Weighing {
+class MixtureOptimiser {
 public:
-    Weighing(const std::vector<float>& records, std::vector<Walk>& walks, const std::vector<Walk>& to_strips,
-             double mean, Params& par)
+    MixtureOptimiser(const std::vector<float>& records, std::vector<Walk>& walks, const std::vector<Walk>& to_strips,
+                     double mean, Params& par)
         : walks_(walks), to_strips_(to_strips), mean_(mean), par_(par) {
         tables_.f = records.data();
     }
 
-    void weigh() {
+    void optimise() {
         const uint32_t all = par_.portal_count;
         while (par_.portal_count > 0 && is_strip(par_.portal_count - 1)) par_.portal_count--;  // they come last
         const uint32_t strips = par_.portal_count;
@@ -218,7 +218,7 @@ private:
     }
 
     // Sky alone: the largest share, the same everywhere, under which the second moment is that of the cosine or less.
-    // What is met through windows is smooth, and many frames have it with less noise than single samples promise.
+    // What is met through windows is smooth, and many frames have it with less noise than single samples importance.
     void choose_share() {
         const double plain = moment(0);
         int step = STEPS;
@@ -234,7 +234,7 @@ private:
 
 void weigh_portals(const std::vector<float>& records, std::vector<Walk>& walks, const std::vector<Walk>& to_strips,
                    double mean, Params& par) {
-    Weighing(records, walks, to_strips, mean, par).weigh();
+    MixtureOptimiser(records, walks, to_strips, mean, par).optimise();
 }
 
 }  // namespace sampling

@@ -140,9 +140,7 @@ Verdict try_clock(const Settings& s, Dice& dice, const std::string& folder) {
         value = hour + minute / 60.;
         break;
     case 2: time = std::to_string(hour) + ":" + std::to_string(dice.within(60, 999)); break;
-    case 3:
-        time = std::to_string(hour) + dice.pick(choices(": :- :3O h30 ,5 .5.5 :30:00 -5 + ?12 :1e1 :0x1"));
-        break;
+    case 3: time = std::to_string(hour) + dice.pick(choices(": :- :3O h30 ,5 .5.5 :30:00 -5 + ?12 :1e1 :0x1")); break;
     case 4: time = std::to_string(dice.within(25, 9999)); break;
     default: time = spelled_number(dice, hour + minute / 60.); value = number_in(time);
     }

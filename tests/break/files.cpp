@@ -45,7 +45,7 @@ std::string special_file(Dice& dice, const std::string& folder) {
     static const std::vector<std::string> kernels = choices(
         "/dev/stdin /dev/fd/0 /dev/zero /dev/null /dev/full /dev/tty /dev/random /proc/kmsg /proc/self/environ "
         "/proc/self/fd/0 /proc/self/mem /proc/self/maps /proc/version /proc/1/environ /proc/self/cmdline "
-        "/sys/kernel/vmcoreinfo /sys/kernel/uevent_seqnum /proc/self/root/proc/version /dev/../proc/version "
+        "/sys/kernel/vmcoreinfo /sys/kernel/uevent_seqnum /proc/self/cwd /dev/../proc/version "
         "//proc/version /proc/self/cwd/good.rad /proc/thread-self/environ");
     std::string name = dice.pick(kernels);
     switch (dice.below(6)) {

@@ -4,7 +4,9 @@
 
 # Whole words of names and comments.  A name is added here when the last of its kind is renamed.
 words='Swayed swayed Calm Calmed calmer MoreLight OffAtEye weave Lesson carry_across in_the_middle in_doubt Doubtful
-know_frame0 speak_as evalglare_says Connector bright_in Chooser GreyMean PrecisionRule'
+know_frame0 far_worth path_thin path_weigh gift takes_place promise find_shares look_through choose_way at_far
+FAR_ENOUGH HAS_FAR_END is_near_end gate_shuts good_slots leaves_host_free aim_shares MODE_WALK MET_LAMP know_links
+speak_as evalglare_says Connector bright_in Chooser GreyMean PrecisionRule'
 
 # "file:line:text" for each of them in the folders given.
 private() {

@@ -78,7 +78,7 @@ Value RowTracer::trace(const Row& row) {
     if (key != key_ || !renderer_) {
         renderer_.reset();
         Options opt = read_arguments(row);
-        opt.render.way_least = least_;
+        opt.render.least_lobe_prob = least_;
         base::TempFile patch((std::filesystem::temp_directory_path() / "vectors_test.rad").string());
         if (at_point) {
             std::ofstream(patch.path()) << disc_at(ray);

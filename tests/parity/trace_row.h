@@ -19,7 +19,7 @@ struct Value {
 class RowTracer {
 public:
     // A ray that takes one of several ways may not show its rarest, a reflection of 0.4 %, before 4096 samples.
-    // least: the least chance of each way, for rarer ones (kernels/integrator/ways.h).
+    // least: the least chance of each way, for rarer ones (kernels/integrator/sample_bsdf.h).
     RowTracer(std::string device, long most_samples, long fewest_samples = 4096, double least = 0)
         : device_(std::move(device)), most_(most_samples), fewest_(fewest_samples), least_(least) {}
     Value trace(const Row& row);  // throws Error for what ptrace does not support

@@ -32,10 +32,10 @@ public:
         rgb.clear();
         for (uint32_t i = 0; i < par.slots; i++) rgb.insert(rgb.end(), 3, light[par.first + i]);
     }
-    void draw(const kernels::Params&, const std::vector<device::DrawRay>&, std::vector<float>&) override {}
-    void walk(const kernels::Params&, const std::vector<device::WalkRay>&, std::vector<device::WalkEnd>&) override {}
+    void splat(const kernels::Params&, const std::vector<device::SplatRay>&, std::vector<float>&) override {}
+    void pilot(const kernels::Params&, const std::vector<device::PilotRay>&, std::vector<device::PilotEnd>&) override {}
     void set_focus(std::vector<uint32_t>) override {}
-    uint32_t good_slots() const override { return 1000; }
+    uint32_t preferred_batch_size() const override { return 1000; }
     Given(int nx, int ny, float light)
         : diffuse(size_t((nx + 3) / 4 * ((ny + 3) / 4) * 4), light), direct(size_t(nx * ny * 2), light) {}
 };

@@ -115,17 +115,17 @@ TEST_CASE("each pixel has one slot of a sample, and each slot its place in its g
         Params par{};
         par.nx = nx;
         par.ny = ny;
-        par.shared_slots = share_slots(nx, ny);
+        par.reuse_slot_count = reuse_slots(nx, ny);
         for (uint32_t sample = 0; sample < 3; sample++) {
             std::set<uint32_t> pixels;
-            for (uint32_t slot = 0; slot < par.shared_slots; slot++) {
-                const uint32_t gid = sample * par.shared_slots + slot, pixel = shared_pixel(&par, gid);
+            for (uint32_t slot = 0; slot < par.reuse_slot_count; slot++) {
+                const uint32_t gid = sample * par.reuse_slot_count + slot, pixel = reuse_pixel(&par, gid);
                 if (pixel != NONE) CHECK(pixels.insert(pixel).second);
-                CHECK(share_member(gid, share_which(gid)) == gid);
-                for (uint32_t m = 0; m < SHARE_GROUP; m++) {
-                    const uint32_t member = share_member(gid, m);
-                    CHECK(member / SHARE_SQUARE == gid / SHARE_SQUARE);
-                    CHECK(share_member(member, share_which(gid)) == gid);
+                CHECK(reuse_member(gid, reuse_which(gid)) == gid);
+                for (uint32_t m = 0; m < REUSE_GROUP; m++) {
+                    const uint32_t member = reuse_member(gid, m);
+                    CHECK(member / REUSE_SQUARE == gid / REUSE_SQUARE);
+                    CHECK(reuse_member(member, reuse_which(gid)) == gid);
                 }
             }
             CHECK(pixels.size() == nx * ny);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Choosing one of few sources: as often as its promise says, right in the mean, and no promise is 0 where a source can
-// give something (kernels_light_tree_test.cpp has many).
+// Choosing one of few sources: as often as its importance says, right in the mean, and no importance is 0 where a
+// source can give something (kernels_light_tree_test.cpp has many).
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
@@ -16,7 +16,7 @@ namespace kernels {
 #include "kernels/material/lobes.h"
 #include "kernels/material/modifier.h"
 #include "kernels/light/sources.h"
-#include "kernels/light/gate.h"
+#include "kernels/light/relay_aperture.h"
 #include "kernels/light/light_tree.h"
 #include "kernels/light/choose_source.h"
 }  // namespace kernels
@@ -44,28 +44,28 @@ struct Lamps {
         par.source_count = count;
         s.f = f.data();
     }
-    float promise(uint32_t i) const { return source_promise(&s, &par, i, p, n, 0); }
+    float importance(uint32_t i) const { return source_importance(&s, &par, i, p, n, 0); }
     float3 p = F3(0, 0, -5), n = F3(0, 0, 1);
 };
 
 static Sampler random_stream(uint32_t i) { return sampler_start(3, 4, i, 0, 0); }
 
-TEST_CASE("few sources: each is chosen as often as its promise says (Pearson's chi-square)") {
+TEST_CASE("few sources: each is chosen as often as its importance says (Pearson's chi-square)") {
     const Lamps lamps(40);
     double sum = 0;
-    for (uint32_t i = 0; i < 40; i++) sum += lamps.promise(i);
+    for (uint32_t i = 0; i < 40; i++) sum += lamps.importance(i);
     std::vector<double> count(40);
     const int n = 40000;
     for (int k = 0; k < n; k++) {
         Sampler rnd = random_stream(uint32_t(k));
         uint32_t i = 0;
         const float inv_p = choose_source(&lamps.s, &lamps.par, lamps.p, lamps.n, 0, &rnd, &i);
-        CHECK(inv_p == doctest::Approx(sum / lamps.promise(i)).epsilon(1e-5));
+        CHECK(inv_p == doctest::Approx(sum / lamps.importance(i)).epsilon(1e-5));
         count[i]++;
     }
     double chi2 = 0;
     for (uint32_t i = 0; i < 40; i++) {
-        const double expected = n * lamps.promise(i) / sum;
+        const double expected = n * lamps.importance(i) / sum;
         chi2 += (count[i] - expected) * (count[i] - expected) / expected;
     }
     CHECK(chi2 < 39 + 4 * std::sqrt(2 * 39.0));
@@ -74,7 +74,9 @@ TEST_CASE("few sources: each is chosen as often as its promise says (Pearson's c
 TEST_CASE("the mean over choices is the sum over sources") {
     for (uint32_t sources : {2u, 32u}) {
         const Lamps lamps(sources);
-        const auto value = [&](uint32_t i) { return double(lamps.promise(i)) * (1 + i % 3); };  // not what is promised
+        const auto value = [&](uint32_t i) {
+            return double(lamps.importance(i)) * (1 + i % 3);
+        };  // not what is promised
         double exact = 0, sum = 0, square = 0;
         for (uint32_t i = 0; i < sources; i++) exact += value(i);
         const int n = 20000;
@@ -128,7 +130,7 @@ TEST_CASE("a gate lets through what some point of the source sends through its r
         const float3 from = F3(float(p[0]), float(p[1]), float(p[2]));
         const float3 way = F3(float(to[0]), float(to[1]), float(to[2]));
         for (int tight : {0, 1}) {
-            const bool shut = gate_shuts(gate, from, way, float(r / std::sqrt(d)), tight);
+            const bool shut = aperture_occludes(gate, from, way, float(r / std::sqrt(d)), tight);
             if (through) CHECK(!shut);
             passing += through;
             blocked += shut;

@@ -43,7 +43,7 @@ TEST_CASE("the mean over choices is the sum over sources, of all and of each") {
 
         CHECK(std::abs(all.off()) < 4);
         CHECK(all.error() < .05 * all.exact);
-        const std::vector<double> promised = crowd.promises(p, n);
+        const std::vector<double> promised = crowd.importances(p, n);
         double squares = 0;
         int cells = 0;
         for (uint32_t i = 0; i < chance.size(); i++) {
@@ -66,7 +66,7 @@ TEST_CASE("where a cut would have too many nodes fewer are opened, and the mean 
         LightCut cut;
         if (cut_tree(&crowd.s, &crowd.par, p, n, 0, LIGHT_OPENED, &cut)) continue;
         full++;
-        const std::vector<double> promised = crowd.promises(p, n);
+        const std::vector<double> promised = crowd.importances(p, n);
         const auto value = [&](uint32_t i) { return promised[i] * (1 + i % 3); };
         Sum all;
         for (uint32_t i = 0; i < crowd.par.source_count; i++) all.exact += value(i);

@@ -38,7 +38,7 @@ TEST_CASE("sources are candidates as often as their chance says (Pearson's chi-s
                 uint32_t from = 0;
                 const float y = float(any(0, 1)) * all;
                 const LightCandidate c = light_candidate(&crowd.s, &crowd.par, &cut, p, n, 0, y, &from);
-                if (!(c.promise > 0)) continue;
+                if (!(c.importance > 0)) continue;
                 const uint32_t i = as_uint_(crowd.node(c.at)[LIGHT_SOURCE]);
                 CHECK(c.chance / all == doctest::Approx(chance[i]).epsilon(1e-4));
                 count[i]++;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sampler's promises: each pair of dimensions is a (0,2)-net over blocks of 64 samples (Sobol 1967; Owen 1995 keeps
-// it), pixels, seeds and dimensions are independent, and long sums converge faster than random numbers.
+// The sampler's importances: each pair of dimensions is a (0,2)-net over blocks of 64 samples (Sobol 1967; Owen 1995
+// keeps it), pixels, seeds and dimensions are independent, and long sums converge faster than random numbers.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 

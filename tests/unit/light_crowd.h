@@ -23,7 +23,7 @@ namespace kernels {
 #include "kernels/material/modifier.h"
 #include "kernels/light/sources.h"
 #include "kernels/light/source_sample.h"
-#include "kernels/light/gate.h"
+#include "kernels/light/relay_aperture.h"
 #include "kernels/light/light_tree.h"
 #include "kernels/light/choose_source.h"
 }  // namespace kernels
@@ -85,15 +85,15 @@ struct Crowd {
     }
 
     GLOBAL const float* node(uint32_t i) const { return light_node(&s, &par, i); }
-    float promise(uint32_t i, float3 p, float3 n) const { return light_promise(&s, node(i), p, n, 0); }
+    float importance(uint32_t i, float3 p, float3 n) const { return light_importance(&s, node(i), p, n, 0); }
 
-    // Of each source, its share of what all promise.
-    std::vector<double> promises(float3 p, float3 n) const {
+    // Of each source, its share of what all importance.
+    std::vector<double> importances(float3 p, float3 n) const {
         std::vector<double> promised(par.source_count);
         double sum = 0;
         for (uint32_t i = 0; i < par.light_nodes; i++) {
             const uint32_t source = as_uint_(node(i)[LIGHT_SOURCE]);
-            if (source != NONE) sum += promised[source] = promise(i, p, n);
+            if (source != NONE) sum += promised[source] = importance(i, p, n);
         }
         for (double& w : promised) w /= sum;
         return promised;
@@ -111,12 +111,12 @@ struct Crowd {
                 continue;
             }
             nodes.push_back(i);
-            sum += promise(i, p, n);
+            sum += importance(i, p, n);
             i = as_uint_(node(i)[LIGHT_PAST]);
         }
         REQUIRE(nodes.size() <= LIGHT_CUT);
         for (uint32_t i : nodes)
-            if (promise(i, p, n) > 0) descend(i, promise(i, p, n) / sum, p, n, chance);
+            if (importance(i, p, n) > 0) descend(i, importance(i, p, n) / sum, p, n, chance);
         return chance;
     }
 
@@ -125,7 +125,7 @@ private:
     void descend(uint32_t i, double chance, float3 p, float3 n, std::vector<double>& chances) const {
         const uint32_t source = as_uint_(node(i)[LIGHT_SOURCE]);
         if (source != NONE) {
-            if (promise(i, p, n) > 0) chances[source] += chance;
+            if (importance(i, p, n) > 0) chances[source] += chance;
             return;
         }
         const uint32_t second = as_uint_(node(i + 1)[LIGHT_PAST]);

@@ -117,7 +117,7 @@ FN LaneMask bvh8_boxes(GLOBAL const float* b, PRIVATE(const WoopRay) r, float tm
 }
 
 // A leaf block of shapes; instances wait on the stack.  1 if a shape became the nearest hit.
-FN int bvh8_shapes(SHARED(const SceneTables) s, GLOBAL const float* block, PRIVATE(const TreeRay) way,
+FN int bvh8_shapes(TABLES(const SceneTables) s, GLOBAL const float* block, PRIVATE(const TreeRay) way,
                    PRIVATE(Bvh8Stack) stack, PRIVATE(Look) look) {
     float from[4];
     LaneMask met = bvh8_boxes(block + BVH8_BOXES, &way->r, look->from, look->limit, from);
@@ -141,7 +141,7 @@ FN int bvh8_shapes(SHARED(const SceneTables) s, GLOBAL const float* block, PRIVA
     return found;
 }
 
-FN int bvh8_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, PRIVATE(Bvh8Stack) stack,
+FN int bvh8_leaf(TABLES(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, PRIVATE(Bvh8Stack) stack,
                  PRIVATE(Look) look) {
     GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * BVH8_LEAF_FLOATS;
     int found = 0;
@@ -158,7 +158,7 @@ FN int bvh8_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) w
 }
 
 // From the root of the tree that *in is in.  The first hit that look asks for, or with any != 0 some hit (1 at once).
-FN int bvh8_walk(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way, uint root,
+FN int bvh8_walk(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way, uint root,
                  int any, PRIVATE(Look) look) {
     Bvh8Stack stack;
     uint cur = root;
@@ -190,18 +190,18 @@ FN int bvh8_walk(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask,
 }
 
 // The same in the scene.
-FN int bvh8_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Look) look) {
+FN int bvh8_traverse(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Look) look) {
     TreeRay way;
     uint root = mask == RAY_TRANSPARENT ? ROOT_OF_PANES : ROOT_OF_SCENE;
     enter_scene(ray, mask, &way);
     return bvh8_walk(s, ray, mask, &way, root, any, look);
 }
 
-FN void trace_next(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Look) look) {
+FN void trace_next(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Look) look) {
     bvh8_traverse(s, ray, mask, 0, look);
 }
 
-FN int trace_any(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask) {
+FN int trace_any(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask) {
     Look look;
     look_along(ray, &look);
     return bvh8_traverse(s, ray, mask, 1, &look);

@@ -79,7 +79,7 @@ FN uint compact_boxes(PRIVATE(const CompactAxis) x, PRIVATE(const CompactAxis) y
     return met;
 }
 
-FN GLOBAL const float* compact_at(SHARED(const SceneTables) s, uint node) {
+FN GLOBAL const float* compact_at(TABLES(const SceneTables) s, uint node) {
     return s->nodes + (ulong64)node * COMPACT_NODE_FLOATS;
 }
 
@@ -108,7 +108,7 @@ FN uint compact_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, uint order
 }
 
 // A shape of a leaf.  1 if it became the nearest hit; an instance waits on the stack.
-FN int compact_shape(SHARED(const SceneTables) s, uint number, uint id, PRIVATE(const TreeRay) way, PRIVATE(uint) stack,
+FN int compact_shape(TABLES(const SceneTables) s, uint number, uint id, PRIVATE(const TreeRay) way, PRIVATE(uint) stack,
                      PRIVATE(int) waiting, PRIVATE(Look) look) {
     GLOBAL const float* shape = shape_record(s, number);
     float t;
@@ -130,7 +130,7 @@ FN int compact_triangle(float4 v0, float4 v1, float4 v2, uint id, PRIVATE(const 
            t > look->from && hit_offer(look, t, id & ID_PRIM, u, v, way->inst);
 }
 
-FN int compact_leaf(SHARED(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, PRIVATE(uint) stack,
+FN int compact_leaf(TABLES(const SceneTables) s, uint ref, PRIVATE(const TreeRay) way, PRIVATE(uint) stack,
                     PRIVATE(int) waiting, PRIVATE(Look) look) {
     GLOBAL const float* block = s->leaves + (ulong64)(ref & REF_INDEX) * COMPACT_BLOCK_FLOATS;
     int found = 0;
@@ -160,7 +160,7 @@ FN uint compact_next(GLOBAL const float* n, uint order, PRIVATE(uint) slots) {
 }
 
 // The first hit that look asks for, or with any != 0 some hit (1 at once).
-FN int compact_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Look) look) {
+FN int compact_traverse(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Look) look) {
     uint stack[2 * COMPACT_STACK];
     TreeRay way;
     uint cur = mask == RAY_TRANSPARENT ? ROOT_OF_PANES : ROOT_OF_SCENE, node = 0u, slots = 0u, order;
@@ -199,11 +199,11 @@ FN int compact_traverse(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uin
     }
 }
 
-FN void trace_next(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Look) look) {
+FN void trace_next(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Look) look) {
     compact_traverse(s, ray, mask, 0, look);
 }
 
-FN int trace_any(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask) {
+FN int trace_any(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask) {
     Look look;
     look_along(ray, &look);
     return compact_traverse(s, ray, mask, 1, &look);

@@ -13,7 +13,7 @@
 #define COINCIDE_MOST 8u       // hits looked at
 
 // Is its modifier of a transparent type?
-FN int is_clear(SHARED(const SceneTables) s, PRIVATE(const Surface) g) {
+FN int is_clear(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {
     if (in_instance(g->inst)) {
         GLOBAL const float* record = instance_record(s, g->inst);
         if (as_uint_(record[INST_MOD]) != NONE)
@@ -22,13 +22,13 @@ FN int is_clear(SHARED(const SceneTables) s, PRIVATE(const Surface) g) {
     return (s->prims[PRIM_WORDS * g->prim + PRIM_KIND] & PRIM_CLEAR) != 0u;
 }
 
-FN uint coincide_rank(SHARED(const SceneTables) s, PRIVATE(const Surface) g) {
+FN uint coincide_rank(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {
     return (is_clear(s, g) ? 0u : 2u) + (g->front ? 1u : 0u);
 }
 
 // The surface that shows where a ray first meets some, among those whose class is in mask.  found: what the ray meets
 // first is in *look already.
-FN void trace_on(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int found, PRIVATE(Look) look,
+FN void trace_on(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int found, PRIVATE(Look) look,
                  PRIVATE(Hit) hit) {
     float3 normal = F3(0.0f, 0.0f, 0.0f);  // of the first
     float t = 0.0f, cosine = 0.0f, within = 0.0f, limit = 0.0f;
@@ -60,7 +60,7 @@ FN void trace_on(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask,
     }
 }
 
-FN void trace_closest(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Hit) hit) {
+FN void trace_closest(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Hit) hit) {
     Look look;
     look_along(ray, &look);
     trace_on(s, ray, mask, 0, &look, hit);

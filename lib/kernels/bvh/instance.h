@@ -7,9 +7,9 @@
 
 FN int in_instance(uint inst) { return HAS(INSTANCES) && inst != NO_HIT; }
 
-FN GLOBAL const float* instance_record(SHARED(const SceneTables) s, uint inst) { return shape_record(s, inst); }
+FN GLOBAL const float* instance_record(TABLES(const SceneTables) s, uint inst) { return shape_record(s, inst); }
 
-FN GLOBAL const float* instance_matrix(SHARED(const SceneTables) s, GLOBAL const float* record) {
+FN GLOBAL const float* instance_matrix(TABLES(const SceneTables) s, GLOBAL const float* record) {
     return shape_record(s, as_uint_(record[INST_SHAPE])) + INSTANCE_MATRIX;
 }
 #endif

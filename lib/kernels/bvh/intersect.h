@@ -10,7 +10,7 @@
 
 #define NO_HIT 0xffffffffu
 #define FAR_AWAY 1e30f  // how far a ray looks that nothing ends, and how far away distant sources are
-#define IS_FAR(d) ((d) >= 1e29f)
+#define IS_DISTANT(d) ((d) >= 1e29f)
 #define RAY_OPAQUE 1u       // query mask: surfaces that stop a shadow ray
 #define RAY_TRANSPARENT 2u  // query mask: surfaces a shadow ray may pass (their prim flag is set)
 #define RAY_ALL 3u
@@ -120,12 +120,12 @@ STRUCT(Look) {
 #define TABLE_POINTER(type, name) GLOBAL const type* name;
 STRUCT(SceneTables){SCENE_TABLES(TABLE_POINTER)};
 
-FN GLOBAL const float* shape_record(SHARED(const SceneTables) s, uint number) {
+FN GLOBAL const float* shape_record(TABLES(const SceneTables) s, uint number) {
     return s->shapes + (ulong64)number * SHAPE_FLOATS;
 }
 
 // The first hit, among primitives whose class is in mask, of those that look asks for; look->hit.prim = NO_HIT if none.
-//   void trace_next(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Look) look)
+//   void trace_next(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Look) look)
 // 1 if anything in mask lies between tmin and tmax.
-//   int trace_any(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, uint mask)
+//   int trace_any(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask)
 #endif

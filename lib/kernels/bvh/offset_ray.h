@@ -22,6 +22,6 @@ FN float3 offset_ray(float3 p, float3 n, float reach) {
     return F3(offset_axis(p.x, n.x, least), offset_axis(p.y, n.y, least), offset_axis(p.z, n.z, least));
 }
 
-// The far end of a shadow ray to a point at distance d, just before the surface there.
+// The suffix vertex of a shadow ray to a point at distance d, just before the surface there.
 FN float shadow_end(float d) { return d * (1.0f - OFFSET_SHARE); }
 #endif

@@ -12,7 +12,7 @@
 #define CAL_EVEN 0xffffffffu
 
 // Linear inside and up to one division outside; farther out it fades like 1/distance (spec: scene language 7.4).
-FN void cal_interval(SHARED(const SceneTables) s, uint dim, float x, PRIVATE(uint) at, PRIVATE(float) c0,
+FN void cal_interval(TABLES(const SceneTables) s, uint dim, float x, PRIVATE(uint) at, PRIVATE(float) c0,
                      PRIVATE(float) c1) {
     uint n = s->u[dim], positions = s->u[dim + 3u], low, high, mid;
     float first = as_float_(s->u[dim + 1u]), step = as_float_(s->u[dim + 2u]), t, a, b;
@@ -56,7 +56,7 @@ FN void cal_interval(SHARED(const SceneTables) s, uint dim, float x, PRIVATE(uin
 }
 
 // Interpolates all channels (at most 3) at the coordinates x[0..dimensions-1].
-FN void cal_data(SHARED(const SceneTables) s, uint table, PRIVATE(const float) x, PRIVATE(float) out) {
+FN void cal_data(TABLES(const SceneTables) s, uint table, PRIVATE(const float) x, PRIVATE(float) out) {
     uint dims = s->u[table], channels = s->u[table + 1u], samples = s->u[table + 2u], d, corner, k;
     uint at[CAL_MAX_DIMENSIONS];
     float c0[CAL_MAX_DIMENSIONS], c1[CAL_MAX_DIMENSIONS], sum[3];
@@ -78,7 +78,7 @@ FN void cal_data(SHARED(const SceneTables) s, uint table, PRIVATE(const float) x
 }
 
 // Is (x, y) inside the glyph?  Even-odd; its corners are integers.
-FN int cal_inside_glyph(SHARED(const SceneTables) s, uint glyph, float x, float y) {
+FN int cal_inside_glyph(TABLES(const SceneTables) s, uint glyph, float x, float y) {
     uint n = s->u[glyph];
     int inside = 0;
     if (n == 0u) return 0;
@@ -98,7 +98,7 @@ FN int cal_inside_glyph(SHARED(const SceneTables) s, uint glyph, float x, float 
 }
 
 // 1 where the text has ink: x in 1/255 of a cell from the line's start, row counted downwards.
-FN float cal_text(SHARED(const SceneTables) s, uint table, float x, float row) {
+FN float cal_text(TABLES(const SceneTables) s, uint table, float x, float row) {
     uint lines = s->u[table], line, chars, count, k;
     if (!(x >= 0.0f && x < 1e8f && row >= 0.0f && row < (float)lines)) return 0.0f;
     line = (uint)row;

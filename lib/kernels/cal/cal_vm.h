@@ -60,7 +60,7 @@
 // Runs a program; out gets its results.  Returns nonzero if the evaluation ended with an error (spec: scene
 // language 5: the last library call or operator to fail), and the caller then ignores the pattern.
 // Slack: acos and asin of 1 + 1e-5 and sqrt of -1e-6 are rounding, not errors.
-FN int cal_run(SHARED(const SceneTables) s, uint entry, PRIVATE(const float) vars, PRIVATE(float) out) {
+FN int cal_run(TABLES(const SceneTables) s, uint entry, PRIVATE(const float) vars, PRIVATE(float) out) {
     float r[CAL_REGISTERS];
     int error = 0;
     uint pc = entry;

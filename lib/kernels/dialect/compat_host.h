@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The words of the shared device code, for C++17.  compat_opencl.h holds the same words for OpenCL C 1.2.
 // Rules (docs/architecture.md): static functions by the word FN; pointers are GLOBAL to the scene's tables, PRIVATE(T)
-// to what belongs to one path, SHARED(T) to what all paths have in common, UNIFORM(T) to the parameters of a pass;
+// to what belongs to one path, TABLES(T) to what all paths have in common, PARAMS(T) to the parameters of a pass;
 // structs by STRUCT(name); out-parameters by pointer; float3 only through F3() and the functions of vec.h; no
 // recursion; literals with f; own math (math.h).  For paths in lanes (compat_lanes.isph): a counter that goes the same
-// way for all paths is SAME; an initial value does not refer to a name of its own declaration; no f(x)[i]; no pointer
-// into a PRIVATE array that depends on the path.
+// way for all paths is UNIFORM; an initial value does not refer to a name of its own declaration; no f(x)[i]; no
+// pointer into a PRIVATE array that depends on the path.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -16,10 +16,10 @@
 #define FN_RARE static __attribute__((noinline, unused))  // kept out of the way of what every scene runs
 #define GLOBAL
 #define PRIVATE(T) T*
-#define SHARED(T) T*
+#define TABLES(T) T*
 #define CONSTANT static const
-#define UNIFORM(T) T*
-#define SAME
+#define PARAMS(T) T*
+#define UNIFORM
 #define STRUCT(name) struct name
 typedef uint32_t uint;
 typedef uint64_t ulong64;

@@ -9,10 +9,10 @@
 #define FN_RARE static
 #define GLOBAL __global
 #define PRIVATE(T) __private T*
-#define SHARED(T) __private T*
+#define TABLES(T) __private T*
 #define CONSTANT __constant
-#define UNIFORM(T) __constant T*
-#define SAME
+#define PARAMS(T) __constant T*
+#define UNIFORM
 #define STRUCT(name)          \
     typedef struct name name; \
     struct name

@@ -11,6 +11,6 @@ namespace kernels {
 #include "kernels/bvh/intersect.h"
 #include "kernels/tables.h"
 #include "kernels/sampling/sampler.h"
-#include "kernels/integrator/share.h"
+#include "kernels/integrator/path_reuse.h"
 #include "kernels/integrator/state.h"
 }  // namespace kernels

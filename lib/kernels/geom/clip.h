@@ -17,7 +17,7 @@ FN uint clip_entered(uint state, uint i) { return (state >> (16u + 4u * i)) & 15
 
 // Counts `step` surfaces for the antimatters that list group `listed`.
 FN uint clip_count(uint state, uint listed, int step) {
-    for (SAME uint i = 0u; i < 4u; i++) {
+    for (UNIFORM uint i = 0u; i < 4u; i++) {
         if (((listed >> i) & 1u) == 0u) continue;
         int entered = (int)clip_entered(state, i) + step;
         entered = entered < 0 ? 0 : entered > 15 ? 15 : entered;
@@ -27,11 +27,11 @@ FN uint clip_count(uint state, uint listed, int step) {
     return state;
 }
 
-FN uint clip_group(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod) {
+FN uint clip_group(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod) {
     return mod == NONE ? 0u : (mod_word(s, par, mod, MOD_FLAGS) >> MF_CLIPPED_SHIFT) & 15u;
 }
 
-FN int clip_hit(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, PRIVATE(uint) state) {
+FN int clip_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, PRIVATE(uint) state) {
     if (g->mod == NONE) return CLIP_NO;
     uint listed = clip_group(s, par, g->mod);
     int ignored = listed != 0u && ((*state >> listed) & 1u) != 0u;
@@ -49,7 +49,7 @@ FN int clip_hit(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(
 }
 
 // A material that turns its back to the viewer has been entered from there, too.  mod: what the surface carries.
-FN void clip_turned(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint mod,
+FN void clip_turned(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint mod,
                     PRIVATE(uint) state) {
     if (g->front || par->bv == 0u || material_has(g->type, MT_TURNS) == 0u) return;
     *state = clip_count(*state, clip_group(s, par, mod), 2);

@@ -27,7 +27,7 @@ STRUCT(Surface) {
 
 // A polygon or ring, which a texture may still bend.  Where an instance's own modifier covers it, RADIANCE takes the
 // instance for the surface, which is not flat.
-FN int drawn_flat(SHARED(const SceneTables) s, PRIVATE(const Surface) g) {
+FN int drawn_flat(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {
     if ((s->prims[PRIM_WORDS * g->prim + PRIM_KIND] & PRIM_TEXTURE_FLAT) == 0u) return 0;
     return !in_instance(g->inst) || as_uint_(*(instance_record(s, g->inst) + INST_MOD)) == NONE;
 }
@@ -36,7 +36,7 @@ FN int drawn_flat(SHARED(const SceneTables) s, PRIVATE(const Surface) g) {
 FN int is_textured(PRIVATE(const Surface) g) { return dot3(g->pert, g->pert) > 1e-12f; }
 
 // Of a sphere or cone at the point p, outwards.
-FN float3 shape_normal(SHARED(const SceneTables) s, uint kind, uint number, float3 p) {
+FN float3 shape_normal(TABLES(const SceneTables) s, uint kind, uint number, float3 p) {
     GLOBAL const float* shape = shape_record(s, number);
     if (kind == PRIM_SPHERE) return unit3(sub3(p, f3_at(shape + SPHERE_CENTRE)));
 
@@ -49,7 +49,7 @@ FN float3 shape_normal(SHARED(const SceneTables) s, uint kind, uint number, floa
 }
 
 // Smoothing and uv of a mesh triangle: the perturbation is the interpolated normal less the plane's (spec scene 3).
-FN void mesh_corners(SHARED(const SceneTables) s, GLOBAL const uint* prim, PRIVATE(const Hit) hit, PRIVATE(Surface) g) {
+FN void mesh_corners(TABLES(const SceneTables) s, GLOBAL const uint* prim, PRIVATE(const Hit) hit, PRIVATE(Surface) g) {
     GLOBAL const uint* corner = s->u + prim[PRIM_VERTEX];
     GLOBAL const float* a = s->f + corner[0];
     GLOBAL const float* b = s->f + corner[1];
@@ -68,7 +68,7 @@ FN void mesh_corners(SHARED(const SceneTables) s, GLOBAL const uint* prim, PRIVA
 
 // Normal and, of a sphere, the exact place of a hit at the point `at` of the primitive's coordinates; matrix: to these,
 // 0 outside instances.
-FN void surface_shape(SHARED(const SceneTables) s, GLOBAL const uint* prim, float3 at, GLOBAL const float* matrix,
+FN void surface_shape(TABLES(const SceneTables) s, GLOBAL const uint* prim, float3 at, GLOBAL const float* matrix,
                       PRIVATE(Surface) g) {
     uint kind = prim[PRIM_KIND] & PRIM_KIND_MASK;
     if (kind != PRIM_SPHERE && kind != PRIM_CONE) {
@@ -101,7 +101,7 @@ FN void surface_plain(uint prim, uint mod, uint inst, float length, PRIVATE(Surf
     g->mixed = 0;
 }
 
-FN void surface_at(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(const Hit) hit, PRIVATE(Surface) g) {
+FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(const Hit) hit, PRIVATE(Surface) g) {
     GLOBAL const uint* prim = s->prims + PRIM_WORDS * hit->prim;
     GLOBAL const float* matrix = 0;
     surface_plain(hit->prim, prim[PRIM_MOD], hit->inst, hit->t, g);
@@ -143,7 +143,7 @@ FN float surface_rounding(PRIVATE(const Surface) g) {
 }
 
 // Does the surface that a ray meets hold the ray's origin, within that?
-FN int holds_origin(SHARED(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(const Hit) hit) {
+FN int holds_origin(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(const Hit) hit) {
     if (hit->prim == NO_HIT) return 0;
     Surface g;
     surface_at(s, ray, hit, &g);

@@ -12,14 +12,14 @@
 #define VIEW_HEMISPHERICAL 104  // h
 
 // A direction at the angle whose sine over a length is k and whose cosine is z, in the frame of the view.
-FN float3 round_view(UNIFORM(const Params) par, float a, float b, float z, float k) {
+FN float3 round_view(PARAMS(const Params) par, float a, float b, float z, float k) {
     return unit3(
         add3(scale3(xyz4(par->view_d), z), add3(scale3(xyz4(par->view_h), a * k), scale3(xyz4(par->view_u), b * k))));
 }
 
 // The direction of place (a, b) of the view's plane, by type, before fore and aft and with the length that these
 // count in; *org moves in a parallel view.  0 if no ray belongs there.
-FN int view_direction(UNIFORM(const Params) par, float a, float b, PRIVATE(float3) org, PRIVATE(float3) dir) {
+FN int view_direction(PARAMS(const Params) par, float a, float b, PRIVATE(float3) org, PRIVATE(float3) dir) {
     float3 d = xyz4(par->view_d), h = xyz4(par->view_h), up = xyz4(par->view_u);
     float sn, cs, r2 = a * a + b * b;
 
@@ -56,7 +56,7 @@ FN int view_direction(UNIFORM(const Params) par, float a, float b, PRIVATE(float
 
 // Moves the ray to a place of the lens and turns it to the same point at the distance |vd|; *stretch is the length of
 // *dir before and after.
-FN void view_lens(UNIFORM(const Params) par, float3 lens, PRIVATE(float3) org, PRIVATE(float3) dir,
+FN void view_lens(PARAMS(const Params) par, float3 lens, PRIVATE(float3) org, PRIVATE(float3) dir,
                   PRIVATE(float) stretch) {
     float3 d = xyz4(par->view_d), h = xyz4(par->view_h), up = xyz4(par->view_u);
     float r = 0.5f * par->view_clip.w * sqrt_(lens.x), sn, cs;
@@ -77,7 +77,7 @@ FN void view_lens(UNIFORM(const Params) par, float3 lens, PRIVATE(float3) org, P
 
 // X, Y in [0,1], Y up; lens: three random numbers, the place on the lens of diameter -pd (rays of one X, Y meet again
 // at the distance |vd|).  0 if no ray belongs there.
-FN int view_lens_ray(UNIFORM(const Params) par, float X, float Y, float3 lens, PRIVATE(Ray) ray) {
+FN int view_lens_ray(PARAMS(const Params) par, float X, float Y, float3 lens, PRIVATE(Ray) ray) {
     float a = (X - 0.5f + par->view_size.z) * par->view_size.x;
     float b = (Y - 0.5f + par->view_size.w) * par->view_size.y;
     float fore = par->view_clip.x, aft = par->view_clip.y;
@@ -94,7 +94,7 @@ FN int view_lens_ray(UNIFORM(const Params) par, float X, float Y, float3 lens, P
 }
 
 // Through the middle of the lens.
-FN int view_ray(UNIFORM(const Params) par, float X, float Y, PRIVATE(Ray) ray) {
+FN int view_ray(PARAMS(const Params) par, float X, float Y, PRIVATE(Ray) ray) {
     return view_lens_ray(par, X, Y, F3(0.0f, 0.0f, 0.5f), ray);
 }
 #endif

@@ -4,26 +4,26 @@
 #define LUX_PATH_BEGIN_H
 
 // The entry of a slot's pixel, in a pass of pixels with several samples in each frame.
-FN GLOBAL const uint* focus_entry(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint slot) {
+FN GLOBAL const uint* focus_entry(TABLES(const SceneTables) s, PARAMS(const Params) par, uint slot) {
     return s->focus + FOCUS_WORDS * (par->focus_at + (par->first + slot) / par->together);
 }
 
 // The pixel of a slot, NONE if it lies beside the picture, and which of its samples the slot is.
-FN uint path_pixel(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint slot) {
+FN uint path_pixel(TABLES(const SceneTables) s, PARAMS(const Params) par, uint slot) {
     if (par->mode == MODE_RAY) return 0u;
-    if (par->shared_slots != 0u) return shared_pixel(par, par->first + slot);
+    if (par->reuse_slot_count != 0u) return reuse_pixel(par, par->first + slot);
     if (par->copies > 1u) return *(focus_entry(s, par, slot) + FOCUS_PIXEL);
     return (par->first + slot) / par->together;
 }
 
-FN uint path_sample_index(UNIFORM(const Params) par, uint slot) {
+FN uint path_sample_index(PARAMS(const Params) par, uint slot) {
     uint gid = par->first + slot;
-    if (par->shared_slots != 0u) return par->frame + gid / par->shared_slots;
+    if (par->reuse_slot_count != 0u) return par->frame + gid / par->reuse_slot_count;
     return par->frame + (par->mode == MODE_RAY ? gid : gid % par->together / par->copies);
 }
 
 // The ray through a random place of the pixel and of the lens.  0 if the view has none there.
-FN int camera_ray(UNIFORM(const Params) par, uint pixel, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
+FN int camera_ray(PARAMS(const Params) par, uint pixel, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
     float2 r = sample2(rnd);
     float jitter = par->view_clip.z;  // -pj
     float x = (float)(pixel % par->nx) + 0.5f + jitter * (0.5f - r.x);
@@ -38,7 +38,7 @@ FN int camera_ray(UNIFORM(const Params) par, uint pixel, PRIVATE(Sampler) rnd, P
     return view_lens_ray(par, x / (float)par->nx, y / (float)par->ny, lens, ray);
 }
 
-FN void given_ray(UNIFORM(const Params) par, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
+FN void given_ray(PARAMS(const Params) par, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
     ray->org = F3(par->ray_org.x, par->ray_org.y, par->ray_org.z);
     ray->dir = F3(par->ray_dir.x, par->ray_dir.y, par->ray_dir.z);
     ray->tmax = FAR_AWAY;
@@ -46,7 +46,7 @@ FN void given_ray(UNIFORM(const Params) par, PRIVATE(Sampler) rnd, PRIVATE(Ray) 
 }
 
 // What every path begins with, beside the direction of its first ray.
-FN void path_start(UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot, float3 org,
+FN void path_start(PARAMS(const Params) par, TABLES(const Paths) paths, uint slot, float3 org,
                    PRIVATE(const Sampler) rnd, uint flags) {
     write4_(paths->org, slot, pack4(org, as_float_(CLIP_START)));
     write4_(paths->thr, slot, pack4(F3(1.0f, 1.0f, 1.0f), 1.0f));
@@ -63,17 +63,17 @@ FN void path_start(UNIFORM(const Params) par, SHARED(const Paths) paths, uint sl
     write4_(paths->info, slot, info);
 }
 
-// A path that shares has no ends yet (far.h).
-FN void no_ends(SHARED(const Paths) paths, uint slot) {
-    write4_(paths->near_n, slot, pack4(F3(0.0f, 0.0f, 0.0f), NO_NEAR_END));
-    write4_(paths->far_p, slot, pack4(F3(0.0f, 0.0f, 0.0f), FAR_NOTHING));
+// A path that shares has no ends yet (suffix.h).
+FN void no_ends(TABLES(const Paths) paths, uint slot) {
+    write4_(paths->prefix_n, slot, pack4(F3(0.0f, 0.0f, 0.0f), NO_PREFIX));
+    write4_(paths->suffix_p, slot, pack4(F3(0.0f, 0.0f, 0.0f), SUFFIX_NONE));
 }
 
 // 1 if the slot has a ray to follow.
-FN int path_generate(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
+FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot) {
     uint pixel = path_pixel(s, par, slot), index = path_sample_index(par, slot);
     write4_(paths->rad, slot, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
-    if (par->shared_slots != 0u) no_ends(paths, slot);
+    if (par->reuse_slot_count != 0u) no_ends(paths, slot);
     if (pixel == NONE) return 0;
 
     // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct
@@ -103,7 +103,7 @@ FN int path_generate(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHA
     return 1;
 }
 
-FN Ray path_ray(SHARED(const Paths) paths, uint slot) {
+FN Ray path_ray(TABLES(const Paths) paths, uint slot) {
     Ray ray;
     float4 dir = paths->dir[slot];
     ray.org = xyz4(paths->org[slot]);
@@ -114,7 +114,7 @@ FN Ray path_ray(SHARED(const Paths) paths, uint slot) {
 }
 
 // Follows the ray of a slot to the nearest surface; past one that the eye lies on.
-FN void path_extend(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
+FN void path_extend(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot) {
     Ray ray = path_ray(paths, slot);
     Hit hit;
     int from_surface = (par->flags & PF_EYE_ON_SURFACE) != 0u && paths->info[slot].x >> PC_STEP_SHIFT == 0u;

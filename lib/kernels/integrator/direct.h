@@ -4,7 +4,7 @@
 #define LUX_PATH_DIRECT_H
 
 // What the lobes make of light from the sampled point: outgoing radiance over the source's.
-FN float3 direct_response(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const LightSample) light,
+FN float3 direct_response(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const LightSample) light,
                           PRIVATE(Vertex) vertex) {
     PRIVATE(const Surface) g = &vertex->g;
     PRIVATE(const Lobes) lobes = &vertex->lobes;
@@ -20,8 +20,8 @@ FN float3 direct_response(SHARED(const SceneTables) s, UNIFORM(const Params) par
     return scale3(c, light->pieces);
 }
 
-// Leaves the shadow ray, which brings `radiance` if nothing stops it, and `far` to the far end, in the slot.
-FN void direct_shadow_ray(UNIFORM(const Params) par, SHARED(const Paths) paths, PRIVATE(const Vertex) vertex,
+// Leaves the shadow ray, which brings `radiance` if nothing stops it, and `far` to the suffix vertex, in the slot.
+FN void direct_shadow_ray(PARAMS(const Params) par, TABLES(const Paths) paths, PRIVATE(const Vertex) vertex,
                           uint source, PRIVATE(LightSample) light, float3 radiance, float3 far) {
     PRIVATE(const Surface) g = &vertex->g;
     uint slot = vertex->slot;
@@ -29,7 +29,7 @@ FN void direct_shadow_ray(UNIFORM(const Params) par, SHARED(const Paths) paths, 
     float3 start = bsdf_start(&vertex->lobes, g, above);
     float3 from = offset_ray(start, above ? g->ng : neg3(g->ng), g->reach);
 
-    if (!IS_FAR(light->dist)) {  // aimed anew from where it starts, else the source would shadow itself
+    if (!IS_DISTANT(light->dist)) {  // aimed anew from where it starts, else the source would shadow itself
         float3 to = sub3(scale3(light->dir, light->dist), sub3(from, start));
         light->dist = length3(to);
         light->dir = scale3(to, 1.0f / MAX_(light->dist, 1e-9f));
@@ -38,7 +38,7 @@ FN void direct_shadow_ray(UNIFORM(const Params) par, SHARED(const Paths) paths, 
     write4_(paths->shadow_org, slot, pack4(from, as_float_(source)));
     write4_(paths->shadow_dir, slot, pack4(light->dir, light->dist));
     write4_(paths->shadow_rad, slot, pack4(radiance, g->total));
-    if (par->shared_slots != 0u) write4_(paths->shadow_far, slot, pack4(far, vertex->at_far ? 1.0f : 0.0f));
+    if (par->reuse_slot_count != 0u) write4_(paths->shadow_suffix, slot, pack4(far, vertex->at_suffix ? 1.0f : 0.0f));
     if (path_media_used(par)) {
         Medium there = above ? vertex->arriving : vertex->beyond;
         set_shadow_medium(paths, slot, &there, above ? vertex->clip_before : vertex->clip_beyond);
@@ -46,12 +46,12 @@ FN void direct_shadow_ray(UNIFORM(const Params) par, SHARED(const Paths) paths, 
 }
 
 // Returns PATH_SHADOW if a shadow ray waits.
-FN int path_direct(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+FN int path_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                    PRIVATE(Vertex) vertex) {
     PRIVATE(const Surface) g = &vertex->g;
     if (!vertex->wanted || par->source_count == 0u) return 0;
 
-    // A source, by what each promises here.  Where the medium scatters, half of the shadow rays are its.
+    // A source, by what each importances here.  Where the medium scatters, half of the shadow rays are its.
     uint source = 0u;
     int both = par->source_count > 1u && lobes_transmit(&vertex->lobes);
     float inv_p = choose_source(s, par, g->p, g->n, both, &vertex->rnd, &source);
@@ -76,7 +76,7 @@ FN int path_direct(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARE
 
     radiance = scale3(radiance, inv_p);
     float3 far = F3(0.0f, 0.0f, 0.0f);
-    if (vertex->at_far) {  // what it scatters evenly goes to all who see it, the rest back along this path
+    if (vertex->at_suffix) {  // what it scatters evenly goes to all who see it, the rest back along this path
         float3 even = scale3(lobes_even(&vertex->lobes, g, light.dir, light.w / light.pieces), light.pieces);
         far = mul3(even, radiance);
         response = sub3(response, even);

@@ -5,14 +5,14 @@
 #define LUX_PATH_EMISSION_H
 
 // Whether this path's present class is wanted in this pass.
-FN int class_wanted(UNIFORM(const Params) par, uint flags, uint index) {
-    if (par->mode == MODE_RAY || par->mode == MODE_WALK) return 1;
+FN int class_wanted(PARAMS(const Params) par, uint flags, uint index) {
+    if (par->mode == MODE_RAY || par->mode == MODE_PILOT) return 1;
     if ((flags & PC_DIFFUSE) != 0u) return par->mode == MODE_FRAMES;
     return par->mode == MODE_DIRECT || index > par->skip_direct_below;
 }
 
 // What a ray that met nothing sees: sun, sky, ground glow.
-FN float3 path_background(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 org, float3 dir, uint flags,
+FN float3 path_background(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 org, float3 dir, uint flags,
                           PRIVATE(Sampler) rnd) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     int sampled = path_sampled(flags);
@@ -23,7 +23,7 @@ FN float3 path_background(SHARED(const SceneTables) s, UNIFORM(const Params) par
 
     if (source != NONE) {  // an active source (the sun): only eye and mirror rays see it (spec shading 0.1)
         if (sampled || (par->flags & PF_DV) == 0u) return black;
-        if ((flags & PC_BENT) == 0u && par->mode != MODE_RAY && source_word(s, par, source, SRC_DRAWN) != 0u)
+        if ((flags & PC_BENT) == 0u && par->mode != MODE_RAY && source_word(s, par, source, SRC_SPLATTED) != 0u)
             return black;  // frame 0 holds it by area
     }
 
@@ -32,7 +32,7 @@ FN float3 path_background(SHARED(const SceneTables) s, UNIFORM(const Params) par
 }
 
 // Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray goes on through it.
-FN float3 emitter_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint flags,
+FN float3 emitter_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint flags,
                            PRIVATE(int) pass) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     GLOBAL const uint* m = mod_record(s, par, g->mod);
@@ -52,7 +52,7 @@ FN float3 emitter_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) pa
     }
 
     if (!sampled && source != NONE && (flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
-        source_word(s, par, source, SRC_DRAWN) != 0u)
+        source_word(s, par, source, SRC_SPLATTED) != 0u)
         return black;
     if (g->type == M_SPOTLIGHT) {
         float3 aim = f3_at(arg + 4);

@@ -7,17 +7,17 @@
 #define RR_LEAST 0.05f  // least chance to survive it
 
 // The constant that stands for light of deeper bounces (-av), where -ab ends.
-FN void path_ambient_value(UNIFORM(const Params) par, PRIVATE(Vertex) vertex) {
+FN void path_ambient_value(PARAMS(const Params) par, PRIVATE(Vertex) vertex) {
     int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
     if (bounces < par->ab || !vertex->wanted) return;
     float3 av = F3(par->av.x, par->av.y, par->av.z);
     float3 value = mul3(add3(vertex->lobes.ambient_r, vertex->lobes.ambient_t), av);
-    if (vertex->at_far) vertex->far_rad = add3(vertex->far_rad, value);
+    if (vertex->at_suffix) vertex->suffix_rad = add3(vertex->suffix_rad, value);
     else vertex_add(vertex, value);
 }
 
 // The limits of -lr and -lw.
-FN int path_limited(UNIFORM(const Params) par, PRIVATE(const Vertex) vertex) {
+FN int path_limited(PARAMS(const Params) par, PRIVATE(const Vertex) vertex) {
     int level = (int)((vertex->flags >> PC_LEVEL_SHIFT) & 255u);
     if (par->lr > 0) return level > par->lr || vertex->weight < par->lw;
     return par->lr < 0 && level > -par->lr;
@@ -37,9 +37,9 @@ FN int path_roulette(PRIVATE(Vertex) vertex, float carried) {
 }
 
 // The path takes its way.  Returns PATH_GOES_ON, or 0 if it ends.
-FN int path_go_on(UNIFORM(const Params) par, SHARED(const Paths) paths, PRIVATE(Vertex) vertex,
-                  PRIVATE(const Way) way) {
-    if (par->shared_slots != 0u) path_ends(paths, vertex, way);
+FN int path_go_on(PARAMS(const Params) par, TABLES(const Paths) paths, PRIVATE(Vertex) vertex,
+                  PRIVATE(const LobeSample) way) {
+    if (par->reuse_slot_count != 0u) path_ends(paths, vertex, way);
     vertex->weight *= MIN_(1.0f, max3(way->color));
     vertex->thr = scale3(mul3(vertex->thr, way->color), way->sum / MAX_(way->chance, 1e-30f));
     float carried = max3(vertex->thr);
@@ -55,7 +55,7 @@ FN int path_go_on(UNIFORM(const Params) par, SHARED(const Paths) paths, PRIVATE(
     int above = dot3(way->dir, g->ng) > 0.0f;
     float3 from = offset_ray(bsdf_start(&vertex->lobes, g, above), above ? g->ng : neg3(g->ng), g->reach);
     if (vertex->absorbs) {
-        Medium there = way_reflects(way->way) ? vertex->arriving : vertex->beyond;
+        Medium there = lobe_reflects(way->way) ? vertex->arriving : vertex->beyond;
         set_path_medium(paths, slot, &there);
     }
     write4_(paths->org, slot, pack4(from, as_float_(above ? vertex->clip_before : vertex->clip_beyond)));

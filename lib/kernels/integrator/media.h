@@ -4,7 +4,7 @@
 #define LUX_PATH_MEDIA_H
 
 // Returns PATH_SHADOW if light scattered in the medium waits for its shadow ray.
-FN int path_media(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+FN int path_media(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                   PRIVATE(Vertex) vertex) {
     int result = 0;
     if (!vertex->absorbs) return 0;

@@ -3,7 +3,7 @@
 #ifndef LUX_PATH_MISS_H
 #define LUX_PATH_MISS_H
 
-FN void path_miss(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+FN void path_miss(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                   PRIVATE(Vertex) vertex) {
     if (vertex->absorbs) {
         float3 T = attenuation(vertex->arriving.k, ENDLESS_MEDIUM);
@@ -13,9 +13,10 @@ FN void path_miss(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED
 
     // a ray that the view cuts off (-va) sees black, not the sky
     PRIVATE(const Ray) ray = &vertex->ray;
-    if (vertex->wanted && IS_FAR(ray->tmax)) {
+    if (vertex->wanted && IS_DISTANT(ray->tmax)) {
         float3 sky = path_background(s, par, ray->org, ray->dir, vertex->flags, &vertex->rnd);
-        if ((vertex->flags & PC_SEEKS) != 0u && (par->flags & PF_SKY_PLACES) == 0u) far_sky(paths, vertex, sky);
+        if ((vertex->flags & PC_RECORDS_SUFFIX) != 0u && (par->flags & PF_SKY_PLACES) == 0u)
+            suffix_sky(paths, vertex, sky);
         else vertex_add(vertex, sky);
     }
     vertex_store_rad(paths, vertex, vertex->before);

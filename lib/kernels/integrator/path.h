@@ -7,24 +7,24 @@
 #include "kernels/integrator/emission.h"
 #include "kernels/integrator/begin.h"
 #include "kernels/integrator/vertex.h"
-#include "kernels/integrator/far.h"
+#include "kernels/integrator/suffix.h"
 #include "kernels/integrator/miss.h"
-#include "kernels/integrator/meet.h"
+#include "kernels/integrator/hit.h"
 #include "kernels/integrator/scatter.h"
 #include "kernels/integrator/media.h"
 #include "kernels/integrator/direct.h"
-#include "kernels/integrator/ways.h"
-#include "kernels/integrator/near.h"
+#include "kernels/integrator/sample_bsdf.h"
+#include "kernels/integrator/prefix.h"
 #include "kernels/integrator/end.h"
-#include "kernels/integrator/walk.h"
+#include "kernels/integrator/pilot.h"
 #include "kernels/integrator/shadow.h"
 #include "kernels/integrator/connect.h"
-#include "kernels/integrator/draw.h"
+#include "kernels/integrator/splat.h"
 
 // Shades the hit of a slot.  Returns bits: PATH_GOES_ON, PATH_SHADOW.
-FN int path_shade(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
+FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot) {
     Vertex vertex;
-    Way way;
+    LobeSample way;
     vertex_load(par, paths, slot, &vertex);
 
     // The ray has met nothing: what it sees is the sky, and the path ends.
@@ -36,22 +36,22 @@ FN int path_shade(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED
     // It has met a surface.  What is it: a hole, a lamp, something that scatters light?
     if (!vertex_arrive(s, &vertex)) return 0;
     sampler_ahead(&vertex.rnd);
-    int met = vertex_meet(s, par, paths, &vertex);
+    int met = vertex_hit(s, par, paths, &vertex);
 
-    // It may be the far end that the path seeks for all its group.
-    if ((vertex.flags & PC_SEEKS) != 0u) path_seek(s, par, paths, &vertex, met);
+    // It may be the suffix vertex that the path seeks for all its group.
+    if ((vertex.flags & PC_RECORDS_SUFFIX) != 0u) path_record_suffix(s, par, paths, &vertex, met);
 
     // What lies between has dimmed the path and may have scattered light into it.
     int shadow = path_media(s, par, paths, &vertex);
 
     // A lamp gives its radiance, and the path ends.
-    if (met == MET_LAMP) {
+    if (met == HIT_EMITTER) {
         path_lamp(paths, &vertex);
         return shadow;
     }
 
     // Where nothing shows the ray goes straight on.
-    if (met == MET_NOTHING) {
+    if (met == HIT_NULL) {
         path_pass(paths, &vertex);
         return shadow | PATH_GOES_ON;
     }
@@ -61,14 +61,14 @@ FN int path_shade(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED
 
     // Light that comes over other surfaces: where -ab ends a constant, else what one way on will find.
     path_ambient_value(par, &vertex);
-    if (!choose_way(s, par, &vertex, &way)) {
+    if (!sample_lobe(s, par, &vertex, &way)) {
         vertex_store(paths, &vertex, vertex.before);
         return shadow;
     }
 
     // A walk that only learns ends where a bounce would begin.
-    if (par->mode == MODE_WALK && way_bounces(&way)) {
-        path_end_walk(paths, &vertex, &way);
+    if (par->mode == MODE_PILOT && lobe_is_diffuse(&way)) {
+        path_end_pilot(paths, &vertex, &way);
         return shadow;
     }
 
@@ -77,7 +77,7 @@ FN int path_shade(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED
 }
 
 // A slot that has met nothing, where the above does not see to it (HAS(SKY)).
-FN void path_sky(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
+FN void path_sky(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot) {
     if (as_uint_(paths->hit[slot].y) != NO_HIT) return;
     Vertex vertex;
     vertex_load(par, paths, slot, &vertex);

@@ -3,12 +3,12 @@
 #ifndef LUX_PATH_SCATTER_H
 #define LUX_PATH_SCATTER_H
 
-FN GLOBAL const uint* light_set(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint set) {
+FN GLOBAL const uint* light_set(TABLES(const SceneTables) s, PARAMS(const Params) par, uint set) {
     return s->u + par->light_sets_at + LIGHT_SET_WORDS * set;
 }
 
 // How many sources a medium scatters.
-FN uint scattered_count(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Medium) medium) {
+FN uint scattered_count(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Medium) medium) {
     uint count = 0u;
     if (medium->lights == 0u || max3(mul3(medium->k, medium->albedo)) <= 0.0f) return 0u;
     for (uint set = 0u, left = medium->lights; left != 0u; set++, left >>= 1)
@@ -16,7 +16,7 @@ FN uint scattered_count(SHARED(const SceneTables) s, UNIFORM(const Params) par, 
     return count;
 }
 
-FN uint scattered_source(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint lights, uint pick) {
+FN uint scattered_source(TABLES(const SceneTables) s, PARAMS(const Params) par, uint lights, uint pick) {
     for (uint set = 0u, left = lights; left != 0u; set++, left >>= 1) {
         GLOBAL const uint* lights_of = light_set(s, par, set);
         if ((left & 1u) == 0u) continue;
@@ -30,7 +30,7 @@ FN uint scattered_source(SHARED(const SceneTables) s, UNIFORM(const Params) par,
 // Single scattering along the ray that has come to the vertex, through the medium m: a random point of it, a random one
 // of the sources; with Henyey and Greenstein's phase function.  x, y: random, x.x in .5 .. 1, for half of the steps do
 // this and half light the surface.  Returns PATH_SHADOW if a shadow ray waits.
-FN int path_scatter(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths,
+FN int path_scatter(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                     PRIVATE(const Medium) medium, float2 x, float2 y, PRIVATE(Vertex) vertex) {
     float count = (float)vertex->scatterers, length = vertex->g.length;
     uint pick = (uint)((2.0f * x.x - 1.0f) * count);
@@ -55,7 +55,7 @@ FN int path_scatter(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHAR
     paths->shadow_org[vertex->slot] = pack4(p, as_float_(source));
     paths->shadow_dir[vertex->slot] = pack4(light.dir, light.dist);
     paths->shadow_rad[vertex->slot] = pack4(w, total);
-    if (par->shared_slots != 0u) write4_(paths->shadow_far, vertex->slot, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
+    if (par->reuse_slot_count != 0u) write4_(paths->shadow_suffix, vertex->slot, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
     set_shadow_medium(paths, vertex->slot, medium, vertex->clip_before);
     return PATH_SHADOW;
 }

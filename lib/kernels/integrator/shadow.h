@@ -26,27 +26,26 @@ STRUCT(ShadowRay) {
 // What is in its way, one of MET_*: a lamp stops it, of a surface the lobes say what passes.  g, the surface, gets
 // its material; *here and *beyond, the media of the segment that ends here and behind the surface, come as what the ray
 // knows.  relayed: g is the relay of the virtual source aimed at.
-FN int shadow_meet(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow,
-                   PRIVATE(Surface) g, int relayed, PRIVATE(Medium) here, PRIVATE(Medium) beyond,
-                   PRIVATE(Lobes) lobes) {
+FN int shadow_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow, PRIVATE(Surface) g,
+                  int relayed, PRIVATE(Medium) here, PRIVATE(Medium) beyond, PRIVATE(Lobes) lobes) {
     int antimatter = has_antimatter(par);
     uint carried = g->mod;
-    if (antimatter && clip_hit(s, par, g, &shadow->clip) == CLIP_IGNORE) return MET_NOTHING;
-    if (!find_material(s, par, g, &shadow->rnd)) return MET_NOTHING;
-    if (shadow_alternate(s, par, g, shadow->src, relayed, &shadow->rnd)) return MET_NOTHING;
-    if (material_has(g->type, MT_SHINES) != 0u) return MET_LAMP;
+    if (antimatter && clip_hit(s, par, g, &shadow->clip) == CLIP_IGNORE) return HIT_NULL;
+    if (!find_material(s, par, g, &shadow->rnd)) return HIT_NULL;
+    if (shadow_alternate(s, par, g, shadow->src, relayed, &shadow->rnd)) return HIT_NULL;
+    if (material_has(g->type, MT_SHINES) != 0u) return HIT_EMITTER;
     if (HAS(SOLIDS) && g->type == M_MIST) {
         mist_crossing(s, par, g, here, beyond);
-        return MET_NOTHING;
+        return HIT_NULL;
     }
     material_lobes(s, par, g, LOBES_SHADOW, &shadow->rnd, here, beyond, lobes);
     if (antimatter) clip_turned(s, par, g, carried, &shadow->clip);
-    return (lobes->flags & LOBE_PASS) != 0u ? MET_NOTHING : MET_SURFACE;
+    return (lobes->flags & LOBE_PASS) != 0u ? HIT_NULL : HIT_SURFACE;
 }
 
 // May the ray have been aimed beside this source, so that only the source's own hit counts?  A tube is aimed at by its
 // axis, where it is open.  Or may something that lies in its plane show in its place?
-FN int shadow_seeks_source(UNIFORM(const Params) par, GLOBAL const float* src) {
+FN int shadow_seeks_source(PARAMS(const Params) par, GLOBAL const float* src) {
     uint kind = as_uint_(src[SRC_KIND]);
     if (src[SRC_COVERED] != 0.0f) return 1;
     if (kind == SK_CYLINDER) return par->ds > 0.0f || par->dj <= 0.0f;
@@ -62,7 +61,7 @@ FN int shadow_from_behind(GLOBAL const float* src, PRIVATE(const Ray) ray, float
 }
 
 // Is all that counts before it meets glass whether anything opaque lies between?  *ray: the one to trace.
-FN int shadow_is_plain(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
+FN int shadow_is_plain(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot,
                        PRIVATE(Ray) ray) {
     float4 org = paths->shadow_org[slot], dir = paths->shadow_dir[slot];
     GLOBAL const float* src = source_record(s, par, as_uint_(org.w));
@@ -72,12 +71,12 @@ FN int shadow_is_plain(SHARED(const SceneTables) s, UNIFORM(const Params) par, S
     ray->org = xyz4(org);
     ray->dir = xyz4(dir);
     ray->tmin = 0.0f;
-    ray->tmax = IS_FAR(dir.w) ? FAR_AWAY : shadow_end(dir.w);
+    ray->tmax = IS_DISTANT(dir.w) ? FAR_AWAY : shadow_end(dir.w);
     return 1;
 }
 
 // Is what shows at the place of a source, which the ray meets at hit, a mixture that lies in its plane?
-FN int shadow_covered(SHARED(const SceneTables) s, GLOBAL const float* src, PRIVATE(const Ray) ray,
+FN int shadow_covered(TABLES(const SceneTables) s, GLOBAL const float* src, PRIVATE(const Ray) ray,
                       PRIVATE(const Hit) hit) {
     if (src[SRC_COVERED] == 0.0f) return 0;
     Surface g;
@@ -91,12 +90,12 @@ FN int shadow_covered(SHARED(const SceneTables) s, GLOBAL const float* src, PRIV
 
 // Does anything opaque stand between?  Also sets how far the ray looks for what lets light through, and *must_hit if it
 // has still to find the source itself.
-FN int shadow_blocked(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow, float dist,
+FN int shadow_blocked(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow, float dist,
                       PRIVATE(int) must_hit) {
     PRIVATE(Ray) ray = &shadow->ray;
     uint kind = as_uint_(shadow->src[SRC_KIND]);
     *must_hit = shadow_seeks_source(par, shadow->src);
-    ray->tmax = IS_FAR(dist) ? FAR_AWAY : shadow_end(dist);
+    ray->tmax = IS_DISTANT(dist) ? FAR_AWAY : shadow_end(dist);
     if (shadow->known != SHADOW_TO_TRACE) return shadow->known == SHADOW_BLOCKED;
     if (kind != SK_SPHERE && kind != SK_CYLINDER && !*must_hit) return trace_any(s, ray, RAY_OPAQUE);
 
@@ -114,7 +113,7 @@ FN int shadow_blocked(SHARED(const SceneTables) s, UNIFORM(const Params) par, PR
 }
 
 // What reaches the point straight through glass, smooth trans, mixtures with void (spec shading 4.5).
-FN float3 shadow_straight(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow,
+FN float3 shadow_straight(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow,
                           float dist) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     PRIVATE(Ray) ray = &shadow->ray;
@@ -142,9 +141,9 @@ FN float3 shadow_straight(SHARED(const SceneTables) s, UNIFORM(const Params) par
 
         int at_source = hit.prim == as_uint_(shadow->src[SRC_PRIM]);
         Medium here = shadow->medium, beyond = shadow->medium;
-        int met = at_source ? MET_NOTHING : shadow_meet(s, par, shadow, &g, 0, &here, &beyond, &lobes);
-        if (met == MET_SURFACE) shadow->T = mul3(shadow->T, lobes.through);
-        if (met == MET_LAMP || max3(shadow->T) <= 0.0f) return black;
+        int met = at_source ? HIT_NULL : shadow_hit(s, par, shadow, &g, 0, &here, &beyond, &lobes);
+        if (met == HIT_SURFACE) shadow->T = mul3(shadow->T, lobes.through);
+        if (met == HIT_EMITTER || max3(shadow->T) <= 0.0f) return black;
 
         if (shadow->absorbs) {
             Medium crossed = g.mixed ? shadow->medium : here;
@@ -154,7 +153,7 @@ FN float3 shadow_straight(SHARED(const SceneTables) s, UNIFORM(const Params) par
 
         shadow->medium = beyond;
         ray->org = offset_ray(g.p, neg3(g.ng), g.reach);
-        if (IS_FAR(ray->tmax)) continue;
+        if (IS_DISTANT(ray->tmax)) continue;
         ray->tmax -= hit.t;
         if (ray->tmax <= 0.0f) return must_hit ? black : shadow->T;
     }
@@ -162,7 +161,7 @@ FN float3 shadow_straight(SHARED(const SceneTables) s, UNIFORM(const Params) par
 }
 
 // A ray that was aimed leaves the scene: the source must lie there.
-FN float3 aimed_at_sky(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow) {
+FN float3 aimed_at_sky(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     GLOBAL const float* src = shadow->src;
     PRIVATE(const Ray) ray = &shadow->ray;
@@ -177,7 +176,7 @@ FN float3 aimed_at_sky(SHARED(const SceneTables) s, UNIFORM(const Params) par, P
 }
 
 // It has arrived at its source.
-FN float3 aimed_at_source(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow,
+FN float3 aimed_at_source(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow,
                           PRIVATE(const Surface) g) {
     if (!g->front) return F3(0.0f, 0.0f, 0.0f);
     if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(&shadow->medium, g->length));
@@ -187,7 +186,7 @@ FN float3 aimed_at_source(SHARED(const SceneTables) s, UNIFORM(const Params) par
 }
 
 // The relay of the virtual source sends the ray on, to the source behind it.  Returns the new direction.
-FN float3 aimed_relay(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow,
+FN float3 aimed_relay(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow,
                       PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
     GLOBAL const uint* relay = s->u + as_uint_(shadow->src[SRC_VIRTUAL]);
     shadow->src = source_record(s, par, relay[RELAY_SOURCE]);
@@ -219,7 +218,7 @@ FN float3 aimed_through(PRIVATE(ShadowRay) shadow, PRIVATE(const Lobes) lobes) {
 // What reaches the point where light may bend (dielectric) or be relayed (mirror): followed surface by surface; it must
 // arrive at the real source aimed at (spec shading 3.6, 4.6).  For virtual sources the result holds the source's
 // radiance.
-FN float3 shadow_aimed(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(ShadowRay) shadow) {
+FN float3 shadow_aimed(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     PRIVATE(Ray) ray = &shadow->ray;
     ray->tmax = FAR_AWAY;
@@ -241,10 +240,10 @@ FN float3 shadow_aimed(SHARED(const SceneTables) s, UNIFORM(const Params) par, P
         float3 next = ray->dir;
         Medium here = shadow->medium, beyond = shadow->medium;
         int relayed = relay != NONE && hit.prim == s->u[relay + RELAY_PRIM];
-        int met = shadow_meet(s, par, shadow, &g, relayed, &here, &beyond, &lobes);
-        if (met == MET_SURFACE)
+        int met = shadow_hit(s, par, shadow, &g, relayed, &here, &beyond, &lobes);
+        if (met == HIT_SURFACE)
             next = relayed ? aimed_relay(s, par, shadow, &g, &lobes) : aimed_through(shadow, &lobes);
-        if (met == MET_LAMP || max3(shadow->T) <= 0.0f) return black;
+        if (met == HIT_EMITTER || max3(shadow->T) <= 0.0f) return black;
 
         // and so does the medium before it
         int reflected = dot3(next, g.ng) > 0.0f;
@@ -262,8 +261,7 @@ FN float3 shadow_aimed(SHARED(const SceneTables) s, UNIFORM(const Params) par, P
 
 // Where patterns fall below 0 RADIANCE counts light that arrives with the sum of its channels above 0.  (A lamp's own
 // pattern is not in this sum.)
-FN int shadow_counts(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const ShadowRay) shadow,
-                     float3 T) {
+FN int shadow_counts(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const ShadowRay) shadow, float3 T) {
     if (T.x >= 0.0f && T.y >= 0.0f && T.z >= 0.0f) return 1;
     GLOBAL const uint* lamp = mod_record(s, par, as_uint_(shadow->src[SRC_MOD]));
     int plain = !shadow->is_virtual && lamp[MOD_TYPE] >= M_FIRST_MATERIAL;
@@ -272,7 +270,7 @@ FN int shadow_counts(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRI
 }
 
 // Adds what the shadow ray of a slot brings.  known: of a plain one (shadow_is_plain).
-FN void path_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot,
+FN void path_shadow(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot,
                     int known) {
     float4 org = read4_(paths->shadow_org, slot), dir = read4_(paths->shadow_dir, slot),
            rad = read4_(paths->shadow_rad, slot);

@@ -15,9 +15,9 @@ STRUCT(Vertex) {
     float before;  // path length from the eye to where the last ray began
     Sampler rnd;
 
-    // the far end that this vertex is, if so (far.h)
-    int at_far;
-    float3 far_rad;  // what it sends out
+    // the suffix vertex that this vertex is, if so (suffix.h)
+    int at_suffix;
+    float3 suffix_rad;  // what it sends out
 
     // the ray that has come here, and the surface that it met
     Ray ray;
@@ -41,15 +41,15 @@ STRUCT(Vertex) {
 #define PATH_SHADOW 2   // and a shadow ray
 
 // What a ray has met.
-#define MET_NOTHING 0  // it goes straight on
-#define MET_LAMP 1     // it ends in a light
-#define MET_SURFACE 2  // lobes say how light is scattered
+#define HIT_NULL 0     // it goes straight on
+#define HIT_EMITTER 1  // it ends in a light
+#define HIT_SURFACE 2  // lobes say how light is scattered
 
-FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot, PRIVATE(Vertex) vertex) {
+FN void vertex_load(PARAMS(const Params) par, TABLES(const Paths) paths, uint slot, PRIVATE(Vertex) vertex) {
     float4 org = read4_(paths->org, slot), dir = read4_(paths->dir, slot), thr = read4_(paths->thr, slot),
            rad = read4_(paths->rad, slot);
     uint4 info = read4_(paths->info, slot);
-    if ((info.x & PC_FAR) != 0u) rad = read4_(paths->far_rad, slot);
+    if ((info.x & PC_SUFFIX) != 0u) rad = read4_(paths->suffix_rad, slot);
 
     vertex->slot = slot;
     vertex->flags = info.x;
@@ -60,8 +60,8 @@ FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint s
     vertex->weight = thr.w;
     vertex->wanted = class_wanted(par, info.x, path_sample_index(par, slot));
 
-    vertex->at_far = 0;
-    vertex->far_rad = F3(0.0f, 0.0f, 0.0f);
+    vertex->at_suffix = 0;
+    vertex->suffix_rad = F3(0.0f, 0.0f, 0.0f);
 
     vertex->ray.org = xyz4(org);
     vertex->ray.dir = xyz4(dir);
@@ -78,16 +78,16 @@ FN void vertex_load(UNIFORM(const Params) par, SHARED(const Paths) paths, uint s
     vertex->went_to_medium = 0;
 }
 
-// Puts back what the path has gathered, for itself or for its far end.  length: as below.
-FN void vertex_store_rad(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
+// Puts back what the path has gathered, for itself or for its suffix vertex.  length: as below.
+FN void vertex_store_rad(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
     uint slot = vertex->slot;
-    if (vertex->at_far) write4_(paths->far_rad, slot, pack4(vertex->far_rad, length));
-    if (vertex->at_far || (vertex->flags & PC_FAR) == 0u) write4_(paths->rad, slot, pack4(vertex->rad, length));
-    else write4_(paths->far_rad, slot, pack4(vertex->rad, length));
+    if (vertex->at_suffix) write4_(paths->suffix_rad, slot, pack4(vertex->suffix_rad, length));
+    if (vertex->at_suffix || (vertex->flags & PC_SUFFIX) == 0u) write4_(paths->rad, slot, pack4(vertex->rad, length));
+    else write4_(paths->suffix_rad, slot, pack4(vertex->rad, length));
 }
 
 // Puts back what the step has changed of the path.  length: from the eye to where its next ray begins.
-FN void vertex_store(SHARED(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
+FN void vertex_store(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
     vertex_store_rad(paths, vertex, length);
     uint4 info;
     info.x = vertex->flags;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which active source a shadow ray is sent to: each with a chance proportional to what it promises at the point (power,
-// solid angle, cosines, the gates that a virtual one's light must pass).  Few are all looked at, many stand in a tree
-// (light_tree.h).  A promise is 0 only where the source can give nothing, so the estimate is right in the mean whatever
-// the promises are.
+// Which active source a shadow ray is sent to: each with a chance proportional to what it importances at the point
+// (power, solid angle, cosines, the gates that a virtual one's light must pass).  Few are all looked at, many stand in
+// a tree (light_tree.h).  A importance is 0 only where the source can give nothing, so the estimate is right in the
+// mean whatever the importances are.
 #ifndef LUX_CHOOSE_SOURCE_H
 #define LUX_CHOOSE_SOURCE_H
 
 #define LEAST_COSINE 0.05f  // what lies behind a surface or on edge may still shine through it or at its rim
 
 // What source i could give a surface at p with normal n, up to a factor; both: from behind, too.
-FN float source_promise(SHARED(const SceneTables) s, UNIFORM(const Params) par, SAME uint i, float3 p, float3 n,
-                        int both) {
-    GLOBAL const float* SAME src = s->f + par->sources_at + SOURCE_FLOATS * i;
-    SAME uint kind = as_uint_(src[SRC_KIND]), relay = as_uint_(src[SRC_VIRTUAL]);
+FN float source_importance(TABLES(const SceneTables) s, PARAMS(const Params) par, UNIFORM uint i, float3 p, float3 n,
+                           int both) {
+    GLOBAL const float* UNIFORM src = s->f + par->sources_at + SOURCE_FLOATS * i;
+    UNIFORM uint kind = as_uint_(src[SRC_KIND]), relay = as_uint_(src[SRC_VIRTUAL]);
     float3 to = f3_at(src + SRC_CENTRE);
     float r = src[SRC_RADIUS], power = src[SRC_POWER] * src[SRC_AREA], d2 = 1.0f, d = 1.0f;
     if (kind == SK_CYLINDER) r += length3(f3_at(src + SRC_U));
@@ -29,10 +29,10 @@ FN float source_promise(SHARED(const SceneTables) s, UNIFORM(const Params) par, 
 
     float reach = r / MAX_(d, 1e-9f);  // sine of its half angle
     if (relay != NONE) {
-        SAME uint count = s->u[relay + RELAY_GATES];
-        GLOBAL const float* SAME gate = s->f + s->u[relay + RELAY_GATES_AT];
-        for (SAME uint k = 0u; k < count; k++, gate += GATE_FLOATS)
-            if (gate_shuts(gate, p, to, reach, 0)) return 0.0f;
+        UNIFORM uint count = s->u[relay + RELAY_GATES];
+        GLOBAL const float* UNIFORM gate = s->f + s->u[relay + RELAY_GATES_AT];
+        for (UNIFORM uint k = 0u; k < count; k++, gate += GATE_FLOATS)
+            if (aperture_occludes(gate, p, to, reach, 0)) return 0.0f;
     }
 
     if (kind == SK_PARALLELOGRAM || kind == SK_POLYGON || kind == SK_RING) {
@@ -48,7 +48,7 @@ FN float source_promise(SHARED(const SceneTables) s, UNIFORM(const Params) par, 
 
 // Chooses one active source for a surface at p with normal n, lit from both sides or not.  Returns 1/probability, or 0
 // if none can shine.
-FN float choose_source(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n, int both,
+FN float choose_source(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, int both,
                        PRIVATE(Sampler) rnd, PRIVATE(uint) chosen) {
     uint count = par->source_count, picked = 0u;
     if (count == 0u) return 0.0f;
@@ -61,11 +61,11 @@ FN float choose_source(SHARED(const SceneTables) s, UNIFORM(const Params) par, f
     if (par->light_nodes > 0u) return choose_light(s, par, p, n, both, x, chosen);
 
     float sum = 0.0f, kept = 0.0f, r = x.x;
-    for (SAME uint i = 0u; i < par->source_count; i++) {
-        float w = source_promise(s, par, i, p, n, both);
+    for (UNIFORM uint i = 0u; i < par->source_count; i++) {
+        float w = source_importance(s, par, i, p, n, both);
         if (w <= 0.0f) continue;
         sum += w;
-        if (!takes_place(w / sum, &r)) continue;
+        if (!reservoir_accept(w / sum, &r)) continue;
         picked = i;
         kept = w;
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Many active sources stand in a tree (flatten/light_tree.cpp): its nodes are balls about sources that are near each
-// other.  What a node promises at a point is what its sources together could give there; 0 only where none of them can
-// give anything.  A walk opens the nodes that are large for their distance; those that it meets then are the cut.  From
-// these by their promises, and in them by power, candidates are drawn, and of the candidates one is chosen by what it
-// promises itself (after Conty Estevez and Kulla 2018; resampled importance sampling, Talbot et al. 2005).
+// other.  What a node importances at a point is what its sources together could give there; 0 only where none of them
+// can give anything.  A walk opens the nodes that are large for their distance; those that it meets then are the cut.
+// From these by their importances, and in them by power, candidates are drawn, and of the candidates one is chosen by
+// what it importances itself (after Conty Estevez and Kulla 2018; resampled importance sampling, Talbot et al. 2005).
 #ifndef LUX_LIGHT_TREE_H
 #define LUX_LIGHT_TREE_H
 
@@ -15,12 +15,12 @@
 // Nodes that together hold every source once, but for those that can give nothing.
 STRUCT(LightCut) {
     uint count, at[LIGHT_CUT];
-    float upto[LIGHT_CUT];  // sums of what they promise
+    float upto[LIGHT_CUT];  // sums of what they importance
 };
 
 // Does the next of a row of weights take the place of the one kept so far, if t is its share of their sum?  One random
 // number r serves for all (Chao's reservoir).
-FN int takes_place(float t, PRIVATE(float) r) {
+FN int reservoir_accept(float t, PRIVATE(float) r) {
     int takes = *r < t;
     *r = takes ? *r / t : (*r - t) / (1.0f - t);
     return takes;
@@ -33,21 +33,21 @@ FN float above_horizon(float c, float reach) {
     return MIN_((c + reach) * (c + reach) / (4.0f * reach), 1.0f);
 }
 
-FN GLOBAL const float* light_node(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint i) {
+FN GLOBAL const float* light_node(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i) {
     return s->f + par->light_tree_at + LIGHT_FLOATS * i;
 }
 
 FN int light_is_source(GLOBAL const float* node) { return as_uint_(node[LIGHT_SOURCE]) != NONE; }
 
 // From p to the middle of a node's ball.
-FN float3 way_to_light(GLOBAL const float* node, float3 p) {
+FN float3 lobe_to_light(GLOBAL const float* node, float3 p) {
     float3 centre = f3_at(node + LIGHT_CENTRE);
     return node[LIGHT_FAR] > 0.0f ? sub3(centre, p) : centre;  // else distant
 }
 
 // What the sources of a node could give a surface at p with normal n, up to a factor; both: from behind, too.
-FN float light_promise(SHARED(const SceneTables) s, GLOBAL const float* node, float3 p, float3 n, int both) {
-    float3 to = way_to_light(node, p);
+FN float light_importance(TABLES(const SceneTables) s, GLOBAL const float* node, float3 p, float3 n, int both) {
+    float3 to = lobe_to_light(node, p);
     float d = MAX_(length3(to), 1e-9f), r = node[LIGHT_RADIUS], far = node[LIGHT_FAR], power = node[LIGHT_POWER];
     float inv_d = 1.0f / d;
     float reach = r * inv_d;
@@ -66,13 +66,13 @@ FN float light_promise(SHARED(const SceneTables) s, GLOBAL const float* node, fl
     uint gates = as_uint_(node[LIGHT_GATES]);
     GLOBAL const float* gate = s->f + as_uint_(node[LIGHT_GATES_AT]);
     for (uint k = 0u; k < gates; k++, gate += GATE_FLOATS)
-        if (gate_shuts(gate, p, to, reach, 1)) return 0.0f;
+        if (aperture_occludes(gate, p, to, reach, 1)) return 0.0f;
     return power * MIN_(above_horizon(facing, reach) + spread, 1.0f);
 }
 
 // Is a node to be replaced by its halves?
 FN int light_is_opened(GLOBAL const float* node, float3 p, float share) {
-    float3 to = way_to_light(node, p);
+    float3 to = lobe_to_light(node, p);
     float r = node[LIGHT_RADIUS];
     return !light_is_source(node) && r * r > share * share * dot3(to, to);
 }
@@ -80,7 +80,7 @@ FN int light_is_opened(GLOBAL const float* node, float3 p, float share) {
 // Opens the nodes whose radius is more than that share of their distance.  Returns 0 if they are too many for a cut.
 // Nodes stand in the order of a walk that opens all of them, each followed by its halves, and know where the walk goes
 // on without that.
-FN int cut_tree(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n, int both, float share,
+FN int cut_tree(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, int both, float share,
                 PRIVATE(LightCut) cut) {
     int all = par->source_count <= LIGHT_CUT;
     float sum = 0.0f;
@@ -88,7 +88,7 @@ FN int cut_tree(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p
     for (uint i = 0u; i < par->light_nodes;) {
         GLOBAL const float* node = light_node(s, par, i);
         int opened = all ? !light_is_source(node) : light_is_opened(node, p, share);
-        float w = opened ? 0.0f : light_promise(s, node, p, n, both);
+        float w = opened ? 0.0f : light_importance(s, node, p, n, both);
         if (sum + w > sum) {
             if (cut->count == LIGHT_CUT) return 0;
             sum += w;
@@ -102,8 +102,7 @@ FN int cut_tree(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p
 
 // One of the sources of node i, drawn by power.  u: a random number below *chance, the chance of the node, which
 // becomes the source's.  Returns its node.
-FN uint source_of_light(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint i, float u,
-                        PRIVATE(float) chance) {
+FN uint source_of_light(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i, float u, PRIVATE(float) chance) {
     for (;;) {
         GLOBAL const float* node = light_node(s, par, i);
         if (light_is_source(node)) return i;
@@ -115,29 +114,29 @@ FN uint source_of_light(SHARED(const SceneTables) s, UNIFORM(const Params) par, 
     }
 }
 
-// A candidate: its node, what it promises, and its chance times the sum of the cut's promises.
+// A candidate: its node, what it importances, and its chance times the sum of the cut's importances.
 STRUCT(LightCandidate) {
     uint at;
-    float promise, chance;
+    float importance, chance;
 };
 
-// The candidate that y stands for, 0 .. the sum of the cut's promises.  *k: from where in the cut it is looked for; it
-// comes back as where it was found.
-FN LightCandidate light_candidate(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const LightCut) cut,
+// The candidate that y stands for, 0 .. the sum of the cut's importances.  *k: from where in the cut it is looked for;
+// it comes back as where it was found.
+FN LightCandidate light_candidate(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const LightCut) cut,
                                   float3 p, float3 n, int both, float y, PRIVATE(uint) k) {
     while (*k + 1u < cut->count && cut->upto[*k] <= y) (*k)++;
     float below = *k > 0u ? cut->upto[*k - 1u] : 0.0f;
     LightCandidate c;
-    c.promise = cut->upto[*k] - below;
-    c.chance = c.promise;
+    c.importance = cut->upto[*k] - below;
+    c.chance = c.importance;
     c.at = source_of_light(s, par, cut->at[*k], y - below, &c.chance);
-    if (c.at != cut->at[*k]) c.promise = light_promise(s, light_node(s, par, c.at), p, n, both);
+    if (c.at != cut->at[*k]) c.importance = light_importance(s, light_node(s, par, c.at), p, n, both);
     return c;
 }
 
 // Chooses a source for a surface at p with normal n, lit from both sides or not.  Returns what a choice counts for, in
 // the mean 1/chance, or 0 if none can shine.
-FN float choose_light(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n, int both, float2 x,
+FN float choose_light(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, int both, float2 x,
                       PRIVATE(uint) chosen) {
     LightCut cut;
     for (float share = LIGHT_OPENED; !cut_tree(s, par, p, n, both, share, &cut);) share *= 2.0f;
@@ -147,13 +146,13 @@ FN float choose_light(SHARED(const SceneTables) s, UNIFORM(const Params) par, fl
     float step = cut.upto[cut.count - 1u] / (float)candidates, sum = 0.0f, kept = 0.0f, r = x.y;
     for (uint j = 0u; j < candidates; j++) {
         LightCandidate c = light_candidate(s, par, &cut, p, n, both, ((float)j + x.x) * step, &k);
-        if (!(c.promise > 0.0f)) continue;
+        if (!(c.importance > 0.0f)) continue;
 
-        float w = c.promise / c.chance;
+        float w = c.importance / c.chance;
         sum += w;
-        if (!takes_place(w / sum, &r)) continue;
+        if (!reservoir_accept(w / sum, &r)) continue;
         *chosen = as_uint_(*(light_node(s, par, c.at) + LIGHT_SOURCE));
-        kept = c.promise;
+        kept = c.importance;
     }
     return sum > 0.0f ? sum * step / kept : 0.0f;
 }

@@ -148,7 +148,7 @@ FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRI
 
 // A parallelogram; with -ds also a polygon or ring, in RADIANCE's own pieces and its idea of the shape: the shadow ray
 // must then hit the source.
-FN float3 point_of_pieces(UNIFORM(const Params) par, GLOBAL const float* src, uint kind, float3 p, float2 x, float dj,
+FN float3 point_of_pieces(PARAMS(const Params) par, GLOBAL const float* src, uint kind, float3 p, float2 x, float dj,
                           PRIVATE(float) pieces) {
     float3 centre = f3_at(src + SRC_CENTRE), u = f3_at(src + SRC_U), v = f3_at(src + SRC_V);
     if (kind == SK_RING) {  // square of equal area
@@ -173,7 +173,7 @@ FN float3 point_of_ring(GLOBAL const float* src, float2 x, float dj) {
 }
 
 // A triangle of the fan, by area, and a point in it.
-FN float3 point_of_polygon(SHARED(const SceneTables) s, GLOBAL const float* src, float2 x, float dj) {
+FN float3 point_of_polygon(TABLES(const SceneTables) s, GLOBAL const float* src, float2 x, float dj) {
     if (dj <= 0.0f) return f3_at(src + SRC_CENTRE);
     uint count = as_uint_(src[SRC_NTRIS]), k = 0u;
     GLOBAL const float* fan = s->f + as_uint_(src[SRC_TRIS]);
@@ -201,8 +201,8 @@ FN void sample_point(GLOBAL const float* src, float3 at, float3 n, float3 p, PRI
     light->normal = n;
 }
 
-FN void sample_flat(SHARED(const SceneTables) s, UNIFORM(const Params) par, GLOBAL const float* src, uint kind,
-                    float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
+FN void sample_flat(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const float* src, uint kind, float3 p,
+                    float2 x, float dj, PRIVATE(LightSample) light) {
     float3 at;
     if (kind == SK_PARALLELOGRAM || par->ds > 0.0f) at = point_of_pieces(par, src, kind, p, x, dj, &light->pieces);
     else if (kind == SK_RING) at = point_of_ring(src, x, dj);
@@ -211,7 +211,7 @@ FN void sample_flat(SHARED(const SceneTables) s, UNIFORM(const Params) par, GLOB
 }
 
 // A cylinder as RADIANCE sees it, with -dj 0 or in the pieces of -ds: a line, as wide as it looks from the side.
-FN void sample_line(UNIFORM(const Params) par, GLOBAL const float* src, float3 p, float2 x, float dj,
+FN void sample_line(PARAMS(const Params) par, GLOBAL const float* src, float3 p, float2 x, float dj,
                     PRIVATE(LightSample) light) {
     float3 c = f3_at(src + SRC_CENTRE), axis = f3_at(src + SRC_U);
     float3 none = axis;
@@ -240,7 +240,7 @@ FN void sample_line(UNIFORM(const Params) par, GLOBAL const float* src, float3 p
 }
 
 // SRC_U is half its axis.
-FN void sample_cylinder(UNIFORM(const Params) par, GLOBAL const float* src, float3 p, float2 x, float dj,
+FN void sample_cylinder(PARAMS(const Params) par, GLOBAL const float* src, float3 p, float2 x, float dj,
                         PRIVATE(LightSample) light) {
     if (dj <= 0.0f || par->ds > 0.0f) {
         sample_line(par, src, p, x, dj, light);
@@ -257,7 +257,7 @@ FN void sample_cylinder(UNIFORM(const Params) par, GLOBAL const float* src, floa
 }
 
 // A point of active source `source` as seen from p; w = 0 if it cannot shine there.
-FN void sample_source(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint source, float3 p, float2 x, float dj,
+FN void sample_source(TABLES(const SceneTables) s, PARAMS(const Params) par, uint source, float3 p, float2 x, float dj,
                       PRIVATE(LightSample) light) {
     GLOBAL const float* src = source_record(s, par, source);
     uint kind = as_uint_(src[SRC_KIND]);

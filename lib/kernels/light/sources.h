@@ -5,11 +5,11 @@
 #ifndef LUX_SOURCES_H
 #define LUX_SOURCES_H
 
-FN GLOBAL const float* source_record(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint i) {
+FN GLOBAL const float* source_record(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i) {
     return s->f + par->sources_at + SOURCE_FLOATS * i;
 }
 
-FN uint source_word(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint i, uint k) {
+FN uint source_word(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i, uint k) {
     return as_uint_(*(source_record(s, par, i) + k));
 }
 
@@ -38,13 +38,13 @@ FN void light_surface(uint mod, uint prim, float3 dir, float3 point, float3 norm
 }
 
 // Is this the only modifier of its chain, a material?
-FN int is_bare(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod) {
+FN int is_bare(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod) {
     GLOBAL const uint* m = mod_record(s, par, mod);
     return m[MOD_TYPE] >= M_FIRST_MATERIAL && m[MOD_NEXT] == NONE;
 }
 
 // Radiance of light material `mod` seen along dir, patterns included.
-FN float3 light_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod, uint prim, float3 dir,
+FN float3 light_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod, uint prim, float3 dir,
                          float3 point, float3 normal, float length, float total, PRIVATE(Sampler) rnd) {
     Surface g;
     light_surface(mod, prim, dir, point, normal, length, total, &g);
@@ -53,7 +53,7 @@ FN float3 light_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) par,
 }
 
 // The same of what lies behind everything, which may have patterns where nothing else has.
-FN float3 sky_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod, float3 org, float3 dir,
+FN float3 sky_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod, float3 org, float3 dir,
                        PRIVATE(Sampler) rnd) {
     Surface g;
     light_surface(mod, NONE, dir, org, neg3(dir), FAR_AWAY, FAR_AWAY, &g);
@@ -63,7 +63,7 @@ FN float3 sky_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) par, u
 
 // Radiance of the source of record src at its sampled point.  before: path length from the eye to the point lit.  A
 // virtual source's is known only where its shadow ray arrives: 1 until then.
-FN float3 sampled_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) par, GLOBAL const float* src,
+FN float3 sampled_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const float* src,
                            PRIVATE(const LightSample) light, float before, PRIVATE(Sampler) rnd) {
     if (as_uint_(src[SRC_VIRTUAL]) != NONE) return F3(1.0f, 1.0f, 1.0f);
     return light_radiance(s, par, as_uint_(src[SRC_MOD]), as_uint_(src[SRC_PRIM]), light->dir, light->point,
@@ -72,9 +72,9 @@ FN float3 sampled_radiance(SHARED(const SceneTables) s, UNIFORM(const Params) pa
 
 // The distant surface seen in direction dir: the first non-glow that matches, else the first glow.  NONE if none.
 // sampled: by a ray that illums stop (emission.h).
-FN uint distant_at(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 dir, int sampled) {
+FN uint distant_at(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 dir, int sampled) {
     uint glow = NONE;
-    for (SAME uint i = 0u; i < par->distant_count; i++) {
+    for (UNIFORM uint i = 0u; i < par->distant_count; i++) {
         GLOBAL const uint* distant = s->u + par->distant_at + DISTANT_WORDS * i;
         float cap = as_float_(distant[DISTANT_CAP]);
         float3 d = f3_bits(distant + DISTANT_DIR);

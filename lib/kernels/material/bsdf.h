@@ -97,7 +97,7 @@ FN float bsdf_height(float x, float y) {
 }
 
 // ---- matrices
-FN uint basis_cell(SHARED(const SceneTables) s, uint basis, float x, float y, float z) {
+FN uint basis_cell(TABLES(const SceneTables) s, uint basis, float x, float y, float z) {
     GLOBAL const uint* head = s->u + basis;
     uint rings = head[BASIS_RINGS], k = 0u;
     z = fabs_(z);
@@ -111,7 +111,7 @@ FN uint basis_cell(SHARED(const SceneTables) s, uint basis, float x, float y, fl
 }
 
 // A direction in a cell: cosine squared and azimuth even, which is even in projected solid angle.
-FN float3 basis_direction(SHARED(const SceneTables) s, uint basis, uint cell, float2 x) {
+FN float3 basis_direction(TABLES(const SceneTables) s, uint basis, uint cell, float2 x) {
     GLOBAL const uint* head = s->u + basis;
     uint k = 0u;
     while (k + 1u < head[BASIS_RINGS] && cell >= head[BASIS_HEAD + BASIS_RING * (k + 1u) + BASIS_FIRST]) k++;
@@ -124,12 +124,12 @@ FN float3 basis_direction(SHARED(const SceneTables) s, uint basis, uint cell, fl
 }
 
 // Incident directions are counted from the far side, so that cell i straight through is cell i (swap: the other way).
-FN uint bsdf_v_cell(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v) {
+FN uint bsdf_v_cell(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v) {
     float k = table[BT_SWAP] != 0u ? 1.0f : -1.0f;
     return basis_cell(s, table[BT_V], k * v.x, k * v.y, v.z);
 }
 
-FN uint bsdf_l_cell(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 l) {
+FN uint bsdf_l_cell(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 l) {
     float k = table[BT_SWAP] != 0u ? -1.0f : 1.0f;
     return basis_cell(s, table[BT_L], k * l.x, k * l.y, l.z);
 }
@@ -166,7 +166,7 @@ FN void tree_coordinates(GLOBAL const uint* table, float3 v, float3 l, PRIVATE(f
     c[3] = 0.0f;
 }
 
-FN float tree_value(SHARED(const SceneTables) s, uint values, uint children, int dims, PRIVATE(const float) at,
+FN float tree_value(TABLES(const SceneTables) s, uint values, uint children, int dims, PRIVATE(const float) at,
                     PRIVATE(float) width) {
     float c[4];
     uint node = 0u;
@@ -197,16 +197,16 @@ FN uint tree_v_cell(GLOBAL const uint* table, float3 v) {
 }
 
 // ---- one face for both
-FN uint bsdf_cell(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v) {
+FN uint bsdf_cell(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v) {
     return table[BT_KIND] == BSDF_MATRIX ? bsdf_v_cell(s, table, v) : tree_v_cell(table, v);
 }
 
-FN float bsdf_hemispherical(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v) {
+FN float bsdf_hemispherical(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v) {
     return s->f[table[BT_HEMI] + bsdf_cell(s, table, v)];
 }
 
 // f(v, l) without its Lambertian part, 1/sr; *psa: projected solid angle of the pair's (smaller) cell.
-FN float bsdf_value(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, float3 l, PRIVATE(float) psa) {
+FN float bsdf_value(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float3 l, PRIVATE(float) psa) {
     if (table[BT_KIND] == BSDF_MATRIX) {
         uint i = bsdf_v_cell(s, table, v), o = bsdf_l_cell(s, table, l);
         *psa = MIN_(s->f[table[BT_PSA] + i], s->f[table[BT_LPSA] + o]);
@@ -221,7 +221,7 @@ FN float bsdf_value(SHARED(const SceneTables) s, GLOBAL const uint* table, float
 }
 
 // RGB of f(v, l) for luminance 1 (RADIANCE's primaries).
-FN float3 bsdf_color(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, float3 l) {
+FN float3 bsdf_color(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float3 l) {
     if (table[BT_RGB] == NONE) return F3(1.0f, 1.0f, 1.0f);
     if (table[BT_KIND] == BSDF_MATRIX) {
         GLOBAL const float* q =

@@ -4,7 +4,7 @@
 #define LUX_BSDF_SAMPLE_H
 
 // A cell of l by the matrix's row of v, and a direction in it.
-FN float matrix_sample(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, float pick, float2 place,
+FN float matrix_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float pick, float2 place,
                        PRIVATE(float3) l) {
     uint cells = table[BT_NL], low = 0u;
     uint high = cells - 1u;
@@ -59,7 +59,7 @@ FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE(float) x, PRIVAT
 
 // Down the tree: v's dimensions are given, the two from `first` on chosen by the children's means over v's half of the
 // cube.  0: there is nothing.
-FN int tree_descend(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, int first, float pick,
+FN int tree_descend(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, int first, float pick,
                     PRIVATE(TreeLeaf) leaf) {
     float c[4], x = pick;
     int dims = (int)table[BT_L];
@@ -93,7 +93,7 @@ FN int tree_descend(SHARED(const SceneTables) s, GLOBAL const uint* table, float
     return 1;
 }
 
-FN float tree_sample(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, float pick, float2 place,
+FN float tree_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float pick, float2 place,
                      PRIVATE(float3) l) {
     int four = table[BT_KIND] == BSDF_TREE4, swap = table[BT_SWAP] != 0u;
     if (!four && swap) {  // no dimension of the tree is v's: even in projected solid angle
@@ -124,7 +124,7 @@ FN float tree_sample(SHARED(const SceneTables) s, GLOBAL const uint* table, floa
 
 // One l for v, on the +z side.  Returns f cos / density: its mean is the hemispherical value (for matrices always so);
 // 0 = none.
-FN float bsdf_sample(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, PRIVATE(Sampler) rnd,
+FN float bsdf_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, PRIVATE(Sampler) rnd,
                      PRIVATE(float3) l) {
     float2 pick = sample2(rnd), place = sample2(rnd);
     if (table[BT_KIND] == BSDF_MATRIX) return matrix_sample(s, table, v, pick.x, place, l);

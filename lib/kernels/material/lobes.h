@@ -94,13 +94,13 @@ FN int tangent_frame(float3 n, float3 along, PRIVATE(float3) u, PRIVATE(float3) 
 
 // Rough lobes of a colour: sampled where there is more of them than -st (energy: of the lobe, for that).  Else they are
 // part of their side's indirect light, if it has any: diffuse is the share that it scatters.
-FN void lobes_rough_r(UNIFORM(const Params) par, float3 color, float energy, float diffuse, PRIVATE(Lobes) lobes) {
+FN void lobes_rough_r(PARAMS(const Params) par, float3 color, float energy, float diffuse, PRIVATE(Lobes) lobes) {
     lobes->rough_r = color;
     if (par->st < energy - LOBE_LEAST) lobes->flags |= LOBE_SAMPLE_R;
     else if (diffuse > LOBE_LEAST) lobes->ambient_r = add3(lobes->ambient_r, color);
 }
 
-FN void lobes_rough_t(UNIFORM(const Params) par, float3 color, float energy, float diffuse, PRIVATE(Lobes) lobes) {
+FN void lobes_rough_t(PARAMS(const Params) par, float3 color, float energy, float diffuse, PRIVATE(Lobes) lobes) {
     lobes->rough_t = color;
     if (par->st < energy - LOBE_LEAST) lobes->flags |= LOBE_SAMPLE_T;
     else if (diffuse > LOBE_LEAST) lobes->ambient_t = add3(lobes->ambient_t, color);

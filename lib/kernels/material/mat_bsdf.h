@@ -35,7 +35,7 @@ FN float3 bsdf_world(float3 x, float3 z, float3 d) {
     return add3(scale3(x, d.x), add3(scale3(cross3(z, x), d.y), scale3(z, d.z)));
 }
 
-FN GLOBAL const uint* bsdf_component(SHARED(const SceneTables) s, GLOBAL const uint* m, int front, int transmit) {
+FN GLOBAL const uint* bsdf_component(TABLES(const SceneTables) s, GLOBAL const uint* m, int front, int transmit) {
     return s->u + m[MOD_EXTRA] + BSDF_COMPONENT_WORDS * (uint)((front ? 0 : 2) + transmit);
 }
 
@@ -67,7 +67,7 @@ FN float2 peak_probe(int i) {
 }
 
 // The cells that the probes meet by falling value f, and their projected solid angles w; returns how many.
-FN int peak_cells(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 v, float radius, PRIVATE(float) f,
+FN int peak_cells(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float radius, PRIVATE(float) f,
                   PRIVATE(float) w) {
     int count = 0;
     for (int i = 0; i < PEAK_PROBES; i++) {
@@ -92,7 +92,7 @@ FN int peak_cells(SHARED(const SceneTables) s, GLOBAL const uint* table, float3 
 }
 
 // The straight-through peak around v, from 29 look-ups: its integral (0 if there is none), and what is left beside it.
-FN float bsdf_peak(SHARED(const SceneTables) s, GLOBAL const uint* table, float diffuse, float3 v,
+FN float bsdf_peak(TABLES(const SceneTables) s, GLOBAL const uint* table, float diffuse, float3 v,
                    PRIVATE(float) beside) {
     float f[PEAK_PROBES], w[PEAK_PROBES];
     float radius2 = as_float_(table[BT_MIN_PSA]), base = diffuse * K_INV_PI;
@@ -121,7 +121,7 @@ FN float bsdf_peak(SHARED(const SceneTables) s, GLOBAL const uint* table, float 
 
 // aBSDF: the peak as a sharp ray.  Returns its integral.  Sampled rays find it, but scatter all there is (vectors
 // absdf_sampled_*).
-FN float bsdf_through(SHARED(const SceneTables) s, GLOBAL const uint* component, PRIVATE(const Surface) g, float3 v,
+FN float bsdf_through(TABLES(const SceneTables) s, GLOBAL const uint* component, PRIVATE(const Surface) g, float3 v,
                       int asked, PRIVATE(Lobes) lobes) {
     if (component[BSDF_TABLE] == NONE) return 0.0f;
     GLOBAL const uint* table = s->u + component[BSDF_TABLE];
@@ -144,13 +144,13 @@ FN float3 bsdf_diffuse(GLOBAL const float* arg, GLOBAL const uint* component, PR
 }
 
 // v in the frame, moved at random in its cell of the table.
-FN float3 bsdf_moved(SHARED(const SceneTables) s, UNIFORM(const Params) par, GLOBAL const uint* table, float3 v,
+FN float3 bsdf_moved(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const uint* table, float3 v,
                      float2 move) {
     return bsdf_jitter(v, s->f[table[BT_PSA] + bsdf_cell(s, table, v)], par->ss, move);
 }
 
 // The rest of both tables, sampled where there is more of it than -st, else part of the indirect light.
-FN void bsdf_tables(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint refl,
+FN void bsdf_tables(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint refl,
                     uint trans, float3 v, float peak, float2 move, PRIVATE(Lobes) lobes) {
     if (refl != NONE) {
         lobes->BSDF_V_R = bsdf_moved(s, par, s->u + refl, v, move);
@@ -171,7 +171,7 @@ FN void bsdf_tables(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIV
     }
 }
 
-FN_RARE void mat_bsdf(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+FN_RARE void mat_bsdf(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                       GLOBAL const uint* m, PRIVATE(const float) value, int asked, PRIVATE(Sampler) rnd,
                       PRIVATE(Lobes) lobes) {
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
@@ -212,7 +212,7 @@ FN float3 bsdf_start(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, int a
 }
 
 // Coefficient of a source sample, as lobes_direct().
-FN_RARE float3 bsdf_direct(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Lobes) lobes,
+FN_RARE float3 bsdf_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Lobes) lobes,
                            PRIVATE(const Surface) g, float3 dir, float w, PRIVATE(Sampler) rnd) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     float3 z = bsdf_normal(g);
@@ -251,7 +251,7 @@ FN_RARE float3 bsdf_direct(SHARED(const SceneTables) s, UNIFORM(const Params) pa
 }
 
 // One sample of the tabulated part.  *coef: its colour; returns the factor beside it, 0 = lost.
-FN_RARE float bsdf_sample_lobe(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Lobes) lobes,
+FN_RARE float bsdf_sample_lobe(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Lobes) lobes,
                                PRIVATE(const Surface) g, int transmit, PRIVATE(Sampler) rnd, PRIVATE(float3) coef,
                                PRIVATE(float3) dir) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);

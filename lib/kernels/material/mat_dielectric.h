@@ -27,7 +27,7 @@ FN float3 refracted(float ratio, float c1, float c2, float3 n, float3 v) {
 
 // Also: *arriving is the medium of the segment that ends here if the surface knows it, *beyond the medium behind the
 // surface (the refracted ray's).  Solids do not scatter.
-FN void mat_dielectric(UNIFORM(const Params) par, PRIVATE(const Surface) g, uint type, GLOBAL const float* arg,
+FN void mat_dielectric(PARAMS(const Params) par, PRIVATE(const Surface) g, uint type, GLOBAL const float* arg,
                        PRIVATE(Lobes) lobes, PRIVATE(Medium) arriving, PRIVATE(Medium) beyond) {
     Medium inside = solid_medium(extinction3(arg, g->color), arriving);
     float ratio;  // index on the viewer's side over index beyond

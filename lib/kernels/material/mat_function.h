@@ -9,7 +9,7 @@
 #define ASHIK_POWER_U alpha2_ru
 #define ASHIK_POWER_V alpha2_rv
 
-FN void material_vars(UNIFORM(const Params) par, PRIVATE(const Surface) g, PRIVATE(float) vars) {
+FN void material_vars(PARAMS(const Params) par, PRIVATE(const Surface) g, PRIVATE(float) vars) {
     surface_vars(par, g, vars);
     // of these the normal stays as modelled
     if (g->type != M_BRTD && g->type != M_WGMD && g->type != M_PRISM && g->type != M_BSDF) {
@@ -31,7 +31,7 @@ FN void material_vars(UNIFORM(const Params) par, PRIVATE(const Surface) g, PRIVA
 // Directions among the values of a material (cal::MaterialProgram) that acts inside an instance, back to the world. The
 // grain of anisotropic materials is not turned by the instance in RADIANCE (checked: plastic2, trans2, ashik2,
 // WGMDfunc).
-FN void values_from_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, uint flags, PRIVATE(float) value) {
+FN void values_from_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, uint flags, PRIVATE(float) value) {
     if (g->type == M_PRISM) {
         turn_from_frame(s, g, value, 1u);
         if ((flags & MF_TWO_EXITS) != 0u) turn_from_frame(s, g, value, 5u);
@@ -61,7 +61,7 @@ FN void mat_brdf(PRIVATE(const Surface) g, GLOBAL const float* arg, uint flags, 
 }
 
 // ashik2: args diffuse3 specular3 u-power v-power; the frame comes in u.
-FN void mat_ashik(UNIFORM(const Params) par, PRIVATE(const Surface) g, GLOBAL const float* arg, float3 uvec,
+FN void mat_ashik(PARAMS(const Params) par, PRIVATE(const Surface) g, GLOBAL const float* arg, float3 uvec,
                   PRIVATE(Lobes) lobes) {
     float cv = dot3(g->n, g->v);
     float f = 1.0f - MAX_(cv, 0.001f);
@@ -141,7 +141,7 @@ FN float ashik_sample(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, PRIV
 }
 
 // Direct coefficient of the function lobes: s f(l) cos w on the viewer's side, Ts f(l) |cos| w on the other.
-FN float3 function_direct(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Lobes) lobes,
+FN float3 function_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Lobes) lobes,
                           PRIVATE(const Surface) g, float3 l, float w) {
     float vars[CAL_VARS], out[CAL_OUTPUTS];
     float3 zero = F3(0.0f, 0.0f, 0.0f);

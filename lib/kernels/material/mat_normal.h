@@ -16,7 +16,7 @@ FN void normal_axes(PRIVATE(const Surface) g, float rough_u, float rough_v, floa
     }
 }
 
-FN void mat_normal(UNIFORM(const Params) par, PRIVATE(const Surface) g, uint type, GLOBAL const float* arg, float3 uvec,
+FN void mat_normal(PARAMS(const Params) par, PRIVATE(const Surface) g, uint type, GLOBAL const float* arg, float3 uvec,
                    PRIVATE(Lobes) lobes) {
     int aniso = type >= M_ANISO_PLASTIC && type <= M_ANISO_TRANS;
     int metal = type == M_METAL || type == M_ANISO_METAL, is_trans = type == M_TRANS || type == M_ANISO_TRANS;

@@ -21,7 +21,7 @@ FN void mat_prism(uint flags, PRIVATE(const float) value, PRIVATE(Lobes) lobes) 
 }
 
 // A shadow ray aimed at the virtual source of one exit; aim: unit direction to the next source behind the panel.
-FN float prism_exit(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, float3 aim,
+FN float prism_exit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, float3 aim,
                     uint exit, PRIVATE(float3) dir) {
     float vars[CAL_VARS], value[CAL_OUTPUTS];
     GLOBAL const uint* m = mod_record(s, par, g->mod);

@@ -10,7 +10,7 @@
 #define WGMD_INHERIT 0xfffffffeu  // the modifier "inherit": the material's own
 
 // The surface as one component sees it.
-FN void wgmd_component(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint mod,
+FN void wgmd_component(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint mod,
                        PRIVATE(Sampler) rnd, PRIVATE(Surface) c) {
     *c = *g;
     if (mod == WGMD_INHERIT) return;
@@ -26,7 +26,7 @@ FN int wgmd_same_normal(PRIVATE(const Surface) a, PRIVATE(const Surface) b) {
 }
 
 // The values as the functions of a component give them.
-FN void wgmd_values(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+FN void wgmd_values(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                     PRIVATE(const Surface) c, uint program, PRIVATE(const float) value, PRIVATE(float) own) {
     float vars[CAL_VARS];
     for (int i = 0; i < CAL_OUTPUTS; i++) own[i] = value[i];
@@ -83,7 +83,7 @@ FN float wgmd_mirror(PRIVATE(const Surface) refl, float3 viewer, PRIVATE(float3)
     return rest;
 }
 
-FN_RARE void mat_wgmd(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+FN_RARE void mat_wgmd(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                       GLOBAL const uint* m, PRIVATE(const float) value, PRIVATE(Sampler) rnd, PRIVATE(Lobes) lobes) {
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
     GLOBAL const uint* mods = s->u + m[MOD_BRANCH1];

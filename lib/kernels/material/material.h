@@ -18,7 +18,7 @@ FN int back_passes(uint type, int asked) {
 }
 
 // Those whose lobes are .cal functions or tables.  Functions are evaluated once per hit.
-FN void function_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, int asked,
+FN void function_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, int asked,
                        PRIVATE(Sampler) rnd, PRIVATE(Lobes) lobes) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
@@ -52,7 +52,7 @@ FN void function_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, P
 // Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving, the
 // medium of the segment that ended here, is corrected where the surface knows it; so is *beyond, the one behind the
 // surface.  Both come as what the ray knows.
-FN void material_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, int asked,
+FN void material_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, int asked,
                        PRIVATE(Sampler) rnd, PRIVATE(Medium) arriving, PRIVATE(Medium) beyond, PRIVATE(Lobes) lobes) {
     GLOBAL const float* arg = s->f + mod_word(s, par, g->mod, MOD_ARGS);
     uint type = g->type;
@@ -84,7 +84,7 @@ FN void material_lobes(SHARED(const SceneTables) s, UNIFORM(const Params) par, P
 
 // g becomes the alternate, which keeps the patterns and textures met before the illum or mirror itself.  0: there is
 // nothing in its place, the ray passes.
-FN int become_alternate(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g,
+FN int become_alternate(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g,
                         PRIVATE(Sampler) rnd) {
     uint alternate = mod_word(s, par, g->mod, MOD_BRANCH1);
     if (alternate == NONE) return 0;
@@ -94,7 +94,7 @@ FN int become_alternate(SHARED(const SceneTables) s, UNIFORM(const Params) par, 
 }
 
 // Does the alternate act for a ray that is not aimed at a source?
-FN int alternate_acts(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint flags) {
+FN int alternate_acts(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint flags) {
     int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
     if (g->type == M_ILLUM) return !(g->front && sampled);  // black to sampled rays: their light comes from the source
     if (g->type != M_MIRROR) return 0;
@@ -105,7 +105,7 @@ FN int alternate_acts(SHARED(const SceneTables) s, UNIFORM(const Params) par, PR
 }
 
 // The same for a shadow ray to the source of record q.  relayed: q is a virtual source and this surface is its relay.
-FN int alternate_acts_for_shadow(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+FN int alternate_acts_for_shadow(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                                  GLOBAL const float* src, int relayed) {
     if (g->type == M_ILLUM) {  // the light of other illums and of glows ends at its front: its own stands for it
         uint kind = as_uint_(src[SRC_CLASS]);
@@ -116,14 +116,14 @@ FN int alternate_acts_for_shadow(SHARED(const SceneTables) s, UNIFORM(const Para
 }
 
 // Puts alternates, and theirs, in place.  1: the ray passes.
-FN int take_alternate(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, uint flags,
+FN int take_alternate(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, uint flags,
                       PRIVATE(Sampler) rnd) {
     while (alternate_acts(s, par, g, flags))
         if (!become_alternate(s, par, g, rnd)) return 1;
     return 0;
 }
 
-FN int shadow_alternate(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g,
+FN int shadow_alternate(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g,
                         GLOBAL const float* src, int relayed, PRIVATE(Sampler) rnd) {
     while (alternate_acts_for_shadow(s, par, g, src, relayed))
         if (!become_alternate(s, par, g, rnd)) return 1;

@@ -31,7 +31,7 @@
 #define MT_TURNS 0x10000000u   // back
 #define MT_OPEN_BACK 0x20000000u
 #define MT_NO_BACK 0x40000000u
-#define MT_EVEN 0x80000000u   // what it scatters evenly is the same for all who see it (integrator/far.h)
+#define MT_EVEN 0x80000000u   // what it scatters evenly is the same for all who see it (integrator/suffix.h)
 #define MT_FLAGS 0x00ffffffu  // the MF_* among the traits
 
 #define REGION_no 0u

@@ -11,7 +11,7 @@ STRUCT(Medium) {
 };
 
 // The global medium (-me -ma -mg), where no surface says otherwise.
-FN Medium medium_open(UNIFORM(const Params) par) {
+FN Medium medium_open(PARAMS(const Params) par) {
     Medium medium;
     medium.k = F3(par->medium.x, par->medium.y, par->medium.z);
     medium.albedo = F3(par->albedo.x, par->albedo.y, par->albedo.z);
@@ -20,7 +20,7 @@ FN Medium medium_open(UNIFORM(const Params) par) {
     return medium;
 }
 
-FN Medium path_medium(SHARED(const Paths) paths, uint slot) {
+FN Medium path_medium(TABLES(const Paths) paths, uint slot) {
     Medium medium;
     float4 k = read4_(paths->medium, slot), albedo = read4_(paths->albedo, slot);
     medium.k = xyz4(k);
@@ -30,13 +30,13 @@ FN Medium path_medium(SHARED(const Paths) paths, uint slot) {
     return medium;
 }
 
-FN void set_path_medium(SHARED(const Paths) paths, uint slot, PRIVATE(const Medium) medium) {
+FN void set_path_medium(TABLES(const Paths) paths, uint slot, PRIVATE(const Medium) medium) {
     write4_(paths->medium, slot, pack4(medium->k, as_float_(medium->lights)));
     write4_(paths->albedo, slot, pack4(medium->albedo, medium->ecc));
 }
 
 // A shadow ray keeps the same but the eccentricity, and with it what antimatter it is in.
-FN Medium shadow_medium(SHARED(const Paths) paths, uint slot) {
+FN Medium shadow_medium(TABLES(const Paths) paths, uint slot) {
     Medium medium;
     float4 albedo = read4_(paths->shadow_albedo, slot);
     medium.k = xyz4(read4_(paths->shadow_medium, slot));
@@ -46,13 +46,13 @@ FN Medium shadow_medium(SHARED(const Paths) paths, uint slot) {
     return medium;
 }
 
-FN void set_shadow_medium(SHARED(const Paths) paths, uint slot, PRIVATE(const Medium) medium, uint clip) {
+FN void set_shadow_medium(TABLES(const Paths) paths, uint slot, PRIVATE(const Medium) medium, uint clip) {
     write4_(paths->shadow_medium, slot, pack4(medium->k, as_float_(clip)));
     write4_(paths->shadow_albedo, slot, pack4(medium->albedo, as_float_(medium->lights)));
 }
 
 // Mists keep what they do not state: a mist without albedo has that around it, one without list its lights.
-FN void mist_enter(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+FN void mist_enter(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                    PRIVATE(Medium) medium) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
@@ -63,7 +63,7 @@ FN void mist_enter(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVA
 }
 
 // Leaving takes away what it stated, down to the global medium: what an outer mist stated is forgotten, too.
-FN void mist_leave(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+FN void mist_leave(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                    PRIVATE(Medium) medium) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
     GLOBAL const float* arg = s->f + m[MOD_ARGS];
@@ -77,7 +77,7 @@ FN void mist_leave(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVA
 
 // *here: the medium of the segment that ends at a mist's surface, corrected if the ray leaves a mist that it never
 // entered, which only its list can tell; *beyond: the medium of the next.
-FN void mist_crossing(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g,
+FN void mist_crossing(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                       PRIVATE(Medium) here, PRIVATE(Medium) beyond) {
     uint lights = mod_word(s, par, g->mod, MOD_EXTRA);
     if (!g->front && (here->lights & lights) != lights) mist_enter(s, par, g, here);
@@ -95,7 +95,7 @@ FN float3 attenuation(float3 k, float length) {
 }
 
 // What the constant of deeper bounces (-av) scatters into a segment that lets T through.
-FN float3 medium_glow(UNIFORM(const Params) par, PRIVATE(const Medium) medium, float3 T) {
+FN float3 medium_glow(PARAMS(const Params) par, PRIVATE(const Medium) medium, float3 T) {
     float3 av = F3(par->av.x, par->av.y, par->av.z), one = F3(1.0f, 1.0f, 1.0f);
     return mul3(mul3(medium->albedo, av), sub3(one, T));
 }

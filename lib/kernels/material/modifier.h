@@ -6,19 +6,19 @@
 
 #define LONGEST_CHAIN 4096  // modifiers one above the other
 
-FN GLOBAL const uint* mod_record(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod) {
+FN GLOBAL const uint* mod_record(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod) {
     return s->u + par->mods_at + MOD_WORDS * mod;
 }
 
-FN uint mod_word(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint mod, uint k) {
+FN uint mod_word(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod, uint k) {
     return s->u[par->mods_at + MOD_WORDS * mod + k];
 }
 
 // The variables .cal programs see (spec: scene language 7.6), in world coordinates.  Patterns, textures and mixtures
 // see the normal as modelled, from behind, too: RADIANCE turns it to the viewer after them.
-FN void surface_vars(UNIFORM(const Params) par, PRIVATE(const Surface) g, PRIVATE(float) vars) {
+FN void surface_vars(PARAMS(const Params) par, PRIVATE(const Surface) g, PRIVATE(float) vars) {
     float3 p = F3(g->p.x + par->centre.x, g->p.y + par->centre.y, g->p.z + par->centre.z);
-    for (SAME int i = 0; i < CAL_VARS; i++) vars[i] = 0.0f;
+    for (UNIFORM int i = 0; i < CAL_VARS; i++) vars[i] = 0.0f;
     vars[CAL_DX] = -g->v.x;
     vars[CAL_DY] = -g->v.y;
     vars[CAL_DZ] = -g->v.z;
@@ -36,13 +36,13 @@ FN void surface_vars(UNIFORM(const Params) par, PRIVATE(const Surface) g, PRIVAT
 }
 
 // Inside an instance functions see its coordinates (spec scene 3): turns the variables of surface_vars().
-FN void vars_to_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(float) vars) {
+FN void vars_to_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(float) vars) {
     const int dirs[5] = {CAL_DX, CAL_NX, CAL_NXP, CAL_DXA, CAL_LX};
     if (!in_instance(g->inst)) return;
     GLOBAL const float* record = instance_record(s, g->inst);
     float scale = record[INST_SCALE];
 
-    for (SAME int i = 0; i < 5; i++) {
+    for (UNIFORM int i = 0; i < 5; i++) {
         int k = dirs[i];
         float3 v = scale3(affine_vector(record + INST_FRAME, F3(vars[k], vars[k + 1], vars[k + 2])), 1.0f / scale);
         vars[k] = v.x;
@@ -59,13 +59,13 @@ FN void vars_to_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, PRI
 }
 
 // A direction or displacement that such a function gave, in the world; its length is kept.
-FN float3 vector_from_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, float3 v) {
+FN float3 vector_from_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, float3 v) {
     if (!in_instance(g->inst)) return v;
     GLOBAL const float* record = instance_record(s, g->inst);
     return scale3(affine_back(record + INST_FRAME, v), 1.0f / record[INST_SCALE]);
 }
 
-FN void turn_from_frame(SHARED(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(float) v, uint k) {
+FN void turn_from_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(float) v, uint k) {
     float3 w = vector_from_frame(s, g, F3(v[k], v[k + 1u], v[k + 2u]));
     v[k] = w.x;
     v[k + 1u] = w.y;
@@ -83,7 +83,7 @@ FN Patterns no_patterns() {
 }
 
 // Adds what the program of a pattern or texture gave.
-FN void apply_pattern(SHARED(const SceneTables) s, PRIVATE(const Surface) g, uint type, PRIVATE(const float) out,
+FN void apply_pattern(TABLES(const SceneTables) s, PRIVATE(const Surface) g, uint type, PRIVATE(const float) out,
                       PRIVATE(Patterns) sum) {
     if (type == M_PATTERN1) sum->color = scale3(sum->color, out[0]);
     if (type == M_PATTERN3) sum->color = mul3(sum->color, F3(out[0], out[1], out[2]));
@@ -131,7 +131,7 @@ FN int mix_branch_ends(PRIVATE(PatternMix) stack, int depth, PRIVATE(Patterns) s
 }
 
 // Patterns and textures of a chain without material: colours and perturbations mix linearly (spec shading 3.10).
-FN Patterns chain_patterns(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Surface) g, uint mod,
+FN Patterns chain_patterns(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint mod,
                            PRIVATE(const float) vars) {
     float out[CAL_OUTPUTS];
     PatternMix stack[MIX_DEPTH];
@@ -169,14 +169,14 @@ FN void shading_normal(PRIVATE(Surface) g) {
 }
 
 // Back to the patterns and textures met before the material, for another chain in place of the material's own.
-FN void without_own_chain(SHARED(const SceneTables) s, PRIVATE(Surface) g) {
+FN void without_own_chain(TABLES(const SceneTables) s, PRIVATE(Surface) g) {
     g->color = g->color_before;
     g->pert = g->pert_before;
     g->flat = drawn_flat(s, g) && !is_textured(g);
 }
 
 // A mixture of patterns alone: both branches, mixed.
-FN void apply_pattern_mixture(SHARED(const SceneTables) s, UNIFORM(const Params) par, GLOBAL const uint* m, float share,
+FN void apply_pattern_mixture(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const uint* m, float share,
                               PRIVATE(const float) vars, PRIVATE(Surface) g) {
     Patterns first = chain_patterns(s, par, g, m[MOD_BRANCH1], vars);
     Patterns second = chain_patterns(s, par, g, m[MOD_BRANCH2], vars);
@@ -187,7 +187,7 @@ FN void apply_pattern_mixture(SHARED(const SceneTables) s, UNIFORM(const Params)
 }
 
 // The same of a single pattern or texture.
-FN void apply_single_pattern(SHARED(const SceneTables) s, uint type, PRIVATE(const float) out, PRIVATE(Surface) g) {
+FN void apply_single_pattern(TABLES(const SceneTables) s, uint type, PRIVATE(const float) out, PRIVATE(Surface) g) {
     Patterns sum;
     sum.color = g->color;
     sum.pert = g->pert;
@@ -198,8 +198,7 @@ FN void apply_single_pattern(SHARED(const SceneTables) s, uint type, PRIVATE(con
 }
 
 // 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
-FN int chain_material(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g,
-                      PRIVATE(Sampler) rnd) {
+FN int chain_material(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, PRIVATE(Sampler) rnd) {
     uint stack[MIX_DEPTH];  // where the chains of mixtures go on
     int depth = 0, have_vars = 0;
     uint mod = g->mod, material = NONE;
@@ -254,7 +253,7 @@ FN int chain_material(SHARED(const SceneTables) s, UNIFORM(const Params) par, PR
 }
 
 // The same of a surface or an active source.  Without patterns a chain is its material.
-FN int find_material(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(Surface) g, PRIVATE(Sampler) rnd) {
+FN int find_material(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, PRIVATE(Sampler) rnd) {
     if (HAS(PATTERNS)) return chain_material(s, par, g, rnd);
     if (g->mod == NONE) return 0;
     g->type = mod_word(s, par, g->mod, MOD_TYPE);

@@ -8,7 +8,7 @@
 #define HIGHLIGHT_SPREAD2 9.0f    // roughnesses, squared: so far beside its cone a rectangle is still met
 #define HIGHLIGHT_FARTHEST 20.0f  // squared slope over squared roughness; beyond is no density
 
-FN GLOBAL const float* highlight_record(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint k) {
+FN GLOBAL const float* highlight_record(TABLES(const SceneTables) s, PARAMS(const Params) par, uint k) {
     return s->f + par->highlights_at + HIGHLIGHT_FLOATS * k;
 }
 
@@ -36,9 +36,9 @@ FN int highlight_met(GLOBAL const float* h, float3 p, float3 n) {
 }
 
 // Those that can be met, a bit each.
-FN uint highlights_met(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n) {
+FN uint highlights_met(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n) {
     uint met = 0u;
-    for (SAME uint k = 0u; k < par->highlight_count; k++)
+    for (UNIFORM uint k = 0u; k < par->highlight_count; k++)
         if (highlight_met(highlight_record(s, par, k), p, n)) met |= 1u << k;
     return met;
 }
@@ -51,7 +51,7 @@ FN uint highlights_count(uint met) {
 
 // A direction toward one of those met.  Halfway between the sun and the viewer is a normal of the rough plane; these
 // are spread by a Gaussian of their slope.
-FN float3 highlight_direction(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint met, float x, float y) {
+FN float3 highlight_direction(TABLES(const SceneTables) s, PARAMS(const Params) par, uint met, float x, float y) {
     float choice = x * (float)highlights_count(met);
     uint pick = 0u;
     while ((met & 1u) == 0u || (choice >= 1.0f && (met & (met - 1u)) != 0u)) {
@@ -84,7 +84,7 @@ FN float highlight_density(GLOBAL const float* h, float3 dir) {
 }
 
 // Of direction dir among those toward the rectangles met.
-FN float highlights_density(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint met, float3 dir) {
+FN float highlights_density(TABLES(const SceneTables) s, PARAMS(const Params) par, uint met, float3 dir) {
     float sum = 0.0f;
     for (uint k = 0u, left = met; left != 0u; k++, left >>= 1)
         if ((left & 1u) != 0u) sum += highlight_density(highlight_record(s, par, k), dir);

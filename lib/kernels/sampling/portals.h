@@ -8,7 +8,7 @@
 #ifndef LUX_PORTALS_H
 #define LUX_PORTALS_H
 
-FN GLOBAL const float* portal_record(SHARED(const SceneTables) s, UNIFORM(const Params) par, uint k) {
+FN GLOBAL const float* portal_record(TABLES(const SceneTables) s, PARAMS(const Params) par, uint k) {
     return s->f + par->portals_at + PORTAL_FLOATS * par->portal_pick[k];
 }
 
@@ -71,24 +71,24 @@ FN float portal_density(GLOBAL const float* portal, float3 p, float3 dir) {
 }
 
 // Light that comes to p through all portals.
-FN float portals_light(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n) {
+FN float portals_light(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n) {
     float total = 0.0f;
-    for (SAME uint k = 0u; k < par->portal_count; k++)
+    for (UNIFORM uint k = 0u; k < par->portal_count; k++)
         total += par->portal_light[k] * portal_view(portal_record(s, par, k), p, n);
     return total;
 }
 
 // The share of the directions that aim at portals, whose light sums to `total`.
-FN float portals_share(UNIFORM(const Params) par, float total) {
+FN float portals_share(PARAMS(const Params) par, float total) {
     if (!(total > 0.0f)) return 0.0f;
     return MIN_(MAX_(total / (total + par->portal_rest), par->portal_least), par->portal_most);
 }
 
 // Density (per sr) of direction dir from p among those toward portals, whose light sums to `total`.
-FN float portals_density(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n, float3 dir,
+FN float portals_density(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, float3 dir,
                          float total) {
     float density = 0.0f;
-    for (SAME uint k = 0u; k < par->portal_count; k++) {
+    for (UNIFORM uint k = 0u; k < par->portal_count; k++) {
         GLOBAL const float* portal = portal_record(s, par, k);
         float d = portal_density(portal, p, dir);
         if (d > 0.0f) density += par->portal_light[k] * portal_view(portal, p, n) / total * d;
@@ -98,12 +98,12 @@ FN float portals_density(SHARED(const SceneTables) s, UNIFORM(const Params) par,
 }
 
 // The direction from p to a point of a portal, which r, 0 .. the sum of their light, picks by its light.
-FN float3 portal_direction(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n, float r,
+FN float3 portal_direction(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, float r,
                            float across) {
     float before = 0.0f, w = 0.0f;
     uint pick = 0u;
 
-    for (SAME uint k = 0u; k < par->portal_count; k++) {
+    for (UNIFORM uint k = 0u; k < par->portal_count; k++) {
         float wk = par->portal_light[k] * portal_view(portal_record(s, par, k), p, n);
         if (wk <= 0.0f) continue;
         pick = k;
@@ -134,19 +134,19 @@ STRUCT(Aims) {
     uint highlights;  // those that can be met, a bit each
 };
 
-FN Aims aims_at(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n) {
+FN Aims aims_at(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n) {
     Aims aims;
     aims.light = portals_light(s, par, p, n);
     aims.highlights = par->highlight_share > 0.0f ? highlights_met(s, par, p, n) : 0u;
     return aims;
 }
 
-FN float highlights_share(UNIFORM(const Params) par, PRIVATE(const Aims) aims) {
+FN float highlights_share(PARAMS(const Params) par, PRIVATE(const Aims) aims) {
     return aims->highlights != 0u ? par->highlight_share : 0.0f;
 }
 
 // Density (per sr) of direction dir about n from p among diffuse rays.
-FN float diffuse_density(SHARED(const SceneTables) s, UNIFORM(const Params) par, PRIVATE(const Aims) aims, float3 p,
+FN float diffuse_density(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Aims) aims, float3 p,
                          float3 n, float3 dir) {
     float share = portals_share(par, aims->light), shine = highlights_share(par, aims);
     float c = dot3(dir, n);
@@ -158,8 +158,8 @@ FN float diffuse_density(SHARED(const SceneTables) s, UNIFORM(const Params) par,
 
 // Samples a direction over the hemisphere of n.  Returns cos/(pi density): the factor of the diffuse coefficient.
 // *aims: what it may have aimed at.
-FN float sample_diffuse(SHARED(const SceneTables) s, UNIFORM(const Params) par, float3 p, float3 n,
-                        PRIVATE(Sampler) rnd, PRIVATE(Aims) aims, PRIVATE(float3) dir) {
+FN float sample_diffuse(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, PRIVATE(Sampler) rnd,
+                        PRIVATE(Aims) aims, PRIVATE(float3) dir) {
     float2 x = sample2(rnd);
     *aims = aims_at(s, par, p, n);
     float share = portals_share(par, aims->light), shine = highlights_share(par, aims);

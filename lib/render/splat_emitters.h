@@ -9,16 +9,16 @@
 
 namespace render {
 
-struct DrawList {
-    std::vector<device::DrawRay> rays;
+struct SplatList {
+    std::vector<device::SplatRay> rays;
     std::vector<uint32_t> pixel;   // row from the top * nx + column, of each ray
     std::vector<float> right, up;  // of the ray from the pixel's centre, in pixels
-    std::vector<uint32_t> marked;  // words of scene.f that say SRC_DRAWN of the sources taken
+    std::vector<uint32_t> marked;  // words of scene.f that say SRC_SPLATTED of the sources taken
 };
 // Those that are small in this view, and their rays.
-DrawList list_drawn_sources(const flatten::FlatScene& scene, const flatten::HostTracer& tracer, const view::View& view,
-                            int nx, int ny);
+SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
+                                 const view::View& view, int nx, int ny);
 // Says so to the kernels in the scene's numbers (FlatScene::f), or takes it back.
-void mark_drawn(const DrawList& list, std::vector<float>& numbers, bool drawn = true);
+void mark_splatted(const SplatList& list, std::vector<float>& numbers, bool drawn = true);
 
 }  // namespace render

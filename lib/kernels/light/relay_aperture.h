@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Gates: rectangles about the relays that a virtual source's light must come through (GATE_* of tables.h).
-#ifndef LUX_GATE_H
-#define LUX_GATE_H
+#ifndef LUX_RELAY_APERTURE_H
+#define LUX_RELAY_APERTURE_H
 
 // Does no light from a ball about p + to reach p through the gate?  reach: the sine of half the angle that the ball
 // subtends.  Gates stand where the relays of a virtual source seem to be from p.  tight: no more is added to the gate
 // than the ball's cone needs; else three times its width, as the frames of scenes with few sources have it.
-FN int gate_shuts(GLOBAL const float* gate, float3 p, float3 to, float reach, int tight) {
+FN int aperture_occludes(GLOBAL const float* gate, float3 p, float3 to, float reach, int tight) {
     float3 c = sub3(f3_at(gate + GATE_CENTRE), p), n = f3_at(gate + GATE_NORMAL);
     float down = dot3(n, to), d2 = dot3(to, to);
     if (down * down < 4.0f * reach * reach * d2) return 0;  // too much on edge to tell

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A pixel's value is the mean radiance over its area A in the picture plane, so a point that stands for the solid angle
 // dw adds L dw / (A dw/dA), with dw/dA of the projection at that point by central differences.
-#include "render/draw_sources.h"
+#include "render/splat_emitters.h"
 
 #include <cmath>
 
@@ -35,13 +35,13 @@ double density(const view::Projector& p, double X, double Y) {
 }
 }  // namespace
 
-void mark_drawn(const DrawList& list, std::vector<float>& numbers, bool drawn) {
+void mark_splatted(const SplatList& list, std::vector<float>& numbers, bool drawn) {
     for (uint32_t at : list.marked) numbers[at] = from_bits(drawn ? 1u : 0u);
 }
 
-DrawList list_drawn_sources(const flatten::FlatScene& scene, const flatten::HostTracer& tracer, const view::View& view,
-                            int nx, int ny) {
-    DrawList out;
+SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
+                                 const view::View& view, int nx, int ny) {
+    SplatList out;
     if (view.type == 'l') return out;  // parallel views have no eye point
     const view::Projector projector(view);
     const double fore = view.vo, aft = view.va;
@@ -61,7 +61,7 @@ DrawList list_drawn_sources(const flatten::FlatScene& scene, const flatten::Host
     if (taken.empty()) return out;
     const uint32_t points = std::max<uint32_t>(16, std::min<uint32_t>(POINTS, MOST_RAYS / uint32_t(taken.size())));
     for (uint32_t i : taken) {
-        out.marked.push_back(scene.sources_at + SOURCE_FLOATS * i + SRC_DRAWN);
+        out.marked.push_back(scene.sources_at + SOURCE_FLOATS * i + SRC_SPLATTED);
         const uint32_t kind = bits(scene.f[scene.sources_at + SOURCE_FLOATS * i + SRC_KIND]);
         for (uint32_t k = 0; k < points; k++) {
             // Roberts' R2 sequence: even in both numbers at any count
@@ -75,7 +75,7 @@ DrawList list_drawn_sources(const flatten::FlatScene& scene, const flatten::Host
             if (d <= 0) continue;
             const Vec3 o =
                 kind == SK_DISTANT && fore > 0 ? view.vp + p.dir * fore - scene.centre : view.vp - scene.centre;
-            device::DrawRay r;
+            device::SplatRay r;
             for (int c = 0; c < 3; c++) {
                 r.org[c] = float(o[c]);
                 r.dir[c] = float(p.dir[c]);

@@ -4,7 +4,7 @@
 // walk has met and a share of the light beyond, bounce by bounce, as if every place were like the mean of all.
 // Portals and highlights are small: walks of their own go there.  Those to highlights and those by the cosine are
 // weighed together by the density of both.
-#include "sampling/aim_shares.h"
+#include "sampling/mixture_weights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ class Survey {
 public:
     Survey(device::Device& device, const Params& par, const std::vector<float>& records)
         : device_(device), par_(par), records_(records) {
-        par_.mode = MODE_WALK;
+        par_.mode = MODE_PILOT;
         par_.portals_at = 0;
         pick_all_portals(par.portal_count, 1, 0, par_);
         par_.highlights_at = par.portal_count * PORTAL_FLOATS;
@@ -80,27 +80,27 @@ private:
     size_t cosines_ = 0;           // walks by the cosine
     std::vector<Walk> to_strips_;  // toward polished ones
 
-    std::vector<device::WalkEnd> walk(const std::vector<device::WalkRay>& rays) {
-        std::vector<device::WalkEnd> ends;
+    std::vector<device::PilotEnd> walk(const std::vector<device::PilotRay>& rays) {
+        std::vector<device::PilotEnd> ends;
         par_.first = 0;
         par_.slots = uint32_t(rays.size());
-        if (!rays.empty()) device_.walk(par_, rays, ends);
+        if (!rays.empty()) device_.pilot(par_, rays, ends);
         par_.frame++;  // other random numbers for the next
         return ends;
     }
 
-    static Place place_of(const device::WalkEnd& end) {
+    static Place place_of(const device::PilotEnd& end) {
         return {F3(end.p[0], end.p[1], end.p[2]), F3(end.n[0], end.n[1], end.n[2])};
     }
 
     std::vector<Place> seen() {
-        std::vector<device::WalkRay> rays;
+        std::vector<device::PilotRay> rays;
         for (uint32_t i = 0; i < EYE_SIDE * EYE_SIDE; i++) {
             const float x = float(i % EYE_SIDE) + 0.5f, y = float(i / EYE_SIDE) + 0.5f;
-            rays.push_back({{x / EYE_SIDE, y / EYE_SIDE, 0}, {0, 0, 0}, WALK_FROM_EYE});
+            rays.push_back({{x / EYE_SIDE, y / EYE_SIDE, 0}, {0, 0, 0}, PILOT_FROM_EYE});
         }
         std::vector<Place> places;
-        for (const device::WalkEnd& end : walk(rays))
+        for (const device::PilotEnd& end : walk(rays))
             if (end.bounce) places.push_back(place_of(end));
         return places;
     }
@@ -108,14 +108,14 @@ private:
     // Walks from each place, by the cosine; returns where they have come to.
     std::vector<Place> look_around(const std::vector<Place>& places, uint32_t walks) {
         std::vector<Place> reached;
-        for (const device::WalkEnd& end : send(places, walks, false))
+        for (const device::PilotEnd& end : send(places, walks, false))
             if (end.bounce) reached.push_back(place_of(end));
         return reached;
     }
 
     // Adds walks from each place by the cosine, or toward the highlights that it meets.
-    std::vector<device::WalkEnd> send(const std::vector<Place>& places, uint32_t walks, bool shining) {
-        std::vector<device::WalkRay> rays;
+    std::vector<device::PilotEnd> send(const std::vector<Place>& places, uint32_t walks, bool shining) {
+        std::vector<device::PilotRay> rays;
         const size_t first = walks_.size();
         for (uint32_t i = 0; i < places.size(); i++) {
             const Place& place = places[i];
@@ -131,7 +131,7 @@ private:
             }
         }
 
-        const std::vector<device::WalkEnd> ends = walk(rays);
+        const std::vector<device::PilotEnd> ends = walk(rays);
         for (size_t k = 0; k < ends.size(); k++) {
             walks_[first + k].met = luminance(ends[k].gathered);
             walks_[first + k].beyond = ends[k].bounce ? luminance(ends[k].share) : 0;
@@ -139,7 +139,7 @@ private:
         return ends;
     }
 
-    device::WalkRay ray_of(const Place& place, float3 dir) const {
+    device::PilotRay ray_of(const Place& place, float3 dir) const {
         const float3 org = madd3(place.n, clear_, place.p);
         return {{org.x, org.y, org.z}, {dir.x, dir.y, dir.z}, FAR_AWAY};
     }
@@ -170,7 +170,7 @@ private:
     // The light of a portal, by walks from places all over toward points all over it.
     float light_of(uint32_t k, const std::vector<Place>& places, double mean) {
         const float* portal = portal_record(&tables_, &par_, k);
-        std::vector<device::WalkRay> rays;
+        std::vector<device::PilotRay> rays;
         std::vector<double> views;
         std::vector<Walk> walks;
         for (size_t i = 0; i < AIMED; i++) {
@@ -186,7 +186,7 @@ private:
             walks.push_back(walk_of(place, 0, dir));
         }
         AimedLight light;
-        const std::vector<device::WalkEnd> ends = walk(rays);
+        const std::vector<device::PilotEnd> ends = walk(rays);
         for (size_t i = 0; i < ends.size(); i++) {
             const double beyond = ends[i].bounce ? luminance(ends[i].share) : 0;
             light.add(luminance(ends[i].gathered) + beyond * mean, views[i]);
@@ -261,7 +261,7 @@ void pick_all_portals(uint32_t count, float light, float rest, Params& par) {
     }
 }
 
-void find_shares(device::Device& device, const std::vector<float>& records, Params& par) {
+void optimise_mixture(device::Device& device, const std::vector<float>& records, Params& par) {
     if (records.empty() || par.ab < 1) return;
     Survey(device, par, records).find(par);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The small sources that are drawn into frame 0, by area.
-#ifndef LUX_PATH_DRAW_H
-#define LUX_PATH_DRAW_H
+#ifndef LUX_PATH_SPLAT_H
+#define LUX_PATH_SPLAT_H
 
-// MODE_DRAW: slot i holds a straight ray from the eye to a point of a source and its weight, written by the host into
+// MODE_SPLAT: slot i holds a straight ray from the eye to a point of a source and its weight, written by the host into
 // the slot's shadow ray; the source's own radiance is applied here, path_shadow follows.
-FN void path_draw(SHARED(const SceneTables) s, UNIFORM(const Params) par, SHARED(const Paths) paths, uint slot) {
+FN void path_splat(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot) {
     uint source = as_uint_(paths->shadow_org[slot].w);
     GLOBAL const float* src = source_record(s, par, source);
     float3 org = xyz4(paths->shadow_org[slot]), dir = xyz4(paths->shadow_dir[slot]);

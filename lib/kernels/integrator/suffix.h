@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Ends that paths share (path_reuse.h).  Where a path first leaves a surface that the eye sees straight, into the
+// hemisphere, is its prefix vertex.  What that ray meets, straight on or through panes, is its suffix vertex, if it
+// sends the same radiance to all who see it: the sky, a lamp, what a matt surface scatters evenly.  Then the suffix
+// vertex lights the near ends of all the group (connect.h), not that of its path alone.
+#ifndef LUX_PATH_SUFFIX_H
+#define LUX_PATH_SUFFIX_H
+
+// Does the surface, or what it is made of, depend on how it is seen?  on: MF_LOOKS or MF_TOTAL.
+FN int surface_depends(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint on) {
+    uint mod = s->prims[PRIM_WORDS * g->prim + PRIM_MOD];
+    if (in_instance(g->inst)) {
+        uint of_all = as_uint_(*(instance_record(s, g->inst) + INST_MOD));
+        if (of_all != NONE) mod = of_all;
+    }
+    return (mod_word(s, par, mod, MOD_FLAGS) & on) != 0u;
+}
+
+// A plain pane, through which the suffix vertex is sought.  Links know their own direction and length as paths do, but
+// not how far away the eye is.
+FN int is_pane(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g) {
+    return g->type == M_GLASS && !g->mixed && (g->smooth || !is_textured(g)) && !surface_depends(s, par, g, MF_TOTAL);
+}
+
+// The chance that a path goes on through a pane, where it may be mirrored, too.
+FN float pane_chance(PRIVATE(const Lobes) lobes) {
+    float through = max3(lobes->through), mirror = max3(lobes->mirror);
+    through = through > 0.0f ? through : 0.0f;
+    mirror = mirror > 0.0f ? mirror : 0.0f;
+    return through > 0.0f ? through / (through + mirror) : 0.0f;
+}
+
+// Does a part of what the surface scatters look the same from everywhere?
+FN int scatters_evenly(PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
+    if (material_has(g->type, MT_EVEN) == 0u || is_textured(g)) return 0;
+    if ((lobes->flags & LOBE_FRESNEL) != 0u || max3(lobes->through) > 0.0f) return 0;
+    return max3(add3(lobes->diffuse_r, lobes->diffuse_t)) > 0.0f;
+}
+
+FN void suffix_point(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex) {
+    PRIVATE(const Surface) g = &vertex->g;
+    write4_(paths->suffix_p, vertex->slot, pack4(g->p, SUFFIX_POINT));
+    write4_(paths->suffix_n, vertex->slot, pack4(g->ng, g->reach));
+}
+
+// A path that seeks has met a surface.
+FN void path_record_suffix(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
+                           PRIVATE(Vertex) vertex, int met) {
+    PRIVATE(const Surface) g = &vertex->g;
+    if (met == HIT_SURFACE && is_pane(s, par, g)) return;
+    vertex->flags &= ~PC_RECORDS_SUFFIX;
+    if (met == HIT_NULL || surface_depends(s, par, g, MF_LOOKS)) return;
+
+    if (met == HIT_SURFACE) {
+        if (!scatters_evenly(g, &vertex->lobes)) return;
+        vertex->at_suffix = 1;
+        suffix_point(paths, vertex);
+        return;
+    }
+
+    // a lamp; whether a glow shines may depend on how far away it is
+    GLOBAL const float* arg = s->f + mod_word(s, par, g->mod, MOD_ARGS);
+    if (!vertex->wanted || g->mixed || (g->type == M_GLOW && arg[3] > 0.0f)) return;
+    suffix_point(paths, vertex);
+    write4_(paths->suffix_rad, vertex->slot, pack4(vertex->emitted, vertex->before));
+    vertex->emitted = F3(0.0f, 0.0f, 0.0f);
+}
+
+// A path that seeks has met nothing.
+FN void suffix_sky(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, float3 radiance) {
+    write4_(paths->suffix_p, vertex->slot, pack4(vertex->ray.dir, SUFFIX_DIRECTION));
+    write4_(paths->suffix_rad, vertex->slot, pack4(radiance, vertex->before));
+}
+
+// Light has come to the path: by the shadow ray of its last step, T of what the ray would have brought.
+FN void path_receive(PARAMS(const Params) par, TABLES(const Paths) paths, uint slot, float3 light, float3 T) {
+    if (par->reuse_slot_count != 0u) {
+        float4 even = read4_(paths->shadow_suffix, slot), far = read4_(paths->suffix_rad, slot);
+        int at_suffix = even.w > 0.0f;
+        if (at_suffix || (paths->info[slot].x & PC_SUFFIX) != 0u)
+            write4_(paths->suffix_rad, slot, pack4(add3(xyz4(far), at_suffix ? mul3(xyz4(even), T) : light), far.w));
+        if (!at_suffix && (paths->info[slot].x & PC_SUFFIX) != 0u) return;
+    }
+    float4 sum = read4_(paths->rad, slot);
+    write4_(paths->rad, slot, pack4(add3(xyz4(sum), light), sum.w));
+}
+#endif
