@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cstring>
+#include <functional>
 #include <mutex>
 
 #include "base/error.h"
@@ -12,14 +14,44 @@
 namespace base {
 namespace {
 
+// What tells one version of a file from the next; all 0: there is none.
+struct Stamp {
+    uint64_t device = 0, inode = 0, size = 0, seconds = 0, nanoseconds = 0;
+};
+
+struct File {
+    std::string path;
+    Stamp stamp;
+    bool read;
+};
+
 struct Files {
     std::mutex lock;
-    std::vector<std::string> paths, replaceable;
+    std::vector<File> all;
+    std::vector<std::string> replaceable;
 };
 
 Files& files() {
     static Files f;
     return f;
+}
+
+Stamp stamp_of(const std::string& path) {
+    struct stat s = {};
+    if (stat(path.c_str(), &s) != 0) return {};
+    return {uint64_t(s.st_dev), uint64_t(s.st_ino), uint64_t(s.st_size), uint64_t(s.st_mtim.tv_sec),
+            uint64_t(s.st_mtim.tv_nsec)};
+}
+
+bool same(const Stamp& a, const Stamp& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+void note(const std::string& path, bool read) {
+    Files& f = files();
+    const std::string plain = path.compare(0, 2, "./") == 0 ? path.substr(2) : path;
+    const std::lock_guard<std::mutex> hold(f.lock);
+    const auto known = std::find_if(f.all.begin(), f.all.end(), [&](const File& x) { return x.path == plain; });
+    if (known == f.all.end()) f.all.push_back({plain, stamp_of(plain), read});
+    else known->read = known->read || read;
 }
 
 // make's quoting: blanks and # by a backslash, $ by itself.
@@ -67,17 +99,44 @@ void may_replace(const std::string& path) {
     f.replaceable.push_back(path);
 }
 
-void note_file_read(const std::string& path) {
-    Files& f = files();
-    const std::lock_guard<std::mutex> hold(f.lock);
-    const std::string plain = path.compare(0, 2, "./") == 0 ? path.substr(2) : path;
-    if (std::find(f.paths.begin(), f.paths.end(), plain) == f.paths.end()) f.paths.push_back(plain);
-}
+void note_file_read(const std::string& path) { note(path, true); }
+void note_file_missed(const std::string& path) { note(path, false); }
 
 std::vector<std::string> files_read() {
     Files& f = files();
     const std::lock_guard<std::mutex> hold(f.lock);
-    return f.paths;
+    std::vector<std::string> paths;
+    for (const File& x : f.all)
+        if (x.read) paths.push_back(x.path);
+    return paths;
+}
+
+std::vector<std::string> forget_files_read() {
+    std::vector<std::string> paths = files_read();
+    Files& f = files();
+    const std::lock_guard<std::mutex> hold(f.lock);
+    f.all.clear();
+    return paths;
+}
+
+FilesNow files_now() {
+    Files& f = files();
+    std::vector<File> all;
+    {
+        const std::lock_guard<std::mutex> hold(f.lock);
+        all = f.all;
+    }
+    FilesNow now;
+    std::string state;
+    for (const File& x : all) {
+        const Stamp stamp = stamp_of(x.path);
+        now.changed = now.changed || !same(stamp, x.stamp);
+        now.gone = now.gone || (stamp.inode == 0 && x.stamp.inode != 0);
+        state.append(reinterpret_cast<const char*>(&stamp), sizeof stamp);
+    }
+    now.state = std::hash<std::string>()(state);
+    now.count = all.size();
+    return now;
 }
 
 std::string make_rule(const std::string& target, const std::vector<std::string>& paths) {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which files this process has read, for rules of make (ptrace -M): whoever opens one by name says so.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace base {
 
 void note_file_read(const std::string& path);
+// Nothing stands under this name; a file that comes to be there would have been read.
+void note_file_missed(const std::string& path);
 
 // Throws Error (place: the output) if one of these inputs would be replaced by an output.  "-" among the inputs is the
 // standard input.
@@ -16,6 +19,18 @@ void may_replace(const std::string& path);
 
 // Each once, in the order in which they were first read.
 std::vector<std::string> files_read();
+
+// For whoever reads them again when they change (ptrace -watch): the paths noted so far, which are forgotten.
+std::vector<std::string> forget_files_read();
+
+// How the files noted stand on the disk now, beside how they stood when they were noted.
+struct FilesNow {
+    bool changed = false;  // another file, size or time of change; come to be or gone
+    bool gone = false;     // one of them is not there any more
+    uint64_t state = 0;    // equal for equal states
+    size_t count = 0;
+};
+FilesNow files_now();
 
 // "target: file file", and an empty rule for each file, so that make does not stop where one has been removed.
 std::string make_rule(const std::string& target, const std::vector<std::string>& files);

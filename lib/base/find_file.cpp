@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/open_file.h"
 #include "base/printable.h"
 
@@ -34,7 +35,9 @@ void search_beside(const std::vector<std::string>& files, ReadOptions& options) 
 
 static bool readable(const std::string& path) {
     struct stat s;
-    return stat(path.c_str(), &s) == 0 && S_ISREG(s.st_mode) && access(path.c_str(), R_OK) == 0;
+    const bool good = stat(path.c_str(), &s) == 0 && S_ISREG(s.st_mode) && access(path.c_str(), R_OK) == 0;
+    if (!good) note_file_missed(path);
+    return good;
 }
 
 std::string look_for_file(const std::string& name, const ReadOptions& options) {

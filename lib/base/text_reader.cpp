@@ -7,6 +7,7 @@
 #include <utility>
 #include "base/descriptor.h"
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/open_file.h"
 #include "base/printable.h"
 #include "base/split.h"
@@ -23,6 +24,7 @@ TextReader TextReader::from_file(const std::string& path, const std::string& ask
     TextReader s;
     s.close_ = path != "-" || !asked_by.empty();  // the standard input is the user's
     s.name_ = s.close_ ? path : "stdin";
+    if (s.close_) note_file_read(path);  // before it is opened: whoever waits for a change waits for it to come to be
     s.fd_ = s.close_ ? open_file(path, asked_by) : 0;
     struct stat st;
     if (fstat(s.fd_, &st) == 0) {

@@ -216,6 +216,10 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         h.frames = integer<int64_t>(line, *t, where);
     } else if (auto t = value_of(line, "LASTFRAME=")) {
         h.last_frame = integer<int64_t>(line, *t, where);
+    } else if (auto t = value_of(line, "EDIT=")) {
+        const size_t end = t->find(' ');
+        h.edit = frame_number(line, t->substr(0, end), where);
+        if (end != std::string::npos) h.edited = t->substr(end + 1);
     } else if (auto t = value_of(line, "FINGERPRINT=")) {
         h.fingerprint = *t;
     } else if (auto t = value_of(line, "VIEWNAME=")) {
@@ -240,6 +244,7 @@ std::vector<std::string> header_lines(const Header& h) {
     if (!h.view_name.empty()) out.push_back("VIEWNAME=" + h.view_name);
     if (!h.sky_name.empty()) out.push_back("SKYNAME=" + h.sky_name);
     if (h.pixel_aspect != 1) out.push_back(fmt::format("PIXASPECT={}", h.pixel_aspect));
+    if (h.edit) out.push_back(one_line(fmt::format("EDIT={} {}", *h.edit, h.edited)));
     if (!h.fingerprint.empty()) out.push_back(one_line("FINGERPRINT=" + h.fingerprint));
     if (h.last_frame) out.push_back(fmt::format("LASTFRAME={}", *h.last_frame));
     if (h.seed) out.push_back(fmt::format("SEED={}", *h.seed));
@@ -265,11 +270,6 @@ void add_input_history(Header& header, const std::string& name, const Header& in
         for (size_t at = 0; (at = line.find("EXPOSURE=", at)) != std::string::npos;) line[at + 8] = ':';
         header.lines.push_back(one_line("\t" + line));
     }
-}
-
-bool lacks_frame0(const Header& h) {
-    return !h.ranges.empty() &&
-           std::none_of(h.ranges.begin(), h.ranges.end(), [](const auto& r) { return r.first == 0; });
 }
 
 void require_complete(const Picture& picture, const std::string& where) {

@@ -28,4 +28,9 @@ std::string to_text(const Ranges& ranges) {
     return text;
 }
 
+bool lacks_frame0(const Header& h) {
+    return !h.ranges.empty() &&
+           std::none_of(h.ranges.begin(), h.ranges.end(), [](const auto& r) { return r.first == 0; });
+}
+
 }  // namespace image

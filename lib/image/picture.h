@@ -33,6 +33,8 @@ struct Header {
     std::optional<int64_t> frames;      // FRAMES=n: diffuse frames averaged
     std::optional<int64_t> last_frame;  // LASTFRAME=k: the stream goes on to frame k
     std::string view_name, sky_name;    // VIEWNAME=, SKYNAME=: in streams of several pictures of one scene; else empty
+    std::optional<int64_t> edit;        // EDIT=k what: pictures of a stream whose scene or view changes meanwhile
+    std::string edited;                 // what: "view"
     std::string fingerprint;  // FINGERPRINT=: of all that decides the pixels (fingerprint.h); empty: not known
     Ranges ranges;            // RANGE=a:b, both included; several after a merge
     std::vector<std::pair<uint64_t, Ranges>>

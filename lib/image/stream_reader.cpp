@@ -208,6 +208,7 @@ struct StreamReader::State {
     const FileFormat* whole_file = nullptr;  // null: a stream
     Pixels pixels;
     std::string named_by;
+    int64_t edit = 0;                      // of the picture read last
     int64_t announced = -1, reached = -1;  // frame numbers: LASTFRAME=, and that of the picture read last
 
     CarriedMoments moments;
@@ -286,7 +287,9 @@ bool StreamReader::next(Picture& picture) {
     if (encoding.moments_follow) picture.moments = read_moments(in, picture, place);
     state_->moments.pass(picture);
     const int64_t number = last_frame_in(picture.header);
-    if (number == 0) state_->require_announced(place, "begins anew");
+    const bool edited = picture.header.edit.value_or(0) > state_->edit;  // and so on purpose
+    state_->edit = picture.header.edit.value_or(0);
+    if (number == 0 && !edited) state_->require_announced(place, "begins anew");
     state_->reached = number;
     if (number == 0 || picture.header.last_frame) state_->announced = picture.header.last_frame.value_or(-1);
     ++state_->count;

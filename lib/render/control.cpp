@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "base/error.h"
+#include "base/files_read.h"
 #include "base/printable.h"
 #include "base/run.h"
 #include "base/stop.h"
@@ -12,7 +13,9 @@
 namespace render {
 namespace {
 
-constexpr int patience_ms = 100;  // how long a thread may wait without a look at what else there is
+constexpr int patience_ms = 100;   // how long a thread may wait without a look at what else there is
+constexpr int look_ms = 25;        // between looks at the files: two that agree end an editor's saving
+constexpr int looks_for_gone = 6;  // where a file is gone: editors move it away before they write it anew
 
 // "  next desk " is next, desk.
 Command parse(const std::string& line) {
@@ -24,12 +27,16 @@ Command parse(const std::string& line) {
     return {line.substr(from, end - from), line.substr(rest, line.find_last_not_of(blanks) + 1 - rest)};
 }
 
+bool is_edit(const Command& c) {
+    const bool steers = (c.word == "pause" || c.word == "go") && c.rest.empty();
+    return c.word != "next" && !steers;
+}
+
 }  // namespace
 
-Control::Control(const std::string& fifo) {
-    if (fifo.empty()) return;
-    pipe_ = std::make_unique<base::CommandPipe>(fifo);
-    thread_ = std::thread([this] { listen(); });
+Control::Control(const std::string& fifo, bool watch) : watch_(watch) {
+    if (!fifo.empty()) pipe_ = std::make_unique<base::CommandPipe>(fifo);
+    if (pipe_ || watch_) thread_ = std::thread([this] { listen(); });
 }
 
 Control::~Control() {
@@ -37,20 +44,35 @@ Control::~Control() {
     if (thread_.joinable()) thread_.join();
 }
 
+void Control::send(const Command& command) {
+    const std::lock_guard<std::mutex> hold(lock_);
+    commands_.push_back(command);
+    arrived_.notify_all();
+}
+
+void Control::look_at_files() {
+    const base::FilesNow now = base::files_now();
+    steady_ = now.state == seen_ ? steady_ + 1 : 0;
+    seen_ = now.state;
+    if (!now.changed || now.state == told_ || steady_ < (now.gone ? looks_for_gone : 1)) return;
+    told_ = now.state;
+    send({"scene", ""});
+}
+
 void Control::listen() {
+    const int wait_ms = watch_ ? look_ms : patience_ms;
     while (!leaves_) {
         try {
-            while (const auto line = pipe_->line()) {
+            while (const auto line = pipe_ ? pipe_->line() : std::nullopt) {
                 const Command command = parse(*line);
-                if (command.word.empty()) continue;
-                const std::lock_guard<std::mutex> hold(lock_);
-                commands_.push_back(command);
-                arrived_.notify_all();
+                if (!command.word.empty()) send(command);
             }
         } catch (const base::Error& e) {
             base::warn(e.where, e.message);
         }
-        pipe_->wait(patience_ms);
+        if (watch_) look_at_files();
+        if (pipe_) pipe_->wait(wait_ms);
+        else std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
     }
 }
 
@@ -58,31 +80,39 @@ std::optional<Command> Control::take() {
     std::unique_lock<std::mutex> hold(lock_);
     if (paused_ && commands_.empty()) arrived_.wait_for(hold, std::chrono::milliseconds(patience_ms));
     if (commands_.empty()) return std::nullopt;
+    if (edited() && !is_edit(commands_.front())) return std::nullopt;  // it is of the picture after the edit
     Command command = commands_.front();
     commands_.pop_front();
     return command;
 }
 
 void Control::carry_out(const Command& c, const std::string& label) {
-    const bool alone = c.rest.empty();
-    if (c.word == "next") ends_ = alone || c.rest == label;
-    else if (c.word == "pause" && alone) paused_ = true;
-    else if (c.word == "go" && alone) paused_ = false;
-    else base::warn(pipe_->path(), "\"" + base::excerpt(c.word + " " + c.rest) + "\" is not a command");
+    if (is_edit(c)) edits_.push_back(c);
+    if (c.word == "next") ends_ = c.rest.empty() || c.rest == label;
+    else paused_ = !is_edit(c) && c.word == "pause";
 }
 
 bool Control::ends_picture(const std::string& label) {
-    if (!pipe_) return false;
     ends_ = false;
-    for (;;) {
+    while (thread_.joinable()) {
         while (!ends_) {
             const std::optional<Command> command = take();
             if (!command) break;
             carry_out(*command, label);
         }
-        if (ends_ || !paused_ || base::stop_requested()) return ends_;
+        if (ends_ || edited() || !paused_ || base::stop_requested()) break;
         if (base::stdout_is_closed()) throw base::ClosedPipe{};
     }
+    return ends_;
+}
+
+bool Control::wait_for_edit() {
+    while (!edited() && !base::stop_requested()) {
+        paused_ = true;  // until an edit ends it
+        ends_picture("");
+    }
+    paused_ = false;
+    return edited();
 }
 
 }  // namespace render

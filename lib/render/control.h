@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is asked of ptrace while it renders: the lines of a FIFO (ptrace -control).  A thread reads them, so that a
-// frame can be given up for a command.
+// What is asked of ptrace while it renders: the lines of a FIFO (-control), and files of the scene that change
+// (-watch). A thread reads and looks, so that neither waits for a frame.  It looks at the files' state every 25 ms in
+// place of waiting for inotify: network folders have no events, every way of saving is the same, and 50 files cost 50
+// us.
 #pragma once
 #include <atomic>
 #include <condition_variable>
@@ -10,6 +12,8 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "base/command_pipe.h"
 
@@ -21,18 +25,25 @@ struct Command {
 
 class Control {
 public:
-    // fifo: empty: no commands ever come.  Throws Error as base::CommandPipe.
-    explicit Control(const std::string& fifo);
+    // fifo: empty: no commands ever come.  Throws Error as base::CommandPipe.  watch: a file that changes is the
+    // command "scene".
+    Control(const std::string& fifo, bool watch);
     ~Control();
     Control(const Control&) = delete;
 
     // Whether the picture of this label ends with the frame that is finished now, by "next" or "next LABEL".  While
-    // "pause" holds it waits, for "go", "next", a signal or the end of stdout's reader.  Other words are refused by a
-    // warning.
+    // "pause" holds it waits, for "go", "next", an edit, a signal or the end of stdout's reader.  Any other command is
+    // an edit, for which it ends before this frame.
     bool ends_picture(const std::string& label);
+    bool edited() const { return !edits_.empty(); }
+    std::vector<Command> take_edits() { return std::exchange(edits_, {}); }
+    // Where nothing is left to render.  False: a signal came.
+    bool wait_for_edit();
 
 private:
     void listen();
+    void look_at_files();
+    void send(const Command& command);
     std::optional<Command> take();
     void carry_out(const Command& command, const std::string& label);
 
@@ -40,6 +51,10 @@ private:
     std::mutex lock_;
     std::condition_variable arrived_;
     std::deque<Command> commands_;
+    std::vector<Command> edits_;  // of ends_picture()
+    bool watch_;
+    uint64_t seen_ = 0, told_ = 0;  // states of the files
+    int steady_ = 0;                // looks at which the state has been the one seen
     std::atomic<bool> leaves_{false};
     bool paused_ = false, ends_ = false;
     std::thread thread_;

@@ -11,7 +11,8 @@ render() { ptrace -w- -x 24 -y 24 -moments- -control ctl "$@" $scene; }
 mkfifo ctl
 
 check 'views end one by one when each is certain enough, and so does the pipe' '
-    render -views all.vf | ptaccum -every 16 | timeout 100 vcmetrics -control ctl -metrics Ev -until "Ev 20%" > t 2> said
+    render -views all.vf | ptaccum -every 16 |
+        timeout 100 vcmetrics -control ctl -metrics Ev -until "Ev 20%" > t 2> said
     [ "$(cut -f 3 t | uniq | tr "\n" " ")" = "view desk door up " ]
     [ $(grep -c "^vcmetrics: .*: stopped after [0-9]* frames: .*Ev" said) = 3 ]
     [ "$(cut -f 1 t | sort -n | tail -1)" -ge 64 ]'
@@ -21,7 +22,8 @@ check_exit 'status 4 where the rule did not hold for each, which says for which'
     [ "$(sed "s/ ended.*//" said | tr "\n" ,)" = "vcmetrics: desk,vcmetrics: door,vcmetrics: up," ] || exit 9; exit 4'
 check '-max-frames is of each picture, too' '
     render -views all.vf | ptaccum | timeout 100 vcmetrics -control ctl -metrics Ev -max-frames 3 > t 2> said
-    [ "$(cut -f 1,3 t | tr "\t\n" "_ ")" = "frame_view 0_desk 1_desk 2_desk 3_desk 0_door 1_door 2_door 3_door 0_up 1_up 2_up 3_up " ]'
+    is=$(cut -f 1,3 t | tr "\t\n" "_ ")
+    [ "$is" = "frame_view 0_desk 1_desk 2_desk 3_desk 0_door 1_door 2_door 3_door 0_up 1_up 2_up 3_up " ]'
 check 'frames are those of a run without it, and LASTFRAME= says which is the last' '
     render $desk | { head -c 100; echo next > ctl; cat > rest; } > start; cat start rest > with.str
     last=$(grep -a ^LASTFRAME= with.str | tail -1); last=${last#*=}
@@ -32,12 +34,14 @@ check 'next of another picture is passed over; pause holds until go' '
     (echo next door; echo pause; sleep 1; echo go; echo next desk) > ctl &
     render -frames 3 -views all.vf | ptaccum | vcmetrics -metrics Ev | cut -f 3 | uniq | tr "\n" " " > is
     [ "$(cat is)" = "view desk door up " ]'
-check 'an unknown word and a line without end are warnings' '
+check 'an unknown word and a line without end are reported' '
     (sleep .5; echo "jump up"; head -c 70000 /dev/zero | tr "\0" x; echo; echo next) > ctl &
     timeout 100 ptrace -x 24 -y 24 -moments- -control ctl $desk $scene 2> said | cat > /dev/null
-    grep -q "^ptrace: warning: ctl: .jump up. is not a command" said
+    grep -q "^ptrace: ctl: .jump up. is not a command" said
     grep -q "^ptrace: warning: ctl: a line is longer than 65536 bytes" said; ! grep xxxx said'
-check_error 'a FIFO that is none is reported' 2 '^ptrace: t: is not a FIFO' 'touch t; ptrace -control t -frames 1 $scene | cat'
-check_error 'one that is not there, too' 2 '^ptrace: gone: cannot be opened' 'ptrace -control gone -frames 1 $scene | cat'
+check_error 'a FIFO that is none is reported' 2 '^ptrace: t: is not a FIFO' '
+    touch t; ptrace -control t -frames 1 $scene | cat'
+check_error 'one that is not there, too' 2 '^ptrace: gone: cannot be opened' '
+    ptrace -control gone -frames 1 $scene | cat'
 check_error 'vcmetrics -control needs to know when a picture ends' 1 '^vcmetrics: -control: needs -until' '
     vcmetrics -control ctl < /dev/null'

@@ -41,6 +41,7 @@ const std::map<std::string, const char*> harmless = {
     {"-o", "a name"},
     {"-M", "a name"},
     {"-control", "a name"},
+    {"-watch", "frames after an edit are those of a run of its own"},
     {"-MF", "a name"},
     {"-exec", "what the commands print is a part of the scene"},
     {"-rif", "stands for scene files, options and views"},

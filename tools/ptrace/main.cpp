@@ -14,9 +14,11 @@
 #include "base/progress.h"
 #include "base/run.h"
 #include "base/stop.h"
+#include "base/warnings.h"
 #include "film/accumulate.h"
 #include "image/header.h"
 #include "image/stream.h"
+#include "edits.h"
 #include "options.h"
 #include "region/open.h"
 #include "scene/object.h"
@@ -65,6 +67,19 @@ std::unique_ptr<render::Renderer> start(const std::string& device) {
     return std::make_unique<render::Renderer>(device);
 }
 
+// A run, from edit to edit.
+struct Run {
+    Options opt;
+    render::Control control{opt.control, opt.watch};
+    std::string sky;  // the file; empty: none
+    std::unique_ptr<render::Renderer> renderer;
+    scene::Scene scene;                // with its sky; where edits may come
+    std::vector<std::string> history;  // of the scene
+    int64_t edits = 0;
+    std::string edited = "start";
+    bool live() const { return opt.watch || !opt.control.empty(); }
+};
+
 // Loads the scene on the device, which is started for the first one.
 void load(const Options& opt, const scene::Scene& scene, const scene::ReadOptions& how, const std::string& device,
           std::unique_ptr<render::Renderer>& renderer) {
@@ -90,60 +105,43 @@ void write_sum(const Options& opt, const film::Accumulator& sum, const std::stri
     image::write_file(output_name(opt.output, opt.last, label), picture);
 }
 
-// Frames first to last of the picture that the renderer looks at, unless control ends it before.
-void render_frames(const Options& opt, render::Renderer& renderer, render::Control& control, image::Picture& picture) {
+// Frames from .. last of the picture that the renderer looks at.  Returns the frame that an edit keeps from being
+// written; last + 1: the picture has ended.
+int64_t render_frames(Run& run, int64_t from, image::Picture& picture) {
+    const Options& opt = run.opt;
+    render::Renderer& renderer = *run.renderer;
     const bool streams = opt.output.empty();
     const std::string label = image::label(picture.header);
     image::WriteOptions as_float;
     as_float.pixels = image::Format::flt;
     Report report(opt.report_s, renderer.device_name(), label, opt.last);
-    bool ended = false;
     film::Accumulator sum;
+    int64_t next = from;
     const auto give = [&](int64_t k, const std::vector<float>& rgb) {
+        const bool ends = run.control.ends_picture(label) || k == opt.last;
+        if (run.control.edited()) return false;
         picture.rgb = rgb;
         picture.header.frame = k;
-        const bool ends = k == opt.last || control.ends_picture(label);
         if (ends && streams) picture.header.last_frame = k;
-        ended = ended || ends;
         picture.moments = k == 0 && opt.moments ? renderer.moments() : image::Moments();
         if (opt.one_picture) sum.add(picture, fmt::format("frame {}", k));
         else if (streams) image::write_picture_stdout(picture, image::Format::flt);
         else image::write_file(output_name(opt.output, k, label), picture, as_float);
         report.frame(k, k - opt.first + 1);
-        return !ended && !base::stop_requested();
+        next = ends ? opt.last + 1 : k + 1;
+        return !ends && !base::stop_requested();
     };
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
-    for (int64_t k = opt.first; !ended && !base::stop_requested(); k += block)
-        renderer.frames(k, int(std::min(block, opt.last - k + 1)), give);
+    while (next <= opt.last && !run.control.edited() && !base::stop_requested())
+        renderer.frames(next, int(std::min(block, opt.last - next + 1)), give);
     if (opt.one_picture) write_sum(opt, sum, label);
+    return next;
 }
 
 void write_rule(const Options& opt) {
     const std::string rule = base::make_rule(opt.rule_for, base::files_read());
     if (opt.rule_file.empty()) base::write_stdout(rule.data(), rule.size());
     else image::write_bytes(opt.rule_file, rule);
-}
-
-// All views under one sky.
-void render_views(const Options& opt, render::Renderer& renderer, render::Control& control,
-                  const std::vector<std::string>& history, const std::string& sky) {
-    for (size_t i = 0; i < opt.shots.size() && !base::stop_requested(); ++i) {
-        const NamedShot& s = opt.shots[i];
-        renderer.look(i);
-        image::Picture picture;
-        picture.width = s.shot.nx;
-        picture.height = s.shot.ny;
-        for (const std::string& line : history) image::add_history(picture.header, line);
-        image::add_history(picture.header, opt.command);
-        picture.header.view = s.shot.view;
-        picture.header.view_name = s.name;
-        if (!sky.empty()) picture.header.sky_name = sky_name(sky);
-        picture.header.seed = opt.render.seed;
-        picture.header.exposure = opt.exposure;
-        picture.header.fingerprint = renderer.fingerprint();
-        if (opt.output.empty() && opt.last != Options::endless) picture.header.last_frame = opt.last;
-        render_frames(opt, renderer, control, picture);
-    }
 }
 
 // A file of regions is drawn for each view; masks are of one size.
@@ -161,36 +159,127 @@ void choose_focus(Options& opt) {
     }
 }
 
-int run(int argc, char** argv) {
-    Options opt;
-    if (auto status = parse_options(argc, argv, opt)) return *status;
-    choose_focus(opt);
+scene::ReadOptions budget_anew(const Options& opt) {
+    scene::ReadOptions how = opt.files;
+    how.work = base::work_from_environment();
+    return how;
+}
+
+// The scene once more from its files, and their present state as the one that changes are told from.
+void read_again(Run& run) {
+    const std::vector<std::string> before = base::forget_files_read();
+    base::take_warnings();
+    try {
+        scene::ReadOptions how = budget_anew(run.opt);
+        scene::Scene scene = scene::read_scene(run.opt.scene_files, how);
+        how.asked_by.clear();  // a sky is the command line's
+        if (!run.sky.empty()) scene::read_more(scene, {run.sky}, how);
+        run.scene = std::move(scene);
+    } catch (...) {
+        for (const std::string& path : before) base::note_file_read(path);
+        throw;
+    }
+}
+
+// Carries out what waits.  An edit that fails is reported, and what was rendered before goes on.  True: the picture
+// begins anew.
+bool apply_edits(Run& run, size_t picture) {
+    Options next = run.opt;
+    const scene::Scene scene = run.scene;
+    const std::string before = run.renderer->fingerprint();
+    std::string what;
+    for (const render::Command& c : run.control.take_edits()) try {
+            edit(c, picture, next);
+            if (c.word == "scene") read_again(run);
+            what = c.word;
+        } catch (const base::Error& e) {
+            fmt::print(stderr, "ptrace: {}\n", e.text);
+        }
+    bool good = !what.empty();
+    if (good) try {
+            choose_focus(next);
+            load(next, run.scene, budget_anew(next), next.device, run.renderer);
+            run.opt = next;
+            run.history = run.scene.history;
+        } catch (const base::Error& e) {
+            fmt::print(stderr, "ptrace: {}\n", e.text);
+            run.scene = scene;
+            good = false;
+        }
+    run.renderer->look(picture);
+    if (!good || run.renderer->fingerprint() == before) return false;  // frames go on where they were
+    run.edits++;
+    run.edited = what;
+    return true;
+}
+
+image::Picture start_picture(const Run& run, const NamedShot& s) {
+    const Options& opt = run.opt;
+    image::Picture picture;
+    picture.width = s.shot.nx;
+    picture.height = s.shot.ny;
+    for (const std::string& line : run.history) image::add_history(picture.header, line);
+    image::add_history(picture.header, opt.command);
+    picture.header.view = s.shot.view;
+    picture.header.view_name = s.name;
+    if (!run.sky.empty()) picture.header.sky_name = sky_name(run.sky);
+    picture.header.seed = opt.render.seed;
+    picture.header.exposure = opt.exposure;
+    picture.header.fingerprint = run.renderer->fingerprint();
+    if (opt.output.empty() && opt.last != Options::endless) picture.header.last_frame = opt.last;
+    if (run.live()) picture.header.edit = run.edits, picture.header.edited = run.edited;
+    return picture;
+}
+
+// One view under one sky, again after each edit.  last: of the run, which with -watch waits for edits then.
+void render_view(Run& run, size_t i, bool last) {
+    run.renderer->look(i);
+    for (int64_t from = run.opt.first; !base::stop_requested();) {
+        image::Picture picture = start_picture(run, run.opt.shots[i]);
+        from = render_frames(run, from, picture);
+        if (last && run.opt.watch && !run.control.edited()) run.control.wait_for_edit();
+        if (!run.control.edited() || base::stop_requested()) return;
+        if (apply_edits(run, i)) from = run.opt.first;
+    }
+}
+
+int render_all(Options options) {
+    Run run{std::move(options)};
+    choose_focus(run.opt);
+    const Options& opt = run.opt;
     const bool only_rule = !opt.rule_for.empty() && opt.rule_file.empty();
-    render::Control control(opt.control);
-    std::unique_ptr<render::Renderer> renderer;
     const std::vector<std::string> skies = opt.skies.empty() ? std::vector<std::string>{""} : opt.skies;
     scene::Scene without_sky = scene::read_scene(opt.scene_files, opt.files);
     for (const std::string& sky : skies) {
+        run.sky = sky;
         scene::Scene scene = &sky == &skies.back() ? std::move(without_sky) : without_sky;
         scene::ReadOptions how = opt.files;
         how.work = std::make_shared<base::Work>(*opt.files.work);  // each sky goes on with what the rest has left
         how.asked_by.clear();                                      // a sky is the command line's
         if (!sky.empty()) scene::read_more(scene, {sky}, how);
         // What a scene names is read when it is loaded; so the rule of -M needs a device, too.
-        load(opt, scene, how, only_rule ? "cpu" : opt.device, renderer);
+        load(opt, scene, how, only_rule ? "cpu" : opt.device, run.renderer);
         if (!opt.rule_for.empty() && &sky == &skies.back()) write_rule(opt);
         if (only_rule) continue;
         if (opt.output.empty() && !opt.one_picture && base::stdout_is_file() && &sky == &skies.front())
             base::warn("stdout",
                        "writing frames to a file, which only luxpipe can read; \"| ptaccum -last >\" makes a picture");
         base::finish_on_signal();
-        const std::vector<std::string> history = std::move(scene.history);
+        run.history = scene.history;
+        if (run.live()) run.scene = std::move(scene);
         scene = scene::Scene();  // the renderer has made its own of it
         base::give_back_memory();
-        render_views(opt, *renderer, control, history, sky);
+        for (size_t i = 0; i < opt.shots.size() && !base::stop_requested(); ++i)
+            render_view(run, i, &sky == &skies.back() && i + 1 == opt.shots.size());
         if (base::stop_requested()) break;
     }
     return 0;
+}
+
+int run(int argc, char** argv) {
+    Options opt;
+    if (auto status = parse_options(argc, argv, opt)) return *status;
+    return render_all(std::move(opt));
 }
 
 }  // namespace

@@ -108,6 +108,10 @@ void check(const Options& opt) {
     const bool several = opt.shots.size() > 1 || opt.skies.size() > 1;
     if (several && opt.last == Options::endless && opt.control.empty())
         base::fail("-frames", "say how many frames each picture gets");
+    if (opt.watch && opt.first != 0) base::fail("-watch", "needs frame 0: a picture begins anew with it");
+    if (opt.watch && reads_stdin) base::fail("-watch", "the standard input cannot be read again");
+    if (opt.watch && !opt.output.empty())
+        base::fail("-watch", "goes with a stream of frames, not with the files of -o");
     if (!opt.output.empty()) return check_output(opt);
     struct stat info = {};
     if (fstat(1, &info) != 0) base::fail_system("stdout", "cannot be written");
@@ -147,6 +151,8 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     choose_shots(rad_input, rad_input && !operands->empty() ? operands->front() : "", table, opt);
     opt.command = table.command();
     if (opt.one_picture) {
+        if (opt.watch || !opt.control.empty())
+            base::fail("-picture", "is one picture: -watch and -control steer a stream");
         if (opt.first != 0) base::fail("-picture", "needs frame 0, without which the sum is no picture");
         if (opt.last == Options::endless) opt.last = Options::frames_of_picture - 1;
         opt.moments = false;

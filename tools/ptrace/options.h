@@ -34,6 +34,7 @@ struct Options {
     std::string rule_file;                  // -MF: where it goes, before rendering; empty: stdout, and render nothing
     std::string command;                    // the whole command line, for the headers of the frames
     std::string control;                    // -control: a FIFO with commands; empty: none
+    bool watch = false;                     // -watch: begin anew when a file of the scene changes
     std::string output;                     // -o pattern; empty: stdout
     bool one_picture = false;               // -picture: their sum instead of the frames
     bool moments = true;                    // -moments

@@ -147,6 +147,7 @@ public:
         }
         if (shows_view_) cells.push_back(text_cell(p.header.view_name.empty() ? "-" : p.header.view_name));
         if (shows_sky_) cells.push_back(text_cell(p.header.sky_name.empty() ? "-" : p.header.sky_name));
+        if (shows_edit_) cells.push_back(number_cell(double(p.header.edit.value_or(0))));
         if (o_.list_sources) {
             list_sources(m, cells);
             return false;
@@ -165,13 +166,18 @@ public:
     void at_end() const { stopping_->at_end(); }
 
 private:
-    // Streams of several views or skies name them (ptrace -views, -sky): columns of the table, from this one on.
+    // Streams of several views, skies or edits name them (ptrace -views, -sky, -watch): columns of the table, from
+    // this one on.
     void show_names(const image::Header& first, size_t column) {
         shows_view_ = !first.view_name.empty();
         shows_sky_ = !first.sky_name.empty();
-        const auto at = names_.begin() + std::ptrdiff_t(column);
-        if (shows_sky_) names_.insert(at, "sky");
-        if (shows_view_) names_.insert(names_.begin() + std::ptrdiff_t(column), "view");
+        shows_edit_ = first.edit.has_value();
+        const auto add = [&](bool shown, const char* name) {
+            if (shown) names_.insert(names_.begin() + std::ptrdiff_t(column++), name);
+        };
+        add(shows_view_, "view");
+        add(shows_sky_, "sky");
+        add(shows_edit_, "edit");
     }
     bool has_interval(const Column& c) const { return o_.ci && !c.words; }
     void add_column_names() {
@@ -238,7 +244,7 @@ private:
 
     const Options& o_;
     std::chrono::steady_clock::time_point start_;
-    bool from_files_, header_printed_ = false, shows_view_ = false, shows_sky_ = false;
+    bool from_files_, header_printed_ = false, shows_view_ = false, shows_sky_ = false, shows_edit_ = false;
     std::optional<image::MaskSet> regions_;
     std::unique_ptr<PictureAnalyzer> analyzer_;
     std::vector<Column> columns_;

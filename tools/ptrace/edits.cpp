@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See edits.h.
+#include "edits.h"
+
+#include "base/error.h"
+#include "base/printable.h"
+#include "base/split.h"
+#include "declare.h"
+
+void edit(const render::Command& c, size_t picture, Options& opt) {
+    const std::string place = opt.control.empty() ? "-watch" : opt.control;
+    if (opt.first != 0)
+        base::fail(place, "a picture that is edited begins with frame 0, not " + std::to_string(opt.first));
+    std::vector<std::string> words = base::split_words(c.rest);
+    if (c.word == "scene" && words.empty()) return;  // nothing but the files
+    if (c.word == "size" && words.size() == 2) words = {"-x", words[0], "-y", words[1]};
+    else if (c.word != "view" && c.word != "set")
+        base::fail(place, "\"" + base::excerpt(c.word + " " + c.rest) + "\" is not a command");
+    Options next = opt;
+    next.view = next.shots[picture].shot.view;
+    std::optional<scene::RadInput> rad_input;
+    base::OptionTable table("ptrace", LUXPIPE_VERSION, "");
+    declare_options(table, next, rad_input, {});
+    table.read_scene_words(words, place);
+    render::Shot shot{next.view, next.nx, next.ny};
+    view::fit_size(shot.view, next.pixel_aspect, shot.nx, shot.ny);
+    view::validate(shot.view);
+    render::require_memory(shot);
+    next.shots[picture].shot = shot;
+    opt = next;
+}

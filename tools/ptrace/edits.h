@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Commands of -control that change what is rendered: view, set, size.
+#pragma once
+#include "options.h"
+#include "render/control.h"
+
+// Carries out a command on the options; picture: of opt.shots, the one at hand.  Throws Error for what is no command,
+// with the options as they were.
+void edit(const render::Command& command, size_t picture, Options& opt);
