@@ -142,7 +142,8 @@ Verdict try_clock(const Settings& s, Dice& dice, const std::string& folder) {
     case 2: time = std::to_string(hour) + ":" + std::to_string(dice.within(60, 999)); break;
     case 3: time = std::to_string(hour) + dice.pick(choices(": :- :3O h30 ,5 .5.5 :30:00 -5 + ?12 :1e1 :0x1")); break;
     case 4: time = std::to_string(dice.within(25, 9999)); break;
-    default: time = spelled_number(dice, hour + minute / 60.); value = time[0] == '+' ? std::nullopt : number_in(time);  // +12 is gensky's solar time
+    // +12 is gensky's solar time
+    default: time = spelled_number(dice, hour + minute / 60.); value = time[0] == '+' ? std::nullopt : number_in(time);
     }
     std::string date = std::to_string(month) + " " + std::to_string(day);
     const bool wrong_date = dice.chance(.15);
@@ -170,7 +171,8 @@ Verdict try_clock(const Settings& s, Dice& dice, const std::string& folder) {
     v.outcome = "clock: status " + std::to_string(r.stages[0].status);
     if (!v.find.empty() || r.stages[0].status != 0) return v;
     const bool silent = r.stages[0].talk.empty();
-    if (silent && time[0] != '+' && (!value || *value < 0 || *value > 24)) v.find = "a time that is none passes in silence";
+    if (silent && time[0] != '+' && (!value || *value < 0 || *value > 24))
+        v.find = "a time that is none passes in silence";
     if (silent && wrong_date) v.find = "a date that is none passes in silence";
     if (!v.find.empty() || !value || !silent) return v;
     const Result plain = sky(printed("%.17g", *value));
