@@ -68,7 +68,7 @@ Job render(const Settings& s, const Seeds& seeds, const File& scene, const std::
     };
     if (dice.chance(.5)) add({"-vtv", "-vp", "0", "-14", "10", "-vd", "0", "1", "-.7"});
     else add({"-vta", "-vp", ".1", "-2", ".3", "-vd", "0", "1", "0", "-vh", "180", "-vv", "180"});
-    add({"-x", "8", "-y", "8", "-ab", "2", "-frames", "2"});
+    add({"-x", "8", "-y", "8", "-ab", "2", "-frames", "2", "-moments-"});  // frames alone
     if (dice.chance(.2)) add({"-ds", ".2"});
     if (dice.chance(.2)) add({"-i+"});
     if (scene.is(".rif")) add({"-rif"});
