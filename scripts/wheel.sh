@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# wheel.sh OUT: builds a Python wheel of the source tree in OUT, the same bytes for the same sources and libraries.
+# wheel.sh OUT: builds a Python wheel of the source tree in OUT.
 # scikit-build-core runs CMake, auditwheel puts the shared libraries in, among them OpenCL's loader: where a machine has
 # no OpenCL it finds no device, and ptrace renders on the processor.  Versions are pinned, as they shape the bytes.
 # The time in the wheel is SOURCE_DATE_EPOCH, else that of the last commit, else of CHANGELOG.md.
