@@ -51,7 +51,8 @@ void declare_options(base::OptionTable& t, RenderOptions& r) {
           base::one_of(r.sampling,
                        {{"plain", Sampling::plain}, {"portals", Sampling::portals}, {"shared", Sampling::shared}}))
         .moves_pixels();
-    t.add("-noisy-share f", "Samples for the noisiest pixels, over those of the picture; 0 for none", r.noisy_share)
+    t.add("-noisy-share f", "Extra samples for the noisiest pixels, as a share of the picture's; 0 for none",
+          r.noisy_share)
         .within(0, 100)
         .share()
         .moves_pixels();

@@ -29,7 +29,7 @@ void declare_output(OptionTable& t, Options& opt) {
     t.add("-fc", "RGBE pixels in all RADIANCE pictures", opt.bytes);
     t.add("-batches N", "Keep N parts of the frames in OpenEXR files, for vcmetrics -ci", [&](Arguments& a) {
          opt.batches = int(a.integer(base::within(2, double(image::most_parts))));
-     }).default_text("those of the inputs");
+     }).default_text("as many as the inputs have");
     t.add("-half", "16-bit floats in OpenEXR files", opt.half);
 }
 
@@ -57,7 +57,7 @@ void declare_tone(OptionTable& t, Options& opt) {
     t.add("-divisions N", "Falsecolor: divisions of the scale, for bands and contours", opt.tone.divisions)
         .within(2, 64);
     t.add("-mask luminance", "Falsecolor: black below this luminance", opt.tone.mask_cdm2).unit("cd/m2").at_least(0);
-    t.add("-filter name", "What removes noise from PNG files of frames: nlm (non-local means) or none",
+    t.add("-filter name", "Filter that removes noise from PNG files of frames: nlm (non-local means) or none",
           base::one_of(opt.filter, {{"nlm", true}, {"none", false}}));
     t.add("-nolegend", "Falsecolor: leave out the legend", base::set(opt.tone.legend, false));
 }

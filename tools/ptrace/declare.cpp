@@ -88,11 +88,11 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
     t.add("-seed n", "Seed of the random numbers", opt.render.seed).at_least(0);
     t.add("-focus file", "More samples for these regions: masks of vcregion(1), or a file of vcregion(5)",
           opt.focus_file);
-    t.add("-focus-share f", "Samples for the regions of -focus, over those of the picture", opt.focus_share)
+    t.add("-focus-share f", "Extra samples for the regions of -focus, as a share of the picture's", opt.focus_share)
         .within(0, 100)
         .share();
     t.add("-moments[+-]", "Moments of the light inside each pixel, behind frame 0", opt.moments);
-    t.add("-device name", "Where to render: auto, cpu, opencl, opencl:N or opencl:NAME", opt.device);
+    t.add("-device name", "Device that renders: auto, cpu, opencl, opencl:N or opencl:NAME", opt.device);
     t.add("-n n", "Threads of the CPU devices", opt.threads)
         .within(1, 4096)
         .default_text("all that the process may use");
