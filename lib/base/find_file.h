@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 #include <vector>
-#include "base/work.h"
+#include "base/work_budget.h"
 
 namespace base {
 
@@ -14,7 +14,7 @@ struct ReadOptions {
     std::vector<std::string> raypath;    // directories in order; empty = "." only
     std::vector<std::string> cal_files;  // -f: function files whose definitions every primitive sees
     std::string asked_by;                // what names the scene files, for open_file(); empty: the command line
-    std::shared_ptr<Work> work = std::make_shared<Work>();  // what the whole scene may take
+    std::shared_ptr<WorkBudget> work = std::make_shared<WorkBudget>();  // what the whole scene may take
 };
 
 // The colon-separated directories of $RAYPATH; {"."} when it is not set.

@@ -14,7 +14,7 @@
 #include "base/files_read.h"
 #include "base/printable.h"
 #include "base/split.h"
-#include "base/stop.h"
+#include "base/shutdown.h"
 
 namespace base {
 namespace {

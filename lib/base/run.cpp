@@ -19,7 +19,7 @@
 #include "base/printable.h"
 #include "base/shell.h"
 #include "base/stack.h"
-#include "base/stop.h"
+#include "base/shutdown.h"
 #include "base/tempfile.h"
 #include "base/warnings.h"
 
@@ -27,7 +27,7 @@ namespace base {
 namespace {
 
 // What write_stdout() holds back, so that many small lines make one write.  By write() itself: stdio loses bytes when a
-// signal interrupts it, and a library's handler may (stop.h).
+// signal interrupts it, and a library's handler may (shutdown.h).
 std::string pending;
 constexpr size_t most_pending = 1 << 16;
 
@@ -42,7 +42,7 @@ void write_now(const void* data, size_t bytes) {
 
 void on_signal(int) {
     end_shell();
-    if (take_stop_request()) return;
+    if (take_shutdown_request()) return;
     remove_temp_files();
     _exit(3);
 }
@@ -80,9 +80,9 @@ int run_caught(const char* tool, const std::function<int()>& body) {
     try {
         const int status = body();
         flush_stdout();
-        return stop_requested() ? 3 : status;
+        return shutdown_requested() ? 3 : status;
     } catch (const ClosedPipe&) {
-        return stop_requested() ? 3 : 0;
+        return shutdown_requested() ? 3 : 0;
     } catch (const Error& e) {
         return failed(e.text, int(e.kind));
     } catch (const std::bad_alloc&) {

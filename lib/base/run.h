@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // run() wraps main(): it alone catches, prints "tool: place: fact" on stderr and gives the exit status:
-// 0 fine, 1 input, 2 system, 3 signal (stop.h).  A closed stdout (EPIPE) ends quietly with 0; any other write
+// 0 fine, 1 input, 2 system, 3 signal (shutdown.h).  A closed stdout (EPIPE) ends quietly with 0; any other write
 // error on stdout (/dev/full) is a system error.
 #pragma once
 #include <functional>

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/error.h"
-#include "base/stop.h"
+#include "base/shutdown.h"
 #include "flatten/build_input.h"
 #include "device/child.h"
 #include "device/device.h"

@@ -13,7 +13,7 @@ using base::Vec3;
 using base::Xform;
 using scene::Type;
 
-constexpr uint64_t PLACE = 10;  // steps of base::Work: a place takes 128 bytes and a share of the tree above it
+constexpr uint64_t PLACE = 10;  // steps of base::WorkBudget: a place takes 128 bytes and a share of the tree above it
 
 bool is_obj(const scene::Mesh& mesh) { return !mesh.material_names.empty(); }
 

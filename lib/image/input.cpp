@@ -13,7 +13,7 @@
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "base/open_file.h"
-#include "base/stop.h"
+#include "base/shutdown.h"
 
 namespace image {
 

@@ -19,7 +19,7 @@ public:
     Input& operator=(const Input&) = delete;
 
     const std::string& name() const { return name_; }
-    bool at_end();  // waits for a byte, the end or (between pictures only: base/stop.h) a signal that asks to stop
+    bool at_end();  // waits for a byte, the end or (between pictures only: base/shutdown.h) a signal that asks to stop
     int get() { return at_ < have_ || fill() ? buffer_[at_++] : -1; }
     size_t read(void* data, size_t bytes);      // fewer only at the end of input
     bool look(void* data, size_t bytes);        // a few bytes ahead, not taken; false if the input ends before

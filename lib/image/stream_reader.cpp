@@ -10,7 +10,7 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "base/stop.h"
+#include "base/shutdown.h"
 #include "image/file_format.h"
 #include "image/header.h"
 #include "image/input.h"
@@ -244,7 +244,7 @@ bool StreamReader::next(Picture& picture) {
         return true;
     }
     if (in.at_end()) {
-        if (base::stop_requested()) return false;
+        if (base::shutdown_requested()) return false;
         if (state_->count == 0)
             base::fail(in.name(), std::string("holds no picture") +
                                       (in.name() == "stdin" ? " (ptaccum with -o passes none on: add -o -)" : ""));

@@ -15,11 +15,11 @@ namespace live {
 
 namespace {
 
-double number(const Arguments& arguments, const char* name, double otherwise) {
+double number(const Arguments& arguments, const char* name, double fallback) {
     const std::string text = arguments(name);
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    return text.empty() || *end || !std::isfinite(value) ? otherwise : value;
+    return text.empty() || *end || !std::isfinite(value) ? fallback : value;
 }
 
 size_t count(const Arguments& arguments, const char* name) {

@@ -9,7 +9,7 @@
 #include "region/border.h"
 #include "region/queries.h"
 #include "region/raster.h"
-#include "region/seen.h"
+#include "region/pixel_visibility.h"
 
 namespace region {
 namespace {
@@ -26,7 +26,7 @@ public:
           nx_(space_.nx),
           ny_(space_.ny),
           meant_(meant_surfaces(prepared.regions, eye)),
-          seen_(space_, eye) {}
+          visibility_(space_, eye) {}
 
     void run() {
         answer_queries();
@@ -40,7 +40,7 @@ public:
 private:
     // Does a list of surfaces answer a query?
     void answer_queries() {
-        const std::vector<std::vector<unsigned>>& lists = seen_.lists();
+        const std::vector<std::vector<unsigned>>& lists = visibility_.lists();
         answers_.resize(meant_.size());
         for (size_t q = 0; q < meant_.size(); ++q) {
             if (meant_[q].empty()) continue;
@@ -86,11 +86,11 @@ private:
         };
         if (c.size == 1) {
             for (int y = std::max(c.y - 1, 0); y <= std::min(c.y + 1, ny_ - 1); ++y)
-                for (int x = std::max(c.x - 1, 0); x <= std::min(c.x + 1, nx_ - 1); ++x) take(seen_.list(x, y));
+                for (int x = std::max(c.x - 1, 0); x <= std::min(c.x + 1, nx_ - 1); ++x) take(visibility_.list(x, y));
         } else {
-            for (int y = c.y; y < std::min(c.y + c.size, ny_); y += SeenPixels::tile)
-                for (int x = c.x; x < std::min(c.x + c.size, nx_); x += SeenPixels::tile)
-                    for (uint32_t list : seen_.lists_in_tile(x, y)) take(list);
+            for (int y = c.y; y < std::min(c.y + c.size, ny_); y += PixelVisibility::tile)
+                for (int x = c.x; x < std::min(c.x + c.size, nx_); x += PixelVisibility::tile)
+                    for (uint32_t list : visibility_.lists_in_tile(x, y)) take(list);
         }
         if (!any) return -2;
         return all && shape(s).within < 0 ? 2 : 0;
@@ -102,11 +102,11 @@ private:
         bool seen = false, hidden = false;
         for (int y = std::max(c.y - 1, 0); y <= std::min(c.y + 1, ny_ - 1); ++y)
             for (int x = std::max(c.x - 1, 0); x <= std::min(c.x + 1, nx_ - 1); ++x) {
-                Point p{seen_.direction(x, y), x + .5, y + .5};
+                Point p{visibility_.direction(x, y), x + .5, y + .5};
                 if (p.dir == Vec3{}) return 0;
                 double d = field.distance(p);
                 if (d < 0 || (d == 0 && v <= 2) || space_.projector.view().vo > 0) return 0;
-                (visible(d, space_.behind, seen_.end(x, y)) ? seen : hidden) = true;
+                (visible(d, space_.behind, visibility_.end(x, y)) ? seen : hidden) = true;
             }
         if (seen && hidden) return 0;
         if (hidden) return -2;
@@ -117,7 +117,7 @@ private:
         return d == 0 || (d >= begin - slack && d <= end + slack);
     }
 
-    bool inside(int node, const Sight& s) const {
+    bool inside(int node, const RayHits& s) const {
         const Node& n = in_.regions.nodes[size_t(node)];
         switch (n.op) {
         case 's': {
@@ -153,7 +153,7 @@ private:
                      [&](const Cell& c, bool in) {
                          if (in) fill(plane, space_, c, 1);
                      },
-                     [&](int x, int y, const CellGeometry&) { open.push_back(uint32_t(seen_.at(x, y))); });
+                     [&](int x, int y, const CellGeometry&) { open.push_back(uint32_t(visibility_.at(x, y))); });
     }
 
     // ---- open pixels ----
@@ -187,9 +187,9 @@ private:
                     if (c <= 0 || c >= 1) continue;
                     for (int Y = std::max(y - 1, 0); Y <= std::min(y + 1, ny_ - 1); ++Y)
                         for (int X = std::max(x - 1, 0); X <= std::min(x + 1, nx_ - 1); ++X) {
-                            if (asked[t.region][seen_.at(X, Y)]) continue;
-                            asked[t.region][seen_.at(X, Y)] = true;
-                            next.push_back({uint32_t(seen_.at(X, Y)), t.region});
+                            if (asked[t.region][visibility_.at(X, Y)]) continue;
+                            asked[t.region][visibility_.at(X, Y)] = true;
+                            next.push_back({uint32_t(visibility_.at(X, Y)), t.region});
                         }
                 }
             tasks.swap(next);
@@ -204,24 +204,24 @@ private:
     void sample(const Task* first, const Task* last) const {
         const double x = first->pixel % uint32_t(nx_), y = first->pixel / uint32_t(nx_);
         if (centre_) {
-            Sight s = seen_.look(x + .5, y + .5);
+            RayHits s = visibility_.trace(x + .5, y + .5);
             for (const Task* t = first; t < last; ++t)
                 *coverage(*t) = s.seen && inside(in_.regions.regions[t->region].root, s);
             return;
         }
-        std::vector<Sight> sights;
+        std::vector<RayHits> ray_hits;
         for (int j = 0; j <= border_cells; ++j)
             for (int i = 0; i <= border_cells; ++i)
-                sights.push_back(seen_.look(x + double(i) / border_cells, y + double(j) / border_cells));
+                ray_hits.push_back(visibility_.trace(x + double(i) / border_cells, y + double(j) / border_cells));
         for (const Task* t = first; t < last; ++t)
-            *coverage(*t) = float(share(in_.regions.regions[t->region].root, x, y, sights));
+            *coverage(*t) = float(share(in_.regions.regions[t->region].root, x, y, ray_hits));
     }
-    double share(int root, double x, double y, const std::vector<Sight>& sights) const {
-        const auto in_region = [&](const Sight& s) { return s.seen && inside(root, s); };
+    double share(int root, double x, double y, const std::vector<RayHits>& ray_hits) const {
+        const auto in_region = [&](const RayHits& s) { return s.seen && inside(root, s); };
         BorderSamples in;
         for (int j = 0; j <= border_cells; ++j)
-            for (int i = 0; i <= border_cells; ++i) in[j][i] = in_region(sights[size_t(j * (border_cells + 1) + i)]);
-        return share_inside(in, [&](double u, double v) { return in_region(seen_.look(x + u, y + v)); });
+            for (int i = 0; i <= border_cells; ++i) in[j][i] = in_region(ray_hits[size_t(j * (border_cells + 1) + i)]);
+        return share_inside(in, [&](double u, double v) { return in_region(visibility_.trace(x + u, y + v)); });
     }
 
     const Prepared& in_;
@@ -230,7 +230,7 @@ private:
     image::MaskSet& set_;
     int nx_, ny_;
     std::vector<std::vector<char>> meant_;  // by shape: does it ask for this surface?
-    SeenPixels seen_;
+    PixelVisibility visibility_;
     std::vector<std::vector<char>> answers_;  // by shape and list of surfaces
 };
 

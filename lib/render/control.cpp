@@ -8,7 +8,7 @@
 #include "base/files_read.h"
 #include "base/printable.h"
 #include "base/run.h"
-#include "base/stop.h"
+#include "base/shutdown.h"
 
 namespace render {
 namespace {
@@ -100,14 +100,14 @@ bool Control::ends_picture(const std::string& label) {
             if (!command) break;
             carry_out(*command, label);
         }
-        if (ends_ || edited() || !paused_ || base::stop_requested()) break;
+        if (ends_ || edited() || !paused_ || base::shutdown_requested()) break;
         if (base::stdout_is_closed()) throw base::ClosedPipe{};
     }
     return ends_;
 }
 
 bool Control::wait_for_edit() {
-    while (!edited() && !base::stop_requested()) {
+    while (!edited() && !base::shutdown_requested()) {
         paused_ = true;  // until an edit ends it
         ends_picture("");
     }

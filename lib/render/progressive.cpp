@@ -50,7 +50,7 @@ bool may_share(const Params& par) {
 
 struct Renderer::State {
     struct Picture {
-        Shot shot;
+        RenderView render_view;
         SplatList drawn;
         std::string fingerprint;
         bool on_surface;  // its rays may begin on one
@@ -135,13 +135,13 @@ struct Renderer::State {
     }
 };
 
-void require_memory(const Shot& shot) {
+void require_memory(const RenderView& v) {
     constexpr uint64_t pixel = 60;  // bytes: frame 0's sums in double, a sample, a frame and what is written of it
-    const uint64_t memory = base::machine_memory(), least = pixel * uint64_t(shot.nx) * uint64_t(shot.ny);
+    const uint64_t memory = base::machine_memory(), least = pixel * uint64_t(v.nx) * uint64_t(v.ny);
     if (memory == 0 || least <= memory) return;
     errno = 0;
-    base::fail_system("-x, -y", fmt::format("{} x {} pixels need at least {:.1f} GB; this machine has {:.1f} GB",
-                                            shot.nx, shot.ny, double(least) * 1e-9, double(memory) * 1e-9));
+    base::fail_system("-x, -y", fmt::format("{} x {} pixels need at least {:.1f} GB; this machine has {:.1f} GB", v.nx,
+                                            v.ny, double(least) * 1e-9, double(memory) * 1e-9));
 }
 
 Renderer::Renderer(const std::string& device) : state_(std::make_unique<State>()) {
@@ -154,7 +154,7 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     load(scene, {{view, nx, ny}}, options, files);
 }
 
-void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, const RenderOptions& o,
+void Renderer::load(const scene::Scene& scene, const std::vector<RenderView>& views, const RenderOptions& o,
                     const scene::ReadOptions& files) {
     State& s = *state_;
     flatten::FlatScene flat = flatten::flatten(scene, o, files);
@@ -173,26 +173,26 @@ void Renderer::load(const scene::Scene& scene, const std::vector<Shot>& shots, c
     // drawing knows one eye point, and no way on through glass unattenuated
     const bool drawable = flat.source_count > 0 && o.pd <= 0 && o.dv && !o.i;
     std::optional<flatten::HostTracer> tracer(std::in_place, flat);
-    s.numbers = shots.size() > 1 ? flat.f : std::vector<float>();
-    for (const Shot& shot : shots) {
+    s.numbers = views.size() > 1 ? flat.f : std::vector<float>();
+    for (const RenderView& v : views) {
         SplatList drawn;
-        const bool one_eye = shot.view.type != 'l' && shot.view.vo == 0 && o.pd <= 0;
-        const bool on_surface = one_eye && eye_on_surface(flat, *tracer, shot.view.vp);
-        if (drawable && !on_surface) drawn = list_splatted_emitters(flat, *tracer, shot.view, shot.nx, shot.ny);
+        const bool one_eye = v.view.type != 'l' && v.view.vo == 0 && o.pd <= 0;
+        const bool on_surface = one_eye && eye_on_surface(flat, *tracer, v.view.vp);
+        if (drawable && !on_surface) drawn = list_splatted_emitters(flat, *tracer, v.view, v.nx, v.ny);
         mark_splatted(drawn, flat.f);
-        const std::string fingerprint = render::fingerprint(flat, shot.view, shot.nx, shot.ny, o, shot.focus);
-        s.pictures.push_back({shot, std::move(drawn), fingerprint, on_surface || !one_eye});
-        if (shots.size() > 1) mark_splatted(s.pictures.back().drawn, flat.f, false);
+        const std::string fingerprint = render::fingerprint(flat, v.view, v.nx, v.ny, o, v.focus);
+        s.pictures.push_back({v, std::move(drawn), fingerprint, on_surface || !one_eye});
+        if (views.size() > 1) mark_splatted(s.pictures.back().drawn, flat.f, false);
     }
     tracer.reset();
     s.device->upload(std::move(flat));
-    look(0);
+    select_view(0);
 }
 
-void Renderer::look(size_t shot) {
+void Renderer::select_view(size_t number) {
     State& s = *state_;
-    s.picture = &s.pictures.at(shot);
-    const Shot& of = s.picture->shot;
+    s.picture = &s.pictures.at(number);
+    const RenderView& of = s.picture->render_view;
     s.nx = s.base.nx = uint32_t(of.nx);
     s.ny = s.base.ny = uint32_t(of.ny);
     s.of_frame0 = s.m * samples_for_one(size_t(of.nx) * size_t(of.ny));

@@ -13,14 +13,14 @@
 namespace render {
 
 // A picture of the scene: frames of it have the same bits whatever other pictures are made beside it.
-struct Shot {
+struct RenderView {
     view::View view;
     int nx = 0, ny = 0;
     Focus focus = {};
 };
 
 // Throws Error (system) if its frames alone cannot be held by this machine.
-void require_memory(const Shot& shot);
+void require_memory(const RenderView& v);
 
 class Renderer {
 public:
@@ -30,11 +30,11 @@ public:
     Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& options,
              const std::string& device, const scene::ReadOptions& files);
     ~Renderer();
-    // Flattens the scene and uploads it; the first shot is looked at.  Throws Error (unsupported input with file:line).
-    void load(const scene::Scene& scene, const std::vector<Shot>& shots, const RenderOptions& options,
+    // Flattens the scene and uploads it; the first view is selected.  Throws Error (unsupported input with file:line).
+    void load(const scene::Scene& scene, const std::vector<RenderView>& views, const RenderOptions& options,
               const scene::ReadOptions& files);
-    // What follows is of this shot.
-    void look(size_t shot);
+    // Renders this view from here on.
+    void select_view(size_t number);
     std::string device_name() const;
     std::string fingerprint() const;  // of what it renders (fingerprint.h)
     // Frame k: 3 floats a pixel, row 0 = top, W/(sr m2).  Depends on (seed, k, pixel) alone.

@@ -123,9 +123,9 @@ Values read_values(const std::string& path, const std::vector<std::string>& more
 }
 
 // 0, 1, 2 for a beginning of LOW, MEDIUM, HIGH (any case).
-int level(const Values& values, const char* name, int otherwise) {
+int level(const Values& values, const char* name, int fallback) {
     const std::string text = values.get(name);
-    if (text.empty()) return otherwise;
+    if (text.empty()) return fallback;
     const size_t at = std::string("LMH").find(char(std::toupper((unsigned char)text[0])));
     if (at == std::string::npos) base::fail(name, "\"" + text + "\" is not LOW, MEDIUM or HIGH");
     return int(at);

@@ -13,7 +13,7 @@
 
 namespace scene {
 
-// Steps of base::Work: one for so many bytes, so many for a file opened and for a copy that xform makes.
+// Steps of base::WorkBudget: one for so many bytes, so many for a file opened and for a copy that xform makes.
 constexpr uint64_t work_bytes = 1000, work_file = 10, work_copy = 10;
 
 class SceneReader {
@@ -51,7 +51,7 @@ private:
     Scene& scene_;
     const ReadOptions& options_;
     const Limits& limits_;
-    base::Work& work_;
+    base::WorkBudget& work_;
     SceneBuilder builder_;
     Primitive primitive_;
     std::vector<const Transform*> transforms_;         // innermost last

@@ -35,10 +35,10 @@ bool operator==(const View& a, const View& b) {
            a.vo == b.vo && a.va == b.va && a.vs == b.vs && a.vl == b.vl;
 }
 
-void declare_options(base::OptionTable& t, View& v, const std::string& otherwise) {
+void declare_options(base::OptionTable& t, View& v, const std::string& default_text) {
     const auto add = [&](const char* spelling, const char* sentence, auto& target) -> base::Option& {
         base::Option& option = t.add(spelling, sentence, target).from_scene();
-        if (!otherwise.empty()) option.default_text(otherwise).show = {};
+        if (!default_text.empty()) option.default_text(default_text).show = {};
         return option;
     };
     auto type = base::one_of(v.type, {{"v", 'v'}, {"l", 'l'}, {"a", 'a'}, {"h", 'h'}, {"s", 's'}, {"c", 'c'}});

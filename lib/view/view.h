@@ -29,9 +29,9 @@ struct View {
 bool operator==(const View& a, const View& b);
 inline bool operator!=(const View& a, const View& b) { return !(a == b); }
 
-// -vp -vd -vu -vt -vh -vv -vo -va -vs -vl, and -vf with what is done with the file's view.  `otherwise`: where a view
-// comes from without them, in place of v's own values.
-void declare_options(base::OptionTable& table, View& v, const std::string& otherwise = "");
+// -vp -vd -vu -vt -vh -vv -vo -va -vs -vl, and -vf with what is done with the file's view.
+// default_text: where a view comes from without them, in place of v's own values.
+void declare_options(base::OptionTable& table, View& v, const std::string& default_text = "");
 void declare_file_option(base::OptionTable& table, std::function<void(const View&)> use);
 // Applies every view option found in a header or view-file line (unknown words are skipped); true if there was one.
 // One that cannot be read is skipped, too, and told in `wrong` (the first one; else empty).

@@ -54,8 +54,8 @@ echo ' OPTIONS -x n Size (4). More words. ' > one.words
 check 'another default in the page is seen' 'not_said one.items one.words | grep -q Size'
 
 if command -v ptrace > /dev/null; then
-    unneeded() { tr -s ' \n' ' ' | grep -o "$1[^)]*" | grep -oE -e '-[A-Za-z]+' | sort; }
+    ignored() { tr -s ' \n' ' ' | grep -o "$1[^)]*" | grep -oE -e '-[A-Za-z]+' | sort; }
     check 'ptrace(1) names the options that are read past' '
-        ptrace -help | unneeded "Accepted and not needed:" > ours
-        mandoc -T ascii "$TOP/man/ptrace.1" | sed "s/.\x08//g" | unneeded "named once in a warning:" | diff ours -'
+        ptrace -help | ignored "Accepted and not needed:" > ours
+        mandoc -T ascii "$TOP/man/ptrace.1" | sed "s/.\x08//g" | ignored "named once in a warning:" | diff ours -'
 fi

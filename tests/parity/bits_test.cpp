@@ -51,8 +51,8 @@ std::string hash_of_frames(const std::string& arguments, const std::string& devi
     parse_options(int(argv.size()), argv.data(), opt);
     opt.files.raypath = {".", vectors};
     const scene::Scene scene = scene::read_scene(opt.scene_files, opt.files);
-    const render::Shot& shot = opt.shots.at(0).shot;
-    render::Renderer renderer(scene, shot.view, shot.nx, shot.ny, opt.render, device, opt.files);
+    const render::RenderView& v = opt.views.at(0).render_view;
+    render::Renderer renderer(scene, v.view, v.nx, v.ny, opt.render, device, opt.files);
     Hash hash;
     renderer.frames(opt.first, int(opt.last - opt.first + 1), [&](int64_t, const std::vector<float>& rgb) {
         hash.add(rgb);

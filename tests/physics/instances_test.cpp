@@ -188,7 +188,7 @@ TEST_CASE("geometry is kept once, whatever stands how often") {
     CHECK(two.instance_object == std::vector<uint32_t>{2, 3});
 }
 
-// Reading takes a step a primitive, a place ten (base/work.h).
+// Reading takes a step a primitive, a place ten (base/work_budget.h).
 TEST_CASE("an octree is looked through once, however often it is placed") {
     TempFolder folder;
     const int inside = 10000, places = 1000;
@@ -198,7 +198,7 @@ TEST_CASE("an octree is looked through once, however often it is placed") {
     for (int i = 0; i < places; i++)
         placed += "void instance i 5 " + in + " -t 0 " + std::to_string(3 * i) + " 0 0 0\n";
     scene::ReadOptions how;
-    how.work = std::make_shared<base::Work>(2 * inside + 20 * places);
+    how.work = std::make_shared<base::WorkBudget>(2 * inside + 20 * places);
     const flatten::FlatScene s = flatten::flatten(scene_of(placed), {}, how);
     CHECK(s.instance_object.size() == places);
     CHECK(s.trees.size() == 2);

@@ -15,7 +15,7 @@
 #include "base/run.h"
 #include "base/tempfile.h"
 #include "base/warnings.h"
-#include "base/work.h"
+#include "base/work_budget.h"
 #include "temp_folder.h"
 
 TEST_CASE("command lines become one header line") {
@@ -94,11 +94,11 @@ TEST_CASE("text for a terminal: nothing that steers it") {
 }
 
 TEST_CASE("work: one budget, spent once") {
-    base::Work work(10);
+    base::WorkBudget work(10);
     work.spend(4, "a");
     CHECK(work.spend(6));
     CHECK_FALSE(work.spend(1));
-    base::Work other(10);
+    base::WorkBudget other(10);
     CHECK_FALSE(other.spend(11));
     CHECK_FALSE(other.spend(1));  // and nothing is left of what did not do
     CHECK_THROWS_AS(other.fail("room.rad:1"), base::Error);

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/files_read.h"
 #include "base/run.h"
-#include "base/stop.h"
+#include "base/shutdown.h"
 #include "image/stream.h"
 #include "options.h"
 #include "output.h"
@@ -60,7 +60,7 @@ void sum_frames(Pictures& pictures, image::Picture& frame, Sums&& sums) {
     base::finish_on_signal();
     try {
         do sums.add(frame, pictures.place());
-        while (!base::stop_requested() && pictures.next(frame));
+        while (!base::shutdown_requested() && pictures.next(frame));
         sums.end_stream();
     } catch (const base::ClosedPipe&) {
         // The reader has seen enough; the files still get the last sum.

@@ -17,15 +17,15 @@ void edit(const render::Command& c, size_t picture, Options& opt) {
     else if (c.word != "view" && c.word != "set")
         base::fail(place, "\"" + base::excerpt(c.word + " " + c.rest) + "\" is not a command");
     Options next = opt;
-    next.view = next.shots[picture].shot.view;
+    next.view = next.views[picture].render_view.view;
     std::optional<scene::RadInput> rad_input;
     base::OptionTable table("ptrace", LUXPIPE_VERSION, "");
     declare_options(table, next, rad_input, {});
     table.read_scene_words(words, place);
-    render::Shot shot{next.view, next.nx, next.ny};
-    view::fit_size(shot.view, next.pixel_aspect, shot.nx, shot.ny);
-    view::validate(shot.view);
-    render::require_memory(shot);
-    next.shots[picture].shot = shot;
+    render::RenderView v{next.view, next.nx, next.ny};
+    view::fit_size(v.view, next.pixel_aspect, v.nx, v.ny);
+    view::validate(v.view);
+    render::require_memory(v);
+    next.views[picture].render_view = v;
     opt = next;
 }

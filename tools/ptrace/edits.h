@@ -4,6 +4,6 @@
 #include "options.h"
 #include "render/control.h"
 
-// Carries out a command on the options; picture: of opt.shots, the one at hand.  Throws Error for what is no command,
+// Carries out a command on the options; picture: of opt.views, the one at hand.  Throws Error for what is no command,
 // with the options as they were.
 void edit(const render::Command& command, size_t picture, Options& opt);

@@ -13,7 +13,7 @@
 #include "base/memory.h"
 #include "base/progress.h"
 #include "base/run.h"
-#include "base/stop.h"
+#include "base/shutdown.h"
 #include "base/warnings.h"
 #include "film/accumulate.h"
 #include "image/header.h"
@@ -84,14 +84,14 @@ struct Run {
 void load(const Options& opt, const scene::Scene& scene, const scene::ReadOptions& how, const std::string& device,
           std::unique_ptr<render::Renderer>& renderer) {
     if (!renderer) renderer = start(device);
-    std::vector<render::Shot> shots;
-    for (const NamedShot& s : opt.shots) shots.push_back(s.shot);
+    std::vector<render::RenderView> views;
+    for (const NamedView& s : opt.views) views.push_back(s.render_view);
     base::Progress progress("ptrace");
     render::RenderOptions render = opt.render;
     render.tell_tree = [&](double share) {
         if (progress.due()) progress.show(fmt::format("builds the tree of all surfaces, {:.0f} %", 100 * share));
     };
-    renderer->load(scene, shots, render, how);
+    renderer->load(scene, views, render, how);
 }
 
 // One ordinary picture, as ptaccum -last writes it.
@@ -129,10 +129,10 @@ int64_t render_frames(Run& run, int64_t from, image::Picture& picture) {
         else image::write_file(output_name(opt.output, k, label), picture, as_float);
         report.frame(k, k - opt.first + 1);
         next = ends ? opt.last + 1 : k + 1;
-        return !ends && !base::stop_requested();
+        return !ends && !base::shutdown_requested();
     };
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
-    while (next <= opt.last && !run.control.edited() && !base::stop_requested())
+    while (next <= opt.last && !run.control.edited() && !base::shutdown_requested())
         renderer.frames(next, int(std::min(block, opt.last - next + 1)), give);
     if (opt.one_picture) write_sum(opt, sum, label);
     return next;
@@ -149,10 +149,10 @@ void choose_focus(Options& opt) {
     if (opt.focus_file.empty()) return;
     image::DrawRegions draw;
     image::MaskSet masks = region::open(opt.focus_file, draw, false);
-    for (auto& [name, shot] : opt.shots) {
-        if (draw) masks = draw(shot.view, shot.nx, shot.ny);
-        shot.focus = render::focus_on(masks, shot.nx, shot.ny, opt.focus_share, opt.focus_file);
-        if (shot.focus.empty())
+    for (auto& [name, v] : opt.views) {
+        if (draw) masks = draw(v.view, v.nx, v.ny);
+        v.focus = render::focus_on(masks, v.nx, v.ny, opt.focus_share, opt.focus_file);
+        if (v.focus.empty())
             base::warn(opt.focus_file,
                        "its regions are so large, or -focus-share so small, that none of their pixels gets a "
                        "second sample");
@@ -161,7 +161,7 @@ void choose_focus(Options& opt) {
 
 scene::ReadOptions budget_anew(const Options& opt) {
     scene::ReadOptions how = opt.files;
-    how.work = base::work_from_environment();
+    how.work = base::work_budget_from_environment();
     return how;
 }
 
@@ -206,21 +206,21 @@ bool apply_edits(Run& run, size_t picture) {
             run.scene = scene;
             good = false;
         }
-    run.renderer->look(picture);
+    run.renderer->select_view(picture);
     if (!good || run.renderer->fingerprint() == before) return false;  // frames go on where they were
     run.edits++;
     run.edited = what;
     return true;
 }
 
-image::Picture start_picture(const Run& run, const NamedShot& s) {
+image::Picture start_picture(const Run& run, const NamedView& s) {
     const Options& opt = run.opt;
     image::Picture picture;
-    picture.width = s.shot.nx;
-    picture.height = s.shot.ny;
+    picture.width = s.render_view.nx;
+    picture.height = s.render_view.ny;
     for (const std::string& line : run.history) image::add_history(picture.header, line);
     image::add_history(picture.header, opt.command);
-    picture.header.view = s.shot.view;
+    picture.header.view = s.render_view.view;
     picture.header.view_name = s.name;
     if (!run.sky.empty()) picture.header.sky_name = sky_name(run.sky);
     picture.header.seed = opt.render.seed;
@@ -233,12 +233,12 @@ image::Picture start_picture(const Run& run, const NamedShot& s) {
 
 // One view under one sky, again after each edit.  last: of the run, which with -watch waits for edits then.
 void render_view(Run& run, size_t i, bool last) {
-    run.renderer->look(i);
-    for (int64_t from = run.opt.first; !base::stop_requested();) {
-        image::Picture picture = start_picture(run, run.opt.shots[i]);
+    run.renderer->select_view(i);
+    for (int64_t from = run.opt.first; !base::shutdown_requested();) {
+        image::Picture picture = start_picture(run, run.opt.views[i]);
         from = render_frames(run, from, picture);
         if (last && run.opt.watch && !run.control.edited()) run.control.wait_for_edit();
-        if (!run.control.edited() || base::stop_requested()) return;
+        if (!run.control.edited() || base::shutdown_requested()) return;
         if (apply_edits(run, i)) from = run.opt.first;
     }
 }
@@ -254,8 +254,8 @@ int render_all(Options options) {
         run.sky = sky;
         scene::Scene scene = &sky == &skies.back() ? std::move(without_sky) : without_sky;
         scene::ReadOptions how = opt.files;
-        how.work = std::make_shared<base::Work>(*opt.files.work);  // each sky goes on with what the rest has left
-        how.asked_by.clear();                                      // a sky is the command line's
+        how.work = std::make_shared<base::WorkBudget>(*opt.files.work);  // each sky goes on with what the rest has left
+        how.asked_by.clear();                                            // a sky is the command line's
         if (!sky.empty()) scene::read_more(scene, {sky}, how);
         // What a scene names is read when it is loaded; so the rule of -M needs a device, too.
         load(opt, scene, how, only_rule ? "cpu" : opt.device, run.renderer);
@@ -269,9 +269,9 @@ int render_all(Options options) {
         if (run.live()) run.scene = std::move(scene);
         scene = scene::Scene();  // the renderer has made its own of it
         base::give_back_memory();
-        for (size_t i = 0; i < opt.shots.size() && !base::stop_requested(); ++i)
-            render_view(run, i, &sky == &skies.back() && i + 1 == opt.shots.size());
-        if (base::stop_requested()) break;
+        for (size_t i = 0; i < opt.views.size() && !base::shutdown_requested(); ++i)
+            render_view(run, i, &sky == &skies.back() && i + 1 == opt.views.size());
+        if (base::shutdown_requested()) break;
     }
     return 0;
 }

@@ -36,14 +36,14 @@ void choose_view(const scene::RadInput& rad_input, const std::string& name, base
     table.read_words(view_words_after_rif(table));
 }
 
-void add_shot(const std::string& name, Options& opt) {
-    render::Shot shot{opt.view, opt.nx, opt.ny};
-    view::fit_size(shot.view, opt.pixel_aspect, shot.nx, shot.ny);
-    opt.shots.push_back({name, shot});
+void add_view(const std::string& name, Options& opt) {
+    render::RenderView v{opt.view, opt.nx, opt.ny};
+    view::fit_size(v.view, opt.pixel_aspect, v.nx, v.ny);
+    opt.views.push_back({name, v});
 }
 
 // Which pictures: one, those of -views, or all of a rad input file where none of its views is named.
-void choose_shots(const std::optional<scene::RadInput>& rad_input, const std::string& view_name,
+void choose_views(const std::optional<scene::RadInput>& rad_input, const std::string& view_name,
                   base::OptionTable& table, Options& opt) {
     const bool all = rad_input && view_name.empty() && rad_input->views.size() > 1;
     if (rad_input && !all) choose_view(*rad_input, view_name, table, opt);
@@ -54,23 +54,23 @@ void choose_shots(const std::optional<scene::RadInput>& rad_input, const std::st
         for (const std::string& file : opt.views_files)
             for (const view::NamedView& v : view::read_views(file, start)) {
                 opt.view = v.view;
-                add_shot(v.name.empty() ? std::to_string(opt.first_view + int64_t(opt.shots.size())) : v.name, opt);
+                add_view(v.name.empty() ? std::to_string(opt.first_view + int64_t(opt.views.size())) : v.name, opt);
             }
     } else if (all) {
         for (size_t k = 0; k < rad_input->views.size(); ++k) {
             const std::string number = std::to_string(k + 1), name = rad_input->views[k].name;
             choose_view(*rad_input, name.empty() ? number : name, table, opt);
-            add_shot(name.empty() ? number : name, opt);
+            add_view(name.empty() ? number : name, opt);
         }
     } else {
-        add_shot("", opt);
+        add_view("", opt);
     }
 }
 
 // Names are those of files and of rows in tables.
 void check_names(const Options& opt) {
     std::set<std::string> views, skies;
-    for (const NamedShot& s : opt.shots) {
+    for (const NamedView& s : opt.views) {
         if (!s.name.empty()) image::plain_name(s.name, "the view");
         if (!views.insert(s.name).second) base::fail("", "two views are called \"" + s.name + "\"");
     }
@@ -82,13 +82,13 @@ void check_names(const Options& opt) {
 
 void check_output(const Options& opt) {
     if (opt.last == Options::endless) base::fail("-frames", "say how many frames to write to files");
-    const std::string label = opt.shots[0].name + (opt.skies.empty() ? "" : sky_name(opt.skies[0]));
+    const std::string label = opt.views[0].name + (opt.skies.empty() ? "" : sky_name(opt.skies[0]));
     if (opt.one_picture) {
         if (opt.output.find("%d") != std::string::npos)
             base::fail("-o", "\"" + opt.output + "\": with -picture no frames are written that %d could number");
     } else if (opt.last > opt.first && output_name(opt.output, 0, label) == output_name(opt.output, 1, label))
         base::fail("-o", "\"" + opt.output + "\" needs a %d for the number of the frame");
-    const bool several = !opt.shots[0].name.empty() || !opt.skies.empty();
+    const bool several = !opt.views[0].name.empty() || !opt.skies.empty();
     if (several && opt.output.find("%s") == std::string::npos)
         base::fail("-o", "\"" + opt.output + "\" needs a %s for the names of several pictures");
     image::require_writable_ending(output_name(opt.output, opt.first, label));
@@ -96,7 +96,7 @@ void check_output(const Options& opt) {
 
 void check(const Options& opt) {
     if (opt.scene_files.empty()) base::fail("", "no scene file; ptrace -help lists the options");
-    for (const NamedShot& s : opt.shots) view::validate(s.shot.view);
+    for (const NamedView& s : opt.views) view::validate(s.render_view.view);
     check_names(opt);
     const auto reads_stdin = std::count(opt.scene_files.begin(), opt.scene_files.end(), "-");
     if (reads_stdin && std::count(opt.views_files.begin(), opt.views_files.end(), "-"))
@@ -104,8 +104,8 @@ void check(const Options& opt) {
     if (reads_stdin && opt.skies.size() > 1) base::fail("-", "is read once, but the scene is read again for each -sky");
     if (!opt.rule_file.empty() && opt.rule_for.empty()) base::fail("-MF", "needs -M for the rule's target");
     if (!opt.rule_for.empty() && opt.rule_file.empty()) return;
-    for (const NamedShot& s : opt.shots) render::require_memory(s.shot);
-    const bool several = opt.shots.size() > 1 || opt.skies.size() > 1;
+    for (const NamedView& s : opt.views) render::require_memory(s.render_view);
+    const bool several = opt.views.size() > 1 || opt.skies.size() > 1;
     if (several && opt.last == Options::endless && opt.control.empty())
         base::fail("-frames", "say how many frames each picture gets");
     if (opt.watch && opt.first != 0) base::fail("-watch", "needs frame 0: a picture begins anew with it");
@@ -125,7 +125,7 @@ void check(const Options& opt) {
 // is read where -rif stands among the options; so the command line is read again once such words have been seen.
 std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& assignments, Options& opt) {
     opt.files.raypath = base::raypath_from_environment();
-    opt.files.work = base::work_from_environment();
+    opt.files.work = base::work_budget_from_environment();
     std::optional<scene::RadInput> rad_input;
     base::OptionTable table("ptrace", LUXPIPE_VERSION, "[options] scene.rad ... (\"-\": stdin)");
     declare_options(table, opt, rad_input, assignments);
@@ -148,7 +148,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
         opt.scene_files = *operands;
     }
     opt.scene_files = base::open_folders(opt.scene_files, opt.files);
-    choose_shots(rad_input, rad_input && !operands->empty() ? operands->front() : "", table, opt);
+    choose_views(rad_input, rad_input && !operands->empty() ? operands->front() : "", table, opt);
     opt.command = table.command();
     if (opt.one_picture) {
         if (opt.watch || !opt.control.empty())
@@ -159,11 +159,11 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     }
     base::use_processors(unsigned(opt.threads));
     if (!opt.warnings) base::set_warning_sink({});
-    std::string unneeded;
+    std::string ignored;
     for (const std::string& name : table.ignored_ones())
         if (name == "-z") base::warn("-z", "ignored: no depth file is written");
-        else unneeded += " " + name;
-    if (!unneeded.empty()) base::warn("", "a path tracer does not need" + unneeded);
+        else ignored += " " + name;
+    if (!ignored.empty()) base::warn("", "a path tracer does not need" + ignored);
     check(opt);
     return std::nullopt;
 }

@@ -14,9 +14,9 @@
 #include "view/view.h"
 
 // A picture and its name; a single one has none.
-struct NamedShot {
+struct NamedView {
     std::string name;
-    render::Shot shot;
+    render::RenderView render_view;
 };
 
 struct Options {
@@ -45,7 +45,7 @@ struct Options {
     std::vector<std::string> scene_files;
     std::string focus_file;        // -focus: regions that get more samples; empty: none
     double focus_share = .125;     // their samples, over those of the picture
-    std::vector<NamedShot> shots;  // what is rendered, one or several
+    std::vector<NamedView> views;  // what is rendered, one or several
 
     static constexpr int64_t frames_of_picture = 64;  // of -picture, where -frames is not given
     static constexpr int64_t endless = 0xfffffffe;    // the samplers count frames in 32 bits

@@ -5,7 +5,7 @@
 #include <chrono>
 #include "base/error.h"
 #include "base/run.h"
-#include "base/stop.h"
+#include "base/shutdown.h"
 #include "certain.h"
 #include "evalglare/output.h"
 #include "evalglare/source_finder.h"
@@ -268,7 +268,7 @@ int measure_all(const Options& o) {
             const std::string place =
                 (file == "-" ? "stdin" : file) + (index ? ": picture " + std::to_string(index + 1) : "");
             if (printer.picture(picture, place, file, index)) return printer.status();
-            if (base::stop_requested()) return 0;
+            if (base::shutdown_requested()) return 0;
         }
         printer.end_input(file == "-" ? "stdin" : file);
     }

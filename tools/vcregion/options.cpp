@@ -76,7 +76,7 @@ void check(const Options& o) {
 
 std::optional<int> parse_options(int argc, char** argv, Options& o) {
     o.files.raypath = base::raypath_from_environment();
-    o.files.work = base::work_from_environment();
+    o.files.work = base::work_budget_from_environment();
     OptionTable table("vcregion", LUXPIPE_VERSION, "[options] regions.txt [scene.rad ...]");
     declare(table, o);
     const auto operands = table.parse(argc, argv);

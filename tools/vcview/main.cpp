@@ -12,7 +12,7 @@
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "base/run.h"
-#include "base/stop.h"
+#include "base/shutdown.h"
 #include "live/child.h"
 #include "live/framer.h"
 #include "live/live.h"
@@ -95,7 +95,7 @@ int work(const Options& options) {
     }
     close(0);  // whoever still writes to us may end
     page.put_end(status);
-    if (options.stay && !base::stop_requested()) {
+    if (options.stay && !base::shutdown_requested()) {
         base::leave_stdout();
         base::say_on_terminal("vcview: the pipe has ended; ^C ends the page");
         wait_for_signal();

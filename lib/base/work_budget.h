@@ -9,10 +9,10 @@
 
 namespace base {
 
-class Work {
+class WorkBudget {
 public:
     static constexpr uint64_t usual_limit = 100000000;  // about a minute and some gigabytes
-    explicit Work(uint64_t limit = usual_limit) : limit_(limit), left_(limit) {}
+    explicit WorkBudget(uint64_t limit = usual_limit) : limit_(limit), left_(limit) {}
 
     // False: nothing is left.
     bool spend(uint64_t steps) {
@@ -30,6 +30,6 @@ private:
 };
 
 // With the limit of $LUXPIPE_WORK, or the usual one.
-std::shared_ptr<Work> work_from_environment();
+std::shared_ptr<WorkBudget> work_budget_from_environment();
 
 }  // namespace base

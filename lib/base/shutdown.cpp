@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See stop.h.  The handler writes a byte into a pipe that waiting readers watch, so that no signal falls between the
-// look at the flag and the wait.
-#include "base/stop.h"
+// See shutdown.h.  The handler writes a byte into a pipe that waiting readers watch, so that no signal falls between
+// the look at the flag and the wait.
+#include "base/shutdown.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -32,18 +32,18 @@ void finish_on_signal() {
     state = finish;
 }
 
-bool stop_requested() { return state == asked; }
+bool shutdown_requested() { return state == asked; }
 
 EndsSoon::EndsSoon() {
     end_soon++;
-    if (stop_requested()) alarm(patience_s);
+    if (shutdown_requested()) alarm(patience_s);
 }
 
 EndsSoon::~EndsSoon() {
     if (--end_soon == 0) alarm(0);
 }
 
-bool take_stop_request() {
+bool take_shutdown_request() {
     int expected = finish;
     if (!state.compare_exchange_strong(expected, asked)) return false;
     if (end_soon > 0) alarm(patience_s);  // SIGALRM is a second signal
@@ -56,7 +56,7 @@ bool take_stop_request() {
 
 bool wait_for_input(int descriptor) {
     if (state == at_once) return true;
-    while (!stop_requested()) {
+    while (!shutdown_requested()) {
         struct pollfd both[2] = {{descriptor, POLLIN, 0}, {wake[0], POLLIN, 0}};
         const int ready = poll(both, 2, -1);
         if (ready < 0 && errno != EINTR) return true;  // reading will tell

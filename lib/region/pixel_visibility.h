@@ -7,7 +7,7 @@
 namespace region {
 
 // What one ray sees.
-struct Sight {
+struct RayHits {
     static constexpr int room = 24;  // surfaces along a ray that are kept apart
     Point p;
     bool seen = false;          // the view has a ray here
@@ -16,14 +16,14 @@ struct Sight {
     Crossing crossings[room];  // t from the eye as well
 };
 
-class SeenPixels {
+class PixelVisibility {
 public:
     static constexpr int tile = 16;  // pixels
 
-    SeenPixels(const Space& space, const SceneView& eye);
+    PixelVisibility(const Space& space, const SceneView& eye);
 
     // Through a position of the picture, in pixels.
-    Sight look(double x, double y) const;
+    RayHits trace(double x, double y) const;
 
     // Of pixels' centres, y from the bottom: the direction (zero: no ray), where it ends, and the list of surfaces met.
     size_t at(int x, int y) const { return size_t(y) * size_t(nx_) + size_t(x); }
@@ -38,7 +38,7 @@ public:
     const std::vector<std::vector<unsigned>>& lists() const { return lists_; }
 
 private:
-    void look_at_centres();
+    void trace_centres();
     void collect_tiles();
 
     const Space& space_;

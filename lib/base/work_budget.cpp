@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See work.h.
-#include "base/work.h"
+// See work_budget.h.
+#include "base/work_budget.h"
 
 #include <cstdlib>
 
@@ -9,17 +9,17 @@
 
 namespace base {
 
-void Work::fail(const std::string& place) const {
+void WorkBudget::fail(const std::string& place) const {
     base::fail(place, "the scene takes more than " + std::to_string(limit_) +
                           " steps of work (primitives, copies, instances); LUXPIPE_WORK raises this limit");
 }
 
-std::shared_ptr<Work> work_from_environment() {
+std::shared_ptr<WorkBudget> work_budget_from_environment() {
     const char* value = std::getenv("LUXPIPE_WORK");
-    if (!value) return std::make_shared<Work>();
+    if (!value) return std::make_shared<WorkBudget>();
     const long limit = to_int(value, "LUXPIPE_WORK");
     if (limit < 1) fail("LUXPIPE_WORK", '"' + std::string(value) + "\" is not above 0");
-    return std::make_shared<Work>(uint64_t(limit));
+    return std::make_shared<WorkBudget>(uint64_t(limit));
 }
 
 }  // namespace base

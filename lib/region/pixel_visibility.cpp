@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See seen.h.
-#include "region/seen.h"
+// See pixel_visibility.h.
+#include "region/pixel_visibility.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,14 +9,14 @@
 
 namespace region {
 
-SeenPixels::SeenPixels(const Space& space, const SceneView& eye)
+PixelVisibility::PixelVisibility(const Space& space, const SceneView& eye)
     : space_(space), eye_(eye), nx_(space.nx), ny_(space.ny) {
-    look_at_centres();
+    trace_centres();
     collect_tiles();
 }
 
-Sight SeenPixels::look(double x, double y) const {
-    Sight s;
+RayHits PixelVisibility::trace(double x, double y) const {
+    RayHits s;
     const auto ray = space_.projector.ray(x / nx_, y / ny_);
     s.seen = bool(ray);
     if (!ray) return s;
@@ -24,13 +24,13 @@ Sight SeenPixels::look(double x, double y) const {
     if (space_.behind > 0) space_.point(x, y, s.p);
     s.begin = dot(ray->origin - space_.eye, s.p.dir);
     bool closed = false;
-    s.n = eye_.look(ray->origin, ray->dir, ray->tmax, s.crossings, Sight::room, closed);
+    s.n = eye_.look(ray->origin, ray->dir, ray->tmax, s.crossings, RayHits::room, closed);
     for (int i = 0; i < s.n; ++i) s.crossings[i].t += s.begin;
     s.end = closed && s.n ? s.crossings[s.n - 1].t : ray->tmax > 0 ? s.begin + ray->tmax : INFINITY;
     return s;
 }
 
-void SeenPixels::look_at_centres() {
+void PixelVisibility::trace_centres() {
     directions_.resize(size_t(nx_) * size_t(ny_));
     ends_.resize(directions_.size());
     list_of_.resize(directions_.size());
@@ -41,7 +41,7 @@ void SeenPixels::look_at_centres() {
         std::map<std::vector<unsigned>, uint32_t> mine;
         std::vector<unsigned> list;
         for (int x = 0; x < nx_; ++x) {
-            Sight s = look(x + .5, double(y) + .5);
+            RayHits s = trace(x + .5, double(y) + .5);
             size_t i = y * size_t(nx_) + size_t(x);
             directions_[i] = s.p.dir;
             ends_[i] = s.end;
@@ -63,7 +63,7 @@ void SeenPixels::look_at_centres() {
     });
 }
 
-void SeenPixels::collect_tiles() {
+void PixelVisibility::collect_tiles() {
     across_ = (nx_ + tile - 1) / tile;
     tiles_.resize(size_t(across_) * size_t((ny_ + tile - 1) / tile));
     for_all(tiles_.size(), [&](size_t t) {  // with a rim of one pixel

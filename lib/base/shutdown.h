@@ -7,7 +7,7 @@
 namespace base {
 
 void finish_on_signal();
-bool stop_requested();
+bool shutdown_requested();
 
 // Waits until the descriptor has bytes or has ended; false: a signal asked to stop before that.
 bool wait_for_input(int descriptor);
@@ -25,6 +25,6 @@ public:
 // PoCL, which does without SA_RESTART and hands the signal on to the handler before it).
 void handle_signals();
 // Of the handler: true if the program will finish by itself.  Async-signal-safe.
-bool take_stop_request();
+bool take_shutdown_request();
 
 }  // namespace base
