@@ -43,7 +43,7 @@ struct Header {
 };
 
 // Samples of the direct and specular light in frame 0; frames above this number correct them, in the noisiest pixels
-// all frames (decisions, pages 2 and 30).
+// all frames (decisions/0002, decisions/0030).
 constexpr int direct_samples = 8;
 
 // Which of two halves of the frames k > 0 is in: + - - + - + + - and so on (Thue and Morse), so that any number of them
