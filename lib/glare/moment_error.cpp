@@ -26,12 +26,11 @@ image::Moments moved(const std::vector<float>& moments, int pair, float up) {
 
 }  // namespace
 
-std::vector<double> moment_variances(const PictureAnalyzer& analyzer, const std::vector<Column>& columns,
-                                     const Luminance& lum) {
-    std::vector<double> out(columns.size(), 0);
+std::vector<uncertainty::Values> moment_values(const PictureAnalyzer& analyzer, const std::vector<Column>& columns,
+                                               const Luminance& lum) {
     const auto of_filled = [](const Column& c) { return c.of_filled; };
-    if (!lum.moments || std::none_of(columns.begin(), columns.end(), of_filled)) return out;
-    std::vector<std::vector<double>> seen(2 * moment_pairs);
+    if (!lum.moments || std::none_of(columns.begin(), columns.end(), of_filled)) return {};
+    std::vector<uncertainty::Values> seen(2 * moment_pairs);
     std::atomic<size_t> next{0};
     base::on_threads(std::min(base::processors(), unsigned(seen.size())), [&] {
         const auto finder = analyzer.make_finder();
@@ -42,10 +41,7 @@ std::vector<double> moment_variances(const PictureAnalyzer& analyzer, const std:
             for (const Column& c : columns) seen[k].push_back(c.of_filled ? c.value(m) : 0);
         }
     });
-    for (size_t c = 0; c < columns.size(); ++c)
-        for (size_t k = 0; k < seen.size(); k += 2)
-            out[c] += std::pow((seen[k][c] - seen[k + 1][c]) / 2, 2) / moment_pairs;
-    return out;
+    return seen;
 }
 
 }  // namespace glare

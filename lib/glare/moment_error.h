@@ -12,8 +12,8 @@ namespace glare {
 
 constexpr int moment_pairs = 4;
 
-// The variance of each column, of degrees of freedom `moment_pairs`; 0 of those that are not of filled pixels.
-std::vector<double> moment_variances(const PictureAnalyzer& analyzer, const std::vector<Column>& columns,
-                                     const Luminance& lum);
+// Each pair's two values of all columns, 0 of those that are not of filled pixels; empty: nothing is known of them.
+std::vector<uncertainty::Values> moment_values(const PictureAnalyzer& analyzer, const std::vector<Column>& columns,
+                                               const Luminance& lum);
 
 }  // namespace glare

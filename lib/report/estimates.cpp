@@ -107,9 +107,10 @@ void ColumnEstimates::look(const glare::Luminance& lum, const glare::Measurement
     if (analyzer_.requirements().sources) metrics.threshold = float(m.threshold / glare::cdm2_per_grey);
     metrics.filter_radius = filter_radius(g);
     const std::vector<uncertainty::Estimate> before = std::move(own_);
-    own_ = uncertainty::estimate(mean, metrics, values(m, false));
-    const std::vector<double> of_moments = glare::moment_variances(analyzer_, columns_, lum);
-    for (size_t c = 0; c < own_.size(); ++c) uncertainty::add_error(own_[c], of_moments[c], glare::moment_pairs);
+    replicates_ = uncertainty::replicate(mean, metrics, values(m, false));
+    const std::vector<uncertainty::Values> of_moments = glare::moment_values(analyzer_, columns_, lum);
+    if (!of_moments.empty()) replicates_.pairs.push_back(of_moments);
+    own_ = uncertainty::estimate(replicates_, metrics.quantities);
     estimates_ = own_;
     for (size_t c = 0; c < before.size(); ++c) {
         const double carried = before[c].error * std::sqrt(double(before[c].frames) / double(own_[c].frames));

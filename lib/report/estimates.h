@@ -27,6 +27,7 @@ public:
     int64_t frames() const { return image::frames_of(parts()); }
     const std::vector<image::Part>& parts() const { return taken_.empty() ? growing_.parts() : taken_; }
     const uncertainty::Estimate& estimate(size_t column) const { return estimates_[column]; }
+    const uncertainty::Replicates& replicates() const { return replicates_; }  // of the last look
 
 private:
     std::vector<bool> counts() const;
@@ -38,6 +39,7 @@ private:
     std::vector<image::Part> taken_;
     std::vector<float> frame0_error_;                     // empty: not known
     std::vector<uncertainty::Estimate> own_, estimates_;  // of the last look by itself, and with the look before
+    uncertainty::Replicates replicates_;
     int64_t next_look_ = 0;
 };
 

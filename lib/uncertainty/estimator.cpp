@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/processors.h"
 #include "base/threads.h"
@@ -24,12 +25,6 @@ WIDE_LOOP void add_multiple(float weight, const float* from, size_t n, float* to
 
 WIDE_LOOP void add_squares(float weight, const float* part, const float* whole, size_t n, float* to) {
     for (size_t i = 0; i < n; ++i) to[i] += weight * (part[i] - whole[i]) * (part[i] - whole[i]);
-}
-
-Frames frames_of_parts(const GrowingMean& mean) {
-    Frames out;
-    for (const image::Part& p : *mean.parts) out.push_back(p.frames);
-    return out;
 }
 
 void weighted_mean(const GrowingMean& mean, const Weights& weights, std::vector<float>& out) {
@@ -66,21 +61,30 @@ std::vector<Values> measure_all(int count, const std::function<void(int, std::ve
     return out;
 }
 
-double mean_square_of_half_differences(const std::vector<Values>& pairs, size_t first, size_t quantity) {
+double mean_square_of_half_differences(const std::vector<Values>& pairs, size_t quantity) {
     double sum = 0;
-    for (int k = 0; k < frame0_pairs; ++k) {
-        const size_t at = first + 2 * size_t(k);
-        sum += std::pow((pairs[at][quantity] - pairs[at + 1][quantity]) / 2, 2) / frame0_pairs;
-    }
-    return sum;
+    for (size_t k = 0; k < pairs.size(); k += 2) sum += std::pow((pairs[k][quantity] - pairs[k + 1][quantity]) / 2, 2);
+    return 2 * sum / double(pairs.size());
+}
+
+bool by_jackknife(const Quantity& q) { return q.method == Quantity::Method::jackknife; }
+
+std::vector<double> values_of(const std::vector<Values>& images, size_t quantity) {
+    std::vector<double> out;
+    for (const Values& v : images) out.push_back(v[quantity]);
+    return out;
 }
 
 }  // namespace
 
-std::vector<Estimate> estimate(const GrowingMean& mean, const Metrics& metrics, const Values& whole) {
-    const Frames frames = frames_of_parts(mean);
-    const int64_t n = image::frames_of(*mean.parts);
-    std::vector<Estimate> out(whole.size(), {nan, nan, 0, 0, false, n});
+int64_t Replicates::count() const { return std::accumulate(frames.begin(), frames.end(), int64_t(0)); }
+
+Replicates replicate(const GrowingMean& mean, const Metrics& metrics, const Values& whole) {
+    Replicates out;
+    for (const image::Part& p : *mean.parts) out.frames.push_back(p.frames), out.from.push_back(p.from);
+    out.whole = whole;
+    const Frames& frames = out.frames;
+    const int64_t n = out.count();
     if (frames.size() < 2) return out;
 
     const size_t size = size_t(mean.width) * size_t(mean.height);
@@ -102,27 +106,29 @@ std::vector<Estimate> estimate(const GrowingMean& mean, const Metrics& metrics, 
             image[i] += up * float(random_sign(uint32_t(i), pair)) * (*mean.frame0_error)[i];
     };
     const std::vector<Values> seen = measure_all(images, make, filter, metrics);
+    out.half_samples = {seen.begin(), seen.begin() + half_samples};
+    out.decided = seen[half_samples];
+    if (moves_frame0) out.pairs.emplace_back(seen.begin() + half_samples + 1, seen.end());
 
-    std::vector<Values> without;
-    const auto by_jackknife = [](const Quantity& q) { return q.method == Quantity::Method::jackknife; };
     std::vector<float> image;
     if (std::any_of(metrics.quantities.begin(), metrics.quantities.end(), by_jackknife))
         for (size_t p = 0; p < frames.size(); ++p) {
             weighted_mean(mean, all_but(frames, p), image);
-            without.push_back(metrics.measure_regions(image));
+            out.without.push_back(metrics.measure_regions(image));
         }
-    for (size_t c = 0; c < whole.size(); ++c) {
-        const Quantity& q = metrics.quantities[c];
-        std::vector<double> values;
-        if (by_jackknife(q)) {
-            for (const Values& v : without) values.push_back(v[c]);
-            out[c] = jackknife(whole[c], values, frames, q.ratio);
-        } else {
-            for (int k = 0; k < half_samples; ++k) values.push_back(seen[size_t(k)][c]);
-            const double decided = q.bias == NoiseBias::none ? whole[c] : seen[half_samples][c];
-            out[c] = brr(decided, values, frames, q.bias, q.bias_error);
-        }
-        if (moves_frame0) add_error(out[c], mean_square_of_half_differences(seen, half_samples + 1, c), frame0_pairs);
+    return out;
+}
+
+std::vector<Estimate> estimate(const Replicates& of, const std::vector<Quantity>& quantities) {
+    std::vector<Estimate> out(of.whole.size(), {nan, nan, 0, 0, false, of.count()});
+    for (size_t c = 0; c < out.size() && of.frames.size() >= 2; ++c) {
+        const Quantity& q = quantities[c];
+        if (by_jackknife(q)) out[c] = jackknife(of.whole[c], values_of(of.without, c), of.frames, q.ratio);
+        else
+            out[c] = brr(q.bias == NoiseBias::none ? of.whole[c] : of.decided[c], values_of(of.half_samples, c),
+                         of.frames, q.bias, q.bias_error);
+        for (const auto& pairs : of.pairs)
+            add_error(out[c], mean_square_of_half_differences(pairs, c), double(pairs.size()) / 2);
         if (q.method == Quantity::Method::none) out[c].error = nan, out[c].unreliable = false;
     }
     return out;

@@ -39,7 +39,24 @@ struct Metrics {
     int filter_radius = 0;                                             // pixels (threshold_filter.h)
 };
 
-// The estimates of all quantities.  whole: their values of the whole mean, by its own classification.
-std::vector<Estimate> estimate(const GrowingMean& mean, const Metrics& metrics, const Values& whole);
+// Values from which the estimates follow: of the whole mean and of each replicate image.
+struct Replicates {
+    Frames frames;                        // of each part
+    std::vector<image::SeedRanges> from;  // which frames these are
+    Values whole;                         // by its own classification
+    Values decided;                       // of the whole mean, by the classification of replicates
+    std::vector<Values> half_samples;
+    std::vector<Values> without;  // each part; empty: no quantity has the jackknife
+    // Errors that are the same in all parts, each independent of the others: images with e added and taken off by
+    // turns, e the error of a pixel with a random sign.
+    std::vector<std::vector<Values>> pairs;
+    int64_t count() const;  // of frames
+};
+
+// whole: of all quantities.
+Replicates replicate(const GrowingMean& mean, const Metrics& metrics, const Values& whole);
+
+// Of fewer than two parts there is none: nan.
+std::vector<Estimate> estimate(const Replicates& replicates, const std::vector<Quantity>& quantities);
 
 }  // namespace uncertainty
