@@ -4,7 +4,7 @@
 //     -vta, -ofile        an argument joined to the name
 //     -i, -i+, -i-        a switch: changed, set, cleared
 //     @file, $VARIABLE    the words they hold, where an option or an operand could begin; white space separates, and
-//                         there are no quotes; the words are looked at again
+//                         there are no quotes; these words are read like typed ones
 //     --frames 3, -frames=3 are read as well
 // Options are carried out one after another: the later of two holds, and -rif reads options of its own.
 #include <algorithm>
@@ -172,7 +172,7 @@ bool OptionTable::read_header_words(const std::vector<std::string>& list, std::s
     return !parsed_.empty();
 }
 
-// The nearest option, of several that one that begins alike.  Of one letter only -X is near to -x.
+// Names the nearest option, preferring one that begins alike.  Among options of one letter only -X is near to -x.
 void OptionTable::unknown(Text as_typed) const {
     const std::string whole = one_dash(as_typed), word = lower(whole.substr(0, whole.find('=')));
     const int slip = word.size() <= 2 ? 0 : largest_slip(word.size());

@@ -14,7 +14,7 @@
 namespace base {
 namespace {
 
-// What tells one version of a file from the next; all 0: there is none.
+// Distinguishes two versions of a file; all 0: there is no file.
 struct Stamp {
     uint64_t device = 0, inode = 0, size = 0, seconds = 0, nanoseconds = 0;
 };
@@ -65,7 +65,7 @@ std::string quoted(const std::string& path) {
     return out;
 }
 
-// Of a regular file.
+// Gets the status of a regular file; false: there is none.
 bool find(const std::string& path, struct stat& info) {
     return (path == "-" ? fstat(0, &info) : stat(path.c_str(), &info)) == 0 && S_ISREG(info.st_mode);
 }

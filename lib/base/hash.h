@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A 64-bit hash that tells different contents apart by chance of 2^-64; no protection against those who look for a
-// collision.  Each word is mixed in by an odd multiplier and a shift, as in the finaliser of splitmix64
+// A 64-bit hash: different contents collide with probability 2^-64; not safe against deliberate
+// collisions.  Each word is mixed in by an odd multiplier and a shift, as in the finaliser of splitmix64
 // (Steele, Lea, Flood 2014).
 #pragma once
 #include <cstdint>

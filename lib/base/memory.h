@@ -15,7 +15,7 @@ void make_room(Vector& v, size_t more) {
 
 uint64_t machine_memory();  // bytes; 0 if unknown
 
-// What was freed, given back to the system: glibc keeps blocks of up to 32 MB for later.
+// Returns freed memory to the system: glibc keeps blocks of up to 32 MB for later.
 void give_back_memory();
 
 }  // namespace base

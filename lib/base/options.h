@@ -59,7 +59,7 @@ private:
     size_t at_ = 0;
 };
 
-// What an option does, if it does more than set a variable.
+// The effect of an option that does more than set a variable.
 struct Action {
     std::function<void(Arguments&)> read;
     std::function<std::string()> show;  // the value in force as arguments; none: nothing to show
@@ -109,7 +109,7 @@ struct Option {
     Option& joined();  // -vtT
     Option& also_joined() { return joint = Joint::either, *this; }
 
-    // What the file of a scene may say (read_scene_words); without one of these two it may not.
+    // Allowed in files of a scene (read_scene_words), or ignored there; otherwise an error there.
     Option& from_scene() { return scene = Scene::allowed, *this; }
     Option& passed_over_in_scene() { return scene = Scene::passed_over, *this; }
 
@@ -156,7 +156,7 @@ public:
     // After parse(): the program and its words as one line, @files and $VARIABLES replaced by what they hold.
     std::string command() const { return command_; }
 
-    // Words that are options and nothing else: the user's, or those of a scene's file, which may say less.
+    // Reads words that must all be options: the user's, or a scene file's, which may use fewer options.
     void read_words(const std::vector<std::string>& words);
     void read_scene_words(const std::vector<std::string>& words, Text file);
 
@@ -164,7 +164,7 @@ public:
     // the first of these.  True if an option was read.
     bool read_header_words(const std::vector<std::string>& words, std::string& wrong);
 
-    // What the user has given so far, in order.
+    // An option that the user has given, in order.
     struct ParsedOption {
         const Option* option;
         std::vector<std::string> words;

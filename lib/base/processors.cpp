@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // See processors.h.  Control groups: cgroup v2's cpu.max ("quota period" or "max period"), v1's cpu.cfs_quota_us (-1:
-// none) and cpu.cfs_period_us; a group's own limit and those of all groups above it hold.
+// none) and cpu.cfs_period_us; the limits of a group and of all groups above it hold.
 #include "base/processors.h"
 
 #include <fmt/core.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every main() shares: one place that catches, the exit status, signals, stdout that may close.
+// The frame of every main(): one place that catches, the exit status, signals, stdout that may close.
 // A signal must not leave half-written files or running commands behind: the handler (async-signal-safe calls only)
 // removes the first and ends the others before it leaves with status 3.
 #include "base/run.h"
@@ -26,12 +26,12 @@
 namespace base {
 namespace {
 
-// What write_stdout() holds back, so that many small lines make one write.  By write() itself: stdio loses bytes when a
+// Buffer of write_stdout(), so that many small lines make one write.  Not stdio, which loses bytes when a
 // signal interrupts it, and a library's handler may (shutdown.h).
 std::string pending;
 constexpr size_t most_pending = 1 << 16;
 
-// What is held back, and then this: together, so that a picture and its header wake its reader once.
+// Writes the buffer and then these bytes in one go, so that a picture and its header wake the reader once.
 void write_now(const void* data, size_t bytes) {
     const std::string before = std::move(pending);
     pending.clear();  // whatever becomes of it

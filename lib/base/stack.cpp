@@ -8,7 +8,7 @@
 namespace base {
 namespace {
 
-// What systems give by themselves, and what the limits of lib/cal are made for.
+// The usual default of systems, for which the limits of lib/cal are made.
 constexpr size_t enough = size_t(8) << 20;
 
 void* call(void* body) {

@@ -25,7 +25,7 @@ public:
         if (c >= 0) at_++, line_ += c == '\n' && counting_;
         return c;
     }
-    // What of the file lies in the buffer, and so many of these bytes consumed, lines not counted: for binary files.
+    // For binary files: the unread bytes in the buffer; consume() skips bytes without counting lines.
     std::string_view buffered() const { return {at_, size_t(end_ - at_)}; }
     void consume(size_t bytes) { at_ += bytes; }
     void skip_space();

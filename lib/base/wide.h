@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // WIDE_LOOP before a function: its loops over all pixels take the widest lanes of the processor that runs them.  The
-// bits are those of any other lanes.  (Sanitizers start before such a choice can be made.)
+// bits do not depend on the lanes.  (Sanitizers start before such a choice can be made.)
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The check picture (-c): grey, with tasks (-T), sources and zones in colours of the same luminance.
-// evalglare paints it, in float, whether or not it is asked for, and reads luminances back from what it painted. So a
+// evalglare always paints it, in float, and reads luminances back from the painted pixels. So a
 // pixel that moves from a source to a zone is not exactly the pixel that was added to the source: sums over thousands
 // of pixels differ at 1e-8, and with them the pixel that a centre falls into. Seen by running evalglare: colours in the
 // picture that -c writes, and luminances printed of 1156 single pixels.

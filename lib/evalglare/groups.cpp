@@ -110,7 +110,7 @@ bool Groups::follows_bright(uint32_t p) const {
     return y > 0 && group_[geometry_.index(geometry_.x_of(p), y - 1)] != 0;
 }
 
-// What the walk finds above the pixel goes before what it finds below.
+// A group found above the pixel takes precedence over one found below.
 uint32_t Groups::group_in_reach(uint32_t p) const {
     uint32_t found = 0;
     const int x = geometry_.x_of(p);

@@ -26,7 +26,7 @@ public:
     explicit NeighbourSearch(const Geometry& geometry);
     AngularRadius radius(double opening) const;
     // Shows every pixel in reach, by index, to stop(), whose `true` ends this half of the search; returns nothing:
-    // what was found is stop's to remember.  No column beyond `last_column` is looked at.
+    // stop() keeps its own results.  Columns beyond `last_column` are not visited.
     template <class Stop>
     void around(int x, int y, const AngularRadius& radius, int last_column, Stop stop) const {
         half(x, y, y, -1, radius, last_column, stop);

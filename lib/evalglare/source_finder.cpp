@@ -81,8 +81,8 @@ void SourceFinder::smooth() {
     }
 }
 
-// Where the whole picture is a source, evalglare's background is what rounding leaves of two sums of the same light: so
-// columns, and products taken in its order.
+// If the whole picture is a source, evalglare's background is the rounding difference of two sums of the same light:
+// therefore columns, and products in its order.
 double SourceFinder::light_of_groups() const {
     const Geometry& g = geometry_;
     const Vec3 forward = g.line_of_sight();
@@ -159,7 +159,7 @@ std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {
         s.P = position_index(g, g.seen_direction(int(float(s.x)), int(float(s.y))), settings_.position);
         s.direction = g.seen_direction(int(s.x), int(s.y));
         s.sigma_deg = s.theta_deg = eye_angles(g, s.direction).sigma_deg;
-        // The angle stays that of the source before where the centre's pixel has no direction.
+        // If the centre's pixel has no direction, evalglare keeps the angle of the source before.
         if (length(s.direction) == 0) s.sigma_deg = live.empty() ? 0 : live.back().sigma_deg;
         live.push_back(s);
     }
@@ -171,7 +171,7 @@ glare::Methods methods(const Settings& settings) {
     out.geometry = [](const view::View& view, const std::string& place) {
         if (view.vl != 0)
             base::warn(place,
-                       "the view has a lift (-vl): the solid angles are evalglare's, those of the mirrored rows");
+                       "the view has a lift (-vl): solid angles are evalglare's, which are of the mirrored rows");
         return std::make_unique<RoundedGeometry>(view);
     };
     out.finder = [settings](const Geometry& geometry, const glare::Settings& of_glare) {

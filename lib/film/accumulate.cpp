@@ -45,7 +45,7 @@ void add_frames_of(const image::Picture& picture, const std::string& name, Exact
         exact.clear(picture.rgb.size());
         exact.add(picture.sum, name);
         if (!has_pixels_of(picture, exact, n))
-            base::fail(name, "its pixels are not those of its exact sums: another program has changed it");
+            base::fail(name, "its pixels differ from its exact sums: another program has changed it");
         sum.add(picture.sum, name);
         return;
     }
@@ -172,7 +172,7 @@ Schedule Schedule::parse(const std::string& text, const std::string& where) {
     return s;
 }
 
-// The least F^(i/M), rounded, above n.  Where neighbours are less than 1 apart every whole number is one of them;
+// The least F^(i/M), rounded, above n.  While neighbours are less than 1 apart, every whole number is one of them;
 // elsewhere i is small enough for a double to count it, and the logarithm is off by one or two at most.
 int64_t Schedule::after(int64_t n) const {
     const double growth = std::log(factor_) / double(parts_);

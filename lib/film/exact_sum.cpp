@@ -134,7 +134,7 @@ void ExactSum::add(const std::vector<image::SumLayer>& layers, const std::string
     }
 }
 
-// The digits are carried to words of 32 bits, of which the last has the sign; a negative number is turned; then the
+// The digits are carried to words of 32 bits, the last with the sign; a negative number is negated; then the
 // highest word that is not 0 and the two below it make the double.  Three digits or fewer are mostly one number of 128
 // bits, with the same result.
 double ExactSum::value(size_t i) const {

@@ -18,10 +18,10 @@ public:
 
     void clear(size_t count);
     size_t size() const { return count_; }
-    // One value for each sum.  Those that are not finite, or reach 2^164, count as 0; below 2^-149 a double is cut.
+    // One value for each sum.  Values not finite, or from 2^164 on, count as 0; below 2^-149 a double is cut.
     bool add(const std::vector<float>& values, unsigned threads = 1);  // false: there was such a value
     void add(const std::vector<double>& values);
-    // Those that layers() gave.  Throws Error (place) for layers that are no sum.
+    // Adds a sum in the form of layers().  Throws Error (place) for layers that are no sum.
     void add(const std::vector<image::SumLayer>& layers, const std::string& place);
 
     // Sum i as a double: within 2^-53 of it, and a function of its value alone.

@@ -8,8 +8,8 @@
 
 namespace film {
 
-// Throws Error (place) that names the parts in which the two differ.  Where only one of them has a fingerprint, nothing
-// is known: a warning.  `of` is what it is compared with, as the message names it.
+// Throws Error (place) that names the parts in which the two differ.  Warns if only one of them has a fingerprint.
+// `of` names the other picture in the message.
 void require_same_fingerprint(const image::Header& header, const image::Header& other, const std::string& place,
                               const std::string& of);
 

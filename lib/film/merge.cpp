@@ -129,7 +129,7 @@ void Merger::add(image::Picture p, const std::string& name) {
     add_frames_of(p, name, g.sum);
 }
 
-// Those of the only seed, else the mean over seeds by their frames; none where one has none.
+// The moments of the only seed, or the mean over seeds weighted by their frames; none if a seed has none.
 image::Moments Merger::merged_moments() const {
     if (groups_.size() == 1) return groups_[0].moments;
     int64_t frames = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The glare formulas over a list of sources.  Where evalglare computes in single precision we round at the same
-// places (the 7th digit would differ else); logarithms and powers are double.  Units cd/m2, sr, lux, degrees.
+// The glare formulas over a list of sources.  They round to single precision at the same places as evalglare
+// (otherwise the 7th digit differs); logarithms and powers are double.  Units cd/m2, sr, lux, degrees.
 // Sources of the formulas: DGP Wienold and Christoffersen 2006 (paper Eq. 2); DGI Hopkinson/Chauvel; UGR CIE 117;
 // CGI Einhorn 1979; VCP and DGR Guth 1963; UGP Hirning et al. 2014/2017; veiling luminance Poynter, CIE 146.
 #pragma once

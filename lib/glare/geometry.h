@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What depends on view and size only, calculated once for all pictures of a stream: directions, solid angles, and
+// Quantities that depend on view and size only, calculated once for a stream: directions, solid angles, and
 // which pixels count.
 // A pixel is valid if its centre has a direction, its solid angle (great-circle quadrilateral through the four
 // corners) is above 0 and, for type a, it is not behind the eye.  Types c and s that look behind keep those pixels
@@ -45,7 +45,7 @@ public:
     // For angles to the line of sight.
     Vec3 seen_direction(int x, int y) const { return rays_->seen_direction((x + 0.5) / width, (y + 0.5) / height); }
     Vec3 seen_direction(size_t i) const { return seen_direction(x_of(i), y_of(i)); }
-    // Whether an angle of this cosine is at most the one of cosine `limit`.
+    // True if an angle of this cosine is at most the one of cosine `limit`.
     bool inside(double cosine, double limit) const { return cosine >= limit && cosine <= largest_cosine_; }
     double pitch_bound() const;     // no two valid side-by-side pixels are farther apart (radians; inf for type h)
     double share_of_light() const;  // of the light that reaches the eye, if all directions are as bright

@@ -22,7 +22,7 @@ struct Luminance {
     const float* share = nullptr;       // of each pixel that its light fills (filled.h); null: all of it
     size_t size() const { return size_t(width) * height; }
     double filled(size_t i) const { return share ? share[i] : 1; }
-    // Where the light of a pixel is, from its centre, in pixels.
+    // Centroid of a pixel's light, from the centre of the pixel, in pixels.
     double right(size_t i) const { return share ? (*moments)[image::moment_numbers * i + image::moment_right] : 0; }
     double up(size_t i) const { return share ? (*moments)[image::moment_numbers * i + image::moment_up] : 0; }
     size_t index(int x, int y) const { return size_t(height - 1 - y) * width + x; }  // y from the bottom

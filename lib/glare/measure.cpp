@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each quantity that is asked for is calculated once, in the order in which the metrics need each other (measure.h).
+// Calculates each required quantity once, in the order in which the metrics depend on each other (measure.h).
 #include "glare/measure.h"
 #include <algorithm>
 #include <cmath>

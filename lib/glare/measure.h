@@ -83,10 +83,10 @@ private:
     std::unique_ptr<Geometry> geometry_;
     std::unique_ptr<SourceFinder> finder_;
     bool told_no_moments_ = false;
-    bool narrow_ = false;  // a view that is still to be told of
+    bool narrow_ = false;  // a narrow view, not yet warned of
     std::unique_ptr<const Pyramid> pyramid_;
     std::vector<RegionPixels> region_pixels_;
-    std::vector<float> position_index_;  // by pixel, where medians are asked for
+    std::vector<float> position_index_;  // by pixel, if medians are required
     std::optional<std::vector<uint32_t>> mask_;
 };
 

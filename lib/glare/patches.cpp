@@ -13,8 +13,8 @@ uint32_t assign_patches(std::vector<Run>& runs, const Geometry& g, const Patches
     const int dx = int(std::floor(g.width / v.vh * patches.angle_deg)),
               dy = int(std::floor(g.height / v.vv * patches.angle_deg));
     if (dx < 1 || dy < 1) base::fail("-z", "patches of this angle are smaller than a pixel");
-    // Crossed as in evalglare 3.06 (rows ang_180x90 of tests/golden/glare): where a view is not as high as wide, a
-    // number may stand for parts of two patches, or the last ones for none.
+    // Crossed as in evalglare 3.06 (rows ang_180x90 of tests/golden/glare): if height and width of a view differ, a
+    // number may name parts of two patches, and the last numbers none.
     const int nx = int(std::floor(v.vv / patches.angle_deg)) + 1, ny = int(std::floor(v.vh / patches.angle_deg)) + 1;
     const auto centre_x = [&](int k) {
         const int j = (k - 1) / nx, i = (k - 1) % nx;

@@ -14,7 +14,7 @@ struct Level {
     std::vector<size_t> row;  // spans of row r: row[r] .. row[r+1]-1
 
     double pixels() const;  // that count
-    // Where of row r column x and of row s column x + shift both count: visit(first x, last x + 1).
+    // Calls visit(first x, last x + 1) for runs where column x of row r and column x + shift of row s both count.
     template <class Visit>
     void pairs(int r, int s, int shift, Visit visit) const {
         size_t b = row[s];

@@ -24,7 +24,7 @@ WIDE_LOOP double difference(const float* a, const float* b, int n) {
     return sum;
 }
 
-// Of the pairs between row r, column x and row s, column x + shift.
+// Sum over the pairs of row r, column x and row s, column x + shift.
 double pairs(const Level& level, const float* values, int r, int s, int shift) {
     double sum = 0;
     level.pairs(r, s, shift, [&](int x0, int x1) {

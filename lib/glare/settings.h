@@ -82,7 +82,7 @@ struct MaskSize : base::Error {
           mask_height(mask_h) {}
 };
 
-// What to calculate beyond Ev and the luminance statistics that cost nothing.
+// Quantities to calculate beyond Ev and the luminance statistics, which cost nothing.
 struct Requirements {
     bool sources = true, rammg = true, medians = false, regions_in_full = false;
     bool filled = false;     // sources by what fills their pixels (filled.h), too

@@ -12,7 +12,7 @@ struct Joining {
 };
 
 // The dark valid pixels that join the groups of `runs` (in picture order) within `radius` pixels, columns from the left
-// and from the bottom; those of one pixel by group.  In time proportional to pixels times radius.
+// and from the bottom; entries of one pixel by group.  In time proportional to pixels times radius.
 std::vector<Joining> smooth(const std::vector<Run>& runs, const Geometry& geometry, float radius);
 
 }  // namespace glare

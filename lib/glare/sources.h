@@ -34,10 +34,10 @@ public:
     virtual void find_groups(const Luminance& lum, const Luminance& classification_image, double threshold) = 0;
     // The sources that were found, one for each group, split at the borders of zones (-l, -L).
     virtual std::vector<GlareSource> split(const Luminance& lum) = 0;
-    // Of a band, a mask or a zone; between find_groups() and split().
+    // Statistics of a band, a mask or a zone; to be called between find_groups() and split().
     virtual PixelStatistics statistics(const std::vector<uint32_t>& pixels, const Luminance& lum) const;
     virtual void mark_band(const std::vector<uint32_t>&) {}
-    // Whether the sources are the whole: what is left of it is rounding.
+    // True if the sources are the whole light: the rest is rounding.
     virtual bool nothing_left(double rest, double whole) const { return rest < 1e-11 * whole; }
 
     const std::vector<Run>& runs() const { return runs_; }  // the last picture's source pixels, groups from 1
@@ -82,7 +82,7 @@ private:
 };
 
 GlareTerms terms_of(const std::vector<GlareSource>& sources);
-// What the formulas need: of the sources that were found, or with DgpForm::pixel of every bright pixel.
+// Sums for the formulas: over the sources that were found, or with DgpForm::pixel over every bright pixel.
 GlareTerms glare_terms(const Luminance& lum, const Luminance& classification_image, const Geometry& geometry,
                        const Settings& settings, double threshold, const std::vector<GlareSource>& sources);
 

@@ -63,7 +63,7 @@ double radius_in_pixels(const Geometry& g, double opening) {
 std::vector<Run> bright_runs(const Luminance& lum, const Geometry& g, double above) {
     std::vector<Run> runs;
     const float limit = grey_limit(above);
-    constexpr int block = 32;  // most are dark: looked at side by side
+    constexpr int block = 32;  // most pixels are dark: tested side by side
     const auto dark = [&](const float* values) {
         int bright = 0;
         for (int k = 0; k < block; ++k) bright |= values[k] > limit;

@@ -20,11 +20,11 @@ public:
     const view::Projector projector;
 
     virtual Vec3 line_of_sight() const { return projector.forward(); }
-    // Of a point of the picture, 0..1 from the left and from the bottom; (0,0,0) if none.
+    // Direction at a point of the picture, 0..1 from the left and from the bottom; (0,0,0) if none.
     virtual Vec3 direction(double X, double Y) const;
     // The same, for angles to the line of sight.
     virtual Vec3 seen_direction(double X, double Y) const { return direction(X, Y); }
-    // Of all pixels, sr, row 0 = top; 0 where a corner has no direction.
+    // Solid angles of all pixels, sr, row 0 = top; 0 if a corner has no direction.
     virtual std::vector<double> solid_angles(int width, int height) const;
     // Cosine of the angle of incidence at the eye, from the cosine to the line of sight.
     virtual double incidence(double cosine) const { return cosine > 0 ? cosine : 0; }

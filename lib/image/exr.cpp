@@ -35,7 +35,7 @@ bool scale_colors(std::vector<float>& rgb, double unit, const std::optional<std:
     return true;
 }
 
-// Sums and parts of pixels whose colours are converted would be those of other numbers, and are left out.
+// Exact sums and parts are left out if colours are converted: they would belong to other numbers.
 std::vector<SumLayer> read_sum(const ExrInput& in) {
     std::vector<SumLayer> all;
     for (int k = 0; k < sum_digits; ++k) {
@@ -100,7 +100,7 @@ std::vector<std::pair<int64_t, std::vector<float>>> read_layers(const ExrInput& 
     return layers;
 }
 
-// "part<k>.Y", whose frames are those of the text "part<k>".
+// Layers "part<k>.Y"; the attribute "part<k>" names their frames.
 std::vector<Part> read_parts(const ExrInput& in, int64_t frames, const std::string& path) {
     std::vector<Part> parts;
     for (auto& [k, grey] : read_layers(in, "part", path)) {

@@ -87,7 +87,7 @@ std::string one_line(const char* text) {
     return s;
 }
 
-// Of every header: a file of several parts has several, and an empty one ends them.
+// Checks every header: a file of several parts has several, and an empty one ends them.
 void check_attributes(Imf::IStream& in, uint64_t end, const std::string& path) {
     const auto left = [&] { return int64_t(end) - int64_t(in.tellg()); };
     const auto read = [&](std::string& to) {  // as many bytes as it has; false where the file ends before

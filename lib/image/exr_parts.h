@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What reading and writing OpenEXR files share: limits, and checks of a file's own claims before OpenEXR believes them.
+// Shared by reading and writing OpenEXR files: limits, and checks of a file's own claims before OpenEXR uses them.
 #pragma once
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>

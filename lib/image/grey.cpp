@@ -16,7 +16,7 @@ using Which = int32_t __attribute__((vector_size(16)));
 
 inline __attribute__((always_inline)) Double wide(const Four& v) { return __builtin_convertvector(v, Double); }
 
-// Whether there is one that needs a second look.
+// Returns true if a pixel needs the careful conversion.
 WIDE_LOOP bool convert(const float* rgb, size_t pixels, float* grey) {
     Which odd = {};
     size_t i = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Moments of the light inside of a pixel, of which its mean tells nothing (man/luxpipe-stream.5, docs/decisions/0033).
+// Moments of the light inside a pixel: its variance and centroid (man/luxpipe-stream.5, docs/decisions/0033).
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -13,9 +13,9 @@ constexpr size_t moment_variance = 0;    // of grey (grey.h) over the pixel, (W/
 constexpr size_t moment_difference = 1;  // half the difference between two independent estimates of it
 constexpr size_t moment_right = 2;       // centroid of the light from its centre, in pixels
 constexpr size_t moment_up = 3;
-// moment_numbers of each pixel, row 0 = top; those of frame 0 belong to all sums that it is in.
+// moment_numbers of each pixel, row 0 = top; the moments of frame 0 belong to all sums that contain it.
 using Moments = std::shared_ptr<const std::vector<float>>;
-// What no picture has, numbers that are not finite or too large, becomes 0; so does a variance below 0.
+// Sets numbers that are not finite or too large, and variances below 0, to 0.
 void clean_moments(std::vector<float>& moments);
 
 struct Picture;

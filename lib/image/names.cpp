@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What pictures are called: names of views and skies, by which files are called as well, and ranges of frames.
+// Labels of pictures: names of views and skies, which file names use as well, and ranges of frames.
 #include <fmt/format.h>
 
 #include <algorithm>

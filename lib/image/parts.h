@@ -5,7 +5,7 @@
 // The unit is a range of frames:
 // whatever correlates pixels does so inside of a frame.  A range goes whole to the sum of the fewest frames.  Among
 // equals in round r, where all sums hold r frames or more, it is the one of the smallest index xor r: samples are
-// points of a sequence in base 2 (kernels/sampling/sampler.h), of which every sixteenth has the same first digits, and
+// points of a sequence in base 2 (kernels/sampling/sampler.h), in which every sixteenth has the same first digits, and
 // each sum should have all of them.
 #pragma once
 #include <cstddef>

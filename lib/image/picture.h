@@ -83,9 +83,9 @@ void require_complete(const Picture& picture, const std::string& where);
 
 enum class Format { rgbe, xyze, flt };
 
-// What a reader makes of the numbers in a file: radiance, as above; or the numbers themselves, with their exposure,
-// colour correction and primaries in them, as RADIANCE takes pictures that are patterns; or only with their exposure
-// divided out, as evalglare takes them.  XYZE and OpenEXR become radiance always.
+// How a reader converts the numbers in a file: to radiance, as above; not at all (exposure, colour correction and
+// primaries stay in), as RADIANCE treats pictures that are patterns; or with only the exposure divided out, as
+// evalglare does.  XYZE and OpenEXR always become radiance.
 enum class Pixels { radiance, stored, exposed };
 
 }  // namespace image

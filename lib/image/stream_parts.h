@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the readers and writers of RADIANCE pictures share: the header, the resolution line, the order of pixels.
+// Shared by readers and writers of RADIANCE pictures: the header, the resolution line, the order of pixels.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -23,7 +23,7 @@ struct Head {
 };
 Head read_head(Input& in, const std::string& place);  // up to the pixels
 
-// Of the numbers of 32-bit float pictures (BigEndian=).
+// Byte order of 32-bit float pictures (BigEndian=).
 inline bool host_is_big_endian() {
     const uint16_t one = 1;
     uint8_t first;

@@ -209,7 +209,7 @@ struct StreamReader::State {
     Pixels pixels;
     std::string named_by;
     int64_t edit = 0;                      // of the picture read last
-    int64_t announced = -1, reached = -1;  // frame numbers: LASTFRAME=, and that of the picture read last
+    int64_t announced = -1, reached = -1;  // frame numbers: LASTFRAME=, and the picture read last
 
     CarriedMoments moments;
 

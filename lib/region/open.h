@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tools take for regions (vcmetrics -regions, ptrace -focus): masks (OpenEXR, written by vcregion) or a region
+// Opens regions of the tools (vcmetrics -regions, ptrace -focus): masks (OpenEXR, written by vcregion) or a region
 // file (man/vcregion.5), distinguished by their first bytes.
 #pragma once
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace region {
 
-// Masks; or, from a region file, their names and what draws them when view and size are known, which fails where one is
-// empty.  warn_of_small: and warns of those of few pixels.
+// Returns masks; or, from a region file, their names, and in `draw` a function that draws them for a view and size and
+// throws Error if one is empty.  warn_of_small: the function also warns of regions of few pixels.
 image::MaskSet open(const std::string& path, image::DrawRegions& draw, bool warn_of_small);
 
 }  // namespace region

@@ -87,7 +87,7 @@ private:
     std::vector<int> steps_;  // > 0 inside
 };
 
-// What is wrong with a mask is told at the line that names it.
+// Reports an error of a mask at the line that names it.
 template <class Read>
 auto read_named(Read&& read, const Shape& s) {
     try {

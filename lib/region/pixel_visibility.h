@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene shows through each pixel's centre, and along any other ray of the view.
+// Surfaces of a scene seen through each pixel's centre, and along any other ray of the view.
 #pragma once
 #include <vector>
 #include "region/raster.h"
 
 namespace region {
 
-// What one ray sees.
+// The surfaces along one ray.
 struct RayHits {
     static constexpr int room = 24;  // surfaces along a ray that are kept apart
     Point p;
@@ -25,7 +25,7 @@ public:
     // Through a position of the picture, in pixels.
     RayHits trace(double x, double y) const;
 
-    // Of pixels' centres, y from the bottom: the direction (zero: no ray), where it ends, and the list of surfaces met.
+    // At pixel centres, y from the bottom: the direction (zero: no ray), its end, and the list of surfaces hit.
     size_t at(int x, int y) const { return size_t(y) * size_t(nx_) + size_t(x); }
     const Vec3& direction(int x, int y) const { return directions_[at(x, y)]; }
     double end(int x, int y) const { return ends_[at(x, y)]; }

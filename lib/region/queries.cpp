@@ -9,7 +9,7 @@
 namespace region {
 namespace {
 
-// The names that a query of this kind goes by: the surface's own, or those of its modifiers.
+// The names that a query of this kind compares: the surface's own, or its modifiers'.
 std::vector<std::string> names_of(Kind kind, const SceneView& scene, unsigned surface) {
     if (kind == Kind::modifier) return scene.modifier_names(surface);
     const std::string name = scene.surface_name(surface);

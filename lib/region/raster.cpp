@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coverage without a scene.  Cells of the picture are halved until their field says all in or all out; what remains are
-// the pixels on a border.  Those are halved further while the field bends, then each cell's share is that of the linear
+// Coverage without a scene.  Cells of the picture are halved until their field says all in or all out; pixels on a
+// border remain.  They are halved further while the field bends; then the coverage of a cell is that of the linear
 // interpolation over its four triangles (corner, corner, centre): exact for straight borders, and within 0.001 of a
-// pixel for the others.  Nothing depends on threads or chance, so the bytes repeat.
+// pixel for others.  The result does not depend on threads or random numbers, so the bytes repeat.
 #include "region/raster.h"
 #include <algorithm>
 #include <atomic>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the two rasterizers (raster.cpp, scene.cpp) share: a region's tree as one field over the view.
+// Shared by the two rasterizers (raster.cpp, scene.cpp): a region's tree as one field over the view.
 // In a tree, union is the greater, intersection the lesser value, complement the negative: with values in units of the
 // cell's radius (see shape.h) |value| > 1 stays "the whole cell is in / out" through every operation.
 #pragma once
@@ -60,7 +60,7 @@ private:
         int size, across;
         std::vector<CellGeometry> cells;
     };
-    std::vector<Level> levels_;  // sizes coarse .. fine; smaller cells are worked out where they are met
+    std::vector<Level> levels_;  // sizes coarse .. fine; smaller cells are evaluated on demand
 };
 
 void fill(std::vector<float>& plane, const Space& s, const Cell& c, float v);

@@ -43,7 +43,7 @@ struct Shape {
 struct Node {
     char op;
     int a = -1, b = -1;
-    int size = 1;  // nodes below and including this one, those of named regions counted each time
+    int size = 1;  // nodes below and including this one; nodes of named regions count at each use
 };
 struct Region {
     std::string name, place;
@@ -63,7 +63,7 @@ Regions parse(const std::string& text, const std::string& file);
 // True if a region asks for surfaces or modifiers, which only a scene can answer.
 bool needs_scene(const Regions& regions);
 
-// What the scene shows along a ray: see-through surfaces in order and the opaque one that ends it.
+// Surfaces of the scene along a ray: transparent ones in order and the opaque one that ends it.
 struct Crossing {
     double t;
     unsigned surface;
@@ -97,7 +97,7 @@ std::vector<Extent> measure(const image::MaskSet& set, const view::View& view);
 // Only the names and pixels of it, quicker.
 std::vector<Extent> count_pixels(const image::MaskSet& set, const view::View& view);
 
-// Throws Error for an empty region; warns about those of fewer than 32 pixels and what that costs.
+// Throws Error for an empty region; warns of regions of fewer than 32 pixels and their cost.
 void check_sizes(const Regions& regions, const std::vector<Extent>& extents, bool warn_of_small = true);
 
 // Up to three of `names` that a person may have meant by `name`, as ' (did you mean "a" or "b"?)'; empty if none is

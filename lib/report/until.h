@@ -14,7 +14,7 @@ struct Tolerance {
     bool relative = false;  // amount is a fraction of the value
 };
 
-// Throws Error on a rule that cannot be read; place: which option, or which line of which file, says it.
+// Throws Error on a rule that cannot be read; place: the option, or the file and line, that contains it.
 std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::string& place);
 
 // What the size of pixels does to the metrics of a rule, and to DGP for the class: their columns NAME.px.  None: not

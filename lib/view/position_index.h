@@ -32,8 +32,8 @@ EyeAngles eye_angles(const Projector& p, Vec3 d, bool picture_up = false);
 double position_index(const Projector& p, Vec3 d, PositionModel model = PositionModel::guth);
 // The same from angles that are known.
 double position_index(const EyeAngles& angles, const Projector& p, Vec3 d, PositionModel model);
-// ln P by guth, not rounded, for unit d ahead of the eye: a third of the time, for borders that are looked at millions
-// of times.
+// ln P by Guth, not rounded, for unit d ahead of the eye: takes a third of the time, for borders that are evaluated
+// millions of times.
 double log_position_index(const Projector& p, Vec3 d);
 
 }  // namespace view

@@ -61,7 +61,7 @@ double aspect(const View& v);
 // Fits one side to the view's aspect as rpict does (-pa pixel_aspect; 0 keeps both sides).
 void fit_size(const View& v, double pixel_aspect, int& nx, int& ny);
 
-// A validated view with its basis worked out.
+// A validated view with its basis vectors.
 class Projector {
 public:
     explicit Projector(const View& v);
@@ -72,7 +72,7 @@ public:
     };
     std::optional<Ray> ray(double X, double Y) const;  // none outside the image circle
     std::optional<Vec3> direction(double X, double Y) const;
-    // Where a direction (unit, from the view point at infinity) or a point appears; false if the projection has no
+    // Picture position of a direction (unit, from the view point at infinity) or a point; false if the view has no
     // place for it.  The place may lie outside the picture, [0,1]^2.
     bool locate_direction(Vec3 dir, double& X, double& Y) const;
     bool locate_point(Vec3 point, double& X, double& Y) const;

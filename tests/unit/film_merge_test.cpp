@@ -108,7 +108,7 @@ TEST_CASE("exact sums that do not belong to the pixels are refused") {
     Picture changed = sum_of(0, 9);
     changed.rgb[7] *= 2;
     CHECK(merge_error({changed, sum_of(10, 19)}) ==
-          "p0: its pixels are not those of its exact sums: another program has changed it");
+          "p0: its pixels differ from its exact sums: another program has changed it");
     Picture gap = sum_of(0, 9);
     gap.sum.back().digit++;
     CHECK(merge_error({gap}).find("p0: its layers of exact sums have a gap") == 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ptaccum - sums the frames of a stream, L'(n) = L(0) + (1/n) sum L(i) (paper Eq. 7), or merges such sums.
-// What the first picture is decides: FRAME= begins a stream of frames, FRAMES= a merge; frames that follow the sums of
+// The first picture decides: FRAME= begins a stream of frames, FRAMES= a merge; frames that follow the sums of
 // a merge are added to it.  The arithmetic is lib/film/accumulate.h; this file only connects it.  See man/ptaccum.1.
 #include <fmt/format.h>
 
@@ -55,7 +55,7 @@ void keep_inputs(const Options& opt) {
 
 bool is_frame(const image::Picture& p) { return p.header.frame && !p.header.frames; }
 
-// Frames into one sum after another.  What came whole is kept in the files, also when the rest is wrong.
+// Adds frames to one sum after another.  Complete frames are kept in the files, also if the rest is wrong.
 void sum_frames(Pictures& pictures, image::Picture& frame, Sums&& sums) {
     base::finish_on_signal();
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where ptaccum's pictures go: to the files of -o, or without -o to the standard output; "-o -" is the latter, too.
+// Outputs of ptaccum's pictures: the files of -o, or without -o the standard output; "-o -" is the latter, too.
 // A stream of sums is float; a picture by itself is RGBE, which every program of the RADIANCE family reads, unless it
 // is a partial sum, which is not yet a picture and may be negative.
 #pragma once

@@ -39,7 +39,7 @@ private:
     bool filters_;                              // PNG files are asked for, and all frames come through here
     display::HalfSums halves_;                  // where it does
     base::Progress progress_{"ptaccum"};
-    bool moments_streamed_ = false;        // those of this sum: they go behind its first picture
+    bool moments_streamed_ = false;        // moments of this sum: written behind its first picture
     bool streamed_ = true, filed_ = true;  // the last sum is written there for good
     bool seems_whole_ = false;             // the stream of sums, to a reader that finds its end here
     Clock::time_point files_again_;        // without -every: the earliest time for the files' next writing

@@ -36,7 +36,7 @@ const std::vector<std::string> all_metrics = {
     "Ev",    "DGP",      "DGI",  "UGR",  "VCP",  "CGI", "UGP",  "UGP2",      "DGImod",        "UGRexp", "DGR",
     "Lveil", "LveilCIE", "Lavg", "Lmax", "Lmed", "Lb",  "Edir", "n_sources", "omega_sources", "RAMMG"};
 
-// Both sides with the same metrics: those of -metrics, else those that a record holds, else all.
+// Both sides with the same metrics: those of -metrics, or else of a record, or else all.
 std::pair<NumberTable, NumberTable> both_sides(const Options& o) {
     std::optional<NumberTable> side[2] = {read_numbers(o.files[0]), read_numbers(o.files[1])};
     std::vector<std::string> metrics = o.metrics;
@@ -53,7 +53,7 @@ std::pair<NumberTable, NumberTable> both_sides(const Options& o) {
     return {*side[0], *side[1]};
 }
 
-// What a rule of -tolerance may name: what is compared here, or would be with other -metrics.
+// A rule of -tolerance may name any metric that is compared here, or would be with other -metrics.
 std::vector<std::string> metrics_there_are(const NumberTable& compared) {
     std::vector<std::string> names = base::split_words(glare::column_names());
     names.insert(names.end(), compared.names.begin(), compared.names.end());

@@ -106,7 +106,7 @@ void declare_measures(OptionTable& t, glare::Settings& s) {
     t.add("-f", "Measure a perspective picture even if its corners are black", s.force);
 }
 
-// What only evalglare's lines have: each implies -like evalglare.
+// Options for evalglare's lines only: each implies -like evalglare.
 void declare_lines(OptionTable& t, Options& o) {
     const auto implies = [&](auto& variable, auto value) {
         return [&o, &variable, value](Arguments&) {
