@@ -9,28 +9,16 @@ namespace glare {
 namespace {
 
 using M = const Measurement&;
-using uncertainty::NoiseBias;
-using uncertainty::Quantity;
+constexpr Noise no_interval = Noise::no_interval, linear = Noise::linear;
 
 // filled: there is a column NAMEf, of sources by what fills their pixels, and NAME.px, its difference from NAMEu.
 enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, all_light = 16, filled = 32 };
-
-// How the error of a metric is estimated.  A metric with a bias has a column NAMEu without that bias.  The error of the
-// bias is the share of it that intervals needed to cover the truth (docs/decisions/0019-intervals.md).
-constexpr Quantity no_interval{};
-constexpr Quantity linear{Quantity::Method::half_samples, NoiseBias::none, 0, false};
-constexpr Quantity of_dgp{Quantity::Method::half_samples, NoiseBias::variance, .25, false};
-constexpr Quantity of_contrast{Quantity::Method::half_samples, NoiseBias::deviation, .18, false};
-constexpr Quantity of_glare{Quantity::Method::half_samples, NoiseBias::variance, .5, false};
-constexpr Quantity unbiased_only{Quantity::Method::none, NoiseBias::variance, 0, false};
-constexpr Quantity of_region{Quantity::Method::jackknife, NoiseBias::none, 0, false};
-constexpr Quantity of_ratio{Quantity::Method::jackknife, NoiseBias::none, 0, true};
 
 struct Entry {
     const char* name;
     unsigned wants;
     double (*value)(M);
-    Quantity quantity;
+    Noise noise;
 };
 
 double omega_sources(M m) {
@@ -48,22 +36,22 @@ double class_value(M m) { return dgp_class(m.dgp); }
 
 const Entry entries[] = {
     {"Ev", all_light, [](M m) { return m.ev; }, linear},
-    {"DGP", sources | filled, [](M m) { return m.dgp; }, of_dgp},
+    {"DGP", sources | filled, [](M m) { return m.dgp; }, Noise::dgp},
     {"class", sources | filled, class_value, no_interval},
-    {"DGI", sources | filled, [](M m) { return dgi(m.glare, m.background); }, of_glare},
-    {"UGR", sources | filled, [](M m) { return ugr(m.glare, m.background); }, of_glare},
-    {"VCP", sources | filled, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }, unbiased_only},
-    {"CGI", sources | filled, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }, of_glare},
-    {"UGP", sources | filled, [](M m) { return ugp(m.glare, m.background); }, of_glare},
-    {"UGP2", sources, [](M m) { return ugp2(m.glare, m.background); }, of_glare},
-    {"DGImod", sources, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }, of_glare},
-    {"UGRexp", sources, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }, of_glare},
-    {"DGR", sources, [](M m) { return dgr(m.glare, m.mean_lum); }, of_glare},
+    {"DGI", sources | filled, [](M m) { return dgi(m.glare, m.background); }, Noise::glare},
+    {"UGR", sources | filled, [](M m) { return ugr(m.glare, m.background); }, Noise::glare},
+    {"VCP", sources | filled, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }, Noise::bias_alone},
+    {"CGI", sources | filled, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }, Noise::glare},
+    {"UGP", sources | filled, [](M m) { return ugp(m.glare, m.background); }, Noise::glare},
+    {"UGP2", sources, [](M m) { return ugp2(m.glare, m.background); }, Noise::glare},
+    {"DGImod", sources, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }, Noise::glare},
+    {"UGRexp", sources, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }, Noise::glare},
+    {"DGR", sources, [](M m) { return dgr(m.glare, m.mean_lum); }, Noise::glare},
     {"PGSV", sources | mask, [](M m) { return m.pgsv.value; }, no_interval},
     {"PGSVcon", sources | mask, [](M m) { return m.pgsv.contrast; }, no_interval},
     {"PGSVsat", sources | mask, [](M m) { return m.pgsv.saturation; }, no_interval},
-    {"Lveil", sources, [](M m) { return veil_poynter(m.glare); }, of_glare},
-    {"LveilCIE", sources, [](M m) { return veil_cie(m.glare, -HUGE_VAL); }, of_glare},
+    {"Lveil", sources, [](M m) { return veil_poynter(m.glare); }, Noise::glare},
+    {"LveilCIE", sources, [](M m) { return veil_cie(m.glare, -HUGE_VAL); }, Noise::glare},
     {"Lavg", nothing, [](M m) { return m.mean_lum; }, linear},
     {"Lmax", nothing, [](M m) { return m.max_lum; }, no_interval},
     {"Lmed", medians, [](M m) { return m.median; }, no_interval},
@@ -71,14 +59,14 @@ const Entry entries[] = {
     {"LavgPos2", medians, [](M m) { return m.mean_pos2; }, linear},
     {"LmedPos", medians, [](M m) { return m.median_pos; }, no_interval},
     {"LmedPos2", medians, [](M m) { return m.median_pos2; }, no_interval},
-    {"Lb", sources, [](M m) { return m.background; }, of_glare},
+    {"Lb", sources, [](M m) { return m.background; }, Noise::glare},
     {"Lt", sources, [](M m) { return m.task_lum; }, linear},
     {"threshold", sources, [](M m) { return m.threshold; }, no_interval},
-    {"Edir", sources, [](M m) { return m.direct_lux; }, of_glare},
+    {"Edir", sources, [](M m) { return m.direct_lux; }, Noise::glare},
     {"n_sources", sources | filled, [](M m) { return double(m.sources.size()); }, no_interval},
     {"omega_sources", sources, omega_sources, no_interval},
     {"L_sources", sources, lum_sources, no_interval},
-    {"RAMMG", rammg, [](M m) { return m.rammg; }, of_contrast},
+    {"RAMMG", rammg, [](M m) { return m.rammg; }, Noise::contrast},
     {"omega", nothing, [](M m) { return m.omega; }, no_interval},
     {"pixels", nothing, [](M m) { return double(m.valid_pixels); }, no_interval},
     {"not_finite", nothing, [](M m) { return double(m.not_finite); }, no_interval},
@@ -88,17 +76,17 @@ const Entry entries[] = {
 struct PartEntry {
     const char* name;
     double RegionValues::*value;
-    Quantity quantity;
+    Noise noise;
 };
 const PartEntry parts[] = {
-    {"TAL", &RegionValues::tal, of_region},         {"mean", &RegionValues::mean, of_region},
+    {"TAL", &RegionValues::tal, Noise::region},     {"mean", &RegionValues::mean, Noise::region},
     {"median", &RegionValues::median, no_interval}, {"min", &RegionValues::lowest, no_interval},
     {"max", &RegionValues::highest, no_interval},   {"share", &RegionValues::share, no_interval}};
 
 struct SetEntry {
     const char* name;
     double PixelStatistics::*value;
-    Quantity quantity;
+    Noise noise;
 };
 const SetEntry set_parts[] = {
     {"omega", &PixelStatistics::omega, no_interval},   {"mean", &PixelStatistics::mean, linear},
@@ -161,7 +149,7 @@ private:
     // NAME or, where noise makes NAME too large, NAMEu; NAMEf and NAME.px.
     bool plain(const std::string& name) {
         for (const Entry& e : entries) {
-            const bool shows_unbiased = e.quantity.bias != NoiseBias::none && name == std::string(e.name) + "u",
+            const bool shows_unbiased = has_bias(e.noise) && name == std::string(e.name) + "u",
                        shows_filled = (e.wants & filled) != 0 && name == std::string(e.name) + "f",
                        shows_pixels = name == pixels_column(e.name);
             if (name != e.name && !shows_unbiased && !shows_filled && !shows_pixels) continue;
@@ -171,14 +159,14 @@ private:
             requirements_.medians |= (e.wants & medians) != 0;
             requirements_.all_light |= (e.wants & (all_light | sources)) != 0 && !settings_.external_ev;
 
-            Column column{name, e.value, e.quantity};
+            Column column{name, e.value, e.noise};
             if (std::string(e.name) == "LveilCIE")
                 column.value = [cut = settings_.veil_cut](M m) { return veil_cie(m.glare, cut); };
             if (e.value == class_value) column.words = dgp_classes;
             column.printed_unbiased = shows_unbiased;
             if (shows_filled || shows_pixels) {
                 requirements_.filled = true;
-                column.printed_unbiased = e.quantity.bias != NoiseBias::none;
+                column.printed_unbiased = has_bias(e.noise);
                 column.of_filled = true;
                 column.value = [value = e.value, shows_pixels](M m) {
                     return value(m.filled ? *m.filled : m) - (shows_pixels ? value(m) : 0);
@@ -196,7 +184,8 @@ private:
             if (!plain && name != "CRu" && name != p.column + ".CRu") continue;
             const size_t low = region_index(p.low), high = region_index(p.high);
             Column column{p.column + (plain ? ".CR" : ".CRu"),
-                          [low, high](M m) { return m.region_values[low].tal / m.region_values[high].tal; }, of_ratio};
+                          [low, high](M m) { return m.region_values[low].tal / m.region_values[high].tal; },
+                          Noise::region_ratio};
             column.printed_unbiased = !plain;
             columns_.push_back(std::move(column));
             found = true;
@@ -213,7 +202,7 @@ private:
                 if (name != part.name && name != full) continue;
                 requirements_.regions_in_full |= part.value != &RegionValues::tal;
                 const auto value = part.value;
-                columns_.push_back({full, [k, value](M m) { return m.region_values[k].*value; }, part.quantity});
+                columns_.push_back({full, [k, value](M m) { return m.region_values[k].*value; }, part.noise});
                 found = true;
             }
         for (const PartEntry& part : parts)
@@ -228,7 +217,7 @@ private:
                 if (name != set && name != full) continue;
                 if (!there) base::fail("-metrics", name + " needs -B, -A, -l or -L");
                 const auto value = part.value;
-                columns_.push_back({full, [member, value](M m) { return (*(m.*member)).*value; }, part.quantity});
+                columns_.push_back({full, [member, value](M m) { return (*(m.*member)).*value; }, part.noise});
                 requirements_.sources = true;
                 found = true;
             }
@@ -268,10 +257,13 @@ int dgp_class(double dgp) {
     return dgp > dgp_limits[2] ? 3 : dgp >= dgp_limits[1] ? 2 : dgp >= dgp_limits[0] ? 1 : 0;
 }
 
+bool has_interval(Noise noise) { return noise != no_interval && noise != Noise::bias_alone; }
+
+bool has_bias(Noise noise) { return noise != no_interval && noise != linear && noise != Noise::region; }
+
 std::string pixels_column(const std::string& metric) {
     for (const Entry& e : entries)
-        if (metric == e.name && (e.wants & filled) && e.quantity.method != Quantity::Method::none)
-            return metric + ".px";
+        if (metric == e.name && (e.wants & filled) && has_interval(e.noise)) return metric + ".px";
     return "";
 }
 

@@ -6,21 +6,35 @@
 #include <string>
 #include <vector>
 #include "glare/measure.h"
-#include "uncertainty/estimator.h"
 
 namespace glare {
+
+// How noise enters a metric.  lib/report chooses by it how the error is estimated.
+enum class Noise {
+    no_interval,   // intervals are not known, or were not shown to hold
+    bias_alone,    // as glare, without an interval
+    linear,        // no bias
+    dgp,           // squares of luminances beside terms without bias
+    glare,         // squares of luminances: the bias goes with the variance of noise
+    contrast,      // absolute differences: the bias goes with the deviation of noise
+    region,        // mean of a region: few pixels, skew
+    region_ratio,  // ratio of two
+};
+
+bool has_interval(Noise noise);
+bool has_bias(Noise noise);
 
 struct Column {
     std::string name;
     std::function<double(const Measurement&)> value;
-    uncertainty::Quantity quantity;      // how its error is estimated, if it is
+    Noise noise = Noise::no_interval;
     bool printed_unbiased = false;       // DGPu, CRu: the column shows the value without bias
     bool of_filled = false;              // DGPf, DGP.px: where the bias is not known, with it
     bool printed = true;                 // else it serves a rule alone
     const char* const* words = nullptr;  // class: the value is an index of these
-    bool has_interval() const { return quantity.method != uncertainty::Quantity::Method::none; }
+    bool has_interval() const { return glare::has_interval(noise); }
     // The interval lies around the value without bias.
-    bool has_bias() const { return quantity.bias != uncertainty::NoiseBias::none || quantity.ratio; }
+    bool has_bias() const { return glare::has_bias(noise); }
 };
 
 struct ColumnChoice {

@@ -6,15 +6,28 @@
 #include <cmath>
 #include <limits>
 
-#include "glare/moment_error.h"
+#include "report/moment_error.h"
 #include "uncertainty/frame0.h"
 #include "uncertainty/threshold_filter.h"
 
 namespace report {
 namespace {
 
+using glare::Noise;
+using uncertainty::NoiseBias;
 using Method = uncertainty::Quantity::Method;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// The error of a bias is the share of it that intervals needed to hold the truth (docs/decisions/0019-intervals.md).
+const std::pair<Noise, uncertainty::Quantity> quantities[] = {
+    {Noise::bias_alone, {Method::none, NoiseBias::variance, 0, false}},
+    {Noise::linear, {Method::half_samples, NoiseBias::none, 0, false}},
+    {Noise::dgp, {Method::half_samples, NoiseBias::variance, .25, false}},
+    {Noise::glare, {Method::half_samples, NoiseBias::variance, .5, false}},
+    {Noise::contrast, {Method::half_samples, NoiseBias::deviation, .18, false}},
+    {Noise::region, {Method::jackknife, NoiseBias::none, 0, false}},
+    {Noise::region_ratio, {Method::jackknife, NoiseBias::none, 0, true}},
+};
 
 // Pixels to each side of the threshold filter's neighbourhood, which is not wider than evalglare's search radius.
 int filter_radius(const glare::Geometry& g) {
@@ -31,6 +44,12 @@ glare::Luminance as_luminance(std::vector<float>& grey, const glare::Geometry& g
 }
 
 }  // namespace
+
+uncertainty::Quantity quantity_of(Noise noise) {
+    for (const auto& [of, quantity] : quantities)
+        if (of == noise) return quantity;
+    return {};
+}
 
 ColumnEstimates::ColumnEstimates(const glare::PictureAnalyzer& analyzer, const std::vector<glare::Column>& columns)
     : analyzer_(analyzer), columns_(columns) {
@@ -80,7 +99,7 @@ void ColumnEstimates::pass_look() {
 uncertainty::Values ColumnEstimates::values(const glare::Measurement& m, bool regions_alone) const {
     uncertainty::Values out;
     for (const glare::Column& c : columns_)
-        out.push_back(regions_alone && c.quantity.method != Method::jackknife ? nan : c.value(m));
+        out.push_back(regions_alone && quantity_of(c.noise).method != Method::jackknife ? nan : c.value(m));
     return out;
 }
 
@@ -91,7 +110,7 @@ void ColumnEstimates::look(const glare::Luminance& lum, const glare::Measurement
     if (!frame0_error_.empty()) mean.frame0_error = &frame0_error_;
 
     uncertainty::Metrics metrics;
-    for (const glare::Column& c : columns_) metrics.quantities.push_back(c.quantity);
+    for (const glare::Column& c : columns_) metrics.quantities.push_back(quantity_of(c.noise));
     metrics.measure = [&] {
         const std::shared_ptr<glare::SourceFinder> finder = analyzer_.make_finder();
         return [this, finder, &g, &lum](std::vector<float>& image, std::vector<float>& classification) {
@@ -108,7 +127,7 @@ void ColumnEstimates::look(const glare::Luminance& lum, const glare::Measurement
     metrics.filter_radius = filter_radius(g);
     const std::vector<uncertainty::Estimate> before = std::move(own_);
     replicates_ = uncertainty::replicate(mean, metrics, values(m, false));
-    const std::vector<uncertainty::Values> of_moments = glare::moment_values(analyzer_, columns_, lum);
+    const std::vector<uncertainty::Values> of_moments = moment_values(analyzer_, columns_, lum);
     if (!of_moments.empty()) replicates_.pairs.push_back(of_moments);
     own_ = uncertainty::estimate(replicates_, metrics.quantities);
     estimates_ = own_;

@@ -13,6 +13,9 @@
 
 namespace report {
 
+// How the error of a column is estimated.
+uncertainty::Quantity quantity_of(glare::Noise noise);
+
 class ColumnEstimates {
 public:
     ColumnEstimates(const glare::PictureAnalyzer& analyzer, const std::vector<glare::Column>& columns);

@@ -14,7 +14,7 @@ lib/cal: base image kernels
 lib/generators: base cal
 lib/scene: base cal generators kernels
 lib/uncertainty: base image
-lib/glare: base view image uncertainty
+lib/glare: base view image
 lib/evalglare: base view glare
 lib/report: base view image uncertainty glare
 lib/region: base view image display

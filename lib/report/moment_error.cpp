@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // See moment_error.h.
-#include "glare/moment_error.h"
+#include "report/moment_error.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,7 +10,7 @@
 #include "base/threads.h"
 #include "uncertainty/frame0.h"
 
-namespace glare {
+namespace report {
 namespace {
 
 // v + e (up: 1) or v - e (-1); below 0 there is none.
@@ -26,22 +26,22 @@ image::Moments moved(const std::vector<float>& moments, int pair, float up) {
 
 }  // namespace
 
-std::vector<uncertainty::Values> moment_values(const PictureAnalyzer& analyzer, const std::vector<Column>& columns,
-                                               const Luminance& lum) {
-    const auto of_filled = [](const Column& c) { return c.of_filled; };
+std::vector<uncertainty::Values> moment_values(const glare::PictureAnalyzer& analyzer,
+                                               const std::vector<glare::Column>& columns, const glare::Luminance& lum) {
+    const auto of_filled = [](const glare::Column& c) { return c.of_filled; };
     if (!lum.moments || std::none_of(columns.begin(), columns.end(), of_filled)) return {};
     std::vector<uncertainty::Values> seen(2 * moment_pairs);
     std::atomic<size_t> next{0};
     base::on_threads(std::min(base::processors(), unsigned(seen.size())), [&] {
         const auto finder = analyzer.make_finder();
         for (size_t k = next++; k < seen.size(); k = next++) {
-            Luminance here = lum;
+            glare::Luminance here = lum;
             here.moments = moved(*lum.moments, int(k / 2), k % 2 ? -1 : 1);
-            const Measurement m = analyzer.measure(here, here, *finder);
-            for (const Column& c : columns) seen[k].push_back(c.of_filled ? c.value(m) : 0);
+            const glare::Measurement m = analyzer.measure(here, here, *finder);
+            for (const glare::Column& c : columns) seen[k].push_back(c.of_filled ? c.value(m) : 0);
         }
     });
     return seen;
 }
 
-}  // namespace glare
+}  // namespace report

@@ -7,13 +7,14 @@
 #pragma once
 #include <vector>
 #include "glare/columns.h"
+#include "uncertainty/estimator.h"
 
-namespace glare {
+namespace report {
 
 constexpr int moment_pairs = 4;
 
 // Each pair's two values of all columns, 0 of those that are not of filled pixels; empty: nothing is known of them.
-std::vector<uncertainty::Values> moment_values(const PictureAnalyzer& analyzer, const std::vector<Column>& columns,
-                                               const Luminance& lum);
+std::vector<uncertainty::Values> moment_values(const glare::PictureAnalyzer& analyzer,
+                                               const std::vector<glare::Column>& columns, const glare::Luminance& lum);
 
-}  // namespace glare
+}  // namespace report
