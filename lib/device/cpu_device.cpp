@@ -23,7 +23,7 @@ constexpr uint32_t TILE = 4096;
 static_assert(TILE % REUSE_SQUARE == 0, "groups lie in one tile");
 
 #define POINT_AT_BVH(type, name) tables_.name = tree_->name.data();
-#define POINT_AT_SCENE(type, name) tables_.name = scene_.name.data();
+#define POINT_AT_SCENE(type, name) tables_.name = scene_->name.data();
 
 // A set of kernels by the name that -device cpu:NAME has for it.
 struct Variant {
@@ -75,19 +75,13 @@ public:
 
     std::string name() const override { return fmt::format("cpu ({}, {} threads)", kernels_.name, threads_); }
 
-    void upload(flatten::FlatScene s) override {
+    void upload(std::shared_ptr<const flatten::FlatScene> s) override {
         scene_ = std::move(s);
-        tree_ = scene_.host_tree();
+        tree_ = scene_->host_tree();
         BVH_TABLES(POINT_AT_BVH)
-        scene_.keep_tables_only();
-        scene_.tell_tree = nullptr;  // nobody waits any more
         FLAT_TABLES(POINT_AT_SCENE)
     }
-
-    void set_numbers(std::vector<float> numbers) override {
-        scene_.f = std::move(numbers);
-        FLAT_TABLES(POINT_AT_SCENE)
-    }
+    void update_numbers(size_t, size_t) override {}  // the scene's own are read
 
     void run(const Params& par, std::vector<float>& rgb) override {
         rgb.resize(size_t(kernels::film_places(&par)) * 3);
@@ -132,6 +126,7 @@ private:
                 for (;;) {
                     const uint32_t first = next.fetch_add(tile);
                     if (first >= slots) return;
+                    end_if_cancelled();
                     work(first, std::min(tile, slots - first), scratch.data());
                 }
             } catch (...) {
@@ -145,7 +140,7 @@ private:
 
     const CpuKernels& kernels_;
     unsigned threads_;
-    flatten::FlatScene scene_;
+    std::shared_ptr<const flatten::FlatScene> scene_;
     std::shared_ptr<const bvh::Tree> tree_;
     std::vector<uint32_t> focus_;
     kernels::SceneTables tables_{};

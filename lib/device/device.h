@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A machine that runs paths: the CPU with the shared code compiled natively, or an OpenCL device.
 #pragma once
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,14 +19,18 @@ struct SplatRay {
     uint32_t source;
 };
 
+// Thrown by run(), splat() and pilot() when they end early (Device::cancel_when).
+struct Cancelled {};
+
 class Device {
 public:
     virtual ~Device() = default;
     virtual std::string name() const = 0;
-    // Builds the device's BVH and takes the tables, in place of those it had.
-    virtual void upload(flatten::FlatScene scene) = 0;
-    // The scene's arena of numbers (FlatScene::f) once more: which sources are drawn depends on the view.
-    virtual void set_numbers(std::vector<float> numbers) = 0;
+    // Builds the device's BVH and takes the tables, in place of those it had.  A processor reads them where they are.
+    virtual void upload(std::shared_ptr<const flatten::FlatScene> scene) = 0;
+    // Numbers first .. first + count - 1 of that scene (FlatScene::f) have changed: which sources are drawn depends on
+    // the view.
+    virtual void update_numbers(size_t first, size_t count) = 0;
     // Runs par.slots paths; rgb gets 3 floats a slot, or, where paths share, for each sample of the picture's pixels.
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
     // MODE_SPLAT: radiance times weight for each ray, 3 floats each.
@@ -45,6 +50,14 @@ public:
     virtual std::vector<float> self_test_numbers(uint32_t) { return {}; }
     // Is the host free while it runs?
     virtual bool is_async() const { return false; }
+    // Where this is true, what runs ends within a tile of paths (OpenCL: a bounce of them) with Cancelled.
+    virtual void cancel_when(const std::atomic<bool>* asked) { cancel_ = asked; }
+
+protected:
+    void end_if_cancelled() const {
+        if (cancel_ && *cancel_) throw Cancelled{};
+    }
+    const std::atomic<bool>* cancel_ = nullptr;
 };
 
 // name: "cpu", or for tests "cpu:NAME" with an instruction set (baseline, avx2, avx512: one path at a time) or

@@ -41,8 +41,9 @@ public:
     }
     std::string name() const override { return "opencl: " + name_; }
 
-    void upload(flatten::FlatScene s) override {
+    void upload(std::shared_ptr<const flatten::FlatScene> scene) override {
         call("loading the scene", [&] {
+            const flatten::FlatScene& s = *scene;
             {
                 const std::vector<bvh::Input> in = flatten::build_inputs(s);
                 const auto tree =
@@ -54,10 +55,14 @@ public:
             paths_.set_table(TABLE_focus, send(nullptr, 0));
             needs_ = features_of_scene(s);
         });
+        scene_ = std::move(scene);
     }
 
-    void set_numbers(std::vector<float> numbers) override {
-        call("sending the view's sources", [&] { send_table(TABLE_f, numbers); });
+    void update_numbers(size_t first, size_t count) override {
+        call("sending the view's sources", [&] {
+            if (count > 0)
+                queue_.enqueueWriteBuffer(paths_.table(TABLE_f), CL_TRUE, first * 4, count * 4, &scene_->f[first]);
+        });
     }
 
     void run(const Params& par, std::vector<float>& rgb) override {
@@ -132,6 +137,10 @@ public:
     }
     uint32_t preferred_batch_size() const override { return most_slots_; }
     bool is_async() const override { return true; }
+    void cancel_when(const std::atomic<bool>* asked) override {
+        Device::cancel_when(asked);
+        paths_.before_bounce = [this] { end_if_cancelled(); };
+    }
     std::string own_bits() const override { return own_bits_; }
 
     // The values of kernels/self_test.h as this device gives them, after a frame of any scene.
@@ -250,6 +259,7 @@ private:
     cl::CommandQueue queue_;
     cl::Program program_;
     OpenclPaths paths_;
+    std::shared_ptr<const flatten::FlatScene> scene_;
 };
 
 }  // namespace

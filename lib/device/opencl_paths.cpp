@@ -138,7 +138,8 @@ void OpenclPaths::begin(int first, const Params& par) {
 // Follows the paths of the queue to their ends.
 void OpenclPaths::follow() {
     const int rounds = gpu_ ? 4 : 1;  // between looks at the counter; idle work items leave at once
-    for (uint32_t active = count(); active > 0; active = count())
+    for (uint32_t active = count(); active > 0; active = count()) {
+        if (before_bounce) before_bounce();
         for (int i = 0; i < rounds; i++) {
             stage(STAGE_extend, active, counters_, now_);
             if (gpu_) {
@@ -150,6 +151,7 @@ void OpenclPaths::follow() {
             launch(STAGE_swap, 1, counters_);
             std::swap(now_, next_);
         }
+    }
 }
 
 // Paths of one kind side by side: a counting sort.

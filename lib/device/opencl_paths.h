@@ -2,6 +2,8 @@
 // The paths in flight on an OpenCL device: their state, their queues, and the kernels that take them from stage to
 // stage (kernels/entry.cl).  Calls throw cl::Error.
 #pragma once
+#include <functional>
+
 #include "kernels/dialect/host.h"
 #include "device/opencl_list.h"
 
@@ -33,6 +35,8 @@ public:
     // Its kernels from now on.  Those for a GPU shade apart what has met nothing (HAS(SKY), kernels/features.h).
     void use(const cl::Program& program);
     void set_table(int table, const cl::Buffer& buffer);  // of the scene
+    const cl::Buffer& table(int table) const { return tables_[table]; }
+    std::function<void()> before_bounce;  // may throw
 
     // How many slots this device has memory for.
     static uint32_t most_slots(const cl::Device& device, bool gpu);

@@ -4,19 +4,14 @@
 
 #include <fmt/format.h>
 
-#include "base/hash.h"
 #include "base/options.h"
 
 namespace render {
 namespace {
 
-std::string scene_hash(const flatten::FlatScene& s) {
-    base::Hash hash;
-    for (const flatten::FlatScene::Tree& t : s.trees)
-        hash.add({t.first_vertex, t.vertex_count, t.first_triangle, t.triangle_count, t.first_shape, t.shape_count});
-    hash.add_all(s.prims), hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim);
-    hash.add_all(s.shapes), hash.add_all(s.shape_prim), hash.add_all(s.polygon_uv);
-    hash.add_all(s.u), hash.add_all(s.f);
+// f: with the marks of drawn sources, which are the view's.
+std::string scene_hash(base::Hash hash, const flatten::FlatScene& s) {
+    hash.add_all(s.f);
     hash.add_all(std::vector<float>{float(s.centre.x), float(s.centre.y), float(s.centre.z)});
     hash.add({s.mods_at, s.sources_at, s.source_count, s.distant_at, s.distant_count, s.portals_at, s.portal_count,
               s.light_tree_at, s.light_nodes, s.shadow_mode, s.antimatter, s.absorbs, s.instances_at});
@@ -52,9 +47,19 @@ std::string hash_of(const std::string& text) {
 
 }  // namespace
 
-std::string fingerprint(const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
+base::Hash hash_of_geometry(const flatten::FlatScene& s) {
+    base::Hash hash;
+    for (const flatten::FlatScene::Tree& t : s.trees)
+        hash.add({t.first_vertex, t.vertex_count, t.first_triangle, t.triangle_count, t.first_shape, t.shape_count});
+    hash.add_all(s.prims), hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim);
+    hash.add_all(s.shapes), hash.add_all(s.shape_prim), hash.add_all(s.polygon_uv);
+    hash.add_all(s.u);
+    return hash;
+}
+
+std::string fingerprint(base::Hash geometry, const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
                         const RenderOptions& options, const Focus& focus) {
-    return fmt::format("scene:{} view:{} options:{} estimator:{}", scene_hash(scene),
+    return fmt::format("scene:{} view:{} options:{} estimator:{}", scene_hash(geometry, scene),
                        hash_of(fmt::format("{} {} {}", view::to_options(view), nx, ny)),
                        hash_of(option_text(options) + focus_text(focus)), estimator);
 }

@@ -6,6 +6,7 @@
 // device that does not is named behind it (Renderer::fingerprint).
 #pragma once
 #include <string>
+#include "base/hash.h"
 #include "flatten/flat_scene.h"
 #include "render/focus.h"
 #include "render/options.h"
@@ -17,7 +18,10 @@ namespace render {
 // then), so that frames from before and after are not taken for parts of one picture.
 constexpr int estimator = 20;
 
-std::string fingerprint(const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
+// The part of the geometry and the materials, of a scene that still has its triangles.
+base::Hash hash_of_geometry(const flatten::FlatScene& scene);
+
+std::string fingerprint(base::Hash geometry, const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
                         const RenderOptions& options, const Focus& focus);
 
 }  // namespace render

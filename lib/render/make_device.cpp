@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Devices by the names of -device, and the list of those that there are.
 #include <fmt/core.h>
-#include <optional>
 
 #include "render/make_device.h"
 
@@ -28,15 +27,17 @@ public:
     bool is_async() const override { return device_->is_async(); }
     std::string own_bits() const override { return device_->own_bits(); }
 
-    void upload(flatten::FlatScene scene) override {
+    void upload(std::shared_ptr<const flatten::FlatScene> scene) override {
         scene_.reset();
         attempt([&] { device_->upload(scene); });
-        scene.tell_tree = nullptr;
         if (!on_cpu_) scene_ = std::move(scene);
     }
-    void set_numbers(std::vector<float> numbers) override {
-        if (scene_) scene_->f = numbers;
-        attempt([&] { device_->set_numbers(numbers); });
+    void update_numbers(size_t first, size_t count) override {
+        attempt([&] { device_->update_numbers(first, count); });
+    }
+    void cancel_when(const std::atomic<bool>* asked) override {
+        Device::cancel_when(asked);
+        device_->cancel_when(asked);
     }
     void run(const Params& par, std::vector<float>& rgb) override {
         attempt([&] { device_->run(par, rgb); });
@@ -65,7 +66,8 @@ private:
         }
         device_ = device::make_cpu_device("cpu");
         on_cpu_ = true;
-        if (scene_) device_->upload(std::move(*scene_));
+        device_->cancel_when(cancel_);
+        if (scene_) device_->upload(std::move(scene_));
         scene_.reset();
         device_->set_focus(focus_);
         work();
@@ -73,7 +75,7 @@ private:
 
     std::unique_ptr<device::Device> device_;
     bool on_cpu_ = false, has_run_ = false;
-    std::optional<flatten::FlatScene> scene_;  // what the processor would have to be told
+    std::shared_ptr<const flatten::FlatScene> scene_;  // what the processor would have to be told
     std::vector<uint32_t> focus_;
 };
 

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <fmt/core.h>
 #include <future>
-#include <optional>
 
 #include "base/error.h"
 #include "base/memory.h"
@@ -49,27 +48,20 @@ bool may_share(const Params& par) {
 }
 
 struct Renderer::State {
-    struct Picture {
-        RenderView render_view;
-        SplatList drawn;
-        std::string fingerprint;
-        bool on_surface;  // its rays may begin on one
-    };
     std::unique_ptr<device::Device> device;
+    std::shared_ptr<flatten::FlatScene> flat;  // the device's
+    base::Hash geometry;                       // of the fingerprint
+    Focus focus;                               // here and below: of the view
+    std::string fingerprint;
+    SplatList drawn;
     Params base{};
-    std::vector<Picture> pictures;
-    const Picture* picture = nullptr;  // the one looked at
-    std::vector<float> numbers;        // the scene's, without a view's marks; empty for a single picture
-    base::Vec3 centre;
     uint32_t nx, ny, m, of_frame0;  // of_frame0: samples of the direct class in frame 0
     FrameZero zero;
     image::Moments moments;
     double noisy_share = 0;
     bool seeks_noisy = false;     // they are still to be found
     std::vector<uint32_t> noisy;  // pixels with several samples in each frame, not those of a focus
-    std::vector<float> aims;      // records of portals, then of highlights
-    uint32_t portal_count = 0;
-    std::vector<float> unshared;  // the same, until their shares are known
+    std::vector<float> unshared;  // records of portals, then of highlights, until their shares are known
     Samples sampler;
 
     // Runs frames first .. first+count-1; give(sample, pixel values) in order; false stops.  The first ones come one by
@@ -112,13 +104,39 @@ struct Renderer::State {
         unshared.clear();
     }
     void ensure_zero() {
-        if (zero.mean.empty()) zero = draw_frame_zero(*device, sampler, base, m, of_frame0, picture->drawn);
+        if (zero.mean.empty()) zero = draw_frame_zero(*device, sampler, base, m, of_frame0, drawn);
     }
     // Which pixels get several samples in each frame.
     void ensure_noisy() {
         if (!seeks_noisy) return;
-        seeks_noisy = false;
         noisy = sampler.add_noisy(*device, copies_of_noisy(*device, base, noisy_share));
+        seeks_noisy = false;
+    }
+    std::vector<float> records_of_aims() const {
+        const auto portals = flat->f.begin() + long(flat->portals_at);
+        std::vector<float> records(portals, portals + long(flat->portal_count) * PORTAL_FLOATS);
+        const auto highlights = flat->f.begin() + long(flat->highlights_at);
+        records.insert(records.end(), highlights, highlights + long(flat->highlight_count) * HIGHLIGHT_FLOATS);
+        return records;
+    }
+    // Nothing of the view is known yet but what needs no samples.
+    void begin() {
+        sampler.set_focus(*device, focus);
+        zero = {};
+        moments.reset();
+        noisy.clear();
+        seeks_noisy = noisy_share > 0;
+        unshared = records_of_aims();  // their shares are learned from where the eye is
+        sampling::pick_all_portals(flat->portal_count, 0, 0, base);
+        base.highlight_share = Params{}.highlight_share;
+    }
+    // Says to the kernels which sources are drawn, in place of those of the view before.
+    void draw(SplatList list) {
+        if (list.marked.empty() && drawn.marked.empty()) return;
+        mark_splatted(drawn, flat->f, false);
+        drawn = std::move(list);
+        mark_splatted(drawn, flat->f);
+        device->update_numbers(flat->sources_at, size_t(flat->source_count) * SOURCE_FLOATS);
     }
     // Frame k of a sample's values.
     void make_frame(int64_t k, const float* v, std::vector<float>& out) const {
@@ -151,72 +169,59 @@ Renderer::Renderer(const std::string& device) : state_(std::make_unique<State>()
 Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& options,
                    const std::string& device, const scene::ReadOptions& files)
     : Renderer(device) {
-    load(scene, {{view, nx, ny}}, options, files);
+    load(scene, options, files);
+    select_view({view, nx, ny}, options);
 }
 
-void Renderer::load(const scene::Scene& scene, const std::vector<RenderView>& views, const RenderOptions& o,
-                    const scene::ReadOptions& files) {
+bool needs_load(const RenderOptions& a, const RenderOptions& b) {
+    return a.dr != b.dr || a.bv != b.bv || a.any_reflectance != b.any_reflectance ||
+           (a.sampling == Sampling::plain) != (b.sampling == Sampling::plain);
+}
+
+void Renderer::load(const scene::Scene& scene, const RenderOptions& o, const scene::ReadOptions& files) {
     State& s = *state_;
-    flatten::FlatScene flat = flatten::flatten(scene, o, files);
-    if (o.sampling != Sampling::plain) sampling::find_targets(flat);
-    s.base = params_of(flat, o);
+    auto flat = std::make_shared<flatten::FlatScene>(flatten::flatten(scene, o, files));
+    if (o.sampling != Sampling::plain) sampling::find_targets(*flat);
+    flat->host_tree();
+    const base::Hash geometry = hash_of_geometry(*flat);
+    s.device->upload(flat);
+    flat->keep_tables_only();
+    flat->tell_tree = nullptr;  // nobody waits any more
+    s.flat = std::move(flat);
+    s.geometry = geometry;
+    s.drawn = {};
+}
+
+void Renderer::select_view(const RenderView& v, const RenderOptions& o) {
+    State& s = *state_;
+    s.base = params_of(*s.flat, o);
     s.m = s.base.skip_direct_below;
     s.noisy_share = o.sampling == Sampling::shared ? o.noisy_share : 0;
     s.sampler.set_sharing(o.sampling == Sampling::shared && may_share(s.base));
-    const auto portals = flat.f.begin() + long(flat.portals_at);
-    s.portal_count = flat.portal_count;
-    s.aims.assign(portals, portals + long(flat.portal_count) * PORTAL_FLOATS);
-    const auto highlights = flat.f.begin() + long(flat.highlights_at);
-    s.aims.insert(s.aims.end(), highlights, highlights + long(flat.highlight_count) * HIGHLIGHT_FLOATS);
-    s.centre = flat.centre;
-    s.pictures.clear();
+    s.nx = s.base.nx = uint32_t(v.nx);
+    s.ny = s.base.ny = uint32_t(v.ny);
+    s.of_frame0 = s.m * samples_for_one(size_t(v.nx) * size_t(v.ny));
+    set_view(s.base, v.view, s.flat->centre);
+    s.focus = v.focus;
+
+    const flatten::HostTracer tracer(*s.flat);
+    const bool one_eye = v.view.type != 'l' && v.view.vo == 0 && o.pd <= 0;
+    const bool on_surface = one_eye && eye_on_surface(*s.flat, tracer, v.view.vp);
+    if (on_surface || !one_eye) s.base.flags |= PF_EYE_ON_SURFACE;  // its rays may begin on one
     // drawing knows one eye point, and no way on through glass unattenuated
-    const bool drawable = flat.source_count > 0 && o.pd <= 0 && o.dv && !o.i;
-    std::optional<flatten::HostTracer> tracer(std::in_place, flat);
-    s.numbers = views.size() > 1 ? flat.f : std::vector<float>();
-    for (const RenderView& v : views) {
-        SplatList drawn;
-        const bool one_eye = v.view.type != 'l' && v.view.vo == 0 && o.pd <= 0;
-        const bool on_surface = one_eye && eye_on_surface(flat, *tracer, v.view.vp);
-        if (drawable && !on_surface) drawn = list_splatted_emitters(flat, *tracer, v.view, v.nx, v.ny);
-        mark_splatted(drawn, flat.f);
-        const std::string fingerprint = render::fingerprint(flat, v.view, v.nx, v.ny, o, v.focus);
-        s.pictures.push_back({v, std::move(drawn), fingerprint, on_surface || !one_eye});
-        if (views.size() > 1) mark_splatted(s.pictures.back().drawn, flat.f, false);
-    }
-    tracer.reset();
-    s.device->upload(std::move(flat));
-    select_view(0);
+    const bool drawable = s.flat->source_count > 0 && o.pd <= 0 && o.dv && !o.i && !on_surface;
+    s.draw(drawable ? list_splatted_emitters(*s.flat, tracer, v.view, v.nx, v.ny) : SplatList());
+    s.fingerprint = render::fingerprint(s.geometry, *s.flat, v.view, v.nx, v.ny, o, v.focus);
+    s.begin();
 }
 
-void Renderer::select_view(size_t number) {
-    State& s = *state_;
-    s.picture = &s.pictures.at(number);
-    const RenderView& of = s.picture->render_view;
-    s.nx = s.base.nx = uint32_t(of.nx);
-    s.ny = s.base.ny = uint32_t(of.ny);
-    s.of_frame0 = s.m * samples_for_one(size_t(of.nx) * size_t(of.ny));
-    set_view(s.base, of.view, s.centre);
-    s.base.flags = (s.base.flags & ~PF_EYE_ON_SURFACE) | (s.picture->on_surface ? PF_EYE_ON_SURFACE : 0u);
-    s.sampler.set_focus(*s.device, of.focus);
-    s.zero = {};
-    s.moments.reset();
-    s.noisy.clear();
-    s.seeks_noisy = s.noisy_share > 0;
-    s.unshared = s.aims;  // their shares are learned from where the eye is
-    sampling::pick_all_portals(s.portal_count, 0, 0, s.base);
-    s.base.highlight_share = Params{}.highlight_share;
-    if (s.pictures.size() == 1) return;
-    std::vector<float> numbers = s.numbers;
-    mark_splatted(s.picture->drawn, numbers);
-    s.device->set_numbers(std::move(numbers));
-}
+void Renderer::cancel_when(const std::atomic<bool>* asked) { state_->device->cancel_when(asked); }
 
 Renderer::~Renderer() = default;
 
 std::string Renderer::fingerprint() const {
     const std::string bits = state_->device->own_bits();
-    return state_->picture->fingerprint + (bits.empty() ? "" : " device:" + bits);
+    return state_->fingerprint + (bits.empty() ? "" : " device:" + bits);
 }
 std::string Renderer::device_name() const { return state_->device->name(); }
 
@@ -224,20 +229,24 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
     State& s = *state_;
     const int64_t end = k + count;
     std::vector<float> out(size_t(s.nx) * s.ny * 3);
-    if (k == 0 || end - 1 > s.m || s.m % 2 == 0 || s.seeks_noisy) s.ensure_zero();
-    if (k == 0) {
-        out = s.zero.mean;
-        for (size_t i = 0; i < s.zero.exact.size(); i++) out[i] += s.zero.exact[i];
-        if (!give(0, out)) return;
-        k = 1;
+    try {
+        if (k == 0 || end - 1 > s.m || s.m % 2 == 0 || s.seeks_noisy) s.ensure_zero();
+        if (k == 0) {
+            out = s.zero.mean;
+            for (size_t i = 0; i < s.zero.exact.size(); i++) out[i] += s.zero.exact[i];
+            if (!give(0, out)) return;
+            k = 1;
+        }
+        if (k >= end) return;
+        s.ensure_aim_shares();
+        s.ensure_noisy();
+        s.samples(k, end - k, [&](int64_t frame, const float* v) {
+            s.make_frame(frame, v, out);
+            return give(frame, out);
+        });
+    } catch (const device::Cancelled&) {
+        s.begin();  // a pass of pixels on their own may have been cut short
     }
-    if (k >= end) return;
-    s.ensure_aim_shares();
-    s.ensure_noisy();
-    s.samples(k, end - k, [&](int64_t frame, const float* v) {
-        s.make_frame(frame, v, out);
-        return give(frame, out);
-    });
 }
 
 image::Moments Renderer::moments() {
@@ -259,7 +268,7 @@ Renderer::RayValue Renderer::trace_ray(const double origin[3], const double dir[
     Params p = s.base;
     p.mode = MODE_RAY;
     p.flags |= PF_EYE_ON_SURFACE;
-    sampling::pick_all_portals(s.portal_count, 1, RAY_REST, p);
+    sampling::pick_all_portals(s.flat->portal_count, 1, RAY_REST, p);
     const base::Vec3 d = base::unit({dir[0], dir[1], dir[2]});
     p.ray_org = {float(origin[0] - p.centre.x), float(origin[1] - p.centre.y), float(origin[2] - p.centre.z), 0};
     p.ray_dir = {float(d.x), float(d.y), float(d.z), 0};

@@ -52,7 +52,7 @@ std::vector<float> render_room(device::Device& device, const scene::Scene& scene
     view.vh = view.vv = 80;
     par.nx = par.ny = side;
     set_view(par, view, flat.centre);
-    device.upload(std::move(flat));
+    device.upload(std::make_shared<const flatten::FlatScene>(std::move(flat)));
     std::vector<float> rgb, direct;
     par.together = frames;
     par.slots = side * side * frames;

@@ -23,8 +23,8 @@ public:
     std::vector<float> diffuse;  // of four paths of each block
     std::vector<float> direct;   // of two samples of each pixel
     std::string name() const override { return "given"; }
-    void upload(flatten::FlatScene) override {}
-    void set_numbers(std::vector<float>) override {}
+    void upload(std::shared_ptr<const flatten::FlatScene>) override {}
+    void update_numbers(size_t, size_t) override {}
     void run(const kernels::Params& par, std::vector<float>& rgb) override {
         const std::vector<float>& light = par.mode == MODE_DIRECT ? direct : diffuse;
         REQUIRE(par.first + par.slots <= light.size());

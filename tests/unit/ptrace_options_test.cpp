@@ -49,7 +49,7 @@ const std::map<std::string, const char*> harmless = {
 
 bool changes(const std::string& option, size_t arguments, const char* value) {
     render::RenderOptions render;
-    const auto fingerprint = [&] { return render::fingerprint({}, {}, 8, 8, render, {}); };
+    const auto fingerprint = [&] { return render::fingerprint({}, {}, {}, 8, 8, render, {}); };
     const std::string before = fingerprint();
     base::OptionTable table;
     render::declare_options(table, render);

@@ -5,59 +5,25 @@
 // The rendering lives in lib/render; this file only connects.  See man/ptrace.1.
 #include <fmt/core.h>
 
-#include <chrono>
 #include <memory>
+#include <optional>
 
 #include "base/error.h"
 #include "base/files_read.h"
-#include "base/memory.h"
 #include "base/progress.h"
 #include "base/run.h"
 #include "base/shutdown.h"
-#include "base/warnings.h"
-#include "film/accumulate.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "edits.h"
+#include "frames.h"
 #include "options.h"
 #include "region/open.h"
 #include "scene/object.h"
 #include "render/control.h"
-#include "render/progressive.h"
+#include "render/session.h"
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// Says how far we are: in place on a terminal, or (-t) a line every so many seconds.
-class Report {
-public:
-    // last: the frame after which it ends; Options::endless: not known.
-    Report(int every_s, std::string device, const std::string& label, int64_t last)
-        : every_s_(every_s), device_(std::move(device)), what_(label.empty() ? "" : label + ": "), last_(last) {}
-    void frame(int64_t k, int64_t done) {
-        const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-        const bool line_due = every_s_ > 0 && seconds >= next_s_;
-        if (!line_due && !progress_.due()) return;
-        const double a_frame = seconds / double(done);
-        std::string text = fmt::format("{}frame {}", what_, k);
-        if (last_ != Options::endless) text += fmt::format(" of {}", last_);
-        text += fmt::format(", {:.1f} s, {:.3g} s a frame, ", seconds, a_frame);
-        if (last_ != Options::endless) text += fmt::format("{:.0f} s left, ", a_frame * double(last_ - k));
-        text += device_;
-        if (line_due) fmt::print(stderr, "ptrace: {}\n", text);
-        else progress_.show(text);
-        while (line_due && next_s_ <= seconds) next_s_ += every_s_;
-    }
-
-private:
-    int every_s_;
-    std::string device_, what_;
-    int64_t last_;
-    Clock::time_point start_ = Clock::now();
-    double next_s_ = every_s_;
-    base::Progress progress_{"ptrace"};
-};
 
 // A driver of OpenCL that sees the kernels for the first time compiles them, which takes it some ten seconds; for a GPU
 // they are compiled when the scene is known.
@@ -71,71 +37,18 @@ std::unique_ptr<render::Renderer> start(const std::string& device) {
 struct Run {
     Options opt;
     render::Control control{opt.control, opt.watch};
-    std::string sky;  // the file; empty: none
-    std::unique_ptr<render::Renderer> renderer;
-    scene::Scene scene;                // with its sky; where edits may come
-    std::vector<std::string> history;  // of the scene
+    std::optional<render::Session> session = {};
     int64_t edits = 0;
     std::string edited = "start";
-    bool live() const { return opt.watch || !opt.control.empty(); }
 };
 
-// Loads the scene on the device, which is started for the first one.
-void load(const Options& opt, const scene::Scene& scene, const scene::ReadOptions& how, const std::string& device,
-          std::unique_ptr<render::Renderer>& renderer) {
-    if (!renderer) renderer = start(device);
-    std::vector<render::RenderView> views;
-    for (const NamedView& s : opt.views) views.push_back(s.render_view);
-    base::Progress progress("ptrace");
-    render::RenderOptions render = opt.render;
-    render.tell_tree = [&](double share) {
+// What the session is told of picture i.
+render::Setup setup_of(const Options& opt, size_t i, base::Progress& progress) {
+    render::Setup setup{opt.views[i].render_view, opt.render, opt.files};
+    setup.options.tell_tree = [&](double share) {
         if (progress.due()) progress.show(fmt::format("builds the tree of all surfaces, {:.0f} %", 100 * share));
     };
-    renderer->load(scene, views, render, how);
-}
-
-// One ordinary picture, as ptaccum -last writes it.
-void write_sum(const Options& opt, const film::Accumulator& sum, const std::string& label) {
-    if (sum.empty()) return;  // a signal came before frame 0
-    image::Picture picture;
-    sum.result(picture, !opt.output.empty());
-    picture.header.last_frame.reset();
-    if (opt.output.empty()) return image::write_picture_stdout(picture, image::Format::rgbe);
-    image::add_date(picture.header);
-    image::write_file(output_name(opt.output, opt.last, label), picture);
-}
-
-// Frames from .. last of the picture that the renderer looks at.  Returns the frame that an edit keeps from being
-// written; last + 1: the picture has ended.
-int64_t render_frames(Run& run, int64_t from, image::Picture& picture) {
-    const Options& opt = run.opt;
-    render::Renderer& renderer = *run.renderer;
-    const bool streams = opt.output.empty();
-    const std::string label = image::label(picture.header);
-    image::WriteOptions as_float;
-    as_float.pixels = image::Format::flt;
-    Report report(opt.report_s, renderer.device_name(), label, opt.last);
-    film::Accumulator sum;
-    int64_t next = from;
-    const auto give = [&](int64_t k, const std::vector<float>& rgb) {
-        const bool ends = run.control.ends_picture(label) || k == opt.last;
-        if (run.control.edited()) return false;
-        picture.rgb = rgb;
-        picture.header.frame = k;
-        if (ends && streams) picture.header.last_frame = k;
-        picture.moments = k == 0 && opt.moments ? renderer.moments() : image::Moments();
-        if (opt.one_picture) sum.add(picture, fmt::format("frame {}", k));
-        else if (streams) image::write_picture_stdout(picture, image::Format::flt);
-        else image::write_file(output_name(opt.output, k, label), picture, as_float);
-        report.frame(k, k - opt.first + 1);
-        next = ends ? opt.last + 1 : k + 1;
-        return !ends && !base::shutdown_requested();
-    };
-    constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
-    while (next <= opt.last && !run.control.edited() && !base::shutdown_requested())
-        renderer.frames(next, int(std::min(block, opt.last - next + 1)), give);
-    if (opt.one_picture) write_sum(opt, sum, label);
-    return next;
+    return setup;
 }
 
 void write_rule(const Options& opt) {
@@ -159,84 +72,68 @@ void choose_focus(Options& opt) {
     }
 }
 
-scene::ReadOptions budget_anew(const Options& opt) {
-    scene::ReadOptions how = opt.files;
-    how.work = base::work_budget_from_environment();
-    return how;
-}
-
-// The scene once more from its files, and their present state as the one that changes are told from.
-void read_again(Run& run) {
-    const std::vector<std::string> before = base::forget_files_read();
-    base::take_warnings();
+// Failures are reported, and all goes on as before.
+template <class F>
+bool carry_out(F&& work) {
     try {
-        scene::ReadOptions how = budget_anew(run.opt);
-        scene::Scene scene = scene::read_scene(run.opt.scene_files, how);
-        how.asked_by.clear();  // a sky is the command line's
-        if (!run.sky.empty()) scene::read_more(scene, {run.sky}, how);
-        run.scene = std::move(scene);
-    } catch (...) {
-        for (const std::string& path : before) base::note_file_read(path);
-        throw;
+        work();
+        return true;
+    } catch (const base::Error& e) {
+        fmt::print(stderr, "ptrace: {}\n", e.text);
+        return false;
     }
 }
 
-// Carries out what waits.  An edit that fails is reported, and what was rendered before goes on.  True: the picture
-// begins anew.
-bool apply_edits(Run& run, size_t picture) {
+// Carries out what waits.  Where the files cannot be rendered what else was asked is carried out with those before.
+// True: the picture begins anew.
+bool apply_edits(Run& run, size_t i) {
     Options next = run.opt;
-    const scene::Scene scene = run.scene;
-    const std::string before = run.renderer->fingerprint();
     std::string what;
-    for (const render::Command& c : run.control.take_edits()) try {
-            edit(c, picture, next);
-            if (c.word == "scene") read_again(run);
+    bool read = false, begins = false;
+    for (const render::Command& c : run.control.take_edits())
+        carry_out([&] {
+            edit(c, i, next);
             what = c.word;
-        } catch (const base::Error& e) {
-            fmt::print(stderr, "ptrace: {}\n", e.text);
-        }
-    bool good = !what.empty();
-    if (good) try {
-            choose_focus(next);
-            load(next, run.scene, budget_anew(next), next.device, run.renderer);
-            run.opt = next;
-            run.history = run.scene.history;
-        } catch (const base::Error& e) {
-            fmt::print(stderr, "ptrace: {}\n", e.text);
-            run.scene = scene;
-            good = false;
-        }
-    run.renderer->select_view(picture);
-    if (!good || run.renderer->fingerprint() == before) return false;  // frames go on where they were
+            read = read || c.word == "scene";
+        });
+    if (what.empty()) return false;
+    base::Progress progress("ptrace");
+    const auto change = [&](bool files) {
+        choose_focus(next);
+        begins = run.session->edit(setup_of(next, i, progress), files);
+        run.opt = next;
+    };
+    if (!carry_out([&] { change(read); }) && read && what != "scene") carry_out([&] { change(false); });
+    if (!begins) return false;  // frames go on where they were
     run.edits++;
     run.edited = what;
     return true;
 }
 
-image::Picture start_picture(const Run& run, const NamedView& s) {
+image::Picture start_picture(Run& run, const NamedView& s) {
     const Options& opt = run.opt;
+    const std::string& sky = run.session->sky();
     image::Picture picture;
     picture.width = s.render_view.nx;
     picture.height = s.render_view.ny;
-    for (const std::string& line : run.history) image::add_history(picture.header, line);
+    for (const std::string& line : run.session->history()) image::add_history(picture.header, line);
     image::add_history(picture.header, opt.command);
     picture.header.view = s.render_view.view;
     picture.header.view_name = s.name;
-    if (!run.sky.empty()) picture.header.sky_name = sky_name(run.sky);
+    if (!sky.empty()) picture.header.sky_name = sky_name(sky);
     picture.header.seed = opt.render.seed;
     picture.header.exposure = opt.exposure;
-    picture.header.fingerprint = run.renderer->fingerprint();
+    picture.header.fingerprint = run.session->renderer().fingerprint();
     if (opt.output.empty() && opt.last != Options::endless) picture.header.last_frame = opt.last;
-    if (run.live()) picture.header.edit = run.edits, picture.header.edited = run.edited;
+    if (is_live(opt)) picture.header.edit = run.edits, picture.header.edited = run.edited;
     return picture;
 }
 
 // One view under one sky, again after each edit.  last: of the run, which with -watch waits for edits then.
 void render_view(Run& run, size_t i, bool last) {
-    run.renderer->select_view(i);
     for (int64_t from = run.opt.first; !base::shutdown_requested();) {
         image::Picture picture = start_picture(run, run.opt.views[i]);
-        from = render_frames(run, from, picture);
+        from = render_frames(run.opt, from, run.opt.last, picture, run.session->renderer(), run.control);
         if (last && run.opt.watch && !run.control.edited()) run.control.wait_for_edit();
         if (!run.control.edited() || base::shutdown_requested()) return;
         if (apply_edits(run, i)) from = run.opt.first;
@@ -251,26 +148,27 @@ int render_all(Options options) {
     const std::vector<std::string> skies = opt.skies.empty() ? std::vector<std::string>{""} : opt.skies;
     scene::Scene without_sky = scene::read_scene(opt.scene_files, opt.files);
     for (const std::string& sky : skies) {
-        run.sky = sky;
-        scene::Scene scene = &sky == &skies.back() ? std::move(without_sky) : without_sky;
-        scene::ReadOptions how = opt.files;
-        how.work = std::make_shared<base::WorkBudget>(*opt.files.work);  // each sky goes on with what the rest has left
-        how.asked_by.clear();                                            // a sky is the command line's
-        if (!sky.empty()) scene::read_more(scene, {sky}, how);
+        const bool last = &sky == &skies.back();
+        scene::Scene scene = last ? std::move(without_sky) : without_sky;
+        base::Progress progress("ptrace");
+        render::Setup setup = setup_of(opt, 0, progress);
+        setup.reading.work =
+            std::make_shared<base::WorkBudget>(*opt.files.work);  // each sky has what the rest has left
+        setup.reading.asked_by.clear();                           // a sky is the command line's
+        if (!sky.empty()) scene::read_more(scene, {sky}, setup.reading);
         // What a scene names is read when it is loaded; so the rule of -M needs a device, too.
-        load(opt, scene, how, only_rule ? "cpu" : opt.device, run.renderer);
-        if (!opt.rule_for.empty() && &sky == &skies.back()) write_rule(opt);
+        if (!run.session) run.session.emplace(start(only_rule ? "cpu" : opt.device), opt.scene_files);
+        run.session->load(std::move(scene), sky, setup, is_live(opt));
+        if (!opt.rule_for.empty() && last) write_rule(opt);
         if (only_rule) continue;
         if (opt.output.empty() && !opt.one_picture && base::stdout_is_file() && &sky == &skies.front())
             base::warn("stdout",
                        "writing frames to a file, which only luxpipe can read; \"| ptaccum -last >\" makes a picture");
         base::finish_on_signal();
-        run.history = scene.history;
-        if (run.live()) run.scene = std::move(scene);
-        scene = scene::Scene();  // the renderer has made its own of it
-        base::give_back_memory();
-        for (size_t i = 0; i < opt.views.size() && !base::shutdown_requested(); ++i)
-            render_view(run, i, &sky == &skies.back() && i + 1 == opt.views.size());
+        for (size_t i = 0; i < opt.views.size() && !base::shutdown_requested(); ++i) {
+            if (i > 0) run.session->select(setup_of(opt, i, progress));
+            render_view(run, i, last && i + 1 == opt.views.size());
+        }
         if (base::shutdown_requested()) break;
     }
     return 0;

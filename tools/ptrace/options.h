@@ -51,6 +51,9 @@ struct Options {
     static constexpr int64_t endless = 0xfffffffe;    // the samplers count frames in 32 bits
 };
 
+// May edits come?
+inline bool is_live(const Options& opt) { return opt.watch || !opt.control.empty(); }
+
 // Fills opt and checks it.  A status: the answer (-help, -version, -defaults, -devices) was printed, main ends with it.
 std::optional<int> parse_options(int argc, char** argv, Options& opt);
 

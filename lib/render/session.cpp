@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See session.h.
+#include "render/session.h"
+
+#include <utility>
+
+#include "base/files_read.h"
+#include "base/memory.h"
+#include "base/warnings.h"
+
+namespace render {
+namespace {
+
+scene::ReadOptions budget_anew(scene::ReadOptions how) {
+    how.work = base::work_budget_from_environment();
+    return how;
+}
+
+}  // namespace
+
+Session::Session(std::unique_ptr<Renderer> renderer, std::vector<std::string> files)
+    : renderer_(std::move(renderer)), files_(std::move(files)) {}
+
+void Session::load(scene::Scene scene, const std::string& sky, const Setup& setup, bool keep) {
+    renderer_->load(scene, setup.options, setup.reading);
+    history_ = scene.history;
+    sky_ = sky;
+    scene_ = keep ? std::move(scene) : scene::Scene();
+    scene = scene::Scene();  // the renderer has made its own of it
+    base::give_back_memory();
+    select(setup);
+}
+
+void Session::select(const Setup& setup) {
+    renderer_->select_view(setup.view, setup.options);
+    setup_ = setup;
+}
+
+// The files' present state is the one that changes are told from.
+scene::Scene Session::read_again(scene::ReadOptions how) const {
+    const std::vector<std::string> before = base::forget_files_read();
+    base::take_warnings();
+    try {
+        scene::Scene scene = scene::read_scene(files_, how);
+        how.asked_by.clear();  // a sky is the command line's
+        if (!sky_.empty()) scene::read_more(scene, {sky_}, how);
+        return scene;
+    } catch (...) {
+        for (const std::string& path : before) base::note_file_read(path);
+        throw;
+    }
+}
+
+bool Session::edit(const Setup& next, bool read) {
+    const std::string before = renderer_->fingerprint();
+    const scene::ReadOptions how = budget_anew(next.reading);
+    if (read) {
+        scene::Scene scene = read_again(how);
+        renderer_->load(scene, next.options, how);
+        history_ = scene.history;
+        scene_ = std::move(scene);
+    } else if (needs_load(setup_.options, next.options) || setup_.reading.cal_files != next.reading.cal_files) {
+        renderer_->load(scene_, next.options, how);
+    }
+    select(next);
+    return renderer_->fingerprint() != before;
+}
+
+}  // namespace render
