@@ -2,6 +2,7 @@
 // See control.h.
 #include "render/control.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "base/error.h"
@@ -47,7 +48,15 @@ Control::~Control() {
 void Control::send(const Command& command) {
     const std::lock_guard<std::mutex> hold(lock_);
     commands_.push_back(command);
+    look_for_edits();
     arrived_.notify_all();
+}
+
+// A "next" before the edit is of the frame at hand.
+void Control::look_for_edits() {
+    const auto decides = [](const Command& c) { return c.word == "next" || is_edit(c); };
+    const auto first = std::find_if(commands_.begin(), commands_.end(), decides);
+    edit_waits_ = first != commands_.end() && is_edit(*first);
 }
 
 void Control::look_at_files() {
@@ -83,6 +92,7 @@ std::optional<Command> Control::take() {
     if (edited() && !is_edit(commands_.front())) return std::nullopt;  // it is of the picture after the edit
     Command command = commands_.front();
     commands_.pop_front();
+    look_for_edits();
     return command;
 }
 

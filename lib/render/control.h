@@ -36,6 +36,8 @@ public:
     // an edit, for which it ends before this frame.
     bool ends_picture(const std::string& label);
     bool edited() const { return !edits_.empty(); }
+    // An edit waits, for which the frame at hand need not be finished (Renderer::cancel_when).
+    const std::atomic<bool>& edit_waits() const { return edit_waits_; }
     std::vector<Command> take_edits() { return std::exchange(edits_, {}); }
     // Where nothing is left to render.  False: a signal came.
     bool wait_for_edit();
@@ -45,6 +47,7 @@ private:
     void look_at_files();
     void send(const Command& command);
     std::optional<Command> take();
+    void look_for_edits();
     void carry_out(const Command& command, const std::string& label);
 
     std::unique_ptr<base::CommandPipe> pipe_;
@@ -52,6 +55,7 @@ private:
     std::condition_variable arrived_;
     std::deque<Command> commands_;
     std::vector<Command> edits_;  // of ends_picture()
+    std::atomic<bool> edit_waits_{false};
     bool watch_;
     uint64_t seen_ = 0, told_ = 0;  // states of the files
     int steady_ = 0;                // looks at which the state has been the one seen

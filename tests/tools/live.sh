@@ -60,10 +60,16 @@ check 'view, set and size; wrong words are said and change nothing; the same wor
     for w in "jump" "view -vh 400" "set -o x" "size 3"; do echo "$w" > ctl; settle; done; end
     [ "$(edits)" = "EDIT=0 start EDIT=1 view EDIT=2 set EDIT=3 size " ]; [ $(wc -l < said) = 4 ]
     as_alone "$eye -vp 1 -4 2 -ab 1 -x 12 -y 20"'
-check 'a storm of 1,000 commands ends with the last view' '
+check 'a storm of 1,000 commands ends with the last view, and takes no memory' '
     begin -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
-    for i in $(seq 1000); do echo "view -vp .$i -4 2"; done > ctl; echo "view -vp .5 -4 2" > ctl
-    await "grep -aq \"VIEW=.* -vp 0.5 -4 2\" f"; settle; end; as_alone "$eye -vp .5 -4 2"'
+    memory() { awk "/^VmRSS/ { print \$2 }" /proc/$(cat pid)/status; }; before=$(memory)
+    for i in $(seq 1000); do echo "view -vp .$i -4 2"; [ $((i % 50)) != 0 ] || sleep .02; done > ctl
+    echo "view -vp .5 -4 2" > ctl
+    await "grep -aq \"VIEW=.* -vp 0.5 -4 2\" f"; settle; after=$(memory); end; as_alone "$eye -vp .5 -4 2"
+    echo "$before $after kB"; [ $after -lt $((before + 8000)) ]'
+check 'an edit does not wait for the frame at hand, which is thrown away' '
+    begin -control ctl $eye -x 3000 -y 3000; sleep 1; echo "size 16 16" > ctl
+    await "grep -aq ^EDIT=1 f"; settle; end; [ "$(edits)" = "EDIT=1 size " ]; as_alone "$eye"'
 check 'edits pass through the sums to a column, and LASTFRAME= does not make them errors' '
     (sleep 1; echo "view -vp 1 -4 2" > ctl; sleep 1; echo next > ctl) &
     ptrace -moments- -control ctl -x 8 -y 8 -frames 2000000 $eye m.rad s.rad | ptaccum | vcmetrics -metrics Ev > t

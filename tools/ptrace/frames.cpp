@@ -84,8 +84,10 @@ int64_t render_frames(const Options& opt, int64_t from, int64_t last, image::Pic
         return !ends && !base::shutdown_requested();
     };
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
-    while (next <= last && !control.edited() && !base::shutdown_requested())
+    while (next <= last && !control.edited() && !base::shutdown_requested()) {
         renderer.frames(next, int(std::min(block, last - next + 1)), give);
+        if (next <= last && control.edit_waits()) control.ends_picture(label);
+    }
     if (opt.one_picture) write_sum(opt, sum, label);
     return next;
 }

@@ -157,7 +157,10 @@ int render_all(Options options) {
         setup.reading.asked_by.clear();                           // a sky is the command line's
         if (!sky.empty()) scene::read_more(scene, {sky}, setup.reading);
         // What a scene names is read when it is loaded; so the rule of -M needs a device, too.
-        if (!run.session) run.session.emplace(start(only_rule ? "cpu" : opt.device), opt.scene_files);
+        if (!run.session) {
+            run.session.emplace(start(only_rule ? "cpu" : opt.device), opt.scene_files);
+            if (is_live(opt)) run.session->renderer().cancel_when(&run.control.edit_waits());
+        }
         run.session->load(std::move(scene), sky, setup, is_live(opt));
         if (!opt.rule_for.empty() && last) write_rule(opt);
         if (only_rule) continue;
