@@ -10,6 +10,7 @@
 #include "image/header.h"
 #include "live/json.h"
 #include "live/pixel.h"
+#include "live/regions.h"
 
 namespace live {
 
@@ -58,15 +59,42 @@ std::string facts(const image::Picture& p) {
     return out;
 }
 
+// The file that the question names.
+const TextFile* named(const Files& files, const Arguments& arguments) {
+    const size_t n = count(arguments, "n");
+    return n < files.size() ? &files[n] : nullptr;
+}
+
+Answer file(const Files& files, const Arguments& arguments) {
+    const TextFile* f = named(files, arguments);
+    if (!f) return plain(404, "no such file");
+    FileNow now = f->read();
+    if (!now.trouble.empty()) return plain(409, now.trouble);
+    return {200, "text/plain; charset=utf-8", std::move(now.text), now.tag};
+}
+
+// The outlines in the newest picture, of the file as it is now.
+Answer outlines(const Live& live, const Files& files, const Arguments& arguments) {
+    const TextFile* f = named(files, arguments);
+    const auto picture = live.picture();
+    if (!f || f->kind != TextFile::Kind::regions || !picture) return plain(404, "no regions, or no picture yet");
+    try {
+        return {200, "application/json", region_outlines(f->read().text, f->path, *picture)};
+    } catch (const base::Error& e) {
+        return plain(409, e.text);
+    }
+}
+
 }  // namespace
 
 Answer plain(unsigned status, const std::string& text) { return {status, "text/plain; charset=utf-8", text + "\n"}; }
 
 std::optional<Answer> answer_next(Live& live, const Arguments& arguments) {
-    const auto news = live.since(count(arguments, "picture"), count(arguments, "line"), !arguments("end").empty());
+    const auto news = live.since({count(arguments, "picture"), count(arguments, "line"), count(arguments, "files")},
+                                 !arguments("end").empty());
     if (!news) return std::nullopt;
     std::string text = "{\"picture\":" + std::to_string(news->picture) + ",\"line\":" + std::to_string(news->line) +
-                       ",\"lines\":" + json::list(news->lines);
+                       ",\"files\":" + std::to_string(news->files) + ",\"lines\":" + json::list(news->lines);
     if (news->ended) text += ",\"ended\":" + std::to_string(*news->ended);
     if (news->shown) text += facts(*news->shown);
     text += "}";
@@ -81,7 +109,21 @@ std::optional<Answer> answer_next(Live& live, const Arguments& arguments) {
     return answer;
 }
 
-Answer answer_query(const Live& live, const std::string& path, const Arguments& arguments) {
+Answer answer_put(const Files& files, const Arguments& arguments, const std::string& text, const std::string& tag) {
+    const TextFile* f = named(files, arguments);
+    if (!f) return plain(404, "no such file");
+    if (!f->writable) return plain(403, f->path + " was not named to be written");
+    try {
+        if (!f->write(text, tag)) return plain(412, f->path + " has been changed by another program");
+    } catch (const base::Error& e) {
+        return plain(e.kind == base::Kind::input ? 400 : 500, e.text);
+    }
+    return {200, "text/plain; charset=utf-8", "", f->read().tag};
+}
+
+Answer answer_query(const Live& live, const Files& files, const std::string& path, const Arguments& arguments) {
+    if (path == "/file") return file(files, arguments);
+    if (path == "/outlines") return outlines(live, files, arguments);
     if (path == "/table") return falsecolor(arguments);
     if (path == "/srgb") return {200, "application/json", json::numbers(display::srgb_codes().thresholds)};
     if (path == "/pixel") {

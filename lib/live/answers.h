@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include "live/files.h"
 #include "live/live.h"
 
 namespace live {
@@ -12,6 +13,7 @@ struct Answer {
     unsigned status = 200;
     std::string type = "application/json";
     std::string body;
+    std::string tag = {};  // of a file
 };
 Answer plain(unsigned status, const std::string& text);
 
@@ -20,7 +22,9 @@ using Arguments = std::function<std::string(const char* name)>;
 
 // GET /next.  Nothing: there is no news yet.
 std::optional<Answer> answer_next(Live& live, const Arguments& arguments);
-// The other questions.
-Answer answer_query(const Live& live, const std::string& path, const Arguments& arguments);
+// The other questions of GET.
+Answer answer_query(const Live& live, const Files& files, const std::string& path, const Arguments& arguments);
+// PUT /file: the new text, and the tag of the text that it was made from.
+Answer answer_put(const Files& files, const Arguments& arguments, const std::string& text, const std::string& tag);
 
 }  // namespace live

@@ -31,14 +31,24 @@ void Live::put_end(int status) {
     if (changed_) changed_();
 }
 
-std::optional<Live::News> Live::since(size_t picture, size_t line, bool knows_end) const {
+void Live::put_file_change() {
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        ++file_changes_;
+    }
+    if (changed_) changed_();
+}
+
+std::optional<Live::News> Live::since(Numbers known, bool knows_end) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    line = std::min(line, lines_.size());
-    if (picture >= pictures_ && line >= lines_.size() && (knows_end || !ended_)) return std::nullopt;
+    const size_t line = std::min(known.line, lines_.size());
+    if (known.picture >= pictures_ && line >= lines_.size() && known.files >= file_changes_ && (knows_end || !ended_))
+        return std::nullopt;
     News news;
     news.picture = pictures_;
     news.line = lines_.size();
-    if (picture < pictures_) news.shown = picture_;
+    news.files = file_changes_;
+    if (known.picture < pictures_) news.shown = picture_;
     news.lines.assign(lines_.begin() + std::ptrdiff_t(line), lines_.end());
     news.ended = ended_;
     return news;

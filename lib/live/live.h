@@ -21,22 +21,25 @@ public:
     void put_picture(image::Picture picture);
     void put_line(std::string line);
     void put_end(int status);  // the pipe has ended with this status
+    void put_file_change();    // a file that the page shows is not what it was
 
-    struct News {
-        size_t picture = 0, line = 0;                 // numbers of the newest
+    struct Numbers {
+        size_t picture = 0, line = 0, files = 0;
+    };
+    struct News : Numbers {                           // of the newest
         std::shared_ptr<const image::Picture> shown;  // if newer than the one asked about
         std::vector<std::string> lines;               // those after the one asked about
         std::optional<int> ended;
     };
     // Nothing: there is no news since these.
-    std::optional<News> since(size_t picture, size_t line, bool knows_end) const;
+    std::optional<News> since(Numbers known, bool knows_end) const;
     std::shared_ptr<const image::Picture> picture() const;
 
 private:
     mutable std::mutex mutex_;
     std::function<void()> changed_;
     std::shared_ptr<const image::Picture> picture_;
-    size_t pictures_ = 0;
+    size_t pictures_ = 0, file_changes_ = 0;
     std::vector<std::string> lines_;
     std::optional<int> ended_;
 };

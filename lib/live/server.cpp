@@ -25,11 +25,13 @@ namespace live {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto longest_wait = std::chrono::seconds(20);  // of a request for news
-constexpr size_t longest_body = 64 * 1024;
+constexpr auto longest_wait = std::chrono::seconds(20);         // of a request for news
+constexpr auto between_looks = std::chrono::milliseconds(250);  // at the clock and at the files
+constexpr size_t longest_body = longest_file, longest_command = 64 * 1024;
 constexpr unsigned most_connections = 200;
 
 struct Request {
+    unsigned refused = 0;  // a status, if it is
     std::string body;
     bool too_long = false;
     Clock::time_point since = Clock::now();
@@ -55,9 +57,16 @@ MHD_Result send(MHD_Connection* connection, const Answer& answer) {
          "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
     };
     for (const auto& [name, value] : always) MHD_add_response_header(response, name, value);
+    if (!answer.tag.empty()) MHD_add_response_header(response, "ETag", ('"' + answer.tag + '"').c_str());
     const MHD_Result result = MHD_queue_response(connection, answer.status, response);
     MHD_destroy_response(response);
     return result;
+}
+
+const PageFile* page_file(const std::string& path) {
+    for (size_t k = 0; k < page_file_count; ++k)
+        if (page_files[k].path == path) return &page_files[k];
+    return nullptr;
 }
 
 }  // namespace
@@ -65,6 +74,7 @@ MHD_Result send(MHD_Connection* connection, const Answer& answer) {
 struct Server::State {
     Live& live;
     const ServerOptions& options;
+    Files files = options.files;
     std::string token = new_token();
     MHD_Daemon* daemon = nullptr;
     std::mutex mutex;  // of what follows
@@ -81,12 +91,19 @@ struct Server::State {
         waiting.clear();
     }
 
-    // Lets requests that have waited long look at their clock.
+    // Looks whether files have changed, and lets requests that have waited long look at their clock.
     void keep_time() {
+        auto woken = Clock::now();
         std::unique_lock<std::mutex> lock(mutex);
-        while (!tick.wait_for(lock, longest_wait / 4, [&] { return ends; })) {
-            for (MHD_Connection* connection : waiting) MHD_resume_connection(connection);
-            waiting.clear();
+        while (!tick.wait_for(lock, between_looks, [&] { return ends; })) {
+            bool changed = false;
+            for (TextFile& f : files) changed |= f.changed();
+            if (!changed && Clock::now() - woken < longest_wait / 4) continue;
+            woken = Clock::now();
+            lock.unlock();
+            if (changed) live.put_file_change();
+            else wake();
+            lock.lock();
         }
     }
 
@@ -109,6 +126,7 @@ struct Server::State {
 
     Answer control(const std::string& text) const {
         if (options.control.empty()) return plain(MHD_HTTP_NOT_FOUND, "vcview was started without -control");
+        if (text.size() > longest_command) return plain(MHD_HTTP_CONTENT_TOO_LARGE, "too long");
         for (const char c : text)
             if ((unsigned char)c < ' ' && c != '\n' && c != '\t')
                 return plain(MHD_HTTP_BAD_REQUEST, "control characters in a command");
@@ -128,40 +146,52 @@ struct Server::State {
         return open_to_all || same_secret(header(connection, "X-Luxpipe-Token"), token) ? 0 : MHD_HTTP_UNAUTHORIZED;
     }
 
+    Answer facts() const {
+        std::string text = std::string("{\"control\":") + (options.control.empty() ? "false" : "true") + ",\"files\":[";
+        for (const TextFile& f : files)
+            text += std::string(&f == files.data() ? "" : ",") + "{\"name\":" + json::text(f.path) +
+                    ",\"regions\":" + (f.kind == TextFile::Kind::regions ? "true" : "false") +
+                    ",\"writable\":" + (f.writable ? "true}" : "false}");
+        return {MHD_HTTP_OK, "application/json", text + "]}"};
+    }
+
     MHD_Result answer(MHD_Connection* connection, const std::string& path, const std::string& method,
                       const Request& request) {
-        const PageFile* file = nullptr;
-        for (size_t k = 0; k < page_file_count; ++k)
-            if (page_files[k].path == path) file = &page_files[k];
-        if (const unsigned status = refused(connection, file != nullptr)) return send(connection, plain(status, "no"));
+        if (request.refused) return send(connection, plain(request.refused, "no"));
         if (request.too_long) return send(connection, plain(MHD_HTTP_CONTENT_TOO_LARGE, "too long"));
+        const auto asked = arguments(connection);
         if (path == "/control")
             return send(connection,
                         method == "POST" ? control(request.body) : plain(MHD_HTTP_METHOD_NOT_ALLOWED, "POST only"));
+        if (path == "/file" && method == "PUT") {
+            std::string tag = header(connection, "If-Match");
+            if (tag.size() >= 2 && tag.front() == '"') tag = tag.substr(1, tag.size() - 2);
+            return send(connection, answer_put(files, asked, request.body, tag));
+        }
         if (method != "GET") return send(connection, plain(MHD_HTTP_METHOD_NOT_ALLOWED, "GET only"));
-        if (file) return send(connection, {MHD_HTTP_OK, std::string(file->type), std::string(file->text)});
+        if (const PageFile* file = page_file(path))
+            return send(connection, {MHD_HTTP_OK, std::string(file->type), std::string(file->text)});
         if (path == "/next") return next(connection, request);
-        if (path == "/facts")
-            return send(connection, {MHD_HTTP_OK, "application/json",
-                                     std::string("{\"control\":") + (options.control.empty() ? "false}" : "true}")});
-        return send(connection, answer_query(live, path, arguments(connection)));
+        if (path == "/facts") return send(connection, facts());
+        return send(connection, answer_query(live, files, path, asked));
     }
 
     static MHD_Result on_request(void* self, MHD_Connection* connection, const char* url, const char* method,
                                  const char* /*version*/, const char* data, size_t* size, void** request_of) {
-        if (!*request_of) {
-            *request_of = new Request;
-            return MHD_YES;
-        }
-        Request& request = *static_cast<Request*>(*request_of);
-        if (*size > 0) {
+        State& state = *static_cast<State*>(self);
+        try {
+            if (!*request_of) {
+                auto request = std::make_unique<Request>();
+                request->refused = state.refused(connection, page_file(url) != nullptr);
+                *request_of = request.release();
+                return MHD_YES;
+            }
+            Request& request = *static_cast<Request*>(*request_of);
+            if (*size == 0) return state.answer(connection, url, method, request);
             request.too_long = request.too_long || request.body.size() + *size > longest_body;
-            if (!request.too_long) request.body.append(data, *size);
+            if (!request.too_long && !request.refused) request.body.append(data, *size);
             *size = 0;
             return MHD_YES;
-        }
-        try {
-            return static_cast<State*>(self)->answer(connection, url, method, request);
         } catch (const std::exception&) {
             return MHD_NO;
         }

@@ -7,10 +7,14 @@
 //   GET /srgb                    thresholds of the codes 1 to 255
 //   GET /pixel?x=&y=             what is known of a pixel (pixel.h)
 //   GET /facts                   what vcview was started with
+//   GET /file?n=                 text N of those that the page may show, with its tag (ETag)
+//   PUT /file?n=                 its new text, if it still is what the tag of If-Match says (412 if not)
+//   GET /outlines?n=             of the regions in file N (regions.h)
 //   POST /control                lines for the FIFO of ptrace -control
 #pragma once
 #include <memory>
 #include <string>
+#include "live/files.h"
 #include "live/live.h"
 
 namespace live {
@@ -19,6 +23,7 @@ struct ServerOptions {
     int port = 0;                      // 0: any that is free
     std::string listen = "127.0.0.1";  // address
     std::string control;               // FIFO of ptrace -control; empty: none
+    Files files;                       // that the page may show or change
 };
 
 class Server {

@@ -63,6 +63,9 @@ Regions parse(const std::string& text, const std::string& file);
 // True if a region asks for surfaces or modifiers, which only a scene can answer.
 bool needs_scene(const Regions& regions);
 
+// Region k by itself, with the shapes that it uses.
+Regions only(const Regions& regions, size_t k);
+
 // Surfaces of the scene along a ray: transparent ones in order and the opaque one that ends it.
 struct Crossing {
     double t;

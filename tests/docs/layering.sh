@@ -24,7 +24,7 @@ lib/device: base flatten bvh kernels
 lib/sampling: base flatten device kernels
 lib/render: base view image scene flatten device sampling kernels
 lib/visibility: base region scene bvh flatten
-lib/live: base view image display
+lib/live: base view image display region
 tools/ptaccum: base view image film display
 tools/vcmetrics: base view image display uncertainty glare evalglare report region
 tools/vcregion: base view image region visibility

@@ -3,31 +3,10 @@
 #   LINK: what vcview printed; STREAM: the pictures that it reads; LINES: its output; PIXELS: the last picture in
 #   falsecolor, 8-bit RGB.  A sentence for each check; status 1 if one fails.
 import re, struct, sys, time
-from selenium import webdriver
-from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from browser_page import Page, check, link_in
 
-link, stream, lines, falsecolor = sys.argv[1:5]
-options = webdriver.ChromeOptions()
-for argument in ('--headless=new', '--no-sandbox', '--disable-gpu', '--window-size=1280,1000'):
-    options.add_argument(argument)
-options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
-page = webdriver.Chrome(options=options)
-failures = 0
-
-
-def check(sentence, true):
-    global failures
-    failures += not true
-    print('ok' if true else 'not ok', '-', sentence)
-
-
-def until(script, seconds=60):
-    end = time.time() + seconds
-    while time.time() < end:
-        if page.execute_script('return ' + script): return True
-        time.sleep(.1)
-    return False
+stream, lines, falsecolor = sys.argv[2:5]
 
 
 def last_picture(name):
@@ -40,25 +19,23 @@ def last_picture(name):
     return width, height, struct.unpack(f'<{3 * width * height}f', data[size.end():at])
 
 
-link = re.search(r'http://\S+', open(link).read())[0]
 want = open(lines).read().splitlines()
 width, height, floats = last_picture(stream)
-
-page.get(link)
-check('all lines arrive', until(f'document.body.dataset.lines == {len(want)}'))
-check('the status says how far it is', until('document.getElementById("status").textContent.includes("frames")'))
+page = Page(link_in(sys.argv[1]))
+check('all lines arrive', page.until(f'document.body.dataset.lines == {len(want)}'))
+check('the status says how far it is', page.until('document.getElementById("status").textContent.includes("frames")'))
 time.sleep(1)
 
 # the table has the last line's numbers
 names, last = want[0].split('\t'), want[-1].split('\t')
-rows = page.find_elements(By.CSS_SELECTOR, '#table tbody tr')
-cells = {r[0].text: r[1].text for r in (row.find_elements(By.TAG_NAME, 'td') for row in rows)}
+rows = page.find('#table tbody tr')
+cells = {r[0].text: r[1].text for r in (row.find_elements('tag name', 'td') for row in rows)}
 check('the table has the last line', all(
     abs(float(cells[n]) - float(v)) <= 5e-4 * abs(float(v)) for n, v in zip(names, last) if n in cells) and cells)
-check('curves are drawn', len(page.find_elements(By.CSS_SELECTOR, '#plots path.curve')) > 0)
+check('curves are drawn', len(page.find('#plots path.curve')) > 0)
 
 # falsecolor's bytes are those of the file
-bytes_of = page.execute_async_script('''
+bytes_of = page.chrome.execute_async_script('''
     const done = arguments[arguments.length - 1];
     const token = location.hash.slice(1), ask = (p) => fetch(p, { headers: { 'X-Luxpipe-Token': token } });
     (async () => {
@@ -76,48 +53,60 @@ want_bytes = open(falsecolor, 'rb').read()
 check('falsecolor has the bytes of the file', bytes(v for i, v in enumerate(ours) if i % 4 != 3) == want_bytes)
 
 # the probe tells luminance under the pointer
-canvas = page.find_element(By.ID, 'canvas')
 good = 0
-for k in range(10):
+for k in range(50):
     x, y = (7 * k + 3) % width, (11 * k + 5) % height
-    box = canvas.rect
-    scale = min(box['width'] / width, box['height'] / height)
-    page.execute_script('''
+    dx, dy = page.pixel_to_canvas(x + .5, y + .5, width, height)
+    page.chrome.execute_script('''
         const c = document.getElementById('canvas'), box = c.getBoundingClientRect();
         c.dispatchEvent(new PointerEvent('pointermove', { clientX: box.left + box.width / 2 + arguments[0],
-            clientY: box.top + box.height / 2 + arguments[1], bubbles: true }));''',
-                        (x + .5 - width / 2) * scale, (y + .5 - height / 2) * scale)
-    text = page.find_element(By.ID, 'probe').text
+            clientY: box.top + box.height / 2 + arguments[1], bubbles: true }));''', dx, dy)
+    text = page.one('#probe').text
     r, g, b = floats[3 * (y * width + x):][:3]
     luminance = 179 * (0.265074126 * r + 0.670114631 * g + 0.064811243 * b)
     found = re.match(rf'pixel {x}, {y}: (\S+) cd', text)
     good += bool(found) and abs(float(found[1]) - luminance) <= 1e-3 * abs(luminance) + .06
-check('the probe tells the luminance of ten pixels', good == 10)
+check('the probe tells the luminance of 50 pixels', good == 50, good)
+
+# the page's own projection is the server's
+wrong = page.chrome.execute_async_script('''
+    const [asked, done] = arguments;
+    (async () => {
+        const { Eye } = await import('/view.js'), { ask } = await import('/net.js');
+        const [options, width, height] = asked;
+        const eye = new Eye(options);
+        let wrong = 0;
+        for (let k = 0; k < 50; k++) {
+            const x = (13 * k + 2) % width, y = (17 * k + 9) % height, at = [(x + .5) / width, 1 - (y + .5) / height];
+            const server = (await (await ask(`/pixel?x=${x}&y=${y}`)).json()).direction, ours = eye.direction(at);
+            if (!server) { wrong += ours !== null; continue; }
+            const back = eye.place(ours);
+            wrong += Math.hypot(...server.map((v, i) => v - ours[i])) > 1e-9;
+            wrong += Math.hypot(back[0] - at[0], back[1] - at[1]) > 1e-9;
+        }
+        done(wrong);
+    })().catch((e) => done(String(e)));''', [facts['view'], width, height])
+check('directions in the page are those of the server', wrong == 0, wrong)
 
 # keys: tone, keep, compare; nothing is restarted
-body = page.find_element(By.TAG_NAME, 'body')
-before = page.execute_script('return document.getElementById("tone").value')
+body = page.one('body')
+before = page.js('document.getElementById("tone").value')
 body.send_keys('t')
-check('t changes the tone', page.execute_script('return document.getElementById("tone").value') != before)
+check('t changes the tone', page.js('document.getElementById("tone").value') != before)
 body.send_keys('k')
-check('k keeps the picture to compare with', until('!document.getElementById("compare").disabled', 5))
+check('k keeps the picture to compare with', page.until('!document.getElementById("compare").disabled', 5))
 body.send_keys('c')
-check('c changes the comparison', page.execute_script('return document.getElementById("compare").value') == 'wipe')
+check('c changes the comparison', page.js('document.getElementById("compare").value') == 'wipe')
 for key in (Keys.TAB,) * 3: body.send_keys(key)
-check('the keyboard reaches what can be changed',
-      page.execute_script('return document.activeElement !== document.body'))
+check('the keyboard reaches what can be changed', page.js('document.activeElement !== document.body'))
 
 for w in (1280, 390):
-    page.set_window_size(w, 900)
-    time.sleep(.3)
-    check(f'nothing is wider than a page of {w} pixels',
-          page.execute_script('return document.documentElement.scrollWidth <= document.documentElement.clientWidth'))
-errors = [e for e in page.get_log('browser')
-          if e['level'] == 'SEVERE' and 'favicon' not in e['message']]
-for e in errors: print('#', e['message'])
-check('the console has no errors', not errors)
-page.get(link.split('#')[0] + '#00')
-page.refresh()
-check('a wrong link is said', until('document.getElementById("status").textContent.includes("not the one")', 10))
-page.quit()
-sys.exit(failures > 0)
+    page.resize(w, 900)
+    check(f'nothing is wider than a page of {w} pixels', page.fits())
+found = page.errors()
+check('the console has no errors before the wrong link', not found, found)
+page.chrome.get(page.link.split('#')[0] + '#00')
+page.chrome.refresh()
+check('a wrong link is said', page.until('document.getElementById("status").textContent.includes("not the one")', 10))
+page.errors()
+page.end()

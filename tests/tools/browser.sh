@@ -15,5 +15,5 @@ vcview -stay -- vcmetrics -metrics Ev,DGP -ci 95 < sums.str > lines 2> link &
 running=$!
 for ((k = 0; k < 50; k++)); do [ "$(wc -l < lines)" = 7 ] || sleep .2; done
 check 'the page shows what the programs wrote' '
-    /usr/bin/python3 "$TOP/tests/tools/browser.py" link sums.str lines pixels >&2'
+    PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$TOP/tests/tools/browser.py" link sums.str lines pixels >&2'
 kill $running

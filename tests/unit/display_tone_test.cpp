@@ -4,9 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <random>
 
 #include "display/draw.h"
 #include "display/file.h"
+#include "display/outline.h"
 
 TEST_CASE("tone curves: order is kept, the middle is visible, the legend is beside the picture") {
     image::Picture p;
@@ -131,4 +133,43 @@ TEST_CASE("an area has its outline in its colour and its inside tinted") {
     CHECK(picture.at(1, 1)[0] == 200);
     CHECK(picture.at(2, 2)[0] == 150);
     CHECK(display::with_labels(picture, {{"desk"}}).height > 5);
+}
+
+TEST_CASE("outlines: closed, around what they must hold, cut where coverage is a half") {
+    const auto area = [](const display::Ring& r) {
+        double sum = 0;
+        for (size_t k = 0; k < r.size(); ++k) {
+            const auto &a = r[k], &b = r[(k + 1) % r.size()];
+            sum += double(a[0]) * b[1] - double(b[0]) * a[1];
+        }
+        return sum / 2;
+    };
+    CHECK(display::outlines(std::vector<float>(12, 0), 4, 3).empty());
+    // the whole picture, up to its border
+    const auto all = display::outlines(std::vector<float>(12, 1), 4, 3);
+    REQUIRE(all.size() == 1);
+    CHECK(std::fabs(area(all[0])) == doctest::Approx(12 - 4 * .125));  // four corners are cut
+    // a ring: its hole turns the other way
+    std::vector<float> ring(49, 1);
+    for (int y = 2; y < 5; ++y)
+        for (int x = 2; x < 5; ++x) ring[size_t(7 * y + x)] = 0;
+    const auto two = display::outlines(ring, 7, 7);
+    REQUIRE(two.size() == 2);
+    CHECK(area(two[0]) * area(two[1]) < 0);
+    CHECK(std::fabs(area(two[0]) + area(two[1])) == doctest::Approx(49 - .5 - (9 - .5)));
+    // two pixels that touch at a corner stay apart; random sets give closed rings around as many pixels as they hold
+    CHECK(display::outlines({1, 0, 0, 1}, 2, 2).size() == 1);
+    CHECK(display::outlines({.8f, 0, 0, .8f}, 2, 2).size() == 2);
+    std::minstd_rand random(3);
+    for (int trial = 0; trial < 200; ++trial) {
+        std::vector<float> set(35);
+        double pixels = 0;
+        for (float& v : set) pixels += v = float(random() % 2);
+        double sum = 0;
+        for (const display::Ring& r : display::outlines(set, 7, 5)) {
+            CHECK(r.size() >= 3);
+            sum += area(r);
+        }
+        CHECK(std::fabs(std::fabs(sum) - pixels) <= 35 * .5);
+    }
 }

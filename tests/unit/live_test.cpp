@@ -14,6 +14,8 @@
 #include "live/json.h"
 #include "live/live.h"
 #include "live/pixel.h"
+#include "live/regions.h"
+#include "temp_folder.h"
 
 namespace {
 
@@ -87,20 +89,20 @@ TEST_CASE("what is no float picture ends the looking, not the program") {
 
 TEST_CASE("news is told once: pictures, lines, the end") {
     live::Live live;
-    CHECK_FALSE(live.since(0, 0, false));
+    CHECK_FALSE(live.since({}, false));
     live.put_line("Ev");
     live.put_line("1000");
     live.put_picture(small_picture(4, 3));
-    auto news = live.since(0, 1, false);
+    auto news = live.since({0, 1, 0}, false);
     REQUIRE(news);
     CHECK(news->lines == std::vector<std::string>{"1000"});
     CHECK(news->shown->width == 4);
-    CHECK_FALSE(live.since(news->picture, news->line, false));
+    CHECK_FALSE(live.since(*news, false));
     live.put_end(4);
-    REQUIRE(live.since(news->picture, news->line, false));
-    CHECK(*live.since(news->picture, news->line, false)->ended == 4);
-    CHECK_FALSE(live.since(news->picture, news->line, true));
-    CHECK(live.since(99, 99, false));  // of an earlier run: the end is news all the same
+    REQUIRE(live.since(*news, false));
+    CHECK(*live.since(*news, false)->ended == 4);
+    CHECK_FALSE(live.since(*news, true));
+    CHECK(live.since({99, 99, 99}, false));  // of an earlier run: the end is news all the same
 }
 
 TEST_CASE("an answer holds its facts, then the pixels to the last bit") {
@@ -121,15 +123,15 @@ TEST_CASE("an answer holds its facts, then the pixels to the last bit") {
 TEST_CASE("tables are those of the pictures on disk; questions that mean nothing are refused") {
     const live::Live live;
     const auto table = [&](const char* decades) {
-        return live::answer_query(live, "/table", arguments({{"top", "1000"}, {"decades", decades}}));
+        return live::answer_query(live, {}, "/table", arguments({{"top", "1000"}, {"decades", decades}}));
     };
     CHECK(table("3").status == 200);
     CHECK(table("3").body.find("\"thresholds\":[") == 1);
     CHECK(table("-1").status == 400);
     CHECK(table("1e9").status == 400);
-    CHECK(live::answer_query(live, "/table", arguments({})).status == 400);
-    CHECK(live::answer_query(live, "/pixel", arguments({{"x", "1"}, {"y", "1"}})).status == 404);
-    CHECK(live::answer_query(live, "/etc/passwd", arguments({})).status == 404);
+    CHECK(live::answer_query(live, {}, "/table", arguments({})).status == 400);
+    CHECK(live::answer_query(live, {}, "/pixel", arguments({{"x", "1"}, {"y", "1"}})).status == 404);
+    CHECK(live::answer_query(live, {}, "/etc/passwd", arguments({})).status == 404);
 }
 
 TEST_CASE("a pixel's facts") {
@@ -169,4 +171,18 @@ TEST_CASE("JSON of numbers") {
     CHECK(live::json::number(.1) == "0.1");
     CHECK(live::json::number(std::nan("")) == "null");
     CHECK(live::json::numbers({1, 2.5}) == "[1,2.5]");
+}
+
+TEST_CASE("a file is written only over the state that its writer has read, and regions only if they can be read") {
+    TempFolder folder;
+    const live::TextFile file(folder.name("x.regions"), live::TextFile::Kind::regions, true);
+    CHECK(file.read().tag == "none");
+    REQUIRE(file.write("desk circle view 20\n", "none"));
+    const live::FileNow now = file.read();
+    CHECK(now.text == "desk circle view 20\n");
+    CHECK_FALSE(file.write("desk circle view 30\n", "none"));
+    CHECK_THROWS_AS(file.write("desk circle\n", now.tag), base::Error);
+    CHECK(file.read().tag == now.tag);
+    CHECK(file.write("# none any more\n", now.tag));
+    CHECK(live::region_outlines(file.read().text, file.path, small_picture(9, 7)) == "[]");
 }

@@ -7,6 +7,20 @@
 
 #include "base/error.h"
 #include "base/options.h"
+#include "base/split.h"
+
+namespace {
+
+// Those of -regions, which may be written; else those that the program measures are shown.
+void add_regions(const std::string& named, Options& o) {
+    using live::TextFile;
+    if (!named.empty()) o.server.files.emplace_back(named, TextFile::Kind::regions, true);
+    const auto at = std::find(o.command.begin(), o.command.end(), "-regions");
+    if (!named.empty() || at == o.command.end() || at + 1 == o.command.end()) return;
+    if (!base::ends_with(at[1], ".exr")) o.server.files.emplace_back(at[1], TextFile::Kind::regions, false);
+}
+
+}  // namespace
 
 std::optional<Options> parse_options(int argc, char** argv) {
     Options o;
@@ -21,10 +35,13 @@ std::optional<Options> parse_options(int argc, char** argv) {
     t.add("-stay", "Show the last picture until interrupted, also after the pipe has ended", o.stay);
     t.group("Scene");
     t.add("-control file", "FIFO to which the page's commands go (ptrace -control)", o.server.control);
+    std::string regions;
+    t.add("-regions file", "Region file that the page shows and writes", regions);
     const auto operands = t.parse(int(dashes - argv), argv);
     if (!operands) return std::nullopt;
     if (!operands->empty())
         base::fail(operands->front(), "is no option; the program that reads the pictures comes after --");
+    add_regions(regions, o);
     if (dashes != end && o.command.empty()) base::fail("--", "names no program");
     return o;
 }

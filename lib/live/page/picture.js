@@ -80,15 +80,19 @@ export class PictureView {
     this.zoom = 0;  // screen pixels a pixel; 0: the whole picture
     this.x = this.y = 0;  // the picture's place in the middle of the canvas
     this.wipe = 0.5;
+    this.overlays = [];  // functions that draw over the picture: (context, to, unit); overlay.js
     new ResizeObserver(() => this.draw()).observe(canvas);
   }
 
   // bytes: RGBA; kept: likewise or null, shown on the left of the wipe.
   show(bytes, width, height, values, kept) {
     if (this.image.width !== width || this.image.height !== height) {
+      const by = this.image.width ? width / this.image.width : 0;  // the same place of a picture of another size
       this.image.width = width;
       this.image.height = height;
-      this.fit();
+      this.canvas.style.aspectRatio = `${width} / ${height}`;
+      if (this.zoom && by) Object.assign(this, { zoom: this.zoom / by, x: this.x * by, y: this.y * by });
+      else this.fit();
     }
     const to = this.image.getContext('2d');
     to.putImageData(new ImageData(bytes, width, height), 0, 0);
@@ -105,11 +109,15 @@ export class PictureView {
   scale() { return this.zoom || Math.min(this.canvas.clientWidth / this.image.width, this.canvas.clientHeight / this.image.height); }
   fit() { this.zoom = 0; this.x = this.image.width / 2; this.y = this.image.height / 2; this.draw(); }
 
-  // The pixel under a place of the page; null beside the picture.
-  pixel(clientX, clientY) {
+  // A place of the page in pixels of the picture, also beside it.
+  place(clientX, clientY) {
     const box = this.canvas.getBoundingClientRect(), s = this.scale();
-    const x = Math.floor(this.x + (clientX - box.left - box.width / 2) / s);
-    const y = Math.floor(this.y + (clientY - box.top - box.height / 2) / s);
+    return { x: this.x + (clientX - box.left - box.width / 2) / s, y: this.y + (clientY - box.top - box.height / 2) / s };
+  }
+
+  // The pixel there; null beside the picture.
+  pixel(clientX, clientY) {
+    const at = this.place(clientX, clientY), x = Math.floor(at.x), y = Math.floor(at.y);
     return x >= 0 && y >= 0 && x < this.image.width && y < this.image.height ? { x, y } : null;
   }
 
@@ -144,6 +152,18 @@ export class PictureView {
     c.imageSmoothingEnabled = s < 1;
     c.drawImage(this.image, left, top, this.image.width * s, this.image.height * s);
     if (s >= 40 * ratio && this.values) this.drawValues(s, left, top, width, height, ratio);
+    this.overlays.forEach((draw) => draw(c, (x, y) => [left + x * s, top + y * s], ratio));
+  }
+
+  // The whole picture with what is drawn over it, at least 1024 pixels wide.
+  sheet() {
+    const by = Math.max(1, Math.ceil(1024 / this.image.width)), sheet = document.createElement('canvas'), c = sheet.getContext('2d');
+    sheet.width = by * this.image.width;
+    sheet.height = by * this.image.height;
+    c.imageSmoothingEnabled = false;
+    c.drawImage(this.image, 0, 0, sheet.width, sheet.height);
+    this.overlays.forEach((draw) => draw(c, (x, y) => [by * x, by * y], 1));
+    return sheet;
   }
 
   drawValues(s, left, top, width, height, ratio) {

@@ -31,6 +31,8 @@ export class Lines {
     this.rows.push(row);
   }
 
+  csv() { return this.text.map((line) => line.replaceAll('\t', ',')).join('\n') + '\n'; }
+
   metrics() { return this.columns.filter((c) => !beside.test(c) && !no_metric.has(c)); }
 }
 
@@ -51,7 +53,7 @@ function steps(low, high) {
 }
 
 export function plot(name, rows) {
-  const width = 420, height = 150, left = 58, right = 8, top = 8, bottom = 20;
+  const width = 420, height = 120, left = 58, right = 8, top = 8, bottom = 20;
   const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': `${name} by number of frames` });
   const points = rows.map((r) => ({ x: Math.max(r.frame, .5), y: r[name], lo: r[`${name}.lo`], hi: r[`${name}.hi`] }))
     .filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y));

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See files.h.
+#include "live/files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/descriptor.h"
+#include "base/hash.h"
+#include "base/tempfile.h"
+#include "live/regions.h"
+#include "region/region.h"
+
+namespace live {
+
+namespace {
+
+std::string tag_of(const std::string& text) {
+    base::Hash hash;
+    hash.add_all(text);
+    return hash.text();
+}
+
+}  // namespace
+
+FileNow TextFile::read() const {
+    const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (fd < 0) return {"none", "", ""};
+    struct stat info = {};
+    FileNow now;
+    if (fstat(fd, &info) != 0 || !S_ISREG(info.st_mode)) now.trouble = "is not an ordinary file";
+    else if (size_t(info.st_size) > longest_file) now.trouble = "is too long to be edited here";
+    char block[1 << 14];
+    for (ssize_t n; now.trouble.empty() && (n = base::read_some(fd, block, sizeof block)) > 0;)
+        now.text.append(block, size_t(n));
+    close(fd);
+    now.tag = now.trouble.empty() ? tag_of(now.text) : "none";
+    return now;
+}
+
+bool TextFile::write(const std::string& text, const std::string& tag) const {
+    if (kind == Kind::regions && holds_regions(text, path)) region::parse(text, path);
+    const FileNow now = read();
+    if (!now.trouble.empty()) base::fail(path, now.trouble);
+    if (now.tag != tag) return false;
+    base::TempFile file(path);
+    file.write(text.data(), text.size());
+    file.keep();
+    return true;
+}
+
+bool TextFile::changed() {
+    struct stat s = {};
+    std::string stamp = "none";
+    if (stat(path.c_str(), &s) == 0)
+        stamp = std::to_string(s.st_ino) + " " + std::to_string(s.st_size) + " " + std::to_string(s.st_mtim.tv_sec) +
+                " " + std::to_string(s.st_mtim.tv_nsec);
+    const bool first = stamp_.empty(), differs = stamp != stamp_;
+    stamp_ = stamp;
+    return differs && !first;
+}
+
+}  // namespace live

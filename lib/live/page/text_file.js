@@ -1,0 +1,43 @@
+// A text that vcview may write for us: read, changed by functions of its text, and undone.
+import { ask } from '/net.js';
+
+export class TextFile {
+  constructor(n, facts) { this.n = n; Object.assign(this, facts); this.text = ''; this.tag = 'none'; this.undone = []; }
+
+  async read() {
+    const answer = await ask(`/file?n=${this.n}`);
+    if (!answer.ok) throw new Error((await answer.text()).trim());
+    const bytes = await answer.arrayBuffer();
+    try {
+      this.text = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
+    } catch {
+      throw new Error(`${this.name} is no UTF-8`);
+    }
+    this.tag = answer.headers.get('ETag').replaceAll('"', '');
+  }
+
+  // change: text -> text, or null where it does not fit.  '' when done, 'conflict', or what is wrong.
+  async save(change, undoes = false) {
+    for (let trial = 0; trial < 3; trial++) {
+      const next = change(this.text), before = this.text;
+      if (next === null) return 'conflict';
+      if (next === before) return '';
+      const answer = await ask(`/file?n=${this.n}`, { method: 'PUT', body: next, headers: { 'If-Match': `"${this.tag}"` } });
+      if (answer.status === 412) {  // somebody else was faster: the same change in the new text
+        await this.read();
+        continue;
+      }
+      if (!answer.ok) return (await answer.text()).trim();
+      this.text = next;
+      this.tag = answer.headers.get('ETag').replaceAll('"', '');
+      if (!undoes) this.undone.push([next, before]);
+      return '';
+    }
+    return 'conflict';
+  }
+
+  async undo() {
+    const last = this.undone.pop();
+    return last ? this.save((text) => text === last[0] ? last[1] : null, true) : '';
+  }
+}

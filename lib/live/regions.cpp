@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See regions.h.
+#include "live/regions.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "display/draw.h"
+#include "display/outline.h"
+#include "live/json.h"
+#include "region/region.h"
+#include "region/tokens.h"
+
+namespace live {
+
+namespace {
+
+std::string rings(const std::vector<display::Ring>& all) {
+    std::string out = "[";
+    for (const display::Ring& ring : all) {
+        std::vector<double> places;
+        for (const auto& p : ring)
+            for (const float v : p) places.push_back(std::round(double(v) * 100) / 100);
+        out += (out.size() > 1 ? "," : "") + json::numbers(places);
+    }
+    return out + "]";
+}
+
+std::string drawn(const region::Regions& regions, size_t k, const image::Picture& p) {
+    try {
+        if (!p.header.view) return ",\"trouble\":\"the picture has no view\"";
+        const image::MaskSet set =
+            region::rasterize(region::only(regions, k), *p.header.view, p.width, p.height, false);
+        return ",\"rings\":" + rings(display::outlines(set.masks[0].coverage, p.width, p.height));
+    } catch (const base::Error& e) {
+        return ",\"trouble\":" + json::text(e.message);
+    }
+}
+
+}  // namespace
+
+bool holds_regions(const std::string& text, const std::string& path) {
+    return !region::split_regions(text, path).empty();
+}
+
+std::string region_outlines(const std::string& text, const std::string& path, const image::Picture& picture) {
+    if (!holds_regions(text, path)) return "[]";
+    const region::Regions regions = region::parse(text, path);
+    std::string out = "[";
+    for (size_t k = 0; k < regions.regions.size(); ++k) {
+        const display::Colour c = display::list_colour(k);
+        out += (k ? ",{\"name\":" : "{\"name\":") + json::text(regions.regions[k].name) +
+               ",\"colour\":" + json::numbers({double(c[0]), double(c[1]), double(c[2])}) + drawn(regions, k, picture) +
+               "}";
+    }
+    return out + "]";
+}
+
+}  // namespace live

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Regions by pointer and keys in the page of vcview: browser_regions.py LINK REGIONS SIZE
+#   LINK: what vcview printed; REGIONS: the file that it writes; SIZE: sides of the square picture.
+import re, sys
+from selenium.webdriver.common.keys import Keys
+from browser_page import Page, check, link_in, soon
+
+name, side = sys.argv[2], int(sys.argv[3])
+size = (side, side)
+page = Page(link_in(sys.argv[1]))
+text = lambda: open(name).read()
+outlines = lambda: {k: v for k, v in page.js(
+    'fetch("/outlines?n=0", {headers: {"X-Luxpipe-Token": location.hash.slice(1)}}).then((a) => a.json())'
+    '.then((all) => all.map((r) => [r.name, r.rings ? r.rings.length : r.trouble]))')}
+
+rows = lambda n: page.until(f'document.querySelectorAll("#regions .name").length == {n}')
+check('the table has the regions of the file', rows(5))
+check('every kind with a shape has an outline; one that asks for the scene says so',
+      soon(lambda: [outlines().get(k) for k in ('desk', 'task', 'band', 'round')] == [1] * 4)
+      and 'scene' in str(outlines()['wood']), outlines())
+time_out = lambda words: soon(lambda: re.search(words, text()))
+
+
+def fill(css, words): page.one(css).send_keys(Keys.CONTROL + 'a' + Keys.NULL, words, Keys.TAB)
+
+
+kept = [line for line in text().splitlines() if line.startswith('#')]
+
+page.one('#draw-circle').click()
+page.drag(size, (side * .3, side * .3), (side * .35, side * .3), (side * .4, side * .3))
+check('a circle that is drawn arrives in the file', time_out('region1  circle'), text())
+page.one('#draw-rect').click()
+page.drag(size, (side * .25, side * .25), (side * .3, side * .3), (side * .5, side * .5))
+check('a rectangle arrives', time_out(r'region2  rect fraction  0.25\d* 0.7[45]\d*  0.(5|49)\d* 0.(5|49)'), text())
+page.one('#draw-polygon').click()
+page.click(size, (side * .6, side * .3), (side * .7, side * .3), (side * .7, side * .4))
+page.one('#canvas').send_keys(Keys.ENTER)
+check('a polygon arrives', time_out('region3  polygon direction'), text())
+check('the table has them', rows(8))
+
+fill('#regions [data-region=region2].name', 'window')
+check('a region is named', time_out('window +rect fraction'), text())
+fill('#regions [data-region=window].definition', 'rect fraction .1 .1 .2 .2')
+check('a region is edited as text', time_out('window +rect fraction .1 .1 .2 .2'), text())
+before = text()
+fill('#regions [data-region=window].definition', 'rect fraction .1')
+check('what is wrong is said and not saved',
+      page.until('document.getElementById("regions-say").textContent.includes("needs 4 numbers")') and text() == before)
+fill('#regions [data-region=window].definition', 'rect fraction .1 .1 .3 .3')
+time_out('.3 .3')
+
+page.js('document.querySelector("#regions [data-region=window].name").focus()')
+page.one('#canvas').send_keys(Keys.SHIFT, Keys.ARROW_RIGHT)
+moved = f'window +rect fraction  {round(.1 + 10 / side, 5):g}'
+check('arrow keys move the region that is chosen', time_out(moved), text())
+page.one('#regions-undo').click()
+check('that is undone', time_out('window +rect fraction .1 .1 .3 .3'), text())
+page.js('document.querySelector("#regions [data-region=window].name").focus()')
+page.drag(size, (side * .3, side * .7), (side * .35, side * .65), (side * .4, side * .6))  # its upper right corner
+check('a corner is moved by the pointer', time_out(r'window +rect fraction  0.1 0.1  0.(4|39)\d* 0.(4|39)'), text())
+page.one('#canvas').send_keys(Keys.DELETE)
+check('Delete deletes it', soon(lambda: 'window' not in text()), text())
+
+# somebody else writes the file
+with open(name, 'a') as file: file.write('byhand  circle view 20   # typed in an editor\n')
+check('a region that is typed into the file appears', rows(8))
+page.chrome.set_network_conditions(latency=1500, download_throughput=1e9, upload_throughput=1e9)
+page.js('document.querySelector("#regions [data-region=region1].name").focus()')
+with open(name, 'a') as file: file.write('another  circle view 30\n')
+page.one('#canvas').send_keys(Keys.DELETE)
+check('a change in the page meets one by hand: both are kept',
+      soon(lambda: 'region1' not in text() and 'another  circle view 30\n' in text()), text())
+rows(8)
+page.js('document.querySelector("#regions [data-region=another].name").focus()')
+with open(name) as file: theirs = file.read().replace('another  circle view 30', 'another  circle view 33')
+with open(name, 'w') as file: file.write(theirs)
+page.one('#canvas').send_keys(Keys.DELETE)
+check('both have changed the same region: the file stays, and the page says so',
+      page.until('document.getElementById("regions-say").textContent.includes("another program")')
+      and text() == theirs, text())
+check('comments are kept', '# typed in an editor' in text() and
+      all(line in text().splitlines() for line in kept), text())
+page.end()
