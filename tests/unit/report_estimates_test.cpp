@@ -8,9 +8,11 @@
 #include <random>
 
 #include "base/error.h"
+#include "image/exr.h"
 #include "report/estimates.h"
 #include "report/until.h"
 #include "report_study.h"
+#include "temp_folder.h"
 #include "uncertainty/stopping.h"
 
 using namespace glare;
@@ -113,9 +115,9 @@ struct Room {
     std::unique_ptr<PictureAnalyzer> analyzer;
     std::vector<double> truth;
     explicit Room(const std::vector<std::string>& names, DgpForm form = DgpForm::merged,
-                  std::vector<double> exact_cdm2 = ::room(), std::optional<double> band = {}) {
+                  std::vector<double> exact_cdm2 = ::room(), const Settings& others = {}) {
+        settings = others;
         settings.dgp_form = form;
-        settings.band_rad = band;
         const int width = int(std::sqrt(double(exact_cdm2.size())));
         const bool regions = width == side;
         ColumnChoice choice;
@@ -150,12 +152,33 @@ bool holds(const Estimate& e, double truth) {
     return e.value + off.low <= truth && truth <= e.value + off.high;
 }
 
-std::vector<std::string> all_names() {
-    std::vector<std::string> names;
+// With a band, zones, and the picture of the room as a mask.
+Settings settings_of_all_columns(TempFolder& temp) {
+    Settings out;
+    out.band_rad = .5;
+    out.zones = Zones{{5, 5, 1.5}, 3.};
+    out.mask_file = temp.name("mask.exr");
+    image::write_exr(*out.mask_file, fisheye_of(room(), side));
+    return out;
+}
+
+// All names that -metrics takes, NAMEu and NAMEf too.  NAME.px has the error of moments (glare_filled_test).
+std::vector<std::string> all_names(const Settings& settings) {
+    std::vector<std::string> out;
+    ColumnChoice choice;
+    choice.regions = {"low", "high"}, choice.pairs = {{"low", "high", "screen"}};
     std::istringstream in(column_names());
-    for (std::string name; in >> name && name != "CR";) names.push_back(name);
-    names.insert(names.end(), {"CR", "TAL", "mean", "median", "min", "max", "share", "band"});
-    return names;
+    for (std::string name; in >> name;)
+        for (const char* ending : {"", "u", "f"}) {
+            Requirements unused;
+            choice.names = {name + ending};
+            try {
+                choose_columns(choice, settings, unused);
+                out.push_back(name + ending);
+            } catch (const base::Error&) {  // the words "(of regions)", and endings that a name does not have
+            }
+        }
+    return out;
 }
 
 }  // namespace
@@ -179,23 +202,25 @@ TEST_CASE("DGP without the bias of squares") {
     CHECK(taken_off > 5 * std::sqrt((squares_off - taken_off * taken_off) / seeds));
 }
 
-// A metric that is added must say how its error is estimated, and one that says so must have an error that follows
-// noise.
+// A row of the table that says nothing of noise has no interval, and fails here until it is listed; one that claims an
+// interval fails unless the interval follows noise.
 TEST_CASE("each column has an interval that moves when noise moves, or is listed as having none") {
     const std::vector<std::string> without{
-        "class",      "VCP",        "PGSV",        "PGSVcon",       "PGSVsat",   "Lmax",     "threshold", "Lmed",
-        "LmedPos",    "LmedPos2",   "n_sources",   "omega_sources", "L_sources", "omega",    "pixels",    "not_finite",
-        "negative",   "low.median", "high.median", "low.min",       "high.min",  "low.max",  "high.max",  "low.share",
-        "high.share", "band.omega", "band.median", "band.std",      "band.p75",  "band.p95", "band.min",  "band.max"};
-    std::vector<std::string> names = all_names();
-    names.erase(std::remove_if(names.begin(), names.end(),
-                               [](const std::string& n) {
-                                   return n.find("PGSV") == 0 || n == "mask" || n == "zone1" || n == "zone2" ||
-                                          n.back() == ')' || n.front() == '(';
-                               }),
-                names.end());
-    Room room(names, DgpForm::merged, ::room(), .5);
-    REQUIRE(room.columns.size() > 50);
+        "class",     "classf",      "VCP",           "VCPu",       "VCPf",      "PGSV",       "PGSVcon",    "PGSVsat",
+        "Lmax",      "threshold",   "Lmed",          "LmedPos",    "LmedPos2",  "n_sources",  "n_sourcesf", "L_sources",
+        "pixels",    "omega",       "omega_sources", "not_finite", "negative",  "low.median", "low.min",    "low.max",
+        "low.share", "high.median", "high.min",      "high.max",   "high.share"};
+    const std::vector<std::string> of_sets{"omega", "median", "std", "p75", "p95", "min", "max"};
+    const auto listed = [&](const std::string& name) {
+        const size_t dot = name.find('.');
+        const bool of_set = name.find("band.") == 0 || name.find("mask.") == 0 || name.find("zone") == 0;
+        const auto& list = of_set ? of_sets : without;
+        return std::find(list.begin(), list.end(), of_set ? name.substr(dot + 1) : name) != list.end();
+    };
+    TempFolder temp;
+    const Settings settings = settings_of_all_columns(temp);
+    Room room(all_names(settings), DgpForm::merged, ::room(), settings);
+    REQUIRE(room.columns.size() > 100);
     const auto noisy = [](double times) {
         return [times](std::mt19937& random) { return 1 + times * (gaussian(random) - 1); };
     };
@@ -209,9 +234,9 @@ TEST_CASE("each column has an interval that moves when noise moves, or is listed
     }
     for (size_t c = 0; c < room.columns.size(); ++c) {
         INFO(room.columns[c].name << ": " << width[0][c] << ", with more noise " << width[1][c]);
-        const bool listed = std::find(without.begin(), without.end(), room.columns[c].name) != without.end();
-        CHECK(room.columns[c].has_interval() == !listed);
-        if (listed) CHECK(std::isnan(width[0][c]));
+        const bool none = listed(room.columns[c].name);
+        CHECK(room.columns[c].has_interval() == !none);
+        if (none) CHECK(std::isnan(width[0][c]));
         else CHECK(width[1][c] > 1.5 * width[0][c]);
     }
 }
