@@ -97,6 +97,18 @@ TEST_CASE("a rough metal before a sky fills its pixels") {
     CHECK(mean_filled(s, 0, side) == doctest::Approx(1).epsilon(.01));
 }
 
+// A pane that scatters light by measured data: which way light comes through it is chosen by chance.
+TEST_CASE("a BSDF before a sky fills its pixels") {
+    for (const std::string name : {"klemsq", "peak", "tt3", "tt4"}) {
+        CAPTURE(name);
+        const std::string file = LUXPIPE_TESTS "/golden/vectors/" + name + ".xml";
+        const Seen s = seen(sky + "void BSDF data 6 0 " + file + " 0 0 1 . 0 0\n" +
+                            "data polygon pane 0 0 12 -2 1 -2 2 1 -2 2 1 2 -2 1 2\n");
+        CHECK(s.mean[Seen::at(32, 32)] > .1);
+        CHECK(mean_filled(s, 0, side) == doctest::Approx(1).epsilon(.001));
+    }
+}
+
 // The disc of a sun of half a degree, a tenth of a pixel of a fisheye: c (1 - c) L^2, all of its light in one pixel, at
 // its place there.
 TEST_CASE("the sun in a pixel") {
