@@ -48,7 +48,7 @@ check 'evalglare'"'"'s DGP of the same pictures rises with their size, and DGP.p
 check 'a uniform surround keeps its DGP' '
     grep -v sun_light sun.rad > sky.rad
     [ "$(measured 64 1 DGP,UGR,n_sources sky.rad)" = "$(measured 64 1 DGPf,UGRf,n_sourcesf sky.rad)" ]'
-# Seen through two panes, half behind a bar, and in a mirror, where it is sampled and not drawn.
+# Seen through two panes, half behind a bar, and in a mirror.
 cat > panes.rad << 'END'
 void glass pane 0 0 3 .96 .96 .96
 pane polygon near 0 0 12 -9 1 -9 9 1 -9 9 1 9 -9 1 9
@@ -63,6 +63,13 @@ check 'through two panes and half behind a bar it is the same at 64 and at 256 p
         a=$(measured 64 1 DGPf sun.rad $more.rad); b=$(measured 256 1 DGPf sun.rad $more.rad)
         echo "$more: $a $b"; within $a $b .004
     done'
+cat > mirror.rad << 'END'
+void mirror silver 0 0 3 1 1 1
+silver polygon wall 0 0 12 -9 3 -9 9 3 -9 9 3 9 -9 3 9
+END
+check 'in a flat mirror it is sampled, and within .01 of its closed form at 256 pixels: three standard deviations' '
+    sun 25 3 | awk "/^sun_light source/ { \$8 = -\$8 } { print }" > behind.rad; want=$(closed_form 25 3)
+    got=$(measured 256 17 DGPf behind.rad mirror.rad); echo "$got, want $want"; within $got $want .01'
 check 'without moments the columns are those of whole pixels, and a warning says so' '
     ptrace -w- -ab 0 $view -x 64 -y 64 -frames 1 -moments- sun.rad | ptaccum -last -ff > plain.hdr
     vcmetrics -metrics DGP,DGPf plain.hdr 2> said | tail -n 1 | awk "{ exit \$2 != \$3 }"
