@@ -2,6 +2,8 @@
 import { short } from '/picture.js';
 
 const classes = { DGP: [.35, .40, .45], DGPu: [.35, .40, .45], DGPf: [.35, .40, .45], UGR: [13, 16, 19, 22, 25, 28] };
+// What pixels do to a metric: to evalglare's (DGP, DGPu) it is missing, DGPf has it.
+const of_pixels = (name, row) => name.endsWith('f') ? -row[`${name.slice(0, -1)}.px`] : row[`${name.replace(/u$/, '')}.px`];
 const beside = /\.(lo|hi)$/;
 const no_metric = new Set(['frame', 'seconds', 'tails', 'view', 'sky', 'edit']);
 
@@ -55,11 +57,12 @@ function steps(low, high) {
 export function plot(name, rows) {
   const width = 420, height = 120, left = 58, right = 8, top = 8, bottom = 20;
   const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': `${name} by number of frames` });
-  const points = rows.map((r) => ({ x: Math.max(r.frame, .5), y: r[name], lo: r[`${name}.lo`], hi: r[`${name}.hi`] }))
+  const points = rows.map((r) => ({ x: Math.max(r.frame, .5), y: r[name], lo: r[`${name}.lo`], hi: r[`${name}.hi`],
+    px: r[name] + of_pixels(name, r) }))
     .filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y));
   if (!points.length) return svg;
 
-  const ys = points.flatMap((p) => [p.y, p.lo, p.hi]).filter(Number.isFinite).sort((a, b) => a - b);
+  const ys = points.flatMap((p) => [p.y, p.lo, p.hi, p.px]).filter(Number.isFinite).sort((a, b) => a - b);
   // early intervals are wide: the axis leaves out the outermost twentieth of what is drawn
   const cut = points.length > 8 ? Math.floor(ys.length / 20) : 0;
   let low = ys[cut], high = ys[ys.length - 1 - cut];
@@ -71,13 +74,16 @@ export function plot(name, rows) {
   const x = (v) => left + (width - left - right) * Math.log(v / first) / Math.log(last / first);
   const y = (v) => Math.max(top, Math.min(height - bottom, height - bottom - (height - top - bottom) * (v - low) / (high - low)));
 
-  const band = points.filter((p) => Number.isFinite(p.lo) && Number.isFinite(p.hi));
-  if (band.length > 1)
-    svg.append(element('path', { class: 'interval', d: 'M' + band.map((p) => `${x(p.x).toFixed(1)},${y(p.hi).toFixed(1)}`).join('L') +
-      'L' + band.reverse().map((p) => `${x(p.x).toFixed(1)},${y(p.lo).toFixed(1)}`).join('L') + 'Z' }));
+  const place = (p, name) => `${x(p.x).toFixed(1)},${y(p[name]).toFixed(1)}`;
+  for (const [kind, from, to] of [['pixels', 'y', 'px'], ['interval', 'lo', 'hi']]) {
+    const band = points.filter((p) => Number.isFinite(p[from]) && Number.isFinite(p[to]));
+    if (band.length < 2) continue;
+    svg.append(element('path', { class: kind, d: 'M' + band.map((p) => place(p, to)).join('L') +
+      'L' + band.reverse().map((p) => place(p, from)).join('L') + 'Z' }));
+  }
   for (const limit of classes[name] ?? [])
     if (limit > low && limit < high) svg.append(element('line', { class: 'class', x1: left, x2: width - right, y1: y(limit), y2: y(limit) }));
-  svg.append(element('path', { class: 'curve', d: 'M' + points.map((p) => `${x(p.x).toFixed(1)},${y(p.y).toFixed(1)}`).join('L') }));
+  svg.append(element('path', { class: 'curve', d: 'M' + points.map((p) => place(p, 'y')).join('L') }));
   svg.append(element('path', { class: 'axis', d: `M${left},${top}V${height - bottom}H${width - right}` }));
   for (const v of steps(low, high)) svg.append(element('text', { x: left - 4, y: y(v) + 4, 'text-anchor': 'end' }, String(Number(v.toPrecision(5)))));
   for (let v = 1; v <= last; v *= v < 10 ? 10 : 10)
