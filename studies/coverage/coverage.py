@@ -9,6 +9,7 @@ from report import Report, rate
 
 PLAIN = 'Ev,Lavg,DGP,UGR,DGI,Lveil,RAMMG,desk.TAL,CR,VCP,UGP,CGI,DGR,Lmed'
 METRICS = 'Ev,Lavg,DGPu,UGRu,DGIu,Lveilu,RAMMGu,desk.TAL,CRu,VCPu,UGPu,CGIu,DGRu,Lmed'
+FILLED = ',DGPf,UGRf'  # with -moments
 BOUND, CLASSES = .4, ('perceptible', 'disturbing')  # of DGP, and what lies below and above it
 DISTANCES = [.001, .002, .004]                      # of the true DGP from that bound
 
@@ -22,6 +23,7 @@ def options():
     p.add_argument('-first', type=int, default=1, help='the first seed')
     p.add_argument('-size', type=int, default=48, help='pixels a side')
     p.add_argument('-frames', type=int, default=74, help='diffuse frames of a run')
+    p.add_argument('-moments', action='store_true', help='keep the moments of pixels: DGPf and UGRf are judged, too')
     p.add_argument('-measure', help='ptaccum and vcmetrics of another build')
     p.add_argument('-label', default='now', help='a name for how it is measured')
     p.add_argument('-beside', help='another label, judged before, in the figure')
@@ -48,7 +50,7 @@ class Study:
     def __init__(self, o, name):
         self.o, self.name = o, name
         self.folder, self.words, self.regions = scenes.prepare(name, os.path.abspath(o.out))
-        self.kept = os.path.join(os.path.abspath(o.out), name, str(o.size))
+        self.kept = os.path.join(os.path.abspath(o.out), name, str(o.size) + ('f' if o.moments else ''))
         self.tables = os.path.join(self.kept, o.label)
         self.bin, self.measuring = [os.path.abspath(folder) for folder in (o.bin, o.measure or o.bin)]
         self.seeds = range(o.first, o.first + o.seeds)
@@ -60,11 +62,12 @@ class Study:
     def trace(self):
         for seed in self.seeds:
             # without moments: -until class is judged by noise alone
-            words = '-w- -n 1 -moments- -x %d -y %d -seed %d -frames %d' % (
-                self.o.size, self.o.size, seed, self.o.frames + 1)
+            words = '-w- -n 1 -moments%s -x %d -y %d -seed %d -frames %d' % (
+                '+' if self.o.moments else '-', self.o.size, self.o.size, seed, self.o.frames + 1)
             make(self.stream(seed), [os.path.join(self.bin, 'ptrace')] + words.split() + self.words, self.folder)
 
     def vcmetrics(self, metrics, *words):
+        metrics += FILLED if self.o.moments else ''
         return [os.path.join(self.measuring, 'vcmetrics'), '-W-', '-regions', self.regions, '-cr', 'pair=low/high',
                 '-metrics', metrics] + list(words)
 
