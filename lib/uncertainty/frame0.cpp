@@ -25,6 +25,7 @@ std::vector<float> frame0_error(const std::vector<image::Part>& frames, int widt
             squares += d * d;
         }
         excess[i] = (a - b) * (a - b) / 4 - of_difference * squares / float(n - 2);
+        out[i] = a - b;
     }
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -34,7 +35,8 @@ std::vector<float> frame0_error(const std::vector<image::Part>& frames, int widt
                     const size_t near = size_t(j) * size_t(width) + size_t(i);
                     if (counts[near]) sum += excess[near], pixels += 1;
                 }
-            out[size_t(y) * size_t(width) + size_t(x)] = std::sqrt(std::max(0.f, sum / std::max(pixels, 1.f)));
+            float& of_pixel = out[size_t(y) * size_t(width) + size_t(x)];
+            of_pixel = std::copysign(std::sqrt(std::max(0.f, sum / std::max(pixels, 1.f))), of_pixel);
         }
     return out;
 }

@@ -18,8 +18,9 @@ constexpr int frame0_pairs = 4;  // of images
 constexpr int64_t frame0_matters =
     64;  // frames; afterwards less than a tenth of the variance of direct noise is missing
 
-// By pixel, from the first frames, 3 to 8 parts of one frame each: the variance that differences of frames show beyond
-// that of the diffuse samples in them, averaged over 3 x 3 pixels.  counts: pixels that are measured.
+// By pixel, from the first frames, 3 to 8 parts of one frame each.  Its square is the variance that differences of
+// frames show beyond that of the diffuse samples in them, averaged over 3 x 3 pixels; its sign is that of the
+// difference, which runs with the same noise have in common.  counts: pixels that are measured.
 std::vector<float> frame0_error(const std::vector<image::Part>& frames, int width, int height,
                                 const std::vector<bool>& counts);
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "uncertainty/estimator.h"
+#include "uncertainty/difference.h"
 #include "uncertainty/stopping.h"
 #include "uncertainty/student.h"
 #include "uncertainty/threshold_filter.h"
@@ -200,6 +200,44 @@ TEST_CASE("intervals of correlated pixels cover") {
         INFO(n << " frames: " << covered << " of " << trials);
         const bool exact = (n & (n - 1)) == 0;
         CHECK((exact ? within(double(covered) / trials, .95, trials, 3.5) : covered > .93 * trials));
+    }
+}
+
+// Two runs of one pixel, b = 3 + x + y and a = 2 + x + z, of which x is noise in common: the square of each is biased,
+// and so is their difference.  Where they have other seeds, b has an x of its own, and the error is that of both.
+TEST_CASE("intervals of a difference cover, and noise in common is not in them") {
+    const int trials = 2000, n = 16;
+    const std::vector<Quantity> quantities = {{Quantity::Method::half_samples, NoiseBias::none, 0, false},
+                                              {Quantity::Method::half_samples, NoiseBias::variance, 0, false}};
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    const auto values = [](std::vector<float>& image, std::vector<float>&) {
+        return Values{image[0], image[0] * image[0]};
+    };
+    const auto replicates = [&](std::vector<image::Part>& parts, uint64_t seed) {
+        float mean = 0;
+        for (image::Part& p : parts) mean += p.grey[0] / n, p.from = {{seed, {{1, 1}}}};
+        const Metrics metrics{quantities, [&] { return values; }, {}, {}, 0};
+        return replicate({1, 1, &mean, &parts, nullptr, {true}}, metrics, {mean, mean * mean});
+    };
+    for (const bool common : {true, false}) {
+        int covered[2] = {};
+        double width = 0;
+        for (int trial = 0; trial < trials; ++trial) {
+            std::vector<image::Part> a, b;
+            for (int k = 0; k < n; ++k) {
+                const double x = normal(random), own = common ? x : normal(random);
+                a.push_back({1, {float(2 + x + .1 * normal(random))}, {}});
+                b.push_back({1, {float(3 + own + .1 * normal(random))}, {}});
+            }
+            const auto out = difference(replicates(a, 1), replicates(b, common ? 1 : 2), quantities);
+            for (int c = 0; c < 2; ++c)
+                covered[c] += std::fabs(out[c].value - (c ? 5 : 1)) <= out[c].half_width(.05, n);
+            width += out[0].half_width(.05, n) / trials;
+        }
+        INFO(common << ": " << covered[0] << " and " << covered[1] << " of " << trials << ", " << width);
+        CHECK(width < (common ? .1 : .9));
+        for (const int count : covered) CHECK(count > .935 * trials);
     }
 }
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See difference.h.
+#include "uncertainty/difference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace uncertainty {
+namespace {
+
+Values less(const Values& a, Values b) {
+    for (size_t c = 0; c < b.size(); ++c) b[c] -= a[c];
+    return b;
+}
+
+std::vector<Values> less(const std::vector<Values>& a, std::vector<Values> b) {
+    for (size_t k = 0; k < b.size(); ++k) b[k] = less(a[k], b[k]);
+    return b;
+}
+
+// Where one run alone has some pairs of images, they stay as they are: only their differences count.
+Replicates less(const Replicates& a, Replicates b) {
+    b.whole = less(a.whole, b.whole), b.decided = less(a.decided, b.decided);
+    b.half_samples = less(a.half_samples, b.half_samples), b.without = less(a.without, b.without);
+    for (size_t k = 0; k < a.pairs.size(); ++k)
+        if (k < b.pairs.size()) b.pairs[k] = less(a.pairs[k], b.pairs[k]);
+        else b.pairs.push_back(a.pairs[k]);
+    return b;
+}
+
+Estimate independent(const Estimate& a, Estimate b) {
+    b.value -= a.value;
+    if (!a.known() || !b.known()) b.error = std::nan("");
+    add_error(b, a.error * a.error, a.degrees);
+    b.skewness -= a.skewness * std::pow(a.error / b.error, 3);
+    return b;
+}
+
+}  // namespace
+
+Replicates select(const Replicates& of, const std::vector<size_t>& quantities) {
+    Replicates out = of;
+    const auto choose = [&](Values& v) {
+        Values chosen;
+        for (const size_t q : quantities) chosen.push_back(v[q]);
+        v = std::move(chosen);
+    };
+    choose(out.whole);
+    if (!out.decided.empty()) choose(out.decided);
+    for (auto* images : {&out.half_samples, &out.without}) std::for_each(images->begin(), images->end(), choose);
+    for (auto& images : out.pairs) std::for_each(images.begin(), images.end(), choose);
+    return out;
+}
+
+bool same_frames(const Replicates& a, const Replicates& b) { return a.frames == b.frames && a.from == b.from; }
+
+std::vector<Estimate> difference(const Replicates& a, const Replicates& b, const std::vector<Quantity>& quantities) {
+    if (same_frames(a, b)) return estimate(less(a, b), quantities);
+    const std::vector<Estimate> of_a = estimate(a, quantities);
+    std::vector<Estimate> out = estimate(b, quantities);
+    for (size_t c = 0; c < out.size(); ++c) out[c] = independent(of_a[c], out[c]);
+    return out;
+}
+
+}  // namespace uncertainty
