@@ -41,8 +41,9 @@ void Sums::add(const image::Picture& frame, const std::string& place) {
     if (sum_.empty()) output_.require_names_for(frame.header);
     if (sum_.empty() && output_.leaves_a_pipe() && !frame.header.last_frame)
         base::warn("stdout", "receives nothing when -o is used; add -o - to pass the sums on");
-    if (restarts && !sum_.empty()) {  // the last picture of what came before
-        end_stream();
+    const bool edited = frame.header.edit != sum_.header().edit;  // nobody waits for the rest of what came before
+    if (restarts && !sum_.empty()) {                              // the last picture of what came before
+        if (!edited) end_stream();
         if (image::label(frame.header) != image::label(sum_.header())) end_files();
     }
     sum_.add(frame, place);
