@@ -12,6 +12,22 @@ namespace glare {
 
 using base::pi;
 
+namespace {
+
+std::vector<std::string> names_of(const image::MaskSet& regions) {
+    std::vector<std::string> out;
+    for (const image::Mask& m : regions.masks) out.push_back(m.name);
+    return out;
+}
+
+void require_task(const Settings& settings, const std::vector<std::string>& regions) {
+    if (!settings.task_region.empty() &&
+        std::find(regions.begin(), regions.end(), settings.task_region) == regions.end())
+        base::fail("-task", "there is no region \"" + settings.task_region + "\"");
+}
+
+}  // namespace
+
 PictureAnalyzer::PictureAnalyzer(const Settings& settings, const Requirements& requirements,
                                  std::optional<image::MaskSet> regions, image::DrawRegions draw, Methods methods)
     : methods_(std::move(methods)),
@@ -19,11 +35,31 @@ PictureAnalyzer::PictureAnalyzer(const Settings& settings, const Requirements& r
       requirements_(requirements),
       regions_(std::move(regions)),
       draw_(std::move(draw)) {
-    if (regions_)
-        for (const image::Mask& m : regions_->masks) region_names_.push_back(m.name);
-    if (!settings_.task_region.empty() &&
-        std::find(region_names_.begin(), region_names_.end(), settings_.task_region) == region_names_.end())
-        base::fail("-task", "there is no region \"" + settings_.task_region + "\"");
+    if (regions_) region_names_ = names_of(*regions_);
+    require_task(settings_, region_names_);
+}
+
+// Over the geometry at hand.
+std::vector<RegionPixels> PictureAnalyzer::lay(image::MaskSet& regions, const image::DrawRegions& draw,
+                                               const std::string& place) const {
+    const int width = geometry_->width, height = geometry_->height;
+    if (draw) regions = draw(geometry_->projector.view(), width, height);
+    if (regions.width != width || regions.height != height)
+        base::fail(place, "the picture has " + std::to_string(width) + " x " + std::to_string(height) +
+                              " pixels, the regions " + std::to_string(regions.width) + " x " +
+                              std::to_string(regions.height));
+    std::vector<RegionPixels> out;
+    for (const image::Mask& m : regions.masks) out.emplace_back(m.coverage, *geometry_);
+    return out;
+}
+
+void PictureAnalyzer::set_regions(image::MaskSet regions, image::DrawRegions draw, const Requirements& requirements) {
+    const std::vector<std::string> names = names_of(regions);
+    require_task(settings_, names);
+    if (geometry_) region_pixels_ = lay(regions, draw, "regions");
+    regions_ = std::move(regions), draw_ = std::move(draw);
+    region_names_ = names;
+    requirements_.regions_in_full = requirements.regions_in_full;
 }
 
 void PictureAnalyzer::prepare(const view::View& view, const image::Picture& picture, const std::string& place) {
@@ -34,11 +70,6 @@ void PictureAnalyzer::prepare(const view::View& view, const image::Picture& pict
     } catch (const base::Error& e) {
         base::fail(place, std::string("the view cannot be used: ") + e.what());
     }
-    if (draw_) regions_ = draw_(view, picture.width, picture.height);
-    if (regions_ && (regions_->width != picture.width || regions_->height != picture.height))
-        base::fail(place, "the picture has " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
-                              " pixels, the regions " + std::to_string(regions_->width) + " x " +
-                              std::to_string(regions_->height));
     finder_.reset();
     geometry_.reset();
     auto rays = methods_.geometry ? methods_.geometry(view, place) : std::make_unique<const ViewGeometry>(view);
@@ -49,8 +80,7 @@ void PictureAnalyzer::prepare(const view::View& view, const image::Picture& pict
     find_position_index();
     mask_.reset();
     region_pixels_.clear();
-    if (regions_)
-        for (const image::Mask& m : regions_->masks) region_pixels_.emplace_back(m.coverage, *geometry_);
+    if (regions_) region_pixels_ = lay(*regions_, draw_, place);
 }
 
 void PictureAnalyzer::find_position_index() {

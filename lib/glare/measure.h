@@ -46,6 +46,8 @@ public:
     // With `draw`, `regions` need only have names.
     PictureAnalyzer(const Settings& settings, const Requirements& requirements,
                     std::optional<image::MaskSet> regions = {}, image::DrawRegions draw = {}, Methods methods = {});
+    // Other regions from here on; throws Error, and keeps those it has, where they cannot be drawn.
+    void set_regions(image::MaskSet regions, image::DrawRegions draw, const Requirements& requirements);
     // `view`: the one to use; without it the picture's own.  The picture's pixels are used up.
     Measurement measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
     // The same in two steps: the grey picture over the picture's memory, checked and warned about; and what it
@@ -64,6 +66,8 @@ public:
     const SourceFinder& finder() const { return *finder_; }  // of the picture measured last
 
 private:
+    std::vector<RegionPixels> lay(image::MaskSet& regions, const image::DrawRegions& draw,
+                                  const std::string& place) const;
     void prepare(const view::View& view, const image::Picture& picture, const std::string& place);
     void find_position_index();
     void position_statistics(const Luminance& lum, Measurement& m) const;

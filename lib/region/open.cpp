@@ -23,7 +23,7 @@ bool is_exr(const std::string& path) {
 
 }  // namespace
 
-image::MaskSet open(const std::string& path, image::DrawRegions& draw, bool warn_of_small) {
+image::MaskSet open(const std::string& path, image::DrawRegions& draw, Check check) {
     if (is_exr(path)) return image::read_masks(path);
     auto regions = std::make_shared<Regions>(read(path));
     for (const Shape& s : regions->shapes)
@@ -33,9 +33,9 @@ image::MaskSet open(const std::string& path, image::DrawRegions& draw, bool warn
                        "and use those");
     image::MaskSet set;
     for (const Region& r : regions->regions) set.masks.push_back({r.name, {}});
-    draw = [regions, warn_of_small](const view::View& view, int width, int height) {
+    draw = [regions, check](const view::View& view, int width, int height) {
         image::MaskSet drawn = rasterize(*regions, view, width, height, false);
-        check_sizes(*regions, count_pixels(drawn, view), warn_of_small);
+        if (check != Check::none) check_sizes(*regions, count_pixels(drawn, view), check == Check::empty_and_small);
         return drawn;
     };
     return set;

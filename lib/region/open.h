@@ -7,8 +7,10 @@
 
 namespace region {
 
-// Returns masks; or, from a region file, their names, and in `draw` a function that draws them for a view and size and
-// throws Error if one is empty.  warn_of_small: the function also warns of regions of few pixels.
-image::MaskSet open(const std::string& path, image::DrawRegions& draw, bool warn_of_small);
+// empty: a region without a pixel is an Error; empty_and_small: a region of few pixels is also warned of.
+enum class Check { empty, empty_and_small, none };
+
+// Returns masks; or, from a region file, their names, and in `draw` a function that draws them for a view and size.
+image::MaskSet open(const std::string& path, image::DrawRegions& draw, Check check);
 
 }  // namespace region

@@ -58,13 +58,19 @@ ColumnEstimates::ColumnEstimates(const glare::PictureAnalyzer& analyzer, const s
 
 void ColumnEstimates::restart() {
     growing_.restart();
-    taken_.clear(), frame0_error_.clear(), own_.clear();
-    estimates_.assign(columns_.size(), {nan, nan, 0, 0, false, 0});
-    next_look_ = 2;
+    taken_.clear(), frame0_error_.clear();
+    columns_changed();
+    next_look_ = 2, again_ = false;
 }
 
-void ColumnEstimates::add(const glare::Luminance& mean, int64_t n) {
-    growing_.add(mean.grey, mean.size(), n);
+void ColumnEstimates::columns_changed() {
+    own_.clear();
+    estimates_.assign(columns_.size(), {nan, nan, 0, 0, false, 0});
+    again_ = true;
+}
+
+void ColumnEstimates::add(const glare::Luminance& mean, int64_t n, std::optional<uint64_t> seed) {
+    growing_.add(mean.grey, mean.size(), n, seed);
     if (n <= image::direct_samples) find_frame0_error();
 }
 
@@ -93,6 +99,8 @@ void ColumnEstimates::find_frame0_error() {
 
 void ColumnEstimates::pass_look() {
     constexpr double growth_between_looks = 1.41421356;
+    again_ = false;
+    if (frames() < next_look_) return;
     next_look_ = std::max(frames() + 1, int64_t(std::llround(double(frames()) * growth_between_looks)));
 }
 
@@ -103,6 +111,12 @@ uncertainty::Values ColumnEstimates::values(const glare::Measurement& m, bool re
     return out;
 }
 
+std::vector<uncertainty::Quantity> ColumnEstimates::quantities() const {
+    std::vector<uncertainty::Quantity> out;
+    for (const glare::Column& c : columns_) out.push_back(quantity_of(c.noise));
+    return out;
+}
+
 void ColumnEstimates::look(const glare::Luminance& lum, const glare::Measurement& m) {
     pass_look();
     const glare::Geometry& g = analyzer_.geometry();
@@ -110,7 +124,7 @@ void ColumnEstimates::look(const glare::Luminance& lum, const glare::Measurement
     if (!frame0_error_.empty()) mean.frame0_error = &frame0_error_;
 
     uncertainty::Metrics metrics;
-    for (const glare::Column& c : columns_) metrics.quantities.push_back(quantity_of(c.noise));
+    metrics.quantities = quantities();
     metrics.measure = [&] {
         const std::shared_ptr<glare::SourceFinder> finder = analyzer_.make_finder();
         return [this, finder, &g, &lum](std::vector<float>& image, std::vector<float>& classification) {

@@ -20,10 +20,12 @@ class ColumnEstimates {
 public:
     ColumnEstimates(const glare::PictureAnalyzer& analyzer, const std::vector<glare::Column>& columns);
 
-    void restart();                                     // another sum begins
-    void add(const glare::Luminance& mean, int64_t n);  // L'(n)
-    void take(const std::vector<image::Part>& all);     // the parts of a whole sum
-    bool due() const { return parts().size() >= 2 && frames() >= next_look_; }
+    void restart();          // another sum begins
+    void columns_changed();  // their estimates are those of the next look, which is due
+    // L'(n), and the seed of its frames.
+    void add(const glare::Luminance& mean, int64_t n, std::optional<uint64_t> seed = {});
+    void take(const std::vector<image::Part>& all);  // the parts of a whole sum
+    bool due() const { return parts().size() >= 2 && (again_ || frames() >= next_look_); }
     void look(const glare::Luminance& lum, const glare::Measurement& m);  // the mean of all, and what it measures
     void pass_look();                                                     // without looking
 
@@ -31,6 +33,7 @@ public:
     const std::vector<image::Part>& parts() const { return taken_.empty() ? growing_.parts() : taken_; }
     const uncertainty::Estimate& estimate(size_t column) const { return estimates_[column]; }
     const uncertainty::Replicates& replicates() const { return replicates_; }  // of the last look
+    std::vector<uncertainty::Quantity> quantities() const;                     // of all columns
 
 private:
     std::vector<bool> counts() const;
@@ -44,6 +47,7 @@ private:
     std::vector<uncertainty::Estimate> own_, estimates_;  // of the last look by itself, and with the look before
     uncertainty::Replicates replicates_;
     int64_t next_look_ = 0;
+    bool again_ = false;  // a look beside those that are due after some frames
 };
 
 }  // namespace report

@@ -61,7 +61,7 @@ void write_rule(const Options& opt) {
 void choose_focus(Options& opt) {
     if (opt.focus_file.empty()) return;
     image::DrawRegions draw;
-    image::MaskSet masks = region::open(opt.focus_file, draw, false);
+    image::MaskSet masks = region::open(opt.focus_file, draw, region::Check::empty);
     for (auto& [name, v] : opt.views) {
         if (draw) masks = draw(v.view, v.nx, v.ny);
         v.focus = render::focus_on(masks, v.nx, v.ny, opt.focus_share, opt.focus_file);

@@ -18,6 +18,9 @@ public:
     // After it is measured.  True: this was a look, the estimates are new.
     bool look(const glare::Luminance& lum, const glare::Measurement& m);
     void end_input(const std::string& place);  // of a file
+    // The picture added last is the last one of its sum, and a look.
+    void end_sum() { ends_ = true; }
+    void columns_changed() { estimates_.columns_changed(); }
     const report::ColumnEstimates& estimates() const { return estimates_; }
 
 private:

@@ -39,6 +39,10 @@ void declare_output(OptionTable& t, Options& o) {
     t.add("-sources", "Print a line for each glare source instead of the metrics", o.list_sources);
     t.add("-ci percent", "NAME.lo and NAME.hi after each column: where the converged value lies, this certain",
           [&](Arguments& a) { o.ci = a.real(base::within(50, 99.99)) / 100; });
+    using Earlier = report::EarlierEdit;
+    t.add("-against edit", "NAME.d, NAME.d.lo and NAME.d.hi: the difference from the previous or the first edit",
+          base::one_of(o.against, {{"previous", Earlier::previous}, {"first", Earlier::first}}))
+        .default_text("none");
     t.add("-format name", "Form of the table: tsv, csv or jsonl",
           base::one_of(o.format, {{"tsv", Format::tsv}, {"csv", Format::csv}, {"jsonl", Format::jsonl}}));
 }
@@ -46,11 +50,13 @@ void declare_output(OptionTable& t, Options& o) {
 void declare_comparison(OptionTable& t, Options& o) {
     t.group("When to stop, and comparing");
     t.add("-until rule", "Stop when numbers are so certain, for instance 'DGP 0.01, Ev 1%, class'", o.until);
+    t.add("-go-on", "A column, settled, says that the rule holds, and the run goes on", o.go_on);
     t.add("-max-frames n", "Stop at this number of frames",
           [&](Arguments& a) { o.max_frames = a.integer(base::within(1, 1e15)); });
     t.add("-max-seconds s", "Stop when so much time is over", o.max_seconds).above(0);
     t.add("-control fifo", "End each picture of the stream by itself: \"next\" to this FIFO of ptrace", o.control);
     t.add("-compare", "Compare two inputs: pictures, streams, recorded tables or evalglare's lines", o.compare);
+    t.add("-difference", "What metrics differ by in two pictures or streams, with its interval", o.difference);
     t.add("-tolerance rules", "For -compare: 'DGP 0.01, Ev 1%, all 2%', or a file of such lines", o.tolerances);
 }
 

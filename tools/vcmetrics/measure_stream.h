@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The main loop: read a picture, measure it, print its line at once, look whether to stop.
 #pragma once
+#include "image/picture.h"
 #include "report/compare.h"
 #include "options.h"
 
@@ -9,3 +10,8 @@ int measure_all(const Options& options);  // exit status
 // The same into a table: every picture of one input, these metrics.
 report::NumberTable measure_table(const Options& options, const std::string& file,
                                   const std::vector<std::string>& metrics);
+
+// Throws Error for a picture that cannot be measured.
+void require_measurable(const image::Picture& picture, const std::string& place);
+// What the reader makes of a file's numbers.
+image::Pixels pixels_for(const Options& options);

@@ -43,6 +43,17 @@ void check_said(const base::OptionTable& t, const Options& o) {
         base::fail("-until", "the rule is empty; write for example 'DGP 1%, Ev 0.5%'");
 }
 
+// What needs intervals of luxpipe's own columns.
+void check_intervals(const Options& o) {
+    const bool against = o.against != report::EarlierEdit::none;
+    if (!o.ci && !against && !o.difference && o.until.empty()) return;
+    const char* const option = o.ci ? "-ci" : against ? "-against" : o.difference ? "-difference" : "-until";
+    if (o.mode != OutputMode::vcmetrics || o.list_sources || o.compare)
+        base::fail(option, "works on vcmetrics' own columns and cannot be used with -like, -sources or -compare");
+    if (o.settings.field_cut || o.settings.fill)
+        base::fail(option, "needs the whole picture as it is and cannot be used with -G or -I");
+}
+
 void check(const Options& o) {
     if (o.settings.mask_file && o.settings.zones) base::fail("-A", "a mask and zones (-l, -L) cannot be used together");
     if (o.mode != OutputMode::vcmetrics && !o.compare && (o.list_sources || !o.metrics.empty()))
@@ -50,16 +61,20 @@ void check(const Options& o) {
     if (o.mode != OutputMode::vcmetrics && !o.until.empty())
         base::fail("-until", "works on vcmetrics' own columns and cannot be used with -like");
     if (o.list_sources && !o.until.empty()) base::fail("-until", "works on metrics and cannot be used with -sources");
-    const bool intervals = o.ci || !o.until.empty();
-    if (o.ci && (o.mode != OutputMode::vcmetrics || o.list_sources || o.compare))
-        base::fail("-ci", "works on vcmetrics' own columns and cannot be used with -like, -sources or -compare");
-    if (intervals && (o.settings.field_cut || o.settings.fill))
-        base::fail(o.ci ? "-ci" : "-until", "needs the whole picture as it is and cannot be used with -G or -I");
+    check_intervals(o);
     if (!o.control.empty() && o.until.empty() && !o.max_frames)
         base::fail("-control", "needs -until or -max-frames, which say when a picture ends");
     if (!o.control.empty() && !o.files.empty()) base::fail("-control", "works on a stream, not on files");
     if (!o.check_file.empty())
         base::keep_inputs({o.check_file}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);
+    if (o.go_on && (o.until.empty() || !o.control.empty()))
+        base::fail("-go-on", "goes on where the rule of -until holds, and cannot be used with -control");
+    if (!o.files.empty() && o.against != report::EarlierEdit::none)
+        base::fail("-against", "works on a stream, not on files");
+    if (o.difference) {
+        if (o.files.size() != 2) base::fail("-difference", fmt::format("takes two inputs, not {}", o.files.size()));
+        if (!o.until.empty() || !o.check_file.empty()) base::fail("-difference", "cannot be used with -until or -c");
+    }
     if (!o.compare) return;
 
     if (o.files.size() != 2) base::fail("-compare", fmt::format("compares two inputs, not {}", o.files.size()));

@@ -7,6 +7,7 @@
 #include <vector>
 #include "evalglare/settings.h"
 #include "glare/settings.h"
+#include "report/against.h"
 #include "report/table.h"
 #include "view/view.h"
 
@@ -24,11 +25,13 @@ struct Options {
     bool evalglare_bug_compatible = false;  // its rounding and its slips (lib/evalglare), also where columns are ours
     evalglare::Settings evalglare;
     std::string until;
-    std::optional<double> ci;  // -ci: NAME.lo and NAME.hi, this certain (a share)
+    std::optional<double> ci;                                 // -ci: NAME.lo and NAME.hi, this certain (a share)
+    report::EarlierEdit against = report::EarlierEdit::none;  // -against: NAME.d and its interval
+    bool go_on = false;                                       // -go-on: -until ends nothing
     std::optional<int64_t> max_frames;
     std::optional<double> max_seconds;
     std::string control;  // -control: a FIFO of the renderer; empty: none
-    bool compare = false;
+    bool compare = false, difference = false;
     bool warnings = true;
     std::string check_file;          // -c
     std::string command;             // the whole command line, for its header

@@ -16,6 +16,12 @@ using namespace report;
 Stopping::Stopping(const Options& options, const std::vector<Column>& columns) : options_(options), columns_(columns) {
     if (options.until.empty()) return;
     rule_.emplace(options.until);
+    find_columns();
+}
+
+void Stopping::find_columns() {
+    if (!rule_) return;
+    watched_.clear(), pixels_.clear();
     for (const Tolerance& t : rule_->tolerances()) {
         watched_.push_back(column_of(t.metric));
         pixels_.push_back(pixels_of(t.metric));
@@ -62,43 +68,52 @@ bool Stopping::rule_holds(const Line& line, std::string& reason, std::string& ou
 }
 
 bool Stopping::passes_over(const std::string& label, int64_t n) {
-    if (options_.control.empty()) return false;
+    if (options_.control.empty() && !options_.go_on) return false;
     const bool begins = frames_ < 0 || label != label_ || n <= frames_;
     if (begins) {
         missed_ = missed_ || (frames_ >= 0 && has_rule() && !held_);
         if (frames_ >= 0) at_end();
-        held_ = settled_ = false;
+        held_ = done_ = false;
         label_ = label;
     }
     frames_ = n;
-    return settled_;
+    return done_ && !options_.go_on;
+}
+
+void Stopping::look(const Line& line) {
+    std::string out_of_reach;
+    reason_.clear();
+    ends_all_ = options_.control.empty();
+    frames_ = line.frames;
+    if (!done_ && rule_holds(line, reason_, out_of_reach)) {
+        held_ = true;
+    } else if (!done_ && !out_of_reach.empty()) {
+        reason_ = out_of_reach;
+    } else if (options_.max_frames && line.frames >= *options_.max_frames) {
+        reason_ = "-max-frames is reached";
+    } else if (options_.max_seconds && line.seconds >= *options_.max_seconds) {
+        reason_ = "-max-seconds are over";
+        ends_all_ = true;
+    } else return;
+    const bool of_rule = !done_ && (held_ || !out_of_reach.empty());
+    if (of_rule && options_.go_on) ends_all_ = false;
+    else if (!held_ && has_rule() && out_of_reach.empty()) reason_ += ", -until does not hold yet";
 }
 
 bool Stopping::after(const Line& line) {
-    std::string reason, out_of_reach;
-    bool ends_all = options_.control.empty();
-    frames_ = line.frames;
-    if (rule_holds(line, reason, out_of_reach)) {
-        held_ = true;
-    } else if (!out_of_reach.empty()) {
-        reason = out_of_reach;
-    } else if (options_.max_frames && line.frames >= *options_.max_frames) {
-        reason = "-max-frames is reached";
-    } else if (options_.max_seconds && line.seconds >= *options_.max_seconds) {
-        reason = "-max-seconds are over";
-        ends_all = true;
-    } else return false;
-    if (!held_ && has_rule() && out_of_reach.empty()) reason += ", -until does not hold yet";
+    if (reason_.empty()) return false;
     const std::string what = label_.empty() ? "" : label_ + ": ";
-    fmt::print(stderr, "vcmetrics: {}stopped after {} frames: {}\n", what, line.frames, reason);
-    if (ends_all) return true;
-    settled_ = true;
-    if (!line.last) base::send_command(options_.control, label_.empty() ? "next" : "next " + label_);
+    const char* const how = ends_all_ || !options_.go_on ? "stopped" : held_ ? "settled" : "cannot settle";
+    fmt::print(stderr, "vcmetrics: {}{} after {} frames: {}\n", what, how, line.frames, reason_);
+    if (ends_all_) return true;
+    done_ = true;
+    if (!line.last && !options_.control.empty())
+        base::send_command(options_.control, label_.empty() ? "next" : "next " + label_);
     return false;
 }
 
 void Stopping::at_end() const {
-    if (!has_rule() || held_ || settled_) return;
+    if (!has_rule() || held_ || done_ || options_.go_on) return;
     const std::string what = label_.empty() ? "the input" : label_;
     fmt::print(stderr, "vcmetrics: {} ended after {} frames: -until does not hold\n", what,
                std::max<int64_t>(frames_, 0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When a run ends by itself, and the line on stderr that says why: -until, -max-frames, -max-seconds.  With -control
-// each picture of the stream ends by itself: its renderer is sent "next", and its further sums are passed over.
+// each picture of the stream ends by itself: its renderer is sent "next", and its further sums are passed over.  With
+// -go-on nothing ends where the rule holds: a column says so.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@ class Stopping {
 public:
     // Throws Error if a rule names a column that the run does not have, or that has no interval.
     Stopping(const Options& options, const std::vector<glare::Column>& columns);
+    void find_columns();  // again, where they have changed
     bool has_rule() const { return rule_.has_value(); }
 
     // Before a picture is measured: a sum of n frames of the picture `label`.  True: it is passed over.
@@ -27,10 +29,13 @@ public:
     };
     // What pixels do is known from so many frames on.
     static constexpr int64_t least_frames_of_pixels = 16;
-    // True: stop here.  Status 0 if the rule holds or there is none, else 4.
+    // When it is measured: does the rule hold?
+    void look(const Line& line);
+    bool held() const { return held_; }  // for this picture
+    // When its line is printed.  True: stop here.  Status 0 if the rule holds or there is none, else 4.
     bool after(const Line& line);
     void at_end() const;  // of the input or a picture, without a stop
-    int status() const { return has_rule() && (!held_ || missed_) ? 4 : 0; }
+    int status() const { return has_rule() && !options_.go_on && (!held_ || missed_) ? 4 : 0; }
 
 private:
     size_t column_of(const std::string& name, const std::string& why = "") const;
@@ -46,5 +51,7 @@ private:
     int64_t frames_ = -1;  // of the last line; -1: there was none
     std::string label_;
     bool held_ = false, missed_ = false;  // of this picture; of one before it
-    bool settled_ = false;                // no more of this picture is measured
+    bool done_ = false;                   // all is said of this picture; without -go-on no more of it is measured
+    std::string reason_;                  // why it ends or is settled with this line; empty: it is not
+    bool ends_all_ = false;
 };

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// -difference: what each metric of the second input is above that of the first, with its interval.
+#pragma once
+#include "options.h"
+
+int difference_inputs(const Options& options);  // exit status

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See row.h.
+#include "row.h"
+
+#include <cmath>
+
+using namespace glare;
+using namespace report;
+
+namespace {
+
+bool is_plain(const Options& o) { return o.mode != OutputMode::accelerad; }
+
+bool has_interval(const Options& o, const Column& c) { return o.ci && !c.words; }
+bool has_difference(const Options& o, const Column& c) { return o.against != EarlierEdit::none && !c.words; }
+
+double printed_value(const Column& c, size_t k, const RowOfPicture& row) {
+    const double unbiased = c.printed_unbiased ? row.estimates->estimate(k).value : std::nan("");
+    const bool plain = !c.printed_unbiased || (c.of_filled && std::isnan(unbiased));
+    return plain ? c.value(row.measurement) : unbiased;
+}
+
+void add_numbers(std::initializer_list<double> values, std::vector<Cell>& cells) {
+    for (const double v : values) cells.push_back(number_cell(v));
+}
+
+// The interval lies around the value without bias, which the column itself may show or not.  Between looks that is
+// the last look's value with the interval it had; a value without bias is of the frame itself, and narrows as they
+// grow.
+void add_interval(const Options& o, const Column& c, size_t k, double value, const RowOfPicture& row,
+                  std::vector<Cell>& cells) {
+    const uncertainty::Estimate& e = row.estimates->estimate(k);
+    const uncertainty::Interval off = e.around(1 - *o.ci, c.has_bias() ? e.frames : row.frame);
+    const double middle = c.has_bias() ? e.value : value;
+    add_numbers({middle + off.low, middle + off.high}, cells);
+}
+
+std::string heavy_tailed(const std::vector<Column>& columns, const ColumnEstimates& estimates) {
+    std::string out;
+    for (size_t k = 0; k < columns.size(); ++k)
+        if (columns[k].printed && estimates.estimate(k).unreliable) out += (out.empty() ? "" : " ") + columns[k].name;
+    return out.empty() ? "-" : out;
+}
+
+}  // namespace
+
+NamedPictures named_pictures(const image::Header& first) {
+    return {!first.view_name.empty(), !first.sky_name.empty(), first.edit.has_value()};
+}
+
+std::vector<std::string> start_names(const Options& o, const NamedPictures& named) {
+    std::vector<std::string> out;
+    if (!is_plain(o)) out = {"Time", "Frame"};
+    else if (!o.files.empty()) out = {"file"};
+    else out = {"frame", "seconds"};
+    if (named.view) out.push_back("view");
+    if (named.sky) out.push_back("sky");
+    if (named.edit) out.push_back("edit");
+    return out;
+}
+
+std::vector<Cell> start_cells(const Options& o, const NamedPictures& named, const image::Header& header,
+                              const std::string& file, int64_t frame, double seconds) {
+    const Cell frame_cell = number_cell(double(frame), 15);
+    const Cell seconds_cell = number_cell(o.files.empty() ? std::round(seconds * 1000) / 1000 : 0, 9);
+    std::vector<Cell> out = {frame_cell, seconds_cell};
+    if (!is_plain(o)) out = {seconds_cell, frame_cell};
+    else if (!o.files.empty()) out = {text_cell(file)};
+    const auto name = [](const std::string& text) { return text_cell(text.empty() ? "-" : text); };
+    if (named.view) out.push_back(name(header.view_name));
+    if (named.sky) out.push_back(name(header.sky_name));
+    if (named.edit) out.push_back(number_cell(double(header.edit.value_or(0))));
+    return out;
+}
+
+std::vector<std::string> row_names(const Options& o, const std::vector<Column>& columns) {
+    std::vector<std::string> out;
+    for (const Column& c : columns) {
+        if (!c.printed) continue;
+        out.push_back(c.name);
+        if (has_interval(o, c)) out.insert(out.end(), {c.name + ".lo", c.name + ".hi"});
+        if (has_difference(o, c)) out.insert(out.end(), {c.name + ".d", c.name + ".d.lo", c.name + ".d.hi"});
+    }
+    if (o.go_on) out.push_back("settled");
+    if (o.ci) out.push_back("tails");
+    return out;
+}
+
+std::vector<Cell> row_cells(const Options& o, const std::vector<Column>& columns, const RowOfPicture& row) {
+    std::vector<Cell> out;
+    for (size_t k = 0; k < columns.size(); ++k) {
+        const Column& c = columns[k];
+        if (!c.printed) continue;
+        const double value = printed_value(c, k, row);
+        out.push_back(c.words ? text_cell(c.words[int(value)]) : number_cell(value));
+        if (has_interval(o, c)) add_interval(o, c, k, value, row, out);
+        if (!has_difference(o, c)) continue;
+        const uncertainty::Estimate d = row.against.difference(k);
+        const uncertainty::Interval off = d.around(1 - o.ci.value_or(.95), d.frames);
+        add_numbers({d.value, d.value + off.low, d.value + off.high}, out);
+    }
+    if (o.go_on) out.push_back(number_cell(row.settled));
+    if (o.ci) out.push_back(text_cell(heavy_tailed(columns, *row.estimates)));
+    return out;
+}
+
+const std::vector<std::string>& source_names() {
+    static const std::vector<std::string> names = {"source", "pixels", "x",    "y",    "omega", "L",    "P",
+                                                   "sigma",  "xdir",   "ydir", "zdir", "Edir",  "zone", "DGPshare"};
+    return names;
+}
+
+std::vector<std::vector<Cell>> source_rows(const Options& o, const Measurement& m) {
+    const auto term = [&](const GlareSource& s) {
+        return dgp_term({s.lum, s.omega, s.P, 0, 0, 0}, o.settings.constants);
+    };
+    double sum = 0;
+    for (const GlareSource& s : m.sources) sum += term(s);
+    std::vector<std::vector<Cell>> out;
+    for (size_t k = 0; k < m.sources.size(); ++k) {
+        const GlareSource& s = m.sources[k];
+        out.emplace_back();
+        add_numbers({double(k + 1), s.pixels, s.x, s.y, s.omega, s.lum, s.P, s.sigma_deg, s.direction.x, s.direction.y,
+                     s.direction.z, s.eye_lux, double(s.zone), term(s) / sum},
+                    out.back());
+    }
+    return out;
+}
