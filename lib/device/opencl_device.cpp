@@ -44,12 +44,15 @@ public:
     void upload(std::shared_ptr<const flatten::FlatScene> scene) override {
         call("loading the scene", [&] {
             const flatten::FlatScene& s = *scene;
-            {
+            const flatten::HostTree& of_host = s.tree_and_inputs();
+            if (of_host.inputs != tree_inputs_) {
+                tree_inputs_.clear();
                 const std::vector<bvh::Input> in = flatten::build_inputs(s);
                 const auto tree =
                     compact_ ? std::make_shared<const bvh::Tree>(bvh::build_compact(in.data(), in.size(), s.tell_tree))
-                             : s.host_tree();
+                             : of_host.tree;
                 BVH_TABLES(SEND_OF_BVH)
+                tree_inputs_ = of_host.inputs;
             }
             FLAT_TABLES(SEND_OF_SCENE)
             paths_.set_table(TABLE_focus, send(nullptr, 0));
@@ -260,6 +263,7 @@ private:
     cl::Program program_;
     OpenclPaths paths_;
     std::shared_ptr<const flatten::FlatScene> scene_;
+    std::string tree_inputs_;  // of the tree that it has (FlatScene::tree_and_inputs)
 };
 
 }  // namespace

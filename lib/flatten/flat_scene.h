@@ -11,6 +11,12 @@
 
 namespace flatten {
 
+// A tree, and the hash of what it was built from.
+struct HostTree {
+    std::string inputs;
+    std::shared_ptr<const bvh::Tree> tree;
+};
+
 struct FlatScene {
     // Geometry of all trees: 0 is the scene, the others are what its instances hold, in coordinates of their own.
     struct Tree {
@@ -59,14 +65,16 @@ struct FlatScene {
     std::vector<uint32_t> instance_object;
 
     // The eight-wide tree over the geometry, which must not change any more: built when it is first asked for, one for
-    // all who trace rays on this machine.
-    std::shared_ptr<const bvh::Tree> host_tree() const;
+    // all who trace rays on this machine, or that of another scene of the same surfaces.
+    std::shared_ptr<const bvh::Tree> host_tree() const { return tree_and_inputs().tree; }
+    const HostTree& tree_and_inputs() const;
+    HostTree known_tree;  // of that other scene, if any
     bvh::Tell tell_tree;  // how far a tree is
     // Gives back the memory of what no kernel reads: after the last tree is built.
     void keep_tables_only();
 
 private:
-    mutable std::shared_ptr<const bvh::Tree> host_tree_;
+    mutable HostTree host_tree_;
 };
 
 // The material of a chain, from record `mod` on; NONE (kernels/tables.h) for none and for mixtures of materials.

@@ -15,6 +15,7 @@ using namespace kernels;
 FlatScene flatten(const scene::Scene& scene, const Options& options, const scene::ReadOptions& files) {
     FlatScene out;
     out.tell_tree = options.tell_tree;
+    out.known_tree = options.known_tree;
 
     // Modifiers first, for all else names them by their records: those of the scene, then those inside the octrees and
     // meshes that it places.

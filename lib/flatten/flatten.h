@@ -12,6 +12,7 @@ struct Options {
     int dr = 2;                    // levels of virtual sources
     bool bv = true;                // back faces are visible
     bool any_reflectance = false;  // also materials that give back twice the light that they get (reflectance.h)
+    HostTree known_tree;           // of a scene flattened before: taken where the surfaces are the same
     std::function<void(double)> tell_tree;  // for people who wait: which share of the tree is built
 };
 

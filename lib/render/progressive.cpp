@@ -178,11 +178,13 @@ bool needs_load(const RenderOptions& a, const RenderOptions& b) {
            (a.sampling == Sampling::plain) != (b.sampling == Sampling::plain);
 }
 
-void Renderer::load(const scene::Scene& scene, const RenderOptions& o, const scene::ReadOptions& files) {
+void Renderer::load(const scene::Scene& scene, RenderOptions o, const scene::ReadOptions& files) {
     State& s = *state_;
+    if (s.flat) o.known_tree = s.flat->tree_and_inputs();
     auto flat = std::make_shared<flatten::FlatScene>(flatten::flatten(scene, o, files));
     if (o.sampling != Sampling::plain) sampling::find_targets(*flat);
-    flat->host_tree();
+    flat->host_tree();  // before its inputs go
+    flat->known_tree = {};
     const base::Hash geometry = hash_of_geometry(*flat);
     s.device->upload(flat);
     flat->keep_tables_only();

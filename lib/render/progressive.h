@@ -36,7 +36,7 @@ public:
     ~Renderer();
     // Flattens the scene and uploads it; a view is selected next.  Throws Error (unsupported input with file:line), and
     // the scene that was loaded before stays.
-    void load(const scene::Scene& scene, const RenderOptions& options, const scene::ReadOptions& files);
+    void load(const scene::Scene& scene, RenderOptions options, const scene::ReadOptions& files);
     // What follows is of this view, with these options, which must be those of load() as far as needs_load() asks.
     void select_view(const RenderView& v, const RenderOptions& options);
     // Is this asked for, a frame at hand is thrown away: frames() and moments() end early, and go on when called again.

@@ -16,14 +16,15 @@
 namespace {
 
 // A floor that shines in the sun, behind a window: both searches for where light comes from have something to find.
-flatten::FlatScene sunny_room() {
+flatten::FlatScene sunny_room(const std::string& more = "", const flatten::Options& options = {}) {
     base::TempFile file((std::filesystem::temp_directory_path() / "luxpipe_host_tree.rad").string());
     std::ofstream(file.path()) << "void light sunlight 0 0 3 1e6 1e6 1e6\nsunlight source sun 0 0 4 .6 0 .8 .5\n"
                                   "void plastic floor_paint 0 0 5 .5 .5 .5 .05 .1\nvoid glass pane 0 0 3 .9 .9 .9\n"
                                   "floor_paint polygon floor 0 0 12 0 0 0 4 0 0 4 4 0 0 4 0\n"
                                   "floor_paint polygon roof 0 0 12 0 0 3 0 4 3 2 4 3 2 0 3\n"
-                                  "pane polygon window 0 0 12 4 0 0 4 4 0 4 4 3 4 0 3\n";
-    return flatten::flatten(scene::read_scene({file.path()}, {}), {}, {});
+                                  "pane polygon window 0 0 12 4 0 0 4 4 0 4 4 3 4 0 3\n"
+                               << more;
+    return flatten::flatten(scene::read_scene({file.path()}, {}), options, {});
 }
 
 }  // namespace
@@ -53,6 +54,15 @@ TEST_CASE("what no kernel reads is given back, and rays meet the same") {
     CHECK(flat.prim_object.capacity() == 0);
     CHECK(found().t == before.t);
     CHECK(found().prim == before.prim);
+}
+
+TEST_CASE("the tree of another scene serves one of the same surfaces, and no other") {
+    flatten::Options options;
+    options.known_tree = sunny_room().tree_and_inputs();
+    CHECK(sunny_room("void glow g 0 0 4 1 1 1 0\n", options).host_tree() == options.known_tree.tree);
+    const flatten::FlatScene more = sunny_room("floor_paint sphere s 0 0 4 1 1 1 .2\n", options);
+    CHECK(more.host_tree() != options.known_tree.tree);
+    CHECK(more.tree_and_inputs().inputs != options.known_tree.inputs);
 }
 
 TEST_CASE("who waits for a tree is told how far it is") {
