@@ -1,10 +1,10 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # From an edit to the first new line of numbers: bench/live.sh build/bin
-# The office at 14:00, -ab 5, in the pipe ptrace -watch -control | ptaccum -every x2/16 | vcmetrics.  Tab separated lines:
-# what, pixels a side, median and 95th percentile of RUNS edits in seconds, median of ptrace's processor seconds until then;
-# the same medians of a ptrace that starts and writes frames 0 and 1, in turn with the edits; the ratio of both.
-# TRIANGLES: of a heap on the floor, in the last row.  Rows of the browser: bench/live.sh has none yet.
+# The office at 14:00, -ab 5, in the pipe ptrace -watch -control | ptaccum -every x2/16 | vcmetrics.  Tab separated:
+# what, pixels a side, median and 95th percentile of RUNS edits in seconds, median of ptrace's processor seconds until
+# then; the same medians of a ptrace that starts and writes frames 0 and 1, in turn with the edits; the ratio of both.
+# TRIANGLES: of a heap on the floor, in the last row.
 set -euo pipefail
 bin=$(cd "$1" && pwd)
 cmake --build "$bin/.." --target large_mesh > /dev/null
@@ -24,7 +24,7 @@ line_of() {  # edit, frame: the first line of that edit, and from that frame on
     done
     cat log >&2; exit 1
 }
-middle() { sort -n "$1" | awk -v share="$2" '{ v[NR] = $1 } END { i = int(share * NR + .999); print v[i < 1 ? 1 : i] }'; }
+middle() { sort -n "$1" | awk -v share="$2" '{ v[NR] = $1 } END { print v[int(share * NR + .999)] }'; }
 # what, side, change (a command that makes edit $k), scene files
 row() {
     local what=$1 side=$2 change=$3 k
@@ -48,14 +48,13 @@ row() {
     done
     kill "$(< pid)"
     exec 3<&-
-    local median bare_median
-    median=$(middle seconds .5) bare_median=$(middle bare .5)
-    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\t%.2f\n' "$what" "$side" "$median" "$(middle seconds .95)" "$(middle processor .5)" \
-        "$bare_median" "$(middle bare_processor .5)" "$(awk -v a="$median" -v b="$bare_median" 'BEGIN { print a / b }')"
+    awk -v OFS='\t' -v what="$what" -v side="$side" '{ v[FNR == 1 ? ++f : f] = $1 }
+        END { print what, side, v[1], v[2], v[3], v[4], v[5], v[1] / v[4] }' <(middle seconds .5) \
+        <(middle seconds .95) <(middle processor .5) <(middle bare .5) <(middle bare_processor .5)
 }
 save() { cat > new; mv new "$1"; }
 material='sed "s/^5 .68 .67 .*/5 .68 .67 .$((500 + k)) 0 0/" "$office/materials.rad" | save materials.rad'
-sky='sed "s/-0.521196 -0.802754 0.289724/-0.521196 -0.802754 0.$((290000 + 100 * k))/" "$office/sky_1400.rad" | save sky_1400.rad'
+sky='sed "s/-0.802754 0.289724/-0.802754 0.$((290000 + 100 * k))/" "$office/sky_1400.rad" | save sky_1400.rad'
 view='echo "view -vp 2 2.$((100 + k)) 1.2" > ctl'
 
 printf 'what\tside\tmedian\t95th\tprocessor\tbare\tbare processor\tratio\n'
