@@ -66,8 +66,10 @@ wheel: setup ## a Python wheel in out/wheel: the programs and `import luxpipe`; 
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/wheel.sh out/wheel
 
 test-wheel: PARTS += wheel-test
-test-wheel: wheel all ## the wheel put into a virtual environment and empty Debians 12 and 13 (debootstrap, as root)
-	@bash scripts/try_wheel.sh out/wheel/luxpipe-*.whl "$(BUILD)/bin"
+test-wheel: wheel ## the wheel built again: same bytes; then put into empty Debians 12 and 13 (debootstrap, as root)
+	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/wheel.sh out/wheel-again
+	@cmp out/wheel/luxpipe-*.whl out/wheel-again/luxpipe-*.whl && echo "built twice: the same bytes"
+	@bash scripts/try_wheel.sh out/wheel/luxpipe-*.whl
 
 bench: everything ## the speed claims, measured again
 	@bash bench/run.sh "$(BUILD)/bin"

@@ -1,45 +1,46 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# try_wheel.sh WHEEL BIN [FOLDER]: does the wheel stand by itself?  It is installed in a fresh virtual environment here,
+# try_wheel.sh WHEEL [FOLDER]: does the wheel stand by itself?  It is installed in a fresh virtual environment here,
 # then in empty Debians 12 and 13 (made by debootstrap in FOLDER where there are none yet; else in a folder that is
-# removed again) with python3-venv, without a compiler and without OpenCL.  There README's pipe runs, the pixels are
-# those of the programs in BIN, vcview answers and `import luxpipe` renders.  As root, with a network.
+# removed again) with python3-venv, without a compiler and without OpenCL.  There README's pipe runs, frames have the
+# bits of tests/golden/bits.tsv, vcview answers and `import luxpipe` renders.  As root, with a network.
 set -euo pipefail
-wheel=$(realpath "$1") bin=$(realpath "$2")
+wheel=$(realpath "$1") top=$(realpath "$(dirname "$0")/..")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-roots=${3:-$work}
+roots=${2:-$work}
 mkdir -p "$roots/wheels"
 for python in 3.11 3.13; do
     python3 -m pip download -q --only-binary :all: --python-version "$python" --no-deps -d "$roots/wheels" numpy
 done
 
-# trial BIN: what is tried in each place; BIN is where pip put the programs.  Prints a hash of the pixels.
+# trial BIN TOP DEVICES: what is tried in each place; BIN is where pip put the programs, TOP has tests and examples.
 cat > "$work/trial" << 'END'
 set -euo pipefail
-PATH=$1:$PATH
+PATH=$1:$PATH top=$2
 cd "$("$1"/python -c 'import luxpipe; print(luxpipe.examples)')/office"
-frames() { ptrace -device cpu -vf view.vf -x 64 -y 64 "$@" materials.rad layout.rad sky_1400.rad; }
-frames | ptaccum -every x2/4 | vcmetrics -metrics Ev,DGP -ci 95 -until 'Ev 2%' | tail -n 1 >&2
+frames() { ptrace -vf view.vf -x 64 -y 64 "$@" materials.rad layout.rad sky_1400.rad; }
+started=$(date +%s)
+frames | ptaccum -every x2/4 | vcmetrics -metrics Ev,DGP,DGPf -ci 95 -until 'DGPf 0.01' | tail -n 1
+echo "the first DGP: $(($(date +%s) - started)) s"
 frames -frames 3 | ptaccum | vcview -- vcmetrics > /dev/null 2> "$TMPDIR/said"
 grep -q 'http://' "$TMPDIR/said"
-"$1"/python - >&2 << 'PYTHON'
+"$1"/python << 'PYTHON'
 import luxpipe
 scene = [luxpipe.examples / "office" / name for name in ("materials.rad", "layout.rad", "sky_1400.rad")]
 print(luxpipe.render(scene, luxpipe.examples / "office" / "view.vf", until="Ev 2%", size=64))
 PYTHON
-frames -frames 4 | ptaccum -last -ff | tail -c $((12 * 64 * 64)) | sha256sum
+"$1"/python "$top/tests/parity/bits_frames.py" "$1" "$top" "${@:3}"
 END
-cd "$(dirname "$0")/../examples/scenes/office"
-wanted=$("$bin/ptrace" -vf view.vf -x 64 -y 64 -device cpu -frames 4 materials.rad layout.rad sky_1400.rad |
-    "$bin/ptaccum" -last -ff | tail -c $((12 * 64 * 64)) | sha256sum)
-same() { [ "$2" = "$wanted" ] || { echo "$1: other pixels than those of $bin" >&2; exit 1; }; }
 
 python3 -m venv "$work/venv"
 "$work/venv/bin/pip" install -q --find-links "$roots/wheels" "$wheel"
-found=$(TMPDIR=$work bash "$work/trial" "$work/venv/bin")
-same "virtual environment" "$found"
+TMPDIR=$work bash "$work/trial" "$work/venv/bin" "$top" cpu:lanes16 cpu:lanes8 cpu:avx2 cpu:baseline
 test -s "$work/venv/share/man/man1/ptrace.1"
+if grep -rlF "$top" "$work"/venv/lib/python*/site-packages/luxpipe{,.libs}; then
+    echo "these name $top, where the wheel was built" >&2
+    exit 1
+fi
 echo "virtual environment: installed and run"
 
 for suite in bookworm trixie; do
@@ -53,10 +54,10 @@ for suite in bookworm trixie; do
         { tail -n 20 "$root/tmp/apt.log"; exit 2; }
     inside 'rm -rf /tmp/try /tmp/venv && mkdir /tmp/try'
     cp "$wheel" "$roots"/wheels/* "$work/trial" "$root/tmp/try"
+    (cd "$top" && cp -r --parents tests/golden tests/parity/bits_frames.py examples/scenes "$root/tmp/try")
     started=$(date +%s)
     inside 'python3 -m venv /tmp/venv && /tmp/venv/bin/pip install -q --no-index --find-links /tmp/try luxpipe'
     installed=$(date +%s)
-    found=$(inside 'bash /tmp/try/trial /tmp/venv/bin')
-    same "$suite" "$found"
+    inside 'bash /tmp/try/trial /tmp/venv/bin /tmp/try cpu'
     echo "$suite: installed ($((installed - started)) s) and run ($(($(date +%s) - installed)) s)"
 done
