@@ -14,7 +14,7 @@ for part in "$@"; do
             libcli11-dev libmicrohttpd-dev libopenexr-dev libimath-dev libfmt-dev libpng-dev libpugixml-dev" ;;
         ptrace) packages="$packages libembree-dev ocl-icd-opencl-dev opencl-headers opencl-clhpp-headers" ;;
         tests) packages="$packages doctest-dev mandoc pocl-opencl-icd
-            python3-numpy python3-pandas python3-pytest
+            python3-numpy python3-pandas python3-pytest python3-tqdm mypy
             chromium chromium-driver python3-selenium python3-pil" ;;  # PoCL: OpenCL on the CPU; the page of vcview
         demo) packages="$packages gnuplot-nox" ;;                          # the plot
         fuzz) packages="$packages clang" ;;

@@ -19,7 +19,7 @@ these print when they fail is the text of `luxpipe.Error`.
 """
 
 from ._programs import Error, HERE as _HERE
-from ._radiance import evalglare, rpict
+from ._radiance import evalglare, rpict, rtrace
 from ._render import Warning, frames, measure, read, render
 from ._result import Interval, Result
 
@@ -29,13 +29,11 @@ if not examples.is_dir():  # a clone
     examples = _HERE.parents[1] / "examples" / "scenes"
 
 __all__ = ["Error", "Interval", "Result", "Warning", "evalglare", "examples", "frames", "measure", "read", "render",
-           "rpict"]
+           "rpict", "rtrace"]
 
 
 def __getattr__(name: str) -> object:
     if name == "__version__":
         from importlib.metadata import version
         return version("luxpipe")
-    if name == "rtrace":
-        raise AttributeError("luxpipe has no rtrace yet: pyradiance.rtrace, or RADIANCE's own, does that part")
     raise AttributeError(f"module 'luxpipe' has no attribute '{name}'")

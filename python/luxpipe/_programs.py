@@ -48,7 +48,8 @@ def run(name: str, args: Sequence[str], stdin: bytes | bytearray | None = None, 
 
     It has failed if its status is not 0, unless that is one of `good` and there is output.
     """
-    done = subprocess.run([program(name), *args], input=b"" if stdin is None else stdin, capture_output=True)
+    done = subprocess.run([name, *args], executable=program(name), input=b"" if stdin is None else stdin,
+                          capture_output=True)
     if done.returncode and not (done.returncode in good and done.stdout):
         raise Error(last_line(done.stderr, name, done.returncode), done.returncode)
     return done.stdout

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""evalglare and rpict with the arguments that pyradiance's functions of these names take."""
+"""evalglare and rpict with the arguments that pyradiance's functions of these names take; rtrace, which is missing."""
 
 from __future__ import annotations
 
 import os
 import subprocess
 from pathlib import Path
-from typing import Sequence
+from typing import NoReturn, Sequence
 
 from ._programs import Error, last_line, program, run
 
@@ -76,11 +76,12 @@ def rpict(view: Sequence[str], octree: Path | str, xres: None | int = None, yres
     for option, value in (("-t", report or None), ("-e", report_file), ("-x", xres), ("-y", yres)):
         if value is not None:
             args += [option, str(value)]
-    trace = subprocess.Popen([program("ptrace"), *args, "-frames", str(frames + 1), str(octree)],
-                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    trace = subprocess.Popen(["ptrace", *args, "-frames", str(frames + 1), str(octree)],
+                             executable=program("ptrace"), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert trace.stdout and trace.stderr
     with trace:
-        total = subprocess.run([program("ptaccum"), "-last"], stdin=trace.stdout, capture_output=True)
+        total = subprocess.run(["ptaccum", "-last"], executable=program("ptaccum"), stdin=trace.stdout,
+                               capture_output=True)
         trace.stdout.close()
         said = trace.stderr.read()
     if trace.returncode:
@@ -88,3 +89,8 @@ def rpict(view: Sequence[str], octree: Path | str, xres: None | int = None, yres
     if total.returncode:
         raise Error(last_line(total.stderr, "ptaccum", total.returncode), total.returncode)
     return total.stdout
+
+
+def rtrace(*args: object, **kwargs: object) -> NoReturn:
+    """Raise Error: luxpipe does not measure single points yet.  A script can import the name all the same."""
+    raise Error("luxpipe: rtrace: does not exist yet; pyradiance.rtrace or RADIANCE's own rtrace measures points")

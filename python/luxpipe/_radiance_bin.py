@@ -28,7 +28,7 @@ def find_radiance() -> Optional[Path]:
     if oconv:
         return Path(oconv).resolve().parent
     try:
-        import pyradiance  # type: ignore[import-not-found]
+        import pyradiance
         return Path(pyradiance.BINPATH)
     except ImportError:
         return None
@@ -71,8 +71,9 @@ def rpict() -> None:
         output = open(args[at + 1], "wb")
         del args[at:at + 2]
     frames = int(os.environ.get("LUXPIPE_FRAMES", "64"))
-    trace = subprocess.Popen([program("ptrace"), "-frames", str(frames + 1), *args], stdout=subprocess.PIPE)
-    total = subprocess.run([program("ptaccum"), "-last"], stdin=trace.stdout, stdout=output,
+    trace = subprocess.Popen(["ptrace", "-frames", str(frames + 1), *args], executable=program("ptrace"),
+                             stdout=subprocess.PIPE)
+    total = subprocess.run(["ptaccum", "-last"], executable=program("ptaccum"), stdin=trace.stdout, stdout=output,
                            stderr=subprocess.PIPE)
     assert trace.stdout
     trace.stdout.close()

@@ -64,8 +64,9 @@ class _Pipeline:
         self.vcmetrics = self._start("vcmetrics", measure, subprocess.PIPE)
 
     def _start(self, name: str, args: list[str], stdin: Any) -> subprocess.Popen[bytes]:
-        return subprocess.Popen([program(name), *args], stdin=subprocess.DEVNULL if stdin is None else stdin,
-                                stdout=subprocess.PIPE, stderr=self.said[name], bufsize=0, start_new_session=True)
+        return subprocess.Popen([name, *args], executable=program(name),  # pictures' headers do not hold its folder
+                                stdin=subprocess.DEVNULL if stdin is None else stdin, stdout=subprocess.PIPE,
+                                stderr=self.said[name], bufsize=0, start_new_session=True)
 
     def steps(self) -> Iterator[tuple[bytearray, bytes]]:
         """Yield each picture with vcmetrics' line, until vcmetrics has seen enough or the pictures end."""

@@ -137,8 +137,8 @@ def test_other_errors(monkeypatch):
         luxpipe.render(SCENE, VIEW, None, max_frames=None)
     with pytest.raises(FileNotFoundError, match="no_such.rad"):
         luxpipe.render("no_such.rad", VIEW)
-    with pytest.raises(AttributeError, match="pyradiance"):
-        luxpipe.rtrace
+    with pytest.raises(luxpipe.Error, match="^luxpipe: rtrace: .*pyradiance"):
+        luxpipe.rtrace(b"0 0 0 0 0 1", "room.oct", irradiance=True)
     monkeypatch.setenv("LUXPIPE_BIN", "/nowhere")
     with pytest.raises(luxpipe.Error, match="ptrace: no such program in /nowhere"):
         luxpipe.render(SCENE, VIEW)
@@ -155,6 +155,18 @@ def test_plots():
     pytest.importorskip("matplotlib").use("Agg")
     found = doctest.testmod(importlib.import_module("luxpipe.plot"), extraglobs={"luxpipe": luxpipe})
     assert found.attempted and not found.failed
+
+
+def test_progress_on_a_terminal():
+    pytest.importorskip("tqdm")
+    terminal, end = os.openpty()
+    code = "import luxpipe; from conftest import *; luxpipe.render(SCENE, VIEW, None, size=16, max_frames=4)"
+    here = os.path.dirname(__file__)
+    done = subprocess.run([sys.executable, "-c", code], stderr=end, cwd=here)
+    said = os.read(terminal, 100000)
+    assert done.returncode == 0 and b" frames" in said and b"DGPf 0." in said
+    done = subprocess.run([sys.executable, "-c", code], stderr=subprocess.PIPE, cwd=here)
+    assert done.returncode == 0 and done.stderr == b""
 
 
 def test_interrupt_keeps_what_there_is(monkeypatch):
