@@ -16,7 +16,7 @@ import sys
 from pathlib import Path
 from typing import Optional
 
-from ._programs import HERE, program
+from ._programs import HERE, Error, program
 
 NEEDED = ("cnt dctimestep gendaylit gendaymtx gensky getinfo oconv pcomb pcompos pcond pfilt pvalue ra_tiff ra_xyze "
           "rad rcalc rcontrib rfluxmtx rtrace vwrays xform").split()
@@ -61,8 +61,11 @@ def link(name: Path, target: Path) -> None:
 
 
 def rpict() -> None:
-    """Be rpict: the sum of LUXPIPE_FRAMES frames (64) of ptrace as an RGBE picture, to the standard output or -o."""
-    args = sys.argv[1:]
+    """Be rpict: the sum of LUXPIPE_FRAMES frames (64) of ptrace as an RGBE picture, to the standard output or -o.
+
+    LUXPIPE_OPTIONS has further options of ptrace, which recipes would refuse: "-seed 2 -device cpu".
+    """
+    args = [*shlex.split(os.environ.get("LUXPIPE_OPTIONS", "")), *sys.argv[1:]]
     if any(word in ("-version", "-defaults", "-help") for word in args):
         os.execv(program("ptrace"), ["rpict", *args])
     output = None
@@ -91,7 +94,10 @@ def main() -> None:
     said = options.parse_args()
     if said.radiance is not None and not said.radiance.is_dir():
         sys.exit(f"luxpipe-radiance: {said.radiance}: is no folder")
-    missing = make(said.folder, said.radiance)
+    try:
+        missing = make(said.folder, said.radiance)
+    except (Error, OSError) as error:
+        sys.exit(f"luxpipe-radiance: {error}")
     print(f"export PATH={shlex.quote(str((said.folder / 'bin').absolute()))}:$PATH")
     if (said.folder / "lib").exists():
         print(f"export RAYPATH=.:{shlex.quote(str((said.folder / 'lib').absolute()))}")

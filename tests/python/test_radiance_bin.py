@@ -46,6 +46,8 @@ def test_rpict_and_evalglare(folder):
     assert piped.returncode == filed.returncode == 0 and filed.stdout == b""
     one, other = luxpipe.read(piped.stdout), luxpipe.read(folder / "x.pic")
     assert one.shape == (32, 32, 3) and (one == other).all()
+    seed = subprocess.run([*rpict, *map(str, SCENE)], env={**bare, "LUXPIPE_OPTIONS": "-seed 2"}, capture_output=True)
+    assert seed.returncode == 0 and (luxpipe.read(seed.stdout) != one).any()
     assert luxpipe.measure(piped.stdout).row.get("frame", 0) in (0, 2)
     glare = subprocess.run([str(folder / "bin" / "evalglare"), "x.pic"], env=bare, capture_output=True, cwd=folder)
     assert glare.stdout == luxpipe.evalglare(folder / "x.pic") and b"dgp,dgi" in glare.stdout
@@ -64,3 +66,12 @@ def test_a_radiance_that_is_not_there(folder):
     done = make(folder, "-radiance", "/nowhere")
     assert done.returncode == 1 and done.stderr == "luxpipe-radiance: /nowhere: is no folder\n"
     assert not os.path.exists(folder)
+
+
+def test_errors_are_one_line(folder, monkeypatch):
+    (folder.parent / "file").write_text("")
+    assert make(folder.parent / "file").stderr.count("\n") == 1
+    monkeypatch.setenv("LUXPIPE_BIN", "/nowhere")
+    done = make(folder)
+    assert done.returncode == 1
+    assert done.stderr == "luxpipe-radiance: luxpipe: vcmetrics: no such program in /nowhere\n"

@@ -22,3 +22,6 @@ check 'a source tree without git has the version of the project' "
     test \"\$(dpkg-deb -f one/out/luxpipe_*.deb Version)\" = \"\$version\""
 check 'the manual pages and the licence are in it' '
     test -f installed/usr/share/man/man1/ptaccum.1.gz -a -f installed/usr/share/doc/luxpipe/copyright'
+check 'the tools are configured without tests, studies and benchmarks, which a source distribution lacks' '
+    rm -r one/source/tests one/source/studies one/source/bench
+    cmake -S one/source -B one/sdist -G Ninja -DSKBUILD=2 -DLUXPIPE_PTRACE=OFF > /dev/null'

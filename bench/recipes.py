@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""recipes.py FOLDER [RUNS]: Ladybug Tools' recipes by RADIANCE and by the folder that luxpipe-radiance makes.
+
+Needs lbt-recipes and pyradiance beside this Python, and luxpipe or LUXPIPE_BIN.  A room of 4 x 6 m with a window to the
+south: point-in-time-view (rpict), HB Glare Postprocess's calls (evalglare on each picture) and point-in-time-grid
+(rtrace, which the folder links).  Prints a line a run: recipe, by what, numbers, processor and wall seconds.
+The numbers' noise is what differs between RUNS (2) of other seeds; RADIANCE's -ad stands for a seed.
+"""
+
+import os
+import resource
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pyradiance
+from honeybee.model import Model
+from honeybee.room import Room
+from honeybee_radiance.config import folders
+from honeybee_radiance.sensorgrid import SensorGrid
+from honeybee_radiance.view import View
+from lbt_recipes.recipe import Recipe, RecipeSettings
+
+OUT = Path(sys.argv[1]).absolute()
+RUNS = int((sys.argv[2:] or ["2"])[0])
+SKY = "cie 21 Dec 12:00 -lat 42.36 -lon -71.06 -tz -5 -type 0"
+TOP = Path(__file__).resolve().parents[1]
+
+
+def room():
+    """Return the room as a model with one view, a fisheye at the back that looks at the window, and one grid."""
+    box = Room.from_box("Room", 4, 6, 3)
+    box[3].apertures_by_ratio(0.4)  # south
+    model = Model("room", [box])
+    eye = View("desk", (2, 3.5, 1.2), (0, -1, 0), (0, 0, 1), "a", 180, 180)
+    eye.room_identifier = "Room"
+    model.properties.radiance.add_view(eye)
+    grid = SensorGrid.from_mesh3d("floor", box.generate_grid(0.5, offset=0.8))
+    grid.room_identifier = "Room"
+    model.properties.radiance.add_sensor_grid(grid)
+    return model
+
+
+def timed(call):
+    """Return what a call gives, and processor and wall seconds of all programs that it ran."""
+    def used():
+        r = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return r.ru_utime + r.ru_stime
+    cpu, wall = used(), time.monotonic()
+    result = call()
+    return result, used() - cpu, time.monotonic() - wall
+
+
+def recipe(name, radiance, folder, **values):
+    """Run a recipe with the programs of radiance/bin; return the folder of its results."""
+    folders.radiance_path = str(radiance)
+    run = Recipe(name)
+    run.input_value_by_name("model", room())
+    run.input_value_by_name("sky", SKY)
+    for key, value in values.items():
+        run.input_value_by_name(key.replace("_", "-"), value)
+    queenbee = Path(sys.executable).parent / "queenbee"
+    run.run(RecipeSettings(str(folder), 2), queenbee_path=str(queenbee), silent=True)
+    return next(folder.glob("*/results"))
+
+
+def glare(radiance, picture, task):
+    """Return evalglare's numbers as the component HB Glare Postprocess (1.38) asks for them; task: with a task area."""
+    check = picture.with_name(picture.stem + "_check.HDR")
+    where = ["-T", "400", "300", "0.5235987755982988"] if task else []
+    words = ["-c", check, "-vta", "-vv", "180", "-vh", "180", *where, picture]
+    done = subprocess.run([radiance / "bin" / "evalglare", *words], stdout=subprocess.PIPE, check=True, text=True)
+    assert check.stat().st_size > 1000
+    return [float(word) for word in done.stdout.split(":")[-1].strip().split(" ")]
+
+
+def say(name, by, numbers, cpu, wall):
+    print(name, by, numbers, f"{cpu:.1f}", f"{wall:.1f}", sep="\t", flush=True)
+
+
+def main():
+    theirs = Path(pyradiance.BINPATH).parent
+    ours = OUT / "luxpipe"
+    make = "import sys; from luxpipe._radiance_bin import main; main()"
+    subprocess.run([sys.executable, "-c", make, str(ours), "-radiance", str(theirs / "bin")], check=True,
+                   stdout=subprocess.DEVNULL, env={"PYTHONPATH": str(TOP / "python"), **os.environ})
+    print("recipe", "by", "numbers", "cpu_s", "wall_s", sep="\t")
+    for run in range(RUNS):
+        for by, radiance in (("RADIANCE", theirs), ("luxpipe", ours)):
+            os.environ["LUXPIPE_OPTIONS"] = f"-seed {run + 1}"
+            results, *took = timed(lambda: recipe("point-in-time-view", radiance, OUT / f"view{run}{by}",
+                                                  radiance_parameters=f"-ab 4 -ad {2048 + run}"))
+            picture = next(results.rglob("*.HDR"))
+            ev = subprocess.run([theirs / "bin" / "evalglare", "-V", picture], stdout=subprocess.PIPE, text=True).stdout
+            say("point-in-time-view", by, f"Ev {float(ev):.1f}", *took)
+            for eye, tool in (("RADIANCE", theirs), ("luxpipe", ours)):
+                for task in (False, True):
+                    numbers, *took = timed(lambda: glare(tool, picture, task))
+                    say(f"HB Glare Postprocess of {by}'s{' with a task' if task else ''}", eye,
+                        " ".join(f"{x:.4f}" for x in numbers), *took)
+    for by, radiance in (("RADIANCE", theirs), ("luxpipe", ours)):
+        results, *took = timed(lambda: recipe("point-in-time-grid", radiance, OUT / f"grid{by}"))
+        lux = [float(line) for line in next(results.rglob("*.res")).read_text().split()]
+        say("point-in-time-grid", by, f"{len(lux)} points, mean {sum(lux) / len(lux):.1f} lux", *took)
+
+
+main()
