@@ -58,8 +58,11 @@ deb: ISPC = :
 deb: setup ## a Debian package in out/deb, the same bytes for the same sources; fetches no ispc
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/deb.sh out/deb
 
-test-deb: deb ## the package put into an empty Debian (debootstrap, as root; from the network), the demo run there
-	@bash scripts/try_deb.sh out/deb/luxpipe_*.deb
+test-deb: PARTS += wheel-test
+test-deb: deb ## packages for Debian 12 and 13, each put into an empty one (debootstrap, as root), the demo run there
+	@bash scripts/try_deb.sh out/deb/luxpipe_*.deb bookworm
+	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/deb_for.sh trixie out/deb
+	@bash scripts/try_deb.sh out/deb/for-trixie/luxpipe_*.deb trixie
 
 wheel: PARTS += wheel
 wheel: setup ## a Python wheel in out/wheel: the programs and `import luxpipe`; tools for it come from the package index

@@ -1,14 +1,14 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# try_deb.sh PACKAGE [ROOT]: does the package stand by itself?  It is put into an empty Debian (made in ROOT by
+# try_deb.sh PACKAGE SUITE [ROOT]: does the package stand by itself?  It is put into an empty Debian (made in ROOT by
 # debootstrap where there is none yet; a folder of its own otherwise, removed again) by apt-get, which brings what the
 # package says it needs and nothing else; there every tool answers, a manual page is found and the demo runs, small.
-# As root, with a network.  What the container of examples/cluster does is the same.
+# SUITE is bookworm or trixie.  As root, with a network.
 set -euo pipefail
 package=$(realpath "$1")
-root=${2:-$(mktemp -d)}
-[ $# -gt 1 ] || trap 'rm -rf "$root"' EXIT
-[ -x "$root/bin/bash" ] || debootstrap --variant=minbase bookworm "$root" > /dev/null
+root=${3:-$(mktemp -d)}
+[ $# -gt 2 ] || trap 'rm -rf "$root"' EXIT
+[ -x "$root/bin/bash" ] || debootstrap --variant=minbase "$2" "$root" > /dev/null
 
 cp "$package" "$root/tmp/luxpipe.deb"
 inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin LC_ALL=C bash -eo pipefail -c "$1"; }
@@ -20,4 +20,4 @@ inside 'test -s /usr/share/man/man1/ptrace.1.gz -a -s /usr/share/luxpipe/luxpipe
 inside 'cd /tmp && SIZE=64 UNTIL="DGPu 0.02, Ev 2%" bash /usr/share/doc/luxpipe/examples/demo.sh /usr/bin out'
 inside 'test -s /tmp/out/office.png'
 inside 'apt-get purge -q -y luxpipe && test ! -e /usr/bin/ptrace -a ! -e /usr/share/luxpipe' > "$root/tmp/apt.log"
-echo "$(basename "$package"): installed, run and removed"
+echo "$(basename "$package"): installed, run and removed in $2"
