@@ -58,7 +58,7 @@ deb: ISPC = :
 deb: setup ## a Debian package in out/deb, the same bytes for the same sources; fetches no ispc
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/deb.sh out/deb
 
-test-deb: PARTS += wheel-test
+test-deb: PARTS += chroot
 test-deb: deb ## packages for Debian 12 and 13, each put into an empty one (debootstrap, as root), the demo run there
 	@bash scripts/try_deb.sh out/deb/luxpipe_*.deb bookworm
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/deb_for.sh trixie out/deb
@@ -68,7 +68,7 @@ wheel: PARTS += wheel
 wheel: setup ## a Python wheel in out/wheel: the programs and `import luxpipe`; tools for it come from the package index
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/wheel.sh out/wheel
 
-test-wheel: PARTS += wheel-test
+test-wheel: PARTS += chroot
 test-wheel: wheel ## the wheel built again: same bytes; then put into empty Debians 12 and 13 (debootstrap, as root)
 	@JOBS=$(JOBS) FLAGS="$(FLAGS)" bash scripts/wheel.sh out/wheel-again
 	@cmp out/wheel/luxpipe-*.whl out/wheel-again/luxpipe-*.whl && echo "built twice: the same bytes"

@@ -11,7 +11,8 @@ commit_time=$(git -C "$top" log -1 --format=%ct)
 rm -rf "$root/source" "$root/deb" && mkdir "$root/source"
 (cd "$top" && git ls-files -z | tar -c --null -T -) | tar -x -C "$root/source"
 unshare -mp --fork --mount-proc="$root/proc" chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin LC_ALL=C \
-    SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$commit_time}" JOBS="${JOBS:-$(nproc)}" FLAGS="${FLAGS:-}" bash -eo pipefail -c '
+    SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$commit_time}" JOBS="${JOBS:-$(nproc)}" FLAGS="${FLAGS:-}" \
+    bash -eo pipefail -c '
     cd /source && { sh scripts/setup.sh tools ptrace deb && bash scripts/deb.sh /deb; } > /deb.log 2>&1 ||
         { tail -n 30 /deb.log >&2; exit 2; }'
 mkdir -p "$out/for-$suite" && rm -f "$out/for-$suite"/*.deb

@@ -24,6 +24,7 @@ unsigned said_by_user = 0;
 
 // Processors that the process may run on; the set grows until the system's fits.
 unsigned affinity() {
+#ifdef __linux__
     for (int most = 1024; most <= 1 << 20; most *= 2) {
         cpu_set_t* set = CPU_ALLOC(size_t(most));
         if (!set) break;
@@ -33,6 +34,7 @@ unsigned affinity() {
         CPU_FREE(set);
         if (known) return unsigned(count);
     }
+#endif
     return std::thread::hardware_concurrency();
 }
 

@@ -28,7 +28,7 @@ std::atomic<int> temp_state[slots];  // 0 free, 1 being written, 2 in use
 // Short, so that a target's name may be as long as the file system has it.
 std::string random_name() {
     uint64_t bits[2];
-    if (getrandom(bits, sizeof bits, 0) != ssize_t(sizeof bits)) fail_system("", "no random numbers from the system");
+    if (getentropy(bits, sizeof bits) != 0) fail_system("", "no random numbers from the system");
     char text[64];
     std::snprintf(text, sizeof text, ".luxpipe-%016llx%08llx.tmp", (unsigned long long)bits[0],
                   (unsigned long long)bits[1] & 0xffffffffu);

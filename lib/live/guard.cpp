@@ -13,7 +13,7 @@ namespace live {
 std::string new_token() {
     unsigned char bytes[16];
     errno = 0;
-    if (getrandom(bytes, sizeof bytes, 0) != ssize_t(sizeof bytes)) base::fail_system("random numbers", "none");
+    if (getentropy(bytes, sizeof bytes) != 0) base::fail_system("random numbers", "none");
     std::string token;
     for (const unsigned char b : bytes) {
         token += "0123456789abcdef"[b >> 4];
