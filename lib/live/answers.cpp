@@ -2,12 +2,14 @@
 // See answers.h.
 #include "live/answers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "base/value.h"
 #include "display/tone.h"
 #include "image/header.h"
+#include "live/downloads.h"
 #include "live/json.h"
 #include "live/pixel.h"
 #include "live/regions.h"
@@ -55,14 +57,9 @@ std::string facts(const image::Picture& p) {
         ",\"aspect\":" + json::number(h.pixel_aspect) + ",\"exposure\":" + json::numbers({e.scale, e.white2}) +
         ",\"top\":" + json::number(display::falsecolor_scale(p, {}).top) + ",\"name\":" + json::text(image::label(h));
     if (h.frames) out += ",\"frames\":" + std::to_string(*h.frames);
+    if (h.edit) out += ",\"edit\":" + std::to_string(*h.edit) + ",\"what\":" + json::text(h.edited);
     if (h.view) out += ",\"view\":" + json::text(view::to_options(*h.view));
     return out;
-}
-
-// The file that the question names.
-const TextFile* named(const Files& files, const Arguments& arguments) {
-    const size_t n = count(arguments, "n");
-    return n < files.size() ? &files[n] : nullptr;
 }
 
 Answer file(const Files& files, const Arguments& arguments) {
@@ -86,6 +83,11 @@ Answer outlines(const Live& live, const Files& files, const Arguments& arguments
 }
 
 }  // namespace
+
+const TextFile* named(const Files& files, const Arguments& arguments) {
+    const size_t n = count(arguments, "n");
+    return n < files.size() ? &files[n] : nullptr;
+}
 
 Answer plain(unsigned status, const std::string& text) { return {status, "text/plain; charset=utf-8", text + "\n"}; }
 
@@ -121,6 +123,17 @@ Answer answer_put(const Files& files, const Arguments& arguments, const std::str
     return {200, "text/plain; charset=utf-8", "", f->read().tag};
 }
 
+std::optional<Answer> answer_sources(Sources& sources, const Arguments& arguments) {
+    const auto found = sources.of(count(arguments, "picture"));
+    if (!found) return std::nullopt;
+    if (found->status != 0) return plain(409, "vcmetrics -sources ends with status " + std::to_string(found->status));
+    std::string list = found->lines;
+    while (!list.empty() && list.back() == '\n') list.pop_back();
+    std::replace(list.begin(), list.end(), '\n', ',');
+    return Answer{200, "application/json",
+                  "{\"picture\":" + std::to_string(found->picture) + ",\"sources\":[" + list + "]}"};
+}
+
 Answer answer_query(const Live& live, const Files& files, const std::string& path, const Arguments& arguments) {
     if (path == "/file") return file(files, arguments);
     if (path == "/outlines") return outlines(live, files, arguments);
@@ -131,6 +144,11 @@ Answer answer_query(const Live& live, const Files& files, const std::string& pat
         const std::string known =
             picture ? pixel_facts(*picture, int(number(arguments, "x", -1)), int(number(arguments, "y", -1))) : "";
         return known.empty() ? plain(404, "no such pixel") : Answer{200, "application/json", known};
+    }
+    if (path == "/save") {
+        const auto picture = live.picture();
+        const std::string bytes = picture ? picture_file(*picture, arguments("as")) : "";
+        return bytes.empty() ? plain(404, "no such file") : Answer{200, "application/octet-stream", bytes};
     }
     return plain(404, "nothing here");
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include "live/files.h"
 #include "live/live.h"
+#include "live/sources.h"
 
 namespace live {
 
@@ -20,8 +21,13 @@ Answer plain(unsigned status, const std::string& text);
 // The value of an argument of the question; empty if it is not there.
 using Arguments = std::function<std::string(const char* name)>;
 
+// The file that the question names; null: there is none.
+const TextFile* named(const Files& files, const Arguments& arguments);
+
 // GET /next.  Nothing: there is no news yet.
 std::optional<Answer> answer_next(Live& live, const Arguments& arguments);
+// GET /sources.  Nothing: they are not known yet.
+std::optional<Answer> answer_sources(Sources& sources, const Arguments& arguments);
 // The other questions of GET.
 Answer answer_query(const Live& live, const Files& files, const std::string& path, const Arguments& arguments);
 // PUT /file: the new text, and the tag of the text that it was made from.

@@ -16,7 +16,7 @@ extern char** environ;
 
 namespace live {
 
-Child::Child(const std::vector<std::string>& command) {
+Child::Child(const std::vector<std::string>& command, bool talks) {
     int in[2], out[2];
     errno = 0;
     if (pipe2(in, O_CLOEXEC) != 0 || pipe2(out, O_CLOEXEC) != 0) base::fail_system("pipe", "cannot be made");
@@ -24,6 +24,7 @@ Child::Child(const std::vector<std::string>& command) {
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, in[0], 0);
     posix_spawn_file_actions_adddup2(&files, out[1], 1);
+    if (!talks) posix_spawn_file_actions_addopen(&files, 2, "/dev/null", O_WRONLY, 0);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t defaults;

@@ -16,6 +16,7 @@
 #include "live/answers.h"
 #include "base/descriptor.h"
 #include "base/error.h"
+#include "live/fifo.h"
 #include "live/guard.h"
 #include "live/json.h"
 #include "live/page.h"
@@ -28,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 constexpr auto longest_wait = std::chrono::seconds(20);         // of a request for news
 constexpr auto between_looks = std::chrono::milliseconds(250);  // at the clock and at the files
 constexpr size_t longest_body = longest_file, longest_command = 64 * 1024;
-constexpr unsigned most_connections = 200;
+constexpr unsigned most_connections = 500;
 
 struct Request {
     unsigned refused = 0;  // a status, if it is
@@ -82,6 +83,7 @@ struct Server::State {
     bool ends = false;
     std::condition_variable tick;
     std::thread ticker;
+    std::optional<Sources> sources;
 
     State(Live& l, const ServerOptions& o) : live(l), options(o) {}
 
@@ -114,10 +116,11 @@ struct Server::State {
         };
     }
 
-    MHD_Result next(MHD_Connection* connection, const Request& request) {
+    // An answer, or the request waits until there is one.
+    template <class ASK>
+    MHD_Result wait_for(MHD_Connection* connection, const Request& request, ASK&& ask) {
         const std::lock_guard<std::mutex> lock(mutex);
-        const auto answer = answer_next(live, arguments(connection));
-        if (answer) return send(connection, *answer);
+        if (const std::optional<Answer> answer = ask()) return send(connection, *answer);
         if (ends || Clock::now() - request.since > longest_wait) return send(connection, {MHD_HTTP_NO_CONTENT, "", ""});
         waiting.push_back(connection);
         MHD_suspend_connection(connection);
@@ -125,16 +128,27 @@ struct Server::State {
     }
 
     Answer control(const std::string& text) const {
-        if (options.control.empty()) return plain(MHD_HTTP_NOT_FOUND, "vcview was started without -control");
         if (text.size() > longest_command) return plain(MHD_HTTP_CONTENT_TOO_LARGE, "too long");
         for (const char c : text)
             if ((unsigned char)c < ' ' && c != '\n' && c != '\t')
                 return plain(MHD_HTTP_BAD_REQUEST, "control characters in a command");
-        const std::string lines = text.empty() || text.back() == '\n' ? text : text + "\n";
-        const int fifo = open(options.control.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
-        const bool written = fifo >= 0 && write(fifo, lines.data(), lines.size()) == ssize_t(lines.size());
-        if (fifo >= 0) close(fifo);
-        return written ? Answer{MHD_HTTP_NO_CONTENT, "", ""} : plain(MHD_HTTP_CONFLICT, "nobody reads the FIFO");
+        return to_fifo(text.empty() || text.back() == '\n' ? text : text + "\n");
+    }
+
+    // A text that stands for a file of -edit until the file changes on the disk.
+    Answer overlay(const Arguments& asked, const std::string& text) const {
+        const TextFile* f = named(files, asked);
+        if (!f || f->kind != TextFile::Kind::scene) return plain(MHD_HTTP_NOT_FOUND, "no such file");
+        return to_fifo("overlay " + f->path + " " + std::to_string(text.size()) + "\n" + text);
+    }
+
+    Answer to_fifo(const std::string& bytes) const {
+        if (options.control.empty()) return plain(MHD_HTTP_NOT_FOUND, "vcview was started without -control");
+        switch (write_whole(options.control, bytes)) {
+        case Written::whole: return {MHD_HTTP_NO_CONTENT, "", ""};
+        case Written::busy: return plain(MHD_HTTP_SERVICE_UNAVAILABLE, "ptrace has not read the commands before");
+        default: return plain(MHD_HTTP_CONFLICT, "nobody reads the FIFO");
+        }
     }
 
     // 0 if the request may go on, else why not.
@@ -163,6 +177,7 @@ struct Server::State {
         if (path == "/control")
             return send(connection,
                         method == "POST" ? control(request.body) : plain(MHD_HTTP_METHOD_NOT_ALLOWED, "POST only"));
+        if (path == "/overlay" && method == "POST") return send(connection, overlay(asked, request.body));
         if (path == "/file" && method == "PUT") {
             std::string tag = header(connection, "If-Match");
             if (tag.size() >= 2 && tag.front() == '"') tag = tag.substr(1, tag.size() - 2);
@@ -171,7 +186,8 @@ struct Server::State {
         if (method != "GET") return send(connection, plain(MHD_HTTP_METHOD_NOT_ALLOWED, "GET only"));
         if (const PageFile* file = page_file(path))
             return send(connection, {MHD_HTTP_OK, std::string(file->type), std::string(file->text)});
-        if (path == "/next") return next(connection, request);
+        if (path == "/next") return wait_for(connection, request, [&] { return answer_next(live, asked); });
+        if (path == "/sources") return wait_for(connection, request, [&] { return answer_sources(*sources, asked); });
         if (path == "/facts") return send(connection, facts());
         return send(connection, answer_query(live, files, path, asked));
     }
@@ -209,6 +225,7 @@ Server::Server(Live& live, const ServerOptions& options) : state_(std::make_uniq
     address.sin_port = htons(uint16_t(options.port));
     if (inet_pton(AF_INET, options.listen.c_str(), &address.sin_addr) != 1)
         base::fail("-listen", "\"" + options.listen + "\" is not an address such as 127.0.0.1");
+    state_->sources.emplace(live, options.sources, [state = state_.get()] { state->wake(); });
     errno = 0;
     state_->daemon = MHD_start_daemon(MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, uint16_t(options.port),
                                       nullptr, nullptr, &State::on_request, state_.get(), MHD_OPTION_SOCK_ADDR,
@@ -228,6 +245,7 @@ Server::~Server() {
     }
     state_->tick.notify_all();
     state_->ticker.join();
+    state_->sources.reset();
     state_->wake();
     MHD_stop_daemon(state_->daemon);
 }

@@ -6,11 +6,14 @@
 //   GET /table?top=&decades=&style=&divisions=&mask=   falsecolor's thresholds and colours (display/tone.h)
 //   GET /srgb                    thresholds of the codes 1 to 255
 //   GET /pixel?x=&y=             what is known of a pixel (pixel.h)
+//   GET /sources?picture=        the glare sources of picture P or a newer one (sources.h); waits for them
+//   GET /save?as=hdr             the newest picture as a file, hdr or exr (downloads.h)
 //   GET /facts                   what vcview was started with
 //   GET /file?n=                 text N of those that the page may show, with its tag (ETag)
 //   PUT /file?n=                 its new text, if it still is what the tag of If-Match says (412 if not)
 //   GET /outlines?n=             of the regions in file N (regions.h)
 //   POST /control                lines for the FIFO of ptrace -control
+//   POST /overlay?n=             a text that ptrace takes for file N
 #pragma once
 #include <memory>
 #include <string>
@@ -24,6 +27,7 @@ struct ServerOptions {
     std::string listen = "127.0.0.1";  // address
     std::string control;               // FIFO of ptrace -control; empty: none
     Files files;                       // that the page may show or change
+    std::vector<std::string> sources;  // the program that lists glare sources (sources.h)
 };
 
 class Server {

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/options.h"
 #include "base/split.h"
+#include "live/sources.h"
 
 namespace {
 
@@ -37,11 +38,16 @@ std::optional<Options> parse_options(int argc, char** argv) {
     t.add("-control file", "FIFO to which the page's commands go (ptrace -control)", o.server.control);
     std::string regions;
     t.add("-regions file", "Region file that the page shows and writes", regions);
+    std::vector<std::string> edited;
+    t.add("-edit file", "Scene file whose numbers the page changes, and saves on demand; may be repeated",
+          [&](base::Arguments& a) { edited.push_back(a.text()); });
     const auto operands = t.parse(int(dashes - argv), argv);
     if (!operands) return std::nullopt;
     if (!operands->empty())
         base::fail(operands->front(), "is no option; the program that reads the pictures comes after --");
     add_regions(regions, o);
+    for (const std::string& file : edited) o.server.files.emplace_back(file, live::TextFile::Kind::scene, true);
+    o.server.sources = live::sources_command(o.command);
     if (dashes != end && o.command.empty()) base::fail("--", "names no program");
     return o;
 }

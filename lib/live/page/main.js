@@ -1,4 +1,6 @@
 // Asks vcview for news, again as soon as the last answer is drawn; so a slow page gets fewer pictures, not late ones.
+import { Camera } from '/camera.js';
+import { Edits } from '/edits.js';
 import { ask, command } from '/net.js';
 import { PictureView } from '/picture.js';
 import { Lines, fill_table, plot } from '/plot.js';
@@ -6,6 +8,8 @@ import { follow } from '/pointer.js';
 import { Probe } from '/probe.js';
 import { Regions } from '/regions.js';
 import { wire_saving } from '/save.js';
+import { Sliders } from '/sliders.js';
+import { Sources } from '/sources.js';
 import { Tones } from '/tones.js';
 import { Eye } from '/view.js';
 
@@ -15,7 +19,9 @@ const view = new PictureView($('canvas')), tones = new Tones(view), lines = new 
 let news = { picture: 0, line: 0, files: 0 }, shown = null, ended;
 
 const regions = new Regions(view, () => shown?.eye ? shown : null);
-const probe = new Probe([(x, y) => { const names = regions.at(x, y); return names.length ? `in ${names.join(', ')}` : ''; }]);
+const sources = new Sources(view), edits = new Edits(), sliders = new Sliders();
+const camera = new Camera(() => shown, () => regions.pivot());
+const probe = new Probe([(x, y) => regions.at(x, y).map((name) => `in ${name}`).join(', '), (x, y) => sources.at(x, y)]);
 
 function draw_numbers() {
   if (!chosen.size) lines.metrics().slice(0, 3).forEach((name) => chosen.add(name));
@@ -26,9 +32,10 @@ function draw_numbers() {
   $('plots').replaceChildren(...[...chosen].map((name) => {
     const figure = document.createElement('figure'), caption = document.createElement('figcaption');
     caption.textContent = name;
-    figure.append(caption, plot(name, lines.rows));
+    figure.append(caption, plot(name, lines.runs));
     return figure;
   }));
+  edits.fill(lines.runs, [...chosen]);
   document.body.dataset.lines = lines.text.length;
 }
 
@@ -44,7 +51,10 @@ function say_status() {
 async function take(answer) {
   const body = await answer.arrayBuffer(), length = new DataView(body).getUint32(0, true);
   const facts = JSON.parse(new TextDecoder().decode(new Uint8Array(body, 4, length)));
-  if (facts.files !== news.files) regions.reload();
+  if (facts.files !== news.files) {
+    regions.reload();
+    sliders.reload();
+  }
   news = { picture: facts.picture, line: facts.line, files: facts.files };
   facts.lines.forEach((line) => lines.add(line));
   ended = facts.ended;
@@ -53,6 +63,9 @@ async function take(answer) {
     shown = { ...facts, rgb: new Float32Array(body.slice(4 + length)), eye: facts.view ? same ? shown.eye : new Eye(facts.view) : null };
     await tones.show(shown);
     if (!same) regions.fetch_outlines();
+    edits.note(facts.edit, facts.what);
+    camera.painted(facts.edit, facts.what);
+    if (facts.what !== 'preview') sources.show(news.picture);
     document.body.dataset.picture = news.picture;
   }
   if (facts.lines.length) draw_numbers();
@@ -65,7 +78,8 @@ async function listen() {
   tones.srgb = await codes.json();
   const facts = await (await ask('/facts')).json();
   $('command').hidden = !facts.control;
-  facts.files.forEach((f, n) => { if (f.regions) regions.use(n, f); });
+  if (facts.control) camera.show();
+  facts.files.forEach((f, n) => (f.regions ? regions : sliders).use(n, f));
   for (;;) {
     try {
       const answer = await ask(`/next?picture=${news.picture}&line=${news.line}&files=${news.files}${ended === undefined ? '' : '&end=1'}`);
@@ -81,7 +95,7 @@ async function listen() {
 // ---- what people do
 
 $('fit').addEventListener('click', () => view.fit());
-follow(view, [regions], (at) => probe.show(at, shown), (e, at) => {
+follow(view, [regions, camera], (at) => probe.show(at, shown), (e, at) => {
   if (!(tones.wiping && e.shiftKey)) return false;
   tones.wipe_to(Math.max(0, Math.min(1, at.x / shown.width)));
   return true;
@@ -97,7 +111,7 @@ const keys = {
 document.addEventListener('keydown', (e) => {
   if (e.target.matches('input, select, textarea') || e.ctrlKey || e.metaKey || e.altKey) return;
   const on_canvas = e.target === $('canvas');
-  if (on_canvas && regions.key(e)) return void e.preventDefault();
+  if ((on_canvas && regions.key(e)) || camera.key(e)) return void e.preventDefault();
   if (!keys[e.key] || (e.key.startsWith('Arrow') && !on_canvas)) return;
   e.preventDefault();
   keys[e.key]();

@@ -16,13 +16,16 @@ export function outline(c, rings, to, unit, colour, width = 1.5) {
   }
 }
 
-// Centred on x, y and inside of the canvas.
+// Centred on x, y, inside of the canvas, above what stands there already.
 export function label(c, text, x, y, unit, colour) {
   c.font = `600 ${12 * unit}px system-ui, sans-serif`;
   c.textAlign = 'center';
-  const half = c.measureText(text).width / 2 + 3 * unit;
+  const half = c.measureText(text).width / 2 + 3 * unit, line = 15 * unit;
   x = Math.max(half, Math.min(c.canvas.width - half, x));
   y = Math.max(13 * unit, Math.min(c.canvas.height - 4 * unit, y));
+  c.words ??= [];
+  while (y > 2 * line && c.words.some((w) => Math.abs(w.y - y) < line && Math.abs(w.x - x) < w.half + half)) y -= line;
+  c.words.push({ x, y, half });
   c.lineJoin = 'round';
   c.strokeStyle = '#000c';
   c.lineWidth = 3.5 * unit;

@@ -152,6 +152,7 @@ export class PictureView {
     c.imageSmoothingEnabled = s < 1;
     c.drawImage(this.image, left, top, this.image.width * s, this.image.height * s);
     if (s >= 40 * ratio && this.values) this.drawValues(s, left, top, width, height, ratio);
+    c.words = [];
     this.overlays.forEach((draw) => draw(c, (x, y) => [left + x * s, top + y * s], ratio));
   }
 

@@ -4,12 +4,15 @@ import { short } from '/picture.js';
 const classes = { DGP: [.35, .40, .45], DGPu: [.35, .40, .45], DGPf: [.35, .40, .45], UGR: [13, 16, 19, 22, 25, 28] };
 // What pixels do to a metric: to evalglare's (DGP, DGPu) it is missing, DGPf has it.
 const of_pixels = (name, row) => name.endsWith('f') ? -row[`${name.slice(0, -1)}.px`] : row[`${name.replace(/u$/, '')}.px`];
-const beside = /\.(lo|hi)$/;
-const no_metric = new Set(['frame', 'seconds', 'tails', 'view', 'sky', 'edit']);
+const beside = /\.(lo|hi|d)$/, most_runs = 12;
+const no_metric = new Set(['frame', 'seconds', 'tails', 'view', 'sky', 'edit', 'settled']);
 
-// Lines become rows of numbers by name; a header line begins a new table.
+// Lines become rows of numbers by name, in runs: a run is what one edit of the scene has brought.  A line of names begins
+// a new table, a smaller number of frames or another edit a new run.
 export class Lines {
-  constructor() { this.text = []; this.rows = []; this.columns = []; }
+  constructor() { this.text = []; this.runs = []; this.columns = []; }
+
+  get rows() { return this.runs[this.runs.length - 1]?.rows ?? []; }
 
   add(line) {
     this.text.push(line);
@@ -28,9 +31,11 @@ export class Lines {
     const row = {};
     for (const [name, value] of entries) row[name] = value === null || value === '-' || value === '' ? NaN : Number(value);
     if (!this.columns.length) this.columns = Object.keys(row);
-    const last = this.rows[this.rows.length - 1];
-    if (last && row.frame <= last.frame) this.rows = [];  // a new picture
-    this.rows.push(row);
+    const run = this.runs[this.runs.length - 1], last = run?.rows[run.rows.length - 1];
+    if (!run || row.edit !== run.edit || row.frame < last.frame) this.runs.push({ edit: row.edit, rows: [row] });
+    else if (row.frame === last.frame) run.rows[run.rows.length - 1] = row;  // measured anew: a region has changed
+    else run.rows.push(row);
+    if (this.runs.length > most_runs) this.runs.shift();
   }
 
   csv() { return this.text.map((line) => line.replaceAll('\t', ',')).join('\n') + '\n'; }
@@ -54,39 +59,46 @@ function steps(low, high) {
   return all;
 }
 
-export function plot(name, rows) {
+const points_of = (name, rows) => rows
+  .map((r) => ({ x: Math.max(r.frame, .5), y: r[name], lo: r[`${name}.lo`], hi: r[`${name}.hi`], px: r[name] + of_pixels(name, r),
+    settled: r.settled }))
+  .filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y));
+
+// runs: those of Lines; the newest one with its interval, the others as ghosts.
+export function plot(name, runs) {
   const width = 420, height = 120, left = 58, right = 8, top = 8, bottom = 20;
   const svg = element('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': `${name} by number of frames` });
-  const points = rows.map((r) => ({ x: Math.max(r.frame, .5), y: r[name], lo: r[`${name}.lo`], hi: r[`${name}.hi`],
-    px: r[name] + of_pixels(name, r) }))
-    .filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y));
+  const points = points_of(name, runs[runs.length - 1]?.rows ?? []), ghosts = runs.slice(0, -1).map((r) => points_of(name, r.rows));
   if (!points.length) return svg;
 
   const ys = points.flatMap((p) => [p.y, p.lo, p.hi, p.px]).filter(Number.isFinite).sort((a, b) => a - b);
   // early intervals are wide: the axis leaves out the outermost twentieth of what is drawn
   const cut = points.length > 8 ? Math.floor(ys.length / 20) : 0;
-  let low = ys[cut], high = ys[ys.length - 1 - cut];
+  const ends = ghosts.filter((g) => g.length).map((g) => g[g.length - 1].y);
+  let low = Math.min(ys[cut], ...ends), high = Math.max(ys[ys.length - 1 - cut], ...ends);
   if (low === high) { low -= Math.abs(low) * .01 || 1; high += Math.abs(high) * .01 || 1; }
   const pad = .08 * (high - low);
   low -= pad;
   high += pad;
-  const first = points[0].x, last = Math.max(points[points.length - 1].x, first * 2);
+  const all = [points, ...ghosts].flat();
+  const first = all.reduce((m, p) => Math.min(m, p.x), Infinity), last = all.reduce((m, p) => Math.max(m, p.x), first * 2);
   const x = (v) => left + (width - left - right) * Math.log(v / first) / Math.log(last / first);
   const y = (v) => Math.max(top, Math.min(height - bottom, height - bottom - (height - top - bottom) * (v - low) / (high - low)));
+  const line = (list, name) => list.map((p) => `${x(p.x).toFixed(1)},${y(p[name]).toFixed(1)}`).join('L');
 
-  const place = (p, name) => `${x(p.x).toFixed(1)},${y(p[name]).toFixed(1)}`;
   for (const [kind, from, to] of [['pixels', 'y', 'px'], ['interval', 'lo', 'hi']]) {
     const band = points.filter((p) => Number.isFinite(p[from]) && Number.isFinite(p[to]));
-    if (band.length < 2) continue;
-    svg.append(element('path', { class: kind, d: 'M' + band.map((p) => place(p, to)).join('L') +
-      'L' + band.reverse().map((p) => place(p, from)).join('L') + 'Z' }));
+    if (band.length > 1) svg.append(element('path', { class: kind, d: `M${line(band, to)}L${line(band.reverse(), from)}Z` }));
   }
   for (const limit of classes[name] ?? [])
     if (limit > low && limit < high) svg.append(element('line', { class: 'class', x1: left, x2: width - right, y1: y(limit), y2: y(limit) }));
-  svg.append(element('path', { class: 'curve', d: 'M' + points.map((p) => place(p, 'y')).join('L') }));
+  for (const ghost of ghosts) if (ghost.length) svg.append(element('path', { class: 'ghost', d: 'M' + line(ghost, 'y') }));
+  const stop = points.find((p) => p.settled > 0);
+  if (stop) svg.append(element('line', { class: 'stop', x1: x(stop.x), x2: x(stop.x), y1: top, y2: height - bottom }));
+  svg.append(element('path', { class: 'curve', d: 'M' + line(points, 'y') }));
   svg.append(element('path', { class: 'axis', d: `M${left},${top}V${height - bottom}H${width - right}` }));
   for (const v of steps(low, high)) svg.append(element('text', { x: left - 4, y: y(v) + 4, 'text-anchor': 'end' }, String(Number(v.toPrecision(5)))));
-  for (let v = 1; v <= last; v *= v < 10 ? 10 : 10)
+  for (let v = 1; v <= last; v *= 10)
     if (v >= first) svg.append(element('text', { x: x(v), y: height - 6, 'text-anchor': 'middle' }, String(v)));
   return svg;
 }

@@ -338,6 +338,13 @@ export class Regions {
     }
   }
 
+  // The middle of the chosen region, if it lies in space: the camera turns around it.
+  pivot() {
+    const shape = this.shape_of(this.selected);
+    if (shape?.frame !== 'space') return null;
+    return [0, 1, 2].map((k) => shape.points.reduce((sum, p) => sum + p[k], 0) / shape.points.length);
+  }
+
   // Names of regions at a pixel.
   at(x, y) { return [...this.outlines.values()].filter((r) => r.rings && inside(r.rings, x + .5, y + .5)).map((r) => r.name); }
 }

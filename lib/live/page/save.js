@@ -1,5 +1,7 @@
 // Files for the user: the page's own texts and pictures, and what vcview holds.
 
+import { ask } from '/net.js';
+
 const $ = (id) => document.getElementById(id);
 
 function offer(name, data, type) {
@@ -20,7 +22,13 @@ function plots_svg() {
   return `<svg xmlns="http://www.w3.org/2000/svg" width="420" height="${140 * all.length}"><style>${rules}</style>${all.join('')}</svg>`;
 }
 
+async function offer_picture(as) {
+  const answer = await ask(`/save?as=${as}`);
+  if (answer.ok) offer(`luxpipe.${as}`, await answer.blob(), 'application/octet-stream');
+}
+
 export function wire_saving(view, lines) {
+  for (const as of ['hdr', 'exr']) $(`save-${as}`).addEventListener('click', () => offer_picture(as));
   $('save-png').addEventListener('click', () => view.sheet().toBlob((blob) => offer('luxpipe.png', blob, 'image/png')));
   $('save-svg').addEventListener('click', () => offer('luxpipe.svg', plots_svg(), 'image/svg+xml'));
   $('save-csv').addEventListener('click', () => offer('luxpipe.csv', lines.csv(), 'text/csv'));

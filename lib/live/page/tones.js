@@ -92,9 +92,10 @@ export class Tones {
     }
     c.fillStyle = getComputedStyle(document.body).color;
     c.font = `${12 * unit}px system-ui, sans-serif`;
-    for (let j = 0; j <= 4; j++) {
-      c.textAlign = j === 0 ? 'left' : j === 4 ? 'right' : 'center';
-      c.fillText(short(place(j / 4)) + (j === 4 ? ' cd/m²' : ''), j / 4 * width, 29 * unit);
+    const last = width < 480 * unit ? 2 : 4;
+    for (let j = 0; j <= last; j++) {
+      c.textAlign = j === 0 ? 'left' : j === last ? 'right' : 'center';
+      c.fillText(short(place(j / last)) + (j === last ? ' cd/m²' : ''), j / last * width, 29 * unit);
     }
   }
 }

@@ -1,0 +1,148 @@
+// The model: sliders for the day and hour of skies and for any number in the files of -edit.  What they say is sent to ptrace
+// as a text that stands for the file (`overlay`); the file itself is written only by Save.
+import { date_of, numbers_in, range_of, skies_in, with_number, with_sky } from '/model_text.js';
+import { ask } from '/net.js';
+import { TextFile } from '/text_file.js';
+
+const $ = (id) => document.getElementById(id);
+const clock = (h) => `${Math.floor(h)}:${String(Math.round(h % 1 * 60)).padStart(2, '0')}`;
+const date = (day) => { const [m, d] = date_of(day); return `${d} ${new Date(2001, m - 1, 1).toLocaleString('en', { month: 'short' })}`; };
+
+export class Sliders {
+  constructor() {
+    this.files = [];  // { file: as on the disk, text: as it is shown, undone }
+    this.chosen = null;  // the index of a number
+    $('model-file').addEventListener('change', () => { this.chosen = null; this.show(); });
+    $('model-undo').addEventListener('click', () => this.undo());
+    $('model-revert').addEventListener('click', () => this.set(this.now.file.text));
+    $('model-save').addEventListener('click', () => this.save());
+  }
+
+  get now() { return this.files[$('model-file').selectedIndex]; }
+
+  async use(n, facts) {
+    const file = new TextFile(n, facts);
+    const one = { file, text: '', undone: [] };
+    this.files.push(one);
+    $('model-file').append(new Option(facts.name));
+    $('model-panel').hidden = false;
+    $('model-file').parentElement.hidden = this.files.length < 2;
+    try { await file.read(); } catch (e) { return this.say(e.message); }
+    one.text = file.text;
+    this.show();
+  }
+
+  // Files may have changed on the disk.
+  async reload() {
+    for (const one of this.files) {
+      const before = one.file.text;
+      try { await one.file.read(); } catch (e) { this.say(e.message); continue; }
+      if (one.file.text === before) continue;
+      if (one.text === before || one.text === one.file.text) one.text = one.file.text;
+      else this.say(`${one.file.name} was changed on the disk; what you changed here is kept and not saved: Save writes it over that, Revert takes that.`);
+      if (one === this.now) this.show();
+    }
+  }
+
+  say(text) { $('model-say').textContent = text; }
+
+  // ---- changes
+
+  // going: a slider is still moved.
+  set(text, going = false) {
+    const one = this.now;
+    if (text === one.text) return;
+    if (!one.going) one.undone.push(one.text);
+    one.going = going;
+    one.text = text;
+    this.send(one);
+    if (!going) this.show();
+    else this.mark();
+  }
+
+  stop() { this.now.going = false; this.show(); }
+
+  undo() {
+    const one = this.now, text = one.undone.pop();
+    if (text === undefined) return;
+    one.text = text;
+    this.send(one);
+    this.show();
+  }
+
+  // The newest text, when the one before it has gone.
+  async send(one) {
+    if (one.sending) { one.again = true; return; }
+    one.sending = true;
+    one.again = false;
+    const answer = await ask(`/overlay?n=${one.file.n}`, { method: 'POST', body: one.text });
+    this.say(answer.ok ? '' : (await answer.text()).trim());
+    setTimeout(() => { one.sending = false; if (one.again) this.send(one); }, 100);
+  }
+
+  async save() {
+    const one = this.now, said = await one.file.save(() => one.text);
+    this.say(said || `${one.file.name} is saved`);
+    this.mark();
+  }
+
+  // ---- what is shown
+
+  mark() {
+    const one = this.now, differs = one.text !== one.file.text;
+    $('model-save').disabled = $('model-revert').disabled = !differs;
+    $('model-undo').disabled = !one.undone.length;
+  }
+
+  show() {
+    const { text } = this.now;
+    $('skies').replaceChildren(...skies_in(text).flatMap((sky, k) => [
+      this.slider(`${sky.program}: day`, 1, 365, 1, sky.day, date, (v, going) => this.set(with_sky(this.now.text, k, v, skies_in(this.now.text)[k].hour), going)),
+      this.slider('hour', 0, 24, .25, sky.hour, clock, (v, going) => this.set(with_sky(this.now.text, k, skies_in(this.now.text)[k].day, v), going)),
+    ]));
+    this.show_text();
+    this.show_number();
+    this.mark();
+  }
+
+  slider(title, least, largest, step, value, words, set) {
+    const label = document.createElement('label'), input = document.createElement('input'), output = document.createElement('output');
+    Object.assign(input, { type: 'range', min: least, max: largest, step, value });
+    output.value = words(value);
+    input.addEventListener('input', () => { output.value = words(Number(input.value)); set(Number(input.value), true); });
+    input.addEventListener('change', () => { if (this.now.going) this.now.going = false; this.mark(); this.show_text(); });
+    label.append(title, input, output);
+    return label;
+  }
+
+  // The text, its numbers as buttons.
+  show_text() {
+    const { text } = this.now, parts = [];
+    let at = 0;
+    numbers_in(text).forEach(({ start, end }, k) => {
+      const button = document.createElement('button');
+      Object.assign(button, { type: 'button', textContent: text.slice(start, end) });
+      button.setAttribute('aria-pressed', String(k === this.chosen));
+      button.addEventListener('click', () => { this.chosen = k; this.range = null; this.show(); $('model-text').querySelectorAll('button')[k].focus(); });
+      parts.push(text.slice(at, start), button);
+      at = end;
+    });
+    const top = $('model-text').scrollTop;
+    $('model-text').replaceChildren(...parts, text.slice(at));
+    $('model-text').scrollTop = top;
+  }
+
+  show_number() {
+    const number = numbers_in(this.now.text)[this.chosen];
+    $('model-number').replaceChildren();
+    if (!number) return;
+    this.range ??= range_of(number.value);
+    const [least, largest] = this.range, set = (v, going) => this.set(with_number(this.now.text, numbers_in(this.now.text)[this.chosen], v), going);
+    const field = document.createElement('input');
+    Object.assign(field, { type: 'number', step: 'any', value: number.value });
+    field.setAttribute('aria-label', 'value of the chosen number');
+    field.addEventListener('change', () => { this.range = null; set(Number(field.value)); });
+    $('model-number').append(this.slider('number', least, largest, (largest - least) / 200, number.value, (v) => String(Number(v.toPrecision(4))),
+      (v, going) => { field.value = v; set(v, going); }), field);
+  }
+}

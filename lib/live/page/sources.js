@@ -1,0 +1,82 @@
+// Glare sources: outlines with numbers over the picture and a table with their shares of DGP, as vcmetrics -sources lists
+// them.  They are asked for while their part of the page is open, and not so often that the rendering suffers.
+import { ask } from '/net.js';
+import { inside, label, outline, top_of } from '/overlay.js';
+import { short } from '/picture.js';
+
+const $ = (id) => document.getElementById(id);
+const css = '#ffb347', chosen_css = '#fff2d8';
+
+export class Sources {
+  constructor(view) {
+    this.view = view;
+    this.all = [];
+    this.chosen = null;  // a number
+    this.asking = false;
+    $('sources-panel').addEventListener('toggle', () => { this.wanted = this.known = 0; this.show(this.newest); view.draw(); });
+    view.overlays.push((...c) => this.draw(...c));
+  }
+
+  get open() { return $('sources-panel').open; }
+
+  // picture: the number of the newest.
+  async show(picture) {
+    this.newest = picture;
+    if (!picture || !this.open || this.asking || this.known === picture) return;
+    this.asking = true;
+    const begin = performance.now();
+    try {
+      const answer = await ask(`/sources?picture=${picture}`);
+      if (answer.status === 200) {
+        const { picture: known, sources } = await answer.json();
+        this.known = known;
+        this.all = sources;
+        this.fill_table();
+      } else if (answer.status !== 204) {
+        this.known = picture;
+        $('sources-say').textContent = (await answer.text()).trim();
+      }
+    } catch {
+      return;  // vcview has ended
+    } finally {
+      setTimeout(() => { this.asking = false; this.show(this.newest); }, Math.max(500, 9 * (performance.now() - begin)));
+    }
+  }
+
+  fill_table() {
+    $('sources-say').textContent = this.all.length ? '' : 'no glare source in this picture';
+    $('sources').hidden = !this.all.length;
+    $('sources').tBodies[0].replaceChildren(...this.all.map((s) => {
+      const row = document.createElement('tr');
+      row.tabIndex = 0;
+      row.setAttribute('aria-selected', String(s.source === this.chosen));
+      for (const text of [s.source, `${(100 * s.DGPshare).toFixed(1)} %`, short(s.L), short(s.omega), short(s.P)]) {
+        const cell = document.createElement('td');
+        cell.textContent = text;
+        row.append(cell);
+      }
+      const choose = () => { this.chosen = this.chosen === s.source ? null : s.source; this.fill_table(); };
+      row.addEventListener('click', choose);
+      row.addEventListener('keydown', (e) => { if (e.key === 'Enter') choose(); });
+      return row;
+    }));
+    this.view.draw();
+  }
+
+  draw(c, to, unit) {
+    if (!this.open) return;
+    const sorted = [...this.all].sort((a, b) => (a.source === this.chosen) - (b.source === this.chosen));
+    for (const s of sorted) outline(c, s.outline, to, unit, s.source === this.chosen ? chosen_css : css, s.source === this.chosen ? 3 : 1.5);
+    for (const s of sorted) {
+      if (s.DGPshare < .005 && s.source !== this.chosen) continue;  // specks
+      const [x, y] = to(...top_of(s.outline));
+      label(c, `${s.source}: ${(100 * s.DGPshare).toFixed(0)} %`, x, y - 4 * unit, unit, css);
+    }
+  }
+
+  // For the probe.
+  at(x, y) {
+    const s = this.open && this.all.find((one) => inside(one.outline, x + .5, y + .5));
+    return s ? `glare source ${s.source} (${(100 * s.DGPshare).toFixed(1)} % of DGP)` : '';
+  }
+}
