@@ -5,23 +5,18 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cstring>
 #include <functional>
 #include <mutex>
 
 #include "base/error.h"
+#include "base/file_stamp.h"
 
 namespace base {
 namespace {
 
-// Distinguishes two versions of a file; all 0: there is no file.
-struct Stamp {
-    uint64_t device = 0, inode = 0, size = 0, seconds = 0, nanoseconds = 0;
-};
-
 struct File {
     std::string path;
-    Stamp stamp;
+    FileStamp stamp;
     bool read;
 };
 
@@ -35,15 +30,6 @@ Files& files() {
     static Files f;
     return f;
 }
-
-Stamp stamp_of(const std::string& path) {
-    struct stat s = {};
-    if (stat(path.c_str(), &s) != 0) return {};
-    return {uint64_t(s.st_dev), uint64_t(s.st_ino), uint64_t(s.st_size), uint64_t(s.st_mtim.tv_sec),
-            uint64_t(s.st_mtim.tv_nsec)};
-}
-
-bool same(const Stamp& a, const Stamp& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 void note(const std::string& path, bool read) {
     Files& f = files();
@@ -129,8 +115,8 @@ FilesNow files_now() {
     FilesNow now;
     std::string state;
     for (const File& x : all) {
-        const Stamp stamp = stamp_of(x.path);
-        now.changed = now.changed || !same(stamp, x.stamp);
+        const FileStamp stamp = stamp_of(x.path);
+        now.changed = now.changed || !(stamp == x.stamp);
         now.gone = now.gone || (stamp.inode == 0 && x.stamp.inode != 0);
         state.append(reinterpret_cast<const char*>(&stamp), sizeof stamp);
     }

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/files_read.h"
+#include "base/overlay.h"
 #include "base/printable.h"
 #include "base/split.h"
 #include "base/shutdown.h"
@@ -70,7 +71,7 @@ int open_file(const std::string& path, const std::string& asked_by) {
     if (known && writes_file && same_file(info, out))
         close_and([&] { fail(users ? path : asked_by, "is the file that the standard output goes to"); });
     note_file_read(path);
-    return fd;
+    return overlaid(fd);
 }
 
 }  // namespace base

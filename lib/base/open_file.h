@@ -7,9 +7,9 @@
 
 namespace base {
 
-// A descriptor, at the beginning of the file, noted for files_read().  asked_by: the place that names the file, as
-// "room.rad:3"; empty: the command line.  Throws Error where the file cannot be opened, may not be named there, or is
-// the file that the standard output goes to.
+// A descriptor, at the beginning of the file or of its overlay (overlay.h), noted for files_read().  asked_by: the
+// place that names the file, as "room.rad:3"; empty: the command line.  Throws Error where the file cannot be opened,
+// may not be named there, or is the file that the standard output goes to.
 int open_file(const std::string& path, const std::string& asked_by);
 
 // Throws Error (place = who) for what exists and may not be named by another file.  For names that are opened later.

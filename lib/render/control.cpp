@@ -2,11 +2,14 @@
 // See control.h.
 #include "render/control.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 
 #include "base/error.h"
 #include "base/files_read.h"
+#include "base/number.h"
 #include "base/printable.h"
 #include "base/run.h"
 #include "base/shutdown.h"
@@ -14,8 +17,10 @@
 namespace render {
 namespace {
 
-constexpr int patience_ms = 100;   // how long a thread may wait without a look at what else there is
-constexpr int look_ms = 25;        // between looks at the files: two that agree end an editor's saving
+constexpr int patience_ms = 100;  // how long a thread may wait without a look at what else there is
+constexpr int look_ms = 25;       // between looks at the files: two that agree end an editor's saving
+constexpr int patience_for_text_s = 10;
+constexpr long most_bytes = 1 << 26;
 constexpr int looks_for_gone = 6;  // where a file is gone: editors move it away before they write it anew
 
 // "  next desk " is next, desk.
@@ -28,12 +33,28 @@ Command parse(const std::string& line) {
     return {line.substr(from, end - from), line.substr(rest, line.find_last_not_of(blanks) + 1 - rest)};
 }
 
-bool is_edit(const Command& c) {
-    const bool steers = (c.word == "pause" || c.word == "go") && c.rest.empty();
-    return c.word != "next" && !steers;
+// Of "overlay FILE BYTES": BYTES, and FILE becomes the rest; -1: no such line.
+long bytes_of_overlay(Command& c) {
+    const size_t blank = c.rest.find_last_of(" \t");
+    long long bytes;
+    if (c.word != "overlay" || blank == std::string::npos) return -1;
+    if (!base::parse_integer(c.rest.substr(blank + 1), bytes) || bytes < 0 || bytes > most_bytes) return -1;
+    c.rest.erase(c.rest.find_last_not_of(" \t", blank) + 1);
+    return long(bytes);
 }
 
 }  // namespace
+
+bool Control::is_edit(const Command& c) const {
+    if (c.word == "go" && c.rest.empty()) return preview_;
+    return c.word != "next" && !(c.word == "pause" && c.rest.empty());
+}
+
+void Control::set_preview(bool preview) {
+    const std::lock_guard<std::mutex> hold(lock_);
+    preview_ = preview;
+    look_for_edits();
+}
 
 Control::Control(const std::string& fifo, bool watch) : watch_(watch) {
     if (!fifo.empty()) pipe_ = std::make_unique<base::CommandPipe>(fifo);
@@ -54,7 +75,7 @@ void Control::send(const Command& command) {
 
 // A "next" before the edit is of the frame at hand.
 void Control::look_for_edits() {
-    const auto decides = [](const Command& c) { return c.word == "next" || is_edit(c); };
+    const auto decides = [this](const Command& c) { return c.word == "next" || is_edit(c); };
     const auto first = std::find_if(commands_.begin(), commands_.end(), decides);
     edit_waits_ = first != commands_.end() && is_edit(*first);
 }
@@ -68,14 +89,31 @@ void Control::look_at_files() {
     send({"scene", ""});
 }
 
+// The next command of which all has arrived.
+std::optional<Command> Control::arrived() {
+    using Clock = std::chrono::steady_clock;
+    while (!overlay_) {
+        const std::optional<std::string> line = pipe_->line();
+        if (!line) return std::nullopt;
+        Command command = parse(*line);
+        if (command.word.empty()) continue;
+        overlay_bytes_ = bytes_of_overlay(command);
+        if (overlay_bytes_ < 0) return command;
+        overlay_ = std::move(command);
+        overlay_since_ = Clock::now();
+    }
+    overlay_->text = pipe_->bytes(size_t(overlay_bytes_));
+    if (overlay_->text) return std::exchange(overlay_, std::nullopt);
+    if (Clock::now() - overlay_since_ < std::chrono::seconds(patience_for_text_s)) return std::nullopt;
+    const std::string file = std::exchange(overlay_, std::nullopt)->rest;
+    base::fail(pipe_->path(), fmt::format("the {} bytes for {} did not arrive", overlay_bytes_, base::excerpt(file)));
+}
+
 void Control::listen() {
     const int wait_ms = watch_ ? look_ms : patience_ms;
     while (!leaves_) {
         try {
-            while (const auto line = pipe_ ? pipe_->line() : std::nullopt) {
-                const Command command = parse(*line);
-                if (!command.word.empty()) send(command);
-            }
+            while (const auto command = pipe_ ? arrived() : std::nullopt) send(*command);
         } catch (const base::Error& e) {
             base::warn(e.where, e.message);
         }
@@ -116,13 +154,12 @@ bool Control::ends_picture(const std::string& label) {
     return ends_;
 }
 
-bool Control::wait_for_edit() {
+void Control::wait_for_edit(const std::string& label, bool next_ends) {
     while (!edited() && !base::shutdown_requested()) {
         paused_ = true;  // until an edit ends it
-        ends_picture("");
+        if (ends_picture(label) && next_ends) break;
     }
     paused_ = false;
-    return edited();
 }
 
 }  // namespace render

@@ -5,6 +5,7 @@
 // us.
 #pragma once
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -20,7 +21,8 @@
 namespace render {
 
 struct Command {
-    std::string word, rest;  // the first word of the line, and what follows it
+    std::string word, rest;                          // the first word of the line, and what follows it
+    std::optional<std::string> text = std::nullopt;  // of "overlay FILE BYTES", whose rest is FILE
 };
 
 class Control {
@@ -39,14 +41,19 @@ public:
     // An edit waits, for which the frame at hand need not be finished (Renderer::cancel_when).
     const std::atomic<bool>& edit_waits() const { return edit_waits_; }
     std::vector<Command> take_edits() { return std::exchange(edits_, {}); }
-    // Where nothing is left to render.  False: a signal came.
-    bool wait_for_edit();
+    // Where nothing is left to render: waits for an edit, for a signal or, where it ends the picture of this label, for
+    // "next".
+    void wait_for_edit(const std::string& label, bool next_ends);
+    // A preview is at hand, of which "go" makes a full picture.
+    void set_preview(bool preview);
 
 private:
     void listen();
     void look_at_files();
     void send(const Command& command);
+    std::optional<Command> arrived();
     std::optional<Command> take();
+    bool is_edit(const Command& command) const;
     void look_for_edits();
     void carry_out(const Command& command, const std::string& label);
 
@@ -60,7 +67,10 @@ private:
     uint64_t seen_ = 0, told_ = 0;  // states of the files
     int steady_ = 0;                // looks at which the state has been the one seen
     std::atomic<bool> leaves_{false};
-    bool paused_ = false, ends_ = false;
+    bool paused_ = false, ends_ = false, preview_ = false;
+    std::optional<Command> overlay_;  // whose text has not arrived yet
+    long overlay_bytes_ = 0;
+    std::chrono::steady_clock::time_point overlay_since_;
     std::thread thread_;
 };
 

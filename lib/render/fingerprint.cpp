@@ -26,7 +26,7 @@ std::string option_text(RenderOptions o) {
     std::string text;
     for (const base::Option& option : table.options())
         if (option.pixels) text += option.in_force() + " ";
-    return text + fmt::format("direct {}", o.direct_samples);
+    return text + fmt::format("direct {}{}", o.direct_samples, o.more_if_small ? "" : " and no more");
 }
 
 std::string focus_text(const Focus& focus) {

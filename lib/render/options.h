@@ -40,6 +40,7 @@ struct RenderOptions : flatten::Options {  // which has -dr and -bv
     double least_lobe_prob = 0;  // for tests of ways hardly ever taken (kernels/integrator/sample_bsdf.h)
     int direct_samples =
         image::direct_samples;  // m of spec paper 7: samples of the direct and specular class in frame 0
+    bool more_if_small = true;  // small pictures have several times as many
     double noisy_share = .15;   // samples for noisy pixels, over those of the picture (noisy.h)
 };
 

@@ -202,7 +202,7 @@ void Renderer::select_view(const RenderView& v, const RenderOptions& o) {
     s.sampler.set_sharing(o.sampling == Sampling::shared && may_share(s.base));
     s.nx = s.base.nx = uint32_t(v.nx);
     s.ny = s.base.ny = uint32_t(v.ny);
-    s.of_frame0 = s.m * samples_for_one(size_t(v.nx) * size_t(v.ny));
+    s.of_frame0 = s.m * (o.more_if_small ? samples_for_one(size_t(v.nx) * size_t(v.ny)) : 1);
     set_view(s.base, v.view, s.flat->centre);
     s.focus = v.focus;
 

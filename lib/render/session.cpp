@@ -2,6 +2,7 @@
 // See session.h.
 #include "render/session.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/files_read.h"
@@ -17,6 +18,19 @@ scene::ReadOptions budget_anew(scene::ReadOptions how) {
 }
 
 }  // namespace
+
+Setup preview_of(Setup setup) {
+    constexpr int most = 128;
+    int &nx = setup.view.nx, &ny = setup.view.ny;
+    const int longest = std::max({nx, ny, most});
+    nx = std::max(1, nx * most / longest);
+    ny = std::max(1, ny * most / longest);
+    setup.view.focus.clear();
+    setup.options.direct_samples = 2;
+    setup.options.more_if_small = false;
+    setup.options.noisy_share = 0;
+    return setup;
+}
 
 Session::Session(std::unique_ptr<Renderer> renderer, std::vector<std::string> files)
     : renderer_(std::move(renderer)), files_(std::move(files)) {}

@@ -18,6 +18,10 @@ struct Setup {
     scene::ReadOptions reading;
 };
 
+// A rough picture, for who moves: 128 pixels at most along its longer side, two direct samples, none for noisy pixels
+// or a focus.
+Setup preview_of(Setup setup);
+
 class Session {
 public:
     // files: the scene's, which edits may have read again.
@@ -30,7 +34,8 @@ public:
     // it was before.
     bool edit(const Setup& next, bool read);
 
-    Renderer& renderer() { return *renderer_; }
+    Renderer& renderer() const { return *renderer_; }
+    const RenderView& view() const { return setup_.view; }
     const std::string& sky() const { return sky_; }
     const std::vector<std::string>& history() const { return history_; }  // of the scene
 

@@ -70,6 +70,28 @@ check 'a storm of 1,000 commands ends with the last view, and takes no memory' '
 check 'an edit does not wait for the frame at hand, which is thrown away' '
     begin -control ctl $eye -x 3000 -y 3000; sleep 1; echo "size 16 16" > ctl
     await "grep -aq ^EDIT=1 f"; settle; end; [ "$(edits)" = "EDIT=1 size " ]; as_alone "$eye"'
+overlay() { printf "overlay %s %d\n%s" "$1" ${#2} "$2" > ctl; }
+check 'an overlay stands for a file until it is taken back or the file changes on disk' '
+    printf "v = .8;\n" > f.cal; begin -watch -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
+    overlay f.cal "v = .3;"; await "grep -aq \"^EDIT=1 overlay\" f"; settle
+    overlay ./f.cal "v = broken("; await "[ -s said ]"; settle; overlay f.cal "v = .2;"; await "grep -aq ^EDIT=2 f"
+    echo "overlay f.cal -" > ctl; await "grep -aq ^EDIT=3 f"; overlay inner.rad "wall sphere b 0 0 4 0 1 .5 .3"
+    await "grep -aq ^EDIT=4 f"; overlay f.cal "v = .1;"; await "grep -aq ^EDIT=5 f"; printf "v = .4;\n" > f.cal
+    await "grep -aq \"^EDIT=6 scene\" f"; settle; end; cp inner.rad good
+    echo "wall sphere b 0 0 4 0 1 .5 .3" > inner.rad; as_alone "$eye"; cp good inner.rad; [ $(wc -l < said) = 1 ]'
+check 'an overlay needs a file and all of its bytes' '
+    begin -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
+    overlay none.cal "v = 1;"; await "[ -s said ]"; echo "overlay f.cal many" > ctl; await "[ \$(wc -l < said) = 2 ]"
+    end; grep -q "^ptrace: none.cal: cannot be overlaid: No such file" said; [ "$(edits)" = "EDIT=0 start " ]'
+check 'a preview is small, two frames, and waits; go makes a full picture of it' '
+    begin -control ctl $eye -x 200 -y 200; await "[ -s f ] && [ \$(frames) -gt 3 ]"
+    echo "preview -vp 1 -4 2" > ctl; await "grep -aq \"^EDIT=1 preview\" f"; sleep .5
+    [ "$(grep -ac "^EDIT=1 preview" f)" = 2 ]; grep -aq "^-Y 128 +X 128" f; overlay f.cal "v = .3;"
+    await "grep -aq \"^EDIT=2 preview\" f"; echo "overlay f.cal -" > ctl; await "grep -aq ^EDIT=3 f"; echo go > ctl
+    await "grep -aq \"^EDIT=4 view\" f"; settle; end; as_alone "$eye -x 200 -y 200 -vp 1 -4 2"'
+check 'next ends a preview' '
+    { sleep 1; printf "preview -vp 1 -4 2\n" > ctl; sleep 1; echo next > ctl; } &
+    ptrace -moments- -control ctl -x 8 -y 8 $eye m.rad s.rad | cat > t; wait; grep -aq "^EDIT=1 preview" t'
 check 'edits pass through the sums to a column, and LASTFRAME= does not make them errors' '
     (sleep 1; echo "view -vp 1 -4 2" > ctl; sleep 1; echo next > ctl) &
     ptrace -moments- -control ctl -x 8 -y 8 -frames 2000000 $eye m.rad s.rad | ptaccum | vcmetrics -metrics Ev > t

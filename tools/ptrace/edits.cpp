@@ -3,6 +3,7 @@
 #include "edits.h"
 
 #include "base/error.h"
+#include "base/overlay.h"
 #include "base/printable.h"
 #include "base/split.h"
 #include "declare.h"
@@ -13,8 +14,11 @@ void edit(const render::Command& c, size_t picture, Options& opt) {
         base::fail(place, "a picture that is edited begins with frame 0, not " + std::to_string(opt.first));
     std::vector<std::string> words = base::split_words(c.rest);
     if (c.word == "scene" && words.empty()) return;  // nothing but the files
+    if (c.word == "overlay" && c.text) return base::set_overlay(c.rest, *c.text);
+    if (c.word == "overlay" && words.size() > 1 && words.back() == "-")
+        return base::remove_overlay(c.rest.substr(0, c.rest.find_last_not_of(" \t", c.rest.size() - 2) + 1));
     if (c.word == "size" && words.size() == 2) words = {"-x", words[0], "-y", words[1]};
-    else if (c.word != "view" && c.word != "set")
+    else if (c.word != "view" && c.word != "set" && c.word != "preview" && c.word != "go")
         base::fail(place, "\"" + base::excerpt(c.word + " " + c.rest) + "\" is not a command");
     Options next = opt;
     next.view = next.views[picture].render_view.view;
@@ -27,5 +31,6 @@ void edit(const render::Command& c, size_t picture, Options& opt) {
     view::validate(v.view);
     render::require_memory(v);
     next.views[picture].render_view = v;
+    next.preview = c.word == "preview";
     opt = next;
 }

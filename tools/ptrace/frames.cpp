@@ -60,17 +60,17 @@ void write_sum(const Options& opt, const film::Accumulator& sum, const std::stri
 
 }  // namespace
 
-int64_t render_frames(const Options& opt, int64_t from, int64_t last, image::Picture& picture,
-                      render::Renderer& renderer, render::Control& control) {
+int64_t render_frames(const Options& opt, int64_t from, image::Picture& picture, render::Renderer& renderer,
+                      render::Control& control) {
     const bool streams = opt.output.empty();
     const std::string label = image::label(picture.header);
     image::WriteOptions as_float;
     as_float.pixels = image::Format::flt;
-    Report report(opt.report_s, renderer.device_name(), label, last);
+    Report report(opt.report_s, renderer.device_name(), label, opt.last);
     film::Accumulator sum;
     int64_t next = from;
     const auto give = [&](int64_t k, const std::vector<float>& rgb) {
-        const bool ends = control.ends_picture(label) || k == last;
+        const bool ends = control.ends_picture(label) || k == opt.last;
         if (control.edited()) return false;
         picture.rgb = rgb;
         picture.header.frame = k;
@@ -80,13 +80,13 @@ int64_t render_frames(const Options& opt, int64_t from, int64_t last, image::Pic
         else if (streams) image::write_picture_stdout(picture, image::Format::flt);
         else image::write_file(output_name(opt.output, k, label), picture, as_float);
         report.frame(k, k - opt.first + 1);
-        next = ends ? last + 1 : k + 1;
+        next = ends ? opt.last + 1 : k + 1;
         return !ends && !base::shutdown_requested();
     };
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
-    while (next <= last && !control.edited() && !base::shutdown_requested()) {
-        renderer.frames(next, int(std::min(block, last - next + 1)), give);
-        if (next <= last && control.edit_waits()) control.ends_picture(label);
+    while (next <= opt.last && !control.edited() && !base::shutdown_requested()) {
+        renderer.frames(next, int(std::min(block, opt.last - next + 1)), give);
+        if (next <= opt.last && control.edit_waits()) control.ends_picture(label);
     }
     if (opt.one_picture) write_sum(opt, sum, label);
     return next;

@@ -48,7 +48,7 @@ render::Setup setup_of(const Options& opt, size_t i, base::Progress& progress) {
     setup.options.tell_tree = [&](double share) {
         if (progress.due()) progress.show(fmt::format("builds the tree of all surfaces, {:.0f} %", 100 * share));
     };
-    return setup;
+    return opt.preview ? render::preview_of(setup) : setup;
 }
 
 void write_rule(const Options& opt) {
@@ -89,12 +89,13 @@ bool carry_out(F&& work) {
 bool apply_edits(Run& run, size_t i) {
     Options next = run.opt;
     std::string what;
-    bool read = false, begins = false;
+    bool read = false, others = false, begins = false;
     for (const render::Command& c : run.control.take_edits())
         carry_out([&] {
             edit(c, i, next);
-            what = c.word;
-            read = read || c.word == "scene";
+            what = c.word == "go" ? "view" : c.word;
+            read = read || reads_files(c);
+            others = others || !reads_files(c);
         });
     if (what.empty()) return false;
     base::Progress progress("ptrace");
@@ -103,23 +104,24 @@ bool apply_edits(Run& run, size_t i) {
         begins = run.session->edit(setup_of(next, i, progress), files);
         run.opt = next;
     };
-    if (!carry_out([&] { change(read); }) && read && what != "scene") carry_out([&] { change(false); });
+    if (!carry_out([&] { change(read); }) && read && others) carry_out([&] { change(false); });
+    run.control.set_preview(run.opt.preview);
     if (!begins) return false;  // frames go on where they were
     run.edits++;
-    run.edited = what;
+    run.edited = run.opt.preview ? "preview" : what;
     return true;
 }
 
-image::Picture start_picture(Run& run, const NamedView& s) {
-    const Options& opt = run.opt;
+image::Picture start_picture(const Run& run, const Options& opt, const std::string& view_name) {
     const std::string& sky = run.session->sky();
+    const render::RenderView& v = run.session->view();
     image::Picture picture;
-    picture.width = s.render_view.nx;
-    picture.height = s.render_view.ny;
+    picture.width = v.nx;
+    picture.height = v.ny;
     for (const std::string& line : run.session->history()) image::add_history(picture.header, line);
     image::add_history(picture.header, opt.command);
-    picture.header.view = s.render_view.view;
-    picture.header.view_name = s.name;
+    picture.header.view = v.view;
+    picture.header.view_name = view_name;
     if (!sky.empty()) picture.header.sky_name = sky_name(sky);
     picture.header.seed = opt.render.seed;
     picture.header.exposure = opt.exposure;
@@ -132,9 +134,11 @@ image::Picture start_picture(Run& run, const NamedView& s) {
 // One view under one sky, again after each edit.  last: of the run, which with -watch waits for edits then.
 void render_view(Run& run, size_t i, bool last) {
     for (int64_t from = run.opt.first; !base::shutdown_requested();) {
-        image::Picture picture = start_picture(run, run.opt.views[i]);
-        from = render_frames(run.opt, from, run.opt.last, picture, run.session->renderer(), run.control);
-        if (last && run.opt.watch && !run.control.edited()) run.control.wait_for_edit();
+        Options opt = run.opt;
+        if (opt.preview) opt.last = 1, opt.moments = false;
+        image::Picture picture = start_picture(run, opt, opt.views[i].name);
+        from = render_frames(opt, from, picture, run.session->renderer(), run.control);
+        if (opt.preview || (last && opt.watch)) run.control.wait_for_edit(image::label(picture.header), opt.preview);
         if (!run.control.edited() || base::shutdown_requested()) return;
         if (apply_edits(run, i)) from = run.opt.first;
     }

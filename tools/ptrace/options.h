@@ -38,6 +38,7 @@ struct Options {
     std::string output;                     // -o pattern; empty: stdout
     bool one_picture = false;               // -picture: their sum instead of the frames
     bool moments = true;                    // -moments
+    bool preview = false;                   // by -control: rough pictures
     int threads = int(base::processors());  // -n
     int report_s = 0;                       // -t: a line on stderr every so many seconds
     bool warnings = true;                   // -w
