@@ -257,7 +257,9 @@ int dgp_class(double dgp) {
     return dgp > dgp_limits[2] ? 3 : dgp >= dgp_limits[1] ? 2 : dgp >= dgp_limits[0] ? 1 : 0;
 }
 
-bool has_interval(Noise noise) { return noise != no_interval && noise != Noise::bias_alone; }
+bool has_interval(Noise noise) {
+    return noise != no_interval && noise != Noise::bias_alone && noise != Noise::contrast;
+}
 
 bool has_bias(Noise noise) { return noise != no_interval && noise != linear && noise != Noise::region; }
 

@@ -16,7 +16,7 @@ enum class Noise {
     linear,        // no bias
     dgp,           // squares of luminances beside terms without bias
     glare,         // squares of luminances: the bias goes with the variance of noise
-    contrast,      // absolute differences: the bias goes with the deviation of noise
+    contrast,      // absolute differences: the bias goes with the deviation of noise; no interval
     region,        // mean of a region: few pixels, skew
     region_ratio,  // ratio of two
 };

@@ -24,7 +24,7 @@ const std::pair<Noise, uncertainty::Quantity> quantities[] = {
     {Noise::linear, {Method::half_samples, NoiseBias::none, 0, false}},
     {Noise::dgp, {Method::half_samples, NoiseBias::variance, .25, false}},
     {Noise::glare, {Method::half_samples, NoiseBias::variance, .5, false}},
-    {Noise::contrast, {Method::half_samples, NoiseBias::deviation, .18, false}},
+    {Noise::contrast, {Method::none, NoiseBias::deviation, 0, false}},
     {Noise::region, {Method::jackknife, NoiseBias::none, 0, false}},
     {Noise::region_ratio, {Method::jackknife, NoiseBias::none, 0, true}},
 };

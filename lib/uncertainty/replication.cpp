@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "uncertainty/student.h"
@@ -14,7 +13,6 @@ namespace {
 
 constexpr double cochran_level = 0.001;
 constexpr size_t least_for_skewness = 6;  // parts
-constexpr double most_bias_error = 0.5;   // of absolute differences, in errors of noise
 constexpr double reach = 0.95;            // the interval of this level holds all replicates
 
 // Cochran's C (Cochran, Annals of Eugenics 11, 1941): the largest of `terms` squares has a share of their sum that
@@ -64,11 +62,9 @@ Estimate brr(double whole, const std::vector<double>& replicates, const Frames& 
     out.degrees = degrees_of_freedom(frames);
     const double excess = ratio_of_noise(frames, bias) - 1;
     const double b = bias == NoiseBias::none ? 0 : (mean - whole) / excess;
-    const bool decides = bias == NoiseBias::deviation && q * std::fabs(b) > most_bias_error * std::sqrt(variance);
     const double taken_off = bias == NoiseBias::variance ? agreed(b, of_even / (excess * excess)) : b;
     out.value = whole - taken_off;
-    out.error = decides ? std::numeric_limits<double>::quiet_NaN()
-                        : std::sqrt(variance + std::pow(q * taken_off, 2) + std::pow(b - taken_off, 2));
+    out.error = std::sqrt(variance + std::pow(q * taken_off, 2) + std::pow(b - taken_off, 2));
     if (bias == NoiseBias::variance)
         out.error = std::max(out.error, farthest(replicates, out.value) / student_quantile(1 - reach, out.degrees));
     out.unreliable = pairs > 2 && squares > 0 && one_dominates(largest / squares, double(pairs), double(pairs - 1));

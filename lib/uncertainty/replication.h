@@ -23,10 +23,6 @@ enum class NoiseBias { none, variance, deviation };
 // the variance of (even - whole)/(r - 1) among rows, and the rest of b counts as error.  Half-samples lie beyond the
 // jump as often as the truth does (Efron and Tibshirani, The problem of regions, Annals of Statistics 26, 1998): the
 // 95 % interval holds all of their values.
-//
-// The bias of absolute differences cannot be known better than to about a tenth,
-// whatever the estimator (Cai and Low, Annals of Statistics 39, 2011, on the mean of |x|), and that does not fall with
-// the number of pixels as noise does: where q b is more than half the error of noise, there is none (nan).
 Estimate brr(double whole, const std::vector<double>& replicates, const Frames& frames, NoiseBias bias, double q);
 
 // Delete-one jackknife for groups of unequal size (Busing, Meijer and van der Leeden, Statistics and Computing 9,
