@@ -18,12 +18,16 @@ using uncertainty::NoiseBias;
 using Method = uncertainty::Quantity::Method;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+// Frames from which intervals of metrics hold that few sources decide: below four strata, too few half-samples show
+// what a pixel at the threshold changes.
+constexpr int64_t least_for_sources = 8;
+
 // The error of a bias is the share of it that intervals needed to hold the truth (docs/decisions/0019-intervals.md).
 const std::pair<Noise, uncertainty::Quantity> quantities[] = {
     {Noise::bias_alone, {Method::none, NoiseBias::variance, 0, false}},
     {Noise::linear, {Method::half_samples, NoiseBias::none, 0, false}},
     {Noise::dgp, {Method::half_samples, NoiseBias::variance, .25, false}},
-    {Noise::glare, {Method::half_samples, NoiseBias::variance, .5, false}},
+    {Noise::glare, {Method::half_samples, NoiseBias::variance, .5, false, least_for_sources}},
     {Noise::contrast, {Method::none, NoiseBias::deviation, 0, false}},
     {Noise::region, {Method::jackknife, NoiseBias::none, 0, false}},
     {Noise::region_ratio, {Method::jackknife, NoiseBias::none, 0, true}},

@@ -129,7 +129,7 @@ std::vector<Estimate> estimate(const Replicates& of, const std::vector<Quantity>
                          of.frames, q.bias, q.bias_error);
         for (const auto& pairs : of.pairs)
             add_error(out[c], mean_square_of_half_differences(pairs, c), double(pairs.size()) / 2);
-        if (q.method == Quantity::Method::none) out[c].error = nan, out[c].unreliable = false;
+        if (q.method == Quantity::Method::none || of.count() < q.least) out[c].error = nan, out[c].unreliable = false;
     }
     return out;
 }

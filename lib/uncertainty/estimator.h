@@ -17,6 +17,7 @@ struct Quantity {
     NoiseBias bias = NoiseBias::none;
     double bias_error = 0;  // q: standard error of the bias that is taken off, as a share of it
     bool ratio = false;     // jackknife: its bias is taken off
+    int64_t least = 2;      // frames of the first estimate that has an error
 };
 
 using Values = std::vector<double>;  // of all quantities; nan for those that were not asked for

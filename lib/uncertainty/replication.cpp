@@ -13,7 +13,7 @@ namespace {
 
 constexpr double cochran_level = 0.001;
 constexpr size_t least_for_skewness = 6;  // parts
-constexpr double reach = 0.95;            // the interval of this level holds all replicates
+constexpr double reach = 0.92;            // the interval of this level holds all replicates
 
 // Cochran's C (Cochran, Annals of Eugenics 11, 1941): the largest of `terms` squares has a share of their sum that
 // chance gives it with a probability below the level.  One term against the others is t^2 = share/(1 - share) degrees.

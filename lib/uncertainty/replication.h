@@ -22,7 +22,8 @@ enum class NoiseBias { none, variance, deviation };
 // would double that noise.  So b max(0, 1 - 2 v/b^2) is taken off (positive-part shrinkage, James and Stein 1961), v
 // the variance of (even - whole)/(r - 1) among rows, and the rest of b counts as error.  Half-samples lie beyond the
 // jump as often as the truth does (Efron and Tibshirani, The problem of regions, Annals of Statistics 26, 1998): the
-// 95 % interval holds all of their values.
+// 92 % interval holds all of their values, the 95 % interval some of the noise that the truth has beside them.  With s
+// strata, 1/(2 (s + 1)) of runs see no half-sample beyond a jump at the threshold itself.
 Estimate brr(double whole, const std::vector<double>& replicates, const Frames& frames, NoiseBias bias, double q);
 
 // Delete-one jackknife for groups of unequal size (Busing, Meijer and van der Leeden, Statistics and Computing 9,

@@ -63,7 +63,8 @@ TEST_CASE("DGP's interval holds while noise joins two windows") {
 }
 
 // Sources begin at 2000 cd/m2: DGP makes a step where a pixel crosses that.  Where nothing else has noise, the bias
-// that replicates show is the side of the whole, which is noise: taken off, 77 to 90 % of intervals held.
+// that replicates show is the side of the whole, which is noise: taken off, 77 to 90 % of intervals held.  The bound is
+// 95 % less three standard deviations of 400 runs.
 TEST_CASE("DGP's interval holds the step of a pixel at the threshold") {
     std::vector<double> exact = Wall::truth();
     exact[20 * side + 22] = 2000.1;
@@ -71,7 +72,7 @@ TEST_CASE("DGP's interval holds the step of a pixel at the threshold") {
     study.run<Even>(exact, [&](uint32_t seed) { return Even(exact, {20, 25, 18, 23, 800}, seed); });
     for (size_t k = 0; k < study.looks.size(); ++k) {
         INFO(study.told(k));
-        CHECK(study.covered[k] > 0.9 * study.seeds);
+        CHECK(study.covered[k] > 0.917 * study.seeds);
         CHECK(!study.too_wide(k, 2));
         CHECK(study.tails[k] < .1 * study.seeds);  // it is no matter of samples: -until may stop
     }
