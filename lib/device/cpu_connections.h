@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which links between the prefix vertices of a group and a suffix vertex are open (kernels/integrator/connect.h): the
-// rays to a far end are made side by side, step by step as connection_ends() makes one, and those of one kind go
+// Which connections between the prefix vertices of a group and a suffix vertex are open (kernels/integrator/connect.h):
+// the rays to a far end are made side by side, step by step as connection_ends() makes one, and those of one kind go
 // through the tree as a packet. Included by cpu_kernels.inl.
 #ifndef LUX_CPU_LINKS_H
 #define LUX_CPU_LINKS_H
 
-static_assert(REUSE_GROUP <= PACKET, "the links of a suffix vertex fill one packet");
+static_assert(REUSE_GROUP <= PACKET, "the connections of a suffix vertex fill one packet");
 
 // The prefix vertices of a group, side by side.
 struct PrefixVertices {
@@ -19,11 +19,11 @@ FN void put_lane(float (*to)[REUSE_GROUP], uint32_t m, float4 v) {
     to[2][m] = v.z;
 }
 
-// Of the group of a slot.
-FN void prefix_vertices(const Paths& paths, uint32_t slot, PrefixVertices& near) {
+// Of the group of a path.
+FN void prefix_vertices(const Paths& paths, uint32_t path, PrefixVertices& near) {
     near.there = 0;
     for (uint32_t m = 0; m < REUSE_GROUP; m++) {
-        const uint32_t member = reuse_member(slot, m);
+        const uint32_t member = reuse_member(path, m);
         put_lane(near.p, m, paths.prefix_p[member]);
         put_lane(near.n, m, paths.prefix_n[member]);
         put_lane(near.ng, m, paths.prefix_ng[member]);
@@ -33,7 +33,7 @@ FN void prefix_vertices(const Paths& paths, uint32_t slot, PrefixVertices& near)
 
 FN float3 lane3(const float (*from)[REUSE_GROUP], uint32_t m) { return F3(from[0][m], from[1][m], from[2][m]); }
 
-// The rays from the prefix vertices to the suffix vertex of a slot.  Those of ends that face each other.
+// The rays from the prefix vertices to the suffix vertex of a path.  Those of ends that face each other.
 FN uint32_t connection_rays(const Paths& paths, const PrefixVertices& near, uint32_t far, PacketRays& p) {
     const float4 to = paths.suffix_p[far], suffix_n = paths.suffix_n[far];
     const int distant = to.w == SUFFIX_DIRECTION;
@@ -41,10 +41,10 @@ FN uint32_t connection_rays(const Paths& paths, const PrefixVertices& near, uint
     int faces[REUSE_GROUP];
     for (uint32_t m = 0; m < REUSE_GROUP; m++) {
         const float3 from = lane3(near.p, m), way = sub3(end, from), open = sub3(before, from);
-        const float reach = length3(open);
+        const float distance = length3(open);
         const float3 toward = distant ? end : scale3(way, 1.0f / sqrt_(dot3(way, way)));
-        const float3 dir = distant ? end : scale3(open, 1.0f / reach);
-        packet_put(p, m, {from, p.tmin, dir, distant ? FAR_AWAY : reach});
+        const float3 dir = distant ? end : scale3(open, 1.0f / distance);
+        packet_put(p, m, {from, p.tmin, dir, distant ? FAR_AWAY : distance});
         const int faced = distant | int(-dot3(toward, n) > 0.0f), up = dot3(toward, lane3(near.n, m)) > 0.0f;
         faces[m] = faced & up & int(dot3(toward, lane3(near.ng, m)) > 0.0f);
     }
@@ -53,19 +53,19 @@ FN uint32_t connection_rays(const Paths& paths, const PrefixVertices& near, uint
     return facing & near.there;
 }
 
-// Sets what is known of the links of each slot of the queue, as connections_known() says.
+// Sets what is known of the connections of each path of the queue, as connections_known() says.
 FN void know_connections(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
     PacketRays p;
     PrefixVertices near;
     p.count = REUSE_GROUP;
     for (uint32_t i = 0; i < n; i++) {
-        const uint32_t slot = t.now[i];
-        if (i == 0 || reuse_first(slot) != reuse_first(t.now[i - 1])) prefix_vertices(t.paths, slot, near);
+        const uint32_t path = t.now[i];
+        if (i == 0 || reuse_first(path) != reuse_first(t.now[i - 1])) prefix_vertices(t.paths, path, near);
         uint32_t through = 0;
-        const uint32_t facing = connection_rays(t.paths, near, slot, p);
+        const uint32_t facing = connection_rays(t.paths, near, path, p);
         const uint32_t open = packet_look(s, p, facing, RAY_ALL, &through) & ~through;
         if (par.shadow_mode == SHADOW_OPAQUE) through = 0;
-        t.paths.links[slot] = open | through << REUSE_GROUP;
+        t.paths.connections[path] = open | through << REUSE_GROUP;
     }
 }
 #endif

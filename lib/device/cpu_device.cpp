@@ -85,8 +85,8 @@ public:
 
     void run(const Params& par, std::vector<float>& rgb) override {
         rgb.resize(size_t(kernels::film_places(&par)) * 3);
-        tiles(par.slots, [&](uint32_t first, uint32_t count, void* scratch) {
-            float* film = par.reuse_slot_count != 0 ? rgb.data() : &rgb[size_t(first) * 3];
+        tiles(par.path_count, [&](uint32_t first, uint32_t count, void* scratch) {
+            float* film = par.reuse_path_count != 0 ? rgb.data() : &rgb[size_t(first) * 3];
             kernels_.run(&tables_, &par, par.first + first, count, scratch, film);
         });
     }
@@ -109,14 +109,14 @@ public:
     uint32_t preferred_batch_size() const override { return 64 * TILE; }
 
 private:
-    // Smaller tiles where there are few slots, so that no thread waits.
-    uint32_t tile_of(uint32_t slots) const {
-        const uint32_t each = slots / (2 * threads_) / REUSE_SQUARE * REUSE_SQUARE;
+    // Smaller tiles where there are few paths, so that no thread waits.
+    uint32_t tile_of(uint32_t count) const {
+        const uint32_t each = count / (2 * threads_) / REUSE_SQUARE * REUSE_SQUARE;
         return std::clamp(each, REUSE_SQUARE, TILE);
     }
     template <class F>
-    void tiles(uint32_t slots, F&& work) {
-        const uint32_t tile = tile_of(slots);
+    void tiles(uint32_t count, F&& work) {
+        const uint32_t tile = tile_of(count);
         std::atomic<uint32_t> next{0};
         std::exception_ptr error;
         std::mutex lock;
@@ -134,7 +134,7 @@ private:
                 if (!error) error = std::current_exception();
             }
         };
-        base::on_threads(std::min(threads_, (slots + tile - 1) / tile), worker);
+        base::on_threads(std::min(threads_, (count + tile - 1) / tile), worker);
         if (error) std::rethrow_exception(error);
     }
 

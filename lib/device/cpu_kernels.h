@@ -8,7 +8,7 @@ namespace device {
 
 struct CpuKernels {
     const char* name;
-    // Runs the paths of slots [first, first + count) of a pass.  film: 3 floats for each of them, or, where paths
+    // Runs the paths of paths [first, first + count) of a pass.  film: 3 floats for each of them, or, where paths
     // share, the whole pass's (kernels/integrator/path_reuse.h).  scratch: scratch_bytes(count).
     void (*run)(const void* scene_tables, const void* params, uint32_t first, uint32_t count, void* scratch,
                 float* film);

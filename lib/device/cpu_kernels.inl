@@ -58,7 +58,7 @@ static void of_groups(STAGE&& stage) {
     for (uint32_t group = 0; group < REUSE_GROUPS; group++)
         for (uint32_t which = 0; which < REUSE_GROUP; which++) stage(REUSE_FIRST(group), which);
 }
-// Each stage of the n slots of a queue, one path at a time.
+// Each stage of the n paths of a queue, one path at a time.
 struct OneByOne {
     static void generate(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
         for (uint32_t i = 0; i < n; i++) t.result[i] = path_generate(&s, &par, &t.paths, i);
@@ -74,9 +74,9 @@ struct OneByOne {
     static void suffix_roulette(Tile& t) {
         of_groups([&](uint32_t first, uint32_t which) { path_suffix_roulette(&t.paths, first, which); });
     }
-    static void transmittance(const SceneTables& s, const Params& par, Tile& t, const uint32_t* links, uint32_t n) {
+    static void transmittance(const SceneTables& s, const Params& par, Tile& t, const uint32_t* which, uint32_t n) {
         for (uint32_t i = 0; i < n; i++)
-            path_transmittance(&s, &par, &t.paths, links[i] / REUSE_GROUP, links[i] % REUSE_GROUP);
+            connection_transmittance(&s, &par, &t.paths, which[i] / REUSE_GROUP, which[i] % REUSE_GROUP);
     }
     static void connect(const SceneTables& s, const Params& par, Tile& t) {
         of_groups([&](uint32_t first, uint32_t which) { path_connect(&s, &par, &t.paths, first, which); });
@@ -131,7 +131,7 @@ static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n,
         else extend(s, par, t, n);
         STAGES::shade(s, par, t, n);
         for (uint32_t i = 0; i < n; i++) {
-            if (t.result[i] & PATH_GOES_ON) t.next[goes_on++] = t.now[i];
+            if (t.result[i] & PATH_CONTINUES) t.next[goes_on++] = t.now[i];
             if (t.result[i] & PATH_SHADOW) t.shadow[shadows++] = t.now[i];
         }
         for (uint32_t i = 0; i < shadows; i++) t.result[i] = SHADOW_TO_TRACE;
@@ -143,16 +143,16 @@ static void follow(const SceneTables& s, const Params& par, Tile& t, uint32_t n,
         n = goes_on;
     }
 }
-// The links of the queue that may lead through panes: a row of their own, for few suffix vertices have some.
+// The connections of the queue that may lead through panes: a row of their own, for few suffix vertices have some.
 template <class STAGES>
 static void transmittance(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-    uint32_t links[REUSE_SQUARE * REUSE_GROUP], count = 0;
+    uint32_t connections[REUSE_SQUARE * REUSE_GROUP], count = 0;
     for (uint32_t i = 0; i < n; i++) {
-        const uint32_t slot = t.now[i];
-        uint32_t left = connections_to_attenuate(t.paths.links[slot], reuse_which(slot));
-        for (; left != 0; left &= left - 1) links[count++] = slot * REUSE_GROUP + uint32_t(__builtin_ctz(left));
+        const uint32_t path = t.now[i];
+        uint32_t left = connections_to_attenuate(t.paths.connections[path], reuse_which(path));
+        for (; left != 0; left &= left - 1) connections[count++] = path * REUSE_GROUP + uint32_t(__builtin_ctz(left));
     }
-    STAGES::transmittance(s, par, t, links, count);
+    STAGES::transmittance(s, par, t, connections, count);
 }
 // Far ends light the prefix vertices of their groups, in one square.
 template <class STAGES>
@@ -160,8 +160,8 @@ static void share(const SceneTables& s, const Params& par, Tile& t) {
     uint32_t n = 0;
     STAGES::suffix_roulette(t);
     of_groups([&](uint32_t first, uint32_t which) {
-        const uint32_t slot = REUSE_MEMBER(first, which);
-        if (HAS_PREFIX(&t.paths, slot)) t.now[n++] = slot;
+        const uint32_t path = REUSE_MEMBER(first, which);
+        if (HAS_PREFIX(&t.paths, path)) t.now[n++] = path;
     });
     know_connections(s, par, t, n);
     transmittance<STAGES>(s, par, t, n);
@@ -182,7 +182,7 @@ static void share_squares(const SceneTables& s, const Params& par, const Tile& t
 static Params part_of(const void* params, uint32_t first, uint32_t count) {
     Params par = *static_cast<const Params*>(params);
     par.first = first;
-    par.slots = count;
+    par.path_count = count;
     return par;
 }
 template <class STAGES>
@@ -195,7 +195,7 @@ static void run(const void* tables, const void* params, uint32_t first, uint32_t
     for (uint32_t i = 0; i < count; i++)
         if (t.result[i] != 0) t.now[n++] = i;
     follow<STAGES>(s, par, t, n, par.mode != MODE_RAY && (par.flags & PF_EYE_ON_SURFACE) == 0);
-    if (par.reuse_slot_count != 0) share_squares<STAGES>(s, par, t, count);
+    if (par.reuse_path_count != 0) share_squares<STAGES>(s, par, t, count);
     store(par, t, count, film);
 }
 // device::SplatRay
@@ -235,7 +235,7 @@ static void pilot(const void* tables, const void* params, const void* rays, uint
     device::PilotEnd* end = static_cast<device::PilotEnd*>(ends) + first;
     for (uint32_t i = 0; i < count; i++) {
         put3(xyz4(t.paths.rad[i]), end[i].gathered);
-        put3(xyz4(t.paths.thr[i]), end[i].share);
+        put3(xyz4(t.paths.throughput[i]), end[i].share);
         put3(xyz4(t.paths.org[i]), end[i].p);
         put3(xyz4(t.paths.dir[i]), end[i].n);
         end[i].bounce = t.paths.dir[i].w == PILOT_AT_BOUNCE;

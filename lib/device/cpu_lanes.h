@@ -11,7 +11,7 @@ void LANE_CALL(shade)(const SceneTables* s, const Params* par, const Paths* path
 void LANE_CALL(shadow)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
                        const int* known);
 void LANE_CALL(suffix_roulette)(const Paths* paths);
-void LANE_CALL(transmittance)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* links,
+void LANE_CALL(transmittance)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* connections,
                               uint32_t n);
 void LANE_CALL(connect)(const SceneTables* s, const Params* par, const Paths* paths);
 void LANE_CALL(normalise_mis)(const Paths* paths, const uint32_t* queue, uint32_t n);
@@ -73,8 +73,9 @@ struct InLanes {
         LANE_CALL(shadow)(&s, &par, &t.paths, t.shadow, n, t.result);
     }
     static void suffix_roulette(Tile& t) { LANE_CALL(suffix_roulette)(&t.paths); }
-    static void transmittance(const SceneTables& s, const Params& par, Tile& t, const uint32_t* links, uint32_t n) {
-        LANE_CALL(transmittance)(&s, &par, &t.paths, links, n);
+    static void transmittance(const SceneTables& s, const Params& par, Tile& t, const uint32_t* connections,
+                              uint32_t n) {
+        LANE_CALL(transmittance)(&s, &par, &t.paths, connections, n);
     }
     static void connect(const SceneTables& s, const Params& par, Tile& t) { LANE_CALL(connect)(&s, &par, &t.paths); }
     static void normalise_mis(Tile& t, uint32_t n) { LANE_CALL(normalise_mis)(&t.paths, t.now, n); }

@@ -35,7 +35,7 @@ public:
             queue_ = cl::CommandQueue(context_, e.device);
             device_ = e.device;
             paths_ = OpenclPaths(context_, queue_, gpu_);
-            most_slots_ = OpenclPaths::most_slots(device_, gpu_);
+            most_paths_ = OpenclPaths::most_paths(device_, gpu_);
             if (!gpu_) compile(ALL_FEATURES);
         });
     }
@@ -71,13 +71,13 @@ public:
     void run(const Params& par, std::vector<float>& rgb) override {
         call("rendering", [&] {
             prepare(par);
-            const bool shared = par.reuse_slot_count != 0;  // then all parts have one film
+            const bool shared = par.reuse_path_count != 0;  // then all parts have one film
             rgb.clear();
-            in_parts(par, par.first, par.slots, [&](const Params& part, uint32_t first) {
+            in_parts(par, par.first, par.path_count, [&](const Params& part, uint32_t first) {
                 paths_.run(part);
                 paths_.store(part);
                 if (!shared) paths_.receive(part, rgb, size_t(first) * 3);
-                else if (first + part.slots == par.slots) paths_.receive(part, rgb, 0);
+                else if (first + part.path_count == par.path_count) paths_.receive(part, rgb, 0);
             });
         });
     }
@@ -86,7 +86,7 @@ public:
             prepare(par);
             rgb.clear();
             in_parts(par, 0, uint32_t(rays.size()), [&](const Params& part, uint32_t first) {
-                const size_t n = part.slots;
+                const size_t n = part.path_count;
                 std::vector<kernels::float4> o(n), d(n), c(n);
                 for (size_t i = 0; i < n; i++) {
                     const SplatRay& ray = rays[first + i];
@@ -96,7 +96,7 @@ public:
                     d[i] = {ray.dir[0], ray.dir[1], ray.dir[2], ray.dist};
                     c[i] = {ray.weight, ray.weight, ray.weight, 0};
                 }
-                paths_.reserve(part, part.slots);
+                paths_.reserve(part, part.path_count);
                 paths_.write(PATH_shadow_org, o);
                 paths_.write(PATH_shadow_dir, d);
                 paths_.write(PATH_shadow_rad, c);
@@ -111,19 +111,19 @@ public:
             prepare(par);
             ends.resize(rays.size());
             in_parts(par, 0, uint32_t(rays.size()), [&](const Params& part, uint32_t first) {
-                const size_t n = part.slots;
+                const size_t n = part.path_count;
                 std::vector<kernels::float4> p(n), d(n), rad(n), share(n);
                 for (size_t i = 0; i < n; i++) {
                     const PilotRay& ray = rays[first + i];
                     p[i] = {ray.org[0], ray.org[1], ray.org[2], 0};
                     d[i] = {ray.dir[0], ray.dir[1], ray.dir[2], ray.dir_w};
                 }
-                paths_.reserve(part, part.slots);
+                paths_.reserve(part, part.path_count);
                 paths_.write(PATH_org, p);
                 paths_.write(PATH_dir, d);
                 paths_.pilot(part);
                 paths_.read(PATH_rad, rad);
-                paths_.read(PATH_thr, share);
+                paths_.read(PATH_throughput, share);
                 paths_.read(PATH_org, p);
                 paths_.read(PATH_dir, d);
                 for (size_t i = 0; i < n; i++)
@@ -138,7 +138,7 @@ public:
     void set_focus(std::vector<uint32_t> entries) override {
         call("sending the focus", [&] { send_table(TABLE_focus, entries); });
     }
-    uint32_t preferred_batch_size() const override { return most_slots_; }
+    uint32_t preferred_batch_size() const override { return most_paths_; }
     bool is_async() const override { return true; }
     void cancel_when(const std::atomic<bool>* asked) override {
         Device::cancel_when(asked);
@@ -177,22 +177,22 @@ private:
             base::fail_system(where_, fmt::format("{}: {} failed: {}", doing, e.what(), opencl_error(e.err())));
         }
     }
-    // Slots first .. first + slots - 1, as many at once as there is memory for: what a device says of itself may be
+    // Paths first .. first + count - 1, as many at once as there is memory for: what a device says of itself may be
     // more than it gives.
     template <class F>
-    void in_parts(const Params& par, uint32_t first, uint32_t slots, F&& work) {
-        for (uint32_t done = 0; done < slots;) {
+    void in_parts(const Params& par, uint32_t first, uint32_t count, F&& work) {
+        for (uint32_t done = 0; done < count;) {
             Params part = par;
             part.first = first + done;
-            part.slots = std::min(most_slots_, slots - done);
+            part.path_count = std::min(most_paths_, count - done);
             try {
                 work(part, done);
-                done += part.slots;
+                done += part.path_count;
             } catch (const cl::Error& e) {
                 const bool memory = e.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE || e.err() == CL_OUT_OF_RESOURCES ||
                                     e.err() == CL_INVALID_BUFFER_SIZE;
-                if (!memory || part.slots <= REUSE_SQUARE) throw;
-                most_slots_ = std::max(part.slots / 2 / REUSE_SQUARE, 1u) * REUSE_SQUARE;
+                if (!memory || part.path_count <= REUSE_SQUARE) throw;
+                most_paths_ = std::max(part.path_count / 2 / REUSE_SQUARE, 1u) * REUSE_SQUARE;
                 paths_.release();
             }
         }
@@ -255,7 +255,7 @@ private:
 
     std::string where_, name_, own_bits_;
     bool gpu_, compact_;
-    uint32_t most_slots_ = 0, needs_ = 0;  // FEATURE_* of the scene and its passes
+    uint32_t most_paths_ = 0, needs_ = 0;  // FEATURE_* of the scene and its passes
     std::optional<uint32_t> has_;          // and those that the kernels have
     cl::Device device_;
     cl::Context context_;

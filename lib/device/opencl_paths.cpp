@@ -10,7 +10,7 @@ namespace {
 
 using kernels::ConnectionWords;
 using kernels::float4;  // types of the list of fields
-using kernels::Panes;
+using kernels::Transmittances;
 using kernels::uint4;
 
 constexpr uint32_t LOCAL = 64;  // one local size for all kernels: drivers specialise on it
@@ -56,7 +56,7 @@ cl::Buffer OpenclPaths::room(size_t count, size_t bytes_each) const {
 }
 
 // Half of the memory, for the scene and others use it, too.
-uint32_t OpenclPaths::most_slots(const cl::Device& device, bool gpu) {
+uint32_t OpenclPaths::most_paths(const cl::Device& device, bool gpu) {
 #define LUX_SIZE(type, name, when) sizeof(type),
     constexpr size_t sizes[] = {PATH_STATE(LUX_SIZE)};
     size_t all = QUEUES * 4, largest = 0;
@@ -76,9 +76,9 @@ void OpenclPaths::release() {
     needs_ = PATH_ALWAYS;
 }
 
-void OpenclPaths::reserve(const Params& par, uint32_t slots) {
+void OpenclPaths::reserve(const Params& par, uint32_t count) {
     queue_.enqueueWriteBuffer(params_, CL_TRUE, 0, sizeof par, &par);
-    const uint32_t needs = needs_ | kernels::path_needs(&par), capacity = std::max(capacity_, slots);
+    const uint32_t needs = needs_ | kernels::path_needs(&par), capacity = std::max(capacity_, count);
     if (capacity == capacity_ && needs == needs_) return;
     release();
 #define LUX_ROOM(type, name, when) fields_[PATH_##name] = room(((when) & ~needs) == 0 ? capacity : 1, sizeof(type));
@@ -113,13 +113,13 @@ uint32_t OpenclPaths::count() {
 }
 
 void OpenclPaths::run(const Params& par) {
-    reserve(par, par.slots);
+    reserve(par, par.path_count);
     begin(STAGE_generate, par);
     follow();
-    if (par.reuse_slot_count == 0) return;
-    for (const int k :
-         {STAGE_suffix_roulette, STAGE_connection, STAGE_panes, STAGE_connect, STAGE_normalise_mis, STAGE_gather})
-        stage(k, par.slots);
+    if (par.reuse_path_count == 0) return;
+    for (const int k : {STAGE_suffix_roulette, STAGE_connection, STAGE_transmittance, STAGE_connect,
+                        STAGE_normalise_mis, STAGE_gather})
+        stage(k, par.path_count);
 }
 
 void OpenclPaths::pilot(const Params& par) {
@@ -127,12 +127,12 @@ void OpenclPaths::pilot(const Params& par) {
     follow();
 }
 
-void OpenclPaths::splat(const Params& par) { stage(STAGE_splat, par.slots); }
+void OpenclPaths::splat(const Params& par) { stage(STAGE_splat, par.path_count); }
 
 // Fills the queue with the paths that have a ray.
 void OpenclPaths::begin(int first, const Params& par) {
     queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zeros);
-    stage(first, par.slots, counters_, now_);
+    stage(first, par.path_count, counters_, now_);
 }
 
 // Follows the paths of the queue to their ends.
@@ -169,7 +169,7 @@ void OpenclPaths::store(const Params& par) {
         forget_arguments();
         film_ = room(bytes, 1), film_bytes_ = bytes;
     }
-    launch(STAGE_film, par.slots, params_, fields_[PATH_rad], film_);
+    launch(STAGE_film, par.path_count, params_, fields_[PATH_rad], film_);
 }
 
 void OpenclPaths::receive(const Params& par, std::vector<float>& film, size_t at) {

@@ -22,7 +22,7 @@ enum { PATH_STATE(LUX_FIELD_NUMBER) PATH_FIELDS };
 // clang-format off
 #define LUX_STAGES(S)                                                                                           \
     S(generate) S(extend) S(count_kinds) S(begin_kinds) S(sort_kinds) S(sky) S(shade) S(shadow) S(swap) S(splat) \
-    S(pilot) S(suffix_roulette) S(connection) S(panes) S(connect) S(normalise_mis) S(gather) S(film)
+    S(pilot) S(suffix_roulette) S(connection) S(transmittance) S(connect) S(normalise_mis) S(gather) S(film)
 // clang-format on
 #define LUX_STAGE_NUMBER(name) STAGE_##name,
 enum { LUX_STAGES(LUX_STAGE_NUMBER) STAGES };
@@ -38,10 +38,10 @@ public:
     const cl::Buffer& table(int table) const { return tables_[table]; }
     std::function<void()> before_bounce;  // may throw
 
-    // How many slots this device has memory for.
-    static uint32_t most_slots(const cl::Device& device, bool gpu);
+    // How many paths this device has memory for.
+    static uint32_t most_paths(const cl::Device& device, bool gpu);
     // Room for so many paths, and the parameters of their pass.
-    void reserve(const Params& par, uint32_t slots);
+    void reserve(const Params& par, uint32_t count);
     void release();  // that room
     // Whole fields of the first n paths.
     void write(int field, const std::vector<kernels::float4>& values);

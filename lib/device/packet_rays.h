@@ -86,10 +86,10 @@ struct PacketBounds {
 };
 
 FN float packet_reach(const PacketRays& p) {
-    v8f reach = splat8_(0.0f);
+    v8f farthest = splat8_(0.0f);
     for (uint32_t g = 0; 8 * g < p.count; g++)
-        reach = max8(packet_lanes(p.open, g) ? load8_(p.t + 8 * g) : splat8_(0.0f), reach);
-    return -least8(-reach);
+        farthest = max8(packet_lanes(p.open, g) ? load8_(p.t + 8 * g) : splat8_(0.0f), farthest);
+    return -least8(-farthest);
 }
 
 FN PacketBounds packet_bounds(const PacketRays& p) {

@@ -166,7 +166,7 @@ void mark_covered_sources(FlatScene& scene) {
         if (!tracer) tracer.emplace(scene);
         const Vec3 normal = get(q + SRC_NORMAL), centre = get(q + SRC_CENTRE) + scene.centre;
         const double size = std::sqrt(double(q[SRC_AREA]));
-        const double near = std::ldexp(std::max(scene.radius, scene.least_reach) + length(centre), -18);
+        const double near = std::ldexp(std::max(scene.radius, scene.least_error_scale) + length(centre), -18);
         for (uint32_t k = 0; k < side * side; k++) {
             const Vec3 eye = centre + normal * size;
             const auto at = tracer->source_point(i, eye, (k % side + .5) / side, (k / side + .5) / side);

@@ -33,9 +33,10 @@ struct FlatScene {
     std::vector<float> polygon_uv;
     std::vector<uint32_t> u;  // arenas
     std::vector<float> f;
-    base::Vec3 centre;       // world position of the tables' origin
-    double radius = 0;       // of all surfaces
-    double least_reach = 0;  // no point of a surface is more exact than rays of that length (PRIM_EXTENT, INST_REACH)
+    base::Vec3 centre;  // world position of the tables' origin
+    double radius = 0;  // of all surfaces
+    double least_error_scale =
+        0;  // no point of a surface is more exact than rays of that length (PRIM_EXTENT, INST_ERROR_SCALE)
 
     uint32_t mods_at = 0, sources_at = 0, source_count = 0, distant_at = 0, distant_count = 0;
     uint32_t portals_at = 0, portal_count = 0, window_count = 0, light_sets_at = 0;

@@ -50,7 +50,7 @@ void flatten_geometry(const Modifiers& modifiers, const Instances& instances, Fl
     instances.grow_to_places(box);
     out.centre = centre_of(box);
     out.radius = box.lo.x > box.hi.x ? 0 : length(box.hi - box.lo) / 2;
-    out.least_reach = least_reach_of(out.radius);
+    out.least_error_scale = least_reach_of(out.radius);
 
     uint32_t places_at = 0;
     add_tree(out, [&] {
@@ -108,7 +108,8 @@ void Instances::write_records(uint32_t places_at, FlatScene& out) const {
         put_matrix(q + INST_FRAME, frame, out.centre, {});
         q[INST_MOD] = from_bits(p.mod);
         q[INST_SCALE] = float(std::fabs(frame.scale));
-        q[INST_REACH] = float(std::max(length(b.hi - b.lo) * 0.5 * std::fabs(p.to_world.scale), out.least_reach));
+        q[INST_ERROR_SCALE] =
+            float(std::max(length(b.hi - b.lo) * 0.5 * std::fabs(p.to_world.scale), out.least_error_scale));
         out.instance_object.push_back(p.object);
     }
 }

@@ -130,7 +130,7 @@ void Instances::place_all(const Level& level, Lights& lights) {
         const Replacement own{level.modifiers->record[o.modifier], level.modifiers->passes[o.modifier] != 0,
                               level.modifiers->is_clear(o.modifier), level.to_world};
         const uint32_t m = level.modifiers->material[o.modifier];
-        if (level.object == NONE && m != NONE && scene::shines(scene.objects[m].type))
+        if (level.object == NONE && m != NONE && scene::is_emissive(scene.objects[m].type))
             lights.emitters.push_back({owner, NONE});  // refused if it is an active source
         place_one(o, level, x, &own, owner, lights);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree of many sources (kernels/light/light_tree.h): distant ones and others apart, then by the gates that their
-// light must pass, so that a node's gates stop all its sources at once, then by place, in halves across the longest
-// side. What a node says follows from its set of sources alone.
+// The tree of many sources (kernels/light/light_tree.h): distant ones and others apart, then by the apertures that
+// their light must pass, so that a node's apertures stop all its sources at once, then by place, in halves across the
+// longest side. What a node says follows from its set of sources alone.
 #include "flatten/light_tree.h"
 
 #include <algorithm>
@@ -21,53 +21,53 @@ constexpr double unlimited = 1e30;
 constexpr double rounding = 1.0001;  // balls are no smaller for being written as floats
 
 // What the tree knows of a source.
-struct Lamp {
+struct Emitter {
     uint32_t source;
     bool distant;
     Vec3 centre, axis;  // axis: its normal, 0 if it has none
     double radius, power, far;
     std::vector<uint32_t> chain;  // its relays, the nearest to the point lit first
-    uint32_t gates_at;
+    uint32_t apertures_at;
 };
 
-Lamp lamp_of(const FlatScene& scene, uint32_t i) {
+Emitter emitter_of(const FlatScene& scene, uint32_t i) {
     const auto record = [&](uint32_t k) { return &scene.f[scene.sources_at + SOURCE_FLOATS * k]; };
     const float* q = record(i);
     const uint32_t kind = bits(q[SRC_KIND]);
     const Vec3 u = get(q + SRC_U), v = get(q + SRC_V), w = get(q + SRC_NORMAL);
-    Lamp lamp{};
-    lamp.source = i;
-    lamp.distant = kind == SK_DISTANT;
-    lamp.centre = get(q + SRC_CENTRE);
-    lamp.radius = q[SRC_RADIUS];
-    if (kind == SK_CYLINDER) lamp.radius += length(u);
-    if (q[SRC_SHEARED] != 0) lamp.radius = 2 * (length(u) + length(v) + length(w));  // holds any sampled point
-    if (kind == SK_PARALLELOGRAM || kind == SK_POLYGON || kind == SK_RING) lamp.axis = unit(w);
-    lamp.power = double(std::max(q[SRC_POWER], 1e-20f)) * std::max(q[SRC_AREA], 1e-20f);  // never 0: all are reached
-    lamp.far = q[SRC_MAXRAD] > 0 ? q[SRC_MAXRAD] + lamp.radius : unlimited;
+    Emitter emitter{};
+    emitter.source = i;
+    emitter.distant = kind == SK_DISTANT;
+    emitter.centre = get(q + SRC_CENTRE);
+    emitter.radius = q[SRC_RADIUS];
+    if (kind == SK_CYLINDER) emitter.radius += length(u);
+    if (q[SRC_SHEARED] != 0) emitter.radius = 2 * (length(u) + length(v) + length(w));  // holds any sampled point
+    if (kind == SK_PARALLELOGRAM || kind == SK_POLYGON || kind == SK_RING) emitter.axis = unit(w);
+    emitter.power = double(std::max(q[SRC_POWER], 1e-20f)) * std::max(q[SRC_AREA], 1e-20f);  // never 0: all are reached
+    emitter.far = q[SRC_MAXRAD] > 0 ? q[SRC_MAXRAD] + emitter.radius : unlimited;
 
     uint32_t relay = bits(q[SRC_VIRTUAL]);
-    const uint32_t gates = relay == NONE ? 0 : scene.u[relay + RELAY_GATES];
-    lamp.gates_at = relay == NONE ? 0 : scene.u[relay + RELAY_GATES_AT];
-    for (uint32_t k = 0; k < gates; k++) {
-        lamp.chain.push_back(scene.u[relay + RELAY_PRIM]);
+    const uint32_t apertures = relay == NONE ? 0 : scene.u[relay + RELAY_APERTURES];
+    emitter.apertures_at = relay == NONE ? 0 : scene.u[relay + RELAY_APERTURES_AT];
+    for (uint32_t k = 0; k < apertures; k++) {
+        emitter.chain.push_back(scene.u[relay + RELAY_PRIM]);
         relay = bits(record(scene.u[relay + RELAY_SOURCE])[SRC_VIRTUAL]);
     }
-    return lamp;
+    return emitter;
 }
 
-bool by_chain(const Lamp& a, const Lamp& b) {
+bool by_chain(const Emitter& a, const Emitter& b) {
     if (a.distant != b.distant) return a.distant;
     return a.chain != b.chain ? a.chain < b.chain : a.source < b.source;
 }
 
-using Lamps = std::vector<Lamp>;
+using Emitters = std::vector<Emitter>;
 
 class LightTree {
 public:
-    LightTree(const FlatScene& scene, Lamps& lamps) : scene_(scene), lamps_(lamps) {}
+    LightTree(const FlatScene& scene, Emitters& emitters) : scene_(scene), emitters_(emitters) {}
 
-    // Lamps begin .. end - 1, all distant or none: their nodes, appended.
+    // Emitters begin .. end - 1, all distant or none: their nodes, appended.
     void plant(size_t begin, size_t end) {
         const size_t at = nodes.size();
         nodes.resize(at + LIGHT_FLOATS, 0.0f);
@@ -87,10 +87,10 @@ public:
 private:
     // How many relays all have in common, the nearest first.
     size_t common(size_t begin, size_t end) const {
-        const std::vector<uint32_t>& first = lamps_[begin].chain;
+        const std::vector<uint32_t>& first = emitters_[begin].chain;
         size_t same = first.size();
         for (size_t i = begin + 1; i < end; i++) {
-            const std::vector<uint32_t>& c = lamps_[i].chain;
+            const std::vector<uint32_t>& c = emitters_[i].chain;
             same = std::min(same, c.size());
             same = size_t(std::mismatch(first.begin(), first.begin() + long(same), c.begin()).first - first.begin());
         }
@@ -100,47 +100,47 @@ private:
     // Where chains differ, as near the middle as they do so in the next relay; else across the longest side.
     size_t split(size_t begin, size_t end) {
         const size_t middle = begin + (end - begin) / 2, next = common(begin, end);
-        const auto relay = [&](size_t i) { return next < lamps_[i].chain.size() ? lamps_[i].chain[next] : NONE; };
+        const auto relay = [&](size_t i) { return next < emitters_[i].chain.size() ? emitters_[i].chain[next] : NONE; };
         size_t best = 0;
         for (size_t i = begin + 1; i < end; i++)
             if (relay(i) != relay(i - 1) && (best == 0 || gap(i, middle) < gap(best, middle))) best = i;
         if (best != 0) return best;
 
         Box box;
-        for (size_t i = begin; i < end; i++) grow(box, lamps_[i].centre);
+        for (size_t i = begin; i < end; i++) grow(box, emitters_[i].centre);
         const Vec3 size = box.hi - box.lo;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        std::nth_element(at(begin), at(middle), at(end), [&](const Lamp& a, const Lamp& b) {
+        std::nth_element(at(begin), at(middle), at(end), [&](const Emitter& a, const Emitter& b) {
             return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.source < b.source;
         });
         return middle;
     }
 
-    Lamps::iterator at(size_t i) const { return lamps_.begin() + long(i); }
+    Emitters::iterator at(size_t i) const { return emitters_.begin() + long(i); }
     static size_t gap(size_t a, size_t b) { return a < b ? b - a : a - b; }
 
-    // The chance of the first of two halves.  The other may hold the only one that shines: it keeps a chance, too.
+    // The chance of the first of two halves.  The other may hold the only one that shines: it keeps a probability, too.
     static float share(float first, float second) {
         return std::clamp(first / (first + second), 1 / 1024.f, 1023 / 1024.f);
     }
 
     void describe(size_t begin, size_t end, float* node) const {
-        const Lamp& first = lamps_[begin];
+        const Emitter& first = emitters_[begin];
         Box box;
         Vec3 axis;
         double power = 0, radius = 0, spread = 0, far = 0;
         for (size_t i = begin; i < end; i++) {
-            grow(box, lamps_[i].centre);
-            axis = axis + lamps_[i].axis * lamps_[i].power;
-            power += lamps_[i].power;
+            grow(box, emitters_[i].centre);
+            axis = axis + emitters_[i].axis * emitters_[i].power;
+            power += emitters_[i].power;
         }
         const Vec3 centre = end - begin == 1 ? first.centre : (box.lo + box.hi) * .5;
         axis = unit(axis);
         for (size_t i = begin; i < end; i++) {
-            const Lamp& lamp = lamps_[i];
-            radius = std::max(radius, length(lamp.centre - centre) + lamp.radius);
-            far = std::max(far, length(lamp.centre - centre) + lamp.far);
-            spread = std::max(spread, length(lamp.axis) > 0 ? length(lamp.axis - axis) : 2);
+            const Emitter& emitter = emitters_[i];
+            radius = std::max(radius, length(emitter.centre - centre) + emitter.radius);
+            far = std::max(far, length(emitter.centre - centre) + emitter.far);
+            spread = std::max(spread, length(emitter.axis) > 0 ? length(emitter.axis - axis) : 2);
         }
 
         put(node + LIGHT_CENTRE, centre);
@@ -149,29 +149,30 @@ private:
         node[LIGHT_SPREAD] = float(spread * rounding);
         node[LIGHT_POWER] = float(power);
         node[LIGHT_FAR] = first.distant ? 0 : float(far * rounding);
-        const size_t gates = common(begin, end);
-        node[LIGHT_GATES] = from_bits(uint32_t(gates));
-        node[LIGHT_GATES_AT] = from_bits(first.gates_at);
+        const size_t apertures = common(begin, end);
+        node[LIGHT_APERTURES] = from_bits(uint32_t(apertures));
+        node[LIGHT_APERTURES_AT] = from_bits(first.apertures_at);
         node[LIGHT_SOURCE] = from_bits(end - begin == 1 ? first.source : NONE);
     }
 
     const FlatScene& scene_;
-    Lamps& lamps_;
+    Emitters& emitters_;
 };
 
 }  // namespace
 
 void plant_light_tree(FlatScene& scene) {
     if (scene.source_count < LIGHT_TREE_FROM) return;
-    Lamps lamps;
-    for (uint32_t i = 0; i < scene.source_count; i++) lamps.push_back(lamp_of(scene, i));
-    std::sort(lamps.begin(), lamps.end(), by_chain);
-    const auto local = std::find_if(lamps.begin(), lamps.end(), [](const Lamp& lamp) { return !lamp.distant; });
-    const size_t distant = size_t(local - lamps.begin());
+    Emitters emitters;
+    for (uint32_t i = 0; i < scene.source_count; i++) emitters.push_back(emitter_of(scene, i));
+    std::sort(emitters.begin(), emitters.end(), by_chain);
+    const auto local =
+        std::find_if(emitters.begin(), emitters.end(), [](const Emitter& emitter) { return !emitter.distant; });
+    const size_t distant = size_t(local - emitters.begin());
 
-    LightTree tree(scene, lamps);
+    LightTree tree(scene, emitters);
     if (distant > 0) tree.plant(0, distant);
-    if (distant < lamps.size()) tree.plant(distant, lamps.size());
+    if (distant < emitters.size()) tree.plant(distant, emitters.size());
     scene.light_tree_at = uint32_t(scene.f.size());
     scene.light_nodes = uint32_t(tree.nodes.size() / LIGHT_FLOATS);
     scene.f.insert(scene.f.end(), tree.nodes.begin(), tree.nodes.end());

@@ -80,7 +80,7 @@ void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std
                                              bits(float(normal.y)),
                                              bits(float(normal.z)),
                                              uint32_t(out.u.size()),
-                                             bits(float(out.least_reach))};
+                                             bits(float(out.least_error_scale))};
         out.prims.insert(out.prims.end(), record, record + PRIM_WORDS);
         out.prim_object.push_back(FlatScene::NO_OBJECT);
         out.triangles.insert(out.triangles.end(), {t.v[0], t.v[1], t.v[2]});

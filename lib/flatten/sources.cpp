@@ -39,7 +39,7 @@ uint32_t distant_seen(const FlatScene& out, uint32_t mod) {
         const uint32_t m = material_record(out, mod);
         if (m == NONE) return mod == NONE ? NONE : DISTANT_BLACK;
         const uint32_t type = out.record(m)[MOD_TYPE];
-        if (type != M_ILLUM) return material_has(type, MT_SHINES) != 0u ? mod : DISTANT_BLACK;
+        if (type != M_ILLUM) return material_has(type, MT_EMISSIVE) != 0u ? mod : DISTANT_BLACK;
         mod = out.record(m)[MOD_BRANCH1];
     }
 }
@@ -50,7 +50,7 @@ const Object& distant_material(const Modifiers& modifiers, const Object& o) {
     const uint32_t m = modifiers.material[o.modifier];
     if (m == NONE) base::fail(scene.place(o), "a distant source needs a light or glow");
     const Object& material = scene.objects[m];
-    if (!scene::shines(material.type))
+    if (!scene::is_emissive(material.type))
         base::fail(scene.place(o),
                    fmt::format("a distant source of material {} is not supported", type_name(material.type)));
     return material;

@@ -50,7 +50,7 @@ struct Polygon {
 };
 
 // The rectangle along the first edge that holds all corners.
-Gate rectangle_about(const std::vector<Vec3>& corners, Vec3 normal, Vec3 centre, bool both_sides) {
+Aperture rectangle_about(const std::vector<Vec3>& corners, Vec3 normal, Vec3 centre, bool both_sides) {
     const Vec3 u = unit(corners[1] - corners[0]), v = cross(normal, u), origin = corners[0];
     double low[2] = {0, 0}, high[2] = {0, 0};
     for (const Vec3& c : corners)
@@ -85,7 +85,7 @@ private:
         if (modifiers_ && modifiers_->is_clear(o.modifier)) kind |= PRIM_CLEAR;
         const uint32_t mod = modifiers_ ? modifiers_->record[o.modifier] : NONE;
         const uint32_t n[3] = {bits(float(normal.x)), bits(float(normal.y)), bits(float(normal.z))};
-        const uint32_t record[PRIM_WORDS] = {kind, mod, NONE, n[0], n[1], n[2], 0, bits(float(out_.least_reach))};
+        const uint32_t record[PRIM_WORDS] = {kind, mod, NONE, n[0], n[1], n[2], 0, bits(float(out_.least_error_scale))};
         out_.prims.insert(out_.prims.end(), record, record + PRIM_WORDS);
         out_.prim_object.push_back(lights_ ? index_of(o) : FlatScene::NO_OBJECT);
         tagged = id;
@@ -102,7 +102,7 @@ private:
         return prim;
     }
     void set_extent(uint32_t prim, double size) {
-        out_.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(std::max(size, out_.least_reach)));
+        out_.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(std::max(size, out_.least_error_scale)));
     }
 
     uint32_t add_shape(uint32_t kind, std::initializer_list<double> values) {
@@ -125,7 +125,7 @@ private:
     void note_emitter(const Object& o, uint32_t prim) {
         if (!lights_) return;
         const uint32_t m = modifiers_->material[o.modifier];
-        if (m != NONE && scene::shines(scene_.objects[m].type)) lights_->emitters.push_back({index_of(o), prim});
+        if (m != NONE && scene::is_emissive(scene_.objects[m].type)) lights_->emitters.push_back({index_of(o), prim});
     }
 
     // Mirrors and prisms, also as the alternate of an illum, relay the light of sources (spec shading 4.6): polygons

@@ -12,8 +12,8 @@ namespace flatten {
 
 class Instances;
 
-// A rectangle about a mirror or prism, relative to the centre (GATE_* of kernels/tables.h).
-struct Gate {
+// A rectangle about a mirror or prism, relative to the centre (APERTURE_* of kernels/tables.h).
+struct Aperture {
     base::Vec3 centre, normal, u, v;
     bool both_sides;
 };
@@ -32,7 +32,7 @@ struct Lights {
         int exits;  // of a prism; 0: a mirror
         uint32_t material, object;
         double reflectance;
-        Gate gate;
+        Aperture aperture;
     };
     std::vector<Relay> relays;
 };
@@ -60,7 +60,7 @@ void grow(Box& box, base::Vec3 p);
 Box surface_bounds(const scene::Scene& scene);
 // Origin of tables: single precision would spoil positions far from it.
 base::Vec3 centre_of(const Box& box);
-// FlatScene::least_reach: a step of powers of two where models are small, as those in kilometres are.
+// FlatScene::least_error_scale: a step of powers of two where models are small, as those in kilometres are.
 double least_reach_of(double radius);
 
 // Coordinates are floats in the end, and are squared: beyond this nothing can be said of a surface.

@@ -13,7 +13,7 @@ namespace {
 using namespace kernels;
 using base::Vec3;
 using Relay = Lights::Relay;
-using Gates = std::vector<Gate>;
+using Apertures = std::vector<Aperture>;
 
 constexpr size_t MOST = 4096;
 
@@ -32,25 +32,25 @@ struct Projection {
     }
 };
 
-// The gates of a source seen through one more relay: its own, then those behind it where a mirror shows them.  How a
-// prism shows them is not known.
-Gates seen_gates(const Gates& behind, const Relay& r, const Projection& m) {
-    Gates gates{r.gate};
-    if (r.exits) return gates;
-    for (const Gate& g : behind)
-        gates.push_back({m.point(g.centre), m.vector(g.normal), m.vector(g.u), m.vector(g.v), g.both_sides});
-    return gates;
+// The apertures of a source seen through one more relay: its own, then those behind it where a mirror shows them.  How
+// a prism shows them is not known.
+Apertures seen_apertures(const Apertures& behind, const Relay& r, const Projection& m) {
+    Apertures apertures{r.aperture};
+    if (r.exits) return apertures;
+    for (const Aperture& g : behind)
+        apertures.push_back({m.point(g.centre), m.vector(g.normal), m.vector(g.u), m.vector(g.v), g.both_sides});
+    return apertures;
 }
 
-void append(std::vector<float>& out, const Gates& gates) {
-    for (const Gate& g : gates) {
-        float f[GATE_FLOATS];
-        put(f + GATE_CENTRE, g.centre);
-        put(f + GATE_NORMAL, g.normal);
-        put(f + GATE_U, g.u);
-        put(f + GATE_V, g.v);
-        f[GATE_BOTH_SIDES] = g.both_sides;
-        out.insert(out.end(), f, f + GATE_FLOATS);
+void append(std::vector<float>& out, const Apertures& apertures) {
+    for (const Aperture& g : apertures) {
+        float f[APERTURE_FLOATS];
+        put(f + APERTURE_CENTRE, g.centre);
+        put(f + APERTURE_NORMAL, g.normal);
+        put(f + APERTURE_U, g.u);
+        put(f + APERTURE_V, g.v);
+        f[APERTURE_BOTH_SIDES] = g.both_sides;
+        out.insert(out.end(), f, f + APERTURE_FLOATS);
     }
 }
 
@@ -124,7 +124,7 @@ void project_fan(const Projection& m, size_t i, Sources& sources) {
 class VirtualSources {
 public:
     VirtualSources(FlatScene& out, Sources& sources)
-        : out_(out), sources_(sources), last_relay_(sources.count(), NONE), gates_(sources.count()) {}
+        : out_(out), sources_(sources), last_relay_(sources.count(), NONE), apertures_(sources.count()) {}
 
     bool full() const { return last_relay_.size() >= MOST; }
 
@@ -140,11 +140,11 @@ public:
         q[SRC_VIRTUAL] = from_bits(uint32_t(out_.u.size()));
         q[SRC_POWER] *= float(r.reflectance);
 
-        gates_.push_back(seen_gates(gates_[i], r, m));
+        apertures_.push_back(seen_apertures(apertures_[i], r, m));
         last_relay_.push_back(r.prim);
-        const Gates& gates = gates_.back();
-        out_.u.insert(out_.u.end(), {r.prim, i, exit, uint32_t(gates.size()), uint32_t(out_.f.size())});
-        append(out_.f, gates);
+        const Apertures& apertures = apertures_.back();
+        out_.u.insert(out_.u.end(), {r.prim, i, exit, uint32_t(apertures.size()), uint32_t(out_.f.size())});
+        append(out_.f, apertures);
         sources_.records.insert(sources_.records.end(), q, q + SOURCE_FLOATS);
         out_.shadows_need(SHADOW_AIMED);
         return true;
@@ -153,8 +153,8 @@ public:
 private:
     FlatScene& out_;
     Sources& sources_;
-    std::vector<uint32_t> last_relay_;  // by source, as gates_
-    std::vector<Gates> gates_;
+    std::vector<uint32_t> last_relay_;  // by source, as apertures_
+    std::vector<Apertures> apertures_;
 };
 
 }  // namespace

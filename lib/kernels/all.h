@@ -4,7 +4,7 @@
 // Letters and short words mean the same in all of these files; the numerical ones (math*.h, cal_noise.h, shapes.h,
 // woop.h, bvh*.h) have besides the letters of their formulas.
 //   s        SceneTables; s->u its words, s->f its floats     par     Params
-//   paths    Paths, of which a path has a slot                vertex  Vertex: what one step of a path knows (path/)
+//   paths    Paths, of which a path has an index              vertex  Vertex: what one step of a path knows (path/)
 //   g        Surface: the point that is shaded                lobes   Lobes: what its material does with light there
 //   light    LightSample                                      rnd     Sampler
 //   m        record of a modifier in s->u                     arg     its real arguments in s->f

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The __kernel entries: each takes the buffers, finds its slot and calls one stage of path.h.
+// The __kernel entries: each takes the buffers, finds its path and calls one stage of path.h.
 // Queues: counters[0] paths to extend, [1] next queue, [2] shadow queue; a work item beyond the count leaves at once.
 
 // Arguments of every kernel but k_swap and k_layout: the scene's tables, the parameters, the path state.
@@ -18,20 +18,20 @@
 
 // A place in a queue for each work item that wants one: a group of them asks the queue's counter once, not each.
 // All work items must come here; group: two words.
-static inline void push(int wanted, uint slot, __global uint *counter, __global uint *queue, __local uint *group) {
+static inline void push(int wanted, uint path, __global uint *counter, __global uint *queue, __local uint *group) {
     if (get_local_id(0) == 0) group[0] = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     uint place = wanted ? atomic_inc(&group[0]) : 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) group[1] = atomic_add(counter, group[0]);
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (wanted) queue[group[1] + place] = slot;
+    if (wanted) queue[group[1] + place] = path;
 }
 
 __kernel void k_generate(ALL_ARGS, __global uint *counters, __global uint *queue) {
     SET_UP
     __local uint group[2];
-    push(i < par->slots && path_generate(&s, par, &paths, i), i, &counters[0], queue, group);
+    push(i < par->path_count && path_generate(&s, par, &paths, i), i, &counters[0], queue, group);
 }
 
 __kernel void k_extend(ALL_ARGS, __global uint *counters, __global const uint *queue) {
@@ -84,10 +84,10 @@ __kernel void k_shade(ALL_ARGS, __global uint *counters, __global const uint *qu
     SET_UP
     __local uint going_on[2], shadowed[2];
     int active = i < counters[0];
-    uint slot = active ? queue[i] : 0;
-    int result = active ? path_shade(&s, par, &paths, slot) : 0;
-    push((result & PATH_GOES_ON) != 0, slot, &counters[1], next, going_on);
-    push((result & PATH_SHADOW) != 0, slot, &counters[2], shadow, shadowed);
+    uint path = active ? queue[i] : 0;
+    int result = active ? path_shade(&s, par, &paths, path) : 0;
+    push((result & PATH_CONTINUES) != 0, path, &counters[1], next, going_on);
+    push((result & PATH_SHADOW) != 0, path, &counters[2], shadow, shadowed);
 }
 
 // Paths that have met nothing, where k_shade leaves them (HAS(SKY)): a sky may be a long program, of which surfaces
@@ -104,41 +104,41 @@ __kernel void k_shadow(ALL_ARGS, __global uint *counters, __global const uint *s
 
 __kernel void k_suffix_roulette(ALL_ARGS) {
     SET_UP
-    if (i < par->slots) path_suffix_roulette(&paths, reuse_first(i), reuse_which(i));
+    if (i < par->path_count) path_suffix_roulette(&paths, reuse_first(i), reuse_which(i));
 }
 
 __kernel void k_connection(ALL_ARGS) {
     SET_UP
-    if (i < par->slots && HAS_PREFIX(&paths, i)) paths.links[i] = connections_known(&s, par, &paths, i);
+    if (i < par->path_count && HAS_PREFIX(&paths, i)) paths.connections[i] = connections_known(&s, par, &paths, i);
 }
 
-__kernel void k_panes(ALL_ARGS) {
+__kernel void k_transmittance(ALL_ARGS) {
     SET_UP
-    if (i >= par->slots || !HAS_PREFIX(&paths, i)) return;
-    uint through = connections_to_attenuate(paths.links[i], reuse_which(i));
+    if (i >= par->path_count || !HAS_PREFIX(&paths, i)) return;
+    uint through = connections_to_attenuate(paths.connections[i], reuse_which(i));
     for (uint m = 0; m < REUSE_GROUP; m++)
-        if (through >> m & 1u) path_transmittance(&s, par, &paths, i, m);
+        if (through >> m & 1u) connection_transmittance(&s, par, &paths, i, m);
 }
 
 __kernel void k_connect(ALL_ARGS) {
     SET_UP
-    if (i < par->slots) path_connect(&s, par, &paths, reuse_first(i), reuse_which(i));
+    if (i < par->path_count) path_connect(&s, par, &paths, reuse_first(i), reuse_which(i));
 }
 
 __kernel void k_normalise_mis(ALL_ARGS) {
     SET_UP
-    if (i < par->slots && HAS_PREFIX(&paths, i)) path_normalise_mis(&paths, i);
+    if (i < par->path_count && HAS_PREFIX(&paths, i)) path_normalise_mis(&paths, i);
 }
 
 __kernel void k_gather(ALL_ARGS) {
     SET_UP
-    if (i < par->slots) path_gather(&paths, reuse_first(i), reuse_which(i));
+    if (i < par->path_count) path_gather(&paths, reuse_first(i), reuse_which(i));
 }
 
 // The paths' radiance as the film has it.
 __kernel void k_film(__constant Params *par, __global const float4 *rad, __global float *film) {
     uint i = (uint)get_global_id(0);
-    if (i >= par->slots) return;
+    if (i >= par->path_count) return;
     uint place = film_place(par, i);
     if (place != NONE) vstore3(rad[i].xyz, place, film);
 }
@@ -154,7 +154,7 @@ __kernel void k_swap(__global uint *counters) {
 
 __kernel void k_splat(ALL_ARGS) {
     SET_UP
-    if (i >= par->slots) return;
+    if (i >= par->path_count) return;
     path_splat(&s, par, &paths, i);
     path_shadow(&s, par, &paths, i, SHADOW_TO_TRACE);
 }
@@ -162,7 +162,7 @@ __kernel void k_splat(ALL_ARGS) {
 __kernel void k_pilot(ALL_ARGS, __global uint *counters, __global uint *queue) {
     SET_UP
     __local uint group[2];
-    push(i < par->slots && path_begin_pilot(par, &paths, i), i, &counters[0], queue, group);
+    push(i < par->path_count && path_begin_pilot(par, &paths, i), i, &counters[0], queue, group);
 }
 
 // Sizes and offsets as the device sees them, for the test against the host's.

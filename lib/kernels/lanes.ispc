@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stages of path.h for a row of slots, as many side by side as there are lanes (device/cpu_kernels.inl calls these).
+// Stages of path.h for a row of paths, as many side by side as there are lanes (device/cpu_kernels.inl calls these).
 #include "kernels/dialect/compat_lanes.isph"
 #include "kernels/all.h"
 
-// result: of slots 0 .. n-1, that of path_generate.
+// result: of paths 0 .. n-1, that of path_generate.
 export void LANE_CALL(generate)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                                 uniform uint n, uniform int* uniform result) {
     foreach (i = 0 ... n) result[i] = path_generate(s, par, paths, i);
 }
 
-// result: of each slot of the queue, that of path_shade.
+// result: of each path of the queue, that of path_shade.
 export void LANE_CALL(shade)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                              const uniform uint* uniform queue, uniform uint n, uniform int* uniform result) {
     foreach (i = 0 ... n) result[i] = path_shade(s, par, paths, queue[i]);
 }
 
-// known: what is known of each slot's shadow ray (integrator/shadow.h).
+// known: what is known of each path's shadow ray (integrator/shadow.h).
 export void LANE_CALL(shadow)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                               const uniform uint* uniform queue, uniform uint n, const uniform int* uniform known) {
     foreach (i = 0 ... n) path_shadow(s, par, paths, queue[i], known[i]);
@@ -30,10 +30,10 @@ export void LANE_CALL(suffix_roulette)(TABLES(const Paths) paths) {
     OF_GROUPS(path_suffix_roulette(paths, REUSE_FIRST(group), which));
 }
 
-// links: slots and members of their groups, slot * REUSE_GROUP + member.
+// connections: paths and members of their groups, path * REUSE_GROUP + member.
 export void LANE_CALL(transmittance)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
-                                    const uniform uint* uniform links, uniform uint n) {
-    foreach (i = 0 ... n) path_transmittance(s, par, paths, links[i] / REUSE_GROUP, links[i] % REUSE_GROUP);
+                                    const uniform uint* uniform connections, uniform uint n) {
+    foreach (i = 0 ... n) connection_transmittance(s, par, paths, connections[i] / REUSE_GROUP, connections[i] % REUSE_GROUP);
 }
 
 export void LANE_CALL(connect)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths) {

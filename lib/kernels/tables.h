@@ -27,11 +27,11 @@
 #define NONE 0xffffffffu
 
 // ---- instances: records of SHAPE_FLOATS floats in SceneTables.shapes, after all shapes; Hit.inst is the number of one
-#define INST_SHAPE 0u   // its SHAPE_INSTANCE (word): the matrix to the tree's coordinates
-#define INST_FRAME 1u   // 12: matrix to the coordinates that functions of the modifiers see
-#define INST_MOD 13u    // modifier in place of all those inside (word), NONE = their own
-#define INST_SCALE 14u  // a world length in the coordinates of INST_FRAME
-#define INST_REACH 15u  // radius of the tree in the world: hits inside are as inexact as rays of that length
+#define INST_SHAPE 0u         // its SHAPE_INSTANCE (word): the matrix to the tree's coordinates
+#define INST_FRAME 1u         // 12: matrix to the coordinates that functions of the modifiers see
+#define INST_MOD 13u          // modifier in place of all those inside (word), NONE = their own
+#define INST_SCALE 14u        // a world length in the coordinates of INST_FRAME
+#define INST_ERROR_SCALE 15u  // radius of the tree in the world: hits inside are as inexact as rays of that length
 
 // ---- modifiers: MOD_WORDS words each at u[Params.mods_at]
 #define MOD_WORDS 8u
@@ -114,17 +114,17 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 
 // ---- relay record of a virtual source, in u (spec shading 4.6)
 #define RELAY_PRIM 0u
-#define RELAY_SOURCE 1u    // the source behind it, real or virtual
-#define RELAY_EXIT 2u      // of a prism: 0, 1
-#define RELAY_GATES 3u     // how many gates
-#define RELAY_GATES_AT 4u  // index into f of the first
-// gate: a rectangle about a relay, where it seems to stand from the point lit, with the nearest first
-#define GATE_FLOATS 13u
-#define GATE_CENTRE 0u       // 3
-#define GATE_NORMAL 3u       // 3
-#define GATE_U 6u            // 3: axis over its half length
-#define GATE_V 9u            // 3
-#define GATE_BOTH_SIDES 12u  // a prism's: no back
+#define RELAY_SOURCE 1u        // the source behind it, real or virtual
+#define RELAY_EXIT 2u          // of a prism: 0, 1
+#define RELAY_APERTURES 3u     // how many apertures
+#define RELAY_APERTURES_AT 4u  // index into f of the first
+// aperture: a rectangle about a relay, where it seems to stand from the point lit, with the nearest first
+#define APERTURE_FLOATS 13u
+#define APERTURE_CENTRE 0u       // 3
+#define APERTURE_NORMAL 3u       // 3
+#define APERTURE_U 6u            // 3: axis over its half length
+#define APERTURE_V 9u            // 3
+#define APERTURE_BOTH_SIDES 12u  // a prism's: no back
 #define SK_DISTANT 0u
 #define SK_PARALLELOGRAM 1u
 #define SK_POLYGON 2u  // triangle fan with areas
@@ -136,17 +136,17 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 // by its two halves with all that they hold
 #define LIGHT_TREE_FROM 33u  // so many sources make one
 #define LIGHT_FLOATS 16u
-#define LIGHT_CENTRE 0u     // 3: of a ball about all its sources, or of the unit directions to distant ones
-#define LIGHT_RADIUS 3u     // of the ball
-#define LIGHT_AXIS 4u       // 3: unit, about which the normals of its sources lie; 0 if some have none
-#define LIGHT_SPREAD 7u     // how far the normals are from the axis
-#define LIGHT_POWER 8u      // radiance (SRC_POWER) times area, the sum
-#define LIGHT_FAR 9u        // no source reaches points that far from the centre; 0: distant sources
-#define LIGHT_GATES 10u     // how many gates are the same for all its sources (word)
-#define LIGHT_GATES_AT 11u  // index into f of the first (word)
-#define LIGHT_PAST 12u      // the node that comes after all that this one holds (word)
-#define LIGHT_SOURCE 13u    // a single source (word); NONE: two halves
-#define LIGHT_SHARE 14u     // of two halves: the chance of the first, by power
+#define LIGHT_CENTRE 0u         // 3: of a ball about all its sources, or of the unit directions to distant ones
+#define LIGHT_RADIUS 3u         // of the ball
+#define LIGHT_AXIS 4u           // 3: unit, about which the normals of its sources lie; 0 if some have none
+#define LIGHT_SPREAD 7u         // how far the normals are from the axis
+#define LIGHT_POWER 8u          // radiance (SRC_POWER) times area, the sum
+#define LIGHT_FAR 9u            // no source reaches points that far from the centre; 0: distant sources
+#define LIGHT_APERTURES 10u     // how many apertures are the same for all its sources (word)
+#define LIGHT_APERTURES_AT 11u  // index into f of the first (word)
+#define LIGHT_PAST 12u          // the node that comes after all that this one holds (word)
+#define LIGHT_SOURCE 13u        // a single source (word); NONE: two halves
+#define LIGHT_SHARE 14u         // of two halves: the probability of the first, by power
 
 // ---- sets of sources that mists name, in a set those that the same mists name: LIGHT_SET_WORDS words each at
 // u[Params.light_sets_at]
@@ -162,8 +162,8 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define DISTANT_BLACK 0xfffffffeu  // its alternate does not shine
 #define DISTANT_SOURCE 5u          // active source index, NONE
 
-// ---- portals (windows, patches of sun, polished strips in it, at which diffuse samples aim): PORTAL_FLOATS floats at
-// f[Params.portals_at]
+// ---- portals (windows, patches of sun, glossy reflectors in it, at which diffuse samples aim): PORTAL_FLOATS floats
+// at f[Params.portals_at]
 #define PORTAL_FLOATS 28u
 #define PORTAL_CENTRE 0u    // 3
 #define PORTAL_U 3u         // 3: edge
@@ -204,8 +204,8 @@ STRUCT(Params) {
     float4 albedo;            // of the medium: -ma rgb, w = -mg
     float4 medium;            // global extinction rgb; w = 1 if any segment of the scene may absorb
     // sizes and modes
-    uint nx, ny, mode, frame;             // frame = sample index of global index 0
-    uint seed_lo, seed_hi, slots, first;  // first = global index of slot 0
+    uint nx, ny, mode, frame;                  // frame = sample index of global index 0
+    uint seed_lo, seed_hi, path_count, first;  // first = global index of path 0
     uint mods_at, sources_at, source_count, distant_at;
     uint distant_count, portals_at, portal_count, shadow_mode;
     int ab, lr;
@@ -214,26 +214,26 @@ STRUCT(Params) {
     float ds;
     uint light_sets_at;
     uint skip_direct_below, light_tree_at;
-    float least_lobe_prob;  // least chance of a way (integrator/sample_bsdf.h); 0: none
+    float least_lobe_prob;  // least probability of a way (integrator/sample_bsdf.h); 0: none
     float portal_rest;      // light from elsewhere than portals (portals.h)
     uint highlights_at, highlight_count;
     float highlight_share;            // of those that go toward highlights, where there are any (highlights.h)
-    uint together;                    // slots of a pixel side by side: samples frame .. frame + together - 1
+    uint samples_per_pass;            // paths of a pixel side by side: samples frame .. frame + samples_per_pass - 1
     uint light_nodes;                 // of the tree; 0: each source is looked at
     float portal_least, portal_most;  // share of the directions toward portals, where there are any
-    uint window_count;                // of all portals; then come patches of sun and polished strips
-    uint copies, focus_at;  // samples of a frame of a pixel; above 1: those of entry focus_at and after (below)
-    uint reuse_slot_count;  // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
+    uint window_count;                // of all portals; then come patches of sun and glossy reflectors
+    uint spp, focus_at;     // samples of a frame of a pixel; above 1: those of entry focus_at and after (below)
+    uint reuse_path_count;  // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
     uint redraw;            // not 0: other random numbers than usual, but for the place in the pixel and on the lens
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // which of the records they are
 };
 
-// An entry of the table of pixels with several samples in each frame: a pass makes `copies` of them for it.
+// An entry of the table of pixels with several samples in each frame: a pass makes `spp` of them for it.
 #define FOCUS_WORDS 3u
 #define FOCUS_PIXEL 0u
 #define FOCUS_ALL 1u   // samples that its pixel has in each frame
-#define FOCUS_FROM 2u  // those of this entry: FOCUS_FROM .. FOCUS_FROM + copies - 1
+#define FOCUS_FROM 2u  // those of this entry: FOCUS_FROM .. FOCUS_FROM + spp - 1
 
 // modes: what a pass computes
 #define MODE_DIRECT 0u  // frame 0: paths without a diffuse bounce

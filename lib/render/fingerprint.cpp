@@ -34,7 +34,7 @@ std::string focus_text(const Focus& focus) {
     for (const FocusPart& part : focus) {
         base::Hash pixels;
         pixels.add_all(part.pixels);
-        text += fmt::format(" {} samples of {}", part.copies, pixels.text());
+        text += fmt::format(" {} samples of {}", part.spp, pixels.text());
     }
     return text;
 }

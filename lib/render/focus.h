@@ -13,7 +13,7 @@ namespace render {
 // Pixels of regions of about the same size, in ascending order, and the copies of each.
 struct FocusPart {
     std::vector<uint32_t> pixels;
-    uint32_t copies = 1;
+    uint32_t spp = 1;
 };
 using Focus = std::vector<FocusPart>;
 

@@ -19,15 +19,15 @@ double grey(const float* rgb) {
 // pixel, all its samples at once: neighbours in the picture are followed together.
 void sum_samples(device::Device& device, Samples& sampler, const Params& base, int64_t begin, uint32_t count,
                  std::vector<double>& sum, std::vector<float>& half_off, std::vector<double>& squares) {
-    const uint32_t pixels = base.nx * base.ny, most = UINT32_MAX / pixels;  // indices of slots are 32 bits
+    const uint32_t pixels = base.nx * base.ny, most = UINT32_MAX / pixels;  // indices of paths are 32 bits
     std::vector<float> rgb;
     for (uint32_t done = 0; done < count;) {
         const uint32_t n = std::min(count - done, most), some = std::max(1u, device.preferred_batch_size() / n);
         for (uint32_t first = 0; first < pixels; first += some) {
-            const uint32_t together = std::min(some, pixels - first);
-            sampler.run(device, base, {MODE_DIRECT, begin + done, n, first, together}, rgb);
+            const uint32_t batch = std::min(some, pixels - first);
+            sampler.run(device, base, {MODE_DIRECT, begin + done, n, first, batch}, rgb);
             const float* from = rgb.data();
-            for (size_t pixel = first; pixel < first + together; pixel++)
+            for (size_t pixel = first; pixel < first + batch; pixel++)
                 for (uint32_t k = 0; k < n; k++) {
                     squares[pixel] += grey(from) * grey(from);
                     for (size_t c = 0; c < 3; c++) {
@@ -47,7 +47,7 @@ void draw_sources(device::Device& device, Samples& sampler, const Params& base, 
     Params p = base;
     p.mode = MODE_SPLAT;
     p.first = 0;
-    p.slots = uint32_t(list.rays.size());
+    p.path_count = uint32_t(list.rays.size());
     device.splat(p, list.rays, rgb);
     sampler.scrub(rgb);
     const size_t pixels = size_t(base.nx) * base.ny;

@@ -15,18 +15,18 @@ constexpr uint32_t coarse = 4;                      // a few paths for each bloc
 constexpr uint32_t paths = 4;                       // of each block
 constexpr uint32_t samples_first = (3u << 30) + 1;  // numbers of the samples: no frame's
 constexpr float as_if_normal = 1.45f;  // standard deviation over the mean distance of four samples from their mean
-constexpr uint32_t most_copies = 64;
+constexpr uint32_t most_spp = 64;
 
 // Luminances of n samples of each pixel of p's picture.
 std::vector<float> sampled(device::Device& device, Params p, uint32_t mode, uint32_t n) {
     p.mode = mode;
     p.frame = samples_first;
     p.skip_direct_below = UINT32_MAX;  // diffuse paths hold no direct light
-    p.together = n;
+    p.samples_per_pass = n;
     std::vector<float> rgb, out;
     const uint32_t all = p.nx * p.ny * n, some = std::max(n, device.preferred_batch_size() / n * n);
-    for (p.first = 0; p.first < all; p.first += p.slots) {
-        p.slots = std::min(some, all - p.first);
+    for (p.first = 0; p.first < all; p.first += p.path_count) {
+        p.path_count = std::min(some, all - p.first);
         device.run(p, rgb);
         for (size_t i = 0; i < rgb.size(); i += 3) {
             const double y = image::luminance(&rgb[i]);
@@ -78,11 +78,11 @@ std::vector<float> direct_variance(device::Device& device, const Params& base) {
 }
 
 // In powers of two, the nearest to the ratio that there is.
-uint32_t copies_for(float deviation, float of_one) {
-    if (deviation < .75f * least_copies * of_one) return 0;
-    uint32_t copies = least_copies;
-    while (copies < most_copies && deviation > 1.5f * float(copies) * of_one) copies *= 2;
-    return copies;
+uint32_t spp_for(float deviation, float of_one) {
+    if (deviation < .75f * least_spp * of_one) return 0;
+    uint32_t spp = least_spp;
+    while (spp < most_spp && deviation > 1.5f * float(spp) * of_one) spp *= 2;
+    return spp;
 }
 }  // namespace
 
@@ -99,22 +99,22 @@ std::vector<uint32_t> copies_of_noisy(device::Device& device, const Params& base
         }
 
     // The deviation that deserves one sample, so that all of them are as many as they may be.
-    constexpr double all_that_count = 1u << 31;  // slots of a pass are counted in 32 bits
+    constexpr double all_that_count = 1u << 31;  // paths of a pass are counted in 32 bits
     const double enough = std::min(share * double(deviation.size()), all_that_count);
     float high_one = *std::max_element(deviation.begin(), deviation.end()), low_one = 1e-9f * high_one;
     const auto fits = [&](float one) {
         double all = 0;
-        for (const float d : deviation) all += copies_for(d, one);
+        for (const float d : deviation) all += spp_for(d, one);
         return all <= enough;
     };
     for (int step = 0; step < 24 && high_one > 0; step++) {
         const float one = std::sqrt(low_one) * std::sqrt(high_one);
         (fits(one) ? high_one : low_one) = one;
     }
-    std::vector<uint32_t> copies(deviation.size(), 0);
+    std::vector<uint32_t> spp(deviation.size(), 0);
     if (high_one > 0)
-        for (size_t i = 0; i < copies.size(); i++) copies[i] = copies_for(deviation[i], high_one);
-    return copies;
+        for (size_t i = 0; i < spp.size(); i++) spp[i] = spp_for(deviation[i], high_one);
+    return spp;
 }
 
 }  // namespace render

@@ -10,7 +10,7 @@
 
 namespace render {
 
-constexpr uint32_t least_copies = 4;  // any number of copies is a multiple of it
+constexpr uint32_t least_spp = 4;  // any number of samples is a multiple of it
 
 // base: of the picture.  share: samples for noisy pixels, over those of the picture.  Result: how
 // many each pixel gets in a frame, row 0 = top, 0 where it keeps its one.  Depends on seed, scene and view alone.

@@ -17,7 +17,7 @@ constexpr double least_share = .05;                              // of the mean:
 constexpr double clear = 3;                                      // standard errors of the noise of a covariance
 constexpr double rounding = 1e-6;                                // of the squared mean
 constexpr uint32_t enough = 1u << 20, least_places = 16, most_places = 256;  // places: of all pixels; of one
-constexpr size_t together = 1u << 14;                                        // pixels
+constexpr size_t pixels_at_once = 1u << 14;                                  // pixels
 
 // In small pictures a pixel is much of the light, and samples cost little.
 uint32_t places_of(uint32_t pixels) {
@@ -92,7 +92,7 @@ image::Moments pixel_moments(device::Device& device, Samples& sampler, const Par
     const uint32_t n = places_of(base.nx * base.ny);
     std::vector<float> out(image::moment_numbers * zero.spread.size(), 0.0f), a, b;
     const std::vector<uint32_t> uneven = uneven_pixels(zero, int(base.nx), int(base.ny));
-    const size_t step = std::max<size_t>(1, together * least_places / n);
+    const size_t step = std::max<size_t>(1, pixels_at_once * least_places / n);
     for (size_t first = 0; first < uneven.size(); first += step) {
         const std::vector<uint32_t> some(uneven.begin() + long(first),
                                          uneven.begin() + long(std::min(uneven.size(), first + step)));

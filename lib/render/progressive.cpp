@@ -69,10 +69,10 @@ struct Renderer::State {
     // these are given.
     template <class Give>
     void samples(int64_t first, int64_t count, Give&& give) {
-        const int64_t most = std::max<int64_t>(1, device->preferred_batch_size() / sampler.slots(base));
-        const auto together = [&](int64_t done) { return std::min({std::max<int64_t>(1, done), most, count - done}); };
+        const int64_t most = std::max<int64_t>(1, device->preferred_batch_size() / sampler.path_count(base));
+        const auto batch = [&](int64_t done) { return std::min({std::max<int64_t>(1, done), most, count - done}); };
         const auto begin = [&](int64_t done) {
-            const Pass pass{MODE_FRAMES, first + done, uint32_t(together(done)), 0, nx * ny};
+            const Pass pass{MODE_FRAMES, first + done, uint32_t(batch(done)), 0, nx * ny};
             const auto when = device->is_async() ? std::launch::async | std::launch::deferred : std::launch::deferred;
             return std::async(when, [this, pass] {
                 std::vector<float> rgb;
@@ -84,7 +84,7 @@ struct Renderer::State {
         std::vector<float> one;
         for (int64_t done = 0, n; done < count; done += n) {
             const std::vector<float> rgb = next.get();
-            n = together(done);
+            n = batch(done);
             if (done + n < count) next = begin(done + n);
             for (int64_t i = 0; i < n; i++) {
                 if (n > 1) take_sample(rgb, size_t(n), size_t(i), one);
@@ -279,14 +279,14 @@ Renderer::RayValue Renderer::trace_ray(const double origin[3], const double dir[
     for (int64_t done = 0; done < n;) {
         p.frame = uint32_t(done);
         p.first = 0;
-        p.slots = uint32_t(std::min<int64_t>(n - done, 1 << 16));
+        p.path_count = uint32_t(std::min<int64_t>(n - done, 1 << 16));
         s.device->run(p, rgb);
         s.sampler.scrub(rgb);
         for (size_t i = 0; i < rgb.size(); i++) {
             sum[i % 3] += rgb[i];
             square[i % 3] += double(rgb[i]) * rgb[i];
         }
-        done += p.slots;
+        done += p.path_count;
     }
     RayValue v;
     for (int c = 0; c < 3; c++) {

@@ -14,7 +14,7 @@ namespace render {
 using namespace kernels;
 
 namespace {
-constexpr double reuse_equivalent_spp = 8;  // copies
+constexpr double reuse_equivalent_spp = 8;  // samples
 constexpr uint32_t first_place = 5u << 29;  // number of the samples of run_places: no frame's
 }  // namespace
 
@@ -43,25 +43,25 @@ void Samples::set_focus(device::Device& device, const Focus& focus) {
     several_.clear();
     for (const FocusPart& part : focus) {
         Several s;
-        s.copies = part.copies;
+        s.spp = part.spp;
         s.reuse_equivalent_spp = reuse_equivalent_spp;
-        for (const uint32_t pixel : part.pixels) s.entries.insert(s.entries.end(), {pixel, part.copies, 0});
+        for (const uint32_t pixel : part.pixels) s.entries.insert(s.entries.end(), {pixel, part.spp, 0});
         add(std::move(s));
     }
     send(device);
 }
 
-std::vector<uint32_t> Samples::add_noisy(device::Device& device, std::vector<uint32_t> copies) {
+std::vector<uint32_t> Samples::add_noisy(device::Device& device, std::vector<uint32_t> spp) {
     for (const Several& s : several_)
-        for (size_t entry = 0; entry < s.count(); entry++) copies[s.word(entry, FOCUS_PIXEL)] = 0;
+        for (size_t entry = 0; entry < s.count(); entry++) spp[s.word(entry, FOCUS_PIXEL)] = 0;
     std::vector<uint32_t> pixels;
     Several s;
-    s.copies = least_copies;
+    s.spp = least_spp;
     s.direct_in_each_frame = true;
-    for (uint32_t pixel = 0; pixel < copies.size(); pixel++) {
-        if (copies[pixel] > 0) pixels.push_back(pixel);
-        for (uint32_t from = 0; from < copies[pixel]; from += least_copies)
-            s.entries.insert(s.entries.end(), {pixel, copies[pixel], from});
+    for (uint32_t pixel = 0; pixel < spp.size(); pixel++) {
+        if (spp[pixel] > 0) pixels.push_back(pixel);
+        for (uint32_t from = 0; from < spp[pixel]; from += least_spp)
+            s.entries.insert(s.entries.end(), {pixel, spp[pixel], from});
     }
     if (pixels.empty()) return pixels;
     add(std::move(s));
@@ -69,24 +69,24 @@ std::vector<uint32_t> Samples::add_noisy(device::Device& device, std::vector<uin
     return pixels;
 }
 
-// Pictures smaller than a square of groups do not: nearly all slots would lie beside them.
+// Pictures smaller than a square of groups do not: nearly all paths would lie beside them.
 bool Samples::shares(const Params& par) const { return may_share_ && par.nx >= REUSE_SIDE && par.ny >= REUSE_SIDE; }
 
-uint32_t Samples::slots(const Params& base) const {
-    return shares(base) ? kernels::reuse_slots(base.nx, base.ny) : base.nx * base.ny;
+uint32_t Samples::path_count(const Params& base) const {
+    return shares(base) ? kernels::reuse_paths(base.nx, base.ny) : base.nx * base.ny;
 }
 
 void Samples::run(device::Device& device, const Params& base, const Pass& pass, std::vector<float>& rgb) {
     Params p = base;
     p.mode = pass.mode;
     p.frame = uint32_t(pass.first_sample);
-    p.together = pass.n;
+    p.samples_per_pass = pass.n;
     p.first = pass.first_pixel * pass.n;
-    p.slots = pass.pixels * pass.n;
+    p.path_count = pass.pixels * pass.n;
     if (shares(base) && pass.mode == MODE_FRAMES) {
-        p.reuse_slot_count = kernels::reuse_slots(p.nx, p.ny);
+        p.reuse_path_count = kernels::reuse_paths(p.nx, p.ny);
         p.first = 0;
-        p.slots = p.reuse_slot_count * pass.n;
+        p.path_count = p.reuse_path_count * pass.n;
     }
     device.run(p, rgb);
     scrub(rgb);
@@ -100,34 +100,34 @@ void Samples::refine(device::Device& device, const Params& base, const Pass& pas
     const uint32_t begin = several.first_of(pass.first_pixel),
                    end = several.first_of(uint64_t(pass.first_pixel) + pass.pixels);
     if (begin == end) return;
-    const uint32_t most = UINT32_MAX / (uint32_t(several.count()) * several.copies);  // indices of slots are 32 bits
+    const uint32_t most = UINT32_MAX / (uint32_t(several.count()) * several.spp);  // indices of paths are 32 bits
     const double worth = shares(base) && pass.mode == MODE_FRAMES ? several.reuse_equivalent_spp : 0;
     Params p = base;
     p.mode = pass.mode;
-    p.copies = several.copies;
+    p.spp = several.spp;
     p.focus_at = several.at;
     if (several.direct_in_each_frame) p.skip_direct_below = 0;
     for (uint32_t done = 0, n; done < pass.n; done += n) {
         n = std::min(pass.n - done, most);
         p.frame = uint32_t(pass.first_sample + done);
-        p.together = n * several.copies;
-        const uint32_t first = begin * p.together, last = end * p.together;
+        p.samples_per_pass = n * several.spp;
+        const uint32_t first = begin * p.samples_per_pass, last = end * p.samples_per_pass;
         std::vector<double> sum(size_t(end - begin) * n * 3);
-        for (p.first = first; p.first < last; p.first += p.slots) {
-            p.slots = std::min(device.preferred_batch_size(), last - p.first);
-            device.run(p, copies_);
-            scrub(copies_);
-            for (size_t i = 0; i < copies_.size(); i++)
-                sum[(p.first - first + i / 3) / several.copies * 3 + i % 3] += double(copies_[i]);
+        for (p.first = first; p.first < last; p.first += p.path_count) {
+            p.path_count = std::min(device.preferred_batch_size(), last - p.first);
+            device.run(p, samples_);
+            scrub(samples_);
+            for (size_t i = 0; i < samples_.size(); i++)
+                sum[(p.first - first + i / 3) / several.spp * 3 + i % 3] += double(samples_[i]);
         }
         for (uint32_t entry = begin, next; entry < end; entry = next) {  // those of a pixel lie side by side
-            const uint32_t pixel = several.word(entry, FOCUS_PIXEL), copies = several.word(entry, FOCUS_ALL);
-            next = entry + copies / several.copies;
+            const uint32_t pixel = several.word(entry, FOCUS_PIXEL), spp = several.word(entry, FOCUS_ALL);
+            next = entry + spp / several.spp;
             for (size_t i = 0; i < size_t(n) * 3; i++) {
                 double all = 0;
                 for (uint32_t e = entry; e < next; e++) all += sum[size_t(e - begin) * n * 3 + i];
                 float& value = rgb[3 * (size_t(pixel - pass.first_pixel) * pass.n + done) + i];
-                value = float((all + worth * double(value)) / (copies + worth));
+                value = float((all + worth * double(value)) / (spp + worth));
             }
         }
     }
@@ -141,14 +141,14 @@ void Samples::run_places(device::Device& device, const Params& base, const std::
     Params p = base;
     p.mode = MODE_DIRECT;
     p.frame = first_place;
-    p.copies = p.together = n;
+    p.spp = p.samples_per_pass = n;
     p.focus_at = 0;
     p.redraw = redraw;
-    const uint32_t slots = uint32_t(pixels.size()) * n;
+    const uint32_t all = uint32_t(pixels.size()) * n;
     rgb.clear();
     std::vector<float> some;
-    for (p.first = 0; p.first < slots; p.first += p.slots) {
-        p.slots = std::min(device.preferred_batch_size(), slots - p.first);
+    for (p.first = 0; p.first < all; p.first += p.path_count) {
+        p.path_count = std::min(device.preferred_batch_size(), all - p.first);
         device.run(p, some);
         rgb.insert(rgb.end(), some.begin(), some.end());
     }

@@ -20,11 +20,11 @@ public:
     void set_focus(device::Device& device, const Focus& focus);
     // Adds noisy ones (noisy.h): copies of each pixel, 0: one.  Pixels of a focus keep its number.  Samples of the
     // others, which are returned, hold the direct class in each frame.
-    std::vector<uint32_t> add_noisy(device::Device& device, std::vector<uint32_t> copies);
+    std::vector<uint32_t> add_noisy(device::Device& device, std::vector<uint32_t> spp);
     // May the paths of whole pictures share their suffix vertices (kernels/integrator/path_reuse.h)?
     void set_sharing(bool may) { may_share_ = may; }
-    // How many slots a sample of the whole picture takes.
-    uint32_t slots(const kernels::Params& base) const;
+    // How many paths a sample of the whole picture takes.
+    uint32_t path_count(const kernels::Params& base) const;
     // rgb: the samples of a pixel lie side by side, as do their rays.
     void run(device::Device& device, const kernels::Params& base, const Pass& pass, std::vector<float>& rgb);
     // n direct samples of each of some pixels, which no frame holds, side by side.  redraw: 0, or other random numbers
@@ -40,8 +40,8 @@ private:
     struct Several {
         std::vector<uint32_t> entries;    // FOCUS_WORDS each, pixels in ascending order
         uint32_t at = 0;                  // among all entries of the device
-        uint32_t copies = 0;              // samples of an entry
-        double reuse_equivalent_spp = 0;  // copies that the sample of the whole picture counts for, where paths share
+        uint32_t spp = 0;                 // samples of an entry
+        double reuse_equivalent_spp = 0;  // samples that the sample of the whole picture counts for, where paths share
         bool direct_in_each_frame = false;
         size_t count() const { return entries.size() / FOCUS_WORDS; }
         uint32_t word(size_t entry, uint32_t which) const { return entries[entry * FOCUS_WORDS + which]; }
@@ -55,7 +55,7 @@ private:
 
     std::vector<Several> several_;
     bool may_share_ = false;
-    std::vector<float> copies_;
+    std::vector<float> samples_;
     bool found_bad_ = false;
 };
 

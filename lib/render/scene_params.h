@@ -44,7 +44,7 @@ inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOpt
     p.ds = float(o.ds);
     p.lw = float(o.lw);
     p.least_lobe_prob = float(o.least_lobe_prob);
-    p.together = p.copies = 1;
+    p.samples_per_pass = p.spp = 1;
     p.skip_direct_below = uint32_t(std::max(1, o.direct_samples));
     return p;
 }

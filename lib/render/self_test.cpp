@@ -54,13 +54,13 @@ std::vector<float> render_room(device::Device& device, const scene::Scene& scene
     set_view(par, view, flat.centre);
     device.upload(std::make_shared<const flatten::FlatScene>(std::move(flat)));
     std::vector<float> rgb, direct;
-    par.together = frames;
-    par.slots = side * side * frames;
+    par.samples_per_pass = frames;
+    par.path_count = side * side * frames;
     par.mode = MODE_DIRECT;
     device.run(par, direct);
     par.mode = MODE_FRAMES;
     par.frame = 1;
-    par.reuse_slot_count = reuse_slots(side, side);
+    par.reuse_path_count = reuse_paths(side, side);
     device.run(par, rgb);
     rgb.insert(rgb.end(), direct.begin(), direct.end());
     return rgb;

@@ -35,8 +35,8 @@ double density(const view::Projector& p, double X, double Y) {
 }
 }  // namespace
 
-void mark_splatted(const SplatList& list, std::vector<float>& numbers, bool drawn) {
-    for (uint32_t at : list.marked) numbers[at] = from_bits(drawn ? 1u : 0u);
+void mark_splatted(const SplatList& list, std::vector<float>& table, bool drawn) {
+    for (uint32_t at : list.marked) table[at] = from_bits(drawn ? 1u : 0u);
 }
 
 SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,

@@ -19,6 +19,6 @@ struct SplatList {
 SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
                                  const view::View& view, int nx, int ny);
 // Says so to the kernels in the scene's numbers (FlatScene::f), or takes it back.
-void mark_splatted(const SplatList& list, std::vector<float>& numbers, bool drawn = true);
+void mark_splatted(const SplatList& list, std::vector<float>& table, bool drawn = true);
 
 }  // namespace render

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles of one rough polished material in one plane are a sheet; rays from random points of it toward the sun tell
-// which part is lit.  The sheets whose lit part sends most light into its highlight are kept.
+// Triangles of one rough polished material in one plane are a coplanar patch; rays from random points of it toward the
+// sun tell which part is lit.  The patches whose lit part sends most light into its highlight are kept.
 #include "sampling/highlights.h"
 
 #include <algorithm>
@@ -19,12 +19,12 @@ using base::Vec3;
 
 constexpr float LEAST_ROUGH = 1e-3f, MOST_ROUGH = .2f;  // duller ones are found by the cosine
 constexpr float SUN_ALPHA2 = 1e-5f;                     // what the sun's disc adds to a roughness, squared
-constexpr double LEAST_COSINE = .02;                    // between a sheet's normal and the sun
-constexpr size_t MOST_SHEETS = 64, MOST_KNOWN = 1024;
+constexpr double LEAST_COSINE = .02;                    // between a patch's normal and the sun
+constexpr size_t MOST_PATCHES = 64, MOST_KNOWN = 1024;
 constexpr int RAYS = 256;  // from each
 constexpr int LEAST_LIT = 3;
 
-struct Sheet {
+struct CoplanarPatch {
     Vec3 p, n, sun;
     float alpha2;
     double specular, area = 0;
@@ -36,7 +36,7 @@ struct Sheet {
 };
 
 // The arguments of a primitive's material if it is a rough polished one, else null.
-const float* polish(const flatten::FlatScene& scene, uint32_t prim) {
+const float* glossy_args(const flatten::FlatScene& scene, uint32_t prim) {
     const uint32_t* record = &scene.prims[size_t(PRIM_WORDS) * prim];
     if ((record[PRIM_KIND] & PRIM_KIND_MASK) != PRIM_FLAT) return nullptr;
     const uint32_t mod = flatten::material_record(scene, record[PRIM_MOD]);
@@ -52,23 +52,24 @@ class Search {
 public:
     explicit Search(const flatten::FlatScene& scene) : scene_(scene), tracer_(scene) {}
 
-    std::vector<Sheet> sheets(const std::vector<Vec3>& suns) {
+    std::vector<CoplanarPatch> patches(const std::vector<Vec3>& suns) {
         const flatten::FlatScene::Tree& tree = scene_.trees.at(0);
         for (size_t t = tree.first_triangle; t < tree.first_triangle + tree.triangle_count; t++)
             for (const Vec3& sun : suns) add(t, sun);
-        largest_first(MOST_SHEETS, [](const Sheet& s) { return s.area * s.specular; });
-        for (Sheet& sheet : sheets_) light(sheet);
-        sheets_.erase(std::remove_if(sheets_.begin(), sheets_.end(), [](const Sheet& s) { return !(s.lit > 0); }),
-                      sheets_.end());
-        largest_first(MOST_HIGHLIGHTS, [](const Sheet& s) { return s.lit * s.specular; });
-        return std::move(sheets_);
+        largest_first(MOST_PATCHES, [](const CoplanarPatch& s) { return s.area * s.specular; });
+        for (CoplanarPatch& patch : patches_) light(patch);
+        patches_.erase(
+            std::remove_if(patches_.begin(), patches_.end(), [](const CoplanarPatch& s) { return !(s.lit > 0); }),
+            patches_.end());
+        largest_first(MOST_HIGHLIGHTS, [](const CoplanarPatch& s) { return s.lit * s.specular; });
+        return std::move(patches_);
     }
 
 private:
     const flatten::FlatScene& scene_;
     const flatten::HostTracer tracer_;
-    std::vector<Sheet> sheets_;
-    std::map<int, std::vector<size_t>> facing_;  // sheets by their normals: a million triangles ask
+    std::vector<CoplanarPatch> patches_;
+    std::map<int, std::vector<size_t>> facing_;  // patches by their normals: a million triangles ask
 
     // A number for directions within a hundredth or so; walls, floors and slopes of whole percents lie well inside.
     static int facing(Vec3 n) {
@@ -78,9 +79,9 @@ private:
 
     template <class Key>
     void largest_first(size_t most, Key&& key) {
-        std::stable_sort(sheets_.begin(), sheets_.end(),
-                         [&](const Sheet& a, const Sheet& b) { return key(a) > key(b); });
-        if (sheets_.size() > most) sheets_.resize(most);
+        std::stable_sort(patches_.begin(), patches_.end(),
+                         [&](const CoplanarPatch& a, const CoplanarPatch& b) { return key(a) > key(b); });
+        if (patches_.size() > most) patches_.resize(most);
     }
 
     Vec3 corner(size_t triangle, int k) const {
@@ -91,7 +92,7 @@ private:
 
     void add(size_t triangle, Vec3 sun) {
         const uint32_t prim = scene_.tri_prim[triangle] & 0x7fffffffu;
-        const float* arg = polish(scene_, prim);
+        const float* arg = glossy_args(scene_, prim);
         if (arg == nullptr) return;
         const uint32_t* record = &scene_.prims[size_t(PRIM_WORDS) * prim];
         Vec3 n{as_float_(record[PRIM_NORMAL]), as_float_(record[PRIM_NORMAL + 1]), as_float_(record[PRIM_NORMAL + 2])};
@@ -102,18 +103,18 @@ private:
         const double area = .5 * length(cross(corner(triangle, 1) - p, corner(triangle, 2) - p));
         const float alpha2 = arg[4] * arg[4] + SUN_ALPHA2;
         std::vector<size_t>& alike = facing_[facing(n)];
-        Sheet* of = nullptr;
+        CoplanarPatch* of = nullptr;
         for (size_t i : alike) {
-            Sheet& sheet = sheets_[i];
-            if (sheet.alpha2 == alpha2 && dot(sheet.n, n) > .99999 && dot(sheet.sun, sun) > .99999 &&
-                std::fabs(dot(p - sheet.p, n)) < 1e-4 * (1 + length(p - sheet.p)))
-                of = &sheet;
+            CoplanarPatch& patch = patches_[i];
+            if (patch.alpha2 == alpha2 && dot(patch.n, n) > .99999 && dot(patch.sun, sun) > .99999 &&
+                std::fabs(dot(p - patch.p, n)) < 1e-4 * (1 + length(p - patch.p)))
+                of = &patch;
         }
         if (of == nullptr) {
-            if (sheets_.size() == MOST_KNOWN) return;
-            alike.push_back(sheets_.size());
-            sheets_.push_back({});
-            of = &sheets_.back();
+            if (patches_.size() == MOST_KNOWN) return;
+            alike.push_back(patches_.size());
+            patches_.push_back({});
+            of = &patches_.back();
             of->p = p;
             of->n = n;
             of->sun = sun;
@@ -126,29 +127,29 @@ private:
     }
 
     // Where is it lit?  A rectangle about the points that see the sun, with a margin for those between them.
-    void light(Sheet& sheet) {
+    void light(CoplanarPatch& patch) {
         std::mt19937 random(7);
         std::uniform_real_distribution<double> uniform(0, 1);
-        const size_t first = sheet.triangles[0];
-        sheet.u = unit(corner(first, 1) - corner(first, 0));
-        sheet.v = cross(sheet.n, sheet.u);
-        const double off = 1e-4 * std::sqrt(sheet.area), margin = std::sqrt(sheet.area / RAYS);
+        const size_t first = patch.triangles[0];
+        patch.u = unit(corner(first, 1) - corner(first, 0));
+        patch.v = cross(patch.n, patch.u);
+        const double off = 1e-4 * std::sqrt(patch.area), margin = std::sqrt(patch.area / RAYS);
         int lit = 0;
         for (int i = 0; i < RAYS; i++) {
-            const double at = uniform(random) * sheet.area, x = std::sqrt(uniform(random)), y = uniform(random);
-            const size_t k = size_t(std::upper_bound(sheet.upto.begin(), sheet.upto.end(), at) - sheet.upto.begin());
-            const size_t triangle = sheet.triangles[std::min(k, sheet.triangles.size() - 1)];
+            const double at = uniform(random) * patch.area, x = std::sqrt(uniform(random)), y = uniform(random);
+            const size_t k = size_t(std::upper_bound(patch.upto.begin(), patch.upto.end(), at) - patch.upto.begin());
+            const size_t triangle = patch.triangles[std::min(k, patch.triangles.size() - 1)];
             const Vec3 p =
                 corner(triangle, 0) * (1 - x) + corner(triangle, 1) * (x * (1 - y)) + corner(triangle, 2) * (x * y);
-            if (tracer_.blocked(p + sheet.n * off, sheet.sun, 0, 1e30, flatten::HostTracer::opaque)) continue;
-            const double place[2] = {dot(p - sheet.p, sheet.u), dot(p - sheet.p, sheet.v)};
+            if (tracer_.blocked(p + patch.n * off, patch.sun, 0, 1e30, flatten::HostTracer::opaque)) continue;
+            const double place[2] = {dot(p - patch.p, patch.u), dot(p - patch.p, patch.v)};
             for (int axis = 0; axis < 2; axis++) {
-                sheet.lo[axis] = std::min(sheet.lo[axis], place[axis] - margin);
-                sheet.hi[axis] = std::max(sheet.hi[axis], place[axis] + margin);
+                patch.lo[axis] = std::min(patch.lo[axis], place[axis] - margin);
+                patch.hi[axis] = std::max(patch.hi[axis], place[axis] + margin);
             }
             lit++;
         }
-        if (lit >= LEAST_LIT) sheet.lit = sheet.area * lit / RAYS;
+        if (lit >= LEAST_LIT) patch.lit = patch.area * lit / RAYS;
     }
 };
 
@@ -158,13 +159,13 @@ void find_highlights(flatten::FlatScene& scene) {
     const std::vector<Vec3> suns = suns_of(scene);
     scene.highlights_at = uint32_t(scene.f.size());
     if (suns.empty()) return;
-    for (const Sheet& sheet : Search(scene).sheets(suns)) {
-        const Vec3 corner = sheet.p + sheet.u * sheet.lo[0] + sheet.v * sheet.lo[1] - scene.centre;
-        const Vec3 u = sheet.u * (sheet.hi[0] - sheet.lo[0]), v = sheet.v * (sheet.hi[1] - sheet.lo[1]);
-        const Vec3 dir = sheet.sun - sheet.n * (2 * dot(sheet.n, sheet.sun));
-        for (const Vec3& q : {corner, u, v, sheet.n, dir})
+    for (const CoplanarPatch& patch : Search(scene).patches(suns)) {
+        const Vec3 corner = patch.p + patch.u * patch.lo[0] + patch.v * patch.lo[1] - scene.centre;
+        const Vec3 u = patch.u * (patch.hi[0] - patch.lo[0]), v = patch.v * (patch.hi[1] - patch.lo[1]);
+        const Vec3 dir = patch.sun - patch.n * (2 * dot(patch.n, patch.sun));
+        for (const Vec3& q : {corner, u, v, patch.n, dir})
             for (int k = 0; k < 3; k++) scene.f.push_back(float(q[k]));
-        scene.f.push_back(sheet.alpha2);
+        scene.f.push_back(patch.alpha2);
         scene.highlight_count++;
     }
 }

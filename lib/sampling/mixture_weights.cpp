@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Short walks tell the second moment of a path for any share.  A sample of light f, in a direction that has q times the
-// cosine's density among those aimed at, counts f^2 / (1 - share + share q) (Veach 1997, section 9.2).  f is what the
-// walk has met and a share of the light beyond, bounce by bounce, as if every place were like the mean of all.
-// Portals and highlights are small: walks of their own go there.  Those to highlights and those by the cosine are
-// weighed together by the density of both.
+// Short pilots tell the second moment of a path for any share.  A sample of light f, in a direction that has q times
+// the cosine's pdf among those aimed at, counts f^2 / (1 - share + share q) (Veach 1997, section 9.2).  f is what the
+// pilot has met and a share of the light beyond, bounce by bounce, as if every place were like the mean of all.
+// Portals and highlights are small: pilots of their own go there.  Those to highlights and those by the cosine are
+// weighed together by the pdf of both.
 #include "sampling/mixture_weights.h"
 
 #include <algorithm>
@@ -23,12 +23,12 @@ namespace {
 
 using namespace kernels;
 
-constexpr uint32_t EYE_SIDE = 48;   // walks from the eye, a square of so many
-constexpr uint32_t WALKS = 8;       // from each place that the eye sees; from those that they reach, one
+constexpr uint32_t EYE_SIDE = 48;   // pilots from the eye, a square of so many
+constexpr uint32_t PILOTS = 8;      // from each place that the eye sees; from those that they reach, one
 constexpr float MOST_AIMED = 0.5f;  // of the directions, so that what is not known is found too
 constexpr size_t AIMED = 1024;      // to each portal
-constexpr double SHINES[] = {0, 1. / 32, 1. / 16, 1. / 8, 1. / 4, 3. / 8, 1. / 2};
-constexpr double WORTH_IT = 4;  // squared means: what highlights must take off the second moment
+constexpr double HIGHLIGHT_SHARES[] = {0, 1. / 32, 1. / 16, 1. / 8, 1. / 4, 3. / 8, 1. / 2};
+constexpr double MIN_HIGHLIGHT_GAIN = 4;  // squared means: what highlights must take off the second moment
 
 struct Place {
     float3 p, n;
@@ -39,9 +39,9 @@ double luminance(const float (&c)[3]) {
     return std::isfinite(v) && v > 0 ? v : 0;
 }
 
-class Survey {
+class PilotSampler {
 public:
-    Survey(device::Device& device, const Params& par, const std::vector<float>& records)
+    PilotSampler(device::Device& device, const Params& par, const std::vector<float>& records)
         : device_(device), par_(par), records_(records) {
         par_.mode = MODE_PILOT;
         par_.portals_at = 0;
@@ -55,19 +55,19 @@ public:
 
     void find(Params& par) {
         const std::vector<Place> near = seen();
-        std::vector<Place> far = look_around(near, WALKS), all = near;
+        std::vector<Place> far = look_around(near, PILOTS), all = near;
         look_around(far, 1);
-        cosines_ = walks_.size();
+        cosines_ = pilots_.size();
         par.portal_count = 0;
         if (cosines_ == 0) return;
         if (par_.portal_count > 0) {
             all.insert(all.end(), far.begin(), far.end());
-            aim(all, par);
+            choose_portals(all, par);
         }
         if (par_.highlight_count == 0) return;
-        send(near, WALKS, true);
+        send(near, PILOTS, true);
         send(far, 1, true);
-        par.highlight_share = shine();
+        par.highlight_share = highlight_share();
     }
 
 private:
@@ -76,14 +76,14 @@ private:
     const std::vector<float>& records_;
     SceneTables tables_ = {};  // of portals and highlights
     float clear_;              // rays begin so far from their surface
-    std::vector<Walk> walks_;
-    size_t cosines_ = 0;           // walks by the cosine
-    std::vector<Walk> to_strips_;  // toward polished ones
+    std::vector<PilotPath> pilots_;
+    size_t cosines_ = 0;                    // pilots by the cosine
+    std::vector<PilotPath> to_reflectors_;  // toward glossy reflectors
 
-    std::vector<device::PilotEnd> walk(const std::vector<device::PilotRay>& rays) {
+    std::vector<device::PilotEnd> trace(const std::vector<device::PilotRay>& rays) {
         std::vector<device::PilotEnd> ends;
         par_.first = 0;
-        par_.slots = uint32_t(rays.size());
+        par_.path_count = uint32_t(rays.size());
         if (!rays.empty()) device_.pilot(par_, rays, ends);
         par_.frame++;  // other random numbers for the next
         return ends;
@@ -100,41 +100,41 @@ private:
             rays.push_back({{x / EYE_SIDE, y / EYE_SIDE, 0}, {0, 0, 0}, PILOT_FROM_EYE});
         }
         std::vector<Place> places;
-        for (const device::PilotEnd& end : walk(rays))
+        for (const device::PilotEnd& end : trace(rays))
             if (end.bounce) places.push_back(place_of(end));
         return places;
     }
 
-    // Walks from each place, by the cosine; returns where they have come to.
-    std::vector<Place> look_around(const std::vector<Place>& places, uint32_t walks) {
+    // Pilot paths from each place, by the cosine; returns where they have come to.
+    std::vector<Place> look_around(const std::vector<Place>& places, uint32_t pilots) {
         std::vector<Place> reached;
-        for (const device::PilotEnd& end : send(places, walks, false))
+        for (const device::PilotEnd& end : send(places, pilots, false))
             if (end.bounce) reached.push_back(place_of(end));
         return reached;
     }
 
-    // Adds walks from each place by the cosine, or toward the highlights that it meets.
-    std::vector<device::PilotEnd> send(const std::vector<Place>& places, uint32_t walks, bool shining) {
+    // Adds pilots from each place by the cosine, or toward the highlights that it meets.
+    std::vector<device::PilotEnd> send(const std::vector<Place>& places, uint32_t pilots, bool shining) {
         std::vector<device::PilotRay> rays;
-        const size_t first = walks_.size();
+        const size_t first = pilots_.size();
         for (uint32_t i = 0; i < places.size(); i++) {
             const Place& place = places[i];
             const uint32_t met = highlights_met(&tables_, &par_, place.p, place.n);
-            for (uint32_t k = 0; k < walks && (met != 0 || !shining); k++) {
+            for (uint32_t k = 0; k < pilots && (met != 0 || !shining); k++) {
                 Sampler rnd = sampler_start(par_.seed_lo, par_.seed_hi, i, k, shining ? 6 : 5);
                 const float2 r = sample2(&rnd);
                 const float3 dir =
                     shining ? highlight_direction(&tables_, &par_, met, r.x, r.y) : cosine_direction(place.n, r.x, r.y);
-                walks_.push_back(walk_of(place, met, dir));
-                if (shining && !(dot3(dir, place.n) > 0)) walks_.back().weight = 0;
+                pilots_.push_back(pilot_of(place, met, dir));
+                if (shining && !(dot3(dir, place.n) > 0)) pilots_.back().weight = 0;
                 rays.push_back(ray_of(place, dir));
             }
         }
 
-        const std::vector<device::PilotEnd> ends = walk(rays);
+        const std::vector<device::PilotEnd> ends = trace(rays);
         for (size_t k = 0; k < ends.size(); k++) {
-            walks_[first + k].met = luminance(ends[k].gathered);
-            walks_[first + k].beyond = ends[k].bounce ? luminance(ends[k].share) : 0;
+            pilots_[first + k].met = luminance(ends[k].gathered);
+            pilots_[first + k].beyond = ends[k].bounce ? luminance(ends[k].share) : 0;
         }
         return ends;
     }
@@ -144,21 +144,21 @@ private:
         return {{org.x, org.y, org.z}, {dir.x, dir.y, dir.z}, FAR_AWAY};
     }
 
-    Walk walk_of(const Place& place, uint32_t met, float3 dir) const {
-        Walk walk;
-        walk.p = place.p;
-        walk.n = place.n;
-        walk.dir = dir;
+    PilotPath pilot_of(const Place& place, uint32_t met, float3 dir) const {
+        PilotPath pilot;
+        pilot.p = place.p;
+        pilot.n = place.n;
+        pilot.dir = dir;
         const double cosine = double(dot3(dir, place.n)) * K_INV_PI;
-        if (met != 0 && cosine > 0) walk.shine = double(highlights_density(&tables_, &par_, met, dir)) / cosine;
-        if (met != 0) walk.weight = 1 / (1 + walk.shine);  // as many go by the cosine as to highlights
-        return walk;
+        if (met != 0 && cosine > 0) pilot.shine = double(highlights_pdf(&tables_, &par_, met, dir)) / cosine;
+        if (met != 0) pilot.weight = 1 / (1 + pilot.shine);  // as many go by the cosine as to highlights
+        return pilot;
     }
 
-    void aim(const std::vector<Place>& places, Params& par) {
+    void choose_portals(const std::vector<Place>& places, Params& par) {
         const double mean = moments(0).mean;
         for (uint32_t k = 0; k < par_.portal_count; k++) par_.portal_light[k] = light_of(k, places, mean);
-        weigh_portals(records_, walks_, to_strips_, mean, par_);
+        weigh_portals(records_, pilots_, to_reflectors_, mean, par_);
         par.portal_count = par_.portal_count;
         par.portal_rest = par_.portal_rest;
         par.portal_least = par_.portal_least;
@@ -167,12 +167,12 @@ private:
         std::copy(par_.portal_pick, par_.portal_pick + par_.portal_count, par.portal_pick);
     }
 
-    // The light of a portal, by walks from places all over toward points all over it.
+    // The light of a portal, by pilots from places all over toward points all over it.
     float light_of(uint32_t k, const std::vector<Place>& places, double mean) {
         const float* portal = portal_record(&tables_, &par_, k);
         std::vector<device::PilotRay> rays;
         std::vector<double> views;
-        std::vector<Walk> walks;
+        std::vector<PilotPath> pilots;
         for (size_t i = 0; i < AIMED; i++) {
             const Place& place = places[i * places.size() / AIMED];
             const float view = portal_view(portal, place.p, place.n);
@@ -183,57 +183,57 @@ private:
             if (!(view > 0 && dot3(dir, place.n) > 0)) continue;
             rays.push_back(ray_of(place, dir));
             views.push_back(double(view));
-            walks.push_back(walk_of(place, 0, dir));
+            pilots.push_back(pilot_of(place, 0, dir));
         }
         AimedLight light;
-        const std::vector<device::PilotEnd> ends = walk(rays);
+        const std::vector<device::PilotEnd> ends = trace(rays);
         for (size_t i = 0; i < ends.size(); i++) {
             const double beyond = ends[i].bounce ? luminance(ends[i].share) : 0;
             light.add(luminance(ends[i].gathered) + beyond * mean, views[i]);
-            walks[i].met = luminance(ends[i].gathered);
-            walks[i].beyond = ends[i].bounce ? luminance(ends[i].share) : 0;
-            walks[i].aim = k;
+            pilots[i].met = luminance(ends[i].gathered);
+            pilots[i].beyond = ends[i].bounce ? luminance(ends[i].share) : 0;
+            pilots[i].target = k;
         }
-        if (portal[PORTAL_GLOSS2] > 0) to_strips_.insert(to_strips_.end(), walks.begin(), walks.end());
+        if (portal[PORTAL_GLOSS2] > 0) to_reflectors_.insert(to_reflectors_.end(), pilots.begin(), pilots.end());
         return light.root();
     }
 
     // Noise of highlights lies in a few bright samples, and looking for them costs time everywhere.
-    float shine() const {
+    float highlight_share() const {
         const Moments without = moments(0);
         double best = 0, least = without.square;
-        for (const double shine : SHINES) {
-            const double square = moments(shine).square;
+        for (const double share : HIGHLIGHT_SHARES) {
+            const double square = moments(share).square;
             if (!(square < least)) continue;
             least = square;
-            best = shine;
+            best = share;
         }
-        return without.square - least > WORTH_IT * without.mean * without.mean ? float(best) : 0;
+        return without.square - least > MIN_HIGHLIGHT_GAIN * without.mean * without.mean ? float(best) : 0;
     }
 
     struct Moments {
         double mean = 0, square = 0;
     };
 
-    // Of the light at a place, up to the last bounce.  As long as all walks went by the cosine each counts the same.
+    // Of the light at a place, up to the last bounce.  As long as all pilots went by the cosine each counts the same.
     Moments moments(double shine) const {
         Sums sums;
-        for (const Walk& walk : walks_)
-            sums.add(walk, walks_.size() == cosines_ ? 1 : walk.weight,
-                     (1 - shine) * walk.portals + shine * walk.shine);
+        for (const PilotPath& pilot : pilots_)
+            sums.add(pilot, pilots_.size() == cosines_ ? 1 : pilot.weight,
+                     (1 - shine) * pilot.portals + shine * pilot.shine);
         return moments(sums);
     }
 
     struct Sums {
         double met = 0, beyond = 0, met2 = 0, both = 0, beyond2 = 0;
 
-        // over: the density of its direction over the cosine's
-        void add(const Walk& walk, double weight, double over) {
-            met += weight * walk.met;
-            beyond += weight * walk.beyond;
-            met2 += weight * walk.met * walk.met / over;
-            both += weight * walk.met * walk.beyond / over;
-            beyond2 += weight * walk.beyond * walk.beyond / over;
+        // over: the pdf of its direction over the cosine's
+        void add(const PilotPath& pilot, double weight, double over) {
+            met += weight * pilot.met;
+            beyond += weight * pilot.beyond;
+            met2 += weight * pilot.met * pilot.met / over;
+            both += weight * pilot.met * pilot.beyond / over;
+            beyond2 += weight * pilot.beyond * pilot.beyond / over;
         }
     };
 
@@ -263,7 +263,7 @@ void pick_all_portals(uint32_t count, float light, float rest, Params& par) {
 
 void optimise_mixture(device::Device& device, const std::vector<float>& records, Params& par) {
     if (records.empty() || par.ab < 1) return;
-    Survey(device, par, records).find(par);
+    PilotSampler(device, par, records).find(par);
 }
 
 }  // namespace sampling

@@ -40,13 +40,13 @@ struct Box {
 };
 
 struct Patch {
-    Aim aim;
+    Target target;
     double lit;  // area times the cosine of the sun
 };
 
 class Search {
 public:
-    Search(const flatten::HostTracer& tracer, const Aim& window, Vec3 sun)
+    Search(const flatten::HostTracer& tracer, const Target& window, Vec3 sun)
         : tracer_(tracer), window_(window), sun_(sun) {}
 
     void patches(std::vector<Patch>& found) {
@@ -56,7 +56,7 @@ public:
 
 private:
     const flatten::HostTracer& tracer_;
-    const Aim& window_;
+    const Target& window_;
     const Vec3 sun_;
     std::vector<Plane> planes_;
 
@@ -128,17 +128,17 @@ private:
 
 }  // namespace
 
-std::vector<Aim> find_patches(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
-                              const std::vector<Aim>& windows, size_t most) {
+std::vector<Target> find_patches(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
+                                 const std::vector<Target>& windows, size_t most) {
     std::vector<Patch> found;
     for (const Vec3& sun : suns_of(scene))
-        for (const Aim& window : windows)
+        for (const Target& window : windows)
             if (dot(window.out, sun) > LEAST_COSINE) Search(tracer, window, sun).patches(found);
     std::stable_sort(found.begin(), found.end(), [](const Patch& a, const Patch& b) { return a.lit > b.lit; });
-    std::vector<Aim> aims;
+    std::vector<Target> targets;
     for (const Patch& patch : found)
-        if (aims.size() < most) aims.push_back(patch.aim);
-    return aims;
+        if (targets.size() < most) targets.push_back(patch.target);
+    return targets;
 }
 
 }  // namespace sampling

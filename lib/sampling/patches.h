@@ -8,7 +8,7 @@
 namespace sampling {
 
 // A parallelogram, seen from one side: windows and patches alike.
-struct Aim {
+struct Target {
     base::Vec3 centre, u, v;  // edges
     base::Vec3 out;           // unit normal, away from the side that it lights
     // of a polished one in the sun: its roughness, squared, and where the mirrored sun stands, from the side that it
@@ -18,7 +18,7 @@ struct Aim {
 };
 
 // Those with the largest lit areas, at most `most`, on what sunlight through these windows meets first.
-std::vector<Aim> find_patches(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
-                              const std::vector<Aim>& windows, size_t most);
+std::vector<Target> find_patches(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
+                                 const std::vector<Target>& windows, size_t most);
 
 }  // namespace sampling

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where sun comes in, portals get directions by the light that they send to each place, all dimmed by one factor;
-// under the sky alone one share is the same everywhere.  What is tried is judged by the second moment of the walks'
-// light.  Polished strips are added to that, each if it clearly pays where its highlight is seen.
+// under the sky alone one share is the same everywhere.  What is tried is judged by the second moment of the pilots'
+// light.  Glossy reflectors are added to that, each if it clearly pays where its highlight is seen.
 #include "sampling/portal_lights.h"
 
 #include <algorithm>
@@ -19,10 +19,10 @@ namespace {
 
 using namespace kernels;
 
-constexpr double HARDLY = .015;    // share of the directions below which a portal only costs time
-constexpr double CLEARLY = 10;     // what a polished strip must take off the second moment, over what it adds
-constexpr double SELDOM = .0005;   // the same for a polished strip
-constexpr size_t BRIGHTEST = 500;  // one walk of so many is left out: they tell more of chance than of light
+constexpr double MIN_SELECTION_PROB = .015;  // share of the directions below which a portal only costs time
+constexpr double MIN_VARIANCE_GAIN = 10;  // what a glossy reflector must take off the second moment, over what it adds
+constexpr double MIN_REFLECTOR_PROB = .0005;  // the same for a glossy reflector
+constexpr size_t BRIGHTEST = 500;  // one pilot of so many is left out: they tell more of chance than of light
 constexpr double DIMMED[] = {1, .5, .25, .125};  // tried: all portals' light, times this
 constexpr int STEPS = 8;                         // and shares that are the same everywhere: 0, 1/8 .. 7/8
 
@@ -38,71 +38,71 @@ double trimmed_mean(std::vector<double>& squares) {
 
 class MixtureOptimiser {
 public:
-    MixtureOptimiser(const std::vector<float>& records, std::vector<Walk>& walks, const std::vector<Walk>& to_strips,
-                     double mean, Params& par)
-        : walks_(walks), to_strips_(to_strips), mean_(mean), par_(par) {
+    MixtureOptimiser(const std::vector<float>& records, std::vector<PilotPath>& pilots,
+                     const std::vector<PilotPath>& to_reflectors, double mean, Params& par)
+        : pilots_(pilots), to_reflectors_(to_reflectors), mean_(mean), par_(par) {
         tables_.f = records.data();
     }
 
     void optimise() {
         const uint32_t all = par_.portal_count;
-        while (par_.portal_count > 0 && is_strip(par_.portal_count - 1)) par_.portal_count--;  // they come last
-        const uint32_t strips = par_.portal_count;
-        const bool sun_comes_in = strips > par_.window_count;
+        while (par_.portal_count > 0 && is_reflector(par_.portal_count - 1)) par_.portal_count--;  // they come last
+        const uint32_t reflectors = par_.portal_count;
+        const bool sun_comes_in = reflectors > par_.window_count;
         look();
         if (sun_comes_in) {
             leave_out();
             look();
             choose_light();
-            add_strips(strips, all);
+            add_reflectors(reflectors, all);
         } else {
             choose_share();
         }
-        for (size_t i = 0; i < walks_.size(); i++) walks_[i].portals = mixed(i, 1);
+        for (size_t i = 0; i < pilots_.size(); i++) pilots_[i].portals = mixed(i, 1);
     }
 
 private:
-    // The light that all portals send to where a walk begins, and the density of its direction among those toward
+    // The light that all portals send to where a pilot begins, and the pdf of its direction among those toward
     // them, over the cosine's.
     struct Aimed {
-        double total = 0, density = 0;
+        double total = 0, pdf = 0;
     };
     SceneTables tables_ = {};
-    std::vector<Walk>& walks_;
-    const std::vector<Walk>& to_strips_;
+    std::vector<PilotPath>& pilots_;
+    const std::vector<PilotPath>& to_reflectors_;
     const double mean_;
     Params& par_;
     std::vector<Aimed> aimed_;
 
-    double light(const Walk& walk) const { return walk.met + walk.beyond * mean_; }
+    double light(const PilotPath& pilot) const { return pilot.met + pilot.beyond * mean_; }
 
-    // What each walk has to do with the portals; and the light that comes from elsewhere where some are in view.
+    // What each pilot has to do with the portals; and the light that comes from elsewhere where some are in view.
     void look() {
         aimed_.clear();
         std::vector<double> squares;
-        for (const Walk& walk : walks_) {
+        for (const PilotPath& pilot : pilots_) {
             Aimed aimed;
-            const float total = portals_light(&tables_, &par_, walk.p, walk.n), c = dot3(walk.dir, walk.n);
+            const float total = portals_light(&tables_, &par_, pilot.p, pilot.n), c = dot3(pilot.dir, pilot.n);
             if (total > 0 && c > 0) {
                 aimed.total = double(total);
-                const float density = portals_density(&tables_, &par_, walk.p, walk.n, walk.dir, total);
-                aimed.density = double(density) / (double(c) * K_INV_PI);
-                if (aimed.density <= 0) squares.push_back(light(walk) * light(walk));
+                const float pdf = portals_pdf(&tables_, &par_, pilot.p, pilot.n, pilot.dir, total);
+                aimed.pdf = double(pdf) / (double(c) * K_INV_PI);
+                if (aimed.pdf <= 0) squares.push_back(light(pilot) * light(pilot));
             }
             aimed_.push_back(aimed);
         }
         par_.portal_rest = K_PI * float(std::sqrt(trimmed_mean(squares)));
     }
 
-    bool is_strip(uint32_t k) const { return portal_record(&tables_, &par_, k)[PORTAL_GLOSS2] > 0; }
+    bool is_reflector(uint32_t k) const { return portal_record(&tables_, &par_, k)[PORTAL_GLOSS2] > 0; }
 
     // What share of all directions a portal gets.
     double share_of(uint32_t k) const {
         double share = 0;
-        for (size_t i = 0; i < walks_.size(); i++) {
-            const float view = portal_view(portal_record(&tables_, &par_, k), walks_[i].p, walks_[i].n);
+        for (size_t i = 0; i < pilots_.size(); i++) {
+            const float view = portal_view(portal_record(&tables_, &par_, k), pilots_[i].p, pilots_[i].n);
             const double sent = double(par_.portal_light[k]) * double(view);
-            if (sent > 0) share += sent / (aimed_[i].total + double(par_.portal_rest)) / double(walks_.size());
+            if (sent > 0) share += sent / (aimed_[i].total + double(par_.portal_rest)) / double(pilots_.size());
         }
         return share;
     }
@@ -116,93 +116,94 @@ private:
     void leave_out() {
         std::vector<double> shares;
         for (uint32_t k = 0; k < par_.portal_count; k++) shares.push_back(share_of(k));
-        const double least = std::min(HARDLY, .2 * *std::max_element(shares.begin(), shares.end()));
+        const double least = std::min(MIN_SELECTION_PROB, .2 * *std::max_element(shares.begin(), shares.end()));
         par_.portal_count = 0;
         for (uint32_t k = 0; k < shares.size(); k++)
             if (!(shares[k] < least)) keep(k);
     }
 
-    // Portals first .. end - 1 are polished strips.  The walks by the cosine meet highlights so seldom that they cannot
-    // tell what those are worth, but the walks toward them can.
-    void add_strips(uint32_t first, uint32_t end) {
+    // Portals first .. end - 1 are glossy reflectors.  The pilots by the cosine meet highlights so seldom that they
+    // cannot tell what those are worth, but the pilots toward them can.
+    void add_reflectors(uint32_t first, uint32_t end) {
         const float rest = par_.portal_rest;
         for (uint32_t k = first; k < end; k++)
-            if (worth_it(k)) keep(k);
+            if (reduces_variance(k)) keep(k);
         look();
         par_.portal_rest = rest;
     }
 
-    // At the places from which walks went to strip k: does the second moment of the strip's own light fall by more than
-    // that of all other light rises, which gets fewer directions?
-    bool worth_it(uint32_t k) const {
-        const float* strip = portal_record(&tables_, &par_, k);
+    // At the places from which pilots went to reflector k: does the second moment of the reflector's own light fall by
+    // more than that of all other light rises, which gets fewer directions?
+    bool reduces_variance(uint32_t k) const {
+        const float* reflector = portal_record(&tables_, &par_, k);
         double saved = 0, lost = 0;
-        for (const Walk& walk : to_strips_) {
-            const float view = portal_view(strip, walk.p, walk.n), aimed = portal_density(strip, walk.p, walk.dir);
-            if (walk.aim != par_.portal_pick[k] || !(view > 0 && aimed > 0)) continue;
-            const float total = portals_light(&tables_, &par_, walk.p, walk.n);
+        for (const PilotPath& pilot : to_reflectors_) {
+            const float view = portal_view(reflector, pilot.p, pilot.n),
+                        aimed = portal_pdf(reflector, pilot.p, pilot.dir);
+            if (pilot.target != par_.portal_pick[k] || !(view > 0 && aimed > 0)) continue;
+            const float total = portals_light(&tables_, &par_, pilot.p, pilot.n);
             const double others = double(total), sent = double(par_.portal_light[k]) * double(view);
             const double before = double(portals_share(&par_, total));
             const double now = double(portals_share(&par_, float(others + sent))),
-                         strips = now * sent / (others + sent);
+                         reflectors = now * sent / (others + sent);
 
-            const double cosine = double(dot3(walk.dir, walk.n)) * K_INV_PI, f = light(walk) * cosine;
-            const double by_cosine = (1 - before) * cosine, mixed = (1 - now) * cosine + strips * double(aimed);
+            const double cosine = double(dot3(pilot.dir, pilot.n)) * K_INV_PI, f = light(pilot) * cosine;
+            const double by_cosine = (1 - before) * cosine, mixed = (1 - now) * cosine + reflectors * double(aimed);
             saved += (f * f / by_cosine - f * f / mixed) / double(aimed);
             const double rest = double(par_.portal_rest) * K_INV_PI, through = others * K_INV_PI;
             lost += rest * rest * (1 / (1 - now) - 1 / (1 - before));
-            if (before > 0) lost += through * through * (1 / (now - strips) - 1 / before);
+            if (before > 0) lost += through * through * (1 / (now - reflectors) - 1 / before);
         }
-        return saved > CLEARLY * lost && share_of(k) >= SELDOM;
+        return saved > MIN_VARIANCE_GAIN * lost && share_of(k) >= MIN_REFLECTOR_PROB;
     }
 
-    // Density of a walk's direction over the cosine's, if portals send `dimmed` times their light.
+    // Density of a pilot's direction over the cosine's, if portals send `dimmed` times their light.
     double mixed(size_t i, double dimmed) const {
         const double share = double(portals_share(&par_, float(dimmed * aimed_[i].total)));
-        return 1 - share + share * aimed_[i].density;
+        return 1 - share + share * aimed_[i].pdf;
     }
 
-    // For the second moment of the light of all bounces: a bounce counts what its walk has met and a share of the light
-    // beyond, over the density.
+    // For the second moment of the light of all bounces: a bounce counts what its pilot has met and a share of the
+    // light beyond, over the pdf.
     struct Sums {
         double met2 = 0, both = 0, beyond2 = 0;
 
-        void add(const Walk& walk, double over) {
-            met2 += walk.met * walk.met / over;
-            both += walk.met * walk.beyond / over;
-            beyond2 += walk.beyond * walk.beyond / over;
+        void add(const PilotPath& pilot, double over) {
+            met2 += pilot.met * pilot.met / over;
+            both += pilot.met * pilot.beyond / over;
+            beyond2 += pilot.beyond * pilot.beyond / over;
         }
 
-        double moment(double walks, double mean, int bounces) const {
+        double moment(double pilots, double mean, int bounces) const {
             double square = 0;
             for (int bounce = 0; bounce < bounces; bounce++)
-                square = (met2 + 2 * both * mean + beyond2 * square) / walks;
+                square = (met2 + 2 * both * mean + beyond2 * square) / pilots;
             return square;
         }
     };
 
     double moment(double dimmed) const {
         Sums all;
-        for (size_t i = 0; i < walks_.size(); i++) all.add(walks_[i], mixed(i, dimmed));
-        return all.moment(double(walks_.size()), mean_, par_.ab);
+        for (size_t i = 0; i < pilots_.size(); i++) all.add(pilots_[i], mixed(i, dimmed));
+        return all.moment(double(pilots_.size()), mean_, par_.ab);
     }
 
     // The same of all but the brightest, which make the spikes and are so few that chance decides.
     double moment_of_most(double dimmed) const {
         std::vector<double> squares, order;
-        for (size_t i = 0; i < walks_.size(); i++)
-            squares.push_back(light(walks_[i]) * light(walks_[i]) / mixed(i, dimmed));
+        for (size_t i = 0; i < pilots_.size(); i++)
+            squares.push_back(light(pilots_[i]) * light(pilots_[i]) / mixed(i, dimmed));
         order = squares;
         const auto brightest = order.end() - long(order.size() / BRIGHTEST) - 1;
         std::nth_element(order.begin(), brightest, order.end());
         Sums most;
-        for (size_t i = 0; i < walks_.size(); i++)
-            if (squares[i] <= *brightest) most.add(walks_[i], mixed(i, dimmed));
-        return most.moment(double(walks_.size()), mean_, par_.ab);
+        for (size_t i = 0; i < pilots_.size(); i++)
+            if (squares[i] <= *brightest) most.add(pilots_[i], mixed(i, dimmed));
+        return most.moment(double(pilots_.size()), mean_, par_.ab);
     }
 
     // Sun comes in: by the light that each portal sends to a place.  Of what leaves the second moment no greater than
-    // the cosine's, that under which it is least for most walks: spikes judge what is allowed, the rest what is best.
+    // the cosine's, that under which it is least for most pilots: spikes judge what is allowed, the rest what is best.
     void choose_light() {
         const double plain = moment(0);
         double best = 0, least = moment_of_most(0);
@@ -232,9 +233,9 @@ private:
 
 }  // namespace
 
-void weigh_portals(const std::vector<float>& records, std::vector<Walk>& walks, const std::vector<Walk>& to_strips,
-                   double mean, Params& par) {
-    MixtureOptimiser(records, walks, to_strips, mean, par).optimise();
+void weigh_portals(const std::vector<float>& records, std::vector<PilotPath>& pilots,
+                   const std::vector<PilotPath>& to_reflectors, double mean, Params& par) {
+    MixtureOptimiser(records, pilots, to_reflectors, mean, par).optimise();
 }
 
 }  // namespace sampling

@@ -112,15 +112,15 @@ double open_share(const flatten::HostTracer& tracer, const Rect& r, Vec3 n, std:
     return share;
 }
 
-Aim aim_of(const Rect& r, Vec3 outdoors) {
+Target target_of(const Rect& r, Vec3 outdoors) {
     const Vec3 middle = r.u * ((r.lo[0] + r.hi[0]) / 2) + r.v * ((r.lo[1] + r.hi[1]) / 2);
     return {r.origin + middle, r.u * (r.hi[0] - r.lo[0]), r.v * (r.hi[1] - r.lo[1]), outdoors};
 }
 
 // Of the sunlit polished rectangles (sampling/highlights.h) those so narrow that a cone about the mirrored sun would
 // mostly miss them: frames, sills, edges of tables.
-std::vector<Aim> polished_strips(const flatten::FlatScene& scene) {
-    std::vector<Aim> aims;
+std::vector<Target> glossy_reflectors(const flatten::FlatScene& scene) {
+    std::vector<Target> targets;
     for (uint32_t k = 0; k < scene.highlight_count; k++) {
         const float* h = &scene.f[scene.highlights_at + HIGHLIGHT_FLOATS * k];
         const auto at = [&](uint32_t word) { return Vec3{h[word], h[word + 1], h[word + 2]}; };
@@ -128,30 +128,30 @@ std::vector<Aim> polished_strips(const flatten::FlatScene& scene) {
         const double cone = NEAR_BY * std::sqrt(double(h[HIGHLIGHT_ALPHA2]));
         if (!(std::min(length(u), length(v)) < cone)) continue;
         const Vec3 centre = scene.centre + at(HIGHLIGHT_CORNER) + (u + v) * .5;
-        aims.push_back({centre, u, v, -at(HIGHLIGHT_NORMAL), h[HIGHLIGHT_ALPHA2], at(HIGHLIGHT_DIR)});
+        targets.push_back({centre, u, v, -at(HIGHLIGHT_NORMAL), h[HIGHLIGHT_ALPHA2], at(HIGHLIGHT_DIR)});
     }
-    return aims;
+    return targets;
 }
 
 // The words of a portal from PORTAL_SUN on, in the kernels' precision.
-void add_mirrored(const Aim& aim, Vec3 along_u, Vec3 along_v, std::vector<float>& words) {
+void add_mirrored(const Target& target, Vec3 along_u, Vec3 along_v, std::vector<float>& words) {
     using namespace kernels;
     const auto single = [](const Vec3& v) { return F3(float(v[0]), float(v[1]), float(v[2])); };
-    const float3 mirrored = single(aim.sun), out = single(aim.out);
+    const float3 mirrored = single(target.sun), out = single(target.out);
     const float down = dot3(mirrored, out), u = dot3(mirrored, single(along_u)), v = dot3(mirrored, single(along_v));
     const float3 sun = sub3(mirrored, scale3(out, 2.0f * down));
     const auto inverse = [](float x) { return 1.0f / (std::fabs(x) > 1e-12f ? x : 1e-12f); };
     words.insert(words.end(), {sun.x, sun.y, sun.z, down, u, inverse(u), v, inverse(v)});
 }
 
-void add_record(const Aim& aim, flatten::FlatScene& scene) {
-    const Vec3 across = cross(aim.u, aim.v);  // along u: by the vector across v that u is 1 of
+void add_record(const Target& target, flatten::FlatScene& scene) {
+    const Vec3 across = cross(target.u, target.v);  // along u: by the vector across v that u is 1 of
     const double square = dot(across, across);
-    const Vec3 along_u = cross(aim.v, across) * (1 / square), along_v = cross(across, aim.u) * (1 / square);
-    for (const Vec3& q : {aim.centre - scene.centre, aim.u, aim.v, aim.out, along_u, along_v})
+    const Vec3 along_u = cross(target.v, across) * (1 / square), along_v = cross(across, target.u) * (1 / square);
+    for (const Vec3& q : {target.centre - scene.centre, target.u, target.v, target.out, along_u, along_v})
         for (int k = 0; k < 3; k++) scene.f.push_back(float(q[k]));
-    scene.f.insert(scene.f.end(), {float(std::sqrt(square)), aim.gloss2});
-    add_mirrored(aim, along_u, along_v, scene.f);
+    scene.f.insert(scene.f.end(), {float(std::sqrt(square)), target.gloss2});
+    add_mirrored(target, along_u, along_v, scene.f);
     scene.portal_count++;
 }
 
@@ -163,24 +163,24 @@ void find_portals(flatten::FlatScene& scene) {
     if (rects.empty()) return;
     const flatten::HostTracer tracer(scene);
     std::mt19937 random(7);
-    std::vector<Aim> windows;
+    std::vector<Target> windows;
     for (const Rect& r : rects) {
         if (!(r.area() > SLIVER * rects.front().area())) break;  // largest first
         const double front = open_share(tracer, r, r.n, random), back = open_share(tracer, r, -r.n, random);
         if (std::fabs(front - back) < ENOUGH) continue;
-        windows.push_back(aim_of(r, back > front ? -r.n : r.n));
+        windows.push_back(target_of(r, back > front ? -r.n : r.n));
         if (windows.size() == MOST) break;
     }
     scene.window_count = uint32_t(windows.size());
-    std::vector<Aim> aims = windows;
-    const std::vector<Aim> patches = find_patches(scene, tracer, windows, MOST_PATCHES);
-    aims.insert(aims.end(), patches.begin(), patches.end());
+    std::vector<Target> targets = windows;
+    const std::vector<Target> patches = find_patches(scene, tracer, windows, MOST_PATCHES);
+    targets.insert(targets.end(), patches.begin(), patches.end());
     if (!patches.empty()) {
-        const std::vector<Aim> strips = polished_strips(scene);
-        aims.insert(aims.end(), strips.begin(), strips.end());
+        const std::vector<Target> reflectors = glossy_reflectors(scene);
+        targets.insert(targets.end(), reflectors.begin(), reflectors.end());
     }
     scene.portals_at = uint32_t(scene.f.size());
-    for (const Aim& aim : aims) add_record(aim, scene);
+    for (const Target& target : targets) add_record(target, scene);
 }
 
 }  // namespace sampling

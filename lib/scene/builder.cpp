@@ -81,7 +81,7 @@ int32_t SceneBuilder::add(Primitive& p) {
                 const int32_t m = s.material(o.modifier).object;
                 return m == VOID ? Type::alias : s.objects[m].type;
             }();
-            if (shines(material) && material != Type::glow)
+            if (is_emissive(material) && material != Type::glow)
                 base::fail(place(p), "light source \"" + base::excerpt(p.name) + "\": " + fact);
             base::warn(place(p), fact + ", left out");
             return VOID;

@@ -18,7 +18,7 @@ struct Material {
 const Material& material_row(Type type);  // of a material
 
 // A light; what region queries look through
-inline bool shines(Type type) { return is_material(type) && (material_row(type).traits & MT_SHINES) != 0; }
+inline bool is_emissive(Type type) { return is_material(type) && (material_row(type).traits & MT_EMISSIVE) != 0; }
 inline bool is_clear(Type type) { return is_material(type) && (material_row(type).traits & MT_CLEAR) != 0; }
 
 // Does a shadow ray pass this material (spec shading 4.5)?  bv: backs are visible, else it may pass from behind.

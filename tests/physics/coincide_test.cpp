@@ -209,8 +209,8 @@ TEST_CASE("shadow rays count surfaces in one place once") {
     }
 }
 
-// A lamp in the plane of a ceiling lights nothing where the ceiling shows: of modifiers the later one.
-TEST_CASE("a lamp that a ceiling hides is dark") {
+// An emitter in the plane of a ceiling lights nothing where the ceiling shows: of modifiers the later one.
+TEST_CASE("an emitter that a ceiling hides is dark") {
     const std::string lamp = "void light L 0 0 3 1 1 1\n", ceiling = "void plastic C 0 0 5 .5 .5 .5 0 0\n";
     const std::string rest =
         "L ring l 0 0 8 0 0 2 0 0 -1 0 1\nC polygon c 0 0 12 -5 -5 2 -5 5 2 5 5 2 5 -5 2\n"

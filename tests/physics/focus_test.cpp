@@ -49,9 +49,9 @@ std::unique_ptr<render::Renderer> renderer(const Office& office, const render::F
 TEST_CASE("regions share samples alike, and a pixel of two has those of the smaller one") {
     const render::Focus parts = focus();
     REQUIRE(parts.size() == 2);
-    CHECK(parts[0].copies == 2);
+    CHECK(parts[0].spp == 2);
     CHECK(parts[0].pixels.size() == 12 * 6 - 4);
-    CHECK(parts[1].copies == 18);
+    CHECK(parts[1].spp == 18);
     CHECK(parts[1].pixels.size() == 8);
     CHECK(parts[1].pixels.front() == 10 * size + 8);
 }
@@ -145,7 +145,7 @@ TEST_CASE("the mean of N samples has the expectation of one and an Nth of its va
     };
     const Means one = means({}), several = means(focus());
     for (const render::FocusPart& part : focus()) {
-        CAPTURE(part.copies);
+        CAPTURE(part.spp);
         double variance_of_one = 0, variance = 0, square = 0;
         for (const uint32_t i : part.pixels) {
             variance_of_one += one.variance[i];
@@ -154,8 +154,8 @@ TEST_CASE("the mean of N samples has the expectation of one and an Nth of its va
             CHECK(std::abs(z) < 4.5);
             square += z * z / double(part.pixels.size());
         }
-        MESSAGE(part.copies << " copies: variance " << variance_of_one / variance << " times smaller, z^2 " << square);
-        CHECK(variance_of_one / variance == doctest::Approx(part.copies).epsilon(part.pixels.size() > 8 ? .28 : .8));
+        MESSAGE(part.spp << " copies: variance " << variance_of_one / variance << " times smaller, z^2 " << square);
+        CHECK(variance_of_one / variance == doctest::Approx(part.spp).epsilon(part.pixels.size() > 8 ? .28 : .8));
         CHECK(square < (part.pixels.size() > 8 ? 1.8 : 3));
     }
 }

@@ -180,7 +180,7 @@ TEST_CASE("where sun comes in, aiming at its patches takes a third away") {
 // one of 1500 comparisons).  The blocks together: their mean square is 1 and a little more, that of t.  The cosine's
 // paths get eight times the frames: they meet the sun in the window's frame so seldom that fewer have skewed means and
 // too small errors.
-TEST_CASE("aims at windows, patches of sun and polished strips move no mean") {
+TEST_CASE("aims at windows, patches of sun and glossy reflectors move no mean") {
     const Office scene;
     const Means aimed = means_of(scene, render::Sampling::portals, 8, 135);
     const Means plain = means_of(scene, render::Sampling::plain, 8, 1031);

@@ -27,10 +27,10 @@ public:
     void update_numbers(size_t, size_t) override {}
     void run(const kernels::Params& par, std::vector<float>& rgb) override {
         const std::vector<float>& light = par.mode == MODE_DIRECT ? direct : diffuse;
-        REQUIRE(par.first + par.slots <= light.size());
+        REQUIRE(par.first + par.path_count <= light.size());
         CHECK(par.frame > 3u << 30);  // behind all frames, and behind what frame 0 of small pictures draws
         rgb.clear();
-        for (uint32_t i = 0; i < par.slots; i++) rgb.insert(rgb.end(), 3, light[par.first + i]);
+        for (uint32_t i = 0; i < par.path_count; i++) rgb.insert(rgb.end(), 3, light[par.first + i]);
     }
     void splat(const kernels::Params&, const std::vector<device::SplatRay>&, std::vector<float>&) override {}
     void pilot(const kernels::Params&, const std::vector<device::PilotRay>&, std::vector<device::PilotEnd>&) override {}

@@ -79,7 +79,8 @@ TEST_CASE("a pane before a sky fills its pixels") {
     CHECK(mean_filled(s, 0, side) == doctest::Approx(1).epsilon(.001));
 }
 
-// A lamp of one by one above a plate throws the soft shadow of a beam on a floor; each sample takes one place of it.
+// An emitter of one by one above a plate throws the soft shadow of a beam on a floor; each sample takes one place of
+// it.
 TEST_CASE("a penumbra fills its pixels") {
     const Seen s = seen(
         "void light lamp 0 0 3 500 500 500\n"

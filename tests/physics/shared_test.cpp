@@ -109,17 +109,17 @@ const std::string matt = "void plastic it 0 0 5 .5 .5 .5 0 0\n";
 
 }  // namespace
 
-TEST_CASE("each pixel has one slot of a sample, and each slot its place in its group") {
+TEST_CASE("each pixel has one path of a sample, and each path its place in its group") {
     using namespace kernels;
     for (const auto& [nx, ny] : {std::pair{1u, 1u}, std::pair{17u, 5u}, std::pair{64u, 48u}}) {
         Params par{};
         par.nx = nx;
         par.ny = ny;
-        par.reuse_slot_count = reuse_slots(nx, ny);
+        par.reuse_path_count = reuse_paths(nx, ny);
         for (uint32_t sample = 0; sample < 3; sample++) {
             std::set<uint32_t> pixels;
-            for (uint32_t slot = 0; slot < par.reuse_slot_count; slot++) {
-                const uint32_t gid = sample * par.reuse_slot_count + slot, pixel = reuse_pixel(&par, gid);
+            for (uint32_t path = 0; path < par.reuse_path_count; path++) {
+                const uint32_t gid = sample * par.reuse_path_count + path, pixel = reuse_pixel(&par, gid);
                 if (pixel != NONE) CHECK(pixels.insert(pixel).second);
                 CHECK(reuse_member(gid, reuse_which(gid)) == gid);
                 for (uint32_t m = 0; m < REUSE_GROUP; m++) {
@@ -223,7 +223,7 @@ TEST_CASE("where light fades on its way, or paths end by their weight, nothing i
     CHECK(shares_nothing(corner(matt) + "void antimatter hole 1 it 0 0\nhole sphere hollow 0 0 4 9 9 9 .1\n"));
 }
 
-// A square of slots for each sample of a few pixels would be a thousand times the memory, and time.
+// A square of paths for each sample of a few pixels would be a thousand times the memory, and time.
 TEST_CASE("pictures smaller than a square share nothing") {
     const scene::Scene scene = scene_of(room);
     std::vector<float> frames[2];

@@ -40,7 +40,7 @@ uint32_t features_with(const std::string& more, render::RenderOptions options = 
 
 TEST_CASE("plain surfaces under a sky of functions have nothing special") { CHECK(features_with("") == 0); }
 
-TEST_CASE("patterns, of a surface, a lamp and an alternate material") {
+TEST_CASE("patterns, of a surface, an emitter and an alternate material") {
     CHECK(features_with("stripes plastic cloth 0 0 5 .5 .5 .5 0 0\ncloth sphere ball2 0 0 4 3 3 1 .5\n") ==
           FEATURE_PATTERNS);
     CHECK(features_with("stripes light tube 0 0 3 1 1 1\ntube sphere lamp2 0 0 4 3 3 2 .1\n") == FEATURE_PATTERNS);

@@ -36,8 +36,8 @@ std::vector<float> frame_zero() {
     return v;
 }
 
-// One path in five finds a lamp: a sample's standard deviation is `noise` times the truth, and with 2 four of five are
-// black.  All channels of a pixel find it together.
+// One path in five finds an emitter: a sample's standard deviation is `noise` times the truth, and with 2 four of five
+// are black.  All channels of a pixel find it together.
 display::HalfSums sampled(const std::vector<float>& truth, float noise, std::vector<float>& mean) {
     std::mt19937 dice(7);
     display::HalfSums sums;

@@ -104,9 +104,9 @@ TEST_CASE("one source is chosen without a random number") {
     CHECK(rnd.dim == before.dim);
 }
 
-TEST_CASE("a gate lets through what some point of the source sends through its rectangle") {
+TEST_CASE("an aperture lets through what some point of the source sends through its rectangle") {
     // a mirror at x = 0, 2 wide and 1 high about the origin, that faces +x; from p in front of it to a ball behind it
-    const float gate[GATE_FLOATS] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 2, 0};
+    const float aperture[APERTURE_FLOATS] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 2, 0};
     std::mt19937 random(5);
     std::uniform_real_distribution<double> any(-1, 1);
     int blocked = 0, passing = 0;
@@ -130,7 +130,7 @@ TEST_CASE("a gate lets through what some point of the source sends through its r
         const float3 from = F3(float(p[0]), float(p[1]), float(p[2]));
         const float3 way = F3(float(to[0]), float(to[1]), float(to[2]));
         for (int tight : {0, 1}) {
-            const bool shut = aperture_occludes(gate, from, way, float(r / std::sqrt(d)), tight);
+            const bool shut = aperture_occludes(aperture, from, way, float(r / std::sqrt(d)), tight);
             if (through) CHECK(!shut);
             passing += through;
             blocked += shut;

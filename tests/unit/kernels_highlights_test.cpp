@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Directions toward highlights fall as their density says (Pearson's chi-square), only rectangles that can be met are
+// Directions toward highlights fall as their pdf says (Pearson's chi-square), only rectangles that can be met are
 // aimed at, and mixed with the cosine and windows the weights have the mean of the cosine.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
@@ -54,7 +54,7 @@ TEST_CASE("what can be met from a place is aimed at, and nothing else") {
 }
 
 // Bins of equal solid angle about the mirrored sun of the floor; what they should hold by midpoints of finer ones.
-TEST_CASE("directions toward highlights fall as their density says") {
+TEST_CASE("directions toward highlights fall as their pdf says") {
     const Room room;
     for (const uint32_t met : {1u, 2u, 3u, 7u}) {
         CAPTURE(met);
@@ -77,7 +77,7 @@ TEST_CASE("directions toward highlights fall as their density says") {
                         const float3 dir =
                             unit3(add3(scale3(axis, float(z)), add3(scale3(e1, float(sn * std::cos(phi))),
                                                                     scale3(e2, float(sn * std::sin(phi))))));
-                        const double part = highlights_density(&room.s, &room.par, met, dir) * (top - bottom) * 2 * pi /
+                        const double part = highlights_pdf(&room.s, &room.par, met, dir) * (top - bottom) * 2 * pi /
                                             sectors / fine / fine;
                         expected[size_t(r * sectors + i)] += total * part;
                         whole += part;
@@ -88,7 +88,7 @@ TEST_CASE("directions toward highlights fall as their density says") {
         for (int k = 0; k < total; k++) {
             const float2 r = pair_of(random);
             const float3 dir = highlight_direction(&room.s, &room.par, met, r.x, r.y);
-            CHECK(highlights_density(&room.s, &room.par, met, dir) > 0);
+            CHECK(highlights_pdf(&room.s, &room.par, met, dir) > 0);
             const double angle = std::acos(std::min(1., double(dot3(dir, axis))));
             double phi = std::atan2(dot3(dir, e2), dot3(dir, e1)) / (2 * pi);
             phi -= std::floor(phi);
@@ -119,9 +119,9 @@ TEST_CASE("mixed with the cosine and windows they have the cosine's mean") {
             double sums[3] = {}, squares[3] = {};
             for (int k = 0; k < total; k++) {
                 Sampler rnd = sampler_start(1, 2, uint32_t(k), 0, 0);
-                Aims aims;
+                Mixture mixture;
                 float3 dir;
-                const double weight = sample_diffuse(&room.s, &room.par, ceiling, down, &rnd, &aims, &dir);
+                const double weight = sample_diffuse(&room.s, &room.par, ceiling, down, &rnd, &mixture, &dir);
                 const double seen = dot3(dir, F3(room.sun.x, room.sun.y, -room.sun.z)) > .98f;
                 const double c = dot3(dir, down), values[3] = {weight, weight * c, weight * seen};
                 for (int i = 0; i < 3; i++) {

@@ -66,8 +66,8 @@ TEST_CASE("a closed sphere leaks nothing, and no ray meets the triangle it left,
 
 // Rays that leave what they met: a flat thing, or a convex one on its outside, cannot be met again; from the inside of
 // a curved thing of radius r, the chord at an angle with sine s to the surface is 2 r s long (checked: not much
-// shorter). `reach` is the ray's length or the flat thing's size, whichever is larger, as kernels/geom/surface.h has
-// it.
+// shorter). `error_scale` is the ray's length or the flat thing's size, whichever is larger, as kernels/geom/surface.h
+// has it.
 TEST_CASE("no ray meets the ground or the shape it left, whatever its size and the way to it") {
     struct Case {
         std::string name;

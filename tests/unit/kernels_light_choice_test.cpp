@@ -25,13 +25,13 @@ struct Sum {
 TEST_CASE("the mean over choices is the sum over sources, of all and of each") {
     for (const Crowd& crowd : {Crowd(30, 2, 1), Crowd(60, 2, 2), Crowd(1000, 0, 0)}) {
         const float3 p = F3(.3f, -.2f, .1f), n = unit3(F3(.1f, .2f, 1));
-        const std::vector<double> chance = crowd.chances(p, n);
-        const auto value = [&](uint32_t i) { return chance[i] > 0 ? 1.0 + i % 3 : 0; };  // not what is promised
+        const std::vector<double> prob = crowd.probs(p, n);
+        const auto value = [&](uint32_t i) { return prob[i] > 0 ? 1.0 + i % 3 : 0; };  // not what is promised
         Sum all;
-        std::vector<Sum> each(chance.size());
-        for (uint32_t i = 0; i < chance.size(); i++) {
+        std::vector<Sum> each(prob.size());
+        for (uint32_t i = 0; i < prob.size(); i++) {
             all.exact += value(i);
-            each[i].exact = chance[i] > 0;
+            each[i].exact = prob[i] > 0;
         }
         for (int k = 0; k < 400000; k++) {
             uint32_t i = 0;
@@ -46,9 +46,9 @@ TEST_CASE("the mean over choices is the sum over sources, of all and of each") {
         const std::vector<double> promised = crowd.importances(p, n);
         double squares = 0;
         int cells = 0;
-        for (uint32_t i = 0; i < chance.size(); i++) {
+        for (uint32_t i = 0; i < prob.size(); i++) {
             each[i].choices = all.choices;
-            if (chance[i] <= 0) CHECK(each[i].sum == 0);
+            if (prob[i] <= 0) CHECK(each[i].sum == 0);
             if (promised[i] < 5e-4) continue;  // chosen less than 200 times: its error is not known
             squares += each[i].off() * each[i].off();
             cells++;

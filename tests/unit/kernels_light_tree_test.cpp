@@ -23,16 +23,16 @@ TEST_CASE("few sources make no tree; of many each stands in it once, and each no
     }
 }
 
-TEST_CASE("sources are candidates as often as their chance says (Pearson's chi-square)") {
+TEST_CASE("sources are candidates as often as their prob says (Pearson's chi-square)") {
     for (const Crowd& crowd : {Crowd(40, 0, 0), Crowd(40, 2, 1), Crowd(100, 2, 2), Crowd(300, 0, 1)}) {
         for (int place = 0; place < 3; place++) {
             const float3 p = any_place(), n = any_unit();
-            const std::vector<double> chance = crowd.chances(p, n);
+            const std::vector<double> prob = crowd.probs(p, n);
             LightCut cut;
             REQUIRE(cut_tree(&crowd.s, &crowd.par, p, n, 0, LIGHT_OPENED, &cut));
             if (cut.count == 0) continue;
             const float all = cut.upto[cut.count - 1];
-            std::vector<double> count(chance.size());
+            std::vector<double> count(prob.size());
             const int draws = 40000;
             for (int k = 0; k < draws; k++) {
                 uint32_t from = 0;
@@ -40,14 +40,14 @@ TEST_CASE("sources are candidates as often as their chance says (Pearson's chi-s
                 const LightCandidate c = light_candidate(&crowd.s, &crowd.par, &cut, p, n, 0, y, &from);
                 if (!(c.importance > 0)) continue;
                 const uint32_t i = as_uint_(crowd.node(c.at)[LIGHT_SOURCE]);
-                CHECK(c.chance / all == doctest::Approx(chance[i]).epsilon(1e-4));
+                CHECK(c.prob / all == doctest::Approx(prob[i]).epsilon(1e-4));
                 count[i]++;
             }
 
             double chi2 = 0, rest = draws, rest_count = draws;  // the rest: rare ones, and none that shines
             int cells = 0;
-            for (size_t i = 0; i < chance.size(); i++) {
-                const double expected = draws * chance[i];
+            for (size_t i = 0; i < prob.size(); i++) {
+                const double expected = draws * prob[i];
                 if (expected < 10) continue;
                 chi2 += (count[i] - expected) * (count[i] - expected) / expected;
                 rest -= expected;
@@ -61,38 +61,38 @@ TEST_CASE("sources are candidates as often as their chance says (Pearson's chi-s
     }
 }
 
-// Does a ray from p pass the gates of source i?
+// Does a ray from p pass the apertures of source i?
 static bool passes(const Crowd& crowd, uint32_t i, float3 p, float3 dir) {
     const uint32_t relay = as_uint_(source_record(&crowd.s, &crowd.par, i)[SRC_VIRTUAL]);
     if (relay == NONE) return true;
-    const float* gate = crowd.s.f + crowd.s.u[relay + RELAY_GATES_AT];
-    for (uint32_t k = 0; k < crowd.s.u[relay + RELAY_GATES]; k++, gate += GATE_FLOATS) {
-        const float3 c = sub3(f3_at(gate + GATE_CENTRE), p), n = f3_at(gate + GATE_NORMAL);
+    const float* aperture = crowd.s.f + crowd.s.u[relay + RELAY_APERTURES_AT];
+    for (uint32_t k = 0; k < crowd.s.u[relay + RELAY_APERTURES]; k++, aperture += APERTURE_FLOATS) {
+        const float3 c = sub3(f3_at(aperture + APERTURE_CENTRE), p), n = f3_at(aperture + APERTURE_NORMAL);
         const float t = dot3(n, c) / dot3(n, dir);
         const float3 off = sub3(scale3(dir, t), c);
-        if (!(t > 0) || dot3(n, dir) > 0 || std::fabs(dot3(off, f3_at(gate + GATE_U))) > 1 ||
-            std::fabs(dot3(off, f3_at(gate + GATE_V))) > 1)
+        if (!(t > 0) || dot3(n, dir) > 0 || std::fabs(dot3(off, f3_at(aperture + APERTURE_U))) > 1 ||
+            std::fabs(dot3(off, f3_at(aperture + APERTURE_V))) > 1)
             return false;
     }
     return true;
 }
 
-TEST_CASE("whatever gives light to a point has a chance there") {
+TEST_CASE("whatever gives light to a point has a prob there") {
     int lit = 0, none = 0;
     for (const Crowd& crowd : {Crowd(60, 2, 2), Crowd(400, 0, 0)}) {
         for (int k = 0; k < 1000; k++) {
             const float3 p = any_place(), n = any_unit();
-            const std::vector<double> chance = crowd.chances(p, n);
+            const std::vector<double> prob = crowd.probs(p, n);
             for (uint32_t i = 0; i < crowd.par.source_count; i++) {
                 float2 x;
                 x.x = float(any(0, 1));
                 x.y = float(any(0, 1));
                 LightSample light;
                 sample_source(&crowd.s, &crowd.par, i, p, x, 1, &light);
-                none += chance[i] <= 0;
+                none += prob[i] <= 0;
                 if (!(light.w > 0) || !(dot3(light.dir, n) > 1e-4f) || !passes(crowd, i, p, light.dir)) continue;
                 lit++;
-                if (chance[i] <= 0) FAIL_CHECK("source " << i << " is left out");
+                if (prob[i] <= 0) FAIL_CHECK("source " << i << " is left out");
             }
         }
     }

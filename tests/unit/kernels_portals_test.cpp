@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Directions toward portals fall as their density says (Pearson's chi-square), a portal's view is about its projected
+// Directions toward portals fall as their pdf says (Pearson's chi-square), a portal's view is about its projected
 // solid angle, and mixed with the cosine the weights have the mean of the cosine whatever the lights are.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ using namespace kernels;
 static const float3 mirrored = unit3(F3(1.5f, .2f, -1.2f));  // the sun, from the place before the wall
 
 // A window in the wall at x = 4, a slanted patch of sun on the floor, and one that is not to be used between them; a
-// polished strip on the floor, in which the sun is mirrored to the place before the wall.
+// glossy reflector on the floor, in which the sun is mirrored to the place before the wall.
 struct Room : Tables {
     Room() {
         put_portal(F3(4, 1, 1.5f), F3(0, 2, 0), F3(0, 0, 1), F3(1, 0, 0));
@@ -55,7 +55,7 @@ TEST_CASE("a view is about the projected solid angle, and nothing from behind") 
 }
 
 // Its highlight: a Gaussian of the half vector's slope.  The brightest of many points along the strip tells the law.
-TEST_CASE("a polished strip is as bright as its highlight from there") {
+TEST_CASE("a glossy reflector is as bright as its highlight from there") {
     const Room room;
     const float* strip = portal_record(&room.s, &room.par, 2);
     const float3 sun = F3(mirrored.x, mirrored.y, -mirrored.z);
@@ -82,7 +82,7 @@ TEST_CASE("a polished strip is as bright as its highlight from there") {
     CHECK(portal_view(strip, F3(3, .3f, 1.2f), F3(-1, 0, 0)) < 1e-6f);  // against the light
 }
 
-TEST_CASE("directions fall as their density says") {
+TEST_CASE("directions fall as their pdf says") {
     const Room room;
     const float total = room.light(wall, inward);
     constexpr int side = 40, fine = 6, draws = 1000000;
@@ -93,8 +93,8 @@ TEST_CASE("directions fall as their density says") {
         for (int b = 0; b < side * fine; b++) {
             const double y = (a + .5) * step - 2, z = (b + .5) * step - 2, d2 = 1 + y * y + z * z;
             const float3 dir = unit3(F3(1, float(y), float(z)));
-            const double density = double(portals_density(&room.s, &room.par, wall, inward, dir, total));
-            expected[size_t(a / fine * side + b / fine)] += draws * density * step * step / (d2 * std::sqrt(d2));
+            const double pdf = double(portals_pdf(&room.s, &room.par, wall, inward, dir, total));
+            expected[size_t(a / fine * side + b / fine)] += draws * pdf * step * step / (d2 * std::sqrt(d2));
         }
     for (int k = 0; k < draws; k++) {
         const float2 r = pair_of(uint32_t(k));
@@ -134,9 +134,9 @@ TEST_CASE("mixed with the cosine they have the cosine's mean") {
             double sums[3] = {}, squares[3] = {};
             for (int k = 0; k < total; k++) {
                 Sampler rnd = sampler_start(1, 2, uint32_t(k), 0, 0);
-                Aims aims;
+                Mixture mixture;
                 float3 dir;
-                const double weight = double(sample_diffuse(&room.s, &room.par, wall, inward, &rnd, &aims, &dir));
+                const double weight = double(sample_diffuse(&room.s, &room.par, wall, inward, &rnd, &mixture, &dir));
                 const double values[3] = {weight, weight * double(dir.x), weight * (dir.z > 0)};
                 for (int i = 0; i < 3; i++) {
                     sums[i] += values[i] / total;

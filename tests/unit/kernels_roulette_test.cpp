@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Russian roulette (kernels/integrator/end.h, docs/decisions/0029-roulette.md): it keeps the mean of what a path
+// Russian roulette (kernels/integrator/continue.h, docs/decisions/0029-roulette.md): it keeps the mean of what a path
 // carries, makes none carry more than where roulette sets in, and leaves alone what carries more, however dark its
 // surfaces.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
@@ -20,7 +20,7 @@ static Vertex path_of(uint k, float carried, float weight) {
     Vertex vertex = {};
     vertex.flags = 2u << PC_AB_SHIFT;
     vertex.rnd = sampler_start(7, 8, k, 0, 0);
-    vertex.thr = F3(.5f * carried, carried, .25f * carried);
+    vertex.throughput = F3(.5f * carried, carried, .25f * carried);
     vertex.weight = weight;
     return vertex;
 }
@@ -30,7 +30,7 @@ TEST_CASE("a path that carries much goes on, whatever its ray weight") {
         for (float carried : {RR_START, 1.0f, 20.0f}) {
             Vertex vertex = path_of(k, carried, 1e-4f);
             CHECK(path_roulette(&vertex, carried) == 1);
-            CHECK(vertex.thr.y == carried);
+            CHECK(vertex.throughput.y == carried);
         }
 }
 
@@ -39,9 +39,9 @@ TEST_CASE("no path is made to carry more than where roulette sets in, or 1 / RR_
         for (float carried : {.04f, .01f, 1e-3f, 1e-5f}) {
             Vertex vertex = path_of(k, carried, 1);
             if (!path_roulette(&vertex, carried)) continue;
-            CHECK(vertex.thr.y <= RR_START * 1.00001f);
-            CHECK(vertex.thr.y <= carried / RR_LEAST * 1.00001f);
-            CHECK(vertex.thr.x == doctest::Approx(.5 * vertex.thr.y));
+            CHECK(vertex.throughput.y <= RR_START * 1.00001f);
+            CHECK(vertex.throughput.y <= carried / RR_LEAST * 1.00001f);
+            CHECK(vertex.throughput.x == doctest::Approx(.5 * vertex.throughput.y));
         }
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("the mean of what paths carry stays") {
         double sum = 0;
         for (uint k = 0; k < n; k++) {
             Vertex vertex = path_of(k, carried, 1);
-            if (path_roulette(&vertex, carried)) sum += double(vertex.thr.y);
+            if (path_roulette(&vertex, carried)) sum += double(vertex.throughput.y);
         }
         const double p = std::fmax(double(carried / RR_START), double(RR_LEAST));
         CHECK(std::abs(sum / n / double(carried) - 1) < 4 * std::sqrt((1 - p) / p / n));

@@ -100,8 +100,8 @@ struct Crowd {
     }
 
     // Of each source to be a candidate at p.  A second way to the numbers of candidate().
-    std::vector<double> chances(float3 p, float3 n) const {
-        std::vector<double> chance(par.source_count);
+    std::vector<double> probs(float3 p, float3 n) const {
+        std::vector<double> prob(par.source_count);
         std::vector<uint32_t> nodes;
         double sum = 0;
         for (uint32_t i = 0; i < par.light_nodes;) {
@@ -116,22 +116,22 @@ struct Crowd {
         }
         REQUIRE(nodes.size() <= LIGHT_CUT);
         for (uint32_t i : nodes)
-            if (importance(i, p, n) > 0) descend(i, importance(i, p, n) / sum, p, n, chance);
-        return chance;
+            if (importance(i, p, n) > 0) descend(i, importance(i, p, n) / sum, p, n, prob);
+        return prob;
     }
 
 private:
     // A source that can give nothing is no candidate.
-    void descend(uint32_t i, double chance, float3 p, float3 n, std::vector<double>& chances) const {
+    void descend(uint32_t i, double prob, float3 p, float3 n, std::vector<double>& probs) const {
         const uint32_t source = as_uint_(node(i)[LIGHT_SOURCE]);
         if (source != NONE) {
-            if (importance(i, p, n) > 0) chances[source] += chance;
+            if (importance(i, p, n) > 0) probs[source] += prob;
             return;
         }
         const uint32_t second = as_uint_(node(i + 1)[LIGHT_PAST]);
         const double w1 = node(i + 1)[LIGHT_POWER], w2 = node(second)[LIGHT_POWER];
         const double first = std::clamp(w1 / (w1 + w2), 1 / 1024., 1023 / 1024.);
-        descend(i + 1, chance * first, p, n, chances);
-        descend(second, chance * (1 - first), p, n, chances);
+        descend(i + 1, prob * first, p, n, probs);
+        descend(second, prob * (1 - first), p, n, probs);
     }
 };

@@ -33,11 +33,11 @@ flatten::FlatScene room(const std::string& more) {
 }
 
 // At x = 4, from y = -1 to 1 and from z = low to high.
-sampling::Aim window(double low, double high) {
+sampling::Target window(double low, double high) {
     return {{4, 0, (low + high) / 2}, {0, 2, 0}, {0, 0, high - low}, {1, 0, 0}};
 }
 
-std::vector<sampling::Aim> patches(const flatten::FlatScene& scene, const sampling::Aim& window, size_t most = 8) {
+std::vector<sampling::Target> patches(const flatten::FlatScene& scene, const sampling::Target& window, size_t most = 8) {
     return sampling::find_patches(scene, flatten::HostTracer(scene), {window}, most);
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("a shade leaves the lit part") {
 TEST_CASE("a post cuts the patch in two") {
     const auto found = patches(room("paint polygon post 0 0 12 5 -.5 0 5 .5 0 5 .5 9 5 -.5 9\n"), window(1, 3));
     REQUIRE(found.size() == 2);
-    for (const sampling::Aim& patch : found) CHECK(std::abs(patch.centre.y) == doctest::Approx(.75).epsilon(1e-5));
+    for (const sampling::Target& patch : found) CHECK(std::abs(patch.centre.y) == doctest::Approx(.75).epsilon(1e-5));
 }
 
 TEST_CASE("a sliver of glass is no window") {
@@ -90,7 +90,7 @@ TEST_CASE("a sliver of glass is no window") {
     for (size_t k = two.portals_at; k < two.f.size(); k++) CHECK(std::isfinite(two.f[k]));
 }
 
-TEST_CASE("a narrow polished strip in the sun is aimed at, a wide table has its cone") {
+TEST_CASE("a narrow glossy reflector in the sun is aimed at, a wide table has its cone") {
     const std::string pane = "void glass clear 0 0 3 .9 .9 .9\nclear polygon pane 0 0 12 9 -1 1 9 1 1 9 1 3 9 -1 3\n";
     const std::string metal = "void metal brushed 0 0 5 .5 .5 .5 .7 .1\n";
     const std::string sill = "brushed polygon sill 0 0 12 8 -1 1.5 8.05 -1 1.5 8.05 1 1.5 8 1 1.5\n";
@@ -108,7 +108,7 @@ TEST_CASE("a narrow polished strip in the sun is aimed at, a wide table has its 
 
 TEST_CASE("no sun, no patch") {
     CHECK(patches(room("paint polygon shade 0 0 12 5 -9 0 5 9 0 5 9 9 5 -9 9\n"), window(1, 3)).empty());
-    sampling::Aim away = window(1, 3);
+    sampling::Target away = window(1, 3);
     away.out = {-1, 0, 0};
     CHECK(patches(room(""), away).empty());
 }

@@ -25,7 +25,8 @@ struct One {
 }  // namespace
 
 TEST_CASE("kernels know of a number what its rows say") {
-    const uint32_t asked = MT_SHINES | MT_CLEAR | MT_TURNS | MT_OPEN_BACK | MT_NO_BACK | MT_BENDS | MT_MEDIUM | MT_EVEN;
+    const uint32_t asked =
+        MT_EMISSIVE | MT_CLEAR | MT_TURNS | MT_OPEN_BACK | MT_NO_BACK | MT_BENDS | MT_MEDIUM | MT_EVEN;
     for (Type t : all_materials()) {
         CAPTURE(type_name(t));
         const Material& row = material_row(t);
@@ -36,9 +37,9 @@ TEST_CASE("kernels know of a number what its rows say") {
 }
 
 TEST_CASE("the traits of types are those of their names") {
-    CHECK(shines(Type::illum));
-    CHECK(!shines(Type::plastic));
-    CHECK(!shines(Type::polygon));
+    CHECK(is_emissive(Type::illum));
+    CHECK(!is_emissive(Type::plastic));
+    CHECK(!is_emissive(Type::polygon));
     CHECK(is_clear(Type::prism2));
     CHECK(!is_clear(Type::trans));
     CHECK(material_row(Type::glass).number == kernels::M_GLASS);

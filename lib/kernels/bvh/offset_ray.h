@@ -2,10 +2,10 @@
 // Where a new ray starts, so that it does not meet the surface it leaves again.
 // Idea of Waechter and Binder 2019 ("A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems,
 // chapter 6): move along the geometric normal by a fixed number of units in the last place of the position, axis by
-// axis.  The rounding of a hit point grows with the distance travelled too, hence `reach`. Limit: distances to a
-// triangle of hundreds of metres are good to some 1e-7 of its size only, so `reach` counts the size of the surface, too
-// (surface.h), and a least one (FlatScene::least_reach), which near the origin makes 2^-16 m in a room.  By the ray's
-// length alone 0.1 % of the rays that leave a ground of 2 km meet it again.
+// axis.  The rounding of a hit point grows with the distance travelled too, hence `error_scale`. Limit: distances to a
+// triangle of hundreds of metres are good to some 1e-7 of its size only, so `error_scale` counts the size of the
+// surface, too (surface.h), and a least one (FlatScene::least_error_scale), which near the origin makes 2^-16 m in a
+// room.  By the ray's length alone 0.1 % of the rays that leave a ground of 2 km meet it again.
 #ifndef LUX_OFFSET_RAY_H
 #define LUX_OFFSET_RAY_H
 
@@ -16,9 +16,9 @@ FN float offset_axis(float p, float n, float least) {
     return p + n * (d > least ? d : least);
 }
 
-// p: the point met; n: unit geometric normal on the side the new ray leaves to; reach: Surface.reach.
-FN float3 offset_ray(float3 p, float3 n, float reach) {
-    float least = reach * (0.03125f * OFFSET_SHARE);
+// p: the point met; n: unit geometric normal on the side the new ray leaves to; error_scale: Surface.error_scale.
+FN float3 offset_ray(float3 p, float3 n, float error_scale) {
+    float least = error_scale * (0.03125f * OFFSET_SHARE);
     return F3(offset_axis(p.x, n.x, least), offset_axis(p.y, n.y, least), offset_axis(p.z, n.z, least));
 }
 

@@ -63,9 +63,9 @@ FN float fabs_(float x) { return __builtin_fabsf(x); }
 FN uint highest_bit_(uint u) { return 31u - (uint)__builtin_clz(u); }  // u != 0
 FN uint bit_count_(uint u) { return (uint)__builtin_popcount(u); }
 
-// Four words of a path's slot: float4 or uint4.  In lanes a plain [slot] takes three times as long.
-#define read4_(from, slot) ((from)[slot])
-#define write4_(to, slot, v) ((to)[slot] = (v))
+// Four words of a path: float4 or uint4.  In lanes a plain [i] takes three times as long.
+#define read4_(from, i) ((from)[i])
+#define write4_(to, i, v) ((to)[i] = (v))
 
 // p on a 16-byte boundary
 FN float4 loadf4_(const float* p) {

@@ -29,8 +29,8 @@ typedef long long64;
 #define highest_bit_(u) (31u - clz(u))
 #define bit_count_(u) popcount(u)
 #define loadf4_(p) (*(__global const float4*)(p))
-#define read4_(from, slot) ((from)[slot])
-#define write4_(to, slot, v) ((to)[slot] = (v))
+#define read4_(from, i) ((from)[i])
+#define write4_(to, i, v) ((to)[i] = (v))
 
 // Wide words (bvh8.h), see compat_host.h.
 #ifdef LUX_COMPACT

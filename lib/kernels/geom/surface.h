@@ -14,8 +14,8 @@ STRUCT(Surface) {
     float3 color_before, pert_before;  // the same without the material's own chain: where an alternate starts
     float u, vv;                       // mesh coordinates Lu, Lv
     float length;                      // of the ray that hit
-    float reach;                       // length that sets the rounding of p: the ray's or the primitive's
-    float total;                       // path length from the eye
+    float error_scale;                 // length that sets the rounding of p: the ray's or the primitive's
+    float path_length;                 // path length from the eye
     uint prim, mod;                    // primitive; its modifier, after find_material() the material's
     uint type;                         // material type
     uint inst;                         // instance (instance.h), NONE
@@ -107,7 +107,7 @@ FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
     surface_plain(hit->prim, prim[PRIM_MOD], hit->inst, hit->t, g);
     g->p = madd3(ray->dir, hit->t, ray->org);
     g->v = neg3(ray->dir);
-    g->reach = MAX_(hit->t, as_float_(prim[PRIM_EXTENT]));
+    g->error_scale = MAX_(hit->t, as_float_(prim[PRIM_EXTENT]));
 
     float3 at = g->p;  // the point in the coordinates of the primitive
     if (in_instance(hit->inst)) {
@@ -116,7 +116,7 @@ FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
         at = affine_point(matrix, g->p);
         if (as_uint_(record[INST_MOD]) != NONE) g->mod = as_uint_(record[INST_MOD]);
         // the matrix rounds by the size of the point, traversal by that of the tree
-        g->reach = MAX_(MAX_(hit->t, record[INST_REACH]), fabs_(g->p.x) + fabs_(g->p.y) + fabs_(g->p.z));
+        g->error_scale = MAX_(MAX_(hit->t, record[INST_ERROR_SCALE]), fabs_(g->p.x) + fabs_(g->p.y) + fabs_(g->p.z));
     }
 
     g->flat = drawn_flat(s, g);
@@ -139,7 +139,8 @@ FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
 // it begins above it, at least (offset_ray.h).
 #define SURFACE_ROUNDING 2.3841858e-7f  // 2^-22
 FN float surface_rounding(PRIVATE(const Surface) g) {
-    return SURFACE_ROUNDING * (g->reach + fabs_(g->ng.x * g->p.x) + fabs_(g->ng.y * g->p.y) + fabs_(g->ng.z * g->p.z));
+    return SURFACE_ROUNDING *
+           (g->error_scale + fabs_(g->ng.x * g->p.x) + fabs_(g->ng.y * g->p.y) + fabs_(g->ng.z * g->p.z));
 }
 
 // Does the surface that a ray meets hold the ray's origin, within that?

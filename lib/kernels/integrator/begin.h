@@ -3,23 +3,23 @@
 #ifndef LUX_PATH_BEGIN_H
 #define LUX_PATH_BEGIN_H
 
-// The entry of a slot's pixel, in a pass of pixels with several samples in each frame.
-FN GLOBAL const uint* focus_entry(TABLES(const SceneTables) s, PARAMS(const Params) par, uint slot) {
-    return s->focus + FOCUS_WORDS * (par->focus_at + (par->first + slot) / par->together);
+// The entry of a path's pixel, in a pass of pixels with several samples in each frame.
+FN GLOBAL const uint* focus_entry(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path) {
+    return s->focus + FOCUS_WORDS * (par->focus_at + (par->first + path) / par->samples_per_pass);
 }
 
-// The pixel of a slot, NONE if it lies beside the picture, and which of its samples the slot is.
-FN uint path_pixel(TABLES(const SceneTables) s, PARAMS(const Params) par, uint slot) {
+// The pixel of a path, NONE if it lies beside the picture, and which of its samples the path is.
+FN uint path_pixel(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path) {
     if (par->mode == MODE_RAY) return 0u;
-    if (par->reuse_slot_count != 0u) return reuse_pixel(par, par->first + slot);
-    if (par->copies > 1u) return *(focus_entry(s, par, slot) + FOCUS_PIXEL);
-    return (par->first + slot) / par->together;
+    if (par->reuse_path_count != 0u) return reuse_pixel(par, par->first + path);
+    if (par->spp > 1u) return *(focus_entry(s, par, path) + FOCUS_PIXEL);
+    return (par->first + path) / par->samples_per_pass;
 }
 
-FN uint path_sample_index(PARAMS(const Params) par, uint slot) {
-    uint gid = par->first + slot;
-    if (par->reuse_slot_count != 0u) return par->frame + gid / par->reuse_slot_count;
-    return par->frame + (par->mode == MODE_RAY ? gid : gid % par->together / par->copies);
+FN uint path_sample_index(PARAMS(const Params) par, uint path) {
+    uint gid = par->first + path;
+    if (par->reuse_path_count != 0u) return par->frame + gid / par->reuse_path_count;
+    return par->frame + (par->mode == MODE_RAY ? gid : gid % par->samples_per_pass / par->spp);
 }
 
 // The ray through a random place of the pixel and of the lens.  0 if the view has none there.
@@ -46,13 +46,13 @@ FN void given_ray(PARAMS(const Params) par, PRIVATE(Sampler) rnd, PRIVATE(Ray) r
 }
 
 // What every path begins with, beside the direction of its first ray.
-FN void path_start(PARAMS(const Params) par, TABLES(const Paths) paths, uint slot, float3 org,
+FN void path_start(PARAMS(const Params) par, TABLES(const Paths) paths, uint path, float3 org,
                    PRIVATE(const Sampler) rnd, uint flags) {
-    write4_(paths->org, slot, pack4(org, as_float_(CLIP_START)));
-    write4_(paths->thr, slot, pack4(F3(1.0f, 1.0f, 1.0f), 1.0f));
+    write4_(paths->org, path, pack4(org, as_float_(CLIP_START)));
+    write4_(paths->throughput, path, pack4(F3(1.0f, 1.0f, 1.0f), 1.0f));
     if (has_media(par)) {
         Medium open = medium_open(par);
-        set_path_medium(paths, slot, &open);
+        set_path_medium(paths, path, &open);
     }
 
     uint4 info;
@@ -60,20 +60,20 @@ FN void path_start(PARAMS(const Params) par, TABLES(const Paths) paths, uint slo
     info.y = rnd->key;
     info.z = path_sampler_word(rnd);
     info.w = NONE;
-    write4_(paths->info, slot, info);
+    write4_(paths->info, path, info);
 }
 
 // A path that shares has no ends yet (suffix.h).
-FN void no_ends(TABLES(const Paths) paths, uint slot) {
-    write4_(paths->prefix_n, slot, pack4(F3(0.0f, 0.0f, 0.0f), NO_PREFIX));
-    write4_(paths->suffix_p, slot, pack4(F3(0.0f, 0.0f, 0.0f), SUFFIX_NONE));
+FN void no_ends(TABLES(const Paths) paths, uint path) {
+    write4_(paths->prefix_n, path, pack4(F3(0.0f, 0.0f, 0.0f), NO_PREFIX));
+    write4_(paths->suffix_p, path, pack4(F3(0.0f, 0.0f, 0.0f), SUFFIX_NONE));
 }
 
-// 1 if the slot has a ray to follow.
-FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot) {
-    uint pixel = path_pixel(s, par, slot), index = path_sample_index(par, slot);
-    write4_(paths->rad, slot, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
-    if (par->reuse_slot_count != 0u) no_ends(paths, slot);
+// 1 if the path has a ray to follow.
+FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
+    uint pixel = path_pixel(s, par, path), index = path_sample_index(par, path);
+    write4_(paths->rad, path, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
+    if (par->reuse_path_count != 0u) no_ends(paths, path);
     if (pixel == NONE) return 0;
 
     // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct
@@ -82,9 +82,9 @@ FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABL
     uint stream = par->mode == MODE_RAY ? 2u : 0u;
 
     // Copies are a sequence as well, of its own in each block of frames: blocks stay independent of one another.
-    if (par->copies > 1u) {
-        GLOBAL const uint* entry = focus_entry(s, par, slot);
-        uint copy = entry[FOCUS_FROM] + (par->first + slot) % par->copies;
+    if (par->spp > 1u) {
+        GLOBAL const uint* entry = focus_entry(s, par, path);
+        uint copy = entry[FOCUS_FROM] + (par->first + path) % par->spp;
         stream = 4u + (index >> SAMPLER_BLOCK_BITS);
         index = (index & ((1u << SAMPLER_BLOCK_BITS) - 1u)) * entry[FOCUS_ALL] + copy;
     }
@@ -98,31 +98,31 @@ FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABL
 
     if (!has_ray) return 0;
 
-    write4_(paths->dir, slot, pack4(ray.dir, ray.tmax));
-    path_start(par, paths, slot, ray.org, &rnd, 0u);
+    write4_(paths->dir, path, pack4(ray.dir, ray.tmax));
+    path_start(par, paths, path, ray.org, &rnd, 0u);
     return 1;
 }
 
-FN Ray path_ray(TABLES(const Paths) paths, uint slot) {
+FN Ray path_ray(TABLES(const Paths) paths, uint path) {
     Ray ray;
-    float4 dir = paths->dir[slot];
-    ray.org = xyz4(paths->org[slot]);
+    float4 dir = paths->dir[path];
+    ray.org = xyz4(paths->org[path]);
     ray.dir = xyz4(dir);
     ray.tmin = 0.0f;
     ray.tmax = dir.w;
     return ray;
 }
 
-// Follows the ray of a slot to the nearest surface; past one that the eye lies on.
-FN void path_extend(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot) {
-    Ray ray = path_ray(paths, slot);
+// Follows the ray of a path to the nearest surface; past one that the eye lies on.
+FN void path_extend(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
+    Ray ray = path_ray(paths, path);
     Hit hit;
-    int from_surface = (par->flags & PF_EYE_ON_SURFACE) != 0u && paths->info[slot].x >> PC_STEP_SHIFT == 0u;
+    int from_surface = (par->flags & PF_EYE_ON_SURFACE) != 0u && paths->info[path].x >> PC_STEP_SHIFT == 0u;
     for (;;) {
         trace_closest(s, &ray, RAY_ALL, &hit);
         if (!from_surface || !holds_origin(s, &ray, &hit)) break;
         ray.tmin = hit.t;
     }
-    set_path_hit(paths, slot, &hit);
+    set_path_hit(paths, path, &hit);
 }
 #endif

@@ -20,14 +20,14 @@ FN float3 direct_response(TABLES(const SceneTables) s, PARAMS(const Params) par,
     return scale3(c, light->pieces);
 }
 
-// Leaves the shadow ray, which brings `radiance` if nothing stops it, and `far` to the suffix vertex, in the slot.
+// Stores the shadow ray, which brings `radiance` if nothing stops it, and `far` to the suffix vertex.
 FN void direct_shadow_ray(PARAMS(const Params) par, TABLES(const Paths) paths, PRIVATE(const Vertex) vertex,
                           uint source, PRIVATE(LightSample) light, float3 radiance, float3 far) {
     PRIVATE(const Surface) g = &vertex->g;
-    uint slot = vertex->slot;
+    uint path = vertex->path;
     int above = dot3(light->dir, g->ng) > 0.0f;
     float3 start = bsdf_start(&vertex->lobes, g, above);
-    float3 from = offset_ray(start, above ? g->ng : neg3(g->ng), g->reach);
+    float3 from = offset_ray(start, above ? g->ng : neg3(g->ng), g->error_scale);
 
     if (!IS_DISTANT(light->dist)) {  // aimed anew from where it starts, else the source would shadow itself
         float3 to = sub3(scale3(light->dir, light->dist), sub3(from, start));
@@ -35,13 +35,13 @@ FN void direct_shadow_ray(PARAMS(const Params) par, TABLES(const Paths) paths, P
         light->dir = scale3(to, 1.0f / MAX_(light->dist, 1e-9f));
     }
 
-    write4_(paths->shadow_org, slot, pack4(from, as_float_(source)));
-    write4_(paths->shadow_dir, slot, pack4(light->dir, light->dist));
-    write4_(paths->shadow_rad, slot, pack4(radiance, g->total));
-    if (par->reuse_slot_count != 0u) write4_(paths->shadow_suffix, slot, pack4(far, vertex->at_suffix ? 1.0f : 0.0f));
+    write4_(paths->shadow_org, path, pack4(from, as_float_(source)));
+    write4_(paths->shadow_dir, path, pack4(light->dir, light->dist));
+    write4_(paths->shadow_rad, path, pack4(radiance, g->path_length));
+    if (par->reuse_path_count != 0u) write4_(paths->shadow_suffix, path, pack4(far, vertex->at_suffix ? 1.0f : 0.0f));
     if (path_media_used(par)) {
-        Medium there = above ? vertex->arriving : vertex->beyond;
-        set_shadow_medium(paths, slot, &there, above ? vertex->clip_before : vertex->clip_beyond);
+        Medium there = above ? vertex->arriving : vertex->medium_behind;
+        set_shadow_medium(paths, path, &there, above ? vertex->clip_before : vertex->clip_behind);
     }
 }
 
@@ -70,7 +70,7 @@ FN int path_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES
     // Its radiance.  Where a pattern falls below 0, RADIANCE counts light whose luminance is above it.  An illum does
     // not light itself.
     GLOBAL const float* src = source_record(s, par, source);
-    float3 radiance = sampled_radiance(s, par, src, &light, g->total, &vertex->rnd);
+    float3 radiance = sampled_radiance(s, par, src, &light, g->path_length, &vertex->rnd);
     int itself = as_uint_(src[SRC_PRIM]) == g->prim && as_uint_(src[SRC_VIRTUAL]) == NONE;
     if (!(luminance3(mul3(response, radiance)) > 0.0f) || itself) return 0;
 
@@ -81,7 +81,7 @@ FN int path_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES
         far = mul3(even, radiance);
         response = sub3(response, even);
     }
-    radiance = mul3(mul3(vertex->thr, response), radiance);
+    radiance = mul3(mul3(vertex->throughput, response), radiance);
     direct_shadow_ray(par, paths, vertex, source, &light, radiance, far);
     return PATH_SHADOW;
 }

@@ -45,7 +45,7 @@ FN float3 emitter_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par
         if (arg[3] > 0.0f && g->length <= arg[3]) return black;
     }
 
-    if ((par->flags & PF_DV) == 0u && !(g->type == M_GLOW && arg[3] >= 0.0f && g->total > arg[3])) return black;
+    if ((par->flags & PF_DV) == 0u && !(g->type == M_GLOW && arg[3] >= 0.0f && g->path_length > arg[3])) return black;
     if (!g->front) {
         *pass = par->bv == 0u;
         return black;

@@ -9,7 +9,7 @@ FN int path_media(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
     int result = 0;
     if (!vertex->absorbs) return 0;
     Medium crossed = vertex->arriving;
-    if (vertex->g.mixed) crossed = path_medium(paths, vertex->slot);
+    if (vertex->g.mixed) crossed = path_medium(paths, vertex->path);
     if (!(max3(crossed.k) > 0.0f)) return 0;
 
     float3 T = attenuation(crossed.k, vertex->g.length);
@@ -23,7 +23,7 @@ FN int path_media(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
         if (vertex->went_to_medium) result = path_scatter(s, par, paths, &crossed, x, y, vertex);
     }
 
-    vertex->thr = mul3(vertex->thr, T);
+    vertex->throughput = mul3(vertex->throughput, T);
     return result;
 }
 #endif

@@ -8,7 +8,7 @@ FN void path_miss(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
     if (vertex->absorbs) {
         float3 T = attenuation(vertex->arriving.k, ENDLESS_MEDIUM);
         if (vertex->wanted) vertex_add(vertex, medium_glow(par, &vertex->arriving, T));
-        vertex->thr = mul3(vertex->thr, T);
+        vertex->throughput = mul3(vertex->throughput, T);
     }
 
     // a ray that the view cuts off (-va) sees black, not the sky
@@ -19,6 +19,6 @@ FN void path_miss(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
             suffix_sky(paths, vertex, sky);
         else vertex_add(vertex, sky);
     }
-    vertex_store_rad(paths, vertex, vertex->before);
+    vertex_store_rad(paths, vertex, vertex->path_length_start);
 }
 #endif

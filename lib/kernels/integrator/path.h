@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One path per slot, in stages that run over queues (wavefront, Laine et al. 2013): generate and extend
+// Paths, in stages that run over queues (wavefront, Laine et al. 2013): generate and extend
 // (integrator/begin.h), shade (here), shadow (integrator/shadow.h).  Frame 0 keeps the direct class, frames k >= 1 the
 // diffuse one and, past the first m, both (paper section 7).
 #ifndef LUX_PATH_H
@@ -15,17 +15,17 @@
 #include "kernels/integrator/direct.h"
 #include "kernels/integrator/sample_bsdf.h"
 #include "kernels/integrator/prefix.h"
-#include "kernels/integrator/end.h"
+#include "kernels/integrator/continue.h"
 #include "kernels/integrator/pilot.h"
 #include "kernels/integrator/shadow.h"
 #include "kernels/integrator/connect.h"
 #include "kernels/integrator/splat.h"
 
-// Shades the hit of a slot.  Returns bits: PATH_GOES_ON, PATH_SHADOW.
-FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot) {
+// Shades the hit of a path.  Returns bits: PATH_CONTINUES, PATH_SHADOW.
+FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     Vertex vertex;
-    LobeSample way;
-    vertex_load(par, paths, slot, &vertex);
+    LobeSample lobe;
+    vertex_load(par, paths, path, &vertex);
 
     // The ray has met nothing: what it sees is the sky, and the path ends.
     if (vertex.hit.prim == NO_HIT) {
@@ -33,7 +33,7 @@ FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
         return 0;
     }
 
-    // It has met a surface.  What is it: a hole, a lamp, something that scatters light?
+    // It has met a surface.  What is it: a hole, an emitter, something that scatters light?
     if (!vertex_arrive(s, &vertex)) return 0;
     sampler_ahead(&vertex.rnd);
     int met = vertex_hit(s, par, paths, &vertex);
@@ -44,16 +44,16 @@ FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
     // What lies between has dimmed the path and may have scattered light into it.
     int shadow = path_media(s, par, paths, &vertex);
 
-    // A lamp gives its radiance, and the path ends.
+    // An emitter gives its radiance, and the path ends.
     if (met == HIT_EMITTER) {
-        path_lamp(paths, &vertex);
+        path_hit_emitter(paths, &vertex);
         return shadow;
     }
 
     // Where nothing shows the ray goes straight on.
     if (met == HIT_NULL) {
         path_pass(paths, &vertex);
-        return shadow | PATH_GOES_ON;
+        return shadow | PATH_CONTINUES;
     }
 
     // Light that comes straight from an active source: a shadow ray is to find out.
@@ -61,26 +61,26 @@ FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
 
     // Light that comes over other surfaces: where -ab ends a constant, else what one way on will find.
     path_ambient_value(par, &vertex);
-    if (!sample_lobe(s, par, &vertex, &way)) {
-        vertex_store(paths, &vertex, vertex.before);
+    if (!sample_lobe(s, par, &vertex, &lobe)) {
+        vertex_store(paths, &vertex, vertex.path_length_start);
         return shadow;
     }
 
     // A walk that only learns ends where a bounce would begin.
-    if (par->mode == MODE_PILOT && lobe_is_diffuse(&way)) {
-        path_end_pilot(paths, &vertex, &way);
+    if (par->mode == MODE_PILOT && lobe_is_diffuse(&lobe)) {
+        path_end_pilot(paths, &vertex, &lobe);
         return shadow;
     }
 
     // The path takes that way, unless a limit or roulette ends it.
-    return shadow | path_go_on(par, paths, &vertex, &way);
+    return shadow | path_continue(par, paths, &vertex, &lobe);
 }
 
-// A slot that has met nothing, where the above does not see to it (HAS(SKY)).
-FN void path_sky(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot) {
-    if (as_uint_(paths->hit[slot].y) != NO_HIT) return;
+// A path that has met nothing, where the above does not see to it (HAS(SKY)).
+FN void path_sky(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
+    if (as_uint_(paths->hit[path].y) != NO_HIT) return;
     Vertex vertex;
-    vertex_load(par, paths, slot, &vertex);
+    vertex_load(par, paths, path, &vertex);
     path_miss(s, par, paths, &vertex);
 }
 #endif

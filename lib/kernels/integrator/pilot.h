@@ -4,34 +4,34 @@
 #ifndef LUX_PATH_PILOT_H
 #define LUX_PATH_PILOT_H
 
-// org and dir of the slot hold the ray; 1 if there is one.
-FN_RARE int path_begin_pilot(PARAMS(const Params) par, TABLES(const Paths) paths, uint slot) {
-    Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, par->first + slot, par->frame, 3u);
+// org and dir of the path hold the ray; 1 if there is one.
+FN_RARE int path_begin_pilot(PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
+    Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, par->first + path, par->frame, 3u);
     uint flags = PC_DIFFUSE | (1u << PC_AB_SHIFT);
-    paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
+    paths->rad[path] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
 
-    if (paths->dir[slot].w == PILOT_FROM_EYE) {
+    if (paths->dir[path].w == PILOT_FROM_EYE) {
         Ray ray;
         flags = 0u;
-        int has_ray = view_lens_ray(par, paths->org[slot].x, paths->org[slot].y, F3(0.0f, 0.0f, 0.0f), &ray);
-        paths->org[slot] = pack4(ray.org, 0.0f);
-        paths->dir[slot] = pack4(ray.dir, ray.tmax);
+        int has_ray = view_lens_ray(par, paths->org[path].x, paths->org[path].y, F3(0.0f, 0.0f, 0.0f), &ray);
+        paths->org[path] = pack4(ray.org, 0.0f);
+        paths->dir[path] = pack4(ray.dir, ray.tmax);
         if (!has_ray) return 0;
     }
 
-    path_start(par, paths, slot, xyz4(paths->org[slot]), &rnd, flags);
+    path_start(par, paths, path, xyz4(paths->org[path]), &rnd, flags);
     return 1;
 }
 
 // The walk has come to a diffuse bounce: what the surface makes of the light that the bounce would find.
-FN_RARE void path_end_pilot(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) way) {
+FN_RARE void path_end_pilot(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) lobe) {
     PRIVATE(const Surface) g = &vertex->g;
-    uint slot = vertex->slot;
-    float3 n = way->way == SAMPLE_DIFFUSE_R ? g->n : neg3(g->n);
-    paths->org[slot] = pack4(g->p, 0.0f);
-    paths->dir[slot] = pack4(n, PILOT_AT_BOUNCE);
-    float share = way->chance > 0.0f ? way->sum / way->chance : 0.0f;
-    paths->thr[slot] = pack4(scale3(mul3(vertex->thr, way->color), share), 0.0f);
-    vertex_store(paths, vertex, vertex->before);
+    uint path = vertex->path;
+    float3 n = lobe->type == SAMPLE_DIFFUSE_R ? g->n : neg3(g->n);
+    paths->org[path] = pack4(g->p, 0.0f);
+    paths->dir[path] = pack4(n, PILOT_AT_BOUNCE);
+    float share = lobe->prob > 0.0f ? lobe->total / lobe->prob : 0.0f;
+    paths->throughput[path] = pack4(scale3(mul3(vertex->throughput, lobe->color), share), 0.0f);
+    vertex_store(paths, vertex, vertex->path_length_start);
 }
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The seven ways on from a surface, of which a path takes one, with a chance in proportion to what the surface sends
-// along it.
+// The seven ways on from a surface, of which a path takes one, with a probability in proportion to what the surface
+// sends along it.
 #ifndef LUX_SAMPLE_BSDF_H
 #define LUX_SAMPLE_BSDF_H
 
@@ -16,17 +16,17 @@
 
 // What is known of the way taken.
 STRUCT(LobeSample) {
-    uint way;
+    uint type;
     float3 dir;
-    float3 color;  // of the lobe
-    float factor;  // of the sampled radiance beside the colour; 0: the sample is lost
-    float chance;  // in units of sum
-    float sum;
-    Aims aims;  // of a diffuse one
+    float3 color;     // of the lobe
+    float weight;     // of the sampled radiance beside the colour; 0: the sample is lost
+    float prob;       // in units of total
+    float total;      // of the weights of all lobes
+    Mixture mixture;  // of a diffuse one
 };
 
-FN int lobe_is_diffuse(PRIVATE(const LobeSample) way) {
-    return way->way == SAMPLE_DIFFUSE_R || way->way == SAMPLE_DIFFUSE_T;
+FN int lobe_is_diffuse(PRIVATE(const LobeSample) lobe) {
+    return lobe->type == SAMPLE_DIFFUSE_R || lobe->type == SAMPLE_DIFFUSE_T;
 }
 
 FN float lobe_weight(float3 color) {
@@ -37,9 +37,9 @@ FN float lobe_weight(float3 color) {
 // Each way that there is gets at least this weight.  Returns the new sum.
 FN float lobes_raise(float least, PRIVATE(float) weight) {
     float sum = 0.0f;
-    for (UNIFORM uint way = 0u; way < LOBES_TO_SAMPLE; way++) {
-        if (weight[way] > 0.0f) weight[way] = MAX_(weight[way], least);
-        sum += weight[way];
+    for (UNIFORM uint lobe = 0u; lobe < LOBES_TO_SAMPLE; lobe++) {
+        if (weight[lobe] > 0.0f) weight[lobe] = MAX_(weight[lobe], least);
+        sum += weight[lobe];
     }
 
     return sum;
@@ -47,7 +47,7 @@ FN float lobes_raise(float least, PRIVATE(float) weight) {
 
 // How likely each way is, and the sum; 0: there is none.
 // Light that comes by the fourth reflection in a pane is rare: one path in millions finds it.  Tests that look for it
-// give each way a least chance; pictures do not, for what is rare here is dark as a rule.
+// give each way a least probability; pictures do not, for what is rare here is dark as a rule.
 FN float lobe_weights(PARAMS(const Params) par, PRIVATE(const Vertex) vertex, PRIVATE(float) weight) {
     PRIVATE(const Lobes) lobes = &vertex->lobes;
     int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
@@ -71,8 +71,8 @@ FN float lobe_weights(PARAMS(const Params) par, PRIVATE(const Vertex) vertex, PR
 }
 
 FN uint pick_lobe(PRIVATE(const float) weight, float r) {
-    for (UNIFORM uint way = 0u; way < LOBES_TO_SAMPLE - 1u; way++)
-        if ((r -= weight[way]) < 0.0f) return way;
+    for (UNIFORM uint lobe = 0u; lobe < LOBES_TO_SAMPLE - 1u; lobe++)
+        if ((r -= weight[lobe]) < 0.0f) return lobe;
     return LOBES_TO_SAMPLE - 1u;
 }
 
@@ -80,103 +80,103 @@ FN uint pick_lobe(PRIVATE(const float) weight, float r) {
 // RADIANCE weights a rough lobe where its ray's weight earns it two samples or more, -ss times the weight; what several
 // samples or a hemisphere of them sent out earns one (spec shading 3.4).
 FN float sample_rough_r(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Vertex) vertex,
-                        PRIVATE(LobeSample) way) {
+                        PRIVATE(LobeSample) lobe) {
     PRIVATE(Lobes) lobes = &vertex->lobes;
     PRIVATE(Surface) g = &vertex->g;
     int weighted = !path_sampled(vertex->flags) && par->ss * vertex->weight > 1.5f;
     if ((lobes->flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(lobes, g, WGMD_ROUGH_R);
-    if ((lobes->flags & LOBE_ASHIK) != 0u) return ashik_sample(lobes, g, &vertex->rnd, &way->dir);
+    if ((lobes->flags & LOBE_ASHIK) != 0u) return ashik_sample(lobes, g, &vertex->rnd, &lobe->dir);
     if ((lobes->flags & LOBE_BSDF) != 0u)
-        return bsdf_sample_lobe(s, par, lobes, g, 0, &vertex->rnd, &way->color, &way->dir);
-    return lobes_sample_rough_r(lobes, g, &vertex->rnd, weighted, par->ss, &way->dir);
+        return bsdf_sample_lobe(s, par, lobes, g, 0, &vertex->rnd, &lobe->color, &lobe->dir);
+    return lobes_sample_rough_r(lobes, g, &vertex->rnd, weighted, par->ss, &lobe->dir);
 }
 
 FN float sample_rough_t(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Vertex) vertex,
-                        PRIVATE(LobeSample) way) {
+                        PRIVATE(LobeSample) lobe) {
     PRIVATE(Lobes) lobes = &vertex->lobes;
     PRIVATE(Surface) g = &vertex->g;
     if ((lobes->flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(lobes, g, WGMD_ROUGH_T);
     if ((lobes->flags & LOBE_BSDF) != 0u)
-        return bsdf_sample_lobe(s, par, lobes, g, 1, &vertex->rnd, &way->color, &way->dir);
-    return lobes_sample_rough_t(lobes, g, &vertex->rnd, par->ss, &way->dir);
+        return bsdf_sample_lobe(s, par, lobes, g, 1, &vertex->rnd, &lobe->color, &lobe->dir);
+    return lobes_sample_rough_t(lobes, g, &vertex->rnd, par->ss, &lobe->dir);
 }
 
 // A direction about n on either side of the surface; returns the factor, 0 if it is on the wrong side of the geometry.
 FN float sample_hemisphere(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Vertex) vertex, float side,
-                           PRIVATE(LobeSample) way) {
+                           PRIVATE(LobeSample) lobe) {
     PRIVATE(const Surface) g = &vertex->g;
     float3 n = side > 0.0f ? g->n : neg3(g->n);
-    float factor = sample_diffuse(s, par, g->p, n, &vertex->rnd, &way->aims, &way->dir);
-    return side * dot3(way->dir, g->ng) <= 0.0f ? 0.0f : factor;
+    float factor = sample_diffuse(s, par, g->p, n, &vertex->rnd, &lobe->mixture, &lobe->dir);
+    return side * dot3(lobe->dir, g->ng) <= 0.0f ? 0.0f : factor;
 }
 
 // The direction, colour and factor of the way taken, and what the path is from here on.
 FN void sample_chosen_lobe(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Vertex) vertex,
-                           PRIVATE(LobeSample) way) {
+                           PRIVATE(LobeSample) lobe) {
     PRIVATE(Lobes) lobes = &vertex->lobes;
-    way->factor = 1.0f;
-    way->dir = vertex->ray.dir;
+    lobe->weight = 1.0f;
+    lobe->dir = vertex->ray.dir;
 
-    switch (way->way) {
+    switch (lobe->type) {
     case SAMPLE_DIFFUSE_R:
-        way->color = lobes->ambient_r;
-        way->factor = sample_hemisphere(s, par, vertex, 1.0f, way);
+        lobe->color = lobes->ambient_r;
+        lobe->weight = sample_hemisphere(s, par, vertex, 1.0f, lobe);
         break;
     case SAMPLE_DIFFUSE_T:
-        way->color = lobes->ambient_t;
+        lobe->color = lobes->ambient_t;
         if ((lobes->flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(lobes, &vertex->g, WGMD_DIFFUSE_T);
-        way->factor = sample_hemisphere(s, par, vertex, -1.0f, way);
+        lobe->weight = sample_hemisphere(s, par, vertex, -1.0f, lobe);
         break;
     case SAMPLE_ROUGH_R:
-        way->color = lobes->rough_r;
-        way->factor = sample_rough_r(s, par, vertex, way);
+        lobe->color = lobes->rough_r;
+        lobe->weight = sample_rough_r(s, par, vertex, lobe);
         break;
     case SAMPLE_ROUGH_T:
-        way->color = lobes->rough_t;
-        way->factor = sample_rough_t(s, par, vertex, way);
+        lobe->color = lobes->rough_t;
+        lobe->weight = sample_rough_t(s, par, vertex, lobe);
         break;
     case SAMPLE_THROUGH:
-        way->color = lobes->through;
-        way->dir = lobes->through_dir;
+        lobe->color = lobes->through;
+        lobe->dir = lobes->through_dir;
         break;
     case SAMPLE_MIRROR:
-        way->color = lobes->mirror;
-        way->dir = lobes->mirror_dir;
+        lobe->color = lobes->mirror;
+        lobe->dir = lobes->mirror_dir;
         break;
     default:
-        way->color = lobes->refract;
-        way->dir = lobes->refract_dir;
+        lobe->color = lobes->refract;
+        lobe->dir = lobes->refract_dir;
         break;
     }
 
-    if (way->chance <= 0.0f) way->factor = 0.0f;
+    if (lobe->prob <= 0.0f) lobe->weight = 0.0f;
 }
 
 // Whether it stays before the surface, in the medium there; steep textures may turn its direction all the same.
-FN int lobe_reflects(uint way) { return way == SAMPLE_DIFFUSE_R || way == SAMPLE_ROUGH_R || way == SAMPLE_MIRROR; }
+FN int lobe_reflects(uint lobe) { return lobe == SAMPLE_DIFFUSE_R || lobe == SAMPLE_ROUGH_R || lobe == SAMPLE_MIRROR; }
 
-// What the path has been through once it takes this way.
-FN uint lobe_path_flags(PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) way) {
+// What the path has been through once it takes this lobe.
+FN uint lobe_path_flags(PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) lobe) {
     uint flags = vertex->flags;
-    if (lobe_is_diffuse(way)) flags = (flags | PC_DIFFUSE) + (1u << PC_AB_SHIFT);
-    else if (way->way == SAMPLE_ROUGH_R || way->way == SAMPLE_ROUGH_T) flags |= PC_ROUGH | PC_BENT;
-    else if (way->way != SAMPLE_THROUGH || dot3(way->dir, vertex->g.v) > -0.99999f) flags |= PC_BENT;
+    if (lobe_is_diffuse(lobe)) flags = (flags | PC_DIFFUSE) + (1u << PC_AB_SHIFT);
+    else if (lobe->type == SAMPLE_ROUGH_R || lobe->type == SAMPLE_ROUGH_T) flags |= PC_ROUGH | PC_BENT;
+    else if (lobe->type != SAMPLE_THROUGH || dot3(lobe->dir, vertex->g.v) > -0.99999f) flags |= PC_BENT;
 
-    int through = way->way == SAMPLE_THROUGH || way->way == SAMPLE_ROUGH_T || way->way == SAMPLE_REFRACT;
+    int through = lobe->type == SAMPLE_THROUGH || lobe->type == SAMPLE_ROUGH_T || lobe->type == SAMPLE_REFRACT;
     return through ? flags : flags + (1u << PC_LEVEL_SHIFT);
 }
 
 // Chooses a way and a direction along it.  0: there is none, the path ends.
 FN int sample_lobe(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Vertex) vertex,
-                   PRIVATE(LobeSample) way) {
+                   PRIVATE(LobeSample) lobe) {
     float weight[LOBES_TO_SAMPLE];
-    way->sum = lobe_weights(par, vertex, weight);
-    if (way->sum <= 0.0f) return 0;
+    lobe->total = lobe_weights(par, vertex, weight);
+    if (lobe->total <= 0.0f) return 0;
 
-    way->way = pick_lobe(weight, sample1(&vertex->rnd) * way->sum);
-    way->chance = weight[way->way];
-    sample_chosen_lobe(s, par, vertex, way);
-    vertex->flags = lobe_path_flags(vertex, way);
+    lobe->type = pick_lobe(weight, sample1(&vertex->rnd) * lobe->total);
+    lobe->prob = weight[lobe->type];
+    sample_chosen_lobe(s, par, vertex, lobe);
+    vertex->flags = lobe_path_flags(vertex, lobe);
     return 1;
 }
 #endif

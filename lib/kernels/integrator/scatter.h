@@ -37,26 +37,27 @@ FN int path_scatter(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLE
     uint source = scattered_source(s, par, medium->lights, MIN_(pick, vertex->scatterers - 1u));
 
     float t = x.y * length;
-    float total = vertex->before + t;
+    float path_length = vertex->path_length_start + t;
     float3 p = madd3(vertex->ray.dir, t, vertex->ray.org);
     LightSample light;
     sample_source(s, par, source, p, y, par->dj, &light);
     if (light.w <= 0.0f) return 0;
-    float3 radiance = sampled_radiance(s, par, source_record(s, par, source), &light, total, &vertex->rnd);
+    float3 radiance = sampled_radiance(s, par, source_record(s, par, source), &light, path_length, &vertex->rnd);
 
     float ecc = MAX_(medium->ecc, 0.0f);  // RADIANCE takes one below 0 for 0
     float c = dot3(light.dir, vertex->ray.dir);
     float d = 1.0f + ecc * ecc - 2.0f * ecc * c;
     float phase = (1.0f - ecc * ecc) / (d * sqrt_(d)) * 0.0795774715f;
-    float3 w = mul3(mul3(mul3(medium->k, medium->albedo), attenuation(medium->k, t)), mul3(vertex->thr, radiance));
+    float3 w =
+        mul3(mul3(mul3(medium->k, medium->albedo), attenuation(medium->k, t)), mul3(vertex->throughput, radiance));
     w = scale3(w, 2.0f * count * length * phase * light.w);
     if (max3(w) <= 0.0f) return 0;
 
-    paths->shadow_org[vertex->slot] = pack4(p, as_float_(source));
-    paths->shadow_dir[vertex->slot] = pack4(light.dir, light.dist);
-    paths->shadow_rad[vertex->slot] = pack4(w, total);
-    if (par->reuse_slot_count != 0u) write4_(paths->shadow_suffix, vertex->slot, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
-    set_shadow_medium(paths, vertex->slot, medium, vertex->clip_before);
+    paths->shadow_org[vertex->path] = pack4(p, as_float_(source));
+    paths->shadow_dir[vertex->path] = pack4(light.dir, light.dist);
+    paths->shadow_rad[vertex->path] = pack4(w, path_length);
+    if (par->reuse_path_count != 0u) write4_(paths->shadow_suffix, vertex->path, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
+    set_shadow_medium(paths, vertex->path, medium, vertex->clip_before);
     return PATH_SHADOW;
 }
 #endif

@@ -13,7 +13,7 @@ STRUCT(ShadowRay) {
     Ray ray;
     GLOBAL const float* src;  // record of the source aimed at; behind a virtual one's relay, that of the next
     float3 T;                 // what was let through so far
-    float total;              // path length so far
+    float path_length;        // path length so far
     Medium medium;            // where it is: the medium around,
     uint clip;                // and what antimatter cuts away
     int absorbs;              // is there any medium in the scene?
@@ -23,22 +23,22 @@ STRUCT(ShadowRay) {
     Sampler rnd;
 };
 
-// What is in its way, one of MET_*: a lamp stops it, of a surface the lobes say what passes.  g, the surface, gets
-// its material; *here and *beyond, the media of the segment that ends here and behind the surface, come as what the ray
-// knows.  relayed: g is the relay of the virtual source aimed at.
+// What is in its way, one of HIT_*: an emitter stops it, of a surface the lobes say what passes.  g, the surface, gets
+// its material; *here and *medium_behind, the media of the segment that ends here and behind the surface, come as what
+// the ray knows.  relayed: g is the relay of the virtual source aimed at.
 FN int shadow_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow, PRIVATE(Surface) g,
-                  int relayed, PRIVATE(Medium) here, PRIVATE(Medium) beyond, PRIVATE(Lobes) lobes) {
+                  int relayed, PRIVATE(Medium) here, PRIVATE(Medium) medium_behind, PRIVATE(Lobes) lobes) {
     int antimatter = has_antimatter(par);
     uint carried = g->mod;
     if (antimatter && clip_hit(s, par, g, &shadow->clip) == CLIP_IGNORE) return HIT_NULL;
     if (!find_material(s, par, g, &shadow->rnd)) return HIT_NULL;
     if (shadow_alternate(s, par, g, shadow->src, relayed, &shadow->rnd)) return HIT_NULL;
-    if (material_has(g->type, MT_SHINES) != 0u) return HIT_EMITTER;
+    if (material_has(g->type, MT_EMISSIVE) != 0u) return HIT_EMITTER;
     if (HAS(SOLIDS) && g->type == M_MIST) {
-        mist_crossing(s, par, g, here, beyond);
+        mist_crossing(s, par, g, here, medium_behind);
         return HIT_NULL;
     }
-    material_lobes(s, par, g, LOBES_SHADOW, &shadow->rnd, here, beyond, lobes);
+    material_lobes(s, par, g, LOBES_SHADOW, &shadow->rnd, here, medium_behind, lobes);
     if (antimatter) clip_turned(s, par, g, carried, &shadow->clip);
     return (lobes->flags & LOBE_PASS) != 0u ? HIT_NULL : HIT_SURFACE;
 }
@@ -61,9 +61,9 @@ FN int shadow_from_behind(GLOBAL const float* src, PRIVATE(const Ray) ray, float
 }
 
 // Is all that counts before it meets glass whether anything opaque lies between?  *ray: the one to trace.
-FN int shadow_is_plain(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot,
+FN int shadow_is_plain(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path,
                        PRIVATE(Ray) ray) {
-    float4 org = paths->shadow_org[slot], dir = paths->shadow_dir[slot];
+    float4 org = paths->shadow_org[path], dir = paths->shadow_dir[path];
     GLOBAL const float* src = source_record(s, par, as_uint_(org.w));
     uint kind = as_uint_(src[SRC_KIND]);
     if (aims_shadows(par) || kind == SK_SPHERE || kind == SK_CYLINDER) return 0;
@@ -136,12 +136,12 @@ FN float3 shadow_straight(TABLES(const SceneTables) s, PARAMS(const Params) par,
             return mul3(shadow->T, shadow_attenuation(&shadow->medium, MIN_(ray->tmax, ENDLESS_MEDIUM)));
         }
         surface_at(s, ray, &hit, &g);
-        shadow->total += hit.t;
-        g.total = shadow->total;
+        shadow->path_length += hit.t;
+        g.path_length = shadow->path_length;
 
         int at_source = hit.prim == as_uint_(shadow->src[SRC_PRIM]);
-        Medium here = shadow->medium, beyond = shadow->medium;
-        int met = at_source ? HIT_NULL : shadow_hit(s, par, shadow, &g, 0, &here, &beyond, &lobes);
+        Medium here = shadow->medium, medium_behind = shadow->medium;
+        int met = at_source ? HIT_NULL : shadow_hit(s, par, shadow, &g, 0, &here, &medium_behind, &lobes);
         if (met == HIT_SURFACE) shadow->T = mul3(shadow->T, lobes.through);
         if (met == HIT_EMITTER || max3(shadow->T) <= 0.0f) return black;
 
@@ -151,8 +151,8 @@ FN float3 shadow_straight(TABLES(const SceneTables) s, PARAMS(const Params) par,
         }
         if (at_source) return must_hit && !g.front ? black : shadow->T;
 
-        shadow->medium = beyond;
-        ray->org = offset_ray(g.p, neg3(g.ng), g.reach);
+        shadow->medium = medium_behind;
+        ray->org = offset_ray(g.p, neg3(g.ng), g.error_scale);
         if (IS_DISTANT(ray->tmax)) continue;
         ray->tmax -= hit.t;
         if (ray->tmax <= 0.0f) return must_hit ? black : shadow->T;
@@ -182,7 +182,7 @@ FN float3 aimed_at_source(TABLES(const SceneTables) s, PARAMS(const Params) par,
     if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(&shadow->medium, g->length));
     if (!shadow->is_virtual) return shadow->T;
     return mul3(shadow->T, light_radiance(s, par, as_uint_(shadow->src[SRC_MOD]), g->prim, shadow->ray.dir, g->p,
-                                          g->nface, g->length, g->total, &shadow->rnd));
+                                          g->nface, g->length, g->path_length, &shadow->rnd));
 }
 
 // The relay of the virtual source sends the ray on, to the source behind it.  Returns the new direction.
@@ -232,15 +232,15 @@ FN float3 shadow_aimed(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
         if (hit.prim == NO_HIT) return aimed_at_sky(s, par, shadow);
 
         surface_at(s, ray, &hit, &g);
-        shadow->total += hit.t;
-        g.total = shadow->total;
+        shadow->path_length += hit.t;
+        g.path_length = shadow->path_length;
         if (relay == NONE && hit.prim == as_uint_(shadow->src[SRC_PRIM])) return aimed_at_source(s, par, shadow, &g);
 
         // the surface turns the ray, weakens it or stops it
         float3 next = ray->dir;
-        Medium here = shadow->medium, beyond = shadow->medium;
+        Medium here = shadow->medium, medium_behind = shadow->medium;
         int relayed = relay != NONE && hit.prim == s->u[relay + RELAY_PRIM];
-        int met = shadow_hit(s, par, shadow, &g, relayed, &here, &beyond, &lobes);
+        int met = shadow_hit(s, par, shadow, &g, relayed, &here, &medium_behind, &lobes);
         if (met == HIT_SURFACE)
             next = relayed ? aimed_relay(s, par, shadow, &g, &lobes) : aimed_through(shadow, &lobes);
         if (met == HIT_EMITTER || max3(shadow->T) <= 0.0f) return black;
@@ -251,29 +251,29 @@ FN float3 shadow_aimed(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
             Medium crossed = g.mixed ? shadow->medium : here;
             shadow->T = mul3(shadow->T, shadow_attenuation(&crossed, hit.t));
         }
-        shadow->medium = relayed && reflected ? here : beyond;
+        shadow->medium = relayed && reflected ? here : medium_behind;
         if (reflected) shadow->clip = before;
-        ray->org = offset_ray(g.p, reflected ? g.ng : neg3(g.ng), g.reach);
+        ray->org = offset_ray(g.p, reflected ? g.ng : neg3(g.ng), g.error_scale);
         ray->dir = next;
     }
     return black;
 }
 
-// Where patterns fall below 0 RADIANCE counts light that arrives with the sum of its channels above 0.  (A lamp's own
-// pattern is not in this sum.)
+// Where patterns fall below 0 RADIANCE counts light that arrives with the sum of its channels above 0.  (An emitter's
+// own pattern is not in this sum.)
 FN int shadow_counts(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const ShadowRay) shadow, float3 T) {
     if (T.x >= 0.0f && T.y >= 0.0f && T.z >= 0.0f) return 1;
-    GLOBAL const uint* lamp = mod_record(s, par, as_uint_(shadow->src[SRC_MOD]));
-    int plain = !shadow->is_virtual && lamp[MOD_TYPE] >= M_FIRST_MATERIAL;
-    float3 light = plain ? mul3(T, f3_at(s->f + lamp[MOD_ARGS])) : T;
+    GLOBAL const uint* emitter = mod_record(s, par, as_uint_(shadow->src[SRC_MOD]));
+    int plain = !shadow->is_virtual && emitter[MOD_TYPE] >= M_FIRST_MATERIAL;
+    float3 light = plain ? mul3(T, f3_at(s->f + emitter[MOD_ARGS])) : T;
     return light.x + light.y + light.z > 0.0f;
 }
 
-// Adds what the shadow ray of a slot brings.  known: of a plain one (shadow_is_plain).
-FN void path_shadow(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot,
+// Adds what the shadow ray of a path brings.  known: of a plain one (shadow_is_plain).
+FN void path_shadow(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path,
                     int known) {
-    float4 org = read4_(paths->shadow_org, slot), dir = read4_(paths->shadow_dir, slot),
-           rad = read4_(paths->shadow_rad, slot);
+    float4 org = read4_(paths->shadow_org, path), dir = read4_(paths->shadow_dir, path),
+           rad = read4_(paths->shadow_rad, path);
     int antimatter = has_antimatter(par), aimed = aims_shadows(par);
     ShadowRay shadow;
     shadow.ray.org = xyz4(org);
@@ -281,18 +281,18 @@ FN void path_shadow(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLE
     shadow.ray.tmin = 0.0f;
     shadow.src = source_record(s, par, as_uint_(org.w));
     shadow.T = F3(1.0f, 1.0f, 1.0f);
-    shadow.total = aimed ? rad.w : 0.0f;
+    shadow.path_length = aimed ? rad.w : 0.0f;
     shadow.absorbs = has_media(par);
-    shadow.medium = shadow.absorbs ? shadow_medium(paths, slot) : medium_open(par);
-    shadow.clip = antimatter ? as_uint_(paths->shadow_medium[slot].w) : CLIP_START;
+    shadow.medium = shadow.absorbs ? shadow_medium(paths, path) : medium_open(par);
+    shadow.clip = antimatter ? as_uint_(paths->shadow_medium[path].w) : CLIP_START;
     shadow.is_virtual = as_uint_(shadow.src[SRC_VIRTUAL]) != NONE;
     shadow.bent = 0;
     shadow.known = known;
-    shadow.rnd = path_sampler(read4_(paths->info, slot));
+    shadow.rnd = path_sampler(read4_(paths->info, path));
     shadow.rnd.key = hash32(shadow.rnd.key ^ 0x5bd1e995u);
 
     float3 T = aimed ? shadow_aimed(s, par, &shadow) : shadow_straight(s, par, &shadow, dir.w);
     if (!shadow_counts(s, par, &shadow, T)) return;
-    path_receive(par, paths, slot, mul3(xyz4(rad), T), T);
+    path_receive(par, paths, path, mul3(xyz4(rad), T), T);
 }
 #endif

@@ -3,14 +3,14 @@
 #ifndef LUX_PATH_SPLAT_H
 #define LUX_PATH_SPLAT_H
 
-// MODE_SPLAT: slot i holds a straight ray from the eye to a point of a source and its weight, written by the host into
-// the slot's shadow ray; the source's own radiance is applied here, path_shadow follows.
-FN void path_splat(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint slot) {
-    uint source = as_uint_(paths->shadow_org[slot].w);
+// MODE_SPLAT: path i holds a straight ray from the eye to a point of a source and its weight, written by the host into
+// the path's shadow ray; the source's own radiance is applied here, path_shadow follows.
+FN void path_splat(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
+    uint source = as_uint_(paths->shadow_org[path].w);
     GLOBAL const float* src = source_record(s, par, source);
-    float3 org = xyz4(paths->shadow_org[slot]), dir = xyz4(paths->shadow_dir[slot]);
-    float dist = paths->shadow_dir[slot].w;
-    Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, slot + par->first, 0u, 3u);
+    float3 org = xyz4(paths->shadow_org[path]), dir = xyz4(paths->shadow_dir[path]);
+    float dist = paths->shadow_dir[path].w;
+    Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, path + par->first, 0u, 3u);
     float3 normal = neg3(dir), point = org;
 
     if (as_uint_(src[SRC_KIND]) != SK_DISTANT) {
@@ -21,13 +21,13 @@ FN void path_splat(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES
 
     float3 e =
         light_radiance(s, par, as_uint_(src[SRC_MOD]), as_uint_(src[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
-    paths->shadow_rad[slot] = pack4(mul3(xyz4(paths->shadow_rad[slot]), e), 0.0f);
-    paths->rad[slot] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
+    paths->shadow_rad[path] = pack4(mul3(xyz4(paths->shadow_rad[path]), e), 0.0f);
+    paths->rad[path] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
 
     if (path_media_used(par)) {
         Medium open = medium_open(par);
         open.albedo = F3(0.0f, 0.0f, 0.0f);  // what the eye sees is dimmed by all extinction
-        set_shadow_medium(paths, slot, &open, CLIP_START);
+        set_shadow_medium(paths, path, &open, CLIP_START);
     }
 
     uint4 info;
@@ -35,6 +35,6 @@ FN void path_splat(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES
     info.y = rnd.key;
     info.z = rnd.index;
     info.w = NONE;
-    paths->info[slot] = info;
+    paths->info[path] = info;
 }
 #endif

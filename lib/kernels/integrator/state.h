@@ -1,41 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// State of the paths in flight, one slot each, and the flags that say what a path has been through.
+// State of the paths in flight, one path each, and the flags that say what a path has been through.
 // A path's class is "diffuse" once it has left a surface into the hemisphere (paper section 3; spec shading 0.2).
 #ifndef LUX_PATH_STATE_H
 #define LUX_PATH_STATE_H
 
-// The one list of what a path is made of: FIELD(type, name, when) for each field, four words a slot.  The struct Paths,
+// The one list of what a path is made of: FIELD(type, name, when) for each field, four words a path.  The struct Paths,
 // what both devices allocate and the arguments of the OpenCL kernels come from it.  Wide types first, for they are laid
 // one after another.
 //   when: PATH_ALWAYS, or what makes it needed: PATH_MEDIA media or antimatter in the scene, PATH_REUSE
 //   that paths share their suffix vertices
 // clang-format off
-#define PATH_STATE(FIELD)                                                                                       \
-    FIELD(float4, org, PATH_ALWAYS)            /* the ray's origin; w: what is cut away there (bits; clip.h) */      \
-    FIELD(float4, dir, PATH_ALWAYS)            /* its direction; w: how far it looks */                              \
-    FIELD(float4, thr, PATH_ALWAYS)            /* throughput, rgb; w: RADIANCE's ray weight (-lw) */                 \
-    FIELD(float4, rad, PATH_ALWAYS)            /* radiance gathered, rgb; w: path length from the eye */             \
-    FIELD(uint4, info, PATH_ALWAYS)            /* PC_ flags; sampler: key, index | dim << 8; instance hit */         \
-    FIELD(float4, hit, PATH_ALWAYS)            /* t, primitive (bits), u, v */                                       \
-    FIELD(float4, shadow_org, PATH_ALWAYS)     /* the shadow ray's origin; w: its source (bits) */                   \
-    FIELD(float4, shadow_dir, PATH_ALWAYS)     /* its direction; w: distance of the source */                        \
-    FIELD(float4, shadow_rad, PATH_ALWAYS)     /* what it brings if unblocked, rgb; w: path length so far */         \
-    FIELD(float4, medium, PATH_MEDIA)          /* the medium around, extinction rgb; w: sets of lights (bits) */     \
-    FIELD(float4, albedo, PATH_MEDIA)          /* its albedo, rgb; w: eccentricity */                                \
-    FIELD(float4, shadow_medium, PATH_MEDIA)   /* the shadow ray's, extinction rgb; w: cut away there (bits) */      \
-    FIELD(float4, shadow_albedo, PATH_MEDIA)   /* its albedo, rgb; w: sets of lights (bits) */                       \
-    FIELD(float4, prefix_p, PATH_REUSE)        /* prefix vertex: its next ray begins; w: portals' light */   \
-    FIELD(float4, prefix_n, PATH_REUSE)        /* shading normal; w: factor of its own ray, or NO_PREFIX */          \
-    FIELD(float4, prefix_ng, PATH_REUSE)       /* the geometry's; w: highlights met there (bits) */                  \
-    FIELD(float4, prefix_thr, PATH_REUSE)      /* throughput without that, rgb; w: chance of its suffix vertex */    \
-    FIELD(float4, suffix_p, PATH_REUSE)        /* suffix vertex: point or direction; w: SUFFIX_..*/                  \
-    FIELD(float4, suffix_n, PATH_REUSE)        /* normal on the ray's side; w: reach */                              \
-    FIELD(float4, suffix_rad, PATH_REUSE)      /* radiance that it sends out, rgb; w: path length as in rad */       \
-    FIELD(float4, shadow_suffix, PATH_REUSE)   /* what the shadow ray brings to it, rgb; w: 1, 0: nothing */         \
-    FIELD(Panes, panes, PATH_REUSE)            /* along the links to the suffix vertex (connect.h) */                \
-    FIELD(ConnectionWords, density, PATH_REUSE)/* with which the prefix vertices would have found it */              \
-    FIELD(ConnectionWords, contribution, PATH_REUSE)/* what it is worth to them, but for panes */                    \
-    FIELD(uint, links, PATH_REUSE)           /* what is known of them */
+#define PATH_STATE(FIELD)                                                                                            \
+    FIELD(float4, org, PATH_ALWAYS)              /* the ray's origin; w: what is cut away there (bits; clip.h) */    \
+    FIELD(float4, dir, PATH_ALWAYS)              /* its direction; w: how far it looks */                            \
+    FIELD(float4, throughput, PATH_ALWAYS)       /* throughput, rgb; w: RADIANCE's ray weight (-lw) */               \
+    FIELD(float4, rad, PATH_ALWAYS)              /* radiance gathered, rgb; w: path length from the eye */           \
+    FIELD(uint4, info, PATH_ALWAYS)              /* PC_ flags; sampler: key, index | dim << 8; instance hit */       \
+    FIELD(float4, hit, PATH_ALWAYS)              /* t, primitive (bits), u, v */                                     \
+    FIELD(float4, shadow_org, PATH_ALWAYS)       /* the shadow ray's origin; w: its source (bits) */                 \
+    FIELD(float4, shadow_dir, PATH_ALWAYS)       /* its direction; w: distance of the source */                      \
+    FIELD(float4, shadow_rad, PATH_ALWAYS)       /* what it brings if unblocked, rgb; w: path length so far */       \
+    FIELD(float4, medium, PATH_MEDIA)            /* the medium around, extinction rgb; w: sets of lights (bits) */   \
+    FIELD(float4, albedo, PATH_MEDIA)            /* its albedo, rgb; w: eccentricity */                              \
+    FIELD(float4, shadow_medium, PATH_MEDIA)     /* the shadow ray's, extinction rgb; w: cut away there (bits) */    \
+    FIELD(float4, shadow_albedo, PATH_MEDIA)     /* its albedo, rgb; w: sets of lights (bits) */                     \
+    FIELD(float4, prefix_p, PATH_REUSE)          /* prefix vertex: its next ray begins; w: portals' light */         \
+    FIELD(float4, prefix_n, PATH_REUSE)          /* shading normal; w: factor of its own ray, or NO_PREFIX */        \
+    FIELD(float4, prefix_ng, PATH_REUSE)         /* the geometry's; w: highlights met there (bits) */                \
+    FIELD(float4, prefix_throughput, PATH_REUSE) /* throughput without that, rgb; w: probability to connect it */    \
+    FIELD(float4, suffix_p, PATH_REUSE)          /* suffix vertex: point or direction; w: SUFFIX_..*/                \
+    FIELD(float4, suffix_n, PATH_REUSE)          /* normal on the ray's side; w: error scale */                      \
+    FIELD(float4, suffix_rad, PATH_REUSE)        /* radiance that it sends out, rgb; w: path length as in rad */     \
+    FIELD(float4, shadow_suffix, PATH_REUSE)     /* what the shadow ray brings to it, rgb; w: 1, 0: nothing */       \
+    FIELD(Transmittances, transmittance, PATH_REUSE) /* along the connections to the suffix vertex (connect.h) */    \
+    FIELD(ConnectionWords, pdf, PATH_REUSE)      /* with which the prefix vertices would have found it */            \
+    FIELD(ConnectionWords, contribution, PATH_REUSE) /* what it is worth to them, but for panes */                   \
+    FIELD(uint, connections, PATH_REUSE)         /* what is known of them */
 // clang-format on
 
 #define NO_PREFIX -1.0f   // a factor that there is not
@@ -43,9 +43,10 @@
 #define SUFFIX_POINT 1.0f
 #define SUFFIX_DIRECTION 2.0f
 
-// Of the links between a suffix vertex and the prefix vertices of its group, a word or what panes let through each.
+// Of the connections between a suffix vertex and the prefix vertices of its group, a word or what panes let through
+// each.
 STRUCT(ConnectionWords) { float of[REUSE_GROUP]; };
-STRUCT(Panes) { float4 of[REUSE_GROUP]; };
+STRUCT(Transmittances) { float4 of[REUSE_GROUP]; };
 
 #define PATH_POINTER(type, name, when) GLOBAL type* name;
 STRUCT(Paths){PATH_STATE(PATH_POINTER)};
@@ -58,7 +59,7 @@ FN int has_antimatter(PARAMS(const Params) par) { return HAS(SOLIDS) && (par->fl
 FN int aims_shadows(PARAMS(const Params) par) { return HAS(SOLIDS) && par->shadow_mode == SHADOW_AIMED; }
 FN int path_media_used(PARAMS(const Params) par) { return has_media(par) || has_antimatter(par); }
 FN uint path_needs(PARAMS(const Params) par) {
-    return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->reuse_slot_count != 0u ? PATH_REUSE : 0u);
+    return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->reuse_path_count != 0u ? PATH_REUSE : 0u);
 }
 
 // flags in info.x
@@ -98,21 +99,21 @@ FN Hit path_hit(float4 q, uint4 info) {
     return hit;
 }
 
-FN void set_path_hit(TABLES(const Paths) paths, uint slot, PRIVATE(const Hit) hit) {
+FN void set_path_hit(TABLES(const Paths) paths, uint path, PRIVATE(const Hit) hit) {
     float4 q;
     q.x = hit->t;
     q.y = as_float_(hit->prim);
     q.z = hit->u;
     q.w = hit->v;
-    paths->hit[slot] = q;
-    paths->info[slot].w = hit->inst;
+    paths->hit[path] = q;
+    paths->info[path].w = hit->inst;
 }
 
 // Paths of one kind have met the same material, or nothing (0), and take the same branches: they are shaded side by
 // side where that pays.  By number; many materials may share one.
 #define PATH_KINDS 64u
-FN uint path_kind(TABLES(const SceneTables) s, TABLES(const Paths) paths, uint slot) {
-    uint prim = as_uint_(paths->hit[slot].y);
+FN uint path_kind(TABLES(const SceneTables) s, TABLES(const Paths) paths, uint path) {
+    uint prim = as_uint_(paths->hit[path].y);
     return prim == NO_HIT ? 0u : 1u + s->prims[PRIM_WORDS * prim + PRIM_MOD] % (PATH_KINDS - 1u);
 }
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ends that paths share (path_reuse.h).  Where a path first leaves a surface that the eye sees straight, into the
 // hemisphere, is its prefix vertex.  What that ray meets, straight on or through panes, is its suffix vertex, if it
-// sends the same radiance to all who see it: the sky, a lamp, what a matt surface scatters evenly.  Then the suffix
+// sends the same radiance to all who see it: the sky, an emitter, what a matt surface scatters evenly.  Then the suffix
 // vertex lights the near ends of all the group (connect.h), not that of its path alone.
 #ifndef LUX_PATH_SUFFIX_H
 #define LUX_PATH_SUFFIX_H
@@ -23,7 +23,7 @@ FN int is_pane(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(co
 }
 
 // The chance that a path goes on through a pane, where it may be mirrored, too.
-FN float pane_chance(PRIVATE(const Lobes) lobes) {
+FN float pane_prob(PRIVATE(const Lobes) lobes) {
     float through = max3(lobes->through), mirror = max3(lobes->mirror);
     through = through > 0.0f ? through : 0.0f;
     mirror = mirror > 0.0f ? mirror : 0.0f;
@@ -39,8 +39,8 @@ FN int scatters_evenly(PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
 
 FN void suffix_point(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex) {
     PRIVATE(const Surface) g = &vertex->g;
-    write4_(paths->suffix_p, vertex->slot, pack4(g->p, SUFFIX_POINT));
-    write4_(paths->suffix_n, vertex->slot, pack4(g->ng, g->reach));
+    write4_(paths->suffix_p, vertex->path, pack4(g->p, SUFFIX_POINT));
+    write4_(paths->suffix_n, vertex->path, pack4(g->ng, g->error_scale));
 }
 
 // A path that seeks has met a surface.
@@ -58,30 +58,30 @@ FN void path_record_suffix(TABLES(const SceneTables) s, PARAMS(const Params) par
         return;
     }
 
-    // a lamp; whether a glow shines may depend on how far away it is
+    // an emitter; whether a glow shines may depend on how far away it is
     GLOBAL const float* arg = s->f + mod_word(s, par, g->mod, MOD_ARGS);
     if (!vertex->wanted || g->mixed || (g->type == M_GLOW && arg[3] > 0.0f)) return;
     suffix_point(paths, vertex);
-    write4_(paths->suffix_rad, vertex->slot, pack4(vertex->emitted, vertex->before));
+    write4_(paths->suffix_rad, vertex->path, pack4(vertex->emitted, vertex->path_length_start));
     vertex->emitted = F3(0.0f, 0.0f, 0.0f);
 }
 
 // A path that seeks has met nothing.
 FN void suffix_sky(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, float3 radiance) {
-    write4_(paths->suffix_p, vertex->slot, pack4(vertex->ray.dir, SUFFIX_DIRECTION));
-    write4_(paths->suffix_rad, vertex->slot, pack4(radiance, vertex->before));
+    write4_(paths->suffix_p, vertex->path, pack4(vertex->ray.dir, SUFFIX_DIRECTION));
+    write4_(paths->suffix_rad, vertex->path, pack4(radiance, vertex->path_length_start));
 }
 
 // Light has come to the path: by the shadow ray of its last step, T of what the ray would have brought.
-FN void path_receive(PARAMS(const Params) par, TABLES(const Paths) paths, uint slot, float3 light, float3 T) {
-    if (par->reuse_slot_count != 0u) {
-        float4 even = read4_(paths->shadow_suffix, slot), far = read4_(paths->suffix_rad, slot);
+FN void path_receive(PARAMS(const Params) par, TABLES(const Paths) paths, uint path, float3 light, float3 T) {
+    if (par->reuse_path_count != 0u) {
+        float4 even = read4_(paths->shadow_suffix, path), far = read4_(paths->suffix_rad, path);
         int at_suffix = even.w > 0.0f;
-        if (at_suffix || (paths->info[slot].x & PC_SUFFIX) != 0u)
-            write4_(paths->suffix_rad, slot, pack4(add3(xyz4(far), at_suffix ? mul3(xyz4(even), T) : light), far.w));
-        if (!at_suffix && (paths->info[slot].x & PC_SUFFIX) != 0u) return;
+        if (at_suffix || (paths->info[path].x & PC_SUFFIX) != 0u)
+            write4_(paths->suffix_rad, path, pack4(add3(xyz4(far), at_suffix ? mul3(xyz4(even), T) : light), far.w));
+        if (!at_suffix && (paths->info[path].x & PC_SUFFIX) != 0u) return;
     }
-    float4 sum = read4_(paths->rad, slot);
-    write4_(paths->rad, slot, pack4(add3(xyz4(sum), light), sum.w));
+    float4 sum = read4_(paths->rad, path);
+    write4_(paths->rad, path, pack4(add3(xyz4(sum), light), sum.w));
 }
 #endif

@@ -6,13 +6,13 @@
 
 STRUCT(Vertex) {
     // the path so far
-    uint slot;     // of Paths
-    uint flags;    // PC_ flags
-    int wanted;    // does light of the path's class count in this pass? (emission.h)
-    float3 rad;    // radiance gathered
-    float3 thr;    // throughput
-    float weight;  // RADIANCE's ray weight: what the surfaces have left, whatever the chance of the directions was
-    float before;  // path length from the eye to where the last ray began
+    uint path;          // its index in Paths
+    uint flags;         // PC_ flags
+    int wanted;         // does light of the path's class count in this pass? (emission.h)
+    float3 rad;         // radiance gathered
+    float3 throughput;  // throughput
+    float weight;  // RADIANCE's ray weight: what the surfaces have left, whatever the probability of the directions was
+    float path_length_start;  // path length from the eye to where the last ray began
     Sampler rnd;
 
     // the suffix vertex that this vertex is, if so (suffix.h)
@@ -23,42 +23,42 @@ STRUCT(Vertex) {
     Ray ray;
     Hit hit;
     Surface g;
-    float3 emitted;  // if the surface is a lamp
+    float3 emitted;  // if the surface is an emitter
     Lobes lobes;     // if it scatters
 
     // media (medium.h) and antimatter (clip.h) on both sides of the surface
-    int absorbs;         // is there any medium in the scene?
-    Medium arriving;     // of the segment that ends here, as the surface knows it
-    Medium beyond;       // behind the surface
-    uint clip_before;    // what antimatter cuts away on the ray's side
-    uint clip_beyond;    // and behind the surface
-    uint scatterers;     // how many sources the crossed medium scatters
-    int went_to_medium;  // this step's shadow ray starts in the medium, not at the surface
+    int absorbs;           // is there any medium in the scene?
+    Medium arriving;       // of the segment that ends here, as the surface knows it
+    Medium medium_behind;  // behind the surface
+    uint clip_before;      // what antimatter cuts away on the ray's side
+    uint clip_behind;      // and behind the surface
+    uint scatterers;       // how many sources the crossed medium scatters
+    int went_to_medium;    // this step's shadow ray starts in the medium, not at the surface
 };
 
 // What path_shade returns, bits.
-#define PATH_GOES_ON 1  // the slot holds the next ray
-#define PATH_SHADOW 2   // and a shadow ray
+#define PATH_CONTINUES 1  // the path holds the next ray
+#define PATH_SHADOW 2     // and a shadow ray
 
 // What a ray has met.
 #define HIT_NULL 0     // it goes straight on
 #define HIT_EMITTER 1  // it ends in a light
 #define HIT_SURFACE 2  // lobes say how light is scattered
 
-FN void vertex_load(PARAMS(const Params) par, TABLES(const Paths) paths, uint slot, PRIVATE(Vertex) vertex) {
-    float4 org = read4_(paths->org, slot), dir = read4_(paths->dir, slot), thr = read4_(paths->thr, slot),
-           rad = read4_(paths->rad, slot);
-    uint4 info = read4_(paths->info, slot);
-    if ((info.x & PC_SUFFIX) != 0u) rad = read4_(paths->suffix_rad, slot);
+FN void vertex_load(PARAMS(const Params) par, TABLES(const Paths) paths, uint path, PRIVATE(Vertex) vertex) {
+    float4 org = read4_(paths->org, path), dir = read4_(paths->dir, path), throughput = read4_(paths->throughput, path),
+           rad = read4_(paths->rad, path);
+    uint4 info = read4_(paths->info, path);
+    if ((info.x & PC_SUFFIX) != 0u) rad = read4_(paths->suffix_rad, path);
 
-    vertex->slot = slot;
+    vertex->path = path;
     vertex->flags = info.x;
     vertex->rnd = path_sampler(info);
     vertex->rad = xyz4(rad);
-    vertex->before = rad.w;
-    vertex->thr = xyz4(thr);
-    vertex->weight = thr.w;
-    vertex->wanted = class_wanted(par, info.x, path_sample_index(par, slot));
+    vertex->path_length_start = rad.w;
+    vertex->throughput = xyz4(throughput);
+    vertex->weight = throughput.w;
+    vertex->wanted = class_wanted(par, info.x, path_sample_index(par, path));
 
     vertex->at_suffix = 0;
     vertex->suffix_rad = F3(0.0f, 0.0f, 0.0f);
@@ -67,23 +67,23 @@ FN void vertex_load(PARAMS(const Params) par, TABLES(const Paths) paths, uint sl
     vertex->ray.dir = xyz4(dir);
     vertex->ray.tmin = 0.0f;
     vertex->ray.tmax = dir.w;
-    vertex->hit = path_hit(read4_(paths->hit, slot), info);
+    vertex->hit = path_hit(read4_(paths->hit, path), info);
 
     vertex->absorbs = has_media(par);
-    vertex->arriving = vertex->absorbs ? path_medium(paths, slot) : medium_open(par);
-    vertex->beyond = vertex->arriving;
+    vertex->arriving = vertex->absorbs ? path_medium(paths, path) : medium_open(par);
+    vertex->medium_behind = vertex->arriving;
     vertex->clip_before = as_uint_(org.w);
-    vertex->clip_beyond = vertex->clip_before;
+    vertex->clip_behind = vertex->clip_before;
     vertex->scatterers = 0u;
     vertex->went_to_medium = 0;
 }
 
 // Puts back what the path has gathered, for itself or for its suffix vertex.  length: as below.
 FN void vertex_store_rad(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
-    uint slot = vertex->slot;
-    if (vertex->at_suffix) write4_(paths->suffix_rad, slot, pack4(vertex->suffix_rad, length));
-    if (vertex->at_suffix || (vertex->flags & PC_SUFFIX) == 0u) write4_(paths->rad, slot, pack4(vertex->rad, length));
-    else write4_(paths->suffix_rad, slot, pack4(vertex->rad, length));
+    uint path = vertex->path;
+    if (vertex->at_suffix) write4_(paths->suffix_rad, path, pack4(vertex->suffix_rad, length));
+    if (vertex->at_suffix || (vertex->flags & PC_SUFFIX) == 0u) write4_(paths->rad, path, pack4(vertex->rad, length));
+    else write4_(paths->suffix_rad, path, pack4(vertex->rad, length));
 }
 
 // Puts back what the step has changed of the path.  length: from the eye to where its next ray begins.
@@ -94,10 +94,10 @@ FN void vertex_store(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, fl
     info.y = vertex->rnd.key;
     info.z = path_sampler_word(&vertex->rnd);
     info.w = vertex->hit.inst;
-    write4_(paths->info, vertex->slot, info);
+    write4_(paths->info, vertex->path, info);
 }
 
 FN void vertex_add(PRIVATE(Vertex) vertex, float3 radiance) {
-    vertex->rad = add3(vertex->rad, mul3(vertex->thr, radiance));
+    vertex->rad = add3(vertex->rad, mul3(vertex->throughput, radiance));
 }
 #endif

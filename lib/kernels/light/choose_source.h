@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which active source a shadow ray is sent to: each with a chance proportional to what it importances at the point
-// (power, solid angle, cosines, the gates that a virtual one's light must pass).  Few are all looked at, many stand in
-// a tree (light_tree.h).  A importance is 0 only where the source can give nothing, so the estimate is right in the
+// Which active source a shadow ray is sent to: each with a probability proportional to what it importances at the point
+// (power, solid angle, cosines, the apertures that a virtual one's light must pass).  Few are all looked at, many stand
+// in a tree (light_tree.h).  A importance is 0 only where the source can give nothing, so the estimate is right in the
 // mean whatever the importances are.
 #ifndef LUX_CHOOSE_SOURCE_H
 #define LUX_CHOOSE_SOURCE_H
@@ -27,22 +27,22 @@ FN float source_importance(TABLES(const SceneTables) s, PARAMS(const Params) par
         power /= MAX_(d2, 0.25f * r * r);
     }
 
-    float reach = r / MAX_(d, 1e-9f);  // sine of its half angle
+    float sine = r / MAX_(d, 1e-9f);  // sine of its half angle
     if (relay != NONE) {
-        UNIFORM uint count = s->u[relay + RELAY_GATES];
-        GLOBAL const float* UNIFORM gate = s->f + s->u[relay + RELAY_GATES_AT];
-        for (UNIFORM uint k = 0u; k < count; k++, gate += GATE_FLOATS)
-            if (aperture_occludes(gate, p, to, reach, 0)) return 0.0f;
+        UNIFORM uint count = s->u[relay + RELAY_APERTURES];
+        GLOBAL const float* UNIFORM aperture = s->f + s->u[relay + RELAY_APERTURES_AT];
+        for (UNIFORM uint k = 0u; k < count; k++, aperture += APERTURE_FLOATS)
+            if (aperture_occludes(aperture, p, to, sine, 0)) return 0.0f;
     }
 
     if (kind == SK_PARALLELOGRAM || kind == SK_POLYGON || kind == SK_RING) {
         float c = -dot3(to, f3_at(src + SRC_NORMAL));
         if (c <= 0.0f) return 0.0f;
-        power *= MIN_(c / MAX_(d, 1e-9f) + reach, 1.0f);
+        power *= MIN_(c / MAX_(d, 1e-9f) + sine, 1.0f);
     }
 
     float c = dot3(to, n) / MAX_(d, 1e-9f);
-    c = (both ? fabs_(c) : c) + reach;
+    c = (both ? fabs_(c) : c) + sine;
     return power * MIN_(MAX_(c, 0.0f) + LEAST_COSINE, 1.0f);
 }
 

@@ -26,11 +26,11 @@ FN int reservoir_accept(float t, PRIVATE(float) r) {
     return takes;
 }
 
-// What a horizon leaves of a ball's cosine c, which subtends an angle of sine `reach`: nothing below, all of it above.
-FN float above_horizon(float c, float reach) {
-    if (c >= reach) return MIN_(c, 1.0f);
-    if (c <= -reach) return 0.0f;
-    return MIN_((c + reach) * (c + reach) / (4.0f * reach), 1.0f);
+// What a horizon leaves of a ball's cosine c, which subtends an angle of sine `sine`: nothing below, all of it above.
+FN float above_horizon(float c, float sine) {
+    if (c >= sine) return MIN_(c, 1.0f);
+    if (c <= -sine) return 0.0f;
+    return MIN_((c + sine) * (c + sine) / (4.0f * sine), 1.0f);
 }
 
 FN GLOBAL const float* light_node(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i) {
@@ -50,24 +50,24 @@ FN float light_importance(TABLES(const SceneTables) s, GLOBAL const float* node,
     float3 to = lobe_to_light(node, p);
     float d = MAX_(length3(to), 1e-9f), r = node[LIGHT_RADIUS], far = node[LIGHT_FAR], power = node[LIGHT_POWER];
     float inv_d = 1.0f / d;
-    float reach = r * inv_d;
+    float sine = r * inv_d;
     if (far > 0.0f) {
         if (d > far) return 0.0f;
         power /= MAX_(d * d, 0.25f * r * r);
     }
 
     float c = dot3(to, n) * inv_d;
-    if (both) power *= MAX_(above_horizon(fabs_(c), reach), LEAST_OF_BOTH_SIDES);
-    else power *= above_horizon(c, reach);
+    if (both) power *= MAX_(above_horizon(fabs_(c), sine), LEAST_OF_BOTH_SIDES);
+    else power *= above_horizon(c, sine);
 
     float spread = node[LIGHT_SPREAD], facing = -dot3(to, f3_at(node + LIGHT_AXIS)) * inv_d;
-    if (!(power > 0.0f) || facing + reach + spread <= 0.0f) return 0.0f;
+    if (!(power > 0.0f) || facing + sine + spread <= 0.0f) return 0.0f;
 
-    uint gates = as_uint_(node[LIGHT_GATES]);
-    GLOBAL const float* gate = s->f + as_uint_(node[LIGHT_GATES_AT]);
-    for (uint k = 0u; k < gates; k++, gate += GATE_FLOATS)
-        if (aperture_occludes(gate, p, to, reach, 1)) return 0.0f;
-    return power * MIN_(above_horizon(facing, reach) + spread, 1.0f);
+    uint apertures = as_uint_(node[LIGHT_APERTURES]);
+    GLOBAL const float* aperture = s->f + as_uint_(node[LIGHT_APERTURES_AT]);
+    for (uint k = 0u; k < apertures; k++, aperture += APERTURE_FLOATS)
+        if (aperture_occludes(aperture, p, to, sine, 1)) return 0.0f;
+    return power * MIN_(above_horizon(facing, sine) + spread, 1.0f);
 }
 
 // Is a node to be replaced by its halves?
@@ -100,24 +100,24 @@ FN int cut_tree(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p,
     return 1;
 }
 
-// One of the sources of node i, drawn by power.  u: a random number below *chance, the chance of the node, which
+// One of the sources of node i, drawn by power.  u: a random number below *prob, the probability of the node, which
 // becomes the source's.  Returns its node.
-FN uint source_of_light(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i, float u, PRIVATE(float) chance) {
+FN uint source_of_light(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i, float u, PRIVATE(float) prob) {
     for (;;) {
         GLOBAL const float* node = light_node(s, par, i);
         if (light_is_source(node)) return i;
-        float first = *chance * node[LIGHT_SHARE];
+        float first = *prob * node[LIGHT_SHARE];
         int is_first = u < first;
         i = is_first ? i + 1u : as_uint_(node[LIGHT_FLOATS + LIGHT_PAST]);
         u = is_first ? u : u - first;
-        *chance = is_first ? first : *chance - first;
+        *prob = is_first ? first : *prob - first;
     }
 }
 
-// A candidate: its node, what it importances, and its chance times the sum of the cut's importances.
+// A candidate: its node, what it importances, and its probability times the sum of the cut's importances.
 STRUCT(LightCandidate) {
     uint at;
-    float importance, chance;
+    float importance, prob;
 };
 
 // The candidate that y stands for, 0 .. the sum of the cut's importances.  *k: from where in the cut it is looked for;
@@ -128,8 +128,8 @@ FN LightCandidate light_candidate(TABLES(const SceneTables) s, PARAMS(const Para
     float below = *k > 0u ? cut->upto[*k - 1u] : 0.0f;
     LightCandidate c;
     c.importance = cut->upto[*k] - below;
-    c.chance = c.importance;
-    c.at = source_of_light(s, par, cut->at[*k], y - below, &c.chance);
+    c.prob = c.importance;
+    c.at = source_of_light(s, par, cut->at[*k], y - below, &c.prob);
     if (c.at != cut->at[*k]) c.importance = light_importance(s, light_node(s, par, c.at), p, n, both);
     return c;
 }
@@ -148,7 +148,7 @@ FN float choose_light(TABLES(const SceneTables) s, PARAMS(const Params) par, flo
         LightCandidate c = light_candidate(s, par, &cut, p, n, both, ((float)j + x.x) * step, &k);
         if (!(c.importance > 0.0f)) continue;
 
-        float w = c.importance / c.chance;
+        float w = c.importance / c.prob;
         sum += w;
         if (!reservoir_accept(w / sum, &r)) continue;
         *chosen = as_uint_(*(light_node(s, par, c.at) + LIGHT_SOURCE));

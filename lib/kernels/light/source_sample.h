@@ -6,8 +6,8 @@
 #define LUX_SOURCE_SAMPLE_H
 
 // RADIANCE's partition of a large source (-ds; spec shading 4.3): the piece that holds this sample, found by halving
-// the source while it is large for its distance, each half with equal chance.  *c is moved to the piece's centre, *u
-// and *v become its half vectors; the result is the piece's share of the source.  Only -dj < 1 can tell it from the
+// the source while it is large for its distance, each half with equal probability.  *c is moved to the piece's centre,
+// *u and *v become its half vectors; the result is the piece's share of the source.  Only -dj < 1 can tell it from the
 // whole.  line: there is no v.
 FN float source_piece(float3 p, float ds, int line, PRIVATE(float3) c, PRIVATE(float3) u, PRIVATE(float3) v,
                       PRIVATE(float2) x) {
@@ -35,7 +35,7 @@ FN float source_piece(float3 p, float ds, int line, PRIVATE(float3) c, PRIVATE(f
     return share;
 }
 
-// What a glow's reach and a spotlight's cone leave of a sample.
+// What a glow's sine and a spotlight's cone leave of a sample.
 FN void source_limits(GLOBAL const float* src, uint kind, float3 p, PRIVATE(LightSample) light) {
     if (src[SRC_MAXRAD] > 0.0f && light->dist > src[SRC_MAXRAD]) light->w = 0.0f;
     if (!IS_SPOT(src)) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Active sources: their records, their radiance; and what lies behind everything (sun, sky).  source_sample.h has the
 // points on them.
-// Active sources reach surfaces by this file alone, all other emitters by sampled rays alone (spec shading 0.1).
+// Active sources sine surfaces by this file alone, all other emitters by sampled rays alone (spec shading 0.1).
 #ifndef LUX_SOURCES_H
 #define LUX_SOURCES_H
 
@@ -23,7 +23,7 @@ STRUCT(LightSample) {
 };
 
 // A point of something that shines, seen along dir (from the viewer to the light); mod: its modifier.
-FN void light_surface(uint mod, uint prim, float3 dir, float3 point, float3 normal, float length, float total,
+FN void light_surface(uint mod, uint prim, float3 dir, float3 point, float3 normal, float length, float path_length,
                       PRIVATE(Surface) g) {
     surface_plain(prim, mod, NONE, length, g);
     g->p = point;
@@ -31,7 +31,7 @@ FN void light_surface(uint mod, uint prim, float3 dir, float3 point, float3 norm
     g->ng = normal;
     g->n = normal;
     g->v = neg3(dir);
-    g->total = total;
+    g->path_length = path_length;
     g->type = 0u;
     g->front = 1;
     g->flat = 0;
@@ -45,9 +45,9 @@ FN int is_bare(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod) 
 
 // Radiance of light material `mod` seen along dir, patterns included.
 FN float3 light_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod, uint prim, float3 dir,
-                         float3 point, float3 normal, float length, float total, PRIVATE(Sampler) rnd) {
+                         float3 point, float3 normal, float length, float path_length, PRIVATE(Sampler) rnd) {
     Surface g;
-    light_surface(mod, prim, dir, point, normal, length, total, &g);
+    light_surface(mod, prim, dir, point, normal, length, path_length, &g);
     if (!is_bare(s, par, mod) && !find_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
     return mul3(g.color, f3_at(s->f + mod_word(s, par, g.mod, MOD_ARGS)));
 }
@@ -61,13 +61,13 @@ FN float3 sky_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, ui
     return mul3(g.color, f3_at(s->f + mod_word(s, par, g.mod, MOD_ARGS)));
 }
 
-// Radiance of the source of record src at its sampled point.  before: path length from the eye to the point lit.  A
-// virtual source's is known only where its shadow ray arrives: 1 until then.
+// Radiance of the source of record src at its sampled point.  path_length_start: path length from the eye to the point
+// lit.  A virtual source's is known only where its shadow ray arrives: 1 until then.
 FN float3 sampled_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const float* src,
-                           PRIVATE(const LightSample) light, float before, PRIVATE(Sampler) rnd) {
+                           PRIVATE(const LightSample) light, float path_length_start, PRIVATE(Sampler) rnd) {
     if (as_uint_(src[SRC_VIRTUAL]) != NONE) return F3(1.0f, 1.0f, 1.0f);
     return light_radiance(s, par, as_uint_(src[SRC_MOD]), as_uint_(src[SRC_PRIM]), light->dir, light->point,
-                          light->normal, light->dist, before + light->dist, rnd);
+                          light->normal, light->dist, path_length_start + light->dist, rnd);
 }
 
 // The distant surface seen in direction dir: the first non-glow that matches, else the first glow.  NONE if none.

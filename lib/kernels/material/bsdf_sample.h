@@ -31,12 +31,12 @@ FN float matrix_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, fl
 // The leaf of a tree that one random number leads to, v given.
 STRUCT(TreeLeaf) {
     float value;                      // f there
-    float chance;                     // of the way down
+    float prob;                       // of the way down
     float corner_x, corner_y, width;  // of its square
 };
 
 // One of four children, by their means: the number and, in *x, what is left of the random number.  4: all are 0.
-FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE(float) x, PRIVATE(float) chance) {
+FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE(float) x, PRIVATE(float) prob) {
     float m[4], sum = 0.0f;
     for (uint k = 0u; k < 4u; k++) {
         m[k] = mean[k << first];
@@ -53,7 +53,7 @@ FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE(float) x, PRIVAT
     }
 
     *x = m[k] > 0.0f ? MIN_(r / m[k], 0.99999994f) : 0.0f;
-    *chance *= m[k] / sum;
+    *prob *= m[k] / sum;
     return k;
 }
 
@@ -64,7 +64,7 @@ FN int tree_descend(TABLES(const SceneTables) s, GLOBAL const uint* table, float
     float c[4], x = pick;
     int dims = (int)table[BT_L];
     uint node = 0u;
-    leaf->chance = 1.0f;
+    leaf->prob = 1.0f;
     leaf->corner_x = 0.0f;
     leaf->corner_y = 0.0f;
     leaf->width = 1.0f;
@@ -81,7 +81,7 @@ FN int tree_descend(TABLES(const SceneTables) s, GLOBAL const uint* table, float
                 next += 1u << k;
             }
         }
-        uint child = tree_child(s->f + table[BT_VALUES] + next, first, &x, &leaf->chance);
+        uint child = tree_child(s->f + table[BT_VALUES] + next, first, &x, &leaf->prob);
         if (child == 4u) return 0;
         leaf->width *= 0.5f;
         if ((child & 1u) != 0u) leaf->corner_x += leaf->width;
@@ -119,10 +119,10 @@ FN float tree_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, floa
     }
 
     *l = F3(d.x, d.y, bsdf_height(d.x, d.y));
-    return leaf.chance > 0.0f ? K_PI * leaf.value * leaf.width * leaf.width / leaf.chance : 0.0f;
+    return leaf.prob > 0.0f ? K_PI * leaf.value * leaf.width * leaf.width / leaf.prob : 0.0f;
 }
 
-// One l for v, on the +z side.  Returns f cos / density: its mean is the hemispherical value (for matrices always so);
+// One l for v, on the +z side.  Returns f cos / pdf: its mean is the hemispherical value (for matrices always so);
 // 0 = none.
 FN float bsdf_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, PRIVATE(Sampler) rnd,
                      PRIVATE(float3) l) {

@@ -25,27 +25,27 @@ FN float3 refracted(float ratio, float c1, float c2, float3 n, float3 v) {
     return madd3(n, ratio * c1 - c2, scale3(v, -ratio));
 }
 
-// Also: *arriving is the medium of the segment that ends here if the surface knows it, *beyond the medium behind the
-// surface (the refracted ray's).  Solids do not scatter.
+// Also: *arriving is the medium of the segment that ends here if the surface knows it, *medium_behind the medium behind
+// the surface (the refracted ray's).  Solids do not scatter.
 FN void mat_dielectric(PARAMS(const Params) par, PRIVATE(const Surface) g, uint type, GLOBAL const float* arg,
-                       PRIVATE(Lobes) lobes, PRIVATE(Medium) arriving, PRIVATE(Medium) beyond) {
+                       PRIVATE(Lobes) lobes, PRIVATE(Medium) arriving, PRIVATE(Medium) medium_behind) {
     Medium inside = solid_medium(extinction3(arg, g->color), arriving);
-    float ratio;  // index on the viewer's side over index beyond
+    float ratio;  // index on the viewer's side over index medium_behind
 
     if (type == M_DIELECTRIC) {
         float n = arg[3] + arg[4] * 0.002f;
         ratio = g->front ? 1.0f / n : n;
-        if (g->front) *beyond = inside;
+        if (g->front) *medium_behind = inside;
         else {
             *arriving = inside;
-            *beyond = medium_open(par);
+            *medium_behind = medium_open(par);
         }
-        beyond->lights = arriving->lights;
+        medium_behind->lights = arriving->lights;
     } else {
         Medium outside = solid_medium(extinction3(arg + 4, g->color), arriving);
         ratio = g->front ? arg[7] / arg[3] : arg[3] / arg[7];
         *arriving = g->front ? outside : inside;
-        *beyond = g->front ? inside : outside;
+        *medium_behind = g->front ? inside : outside;
     }
 
     float c1 = dot3(g->n, g->v), R = 1.0f;

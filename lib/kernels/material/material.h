@@ -50,10 +50,11 @@ FN void function_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
 }
 
 // Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving, the
-// medium of the segment that ended here, is corrected where the surface knows it; so is *beyond, the one behind the
-// surface.  Both come as what the ray knows.
+// medium of the segment that ended here, is corrected where the surface knows it; so is *medium_behind, the one behind
+// the surface.  Both come as what the ray knows.
 FN void material_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, int asked,
-                       PRIVATE(Sampler) rnd, PRIVATE(Medium) arriving, PRIVATE(Medium) beyond, PRIVATE(Lobes) lobes) {
+                       PRIVATE(Sampler) rnd, PRIVATE(Medium) arriving, PRIVATE(Medium) medium_behind,
+                       PRIVATE(Lobes) lobes) {
     GLOBAL const float* arg = s->f + mod_word(s, par, g->mod, MOD_ARGS);
     uint type = g->type;
     lobes_clear(lobes);
@@ -69,7 +70,7 @@ FN void material_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
     case M_GLASS: mat_glass(g, arg, asked == LOBES_SHADOW, lobes); break;
     case M_DIELECTRIC:
     case M_INTERFACE:
-        if (HAS(SOLIDS)) mat_dielectric(par, g, type, arg, lobes, arriving, beyond);
+        if (HAS(SOLIDS)) mat_dielectric(par, g, type, arg, lobes, arriving, medium_behind);
         break;
     case M_MIRROR:
         if (g->front) lobes_mirror(g, mul3(f3_at(arg), g->color), lobes);

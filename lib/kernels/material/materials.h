@@ -24,11 +24,11 @@
 #ifndef LUX_MATERIALS_H
 #define LUX_MATERIALS_H
 
-#define MT_SHINES 0x01000000u  // a light
-#define MT_BENDS 0x02000000u   // light may leave in a direction of its own: shadow rays are aimed
-#define MT_MEDIUM 0x04000000u  // what lies behind it may absorb and scatter
-#define MT_CLEAR 0x08000000u   // region
-#define MT_TURNS 0x10000000u   // back
+#define MT_EMISSIVE 0x01000000u  // a light
+#define MT_BENDS 0x02000000u     // light may leave in a direction of its own: shadow rays are aimed
+#define MT_MEDIUM 0x04000000u    // what lies behind it may absorb and scatter
+#define MT_CLEAR 0x08000000u     // region
+#define MT_TURNS 0x10000000u     // back
 #define MT_OPEN_BACK 0x20000000u
 #define MT_NO_BACK 0x40000000u
 #define MT_EVEN 0x80000000u   // what it scatters evenly is the same for all who see it (integrator/suffix.h)
@@ -51,10 +51,10 @@
   ROW (METAL,         metal,      0,  only(5),      none,         0, 0, no,  no,  no,  turns, MT_EVEN)                 \
   ROW (TRANS,         trans,      0,  only(7),      none,         0, 0, ask, yes, no,  thin,  MT_EVEN)                 \
   ROW (GLASS,         glass,      0,  any(3,4),     fill(4,1.52), 0, 0, yes, yes, yes, thin,  0)                       \
-  ROW (LIGHT,         light,      0,  only(3),      fill(8,0),    0, 0, no,  no,  no,  dark,  MT_SHINES)               \
-  ROW (GLOW,          glow,       0,  only(4),      fill(8,0),    0, 0, no,  no,  no,  dark,  MT_SHINES)               \
-  ROW (SPOTLIGHT,     spotlight,  0,  only(7),      fill(8,0),    0, 0, no,  no,  no,  dark,  MT_SHINES)               \
-  ROW (ILLUM,         illum,      0,  only(3),      fill(8,0),    0, 0, yes, no,  no,  dark,  MT_SHINES)               \
+  ROW (LIGHT,         light,      0,  only(3),      fill(8,0),    0, 0, no,  no,  no,  dark,  MT_EMISSIVE)             \
+  ROW (GLOW,          glow,       0,  only(4),      fill(8,0),    0, 0, no,  no,  no,  dark,  MT_EMISSIVE)             \
+  ROW (SPOTLIGHT,     spotlight,  0,  only(7),      fill(8,0),    0, 0, no,  no,  no,  dark,  MT_EMISSIVE)             \
+  ROW (ILLUM,         illum,      0,  only(3),      fill(8,0),    0, 0, yes, no,  no,  dark,  MT_EMISSIVE)             \
   ROW (MIRROR,        mirror,     0,  only(3),      none,         0, 0, yes, no,  no,  dark,  0)                       \
   ROW (DIELECTRIC,    dielectric, 0,  only(5),      none,         0, 0, yes, yes, yes, none,  MT_BENDS | MT_MEDIUM)    \
   ROW (INTERFACE,     interface,  0,  only(8),      none,         0, 0, yes, yes, yes, none,  MT_BENDS | MT_MEDIUM)    \

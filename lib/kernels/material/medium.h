@@ -20,9 +20,9 @@ FN Medium medium_open(PARAMS(const Params) par) {
     return medium;
 }
 
-FN Medium path_medium(TABLES(const Paths) paths, uint slot) {
+FN Medium path_medium(TABLES(const Paths) paths, uint path) {
     Medium medium;
-    float4 k = read4_(paths->medium, slot), albedo = read4_(paths->albedo, slot);
+    float4 k = read4_(paths->medium, path), albedo = read4_(paths->albedo, path);
     medium.k = xyz4(k);
     medium.lights = as_uint_(k.w);
     medium.albedo = xyz4(albedo);
@@ -30,25 +30,25 @@ FN Medium path_medium(TABLES(const Paths) paths, uint slot) {
     return medium;
 }
 
-FN void set_path_medium(TABLES(const Paths) paths, uint slot, PRIVATE(const Medium) medium) {
-    write4_(paths->medium, slot, pack4(medium->k, as_float_(medium->lights)));
-    write4_(paths->albedo, slot, pack4(medium->albedo, medium->ecc));
+FN void set_path_medium(TABLES(const Paths) paths, uint path, PRIVATE(const Medium) medium) {
+    write4_(paths->medium, path, pack4(medium->k, as_float_(medium->lights)));
+    write4_(paths->albedo, path, pack4(medium->albedo, medium->ecc));
 }
 
 // A shadow ray keeps the same but the eccentricity, and with it what antimatter it is in.
-FN Medium shadow_medium(TABLES(const Paths) paths, uint slot) {
+FN Medium shadow_medium(TABLES(const Paths) paths, uint path) {
     Medium medium;
-    float4 albedo = read4_(paths->shadow_albedo, slot);
-    medium.k = xyz4(read4_(paths->shadow_medium, slot));
+    float4 albedo = read4_(paths->shadow_albedo, path);
+    medium.k = xyz4(read4_(paths->shadow_medium, path));
     medium.lights = as_uint_(albedo.w);
     medium.albedo = xyz4(albedo);
     medium.ecc = 0.0f;
     return medium;
 }
 
-FN void set_shadow_medium(TABLES(const Paths) paths, uint slot, PRIVATE(const Medium) medium, uint clip) {
-    write4_(paths->shadow_medium, slot, pack4(medium->k, as_float_(clip)));
-    write4_(paths->shadow_albedo, slot, pack4(medium->albedo, as_float_(medium->lights)));
+FN void set_shadow_medium(TABLES(const Paths) paths, uint path, PRIVATE(const Medium) medium, uint clip) {
+    write4_(paths->shadow_medium, path, pack4(medium->k, as_float_(clip)));
+    write4_(paths->shadow_albedo, path, pack4(medium->albedo, as_float_(medium->lights)));
 }
 
 // Mists keep what they do not state: a mist without albedo has that around it, one without list its lights.
@@ -76,14 +76,14 @@ FN void mist_leave(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVAT
 }
 
 // *here: the medium of the segment that ends at a mist's surface, corrected if the ray leaves a mist that it never
-// entered, which only its list can tell; *beyond: the medium of the next.
+// entered, which only its list can tell; *medium_behind: the medium of the next.
 FN void mist_crossing(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
-                      PRIVATE(Medium) here, PRIVATE(Medium) beyond) {
+                      PRIVATE(Medium) here, PRIVATE(Medium) medium_behind) {
     uint lights = mod_word(s, par, g->mod, MOD_EXTRA);
     if (!g->front && (here->lights & lights) != lights) mist_enter(s, par, g, here);
-    *beyond = *here;
-    if (g->front) mist_enter(s, par, g, beyond);
-    else mist_leave(s, par, g, beyond);
+    *medium_behind = *here;
+    if (g->front) mist_enter(s, par, g, medium_behind);
+    else mist_leave(s, par, g, medium_behind);
 }
 
 #define ENDLESS_MEDIUM 1e10f  // a length of which no medium lets anything through

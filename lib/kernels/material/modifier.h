@@ -28,7 +28,7 @@ FN void surface_vars(PARAMS(const Params) par, PRIVATE(const Surface) g, PRIVATE
     vars[CAL_PX] = p.x;
     vars[CAL_PY] = p.y;
     vars[CAL_PZ] = p.z;
-    vars[CAL_T] = g->total;
+    vars[CAL_T] = g->path_length;
     vars[CAL_TS] = g->length;
     vars[CAL_RDOT] = dot3(g->nface, g->v);
     vars[CAL_LU] = g->u;

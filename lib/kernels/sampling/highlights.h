@@ -6,7 +6,7 @@
 #define LUX_HIGHLIGHTS_H
 
 #define HIGHLIGHT_SPREAD2 9.0f    // roughnesses, squared: so far beside its cone a rectangle is still met
-#define HIGHLIGHT_FARTHEST 20.0f  // squared slope over squared roughness; beyond is no density
+#define HIGHLIGHT_FARTHEST 20.0f  // squared slope over squared roughness; beyond is no pdf
 
 FN GLOBAL const float* highlight_record(TABLES(const SceneTables) s, PARAMS(const Params) par, uint k) {
     return s->f + par->highlights_at + HIGHLIGHT_FLOATS * k;
@@ -70,7 +70,7 @@ FN float3 highlight_direction(TABLES(const SceneTables) s, PARAMS(const Params) 
 }
 
 // Density (per sr) of directions toward one rectangle.
-FN float highlight_density(GLOBAL const float* h, float3 dir) {
+FN float highlight_pdf(GLOBAL const float* h, float3 dir) {
     float3 n = f3_at(h + HIGHLIGHT_NORMAL), sun = highlight_sun(h);
     float3 half_way = sub3(sun, dir);
     float alpha2 = h[HIGHLIGHT_ALPHA2], hn = dot3(half_way, n), hs = dot3(half_way, sun);
@@ -84,10 +84,10 @@ FN float highlight_density(GLOBAL const float* h, float3 dir) {
 }
 
 // Of direction dir among those toward the rectangles met.
-FN float highlights_density(TABLES(const SceneTables) s, PARAMS(const Params) par, uint met, float3 dir) {
+FN float highlights_pdf(TABLES(const SceneTables) s, PARAMS(const Params) par, uint met, float3 dir) {
     float sum = 0.0f;
     for (uint k = 0u, left = met; left != 0u; k++, left >>= 1)
-        if ((left & 1u) != 0u) sum += highlight_density(highlight_record(s, par, k), dir);
+        if ((left & 1u) != 0u) sum += highlight_pdf(highlight_record(s, par, k), dir);
     return sum / (float)highlights_count(met);
 }
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Directions for diffuse light: a share of them toward "portals", windows, patches of sun and narrow polished strips in
-// it, the others by the cosine, one mixed density, so that the estimator stays unbiased whatever portals and share are
+// Directions for diffuse light: a share of them toward "portals", windows, patches of sun and narrow glossy reflectors
+// in it, the others by the cosine, one mixed pdf, so that the estimator stays unbiased whatever portals and share are
 // (one-sample multiple importance sampling with the balance heuristic, Veach 1997, section 9.2.4).
 // sampling/portal_lights.h finds the share.
 // Another share goes toward highlights (highlights.h).
@@ -59,7 +59,7 @@ FN float portal_view(GLOBAL const float* portal, float3 p, float3 n) {
 }
 
 // Density (per sr) with which a uniform point on portal k lies in direction dir from p; 0 if dir misses it.
-FN float portal_density(GLOBAL const float* portal, float3 p, float3 dir) {
+FN float portal_pdf(GLOBAL const float* portal, float3 p, float3 dir) {
     float3 out = f3_at(portal + PORTAL_NORMAL), to = sub3(f3_at(portal + PORTAL_CENTRE), p);
     float c = dot3(dir, out), h = dot3(to, out);
     if (c <= 1e-6f || h <= 0.0f) return 0.0f;
@@ -85,16 +85,16 @@ FN float portals_share(PARAMS(const Params) par, float total) {
 }
 
 // Density (per sr) of direction dir from p among those toward portals, whose light sums to `total`.
-FN float portals_density(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, float3 dir,
-                         float total) {
-    float density = 0.0f;
+FN float portals_pdf(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, float3 dir,
+                     float total) {
+    float pdf = 0.0f;
     for (UNIFORM uint k = 0u; k < par->portal_count; k++) {
         GLOBAL const float* portal = portal_record(s, par, k);
-        float d = portal_density(portal, p, dir);
-        if (d > 0.0f) density += par->portal_light[k] * portal_view(portal, p, n) / total * d;
+        float d = portal_pdf(portal, p, dir);
+        if (d > 0.0f) pdf += par->portal_light[k] * portal_view(portal, p, n) / total * d;
     }
 
-    return density;
+    return pdf;
 }
 
 // The direction from p to a point of a portal, which r, 0 .. the sum of their light, picks by its light.
@@ -129,52 +129,52 @@ FN float3 cosine_direction(float3 n, float x, float turn) {
 }
 
 // What diffuse rays from a place aim at.
-STRUCT(Aims) {
+STRUCT(Mixture) {
     float light;      // that comes through all portals
     uint highlights;  // those that can be met, a bit each
 };
 
-FN Aims aims_at(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n) {
-    Aims aims;
-    aims.light = portals_light(s, par, p, n);
-    aims.highlights = par->highlight_share > 0.0f ? highlights_met(s, par, p, n) : 0u;
-    return aims;
+FN Mixture mixture_at(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n) {
+    Mixture mixture;
+    mixture.light = portals_light(s, par, p, n);
+    mixture.highlights = par->highlight_share > 0.0f ? highlights_met(s, par, p, n) : 0u;
+    return mixture;
 }
 
-FN float highlights_share(PARAMS(const Params) par, PRIVATE(const Aims) aims) {
-    return aims->highlights != 0u ? par->highlight_share : 0.0f;
+FN float highlights_share(PARAMS(const Params) par, PRIVATE(const Mixture) mixture) {
+    return mixture->highlights != 0u ? par->highlight_share : 0.0f;
 }
 
 // Density (per sr) of direction dir about n from p among diffuse rays.
-FN float diffuse_density(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Aims) aims, float3 p,
-                         float3 n, float3 dir) {
-    float share = portals_share(par, aims->light), shine = highlights_share(par, aims);
+FN float diffuse_pdf(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Mixture) mixture, float3 p,
+                     float3 n, float3 dir) {
+    float share = portals_share(par, mixture->light), shine = highlights_share(par, mixture);
     float c = dot3(dir, n);
-    float density = c * K_INV_PI;
-    if (share > 0.0f) density = (1.0f - share) * c * K_INV_PI + share * portals_density(s, par, p, n, dir, aims->light);
-    if (shine > 0.0f) density = (1.0f - shine) * density + shine * highlights_density(s, par, aims->highlights, dir);
-    return density;
+    float pdf = c * K_INV_PI;
+    if (share > 0.0f) pdf = (1.0f - share) * c * K_INV_PI + share * portals_pdf(s, par, p, n, dir, mixture->light);
+    if (shine > 0.0f) pdf = (1.0f - shine) * pdf + shine * highlights_pdf(s, par, mixture->highlights, dir);
+    return pdf;
 }
 
-// Samples a direction over the hemisphere of n.  Returns cos/(pi density): the factor of the diffuse coefficient.
-// *aims: what it may have aimed at.
+// Samples a direction over the hemisphere of n.  Returns cos/(pi pdf): the factor of the diffuse coefficient.
+// *mixture: what it may have aimed at.
 FN float sample_diffuse(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, PRIVATE(Sampler) rnd,
-                        PRIVATE(Aims) aims, PRIVATE(float3) dir) {
+                        PRIVATE(Mixture) mixture, PRIVATE(float3) dir) {
     float2 x = sample2(rnd);
-    *aims = aims_at(s, par, p, n);
-    float share = portals_share(par, aims->light), shine = highlights_share(par, aims);
+    *mixture = mixture_at(s, par, p, n);
+    float share = portals_share(par, mixture->light), shine = highlights_share(par, mixture);
 
     if (shine > 0.0f && x.x < shine) {
-        *dir = highlight_direction(s, par, aims->highlights, x.x / shine, x.y);
-        if (!(highlights_density(s, par, aims->highlights, *dir) > 0.0f)) return 0.0f;
+        *dir = highlight_direction(s, par, mixture->highlights, x.x / shine, x.y);
+        if (!(highlights_pdf(s, par, mixture->highlights, *dir) > 0.0f)) return 0.0f;
     } else {
         if (shine > 0.0f) x.x = (x.x - shine) / (1.0f - shine);
-        if (share > 0.0f && x.x < share) *dir = portal_direction(s, par, p, n, x.x / share * aims->light, x.y);
+        if (share > 0.0f && x.x < share) *dir = portal_direction(s, par, p, n, x.x / share * mixture->light, x.y);
         else *dir = cosine_direction(n, share > 0.0f ? (x.x - share) / (1.0f - share) : x.x, x.y);
     }
     float c = dot3(*dir, n);
     if (c <= 0.0f) return 0.0f;
     if (share <= 0.0f && shine <= 0.0f) return 1.0f;
-    return c * K_INV_PI / diffuse_density(s, par, aims, p, n, *dir);
+    return c * K_INV_PI / diffuse_pdf(s, par, mixture, p, n, *dir);
 }
 #endif

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether a path that has chosen its way takes it; and its next ray.
-#ifndef LUX_PATH_END_H
-#define LUX_PATH_END_H
+#ifndef LUX_PATH_CONTINUE_H
+#define LUX_PATH_CONTINUE_H
 
 #define RR_START 0.05f  // roulette sets in where a path carries less
-#define RR_LEAST 0.05f  // least chance to survive it
+#define RR_LEAST 0.05f  // least probability to survive it
 
 // The constant that stands for light of deeper bounces (-av), where -ab ends.
 FN void path_ambient_value(PARAMS(const Params) par, PRIVATE(Vertex) vertex) {
@@ -30,37 +30,37 @@ FN int path_limited(PARAMS(const Params) par, PRIVATE(const Vertex) vertex) {
 FN int path_roulette(PRIVATE(Vertex) vertex, float carried) {
     uint bounces = (vertex->flags >> PC_AB_SHIFT) & 255u;
     if (bounces < 2u || !(carried < RR_START)) return 1;
-    float chance = MAX_(carried / RR_START, RR_LEAST);
-    if (sample1(&vertex->rnd) >= chance) return 0;
-    vertex->thr = scale3(vertex->thr, 1.0f / chance);
+    float prob = MAX_(carried / RR_START, RR_LEAST);
+    if (sample1(&vertex->rnd) >= prob) return 0;
+    vertex->throughput = scale3(vertex->throughput, 1.0f / prob);
     return 1;
 }
 
-// The path takes its way.  Returns PATH_GOES_ON, or 0 if it ends.
-FN int path_go_on(PARAMS(const Params) par, TABLES(const Paths) paths, PRIVATE(Vertex) vertex,
-                  PRIVATE(const LobeSample) way) {
-    if (par->reuse_slot_count != 0u) path_ends(paths, vertex, way);
-    vertex->weight *= MIN_(1.0f, max3(way->color));
-    vertex->thr = scale3(mul3(vertex->thr, way->color), way->sum / MAX_(way->chance, 1e-30f));
-    float carried = max3(vertex->thr);
-    vertex->thr = scale3(vertex->thr, way->factor);
+// The path takes its lobe.  Returns PATH_CONTINUES, or 0 if it ends.
+FN int path_continue(PARAMS(const Params) par, TABLES(const Paths) paths, PRIVATE(Vertex) vertex,
+                     PRIVATE(const LobeSample) lobe) {
+    if (par->reuse_path_count != 0u) path_record_prefix(paths, vertex, lobe);
+    vertex->weight *= MIN_(1.0f, max3(lobe->color));
+    vertex->throughput = scale3(mul3(vertex->throughput, lobe->color), lobe->total / MAX_(lobe->prob, 1e-30f));
+    float carried = max3(vertex->throughput);
+    vertex->throughput = scale3(vertex->throughput, lobe->weight);
 
-    int ends = way->factor <= 0.0f || max3(vertex->thr) <= 0.0f || path_limited(par, vertex) ||
+    int ends = lobe->weight <= 0.0f || max3(vertex->throughput) <= 0.0f || path_limited(par, vertex) ||
                !path_roulette(vertex, carried);
-    vertex_store(paths, vertex, ends ? vertex->before : vertex->g.total);
+    vertex_store(paths, vertex, ends ? vertex->path_length_start : vertex->g.path_length);
     if (ends) return 0;
 
     PRIVATE(const Surface) g = &vertex->g;
-    uint slot = vertex->slot;
-    int above = dot3(way->dir, g->ng) > 0.0f;
-    float3 from = offset_ray(bsdf_start(&vertex->lobes, g, above), above ? g->ng : neg3(g->ng), g->reach);
+    uint path = vertex->path;
+    int above = dot3(lobe->dir, g->ng) > 0.0f;
+    float3 from = offset_ray(bsdf_start(&vertex->lobes, g, above), above ? g->ng : neg3(g->ng), g->error_scale);
     if (vertex->absorbs) {
-        Medium there = lobe_reflects(way->way) ? vertex->arriving : vertex->beyond;
-        set_path_medium(paths, slot, &there);
+        Medium there = lobe_reflects(lobe->type) ? vertex->arriving : vertex->medium_behind;
+        set_path_medium(paths, path, &there);
     }
-    write4_(paths->org, slot, pack4(from, as_float_(above ? vertex->clip_before : vertex->clip_beyond)));
-    write4_(paths->dir, slot, pack4(way->dir, FAR_AWAY));
-    write4_(paths->thr, slot, pack4(vertex->thr, vertex->weight));
-    return PATH_GOES_ON;
+    write4_(paths->org, path, pack4(from, as_float_(above ? vertex->clip_before : vertex->clip_behind)));
+    write4_(paths->dir, path, pack4(lobe->dir, FAR_AWAY));
+    write4_(paths->throughput, path, pack4(vertex->throughput, vertex->weight));
+    return PATH_CONTINUES;
 }
 #endif
