@@ -81,7 +81,7 @@ public:
         BVH_TABLES(POINT_AT_BVH)
         FLAT_TABLES(POINT_AT_SCENE)
     }
-    void update_numbers(size_t, size_t) override {}  // the scene's own are read
+    void update_float_table(size_t, size_t) override {}  // the scene's own are read
 
     void run(const Params& par, std::vector<float>& rgb) override {
         rgb.resize(size_t(kernels::film_places(&par)) * 3);
@@ -125,9 +125,9 @@ private:
                 std::vector<char> scratch(kernels_.scratch_bytes(tile));
                 for (;;) {
                     const uint32_t first = next.fetch_add(tile);
-                    if (first >= slots) return;
+                    if (first >= count) return;
                     end_if_cancelled();
-                    work(first, std::min(tile, slots - first), scratch.data());
+                    work(first, std::min(tile, count - first), scratch.data());
                 }
             } catch (...) {
                 std::lock_guard<std::mutex> hold(lock);

@@ -30,8 +30,9 @@ public:
     virtual void upload(std::shared_ptr<const flatten::FlatScene> scene) = 0;
     // Numbers first .. first + count - 1 of that scene (FlatScene::f) have changed: which sources are drawn depends on
     // the view.
-    virtual void update_numbers(size_t first, size_t count) = 0;
-    // Runs par.slots paths; rgb gets 3 floats a slot, or, where paths share, for each sample of the picture's pixels.
+    virtual void update_float_table(size_t first, size_t count) = 0;
+    // Runs par.path_count paths; rgb gets 3 floats a path, or, where paths share, for each sample of the picture's
+    // pixels.
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
     // MODE_SPLAT: radiance times weight for each ray, 3 floats each.
     virtual void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) = 0;

@@ -61,7 +61,7 @@ public:
         scene_ = std::move(scene);
     }
 
-    void update_numbers(size_t first, size_t count) override {
+    void update_float_table(size_t first, size_t count) override {
         call("sending the view's sources", [&] {
             if (count > 0)
                 queue_.enqueueWriteBuffer(paths_.table(TABLE_f), CL_TRUE, first * 4, count * 4, &scene_->f[first]);

@@ -33,7 +33,8 @@ export void LANE_CALL(suffix_roulette)(TABLES(const Paths) paths) {
 // connections: paths and members of their groups, path * REUSE_GROUP + member.
 export void LANE_CALL(transmittance)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                                     const uniform uint* uniform connections, uniform uint n) {
-    foreach (i = 0 ... n) connection_transmittance(s, par, paths, connections[i] / REUSE_GROUP, connections[i] % REUSE_GROUP);
+    foreach (i = 0 ... n)
+        connection_transmittance(s, par, paths, connections[i] / REUSE_GROUP, connections[i] % REUSE_GROUP);
 }
 
 export void LANE_CALL(connect)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths) {

@@ -32,8 +32,8 @@ public:
         attempt([&] { device_->upload(scene); });
         if (!on_cpu_) scene_ = std::move(scene);
     }
-    void update_numbers(size_t first, size_t count) override {
-        attempt([&] { device_->update_numbers(first, count); });
+    void update_float_table(size_t first, size_t count) override {
+        attempt([&] { device_->update_float_table(first, count); });
     }
     void cancel_when(const std::atomic<bool>* asked) override {
         Device::cancel_when(asked);

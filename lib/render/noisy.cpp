@@ -86,7 +86,7 @@ uint32_t spp_for(float deviation, float of_one) {
 }
 }  // namespace
 
-std::vector<uint32_t> copies_of_noisy(device::Device& device, const Params& base, double share) {
+std::vector<uint32_t> spp_of_noisy(device::Device& device, const Params& base, double share) {
     const int nx = int(base.nx), ny = int(base.ny), wide = (nx + int(coarse) - 1) / int(coarse),
               high = (ny + int(coarse) - 1) / int(coarse);
     const std::vector<float> diffuse = diffuse_deviation(device, base, wide, high);

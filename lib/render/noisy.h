@@ -14,6 +14,6 @@ constexpr uint32_t least_spp = 4;  // any number of samples is a multiple of it
 
 // base: of the picture.  share: samples for noisy pixels, over those of the picture.  Result: how
 // many each pixel gets in a frame, row 0 = top, 0 where it keeps its one.  Depends on seed, scene and view alone.
-std::vector<uint32_t> copies_of_noisy(device::Device& device, const kernels::Params& base, double share);
+std::vector<uint32_t> spp_of_noisy(device::Device& device, const kernels::Params& base, double share);
 
 }  // namespace render

@@ -109,7 +109,7 @@ struct Renderer::State {
     // Which pixels get several samples in each frame.
     void ensure_noisy() {
         if (!seeks_noisy) return;
-        noisy = sampler.add_noisy(*device, copies_of_noisy(*device, base, noisy_share));
+        noisy = sampler.add_noisy(*device, spp_of_noisy(*device, base, noisy_share));
         seeks_noisy = false;
     }
     std::vector<float> records_of_aims() const {
@@ -136,7 +136,7 @@ struct Renderer::State {
         mark_splatted(drawn, flat->f, false);
         drawn = std::move(list);
         mark_splatted(drawn, flat->f);
-        device->update_numbers(flat->sources_at, size_t(flat->source_count) * SOURCE_FLOATS);
+        device->update_float_table(flat->sources_at, size_t(flat->source_count) * SOURCE_FLOATS);
     }
     // Frame k of a sample's values.
     void make_frame(int64_t k, const float* v, std::vector<float>& out) const {

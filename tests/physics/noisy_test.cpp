@@ -24,7 +24,7 @@ public:
     std::vector<float> direct;   // of two samples of each pixel
     std::string name() const override { return "given"; }
     void upload(std::shared_ptr<const flatten::FlatScene>) override {}
-    void update_numbers(size_t, size_t) override {}
+    void update_float_table(size_t, size_t) override {}
     void run(const kernels::Params& par, std::vector<float>& rgb) override {
         const std::vector<float>& light = par.mode == MODE_DIRECT ? direct : diffuse;
         REQUIRE(par.first + par.path_count <= light.size());
@@ -49,7 +49,7 @@ kernels::Params picture_of(int nx, int ny) {
     return p;
 }
 
-uint32_t sum(const std::vector<uint32_t>& copies) { return std::accumulate(copies.begin(), copies.end(), 0u); }
+uint32_t sum(const std::vector<uint32_t>& spp) { return std::accumulate(spp.begin(), spp.end(), 0u); }
 
 }  // namespace
 
@@ -58,13 +58,13 @@ TEST_CASE("noisy blocks get the samples, as many as there are and no more than 6
     for (int block = 0; block < 256; block++)
         for (int path = 0; path < 4; path++)
             device.diffuse[size_t(4 * block + path)] += (path % 2 ? 1.0f : -1.0f) * (block == 119 ? 4.0f : .01f);
-    const auto copies = render::copies_of_noisy(device, picture_of(side, side), .15);
-    CHECK(sum(copies) <= .15 * side * side);
-    CHECK(sum(copies) > .05 * side * side);
+    const auto spp = render::spp_of_noisy(device, picture_of(side, side), .15);
+    CHECK(sum(spp) <= .15 * side * side);
+    CHECK(sum(spp) > .05 * side * side);
     for (int y = 0; y < side; y++)
         for (int x = 0; x < side; x++) {
             const bool near = std::abs(x / 4 - 119 % 16) <= 1 && std::abs(y / 4 - 119 / 16) <= 1;
-            const uint32_t n = copies[size_t(y * side + x)];
+            const uint32_t n = spp[size_t(y * side + x)];
             CHECK((n > 0) == near);
             CHECK((n == 0 || (n >= 4 && n <= 64 && (n & (n - 1)) == 0)));
         }
@@ -72,21 +72,21 @@ TEST_CASE("noisy blocks get the samples, as many as there are and no more than 6
 
 TEST_CASE("noise of direct light counts, and where there is none nobody gets more") {
     Given device(side, side, 5);
-    CHECK(sum(render::copies_of_noisy(device, picture_of(side, side), .15)) == 0);
+    CHECK(sum(render::spp_of_noisy(device, picture_of(side, side), .15)) == 0);
     for (size_t i = 0; i < device.direct.size(); i += 2) device.direct[i] += .001f;
     device.direct[2 * (20 * side + 30)] = 9;
-    const auto copies = render::copies_of_noisy(device, picture_of(side, side), .15);
-    CHECK(sum(copies) == 9 * 64);  // a pixel and its neighbours
-    CHECK(copies[20 * side + 30] == 64);
-    CHECK(copies[20 * side + 32] == 0);
+    const auto spp = render::spp_of_noisy(device, picture_of(side, side), .15);
+    CHECK(sum(spp) == 9 * 64);  // a pixel and its neighbours
+    CHECK(spp[20 * side + 30] == 64);
+    CHECK(spp[20 * side + 32] == 0);
 }
 
 TEST_CASE("pictures of any size, and light that is no number") {
     for (const auto& [nx, ny] : {std::pair{1, 1}, std::pair{3, 5}, std::pair{17, 1}}) {
         Given device(nx, ny, NAN);
-        const auto copies = render::copies_of_noisy(device, picture_of(nx, ny), .15);
-        CHECK(copies.size() == size_t(nx * ny));
-        CHECK(sum(copies) == 0);
+        const auto spp = render::spp_of_noisy(device, picture_of(nx, ny), .15);
+        CHECK(spp.size() == size_t(nx * ny));
+        CHECK(sum(spp) == 0);
     }
 }
 

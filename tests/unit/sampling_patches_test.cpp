@@ -37,7 +37,8 @@ sampling::Target window(double low, double high) {
     return {{4, 0, (low + high) / 2}, {0, 2, 0}, {0, 0, high - low}, {1, 0, 0}};
 }
 
-std::vector<sampling::Target> patches(const flatten::FlatScene& scene, const sampling::Target& window, size_t most = 8) {
+std::vector<sampling::Target> patches(const flatten::FlatScene& scene, const sampling::Target& window,
+                                      size_t most = 8) {
     return sampling::find_patches(scene, flatten::HostTracer(scene), {window}, most);
 }
 
