@@ -25,7 +25,7 @@ def children():
     return [name for name in mine.split() if name in ("ptrace", "ptaccum", "vcmetrics")]
 
 
-@pytest.mark.parametrize("module", ["luxpipe", "luxpipe._result", "luxpipe._render"])
+@pytest.mark.parametrize("module", ["luxpipe", "luxpipe._result", "luxpipe._render", "luxpipe._difference"])
 def test_doctests(module):
     found = doctest.testmod(importlib.import_module(module), extraglobs={"luxpipe": luxpipe})
     assert found.attempted and not found.failed
@@ -53,6 +53,22 @@ def test_picture_has_the_light_at_the_eye(office):
         pytest.approx(office["Ev"].value, rel=1e-6)
     luminance = 179 * (office.picture @ [0.265074, 0.670115, 0.064811])
     assert office.luminance == pytest.approx(luminance, rel=1e-5)
+
+
+def test_difference_of_files_is_that_of_their_frames(tmp_path):
+    files, steps = [], []
+    for last in (5, 9):  # other frames: errors are independent
+        frames = list(luxpipe.frames(SCENE, VIEW, size=16, max_frames=last))
+        steps.append(frames)
+        files.append(tmp_path / f"{last}.exr")
+        args = ["-x", "16", "-y", "16", "-vf", VIEW, "-frames", str(last + 1), *SCENE]
+        trace = subprocess.run([program("ptrace"), *args], capture_output=True, check=True).stdout
+        subprocess.run([program("ptaccum"), "-batches", "16", "-o", files[-1]], input=trace, check=True)
+    of_files, of_frames = luxpipe.difference(*files, "Ev"), luxpipe.difference(*steps, "Ev")
+    assert of_files["Ev"].value == pytest.approx(of_frames["Ev"].value, abs=1e-3)
+    assert of_files["Ev"].lo == pytest.approx(of_frames["Ev"].lo, abs=.5)
+    assert of_files["Ev"].lo < 0 < of_files["Ev"].hi
+    assert math.isnan(luxpipe.difference(files[0], files[0])["Ev"].lo)
 
 
 def test_saved_pictures(office, hdr, tmp_path):
