@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/core.h>
+#include <map>
 #include <optional>
 #include <tuple>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "flatten/host_tracer.h"
 #include "flatten/pack.h"
 #include "flatten/surfaces.h"
+#include "scene/materials.h"
 
 namespace flatten {
 namespace {
@@ -25,6 +27,7 @@ constexpr size_t MOST_PAIRS = 4000000;
 constexpr int GRID = 8;                // points looked at along each side of what two faces have in common
 constexpr double LARGE = 1e-3;         // side of a square, in radii of the scene
 constexpr double SAME_PLANE = 9.5e-7;  // 2^-20 of the radius
+constexpr double LEAST_ROUNDED = 16;   // m: no coordinate is more exact than in a model of that radius
 
 struct Face {
     const scene::Object* object;
@@ -65,12 +68,16 @@ Face face_of(const scene::Object& o, std::vector<Vec3> corners, Vec3 normal) {
     return f;
 }
 
-// Those that are large.
+// Is it of a flat type and drawn?
+bool is_face(const Modifiers& modifiers, const scene::Object& o) {
+    return (o.type == Type::polygon || o.type == Type::ring) && o.modifier >= 0 && modifiers.has_material[o.modifier];
+}
+
+// Those that are large, by their planes.
 std::vector<Face> faces_of(const Modifiers& modifiers, double large) {
     std::vector<Face> faces;
     for (const scene::Object& o : modifiers.scene.objects) {
-        if ((o.type != Type::polygon && o.type != Type::ring) || o.modifier < 0) continue;
-        if (!modifiers.has_material[o.modifier]) continue;
+        if (!is_face(modifiers, o)) continue;
         const auto r = modifiers.scene.reals(o);
         std::vector<Vec3> corners;
         Vec3 normal;
@@ -118,14 +125,11 @@ bool cover(const Face& a, const Face& b, double large, Vec3& where) {
     return false;
 }
 
-}  // namespace
-
-void warn_of_coincident(const Modifiers& modifiers, const FlatScene& scene) {
-    const double near = SAME_PLANE * scene.radius, large = LARGE * scene.radius;
-    std::vector<Face> faces = faces_of(modifiers, large);
-    size_t pairs = 0, count = 0;
-    const Face* first[2] = {nullptr, nullptr};
-    Vec3 where, place;
+// Calls each(a, b, where) for all a and b of one plane which cover each other, at a point in the middle of them.
+template <class Each>
+void of_pairs(std::vector<Face>& faces, double near, double large, const Each& each) {
+    size_t pairs = 0;
+    Vec3 where;
     for (size_t from = 0, to; from < faces.size() && pairs < MOST_PAIRS; from = to) {
         for (to = from + 1; to < faces.size() && faces[to].direction == faces[from].direction &&
                             faces[to].offset - faces[to - 1].offset <= near;)
@@ -133,16 +137,70 @@ void warn_of_coincident(const Modifiers& modifiers, const FlatScene& scene) {
         std::sort(&faces[from], &faces[from] + (to - from),
                   [](const Face& a, const Face& b) { return a.low[0] < b.low[0]; });
         for (size_t i = from; i < to; i++)
-            for (size_t k = i + 1; k < to && faces[k].low[0] < faces[i].high[0] && pairs++ < MOST_PAIRS; k++) {
-                const Face &a = faces[i], &b = faces[k];
-                // of two that face opposite ways each is seen from its own side: a house on its ground
-                if (a.object->modifier == b.object->modifier || a.turned != b.turned) continue;
-                if (!cover(a, b, large, place)) continue;
-                if (count++ > 0) continue;
-                first[0] = &a, first[1] = &b, where = place;
-            }
-        if (count == 1 && first[0]->object > first[1]->object) std::swap(first[0], first[1]);
+            for (size_t k = i + 1; k < to && faces[k].low[0] < faces[i].high[0] && pairs++ < MOST_PAIRS; k++)
+                if (faces[i].object->modifier != faces[k].object->modifier && cover(faces[i], faces[k], large, where))
+                    each(faces[i], faces[k], where);
     }
+}
+
+// Balls, tubes and cones, of which two are in one place if their numbers are the same: 0 for other types.
+int curved_kind(Type t) {
+    if (t == Type::sphere || t == Type::bubble) return 1;
+    if (t == Type::cylinder || t == Type::tube) return 2;
+    return t == Type::cone || t == Type::cup ? 3 : 0;
+}
+std::vector<double> curved_key(const scene::Scene& scene, const scene::Object& o) {
+    std::vector<double> key = {double(curved_kind(o.type))};
+    const auto r = scene.reals(o);
+    for (size_t i = 0; i < r.size(); i++) key.push_back(r[i]);
+    return key;
+}
+
+// Does it let shadow rays pass, and may yet hide what is opaque?
+bool passes_and_hides(const Modifiers& modifiers, const scene::Object& o) {
+    return o.modifier >= 0 && modifiers.has_material[o.modifier] && modifiers.passes[o.modifier] &&
+           !modifiers.is_clear(o.modifier);
+}
+
+// Does `over` hide what is opaque in its place from some side?  turned: they face opposite ways.
+bool hides(const Modifiers& modifiers, const scene::Object& over, const scene::Object& opaque, bool turned) {
+    if (!passes_and_hides(modifiers, over) || modifiers.passes[opaque.modifier]) return false;
+    const uint32_t m = modifiers.material[opaque.modifier];
+    if (m != NONE && scene::shines(modifiers.scene.objects[m].type)) return false;  // SRC_COVERED
+    return turned || modifiers.record[over.modifier] > modifiers.record[opaque.modifier];
+}
+
+// Of a lamp that is not flat: a point on it, of 16, and the normal there.
+struct OnLamp {
+    Vec3 point, normal;
+};
+OnLamp on_round_lamp(const float* q, uint32_t k) {
+    const double angle = 2.4 * k, height = (k + .5) / 8 - 1;
+    if (bits(q[SRC_KIND]) == SK_SPHERE) {
+        const double across = std::sqrt(1 - height * height);
+        const Vec3 n = {across * std::cos(angle), across * std::sin(angle), height};
+        return {get(q + SRC_CENTRE) + n * double(q[SRC_RADIUS]), n};
+    }
+    const Vec3 half = get(q + SRC_U), a = base::unit(half);
+    const Vec3 b = base::unit(cross(a, std::fabs(a.z) < .9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+    const Vec3 n = b * std::cos(angle) + cross(a, b) * std::sin(angle);
+    return {get(q + SRC_CENTRE) + half * height + n * double(q[SRC_RADIUS]), n};
+}
+
+}  // namespace
+
+void warn_of_coincident(const Modifiers& modifiers, const FlatScene& scene) {
+    const double near = SAME_PLANE * scene.radius, large = LARGE * scene.radius;
+    std::vector<Face> faces = faces_of(modifiers, large);
+    size_t count = 0;
+    const Face* first[2] = {nullptr, nullptr};
+    Vec3 place;
+    of_pairs(faces, near, large, [&](const Face& a, const Face& b, Vec3 where) {
+        // of two that face opposite ways each is seen from its own side: a house on its ground
+        if (a.turned != b.turned || count++ > 0) return;
+        first[0] = &a, first[1] = &b, place = where;
+        if (first[0]->object > first[1]->object) std::swap(first[0], first[1]);
+    });
     if (count == 0) return;
     const scene::Scene& s = modifiers.scene;
     const auto name = [&](const Face* f) { return s.name(s.objects[size_t(f->object->modifier)]); };
@@ -152,7 +210,34 @@ void warn_of_coincident(const Modifiers& modifiers, const FlatScene& scene) {
                     "about {:.4g} {:.4g} {:.4g}: an opaque one hides a transparent one, then one that faces the eye "
                     "the other, then that of the later modifier",
                     count == 1 ? "one pair" : fmt::format("{} pairs", count), count == 1 ? "lies" : "lie",
-                    name(first[0]), name(first[1]), where.x, where.y, where.z));
+                    name(first[0]), name(first[1]), place.x, place.y, place.z));
+}
+
+std::vector<uint8_t> hidden_by_passing(const Modifiers& modifiers) {
+    const std::vector<scene::Object>& objects = modifiers.scene.objects;
+    std::vector<uint8_t> hidden(objects.size(), 0);
+    const auto one = [&](const scene::Object& o) {
+        return scene::is_surface(o.type) && passes_and_hides(modifiers, o);
+    };
+    if (std::none_of(objects.begin(), objects.end(), one)) return hidden;
+    const auto look = [&](const scene::Object& a, const scene::Object& b, bool turned) {
+        if (hides(modifiers, a, b, turned)) hidden[size_t(&b - objects.data())] = 1;
+        if (hides(modifiers, b, a, turned)) hidden[size_t(&a - objects.data())] = 1;
+    };
+    std::vector<Face> faces = faces_of(modifiers, 0);
+    double size = LEAST_ROUNDED;
+    for (const Face& f : faces) size = std::max(size, std::fabs(f.offset));
+    of_pairs(faces, SAME_PLANE * size, 0,
+             [&](const Face& a, const Face& b, Vec3) { look(*a.object, *b.object, a.turned != b.turned); });
+
+    std::map<std::vector<double>, std::vector<const scene::Object*>> curved;
+    for (const scene::Object& o : objects)
+        if (curved_kind(o.type) != 0 && o.modifier >= 0 && modifiers.has_material[o.modifier])
+            curved[curved_key(modifiers.scene, o)].push_back(&o);
+    for (const auto& [key, twins] : curved)
+        for (size_t i = 1; i < twins.size(); i++)
+            for (size_t k = 0; k < i; k++) look(*twins[k], *twins[i], twins[k]->type != twins[i]->type);
+    return hidden;
 }
 
 void mark_covered_sources(FlatScene& scene) {
@@ -161,18 +246,25 @@ void mark_covered_sources(FlatScene& scene) {
     for (uint32_t i = 0; i < scene.source_count; i++) {
         float* q = &scene.f[scene.sources_at + SOURCE_FLOATS * i];
         const uint32_t kind = bits(q[SRC_KIND]);
-        if (bits(q[SRC_VIRTUAL]) != NONE || (kind != SK_PARALLELOGRAM && kind != SK_POLYGON && kind != SK_RING))
-            continue;
+        if (bits(q[SRC_VIRTUAL]) != NONE || kind == SK_DISTANT) continue;
+        const bool round = kind == SK_SPHERE || kind == SK_CYLINDER;
         if (!tracer) tracer.emplace(scene);
-        const Vec3 normal = get(q + SRC_NORMAL), centre = get(q + SRC_CENTRE) + scene.centre;
+        Vec3 normal = get(q + SRC_NORMAL);
+        const Vec3 centre = get(q + SRC_CENTRE) + scene.centre;
         const double size = std::sqrt(double(q[SRC_AREA]));
         const double near = std::ldexp(std::max(scene.radius, scene.least_error_scale) + length(centre), -18);
         for (uint32_t k = 0; k < side * side; k++) {
-            const Vec3 eye = centre + normal * size;
-            const auto at = tracer->source_point(i, eye, (k % side + .5) / side, (k / side + .5) / side);
-            if (!(at.solid_angle > 0)) continue;
-            const Vec3 start = eye + at.dir * at.dist + normal * near;
-            const auto met = tracer->closest(start, normal * -1, 0, 2 * near, HostTracer::all);
+            Vec3 point;
+            if (round) {
+                const OnLamp on = on_round_lamp(q, k);
+                point = on.point + scene.centre, normal = on.normal;
+            } else {
+                const Vec3 eye = centre + normal * size;
+                const auto at = tracer->source_point(i, eye, (k % side + .5) / side, (k / side + .5) / side);
+                if (!(at.solid_angle > 0)) continue;
+                point = eye + at.dir * at.dist;
+            }
+            const auto met = tracer->closest(point + normal * near, normal * -1, 0, 2 * near, HostTracer::all);
             if (met.t < 0 || met.prim == bits(q[SRC_PRIM])) continue;
             q[SRC_COVERED] = 1;
             break;

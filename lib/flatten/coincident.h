@@ -10,7 +10,11 @@ namespace flatten {
 // them is not seen.
 void warn_of_coincident(const Modifiers& modifiers, const FlatScene& scene);
 
-// Marks flat sources that something else covers in part (SRC_COVERED), by rays to 16 points of each.
+// By object: opaque surfaces that hide behind one in their place which lets shadow rays pass, a mixture or a BSDF.
+// Shadow rays look at them one by one, as at that one.  Flat ones, and curved ones of the same numbers.
+std::vector<uint8_t> hidden_by_passing(const Modifiers& modifiers);
+
+// Marks sources that something else covers in part (SRC_COVERED), by rays to 16 points of each.
 void mark_covered_sources(FlatScene& scene);
 
 }  // namespace flatten

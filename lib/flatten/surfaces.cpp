@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "flatten/coincident.h"
 #include "flatten/instances.h"
 #include "flatten/pack.h"
 #include "scene/materials.h"
@@ -79,7 +80,7 @@ public:
     }
 
 private:
-    // Number of a new primitive; `tagged` with its class, as the trees need it.
+    // Number of a new primitive; `tagged` with its class.
     uint32_t add_prim(const Object& o, uint32_t kind, Vec3 normal, uint32_t& tagged) {
         const uint32_t id = uint32_t(out_.prims.size() / PRIM_WORDS);
         if (modifiers_ && modifiers_->is_clear(o.modifier)) kind |= PRIM_CLEAR;
@@ -89,7 +90,7 @@ private:
         out_.prims.insert(out_.prims.end(), record, record + PRIM_WORDS);
         out_.prim_object.push_back(lights_ ? index_of(o) : FlatScene::NO_OBJECT);
         tagged = id;
-        if (!modifiers_ || !modifiers_->passes[o.modifier]) return id;
+        if (!modifiers_ || (!modifiers_->passes[o.modifier] && !hidden_[index_of(o)])) return id;
         tagged |= ID_TRANSPARENT;
         out_.shadows_need(SHADOW_STRAIGHT);
         return id;
@@ -119,7 +120,6 @@ private:
     void ignore(const Object& o, const char* what) const {
         base::warn(scene_.place(o), fmt::format("{}, surface ignored", what));
     }
-
     // ---- what sources need to know
 
     void note_emitter(const Object& o, uint32_t prim) {
@@ -260,6 +260,7 @@ private:
     const Vec3 centre_;
     FlatScene& out_;
     Lights* lights_;
+    const std::vector<uint8_t> hidden_ = modifiers_ ? hidden_by_passing(*modifiers_) : std::vector<uint8_t>();
     const size_t first_vertex_ = out_.vertices.size() / 3;
 };
 

@@ -162,6 +162,8 @@ TEST_CASE("curved surfaces, meshes and instances in one place") {
                       {PAIR(placed("void instance", a, "-mz", p) + p.square("B", true)), .2},
                       {PAIR(placed("void instance", a, "-mx -rz 30", p) + p.square("B", false)), .5},
                       {PAIR(placed("B instance", a, "", p) + p.square("A", true)), .2},
+                      {PAIR(placed("A instance", a, "", p) + p.square("B", true)), .2},
+                      {PAIR(placed("A instance", a, "", p) + placed("G instance", a, "", p)), .5},
                       {PAIR(placed("G instance", a, "", p) + p.square("A", false)), .5}});
     const Ray above{{.1, .2, 3}, {0, 0, -1}};
     expect_seen("A sphere s 0 0 4 0 0 -1 1\nB sphere t 0 0 4 0 0 -1 1\n", {{above, .2}}, 64);
@@ -209,6 +211,39 @@ TEST_CASE("shadow rays count surfaces in one place once") {
     }
 }
 
+// A mixture is of an opaque type, also where it is void: it hides a wall in its place, and light passes the void.
+TEST_CASE("shadow rays do not meet a wall that a net in its place hides") {
+    TempFolder folder;
+    const std::string sun = "void light sl 0 0 3 1000 1000 1000\nsl source sun 0 0 4 .1 .2 1 1\n";
+    const std::string A = "void plastic A 0 0 5 .5 .5 .5 0 0\n", N = "void mixfunc N 4 A void 0 .\n0 0\n";
+    const std::string square = " polygon p 0 0 12 -2 -2 0 2 -2 0 2 2 0 -2 2 0\n", ball = " sphere s 0 0 4 0 0 1 1\n",
+                      tube = " cylinder c 0 0 7 0 -9 1 0 9 1 1\n", ring = " ring r 0 0 8 0 0 0 0 0 1 0 2\n",
+                      below = " polygon b 0 0 12 -2 2 0 2 2 0 2 -2 0 -2 -2 0\n";
+    const std::string inside = folder.holding("both.rad", A + N + "A" + square + "N" + square);
+    const Ray ray{{.1, .1, -.5}, {0, .02, -1}};
+    const auto value = [&](const std::string& text, const std::string& device) {
+        const std::string floor = "void plastic F 0 0 5 .5 .5 .5 0 0\n" + Place{}.square("F", true, -1, 9);
+        const scene::Scene scene = scene_of(sun + floor + text);
+        render::Renderer renderer(scene, view::View(), 1, 1, direct_only(), device, {});
+        return renderer.trace_ray(ray.origin, ray.dir, 64).mean[0];
+    };
+    for (const std::string& device : devices()) {
+        CAPTURE(device);
+        const double open = value("", device);
+        CHECK(open > 0);
+        for (const std::string& text : {A + N + "A" + square + "N" + square, A + N + "N" + square + "A" + square,
+                                        A + N + "A" + ring + "N" + square, A + N + "A" + ball + "N" + ball,
+                                        A + N + "A" + tube + "N" + tube, "void instance i 1 " + inside + " 0 0\n"}) {
+            CAPTURE(text);
+            CHECK(value(text, device) == open);
+        }
+        const std::string N_first = "void plastic B 0 0 5 .5 .5 .5 0 0\nvoid mixfunc N 4 B void 0 .\n0 0\n";
+        CHECK(value(N_first + A + "A" + square + "N" + square, device) == 0);  // the wall's modifier is the later
+        CHECK(value(A + N + "A" + below + "N" + square, device) == 0);         // it faces the ray
+        CHECK(value(A + N + "A" + square + "N" + below, device) == open);
+    }
+}
+
 // An emitter in the plane of a ceiling lights nothing where the ceiling shows: of modifiers the later one.
 TEST_CASE("an emitter that a ceiling hides is dark") {
     const std::string lamp = "void light L 0 0 3 1 1 1\n", ceiling = "void plastic C 0 0 5 .5 .5 .5 0 0\n";
@@ -226,6 +261,18 @@ TEST_CASE("an emitter that a ceiling hides is dark") {
         "C polygon f 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n";
     expect(ceiling + net + lamp + covered, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {seen}, 16384);
     expect(lamp + ceiling + net + covered, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {0});
+
+    // An illum, through which shadow rays pass, is hidden like a lamp.
+    const std::string illum = "void illum L 0 0 3 1 1 1\n";
+    expect(ceiling + illum + rest, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {seen}, 16384);
+    expect(illum + ceiling + rest, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {0});
+
+    // Round lamps likewise.
+    for (const std::string shape : {"sphere s 0 0 4 0 0 2 .5\n", "cylinder s 0 0 7 -1 0 2 1 0 2 .5\n"}) {
+        CAPTURE(shape);
+        const std::string round = "L " + shape + "M " + shape + "C polygon f 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n";
+        expect(lamp + ceiling + net + round, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {0});
+    }
 }
 
 TEST_CASE("a surface that the eye lies on does not hide what is before it") {

@@ -138,7 +138,6 @@ FN float3 shadow_straight(TABLES(const SceneTables) s, PARAMS(const Params) par,
         surface_at(s, ray, &hit, &g);
         shadow->path_length += hit.t;
         g.path_length = shadow->path_length;
-
         int at_source = hit.prim == as_uint_(shadow->src[SRC_PRIM]);
         Medium here = shadow->medium, medium_behind = shadow->medium;
         int met = at_source ? HIT_NULL : shadow_hit(s, par, shadow, &g, 0, &here, &medium_behind, &lobes);
@@ -149,6 +148,7 @@ FN float3 shadow_straight(TABLES(const SceneTables) s, PARAMS(const Params) par,
             Medium crossed = g.mixed ? shadow->medium : here;
             shadow->T = mul3(shadow->T, shadow_attenuation(&crossed, hit.t));
         }
+        if (at_source && shadow_covered(s, shadow->src, ray, &hit)) return black;
         if (at_source) return must_hit && !g.front ? black : shadow->T;
 
         shadow->medium = medium_behind;

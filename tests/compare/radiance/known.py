@@ -173,8 +173,26 @@ def plain_noise(scene):
         p.strings = [word.replace("fnoise3", "noise3") for word in p.strings]
 
 
+def triangles(scene):
+    return [p for p in scene.primitives() if p.kind == "polygon" and len(p.reals) == 9]
+
+
+def edge_on_lamp(scene):
+    """A square without a corner, over a lamp that had the same corners: its edge runs through the lamp's middle."""
+    return bool(triangles(scene)) and has(scene, *LAMPS) and float(scene.option("-dj", ["0"])[0]) == 0
+
+
+def off_middle(scene):
+    """Larger triangles, about the corner opposite to their longest side."""
+    for p in triangles(scene):
+        corners = [p.reals[i:i + 3] for i in (0, 3, 6)]
+        fixed = max(range(3), key=lambda k: math.dist(corners[(k + 1) % 3], corners[(k + 2) % 3]))
+        p.reals = [v + .03 * (v - f) for c in corners for v, f in zip(c, corners[fixed])]
+
+
 # Name, the page's words, the test, and what takes the difference away (None: the test says enough).
 RULES = [
+    ("edge through a lamp's middle", "runs through the middle of a lamp", edge_on_lamp, off_middle),
     ("fewer pieces", "RADIANCE takes fewer pieces for rays of low weight", pieces, whole),
     ("Fresnel of 6.0a", "6.0a's is 8.3e-4 larger at every angle", fresnel, None),
     ("smoothed meshes of 6.0a", "6.0a bends by the interpolated normal", smoothed, flat),
