@@ -166,7 +166,7 @@ bool passes_and_hides(const Modifiers& modifiers, const scene::Object& o) {
 bool hides(const Modifiers& modifiers, const scene::Object& over, const scene::Object& opaque, bool turned) {
     if (!passes_and_hides(modifiers, over) || modifiers.passes[opaque.modifier]) return false;
     const uint32_t m = modifiers.material[opaque.modifier];
-    if (m != NONE && scene::shines(modifiers.scene.objects[m].type)) return false;  // SRC_COVERED
+    if (m != NONE && scene::is_emissive(modifiers.scene.objects[m].type)) return false;  // SRC_COVERED
     return turned || modifiers.record[over.modifier] > modifiers.record[opaque.modifier];
 }
 
