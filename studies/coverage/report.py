@@ -4,7 +4,7 @@
 import math, os, statistics, subprocess
 from collections import defaultdict
 
-CLAIMED = ['Ev', 'Lavg', 'DGP', 'UGR', 'DGI', 'Lveil', 'RAMMG', 'desk.TAL', 'pair.CR', 'DGPf', 'UGRf']
+CLAIMED = ['Ev', 'Lavg', 'DGP', 'UGR', 'DGI', 'Lveil', 'desk.TAL', 'pair.CR', 'DGPf', 'UGRf']
 NUMBERS = ['inside', 'below', 'half', 'ratio', 'mean', 'truth', 'truth_error', 'sd']  # of a cell, for the file
 FROM = 3  # frames: pooled figures leave out the first look
 
