@@ -34,7 +34,7 @@ Overlays& overlays() {
     return o;
 }
 
-// Of a file without a name, at its beginning.
+// Opens a nameless temporary file with this text, at its beginning.
 int descriptor_of(const std::string& text) {
     errno = 0;
     FILE* file = std::tmpfile();

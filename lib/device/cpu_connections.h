@@ -19,7 +19,7 @@ FN void put_lane(float (*to)[REUSE_GROUP], uint32_t m, float4 v) {
     to[2][m] = v.z;
 }
 
-// Of the group of a path.
+// Gathers the prefix vertices of the group of a path.
 FN void prefix_vertices(const Paths& paths, uint32_t path, PrefixVertices& near) {
     near.there = 0;
     for (uint32_t m = 0; m < REUSE_GROUP; m++) {
@@ -33,7 +33,7 @@ FN void prefix_vertices(const Paths& paths, uint32_t path, PrefixVertices& near)
 
 FN float3 lane3(const float (*from)[REUSE_GROUP], uint32_t m) { return F3(from[0][m], from[1][m], from[2][m]); }
 
-// The rays from the prefix vertices to the suffix vertex of a path.  Those of ends that face each other.
+// Rays from the prefix vertices to the suffix vertex of a path.  Returns the vertices that face it, a bit each.
 FN uint32_t connection_rays(const Paths& paths, const PrefixVertices& near, uint32_t far, PacketRays& p) {
     const float4 to = paths.suffix_p[far], suffix_n = paths.suffix_n[far];
     const int distant = to.w == SUFFIX_DIRECTION;

@@ -4,6 +4,8 @@
 // the area being on the same side of both; so pieces are chained by the sides they begin at.
 #include "display/outline.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstddef>
 
@@ -89,6 +91,18 @@ private:
 
 std::vector<Ring> outlines(const std::vector<float>& coverage, int width, int height) {
     return Squares(coverage, width, height).rings();
+}
+
+std::string rings_text(const std::vector<Ring>& rings) {
+    std::string out = "[";
+    for (const Ring& ring : rings) {
+        out += out.size() > 1 ? ",[" : "[";
+        for (size_t k = 0; k < ring.size(); ++k)
+            out += fmt::format("{}{},{}", k ? "," : "", std::round(double(ring[k][0]) * 100) / 100,
+                               std::round(double(ring[k][1]) * 100) / 100);
+        out += "]";
+    }
+    return out + "]";
 }
 
 }  // namespace display

@@ -73,7 +73,7 @@ bool is_face(const Modifiers& modifiers, const scene::Object& o) {
     return (o.type == Type::polygon || o.type == Type::ring) && o.modifier >= 0 && modifiers.has_material[o.modifier];
 }
 
-// Those that are large, by their planes.
+// Groups large faces by their planes.
 std::vector<Face> faces_of(const Modifiers& modifiers, double large) {
     std::vector<Face> faces;
     for (const scene::Object& o : modifiers.scene.objects) {
@@ -143,7 +143,7 @@ void of_pairs(std::vector<Face>& faces, double near, double large, const Each& e
     }
 }
 
-// Balls, tubes and cones, of which two are in one place if their numbers are the same: 0 for other types.
+// Kind of a ball (1), tube (2) or cone (3), 0 for other types; two coincide if kind and numbers are equal.
 int curved_kind(Type t) {
     if (t == Type::sphere || t == Type::bubble) return 1;
     if (t == Type::cylinder || t == Type::tube) return 2;
@@ -170,7 +170,7 @@ bool hides(const Modifiers& modifiers, const scene::Object& over, const scene::O
     return turned || modifiers.record[over.modifier] > modifiers.record[opaque.modifier];
 }
 
-// Of a lamp that is not flat: a point on it, of 16, and the normal there.
+// One of 16 points on a lamp that is not flat, and the normal there.
 struct OnLamp {
     Vec3 point, normal;
 };

@@ -45,6 +45,14 @@ double dgp(const GlareTerms& sources, double ev, const DgpConstants& k) {
     return dgp_of_sum(sum, !sources.empty(), ev, k);
 }
 
+std::vector<double> dgp_shares(const GlareTerms& sources, const DgpConstants& k) {
+    double sum = 0;
+    for (const GlareTerm& s : sources) sum += dgp_term(s, k);
+    std::vector<double> out;
+    for (const GlareTerm& s : sources) out.push_back(dgp_term(s, k) / sum);
+    return out;
+}
+
 double low_light_factor(double ev) {
     if (!(ev < 1000)) return 1;
     const double e = std::exp(0.024 * ev - 4);

@@ -23,7 +23,8 @@ constexpr DgpConstants paper_dgp{2, 1, 1.87, 2, 1, 5.87e-5, 0.0918, 0.16};
 double dgp_term(const GlareTerm& s, const DgpConstants& k);                 // L^a1 w^a2 / P^a4
 double dgp_of_sum(double sum, bool any, double ev, const DgpConstants& k);  // at most 1
 double dgp(const GlareTerms& s, double ev, const DgpConstants& k);
-double low_light_factor(double ev);  // below 1000 lux, else 1
+std::vector<double> dgp_shares(const GlareTerms& s, const DgpConstants& k);  // of each source in the sum
+double low_light_factor(double ev);                                          // below 1000 lux, else 1
 
 double dgi(const GlareTerms& s, double background);
 double dgi_mod(const GlareTerms& s, double background, double ev);

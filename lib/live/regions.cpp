@@ -2,8 +2,6 @@
 // See regions.h.
 #include "live/regions.h"
 
-#include <cmath>
-
 #include "base/error.h"
 #include "display/draw.h"
 #include "display/outline.h"
@@ -15,23 +13,12 @@ namespace live {
 
 namespace {
 
-std::string rings(const std::vector<display::Ring>& all) {
-    std::string out = "[";
-    for (const display::Ring& ring : all) {
-        std::vector<double> places;
-        for (const auto& p : ring)
-            for (const float v : p) places.push_back(std::round(double(v) * 100) / 100);
-        out += (out.size() > 1 ? "," : "") + json::numbers(places);
-    }
-    return out + "]";
-}
-
 std::string drawn(const region::Regions& regions, size_t k, const image::Picture& p) {
     try {
         if (!p.header.view) return ",\"trouble\":\"the picture has no view\"";
         const image::MaskSet set =
             region::rasterize(region::only(regions, k), *p.header.view, p.width, p.height, false);
-        return ",\"rings\":" + rings(display::outlines(set.masks[0].coverage, p.width, p.height));
+        return ",\"rings\":" + display::rings_text(display::outlines(set.masks[0].coverage, p.width, p.height));
     } catch (const base::Error& e) {
         return ",\"trouble\":" + json::text(e.message);
     }

@@ -20,8 +20,9 @@ std::vector<std::string> sources_command(const std::vector<std::string>& command
             std::string word = command[k];
             if (base::begins_with(word, "--")) word.erase(0, 1);
             const std::string name = word.substr(0, word.find('='));
-            static const char* const with_value[] = {"-until",  "-ci",      "-control", "-max-frames", "-max-seconds",
-                                                     "-format", "-metrics", "-cr",      "-c"};
+            static const char* const with_value[] = {"-until",       "-ci",      "-control", "-max-frames",
+                                                     "-max-seconds", "-format",  "-metrics", "-cr",
+                                                     "-c",           "-against", "-over"};
             if (name == "-go-on") continue;
             if (std::find(std::begin(with_value), std::end(with_value), name) == std::end(with_value))
                 out.push_back(command[k]);

@@ -79,6 +79,10 @@ check 'an overlay stands for a file until it is taken back or the file changes o
     await "grep -aq ^EDIT=4 f"; overlay f.cal "v = .1;"; await "grep -aq ^EDIT=5 f"; printf "v = .4;\n" > f.cal
     await "grep -aq \"^EDIT=6 scene\" f"; settle; end; cp inner.rad good
     echo "wall sphere b 0 0 4 0 1 .5 .3" > inner.rad; as_alone "$eye"; cp good inner.rad; [ $(wc -l < said) = 1 ]'
+check 'no overlay with -exec: its text could run programs' '
+    begin -exec -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
+    overlay inner.rad "!touch ran"; await "[ -s said ]"; settle; end
+    grep -q "with -exec no text may stand for a file" said; [ ! -e ran ]; [ "$(edits)" = "EDIT=0 start " ]'
 check 'an overlay needs a file and all of its bytes' '
     begin -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
     overlay none.cal "v = 1;"; await "[ -s said ]"; echo "overlay f.cal many" > ctl; await "[ \$(wc -l < said) = 2 ]"

@@ -215,3 +215,17 @@ check 'intervals are compared, too, in tables and in JSON' '
 check 'of one picture a side the names may differ' '
     cp office256.hdr new.hdr; vcmetrics new.hdr > two; vcmetrics -compare r1 office256.hdr &&
         vcmetrics -metrics Ev,DGP new.hdr > two && vcmetrics -compare r1 two'
+
+# Glare sources drawn
+check 'outlines are added to the sources, and change nothing else' '
+    vcmetrics -sources -format jsonl sunpeak.hdr > one
+    vcmetrics -sources -outlines -format jsonl sunpeak.hdr > two; [ -s one ]; ! grep -v "\"outline\": \[\[" two
+    sed "s/, \"outline\": .*/}/" two | cmp - one'
+check_error 'outlines are JSON' 1 '^vcmetrics: -outlines: belongs to -sources and -format jsonl$' '
+    vcmetrics -sources -outlines sunpeak.hdr'
+check 'the drawing has the same bytes each time, and does not touch the numbers' '
+    vcmetrics sunpeak.hdr > one; vcmetrics -over a.png sunpeak.hdr > two; vcmetrics -over b.png sunpeak.hdr > two
+    cmp one two; cmp a.png b.png; head -c 4 a.png | grep -aq PNG'
+check 'a picture without its sources is drawn otherwise' '
+    vcmetrics -b 1e9 -over c.png sunpeak.hdr > two; ! cmp -s a.png c.png'
+check_error 'the drawing is a PNG file' 1 '^vcmetrics: -over: writes a .png' 'vcmetrics -over a.hdr sunpeak.hdr'

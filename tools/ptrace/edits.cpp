@@ -14,7 +14,10 @@ void edit(const render::Command& c, size_t picture, Options& opt) {
         base::fail(place, "a picture that is edited begins with frame 0, not " + std::to_string(opt.first));
     std::vector<std::string> words = base::split_words(c.rest);
     if (c.word == "scene" && words.empty()) return;  // nothing but the files
-    if (c.word == "overlay" && c.text) return base::set_overlay(c.rest, *c.text);
+    if (c.word == "overlay" && c.text) {
+        if (opt.files.exec) base::fail(place, "with -exec no text may stand for a file: it could run programs");
+        return base::set_overlay(c.rest, *c.text);
+    }
     if (c.word == "overlay" && words.size() > 1 && words.back() == "-")
         return base::remove_overlay(c.rest.substr(0, c.rest.find_last_not_of(" \t", c.rest.size() - 2) + 1));
     if (c.word == "size" && words.size() == 2) words = {"-x", words[0], "-y", words[1]};

@@ -37,6 +37,9 @@ void declare_output(OptionTable& t, Options& o) {
             o.contrast_pairs.push_back(pair);
     });
     t.add("-sources", "Print a line for each glare source instead of the metrics", o.list_sources);
+    t.add("-outlines", "With -sources and -format jsonl: the outline of each source as well", o.outlines);
+    t.add("-over file", "Draw the picture with sources, regions and metrics (.png)",
+          [&](Arguments& a) { o.over_file = a.text(); });
     t.add("-ci percent", "NAME.lo and NAME.hi after each column: where the converged value lies, this certain",
           [&](Arguments& a) { o.ci = a.real(base::within(50, 99.99)) / 100; });
     using Earlier = report::EarlierEdit;

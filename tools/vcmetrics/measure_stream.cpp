@@ -11,6 +11,7 @@
 #include "evalglare/check_picture.h"
 #include "evalglare/output.h"
 #include "display/file.h"
+#include "drawing.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "measured.h"
@@ -79,6 +80,8 @@ public:
         const std::string edit = p.header.edit && o_.go_on ? fmt::format("edit {}", *p.header.edit) : "";
         if (stopping_.passes_over(edit.empty() ? image::label(p.header) : edit, frame)) return false;
         if (p.header.edit) follow_edits(*p.header.edit);
+        image::Picture whole;  // measuring uses up the picture's pixels
+        if (!o_.over_file.empty()) whole = p;
         Luminance lum;
         Measurement m;
         try {
@@ -108,6 +111,7 @@ public:
                                   p.header.last_frame == frame};
         stopping_.look(line);
         print_picture(p.header, m, file, line);
+        if (!o_.over_file.empty()) draw_measured(o_, whole, measured_, m);
         return !o_.list_sources && stopping_.after(line);
     }
     void end_input(const std::string& place) {
@@ -131,7 +135,7 @@ private:
                        const Stopping::Line& line) {
         if (names_.empty()) named_ = named_pictures(header);
         std::vector<std::string> names = start_names(o_, named_);
-        const std::vector<std::string> more = o_.list_sources ? source_names() : row_names(o_, measured_.columns());
+        const std::vector<std::string> more = o_.list_sources ? source_names(o_) : row_names(o_, measured_.columns());
         names.insert(names.end(), more.begin(), more.end());
         if (names != names_) print(header_line(names, o_.format));
         names_ = names;
@@ -145,7 +149,7 @@ private:
         if (!o_.list_sources)
             add(row_cells(o_, measured_.columns(), {m, line.frames, estimates, against_, stopping_.held()}));
         else
-            for (const std::vector<Cell>& source : source_rows(o_, m)) add(source);
+            for (const std::vector<Cell>& source : source_rows(o_, m, measured_.analyzer())) add(source);
         print(text);
     }
     void write_check_picture(const image::Picture& measured, const Luminance& lum) {

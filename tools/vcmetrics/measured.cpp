@@ -79,7 +79,7 @@ Measured::Measured(const Options& o) : options_(o), named_(o.metrics) {
     }
     if (o.mode == OutputMode::evalglare)
         requirements = {true, false, o.evalglare.detailed || o.settings.mask_file, false};
-    if (o.list_sources || !o.check_file.empty()) requirements.sources = true;
+    if (o.list_sources || !o.check_file.empty() || !o.over_file.empty()) requirements.sources = true;
     if (o.evalglare_bug_compatible) requirements.filled = false;
     analyzer_ =
         std::make_unique<PictureAnalyzer>(o.settings, requirements, std::move(regions), std::move(draw),

@@ -12,6 +12,7 @@
 #include "base/files_read.h"
 #include "base/warnings.h"
 #include "declare.h"
+#include "image/stream.h"
 
 namespace {
 void expand_globs(std::vector<std::string>& files) {
@@ -65,8 +66,12 @@ void check(const Options& o) {
     if (!o.control.empty() && o.until.empty() && !o.max_frames)
         base::fail("-control", "needs -until or -max-frames, which say when a picture ends");
     if (!o.control.empty() && !o.files.empty()) base::fail("-control", "works on a stream, not on files");
-    if (!o.check_file.empty())
-        base::keep_inputs({o.check_file}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);
+    if (o.outlines && !(o.list_sources && o.format == report::TableFormat::jsonl))
+        base::fail("-outlines", "belongs to -sources and -format jsonl");
+    if (!o.over_file.empty() && (image::ending_of(o.over_file) != ".png" || o.mode != OutputMode::vcmetrics))
+        base::fail("-over", "writes a .png of vcmetrics' own columns");
+    for (const std::string& drawn : {o.over_file, o.check_file})
+        if (!drawn.empty()) base::keep_inputs({drawn}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);
     if (o.go_on && (o.until.empty() || !o.control.empty()))
         base::fail("-go-on", "goes on where the rule of -until holds, and cannot be used with -control");
     if (!o.files.empty() && o.against != report::EarlierEdit::none)

@@ -20,6 +20,8 @@ struct Options {
     std::vector<std::string> contrast_pairs;
     std::vector<std::string> metrics;  // empty: the default columns
     bool list_sources = false;
+    bool outlines = false;  // of sources
+    std::string over_file;  // -over; empty: none
     report::TableFormat format = report::TableFormat::tsv;
     OutputMode mode = OutputMode::vcmetrics;
     bool evalglare_bug_compatible = false;  // its rounding and its slips (lib/evalglare), also where columns are ours

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "drawing.h"
+
 using namespace glare;
 using namespace report;
 
@@ -104,25 +106,23 @@ std::vector<Cell> row_cells(const Options& o, const std::vector<Column>& columns
     return out;
 }
 
-const std::vector<std::string>& source_names() {
-    static const std::vector<std::string> names = {"source", "pixels", "x",    "y",    "omega", "L",    "P",
-                                                   "sigma",  "xdir",   "ydir", "zdir", "Edir",  "zone", "DGPshare"};
+std::vector<std::string> source_names(const Options& o) {
+    std::vector<std::string> names = {"source", "pixels", "x",    "y",    "omega", "L",    "P",
+                                      "sigma",  "xdir",   "ydir", "zdir", "Edir",  "zone", "DGPshare"};
+    if (o.outlines) names.push_back("outline");
     return names;
 }
 
-std::vector<std::vector<Cell>> source_rows(const Options& o, const Measurement& m) {
-    const auto term = [&](const GlareSource& s) {
-        return dgp_term({s.lum, s.omega, s.P, 0, 0, 0}, o.settings.constants);
-    };
-    double sum = 0;
-    for (const GlareSource& s : m.sources) sum += term(s);
+std::vector<std::vector<Cell>> source_rows(const Options& o, const Measurement& m, const PictureAnalyzer& analyzer) {
+    const std::vector<double> shares = dgp_shares(terms_of(m.sources), o.settings.constants);
     std::vector<std::vector<Cell>> out;
     for (size_t k = 0; k < m.sources.size(); ++k) {
         const GlareSource& s = m.sources[k];
         out.emplace_back();
         add_numbers({double(k + 1), s.pixels, s.x, s.y, s.omega, s.lum, s.P, s.sigma_deg, s.direction.x, s.direction.y,
-                     s.direction.z, s.eye_lux, double(s.zone), term(s) / sum},
+                     s.direction.z, s.eye_lux, double(s.zone), shares[k]},
                     out.back());
+        if (o.outlines) out.back().push_back({source_outline(analyzer, s)});
     }
     return out;
 }

@@ -32,6 +32,7 @@ std::vector<std::string> row_names(const Options& options, const std::vector<gla
 std::vector<report::Cell> row_cells(const Options& options, const std::vector<glare::Column>& columns,
                                     const RowOfPicture& row);
 
-const std::vector<std::string>& source_names();
-// A line for each source.
-std::vector<std::vector<report::Cell>> source_rows(const Options& options, const glare::Measurement& m);
+std::vector<std::string> source_names(const Options& options);
+// A line for each source of the picture that the analyzer has measured last.
+std::vector<std::vector<report::Cell>> source_rows(const Options& options, const glare::Measurement& m,
+                                                   const glare::PictureAnalyzer& analyzer);

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What was measured, drawn: outlines of glare sources, and a picture for people with sources, regions and metrics.
+#pragma once
+#include <string>
+#include "glare/measure.h"
+#include "image/picture.h"
+#include "measured.h"
+#include "options.h"
+
+// The outline of a source of the picture measured last, as JSON (display/outline.h).
+std::string source_outline(const glare::PictureAnalyzer& analyzer, const glare::GlareSource& source);
+
+// Writes the file of -over: the picture toned for the eye; glare sources outlined, with their number and share of DGP;
+// regions outlined, with their names; the metrics below.
+void draw_measured(const Options& options, const image::Picture& picture, Measured& measured,
+                   const glare::Measurement& measurement);
