@@ -46,7 +46,7 @@ const Entry entries[] = {
     {"UGP2", sources, [](M m) { return ugp2(m.glare, m.background); }, Noise::glare},
     {"DGImod", sources, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }, Noise::glare},
     {"UGRexp", sources, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }, Noise::glare},
-    {"DGR", sources, [](M m) { return dgr(m.glare, m.mean_lum); }, Noise::glare},
+    {"DGR", sources, [](M m) { return dgr(m.glare, m.mean_lum); }, Noise::bias_alone},
     {"PGSV", sources | mask, [](M m) { return m.pgsv.value; }, no_interval},
     {"PGSVcon", sources | mask, [](M m) { return m.pgsv.contrast; }, no_interval},
     {"PGSVsat", sources | mask, [](M m) { return m.pgsv.saturation; }, no_interval},

@@ -206,10 +206,11 @@ TEST_CASE("DGP without the bias of squares") {
 // interval fails unless the interval follows noise.
 TEST_CASE("each column has an interval that moves when noise moves, or is listed as having none") {
     const std::vector<std::string> without{
-        "class",      "RAMMG",     "RAMMGu",    "classf",      "VCP",           "VCPu",       "VCPf",      "PGSV",
-        "PGSVcon",    "PGSVsat",   "Lmax",      "threshold",   "Lmed",          "LmedPos",    "LmedPos2",  "n_sources",
-        "n_sourcesf", "L_sources", "pixels",    "omega",       "omega_sources", "not_finite", "negative",  "low.median",
-        "low.min",    "low.max",   "low.share", "high.median", "high.min",      "high.max",   "high.share"};
+        "class",     "RAMMG",         "RAMMGu",     "classf",    "VCP",        "VCPu",      "VCPf",
+        "PGSV",      "DGR",           "DGRu",       "PGSVcon",   "PGSVsat",    "Lmax",      "threshold",
+        "Lmed",      "LmedPos",       "LmedPos2",   "n_sources", "n_sourcesf", "L_sources", "pixels",
+        "omega",     "omega_sources", "not_finite", "negative",  "low.median", "low.min",   "low.max",
+        "low.share", "high.median",   "high.min",   "high.max",  "high.share"};
     const std::vector<std::string> of_sets{"omega", "median", "std", "p75", "p95", "min", "max"};
     const auto listed = [&](const std::string& name) {
         const size_t dot = name.find('.');
