@@ -117,7 +117,7 @@ class Result:
         with tempfile.TemporaryDirectory() as folder:
             png = Path(folder) / "picture.png"
             self.save(png, "-tone", "falsecolor")
-            image = base64.b64encode(png.read_bytes()).decode()
+            image = base64.b64encode(_without_text(png.read_bytes())).decode()
         rows = "".join(f"<tr><th>{html.escape(name)}</th>" + "".join(
             f"<td>{'' if math.isnan(x) else format(x, '.4g')}</td>" for x in value) + "</tr>"
             for name, value in self.values.items())
@@ -126,3 +126,14 @@ class Result:
                 f'<img src="data:image/png;base64,{image}" style="max-height:400px" alt="luminance in false colours">'
                 f"<div><table><tr><th></th><th>value</th><th>lo</th><th>hi</th></tr>{rows}</table>"
                 f"{caption}</div></div>")
+
+
+def _without_text(png: bytes) -> bytes:
+    """Return a PNG file without its comment: the command lines in it name this machine's folders."""
+    kept, at = [png[:8]], 8
+    while at < len(png):
+        end = at + 12 + int.from_bytes(png[at:at + 4], "big")
+        if png[at + 4:at + 8] != b"tEXt":
+            kept.append(png[at:end])
+        at = end
+    return b"".join(kept)

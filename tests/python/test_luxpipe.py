@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """luxpipe from Python: the numbers of the pipe, pictures as arrays, errors, interruption."""
 
+import base64
 import doctest
 import importlib
+import io
 import math
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -79,7 +82,15 @@ def test_saved_pictures(office, hdr, tmp_path):
     assert luxpipe.read(hdr) == pytest.approx(office.picture, rel=0.02, abs=0.02)
     assert luxpipe.read(hdr.read_bytes()).shape == (64, 64, 3)
     assert (tmp_path / "office.png").read_bytes().startswith(b"\x89PNG")
-    assert "data:image/png;base64," in office._repr_html_() and "DGP" in office._repr_html_()
+
+
+def test_a_notebook_shows_the_picture_and_no_folder_of_this_machine(office):
+    html = office._repr_html_()
+    png = base64.b64decode(re.search("data:image/png;base64,([^\"]*)", html)[1])
+    assert png.startswith(b"\x89PNG") and png.endswith(b"IEND\xaeB`\x82") and "DGP" in html
+    assert b"VIEW" not in png and os.fsencode(SCENE[0].parent) not in png
+    pil = pytest.importorskip("PIL.Image")
+    assert pil.open(io.BytesIO(png)).convert("RGB").size[1] >= 64
 
 
 def test_table(office):
