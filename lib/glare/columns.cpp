@@ -205,9 +205,10 @@ private:
                 columns_.push_back({full, [k, value](M m) { return m.region_values[k].*value; }, part.noise});
                 found = true;
             }
-        for (const PartEntry& part : parts)
-            if (name == part.name && !found) base::fail("-metrics", name + " needs regions (-regions file.exr)");
-        return found;
+        const bool of_all = std::any_of(std::begin(parts), std::end(parts), [&](auto& p) { return name == p.name; });
+        if (of_all && !found && !choice_.regions_come)
+            base::fail("-metrics", name + " needs regions (-regions file.exr)");
+        return found || of_all;
     }
     bool pixel_set(const std::string& name) {
         bool found = false;

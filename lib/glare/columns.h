@@ -41,6 +41,7 @@ struct ColumnChoice {
     std::vector<std::string> names;    // of -metrics, empty: the default set
     std::vector<std::string> hidden;   // not printed
     std::vector<std::string> regions;  // in file order
+    bool regions_come = false;         // there may be none yet: "TAL" then stands for no column
     std::vector<ContrastPair> pairs;
     bool accelerad = false;  // AcceleradRT's columns and its contrast ratio, high over low; names stay unread
 };

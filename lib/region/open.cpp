@@ -23,9 +23,9 @@ bool is_exr(const std::string& path) {
 
 }  // namespace
 
-image::MaskSet open(const std::string& path, image::DrawRegions& draw, Check check) {
+image::MaskSet open(const std::string& path, image::DrawRegions& draw, Check check, bool may_be_empty) {
     if (is_exr(path)) return image::read_masks(path);
-    auto regions = std::make_shared<Regions>(read(path));
+    auto regions = std::make_shared<Regions>(read(path, may_be_empty));
     for (const Shape& s : regions->shapes)
         if (s.kind == Kind::surface || s.kind == Kind::modifier)
             base::fail(s.place,

@@ -11,6 +11,7 @@ namespace region {
 enum class Check { empty, empty_and_small, none };
 
 // Returns masks; or, from a region file, their names, and in `draw` a function that draws them for a view and size.
-image::MaskSet open(const std::string& path, image::DrawRegions& draw, Check check);
+// A region file without a region is an Error unless it may be empty.
+image::MaskSet open(const std::string& path, image::DrawRegions& draw, Check check, bool may_be_empty = false);
 
 }  // namespace region

@@ -271,20 +271,20 @@ private:
 
 }  // namespace
 
-Regions parse(const std::string& text, const std::string& file) {
+Regions parse(const std::string& text, const std::string& file, bool may_be_empty) {
     Regions out;
     out.file = file;
     size_t nul = text.find('\0');
     if (nul != std::string::npos) base::fail(file, "is not a text file");
     for (auto& tokens : split_regions(text, file)) RegionParser(out, std::move(tokens)).region();
-    if (out.regions.empty()) base::fail(file, "holds no region");
+    if (out.regions.empty() && !may_be_empty) base::fail(file, "holds no region");
     return out;
 }
 
-Regions read(const std::string& path) {
-    if (path == "-") return parse(std::string(std::istreambuf_iterator<char>(std::cin), {}), "stdin");
+Regions read(const std::string& path, bool may_be_empty) {
+    if (path == "-") return parse(std::string(std::istreambuf_iterator<char>(std::cin), {}), "stdin", may_be_empty);
     constexpr size_t limit = 64u << 20;  // a text of regions, not a picture given by mistake
-    return parse(base::read_text_file(path, limit), path);
+    return parse(base::read_text_file(path, limit), path, may_be_empty);
 }
 
 }  // namespace region

@@ -57,8 +57,9 @@ struct Regions {
 };
 
 // Throws base::Error with file:line.  "-" reads stdin; mask files are found relative to the region file.
-Regions read(const std::string& path);
-Regions parse(const std::string& text, const std::string& file);
+// A text without a region is an error unless it may be empty.
+Regions read(const std::string& path, bool may_be_empty = false);
+Regions parse(const std::string& text, const std::string& file, bool may_be_empty = false);
 
 // True if a region asks for surfaces or modifiers, which only a scene can answer.
 bool needs_scene(const Regions& regions);

@@ -74,6 +74,11 @@ check 'a region that has moved has the values of its new place with the next pic
     [ "$(tail -17 t | cut -f 5)" = "$(column desk.TAL < alone)" ]
     [ "$(tail -17 t | cut -f 7)" = "$(column screen_low.TAL < alone)" ]
     [ ! -s said ]'
+check 'regions may come to a file that held none, and may all go' '
+    cp office.regions full.regions; echo "# none yet" > office.regions; changing "cp full.regions r.regions"
+    cp full.regions office.regions; grep -q "^vcmetrics: warning: r.regions: holds no region$" said
+    [ "$(head -1 t)" = "$(printf "frame\tseconds\tedit\tEv")" ]; [ "$(sed -n 19p t | cut -f 5)" = desk.TAL ]
+    changing ": > r.regions"; [ "$(sed -n 19p t | cut -f 4-)" = Ev ]'
 check 'regions that come and go: a new line of names' '
     changing "sed 1,3d r.regions > q;  echo wall rect 4 4 20 9 >> q;  mv q r.regions"
     [ "$(grep -c ^frame t)" = 2 ]

@@ -59,7 +59,7 @@ struct Name {
 image::MaskSet regions_in(const Options& o, const image::Picture& p) {
     if (o.regions_file.empty()) return {};
     image::DrawRegions draw;
-    image::MaskSet masks = region::open(o.regions_file, draw, region::Check::none);
+    image::MaskSet masks = region::open(o.regions_file, draw, region::Check::none, true);
     return draw ? draw(o.view ? *o.view : *p.header.view, p.width, p.height) : masks;
 }
 

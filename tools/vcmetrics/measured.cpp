@@ -64,7 +64,8 @@ Measured::Measured(const Options& o) : options_(o), named_(o.metrics) {
     image::DrawRegions draw;
     std::optional<image::MaskSet> regions;
     version_ = version_of_file();
-    if (!o.regions_file.empty()) regions = region::open(o.regions_file, draw, region::Check::empty_and_small);
+    if (!o.regions_file.empty()) regions = region::open(o.regions_file, draw, region::Check::empty_and_small, true);
+    if (regions && regions->masks.empty()) base::warn(o.regions_file, "holds no region");
     if (regions)
         for (const image::Mask& m : regions->masks) regions_.push_back(m.name);
     if (!o.until.empty()) {
@@ -91,6 +92,7 @@ std::vector<Column> Measured::choose(const std::vector<std::string>& regions, Re
     choice.names = options_.metrics;
     choice.accelerad = options_.mode == OutputMode::accelerad;
     choice.regions = regions;
+    choice.regions_come = !options_.regions_file.empty();
     if (!options_.until.empty()) choice.hidden = pixel_columns(report::UntilRule(options_.until));
     for (const std::string& p : options_.contrast_pairs) choice.pairs.push_back(parse_pair(p, regions));
     return choose_columns(choice, options_.settings, requirements);
@@ -119,7 +121,7 @@ bool Measured::read_regions_again(const std::function<void(const std::vector<Col
     version_ = now, lenient_ = true;
     try {
         image::DrawRegions draw;
-        const image::MaskSet masks = region::open(options_.regions_file, draw, region::Check::none);
+        const image::MaskSet masks = region::open(options_.regions_file, draw, region::Check::none, true);
         std::vector<std::string> present, gone;
         for (const image::Mask& m : masks.masks) present.push_back(m.name);
         for (const std::string& r : regions_)
