@@ -11,6 +11,7 @@
 #include <cerrno>
 
 #include "base/error.h"
+#include "base/run.h"
 
 namespace base {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 enum State { at_once, finish, asked };
 std::atomic<int> state{at_once};
 int wake[2] = {-1, -1};
+int reader = -1;  // a descriptor that poll() passes over
 std::atomic<int> end_soon{0};  // how many EndsSoon there are
 constexpr unsigned patience_s = 2;
 
@@ -57,12 +59,16 @@ bool take_shutdown_request() {
 bool wait_for_input(int descriptor) {
     if (state == at_once) return true;
     while (!shutdown_requested()) {
-        struct pollfd both[2] = {{descriptor, POLLIN, 0}, {wake[0], POLLIN, 0}};
-        const int ready = poll(both, 2, -1);
+        struct pollfd all[3] = {{descriptor, POLLIN, 0}, {wake[0], POLLIN, 0}, {reader, 0, 0}};
+        const int ready = poll(all, 3, -1);
         if (ready < 0 && errno != EINTR) return true;  // reading will tell
-        if (ready > 0 && both[0].revents && !both[1].revents) return true;
+        if (ready < 0 || all[1].revents) continue;
+        if (all[0].revents) return true;
+        if (all[2].revents & POLLERR) throw ClosedPipe{};
     }
     return false;
 }
+
+void ends_with_reader(int pipe) { reader = pipe; }
 
 }  // namespace base

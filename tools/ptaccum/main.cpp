@@ -110,6 +110,7 @@ int main(int argc, char** argv) {
         if (!opt) return 0;
         keep_inputs(*opt);
         const Output output(*opt, opt->command);
+        if (opt->to_stdout) base::ends_with_reader(1);
         Pictures pictures(opt->inputs);
         image::Picture first;
         if (!pictures.next(first)) base::fail("", "no picture to read");

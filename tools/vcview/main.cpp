@@ -42,11 +42,21 @@ void pass_lines(int from, live::Live& page) {
     if (!line.empty()) page.put_line(line);
 }
 
+// False: nothing more is to be passed on.
+bool wait_for_pictures() {
+    try {
+        return base::wait_for_input(0);
+    } catch (const base::ClosedPipe&) {
+        return false;
+    }
+}
+
 // Standard input to the descriptor until either ends; what passes is looked at afterwards.
 void pass_pictures(int to, live::Framer& framer) {
     std::vector<char> block(block_size);
+    base::ends_with_reader(to);
     bool told = false;
-    while (base::wait_for_input(0)) {
+    while (wait_for_pictures()) {
         const ssize_t n = base::read_some(0, block.data(), block.size());
         if (n < 0) base::fail_system("stdin", "cannot be read");
         if (n == 0) return;
