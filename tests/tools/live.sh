@@ -13,6 +13,8 @@ printf '!xform -t 0 0 0 inner.rad\nvoid light l 0 0 3 3 3 3\nl source s 0 0 4 0 
 printf 'wall ring r 0 0 8 0 0 0 0 0 1 0 3\nwall sphere b 0 0 4 0 1 .5 .5\n' > inner.rad
 eye='-vtv -vp 0 -4 2 -vd 0 1 -.4 -vh 60 -vv 60'
 mkfifo ctl
+sleep 10000 <> ctl & holder=$!  # writing to it never waits for a reader
+trap 'status=$?; kill $holder; (exit $status); finish' EXIT
 
 # The stream to f, ptrace's messages to said; a reader counts frames, so that edits come after some have been written.
 begin() {
