@@ -1,9 +1,10 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The office at 14:00 in a browser while it is rendered.   live.sh [folder of the programs]
+# The office in a browser: look around, move the sun, draw regions, watch glare.   live.sh [folder of the programs]
+# Works on a copy of the scene in out/live, which the page may change.
 set -eu
-tools=$(cd "${1:-build/bin}" && pwd)
-cd "$(dirname "$0")/scenes/office"
-PATH=$tools:$PATH
-ptrace -vf view.vf -x 512 -y 512 -frames 1000 materials.rad layout.rad sky_1400.rad |
-    ptaccum -every x2/16 | vcview -stay -- vcmetrics -regions ../../office.regions -metrics Ev,DGPf,DGP.px,TAL -ci 95
+tools=$(cd "${1:-build/bin}" && pwd) examples=$(cd "$(dirname "$0")" && pwd)
+mkdir -p out/live
+cp -n "$examples"/scenes/office/*.rad "$examples/scenes/office/view.vf" "$examples/office.regions" out/live/
+cd out/live
+exec "$tools/luxpipe-live" -vf view.vf -regions office.regions materials.rad layout.rad blind.rad sky_day.rad

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# luxpipe-live: the page answers, edits arrive, and whichever program ends, all end and nothing stays behind.
+. "${TOP:?}/tests/lib.sh"
+needs ptrace ptaccum vcmetrics vcview luxpipe-live python3
+cp "$TOP"/examples/scenes/office/* .
+mkdir t; export TMPDIR=$PWD/t
+scene='-vf view.vf -x 64 -y 64 materials.rad layout.rad sky_day.rad'
+
+begin() { luxpipe-live "$@" $scene > lines 2> said & live=$!; await '[ -s lines ] && [ $(wc -l < lines) -gt 4 ]'; }
+await() { for i in $(seq 1200); do eval "$1" && return; sleep .025; done; echo "in vain: $1"; cat said; return 1; }
+below() { for child in $(pgrep -P "$1"); do echo "$child $(cat /proc/$child/comm)"; below $child; done; }
+ended() { await '! kill -0 $live 2> /dev/null'; status=0; wait $live || status=$?; [ -z "$(ls t)" ]; }
+# ask METHOD PATH [body]: what the page would be told
+ask() {
+    python3 - "$@" << 'END'
+import re, sys, urllib.request
+host, token = re.search(r"(http://[^/]+)/#(\w+)", open("said").read()).groups()
+body = sys.argv[3].encode() if len(sys.argv) > 3 else None
+print(urllib.request.urlopen(urllib.request.Request(
+    host + sys.argv[2], method=sys.argv[1], data=body, headers={"X-Luxpipe-Token": token})).read().decode("latin1"))
+END
+}
+
+check 'the page knows the FIFO, the scene files and the regions; an edit arrives and is compared' '
+    begin; ask GET /facts > facts; grep -q "\"control\":true" facts
+    for f in luxpipe.regions materials.rad layout.rad sky_day.rad; do grep -q "\"$f\"" facts; done
+    ask POST "/overlay?n=3" "$(sed s/14/9/ sky_day.rad)"; await "cut -f 3 lines | grep -qx 1"
+    head -1 lines | grep -q "^frame.seconds.edit.Ev.Ev.lo.Ev.hi.Ev.d.Ev.d.lo.Ev.d.hi.DGPf"
+    kill $live; ended; [ $status = 0 ]; [ ! -e luxpipe.regions ]'
+check 'a region that is drawn has a column and stays' '
+    begin; ask GET "/file?n=0" > text; [ ! -s luxpipe.regions ]
+    echo "desk circle 0 -1 -.5 20" > luxpipe.regions; await "grep -q desk.TAL lines"
+    kill $live; ended; grep -q desk luxpipe.regions; rm luxpipe.regions'
+for program in ptrace ptaccum vcview vcmetrics; do
+    check "where $program is killed all end, also while nothing is rendered" '
+        begin; echo "preview -vp 2 2 1" > t/*/control; sleep .5
+        kill -9 $(below $live | awk -v name='$program' "\$2 == name { print \$1 }"); ended'
+done
+check 'a scene that cannot be read ends it' '
+    status=0; timeout 60 luxpipe-live -vf view.vf missing.rad 2> said || status=$?; [ $status = 1 ]
+    grep -q "^ptrace: missing.rad: " said; [ -z "$(ls t)" ]; [ ! -e luxpipe.regions ]'
+check_error 'no scene' 1 '^luxpipe-live: names no scene' 'luxpipe-live'
+check_error 'no value' 1 '^luxpipe-live: -port: needs a value' 'luxpipe-live -port'
+check_error 'programs in scenes' 1 '^luxpipe-live: -exec: ' 'luxpipe-live -exec a.rad'
