@@ -19,7 +19,7 @@ namespace {
 enum State { at_once, finish, asked };
 std::atomic<int> state{at_once};
 int wake[2] = {-1, -1};
-int reader = -1;  // a descriptor that poll() passes over
+int reader = -1;               // a descriptor that poll() passes over
 std::atomic<int> end_soon{0};  // how many EndsSoon there are
 constexpr unsigned patience_s = 2;
 

@@ -9,8 +9,8 @@ namespace base {
 void finish_on_signal();
 bool shutdown_requested();
 
-// Waits until the descriptor has bytes or has ended; false: a signal asked to stop before that.  Throws ClosedPipe where
-// the reader of ends_with_reader() has ended meanwhile.
+// Waits until the descriptor has bytes or has ended; false: a signal asked to stop before that.  Throws ClosedPipe
+// where the reader of ends_with_reader() has ended meanwhile.
 bool wait_for_input(int descriptor);
 // The program is of no use when nobody reads this pipe any more, also while nothing arrives that it could write.
 void ends_with_reader(int pipe);
