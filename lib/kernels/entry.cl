@@ -16,8 +16,8 @@
     PATH_STATE(PATH_SET)     \
     uint i = (uint)get_global_id(0);
 
-// A place in a queue for each work item that wants one: a group of them asks the queue's counter once, not each.
-// All work items must come here; group: two words.
+// A place in a queue for each work item that needs one: a group increments the queue's counter once.  All work items
+// must call this; group: two words.
 static inline void push(int wanted, uint path, __global uint *counter, __global uint *queue, __local uint *group) {
     if (get_local_id(0) == 0) group[0] = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -39,8 +39,8 @@ __kernel void k_extend(ALL_ARGS, __global uint *counters, __global const uint *q
     if (i < counters[0]) path_extend(&s, par, &paths, queue[i]);
 }
 
-// The queue sorted by kind (integrator/state.h), so that a group of work items takes the same branches: how many there
-// are of each, where each begins, and its place for each path.  A group has a work item for each kind.
+// Sorts the queue by kind (integrator/state.h), so that a group of work items takes the same branches: the number of
+// each kind, its first place, and the place of each path.  A group has a work item for each kind.
 __kernel void k_count_kinds(ALL_ARGS, __global const uint *counters, __global const uint *queue, __global uint *kinds) {
     SET_UP
     __local uint count[PATH_KINDS];
@@ -90,8 +90,8 @@ __kernel void k_shade(ALL_ARGS, __global uint *counters, __global const uint *qu
     push((result & PATH_SHADOW) != 0, path, &counters[2], shadow, shadowed);
 }
 
-// Paths that have met nothing, where k_shade leaves them (HAS(SKY)): a sky may be a long program, of which surfaces
-// need not pay.
+// Paths without a hit, if k_shade leaves them (HAS(SKY)): a sky may be a long program, which would cost registers for
+// surfaces.
 __kernel void k_sky(ALL_ARGS, __global uint *counters, __global const uint *queue) {
     SET_UP
     if (i < counters[0]) path_sky(&s, par, &paths, queue[i]);
@@ -135,7 +135,7 @@ __kernel void k_gather(ALL_ARGS) {
     if (i < par->path_count) path_gather(&paths, reuse_first(i), reuse_which(i));
 }
 
-// The paths' radiance as the film has it.
+// Radiance of the paths, in the film's layout.
 __kernel void k_film(__constant Params *par, __global const float4 *rad, __global float *film) {
     uint i = (uint)get_global_id(0);
     if (i >= par->path_count) return;
@@ -165,7 +165,7 @@ __kernel void k_pilot(ALL_ARGS, __global uint *counters, __global uint *queue) {
     push(i < par->path_count && path_begin_pilot(par, &paths, i), i, &counters[0], queue, group);
 }
 
-// Sizes and offsets as the device sees them, for the test against the host's.
+// Sizes and offsets on the device, compared with the host's by a test.
 __kernel void k_layout(__global uint *out) {
     if (get_global_id(0) != 0) return;
     Params p;

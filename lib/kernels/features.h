@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What many scenes have not.  A device that compiles the kernels for its scene (OpenCL on GPUs) says by LUX_HAS which
-// of these there are; the text of the others is then left out, for which each work item of a GPU would keep registers,
-// whether it comes there or not (docs/decisions/0031-kernels-of-a-scene.md).  All other builds have all of them.
-// device/features.h finds those of a scene.
+// Optional features of scenes.  A device that compiles the kernels for its scene (OpenCL on GPUs) defines LUX_HAS with
+// the features present; the code of the others is left out, because each work item of a GPU would reserve registers for
+// it (docs/decisions/0031-kernels-of-a-scene.md).  All other builds have all features.  device/features.h finds those
+// of a scene.
 #ifndef LUX_FEATURES_H
 #define LUX_FEATURES_H
 
 #define FEATURE_PATTERNS 1u   // surfaces or active sources with patterns, textures, mixtures, alternates
 #define FEATURE_FUNCTIONS 2u  // materials with .cal functions or tables of their own
-#define FEATURE_SOLIDS 4u     // what lies between surfaces: dielectrics, media, antimatter; shadow rays that are aimed
+#define FEATURE_SOLIDS 4u     // media, dielectrics, antimatter; aimed shadow rays
 #define FEATURE_INSTANCES 8u
-#define FEATURE_SKY 16u  // paths that have met nothing are shaded among the others; else by a kernel of their own
+#define FEATURE_SKY 16u  // paths without a hit are shaded among the others; else by a kernel of their own
 
 #ifndef LUX_HAS
 #define LUX_HAS 0xffffffffu

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stages of path.h for a row of paths, as many side by side as there are lanes (device/cpu_kernels.inl calls these).
+// Stages of path.h for a row of paths, one in each lane (called by device/cpu_kernels.inl).
 #include "kernels/dialect/compat_lanes.isph"
 #include "kernels/all.h"
 
-// result: of paths 0 .. n-1, that of path_generate.
+// result: of paths 0 .. n-1, the value of path_generate.
 export void LANE_CALL(generate)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                                 uniform uint n, uniform int* uniform result) {
     foreach (i = 0 ... n) result[i] = path_generate(s, par, paths, i);
 }
 
-// result: of each path of the queue, that of path_shade.
+// result: of each path of the queue, the value of path_shade.
 export void LANE_CALL(shade)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                              const uniform uint* uniform queue, uniform uint n, uniform int* uniform result) {
     foreach (i = 0 ... n) result[i] = path_shade(s, par, paths, queue[i]);
 }
 
-// known: what is known of each path's shadow ray (integrator/shadow.h).
+// known: visibility of each path's shadow ray (integrator/shadow.h).
 export void LANE_CALL(shadow)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                               const uniform uint* uniform queue, uniform uint n, const uniform int* uniform known) {
     foreach (i = 0 ... n) path_shadow(s, par, paths, queue[i], known[i]);
 }
 
-// Of each member of the groups of a square, one group after another.
+// For each member of the groups of a square, one group after another.
 #define OF_GROUPS(stage)                                        \
     for (uniform uint group = 0; group < REUSE_GROUPS; group++) \
         foreach (which = 0 ... REUSE_GROUP) stage

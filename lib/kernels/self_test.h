@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers on which all others are built, for some arguments that depend on i alone: a device that gives these bits as
-// the host does is believed to give all (lib/render/self_test.h).
+// Elementary results, for arguments that depend on i alone: a device that gives the host's bits for them is trusted to
+// give all others (lib/render/self_test.h).
 #ifndef LUX_SELF_TEST_H
 #define LUX_SELF_TEST_H
 

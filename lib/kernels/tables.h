@@ -42,7 +42,7 @@
 #define MOD_BRANCH1 4u  // mixtures: foreground; illum, mirror: alternate
 #define MOD_BRANCH2 5u  // mixtures: background
 #define MOD_FLAGS 6u
-#define MOD_EXTRA 7u  // BSDF tables; the sets of sources that a mist names, a bit each
+#define MOD_EXTRA 7u  // BSDF tables; sets of sources that a mist names, one bit each
 // types
 #define M_PATTERN1 1u  // program gives brightness
 #define M_PATTERN3 2u  // program gives RGB
@@ -54,7 +54,7 @@
 #define NOTHING_OF_ROW(number, type, strings, reals, absent, values, lobe, light, eye, region, back, traits)
 enum { M_BEFORE_MATERIALS = M_FIRST_MATERIAL - 1u, MATERIALS(NUMBER_OF_ROW, NOTHING_OF_ROW) M_END };
 // flags
-#define MF_SEEN_THROUGH 1u       // a type that -i looks through
+#define MF_SEEN_THROUGH 1u       // a type that -i sees through
 #define MF_HAS_ALTERNATE 2u      // MOD_BRANCH1 is an alternate material (NONE = void)
 #define MF_ABSDF 4u              // the straight part of the BSDF is a ray of its own
 #define MF_ALTERNATE_PASSES 32u  // the alternate is void or a transparent type
@@ -67,9 +67,9 @@ enum { M_BEFORE_MATERIALS = M_FIRST_MATERIAL - 1u, MATERIALS(NUMBER_OF_ROW, NOTH
 #define MF_CLIPPED_SHIFT 9u    // 4 bits: listed by antimatter 0..3
 #define MF_ALBEDO 8192u        // a mist that states its albedo
 #define MF_ECCENTRICITY 16384u
-#define MF_LOOKS 32768u     // it, or what it is made of, depends on where it is seen from
-#define MF_TOTAL 65536u     // likewise, on the whole way from the eye
-#define MF_PLACE 131072u    // likewise, on the point; of what is far away, on where the ray began
+#define MF_LOOKS 32768u     // it or one of its modifiers depends on the viewing direction or distance
+#define MF_TOTAL 65536u     // likewise, on the whole path length from the eye
+#define MF_PLACE 131072u    // likewise, on the point; of distant surfaces, on the ray's origin
 #define MF_LOBES_SHIFT 18u  // number of outputs of the lobe program (MOD_EXTRA)
 
 // ---- what the kernels ask of a type of material: MT_* of materials.h by number
@@ -102,8 +102,8 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define SRC_CLASS 27u     // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
 #define SRC_VIRTUAL 28u   // virtual sources: relay record in u (word), NONE for real ones
 #define SRC_SHEARED 30u   // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
-#define SRC_COVERED 31u   // 1 = something else lies in its plane, and may hide it in part
-#define SRC_SPLATTED 29u  // 1 = drawn into frame 0 by area, the eye's straight rays do not see it (word)
+#define SRC_COVERED 31u   // 1 = another surface lies in its plane and may hide a part of it
+#define SRC_SPLATTED 29u  // 1 = splatted into frame 0 by area, invisible to the eye's straight rays (word)
 
 // a triangle of the fan: a corner, then
 #define FAN_FLOATS 12u
@@ -118,7 +118,7 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define RELAY_EXIT 2u          // of a prism: 0, 1
 #define RELAY_APERTURES 3u     // how many apertures
 #define RELAY_APERTURES_AT 4u  // index into f of the first
-// aperture: a rectangle about a relay, where it seems to stand from the point lit, with the nearest first
+// aperture: a rectangle around a relay, at its apparent place from the point lit, the nearest first
 #define APERTURE_FLOATS 13u
 #define APERTURE_CENTRE 0u       // 3
 #define APERTURE_NORMAL 3u       // 3
@@ -132,21 +132,21 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define SK_SPHERE 4u
 #define SK_CYLINDER 5u
 
-// ---- tree of many sources (light_tree.h): LIGHT_FLOATS floats a node at f[Params.light_tree_at], each node followed
-// by its two halves with all that they hold
-#define LIGHT_TREE_FROM 33u  // so many sources make one
+// Tree of many sources (light_tree.h): LIGHT_FLOATS floats a node at f[Params.light_tree_at], each node followed by its
+// two subtrees
+#define LIGHT_TREE_FROM 33u  // least number of sources of a tree
 #define LIGHT_FLOATS 16u
 #define LIGHT_CENTRE 0u         // 3: of a ball about all its sources, or of the unit directions to distant ones
 #define LIGHT_RADIUS 3u         // of the ball
 #define LIGHT_AXIS 4u           // 3: unit, about which the normals of its sources lie; 0 if some have none
 #define LIGHT_SPREAD 7u         // how far the normals are from the axis
 #define LIGHT_POWER 8u          // radiance (SRC_POWER) times area, the sum
-#define LIGHT_FAR 9u            // no source reaches points that far from the centre; 0: distant sources
+#define LIGHT_FAR 9u            // no source reaches points this far from the centre; 0: distant sources
 #define LIGHT_APERTURES 10u     // how many apertures are the same for all its sources (word)
 #define LIGHT_APERTURES_AT 11u  // index into f of the first (word)
-#define LIGHT_PAST 12u          // the node that comes after all that this one holds (word)
-#define LIGHT_SOURCE 13u        // a single source (word); NONE: two halves
-#define LIGHT_SHARE 14u         // of two halves: the probability of the first, by power
+#define LIGHT_PAST 12u          // the node after this one's subtree (word)
+#define LIGHT_SOURCE 13u        // a single source (word); NONE: two children
+#define LIGHT_SHARE 14u         // probability of the first child, by power
 
 // ---- sets of sources that mists name, in a set those that the same mists name: LIGHT_SET_WORDS words each at
 // u[Params.light_sets_at]
@@ -158,21 +158,21 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define DISTANT_WORDS 8u
 #define DISTANT_DIR 0u             // 3 floats
 #define DISTANT_CAP 3u             // 1 - cos of the half angle (as such: cos would round a sun); > 2 = everything
-#define DISTANT_SEEN 4u            // modifier that is seen, of an illum its alternate's; NONE: the eye looks past it
-#define DISTANT_BLACK 0xfffffffeu  // its alternate does not shine
+#define DISTANT_SEEN 4u            // visible modifier, of an illum its alternate; NONE: the eye sees past it
+#define DISTANT_BLACK 0xfffffffeu  // its alternate emits nothing
 #define DISTANT_SOURCE 5u          // active source index, NONE
 
-// ---- portals (windows, patches of sun, glossy reflectors in it, at which diffuse samples aim): PORTAL_FLOATS floats
-// at f[Params.portals_at]
+// Portals (windows, patches of sun, glossy reflectors in it), toward which diffuse directions are sampled:
+// PORTAL_FLOATS floats at f[Params.portals_at]
 #define PORTAL_FLOATS 28u
 #define PORTAL_CENTRE 0u    // 3
 #define PORTAL_U 3u         // 3: edge
 #define PORTAL_V 6u         // 3: the other edge
-#define PORTAL_NORMAL 9u    // 3: unit, away from what it lights
-#define PORTAL_ALONG_U 12u  // 3: times a way off the centre in its plane: how much of the edge u that is
-#define PORTAL_ALONG_V 15u  // 3: of v
+#define PORTAL_NORMAL 9u    // 3: unit, away from the side that it lights
+#define PORTAL_ALONG_U 12u  // 3: dot product with an offset from the centre in its plane gives the fraction of edge u
+#define PORTAL_ALONG_V 15u  // 3: of edge v
 #define PORTAL_AREA 18u
-#define PORTAL_GLOSS2 19u  // a polished rectangle in the sun: its roughness, squared; else 0
+#define PORTAL_GLOSS2 19u  // a glossy rectangle in the sun: its roughness, squared; else 0
 #define PORTAL_SUN 20u     // 3: unit, toward the sun that it mirrors
 // of the unit vector toward the mirrored sun, from the side that it lights:
 #define PORTAL_MIRRORED_OUT 23u  // along the normal
@@ -182,7 +182,7 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define PORTAL_MIRRORED_PER_V 27u
 #define MOST_PORTALS 32u
 
-// ---- highlights (sunlit rectangles on polished planes): HIGHLIGHT_FLOATS floats at f[Params.highlights_at]
+// Highlights (sunlit rectangles on glossy planes): HIGHLIGHT_FLOATS floats at f[Params.highlights_at]
 #define HIGHLIGHT_FLOATS 16u
 #define HIGHLIGHT_CORNER 0u   // 3
 #define HIGHLIGHT_U 3u        // 3: edge from the corner
@@ -192,7 +192,7 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define HIGHLIGHT_ALPHA2 15u  // roughness, squared
 #define MOST_HIGHLIGHTS 8u
 
-// Everything a kernel needs beside the tables; one block, uploaded per pass.
+// Parameters of a pass besides the tables; one block, uploaded per pass.
 STRUCT(Params) {
     // view
     float4 view_org, view_d, view_h, view_u;  // xyz; w: view_d type letter as float, view_h focal distance
@@ -214,19 +214,19 @@ STRUCT(Params) {
     float ds;
     uint light_sets_at;
     uint skip_direct_below, light_tree_at;
-    float least_lobe_prob;  // least probability of a way (integrator/sample_bsdf.h); 0: none
-    float portal_rest;      // light from elsewhere than portals (portals.h)
+    float least_lobe_prob;  // least probability of a lobe (integrator/sample_bsdf.h); 0: none
+    float portal_rest;      // light from other directions than portals (portals.h)
     uint highlights_at, highlight_count;
-    float highlight_share;            // of those that go toward highlights, where there are any (highlights.h)
+    float highlight_share;            // mixture weight of highlights, where there are any (highlights.h)
     uint samples_per_pass;            // paths of a pixel side by side: samples frame .. frame + samples_per_pass - 1
-    uint light_nodes;                 // of the tree; 0: each source is looked at
-    float portal_least, portal_most;  // share of the directions toward portals, where there are any
-    uint window_count;                // of all portals; then come patches of sun and glossy reflectors
+    uint light_nodes;                 // nodes of the light tree; 0: each source is evaluated
+    float portal_least, portal_most;  // mixture weight of portals, where there are any
+    uint window_count;                // of all portals; patches of sun and glossy reflectors follow
     uint spp, focus_at;     // samples of a frame of a pixel; above 1: those of entry focus_at and after (below)
     uint reuse_path_count;  // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
-    uint redraw;            // not 0: other random numbers than usual, but for the place in the pixel and on the lens
+    uint redraw;            // not 0: other random numbers than usual, except for the point in the pixel and on the lens
     float portal_light[MOST_PORTALS];  // per unit of its view
-    uint portal_pick[MOST_PORTALS];    // which of the records they are
+    uint portal_pick[MOST_PORTALS];    // their records
 };
 
 // An entry of the table of pixels with several samples in each frame: a pass makes `spp` of them for it.
@@ -239,19 +239,19 @@ STRUCT(Params) {
 #define MODE_DIRECT 0u  // frame 0: paths without a diffuse bounce
 #define MODE_FRAMES 1u  // frames k >= 1: diffuse class; both classes where frame > skip_direct_below
 #define MODE_RAY 2u     // all classes along one given ray (tests, -I)
-#define MODE_SPLAT 3u   // straight rays to drawn sources
+#define MODE_SPLAT 3u   // straight rays to splatted emitters
 #define MODE_PILOT 4u   // given rays, followed up to their first diffuse bounce (integrator/pilot.h)
-// MODE_PILOT says by dir.w of a path:
+// dir.w of a path in MODE_PILOT:
 #define PILOT_FROM_EYE -2.0f   // its ray is given as the place (org.x, org.y) in the picture, 0 .. 1
-#define PILOT_AT_BOUNCE -1.0f  // it has come to a bounce: org is the place, dir the normal there
-// shadow_mode: what may stand between a point and a source
-#define SHADOW_OPAQUE 0u    // nothing lets light through
-#define SHADOW_STRAIGHT 1u  // glass and the like: light goes on straight
-#define SHADOW_AIMED 2u     // dielectrics and virtual sources: step by step, direction may change
+#define PILOT_AT_BOUNCE -1.0f  // it has reached a bounce: org is the point, dir the normal there
+// shadow_mode: surfaces between a point and a source
+#define SHADOW_OPAQUE 0u    // none transmits light
+#define SHADOW_STRAIGHT 1u  // glass and the like: light continues straight
+#define SHADOW_AIMED 2u     // dielectrics and virtual sources: surface by surface, direction may change
 // flags
 #define PF_IRRADIANCE 1u
 #define PF_DV 2u  // light sources visible
 #define PF_ANTIMATTER 4u
-#define PF_SKY_PLACES 8u       // what is far away looks different from place to place
-#define PF_EYE_ON_SURFACE 16u  // rays of the eye may begin on a surface, which they are not to meet
+#define PF_SKY_PLACES 8u       // distant surfaces look different from place to place
+#define PF_EYE_ON_SURFACE 16u  // rays of the eye may begin on a surface, which they must not hit
 #endif

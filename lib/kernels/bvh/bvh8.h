@@ -66,7 +66,8 @@ FN int bvh8_triangles(GLOBAL const float* b, PRIVATE(const WoopRay) r, uint mask
     return found;
 }
 
-// Eight boxes: *cur becomes the nearest child that the ray meets, the others wait on the stack.  0: it meets none.
+// Eight boxes: *cur becomes the nearest child that the ray hits, the others go on the stack.  Returns 0 if it hits
+// none.
 FN int bvh8_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, float tmin, float tmax, PRIVATE(Bvh8Stack) stack,
                  PRIVATE(uint) cur, PRIVATE(float) cur_t) {
     uint nx = r->inv.x < 0.0f ? 8u : 0u, ny = r->inv.y < 0.0f ? 24u : 16u, nz = r->inv.z < 0.0f ? 40u : 32u;
@@ -101,7 +102,7 @@ FN int bvh8_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, float tmin, fl
     return 1;
 }
 
-// Which of four boxes the ray meets, and from where on.
+// Which of four boxes the ray hits, and at which distance it enters them.
 FN LaneMask bvh8_boxes(GLOBAL const float* b, PRIVATE(const WoopRay) r, float tmin, float tmax, PRIVATE(float) from) {
     uint nx = r->inv.x < 0.0f ? 4u : 0u, ny = r->inv.y < 0.0f ? 12u : 8u, nz = r->inv.z < 0.0f ? 20u : 16u;
     v4f tx = (load4_(b + nx) - r->org.x) * r->inv.x, fx = (load4_(b + (nx ^ 4u)) - r->org.x) * r->inv.x;
@@ -116,7 +117,7 @@ FN LaneMask bvh8_boxes(GLOBAL const float* b, PRIVATE(const WoopRay) r, float tm
     return lanes4_(tn <= tf);
 }
 
-// A leaf block of shapes; instances wait on the stack.  1 if a shape became the nearest hit.
+// Tests a leaf block of shapes; instances go on the stack.  Returns 1 if a shape became the nearest hit.
 FN int bvh8_shapes(TABLES(const SceneTables) s, GLOBAL const float* block, PRIVATE(const TreeRay) way,
                    PRIVATE(Bvh8Stack) stack, PRIVATE(Look) look) {
     float from[4];
@@ -157,7 +158,8 @@ FN int bvh8_leaf(TABLES(const SceneTables) s, uint ref, PRIVATE(const TreeRay) w
     }
 }
 
-// From the root of the tree that *in is in.  The first hit that look asks for, or with any != 0 some hit (1 at once).
+// Traverses from the root of the tree of *in.  Finds the first hit that look accepts; if any != 0, any hit (returns 1
+// at once).
 FN int bvh8_walk(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way, uint root,
                  int any, PRIVATE(Look) look) {
     Bvh8Stack stack;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Traversal for GPUs: one ray per work item, nodes of eight children whose boxes are bytes (Ylitie, Karras, Laine 2017,
-// "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs").  A way down has a third of the steps that
-// binary nodes ask for, each of which waits for memory, and a stack of one entry a level.
-// Which slot of its node a child has says which way it lies: bit 0 is set if toward +x, 1: +y, 2: +z.  So a ray visits
-// slots in an order that depends on its direction alone, and distances are not kept.
+// "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs").  Compared with binary nodes a path to a
+// leaf has a third of the steps, each of which waits for memory, and the stack has one entry a level.  The slot of a
+// child encodes its position in its node: bit 0 is set if toward +x, 1: +y, 2: +z.  So a ray visits slots in an order
+// that depends on its direction alone, and distances are not stored.
 // Node: 20 floats, read by four:
 //   0-2    the least corner of its boxes
 //   3      word: bytes 0-2: a float's exponents, of the steps along x y z; byte 3: bit k is set if slot k is a node
@@ -19,25 +19,24 @@
 #define COMPACT_BLOCK_FLOATS 12u
 #define COMPACT_LEAF 128u
 #define COMPACT_STACK 64  // entries; the builder refuses trees that need more (bvh/build.cpp)
-// From the rounding of (corner - origin) * inverse and of byte * step * inverse, in parts of their sizes: 6 times 2^-24
-// at most, and a bit.
+// Rounding of (corner - origin) * inverse and of byte * step * inverse, relative: at most 6 times 2^-24, and a margin.
 #define COMPACT_ROUNDING 4e-7f
 
-// What waits, two words each: a node and slots of it, or, with 0 for the slots, an instance (reference) or the end of
-// one (REF_NONE).  Slots are in the order of the ray: bits 0-7 those that are nodes, 8-15 those that are leaves.
-// *waiting words; not in one struct with them: an array lies in memory, and the count should not.
+// Stack, two words an entry: a node and its slots, or, with 0 for the slots, an instance (reference) or the end of one
+// (REF_NONE). Slots are in the ray's order: bits 0-7 nodes, 8-15 leaves.  *waiting: number of words; outside the
+// struct, because an array lies in memory and the number should be in a register.
 FN void compact_push(PRIVATE(uint) stack, PRIVATE(int) waiting, uint node, uint slots) {
     stack[*waiting] = node;
     stack[*waiting + 1] = slots;
     *waiting += 2;
 }
 
-// Slot k is visited as number 7 - (k ^ order).
+// Slot k is visited at position 7 - (k ^ order).
 FN uint compact_order(PRIVATE(const WoopRay) r) {
     return (r->inv.x < 0.0f ? 0u : 1u) | (r->inv.y < 0.0f ? 0u : 2u) | (r->inv.z < 0.0f ? 0u : 4u);
 }
 
-// Bit k of both bytes becomes bit k ^ order.
+// Moves bit k of both bytes to bit k ^ order.
 FN uint compact_in_order(uint bits, uint order) {
     if ((order & 1u) != 0u) bits = (bits & 0x5555u) << 1 | (bits >> 1 & 0x5555u);
     if ((order & 2u) != 0u) bits = (bits & 0x3333u) << 2 | (bits >> 2 & 0x3333u);
@@ -45,7 +44,7 @@ FN uint compact_in_order(uint bits, uint order) {
     return bits;
 }
 
-// Where a ray enters and leaves slabs of a node along an axis: at a byte times step, plus near or far.
+// Distances at which a ray enters and leaves slabs of a node along an axis: byte times step, plus near or far.
 STRUCT(CompactAxis) { float step, near, far; };
 
 FN void compact_axis(float corner, uint exponent, float org, float inv, PRIVATE(CompactAxis) axis) {
@@ -60,7 +59,7 @@ FN float compact_plane(uint bytes, uint k, float step, float from) {
     return (float)(bytes >> 8u * k & 255u) * step + from;
 }
 
-// Four boxes, one a byte of each word: which of them the ray meets between tmin >= 0 and limit.
+// Four boxes, one a byte of each word: which of them the ray hits between tmin >= 0 and limit.
 FN uint compact_boxes(PRIVATE(const CompactAxis) x, PRIVATE(const CompactAxis) y, PRIVATE(const CompactAxis) z,
                       uint near_x, uint far_x, uint near_y, uint far_y, uint near_z, uint far_z, float tmin,
                       float limit) {
@@ -86,7 +85,7 @@ FN GLOBAL const float* compact_at(TABLES(const SceneTables) s, uint node) {
 // Bit k: byte k of the word is a leaf.
 FN uint compact_leaves(uint word) { return (word >> 7 & 0x01010101u) * 0x10204080u >> 28; }
 
-// Which slots of a node a ray meets (as on the stack).
+// Slots of a node that a ray hits (as on the stack).
 FN uint compact_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, uint order, float tmin, float tmax) {
     float4 corner = loadf4_(n), children = loadf4_(n + 4);
     float4 bx = loadf4_(n + 8), by = loadf4_(n + 12), bz = loadf4_(n + 16);
@@ -107,7 +106,7 @@ FN uint compact_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, uint order
     return compact_in_order((met & (word >> 24)) | (met & (compact_leaves(lo) | compact_leaves(hi) << 4)) << 8, order);
 }
 
-// A shape of a leaf.  1 if it became the nearest hit; an instance waits on the stack.
+// Tests a shape of a leaf.  Returns 1 if it became the nearest hit; an instance goes on the stack.
 FN int compact_shape(TABLES(const SceneTables) s, uint number, uint id, PRIVATE(const TreeRay) way, PRIVATE(uint) stack,
                      PRIVATE(int) waiting, PRIVATE(Look) look) {
     GLOBAL const float* shape = shape_record(s, number);
@@ -122,7 +121,7 @@ FN int compact_shape(TABLES(const SceneTables) s, uint number, uint id, PRIVATE(
            hit_offer(look, t, id & ID_PRIM, 0.0f, 0.0f, way->inst);
 }
 
-// A triangle, likewise.
+// The same for a triangle.
 FN int compact_triangle(float4 v0, float4 v1, float4 v2, uint id, PRIVATE(const TreeRay) way, PRIVATE(Look) look) {
     float t, u, v;
     return ((way->mask >> (id >> 31)) & 1u) != 0u &&
@@ -159,7 +158,7 @@ FN uint compact_next(GLOBAL const float* n, uint order, PRIVATE(uint) slots) {
     return as_uint_(children.x) + bit_count_(as_uint_(n[3]) >> 24 & ((1u << slot) - 1u));
 }
 
-// The first hit that look asks for, or with any != 0 some hit (1 at once).
+// Finds the first hit that look accepts; if any != 0, any hit (returns 1 at once).
 FN int compact_traverse(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int any, PRIVATE(Look) look) {
     uint stack[2 * COMPACT_STACK];
     TreeRay way;
@@ -174,7 +173,7 @@ FN int compact_traverse(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uin
             node = cur;
             slots = compact_node(compact_at(s, node), &way.r, order, look->from, look->limit);
         } else if (!HAS(INSTANCES) || (cur & REF_INSTANCE) == 0u) {
-            if (HAS(INSTANCES) && slots != 0u) {  // instances come first, so that those of one leaf wait at a time
+            if (HAS(INSTANCES) && slots != 0u) {  // first, so that those of one leaf wait one at a time
                 compact_push(stack, &waiting, node, slots);
                 slots = 0u;
             }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which of several surfaces in one place is seen: as in RADIANCE one of an opaque type before one of a transparent
-// type, then one that faces the ray, then that whose modifier is defined later. They coincide if the distance between
-// them, along the normal of the first that the ray meets, is within the rounding of coordinates, and if they are
-// parallel there: a wall and a floor are not one surface where they meet.  So the answer depends on the ray alone, not
-// on the order in which a tree offers the hits.  A ray that leaves a surface starts four times as far from it
-// (offset_ray.h), and does not meet what coincides with it.
+// Order of coinciding surfaces.  As in RADIANCE, an opaque type precedes a transparent type, then one that faces the
+// ray precedes others, then the modifier that is defined later.  Surfaces coincide if their distance along the normal
+// of the first hit is within the rounding of coordinates and they are parallel there: a wall and a floor are not one
+// surface at their common edge.  So the result depends on the ray alone, not on the order of hits in the tree.  A ray
+// that leaves a surface starts four times as far from it (offset_ray.h), and does not hit surfaces that coincide with
+// it.
 #ifndef LUX_COINCIDE_H
 #define LUX_COINCIDE_H
 
 #define COINCIDE_COSINE 0.99f  // between normals
-#define COINCIDE_BEHIND 64.0f  // surfaces much larger than the first one are met so much farther behind it
-#define COINCIDE_MOST 8u       // hits looked at
+#define COINCIDE_BEHIND 64.0f  // surfaces much larger than the first one are hit this much farther behind it
+#define COINCIDE_MOST 8u       // hits examined
 
-// Is its modifier of a transparent type?
+// Returns 1 if the modifier is of a transparent type.
 FN int is_clear(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {
     if (in_instance(g->inst)) {
         GLOBAL const float* record = instance_record(s, g->inst);
@@ -26,8 +26,7 @@ FN uint coincide_rank(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {
     return (is_clear(s, g) ? 0u : 2u) + (g->front ? 1u : 0u);
 }
 
-// The surface that shows where a ray first meets some, among those whose class is in mask.  found: what the ray meets
-// first is in *look already.
+// Visible surface at a ray's first hit, among those whose class is in mask.  found: *look holds the first hit already.
 FN void trace_on(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int found, PRIVATE(Look) look,
                  PRIVATE(Hit) hit) {
     float3 normal = F3(0.0f, 0.0f, 0.0f);  // of the first

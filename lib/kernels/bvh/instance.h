@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Instances: one geometry, many places.  Hit.inst is a record of INST_* (tables.h) in SceneTables.shapes.
-// Its two matrices are similarities (rotation, mirror, scale), three rows of four, from world points relative to the
-// scene's centre: one to the tree that was hit, one to the coordinates which the functions of its modifiers see.
+// Instances: one geometry in several places.  Hit.inst is a record of INST_* (tables.h) in SceneTables.shapes.  Its two
+// matrices are similarities (rotation, mirror, scale), three rows of four, from world points relative to the scene's
+// centre: one to the tree that was hit, one to the coordinates of the functions of its modifiers.
 #ifndef LUX_INSTANCE_H
 #define LUX_INSTANCE_H
 

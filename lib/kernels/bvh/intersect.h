@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one seam between shading and traversal.  Included after compat, vec.h, math.h.
-// One of two files gives the functions below: bvh8.h (float8 boxes, 4-triangle leaves; CPUs, PoCL) or bvh_compact.h
-// (boxes of bytes; GPUs), chosen by LUX_COMPACT.  Both are built from the same Embree BVH builder (bvh/build.h).
-// Hits are in order of t, then primitive, then instance, so that both give the same one, bit for bit, in any order of
-// the tree.  Which of several surfaces in one place is seen: coincide.h.
+// Interface between shading and traversal.  Included after compat, vec.h, math.h.  Implemented by bvh8.h (float8 boxes,
+// 4-triangle leaves; CPUs, PoCL) or bvh_compact.h (boxes of bytes; GPUs), chosen by LUX_COMPACT.  Both use trees of the
+// same Embree BVH builder (bvh/build.h).  Hits are in order of t, then primitive, then instance, so that both give the
+// same hit, bit for bit, for any order of the tree.  coincide.h orders surfaces in one place.
 #ifndef LUX_INTERSECT_H
 #define LUX_INTERSECT_H
 #include "kernels/features.h"
 
 #define NO_HIT 0xffffffffu
-#define FAR_AWAY 1e30f  // how far a ray looks that nothing ends, and how far away distant sources are
+#define FAR_AWAY 1e30f  // length of an unlimited ray, and distance of distant sources
 #define IS_DISTANT(d) ((d) >= 1e29f)
 #define RAY_OPAQUE 1u       // query mask: surfaces that stop a shadow ray
 #define RAY_TRANSPARENT 2u  // query mask: surfaces a shadow ray may pass (their prim flag is set)
@@ -34,8 +33,8 @@
 #define RING_NORMAL 4u  // 3, unit
 #define RING_INNER 7u   // radius
 #define RING_OUTER 8u
-// polygon_uv holds the two coordinates left, in order (axis 0 dropped: y z, 1: x z, 2: x y), each in a row of its own:
-// that of the last corner, those of all corners, and NaN until eight can be read from each corner on
+// polygon_uv holds the two remaining coordinates in order (axis 0 dropped: y z, 1: x z, 2: x y), each in a row of its
+// own: the last corner, all corners, and NaN so that eight can be read from each corner on
 #define SHAPE_POLYGON 4u
 #define POLYGON_NORMAL 1u  // 3, unit
 #define POLYGON_OFFSET 4u  // n.p of its plane
@@ -51,7 +50,7 @@
 #define INSTANCE_MATRIX 1u   // 12: local from world, three rows of four
 #define INSTANCE_TREE 13u    // k >= 1 (word)
 #define INSTANCE_NUMBER 14u  // for Hit.inst (word)
-#define INSTANCE_CLASS 15u   // RAY_* of all that it holds, and INSTANCE_CLEAR; 0: their own (word)
+#define INSTANCE_CLASS 15u   // RAY_* of all its surfaces, and INSTANCE_CLEAR; 0: their own (word)
 #define INSTANCE_CLEAR 4u    // its modifier is of a transparent type (PRIM_CLEAR)
 
 STRUCT(Ray) {
@@ -70,22 +69,22 @@ STRUCT(Hit) {
     uint inst;
 };
 
-// What traversal looks for: the first hit after a given one, in the order above.
+// A query of traversal: the first hit after a given one, in the order above.
 STRUCT(Look) {
-    Hit hit;      // the first so far; while there is none, t is how far the ray goes
-    float limit;  // no box beyond matters: a little behind hit.t, so that what coincides with it is met
-    float from;   // nor one before
+    Hit hit;      // the first so far; while there is none, t is the ray's length
+    float limit;  // boxes beyond are ignored: a little behind hit.t, so that surfaces that coincide with it are found
+    float from;   // boxes before are ignored
     float after;  // the given hit, or the ray's tmin and NO_HIT
     uint after_prim, after_inst;
-    float size;  // of the origin's coordinates, for the rounding of t
+    float size;  // largest coordinate of the origin, for the rounding of t
     int tied;    // another hit was about as near as the first
 };
 
-// Hits closer together than this share of their distance and the origin's coordinates may coincide: 2^-12, far above
-// their rounding also where a ray grazes them.
+// Hits closer together than this part of their distance and the origin's coordinates may coincide: 2^-12, far above
+// their rounding even where a ray grazes them.
 #define TIE_SHARE 2.4414063e-4f
 
-// Stored ids of triangles and shapes: the primitive and, in the top bits, what traversal must know.
+// Stored ids of triangles and shapes: the primitive, with flags for traversal in the top bits.
 #define ID_TRANSPARENT 0x80000000u  // class RAY_TRANSPARENT
 #define ID_LAST 0x40000000u         // last block of its leaf
 #define ID_SHAPE 0x20000000u        // this block holds shapes, not triangles
@@ -95,13 +94,13 @@ STRUCT(Look) {
 #define REF_INSTANCE 0x40000000u  // with REF_LEAF; on the stack only
 #define REF_INDEX 0x3fffffffu
 #define REF_NONE 0xffffffffu  // no child; on the stack: end of an instance
-// Nodes where trees begin: that of the scene 0, of what of it lets shadow rays pass, and of instances, tree k >= 1.
+// Root nodes: of the scene 0, of its surfaces that shadow rays may pass, and of instances, tree k >= 1.
 #define ROOT_OF_SCENE 0u
 #define ROOT_OF_PANES 1u
 #define ROOT_OF_TREE(k) ((k) + 1u)
 
-// What a scene is on a device, TABLE(type, name) for each: what the BVH builder gives, what flattening
-// gives, and what belongs to a picture.
+// Tables of a scene on a device, TABLE(type, name) for each: from the BVH builder, from flattening, and for one
+// picture.
 // clang-format off
 #define BVH_TABLES(TABLE)                                                                   \
     TABLE(float, nodes)       /* BVH of either kind, roots: ROOT_OF_SCENE ... */            \
@@ -124,7 +123,7 @@ FN GLOBAL const float* shape_record(TABLES(const SceneTables) s, uint number) {
     return s->shapes + (ulong64)number * SHAPE_FLOATS;
 }
 
-// The first hit, among primitives whose class is in mask, of those that look asks for; look->hit.prim = NO_HIT if none.
+// First hit among primitives whose class is in mask that look accepts; look->hit.prim = NO_HIT if none.
 //   void trace_next(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Look) look)
 // 1 if anything in mask lies between tmin and tmax.
 //   int trace_any(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask)

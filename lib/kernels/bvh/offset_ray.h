@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a new ray starts, so that it does not meet the surface it leaves again.
-// Idea of Waechter and Binder 2019 ("A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems,
-// chapter 6): move along the geometric normal by a fixed number of units in the last place of the position, axis by
-// axis.  The rounding of a hit point grows with the distance travelled too, hence `error_scale`. Limit: distances to a
-// triangle of hundreds of metres are good to some 1e-7 of its size only, so `error_scale` counts the size of the
-// surface, too (surface.h), and a least one (FlatScene::least_error_scale), which near the origin makes 2^-16 m in a
-// room.  By the ray's length alone 0.1 % of the rays that leave a ground of 2 km meet it again.
+// Origin of a new ray, offset so that the ray does not hit the surface that it leaves.  After Waechter and Binder 2019
+// ("A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, chapter 6): moves along the geometric
+// normal by a fixed number of units in the last place of the position, axis by axis.  The rounding of a hit point also
+// grows with the ray's length, hence `error_scale`.  Limit: distances to a triangle of hundreds of metres are exact to
+// some 1e-7 of its size only, so `error_scale` includes the size of the surface (surface.h) and a least value
+// (FlatScene::least_error_scale), which near the origin is 2^-16 m in a room.  With the ray's length alone 0.1 % of the
+// rays that leave a ground of 2 km hit it again.
 #ifndef LUX_OFFSET_RAY_H
 #define LUX_OFFSET_RAY_H
 
@@ -16,12 +16,12 @@ FN float offset_axis(float p, float n, float least) {
     return p + n * (d > least ? d : least);
 }
 
-// p: the point met; n: unit geometric normal on the side the new ray leaves to; error_scale: Surface.error_scale.
+// p: hit point; n: unit geometric normal on the side of the new ray; error_scale: Surface.error_scale.
 FN float3 offset_ray(float3 p, float3 n, float error_scale) {
     float least = error_scale * (0.03125f * OFFSET_SHARE);
     return F3(offset_axis(p.x, n.x, least), offset_axis(p.y, n.y, least), offset_axis(p.z, n.z, least));
 }
 
-// The suffix vertex of a shadow ray to a point at distance d, just before the surface there.
+// End of a shadow ray to a point at distance d, just before the surface there.
 FN float shadow_end(float d) { return d * (1.0f - OFFSET_SHARE); }
 #endif

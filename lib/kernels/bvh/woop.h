@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ray made ready for traversal, and the watertight test of one triangle.
+// Ray prepared for traversal, and the watertight test of one triangle.
 // Triangles: Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection": the triangle is sheared into the space
 // where the ray is the z axis; neighbours compute the same bits for their common edge, and points on an edge (0) belong
 // to both. Boxes: slabs with the far side widened, Ize 2013, "Robust BVH Ray Traversal".  Needs strict floating point.
@@ -54,7 +54,7 @@ FN int woop_triangle(PRIVATE(const WoopRay) r, float3 a, float3 b, float3 c, PRI
     return 1;
 }
 
-// Everything along a ray.
+// A query along a ray.
 FN void look_along(PRIVATE(const Ray) ray, PRIVATE(Look) look) {
     look->hit.t = ray->tmax;
     look->hit.prim = NO_HIT;
@@ -70,7 +70,7 @@ FN void look_along(PRIVATE(const Ray) ray, PRIVATE(Look) look) {
     look->tied = 0;
 }
 
-// What comes after the hit found, up to a limit.
+// Continues behind the hit found, up to a limit.
 FN void look_past(PRIVATE(Look) look, float limit) {
     look->after = look->hit.t;
     look->after_prim = look->hit.prim;
@@ -102,10 +102,10 @@ FN int hit_offer(PRIVATE(Look) look, float t, uint prim, float u, float v, uint 
     return 1;
 }
 
-// The tree that a ray is in, the scene's or an instance's, and what it looks for there.
+// The tree that a ray traverses, the scene's or an instance's, and the query there.
 STRUCT(TreeRay) {
     WoopRay r;  // in the tree's coordinates
-    uint inst;  // Hit.inst of what it meets
+    uint inst;  // Hit.inst of its hits
     uint mask;  // RAY_*
 };
 
@@ -115,7 +115,7 @@ FN void enter_scene(PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way) {
     way->mask = mask;
 }
 
-// *root: the tree's first node.  0: all that the instance holds is of a class that the ray does not look for.
+// *root: the tree's first node.  Returns 0 if no surface of the instance is of a class in the mask.
 FN int enter_instance(GLOBAL const float* instance, PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way,
                       PRIVATE(uint) root) {
     uint forced = as_uint_(instance[INSTANCE_CLASS]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a compiled .cal program reads and how much it may write (cal_vm.h).
+// Variables and limits of a compiled .cal program (cal_vm.h).
 #ifndef LUX_CAL_VARS_H
 #define LUX_CAL_VARS_H
 

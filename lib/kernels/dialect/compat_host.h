@@ -13,7 +13,7 @@
 
 #define LUX_DOUBLE 1
 #define FN static inline
-#define FN_RARE static __attribute__((noinline, unused))  // kept out of the way of what every scene runs
+#define FN_RARE static __attribute__((noinline, unused))  // for rare cases: kept out of the common path
 #define GLOBAL
 #define PRIVATE(T) T*
 #define TABLES(T) T*
@@ -75,8 +75,8 @@ FN float4 loadf4_(const float* p) {
 }
 
 // Wide words (bvh8.h): gcc vectors, whose operators are those of OpenCL's float4 and float8.  A comparison gives -1 or
-// 0 in each lane; lanes4_/lanes8_ turn it into a LaneMask, to be walked by lane_first_ and lane_drop_; lane_odd_: are
-// they an odd number?
+// 0 in each lane; lanes4_/lanes8_ convert it to a LaneMask, to be iterated by lane_first_ and lane_drop_; lane_odd_:
+// parity of their number.
 #define WIDE_WORDS 1  // are they fast?
 #pragma GCC diagnostic ignored "-Wpsabi"
 typedef float v4f __attribute__((vector_size(16)));

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// antimatter: a surface that cuts away what carries the modifiers it lists (spec: RADIANCE shading 3.17).
-// Modifiers that the same of up to four antimatters list are one group, numbered by these antimatters' bits.  A ray
-// keeps which groups are cut away (low 16 bits) and for each antimatter how many more of the listed surfaces it has
-// entered than left (4 bits each, 8 = none).
+// antimatter: a surface that cuts away other surfaces whose modifiers it lists (spec: RADIANCE shading 3.17).
+// Modifiers listed by the same of up to four antimatters form one group, numbered by the bits of these antimatters.  A
+// ray stores the groups that are cut away (low 16 bits), and for each antimatter the number of listed surfaces entered
+// less those left (4 bits each, 8 = 0).
 #ifndef LUX_CLIP_H
 #define LUX_CLIP_H
 
 #define CLIP_START 0x88880000u
 #define CLIP_NO 0      // shade the surface
-#define CLIP_IGNORE 1  // the ray goes on
+#define CLIP_IGNORE 1  // the ray passes
 
-// The groups that antimatter i lists: those with bit i in their number.
+// Groups that antimatter i lists: those with bit i in their number.
 FN uint clip_groups(uint i) { return i == 0u ? 0xaaaau : i == 1u ? 0xccccu : i == 2u ? 0xf0f0u : 0xff00u; }
 
 FN uint clip_entered(uint state, uint i) { return (state >> (16u + 4u * i)) & 15u; }
 
-// Counts `step` surfaces for the antimatters that list group `listed`.
+// Adds `step` surfaces to the antimatters that list group `listed`.
 FN uint clip_count(uint state, uint listed, int step) {
     for (UNIFORM uint i = 0u; i < 4u; i++) {
         if (((listed >> i) & 1u) == 0u) continue;
@@ -48,7 +48,7 @@ FN int clip_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(S
     return CLIP_NO;
 }
 
-// A material that turns its back to the viewer has been entered from there, too.  mod: what the surface carries.
+// A material that turns its back to the viewer is entered from behind, too.  mod: the surface's modifier.
 FN void clip_turned(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint mod,
                     PRIVATE(uint) state) {
     if (g->front || par->bv == 0u || material_has(g->type, MT_TURNS) == 0u) return;

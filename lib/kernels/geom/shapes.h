@@ -109,7 +109,7 @@ FN int polygon_inside(GLOBAL const float* us, uint count, float u, float v) {
 }
 
 #if WIDE_WORDS
-// The same, eight edges at once: what fills the rows up is not a number, and no such edge is crossed or near.
+// The same, eight edges at once: the padding of the rows is NaN, and no edge with a NaN is crossed or near.
 FN int polygon_inside8(GLOBAL const float* us, uint count, float u, float v) {
     GLOBAL const float* vs = us + POLYGON_ROW(count);
     float eps = polygon_margin(u, v);
@@ -153,7 +153,7 @@ FN int polygon_hit(GLOBAL const float* shape, GLOBAL const float* uv, float3 org
                            axis == 2u ? p.y : p.z);
 }
 
-// The first t > tmin at which the ray meets the shape; 0 if it does not.
+// First t > tmin at which the ray hits the shape; 0 if it does not.
 FN int shape_hit(GLOBAL const float* shape, GLOBAL const float* polygon_uv, float3 org, float3 dir, float tmin,
                  PRIVATE(float) t) {
     uint kind = as_uint_(shape[SHAPE_KIND]);

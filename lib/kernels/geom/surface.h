@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a hit to the point that is shaded: position, geometric normal as modelled, viewer's side.
+// From a hit to the point to be shaded: position, modelled geometric normal, side of the viewer.
 #ifndef LUX_SURFACE_H
 #define LUX_SURFACE_H
 
@@ -9,9 +9,9 @@ STRUCT(Surface) {
     float3 ng;                         // the same on the viewer's side
     float3 n;                          // shading normal on the viewer's side (textures, smoothing)
     float3 v;                          // unit, toward the viewer
-    float3 color;                      // product of the patterns met
-    float3 pert;                       // sum of the textures met
-    float3 color_before, pert_before;  // the same without the material's own chain: where an alternate starts
+    float3 color;                      // product of the patterns
+    float3 pert;                       // sum of the textures
+    float3 color_before, pert_before;  // without the material's own chain: state in which an alternate starts
     float u, vv;                       // mesh coordinates Lu, Lv
     float length;                      // of the ray that hit
     float error_scale;                 // length that sets the rounding of p: the ray's or the primitive's
@@ -22,20 +22,20 @@ STRUCT(Surface) {
     int front;                         // hit from the side the modelled normal points to
     int flat;                          // polygon or ring without texture
     int smooth;                        // perturbation from mesh smoothing
-    int mixed;  // the material is part of a mixture: what it knows of the medium before it does not count
+    int mixed;                         // the material is part of a mixture: it does not define the medium before it
 };
 
-// A polygon or ring, which a texture may still bend.  Where an instance's own modifier covers it, RADIANCE takes the
-// instance for the surface, which is not flat.
+// A polygon or ring, which a texture may still bend.  An instance with a modifier of its own is not flat: RADIANCE
+// takes the instance for the surface.
 FN int drawn_flat(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {
     if ((s->prims[PRIM_WORDS * g->prim + PRIM_KIND] & PRIM_TEXTURE_FLAT) == 0u) return 0;
     return !in_instance(g->inst) || as_uint_(*(instance_record(s, g->inst) + INST_MOD)) == NONE;
 }
 
-// Has a texture or mesh smoothing turned its normal?  Less is nothing, as in RADIANCE.
+// Returns 1 if a texture or mesh smoothing has turned the normal by more than RADIANCE's threshold.
 FN int is_textured(PRIVATE(const Surface) g) { return dot3(g->pert, g->pert) > 1e-12f; }
 
-// Of a sphere or cone at the point p, outwards.
+// Outward normal of a sphere or cone at the point p.
 FN float3 shape_normal(TABLES(const SceneTables) s, uint kind, uint number, float3 p) {
     GLOBAL const float* shape = shape_record(s, number);
     if (kind == PRIM_SPHERE) return unit3(sub3(p, f3_at(shape + SPHERE_CENTRE)));
@@ -48,7 +48,7 @@ FN float3 shape_normal(TABLES(const SceneTables) s, uint kind, uint number, floa
     return unit3(add3(scale3(radial, length / side), scale3(axis, slope / side)));
 }
 
-// Smoothing and uv of a mesh triangle: the perturbation is the interpolated normal less the plane's (spec scene 3).
+// Smoothing and uv of a mesh triangle: the perturbation is the interpolated normal minus the plane's (spec scene 3).
 FN void mesh_corners(TABLES(const SceneTables) s, GLOBAL const uint* prim, PRIVATE(const Hit) hit, PRIVATE(Surface) g) {
     GLOBAL const uint* corner = s->u + prim[PRIM_VERTEX];
     GLOBAL const float* a = s->f + corner[0];
@@ -66,8 +66,8 @@ FN void mesh_corners(TABLES(const SceneTables) s, GLOBAL const uint* prim, PRIVA
     g->smooth = 1;
 }
 
-// Normal and, of a sphere, the exact place of a hit at the point `at` of the primitive's coordinates; matrix: to these,
-// 0 outside instances.
+// Normal at the point `at`, in the primitive's coordinates; for a sphere also the exact position.  matrix: from world
+// to these coordinates, 0 outside instances.
 FN void surface_shape(TABLES(const SceneTables) s, GLOBAL const uint* prim, float3 at, GLOBAL const float* matrix,
                       PRIVATE(Surface) g) {
     uint kind = prim[PRIM_KIND] & PRIM_KIND_MASK;
@@ -80,14 +80,14 @@ FN void surface_shape(TABLES(const SceneTables) s, GLOBAL const uint* prim, floa
     g->nface = (prim[PRIM_KIND] & PRIM_INWARD) != 0u ? neg3(n) : n;
     if (kind != PRIM_SPHERE) return;
 
-    // put the point on the surface: far from it single precision drifts
+    // move the point onto the surface: far from it single precision drifts
     GLOBAL const float* sphere = shape_record(s, prim[PRIM_NORMAL]);
     float3 on = madd3(n, sphere[SPHERE_RADIUS], f3_at(sphere + SPHERE_CENTRE));
     if (matrix == 0) g->p = on;
     else g->p = madd3(affine_back(matrix, sub3(on, at)), 1.0f / affine_scale2(matrix), g->p);
 }
 
-// What a surface is before its modifiers are looked at.
+// A surface before its modifiers are evaluated.
 FN void surface_plain(uint prim, uint mod, uint inst, float length, PRIVATE(Surface) g) {
     g->prim = prim;
     g->mod = mod;
@@ -115,7 +115,7 @@ FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
         matrix = instance_matrix(s, record);
         at = affine_point(matrix, g->p);
         if (as_uint_(record[INST_MOD]) != NONE) g->mod = as_uint_(record[INST_MOD]);
-        // the matrix rounds by the size of the point, traversal by that of the tree
+        // the matrix rounds by the size of the point, traversal by the size of the tree
         g->error_scale = MAX_(MAX_(hit->t, record[INST_ERROR_SCALE]), fabs_(g->p.x) + fabs_(g->p.y) + fabs_(g->p.z));
     }
 
@@ -123,7 +123,7 @@ FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
     surface_shape(s, prim, at, matrix, g);
     if ((prim[PRIM_KIND] & PRIM_KIND_MASK) == PRIM_SMOOTH) mesh_corners(s, prim, hit, g);
 
-    if (matrix != 0) {  // mirrored ones keep their sides: the normal is mirrored as the geometry is
+    if (matrix != 0) {  // mirrored instances keep their sides: the normal is mirrored with the geometry
         float3 n = affine_back(matrix, g->nface);
         float k = 1.0f / length3(n);
         g->nface = scale3(n, k);
@@ -135,15 +135,15 @@ FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
     g->n = g->ng;
 }
 
-// What is no farther from it, along the normal, may be in the same place: a quarter of the way that a ray which leaves
-// it begins above it, at least (offset_ray.h).
+// Surfaces within this distance along the normal may coincide: a quarter of the least offset of a ray that leaves the
+// surface (offset_ray.h).
 #define SURFACE_ROUNDING 2.3841858e-7f  // 2^-22
 FN float surface_rounding(PRIVATE(const Surface) g) {
     return SURFACE_ROUNDING *
            (g->error_scale + fabs_(g->ng.x * g->p.x) + fabs_(g->ng.y * g->p.y) + fabs_(g->ng.z * g->p.z));
 }
 
-// Does the surface that a ray meets hold the ray's origin, within that?
+// Returns 1 if the surface that a ray hits contains the ray's origin, within that distance.
 FN int holds_origin(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(const Hit) hit) {
     if (hit->prim == NO_HIT) return 0;
     Surface g;

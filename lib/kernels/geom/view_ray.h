@@ -11,14 +11,14 @@
 #define VIEW_ANGULAR 97         // a
 #define VIEW_HEMISPHERICAL 104  // h
 
-// A direction at the angle whose sine over a length is k and whose cosine is z, in the frame of the view.
+// Direction in the frame of the view from its radius factor k and its axial component z.
 FN float3 round_view(PARAMS(const Params) par, float a, float b, float z, float k) {
     return unit3(
         add3(scale3(xyz4(par->view_d), z), add3(scale3(xyz4(par->view_h), a * k), scale3(xyz4(par->view_u), b * k))));
 }
 
-// The direction of place (a, b) of the view's plane, by type, before fore and aft and with the length that these
-// count in; *org moves in a parallel view.  0 if no ray belongs there.
+// Direction of point (a, b) of the view's plane, by type, unnormalised, in the length that fore and aft clipping use;
+// *org moves in a parallel view.  Returns 0 outside the view.
 FN int view_direction(PARAMS(const Params) par, float a, float b, PRIVATE(float3) org, PRIVATE(float3) dir) {
     float3 d = xyz4(par->view_d), h = xyz4(par->view_h), up = xyz4(par->view_u);
     float sn, cs, r2 = a * a + b * b;
@@ -54,8 +54,8 @@ FN int view_direction(PARAMS(const Params) par, float a, float b, PRIVATE(float3
     }
 }
 
-// Moves the ray to a place of the lens and turns it to the same point at the distance |vd|; *stretch is the length of
-// *dir before and after.
+// Moves the ray's origin to a point of the lens and aims it at the same point at distance |vd|; *stretch: ratio of the
+// lengths of *dir.
 FN void view_lens(PARAMS(const Params) par, float3 lens, PRIVATE(float3) org, PRIVATE(float3) dir,
                   PRIVATE(float) stretch) {
     float3 d = xyz4(par->view_d), h = xyz4(par->view_h), up = xyz4(par->view_u);
@@ -64,7 +64,7 @@ FN void view_lens(PARAMS(const Params) par, float3 lens, PRIVATE(float3) org, PR
     int planar = type == VIEW_PERSPECTIVE || type == VIEW_PARALLEL;
     k_sincos(K_TURN * lens.y, &sn, &cs);
     float3 shift = add3(scale3(h, r * cs), scale3(up, r * sn));
-    if (!planar) {  // the reference's lens of the round views is as deep as wide, its focus a sphere
+    if (!planar) {  // RADIANCE's lens of round views is as deep as wide, its focus a sphere
         shift = madd3(d, par->view_clip.w * (0.5f - lens.z), shift);
         *dir = scale3(*dir, 1.0f / *stretch);
     }
@@ -75,8 +75,8 @@ FN void view_lens(PARAMS(const Params) par, float3 lens, PRIVATE(float3) org, PR
     else *dir = scale3(*dir, *stretch / length3(*dir));
 }
 
-// X, Y in [0,1], Y up; lens: three random numbers, the place on the lens of diameter -pd (rays of one X, Y meet again
-// at the distance |vd|).  0 if no ray belongs there.
+// X, Y in [0,1], Y up; lens: three random numbers for a point on the lens of diameter -pd (rays of one X, Y intersect
+// at the distance |vd|).  Returns 0 outside the view.
 FN int view_lens_ray(PARAMS(const Params) par, float X, float Y, float3 lens, PRIVATE(Ray) ray) {
     float a = (X - 0.5f + par->view_size.z) * par->view_size.x;
     float b = (Y - 0.5f + par->view_size.w) * par->view_size.y;
@@ -93,7 +93,7 @@ FN int view_lens_ray(PARAMS(const Params) par, float X, float Y, float3 lens, PR
     return 1;
 }
 
-// Through the middle of the lens.
+// Through the centre of the lens.
 FN int view_ray(PARAMS(const Params) par, float X, float Y, PRIVATE(Ray) ray) {
     return view_lens_ray(par, X, Y, F3(0.0f, 0.0f, 0.5f), ray);
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A path begins: the ray of a pixel's sample, or the one ray of MODE_RAY; and what a ray meets first.
+// Starts paths: the ray of a pixel's sample, or the given ray of MODE_RAY, traced to its first hit.
 #ifndef LUX_PATH_BEGIN_H
 #define LUX_PATH_BEGIN_H
 
-// The entry of a path's pixel, in a pass of pixels with several samples in each frame.
+// Focus entry of a path's pixel, in a pass over pixels with several samples in each frame.
 FN GLOBAL const uint* focus_entry(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path) {
     return s->focus + FOCUS_WORDS * (par->focus_at + (par->first + path) / par->samples_per_pass);
 }
 
-// The pixel of a path, NONE if it lies beside the picture, and which of its samples the path is.
+// Pixel of a path, NONE outside the picture, and the number of the pixel's sample.
 FN uint path_pixel(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path) {
     if (par->mode == MODE_RAY) return 0u;
     if (par->reuse_path_count != 0u) return reuse_pixel(par, par->first + path);
@@ -22,7 +22,7 @@ FN uint path_sample_index(PARAMS(const Params) par, uint path) {
     return par->frame + (par->mode == MODE_RAY ? gid : gid % par->samples_per_pass / par->spp);
 }
 
-// The ray through a random place of the pixel and of the lens.  0 if the view has none there.
+// Ray through a random point of the pixel and of the lens.  Returns 0 if the view has no ray there.
 FN int camera_ray(PARAMS(const Params) par, uint pixel, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
     float2 r = sample2(rnd);
     float jitter = par->view_clip.z;  // -pj
@@ -45,7 +45,7 @@ FN void given_ray(PARAMS(const Params) par, PRIVATE(Sampler) rnd, PRIVATE(Ray) r
     rnd->dim = 1u;
 }
 
-// What every path begins with, beside the direction of its first ray.
+// Initial state of every path, except the direction of its first ray.
 FN void path_start(PARAMS(const Params) par, TABLES(const Paths) paths, uint path, float3 org,
                    PRIVATE(const Sampler) rnd, uint flags) {
     write4_(paths->org, path, pack4(org, as_float_(CLIP_START)));
@@ -63,13 +63,13 @@ FN void path_start(PARAMS(const Params) par, TABLES(const Paths) paths, uint pat
     write4_(paths->info, path, info);
 }
 
-// A path that shares has no ends yet (suffix.h).
+// A path of path reuse has no prefix or suffix vertex yet (suffix.h).
 FN void no_ends(TABLES(const Paths) paths, uint path) {
     write4_(paths->prefix_n, path, pack4(F3(0.0f, 0.0f, 0.0f), NO_PREFIX));
     write4_(paths->suffix_p, path, pack4(F3(0.0f, 0.0f, 0.0f), SUFFIX_NONE));
 }
 
-// 1 if the path has a ray to follow.
+// Returns 1 if the path has a ray to follow.
 FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     uint pixel = path_pixel(s, par, path), index = path_sample_index(par, path);
     write4_(paths->rad, path, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
@@ -81,7 +81,8 @@ FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABL
     if (par->mode == MODE_FRAMES) index--;
     uint stream = par->mode == MODE_RAY ? 2u : 0u;
 
-    // Copies are a sequence as well, of its own in each block of frames: blocks stay independent of one another.
+    // The samples of a pixel in one frame are a sequence of their own in each block of frames, so that blocks stay
+    // independent.
     if (par->spp > 1u) {
         GLOBAL const uint* entry = focus_entry(s, par, path);
         uint copy = entry[FOCUS_FROM] + (par->first + path) % par->spp;
@@ -113,7 +114,7 @@ FN Ray path_ray(TABLES(const Paths) paths, uint path) {
     return ray;
 }
 
-// Follows the ray of a path to the nearest surface; past one that the eye lies on.
+// Traces the ray of a path to the nearest surface, except a surface on which the eye lies.
 FN void path_extend(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     Ray ray = path_ray(paths, path);
     Hit hit;

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Suffix vertices light the prefix vertices of their group: each pixel's diffuse light is estimated from all directions
-// that its group has found, as far as they are in its view (Bekaert, Sbert and Halton 2002, "Accelerating Path
-// Tracing by Re-Using Paths"), weighted by the balance heuristic (Veach 1997, section 9.2): over the sum of the pdfs
-// with which each member would have found that end.  The expectation is that of the paths alone.
+// that its group has sampled, if they are visible from it (Bekaert, Sbert and Halton 2002, "Accelerating Path Tracing
+// by Re-Using Paths"), weighted by the balance heuristic (Veach 1997, section 9.2): divided by the sum of the pdfs with
+// which each member would have sampled that vertex.  Unbiased: the expectation is that of separate paths.
 #ifndef LUX_PATH_CONNECT_H
 #define LUX_PATH_CONNECT_H
 
-#define CERTAIN_IMPORTANCE \
-    2.0f  // times what the suffix vertices of a group bring on average: those that bring so much are sure to
+#define CERTAIN_IMPORTANCE 2.0f  // times the mean of a group's suffix vertices: above it one is always connected
 
-// A prefix vertex, as connections to it are made.
+// A prefix vertex, with the fields that connections to it need.
 STRUCT(PrefixVertex) {
     float3 p, n, ng;
-    float own;  // factor of its own ray, or NO_PREFIX
+    float own;  // weight of its own ray, or NO_PREFIX
     Mixture mixture;
 };
 
@@ -33,10 +32,10 @@ STRUCT(Connection) {
     Ray ray;
     float3 dir;      // toward the suffix vertex
     float cosine;    // over the prefix vertex
-    float per_area;  // cosine at the suffix vertex over squared distance; 1 if that is a direction
+    float per_area;  // cosine at the suffix vertex over squared distance; 1 if the suffix vertex is a direction
 };
 
-// suffix: its path.  0: one does not face the other.
+// suffix: path index of the suffix vertex.  Returns 0 if one vertex does not face the other.
 FN int connection_ends(TABLES(const Paths) paths, PRIVATE(const PrefixVertex) prefix, uint suffix,
                        PRIVATE(Connection) connection) {
     float4 to = paths->suffix_p[suffix];
@@ -68,25 +67,25 @@ FN int connection_ends(TABLES(const Paths) paths, PRIVATE(const PrefixVertex) pr
     return connection->cosine > 0.0f && dot3(connection->dir, prefix->ng) > 0.0f;
 }
 
-// What a path's own suffix vertex brings to its own prefix vertex, if that reflected all.
+// Importance of a path's suffix vertex: its contribution to the path's own prefix vertex, for an albedo of 1.
 FN float suffix_importance(float4 prefix_n, float4 suffix_p, float4 suffix_rad) {
     if (suffix_p.w == SUFFIX_NONE || !(prefix_n.w > 0.0f)) return 0.0f;
     return (fabs_(suffix_rad.x) + fabs_(suffix_rad.y) + fabs_(suffix_rad.z)) * prefix_n.w;
 }
 
-// Suffix vertices that bring less are connected by chance only (Russian roulette), and then count for more: most are
-// dim, and the connections take the time.  Sets the probability of that of member `which` of a group (REUSE_FIRST); 0:
-// it is not connected.
+// Russian roulette on suffix vertices of low importance, because most are dim and the connections take the time.
+// Stores the survival probability of the suffix vertex of member `which` of a group (REUSE_FIRST); 0: it is not
+// connected.
 FN void path_suffix_roulette(TABLES(const Paths) paths, UNIFORM uint first, uint which) {
     uint path = REUSE_MEMBER(first, which);
     float4 prefix_n = read4_(paths->prefix_n, path), suffix_p = read4_(paths->suffix_p, path);
-    float worth = suffix_importance(prefix_n, suffix_p, read4_(paths->suffix_rad, path)), prob = 0.0f, all = 0.0f;
-    if (worth > 0.0f) {
+    float importance = suffix_importance(prefix_n, suffix_p, read4_(paths->suffix_rad, path)), prob = 0.0f, all = 0.0f;
+    if (importance > 0.0f) {
         for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) {
             UNIFORM uint suffix = REUSE_MEMBER(first, m);
             all += suffix_importance(paths->prefix_n[suffix], paths->suffix_p[suffix], paths->suffix_rad[suffix]);
         }
-        prob = MIN_(worth / (CERTAIN_IMPORTANCE / (float)REUSE_GROUP * all), 1.0f);
+        prob = MIN_(importance / (CERTAIN_IMPORTANCE / (float)REUSE_GROUP * all), 1.0f);
         Sampler rnd = path_sampler(read4_(paths->info, path));
         rnd.key = hash32(rnd.key ^ 0x2545f491u);
         if (!(sample1(&rnd) < prob)) prob = 0.0f;
@@ -97,8 +96,8 @@ FN void path_suffix_roulette(TABLES(const Paths) paths, UNIFORM uint first, uint
 // Is the suffix vertex of a path connected?
 #define HAS_PREFIX(paths, path) ((paths)->prefix_throughput[path].w > 0.0f)
 
-// What is known of the connections to a suffix vertex, two bits a member of the group: nothing lies in the way of
-// member m (bit m); nothing opaque does (bit 16 + m, not set where nothing at all does).
+// Visibility of the connections to a suffix vertex, two bits per member of the group: bit m: nothing lies between
+// member m and the vertex; bit 16 + m: only surfaces that transmit light do.
 FN uint connections_known(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     uint known = 0u;
     for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) {
@@ -111,7 +110,7 @@ FN uint connections_known(TABLES(const SceneTables) s, PARAMS(const Params) par,
     return known;
 }
 
-// Is there a plain pane at g, for a diffuse ray?  The random numbers of mixtures do not matter: such are no panes.
+// Returns 1 if g is a plain pane for a diffuse ray.  Any random number will do: mixtures are not panes.
 FN int connection_pane(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g,
                        PRIVATE(Lobes) lobes) {
     Sampler rnd = sampler_start(0u, 0u, 0u, 0u, 0u);
@@ -122,8 +121,8 @@ FN int connection_pane(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
     return (lobes->flags & LOBE_PASS) == 0u;
 }
 
-// What panes let through along a ray, and the probability that a path goes on through them; 0: something else is in the
-// way.
+// Transmittance of the panes along a ray, and the probability that a path passes all of them; returns 0 if something
+// else is in the way.
 FN int connection_panes(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Ray) ray, PRIVATE(float3) T,
                         PRIVATE(float) prob) {
     for (uint i = 0u; i < PC_STEP_LIMIT; i++) {
@@ -146,14 +145,14 @@ FN int connection_panes(TABLES(const SceneTables) s, PARAMS(const Params) par, P
     return 0;
 }
 
-// The members whose connections to the suffix vertex of a path may lead through panes, a bit each: where nothing opaque
-// lies in the way, and its own, along which its path went.
+// Members whose connections to the suffix vertex of a path may lead through panes, one bit each: nothing opaque lies
+// between (and the path's own member, whose ray went that way).
 FN uint connections_to_attenuate(uint known, uint own) {
     return (known >> REUSE_GROUP | 1u << own) & ~known & ((1u << REUSE_GROUP) - 1u);
 }
 
-// Looks along such a connection: what the panes let through; w: the probability that a path goes on through them, below
-// 0 if something else is in the way.
+// Traces such a connection: transmittance of the panes; w: the probability that a path passes them, negative if
+// something else is in the way.
 FN void connection_transmittance(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                                  uint path, uint m) {
     Connection connection;
@@ -162,13 +161,13 @@ FN void connection_transmittance(TABLES(const SceneTables) s, PARAMS(const Param
     float prob = 1.0f;
     if (!connection_ends(paths, &prefix, path, &connection) || !connection_panes(s, par, &connection.ray, &T, &prob))
         prob = -1.0f;
-    if (!(prob > 0.0f)) prob = -1.0f;  // no path comes through: a pattern may make a pane black, or less than that
+    if (!(prob > 0.0f)) prob = -1.0f;  // no path passes: a pattern may make a pane black or negative
     paths->transmittance[path].of[m] = pack4(T, prob);
 }
 
-// The connections of the prefix vertex of member `which` of a group to all its suffix vertices: with which pdf it would
-// have found them, and what they are worth to it.  What is known of them is in `connections`; those that may lead
-// through panes have been looked through.
+// For the connections of the prefix vertex of member `which` to all suffix vertices of its group: the pdf with which it
+// would have sampled them, and their contributions.  `connections` holds their visibility; the transmittance of those
+// through panes is known.
 FN void path_connect(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                      UNIFORM uint first, uint which) {
     PrefixVertex prefix = prefix_vertex(paths, REUSE_MEMBER(first, which));
@@ -193,7 +192,7 @@ FN void path_connect(TABLES(const SceneTables) s, PARAMS(const Params) par, TABL
     }
 }
 
-// Divides what the suffix vertex of a path sends out by the sum of those pdfs.
+// Divides the radiance of the suffix vertex of a path by the sum of these pdfs.
 FN void path_normalise_mis(TABLES(const Paths) paths, uint path) {
     float pdfs = 0.0f;
     for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) pdfs += paths->pdf[path].of[m];
@@ -202,7 +201,7 @@ FN void path_normalise_mis(TABLES(const Paths) paths, uint path) {
     write4_(paths->suffix_rad, path, pack4(scale3(xyz4(radiance), each), radiance.w));
 }
 
-// Adds to member `which` of a group what all suffix vertices of the group bring to its prefix vertex.
+// Adds the contributions of all suffix vertices of a group to the prefix vertex of member `which`.
 FN void path_gather(TABLES(const Paths) paths, UNIFORM uint first, uint which) {
     uint path = REUSE_MEMBER(first, which);
     if (paths->prefix_n[path].w == NO_PREFIX) return;

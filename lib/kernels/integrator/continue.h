@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a path that has chosen its way takes it; and its next ray.
+// Continues a path along its sampled direction, or terminates it.
 #ifndef LUX_PATH_CONTINUE_H
 #define LUX_PATH_CONTINUE_H
 
-#define RR_START 0.05f  // roulette sets in where a path carries less
-#define RR_LEAST 0.05f  // least probability to survive it
+#define RR_START 0.05f  // Russian roulette applies to a throughput below this
+#define RR_LEAST 0.05f  // least survival probability
 
-// The constant that stands for light of deeper bounces (-av), where -ab ends.
+// Constant radiance that stands for deeper bounces (-av), where -ab ends the path.
 FN void path_ambient_value(PARAMS(const Params) par, PRIVATE(Vertex) vertex) {
     int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
     if (bounces < par->ab || !vertex->wanted) return;
@@ -16,17 +16,17 @@ FN void path_ambient_value(PARAMS(const Params) par, PRIVATE(Vertex) vertex) {
     else vertex_add(vertex, value);
 }
 
-// The limits of -lr and -lw.
+// Limits of -lr and -lw.
 FN int path_limited(PARAMS(const Params) par, PRIVATE(const Vertex) vertex) {
     int level = (int)((vertex->flags >> PC_LEVEL_SHIFT) & 255u);
     if (par->lr > 0) return level > par->lr || vertex->weight < par->lw;
     return par->lr < 0 && level > -par->lr;
 }
 
-// Russian roulette on what the path carries: its throughput, but for the direction that it now takes.  That one is
-// likely where much light is expected, and has a small factor for that alone; but directions of earlier bounces have
-// found what they were to find, and a path that carries much for them must not be made to carry twenty times as much
-// (spec shading 6).  0: the path ends.
+// Russian roulette on the throughput without the weight of the direction just sampled.  A direction is likely where
+// much light is expected, and its weight is small for this reason alone; earlier directions have already found their
+// light, and a path with a large weight from them must not be amplified twenty-fold (spec shading 6).  Returns 0 if the
+// path ends.
 FN int path_roulette(PRIVATE(Vertex) vertex, float carried) {
     uint bounces = (vertex->flags >> PC_AB_SHIFT) & 255u;
     if (bounces < 2u || !(carried < RR_START)) return 1;
@@ -36,7 +36,7 @@ FN int path_roulette(PRIVATE(Vertex) vertex, float carried) {
     return 1;
 }
 
-// The path takes its lobe.  Returns PATH_CONTINUES, or 0 if it ends.
+// Moves the path along its sampled lobe.  Returns PATH_CONTINUES, or 0 if the path ends.
 FN int path_continue(PARAMS(const Params) par, TABLES(const Paths) paths, PRIVATE(Vertex) vertex,
                      PRIVATE(const LobeSample) lobe) {
     if (par->reuse_path_count != 0u) path_record_prefix(paths, vertex, lobe);

@@ -3,7 +3,7 @@
 #ifndef LUX_PATH_DIRECT_H
 #define LUX_PATH_DIRECT_H
 
-// What the lobes make of light from the sampled point: outgoing radiance over the source's.
+// Response of the lobes to light from the sampled point: outgoing radiance over the source's.
 FN float3 direct_response(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const LightSample) light,
                           PRIVATE(Vertex) vertex) {
     PRIVATE(const Surface) g = &vertex->g;
@@ -20,7 +20,7 @@ FN float3 direct_response(TABLES(const SceneTables) s, PARAMS(const Params) par,
     return scale3(c, light->pieces);
 }
 
-// Stores the shadow ray, which brings `radiance` if nothing stops it, and `far` to the suffix vertex.
+// Stores the shadow ray, which adds `radiance` if it is unoccluded, and `far` to the suffix vertex.
 FN void direct_shadow_ray(PARAMS(const Params) par, TABLES(const Paths) paths, PRIVATE(const Vertex) vertex,
                           uint source, PRIVATE(LightSample) light, float3 radiance, float3 far) {
     PRIVATE(const Surface) g = &vertex->g;
@@ -29,7 +29,7 @@ FN void direct_shadow_ray(PARAMS(const Params) par, TABLES(const Paths) paths, P
     float3 start = bsdf_start(&vertex->lobes, g, above);
     float3 from = offset_ray(start, above ? g->ng : neg3(g->ng), g->error_scale);
 
-    if (!IS_DISTANT(light->dist)) {  // aimed anew from where it starts, else the source would shadow itself
+    if (!IS_DISTANT(light->dist)) {  // aimed again from its offset origin, or the source would shadow itself
         float3 to = sub3(scale3(light->dir, light->dist), sub3(from, start));
         light->dist = length3(to);
         light->dir = scale3(to, 1.0f / MAX_(light->dist, 1e-9f));
@@ -45,13 +45,13 @@ FN void direct_shadow_ray(PARAMS(const Params) par, TABLES(const Paths) paths, P
     }
 }
 
-// Returns PATH_SHADOW if a shadow ray waits.
+// Returns PATH_SHADOW if a shadow ray was stored.
 FN int path_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                    PRIVATE(Vertex) vertex) {
     PRIVATE(const Surface) g = &vertex->g;
     if (!vertex->wanted || par->source_count == 0u) return 0;
 
-    // A source, by what each importances here.  Where the medium scatters, half of the shadow rays are its.
+    // Source, chosen by importance at this point.  Where the medium scatters, it takes half of the shadow rays.
     uint source = 0u;
     int both = par->source_count > 1u && lobes_transmit(&vertex->lobes);
     float inv_p = choose_source(s, par, g->p, g->n, both, &vertex->rnd, &source);
@@ -60,15 +60,15 @@ FN int path_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES
     if (vertex->scatterers > 0u) inv_p *= 2.0f;
     if (!(inv_p > 0.0f)) return 0;
 
-    // A point on it, and what the surface makes of light from there.
+    // Point on the source, and the response of the surface.
     LightSample light;
     sample_source(s, par, source, g->p, x, par->dj, &light);
     if (!(light.w > 0.0f)) return 0;
     float3 response = direct_response(s, par, &light, vertex);
     if (!(max3(response) > 0.0f)) return 0;
 
-    // Its radiance.  Where a pattern falls below 0, RADIANCE counts light whose luminance is above it.  An illum does
-    // not light itself.
+    // Radiance of the source.  Where a pattern falls below 0, RADIANCE keeps light whose luminance is positive.  An
+    // illum does not light itself.
     GLOBAL const float* src = source_record(s, par, source);
     float3 radiance = sampled_radiance(s, par, src, &light, g->path_length, &vertex->rnd);
     int itself = as_uint_(src[SRC_PRIM]) == g->prim && as_uint_(src[SRC_VIRTUAL]) == NONE;
@@ -76,7 +76,7 @@ FN int path_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES
 
     radiance = scale3(radiance, inv_p);
     float3 far = F3(0.0f, 0.0f, 0.0f);
-    if (vertex->at_suffix) {  // what it scatters evenly goes to all who see it, the rest back along this path
+    if (vertex->at_suffix) {  // diffuse light goes to the whole group, the rest back along this path
         float3 even = scale3(lobes_even(&vertex->lobes, g, light.dir, light.w / light.pieces), light.pieces);
         far = mul3(even, radiance);
         response = sub3(response, even);

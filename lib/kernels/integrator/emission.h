@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a sampled ray sees of emitters, by its class: the partition into active sources and the rest (spec shading
+// Emission that a sampled ray sees, by its class: the partition into active sources and other emitters (spec shading
 // 0.1, 3.8).
 #ifndef LUX_PATH_EMISSION_H
 #define LUX_PATH_EMISSION_H
 
-// Whether this path's present class is wanted in this pass.
+// Returns 1 if this pass records light of the path's present class.
 FN int class_wanted(PARAMS(const Params) par, uint flags, uint index) {
     if (par->mode == MODE_RAY || par->mode == MODE_PILOT) return 1;
     if ((flags & PC_DIFFUSE) != 0u) return par->mode == MODE_FRAMES;
     return par->mode == MODE_DIRECT || index > par->skip_direct_below;
 }
 
-// What a ray that met nothing sees: sun, sky, ground glow.
+// Radiance of a ray without a hit: sun, sky, ground glow.
 FN float3 path_background(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 org, float3 dir, uint flags,
                           PRIVATE(Sampler) rnd) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
@@ -31,7 +31,7 @@ FN float3 path_background(TABLES(const SceneTables) s, PARAMS(const Params) par,
     return sky_radiance(s, par, distant[DISTANT_SEEN], org, dir, rnd);
 }
 
-// Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray goes on through it.
+// Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray passes through it.
 FN float3 emitter_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint flags,
                            PRIVATE(int) pass) {
     float3 black = F3(0.0f, 0.0f, 0.0f);

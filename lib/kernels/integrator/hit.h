@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the ray has met: nothing that shows, an emitter, or a surface that scatters light by its lobes.
+// Evaluates the hit of a ray: a surface that it passes, an emitter, or a surface that scatters light by its lobes.
 #ifndef LUX_PATH_HIT_H
 #define LUX_PATH_HIT_H
 
-// Position, normal and modifier of the hit; counts it.  0: the path has met more surfaces than it may.
+// Sets position, normal and modifier of the hit, and counts it.  Returns 0 beyond the limit of hits per path.
 FN int vertex_arrive(TABLES(const SceneTables) s, PRIVATE(Vertex) vertex) {
     if (vertex->flags >> PC_STEP_SHIFT >= PC_STEP_LIMIT) return 0;
     vertex->flags += 1u << PC_STEP_SHIFT;
@@ -12,10 +12,10 @@ FN int vertex_arrive(TABLES(const SceneTables) s, PRIVATE(Vertex) vertex) {
     return 1;
 }
 
-// -i: the first surface that the eye sees is white and Lambertian, so that its radiance is the irradiance there.
+// -i: the first surface that the eye sees is white and Lambertian, so that its radiance is its irradiance.
 FN int irradiance_surface(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, int passes,
                           PRIVATE(Vertex) vertex) {
-    // what the material knows of media does not count
+    // the material's own media do not apply
     if (vertex->absorbs) vertex->arriving = path_medium(paths, vertex->path);
     vertex->medium_behind = vertex->arriving;
     if (passes || (mod_word(s, par, vertex->g.mod, MOD_FLAGS) & MF_SEEN_THROUGH) != 0u) return HIT_NULL;
@@ -40,14 +40,14 @@ FN int vertex_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVA
     return (vertex->lobes.flags & LOBE_PASS) != 0u ? HIT_NULL : HIT_SURFACE;
 }
 
-// One of MET_*.
+// Returns HIT_NULL, HIT_EMITTER or HIT_SURFACE.
 FN int vertex_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                   PRIVATE(Vertex) vertex) {
     PRIVATE(Surface) g = &vertex->g;
     int antimatter = has_antimatter(par);
     uint carried = g->mod;
 
-    // a hole that antimatter cuts; a chain without material; an illum or mirror with void in its place
+    // a hole cut by antimatter; a chain without material; an illum or mirror whose alternate is void
     if (antimatter && clip_hit(s, par, g, &vertex->clip_behind) == CLIP_IGNORE) return HIT_NULL;
     if (!find_material(s, par, g, &vertex->rnd)) return HIT_NULL;
     if (take_alternate(s, par, g, vertex->flags, &vertex->rnd)) return HIT_NULL;
@@ -58,20 +58,20 @@ FN int vertex_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
         return passes ? HIT_NULL : HIT_EMITTER;
     }
 
-    int met = vertex_lobes(s, par, vertex);
+    int kind = vertex_lobes(s, par, vertex);
     if (antimatter) clip_turned(s, par, g, carried, &vertex->clip_behind);
     if ((par->flags & PF_IRRADIANCE) == 0u || path_sampled(vertex->flags) || (vertex->flags & PC_BENT) != 0u)
-        return met;
-    return irradiance_surface(s, par, paths, met == HIT_NULL, vertex);
+        return kind;
+    return irradiance_surface(s, par, paths, kind == HIT_NULL, vertex);
 }
 
-// The path ends in an emitter.
+// Ends the path at an emitter.
 FN void path_hit_emitter(TABLES(const Paths) paths, PRIVATE(Vertex) vertex) {
     if (vertex->wanted) vertex_add(vertex, vertex->emitted);
     vertex_store_rad(paths, vertex, vertex->path_length_start);
 }
 
-// Straight on, as if nothing were there.
+// Null surface: continues the ray in the same direction.
 FN void path_pass(TABLES(const Paths) paths, PRIVATE(Vertex) vertex) {
     PRIVATE(const Surface) g = &vertex->g;
     float left = IS_DISTANT(vertex->ray.tmax) ? FAR_AWAY : vertex->ray.tmax - vertex->hit.t;

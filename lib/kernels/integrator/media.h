@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The medium that the ray has crossed on its way here: what it swallows, what it adds.
+// Absorption and emission of the medium that the ray has just crossed.
 #ifndef LUX_PATH_MEDIA_H
 #define LUX_PATH_MEDIA_H
 
-// Returns PATH_SHADOW if light scattered in the medium waits for its shadow ray.
+// Returns PATH_SHADOW if in-scattered light waits for its shadow ray.
 FN int path_media(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                   PRIVATE(Vertex) vertex) {
     int result = 0;
@@ -17,7 +17,7 @@ FN int path_media(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
     if (vertex->wanted) vertex_add(vertex, medium_glow(par, &crossed, T));
 
     if (vertex->wanted && vertex->scatterers > 0u) {
-        // one shadow ray a step: if it goes to the mist, the surface's own direct light is left to other samples
+        // one shadow ray a step: if the medium takes it, other samples estimate the surface's direct light
         float2 x = sample2(&vertex->rnd), y = sample2(&vertex->rnd);
         vertex->went_to_medium = x.x >= 0.5f;
         if (vertex->went_to_medium) result = path_scatter(s, par, paths, &crossed, x, y, vertex);

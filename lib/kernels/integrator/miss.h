@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ray met nothing: sky, sun and ground glow, through whatever medium is left.
+// A ray without a hit: sun, sky and ground glow, through the remaining medium.
 #ifndef LUX_PATH_MISS_H
 #define LUX_PATH_MISS_H
 

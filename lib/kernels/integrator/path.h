@@ -21,62 +21,62 @@
 #include "kernels/integrator/connect.h"
 #include "kernels/integrator/splat.h"
 
-// Shades the hit of a path.  Returns bits: PATH_CONTINUES, PATH_SHADOW.
+// Shades the hit of a path.  Returns PATH_CONTINUES and PATH_SHADOW, as bits.
 FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     Vertex vertex;
     LobeSample lobe;
     vertex_load(par, paths, path, &vertex);
 
-    // The ray has met nothing: what it sees is the sky, and the path ends.
+    // No hit: the path adds the sky and ends.
     if (vertex.hit.prim == NO_HIT) {
         if (HAS(SKY)) path_miss(s, par, paths, &vertex);
         return 0;
     }
 
-    // It has met a surface.  What is it: a hole, an emitter, something that scatters light?
+    // Evaluate the hit: a null surface, an emitter, or a surface that scatters light.
     if (!vertex_arrive(s, &vertex)) return 0;
     sampler_ahead(&vertex.rnd);
-    int met = vertex_hit(s, par, paths, &vertex);
+    int kind = vertex_hit(s, par, paths, &vertex);
 
-    // It may be the suffix vertex that the path seeks for all its group.
-    if ((vertex.flags & PC_RECORDS_SUFFIX) != 0u) path_record_suffix(s, par, paths, &vertex, met);
+    // Path reuse: this hit may be the suffix vertex of the path.
+    if ((vertex.flags & PC_RECORDS_SUFFIX) != 0u) path_record_suffix(s, par, paths, &vertex, kind);
 
-    // What lies between has dimmed the path and may have scattered light into it.
+    // The medium just crossed attenuates the path and may scatter light into it.
     int shadow = path_media(s, par, paths, &vertex);
 
-    // An emitter gives its radiance, and the path ends.
-    if (met == HIT_EMITTER) {
+    // Emitter: the path adds its radiance and ends.
+    if (kind == HIT_EMITTER) {
         path_hit_emitter(paths, &vertex);
         return shadow;
     }
 
-    // Where nothing shows the ray goes straight on.
-    if (met == HIT_NULL) {
+    // Null surface: the ray passes through.
+    if (kind == HIT_NULL) {
         path_pass(paths, &vertex);
         return shadow | PATH_CONTINUES;
     }
 
-    // Light that comes straight from an active source: a shadow ray is to find out.
+    // Direct light: sends a shadow ray to an active source.
     shadow |= path_direct(s, par, paths, &vertex);
 
-    // Light that comes over other surfaces: where -ab ends a constant, else what one way on will find.
+    // Indirect light: a constant where -ab ends, else a sampled direction.
     path_ambient_value(par, &vertex);
     if (!sample_lobe(s, par, &vertex, &lobe)) {
         vertex_store(paths, &vertex, vertex.path_length_start);
         return shadow;
     }
 
-    // A walk that only learns ends where a bounce would begin.
+    // A pilot path ends where a diffuse bounce would begin.
     if (par->mode == MODE_PILOT && lobe_is_diffuse(&lobe)) {
         path_end_pilot(paths, &vertex, &lobe);
         return shadow;
     }
 
-    // The path takes that way, unless a limit or roulette ends it.
+    // Continues along that direction, unless a limit or Russian roulette ends the path.
     return shadow | path_continue(par, paths, &vertex, &lobe);
 }
 
-// A path that has met nothing, where the above does not see to it (HAS(SKY)).
+// Paths without a hit, for devices where path_shade does not handle them (HAS(SKY)).
 FN void path_sky(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     if (as_uint_(paths->hit[path].y) != NO_HIT) return;
     Vertex vertex;

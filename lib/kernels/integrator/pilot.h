@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MODE_PILOT, by which shares of aimed directions are found (sampling/mixture_weights.h): a path from a ray that the
-// host gives up to where the next diffuse bounce would begin.
+// MODE_PILOT: pilot paths, from which sampling/mixture_weights.h estimates the mixture weights.  Follows a ray given by
+// the host up to its next diffuse bounce.
 #ifndef LUX_PATH_PILOT_H
 #define LUX_PATH_PILOT_H
 
-// org and dir of the path hold the ray; 1 if there is one.
+// The path's org and dir hold the ray; returns 1 if there is one.
 FN_RARE int path_begin_pilot(PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, par->first + path, par->frame, 3u);
     uint flags = PC_DIFFUSE | (1u << PC_AB_SHIFT);
@@ -23,7 +23,7 @@ FN_RARE int path_begin_pilot(PARAMS(const Params) par, TABLES(const Paths) paths
     return 1;
 }
 
-// The walk has come to a diffuse bounce: what the surface makes of the light that the bounce would find.
+// At a diffuse bounce: the throughput of the light that the bounce would find.
 FN_RARE void path_end_pilot(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) lobe) {
     PRIVATE(const Surface) g = &vertex->g;
     uint path = vertex->path;

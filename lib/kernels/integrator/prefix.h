@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the way taken from a surface means for the ends that paths share (suffix.h).
+// Records the prefix vertex and the state of a path with respect to its suffix vertex (suffix.h).
 #ifndef LUX_PATH_PREFIX_H
 #define LUX_PATH_PREFIX_H
 
-// Does a diffuse ray leave the first surface that the eye's straight ray meets, or that behind panes, into the open?
-// The flags of the vertex are those that the path has from here on.
+// Returns 1 if a diffuse ray leaves the first surface that the eye sees directly or through panes.  The vertex holds
+// the flags of the path after this step.
 FN int is_prefix_vertex(PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) lobe) {
     uint flags = vertex->flags, level = (vertex->flags >> PC_LEVEL_SHIFT) & 255u;
     uint bounces = (vertex->flags >> PC_AB_SHIFT) & 255u;
@@ -18,13 +18,14 @@ FN void path_record_prefix(TABLES(const Paths) paths, PRIVATE(Vertex) vertex, PR
     PRIVATE(const Surface) g = &vertex->g;
     uint path = vertex->path;
 
-    // behind a suffix vertex the path gathers for it if what it finds is scattered evenly there, else for itself
+    // behind a suffix vertex the path's light goes to the group if the suffix vertex scatters it diffusely, else to the
+    // path alone
     if (vertex->at_suffix && lobe_is_diffuse(lobe)) {
         vertex->throughput = F3(1.0f, 1.0f, 1.0f);
         vertex->flags |= PC_SUFFIX;
     }
 
-    // what a pane mirrors is not seen straight
+    // a reflection in a pane is not the eye's straight ray
     if (lobe->type != SAMPLE_THROUGH) vertex->flags &= ~PC_RECORDS_SUFFIX;
 
     if (!is_prefix_vertex(vertex, lobe)) return;

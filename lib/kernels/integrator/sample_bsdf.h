@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The seven ways on from a surface, of which a path takes one, with a probability in proportion to what the surface
-// sends along it.
+// Samples one of seven lobes of a surface, with a probability in proportion to the energy that the lobe scatters.
 #ifndef LUX_SAMPLE_BSDF_H
 #define LUX_SAMPLE_BSDF_H
 
@@ -14,12 +13,12 @@
 #define SAMPLE_REFRACT 6u
 #define LOBES_TO_SAMPLE 7u
 
-// What is known of the way taken.
+// The sampled lobe and direction.
 STRUCT(LobeSample) {
     uint type;
     float3 dir;
     float3 color;     // of the lobe
-    float weight;     // of the sampled radiance beside the colour; 0: the sample is lost
+    float weight;     // of the radiance found, besides the colour; 0: no valid direction
     float prob;       // in units of total
     float total;      // of the weights of all lobes
     Mixture mixture;  // of a diffuse one
@@ -34,7 +33,7 @@ FN float lobe_weight(float3 color) {
     return m > 0.0f ? m : 0.0f;
 }
 
-// Each way that there is gets at least this weight.  Returns the new sum.
+// Raises the weight of each lobe that exists to this least value.  Returns the new sum.
 FN float lobes_raise(float least, PRIVATE(float) weight) {
     float sum = 0.0f;
     for (UNIFORM uint lobe = 0u; lobe < LOBES_TO_SAMPLE; lobe++) {
@@ -45,9 +44,8 @@ FN float lobes_raise(float least, PRIVATE(float) weight) {
     return sum;
 }
 
-// How likely each way is, and the sum; 0: there is none.
-// Light that comes by the fourth reflection in a pane is rare: one path in millions finds it.  Tests that look for it
-// give each way a least probability; pictures do not, for what is rare here is dark as a rule.
+// Weights of the lobes and their sum; 0: there is none. The fourth internal reflection of a pane is rare (one path in
+// millions), and usually dark.  Tests that look for it set a least probability; pictures do not.
 FN float lobe_weights(PARAMS(const Params) par, PRIVATE(const Vertex) vertex, PRIVATE(float) weight) {
     PRIVATE(const Lobes) lobes = &vertex->lobes;
     int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
@@ -61,7 +59,7 @@ FN float lobe_weights(PARAMS(const Params) par, PRIVATE(const Vertex) vertex, PR
     weight[SAMPLE_MIRROR] = lobe_weight(lobes->mirror);
     weight[SAMPLE_REFRACT] = lobe_weight(lobes->refract);
 
-    // a solid's surface shares out energy; that radiance is greater inside, by the index squared, does not matter
+    // a solid's boundary splits energy; radiance is larger inside by the index squared, which does not matter here
     if (weight[SAMPLE_REFRACT] > 0.0f && (vertex->g.type == M_DIELECTRIC || vertex->g.type == M_INTERFACE))
         weight[SAMPLE_REFRACT] = 1.0f - weight[SAMPLE_MIRROR];
 
@@ -76,9 +74,8 @@ FN uint pick_lobe(PRIVATE(const float) weight, float r) {
     return LOBES_TO_SAMPLE - 1u;
 }
 
-// A direction of the reflected rough lobe; returns the factor.
-// RADIANCE weights a rough lobe where its ray's weight earns it two samples or more, -ss times the weight; what several
-// samples or a hemisphere of them sent out earns one (spec shading 3.4).
+// Samples a direction of the rough reflected lobe; returns its weight. RADIANCE weights a rough lobe where the ray's
+// weight allows two samples or more (-ss times the weight); here one sample has that weight (spec shading 3.4).
 FN float sample_rough_r(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Vertex) vertex,
                         PRIVATE(LobeSample) lobe) {
     PRIVATE(Lobes) lobes = &vertex->lobes;
@@ -101,7 +98,7 @@ FN float sample_rough_t(TABLES(const SceneTables) s, PARAMS(const Params) par, P
     return lobes_sample_rough_t(lobes, g, &vertex->rnd, par->ss, &lobe->dir);
 }
 
-// A direction about n on either side of the surface; returns the factor, 0 if it is on the wrong side of the geometry.
+// Samples a direction about n on either side; returns its weight, 0 if the direction lies below the geometric surface.
 FN float sample_hemisphere(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Vertex) vertex, float side,
                            PRIVATE(LobeSample) lobe) {
     PRIVATE(const Surface) g = &vertex->g;
@@ -110,7 +107,7 @@ FN float sample_hemisphere(TABLES(const SceneTables) s, PARAMS(const Params) par
     return side * dot3(lobe->dir, g->ng) <= 0.0f ? 0.0f : factor;
 }
 
-// The direction, colour and factor of the way taken, and what the path is from here on.
+// Direction, colour and weight of the sampled lobe, and the flags of the path after it.
 FN void sample_chosen_lobe(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Vertex) vertex,
                            PRIVATE(LobeSample) lobe) {
     PRIVATE(Lobes) lobes = &vertex->lobes;
@@ -152,10 +149,10 @@ FN void sample_chosen_lobe(TABLES(const SceneTables) s, PARAMS(const Params) par
     if (lobe->prob <= 0.0f) lobe->weight = 0.0f;
 }
 
-// Whether it stays before the surface, in the medium there; steep textures may turn its direction all the same.
+// Returns 1 if the path stays in the medium before the surface, whatever a steep texture makes of its direction.
 FN int lobe_reflects(uint lobe) { return lobe == SAMPLE_DIFFUSE_R || lobe == SAMPLE_ROUGH_R || lobe == SAMPLE_MIRROR; }
 
-// What the path has been through once it takes this lobe.
+// Flags of the path once it follows this lobe.
 FN uint lobe_path_flags(PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) lobe) {
     uint flags = vertex->flags;
     if (lobe_is_diffuse(lobe)) flags = (flags | PC_DIFFUSE) + (1u << PC_AB_SHIFT);
@@ -166,7 +163,7 @@ FN uint lobe_path_flags(PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) 
     return through ? flags : flags + (1u << PC_LEVEL_SHIFT);
 }
 
-// Chooses a way and a direction along it.  0: there is none, the path ends.
+// Samples a lobe and a direction.  Returns 0 if there is none and the path ends.
 FN int sample_lobe(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Vertex) vertex,
                    PRIVATE(LobeSample) lobe) {
     float weight[LOBES_TO_SAMPLE];

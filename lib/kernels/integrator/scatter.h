@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light of the sources that mists name, scattered once into the ray (spec: RADIANCE shading 3.9).
+// Single scattering of the light sources that mists name (spec: RADIANCE shading 3.9).
 #ifndef LUX_PATH_SCATTER_H
 #define LUX_PATH_SCATTER_H
 
@@ -7,7 +7,7 @@ FN GLOBAL const uint* light_set(TABLES(const SceneTables) s, PARAMS(const Params
     return s->u + par->light_sets_at + LIGHT_SET_WORDS * set;
 }
 
-// How many sources a medium scatters.
+// Number of sources that a medium scatters.
 FN uint scattered_count(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Medium) medium) {
     uint count = 0u;
     if (medium->lights == 0u || max3(mul3(medium->k, medium->albedo)) <= 0.0f) return 0u;
@@ -27,9 +27,9 @@ FN uint scattered_source(TABLES(const SceneTables) s, PARAMS(const Params) par, 
     return NONE;
 }
 
-// Single scattering along the ray that has come to the vertex, through the medium m: a random point of it, a random one
-// of the sources; with Henyey and Greenstein's phase function.  x, y: random, x.x in .5 .. 1, for half of the steps do
-// this and half light the surface.  Returns PATH_SHADOW if a shadow ray waits.
+// Single scattering along the ray to the vertex, through the medium m: a random point on the ray, a random source, and
+// the phase function of Henyey and Greenstein.  x, y: random numbers, x.x in .5 .. 1, because half of the steps do this
+// and half light the surface.  Returns PATH_SHADOW if a shadow ray was stored.
 FN int path_scatter(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                     PRIVATE(const Medium) medium, float2 x, float2 y, PRIVATE(Vertex) vertex) {
     float count = (float)vertex->scatterers, length = vertex->g.length;
@@ -44,7 +44,7 @@ FN int path_scatter(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLE
     if (light.w <= 0.0f) return 0;
     float3 radiance = sampled_radiance(s, par, source_record(s, par, source), &light, path_length, &vertex->rnd);
 
-    float ecc = MAX_(medium->ecc, 0.0f);  // RADIANCE takes one below 0 for 0
+    float ecc = MAX_(medium->ecc, 0.0f);  // RADIANCE treats a negative value as 0
     float c = dot3(light.dir, vertex->ray.dir);
     float d = 1.0f + ecc * ecc - 2.0f * ecc * c;
     float phase = (1.0f - ecc * ecc) / (d * sqrt_(d)) * 0.0795774715f;

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadow rays: what reaches a point from the source sample it chose.
+// Shadow rays: transmittance from a point to its sampled point on a source.
 #ifndef LUX_PATH_SHADOW_H
 #define LUX_PATH_SHADOW_H
 
-// What is known of the opaque surfaces in a shadow ray's way: nothing yet, that there is none, that there is one.
+// Opaque surfaces along a shadow ray: not traced yet, none, or one.
 #define SHADOW_TO_TRACE 0
 #define SHADOW_OPEN 1
 #define SHADOW_BLOCKED 2
 
-// A shadow ray on its way to the source sample that it was sent to.
+// A shadow ray on its way to its sampled point on a source.
 STRUCT(ShadowRay) {
     Ray ray;
-    GLOBAL const float* src;  // record of the source aimed at; behind a virtual one's relay, that of the next
-    float3 T;                 // what was let through so far
+    GLOBAL const float* src;  // record of the source aimed at; behind the relay of a virtual source, of the next one
+    float3 T;                 // transmittance so far
     float path_length;        // path length so far
-    Medium medium;            // where it is: the medium around,
-    uint clip;                // and what antimatter cuts away
+    Medium medium;            // the medium that the ray is in
+    uint clip;                // state of antimatter (clip.h)
     int absorbs;              // is there any medium in the scene?
-    int is_virtual;           // it was sent to a virtual source: its radiance is known only where it arrives
-    int bent;                 // it does not lie on one straight line
+    int is_virtual;           // aimed at a virtual source: its radiance is known at its end only
+    int bent;                 // it does not follow one straight line
     int known;                // SHADOW_TO_TRACE ...
     Sampler rnd;
 };
 
-// What is in its way, one of HIT_*: an emitter stops it, of a surface the lobes say what passes.  g, the surface, gets
-// its material; *here and *medium_behind, the media of the segment that ends here and behind the surface, come as what
-// the ray knows.  relayed: g is the relay of the virtual source aimed at.
+// Evaluates a hit of a shadow ray.  Returns HIT_*: an emitter stops the ray, the lobes of a surface hold its
+// transmittance.  g gets its material; *here and *medium_behind are the media of the segment that ends here and behind
+// the surface.  relayed: g is the relay of the virtual source aimed at.
 FN int shadow_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow, PRIVATE(Surface) g,
                   int relayed, PRIVATE(Medium) here, PRIVATE(Medium) medium_behind, PRIVATE(Lobes) lobes) {
     int antimatter = has_antimatter(par);
@@ -43,8 +43,8 @@ FN int shadow_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE
     return (lobes->flags & LOBE_PASS) != 0u ? HIT_NULL : HIT_SURFACE;
 }
 
-// May the ray have been aimed beside this source, so that only the source's own hit counts?  A tube is aimed at by its
-// axis, where it is open.  Or may something that lies in its plane show in its place?
+// Returns 1 if the ray may miss the source that it was aimed at, so that only a hit of the source adds light: tubes are
+// aimed at by their axis, and a surface in the source's plane may hide it.
 FN int shadow_seeks_source(PARAMS(const Params) par, GLOBAL const float* src) {
     uint kind = as_uint_(src[SRC_KIND]);
     if (src[SRC_COVERED] != 0.0f) return 1;
@@ -52,7 +52,7 @@ FN int shadow_seeks_source(PARAMS(const Params) par, GLOBAL const float* src) {
     return par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING);
 }
 
-// Does a ray that meets this source at t come from behind?  Into a tube it may come by an open end.
+// Returns 1 if a ray that hits this source at t comes from behind.  A tube may be entered by an open end.
 FN int shadow_from_behind(GLOBAL const float* src, PRIVATE(const Ray) ray, float t) {
     if (as_uint_(src[SRC_KIND]) != SK_CYLINDER) return 0;
     float3 axis = f3_at(src + SRC_U), from = sub3(madd3(ray->dir, t, ray->org), f3_at(src + SRC_CENTRE));
@@ -60,7 +60,7 @@ FN int shadow_from_behind(GLOBAL const float* src, PRIVATE(const Ray) ray, float
     return dot3(radial, ray->dir) > 0.0f;
 }
 
-// Is all that counts before it meets glass whether anything opaque lies between?  *ray: the one to trace.
+// Returns 1 if an occlusion test against opaque surfaces comes first, before any glass.  *ray: the ray of that test.
 FN int shadow_is_plain(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path,
                        PRIVATE(Ray) ray) {
     float4 org = paths->shadow_org[path], dir = paths->shadow_dir[path];
@@ -75,7 +75,7 @@ FN int shadow_is_plain(TABLES(const SceneTables) s, PARAMS(const Params) par, TA
     return 1;
 }
 
-// Is what shows at the place of a source, which the ray meets at hit, a mixture that lies in its plane?
+// Returns 1 if the source is hidden, where the ray hits it, by a mixture in its plane.
 FN int shadow_covered(TABLES(const SceneTables) s, GLOBAL const float* src, PRIVATE(const Ray) ray,
                       PRIVATE(const Hit) hit) {
     if (src[SRC_COVERED] == 0.0f) return 0;
@@ -88,8 +88,8 @@ FN int shadow_covered(TABLES(const SceneTables) s, GLOBAL const float* src, PRIV
     return seen.prim != hit->prim;
 }
 
-// Does anything opaque stand between?  Also sets how far the ray looks for what lets light through, and *must_hit if it
-// has still to find the source itself.
+// Returns 1 if something opaque occludes the ray.  Also sets the length to trace for surfaces that transmit light, and
+// *must_hit if the ray must still hit the source itself.
 FN int shadow_blocked(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow, float dist,
                       PRIVATE(int) must_hit) {
     PRIVATE(Ray) ray = &shadow->ray;
@@ -99,7 +99,7 @@ FN int shadow_blocked(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     if (shadow->known != SHADOW_TO_TRACE) return shadow->known == SHADOW_BLOCKED;
     if (kind != SK_SPHERE && kind != SK_CYLINDER && !*must_hit) return trace_any(s, ray, RAY_OPAQUE);
 
-    // near its outline a round source may shadow itself; with -ds RADIANCE aims beside odd shapes, too
+    // near its outline a round source may shadow itself; with -ds RADIANCE aims beside other shapes
     Hit hit;
     if (*must_hit) ray->tmax = dist * 1.001f;
     trace_closest(s, ray, RAY_OPAQUE, &hit);
@@ -112,7 +112,7 @@ FN int shadow_blocked(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     return 0;
 }
 
-// What reaches the point straight through glass, smooth trans, mixtures with void (spec shading 4.5).
+// Transmittance straight through glass, smooth trans and mixtures with void (spec shading 4.5).
 FN float3 shadow_straight(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow,
                           float dist) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
@@ -140,9 +140,9 @@ FN float3 shadow_straight(TABLES(const SceneTables) s, PARAMS(const Params) par,
         g.path_length = shadow->path_length;
         int at_source = hit.prim == as_uint_(shadow->src[SRC_PRIM]);
         Medium here = shadow->medium, medium_behind = shadow->medium;
-        int met = at_source ? HIT_NULL : shadow_hit(s, par, shadow, &g, 0, &here, &medium_behind, &lobes);
-        if (met == HIT_SURFACE) shadow->T = mul3(shadow->T, lobes.through);
-        if (met == HIT_EMITTER || max3(shadow->T) <= 0.0f) return black;
+        int kind = at_source ? HIT_NULL : shadow_hit(s, par, shadow, &g, 0, &here, &medium_behind, &lobes);
+        if (kind == HIT_SURFACE) shadow->T = mul3(shadow->T, lobes.through);
+        if (kind == HIT_EMITTER || max3(shadow->T) <= 0.0f) return black;
 
         if (shadow->absorbs) {
             Medium crossed = g.mixed ? shadow->medium : here;
@@ -160,7 +160,7 @@ FN float3 shadow_straight(TABLES(const SceneTables) s, PARAMS(const Params) par,
     return black;
 }
 
-// A ray that was aimed leaves the scene: the source must lie there.
+// An aimed ray leaves the scene: a distant source must lie in its direction.
 FN float3 aimed_at_sky(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     GLOBAL const float* src = shadow->src;
@@ -175,7 +175,7 @@ FN float3 aimed_at_sky(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
                                           FAR_AWAY, FAR_AWAY, &shadow->rnd));
 }
 
-// It has arrived at its source.
+// The ray has arrived at its source.
 FN float3 aimed_at_source(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow,
                           PRIVATE(const Surface) g) {
     if (!g->front) return F3(0.0f, 0.0f, 0.0f);
@@ -185,7 +185,7 @@ FN float3 aimed_at_source(TABLES(const SceneTables) s, PARAMS(const Params) par,
                                           g->nface, g->length, g->path_length, &shadow->rnd));
 }
 
-// The relay of the virtual source sends the ray on, to the source behind it.  Returns the new direction.
+// Redirects the ray at the relay of a virtual source, toward the source behind it.  Returns the new direction.
 FN float3 aimed_relay(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow,
                       PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
     GLOBAL const uint* relay = s->u + as_uint_(shadow->src[SRC_VIRTUAL]);
@@ -203,7 +203,7 @@ FN float3 aimed_relay(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     return next;
 }
 
-// What another surface lets through of it, and in which direction.
+// Transmittance of another surface, and the direction behind it.
 FN float3 aimed_through(PRIVATE(ShadowRay) shadow, PRIVATE(const Lobes) lobes) {
     if (max3(lobes->refract) > 0.0f) {
         shadow->T = mul3(shadow->T, lobes->refract);
@@ -215,9 +215,8 @@ FN float3 aimed_through(PRIVATE(ShadowRay) shadow, PRIVATE(const Lobes) lobes) {
     return shadow->ray.dir;
 }
 
-// What reaches the point where light may bend (dielectric) or be relayed (mirror): followed surface by surface; it must
-// arrive at the real source aimed at (spec shading 3.6, 4.6).  For virtual sources the result holds the source's
-// radiance.
+// Transmittance where light is refracted (dielectric) or relayed (mirror): followed surface by surface to the real
+// source aimed at (spec shading 3.6, 4.6).  For virtual sources the result includes the source's radiance.
 FN float3 shadow_aimed(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
     PRIVATE(Ray) ray = &shadow->ray;
@@ -236,16 +235,16 @@ FN float3 shadow_aimed(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
         g.path_length = shadow->path_length;
         if (relay == NONE && hit.prim == as_uint_(shadow->src[SRC_PRIM])) return aimed_at_source(s, par, shadow, &g);
 
-        // the surface turns the ray, weakens it or stops it
+        // the surface redirects the ray, attenuates it or stops it
         float3 next = ray->dir;
         Medium here = shadow->medium, medium_behind = shadow->medium;
         int relayed = relay != NONE && hit.prim == s->u[relay + RELAY_PRIM];
-        int met = shadow_hit(s, par, shadow, &g, relayed, &here, &medium_behind, &lobes);
-        if (met == HIT_SURFACE)
+        int kind = shadow_hit(s, par, shadow, &g, relayed, &here, &medium_behind, &lobes);
+        if (kind == HIT_SURFACE)
             next = relayed ? aimed_relay(s, par, shadow, &g, &lobes) : aimed_through(shadow, &lobes);
-        if (met == HIT_EMITTER || max3(shadow->T) <= 0.0f) return black;
+        if (kind == HIT_EMITTER || max3(shadow->T) <= 0.0f) return black;
 
-        // and so does the medium before it
+        // the medium before it attenuates it, too
         int reflected = dot3(next, g.ng) > 0.0f;
         if (shadow->absorbs) {
             Medium crossed = g.mixed ? shadow->medium : here;
@@ -259,8 +258,8 @@ FN float3 shadow_aimed(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
     return black;
 }
 
-// Where patterns fall below 0 RADIANCE counts light that arrives with the sum of its channels above 0.  (An emitter's
-// own pattern is not in this sum.)
+// Where patterns fall below 0, RADIANCE keeps light whose channels sum to more than 0.  (The emitter's own pattern is
+// not in this sum.)
 FN int shadow_counts(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const ShadowRay) shadow, float3 T) {
     if (T.x >= 0.0f && T.y >= 0.0f && T.z >= 0.0f) return 1;
     GLOBAL const uint* emitter = mod_record(s, par, as_uint_(shadow->src[SRC_MOD]));
@@ -269,7 +268,7 @@ FN int shadow_counts(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIV
     return light.x + light.y + light.z > 0.0f;
 }
 
-// Adds what the shadow ray of a path brings.  known: of a plain one (shadow_is_plain).
+// Adds the light of a path's shadow ray.  known: visibility of a plain one (shadow_is_plain).
 FN void path_shadow(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path,
                     int known) {
     float4 org = read4_(paths->shadow_org, path), dir = read4_(paths->shadow_dir, path),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The small sources that are drawn into frame 0, by area.
+// Small sources, splatted into frame 0 by area.
 #ifndef LUX_PATH_SPLAT_H
 #define LUX_PATH_SPLAT_H
 
-// MODE_SPLAT: path i holds a straight ray from the eye to a point of a source and its weight, written by the host into
-// the path's shadow ray; the source's own radiance is applied here, path_shadow follows.
+// MODE_SPLAT: the shadow ray of path i is a straight ray from the eye to a point of a source, with its weight, written
+// by the host; the source's radiance is applied here, path_shadow follows.
 FN void path_splat(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     uint source = as_uint_(paths->shadow_org[path].w);
     GLOBAL const float* src = source_record(s, par, source);

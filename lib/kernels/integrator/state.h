@@ -1,49 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// State of the paths in flight, one path each, and the flags that say what a path has been through.
+// State of the paths in flight, and the flags of their history.
 // A path's class is "diffuse" once it has left a surface into the hemisphere (paper section 3; spec shading 0.2).
 #ifndef LUX_PATH_STATE_H
 #define LUX_PATH_STATE_H
 
-// The one list of what a path is made of: FIELD(type, name, when) for each field, four words a path.  The struct Paths,
-// what both devices allocate and the arguments of the OpenCL kernels come from it.  Wide types first, for they are laid
-// one after another.
-//   when: PATH_ALWAYS, or what makes it needed: PATH_MEDIA media or antimatter in the scene, PATH_REUSE
-//   that paths share their suffix vertices
+// The fields of a path: FIELD(type, name, when), four words a path.  The struct Paths, the allocations of both devices
+// and the arguments of the OpenCL kernels are generated from this list.  Wide types first, because the fields are
+// consecutive in memory.
+//   when: PATH_ALWAYS; PATH_MEDIA: media or antimatter in the scene; PATH_REUSE: path reuse
 // clang-format off
 #define PATH_STATE(FIELD)                                                                                            \
-    FIELD(float4, org, PATH_ALWAYS)              /* the ray's origin; w: what is cut away there (bits; clip.h) */    \
-    FIELD(float4, dir, PATH_ALWAYS)              /* its direction; w: how far it looks */                            \
+    FIELD(float4, org, PATH_ALWAYS)              /* the ray's origin; w: antimatter state there (bits; clip.h) */    \
+    FIELD(float4, dir, PATH_ALWAYS)              /* its direction; w: its length */                                  \
     FIELD(float4, throughput, PATH_ALWAYS)       /* throughput, rgb; w: RADIANCE's ray weight (-lw) */               \
-    FIELD(float4, rad, PATH_ALWAYS)              /* radiance gathered, rgb; w: path length from the eye */           \
+    FIELD(float4, rad, PATH_ALWAYS)              /* radiance so far, rgb; w: path length from the eye */             \
     FIELD(uint4, info, PATH_ALWAYS)              /* PC_ flags; sampler: key, index | dim << 8; instance hit */       \
     FIELD(float4, hit, PATH_ALWAYS)              /* t, primitive (bits), u, v */                                     \
     FIELD(float4, shadow_org, PATH_ALWAYS)       /* the shadow ray's origin; w: its source (bits) */                 \
     FIELD(float4, shadow_dir, PATH_ALWAYS)       /* its direction; w: distance of the source */                      \
-    FIELD(float4, shadow_rad, PATH_ALWAYS)       /* what it brings if unblocked, rgb; w: path length so far */       \
+    FIELD(float4, shadow_rad, PATH_ALWAYS)       /* its light if unoccluded, rgb; w: path length so far */           \
     FIELD(float4, medium, PATH_MEDIA)            /* the medium around, extinction rgb; w: sets of lights (bits) */   \
     FIELD(float4, albedo, PATH_MEDIA)            /* its albedo, rgb; w: eccentricity */                              \
-    FIELD(float4, shadow_medium, PATH_MEDIA)     /* the shadow ray's, extinction rgb; w: cut away there (bits) */    \
+    FIELD(float4, shadow_medium, PATH_MEDIA)     /* the shadow ray's, extinction rgb; w: antimatter (bits) */        \
     FIELD(float4, shadow_albedo, PATH_MEDIA)     /* its albedo, rgb; w: sets of lights (bits) */                     \
-    FIELD(float4, prefix_p, PATH_REUSE)          /* prefix vertex: its next ray begins; w: portals' light */         \
-    FIELD(float4, prefix_n, PATH_REUSE)          /* shading normal; w: factor of its own ray, or NO_PREFIX */        \
-    FIELD(float4, prefix_ng, PATH_REUSE)         /* the geometry's; w: highlights met there (bits) */                \
-    FIELD(float4, prefix_throughput, PATH_REUSE) /* throughput without that, rgb; w: probability to connect it */    \
+    FIELD(float4, prefix_p, PATH_REUSE)          /* prefix vertex: origin of its next ray; w: portals' light */      \
+    FIELD(float4, prefix_n, PATH_REUSE)          /* shading normal; w: weight of its own ray, or NO_PREFIX */        \
+    FIELD(float4, prefix_ng, PATH_REUSE)         /* geometric normal; w: highlights there (bits) */                  \
+    FIELD(float4, prefix_throughput, PATH_REUSE) /* throughput without that, rgb; w: survival probability */         \
     FIELD(float4, suffix_p, PATH_REUSE)          /* suffix vertex: point or direction; w: SUFFIX_..*/                \
     FIELD(float4, suffix_n, PATH_REUSE)          /* normal on the ray's side; w: error scale */                      \
-    FIELD(float4, suffix_rad, PATH_REUSE)        /* radiance that it sends out, rgb; w: path length as in rad */     \
-    FIELD(float4, shadow_suffix, PATH_REUSE)     /* what the shadow ray brings to it, rgb; w: 1, 0: nothing */       \
+    FIELD(float4, suffix_rad, PATH_REUSE)        /* outgoing radiance, rgb; w: path length as in rad */              \
+    FIELD(float4, shadow_suffix, PATH_REUSE)     /* light of the shadow ray for it, rgb; w: 1, 0: none */            \
     FIELD(Transmittances, transmittance, PATH_REUSE) /* along the connections to the suffix vertex (connect.h) */    \
-    FIELD(ConnectionWords, pdf, PATH_REUSE)      /* with which the prefix vertices would have found it */            \
-    FIELD(ConnectionWords, contribution, PATH_REUSE) /* what it is worth to them, but for panes */                   \
-    FIELD(uint, connections, PATH_REUSE)         /* what is known of them */
+    FIELD(ConnectionWords, pdf, PATH_REUSE)      /* with which the prefix vertices would have sampled it */          \
+    FIELD(ConnectionWords, contribution, PATH_REUSE) /* contributions to them, without the panes */                  \
+    FIELD(uint, connections, PATH_REUSE)         /* their visibility */
 // clang-format on
 
-#define NO_PREFIX -1.0f   // a factor that there is not
-#define SUFFIX_NONE 0.0f  // what suffix_p is
+#define NO_PREFIX -1.0f   // in place of a weight: there is no prefix vertex
+#define SUFFIX_NONE 0.0f  // kinds of suffix_p
 #define SUFFIX_POINT 1.0f
 #define SUFFIX_DIRECTION 2.0f
 
-// Of the connections between a suffix vertex and the prefix vertices of its group, a word or what panes let through
+// For the connections between a suffix vertex and the prefix vertices of its group: a word each, or a transmittance
 // each.
 STRUCT(ConnectionWords) { float of[REUSE_GROUP]; };
 STRUCT(Transmittances) { float4 of[REUSE_GROUP]; };
@@ -62,19 +61,18 @@ FN uint path_needs(PARAMS(const Params) par) {
     return (path_media_used(par) ? PATH_MEDIA : 0u) | (par->reuse_path_count != 0u ? PATH_REUSE : 0u);
 }
 
-// flags in info.x
-#define PC_DIFFUSE 1u          // some ancestor was a hemisphere sample
-#define PC_ROUGH 2u            // some ancestor was a rough-specular sample
-#define PC_BENT 4u             // some reflection or refraction lies behind: not the eye's straight ray
-#define PC_RECORDS_SUFFIX 64u  // it has a prefix vertex, and no suffix vertex yet (suffix.h)
-#define PC_SUFFIX 128u         // what it gathers is what its suffix vertex sends out
+// Flags in info.x
+#define PC_DIFFUSE 1u          // a diffuse bounce lies behind
+#define PC_ROUGH 2u            // a rough specular bounce lies behind
+#define PC_BENT 4u             // a reflection or refraction lies behind: not the eye's straight ray
+#define PC_RECORDS_SUFFIX 64u  // it has a prefix vertex and no suffix vertex yet (suffix.h)
+#define PC_SUFFIX 128u         // its light is outgoing radiance of its suffix vertex
 #define PC_LEVEL_SHIFT 8u      // reflection level, 8 bits
 #define PC_AB_SHIFT 16u        // diffuse depth, 8 bits
-#define PC_STEP_SHIFT 24u      // surfaces met, 8 bits, saturating
+#define PC_STEP_SHIFT 24u      // surfaces hit, 8 bits, saturating
 #define PC_STEP_LIMIT 250u
 
-// Has a diffuse or rough surface sent the path on?  Else it is the eye's ray, or one that mirrors and panes have
-// turned.
+// Returns 1 after a diffuse or rough bounce; else the ray is the eye's, perhaps by way of mirrors and panes.
 FN int path_sampled(uint flags) { return (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u; }
 
 FN Sampler path_sampler(uint4 info) {
@@ -88,7 +86,7 @@ FN Sampler path_sampler(uint4 info) {
 
 FN uint path_sampler_word(PRIVATE(const Sampler) rnd) { return rnd->index | (rnd->dim << 8); }
 
-// q: words of `hit`.
+// q: first words of `hit`.
 FN Hit path_hit(float4 q, uint4 info) {
     Hit hit;
     hit.t = q.x;
@@ -109,8 +107,8 @@ FN void set_path_hit(TABLES(const Paths) paths, uint path, PRIVATE(const Hit) hi
     paths->info[path].w = hit->inst;
 }
 
-// Paths of one kind have met the same material, or nothing (0), and take the same branches: they are shaded side by
-// side where that pays.  By number; many materials may share one.
+// Paths of one kind have hit the same type of material (0: none) and take the same branches: where it pays, they are
+// shaded together.  By number; several types may share one.
 #define PATH_KINDS 64u
 FN uint path_kind(TABLES(const SceneTables) s, TABLES(const Paths) paths, uint path) {
     uint prim = as_uint_(paths->hit[path].y);

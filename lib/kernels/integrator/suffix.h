@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ends that paths share (path_reuse.h).  Where a path first leaves a surface that the eye sees straight, into the
-// hemisphere, is its prefix vertex.  What that ray meets, straight on or through panes, is its suffix vertex, if it
-// sends the same radiance to all who see it: the sky, an emitter, what a matt surface scatters evenly.  Then the suffix
-// vertex lights the near ends of all the group (connect.h), not that of its path alone.
+// Path reuse (path_reuse.h).  The prefix vertex of a path is the point where it first leaves, by a diffuse ray, a
+// surface that the eye sees directly or through panes.  The suffix vertex is the hit of that ray, directly or through
+// panes, if it sends the same radiance in all directions: the sky, an emitter, a diffuse surface.  The suffix vertex
+// lights the prefix vertices of the whole group (connect.h).
 #ifndef LUX_PATH_SUFFIX_H
 #define LUX_PATH_SUFFIX_H
 
-// Does the surface, or what it is made of, depend on how it is seen?  on: MF_LOOKS or MF_TOTAL.
+// Returns 1 if the surface or one of its modifiers depends on how it is seen.  on: MF_LOOKS or MF_TOTAL.
 FN int surface_depends(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint on) {
     uint mod = s->prims[PRIM_WORDS * g->prim + PRIM_MOD];
     if (in_instance(g->inst)) {
@@ -16,13 +16,13 @@ FN int surface_depends(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
     return (mod_word(s, par, mod, MOD_FLAGS) & on) != 0u;
 }
 
-// A plain pane, through which the suffix vertex is sought.  Links know their own direction and length as paths do, but
-// not how far away the eye is.
+// Plain pane, through which a connection may pass.  A connection knows its direction and length, but not the distance
+// to the eye.
 FN int is_pane(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g) {
     return g->type == M_GLASS && !g->mixed && (g->smooth || !is_textured(g)) && !surface_depends(s, par, g, MF_TOTAL);
 }
 
-// The chance that a path goes on through a pane, where it may be mirrored, too.
+// Probability that a path passes a pane rather than being reflected.
 FN float pane_prob(PRIVATE(const Lobes) lobes) {
     float through = max3(lobes->through), mirror = max3(lobes->mirror);
     through = through > 0.0f ? through : 0.0f;
@@ -30,7 +30,7 @@ FN float pane_prob(PRIVATE(const Lobes) lobes) {
     return through > 0.0f ? through / (through + mirror) : 0.0f;
 }
 
-// Does a part of what the surface scatters look the same from everywhere?
+// Returns 1 if a part of the scattered light is the same in all directions.
 FN int scatters_evenly(PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
     if (material_has(g->type, MT_EVEN) == 0u || is_textured(g)) return 0;
     if ((lobes->flags & LOBE_FRESNEL) != 0u || max3(lobes->through) > 0.0f) return 0;
@@ -43,22 +43,22 @@ FN void suffix_point(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex) {
     write4_(paths->suffix_n, vertex->path, pack4(g->ng, g->error_scale));
 }
 
-// A path that seeks has met a surface.
+// A path without a suffix vertex has hit a surface.
 FN void path_record_suffix(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
-                           PRIVATE(Vertex) vertex, int met) {
+                           PRIVATE(Vertex) vertex, int kind) {
     PRIVATE(const Surface) g = &vertex->g;
-    if (met == HIT_SURFACE && is_pane(s, par, g)) return;
+    if (kind == HIT_SURFACE && is_pane(s, par, g)) return;
     vertex->flags &= ~PC_RECORDS_SUFFIX;
-    if (met == HIT_NULL || surface_depends(s, par, g, MF_LOOKS)) return;
+    if (kind == HIT_NULL || surface_depends(s, par, g, MF_LOOKS)) return;
 
-    if (met == HIT_SURFACE) {
+    if (kind == HIT_SURFACE) {
         if (!scatters_evenly(g, &vertex->lobes)) return;
         vertex->at_suffix = 1;
         suffix_point(paths, vertex);
         return;
     }
 
-    // an emitter; whether a glow shines may depend on how far away it is
+    // an emitter; the radiance of a glow with a radius depends on the distance
     GLOBAL const float* arg = s->f + mod_word(s, par, g->mod, MOD_ARGS);
     if (!vertex->wanted || g->mixed || (g->type == M_GLOW && arg[3] > 0.0f)) return;
     suffix_point(paths, vertex);
@@ -66,13 +66,13 @@ FN void path_record_suffix(TABLES(const SceneTables) s, PARAMS(const Params) par
     vertex->emitted = F3(0.0f, 0.0f, 0.0f);
 }
 
-// A path that seeks has met nothing.
+// A path without a suffix vertex has left the scene.
 FN void suffix_sky(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, float3 radiance) {
     write4_(paths->suffix_p, vertex->path, pack4(vertex->ray.dir, SUFFIX_DIRECTION));
     write4_(paths->suffix_rad, vertex->path, pack4(radiance, vertex->path_length_start));
 }
 
-// Light has come to the path: by the shadow ray of its last step, T of what the ray would have brought.
+// Adds the light of the shadow ray of the last step; T: its transmittance.
 FN void path_receive(PARAMS(const Params) par, TABLES(const Paths) paths, uint path, float3 light, float3 T) {
     if (par->reuse_path_count != 0u) {
         float4 even = read4_(paths->shadow_suffix, path), far = read4_(paths->suffix_rad, path);

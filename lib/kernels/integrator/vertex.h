@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A vertex: all that the stages of one step know of the path and of the point that it has come to.  Each stage (the
-// other files of this folder) takes one, reads what the stages before it have found, and adds what it finds.
+// A vertex: state of one step of a path at its hit.  Each stage (the other files of this folder) reads the results of
+// the stages before it and adds its own.
 #ifndef LUX_PATH_VERTEX_H
 #define LUX_PATH_VERTEX_H
 
 STRUCT(Vertex) {
     // the path so far
-    uint path;          // its index in Paths
-    uint flags;         // PC_ flags
-    int wanted;         // does light of the path's class count in this pass? (emission.h)
-    float3 rad;         // radiance gathered
-    float3 throughput;  // throughput
-    float weight;  // RADIANCE's ray weight: what the surfaces have left, whatever the probability of the directions was
+    uint path;                // its index in Paths
+    uint flags;               // PC_ flags
+    int wanted;               // does this pass record light of the path's class? (emission.h)
+    float3 rad;               // radiance gathered
+    float3 throughput;        // throughput
+    float weight;             // RADIANCE's ray weight: product of the surfaces' coefficients, not of 1/probabilities
     float path_length_start;  // path length from the eye to where the last ray began
     Sampler rnd;
 
-    // the suffix vertex that this vertex is, if so (suffix.h)
+    // the suffix vertex, if this is one (suffix.h)
     int at_suffix;
-    float3 suffix_rad;  // what it sends out
+    float3 suffix_rad;  // its outgoing radiance
 
-    // the ray that has come here, and the surface that it met
+    // the ray, and the surface that it hit
     Ray ray;
     Hit hit;
     Surface g;
@@ -28,22 +28,22 @@ STRUCT(Vertex) {
 
     // media (medium.h) and antimatter (clip.h) on both sides of the surface
     int absorbs;           // is there any medium in the scene?
-    Medium arriving;       // of the segment that ends here, as the surface knows it
+    Medium arriving;       // of the segment that ends here, as corrected by the surface
     Medium medium_behind;  // behind the surface
-    uint clip_before;      // what antimatter cuts away on the ray's side
+    uint clip_before;      // antimatter state on the ray's side
     uint clip_behind;      // and behind the surface
-    uint scatterers;       // how many sources the crossed medium scatters
+    uint scatterers;       // number of sources that the crossed medium scatters
     int went_to_medium;    // this step's shadow ray starts in the medium, not at the surface
 };
 
-// What path_shade returns, bits.
+// Result bits of path_shade.
 #define PATH_CONTINUES 1  // the path holds the next ray
 #define PATH_SHADOW 2     // and a shadow ray
 
-// What a ray has met.
-#define HIT_NULL 0     // it goes straight on
-#define HIT_EMITTER 1  // it ends in a light
-#define HIT_SURFACE 2  // lobes say how light is scattered
+// Kinds of hits.
+#define HIT_NULL 0     // the ray passes
+#define HIT_EMITTER 1  // the path ends
+#define HIT_SURFACE 2  // lobes hold the scattering
 
 FN void vertex_load(PARAMS(const Params) par, TABLES(const Paths) paths, uint path, PRIVATE(Vertex) vertex) {
     float4 org = read4_(paths->org, path), dir = read4_(paths->dir, path), throughput = read4_(paths->throughput, path),
@@ -78,7 +78,7 @@ FN void vertex_load(PARAMS(const Params) par, TABLES(const Paths) paths, uint pa
     vertex->went_to_medium = 0;
 }
 
-// Puts back what the path has gathered, for itself or for its suffix vertex.  length: as below.
+// Stores the radiance of the path, for itself or for its suffix vertex.  length: as below.
 FN void vertex_store_rad(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
     uint path = vertex->path;
     if (vertex->at_suffix) write4_(paths->suffix_rad, path, pack4(vertex->suffix_rad, length));
@@ -86,7 +86,7 @@ FN void vertex_store_rad(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex
     else write4_(paths->suffix_rad, path, pack4(vertex->rad, length));
 }
 
-// Puts back what the step has changed of the path.  length: from the eye to where its next ray begins.
+// Stores the state of the path that the step has changed.  length: from the eye to the origin of its next ray.
 FN void vertex_store(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
     vertex_store_rad(paths, vertex, length);
     uint4 info;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which active source a shadow ray is sent to: each with a probability proportional to what it importances at the point
-// (power, solid angle, cosines, the apertures that a virtual one's light must pass).  Few are all looked at, many stand
-// in a tree (light_tree.h).  A importance is 0 only where the source can give nothing, so the estimate is right in the
-// mean whatever the importances are.
+// Chooses the active source of a shadow ray, with a probability in proportion to its importance at the point (power,
+// solid angle, cosines, the apertures that the light of a virtual source must pass).  A few sources are all evaluated,
+// many stand in a tree (light_tree.h).  Unbiased for any importance that is positive wherever the source can add light.
 #ifndef LUX_CHOOSE_SOURCE_H
 #define LUX_CHOOSE_SOURCE_H
 
-#define LEAST_COSINE 0.05f  // what lies behind a surface or on edge may still shine through it or at its rim
+#define LEAST_COSINE 0.05f  // a source behind the surface or on edge may still be visible through it or at its rim
 
-// What source i could give a surface at p with normal n, up to a factor; both: from behind, too.
+// Importance of source i at p with normal n, up to a factor; both: also from behind.
 FN float source_importance(TABLES(const SceneTables) s, PARAMS(const Params) par, UNIFORM uint i, float3 p, float3 n,
                            int both) {
     GLOBAL const float* UNIFORM src = s->f + par->sources_at + SOURCE_FLOATS * i;
@@ -16,7 +15,7 @@ FN float source_importance(TABLES(const SceneTables) s, PARAMS(const Params) par
     float3 to = f3_at(src + SRC_CENTRE);
     float r = src[SRC_RADIUS], power = src[SRC_POWER] * src[SRC_AREA], d2 = 1.0f, d = 1.0f;
     if (kind == SK_CYLINDER) r += length3(f3_at(src + SRC_U));
-    if (src[SRC_SHEARED] != 0.0f)  // no less than any sampled point is away
+    if (src[SRC_SHEARED] != 0.0f)  // no more than the distance of any sampled point
         r = 2.0f * (length3(f3_at(src + SRC_U)) + length3(f3_at(src + SRC_V)) + length3(f3_at(src + SRC_NORMAL)));
 
     if (kind != SK_DISTANT) {
@@ -46,8 +45,8 @@ FN float source_importance(TABLES(const SceneTables) s, PARAMS(const Params) par
     return power * MIN_(MAX_(c, 0.0f) + LEAST_COSINE, 1.0f);
 }
 
-// Chooses one active source for a surface at p with normal n, lit from both sides or not.  Returns 1/probability, or 0
-// if none can shine.
+// Chooses an active source for a surface at p with normal n, lit from both sides or one.  Returns 1/probability, or 0
+// if no source can light it.
 FN float choose_source(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, int both,
                        PRIVATE(Sampler) rnd, PRIVATE(uint) chosen) {
     uint count = par->source_count, picked = 0u;

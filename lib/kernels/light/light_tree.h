@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Many active sources stand in a tree (flatten/light_tree.cpp): its nodes are balls about sources that are near each
-// other.  What a node importances at a point is what its sources together could give there; 0 only where none of them
-// can give anything.  A walk opens the nodes that are large for their distance; those that it meets then are the cut.
-// From these by their importances, and in them by power, candidates are drawn, and of the candidates one is chosen by
-// what it importances itself (after Conty Estevez and Kulla 2018; resampled importance sampling, Talbot et al. 2005).
+// Light tree (after Conty Estevez and Kulla 2018; built by flatten/light_tree.cpp): its nodes are bounding balls of
+// neighbouring sources.  The importance of a node at a point bounds the joint contribution of its sources; it is 0 only
+// where none of them contributes.  Traversal opens the nodes that are large for their distance; the others are the cut.
+// Candidates are drawn from the cut by importance, and within a node by power; one candidate is chosen by its own
+// importance (resampled importance sampling, Talbot et al. 2005).
 #ifndef LUX_LIGHT_TREE_H
 #define LUX_LIGHT_TREE_H
 
-#define LIGHT_OPENED 0.5f          // a node whose radius is more than this share of its distance is opened
-#define LIGHT_CUT 128u             // most nodes of a cut; no more sources than so many are all in it
-#define LIGHT_CANDIDATES 32u       // of more sources so many are drawn
-#define LEAST_OF_BOTH_SIDES 0.05f  // of the cosine, where other normals than the one given may count
+#define LIGHT_OPENED 0.5f          // opens a node whose radius is more than this part of its distance
+#define LIGHT_CUT 128u             // most nodes of a cut; up to this number of sources all are in it
+#define LIGHT_CANDIDATES 32u       // drawn where there are more sources
+#define LEAST_OF_BOTH_SIDES 0.05f  // of the cosine, where normals other than the given one apply
 
-// Nodes that together hold every source once, but for those that can give nothing.
+// Nodes that together hold every source once, except those that cannot contribute.
 STRUCT(LightCut) {
     uint count, at[LIGHT_CUT];
-    float upto[LIGHT_CUT];  // sums of what they importance
+    float upto[LIGHT_CUT];  // running sums of their importances
 };
 
-// Does the next of a row of weights take the place of the one kept so far, if t is its share of their sum?  One random
-// number r serves for all (Chao's reservoir).
+// Decides whether the next of a row of weights replaces the one kept, t being its part of the sum.  One random number r
+// serves for all (reservoir sampling, Chao 1982).
 FN int reservoir_accept(float t, PRIVATE(float) r) {
     int takes = *r < t;
     *r = takes ? *r / t : (*r - t) / (1.0f - t);
     return takes;
 }
 
-// What a horizon leaves of a ball's cosine c, which subtends an angle of sine `sine`: nothing below, all of it above.
+// Cosine c of a ball above a horizon, which subtends an angle of sine `sine`: 0 if all of it is below, c if all is
+// above.
 FN float above_horizon(float c, float sine) {
     if (c >= sine) return MIN_(c, 1.0f);
     if (c <= -sine) return 0.0f;
@@ -39,13 +40,13 @@ FN GLOBAL const float* light_node(TABLES(const SceneTables) s, PARAMS(const Para
 
 FN int light_is_source(GLOBAL const float* node) { return as_uint_(node[LIGHT_SOURCE]) != NONE; }
 
-// From p to the middle of a node's ball.
+// Vector from p to the middle of a node's ball.
 FN float3 lobe_to_light(GLOBAL const float* node, float3 p) {
     float3 centre = f3_at(node + LIGHT_CENTRE);
     return node[LIGHT_FAR] > 0.0f ? sub3(centre, p) : centre;  // else distant
 }
 
-// What the sources of a node could give a surface at p with normal n, up to a factor; both: from behind, too.
+// Importance of a node at p with normal n, up to a factor; both: also from behind.
 FN float light_importance(TABLES(const SceneTables) s, GLOBAL const float* node, float3 p, float3 n, int both) {
     float3 to = lobe_to_light(node, p);
     float d = MAX_(length3(to), 1e-9f), r = node[LIGHT_RADIUS], far = node[LIGHT_FAR], power = node[LIGHT_POWER];
@@ -70,16 +71,15 @@ FN float light_importance(TABLES(const SceneTables) s, GLOBAL const float* node,
     return power * MIN_(above_horizon(facing, sine) + spread, 1.0f);
 }
 
-// Is a node to be replaced by its halves?
+// Returns 1 if a node is to be replaced by its children.
 FN int light_is_opened(GLOBAL const float* node, float3 p, float share) {
     float3 to = lobe_to_light(node, p);
     float r = node[LIGHT_RADIUS];
     return !light_is_source(node) && r * r > share * share * dot3(to, to);
 }
 
-// Opens the nodes whose radius is more than that share of their distance.  Returns 0 if they are too many for a cut.
-// Nodes stand in the order of a walk that opens all of them, each followed by its halves, and know where the walk goes
-// on without that.
+// Opens the nodes whose radius is more than the given part of their distance.  Returns 0 if a cut cannot hold them all.
+// Nodes are in depth-first order, each followed by its children, and store where the traversal goes on without them.
 FN int cut_tree(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, int both, float share,
                 PRIVATE(LightCut) cut) {
     int all = par->source_count <= LIGHT_CUT;
@@ -100,8 +100,8 @@ FN int cut_tree(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p,
     return 1;
 }
 
-// One of the sources of node i, drawn by power.  u: a random number below *prob, the probability of the node, which
-// becomes the source's.  Returns its node.
+// Draws a source of node i by power.  u: a random number below *prob, the probability of the node, which becomes that
+// of the source.  Returns the source's node.
 FN uint source_of_light(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i, float u, PRIVATE(float) prob) {
     for (;;) {
         GLOBAL const float* node = light_node(s, par, i);
@@ -114,14 +114,14 @@ FN uint source_of_light(TABLES(const SceneTables) s, PARAMS(const Params) par, u
     }
 }
 
-// A candidate: its node, what it importances, and its probability times the sum of the cut's importances.
+// A candidate: its node, its importance, and its probability times the sum of the cut's importances.
 STRUCT(LightCandidate) {
     uint at;
     float importance, prob;
 };
 
-// The candidate that y stands for, 0 .. the sum of the cut's importances.  *k: from where in the cut it is looked for;
-// it comes back as where it was found.
+// Candidate at y, from 0 to the sum of the cut's importances.  *k: where in the cut the search begins, and where it
+// ended.
 FN LightCandidate light_candidate(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const LightCut) cut,
                                   float3 p, float3 n, int both, float y, PRIVATE(uint) k) {
     while (*k + 1u < cut->count && cut->upto[*k] <= y) (*k)++;
@@ -134,8 +134,8 @@ FN LightCandidate light_candidate(TABLES(const SceneTables) s, PARAMS(const Para
     return c;
 }
 
-// Chooses a source for a surface at p with normal n, lit from both sides or not.  Returns what a choice counts for, in
-// the mean 1/chance, or 0 if none can shine.
+// Chooses a source for a surface at p with normal n, lit from both sides or one.  Returns the weight of the choice,
+// whose mean is 1/probability, or 0 if no source can light it.
 FN float choose_light(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, int both, float2 x,
                       PRIVATE(uint) chosen) {
     LightCut cut;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A point on an active source as seen from the point p that it lights: one function per kind of source.  They take the
-// source's record, two random numbers x and the jitter dj, 0 (the centre) .. 1 (all of it), and fill the sample; its
-// solid angle w stays 0 where the source cannot shine.
+// Samples a point on an active source as seen from the point p that it lights: one function per kind of source, from
+// the source's record, two random numbers x and the jitter dj, 0 (the centre) to 1 (the whole source).  The sample's
+// solid angle w stays 0 where the source cannot light p.
 #ifndef LUX_SOURCE_SAMPLE_H
 #define LUX_SOURCE_SAMPLE_H
 
 // RADIANCE's partition of a large source (-ds; spec shading 4.3): the piece that holds this sample, found by halving
-// the source while it is large for its distance, each half with equal probability.  *c is moved to the piece's centre,
-// *u and *v become its half vectors; the result is the piece's share of the source.  Only -dj < 1 can tell it from the
-// whole.  line: there is no v.
+// the source while it is large for its distance, each half with equal probability.  *c becomes the piece's centre, *u
+// and *v its half vectors; returns the piece's part of the source.  The result differs from the whole source only if
+// -dj < 1.  line: no v.
 FN float source_piece(float3 p, float ds, int line, PRIVATE(float3) c, PRIVATE(float3) u, PRIVATE(float3) v,
                       PRIVATE(float2) x) {
     float share = 1.0f, k = 2.0f / ds;
@@ -35,19 +35,19 @@ FN float source_piece(float3 p, float ds, int line, PRIVATE(float3) c, PRIVATE(f
     return share;
 }
 
-// What a glow's sine and a spotlight's cone leave of a sample.
+// Cosine of a glow and cone of a spotlight, applied to a sample.
 FN void source_limits(GLOBAL const float* src, uint kind, float3 p, PRIVATE(LightSample) light) {
     if (src[SRC_MAXRAD] > 0.0f && light->dist > src[SRC_MAXRAD]) light->w = 0.0f;
     if (!IS_SPOT(src)) return;
 
-    // inside the cone, and as if its light came from f behind (spec 4.2); a sphere counts from its centre
+    // inside the cone, as if its light came from f behind (spec 4.2); a sphere is measured from its centre
     float f = src[SRC_SPOT_FOCUS], d = light->dist;
     if (kind == SK_SPHERE) d = length3(sub3(f3_at(src + SRC_CENTRE), p));
     if (-dot3(f3_at(src + SRC_SPOT), light->dir) < src[SRC_SPOT_COS]) light->w = 0.0f;
     light->w *= d * d / ((d + f) * (d + f));
 }
 
-// RADIANCE's way from a square of half width 1 to a disc of equal area, nearly (spec shading 4.3).
+// RADIANCE's approximate map of a square of half width 1 to a disc of equal area (spec shading 4.3).
 FN float2 square_to_disc(float a, float b) {
     float2 d;
     d.x = 1.1284f * a * sqrt_(1.0f - 0.5f * b * b);
@@ -55,7 +55,7 @@ FN float2 square_to_disc(float a, float b) {
     return d;
 }
 
-// A direction `turn` of a whole turn about the axis, 1 - cos = z1 away from it.
+// Direction at azimuth `turn` (in whole turns) about the axis, at 1 - cos = z1 from it.
 FN float3 cone_direction(float3 axis, float z1, float turn) {
     float3 e1, e2;
     float sn, cs, r = sqrt_(z1 * (2.0f - z1));
@@ -64,15 +64,14 @@ FN float3 cone_direction(float3 axis, float z1, float turn) {
     return unit3(add3(scale3(axis, 1.0f - z1), add3(scale3(e1, r * cs), scale3(e2, r * sn))));
 }
 
-// From p to a point at distance* dist.
+// From p to a point at distance *dist.
 FN float3 light_direction(float3 to, PRIVATE(float) dist) {
     *dist = length3(to);
     return scale3(to, 1.0f / MAX_(*dist, 1e-9f));
 }
 
-// A sphere or a sun through a prism: its axes are sheared as the prism shears its place, and what is sampled decides
-// how much of it the bent rays hit.  So these are RADIANCE's samples (spec shading 4.3): points of a ball; a square
-// made a disc.
+// A sphere or sun seen through a prism: its axes are sheared with its place, and the sample decides how much of it the
+// bent rays hit.  So RADIANCE's own samples are used (spec shading 4.3): points of a ball; a square mapped to a disc.
 FN float3 sheared_place(GLOBAL const float* src, int distant, float2 x, float dj) {
     float third = 4096.0f * x.x;  // what is left of the first number
     float3 k = F3(2.0f * x.x - 1.0f, 2.0f * x.y - 1.0f, 2.0f * (third - floor_(third)) - 1.0f);
@@ -98,7 +97,7 @@ FN void sample_distant(GLOBAL const float* src, float3 p, float2 x, float dj, PR
 
     light->dist = FAR_AWAY;
     light->w = src[SRC_AREA];
-    light->point = p;  // patterns on a sun see where the ray starts
+    light->point = p;  // patterns on a sun are evaluated at the ray's origin
     light->normal = neg3(light->dir);
 }
 
@@ -118,7 +117,7 @@ FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRI
     float d = sqrt_(d2);
     to = scale3(to, 1.0f / d);
 
-    if (dj <= 0.0f) {  // the reference's centre sample (spec shading 4.2)
+    if (dj <= 0.0f) {  // RADIANCE's centre sample (spec shading 4.2)
         if (src[SRC_MAXRAD] > 0.0f && d > src[SRC_MAXRAD]) return;
         light->dir = to;
         light->dist = d - r;
@@ -146,8 +145,8 @@ FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRI
     light->normal = unit3(sub3(light->point, c));
 }
 
-// A parallelogram; with -ds also a polygon or ring, in RADIANCE's own pieces and its idea of the shape: the shadow ray
-// must then hit the source.
+// A parallelogram; with -ds also a polygon or ring, in RADIANCE's own pieces and approximate shape: the shadow ray must
+// then hit the source.
 FN float3 point_of_pieces(PARAMS(const Params) par, GLOBAL const float* src, uint kind, float3 p, float2 x, float dj,
                           PRIVATE(float) pieces) {
     float3 centre = f3_at(src + SRC_CENTRE), u = f3_at(src + SRC_U), v = f3_at(src + SRC_V);
@@ -187,7 +186,7 @@ FN float3 point_of_polygon(TABLES(const SceneTables) s, GLOBAL const float* src,
     return madd3(f3_at(fan + FAN_EDGE1), su * (1.0f - x.y), madd3(f3_at(fan + FAN_EDGE2), su * x.y, f3_at(fan)));
 }
 
-// A sample from its point and the normal there.
+// Completes a sample from its point and the normal there.
 FN void sample_point(GLOBAL const float* src, float3 at, float3 n, float3 p, PRIVATE(LightSample) light) {
     float3 to = sub3(at, p);
     float d2 = dot3(to, to);
@@ -210,7 +209,8 @@ FN void sample_flat(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBA
     sample_point(src, at, f3_at(src + SRC_NORMAL), p, light);
 }
 
-// A cylinder as RADIANCE sees it, with -dj 0 or in the pieces of -ds: a line, as wide as it looks from the side.
+// A cylinder in RADIANCE's approximation, with -dj 0 or in the pieces of -ds: a line with the cylinder's apparent
+// width.
 FN void sample_line(PARAMS(const Params) par, GLOBAL const float* src, float3 p, float2 x, float dj,
                     PRIVATE(LightSample) light) {
     float3 c = f3_at(src + SRC_CENTRE), axis = f3_at(src + SRC_U);
@@ -232,14 +232,14 @@ FN void sample_line(PARAMS(const Params) par, GLOBAL const float* src, float3 p,
     light->dir = scale3(to, 1.0f / light->dist);
     light->w = 4.0f * r * (h / share) * sqrt_(sa > 0.0f ? sa : 0.0f) / d2;
 
-    // patterns are seen where the ray meets the tube, not in its axis
+    // patterns are evaluated where the ray hits the tube, not on its axis
     float3 out = madd3(axis, ca / h, neg3(light->dir));
     float sine = length3(out);
     light->point = sine > 1e-4f ? madd3(light->dir, -r / sine, c) : c;
     light->normal = sine > 1e-4f ? scale3(out, 1.0f / sine) : neg3(light->dir);
 }
 
-// SRC_U is half its axis.
+// SRC_U is half the axis.
 FN void sample_cylinder(PARAMS(const Params) par, GLOBAL const float* src, float3 p, float2 x, float dj,
                         PRIVATE(LightSample) light) {
     if (dj <= 0.0f || par->ds > 0.0f) {
@@ -256,7 +256,7 @@ FN void sample_cylinder(PARAMS(const Params) par, GLOBAL const float* src, float
     sample_point(src, at, n, p, light);
 }
 
-// A point of active source `source` as seen from p; w = 0 if it cannot shine there.
+// Samples a point of active source `source` as seen from p; w = 0 if it cannot light p.
 FN void sample_source(TABLES(const SceneTables) s, PARAMS(const Params) par, uint source, float3 p, float2 x, float dj,
                       PRIVATE(LightSample) light) {
     GLOBAL const float* src = source_record(s, par, source);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Active sources: their records, their radiance; and what lies behind everything (sun, sky).  source_sample.h has the
-// points on them.
-// Active sources sine surfaces by this file alone, all other emitters by sampled rays alone (spec shading 0.1).
+// Active sources: their records and radiance; and the distant background (sun, sky).  source_sample.h samples points on
+// them. Active sources light surfaces through this file alone, all other emitters through sampled rays alone (spec
+// shading 0.1).
 #ifndef LUX_SOURCES_H
 #define LUX_SOURCES_H
 
@@ -16,13 +16,13 @@ FN uint source_word(TABLES(const SceneTables) s, PARAMS(const Params) par, uint 
 STRUCT(LightSample) {
     float3 dir;     // from the point to the source, unit
     float dist;     // FAR_AWAY for distant ones
-    float w;        // solid angle this sample stands for
-    float pieces;   // with -ds: how many pieces of a source it stands for; lobes are widened by one of them
-    float3 point;   // on the source (local ones)
+    float w;        // solid angle of this sample
+    float pieces;   // with -ds: the number of pieces of a source; lobes are widened by one piece
+    float3 point;   // on the source (local sources)
     float3 normal;  // there
 };
 
-// A point of something that shines, seen along dir (from the viewer to the light); mod: its modifier.
+// A point of an emitter, seen along dir (from the viewer to the light); mod: its modifier.
 FN void light_surface(uint mod, uint prim, float3 dir, float3 point, float3 normal, float length, float path_length,
                       PRIVATE(Surface) g) {
     surface_plain(prim, mod, NONE, length, g);
@@ -37,7 +37,7 @@ FN void light_surface(uint mod, uint prim, float3 dir, float3 point, float3 norm
     g->flat = 0;
 }
 
-// Is this the only modifier of its chain, a material?
+// Returns 1 if this material is the only modifier of its chain.
 FN int is_bare(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod) {
     GLOBAL const uint* m = mod_record(s, par, mod);
     return m[MOD_TYPE] >= M_FIRST_MATERIAL && m[MOD_NEXT] == NONE;
@@ -52,7 +52,7 @@ FN float3 light_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, 
     return mul3(g.color, f3_at(s->f + mod_word(s, par, g.mod, MOD_ARGS)));
 }
 
-// The same of what lies behind everything, which may have patterns where nothing else has.
+// The same of the background, which may have patterns where nothing else has.
 FN float3 sky_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod, float3 org, float3 dir,
                        PRIVATE(Sampler) rnd) {
     Surface g;
@@ -61,8 +61,8 @@ FN float3 sky_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, ui
     return mul3(g.color, f3_at(s->f + mod_word(s, par, g.mod, MOD_ARGS)));
 }
 
-// Radiance of the source of record src at its sampled point.  path_length_start: path length from the eye to the point
-// lit.  A virtual source's is known only where its shadow ray arrives: 1 until then.
+// Radiance of the source of record src at its sampled point.  path_length_start: from the eye to the point lit.  1 for
+// a virtual source, whose radiance is known only at the end of its shadow ray.
 FN float3 sampled_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const float* src,
                            PRIVATE(const LightSample) light, float path_length_start, PRIVATE(Sampler) rnd) {
     if (as_uint_(src[SRC_VIRTUAL]) != NONE) return F3(1.0f, 1.0f, 1.0f);
@@ -70,8 +70,8 @@ FN float3 sampled_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par
                           light->normal, light->dist, path_length_start + light->dist, rnd);
 }
 
-// The distant surface seen in direction dir: the first non-glow that matches, else the first glow.  NONE if none.
-// sampled: by a ray that illums stop (emission.h).
+// Distant surface seen in direction dir: the first non-glow that matches, else the first glow.  NONE if there is none.
+// sampled: for a ray that illums stop (emission.h).
 FN uint distant_at(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 dir, int sampled) {
     uint glow = NONE;
     for (UNIFORM uint i = 0u; i < par->distant_count; i++) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Look-up and sampling of tabulated BSDFs (layout below, written by flatten/bsdf.cpp).  A table answers for a
-// direction v toward the viewer, which the sampling keeps, and l toward the light; both unit, in the surface's frame
-// (x, y, n), both away from the surface.  No interpolation: values are constant in a cell, as in RADIANCE.
+// Look-up of tabulated BSDFs (layout below, written by flatten/bsdf.cpp).  A table is evaluated for a direction v
+// toward the viewer, which sampling keeps, and l toward the light; both unit, in the surface's frame (x, y, n), both
+// away from the surface. No interpolation: values are constant in a cell, as in RADIANCE.
 //   matrix  Klems' patches; rows of cumulative f times projected solid angle (Klems 1994)
 //   tree    tensor trees over the unit square's image of the disc (Shirley & Chiu 1997; Ward et al. 2012)
 #ifndef LUX_BSDF_H
 #define LUX_BSDF_H
 
 // A material: BSDF_COMPONENTS of BSDF_COMPONENT_WORDS at u[MOD_EXTRA]: front reflection, front transmission, back.. (by
-// the side v is on).
+// the side of v).
 #define BSDF_COMPONENTS 4u
 #define BSDF_COMPONENT_WORDS 2u
 #define BSDF_TABLE 0u    // index into u, NONE if there is none
@@ -123,7 +123,8 @@ FN float3 basis_direction(TABLES(const SceneTables) s, uint basis, uint cell, fl
     return F3(r * cs, r * sn, sqrt_(MAX_(z2, 0.0f)));
 }
 
-// Incident directions are counted from the far side, so that cell i straight through is cell i (swap: the other way).
+// Incident directions are numbered from the far side, so that cell i transmits straight into cell i (swap: the other
+// way).
 FN uint bsdf_v_cell(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v) {
     float k = table[BT_SWAP] != 0u ? 1.0f : -1.0f;
     return basis_cell(s, table[BT_V], k * v.x, k * v.y, v.z);

@@ -28,14 +28,14 @@ FN float matrix_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, fl
     return total;
 }
 
-// The leaf of a tree that one random number leads to, v given.
+// The leaf of a tree for one random number, v given.
 STRUCT(TreeLeaf) {
     float value;                      // f there
-    float prob;                       // of the way down
+    float prob;                       // product of the choices down to it
     float corner_x, corner_y, width;  // of its square
 };
 
-// One of four children, by their means: the number and, in *x, what is left of the random number.  4: all are 0.
+// Chooses one of four children by their means; *x becomes the rest of the random number.  Returns 4 if all means are 0.
 FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE(float) x, PRIVATE(float) prob) {
     float m[4], sum = 0.0f;
     for (uint k = 0u; k < 4u; k++) {
@@ -57,8 +57,8 @@ FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE(float) x, PRIVAT
     return k;
 }
 
-// Down the tree: v's dimensions are given, the two from `first` on chosen by the children's means over v's half of the
-// cube.  0: there is nothing.
+// Descends the tree: v's dimensions are given, the two from `first` on are chosen by the children's means over v's half
+// of the cube.  Returns 0 if all means are 0.
 FN int tree_descend(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, int first, float pick,
                     PRIVATE(TreeLeaf) leaf) {
     float c[4], x = pick;
@@ -96,7 +96,7 @@ FN int tree_descend(TABLES(const SceneTables) s, GLOBAL const uint* table, float
 FN float tree_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float pick, float2 place,
                      PRIVATE(float3) l) {
     int four = table[BT_KIND] == BSDF_TREE4, swap = table[BT_SWAP] != 0u;
-    if (!four && swap) {  // no dimension of the tree is v's: even in projected solid angle
+    if (!four && swap) {  // no dimension of the tree is v's: uniform in projected solid angle
         float2 d = bsdf_disc(place.x, place.y);
         float psa;
         *l = F3(d.x, d.y, bsdf_height(d.x, d.y));
@@ -122,8 +122,8 @@ FN float tree_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, floa
     return leaf.prob > 0.0f ? K_PI * leaf.value * leaf.width * leaf.width / leaf.prob : 0.0f;
 }
 
-// One l for v, on the +z side.  Returns f cos / pdf: its mean is the hemispherical value (for matrices always so);
-// 0 = none.
+// Samples an l for v, on the +z side.  Returns f cos / pdf, whose mean is the hemispherical value (for matrices each
+// is); 0 = none.
 FN float bsdf_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, PRIVATE(Sampler) rnd,
                      PRIVATE(float3) l) {
     float2 pick = sample2(rnd), place = sample2(rnd);

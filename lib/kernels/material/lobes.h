@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a material does with light at one point, as a sum of lobes.  Every material file fills this struct;
-// direct light, sampling and shadow rays then need no material of their own.
-// Coefficients are per RGB channel and contain the pattern.  Spec: RADIANCE shading, section 3.1 for the rules.
+// Scattering of a material at one point, as a sum of lobes.  Every material file fills this struct; direct light,
+// sampling and shadow rays then need no material of their own.  Coefficients are per RGB channel and contain the
+// pattern.  Spec: RADIANCE shading, section 3.1 for the rules.
 #ifndef LUX_LOBES_H
 #define LUX_LOBES_H
 
@@ -22,14 +22,14 @@ STRUCT(Lobes) {
     uint flags;
 };
 
-#define LOBE_LEAST 1e-6f        // less is nothing
-#define FRESNEL_FROM 0.017999f  // specularity of smooth materials from which on Fresnel is estimated
+#define LOBE_LEAST 1e-6f        // smaller coefficients are 0
+#define FRESNEL_FROM 0.017999f  // specularity of smooth materials above which Fresnel is estimated
 
 // flags
 #define LOBE_FRESNEL 1u   // direct diffuse light is scaled by 1 - F(cos light) (spec 3.1 item 6)
 #define LOBE_SAMPLE_R 2u  // rough_r is sampled (else it is part of ambient_r)
 #define LOBE_SAMPLE_T 4u
-#define LOBE_PASS 16u  // the ray goes on as if nothing were there
+#define LOBE_PASS 16u  // the surface is null: the ray passes
 #define LOBE_ANISO ONLY(FUNCTIONS, 8u)
 #define LOBE_WGMD_FRESNEL ONLY(FUNCTIONS, 32u)
 #define LOBE_FUNCTION ONLY(FUNCTIONS, 64u)      // direct light also by the material's lobe program
@@ -38,7 +38,7 @@ STRUCT(Lobes) {
 #define LOBE_OWN_NORMALS ONLY(FUNCTIONS, 512u)  // WGMDfunc with textures (mat_wgmd.h)
 #define LOBE_FLAT_R 1024u                       // rough_r has no texture and is on a flat surface
 
-// May light from behind the shading normal count?
+// Returns 1 if light from behind the shading normal contributes.
 FN int lobes_transmit(PRIVATE(const Lobes) lobes) {
     return (lobes->flags & (LOBE_FUNCTION | LOBE_BSDF | LOBE_OWN_NORMALS)) != 0u ||
            max3(add3(lobes->diffuse_t, lobes->rough_t)) > 0.0f;
@@ -82,7 +82,7 @@ FN void lobes_clear(PRIVATE(Lobes) lobes) {
     lobes->flags = 0u;
 }
 
-// The tangent frame about n, u along `along`; 0 if that does not give one.
+// Tangent frame about n, u along `along`; returns 0 if they are parallel.
 FN int tangent_frame(float3 n, float3 along, PRIVATE(float3) u, PRIVATE(float3) v) {
     *v = cross3(n, along);
     float len = length3(*v);
@@ -92,8 +92,8 @@ FN int tangent_frame(float3 n, float3 along, PRIVATE(float3) u, PRIVATE(float3) 
     return 1;
 }
 
-// Rough lobes of a colour: sampled where there is more of them than -st (energy: of the lobe, for that).  Else they are
-// part of their side's indirect light, if it has any: diffuse is the share that it scatters.
+// Rough lobes of a colour: sampled if their specularity (energy) is more than -st.  Else they join the indirect light
+// of their side, if it has any; diffuse: the diffuse coefficient.
 FN void lobes_rough_r(PARAMS(const Params) par, float3 color, float energy, float diffuse, PRIVATE(Lobes) lobes) {
     lobes->rough_r = color;
     if (par->st < energy - LOBE_LEAST) lobes->flags |= LOBE_SAMPLE_R;
@@ -108,7 +108,7 @@ FN void lobes_rough_t(PARAMS(const Params) par, float3 color, float energy, floa
 
 FN float3 reflection(float3 n, float3 v) { return sub3(scale3(n, 2.0f * dot3(n, v)), v); }
 
-// Mirror direction about the shading normal; about the geometric one if that would point below the surface.
+// Mirror direction about the shading normal; about the geometric normal if the first would point below the surface.
 FN float3 mirror_direction(PRIVATE(const Surface) g) {
     float3 r = reflection(g->n, g->v);
     return unit3(dot3(r, g->ng) <= 1e-6f ? reflection(g->ng, g->v) : r);
@@ -121,7 +121,7 @@ FN float3 bent_direction(PRIVATE(const Surface) g) {
     return unit3(sub3(p, g->front ? g->pert : neg3(g->pert)));
 }
 
-// The same, unbent where a steep texture would turn it back.
+// The same, unbent where a steep texture would reverse it.
 FN float3 transmitted_direction(PRIVATE(const Surface) g) {
     float3 p = bent_direction(g);
     return dot3(p, g->ng) < -1e-6f ? p : neg3(g->v);
@@ -177,7 +177,7 @@ FN float rough_transmission(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g
     return G > least ? G * w : 0.0f;
 }
 
-// The part of lobes_direct() (below) that is the same in all directions, of materials without Fresnel's.
+// The direction-independent part of lobes_direct() (below), for materials without Fresnel.
 FN float3 lobes_even(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, float3 l, float w) {
     float cl = dot3(g->n, l);
     if (!(cl > 0.0f || cl < 0.0f)) return F3(0.0f, 0.0f, 0.0f);
@@ -185,7 +185,7 @@ FN float3 lobes_even(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, float
 }
 
 // Coefficient of a source sample of solid angle w in direction l: outgoing radiance = coefficient * source radiance.
-// The shading normal decides on which side it is, as in RADIANCE, even where the light is behind the geometry.
+// The shading normal decides on the side, as in RADIANCE, even where the light is behind the geometric surface.
 FN float3 lobes_direct(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, float3 l, float w, float dj) {
     float cl = dot3(g->n, l);
     if (!(cl > 0.0f || cl < 0.0f)) return F3(0.0f, 0.0f, 0.0f);
@@ -212,7 +212,7 @@ FN void rough_axes(PRIVATE(const Lobes) lobes, float3 n, PRIVATE(float3) e1, PRI
     }
 }
 
-// How far a random half vector of roughnesses ru, rv lies off the lobe's centre along its axes.
+// Random half vector for roughnesses ru, rv: its slopes along the lobe's axes.
 FN float2 rough_offset(float2 x, float ss, float ru, float rv) {
     float x2 = 1.0f - x.y, sn, cs;  // (0,1]
     if (ss < 1.0f) x2 = 1.0f - ss * x2;
@@ -224,9 +224,9 @@ FN float2 rough_offset(float2 x, float ss, float ru, float rv) {
     return h;
 }
 
-// One sample of the reflected rough lobe (spec 3.3, 3.4).  Returns the factor for the sampled radiance beside the
-// lobe's colour; 0 = lost.  weighted: -ss > 1.5 (true W-G-M-D weight); else the lobe's energy is the same at every
-// angle.
+// Samples the reflected rough lobe (spec 3.3, 3.4).  Returns the weight of the sampled radiance besides the lobe's
+// colour; 0 = no valid direction.  weighted: -ss > 1.5 (true W-G-M-D weight); else the lobe's energy is the same at
+// every angle.
 FN float lobes_sample_rough_r(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, PRIVATE(Sampler) rnd, int weighted,
                               float ss, PRIVATE(float3) dir) {
     float3 e1, e2;
@@ -248,7 +248,7 @@ FN float lobes_sample_rough_r(PRIVATE(const Lobes) lobes, PRIVATE(const Surface)
     return 0.0f;
 }
 
-// One sample of the transmitted rough lobe (spec 3.4): never weighted, redrawn until it leaves on the other side.
+// Samples the transmitted rough lobe (spec 3.4): never weighted, redrawn until it leaves on the other side.
 FN float lobes_sample_rough_t(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, PRIVATE(Sampler) rnd, float ss,
                               PRIVATE(float3) dir) {
     float3 e1, e2;

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // BSDF and aBSDF: tabulated scattering (spec: RADIANCE shading 3.16).  args: diffuse reflection front, back and
 // transmission, RGB each; values: [thickness] up-vector.  The tables' Lambertian part joins the diffuse one.
-// Where RADIANCE averages several jittered look-ups, one is drawn: the same mean.
+// Where RADIANCE averages several jittered look-ups, one is drawn, with the same mean.
 //   thickness != 0  a proxy of real geometry: the eye and shadows pass, sampled rays scatter
-//   aBSDF           what goes straight on is taken out of the table and becomes a sharp ray ("peak") for the eye's rays
-//                   and for shadow rays
+//   aBSDF           the straight-through peak is taken out of the table and becomes a sharp ray, for the eye's rays and
+//                   for shadow rays
 #ifndef LUX_MAT_BSDF_H
 #define LUX_MAT_BSDF_H
 
-// what asks for the lobes
+// Purpose of a call.
 #define LOBES_EYE 0
 #define LOBES_SHADOW 1
-#define LOBES_SAMPLED 2  // a ray below a diffuse or rough-specular sample
+#define LOBES_SAMPLED 2  // a ray behind a diffuse or rough specular bounce
 
-// What it keeps in fields of Lobes that it has no other use for.  Its frame has z along the normal as modelled.
+// Fields of Lobes reused by a BSDF, which does not need them otherwise.  Its frame has z along the modelled normal.
 #define BSDF_X trans_dir       // the frame's x in the world
 #define BSDF_V_R u             // v in the frame, jittered: for reflection
 #define BSDF_V_T v             // and for transmission
 #define BSDF_HEMI_R alpha2_ru  // directional-hemispherical values there
 #define BSDF_HEMI_T alpha2_rv
 #define BSDF_THICKNESS alpha2_tu
-#define BSDF_PEAK fn_r  // x: light beside the peak, y: its squared radius, z: PEAK_...
+#define BSDF_PEAK fn_r  // x: transmission besides the peak, y: its squared radius, z: PEAK_...
 #define PEAK_NONE 0.0f
 #define PEAK_RAY 1.0f      // passes as a sharp ray
-#define PEAK_SCATTER 2.0f  // is scattered with the rest, but beside direct light
+#define PEAK_SCATTER 2.0f  // is scattered with the rest, but not by direct light
 
 #define PEAK_PROBES 29
 #define PEAK_GRID 25  // of these on a grid, the others on the axes
@@ -66,7 +66,7 @@ FN float2 peak_probe(int i) {
     return at;
 }
 
-// The cells that the probes meet by falling value f, and their projected solid angles w; returns how many.
+// Cells hit by the probes, by falling value f, and their projected solid angles w; returns their number.
 FN int peak_cells(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float radius, PRIVATE(float) f,
                   PRIVATE(float) w) {
     int count = 0;
@@ -91,7 +91,8 @@ FN int peak_cells(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 
     return count;
 }
 
-// The straight-through peak around v, from 29 look-ups: its integral (0 if there is none), and what is left beside it.
+// Straight-through peak around v, from 29 look-ups: its integral (0 if there is none), and the rest of the
+// transmission.
 FN float bsdf_peak(TABLES(const SceneTables) s, GLOBAL const uint* table, float diffuse, float3 v,
                    PRIVATE(float) beside) {
     float f[PEAK_PROBES], w[PEAK_PROBES];
@@ -119,8 +120,8 @@ FN float bsdf_peak(TABLES(const SceneTables) s, GLOBAL const uint* table, float 
     return peak < 0.0005f ? 0.0f : peak;
 }
 
-// aBSDF: the peak as a sharp ray.  Returns its integral.  Sampled rays find it, but scatter all there is (vectors
-// absdf_sampled_*).
+// aBSDF: the peak as a sharp ray.  Returns its integral.  Sampled rays hit it, but scatter the whole transmission
+// (vectors absdf_sampled_*).
 FN float bsdf_through(TABLES(const SceneTables) s, GLOBAL const uint* component, PRIVATE(const Surface) g, float3 v,
                       int asked, PRIVATE(Lobes) lobes) {
     if (component[BSDF_TABLE] == NONE) return 0.0f;
@@ -137,19 +138,19 @@ FN float bsdf_through(TABLES(const SceneTables) s, GLOBAL const uint* component,
     return peak;
 }
 
-// The Lambertian part: what the arguments state and what the table holds.
+// Lambertian part: from the arguments and from the table.
 FN float3 bsdf_diffuse(GLOBAL const float* arg, GLOBAL const uint* component, PRIVATE(const Surface) g) {
     float rho = as_float_(component[BSDF_LAMBERT]);
     return mul3(F3(arg[0] + rho, arg[1] + rho, arg[2] + rho), g->color);
 }
 
-// v in the frame, moved at random in its cell of the table.
+// v in the frame, jittered in its cell of the table.
 FN float3 bsdf_moved(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const uint* table, float3 v,
                      float2 move) {
     return bsdf_jitter(v, s->f[table[BT_PSA] + bsdf_cell(s, table, v)], par->ss, move);
 }
 
-// The rest of both tables, sampled where there is more of it than -st, else part of the indirect light.
+// The rest of both tables, sampled if there is more of it than -st, else part of the indirect light.
 FN void bsdf_tables(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint refl,
                     uint trans, float3 v, float peak, float2 move, PRIVATE(Lobes) lobes) {
     if (refl != NONE) {
@@ -205,7 +206,7 @@ FN_RARE void mat_bsdf(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     bsdf_tables(s, par, g, refl[BSDF_TABLE], trans[BSDF_TABLE], v, peak, sample2(rnd), lobes);
 }
 
-// Where a ray of this side starts: transmitted ones beyond what a proxy stands for.
+// Origin of a ray on this side: a transmitted ray starts behind the geometry that a proxy represents.
 FN float3 bsdf_start(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, int above) {
     if (above || (lobes->flags & LOBE_BSDF) == 0u || lobes->BSDF_THICKNESS == 0.0f) return g->p;
     return madd3(g->nface, -lobes->BSDF_THICKNESS, g->p);
@@ -236,7 +237,7 @@ FN_RARE float3 bsdf_direct(TABLES(const SceneTables) s, PARAMS(const Params) par
 
     if (par->ss > 0.0f) {
         f = 0.0f;
-        for (int i = 0; i < 8; i++) {  // cells much smaller than the first do not stand for it
+        for (int i = 0; i < 8; i++) {  // cells much smaller than the first do not represent it
             float3 moved = bsdf_jitter(v, psa0, par->ss, sample2(rnd));
             float value = bsdf_value(s, table, moved, l, &psa);
             if (psa < 0.12f * psa0) continue;
@@ -250,7 +251,7 @@ FN_RARE float3 bsdf_direct(TABLES(const SceneTables) s, PARAMS(const Params) par
     return madd3(mul3(tint, bsdf_color(s, table, seen, l)), f * fabs_(l.z) * w, sum);
 }
 
-// One sample of the tabulated part.  *coef: its colour; returns the factor beside it, 0 = lost.
+// Samples the tabulated part.  *coef: its colour; returns the weight besides it, 0 = no valid direction.
 FN_RARE float bsdf_sample_lobe(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Lobes) lobes,
                                PRIVATE(const Surface) g, int transmit, PRIVATE(Sampler) rnd, PRIVATE(float3) coef,
                                PRIVATE(float3) dir) {
@@ -269,7 +270,7 @@ FN_RARE float bsdf_sample_lobe(TABLES(const SceneTables) s, PARAMS(const Params)
 
     *coef = scale3(bsdf_color(s, table, v, l), hemi);
     if (transmit) *coef = mul3(*coef, g->color);
-    *dir = bsdf_world(lobes->BSDF_X, z, l);  // textures may turn it to the other side: it goes there
+    *dir = bsdf_world(lobes->BSDF_X, z, l);  // a texture may turn it to the other side, where it continues
     return weight / hemi;
 }
 #endif

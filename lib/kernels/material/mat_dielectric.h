@@ -20,17 +20,17 @@ FN Medium solid_medium(float3 k, PRIVATE(const Medium) around) {
     return m;
 }
 
-// Where a ray from v goes on to.  Not of unit length unless the cosines are n's own.
+// Refracted direction of a ray from v.  Not of unit length unless the cosines are n's own.
 FN float3 refracted(float ratio, float c1, float c2, float3 n, float3 v) {
     return madd3(n, ratio * c1 - c2, scale3(v, -ratio));
 }
 
-// Also: *arriving is the medium of the segment that ends here if the surface knows it, *medium_behind the medium behind
-// the surface (the refracted ray's).  Solids do not scatter.
+// *arriving becomes the medium of the segment that ends here, if the surface defines it, *medium_behind that of the
+// refracted ray. Solids do not scatter.
 FN void mat_dielectric(PARAMS(const Params) par, PRIVATE(const Surface) g, uint type, GLOBAL const float* arg,
                        PRIVATE(Lobes) lobes, PRIVATE(Medium) arriving, PRIVATE(Medium) medium_behind) {
     Medium inside = solid_medium(extinction3(arg, g->color), arriving);
-    float ratio;  // index on the viewer's side over index medium_behind
+    float ratio;  // index on the viewer's side over index behind
 
     if (type == M_DIELECTRIC) {
         float n = arg[3] + arg[4] * 0.002f;
@@ -59,7 +59,7 @@ FN void mat_dielectric(PARAMS(const Params) par, PRIVATE(const Surface) g, uint 
         R = 0.5f * (r1 * r1 + r2 * r2);
         float T = (1.0f - R) * ratio * ratio;
         float3 d = refracted(ratio, c1, c2, g->n, g->v);
-        if (dot3(d, g->ng) >= 0.0f) d = refracted(ratio, c1, c2, g->ng, g->v);  // a steep texture turned it back
+        if (dot3(d, g->ng) >= 0.0f) d = refracted(ratio, c1, c2, g->ng, g->v);  // a steep texture reversed it
         lobes->refract = F3(T, T, T);
         lobes->refract_dir = unit3(d);
     }

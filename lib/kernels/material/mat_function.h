@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Materials whose lobes are .cal functions: plasfunc metfunc transfunc (and *data), BRTDfunc; and ashik2.
-// (spec: RADIANCE shading 3.12-3.14).  Their functions answer direct light only; they have no sampled lobe of their
-// own.
+// Materials whose lobes are .cal functions: plasfunc metfunc transfunc (and *data), BRTDfunc; and ashik2 (spec:
+// RADIANCE shading 3.12-3.14).  Their functions scatter direct light only; they have no sampled lobe of their own.
 #ifndef LUX_MAT_FUNCTION_H
 #define LUX_MAT_FUNCTION_H
 
-// ashik2 keeps its powers along u and v in fields of Lobes that it has no other use for.
+// ashik2 keeps its powers along u and v in fields of Lobes that it does not need otherwise.
 #define ASHIK_POWER_U alpha2_ru
 #define ASHIK_POWER_V alpha2_rv
 
 FN void material_vars(PARAMS(const Params) par, PRIVATE(const Surface) g, PRIVATE(float) vars) {
     surface_vars(par, g, vars);
-    // of these the normal stays as modelled
+    // functions see the modelled normal
     if (g->type != M_BRTD && g->type != M_WGMD && g->type != M_PRISM && g->type != M_BSDF) {
         vars[CAL_NX] = g->ng.x;
         vars[CAL_NY] = g->ng.y;
@@ -28,8 +27,8 @@ FN void material_vars(PARAMS(const Params) par, PRIVATE(const Surface) g, PRIVAT
     vars[CAL_CBP] = g->color.z;
 }
 
-// Directions among the values of a material (cal::MaterialProgram) that acts inside an instance, back to the world. The
-// grain of anisotropic materials is not turned by the instance in RADIANCE (checked: plastic2, trans2, ashik2,
+// Turns the directions among the values of a material inside an instance (cal::MaterialProgram) back to the world.
+// RADIANCE does not turn the grain of anisotropic materials with the instance (checked: plastic2, trans2, ashik2,
 // WGMDfunc).
 FN void values_from_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, uint flags, PRIVATE(float) value) {
     if (g->type == M_PRISM) {
@@ -79,8 +78,8 @@ FN void mat_ashik(PARAMS(const Params) par, PRIVATE(const Surface) g, GLOBAL con
     lobes->flags |= LOBE_ASHIK;
 }
 
-// BRTDfunc (spec 3.14): mirror and straight transmission by functions (values), diffuse args front3 back3 trans3;
-// the surface is not turned to the viewer.
+// BRTDfunc (spec 3.14): mirror and straight transmission by functions (values), diffuse args front3 back3 trans3.  The
+// surface is not turned to the viewer.
 FN void mat_brtd(PRIVATE(const Surface) g, GLOBAL const float* arg, PRIVATE(const float) value, PRIVATE(Lobes) lobes) {
     lobes->diffuse_r = mul3(f3_at(arg + (g->front ? 0 : 3)), g->color);
     lobes->diffuse_t = mul3(f3_at(arg + 6), g->color);

@@ -30,7 +30,7 @@ FN void mat_glass(PRIVATE(const Surface) g, GLOBAL const float* arg, int shadow,
     }
 
     lobes->through_dir = p;
-    if (!shadow) {  // alone among the mirrors it may send the ray on below the surface
+    if (!shadow) {  // the only mirror direction that may lie below the surface
         lobes->mirror = F3(Rr, Rg, Rb);
         lobes->mirror_dir = unit3(sub3(scale3(g->n, 2.0f * dot3(g->n, g->v)), g->v));
     }

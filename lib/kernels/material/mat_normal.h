@@ -4,7 +4,7 @@
 #ifndef LUX_MAT_NORMAL_H
 #define LUX_MAT_NORMAL_H
 
-// The roughnesses along both axes, if uvec gives these, else their mean.
+// Roughnesses along both axes if uvec gives them, else their mean.
 FN void normal_axes(PRIVATE(const Surface) g, float rough_u, float rough_v, float3 uvec, PRIVATE(Lobes) lobes) {
     lobes->alpha2_ru = rough_u * rough_u;
     lobes->alpha2_rv = rough_v * rough_v;
@@ -27,7 +27,7 @@ FN void mat_normal(PARAMS(const Params) par, PRIVATE(const Surface) g, uint type
         trans_spec = arg[aniso ? 7 : 6];
     }
 
-    // how the light is shared out
+    // split of the light
     int smooth = !aniso && rough * rough <= 1e-6f;
     float cv = dot3(g->n, g->v), f = 0.0f;
     if (cv < 0.001f) cv = 0.001f;
@@ -44,7 +44,7 @@ FN void mat_normal(PARAMS(const Params) par, PRIVATE(const Surface) g, uint type
     lobes->ambient_r = lobes->diffuse_r;
     lobes->ambient_t = lobes->diffuse_t;
 
-    // the specular part: rays of their own if it is smooth, else lobes
+    // specular part: rays of its own if smooth, else lobes
     float3 dir = is_trans ? transmitted_direction(g) : neg3(g->v);
 
     if (smooth) {

@@ -4,7 +4,7 @@
 #ifndef LUX_MAT_PRISM_H
 #define LUX_MAT_PRISM_H
 
-// Rays that are not aimed at one of the panel's virtual sources: exit 1 (and 2), the sum of both.
+// Rays that are not aimed at a virtual source of the panel: exit 1 (and 2), the sum of both.
 FN void mat_prism(uint flags, PRIVATE(const float) value, PRIVATE(Lobes) lobes) {
     float3 d = F3(value[1], value[2], value[3]);
     if (value[0] > 0.0f && length3(d) > 1e-6f) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// WGMDfunc (spec: RADIANCE shading 3.15): specular reflection and transmission, diffuse reflection and transmission,
-// that add.  Each is a component with a modifier of its own, whose patterns and textures act on it alone; the diffuse
-// reflection has the material's.  args: diffuse front, back, transmitted, RGB each; values: rs ur vr ts utr vtr u,
-// where the functions of rs and ts see the normals of these, those of u the material's; u[MOD_BRANCH1]..: modifiers of
-// rs, ts, td.
+// WGMDfunc (spec: RADIANCE shading 3.15): the sum of specular reflection and transmission, diffuse reflection and
+// transmission. Each component has a modifier of its own, whose patterns and textures act on it alone; the diffuse
+// reflection has the material's.  args: diffuse front, back, transmitted, RGB each; values: rs ur vr ts utr vtr u.  The
+// functions of rs and ts see the normals of their components, the functions of u that of the material;
+// u[MOD_BRANCH1]..: modifiers of rs, ts, td.
 #ifndef LUX_MAT_WGMD_H
 #define LUX_MAT_WGMD_H
 
 #define WGMD_INHERIT 0xfffffffeu  // the modifier "inherit": the material's own
 
-// The surface as one component sees it.
+// The surface with the normal and pattern of one component.
 FN void wgmd_component(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint mod,
                        PRIVATE(Sampler) rnd, PRIVATE(Surface) c) {
     *c = *g;
@@ -25,7 +25,7 @@ FN int wgmd_same_normal(PRIVATE(const Surface) a, PRIVATE(const Surface) b) {
     return a->n.x == b->n.x && a->n.y == b->n.y && a->n.z == b->n.z;
 }
 
-// The values as the functions of a component give them.
+// Values of the functions of a component.
 FN void wgmd_values(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                     PRIVATE(const Surface) c, uint program, PRIVATE(const float) value, PRIVATE(float) own) {
     float vars[CAL_VARS];
@@ -37,7 +37,7 @@ FN void wgmd_values(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVA
         for (int i = 0; i < CAL_OUTPUTS; i++) own[i] = 0.0f;
 }
 
-// Straight on, bent by what the textures do to the unit normal, from behind in the same way as from the front (other
+// Straight transmission, bent by the textures' displacement of the unit normal, from behind as from the front (other
 // materials: transmitted_direction()).
 FN float3 wgmd_transmitted(PRIVATE(const Surface) c) {
     float3 p = neg3(c->v), bend = sub3(c->n, c->ng);
@@ -69,7 +69,7 @@ FN void wgmd_normals(PRIVATE(const Surface) g, PRIVATE(const Surface) refl, PRIV
     lobes->flags |= LOBE_OWN_NORMALS | (refl->flat ? LOBE_FLAT_R : 0u);
 }
 
-// Reflection of a smooth surface of specularity *rs.  Returns what is left for the other components.
+// Reflection of a smooth surface of specularity *rs.  Returns the fraction left for the other components.
 FN float wgmd_mirror(PRIVATE(const Surface) refl, float3 viewer, PRIVATE(float3) rs, PRIVATE(Lobes) lobes) {
     float rest = 1.0f;
     if (luminance3(*rs) >= FRESNEL_FROM) {
@@ -101,7 +101,7 @@ FN_RARE void mat_wgmd(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     lobes->alpha2_tu = trans_value[4] * trans_value[4];
     lobes->alpha2_tv = trans_value[5] * trans_value[5];
 
-    // one roughness of nothing makes it smooth, also where there is no axis and the lobe has their mean
+    // one roughness of 0 makes it smooth, even without an axis, where the lobe has their mean
     int smooth_r = lobes->alpha2_ru <= 1e-6f || lobes->alpha2_rv <= 1e-6f;
     int smooth_t = lobes->alpha2_tu <= 1e-6f || lobes->alpha2_tv <= 1e-6f;
     wgmd_axes(&refl, &trans, F3(value[6], value[7], value[8]), lobes);
@@ -124,7 +124,7 @@ FN_RARE void mat_wgmd(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     else lobes_rough_t(par, ts, luminance3(ts), max3(lobes->diffuse_t), lobes);
 }
 
-// Gives g and the lobes the normal and frame of one component, before that is sampled or lit.
+// Sets the normal and frame of one component in g and the lobes, before that component is sampled or lit.
 #define WGMD_ROUGH_R 0
 #define WGMD_ROUGH_T 1
 #define WGMD_DIFFUSE_T 2
@@ -142,8 +142,8 @@ FN_RARE void wgmd_turn(PRIVATE(Lobes) lobes, PRIVATE(Surface) g, int component) 
     }
 }
 
-// Coefficient of a source sample, as lobes_direct(): the components one by one, each about its normal.  What a smooth
-// reflection takes from the diffuse ones goes by its own.
+// Coefficient of a source sample, as lobes_direct(): each component about its own normal.  The share of a smooth
+// reflection is subtracted from the diffuse components by its own normal.
 FN_RARE float3 wgmd_direct(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, float3 l, float w, float dj) {
     float3 zero = F3(0.0f, 0.0f, 0.0f);
     Lobes none = *lobes, part;

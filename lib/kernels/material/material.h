@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a material record to its lobes: the one list of what scatters how.  To add a material: CONTRIBUTING.md.
+// From a material record to its lobes.  To add a material: CONTRIBUTING.md.
 #ifndef LUX_MATERIAL_H
 #define LUX_MATERIAL_H
 
@@ -11,13 +11,13 @@
 #include "kernels/material/mat_prism.h"
 #include "kernels/material/mat_bsdf.h"
 
-// With -bv-: is there nothing at the back of this type, for what is asked?
+// With -bv-: returns 1 if the back of this type is invisible to this kind of ray.
 FN int back_passes(uint type, int asked) {
     if (material_has(type, MT_NO_BACK) != 0u) return 0;
     return asked != LOBES_SHADOW || material_has(type, MT_OPEN_BACK) != 0u;
 }
 
-// Those whose lobes are .cal functions or tables.  Functions are evaluated once per hit.
+// Materials whose lobes are .cal functions or tables.  Functions are evaluated once per hit.
 FN void function_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, int asked,
                        PRIVATE(Sampler) rnd, PRIVATE(Lobes) lobes) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
@@ -49,9 +49,9 @@ FN void function_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
     }
 }
 
-// Fills lobes for the material at g.  asked: LOBES_*; for shadows only what lets light pass is needed.  *arriving, the
-// medium of the segment that ended here, is corrected where the surface knows it; so is *medium_behind, the one behind
-// the surface.  Both come as what the ray knows.
+// Fills lobes for the material at g.  asked: LOBES_*; for shadow rays only transmittance is needed.  *arriving and
+// *medium_behind come as the media of the ray, and the surface corrects them: the segment that ends here, and the
+// medium behind the surface.
 FN void material_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, int asked,
                        PRIVATE(Sampler) rnd, PRIVATE(Medium) arriving, PRIVATE(Medium) medium_behind,
                        PRIVATE(Lobes) lobes) {
@@ -83,8 +83,8 @@ FN void material_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
 
 // ---- illum and mirror may name an alternate material (spec shading 3.7, 3.8)
 
-// g becomes the alternate, which keeps the patterns and textures met before the illum or mirror itself.  0: there is
-// nothing in its place, the ray passes.
+// g becomes the alternate, with the patterns and textures above the illum or mirror itself.  Returns 0 if the alternate
+// is void and the ray passes.
 FN int become_alternate(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g,
                         PRIVATE(Sampler) rnd) {
     uint alternate = mod_word(s, par, g->mod, MOD_BRANCH1);
@@ -94,7 +94,7 @@ FN int become_alternate(TABLES(const SceneTables) s, PARAMS(const Params) par, P
     return find_material(s, par, g, rnd);
 }
 
-// Does the alternate act for a ray that is not aimed at a source?
+// Returns 1 if the alternate replaces the material for a ray that is not aimed at a source.
 FN int alternate_acts(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint flags) {
     int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
     if (g->type == M_ILLUM) return !(g->front && sampled);  // black to sampled rays: their light comes from the source
@@ -108,7 +108,7 @@ FN int alternate_acts(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
 // The same for a shadow ray to the source of record q.  relayed: q is a virtual source and this surface is its relay.
 FN int alternate_acts_for_shadow(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                                  GLOBAL const float* src, int relayed) {
-    if (g->type == M_ILLUM) {  // the light of other illums and of glows ends at its front: its own stands for it
+    if (g->type == M_ILLUM) {  // light of other illums and of glows ends at its front, which emits in place of it
         uint kind = as_uint_(src[SRC_CLASS]);
         return !(g->front && (kind == M_ILLUM || kind == M_GLOW) && as_uint_(src[SRC_VIRTUAL]) == NONE);
     }
@@ -116,7 +116,7 @@ FN int alternate_acts_for_shadow(TABLES(const SceneTables) s, PARAMS(const Param
     return g->type == M_MIRROR && !relayed && (mod_word(s, par, g->mod, MOD_FLAGS) & MF_HAS_ALTERNATE) != 0u;
 }
 
-// Puts alternates, and theirs, in place.  1: the ray passes.
+// Replaces the material by its alternate, and that by its own.  Returns 1 if the ray passes.
 FN int take_alternate(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, uint flags,
                       PRIVATE(Sampler) rnd) {
     while (alternate_acts(s, par, g, flags))

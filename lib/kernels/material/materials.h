@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every material of the scene language, a row each: all that the reader, the flattening, region queries and the kernels
-// know of it as a type.  What depends on its arguments is in scene/materials.cpp, how it scatters in mat_*.h.
-// Only macros, for C++ and OpenCL C: each user defines ROW and SAME as it needs them.  To add a material: the
-// recipe in CONTRIBUTING.md (docs/decisions/0015-one-table-of-materials.md says why it is like this).
+// Every material of the scene language, one row each: all that the reader, the flattening, region queries and the
+// kernels know of its type.  Facts that depend on its arguments are in scene/materials.cpp, its scattering is in
+// mat_*.h.  Only macros, for C++ and OpenCL C: each user defines ROW and SAME as it needs them.  To add a material:
+// CONTRIBUTING.md (docs/decisions/0015-one-table-of-materials.md has the reasons).
 //
 //   number    M_number: MOD_TYPE of a modifier's record.  ROW takes the next number, SAME that of the ROW above it.
-//             New rows go to the end, for the numbers are part of a stream's fingerprint
+//             New rows go to the end, because the numbers are part of a stream's fingerprint
 //   type      name in scene files, and scene::Type
-//   strings   how many string arguments at least (for functions: before their transform)
-//   reals     how many real arguments: only(5), any(3,4), from(9)
-//   absent    arguments that may be left out: fill(up to how many, with what)
+//   strings   least number of string arguments (for functions: before their transform)
+//   reals     number of real arguments: only(5), any(3,4), from(9)
+//   absent    arguments that may be left out: fill(largest number, default value)
 //   func.     of its .cal functions: values once a hit, values for each direction of light (cal/pattern.h)
-//   light     do shadow rays pass?  yes, no, or ask: it depends on the arguments
-//   eye       do rays pass with -i, and does a mirror give way to it as its alternate?  The same words
-//   region    do region queries look through it?  yes, no
-//   back      what is met from behind, with -bv- and with -bv+:
+//   light     do shadow rays pass?  yes, no, or ask: depends on the arguments
+//   eye       do rays pass with -i, and do sampled rays take it as a mirror's alternate?  The same words
+//   region    do region queries see through it?  yes, no
+//   back      behaviour from behind, with -bv- and with -bv+:
 //               dark   the eye passes, light is stopped; with -bv+ the back as it is
 //               turns  the eye passes, light is stopped; with -bv+ the normal turns to the viewer
 //               open   both pass; with -bv+ the back as it is
 //               thin   both pass; with -bv+ the normal turns to the viewer
-//               none   it has no back: -bv does not matter
-//   traits    MT_* below, and those MF_* (tables.h) that distinguish rows of the same number
+//               none   it has no back: -bv has no effect
+//   traits    MT_* below, and the MF_* (tables.h) that distinguish rows of the same number
 #ifndef LUX_MATERIALS_H
 #define LUX_MATERIALS_H
 
 #define MT_EMISSIVE 0x01000000u  // a light
-#define MT_BENDS 0x02000000u     // light may leave in a direction of its own: shadow rays are aimed
-#define MT_MEDIUM 0x04000000u    // what lies behind it may absorb and scatter
+#define MT_BENDS 0x02000000u     // light may leave in another direction: shadow rays are aimed
+#define MT_MEDIUM 0x04000000u    // the medium behind it may absorb and scatter
 #define MT_CLEAR 0x08000000u     // region
 #define MT_TURNS 0x10000000u     // back
 #define MT_OPEN_BACK 0x20000000u
 #define MT_NO_BACK 0x40000000u
-#define MT_EVEN 0x80000000u   // what it scatters evenly is the same for all who see it (integrator/suffix.h)
+#define MT_EVEN 0x80000000u   // its diffuse light is the same for all viewers (integrator/suffix.h)
 #define MT_FLAGS 0x00ffffffu  // the MF_* among the traits
 
 #define REGION_no 0u
@@ -41,7 +41,7 @@
 #define BACK_open MT_OPEN_BACK
 #define BACK_thin (MT_TURNS | MT_OPEN_BACK)
 #define BACK_none MT_NO_BACK
-// The word of traits of a row
+// Word of traits of a row
 #define MATERIAL_TRAITS(region, back, traits) (REGION_##region | BACK_##back | (traits))
 
 // clang-format off

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The medium that a ray travels in, and what crossing a mist's surface makes of it (spec: RADIANCE shading 3.9).
+// The medium of a ray, and its change at a mist's surface (spec: RADIANCE shading 3.9).
 #ifndef LUX_MEDIUM_H
 #define LUX_MEDIUM_H
 
 STRUCT(Medium) {
     float3 k;       // extinction per unit length
-    float3 albedo;  // the share of it that scatters
+    float3 albedo;  // scattered fraction of it
     float ecc;      // eccentricity of Henyey and Greenstein's phase function
-    uint lights;    // the sets of sources that are scattered, a bit each (light_sets_at)
+    uint lights;    // sets of scattered light sources, one bit each (light_sets_at)
 };
 
-// The global medium (-me -ma -mg), where no surface says otherwise.
+// The global medium (-me -ma -mg), unless a surface defines another.
 FN Medium medium_open(PARAMS(const Params) par) {
     Medium medium;
     medium.k = F3(par->medium.x, par->medium.y, par->medium.z);
@@ -35,7 +35,7 @@ FN void set_path_medium(TABLES(const Paths) paths, uint path, PRIVATE(const Medi
     write4_(paths->albedo, path, pack4(medium->albedo, medium->ecc));
 }
 
-// A shadow ray keeps the same but the eccentricity, and with it what antimatter it is in.
+// State of a shadow ray's medium: without the eccentricity, with the antimatter state.
 FN Medium shadow_medium(TABLES(const Paths) paths, uint path) {
     Medium medium;
     float4 albedo = read4_(paths->shadow_albedo, path);
@@ -51,7 +51,7 @@ FN void set_shadow_medium(TABLES(const Paths) paths, uint path, PRIVATE(const Me
     write4_(paths->shadow_albedo, path, pack4(medium->albedo, as_float_(medium->lights)));
 }
 
-// Mists keep what they do not state: a mist without albedo has that around it, one without list its lights.
+// A mist inherits what it does not state: the albedo and the list of sources around it.
 FN void mist_enter(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                    PRIVATE(Medium) medium) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
@@ -62,7 +62,7 @@ FN void mist_enter(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVAT
     medium->lights |= m[MOD_EXTRA];
 }
 
-// Leaving takes away what it stated, down to the global medium: what an outer mist stated is forgotten, too.
+// Leaving a mist removes what it stated, down to the global medium: an outer mist's values are lost, too.
 FN void mist_leave(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                    PRIVATE(Medium) medium) {
     GLOBAL const uint* m = mod_record(s, par, g->mod);
@@ -76,7 +76,7 @@ FN void mist_leave(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVAT
 }
 
 // *here: the medium of the segment that ends at a mist's surface, corrected if the ray leaves a mist that it never
-// entered, which only its list can tell; *medium_behind: the medium of the next.
+// entered, which only the mist's list shows; *medium_behind: the medium of the next segment.
 FN void mist_crossing(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                       PRIVATE(Medium) here, PRIVATE(Medium) medium_behind) {
     uint lights = mod_word(s, par, g->mod, MOD_EXTRA);
@@ -86,21 +86,21 @@ FN void mist_crossing(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     else mist_leave(s, par, g, medium_behind);
 }
 
-#define ENDLESS_MEDIUM 1e10f  // a length of which no medium lets anything through
+#define ENDLESS_MEDIUM 1e10f  // length through which no medium transmits light
 
-// What a medium of extinction k lets through over a length (Beer's law).
+// Transmittance of a length of medium of extinction k (Beer's law).
 FN float3 attenuation(float3 k, float length) {
     if (max3(k) <= 0.0f) return F3(1.0f, 1.0f, 1.0f);
     return F3(k_exp(-k.x * length), k_exp(-k.y * length), k_exp(-k.z * length));
 }
 
-// What the constant of deeper bounces (-av) scatters into a segment that lets T through.
+// Constant radiance of deeper bounces (-av) scattered into a segment of transmittance T.
 FN float3 medium_glow(PARAMS(const Params) par, PRIVATE(const Medium) medium, float3 T) {
     float3 av = F3(par->av.x, par->av.y, par->av.z), one = F3(1.0f, 1.0f, 1.0f);
     return mul3(mul3(medium->albedo, av), sub3(one, T));
 }
 
-// What it lets through of a shadow ray, to which scattering takes nothing away (spec shading 3.9).
+// Transmittance for a shadow ray, from which scattering removes no light (spec shading 3.9).
 FN float3 shadow_attenuation(PRIVATE(const Medium) medium, float length) {
     float3 rest = sub3(F3(1.0f, 1.0f, 1.0f), medium->albedo);
     rest = F3(MAX_(rest.x, 0.0f), MAX_(rest.y, 0.0f), MAX_(rest.z, 0.0f));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks a surface's modifier chain: patterns multiply, textures add, a mixture picks one branch by chance with its
-// coefficient as probability (the mean is the mixture), until a material is found; the material's own chain follows.
+// Evaluates a surface's chain of modifiers: patterns multiply, textures add, a mixture chooses one branch with its
+// coefficient as probability (the mean is the mixture), up to a material, whose own chain follows.
 #ifndef LUX_MODIFIER_H
 #define LUX_MODIFIER_H
 
-#define LONGEST_CHAIN 4096  // modifiers one above the other
+#define LONGEST_CHAIN 4096  // modifiers in one chain
 
 FN GLOBAL const uint* mod_record(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod) {
     return s->u + par->mods_at + MOD_WORDS * mod;
@@ -14,8 +14,8 @@ FN uint mod_word(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod
     return s->u[par->mods_at + MOD_WORDS * mod + k];
 }
 
-// The variables .cal programs see (spec: scene language 7.6), in world coordinates.  Patterns, textures and mixtures
-// see the normal as modelled, from behind, too: RADIANCE turns it to the viewer after them.
+// Variables of .cal programs (spec: scene language 7.6), in world coordinates.  Patterns, textures and mixtures see the
+// modelled normal, also from behind: RADIANCE turns it to the viewer after them.
 FN void surface_vars(PARAMS(const Params) par, PRIVATE(const Surface) g, PRIVATE(float) vars) {
     float3 p = F3(g->p.x + par->centre.x, g->p.y + par->centre.y, g->p.z + par->centre.z);
     for (UNIFORM int i = 0; i < CAL_VARS; i++) vars[i] = 0.0f;
@@ -35,7 +35,8 @@ FN void surface_vars(PARAMS(const Params) par, PRIVATE(const Surface) g, PRIVATE
     vars[CAL_LV] = g->vv;
 }
 
-// Inside an instance functions see its coordinates (spec scene 3): turns the variables of surface_vars().
+// Inside an instance functions see the instance's coordinates (spec scene 3): transforms the variables of
+// surface_vars().
 FN void vars_to_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(float) vars) {
     const int dirs[5] = {CAL_DX, CAL_NX, CAL_NXP, CAL_DXA, CAL_LX};
     if (!in_instance(g->inst)) return;
@@ -58,7 +59,7 @@ FN void vars_to_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, PRI
     vars[CAL_TS] *= scale;
 }
 
-// A direction or displacement that such a function gave, in the world; its length is kept.
+// World direction or displacement for a result of such a function; its length is kept.
 FN float3 vector_from_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, float3 v) {
     if (!in_instance(g->inst)) return v;
     GLOBAL const float* record = instance_record(s, g->inst);
@@ -72,7 +73,7 @@ FN void turn_from_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, P
     v[k + 2u] = w.z;
 }
 
-// What patterns and textures have made so far.
+// Result of the patterns and textures so far.
 STRUCT(Patterns) { float3 color, pert; };
 
 FN Patterns no_patterns() {
@@ -82,7 +83,7 @@ FN Patterns no_patterns() {
     return none;
 }
 
-// Adds what the program of a pattern or texture gave.
+// Adds the result of a pattern's or texture's program.
 FN void apply_pattern(TABLES(const SceneTables) s, PRIVATE(const Surface) g, uint type, PRIVATE(const float) out,
                       PRIVATE(Patterns) sum) {
     if (type == M_PATTERN1) sum->color = scale3(sum->color, out[0]);
@@ -90,10 +91,10 @@ FN void apply_pattern(TABLES(const SceneTables) s, PRIVATE(const Surface) g, uin
     if (type == M_TEXTURE) sum->pert = add3(sum->pert, vector_from_frame(s, g, F3(out[0], out[1], out[2])));
 }
 
-// The foreground's share of a mixture, as its program gave it.
+// Weight of a mixture's foreground, from its program.
 FN float mixture_share(float x) { return x < 0.0f ? 0.0f : x > 1.0f ? 1.0f : x; }
 
-// A mixture of patterns that is being walked through: what was found before it and in its first branch, where to go on.
+// A mixture of patterns in progress: the result before it and of its first branch, and the modifier that follows.
 STRUCT(PatternMix) {
     Patterns before, first;
     float share;  // of the first branch
@@ -112,7 +113,8 @@ FN void mix_enter(GLOBAL const uint* m, float share, PRIVATE(Patterns) sum, PRIV
     *mod = m[MOD_BRANCH1];
 }
 
-// A branch has ended: on to the second one, or, mixed, to what follows the mixture.  1: the mixture is done.
+// Ends a branch: continues with the second one, or mixes both and continues after the mixture.  Returns 1 when the
+// mixture is done.
 FN int mix_branch_ends(PRIVATE(PatternMix) stack, int depth, PRIVATE(Patterns) sum, PRIVATE(uint) mod) {
     if (!stack[depth].first_done) {
         stack[depth].first_done = 1;
@@ -156,19 +158,19 @@ FN Patterns chain_patterns(TABLES(const SceneTables) s, PARAMS(const Params) par
     return sum;
 }
 
-// The normal that textures and smoothing make (spec shading 2): on the viewer's side.
+// Shading normal of textures and smoothing (spec shading 2), on the viewer's side.
 FN void shading_normal(PRIVATE(Surface) g) {
     g->n = g->ng;
     if (!is_textured(g)) return;
 
-    // g->pert is in the frame of the modelled normal; seen from behind it turns with the normal
+    // g->pert is in the frame of the modelled normal; from behind it is negated with the normal
     float3 n = unit3(add3(g->nface, g->pert));
     if (!g->front) n = neg3(n);
     if (dot3(n, g->v) < 0.0f) n = madd3(g->v, -2.0f * dot3(n, g->v), n);
     g->n = unit3(n);
 }
 
-// Back to the patterns and textures met before the material, for another chain in place of the material's own.
+// Restores the patterns and textures above the material, before another chain replaces the material's own.
 FN void without_own_chain(TABLES(const SceneTables) s, PRIVATE(Surface) g) {
     g->color = g->color_before;
     g->pert = g->pert_before;
@@ -197,9 +199,9 @@ FN void apply_single_pattern(TABLES(const SceneTables) s, uint type, PRIVATE(con
     if (is_textured(g)) g->flat = 0;
 }
 
-// 1: g->mod, g->type, g->color, g->pert hold the material; 0: the chain has none, the ray passes.
+// Returns 1 if g->mod, g->type, g->color, g->pert hold the material, 0 if the chain has none and the ray passes.
 FN int chain_material(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, PRIVATE(Sampler) rnd) {
-    uint stack[MIX_DEPTH];  // where the chains of mixtures go on
+    uint stack[MIX_DEPTH];  // where the chains after mixtures continue
     int depth = 0, have_vars = 0;
     uint mod = g->mod, material = NONE;
     float vars[CAL_VARS], out[CAL_OUTPUTS];
@@ -235,7 +237,7 @@ FN int chain_material(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
             continue;
         }
 
-        if (bad) return 0;  // an error yields no material here
+        if (bad) return 0;  // after an error a chain has no material
         float share = mixture_share(out[0]);
         if ((m[MOD_FLAGS] & MF_PATTERNS_ONLY) != 0u) {
             apply_pattern_mixture(s, par, m, share, vars, g);
@@ -252,7 +254,7 @@ FN int chain_material(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     return 1;
 }
 
-// The same of a surface or an active source.  Without patterns a chain is its material.
+// The same for a surface or an active source.  A chain without patterns is its material.
 FN int find_material(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, PRIVATE(Sampler) rnd) {
     if (HAS(PATTERNS)) return chain_material(s, par, g, rnd);
     if (g->mod == NONE) return 0;

@@ -63,7 +63,7 @@ SAMPLER_STEPS(v8u, hash8, reverse_bits8, owen_reversed8, sobol_second8)
 #endif
 
 #define SAMPLER_DIM 0x9e3779b9u    // from one dimension's hash to the next
-#define SAMPLER_FIRST 0xa511e9b3u  // what makes the scrambles of a pair differ
+#define SAMPLER_FIRST 0xa511e9b3u  // distinguishes the scrambles of a pair
 #define SAMPLER_SECOND 0x63d83595u
 
 FN Sampler sampler_start(uint seed_lo, uint seed_hi, uint pixel, uint index, uint stream) {
@@ -78,7 +78,7 @@ FN Sampler sampler_start(uint seed_lo, uint seed_hi, uint pixel, uint index, uin
 
 FN float unit_float(uint x) { return (float)(x >> 8) * (1.0f / 16777216.0f); }
 
-// Draws the next pairs at once, where that costs no more than one (WIDE_WORDS): the first four lanes make their first
+// Draws the next pairs together, where this costs no more than one (WIDE_WORDS): the first four lanes hold the first
 // numbers, the others the second.
 #if WIDE_WORDS
 FN void sampler_ahead(PRIVATE(Sampler) rnd) {
