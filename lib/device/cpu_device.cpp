@@ -48,13 +48,12 @@ bool has_avx512() { return false; }
 // The fastest first (docs/decisions/0026-lanes.md).
 const Variant variants[] = {
 #ifdef LUXPIPE_LANES16
-    {"lanes16", &cpu_lanes16, has_avx512, "AVX-512"},  // so many paths side by side
+    {"lanes16", &cpu_lanes16, has_avx512, "AVX-512"},  // paths side by side
 #endif
 #ifdef LUXPIPE_LANES8
     {"lanes8", &cpu_lanes8, has_avx2, "AVX2"},
 #endif
-    {"avx512", &cpu_avx512, has_avx512, "AVX-512"},  // one path at a time
-    {"avx2", &cpu_avx2, has_avx2, "AVX2"},
+    {"avx2", &cpu_avx2, has_avx2, "AVX2"},  // one path at a time
     {"baseline", &cpu_baseline, always, ""},
 };
 

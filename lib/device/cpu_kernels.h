@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one instruction-set build of the kernels offers to the CPU device.  The tables cross as void*: each build has
+// Functions of one instruction-set build of the kernels, for the CPU device.  The tables cross as void*: each build has
 // its own (identical) types in its own namespace.
 #pragma once
 #include <cstdint>
@@ -8,8 +8,8 @@ namespace device {
 
 struct CpuKernels {
     const char* name;
-    // Runs the paths of paths [first, first + count) of a pass.  film: 3 floats for each of them, or, where paths
-    // share, the whole pass's (kernels/integrator/path_reuse.h).  scratch: scratch_bytes(count).
+    // Runs paths [first, first + count) of a pass.  film: 3 floats for each of them, or, with path reuse, the whole
+    // pass's (kernels/integrator/path_reuse.h).  scratch: scratch_bytes(count).
     void (*run)(const void* scene_tables, const void* params, uint32_t first, uint32_t count, void* scratch,
                 float* film);
     // Rays in the layout of device::SplatRay.
@@ -20,9 +20,9 @@ struct CpuKernels {
                   void* scratch, void* ends);
     uint64_t (*scratch_bytes)(uint32_t count);
 };
-extern const CpuKernels cpu_baseline, cpu_avx2, cpu_avx512;
+extern const CpuKernels cpu_baseline, cpu_avx2;
 #if defined(LUXPIPE_LANES8) || defined(LUXPIPE_LANES16)
-extern const CpuKernels cpu_lanes8, cpu_lanes16;  // of avx2 and avx512: as many paths side by side
+extern const CpuKernels cpu_lanes8, cpu_lanes16;  // with AVX2 and AVX-512: 8 and 16 paths side by side
 #endif
 
 }  // namespace device

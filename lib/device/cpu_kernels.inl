@@ -248,8 +248,10 @@ namespace device {
 #define LUX_PASTE(a, b) LUX_PASTE_(a, b)
 #define LUX_KERNELS(name, STAGES) \
     { name, LUX_ISA::run<LUX_ISA::STAGES>, LUX_ISA::splat, LUX_ISA::pilot<LUX_ISA::STAGES>, LUX_ISA::scratch_bytes }
+#ifdef LUX_ISA_NAME
 extern const CpuKernels LUX_PASTE(cpu_, LUX_ISA);
 const CpuKernels LUX_PASTE(cpu_, LUX_ISA) = LUX_KERNELS(LUX_ISA_NAME, OneByOne);
+#endif
 #ifdef LANE_CALL
 extern const CpuKernels LUX_LANES_OF_ISA;
 const CpuKernels LUX_LANES_OF_ISA = LUX_KERNELS(LUX_LANES_NAME, InLanes);

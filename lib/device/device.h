@@ -61,7 +61,7 @@ protected:
     const std::atomic<bool>* cancel_ = nullptr;
 };
 
-// name: "cpu", or for tests "cpu:NAME" with an instruction set (baseline, avx2, avx512: one path at a time) or
+// name: "cpu", or for tests "cpu:NAME" with an instruction set (baseline, avx2: one path at a time) or
 // many paths side by side (lanes8, lanes16: where ispc was there when luxpipe was built).
 std::unique_ptr<Device> make_cpu_device(const std::string& name);
 // Are these kernels in the program, and has this machine their instructions?
