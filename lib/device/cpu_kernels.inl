@@ -235,7 +235,7 @@ static void pilot(const void* tables, const void* params, const void* rays, uint
     device::PilotEnd* end = static_cast<device::PilotEnd*>(ends) + first;
     for (uint32_t i = 0; i < count; i++) {
         put3(xyz4(t.paths.rad[i]), end[i].gathered);
-        put3(xyz4(t.paths.throughput[i]), end[i].share);
+        put3(xyz4(t.paths.throughput[i]), end[i].throughput);
         put3(xyz4(t.paths.org[i]), end[i].p);
         put3(xyz4(t.paths.dir[i]), end[i].n);
         end[i].bounce = t.paths.dir[i].w == PILOT_AT_BOUNCE;

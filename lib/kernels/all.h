@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole device code in its order of inclusion, for C++ and OpenCL C alike, after the compat file of the device.
+// The device code in its order of inclusion, for C++ and OpenCL C alike, after the compat file of the device.
 //
-// Letters and short words mean the same in all of these files; the numerical ones (math*.h, cal_noise.h, shapes.h,
-// woop.h, bvh*.h) have besides the letters of their formulas.
+// Letters and short words have the same meaning in all of these files; the numerical ones (math*.h, cal_noise.h,
+// shapes.h, woop.h, bvh*.h) also use the letters of their formulas.
 //   s        SceneTables; s->u its words, s->f its floats     par     Params
-//   paths    Paths, of which a path has an index              vertex  Vertex: what one step of a path knows (path/)
-//   g        Surface: the point that is shaded                lobes   Lobes: what its material does with light there
+//   paths    Paths, indexed by path                           vertex  Vertex: state of one step of a path (integrator/)
+//   g        Surface: the point to be shaded                  lobes   Lobes: scattering of its material there
 //   light    LightSample                                      rnd     Sampler
 //   m        record of a modifier in s->u                     arg     its real arguments in s->f
 //   source   number of an active source                       src     its record in s->f
 //   p, at    points                                           n       normal
 //   v        direction to the viewer                          l       direction to the light
 //   dir      where a ray goes                                 e1, e2  axes across a normal
-//   t        distance along a ray                             T       what a way lets through, rgb
+//   t        distance along a ray                             T       transmittance, rgb
 //   r        radius, or a random number in use                x, y    random numbers; coordinates
 //   w        solid angle of a sample, or a weight             sn, cs  sine and cosine of one angle
 //   _r, _t   of reflection, of transmission                   k, i    counters, or a factor
@@ -53,8 +53,7 @@
 #include "kernels/light/relay_aperture.h"
 #include "kernels/light/light_tree.h"
 #include "kernels/light/choose_source.h"
-#include "kernels/sampling/highlights.h"
-#include "kernels/sampling/portals.h"
+#include "kernels/sampling/mixture.h"
 #include "kernels/integrator/path_reuse.h"
 #include "kernels/integrator/state.h"
 #include "kernels/material/medium.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles of one rough polished material in one plane are a coplanar patch; rays from random points of it toward the
-// sun tell which part is lit.  The patches whose lit part sends most light into its highlight are kept.
+// Triangles of one rough polished material in one plane form a coplanar patch; rays from random points of it toward the
+// sun find its lit part.  The patches whose lit part reflects most light into its highlight are kept.
 #include "sampling/highlights.h"
 
 #include <algorithm>
@@ -17,11 +17,11 @@ namespace {
 using namespace kernels;
 using base::Vec3;
 
-constexpr float LEAST_ROUGH = 1e-3f, MOST_ROUGH = .2f;  // duller ones are found by the cosine
-constexpr float SUN_ALPHA2 = 1e-5f;                     // what the sun's disc adds to a roughness, squared
+constexpr float LEAST_ROUGH = 1e-3f, MOST_ROUGH = .2f;  // rougher ones are sampled well enough by the cosine
+constexpr float SUN_ALPHA2 = 1e-5f;                     // added to a squared roughness for the sun's disc
 constexpr double LEAST_COSINE = .02;                    // between a patch's normal and the sun
 constexpr size_t MOST_PATCHES = 64, MOST_KNOWN = 1024;
-constexpr int RAYS = 256;  // from each
+constexpr int RAYS = 256;  // from each patch
 constexpr int LEAST_LIT = 3;
 
 struct CoplanarPatch {
@@ -29,13 +29,13 @@ struct CoplanarPatch {
     float alpha2;
     double specular, area = 0;
     std::vector<size_t> triangles;
-    std::vector<double> upto;  // area of the triangles up to each
+    std::vector<double> upto;  // cumulative area of the triangles
     // its lit part, by rays
     double lit = 0, lo[2] = {1e30, 1e30}, hi[2] = {-1e30, -1e30};
     Vec3 u, v;
 };
 
-// The arguments of a primitive's material if it is a rough polished one, else null.
+// Arguments of a primitive's material if it is a rough polished one, else null.
 const float* glossy_args(const flatten::FlatScene& scene, uint32_t prim) {
     const uint32_t* record = &scene.prims[size_t(PRIM_WORDS) * prim];
     if ((record[PRIM_KIND] & PRIM_KIND_MASK) != PRIM_FLAT) return nullptr;
@@ -69,9 +69,9 @@ private:
     const flatten::FlatScene& scene_;
     const flatten::HostTracer tracer_;
     std::vector<CoplanarPatch> patches_;
-    std::map<int, std::vector<size_t>> facing_;  // patches by their normals: a million triangles ask
+    std::map<int, std::vector<size_t>> facing_;  // patches by their normals, for scenes of millions of triangles
 
-    // A number for directions within a hundredth or so; walls, floors and slopes of whole percents lie well inside.
+    // Key of directions within about a hundredth; walls, floors and slopes of whole percents lie well inside a cell.
     static int facing(Vec3 n) {
         const auto step = [](double x) { return int(std::floor(x * 99.7 + .5)) + 128; };
         return (step(n.x) * 256 + step(n.y)) * 256 + step(n.z);
@@ -126,7 +126,7 @@ private:
         of->upto.push_back(of->area);
     }
 
-    // Where is it lit?  A rectangle about the points that see the sun, with a margin for those between them.
+    // Lit part: a rectangle around the points that see the sun, with a margin for the points between them.
     void light(CoplanarPatch& patch) {
         std::mt19937 random(7);
         std::uniform_real_distribution<double> uniform(0, 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the rectangles on polished planes that the sun lights, whose highlights guide diffuse samples
-// (kernels/sampling/highlights.h), and writes their records into the scene's arena.  Any choice is right in the mean.
+// Finds the rectangles on polished planes that the sun lights, toward whose highlights diffuse directions are sampled
+// (kernels/sampling/highlights.h), and writes their records into the scene's arena.  Unbiased for any choice of
+// rectangles.
 #pragma once
 #include "flatten/flat_scene.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Short pilots tell the second moment of a path for any share.  A sample of light f, in a direction that has q times
-// the cosine's pdf among those aimed at, counts f^2 / (1 - share + share q) (Veach 1997, section 9.2).  f is what the
-// pilot has met and a share of the light beyond, bounce by bounce, as if every place were like the mean of all.
-// Portals and highlights are small: pilots of their own go there.  Those to highlights and those by the cosine are
-// weighed together by the pdf of both.
+// Estimates the second moment of a path for any mixture weights from short pilot paths.  A sample of radiance f, in a
+// direction of q times the cosine's pdf among those toward targets, contributes f^2 / (1 - weight + weight q) (Veach
+// 1997, section 9.2).  f is the radiance that the pilot gathered plus its throughput times the mean radiance, bounce by
+// bounce, as if all points were alike.  Portals and highlights are small, so other pilots are sent toward them; those
+// to highlights and those by the cosine are weighted by the pdf of both.
 #include "sampling/mixture_weights.h"
 
 #include <algorithm>
@@ -14,8 +14,7 @@
 namespace kernels {
 #include "kernels/bvh/instance.h"
 #include "kernels/geom/surface.h"
-#include "kernels/sampling/highlights.h"
-#include "kernels/sampling/portals.h"
+#include "kernels/sampling/mixture.h"
 }  // namespace kernels
 
 namespace sampling {
@@ -23,21 +22,16 @@ namespace {
 
 using namespace kernels;
 
-constexpr uint32_t EYE_SIDE = 48;   // pilots from the eye, a square of so many
-constexpr uint32_t PILOTS = 8;      // from each place that the eye sees; from those that they reach, one
-constexpr float MOST_AIMED = 0.5f;  // of the directions, so that what is not known is found too
-constexpr size_t AIMED = 1024;      // to each portal
+constexpr uint32_t EYE_SIDE = 48;   // pilots from the eye: squared
+constexpr uint32_t PILOTS = 8;      // from each point that the eye sees; one from each point that these reach
+constexpr float MOST_AIMED = 0.5f;  // of the directions, so that unknown light is sampled, too
+constexpr size_t AIMED = 1024;      // pilots to each portal
 constexpr double HIGHLIGHT_SHARES[] = {0, 1. / 32, 1. / 16, 1. / 8, 1. / 4, 3. / 8, 1. / 2};
-constexpr double MIN_HIGHLIGHT_GAIN = 4;  // squared means: what highlights must take off the second moment
+constexpr double MIN_HIGHLIGHT_GAIN = 4;  // least reduction of the second moment, in squared means
 
 struct Place {
     float3 p, n;
 };
-
-double luminance(const float (&c)[3]) {
-    const double v = luminance3(F3(c[0], c[1], c[2]));
-    return std::isfinite(v) && v > 0 ? v : 0;
-}
 
 class PilotSampler {
 public:
@@ -75,7 +69,7 @@ private:
     Params par_;
     const std::vector<float>& records_;
     SceneTables tables_ = {};  // of portals and highlights
-    float clear_;              // rays begin so far from their surface
+    float clear_;              // offset of rays from their surface
     std::vector<PilotPath> pilots_;
     size_t cosines_ = 0;                    // pilots by the cosine
     std::vector<PilotPath> to_reflectors_;  // toward glossy reflectors
@@ -105,7 +99,7 @@ private:
         return places;
     }
 
-    // Pilot paths from each place, by the cosine; returns where they have come to.
+    // Pilot paths from each point, by the cosine; returns the points that they reach.
     std::vector<Place> look_around(const std::vector<Place>& places, uint32_t pilots) {
         std::vector<Place> reached;
         for (const device::PilotEnd& end : send(places, pilots, false))
@@ -113,29 +107,26 @@ private:
         return reached;
     }
 
-    // Adds pilots from each place by the cosine, or toward the highlights that it meets.
-    std::vector<device::PilotEnd> send(const std::vector<Place>& places, uint32_t pilots, bool shining) {
+    // Adds pilots from each point, by the cosine or toward the highlights that can be sampled from it.
+    std::vector<device::PilotEnd> send(const std::vector<Place>& places, uint32_t pilots, bool to_highlights) {
         std::vector<device::PilotRay> rays;
         const size_t first = pilots_.size();
         for (uint32_t i = 0; i < places.size(); i++) {
             const Place& place = places[i];
             const uint32_t met = highlights_met(&tables_, &par_, place.p, place.n);
-            for (uint32_t k = 0; k < pilots && (met != 0 || !shining); k++) {
-                Sampler rnd = sampler_start(par_.seed_lo, par_.seed_hi, i, k, shining ? 6 : 5);
+            for (uint32_t k = 0; k < pilots && (met != 0 || !to_highlights); k++) {
+                Sampler rnd = sampler_start(par_.seed_lo, par_.seed_hi, i, k, to_highlights ? 6 : 5);
                 const float2 r = sample2(&rnd);
-                const float3 dir =
-                    shining ? highlight_direction(&tables_, &par_, met, r.x, r.y) : cosine_direction(place.n, r.x, r.y);
+                const float3 dir = to_highlights ? highlights_sample(&tables_, &par_, met, r.x, r.y)
+                                                 : cosine_sample(place.n, r.x, r.y);
                 pilots_.push_back(pilot_of(place, met, dir));
-                if (shining && !(dot3(dir, place.n) > 0)) pilots_.back().weight = 0;
+                if (to_highlights && !(dot3(dir, place.n) > 0)) pilots_.back().weight = 0;
                 rays.push_back(ray_of(place, dir));
             }
         }
 
         const std::vector<device::PilotEnd> ends = trace(rays);
-        for (size_t k = 0; k < ends.size(); k++) {
-            pilots_[first + k].met = luminance(ends[k].gathered);
-            pilots_[first + k].beyond = ends[k].bounce ? luminance(ends[k].share) : 0;
-        }
+        for (size_t k = 0; k < ends.size(); k++) pilots_[first + k].set_end(ends[k]);
         return ends;
     }
 
@@ -150,8 +141,8 @@ private:
         pilot.n = place.n;
         pilot.dir = dir;
         const double cosine = double(dot3(dir, place.n)) * K_INV_PI;
-        if (met != 0 && cosine > 0) pilot.shine = double(highlights_pdf(&tables_, &par_, met, dir)) / cosine;
-        if (met != 0) pilot.weight = 1 / (1 + pilot.shine);  // as many go by the cosine as to highlights
+        if (met != 0 && cosine > 0) pilot.highlight_pdf = double(highlights_pdf(&tables_, &par_, met, dir)) / cosine;
+        if (met != 0) pilot.weight = 1 / (1 + pilot.highlight_pdf);  // equal numbers go by the cosine and to highlights
         return pilot;
     }
 
@@ -167,7 +158,7 @@ private:
         std::copy(par_.portal_pick, par_.portal_pick + par_.portal_count, par.portal_pick);
     }
 
-    // The light of a portal, by pilots from places all over toward points all over it.
+    // Radiance of a portal, by pilots from all points toward random points of it.
     float light_of(uint32_t k, const std::vector<Place>& places, double mean) {
         const float* portal = portal_record(&tables_, &par_, k);
         std::vector<device::PilotRay> rays;
@@ -188,17 +179,15 @@ private:
         AimedLight light;
         const std::vector<device::PilotEnd> ends = trace(rays);
         for (size_t i = 0; i < ends.size(); i++) {
-            const double beyond = ends[i].bounce ? luminance(ends[i].share) : 0;
-            light.add(luminance(ends[i].gathered) + beyond * mean, views[i]);
-            pilots[i].met = luminance(ends[i].gathered);
-            pilots[i].beyond = ends[i].bounce ? luminance(ends[i].share) : 0;
+            pilots[i].set_end(ends[i]);
+            light.add(pilots[i].gathered + pilots[i].throughput * mean, views[i]);
             pilots[i].target = k;
         }
         if (portal[PORTAL_GLOSS2] > 0) to_reflectors_.insert(to_reflectors_.end(), pilots.begin(), pilots.end());
         return light.root();
     }
 
-    // Noise of highlights lies in a few bright samples, and looking for them costs time everywhere.
+    // Mixture weight of highlights; 0 unless it clearly reduces the variance, because it costs time everywhere.
     float highlight_share() const {
         const Moments without = moments(0);
         double best = 0, least = without.square;
@@ -215,25 +204,26 @@ private:
         double mean = 0, square = 0;
     };
 
-    // Of the light at a place, up to the last bounce.  As long as all pilots went by the cosine each counts the same.
-    Moments moments(double shine) const {
+    // Moments of the radiance at a point, up to the last bounce.  All pilots have one weight while all are by the
+    // cosine.
+    Moments moments(double share) const {
         Sums sums;
         for (const PilotPath& pilot : pilots_)
             sums.add(pilot, pilots_.size() == cosines_ ? 1 : pilot.weight,
-                     (1 - shine) * pilot.portals + shine * pilot.shine);
+                     (1 - share) * pilot.portal_pdf + share * pilot.highlight_pdf);
         return moments(sums);
     }
 
     struct Sums {
-        double met = 0, beyond = 0, met2 = 0, both = 0, beyond2 = 0;
+        double gathered = 0, throughput = 0, gathered2 = 0, both = 0, throughput2 = 0;
 
-        // over: the pdf of its direction over the cosine's
+        // over: ratio of the direction's pdf to the cosine's
         void add(const PilotPath& pilot, double weight, double over) {
-            met += weight * pilot.met;
-            beyond += weight * pilot.beyond;
-            met2 += weight * pilot.met * pilot.met / over;
-            both += weight * pilot.met * pilot.beyond / over;
-            beyond2 += weight * pilot.beyond * pilot.beyond / over;
+            gathered += weight * pilot.gathered;
+            throughput += weight * pilot.throughput;
+            gathered2 += weight * pilot.gathered * pilot.gathered / over;
+            both += weight * pilot.gathered * pilot.throughput / over;
+            throughput2 += weight * pilot.throughput * pilot.throughput / over;
         }
     };
 
@@ -241,8 +231,8 @@ private:
         const double n = double(cosines_);
         Moments of;
         for (int bounce = 0; bounce < par_.ab; bounce++) {
-            of.square = (sums.met2 + 2 * sums.both * of.mean + sums.beyond2 * of.square) / n;
-            of.mean = (sums.met + sums.beyond * of.mean) / n;
+            of.square = (sums.gathered2 + 2 * sums.both * of.mean + sums.throughput2 * of.square) / n;
+            of.mean = (sums.gathered + sums.throughput * of.mean) / n;
         }
         return of;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays along the sunlight from a grid of points on each window: those that meet one plane are a piece of the window,
-// whose image there is a parallelogram.  Where little of it is lit it is cut in two.
+// Rays along the sunlight from a grid of points on each window: those that hit one plane are a piece of the window,
+// whose image on the plane is a parallelogram.  A piece of which little is lit is cut in two.
 #include "sampling/patches.h"
 
 #include <algorithm>
@@ -13,13 +13,13 @@ namespace {
 using base::Vec3;
 
 constexpr int SIDE = 64;              // of the grid
-constexpr int LEAST_CELLS = 4;        // of it in a patch
-constexpr double LEAST_COSINE = .02;  // between the sun and a window or what it meets
-constexpr double FULL = .7;           // share of a patch that is lit, above which it is not cut
+constexpr int LEAST_CELLS = 4;        // grid cells of a patch
+constexpr double LEAST_COSINE = .02;  // between the sun and the normal of a window or of the lit plane
+constexpr double FULL = .7;           // lit fraction of a patch above which it is not cut
 
 struct Cell {
-    int a, b;  // place in the grid
-    Vec3 p;    // that its ray has met
+    int a, b;  // cell of the grid
+    Vec3 p;    // hit of its ray
 };
 
 struct Plane {
@@ -85,13 +85,13 @@ private:
         return planes_.back();
     }
 
-    // The place on a plane to which light comes through (a, b) of the window.
+    // Point on a plane that is lit through (a, b) of the window.
     Vec3 image(const Plane& plane, double a, double b) const {
         const Vec3 from = corner() + window_.u * (a / SIDE) + window_.v * (b / SIDE);
         return from - sun_ * (dot(from - plane.p, plane.n) / dot(sun_, plane.n));
     }
 
-    // One patch about some cells of a plane, or two where it would be mostly dark.
+    // One patch around some cells of a plane, or two where it would be mostly dark.
     void cut(const Plane& plane, const std::vector<Cell>& cells, std::vector<Patch>& found) {
         if (cells.size() < LEAST_CELLS) return;
         Box box;
@@ -111,7 +111,7 @@ private:
         found.push_back({{p + u * .5 + v * .5, u, v, -plane.n}, cell_light() * double(cells.size())});
     }
 
-    // at: where a cut along an axis leaves two boxes that are clearly smaller together; else it stays 0.
+    // at: the cut along an axis that leaves two clearly smaller boxes in all; unchanged if there is none.
     static void best_cut(const Box& box, const std::vector<Cell>& cells, double least, int& axis, int& at) {
         least *= .85;
         for (int k = 0; k < 2; k++)

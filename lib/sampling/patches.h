@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Patches of sun: where the light of a sun falls that comes in through a window.
+// Patches of sun: surfaces lit by a sun through a window.
 #pragma once
 #include <vector>
 #include "flatten/flat_scene.h"
@@ -7,17 +7,17 @@
 
 namespace sampling {
 
-// A parallelogram, seen from one side: windows and patches alike.
+// A parallelogram with one active side: windows and patches alike.
 struct Target {
     base::Vec3 centre, u, v;  // edges
     base::Vec3 out;           // unit normal, away from the side that it lights
-    // of a polished one in the sun: its roughness, squared, and where the mirrored sun stands, from the side that it
+    // of a polished one in the sun: its squared roughness, and the direction of the mirrored sun from the side that it
     // lights
     float gloss2 = 0;
     base::Vec3 sun = {0, 0, 0};
 };
 
-// Those with the largest lit areas, at most `most`, on what sunlight through these windows meets first.
+// At most `most` patches of largest lit area, on the first surfaces that sunlight through these windows hits.
 std::vector<Target> find_patches(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
                                  const std::vector<Target>& windows, size_t most);
 

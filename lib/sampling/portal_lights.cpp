@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where sun comes in, portals get directions by the light that they send to each place, all dimmed by one factor;
-// under the sky alone one share is the same everywhere.  What is tried is judged by the second moment of the pilots'
-// light.  Glossy reflectors are added to that, each if it clearly pays where its highlight is seen.
+// In sunlight, portals are sampled in proportion to the light that they send to each point, scaled by one factor; under
+// the sky alone the mixture weight is the same everywhere.  Candidates are compared by the second moment of the pilots'
+// light. A glossy reflector is added if it clearly reduces the variance where its highlight is visible.
 #include "sampling/portal_lights.h"
 
 #include <algorithm>
@@ -10,8 +10,7 @@
 namespace kernels {
 #include "kernels/bvh/instance.h"
 #include "kernels/geom/surface.h"
-#include "kernels/sampling/highlights.h"
-#include "kernels/sampling/portals.h"
+#include "kernels/sampling/mixture.h"
 }  // namespace kernels
 
 namespace sampling {
@@ -19,14 +18,15 @@ namespace {
 
 using namespace kernels;
 
-constexpr double MIN_SELECTION_PROB = .015;  // share of the directions below which a portal only costs time
-constexpr double MIN_VARIANCE_GAIN = 10;  // what a glossy reflector must take off the second moment, over what it adds
+constexpr double MIN_SELECTION_PROB = .015;  // probability below which a portal only costs time
+constexpr double MIN_VARIANCE_GAIN =
+    10;  // least ratio of the second moment that a glossy reflector saves to what it adds
 constexpr double MIN_REFLECTOR_PROB = .0005;  // the same for a glossy reflector
-constexpr size_t BRIGHTEST = 500;  // one pilot of so many is left out: they tell more of chance than of light
-constexpr double DIMMED[] = {1, .5, .25, .125};  // tried: all portals' light, times this
-constexpr int STEPS = 8;                         // and shares that are the same everywhere: 0, 1/8 .. 7/8
+constexpr size_t BRIGHTEST = 500;  // one in this number of pilots, the brightest, is excluded: too few to estimate from
+constexpr double DIMMED[] = {1, .5, .25, .125};  // factors of all portals' light to try
+constexpr int STEPS = 8;                         // of constant mixture weights to try: 0, 1/8 .. 7/8
 
-// The mean of the squares but the greatest.
+// Mean of the squares without the greatest.
 double trimmed_mean(std::vector<double>& squares) {
     if (squares.empty()) return 0;
     const size_t kept = squares.size() - squares.size() / BRIGHTEST;
@@ -49,21 +49,21 @@ public:
         while (par_.portal_count > 0 && is_reflector(par_.portal_count - 1)) par_.portal_count--;  // they come last
         const uint32_t reflectors = par_.portal_count;
         const bool sun_comes_in = reflectors > par_.window_count;
-        look();
+        update_aimed();
         if (sun_comes_in) {
-            leave_out();
-            look();
+            drop_improbable();
+            update_aimed();
             choose_light();
             add_reflectors(reflectors, all);
         } else {
             choose_share();
         }
-        for (size_t i = 0; i < pilots_.size(); i++) pilots_[i].portals = mixed(i, 1);
+        for (size_t i = 0; i < pilots_.size(); i++) pilots_[i].portal_pdf = mixed(i, 1);
     }
 
 private:
-    // The light that all portals send to where a pilot begins, and the pdf of its direction among those toward
-    // them, over the cosine's.
+    // Light of all portals at a pilot's origin, and the pdf of its direction among those toward portals, over the
+    // cosine's.
     struct Aimed {
         double total = 0, pdf = 0;
     };
@@ -74,10 +74,10 @@ private:
     Params& par_;
     std::vector<Aimed> aimed_;
 
-    double light(const PilotPath& pilot) const { return pilot.met + pilot.beyond * mean_; }
+    double light(const PilotPath& pilot) const { return pilot.gathered + pilot.throughput * mean_; }
 
-    // What each pilot has to do with the portals; and the light that comes from elsewhere where some are in view.
-    void look() {
+    // Sets aimed_ for each pilot, and the light from other directions where portals are in view.
+    void update_aimed() {
         aimed_.clear();
         std::vector<double> squares;
         for (const PilotPath& pilot : pilots_) {
@@ -96,7 +96,7 @@ private:
 
     bool is_reflector(uint32_t k) const { return portal_record(&tables_, &par_, k)[PORTAL_GLOSS2] > 0; }
 
-    // What share of all directions a portal gets.
+    // Mean probability of a portal.
     double share_of(uint32_t k) const {
         double share = 0;
         for (size_t i = 0; i < pilots_.size(); i++) {
@@ -112,8 +112,8 @@ private:
         par_.portal_light[par_.portal_count++] = par_.portal_light[k];
     }
 
-    // Leaves those portals out that get few directions.
-    void leave_out() {
+    // Removes portals of small probability.
+    void drop_improbable() {
         std::vector<double> shares;
         for (uint32_t k = 0; k < par_.portal_count; k++) shares.push_back(share_of(k));
         const double least = std::min(MIN_SELECTION_PROB, .2 * *std::max_element(shares.begin(), shares.end()));
@@ -122,18 +122,18 @@ private:
             if (!(shares[k] < least)) keep(k);
     }
 
-    // Portals first .. end - 1 are glossy reflectors.  The pilots by the cosine meet highlights so seldom that they
-    // cannot tell what those are worth, but the pilots toward them can.
+    // Portals first .. end - 1 are glossy reflectors.  Pilots by the cosine rarely hit a highlight, so pilots toward
+    // the reflectors decide.
     void add_reflectors(uint32_t first, uint32_t end) {
         const float rest = par_.portal_rest;
         for (uint32_t k = first; k < end; k++)
             if (reduces_variance(k)) keep(k);
-        look();
+        update_aimed();
         par_.portal_rest = rest;
     }
 
-    // At the places from which pilots went to reflector k: does the second moment of the reflector's own light fall by
-    // more than that of all other light rises, which gets fewer directions?
+    // Over the points with pilots to reflector k: returns true if the second moment of the reflector's light falls by
+    // more than that of all other light rises, which is sampled less often.
     bool reduces_variance(uint32_t k) const {
         const float* reflector = portal_record(&tables_, &par_, k);
         double saved = 0, lost = 0;
@@ -143,8 +143,8 @@ private:
             if (pilot.target != par_.portal_pick[k] || !(view > 0 && aimed > 0)) continue;
             const float total = portals_light(&tables_, &par_, pilot.p, pilot.n);
             const double others = double(total), sent = double(par_.portal_light[k]) * double(view);
-            const double before = double(portals_share(&par_, total));
-            const double now = double(portals_share(&par_, float(others + sent))),
+            const double before = double(portals_weight(&par_, total));
+            const double now = double(portals_weight(&par_, float(others + sent))),
                          reflectors = now * sent / (others + sent);
 
             const double cosine = double(dot3(pilot.dir, pilot.n)) * K_INV_PI, f = light(pilot) * cosine;
@@ -157,27 +157,27 @@ private:
         return saved > MIN_VARIANCE_GAIN * lost && share_of(k) >= MIN_REFLECTOR_PROB;
     }
 
-    // Density of a pilot's direction over the cosine's, if portals send `dimmed` times their light.
+    // Pdf of a pilot's direction over the cosine's, with `dimmed` times the portals' light.
     double mixed(size_t i, double dimmed) const {
-        const double share = double(portals_share(&par_, float(dimmed * aimed_[i].total)));
+        const double share = double(portals_weight(&par_, float(dimmed * aimed_[i].total)));
         return 1 - share + share * aimed_[i].pdf;
     }
 
-    // For the second moment of the light of all bounces: a bounce counts what its pilot has met and a share of the
-    // light beyond, over the pdf.
+    // For the second moment of the light of all bounces: each bounce adds what its pilot gathered and its throughput
+    // times the light of the next bounce, over the pdf.
     struct Sums {
-        double met2 = 0, both = 0, beyond2 = 0;
+        double gathered2 = 0, both = 0, throughput2 = 0;
 
         void add(const PilotPath& pilot, double over) {
-            met2 += pilot.met * pilot.met / over;
-            both += pilot.met * pilot.beyond / over;
-            beyond2 += pilot.beyond * pilot.beyond / over;
+            gathered2 += pilot.gathered * pilot.gathered / over;
+            both += pilot.gathered * pilot.throughput / over;
+            throughput2 += pilot.throughput * pilot.throughput / over;
         }
 
         double moment(double pilots, double mean, int bounces) const {
             double square = 0;
             for (int bounce = 0; bounce < bounces; bounce++)
-                square = (met2 + 2 * both * mean + beyond2 * square) / pilots;
+                square = (gathered2 + 2 * both * mean + throughput2 * square) / pilots;
             return square;
         }
     };
@@ -188,7 +188,7 @@ private:
         return all.moment(double(pilots_.size()), mean_, par_.ab);
     }
 
-    // The same of all but the brightest, which make the spikes and are so few that chance decides.
+    // The same without the brightest pilots, which are too few to compare by.
     double moment_of_most(double dimmed) const {
         std::vector<double> squares, order;
         for (size_t i = 0; i < pilots_.size(); i++)
@@ -202,8 +202,8 @@ private:
         return most.moment(double(pilots_.size()), mean_, par_.ab);
     }
 
-    // Sun comes in: by the light that each portal sends to a place.  Of what leaves the second moment no greater than
-    // the cosine's, that under which it is least for most pilots: spikes judge what is allowed, the rest what is best.
+    // Sunlight: portals in proportion to their light.  Among the factors whose second moment is at most the cosine's,
+    // with all pilots, chooses the one with the least second moment without the brightest.
     void choose_light() {
         const double plain = moment(0);
         double best = 0, least = moment_of_most(0);
@@ -218,8 +218,8 @@ private:
         if (best <= 0) par_.portal_count = 0;
     }
 
-    // Sky alone: the largest share, the same everywhere, under which the second moment is that of the cosine or less.
-    // What is met through windows is smooth, and many frames have it with less noise than single samples importance.
+    // Sky alone: the largest constant mixture weight whose second moment is at most the cosine's.  Light through
+    // windows is smooth, so the sequence of samples estimates it with less variance than independent samples suggest.
     void choose_share() {
         const double plain = moment(0);
         int step = STEPS;
@@ -232,6 +232,15 @@ private:
 };
 
 }  // namespace
+
+void PilotPath::set_end(const device::PilotEnd& end) {
+    const auto luminance = [](const float(&c)[3]) {
+        const double v = luminance3(F3(c[0], c[1], c[2]));
+        return std::isfinite(v) && v > 0 ? v : 0;
+    };
+    gathered = luminance(end.gathered);
+    throughput = end.bounce ? luminance(end.throughput) : 0;
+}
 
 void weigh_portals(const std::vector<float>& records, std::vector<PilotPath>& pilots,
                    const std::vector<PilotPath>& to_reflectors, double mean, Params& par) {

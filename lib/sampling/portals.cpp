@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Panes in one plane that lie close together become one portal; a portal must see clearly more of the sky on one side
-// (which side is found by rays, so it does not matter how the glass is oriented); the largest ones are kept.
+// Panes in one plane that lie close together become one portal.  Rays find its outer side, so the orientation of the
+// glass does not matter: a portal must see clearly more of the sky on one side.  The largest portals are kept.
 #include "sampling/portals.h"
 
 #include <algorithm>
@@ -18,12 +18,12 @@ using base::Vec3;
 
 constexpr size_t MOST = 16;  // each costs a few operations per diffuse sample
 constexpr size_t MOST_PATCHES = 8;
-constexpr double SLIVER = 1e-6;  // of the largest window: its record would hold no finite numbers
+constexpr double SLIVER = 1e-6;  // of the largest window's area: smaller ones lose finite records
 static_assert(MOST + MOST_PATCHES + MOST_HIGHLIGHTS <= MOST_PORTALS, "their lights have places in the parameters");
-constexpr double NEAR_BY = 2;  // metres or so from which a narrow highlight is looked at
+constexpr double NEAR_BY = 2;  // metres: typical distance to a narrow highlight
 constexpr size_t MOST_PANES = 2000;
 constexpr int RAYS = 256;       // per side
-constexpr double ENOUGH = 0.1;  // share of rays that must escape on the outer side beyond those on the inner
+constexpr double ENOUGH = 0.1;  // least excess of rays that escape on the outer side over those on the inner side
 
 struct Rect {
     Vec3 origin, u, v, n;  // unit axes, n = u x v
@@ -77,7 +77,7 @@ void largest_first(std::vector<Rect>& rects, size_t most) {
     if (rects.size() > most) rects.resize(most);
 }
 
-// The panes, those of one window put together.
+// Panes, those of one window merged.
 std::vector<Rect> windows_of(const std::vector<flatten::FlatScene::Pane>& panes) {
     std::vector<Rect> rects;
     for (const flatten::FlatScene::Pane& p : panes) rects.push_back(rect_of(p));
@@ -95,7 +95,7 @@ std::vector<Rect> windows_of(const std::vector<flatten::FlatScene::Pane>& panes)
     return rects;
 }
 
-// The share of rays from the window, spread by cosine about n, that meet nothing opaque.
+// Fraction of the rays from the window, distributed by the cosine about n, that hit nothing opaque.
 double open_share(const flatten::HostTracer& tracer, const Rect& r, Vec3 n, std::mt19937& random) {
     std::uniform_real_distribution<double> uniform(0, 1);
     const double off = 1e-4 * std::sqrt(r.area());
@@ -117,8 +117,8 @@ Target target_of(const Rect& r, Vec3 outdoors) {
     return {r.origin + middle, r.u * (r.hi[0] - r.lo[0]), r.v * (r.hi[1] - r.lo[1]), outdoors};
 }
 
-// Of the sunlit polished rectangles (sampling/highlights.h) those so narrow that a cone about the mirrored sun would
-// mostly miss them: frames, sills, edges of tables.
+// Sunlit polished rectangles (sampling/highlights.h) so narrow that most directions in a cone about the mirrored sun
+// would miss them: frames, sills, edges of tables.
 std::vector<Target> glossy_reflectors(const flatten::FlatScene& scene) {
     std::vector<Target> targets;
     for (uint32_t k = 0; k < scene.highlight_count; k++) {
@@ -133,7 +133,7 @@ std::vector<Target> glossy_reflectors(const flatten::FlatScene& scene) {
     return targets;
 }
 
-// The words of a portal from PORTAL_SUN on, in the kernels' precision.
+// Words of a portal from PORTAL_SUN on, in the kernels' precision.
 void add_mirrored(const Target& target, Vec3 along_u, Vec3 along_v, std::vector<float>& words) {
     using namespace kernels;
     const auto single = [](const Vec3& v) { return F3(float(v[0]), float(v[1]), float(v[2])); };
@@ -145,7 +145,7 @@ void add_mirrored(const Target& target, Vec3 along_u, Vec3 along_v, std::vector<
 }
 
 void add_record(const Target& target, flatten::FlatScene& scene) {
-    const Vec3 across = cross(target.u, target.v);  // along u: by the vector across v that u is 1 of
+    const Vec3 across = cross(target.u, target.v);  // along u: by the vector across v with a component of 1 along u
     const double square = dot(across, across);
     const Vec3 along_u = cross(target.v, across) * (1 / square), along_v = cross(across, target.u) * (1 / square);
     for (const Vec3& q : {target.centre - scene.centre, target.u, target.v, target.out, along_u, along_v})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which of the active sources are suns: distant, and no images of others (kernels/tables.h).
+// Suns among the active sources: distant ones that are no images of others (kernels/tables.h).
 #include "sampling/suns.h"
 
 #include "kernels/dialect/host.h"

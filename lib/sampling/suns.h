@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Active sources that are far away and small.
+// Distant and small active sources.
 #pragma once
 #include <vector>
 #include "base/vec.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything at which diffuse samples aim besides the cosine lobe, found by rays through the finished geometry.
+// Everything toward which diffuse directions are sampled besides the cosine lobe, found by rays through the finished
+// geometry.
 #pragma once
 #include "sampling/highlights.h"
 #include "sampling/portals.h"

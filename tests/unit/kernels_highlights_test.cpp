@@ -87,7 +87,7 @@ TEST_CASE("directions toward highlights fall as their pdf says") {
         std::mt19937 random(3);
         for (int k = 0; k < total; k++) {
             const float2 r = pair_of(random);
-            const float3 dir = highlight_direction(&room.s, &room.par, met, r.x, r.y);
+            const float3 dir = highlights_sample(&room.s, &room.par, met, r.x, r.y);
             CHECK(highlights_pdf(&room.s, &room.par, met, dir) > 0);
             const double angle = std::acos(std::min(1., double(dot3(dir, axis))));
             double phi = std::atan2(dot3(dir, e2), dot3(dir, e1)) / (2 * pi);

@@ -98,7 +98,7 @@ TEST_CASE("directions fall as their pdf says") {
         }
     for (int k = 0; k < draws; k++) {
         const float2 r = pair_of(uint32_t(k));
-        const float3 dir = portal_direction(&room.s, &room.par, wall, inward, r.x * total, r.y);
+        const float3 dir = portals_sample(&room.s, &room.par, wall, inward, r.x * total, r.y);
         const double y = double(dir.y / dir.x) + 2, z = double(dir.z / dir.x) + 2;
         if (y < 0 || z < 0 || y >= 4 || z >= 4) continue;
         count[size_t(int(y / 4 * side) * side + int(z / 4 * side))]++;

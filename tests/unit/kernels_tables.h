@@ -7,8 +7,7 @@
 namespace kernels {
 #include "kernels/bvh/instance.h"
 #include "kernels/geom/surface.h"
-#include "kernels/sampling/highlights.h"
-#include "kernels/sampling/portals.h"
+#include "kernels/sampling/mixture.h"
 }  // namespace kernels
 
 struct Tables {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Highlights: a rough polished plane in the sun sends its light into a narrow cone about the mirrored sun, the same
-// direction from everywhere, which the cosine hits once in hundreds of samples, and then it is bright.  A share of the
-// diffuse directions goes to the cones of those sunlit rectangles (sampling/highlights.h) that can be met from a place.
+// Technique of highlights: samples the cones of sunlit rectangles (lib/sampling/highlights.h) that are visible from a
+// point.  A smooth rough plane reflects the sun into a narrow cone about one direction, the same everywhere, which
+// cosine sampling hits once in hundreds of samples.
 #ifndef LUX_HIGHLIGHTS_H
 #define LUX_HIGHLIGHTS_H
 
-#define HIGHLIGHT_SPREAD2 9.0f    // roughnesses, squared: so far beside its cone a rectangle is still met
-#define HIGHLIGHT_FARTHEST 20.0f  // squared slope over squared roughness; beyond is no pdf
+#define HIGHLIGHT_SPREAD2 9.0f    // squared, in roughnesses: a rectangle this far from its cone is still sampled
+#define HIGHLIGHT_FARTHEST 20.0f  // squared slope over squared roughness; the pdf is 0 above
 
 FN GLOBAL const float* highlight_record(TABLES(const SceneTables) s, PARAMS(const Params) par, uint k) {
     return s->f + par->highlights_at + HIGHLIGHT_FLOATS * k;
@@ -17,7 +17,7 @@ FN float3 highlight_sun(GLOBAL const float* h) {
     return sub3(dir, scale3(n, 2.0f * dot3(n, dir)));
 }
 
-// Does the mirrored sun of this rectangle stand above the surface with normal n at p?  The first answers are cheap.
+// Returns 1 if the mirrored sun of this rectangle is above the surface with normal n at p.  Cheap tests come first.
 FN int highlight_met(GLOBAL const float* h, float3 p, float3 n) {
     float3 dir = f3_at(h + HIGHLIGHT_DIR);
     if (dot3(dir, n) <= 0.0f) return 0;
@@ -35,7 +35,7 @@ FN int highlight_met(GLOBAL const float* h, float3 p, float3 n) {
     return beside_u * beside_u <= far2 * uu && beside_v * beside_v <= far2 * vv;
 }
 
-// Those that can be met, a bit each.
+// Rectangles that can be sampled, one bit each.
 FN uint highlights_met(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n) {
     uint met = 0u;
     for (UNIFORM uint k = 0u; k < par->highlight_count; k++)
@@ -49,9 +49,11 @@ FN uint highlights_count(uint met) {
     return count;
 }
 
-// A direction toward one of those met.  Halfway between the sun and the viewer is a normal of the rough plane; these
-// are spread by a Gaussian of their slope.
-FN float3 highlight_direction(TABLES(const SceneTables) s, PARAMS(const Params) par, uint met, float x, float y) {
+FN float highlights_weight(PARAMS(const Params) par, uint met) { return met != 0u ? par->highlight_share : 0.0f; }
+
+// Samples a direction toward one of them.  The half vector between the sun and the viewer is a normal of the rough
+// plane, whose slopes have a Gaussian distribution.
+FN float3 highlights_sample(TABLES(const SceneTables) s, PARAMS(const Params) par, uint met, float x, float y) {
     float choice = x * (float)highlights_count(met);
     uint pick = 0u;
     while ((met & 1u) == 0u || (choice >= 1.0f && (met & (met - 1u)) != 0u)) {
@@ -69,7 +71,7 @@ FN float3 highlight_direction(TABLES(const SceneTables) s, PARAMS(const Params) 
     return sub3(sun, scale3(half_way, 2.0f * dot3(half_way, sun)));
 }
 
-// Density (per sr) of directions toward one rectangle.
+// Pdf (per sr) of directions toward one rectangle.
 FN float highlight_pdf(GLOBAL const float* h, float3 dir) {
     float3 n = f3_at(h + HIGHLIGHT_NORMAL), sun = highlight_sun(h);
     float3 half_way = sub3(sun, dir);
@@ -83,7 +85,7 @@ FN float highlight_pdf(GLOBAL const float* h, float3 dir) {
     return k_exp(-far) * K_INV_PI / alpha2 * hh * hh * inv * inv * inv / (4.0f * hs);
 }
 
-// Of direction dir among those toward the rectangles met.
+// Pdf of direction dir among those toward the rectangles of `met`.
 FN float highlights_pdf(TABLES(const SceneTables) s, PARAMS(const Params) par, uint met, float3 dir) {
     float sum = 0.0f;
     for (uint k = 0u, left = met; left != 0u; k++, left >>= 1)
