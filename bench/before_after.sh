@@ -35,7 +35,7 @@ for scene; do
     esac
     cd "$folder"
     for ((k = 0; k < 4; k++)); do
-        frames "$new" $((1000 + k)) $((reference / 4)) "-sampling shared" | "$new/ptaccum" -last -ff > "$dir/part$k.hdr"
+        frames "$new" $((1000 + k)) $((reference / 4)) "-sampling reuse" | "$new/ptaccum" -last -ff > "$dir/part$k.hdr"
     done
     "$new/ptaccum" -last -ff "$dir"/part?.hdr > "$dir/reference.hdr"
     rm -f "$dir"/*.runs

@@ -4,8 +4,8 @@
 # A line a way of -sampling: median over SEEDS of ptrace's processor seconds, from its start, until each of Ev, DGP, the
 # desk's TAL and the screen's CR is within 1 % of the truth and stays so up to FRAMES, then until the first three are;
 # `-` where the median seed is not there yet.  Then the rms errors at the last frame in percent.  The truth is the mean
-# of REFERENCE shared frames of another seed (or the picture TRUTH).  With RADIANCE on PATH: seconds of rpict with its
-# cache, and its errors.
+# of REFERENCE frames of another seed (or the picture TRUTH).  With RADIANCE on PATH: seconds of rpict with its cache,
+# and its errors.
 set -eu
 bin=$(cd "$1" && pwd) older=${2:+$(cd "$2" && pwd)}
 size=${SIZE:-256} frames=${FRAMES:-32} reference=${REFERENCE:-768} seeds=${SEEDS:-9} truth=${TRUTH:-}
@@ -41,7 +41,7 @@ way() {  # name, folder of programs, sampling
 
 "$bin/vcregion" -w- "${picture[@]}" -o "$dir/regions.exr" ../../office.regions
 if [ -z "$truth" ]; then
-    frames "$bin" "$reference" 1001 shared | "$bin/ptaccum" -last -ff > "$dir/truth.hdr"
+    frames "$bin" "$reference" 1001 reuse | "$bin/ptaccum" -last -ff > "$dir/truth.hdr"
     truth=$dir/truth.hdr
 fi
 metrics "$truth" > "$dir/truth"
@@ -56,4 +56,4 @@ if command -v rpict oconv > /dev/null; then
           for (i = 1; i <= 4; i++) printf "\t%+.2f", 100 * ($i / truth[i] - 1); print "" }' "$dir/truth" -
 fi
 [ -z "$older" ] || way before "$older" ""
-for sampling in shared portals plain; do way $sampling "$bin" $sampling; done
+for sampling in reuse portals plain; do way $sampling "$bin" $sampling; done

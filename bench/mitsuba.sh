@@ -48,9 +48,9 @@ measure() {  # ours or theirs, its way, file of the reference
 }
 
 echo "# plain room, $size x $size, $samples samples, $seeds seeds: Msamples/s, s, four errors; over portals"
-ours shared 1001 "$reference" "$dir/ours.hdr" > "$dir/seconds"
+ours reuse 1001 "$reference" "$dir/ours.hdr" > "$dir/seconds"
 theirs llvm_ad_rgb 1001 "$reference" "$dir/theirs.exr" > "$dir/seconds"
 measure ours portals "$dir/ours.hdr"
-measure ours shared "$dir/ours.hdr"
+measure ours reuse "$dir/ours.hdr"
 measure theirs scalar_rgb "$dir/theirs.exr"
 measure theirs llvm_ad_rgb "$dir/theirs.exr"

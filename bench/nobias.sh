@@ -9,7 +9,7 @@ bin=$(cd "$1" && pwd)
 shift
 [ $# -gt 0 ] || set -- office_clear_1400 office_blinds_1100 office_clear_overcast classroom_back_row gallery_east
 cmake --build "$bin/.." --target picture_means > /dev/null
-size=${SIZE:-64} frames=${FRAMES:-625} seeds=${SEEDS:-16} first=${FIRST:-501} ways=${WAYS:-shared}
+size=${SIZE:-64} frames=${FRAMES:-625} seeds=${SEEDS:-16} first=${FIRST:-501} ways=${WAYS:-reuse}
 top=$(cd "$(dirname "$0")/.." && pwd)
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT

@@ -1,19 +1,19 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Error against processor time of each way to aim diffuse rays, and of rpict: bench/sampling.sh build/bin [scene ...]
-# The errors are those of bench/picture_error.cpp after 0, 1, 2, 4 ... FRAMES diffuse frames, rms over SEEDS runs,
-# against REFERENCE shared frames of other seeds, whose own noise (half of the difference of its halves) is printed and
-# taken off in squares.  Seconds are ptrace's alone on one core, from its start, learning included: measured at frames
-# 0, 4 and FRAMES, a straight line between them.  The curves stay in OUT (out/sampling), with a plot of each scene;
-# bench/sampling.awk makes the table.  With RADIANCE on PATH rpict takes part, with its cache (cached) and without.
-# REFERENCES names a folder where references are kept and found again.
+# Error against processor time of each value of -sampling, and of rpict: bench/sampling.sh build/bin [scene ...] The
+# errors are those of bench/picture_error.cpp after 0, 1, 2, 4 ... FRAMES diffuse frames, rms over SEEDS runs, against
+# REFERENCE frames of other seeds (-sampling reuse), whose own noise (half of the difference of its halves) is printed
+# and subtracted in squares.  Seconds are ptrace's alone on one core, from its start, learning included: measured at
+# frames 0, 4 and FRAMES, a straight line between them.  The curves stay in OUT (out/sampling), with a plot of each
+# scene; bench/sampling.awk makes the table.  With RADIANCE on PATH rpict takes part, with its cache (cached) and
+# without. REFERENCES names a folder where references are kept and found again.
 set -eu
 bin=$(cd "$1" && pwd)
 shift
 [ $# -gt 0 ] || set -- office_clear_1400 office_blinds_1100 office_clear_overcast classroom_back_row gallery_east
 cmake --build "$bin/.." --target picture_error > /dev/null
 size=${SIZE:-128} frames=${FRAMES:-256} reference=${REFERENCE:-1024} seeds=${SEEDS:-2}
-ways=${WAYS:-shared portals plain}
+ways=${WAYS:-reuse portals plain}
 bench=$(cd "$(dirname "$0")" && pwd) top=$(dirname "$(cd "$(dirname "$0")" && pwd)")
 out=${OUT:-$top/out/sampling}
 mkdir -p "$out" ${REFERENCES:+"$REFERENCES"}
@@ -33,7 +33,7 @@ make_reference() {
     kept=${REFERENCES:-$dir}/$scene.$size.$reference
     if [ ! -s "$kept.noise" ]; then
         for k in 0 1 2 3; do
-            frames shared $((1000 + k)) $((reference / 4)) | "$bin/ptaccum" -last -ff > "$dir/part$k.hdr"
+            frames reuse $((1000 + k)) $((reference / 4)) | "$bin/ptaccum" -last -ff > "$dir/part$k.hdr"
         done
         "$bin/ptaccum" -last -ff "$dir"/part?.hdr > "$kept.hdr"
         "$bin/ptaccum" -last -ff "$dir"/part[01].hdr > "$dir/half0.hdr"
@@ -80,7 +80,7 @@ for scene; do
         awk -f "$bench/sampling_mean.awk" "$kept.noise" "$dir/runs" > "$out/$scene.cached.tsv"
     fi
     printf '%s reference\t%d\t\t%s\n' "$scene" "$reference" "$(< "$kept.noise")"
-    (cd "$out" && awk -f "$bench/sampling.awk" $(printf '%s\n' rpict cached plain portals shared |
+    (cd "$out" && awk -f "$bench/sampling.awk" $(printf '%s\n' rpict cached plain portals reuse |
         sed "s/.*/$scene.&.tsv/" | while read -r f; do [ ! -s "$f" ] || echo "$f"; done))
 done
 if command -v gnuplot > /dev/null; then (cd "$out" && bash "$bench/sampling_plot.sh" "$@"); fi

@@ -11,7 +11,7 @@ set -eu
     for scene; do
         echo "set title '$scene'"
         color=0 plots=
-        for way in shared portals plain rpict cached; do
+        for way in reuse portals plain rpict cached; do
             color=$((color + 1))
             [ -s "$scene.$way.tsv" ] || continue
             style="linespoints pt 7 ps .3" dashes="lines dt 2"

@@ -20,7 +20,7 @@ std::string scene_hash(base::Hash hash, const flatten::FlatScene& s) {
 
 // Options that move pixels, as one would type them, and what tests set.  The seed has a header line of its own.
 std::string option_text(RenderOptions o) {
-    if (o.sampling != Sampling::shared) o.noisy_share = 0;  // the other ways have none
+    if (o.sampling != Sampling::reuse) o.noisy_share = 0;  // the others have none
     base::OptionTable table;
     declare_options(table, o);
     std::string text;

@@ -47,9 +47,11 @@ void declare_options(base::OptionTable& t, RenderOptions& r) {
     t.add("-bv[+-]", "Back faces of opaque surfaces are visible", r.bv).from_scene().moves_pixels();
     t.add("-any-reflectance[+-]", "Render materials that give back twice the light that they get, or more",
           r.any_reflectance);
-    t.add("-sampling name", "How diffuse rays are aimed: plain, portals or shared",
-          base::one_of(r.sampling,
-                       {{"plain", Sampling::plain}, {"portals", Sampling::portals}, {"shared", Sampling::shared}}))
+    t.add("-sampling name", "How diffuse rays are sampled: plain, portals or reuse",
+          base::one_of(r.sampling, {{"plain", Sampling::plain},
+                                    {"portals", Sampling::portals},
+                                    {"reuse", Sampling::reuse},
+                                    {"shared", Sampling::reuse}}))  // the name before 0.1.0
         .moves_pixels();
     t.add("-noisy-share f", "Extra samples for the noisiest pixels, as a share of the picture's; 0 for none",
           r.noisy_share)

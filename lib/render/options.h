@@ -16,7 +16,7 @@ namespace render {
 
 // How the directions of diffuse light are chosen (-sampling): by the cosine; a share of them toward windows and patches
 // of sun; the same, and what they meet lights the pixels around, too.
-enum class Sampling { plain, portals, shared };
+enum class Sampling { plain, portals, reuse };
 
 struct RenderOptions : flatten::Options {  // which has -dr and -bv
     // RADIANCE's letters
@@ -35,7 +35,7 @@ struct RenderOptions : flatten::Options {  // which has -dr and -bv
     double me[3] = {0, 0, 0}, ma[3] = {0, 0, 0}, mg = 0, ms = 0;  // mist
     double pd = 0;                                                // -pd depth of field
     // ours
-    Sampling sampling = Sampling::shared;
+    Sampling sampling = Sampling::reuse;
     uint64_t seed = 1;
     double least_lobe_prob = 0;  // for tests of ways hardly ever taken (kernels/integrator/sample_bsdf.h)
     int direct_samples =

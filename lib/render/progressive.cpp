@@ -38,11 +38,11 @@ uint32_t samples_for_one(size_t pixels) {
     return 4 * pixels <= enough ? 4 : 2 * pixels <= enough ? 2 : 1;
 }
 
-constexpr float RAY_REST = 0.3f;  // light from elsewhere, over that of portals: a single ray is not worth a search
+constexpr float RAY_REST = 0.3f;  // light from other directions, over portals': a single ray does not repay pilots
 
-// What a suffix vertex sends out must not depend on the path that found it: on what it came through, on what -lw lets
-// it be.
-bool may_share(const Params& par) {
+// The radiance of a suffix vertex must not depend on the path that found it: on the media and antimatter crossed, or on
+// the ray weight that -lw limits.
+bool allows_path_reuse(const Params& par) {
     const bool mist = par.medium.x > 0 || par.medium.y > 0 || par.medium.z > 0;
     return par.ab > 0 && par.lr <= 0 && par.least_lobe_prob == 0 && (par.flags & PF_ANTIMATTER) == 0 && !mist;
 }
@@ -198,8 +198,8 @@ void Renderer::select_view(const RenderView& v, const RenderOptions& o) {
     State& s = *state_;
     s.base = params_of(*s.flat, o);
     s.m = s.base.skip_direct_below;
-    s.noisy_share = o.sampling == Sampling::shared ? o.noisy_share : 0;
-    s.sampler.set_sharing(o.sampling == Sampling::shared && may_share(s.base));
+    s.noisy_share = o.sampling == Sampling::reuse ? o.noisy_share : 0;
+    s.sampler.set_path_reuse(o.sampling == Sampling::reuse && allows_path_reuse(s.base));
     s.nx = s.base.nx = uint32_t(v.nx);
     s.ny = s.base.ny = uint32_t(v.ny);
     s.of_frame0 = s.m * (o.more_if_small ? samples_for_one(size_t(v.nx) * size_t(v.ny)) : 1);

@@ -69,11 +69,11 @@ std::vector<uint32_t> Samples::add_noisy(device::Device& device, std::vector<uin
     return pixels;
 }
 
-// Pictures smaller than a square of groups do not: nearly all paths would lie beside them.
-bool Samples::shares(const Params& par) const { return may_share_ && par.nx >= REUSE_SIDE && par.ny >= REUSE_SIDE; }
+// Smaller pictures than a square of groups are excluded: nearly all paths would lie outside of them.
+bool Samples::reuses(const Params& par) const { return path_reuse_ && par.nx >= REUSE_SIDE && par.ny >= REUSE_SIDE; }
 
 uint32_t Samples::path_count(const Params& base) const {
-    return shares(base) ? kernels::reuse_paths(base.nx, base.ny) : base.nx * base.ny;
+    return reuses(base) ? kernels::reuse_paths(base.nx, base.ny) : base.nx * base.ny;
 }
 
 void Samples::run(device::Device& device, const Params& base, const Pass& pass, std::vector<float>& rgb) {
@@ -83,7 +83,7 @@ void Samples::run(device::Device& device, const Params& base, const Pass& pass, 
     p.samples_per_pass = pass.n;
     p.first = pass.first_pixel * pass.n;
     p.path_count = pass.pixels * pass.n;
-    if (shares(base) && pass.mode == MODE_FRAMES) {
+    if (reuses(base) && pass.mode == MODE_FRAMES) {
         p.reuse_path_count = kernels::reuse_paths(p.nx, p.ny);
         p.first = 0;
         p.path_count = p.reuse_path_count * pass.n;
@@ -93,15 +93,15 @@ void Samples::run(device::Device& device, const Params& base, const Pass& pass, 
     for (const Several& several : several_) refine(device, base, pass, several, rgb);
 }
 
-// Samples of pixels that have several, as far as the pass has these pixels, become the means of all.  A shared sample
-// may stay and count for several copies: it is less noisy than one, and any fixed weights keep the expectation.
+// Pixels with several samples, among those of the pass, get the mean of all.  A sample with path reuse is kept with the
+// weight of several others, because it has less noise; the mean is unbiased for any fixed weights.
 void Samples::refine(device::Device& device, const Params& base, const Pass& pass, const Several& several,
                      std::vector<float>& rgb) {
     const uint32_t begin = several.first_of(pass.first_pixel),
                    end = several.first_of(uint64_t(pass.first_pixel) + pass.pixels);
     if (begin == end) return;
     const uint32_t most = UINT32_MAX / (uint32_t(several.count()) * several.spp);  // indices of paths are 32 bits
-    const double worth = shares(base) && pass.mode == MODE_FRAMES ? several.reuse_equivalent_spp : 0;
+    const double reuse_weight = reuses(base) && pass.mode == MODE_FRAMES ? several.reuse_equivalent_spp : 0;
     Params p = base;
     p.mode = pass.mode;
     p.spp = several.spp;
@@ -127,7 +127,7 @@ void Samples::refine(device::Device& device, const Params& base, const Pass& pas
                 double all = 0;
                 for (uint32_t e = entry; e < next; e++) all += sum[size_t(e - begin) * n * 3 + i];
                 float& value = rgb[3 * (size_t(pixel - pass.first_pixel) * pass.n + done) + i];
-                value = float((all + worth * double(value)) / (spp + worth));
+                value = float((all + reuse_weight * double(value)) / (spp + reuse_weight));
             }
         }
     }

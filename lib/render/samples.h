@@ -21,8 +21,8 @@ public:
     // Adds noisy ones (noisy.h): copies of each pixel, 0: one.  Pixels of a focus keep its number.  Samples of the
     // others, which are returned, hold the direct class in each frame.
     std::vector<uint32_t> add_noisy(device::Device& device, std::vector<uint32_t> spp);
-    // May the paths of whole pictures share their suffix vertices (kernels/integrator/path_reuse.h)?
-    void set_sharing(bool may) { may_share_ = may; }
+    // Allows path reuse in passes over whole pictures (kernels/integrator/path_reuse.h).
+    void set_path_reuse(bool may) { path_reuse_ = may; }
     // How many paths a sample of the whole picture takes.
     uint32_t path_count(const kernels::Params& base) const;
     // rgb: the samples of a pixel lie side by side, as do their rays.
@@ -41,20 +41,20 @@ private:
         std::vector<uint32_t> entries;    // FOCUS_WORDS each, pixels in ascending order
         uint32_t at = 0;                  // among all entries of the device
         uint32_t spp = 0;                 // samples of an entry
-        double reuse_equivalent_spp = 0;  // samples that the sample of the whole picture counts for, where paths share
+        double reuse_equivalent_spp = 0;  // weight, in samples, of the whole picture's sample with path reuse
         bool direct_in_each_frame = false;
         size_t count() const { return entries.size() / FOCUS_WORDS; }
         uint32_t word(size_t entry, uint32_t which) const { return entries[entry * FOCUS_WORDS + which]; }
         uint32_t first_of(uint64_t pixel) const;
     };
-    bool shares(const kernels::Params& par) const;
+    bool reuses(const kernels::Params& par) const;
     void add(Several several);
     void send(device::Device& device) const;
     void refine(device::Device& device, const kernels::Params& base, const Pass& pass, const Several& several,
                 std::vector<float>& rgb);
 
     std::vector<Several> several_;
-    bool may_share_ = false;
+    bool path_reuse_ = false;
     std::vector<float> samples_;
     bool found_bad_ = false;
 };

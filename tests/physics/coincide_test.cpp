@@ -170,11 +170,11 @@ TEST_CASE("curved surfaces, meshes and instances in one place") {
     expect_seen("A tube s 0 0 7 0 -9 -1 0 9 -1 1\nB cylinder t 0 0 7 0 -9 -1 0 9 -1 1\n", {{above, .2}}, 64);
 }
 
-TEST_CASE("the same in packets, and over shared far ends") {
+TEST_CASE("the same in packets, and with path reuse") {
     const Place at;
     for (const std::string& device : devices()) {
         CAPTURE(device);
-        for (const render::Sampling s : {render::Sampling::plain, render::Sampling::shared}) {
+        for (const render::Sampling s : {render::Sampling::plain, render::Sampling::reuse}) {
             const double noise = s == render::Sampling::plain ? 1e-4 : .01;  // relative
             CHECK(picture(sky_and_two + at.square("A", true) + at.square("B", true), device, s) ==
                   doctest::Approx(.2).epsilon(noise));

@@ -71,7 +71,7 @@ TEST_CASE("a focus of another size, or of nothing, is refused") {
 TEST_CASE("other pixels keep their bits, on every device") {
     const Office office;
     render::RenderOptions options;
-    for (const auto sampling : {render::Sampling::portals, render::Sampling::shared}) {
+    for (const auto sampling : {render::Sampling::portals, render::Sampling::reuse}) {
         options.sampling = sampling;
         const auto without = renderer(office, {}, "cpu", options), with = renderer(office, focus(), "cpu", options);
         for (const int64_t k : {0, 1, 8, 9, 100}) {

@@ -117,13 +117,13 @@ void means_agree(const Means& one, const Means& other) {
 }  // namespace
 
 TEST_CASE("devices give the same frames") { devices_agree(render::Sampling::portals); }
-TEST_CASE("devices give the same shared frames") { devices_agree(render::Sampling::shared); }
+TEST_CASE("devices give the same frames with path reuse") { devices_agree(render::Sampling::reuse); }
 
 TEST_CASE("the number of threads changes nothing") {
     const Office scene;
     std::map<unsigned, std::vector<float>> frames;
     render::RenderOptions options;
-    for (const auto sampling : {render::Sampling::shared, render::Sampling::portals}) {
+    for (const auto sampling : {render::Sampling::reuse, render::Sampling::portals}) {
         options.sampling = sampling;
         for (unsigned threads : {1u, 2u, 5u}) {
             base::use_processors(threads);
@@ -138,7 +138,7 @@ TEST_CASE("the number of threads changes nothing") {
 }
 
 TEST_CASE("ranges of frames merge to the run in one piece") { ranges_merge(render::Sampling::portals); }
-TEST_CASE("ranges of shared frames do, too") { ranges_merge(render::Sampling::shared); }
+TEST_CASE("ranges of frames with path reuse do, too") { ranges_merge(render::Sampling::reuse); }
 
 // At night no light comes through the window: no directions go there.
 TEST_CASE("where windows do not pay, their share is none") {

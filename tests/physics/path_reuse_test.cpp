@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths that share their far ends (-sampling shared): every pixel has its sample, no mean moves whatever the far ends
-// are made of, and where they would not look the same from elsewhere nothing is shared.
+// Path reuse (-sampling reuse): every pixel has its sample, the expectation is that of plain sampling for suffix
+// vertices of every material, and a suffix vertex whose radiance depends on the direction is not reused.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include "physics/laws.h"
 
@@ -56,7 +56,7 @@ Means means_of(const scene::Scene& scene, render::Sampling sampling, int frames)
     return over_seeds(16, blocks + 1, [&](uint64_t seed) {
         render::RenderOptions options;
         options.sampling = sampling;
-        options.seed = seed + (sampling == render::Sampling::shared ? 100 : 0);
+        options.seed = seed + (sampling == render::Sampling::reuse ? 100 : 0);
         options.direct_samples = (1 << 20) + 1;  // odd: frames of the diffuse class alone
         options.noisy_share = 0;                 // and of one sample each
         render::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
@@ -90,10 +90,10 @@ bool shares_nothing(const std::string& text, render::RenderOptions options = {})
     const scene::Scene scene = scene_of(text);
     std::vector<float> frames[2];
     options.noisy_share = 0;
-    for (const auto sampling : {render::Sampling::shared, render::Sampling::portals}) {
+    for (const auto sampling : {render::Sampling::reuse, render::Sampling::portals}) {
         options.sampling = sampling;
         render::Renderer renderer(scene, into_room(), size, size, options, "cpu", {});
-        renderer.frame(1, frames[sampling == render::Sampling::shared]);
+        renderer.frame(1, frames[sampling == render::Sampling::reuse]);
     }
     CHECK(std::accumulate(frames[0].begin(), frames[0].end(), 0.0) != 0);
     return frames[0] == frames[1];
@@ -137,20 +137,20 @@ TEST_CASE("each pixel has one path of a sample, and each path its place in its g
 TEST_CASE("sharing takes noise away and moves no mean") {
     const scene::Scene scene = scene_of(room);
     const Means plain = means_of(scene, render::Sampling::plain, 400);
-    const Means shared = means_of(scene, render::Sampling::shared, 400);
+    const Means reuse = means_of(scene, render::Sampling::reuse, 400);
     double square = 0;
     for (size_t i = 0; i <= blocks; i++) {
-        const double z = (shared.mean[i] - plain.mean[i]) / std::sqrt(shared.variance[i] + plain.variance[i]);
+        const double z = (reuse.mean[i] - plain.mean[i]) / std::sqrt(reuse.variance[i] + plain.variance[i]);
         CAPTURE(i);
         CHECK(std::abs(z) < 4.5);
         if (i < blocks) square += z * z / blocks;
     }
     CHECK(square < 2.2);
-    CHECK(std::sqrt(plain.variance[blocks] + shared.variance[blocks]) < .004 * plain.mean[blocks]);
-    CHECK(noise_of(scene, render::Sampling::shared) < .4 * noise_of(scene, render::Sampling::plain));
+    CHECK(std::sqrt(plain.variance[blocks] + reuse.variance[blocks]) < .004 * plain.mean[blocks]);
+    CHECK(noise_of(scene, render::Sampling::reuse) < .4 * noise_of(scene, render::Sampling::plain));
 }
 
-TEST_CASE("what looks different from elsewhere is not shared") {
+TEST_CASE("a surface that looks different from elsewhere is not reused") {
     CHECK(!shares_nothing(corner(matt)));
     CHECK(!shares_nothing(corner("void brightfunc stripes 2 .5+.4*cos(9*Px) .\n0 0\nstripes " + matt.substr(5))));
     for (const char* seen : {"Rdot", "abs(Dz)", "T/9", "Ts/9"}) {
@@ -172,7 +172,7 @@ std::string open_floor(const std::string& sky, const std::string& above) {
            "matt polygon floor 0 0 12 -2 -2 0 2 -2 0 2 2 0 -2 2 0\n" + above;
 }
 
-TEST_CASE("a sky that looks different from place to place is not shared") {
+TEST_CASE("a sky that looks different from place to place is not reused") {
     const std::string glow = "glow it 0 0 4 9 9 9 0\n";
     CHECK(!shares_nothing(open_floor("void " + glow, "")));
     CHECK(!shares_nothing(open_floor("void brightfunc seen 2 2+Dz .\n0 0\nseen " + glow, "")));
@@ -186,10 +186,10 @@ TEST_CASE("links are blocked where panes let no path through, or where these tel
         const std::string pattern = std::string("void brightfunc seen 2 ") + seen + " .\n0 0\n";
         const scene::Scene scene = scene_of(open_floor("void glow it 0 0 4 10 10 10 0\n", pattern + pane));
         const Means plain = means_of(scene, render::Sampling::plain, 60);
-        const Means shared = means_of(scene, render::Sampling::shared, 60);
-        const double error = std::sqrt(shared.variance[blocks] + plain.variance[blocks]);
+        const Means reuse = means_of(scene, render::Sampling::reuse, 60);
+        const double error = std::sqrt(reuse.variance[blocks] + plain.variance[blocks]);
         CHECK(error < .01 * plain.mean[blocks]);
-        CHECK(std::abs(shared.mean[blocks] - plain.mean[blocks]) < 4 * error);
+        CHECK(std::abs(reuse.mean[blocks] - plain.mean[blocks]) < 4 * error);
     }
 }
 
@@ -203,16 +203,16 @@ TEST_CASE("light that a mist scatters is counted once, whatever the path's far e
         "matt polygon left 0 0 12 -2 -2 0 -2 2 0 -2 2 3 -2 -2 3\n"
         "void mist fog 1 lamp 0 7 .2 .2 .2 .9 .9 .9 .3\nfog sphere cloud 0 0 4 0 .8 1 .7\n");
     const Means plain = means_of(scene, render::Sampling::plain, 100);
-    const Means shared = means_of(scene, render::Sampling::shared, 100);
-    const double error = std::sqrt(shared.variance[blocks] + plain.variance[blocks]);
+    const Means reuse = means_of(scene, render::Sampling::reuse, 100);
+    const double error = std::sqrt(reuse.variance[blocks] + plain.variance[blocks]);
     CAPTURE(plain.mean[blocks]);
-    CAPTURE(shared.mean[blocks]);
+    CAPTURE(reuse.mean[blocks]);
     CAPTURE(error);
     CHECK(error < .004 * plain.mean[blocks]);
-    CHECK(std::abs(shared.mean[blocks] - plain.mean[blocks]) < 4 * error);
+    CHECK(std::abs(reuse.mean[blocks] - plain.mean[blocks]) < 4 * error);
 }
 
-TEST_CASE("where light fades on its way, or paths end by their weight, nothing is shared") {
+TEST_CASE("no path reuse in mist, or where paths end by their weight") {
     render::RenderOptions options;
     options.lr = 3;
     CHECK(shares_nothing(corner(matt), options));
@@ -227,12 +227,12 @@ TEST_CASE("where light fades on its way, or paths end by their weight, nothing i
 TEST_CASE("pictures smaller than a square share nothing") {
     const scene::Scene scene = scene_of(room);
     std::vector<float> frames[2];
-    for (const auto sampling : {render::Sampling::shared, render::Sampling::portals}) {
+    for (const auto sampling : {render::Sampling::reuse, render::Sampling::portals}) {
         render::RenderOptions options;
         options.sampling = sampling;
         options.noisy_share = 0;
         render::Renderer renderer(scene, into_room(), 32, 15, options, "cpu", {});
-        renderer.frame(1, frames[sampling == render::Sampling::shared]);
+        renderer.frame(1, frames[sampling == render::Sampling::reuse]);
     }
     CHECK(frames[0] == frames[1]);
 }

@@ -47,16 +47,19 @@ const std::map<std::string, const char*> harmless = {
     {"-rif", "stands for scene files, options and views"},
 };
 
+std::string fingerprint(const render::RenderOptions& options) {
+    return render::fingerprint({}, {}, {}, 8, 8, options, {});
+}
+
 bool changes(const std::string& option, size_t arguments, const char* value) {
     render::RenderOptions render;
-    const auto fingerprint = [&] { return render::fingerprint({}, {}, {}, 8, 8, render, {}); };
-    const std::string before = fingerprint();
+    const std::string before = fingerprint(render);
     base::OptionTable table;
     render::declare_options(table, render);
     std::vector<std::string> words{arguments ? option : option + value};
     words.resize(1 + arguments, value);
     std::string wrong;
-    return table.read_header_words(words, wrong) && fingerprint() != before;
+    return table.read_header_words(words, wrong) && fingerprint(render) != before;
 }
 
 }  // namespace
@@ -79,4 +82,18 @@ TEST_CASE("an option of ptrace is a part of the fingerprint, or is known to be h
         ++moving;
     }
     CHECK(moving > 15);
+}
+
+TEST_CASE("-sampling shared is the former name of -sampling reuse") {
+    std::string found[2];
+    for (const std::string name : {"reuse", "shared"}) {
+        render::RenderOptions render;
+        render.sampling = render::Sampling::plain;
+        base::OptionTable table;
+        render::declare_options(table, render);
+        table.read_words({"-sampling", name});
+        CHECK(render.sampling == render::Sampling::reuse);
+        found[name == "shared"] = fingerprint(render);
+    }
+    CHECK(found[0] == found[1]);
 }
