@@ -170,7 +170,7 @@ bool hides(const Modifiers& modifiers, const scene::Object& over, const scene::O
     return turned || modifiers.record[over.modifier] > modifiers.record[opaque.modifier];
 }
 
-// One of 16 points on a lamp that is not flat, and the normal there.
+// One of 16 points on a curved light source, and the normal there.
 struct OnLamp {
     Vec3 point, normal;
 };

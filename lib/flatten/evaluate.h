@@ -7,7 +7,7 @@
 
 namespace flatten {
 
-// The mean luminance of a light source, patterns included, over its points and the directions in which it shines;
+// Mean luminance of a light source, patterns included, over its points and the directions of its emission;
 // record: SOURCE_FLOATS of kernels/tables.h.
 double mean_luminance(const FlatScene& scene, const float* record);
 

@@ -119,7 +119,7 @@ private:
     Emitters::iterator at(size_t i) const { return emitters_.begin() + long(i); }
     static size_t gap(size_t a, size_t b) { return a < b ? b - a : a - b; }
 
-    // The chance of the first of two halves.  The other may hold the only one that shines: it keeps a probability, too.
+    // Probability of the first of two children, never 0 or 1: the other may hold the only source visible from a point.
     static float share(float first, float second) {
         return std::clamp(first / (first + second), 1 / 1024.f, 1023 / 1024.f);
     }
