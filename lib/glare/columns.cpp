@@ -12,11 +12,11 @@ using M = const Measurement&;
 constexpr Noise no_interval = Noise::no_interval, linear = Noise::linear;
 
 // filled: there is a column NAMEf, of sources by what fills their pixels, and NAME.px, its difference from NAMEu.
-enum Want : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, all_light = 16, filled = 32 };
+enum Requirement : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, all_light = 16, filled = 32 };
 
 struct Entry {
     const char* name;
-    unsigned wants;
+    unsigned required;
     double (*value)(M);
     Noise noise;
 };
@@ -150,14 +150,14 @@ private:
     bool plain(const std::string& name) {
         for (const Entry& e : entries) {
             const bool shows_unbiased = has_bias(e.noise) && name == std::string(e.name) + "u",
-                       shows_filled = (e.wants & filled) != 0 && name == std::string(e.name) + "f",
+                       shows_filled = (e.required & filled) != 0 && name == std::string(e.name) + "f",
                        shows_pixels = name == pixels_column(e.name);
             if (name != e.name && !shows_unbiased && !shows_filled && !shows_pixels) continue;
-            if (e.wants & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
-            requirements_.sources |= (e.wants & sources) != 0;
-            requirements_.rammg |= (e.wants & rammg) != 0;
-            requirements_.medians |= (e.wants & medians) != 0;
-            requirements_.all_light |= (e.wants & (all_light | sources)) != 0 && !settings_.external_ev;
+            if (e.required & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
+            requirements_.sources |= (e.required & sources) != 0;
+            requirements_.rammg |= (e.required & rammg) != 0;
+            requirements_.medians |= (e.required & medians) != 0;
+            requirements_.all_light |= (e.required & (all_light | sources)) != 0 && !settings_.external_ev;
 
             Column column{name, e.value, e.noise};
             if (std::string(e.name) == "LveilCIE")
@@ -266,7 +266,7 @@ bool has_bias(Noise noise) { return noise != no_interval && noise != linear && n
 
 std::string pixels_column(const std::string& metric) {
     for (const Entry& e : entries)
-        if (metric == e.name && (e.wants & filled) && has_interval(e.noise)) return metric + ".px";
+        if (metric == e.name && (e.required & filled) && has_interval(e.noise)) return metric + ".px";
     return "";
 }
 
