@@ -33,16 +33,18 @@ std::unique_ptr<render::Renderer> start(const std::string& device) {
     return std::make_unique<render::Renderer>(device);
 }
 
-// A run, from edit to edit.
+// State of a run, from one edit to the next.
 struct Run {
+    explicit Run(Options options) : opt(std::move(options)) {}
+
     Options opt;
     render::Control control{opt.control, opt.watch};
-    std::optional<render::Session> session = {};
+    std::optional<render::Session> session;
     int64_t edits = 0;
     std::string edited = "start";
 };
 
-// What the session is told of picture i.
+// Setup of the session for picture i.
 render::Setup setup_of(const Options& opt, size_t i, base::Progress& progress) {
     render::Setup setup{opt.views[i].render_view, opt.render, opt.files};
     setup.options.tell_tree = [&](double share) {
@@ -145,7 +147,7 @@ void render_view(Run& run, size_t i, bool last) {
 }
 
 int render_all(Options options) {
-    Run run{std::move(options)};
+    Run run(std::move(options));
     choose_focus(run.opt);
     const Options& opt = run.opt;
     const bool only_rule = !opt.rule_for.empty() && opt.rule_file.empty();
