@@ -14,8 +14,8 @@ sed -i -E '/^  (ROW |SAME)\(.*\)$/ {
     a\  ROW (MATTE, matte, 0, only(3), none, 0, 0, no, no, no, turns, MT_EVEN)
 }' lib/kernels/material/materials.h
 
-# 2. what it does
-cat > lib/kernels/mat_matte.h << 'END'
+# 2. its lobes
+cat > lib/kernels/material/mat_matte.h << 'END'
 // SPDX-License-Identifier: BSD-3-Clause
 // matte: Lambert's law alone.  args: R G B
 #ifndef LUX_MAT_MATTE_H
@@ -29,7 +29,7 @@ FN void mat_matte(PRIVATE(const Surface) g, GLOBAL const float* arg, PRIVATE(Lob
 END
 
 # 3. its case
-sed -i -e 's|^#include "kernels/material/mat_glass.h"|&\n#include "kernels/mat_matte.h"|' \
+sed -i -e 's|^#include "kernels/material/mat_glass.h"|&\n#include "kernels/material/mat_matte.h"|' \
     -e 's|^    case M_GLASS:.*|&\n    case M_MATTE: mat_matte(g, arg, lobes); break;|' lib/kernels/material/material.h
 
 recipe() { sed -n '/^## Add a material/,/^Only where/s/^[0-9]\. `\(lib[^`]*\)`.*/\1/p' "$TOP/CONTRIBUTING.md"; }
