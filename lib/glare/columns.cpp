@@ -11,7 +11,7 @@ namespace {
 using M = const Measurement&;
 constexpr Noise no_interval = Noise::no_interval, linear = Noise::linear;
 
-// filled: there is a column NAMEf, of sources by what fills their pixels, and NAME.px, its difference from NAMEu.
+// filled: there are columns NAMEf, of sources of filled pixels, and NAME.px, its difference from NAMEu.
 enum Requirement : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, all_light = 16, filled = 32 };
 
 struct Entry {
@@ -131,7 +131,7 @@ private:
         columns_[0].name = "AvLum";
         const ContrastPair pair = choice_.pairs.empty() ? ContrastPair{} : choice_.pairs[0];
         std::string task = settings_.task_region;
-        for (const std::string& name : choice_.regions)  // else the first region that is not of the pair
+        for (const std::string& name : choice_.regions)  // or the first region outside the pair
             if (task.empty() && name != pair.low && name != pair.high) task = name;
         mean_of("TaskLum", task);
         mean_of("HighLum", pair.high);
@@ -139,14 +139,14 @@ private:
         const auto high = columns_[5].value, low = columns_[6].value;
         columns_.push_back({"CR", [high, low](M m) { return high(m) / low(m); }, no_interval});
     }
-    // Mean luminance of a region under a name of its own; not a number where there is no such region.
+    // Mean luminance of a region in a column of a given name; nan without such a region.
     void mean_of(const char* column, const std::string& name) {
         const size_t k = region_index(name);
         if (k == choice_.regions.size()) columns_.push_back({column, [](M) { return std::nan(""); }, no_interval});
         else columns_.push_back({column, [k](M m) { return m.region_values[k].tal; }, no_interval});
     }
 
-    // NAME or, where noise makes NAME too large, NAMEu; NAMEf and NAME.px.
+    // NAME or, where noise biases NAME, NAMEu; NAMEf and NAME.px.
     bool plain(const std::string& name) {
         for (const Entry& e : entries) {
             const bool shows_unbiased = has_bias(e.noise) && name == std::string(e.name) + "u",

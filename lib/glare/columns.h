@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The columns vcmetrics can print, by name, and what must be calculated for each one.  CONTRIBUTING.md says how to add
-// a metric.
+// Columns of vcmetrics by name, and the quantities that each one requires.  To add a metric: CONTRIBUTING.md.
 #pragma once
 #include <functional>
 #include <string>
@@ -9,15 +8,15 @@
 
 namespace glare {
 
-// How noise enters a metric.  lib/report chooses by it how the error is estimated.
+// Effect of noise on a metric, by which lib/report chooses the error estimate.
 enum class Noise {
     no_interval,   // intervals are not known, or were not shown to hold
     bias_alone,    // as glare, without an interval
     linear,        // no bias
-    dgp,           // squares of luminances beside terms without bias
-    glare,         // squares of luminances: the bias goes with the variance of noise
-    contrast,      // absolute differences: the bias goes with the deviation of noise; no interval
-    region,        // mean of a region: few pixels, skew
+    dgp,           // linear and squared terms of luminance
+    glare,         // squares of luminance: bias proportional to the variance of the noise
+    contrast,      // absolute differences: bias proportional to the deviation of the noise; no interval
+    region,        // mean of a region: few pixels, skewed
     region_ratio,  // ratio of two
 };
 
@@ -29,34 +28,34 @@ struct Column {
     std::function<double(const Measurement&)> value;
     Noise noise = Noise::no_interval;
     bool printed_unbiased = false;       // DGPu, CRu: the column shows the value without bias
-    bool of_filled = false;              // DGPf, DGP.px: where the bias is not known, with it
-    bool printed = true;                 // else it serves a rule alone
+    bool of_filled = false;              // DGPf, DGP.px: with the bias, where it is unknown
+    bool printed = true;                 // false: it serves a stopping rule only
     const char* const* words = nullptr;  // class: the value is an index of these
     bool has_interval() const { return glare::has_interval(noise); }
-    // The interval lies around the value without bias.
+    // The interval is around the value without bias.
     bool has_bias() const { return glare::has_bias(noise); }
 };
 
 struct ColumnChoice {
     std::vector<std::string> names;    // of -metrics, empty: the default set
     std::vector<std::string> hidden;   // not printed
-    std::vector<std::string> regions;  // in file order
-    bool regions_come = false;         // there may be none yet: "TAL" then stands for no column
+    std::vector<std::string> regions;  // in the order of the file
+    bool regions_come = false;         // true: if there are none yet, "TAL" stands for no column
     std::vector<ContrastPair> pairs;
-    bool accelerad = false;  // AcceleradRT's columns and its contrast ratio, high over low; names stay unread
+    bool accelerad = false;  // AcceleradRT's columns and its contrast ratio, high over low; names are ignored
 };
 
-// What DGP means (paper, section 2): 0 imperceptible, below 0.35; 1 perceptible; 2 disturbing, from 0.40; 3
-// intolerable, above 0.45.  Index into dgp_classes.
+// Class of DGP (paper, section 2): 0 imperceptible, below 0.35; 1 perceptible; 2 disturbing, from 0.40; 3 intolerable,
+// above 0.45.  Index into dgp_classes.
 int dgp_class(double dgp);
 extern const char* const dgp_classes[5];  // the last one is "unknown"
 extern const double dgp_limits[3];
 
-// Names without a region (TAL, mean, median, min, max, share) stand for all regions, CR for all pairs.
-// Throws Error on a name that is none, with the names there are.
+// Names without a region (TAL, mean, median, min, max, share) stand for all regions, CR for all pairs.  Throws Error on
+// an unknown name, with a list of the known ones.
 std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& settings, Requirements& requirements);
 
-// The column of what pixels do to a metric, "DGP.px"; empty: there is none, or it has no interval.
+// The column of the error that pixels cause in a metric, "DGP.px"; empty: there is none, or it has no interval.
 std::string pixels_column(const std::string& metric);
 
 // "Ev DGP DGI ...": for the help text.

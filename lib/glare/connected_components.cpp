@@ -8,7 +8,7 @@ namespace glare {
 namespace {
 
 constexpr uint16_t unknown = 0xffff;
-constexpr int offset = 1 << 20;  // cube coordinates are kept positive in the key
+constexpr int offset = 1 << 20;  // keeps cube coordinates positive in the key
 
 uint64_t key_of(int x, int y, int z) {
     return (uint64_t(x + offset) << 42) | (uint64_t(y + offset) << 21) | uint64_t(z + offset);
@@ -63,19 +63,19 @@ uint32_t ConnectedComponents::cell_of(uint32_t pixel) {
     return cell;
 }
 
-// Runs that overlap a run in the next row.
+// Joins runs that overlap a run of the next row.
 void ConnectedComponents::join_rows(std::vector<Run>& runs) const {
     const uint32_t width = uint32_t(geometry_.width);
     size_t below = 0;
     for (size_t r = 0; r < runs.size(); ++r) {
-        const uint32_t first = runs[r].start + width, last = first + runs[r].length;  // its shadow in the next row
+        const uint32_t first = runs[r].start + width, last = first + runs[r].length;  // same columns, next row
         while (below < runs.size() && runs[below].start + runs[below].length <= first) ++below;
         for (size_t b = below; b < runs.size() && runs[b].start < last; ++b) unite(runs, uint32_t(r), uint32_t(b));
     }
 }
 
-// Pixels not surrounded by four others.  A surrounded pixel within reach of something has a neighbour nearer to it,
-// so the way to it ends on the boundary: the inside needs no comparison.
+// Pixels without four neighbours in runs.  If a surrounded pixel is within reach of another pixel, so is a neighbour
+// nearer to it; so the shortest distance between components is between boundary pixels.
 std::vector<ConnectedComponents::BoundaryPixel> ConnectedComponents::boundary(const std::vector<Run>& runs) const {
     std::vector<BoundaryPixel> out;
     const uint32_t width = uint32_t(geometry_.width);
@@ -135,7 +135,7 @@ void ConnectedComponents::join_cells(std::vector<Run>& runs, const std::vector<B
     for (size_t c = 0; c + 1 < first.size(); ++c)  // a cube is one piece
         for (uint32_t k = first[c]; k + 1 < first[c + 1]; ++k)
             if (sorted[k].run != sorted[k + 1].run) unite(runs, sorted[k].run, sorted[k + 1].run);
-    for (bool touching : {true, false})  // near ones last: most are joined by then
+    for (bool touching : {true, false})  // cells that do not touch last: most are joined by then
         for (size_t c = 0; c + 1 < first.size(); ++c) {
             if (first[c] == first[c + 1]) continue;
             for (uint32_t o : touching ? cells_[c].touching : cells_[c].near) {

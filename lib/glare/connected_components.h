@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pixels that belong together: connected components of "their directions are at most `reach` apart".
-// evalglare's two scans amount to this relation, except for rounding accidents (docs/differences-evalglare.md).
-// Linear in pixels: picture runs carry the inside of a source; its boundary is binned into cubes of direction space
-// whose diagonal is the reach's chord, so that a cube is one piece and only neighbouring cubes are ever compared.
+// Connected components of pixels under the relation "directions at most `reach` apart".  evalglare's two scans give the
+// same components, except for rounding accidents (docs/differences-evalglare.md).  Linear in pixels: the interior of a
+// source is stored as runs; its boundary is binned into cubes of direction space whose diagonal is the chord of the
+// reach, so that a cube is one component and only neighbouring cubes are compared.
 #pragma once
 #include <cstdint>
 #include <unordered_map>
@@ -20,13 +20,13 @@ struct Run {
 class ConnectedComponents {
 public:
     ConnectedComponents(const Geometry& geometry, double reach_rad);
-    // Sets the runs' groups to first, first+1, ... numbered by each group's first pixel, columns from the left, in a
-    // column from the bottom.  Runs must be in picture order, must not overlap; they may be cut into single pixels
-    // (views whose neighbours can be farther apart than the reach).  Returns the number of groups.
+    // Numbers the runs' groups first, first+1, ... by each group's first pixel, columns from the left, in a column from
+    // the bottom. Runs must be in picture order and must not overlap; they may be cut into single pixels (views whose
+    // neighbours can be farther apart than the reach).  Returns the number of groups.
     uint32_t label(std::vector<Run>& runs, uint32_t first = 0);
 
 private:
-    // Neighbours made earlier; near ones do not touch.
+    // Neighbouring cells that precede this one; near: they do not touch.
     struct GridCell {
         std::vector<uint32_t> touching, near;
     };

@@ -8,7 +8,7 @@
 
 namespace glare {
 
-constexpr double least_share = 1e-9;  // a hundred thousandth of the sun's in a pixel of 3 degrees
+constexpr double least_share = 1e-9;  // least fraction: 1e-5 of the sun's fraction of a pixel of 3 degrees
 
 Luminance FilledPixels::as(const Luminance& picture) {
     Luminance out = picture;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each formula once, with its source at the line (formulas.h; vcmetrics-formulas(7) for people).
+// The formulas, each with its source (formulas.h; for users vcmetrics-formulas(7)).
 #include "glare/formulas.h"
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The glare formulas over a list of sources.  They round to single precision at the same places as evalglare
-// (otherwise the 7th digit differs); logarithms and powers are double.  Units cd/m2, sr, lux, degrees.
-// Sources of the formulas: DGP Wienold and Christoffersen 2006 (paper Eq. 2); DGI Hopkinson/Chauvel; UGR CIE 117;
-// CGI Einhorn 1979; VCP and DGR Guth 1963; UGP Hirning et al. 2014/2017; veiling luminance Poynter, CIE 146.
+// Glare formulas over a list of sources, rounded to single precision where evalglare does (otherwise the 7th digit
+// differs); logarithms and powers are double.  Units cd/m2, sr, lux, degrees.  Sources: DGP Wienold and Christoffersen
+// 2006 (paper Eq. 2); DGI Hopkinson/Chauvel; UGR CIE 117; CGI Einhorn 1979; VCP and DGR Guth 1963; UGP Hirning et al.
+// 2014/2017; veiling luminance Poynter, CIE 146.
 #pragma once
 #include <array>
 #include <vector>
 
 namespace glare {
 
-struct GlareTerm {  // what the formulas need of a source
+struct GlareTerm {  // a source, as the formulas see it
     double lum, omega, P, sigma_deg, eye_lux, theta_deg;
 };
 using GlareTerms = std::vector<GlareTerm>;

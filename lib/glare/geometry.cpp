@@ -55,8 +55,8 @@ void Geometry::find_spans() {
     row_spans.push_back(spans.size());
 }
 
-// The largest stretch of each projection, angle per picture plane length:
-// perspective and cylinder at the centre, planispheric at the centre, angular at 90 degrees (theta / sin theta = pi/2).
+// Largest stretch of each projection, angle per length in the picture plane: perspective, cylinder and planispheric at
+// the centre, angular at 90 degrees (theta / sin theta = pi/2).
 double Geometry::pitch_bound() const {
     const view::View& v = projector.view();
     const double vh = v.vh * pi / 180, vv = v.vv * pi / 180;

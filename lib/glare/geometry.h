@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quantities that depend on view and size only, calculated once for a stream: directions, solid angles, and
-// which pixels count.
-// A pixel is valid if its centre has a direction, its solid angle (great-circle quadrilateral through the four
-// corners) is above 0 and, for type a, it is not behind the eye.  Types c and s that look behind keep those pixels
-// with cosine 0.
+// Quantities that depend on view and size only, calculated once per stream: directions, solid angles and valid pixels.
+// A pixel is valid if its centre has a direction, its solid angle (great-circle quadrilateral through the four corners)
+// is above 0 and, for type a, it is not behind the eye.  Types c and s keep pixels behind the eye, with cosine 0.
 #pragma once
 #include <memory>
 #include <vector>
@@ -23,8 +21,8 @@ public:
 
     int width, height;
     view::Projector projector;
-    std::vector<double> omega;      // sr, row 0 = top; negative or 0: the pixel does not count (its size is |omega|)
-    std::vector<double> omega_cos;  // omega times the cosine of incidence at the eye; 0 where the pixel does not count
+    std::vector<double> omega;      // sr, row 0 = top; 0 or less: the pixel is invalid (its size is |omega|)
+    std::vector<double> omega_cos;  // omega times the cosine of incidence at the eye; 0 for invalid pixels
     std::vector<Span> spans;        // runs of valid pixels, row after row from the top
     std::vector<size_t> row_spans;  // spans of row r: row_spans[r] .. row_spans[r+1]-1
     double omega_sum = 0;           // of valid pixels
@@ -45,10 +43,10 @@ public:
     // For angles to the line of sight.
     Vec3 seen_direction(int x, int y) const { return rays_->seen_direction((x + 0.5) / width, (y + 0.5) / height); }
     Vec3 seen_direction(size_t i) const { return seen_direction(x_of(i), y_of(i)); }
-    // True if an angle of this cosine is at most the one of cosine `limit`.
+    // Returns true if an angle of this cosine is at most the angle of cosine `limit`.
     bool inside(double cosine, double limit) const { return cosine >= limit && cosine <= largest_cosine_; }
     double pitch_bound() const;     // no two valid side-by-side pixels are farther apart (radians; inf for type h)
-    double share_of_light() const;  // of the light that reaches the eye, if all directions are as bright
+    double share_of_light() const;  // fraction of the light at the eye, for a uniform luminance
     bool fits(const view::View& view, int w, int h) const {
         return w == width && h == height && view == projector.view();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Grey values in place of the colours they come from (luminance.h).
+// Converts a picture's colours to grey in place (luminance.h).
 #include "glare/luminance.h"
 #include <cmath>
 #include <limits>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The grey picture that every metric reads: one float a pixel, made in place over the first third of the picture's
-// RGB memory (12 bytes a pixel hold everything), row 0 = top.
-// Grey is that of image/grey.h; luminance = 179 grey, cd/m2.  Not finite pixels, and those beyond any light, become 0
-// and are counted; negative ones are counted and kept.
+// The grey picture that all metrics read: one float a pixel, row 0 = top, made in place over the first third of the
+// picture's RGB memory (12 bytes a pixel hold everything).  Grey is that of image/grey.h; luminance = 179 grey, cd/m2.
+// Pixels that are not finite or exceed any light become 0 and are counted; negative pixels are counted and kept.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -18,8 +17,8 @@ struct Luminance {
     int width = 0, height = 0;
     float* grey = nullptr;              // borrowed from the picture: width * height
     long not_finite = 0, negative = 0;  // pixels
-    image::Moments moments;             // of the light inside of its pixels; null: not known
-    const float* share = nullptr;       // of each pixel that its light fills (filled.h); null: all of it
+    image::Moments moments;             // of the light within its pixels; null: unknown
+    const float* share = nullptr;       // filled fraction of each pixel (filled.h); null: 1
     size_t size() const { return size_t(width) * height; }
     double filled(size_t i) const { return share ? share[i] : 1; }
     // Centroid of a pixel's light, from the centre of the pixel, in pixels.
@@ -33,10 +32,10 @@ struct Luminance {
     double at(int x, int y) const { return at(index(x, y)); }
 };
 
-// Over the picture's colours, which are lost; that memory stays in use until the luminance is not needed any more.
+// Overwrites the picture's colours; the memory must live as long as the luminance.
 Luminance make_luminance(image::Picture& picture);
 
-// Largest float whose luminance is not above `cdm2`: a pixel is brighter exactly if its grey is greater.
+// Largest float whose luminance is at most `cdm2`: a pixel is brighter exactly if its grey is greater.
 float grey_limit(double cdm2);
 
 }  // namespace glare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calculates each required quantity once, in the order in which the metrics depend on each other (measure.h).
+// Calculates each required quantity once, in the order of their dependence (measure.h).
 #include "glare/measure.h"
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ PictureAnalyzer::PictureAnalyzer(const Settings& settings, const Requirements& r
     require_task(settings_, region_names_);
 }
 
-// Over the geometry at hand.
+// With the present geometry.
 std::vector<RegionPixels> PictureAnalyzer::lay(image::MaskSet& regions, const image::DrawRegions& draw,
                                                const std::string& place) const {
     const int width = geometry_->width, height = geometry_->height;
@@ -156,7 +156,7 @@ void PictureAnalyzer::glare(Luminance& lum, Luminance& classification_image, Sou
     if (m.mask) m.pgsv = pgsv(*m.mask, m.mean_lum, m.ev, has_task, m.task_lum);
 }
 
-// Band, mask and zones, before zones take pixels out of sources.
+// Statistics of band, mask and zones, before zones split the sources.
 void PictureAnalyzer::pixel_sets(const Luminance& lum, SourceFinder& finder, Measurement& m) const {
     const Geometry& g = *geometry_;
     if (settings_.band_rad) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One picture in, its numbers out.  A PictureAnalyzer keeps what depends only on view and size from picture to picture.
+// Measures one picture.  A PictureAnalyzer keeps the quantities that depend on view and size only.
 //   Ev = sum L w cos (paper Eq. 1), DGP (Eq. 2 with evalglare's constants), RAMMG (Eqs. 5, 6), TAL and CR (Eqs. 3, 4).
 #pragma once
 #include <functional>
@@ -14,26 +14,26 @@
 
 namespace glare {
 
-// Another program's ways (lib/evalglare); empty: luxpipe's own.
+// Factories of another program's methods (lib/evalglare); empty: luxpipe's own.
 struct Methods {
     std::function<std::unique_ptr<const ViewGeometry>(const view::View&, const std::string& place)> geometry;
     std::function<std::unique_ptr<SourceFinder>(const Geometry&, const Settings&)> finder;
 };
 
 struct Measurement : Photometry {
-    // The same with sources by what fills their pixels (filled.h); null: not asked for, or the picture has no moments.
+    // The same for sources of filled pixels (filled.h); null: not required, or the picture has no moments.
     std::shared_ptr<const Measurement> filled;
     long not_finite = 0, negative = 0;
     double rammg = 0;
     double task_lum = 0;  // reference luminance of the threshold: task area, else the mean
     double threshold = 0;
-    double direct_lux = 0, background = 0, background0 = 0;  // background0: -q 0 whatever -q says
+    double direct_lux = 0, background = 0, background0 = 0;  // background0: as with -q 0
     std::vector<GlareSource> sources;
-    GlareTerms glare;  // the same for the formulas (or every bright pixel)
+    GlareTerms glare;  // the same, for the formulas (or every bright pixel)
     bool any_source = false;
     double dgp = 0;           // with the external Ev if there is one, corrected, at most 1
     double dgp_computed = 0;  // with the computed Ev, before corrections
-    double eye_lux_used = 0;  // the Ev of `dgp`
+    double eye_lux_used = 0;  // Ev used for `dgp`
     double mean_pos = 0, mean_pos2 = 0, median = 0, median_pos = 0, median_pos2 = 0;  // of L, L/P, L/P^2
     std::vector<RegionValues> region_values;
     std::optional<PixelStatistics> band, mask, zone1, zone2;
@@ -43,27 +43,26 @@ struct Measurement : Photometry {
 
 class PictureAnalyzer {
 public:
-    // With `draw`, `regions` need only have names.
+    // With `draw`, `regions` needs names only.
     PictureAnalyzer(const Settings& settings, const Requirements& requirements,
                     std::optional<image::MaskSet> regions = {}, image::DrawRegions draw = {}, Methods methods = {});
-    // Other regions from here on; throws Error, and keeps those it has, where they cannot be drawn.
+    // Replaces the regions; if they cannot be drawn, throws Error and keeps the previous ones.
     void set_regions(image::MaskSet regions, image::DrawRegions draw, const Requirements& requirements);
-    // `view`: the one to use; without it the picture's own.  The picture's pixels are used up.
+    // `view`: overrides the picture's own.  Overwrites the picture's pixels.
     Measurement measure(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
-    // The same in two steps: the grey picture over the picture's memory, checked and warned about; and what it
-    // measures.
+    // The same in two steps: converts the picture to grey, with checks and warnings; then measures it.
     Luminance read(image::Picture& picture, const std::string& place, const std::optional<view::View>& view = {});
     Measurement measure(Luminance& lum, const std::string& place);
-    // Any other image of the view read last, on any thread: each thread has a finder of its own.
-    // classification_image: which pixels are bright is decided there.  Both are changed by -G and -I alone.
+    // Another image of the last view, on any thread: each thread has its own finder.  classification_image: decides
+    // which pixels are bright.  Only -G and -I change the images.
     Measurement measure(Luminance& lum, Luminance& classification_image, SourceFinder& finder) const;
     std::unique_ptr<SourceFinder> make_finder() const;
-    // Region values alone.
+    // Values of regions only.
     Measurement measure_regions(const Luminance& lum) const;
     const Settings& settings() const { return settings_; }
     const Requirements& requirements() const { return requirements_; }
     const Geometry& geometry() const { return *geometry_; }
-    const SourceFinder& finder() const { return *finder_; }  // of the picture measured last
+    const SourceFinder& finder() const { return *finder_; }  // of the last picture
 
 private:
     std::vector<RegionPixels> lay(image::MaskSet& regions, const image::DrawRegions& draw,
@@ -87,7 +86,7 @@ private:
     std::unique_ptr<Geometry> geometry_;
     std::unique_ptr<SourceFinder> finder_;
     bool told_no_moments_ = false;
-    bool narrow_ = false;  // a narrow view, not yet warned of
+    bool narrow_ = false;  // a narrow view without a warning so far
     std::unique_ptr<const Pyramid> pyramid_;
     std::vector<RegionPixels> region_pixels_;
     std::vector<float> position_index_;  // by pixel, if medians are required

@@ -13,7 +13,7 @@ uint32_t assign_patches(std::vector<Run>& runs, const Geometry& g, const Patches
     const int dx = int(std::floor(g.width / v.vh * patches.angle_deg)),
               dy = int(std::floor(g.height / v.vv * patches.angle_deg));
     if (dx < 1 || dy < 1) base::fail("-z", "patches of this angle are smaller than a pixel");
-    // Crossed as in evalglare 3.06 (rows ang_180x90 of tests/golden/glare): if height and width of a view differ, a
+    // Swapped as in evalglare 3.06 (rows ang_180x90 of tests/golden/glare): if height and width of a view differ, a
     // number may name parts of two patches, and the last numbers none.
     const int nx = int(std::floor(v.vv / patches.angle_deg)) + 1, ny = int(std::floor(v.vh / patches.angle_deg)) + 1;
     const auto centre_x = [&](int k) {

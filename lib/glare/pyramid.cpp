@@ -49,7 +49,7 @@ Pyramid::Pyramid(const Geometry& geometry, RammgArea its_area) : area(its_area) 
 
 double Pyramid::contrast_of(double total) const {
     const double scale = cdm2_per_grey / (4 + 2 * std::sqrt(2.0)) / (area == RammgArea::prototype_scale ? 1 : 8);
-    return total * scale / double(levels.size());  // 0/0 is nan: the picture was too small
+    return total * scale / double(levels.size());  // 0/0 is nan: the picture is too small
 }
 
 }  // namespace glare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The levels of RAMMG's pyramid: which columns of each row count, and where two rows have neighbours that both do.
+// Levels of RAMMG's pyramid: the valid columns of each row, and the neighbouring valid pixels of two rows.
 #pragma once
 #include <algorithm>
 #include <vector>
@@ -13,8 +13,8 @@ struct Level {
     std::vector<Span> spans;
     std::vector<size_t> row;  // spans of row r: row[r] .. row[r+1]-1
 
-    double pixels() const;  // that count
-    // Calls visit(first x, last x + 1) for runs where column x of row r and column x + shift of row s both count.
+    double pixels() const;  // number of valid pixels
+    // Calls visit(first x, last x + 1) for runs where column x of row r and column x + shift of row s are both valid.
     template <class Visit>
     void pairs(int r, int s, int shift, Visit visit) const {
         size_t b = row[s];
@@ -29,10 +29,10 @@ struct Level {
     }
 };
 
-// From the whole picture down, as long as both sides are above 2 and a pixel counts.
+// From the whole picture down, while both sides are above 2 and a pixel is valid.
 struct Pyramid {
     Pyramid(const Geometry& geometry, RammgArea area);
-    // Contrast in cd/m2 of `total`, the sum over the levels of edge + corner sqrt(1/2) over pairs, twice, a pixel.
+    // Contrast in cd/m2 of `total`: the sum over the levels of edge + corner sqrt(1/2) over pairs, twice, per pixel.
     double contrast_of(double total) const;
 
     RammgArea area;

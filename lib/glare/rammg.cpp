@@ -9,7 +9,7 @@
 namespace glare {
 namespace {
 
-// sum |a[k] - b[k]|, eight lanes so that the compiler can use vectors, in short stretches so that float is enough.
+// sum |a[k] - b[k]| in eight lanes for the compiler's vectors, in short blocks so that float is precise enough.
 WIDE_LOOP double difference(const float* a, const float* b, int n) {
     double sum = 0;
     for (int first = 0; first < n; first += 128) {
@@ -34,7 +34,7 @@ double pairs(const Level& level, const float* values, int r, int s, int shift) {
     return sum;
 }
 
-// sum_i sum_j a_j |L_i - L_j| over ordered pairs that both count: every unordered pair twice.
+// sum_i sum_j a_j |L_i - L_j| over ordered pairs of valid pixels: every unordered pair twice.
 double ordered_sum(const Level& level, const float* values) {
     double edge = 0, corner = 0;
     for (int r = 0; r < level.height; ++r) {
@@ -46,7 +46,7 @@ double ordered_sum(const Level& level, const float* values) {
     return 2 * (edge + std::sqrt(0.5) * corner);
 }
 
-// The share of ordered_sum whose centre pixel lies on the frame (such pixels lack some of their neighbours).
+// Part of ordered_sum whose centre pixel lies on the frame (such pixels lack some neighbours).
 double border_sum(const Level& level, const float* values) {
     const int w = level.width, h = level.height;
     double edge = 0, corner = 0;
@@ -75,7 +75,7 @@ WIDE_LOOP void shrink_values(const float* from, int width, int height, std::vect
 }  // namespace
 
 double rammg(const Luminance& lum, const Pyramid& pyramid) {
-    static thread_local std::vector<float> room[2];  // new memory would take longer than what is done with it
+    static thread_local std::vector<float> room[2];  // reused: allocation would take longer than the calculation
     const std::vector<Level>& levels = pyramid.levels;
     const RammgArea area = pyramid.area;
     const float* values = lum.grey;

@@ -13,8 +13,8 @@ namespace glare {
 // interior: only pixels with 8 neighbours, n = all
 enum class RammgArea { view, rectangle, interior, prototype_scale };
 
-// view: only valid pixels (a parent counts if its four children do); prototype_scale: interior without the 1/8.
-// nan if a side is 2 or less.  A Pyramid (pyramid.h) is that of a view and an area.
+// view: only valid pixels (a parent is valid if its four children are); prototype_scale: interior without the 1/8.  nan
+// if a side is 2 or less.  A Pyramid (pyramid.h) belongs to one view and area.
 struct Pyramid;
 double rammg(const Luminance& lum, const Pyramid& pyramid);
 double rammg(const Luminance& lum, const Geometry& geometry, RammgArea area = RammgArea::view);

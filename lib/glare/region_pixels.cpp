@@ -19,7 +19,7 @@ RegionPixels::RegionPixels(const std::vector<float>& coverage, const Geometry& g
 double RegionPixels::tal(const Luminance& lum) const {
     double flux = 0;
     for (const Member& m : members_) flux += m.weight * lum.at(m.pixel);
-    return flux / weight_;  // nan without a pixel
+    return flux / weight_;  // nan without pixels
 }
 
 RegionValues RegionPixels::measure(const Luminance& lum) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Named regions of the picture (masks of coverage 0..1, written by vcregion): task area luminance and friends.
+// Named regions of the picture (masks of coverage 0..1, written by vcregion): task area luminance and other statistics.
 //   TAL = sum c w L / sum c w over valid pixels, c the coverage (paper Eq. 3);  contrast ratio CR = TAL_low / TAL_high
 //   (paper Eq. 4; above 0.25 is intolerable).
 #pragma once
@@ -14,11 +14,11 @@ namespace glare {
 struct RegionValues {
     double tal = 0;  // cd/m2
     double mean = 0, median = 0, lowest = 0,
-           highest = 0;  // of pixels (mean weighted by coverage; median: half covered or more)
+           highest = 0;  // mean weighted by coverage; median of pixels covered by half or more
     double share = 0;    // of the field of view's solid angle
 };
 
-// One region laid over one geometry: only its pixels are kept.
+// The pixels of one region in one geometry.
 class RegionPixels {
 public:
     RegionPixels(const std::vector<float>& coverage, const Geometry& geometry);
@@ -35,7 +35,7 @@ private:
     double weight_ = 0, share_ = 0;
 };
 
-// column: "low/high" or a name of its own
+// column: "low/high" or a given name
 struct ContrastPair {
     std::string low, high, column;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything one can choose about a measurement.  The letters are evalglare's options of the same meaning; defaults
-// are its defaults.  All angles named `opening` are full opening angles in radians, as evalglare's -t, -l, -r are.
+// Settings of a measurement.  Letters and defaults are those of evalglare.  Angles named `opening` are full opening
+// angles in radians, as for evalglare's -t, -l, -r.
 #pragma once
 #include <limits>
 #include <optional>
@@ -60,7 +60,7 @@ struct Settings {
     RammgArea rammg_area = RammgArea::view;
 };
 
-// Pictures that are refused.
+// Limits of pictures.
 struct BlackCorners : base::Error {
     double percent;
     BlackCorners(std::string place, double black_percent)
@@ -82,11 +82,11 @@ struct MaskSize : base::Error {
           mask_height(mask_h) {}
 };
 
-// Quantities to calculate beyond Ev and the luminance statistics, which cost nothing.
+// Quantities to calculate beyond Ev and the luminance statistics, which are always there.
 struct Requirements {
     bool sources = true, rammg = true, medians = false, regions_in_full = false;
-    bool filled = false;     // sources by what fills their pixels (filled.h), too
-    bool all_light = false;  // all that reaches the eye, which a narrow view leaves out in part
+    bool filled = false;     // also sources of filled pixels (filled.h)
+    bool all_light = false;  // all light at the eye, of which a narrow view lacks a part
 };
 
 }  // namespace glare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Smoothing by runs and sums along rows: what a disc holds of each group.
+// Smoothing by runs and prefix sums along rows: the solid angle of each group in a disc.
 #include "glare/smooth.h"
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ class Smoother {
 public:
     Smoother(const std::vector<Run>& runs, const Geometry& g, float radius) : g_(g), runs_(runs), radius_(radius) {
         for (int d = 0; d <= int(radius); ++d) half_.push_back(int(std::sqrt(double(radius) * radius - double(d) * d)));
-        for (size_t d = 0; d < half_.size(); ++d) {  // rounding of the root
+        for (size_t d = 0; d < half_.size(); ++d) {  // corrects the rounding of the root
             while (distance(half_[d] + 1, int(d)) <= radius) ++half_[d];
             while (distance(half_[d], int(d)) > radius) --half_[d];
         }
@@ -37,7 +37,7 @@ public:
 private:
     static double distance(int dx, int dy) { return std::sqrt(double(dx) * dx + double(dy) * dy); }
 
-    // Solid angles from a row's left end on, and the runs of each row.
+    // Prefix sums of solid angle in a row, and the runs of each row.
     void sum_row_sizes() {
         from_left_.assign(size_t(g_.width + 1) * g_.height, 0);
         first_run_.assign(g_.height + 1, runs_.size());
@@ -53,8 +53,7 @@ private:
     void smooth_row(int row, std::vector<Joining>& out) {
         const int reach = int(radius_), y = g_.height - 1 - row;
         const int lowest = std::max(0, y - reach);
-        const int highest =
-            y + reach > g_.height - 1 ? g_.height - 2 : y + reach;  // a slip of evalglare's at this edge
+        const int highest = y + reach > g_.height - 1 ? g_.height - 2 : y + reach;  // evalglare's error at this edge
         rows_.clear();
         bool any = false;
         for (int at = lowest; at <= highest; ++at) {
@@ -74,7 +73,7 @@ private:
         }
     }
 
-    // Leaves next_column_, the first that a run is in reach of, if shares_ is empty.
+    // Returns with next_column_ set to the first column within reach of a run if shares_ is empty.
     void smooth_pixel(int x, uint32_t pixel, std::vector<Joining>& out) {
         const int last_column = x + int(radius_) > g_.width - 1 ? g_.width - 2 : g_.width - 1;
         shares_.clear();
@@ -112,7 +111,7 @@ private:
     struct DiscRow {
         int row, half;
         size_t run;
-    };  // run: the first that does not end left of the disc
+    };  // run: the first that ends inside or right of the disc
 
     const Geometry& g_;
     const std::vector<Run>& runs_;

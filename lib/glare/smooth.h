@@ -11,8 +11,8 @@ struct Joining {
     uint32_t pixel, group;
 };
 
-// The dark valid pixels that join the groups of `runs` (in picture order) within `radius` pixels, columns from the left
-// and from the bottom; entries of one pixel by group.  In time proportional to pixels times radius.
+// Dark valid pixels that join the groups of `runs` (in picture order) within `radius` pixels, columns from the left and
+// from the bottom; one entry per pixel and group.  Time is proportional to pixels times radius.
 std::vector<Joining> smooth(const std::vector<Run>& runs, const Geometry& geometry, float radius);
 
 }  // namespace glare

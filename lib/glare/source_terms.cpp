@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Terms of the formulas for a source, or for a bright pixel (sources.h).
+// Formula terms of a source, or of a bright pixel (sources.h).
 #include "glare/position_index.h"
 #include "glare/sources.h"
 #include "glare/threshold.h"

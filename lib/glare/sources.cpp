@@ -12,7 +12,7 @@
 namespace glare {
 namespace {
 
-// Back to picture order, neighbours of a group joined again.
+// Restores picture order and joins neighbours of a group again.
 template <class GroupPixel>
 std::vector<Run> to_runs(std::vector<GroupPixel> pixels, int width) {
     std::sort(pixels.begin(), pixels.end(), [](const GroupPixel& a, const GroupPixel& b) { return a.pixel < b.pixel; });
@@ -26,7 +26,7 @@ std::vector<Run> to_runs(std::vector<GroupPixel> pixels, int width) {
     return runs;
 }
 
-// The place of a source's centre and what follows from it.
+// Sets the centre of a source and the quantities that depend on it.
 void place(GlareSource& s, const Geometry& g, const Settings& settings, bool inside_pixel) {
     if (inside_pixel) {
         const auto at = g.projector.direction((s.x + .5) / g.width, (s.y + .5) / g.height);
@@ -100,7 +100,7 @@ void ConnectedSources::smooth() {
     std::sort(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
 }
 
-// Pixels at or above the limit leave their group and form new ones, connected by the same radius.
+// Pixels at or above the limit leave their group and form new groups, connected by the same radius.
 void ConnectedSources::extract_peaks(const Luminance& lum) {
     double brightest = 0;
     std::vector<float> group_max(groups_ + 1, 0);
@@ -133,7 +133,7 @@ void ConnectedSources::extract_peaks(const Luminance& lum) {
     runs_.swap(rest);
 }
 
-// Pixels inside a zone leave their group: one new group for each old group and zone.
+// Pixels inside a zone leave their group: one new group for each pair of old group and zone.
 void ConnectedSources::split_zones() {
     const ZoneBorders borders(geometry_, *settings_.zones);
     std::vector<GroupPixel> pixels = column_order();

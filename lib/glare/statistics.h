@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plain statistics of sets of pixels: evalglare's bands (-B), zones (-l, -L) and masks (-A), and medians.
-// Over pixels, not weighted by solid angle, except the mean.  std = sqrt(E[L^2] - E[L]^2); percentile p of n sorted
-// values: the mean of entries int(n p) and int(n p - 1), as evalglare takes it.
+// Statistics of sets of pixels: evalglare's bands (-B), zones (-l, -L) and masks (-A), and medians.  Pixels have equal
+// weights, except in the mean.  std = sqrt(E[L^2] - E[L]^2); percentile p of n sorted values: the mean of entries int(n
+// p) and int(n p - 1), as in evalglare.
 #pragma once
 #include <functional>
 #include <vector>
@@ -14,7 +14,7 @@ namespace glare {
 struct PixelStatistics {
     long pixels = 0;
     double omega = 0, mean = 0, median = 0, deviation = 0, p75 = 0, p95 = 0, lowest = 0, highest = 0, eye_lux = 0;
-    double variance = 0;  // below 0 by rounding: the deviation is 0
+    double variance = 0;  // may be below 0 by rounding: then the deviation is 0
 };
 
 // `lum_at`: a pixel's luminance.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Threshold, task area, field cut and filling, as a walk over the valid pixels (threshold.h).
+// Threshold, task area, field cut and filling, in loops over the valid pixels (threshold.h).
 #include "glare/threshold.h"
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ double radius_in_pixels(const Geometry& g, double opening) {
 std::vector<Run> bright_runs(const Luminance& lum, const Geometry& g, double above) {
     std::vector<Run> runs;
     const float limit = grey_limit(above);
-    constexpr int block = 32;  // most pixels are dark: tested side by side
+    constexpr int block = 32;  // most pixels are dark: tested in blocks
     const auto dark = [&](const float* values) {
         int bright = 0;
         for (int k = 0; k < block; ++k) bright |= values[k] > limit;

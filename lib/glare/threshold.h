@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which pixels are bright: evalglare's threshold, its task area, its field-of-view cut and its filling of -I.
-// Distances are evalglare's s(A,B) = 2 acos(dA . dB), compared with opening angles.
+// Bright pixels: evalglare's threshold, task area, field-of-view cut and filling of -I.  Distances are evalglare's
+// s(A,B) = 2 acos(dA . dB), compared with opening angles.
 #pragma once
 #include <vector>
 #include "glare/connected_components.h"
@@ -13,7 +13,7 @@ namespace glare {
 // cos(opening/2): a pixel is inside if its direction's dot product with the centre's is at least this.
 double inside_cosine(double opening);
 
-// Mean luminance of a circle over all its pixels; those outside the field of view count as black, or `as_they_are`.
+// Mean luminance of all pixels of a circle; those outside the field of view are black, or `as_they_are`.
 double task_luminance(const Luminance& lum, const Geometry& geometry, const Circle& task, bool as_they_are = false);
 
 // -b: factor (up to 100) of the reference luminance or cd/m2; default 2000, or 5 with a task.
@@ -24,7 +24,7 @@ double radius_in_pixels(const Geometry& geometry, double opening);
 
 std::vector<Run> bright_runs(const Luminance& lum, const Geometry& geometry, double above_cdm2);
 
-// -G: blackens what the eyes do not see (1 total field, 2 both eyes, 3 weighted by 1/P and both eyes).
+// -G: sets pixels outside the field of vision to black (1 total field, 2 both eyes, 3 weighted by 1/P and both eyes).
 void cut_field(Luminance& lum, const Geometry& geometry, int type);
 
 // -I: rows from y_min down to 1 repeat row y_min + 1, valid pixels from y_max up repeat the pixel below.

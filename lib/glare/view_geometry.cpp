@@ -23,7 +23,7 @@ std::vector<Corner> corner_row(const view::Projector& p, int width, double Y) {
     return row;
 }
 
-// atan(y/x) of a small positive ratio by its series, else by the library.
+// atan(y/x): a series for small positive ratios, else the library.
 double angle_of(double y, double x) {
     const double t = y / x;
     if (!(x > 0 && t < 5e-3)) return std::atan2(y, x);
@@ -31,8 +31,8 @@ double angle_of(double y, double x) {
     return t * (1 - q * (1. / 3 - q * (1. / 5 - q / 7)));
 }
 
-// Solid angle of the quadrilateral a b c d: two triangles, tan(O/2) = |a.(b x c)| / (1 + a.b + b.c + c.a)
-// (Van Oosterom and Strackee 1983); edges are taken as differences, which keeps all digits of small pixels.
+// Solid angle of the quadrilateral a b c d as two triangles, tan(O/2) = |a.(b x c)| / (1 + a.b + b.c + c.a) (Van
+// Oosterom and Strackee 1983).  Edges are calculated as differences, which keeps all digits of small pixels.
 double quadrilateral(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     const double ac = dot(a, c);
     const Vec3 diagonal = c - a;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the pixels of a view lie: directions, solid angles, angles to the line of sight.  This is luxpipe's own way;
-// another program's (lib/evalglare) overrides it.
+// Geometry of a view's pixels: directions, solid angles, angles to the line of sight.  This is luxpipe's own method;
+// lib/evalglare overrides it.
 #pragma once
 #include <limits>
 #include <vector>
@@ -32,7 +32,7 @@ public:
     virtual double position_index(Vec3 d, PositionModel model) const {
         return view::position_index(eye_angles(d, model == PositionModel::accelerad), projector, d, model);
     }
-    // Dot products above it, which rounding makes, belong to no angle.
+    // Dot products above this, which rounding makes, correspond to no angle.
     virtual double largest_cosine() const { return std::numeric_limits<double>::infinity(); }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Zones of -l and -L: which of them a direction lies in.
+// Zones of -l and -L, by direction.
 #pragma once
 #include "glare/geometry.h"
 #include "glare/settings.h"

@@ -17,13 +17,13 @@
 namespace render {
 namespace {
 
-constexpr int patience_ms = 100;  // how long a thread may wait without a look at what else there is
-constexpr int look_ms = 25;       // between looks at the files: two that agree end an editor's saving
+constexpr int patience_ms = 100;  // longest wait of a thread between two checks
+constexpr int look_ms = 25;       // between looks at the files; after two equal ones the editor has finished
 constexpr int patience_for_text_s = 10;
 constexpr long most_bytes = 1 << 26;
-constexpr int looks_for_gone = 6;  // where a file is gone: editors move it away before they write it anew
+constexpr int looks_for_gone = 6;  // for a missing file: editors move it away before they write it anew
 
-// "  next desk " is next, desk.
+// Splits "  next desk " into next and desk.
 Command parse(const std::string& line) {
     const char* blanks = " \t\r";
     const size_t from = line.find_first_not_of(blanks);
@@ -33,7 +33,7 @@ Command parse(const std::string& line) {
     return {line.substr(from, end - from), line.substr(rest, line.find_last_not_of(blanks) + 1 - rest)};
 }
 
-// Of "overlay FILE BYTES": BYTES, and FILE becomes the rest; -1: no such line.
+// BYTES of "overlay FILE BYTES", whose FILE becomes the rest; -1: another line.
 long bytes_of_overlay(Command& c) {
     const size_t blank = c.rest.find_last_of(" \t");
     long long bytes;
@@ -73,7 +73,7 @@ void Control::send(const Command& command) {
     arrived_.notify_all();
 }
 
-// A "next" before the edit is of the frame at hand.
+// A "next" before an edit applies to the current frame.
 void Control::look_for_edits() {
     const auto decides = [this](const Command& c) { return c.word == "next" || is_edit(c); };
     const auto first = std::find_if(commands_.begin(), commands_.end(), decides);
@@ -89,7 +89,7 @@ void Control::look_at_files() {
     send({"scene", ""});
 }
 
-// The next command of which all has arrived.
+// The next command that has arrived completely.
 std::optional<Command> Control::arrived() {
     using Clock = std::chrono::steady_clock;
     while (!overlay_) {
@@ -127,7 +127,7 @@ std::optional<Command> Control::take() {
     std::unique_lock<std::mutex> hold(lock_);
     if (paused_ && commands_.empty()) arrived_.wait_for(hold, std::chrono::milliseconds(patience_ms));
     if (commands_.empty()) return std::nullopt;
-    if (edited() && !is_edit(commands_.front())) return std::nullopt;  // it is of the picture after the edit
+    if (edited() && !is_edit(commands_.front())) return std::nullopt;  // it applies to the picture after the edit
     Command command = commands_.front();
     commands_.pop_front();
     look_for_edits();
@@ -156,7 +156,7 @@ bool Control::ends_picture(const std::string& label) {
 
 void Control::wait_for_edit(const std::string& label, bool next_ends) {
     while (!edited() && !base::shutdown_requested()) {
-        paused_ = true;  // until an edit ends it
+        paused_ = true;  // until an edit
         if (ends_picture(label) && next_ends) break;
     }
     paused_ = false;

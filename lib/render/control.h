@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is asked of ptrace while it renders: the lines of a FIFO (-control), and files of the scene that change
-// (-watch). A thread reads and looks, so that neither waits for a frame.  It looks at the files' state every 25 ms in
-// place of waiting for inotify: network folders have no events, every way of saving is the same, and 50 files cost 50
-// us.
+// Commands to ptrace while it renders: the lines of a FIFO (-control), and files of the scene that change (-watch).  A
+// thread reads both, so that neither waits for a frame.  It polls the files' state every 25 ms instead of using
+// inotify: network folders have no events, every way of saving is covered, and 50 files cost 50 us.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -21,30 +20,30 @@
 namespace render {
 
 struct Command {
-    std::string word, rest;                          // the first word of the line, and what follows it
+    std::string word, rest;                          // the first word of the line, and the rest
     std::optional<std::string> text = std::nullopt;  // of "overlay FILE BYTES", whose rest is FILE
 };
 
 class Control {
 public:
-    // fifo: empty: no commands ever come.  Throws Error as base::CommandPipe.  watch: a file that changes is the
+    // fifo: may be empty, for no commands.  Throws Error as base::CommandPipe.  watch: a change of a file is the
     // command "scene".
     Control(const std::string& fifo, bool watch);
     ~Control();
     Control(const Control&) = delete;
 
-    // Whether the picture of this label ends with the frame that is finished now, by "next" or "next LABEL".  While
-    // "pause" holds it waits, for "go", "next", an edit, a signal or the end of stdout's reader.  Any other command is
-    // an edit, for which it ends before this frame.
+    // Returns true if the picture of this label ends with the frame just finished: by "next", "next LABEL" or an edit.
+    // After "pause" it waits for "go", "next", an edit, a signal or the end of stdout's reader.  Any other command is
+    // an edit, for which the picture ends before this frame.
     bool ends_picture(const std::string& label);
     bool edited() const { return !edits_.empty(); }
-    // An edit waits, for which the frame at hand need not be finished (Renderer::cancel_when).
+    // An edit waits, so the current frame need not be finished (Renderer::cancel_when).
     const std::atomic<bool>& edit_waits() const { return edit_waits_; }
     std::vector<Command> take_edits() { return std::exchange(edits_, {}); }
-    // Where nothing is left to render: waits for an edit, for a signal or, where it ends the picture of this label, for
+    // Called when nothing is left to render: waits for an edit, a signal or, if it ends the picture of this label,
     // "next".
     void wait_for_edit(const std::string& label, bool next_ends);
-    // A preview is at hand, of which "go" makes a full picture.
+    // The current picture is a preview, which "go" turns into a full picture.
     void set_preview(bool preview);
 
 private:
@@ -64,11 +63,11 @@ private:
     std::vector<Command> edits_;  // of ends_picture()
     std::atomic<bool> edit_waits_{false};
     bool watch_;
-    uint64_t seen_ = 0, told_ = 0;  // states of the files
-    int steady_ = 0;                // looks at which the state has been the one seen
+    uint64_t seen_ = 0, told_ = 0;  // states of the files: the last one, and the last one reported
+    int steady_ = 0;                // number of looks without a change of state
     std::atomic<bool> leaves_{false};
     bool paused_ = false, ends_ = false, preview_ = false;
-    std::optional<Command> overlay_;  // whose text has not arrived yet
+    std::optional<Command> overlay_;  // without its text so far
     long overlay_bytes_ = 0;
     std::chrono::steady_clock::time_point overlay_since_;
     std::thread thread_;

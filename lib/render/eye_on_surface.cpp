@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See eye_on_surface.h: short rays through the eye, one of which crosses each surface that holds it.
+// See eye_on_surface.h.  Traces short rays through the eye, one of which crosses each surface that contains it.
 #include "render/eye_on_surface.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Does the eye lie on a surface (PF_EYE_ON_SURFACE)?  Its rays are not to meet that (RADIANCE: nothing within 1e-6
-// stops a ray), but rounding decides on which side of it they begin; so it is looked for where it may be, and only
-// there.
+// Tests whether the eye lies on a surface (PF_EYE_ON_SURFACE).  The eye's rays must not hit that surface (RADIANCE: a
+// hit within 1e-6 does not stop a ray), but rounding decides on which side of it they begin, so the surface is searched
+// around the eye only.
 #pragma once
 #include "flatten/flat_scene.h"
 #include "flatten/host_tracer.h"

@@ -9,7 +9,7 @@
 namespace render {
 namespace {
 
-// f: with the marks of drawn sources, which are the view's.
+// f: with the marks of splatted emitters, which depend on the view.
 std::string scene_hash(base::Hash hash, const flatten::FlatScene& s) {
     hash.add_all(s.f);
     hash.add_all(std::vector<float>{float(s.centre.x), float(s.centre.y), float(s.centre.z)});
@@ -18,7 +18,7 @@ std::string scene_hash(base::Hash hash, const flatten::FlatScene& s) {
     return hash.text();
 }
 
-// Options that move pixels, as one would type them, and what tests set.  The seed has a header line of its own.
+// Options that move pixels, as typed, and those that tests set.  The seed has a header line of its own.
 std::string option_text(RenderOptions o) {
     if (o.sampling != Sampling::reuse) o.noisy_share = 0;  // the others have none
     base::OptionTable table;

@@ -16,7 +16,7 @@ Focus focus_on(const image::MaskSet& masks, int width, int height, double share,
     if (masks.width != width || masks.height != height)
         base::fail(place, fmt::format("the picture has {} x {} pixels, the regions {} x {}", width, height, masks.width,
                                       masks.height));
-    // Copies of a pixel and all samples of a pass are counted in 32 bits (kernels/integrator/begin.h).
+    // Samples of a pixel and all samples of a pass have 32-bit numbers (kernels/integrator/begin.h).
     constexpr double most_spp = 1 << 24, most_samples = 1u << 31;
     const double each = std::min(share * width * height, most_samples) / double(masks.masks.size());
     std::vector<uint32_t> spp(size_t(width) * size_t(height), 1);

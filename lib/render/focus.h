@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The focus: pixels of regions whose numbers are wanted (ptrace -focus).  There each sample of a frame is the mean of
-// several, its copies, so that numbers of few pixels do not wait until the whole picture has had frames enough.  The
-// mean of copies has the expectation of one, so sums, intervals and merging know nothing of it.
+// Focus: pixels of regions that get several samples in each frame (ptrace -focus), so that numbers of few pixels
+// converge sooner.  The frame holds the mean of these samples, whose expectation is that of one sample, so sums,
+// intervals and merging are unaffected.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -10,16 +10,17 @@
 
 namespace render {
 
-// Pixels of regions of about the same size, in ascending order, and the copies of each.
+// Pixels of regions of about the same size, in ascending order, and the samples of each.
 struct FocusPart {
     std::vector<uint32_t> pixels;
     uint32_t spp = 1;
 };
 using Focus = std::vector<FocusPart>;
 
-// Whatever a region covers.  share: samples of all copies, over those of the picture; each region gets as many of them
-// as the others, so that small ones are no less certain, and a pixel of two regions those of the smaller one.  Without
-// parts where no pixel would get two.  Throws Error (place) where the masks have another size or one is empty.
+// Pixels that a region covers at all.  share: additional samples over those of the picture, in equal parts for each
+// region, so that small regions are as certain as large ones; a pixel of two regions gets the samples of the smaller
+// one.  Leaves out parts whose pixels would get one sample.  Throws Error (place) if the masks have another size or one
+// is empty.
 Focus focus_on(const image::MaskSet& masks, int width, int height, double share, const std::string& place);
 
 }  // namespace render

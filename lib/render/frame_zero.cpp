@@ -15,8 +15,8 @@ double grey(const float* rgb) {
     return image::grey_red * double(rgb[0]) + image::grey_green * double(rgb[1]) + image::grey_blue * double(rgb[2]);
 }
 
-// Adds up the samples of each pixel, those of the first half less those of the other, and their squares.  Pixel by
-// pixel, all its samples at once: neighbours in the picture are followed together.
+// Adds the samples of each pixel, those of the first half less those of the second, and their squares.  All samples of
+// a pixel at once, and neighbouring pixels together.
 void sum_samples(device::Device& device, Samples& sampler, const Params& base, int64_t begin, uint32_t count,
                  std::vector<double>& sum, std::vector<float>& half_off, std::vector<double>& squares) {
     const uint32_t pixels = base.nx * base.ny, most = UINT32_MAX / pixels;  // indices of paths are 32 bits
@@ -70,12 +70,12 @@ FrameZero draw_frame_zero(device::Device& device, Samples& sampler, const Params
     std::vector<double> sum(3 * pixels, 0.0), squares(pixels, 0.0);
     FrameZero zero;
     zero.half_off.assign(m % 2 ? 0 : sum.size(), 0.0f);
-    // More than m are drawn behind all frames, so that those above m do not draw them again.
+    // Samples beyond m come after all frames in the sequence, so that no frame repeats them.
     sum_samples(device, sampler, base, count > m ? int64_t(1) << 31 : 0, count, sum, zero.half_off, squares);
 
     zero.mean.resize(sum.size());
     for (size_t i = 0; i < sum.size(); i++) zero.mean[i] = float(sum[i] / count);
-    for (size_t i = 0; i < zero.half_off.size(); i++) {  // rounding must not take away more than there is
+    for (size_t i = 0; i < zero.half_off.size(); i++) {  // rounding must not make it larger than the mean
         const float whole = std::fabs(zero.mean[i]);
         zero.half_off[i] = std::clamp(zero.half_off[i] / float(count), -whole, whole);
     }

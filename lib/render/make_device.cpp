@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Devices by the names of -device, and the list of those that there are.
+// Devices by the names of -device, and the list of available devices.
 #include <fmt/core.h>
 
 #include "render/make_device.h"
@@ -17,8 +17,8 @@ void say_processor_goes_on(const base::Error& e) {
     base::warn(e.where, e.message + "; the processor goes on in its place");
 }
 
-// -device auto on a machine with a GPU: from the GPU's first failure on it is the processor, in the midst of a frame if
-// need be, for it gives the same bits.  A GPU that gives others is replaced before it has rendered only.
+// -device auto on a machine with a GPU: after the GPU's first failure the processor replaces it, even within a frame,
+// because it gives the same bits.  A GPU with other bits is replaced only before its first frame.
 class GpuOrCpu : public device::Device {
 public:
     explicit GpuOrCpu(std::unique_ptr<device::Device> gpu) : device_(std::move(gpu)) {}
@@ -75,7 +75,7 @@ private:
 
     std::unique_ptr<device::Device> device_;
     bool on_cpu_ = false, has_run_ = false;
-    std::shared_ptr<const flatten::FlatScene> scene_;  // what the processor would have to be told
+    std::shared_ptr<const flatten::FlatScene> scene_;  // for the processor, if it has to take over
     std::vector<uint32_t> focus_;
 };
 

@@ -8,8 +8,8 @@
 
 namespace render {
 
-// "auto": a GPU by OpenCL, else the CPU.  An OpenCL device has passed its self-test (self_test.h).
-// Throws Error (place -device) where there is none of this name, or where it computes garbage.
+// "auto": a GPU by OpenCL, else the CPU.  An OpenCL device has passed its self-test (self_test.h).  Throws Error (place
+// -device) if there is no device of this name, or if it computes garbage.
 std::unique_ptr<device::Device> make_device(const std::string& name);
 std::vector<std::string> list_devices();  // one line each, for -devices
 

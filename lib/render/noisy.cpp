@@ -11,13 +11,13 @@ namespace render {
 using namespace kernels;
 
 namespace {
-constexpr uint32_t coarse = 4;                      // a few paths for each block of some 4 x 4 pixels
+constexpr uint32_t coarse = 4;                      // side in pixels of the blocks in which a few paths are traced
 constexpr uint32_t paths = 4;                       // of each block
-constexpr uint32_t samples_first = (3u << 30) + 1;  // numbers of the samples: no frame's
-constexpr float as_if_normal = 1.45f;  // standard deviation over the mean distance of four samples from their mean
+constexpr uint32_t samples_first = (3u << 30) + 1;  // numbers of the samples, which no frame uses
+constexpr float as_if_normal = 1.45f;               // standard over mean absolute deviation of four normal samples
 constexpr uint32_t most_spp = 64;
 
-// Luminances of n samples of each pixel of p's picture.
+// Luminances of n samples of each pixel of the picture of p.
 std::vector<float> sampled(device::Device& device, Params p, uint32_t mode, uint32_t n) {
     p.mode = mode;
     p.frame = samples_first;
@@ -36,7 +36,7 @@ std::vector<float> sampled(device::Device& device, Params p, uint32_t mode, uint
     return out;
 }
 
-// Means of 3 x 3 values, those of the edge repeated.
+// Means of 3 x 3 values, with the edge repeated.
 std::vector<float> smoothed(const std::vector<float>& values, int nx, int ny) {
     std::vector<float> out(values.size());
     for (int y = 0; y < ny; y++)
@@ -50,8 +50,8 @@ std::vector<float> smoothed(const std::vector<float>& values, int nx, int ny) {
     return out;
 }
 
-// How far the diffuse light of single paths lies from their mean, block by block.  The mean distance, not the mean
-// square: of four paths one bright one would decide all.
+// Mean absolute deviation of the diffuse light of single paths, by block.  Not the root mean square, which one bright
+// path of four would dominate.
 std::vector<float> diffuse_deviation(device::Device& device, Params p, int nx, int ny) {
     p.nx = uint32_t(nx), p.ny = uint32_t(ny);
     const std::vector<float> light = sampled(device, p, MODE_FRAMES, paths);
@@ -66,7 +66,7 @@ std::vector<float> diffuse_deviation(device::Device& device, Params p, int nx, i
     return smoothed(deviation, nx, ny);
 }
 
-// The variance of the direct light of single samples, by two of each pixel and its neighbours.
+// Variance of the direct light of single samples, from two samples of each pixel and its neighbours.
 std::vector<float> direct_variance(device::Device& device, const Params& base) {
     const std::vector<float> light = sampled(device, base, MODE_DIRECT, 2);
     std::vector<float> variance(light.size() / 2);
@@ -77,7 +77,7 @@ std::vector<float> direct_variance(device::Device& device, const Params& base) {
     return smoothed(variance, int(base.nx), int(base.ny));
 }
 
-// In powers of two, the nearest to the ratio that there is.
+// The power of two nearest to the ratio, within limits.
 uint32_t spp_for(float deviation, float of_one) {
     if (deviation < .75f * least_spp * of_one) return 0;
     uint32_t spp = least_spp;
@@ -98,8 +98,8 @@ std::vector<uint32_t> spp_of_noisy(device::Device& device, const Params& base, d
             both = std::sqrt(both + d * d);
         }
 
-    // The deviation that deserves one sample, so that all of them are as many as they may be.
-    constexpr double all_that_count = 1u << 31;  // paths of a pass are counted in 32 bits
+    // The deviation for which one sample is due, such that the total is reached.
+    constexpr double all_that_count = 1u << 31;  // paths of a pass have 32-bit numbers
     const double enough = std::min(share * double(deviation.size()), all_that_count);
     float high_one = *std::max_element(deviation.begin(), deviation.end()), low_one = 1e-9f * high_one;
     const auto fits = [&](float one) {

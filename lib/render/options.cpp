@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The declarations of the rendering options (CONTRIBUTING.md, "Add an option").  moves_pixels() makes an option part of
-// the fingerprint (fingerprint.cpp); tests/unit/ptrace_options_test.cpp lists those that move none.
+// Declarations of the rendering options (CONTRIBUTING.md, "Add an option").  moves_pixels() adds an option to the
+// fingerprint (fingerprint.cpp); tests/unit/ptrace_options_test.cpp lists the others.
 #include "render/options.h"
 
 #include "base/options.h"

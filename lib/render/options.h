@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user may set about a rendering; defaults are those of a converged daylight picture (docs/differences.md).
+// Rendering options; the defaults are those of a converged daylight picture (docs/differences.md).
 #pragma once
 #include <cstdint>
 #include <string>
@@ -14,12 +14,11 @@ class OptionTable;
 
 namespace render {
 
-// How the directions of diffuse light are chosen (-sampling): by the cosine; a share of them toward windows and patches
-// of sun; the same, and what they meet lights the pixels around, too.
+// Sampling of diffuse directions (-sampling): by the cosine; also toward portals; the same with path reuse.
 enum class Sampling { plain, portals, reuse };
 
 struct RenderOptions : flatten::Options {  // which has -dr and -bv
-    // RADIANCE's letters
+    // RADIANCE's options
     int ab = 5;             // -ab diffuse bounces
     double st = 0;          // -st specular threshold
     double ss = 16;         // -ss > 1.5: weighted (W-G-M-D) lobes; <= 1.5: unweighted
@@ -34,17 +33,17 @@ struct RenderOptions : flatten::Options {  // which has -dr and -bv
     double av[3] = {0, 0, 0};  // -av
     double me[3] = {0, 0, 0}, ma[3] = {0, 0, 0}, mg = 0, ms = 0;  // mist
     double pd = 0;                                                // -pd depth of field
-    // ours
+    // luxpipe's options
     Sampling sampling = Sampling::reuse;
     uint64_t seed = 1;
-    double least_lobe_prob = 0;  // for tests of ways hardly ever taken (kernels/integrator/sample_bsdf.h)
+    double least_lobe_prob = 0;  // for tests of rare lobes (kernels/integrator/sample_bsdf.h)
     int direct_samples =
         image::direct_samples;  // m of spec paper 7: samples of the direct and specular class in frame 0
     bool more_if_small = true;  // small pictures have several times as many
     double noisy_share = .15;   // samples for noisy pixels, over those of the picture (noisy.h)
 };
 
-// Those that users may set; from_scene() marks what a scene's file may say.
+// Declares the options of users; from_scene() marks options that a scene's file may set.
 void declare_options(base::OptionTable& table, RenderOptions& options);
 
 }  // namespace render

@@ -12,14 +12,14 @@ namespace render {
 using namespace kernels;
 
 namespace {
-constexpr double least_deviation = 20 / image::lumens_per_watt;  // cd/m2 over that: no glare source is so dark
-constexpr double least_share = .05;                              // of the mean: less is a share f above .9975
-constexpr double clear = 3;                                      // standard errors of the noise of a covariance
+constexpr double least_deviation = 20 / image::lumens_per_watt;  // in grey: 20 cd/m2, darker than any glare source
+constexpr double least_share = .05;                              // of the mean: below it f is above .9975
+constexpr double clear = 3;                                      // standard errors of a significant covariance
 constexpr double rounding = 1e-6;                                // of the squared mean
 constexpr uint32_t enough = 1u << 20, least_places = 16, most_places = 256;  // places: of all pixels; of one
 constexpr size_t pixels_at_once = 1u << 14;                                  // pixels
 
-// In small pictures a pixel is much of the light, and samples cost little.
+// In small pictures a pixel holds much of the light, and samples cost little.
 uint32_t places_of(uint32_t pixels) {
     uint32_t n = least_places;
     while (n < most_places && 2 * n * pixels <= enough) n *= 2;
@@ -30,7 +30,7 @@ double grey(const float* rgb) {
     return image::grey_red * double(rgb[0]) + image::grey_green * double(rgb[1]) + image::grey_blue * double(rgb[2]);
 }
 
-// Pixels whose samples in frame 0 differ, and those around them: a small bright thing may have been missed there.
+// Pixels whose samples in frame 0 differ, and their neighbours: the samples may have missed a small bright thing there.
 std::vector<uint32_t> uneven_pixels(const FrameZero& zero, int nx, int ny) {
     std::vector<bool> chosen(zero.spread.size());
     for (int y = 0; y < ny; y++)
@@ -49,12 +49,12 @@ std::vector<uint32_t> uneven_pixels(const FrameZero& zero, int nx, int ny) {
 }
 
 struct Covariance {
-    double between = 0;  // places: the covariance of both samples
-    double within = 0;   // a place: the variance of a sample's noise
+    double between = 0;  // of places: covariance of both samples
+    double within = 0;   // of one place: variance of a sample's noise
     double mean = 0;
 };
 
-// Of n pairs.  Divided by n: the places are points of a net, whose mean has next to no error.
+// Statistics of n pairs.  Divided by n, because the places are points of a net, whose mean has almost no error.
 Covariance covariance(const float* a, const float* b, uint32_t n) {
     double sum_a = 0, sum_b = 0, products = 0, noise = 0;
     for (uint32_t k = 0; k < n; k++) {
@@ -64,7 +64,7 @@ Covariance covariance(const float* a, const float* b, uint32_t n) {
     return {products / n - sum_a / n * (sum_b / n), noise / n, (sum_a + sum_b) / (2 * n)};
 }
 
-// The variance of the places' light, and half the difference between those of both halves of them.
+// Variance of the light over places, and half the difference of the variances of both halves of them.
 void estimate(const float* a, const float* b, uint32_t n, float* moments) {
     const Covariance all = covariance(a, b, n), first = covariance(a, b, n / 2),
                      second = covariance(a + 3 * (n / 2), b + 3 * (n / 2), n / 2);
@@ -74,8 +74,8 @@ void estimate(const float* a, const float* b, uint32_t n, float* moments) {
     moments[image::moment_difference] = float((first.between - second.between) / 2);
 }
 
-// With sources of luminance E on a share of the pixel, and L, which is 0 there, on the rest:
-//     Var(E + L) = Var E + Var L - 2 mean E mean L
+// With sources of luminance E on a fraction of the pixel, and light L that is 0 there:
+//   Var(E + L) = Var E + Var L - 2 mean E mean L
 void add_drawn(const FrameZero& zero, size_t i, float* moments) {
     const DrawnLight& d = zero.drawn[i];
     const double rest = std::max(0.0, grey(&zero.mean[3 * i]));

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Moments of the light inside of each pixel (image/picture.h, docs/decisions/0033): the variance over the pixel of the
-// direct and specular light that comes to the eye, without the noise of single samples.
-//
-// A sample a of a pixel is L(x) + noise, x its place in the pixel.  A second sample b of the same place, with other
-// random numbers for the rest of the path, has the same L(x) and independent noise, so that the covariance of a and b
-// over places is the variance of L (a components-of-variance estimate: Searle, Casella and McCulloch, "Variance
-// Components", 1992, chapter 3).  Pairs are drawn where the samples of frame 0 differ, and no frame holds them.
-// Drawn sources add their exact part.
+// Moments of the light within each pixel (image/picture.h, docs/decisions/0033): the variance over the pixel of the
+// direct and specular light that reaches the eye, without the noise of single samples.
+//   A sample a of a pixel is L(x) + noise, x its place in the pixel.  A second sample b at the same place, with other
+// random numbers for
+//   the rest of the path, has the same L(x) and independent noise, so the covariance of a and b over places is the
+// variance of L
+//   (components of variance: Searle, Casella and McCulloch, "Variance Components", 1992, chapter 3).  Pairs are drawn
+// where the
+//   samples of frame 0 differ; no frame contains them.  Splatted emitters add their exact part.
 #pragma once
 #include "image/picture.h"
 #include "render/frame_zero.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames of Eq. 7.  L(0) = exact part (small sources drawn by area) + S0, the mean of m samples of the direct class;
-// frames 1..m carry the diffuse class; frame k > m adds S(k) - S0, so that for n >= m both classes are plain means of n
-// samples and frame 0's own noise averages out (docs/spec/paper.md 7, docs/decisions/0002-frame-zero.md).  Half of the
-// frames 1..m show the mean of the first half of frame 0's samples instead of S0, half that of the others.  In noisy
-// pixels, which have several samples in each frame, all frames k >= 1 add S(k) - S0.
+// Frames of Eq. 7.  L(0) = exact part (splatted emitters) + S0, the mean of m samples of the direct class; frames 1..m
+// carry the diffuse class; frame k > m adds S(k) - S0, so that for n >= m both classes are plain means of n samples and
+// frame 0's own noise averages out (docs/spec/paper.md 7, docs/decisions/0002-frame-zero.md).  Half of the frames 1..m
+// have the mean of the first half of frame 0's samples in place of S0, the other half that of the second half.  In
+// noisy pixels, which have several samples in each frame, all frames k >= 1 add S(k) - S0.
 #include "render/progressive.h"
 
 #include <algorithm>
@@ -31,8 +31,8 @@
 namespace render {
 using namespace kernels;
 
-// In small pictures frame 0 costs little, and a single noisy pixel is much of the light: each of its m samples is then
-// the mean of two or four, so that there are half a million in all.
+// In small pictures frame 0 costs little, and a single noisy pixel holds much of the light: each of its m samples is
+// the mean of two or four, up to half a million in all.
 uint32_t samples_for_one(size_t pixels) {
     constexpr size_t enough = 256 * 256;
     return 4 * pixels <= enough ? 4 : 2 * pixels <= enough ? 2 : 1;
@@ -51,22 +51,22 @@ struct Renderer::State {
     std::unique_ptr<device::Device> device;
     std::shared_ptr<flatten::FlatScene> flat;  // the device's
     base::Hash geometry;                       // of the fingerprint
-    Focus focus;                               // here and below: of the view
+    Focus focus;                               // of the view, as all below
     std::string fingerprint;
     SplatList drawn;
     Params base{};
-    uint32_t nx, ny, m, of_frame0;  // of_frame0: samples of the direct class in frame 0
+    uint32_t nx, ny, m, of_frame0;  // samples of the direct class in frame 0
     FrameZero zero;
     image::Moments moments;
     double noisy_share = 0;
-    bool seeks_noisy = false;     // they are still to be found
+    bool seeks_noisy = false;     // the noisy pixels are not known yet
     std::vector<uint32_t> noisy;  // pixels with several samples in each frame, not those of a focus
-    std::vector<float> unshared;  // records of portals, then of highlights, until their shares are known
+    std::vector<float> unshared;  // records of portals, then of highlights, until their weights are known
     Samples sampler;
 
-    // Runs frames first .. first+count-1; give(sample, pixel values) in order; false stops.  The first ones come one by
-    // one, later ones many at a time where that is faster.  A device beside the host has begun with the next ones when
-    // these are given.
+    // Runs frames first .. first+count-1 and calls give(sample, pixel values) in order until it returns false.  The
+    // first frames run one by one, later ones together where that is faster.  An asynchronous device has begun the next
+    // ones during this call.
     template <class Give>
     void samples(int64_t first, int64_t count, Give&& give) {
         const int64_t most = std::max<int64_t>(1, device->preferred_batch_size() / sampler.path_count(base));
@@ -106,7 +106,7 @@ struct Renderer::State {
     void ensure_zero() {
         if (zero.mean.empty()) zero = draw_frame_zero(*device, sampler, base, m, of_frame0, drawn);
     }
-    // Which pixels get several samples in each frame.
+    // Chooses the pixels with several samples in each frame.
     void ensure_noisy() {
         if (!seeks_noisy) return;
         noisy = sampler.add_noisy(*device, spp_of_noisy(*device, base, noisy_share));
@@ -119,18 +119,18 @@ struct Renderer::State {
         records.insert(records.end(), highlights, highlights + long(flat->highlight_count) * HIGHLIGHT_FLOATS);
         return records;
     }
-    // Nothing of the view is known yet but what needs no samples.
+    // Resets everything of the view, except what needs no samples.
     void begin() {
         sampler.set_focus(*device, focus);
         zero = {};
         moments.reset();
         noisy.clear();
         seeks_noisy = noisy_share > 0;
-        unshared = records_of_aims();  // their shares are learned from where the eye is
+        unshared = records_of_aims();  // their weights depend on the eye point
         sampling::pick_all_portals(flat->portal_count, 0, 0, base);
         base.highlight_share = Params{}.highlight_share;
     }
-    // Says to the kernels which sources are drawn, in place of those of the view before.
+    // Marks the splatted emitters in the kernels' tables, in place of those of the previous view.
     void draw(SplatList list) {
         if (list.marked.empty() && drawn.marked.empty()) return;
         mark_splatted(drawn, flat->f, false);
@@ -138,7 +138,7 @@ struct Renderer::State {
         mark_splatted(drawn, flat->f);
         device->update_float_table(flat->sources_at, size_t(flat->source_count) * SOURCE_FLOATS);
     }
-    // Frame k of a sample's values.
+    // Values of frame k from those of a sample.
     void make_frame(int64_t k, const float* v, std::vector<float>& out) const {
         if (k > m)
             for (size_t i = 0; i < out.size(); i++) out[i] = v[i] - zero.mean[i];
@@ -154,7 +154,7 @@ struct Renderer::State {
 };
 
 void require_memory(const RenderView& v) {
-    constexpr uint64_t pixel = 60;  // bytes: frame 0's sums in double, a sample, a frame and what is written of it
+    constexpr uint64_t pixel = 60;  // bytes: frame 0's sums in double, a sample, a frame and its output buffer
     const uint64_t memory = base::machine_memory(), least = pixel * uint64_t(v.nx) * uint64_t(v.ny);
     if (memory == 0 || least <= memory) return;
     errno = 0;
@@ -183,12 +183,12 @@ void Renderer::load(const scene::Scene& scene, RenderOptions o, const scene::Rea
     if (s.flat) o.known_tree = s.flat->tree_and_inputs();
     auto flat = std::make_shared<flatten::FlatScene>(flatten::flatten(scene, o, files));
     if (o.sampling != Sampling::plain) sampling::find_targets(*flat);
-    flat->host_tree();  // before its inputs go
+    flat->host_tree();  // before its inputs are released
     flat->known_tree = {};
     const base::Hash geometry = hash_of_geometry(*flat);
     s.device->upload(flat);
     flat->keep_tables_only();
-    flat->tell_tree = nullptr;  // nobody waits any more
+    flat->tell_tree = nullptr;  // its progress is no longer shown
     s.flat = std::move(flat);
     s.geometry = geometry;
     s.drawn = {};
@@ -209,8 +209,8 @@ void Renderer::select_view(const RenderView& v, const RenderOptions& o) {
     const flatten::HostTracer tracer(*s.flat);
     const bool one_eye = v.view.type != 'l' && v.view.vo == 0 && o.pd <= 0;
     const bool on_surface = one_eye && eye_on_surface(*s.flat, tracer, v.view.vp);
-    if (on_surface || !one_eye) s.base.flags |= PF_EYE_ON_SURFACE;  // its rays may begin on one
-    // drawing knows one eye point, and no way on through glass unattenuated
+    if (on_surface || !one_eye) s.base.flags |= PF_EYE_ON_SURFACE;  // its rays may begin on a surface
+    // splatting needs one eye point, and no unattenuated path through glass
     const bool drawable = s.flat->source_count > 0 && o.pd <= 0 && o.dv && !o.i && !on_surface;
     s.draw(drawable ? list_splatted_emitters(*s.flat, tracer, v.view, v.nx, v.ny) : SplatList());
     s.fingerprint = render::fingerprint(s.geometry, *s.flat, v.view, v.nx, v.ny, o, v.focus);
@@ -247,7 +247,7 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
             return give(frame, out);
         });
     } catch (const device::Cancelled&) {
-        s.begin();  // a pass of pixels on their own may have been cut short
+        s.begin();  // a pass over single pixels may have been cancelled
     }
 }
 

@@ -15,7 +15,7 @@ using namespace kernels;
 
 namespace {
 constexpr double reuse_equivalent_spp = 8;  // samples
-constexpr uint32_t first_place = 5u << 29;  // number of the samples of run_places: no frame's
+constexpr uint32_t first_place = 5u << 29;  // first number of the samples of run_places, which no frame uses
 }  // namespace
 
 uint32_t Samples::Several::first_of(uint64_t pixel) const {
@@ -120,7 +120,7 @@ void Samples::refine(device::Device& device, const Params& base, const Pass& pas
             for (size_t i = 0; i < samples_.size(); i++)
                 sum[(p.first - first + i / 3) / several.spp * 3 + i % 3] += double(samples_[i]);
         }
-        for (uint32_t entry = begin, next; entry < end; entry = next) {  // those of a pixel lie side by side
+        for (uint32_t entry = begin, next; entry < end; entry = next) {  // entries of a pixel are consecutive
             const uint32_t pixel = several.word(entry, FOCUS_PIXEL), spp = several.word(entry, FOCUS_ALL);
             next = entry + spp / several.spp;
             for (size_t i = 0; i < size_t(n) * 3; i++) {

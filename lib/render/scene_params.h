@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parameters that the kernels need of a scene and its options.  Those of a view: view_params.h.
+// Kernel parameters of a scene and its options.  Those of a view: view_params.h.
 #pragma once
 #include <algorithm>
 #include "flatten/flat_scene.h"
@@ -8,7 +8,7 @@
 
 namespace render {
 
-// All that does not depend on the view.
+// Parameters that do not depend on the view.
 inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOptions& o) {
     kernels::Params p{};
     p.view_clip.z = float(o.pj);

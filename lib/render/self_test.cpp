@@ -28,7 +28,7 @@ namespace {
 
 using namespace kernels;
 
-// Of materials, patterns and lights those that most rooms have.
+// The materials, patterns and lights of most rooms.
 const char* const room =
     "void brightfunc grain 2 .6+.3*noise3(3*Px,3*Py,3*Pz) .\n0 0\ngrain plastic wood 0 0 5 .5 .4 .3 .02 .1\n"
     "void plastic white 0 0 5 .8 .8 .8 0 0\nvoid metal steel 0 0 5 .6 .6 .7 .9 .05\nvoid glass pane 0 0 3 .9 .9 .9\n"
@@ -70,7 +70,7 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * 4) == 0;
 }
 
-// One bit elsewhere, and a path takes another way: pixels may differ, but few, and not the sum of all.
+// One different bit can change a path: few pixels may differ, but not the sum of all.
 bool is_garbage(const std::vector<float>& here, const std::vector<float>& there) {
     constexpr double few = .1, near = 1e-3;
     size_t far = 0;
@@ -82,7 +82,7 @@ bool is_garbage(const std::vector<float>& here, const std::vector<float>& there)
     return !(double(far) <= few * double(here.size()) && std::fabs(sum_there - sum) <= few * sum);
 }
 
-// Which operations give other bits; `wrong`: those whose result is more than some roundings away.
+// Operations with other bits; `wrong`: those whose result differs by more than a few roundings.
 std::string differing(const std::vector<float>& numbers, std::string& wrong) {
     const char* const operations[SELF_TEST_VALUES] = {"a*b+c", "division",        "square root", "numbers below 1e-38",
                                                       "exp",   "sine and cosine", "pow",         "noise"};
@@ -104,7 +104,7 @@ std::string differing(const std::vector<float>& numbers, std::string& wrong) {
     return others;
 }
 
-// Says what differs; "" where nothing does.
+// Describes the differences; "" if there are none.
 std::string compare(const std::string& name, device::Device& device, const scene::Scene& scene) {
     const std::vector<float> here = render_room(*device::make_cpu_device("cpu"), scene),
                              there = render_room(device, scene);

@@ -40,7 +40,7 @@ void Session::load(scene::Scene scene, const std::string& sky, const Setup& setu
     history_ = scene.history;
     sky_ = sky;
     scene_ = keep ? std::move(scene) : scene::Scene();
-    scene = scene::Scene();  // the renderer has made its own of it
+    scene = scene::Scene();  // the renderer has its own tables
     base::give_back_memory();
     select(setup);
 }
@@ -50,13 +50,13 @@ void Session::select(const Setup& setup) {
     setup_ = setup;
 }
 
-// The files' present state is the one that changes are told from.
+// Changes are relative to the files' present state.
 scene::Scene Session::read_again(scene::ReadOptions how) const {
     const std::vector<std::string> before = base::forget_files_read();
     base::take_warnings();
     try {
         scene::Scene scene = scene::read_scene(files_, how);
-        how.asked_by.clear();  // a sky is the command line's
+        how.asked_by.clear();  // a sky is named on the command line
         if (!sky_.empty()) scene::read_more(scene, {sky_}, how);
         return scene;
     } catch (...) {

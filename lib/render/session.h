@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene that is rendered from edit to edit (docs/decisions/0034-edits.md).  An edit pays for what it changes: a view
-// and most options nothing of the scene, other files all but a tree whose surfaces are the same.  After any edits the
-// frames are those of a run of its own.
+// A scene that is rendered from edit to edit (docs/decisions/0034-edits.md).  An edit repeats only the work that it
+// affects: a view or most options none of the scene's, files all except the tree of unchanged surfaces.  After any
+// edits the frames are those of a separate run.
 #pragma once
 #include <memory>
 #include <string>
@@ -11,33 +11,32 @@
 
 namespace render {
 
-// What of a scene is rendered, and how.
+// Scene files and rendering options.
 struct Setup {
     RenderView view;
     RenderOptions options;
     scene::ReadOptions reading;
 };
 
-// A rough picture, for who moves: 128 pixels at most along its longer side, two direct samples, none for noisy pixels
-// or a focus.
+// A preview: at most 128 pixels along its longer side, two direct samples, no noisy pixels or focus.
 Setup preview_of(Setup setup);
 
 class Session {
 public:
-    // files: the scene's, which edits may have read again.
+    // files: those of the scene, as edits may have read them again.
     Session(std::unique_ptr<Renderer> renderer, std::vector<std::string> files);
-    // The scene as these files say it, with that sky (a file; empty: none).  keep: edits may come.
+    // Reads the scene from these files, with that sky (a file; empty: none).  keep: edits may follow.
     void load(scene::Scene scene, const std::string& sky, const Setup& setup, bool keep);
-    // What follows is of this view.
+    // Selects the view of the calls below.
     void select(const Setup& setup);
-    // An edit; read: of the files, too.  True: the picture is another one, and begins anew.  Throws Error with all as
-    // it was before.
+    // Applies an edit; read: reads the files, too.  Returns true if the picture changes and begins anew.  Throws Error
+    // and leaves all unchanged.
     bool edit(const Setup& next, bool read);
 
     Renderer& renderer() const { return *renderer_; }
     const RenderView& view() const { return setup_.view; }
     const std::string& sky() const { return sky_; }
-    const std::vector<std::string>& history() const { return history_; }  // of the scene
+    const std::vector<std::string>& history() const { return history_; }  // edits of the scene
 
 private:
     scene::Scene read_again(scene::ReadOptions how) const;

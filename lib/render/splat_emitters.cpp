@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A pixel's value is the mean radiance over its area A in the picture plane, so a point that stands for the solid angle
+// A pixel's value is the mean radiance over its area A in the picture plane, so a point that represents the solid angle
 // dw adds L dw / (A dw/dA), with dw/dA of the projection at that point by central differences.
 #include "render/splat_emitters.h"
 
@@ -15,7 +15,7 @@ using base::Vec3;
 using flatten::bits;
 using flatten::from_bits;
 
-constexpr double LARGEST = 64;     // pixels; larger sources are met by ordinary samples often enough
+constexpr double LARGEST = 64;     // pixels; larger sources are sampled well enough by rays
 constexpr uint32_t POINTS = 4096;  // per source: at a pixel's edge the error is about 1/POINTS^(3/4) of the source
 constexpr uint32_t MOST_RAYS = 1u << 20;
 
@@ -50,7 +50,7 @@ SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten:
         const float* q = &scene.f[scene.sources_at + SOURCE_FLOATS * i];
         const uint32_t kind = bits(q[SRC_KIND]);
         if (q[SRC_MAXRAD] > 0 || bits(q[SRC_CLASS]) == M_ILLUM || bits(q[SRC_VIRTUAL]) != NONE) continue;
-        if (kind == SK_DISTANT ? aft > 0 : (fore > 0 || aft > 0)) continue;  // clipping: leave it to the rays
+        if (kind == SK_DISTANT ? aft > 0 : (fore > 0 || aft > 0)) continue;  // clipping: left to rays
         const auto mid = tracer.source_point(i, view.vp, 0.5, 0.5);
         double X, Y;
         if (mid.solid_angle <= 0 || !projector.locate_direction(mid.dir, X, Y)) continue;
@@ -64,7 +64,7 @@ SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten:
         out.marked.push_back(scene.sources_at + SOURCE_FLOATS * i + SRC_SPLATTED);
         const uint32_t kind = bits(scene.f[scene.sources_at + SOURCE_FLOATS * i + SRC_KIND]);
         for (uint32_t k = 0; k < points; k++) {
-            // Roberts' R2 sequence: even in both numbers at any count
+            // Roberts' R2 sequence: uniform in both numbers for any count
             const double x = std::fmod(0.5 + (k + 1) * 0.7548776662466927, 1.0),
                          y = std::fmod(0.5 + (k + 1) * 0.5698402909980532, 1.0);
             const auto p = tracer.source_point(i, view.vp, x, y);

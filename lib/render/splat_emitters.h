@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small bright sources (the sun's disc is 1.4 pixels wide at 512) drawn into frame 0 by area instead of by luck:
-// points spread evenly over the source, each splatted into the pixel it falls in.
+// Small bright sources (the sun's disc is 1.4 pixels wide at 512) splatted into frame 0 by area, because few rays would
+// hit them: points spread evenly over the source, each added to the pixel that it falls in.
 #pragma once
 #include <vector>
 #include "device/device.h"
@@ -13,12 +13,12 @@ struct SplatList {
     std::vector<device::SplatRay> rays;
     std::vector<uint32_t> pixel;   // row from the top * nx + column, of each ray
     std::vector<float> right, up;  // of the ray from the pixel's centre, in pixels
-    std::vector<uint32_t> marked;  // words of scene.f that say SRC_SPLATTED of the sources taken
+    std::vector<uint32_t> marked;  // words of scene.f that are SRC_SPLATTED of these sources
 };
-// Those that are small in this view, and their rays.
+// The sources that are small in this view, and their rays.
 SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
                                  const view::View& view, int nx, int ny);
-// Says so to the kernels in the scene's numbers (FlatScene::f), or takes it back.
+// Marks these sources in the scene's tables (FlatScene::f), or clears the marks.
 void mark_splatted(const SplatList& list, std::vector<float>& table, bool drawn = true);
 
 }  // namespace render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A view in the form that kernels/geom/view_ray.h needs.
+// A view in the form of kernels/geom/view_ray.h.
 #pragma once
 #include <cmath>
 #include "base/angle.h"
