@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The page of vcview in a headless Chromium, compared with what the programs wrote: browser.py LINK STREAM LINES PIXELS
+# The page of vcview in a headless Chromium, compared with what the programs wrote: browser.py LINK STREAM LINES PIXELS SOURCES SAVED
 #   LINK: what vcview printed; STREAM: the pictures that it reads; LINES: its output; PIXELS: the last picture in
-#   falsecolor, 8-bit RGB.  A sentence for each check; status 1 if one fails.
-import re, struct, sys, time
+#   falsecolor, 8-bit RGB; SOURCES: its glare sources, a JSON object a line; SAVED: a folder for what the page saves.
+#   A sentence for each check; status 1 if one fails.
+import json, os, re, struct, sys, time
 from selenium.webdriver.common.keys import Keys
-from browser_page import Page, check, link_in
+from browser_page import Page, check, link_in, soon
 
-stream, lines, falsecolor = sys.argv[2:5]
+stream, lines, falsecolor, sources, saved = sys.argv[2:7]
 
 
 def last_picture(name):
@@ -88,6 +89,27 @@ wrong = page.chrome.execute_async_script('''
     })().catch((e) => done(String(e)));''', [facts['view'], width, height])
 check('directions in the page are those of the server', wrong == 0, wrong)
 
+# glare sources
+want_sources = [json.loads(line) for line in open(sources)]
+page.one('#sources-panel summary').click()
+check('the sources of vcmetrics -sources are listed', want_sources and page.until(
+    f'document.querySelectorAll("#sources tbody tr").length == {len(want_sources)}'))
+got = page.chrome.execute_async_script('''
+    const done = arguments[arguments.length - 1];
+    import('/net.js').then(({ ask }) => ask('/sources?picture=1')).then((a) => a.json()).then((a) => done(a.sources));''')
+without = lambda s: {k: v for k, v in s.items() if k not in ('frame', 'seconds')}
+check('with all of their numbers', [without(s) for s in got] == [without(s) for s in want_sources], got)
+rows = [[c.text for c in row.find_elements('tag name', 'td')] for row in page.find('#sources tbody tr')]
+check('the table has number, share and luminance', all(
+    int(r[0]) == s['source'] and r[1] == f"{100 * s['DGPshare']:.1f} %" and abs(float(r[2]) / s['L'] - 1) < 6e-4
+    for r, s in zip(rows, want_sources)), rows)
+
+# files
+page.chrome.execute_cdp_cmd('Browser.setDownloadBehavior', {'behavior': 'allow', 'downloadPath': os.path.abspath(saved)})
+for kind in ('hdr', 'exr', 'png', 'svg', 'csv'):
+    page.one(f'#save-{kind}').click()
+    check(f'{kind} is saved', soon(lambda: os.path.exists(f'{saved}/luxpipe.{kind}') and os.path.getsize(f'{saved}/luxpipe.{kind}')))
+
 # keys: tone, keep, compare; nothing is restarted
 body = page.one('body')
 before = page.js('document.getElementById("tone").value')
@@ -97,8 +119,8 @@ body.send_keys('k')
 check('k keeps the picture to compare with', page.until('!document.getElementById("compare").disabled', 5))
 body.send_keys('c')
 check('c changes the comparison', page.js('document.getElementById("compare").value') == 'wipe')
-for key in (Keys.TAB,) * 3: body.send_keys(key)
-check('the keyboard reaches what can be changed', page.js('document.activeElement !== document.body'))
+page.check_keyboard()
+page.check_contrast()
 
 for w in (1280, 390):
     page.resize(w, 900)

@@ -52,13 +52,15 @@ page.one('#model-number input[type=number]').send_keys(Keys.CONTROL + 'a' + Keys
 check('any number is changed', arrives(r'14\.25 \+s .* -g 0\.35\n'), got())
 check('nothing is saved before it is asked for', '-g .2' in open('sky.rad').read())
 sizes = [(int(n), len(t)) for n, t in
-         re.findall(r'overlay sky.rad (\d+)\n((?:# a sky\n).*?)(?=overlay|view|preview|\Z)', got(), re.S)]
+         re.findall(r'overlay sky.rad (\d+)\n((?:# a sky\n).*?)(?=overlay|view|preview|go|\Z)', got(), re.S)]
 check('texts have the length that is announced', sizes and all(n == m for n, m in sizes), sizes)
 page.one('#model-undo').click()
 check('that is undone', soon(lambda: re.findall(r'-g (\S+)\n', got())[-1] == '.2'))
 page.one('#model-save').click()
 check('saved on demand', soon(lambda: '14.25 +s' in open('sky.rad').read()))
 
+page.check_keyboard()
+page.check_contrast()
 for w in (1280, 390):
     page.resize(w, 900)
     check(f'nothing is wider than a page of {w} pixels', page.fits())

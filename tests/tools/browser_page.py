@@ -4,6 +4,7 @@ import json, re, sys, time, urllib.request
 from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 
 failures = 0
 
@@ -88,6 +89,43 @@ class Page:
         self.chrome.execute_cdp_cmd('Emulation.setDeviceMetricsOverride',
                                     {'width': width, 'height': height, 'deviceScaleFactor': 1, 'mobile': False})
         time.sleep(.3)
+
+    def check_keyboard(self):
+        """The tab key reaches all that can be used, in the order of the page, and shows where it is."""
+        wanted = self.js(f"""(window.all = [...document.querySelectorAll(
+            'button, select, input, summary, a[href], [tabindex="0"]')].filter((e) => !e.disabled && e.offsetParent)).length""")
+        self.chrome.execute_script('all[0].focus()')
+        seen, outlined = [], 0
+        for k in range(wanted + 5):
+            if k: ActionChains(self.chrome).send_keys(Keys.TAB).perform()
+            k = self.js('all.indexOf(document.activeElement)')
+            if k < 0: break
+            seen.append(k)
+            outlined += self.js('getComputedStyle(document.activeElement).outlineStyle !== "none"')
+        check('the tab key reaches all that can be used, in the order of the page', seen == list(range(wanted)),
+              (wanted, seen, self.js('all.filter((e, k) => !arguments[0].includes(k)).map((e) => e.outerHTML)', seen)))
+        check('what has the focus is outlined', outlined == len(seen), (outlined, len(seen)))
+
+    def check_contrast(self):
+        """Text stands out from what is behind it by WCAG 2.2, 1.4.3 (AA), in light and in dark."""
+        for scheme in ('light', 'dark'):
+            self.chrome.execute_cdp_cmd('Emulation.setEmulatedMedia',
+                                        {'features': [{'name': 'prefers-color-scheme', 'value': scheme}]})
+            poor = self.js("""((all) => all.filter(([ratio]) => ratio < 4.5))((() => {
+                const numbers = (c) => c.match(/[\\d.]+/g).map(Number), clear = (c) => numbers(c)[3] === 0;
+                const light = (c) => numbers(c).slice(0, 3).map((v) => v / 255)
+                    .map((v) => v <= .04045 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4)
+                    .reduce((sum, v, k) => sum + v * [.2126, .7152, .0722][k], 0);
+                return [...document.querySelectorAll('body *')].filter((e) => e.offsetParent && !e.disabled &&
+                    [...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim())).map((e) => {
+                    let behind = e;
+                    while (behind !== document.body && clear(getComputedStyle(behind).backgroundColor)) behind = behind.parentElement;
+                    const [a, b] = [light(getComputedStyle(e).color), light(getComputedStyle(behind).backgroundColor)].sort((p, q) => q - p);
+                    return [(a + .05) / (b + .05), e.outerHTML.slice(0, 80)];
+                });
+            })())""")
+            check(f'text is readable in {scheme}', not poor, poor)
+        self.chrome.execute_cdp_cmd('Emulation.setEmulatedMedia', {'features': []})
 
     def errors(self):
         return [e['message'] for e in self.chrome.get_log('browser')

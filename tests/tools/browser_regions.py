@@ -45,6 +45,7 @@ page.click(size, (side * .6, side * .3), (side * .7, side * .3), (side * .7, sid
 page.one('#canvas').send_keys(Keys.ENTER)
 check('a polygon arrives', time_out('region3  polygon direction'), text())
 check('the table has them', rows(8))
+check('the name of the newest is chosen', page.until('document.activeElement.dataset.region === "region3"'))
 
 fill('#regions [data-region=region2].name', 'window')
 check('a region is named', time_out('window +rect fraction'), text())
@@ -88,4 +89,6 @@ check('both have changed the same region: the file stays, and the page says so',
       and text() == theirs, text())
 check('comments are kept', '# typed in an editor' in text() and
       all(line in text().splitlines() for line in kept), text())
+page.check_keyboard()
+page.check_contrast()
 page.end()

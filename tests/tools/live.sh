@@ -94,7 +94,7 @@ check 'a preview is small, two frames, and waits; go makes a full picture of it'
     echo "preview -vp 1 -4 2" > ctl; await "grep -aq \"^EDIT=1 preview\" f"; sleep .5
     [ "$(grep -ac "^EDIT=1 preview" f)" = 2 ]; grep -aq "^-Y 128 +X 128" f; overlay f.cal "v = .3;"
     await "grep -aq \"^EDIT=2 preview\" f"; echo "overlay f.cal -" > ctl; await "grep -aq ^EDIT=3 f"; echo go > ctl
-    await "grep -aq \"^EDIT=4 view\" f"; settle; end; as_alone "$eye -x 200 -y 200 -vp 1 -4 2"'
+    await "grep -aq \"^EDIT=4 overlay\" f"; settle; end; as_alone "$eye -x 200 -y 200 -vp 1 -4 2"'
 check 'next ends a preview' '
     { sleep 1; printf "preview -vp 1 -4 2\n" > ctl; sleep 1; echo next > ctl; } &
     ptrace -moments- -control ctl -x 8 -y 8 $eye m.rad s.rad | cat > t; wait; grep -aq "^EDIT=1 preview" t'

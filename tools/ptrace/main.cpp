@@ -42,6 +42,7 @@ struct Run {
     std::optional<render::Session> session;
     int64_t edits = 0;
     std::string edited = "start";
+    std::string changed;  // by edits whose pictures were previews
 };
 
 // Setup of the session for picture i.
@@ -95,7 +96,8 @@ bool apply_edits(Run& run, size_t i) {
     for (const render::Command& c : run.control.take_edits())
         carry_out([&] {
             edit(c, i, next);
-            what = c.word == "go" ? "view" : c.word;
+            what = c.word;
+            if (c.word != "go" && c.word != "preview") run.changed = c.word;
             read = read || reads_files(c);
             others = others || !reads_files(c);
         });
@@ -111,6 +113,8 @@ bool apply_edits(Run& run, size_t i) {
     if (!begins) return false;  // frames go on where they were
     run.edits++;
     run.edited = run.opt.preview ? "preview" : what;
+    if (what == "go") run.edited = run.changed.empty() ? "view" : run.changed;
+    if (!run.opt.preview) run.changed.clear();
     return true;
 }
 

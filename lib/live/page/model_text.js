@@ -2,13 +2,14 @@
 
 const number = /(?<![\w.+-])[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?(?![\w.:])/gi;
 
-// [{ start, end, value }]; comments and counts of arguments are left out.
+// [{ start, end, value, whole }]; comments and counts of arguments are left out.  whole: a number of repetitions (xform -a).
 export function numbers_in(text) {
   const all = [];
   let at = 0;
   for (const line of text.split('\n')) {
     if (!line.trimStart().startsWith('#')) {
-      const found = [...line.matchAll(number)].map((m) => ({ start: at + m.index, end: at + m.index + m[0].length, value: Number(m[0]) }));
+      const found = [...line.matchAll(number)].map((m) => ({ start: at + m.index, end: at + m.index + m[0].length, value: Number(m[0]),
+        whole: /\s-[ai]\s+$/.test(line.slice(0, m.index)) }));
       const command = line.startsWith('!'), first = found[0];
       const counts = !command && first && Number.isInteger(first.value) && /^\s*\d/.test(line) &&
         (first.value === found.length - 1 || found.length === 1);

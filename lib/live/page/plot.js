@@ -1,5 +1,6 @@
 // The lines of vcmetrics: read, shown as a table, drawn as SVG over the number of frames with their intervals.
 import { short } from '/picture.js';
+import { fill_rows } from '/table.js';
 
 const classes = { DGP: [.35, .40, .45], DGPu: [.35, .40, .45], DGPf: [.35, .40, .45], UGR: [13, 16, 19, 22, 25, 28] };
 // What pixels do to a metric: to evalglare's (DGP, DGPu) it is missing, DGPf has it.
@@ -107,7 +108,7 @@ export function plot(name, runs) {
 export function fill_table(body, lines, chosen, on_choice) {
   const last = lines.rows[lines.rows.length - 1];
   if (!last) return;
-  body.replaceChildren(...lines.metrics().map((name) => {
+  fill_rows(body, lines.metrics().map((name) => {
     const row = document.createElement('tr');
     row.setAttribute('aria-selected', String(chosen.has(name)));
     row.tabIndex = 0;

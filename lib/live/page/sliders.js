@@ -1,7 +1,7 @@
 // The model: sliders for the day and hour of skies and for any number in the files of -edit.  What they say is sent to ptrace
 // as a text that stands for the file (`overlay`); the file itself is written only by Save.
 import { date_of, numbers_in, range_of, skies_in, with_number, with_sky } from '/model_text.js';
-import { ask } from '/net.js';
+import { ask, command } from '/net.js';
 import { TextFile } from '/text_file.js';
 
 const $ = (id) => document.getElementById(id);
@@ -22,7 +22,7 @@ export class Sliders {
 
   async use(n, facts) {
     const file = new TextFile(n, facts);
-    const one = { file, text: '', undone: [] };
+    const one = { file, text: '', undone: [], going: false, small: false };
     this.files.push(one);
     $('model-file').append(new Option(facts.name));
     $('model-panel').hidden = false;
@@ -38,6 +38,7 @@ export class Sliders {
       const before = one.file.text;
       try { await one.file.read(); } catch (e) { this.say(e.message); continue; }
       if (one.file.text === before) continue;
+      one.sent = null;  // ptrace reads the file again
       if (one.text === before || one.text === one.file.text) one.text = one.file.text;
       else this.say(`${one.file.name} was changed on the disk; what you changed here is kept and not saved: Save writes it over that, Revert takes that.`);
       if (one === this.now) this.show();
@@ -60,7 +61,13 @@ export class Sliders {
     else this.mark();
   }
 
-  stop() { this.now.going = false; this.show(); }
+  stop() {
+    const one = this.now;
+    one.going = false;
+    if (one.small) this.send(one);
+    this.mark();
+    this.show_text();
+  }
 
   undo() {
     const one = this.now, text = one.undone.pop();
@@ -70,14 +77,28 @@ export class Sliders {
     this.show();
   }
 
-  // The newest text, when the one before it has gone.
+  // The newest text, when the one before it has gone: small pictures while a slider moves, so that all of its way is one
+  // edit, and the full one at rest.
   async send(one) {
     if (one.sending) { one.again = true; return; }
     one.sending = true;
     one.again = false;
-    const answer = await ask(`/overlay?n=${one.file.n}`, { method: 'POST', body: one.text });
-    this.say(answer.ok ? '' : (await answer.text()).trim());
-    setTimeout(() => { one.sending = false; if (one.again) this.send(one); }, 100);
+    let wrong = '';
+    if (one.going && !one.small) {
+      wrong = await command('preview');
+      one.small = !wrong;
+    }
+    if (!wrong && one.text !== one.sent) {
+      const text = one.text, answer = await ask(`/overlay?n=${one.file.n}`, { method: 'POST', body: text });
+      if (answer.ok) one.sent = text;
+      else wrong = (await answer.text()).trim();
+    }
+    if (!one.going && one.small) {
+      wrong ||= await command('go');
+      one.small = Boolean(wrong);
+    }
+    this.say(wrong);
+    setTimeout(() => { one.sending = false; if (one.again || one.small > one.going) this.send(one); }, wrong ? 1000 : 100);
   }
 
   async save() {
@@ -110,7 +131,7 @@ export class Sliders {
     Object.assign(input, { type: 'range', min: least, max: largest, step, value });
     output.value = words(value);
     input.addEventListener('input', () => { output.value = words(Number(input.value)); set(Number(input.value), true); });
-    input.addEventListener('change', () => { if (this.now.going) this.now.going = false; this.mark(); this.show_text(); });
+    input.addEventListener('change', () => this.stop());
     label.append(title, input, output);
     return label;
   }
@@ -136,13 +157,13 @@ export class Sliders {
     const number = numbers_in(this.now.text)[this.chosen];
     $('model-number').replaceChildren();
     if (!number) return;
-    this.range ??= range_of(number.value);
-    const [least, largest] = this.range, set = (v, going) => this.set(with_number(this.now.text, numbers_in(this.now.text)[this.chosen], v), going);
+    this.range ??= number.whole ? [1, Math.max(8, 2 * number.value)] : range_of(number.value);
+    const [least, largest] = this.range, step = number.whole ? 1 : (largest - least) / 200, set = (v, going) => this.set(with_number(this.now.text, numbers_in(this.now.text)[this.chosen], v), going);
     const field = document.createElement('input');
     Object.assign(field, { type: 'number', step: 'any', value: number.value });
     field.setAttribute('aria-label', 'value of the chosen number');
     field.addEventListener('change', () => { this.range = null; set(Number(field.value)); });
-    $('model-number').append(this.slider('number', least, largest, (largest - least) / 200, number.value, (v) => String(Number(v.toPrecision(4))),
+    $('model-number').append(this.slider('number', least, largest, step, number.value, (v) => String(Number(v.toPrecision(4))),
       (v, going) => { field.value = v; set(v, going); }), field);
   }
 }

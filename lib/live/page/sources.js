@@ -3,6 +3,7 @@
 import { ask } from '/net.js';
 import { inside, label, outline, top_of } from '/overlay.js';
 import { short } from '/picture.js';
+import { fill_rows } from '/table.js';
 
 const $ = (id) => document.getElementById(id);
 const css = '#ffb347', chosen_css = '#fff2d8';
@@ -46,7 +47,7 @@ export class Sources {
   fill_table() {
     $('sources-say').textContent = this.all.length ? '' : 'no glare source in this picture';
     $('sources').hidden = !this.all.length;
-    $('sources').tBodies[0].replaceChildren(...this.all.map((s) => {
+    fill_rows($('sources').tBodies[0], this.all.map((s) => {
       const row = document.createElement('tr');
       row.tabIndex = 0;
       row.setAttribute('aria-selected', String(s.source === this.chosen));

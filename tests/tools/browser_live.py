@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The page of luxpipe-live while ptrace renders: browser_live.py LINK LINES SIZE
+#   LINK: what vcview printed; LINES: the table that vcmetrics writes; SIZE: sides of the square picture.
+import re, sys
+from selenium.webdriver.common.keys import Keys
+from browser_page import Page, check, link_in, soon
+
+lines, size = sys.argv[2], (int(sys.argv[3]),) * 2
+page = Page(link_in(sys.argv[1]))
+SECONDS = 90  # for a machine with other work
+names = lambda: page.js('[...document.querySelectorAll("#table tbody tr")].map((r) => r.cells[0].innerText)')
+
+
+def edits():  # the table, newest first: [name, frames, Ev ...]
+    return page.js('[...document.querySelectorAll("#edits tbody tr")].map((r) => [...r.cells].map((c) => c.innerText))')
+
+
+def told_apart(name, at=0):
+    """Has the edit of this name, in this place of the table, a difference of Ev with its interval?"""
+    def found():
+        rows = edits()
+        return len(rows) > at and name in rows[at][0] and re.search(r' to [+−][\d.e+]+\) *(not told|higher|lower)', rows[at][2])
+    return soon(found, SECONDS)
+
+
+check('a picture and its numbers come', page.until('document.body.dataset.picture > 0 && document.body.dataset.lines > 3', SECONDS))
+check('there is no column of a region yet', not any('TAL' in n for n in names()), names())
+
+page.one('#canvas').send_keys('w')
+check('a step ahead is an edit, compared with what was before', told_apart('view'), edits())
+first = page.js('performance.getEntriesByName("preview").length')
+check('it was seen in a preview', first > 0)
+
+hour = page.find('#skies input')[1]
+page.chrome.execute_script('arguments[0].scrollIntoView({block: "center"})', hour)
+hour.send_keys(Keys.ARROW_LEFT)
+check('the sun is moved, and the light at the eye differs', told_apart('overlay'), edits())
+page.chrome.execute_script('''
+    const slide = (type, value) => { arguments[0].value = value; arguments[0].dispatchEvent(new Event(type, { bubbles: true })); };
+    for (let k = 0; k < 12; k++) setTimeout(() => slide('input', 13 - k / 4), 60 * k);
+    setTimeout(() => slide('change', 10), 900);''', hour)
+check('a slider that is dragged is one edit', told_apart('overlay') and soon(lambda: len(edits()) == 4), edits())
+
+page.js('document.getElementById("model-file").selectedIndex = 1')
+page.chrome.execute_script('document.getElementById("model-file").dispatchEvent(new Event("change"))')
+[b for b in page.find('#model-text button') if b.text == '20'][0].click()
+slats = page.one('#model-number input[type=range]')
+check('slats are counted', slats.get_attribute('step') == '1' and slats.get_attribute('min') == '1')
+slats.send_keys(Keys.END)
+check('a blind is lowered', told_apart('overlay') and soon(lambda: len(edits()) == 5), edits())
+check('which is written to no file yet', '-a 20 ' in open('blind.rad').read())
+page.one('#model-undo').click()
+check('and undone', soon(lambda: len(edits()) == 6, SECONDS), edits())
+
+page.one('#draw-circle').click()
+page.drag(size, (size[0] * .5, size[1] * .7), (size[0] * .55, size[1] * .7), (size[0] * .65, size[1] * .7))
+check('a region that is drawn is measured', soon(lambda: any(n == 'region1.TAL' for n in names()), SECONDS), names())
+check('the page shows what vcmetrics writes', soon(lambda: page.js('document.body.dataset.lines')
+                                                  == str(len(open(lines).read().splitlines())), SECONDS))
+page.one('#sources-panel summary').click()
+check('glare sources are listed', page.until('document.querySelectorAll("#sources tbody tr").length > 0', SECONDS))
+page.one('#command-text').send_keys('pause', Keys.ENTER)
+check('a word is obeyed', soon(lambda: page.js('document.getElementById("command-text").value') == ''))
+page.end()
