@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The page of vcview in a headless Chromium, compared with what the programs wrote: browser.py LINK STREAM LINES PIXELS SOURCES SAVED
+# The page of vcview in a headless Chromium, compared with what the programs wrote:
+#   browser.py LINK STREAM LINES PIXELS SOURCES SAVED
 #   LINK: what vcview printed; STREAM: the pictures that it reads; LINES: its output; PIXELS: the last picture in
 #   falsecolor, 8-bit RGB; SOURCES: its glare sources, a JSON object a line; SAVED: a folder for what the page saves.
 #   A sentence for each check; status 1 if one fails.
@@ -96,7 +97,8 @@ check('the sources of vcmetrics -sources are listed', want_sources and page.unti
     f'document.querySelectorAll("#sources tbody tr").length == {len(want_sources)}'))
 got = page.chrome.execute_async_script('''
     const done = arguments[arguments.length - 1];
-    import('/net.js').then(({ ask }) => ask('/sources?picture=1')).then((a) => a.json()).then((a) => done(a.sources));''')
+    import('/net.js').then(({ ask }) => ask('/sources?picture=1')).then((a) => a.json())
+        .then((a) => done(a.sources));''')
 without = lambda s: {k: v for k, v in s.items() if k not in ('frame', 'seconds')}
 check('with all of their numbers', [without(s) for s in got] == [without(s) for s in want_sources], got)
 rows = [[c.text for c in row.find_elements('tag name', 'td')] for row in page.find('#sources tbody tr')]
@@ -105,10 +107,12 @@ check('the table has number, share and luminance', all(
     for r, s in zip(rows, want_sources)), rows)
 
 # files
-page.chrome.execute_cdp_cmd('Browser.setDownloadBehavior', {'behavior': 'allow', 'downloadPath': os.path.abspath(saved)})
+page.chrome.execute_cdp_cmd('Browser.setDownloadBehavior',
+                            {'behavior': 'allow', 'downloadPath': os.path.abspath(saved)})
 for kind in ('hdr', 'exr', 'png', 'svg', 'csv'):
     page.one(f'#save-{kind}').click()
-    check(f'{kind} is saved', soon(lambda: os.path.exists(f'{saved}/luxpipe.{kind}') and os.path.getsize(f'{saved}/luxpipe.{kind}')))
+    name = f'{saved}/luxpipe.{kind}'
+    check(f'{kind} is saved', soon(lambda: os.path.exists(name) and os.path.getsize(name)))
 
 # keys: tone, keep, compare; nothing is restarted
 body = page.one('body')

@@ -17,7 +17,8 @@ vcview -stay -- vcmetrics -metrics Ev,DGP -ci 95 < sums.str > lines 2> link &
 running=$!
 for ((k = 0; k < 50; k++)); do [ "$(wc -l < lines)" = 7 ] || sleep .2; done
 check 'the page shows what the programs wrote' '
-    PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$TOP/tests/tools/browser.py" link sums.str lines pixels sources saved >&2'
+    PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$TOP/tests/tools/browser.py" link sums.str lines pixels sources \
+        saved >&2'
 kill $running
 check 'saved pictures have the floats and the bytes that they should' '
     ptaccum -last -o last.exr sums.str; [ "$(mkstream differ last.exr saved/luxpipe.exr)" = 0 ]

@@ -19,11 +19,13 @@ def told_apart(name, at=0):
     """Has the edit of this name, in this place of the table, a difference of Ev with its interval?"""
     def found():
         rows = edits()
-        return len(rows) > at and name in rows[at][0] and re.search(r' to [+−][\d.e+]+\) *(not told|higher|lower)', rows[at][2])
+        difference = r' to [+−][\d.e+]+\) *(not told|higher|lower)'
+        return len(rows) > at and name in rows[at][0] and re.search(difference, rows[at][2])
     return soon(found, SECONDS)
 
 
-check('a picture and its numbers come', page.until('document.body.dataset.picture > 0 && document.body.dataset.lines > 3', SECONDS))
+check('a picture and its numbers come', page.until(
+    'document.body.dataset.picture > 0 && document.body.dataset.lines > 3', SECONDS))
 check('there is no column of a region yet', not any('TAL' in n for n in names()), names())
 
 page.one('#canvas').send_keys('w')
@@ -36,7 +38,10 @@ page.chrome.execute_script('arguments[0].scrollIntoView({block: "center"})', hou
 hour.send_keys(Keys.ARROW_LEFT)
 check('the sun is moved, and the light at the eye differs', told_apart('overlay'), edits())
 page.chrome.execute_script('''
-    const slide = (type, value) => { arguments[0].value = value; arguments[0].dispatchEvent(new Event(type, { bubbles: true })); };
+    const slide = (type, value) => {
+        arguments[0].value = value;
+        arguments[0].dispatchEvent(new Event(type, { bubbles: true }));
+    };
     for (let k = 0; k < 12; k++) setTimeout(() => slide('input', 13 - k / 4), 60 * k);
     setTimeout(() => slide('change', 10), 900);''', hour)
 check('a slider that is dragged is one edit', told_apart('overlay') and soon(lambda: len(edits()) == 4), edits())

@@ -93,7 +93,8 @@ class Page:
     def check_keyboard(self):
         """The tab key reaches all that can be used, in the order of the page, and shows where it is."""
         wanted = self.js(f"""(window.all = [...document.querySelectorAll(
-            'button, select, input, summary, a[href], [tabindex="0"]')].filter((e) => !e.disabled && e.offsetParent)).length""")
+            'button, select, input, summary, a[href], [tabindex="0"]')]
+            .filter((e) => !e.disabled && e.offsetParent)).length""")
         self.chrome.execute_script('all[0].focus()')
         seen, outlined = [], 0
         for k in range(wanted + 5):
@@ -119,8 +120,9 @@ class Page:
                 return [...document.querySelectorAll('body *')].filter((e) => e.offsetParent && !e.disabled &&
                     [...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim())).map((e) => {
                     let behind = e;
-                    while (behind !== document.body && clear(getComputedStyle(behind).backgroundColor)) behind = behind.parentElement;
-                    const [a, b] = [light(getComputedStyle(e).color), light(getComputedStyle(behind).backgroundColor)].sort((p, q) => q - p);
+                    const ground = () => getComputedStyle(behind).backgroundColor;
+                    while (behind !== document.body && clear(ground())) behind = behind.parentElement;
+                    const [a, b] = [light(getComputedStyle(e).color), light(ground())].sort((p, q) => q - p);
                     return [(a + .05) / (b + .05), e.outerHTML.slice(0, 80)];
                 });
             })())""")
