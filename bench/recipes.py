@@ -4,7 +4,8 @@
 Needs lbt-recipes and pyradiance beside this Python, and luxpipe or LUXPIPE_BIN.  A room of 4 x 6 m with a window to the
 south: point-in-time-view (rpict), HB Glare Postprocess's calls (evalglare on each picture) and point-in-time-grid
 (rtrace, which the folder links).  Prints a line a run: recipe, by what, numbers, processor and wall seconds.
-The numbers' noise is what differs between RUNS (2) of other seeds; RADIANCE's -ad stands for a seed.
+The numbers' noise is what differs between RUNS (2) of other seeds; RADIANCE's -ad stands for a seed.  The recipe
+renders 1600 x 1600 pixels and averages them to 800 x 800.
 """
 
 import os

@@ -76,7 +76,7 @@ def rpict(view: Sequence[str], octree: Path | str, xres: None | int = None, yres
     for option, value in (("-t", report or None), ("-e", report_file), ("-x", xres), ("-y", yres)):
         if value is not None:
             args += [option, str(value)]
-    trace = subprocess.Popen(["ptrace", *args, "-frames", str(frames + 1), str(octree)],
+    trace = subprocess.Popen(["ptrace", "-moments-", *args, "-frames", str(frames + 1), str(octree)],
                              executable=program("ptrace"), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert trace.stdout and trace.stderr
     with trace:

@@ -60,10 +60,23 @@ def link(name: Path, target: Path) -> None:
         name.symlink_to(target)
 
 
-def rpict() -> None:
-    """Be rpict: the sum of LUXPIPE_FRAMES frames (64) of ptrace as an RGBE picture, to the standard output or -o.
+def frames_for(args: list[str]) -> int:
+    """Return the number of frames for a picture: 64 up to 800 x 800, fewer above, where pixels are to be averaged.
 
-    LUXPIPE_OPTIONS has further options of ptrace, which recipes would refuse: "-seed 2 -device cpu".
+    >>> frames_for(["-x", "512", "-y", "512"]), frames_for(["-x", "1600", "-y", "1600"]), frames_for(["-x", "9999"])
+    (64, 16, 8)
+    """
+    try:
+        width, height = (int(args[args.index(option) + 1]) if option in args else 512 for option in ("-x", "-y"))
+    except (IndexError, ValueError):
+        return 64  # ptrace will say what is wrong
+    return max(8, min(64, 64 * 800 * 800 // max(width * height, 1)))
+
+
+def rpict() -> None:
+    """Be rpict: the sum of frames of ptrace as an RGBE picture, to the standard output or -o.
+
+    LUXPIPE_FRAMES is their number (else that of `frames_for`).  LUXPIPE_OPTIONS has further options of ptrace, which recipes would refuse: "-seed 2 -device cpu".
     """
     args = [*shlex.split(os.environ.get("LUXPIPE_OPTIONS", "")), *sys.argv[1:]]
     if any(word in ("-version", "-defaults", "-help") for word in args):
@@ -73,9 +86,9 @@ def rpict() -> None:
         at = args.index("-o")
         output = open(args[at + 1], "wb")
         del args[at:at + 2]
-    frames = int(os.environ.get("LUXPIPE_FRAMES", "64"))
-    trace = subprocess.Popen(["ptrace", "-frames", str(frames + 1), *args], executable=program("ptrace"),
-                             stdout=subprocess.PIPE)
+    frames = int(os.environ.get("LUXPIPE_FRAMES") or frames_for(args))
+    trace = subprocess.Popen(["ptrace", "-moments-", "-frames", str(frames + 1), *args], executable=program("ptrace"),
+                             stdout=subprocess.PIPE)  # without moments, which an RGBE picture does not hold
     total = subprocess.run(["ptaccum", "-last"], executable=program("ptaccum"), stdin=trace.stdout, stdout=output,
                            stderr=subprocess.PIPE)
     assert trace.stdout

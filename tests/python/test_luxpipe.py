@@ -28,7 +28,8 @@ def children():
     return [name for name in mine.split() if name in ("ptrace", "ptaccum", "vcmetrics")]
 
 
-@pytest.mark.parametrize("module", ["luxpipe", "luxpipe._result", "luxpipe._render", "luxpipe._difference"])
+@pytest.mark.parametrize("module", ["luxpipe", "luxpipe._result", "luxpipe._render", "luxpipe._difference",
+                                    "luxpipe._radiance_bin"])
 def test_doctests(module):
     found = doctest.testmod(importlib.import_module(module), extraglobs={"luxpipe": luxpipe})
     assert found.attempted and not found.failed
