@@ -40,9 +40,16 @@ done)
         printf -- '* [%s](decisions/%s)\n' "$(sed -n 's/^# //p;/^# /q' "$page" | head -n 1)" "$(basename "$page")"
     done
 } > "$out/docs/decisions.md"
-printf '# Python reference\n\n::: luxpipe\n    options:\n      members: [%s]\n' \
-    'render, frames, measure, read, Result, Interval, Error, Warning, evalglare, rpict' > "$out/docs/api.md"
+printf '# Python reference\n\n::: luxpipe\n    options:\n      members: [%s]\n\n## luxpipe.plot\n\n::: luxpipe.plot\n' \
+    'render, frames, measure, read, difference, Result, Interval, Error, Warning, evalglare, rpict' > "$out/docs/api.md"
+# Numbers under their names, and the head of a manual page over its width.
+cat > "$out/docs/site.css" << 'END'
+pre { tab-size: 12; }
+.man table.head, .man table.foot { width: 100%; }
+.head-vol, .foot-date { text-align: center; }
+.head-rtitle, .foot-os { text-align: right; }
+END
 
 cd "$top"
 "$out/venv/bin/mkdocs" build --strict --quiet -f mkdocs.yml
-find "$out/html" -name '*.html' | wc -l | sed "s|\$| pages: $out/html/index.html|"
+find "$out/html" -name '*.html' | wc -l | sed "s|\$| pages; with search: python3 -m http.server -d $out/html|"

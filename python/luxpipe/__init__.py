@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Glare metrics with intervals, of RADIANCE scenes, by luxpipe's programs.
 
->>> import luxpipe
->>> office = luxpipe.examples / "office"
->>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_1400.rad"]
->>> result = luxpipe.render(scene, office / "view.vf", until="Ev 2%", size=64)
->>> result["Ev"].lo < 2830 < result["Ev"].hi
-True
->>> result.converged
-True
->>> result.picture.shape
-(64, 64, 3)
+Examples:
+    >>> import luxpipe
+    >>> office = luxpipe.examples / "office"
+    >>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_1400.rad"]
+    >>> result = luxpipe.render(scene, office / "view.vf", until="Ev 2%", size=64)
+    >>> result["Ev"].lo < 2830 < result["Ev"].hi
+    True
+    >>> result.converged
+    True
+    >>> result.picture.shape
+    (64, 64, 3)
 
 A scene is files of RADIANCE (text, octrees) or the folder of a Honeybee model; a view is a view file or view options.
 `frames` gives the same step by step, `measure` measures pictures and arrays, `difference` compares two runs,

@@ -28,12 +28,13 @@ def difference(a: Run, b: Run, metrics: str = "Ev,DGP,DGPf", *, ci: float = 95, 
     size and frames share noise, so that their difference is known better than of independent runs.  Of pictures by
     themselves there is a difference without an interval.  options are further options of vcmetrics.
 
-    >>> office = luxpipe.examples / "office"
-    >>> room = [office / "materials.rad", office / "layout.rad"]
-    >>> a, b = [list(luxpipe.frames([*room, office / sky], office / "view.vf", size=32, max_frames=8))
-    ...         for sky in ("sky_overcast.rad", "sky_1400.rad")]
-    >>> luxpipe.difference(a, b)["Ev"].lo > 0
-    True
+    Examples:
+        >>> office = luxpipe.examples / "office"
+        >>> room = [office / "materials.rad", office / "layout.rad"]
+        >>> a, b = [list(luxpipe.frames([*room, office / sky], office / "view.vf", size=32, max_frames=8))
+        ...         for sky in ("sky_overcast.rad", "sky_1400.rad")]
+        >>> luxpipe.difference(a, b)["Ev"].lo > 0
+        True
     """
     with tempfile.TemporaryDirectory() as folder:
         files = []

@@ -129,10 +129,11 @@ def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
     Ends when the rule of `until` holds, at `max_frames` or `max_seconds`, or when the loop is left; without any of
     these never.  One picture is held at a time, unless the caller keeps results.
 
-    >>> office = luxpipe.examples / "office"
-    >>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_1400.rad"]
-    >>> [step.frames for step in luxpipe.frames(scene, office / "view.vf", size=32, max_frames=4)]
-    [0, 1, 2, 3, 4]
+    Examples:
+        >>> office = luxpipe.examples / "office"
+        >>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_1400.rad"]
+        >>> [step.frames for step in luxpipe.frames(scene, office / "view.vf", size=32, max_frames=4)]
+        [0, 1, 2, 3, 4]
     """
     width, height = (size, size) if isinstance(size, int) else size
     trace = [*view_options(view), "-x", str(width), "-y", str(height), "-seed", str(seed)]
@@ -242,11 +243,12 @@ def measure(picture: PathLike | bytes | npt.NDArray[Any], metrics: str = "Ev,DGP
     An array holds radiance (height x width x 3, W/(sr m2)) or luminance (height x width, cd/m2), rows from the top, and
     needs its view.  options are further options of vcmetrics.
 
-    >>> import numpy
-    >>> grey = numpy.full((64, 64), 1000.0)
-    >>> ev = luxpipe.measure(grey, view="-vta -vh 180 -vv 180")["Ev"].value
-    >>> abs(ev / (3.14159 * 1000) - 1) < 0.01
-    True
+    Examples:
+        >>> import numpy
+        >>> grey = numpy.full((64, 64), 1000.0)
+        >>> ev = luxpipe.measure(grey, view="-vta -vh 180 -vv 180")["Ev"].value
+        >>> abs(ev / (3.14159 * 1000) - 1) < 0.01
+        True
     """
     args = _measure_options(metrics, ci, regions)
     source: bytes | bytearray | Path

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import base64
 import html
+import json
 import math
 import os
 import tempfile
@@ -25,8 +26,9 @@ class Interval(NamedTuple):
 
     lo and hi are nan where no interval is known: in single pictures, and before the second frame.
 
-    >>> print(Interval(0.3508, 0.3506, 0.3510))
-    0.3508 (0.3506 to 0.351)
+    Examples:
+        >>> print(Interval(0.3508, 0.3506, 0.3510))
+        0.3508 (0.3506 to 0.351)
     """
 
     value: float
@@ -94,6 +96,16 @@ class Result:
         """Luminance in cd/m2: an array of height x width, rows from the top."""
         import numpy as np
         return self.picture @ (179 * np.array([0.265074, 0.670115, 0.064811], dtype=np.float32))
+
+    def sources(self, *options: str) -> list[dict[str, Any]]:
+        """Return the glare sources, a dict each, as `vcmetrics -sources` lists them; options are further ones (-b 5).
+
+        x and y count pixels from the lower left corner.  outline has closed lines x, y, x, y ... in pixels from the
+        upper left corner.
+        """
+        words = ["-sources", "-outlines", "-format", "jsonl", *options, "-"]
+        said = run("vcmetrics", words, _stream.alone(self._float_bytes()))
+        return [json.loads(line) for line in said.splitlines()]
 
     def _float_bytes(self) -> bytes | bytearray:
         if isinstance(self._source, Path):

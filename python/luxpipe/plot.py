@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plots of results, by matplotlib: how intervals narrow, and luminance in false colours.
+"""Plots of results, by matplotlib: how intervals narrow, luminance in false colours, glare sources.
 
->>> import luxpipe.plot
->>> office = luxpipe.examples / "office"
->>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_1400.rad"]
->>> steps = list(luxpipe.frames(scene, office / "view.vf", size=32, max_frames=8))
->>> axes = luxpipe.plot.intervals(steps, "DGP")
->>> axes = luxpipe.plot.falsecolor(steps[-1])
+Examples:
+    >>> import luxpipe.plot
+    >>> office = luxpipe.examples / "office"
+    >>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_1400.rad"]
+    >>> steps = list(luxpipe.frames(scene, office / "view.vf", size=32, max_frames=8))
+    >>> axes = luxpipe.plot.intervals(steps, "DGP")
+    >>> axes = luxpipe.plot.sources(steps[-1])
 """
 
 from __future__ import annotations
@@ -45,4 +46,21 @@ def falsecolor(result: Result, axes: Any = None, decades: float = 3) -> Any:
     shown = axes.imshow(np.maximum(luminance, top / 10**decades), norm=LogNorm(top / 10**decades, top), cmap="turbo")
     axes.set_axis_off()
     axes.figure.colorbar(shown, ax=axes, label="cd/m2")
+    return axes
+
+
+def sources(result: Result, axes: Any = None, *options: str) -> Any:
+    """Show glare sources: their outlines over the false colours, with shares of DGP (from 0.5 %); return the axes.
+
+    options are those of `Result.sources`.
+    """
+    axes = falsecolor(result, axes)
+    height = len(result.luminance)
+    for source in result.sources(*options):
+        for line in source["outline"]:
+            x, y = ([corner - 0.5 for corner in line[start::2]] for start in (0, 1))
+            axes.fill(x, y, fill=False, edgecolor="white")
+        if source["DGPshare"] >= 0.005:
+            axes.annotate(f"{source['DGPshare']:.0%}", (source["x"], height - 1 - source["y"]), color="white",
+                          ha="center", va="center")
     return axes

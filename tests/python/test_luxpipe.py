@@ -185,6 +185,34 @@ def test_plots():
     assert found.attempted and not found.failed
 
 
+def test_sources(office):
+    found = office.sources()
+    assert sum(source["DGPshare"] for source in found) == pytest.approx(1, abs=1e-4)
+    assert len(office.sources("-b", "1e6")) == 0
+
+
+def test_sources_are_drawn_where_they_are(office):
+    pytest.importorskip("matplotlib").use("Agg")
+    plot = importlib.import_module("luxpipe.plot")
+    axes = plot.sources(office)
+    found = office.sources()
+    shares = {text.get_text(): text.xy for text in axes.texts}
+    assert len(axes.texts) == sum(source["DGPshare"] >= 0.005 for source in found)
+    window = max(found, key=lambda source: source["DGPshare"])
+    (x, y), inside = shares[f"{window['DGPshare']:.0%}"], [patch.get_path() for patch in axes.patches]
+    assert any(path.get_extents().contains(x, y) for path in inside)
+    assert all(0 <= v <= 64 for path in inside for v in path.vertices.ravel() + .5)
+
+
+def test_intervals_are_drawn(office):
+    pytest.importorskip("matplotlib").use("Agg")
+    steps = [step for step in luxpipe.frames(SCENE, VIEW, size=16, max_frames=8)]
+    axes = importlib.import_module("luxpipe.plot").intervals(steps, "Ev")
+    frames, values = axes.lines[0].get_data()
+    assert list(frames) == list(range(1, 9)) and values[-1] == steps[-1]["Ev"].value
+    assert axes.get_xscale() == "log" and axes.get_ylabel() == "Ev"
+
+
 def test_progress_on_a_terminal():
     pytest.importorskip("tqdm")
     terminal, end = os.openpty()
