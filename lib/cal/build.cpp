@@ -88,7 +88,7 @@ int GraphBuilder::name(const Expr* e, const Environment& env) {
 int GraphBuilder::variable(const Definition& def) {
     const auto known = variables_.find(&def);
     if (known != variables_.end()) {
-        if (known->second < 0) fail("definition of \"" + def.name + "\" (" + def.place + ") needs itself");
+        if (known->second < 0) fail("definition of \"" + def.name + "\" (" + def.place + ") refers to itself");
         return known->second;
     }
     variables_[&def] = -1;

@@ -266,7 +266,7 @@ bool StreamReader::next(Picture& picture) {
     picture.header = std::move(head.header);
     if (encoding.spectra)
         base::fail(place, "is a hyperspectral picture (FORMAT=Radiance_spectra): only specpict reads such");
-    if (encoding.moments) base::fail(place, "is a layer (LAYER=moments) of a picture that does not come before it");
+    if (encoding.moments) base::fail(place, "is a layer (LAYER=moments) without its picture before it");
     if (encoding.format == Format::flt) {
         if (encoding.channels != 1 && encoding.channels != 3)
             base::fail(place, "NCOMP=" + std::to_string(encoding.channels) + ": float pictures have 1 or 3 channels");

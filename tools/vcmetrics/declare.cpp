@@ -52,14 +52,15 @@ void declare_output(OptionTable& t, Options& o) {
 
 void declare_comparison(OptionTable& t, Options& o) {
     t.group("When to stop, and comparing");
-    t.add("-until rule", "Stop when numbers are so certain, for instance 'DGP 0.01, Ev 1%, class'", o.until);
+    t.add("-until rule", "Stop when the numbers are this certain, for instance 'DGP 0.01, Ev 1%, class'", o.until);
     t.add("-go-on", "A column, settled, says that the rule holds, and the run goes on", o.go_on);
     t.add("-max-frames n", "Stop at this number of frames",
           [&](Arguments& a) { o.max_frames = a.integer(base::within(1, 1e15)); });
     t.add("-max-seconds s", "Stop when so much time is over", o.max_seconds).above(0);
     t.add("-control fifo", "End each picture of the stream by itself: \"next\" to this FIFO of ptrace", o.control);
     t.add("-compare", "Compare two inputs: pictures, streams, recorded tables or evalglare's lines", o.compare);
-    t.add("-difference", "What metrics differ by in two pictures or streams, with its interval", o.difference);
+    t.add("-difference", "Print the difference of each metric between two pictures or streams, with its interval",
+          o.difference);
     t.add("-tolerance rules", "For -compare: 'DGP 0.01, Ev 1%, all 2%', or a file of such lines", o.tolerances);
 }
 

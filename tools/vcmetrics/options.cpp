@@ -73,7 +73,7 @@ void check(const Options& o) {
     for (const std::string& drawn : {o.over_file, o.check_file})
         if (!drawn.empty()) base::keep_inputs({drawn}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);
     if (o.go_on && (o.until.empty() || !o.control.empty()))
-        base::fail("-go-on", "goes on where the rule of -until holds, and cannot be used with -control");
+        base::fail("-go-on", "needs -until, and cannot be used with -control");
     if (!o.files.empty() && o.against != report::EarlierEdit::none)
         base::fail("-against", "works on a stream, not on files");
     if (o.difference) {
