@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A machine that runs paths: the CPU with the shared code compiled natively, or an OpenCL device.
+// A device that runs paths: the CPU with natively compiled kernels, or an OpenCL device.
 #pragma once
 #include <atomic>
 #include <memory>
@@ -13,45 +13,48 @@ namespace device {
 
 using kernels::Params;
 
-// A straight ray from the eye to a point of active source `source`, and the share of a pixel it stands for.
+// A straight ray from the eye to a point of active source `source`; weight: the fraction of a pixel that the point
+// represents.
 struct SplatRay {
     float org[3], dir[3], dist, weight;
     uint32_t source;
 };
 
-// Thrown by run(), splat() and pilot() when they end early (Device::cancel_when).
+// Thrown by run(), splat() and pilot() when they are cancelled (Device::cancel_when).
 struct Cancelled {};
 
 class Device {
 public:
     virtual ~Device() = default;
     virtual std::string name() const = 0;
-    // Builds the device's BVH and takes the tables, in place of those it had.  A processor reads them where they are.
+    // Builds the device's BVH and uploads the tables, in place of the previous scene's.  The CPU reads the tables in
+    // place.
     virtual void upload(std::shared_ptr<const flatten::FlatScene> scene) = 0;
-    // Numbers first .. first + count - 1 of that scene (FlatScene::f) have changed: which sources are drawn depends on
-    // the view.
+    // Entries first .. first + count - 1 of that scene's float table (FlatScene::f) have changed: the splatted emitters
+    // depend on the view.
     virtual void update_float_table(size_t first, size_t count) = 0;
-    // Runs par.path_count paths; rgb gets 3 floats a path, or, where paths share, for each sample of the picture's
+    // Runs par.path_count paths; rgb gets 3 floats for each path or, with path reuse, for each sample of the picture's
     // pixels.
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
     // MODE_SPLAT: radiance times weight for each ray, 3 floats each.
     virtual void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) = 0;
-    // MODE_PILOT: how the pilot of each ray ends.
+    // MODE_PILOT: the end of the pilot path of each ray.
     virtual void pilot(const Params& par, const std::vector<PilotRay>& rays, std::vector<PilotEnd>& ends) = 0;
     // Pixels with several samples in each frame (FOCUS_WORDS of kernels/tables.h), for the passes that follow.
     virtual void set_focus(std::vector<uint32_t> entries) = 0;
-    // Paths to hand over at once, so that the device is full.
+    // Number of paths to run at once, so that the device is busy.
     virtual uint32_t preferred_batch_size() const = 0;
-    // Names the bits of a device that gives others than the processor does (self_test.h), for the fingerprint.
+    // Names the bits of a device whose results differ from the processor's (self_test.h), for the fingerprint.
     virtual std::string own_bits() const { return ""; }
     virtual void set_own_bits(std::string) {}
-    // For the self-test: everything that the device's results depend on (driver, version, options), empty where there
-    // is nothing to test; and, after a frame, the first n values of kernels/self_test.h as the device computes them.
+    // For the self-test: identity() is everything on which the device's results depend (driver, version, options),
+    // empty if there is nothing to test; self_test_numbers(n) are, after a frame, the first n values of
+    // kernels/self_test.h as the device computes them.
     virtual std::string identity() { return ""; }
     virtual std::vector<float> self_test_numbers(uint32_t) { return {}; }
-    // Is the host free while it runs?
+    // Returns true if the host is free while the device runs.
     virtual bool is_async() const { return false; }
-    // Where this is true, what runs ends within a tile of paths (OpenCL: a bounce of them) with Cancelled.
+    // While *asked is true, a running pass ends with Cancelled, within a tile of paths (OpenCL: one bounce of them).
     virtual void cancel_when(const std::atomic<bool>* asked) { cancel_ = asked; }
 
 protected:
@@ -61,16 +64,16 @@ protected:
     const std::atomic<bool>* cancel_ = nullptr;
 };
 
-// name: "cpu", or for tests "cpu:NAME" with an instruction set (baseline, avx2: one path at a time) or
-// many paths side by side (lanes8, lanes16: where ispc was there when luxpipe was built).
+// name: "cpu" or, for tests, "cpu:NAME": one path at a time (baseline, avx2), or paths side by side (lanes8, lanes16;
+// builds with ispc).
 std::unique_ptr<Device> make_cpu_device(const std::string& name);
-// Are these kernels in the program, and has this machine their instructions?
+// Returns true if the program contains these kernels and this machine has their instructions.
 bool has_cpu_variant(const std::string& name);
 // name: "opencl[:index][:compact|bvh8][:gpu]" (opencl_list.h), index among all OpenCL devices, GPUs first.  Throws
-// Error (system) without any.  It has not passed a self-test yet: that is lib/render.
+// Error (system) without such a device.  The device has not passed a self-test yet: see lib/render.
 std::unique_ptr<Device> make_opencl_device(const std::string& name);
-// "opencl:0 NVIDIA H200 (GPU, NVIDIA CUDA)" each; empty without an OpenCL platform.  Both ask in a child process, which
-// a failing driver may end; it costs a warning.
+// "opencl:0 NVIDIA H200 (GPU, NVIDIA CUDA)" each; empty without an OpenCL platform.  Both ask in a child process,
+// because a failing driver may abort; that costs a warning.
 std::vector<std::string> opencl_devices();
 bool opencl_has_gpu();
 
