@@ -7,6 +7,7 @@
 #include <limits>
 #include "base/error.h"
 #include "report/compare.h"
+#include "glare/columns.h"
 #include "glare/measure.h"
 #include "glare/rammg.h"
 #include "report/until.h"
@@ -49,12 +50,24 @@ double rect_rammg(int w, int h, const std::vector<double>& cdm2) {
     return rect;
 }
 
+// The value of a column, such as "DGP".
+double column(const std::string& name, const image::Picture& picture, const view::View& view) {
+    ColumnChoice choice;
+    choice.names = {name};
+    Requirements requirements;
+    const Column column = choose_columns(choice, {}, requirements).at(0);
+    image::Picture copy = picture;
+    return column.value(PictureAnalyzer({}, requirements, {}).measure(copy, "test", view));
+}
+
 }  // namespace
 
 // A dome of constant luminance L gives Ev = pi L, mean L, and no contrast.  The rim is cut to whole pixels: 1e-4.
 TEST_CASE("a uniform dome") {
     const int n = 256;
     image::Picture p = picture(n, n, std::vector<double>(size_t(n) * n, 1000));
+    CHECK(column("Ev", p, fisheye()) == doctest::Approx(1000 * pi).epsilon(1e-4));
+    CHECK(column("UGR", p, fisheye()) == 0);
     PictureAnalyzer analyzer({}, {}, {});
     const Measurement m = analyzer.measure(p, "dome", fisheye());
     CHECK(m.ev == doctest::Approx(1000 * pi).epsilon(1e-4));
