@@ -27,8 +27,8 @@ class Accumulator {
 public:
     // Does this frame begin a sum of its own?  Frame 0 does, and the first one of another view or sky (VIEWNAME=).
     bool restarts(const image::Header& frame) const;
-    // The next frame of the stream (FRAME=k in its header).  Throws Error (place) for a
-    // frame missing, repeated or out of order, and for another size, view, seed or fingerprint inside one sum.
+    // The next frame of the stream (FRAME=k in its header).  Throws Error (place) for a frame missing, repeated
+    // or out of order, and for another size, view, seed or fingerprint inside one sum.
     void add(const image::Picture& frame, const std::string& place);
     // Goes on from a sum made before: its frames of one seed, without holes, frame 0 known apart.  The next frame is
     // the one after its last; frame 0 does not restart it.

@@ -4,8 +4,8 @@
 // half have one error in common.  Half-samples of n frames see 2/n of its variance, up to n = m, and miss 3/4 (m/n)^2
 // of it afterwards.
 //
-// Each pixel's error e of frame 0 is half the difference of the frames of both halves.  Images L' +-
-// e, with a random sign for each pixel and e scaled to what is missing, add the rest of the variance.
+// Each pixel's error e of frame 0 is half the difference of the frames of both halves.  Images L' + e and L' - e, with
+// a random sign for each pixel and e scaled to what is missing, add the rest of the variance.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -14,9 +14,8 @@
 
 namespace uncertainty {
 
-constexpr int frame0_pairs = 4;  // of images
-constexpr int64_t frame0_matters =
-    64;  // frames; afterwards less than a tenth of the variance of direct noise is missing
+constexpr int frame0_pairs = 4;         // of images
+constexpr int64_t frame0_matters = 64;  // frames; then less than a tenth of the variance of direct noise is missing
 
 // By pixel, from the first frames, 3 to 8 parts of one frame each.  Its square is the variance that differences of
 // frames show beyond that of the diffuse samples in them, averaged over 3 x 3 pixels; its sign is that of the

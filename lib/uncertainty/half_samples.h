@@ -5,10 +5,9 @@
 // than a factor of 2); an odd one out is a stratum by itself.  Half-sample k takes one part of each stratum by row k of
 // the Hadamard matrix of order 8; half-sample k + 8 takes the others.
 //
-// Samples are points of a base-2 sequence
-// (kernels/sampling/sampler.h), of which every eighth one has the same first three digits: the units of a stratum are
-// alike, as in collapsed strata of systematic samples (Wolter 2007, chapter 8), so that their differences do not count
-// what the sequence spreads evenly.
+// Samples are points of a base-2 sequence (kernels/sampling/sampler.h), of which every eighth one has the same first
+// three digits: the units of a stratum are alike, as in collapsed strata of systematic samples (Wolter 2007, chapter
+// 8), so that their differences do not count what the sequence spreads evenly.
 #pragma once
 #include <cstddef>
 #include <cstdint>

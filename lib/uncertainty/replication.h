@@ -27,8 +27,7 @@ enum class NoiseBias { none, variance, deviation };
 Estimate brr(double whole, const std::vector<double>& replicates, const Frames& frames, NoiseBias bias, double q);
 
 // Delete-one jackknife for groups of unequal size (Busing, Meijer and van der Leeden, Statistics and Computing 9,
-// 1999), with the skewness of the groups.  without: the quantity of the mean without each part.
-// With n frames, m_j in
+// 1999), with the skewness of the groups.  without: the quantity of the mean without each part.  With n frames, m_j in
 // part j and x_j = (n - m_j)/m_j (whole - without_j):
 //     error^2 = 1/n sum m_j (x_j - mean x)^2 / (parts - 1)
 // ratio: the jackknife's bias is taken off, too.

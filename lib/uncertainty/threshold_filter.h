@@ -5,8 +5,8 @@
 // v')), v the variances of both means (a sigma filter: Lee, Computer Vision, Graphics and Image Processing 24, 1983,
 // with Tukey's weights).
 //
-// The weights are fixed by the whole mean and applied as the same linear combination to each
-// replicate, so that the filtered value varies among replicates as frames make it vary.
+// The weights are fixed by the whole mean and applied as the same linear combination to each replicate, so that the
+// filtered value varies among replicates as frames make it vary.
 #pragma once
 #include <cstddef>
 #include <cstdint>
