@@ -30,7 +30,7 @@ def options():
     p.add_argument('-ci', default='95', help='percent')
     p.add_argument('-through', choices=['stream', 'batches', 'merge'], default='stream',
                    help='intervals of the stream, of a file with batches, or of the merged files of two seeds')
-    p.add_argument('-least', type=int, default=64, help='fewest frames at which -until may stop')
+    p.add_argument('-least', type=int, default=16, help='fewest frames at which -until may stop')
     p.add_argument('-truth', help='recorded values (of record) in place of those of the other seeds')
     p.add_argument('-do', default='trace,truth,measure,judge', help='also: record, classes, check')
     return p.parse_args()

@@ -268,7 +268,7 @@ TEST_CASE("the threshold filter") {
     for (size_t i = 0; i < out.size(); ++i) CHECK(fboth[i] == doctest::Approx(2 * fa[i] - fb[i]).epsilon(1e-4));
 }
 
-// Looks from 64 frames on, each sqrt 2 times as late, at a value that lies on the bound of two classes: claiming either
+// Looks from 16 frames on, each sqrt 2 times as late, at a value that lies on the bound of two classes: claiming either
 // class is wrong half of the time, as the truth would lie a hair beyond the bound on one side of it.
 TEST_CASE("the class is wrong in at most five of a hundred runs") {
     const int trials = 2000;
@@ -279,7 +279,7 @@ TEST_CASE("the class is wrong in at most five of a hundred runs") {
     for (int trial = 0; trial < trials; ++trial) {
         std::vector<double> sums(16, 0);
         int64_t n = 0;
-        for (int64_t next = 64; next < 12000; next = int64_t(std::ceil(double(n) * std::sqrt(2.)))) {
+        for (int64_t next = least_frames; next < 6000; next = int64_t(std::ceil(double(n) * std::sqrt(2.)))) {
             std::vector<double> x;
             const Frames frames = frames_after(next), before = frames_after(n);
             for (size_t p = 0; p < 16; ++p) {

@@ -46,13 +46,12 @@ public:
           stopping_(o, measured_.columns()),
           against_(o.against) {
         const bool shown_intervals = o.ci || o.against != EarlierEdit::none;
-        bool shown = shown_intervals, watches_pixels = false, needs_steps = shown || !o.until.empty();
+        bool shown = shown_intervals, needs_steps = shown || !o.until.empty();
         for (const Column& c : measured_.columns()) {
             shown |= c.printed && c.printed_unbiased;
             needs_steps |= c.printed_unbiased && !c.of_filled;
-            watches_pixels |= !c.printed;
         }
-        const int64_t first_look = shown ? 0 : watches_pixels ? Stopping::least_frames_of_pixels : least_frames;
+        const int64_t first_look = shown ? 0 : least_frames;
         if (shown || !o.until.empty())
             steps_ = std::make_unique<Steps>(measured_.analyzer(), measured_.columns(), first_look, needs_steps);
     }

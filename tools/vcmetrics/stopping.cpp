@@ -60,9 +60,9 @@ bool Stopping::rule_holds(const Line& line, std::string& reason, std::string& ou
     for (size_t k : watched_) estimates.push_back(estimate(k));
     for (const auto& k : pixels_) pixels.of_tolerances.push_back(of_pixels(k));
     const uncertainty::Estimate dgp = estimate(dgp_);
-    if (line.frames >= least_frames_of_pixels)
-        out_of_reach = rule_->out_of_reach(estimates, dgp, pixels, line.width, line.height);
-    if (line.frames < uncertainty::least_frames || !rule_->holds(estimates, dgp, pixels)) return false;
+    if (line.frames < uncertainty::least_frames) return false;
+    out_of_reach = rule_->out_of_reach(estimates, dgp, pixels, line.width, line.height);
+    if (!rule_->holds(estimates, dgp, pixels)) return false;
     reason = rule_->reason(estimates, dgp, pixels);
     return true;
 }

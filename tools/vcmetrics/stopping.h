@@ -27,8 +27,6 @@ public:
         int width = 0, height = 0;
         bool last = false;  // its stream announces no more frames
     };
-    // What pixels do is known from so many frames on.
-    static constexpr int64_t least_frames_of_pixels = 16;
     // When it is measured: does the rule hold?
     void look(const Line& line);
     bool held() const { return held_; }  // for this picture
