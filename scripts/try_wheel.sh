@@ -3,7 +3,7 @@
 # try_wheel.sh WHEEL [FOLDER]: does the wheel stand by itself?  It is installed in a fresh virtual environment here,
 # then in empty Debians 12 and 13 (made by debootstrap in FOLDER where there are none yet; else in a folder that is
 # removed again) with python3-venv, without a compiler and without OpenCL.  There README's pipe runs, frames have the
-# bits of tests/golden/bits.tsv, vcview answers and `import luxpipe` renders.  As root, with a network.
+# bits of tests/golden/bits.tsv, vcview and luxpipe-live answer and `import luxpipe` renders.  As root, with a network.
 set -euo pipefail
 wheel=$(realpath "$1") top=$(realpath "$(dirname "$0")/..")
 work=$(mktemp -d)
@@ -25,6 +25,17 @@ frames | ptaccum -every x2/4 | vcmetrics -metrics Ev,DGP,DGPf -ci 95 -until 'DGP
 echo "the first DGP: $(($(date +%s) - started)) s"
 frames -frames 3 | ptaccum | vcview -- vcmetrics > /dev/null 2> "$TMPDIR/said"
 grep -q 'http://' "$TMPDIR/said"
+luxpipe-live -regions "$TMPDIR/regions" -vf view.vf -x 64 -y 64 materials.rad layout.rad sky_day.rad \
+    > "$TMPDIR/lines" 2> "$TMPDIR/said" & live=$!
+for i in $(seq 1200); do [ "$(wc -l < "$TMPDIR/lines")" -lt 4 ] || break; sleep .05; done
+"$1"/python << 'PYTHON'
+import os, re, urllib.request
+folder = os.environ["TMPDIR"]
+address = re.search(r"http://[^/]+/", open(folder + "/said").read())[0]
+page = urllib.request.urlopen(address).read()
+print("luxpipe-live:", len(page), "bytes of page;", len(open(folder + "/lines").readlines()), "lines")
+PYTHON
+kill $live; wait $live
 "$1"/python << 'PYTHON'
 import luxpipe
 scene = [luxpipe.examples / "office" / name for name in ("materials.rad", "layout.rad", "sky_1400.rad")]
