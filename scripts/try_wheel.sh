@@ -27,6 +27,7 @@ frames -frames 3 | ptaccum | vcview -- vcmetrics > /dev/null 2> "$TMPDIR/said"
 grep -q 'http://' "$TMPDIR/said"
 luxpipe-live -regions "$TMPDIR/regions" -vf view.vf -x 64 -y 64 materials.rad layout.rad sky_day.rad \
     > "$TMPDIR/lines" 2> "$TMPDIR/said" & live=$!
+trap 'kill $live 2> /dev/null || :' EXIT
 for i in $(seq 1200); do [ "$(wc -l < "$TMPDIR/lines")" -lt 4 ] || break; sleep .05; done
 "$1"/python << 'PYTHON'
 import os, re, urllib.request
