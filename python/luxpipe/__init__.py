@@ -19,6 +19,7 @@ A scene is files of RADIANCE (text, octrees) or the folder of a Honeybee model; 
 these print when they fail is the text of `luxpipe.Error`.
 """
 
+from . import plot
 from ._difference import difference
 from ._programs import Error, HERE as _HERE
 from ._radiance import evalglare, rpict, rtrace
@@ -30,8 +31,8 @@ examples = _HERE / "examples"
 if not examples.is_dir():  # a clone
     examples = _HERE.parents[1] / "examples" / "scenes"
 
-__all__ = ["Error", "Interval", "Result", "Warning", "difference", "evalglare", "examples", "frames", "measure", "read",
-           "render", "rpict", "rtrace"]
+__all__ = ["Error", "Interval", "Result", "Warning", "difference", "evalglare", "examples", "frames", "measure", "plot",
+           "read", "render", "rpict", "rtrace"]
 
 
 def __getattr__(name: str) -> object:

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 Run = Union[str, "os.PathLike[str]", Sequence[Result]]
 
 
-def difference(a: Run, b: Run, metrics: str = "Ev,DGP,DGPf", *, ci: float = 95, regions: PathLike | None = None,
-               options: Sequence[str] = ()) -> dict[str, Interval]:
+def difference(a: Run, b: Run, metrics: str | Sequence[str] = "Ev,DGP,DGPf", *, ci: float = 95,
+               regions: PathLike | None = None, options: Sequence[str] = ()) -> dict[str, Interval]:
     """Return what b is above a, an `Interval` for each metric; one that does not hold 0 tells the two apart.
 
     A run is an OpenEXR file of ``ptaccum -batches 16``, or the list of results of `frames`.  Two runs of the same seed,

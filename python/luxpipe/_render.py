@@ -48,8 +48,9 @@ def _files(scene: PathLike | Sequence[PathLike]) -> list[str]:
     return files
 
 
-def _measure_options(metrics: str, ci: float, regions: PathLike | None) -> list[str]:
-    options = ["-format", "jsonl", "-ci", str(ci), "-metrics", metrics]
+def _measure_options(metrics: str | Sequence[str], ci: float, regions: PathLike | None) -> list[str]:
+    names = metrics if isinstance(metrics, str) else ",".join(metrics)
+    options = ["-format", "jsonl", "-ci", str(ci), "-metrics", names]
     return options + (["-regions", os.fspath(regions)] if regions is not None else [])
 
 
@@ -120,7 +121,7 @@ class _Pipeline:
 
 
 def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], until: str | None = None, *,
-           size: int | tuple[int, int] = 512, metrics: str = "Ev,DGP,DGPf", ci: float = 95,
+           size: int | tuple[int, int] = 512, metrics: str | Sequence[str] = "Ev,DGP,DGPf", ci: float = 95,
            regions: PathLike | None = None, every: str = "x2/16", max_frames: int | None = None,
            max_seconds: float | None = None, seed: int = 1, options: Sequence[str] = (),
            measure_options: Sequence[str] = ()) -> Iterator[Result]:
@@ -159,7 +160,7 @@ def frames(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
 
 
 def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str], until: str | None = "DGPf 0.01", *,
-           size: int | tuple[int, int] = 512, metrics: str = "Ev,DGP,DGPf", ci: float = 95,
+           size: int | tuple[int, int] = 512, metrics: str | Sequence[str] = "Ev,DGP,DGPf", ci: float = 95,
            regions: PathLike | None = None, every: str = "x2/16", max_frames: int | None = 1000,
            max_seconds: float | None = None, seed: int = 1, options: Sequence[str] = (),
            measure_options: Sequence[str] = ()) -> Result:
@@ -173,7 +174,7 @@ def render(scene: PathLike | Sequence[PathLike], view: PathLike | Sequence[str],
         view: a view file (path), or view options: "-vta -vp 2 1 1.2 -vd 0 1 0 -vh 180 -vv 180"
         until: half widths of 95 % intervals at which to stop, as "DGPf 0.01, Ev 1%" (vcmetrics -until); None for none
         size: pixels, of a square or (width, height)
-        metrics: names of what is measured; all are in vcmetrics(1)
+        metrics: names of what is measured, "Ev,DGP" or a list; all are in vcmetrics(1)
         ci: certainty of the intervals in percent
         regions: a file of regions (vcregion), for their TAL, mean ... and contrast
         every: after which frames to measure; "x2/16": 16 times while the number of frames doubles
@@ -235,7 +236,7 @@ def read(picture: PathLike | bytes) -> npt.NDArray[np.float32]:
     return Result({}, picture if isinstance(picture, bytes) else Path(picture)).picture
 
 
-def measure(picture: PathLike | bytes | npt.NDArray[Any], metrics: str = "Ev,DGP", *,
+def measure(picture: PathLike | bytes | npt.NDArray[Any], metrics: str | Sequence[str] = "Ev,DGP", *,
             view: PathLike | Sequence[str] | None = None, ci: float = 95, regions: PathLike | None = None,
             options: Sequence[str] = ()) -> Result:
     """Measure a picture: a file (RADIANCE's, OpenEXR), its bytes, or an array.

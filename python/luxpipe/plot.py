@@ -2,7 +2,7 @@
 """Plots of results, by matplotlib: how intervals narrow, luminance in false colours, glare sources.
 
 Examples:
-    >>> import luxpipe.plot
+    >>> import luxpipe
     >>> office = luxpipe.examples / "office"
     >>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_1400.rad"]
     >>> steps = list(luxpipe.frames(scene, office / "view.vf", size=32, max_frames=8))

@@ -104,6 +104,7 @@ def test_measure(hdr):
     assert by_path["Ev"] .value == by_bytes["Ev"].value and math.isnan(by_path["Ev"].lo)
     assert by_path.row["class"] in ("imperceptible", "perceptible")
     assert by_path.picture.shape == (64, 64, 3)
+    assert luxpipe.measure(hdr, ["Ev", "DGP"]).values == luxpipe.measure(hdr, "Ev,DGP").values
 
 
 def test_measure_regions(tmp_path):
