@@ -2,7 +2,7 @@
 # README.md shows what the commands give: its picture is the demo's, its lines are those of its pipe.
 . "${TOP:?}/tests/lib.sh"
 needs ptrace ptaccum vcmetrics
-picture=$TOP/$(sed -n 's/^!\[.*\](\(.*\))$/\1/p' "$TOP/README.md")
+picture=$TOP/$(sed -n 's/^!\[.*\](\(.*\))$/\1/p' "$TOP/README.md" | head -n 1)
 awk '/^```/ { n += !on; on = !on; next } on { print > ("block." n) }' "$TOP/README.md"  # 1: the pipe, 2: its lines
 demos() { sed -n '/^ptrace/s/ |$//p' "$TOP/examples/demo.sh" | tr -d '"'; }
 

@@ -102,9 +102,9 @@ got = page.chrome.execute_async_script('''
 without = lambda s: {k: v for k, v in s.items() if k not in ('frame', 'seconds')}
 check('with all of their numbers', [without(s) for s in got] == [without(s) for s in want_sources], got)
 rows = [[c.text for c in row.find_elements('tag name', 'td')] for row in page.find('#sources tbody tr')]
-check('the table has number, share and luminance', all(
+check('the table has number, share and luminance, the largest share first', all(
     int(r[0]) == s['source'] and r[1] == f"{100 * s['DGPshare']:.1f} %" and abs(float(r[2]) / s['L'] - 1) < 6e-4
-    for r, s in zip(rows, want_sources)), rows)
+    for r, s in zip(rows, sorted(want_sources, key=lambda s: -s['DGPshare']))), rows)
 
 # files
 page.chrome.execute_cdp_cmd('Browser.setDownloadBehavior',

@@ -36,15 +36,15 @@ check('it was seen in a preview', first > 0)
 hour = page.find('#skies input')[1]
 page.chrome.execute_script('arguments[0].scrollIntoView({block: "center"})', hour)
 hour.send_keys(Keys.ARROW_LEFT)
-check('the sun is moved, and the light at the eye differs', told_apart('overlay'), edits())
+check('the sun is moved, and the light at the eye differs', told_apart('21 Dec 13:45'), edits())
 page.chrome.execute_script('''
     const slide = (type, value) => {
         arguments[0].value = value;
         arguments[0].dispatchEvent(new Event(type, { bubbles: true }));
     };
     for (let k = 0; k < 12; k++) setTimeout(() => slide('input', 13 - k / 4), 60 * k);
-    setTimeout(() => slide('change', 10), 900);''', hour)
-check('a slider that is dragged is one edit', told_apart('overlay') and soon(lambda: len(edits()) == 4), edits())
+    setTimeout(() => slide('change', 10.25), 900);''', hour)
+check('a slider that is dragged is one edit', told_apart('21 Dec 10:15') and soon(lambda: len(edits()) == 4), edits())
 
 page.js('document.getElementById("model-file").selectedIndex = 1')
 page.chrome.execute_script('document.getElementById("model-file").dispatchEvent(new Event("change"))')
@@ -52,7 +52,7 @@ page.chrome.execute_script('document.getElementById("model-file").dispatchEvent(
 slats = page.one('#model-number input[type=range]')
 check('slats are counted', slats.get_attribute('step') == '1' and slats.get_attribute('min') == '1')
 slats.send_keys(Keys.END)
-check('a blind is lowered', told_apart('overlay') and soon(lambda: len(edits()) == 5), edits())
+check('a blind is lowered', told_apart('blind.rad: 20 → 40') and soon(lambda: len(edits()) == 5), edits())
 check('which is written to no file yet', '-a 20 ' in open('blind.rad').read())
 page.one('#model-undo').click()
 check('and undone', soon(lambda: len(edits()) == 6, SECONDS), edits())

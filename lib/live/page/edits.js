@@ -11,19 +11,23 @@ export function verdict(name, low, high) {
   if (!Number.isFinite(low) || !Number.isFinite(high)) return { text: '', kind: '' };
   if (low <= 0 && high >= 0) return { text: 'not told apart yet', kind: 'open' };
   const less = high < 0;
-  if (glare.test(name)) return less ? { text: 'better', kind: 'good' } : { text: 'worse', kind: 'bad' };
+  if (glare.test(name) && !name.endsWith('.px')) return less ? { text: 'better', kind: 'good' } : { text: 'worse', kind: 'bad' };
   if (/^VCP/.test(name)) return less ? { text: 'worse', kind: 'bad' } : { text: 'better', kind: 'good' };
   return { text: less ? 'lower' : 'higher', kind: 'other' };
 }
 
-const signed = (v) => (v > 0 ? '+' : v < 0 ? '−' : '') + short(Math.abs(v));
+const signed = (v) => (v > 0 ? '+' : v < 0 ? '−' : '') + short(Math.abs(v), 3);
 
 export class Edits {
   constructor() { this.what = new Map(); }
 
   // A picture tells what its edit was.
-  note(edit, what) { if (edit !== undefined && what !== 'preview') this.what.set(edit, what); }
-  name(edit) { return edit === undefined ? 'now' : `${edit} ${this.what.get(edit) ?? ''}`.trim(); }
+  // said: words of the page for what it has changed.
+  note(edit, what, said) {
+    if (edit === undefined || what === 'preview' || this.what.has(edit)) return;
+    this.what.set(edit, what === 'overlay' ? said || 'model' : what === 'scene' ? 'file saved' : what);
+  }
+  name(edit) { return edit === undefined ? 'now' : this.what.get(edit) ?? `edit ${edit}`; }
 
   // runs: of Lines, the newest last; names: metrics.
   fill(runs, names) {
@@ -56,9 +60,16 @@ export class Edits {
     const low = row[`${name}.d.lo`], high = row[`${name}.d.hi`], { text, kind } = verdict(name, low, high);
     const change = document.createElement('span'), word = document.createElement('strong');
     change.className = 'change';
-    change.textContent = `${signed(d)}` + (Number.isFinite(low) ? ` (${signed(low)} to ${signed(high)}) ` : ' ');
+    change.textContent = signed(d);
+    const parts = [value, document.createElement('br'), change];
+    if (Number.isFinite(low)) {
+      const interval = document.createElement('span');
+      interval.className = 'change';
+      interval.textContent = `(${signed(low)} to ${signed(high)})`;
+      parts.push(' ', interval);
+    }
     word.className = kind;
     word.textContent = text;
-    return [value, document.createElement('br'), change, word];
+    return [...parts, ' ', word];
   }
 }

@@ -15,7 +15,7 @@ import { Eye } from '/view.js';
 
 const $ = (id) => document.getElementById(id);
 
-const view = new PictureView($('canvas')), tones = new Tones(view), lines = new Lines(), chosen = new Set();
+const view = new PictureView($('canvas')), tones = new Tones(view), lines = new Lines(), chosen = new Set(), known = new Set();
 let news = { picture: 0, line: 0, files: 0 }, shown = null, ended;
 
 const regions = new Regions(view, () => shown?.eye ? shown : null);
@@ -24,18 +24,21 @@ const camera = new Camera(() => shown, () => regions.pivot());
 const probe = new Probe([(x, y) => regions.at(x, y).map((name) => `in ${name}`).join(', '), (x, y) => sources.at(x, y)]);
 
 function draw_numbers() {
-  if (!chosen.size) lines.metrics().slice(0, 3).forEach((name) => chosen.add(name));
+  const names = lines.metrics().filter((name) => !name.endsWith('.px'));  // a band in the plot of its metric
+  if (!known.size) names.slice(0, 2).forEach((name) => chosen.add(name));
+  else names.filter((name) => !known.has(name)).forEach((name) => chosen.add(name));  // of a region that is new
+  names.forEach((name) => known.add(name));
   fill_table($('table').tBodies[0], lines, chosen, (name) => {
     if (!chosen.delete(name)) chosen.add(name);
     draw_numbers();
   });
-  $('plots').replaceChildren(...[...chosen].map((name) => {
+  $('plots').replaceChildren(...[...chosen].filter((name) => lines.columns.includes(name)).map((name) => {
     const figure = document.createElement('figure'), caption = document.createElement('figcaption');
     caption.textContent = name;
     figure.append(caption, plot(name, lines.runs));
     return figure;
   }));
-  edits.fill(lines.runs, [...chosen]);
+  edits.fill(lines.runs, [...chosen].filter((name) => lines.columns.includes(name)));
   document.body.dataset.lines = lines.text.length;
 }
 
@@ -63,7 +66,7 @@ async function take(answer) {
     shown = { ...facts, rgb: new Float32Array(body.slice(4 + length)), eye: facts.view ? same ? shown.eye : new Eye(facts.view) : null };
     await tones.show(shown);
     if (!same) regions.fetch_outlines();
-    edits.note(facts.edit, facts.what);
+    edits.note(facts.edit, facts.what, sliders.said);
     camera.painted(facts.edit, facts.what);
     if (facts.what !== 'preview') sources.show(news.picture);
     document.body.dataset.picture = news.picture;

@@ -183,7 +183,7 @@ export class PictureView {
   }
 }
 
-export function short(v) {
+export function short(v, digits = 4) {
   return !Number.isFinite(v) ? String(v) : Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < .01) ? v.toExponential(1)
-    : Number(v.toPrecision(4)).toString();
+    : Number(v.toPrecision(digits)).toString();
 }

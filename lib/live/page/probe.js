@@ -22,7 +22,7 @@ export class Probe {
       if (answer.ok && this.at === at) {
         const p = await answer.json();
         if (p.direction)
-          $('probe').textContent = `${words}, ${short(p.angle)}° from the line of sight, direction ${p.direction.map(short).join(' ')}, ` +
+          $('probe').textContent = `${words}, ${short(p.angle)}° from the line of sight, direction ${p.direction.map((v) => short(v)).join(' ')}, ` +
             `solid angle ${short(p.omega)} sr, position index ${short(p.position)}`;
       }
     } finally {

@@ -8,8 +8,17 @@ const $ = (id) => document.getElementById(id);
 const clock = (h) => `${Math.floor(h)}:${String(Math.round(h % 1 * 60)).padStart(2, '0')}`;
 const date = (day) => { const [m, d] = date_of(day); return `${d} ${new Date(2001, m - 1, 1).toLocaleString('en', { month: 'short' })}`; };
 
+// Words for what differs in two texts of a file: the day and hour of a sky, or a number before and after.
+function difference_of(before, after, name) {
+  const sky = skies_in(after).find((s, k) => { const b = skies_in(before)[k]; return b && (b.day !== s.day || b.hour !== s.hour); });
+  if (sky) return `${date(sky.day)} ${clock(sky.hour)}`;
+  const old = numbers_in(before), changed = numbers_in(after).findIndex((n, k) => old[k]?.value !== n.value);
+  return changed < 0 ? name : `${name}: ${old[changed]?.value ?? ''} → ${numbers_in(after)[changed].value}`;
+}
+
 export class Sliders {
   constructor() {
+    this.said = '';  // of what was sent last
     this.files = [];  // { file: as on the disk, text: as it is shown, undone }
     this.chosen = null;  // the index of a number
     $('model-file').addEventListener('change', () => { this.chosen = null; this.show(); });
@@ -39,6 +48,7 @@ export class Sliders {
       try { await one.file.read(); } catch (e) { this.say(e.message); continue; }
       if (one.file.text === before) continue;
       one.sent = null;  // ptrace reads the file again
+      one.rested = one.file.text;
       if (one.text === before || one.text === one.file.text) one.text = one.file.text;
       else this.say(`${one.file.name} was changed on the disk; what you changed here is kept and not saved: Save writes it over that, Revert takes that.`);
       if (one === this.now) this.show();
@@ -90,12 +100,16 @@ export class Sliders {
     }
     if (!wrong && one.text !== one.sent) {
       const text = one.text, answer = await ask(`/overlay?n=${one.file.n}`, { method: 'POST', body: text });
-      if (answer.ok) one.sent = text;
-      else wrong = (await answer.text()).trim();
+      if (answer.ok) {
+        this.said = difference_of(one.rested ?? one.file.text, text, one.file.name);
+        one.sent = text;
+        if (!one.going) one.rested = text;
+      } else wrong = (await answer.text()).trim();
     }
     if (!one.going && one.small) {
       wrong ||= await command('go');
       one.small = Boolean(wrong);
+      one.rested = one.sent;
     }
     this.say(wrong);
     setTimeout(() => { one.sending = false; if (one.again || one.small > one.going) this.send(one); }, wrong ? 1000 : 100);

@@ -31,7 +31,7 @@ export class Sources {
       if (answer.status === 200) {
         const { picture: known, sources } = await answer.json();
         this.known = known;
-        this.all = sources;
+        this.all = sources.sort((a, b) => b.DGPshare - a.DGPshare);
         this.fill_table();
       } else if (answer.status !== 204) {
         this.known = picture;
@@ -67,9 +67,9 @@ export class Sources {
   draw(c, to, unit) {
     if (!this.open) return;
     const sorted = [...this.all].sort((a, b) => (a.source === this.chosen) - (b.source === this.chosen));
-    for (const s of sorted) outline(c, s.outline, to, unit, s.source === this.chosen ? chosen_css : css, s.source === this.chosen ? 3 : 1.5);
-    for (const s of sorted) {
-      if (s.DGPshare < .005 && s.source !== this.chosen) continue;  // specks
+    const seen = sorted.filter((s) => s.DGPshare >= .005 || s.source === this.chosen);  // others are specks
+    for (const s of seen) outline(c, s.outline, to, unit, s.source === this.chosen ? chosen_css : css, s.source === this.chosen ? 3 : 1.5);
+    for (const s of seen) {
       const [x, y] = to(...top_of(s.outline));
       label(c, `${s.source}: ${(100 * s.DGPshare).toFixed(0)} %`, x, y - 4 * unit, unit, css);
     }

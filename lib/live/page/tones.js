@@ -13,6 +13,7 @@ export class Tones {
       $(id).addEventListener('change', () => this.show());
     $('stops').addEventListener('input', () => { $('stops-value').value = $('stops').value; this.show(); });
     $('keep').addEventListener('click', () => this.keep());
+    new ResizeObserver(() => { if (this.table) this.draw_legend($('legend'), $('legend').hidden); }).observe($('canvas'));
   }
 
   keep() {
