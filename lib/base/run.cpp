@@ -62,7 +62,7 @@ void handle_signals() {
 
 namespace {
 
-void say(const char* tool, const std::string& text) { std::fprintf(stderr, "%s: %s\n", tool, printable(text).c_str()); }
+void say(const char* tool, const std::string& text) { base::say(std::string(tool) + ": " + printable(text)); }
 
 void say_counted_warnings(const char* tool, bool loud) {
     for (const auto& [fact, count] : take_warnings())
@@ -115,8 +115,10 @@ bool stdout_is_terminal() { return isatty(1); }
 
 bool stdin_is_terminal() { return isatty(0); }
 
+void say(const std::string& text) { std::fprintf(stderr, "%s%s\n", isatty(2) ? "\r\033[K" : "", text.c_str()); }
+
 void say_on_terminal(const std::string& text) {
-    if (isatty(2)) std::fprintf(stderr, "%s\n", text.c_str());
+    if (isatty(2)) say(text);
 }
 
 bool stdout_is_file() {

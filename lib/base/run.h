@@ -19,7 +19,9 @@ void write_stdout(const void* data, size_t bytes);
 void flush_stdout();
 bool stdout_is_terminal();  // no binary to a terminal
 bool stdin_is_terminal();
-void say_on_terminal(const std::string& text);  // a line on stderr if that is a terminal
+// A line on stderr; on a terminal in the place of a line of progress, which may be another program's.
+void say(const std::string& text);
+void say_on_terminal(const std::string& text);  // if stderr is a terminal
 bool stdout_is_file();                          // what is written is kept under a name
 bool stdout_is_closed();                        // the reader of the pipe has gone: for tools that write seldom
 void leave_stdout();                            // nothing will be written: whoever reads the pipe gets its end at once

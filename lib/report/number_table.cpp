@@ -41,11 +41,11 @@ const std::map<std::string, std::string> evalglare_names = {{"dgp", "DGP"},
 
 // Columns that tell rows apart; "seconds" tells nothing.
 bool is_label(const std::string& name) {
-    return name == "file" || name == "view" || name == "sky" || name == "frame" || name == "source";
+    return name == "file" || name == "view" || name == "sky" || name == "edit" || name == "frame" || name == "source";
 }
 
 bool is_metric(const std::string& name) {
-    return !is_label(name) && name != "seconds" && name != "class" && name != "tails";
+    return !is_label(name) && name != "seconds" && name != "settled" && name != "class" && name != "tails";
 }
 
 double number(const std::string& text, const std::string& place) {

@@ -11,7 +11,7 @@ namespace report {
 struct NumberTable {
     std::string name;                       // where it came from
     std::vector<std::string> names;         // metrics
-    std::vector<std::string> labels;        // columns that name a row: file, view, sky, frame, source
+    std::vector<std::string> labels;        // columns that name a row: file, view, sky, edit, frame, source
     std::vector<std::vector<double>> rows;  // one value for each metric
     std::vector<std::string> row_names;     // one for each row: what its labels say; empty without labels
 

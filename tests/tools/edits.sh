@@ -40,6 +40,10 @@ check '-against previous: the difference of files, once both edits have the same
     [ "$(column screen.CR.d < t | sed -n 34p)" = "$(awk "\$2 == \"screen.CR\" { print \$5 }" d)" ]
     vcmetrics -difference -metrics Ev dark.exr light.exr > back
     [ "$(column Ev.d < t | sed -n 51p)" = "$(column difference < back)" ]'
+check 'lines of edits are compared by frame and edit' '
+    live | ptaccum | vcmetrics -metrics Ev > t; { head -1 t; sed 1d t | sort -r; } > back; vcmetrics -compare t back
+    awk -v OFS="\t" "\$1 == 3 && \$3 == 1 { \$4 = 5 } 1" t > other
+    status=0; vcmetrics -compare t other > d || status=$?; [ $status = 5 ]; [ "$(grep "no$" d | cut -f 1)" = "3 1" ]'
 check '-against first: the third edit is the first again' '
     live | ptaccum | vcmetrics -metrics Ev -ci 90 -against first > t; [ "$(column Ev.d < t | sed -n 51p)" = 0 ]
     [ "$(head -1 t | cut -f 4-)" = "$(printf "Ev\tEv.lo\tEv.hi\tEv.d\tEv.d.lo\tEv.d.hi\ttails")" ]'

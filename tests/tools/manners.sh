@@ -9,7 +9,7 @@ on_terminal() { script -qec "$1" typescript < /dev/null > /dev/null; tr '\r' '\n
 if command -v script > /dev/null; then
     check 'bare vcmetrics says what it waits for' '
         on_terminal "timeout --foreground 1 vcmetrics </dev/tty || true" > t
-        grep -q "^vcmetrics: waits for pictures on the standard input" t'
+        grep -q "^.\[Kvcmetrics: waits for pictures on the standard input" t'
     check 'progress tells the last frame and the time left' '
         on_terminal "ptrace -w- -x 256 -y 256 -vta -vh 180 -vv 180 -vd 0 0 1 -vu 0 1 0 -frames 40 sky.rad | cat > x" |
             grep -qE "ptrace: frame [0-9]+ of 39, .* s left, "'
@@ -19,6 +19,24 @@ if command -v script > /dev/null; then
     check 'a row of a table takes the place of progress' '
         on_terminal "vcmetrics office256.hdr" | grep -q "^.\[Koffice256.hdr"
         vcmetrics office256.hdr | grep -q "^office256.hdr"'
+    # what stays on the screen, line by line
+    screen() {
+        python3 -c '
+import re, sys
+done, line, at = [], "", 0
+for text in re.findall(r"\r|\n|\x1b\[K|[^\r\n\x1b]+", sys.stdin.read()):
+    if text == "\r": at = 0
+    elif text == "\n": done.append(line); line, at = "", 0
+    elif text == "\x1b[K": line = line[:at]
+    else: line = line[:at] + text + line[at + len(text):]; at += len(text)
+print("\n".join(done))'
+    }
+    check 'a pipe has one line of progress, which is neither in the table nor in a message' '
+        on_terminal "ptrace -x 256 -y 256 -vta -vh 180 -vv 180 -vd 0 0 1 -vu 0 1 0 sky.rad | ptaccum |
+            vcmetrics -metrics Ev -max-frames 30" > t; grep -q "ptrace: frame" t
+        screen < typescript | sed "1d;/^$/d;/^Script/d" > s; grep -c "^[0-9]*.[0-9.]*.[0-9.]*$" s | grep -qx 31
+        grep -v "^[0-9]*.[0-9.]*.[0-9.]*$" s > others; sed "s/ after.*//" others | tr "\n" " " > t
+        grep -qx "frame.seconds.Ev vcmetrics: stopped " t'
 fi
 check 'options are completed' '
     . "$TOP/completions/luxpipe.bash"

@@ -8,6 +8,7 @@
 #include <chrono>
 
 #include "base/progress.h"
+#include "base/run.h"
 #include "base/shutdown.h"
 #include "film/accumulate.h"
 #include "image/header.h"
@@ -33,7 +34,7 @@ public:
         text += fmt::format(", {:.1f} s, {:.3g} s a frame, ", seconds, a_frame);
         if (last_ != Options::endless) text += fmt::format("{:.0f} s left, ", a_frame * double(last_ - k));
         text += device_;
-        if (line_due) fmt::print(stderr, "ptrace: {}\n", text);
+        if (line_due) base::say("ptrace: " + text);
         else progress_.show(text);
         while (line_due && next_s_ <= seconds) next_s_ += every_s_;
     }

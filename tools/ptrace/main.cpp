@@ -82,7 +82,7 @@ bool carry_out(F&& work) {
         work();
         return true;
     } catch (const base::Error& e) {
-        fmt::print(stderr, "ptrace: {}\n", e.text);
+        base::say("ptrace: " + e.text);
         return false;
     }
 }

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/printable.h"
+#include "base/run.h"
 #include "evalglare/source_finder.h"
 #include "region/open.h"
 #include "report/until.h"
@@ -27,7 +28,7 @@ std::vector<std::string> pixel_columns(const report::UntilRule& rule) {
     return out;
 }
 
-void tell(const base::Error& e) { fmt::print(stderr, "vcmetrics: {}\n", base::printable(e.text)); }
+void tell(const base::Error& e) { base::say("vcmetrics: " + base::printable(e.text)); }
 
 // Those of a view and size that regions cannot be drawn for are out of sight: told, and without a pixel.
 // gone: names that the file does not have any more.

@@ -8,6 +8,7 @@
 
 #include "base/command_pipe.h"
 #include "base/error.h"
+#include "base/run.h"
 #include "uncertainty/stopping.h"
 
 using namespace glare;
@@ -104,7 +105,7 @@ bool Stopping::after(const Line& line) {
     if (reason_.empty()) return false;
     const std::string what = label_.empty() ? "" : label_ + ": ";
     const char* const how = ends_all_ || !options_.go_on ? "stopped" : held_ ? "settled" : "cannot settle";
-    fmt::print(stderr, "vcmetrics: {}{} after {} frames: {}\n", what, how, line.frames, reason_);
+    base::say(fmt::format("vcmetrics: {}{} after {} frames: {}", what, how, line.frames, reason_));
     if (ends_all_) return true;
     done_ = true;
     if (!line.last && !options_.control.empty())
@@ -115,6 +116,6 @@ bool Stopping::after(const Line& line) {
 void Stopping::at_end() const {
     if (!has_rule() || held_ || done_ || options_.go_on) return;
     const std::string what = label_.empty() ? "the input" : label_;
-    fmt::print(stderr, "vcmetrics: {} ended after {} frames: -until does not hold\n", what,
-               std::max<int64_t>(frames_, 0));
+    base::say(
+        fmt::format("vcmetrics: {} ended after {} frames: -until does not hold", what, std::max<int64_t>(frames_, 0)));
 }

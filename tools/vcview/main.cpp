@@ -2,7 +2,6 @@
 // vcview - shows the pictures of a stream and the lines of metrics in a browser while they pass.  The bytes go on as
 // they came: to the program after "--", whose output and status become vcview's, or to the standard output. See
 // man/vcview.1.
-#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -84,7 +83,7 @@ int work(const Options& options) {
     if (!options.command.empty()) child.emplace(options.command);
     live::Live page;
     const live::Server server(page, options.server);
-    fmt::print(stderr, "vcview: {}\n", server.link());
+    base::say("vcview: " + server.link());
     live::Framer framer([&](image::Picture p) { page.put_picture(std::move(p)); });
 
     int status = 0;
