@@ -15,9 +15,8 @@ struct Span {
 
 class Geometry {
 public:
-    Geometry(const view::View& view, int width, int height)
-        : Geometry(std::make_unique<ViewGeometry>(view), width, height) {}
-    Geometry(std::unique_ptr<const ViewGeometry> rays, int width, int height);
+    Geometry(const view::View& view, int w, int h) : Geometry(std::make_unique<ViewGeometry>(view), w, h) {}
+    Geometry(std::unique_ptr<const ViewGeometry> rays, int w, int h);
 
     int width, height;
     view::Projector projector;

@@ -166,6 +166,7 @@ Matrix3 rgb_from_primaries(const std::array<double, 8>& p) { return product(rgb_
 void parse_header_line(const std::string& line, Header& h, Encoding& e, const std::string& where) {
     if (line.find('\t') != std::string::npos && line.find("EXPOSURE=") != std::string::npos) h.tabbed_exposure = true;
     if (line.compare(0, 2, "#?") == 0) return;
+    std::optional<std::string> t;
     if (view::is_view_line(line)) {
         view::View v = h.view.value_or(view::View());
         const bool command = line.compare(0, 5, "VIEW=") != 0;  // whose words mean many things
@@ -173,60 +174,60 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         if (view::parse_line(v, line, &wrong)) h.view = v;
         if (command) h.lines.push_back(line);  // is history, too
         else if (!wrong.empty()) base::fail(where, "header line \"" + line + "\": " + wrong);
-    } else if (auto t = value_of(line, "EXPOSURE=")) {
+    } else if ((t = value_of(line, "EXPOSURE="))) {
         multiply(h.exposure, numbers<1>(line, *t, where)[0], line, where);
-    } else if (auto t = value_of(line, "COLORCORR=")) {
+    } else if ((t = value_of(line, "COLORCORR="))) {
         const auto c = numbers<3>(line, *t, where);
         for (int i = 0; i < 3; ++i) multiply(e.colorcorr[i], c[i], line, where);
-    } else if (auto t = value_of(line, "PIXASPECT=")) {
+    } else if ((t = value_of(line, "PIXASPECT="))) {
         multiply(h.pixel_aspect, numbers<1>(line, *t, where)[0], line, where);
-    } else if (auto t = value_of(line, "PRIMARIES=")) {
+    } else if ((t = value_of(line, "PRIMARIES="))) {
         const auto p = numbers<8>(line, *t, where);
         for (int i = 1; i < 8; i += 2)
             if (!(p[i] > 0)) base::fail(where, "header line \"" + line + "\" is not a set of chromaticities");
         e.primaries = p;
-    } else if (auto t = value_of(line, "FORMAT=")) {
+    } else if ((t = value_of(line, "FORMAT="))) {
         e.spectra = *t == "Radiance_spectra";
         if (!e.spectra) e.format = format(line, *t, where);
-    } else if (auto t = value_of(line, "NCOMP=")) {
+    } else if ((t = value_of(line, "NCOMP="))) {
         e.channels = side(line, *t, where);
-    } else if (auto t = value_of(line, "LAYERS=")) {
+    } else if ((t = value_of(line, "LAYERS="))) {
         e.moments_follow = *t == "moments";
-    } else if (auto t = value_of(line, "LAYER=")) {
+    } else if ((t = value_of(line, "LAYER="))) {
         e.moments = *t == "moments";
-    } else if (auto t = value_of(line, "WAVELENGTH_SPLITS=")) {
+    } else if ((t = value_of(line, "WAVELENGTH_SPLITS="))) {
         e.splits = numbers<4>(line, *t, where);
         h.lines.push_back(line);
-    } else if (auto t = value_of(line, "NROWS=")) {
+    } else if ((t = value_of(line, "NROWS="))) {
         e.rows = side(line, *t, where);
-    } else if (auto t = value_of(line, "NCOLS=")) {
+    } else if ((t = value_of(line, "NCOLS="))) {
         e.columns = side(line, *t, where);
-    } else if (auto t = value_of(line, "BigEndian=")) {
+    } else if ((t = value_of(line, "BigEndian="))) {
         e.big_endian = integer<int>(line, *t, where) != 0;
-    } else if (auto t = value_of(line, "SEED=")) {
+    } else if ((t = value_of(line, "SEED="))) {
         const auto seed = integer<uint64_t>(line, *t, where);
         bool told = h.seed == seed;
         for (const auto& other : h.other_seeds) told = told || other.first == seed;
         if (told) base::fail(where, "header line \"" + line + "\" comes twice");
         if (h.seed) h.other_seeds.push_back({seed, {}});
         else h.seed = seed;
-    } else if (auto t = value_of(line, "FRAME=")) {
+    } else if ((t = value_of(line, "FRAME="))) {
         h.frame = frame_number(line, *t, where);
-    } else if (auto t = value_of(line, "FRAMES=")) {
+    } else if ((t = value_of(line, "FRAMES="))) {
         h.frames = integer<int64_t>(line, *t, where);
-    } else if (auto t = value_of(line, "LASTFRAME=")) {
+    } else if ((t = value_of(line, "LASTFRAME="))) {
         h.last_frame = integer<int64_t>(line, *t, where);
-    } else if (auto t = value_of(line, "EDIT=")) {
+    } else if ((t = value_of(line, "EDIT="))) {
         const size_t end = t->find(' ');
         h.edit = frame_number(line, t->substr(0, end), where);
         if (end != std::string::npos) h.edited = t->substr(end + 1);
-    } else if (auto t = value_of(line, "FINGERPRINT=")) {
+    } else if ((t = value_of(line, "FINGERPRINT="))) {
         h.fingerprint = *t;
-    } else if (auto t = value_of(line, "VIEWNAME=")) {
+    } else if ((t = value_of(line, "VIEWNAME="))) {
         h.view_name = plain_name(*t, where);
-    } else if (auto t = value_of(line, "SKYNAME=")) {
+    } else if ((t = value_of(line, "SKYNAME="))) {
         h.sky_name = plain_name(*t, where);
-    } else if (auto t = value_of(line, "RANGE=")) {
+    } else if ((t = value_of(line, "RANGE="))) {
         Ranges& ranges = h.other_seeds.empty() ? h.ranges : h.other_seeds.back().second;
         add_range(ranges, range(line, *t, where), line, where);
     } else {

@@ -18,7 +18,7 @@ struct FileNow {
 class TextFile {
 public:
     enum class Kind { regions, scene };
-    TextFile(std::string path, Kind kind, bool writable) : path(std::move(path)), kind(kind), writable(writable) {}
+    TextFile(std::string name, Kind its, bool may_write) : path(std::move(name)), kind(its), writable(may_write) {}
 
     FileNow read() const;
     // False: the file is not what the tag says, and stays as it is.  Throws Error for regions that cannot be read, and

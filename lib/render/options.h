@@ -22,12 +22,12 @@ struct RenderOptions : flatten::Options {  // which has -dr and -bv
     int ab = 5;             // -ab diffuse bounces
     double st = 0;          // -st specular threshold
     double ss = 16;         // -ss > 1.5: weighted (W-G-M-D) lobes; <= 1.5: unweighted
-    double dj = 1, ds = 0;  // -dj source jitter; -ds accepted (a path tracer samples the whole source)
-    int dp = 0;             // -dp accepted
+    double dj = 1, ds = 0;  // -dj source jitter; -ds: 0 samples the whole source
+    int dp = 0;             // -dp: no effect
     int lr = -12;
     double lw = 1e-6;          // ray level limit (negative: Russian roulette), weight limit
     double pj = 1;             // -pj pixel jitter
-    bool u = true;             // -u accepted
+    bool u = true;             // -u: no effect
     bool dv = true;            // -dv light sources visible
     bool i = false;            // -i irradiance
     double av[3] = {0, 0, 0};  // -av
