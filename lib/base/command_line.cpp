@@ -130,8 +130,8 @@ std::optional<std::vector<std::string>> OptionTable::parse(int argc, char** argv
         } else if (words.word() == "--") {
             operands_only = true, ++words.at;
         } else if (!operands_.empty() && !operands.empty()) {
-            fail(words.word(), "options must come before " + operands_ + ", and \"" + excerpt(operands.front()) +
-                                   "\" is taken for one");
+            fail(words.word(),
+                 "options must come before " + operands_ + ", but \"" + excerpt(operands.front()) + "\" came first");
         } else if (!read(words)) {
             unknown(words.word());
         }

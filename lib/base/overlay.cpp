@@ -64,7 +64,7 @@ void set_overlay(const std::string& path, std::string text) {
     struct stat s = {};
     if (stat(path.c_str(), &s) != 0) fail_system(path, "cannot be overlaid");
     errno = 0;
-    if (!S_ISREG(s.st_mode)) fail_system(path, "is no ordinary file, which text could stand for");
+    if (!S_ISREG(s.st_mode)) fail_system(path, "is not an ordinary file: no text can replace it");
     remove_overlay(path);
     Overlays& o = overlays();
     const std::lock_guard<std::mutex> hold(o.lock);

@@ -105,7 +105,7 @@ void Accumulator::require_next(int64_t k, const std::string& place) const {
                               : fmt::format("frames {} to {} are missing (this is frame {})", next_, last, k));
     }
     if (k < next_ && !resumed_.empty() && !grown_)
-        base::fail(place, fmt::format("frame {} is in {} already, which goes on with frame {}", k, resumed_, next_));
+        base::fail(place, fmt::format("frame {} is in {} already, which continues with frame {}", k, resumed_, next_));
     if (k < next_)
         base::fail(place, k == next_ - 1 ? fmt::format("frame {} comes twice", k)
                                          : fmt::format("frame {} after frame {}: out of order", k, next_ - 1));

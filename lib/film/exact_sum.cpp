@@ -124,7 +124,7 @@ void ExactSum::add(const std::vector<image::SumLayer>& layers, const std::string
     for (size_t n = 0; n < layers.size(); ++n) {
         const image::SumLayer& layer = layers[n];
         if (layer.digit < 0 || layer.digit >= digits || layer.digit != layers[0].digit + int(n))
-            base::fail(place, "its layers of exact sums have a gap, or a number that there is not");
+            base::fail(place, "its layers of exact sums have a gap or an invalid number");
         if (layer.words.size() != count_) base::fail(place, "its layers of exact sums have another size");
         const bool highest = n + 1 == layers.size();
         reach(layer.digit, layer.digit);

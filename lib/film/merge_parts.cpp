@@ -49,7 +49,7 @@ void PartsMerger::result(const std::vector<const std::vector<float>*>& frame0, i
     merged.parts.clear();
     if (!most_ && !without_.empty()) return;
     if (!coarse_.empty())
-        return base::warn(coarse_, "holds no batches and no exact sum of frames to be one: no batches are kept");
+        return base::warn(coarse_, "holds neither batches nor an exact sum that could be one: the result has none");
     std::vector<size_t> order(parts_.size());
     std::iota(order.begin(), order.end(), size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return parts_[a].from < parts_[b].from; });

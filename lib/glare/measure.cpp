@@ -180,9 +180,10 @@ Luminance PictureAnalyzer::read(image::Picture& picture, const std::string& plac
     if (lum.not_finite)
         base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
     if (requirements_.filled && !lum.moments && !std::exchange(told_no_moments_, true))
-        base::warn(place,
-                   "has no moments of its pixels (a stream of ptrace and its OpenEXR files have): what their size does "
-                   "to glare is not known");
+        base::warn(
+            place,
+            "has no moments of its pixels (a stream of ptrace and its OpenEXR files have): the effect of their size "
+            "on glare is unknown");
     if (lum.negative) base::warn(place, "pixels are negative (-metrics negative counts them)");
     return lum;
 }

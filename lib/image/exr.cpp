@@ -107,11 +107,11 @@ std::vector<Part> read_parts(const ExrInput& in, int64_t frames, const std::stri
         Part part{0, std::move(grey), seed_ranges(in.text(fmt::format("part{}", k)).value_or(""), path)};
         for (const auto& from : part.from)
             for (const auto& r : from.second) part.frames += r.second - r.first + 1;
-        if (part.frames < 1) base::fail(path, fmt::format("does not tell the frames of part{}.Y", k));
+        if (part.frames < 1) base::fail(path, fmt::format("does not say which frames part{}.Y holds", k));
         parts.push_back(std::move(part));
     }
     if (!parts.empty() && frames_of(parts) != frames)
-        base::fail(path, fmt::format("holds parts of {} frames, where there are {}", frames_of(parts), frames));
+        base::fail(path, fmt::format("its parts hold {} frames, its header says {}", frames_of(parts), frames));
     return parts;
 }
 
@@ -121,8 +121,8 @@ std::vector<Part> read_means(const ExrInput& in, const Picture& p, const std::st
     const auto means = read_layers(in, "mean", path);
     if (means.empty()) return {};
     if (means.back().first >= *p.header.frames || means.front().first < 1)
-        base::fail(
-            path, fmt::format("holds the mean of {} frames, where there are {}", means.back().first, *p.header.frames));
+        base::fail(path,
+                   fmt::format("its mean holds {} frames, its header says {}", means.back().first, *p.header.frames));
     for (const auto& [n, grey] : means) parts.add(grey.data(), grey.size(), n);
     std::vector<float> whole(p.rgb.size() / 3);
     to_grey(p.rgb.data(), whole.size(), whole.data());

@@ -92,7 +92,7 @@ void SceneReader::octree(base::TextReader& in) {
         else read_included(file, here);
     }
     if (primitives_ - before != uint64_t(head.objects))
-        base::warn(in.name(), "the octree is older than its scene files; the files are what is used");
+        base::warn(in.name(), "the octree is older than its scene files; the files are used");
 }
 
 // A mesh file by itself is a mesh with the materials it names.

@@ -178,7 +178,7 @@ std::vector<NamedView> read_views(const std::string& path, const View& start) {
     for (std::string line; std::getline(in, line);) {
         ++number;
         if (number == 1 && base::begins_with(line, base::byte_order_mark)) line.erase(0, base::byte_order_mark.size());
-        if ((bytes += line.size() + 1) > most_bytes) base::fail(where, "is no list of views: it does not end");
+        if ((bytes += line.size() + 1) > most_bytes) base::fail(where, "is not a list of views: it does not end");
         for (const std::string& part : lines_of(line)) take_view(part, fmt::format("{}:{}", where, number), view, all);
     }
     if (in.bad()) base::fail_system(where, "cannot be read");

@@ -84,7 +84,7 @@ check 'an overlay stands for a file until it is taken back or the file changes o
 check 'no overlay with -exec: its text could run programs' '
     begin -exec -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
     overlay inner.rad "!touch ran"; await "[ -s said ]"; settle; end
-    grep -q "with -exec no text may stand for a file" said; [ ! -e ran ]; [ "$(edits)" = "EDIT=0 start " ]'
+    grep -q "with -exec no text may replace a file" said; [ ! -e ran ]; [ "$(edits)" = "EDIT=0 start " ]'
 check 'an overlay needs a file and all of its bytes' '
     begin -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
     overlay none.cal "v = 1;"; await "[ -s said ]"; echo "overlay f.cal many" > ctl; await "[ \$(wc -l < said) = 2 ]"

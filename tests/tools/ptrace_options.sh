@@ -64,7 +64,7 @@ check_error 'a size of 0 is reported' 1 '^ptrace: -x: 0 is outside' 'ptrace -x 0
 check_error 'a huge size is reported' 1 '^ptrace: -y: ' 'ptrace -y 999999 -frames 1 sky.rad'
 check_error 'an impossible view is reported' 1 '^ptrace: -vh: ' 'ptrace -vh 200 -frames 1 sky.rad'
 check_error 'options after the scene are an error' 1 \
-    '^ptrace: -ab: options must come before the scene files, and "sky.rad" is taken for one$' 'ptrace sky.rad -ab 3'
+    '^ptrace: -ab: options must come before the scene files, but "sky.rad" came first$' 'ptrace sky.rad -ab 3'
 check_error 'other primaries are refused' 1 '^ptrace: -pXYZ: ' 'ptrace -pXYZ sky.rad'
 check 'frames in a file get a warning: other programs misread them' '
     ptrace -frames 1 -x 8 -y 8 sky.rad > file.hdr 2> said; [ "$(wc -l < said)" = 1 ];
@@ -132,7 +132,7 @@ check 'of several views one after another, or each by its name' '
     ptrace -picture -views two.vf -x 8 -y 8 -frames 2 sky.rad | grep -ao "#?RADIANCE" | wc -l | grep -qx 2
     ptrace -picture -views two.vf -x 8 -y 8 -frames 2 -o "%s.hdr" sky.rad; test -s v1.hdr && test -s v2.hdr'
 check_error '-picture without frame 0' 1 '^ptrace: -picture: needs frame 0' 'ptrace -picture -frames 2:4 sky.rad > x'
-check_error '-picture has no number of a frame' 1 '^ptrace: -o: .*no frames are written' '
+check_error '-picture has no number of a frame' 1 '^ptrace: -o: .*writes no numbered frames' '
     ptrace -picture -frames 2 -o x%d.hdr sky.rad'
 check 'a signal ends it with the frames until then' '
     ptrace -picture -x 256 -y 256 -frames 1000000 sky.rad > x & pid=$!; sleep 1.5; kill -TERM $pid

@@ -165,7 +165,7 @@ TEST_CASE("the later of two options holds; -- ends options; options may have to 
     CHECK(t.parse({"-x", "1", "-x", "2", "--", "-x", "@file"}) == Strings{"-x", "@file"});
     CHECK(t.v.n == 2);
     t.table.options_come_before("the scene files");
-    CHECK(t.error({"a", "-x", "1"}) == "-x: options must come before the scene files, and \"a\" is taken for one");
+    CHECK(t.error({"a", "-x", "1"}) == "-x: options must come before the scene files, but \"a\" came first");
 }
 
 TEST_CASE("what is wrong is said in one way") {

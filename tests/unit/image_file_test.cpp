@@ -127,13 +127,13 @@ TEST_CASE("parts that no picture can have are told in a line") {
     p.header.frames = 20;
     p.parts = {{7, {1, 2, 3, NAN}, {{1, {{1, 7}}}}}};
     image::write_file(path, p);
-    CHECK(error_text([&] { image::read_file(path); }) == path + ": holds parts of 7 frames, where there are 20");
+    CHECK(error_text([&] { image::read_file(path); }) == path + ": its parts hold 7 frames, its header says 20");
     p.header.frames = 7;
     image::write_file(path, p);
     CHECK(image::read_file(path).parts[0].grey == std::vector<float>{1, 2, 3, 0});
     p.parts[0].from.clear();
     image::write_file(path, p);
-    CHECK(error_text([&] { image::read_file(path); }) == path + ": does not tell the frames of part0.Y");
+    CHECK(error_text([&] { image::read_file(path); }) == path + ": does not say which frames part0.Y holds");
     p.parts.resize(17, {1, std::vector<float>(4), {}});
     image::write_file(path, p);
     CHECK(error_text([&] { image::read_file(path); }) == path + ": holds more than 16 layers part<n>.Y");

@@ -15,7 +15,7 @@ void edit(const render::Command& c, size_t picture, Options& opt) {
     std::vector<std::string> words = base::split_words(c.rest);
     if (c.word == "scene" && words.empty()) return;  // nothing but the files
     if (c.word == "overlay" && c.text) {
-        if (opt.files.exec) base::fail(place, "with -exec no text may stand for a file: it could run programs");
+        if (opt.files.exec) base::fail(place, "with -exec no text may replace a file: it could run programs");
         return base::set_overlay(c.rest, *c.text);
     }
     if (c.word == "overlay" && words.size() > 1 && words.back() == "-")

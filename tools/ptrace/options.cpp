@@ -85,7 +85,7 @@ void check_output(const Options& opt) {
     const std::string label = opt.views[0].name + (opt.skies.empty() ? "" : sky_name(opt.skies[0]));
     if (opt.one_picture) {
         if (opt.output.find("%d") != std::string::npos)
-            base::fail("-o", "\"" + opt.output + "\": with -picture no frames are written that %d could number");
+            base::fail("-o", "\"" + opt.output + "\": -picture writes no numbered frames, so %d has no meaning");
     } else if (opt.last > opt.first && output_name(opt.output, 0, label) == output_name(opt.output, 1, label))
         base::fail("-o", "\"" + opt.output + "\" needs a %d for the number of the frame");
     const bool several = !opt.views[0].name.empty() || !opt.skies.empty();
@@ -111,7 +111,7 @@ void check(const Options& opt) {
     if (opt.watch && opt.first != 0) base::fail("-watch", "needs frame 0: a picture begins anew with it");
     if (opt.watch && reads_stdin) base::fail("-watch", "the standard input cannot be read again");
     if (opt.watch && !opt.output.empty())
-        base::fail("-watch", "goes with a stream of frames, not with the files of -o");
+        base::fail("-watch", "works with a stream of frames, not with the files of -o");
     if (!opt.output.empty()) return check_output(opt);
     struct stat info = {};
     if (fstat(1, &info) != 0) base::fail_system("stdout", "cannot be written");
@@ -153,7 +153,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     if (opt.one_picture) {
         if (opt.watch || !opt.control.empty())
             base::fail("-picture", "is one picture: -watch and -control steer a stream");
-        if (opt.first != 0) base::fail("-picture", "needs frame 0, without which the sum is no picture");
+        if (opt.first != 0) base::fail("-picture", "needs frame 0: without it the sum is not a picture");
         if (opt.last == Options::endless) opt.last = Options::frames_of_picture - 1;
         opt.moments = false;
     }

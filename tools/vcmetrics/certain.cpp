@@ -40,9 +40,10 @@ void Steps::add(const image::Picture& picture, const glare::Luminance& lum, cons
     if (has_parts) estimates_.take(picture.parts);
     else if (n > 0) estimates_.add(lum, n, picture.header.seed);
     if (!has_parts && !warned_ && last_ >= 16 && double(n - last_) > large_step * double(n)) {
-        base::warn(place, fmt::format("{} of {} frames came in one step, which tells little about their error: "
-                                      "ptaccum -every x2/16 makes small ones",
-                                      n - last_, n));
+        base::warn(place,
+                   fmt::format("{} of {} frames came in one step, from which their error cannot be estimated well: "
+                               "ptaccum -every x2/16 makes small ones",
+                               n - last_, n));
         warned_ = true;
     }
     last_ = n;
