@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The cells of examples/notebooks run, in small pictures; by Jupyter itself where nbclient is."""
+"""The cells of examples/notebooks and the examples of python/README.md run, in small pictures."""
 
 import base64
 import json
 import pathlib
 import re
 
+import luxpipe
 import pytest
+from conftest import SCENE, VIEW
+from luxpipe._programs import run
 
 pytest.importorskip("pandas")
 NOTEBOOKS = sorted((pathlib.Path(__file__).parents[2] / "examples" / "notebooks").glob("*.ipynb"))
@@ -43,3 +46,21 @@ def test_notebook_in_jupyter(path):
     notebook = nbformat.reads(path.read_text().replace("size=256", "size=48"), 4)
     nbclient.NotebookClient(notebook, timeout=300, kernel_name="python3").execute()
     assert "image/png;base64" in json.dumps(notebook.cells[1].outputs)
+
+
+def test_examples_of_the_page(hdr, tmp_path, monkeypatch):
+    """The Python of python/README.md runs as it stands, in small pictures."""
+    page = pathlib.Path(__file__).parents[2] / "python" / "README.md"
+    blocks = re.findall(r"(?s)```python\n(.*?)```", page.read_text())
+    assert len(blocks) >= 5
+    monkeypatch.chdir(tmp_path)
+    for function in (luxpipe.render, luxpipe.frames):
+        monkeypatch.setitem(function.__kwdefaults__, "size", 24)
+    (tmp_path / "photo.hdr").write_bytes(hdr.read_bytes())
+    scene = [str(file) for file in SCENE]
+    for name, seed in (("a", "1"), ("b", "2")):
+        words = ["-x", "8", "-y", "8", "-vf", str(VIEW), "-frames", "17", "-seed", seed, *scene]
+        run("ptaccum", ["-batches", "16", "-o", f"{name}.exr"], run("ptrace", words))
+    names = {"array": luxpipe.read(hdr), "view": VIEW, "first": SCENE, "second": SCENE}
+    for block in blocks:
+        exec(compile(block, "python/README.md", "exec"), names)
