@@ -73,7 +73,7 @@ RoundedGeometry::RoundedGeometry(const view::View& v) : ViewGeometry(v), view_(v
 }
 
 bool RoundedGeometry::to_direction(double X, double Y, Vec3 forward, Vec3& d) const {
-    double x = X + (view_.vs - 0.5), y = Y + (view_.vl - 0.5);
+    double x = (X - 0.5) + view_.vs, y = (Y - 0.5) + view_.vl;  // in the order of pip's build
     if (view_.type == 'a') {
         x *= across_, y *= along_;
         const double D = std::sqrt(x * x + y * y);
