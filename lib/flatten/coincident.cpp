@@ -70,7 +70,7 @@ Face face_of(const scene::Object& o, std::vector<Vec3> corners, Vec3 normal) {
 
 // Is it of a flat type and drawn?
 bool is_face(const Modifiers& modifiers, const scene::Object& o) {
-    return (o.type == Type::polygon || o.type == Type::ring) && o.modifier >= 0 && modifiers.has_material[o.modifier];
+    return (o.type == Type::polygon || o.type == Type::ring) && o.modifier >= 0 && modifiers.is_met[o.modifier];
 }
 
 // Groups large faces by their planes.
@@ -158,7 +158,7 @@ std::vector<double> curved_key(const scene::Scene& scene, const scene::Object& o
 
 // Does it let shadow rays pass, and may yet hide what is opaque?
 bool passes_and_hides(const Modifiers& modifiers, const scene::Object& o) {
-    return o.modifier >= 0 && modifiers.has_material[o.modifier] && modifiers.passes[o.modifier] &&
+    return o.modifier >= 0 && modifiers.is_met[o.modifier] && modifiers.passes[o.modifier] &&
            !modifiers.is_clear(o.modifier);
 }
 
@@ -232,7 +232,7 @@ std::vector<uint8_t> hidden_by_passing(const Modifiers& modifiers) {
 
     std::map<std::vector<double>, std::vector<const scene::Object*>> curved;
     for (const scene::Object& o : objects)
-        if (curved_kind(o.type) != 0 && o.modifier >= 0 && modifiers.has_material[o.modifier])
+        if (curved_kind(o.type) != 0 && o.modifier >= 0 && modifiers.is_met[o.modifier])
             curved[curved_key(modifiers.scene, o)].push_back(&o);
     for (const auto& [key, twins] : curved)
         for (size_t i = 1; i < twins.size(); i++)

@@ -126,7 +126,7 @@ void Instances::place_all(const Level& level, Lights& lights) {
             place_one(o, level, x, level.replaced, owner, lights);
             continue;
         }
-        if (!level.modifiers->has_material[o.modifier]) continue;  // all of it lets rays pass
+        if (!level.modifiers->is_met[o.modifier]) continue;  // all of it lets rays pass
         const Replacement own{level.modifiers->record[o.modifier], level.modifiers->passes[o.modifier] != 0,
                               level.modifiers->is_clear(o.modifier), level.to_world};
         const uint32_t m = level.modifiers->material[o.modifier];

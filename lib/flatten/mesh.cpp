@@ -58,7 +58,7 @@ void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std
         if (modifiers) {
             int32_t m = t.material;
             if (m >= 0 && !materials.empty()) m = materials[size_t(m)];
-            if (m < 0 || !modifiers->has_material[m]) continue;
+            if (m < 0 || !modifiers->is_met[m]) continue;
             mod = modifiers->record[m];
             passes = modifiers->passes[m];
             clear = modifiers->is_clear(m);

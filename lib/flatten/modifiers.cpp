@@ -115,7 +115,8 @@ private:
         link.record[MOD_TYPE] = mod_type(p.kind);
         if (p.kind != cal::ProgramKind::texture) patterned_[link.index] = 1;
         out_.has_material[link.index] = link.above_ends;
-        out_.passes[link.index] = link.above_ends && out_.passes[link.above];
+        out_.is_met[link.index] = link.above >= 0 && out_.is_met[link.above];
+        out_.passes[link.index] = !link.above_ends || out_.passes[link.above];
         if (link.above_ends) out_.material[link.index] = out_.material[link.above];
     }
 
@@ -144,7 +145,8 @@ private:
                        fmt::format("more than {} mixtures of patterns one inside the other", MIX_DEPTH));
 
         out_.has_material[link.index] = materials || link.above_ends;
-        out_.passes[link.index] = materials ? passes : (link.above_ends && out_.passes[link.above]);
+        out_.is_met[link.index] = 1;
+        out_.passes[link.index] = materials ? passes : !link.above_ends || out_.passes[link.above];
         if (!materials && link.above_ends) out_.material[link.index] = out_.material[link.above];
     }
 
@@ -173,7 +175,7 @@ private:
         if (o.type == Type::mist) add_mist(link);
         if (eye_passes(scene_, o)) link.record[MOD_FLAGS] |= MF_SEEN_THROUGH;
 
-        out_.has_material[link.index] = 1;
+        out_.has_material[link.index] = out_.is_met[link.index] = 1;
         out_.passes[link.index] = light_passes(scene_, o, options_.bv);
         out_.material[link.index] = uint32_t(link.object);
     }
@@ -264,6 +266,7 @@ Modifiers::Modifiers(const scene::Scene& s)
     : scene(s),
       record(s.objects.size(), NONE),
       has_material(s.objects.size(), 0),
+      is_met(s.objects.size(), 0),
       passes(s.objects.size(), 0),
       material(s.objects.size(), NONE) {}
 

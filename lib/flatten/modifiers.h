@@ -29,6 +29,7 @@ struct Modifiers {
     const scene::Scene& scene;
     std::vector<uint32_t> record;       // NONE: not used by any surface
     std::vector<uint8_t> has_material;  // the chain from here ends in one, or in a mixture of some
+    std::vector<uint8_t> is_met;        // rays meet its surfaces: it has one, or a mixture, even of nothing
     std::vector<uint8_t> passes;        // a shadow ray may pass
     std::vector<uint32_t> material;     // object of the chain's material, aliases resolved; NONE: a mixture, or none
     bool is_clear(int32_t m) const;     // that is of a transparent type (PRIM_CLEAR)

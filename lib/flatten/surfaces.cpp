@@ -291,8 +291,8 @@ void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, Vec
     for (const Object& o : scene.objects) {
         if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance)
             continue;
-        // a chain without material lets rays pass
-        if (modifiers && (o.modifier < 0 || !modifiers->has_material[o.modifier])) continue;
+        // a chain without material lets rays pass, unseen
+        if (modifiers && (o.modifier < 0 || !modifiers->is_met[o.modifier])) continue;
         writer.add(o);
     }
 }

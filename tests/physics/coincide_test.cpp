@@ -262,6 +262,11 @@ TEST_CASE("an emitter that a ceiling hides is dark") {
     expect(ceiling + net + lamp + covered, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {seen}, 16384);
     expect(lamp + ceiling + net + covered, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {0});
 
+    // So does a mixture that is void everywhere.
+    const std::string nothing = "void mixfunc M 4 void void .5 .\n0 0\n";
+    expect(ceiling + nothing + lamp + covered, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {seen}, 16384);
+    expect(lamp + ceiling + nothing + covered, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {0});
+
     // An illum, through which shadow rays pass, is hidden like a lamp.
     const std::string illum = "void illum L 0 0 3 1 1 1\n";
     expect(ceiling + illum + rest, direct_only(), {{0, 0, 1}, {0, 0, -1}}, {seen}, 16384);
