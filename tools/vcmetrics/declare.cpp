@@ -40,7 +40,8 @@ void declare_output(OptionTable& t, Options& o) {
     t.add("-outlines", "With -sources and -format jsonl: the outline of each source as well", o.outlines);
     t.add("-over file", "Draw the picture with sources, regions and metrics (.png)",
           [&](Arguments& a) { o.over_file = a.text(); });
-    t.add("-ci percent", "NAME.lo and NAME.hi after each column: where the converged value lies, this certain",
+    t.add("-ci percent",
+          "NAME.lo and NAME.hi after each column: the interval of the converged value, of this certainty",
           [&](Arguments& a) { o.ci = a.real(base::within(50, 99.99)) / 100; });
     using Earlier = report::EarlierEdit;
     t.add("-against edit", "NAME.d, NAME.d.lo and NAME.d.hi: the difference from the previous or the first edit",
