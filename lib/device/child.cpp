@@ -22,7 +22,7 @@ constexpr unsigned patience_s = 60;
 
 [[noreturn]] void answer(const std::function<std::string()>& question, int to) {
 #ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer of a program that was killed
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // ends with the program that asked
 #endif
     for (int s : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) signal(s, SIG_DFL);
     const struct rlimit no_core = {0, 0};

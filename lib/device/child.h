@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A question whose answer may cost the life of who asks: OpenCL drivers end the program where they lack /sys or memory.
+// Runs a query in a child process, because OpenCL drivers abort the program if they lack /sys or memory.
 #pragma once
 #include <functional>
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace device {
 
-// What `question` returns in a child process; nothing if the child died, threw, or took longer than a minute.  What it
-// writes to stderr is lost.
+// Result of `question` in a child process; none if the child died, threw, or took longer than a minute.  Its stderr is
+// lost.
 std::optional<std::string> ask_in_child(const std::function<std::string()>& question);
 
 }  // namespace device

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The native device: tiles of paths over all cores, the widest instruction set the machine has.
+// The native device: tiles of paths over all cores, with the widest instruction set of the machine.
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
@@ -17,20 +17,20 @@
 namespace device {
 namespace {
 
-// Paths of one tile: their state (kernels/integrator/state.h, 220 bytes each) stays in the second-level cache; what
-// they share, 384 bytes more, is touched only when they have ended.
+// Paths of one tile: their state (kernels/integrator/state.h, 220 bytes each) stays in the second-level cache; that of
+// path reuse, 384 bytes more, is touched only after their ends.
 constexpr uint32_t TILE = 4096;
 static_assert(TILE % REUSE_SQUARE == 0, "groups lie in one tile");
 
 #define POINT_AT_BVH(type, name) tables_.name = tree_->name.data();
 #define POINT_AT_SCENE(type, name) tables_.name = scene_->name.data();
 
-// A set of kernels by the name that -device cpu:NAME has for it.
+// A build of the kernels by its name in -device cpu:NAME.
 struct Variant {
     const char* name;
     const CpuKernels* kernels;
-    bool (*runs)();     // has this machine the instructions?
-    const char* needs;  // these, in words
+    bool (*runs)();     // does this machine have the instructions?
+    const char* needs;  // their name
 };
 
 bool always() { return true; }
@@ -80,7 +80,7 @@ public:
         BVH_TABLES(POINT_AT_BVH)
         FLAT_TABLES(POINT_AT_SCENE)
     }
-    void update_float_table(size_t, size_t) override {}  // the scene's own are read
+    void update_float_table(size_t, size_t) override {}  // the scene's own tables are read
 
     void run(const Params& par, std::vector<float>& rgb) override {
         rgb.resize(size_t(kernels::film_places(&par)) * 3);
@@ -108,7 +108,7 @@ public:
     uint32_t preferred_batch_size() const override { return 64 * TILE; }
 
 private:
-    // Smaller tiles where there are few paths, so that no thread waits.
+    // Smaller tiles for few paths, so that no thread idles.
     uint32_t tile_of(uint32_t count) const {
         const uint32_t each = count / (2 * threads_) / REUSE_SQUARE * REUSE_SQUARE;
         return std::clamp(each, REUSE_SQUARE, TILE);

@@ -10,7 +10,7 @@ namespace {
 using namespace kernels;
 using flatten::FlatScene;
 
-// Is a chain of modifiers its material alone?
+// Returns true if a chain of modifiers is its material alone.
 bool is_material_alone(const FlatScene& scene, uint32_t mod) {
     if (mod == NONE) return true;
     const uint32_t* record = scene.record(mod);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What of kernels/features.h a scene and a pass have, FEATURE_* bits.
+// Features (kernels/features.h) of a scene and a pass, FEATURE_* bits.
 #pragma once
 #include "flatten/flat_scene.h"
 #include "kernels/dialect/host.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See kernel_cache.h.  Tried in this order: POCL_CACHE_DIR as it is set, the places where PoCL looks by itself
-// (XDG_CACHE_HOME, HOME), the home folder of the password file; last a private folder that is removed at the end.
+// See kernel_cache.h.  Tries in this order: POCL_CACHE_DIR as set, PoCL's own places (XDG_CACHE_HOME, HOME), the home
+// folder of the password file; last a private folder that is removed at the end.
 #include "device/kernel_cache.h"
 
 #include <pwd.h>
@@ -33,7 +33,7 @@ std::string usual_folder() {
     return home.empty() ? "" : home + "/.cache/pocl/kcache";
 }
 
-// There, or made now, and of nobody but this user.
+// An existing or new folder that belongs to this user alone.
 bool is_ours(const std::string& folder) {
     std::error_code none;
     fs::create_directories(folder, none);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The OpenCL device: wavefront kernels over buffers; GPUs get the scalar two-wide BVH, CPUs (PoCL) the eight-wide one.
-// Compiled programs are cached by the drivers themselves (PoCL, NVIDIA), so that only a first run pays for them.
+// The OpenCL device: wavefront kernels over buffers; GPUs traverse the nodes of bvh_compact.h, CPUs (PoCL) those of
+// bvh8.h.  Drivers cache compiled programs (PoCL, NVIDIA), so that only a first run waits for them.
 #include <cerrno>
 #include <cstring>
 #include <fmt/core.h>
@@ -177,8 +177,8 @@ private:
             base::fail_system(where_, fmt::format("{}: {} failed: {}", doing, e.what(), opencl_error(e.err())));
         }
     }
-    // Paths first .. first + count - 1, as many at once as there is memory for: what a device says of itself may be
-    // more than it gives.
+    // Paths first .. first + count - 1, as many at a time as memory allows: a device may report more memory than it can
+    // allocate.
     template <class F>
     void in_parts(const Params& par, uint32_t first, uint32_t count, F&& work) {
         for (uint32_t done = 0; done < count;) {
@@ -197,7 +197,8 @@ private:
             }
         }
     }
-    // A GPU's kernels have what the scene and its passes need, for all of it takes registers of each work item.
+    // A GPU's kernels contain only the features of the scene and its passes, because each costs registers of every work
+    // item.
     void prepare(const Params& par) {
         if (!gpu_) return;
         needs_ |= features_of_pass(par);
@@ -240,7 +241,7 @@ private:
         if (bytes) queue_.enqueueWriteBuffer(b, CL_TRUE, 0, bytes, data);
         return b;
     }
-    // The structures must look the same on both sides.
+    // The structures must have the same layout on both sides.
     void check_layout() {
         const cl::Buffer b(context_, CL_MEM_READ_WRITE, 64);
         launch_alone("k_layout", 1, b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The list of OpenCL devices (opencl_list.h), and what users see of it (device.h).
+// The list of OpenCL devices (opencl_list.h), and its text for users (device.h).
 #include "device/opencl_list.h"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ std::string clean(std::string s) {
     return s;
 }
 
-// Linux shows a graphics processor as a file: to ask OpenCL takes a tenth of a second, which is spared where it can
-// only say no.  Render nodes (AMD, Intel, Mesa), AMD's compute, NVIDIA, Windows' Linux, Mali, Adreno.
+// Linux shows a graphics processor as a file.  Asking OpenCL takes a tenth of a second, which is saved if there is no
+// such file.  Render nodes (AMD, Intel, Mesa), AMD's compute, NVIDIA, Windows' Linux, Mali, Adreno.
 bool system_shows_gpu() {
     glob_t found = {};
     int flags = GLOB_NOSORT;
@@ -41,7 +41,7 @@ bool system_shows_gpu() {
 
 std::vector<OpenclEntry> opencl_entries() {
     choose_kernel_cache();
-    // Intel's runtime for processors puts work items into lanes, and then gets large kernels wrong.
+    // Intel's runtime for processors vectorises work items, and then compiles large kernels wrongly.
     setenv("CL_CONFIG_CPU_VECTORIZER_MODE", "1", 0);
     std::vector<OpenclEntry> out;
     std::vector<cl::Platform> platforms;

@@ -18,7 +18,7 @@ struct OpenclEntry {
     bool gpu;
 };
 
-// A failing driver may end the program here: ask in a child process first (device/child.h).
+// A failing driver may abort the program: ask in a child process first (device/child.h).
 std::vector<OpenclEntry> opencl_entries();
 
 // "NVIDIA H200 (GPU, NVIDIA CUDA)"
@@ -27,9 +27,9 @@ std::string describe(const OpenclEntry& e);
 // "CL_OUT_OF_RESOURCES (-5)"
 std::string opencl_error(int code);
 
-// What "opencl[:index|:name][:compact|bvh8][:gpu]" names among these devices: without more the first, and for it the
-// tree that suits; by name the first whose description holds it, in letters of either case.  gpu: it is used as a GPU
-// is, whatever it is (for tests).  Throws Error.
+// Parses "opencl[:index|:name][:compact|bvh8][:gpu]" among these devices: by default the first one with the tree that
+// suits it; by name the first whose description contains it, ignoring case.  gpu: treats it as a GPU (for tests).
+// Throws Error.
 struct OpenclChoice {
     size_t index;
     bool as_gpu, compact;

@@ -55,7 +55,7 @@ cl::Buffer OpenclPaths::room(size_t count, size_t bytes_each) const {
     return cl::Buffer(context_, CL_MEM_READ_WRITE, count * bytes_each);
 }
 
-// Half of the memory, for the scene and others use it, too.
+// Half of the memory, because the scene and other programs use it, too.
 uint32_t OpenclPaths::most_paths(const cl::Device& device, bool gpu) {
 #define LUX_SIZE(type, name, when) sizeof(type),
     constexpr size_t sizes[] = {PATH_STATE(LUX_SIZE)};
@@ -96,8 +96,8 @@ void OpenclPaths::read(int field, std::vector<float4>& values) {
     queue_.enqueueReadBuffer(fields_[field], CL_TRUE, 0, values.size() * 16, values.data());
 }
 
-// In several launches where a single one could last until a desktop's watchdog ends it: k_connection follows up to 16
-// rays a work item.
+// In several launches if a single one could last until a desktop's watchdog stops it: k_connection traces up to 16 rays
+// a work item.
 void OpenclPaths::launch(const cl::Kernel& kernel, uint32_t n) {
     const uint32_t most = kernel() == stages_[STAGE_connection].kernel() ? 1u << 18 : n;
     for (uint32_t first = 0; first < n; first += most) {
@@ -137,7 +137,7 @@ void OpenclPaths::begin(int first, const Params& par) {
 
 // Follows the paths of the queue to their ends.
 void OpenclPaths::follow() {
-    const int rounds = gpu_ ? 4 : 1;  // between looks at the counter; idle work items leave at once
+    const int rounds = gpu_ ? 4 : 1;  // between reads of the counter; idle work items leave at once
     for (uint32_t active = count(); active > 0; active = count()) {
         if (before_bounce) before_bounce();
         for (int i = 0; i < rounds; i++) {
@@ -154,7 +154,7 @@ void OpenclPaths::follow() {
     }
 }
 
-// Paths of one kind side by side: a counting sort.
+// Sorts paths by kind: a counting sort.
 void OpenclPaths::sort(uint32_t active) {
     stage(STAGE_count_kinds, active, counters_, now_, kinds_);
     launch(STAGE_begin_kinds, 1, kinds_);
@@ -179,8 +179,8 @@ void OpenclPaths::receive(const Params& par, std::vector<float>& film, size_t at
     queue_.enqueueReadBuffer(film_, CL_TRUE, 0, bytes, &film[at]);
 }
 
-// By way of memory that a GPU writes to by itself, as vendors advise: two pieces of it, one of which is copied from
-// while the next one comes.  Room for all of them is made while the GPU is still at work.
+// Reads through pinned memory, as vendors advise, in two pieces: one is copied while the next one arrives.  The
+// result's memory is allocated while the GPU still works.
 void OpenclPaths::read_pinned(const cl::Buffer& from, size_t bytes, std::vector<float>& to, size_t start) {
     if (!pinned_at_) {
         pinned_ = cl::Buffer(context_, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, 2 * PIECE);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paths in flight on an OpenCL device: their state, their queues, and the kernels that take them from stage to
-// stage (kernels/entry.cl).  Calls throw cl::Error.
+// The paths in flight on an OpenCL device: their state, their queues, and the kernels of each stage (kernels/entry.cl).
+// Calls throw cl::Error.
 #pragma once
 #include <functional>
 
@@ -11,8 +11,8 @@ namespace device {
 
 using kernels::Params;
 
-// The buffers of a scene and of the path state, in the order of their lists (kernels/bvh/intersect.h,
-// kernels/integrator/state.h), which is that of the kernels' arguments.
+// Buffers of a scene and of the path state, in the order of their lists (kernels/bvh/intersect.h,
+// kernels/integrator/state.h), which is the order of the kernels' arguments.
 #define LUX_TABLE_NUMBER(type, name) TABLE_##name,
 enum { SCENE_TABLES(LUX_TABLE_NUMBER) TABLES };
 #define LUX_FIELD_NUMBER(type, name, when) PATH_##name,
@@ -30,47 +30,47 @@ enum { LUX_STAGES(LUX_STAGE_NUMBER) STAGES };
 class OpenclPaths {
 public:
     OpenclPaths() = default;
-    // gpu: reading a counter stalls it, and work items that stand side by side should take the same branches.
+    // gpu: reading a counter stalls it, and neighbouring work items should take the same branches.
     OpenclPaths(const cl::Context& context, const cl::CommandQueue& queue, bool gpu);
-    // Its kernels from now on.  Those for a GPU shade apart what has met nothing (HAS(SKY), kernels/features.h).
+    // Sets the kernels.  Those for a GPU shade paths without a hit separately (HAS(SKY), kernels/features.h).
     void use(const cl::Program& program);
     void set_table(int table, const cl::Buffer& buffer);  // of the scene
     const cl::Buffer& table(int table) const { return tables_[table]; }
     std::function<void()> before_bounce;  // may throw
 
-    // How many paths this device has memory for.
+    // Number of paths that the device's memory can hold.
     static uint32_t most_paths(const cl::Device& device, bool gpu);
-    // Room for so many paths, and the parameters of their pass.
+    // Allocates memory for this number of paths, and sets the parameters of their pass.
     void reserve(const Params& par, uint32_t count);
-    void release();  // that room
-    // Whole fields of the first n paths.
+    void release();  // frees that memory
+    // Reads or writes whole fields of the first n paths.
     void write(int field, const std::vector<kernels::float4>& values);
     void read(int field, std::vector<kernels::float4>& values);
 
-    // Follows the paths of a pass to their ends, which then light the prefix vertices of their groups where they are
-    // shared.
+    // Follows the paths of a pass to their ends; with path reuse, suffix vertices then light the prefix vertices of
+    // their groups.
     void run(const Params& par);
-    // The same from rays that have been written: MODE_PILOT, and the shadow rays of MODE_SPLAT.
+    // The same for rays that the host has written: MODE_PILOT, and the shadow rays of MODE_SPLAT.
     void pilot(const Params& par);
     void splat(const Params& par);
-    // What they have gathered goes into the film, 3 floats each, in its order (kernels/integrator/path_reuse.h): the
-    // device puts them there, for a host would take as long as a GPU for all the rest.
+    // Adds the paths' radiance to the film, 3 floats each, in its order (kernels/integrator/path_reuse.h), on the
+    // device, because the host would take as long as a GPU takes for the rest.
     void store(const Params& par);
-    // The film from place `at` of `film` on.
+    // Reads the film from index `at` on.
     void receive(const Params& par, std::vector<float>& film, size_t at);
 
     // Runs a kernel over n work items.
     void launch(const cl::Kernel& kernel, uint32_t n);
 
 private:
-    // A kernel and the buffers that it has, so that a launch sets only those that are others.
+    // A kernel and its present buffers, so that a launch sets only those that change.
     struct Stage {
         cl::Kernel kernel;
         std::vector<cl_mem> has;
         void give(unsigned argument, const cl::Buffer& buffer);
     };
     cl::Buffer room(size_t count, size_t bytes_each) const;
-    void forget_arguments();  // a new buffer may have the handle of one that is gone
+    void forget_arguments();  // a new buffer may reuse the handle of a freed one
     template <class... Buffers>
     void launch(int stage, uint32_t n, const Buffers&... arguments) {
         unsigned a = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the surfaces of a scene reach.
+// Extent of the surfaces of a scene.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +19,7 @@ void grow(Box& box, Vec3 p) {
     }
 }
 
-// Near the origin the scene's own coordinates are kept.
+// Near the origin the scene keeps its own coordinates.
 Vec3 centre_of(const Box& box) {
     if (box.lo.x > box.hi.x) return {};
     const Vec3 mid = (box.lo + box.hi) * 0.5;
@@ -27,7 +27,7 @@ Vec3 centre_of(const Box& box) {
     return {std::round(mid.x), std::round(mid.y), std::round(mid.z)};
 }
 
-// In a room of some metres this is 16: hits are as exact as 2^-20 of it.
+// 16 in a room of some metres: hits are exact to 2^-20 of it.
 double least_reach_of(double radius) {
     constexpr double ordinary = 16, small = .5, large = 1024;
     if (!(radius > 0) || radius >= small) return ordinary;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// BSDF files -> the tables of kernels/material/bsdf.h: the Lambertian part taken off, values perturbed as RADIANCE
-// perturbs them (spec: RADIANCE shading 3.16; equal cells become unlike), sums for sampling, hemispherical values.  One
-// file, one set.
+// BSDF files to the tables of kernels/material/bsdf.h: subtracts the Lambertian part, perturbs values as RADIANCE does
+// (spec: RADIANCE shading 3.16; equal cells become different), sums for sampling, integrates over the hemisphere.  One
+// set of tables per file.
 #include "flatten/bsdf.h"
 
 #include <algorithm>
@@ -220,7 +220,7 @@ private:
         return add_words(w);
     }
 
-    // By cell of v's dimensions: pi * sum of f * area over l's square, and the smallest cell met there.
+    // By cell of v's dimensions: pi * sum of f * area over l's square, and the smallest cell there.
     static void tree_grids(const BsdfTree& t, const std::vector<float>& values, int first, uint32_t n,
                            std::vector<float>& hemi, std::vector<float>& psa) {
         const int mine = t.dims == 4 ? 2 : 1;
@@ -241,7 +241,7 @@ private:
         hemi.assign(sum.begin(), sum.end());
     }
 
-    // An isotropic tree looked up the other way round: no dimension is v's; by quadrature.
+    // An isotropic tree in the reverse direction: no dimension is v's, so by quadrature.
     void turned_tree(const std::vector<uint32_t>& w, uint32_t n, float least, std::vector<float>& hemi,
                      std::vector<float>& psa) {
         SceneTables s = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See coincident.h.  Faces are sorted by their planes, then along one axis: n log n, and a bounded number of pairs.
+// See coincident.h.  Faces are sorted by plane, then along one axis: n log n time, and a limited number of pairs.
 #include "flatten/coincident.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using base::Vec3;
 using scene::Type;
 
 constexpr size_t MOST_PAIRS = 4000000;
-constexpr int GRID = 8;                // points looked at along each side of what two faces have in common
+constexpr int GRID = 8;                // points tested along each side of the intersection of two faces
 constexpr double LARGE = 1e-3;         // side of a square, in radii of the scene
 constexpr double SAME_PLANE = 9.5e-7;  // 2^-20 of the radius
 constexpr double LEAST_ROUNDED = 16;   // m: no coordinate is more exact than in a model of that radius
@@ -34,7 +34,7 @@ struct Face {
     std::array<int, 3> direction;  // of the plane
     double offset;
     int u, v;     // axes across
-    bool turned;  // it faces away from `direction`
+    bool turned;  // it faces the opposite of `direction`
     double low[2], high[2];
     std::vector<Vec3> corners;
 
@@ -68,7 +68,7 @@ Face face_of(const scene::Object& o, std::vector<Vec3> corners, Vec3 normal) {
     return f;
 }
 
-// Is it of a flat type and drawn?
+// Returns true for a visible surface of a flat type.
 bool is_face(const Modifiers& modifiers, const scene::Object& o) {
     return (o.type == Type::polygon || o.type == Type::ring) && o.modifier >= 0 && modifiers.is_met[o.modifier];
 }
@@ -106,7 +106,7 @@ std::vector<Face> faces_of(const Modifiers& modifiers, double large) {
     return faces;
 }
 
-// A point in both, of a grid over what their boxes have in common, if that is large; else null.
+// A point in both faces, from a grid over the intersection of their boxes, if that is large; else null.
 bool cover(const Face& a, const Face& b, double large, Vec3& where) {
     double low[2], size[2];
     for (int k = 0; k < 2; k++) {
@@ -125,7 +125,7 @@ bool cover(const Face& a, const Face& b, double large, Vec3& where) {
     return false;
 }
 
-// Calls each(a, b, where) for all a and b of one plane which cover each other, at a point in the middle of them.
+// Calls each(a, b, where) for all overlapping a and b of one plane, with a point in the middle of their overlap.
 template <class Each>
 void of_pairs(std::vector<Face>& faces, double near, double large, const Each& each) {
     size_t pairs = 0;
@@ -143,7 +143,7 @@ void of_pairs(std::vector<Face>& faces, double near, double large, const Each& e
     }
 }
 
-// Kind of a ball (1), tube (2) or cone (3), 0 for other types; two coincide if kind and numbers are equal.
+// Kind: 1 ball, 2 tube, 3 cone, 0 other types; two coincide if kind and numbers are equal.
 int curved_kind(Type t) {
     if (t == Type::sphere || t == Type::bubble) return 1;
     if (t == Type::cylinder || t == Type::tube) return 2;
@@ -156,13 +156,13 @@ std::vector<double> curved_key(const scene::Scene& scene, const scene::Object& o
     return key;
 }
 
-// Does it let shadow rays pass, and may yet hide what is opaque?
+// Returns true if shadow rays pass it although it may hide an opaque surface.
 bool passes_and_hides(const Modifiers& modifiers, const scene::Object& o) {
     return o.modifier >= 0 && modifiers.is_met[o.modifier] && modifiers.passes[o.modifier] &&
            !modifiers.is_clear(o.modifier);
 }
 
-// Does `over` hide what is opaque in its place from some side?  turned: they face opposite ways.
+// Returns true if `over` hides the opaque surface in its place from some side.  turned: they face opposite ways.
 bool hides(const Modifiers& modifiers, const scene::Object& over, const scene::Object& opaque, bool turned) {
     if (!passes_and_hides(modifiers, over) || modifiers.passes[opaque.modifier]) return false;
     const uint32_t m = modifiers.material[opaque.modifier];
@@ -196,7 +196,7 @@ void warn_of_coincident(const Modifiers& modifiers, const FlatScene& scene) {
     const Face* first[2] = {nullptr, nullptr};
     Vec3 place;
     of_pairs(faces, near, large, [&](const Face& a, const Face& b, Vec3 where) {
-        // of two that face opposite ways each is seen from its own side: a house on its ground
+        // of two faces with opposite normals each is visible from its own side: a house on its ground
         if (a.turned != b.turned || count++ > 0) return;
         first[0] = &a, first[1] = &b, place = where;
         if (first[0]->object > first[1]->object) std::swap(first[0], first[1]);

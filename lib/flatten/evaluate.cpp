@@ -36,7 +36,7 @@ double mean_luminance(const FlatScene& scene, const float* record) {
         float sine, cosine;
         k_sincos(6.28318531f * x.x, &sine, &cosine);
         const float up = 2.0f * x.y - 1.0f, flat = sqrt_(1.0f - up * up);
-        float3 out = F3(flat * cosine, flat * sine, up), point = centre;  // out: the way the light goes
+        float3 out = F3(flat * cosine, flat * sine, up), point = centre;  // out: direction of the light
         double weight = 1;
         if (kind == SK_DISTANT) {
             out = neg3(centre);

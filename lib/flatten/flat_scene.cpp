@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Questions to the finished tables.
+// Queries of the finished tables.
 #include "flatten/flat_scene.h"
 
 #include "base/hash.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order in which a scene becomes tables.  Each step reads what those before it have written, and nothing else.
+// The steps from a scene to its tables.  Each step reads only results of the steps before it.
 #include "flatten/flatten.h"
 
 #include "flatten/coincident.h"
@@ -17,8 +17,8 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     out.tell_tree = options.tell_tree;
     out.known_tree = options.known_tree;
 
-    // Modifiers first, for all else names them by their records: those of the scene, then those inside the octrees and
-    // meshes that it places.
+    // Modifiers first, because all other records refer to them: those of the scene, then those inside its octrees and
+    // meshes.
     ModifierTables tables;
     Instances instances(scene, options, files, tables);
     const Modifiers modifiers = flatten_modifiers(scene, instances.mesh_materials(scene), options, files, tables);
@@ -30,8 +30,8 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     flatten_geometry(modifiers, instances, out, lights);
     warn_of_coincident(modifiers, out);
 
-    // Sources: surfaces that shine, distant ones, and all of them again in mirrors and prisms; which of them mists
-    // scatter; how they are chosen among if they are many.
+    // Sources: emissive surfaces, distant ones, and their images in mirrors and prisms; the sources that mists scatter;
+    // the light tree.
     Sources sources;
     add_local_sources(modifiers, lights.emitters, out, sources);
     add_distant_sources(modifiers, out, sources);

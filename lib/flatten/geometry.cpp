@@ -15,14 +15,14 @@ using base::Xform;
 
 // The matrix of a row-vector transform, shifted: local = p m - shift, as three rows of four.
 void put_matrix(float* q, const Xform& x, Vec3 from, Vec3 shift) {
-    const Vec3 t = base::point(x, from) - shift;  // where the origin of the tables comes to lie
+    const Vec3 t = base::point(x, from) - shift;  // the new origin of the tables
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) q[4 * i + j] = float(x.m[j][i]);
         q[4 * i + 3] = float(t[i]);
     }
 }
 
-// What `fill` appends to the tables of geometry is a tree.
+// Makes a tree of the geometry that `fill` appends.
 template <class Fill>
 void add_tree(FlatScene& out, const Fill& fill) {
     FlatScene::Tree t;
@@ -36,7 +36,7 @@ void add_tree(FlatScene& out, const Fill& fill) {
     out.trees.push_back(t);
 }
 
-// A place for the records of instances behind all shapes
+// Space for the records of instances behind all shapes
 uint32_t add_shapes(FlatScene& out, size_t count) {
     const size_t first = out.shapes.size() / SHAPE_FLOATS;
     out.shapes.resize(SHAPE_FLOATS * (first + count), 0.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shared traversal compiled for plain hosts.
+// The kernels' traversal compiled for the host.
 #include "flatten/host_tracer.h"
 
 #include <cstdint>
@@ -67,7 +67,7 @@ HostTracer::SourcePoint HostTracer::source_point(uint32_t i, base::Vec3 p, doubl
     if (l.w <= 0) return {{}, 0, 0};
     const float* q = source_record(&state_->tables, &state_->params, i);
     double w = l.w;
-    if (IS_SPOT(q)) {  // the focal length dims the light a spotlight gives, not how it looks
+    if (IS_SPOT(q)) {  // the focal length dims the light of a spotlight, not its appearance
         const bool sphere = as_uint_(q[SRC_KIND]) == SK_SPHERE;
         const double d = sphere ? length(base::Vec3{q[SRC_CENTRE], q[SRC_CENTRE + 1], q[SRC_CENTRE + 2]} - p) : l.dist;
         const double k = d / (d + q[SRC_SPOT_FOCUS]);

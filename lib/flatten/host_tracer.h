@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Single rays on the host: which primitive a ray meets, whether a way is free, points on light sources.  For work
-// before the first frame; pictures go through Device.
+// Single rays on the host: the nearest primitive, occlusion, points on light sources.  For work before the first frame;
+// pictures go through Device.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -13,7 +13,7 @@ class HostTracer {
 public:
     explicit HostTracer(const FlatScene& scene);  // keeps a reference
     ~HostTracer();
-    // normal: the shape's own, wherever the ray comes from
+    // normal: the shape's own, whatever the direction of the ray
     struct Found {
         double t;
         uint32_t prim;
@@ -23,8 +23,8 @@ public:
     // Nearest primitive along a ray given in world coordinates; t < 0 if none.
     Found closest(base::Vec3 origin, base::Vec3 dir, double tmin, double tmax, Mask mask) const;
     bool blocked(base::Vec3 origin, base::Vec3 dir, double tmin, double tmax, Mask mask) const;
-    // A point of active source i seen from p (world), two numbers in [0,1): direction, distance (1e30 for distant ones)
-    // and the solid angle it stands for (0: not seen from there).
+    // A point of active source i seen from p (world), from two numbers in [0,1): direction, distance (1e30 for distant
+    // sources) and the solid angle that it represents (0: invisible from p).
     struct SourcePoint {
         base::Vec3 dir;
         double dist, solid_angle;

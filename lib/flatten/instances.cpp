@@ -13,7 +13,7 @@ using base::Vec3;
 using base::Xform;
 using scene::Type;
 
-constexpr uint64_t PLACE = 10;  // steps of base::WorkBudget: a place takes 128 bytes and a share of the tree above it
+constexpr uint64_t PLACE = 10;  // steps of base::WorkBudget: a place takes 128 bytes and a part of the tree above it
 
 bool is_obj(const scene::Mesh& mesh) { return !mesh.material_names.empty(); }
 
@@ -105,7 +105,7 @@ void Instances::add(uint32_t tree, const Xform& to_world, const Replacement* rep
 
 void Instances::place(const Modifiers& top, Lights& lights) { place_all({top_, &top, Xform(), nullptr, NONE}, lights); }
 
-// Found once a scene: the places of an octree of a million polygons need not look at all of them again.
+// Cached once per scene, so that the places of an octree of a million polygons do not search it again.
 const std::vector<uint32_t>& Instances::placed_in(const scene::Scene& scene) {
     const auto [found, fresh] = placed_in_.emplace(&scene, std::vector<uint32_t>());
     if (fresh)
@@ -126,7 +126,7 @@ void Instances::place_all(const Level& level, Lights& lights) {
             place_one(o, level, x, level.replaced, owner, lights);
             continue;
         }
-        if (!level.modifiers->is_met[o.modifier]) continue;  // all of it lets rays pass
+        if (!level.modifiers->is_met[o.modifier]) continue;  // rays pass all of it
         const Replacement own{level.modifiers->record[o.modifier], level.modifiers->passes[o.modifier] != 0,
                               level.modifiers->is_clear(o.modifier), level.to_world};
         const uint32_t m = level.modifiers->material[o.modifier];

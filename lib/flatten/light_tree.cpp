@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree of many sources (kernels/light/light_tree.h): distant ones and others apart, then by the apertures that
-// their light must pass, so that a node's apertures stop all its sources at once, then by place, in halves across the
-// longest side. What a node says follows from its set of sources alone.
+// Builds the light tree (kernels/light/light_tree.h): separates distant sources from others, then splits by the
+// apertures that their light must pass, so that a node's apertures hold for all its sources, then by position, in
+// halves across the longest side.  The data of a node depend on its set of sources alone.
 #include "flatten/light_tree.h"
 
 #include <algorithm>
@@ -18,9 +18,9 @@ using namespace kernels;
 using base::Vec3;
 
 constexpr double unlimited = 1e30;
-constexpr double rounding = 1.0001;  // balls are no smaller for being written as floats
+constexpr double rounding = 1.0001;  // keeps balls from shrinking in conversion to float
 
-// What the tree knows of a source.
+// A source, as the tree sees it.
 struct Emitter {
     uint32_t source;
     bool distant;
@@ -43,7 +43,7 @@ Emitter emitter_of(const FlatScene& scene, uint32_t i) {
     if (kind == SK_CYLINDER) emitter.radius += length(u);
     if (q[SRC_SHEARED] != 0) emitter.radius = 2 * (length(u) + length(v) + length(w));  // holds any sampled point
     if (kind == SK_PARALLELOGRAM || kind == SK_POLYGON || kind == SK_RING) emitter.axis = unit(w);
-    emitter.power = double(std::max(q[SRC_POWER], 1e-20f)) * std::max(q[SRC_AREA], 1e-20f);  // never 0: all are reached
+    emitter.power = double(std::max(q[SRC_POWER], 1e-20f)) * std::max(q[SRC_AREA], 1e-20f);  // never 0
     emitter.far = q[SRC_MAXRAD] > 0 ? q[SRC_MAXRAD] + emitter.radius : unlimited;
 
     uint32_t relay = bits(q[SRC_VIRTUAL]);
@@ -67,7 +67,7 @@ class LightTree {
 public:
     LightTree(const FlatScene& scene, Emitters& emitters) : scene_(scene), emitters_(emitters) {}
 
-    // Emitters begin .. end - 1, all distant or none: their nodes, appended.
+    // Appends the nodes of emitters begin .. end - 1, all distant or none.
     void plant(size_t begin, size_t end) {
         const size_t at = nodes.size();
         nodes.resize(at + LIGHT_FLOATS, 0.0f);
@@ -85,7 +85,7 @@ public:
     std::vector<float> nodes;
 
 private:
-    // How many relays all have in common, the nearest first.
+    // Number of relays that all have in common, the nearest first.
     size_t common(size_t begin, size_t end) const {
         const std::vector<uint32_t>& first = emitters_[begin].chain;
         size_t same = first.size();
@@ -97,7 +97,7 @@ private:
         return same;
     }
 
-    // Where chains differ, as near the middle as they do so in the next relay; else across the longest side.
+    // Splits where chains differ, as near the middle as the next relay allows; else across the longest side.
     size_t split(size_t begin, size_t end) {
         const size_t middle = begin + (end - begin) / 2, next = common(begin, end);
         const auto relay = [&](size_t i) { return next < emitters_[i].chain.size() ? emitters_[i].chain[next] : NONE; };

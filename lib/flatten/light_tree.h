@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree in which many active sources stand, so that one of them is chosen without asking all
-// (kernels/light/light_tree.h).
+// Builds the light tree of many active sources (kernels/light/light_tree.h).
 #pragma once
 #include "flatten/flat_scene.h"
 
 namespace flatten {
 
-// After write_sources(); few sources get none.
+// Call after write_sources(); a few sources get no tree.
 void plant_light_tree(FlatScene& scene);
 
 }  // namespace flatten

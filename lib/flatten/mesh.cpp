@@ -12,7 +12,7 @@ namespace {
 using namespace kernels;
 using base::Vec3;
 
-// Room for all, asked for once.
+// Reserves memory for all, once.
 void reserve(const scene::Mesh& mesh, bool corners, FlatScene& out) {
     const size_t n = mesh.positions.size(), triangles = mesh.triangles.size();
     if (out.f.size() + CORNER_FLOATS * n > 0xffffffffu || out.u.size() + 3 * triangles > 0xffffffffu ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sources that mists name, to scatter.  A virtual source is named by the way back from the point lit:
-// "relay>relay>source".
+// The sources that mists name, whose light they scatter.  A virtual source is named by the path back from the point
+// lit: "relay>relay>source".
 #include <algorithm>
 #include <fmt/core.h>
 #include <map>
@@ -22,7 +22,7 @@ public:
           const FlatScene& out)
         : scene_(scene), relays_(relays), sources_(sources), out_(out) {}
 
-    // Of several sources of that name one counts, the last in RADIANCE's list; NONE: there is none.
+    // The last source of this name in RADIANCE's list; NONE if there is none.
     uint32_t find(std::string_view name) const {
         uint32_t found = NONE;
         for (uint32_t i = 0; i < sources_.count(); i++)
@@ -48,7 +48,7 @@ private:
         return name == scene_.name(scene_.objects[sources_.objects[i]]);
     }
 
-    // Of two sources of the same name, does i come later in RADIANCE's list than j?  Real ones are in the scene's
+    // Returns true if source i comes after j, of the same name, in RADIANCE's list.  Real ones are in the scene's
     // order; virtual ones follow, the last real source's first, by its relays in the scene's order.
     bool is_later(uint32_t i, uint32_t j) const {
         const uint32_t a = way(i), b = way(j);
@@ -66,7 +66,7 @@ private:
 
 }  // namespace
 
-// Sources that the same mists name are a set: a medium then is a few bits (kernels/material/medium.h).
+// Sources that the same mists name form a set, so that a medium stores a few bits (kernels/material/medium.h).
 void link_mists(const Modifiers& modifiers, const std::vector<Lights::Relay>& relays, const Sources& sources,
                 FlatScene& out) {
     const scene::Scene& scene = modifiers.scene;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Modifiers always stand before their users, so one pass down marks what is needed and one pass up builds it, without
-// recursion (chains may be 10,000 deep).
+// Modifiers precede their users, so one pass down marks the used ones and one pass up builds them, without recursion
+// (chains may be 10,000 deep).
 #include "flatten/modifiers.h"
 
 #include <algorithm>
@@ -60,13 +60,13 @@ public:
     }
 
 private:
-    // One modifier on its way into the tables.
+    // One modifier of a chain.
     struct Link {
         size_t index;     // of the object in the chain
         const Object& o;  // with its aliases resolved: type and arguments
         int32_t object;   // its index
         int32_t above;    // the next modifier of the chain, VOID if none
-        bool above_ends;  // that one's chain has a material
+        bool above_ends;  // the chain of that modifier has a material
         uint32_t record[MOD_WORDS];
     };
 
@@ -92,7 +92,7 @@ private:
         tables_.records.insert(tables_.records.end(), link.record, link.record + MOD_WORDS);
     }
 
-    // What it, or what it is made of, depends on: MF_LOOKS, MF_TOTAL, MF_PLACE.
+    // Dependence of the modifier and its parts: MF_LOOKS, MF_TOTAL, MF_PLACE.
     uint32_t dependence(const Link& link) const {
         constexpr uint32_t all = MF_LOOKS | MF_TOTAL | MF_PLACE;
         const unsigned reads = tables_.code.reads;
@@ -150,7 +150,7 @@ private:
         if (!materials && link.above_ends) out_.material[link.index] = out_.material[link.above];
     }
 
-    // ---- materials: what their row says (kernels/material/materials.h), then what is special to a few
+    // ---- materials: their row (kernels/material/materials.h), then special cases
 
     void add_material(Link& link) {
         const Object& o = link.o;
@@ -180,7 +180,7 @@ private:
         out_.material[link.index] = uint32_t(link.object);
     }
 
-    // A pattern multiplies its colours: one above it or, of a WGMDfunc, of its components.
+    // Returns true if a pattern multiplies its colours: one above it or, of a WGMDfunc, of its components.
     bool is_patterned(const Link& link) const {
         const auto some = [&](int32_t m) { return m >= 0 && patterned_[m] != 0; };
         if (link.o.type != Type::WGMDfunc) return some(link.above);
@@ -223,7 +223,7 @@ private:
         return bsdf_files_[path] = bsdf_tables(scene::read_bsdf(path, place), tables_.code, path);
     }
 
-    // The number of this one, its cut face, and a mark on what it lists.
+    // Sets its number and its cut face, and marks the modifiers that it lists.
     void add_antimatter(Link& link) {
         if (antimatters_ > 3) base::fail(scene_.place(link.o), "more than four antimatter materials are not supported");
         tables_.arguments.push_back(float(antimatters_));
@@ -240,7 +240,7 @@ private:
         tables_.antimatter = true;
     }
 
-    // Absent arguments: no extinction; the albedo and eccentricity around it stay.
+    // Absent arguments: no extinction; albedo and eccentricity of the medium around.
     void add_mist(Link& link) {
         const size_t given = scene_.reals(link.o).size();
         link.record[MOD_EXTRA] = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which modifiers a scene's modifiers name in their arguments, and which of all are needed.
+// Modifiers that other modifiers name in their arguments, and the modifiers that are used at all.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,11 +9,11 @@ namespace flatten {
 
 constexpr int wgmd_names[3] = {0, 4, 8};  // strings of WGMDfunc that name modifiers
 
-// An illum or mirror with another material in its place?
+// Returns true for an illum or mirror with an alternate material.
 bool has_alternate(const scene::Scene& scene, const scene::Object& o);
-// The modifiers that the string arguments of an object name, where the chain does not lead to them.
+// Modifiers that the string arguments of an object name, besides its chain.
 std::vector<int32_t> named_modifiers(const scene::Scene& scene, uint32_t object);
-// By object: do surfaces, or also_used, lead to it?
+// By object: used by a surface or by also_used.
 std::vector<uint8_t> needed_modifiers(const scene::Scene& scene, const std::vector<int32_t>& also_used);
 
 }  // namespace flatten

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See reflectance.h.  The parts are those of docs/spec/radiance-shading.md, section 3, without Fresnel's rise.
-// Not held against 1: radiance (light, glow ...), what functions and BSDF files give, extinction.
+// See reflectance.h.  The parts are those of docs/spec/radiance-shading.md, section 3, without Fresnel.  Not limited:
+// radiance (light, glow ...), values of functions and BSDF files, extinction.
 #include "flatten/reflectance.h"
 
 #include <fmt/core.h>
@@ -17,7 +17,7 @@ namespace {
 using scene::Type;
 
 constexpr double rounding = 1e-6;  // of 0.7 + 0.2 + 0.1 and the like
-constexpr double impossible = 2;   // no slip of a measurement, and no fit of one, gets as far
+constexpr double impossible = 2;   // above any error of a measurement or of a fit to one
 
 enum class Range { color, fraction, roughness };  // 0 to 1 where no pattern multiplies it; 0 to 1; 0 and more
 struct Part {
@@ -26,7 +26,7 @@ struct Part {
     size_t first, count;  // real arguments
 };
 
-// What the real arguments of a type are called, as far as they are bounded.
+// Names of the bounded real arguments of a type.
 std::vector<Part> parts_of(Type type) {
     const Part color{"reflectance", Range::color, 0, 3}, specularity{"specularity", Range::fraction, 3, 1};
     switch (type) {
@@ -54,8 +54,8 @@ std::vector<Part> parts_of(Type type) {
     }
 }
 
-// The constant part of the light that band 0, 1 or 2 gives back and passes on; 0: nothing is known.  Where rounding or
-// a slip made a part negative, its size counts.
+// Constant part of the light that band 0, 1 or 2 reflects and transmits; 0: unknown.  Negative parts, by rounding or
+// mistake, enter by their size.
 double given_back(Type type, scene::Span<double> a, size_t band) {
     const auto arg = [&](size_t k) { return k < a.size() ? std::fabs(a[k]) : 0; };
     switch (type) {
@@ -63,7 +63,7 @@ double given_back(Type type, scene::Span<double> a, size_t band) {
     case Type::plastic2:
     case Type::trans:
     case Type::trans2: return arg(band) * std::fabs(1 - a[3]) + arg(3);
-    case Type::plasfunc:  // what the function gives for its share of the specularity is not known
+    case Type::plasfunc:  // the share of the function in the specularity is unknown
     case Type::metfunc:
     case Type::transfunc:
     case Type::plasdata:
@@ -85,7 +85,7 @@ double given_back(Type type, scene::Span<double> a, size_t band) {
     }
 }
 
-// False once a part was warned of: the sum would only repeat it.
+// False after a warning of one part, because the sum would repeat it.
 bool within_bounds(const Part& part, scene::Span<double> a, bool patterned, const std::string& place,
                    const std::string& named) {
     const size_t end = std::min(part.first + part.count, a.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a source is and how large, kind by kind (SRC_*, SK_* of kernels/tables.h).
+// Position and size of a source, by kind (SRC_*, SK_* of kernels/tables.h).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +23,7 @@ void shape_sphere(const Reals& r, Vec3 centre, float* q) {
     q[SRC_KIND] = from_bits(SK_SPHERE);
     put(q + SRC_CENTRE, vec_at(r, 0) - centre);
     q[SRC_RADIUS] = float(std::fabs(r[3]));
-    q[SRC_AREA] = float(pi * r[3] * r[3]);  // as seen: the silhouette
+    q[SRC_AREA] = float(pi * r[3] * r[3]);  // of the silhouette
 }
 
 void shape_ring(const Reals& r, const std::string& place, Vec3 centre, float* q) {
@@ -51,8 +51,9 @@ void shape_cylinder(const Reals& r, const std::string& place, Vec3 centre, float
 
 // ---- polygons
 
-// Ear clipping of a simple polygon in its plane; the fan's triangles by vertex index.  Apart from scene/triangulate.h,
-// since polygons may have seams, whose corners coincide, and the triangles' order decides which point a sample means.
+// Ear clipping of a simple polygon in its plane; the fan's triangles by vertex index.  Separate from
+// scene/triangulate.h, because polygons may have seams, whose corners coincide, and the order of the triangles decides
+// which point a sample is.
 std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3>& v, Vec3 n) {
     std::vector<std::array<int, 3>> out;
     std::vector<int> left(v.size());
@@ -85,8 +86,8 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<Vec3>& v, Vec3 n) 
     return out;
 }
 
-// The half vectors of RADIANCE's partition: quadrilaterals as if parallelograms, triangles by the edge nearest the
-// centroid, others a square of equal area.
+// Half vectors of RADIANCE's partition: quadrilaterals as parallelograms, triangles by the edge nearest the centroid,
+// others as a square of equal area.
 void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec3& u, Vec3& w) {
     if (v.size() == 4) {
         u = (v[1] - v[0]) * 0.5;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which emitters are active sources (spec shading 4.1) and their records; the distant surfaces in order.  Everything
-// else that glows is found by sampled rays alone.
+// Chooses the active sources among the emitters (spec shading 4.1) and writes their records; distant surfaces in order.
+// Sampled rays alone find all other emitters.
 #include "flatten/sources.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ void aim_spotlight(const Reals& c, const std::string& place, float* q) {
     q[SRC_SPOT_FOCUS] = float(length(aim));
 }
 
-// What the eye sees of a distant surface: an illum's alternate, or the alternate's.
+// Visible modifier of a distant surface: of an illum its alternate, or that one's.
 uint32_t distant_seen(const FlatScene& out, uint32_t mod) {
     for (;;) {
         const uint32_t m = material_record(out, mod);
@@ -79,7 +79,7 @@ void add_local_sources(const Modifiers& modifiers, const std::vector<Lights::Emi
     const scene::Scene& scene = modifiers.scene;
     for (const Lights::Emitter& e : emitters) {
         const Object& o = scene.objects[e.object];
-        if (o.type == Type::instance || o.type == Type::mesh) continue;  // they are seen, and light nothing
+        if (o.type == Type::instance || o.type == Type::mesh) continue;  // they are visible but light nothing
         const Object& material = scene.objects[modifiers.material[o.modifier]];
         const Reals c = scene.reals(material);
         if (black(c)) continue;
@@ -118,8 +118,8 @@ void add_distant_sources(const Modifiers& modifiers, FlatScene& out, Sources& so
     }
 }
 
-// A source is chosen by what it gives in the mean.  Its pattern may hide more than these few looks find, so it keeps a
-// hundredth of the bare material's power.
+// Sources are chosen by their mean power.  A pattern may hide more than these few samples show, so a source keeps at
+// least a hundredth of the bare material's power.
 void weigh_patterns(const FlatScene& out, Sources& sources) {
     for (uint32_t i = 0; i < sources.count(); i++) {
         float* q = sources.record(i);

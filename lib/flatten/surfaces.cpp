@@ -50,7 +50,7 @@ struct Polygon {
     }
 };
 
-// The rectangle along the first edge that holds all corners.
+// The rectangle along the first edge that contains all corners.
 Aperture rectangle_about(const std::vector<Vec3>& corners, Vec3 normal, Vec3 centre, bool both_sides) {
     const Vec3 u = unit(corners[1] - corners[0]), v = cross(normal, u), origin = corners[0];
     double low[2] = {0, 0}, high[2] = {0, 0};
@@ -120,7 +120,7 @@ private:
     void ignore(const Object& o, const char* what) const {
         base::warn(scene_.place(o), fmt::format("{}, surface ignored", what));
     }
-    // ---- what sources need to know
+    // ---- data for sources
 
     void note_emitter(const Object& o, uint32_t prim) {
         if (!lights_) return;
@@ -183,7 +183,7 @@ private:
         }
     }
 
-    // The corners on the coordinate plane that the polygon faces most.
+    // The corners projected to the coordinate plane that the polygon faces most.
     void add_outline(const Polygon& p, uint32_t tagged) {
         const Vec3 n = p.normal;
         double offset = 0;
@@ -273,7 +273,7 @@ std::vector<Vec3> polygon_corners(const scene::Span<double>& r) {
     return v;
 }
 
-// For what nearly all scenes are made of: polygons of three or four corners.
+// The common case: polygons of three or four corners.
 static void make_room_for_polygons(const scene::Scene& scene, FlatScene& out) {
     size_t polygons = 0, corners = 0;
     for (const Object& o : scene.objects) {
@@ -291,7 +291,7 @@ void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, Vec
     for (const Object& o : scene.objects) {
         if (!scene::is_surface(o.type) || o.type == Type::source || o.type == Type::mesh || o.type == Type::instance)
             continue;
-        // a chain without material lets rays pass, unseen
+        // rays pass a chain without material
         if (modifiers && (o.modifier < 0 || !modifiers->is_met[o.modifier])) continue;
         writer.add(o);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Virtual sources: every active source mirrored in every flat mirror it faces, or bent by every prism, and those again,
-// up to -dr levels (spec shading 3.18, 4.6).  A shadow ray aimed at one must meet the relay, then find the real source.
+// Virtual sources: every active source mirrored in every flat mirror that it faces, or bent by every prism, and their
+// images again, up to -dr levels (spec shading 3.18, 4.6).  A shadow ray aimed at one must hit the relay, then the real
+// source.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +18,7 @@ using Apertures = std::vector<Aperture>;
 
 constexpr size_t MOST = 4096;
 
-// Affine map that carries a source to its virtual place: p + (p.n - offset) h, then the mirror in the plane if asked.
+// Affine map of a source to its virtual position: p + (p.n - offset) h, then the mirror in the plane if requested.
 struct Projection {
     Vec3 n, h;
     double offset = 0;
@@ -32,8 +33,8 @@ struct Projection {
     }
 };
 
-// The apertures of a source seen through one more relay: its own, then those behind it where a mirror shows them.  How
-// a prism shows them is not known.
+// Apertures of a source seen through one more relay: its own, then those behind it as a mirror shows them.  Through a
+// prism they are unknown.
 Apertures seen_apertures(const Apertures& behind, const Relay& r, const Projection& m) {
     Apertures apertures{r.aperture};
     if (r.exits) return apertures;
@@ -54,7 +55,7 @@ void append(std::vector<float>& out, const Apertures& apertures) {
     }
 }
 
-// A prism shears what it shows: spheres and suns get axes that can be sheared (spec shading 4.3).
+// A prism shears the image: spheres and suns get axes that can be sheared (spec shading 4.3).
 void give_axes(float* q, bool distant) {
     if (q[SRC_SHEARED] != 0) return;
     q[SRC_SHEARED] = 1;
@@ -70,12 +71,12 @@ void give_axes(float* q, bool distant) {
 bool mirror_projection(const Relay& r, const float* q, Projection& m) {
     m = {r.normal, {}, dot(r.normal, r.centre), true};
     const Vec3 c = get(q + SRC_CENTRE);
-    // the source, at least its extreme point, must stand before the mirror
+    // the source, at least its extreme point, must be in front of the mirror
     const double reach = bits(q[SRC_KIND]) == SK_CYLINDER ? q[SRC_RADIUS] + length(get(q + SRC_U)) : q[SRC_RADIUS];
     return bits(q[SRC_KIND]) == SK_DISTANT ? dot(c, m.n) + reach > 0 : dot(c, m.n) - m.offset + reach > 1e-6;
 }
 
-// A test ray from the source through the middle of the panel tells how the prism bends (spec shading 3.18).
+// A test ray from the source through the middle of the panel gives the prism's deflection (spec shading 3.18).
 bool prism_projection(const FlatScene& scene, const Relay& r, uint32_t exit, const float* q, Projection& m) {
     const bool distant = bits(q[SRC_KIND]) == SK_DISTANT;
     const Vec3 c = get(q + SRC_CENTRE), d0 = distant ? -c : unit(r.centre - c);
@@ -92,7 +93,7 @@ bool prism_projection(const FlatScene& scene, const Relay& r, uint32_t exit, con
     return m.mirrored || length(m.h) > 1e-6;
 }
 
-// Carries the record to its virtual place.
+// Moves the record to its virtual position.
 void project(const Projection& m, bool by_prism, float* q) {
     const bool distant = bits(q[SRC_KIND]) == SK_DISTANT, sphere = bits(q[SRC_KIND]) == SK_SPHERE;
     const Vec3 c = get(q + SRC_CENTRE);
@@ -104,7 +105,7 @@ void project(const Projection& m, bool by_prism, float* q) {
     if (!sphere && !distant) put(q + SRC_NORMAL, unit(get(q + SRC_NORMAL)));
 }
 
-// The triangles of general polygon i, for the source that comes next.
+// Copies the triangles of general polygon i to the next source.
 void project_fan(const Projection& m, size_t i, Sources& sources) {
     size_t at = 0;
     for (const Sources::Fan& fan : sources.fan_of)
@@ -128,7 +129,7 @@ public:
 
     bool full() const { return last_relay_.size() >= MOST; }
 
-    // Source i in a relay; false if this does not show it.
+    // Adds source i seen in a relay; false if the relay does not show it.
     bool add(uint32_t i, const Relay& r, uint32_t exit) {
         if (last_relay_[i] == r.prim) return false;
         float q[SOURCE_FLOATS];
