@@ -21,7 +21,7 @@ for part in "$@"; do
         wheel) packages="$packages python3-venv" ;;                        # its tools come from the package index
         site) packages="$packages mandoc python3-venv" ;;
         chroot) packages="$packages debootstrap" ;;
-        deb) packages="$packages dpkg-dev" ;;                              # finds which libraries the programs need
+        deb) packages="$packages dpkg-dev file" ;;                         # find which libraries the programs need
         *) echo "setup: no part \"$part\": tools, ptrace, tests, demo, fuzz, deb, wheel, chroot, site" >&2
            exit 1 ;;
     esac
