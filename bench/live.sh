@@ -4,7 +4,7 @@
 # The office at 14:00, -ab 5, in the pipe ptrace -watch -control | ptaccum -every x2/16 | vcmetrics.  Tab separated:
 # what, pixels a side, median and 95th percentile of RUNS edits in seconds, median of ptrace's processor seconds until
 # then; the same medians of a ptrace that starts and writes frames 0 and 1, in turn with the edits; the ratio of both.
-# TRIANGLES: of a heap on the floor, in the last row.
+# TRIANGLES: of a heap on the floor, in the last row.  The page itself is measured by bench/live_page.py.
 set -euo pipefail
 bin=$(cd "$1" && pwd)
 cmake --build "$bin/.." --target large_mesh > /dev/null

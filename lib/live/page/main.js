@@ -65,6 +65,7 @@ async function take(answer) {
     const same = shown && shown.view === facts.view && shown.width === facts.width && shown.height === facts.height;
     shown = { ...facts, rgb: new Float32Array(body.slice(4 + length)), eye: facts.view ? same ? shown.eye : new Eye(facts.view) : null };
     await tones.show(shown);
+    if (!document.body.dataset.picture) performance.mark('picture');
     if (!same) regions.fetch_outlines();
     edits.note(facts.edit, facts.what, sliders.said);
     camera.painted(facts.edit, facts.what);

@@ -17,11 +17,33 @@ export function index(thresholds, v) {
   return low;
 }
 
+// index() of the same thresholds for many values: begins at what the first bits of the value as a float say.
+const finders = new WeakMap();
+export function finder(thresholds) {
+  const known = finders.get(thresholds);
+  if (known) return known;
+  const value = new Float32Array(1), bits = new Uint32Array(value.buffer), first = new Uint16Array(1 << 15);
+  for (let b = 0; b < first.length; b++) {
+    bits[0] = b << 16;
+    first[b] = index(thresholds, value[0]);
+  }
+  const find = (v) => {
+    if (!(v > 0)) return index(thresholds, v);
+    value[0] = v;
+    let k = first[bits[0] >>> 16];
+    while (k < thresholds.length && v >= thresholds[k]) k++;
+    while (k > 0 && v < thresholds[k - 1]) k--;
+    return k;
+  };
+  finders.set(thresholds, find);
+  return find;
+}
+
 // Bytes of the picture under a table of colours.
 export function falsecolor(rgb, table) {
-  const out = new Uint8ClampedArray(rgb.length / 3 * 4);
+  const out = new Uint8ClampedArray(rgb.length / 3 * 4), find = finder(table.thresholds);
   for (let i = 0, o = 0; i < rgb.length; i += 3, o += 4) {
-    const k = 3 * index(table.thresholds, luminance(rgb, i));
+    const k = 3 * find(luminance(rgb, i));
     out[o] = table.colours[k];
     out[o + 1] = table.colours[k + 1];
     out[o + 2] = table.colours[k + 2];
@@ -33,11 +55,12 @@ export function falsecolor(rgb, table) {
 // exposure: [scale, white2] (display::Exposure).
 export function toned(rgb, kind, exposure, srgb) {
   const [scale, white2] = exposure, straight = scale / Math.sqrt(white2);
-  const out = new Uint8ClampedArray(rgb.length / 3 * 4);
+  const out = new Uint8ClampedArray(rgb.length / 3 * 4), find = finder(srgb);
   for (let i = 0, o = 0; i < rgb.length; i += 3, o += 4) {
     const world = luminance(rgb, i), l = scale * world, shown = l * (1 + l / white2) / (1 + l);
     const by = kind === 'linear' ? straight : world > 0 && Number.isFinite(shown) ? shown / world : 0;
-    for (let c = 0; c < 3; c++) out[o + c] = index(srgb, kind === 'grey' ? world * by : rgb[i + c] * by * lumens);
+    if (kind === 'grey') out[o] = out[o + 1] = out[o + 2] = find(world * by);
+    else for (let c = 0; c < 3; c++) out[o + c] = find(rgb[i + c] * by * lumens);
     out[o + 3] = 255;
   }
   return out;
@@ -46,7 +69,8 @@ export function toned(rgb, kind, exposure, srgb) {
 // Lines where the band changes toward the right or the lower neighbour, over the grey picture.
 export function contours(rgb, width, height, table, exposure, srgb) {
   const out = toned(rgb, 'grey', exposure, srgb), band = new Uint16Array(rgb.length / 3);
-  for (let i = 0; i < band.length; i++) band[i] = index(table.thresholds, luminance(rgb, 3 * i));
+  const find = finder(table.thresholds);
+  for (let i = 0; i < band.length; i++) band[i] = find(luminance(rgb, 3 * i));
   for (let y = 0; y < height; y++)
     for (let x = 0; x < width; x++) {
       const i = y * width + x, right = x + 1 < width ? band[i + 1] : band[i], below = y + 1 < height ? band[i + width] : band[i];

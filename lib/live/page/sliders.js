@@ -130,14 +130,26 @@ export class Sliders {
   }
 
   show() {
-    const { text } = this.now;
-    $('skies').replaceChildren(...skies_in(text).flatMap((sky, k) => [
-      this.slider(`${sky.program}: day`, 1, 365, 1, sky.day, date, (v, going) => this.set(with_sky(this.now.text, k, v, skies_in(this.now.text)[k].hour), going)),
-      this.slider('hour', 0, 24, .25, sky.hour, clock, (v, going) => this.set(with_sky(this.now.text, k, skies_in(this.now.text)[k].day, v), going)),
-    ]));
+    $('skies').replaceChildren(...this.files.flatMap((one) => skies_in(one.text).flatMap((sky, k) => {
+      const is = () => skies_in(one.text)[k], change = (day, hour, going) => {
+        this.choose(one);
+        this.set(with_sky(one.text, k, day, hour), going);
+      };
+      return [this.slider(`${sky.program}: day`, 1, 365, 1, sky.day, date, (v, going) => change(v, is().hour, going)),
+        this.slider('hour', 0, 24, .25, sky.hour, clock, (v, going) => change(is().day, v, going))];
+    })));
     this.show_text();
     this.show_number();
     this.mark();
+  }
+
+  // The file that Undo, Revert and Save are about.
+  choose(one) {
+    if (one === this.now) return;
+    $('model-file').selectedIndex = this.files.indexOf(one);
+    this.chosen = null;
+    this.show_text();
+    this.show_number();
   }
 
   slider(title, least, largest, step, value, words, set) {

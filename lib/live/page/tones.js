@@ -66,6 +66,7 @@ export class Tones {
   async show(picture = this.picture) {
     this.picture = picture;
     if (!picture) return;
+    const start = performance.now();
     const kind = $('tone').value;
     document.querySelectorAll('.for-falsecolor > *').forEach((e) => { e.hidden = kind !== 'falsecolor'; });
     $('divisions').parentElement.hidden = kind !== 'falsecolor' || $('style').value === 'smooth';
@@ -76,6 +77,7 @@ export class Tones {
     const bytes = compare === 'difference' ? difference(rgb, this.kept) : this.bytes_of(compare === 'kept' ? this.kept : rgb);
     this.view.show(bytes, width, height, rgb, compare === 'wipe' ? this.bytes_of(this.kept) : null);
     this.draw_legend($('legend'), kind !== 'falsecolor' || compare === 'difference');
+    performance.measure('tone', { start });
   }
 
   draw_legend(canvas, hidden) {
