@@ -119,7 +119,10 @@ class Client:
     def read(self):
         picture = 0
         while self.on:
-            body = self.ask(f'/next?picture={picture}&line=0&end=1')
+            try:
+                body = self.ask(f'/next?picture={picture}&line=0&end=1')
+            except (OSError, http.client.HTTPException):
+                return  # the pipe has ended
             found = re.search(rb'"picture":(\d+)', body[:99])
             picture = int(found[1]) if found else picture
 
@@ -136,17 +139,14 @@ class Client:
                     self.waits.append(time.time() - begin)
                 elif k % 2: self.ask('/next', Host='evil.example')
                 else: self.ask('/pixel?x=1e300&y=-1', **{'X-Luxpipe-Token': 'x' * 30000})
-            except OSError:
+            except (OSError, http.client.HTTPException):
                 pass
             time.sleep(.01)
         for s in crowd: s.close()
 
     def stop(self):
-        try:
-            self.on = False
-            self.thread.join()
-        except Exception:
-            pass
+        self.on = False
+        self.thread.join()
 
 
 def pace(side, through, begin=None):
@@ -154,7 +154,7 @@ def pace(side, through, begin=None):
     if os.path.exists('link'): os.remove('link')
     frames = 25 if side > 300 else 61
     pipe = subprocess.Popen(f'ptrace -w- -ab 5 -vf view.vf -x {side} -y {side} -frames {frames} {scene} | '
-                            f'ptaccum -every x2/16 | {through}vcmetrics -ci 95 -metrics Ev,DGP > lines 2> said',
+                            f'ptaccum -every x2/16 | {through}vcmetrics -ci 95 -metrics Ev,DGP > lines 2> link',
                             shell=True)
     client = None
     if begin:
@@ -170,7 +170,7 @@ def pace_rows(side):
     shares, waits = {}, []
     page = Page('about:blank')
     page.chrome.get('about:blank')
-    live = 'vcview 2> link -- '
+    live = 'vcview -- '
     for _ in range(rounds):
         bare, _ = pace(side, '')
         for name, begin in (('vcview', None), ('a client', lambda: Client(Client.read)),
@@ -186,5 +186,5 @@ def pace_rows(side):
 
 
 print('what\tside\tmedian\t95th\tnumber')
-for side in (256, 512): page_rows(side)
 for side in (256, 512): pace_rows(side)
+for side in (256, 512): page_rows(side)
