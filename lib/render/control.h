@@ -15,14 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/command_pipe.h"
+#include "render/command_reader.h"
 
 namespace render {
-
-struct Command {
-    std::string word, rest;                          // the first word of the line, and the rest
-    std::optional<std::string> text = std::nullopt;  // of "overlay FILE BYTES", whose rest is FILE
-};
 
 class Control {
 public:
@@ -50,13 +45,12 @@ private:
     void listen();
     void look_at_files();
     void send(const Command& command);
-    std::optional<Command> arrived();
     std::optional<Command> take();
     bool is_edit(const Command& command) const;
     void look_for_edits();
     void carry_out(const Command& command, const std::string& label);
 
-    std::unique_ptr<base::CommandPipe> pipe_;
+    std::unique_ptr<CommandReader> reader_;
     std::mutex lock_;
     std::condition_variable arrived_;
     std::deque<Command> commands_;
@@ -67,9 +61,6 @@ private:
     int steady_ = 0;                // number of looks without a change of state
     std::atomic<bool> leaves_{false};
     bool paused_ = false, ends_ = false, preview_ = false;
-    std::optional<Command> overlay_;  // without its text so far
-    long overlay_bytes_ = 0;
-    std::chrono::steady_clock::time_point overlay_since_;
     std::thread thread_;
 };
 

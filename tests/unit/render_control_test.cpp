@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Commands that arrive while frames are made: which end a picture, which wait, and that two threads share them cleanly
+// (make test-sanitize runs this under the thread sanitizer).
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <thread>
+
+#include "base/files_read.h"
+#include "render/control.h"
+#include "temp_folder.h"
+
+using render::Command;
+using render::Control;
+
+namespace {
+
+struct Fifo {
+    TempFolder folder;
+    std::string path = folder.name("ctl");
+    int out;
+    Fifo() {
+        REQUIRE(mkfifo(path.c_str(), 0600) == 0);
+        out = open(path.c_str(), O_RDWR);
+    }
+    ~Fifo() { close(out); }
+    void send(const std::string& text) const { REQUIRE(write(out, text.data(), text.size()) == ssize_t(text.size())); }
+};
+
+// The edits that come within two seconds; the frames go on until there are some.
+std::vector<Command> edits(Control& control, const std::string& label = "") {
+    for (int k = 0; k < 200 && !control.edited(); ++k) {
+        control.ends_picture(label);
+        usleep(10000);
+    }
+    return control.take_edits();
+}
+
+}  // namespace
+
+TEST_CASE("words of a line, and the text of an overlay that comes in pieces") {
+    const Fifo fifo;
+    Control control(fifo.path, false);
+    fifo.send("  view  -vp 1 2 3 \n");
+    auto all = edits(control);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].word == "view");
+    CHECK(all[0].rest == "-vp 1 2 3");
+    fifo.send("overlay a file.rad 6\nvoi");
+    usleep(50000);
+    CHECK(!control.ends_picture(""));
+    CHECK(!control.edited());
+    fifo.send("d\n\nnext\n");
+    all = edits(control);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].rest == "a file.rad");
+    CHECK(all[0].text == "void\n\n");
+    for (int k = 0; k < 200 && !control.ends_picture("desk"); ++k) usleep(10000);  // "next" is of the picture after it
+}
+
+TEST_CASE("an edit waits from its arrival until it is taken; next with another label is not for this picture") {
+    const Fifo fifo;
+    Control control(fifo.path, false);
+    CHECK(!control.edit_waits());
+    fifo.send("next other\nset -ab 3\n");
+    for (int k = 0; k < 200 && !control.edited(); ++k) {
+        CHECK(!control.ends_picture("desk"));
+        usleep(10000);
+    }
+    CHECK(control.take_edits().size() == 1);
+    CHECK(!control.edit_waits());
+}
+
+TEST_CASE("pause holds a picture until go; go makes an edit of a preview") {
+    const Fifo fifo;
+    Control control(fifo.path, false);
+    fifo.send("pause\n");
+    usleep(100000);
+    std::thread later([&] {
+        usleep(200000);
+        fifo.send("go\n");
+    });
+    CHECK(!control.ends_picture(""));
+    later.join();
+    CHECK(!control.edited());
+    control.set_preview(true);
+    fifo.send("go\n");
+    const auto all = edits(control);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].word == "go");
+}
+
+TEST_CASE("a file that was read and has changed is the command scene, once") {
+    const Fifo fifo;
+    TempFolder folder;
+    const std::string name = folder.holding("a.rad", "void");
+    base::note_file_read(name);
+    Control control(fifo.path, true);
+    usleep(100000);
+    std::ofstream(name) << "void glow";
+    const auto all = edits(control);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].word == "scene");
+    usleep(200000);
+    control.ends_picture("");
+    CHECK(!control.edited());
+}
+
+TEST_CASE("a storm of commands loses none and keeps their order") {
+    const Fifo fifo;
+    Control control(fifo.path, true);
+    constexpr int count = 2000;
+    std::thread writer([&] {
+        for (int k = 0; k < count; ++k) fifo.send("view " + std::to_string(k) + "\n");
+    });
+    int seen = 0;
+    for (int k = 0; seen < count && k < 20000; ++k) {
+        control.set_preview(k % 3 == 0);
+        control.ends_picture("");
+        (void)control.edit_waits();
+        for (const Command& c : control.take_edits()) CHECK(c.rest == std::to_string(seen++));
+        usleep(500);
+    }
+    writer.join();
+    CHECK(seen == count);
+}
