@@ -11,7 +11,8 @@ export ASAN_OPTIONS=exitcode=99:detect_stack_use_after_return=1:allocator_may_re
 export LSAN_OPTIONS=suppressions=$supp/leak.supp:print_suppressions=0
 export UBSAN_OPTIONS=print_stacktrace=1
 export TSAN_OPTIONS=exitcode=99:suppressions=$supp/thread.supp:second_deadlock_stack=1
-threaded='^(ptrace_|render_control|live$|luxpipe_live|vcview_|pipeline|every_primitive|frame|instances_test|closed_forms_test|break_scenes|break_kills)'
+threaded='^(ptrace_|render_control|live$|luxpipe_live|vcview_|pipeline|every_primitive|frame|instances_test'
+threaded="$threaded|closed_forms_test|break_scenes|break_kills)"
 
 try() {  # folder, sanitizers, which tests
     cmake -S . -B "$1" -G Ninja --log-level=WARNING -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
