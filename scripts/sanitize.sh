@@ -1,7 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# sanitize.sh [JOBS]: every test under the address and undefined-behaviour sanitizers (build-asan), then what has
-# threads under the thread sanitizer (build-tsan).  A report ends its program with status 99, and so fails its test.
+# sanitize.sh [JOBS]: every test under the address and undefined-behaviour sanitizers, which also report floats cast to
+# integers that cannot hold them (build-asan), then what has threads under the thread sanitizer (build-tsan).  A report
+# ends its program with status 99, and so fails its test.
 # Libraries that are not built with a sanitizer are taken at their word: tests/sanitizers/*.supp says which.
 set -eu
 cd "$(dirname "$0")/.."
@@ -21,5 +22,5 @@ try() {  # folder, sanitizers, which tests
     (cd "$1" && shift 2 && ctest --output-on-failure -j "$jobs" -LE 'gpu|slow|slurm' --timeout 3000 "$@")
 }
 
-try build-asan address,undefined
+try build-asan address,undefined,float-cast-overflow
 try build-tsan thread -R "$threaded"
