@@ -25,6 +25,7 @@ frames | ptaccum -every x2/4 | vcmetrics -metrics Ev,DGP,DGPf -ci 95 -until 'DGP
 echo "the first DGP: $(($(date +%s) - started)) s"
 frames -frames 3 | ptaccum | vcview -- vcmetrics > /dev/null 2> "$TMPDIR/said"
 grep -q 'http://' "$TMPDIR/said"
+luxpipe-live -version
 luxpipe-live -regions "$TMPDIR/regions" -vf view.vf -x 64 -y 64 materials.rad layout.rad sky_day.rad \
     > "$TMPDIR/lines" 2> "$TMPDIR/said" & live=$!
 trap 'kill $live 2> /dev/null || :' EXIT
