@@ -85,8 +85,8 @@ double noise_of(const scene::Scene& scene, render::Sampling sampling) {
     return squares / (sum * sum);
 }
 
-// One frame of a scene, and is it that of rays toward windows, which share nothing?
-bool shares_nothing(const std::string& text, render::RenderOptions options = {}) {
+// One frame of a scene, and is it that of rays toward windows, which reuse nothing?
+bool reuses_nothing(const std::string& text, render::RenderOptions options = {}) {
     const scene::Scene scene = scene_of(text);
     std::vector<float> frames[2];
     options.noisy_share = 0;
@@ -134,7 +134,7 @@ TEST_CASE("each pixel has one path of a sample, and each path its place in its g
     }
 }
 
-TEST_CASE("sharing takes noise away and moves no mean") {
+TEST_CASE("path reuse removes noise and moves no mean") {
     const scene::Scene scene = scene_of(room);
     const Means plain = means_of(scene, render::Sampling::plain, 400);
     const Means reuse = means_of(scene, render::Sampling::reuse, 400);
@@ -151,19 +151,19 @@ TEST_CASE("sharing takes noise away and moves no mean") {
 }
 
 TEST_CASE("a surface that looks different from elsewhere is not reused") {
-    CHECK(!shares_nothing(corner(matt)));
-    CHECK(!shares_nothing(corner("void brightfunc stripes 2 .5+.4*cos(9*Px) .\n0 0\nstripes " + matt.substr(5))));
+    CHECK(!reuses_nothing(corner(matt)));
+    CHECK(!reuses_nothing(corner("void brightfunc stripes 2 .5+.4*cos(9*Px) .\n0 0\nstripes " + matt.substr(5))));
     for (const char* seen : {"Rdot", "abs(Dz)", "T/9", "Ts/9"}) {
         CAPTURE(seen);
         const std::string looks = std::string("void brightfunc looks 2 .5+.5*") + seen + " .\n0 0\n";
-        CHECK(shares_nothing(corner(looks + "looks " + matt.substr(5))));
-        CHECK(shares_nothing(corner(
+        CHECK(reuses_nothing(corner(looks + "looks " + matt.substr(5))));
+        CHECK(reuses_nothing(corner(
             looks + "void brightfunc plain 2 .9 .\n0 0\nlooks brightfunc over 2 .8 .\n0 0\nover " + matt.substr(5))));
-        CHECK(shares_nothing(corner(looks + "void mixfunc both 4 looks void .5 .\n0 0\nboth " + matt.substr(5))));
+        CHECK(reuses_nothing(corner(looks + "void mixfunc both 4 looks void .5 .\n0 0\nboth " + matt.substr(5))));
     }
-    CHECK(shares_nothing(corner("void plastic it 0 0 5 .5 .5 .5 .05 0\n")));  // Fresnel
-    CHECK(shares_nothing(corner("void texfunc bumps 4 .1*cos(9*Px) 0 .1*cos(9*Py) .\n0 0\nbumps " + matt.substr(5))));
-    CHECK(shares_nothing(corner("void ashik2 it 4 1 0 0 .\n0 8 .5 .5 .5 .1 .1 .1 30 30\n")));
+    CHECK(reuses_nothing(corner("void plastic it 0 0 5 .5 .5 .5 .05 0\n")));  // Fresnel
+    CHECK(reuses_nothing(corner("void texfunc bumps 4 .1*cos(9*Px) 0 .1*cos(9*Py) .\n0 0\nbumps " + matt.substr(5))));
+    CHECK(reuses_nothing(corner("void ashik2 it 4 1 0 0 .\n0 8 .5 .5 .5 .1 .1 .1 30 30\n")));
 }
 
 // A floor under a sky of the corner's room.
@@ -174,12 +174,12 @@ std::string open_floor(const std::string& sky, const std::string& above) {
 
 TEST_CASE("a sky that looks different from place to place is not reused") {
     const std::string glow = "glow it 0 0 4 9 9 9 0\n";
-    CHECK(!shares_nothing(open_floor("void " + glow, "")));
-    CHECK(!shares_nothing(open_floor("void brightfunc seen 2 2+Dz .\n0 0\nseen " + glow, "")));
-    CHECK(shares_nothing(open_floor("void brightfunc seen 2 2+Px .\n0 0\nseen " + glow, "")));
+    CHECK(!reuses_nothing(open_floor("void " + glow, "")));
+    CHECK(!reuses_nothing(open_floor("void brightfunc seen 2 2+Dz .\n0 0\nseen " + glow, "")));
+    CHECK(reuses_nothing(open_floor("void brightfunc seen 2 2+Px .\n0 0\nseen " + glow, "")));
 }
 
-TEST_CASE("links are blocked where panes let no path through, or where these tell how far the eye is") {
+TEST_CASE("connections are blocked by panes that pass no path, or that depend on the distance to the eye") {
     const std::string pane = "seen glass pane 0 0 3 .9 .9 .9\npane polygon p 0 0 12 -3 -3 1 3 -3 1 3 3 1 -3 3 1\n";
     for (const char* seen : {"if(sin(6*Px)*sin(6*Py),-.5,1)", "1/(1+T)", "1/(1+Ts)"}) {
         CAPTURE(seen);
@@ -194,7 +194,7 @@ TEST_CASE("links are blocked where panes let no path through, or where these tel
 }
 
 // The mist fills a part of the room only: paths that found far ends before it go on into it.
-TEST_CASE("light that a mist scatters is counted once, whatever the path's far end has got") {
+TEST_CASE("light that a mist scatters is added once, whatever the suffix vertex has received") {
     const scene::Scene scene = scene_of(
         "void light bulb 0 0 3 60 60 60\nbulb sphere lamp 0 0 4 1.5 -1 2.5 .1\n"
         "void plastic matt 0 0 5 .7 .7 .7 0 0\n"
@@ -215,16 +215,16 @@ TEST_CASE("light that a mist scatters is counted once, whatever the path's far e
 TEST_CASE("no path reuse in mist, or where paths end by their weight") {
     render::RenderOptions options;
     options.lr = 3;
-    CHECK(shares_nothing(corner(matt), options));
+    CHECK(reuses_nothing(corner(matt), options));
     options = {};
     options.me[0] = options.me[1] = options.me[2] = .01;
     const std::string bulb = "void light lamp 0 0 3 50 50 50\nlamp sphere bulb 0 0 4 0 0 2.5 .1\n";
-    CHECK(shares_nothing(corner(matt) + bulb, options));  // no sun is left
-    CHECK(shares_nothing(corner(matt) + "void antimatter hole 1 it 0 0\nhole sphere hollow 0 0 4 9 9 9 .1\n"));
+    CHECK(reuses_nothing(corner(matt) + bulb, options));  // no sun is left
+    CHECK(reuses_nothing(corner(matt) + "void antimatter hole 1 it 0 0\nhole sphere hollow 0 0 4 9 9 9 .1\n"));
 }
 
 // A square of paths for each sample of a few pixels would be a thousand times the memory, and time.
-TEST_CASE("pictures smaller than a square share nothing") {
+TEST_CASE("pictures smaller than a square reuse nothing") {
     const scene::Scene scene = scene_of(room);
     std::vector<float> frames[2];
     for (const auto sampling : {render::Sampling::reuse, render::Sampling::portals}) {
@@ -237,7 +237,7 @@ TEST_CASE("pictures smaller than a square share nothing") {
     CHECK(frames[0] == frames[1]);
 }
 
-TEST_CASE("every device shares alike") {
+TEST_CASE("every device reuses alike") {
     const scene::Scene scene = scene_of(room);
     std::vector<float> first, other;
     for (const std::string& device : devices()) {
