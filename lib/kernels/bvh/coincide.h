@@ -35,7 +35,7 @@ FN void trace_on(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask,
     for (uint i = 0u; i < COINCIDE_MOST; i++) {
         if (i > 0u || !found) trace_next(s, ray, mask, look);
         if (i == 0u) *hit = look->hit;
-        if (look->hit.prim == NO_HIT || (i == 0u && !look->tied)) return;
+        if (look->hit.prim == NO_HIT || (i == 0u && !may_coincide(look))) return;
 
         Surface g;
         surface_at(s, ray, &look->hit, &g);
@@ -55,6 +55,7 @@ FN void trace_on(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask,
             rank = own;
             mod = g.mod;
         }
+        if (look->second >= limit) return;
         look_past(look, limit);
     }
 }

@@ -76,8 +76,8 @@ STRUCT(Look) {
     float from;   // boxes before are ignored
     float after;  // the given hit, or the ray's tmin and NO_HIT
     uint after_prim, after_inst;
-    float size;  // largest coordinate of the origin, for the rounding of t
-    int tied;    // another hit was about as near as the first
+    float size;    // of the origin's coordinates, for the rounding of t
+    float second;  // t of the hit after the first; right where it is below limit
 };
 
 // Hits closer together than this part of their distance and the origin's coordinates may coincide: 2^-12, far above

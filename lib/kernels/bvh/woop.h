@@ -67,7 +67,7 @@ FN void look_along(PRIVATE(const Ray) ray, PRIVATE(Look) look) {
     look->after_prim = NO_HIT;
     look->after_inst = NO_HIT;
     look->size = TIE_SHARE * (fabs_(ray->org.x) + fabs_(ray->org.y) + fabs_(ray->org.z));
-    look->tied = 0;
+    look->second = ray->tmax;
 }
 
 // Continues behind the hit found, up to a limit.
@@ -79,6 +79,7 @@ FN void look_past(PRIVATE(Look) look, float limit) {
     look->limit = limit;
     look->hit.t = limit;
     look->hit.prim = NO_HIT;
+    look->second = limit;
 }
 
 FN int hit_precedes(float t, uint prim, uint inst, float other_t, uint other_prim, uint other_inst) {
@@ -88,19 +89,24 @@ FN int hit_precedes(float t, uint prim, uint inst, float other_t, uint other_pri
 // Keeps a hit if it is the first so far.
 FN int hit_offer(PRIVATE(Look) look, float t, uint prim, float u, float v, uint inst) {
     PRIVATE(Hit) best = &look->hit;
-    float near = TIE_SHARE * t + look->size;
     int none = best->prim == NO_HIT;
     if (!(t > look->after) && !hit_precedes(look->after, look->after_prim, look->after_inst, t, prim, inst)) return 0;
-    if (!none && fabs_(t - best->t) <= near) look->tied = 1;
-    if (none ? !(t < best->t) : !hit_precedes(t, prim, inst, best->t, best->prim, best->inst)) return 0;
+    if (none ? !(t < best->t) : !hit_precedes(t, prim, inst, best->t, best->prim, best->inst)) {
+        look->second = MIN_(look->second, t);
+        return 0;
+    }
+    look->second = best->t;
     best->t = t;
     best->prim = prim;
     best->u = u;
     best->v = v;
     best->inst = inst;
-    look->limit = MIN_(look->limit, t + near);
+    look->limit = MIN_(look->limit, t + (TIE_SHARE * t + look->size));
     return 1;
 }
+
+// Is another hit near enough to the first?
+FN int may_coincide(PRIVATE(const Look) look) { return look->second < look->limit; }
 
 // The tree that a ray traverses, the scene's or an instance's, and the query there.
 STRUCT(TreeRay) {
