@@ -219,7 +219,7 @@ TEST_CASE("a sum that is rounded to bytes is no part") {
     CHECK(all.result().parts.empty());
     const auto told = base::take_warnings();
     REQUIRE(told.size() == 1);
-    CHECK(told[0].first.find("no batches are kept") != std::string::npos);
+    CHECK(told[0].first.find("holds neither batches") != std::string::npos);
 }
 
 TEST_CASE("what cannot be weighted rightly is refused") {
