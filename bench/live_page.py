@@ -36,6 +36,8 @@ def bare(side):
 
 
 def page_rows(side):
+    for name in ('lines', 'link'):
+        if os.path.exists(name): os.remove(name)
     live = subprocess.Popen(f'exec luxpipe-live -ab 5 -vf view.vf -x {side} -y {side} -regions office.regions {scene} '
                             '> lines 2> link', shell=True)
     soon(lambda: os.path.exists('lines') and os.path.getsize('lines'), 60)
@@ -117,14 +119,16 @@ class Client:
             c.close()
 
     def read(self):
-        picture = 0
+        news = {'picture': 0, 'line': 0, 'files': 0}  # as the page asks
         while self.on:
             try:
-                body = self.ask(f'/next?picture={picture}&line=0&end=1')
+                body = self.ask('/next?' + '&'.join(f'{name}={k}' for name, k in news.items()))
             except (OSError, http.client.HTTPException):
                 return  # the pipe has ended
-            found = re.search(rb'"picture":(\d+)', body[:99])
-            picture = int(found[1]) if found else picture
+            if b'"ended"' in body: return
+            for name in news:
+                found = re.search(rb'"%s":(\d+)' % name.encode(), body[:99])
+                news[name] = int(found[1]) if found else news[name]
 
     def attack(self):
         crowd = [socket.create_connection(('127.0.0.1', self.port)) for _ in range(200)]
