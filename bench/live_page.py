@@ -41,11 +41,12 @@ def page_rows(side):
     live = subprocess.Popen(f'exec luxpipe-live -ab 5 -vf view.vf -x {side} -y {side} -regions office.regions {scene} '
                             '> lines 2> link', shell=True)
     soon(lambda: os.path.exists('lines') and os.path.getsize('lines'), 60)
-    page = Page(link_in('link'))
+    page = None
     try:
+        page = Page(link_in('link'))
         measure_page(page, side)
     finally:
-        page.chrome.quit()
+        if page: page.chrome.quit()
         live.terminate()
         live.wait()
 
