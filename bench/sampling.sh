@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Error against processor time of each value of -sampling, and of rpict: bench/sampling.sh build/bin [scene ...].  The
-# errors are those of bench/picture_error.cpp after 0, 1, 2, 4 ... FRAMES diffuse frames, rms over SEEDS runs, against
+# errors (bench/picture_error.cpp) after 0, 1, 2, 4 ... FRAMES diffuse frames are rms over SEEDS runs, against
 # REFERENCE frames of other seeds (-sampling reuse), whose own noise (half of the difference of its halves) is printed
 # and subtracted in squares.  Seconds are ptrace's alone on one core, from its start, learning included: measured at
 # frames 0, 4 and FRAMES, a straight line between them.  The curves stay in OUT (out/sampling), with a plot of each

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The OpenCL device: wavefront kernels over buffers; GPUs traverse the nodes of bvh_compact.h, CPUs (PoCL) those of
+// The OpenCL device: wavefront kernels over buffers.  GPUs traverse the tree of bvh_compact.h, CPUs (PoCL) the tree of
 // bvh8.h.  Drivers cache compiled programs (PoCL, NVIDIA), so that only a first run waits for them.
 #include <cerrno>
 #include <cstring>

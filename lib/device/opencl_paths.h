@@ -32,7 +32,7 @@ public:
     OpenclPaths() = default;
     // gpu: reading a counter stalls it, and neighbouring work items should take the same branches.
     OpenclPaths(const cl::Context& context, const cl::CommandQueue& queue, bool gpu);
-    // Sets the kernels.  Those for a GPU shade paths without a hit separately (HAS(SKY), kernels/features.h).
+    // Sets the kernels.  Kernels for a GPU shade paths without a hit separately (HAS(SKY), kernels/features.h).
     void use(const cl::Program& program);
     void set_table(int table, const cl::Buffer& buffer);  // of the scene
     const cl::Buffer& table(int table) const { return tables_[table]; }

@@ -17,7 +17,7 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     out.tell_tree = options.tell_tree;
     out.known_tree = options.known_tree;
 
-    // Modifiers first, because all other records refer to them: those of the scene, then those inside its octrees and
+    // Modifiers first, because all other records refer to them: the scene's, then the ones inside its octrees and
     // meshes.
     ModifierTables tables;
     Instances instances(scene, options, files, tables);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// See reflectance.h.  The parts are those of docs/spec/radiance-shading.md, section 3, without Fresnel.  Not limited:
-// radiance (light, glow ...), values of functions and BSDF files, extinction.
+// See reflectance.h.  Diffuse, specular and transmitted parts: docs/spec/radiance-shading.md, section 3, without
+// Fresnel.  Not limited: radiance (light, glow ...), values of functions and BSDF files, extinction.
 #include "flatten/reflectance.h"
 
 #include <fmt/core.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings of a measurement.  Letters and defaults are those of evalglare.  Angles named `opening` are full opening
+// Settings of a measurement.  Letters and defaults are evalglare's.  Angles named `opening` are full opening
 // angles in radians, as for evalglare's -t, -l, -r.
 #pragma once
 #include <limits>
@@ -86,7 +86,7 @@ struct MaskSize : base::Error {
 struct Requirements {
     bool sources = true, rammg = true, medians = false, regions_in_full = false;
     bool filled = false;     // also sources of filled pixels (filled.h)
-    bool all_light = false;  // all light at the eye, of which a narrow view lacks a part
+    bool all_light = false;  // all light at the eye; a narrow view shows only a part of it
 };
 
 }  // namespace glare
