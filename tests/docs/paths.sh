@@ -5,7 +5,8 @@ machine='/(work|farm|root|home/[a-z]+)/|[.]library|[.][.]/shared/'
 
 files() {
     git -C "$TOP" ls-files 2> /dev/null ||
-        (cd "$TOP" && find . -type f -not -path './build*' -not -path './out/*' -not -path './.git/*')
+        (cd "$TOP" &&
+            find . \( -path './build*' -o -path ./out -o -path ./.git -o -path ./.ispc \) -prune -o -type f -print)
 }
 check 'no file names a path of one machine' '
     ! (cd "$TOP" && files | grep -vE "[.](hdr|exr|png)$" | tr "\n" "\0" | xargs -0 grep -nIE "$machine" /dev/null)'

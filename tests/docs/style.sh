@@ -5,7 +5,8 @@
 
 files() {  # patterns: those files, by name
     cd "$TOP" || exit 2
-    git ls-files -- "$@" 2> /dev/null || find . -path ./build\* -prune -o -type f -print
+    git ls-files -- "$@" 2> /dev/null ||
+        find . \( -path "./build*" -o -path ./.git -o -path ./.ispc \) -prune -o -type f -print
 }
 cxx() { files '*.cpp' '*.h' '*.inl' '*.cl' | grep -E '[.](cpp|h|inl|cl)$' | sed "s|^|$TOP/|"; }
 scripts() {
