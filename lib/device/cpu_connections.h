@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which connections between the prefix vertices of a group and a suffix vertex are open (kernels/integrator/connect.h):
-// the rays to a far end are made side by side, step by step as connection_ends() makes one, and those of one kind go
-// through the tree as a packet. Included by cpu_kernels.inl.
-#ifndef LUX_CPU_LINKS_H
-#define LUX_CPU_LINKS_H
+// the rays to a suffix vertex are made side by side, step by step as connection_ends() makes one, and those of one kind
+// go through the tree as a packet. Included by cpu_kernels.inl.
+#ifndef LUX_CPU_CONNECTIONS_H
+#define LUX_CPU_CONNECTIONS_H
 
 static_assert(REUSE_GROUP <= PACKET, "the connections of a suffix vertex fill one packet");
 
@@ -54,17 +54,17 @@ FN uint32_t connection_rays(const Paths& paths, const PrefixVertices& near, uint
 }
 
 // Sets what is known of the connections of each path of the queue, as connections_known() says.
-FN void know_connections(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
+FN void know_connections(Tile& t) {
     PacketRays p;
     PrefixVertices near;
     p.count = REUSE_GROUP;
-    for (uint32_t i = 0; i < n; i++) {
+    for (uint32_t i = 0; i < t.n; i++) {
         const uint32_t path = t.now[i];
         if (i == 0 || reuse_first(path) != reuse_first(t.now[i - 1])) prefix_vertices(t.paths, path, near);
         uint32_t through = 0;
         const uint32_t facing = connection_rays(t.paths, near, path, p);
-        const uint32_t open = packet_look(s, p, facing, RAY_ALL, &through) & ~through;
-        if (par.shadow_mode == SHADOW_OPAQUE) through = 0;
+        const uint32_t open = packet_look(*t.s, p, facing, RAY_ALL, &through) & ~through;
+        if (t.par.shadow_mode == SHADOW_OPAQUE) through = 0;
         t.paths.connections[path] = open | through << REUSE_GROUP;
     }
 }

@@ -84,21 +84,21 @@ public:
 
     void run(const Params& par, std::vector<float>& rgb) override {
         rgb.resize(size_t(kernels::film_places(&par)) * 3);
-        tiles(par.path_count, [&](uint32_t first, uint32_t count, void* scratch) {
+        tiles(par.path_count, [&](uint32_t first, uint32_t count, char* scratch) {
             float* film = par.reuse_path_count != 0 ? rgb.data() : &rgb[size_t(first) * 3];
-            kernels_.run(&tables_, &par, par.first + first, count, scratch, film);
+            kernels_.run(tables_, par, par.first + first, count, scratch, film);
         });
     }
     void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) override {
         rgb.resize(rays.size() * 3);
-        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
-            kernels_.splat(&tables_, &par, rays.data(), first, count, scratch, &rgb[size_t(first) * 3]);
+        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, char* scratch) {
+            kernels_.splat(tables_, par, rays.data(), first, count, scratch, rgb.data());
         });
     }
     void pilot(const Params& par, const std::vector<PilotRay>& rays, std::vector<PilotEnd>& ends) override {
         ends.resize(rays.size());
-        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
-            kernels_.pilot(&tables_, &par, rays.data(), first, count, scratch, ends.data());
+        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, char* scratch) {
+            kernels_.pilot(tables_, par, rays.data(), first, count, scratch, ends.data());
         });
     }
     void set_focus(std::vector<uint32_t> entries) override {

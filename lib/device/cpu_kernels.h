@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions of one instruction-set build of the kernels, for the CPU device.  The tables cross as void*: each build has
-// its own (identical) types in its own namespace.
+// Functions of one instruction-set build of the kernels, for the CPU device.
 #pragma once
 #include <cstdint>
+#include "kernels/dialect/host.h"
+#include "device/given_rays.h"
 
 namespace device {
 
@@ -10,14 +11,13 @@ struct CpuKernels {
     const char* name;
     // Runs paths [first, first + count) of a pass.  film: 3 floats for each of them, or, with path reuse, the whole
     // pass's (kernels/integrator/path_reuse.h).  scratch: scratch_bytes(count).
-    void (*run)(const void* scene_tables, const void* params, uint32_t first, uint32_t count, void* scratch,
-                float* film);
-    // Rays in the layout of device::SplatRay.
-    void (*splat)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
-                  void* scratch, float* rgb);
-    // Rays and ends in the layouts of device::PilotRay and PilotEnd.
-    void (*pilot)(const void* scene_tables, const void* params, const void* rays, uint32_t first, uint32_t count,
-                  void* scratch, void* ends);
+    void (*run)(const kernels::SceneTables& s, const kernels::Params& par, uint32_t first, uint32_t count,
+                char* scratch, float* film);
+    // The same for given rays; rays, rgb and ends of the whole pass.
+    void (*splat)(const kernels::SceneTables& s, const kernels::Params& par, const SplatRay* rays, uint32_t first,
+                  uint32_t count, char* scratch, float* rgb);
+    void (*pilot)(const kernels::SceneTables& s, const kernels::Params& par, const PilotRay* rays, uint32_t first,
+                  uint32_t count, char* scratch, PilotEnd* ends);
     uint64_t (*scratch_bytes)(uint32_t count);
 };
 extern const CpuKernels cpu_baseline, cpu_avx2;

@@ -48,37 +48,32 @@ int LANE_CALL(cal)(const SceneTables* s, uint32_t entry, const float* vars, floa
 // Puts paths that have met the same material side by side, those that have met nothing first: the lanes of a group then
 // take the same branches.  A counting sort; the queues of what comes after shading are still free, and hold the kinds
 // and the sorted paths.
-static void sort_by_material(const SceneTables& s, Tile& t, uint32_t n) {
+static void sort_by_material(Tile& t) {
     uint32_t place[PATH_KINDS + 1] = {};
-    for (uint32_t i = 0; i < n; i++) {
-        t.next[i] = path_kind(&s, &t.paths, t.now[i]);
+    for (uint32_t i = 0; i < t.n; i++) {
+        t.next[i] = path_kind(t.s, &t.paths, t.now[i]);
         place[t.next[i] + 1u]++;
     }
     for (uint32_t k = 1; k < PATH_KINDS; k++) place[k] += place[k - 1];
-    for (uint32_t i = 0; i < n; i++) t.shadow[place[t.next[i]]++] = t.now[i];
+    for (uint32_t i = 0; i < t.n; i++) t.shadow[place[t.next[i]]++] = t.now[i];
     uint32_t* swap = t.now;
     t.now = t.shadow;
     t.shadow = swap;
 }
 
 struct InLanes {
-    static void generate(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-        LANE_CALL(generate)(&s, &par, &t.paths, n, t.result);
+    static void generate(Tile& t) { LANE_CALL(generate)(t.s, &t.par, &t.paths, t.par.path_count, t.result); }
+    static void shade(Tile& t) {
+        sort_by_material(t);
+        LANE_CALL(shade)(t.s, &t.par, &t.paths, t.now, t.n, t.result);
     }
-    static void shade(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-        sort_by_material(s, t, n);
-        LANE_CALL(shade)(&s, &par, &t.paths, t.now, n, t.result);
-    }
-    static void shadow(const SceneTables& s, const Params& par, Tile& t, uint32_t n) {
-        LANE_CALL(shadow)(&s, &par, &t.paths, t.shadow, n, t.result);
-    }
+    static void shadow(Tile& t) { LANE_CALL(shadow)(t.s, &t.par, &t.paths, t.shadow, t.shadows, t.result); }
     static void suffix_roulette(Tile& t) { LANE_CALL(suffix_roulette)(&t.paths); }
-    static void transmittance(const SceneTables& s, const Params& par, Tile& t, const uint32_t* connections,
-                              uint32_t n) {
-        LANE_CALL(transmittance)(&s, &par, &t.paths, connections, n);
+    static void transmittance(Tile& t, const uint32_t* connections, uint32_t n) {
+        LANE_CALL(transmittance)(t.s, &t.par, &t.paths, connections, n);
     }
-    static void connect(const SceneTables& s, const Params& par, Tile& t) { LANE_CALL(connect)(&s, &par, &t.paths); }
-    static void normalise_mis(Tile& t, uint32_t n) { LANE_CALL(normalise_mis)(&t.paths, t.now, n); }
+    static void connect(Tile& t) { LANE_CALL(connect)(t.s, &t.par, &t.paths); }
+    static void normalise_mis(Tile& t) { LANE_CALL(normalise_mis)(&t.paths, t.now, t.n); }
     static void gather(Tile& t) { LANE_CALL(gather)(&t.paths); }
 };
 #endif

@@ -7,18 +7,11 @@
 #include <vector>
 #include "kernels/dialect/host.h"
 #include "flatten/flat_scene.h"
-#include "device/pilot_rays.h"
+#include "device/given_rays.h"
 
 namespace device {
 
 using kernels::Params;
-
-// A straight ray from the eye to a point of active source `source`; weight: the fraction of a pixel that the point
-// represents.
-struct SplatRay {
-    float org[3], dir[3], dist, weight;
-    uint32_t source;
-};
 
 // Thrown by run(), splat() and pilot() when they are cancelled (Device::cancel_when).
 struct Cancelled {};

@@ -14,6 +14,7 @@
 #include "device/features.h"
 #include "device/kernel_cache.h"
 #include "device/opencl_paths.h"
+#include "device/wavefront.h"
 
 namespace device {
 extern const char* const kernel_source;
@@ -74,7 +75,8 @@ public:
             const bool shared = par.reuse_path_count != 0;  // then all parts have one film
             rgb.clear();
             in_parts(par, par.first, par.path_count, [&](const Params& part, uint32_t first) {
-                paths_.run(part);
+                paths_.reserve(part);
+                run_paths(paths_, shared);
                 paths_.store(part);
                 if (!shared) paths_.receive(part, rgb, size_t(first) * 3);
                 else if (first + part.path_count == par.path_count) paths_.receive(part, rgb, 0);
@@ -96,11 +98,11 @@ public:
                     d[i] = {ray.dir[0], ray.dir[1], ray.dir[2], ray.dist};
                     c[i] = {ray.weight, ray.weight, ray.weight, 0};
                 }
-                paths_.reserve(part, part.path_count);
+                paths_.reserve(part);
                 paths_.write(PATH_shadow_org, o);
                 paths_.write(PATH_shadow_dir, d);
                 paths_.write(PATH_shadow_rad, c);
-                paths_.splat(part);
+                paths_.splat();
                 paths_.store(part);
                 paths_.receive(part, rgb, size_t(first) * 3);
             });
@@ -118,10 +120,11 @@ public:
                     p[i] = {ray.org[0], ray.org[1], ray.org[2], 0};
                     d[i] = {ray.dir[0], ray.dir[1], ray.dir[2], ray.dir_w};
                 }
-                paths_.reserve(part, part.path_count);
+                paths_.reserve(part);
                 paths_.write(PATH_org, p);
                 paths_.write(PATH_dir, d);
-                paths_.pilot(part);
+                paths_.begin_pilots();
+                follow_paths(paths_);
                 paths_.read(PATH_rad, rad);
                 paths_.read(PATH_throughput, share);
                 paths_.read(PATH_org, p);

@@ -76,8 +76,10 @@ void OpenclPaths::release() {
     needs_ = PATH_ALWAYS;
 }
 
-void OpenclPaths::reserve(const Params& par, uint32_t count) {
+void OpenclPaths::reserve(const Params& par) {
+    const uint32_t count = par.path_count;
     queue_.enqueueWriteBuffer(params_, CL_TRUE, 0, sizeof par, &par);
+    count_ = count;
     const uint32_t needs = needs_ | kernels::path_needs(&par), capacity = std::max(capacity_, count);
     if (capacity == capacity_ && needs == needs_) return;
     release();
@@ -106,59 +108,44 @@ void OpenclPaths::launch(const cl::Kernel& kernel, uint32_t n) {
     }
 }
 
-uint32_t OpenclPaths::count() {
-    uint32_t n = 0;
-    queue_.enqueueReadBuffer(counters_, CL_TRUE, 0, 4, &n);
-    return n;
-}
-
-void OpenclPaths::run(const Params& par) {
-    reserve(par, par.path_count);
-    begin(STAGE_generate, par);
-    follow();
-    if (par.reuse_path_count == 0) return;
-    for (const int k : {STAGE_suffix_roulette, STAGE_connection, STAGE_transmittance, STAGE_connect,
-                        STAGE_normalise_mis, STAGE_gather})
-        stage(k, par.path_count);
-}
-
-void OpenclPaths::pilot(const Params& par) {
-    begin(STAGE_pilot, par);
-    follow();
-}
-
-void OpenclPaths::splat(const Params& par) { stage(STAGE_splat, par.path_count); }
-
 // Fills the queue with the paths that have a ray.
-void OpenclPaths::begin(int first, const Params& par) {
+void OpenclPaths::begin(int first) {
     queue_.enqueueWriteBuffer(counters_, CL_FALSE, 0, 16, zeros);
-    stage(first, par.path_count, counters_, now_);
+    stage(first, count_, counters_, now_);
+    bounces_ = 0;
 }
 
-// Follows the paths of the queue to their ends.
-void OpenclPaths::follow() {
-    const int rounds = gpu_ ? 4 : 1;  // between reads of the counter; idle work items leave at once
-    for (uint32_t active = count(); active > 0; active = count()) {
-        if (before_bounce) before_bounce();
-        for (int i = 0; i < rounds; i++) {
-            stage(STAGE_extend, active, counters_, now_);
-            if (gpu_) {
-                sort(active);
-                stage(STAGE_sky, active, counters_, now_);
-            }
-            stage(STAGE_shade, active, counters_, now_, next_, shadow_queue_);
-            stage(STAGE_shadow, active, counters_, shadow_queue_);
-            launch(STAGE_swap, 1, counters_);
-            std::swap(now_, next_);
-        }
+bool OpenclPaths::has_paths() {
+    const uint32_t unread = gpu_ ? 4 : 1;  // bounces between reads of the counter; idle work items leave at once
+    if (bounces_++ % unread == 0) {
+        queue_.enqueueReadBuffer(counters_, CL_TRUE, 0, 4, &active_);
+        if (active_ > 0 && before_bounce) before_bounce();
     }
+    return active_ > 0;
+}
+
+void OpenclPaths::extend() { stage(STAGE_extend, active_, counters_, now_); }
+
+void OpenclPaths::shade() {
+    if (gpu_) {
+        sort();
+        stage(STAGE_sky, active_, counters_, now_);
+    }
+    stage(STAGE_shade, active_, counters_, now_, next_, shadow_queue_);
+}
+
+void OpenclPaths::shadow() { stage(STAGE_shadow, active_, counters_, shadow_queue_); }
+
+void OpenclPaths::next_bounce() {
+    launch(STAGE_swap, 1, counters_);
+    std::swap(now_, next_);
 }
 
 // Sorts paths by kind: a counting sort.
-void OpenclPaths::sort(uint32_t active) {
-    stage(STAGE_count_kinds, active, counters_, now_, kinds_);
+void OpenclPaths::sort() {
+    stage(STAGE_count_kinds, active_, counters_, now_, kinds_);
     launch(STAGE_begin_kinds, 1, kinds_);
-    stage(STAGE_sort_kinds, active, counters_, now_, kinds_, sorted_);
+    stage(STAGE_sort_kinds, active_, counters_, now_, kinds_, sorted_);
     std::swap(now_, sorted_);
 }
 
@@ -169,7 +156,7 @@ void OpenclPaths::store(const Params& par) {
         forget_arguments();
         film_ = room(bytes, 1), film_bytes_ = bytes;
     }
-    launch(STAGE_film, par.path_count, params_, fields_[PATH_rad], film_);
+    launch(STAGE_film, count_, params_, fields_[PATH_rad], film_);
 }
 
 void OpenclPaths::receive(const Params& par, std::vector<float>& film, size_t at) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paths in flight on an OpenCL device: their state, their queues, and the kernels of each stage (kernels/entry.cl).
-// Calls throw cl::Error.
+// The paths in flight on an OpenCL device: their state, their queues, and the kernels of each stage (kernels/entry.cl):
+// a backend of wavefront.h.  Calls throw cl::Error.
 #pragma once
 #include <functional>
 
@@ -40,19 +40,34 @@ public:
 
     // Number of paths that the device's memory can hold.
     static uint32_t most_paths(const cl::Device& device, bool gpu);
-    // Allocates memory for this number of paths, and sets the parameters of their pass.
-    void reserve(const Params& par, uint32_t count);
+    // Allocates memory for the paths of a pass, and sets its parameters.
+    void reserve(const Params& par);
     void release();  // frees that memory
     // Reads or writes whole fields of the first n paths.
     void write(int field, const std::vector<kernels::float4>& values);
     void read(int field, std::vector<kernels::float4>& values);
 
-    // Follows the paths of a pass to their ends; with path reuse, suffix vertices then light the prefix vertices of
-    // their groups.
-    void run(const Params& par);
-    // The same for rays that the host has written: MODE_PILOT, and the shadow rays of MODE_SPLAT.
-    void pilot(const Params& par);
-    void splat(const Params& par);
+    // Stages (wavefront.h) of the paths reserved last.  Rays that the host has written: those of MODE_PILOT, and the
+    // shadow rays of MODE_SPLAT.
+    void generate() { begin(STAGE_generate); }
+    void begin_pilots() { begin(STAGE_pilot); }
+    void splat() { stage(STAGE_splat, count_); }
+    bool has_paths();
+    void extend();
+    void shade();
+    void shadow();
+    void next_bounce();
+    template <class F>
+    void in_reuse_parts(F&& reuse) {
+        reuse(*this);
+    }
+    void suffix_roulette() { stage(STAGE_suffix_roulette, count_); }
+    void see_connections() { stage(STAGE_connection, count_); }
+    void attenuate_connections() { stage(STAGE_transmittance, count_); }
+    void connect() { stage(STAGE_connect, count_); }
+    void normalise_mis() { stage(STAGE_normalise_mis, count_); }
+    void gather() { stage(STAGE_gather, count_); }
+
     // Adds the paths' radiance to the film, 3 floats each, in its order (kernels/integrator/path_reuse.h), on the
     // device, because the host would take as long as a GPU takes for the rest.
     void store(const Params& par);
@@ -87,10 +102,8 @@ private:
         (stages_[stage].give(a++, others), ...);
         launch(stages_[stage].kernel, n);
     }
-    void begin(int stage, const Params& par);
-    void follow();
-    void sort(uint32_t active);
-    uint32_t count();
+    void begin(int stage);
+    void sort();
     void read_pinned(const cl::Buffer& from, size_t bytes, std::vector<float>& to, size_t at);
 
     bool gpu_ = false;
@@ -102,7 +115,9 @@ private:
     size_t film_bytes_ = 0;
     char* pinned_at_ = nullptr;  // where the host sees pinned_
     uint32_t capacity_ = 0;
-    uint32_t needs_ = PATH_ALWAYS;  // the fields that have that capacity
+    uint32_t count_ = 0;                 // paths of the pass
+    uint32_t active_ = 0, bounces_ = 0;  // at most so many are in the queue; since begin()
+    uint32_t needs_ = PATH_ALWAYS;       // the fields that have that capacity
 };
 
 }  // namespace device

@@ -5,7 +5,7 @@
 #pragma once
 #include <cmath>
 #include <vector>
-#include "device/pilot_rays.h"
+#include "device/given_rays.h"
 #include "kernels/dialect/host.h"
 
 namespace sampling {

@@ -42,21 +42,21 @@ public:
 
     void run(const Params& par, std::vector<float>& rgb) override {
         rgb.resize(size_t(kernels::film_places(&par)) * 3);
-        tiles(par.path_count, [&](uint32_t first, uint32_t count, void* scratch) {
+        tiles(par.path_count, [&](uint32_t first, uint32_t count, char* scratch) {
             float* film = par.reuse_path_count != 0 ? rgb.data() : &rgb[size_t(first) * 3];
-            cpu_baseline.run(&tables_, &par, par.first + first, count, scratch, film);
+            cpu_baseline.run(tables_, par, par.first + first, count, scratch, film);
         });
     }
     void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) override {
         rgb.resize(rays.size() * 3);
-        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
-            cpu_baseline.splat(&tables_, &par, rays.data(), first, count, scratch, &rgb[size_t(first) * 3]);
+        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, char* scratch) {
+            cpu_baseline.splat(tables_, par, rays.data(), first, count, scratch, rgb.data());
         });
     }
     void pilot(const Params& par, const std::vector<PilotRay>& rays, std::vector<PilotEnd>& ends) override {
         ends.resize(rays.size());
-        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, void* scratch) {
-            cpu_baseline.pilot(&tables_, &par, rays.data(), first, count, scratch, ends.data());
+        tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, char* scratch) {
+            cpu_baseline.pilot(tables_, par, rays.data(), first, count, scratch, ends.data());
         });
     }
 

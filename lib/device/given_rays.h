@@ -1,8 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pilot paths (sampling/mixture_weights.h, kernels/integrator/pilot.h) as they go to a device and come back.
+// Rays that the host gives to a device: to points of splatted emitters (render/splat_emitters.h), and pilot paths
+// (sampling/mixture_weights.h), with what comes back of these.
 #pragma once
+#include <cstdint>
 
 namespace device {
+
+// A straight ray from the eye to a point of active source `source`; weight: the fraction of a pixel that the point
+// represents.
+struct SplatRay {
+    float org[3], dir[3], dist, weight;
+    uint32_t source;
+};
 
 // A ray of MODE_PILOT; dir_w: its length, or PILOT_FROM_EYE (kernels/tables.h).  And the end of its path: the radiance
 // gathered (rgb) and, if `bounce`, point and normal of the diffuse bounce and the throughput of the path there.
