@@ -64,3 +64,13 @@ def test_examples_of_the_page(hdr, tmp_path, monkeypatch):
     names = {"array": luxpipe.read(hdr), "view": VIEW, "first": SCENE, "second": SCENE}
     for block in blocks:
         exec(compile(block, "python/README.md", "exec"), names)
+
+
+def test_python_of_the_front_page(monkeypatch):
+    """README.md's lines run as they stand, in a small picture."""
+    page = pathlib.Path(__file__).parents[2] / "README.md"
+    monkeypatch.setitem(luxpipe.render.__kwdefaults__, "size", 24)
+    (block,) = re.findall(r"(?s)```python\n(.*?)```", page.read_text())
+    names = {}
+    exec(compile(block, "README.md", "exec"), names)
+    assert names["result"]["DGPf"].lo > 0.16
