@@ -5,7 +5,7 @@
 #   mapfile -t scenes < <(bench/foreign.sh out/foreign); bench/before_after.sh build/bin old/bin "${scenes[@]}"
 # Two of Honeybee and one of frads are made by these programs' own calls (bench/foreign.py), from the Python index; the
 # office with a mirrored light shelf is RADIANCE's obj/virtual, as it stands on GitHub (RADIANCE_AT: another place).
-# What cannot be had is left out, and said.  frads' open office (docs/efficiency.md) was put together by hand.
+# What cannot be had is left out, and said.
 set -eu
 mkdir -p "$1"
 folder=$(cd "$1" && pwd) bench=$(cd "$(dirname "$0")" && pwd)
