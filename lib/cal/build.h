@@ -65,7 +65,7 @@ private:
     int vector_component(uint32_t first, int axis, bool is_point);
     int argument(int index);
     int choose(int condition, const Thunk& yes, const Thunk& no);
-    int select(int index, const std::vector<Thunk>& args, size_t first);
+    int pick(int index, const std::vector<Thunk>& values, size_t first, int below);
     [[noreturn]] void fail(const std::string& fact) const;
 
     const Library::State& library_;

@@ -118,41 +118,34 @@ int GraphBuilder::channel(double number) {
     return graph_.variable(uint32_t(device::CAL_LX + given));
 }
 
+// The real argument of that number; their number for an index below 1/2.
 int GraphBuilder::argument(int index) {
-    auto one = [&](double n) {
-        const double k = std::floor(n + 0.5);
-        if (k == 0) return graph_.constant(double(args_.size()));
-        if (!(k >= 1 && k <= double(args_.size())))
-            fail("real argument A" + std::to_string(int(std::fmax(-1, std::fmin(k, 1e9)))) + " is missing");
-        return graph_.constant(args_[size_t(k) - 1]);
-    };
-    if (graph_.is_constant(index)) return one(graph_.value(index));
-    int node = graph_.fail();
-    for (size_t k = 0; k <= args_.size(); k++)
-        node = graph_.choose(graph_.sub(index, graph_.constant(double(args_.size() - k) - 0.5)),
-                             k == 0 ? graph_.choose(graph_.sub(index, graph_.constant(double(args_.size()) + 0.5)),
-                                                    graph_.fail(), one(double(args_.size())))
-                                    : one(double(args_.size() - k)),
-                             node);
-    return node;
+    const double count = double(args_.size());
+    if (graph_.is_constant(index) && graph_.value(index) >= count + 0.5)
+        fail("real argument A" + std::to_string(int(std::fmin(graph_.value(index) + 0.5, 1e9))) + " is missing");
+    std::vector<Thunk> values(args_.size());
+    for (size_t i = 0; i < values.size(); i++) values[i].node = graph_.constant(args_[i]);
+    return pick(index, values, 0, graph_.constant(count));
 }
 
-// The k-th of args[first..], k rounded; k = 0 gives their number, anything else an error.
-int GraphBuilder::select(int index, const std::vector<Thunk>& args, size_t first) {
-    const double count = double(args.size() - first);
+// values[first + k - 1] for an index from k - 1/2 up to below k + 1/2; their number for k = 0; `below` (-1: an error)
+// for less, and an error for more.
+int GraphBuilder::pick(int index, const std::vector<Thunk>& values, size_t first, int below) {
+    const double count = double(values.size() - first);
+    const auto low = [&] { return below < 0 ? graph_.fail() : below; };
     if (graph_.is_constant(index)) {
         const double k = std::floor(graph_.value(index) + 0.5);
-        if (k == 0) return graph_.constant(count);
-        if (!(k >= 1 && k <= count)) return graph_.fail();
-        return force(args[first + size_t(k) - 1]);
+        if (k < 1) return k == 0 ? graph_.constant(count) : low();
+        return k <= count ? force(values[first + size_t(k) - 1]) : graph_.fail();
     }
     const Nesting branch(branches_);
-    auto above = [&](double x) { return graph_.sub(index, graph_.constant(x)); };
-    int node = graph_.choose(above(-0.5), graph_.constant(count), graph_.fail());
-    // choose() takes "greater than": a whole number and a half rounds up, so compare from below
-    for (size_t k = 1; k <= args.size() - first; k++)
-        node = graph_.choose(above(double(k) - 0.5), force(args[first + k - 1]), node);
-    return graph_.choose(above(count + 0.5), graph_.fail(), node);
+    const auto under = [&](double limit, int yes, int no) {  // choose() takes "above 0": a half counts upward
+        return graph_.choose(graph_.sub(graph_.constant(limit), index), yes, no);
+    };
+    int node = under(-0.5, low(), graph_.constant(count));
+    for (size_t k = 1; k <= values.size() - first; k++)
+        node = under(double(k) - 0.5, node, force(values[first + k - 1]));
+    return under(count + 0.5, node, graph_.fail());
 }
 
 bool GraphBuilder::builtin(const std::string& function, const std::vector<Thunk>& args, int& node) {
@@ -171,7 +164,7 @@ bool GraphBuilder::builtin(const std::string& function, const std::vector<Thunk>
         node = choose(force(args[0]), args[1], args[2]);
     } else if (function == "select") {
         need(1);
-        node = select(force(args[0]), args, 1);
+        node = pick(force(args[0]), args, 1, -1);
     } else if (function == "min" || function == "max") {
         need(1);
         node = force(args[0]);

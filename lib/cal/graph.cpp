@@ -144,6 +144,7 @@ int Graph::make(uint32_t op, int a, int b, uint32_t aux) {
         if ((*this)[a].op == OP_NEG) return (*this)[a].kid[0];
         break;
     case OP_POW:
+        if (is(a, 0)) return a;  // RADIANCE folds 0^x, x = 0 and below 0 included
         if (cb) {
             const int p = power(a, b);
             if (p >= 0) return p;
