@@ -197,7 +197,8 @@ void gendaylit(const Call& call, std::string& out) {
     int day = 0;
     const Sun sun = find_sun(call, o, day, out);
     const base::Vec3 to_sun = sun_direction(sun.altitude, sun.azimuth);
-    const double sine = std::sin(sun.altitude), z = base::pi / 2 - sun.altitude;
+    // below the horizon, which -ang alone allows, the sky is that of a sun on it, as in RADIANCE
+    const double sine = std::sin(sun.altitude), z = base::pi / 2 - std::max(sun.altitude, 0.);
 
     auto error_sky = [&](const char* why) {
         if (!o.quiet) base::warn(call.place, std::string("gendaylit: ") + why + ": the sky is black");
@@ -206,14 +207,20 @@ void gendaylit(const Call& call, std::string& out) {
                        "0.000 {:f} {:f} {:f}\n",
                        to_sun.x, to_sun.y, to_sun.z);
     };
-    if (sun.altitude <= 0) return error_sky("the sun is below the horizon");
+    const bool dated = day > 0, horizontal_input = o.input == 'G' || o.input == 'E';
+    if (sun.altitude <= 0 && (dated || horizontal_input)) return error_sky("the sun is below the horizon");
+    if (sun.altitude < 0 && !o.quiet)
+        base::warn(call.place, "gendaylit: the sun is below the horizon: the sky is that of a sun on it");
     if (o.input != 'P' && o.a + o.b == 0) return error_sky("no light");
 
     const PerezSky sky(day, z, o.dew_point);
     const auto [direct, diffuse, c] = irradiance(o, sky, sine);
     const PerezShape shape(c, z);
     if (shape.c[1] > 0) return error_sky("the horizon's Perez coefficient b is positive");
-    const double diffuse_lux = diffuse * sky.diffuse_efficacy(c), direct_lux = direct * sky.direct_efficacy(c);
+    // -L states them; between two bins of epsilon its fixed point may not settle
+    const bool stated = o.input == 'L';
+    const double diffuse_lux = stated ? o.b : diffuse * sky.diffuse_efficacy(c);
+    const double direct_lux = !stated ? direct * sky.direct_efficacy(c) : direct > 0 ? o.a : 0;
     if (diffuse_lux < 0) return error_sky("the sky's illuminance is negative");
     if (direct > most_watts || direct_lux > most_lux) return error_sky("more sunlight than above the atmosphere");
 
@@ -226,7 +233,7 @@ void gendaylit(const Call& call, std::string& out) {
                           : c.epsilon >= 6 ? clear_factor(sun.altitude)
                                            : intermediate_factor(sun.altitude);
     double ground = shape.relative(0, z) * level * factor;
-    if (o.sun && c.epsilon > 1) ground += 6.8e-5 / base::pi * solar * sine;
+    if (o.sun && c.epsilon > 1) ground += 6.8e-5 / base::pi * solar * std::max(sine, 0.);
     ground *= o.ground;
 
     fmt::format_to(text, "# Ground ambient level: {:.1f}\n", ground);

@@ -120,7 +120,7 @@ TEST_CASE("skies have RADIANCE's numbers") {
         same(row[3], args);
         count++;
     }
-    CHECK(count == 46);
+    CHECK(count == 56);
 }
 
 // Each piece's texture must give the round shape's normals at its vertices: away from the nearest point of the inner
