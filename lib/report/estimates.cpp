@@ -145,8 +145,7 @@ void ColumnEstimates::look(const glare::Luminance& lum, const glare::Measurement
     metrics.filter_radius = filter_radius(g);
     const std::vector<uncertainty::Estimate> before = std::move(own_);
     replicates_ = uncertainty::replicate(mean, metrics, values(m, false));
-    const std::vector<uncertainty::Values> of_moments = moment_values(analyzer_, columns_, lum);
-    if (!of_moments.empty()) replicates_.pairs.push_back(of_moments);
+    replicates_.lasting_pairs = moment_values(analyzer_, columns_, lum);
     own_ = uncertainty::estimate(replicates_, metrics.quantities);
     estimates_ = own_;
     for (size_t c = 0; c < before.size(); ++c) {

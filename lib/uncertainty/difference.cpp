@@ -13,18 +13,23 @@ Values less(const Values& a, Values b) {
     return b;
 }
 
+// Of images that both have.
 std::vector<Values> less(const std::vector<Values>& a, std::vector<Values> b) {
+    b.resize(std::min(a.size(), b.size()));
     for (size_t k = 0; k < b.size(); ++k) b[k] = less(a[k], b[k]);
     return b;
 }
 
-// Where one run alone has some pairs of images, they stay as they are: only their differences count.
+// The pairs of one run alone stay as they are: only their differences count.
+std::vector<Values> less_pairs(const std::vector<Values>& a, const std::vector<Values>& b) {
+    return a.empty() ? b : b.empty() ? a : less(a, b);
+}
+
 Replicates less(const Replicates& a, Replicates b) {
     b.whole = less(a.whole, b.whole), b.decided = less(a.decided, b.decided);
     b.half_samples = less(a.half_samples, b.half_samples), b.without = less(a.without, b.without);
-    for (size_t k = 0; k < a.pairs.size(); ++k)
-        if (k < b.pairs.size()) b.pairs[k] = less(a.pairs[k], b.pairs[k]);
-        else b.pairs.push_back(a.pairs[k]);
+    b.frame0_pairs = less_pairs(a.frame0_pairs, b.frame0_pairs);
+    b.lasting_pairs = less_pairs(a.lasting_pairs, b.lasting_pairs);
     return b;
 }
 
@@ -47,8 +52,8 @@ Replicates select(const Replicates& of, const std::vector<size_t>& quantities) {
     };
     choose(out.whole);
     if (!out.decided.empty()) choose(out.decided);
-    for (auto* images : {&out.half_samples, &out.without}) std::for_each(images->begin(), images->end(), choose);
-    for (auto& images : out.pairs) std::for_each(images.begin(), images.end(), choose);
+    for (auto* images : {&out.half_samples, &out.without, &out.frame0_pairs, &out.lasting_pairs})
+        std::for_each(images->begin(), images->end(), choose);
     return out;
 }
 

@@ -108,7 +108,7 @@ Replicates replicate(const GrowingMean& mean, const Metrics& metrics, const Valu
     const std::vector<Values> seen = measure_all(images, make, filter, metrics);
     out.half_samples = {seen.begin(), seen.begin() + half_samples};
     out.decided = seen[half_samples];
-    if (moves_frame0) out.pairs.emplace_back(seen.begin() + half_samples + 1, seen.end());
+    out.frame0_pairs = {seen.begin() + half_samples + 1, seen.end()};
 
     std::vector<float> image;
     if (std::any_of(metrics.quantities.begin(), metrics.quantities.end(), by_jackknife))
@@ -127,8 +127,9 @@ std::vector<Estimate> estimate(const Replicates& of, const std::vector<Quantity>
         else
             out[c] = brr(q.bias == NoiseBias::none ? of.whole[c] : of.decided[c], values_of(of.half_samples, c),
                          of.frames, q.bias, q.bias_error);
-        for (const auto& pairs : of.pairs)
-            add_error(out[c], mean_square_of_half_differences(pairs, c), double(pairs.size()) / 2);
+        for (const auto* pairs : {&of.frame0_pairs, &of.lasting_pairs})
+            if (!pairs->empty())
+                add_error(out[c], mean_square_of_half_differences(*pairs, c), double(pairs->size()) / 2);
         if (q.method == Quantity::Method::none || of.count() < q.least) out[c].error = nan, out[c].unreliable = false;
     }
     return out;

@@ -48,9 +48,10 @@ struct Replicates {
     Values decided;                       // of the whole mean, by the classification of replicates
     std::vector<Values> half_samples;
     std::vector<Values> without;  // each part; empty: no quantity has the jackknife
-    // Errors that are the same in all parts, each independent of the others: images with e added and taken off by
-    // turns, e the error of a pixel with a random sign.
-    std::vector<std::vector<Values>> pairs;
+    // Errors that are the same in all parts: images with e added and taken off by turns, e the error of a pixel with a
+    // random sign.  Empty: there is no such error.
+    std::vector<Values> frame0_pairs;   // frame0.h
+    std::vector<Values> lasting_pairs;  // of what more frames do not change
     int64_t count() const;  // of frames
 };
 

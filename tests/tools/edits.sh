@@ -83,6 +83,11 @@ check 'regions may come to a file that held none, and may all go' '
     cp full.regions office.regions; grep -q "^vcmetrics: warning: r.regions: holds no region$" said
     [ "$(head -1 t)" = "$(printf "frame\tseconds\tedit\tEv")" ]; [ "$(sed -n 19p t | cut -f 5)" = desk.TAL ]
     changing ": > r.regions"; [ "$(sed -n 19p t | cut -f 4-)" = Ev ]'
+check 'regions that come between two edits have no difference, and the other columns have theirs' '
+    cp office.regions full.regions; echo "# none yet" > office.regions
+    changing "cp full.regions r.regions" -ci 95 -against previous; cp full.regions office.regions
+    [ $(wc -l < t) = 36 ]; sed 1,18d t > after; [ "$(column desk.TAL.d < after | tail -1)" = nan ]
+    [ "$(column Ev.d < after | tail -1)" = "$(awk "\$2 == \"Ev\" { print \$5 }" d)" ]'
 check 'regions that come and go: a new line of names' '
     changing "sed 1,3d r.regions > q;  echo wall rect 4 4 20 9 >> q;  mv q r.regions"
     [ "$(grep -c ^frame t)" = 2 ]

@@ -241,6 +241,28 @@ TEST_CASE("intervals of a difference cover, and noise in common is not in them")
     }
 }
 
+// Region columns (jackknife) came with the second run: what both have is compared, whichever run lacks images.
+TEST_CASE("a difference of runs that measured other quantities") {
+    const Quantity linear{Quantity::Method::half_samples, NoiseBias::none, 0, false},
+        region{Quantity::Method::jackknife, NoiseBias::none, 0, false};
+    const auto run = [&](const std::vector<Quantity>& quantities, double shift) {
+        Replicates r;
+        const size_t n = quantities.size();
+        r.frames = Frames(16, 1), r.whole = r.decided = Values(n, shift);
+        for (int k = 0; k < half_samples; ++k) r.half_samples.push_back(Values(n, shift + .1 * double(k % 5)));
+        for (const Quantity& q : quantities)
+            if (q.method == Quantity::Method::jackknife)
+                for (int k = 0; k < 16; ++k) r.without.push_back(Values(n, shift + .1 * double(k % 3)));
+        return r;
+    };
+    const Replicates one = run({linear}, 1), both = run({linear, region}, 3);
+    const auto later = difference(select(one, {0}), select(both, {0}), {linear});
+    const auto earlier = difference(select(both, {0}), select(one, {0}), {linear});
+    CHECK(later[0].value == 2);
+    CHECK(earlier[0].value == -2);
+    CHECK(!difference(one, one, {region})[0].known());  // images that the jackknife needs were not measured
+}
+
 TEST_CASE("the threshold filter") {
     const int side = 20;
     std::vector<float> flat(side * side, 7), variance(flat.size(), 1), out;
