@@ -13,14 +13,14 @@ namespace report {
 namespace {
 
 // Relative tolerances of the metrics that are not computed from one sum: the spread between builds of evalglare itself.
-const std::map<std::string, Tolerance> defaults = {{"DGP", {"DGP", 2e-5, false}},
-                                                   {"VCP", {"VCP", 0.02, true}},
-                                                   {"DGR", {"DGR", 0.02, true}},
-                                                   {"Lveil", {"Lveil", 0.05, true}},
-                                                   {"LveilCIE", {"LveilCIE", 0.05, true}},
-                                                   {"n_sources", {"n_sources", 0, false}},
-                                                   {"not_finite", {"not_finite", 0, false}},
-                                                   {"negative", {"negative", 0, false}}};
+const std::map<std::string, Tolerance> defaults = {{"DGP", {"DGP", 2e-5, 0}},
+                                                   {"VCP", {"VCP", 0, 0.02}},
+                                                   {"DGR", {"DGR", 0, 0.02}},
+                                                   {"Lveil", {"Lveil", 0, 0.05}},
+                                                   {"LveilCIE", {"LveilCIE", 0, 0.05}},
+                                                   {"n_sources", {"n_sources", 0, 0}},
+                                                   {"not_finite", {"not_finite", 0, 0}},
+                                                   {"negative", {"negative", 0, 0}}};
 
 bool rows_have_names(const NumberTable& t) {
     const std::set<std::string> different(t.row_names.begin(), t.row_names.end());
@@ -67,12 +67,12 @@ std::vector<size_t> pair_rows(const NumberTable& first, const NumberTable& secon
 }  // namespace
 
 Tolerance tolerance_for(const std::string& metric, const std::vector<Tolerance>& rules) {
-    Tolerance t{metric, 1e-4, true};
+    Tolerance t{metric, 0, 1e-4};
     const auto known = defaults.find(metric);
     if (known != defaults.end()) t = known->second;
     for (const char* name : {"all", metric.c_str()})
         for (const Tolerance& r : rules)
-            if (r.metric == name) t.amount = r.amount, t.relative = r.relative;
+            if (r.metric == name) t.amount = r.amount, t.share = r.share;
     return t;
 }
 
@@ -118,7 +118,7 @@ std::vector<Difference> compare_tables(const NumberTable& first, const NumberTab
         for (size_t k = 0; k < first.names.size(); ++k) {
             const double a = first.rows[r][k], b = second.rows[partner[r]][column(second, first.names[k])];
             const Tolerance t = tolerance_for(first.names[k], rules);
-            const double limit = t.relative ? t.amount * std::max(std::fabs(a), std::fabs(b)) : t.amount;
+            const double limit = t.of(std::max(std::fabs(a), std::fabs(b)));
             const bool same = a == b || (std::isnan(a) && std::isnan(b));
             const bool named = first.row_names.size() > r && !first.row_names[r].empty();
             // 6 decimals of a recorded line carry an error of half a unit

@@ -9,7 +9,7 @@
 namespace report {
 
 // The default tolerance of -compare, or the one in `rules` ("DGP 0.01, Ev 1%"; "all 1%" for every metric).
-// A relative tolerance refers to the larger of the two values.
+// A share refers to the larger of the two values.
 Tolerance tolerance_for(const std::string& metric, const std::vector<Tolerance>& rules);
 
 // Throws Error on a rule for a metric that is none of these, so that a typing error does not pass as a wide tolerance.

@@ -149,7 +149,7 @@ void ColumnEstimates::look(const glare::Luminance& lum, const glare::Measurement
     own_ = uncertainty::estimate(replicates_, metrics.quantities);
     estimates_ = own_;
     for (size_t c = 0; c < before.size(); ++c) {
-        const double carried = before[c].error * std::sqrt(double(before[c].frames) / double(own_[c].frames));
+        const double carried = before[c].error_after(own_[c].frames);
         const bool filled = before[c].frames >= int64_t(image::most_parts);
         if (filled && carried > own_[c].error) estimates_[c].error = carried;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rules such as 'DGP 0.01, Ev 1%, class': tolerances of -until and -compare.
+// Rules such as 'DGP 0.01, Ev 1% or 0.1, class': tolerances of -until and -compare.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,10 +8,12 @@
 
 namespace report {
 
+// The wider of an amount and a share of the value.
 struct Tolerance {
     std::string metric;
-    double amount = 0;
-    bool relative = false;  // amount is a fraction of the value
+    double amount = 0, share = 0;
+    double of(double value) const;
+    std::string text() const;  // "1% or 0.1"
 };
 
 // Throws Error on a rule that cannot be read; place: the option, or the file and line, that contains it.

@@ -2,6 +2,7 @@
 // See estimate.h.
 #include "uncertainty/estimate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -21,13 +22,20 @@ double unskewed(double t, double skewness) {
 
 }  // namespace
 
-bool Estimate::known() const { return error > rounding * std::fabs(value) && degrees > 0; }
+bool Estimate::known() const {
+    return error >= 0 && degrees > 0 && (error > rounding * std::fabs(value) || frames >= least_frames);
+}
+
+double Estimate::error_after(int64_t n) const {
+    const double falls = error * error - lasting * lasting;
+    return std::sqrt(lasting * lasting + std::max(0., falls) * double(frames) / double(n));
+}
 
 Interval Estimate::around(double alpha, int64_t n) const {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (!known()) return {nan, nan};
-    const double shrink = std::sqrt(double(frames) / double(n));
-    const double t = student_quantile(alpha, degrees), scale = error * shrink, skew = skewness * shrink;
+    if (!(error > rounding * std::fabs(value))) return {0, 0};
+    const double scale = error_after(n), skew = skewness * scale / error, t = student_quantile(alpha, degrees);
     return {-scale * unskewed(t, skew), -scale * unskewed(-t, skew)};
 }
 

@@ -9,6 +9,8 @@
 
 namespace uncertainty {
 
+constexpr int64_t least_frames = 16;  // one in each of the sixteen sums; no rule holds before
+
 struct Interval {
     double low, high;
     double half_width() const { return (high - low) / 2; }
@@ -21,8 +23,11 @@ struct Estimate {
     double skewness = 0;      // of the error
     bool unreliable = false;  // Cochran's C: one part makes most of the error, the samples have heavy tails
     int64_t frames = 0;       // at which it was estimated
+    double lasting = 0;       // the part of the error that more frames do not lessen
 
-    bool known() const;  // an error of 0, of parts that are all alike, is not believed
+    // Parts that are all alike have no error, which is believed from `least_frames` on.
+    bool known() const;
+    double error_after(int64_t n) const;  // frames
     // Limits less the value, after n frames; alpha: probability that they miss the truth.  nan if unknown.
     Interval around(double alpha, int64_t n) const;
     double half_width(double alpha, int64_t n) const { return around(alpha, n).half_width(); }

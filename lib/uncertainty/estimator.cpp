@@ -18,6 +18,7 @@ namespace uncertainty {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double rounding_of_parts = 1e-5;  // of the value: parts are differences of floats
 
 WIDE_LOOP void add_multiple(float weight, const float* from, size_t n, float* to) {
     for (size_t i = 0; i < n; ++i) to[i] += weight * from[i];
@@ -127,9 +128,13 @@ std::vector<Estimate> estimate(const Replicates& of, const std::vector<Quantity>
         else
             out[c] = brr(q.bias == NoiseBias::none ? of.whole[c] : of.decided[c], values_of(of.half_samples, c),
                          of.frames, q.bias, q.bias_error);
-        for (const auto* pairs : {&of.frame0_pairs, &of.lasting_pairs})
-            if (!pairs->empty())
-                add_error(out[c], mean_square_of_half_differences(*pairs, c), double(pairs->size()) / 2);
+        for (const auto* pairs : {&of.frame0_pairs, &of.lasting_pairs}) {
+            if (pairs->empty()) continue;
+            const double variance = mean_square_of_half_differences(*pairs, c);
+            add_error(out[c], variance, double(pairs->size()) / 2);
+            if (pairs == &of.lasting_pairs) out[c].lasting = std::sqrt(variance);
+        }
+        if (out[c].error < rounding_of_parts * std::fabs(out[c].value)) out[c].unreliable = false;
         if (q.method == Quantity::Method::none || of.count() < q.least) out[c].error = nan, out[c].unreliable = false;
     }
     return out;

@@ -52,7 +52,7 @@ struct Replicates {
     // random sign.  Empty: there is no such error.
     std::vector<Values> frame0_pairs;   // frame0.h
     std::vector<Values> lasting_pairs;  // of what more frames do not change
-    int64_t count() const;  // of frames
+    int64_t count() const;              // of frames
 };
 
 // whole: of all quantities.

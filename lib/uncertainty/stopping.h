@@ -13,7 +13,6 @@
 namespace uncertainty {
 
 constexpr double alpha = 0.05;
-constexpr int64_t least_frames = 16;  // one in each of the sixteen sums; no rule holds before
 
 bool narrow_enough(const Estimate& estimate, double half_width);
 

@@ -147,7 +147,7 @@ void take_view(const std::string& line, const std::string& place, View& view, st
     std::istringstream words(line.substr(line.find_first_of("= \t") + 1));
     std::string name;
     words >> name;
-    if (name.empty() || name[0] == '-') name.clear();
+    if (name.size() > 1 && name[0] == '-' && std::isalpha((unsigned char)name[1])) name.clear();  // an option
     std::string wrong;
     const bool any = parse_line(view, line, &wrong);
     if (!wrong.empty()) base::fail(place, wrong);
@@ -199,7 +199,7 @@ void validate(const View& v) {
     if (base::length(base::cross(base::unit(v.vd), base::unit(v.vu))) <= tiny)
         base::fail("-vu", "the up vector is parallel to the view direction");
     const auto angle = [](const char* option, double value, double most, bool most_allowed) {
-        if (!(value > tiny)) base::fail(option, fmt::format("{} is not above 0", value));
+        if (!(value > tiny)) base::fail(option, fmt::format("{} is not above {}", value, value > 0 ? tiny : 0));
         if (most_allowed ? value > most + tiny : value >= most)
             base::fail(option, fmt::format("{} is too wide for this view type ({} {} degrees)", value,
                                            most_allowed ? "at most" : "less than", most));

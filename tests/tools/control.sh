@@ -20,6 +20,15 @@ check_exit 'status 4 where the rule did not hold for each, which says for which'
     render -frames 70 -views all.vf | ptaccum -every 16 |
         timeout 100 vcmetrics -control ctl -metrics Ev -until "Ev 0.01%" > t 2> said
     [ "$(sed "s/ ended.*//" said | tr "\n" ,)" = "vcmetrics: desk,vcmetrics: door,vcmetrics: up," ] || exit 9; exit 4'
+check 'a sensor in the dark and one that sees the sky alone have no noise, and hold up nothing' '
+    printf "void glow g 0 0 4 1 1 1 0 g source sky 0 0 4 0 0 1 360 void plastic black 0 0 5 0 0 0 0 0\n" > plain.rad
+    echo "!genbox black box 1 1 1 | xform -t -5 -5 -5" >> plain.rad
+    { echo "VIEW= sky -vta -vp 0 0 0 -vd 0 1 0 -vh 180 -vv 180"; echo "VIEW= dark -vp -4.5 -4.5 -4.5"
+      echo "VIEW= up -vp 0 0 0 -vd 0 .5 1"; } > plain.vf
+    ptrace -w- -x 24 -y 24 -control ctl -views plain.vf plain.rad | ptaccum |
+        timeout 100 vcmetrics -control ctl -metrics Ev -ci 95 -until "Ev 1%" > t
+    [ "$(awk "\$1 == 16 && \$5 == \$6 && \$6 == \$7 { print \$3 }" t | tr "\n" " ")" = "sky dark up " ]
+    [ "$(cut -f 1 t | sort -n | tail -1)" -lt 100 ]'
 check '-max-frames is of each picture, too' '
     render -views all.vf | ptaccum | timeout 100 vcmetrics -control ctl -metrics Ev -max-frames 3 > t 2> said
     is=$(cut -f 1,3 t | tr "\t\n" "_ ")

@@ -47,6 +47,10 @@ check 'several -views: all of all files, each file from the view of the command 
     render -frames 1 -vta -vd 0 -1 0 -vh 180 -vv 180 -views a.vf -views b.vf $scene $office/sky_0900.rad > s.str
     [ "$(names_of s.str)" = "1 2 b 4 " ]
     [ "$(strings s.str | sed -n "s/^VIEW= \(-vta.*\) -vu.*/\1/p" | tail -n 1)" = "-vta -vp 3 3 1 -vd 1 0 0" ]'
+check 'a name may begin with a minus; an option does not become one' '
+    printf "VIEW= -0.100 -vp 2 2.7 1.2\nVIEW= -v2 -vp 1 1 1\nVIEW= -vd 1 0 0\n" > a.vf
+    render -frames 1 -vta -vd 0 -1 0 -vh 180 -vv 180 -views a.vf $scene $office/sky_0900.rad > s.str
+    [ "$(names_of s.str)" = "-0.100 2 3 " ]'
 check 'view files without line ends, joined by cat' '
     printf "rvu %s" "$desk" > a.vf; printf "VIEW= %s" "$door" > b.vf
     cat a.vf a.vf b.vf a.vf | render -frames 1 -S 1 $scene $office/sky_0900.rad > s.str

@@ -161,9 +161,10 @@ TEST_CASE("a region: coverage weighs") {
 TEST_CASE("rules of tolerances") {
     const auto rule = parse_tolerances("DGP 1%, Ev 5", "-until");
     REQUIRE(rule.size() == 2);
-    CHECK(rule[0].relative);
-    CHECK(rule[0].amount == doctest::Approx(.01));
-    CHECK(!rule[1].relative);
+    CHECK(rule[0].share == doctest::Approx(.01));
+    CHECK(rule[0].amount == 0);
+    CHECK(rule[1].amount == 5);
+    CHECK(rule[1].share == 0);
     CHECK_THROWS_AS(parse_tolerances("DGP", "-until"), base::Error);
     CHECK_THROWS_AS(parse_tolerances("DGP -1%", "-until"), base::Error);
     CHECK_THROWS_AS(parse_tolerances("", "-until"), base::Error);

@@ -242,15 +242,15 @@ TEST_CASE("each column has an interval that moves when noise moves, or is listed
     }
 }
 
-TEST_CASE("without noise the de-biased metrics are the plain ones, and no interval is claimed") {
-    Room room({"DGP", "RAMMG"});
+TEST_CASE("without noise the de-biased metrics are the plain ones, and intervals have no width") {
+    Room room({"DGP", "Ev", "low.TAL", "screen.CR"});
     Stream stream(::room(), quiet, 1);
     ColumnEstimates estimates(*room.analyzer, room.columns);
     room.watch(stream, 40, estimates, [] { return false; });
-    for (size_t c = 0; c < 2; ++c) {
+    for (size_t c = 0; c < room.columns.size(); ++c) {
         CHECK(estimates.estimate(c).value == doctest::Approx(room.truth[c]).epsilon(1e-5));
-        CHECK(!estimates.estimate(c).known());  // no spread at all is not believed
-        CHECK(std::isnan(estimates.estimate(c).half_width(0.05, 40)));
+        CHECK(estimates.estimate(c).half_width(0.05, 40) < 1e-5 * room.truth[c]);
+        CHECK(UntilRule(room.columns[c].name + " 0.01%").holds({estimates.estimate(c)}, {}));
     }
 }
 
@@ -346,6 +346,39 @@ TEST_CASE("rules of widths and of the class") {
     CHECK(dgp_class(0.40) == 2);
     CHECK(dgp_class(0.45) == 2);
     CHECK(dgp_class(0.46) == 3);
+}
+
+TEST_CASE("the wider of two tolerances counts") {
+    const UntilRule rule("Ev 1% or 0.1");
+    const auto holds = [&](double value, double error) {
+        return rule.holds({Estimate{value, error, 1e6, 0, false, 64}}, {});
+    };
+    CHECK(holds(1000, 4));  // 1.96 of these
+    CHECK(!holds(1000, 6));
+    CHECK(holds(.02, .04));
+    CHECK(!holds(.02, .06));
+    CHECK(holds(0, 0));
+    CHECK(rule.tolerances()[0].text() == "1% or 0.1");
+    for (const char* wrong : {"Ev 1% or", "Ev or 1%", "Ev 1% or 2%", "Ev 1 or 2", "Ev 1% or 2 or 3", "Ev 1% 2"})
+        CHECK_THROWS_AS(UntilRule{wrong}, base::Error);
+}
+
+// Of DGPf the variance inside of pixels is known from frame 0 alone.
+TEST_CASE("a rule below what pixels allow says so") {
+    const UntilRule rule("DGPf 0.0003");
+    const auto why = [&](const UntilRule& of, double lasting, int64_t frames) {
+        const Estimate e{.354, 1.1 * lasting, 8, 0, false, frames, lasting};
+        return of.out_of_reach({e}, e, {}, 64, 64);
+    };
+    CHECK(why(rule, .0005, 16) ==
+          "at 64 x 64 pixels DGPf is known to +- 0.0012 however many frames there are, more than the 0.0003 of the "
+          "rule; larger pictures have less");
+    CHECK(why(rule, .00015, 16).empty());  // 1.15 times the tolerance, which may be an accident of few frames
+    CHECK(!why(rule, .00015, 1024).empty());
+    CHECK(why(rule, .0001, 1024).empty());
+    CHECK(why(UntilRule("classf"), .002, 1024).find("DGPf is 0.354 +- 0.0046 however many frames") !=
+          std::string::npos);
+    CHECK(why(UntilRule("classf"), .0005, 1024).empty());
 }
 
 // The rule is of evalglare's DGP: what pixels do to it counts.

@@ -71,6 +71,14 @@ TEST_CASE("limits of a skew estimate are the inverse of Hall's formula") {
     CHECK(e.around(0.05, 256).half_width() < off.half_width() / 2);  // narrower, and less skew
 }
 
+TEST_CASE("the lasting part of an error stays, whatever the number of frames") {
+    const Estimate e{10, 5, 8, 0, false, 64, 3};
+    CHECK(e.error_after(64) == doctest::Approx(5));
+    CHECK(e.error_after(256) == doctest::Approx(std::sqrt(9 + 16. / 4)));
+    CHECK(e.error_after(1ll << 60) == doctest::Approx(3));
+    CHECK(e.half_width(.05, 1ll << 60) == doctest::Approx(e.half_width(.05, 64) * 3 / 5));
+}
+
 TEST_CASE("half-samples are balanced: rows of the Hadamard matrix are orthogonal") {
     for (int a = 0; a < strata; ++a)
         for (int b = 0; b < strata; ++b) {
@@ -260,6 +268,7 @@ TEST_CASE("a difference of runs that measured other quantities") {
     const auto earlier = difference(select(both, {0}), select(one, {0}), {linear});
     CHECK(later[0].value == 2);
     CHECK(earlier[0].value == -2);
+    CHECK(difference(one, one, {linear})[0].half_width(.05, 16) == 0);
     CHECK(!difference(one, one, {region})[0].known());  // images that the jackknife needs were not measured
 }
 
@@ -330,5 +339,8 @@ TEST_CASE("a width is narrow enough where it is known and reliable") {
     e.unreliable = true;
     CHECK(!narrow_enough(e, .24));
     CHECK(!narrow_enough({1, std::nan(""), 8, 0, false, 64}, 100));
-    CHECK(!narrow_enough({1, 0, 8, 0, false, 64}, 100));  // no spread at all is not believed
+    CHECK(!narrow_enough({1, 0, 8, 0, false, 15}, 100));  // no spread at all is believed from 16 frames on
+    CHECK(narrow_enough({1, 0, 8, 0, false, 16}, 0));
+    CHECK(narrow_enough({0, 0, 8, 0, false, 16}, 0));
+    CHECK(!narrow_enough({1, 0, 0, 0, false, 16}, 100));  // of one part
 }

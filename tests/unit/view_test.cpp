@@ -218,6 +218,7 @@ TEST_CASE("impossible views are refused with the option as place") {
     CHECK(error_of("-vts -vh 360 -vv 90") == "-vh");
     CHECK(error_of("-vtc -vh 360 -vv 180") == "-vv");
     CHECK(error_of("-vh 0") == "-vh");
+    CHECK_THROWS_WITH(view::validate(parse("-vh 1e-9")), "-vh: 1e-09 is not above 1e-06");
     CHECK(error_of("-vd 0 0 0") == "-vd");
     CHECK(error_of("-vd 0 0 2 -vu 0 0 1") == "-vu");
     CHECK(error_of("-vo 2 -va 1") == "-va");

@@ -70,13 +70,11 @@ int compare_inputs(const Options& o) {
     std::string text = header_line(names, o.format);
     bool all_within = true;
     for (const Difference& d : compare_tables(first, second, rules)) {
-        const Cell amount = number_cell(d.tolerance.amount * (d.tolerance.relative ? 100 : 1), 4);
-        text +=
-            table_line(names,
-                       {text_cell(d.row), text_cell(d.metric), number_cell(d.first, 10), number_cell(d.second, 10),
-                        number_cell(d.second - d.first, 4), text_cell(amount.text + (d.tolerance.relative ? "%" : "")),
-                        text_cell(d.within ? "yes" : "no")},
-                       o.format);
+        text += table_line(
+            names,
+            {text_cell(d.row), text_cell(d.metric), number_cell(d.first, 10), number_cell(d.second, 10),
+             number_cell(d.second - d.first, 4), text_cell(d.tolerance.text()), text_cell(d.within ? "yes" : "no")},
+            o.format);
         all_within = all_within && d.within;
     }
     base::write_stdout(text.data(), text.size());

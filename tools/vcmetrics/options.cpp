@@ -41,7 +41,7 @@ bool says_view(const base::OptionTable& t) {
 void check_said(const base::OptionTable& t, const Options& o) {
     if (t.given("-metrics") && o.metrics.empty()) base::fail("-metrics", "there is no column in this list");
     if (t.given("-until") && o.until.empty())
-        base::fail("-until", "the rule is empty; write for example 'DGP 1%, Ev 0.5%'");
+        base::fail("-until", "the rule is empty; write for example 'DGP 1%, Ev 0.5% or 0.1'");
 }
 
 // What needs intervals of luxpipe's own columns.
