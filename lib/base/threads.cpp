@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -18,7 +18,7 @@ std::vector<std::thread> start(unsigned count, const std::function<void()>& body
     threads.reserve(count);
     try {
         while (threads.size() < count) threads.emplace_back(body);
-    } catch (const std::system_error&) {
+    } catch (const std::exception&) {
         // fewer will do
     }
     return threads;
@@ -27,16 +27,32 @@ std::vector<std::thread> start(unsigned count, const std::function<void()>& body
 }  // namespace
 
 void on_threads(unsigned count, const std::function<void()>& body) {
-    std::vector<std::thread> threads = start(count > 0 ? count - 1 : 0, body);
-    body();
+    std::exception_ptr first;
+    std::mutex lock;
+    const auto guarded = [&] {
+        try {
+            body();
+        } catch (...) {
+            const std::lock_guard<std::mutex> hold(lock);
+            if (!first) first = std::current_exception();
+        }
+    };
+    std::vector<std::thread> threads = start(count > 0 ? count - 1 : 0, guarded);
+    guarded();
     for (std::thread& t : threads) t.join();
+    if (first) std::rethrow_exception(first);
 }
 
 void in_shares(size_t count, size_t share, unsigned threads, const std::function<void(size_t, size_t)>& body) {
     const size_t shares = (count + share - 1) / share;
     std::atomic<size_t> next{0};
     on_threads(unsigned(std::min<size_t>(threads, shares)), [&] {
-        for (size_t k; (k = next.fetch_add(1)) < shares;) body(k * share, std::min(count, (k + 1) * share));
+        try {
+            for (size_t k; (k = next.fetch_add(1)) < shares;) body(k * share, std::min(count, (k + 1) * share));
+        } catch (...) {
+            next = shares;  // the others end, too
+            throw;
+        }
     });
 }
 

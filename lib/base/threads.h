@@ -7,10 +7,12 @@
 namespace base {
 
 // Calls body on up to `count` threads at once, the caller's among them, and returns when all have ended.  A body takes
-// its share from a common counter, so that it does not matter how many there are; it must not throw.
+// its share from a common counter, so that it does not matter how many there are.  Rethrows the first exception of a
+// body.
 void on_threads(unsigned count, const std::function<void()>& body);
 
-// Calls body(first, end) for shares of 0 .. count - 1, each `share` long but the last, on up to `threads` threads.
+// Calls body(first, end) for shares of 0 .. count - 1, each `share` long but the last, on up to `threads` threads.  No
+// share begins after an exception, which is rethrown.
 void in_shares(size_t count, size_t share, unsigned threads, const std::function<void(size_t, size_t)>& body);
 
 // How many of `count` threads can be had at once, the caller's among them: for libraries that take it amiss otherwise.

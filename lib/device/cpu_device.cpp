@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstdlib>
 #include <iterator>
-#include <mutex>
 
 #include <fmt/core.h>
 
@@ -117,24 +116,13 @@ private:
     void tiles(uint32_t count, F&& work) {
         const uint32_t tile = tile_of(count);
         std::atomic<uint32_t> next{0};
-        std::exception_ptr error;
-        std::mutex lock;
-        const auto worker = [&] {
-            try {
-                std::vector<char> scratch(kernels_.scratch_bytes(tile));
-                for (;;) {
-                    const uint32_t first = next.fetch_add(tile);
-                    if (first >= count) return;
-                    end_if_cancelled();
-                    work(first, std::min(tile, count - first), scratch.data());
-                }
-            } catch (...) {
-                std::lock_guard<std::mutex> hold(lock);
-                if (!error) error = std::current_exception();
+        base::on_threads(std::min(threads_, (count + tile - 1) / tile), [&] {
+            std::vector<char> scratch(kernels_.scratch_bytes(tile));
+            for (uint32_t first; (first = next.fetch_add(tile)) < count;) {
+                end_if_cancelled();
+                work(first, std::min(tile, count - first), scratch.data());
             }
-        };
-        base::on_threads(std::min(threads_, (count + tile - 1) / tile), worker);
-        if (error) std::rethrow_exception(error);
+        });
     }
 
     const CpuKernels& kernels_;

@@ -4,10 +4,7 @@
 #include "display/denoise.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
 
 #include "base/threads.h"
 
@@ -162,18 +159,7 @@ std::vector<float> denoised(const HalfSums& sums, const std::vector<float>& fram
     std::vector<float> out(frame0.size());
     const Filter filter(half, width, height, out);
     constexpr int strip = 32;  // fixed, so that the threads do not show
-    std::atomic<int> next{0};
-    std::exception_ptr error;
-    std::mutex lock;
-    base::on_threads(threads, [&] {
-        try {
-            for (int y; (y = next.fetch_add(strip)) < height;) filter.rows(y, std::min(height, y + strip));
-        } catch (...) {  // no memory
-            const std::lock_guard<std::mutex> hold(lock);
-            error = std::current_exception();
-        }
-    });
-    if (error) std::rethrow_exception(error);
+    base::in_shares(size_t(height), strip, threads, [&](size_t y, size_t end) { filter.rows(int(y), int(end)); });
     return out;
 }
 

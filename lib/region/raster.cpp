@@ -5,10 +5,7 @@
 // pixel for others.  The result does not depend on threads or random numbers, so the bytes repeat.
 #include "region/raster.h"
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
 #include <fmt/format.h>
 #include "base/angle.h"
 #include "base/error.h"
@@ -47,23 +44,7 @@ double Prepared::value(int node, const Point& p, const Reach& reach) const {
 }
 
 void for_all(size_t count, const std::function<void(size_t)>& work) {
-    std::atomic<size_t> next{0};
-    std::exception_ptr trouble;
-    std::mutex lock;
-    auto loop = [&] {
-        for (size_t i; (i = next++) < count;) {
-            try {
-                work(i);
-            } catch (...) {
-                std::lock_guard<std::mutex> hold(lock);
-                if (!trouble) trouble = std::current_exception();
-                next = count;
-            }
-        }
-    };
-    size_t n = std::min<size_t>(count, base::processors());
-    base::on_threads(unsigned(n), loop);
-    if (trouble) std::rethrow_exception(trouble);
+    base::in_shares(count, 1, base::processors(), [&](size_t k, size_t) { work(k); });
 }
 
 CellGeometry cell_geometry(const Space& s, const Cell& c) {

@@ -3,10 +3,12 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -14,6 +16,7 @@
 #include "base/processors.h"
 #include "base/run.h"
 #include "base/tempfile.h"
+#include "base/threads.h"
 #include "base/warnings.h"
 #include "base/work_budget.h"
 #include "temp_folder.h"
@@ -119,6 +122,33 @@ TEST_CASE("exit statuses") {
     CHECK(base::run("test", []() -> int { base::fail_system("place", "fact"); }) == 2);
     CHECK(base::run("test", []() -> int { throw base::ClosedPipe{}; }) == 0);
     CHECK(base::run("test", []() -> int { throw std::bad_alloc(); }) == 2);
+}
+
+TEST_CASE("threads: the first exception of a body leaves on_threads once all bodies have ended") {
+    std::atomic<int> started{0}, ended{0};
+    const auto failing = [&]() -> int {
+        base::on_threads(3, [&] {
+            const bool fails = started++ == 0;
+            if (fails) throw std::bad_alloc();
+            ended++;
+        });
+        return 0;
+    };
+    CHECK_THROWS_AS(failing(), std::bad_alloc);
+    CHECK(ended == started - 1);
+    started = 0;
+    CHECK(base::run("test", failing) == 2);
+}
+
+TEST_CASE("threads: no further share begins after an exception") {
+    std::atomic<int> shares{0};
+    CHECK_THROWS_AS(base::in_shares(1000, 1, 3,
+                                    [&](size_t, size_t) {
+                                        shares++;
+                                        base::fail("place", "fact");
+                                    }),
+                    base::Error);
+    CHECK(shares <= 3);
 }
 
 TEST_CASE("processors: the least limit of a process's control groups and those above them, rounded up") {
