@@ -51,19 +51,19 @@ void remove_private_folder() {
 
 }  // namespace
 
-bool choose_kernel_cache() {
-    if (!private_folder.empty()) return false;
+std::string choose_kernel_cache() {
+    if (!private_folder.empty()) return "";
     if (const std::string chosen = variable("POCL_CACHE_DIR"); !chosen.empty()) {
         errno = 0;
         std::error_code none;
         fs::create_directories(chosen, none);
         if (access(chosen.c_str(), W_OK | X_OK) != 0) base::fail_system(chosen, "POCL_CACHE_DIR cannot be written");
-        return true;
+        return chosen;
     }
     const std::string usual = usual_folder();
     if (!usual.empty() && usual[0] == '/' && is_ours(usual)) {
         setenv("POCL_CACHE_DIR", usual.c_str(), 1);
-        return true;
+        return usual;
     }
     std::string name = variable("TMPDIR").empty() ? "/tmp" : variable("TMPDIR");
     name += "/luxpipe-kernels-XXXXXX";
@@ -72,7 +72,7 @@ bool choose_kernel_cache() {
     private_folder = name;
     std::atexit(remove_private_folder);
     setenv("POCL_CACHE_DIR", name.c_str(), 1);
-    return false;
+    return "";
 }
 
 }  // namespace device

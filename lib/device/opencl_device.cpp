@@ -273,7 +273,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Device> make_opencl_device(const std::string& name) {
-    if (!choose_kernel_cache())
+    if (choose_kernel_cache().empty())
         base::warn("OpenCL", "no private folder to keep compiled kernels in: they are compiled at every start");
     errno = 0;
     if (!ask_in_child([] { return std::to_string(opencl_entries().size()); }))

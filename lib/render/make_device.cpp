@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "device/device.h"
+#include "device/kernel_cache.h"
 #include "render/self_test.h"
 
 namespace render {
@@ -79,10 +80,13 @@ private:
     std::vector<uint32_t> focus_;
 };
 
+std::unique_ptr<device::Device> tested(std::unique_ptr<device::Device> device, const std::string& folder) {
+    device->set_own_bits(self_test(*device, folder));
+    return device;
+}
+
 std::unique_ptr<device::Device> make_tested_opencl_device(const std::string& name) {
-    std::unique_ptr<device::Device> opencl = device::make_opencl_device(name);
-    opencl->set_own_bits(self_test(*opencl));
-    return opencl;
+    return tested(device::make_opencl_device(name), device::choose_kernel_cache());
 }
 
 std::unique_ptr<device::Device> make_auto_device() {

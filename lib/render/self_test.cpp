@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <fmt/core.h>
 #include <fstream>
@@ -115,26 +114,22 @@ std::string compare(const std::string& name, device::Device& device, const scene
     return others.empty() && !same_bits(here, there) ? "a test room" : others;
 }
 
-scene::Scene read_room(const std::string& folder) {
-    base::TempFile file(folder + "/luxpipe_room.rad");
-    file.write(room, std::strlen(room));
-    return scene::read_scene({file.path()}, {});
-}
-
 }  // namespace
 
-std::string self_test(device::Device& device) {
+std::string self_test(device::Device& device, const std::string& folder) {
     const std::string name = device.name(), identity = device.identity();
     if (identity.empty()) return "";
     base::Hash hash;
     hash.add_all(identity);
-    const std::string folder = std::getenv("POCL_CACHE_DIR"), memory = folder + "/luxpipe_" + hash.text();
+    const std::string remembered = folder + "/luxpipe_" + hash.text();
     std::string others;
-    if (!std::getline(std::ifstream(memory), others)) {
-        others = compare(name, device, read_room(folder));
-        base::TempFile file(memory);
-        file.write((others + "\n").data(), others.size() + 1);
-        file.keep();
+    if (folder.empty() || !std::getline(std::ifstream(remembered), others)) {
+        others = compare(name, device, scene::read_scene_text(room, "self-test"));
+        if (!folder.empty()) {
+            base::TempFile file(remembered);
+            file.write((others + "\n").data(), others.size() + 1);
+            file.keep();
+        }
     }
     if (others.empty()) return "";
     base::warn(name,

@@ -9,7 +9,7 @@ namespace render {
 
 // Returns the device's own_bits (device.h): "" if it gives the processor's bits or has nothing to test; otherwise warns
 // and returns a name of its bits for fingerprints.  Throws Error (system) for differences larger than rounding.
-// Results are stored beside the compiled kernels (device/kernel_cache.h) by the device's identity.
-std::string self_test(device::Device& device);
+// The result is remembered in this folder by the device's identity; without one ("") the test runs at every start.
+std::string self_test(device::Device& device, const std::string& folder);
 
 }  // namespace render

@@ -102,6 +102,8 @@ struct Limits {
 // file:line. Surfaces come out in canonical form: radii positive, cones with equal radii are cylinders, rings have r0 <
 // r1, a polygon's repeated last vertex is gone; unusable ones (no area, no axis) are dropped with a warning.
 Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits = {});
+// Scene text that is not a file's; name: for messages.
+Scene read_scene_text(const std::string& text, const std::string& name);
 // The same files behind those of a scene that has been read; after an Error it is of no use.
 void read_more(Scene& scene, const std::vector<std::string>& files, const ReadOptions& options,
                const Limits& limits = {});

@@ -70,7 +70,7 @@ void SceneReader::statements(base::TextReader& in) {
     }
 }
 
-void SceneReader::read_command(const std::string& text, const std::string& name, uint32_t line) {
+void SceneReader::read_statements(const std::string& text, const std::string& name, uint32_t line) {
     base::TextReader in = base::TextReader::from_text(text, name, line);
     statements(in);
 }
@@ -88,7 +88,7 @@ void SceneReader::octree(base::TextReader& in) {
     const uint64_t before = primitives_;
     const base::TextReader here = base::TextReader::from_text("", in.name(), 1);
     for (const std::string& file : head.files) {
-        if (file[0] == '!') read_command(file, in.name(), 1);
+        if (file[0] == '!') read_statements(file, in.name(), 1);
         else read_included(file, here);
     }
     if (primitives_ - before != uint64_t(head.objects))
@@ -170,7 +170,7 @@ void SceneReader::primitive(base::TextReader& in) {
 void read_more(Scene& scene, const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits) {
     SceneReader reader(scene, options, limits);
     for (const std::string& file : files) {
-        if (file[0] == '!') reader.read_command(file, "command line", 1);
+        if (file[0] == '!') reader.read_statements(file, "command line", 1);
         else reader.read_file(file, options.asked_by);
     }
 }
@@ -178,6 +178,12 @@ void read_more(Scene& scene, const std::vector<std::string>& files, const ReadOp
 Scene read_scene(const std::vector<std::string>& files, const ReadOptions& options, const Limits& limits) {
     Scene scene;
     read_more(scene, files, options, limits);
+    return scene;
+}
+
+Scene read_scene_text(const std::string& text, const std::string& name) {
+    Scene scene;
+    SceneReader(scene, {}, {}).read_statements(text, name, 1);
     return scene;
 }
 

@@ -21,7 +21,7 @@ public:
     SceneReader(Scene& scene, const ReadOptions& options, const Limits& limits)
         : scene_(scene), options_(options), limits_(limits), work_(*options.work), builder_(scene, limits) {}
     void read_file(const std::string& path, const std::string& asked_by);
-    void read_command(const std::string& text, const std::string& name, uint32_t line);  // "!..." as in a scene file
+    void read_statements(const std::string& text, const std::string& name, uint32_t line);
 
 private:
     // Counts how deep we are, also when an exception passes; throws Error beyond the limit.

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# CONTRIBUTING's recipe "Add a device", followed in a copy of the tree: `serial`, one thread of the baseline kernels.
+# CONTRIBUTING's recipe "Add a device", followed in a copy of the tree: `serial`, one thread of the baseline kernels,
+# with a self-test at every start.
 # Compiles the files that the recipe touches by the commands of the build, and links them into its bits_test.
 . "${TOP:?}/tests/lib.sh"
 build=${BIN%/bin}
@@ -16,6 +17,11 @@ cat > lib/device/serial_device.cpp << 'END'
 // The baseline kernels on one thread.
 #include "device/cpu_kernels.h"
 #include "device/device.h"
+
+namespace kernels {
+#include "kernels/cal/cal_noise.h"
+#include "kernels/self_test.h"
+}  // namespace kernels
 
 namespace device {
 namespace {
@@ -59,6 +65,12 @@ public:
             cpu_baseline.pilot(tables_, par, rays.data(), first, count, scratch, ends.data());
         });
     }
+    std::string identity() override { return "serial 1"; }
+    std::vector<float> self_test_numbers(uint32_t n) override {
+        std::vector<float> out(n);
+        for (uint32_t i = 0; i < n; i++) out[i] = kernels::self_test_value(i / SELF_TEST_VALUES, i % SELF_TEST_VALUES);
+        return out;
+    }
 
 private:
     template <class F>
@@ -88,7 +100,7 @@ sed -i '/^std::unique_ptr<Device> make_cpu_device/a std::unique_ptr<Device> make
 # 3. the file
 sed -i 's|SOURCES cpu_device.cpp|& serial_device.cpp|' lib/device/CMakeLists.txt
 # 4. its name
-sed -i -e 's|^    if (kind == "cpu").*|&\n    if (kind == "serial") return device::make_serial_device();|' \
+sed -i -e 's|^    if (kind == "cpu").*|&\n    if (kind == "serial") return tested(device::make_serial_device(), "");|' \
     -e 's|^    for (auto& d : device::opencl_devices.*|    out.push_back(device::make_serial_device()->name());\n&|' \
     lib/render/make_device.cpp
 # 5. the page
