@@ -10,6 +10,7 @@ namespace {
 
 using kernels::ConnectionWords;
 using kernels::float4;  // types of the list of fields
+using kernels::Mixture;
 using kernels::Transmittances;
 using kernels::uint4;
 

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# CONTRIBUTING's recipe "Add a sampling technique", followed in a copy of the kernels: `uniform`, a quarter of the
-# diffuse directions uniform over the hemisphere.  Compiles one unit test.
+# CONTRIBUTING's recipe "Add a sampling technique", followed in a copy of the tree: `beacon`, a quarter of the diffuse
+# directions inside the cone of a ball about the first portal.  Its target has a record in the scene's tables, a point
+# has a field for it.  Compiles one unit test, and the processor's kernels with what has the parameters of a pass.
 . "${TOP:?}/tests/lib.sh"
+build=${BIN%/bin}
 CXX=${CXX:-c++}
-needs "$CXX"
+needs "$CXX" ninja
+[ -f "$build/build.ninja" ] || skip 'not a build of ninja'
 echo '#include <doctest/doctest.h>' | $CXX -E -x c++ - > /dev/null 2>&1 || skip 'no doctest here'
 mkdir -p tree/tests
 cp -r "$TOP/lib" tree
@@ -12,47 +15,171 @@ cp -r tree before
 cd tree || exit 2
 
 # 1. the technique
-cat > lib/kernels/sampling/uniform.h << 'END'
+cat > lib/kernels/sampling/beacon.h << 'END'
 // SPDX-License-Identifier: BSD-3-Clause
-// Technique of uniform directions over the hemisphere.
-#ifndef LUX_UNIFORM_H
-#define LUX_UNIFORM_H
+// Technique of beacons: directions inside the cone of a ball, all alike.
+#ifndef LUX_BEACON_H
+#define LUX_BEACON_H
 
-FN float uniform_weight(void) { return 0.25f; }
-
-FN float3 uniform_sample(float3 n, float x, float turn) {
-    float3 e1, e2;
-    float sn, cs, r = sqrt_(x * (2.0f - x));
-    frame_of(n, &e1, &e2);
-    k_sincos(K_TURN * turn, &sn, &cs);
-    return unit3(add3(scale3(n, 1.0f - x), add3(scale3(e1, r * cs), scale3(e2, r * sn))));
+FN float3 beacon_offset(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p) {
+    return sub3(f3_at(s->f + par->beacon_at), p);
 }
 
-FN float uniform_pdf(float3 n, float3 dir) { return dot3(dir, n) > 0.0f ? 1.0f / K_TURN : 0.0f; }
+// 1 - cosine of half the cone at p; 0 without a beacon, and inside of it.
+FN float beacon_cone(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p) {
+    if (par->beacon_radius2 <= 0.0f) return 0.0f;
+    float3 offset = beacon_offset(s, par, p);
+    float sine2 = par->beacon_radius2 / dot3(offset, offset);
+    return sine2 < 1.0f ? sine2 / (1.0f + sqrt_(1.0f - sine2)) : 0.0f;
+}
+
+FN float beacon_weight(float cone) { return cone > 0.0f ? 0.25f : 0.0f; }
+
+FN float3 beacon_sample(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float cone, float x,
+                        float turn) {
+    float3 axis = unit3(beacon_offset(s, par, p)), e1, e2;
+    float sn, cs, drop = x * cone, r = sqrt_(drop * (2.0f - drop));
+    frame_of(axis, &e1, &e2);
+    k_sincos(K_TURN * turn, &sn, &cs);
+    return unit3(add3(scale3(axis, 1.0f - drop), add3(scale3(e1, r * cs), scale3(e2, r * sn))));
+}
+
+FN float beacon_pdf(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float cone, float3 dir) {
+    float cosine = dot3(dir, unit3(beacon_offset(s, par, p)));
+    return 1.0f - cosine <= cone ? 1.0f / (K_TURN * cone) : 0.0f;
+}
 #endif
 END
 
-# 2. its place in the mixture
-sed -i -e 's|^#include "kernels/sampling/portals.h"|&\n#include "kernels/sampling/uniform.h"|' \
-    -e 's|^    if (mixture_takes(&u, highlights_weight|    if (mixture_takes(\&u, uniform_weight())) {\
-        *dir = uniform_sample(n, u, x.y);\
+# 2. its field and its place in the mixture
+sed -i 's|^    uint highlights;.*|&\n    float beacon_cone;|' lib/kernels/sampling/mixture_fields.h
+sed -i -e 's|^#include "kernels/sampling/highlights.h"|#include "kernels/sampling/beacon.h"\n&|' \
+    -e 's|^    mixture.light = .*|&\n    mixture.beacon_cone = beacon_cone(s, par, p);|' \
+    -e 's|^    if (mixture_takes(&u, highlights_weight|    float w = beacon_weight(mixture->beacon_cone);\
+    if (mixture_takes(\&u, w)) {\
+        *dir = beacon_sample(s, par, p, mixture->beacon_cone, u, x.y);\
     } else if (mixture_takes(\&u, highlights_weight|' \
-    -e '/^FN float diffuse_pdf/,/^}/s|^    return pdf;|    w = uniform_weight();\
-    return (1.0f - w) * pdf + w * uniform_pdf(n, dir);|' lib/kernels/sampling/mixture.h
+    -e '/^FN float diffuse_pdf/,/^}/s|^    return pdf;|    w = beacon_weight(mixture->beacon_cone);\
+    if (w > 0.0f) pdf = (1.0f - w) * pdf + w * beacon_pdf(s, par, p, mixture->beacon_cone, dir);\
+    return pdf;|' lib/kernels/sampling/mixture.h
 
-recipe() { sed -n '/^## Add a sampling/,/^The estimator/s/^[0-9]\. `\(lib[^`]*\)`.*/\1/p' "$TOP/CONTRIBUTING.md"; }
+# 3. records of its targets, and where they are
+sed -i 's|^    uint portal_pick\[.*|&\n    uint beacon_at;  // index into f: the centre\
+    float beacon_radius2;|' lib/kernels/tables.h
+# 4. how they are found
+cat > lib/sampling/beacons.h << 'END'
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the beacon: the first portal's centre.  Its record is the last of the scene's arena.
+#pragma once
+#include "flatten/flat_scene.h"
+#include "kernels/dialect/host.h"
+
+namespace sampling {
+
+inline void find_beacons(flatten::FlatScene& scene) {
+    for (uint32_t k = 0; k < 3; k++)
+        scene.f.push_back(scene.portal_count > 0 ? scene.f[scene.portals_at + PORTAL_CENTRE + k] : 0);
+}
+
+}  // namespace sampling
+END
+sed -i -e 's|^#include "sampling/highlights.h"|#include "sampling/beacons.h"\n&|' \
+    -e 's|^    find_portals.*|&\n    find_beacons(scene);|' lib/sampling/targets.h
+# 5. and handed to the kernels
+sed -i 's|^    p.light_sets_at = .*|&\n    p.beacon_at = uint32_t(flat.f.size() - 3);\
+    p.beacon_radius2 = flat.portal_count > 0 ? 1 : 0;|' lib/render/scene_params.h
+
+recipe() {
+    sed -n '/^## Add a sampling/,/^Then its/{s/^[0-9]\. //;/^`lib/s/:.*//p}' "$TOP/CONTRIBUTING.md" |
+        grep -o '`lib[^`]*`' | tr -d '`'
+}
 cd ..
 check 'the files that were touched are those of the recipe, and no others' '
     { diff -rq before tree || true; } | sed -E "s|^Only in tree/(.*): |\1/|; s|^Files before/(.*) and .*|\1|" |
         sort > touched
-    recipe | sed "s/NAME/uniform/" | sort | diff - touched'
+    recipe | sed "s/NAME/beacon/" | sort | diff - touched'
 
-# build TREE: the test of the mixture, which calculates the mean of a cosine in several ways
-build() {
+# build_unit TREE: the test of the mixture, which calculates the mean of a cosine in several ways.  Its only portal
+# becomes the beacon, too.
+build_unit() {
     $CXX -std=c++17 -O1 -ffp-contract=off -I"$1/lib" -I"$1/tests" "$1/tests/unit/kernels_portals_test.cpp" -o "$1/test"
 }
-check 'the test of the mixture builds with it' 'build tree'
+sed -i "s|^        par.portal_most = .9f;|&\n        par.beacon_at = PORTAL_CENTRE;\n        par.beacon_radius2 = 1;|" \
+    tree/tests/unit/kernels_portals_test.cpp
+check 'the test of the mixture builds with it' 'build_unit tree'
 check 'it passes: the estimator is unbiased' 'tree/test'
 check 'it fails if the pdf does not know the technique' '
-    sed -i "s|^    w = uniform_weight();|    w = 0.0f;|" tree/lib/kernels/sampling/mixture.h && build tree
-    ! tree/test > said && grep -q "mean" said'
+    cp -r tree broken
+    sed -i "s|^    w = beacon_weight(.*|    w = 0.0f;|" broken/lib/kernels/sampling/mixture.h && build_unit broken
+    ! broken/test > said && grep -q "mean" said'
+
+# Pictures by path reuse: the kernels of the copy, which stand for the baseline ones, against those of the build.
+cat > bias.cpp << 'END'
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include "physics/laws.h"
+
+#include "physics/blocks.h"
+#include "physics/seeds.h"
+
+// A room with a window, without ceiling.
+const char* const room =
+    "void glow bright 0 0 4 9 9 12 0\nbright source sky 0 0 4 0 0 1 360\nvoid plastic matt 0 0 5 .7 .6 .5 0 0\n"
+    "matt polygon floor 0 0 12 -2 -2 0 2 -2 0 2 2 0 -2 2 0\nmatt polygon back 0 0 12 -2 2 0 2 2 0 2 2 3 -2 2 3\n"
+    "matt polygon front 0 0 12 -2 -2 0 -2 -2 3 2 -2 3 2 -2 0\nvoid glass pane 0 0 3 .8 .9 .8\n"
+    "pane polygon window 0 0 12 2 -2 0 2 -2 3 2 2 3 2 2 0\n";
+
+laws::Means means(const std::string& device, uint64_t first_seed) {
+    const scene::Scene scene = laws::scene_of(room);
+    view::View view;
+    view.vp = {-1.5, -1.8, 1.6};
+    view.vd = {.5, 1, -.25};
+    view.vh = view.vv = 80;
+    return laws::over_seeds(12, 2, [&](uint64_t seed) {
+        render::RenderOptions options;
+        options.seed = first_seed + seed;
+        options.noisy_share = 0;
+        options.ab = 1;
+        render::Renderer renderer(scene, view, 32, 32, options, device, {});
+        return laws::block_means(renderer, 32, 1, 1, 250);
+    });
+}
+
+TEST_CASE("no bias") {
+    const laws::Means without = means("cpu:avx2", 0), with = means("cpu:baseline", 100);
+    const double error = std::sqrt(without.variance[0] + with.variance[0]) / without.mean[0];
+    const double difference = with.mean[0] / without.mean[0] - 1;
+    MESSAGE("difference " << 100 * difference << " +- " << 100 * error << " %");
+    CHECK(error < .001);
+    CHECK(difference != 0);
+    CHECK(std::abs(difference) < 4 * error);
+}
+END
+command ninja -C "$build" -t commands path_reuse_test > commands
+# compile TREE FILE AS: FILE of the copy, or of this folder, as the build compiles AS.
+compile() {
+    sed -n "s|^cd [^&]*&& ||; s|^[^ ]*ccache ||; s| -MD.* -c | -c |; s| && .*||; s| -o [^ ]*||g; s|-O3|-O1|
+        s|$TOP/lib|$PWD/$1/lib|g; \| -c .*/$3\$|{s| -c .*| -c $2 -o $PWD/$1/$(basename "$2").o|p;q}" commands > command
+    [ -s command ] && (cd "$build" && bash -e "$TMP/command")
+}
+link() {
+    tail -1 commands | sed "s|^[^ ]* && ||; s| -o bin/path_reuse_test | $PWD/$1/*.cpp.o -o $PWD/$1/bias |
+        s| [^ ]*/path_reuse_test.cpp.o||; s| && :||" > command
+    (cd "$build" && bash -e "$TMP/command")
+}
+if [ "$(uname -m)" = x86_64 ] && grep -q avx2 /proc/cpuinfo; then
+    check 'what has the parameters of a pass compiles with it' '
+        for file in lib/render/{frame_zero,noisy,pixel_moments,progressive,samples,self_test}.cpp \
+            lib/sampling/mixture_weights.cpp lib/device/cpu_kernels_baseline.cpp; do
+            compile tree "$PWD/tree/$file" "$file"
+        done
+        compile tree "$PWD/bias.cpp" tests/physics/path_reuse_test.cpp
+        link tree'
+    check 'path reuse has no bias with it' 'tree/bias'
+    check 'it has if a field of the point is lost' '
+        mkdir -p lost && cp -r tree/lib lost && cp tree/*.cpp.o lost
+        sed -i "s|^    prefix.mixture = .*|&\n    prefix.mixture.beacon_cone = 0.0f;|" \
+            lost/lib/kernels/integrator/connect.h
+        compile lost "$PWD/lost/lib/device/cpu_kernels_baseline.cpp" lib/device/cpu_kernels_baseline.cpp
+        link lost
+        ! lost/bias > said && grep -q "difference) <" said'
+fi

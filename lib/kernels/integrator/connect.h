@@ -22,8 +22,7 @@ FN PrefixVertex prefix_vertex(TABLES(const Paths) paths, uint path) {
     prefix.n = xyz4(n);
     prefix.ng = xyz4(ng);
     prefix.own = n.w;
-    prefix.mixture.light = p.w;
-    prefix.mixture.highlights = as_uint_(ng.w);
+    prefix.mixture = paths->mixture[path];
     return prefix;
 }
 

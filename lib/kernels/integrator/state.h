@@ -3,6 +3,7 @@
 // A path's class is "diffuse" once it has left a surface into the hemisphere (paper section 3; spec shading 0.2).
 #ifndef LUX_PATH_STATE_H
 #define LUX_PATH_STATE_H
+#include "kernels/sampling/mixture_fields.h"
 
 // The fields of a path: FIELD(type, name, when), four words a path.  The struct Paths, the allocations of both devices
 // and the arguments of the OpenCL kernels are generated from this list.  Wide types first, because the fields are
@@ -23,9 +24,9 @@
     FIELD(float4, albedo, PATH_MEDIA)            /* its albedo, rgb; w: eccentricity */                              \
     FIELD(float4, shadow_medium, PATH_MEDIA)     /* the shadow ray's, extinction rgb; w: antimatter (bits) */        \
     FIELD(float4, shadow_albedo, PATH_MEDIA)     /* its albedo, rgb; w: sets of lights (bits) */                     \
-    FIELD(float4, prefix_p, PATH_REUSE)          /* prefix vertex: origin of its next ray; w: portals' light */      \
+    FIELD(float4, prefix_p, PATH_REUSE)          /* prefix vertex: origin of its next ray */                         \
     FIELD(float4, prefix_n, PATH_REUSE)          /* shading normal; w: weight of its own ray, or NO_PREFIX */        \
-    FIELD(float4, prefix_ng, PATH_REUSE)         /* geometric normal; w: highlights there (bits) */                  \
+    FIELD(float4, prefix_ng, PATH_REUSE)         /* geometric normal */                                              \
     FIELD(float4, prefix_throughput, PATH_REUSE) /* throughput without that, rgb; w: survival probability */         \
     FIELD(float4, suffix_p, PATH_REUSE)          /* suffix vertex: point or direction; w: SUFFIX_..*/                \
     FIELD(float4, suffix_n, PATH_REUSE)          /* normal on the ray's side; w: error scale */                      \
@@ -34,7 +35,8 @@
     FIELD(Transmittances, transmittance, PATH_REUSE) /* along the connections to the suffix vertex (connect.h) */    \
     FIELD(ConnectionWords, pdf, PATH_REUSE)      /* with which the prefix vertices would have sampled it */          \
     FIELD(ConnectionWords, contribution, PATH_REUSE) /* contributions to them, without the panes */                  \
-    FIELD(uint, connections, PATH_REUSE)         /* their visibility */
+    FIELD(Mixture, mixture, PATH_REUSE)          /* of the prefix vertex */                                          \
+    FIELD(uint, connections, PATH_REUSE)         /* visibility of the connections to the suffix vertex */
 // clang-format on
 
 #define NO_PREFIX -1.0f   // in place of a weight: there is no prefix vertex

@@ -7,6 +7,7 @@
 #define LUX_MIXTURE_H
 
 #include "kernels/sampling/highlights.h"
+#include "kernels/sampling/mixture_fields.h"
 #include "kernels/sampling/portals.h"
 
 // Direction about n, by the cosine.
@@ -17,12 +18,6 @@ FN float3 cosine_sample(float3 n, float x, float turn) {
     k_sincos(K_TURN * turn, &sn, &cs);
     return unit3(add3(scale3(n, z), add3(scale3(e1, r * cs), scale3(e2, r * sn))));
 }
-
-// What the techniques need to know of a point.
-STRUCT(Mixture) {
-    float light;      // through all portals
-    uint highlights;  // rectangles that can be sampled, one bit each
-};
 
 FN Mixture mixture_at(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n) {
     Mixture mixture;

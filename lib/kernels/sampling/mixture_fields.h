@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the techniques of the mixture (mixture.h) know of a point.  Path reuse stores it whole at each prefix vertex
+// (integrator/state.h), so that a new field needs no other line.  float and uint alone: the same layout on all devices.
+#ifndef LUX_MIXTURE_FIELDS_H
+#define LUX_MIXTURE_FIELDS_H
+
+STRUCT(Mixture) {
+    float light;      // through all portals
+    uint highlights;  // rectangles that can be sampled, one bit each
+};
+#endif
