@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "flatten/host_tracer.h"
 #include "flatten/pack.h"
+#include "flatten/polygon.h"
 #include "flatten/surfaces.h"
 #include "scene/materials.h"
 
@@ -82,9 +83,9 @@ std::vector<Face> faces_of(const Modifiers& modifiers, double large) {
         std::vector<Vec3> corners;
         Vec3 normal;
         if (o.type == Type::polygon) {
-            corners = polygon_corners(r);
-            for (size_t i = 1; i + 1 < corners.size(); i++)
-                normal = normal + cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+            const Polygon polygon(r);
+            corners = polygon.corners;
+            normal = polygon.normal;
         } else {
             normal = vec_at(r, 3);
         }

@@ -7,6 +7,7 @@
 
 #include "base/angle.h"
 #include "base/error.h"
+#include "flatten/polygon.h"
 #include "flatten/sources.h"
 
 namespace flatten {
@@ -112,8 +113,8 @@ void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec
 }
 
 // The triangles of a general polygon; each knows its part of [0,1) by area.
-void add_fan(const std::vector<Vec3>& v, Vec3 normal, Vec3 centre, Sources& sources) {
-    const auto triangles = triangulate(v, normal);
+void add_fan(const std::vector<Vec3>& v, const std::vector<std::array<int, 3>>& triangles, Vec3 centre,
+             Sources& sources) {
     double total = 0, done = 0;
     std::vector<double> area;
     for (const auto& t : triangles) {
@@ -140,23 +141,27 @@ void add_fan(const std::vector<Vec3>& v, Vec3 normal, Vec3 centre, Sources& sour
     }
 }
 
+// The shape is the one that is drawn, or shadow rays end behind it.
 void shape_polygon(const Reals& r, Vec3 centre, Sources& sources) {
-    const std::vector<Vec3> v = polygon_corners(r);
+    const Polygon polygon(r);
+    const Vec3 normal = polygon.normal;
+    const std::vector<Vec3> v = polygon.drawn();
     const size_t n = v.size();
-    Vec3 sum, mid;
-    for (size_t i = 1; i + 1 < n; i++) sum = sum + cross(v[i] - v[0], v[i + 1] - v[0]);
+    Vec3 mid;
     for (const Vec3& p : v) mid = mid + p * (1.0 / double(n));
-    const Vec3 normal = unit(sum);
-    const double area = length(sum) / 2;
-    double radius = 0;
-    for (const Vec3& p : v) radius = std::max(radius, length(p - mid));
+    double radius = 0, off_plane = 0;
+    for (const Vec3& p : v) {
+        radius = std::max(radius, length(p - mid));
+        off_plane = std::max(off_plane, std::fabs(dot(p - mid, normal)));
+    }
+    const bool flat = off_plane <= 1e-7 * radius;
 
     float* q = sources.record(sources.count() - 1);
     put(q + SRC_CENTRE, mid - centre);
     put(q + SRC_NORMAL, normal);
-    q[SRC_AREA] = float(area);
+    q[SRC_AREA] = float(polygon.area);
     q[SRC_RADIUS] = float(radius);
-    if (n == 4 && length(v[0] + v[2] - v[1] - v[3]) <= 1e-4 * radius) {
+    if (n == 4 && flat && length(v[0] + v[2] - v[1] - v[3]) <= 1e-4 * radius) {
         q[SRC_KIND] = from_bits(SK_PARALLELOGRAM);
         put(q + SRC_U, (v[1] - v[0]) * 0.5);
         put(q + SRC_V, (v[3] - v[0]) * 0.5);
@@ -164,10 +169,10 @@ void shape_polygon(const Reals& r, Vec3 centre, Sources& sources) {
     }
     q[SRC_KIND] = from_bits(SK_POLYGON);
     Vec3 u, w;  // RADIANCE's size vectors, for -ds with -dj below 1 (spec shading 4.3)
-    size_vectors(v, mid, normal, area, u, w);
+    size_vectors(v, mid, normal, polygon.area, u, w);
     put(q + SRC_U, u);
     put(q + SRC_V, w);
-    add_fan(v, normal, centre, sources);
+    add_fan(v, flat ? triangulate(v, normal) : std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}}, centre, sources);
 }
 
 }  // namespace

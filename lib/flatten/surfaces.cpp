@@ -10,6 +10,7 @@
 #include "flatten/coincident.h"
 #include "flatten/instances.h"
 #include "flatten/pack.h"
+#include "flatten/polygon.h"
 #include "scene/materials.h"
 
 namespace flatten {
@@ -21,34 +22,6 @@ using scene::Type;
 
 constexpr double TINY = 1e-6;  // FTINY of the reference
 constexpr size_t MOST_PANES = 100000;
-
-// A polygon and its plane.
-struct Polygon {
-    std::vector<Vec3> corners;
-    Vec3 normal;
-    double area = 0;  // 0: no plane
-
-    explicit Polygon(const scene::Span<double>& r) : corners(polygon_corners(r)) {
-        const std::vector<Vec3>& v = corners;
-        Vec3 sum;  // Newell
-        for (size_t i = 1; i + 1 < v.size(); i++) sum = sum + cross(v[i] - v[0], v[i + 1] - v[0]);
-        const double area2 = length(sum);
-        area = area2 / 2;
-        if (area2 != 0) normal = sum * (1 / area2);
-    }
-
-    // A triangle, or four corners in one plane that turn one way; a bent quad keeps the reference's mean plane.
-    bool is_triangles() const {
-        const std::vector<Vec3>& v = corners;
-        if (v.size() != 4) return v.size() == 3;
-        for (size_t i = 0; i < 4; i++)
-            if (!(dot(cross(v[(i + 1) % 4] - v[i], v[(i + 2) % 4] - v[(i + 1) % 4]), normal) > 0)) return false;
-        const double flat = 1e-5 * std::max(1.0, std::fabs(dot(v[0], normal)));
-        for (size_t i = 1; i < 4; i++)
-            if (!(std::fabs(dot(v[i] - v[0], normal)) <= flat)) return false;
-        return true;
-    }
-};
 
 // The rectangle along the first edge that contains all corners.
 Aperture rectangle_about(const std::vector<Vec3>& corners, Vec3 normal, Vec3 centre, bool both_sides) {
@@ -186,11 +159,7 @@ private:
     // The corners projected to the coordinate plane that the polygon faces most.
     void add_outline(const Polygon& p, uint32_t tagged) {
         const Vec3 n = p.normal;
-        double offset = 0;
-        for (const Vec3& v : p.corners) offset += dot(v - centre_, n);
-        offset /= double(p.corners.size());
-        const double a[3] = {std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
-        const int drop = a[0] > a[1] ? (a[0] > a[2] ? 0 : 2) : (a[1] > a[2] ? 1 : 2);
+        const int drop = p.axis();
         const uint32_t at = uint32_t(out_.polygon_uv.size()), count = uint32_t(p.corners.size());
         for (int axis : {drop == 0 ? 1 : 0, drop == 2 ? 1 : 2}) {
             const size_t row = out_.polygon_uv.size();
@@ -198,7 +167,7 @@ private:
             for (const Vec3& v : p.corners) out_.polygon_uv.push_back(float((v - centre_)[axis]));
             out_.polygon_uv.resize(row + POLYGON_ROW(count), NAN);
         }
-        float* q = &out_.shapes[SHAPE_FLOATS * add_shape(SHAPE_POLYGON, {n.x, n.y, n.z, offset})];
+        float* q = &out_.shapes[SHAPE_FLOATS * add_shape(SHAPE_POLYGON, {n.x, n.y, n.z, p.offset(centre_)})];
         q[POLYGON_AXIS] = from_bits(uint32_t(drop));
         q[POLYGON_FIRST] = from_bits(at);
         q[POLYGON_COUNT] = from_bits(count);
@@ -265,13 +234,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<Vec3> polygon_corners(const scene::Span<double>& r) {
-    std::vector<Vec3> v(r.size() / 3);
-    for (size_t i = 0; i < v.size(); i++) v[i] = vec_at(r, 3 * i);
-    if (v.size() > 3 && length(v[0] - v.back()) <= TINY) v.pop_back();
-    return v;
-}
 
 // The common case: polygons of three or four corners.
 static void make_room_for_polygons(const scene::Scene& scene, FlatScene& out) {

@@ -46,9 +46,6 @@ void flatten_geometry(const Modifiers& modifiers, const Instances& instances, Fl
 void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, base::Vec3 centre, FlatScene& out,
                       Lights* lights);
 
-// The corners of a polygon, without a repeated last one.
-std::vector<base::Vec3> polygon_corners(const base::Span<double>& reals);
-
 // A mesh as the current tree.  materials: of an .obj, objects of modifiers->scene by the mesh's own numbers.
 void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std::vector<int32_t>& materials,
                   base::Vec3 centre, FlatScene& out);
