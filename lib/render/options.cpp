@@ -6,6 +6,19 @@
 #include "base/options.h"
 
 namespace render {
+namespace {
+
+// A number or a word.
+base::Action bounces(int& ab) {
+    const auto read = [&ab](base::Arguments& a) {
+        const std::string word = a.text();
+        const auto number = [&] { return base::Arguments(a.name(), {word}, "").integer(base::within(0, 10000)); };
+        ab = word == "unlimited" ? no_limit : int(number());
+    };
+    return {read, [&ab] { return ab == no_limit ? "unlimited" : std::to_string(ab); }};
+}
+
+}  // namespace
 
 void declare_options(base::OptionTable& t, RenderOptions& r) {
     t.group("Picture");
@@ -18,8 +31,8 @@ void declare_options(base::OptionTable& t, RenderOptions& r) {
     t.add("-i[+-]", "Irradiance on the surfaces seen instead of radiance", r.i).from_scene().moves_pixels();
 
     t.group("Light");
-    t.add("-ab n", "Diffuse bounces", r.ab).within(0, 10000).from_scene().moves_pixels();
-    t.add("-av r g b", "Radiance in place of all light beyond the last bounce", r.av)
+    t.add("-ab n", "Diffuse bounces, a number or unlimited", bounces(r.ab)).from_scene().moves_pixels();
+    t.add("-av r g b", "Radiance in place of all light beyond the last bounce of -ab n", r.av)
         .at_least(0)
         .from_scene()
         .moves_pixels();

@@ -2,6 +2,7 @@
 // Rendering options; the defaults are those of a converged daylight picture (docs/differences.md).
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 #include "flatten/flatten.h"
@@ -17,20 +18,22 @@ namespace render {
 // Sampling of diffuse directions (-sampling): by the cosine; also toward portals; the same with path reuse.
 enum class Sampling { plain, portals, reuse };
 
+constexpr int no_limit = std::numeric_limits<int>::max();  // of -ab
+
 struct RenderOptions : flatten::Options {  // which has -dr and -bv
     // RADIANCE's options
-    int ab = 5;             // -ab diffuse bounces
+    int ab = no_limit;      // -ab diffuse bounces
     double st = 0;          // -st specular threshold
     double ss = 16;         // -ss > 1.5: weighted (W-G-M-D) lobes; <= 1.5: unweighted
     double dj = 1, ds = 0;  // -dj source jitter; -ds: 0 samples the whole source
     int dp = 0;             // -dp: no effect
-    int lr = -12;
-    double lw = 1e-6;          // ray level limit (negative: Russian roulette), weight limit
-    double pj = 1;             // -pj pixel jitter
-    bool u = true;             // -u: no effect
-    bool dv = true;            // -dv light sources visible
-    bool i = false;            // -i irradiance
-    double av[3] = {0, 0, 0};  // -av
+    int lr = 0;             // -lr reflections; 0: no limit; negative: without the limit of -lw
+    double lw = 1e-6;
+    double pj = 1;                                                // -pj pixel jitter
+    bool u = true;                                                // -u: no effect
+    bool dv = true;                                               // -dv light sources visible
+    bool i = false;                                               // -i irradiance
+    double av[3] = {0, 0, 0};                                     // -av
     double me[3] = {0, 0, 0}, ma[3] = {0, 0, 0}, mg = 0, ms = 0;  // mist
     double pd = 0;                                                // -pd depth of field
     // luxpipe's options

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "device/device.h"
+#include "render/beyond_limit.h"
 #include "render/splat_emitters.h"
 #include "render/eye_on_surface.h"
 #include "render/fingerprint.h"
@@ -40,13 +41,6 @@ uint32_t samples_for_one(size_t pixels) {
 
 constexpr float RAY_REST = 0.3f;  // light from other directions, over portals': a single ray does not repay pilots
 
-// The radiance of a suffix vertex must not depend on the path that found it: on the media and antimatter crossed, or on
-// the ray weight that -lw limits.
-bool allows_path_reuse(const Params& par) {
-    const bool mist = par.medium.x > 0 || par.medium.y > 0 || par.medium.z > 0;
-    return par.ab > 0 && par.lr <= 0 && par.least_lobe_prob == 0 && (par.flags & PF_ANTIMATTER) == 0 && !mist;
-}
-
 struct Renderer::State {
     std::unique_ptr<device::Device> device;
     std::shared_ptr<flatten::FlatScene> flat;  // the device's
@@ -55,6 +49,8 @@ struct Renderer::State {
     std::string fingerprint;
     SplatList drawn;
     Params base{};
+    view::View view;
+    int told_limit = no_limit;      // of bounces: the last one that warn_of_limit() was called for
     uint32_t nx, ny, m, of_frame0;  // samples of the direct class in frame 0
     FrameZero zero;
     image::Moments moments;
@@ -203,6 +199,7 @@ void Renderer::select_view(const RenderView& v, const RenderOptions& o) {
     s.nx = s.base.nx = uint32_t(v.nx);
     s.ny = s.base.ny = uint32_t(v.ny);
     s.of_frame0 = s.m * (o.more_if_small ? samples_for_one(size_t(v.nx) * size_t(v.ny)) : 1);
+    s.view = v.view;
     set_view(s.base, v.view, s.flat->centre);
     s.focus = v.focus;
 
@@ -230,6 +227,7 @@ std::string Renderer::device_name() const { return state_->device->name(); }
 void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, const std::vector<float>&)>& give) {
     State& s = *state_;
     const int64_t end = k + count;
+    const bool from_start = k == 0;
     std::vector<float> out(size_t(s.nx) * s.ny * 3);
     try {
         if (k == 0 || end - 1 > s.m || s.m % 2 == 0 || s.seeks_noisy) s.ensure_zero();
@@ -241,6 +239,8 @@ void Renderer::frames(int64_t k, int count, const std::function<bool(int64_t, co
         }
         if (k >= end) return;
         s.ensure_aim_shares();
+        if (from_start && std::exchange(s.told_limit, s.base.ab) != s.base.ab)
+            warn_of_limit(*s.device, s.base, s.view, s.zero.exact);
         s.ensure_noisy();
         s.samples(k, end - k, [&](int64_t frame, const float* v) {
             s.make_frame(frame, v, out);

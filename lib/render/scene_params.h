@@ -49,4 +49,11 @@ inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOpt
     return p;
 }
 
+// The radiance of a suffix vertex must not depend on the path that found it: on the media and antimatter crossed, or on
+// the ray weight that -lw limits.
+inline bool allows_path_reuse(const kernels::Params& par) {
+    const bool mist = par.medium.x > 0 || par.medium.y > 0 || par.medium.z > 0;
+    return par.ab > 0 && par.lr <= 0 && par.least_lobe_prob == 0 && (par.flags & PF_ANTIMATTER) == 0 && !mist;
+}
+
 }  // namespace render

@@ -230,7 +230,7 @@ private:
     Moments moments(const Sums& sums) const {
         const double n = double(cosines_);
         Moments of;
-        for (int bounce = 0; bounce < par_.ab; bounce++) {
+        for (int bounce = 0; bounce < bounces_of_moments(par_); bounce++) {
             of.square = (sums.gathered2 + 2 * sums.both * of.mean + sums.throughput2 * of.square) / n;
             of.mean = (sums.gathered + sums.throughput * of.mean) / n;
         }

@@ -185,7 +185,7 @@ private:
     double moment(double dimmed) const {
         Sums all;
         for (size_t i = 0; i < pilots_.size(); i++) all.add(pilots_[i], mixed(i, dimmed));
-        return all.moment(double(pilots_.size()), mean_, par_.ab);
+        return all.moment(double(pilots_.size()), mean_, bounces_of_moments(par_));
     }
 
     // The same without the brightest pilots, which are too few to compare by.
@@ -199,7 +199,7 @@ private:
         Sums most;
         for (size_t i = 0; i < pilots_.size(); i++)
             if (squares[i] <= *brightest) most.add(pilots_[i], mixed(i, dimmed));
-        return most.moment(double(pilots_.size()), mean_, par_.ab);
+        return most.moment(double(pilots_.size()), mean_, bounces_of_moments(par_));
     }
 
     // Sunlight: portals in proportion to their light.  Among the factors whose second moment is at most the cosine's,

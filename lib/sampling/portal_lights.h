@@ -3,6 +3,7 @@
 // before frame 1.  The pdf of least variance is proportional to the root of the mean square of the radiance, which the
 // pilots estimate for each portal and for all other directions.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <vector>
 #include "device/given_rays.h"
@@ -19,6 +20,9 @@ struct PilotPath {
     uint32_t target = 0;                       // record of the glossy reflector toward which it goes
     void set_end(const device::PilotEnd& end);
 };
+
+// Bounces by which moments of the light have converged, or the limit of -ab.
+inline int bounces_of_moments(const kernels::Params& par) { return std::min(par.ab, 250); }
 
 // Chooses the parameters portal_* (kernels/tables.h).  pilots: by the cosine; mean: of the light.  par holds all
 // portals and their lights; removes portals of small probability, and all if they would not reduce the variance. Writes

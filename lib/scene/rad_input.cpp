@@ -177,8 +177,7 @@ std::vector<std::string> render_options(const Values& values, const RadInput& in
     const char* direct[] = {" -dr 0 -ss 0 -st .5", " -dr 1 -ss 1 -st .1", " -dr 3 -ss 16 -st .01"};
     text += direct[quality];
     const long bounces = values.get("INDIRECT").empty() ? 0 : base::to_int(values.get("INDIRECT"), "INDIRECT");
-    if (quality == 2) text += fmt::format(" -ab {}", bounces + 1);
-    else if (quality == 1 && bounces > 0) text += fmt::format(" -ab {}", bounces);
+    text += fmt::format(" -ab {}", quality == 2 ? bounces + 1 : quality == 1 ? bounces : 0);  // 0 is rpict's default
     const double ambient = values.get("EXPOSURE").empty() ? (input.interior ? .01 : 10) : .18 / input.exposure;
     text += fmt::format(" -av {0:.2g} {0:.2g} {0:.2g}", ambient);
     const char* limits[] = {" -lr 6 -lw .001", " -lr 8 -lw 1e-4", " -lr 12 -lw 5e-6"};

@@ -69,10 +69,11 @@ def rpict(view: Sequence[str], octree: Path | str, xres: None | int = None, yres
           frames: int = 64) -> bytes:
     """Return a RADIANCE picture (RGBE) of an octree or scene file, by ``ptrace | ptaccum``.
 
-    Arguments are those of pyradiance's rpict.  Options that a path tracer does not need (-ad, -aa ...) are accepted.
+    Arguments are those of pyradiance's rpict, and no -ab is -ab 0, as there.  Options that a path tracer does not need
+    (-ad, -aa ...) are accepted.
     frames: number of diffuse samples a pixel.
     """
-    args = [*view, *(params or [])]
+    args = ["-ab", "0", *view, *(params or [])]
     for option, value in (("-t", report or None), ("-e", report_file), ("-x", xres), ("-y", yres)):
         if value is not None:
             args += [option, str(value)]

@@ -74,12 +74,12 @@ def frames_for(args: list[str]) -> int:
 
 
 def rpict() -> None:
-    """Be rpict: the sum of frames of ptrace as an RGBE picture, to the standard output or -o.
+    """Be rpict: the sum of frames of ptrace as an RGBE picture, to the standard output or -o; -ab is 0, as rpict's.
 
     LUXPIPE_FRAMES is their number (else that of `frames_for`).
     LUXPIPE_OPTIONS has further options of ptrace, which recipes would refuse: "-seed 2 -device cpu".
     """
-    args = [*shlex.split(os.environ.get("LUXPIPE_OPTIONS", "")), *sys.argv[1:]]
+    args = ["-ab", "0", *shlex.split(os.environ.get("LUXPIPE_OPTIONS", "")), *sys.argv[1:]]
     if any(word in ("-version", "-defaults", "-help") for word in args):
         os.execv(program("ptrace"), ["rpict", *args])
     output = None

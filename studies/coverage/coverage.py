@@ -62,7 +62,7 @@ class Study:
     def trace(self):
         for seed in self.seeds:
             # without moments: -until class is judged by noise alone
-            words = '-w- -n 1 -moments%s -x %d -y %d -seed %d -frames %d' % (
+            words = '-w- -n 1 -ab 5 -moments%s -x %d -y %d -seed %d -frames %d' % (
                 '+' if self.o.moments else '-', self.o.size, self.o.size, seed, self.o.frames + 1)
             make(self.stream(seed), [os.path.join(self.bin, 'ptrace')] + words.split() + self.words, self.folder)
 

@@ -4,6 +4,8 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include "physics/laws.h"
 
+#include <fmt/core.h>
+
 #include "base/vec.h"
 
 using namespace laws;
@@ -66,6 +68,31 @@ TEST_CASE("light trapped in a closed sphere sums the geometric series") {
         }
         expect(text, options, {{.5, 0, 0}, {1, .3, .2}}, exact);
     }
+}
+
+// The same without a limit, which is the default: L = L0 (r/R)^2 p / (1 - p (1 - (r/R)^2)).
+TEST_CASE("a closed sphere without a limit of bounces has all of its light") {
+    for (double p : {.5, .8, .9, .95, .99}) {
+        CAPTURE(p);
+        expect(fmt::format("void light lm 0 0 3 1000 1000 1000\nlm sphere bulb 0 0 4 0 0 0 .01\n"
+                           "void plastic wall 0 0 5 {0} {0} {0} 0 0\nwall bubble room 0 0 4 0 0 0 1\n",
+                           p),
+               {}, {{.5, 0, 0}, {1, .3, .2}}, {1000 * 1e-4 * p / (1 - p * (1 - 1e-4))}, 2048, .02);
+    }
+}
+
+// Walls that are lamps of radiance 1 by a share f and else reflect p: L = f + (1 - f) p L in closed rooms of any shape.
+TEST_CASE("a closed cube of glowing walls, diffuse or mirrors, has all of its light") {
+    const double f = .005;
+    for (const char* wall : {"plastic wall 0 0 5 {0} {0} {0} 0 0", "mirror wall 0 0 3 {0} {0} {0}"})
+        for (double reflected : {.5, .8, .9, .95, .99}) {
+            CAPTURE(std::string(wall));
+            CAPTURE(reflected);
+            const std::string text = fmt::format("void " + std::string(wall), reflected / (1 - f)) +
+                                     "\nvoid glow lamp 0 0 4 1 1 1 0\nvoid mixfunc both 4 lamp wall .005 . 0 0\n"
+                                     "!genbox both room 1 1 1 -i\n";
+            expect(text, {}, {{.5, .4, .3}, {1, .3, .2}}, {f / (1 - reflected)}, 16384, .15);
+        }
 }
 
 // A disc of half angle a and radiance L at zenith angle t: E = pi sin(a)^2 cos(t) L, and the floor returns rho E / pi.

@@ -9,8 +9,9 @@ in_force() { ptrace "$@" -defaults | sed 's, *#.*,,' | grep -x -e "$want"; }
 check 'it says its version' 'ptrace -version | grep -q "^ptrace "'
 check 'it names its devices' 'ptrace -devices | grep -q cpu'
 check 'defaults are those of a converged picture' '
-    for want in "-ab 5" "-st 0" "-dj 1" "-dr 2" "-pj 1" "-lr -12" "-x 512" "-y 512"; do in_force; done'
+    for want in "-ab unlimited" "-st 0" "-dj 1" "-dr 2" "-pj 1" "-lr 0" "-x 512" "-y 512"; do in_force; done'
 check 'an option before -defaults shows' 'want="-ab 3" && in_force -ab 3'
+check 'no limit can be typed, too' 'want="-ab unlimited" && in_force -ab 3 -ab unlimited'
 check 'the later of two options holds' 'want="-ab 4" && in_force -ab 3 -ab 4'
 check 'a later -vp overrides the view file' 'want="-vp 1 2 3" && in_force -vf view.vf -vp 1 2 3'
 check 'a view file overrides an earlier -vp' 'want="-vp 2 2.7 1.2" && in_force -vp 1 2 3 -vf view.vf'
@@ -35,6 +36,27 @@ check '-z says that it writes nothing' '
     ptrace -z z.zbf -frames 1 -x 8 -y 8 -vf view.vf sky.rad 2> said > /dev/null
     grep -qx "ptrace: warning: -z: ignored: no depth file is written" said; test ! -e z.zbf'
 check 'and -w- silences it' 'ptrace -w- -aa .1 -frames 1 -x 8 -y 8 sky.rad 2>&1 > /dev/null | { ! grep .; }'
+cat > closed.rad << 'END'
+void light bulb 0 0 3 100 100 100
+bulb sphere b 0 0 4 0 0 0 .01
+void plastic wall 0 0 5 .8 .8 .8 0 0
+wall bubble room 0 0 4 0 0 0 1
+END
+inside='-vta -vp .1 0 0 -vd 1 0 0 -vh 180 -vv 180 -x 16 -y 16 -frames 2'
+check 'a limit of bounces tells once what it leaves out: .8 ^ 3 of the light in a closed sphere' '
+    ptrace -ab 2 $inside closed.rad 2> said > /dev/null; test $(wc -l < said) -eq 1
+    share=$(sed -n "s/^ptrace: warning: -ab 2: leaves out \([0-9.]*\) +- [0-9.]* % of the illuminance at the eye/\1/p" \
+        said)
+    echo "$share" | awk "{exit !(\$1 > 48 && \$1 < 55)}"'
+check 'no limit, -ab 0 and -w- tell nothing' '
+    for ab in "-ab unlimited" "-ab 0" "-w- -ab 2"; do
+        ptrace $ab $inside closed.rad 2>&1 > /dev/null | { ! grep .; }
+    done'
+check '-av without a limit is ignored, said once' '
+    ptrace $inside closed.rad | ptaccum -last -ff > without
+    ptrace -av 1 1 1 $inside closed.rad 2> said | ptaccum -last -ff > with
+    test $(wc -l < said) -eq 1; grep -q "warning: -av: ignored, except in mist: without -ab n" said
+    test "$(tail -c 3072 without | cksum)" = "$(tail -c 3072 with | cksum)"'
 check '-e sends messages to a file' '
     ptrace -e log -aa .1 -frames 1 -x 8 -y 8 sky.rad > /dev/null; grep -q "warning.*-aa" log'
 

@@ -5,6 +5,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -15,10 +16,9 @@ namespace device {
 }  // namespace device
 using namespace device;
 
-// A path behind its second diffuse bounce.
-static Vertex path_of(uint k, float carried, float weight) {
+static Vertex path_of(uint k, float carried, float weight, uint bounces = 2) {
     Vertex vertex = {};
-    vertex.flags = 2u << PC_AB_SHIFT;
+    vertex.flags = bounces << PC_AB_SHIFT;
     vertex.rnd = sampler_start(7, 8, k, 0, 0);
     vertex.throughput = F3(.5f * carried, carried, .25f * carried);
     vertex.weight = weight;
@@ -48,14 +48,41 @@ TEST_CASE("no path is made to carry more than where roulette sets in, or 1 / RR_
 // What goes on is one of two values, so that the error of the mean is known: carried sqrt((1 - p) / p / n).
 TEST_CASE("the mean of what paths carry stays") {
     constexpr uint n = 200000;
-    for (float carried : {.04f, .01f, 1e-4f}) {
-        double sum = 0;
-        for (uint k = 0; k < n; k++) {
-            Vertex vertex = path_of(k, carried, 1);
-            if (path_roulette(&vertex, carried)) sum += double(vertex.throughput.y);
+    for (uint bounces : {2u, 6u, PC_MOST_BOUNCES})
+        for (float carried : {.04f, .01f, 1e-4f}) {
+            double sum = 0;
+            for (uint k = 0; k < n; k++) {
+                Vertex vertex = path_of(k, carried, 1, bounces);
+                if (path_roulette(&vertex, carried)) sum += double(vertex.throughput.y);
+            }
+            const float start = bounces > RR_EARLY ? RR_START_LATE : RR_START;
+            const double p = std::fmax(double(carried / start), double(RR_LEAST));
+            CHECK(std::abs(sum / n / double(carried) - 1) < 4 * std::sqrt((1 - p) / p / n));
         }
-        const double p = std::fmax(double(carried / RR_START), double(RR_LEAST));
-        CHECK(std::abs(sum / n / double(carried) - 1) < 4 * std::sqrt((1 - p) / p / n));
+}
+
+TEST_CASE("between mirrors roulette begins with a reflection") {
+    uint ended = 0;
+    for (uint k = 0; k < 1000; k++)
+        for (uint level : {RR_LEVELS - 1, RR_LEVELS}) {
+            Vertex vertex = path_of(k, .01f, 1, 0);
+            vertex.flags = level << PC_LEVEL_SHIFT;
+            const int goes_on = path_roulette(&vertex, .01f);
+            if (level < RR_LEVELS) CHECK(goes_on);
+            ended += !goes_on;
+        }
+    CHECK(std::abs(double(ended) - 800) < 4 * std::sqrt(1000 * .2 * .8));
+}
+
+TEST_CASE("counts of a path stop at their largest value and leave all other flags alone") {
+    const uint others = PC_DIFFUSE | PC_SUFFIX | 7u << PC_STEP_SHIFT;
+    uint flags = others;
+    for (uint k = 1; k <= 1000; k++) {
+        flags = count_bounce(count_level(flags));
+        CHECK(path_bounces(flags) == std::min(k, PC_MOST_BOUNCES));
+        CHECK(path_level(flags) == std::min(k, PC_MOST_LEVELS));
+        CHECK(path_steps(flags) == 7u);
+        CHECK((flags & 31u) == (PC_DIFFUSE | PC_SUFFIX));
     }
 }
 

@@ -32,6 +32,7 @@ Options by_name(const std::vector<std::string>& words) {
         }
     }
     for (const std::string& n : not_ours) all.erase(n);
+    all.emplace("-ab", "0 ");  // rpict's default, which rad does not say
     return all;
 }
 

@@ -103,6 +103,9 @@ void check(const Options& opt) {
         base::fail("-", "the standard input has the views, not a scene");
     if (reads_stdin && opt.skies.size() > 1) base::fail("-", "is read once, but the scene is read again for each -sky");
     if (!opt.rule_file.empty() && opt.rule_for.empty()) base::fail("-MF", "needs -M for the rule's target");
+    const double* av = opt.render.av;
+    if (opt.render.ab == render::no_limit && (av[0] > 0 || av[1] > 0 || av[2] > 0))
+        base::warn("-av", "ignored, except in mist: without -ab n there is no last bounce");
     if (!opt.rule_for.empty() && opt.rule_file.empty()) return;
     for (const NamedView& s : opt.views) render::require_memory(s.render_view);
     const bool several = opt.views.size() > 1 || opt.skies.size() > 1;

@@ -118,7 +118,7 @@ FN Ray path_ray(TABLES(const Paths) paths, uint path) {
 FN void path_extend(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     Ray ray = path_ray(paths, path);
     Hit hit;
-    int from_surface = (par->flags & PF_EYE_ON_SURFACE) != 0u && paths->info[path].x >> PC_STEP_SHIFT == 0u;
+    int from_surface = (par->flags & PF_EYE_ON_SURFACE) != 0u && path_steps(paths->info[path].x) == 0u;
     for (;;) {
         trace_closest(s, &ray, RAY_ALL, &hit);
         if (!from_surface || !holds_origin(s, &ray, &hit)) break;

@@ -3,13 +3,18 @@
 #ifndef LUX_PATH_CONTINUE_H
 #define LUX_PATH_CONTINUE_H
 
-#define RR_START 0.05f  // Russian roulette applies to a throughput below this
-#define RR_LEAST 0.05f  // least survival probability
+// Russian roulette begins with the second diffuse bounce, or with this reflection where mirrors face each other
+// (docs/decisions/0029-roulette.md).
+#define RR_BOUNCES 2u
+#define RR_LEVELS 13u
+#define RR_START 0.05f      // it applies to a throughput below this
+#define RR_EARLY 5u         // up to this bounce, and later
+#define RR_START_LATE 0.5f  // below this
+#define RR_LEAST 0.05f      // least survival probability
 
 // Constant radiance that stands for deeper bounces (-av), where -ab ends the path.
 FN void path_ambient_value(PARAMS(const Params) par, PRIVATE(Vertex) vertex) {
-    int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
-    if (bounces < par->ab || !vertex->wanted) return;
+    if ((int)path_bounces(vertex->flags) < par->ab || !vertex->wanted) return;
     float3 av = F3(par->av.x, par->av.y, par->av.z);
     float3 value = mul3(add3(vertex->lobes.ambient_r, vertex->lobes.ambient_t), av);
     if (vertex->at_suffix) vertex->suffix_rad = add3(vertex->suffix_rad, value);
@@ -18,7 +23,7 @@ FN void path_ambient_value(PARAMS(const Params) par, PRIVATE(Vertex) vertex) {
 
 // Limits of -lr and -lw.
 FN int path_limited(PARAMS(const Params) par, PRIVATE(const Vertex) vertex) {
-    int level = (int)((vertex->flags >> PC_LEVEL_SHIFT) & 255u);
+    int level = (int)path_level(vertex->flags);  // PC_MOST_LEVELS at most: a higher limit is none
     if (par->lr > 0) return level > par->lr || vertex->weight < par->lw;
     return par->lr < 0 && level > -par->lr;
 }
@@ -28,9 +33,10 @@ FN int path_limited(PARAMS(const Params) par, PRIVATE(const Vertex) vertex) {
 // light, and a path with a large weight from them must not be amplified twenty-fold (spec shading 6).  Returns 0 if the
 // path ends.
 FN int path_roulette(PRIVATE(Vertex) vertex, float carried) {
-    uint bounces = (vertex->flags >> PC_AB_SHIFT) & 255u;
-    if (bounces < 2u || !(carried < RR_START)) return 1;
-    float prob = MAX_(carried / RR_START, RR_LEAST);
+    uint bounces = path_bounces(vertex->flags);
+    float start = bounces > RR_EARLY ? RR_START_LATE : RR_START;
+    if ((bounces < RR_BOUNCES && path_level(vertex->flags) < RR_LEVELS) || !(carried < start)) return 1;
+    float prob = MAX_(carried / start, RR_LEAST);
     if (sample1(&vertex->rnd) >= prob) return 0;
     vertex->throughput = scale3(vertex->throughput, 1.0f / prob);
     return 1;

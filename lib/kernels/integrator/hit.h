@@ -5,7 +5,7 @@
 
 // Sets position, normal and modifier of the hit, and counts it.  Returns 0 beyond the limit of hits per path.
 FN int vertex_arrive(TABLES(const SceneTables) s, PRIVATE(Vertex) vertex) {
-    if (vertex->flags >> PC_STEP_SHIFT >= PC_STEP_LIMIT) return 0;
+    if (path_steps(vertex->flags) >= PC_STEP_LIMIT) return 0;
     vertex->flags += 1u << PC_STEP_SHIFT;
     surface_at(s, &vertex->ray, &vertex->hit, &vertex->g);
     vertex->g.path_length = vertex->path_length_start + vertex->hit.t;

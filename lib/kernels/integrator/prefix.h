@@ -6,10 +6,9 @@
 // Returns 1 if a diffuse ray leaves the first surface that the eye sees directly or through panes.  The vertex holds
 // the flags of the path after this step.
 FN int is_prefix_vertex(PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) lobe) {
-    uint flags = vertex->flags, level = (vertex->flags >> PC_LEVEL_SHIFT) & 255u;
-    uint bounces = (vertex->flags >> PC_AB_SHIFT) & 255u;
-    if (lobe->type != SAMPLE_DIFFUSE_R || bounces != 1u || level != 1u || (flags & (PC_ROUGH | PC_BENT)) != 0u)
-        return 0;
+    uint flags = vertex->flags;
+    if (lobe->type != SAMPLE_DIFFUSE_R || path_bounces(flags) != 1u || path_level(flags) != 1u) return 0;
+    if ((flags & (PC_ROUGH | PC_BENT)) != 0u) return 0;
     if ((vertex->lobes.flags & (LOBE_BSDF | LOBE_OWN_NORMALS)) != 0u) return 0;
     return !vertex->absorbs || (!(max3(vertex->arriving.k) > 0.0f) && vertex->arriving.lights == 0u);
 }

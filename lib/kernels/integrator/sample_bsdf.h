@@ -48,8 +48,7 @@ FN float lobes_raise(float least, PRIVATE(float) weight) {
 // millions), and usually dark.  Tests that look for it set a least probability; pictures do not.
 FN float lobe_weights(PARAMS(const Params) par, PRIVATE(const Vertex) vertex, PRIVATE(float) weight) {
     PRIVATE(const Lobes) lobes = &vertex->lobes;
-    int bounces = (int)((vertex->flags >> PC_AB_SHIFT) & 255u);
-    int diffuse = bounces < par->ab && par->mode != MODE_DIRECT;
+    int diffuse = (int)path_bounces(vertex->flags) < par->ab && par->mode != MODE_DIRECT;
 
     weight[SAMPLE_DIFFUSE_R] = diffuse ? lobe_weight(lobes->ambient_r) : 0.0f;
     weight[SAMPLE_DIFFUSE_T] = diffuse ? lobe_weight(lobes->ambient_t) : 0.0f;
@@ -155,12 +154,12 @@ FN int lobe_reflects(uint lobe) { return lobe == SAMPLE_DIFFUSE_R || lobe == SAM
 // Flags of the path once it follows this lobe.
 FN uint lobe_path_flags(PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) lobe) {
     uint flags = vertex->flags;
-    if (lobe_is_diffuse(lobe)) flags = (flags | PC_DIFFUSE) + (1u << PC_AB_SHIFT);
+    if (lobe_is_diffuse(lobe)) flags = count_bounce(flags | PC_DIFFUSE);
     else if (lobe->type == SAMPLE_ROUGH_R || lobe->type == SAMPLE_ROUGH_T) flags |= PC_ROUGH | PC_BENT;
     else if (lobe->type != SAMPLE_THROUGH || dot3(lobe->dir, vertex->g.v) > -0.99999f) flags |= PC_BENT;
 
     int through = lobe->type == SAMPLE_THROUGH || lobe->type == SAMPLE_ROUGH_T || lobe->type == SAMPLE_REFRACT;
-    return through ? flags : flags + (1u << PC_LEVEL_SHIFT);
+    return through ? flags : count_level(flags);
 }
 
 // Samples a lobe and a direction.  Returns 0 if there is none and the path ends.

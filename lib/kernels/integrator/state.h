@@ -64,15 +64,23 @@ FN uint path_needs(PARAMS(const Params) par) {
 }
 
 // Flags in info.x
-#define PC_DIFFUSE 1u          // a diffuse bounce lies behind
-#define PC_ROUGH 2u            // a rough specular bounce lies behind
-#define PC_BENT 4u             // a reflection or refraction lies behind: not the eye's straight ray
-#define PC_RECORDS_SUFFIX 64u  // it has a prefix vertex and no suffix vertex yet (suffix.h)
-#define PC_SUFFIX 128u         // its light is outgoing radiance of its suffix vertex
-#define PC_LEVEL_SHIFT 8u      // reflection level, 8 bits
-#define PC_AB_SHIFT 16u        // diffuse depth, 8 bits
-#define PC_STEP_SHIFT 24u      // surfaces hit, 8 bits, saturating
-#define PC_STEP_LIMIT 250u
+#define PC_DIFFUSE 1u         // a diffuse bounce lies behind
+#define PC_ROUGH 2u           // a rough specular bounce lies behind
+#define PC_BENT 4u            // a reflection or refraction lies behind: not the eye's straight ray
+#define PC_RECORDS_SUFFIX 8u  // it has a prefix vertex and no suffix vertex yet (suffix.h)
+#define PC_SUFFIX 16u         // its light is outgoing radiance of its suffix vertex
+#define PC_LEVEL_SHIFT 6u     // reflection level, 7 bits, saturating
+#define PC_MOST_LEVELS 127u
+#define PC_AB_SHIFT 13u  // diffuse depth, 8 bits, saturating
+#define PC_MOST_BOUNCES 255u
+#define PC_STEP_SHIFT 21u    // surfaces hit, 11 bits
+#define PC_STEP_LIMIT 2000u  // a path ends there: a closed room of reflectance .995 loses 5e-5 of its light
+
+FN uint path_level(uint flags) { return (flags >> PC_LEVEL_SHIFT) & PC_MOST_LEVELS; }
+FN uint path_bounces(uint flags) { return (flags >> PC_AB_SHIFT) & PC_MOST_BOUNCES; }
+FN uint path_steps(uint flags) { return flags >> PC_STEP_SHIFT; }
+FN uint count_level(uint flags) { return path_level(flags) < PC_MOST_LEVELS ? flags + (1u << PC_LEVEL_SHIFT) : flags; }
+FN uint count_bounce(uint flags) { return path_bounces(flags) < PC_MOST_BOUNCES ? flags + (1u << PC_AB_SHIFT) : flags; }
 
 // Returns 1 after a diffuse or rough bounce; else the ray is the eye's, perhaps by way of mirrors and panes.
 FN int path_sampled(uint flags) { return (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u; }
