@@ -9,8 +9,8 @@
 #include <ctime>
 #include <fstream>
 #include <string>
-#include "bvh/embree_scene.h"
 #include "unit/bvh_host.h"
+#include "unit/embree_scene.h"
 
 using bvh_scenes::Vec;
 

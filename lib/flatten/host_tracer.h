@@ -13,10 +13,10 @@ class HostTracer {
 public:
     explicit HostTracer(const FlatScene& scene);  // keeps a reference
     ~HostTracer();
-    // normal: the shape's own, whatever the direction of the ray
+    // normal: the shape's own, whatever the direction of the ray; inst: as Hit.inst of the kernels
     struct Found {
         double t;
-        uint32_t prim;
+        uint32_t prim, inst;
         base::Vec3 normal;
     };
     enum Mask : uint32_t { opaque = 1, transparent = 2, all = 3 };

@@ -7,9 +7,8 @@
 #include "base/angle.h"
 #include "base/error.h"
 #include "scene/materials.h"
-#include "flatten/build_input.h"
-#include "bvh/embree_scene.h"
 #include "flatten/flatten.h"
+#include "flatten/host_tracer.h"
 
 namespace visibility {
 
@@ -28,8 +27,7 @@ public:
     TracedScene(const std::vector<std::string>& files, const base::ReadOptions& options)
         : scene_(scene::read_scene(files, options)),
           flat_(flatten::flatten(scene_, any_reflectance(), options)),
-          input_(flatten::build_inputs(flat_)),
-          tracer_(input_.data(), input_.size(), true, false) {
+          tracer_(flat_) {
         for (size_t i = 0; i < scene_.objects.size(); ++i)
             if (scene::is_surface(scene_.objects[i].type)) surfaces_.push_back(unsigned(i));
         std::unordered_map<unsigned, unsigned> index;
@@ -64,13 +62,11 @@ public:
     }
     int look(Vec3 origin, Vec3 dir, double tmax, region::Crossing* out, int room, bool& closed) const override {
         const double end = tmax > 0 ? tmax : 1e30;
-        const Vec3 o = origin - flat_.centre;
-        const float org[3] = {float(o.x), float(o.y), float(o.z)}, d[3] = {float(dir.x), float(dir.y), float(dir.z)};
         double from = 0;
         int n = 0;
         closed = false;
         for (int passed = 0; passed < 1000; ++passed) {
-            const auto hit = tracer_.closest(org, float(from), d, float(end), everything);
+            const auto hit = tracer_.closest(origin, dir, from, end, flatten::HostTracer::all);
             if (hit.prim == none) break;
             const bool within =
                 hit.inst != none;  // a mesh or instance counts as one surface, its panes let the eye pass
@@ -92,7 +88,7 @@ public:
 
 private:
     const scene::Object& object(unsigned s) const { return scene_.objects[surfaces_[s]]; }
-    static constexpr unsigned none = 0xffffffffu, everything = 3;  // opaque and transparent
+    static constexpr unsigned none = 0xffffffffu;
     struct Distant {
         unsigned surface;
         Vec3 dir;
@@ -100,8 +96,7 @@ private:
     };
     scene::Scene scene_;
     flatten::FlatScene flat_;
-    std::vector<bvh::Input> input_;
-    bvh::EmbreeScene tracer_;
+    flatten::HostTracer tracer_;
     std::vector<unsigned> surfaces_;          // objects
     std::vector<char> through_;               // by surface
     std::vector<unsigned> prim_surface_;      // by primitive

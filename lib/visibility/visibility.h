@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which surfaces does the eye see along a ray?  What regions ask a scene.  traced.cpp answers by the geometry that is
-// rendered and Embree's traversal of it; none.cpp stands in where the tracer's libraries are not built.
+// Which surfaces does the eye see along a ray?  What regions ask a scene.  traced.cpp answers by the geometry and the
+// traversal that render; none.cpp stands in where the tracer's libraries are not built.
 #pragma once
 #include <memory>
 #include <string>

@@ -23,7 +23,7 @@ lib/flatten: base cal scene bvh kernels
 lib/device: base flatten bvh kernels
 lib/sampling: base flatten device kernels
 lib/render: base view image scene flatten device sampling kernels
-lib/visibility: base region scene bvh flatten
+lib/visibility: base region scene flatten
 lib/live: base view image display region
 tools/ptaccum: base view image film display
 tools/vcmetrics: base view image display uncertainty glare evalglare report region

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "bvh/embree_scene.h"
 #include "flatten/build_input.h"
 #include "flatten/flatten.h"
 #include "flatten/host_tracer.h"
 #include "scene/object.h"
+#include "unit/embree_scene.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include "unit/avx2_main.h"
 #include <string>
 #include "base/error.h"
-#include "bvh/embree_scene.h"
 #include "unit/bvh_host.h"
+#include "unit/embree_scene.h"
 
 using bvh_scenes::Vec;
 

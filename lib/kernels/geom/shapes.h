@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ray against the analytic shapes of intersect.h: sphere, open cone or cylinder, ring, polygon with holes.
-// Shared by bvh8.h, bvh_compact.h and Embree's callbacks (bvh/embree_scene.cpp).  dir need not be unit (instances).
+// Shared by bvh8.h, bvh_compact.h and Embree's callbacks (tests/unit).  dir need not be unit (instances).
 // Equation: implicit surface along o + t d, solved about the point of the ray nearest the shape's centre, so that a
 // distant eye costs no digits.  Edges belong to the shape; flat shapes ignore rays with |cos| <= 1e-6, as RADIANCE.
 #ifndef LUX_SHAPES_H

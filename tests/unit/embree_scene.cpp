@@ -2,7 +2,7 @@
 // One Embree scene per tree: geometry 0 = triangles, 1 = shapes, 2.. = instances (tree 0 only).
 // The class of a primitive (opaque, transparent) is tested by a filter on triangles and within the shapes' callbacks;
 // an instance that forces a class overrules it.
-#include "bvh/embree_scene.h"
+#include "unit/embree_scene.h"
 
 #include <cmath>
 #include <cstring>

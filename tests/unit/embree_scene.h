@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays against geometry by Embree's own traversal, which takes the processor's widest instructions.  Regions ask it
-// what the eye sees (lib/visibility); tests check kernels/bvh/bvh8.h and bvh_compact.h by it.  Triangles are Embree's
-// (ROBUST); analytic shapes go through callbacks to kernels/geom/shapes.h; instances are Embree's.  Ties between
-// coincident surfaces are decided by Embree, not by the lower primitive.
+// Rays against geometry by Embree's own traversal, the oracle for kernels/bvh/bvh8.h and bvh_compact.h.  Triangles are
+// Embree's (ROBUST); analytic shapes go through callbacks to kernels/geom/shapes.h; instances are Embree's.  Ties
+// between coincident surfaces are decided by Embree, not by the lower primitive.
 #pragma once
 #include <cstdint>
 #include <memory>
