@@ -35,6 +35,9 @@ check 'options that a path tracer does not need are named in one warning' '
 check '-z says that it writes nothing' '
     ptrace -z z.zbf -frames 1 -x 8 -y 8 -vf view.vf sky.rad 2> said > /dev/null
     grep -qx "ptrace: warning: -z: ignored: no depth file is written" said; test ! -e z.zbf'
+check '-cs and -cw say what becomes of spectra' '
+    ptrace -cs 20 -cw 380 780 -dt 0 -frames 1 -x 8 -y 8 -vf view.vf sky.rad 2> said > /dev/null
+    grep -qx "ptrace: warning: -cs -cw: ignored: spectra are folded to RGB" said; grep -q "need -dt$" said'
 check 'and -w- silences it' 'ptrace -w- -aa .1 -frames 1 -x 8 -y 8 sky.rad 2>&1 > /dev/null | { ! grep .; }'
 cat > closed.rad << 'END'
 void light bulb 0 0 3 100 100 100

@@ -162,10 +162,11 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     }
     base::use_processors(unsigned(opt.threads));
     if (!opt.warnings) base::set_warning_sink({});
-    std::string ignored;
+    std::string ignored, spectral;
     for (const std::string& name : table.ignored_ones())
         if (name == "-z") base::warn("-z", "ignored: no depth file is written");
-        else ignored += " " + name;
+        else (name == "-cs" || name == "-cw" ? spectral : ignored) += " " + name;
+    if (!spectral.empty()) base::warn(spectral.substr(1), "ignored: spectra are folded to RGB");
     if (!ignored.empty()) base::warn("", "a path tracer does not need" + ignored);
     check(opt);
     return std::nullopt;
