@@ -9,8 +9,11 @@
 #include "base/files_read.h"
 #include "base/open_file.h"
 #include "base/printable.h"
+#include "base/split.h"
 
 namespace base {
+
+static constexpr int most_above = 4;  // folders above a scene file's that are searched
 
 std::vector<std::string> raypath_from_environment() {
     const char* value = std::getenv("RAYPATH");
@@ -23,13 +26,12 @@ std::vector<std::string> raypath_from_environment() {
 }
 
 void search_beside(const std::vector<std::string>& files, ReadOptions& options) {
-    if (options.raypath.empty()) options.raypath = {"."};
+    std::vector<std::string>& folders = options.scene_folders;
     for (const std::string& file : files) {
         const size_t slash = file.rfind('/');
         if (file.empty() || slash == std::string::npos || file[0] == '!') continue;
         const std::string folder = slash == 0 ? "/" : file.substr(0, slash);
-        if (std::find(options.raypath.begin(), options.raypath.end(), folder) == options.raypath.end())
-            options.raypath.push_back(folder);
+        if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
     }
 }
 
@@ -40,7 +42,21 @@ static bool readable(const std::string& path) {
     return good;
 }
 
-std::string look_for_file(const std::string& name, const ReadOptions& options) {
+static std::string beside_scene(const std::string& name, const ReadOptions& options) {
+    for (const std::string& start : options.scene_folders) {
+        std::string folder = start;
+        for (int above = 0; above <= most_above; above++) {
+            const std::string path = folder + "/" + name;
+            if (readable(path)) return path;
+            const size_t slash = folder.rfind('/');
+            if (name.find('/') == std::string::npos || slash == std::string::npos || ends_with(folder, "..")) break;
+            folder.resize(slash);
+        }
+    }
+    return "";
+}
+
+static std::string look_as_written(const std::string& name, const ReadOptions& options) {
     if (name.empty()) return "";
     if (name[0] == '~') {
         const size_t slash = name.find('/');
@@ -49,14 +65,25 @@ std::string look_for_file(const std::string& name, const ReadOptions& options) {
         const std::string path = home + name.substr(slash);
         return readable(path) ? path : "";
     }
-    if (name[0] == '/' || name[0] == '.') return readable(name) ? name : "";
-    if (options.raypath.empty()) return readable(name) ? name : "";
-    for (const std::string& directory : options.raypath) {
-        const bool here = directory.empty() || directory == ".";
-        const std::string path = here ? name : directory + "/" + name;
-        if (readable(path)) return path;
-    }
-    return "";
+    if (name[0] == '/') return readable(name) ? name : "";
+    if ((name[0] == '.' || options.raypath.empty()) && readable(name)) return name;
+    if (name[0] != '.')
+        for (const std::string& directory : options.raypath) {
+            const bool here = directory.empty() || directory == ".";
+            const std::string path = here ? name : directory + "/" + name;
+            if (readable(path)) return path;
+        }
+    return beside_scene(name, options);
+}
+
+static std::string with_slashes(std::string name) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    return name;
+}
+
+std::string look_for_file(const std::string& name, const ReadOptions& options) {
+    const std::string path = look_as_written(name, options), other = with_slashes(name);
+    return path.empty() && other != name ? look_as_written(other, options) : path;
 }
 
 std::string find_file(const std::string& name, const ReadOptions& options, const std::string& who) {
@@ -68,9 +95,13 @@ std::string find_file(const std::string& name, const ReadOptions& options, const
 
 std::string beside(const std::string& name, const std::string& asker) {
     const size_t slash = asker.rfind('/');
-    if (name.empty() || name[0] == '/' || slash == std::string::npos || access(name.c_str(), F_OK) == 0) return name;
-    const std::string path = asker.substr(0, slash + 1) + name;
-    return access(path.c_str(), F_OK) == 0 ? path : name;
+    for (const std::string& spelt : {name, with_slashes(name)}) {
+        if (access(spelt.c_str(), F_OK) == 0) return spelt;
+        if (spelt.empty() || spelt[0] == '/' || slash == std::string::npos) continue;
+        const std::string path = asker.substr(0, slash + 1) + spelt;
+        if (access(path.c_str(), F_OK) == 0) return path;
+    }
+    return name;
 }
 
 }  // namespace base

@@ -50,8 +50,11 @@ std::vector<std::string> open_folders(const std::vector<std::string>& files, Rea
             continue;
         }
         const std::vector<std::string> parts = honeybee_files(file);
-        if (parts.empty())
-            fail(file, "is a folder, but no model of Honeybee: it has no scene/*.rad and no aperture/*.rad");
+        if (parts.empty()) {
+            const std::string inner = (fs::path(file) / "model").string();
+            const std::string hint = honeybee_files(inner).empty() ? "" : "; " + inner + " is one";
+            fail(file, "is a folder, but no model of Honeybee: it has no scene/*.rad and no aperture/*.rad" + hint);
+        }
         all.insert(all.end(), parts.begin(), parts.end());
         search_beside({file + "/../"}, options);
     }

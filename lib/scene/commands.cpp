@@ -105,6 +105,7 @@ std::string SceneReader::text_of(const std::string& file, const base::TextReader
 void SceneReader::read_text(const std::string& text, const base::TextReader& from) {
     work_.spend(work_file + text.size() / work_bytes, from.place());
     base::TextReader in = base::TextReader::from_text(text, from.name(), from.line());
+    if (in.header_format() == "Radiance_octree") return octree(in);  // of "!oconv ..."
     statements(in);
 }
 

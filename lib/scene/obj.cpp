@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/printable.h"
+#include "base/split.h"
 #include "scene/mesh_formats.h"
 #include "scene/triangulate.h"
 
@@ -148,6 +149,12 @@ struct ObjReader {
 
 }  // namespace
 
+// A comment ends with its line, even with a backslash ("# C:\models\").
+static bool goes_on(const std::string& line) {
+    const size_t first = line.find_first_not_of(" \t");
+    return (base::ends_with(line, "\\") || base::ends_with(line, "\\\r")) && line[first] != '#';
+}
+
 void read_obj(base::TextReader& in, Mesh& mesh) {
     ObjReader r(in, mesh);
     std::string line, more;
@@ -155,9 +162,9 @@ void read_obj(base::TextReader& in, Mesh& mesh) {
         r.place = in.place();
         r.in_line = in.line();
         if (!in.line(line, 1 << 20)) break;
-        while (!line.empty() && line.back() == '\\' && in.line(more, 1 << 20)) {
-            line.pop_back();
-            line += more;
+        while (goes_on(line) && in.line(more, 1 << 20)) {
+            line.resize(line.rfind('\\'));
+            line += " " + more;
             if (line.size() > (1 << 24)) base::fail(r.place, "the line is longer than 16 million characters");
         }
         r.rest = line;

@@ -17,6 +17,7 @@
 #include "base/split.h"
 #include "base/value.h"
 #include "base/text_file.h"
+#include "scene/shell_words.h"
 
 namespace scene {
 namespace {
@@ -111,8 +112,9 @@ Values read_values(const std::string& path, const std::vector<std::string>& more
             first = ++number;
         } else if (c == '\\') {
             c = in.get();
+            if (c == '\r' && in.peek() == '\n') c = in.get();
             if (c == '\n') ++number, line += ' ';
-            else if (c != EOF && !comment) line += char(c);
+            else if (c != EOF && !comment) line += std::string(in_a_path(char(c)) ? "/" : "") + char(c);
         } else if (!comment && (comment = c == '#') == false) {
             line += char(c);
         }

@@ -20,8 +20,10 @@ void add_word(std::vector<std::string>& words, const std::string& word, bool pat
 
 }  // namespace
 
-// A backslash takes the meaning from the character after it.  Letters, digits and dots have none to lose: there it
-// stands in a path that was written on Windows.
+bool in_a_path(char after_backslash) {
+    return std::isalnum(static_cast<unsigned char>(after_backslash)) != 0 || after_backslash == '.';
+}
+
 CommandLine split_command(const std::string& line, const std::string& place) {
     CommandLine r;
     r.stages.emplace_back();
@@ -47,8 +49,7 @@ CommandLine split_command(const std::string& line, const std::string& place) {
             if (i + 1 < n && (line[i + 1] == '\n' || line.compare(i + 1, 2, "\r\n") == 0)) {
                 i += line[i + 1] == '\n' ? 1 : 2;
             } else if (++i < n) {
-                const bool in_a_path = std::isalnum(static_cast<unsigned char>(line[i])) || line[i] == '.';
-                if (in_a_path) word += '/';
+                if (in_a_path(line[i])) word += '/';
                 word += line[i];
                 in_word = true;
             }

@@ -16,6 +16,9 @@ struct CommandLine {
     std::vector<Stage> stages;  // "a | b | c"
     char needs_shell = 0;       // the first character that only a shell understands; 0 = none
 };
+// A backslash takes the meaning from the character after it.  Letters, digits and dots have none to lose: there it
+// stands in a path that was written on Windows.
+bool in_a_path(char after_backslash);
 CommandLine split_command(const std::string& line, const std::string& place);
 
 }  // namespace scene

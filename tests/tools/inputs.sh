@@ -28,6 +28,43 @@ check 'paths of Windows are paths' '
     printf "!xform -t 1 0 0 parts\\\\deep\\\\box.rad\n!xform parts\\\\box.rad\n!xform .\\\\parts\\\\box.rad\n" \
         > windows.rad
     grep -q "parts.deep" windows.rad; ptrace $view windows.rad > x'
+mkdir -p lib/deep && printf 'half = .5;\n' > lib/deep/half.cal && cp wall.obj lib/deep
+for file in ramp.dat small.hdr klemsq.xml; do cp "$TOP/tests/golden/vectors/$file" lib/deep; done
+named() {  # PRIMITIVE: it gives the same picture whether it names its file with slashes or with backslashes
+    printf "$lamp$1\n" 'lib/deep/' > slashes.rad; printf "$lamp$1\n" 'lib\deep\' > backslashes.rad
+    ptrace $view slashes.rad > a; ptrace $view backslashes.rad > b
+    same=$(brightness slashes.rad); [ "$same" != 0 ] && [ "$same" = "$(brightness backslashes.rad)" ]
+}
+floor='plastic m 0 0 5 .5 .5 .5 0 0\nm ring r 0 0 8 0 0 -1 0 0 1 0 9'
+check 'also in primitives: function files' 'named "void brightfunc p 2 half %shalf.cal 0 0\np $floor"'
+check 'data' 'named "void brightdata p 4 noop %sramp.dat . Px 0 0\np $floor"'
+check 'pictures' 'named "void colorpict p 7 red green blue %ssmall.hdr . Px Py 0 0\np $floor"'
+check 'BSDF files' 'named "void BSDF m 6 0 %sklemsq.xml 0 1 0 . 0 0\nm ring r 0 0 8 0 0 -1 0 0 1 0 9"'
+check 'meshes' 'named "void plastic Brick 0 0 5 .5 .5 .5 0 0\nvoid mesh i 1 %swall.obj 0 0"'
+check 'in quotes of a command' '
+    printf "!xform -t 1 0 0 \"parts\\\\deep\\\\box.rad\"\n" > quoted.rad; ptrace $view quoted.rad > x'
+check 'and in rad input files, whose lines may end as those of Windows do' '
+    printf "RESOLUTION= 9\r\nview= a -vd 0 1 -1\r\nscene= parts\\\\deep\\\\box.rad \\\\\r\n  brick.rad\r\n" > w.rif
+    ptrace -w- -rif w.rif -frames 1 > x'
+check 'a file of the name with its backslash comes first' '
+    printf "one = 1;\n" > lib/own.cal; printf "one = 2;\n" > "lib\\own.cal"
+    printf "$lamp""void brightfunc p 2 one lib\\\\\\\\own.cal 0 0\np $floor\n" > own.rad; grep -q "lib.own" own.rad
+    [ "$(brightness own.rad)" = 48.57 ]'
+joined() { printf "$faces$1" > joined.obj; [ "$(brightness brick.rad joined.obj)" = 24.28 ]; }
+check 'a backslash joins lines of an .obj file' 'joined "usemtl Brick\nf 1 2 \\\\\n3 4\n"'
+check 'with a blank between' 'joined "usemtl Brick\nf 1 2\\\\\n3 4\n"'
+check 'where lines end as those of Windows do' 'joined "usemtl Brick\r\nf 1 2 \\\\\r\n3 4\r\n"'
+check 'but none to a comment' 'joined "# C:\\\\models\\\\\nusemtl Brick\nf 1 2 3 4\n"'
+check "an octree may be a command's output" '
+    cp "$TOP/tests/golden/vectors/in_a.oct" .; ptrace $view -exec brick.rad "!dd if=in_a.oct status=none" > a
+    ptrace $view brick.rad in_a.oct > b; frames() { ptaccum -last -ff "$1" | sed "1,/^$/d"; }
+    [ "$(frames a | cksum)" = "$(frames b | cksum)" ]'
+check 'names with a folder are found from elsewhere' '
+    mkdir -p site/model/scene site/model/bsdf away; cp lib/deep/klemsq.xml site/model/bsdf/x.xml
+    printf "void BSDF m 6 0 ./model/bsdf/x.xml 0 1 0 . 0 0\nm ring r 0 0 8 0 0 -1 0 0 1 0 9\n" > site/model/scene/e.rad
+    cd away; ptrace $view ../site/model/scene/e.rad > x; cd ..; ptrace $view site/model/scene/e.rad > x'
+check_error 'where the folder above the model is given, it is named' 1 \
+    '^ptrace: site: is a folder, but no model of Honeybee: .*; site/model is one$' 'ptrace $view site > x'
 
 printf '\357\273\277ZONE= I -1 1 -1 1 -1 1\nscene= wall.rad\nRESOLUTION= 16 16\nQUALITY= High\n' > t.rif
 echo 'view= up -vtv -vp 0 0 0 -vd 0 0 1 -vu 0 1 0' >> t.rif
