@@ -116,7 +116,10 @@ int GraphBuilder::invoke(const std::string& function, std::vector<Thunk> args, c
 int GraphBuilder::expand(const Definition& def, std::vector<Thunk> args, const Environment& env) {
     if (!def.is_function) fail("\"" + def.name + "\" is not a function");
     int& active = active_[&def];
-    if (branches_ > 0 && active >= recursion_limit) return graph_.fail();
+    if (branches_ > 0 && active >= recursion_limit) {
+        cut = true;
+        return graph_.fail();
+    }
     const Nesting one_more(active);
     Environment inner{&def.context, &def, std::move(args), &env};
     return eval(def.body, inner);

@@ -48,6 +48,7 @@ public:
     int parameters(const std::string& function, const std::string& context) const;
 
     int recursion_limit = 32;  // times a function may be inside itself below a branch
+    bool cut = false;          // a function met this limit: its program reports an error there
     size_t step_limit = 300000;
     struct TooLarge {};  // thrown beyond step_limit: try again with a smaller recursion_limit
 

@@ -16,45 +16,11 @@ namespace {
 constexpr size_t max_steps = 200000;
 constexpr int max_walk = 3000;  // depth of the graph walk: C++ stack
 
-// Is node `id` a min with something not above `limit`, or a max with something not below it (also one inside the
-// other)?
-bool within(const Graph& g, int id, uint32_t op, double limit) {
-    for (int depth = 0; depth < 2 && (g[id].op == OP_MIN || g[id].op == OP_MAX); depth++) {
-        int inner = -1;
-        for (int k = 0; k < 2; k++) {
-            if (!g.is_constant(g[id].kid[k])) inner = g[id].kid[k];
-            else if (g[id].op == op && std::fabs(g.value(g[id].kid[k])) <= std::fabs(limit)) return true;
-        }
-        if (inner < 0) break;
-        id = inner;
-    }
-    return false;
-}
-
-bool may_fail(const Graph& g, const Node& n) {
-    switch (n.op) {
-    case OP_ASIN:
-    case OP_ACOS: return !(within(g, n.kid[0], OP_MIN, 1) && within(g, n.kid[0], OP_MAX, -1));
-    case OP_DIV: return !g.is_constant(n.kid[1]) || g.value(n.kid[1]) == 0;
-    case OP_POW:
-    case OP_SQRT:
-    case OP_EXP:
-    case OP_LOG:
-    case OP_LOG10:
-    case OP_FAIL: return true;
-    default: return false;
-    }
-}
-
-// RADIANCE forgets earlier errors when it begins a library call or a power.
-bool forgets(const Node& n) {
-    return n.op == NODE_IF || n.op == OP_NOISE || n.op == OP_FNOISE || n.op == OP_MIN || n.op == OP_MAX ||
-           n.op == OP_POW || (n.op >= OP_SQRT && n.op <= OP_RAND);
-}
-
 class StepWriter {
 public:
-    StepWriter(const Graph& graph, const std::string& place) : g_(graph), place_(place), where_(graph.size(), -1) {}
+    // early: what both sides of a branch may need is computed before it, so that the values it is made of die early
+    StepWriter(const Graph& graph, const std::string& place, bool early)
+        : g_(graph), place_(place), early_(early), where_(graph.size(), -1) {}
 
     Steps run(const std::vector<int>& outputs) {
         for (size_t i = 0; i < outputs.size(); i++) {
@@ -82,6 +48,11 @@ private:
         return first;
     }
 
+    void clear() {
+        if (failed_) emit(Step{OP_CLEAR});
+        failed_ = false;
+    }
+
     // A constant goes into the instruction, anything else into a register.
     void operand(int id, Step& s) {
         if (g_.is_constant(id)) {
@@ -104,10 +75,7 @@ private:
         if (where_[size_t(id)] >= 0) return where_[size_t(id)];
         if (++depth_ > max_walk) too_large();
         const Node& n = g_[id];
-        if (forgets(n) && failed_) {
-            emit(Step{OP_CLEAR});
-            failed_ = false;
-        }
+        if (forgets(n)) clear();
         const int r = compute(id, n);
         if (may_fail(g_, n)) failed_ = true;
         depth_--;
@@ -198,44 +166,66 @@ private:
         }
     }
 
-    int branch(const Node& n) {
+    size_t size_of(int id) const {
+        std::unordered_set<int> set;
+        collect(id, true, set);
+        return set.size();
+    }
+
+    int branch(const Node& n, int into = -1) {
         const int condition = value(n.kid[0]);
         hoist(n.kid[1], n.kid[2], false);
-        if (steps_.size() > 64 * (g_.size() + 16)) hoist(n.kid[1], n.kid[2], true);  // shared under further branches
+        if (early_ || steps_.size() > 64 * (g_.size() + 16)) hoist(n.kid[1], n.kid[2], true);  // shared further below
+        const int result = into >= 0 ? into : fresh();
         if (ready(n.kid[1]) && ready(n.kid[2])) {
             Step s{OP_SEL};
             s.a = in_register(n.kid[1]);
             s.b = in_register(n.kid[2]);
             s.c = condition;
-            s.d = fresh();
+            s.d = result;
             emit(s);
             return s.d;
         }
-        const int result = fresh();
         const bool failed = failed_;
         Step unless{OP_JUMP_UNLESS};
         unless.a = condition;
         const int jump_unless = emit(unless);
-        arm(n.kid[1], result);
+        // early: the shorter side first, so that what it alone needs has ended before the longer one
+        const bool turned = early_ && size_of(n.kid[2]) < size_of(n.kid[1]);
+        const int over = turned ? emit(Step{OP_JUMP}) : jump_unless;
+        if (turned) steps_[size_t(jump_unless)].target = int(steps_.size());
+        arm(n.kid[turned ? 2 : 1], result);
         const int jump = emit(Step{OP_JUMP});
-        const bool failed_yes = failed_;
+        const bool failed_first = failed_;
         failed_ = failed;
-        steps_[size_t(jump_unless)].target = int(steps_.size());
-        arm(n.kid[2], result);
+        steps_[size_t(over)].target = int(steps_.size());
+        arm(n.kid[turned ? 1 : 2], result);
         steps_[size_t(jump)].target = int(steps_.size());
-        failed_ = failed_ || failed_yes;
+        failed_ = failed_ || failed_first;
         return result;
     }
 
     // One side of a branch: what it computes is forgotten afterwards.
     void arm(int id, int result) {
         const size_t mark = trail_.size();
+        if (early_ && !ready(id) && g_[id].op == NODE_IF) {
+            if (++depth_ > max_walk) too_large();
+            clear();  // an `if` forgets
+            branch(g_[id], result);
+            depth_--;
+            forget(mark);
+            return;
+        }
         const bool own_step = !ready(id) && g_[id].op != NODE_IF && g_[id].op != NODE_CHANNEL && g_[id].op != OP_DATA;
         Step m{OP_MOV};
         operand(id, m);
         m.d = result;
         if (own_step && steps_.back().d == m.b) steps_.back().d = result;  // its last step writes the result itself
         else emit(m);
+        forget(mark);
+    }
+
+    void forget(size_t mark) {
         for (; trail_.size() > mark; trail_.pop_back()) where_[size_t(trail_.back())] = -1;
     }
 
@@ -266,6 +256,7 @@ private:
 
     const Graph& g_;
     const std::string& place_;
+    const bool early_;
     std::vector<int> where_;  // node -> virtual register, -1
     std::vector<int> trail_;  // nodes computed, in order
     std::vector<Step> steps_;
@@ -278,7 +269,11 @@ private:
 
 uint32_t generate(const Graph& graph, const std::vector<int>& outputs, const std::string& place, Code& code) {
     if (outputs.size() > CAL_OUTPUTS) base::fail(place, "too many function values");
-    return assemble(StepWriter(graph, place).run(outputs), place, code);
+    try {
+        return assemble(StepWriter(graph, place, false).run(outputs), place, code);
+    } catch (const base::Error&) {  // too few registers, as in a sum of many terms by an accumulator
+        return assemble(StepWriter(graph, place, true).run(outputs), place, code);
+    }
 }
 
 }  // namespace cal

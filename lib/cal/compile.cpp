@@ -38,16 +38,23 @@ unsigned reads_of(const Graph& graph) {
 uint32_t with_builder(Library& library, const std::vector<double>& args, const base::Xform& xform,
                       const std::string& place, Code& code,
                       const std::function<std::vector<int>(GraphBuilder&, Graph&)>& make) {
-    for (int limit = 32;; limit /= 2) {
+    constexpr int deepest = 256, usual = 32;
+    for (int limit = deepest;; limit /= 2) {
         Graph graph;
         GraphBuilder builder(library.state(), graph, args, xform, place);
         builder.recursion_limit = limit;
+        if (limit > usual) builder.step_limit /= 4;  // what will not fit is soon known
         try {
             const uint32_t entry = generate(graph, make(builder, graph), place, code);
             code.reads |= reads_of(graph);
+            if (builder.cut)
+                base::warn("", place + ": a function that calls itself as the ray decides is followed " +
+                                   std::to_string(limit) + " levels deep; there is no value where it goes deeper");
             return entry;
         } catch (const GraphBuilder::TooLarge&) {
             if (limit == 1) base::fail(place, "function is too large to compile");
+        } catch (const base::Error&) {  // too deep for the stack or for the registers, or a mistake at any depth
+            if (limit <= usual) throw;
         }
     }
 }

@@ -234,4 +234,39 @@ int Graph::channel(int node, uint32_t k) {
     return intern(n);
 }
 
+// Is node `id` a min with something not above `limit`, or a max with something not below it (also one inside the
+// other)?
+static bool within(const Graph& g, int id, uint32_t op, double limit) {
+    for (int depth = 0; depth < 2 && (g[id].op == OP_MIN || g[id].op == OP_MAX); depth++) {
+        int inner = -1;
+        for (int k = 0; k < 2; k++) {
+            if (!g.is_constant(g[id].kid[k])) inner = g[id].kid[k];
+            else if (g[id].op == op && std::fabs(g.value(g[id].kid[k])) <= std::fabs(limit)) return true;
+        }
+        if (inner < 0) break;
+        id = inner;
+    }
+    return false;
+}
+
+bool may_fail(const Graph& g, const Node& n) {
+    switch (n.op) {
+    case OP_ASIN:
+    case OP_ACOS: return !(within(g, n.kid[0], OP_MIN, 1) && within(g, n.kid[0], OP_MAX, -1));
+    case OP_DIV: return !g.is_constant(n.kid[1]) || g.value(n.kid[1]) == 0;
+    case OP_POW:
+    case OP_SQRT:
+    case OP_EXP:
+    case OP_LOG:
+    case OP_LOG10:
+    case OP_FAIL: return true;
+    default: return false;
+    }
+}
+
+bool forgets(const Node& n) {
+    return n.op == NODE_IF || n.op == OP_NOISE || n.op == OP_FNOISE || n.op == OP_MIN || n.op == OP_MAX ||
+           n.op == OP_POW || (n.op >= OP_SQRT && n.op <= OP_RAND);
+}
+
 }  // namespace cal

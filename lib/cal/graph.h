@@ -65,4 +65,9 @@ private:
 // Result of an operation in double; false if it is an error (domain, range, division by zero).
 bool fold(uint32_t op, double a, double b, double& result);
 
+// May evaluating this node, its operands apart, end with an error?
+bool may_fail(const Graph& graph, const Node& node);
+// RADIANCE forgets earlier errors when it begins a library call or a power.
+bool forgets(const Node& node);
+
 }  // namespace cal

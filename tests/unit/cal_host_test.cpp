@@ -2,6 +2,7 @@
 // .cal programs on the host: RADIANCE's values, errors, laziness, recursion, contexts, transforms, bad input.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
+#include "base/warnings.h"
 #include "unit/cal_golden.h"
 
 using namespace cal;
@@ -91,6 +92,15 @@ TEST_CASE("recursion: ended by constants, by ray variables, or not at all") {
     CHECK(value("fact(5)", fact) == 120);
     CHECK(value("fact(floor(10*Px+.5))", fact) == 6);
     CHECK(std::isnan(value("fact(100+Px)", fact)));  // deeper than the bounded expansion
+    std::string said;
+    base::set_warning_sink([&](const std::string& line) { said += line; });
+    // sums of 200 terms whose end the ray decides: by an accumulator, and without one as far as registers last
+    const std::string sums = "sum(n,s) = if(n-.5, sum(n-1,s+n), s); plain(n) = if(n-.5, n+plain(n-1), 0);";
+    CHECK(value("sum(floor(290*Py),0)", sums) == 203 * 204 / 2);
+    CHECK(value("plain(floor(90*Py))", sums) == 63 * 64 / 2);
+    CHECK(std::isnan(value("sum(1000*Px,0)", sums)));
+    base::set_warning_sink({});
+    CHECK(said.find("256 levels deep") != std::string::npos);
     CHECK(trouble("f(1)", "f(x) = f(x+1);").find("never ends") != std::string::npos);
     CHECK(trouble("a", "a = b+1; b = a*2;").find("refers to itself") != std::string::npos);
     CHECK(value("fib(12)", "fib(n) = if(n-1.5, fib(n-1)+fib(n-2), n);") == 144);
