@@ -71,7 +71,7 @@ std::vector<std::string> replaceable_files() {
 
 }  // namespace
 
-void keep_inputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+void refuse_to_overwrite(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
     for (const std::string& output : outputs) {
         struct stat there;
         if (!find(output, there) || !any_is(inputs, there) || any_is(replaceable_files(), there)) continue;

@@ -13,7 +13,7 @@ void note_file_missed(const std::string& path);
 
 // Throws Error (place: the output) if one of these inputs would be replaced by an output.  "-" among the inputs is the
 // standard input.
-void keep_inputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
+void refuse_to_overwrite(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 // This one may be replaced: what is written holds all that it holds.
 void may_replace(const std::string& path);
 

@@ -121,7 +121,7 @@ Option& Option::within(double low, double high, bool open) {
 }
 
 Option& Option::share() {  // CLI11 runs the transformation that was added last first
-    cli->transform([name = name](const std::string& text) { return number_text(to_share(text, name)); });
+    cli->transform([name = name](const std::string& text) { return number_text(parse_fraction(text, name)); });
     return *this;
 }
 

@@ -45,8 +45,8 @@ std::string first_line(const std::string& path) {
     return line;
 }
 
-// Quota over period; 0 where there is none.
-double group_share(const std::string& folder, bool version2) {
+// Processors that a control group may use, its quota over its period; 0 where there is no limit.
+double cgroup_cpu_quota(const std::string& folder, bool version2) {
     std::istringstream in(version2 ? first_line(folder + "/cpu.max")
                                    : first_line(folder + "/cpu.cfs_quota_us") + " " +
                                          first_line(folder + "/cpu.cfs_period_us"));
@@ -93,8 +93,8 @@ unsigned control_group_limit(const std::string& groups, const std::string& mount
         if (!version2 && controllers.find(",cpu,") == std::string::npos) continue;
         const std::string top = mount + (version2 ? "" : "/cpu");
         for (std::string group = line.substr(second + 1);; group.erase(group.rfind('/'))) {
-            const double share = group_share(top + group, version2);
-            if (share > 0 && (least == 0 || share < least)) least = share;
+            const double quota = cgroup_cpu_quota(top + group, version2);
+            if (quota > 0 && (least == 0 || quota < least)) least = quota;
             if (group.find('/') == std::string::npos) break;
         }
     }

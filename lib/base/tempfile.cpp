@@ -70,7 +70,7 @@ TempFile::TempFile(const std::string& target) : target_(target) {
         if (fd_ < 0) fail_system(target, "cannot be written");
         return;
     }
-    keep_inputs({target}, files_read());
+    refuse_to_overwrite({target}, files_read());
     if (char* real = realpath(target.c_str(), nullptr)) {  // keep a symbolic link, replace what it names
         target_ = real;
         free(real);

@@ -56,7 +56,7 @@ void in_shares(size_t count, size_t share, unsigned threads, const std::function
     });
 }
 
-unsigned threads_to_be_had(unsigned count) {
+unsigned available_threads(unsigned count) {
     std::mutex lock;
     std::condition_variable change;
     bool done = false;

@@ -15,7 +15,8 @@ void on_threads(unsigned count, const std::function<void()>& body);
 // share begins after an exception, which is rethrown.
 void in_shares(size_t count, size_t share, unsigned threads, const std::function<void(size_t, size_t)>& body);
 
-// How many of `count` threads can be had at once, the caller's among them: for libraries that take it amiss otherwise.
-unsigned threads_to_be_had(unsigned count);
+// How many of `count` threads the system can run at once, the caller's among them: for libraries that fail if they get
+// fewer than they asked for.
+unsigned available_threads(unsigned count);
 
 }  // namespace base

@@ -37,7 +37,7 @@ double to_real(const std::string& text, const std::string& where) {
     return value;
 }
 
-double to_share(const std::string& text, const std::string& where) {
+double parse_fraction(const std::string& text, const std::string& where) {
     const bool percent = text.size() > 1 && text.back() == '%';
     return percent ? to_real(text.substr(0, text.size() - 1), where) / 100 : to_real(text, where);
 }

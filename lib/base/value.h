@@ -10,7 +10,7 @@ namespace base {
 double to_real(const std::string& text, const std::string& where);
 
 // The same, and "50%" is 0.5.
-double to_share(const std::string& text, const std::string& where);
+double parse_fraction(const std::string& text, const std::string& where);
 
 // A whole number; "1e3" is one.
 long to_int(const std::string& text, const std::string& where);

@@ -41,7 +41,7 @@ public:
 
 private:
     // Embree ends the program where a thread cannot be started; so it is asked for no more than there can be.
-    static std::string threads() { return "threads=" + std::to_string(base::threads_to_be_had(base::processors())); }
+    static std::string threads() { return "threads=" + std::to_string(base::available_threads(base::processors())); }
     RTCDevice device_;
     std::string error_;
 };

@@ -27,7 +27,7 @@ bool name_is_valid(const std::string& name) {
 
 // OpenEXR compresses on threads of its own, and only there; it does not survive one that cannot be started.
 void start_threads() {
-    const unsigned threads = base::threads_to_be_had(base::processors());
+    const unsigned threads = base::available_threads(base::processors());
     if (threads > 1) Imf::setGlobalThreadCount(int(threads));
 }
 

@@ -93,13 +93,13 @@ TEST_CASE("values are read in one way") {
     CHECK(base::to_int("1e3", "") == 1000);
     CHECK(base::to_int("-12", "") == -12);
     CHECK(base::to_real("-.5e1", "") == -5);
-    CHECK(base::to_share("50%", "") == .5);
-    CHECK(base::to_share("-1", "") == -1);
+    CHECK(base::parse_fraction("50%", "") == .5);
+    CHECK(base::parse_fraction("-1", "") == -1);
     for (const char* bad : {"nan", "inf", "", " 1", "1e", "1 ", "50%"})
         CHECK_THROWS_AS(base::to_real(bad, ""), base::Error);
     for (const char* bad : {"99999999999999999999", " 1", "1.5", "1e-1", "%", "1e30"})
         CHECK_THROWS_AS(base::to_int(bad, ""), base::Error);
-    CHECK_THROWS_AS(base::to_share("%", ""), base::Error);
+    CHECK_THROWS_AS(base::parse_fraction("%", ""), base::Error);
     Tool t;
     t.parse({"-lw", "0.12345678901234567"});
     CHECK(t.v.length == 0.12345678901234567);

@@ -41,10 +41,10 @@ private:
 };
 
 // A sum may be replaced by the sum that it becomes a part of; frames and other pictures would be lost.
-void keep_inputs(const Options& opt) {
+void refuse_to_overwrite(const Options& opt) {
     for (const std::string& input : opt.inputs) {
         try {
-            base::keep_inputs(opt.outputs, {input});
+            base::refuse_to_overwrite(opt.outputs, {input});
         } catch (const base::Error&) {
             image::Picture first;
             if (input == "-" || !image::StreamReader(input).next(first) || !first.header.frames) throw;
@@ -108,7 +108,7 @@ int main(int argc, char** argv) {
     return base::run("ptaccum", [&] {
         const auto opt = parse_options(argc, argv);
         if (!opt) return 0;
-        keep_inputs(*opt);
+        refuse_to_overwrite(*opt);
         const Output output(*opt, opt->command);
         if (opt->to_stdout) base::ends_with_reader(1);
         Pictures pictures(opt->inputs);

@@ -71,7 +71,8 @@ void check(const Options& o) {
     if (!o.over_file.empty() && (image::ending_of(o.over_file) != ".png" || o.mode != OutputMode::vcmetrics))
         base::fail("-over", "writes a .png of vcmetrics' own columns");
     for (const std::string& drawn : {o.over_file, o.check_file})
-        if (!drawn.empty()) base::keep_inputs({drawn}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);
+        if (!drawn.empty())
+            base::refuse_to_overwrite({drawn}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);
     if (o.go_on && (o.until.empty() || !o.control.empty()))
         base::fail("-go-on", "needs -until, and cannot be used with -control");
     if (!o.files.empty() && o.against != report::EarlierEdit::none)

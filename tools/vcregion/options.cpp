@@ -65,7 +65,7 @@ void check(const Options& o) {
     }
     std::vector<std::string> inputs = o.scene;
     inputs.insert(inputs.end(), {o.regions, o.over});
-    base::keep_inputs(o.outputs, inputs);
+    base::refuse_to_overwrite(o.outputs, inputs);
     if (o.outputs.empty() && !o.list) {
         if (o.single.empty()) base::fail("", "nothing to write: give -o masks.exr, -list or -single name");
         if (base::stdout_is_terminal()) base::fail("stdout", "a mask is binary; pipe it or name a file with -o");
