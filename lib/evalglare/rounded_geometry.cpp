@@ -120,6 +120,7 @@ view::EyeAngles RoundedGeometry::eye_angles(Vec3 d, bool picture_up) const {
     const double sigma = std::acos(sigma_cosine(d));
     a.sigma_deg = sigma * view::evalglare_deg;
     a.tau_deg = std::acos(tau_cosine(d, sigma)) * view::evalglare_deg;
+    a.behind = false;
     a.elevation_deg = 90 - std::acos(std::clamp(dot(sky_, d), -1.0, 1.0)) * view::evalglare_deg;
     return a;
 }

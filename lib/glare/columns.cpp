@@ -35,7 +35,7 @@ double lum_sources(M m) {
 double class_value(M m) { return dgp_class(m.dgp); }
 
 const Entry entries[] = {
-    {"Ev", all_light, [](M m) { return m.ev; }, linear},
+    {"Ev", all_light, [](M m) { return m.placed_ev; }, linear},
     {"DGP", sources | filled, [](M m) { return m.dgp; }, Noise::dgp},
     {"class", sources | filled, class_value, no_interval},
     {"DGI", sources | filled, [](M m) { return dgi(m.glare, m.background); }, Noise::glare},
@@ -62,7 +62,7 @@ const Entry entries[] = {
     {"Lb", sources, [](M m) { return m.background; }, Noise::glare},
     {"Lt", sources, [](M m) { return m.task_lum; }, linear},
     {"threshold", sources, [](M m) { return m.threshold; }, no_interval},
-    {"Edir", sources, [](M m) { return m.direct_lux; }, Noise::glare},
+    {"Edir", sources, [](M m) { return m.placed_direct_lux; }, Noise::glare},
     {"n_sources", sources | filled, [](M m) { return double(m.sources.size()); }, no_interval},
     {"omega_sources", sources, omega_sources, no_interval},
     {"L_sources", sources, lum_sources, no_interval},

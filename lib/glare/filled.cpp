@@ -31,16 +31,20 @@ FilledPixels filled_pixels(const Luminance& picture) {
 }
 
 Measurement PictureAnalyzer::measure_filled(const Luminance& lum, const Luminance& classification_image,
-                                            SourceFinder& finder, const Measurement& m) const {
+                                            SourceFinder& of_centres, const Measurement& m) const {
+    const std::unique_ptr<SourceFinder> of_places = placed_geometry_ ? make_finder(*placed_geometry_) : nullptr;
+    const Geometry& geometry = placed_geometry_ ? *placed_geometry_ : *geometry_;
+    SourceFinder& finder = of_places ? *of_places : of_centres;
     Luminance classification = classification_image;
     classification.moments = lum.moments;
     FilledPixels own = filled_pixels(lum), classified = filled_pixels(classification);
     const Luminance light = own.as(lum), bright = classified.as(classification);
     Measurement out = m;
+    out.ev = m.placed_ev;
     finder.find_groups(light, bright, m.threshold);
     out.sources = finder.split(light);
     out.direct_lux = finder.direct_lux();
-    out.glare = glare_terms(light, bright, *geometry_, settings_, m.threshold, out.sources);
+    out.glare = glare_terms(light, bright, geometry, settings_, m.threshold, out.sources);
     out.any_source = !out.sources.empty();
     background_and_dgp(finder, out);
     return out;

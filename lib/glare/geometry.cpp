@@ -2,6 +2,7 @@
 // Directions, solid angles and runs of valid pixels of a view and size (geometry.h).
 #include "glare/geometry.h"
 #include "base/angle.h"
+#include "view/density.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,6 +37,30 @@ Geometry::Geometry(std::unique_ptr<const ViewGeometry> rays, int w, int h)
             omega_cos[i] = omega[i] * rays_->incidence(c);
         }
     find_spans();
+}
+
+std::vector<DrawnPixel> Geometry::drawn_pixels(const image::Moments& moments) const {
+    std::vector<DrawnPixel> out;
+    for (size_t i = 0; i < omega.size() && moments; ++i) {
+        const float* const m = &(*moments)[image::moment_numbers * i];
+        const double right = m[image::moment_right], up = m[image::moment_up];
+        if (right == 0 && up == 0) continue;
+        const double X = (x_of(i) + .5 + right) / width, Y = (y_of(i) + .5 + up) / height;
+        const double size = view::solid_angle_density(projector, X, Y) / (double(width) * height);
+        const double c = dot(line_of_sight(), rays_->direction(X, Y));
+        const bool in_view = c >= 0 || (projector.view().type != 'a' && valid(i));
+        out.push_back({uint32_t(i), in_view ? size : 0, size * std::max(c, 0.0)});
+    }
+    return out;
+}
+
+Geometry Geometry::with(const std::vector<DrawnPixel>& pixels) const {
+    Geometry out = *this;
+    for (const DrawnPixel& p : pixels) out.omega[p.pixel] = p.omega, out.omega_cos[p.pixel] = p.omega_cos;
+    out.spans.clear(), out.row_spans.clear();
+    out.omega_sum = 0, out.valid_count = 0;
+    out.find_spans();
+    return out;
 }
 
 void Geometry::find_spans() {

@@ -6,8 +6,15 @@
 #include <memory>
 #include <vector>
 #include "glare/view_geometry.h"
+#include "image/moments.h"
 
 namespace glare {
+
+// A pixel that a source was drawn in (image/moments.h), with solid angle and incidence at the place of its light.
+struct DrawnPixel {
+    uint32_t pixel;
+    double omega, omega_cos;
+};
 
 struct Span {
     int begin, end;
@@ -17,6 +24,11 @@ class Geometry {
 public:
     Geometry(const view::View& view, int w, int h) : Geometry(std::make_unique<ViewGeometry>(view), w, h) {}
     Geometry(std::unique_ptr<const ViewGeometry> rays, int w, int h);
+
+    // Those of a picture, and the geometry in which they lie at the place of their light.  Light behind the eye is out
+    // of view, as are pixels whose centre is.
+    std::vector<DrawnPixel> drawn_pixels(const image::Moments& moments) const;
+    Geometry with(const std::vector<DrawnPixel>& pixels) const;
 
     int width, height;
     view::Projector projector;
@@ -52,7 +64,7 @@ public:
 
 private:
     void find_spans();
-    std::unique_ptr<const ViewGeometry> rays_;
+    std::shared_ptr<const ViewGeometry> rays_;
     double largest_cosine_;
 };
 

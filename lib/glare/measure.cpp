@@ -5,6 +5,7 @@
 #include <cmath>
 #include "base/angle.h"
 #include "base/error.h"
+#include "base/split.h"
 #include "glare/position_index.h"
 #include "glare/threshold.h"
 
@@ -24,6 +25,19 @@ void require_task(const Settings& settings, const std::vector<std::string>& regi
     if (!settings.task_region.empty() &&
         std::find(regions.begin(), regions.end(), settings.task_region) == regions.end())
         base::fail("-task", "there is no region \"" + settings.task_region + "\"");
+}
+
+// A picture of irradiance (-i of ptrace and RADIANCE's programs), by the command line in its header.
+bool is_of_irradiance(const image::Header& header) {
+    bool out = false;
+    for (const std::string& line : header.lines) {
+        const std::vector<std::string> words = base::split_words(line);
+        const std::string program = words.empty() ? "" : words[0].substr(words[0].rfind('/') + 1);
+        if (program != "ptrace" && program != "rpict" && program != "rvu" && program != "rpiece") continue;
+        for (const std::string& word : words)
+            if (base::begins_with(word, "-i") && word.size() <= 3) out = word != "-i-";
+    }
+    return out;
 }
 
 }  // namespace
@@ -71,6 +85,7 @@ void PictureAnalyzer::prepare(const view::View& view, const image::Picture& pict
         base::fail(place, std::string("the view cannot be used: ") + e.what());
     }
     finder_.reset();
+    placed_geometry_.reset(), drawn_pixels_.clear(), moments_.reset();
     geometry_.reset();
     auto rays = methods_.geometry ? methods_.geometry(view, place) : std::make_unique<const ViewGeometry>(view);
     geometry_ = std::make_unique<Geometry>(std::move(rays), picture.width, picture.height);
@@ -88,6 +103,21 @@ void PictureAnalyzer::find_position_index() {
     position_index_.assign(requirements_.medians ? g.omega.size() : 0, 0);
     for (size_t i = 0; i < position_index_.size(); ++i)
         if (g.valid(i)) position_index_[i] = float(position_index(g, g.seen_direction(i), settings_.position));
+}
+
+void PictureAnalyzer::place_drawn_pixels(const image::Moments& moments) {
+    if (moments == moments_) return;
+    moments_ = moments;
+    drawn_pixels_ = geometry_->drawn_pixels(moments);
+    placed_geometry_ = drawn_pixels_.empty() ? nullptr : std::make_unique<Geometry>(geometry_->with(drawn_pixels_));
+}
+
+double PictureAnalyzer::gain_of_place(const Luminance& lum, const Luminance& classification_image, double above) const {
+    double lux = 0;
+    for (const DrawnPixel& p : drawn_pixels_)
+        if (classification_image.at(p.pixel) > above)
+            lux += lum.at(p.pixel) * (p.omega_cos - geometry_->omega_cos[p.pixel]);
+    return lux;
 }
 
 // Means and medians of L, L/P and L/P^2.
@@ -150,6 +180,7 @@ void PictureAnalyzer::glare(Luminance& lum, Luminance& classification_image, Sou
     pixel_sets(lum, finder, m);
     m.sources = finder.split(lum);
     m.direct_lux = finder.direct_lux();
+    m.placed_direct_lux = m.direct_lux + gain_of_place(lum, classification_image, m.threshold);
     m.glare = glare_terms(lum, classification_image, g, settings_, m.threshold, m.sources);
     m.any_source = !m.sources.empty();
     background_and_dgp(finder, m);
@@ -177,6 +208,7 @@ Luminance PictureAnalyzer::read(image::Picture& picture, const std::string& plac
     prepare(view ? *view : *picture.header.view, picture, place);
     if (geometry_->valid_count == 0) base::fail(place, "no pixel of the picture lies in its view");
     Luminance lum = make_luminance(picture);
+    place_drawn_pixels(lum.moments);
     if (lum.not_finite)
         base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
     if (requirements_.filled && !lum.moments && !std::exchange(told_no_moments_, true))
@@ -184,6 +216,10 @@ Luminance PictureAnalyzer::read(image::Picture& picture, const std::string& plac
             place,
             "has no moments of its pixels (a stream of ptrace and its OpenEXR files have): the effect of their size "
             "on glare is unknown");
+    if (is_of_irradiance(picture.header) && !std::exchange(told_irradiance_, true))
+        base::warn(place,
+                   "shows irradiance (-i), divided by pi: luminances are of white surfaces, but openings show the sky "
+                   "itself, so that means with both are neither; glare and Ev have no meaning here");
     if (lum.negative) base::warn(place, "pixels are negative (-metrics negative counts them)");
     return lum;
 }
@@ -215,6 +251,7 @@ Measurement PictureAnalyzer::measure(Luminance& lum, Luminance& classification_i
     if (settings_.fill) fill_rows(lum, *geometry_, *settings_.fill);
     if (settings_.fill && &classification_image != &lum) fill_rows(classification_image, *geometry_, *settings_.fill);
     static_cast<Photometry&>(m) = finder.photometry(lum);
+    m.placed_ev = m.ev + gain_of_place(lum, lum, 0);
     regions(lum, m);
     if (requirements_.rammg) m.rammg = rammg(lum, *pyramid_);
     if (requirements_.medians) position_statistics(lum, m);
@@ -222,10 +259,12 @@ Measurement PictureAnalyzer::measure(Luminance& lum, Luminance& classification_i
     return m;
 }
 
-std::unique_ptr<SourceFinder> PictureAnalyzer::make_finder() const {
-    if (methods_.finder) return methods_.finder(*geometry_, settings_);
-    return std::make_unique<ConnectedSources>(*geometry_, settings_);
+std::unique_ptr<SourceFinder> PictureAnalyzer::make_finder(const Geometry& geometry) const {
+    if (methods_.finder) return methods_.finder(geometry, settings_);
+    return std::make_unique<ConnectedSources>(geometry, settings_);
 }
+
+std::unique_ptr<SourceFinder> PictureAnalyzer::make_finder() const { return make_finder(*geometry_); }
 
 void PictureAnalyzer::regions(const Luminance& lum, Measurement& m) const {
     for (const RegionPixels& r : region_pixels_) {

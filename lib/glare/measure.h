@@ -27,6 +27,9 @@ struct Measurement : Photometry {
     double rammg = 0;
     double task_lum = 0;  // reference luminance of the threshold: task area, else the mean
     double threshold = 0;
+    // Ev and Edir with drawn sources at their place in the pixel; `ev` and `direct_lux` take its centre, as evalglare
+    // does.
+    double placed_ev = 0, placed_direct_lux = 0;
     double direct_lux = 0, background = 0, background0 = 0;  // background0: as with -q 0
     std::vector<GlareSource> sources;
     GlareTerms glare;  // the same, for the formulas (or every bright pixel)
@@ -65,10 +68,14 @@ public:
     const SourceFinder& finder() const { return *finder_; }  // of the last picture
 
 private:
+    std::unique_ptr<SourceFinder> make_finder(const Geometry& geometry) const;
     std::vector<RegionPixels> lay(image::MaskSet& regions, const image::DrawRegions& draw,
                                   const std::string& place) const;
     void prepare(const view::View& view, const image::Picture& picture, const std::string& place);
     void find_position_index();
+    void place_drawn_pixels(const image::Moments& moments);
+    // What a sum over pixels gains where drawn sources are at their place: of all, or of pixels above a luminance.
+    double gain_of_place(const Luminance& lum, const Luminance& classification_image, double above) const;
     void position_statistics(const Luminance& lum, Measurement& m) const;
     void glare(Luminance& lum, Luminance& classification_image, SourceFinder& finder, Measurement& m) const;
     Measurement measure_filled(const Luminance& lum, const Luminance& classification_image, SourceFinder& finder,
@@ -85,7 +92,11 @@ private:
     std::vector<std::string> region_names_;
     std::unique_ptr<Geometry> geometry_;
     std::unique_ptr<SourceFinder> finder_;
-    bool told_no_moments_ = false;
+    // Of the moments of the picture that was read last.
+    image::Moments moments_;
+    std::vector<DrawnPixel> drawn_pixels_;
+    std::unique_ptr<const Geometry> placed_geometry_;  // null: no pixel is drawn in
+    bool told_no_moments_ = false, told_irradiance_ = false;
     bool narrow_ = false;  // a narrow view without a warning so far
     std::unique_ptr<const Pyramid> pyramid_;
     std::vector<RegionPixels> region_pixels_;

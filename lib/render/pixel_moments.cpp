@@ -83,8 +83,8 @@ void add_drawn(const FrameZero& zero, size_t i, float* moments) {
     const double variance = d.squares - d.sum * d.sum - 2 * d.sum * rest;
     float& v = moments[image::moment_variance];
     v = float(std::max(0.0, double(v) + variance));
-    moments[image::moment_right] = float(d.right / (d.sum + rest));
-    moments[image::moment_up] = float(d.up / (d.sum + rest));
+    moments[image::moment_right] = float(d.right / d.sum);
+    moments[image::moment_up] = float(d.up / d.sum);
 }
 }  // namespace
 

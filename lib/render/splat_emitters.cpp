@@ -5,8 +5,10 @@
 
 #include <cmath>
 
+#include "base/angle.h"
 #include "flatten/pack.h"
 #include "kernels/dialect/host.h"
+#include "view/density.h"
 
 namespace render {
 namespace {
@@ -19,19 +21,13 @@ constexpr double LARGEST = 64;     // pixels; larger sources are sampled well en
 constexpr uint32_t POINTS = 4096;  // per source: at a pixel's edge the error is about 1/POINTS^(3/4) of the source
 constexpr uint32_t MOST_RAYS = 1u << 20;
 
-// Solid angle per unit picture area at (X,Y); 0 outside the view.
-double density(const view::Projector& p, double X, double Y) {
-    const double h = 1e-4;
-    const auto c = p.direction(X, Y);
-    if (!c) return 0;
-    const auto slope = [&](double dx, double dy) {
-        const auto a = p.direction(X + dx, Y + dy), b = p.direction(X - dx, Y - dy);
-        if (a && b) return (*a - *b) * (1 / (2 * h));
-        if (a) return (*a - *c) * (1 / h);
-        if (b) return (*c - *b) * (1 / h);
-        return Vec3{};
-    };
-    return length(cross(slope(h, 0), slope(0, h)));
+// A pixel, y from the bottom, across the rim of an angular fisheye's circle of 180 degrees, or next to it: it shows
+// what lies ahead of the eye.
+bool crosses_rim(const view::Projector& p, int x, int y, int nx, int ny) {
+    const view::View& v = p.view();
+    const auto centre = p.direction((x + .5) / nx, (y + .5) / ny);
+    if (v.type != 'a' || v.vh > 180 || v.vv > 180 || !centre) return false;
+    return dot(*centre, p.forward()) > -std::hypot(v.vh / nx, v.vv / ny) / 2 * base::degree;
 }
 }  // namespace
 
@@ -54,7 +50,7 @@ SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten:
         const auto mid = tracer.source_point(i, view.vp, 0.5, 0.5);
         double X, Y;
         if (mid.solid_angle <= 0 || !projector.locate_direction(mid.dir, X, Y)) continue;
-        const double d = density(projector, X, Y);
+        const double d = view::solid_angle_density(projector, X, Y);
         if (d <= 0 || mid.solid_angle / d * nx * ny > LARGEST) continue;
         taken.push_back(i);
     }
@@ -71,8 +67,11 @@ SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten:
             double X, Y;
             if (p.solid_angle <= 0 || !projector.locate_direction(p.dir, X, Y)) continue;
             if (X < 0 || X >= 1 || Y < 0 || Y >= 1) continue;
-            const double d = density(projector, X, Y);
+            const double d = view::solid_angle_density(projector, X, Y);
             if (d <= 0) continue;
+            const uint32_t column = uint32_t(X * nx), row = uint32_t(ny - 1 - int(Y * ny));
+            if (dot(p.dir, projector.forward()) < 0 && crosses_rim(projector, int(column), int(Y * ny), nx, ny))
+                continue;
             const Vec3 o =
                 kind == SK_DISTANT && fore > 0 ? view.vp + p.dir * fore - scene.centre : view.vp - scene.centre;
             device::SplatRay r;
@@ -84,7 +83,6 @@ SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten:
             r.weight = float(p.solid_angle / points / d * nx * ny);
             r.source = i;
             out.rays.push_back(r);
-            const uint32_t column = uint32_t(X * nx), row = uint32_t(ny - 1 - int(Y * ny));
             out.pixel.push_back(row * uint32_t(nx) + column);
             out.right.push_back(float(X * nx - column - .5));
             out.up.push_back(float(Y * ny - int(Y * ny) - .5));

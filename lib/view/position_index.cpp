@@ -12,16 +12,16 @@ double log_above(double sigma, double tau) {
            (21 + 0.26667 * tau - 0.002963 * tau * tau) * 1e-5 * sigma * sigma;
 }
 
-double log_below(double tan_beta) {
-    const double beta = std::atan(tan_beta) * evalglare_deg;
+double log_below(double tan_beta, bool behind = false) {
+    const double beta = std::atan(tan_beta) * evalglare_deg + (behind && tan_beta < 0 ? 180 : 0);
     return 6.49e-3 * beta + 21e-5 * beta * beta;
 }
 
 double above(double sigma, double tau) { return std::exp(log_above(sigma, tau)); }
 
-double below(double sigma, double tau) {
-    const double c = std::cos(tau / evalglare_deg);
-    return std::exp(log_below(std::tan(sigma / evalglare_deg) * std::sqrt(1 + 0.3225 * c * c)));
+double below(const EyeAngles& a) {
+    const double c = std::cos(a.tau_deg / evalglare_deg);
+    return std::exp(log_below(std::tan(a.sigma_deg / evalglare_deg) * std::sqrt(1 + 0.3225 * c * c), a.behind));
 }
 
 // 1 + f R, R = sqrt(tan^2 azimuth + tan^2 elevation) seen from the point on the line of sight (Iwata et al. 1997):
@@ -45,19 +45,19 @@ double kim(double sigma, double tau) {
 
 EyeAngles eye_angles(const Projector& p, Vec3 d, bool picture_up) {
     const double c = dot(p.forward(), d), sigma = std::acos(std::clamp(c, -1.0, 1.0));
-    const Vec3 t = d * (1 / std::cos(sigma)) - p.forward();
+    const Vec3 ahead = d * (1 / std::cos(sigma)) - p.forward(), t = c < 0 ? ahead * -1 : ahead;
     const double size = length(t);
     const Vec3 up = picture_up ? p.up() : unit(p.view().vu);
     const double tau = size > 0 ? std::acos(std::clamp(dot(up, t) / size, -1.0, 1.0)) : evalglare_pi / 2;
     return {sigma * evalglare_deg, tau * evalglare_deg,
-            std::asin(std::clamp(dot(d, p.up()), -1.0, 1.0)) * evalglare_deg};
+            std::asin(std::clamp(dot(d, p.up()), -1.0, 1.0)) * evalglare_deg, c < 0};
 }
 
 double position_index(const EyeAngles& a, const Projector& p, Vec3 d, PositionModel model) {
     const bool accelerad = model == PositionModel::accelerad;
     if (model == PositionModel::kim) return float(kim(a.sigma_deg, a.tau_deg));
     if (a.elevation_deg >= 0) return float(std::min(above(a.sigma_deg, a.tau_deg), 16.0));
-    return float(std::min(accelerad ? below_old(p, d) : below(a.sigma_deg, a.tau_deg), 16.0));
+    return float(std::min(accelerad ? below_old(p, d) : below(a), 16.0));
 }
 
 double position_index(const Projector& p, Vec3 d, PositionModel model) {

@@ -25,6 +25,7 @@ enum class PositionModel {
 
 struct EyeAngles {
     double sigma_deg, tau_deg, elevation_deg;
+    bool behind = false;  // the eye, where the index goes on to rise; false: it is that of the direction opposite
 };
 
 // tau is measured from the view's up vector as given (not made perpendicular), or from the picture's up axis.

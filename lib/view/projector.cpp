@@ -6,7 +6,7 @@
 
 #include "base/angle.h"
 #include "base/error.h"
-#include "view/view.h"
+#include "view/density.h"
 
 namespace view {
 namespace {
@@ -112,6 +112,20 @@ bool Projector::locate_point(Vec3 point, double& X, double& Y) const {
 static double triangle(Vec3 a, Vec3 b, Vec3 c) {
     const double volume = dot(a, cross(b - a, c - a));
     return 2 * std::atan2(volume, 1 + dot(a, b) + dot(b, c) + dot(c, a));
+}
+
+double solid_angle_density(const Projector& p, double X, double Y) {
+    const double h = 1e-4;
+    const auto c = p.direction(X, Y);
+    if (!c) return 0;
+    const auto slope = [&](double dx, double dy) {
+        const auto a = p.direction(X + dx, Y + dy), b = p.direction(X - dx, Y - dy);
+        if (a && b) return (*a - *b) * (1 / (2 * h));
+        if (a) return (*a - *c) * (1 / h);
+        if (b) return (*c - *b) * (1 / h);
+        return Vec3{};
+    };
+    return length(cross(slope(h, 0), slope(0, h)));
 }
 
 double pixel_solid_angle(const Projector& p, int i, int j, int nx, int ny) {

@@ -93,6 +93,10 @@ check 'a list of metrics may have blanks' '
     vcmetrics -metrics "Ev, DGP" one.hdr > t && vcmetrics -metrics Ev,DGP one.hdr | cmp - t'
 check_error 'regions without a name'             1 '^vcmetrics: -regions: the name is empty' '
     vcmetrics -regions "" one.hdr'
+check 'a picture of irradiance is told from one of luminance, once' '
+    for i in "-i" "-i -i-"; do printf "#?RADIANCE\n/usr/bin/rpict -vta $i a.oct\n"; tail -n +2 one.hdr; done > two.hdr
+    vcmetrics -metrics Ev < two.hdr 2> said > t; [ "$(grep -c "stdin: shows irradiance (-i)" said)" = 1 ]
+    [ $(wc -l < t) = 3 ]'
 check_error 'an empty rule is none'              1 '^vcmetrics: -until: the rule is empty' 'vcmetrics -until "" one.hdr'
 check_error 'no columns'                         1 '^vcmetrics: -metrics: .*no column' 'vcmetrics -metrics , one.hdr'
 check 'an input that ends too early says so' '
