@@ -51,7 +51,7 @@ measure() {
     local name=$1 scale=$2 folder=$3 view=$4 cell words=(); shift 4
     [ "$scale" = 1 ] || words=(-w 2 1 1.87 2 1 1.4675e-5 .023 .03975)
     for cell in ${sizes:-64/65 128/33 256/17 512/5 1024/5 2048/5}; do
-        (cd "$folder" && ptrace -w- -vf "$view" -x "${cell%/*}" -y "${cell%/*}" -frames "${cell#*/}" "$@") |
+        (cd "$folder" && ptrace -w- -ab 5 -vf "$view" -x "${cell%/*}" -y "${cell%/*}" -frames "${cell#*/}" "$@") |
             ptaccum -every x2/16 | vcmetrics -W- "${words[@]}" -metrics DGPu,DGPf -ci 95 | tail -n 1 |
             awk -v name="$name" -v size="${cell%/*}" -v k="$scale" \
                 '{ print name "\t" size "\t" k * $3 "\t" k * $6 "\t" k * $7 "\t" k * $8 }'

@@ -22,9 +22,10 @@ median() { sort -n | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 frame_cost() {
     local what=$1 many=$2 size=$3 run
     shift 3
+    set -- -ab 5 -vf view.vf -x "$size" -y "$size" "$@"
     for ((run = 0; run < runs; run++)); do
-        first=$(seconds "$bin/ptrace" -w- -device cpu -vf view.vf -x "$size" -y "$size" -frames 1:1 "$@")
-        all=$(seconds "$bin/ptrace" -w- -device cpu -vf view.vf -x "$size" -y "$size" -frames 1:$((frames + 1)) "$@")
+        first=$(seconds "$bin/ptrace" -w- -device cpu -frames 1:1 "$@")
+        all=$(seconds "$bin/ptrace" -w- -device cpu -frames 1:$((frames + 1)) "$@")
         awk -v a="$first" -v b="$all" -v k="$frames" -v n=$((size * size)) \
             'BEGIN { frame = (b - a) / k; print 1e6 * frame / n, a - frame }'
     done > "$dir/costs"

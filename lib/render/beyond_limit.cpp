@@ -14,7 +14,7 @@
 namespace render {
 namespace {
 
-constexpr int side = 64;                            // paths across the picture, and up
+constexpr int side = 48;                            // paths across the picture, and up
 constexpr uint32_t sample_number = (3u << 30) + 2;  // which no frame uses
 constexpr double least_told = .001;                 // share of the illuminance
 

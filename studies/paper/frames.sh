@@ -34,7 +34,7 @@ one() {  # scene, sampling, seed, frames, steps
         focus=*) sampling=(-focus "$out/regions.exr" -focus-share "${2#focus=}") ;;
         *) sampling=(-sampling "$2") ;;
     esac
-    ptrace -w- -vf view.vf -x "$size" -y "$size" -seed "$3" -frames "$4" "${sampling[@]}" "${files[@]}" |
+    ptrace -w- -ab 5 -vf view.vf -x "$size" -y "$size" -seed "$3" -frames "$4" "${sampling[@]}" "${files[@]}" |
         ptaccum -every "$5" | vcmetrics -W- -regions "$out/regions.exr" -cr screen=low/high \
         -metrics DGP,DGPu,RAMMG,RAMMGu,desk.TAL,CR,CRu > "$made.new"
     mv "$made.new" "$made"
