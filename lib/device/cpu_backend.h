@@ -14,7 +14,7 @@ static void extend_together(Tile& t) {
         for (uint32_t k = 0; k < p.count; k++) {
             Hit hit = p.look[k].hit;
             const Ray ray = path_ray(&t.paths, t.now[i + k]);
-            if (may_coincide(&p.look[k])) trace_on(t.s, &ray, RAY_ALL, 1, &p.look[k], &hit);
+            if (may_coincide(&p.look[k])) resolve_coincident_hits(t.s, &ray, RAY_ALL, 1, &p.look[k], &hit);
             set_path_hit(&t.paths, t.now[i + k], &hit);
         }
     }

@@ -132,9 +132,9 @@ FN void packet_node(const PacketRays& p, const PacketBounds& b, const float* n, 
     v8f tn = splat8_(p.tmin), tf = splat8_(b.tmax);
     for (int a = 0; a < 3; a++) {
         const uint32_t near = 16u * a + ((p.kind >> a & 1u) != 0 ? 8u : 0u);
-        const v8f to_near = load8_(n + near) - b.near_org[a], to_suffix = load8_(n + (near ^ 8u)) - b.far_org[a];
+        const v8f to_near = load8_(n + near) - b.near_org[a], to_far = load8_(n + (near ^ 8u)) - b.far_org[a];
         tn = max8(min8(to_near * b.inv0[a], to_near * b.inv1[a]), tn);
-        tf = min8(max8(to_suffix * b.inv0[a], to_suffix * b.inv1[a]), tf);
+        tf = min8(max8(to_far * b.inv0[a], to_far * b.inv1[a]), tf);
     }
 
     LaneMask met = lanes8_(tn <= tf * SLAB_WIDEN);

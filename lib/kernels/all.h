@@ -9,7 +9,7 @@
 //   light    LightSample                                      rnd     Sampler
 //   m        record of a modifier in s->u                     arg     its real arguments in s->f
 //   source   number of an active source                       src     its record in s->f
-//   p, at    points                                           n       normal
+//   p, at    points, relative to the scene's centre           n       normal
 //   v        direction to the viewer                          l       direction to the light
 //   dir      where a ray goes                                 e1, e2  axes across a normal
 //   t        distance along a ray                             T       transmittance, rgb

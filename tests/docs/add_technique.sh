@@ -39,7 +39,7 @@ FN float3 beacon_sample(TABLES(const SceneTables) s, PARAMS(const Params) par, f
                         float turn) {
     float3 axis = unit3(beacon_offset(s, par, p)), e1, e2;
     float sn, cs, drop = x * cone, r = sqrt_(drop * (2.0f - drop));
-    frame_of(axis, &e1, &e2);
+    orthonormal_basis(axis, &e1, &e2);
     k_sincos(K_TURN * turn, &sn, &cs);
     return unit3(add3(scale3(axis, 1.0f - drop), add3(scale3(e1, r * cs), scale3(e2, r * sn))));
 }

@@ -193,7 +193,7 @@ TEST_CASE("connections are blocked by panes that pass no path, or that depend on
     }
 }
 
-// The mist fills a part of the room only: paths that found far ends before it go on into it.
+// The mist fills a part of the room only: paths whose suffix vertices lie before it go on into it.
 TEST_CASE("light that a mist scatters is added once, whatever the suffix vertex has received") {
     const scene::Scene scene = scene_of(
         "void light bulb 0 0 3 60 60 60\nbulb sphere lamp 0 0 4 1.5 -1 2.5 .1\n"

@@ -61,7 +61,7 @@ TEST_CASE("directions toward highlights fall as their pdf says") {
         constexpr int rings = 24, sectors = 12, fine = 24, total = 400000;
         const float3 axis = F3(room.sun.x, room.sun.y, -room.sun.z);
         float3 e1, e2;
-        frame_of(axis, &e1, &e2);
+        orthonormal_basis(axis, &e1, &e2);
         const double pi = std::acos(-1.);
         const auto ring_end = [&](double k) { return std::cos(pi * std::pow(k / rings, 1.5)); };
 

@@ -27,8 +27,8 @@ FN uint coincide_rank(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {
 }
 
 // Visible surface at a ray's first hit, among those whose class is in mask.  found: *look holds the first hit already.
-FN void trace_on(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int found, PRIVATE(Look) look,
-                 PRIVATE(Hit) hit) {
+FN void resolve_coincident_hits(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, int found,
+                                PRIVATE(Look) look, PRIVATE(Hit) hit) {
     float3 normal = F3(0.0f, 0.0f, 0.0f);  // of the first
     float t = 0.0f, cosine = 0.0f, within = 0.0f, limit = 0.0f;
     uint rank = 0u, mod = 0u;  // of the best
@@ -63,7 +63,7 @@ FN void trace_on(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask,
 FN void trace_closest(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask, PRIVATE(Hit) hit) {
     Look look;
     look_along(ray, &look);
-    trace_on(s, ray, mask, 0, &look, hit);
+    resolve_coincident_hits(s, ray, mask, 0, &look, hit);
 }
 
 #endif

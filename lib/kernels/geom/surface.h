@@ -152,7 +152,7 @@ FN int holds_origin(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE
 }
 
 // An orthonormal frame around n (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
-FN void frame_of(float3 n, PRIVATE(float3) t, PRIVATE(float3) b) {
+FN void orthonormal_basis(float3 n, PRIVATE(float3) t, PRIVATE(float3) b) {
     float sign = n.z >= 0.0f ? 1.0f : -1.0f;
     float a = -1.0f / (sign + n.z);
     float c = n.x * n.y * a;

@@ -59,7 +59,7 @@ FN float2 square_to_disc(float a, float b) {
 FN float3 cone_direction(float3 axis, float z1, float turn) {
     float3 e1, e2;
     float sn, cs, r = sqrt_(z1 * (2.0f - z1));
-    frame_of(axis, &e1, &e2);
+    orthonormal_basis(axis, &e1, &e2);
     k_sincos(K_TURN * turn, &sn, &cs);
     return unit3(add3(scale3(axis, 1.0f - z1), add3(scale3(e1, r * cs), scale3(e2, r * sn))));
 }
@@ -249,7 +249,7 @@ FN void sample_cylinder(PARAMS(const Params) par, GLOBAL const float* src, float
 
     float3 axis = f3_at(src + SRC_U), e1, e2;
     float sn, cs;
-    frame_of(unit3(axis), &e1, &e2);
+    orthonormal_basis(unit3(axis), &e1, &e2);
     k_sincos(K_TURN * x.y, &sn, &cs);
     float3 n = add3(scale3(e1, cs), scale3(e2, sn));
     float3 at = madd3(n, src[SRC_RADIUS], madd3(axis, 2.0f * x.x - 1.0f, f3_at(src + SRC_CENTRE)));

@@ -208,7 +208,7 @@ FN void rough_axes(PRIVATE(const Lobes) lobes, float3 n, PRIVATE(float3) e1, PRI
         *e1 = lobes->u;
         *e2 = lobes->v;
     } else {
-        frame_of(n, e1, e2);
+        orthonormal_basis(n, e1, e2);
     }
 }
 

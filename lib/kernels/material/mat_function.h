@@ -74,7 +74,7 @@ FN void mat_ashik(PARAMS(const Params) par, PRIVATE(const Surface) g, GLOBAL con
     lobes->ASHIK_POWER_U = arg[6];
     lobes->ASHIK_POWER_V = arg[7];
 
-    if (!tangent_frame(g->n, uvec, &lobes->u, &lobes->v)) frame_of(g->n, &lobes->u, &lobes->v);
+    if (!tangent_frame(g->n, uvec, &lobes->u, &lobes->v)) orthonormal_basis(g->n, &lobes->u, &lobes->v);
     lobes->flags |= LOBE_ASHIK;
 }
 

@@ -65,7 +65,7 @@ FN float3 highlights_sample(TABLES(const SceneTables) s, PARAMS(const Params) pa
     GLOBAL const float* h = highlight_record(s, par, pick);
     float3 n = f3_at(h + HIGHLIGHT_NORMAL), sun = highlight_sun(h), e1, e2;
     float sn, cs, slope = sqrt_(-h[HIGHLIGHT_ALPHA2] * k_log(MAX_(1.0f - choice, 1e-7f)));
-    frame_of(n, &e1, &e2);
+    orthonormal_basis(n, &e1, &e2);
     k_sincos(K_TURN * y, &sn, &cs);
     float3 half_way = unit3(add3(n, add3(scale3(e1, slope * cs), scale3(e2, slope * sn))));
     return sub3(sun, scale3(half_way, 2.0f * dot3(half_way, sun)));

@@ -14,7 +14,7 @@
 FN float3 cosine_sample(float3 n, float x, float turn) {
     float3 e1, e2;
     float sn, cs, r = sqrt_(x), z = sqrt_(1.0f - x > 0.0f ? 1.0f - x : 0.0f);
-    frame_of(n, &e1, &e2);
+    orthonormal_basis(n, &e1, &e2);
     k_sincos(K_TURN * turn, &sn, &cs);
     return unit3(add3(scale3(n, z), add3(scale3(e1, r * cs), scale3(e2, r * sn))));
 }
