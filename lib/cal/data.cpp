@@ -2,6 +2,8 @@
 // Data files and pictures to tables.  A picture is a data array of three channels over (v, u): samples stand at the
 // ends of the range, the shorter side has length 1, v is up, values are those in the file (its exposure is not divided
 // out).
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include "base/error.h"
 #include "base/number.h"
@@ -114,18 +116,24 @@ uint32_t data_table(Library::State& library, const std::string& file, size_t dim
     return table;
 }
 
-// The dimensions (v, u) of a picture.
-static DataFile picture_plane(int width, int height, double pixel_aspect, const std::string& file,
-                              const std::string& place) {
-    if (width < 2 || height < 2) base::fail(place, "picture \"" + file + "\" is too small for a pattern");
+// The picture as a plane over (v, u), row by row from below.  A side of one pixel has the same value everywhere: its
+// pixel comes twice, and the second one is infinitely far away.
+template <class PIXEL>
+static DataFile picture_plane(int width, int height, double pixel_aspect, PIXEL&& pixel) {
     DataFile data;
     const double wide = width, high = height * pixel_aspect, shorter = std::min(wide, high);
-    for (int k = 0; k < 2; k++) {
+    for (const auto& [pixels, length] : {std::pair(height, high), {width, wide}}) {
         DataFile::Dimension dim;
-        dim.end = (k == 0 ? high : wide) / shorter;
-        dim.count = uint32_t(k == 0 ? height : width);
+        dim.end = pixels > 1 ? length / shorter : 1e30;
+        dim.count = uint32_t(std::max(pixels, 2));
         data.dimensions.push_back(dim);
     }
+    data.values.reserve(size_t(3) * data.dimensions[0].count * data.dimensions[1].count);
+    for (int y = std::max(height, 2) - 1; y >= 0; y--)
+        for (int x = 0; x < std::max(width, 2); x++) {
+            const std::array<float, 3> channels = pixel(std::min(x, width - 1), std::min(y, height - 1));
+            data.values.insert(data.values.end(), channels.begin(), channels.end());
+        }
     return data;
 }
 
@@ -134,10 +142,9 @@ uint32_t picture_table(Library::State& library, const std::string& file, const s
     if (known != code.tables.end()) return known->second;
     const std::string path = base::find_file(file, library.files, place);
     const image::Picture picture = image::read_file(path, image::Pixels::stored, place);
-    DataFile data = picture_plane(picture.width, picture.height, picture.header.pixel_aspect, file, place);
-    data.values.reserve(picture.rgb.size());
-    for (int y = picture.height - 1; y >= 0; y--)
-        data.values.insert(data.values.end(), picture.at(0, y), picture.at(0, y) + 3 * picture.width);
+    const DataFile data = picture_plane(picture.width, picture.height, picture.header.pixel_aspect, [&](int x, int y) {
+        return std::array{picture.at(x, y)[0], picture.at(x, y)[1], picture.at(x, y)[2]};
+    });
     return code.tables["picture " + file] = add_data(data, 3, code);
 }
 
@@ -156,12 +163,12 @@ std::optional<SpectralTables> spectral_tables(Library::State& library, const std
             r.tables.push_back(known->second);
             continue;
         }
-        DataFile data = picture_plane(picture->width, picture->height, picture->pixel_aspect, file, place);
-        for (int y = picture->height - 1; y >= 0; y--)
-            for (int x = 0; x < picture->width; x++)
-                for (int k = first; k < first + 3; k++)
-                    data.values.push_back(k < r.bands ? picture->values[(size_t(y) * picture->width + x) * r.bands + k]
-                                                      : 0);
+        const auto band = [&](int x, int y, int k) {
+            return k < r.bands ? picture->values[(size_t(y) * picture->width + x) * r.bands + k] : 0;
+        };
+        const DataFile data = picture_plane(picture->width, picture->height, picture->pixel_aspect, [&](int x, int y) {
+            return std::array{band(x, y, first), band(x, y, first + 1), band(x, y, first + 2)};
+        });
         r.tables.push_back(code.tables[key] = add_data(data, 3, code));
     }
     return r;

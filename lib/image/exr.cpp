@@ -20,22 +20,6 @@ namespace {
 
 constexpr float largest_half = 65504;
 
-// True: they were not what we write.
-bool scale_colors(std::vector<float>& rgb, double unit, const std::optional<std::array<double, 8>>& primaries) {
-    bool mixes = false;
-    if (primaries)
-        for (int i = 0; i < 8; ++i) mixes = mixes || std::fabs((*primaries)[i] - radiance_primaries[i]) > .001;
-    if (!mixes && unit == 1) return false;
-    Matrix3 m{1, 0, 0, 0, 1, 0, 0, 0, 1};
-    if (mixes) m = rgb_from_primaries(*primaries);
-    for (size_t i = 0; i + 2 < rgb.size(); i += 3) {
-        const double r = rgb[i] * unit, g = rgb[i + 1] * unit, b = rgb[i + 2] * unit;
-        for (int c = 0; c < 3; ++c) rgb[i + c] = float(m[3 * c] * r + m[3 * c + 1] * g + m[3 * c + 2] * b);
-    }
-    return true;
-}
-
-// Exact sums and parts are left out if colours are converted: they would belong to other numbers.
 std::vector<SumLayer> read_sum(const ExrInput& in) {
     std::vector<SumLayer> all;
     for (int k = 0; k < sum_digits; ++k) {
@@ -143,12 +127,16 @@ Picture read_exr(const std::string& path, const std::string& asked_by) {
     const bool color = in.has("R") && in.has("G") && in.has("B");
     if (!color && !in.has("Y")) base::fail(path, "has neither the channels R G B nor Y: it is not a picture");
     if (!color && in.has("RY")) base::fail(path, "is stored as luminance and chroma (Y RY BY): not read");
+    const double unit = in.white_luminance() / lumens_per_watt;
+    const std::array<double, 3> scale{unit, unit, unit};
     if (color) {
+        const auto mix = rgb_from_primaries(in.primaries());
         p.rgb = in.read({"R", "G", "B"});
-        scale_colors(p.rgb, in.white_luminance() / lumens_per_watt, in.primaries());
+        convert(p.rgb, scale, mix);
         if (in.has("frame0.R") && in.has("frame0.G") && in.has("frame0.B"))
             p.frame0 = in.read({"frame0.R", "frame0.G", "frame0.B"});
-        if (scale_colors(p.frame0, in.white_luminance() / lumens_per_watt, in.primaries())) return p;
+        convert(p.frame0, scale, mix);
+        if (mix || unit != 1) return p;  // other pixels than those that the rest belongs to
         p.sum = read_sum(in);
         p.moments = read_moments(in, p.rgb, path);
         if (p.header.frames) p.parts = read_parts(in, *p.header.frames, path);
@@ -158,7 +146,7 @@ Picture read_exr(const std::string& path, const std::string& asked_by) {
     const std::vector<float> grey = in.read({"Y"});
     p.rgb.resize(3 * grey.size());
     for (size_t i = 0; i < grey.size(); ++i) p.rgb[3 * i] = p.rgb[3 * i + 1] = p.rgb[3 * i + 2] = grey[i];
-    scale_colors(p.rgb, in.white_luminance() / lumens_per_watt, std::nullopt);
+    convert(p.rgb, scale, std::nullopt);
     return p;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 #include "image/exr.h"
+#include "image/primaries.h"
 
 namespace image {
 
@@ -25,9 +26,9 @@ public:
     std::vector<uint32_t> read_whole(const std::vector<std::string>& channels) const;  // channels of whole numbers
     std::optional<std::string> text(const std::string& attribute) const;               // string attribute
     std::map<std::string, std::string> texts() const;                                  // all of them
-    Header header() const;           // from "radianceHeader", else from VIEW and the other string attributes
+    Header header() const;           // from "radianceHeader", else the view in VIEW, other texts as history
     double white_luminance() const;  // cd/m2 of R = G = B = 1; 179 if the file does not say
-    std::optional<std::array<double, 8>> primaries() const;
+    Primaries primaries() const;     // stated, or RADIANCE's in our files, else those of Rec. 709
 
 private:
     struct File;

@@ -186,9 +186,11 @@ Header ExrInput::header() const {
         std::istringstream in(*lines);
         for (std::string line; std::getline(in, line);) parse_header_line(line, h, unused, path_);
     } else {
-        for (const auto& [name, value] : texts())
-            if (!name.empty() && value.find('\n') == std::string::npos)
-                parse_header_line((name == "view" ? "VIEW" : name) + "=" + value, h, unused, path_);
+        for (const auto& [name, value] : texts()) {
+            view::View v;
+            if ((name == "VIEW" || name == "view") && view::parse_line(v, "VIEW=" + value)) h.view = v;
+            else if (!name.empty() && value.find('\n') == std::string::npos) add_history(h, name + "=" + value);
+        }
         h.pixel_aspect = 1 / std::max(1e-6f, file_->in.header().pixelAspectRatio());
     }
     h.exposure = 1;  // the pixels carry no exposure
@@ -200,11 +202,17 @@ double ExrInput::white_luminance() const {
     return Imf::hasWhiteLuminance(h) && Imf::whiteLuminance(h) > 0 ? Imf::whiteLuminance(h) : lumens_per_watt;
 }
 
-std::optional<std::array<double, 8>> ExrInput::primaries() const {
+Primaries ExrInput::primaries() const {
     const Imf::Header& h = file_->in.header();
-    if (!Imf::hasChromaticities(h)) return std::nullopt;
-    const Imf::Chromaticities& c = Imf::chromaticities(h);
-    return std::array<double, 8>{c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y};
+    if (!Imf::hasChromaticities(h) && text("radianceHeader")) return radiance_primaries;
+    const auto of = [](const Imf::Chromaticities& c) {
+        return Primaries{c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y};
+    };
+    const Primaries rec709 = of(Imf::Chromaticities());  // as the documentation of OpenEXR has it
+    const Primaries stated = Imf::hasChromaticities(h) ? of(Imf::chromaticities(h)) : rec709;
+    if (stated == Primaries{}) return rec709;
+    if (!are_primaries(stated)) base::fail(path_, "its chromaticities are not those of three primaries");
+    return stated;
 }
 
 }  // namespace image

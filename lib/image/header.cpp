@@ -118,50 +118,7 @@ std::string one_line(std::string text) {
     return text;
 }
 
-Matrix3 inverse(const Matrix3& m) {
-    const auto minor = [&](int a, int b, int c, int d) { return m[a] * m[d] - m[b] * m[c]; };
-    const Matrix3 adjugate{minor(4, 5, 7, 8), minor(2, 1, 8, 7), minor(1, 2, 4, 5),
-                           minor(5, 3, 8, 6), minor(0, 2, 6, 8), minor(2, 0, 5, 3),
-                           minor(3, 4, 6, 7), minor(1, 0, 7, 6), minor(0, 1, 3, 4)};
-    const double det = m[0] * adjugate[0] + m[1] * adjugate[3] + m[2] * adjugate[6];
-    Matrix3 r;
-    for (int i = 0; i < 9; ++i) r[i] = adjugate[i] / det;
-    return r;
-}
-
-Matrix3 product(const Matrix3& a, const Matrix3& b) {
-    Matrix3 r{};
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            for (int k = 0; k < 3; ++k) r[3 * i + j] += a[3 * i + k] * b[3 * k + j];
-    return r;
-}
-
-// Linear RGB -> XYZ: columns are the primaries, scaled so that R = G = B = 1 is the white point with Y = 1.
-Matrix3 xyz_from_rgb(const std::array<double, 8>& p) {
-    Matrix3 chroma;
-    for (int c = 0; c < 3; ++c) {
-        chroma[c] = p[2 * c];
-        chroma[3 + c] = p[2 * c + 1];
-        chroma[6 + c] = 1 - p[2 * c] - p[2 * c + 1];
-    }
-    const Matrix3 inv = inverse(chroma);
-    const double white[3] = {p[6] / p[7], 1, (1 - p[6] - p[7]) / p[7]};
-    Matrix3 m;
-    for (int c = 0; c < 3; ++c) {
-        const double scale = inv[3 * c] * white[0] + inv[3 * c + 1] * white[1] + inv[3 * c + 2] * white[2];
-        for (int r = 0; r < 3; ++r) m[3 * r + c] = chroma[3 * r + c] * scale;
-    }
-    return m;
-}
-
 }  // namespace
-
-const std::array<double, 8> radiance_primaries{.640, .330, .290, .600, .150, .060, .3333, .3333};
-
-Matrix3 xyz_from_radiance_rgb() { return xyz_from_rgb(radiance_primaries); }
-Matrix3 rgb_from_xyz() { return inverse(xyz_from_rgb(radiance_primaries)); }
-Matrix3 rgb_from_primaries(const std::array<double, 8>& p) { return product(rgb_from_xyz(), xyz_from_rgb(p)); }
 
 void parse_header_line(const std::string& line, Header& h, Encoding& e, const std::string& where) {
     if (line.find('\t') != std::string::npos && line.find("EXPOSURE=") != std::string::npos) h.tabbed_exposure = true;
@@ -182,10 +139,10 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
     } else if ((t = value_of(line, "PIXASPECT="))) {
         multiply(h.pixel_aspect, numbers<1>(line, *t, where)[0], line, where);
     } else if ((t = value_of(line, "PRIMARIES="))) {
-        const auto p = numbers<8>(line, *t, where);
-        for (int i = 1; i < 8; i += 2)
-            if (!(p[i] > 0)) base::fail(where, "header line \"" + line + "\" is not a set of chromaticities");
-        e.primaries = p;
+        e.primaries = numbers<8>(line, *t, where);
+        if (*e.primaries == Primaries{}) e.primaries.reset();
+        else if (!are_primaries(*e.primaries))
+            base::fail(where, "header line \"" + line + "\" is not a set of chromaticities");
     } else if ((t = value_of(line, "FORMAT="))) {
         e.spectra = *t == "Radiance_spectra";
         if (!e.spectra) e.format = format(line, *t, where);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include "image/picture.h"
+#include "image/primaries.h"
 
 namespace image {
 
@@ -19,8 +20,8 @@ struct Encoding {
     bool moments = false;         // LAYER=moments: this is one
     bool spectra = false;         // FORMAT=Radiance_spectra: NCOMP bands (spectral.h)
     std::optional<std::array<double, 4>>
-        splits;  // WAVELENGTH_SPLITS=, nm: the bands lie between the first and the last
-    std::optional<std::array<double, 8>> primaries;  // rx ry gx gy bx by wx wy, if they differ from RADIANCE's
+        splits;                          // WAVELENGTH_SPLITS=, nm: the bands lie between the first and the last
+    std::optional<Primaries> primaries;  // PRIMARIES=; eight zeros state none
 };
 
 // One line of the header (no line end) into its field; lines not understood become history.
@@ -48,12 +49,5 @@ std::string label(const Header& header);
 
 // "0:9,12:20" for messages.
 std::string to_text(const Ranges& ranges);
-
-// 3 x 3, row-major: linear RGB of these primaries -> RADIANCE's RGB; XYZ (Y = luminance / 179) -> RADIANCE's RGB.
-using Matrix3 = std::array<double, 9>;
-Matrix3 rgb_from_primaries(const std::array<double, 8>& primaries);
-Matrix3 rgb_from_xyz();
-Matrix3 xyz_from_radiance_rgb();
-extern const std::array<double, 8> radiance_primaries;
 
 }  // namespace image

@@ -139,25 +139,21 @@ Moments read_moments(Input& in, const Picture& picture, const std::string& place
 
 // Exposure, colour correction, colour space: afterwards RADIANCE's RGB radiance.
 void to_radiance(std::vector<float>& rgb, const Header& h, const Encoding& e) {
-    Matrix3 m{1, 0, 0, 0, 1, 0, 0, 0, 1};
-    bool mixes = false;
-    double unit = 1 / h.exposure;
-    if (e.format == Format::xyze) {
-        m = rgb_from_xyz();
-        mixes = true;
-        unit /= lumens_per_watt;  // XYZ pixels are cd/m2
-    } else if (e.primaries) {
-        for (int i = 0; i < 8; ++i) mixes = mixes || std::fabs((*e.primaries)[i] - radiance_primaries[i]) > .001;
-        if (mixes) m = rgb_from_primaries(*e.primaries);
-    }
-    const double s[3] = {unit / e.colorcorr[0], unit / e.colorcorr[1], unit / e.colorcorr[2]};
-    if (mixes) {
-        for (size_t i = 0; i + 2 < rgb.size(); i += 3) {
-            const double r = rgb[i] * s[0], g = rgb[i + 1] * s[1], b = rgb[i + 2] * s[2];
-            for (int c = 0; c < 3; ++c) rgb[i + c] = float(m[3 * c] * r + m[3 * c + 1] * g + m[3 * c + 2] * b);
-        }
-    } else if (s[0] != 1 || s[1] != 1 || s[2] != 1) {
-        for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = float(rgb[i] * s[i % 3]);
+    const bool xyz = e.format == Format::xyze;  // its pixels are cd/m2
+    const double unit = 1 / h.exposure / (xyz ? lumens_per_watt : 1);
+    convert(rgb, {unit / e.colorcorr[0], unit / e.colorcorr[1], unit / e.colorcorr[2]},
+            xyz           ? rgb_from_xyz()
+            : e.primaries ? rgb_from_primaries(*e.primaries)
+                          : std::nullopt);
+}
+
+// Pictures of the format's first years have no mark; an empty line and a resolution line end their header as well.
+Head read_unmarked_head(Input& in, const std::string& place) {
+    try {
+        return read_head(in, place);
+    } catch (const base::Error& e) {
+        if (e.kind != base::Kind::input) throw;
+        base::fail(place, "is not a RADIANCE picture (it does not begin with #?)");
     }
 }
 
@@ -191,6 +187,11 @@ Head read_head(Input& in, const std::string& place) {
             base::fail(place, "picture size is not within 1.." + std::to_string(most_side));
     } else {
         head.layout = parse_resolution(read_line(in, place), place);
+    }
+    Header& h = head.header;
+    if (h.frame && !h.seed) {  // rpict -S numbers the pictures of an animation; our frames have a seed
+        add_history(h, fmt::format("FRAME={}", *h.frame));
+        h.frame.reset();
     }
     return head;
 }
@@ -257,10 +258,9 @@ bool StreamReader::next(Picture& picture) {
     picture.parts.clear();
     picture.moments.reset();
     char start[2];
-    if (!in.look(start, 2) || start[0] != '#' || start[1] != '?')
-        base::fail(place, state_->count ? "what follows is not a picture (it does not begin with #?)"
-                                        : "is not a RADIANCE picture (it does not begin with #?)");
-    Head head = read_head(in, place);
+    const bool marked = in.look(start, 2) && start[0] == '#' && start[1] == '?';
+    if (!marked && state_->count) base::fail(place, "what follows is not a picture (it does not begin with #?)");
+    Head head = marked ? read_head(in, place) : read_unmarked_head(in, place);
     Encoding& encoding = head.encoding;
     const Layout& layout = head.layout;
     picture.header = std::move(head.header);

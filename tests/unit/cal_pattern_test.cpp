@@ -244,6 +244,34 @@ TEST_CASE("a data file is read once, however many patterns use it") {
     CHECK(code.floats.size() == floats);
 }
 
+TEST_CASE("a picture of a single row, column or pixel is a pattern; across it, nothing changes") {
+    const std::string head = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
+    const auto grey = [](const char* bytes) {
+        std::string all;
+        for (const char* b = bytes; *b; ++b) all += std::string(3, *b) + '\x81';
+        return all;
+    };
+    const auto at = [&](const char* size, const char* bytes, float x, float y) {
+        const float p[3] = {x, y, 0};
+        const auto file = temporary("one.hdr", head + size + "\n" + grey(bytes));
+        const auto got =
+            pattern({"colorpict", {"red", "green", "blue", file, ".", "Px", "Py"}, {}, "t", {}}, golden_vars(p));
+        REQUIRE(got.size() == 3);
+        return got[0];
+    };
+    // rtrace's values (RADIANCE 6) of a glow with this pattern
+    for (const auto& [x, y] : {std::pair(.5f, .5f), {3.f, 3.f}, {-3.f, -3.f}, {10.f, .5f}, {.5f, 10.f}})
+        CHECK(at("-Y 1 +X 1", "\x64", x, y) == doctest::Approx(.7851562).epsilon(1e-5));
+    const double row[][3] = {{.5, .5, .9153646}, {1, 1, 1.045573},   {2.5, .5, 1.436198}, {-.3, .5, .7070312},
+                             {3, 3, 1.566406},   {-3, -3, .1972656}, {10, .5, .2935547},  {.5, 10, .9153646}};
+    const double column[][3] = {{.5, .5, 1.436198},  {0, 0, 1.566406},    {.5, 1.4, 1.201823}, {.5, 2.5, .9153646},
+                                {2.5, .5, 1.436198}, {.5, -.3, 1.644531}, {-3, -3, .9785156},  {.5, 10, .05917969}};
+    for (const auto& [x, y, want] : row)
+        CHECK(at("-Y 1 +X 3", "\x64\x96\xc8", float(x), float(y)) == doctest::Approx(want).epsilon(1e-5));
+    for (const auto& [x, y, want] : column)
+        CHECK(at("-Y 3 +X 1", "\x64\x96\xc8", float(x), float(y)) == doctest::Approx(want).epsilon(1e-5));
+}
+
 TEST_CASE("mistakes are named with the primitive's place") {
     CHECK(trouble("brightfunc", {"1"}) == "a.rad:3: bad arguments: too few strings for brightfunc");
     CHECK(trouble("brightfunc", {"1", "nix.cal"}) == "a.rad:3: cannot find function file \"nix.cal\"");

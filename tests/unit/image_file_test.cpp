@@ -212,6 +212,50 @@ TEST_CASE("OpenEXR of other programs: luminance only, windows, white luminance, 
           path + ": has neither the channels R G B nor Y: it is not a picture");
 }
 
+TEST_CASE("OpenEXR of other programs: primaries are Rec. 709 where none are stated") {
+    TempFolder temp;
+    const std::string path = temp.name("c.exr");
+    const auto green = [&](const std::optional<Imf::Chromaticities>& stated, const char* attribute, const char* text) {
+        Imf::Header h(1, 1);
+        for (const char* c : {"R", "G", "B"}) h.channels().insert(c, Imf::Channel(Imf::FLOAT));
+        if (stated) Imf::addChromaticities(h, *stated);
+        h.insert(attribute, Imf::StringAttribute(text));
+        const float rgb[3] = {0, 1, 0};
+        Imf::FrameBuffer frame;
+        for (int c = 0; c < 3; ++c)
+            frame.insert(&"R\0G\0B"[2 * c], Imf::Slice::Make(Imf::FLOAT, rgb + c, h.dataWindow(), 12, 12));
+        Imf::OutputFile file(path.c_str(), h);
+        file.setFrameBuffer(frame);
+        file.writePixels(1);
+    };
+    const auto read = [&] { return image::read_file(path); };
+    const auto luminance = [&] { return image::luminance(read().at(0, 0)) / image::lumens_per_watt; };
+    const std::optional<Imf::Chromaticities> none;
+    green(none, "Software", "Blender 4.2");
+    CHECK(luminance() == doctest::Approx(.7152).epsilon(2e-4));  // Rec. 709: 0.2126 R + 0.7152 G + 0.0722 B
+    using Imath::V2f;
+    green(Imf::Chromaticities(V2f(.64f, .33f), V2f(.29f, .6f), V2f(.15f, .06f), V2f(.3333f, .3333f)), "a", "b");
+    CHECK(luminance() == doctest::Approx(.670115).epsilon(1e-5));
+    green(none, "radianceHeader", "#?RADIANCE\nSOFTWARE=luxpipe 0.1.0\n");  // ours, gone through another program
+    CHECK(luminance() == doctest::Approx(.670115).epsilon(1e-5));
+    green(Imf::Chromaticities(V2f(.7347f, .2653f), V2f(0, 1), V2f(.0001f, -.077f), V2f(.32168f, .33767f)), "a", "ACES");
+    CHECK(luminance() == doctest::Approx(.7281661).epsilon(1e-4));  // SMPTE ST 2065-1
+    const V2f o(0, 0), p(.3f, .3f);
+    green(Imf::Chromaticities(o, o, o, o), "a", "b");
+    CHECK(luminance() == doctest::Approx(.7152).epsilon(2e-4));
+    green(Imf::Chromaticities(p, p, p, p), "a", "b");
+    CHECK(error_text([&] { read(); }) == path + ": its chromaticities are not those of three primaries");
+
+    // attributes are texts of any program: a view is taken where it is one
+    for (const char* name : {"view", "VIEW", "FRAME", "SEED", "EXPOSURE", "RANGE", "NCOMP", "VIEWNAME"}) {
+        green(none, name, "left ../eye");
+        CHECK_MESSAGE(error_text([&] { read(); }).empty(), name);
+        CHECK_FALSE(read().header.view);
+    }
+    green(none, "FRAME", "12");
+    CHECK_FALSE(read().header.frame);
+}
+
 TEST_CASE("OpenEXR: pixels outside the data window are told of, windows that do not meet and further parts, too") {
     TempFolder temp;
     const std::string path = temp.name("y.exr");

@@ -209,6 +209,29 @@ TEST_CASE("XYZE is cd/m2, and other primaries keep luminance") {
           doctest::Approx(.7152).epsilon(1e-3));
 }
 
+TEST_CASE("headers as other programs write them") {
+    const std::string pixels = "\n-Y 1 +X 1\n\x80\x90\xa0\x81";
+    const std::vector<float> plain = read("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n" + pixels).rgb;
+    for (const char* head :
+         {// ImageMagick, Photoshop, Poly Haven: zeros state no primaries
+          "#?RADIANCE\nSOFTWARE=ImageMagick\nGAMMA=0.454545\nPRIMARIES=0 0 0 0 0 0 0 0\nFORMAT=32-bit_rle_rgbe\n",
+          "#?RADIANCE\n# Made with Adobe Photoshop\nGAMMA=1\nPRIMARIES=0 0 0 0 0 0 0 0\nFORMAT=32-bit_rle_rgbe\n",
+          "#?RGBE\nGAMMA=1\nEXPOSURE=          1.0000000000000\n", "rpict -vta -vh 180 -vv 180 room.oct\n", "",
+          "VIEW= -vtv -vh 60\r\nFORMAT=32-bit_rle_rgbe\r\n\r", "PRIMARIES= 0 0 0 0 0 0 0 0\n"})
+        CHECK_MESSAGE(read(head + pixels).rgb == plain, head);
+    CHECK(why("#?RADIANCE\nPRIMARIES=.64 .33 .3 .6 .15 .06 0 0\n" + pixels) ==
+          "header line \"PRIMARIES=.64 .33 .3 .6 .15 .06 0 0\" is not a set of chromaticities");
+    for (const char* one : {".3 .3 .3 .3 .3 .3 .3 .3", "0 0 0 0 0 0 .33 .33", ".1 .1 .2 .2 .3 .3 .33 .33"})
+        CHECK_MESSAGE(
+            why("#?RADIANCE\nPRIMARIES=" + std::string(one) + "\n" + pixels).find("is not a set") != std::string::npos,
+            one);
+    // a frame of an animation (rpict -S) is a picture by itself; a frame of ours has a seed
+    const Picture third = read("#?RADIANCE\nFRAME=3\nVIEW= -vtv\nFORMAT=32-bit_rle_rgbe\n" + pixels);
+    CHECK_FALSE(third.header.frame);
+    CHECK(third.header.lines == std::vector<std::string>{"(FRAME=3)"});
+    CHECK(read("#?RADIANCE\nSEED=1\nFRAME=3\nFORMAT=32-bit_rle_rgbe\n" + pixels).header.frame == 3);
+}
+
 TEST_CASE("views of a header: later lines override, inputs' lines do not count") {
     const Picture p = read(
         "#?RADIANCE\nrpict -vtv -vp 1 2 3 -vh 60\n\tVIEW= -vth\nVIEW= -vta -vh 180\n\n-Y 1 +X 1\n\x80\x80\x80\x80");
