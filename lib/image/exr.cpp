@@ -14,6 +14,7 @@
 #include "image/exr_file.h"
 #include "image/grey.h"
 #include "image/header.h"
+#include "image/stream.h"
 
 namespace image {
 namespace {
@@ -150,7 +151,7 @@ Picture read_exr(const std::string& path, const std::string& asked_by) {
     return p;
 }
 
-void write_exr(const std::string& path, const Picture& picture, const ExrOptions& options) {
+std::string exr_bytes(const std::string& path, const Picture& picture, const ExrOptions& options) {
     std::vector<float> rgb, frame0;
     const auto limited = [&](const std::vector<float>& in) {
         std::vector<float> out = in;
@@ -187,7 +188,11 @@ void write_exr(const std::string& path, const Picture& picture, const ExrOptions
         channels.push_back({name + ".Y", picture.parts[k].grey.data(), 1});
         texts[name] = to_text(picture.parts[k].from);
     }
-    write_exr_channels(path, picture.width, picture.height, channels, picture.header, texts, options);
+    return exr_bytes_of(path, picture.width, picture.height, channels, picture.header, texts, options);
+}
+
+void write_exr(const std::string& path, const Picture& picture, const ExrOptions& options) {
+    write_bytes(path, exr_bytes(path, picture, options));
 }
 
 }  // namespace image

@@ -14,6 +14,7 @@ struct ExrOptions {
 };
 
 Picture read_exr(const std::string& path, const std::string& asked_by = "");
+std::string exr_bytes(const std::string& path, const Picture& picture, const ExrOptions& options = {});  // of that file
 void write_exr(const std::string& path, const Picture& picture, const ExrOptions& options = {});
 
 }  // namespace image

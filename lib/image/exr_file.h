@@ -45,6 +45,10 @@ struct ExrChannel {
     int stride;          // of them from pixel to pixel
     bool whole = false;  // whole numbers, never made half
 };
+// The bytes of a file of this name.
+std::string exr_bytes_of(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,
+                         const Header& header, const std::map<std::string, std::string>& texts,
+                         const ExrOptions& options);
 // Whole or not at all.
 void write_exr_channels(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,
                         const Header& header, const std::map<std::string, std::string>& texts,

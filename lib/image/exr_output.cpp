@@ -83,9 +83,9 @@ private:
 
 }  // namespace
 
-void write_exr_channels(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,
-                        const Header& header, const std::map<std::string, std::string>& texts,
-                        const ExrOptions& options) {
+std::string exr_bytes_of(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,
+                         const Header& header, const std::map<std::string, std::string>& texts,
+                         const ExrOptions& options) {
     const Imf::Compression compression = compression_of(options.compression);
     MemoryOut memory;
     try {
@@ -121,7 +121,13 @@ void write_exr_channels(const std::string& path, int width, int height, const st
     } catch (const std::exception& e) {
         base::fail(path, "cannot be written as OpenEXR: " + one_line(e.what()));
     }
-    write_bytes(path, memory.bytes);
+    return std::move(memory.bytes);
+}
+
+void write_exr_channels(const std::string& path, int width, int height, const std::vector<ExrChannel>& channels,
+                        const Header& header, const std::map<std::string, std::string>& texts,
+                        const ExrOptions& options) {
+    write_bytes(path, exr_bytes_of(path, width, height, channels, header, texts, options));
 }
 
 }  // namespace image

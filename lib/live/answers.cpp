@@ -8,8 +8,9 @@
 
 #include "base/value.h"
 #include "display/tone.h"
+#include "image/exr.h"
 #include "image/header.h"
-#include "live/downloads.h"
+#include "image/stream.h"
 #include "live/json.h"
 #include "live/pixel.h"
 #include "live/regions.h"
@@ -25,9 +26,11 @@ double number(const Arguments& arguments, const char* name, double fallback) {
     return text.empty() || *end || !std::isfinite(value) ? fallback : value;
 }
 
-size_t count(const Arguments& arguments, const char* name) {
-    const double value = number(arguments, name, 0);
-    return value > 0 && value < 1e15 ? size_t(value) : 0;
+// Of nothing but digits; nothing: it is another text, or too large.
+std::optional<size_t> count(const Arguments& arguments, const char* name) {
+    const std::string text = arguments(name);
+    if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos) return {};
+    return size_t(std::stoul(text));
 }
 
 std::string table(const display::ColourTable& t) {
@@ -40,7 +43,7 @@ Answer falsecolor(const Arguments& arguments) {
     display::ToneOptions o;
     const double top = number(arguments, "top", 0);
     o.decades = number(arguments, "decades", o.decades);
-    o.divisions = int(number(arguments, "divisions", o.divisions));
+    if (!arguments("divisions").empty()) o.divisions = int(count(arguments, "divisions").value_or(0));
     o.mask_cdm2 = number(arguments, "mask", 0);
     if (arguments("style") == "bands") o.style = display::ToneOptions::Style::bands;
     if (!(top > 0 && o.decades >= 0 && o.decades <= 12 && o.divisions >= 2 && o.divisions <= 64 && o.mask_cdm2 >= 0))
@@ -85,15 +88,15 @@ Answer outlines(const Live& live, const Files& files, const Arguments& arguments
 }  // namespace
 
 const TextFile* named(const Files& files, const Arguments& arguments) {
-    const size_t n = count(arguments, "n");
-    return n < files.size() ? &files[n] : nullptr;
+    const auto n = count(arguments, "n");
+    return n && *n < files.size() ? &files[*n] : nullptr;
 }
 
 Answer plain(unsigned status, const std::string& text) { return {status, "text/plain; charset=utf-8", text + "\n"}; }
 
 std::optional<Answer> answer_next(Live& live, const Arguments& arguments) {
-    const auto news = live.since({count(arguments, "picture"), count(arguments, "line"), count(arguments, "files")},
-                                 !arguments("end").empty());
+    const auto known = [&](const char* what) { return count(arguments, what).value_or(0); };
+    const auto news = live.since({known("picture"), known("line"), known("files")}, !arguments("end").empty());
     if (!news) return std::nullopt;
     std::string text = "{\"picture\":" + std::to_string(news->picture) + ",\"line\":" + std::to_string(news->line) +
                        ",\"files\":" + std::to_string(news->files) + ",\"lines\":" + json::list(news->lines);
@@ -124,7 +127,7 @@ Answer answer_put(const Files& files, const Arguments& arguments, const std::str
 }
 
 std::optional<Answer> answer_sources(Sources& sources, const Arguments& arguments) {
-    const auto found = sources.of(count(arguments, "picture"));
+    const auto found = sources.of(count(arguments, "picture").value_or(0));
     if (!found) return std::nullopt;
     if (found->status != 0) return plain(409, "vcmetrics -sources ends with status " + std::to_string(found->status));
     std::string list = found->lines;
@@ -141,14 +144,16 @@ Answer answer_query(const Live& live, const Files& files, const std::string& pat
     if (path == "/srgb") return {200, "application/json", json::numbers(display::srgb_codes().thresholds)};
     if (path == "/pixel") {
         const auto picture = live.picture();
-        const std::string known =
-            picture ? pixel_facts(*picture, int(number(arguments, "x", -1)), int(number(arguments, "y", -1))) : "";
+        const auto x = count(arguments, "x"), y = count(arguments, "y");
+        const std::string known = picture && x && y ? pixel_facts(*picture, int(*x), int(*y)) : "";
         return known.empty() ? plain(404, "no such pixel") : Answer{200, "application/json", known};
     }
     if (path == "/save") {
         const auto picture = live.picture();
-        const std::string bytes = picture ? picture_file(*picture, arguments("as")) : "";
-        return bytes.empty() ? plain(404, "no such file") : Answer{200, "application/octet-stream", bytes};
+        const std::string as = arguments("as"), type = "application/octet-stream";
+        if (picture && as == "hdr") return {200, type, image::picture_bytes(*picture, image::Format::rgbe)};
+        if (picture && as == "exr") return {200, type, image::exr_bytes("luxpipe.exr", *picture)};
+        return plain(404, "no such file");
     }
     return plain(404, "nothing here");
 }

@@ -18,8 +18,10 @@
 #include "base/error.h"
 #include "live/fifo.h"
 #include "live/guard.h"
+#include "live/http.h"
 #include "live/json.h"
 #include "live/page.h"
+#include "live/visitors.h"
 
 namespace live {
 
@@ -38,30 +40,9 @@ struct Request {
     Clock::time_point since = Clock::now();
 };
 
-std::string header(MHD_Connection* connection, const char* name) {
-    const char* value = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, name);
-    return value ? value : "";
-}
-
-MHD_Result send(MHD_Connection* connection, const Answer& answer) {
-    MHD_Response* response = MHD_create_response_from_buffer(answer.body.size(), const_cast<char*>(answer.body.data()),
-                                                             MHD_RESPMEM_MUST_COPY);
-    if (!response) return MHD_NO;
-    const std::pair<const char*, const char*> always[] = {
-        {"Content-Type", answer.type.c_str()},
-        {"Cache-Control", "no-store"},
-        {"X-Content-Type-Options", "nosniff"},
-        {"Referrer-Policy", "no-referrer"},
-        {"Cross-Origin-Resource-Policy", "same-origin"},
-        {"Content-Security-Policy",
-         "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src blob:; "
-         "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
-    };
-    for (const auto& [name, value] : always) MHD_add_response_header(response, name, value);
-    if (!answer.tag.empty()) MHD_add_response_header(response, "ETag", ('"' + answer.tag + '"').c_str());
-    const MHD_Result result = MHD_queue_response(connection, answer.status, response);
-    MHD_destroy_response(response);
-    return result;
+Visitors::Place& visitor(MHD_Connection* connection) {
+    const auto* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_SOCKET_CONTEXT);
+    return *static_cast<Visitors::Place*>(info->socket_context);
 }
 
 const PageFile* page_file(const std::string& path) {
@@ -84,6 +65,7 @@ struct Server::State {
     std::condition_variable tick;
     std::thread ticker;
     std::optional<Sources> sources;
+    Visitors visitors;
 
     State(Live& l, const ServerOptions& o) : live(l), options(o) {}
 
@@ -98,6 +80,7 @@ struct Server::State {
         auto woken = Clock::now();
         std::unique_lock<std::mutex> lock(mutex);
         while (!tick.wait_for(lock, between_looks, [&] { return ends; })) {
+            visitors.look();
             bool changed = false;
             for (TextFile& f : files) changed |= f.changed();
             if (!changed && Clock::now() - woken < longest_wait / 4) continue;
@@ -107,13 +90,6 @@ struct Server::State {
             else wake();
             lock.lock();
         }
-    }
-
-    Arguments arguments(MHD_Connection* connection) const {
-        return [connection](const char* name) {
-            const char* value = MHD_lookup_connection_value(connection, MHD_GET_ARGUMENT_KIND, name);
-            return std::string(value ? value : "");
-        };
     }
 
     // An answer, or the request waits until there is one.
@@ -151,13 +127,15 @@ struct Server::State {
         }
     }
 
-    // 0 if the request may go on, else why not.
-    unsigned refused(MHD_Connection* connection, bool open_to_all) const {
+    // 0: whoever asks knows the token; else why not.
+    unsigned refused(MHD_Connection* connection) const {
+        for (const char* name : {"Host", "Origin", "X-Luxpipe-Token", "If-Match"})
+            if (headers(connection, name).size() > 1) return MHD_HTTP_BAD_REQUEST;
         const std::string host = header(connection, "Host");
         const bool loopback = options.listen == "127.0.0.1" || options.listen == "::1";
         if (loopback && !is_loopback_host(host)) return MHD_HTTP_FORBIDDEN;
         if (!is_own_origin(header(connection, "Origin"), host)) return MHD_HTTP_FORBIDDEN;
-        return open_to_all || same_secret(header(connection, "X-Luxpipe-Token"), token) ? 0 : MHD_HTTP_UNAUTHORIZED;
+        return same_secret(header(connection, "X-Luxpipe-Token"), token) ? 0 : MHD_HTTP_UNAUTHORIZED;
     }
 
     Answer facts() const {
@@ -198,7 +176,9 @@ struct Server::State {
         try {
             if (!*request_of) {
                 auto request = std::make_unique<Request>();
-                request->refused = state.refused(connection, page_file(url) != nullptr);
+                const unsigned why = state.refused(connection);
+                if (why == 0) state.visitors.know(visitor(connection));
+                request->refused = why == MHD_HTTP_UNAUTHORIZED && page_file(url) ? 0 : why;
                 *request_of = request.release();
                 return MHD_YES;
             }
@@ -208,14 +188,34 @@ struct Server::State {
             if (!request.too_long && !request.refused) request.body.append(data, *size);
             *size = 0;
             return MHD_YES;
+        } catch (const base::Error& e) {
+            return send(connection, plain(MHD_HTTP_INTERNAL_SERVER_ERROR, e.text));
         } catch (const std::exception&) {
             return MHD_NO;
         }
     }
 
-    static void on_end(void*, MHD_Connection*, void** request_of, MHD_RequestTerminationCode) {
+    static void on_end(void* self, MHD_Connection* connection, void** request_of, MHD_RequestTerminationCode) {
+        static_cast<State*>(self)->visitors.answer(visitor(connection));
         delete static_cast<Request*>(*request_of);
         *request_of = nullptr;
+    }
+
+    static void on_connection(void* self, MHD_Connection* connection, void** context,
+                              MHD_ConnectionNotificationCode what) {
+        Visitors& all = static_cast<State*>(self)->visitors;
+        if (what == MHD_CONNECTION_NOTIFY_STARTED) {
+            const auto* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD);
+            *context = new Visitors::Place(all.come(info->connect_fd));
+        } else {
+            all.leave(*static_cast<Visitors::Place*>(*context));
+            delete static_cast<Visitors::Place*>(*context);
+        }
+    }
+
+    // A zero byte would end the text for us, not for others: it stays escaped, and the text names nothing.
+    static size_t unescape(void*, MHD_Connection*, char* text) {
+        return std::strstr(text, "%00") ? std::strlen(text) : MHD_http_unescape(text);
     }
 };
 
@@ -227,11 +227,12 @@ Server::Server(Live& live, const ServerOptions& options) : state_(std::make_uniq
         base::fail("-listen", "\"" + options.listen + "\" is not an address such as 127.0.0.1");
     state_->sources.emplace(live, options.sources, [state = state_.get()] { state->wake(); });
     errno = 0;
-    state_->daemon = MHD_start_daemon(MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, uint16_t(options.port),
-                                      nullptr, nullptr, &State::on_request, state_.get(), MHD_OPTION_SOCK_ADDR,
-                                      &address, MHD_OPTION_NOTIFY_COMPLETED, &State::on_end, state_.get(),
-                                      MHD_OPTION_CONNECTION_LIMIT, most_connections, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
-                                      size_t(64 * 1024), MHD_OPTION_CONNECTION_TIMEOUT, 30u, MHD_OPTION_END);
+    state_->daemon = MHD_start_daemon(
+        MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, uint16_t(options.port), nullptr, nullptr,
+        &State::on_request, state_.get(), MHD_OPTION_SOCK_ADDR, &address, MHD_OPTION_NOTIFY_COMPLETED, &State::on_end,
+        state_.get(), MHD_OPTION_NOTIFY_CONNECTION, &State::on_connection, state_.get(), MHD_OPTION_UNESCAPE_CALLBACK,
+        &State::unescape, nullptr, MHD_OPTION_CONNECTION_LIMIT, most_connections, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
+        size_t(64 * 1024), MHD_OPTION_CONNECTION_TIMEOUT, 30u, MHD_OPTION_END);
     if (!state_->daemon) base::fail_system("-port", "the page cannot be served there");
     live.on_change([state = state_.get()] { state->wake(); });
     state_->ticker = std::thread([state = state_.get()] { state->keep_time(); });

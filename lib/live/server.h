@@ -7,7 +7,7 @@
 //   GET /srgb                    thresholds of the codes 1 to 255
 //   GET /pixel?x=&y=             what is known of a pixel (pixel.h)
 //   GET /sources?picture=        the glare sources of picture P or a newer one (sources.h); waits for them
-//   GET /save?as=hdr             the newest picture as a file, hdr or exr (downloads.h)
+//   GET /save?as=hdr             the newest picture as a file, hdr or exr
 //   GET /facts                   what vcview was started with
 //   GET /file?n=                 text N of those that the page may show, with its tag (ETag)
 //   PUT /file?n=                 its new text, if it still is what the tag of If-Match says (412 if not)

@@ -106,6 +106,16 @@ check('the table has number, share and luminance, the largest share first', all(
     int(r[0]) == s['source'] and r[1] == f"{100 * s['DGPshare']:.1f} %" and abs(float(r[2]) / s['L'] - 1) < 6e-4
     for r, s in zip(rows, sorted(want_sources, key=lambda s: -s['DGPshare']))), rows)
 
+# its number stands at its brightest pixel
+bright = [.265 * r + .67 * g + .065 * b for r, g, b in zip(floats[::3], floats[1::3], floats[2::3])]
+top = max(range(width * height), key=lambda i: bright[i])
+labels = page.chrome.execute_async_script('''
+    const [outlines, width, height, bright, done] = arguments;
+    import('/overlay.js').then(({ brightest }) =>
+        done(outlines.map((o) => brightest(o, width, height, (x, y) => bright[y * width + x]))));''',
+    [s['outline'] for s in want_sources], width, height, bright)
+check('a source has its label at its brightest pixel', [top % width + .5, top // width + .5] in labels, (top, labels))
+
 # files
 page.chrome.execute_cdp_cmd('Browser.setDownloadBehavior',
                             {'behavior': 'allow', 'downloadPath': os.path.abspath(saved)})
@@ -118,11 +128,21 @@ for kind in ('hdr', 'exr', 'png', 'svg', 'csv'):
 body = page.one('body')
 before = page.js('document.getElementById("tone").value')
 body.send_keys('t')
+check('the scale of falsecolor is of falsecolor alone', not page.one('#legend').is_displayed()
+      and not page.one('#top').is_displayed() and page.one('#stops').is_displayed())
 check('t changes the tone', page.js('document.getElementById("tone").value') != before)
 body.send_keys('k')
 check('k keeps the picture to compare with', page.until('!document.getElementById("compare").disabled', 5))
 body.send_keys('c')
 check('c changes the comparison', page.js('document.getElementById("compare").value') == 'wipe')
+for kind, shown in (('falsecolor', True), ('photo', False)):
+    page.chrome.execute_script(f"""const tone = document.getElementById('tone');
+        tone.value = '{kind}'; tone.dispatchEvent(new Event('change'));""")
+    for compare in ('no', 'difference'):
+        page.chrome.execute_script(f"""const compare = document.getElementById('compare');
+            compare.value = '{compare}'; compare.dispatchEvent(new Event('change'));""")
+        check(f'the scale under {kind}, compared: {compare}', soon(
+            lambda: page.one('#legend').is_displayed() == (shown and compare == 'no'), 5))
 page.check_keyboard()
 page.check_contrast()
 

@@ -2,6 +2,7 @@
 # Camera, sliders and the table of edits in the page of vcview: browser_model.py LINK GOT SIZE
 #   LINK: what vcview printed; GOT: what arrives in the FIFO; SIZE: sides of the square picture.
 import re, sys
+import xml.etree.ElementTree as xml
 from selenium.webdriver.common.keys import Keys
 from browser_page import Page, check, link_in, soon
 
@@ -20,6 +21,46 @@ check('an interval that holds 0 tells nothing apart', 'not told apart yet' in ro
 check('illuminance is higher or lower', 'lower' in rows[1] and 'higher' in rows[0], rows)
 check('earlier edits are ghosts in the plots', len(page.find('#plots figure:first-child path.ghost')) == 3)
 check('the stop is marked', len(page.find('#plots figure:first-child line.stop')) == 1)
+
+# what lies outside of a plot's axes is not drawn, and a name is text in the file as well
+spikes = page.chrome.execute_async_script('''
+    const done = arguments[arguments.length - 1];
+    import('/plot.js').then(({ plot }) => {
+        const rows = [...Array(40).keys()].map((k) =>
+            ({ frame: k + 1, Ev: 100, 'Ev.lo': k ? 99 : -1e6, 'Ev.hi': k ? 101 : 1e6 }));
+        const figure = document.getElementById('plots').appendChild(document.createElement('figure'));
+        figure.append(plot('Ev', [{ rows }]));
+        const area = figure.querySelector('svg svg'), band = area.querySelector('.interval');
+        const ys = band.getAttribute('d').match(/,-?[\\d.]+/g).map((y) => Number(y.slice(1)));
+        done([Math.min(...ys), Math.max(...ys), getComputedStyle(area).overflow]);
+        figure.remove();
+    }).catch((e) => done([String(e)]));''')
+check('values outside of the axes are cut off, not drawn at the edge',
+      len(spikes) == 3 and spikes[0] < -100 and spikes[1] > 200 and spikes[2] == 'hidden', spikes)
+odd = [row for row in page.find('#table tbody tr') if row.text.startswith('a<b>')][0]
+odd.click()
+sheet = xml.fromstring(page.chrome.execute_async_script('''
+    const done = arguments[arguments.length - 1];
+    import('/save.js').then(({ plots_svg }) => done(plots_svg()));'''))
+names = [e.text for e in sheet]
+page.find('#table tbody tr')[-1].click()
+check('names in the saved plots are text', 'a<b>&"c.TAL' in names, names)
+
+# counts of arguments are no numbers to change
+numbers_in = lambda text: page.chrome.execute_async_script('''
+    const [text, done] = arguments;
+    import('/model_text.js').then(({ numbers_in }) =>
+        done(numbers_in(text).map((n) => text.slice(n.start, n.end) + (n.whole ? '!' : ''))));
+    ''', text)
+for text, want in (
+        ('void light l 0 0 3 7 8 9', '7 8 9'), ('void plastic m\n0\n0\n5 .1 .2 .3 0 0 # 4\n', '.1 .2 .3 0 0'),
+        ('l sphere s 0 0 4 1 2 3 4 m ring r 0 0 8 0 0 4\n0 0 1 0 4', '1 2 3 4 0 0 4 0 0 1 0 4'),
+        ('void alias a b\nvoid glass g 0 0 3\n.9 .8 .7', '.9 .8 .7'),
+        ('!genbox m n.1 1 2 3 | xform -a 5 -t 0 0 4 \\\n -i 2\nvoid glass g 0 0 3 .9 .9 .9',
+         '1 2 3 5! 0 0 4 2! .9 .9 .9'),
+        ('void brightfunc f 4 f x.cal -s 2.5 0 2 .5 3', '2.5 .5 3'),
+        ('!gensky 12 21 14:30 +s -a 42.36', '12 21 42.36'), ('# 1 2 3\n\n', '')):
+    check(f'the numbers in {text!r}', ' '.join(numbers_in(text)) == want, numbers_in(text))
 
 # camera
 page.until('document.body.dataset.picture > 0')

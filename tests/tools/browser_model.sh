@@ -10,11 +10,14 @@ cd "$TMP" || exit 2
 printf '# a sky\n!gensky 12 21 14 +s -a 42.36 -o 71.06 -m 75 -g .2\n' > sky.rad
 # three edits after the start: no difference told, worse, better
 table() {
-    echo 'frame seconds edit Ev Ev.lo Ev.hi Ev.d Ev.d.lo Ev.d.hi DGP DGP.lo DGP.hi DGP.d DGP.d.lo DGP.d.hi settled'
-    for frame in 0 1 2; do echo "$frame 1 0 2000 1900 2100 nan nan nan .30 .29 .31 nan nan nan 0"; done
-    for frame in 0 1 2; do echo "$frame 2 1 2001 1900 2100 1 -5 7 .301 .29 .31 .001 -.002 .004 0"; done
-    for frame in 0 1 2; do echo "$frame 3 2 1900 1850 1950 -101 -110 -90 .35 .34 .36 .049 .04 .06 0"; done
-    for frame in 0 1 2; do echo "$frame 4 3 2200 2150 2250 300 280 320 .30 .29 .31 -.05 -.06 -.04 $((frame / 2))"; done
+    echo 'frame seconds edit' \
+        'Ev Ev.lo Ev.hi Ev.d Ev.d.lo Ev.d.hi DGP DGP.lo DGP.hi DGP.d DGP.d.lo DGP.d.hi settled a<b>&"c.TAL'
+    for frame in 0 1 2; do echo "$frame 1 0 2000 1900 2100 nan nan nan .30 .29 .31 nan nan nan 0 5"; done
+    for frame in 0 1 2; do echo "$frame 2 1 2001 1900 2100 1 -5 7 .301 .29 .31 .001 -.002 .004 0 5"; done
+    for frame in 0 1 2; do echo "$frame 3 2 1900 1850 1950 -101 -110 -90 .35 .34 .36 .049 .04 .06 0 5"; done
+    for frame in 0 1 2; do
+        echo "$frame 4 3 2200 2150 2250 300 280 320 .30 .29 .31 -.05 -.06 -.04 $((frame / 2)) 5"
+    done
 }
 table | tr ' ' '\t' > table
 mkfifo ctl

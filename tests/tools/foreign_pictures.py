@@ -14,7 +14,7 @@ def runs(row):  # new run-length scanline of one value a component
 
 
 def hdr(name, factor, head, pixels=grey * side * side, size=f'-Y {side} +X {side}\n', end='\n'):
-    with open(f'{folder}/{name}.hdr', 'wb') as f: f.write(head.encode('latin1') + end.encode() + size.encode() + pixels)
+    with open(f'{folder}/{name}.hdr', 'wb') as f: f.write((head + end + size).encode('latin1') + pixels)
     print(f'{name}.hdr', factor)
 
 
@@ -30,7 +30,8 @@ def exr(name, factor, channels, *attributes, window=None, half=False, level=128.
     box = struct.pack('<4i', 0, 0, side - 1, side - 1)
     entry = lambda c: c.encode() + b'\0' + struct.pack('<iiii', 1 if half else 2, 0, 1, 1)
     head = b'\x76\x2f\x31\x01' + struct.pack('<i', 2) + b''.join((
-        attribute('channels', 'chlist', b''.join(map(entry, channels)) + b'\0'), attribute('compression', 'compression', b'\0'),
+        attribute('channels', 'chlist', b''.join(map(entry, channels)) + b'\0'),
+        attribute('compression', 'compression', b'\0'),
         attribute('dataWindow', 'box2i', box), attribute('displayWindow', 'box2i', box),
         attribute('lineOrder', 'lineOrder', b'\0'), attribute('pixelAspectRatio', 'float', struct.pack('<f', 1)),
         attribute('screenWindowCenter', 'v2f', struct.pack('<2f', 0, 0)),
@@ -46,7 +47,8 @@ def exr(name, factor, channels, *attributes, window=None, half=False, level=128.
 
 hdr('plain', 1, '#?RADIANCE\n' + VIEW + RGBE)
 # RADIANCE: now, with exposures, of an animation, of the first years
-hdr('rpict', 1, '#?RADIANCE\nrpict -vta -vh 180 -vv 180 -ps 1 room.oct\nSOFTWARE= RADIANCE 6.1a\n' + VIEW + 'CAPDATE= 2026:11:25 10:00:00\nGMT= 2026:11:25 09:00:00\n' + RGBE)
+hdr('rpict', 1, '#?RADIANCE\nrpict -vta -vh 180 -vv 180 -ps 1 room.oct\nSOFTWARE= RADIANCE 6.1a\n' + VIEW +
+    'CAPDATE= 2026:11:25 10:00:00\nGMT= 2026:11:25 09:00:00\n' + RGBE)
 hdr('animation', 1, '#?RADIANCE\nrpict -S 1\nFRAME=7\n' + VIEW + RGBE)
 hdr('pfilt', .25, '#?RADIANCE\n' + VIEW + 'pfilt -e 4 -1\nEXPOSURE=4.000000e+00\n' + RGBE)
 hdr('first', 1, 'rpict -vta -vh 180 -vv 180 room.oct\n' + RGBE)
@@ -54,25 +56,31 @@ hdr('first_plain', 1, 'rpict -vta -vh 180 -vv 180 room.oct\n')
 hdr('first_view', 1, VIEW)
 hdr('no_format', 1, '#?RADIANCE\n' + VIEW)
 # Photoshop, ImageMagick, Poly Haven, GIMP
-hdr('photoshop', 1, '#?RADIANCE\n# Made with Adobe Photoshop\nGAMMA=1\nPRIMARIES=0 0 0 0 0 0 0 0\n' + VIEW + RGBE, runs(grey) * side)
-hdr('imagemagick', 1, '#?RADIANCE\nSOFTWARE=ImageMagick 7.1\nGAMMA=0.454545\nPRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329\n' + VIEW + RGBE)
-hdr('imagemagick_zeros', .5, '#?RADIANCE\n#a comment\nEXPOSURE=2\nGAMMA=1\nPRIMARIES=0 0 0 0 0 0 0 0\n' + VIEW + RGBE)
+ZEROS = 'PRIMARIES=0 0 0 0 0 0 0 0\n'
+hdr('photoshop', 1, '#?RADIANCE\n# Made with Adobe Photoshop\nGAMMA=1\n' + ZEROS + VIEW + RGBE, runs(grey) * side)
+hdr('imagemagick', 1, '#?RADIANCE\nSOFTWARE=ImageMagick 7.1\nGAMMA=0.454545\n'
+    'PRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329\n' + VIEW + RGBE)
+hdr('imagemagick_zeros', .5, '#?RADIANCE\n#a comment\nEXPOSURE=2\nGAMMA=1\n' + ZEROS + VIEW + RGBE)
 hdr('gimp', 1, '#?RGBE\nSOFTWARE=gegl 0.4\n' + VIEW + RGBE)
 # Blender, stb_image_write, FreeImage, OpenCV, rgbe.c, pfstools, 3ds Max, Photomatix
-hdr('blender', 1, '#?RADIANCE\n# Created with Blender\n' + RGBE + 'EXPOSURE=          1.0000000000000\n' + VIEW, runs(grey) * side)
-hdr('stb', 1, '#?RADIANCE\n# Written by stb_image_write.h\n' + RGBE + 'EXPOSURE=          1.0000000000000\n' + VIEW)
-hdr('freeimage', 1, '#?RGBE\n# Made with FreeImage 3.18.0\n' + RGBE + 'GAMMA=1\nEXPOSURE=0\n'.replace('EXPOSURE=0\n', '') + VIEW)
+ONE = 'EXPOSURE=          1.0000000000000\n'
+hdr('blender', 1, '#?RADIANCE\n# Created with Blender\n' + RGBE + ONE + VIEW, runs(grey) * side)
+hdr('stb', 1, '#?RADIANCE\n# Written by stb_image_write.h\n' + RGBE + ONE + VIEW)
+hdr('freeimage', 1, '#?RGBE\n# Made with FreeImage 3.18.0\n' + RGBE + 'GAMMA=1\n' + VIEW)
 hdr('opencv', 1, '#?RGBE\n' + RGBE + VIEW)
 hdr('rgbe_c', 1, '#?RGBE\nGAMMA=1.000000\nEXPOSURE=1.000000\n' + VIEW + RGBE)
 hdr('pfstools', 1, '#?RADIANCE\n# PFStools writer\nSOFTWARE=PFSTools\n' + VIEW + RGBE)
-hdr('max', 1, '#?RADIANCE\r\nSOFTWARE=3ds Max\r\nVIEW= -vta -vh 180 -vv 180\r\nFORMAT=32-bit_rle_rgbe\r\n', end='\r\n')
+hdr('max', 1, ('#?RADIANCE\nSOFTWARE=3ds Max\n' + VIEW + RGBE).replace('\n', '\r\n'), end='\r\n')
 hdr('autopano', 1, '#?AUTOPANO\nEXPOSURE= 1.0\n' + VIEW + RGBE, size=f'-Y  {side}  +X  {side} \n')
 # hdrgen, Photosphere, and their keys
-hdr('hdrgen', .5, '#?RADIANCE\nhdrgen -a -r cam.rsp *.JPG\nCAPDATE= 2026:01:02 03:04:05\n' + VIEW + 'EXPOSURE=2.000000e+00\nPRIMARIES= 0.6400 0.3300 0.2900 0.6000 0.1500 0.0600 0.3333 0.3333\nCOLORCORR= 1.000000 1.000000 1.000000\nSTONITS=179\n' + RGBE)
+hdr('hdrgen', .5, '#?RADIANCE\nhdrgen -a -r cam.rsp *.JPG\nCAPDATE= 2026:01:02 03:04:05\n' + VIEW +
+    'EXPOSURE=2.000000e+00\nPRIMARIES= 0.6400 0.3300 0.2900 0.6000 0.1500 0.0600 0.3333 0.3333\n'
+    'COLORCORR= 1.000000 1.000000 1.000000\nSTONITS=179\n' + RGBE)
 hdr('xyze', 1 / 179, '#?RADIANCE\n' + VIEW + 'FORMAT=32-bit_rle_xyze\n')
 hdr('upward', 1, '#?RADIANCE\n' + VIEW + RGBE, size=f'+Y {side} +X {side}\n')
 hdr('aspect', 1, '#?RADIANCE\n' + VIEW + 'PIXASPECT=1.000000\n' + RGBE)
-hdr('floats', 1, '#?RADIANCE\n' + VIEW + f'NROWS={side}\nNCOLS={side}\nNCOMP=3\nBigEndian=0\nFORMAT=float\n', struct.pack('<f', 128.5 / 128) * 3 * side * side, size='')
+hdr('floats', 1, '#?RADIANCE\n' + VIEW + f'NROWS={side}\nNCOLS={side}\nNCOMP=3\nBigEndian=0\nFORMAT=float\n',
+    struct.pack('<f', 128.5 / 128) * 3 * side * side, size='')
 # what nobody can read, or means nothing
 hdr('no_exposure', '-', '#?RADIANCE\n' + VIEW + 'EXPOSURE=0\n' + RGBE)
 hdr('half_primaries', '-', '#?RADIANCE\n' + VIEW + 'PRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0 0\n' + RGBE)
@@ -86,17 +94,20 @@ primaries = lambda *p: attribute('chromaticities', 'chromaticities', struct.pack
 rec709, p3 = (.64, .33, .3, .6, .15, .06, .3127, .329), (.68, .32, .265, .69, .15, .06, .3127, .329)
 aces = (.7347, .2653, 0, 1, .0001, -.077, .32168, .33767)
 green = {'R': 0, 'G': 128.5 / 128, 'B': 0}
-exr('blender', 1, 'ABGR', V, text('Scene', 'Scene'), text('Frame', '012'), text('Camera', 'Eye'), text('File', 'a.blend'), text('RenderTime', '00:01.20'))
+exr('blender', 1, 'ABGR', V, text('Scene', 'Scene'), text('Frame', '012'), text('Camera', 'Eye'),
+    text('File', 'a.blend'), text('RenderTime', '00:01.20'))
 exr('half', 1, 'ABGR', V, half=True, level=1 + 1 / 256)
 exr('grey', 1, 'Y', V)
 exr('oiio', .7152, 'BGR', V, text('Software', 'OpenImageIO 2.5'), text('oiio:ColorSpace', 'Linear'), level=green)
 exr('stated', .7152, 'BGR', V, primaries(*rec709), level=green)
 exr('p3', .691739, 'BGR', V, primaries(*p3), level=green)
-exr('aces', .728166, 'BGR', V, primaries(*aces), attribute('acesImageContainerFlag', 'int', struct.pack('<i', 1)), level=green)
+exr('aces', .728166, 'BGR', V, primaries(*aces),
+    attribute('acesImageContainerFlag', 'int', struct.pack('<i', 1)), level=green)
 exr('radiance', .670115, 'BGR', V, primaries(.64, .33, .29, .6, .15, .06, .3333, .3333), level=green)
 exr('zeros', .7152, 'BGR', V, primaries(*8 * [0]), level=green)
 exr('stereo', 1, 'BGR', V, text('view', 'left'))
-exr('nuke', 1, 'ABGR', V, text('nuke/node_hash', '1f'), text('FRAME', '3'), text('EXPOSURE', 'auto'), text('SEED', 'x'))
+exr('nuke', 1, 'ABGR', V, text('nuke/node_hash', '1f'), text('FRAME', '3'), text('EXPOSURE', 'auto'),
+    text('SEED', 'x'))
 exr('nits', 1 / 179, 'BGR', V, attribute('whiteLuminance', 'float', struct.pack('<f', 1)))
 exr('one_colour', '-', 'BGR', V, primaries(*4 * (.3, .3)))
 exr('depth', '-', 'Z', V)

@@ -95,6 +95,11 @@ check 'a preview is small, two frames, and waits; go makes a full picture of it'
     [ "$(grep -ac "^EDIT=1 preview" f)" = 2 ]; grep -aq "^-Y 128 +X 128" f; overlay f.cal "v = .3;"
     await "grep -aq \"^EDIT=2 preview\" f"; echo "overlay f.cal -" > ctl; await "grep -aq ^EDIT=3 f"; echo go > ctl
     await "grep -aq \"^EDIT=4 overlay\" f"; settle; end; as_alone "$eye -x 200 -y 200 -vp 1 -4 2"'
+check 'a preview leaves the size of later pictures as it was' '
+    begin -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
+    echo "preview -x 9 -y 9" > ctl; await "[ -s said ]"; grep -q "^ptrace: ctl: a preview has a size of its own" said
+    echo "view -vp 1 -4 2" > ctl; await "grep -aq \"^EDIT=1 view\" f"; settle; end
+    ! grep -aq "^-Y 9 +X 9" f; as_alone "$eye -vp 1 -4 2"'
 check 'next ends a preview' '
     { sleep 1; printf "preview -vp 1 -4 2\n" > ctl; sleep 1; echo next > ctl; } &
     ptrace -moments- -control ctl -x 8 -y 8 $eye m.rad s.rad | cat > t; wait; grep -aq "^EDIT=1 preview" t'

@@ -69,9 +69,21 @@ check('nothing is written for them',
       ask('/file?n=0', Origin='http://evil.example', **change)[0] == 403 and kept())
 check('nor over a state that was not read', ask('/file?n=0', **change)[0] == 412 and
       ask('/file?n=0', 'PUT', 'x circle view 3\n')[0] == 412 and kept())
+strange = ('1', '99', '-1', '1e300', '../x', '%00', 'x', 'nan', 'inf', '', '0x0', '0.0', '%200', '0%00', '1e-9',
+           '00000000001')
 check('nor to files that were not named',
-      all(ask(f'/file?n={n}', **change)[0] in (404, 412)
-          for n in ('1', '99', '-1', '1e300', '../x', '%00', 'x')) and kept())
+      all(ask(f'/file?n={n}', **change)[0] == 404 for n in strange) and ask('/file', **change)[0] == 404 and kept())
+check('nor are such shown', all(ask(f'/{q}?n={n}')[0] == 404 for n in strange for q in ('file', 'outlines')))
+check('numbers that no integer holds are no pixel and no scale', all(
+    ask(f'/pixel?x={n}&y=0')[0] == 404 and ask(f'/table?top=100&divisions={n}')[0] == 400
+    for n in ('1e300', '-1e300', '4294967296', '-1', 'x')))
+check('a path that holds a zero byte is not the one before it',
+      all(ask(p, own=False)[0] in (400, 401, 404) for p in ('/main.js%00', '/%00', '/main.js%00.css')))
+good_head = f'GET /facts HTTP/1.1\r\nHost: localhost\r\nX-Luxpipe-Token: {token}\r\n'
+check('a header that counts comes once', all(
+    raw(f'{good_head}{extra}\r\n\r\n'.encode()).split()[1] == b'400'
+    for extra in ('Host: evil.example', 'host: localhost', 'X-Luxpipe-Token: x',
+                  'Origin: http://localhost\r\nOrigin: http://evil.example')))
 check('nor what is too long', ask('/file?n=0', 'PUT', b'#' * (2 << 20), **{'If-Match': '"none"'})[0] == 413 and kept())
 check('no page of the server is another site\'s to read', b'Access-Control' not in raw(
     b'OPTIONS /next HTTP/1.1\r\nHost: localhost\r\nOrigin: http://evil.example\r\n\r\n'))
@@ -98,6 +110,33 @@ check('among 200 connections as well', good() < 1, good())
 threads = [threading.Thread(target=lambda: [ask(p) for p in paths if 'sources' not in p]) for _ in range(20)]
 for t in threads: t.start()
 for t in threads: t.join()
+for s in crowd: s.close()
+
+# more than there is room for, without the token: half a question each, then a byte now and then
+crowd = []
+for k in range(700):
+    crowd.append(socket.create_connection(('127.0.0.1', port), timeout=30))
+    crowd[-1].sendall(b'GET /main.js HTTP/1.1\r\nHost: local')
+check('those without the token leave room for those with it', good() < 1, good())
+
+
+def open_still(s):
+    try:
+        s.sendall(b'x')
+        time.sleep(.01)
+        s.sendall(b'x')
+        return True
+    except OSError:
+        return False
+
+
+left, begin = [s for s in crowd[-20:] if open_still(s)], time.time()
+check('the newest of them wait for their question', len(left) == 20, len(left))
+while left and time.time() < begin + 20:
+    time.sleep(.5)
+    left = [s for s in left if open_still(s)]
+check('a question has its time, however it trickles', not left and time.time() < begin + 12,
+      (len(left), time.time() - begin))
 for s in crowd: s.close()
 time.sleep(.5)
 check('memory does not grow by more than what they were sent', memory() < before + 64, (before, memory()))

@@ -43,7 +43,7 @@ print(r.read().decode("latin1"))
 END
 mkfifo ctl
 : > link
-(cat sums.str; sleep 30) | vcview -control ctl -- vcmetrics -metrics Ev > lines 2> link &
+(cat sums.str; sleep 30) | TMPDIR=/nowhere vcview -control ctl -- vcmetrics -metrics Ev > lines 2> link &
 running=$!
 ask() { python3 ask.py "$@"; }
 status_of() { ask "$@" | head -n 1; }
@@ -53,6 +53,8 @@ check 'the page is there for everybody who can reach it, with a strict policy' '
 check 'news is for those who know the token' '
     test "$(status_of "/next" no-token 1)" = 401; test "$(status_of "/next" X-Luxpipe-Token 00)" = 401
     ask "/next?picture=0&line=0" > news; head -n 1 news | grep -qx 200; grep -aq "\"width\":" news'
+check 'the picture is saved without a folder for temporary files' '
+    ask "/save?as=exr" > exr; grep -qx 200 exr; grep -aq radianceHeader exr; ask "/save?as=hdr" | grep -aq RADIANCE'
 check 'not for pages of other sites, nor under a foreign name' '
     test "$(status_of /next Origin http://evil.example)" = 403; test "$(status_of /next Host evil.example)" = 403'
 check 'all lines arrive' '

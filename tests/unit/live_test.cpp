@@ -129,6 +129,14 @@ TEST_CASE("tables are those of the pictures on disk; questions that mean nothing
     CHECK(table("3").body.find("\"thresholds\":[") == 1);
     CHECK(table("-1").status == 400);
     CHECK(table("1e9").status == 400);
+    for (const char* number : {"1e300", "-1", "nan", "4294967298", "x", "2.5"}) {
+        const auto asked =
+            arguments({{"top", "1000"}, {"divisions", number}, {"x", number}, {"y", "0"}, {"n", number}});
+        CHECK_MESSAGE(live::answer_query(live, {}, "/table", asked).status == 400, number);
+        CHECK_MESSAGE(live::answer_query(live, {}, "/pixel", asked).status == 404, number);
+        const live::Files files(1, live::TextFile("x", live::TextFile::Kind::regions, true));
+        CHECK_MESSAGE(live::named(files, asked) == nullptr, number);
+    }
     CHECK(live::answer_query(live, {}, "/table", arguments({})).status == 400);
     CHECK(live::answer_query(live, {}, "/pixel", arguments({{"x", "1"}, {"y", "1"}})).status == 404);
     CHECK(live::answer_query(live, {}, "/etc/passwd", arguments({})).status == 404);

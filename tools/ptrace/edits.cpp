@@ -29,6 +29,8 @@ void edit(const render::Command& c, size_t picture, Options& opt) {
     base::OptionTable table("ptrace", LUXPIPE_VERSION, "");
     declare_options(table, next, rad_input, {});
     table.read_scene_words(words, place);
+    if (c.word == "preview" && (next.nx != opt.nx || next.ny != opt.ny))
+        base::fail(place, "a preview has a size of its own; \"size X Y\" is for the picture");
     render::RenderView v{next.view, next.nx, next.ny};
     view::fit_size(v.view, next.pixel_aspect, v.nx, v.ny);
     view::validate(v.view);

@@ -1,24 +1,32 @@
 // Numbers in the text of a scene file that may be changed, and the day and hour of its skies.
 
-const number = /(?<![\w.+-])[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?(?![\w.:])/gi;
+const number = /(?<![\w.:+-])[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?(?![\w.:])/gi;
 
-// [{ start, end, value, whole }]; comments and counts of arguments are left out.  whole: a number of repetitions (xform -a).
-export function numbers_in(text) {
+// Comments, commands with the lines that continue them, and words.
+const token = /#[^\n]*|![^\n]*(?<=\\)(?:\n[^\n]*(?<=\\))*\n[^\n]*|![^\n]*|\S+/g;
+
+// Where numbers may stand: commands, and arguments behind their counts (modifier type name n words n words n words; an
+// alias has none).
+function arguments_in(text) {
   const all = [];
-  let at = 0;
-  for (const line of text.split('\n')) {
-    if (!line.trimStart().startsWith('#')) {
-      const found = [...line.matchAll(number)].map((m) => ({ start: at + m.index, end: at + m.index + m[0].length, value: Number(m[0]),
-        whole: /\s-[ai]\s+$/.test(line.slice(0, m.index)) }));
-      const command = line.startsWith('!'), first = found[0];
-      const counts = !command && first && Number.isInteger(first.value) && /^\s*\d/.test(line) &&
-        (first.value === found.length - 1 || found.length === 1);
-      all.push(...found.slice(counts ? 1 : 0));
-    }
-    at += line.length + 1;
+  let seen = 0, left = 0, lists = 0;  // words of the primitive; arguments that come; lists that come behind them
+  for (const { 0: word, index } of text.matchAll(token)) {
+    if (word[0] === '#') continue;
+    if (word[0] === '!' && !seen) all.push([index, index + word.length]);
+    else if (left) { left--; all.push([index, index + word.length]); }
+    else if (lists) { lists--; left = Math.max(0, Number.parseInt(word, 10) || 0); }
+    else if (++seen === 2 && word === 'alias') seen = -2;
+    else if (seen === 3) lists = 3;
+    if (!left && !lists && seen === 3) seen = 0;
   }
   return all;
 }
+
+// [{ start, end, value, whole }] of a scene file; comments and counts of arguments are left out.  whole: a number of
+// repetitions (xform -a).
+export const numbers_in = (text) => arguments_in(text).flatMap(([from, to]) => [...text.slice(from, to).matchAll(number)]
+  .map((m) => ({ start: from + m.index, end: from + m.index + m[0].length, value: Number(m[0]),
+    whole: /xform\b[^|]*\s-[ai]\s+$/.test(text.slice(from, from + m.index)) })));
 
 const sky = /^!.*\b(gensky|gendaylit)[ \t]+(\d+)[ \t]+(\d+)[ \t]+(\+?)(\d+(?:\.\d*)?|\.\d+|\d+:\d+)/gm;
 const months = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];

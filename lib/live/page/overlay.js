@@ -46,6 +46,25 @@ export function top_of(rings) {
   return left <= right ? [(left + right) / 2, top] : null;
 }
 
+// The middle of the brightest pixel inside of rings: [x, y]; null where there is none.
+export function brightest(rings, width, height, brightness) {
+  const ys = rings.flatMap((r) => r.filter((_, k) => k % 2));
+  let place = null, most = -Infinity;
+  for (let y = Math.max(0, Math.floor(Math.min(...ys))); y < Math.min(height, Math.max(...ys)); y++) {
+    const xs = [];  // where the outline crosses the middle of this row
+    for (const r of rings)
+      for (let k = 0, j = r.length - 2; k < r.length; j = k, k += 2)
+        if (r[k + 1] > y + .5 !== r[j + 1] > y + .5) xs.push(r[k] + (r[j] - r[k]) * (y + .5 - r[k + 1]) / (r[j + 1] - r[k + 1]));
+    xs.sort((a, b) => a - b);
+    for (let k = 0; k + 1 < xs.length; k += 2)
+      for (let x = Math.max(0, Math.ceil(xs[k] - .5)); x + .5 <= xs[k + 1] && x < width; x++) {
+        const here = brightness(x, y);
+        if (here > most) [most, place] = [here, [x + .5, y + .5]];
+      }
+  }
+  return place;
+}
+
 export function dot_at(c, x, y, unit, colour) {
   c.beginPath();
   c.arc(x, y, 5 * unit, 0, 2 * Math.PI);

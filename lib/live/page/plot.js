@@ -44,7 +44,7 @@ export class Lines {
   metrics() { return this.columns.filter((c) => !beside.test(c) && !no_metric.has(c)); }
 }
 
-function element(name, attributes, text) {
+export function element(name, attributes, text) {
   const e = document.createElementNS('http://www.w3.org/2000/svg', name);
   for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
   if (text !== undefined) e.textContent = text;
@@ -84,20 +84,23 @@ export function plot(name, runs) {
   const all = [points, ...ghosts].flat();
   const first = all.reduce((m, p) => Math.min(m, p.x), Infinity), last = all.reduce((m, p) => Math.max(m, p.x), first * 2);
   const x = (v) => left + (width - left - right) * Math.log(v / first) / Math.log(last / first);
-  const y = (v) => Math.max(top, Math.min(height - bottom, height - bottom - (height - top - bottom) * (v - low) / (high - low)));
+  const y = (v) => height - bottom - (height - top - bottom) * (v - low) / (high - low);
   const line = (list, name) => list.map((p) => `${x(p.x).toFixed(1)},${y(p[name]).toFixed(1)}`).join('L');
 
+  // what is drawn ends at the axes
+  const [w, h] = [width - left - right, height - top - bottom];
+  const area = element('svg', { x: left, y: top, width: w, height: h, viewBox: `${left} ${top} ${w} ${h}` });
   for (const [kind, from, to] of [['pixels', 'y', 'px'], ['interval', 'lo', 'hi']]) {
     const band = points.filter((p) => Number.isFinite(p[from]) && Number.isFinite(p[to]));
-    if (band.length > 1) svg.append(element('path', { class: kind, d: `M${line(band, to)}L${line(band.reverse(), from)}Z` }));
+    if (band.length > 1) area.append(element('path', { class: kind, d: `M${line(band, to)}L${line(band.reverse(), from)}Z` }));
   }
   for (const limit of classes[name] ?? [])
-    if (limit > low && limit < high) svg.append(element('line', { class: 'class', x1: left, x2: width - right, y1: y(limit), y2: y(limit) }));
-  for (const ghost of ghosts) if (ghost.length) svg.append(element('path', { class: 'ghost', d: 'M' + line(ghost, 'y') }));
+    if (limit > low && limit < high) area.append(element('line', { class: 'class', x1: left, x2: width - right, y1: y(limit), y2: y(limit) }));
+  for (const ghost of ghosts) if (ghost.length) area.append(element('path', { class: 'ghost', d: 'M' + line(ghost, 'y') }));
   const stop = points.find((p) => p.settled > 0);
-  if (stop) svg.append(element('line', { class: 'stop', x1: x(stop.x), x2: x(stop.x), y1: top, y2: height - bottom }));
-  svg.append(element('path', { class: 'curve', d: 'M' + line(points, 'y') }));
-  svg.append(element('path', { class: 'axis', d: `M${left},${top}V${height - bottom}H${width - right}` }));
+  if (stop) area.append(element('line', { class: 'stop', x1: x(stop.x), x2: x(stop.x), y1: top, y2: height - bottom }));
+  area.append(element('path', { class: 'curve', d: 'M' + line(points, 'y') }));
+  svg.append(area, element('path', { class: 'axis', d: `M${left},${top}V${height - bottom}H${width - right}` }));
   for (const v of steps(low, high)) svg.append(element('text', { x: left - 4, y: y(v) + 4, 'text-anchor': 'end' }, String(Number(v.toPrecision(5)))));
   for (let v = 1; v <= last; v *= 10)
     if (v >= first) svg.append(element('text', { x: x(v), y: height - 6, 'text-anchor': 'middle' }, String(v)));

@@ -1,6 +1,6 @@
 // Files for the user: the page's own texts and pictures, and what vcview holds.
-
 import { ask } from '/net.js';
+import { element } from '/plot.js';
 
 const $ = (id) => document.getElementById(id);
 
@@ -13,18 +13,28 @@ function offer(name, data, type) {
 }
 
 // The plots below one another, with rules of their own: the page's colours are of its theme.
-function plots_svg() {
+export function plots_svg() {
   const rules = 'text{font:11px sans-serif;fill:#444}.axis{stroke:#999;fill:none}.curve{stroke:#0b5cad;fill:none}.ghost{stroke:#888;fill:none}' +
     '.interval{fill:#0b5cad33}.class{stroke:#777;stroke-dasharray:3 3}.stop{stroke:#0a7a3c}';
-  const all = [...document.querySelectorAll('#plots figure')].map((f, k) =>
-    `<g transform="translate(0,${140 * k})"><text x="4" y="12">${f.querySelector('figcaption').textContent}</text>` +
-    `<g transform="translate(0,16)">${f.querySelector('svg').innerHTML}</g></g>`);
-  return `<svg xmlns="http://www.w3.org/2000/svg" width="420" height="${140 * all.length}"><style>${rules}</style>${all.join('')}</svg>`;
+  const figures = [...document.querySelectorAll('#plots figure')];
+  const sheet = element('svg', { width: 420, height: 140 * figures.length });
+  figures.forEach((f, k) => {
+    const drawn = f.querySelector('svg').cloneNode(true);
+    Object.entries({ y: 140 * k + 16, width: 420, height: 120 }).forEach(([name, value]) => drawn.setAttribute(name, value));
+    sheet.append(element('text', { x: 4, y: 140 * k + 12 }, f.querySelector('figcaption').textContent), drawn);
+  });
+  return new XMLSerializer().serializeToString(sheet).replace('>', `><style>${rules}</style>`);
 }
 
+// Tells what is wrong where the command is.
 async function offer_picture(as) {
-  const answer = await ask(`/save?as=${as}`);
-  if (answer.ok) offer(`luxpipe.${as}`, await answer.blob(), 'application/octet-stream');
+  let wrong = 'the connection to vcview has ended';
+  try {
+    const answer = await ask(`/save?as=${as}`);
+    if (answer.ok) return offer(`luxpipe.${as}`, await answer.blob(), 'application/octet-stream');
+    wrong = (await answer.text()).trim();
+  } catch { /* told below */ }
+  $('status').textContent = `${as.toUpperCase()} is not saved: ${wrong}`;
 }
 
 export function wire_saving(view, lines) {

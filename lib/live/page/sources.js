@@ -1,8 +1,8 @@
 // Glare sources: outlines with numbers over the picture and a table with their shares of DGP, as vcmetrics -sources lists
 // them.  They are asked for while their part of the page is open, and not so often that the rendering suffers.
 import { ask } from '/net.js';
-import { inside, label, outline, top_of } from '/overlay.js';
-import { short } from '/picture.js';
+import { brightest, inside, label, outline } from '/overlay.js';
+import { luminance, short } from '/picture.js';
 import { fill_rows } from '/table.js';
 
 const $ = (id) => document.getElementById(id);
@@ -32,6 +32,8 @@ export class Sources {
         const { picture: known, sources } = await answer.json();
         this.known = known;
         this.all = sources.sort((a, b) => b.DGPshare - a.DGPshare);
+        const { values, image: { width, height } } = this.view;
+        for (const s of this.all) s.peak = brightest(s.outline, width, height, (x, y) => luminance(values, 3 * (y * width + x)));
         this.fill_table();
       } else if (answer.status !== 204) {
         this.known = picture;
@@ -70,7 +72,8 @@ export class Sources {
     const seen = sorted.filter((s) => s.DGPshare >= .005 || s.source === this.chosen);  // others are specks
     for (const s of seen) outline(c, s.outline, to, unit, s.source === this.chosen ? chosen_css : css, s.source === this.chosen ? 3 : 1.5);
     for (const s of seen) {
-      const [x, y] = to(...top_of(s.outline));
+      if (!s.peak) continue;  // of a picture of another size
+      const [x, y] = to(...s.peak);
       label(c, `${s.source}: ${(100 * s.DGPshare).toFixed(0)} %`, x, y - 4 * unit, unit, css);
     }
   }
