@@ -56,7 +56,7 @@ struct ArgCursor {
     size_t left() const { return words.size() - at; }  // as they stand: an option's arguments are not replaced
     bool is_option() const { return word().size() > 1 && word()[0] == '-'; }
 
-    // What @file or $VARIABLE holds.
+    // Contents of @file or $VARIABLE.
     std::string held() const {
         const std::string name = word().substr(1);
         if (word()[0] == '@') {

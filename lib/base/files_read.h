@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which files this process has read, for rules of make (ptrace -M): whoever opens one by name says so.
+// The files that this process has read, for rules of make (ptrace -M): whoever opens one by name notes it.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -37,7 +37,7 @@ std::string shown(double number) { return number_text(number); }
 std::string shown(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
 std::string shown(const Vec3& v) { return shown(v.x) + " " + shown(v.y) + " " + shown(v.z); }
 
-// Of "-vp x y z" and "-i[+-]": "-vp", "-i"; CLI11's are "--vp" and "--i".
+// "-vp" from "-vp x y z", "-i" from "-i[+-]"; CLI11's names are "--vp" and "--i".
 std::string name_of(const std::string& spelling) { return spelling.substr(0, spelling.find_first_of(" [")); }
 std::string long_name(const std::string& spelling) { return "-" + name_of(spelling); }
 

@@ -11,7 +11,7 @@ namespace base {
 // (containers, systemd, Slurm), $SLURM_CPUS_PER_TASK.  At least 1.
 unsigned processors();
 
-// What the user says holds from now on (-n); 0: nothing was said.
+// Number of processors to use from now on, as the user says (-n); 0: not said.
 void use_processors(unsigned count);
 
 // The limit of a process's control groups, of either version, rounded up; 0: none.  `groups` is the text of

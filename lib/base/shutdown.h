@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The wish to end: SIGINT, SIGTERM or SIGHUP under base::run().  At first a signal ends a program at once (status 3).
-// A program that works frame by frame calls finish_on_signal(): from then on the first signal only asks.  It finishes
-// the current frame, writes what there is and returns; run() gives status 3.  A second signal ends at once.
+// Cooperative shutdown on SIGINT, SIGTERM and SIGHUP (base::run()).  At first a signal ends a program at once (status
+// 3). A program that works frame by frame calls finish_on_signal(): from then on the first signal only asks.  It
+// finishes the current frame, writes what there is and returns; run() gives status 3.  A second signal ends at once.
 #pragma once
 
 namespace base {
@@ -24,10 +24,10 @@ public:
     EndsSoon(const EndsSoon&) = delete;
 };
 
-// Of run(): puts our handler in place.  finish_on_signal() does so again, for libraries bring their own (LLVM behind
+// run() puts our handler in place by it.  finish_on_signal() does so again, for libraries bring their own (LLVM behind
 // PoCL, which does without SA_RESTART and hands the signal on to the handler before it).
 void handle_signals();
-// Of the handler: true if the program will finish by itself.  Async-signal-safe.
+// The handler asks: true if the program will finish by itself.  Async-signal-safe.
 bool take_shutdown_request();
 
 }  // namespace base

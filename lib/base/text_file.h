@@ -6,7 +6,7 @@
 
 namespace base {
 
-// What some editors put before text in UTF-8.  It means nothing and is passed over.
+// Some editors put it before text in UTF-8.  It means nothing and is passed over.
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 // Throws Error if the file cannot be read, or is longer than `limit` bytes (/dev/zero has no end).  asked_by: as for

@@ -29,7 +29,7 @@ namespace compact {
 #include "kernels/bvh/bvh_compact.h"
 }
 
-// What differs between the two kinds of tree.
+// Differences between the two kinds of tree.
 struct Layout {
     bool compact;
     size_t node_floats, leaf_floats;
@@ -148,13 +148,13 @@ private:
         return root;
     }
 
-    // What Embree tells of one tree, as a share of all; the tree of panes is part of tree 0.
+    // Embree's progress on one tree, as a share of all; the tree of panes is part of tree 0.
     Tell share_told(size_t count) const {
         if (!tell_ || done_ >= to_do_) return {};
         return [this, count](double share) { tell_((done_ + share * double(count)) / to_do_); };
     }
 
-    // What a subtree takes: nodes and blocks of the arrays, and places of the kernel's stack.
+    // Memory of a subtree: nodes and blocks of the arrays, and places of the kernel's stack.
     Need measure(const Input& in, const TempNode* node) const {
         Need need;
         if (node->children == 0) {

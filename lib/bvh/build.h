@@ -50,7 +50,7 @@ struct Tree {
     int depth = 0;                // longest way down, through an instance
 };
 
-// Is told from time to time which share of the work is done, 0 to 1; from any thread, but from one at a time.
+// Called from time to time with the share of the work done, 0 to 1; from any thread, but from one at a time.
 using Tell = std::function<void(double)>;
 
 Tree build8(const Input* trees, size_t tree_count = 1, const Tell& tell = {});

@@ -19,7 +19,7 @@ const struct {
     {"acos", OP_ACOS, 1}, {"atan", OP_ATAN, 1}, {"atan2", OP_ATAN2, 2}, {"floor", OP_FLOOR, 1},
     {"ceil", OP_CEIL, 1}, {"erf", OP_ERF, 1},   {"erfc", OP_ERFC, 1},   {"rand", OP_RAND, 1},
 };
-// Those without an operation of their own.
+// Functions without an operation of their own.
 const struct {
     const char* name;
     int arguments;

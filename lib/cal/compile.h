@@ -27,7 +27,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// What makes a program's value depend on who looks, or from where.
+// Ways in which a program's value depends on the viewer.
 constexpr unsigned READS_RAY = 1;    // the ray's direction or length, or its angle with the surface
 constexpr unsigned READS_TOTAL = 2;  // the whole way from the eye
 constexpr unsigned READS_PLACE = 4;  // the point; of what is far away, where the ray began

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a Library holds: contexts of definitions.  A file "sky.cal" fills the context "sky"; the global context ""
+// A Library holds contexts of definitions.  A file "sky.cal" fills the context "sky"; the global context ""
 // has rayinit.cal's functions and what -e and -f define.  A name is looked up in its own context, then globally;
 // "x`" is global only, "`x" local only, "x`ctx" (or "x`ctx.") names its context.
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the pattern and material types share: their strings as expressions, function names, coordinates, files and the
+// Shared by the pattern and material types: their strings as expressions, function names, coordinates, files and the
 // transform at the end.
 #pragma once
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies in the way of rays side by side (packet_rays.h): the answers of trace_any(), to both classes of surfaces in
+// Occlusion of rays side by side (packet_rays.h): the answers of trace_any(), to both classes of surfaces in
 // one walk.
 #ifndef LUX_PACKET_LOOK_H
 #define LUX_PACKET_LOOK_H

@@ -32,7 +32,7 @@ FN Ray packet_ray(const PacketRays& p, uint32_t i) {
     return {F3(p.org[0][i], p.org[1][i], p.org[2][i]), p.tmin, F3(p.dir[0][i], p.dir[1][i], p.dir[2][i]), p.t[i]};
 }
 
-// What the walk needs of the rays that have been put, as woop_prepare() gives it.
+// Prepares the rays that have been put for the traversal, as woop_prepare() does for one.
 FN void packet_prepare(PacketRays& p) {
     for (uint32_t i = 0; i < p.count; i++) {
         const float x = p.dir[0][i], y = p.dir[1][i], z = p.dir[2][i];
@@ -79,7 +79,7 @@ FN v8i packet_lanes(uint32_t rays, uint32_t g) {
     return (bit & int(rays >> 8 * g & 255u)) != 0;
 }
 
-// What the open rays of a packet have in common: intervals of origin and slope, an axis each.
+// Bounds of the open rays of a packet: intervals of origin and slope, an axis each.
 struct PacketBounds {
     float near_org[3], far_org[3], inv0[3], inv1[3];
     float tmax;  // where the last of them ends
@@ -150,7 +150,7 @@ FN void packet_node(const PacketRays& p, const PacketBounds& b, const float* n, 
     }
 }
 
-// Which of these rays meet box k of `wide` boxes side by side, as each would alone (bvh8_node, bvh8_boxes).
+// Those of these rays that meet box k of `wide` boxes side by side, as each would alone (bvh8_node, bvh8_boxes).
 FN uint32_t packet_box(const PacketRays& p, const float* boxes, uint32_t wide, uint32_t k, uint32_t rays) {
     uint32_t met = 0;
     for (uint32_t g = 0; 8 * g < p.count; g++) {

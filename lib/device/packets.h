@@ -65,7 +65,7 @@ FN uint32_t packet_leaf(const SceneTables& s, Packet& p, const float* block, uin
     }
 }
 
-// Of all rays that have been put.
+// Traces all rays that have been put.
 FN void packet_trace(const SceneTables& s, Packet& p, uint32_t mask) {
     packet_prepare(p);
     for (uint32_t i = 0; i < p.count; i++) {

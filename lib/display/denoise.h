@@ -10,7 +10,7 @@
 
 namespace display {
 
-// What the filter has to know of the frames 1, 2, 3 ... of a sum.
+// Sums of both halves of the frames 1, 2, 3 ... of a sum, for the filter.
 class HalfSums {
 public:
     void clear(size_t values);

@@ -88,7 +88,7 @@ private:
     std::vector<std::string> history_;
 };
 
-// Which n of a sum are written: every one, every N-th, or F^(i/M) rounded, i = 0, 1, 2 ... ("x2", "x2/16").
+// The n at which a sum is written: every one, every N-th, or F^(i/M) rounded, i = 0, 1, 2 ... ("x2", "x2/16").
 class Schedule {
 public:
     static Schedule parse(const std::string& text, const std::string& where);

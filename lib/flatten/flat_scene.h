@@ -61,7 +61,7 @@ struct FlatScene {
     std::vector<Pane> panes;
     std::vector<uint32_t> prim_object;  // scene object of each primitive; NO_OBJECT inside instances
     static constexpr uint32_t NO_OBJECT = 0xffffffffu;
-    // Of instance records: the first one's number, and the mesh or instance of the scene that each belongs to.
+    // Instance records: the number of the first one, and the mesh or instance of the scene to which each belongs.
     uint32_t instances_at = 0;
     std::vector<uint32_t> instance_object;
 

@@ -7,7 +7,7 @@
 
 namespace flatten {
 
-// What the tables depend on besides the scene; letters as in ptrace's options.
+// Options on which the tables depend; letters as in ptrace's options.
 struct Options {
     int dr = 2;                    // levels of virtual sources
     bool bv = true;                // back faces are visible

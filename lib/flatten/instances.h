@@ -19,7 +19,7 @@ public:
     Instances(const scene::Scene& scene, const Options& options, const scene::ReadOptions& files,
               ModifierTables& tables);
 
-    // What the meshes of a scene use and its surfaces need not name: for flatten_modifiers().
+    // Materials that the meshes of a scene use and its surfaces need not name: for flatten_modifiers().
     std::vector<int32_t> mesh_materials(const scene::Scene& scene);
 
     // Reads all files; their modifiers join the tables.  top: of the scene itself.
@@ -34,7 +34,7 @@ public:
     void write_records(uint32_t places_at, FlatScene& out) const;
 
 private:
-    // What replaces the modifiers inside, and the coordinates its functions see.
+    // The modifier that replaces those inside, and the coordinates that its functions see.
     struct Replacement {
         uint32_t mod;
         bool passes, clear;

@@ -11,7 +11,7 @@
 
 namespace flatten {
 
-// What the scene and the octrees of its instances fill together.
+// Tables that the scene and the octrees of its instances fill together.
 struct ModifierTables {
     cal::Code code;                 // programs: become the start of both arenas, for their addresses are absolute
     std::vector<uint32_t> records;  // MOD_WORDS each

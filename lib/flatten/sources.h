@@ -35,7 +35,7 @@ void add_local_sources(const Modifiers& modifiers, const std::vector<Lights::Emi
                        Sources& sources);
 // All distant surfaces in order, the active sources among them.
 void add_distant_sources(const Modifiers& modifiers, FlatScene& out, Sources& sources);
-// What patterns take from the power by which sources are chosen.
+// Sources with patterns are chosen by the power that their mean luminance gives.
 void weigh_patterns(const FlatScene& out, Sources& sources);
 // Copies of the sources mirrored in the relays, up to `levels` of them (virtual_sources.cpp).
 void add_virtual_sources(const std::vector<Lights::Relay>& relays, int levels, FlatScene& out, Sources& sources);

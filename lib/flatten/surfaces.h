@@ -18,7 +18,7 @@ struct Aperture {
     bool both_sides;
 };
 
-// What geometry finds for sources.
+// Emitters that the geometry finds.
 struct Lights {
     struct Emitter {
         uint32_t object, prim;  // NONE: a mesh or an instance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the generators of curves and surfaces share: functions of t (or s and t) given as .cal expressions on the
+// Shared by the generators of curves and surfaces: functions of t (or s and t) given as .cal expressions on the
 // command line, with -e definitions and -f files, evaluated in double.
 #pragma once
 #include "cal/eval.h"

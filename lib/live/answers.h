@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the server answers, apart from how it is sent: functions of the question and of what there is to show.
+// Answers of the server, apart from how they are sent: functions of the question and of what there is to show.
 #pragma once
 #include <functional>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the page may ask for: the newest picture and the lines of the metrics, each numbered from 1.  Written by the
+// The newest picture and the lines of the metrics, for the page, each numbered from 1.  Written by the
 // threads that pass the bytes on, read by the web server; all functions may be called from any thread.
 #pragma once
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the probe shows of a pixel, as JSON: radiance, luminance, direction, solid angle, Guth's position index.
+// A pixel for the probe, as JSON: radiance, luminance, direction, solid angle, Guth's position index.
 #pragma once
 #include <string>
 #include "image/picture.h"

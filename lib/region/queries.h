@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which surfaces of a scene do the shapes "surface NAME" and "modifier NAME" mean?
+// The surfaces of a scene that the shapes "surface NAME" and "modifier NAME" mean.
 #pragma once
 #include <vector>
 #include "region/region.h"

@@ -88,7 +88,7 @@ public:
 image::MaskSet rasterize(const Regions& regions, const view::View& view, int nx, int ny, bool centre,
                          const SceneView* scene = nullptr);
 
-// What -list prints: over the pixels that count in the field of view (a direction exists, and in an angular fisheye
+// The line of -list: over the pixels that count in the field of view (a direction exists, and in an angular fisheye
 // it is not behind the eye, as vcmetrics counts).
 struct Extent {
     std::string name;

@@ -18,7 +18,7 @@ public:
     // keys: of the columns; what has the same key can be compared.
     void look(const uncertainty::Replicates& replicates, const std::vector<std::string>& keys,
               const std::vector<uncertainty::Quantity>& quantities);
-    // Of the last look that both have; nan: there is none, or the earlier edit lacks the column.
+    // At the last look that both have; nan: there is none, or the earlier edit lacks the column.
     uncertainty::Estimate difference(size_t column) const;
 
 private:

@@ -95,7 +95,7 @@ constexpr int64_t least_to_give_up = 1024;
 constexpr double clearly = 1.5;                // times what is allowed, before
 constexpr int64_t any_number = INT64_MAX / 2;  // of frames
 
-// What is left of an error after any number of frames is more than the tolerance allows.
+// The part of an error that no number of frames removes is more than the tolerance allows.
 bool lasts(const Estimate& e, double allowed) {
     const double half_width = e.half_width(uncertainty::alpha, any_number);
     return half_width > (e.frames >= least_to_give_up ? 1 : clearly) * allowed;

@@ -19,7 +19,7 @@ struct Tolerance {
 // Throws Error on a rule that cannot be read; place: the option, or the file and line, that contains it.
 std::vector<Tolerance> parse_tolerances(const std::string& rule, const std::string& place);
 
-// What the size of pixels does to the metrics of a rule, and to DGP for the class: their columns NAME.px.  None: not
+// Errors that the size of pixels makes in the metrics of a rule, and in DGP for the class: columns NAME.px.  None: not
 // known, or nothing.
 struct PixelErrors {
     std::vector<std::optional<uncertainty::Estimate>> of_tolerances;

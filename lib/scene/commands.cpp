@@ -32,7 +32,7 @@ void SceneReader::command(base::TextReader& in) {
     const uint32_t line = in.line();
     in.get();  // the "!"
     const std::string text = in.rest_of_line();
-    // What the command writes counts as this line.
+    // The command's output counts as this line.
     const base::TextReader here = base::TextReader::from_text("", in.name(), line);
     const CommandLine parsed = split_command(text, here.place());
     if (parsed.stages.size() == 1 && parsed.stages[0].words.empty()) return;

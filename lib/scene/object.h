@@ -15,7 +15,7 @@
 
 namespace scene {
 
-// What scenes share with function files lives in base (cal must not know scenes).
+// Shared by scenes and function files, so it lives in base (cal must not know scenes).
 using base::find_file;
 using base::inverse;
 using base::parse_xform;
@@ -90,7 +90,7 @@ struct Scene {
     Resolved material(int32_t modifier_index) const;
 };
 
-// What a reader may take; a scene beyond it is an input error, not a crash.
+// Limits of a reader; a scene beyond them is an input error, not a crash.
 struct Limits {
     uint64_t bytes = 0;          // of all tables together; 0 = four fifths of this machine's memory
     int depth = 64;              // commands and files inside files

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a transform does to a primitive, type by type.  s = |scale|; a mirror reverses polygons (as -I does: twice is
+// Applies a transform to a primitive, type by type.  s = |scale|; a mirror reverses polygons (as -I does: twice is
 // nothing).
 #include <algorithm>
 #include <cmath>

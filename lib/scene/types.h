@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every primitive type is called and how many arguments it takes.
+// Names of all primitive types, and how many arguments each takes.
 // Materials are rows of kernels/material/materials.h.  To add another type: its name in object.h (enum Type) and a row
 // in types.cpp, in the same order.
 #pragma once

@@ -34,7 +34,7 @@ void weighted_mean(const GrowingMean& mean, const Weights& weights, std::vector<
         if (weights[p] != 0) add_multiple(float(weights[p]), (*mean.parts)[p].grey.data(), out.size(), out.data());
 }
 
-// Of each pixel of the whole mean; -1 where it does not count.
+// Variance of each pixel of the whole mean; -1 where the pixel does not count.
 std::vector<float> variances(const GrowingMean& mean) {
     std::vector<float> out(mean.counts.size(), 0);
     const double n = double(image::frames_of(*mean.parts)), parts = double(mean.parts->size());

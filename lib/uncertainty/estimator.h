@@ -58,7 +58,7 @@ struct Replicates {
 // whole: of all quantities.
 Replicates replicate(const GrowingMean& mean, const Metrics& metrics, const Values& whole);
 
-// Of fewer than two parts there is none: nan.
+// nan where there are fewer than two parts.
 std::vector<Estimate> estimate(const Replicates& replicates, const std::vector<Quantity>& quantities);
 
 }  // namespace uncertainty

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which surfaces does the eye see along a ray?  What regions ask a scene.  traced.cpp answers by the geometry and the
+// The surfaces that the eye sees along a ray, for regions.  traced.cpp answers by the geometry and the
 // traversal that render; none.cpp stands in where the tracer's libraries are not built.
 #pragma once
 #include <memory>

@@ -42,7 +42,7 @@ void add_view(const std::string& name, Options& opt) {
     opt.views.push_back({name, v});
 }
 
-// Which pictures: one, those of -views, or all of a rad input file where none of its views is named.
+// The pictures: one, those of -views, or all of a rad input file where none of its views is named.
 void choose_views(const std::optional<scene::RadInput>& rad_input, const std::string& view_name,
                   base::OptionTable& table, Options& opt) {
     const bool all = rad_input && view_name.empty() && rad_input->views.size() > 1;

@@ -12,7 +12,7 @@
 
 namespace {
 
-// Those of -regions, which may be written; else those that the program measures are shown.
+// Shows the regions of -regions, which may be written, or else those that the program measures.
 void add_regions(const std::string& named, Options& o) {
     using live::TextFile;
     if (!named.empty()) o.server.files.emplace_back(named, TextFile::Kind::regions, true);
