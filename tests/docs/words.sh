@@ -9,7 +9,7 @@ FAR_ENOUGH HAS_FAR_END is_near_end gate_shuts good_slots leaves_host_free aim_sh
 speak_as evalglare_says Connector bright_in Chooser GreyMean PrecisionRule HARDLY CLEARLY SELDOM WORTH_IT PATH_GOES_ON
 GATE_FLOATS MT_SHINES NearEnd LinkWords clip_beyond prefix_thr least_reach to_strips densities SeenPixels Shot
 Certainty Weighing Survey worth_of_shared may_share group_share threads_to_be_had to_share keep_inputs
-frame_of trace_on'
+trace_on'
 
 # "file:line:text" for each of them in the folders given.
 private() {
