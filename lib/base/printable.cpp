@@ -2,6 +2,8 @@
 // See printable.h.
 #include "base/printable.h"
 
+#include <cstdio>
+
 namespace base {
 namespace {
 
@@ -31,6 +33,29 @@ std::string printable(std::string_view text) {
         text.remove_prefix(n ? n : 1);
     }
     return out;
+}
+
+std::string quoted_json(const std::string& s) {
+    std::string out = "\"";
+    char code[8];
+    for (size_t k = 0; k < s.size(); ++k) {
+        const unsigned char c = static_cast<unsigned char>(s[k]);
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += char(c);
+        } else if (c == '\t') {
+            out += "\\t";
+        } else if (c < 0x20 || c == 0x7f) {
+            std::snprintf(code, sizeof code, "\\u%04x", c);
+            out += code;
+        } else if (c >= 0x80) {  // JSON is UTF-8
+            size_t end = k + 1;
+            while (end < s.size() && static_cast<unsigned char>(s[end]) >= 0x80) ++end;
+            out += printable(std::string_view(s).substr(k, end - k));
+            k = end - 1;
+        } else out += char(c);
+    }
+    return out + "\"";
 }
 
 std::string excerpt(std::string_view text, size_t longest) {

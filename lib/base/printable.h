@@ -9,6 +9,9 @@ namespace base {
 
 std::string printable(std::string_view text);
 
+// A JSON string: control characters by their codes, bytes that are no UTF-8 as in printable().
+std::string quoted_json(const std::string& text);
+
 // The beginning of it for a message: what is longer (in bytes) is cut and ends in "...".
 std::string excerpt(std::string_view text, size_t longest = 60);
 

@@ -8,17 +8,16 @@
 #include <sys/prctl.h>
 #endif
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
-
+#include "base/child.h"
 #include "base/descriptor.h"
 
 namespace device {
 namespace {
 
 constexpr unsigned patience_s = 60;
+constexpr size_t longest = 1 << 20;
 
 [[noreturn]] void answer(const std::function<std::string()>& question, int to) {
 #ifdef __linux__
@@ -45,16 +44,9 @@ std::optional<std::string> ask_in_child(const std::function<std::string()>& ques
     const pid_t child = fork();
     if (child == 0) answer(question, ends[1]);
     close(ends[1]);
-    std::string text;
-    char block[4096];
-    ssize_t n = 0;
-    while (child > 0 && (n = base::read_some(ends[0], block, sizeof block)) > 0) text.append(block, size_t(n));
+    const std::string text = child > 0 ? base::read_to_end(ends[0], longest) : "";
     close(ends[0]);
-    if (child < 0) return std::nullopt;
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
-    return text;
+    return child > 0 && base::wait_for_child(child) == 0 ? std::optional(text) : std::nullopt;
 }
 
 }  // namespace device

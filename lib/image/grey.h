@@ -16,6 +16,10 @@ struct OddPixels {
     long not_finite = 0, negative = 0;
 };
 
+inline double grey(const float* rgb) {  // not rounded
+    return grey_red * double(rgb[0]) + grey_green * double(rgb[1]) + grey_blue * double(rgb[2]);
+}
+
 // `grey` may be the memory of `rgb`.  Pixels that are not finite, or beyond any light, become 0; negative ones stay.
 OddPixels to_grey(const float* rgb, size_t pixels, float* grey);
 std::vector<float> grey_of(const std::vector<float>& rgb);

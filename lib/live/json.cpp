@@ -11,25 +11,10 @@
 namespace live::json {
 
 std::string text(const std::string& s) {
-    std::string out = "\"";
-    std::string line;
-    const auto flush = [&] {
-        for (const char c : base::printable(line)) {
-            if (c == '"' || c == '\\') out += '\\';
-            out += c;
-        }
-        line.clear();
-    };
-    for (const char c : s) {
-        if (c != '\t') {
-            line += c;
-            continue;
-        }
-        flush();
-        out += "\\t";
-    }
-    flush();
-    return out + "\"";
+    std::string shown = s;
+    for (char& c : shown)
+        if (static_cast<unsigned char>(c) < ' ' && c != '\t') c = '?';
+    return base::quoted_json(shown);
 }
 
 std::string number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : "null"; }

@@ -9,12 +9,9 @@
 
 namespace render {
 using namespace kernels;
+using image::grey;
 
 namespace {
-double grey(const float* rgb) {
-    return image::grey_red * double(rgb[0]) + image::grey_green * double(rgb[1]) + image::grey_blue * double(rgb[2]);
-}
-
 // Adds the samples of each pixel, those of the first half less those of the second, and their squares.  All samples of
 // a pixel at once, and neighbouring pixels together.
 void sum_samples(device::Device& device, Samples& sampler, const Params& base, int64_t begin, uint32_t count,

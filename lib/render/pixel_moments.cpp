@@ -10,6 +10,7 @@
 
 namespace render {
 using namespace kernels;
+using image::grey;
 
 namespace {
 constexpr double least_deviation = 20 / image::lumens_per_watt;  // in grey: 20 cd/m2, darker than any glare source
@@ -24,10 +25,6 @@ uint32_t places_of(uint32_t pixels) {
     uint32_t n = least_places;
     while (n < most_places && 2 * n * pixels <= enough) n *= 2;
     return n;
-}
-
-double grey(const float* rgb) {
-    return image::grey_red * double(rgb[0]) + image::grey_green * double(rgb[1]) + image::grey_blue * double(rgb[2]);
 }
 
 // Pixels whose samples in frame 0 differ, and their neighbours: the samples may have missed a small bright thing there.

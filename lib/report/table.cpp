@@ -15,27 +15,6 @@ std::string quoted_csv(const std::string& s) {
     return out + "\"";
 }
 
-std::string quoted_json(const std::string& s) {
-    std::string out = "\"";
-    char code[8];
-    for (size_t k = 0; k < s.size(); ++k) {
-        const unsigned char c = static_cast<unsigned char>(s[k]);
-        if (c == '"' || c == '\\') {
-            out += '\\';
-            out += char(c);
-        } else if (c < 0x20 || c == 0x7f) {
-            std::snprintf(code, sizeof code, "\\u%04x", c);
-            out += code;
-        } else if (c >= 0x80) {  // JSON is UTF-8
-            size_t end = k + 1;
-            while (end < s.size() && static_cast<unsigned char>(s[end]) >= 0x80) ++end;
-            out += base::printable(std::string_view(s).substr(k, end - k));
-            k = end - 1;
-        } else out += char(c);
-    }
-    return out + "\"";
-}
-
 std::string plain_tsv(std::string s) {
     for (char& c : s)
         if (c == '\t' || c == '\n') c = ' ';
@@ -70,8 +49,8 @@ std::string table_line(const std::vector<std::string>& names, const std::vector<
         const Cell& c = cells[k];
         if (format == TableFormat::jsonl) {
             const bool finite = c.text.find_first_of("ni") == std::string::npos;
-            out += (k ? ", " : "{") + quoted_json(names[k]) + ": " +
-                   (!c.number ? quoted_json(c.text)
+            out += (k ? ", " : "{") + base::quoted_json(names[k]) + ": " +
+                   (!c.number ? base::quoted_json(c.text)
                     : finite  ? c.text
                               : "null");
         } else if (format == TableFormat::csv) {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Starts other programs and waits for them.
+#pragma once
+#include <sys/types.h>
+
+#include <atomic>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace base {
+
+struct ChildFiles {
+    int in = -1;  // -1: an empty standard input
+    int out = 1;
+    bool quiet = false;  // its standard error goes nowhere
+};
+
+// Starts a program, found along PATH, with the ordinary signals; errno, 0 if it runs.  group: it has a process group of
+// its own, whose number stands there before the next signal arrives.
+int start_child(const std::vector<std::string>& words, const ChildFiles& files, pid_t& child,
+                std::atomic<pid_t>* group = nullptr);
+int wait_for_child(pid_t child);  // its exit status; 128 + n: ended by signal n
+// What it writes, to the end or until it is longer than the limit.
+std::string read_to_end(int fd, size_t limit);
+
+}  // namespace base
