@@ -124,7 +124,8 @@ Bounds primitive_bounds(const Input& in, size_t k, const std::vector<Bounds>& tr
         const float* q = in.shapes + SHAPE_FLOATS * shape;
         if (as_uint_(q[SHAPE_KIND]) == SHAPE_INSTANCE) return instance_bounds(q, trees);
         bounds = shape_bounds(in, shape);
-        pad(bounds, 2e-6f);  // a polygon reaches 1e-6 beyond its edges
+        const bool polygon = as_uint_(q[SHAPE_KIND]) == SHAPE_POLYGON;  // reaches beyond its edges
+        pad(bounds, 2e-6f + (polygon ? 2 * q[POLYGON_MARGIN] : 0));
     }
     return bounds;
 }
@@ -140,11 +141,8 @@ void invert_affine(const float m[12], double out[12]) {
     const double det = m[0] * c[0] + m[1] * c[3] + m[2] * c[6];
     if (det == 0) base::fail("", "the transform of an instance cannot be inverted");
     for (int i = 0; i < 3; i++) {
-        out[4 * i + 3] = 0;
-        for (int j = 0; j < 3; j++) {
-            out[4 * i + j] = c[3 * i + j] / det;
-            out[4 * i + 3] -= out[4 * i + j] * m[4 * j + 3];
-        }
+        for (int j = 0; j < 3; j++) out[4 * i + j] = c[3 * i + j] / det;
+        out[4 * i + 3] = m[4 * i + 3];
     }
 }
 

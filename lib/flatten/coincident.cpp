@@ -28,7 +28,6 @@ constexpr size_t MOST_PAIRS = 4000000;
 constexpr int GRID = 8;                // points tested along each side of the intersection of two faces
 constexpr double LARGE = 1e-3;         // side of a square, in radii of the scene
 constexpr double SAME_PLANE = 9.5e-7;  // 2^-20 of the radius
-constexpr double LEAST_ROUNDED = 16;   // m: no coordinate is more exact than in a model of that radius
 
 struct Face {
     const scene::Object* object;
@@ -74,8 +73,8 @@ bool is_face(const Modifiers& modifiers, const scene::Object& o) {
     return (o.type == Type::polygon || o.type == Type::ring) && o.modifier >= 0 && modifiers.is_met[o.modifier];
 }
 
-// Groups large faces by their planes.
-std::vector<Face> faces_of(const Modifiers& modifiers, double large) {
+// Groups large faces by their planes; coordinates are relative to the centre.
+std::vector<Face> faces_of(const Modifiers& modifiers, Vec3 centre, double large) {
     std::vector<Face> faces;
     for (const scene::Object& o : modifiers.scene.objects) {
         if (!is_face(modifiers, o)) continue;
@@ -98,6 +97,7 @@ std::vector<Face> faces_of(const Modifiers& modifiers, double large) {
                                   (a * std::cos(k * .2617994) + cross(normal, a) * std::sin(k * .2617994)) *
                                       std::max(r[6], r[7]));
         }
+        for (Vec3& p : corners) p = p - centre;
         Face face = face_of(o, std::move(corners), normal);
         if (std::min(face.high[0] - face.low[0], face.high[1] - face.low[1]) >= large) faces.push_back(std::move(face));
     }
@@ -192,29 +192,33 @@ OnLamp on_round_lamp(const float* q, uint32_t k) {
 
 void warn_of_coincident(const Modifiers& modifiers, const FlatScene& scene) {
     const double near = SAME_PLANE * scene.radius, large = LARGE * scene.radius;
-    std::vector<Face> faces = faces_of(modifiers, large);
+    std::vector<Face> faces = faces_of(modifiers, scene.centre, large);
     size_t count = 0;
     const Face* first[2] = {nullptr, nullptr};
     Vec3 place;
     of_pairs(faces, near, large, [&](const Face& a, const Face& b, Vec3 where) {
         // of two faces with opposite normals each is visible from its own side: a house on its ground
         if (a.turned != b.turned || count++ > 0) return;
-        first[0] = &a, first[1] = &b, place = where;
+        first[0] = &a, first[1] = &b, place = where + scene.centre;
         if (first[0]->object > first[1]->object) std::swap(first[0], first[1]);
     });
     if (count == 0) return;
     const scene::Scene& s = modifiers.scene;
-    const auto name = [&](const Face* f) { return s.name(s.objects[size_t(f->object->modifier)]); };
-    base::warn(
-        s.place(*first[1]->object),
-        fmt::format("{} of large faces with different modifiers {} in the same place, first \"{}\" and \"{}\" "
-                    "about {:.4g} {:.4g} {:.4g}: an opaque one hides a transparent one, then one that faces the eye "
-                    "the other, then that of the later modifier",
-                    count == 1 ? "one pair" : fmt::format("{} pairs", count), count == 1 ? "lies" : "lie",
-                    name(first[0]), name(first[1]), place.x, place.y, place.z));
+    const scene::Object* of[2];
+    for (int k = 0; k < 2; k++) of[k] = &s.objects[size_t(first[k]->object->modifier)];
+    const auto name = [&](int k) {  // one name may stand for several modifiers
+        const std::string quoted = fmt::format("\"{}\"", s.name(*of[k]));
+        return s.name(*of[0]) == s.name(*of[1]) ? fmt::format("{} ({})", quoted, s.place(*of[k])) : quoted;
+    };
+    base::warn(s.place(*first[1]->object),
+               fmt::format("{} of large faces with different modifiers {} in the same place, first {} and {} about "
+                           "{:.4g} {:.4g} {:.4g}: an opaque one hides a transparent one, then one that faces the eye "
+                           "the other, then that of the later modifier",
+                           count == 1 ? "one pair" : fmt::format("{} pairs", count), count == 1 ? "lies" : "lie",
+                           name(0), name(1), place.x, place.y, place.z));
 }
 
-std::vector<uint8_t> hidden_by_passing(const Modifiers& modifiers) {
+std::vector<uint8_t> hidden_by_passing(const Modifiers& modifiers, Vec3 centre) {
     const std::vector<scene::Object>& objects = modifiers.scene.objects;
     std::vector<uint8_t> hidden(objects.size(), 0);
     const auto one = [&](const scene::Object& o) {
@@ -225,9 +229,10 @@ std::vector<uint8_t> hidden_by_passing(const Modifiers& modifiers) {
         if (hides(modifiers, a, b, turned)) hidden[size_t(&b - objects.data())] = 1;
         if (hides(modifiers, b, a, turned)) hidden[size_t(&a - objects.data())] = 1;
     };
-    std::vector<Face> faces = faces_of(modifiers, 0);
-    double size = LEAST_ROUNDED;
-    for (const Face& f : faces) size = std::max(size, std::fabs(f.offset));
+    std::vector<Face> faces = faces_of(modifiers, centre, 0);
+    double size = 0;
+    for (const Face& f : faces)
+        size = std::max({size, std::fabs(f.offset), f.high[0] - f.low[0], f.high[1] - f.low[1]});
     of_pairs(faces, SAME_PLANE * size, 0,
              [&](const Face& a, const Face& b, Vec3) { look(*a.object, *b.object, a.turned != b.turned); });
 
@@ -253,7 +258,7 @@ void mark_covered_sources(FlatScene& scene) {
         Vec3 normal = get(q + SRC_NORMAL);
         const Vec3 centre = get(q + SRC_CENTRE) + scene.centre;
         const double size = std::sqrt(double(q[SRC_AREA]));
-        const double near = std::ldexp(std::max(scene.radius, scene.least_error_scale) + length(centre), -18);
+        const double near = std::ldexp(scene.radius + length(get(q + SRC_CENTRE)), -18);
         for (uint32_t k = 0; k < side * side; k++) {
             Vec3 point;
             if (round) {

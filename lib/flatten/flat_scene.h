@@ -17,6 +17,16 @@ struct HostTree {
     std::shared_ptr<const bvh::Tree> tree;
 };
 
+struct Box {
+    base::Vec3 lo{1e30, 1e30, 1e30}, hi{-1e30, -1e30, -1e30};
+};
+
+// Origin of tables, because single precision spoils positions far from it: the middle of most surfaces.  If the eye
+// (null: none) is far from it beside the size of the surfaces around the eye, a place near the eye.
+base::Vec3 centre_of(const std::vector<Box>& boxes, const base::Vec3* eye);
+// Half the size of most of the scene.
+double radius_of(const std::vector<Box>& boxes);
+
 struct FlatScene {
     // Geometry of all trees: 0 is the scene, the others are what its instances hold, in coordinates of their own.
     struct Tree {
@@ -33,10 +43,9 @@ struct FlatScene {
     std::vector<float> polygon_uv;
     std::vector<uint32_t> u;  // arenas
     std::vector<float> f;
-    base::Vec3 centre;  // world position of the tables' origin
-    double radius = 0;  // of all surfaces
-    double least_error_scale =
-        0;  // no point of a surface is more exact than rays of that length (PRIM_EXTENT, INST_ERROR_SCALE)
+    base::Vec3 centre;       // world position of the tables' origin
+    std::vector<Box> boxes;  // of surfaces, a sample of them if they are many, in the world
+    double radius = 0;       // radius_of() them
 
     uint32_t mods_at = 0, sources_at = 0, source_count = 0, distant_at = 0, distant_count = 0;
     uint32_t portals_at = 0, portal_count = 0, window_count = 0, light_sets_at = 0;

@@ -27,7 +27,7 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
     write_modifiers(std::move(tables), out);
 
     // Surfaces: tree 0 is the scene with the places of its instances, the others are what these hold.
-    flatten_geometry(modifiers, instances, out, lights);
+    flatten_geometry(modifiers, instances, options.eye ? &*options.eye : nullptr, out, lights);
     warn_of_coincident(modifiers, out);
 
     // Sources: emissive surfaces, distant ones, and their images in mirrors and prisms; the sources that mists scatter;

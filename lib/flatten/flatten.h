@@ -2,6 +2,7 @@
 // From a scene to the flat tables of the kernels.
 #pragma once
 #include <functional>
+#include <optional>
 #include "flatten/flat_scene.h"
 #include "scene/object.h"
 
@@ -9,10 +10,11 @@ namespace flatten {
 
 // Options on which the tables depend; letters as in ptrace's options.
 struct Options {
-    int dr = 2;                    // levels of virtual sources
-    bool bv = true;                // back faces are visible
-    bool any_reflectance = false;  // also materials that give back twice the light that they get (reflectance.h)
-    HostTree known_tree;           // of a scene flattened before: taken where the surfaces are the same
+    int dr = 2;                     // levels of virtual sources
+    bool bv = true;                 // back faces are visible
+    bool any_reflectance = false;   // also materials that give back twice the light that they get (reflectance.h)
+    std::optional<base::Vec3> eye;  // of the view, which may move the origin of the tables (centre_of)
+    HostTree known_tree;            // of a scene flattened before: taken where the surfaces are the same
     std::function<void(double)> tell_tree;  // for people who wait: which share of the tree is built
 };
 

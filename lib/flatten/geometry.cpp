@@ -13,9 +13,8 @@ using namespace kernels;
 using base::Vec3;
 using base::Xform;
 
-// The matrix of a row-vector transform, shifted: local = p m - shift, as three rows of four.
-void put_matrix(float* q, const Xform& x, Vec3 from, Vec3 shift) {
-    const Vec3 t = base::point(x, from) - shift;  // the new origin of the tables
+// The matrix of a row-vector transform as three rows of four, with t as the fourth column.
+void put_matrix(float* q, const Xform& x, Vec3 t) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) q[4 * i + j] = float(x.m[j][i]);
         q[4 * i + 3] = float(t[i]);
@@ -45,12 +44,13 @@ uint32_t add_shapes(FlatScene& out, size_t count) {
 }
 }  // namespace
 
-void flatten_geometry(const Modifiers& modifiers, const Instances& instances, FlatScene& out, Lights& lights) {
-    Box box = surface_bounds(modifiers.scene);
-    instances.grow_to_places(box);
-    out.centre = centre_of(box);
-    out.radius = box.lo.x > box.hi.x ? 0 : length(box.hi - box.lo) / 2;
-    out.least_error_scale = least_reach_of(out.radius);
+void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const Vec3* eye, FlatScene& out,
+                      Lights& lights) {
+    Box all;
+    out.boxes = surface_boxes(modifiers.scene, all);
+    instances.add_boxes(out.boxes);
+    out.centre = centre_of(out.boxes, eye);
+    out.radius = radius_of(out.boxes);
 
     uint32_t places_at = 0;
     add_tree(out, [&] {
@@ -62,9 +62,14 @@ void flatten_geometry(const Modifiers& modifiers, const Instances& instances, Fl
     instances.write_records(places_at, out);
 }
 
-void Instances::grow_to_places(Box& box) const {
-    for (const Place& p : places_) {
+// An instance counts as some of what it holds.
+void Instances::add_boxes(std::vector<Box>& boxes) const {
+    constexpr size_t most = 8;
+    const size_t step = most * places_.size() / MOST_BOXES + 1;
+    for (size_t i = 0; i < places_.size(); i++) {
+        const Place& p = places_[i];
         const Box& b = trees_[p.tree - 1].box;
+        Box box;
         for (int k = 0; k < 8; k++) {
             const Vec3 inside = {k & 1 ? b.hi.x : b.lo.x, k & 2 ? b.hi.y : b.lo.y, k & 4 ? b.hi.z : b.lo.z};
             const Vec3 corner = base::point(p.to_world, inside);
@@ -72,6 +77,7 @@ void Instances::grow_to_places(Box& box) const {
                 base::fail(top_.place(top_.objects[p.object]), "a coordinate of its instance is beyond 1e18");
             grow(box, corner);
         }
+        if (i % step == 0) boxes.insert(boxes.end(), std::min(trees_[p.tree - 1].surfaces, most), box);
     }
 }
 
@@ -81,7 +87,8 @@ uint32_t Instances::write_places(FlatScene& out) const {
         const Place& p = places_[i];
         float* q = &out.shapes[SHAPE_FLOATS * (first + i)];
         q[SHAPE_KIND] = from_bits(SHAPE_INSTANCE);
-        put_matrix(q + INSTANCE_MATRIX, base::inverse(p.to_world), out.centre, trees_[p.tree - 1].centre);
+        put_matrix(q + INSTANCE_MATRIX, base::inverse(p.to_world),
+                   base::point(p.to_world, trees_[p.tree - 1].centre) - out.centre);
         q[INSTANCE_TREE] = from_bits(p.tree);
         q[INSTANCE_CLASS] = from_bits(p.forced);
         if ((p.forced & RAY_TRANSPARENT) != 0) out.shadows_need(SHADOW_STRAIGHT);
@@ -99,17 +106,14 @@ void Instances::write_records(uint32_t places_at, FlatScene& out) const {
     out.instances_at = add_shapes(out, places_.size());
     for (size_t i = 0; i < places_.size(); i++) {
         const Place& p = places_[i];
-        const Box& b = trees_[p.tree - 1].box;
         const uint32_t record = out.instances_at + uint32_t(i);
         out.shapes[SHAPE_FLOATS * (places_at + i) + INSTANCE_NUMBER] = from_bits(record);
         float* q = &out.shapes[SHAPE_FLOATS * record];
         const Xform frame = base::inverse(p.frame);
         q[INST_SHAPE] = from_bits(uint32_t(places_at + i));
-        put_matrix(q + INST_FRAME, frame, out.centre, {});
+        put_matrix(q + INST_FRAME, frame, base::point(frame, out.centre));  // the origin of the tables
         q[INST_MOD] = from_bits(p.mod);
         q[INST_SCALE] = float(std::fabs(frame.scale));
-        q[INST_ERROR_SCALE] =
-            float(std::max(length(b.hi - b.lo) * 0.5 * std::fabs(p.to_world.scale), out.least_error_scale));
         out.instance_object.push_back(p.object);
     }
 }

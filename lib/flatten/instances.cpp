@@ -80,13 +80,10 @@ uint32_t Instances::tree_of(const scene::Scene* scene, const scene::Mesh* mesh, 
     t.mesh = mesh;
     t.modifiers = modifiers;
     t.materials = std::move(materials);
-    if (mesh) {
-        for (const Vec3& p : mesh->positions) grow(t.box, p);
-    } else {
-        t.box = surface_bounds(*scene);
-    }
-    if (t.box.lo.x > t.box.hi.x) return NONE;  // only instances of others
-    t.centre = centre_of(t.box);
+    const std::vector<Box> boxes = mesh ? surface_boxes(*mesh, t.box) : surface_boxes(*scene, t.box);
+    if (boxes.empty()) return NONE;  // only instances of others
+    t.centre = centre_of(boxes, nullptr);
+    t.surfaces = boxes.size();
     trees_.push_back(std::move(t));
     found->second = uint32_t(trees_.size());
     return found->second;

@@ -27,7 +27,7 @@ public:
 
     // For flatten_geometry(): the reach of all places, the places as shapes of tree 0, the trees, and the records of
     // the places, which follow the shapes of all trees.
-    void grow_to_places(Box& box) const;
+    void add_boxes(std::vector<Box>& boxes) const;
     uint32_t write_places(FlatScene& out) const;         // gives the first one's number
     size_t tree_count() const { return trees_.size(); }  // tree 0 not counted
     void write_tree(size_t tree, FlatScene& out) const;
@@ -54,6 +54,7 @@ private:
         const Modifiers* modifiers = nullptr;  // null: replaced by the instances'
         std::vector<int32_t> materials;        // .obj: objects of modifiers->scene
         Box box;
+        size_t surfaces = 0;  // of a sample
         base::Vec3 centre;
     };
     struct Place {

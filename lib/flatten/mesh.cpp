@@ -72,6 +72,9 @@ void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std
         if (smooth && has_normals(mesh, t)) kind |= PRIM_CORNER_NORMALS;
 
         if (clear) kind |= PRIM_CLEAR;
+        const Vec3 of_tree[3] = {a - centre, mesh.positions[t.v[1]] - centre, mesh.positions[t.v[2]] - centre};
+        const Plane plane(normal, of_tree, 3);
+        kind |= extent_bits(plane.extent_of_triangles(of_tree, 3));
         const uint32_t prim = uint32_t(out.prims.size() / PRIM_WORDS);
         const uint32_t record[PRIM_WORDS] = {kind,
                                              mod,
@@ -80,7 +83,7 @@ void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std
                                              bits(float(normal.y)),
                                              bits(float(normal.z)),
                                              uint32_t(out.u.size()),
-                                             bits(float(out.least_error_scale))};
+                                             bits(plane.offset)};
         out.prims.insert(out.prims.end(), record, record + PRIM_WORDS);
         out.prim_object.push_back(FlatScene::NO_OBJECT);
         out.triangles.insert(out.triangles.end(), {t.v[0], t.v[1], t.v[2]});

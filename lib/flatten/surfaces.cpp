@@ -59,7 +59,7 @@ private:
         if (modifiers_ && modifiers_->is_clear(o.modifier)) kind |= PRIM_CLEAR;
         const uint32_t mod = modifiers_ ? modifiers_->record[o.modifier] : NONE;
         const uint32_t n[3] = {bits(float(normal.x)), bits(float(normal.y)), bits(float(normal.z))};
-        const uint32_t record[PRIM_WORDS] = {kind, mod, NONE, n[0], n[1], n[2], 0, bits(float(out_.least_error_scale))};
+        const uint32_t record[PRIM_WORDS] = {kind, mod, NONE, n[0], n[1], n[2], 0, 0};
         out_.prims.insert(out_.prims.end(), record, record + PRIM_WORDS);
         out_.prim_object.push_back(lights_ ? index_of(o) : FlatScene::NO_OBJECT);
         tagged = id;
@@ -75,8 +75,9 @@ private:
         out_.shape_prim.push_back(tagged);
         return prim;
     }
-    void set_extent(uint32_t prim, double size) {
-        out_.prims[PRIM_WORDS * prim + PRIM_EXTENT] = bits(float(std::max(size, out_.least_error_scale)));
+    void set_extent(uint32_t prim, double size, float offset = 0) {
+        out_.prims[PRIM_WORDS * prim + PRIM_KIND] |= extent_bits(size);
+        if (offset != 0) out_.prims[PRIM_WORDS * prim + PRIM_OFFSET] = bits(offset);
     }
 
     uint32_t add_shape(uint32_t kind, std::initializer_list<double> values) {
@@ -130,47 +131,53 @@ private:
         if (p.area == 0) return ignore(o, "polygon of zero area");
         uint32_t tagged;
         const uint32_t prim = add_prim(o, PRIM_FLAT | PRIM_TEXTURE_FLAT, p.normal, tagged);
-        if (p.is_triangles()) add_triangles(p, tagged);
-        else add_outline(p, tagged);
-        note_emitter(o, prim);
-
         Vec3 mid;
         double radius = 0;
         for (const Vec3& v : p.corners) mid = mid + v * (1.0 / double(p.corners.size()));
         for (const Vec3& v : p.corners) radius = std::max(radius, length(v - mid));
-        set_extent(prim, 2 * radius);
+        const bool triangles = p.is_triangles();
+        std::vector<Vec3> corners = p.corners;
+        for (Vec3& v : corners) v = v - centre_;
+        if (triangles) {
+            const Plane plane(p.normal, corners.data(), corners.size());
+            set_extent(prim, plane.extent_of_triangles(corners.data(), corners.size()), plane.offset);
+            add_triangles(corners, tagged);
+        } else {
+            set_extent(prim, 2 * radius, float(p.offset(centre_)));
+            add_outline(p, corners, 2.4e-7 * (3 * radius + length(mid - centre_)), tagged);
+        }
+        note_emitter(o, prim);
         note_relay(o, prim, p.normal, mid, p.corners);
         if (lights_ && modifiers_->passes[o.modifier] && out_.panes.size() < MOST_PANES)
             out_.panes.push_back({p.corners[0], p.corners[1] - p.corners[0], p.normal, p.area, p.corners});
     }
 
-    void add_triangles(const Polygon& p, uint32_t tagged) {
+    // corners: relative to the centre
+    void add_triangles(const std::vector<Vec3>& corners, uint32_t tagged) {
         const uint32_t first = uint32_t(out_.vertices.size() / 3 - first_vertex_);
-        for (const Vec3& v : p.corners) {
-            const Vec3 q = v - centre_;
-            out_.vertices.insert(out_.vertices.end(), {float(q.x), float(q.y), float(q.z)});
-        }
-        for (uint32_t i = 1; i + 1 < p.corners.size(); i++) {
+        for (const Vec3& q : corners) out_.vertices.insert(out_.vertices.end(), {float(q.x), float(q.y), float(q.z)});
+        for (uint32_t i = 1; i + 1 < corners.size(); i++) {
             out_.triangles.insert(out_.triangles.end(), {first, first + i, first + i + 1});
             out_.tri_prim.push_back(tagged);
         }
     }
 
     // The corners projected to the coordinate plane that the polygon faces most.
-    void add_outline(const Polygon& p, uint32_t tagged) {
+    void add_outline(const Polygon& p, const std::vector<Vec3>& corners, double margin, uint32_t tagged) {
         const Vec3 n = p.normal;
         const int drop = p.axis();
-        const uint32_t at = uint32_t(out_.polygon_uv.size()), count = uint32_t(p.corners.size());
+        const uint32_t at = uint32_t(out_.polygon_uv.size()), count = uint32_t(corners.size());
         for (int axis : {drop == 0 ? 1 : 0, drop == 2 ? 1 : 2}) {
             const size_t row = out_.polygon_uv.size();
-            out_.polygon_uv.push_back(float((p.corners.back() - centre_)[axis]));
-            for (const Vec3& v : p.corners) out_.polygon_uv.push_back(float((v - centre_)[axis]));
+            out_.polygon_uv.push_back(float(corners.back()[axis]));
+            for (const Vec3& v : corners) out_.polygon_uv.push_back(float(v[axis]));
             out_.polygon_uv.resize(row + POLYGON_ROW(count), NAN);
         }
         float* q = &out_.shapes[SHAPE_FLOATS * add_shape(SHAPE_POLYGON, {n.x, n.y, n.z, p.offset(centre_)})];
         q[POLYGON_AXIS] = from_bits(uint32_t(drop));
         q[POLYGON_FIRST] = from_bits(at);
         q[POLYGON_COUNT] = from_bits(count);
+        q[POLYGON_MARGIN] = float(margin);
         out_.shape_prim.push_back(tagged);
     }
 
@@ -202,7 +209,7 @@ private:
         const uint32_t shape =
             add_shape(SHAPE_CONE, {p0.x, p0.y, p0.z, axis.x / len, axis.y / len, axis.z / len, len, r0, r1});
         const uint32_t prim = add_curved_prim(o, PRIM_CONE | (inward ? PRIM_INWARD : 0u), shape);
-        set_extent(prim, 2 * std::max(r0, r1));
+        set_extent(prim, len + 2 * std::max(r0, r1));
         note_emitter(o, prim);
     }
 
@@ -218,7 +225,7 @@ private:
         const uint32_t prim = add_prim(o, PRIM_FLAT | PRIM_TEXTURE_FLAT, u, tagged);
         out_.shape_prim.push_back(tagged);
         note_emitter(o, prim);
-        set_extent(prim, 2 * r1);
+        set_extent(prim, 2 * r1, Plane(u, &c, 1).offset);
         const Vec3 mid = vec_at(r, 0), across = std::fabs(u.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
         const Vec3 a = unit(cross(u, across)) * r1, b = cross(u, a);
         note_relay(o, prim, u, mid, {mid - a - b, mid + a - b, mid + a + b, mid - a + b});
@@ -229,7 +236,7 @@ private:
     const Vec3 centre_;
     FlatScene& out_;
     Lights* lights_;
-    const std::vector<uint8_t> hidden_ = modifiers_ ? hidden_by_passing(*modifiers_) : std::vector<uint8_t>();
+    const std::vector<uint8_t> hidden_ = modifiers_ ? hidden_by_passing(*modifiers_, centre_) : std::vector<uint8_t>();
     const size_t first_vertex_ = out_.vertices.size() / 3;
 };
 

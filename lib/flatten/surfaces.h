@@ -38,7 +38,9 @@ struct Lights {
 };
 
 // All trees: the scene's own, with the places of its instances, then what these hold.
-void flatten_geometry(const Modifiers& modifiers, const Instances& instances, FlatScene& out, Lights& lights);
+// eye: for the origin of the tables (centre_of).
+void flatten_geometry(const Modifiers& modifiers, const Instances& instances, const base::Vec3* eye, FlatScene& out,
+                      Lights& lights);
 
 // The surfaces of one scene, its meshes and instances left out, as part of the current tree with the origin `centre`.
 // modifiers: null if those of an instance replace them all.  lights: null inside an instance, where nothing may be a
@@ -50,15 +52,26 @@ void flatten_surfaces(const scene::Scene& scene, const Modifiers* modifiers, bas
 void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std::vector<int32_t>& materials,
                   base::Vec3 centre, FlatScene& out);
 
-struct Box {
-    base::Vec3 lo{1e30, 1e30, 1e30}, hi{-1e30, -1e30, -1e30};
-};
 void grow(Box& box, base::Vec3 p);
-Box surface_bounds(const scene::Scene& scene);
-// Origin of tables: single precision would spoil positions far from it.
-base::Vec3 centre_of(const Box& box);
-// FlatScene::least_error_scale: a step of powers of two where models are small, as those in kilometres are.
-double least_reach_of(double radius);
+// Boxes of the surfaces of a scene, or of a mesh, a sample of them if they are many; `all` grows by each.
+constexpr size_t MOST_BOXES = 65536;
+std::vector<Box> surface_boxes(const scene::Scene& scene, Box& all);
+std::vector<Box> surface_boxes(const scene::Mesh& mesh, Box& all);
+
+// The length to which the rounding of a primitive is relative (kernels/bvh/offset_ray.h), as bits of PRIM_KIND: the
+// power of two above it.
+uint32_t extent_bits(double length);
+
+// The plane of a flat primitive as kernels have it.
+struct Plane {
+    // corners: relative to the centre
+    Plane(base::Vec3 normal, const base::Vec3* corners, size_t count);
+    // The length to which the rounding of the fan of triangles of these corners is relative.
+    double extent_of_triangles(const base::Vec3* corners, size_t count) const;
+
+    float offset;      // n.p
+    double deviation;  // of the corners
+};
 
 // Coordinates are floats in the end, and are squared: beyond this nothing can be said of a surface.
 constexpr double farthest = 1e18;

@@ -14,24 +14,25 @@
 #define PRIM_NORMAL 3u  // flat: 3 floats, unit; curved: shape index in word 3
 #define PRIM_VERTEX 6u  // PRIM_SMOOTH: index into u of three words, the corners' CORNER_FLOATS in f: normal, Lu, Lv
 #define CORNER_FLOATS 5u
-#define PRIM_EXTENT 7u  // size of the primitive (float): its hits are as inexact as rays of that length
+#define PRIM_OFFSET 7u  // flat: n.p of its plane (float)
 #define PRIM_FLAT 1u
 #define PRIM_SPHERE 2u
 #define PRIM_CONE 3u
 #define PRIM_SMOOTH 4u  // mesh triangle with normals and/or uv
 #define PRIM_KIND_MASK 15u
-#define PRIM_INWARD 16u          // bubble, cup, tube
-#define PRIM_TEXTURE_FLAT 32u    // polygon or ring ("flat flag")
-#define PRIM_CORNER_NORMALS 64u  // PRIM_SMOOTH: all three corners have normals
-#define PRIM_CLEAR 128u          // its modifier is of a transparent type, as RADIANCE has them (coincide.h)
+#define PRIM_INWARD 16u                 // bubble, cup, tube
+#define PRIM_TEXTURE_FLAT 32u           // polygon or ring ("flat flag")
+#define PRIM_CORNER_NORMALS 64u         // PRIM_SMOOTH: all three corners have normals
+#define PRIM_EXTENT_SHIFT 24u           // 8 bits: exponent of the length to which its rounding is relative
+#define SURFACE_ROUNDING 5.9604645e-7f  // rounding over that length and the coordinates: 10 * 2^-24 (offset_ray.h)
+#define PRIM_CLEAR 128u                 // its modifier is of a transparent type, as RADIANCE has them (coincide.h)
 #define NONE 0xffffffffu
 
 // ---- instances: records of SHAPE_FLOATS floats in SceneTables.shapes, after all shapes; Hit.inst is the number of one
-#define INST_SHAPE 0u         // its SHAPE_INSTANCE (word): the matrix to the tree's coordinates
-#define INST_FRAME 1u         // 12: matrix to the coordinates that functions of the modifiers see
-#define INST_MOD 13u          // modifier in place of all those inside (word), NONE = their own
-#define INST_SCALE 14u        // a world length in the coordinates of INST_FRAME
-#define INST_ERROR_SCALE 15u  // radius of the tree in the world: hits inside are as inexact as rays of that length
+#define INST_SHAPE 0u   // its SHAPE_INSTANCE (word): the matrix to the tree's coordinates
+#define INST_FRAME 1u   // 12: matrix to the coordinates that functions of the modifiers see
+#define INST_MOD 13u    // modifier in place of all those inside (word), NONE = their own
+#define INST_SCALE 14u  // a world length in the coordinates of INST_FRAME
 
 // ---- modifiers: MOD_WORDS words each at u[Params.mods_at]
 #define MOD_WORDS 8u

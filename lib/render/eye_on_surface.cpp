@@ -10,9 +10,8 @@ namespace render {
 bool eye_on_surface(const flatten::FlatScene& flat, const flatten::HostTracer& tracer, base::Vec3 eye) {
     using base::Vec3;
     const Vec3 p = eye - flat.centre;
-    const double size =
-        std::max(flat.least_error_scale, flat.radius) + std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z);
-    const double far = std::ldexp(size, -18);  // well above surface_rounding(), the rounding of both
+    const double size = flat.radius + std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z);
+    const double far = std::ldexp(size, -18);  // well above Surface.rounding
     for (int k = 0; k < 27; k++) {
         const Vec3 d{k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0};
         if (length(d) == 0) continue;

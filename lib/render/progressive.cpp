@@ -169,9 +169,9 @@ Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, in
     select_view({view, nx, ny}, options);
 }
 
-bool needs_load(const RenderOptions& a, const RenderOptions& b) {
-    return a.dr != b.dr || a.bv != b.bv || a.any_reflectance != b.any_reflectance ||
-           (a.sampling == Sampling::plain) != (b.sampling == Sampling::plain);
+bool Renderer::is_near(const RenderView& v) const {
+    const flatten::FlatScene& flat = *state_->flat;
+    return flatten::centre_of(flat.boxes, &v.view.vp) == flat.centre;
 }
 
 void Renderer::load(const scene::Scene& scene, RenderOptions o, const scene::ReadOptions& files) {

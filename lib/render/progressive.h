@@ -20,9 +20,6 @@ struct RenderView {
     Focus focus = {};
 };
 
-// Returns true if a change of options changes the scene's tables.
-bool needs_load(const RenderOptions& before, const RenderOptions& after);
-
 // Throws Error (system) if this machine cannot hold its frames.
 void require_memory(const RenderView& v);
 
@@ -37,8 +34,11 @@ public:
     // Flattens the scene and uploads it; call select_view() next.  Throws Error (unsupported input with file:line), and
     // keeps the previous scene.
     void load(const scene::Scene& scene, RenderOptions options, const scene::ReadOptions& files);
-    // Selects the view and options of the calls below; the options must equal those of load() as far as needs_load()
-    // compares them.
+    // Returns false if the scene must be loaded again, with options.eye = the view's, for the view's frames not to
+    // depend on earlier views: its eye is far from the origin of the tables.
+    bool is_near(const RenderView& v) const;
+    // Selects the view and options of the calls below; the options must equal those of load() in what changes
+    // the scene's tables.
     void select_view(const RenderView& v, const RenderOptions& options);
     // While *asked is true, the current frame is discarded: frames() and moments() return early, and continue when
     // called again.

@@ -18,6 +18,11 @@ constexpr double reuse_equivalent_spp = 8;  // samples
 constexpr uint32_t first_place = 5u << 29;  // first number of the samples of run_places, which no frame uses
 }  // namespace
 
+bool allows_path_reuse(const Params& par) {
+    const bool mist = par.medium.x > 0 || par.medium.y > 0 || par.medium.z > 0;
+    return par.ab > 0 && par.lr <= 0 && par.least_lobe_prob == 0 && (par.flags & PF_ANTIMATTER) == 0 && !mist;
+}
+
 uint32_t Samples::Several::first_of(uint64_t pixel) const {
     uint32_t low = 0, high = uint32_t(count());
     while (low < high) {

@@ -14,6 +14,10 @@ struct Pass {
     uint32_t n, first_pixel, pixels;
 };
 
+// The radiance of a suffix vertex must not depend on the path that found it: on the media and antimatter crossed, or on
+// the ray weight that -lw limits.
+bool allows_path_reuse(const kernels::Params& par);
+
 class Samples {
 public:
     // Replaces the pixels with several samples by those of a focus.

@@ -35,8 +35,21 @@ Setup preview_of(Setup setup) {
 Session::Session(std::unique_ptr<Renderer> renderer, std::vector<std::string> files)
     : renderer_(std::move(renderer)), files_(std::move(files)) {}
 
+// Returns true if a change of options changes the scene's tables.
+static bool needs_load(const RenderOptions& a, const RenderOptions& b) {
+    return a.dr != b.dr || a.bv != b.bv || a.any_reflectance != b.any_reflectance ||
+           (a.sampling == Sampling::plain) != (b.sampling == Sampling::plain);
+}
+
+// Options of a load.
+static RenderOptions with_eye(const Setup& setup) {
+    RenderOptions options = setup.options;
+    options.eye = setup.view.view.vp;
+    return options;
+}
+
 void Session::load(scene::Scene scene, const std::string& sky, const Setup& setup, bool keep) {
-    renderer_->load(scene, setup.options, setup.reading);
+    renderer_->load(scene, with_eye(setup), setup.reading);
     history_ = scene.history;
     sky_ = sky;
     scene_ = keep ? std::move(scene) : scene::Scene();
@@ -46,6 +59,7 @@ void Session::load(scene::Scene scene, const std::string& sky, const Setup& setu
 }
 
 void Session::select(const Setup& setup) {
+    if (!renderer_->is_near(setup.view)) renderer_->load(scene_, with_eye(setup), budget_anew(setup.reading));
     renderer_->select_view(setup.view, setup.options);
     setup_ = setup;
 }
@@ -70,11 +84,11 @@ bool Session::edit(const Setup& next, bool read) {
     const scene::ReadOptions how = budget_anew(next.reading);
     if (read) {
         scene::Scene scene = read_again(how);
-        renderer_->load(scene, next.options, how);
+        renderer_->load(scene, with_eye(next), how);
         history_ = scene.history;
         scene_ = std::move(scene);
     } else if (needs_load(setup_.options, next.options) || setup_.reading.cal_files != next.reading.cal_files) {
-        renderer_->load(scene_, next.options, how);
+        renderer_->load(scene_, with_eye(next), how);
     }
     select(next);
     return renderer_->fingerprint() != before;

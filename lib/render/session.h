@@ -25,7 +25,7 @@ class Session {
 public:
     // files: those of the scene, as edits may have read them again.
     Session(std::unique_ptr<Renderer> renderer, std::vector<std::string> files);
-    // Reads the scene from these files, with that sky (a file; empty: none).  keep: edits may follow.
+    // Reads the scene from these files, with that sky (a file; empty: none).  keep: edits or other views may follow.
     void load(scene::Scene scene, const std::string& sky, const Setup& setup, bool keep);
     // Selects the view of the calls below.
     void select(const Setup& setup);

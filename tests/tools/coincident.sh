@@ -31,6 +31,9 @@ check 'a ground in the plane of a floor' '
     grep -q "^ptrace: warning: s.rad:6: one pair of large faces with different modifiers $pair -*[0-2]" said'
 check 'no word where each is seen from its own side, as of a house on its ground' '
     { square floor 0 0 3 0 down; square ground 0 0 20 0; } | silent'
+check 'which of two of one name' '
+    { square floor 0 0 3 0; echo "void plastic floor 0 0 5 .5 .5 .5 0 0"; square floor 0 0 20 0; } | render > said
+    grep -q "first \"floor\" (s.rad:3) and \"floor\" (s.rad:6) about" said'
 check 'three of them' '
     { square floor 0 0 3 0; square floor 8 0 3 0; square floor 0 8 3 0; square ground 0 0 20 0; } | render > said
     test $(wc -l < said) = 1

@@ -65,7 +65,7 @@ inline void brute_part(const bvh_scenes::Scene& s, size_t part, const Ray& ray, 
         if (as_uint_(q[SHAPE_KIND]) == SHAPE_INSTANCE) {
             WoopRay local;
             const float* matrix = q + INSTANCE_MATRIX;
-            woop_prepare(affine_point(matrix, ray.org), affine_vector(matrix, ray.dir), &local);
+            woop_prepare(instance_point(matrix, ray.org), affine_vector(matrix, ray.dir), &local);
             const uint forced = as_uint_(q[INSTANCE_CLASS]);
             if (forced == 0 || (mask & forced))
                 brute_part(s, as_uint_(q[INSTANCE_TREE]), ray, local, forced ? RAY_ALL : mask,

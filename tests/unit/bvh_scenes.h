@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scenes and rays for the tests and the measurement of traversal, made from a seed.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -124,6 +125,9 @@ struct Scene {
         q[5] = word(axis);
         q[6] = word(uint32_t(polygon_uv.size()));
         q[7] = word(uint32_t(p.size()));
+        double size = 0;
+        for (Vec v : p) size = std::max({size, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+        q[8] = float(5e-7 * size);
         for (const auto coordinate : {axis == 0 ? &Vec::y : &Vec::x, axis == 2 ? &Vec::y : &Vec::z}) {
             const size_t row = polygon_uv.size();
             polygon_uv.push_back(float(p.back().*coordinate));
@@ -136,12 +140,8 @@ struct Scene {
         float* q = shape(5, 0);
         const double m[3] = {move.x, move.y, move.z};
         for (int i = 0; i < 3; i++) {
-            double d = 0;
-            for (int j = 0; j < 3; j++) {
-                q[1 + 4 * i + j] = float(rows[3 * j + i] / scale);
-                d -= rows[3 * j + i] / scale * m[j];
-            }
-            q[4 + 4 * i] = float(d);
+            for (int j = 0; j < 3; j++) q[1 + 4 * i + j] = float(rows[3 * j + i] / scale);
+            q[4 + 4 * i] = float(m[i]);
         }
         q[13] = word(tree);
         q[14] = word(number);

@@ -88,8 +88,10 @@ struct EmbreeScene::State {
         Input in;
         in.shapes = tree.state->shapes;
         in.polygon_uv = tree.state->polygon_uv;
+        const float* q = in.shapes + SHAPE_FLOATS * size_t(tree.shape_of[a->primID]);
         Bounds b = bvh::shape_bounds(in, tree.shape_of[a->primID]);
-        const auto margin = [](float x) { return std::fabs(x) * 2.4e-7f + 2e-6f; };
+        const float least = 2e-6f + (as_uint_(q[SHAPE_KIND]) == SHAPE_POLYGON ? 2 * q[POLYGON_MARGIN] : 0);
+        const auto margin = [&](float x) { return std::fabs(x) * 2.4e-7f + least; };
         for (int k = 0; k < 3; k++) {
             b.lo[k] -= margin(b.lo[k]);
             b.hi[k] += margin(b.hi[k]);

@@ -171,7 +171,7 @@ int render_all(Options options) {
             run.session.emplace(start(only_rule ? "cpu" : opt.device), opt.scene_files);
             if (is_live(opt)) run.session->renderer().cancel_when(&run.control.edit_waits());
         }
-        run.session->load(std::move(scene), sky, setup, is_live(opt));
+        run.session->load(std::move(scene), sky, setup, is_live(opt) || opt.views.size() > 1);
         if (!opt.rule_for.empty() && last) write_rule(opt);
         if (only_rule) continue;
         if (opt.output.empty() && !opt.one_picture && base::stdout_is_file() && &sky == &skies.front())

@@ -41,13 +41,14 @@
 #define POLYGON_AXIS 5u    // the dropped axis (word)
 #define POLYGON_FIRST 6u   // its first row in polygon_uv (word)
 #define POLYGON_COUNT 7u   // the number of its corners (word)
+#define POLYGON_MARGIN 8u  // points this near to an edge are inside
 
 // Floats of a row.
 #define POLYGON_ROW(count) (((count) + 7u) / 8u * 8u + 1u)
 
 // an instance of tree k of the BVH; only tree 0 may hold instances
 #define SHAPE_INSTANCE 5u
-#define INSTANCE_MATRIX 1u   // 12: local from world, three rows of four
+#define INSTANCE_MATRIX 1u   // 12: local from world, three rows of four (instance_point)
 #define INSTANCE_TREE 13u    // k >= 1 (word)
 #define INSTANCE_NUMBER 14u  // for Hit.inst (word)
 #define INSTANCE_CLASS 15u   // RAY_* of all its surfaces, and INSTANCE_CLEAR; 0: their own (word)

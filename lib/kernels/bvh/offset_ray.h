@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Origin of a new ray, offset so that the ray does not hit the surface that it leaves.  After Waechter and Binder 2019
-// ("A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, chapter 6): moves along the geometric
-// normal by a fixed number of units in the last place of the position, axis by axis.  The rounding of a hit point also
-// grows with the ray's length, hence `error_scale`.  Limit: distances to a triangle of hundreds of metres are exact to
-// some 1e-7 of its size only, so `error_scale` includes the size of the surface (surface.h) and a least value
-// (FlatScene::least_error_scale), which near the origin is 2^-16 m in a room.  With the ray's length alone 0.1 % of the
-// rays that leave a ground of 2 km hit it again.
+// Origin of a new ray, far enough from the surface that it leaves for the ray not to hit it.  After Pharr, Jakob and
+// Humphreys, "Physically Based Rendering", "Managing Rounding Error": surface_at() moves the hit onto the surface
+// again, so that the length of the ray that found it has no part in its error, and bounds how far from the surface as
+// traversal sees it the point may be, along the normal.  With u = 2^-24, E the size of the primitive (prim_extent) and
+// S = |nx px| + |ny py| + |nz pz|:
+//   4 u S  the moved point: a dot product of three terms, and a sum
+//   1 u S  the origin of the ray: p + n d
+//   4 u S  the distance that traversal computes from plane equations; vertices and offsets are rounded, too
+//   10 u E the normal, the corners, the traversal of triangles (in coordinates relative to the origin) and of quadrics
+// The sum is below 10 u (E + S), SURFACE_ROUNDING of tables.h.  In an instance, S also holds the same sum over its
+// matrix (surface.h).
 #ifndef LUX_OFFSET_RAY_H
 #define LUX_OFFSET_RAY_H
 
-#define OFFSET_SHARE 3.0517578e-5f  // 2^-15: 256 ulp
+// p: hit point; n: unit geometric normal on the side of the new ray; distance: Surface.rounding.
+FN float3 offset_ray(float3 p, float3 n, float distance) { return madd3(n, distance, p); }
 
-FN float offset_axis(float p, float n, float least) {
-    float d = fabs_(p) * OFFSET_SHARE;
-    return p + n * (d > least ? d : least);
-}
-
-// p: hit point; n: unit geometric normal on the side of the new ray; error_scale: Surface.error_scale.
-FN float3 offset_ray(float3 p, float3 n, float error_scale) {
-    float least = error_scale * (0.03125f * OFFSET_SHARE);
-    return F3(offset_axis(p.x, n.x, least), offset_axis(p.y, n.y, least), offset_axis(p.z, n.z, least));
-}
-
-// End of a shadow ray to a point at distance d, just before the surface there.
-FN float shadow_end(float d) { return d * (1.0f - OFFSET_SHARE); }
+// End of a shadow ray to a point at distance d, just before it.
+#define SHADOW_SHARE 9.5367432e-7f  // 2^-20
+FN float shadow_end(float d) { return d * (1.0f - SHADOW_SHARE); }
 #endif

@@ -15,8 +15,6 @@ STRUCT(WoopRay) {
     float sx, sy, sz;  // shear
 };
 
-FN float axis3(float3 v, uint k) { return k == 0u ? v.x : k == 1u ? v.y : v.z; }
-
 // Slabs parallel to the ray: a large finite slope, because 0 times infinity is not a number.
 FN float slab_inverse(float d) { return fabs_(d) > 1e-18f ? 1.0f / d : d < 0.0f ? -1e18f : 1e18f; }
 
@@ -127,7 +125,7 @@ FN int enter_instance(GLOBAL const float* instance, PRIVATE(const Ray) ray, uint
     uint forced = as_uint_(instance[INSTANCE_CLASS]);
     if (forced != 0u && (mask & forced) == 0u) return 0;
     GLOBAL const float* matrix = instance + INSTANCE_MATRIX;
-    woop_prepare(affine_point(matrix, ray->org), affine_vector(matrix, ray->dir), &way->r);
+    woop_prepare(instance_point(matrix, ray->org), affine_vector(matrix, ray->dir), &way->r);
     way->inst = as_uint_(instance[INSTANCE_NUMBER]);
     way->mask = forced == 0u ? mask : RAY_ALL;
     *root = ROOT_OF_TREE(as_uint_(instance[INSTANCE_TREE]));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ray against the analytic shapes of intersect.h: sphere, open cone or cylinder, ring, polygon with holes.
 // Shared by bvh8.h, bvh_compact.h and Embree's callbacks (tests/unit).  dir need not be unit (instances).
-// Equation: implicit surface along o + t d, solved about the point of the ray nearest the shape's centre, so that a
-// distant eye costs no digits.  Edges belong to the shape; flat shapes ignore rays with |cos| <= 1e-6, as RADIANCE.
+// Equation: implicit surface along o + t d, solved about the point of the ray nearest the shape's centre or axis, so
+// that a distant eye costs no digits.  Edges belong to the shape; flat shapes ignore rays with |cos| <= 1e-6, as
+// RADIANCE.
 #ifndef LUX_SHAPES_H
 #define LUX_SHAPES_H
 
@@ -53,12 +54,16 @@ FN int cone_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, P
     float3 p0 = f3_at(shape + CONE_START), axis = f3_at(shape + CONE_AXIS);
     float len = shape[CONE_LENGTH], r0 = shape[CONE_RADIUS0];
     float k = (shape[CONE_RADIUS1] - r0) / len;
-    float ts = dot3(sub3(madd3(axis, 0.5f * len, p0), org), dir) / dot3(dir, dir);
-    float3 w = sub3(madd3(dir, ts, org), p0);
-    float wa = dot3(w, axis), da = dot3(dir, axis);
-    float r = r0 + k * wa, t0 = 0.0f, t1 = 0.0f, h;
-    float3 wp = sub3(w, scale3(axis, wa)), dp = sub3(dir, scale3(axis, da));
-    float a = dot3(dp, dp) - k * k * da * da, b = dot3(wp, dp) - k * da * r, c = dot3(wp, wp) - r * r;
+    float dd = dot3(dir, dir), da = dot3(dir, axis), t0 = 0.0f, t1 = 0.0f, h;
+    float3 oc = sub3(org, p0), dp = sub3(dir, scale3(axis, da));
+    float pp = dot3(dp, dp);
+    float ts = dot3(sub3(scale3(axis, 0.5f * len), oc), dir) / dd;
+    if (pp > 1e-3f * dd) ts = -dot3(sub3(oc, scale3(axis, dot3(oc, axis))), dp) / pp;
+    float3 w = madd3(dir, ts, oc);
+    float wa = dot3(w, axis);
+    float r = r0 + k * wa;
+    float3 wp = sub3(w, scale3(axis, wa));
+    float a = pp - k * k * da * da, b = dot3(wp, dp) - k * da * r, c = dot3(wp, wp) - r * r;
     if (quadratic(a, b, c, &t0, &t1) == 0) return 0;
     h = wa + t0 * da;
     *t = ts + t0;
@@ -79,14 +84,10 @@ FN int ring_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, P
     return d2 >= shape[RING_INNER] * shape[RING_INNER] && d2 <= shape[RING_OUTER] * shape[RING_OUTER];
 }
 
-// Even-odd rule in the plane of two coordinates; a point within 1e-6 (and the rounding of its coordinates) of an edge
-// is inside.  Loops joined by seams (holes) need nothing special: a seam is crossed twice.  us: the polygon's corners
-// (POLYGON_ROW).
-FN float polygon_margin(float u, float v) { return 1e-6f + 2.4e-7f * (fabs_(u) + fabs_(v)); }
-
-FN int polygon_inside(GLOBAL const float* us, uint count, float u, float v) {
+// Even-odd rule in the plane of two coordinates; a point within eps of an edge is inside.  Loops joined by seams
+// (holes) need nothing special: a seam is crossed twice.  us: the polygon's corners (POLYGON_ROW).
+FN int polygon_inside(GLOBAL const float* us, uint count, float u, float v, float eps) {
     GLOBAL const float* vs = us + POLYGON_ROW(count);
-    float eps = polygon_margin(u, v);
     int odd = 0;
 
     for (uint i = 0u; i < count; i++) {
@@ -110,9 +111,8 @@ FN int polygon_inside(GLOBAL const float* us, uint count, float u, float v) {
 
 #if WIDE_WORDS
 // The same, eight edges at once: the padding of the rows is NaN, and no edge with a NaN is crossed or near.
-FN int polygon_inside8(GLOBAL const float* us, uint count, float u, float v) {
+FN int polygon_inside8(GLOBAL const float* us, uint count, float u, float v, float eps) {
     GLOBAL const float* vs = us + POLYGON_ROW(count);
-    float eps = polygon_margin(u, v);
     v8f none = splat8_(0.0f), all = splat8_(1.0f);
     int odd = 0;
 
@@ -150,7 +150,7 @@ FN int polygon_hit(GLOBAL const float* shape, GLOBAL const float* uv, float3 org
     if (!(*t > tmin)) return 0;
     p = madd3(dir, *t, org);
     return polygon_inside8(uv + as_uint_(shape[POLYGON_FIRST]), as_uint_(shape[POLYGON_COUNT]), axis == 0u ? p.y : p.x,
-                           axis == 2u ? p.y : p.z);
+                           axis == 2u ? p.y : p.z, shape[POLYGON_MARGIN]);
 }
 
 // First t > tmin at which the ray hits the shape; 0 if it does not.

@@ -14,7 +14,7 @@ STRUCT(Surface) {
     float3 color_before, pert_before;  // without the material's own chain: state in which an alternate starts
     float u, vv;                       // mesh coordinates Lu, Lv
     float length;                      // of the ray that hit
-    float error_scale;                 // length that sets the rounding of p: the ray's or the primitive's
+    float rounding;                    // p is as near to the surface as this, along the normal (offset_ray.h)
     float path_length;                 // path length from the eye
     uint prim, mod;                    // primitive; its modifier, after find_material() the material's
     uint type;                         // material type
@@ -35,15 +35,23 @@ FN int drawn_flat(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {
 // Returns 1 if a texture or mesh smoothing has turned the normal by more than RADIANCE's threshold.
 FN int is_textured(PRIVATE(const Surface) g) { return dot3(g->pert, g->pert) > 1e-12f; }
 
-// Outward normal of a sphere or cone at the point p.
-FN float3 shape_normal(TABLES(const SceneTables) s, uint kind, uint number, float3 p) {
+// Outward normal of a sphere or cone at the point *p, which moves onto it.
+FN float3 shape_normal(TABLES(const SceneTables) s, uint kind, uint number, PRIVATE(float3) p) {
     GLOBAL const float* shape = shape_record(s, number);
-    if (kind == PRIM_SPHERE) return unit3(sub3(p, f3_at(shape + SPHERE_CENTRE)));
+    if (kind == PRIM_SPHERE) {
+        float3 centre = f3_at(shape + SPHERE_CENTRE);
+        float3 n = unit3(sub3(*p, centre));
+        *p = madd3(n, shape[SPHERE_RADIUS], centre);
+        return n;
+    }
 
     // cone: perpendicular to the slanted side, away from the axis
-    float3 axis = f3_at(shape + CONE_AXIS), r = sub3(p, f3_at(shape + CONE_START));
-    float3 radial = unit3(sub3(r, scale3(axis, dot3(r, axis))));
+    float3 axis = f3_at(shape + CONE_AXIS), r = sub3(*p, f3_at(shape + CONE_START));
     float length = shape[CONE_LENGTH], slope = shape[CONE_RADIUS0] - shape[CONE_RADIUS1];
+    float along = dot3(r, axis);
+    float3 across = sub3(r, scale3(axis, along));
+    float3 radial = unit3(across);
+    *p = madd3(radial, shape[CONE_RADIUS0] - slope * (along / length) - dot3(across, radial), *p);
     float side = sqrt_(length * length + slope * slope);
     return unit3(add3(scale3(radial, length / side), scale3(axis, slope / side)));
 }
@@ -66,26 +74,38 @@ FN void mesh_corners(TABLES(const SceneTables) s, GLOBAL const uint* prim, PRIVA
     g->smooth = 1;
 }
 
-// Normal at the point `at`, in the primitive's coordinates; for a sphere also the exact position.  matrix: from world
-// to these coordinates, 0 outside instances.
-FN void surface_shape(TABLES(const SceneTables) s, GLOBAL const uint* prim, float3 at, GLOBAL const float* matrix,
-                      PRIVATE(Surface) g) {
+// Normal at the point *at, in the primitive's coordinates.  *at moves onto the surface.
+FN float3 surface_shape(TABLES(const SceneTables) s, GLOBAL const uint* prim, PRIVATE(float3) at) {
     uint kind = prim[PRIM_KIND] & PRIM_KIND_MASK;
     if (kind != PRIM_SPHERE && kind != PRIM_CONE) {
-        g->nface = f3_bits(prim + PRIM_NORMAL);
-        return;
+        float3 n = f3_bits(prim + PRIM_NORMAL);
+        *at = madd3(n, as_float_(prim[PRIM_OFFSET]) - dot3(n, *at), *at);
+        return n;
     }
-
     float3 n = shape_normal(s, kind, prim[PRIM_NORMAL], at);
-    g->nface = (prim[PRIM_KIND] & PRIM_INWARD) != 0u ? neg3(n) : n;
-    if (kind != PRIM_SPHERE) return;
-
-    // move the point onto the surface: far from it single precision drifts
-    GLOBAL const float* sphere = shape_record(s, prim[PRIM_NORMAL]);
-    float3 on = madd3(n, sphere[SPHERE_RADIUS], f3_at(sphere + SPHERE_CENTRE));
-    if (matrix == 0) g->p = on;
-    else g->p = madd3(affine_back(matrix, sub3(on, at)), 1.0f / affine_scale2(matrix), g->p);
+    return (prim[PRIM_KIND] & PRIM_INWARD) != 0u ? neg3(n) : n;
 }
+
+// The same in an instance: normal in the world; the surface's point moves, too, and *extent becomes the length in the
+// world to which the point's rounding is relative (offset_ray.h).
+FN float3 surface_in_instance(TABLES(const SceneTables) s, GLOBAL const uint* prim, GLOBAL const float* matrix,
+                              PRIVATE(Surface) g, PRIVATE(float) extent) {
+    float3 from = sub3(g->p, F3(matrix[3], matrix[7], matrix[11]));
+    float3 at = affine_vector(matrix, from);
+    float3 on = at;
+    float3 n = surface_shape(s, prim, &on);
+    float scale2 = affine_scale2(matrix), sum = *extent;
+    for (UNIFORM uint i = 0u; i < 3u; i++) {
+        GLOBAL const float* row = matrix + 4u * i;
+        sum += fabs_(axis3(n, i)) * (fabs_(row[0] * from.x) + fabs_(row[1] * from.y) + fabs_(row[2] * from.z));
+    }
+    *extent = sum / sqrt_(scale2);
+    g->p = madd3(affine_back(matrix, sub3(on, at)), 1.0f / scale2, g->p);
+    return n;
+}
+
+FN float prim_extent(GLOBAL const uint* prim) { return as_float_(prim[PRIM_KIND] >> PRIM_EXTENT_SHIFT << 23); }
+FN float sum_along(float3 n, float3 p) { return fabs_(n.x * p.x) + fabs_(n.y * p.y) + fabs_(n.z * p.z); }
 
 // A surface before its modifiers are evaluated.
 FN void surface_plain(uint prim, uint mod, uint inst, float length, PRIVATE(Surface) g) {
@@ -107,20 +127,18 @@ FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
     surface_plain(hit->prim, prim[PRIM_MOD], hit->inst, hit->t, g);
     g->p = madd3(ray->dir, hit->t, ray->org);
     g->v = neg3(ray->dir);
-    g->error_scale = MAX_(hit->t, as_float_(prim[PRIM_EXTENT]));
 
-    float3 at = g->p;  // the point in the coordinates of the primitive
+    float extent = prim_extent(prim);
     if (in_instance(hit->inst)) {
         GLOBAL const float* record = instance_record(s, hit->inst);
         matrix = instance_matrix(s, record);
-        at = affine_point(matrix, g->p);
         if (as_uint_(record[INST_MOD]) != NONE) g->mod = as_uint_(record[INST_MOD]);
-        // the matrix rounds by the size of the point, traversal by the size of the tree
-        g->error_scale = MAX_(MAX_(hit->t, record[INST_ERROR_SCALE]), fabs_(g->p.x) + fabs_(g->p.y) + fabs_(g->p.z));
+        g->nface = surface_in_instance(s, prim, matrix, g, &extent);
+    } else {
+        g->nface = surface_shape(s, prim, &g->p);
     }
 
     g->flat = drawn_flat(s, g);
-    surface_shape(s, prim, at, matrix, g);
     if ((prim[PRIM_KIND] & PRIM_KIND_MASK) == PRIM_SMOOTH) mesh_corners(s, prim, hit, g);
 
     if (matrix != 0) {  // mirrored instances keep their sides: the normal is mirrored with the geometry
@@ -133,22 +151,15 @@ FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
     g->front = dot3(g->nface, g->v) > 0.0f;
     g->ng = g->front ? g->nface : neg3(g->nface);
     g->n = g->ng;
+    g->rounding = SURFACE_ROUNDING * (extent + sum_along(g->ng, g->p));
 }
 
-// Surfaces within this distance along the normal may coincide: a quarter of the least offset of a ray that leaves the
-// surface (offset_ray.h).
-#define SURFACE_ROUNDING 2.3841858e-7f  // 2^-22
-FN float surface_rounding(PRIVATE(const Surface) g) {
-    return SURFACE_ROUNDING *
-           (g->error_scale + fabs_(g->ng.x * g->p.x) + fabs_(g->ng.y * g->p.y) + fabs_(g->ng.z * g->p.z));
-}
-
-// Returns 1 if the surface that a ray hits contains the ray's origin, within that distance.
+// Returns 1 if the surface that a ray hits contains the ray's origin, within the rounding of both.
 FN int holds_origin(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(const Hit) hit) {
     if (hit->prim == NO_HIT) return 0;
     Surface g;
     surface_at(s, ray, hit, &g);
-    return hit->t * fabs_(dot3(ray->dir, g.ng)) <= surface_rounding(&g);
+    return fabs_(dot3(sub3(g.p, ray->org), g.ng)) <= g.rounding;
 }
 
 // An orthonormal frame around n (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").

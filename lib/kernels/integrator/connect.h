@@ -136,7 +136,7 @@ FN int connection_panes(TABLES(const SceneTables) s, PARAMS(const Params) par, P
         *T = mul3(*T, lobes.through);
         *prob *= pane_prob(&lobes);
 
-        ray->org = offset_ray(g.p, neg3(g.ng), g.error_scale);
+        ray->org = offset_ray(g.p, neg3(g.ng), g.rounding);
         if (!IS_DISTANT(ray->tmax)) ray->tmax -= hit.t;
         if (ray->tmax <= 0.0f) return 1;
     }

@@ -59,7 +59,7 @@ FN int path_continue(PARAMS(const Params) par, TABLES(const Paths) paths, PRIVAT
     PRIVATE(const Surface) g = &vertex->g;
     uint path = vertex->path;
     int above = dot3(lobe->dir, g->ng) > 0.0f;
-    float3 from = offset_ray(bsdf_start(&vertex->lobes, g, above), above ? g->ng : neg3(g->ng), g->error_scale);
+    float3 from = offset_ray(bsdf_start(&vertex->lobes, g, above), above ? g->ng : neg3(g->ng), g->rounding);
     if (vertex->absorbs) {
         Medium there = lobe_reflects(lobe->type) ? vertex->arriving : vertex->medium_behind;
         set_path_medium(paths, path, &there);

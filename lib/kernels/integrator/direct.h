@@ -21,16 +21,18 @@ FN float3 direct_response(TABLES(const SceneTables) s, PARAMS(const Params) par,
 }
 
 // Stores the shadow ray, which adds `radiance` if it is unoccluded, and `far` to the suffix vertex.
-FN void direct_shadow_ray(PARAMS(const Params) par, TABLES(const Paths) paths, PRIVATE(const Vertex) vertex,
-                          uint source, PRIVATE(LightSample) light, float3 radiance, float3 far) {
+FN void direct_shadow_ray(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
+                          PRIVATE(const Vertex) vertex, uint source, PRIVATE(LightSample) light, float3 radiance,
+                          float3 far) {
     PRIVATE(const Surface) g = &vertex->g;
     uint path = vertex->path;
     int above = dot3(light->dir, g->ng) > 0.0f;
     float3 start = bsdf_start(&vertex->lobes, g, above);
-    float3 from = offset_ray(start, above ? g->ng : neg3(g->ng), g->error_scale);
+    float3 from = offset_ray(start, above ? g->ng : neg3(g->ng), g->rounding);
 
     if (!IS_DISTANT(light->dist)) {  // aimed again from its offset origin, or the source would shadow itself
         float3 to = sub3(scale3(light->dir, light->dist), sub3(from, start));
+        to = way_before_source(s, source_record(s, par, source), from, to);
         light->dist = length3(to);
         light->dir = scale3(to, 1.0f / MAX_(light->dist, 1e-9f));
     }
@@ -82,7 +84,7 @@ FN int path_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES
         response = sub3(response, even);
     }
     radiance = mul3(mul3(vertex->throughput, response), radiance);
-    direct_shadow_ray(par, paths, vertex, source, &light, radiance, far);
+    direct_shadow_ray(s, par, paths, vertex, source, &light, radiance, far);
     return PATH_SHADOW;
 }
 #endif

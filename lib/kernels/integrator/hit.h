@@ -80,7 +80,7 @@ FN void path_pass(TABLES(const Paths) paths, PRIVATE(Vertex) vertex) {
     vertex_store(paths, vertex, g->path_length);
     if (vertex->absorbs) set_path_medium(paths, path, &vertex->medium_behind);
     write4_(paths->throughput, path, pack4(vertex->throughput, vertex->weight));
-    write4_(paths->org, path, pack4(offset_ray(g->p, neg3(g->ng), g->error_scale), as_float_(vertex->clip_behind)));
+    write4_(paths->org, path, pack4(offset_ray(g->p, neg3(g->ng), g->rounding), as_float_(vertex->clip_behind)));
     write4_(paths->dir, path, pack4(vertex->ray.dir, left));
 }
 #endif

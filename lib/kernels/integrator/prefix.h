@@ -29,7 +29,7 @@ FN void path_record_prefix(TABLES(const Paths) paths, PRIVATE(Vertex) vertex, PR
 
     if (!is_prefix_vertex(vertex, lobe)) return;
     float rarity = lobe->total / MAX_(lobe->prob, 1e-30f);
-    write4_(paths->prefix_p, path, pack4(offset_ray(g->p, g->ng, g->error_scale), 0.0f));
+    write4_(paths->prefix_p, path, pack4(offset_ray(g->p, g->ng, g->rounding), 0.0f));
     write4_(paths->prefix_n, path, pack4(g->n, MAX_(lobe->weight, 0.0f)));
     write4_(paths->prefix_ng, path, pack4(g->ng, 0.0f));
     paths->mixture[path] = lobe->mixture;

@@ -54,6 +54,11 @@ FN int path_scatter(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLE
     if (max3(w) <= 0.0f) return 0;
 
     paths->shadow_org[vertex->path] = pack4(p, as_float_(source));
+    if (!IS_DISTANT(light.dist)) {
+        float3 way = way_before_source(s, source_record(s, par, source), p, scale3(light.dir, light.dist));
+        light.dist = length3(way);
+        light.dir = unit3(way);
+    }
     paths->shadow_dir[vertex->path] = pack4(light.dir, light.dist);
     paths->shadow_rad[vertex->path] = pack4(w, path_length);
     if (par->reuse_path_count != 0u) write4_(paths->shadow_suffix, vertex->path, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));

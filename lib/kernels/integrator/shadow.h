@@ -83,7 +83,7 @@ FN int shadow_covered(TABLES(const SceneTables) s, GLOBAL const float* src, PRIV
     Hit seen;
     Ray last = *ray;
     surface_at(s, ray, hit, &g);
-    last.tmin = MAX_(hit->t - surface_rounding(&g) / fabs_(dot3(ray->dir, g.ng)), 0.0f);
+    last.tmin = MAX_(hit->t - (g.rounding / fabs_(dot3(ray->dir, g.ng)) + SURFACE_ROUNDING * hit->t), 0.0f);
     trace_closest(s, &last, RAY_ALL, &seen);
     return seen.prim != hit->prim;
 }
@@ -152,7 +152,7 @@ FN float3 shadow_straight(TABLES(const SceneTables) s, PARAMS(const Params) par,
         if (at_source) return must_hit && !g.front ? black : shadow->T;
 
         shadow->medium = medium_behind;
-        ray->org = offset_ray(g.p, neg3(g.ng), g.error_scale);
+        ray->org = offset_ray(g.p, neg3(g.ng), g.rounding);
         if (IS_DISTANT(ray->tmax)) continue;
         ray->tmax -= hit.t;
         if (ray->tmax <= 0.0f) return must_hit ? black : shadow->T;
@@ -252,7 +252,7 @@ FN float3 shadow_aimed(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
         }
         shadow->medium = relayed && reflected ? here : medium_behind;
         if (reflected) shadow->clip = before;
-        ray->org = offset_ray(g.p, reflected ? g.ng : neg3(g.ng), g.error_scale);
+        ray->org = offset_ray(g.p, reflected ? g.ng : neg3(g.ng), g.rounding);
         ray->dir = next;
     }
     return black;

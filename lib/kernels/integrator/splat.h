@@ -19,6 +19,11 @@ FN void path_splat(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES
                                                       : f3_at(src + SRC_NORMAL);
     }
 
+    if (!IS_DISTANT(dist)) {
+        float3 way = way_before_source(s, src, org, scale3(dir, dist));
+        paths->shadow_dir[path] = pack4(unit3(way), length3(way));
+    }
+
     float3 e =
         light_radiance(s, par, as_uint_(src[SRC_MOD]), as_uint_(src[SRC_PRIM]), dir, point, normal, dist, dist, &rnd);
     paths->shadow_rad[path] = pack4(mul3(xyz4(paths->shadow_rad[path]), e), 0.0f);

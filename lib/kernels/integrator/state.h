@@ -29,7 +29,7 @@
     FIELD(float4, prefix_ng, PATH_REUSE)         /* geometric normal */                                              \
     FIELD(float4, prefix_throughput, PATH_REUSE) /* throughput without that, rgb; w: survival probability */         \
     FIELD(float4, suffix_p, PATH_REUSE)          /* suffix vertex: point or direction; w: SUFFIX_..*/                \
-    FIELD(float4, suffix_n, PATH_REUSE)          /* normal on the ray's side; w: error scale */                      \
+    FIELD(float4, suffix_n, PATH_REUSE)          /* normal on the ray's side; w: its rounding */                      \
     FIELD(float4, suffix_rad, PATH_REUSE)        /* outgoing radiance, rgb; w: path length as in rad */              \
     FIELD(float4, shadow_suffix, PATH_REUSE)     /* light of the shadow ray for it, rgb; w: 1, 0: none */            \
     FIELD(Transmittances, transmittance, PATH_REUSE) /* along the connections to the suffix vertex (connect.h) */    \

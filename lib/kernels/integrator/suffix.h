@@ -40,7 +40,7 @@ FN int scatters_evenly(PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
 FN void suffix_point(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex) {
     PRIVATE(const Surface) g = &vertex->g;
     write4_(paths->suffix_p, vertex->path, pack4(g->p, SUFFIX_POINT));
-    write4_(paths->suffix_n, vertex->path, pack4(g->ng, g->error_scale));
+    write4_(paths->suffix_n, vertex->path, pack4(g->ng, g->rounding));
 }
 
 // A path without a suffix vertex has hit a surface.

@@ -274,4 +274,16 @@ FN void sample_source(TABLES(const SceneTables) s, PARAMS(const Params) par, uin
     else sample_flat(s, par, src, kind, p, x, dj, light);
     if (!(light->w <= 0.0f)) source_limits(src, kind, p, light);
 }
+
+// The way from a point to a flat source, shortened for a shadow ray to end before it meets the source itself: by the
+// rounding (offset_ray.h) of the source and of the ray's length, along the source's normal.
+FN float3 way_before_source(TABLES(const SceneTables) s, GLOBAL const float* src, float3 from, float3 way) {
+    uint kind = as_uint_(src[SRC_KIND]);
+    if (as_uint_(src[SRC_VIRTUAL]) != NONE || (kind != SK_PARALLELOGRAM && kind != SK_POLYGON && kind != SK_RING))
+        return way;
+    float3 n = f3_at(src + SRC_NORMAL);
+    float extent = prim_extent(s->prims + PRIM_WORDS * as_uint_(src[SRC_PRIM]));
+    float distance = SURFACE_ROUNDING * (extent + sum_along(n, add3(from, way)) + length3(way));
+    return madd3(n, dot3(n, way) < 0.0f ? distance : -distance, way);
+}
 #endif

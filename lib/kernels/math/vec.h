@@ -8,6 +8,7 @@ FN float3 add3(float3 a, float3 b) { return F3(a.x + b.x, a.y + b.y, a.z + b.z);
 FN float3 sub3(float3 a, float3 b) { return F3(a.x - b.x, a.y - b.y, a.z - b.z); }
 FN float3 mul3(float3 a, float3 b) { return F3(a.x * b.x, a.y * b.y, a.z * b.z); }
 FN float3 scale3(float3 a, float s) { return F3(a.x * s, a.y * s, a.z * s); }
+FN float axis3(float3 v, uint k) { return k == 0u ? v.x : k == 1u ? v.y : v.z; }
 FN float3 neg3(float3 a) { return F3(-a.x, -a.y, -a.z); }
 FN float3 madd3(float3 a, float s, float3 b) { return F3(a.x * s + b.x, a.y * s + b.y, a.z * s + b.z); }
 FN float dot3(float3 a, float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -48,6 +49,11 @@ FN float3 affine_point(GLOBAL const float* rows, float3 p) {
     return F3(rows[0] * p.x + rows[1] * p.y + rows[2] * p.z + rows[3],
               rows[4] * p.x + rows[5] * p.y + rows[6] * p.z + rows[7],
               rows[8] * p.x + rows[9] * p.y + rows[10] * p.z + rows[11]);
+}
+
+// The same for a matrix whose fourth column is the point that goes to 0: near it, coordinates lose no digits.
+FN float3 instance_point(GLOBAL const float* rows, float3 p) {
+    return affine_vector(rows, sub3(p, F3(rows[3], rows[7], rows[11])));
 }
 
 // The transposed linear part: of a similarity of scale k it is k^2 times the inverse.

@@ -172,9 +172,11 @@ def parse_arguments():
     parser.add_argument("--coincident", action="store_true", help="surfaces in one place with others")
     parser.add_argument("--resting", action="store_true", help="eyes on surfaces")
     parser.add_argument("--scale", type=float, default=1, help="of ptrace's model, which rtrace sees at 1")
+    parser.add_argument("--move", type=float, nargs=3, default=(0, 0, 0), help="of ptrace's model, likewise")
+    parser.add_argument("--stray", action="store_true", help="a small polygon at the origin of ptrace's model")
     parser.add_argument("--out", default="out/compare-radiance")
     args = parser.parse_args()
-    tracers.scale = args.scale
+    tracers.scale, tracers.move, tracers.stray = args.scale, args.move, args.stray
     args.tracer, args.out = os.path.abspath(args.tracer), os.path.abspath(args.out)
     return args
 

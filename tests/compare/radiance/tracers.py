@@ -18,6 +18,7 @@ class Refused(Exception):
         self.who, self.why = who, why
 
 
+move, stray = (0, 0, 0), False  # of the model that ptrace sees; stray: with a small polygon at the origin
 scale = 1  # of the model that ptrace sees; rtrace's lengths of 1e-6 are not made for other units
 
 
@@ -72,14 +73,17 @@ def rtrace(folder, arguments, rays, repeats, octree="scene.oct"):
 
 def ptrace(tracer, folder, arguments, rays, fewest, most, least="0"):
     """least: of the chances of the ways on from a surface."""
-    text = "".join(ray_text([scale * v for v in ray[:3]] + list(ray[3:])) + "\n" for ray in rays)
-    with open(os.path.join(folder, "scaled.rad"), "w") as out:
-        out.write(f"!xform -s {scale} scene.rad\n")
+    origins = [[f"{scale * v + by:.17g}" for v, by in zip(ray, move)] for ray in rays]
+    text = "".join(" ".join(origin) + " " + ray_text(ray[3:]) + "\n" for origin, ray in zip(origins, rays))
+    with open(os.path.join(folder, "placed.rad"), "w") as out:
+        out.write(f"!xform -s {scale} -t {move[0]} {move[1]} {move[2]} scene.rad\n")
+        if stray:
+            out.write("void plastic stray 0 0 5 0 0 0 0 0\nstray polygon stray_p 0 0 9 0 0 0 .001 0 0 0 .001 0\n")
     words = arguments.split()
     for i in range(len(words)):
         if words[i] == "-me":
             words[i + 1:i + 4] = [f"{float(v) / scale:.9g}" for v in words[i + 1:i + 4]]
-    file = "scene.rad" if scale == 1 else "scaled.rad"
+    file = "scene.rad" if scale == 1 and not any(move) and not stray else "placed.rad"
     command = [tracer, str(fewest), str(most), file, EXACT + " " + " ".join(words), least]
     out = run("ptrace", command, folder, text, timeout(rays))
     results = []
