@@ -37,7 +37,8 @@ int start_child(const std::vector<std::string>& words, const ChildFiles& files, 
     if (files.in < 0) posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     else posix_spawn_file_actions_adddup2(&actions, files.in, 0);
     posix_spawn_file_actions_adddup2(&actions, files.out, 1);
-    if (files.quiet) posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
+    if (files.errors < 0) posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
+    else if (files.errors != 2) posix_spawn_file_actions_adddup2(&actions, files.errors, 2);
 
     std::vector<char*> argv;
     for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));

@@ -13,7 +13,7 @@ namespace base {
 struct ChildFiles {
     int in = -1;  // -1: an empty standard input
     int out = 1;
-    bool quiet = false;  // its standard error goes nowhere
+    int errors = 2;  // -1: nowhere
 };
 
 // Starts a program, found along PATH, with the ordinary signals; errno, 0 if it runs.  group: it has a process group of

@@ -96,10 +96,13 @@ Answer plain(unsigned status, const std::string& text) { return {status, "text/p
 
 std::optional<Answer> answer_next(Live& live, const Arguments& arguments) {
     const auto known = [&](const char* what) { return count(arguments, what).value_or(0); };
-    const auto news = live.since({known("picture"), known("line"), known("files")}, !arguments("end").empty());
+    const auto news =
+        live.since({known("picture"), known("line"), known("files"), known("design")}, !arguments("end").empty());
     if (!news) return std::nullopt;
     std::string text = "{\"picture\":" + std::to_string(news->picture) + ",\"line\":" + std::to_string(news->line) +
-                       ",\"files\":" + std::to_string(news->files) + ",\"lines\":" + json::list(news->lines);
+                       ",\"files\":" + std::to_string(news->files) + ",\"design\":" + std::to_string(news->design) +
+                       ",\"lines\":" + json::list(news->lines);
+    if (!news->state.empty()) text += ",\"state\":" + news->state;
     if (news->ended) text += ",\"ended\":" + std::to_string(*news->ended);
     if (news->shown) text += facts(*news->shown);
     text += "}";
@@ -137,8 +140,20 @@ std::optional<Answer> answer_sources(Sources& sources, const Arguments& argument
                   "{\"picture\":" + std::to_string(found->picture) + ",\"sources\":[" + list + "]}"};
 }
 
+// The text that stands for a file, with its version; 204: it is the file's own.
+static Answer overlaid(const Live& live, const Files& files, const Arguments& arguments) {
+    const TextFile* f = named(files, arguments);
+    if (!f) return plain(404, "no such file");
+    return live.ask([&](const Design& d) {
+        const size_t n = size_t(f - files.data());
+        const Design::Text t = n < d.texts.size() ? d.texts[n] : Design::Text();
+        return Answer{t.now ? 200u : 204u, "text/plain; charset=utf-8", t.now.value_or(""), std::to_string(t.version)};
+    });
+}
+
 Answer answer_query(const Live& live, const Files& files, const std::string& path, const Arguments& arguments) {
     if (path == "/file") return file(files, arguments);
+    if (path == "/overlay") return overlaid(live, files, arguments);
     if (path == "/outlines") return outlines(live, files, arguments);
     if (path == "/table") return falsecolor(arguments);
     if (path == "/srgb") return {200, "application/json", json::numbers(display::srgb_codes().thresholds)};

@@ -10,8 +10,8 @@ namespace live {
 
 class Child {
 public:
-    // talks: its standard error is ours, else nobody's.  Throws base::Error (system) if there is no such program.
-    explicit Child(const std::vector<std::string>& command, bool talks = true);
+    // errors: its standard error; -1: nobody's.  Throws base::Error (system) if there is no such program.
+    explicit Child(const std::vector<std::string>& command, int errors = 2);
     ~Child();
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;

@@ -7,49 +7,36 @@
 namespace live {
 
 void Live::put_picture(image::Picture picture) {
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
+    put([&] {
+        if (design_.note(picture.header)) ++designs_;
         picture_ = std::make_shared<const image::Picture>(std::move(picture));
         ++pictures_;
-    }
-    if (changed_) changed_();
+    });
 }
 
 void Live::put_line(std::string line) {
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        lines_.push_back(std::move(line));
-    }
-    if (changed_) changed_();
+    put([&] { lines_.push_back(std::move(line)); });
 }
 
 void Live::put_end(int status) {
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        ended_ = status;
-    }
-    if (changed_) changed_();
+    put([&] { ended_ = status; });
 }
 
 void Live::put_file_change() {
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        ++file_changes_;
-    }
-    if (changed_) changed_();
+    put([&] { ++file_changes_; });
 }
 
 std::optional<Live::News> Live::since(Numbers known, bool knows_end) const {
     const std::lock_guard<std::mutex> lock(mutex_);
     const size_t line = std::min(known.line, lines_.size());
-    if (known.picture >= pictures_ && line >= lines_.size() && known.files >= file_changes_ && (knows_end || !ended_))
+    if (known.picture >= pictures_ && line >= lines_.size() && known.files >= file_changes_ &&
+        known.design >= designs_ && (knows_end || !ended_))
         return std::nullopt;
     News news;
-    news.picture = pictures_;
-    news.line = lines_.size();
-    news.files = file_changes_;
+    static_cast<Numbers&>(news) = {pictures_, lines_.size(), file_changes_, designs_};
     if (known.picture < pictures_) news.shown = picture_;
     news.lines.assign(lines_.begin() + std::ptrdiff_t(line), lines_.end());
+    if (known.design < designs_) news.state = design_.json();
     news.ended = ended_;
     return news;
 }

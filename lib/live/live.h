@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The newest picture and the lines of the metrics, for the page, each numbered from 1.  Written by the
+// The newest picture and the lines of the metrics, for the page, each numbered from 1, and the design.  Written by the
 // threads that pass the bytes on, read by the web server; all functions may be called from any thread.
 #pragma once
 #include <functional>
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 #include "image/picture.h"
+#include "live/design.h"
 
 namespace live {
 
@@ -23,12 +24,24 @@ public:
     void put_end(int status);  // the pipe has ended with this status
     void put_file_change();    // a file that the page shows is not what it was
 
+    // Changes the design; the page is told of its new state.
+    template <class CHANGE>
+    void change(CHANGE&& how) {
+        put([&] { how(design_), ++designs_; });
+    }
+    template <class QUESTION>
+    auto ask(QUESTION&& what) const {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return what(design_);
+    }
+
     struct Numbers {
-        size_t picture = 0, line = 0, files = 0;
+        size_t picture = 0, line = 0, files = 0, design = 0;
     };
     struct News : Numbers {                           // of the newest
         std::shared_ptr<const image::Picture> shown;  // if newer than the one asked about
         std::vector<std::string> lines;               // those after the one asked about
+        std::string state;                            // of the design, as JSON, if newer than the one asked about
         std::optional<int> ended;
     };
     // Nothing: there is no news since these.
@@ -36,11 +49,20 @@ public:
     std::shared_ptr<const image::Picture> picture() const;
 
 private:
+    template <class WRITE>
+    void put(WRITE&& write) {
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            write();
+        }
+        if (changed_) changed_();
+    }
     mutable std::mutex mutex_;
     std::function<void()> changed_;
     std::shared_ptr<const image::Picture> picture_;
-    size_t pictures_ = 0, file_changes_ = 0;
+    size_t pictures_ = 0, file_changes_ = 0, designs_ = 0;
     std::vector<std::string> lines_;
+    Design design_;
     std::optional<int> ended_;
 };
 

@@ -14,9 +14,9 @@
 #include <thread>
 
 #include "live/answers.h"
+#include "live/commands.h"
 #include "base/descriptor.h"
 #include "base/error.h"
-#include "live/fifo.h"
 #include "live/guard.h"
 #include "live/http.h"
 #include "live/json.h"
@@ -30,7 +30,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto longest_wait = std::chrono::seconds(20);         // of a request for news
 constexpr auto between_looks = std::chrono::milliseconds(250);  // at the clock and at the files
-constexpr size_t longest_body = longest_file, longest_command = 64 * 1024;
+constexpr size_t longest_body = longest_file;
 constexpr unsigned most_connections = 500;
 
 struct Request {
@@ -67,7 +67,9 @@ struct Server::State {
     std::optional<Sources> sources;
     Visitors visitors;
 
-    State(Live& l, const ServerOptions& o) : live(l), options(o) {}
+    State(Live& l, const ServerOptions& o) : live(l), options(o) {
+        live.change([&](Design& d) { d.texts.resize(files.size()); });
+    }
 
     void wake() {
         const std::lock_guard<std::mutex> lock(mutex);
@@ -81,8 +83,9 @@ struct Server::State {
         std::unique_lock<std::mutex> lock(mutex);
         while (!tick.wait_for(lock, between_looks, [&] { return ends; })) {
             visitors.look();
-            bool changed = false;
-            for (TextFile& f : files) changed |= f.changed();
+            lock.unlock();
+            const bool changed = look_at_files();
+            lock.lock();
             if (!changed && Clock::now() - woken < longest_wait / 4) continue;
             woken = Clock::now();
             lock.unlock();
@@ -103,28 +106,16 @@ struct Server::State {
         return MHD_YES;
     }
 
-    Answer control(const std::string& text) const {
-        if (text.size() > longest_command) return plain(MHD_HTTP_CONTENT_TOO_LARGE, "too long");
-        for (const char c : text)
-            if ((unsigned char)c < ' ' && c != '\n' && c != '\t')
-                return plain(MHD_HTTP_BAD_REQUEST, "control characters in a command");
-        return to_fifo(text.empty() || text.back() == '\n' ? text : text + "\n");
-    }
-
-    // A text that stands for a file of -edit until the file changes on the disk.
-    Answer overlay(const Arguments& asked, const std::string& text) const {
-        const TextFile* f = named(files, asked);
-        if (!f || f->kind != TextFile::Kind::scene) return plain(MHD_HTTP_NOT_FOUND, "no such file");
-        return to_fifo("overlay " + f->path + " " + std::to_string(text.size()) + "\n" + text);
-    }
-
-    Answer to_fifo(const std::string& bytes) const {
-        if (options.control.empty()) return plain(MHD_HTTP_NOT_FOUND, "vcview was started without -control");
-        switch (write_whole(options.control, bytes)) {
-        case Written::whole: return {MHD_HTTP_NO_CONTENT, "", ""};
-        case Written::busy: return plain(MHD_HTTP_SERVICE_UNAVAILABLE, "ptrace has not read the commands before");
-        default: return plain(MHD_HTTP_CONFLICT, "nobody reads the FIFO");
+    // Files that other programs have written since: their own texts count.
+    bool look_at_files() {
+        bool changed = false;
+        for (size_t n = 0; n < files.size(); ++n) {
+            if (!files[n].changed()) continue;
+            changed = true;
+            const std::string text = files[n].read().text;
+            live.change([&](Design& d) { d.replaced(n, text); });
         }
+        return changed;
     }
 
     // 0: whoever asks knows the token; else why not.
@@ -152,15 +143,14 @@ struct Server::State {
         if (request.refused) return send(connection, plain(request.refused, "no"));
         if (request.too_long) return send(connection, plain(MHD_HTTP_CONTENT_TOO_LARGE, "too long"));
         const auto asked = arguments(connection);
-        if (path == "/control")
-            return send(connection,
-                        method == "POST" ? control(request.body) : plain(MHD_HTTP_METHOD_NOT_ALLOWED, "POST only"));
-        if (path == "/overlay" && method == "POST") return send(connection, overlay(asked, request.body));
+        if (method == "POST")
+            return send(connection, answer_command({live, files, options.control}, path, asked, request.body));
         if (path == "/file" && method == "PUT") {
             std::string tag = header(connection, "If-Match");
             if (tag.size() >= 2 && tag.front() == '"') tag = tag.substr(1, tag.size() - 2);
             return send(connection, answer_put(files, asked, request.body, tag));
         }
+        if (path == "/control") return send(connection, plain(MHD_HTTP_METHOD_NOT_ALLOWED, "POST only"));
         if (method != "GET") return send(connection, plain(MHD_HTTP_METHOD_NOT_ALLOWED, "GET only"));
         if (const PageFile* file = page_file(path))
             return send(connection, {MHD_HTTP_OK, std::string(file->type), std::string(file->text)});

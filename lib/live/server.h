@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The web server behind the page (libmicrohttpd): one thread, loopback by default, every answer but the page's own
 // files for those who know the token.
-//   GET /next?picture=P&line=L   waits for news since picture P and line L: a length (4 bytes, little endian), so many
-//                                bytes of JSON, then the picture's pixels as floats, if there is a newer one
+//   GET /next?picture=&line=&files=&design=   waits for news since these: a length (4 bytes, little endian), so many
+//   bytes
+//                                of JSON, then the picture's pixels as floats, if there is a newer one
 //   GET /table?top=&decades=&style=&divisions=&mask=   falsecolor's thresholds and colours (display/tone.h)
 //   GET /srgb                    thresholds of the codes 1 to 255
 //   GET /pixel?x=&y=             what is known of a pixel (pixel.h)
@@ -13,7 +14,12 @@
 //   PUT /file?n=                 its new text, if it still is what the tag of If-Match says (412 if not)
 //   GET /outlines?n=             of the regions in file N (regions.h)
 //   POST /control                lines for the FIFO of ptrace -control
-//   POST /overlay?n=             a text that ptrace takes for file N
+//   GET /overlay?n=              the text that stands for file N, if one does, with its version (ETag)
+//   POST /overlay?n=&version=&said=&going=   a text that ptrace takes for file N, made from this version of it (412 if
+//                                there is a newer one); said: words for the edit; going: more of the same change
+//                                follows
+//   POST /back                   asks for the view before this one
+//   POST /undo?n=&version=       takes the last change of it back
 #pragma once
 #include <memory>
 #include <string>

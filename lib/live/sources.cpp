@@ -76,7 +76,7 @@ Sources::Found Sources::measure() const {
     Found found;
     found.picture = news->picture;
     try {
-        Child child(command_, false);
+        Child child(command_, -1);
         const std::string bytes = image::picture_bytes(*news->shown, image::Format::flt);
         base::write_all(child.input(), bytes.data(), bytes.size());
         child.close_input();

@@ -18,6 +18,23 @@ rows = [row.text for row in page.find('#edits tbody tr')]
 check('less glare is better', 'better' in rows[0] and '−0.05' in rows[0], rows[0])
 check('more glare is worse', 'worse' in rows[1], rows[1])
 check('an interval that holds 0 tells nothing apart', 'not told apart yet' in rows[2], rows[2])
+words = page.chrome.execute_async_script('''
+    const done = arguments[arguments.length - 1];
+    Promise.all([import('/edits.js'), import('/verdict.js')]).then(([{ judged }, { state_of, verdict }]) => {
+        const row = (value, d, low, high) => ({ DGPf: value, 'DGPf.d': d, 'DGPf.d.lo': low, 'DGPf.d.hi': high });
+        const far = row(.3, -.03, -.04, -.02), near = row(.3, -.008, -.009, -.007);
+        const other = row(.348, -.004, -.005, -.003);
+        done([[far, 'overlay', .01], [far, 'view', .01], [near, 'overlay', .01], [other, 'overlay', .01],
+            [far, 'overlay', .05]].map((question) => judged('DGPf', ...question).text).concat([
+            state_of({ lost: true }), state_of({ ended: 3, since: 1 }), state_of({ paused: true, since: 1 }),
+            state_of({ since: 40 }), state_of({ since: 1, settled: 38 }),
+            verdict('DGPf', { DGPf: .36, 'DGPf.lo': .345, 'DGPf.hi': .37 }).text]));
+    });''')
+check('better is a word for another class or for more than the threshold, never for a view',
+      words[:5] == ['better', 'lower', 'lower', 'better', 'lower'], words)
+check('what the programs do is said in words', all(w in said for w, said in zip(
+    ('lost', 'status 3', 'paused', 'no picture for 40 s', 'settled after 38 frames'), words[5:10])), words)
+check('two classes where the interval holds both', words[10] == '◔ imperceptible to perceptible', words)
 check('illuminance is higher or lower', 'lower' in rows[1] and 'higher' in rows[0], rows)
 check('earlier edits are ghosts in the plots', len(page.find('#plots figure:first-child path.ghost')) == 3)
 check('the stop is marked', len(page.find('#plots figure:first-child line.stop')) == 1)
@@ -37,13 +54,10 @@ spikes = page.chrome.execute_async_script('''
     }).catch((e) => done([String(e)]));''')
 check('values outside of the axes are cut off, not drawn at the edge',
       len(spikes) == 3 and spikes[0] < -100 and spikes[1] > 200 and spikes[2] == 'hidden', spikes)
-odd = [row for row in page.find('#table tbody tr') if row.text.startswith('a<b>')][0]
-odd.click()
 sheet = xml.fromstring(page.chrome.execute_async_script('''
     const done = arguments[arguments.length - 1];
     import('/save.js').then(({ plots_svg }) => done(plots_svg()));'''))
 names = [e.text for e in sheet]
-page.find('#table tbody tr')[-1].click()
 check('names in the saved plots are text', 'a<b>&"c.TAL' in names, names)
 
 # counts of arguments are no numbers to change
@@ -99,6 +113,7 @@ page.one('#model-undo').click()
 check('that is undone', soon(lambda: re.findall(r'-g (\S+)\n', got())[-1] == '.2'))
 page.one('#model-save').click()
 check('saved on demand', soon(lambda: '14.25 +s' in open('sky.rad').read()))
+check('then there is nothing to save', soon(lambda: not page.one('#model-save').is_enabled()))
 
 page.check_keyboard()
 page.check_contrast()

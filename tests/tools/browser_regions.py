@@ -29,7 +29,9 @@ def near(start, *numbers):
     return soon(found)
 
 
-def fill(css, words): page.one(css).send_keys(Keys.CONTROL + 'a' + Keys.NULL, words, Keys.TAB)
+def fill(css, words):
+    soon(lambda: page.find(css))
+    page.one(css).send_keys(Keys.CONTROL + 'a' + Keys.NULL, words, Keys.TAB)
 
 
 kept = [line for line in text().splitlines() if line.startswith('#')]

@@ -121,7 +121,7 @@ check_error '-watch cannot read the standard input again' 1 '^ptrace: -watch: th
 random() { awk -v n="$1" -v s="$2" 'BEGIN { srand(s); for (i = 0; i < 9; i++) k = rand(); print int(k * n) }'; }
 campaign() {
     printf 'v = .8;\n' > f.cal; vp=0 ab=5 size=16
-    begin -watch -control ctl $eye; await '[ -s f ] && [ $(frames) -gt 1 ]'
+    begin -watch -control ctl -ab $ab $eye; await '[ -s f ] && [ $(frames) -gt 1 ]'
     for step in 1 2 3 4 5 6; do
         x=$(random 90 $((SEED * 100 + $1 * 10 + step)))
         case $((x % 5)) in

@@ -24,18 +24,25 @@ END
 check 'the page knows the FIFO, the scene files and the regions; an edit arrives and is compared' '
     begin; ask GET /facts > facts; grep -q "\"control\":true" facts
     for f in luxpipe.regions materials.rad layout.rad sky_day.rad; do grep -q "\"$f\"" facts; done
-    ask POST "/overlay?n=3" "$(sed s/14/9/ sky_day.rad)"; await "cut -f 3 lines | grep -qx 1"
+    ask POST "/overlay?n=3&version=0" "$(sed s/14/9/ sky_day.rad)"; await "cut -f 3 lines | grep -qx 1"
     head -1 lines | grep -q "^frame.seconds.edit.Ev.Ev.lo.Ev.hi.Ev.d.Ev.d.lo.Ev.d.hi.DGPf"
     kill $live; ended; [ $status = 0 ]; [ ! -e luxpipe.regions ]'
 check 'a region that is drawn has a column and stays' '
     begin; ask GET "/file?n=0" > text; [ ! -s luxpipe.regions ]
     echo "desk circle 0 -1 -.5 20" > luxpipe.regions; await "grep -q desk.TAL lines"
     kill $live; ended; grep -q desk luxpipe.regions; rm luxpipe.regions'
-for program in ptrace ptaccum vcview vcmetrics; do
-    check "where $program is killed all end, also while nothing is rendered" '
-        begin; echo "preview -vp 2 2 1" > t/*/control; sleep .5
-        kill -9 $(below $live | awk -v name='$program' "\$2 == name { print \$1 }"); ended'
+kill_program() { kill -9 $(below $live | awk -v name=$1 "\$2 == name { print \$1 }"); }
+check 'where vcview is killed all end, also while nothing is rendered' '
+    begin; echo "preview -vp 2 2 1" > t/*/control; sleep .5; kill_program vcview; ended'
+for program in ptrace ptaccum vcmetrics; do
+    check "where $program is killed the page stays, says so and saves, until it is ended itself" '
+        begin; ask POST "/overlay?n=3&version=0" "$(sed s/14/9/ sky_day.rad)"; sleep .5; kill_program '$program'
+        await "ask GET /next | grep -aq .ended.:"; ask GET "/save?as=hdr" | grep -aq "^#?RADIANCE"
+        ask GET "/overlay?n=3" | grep -q " 9 "; kill $live; ended'
 done
+check 'what the programs say is in the page and on the standard error' '
+    begin; ask POST "/overlay?n=1&version=0" "broken"; await "grep -q ^ptrace: said"
+    await "ask GET /next | grep -aq \"messages.*ptrace: .*current.:1\""; kill $live; ended'
 check 'a scene that cannot be read ends it' '
     status=0; timeout 60 luxpipe-live -vf view.vf missing.rad 2> said || status=$?; [ $status = 1 ]
     grep -q "^ptrace: missing.rad: " said; [ -z "$(ls t)" ]; [ ! -e luxpipe.regions ]'

@@ -93,7 +93,7 @@ TEST_CASE("news is told once: pictures, lines, the end") {
     live.put_line("Ev");
     live.put_line("1000");
     live.put_picture(small_picture(4, 3));
-    auto news = live.since({0, 1, 0}, false);
+    auto news = live.since({0, 1, 0, 0}, false);
     REQUIRE(news);
     CHECK(news->lines == std::vector<std::string>{"1000"});
     CHECK(news->shown->width == 4);
@@ -102,7 +102,7 @@ TEST_CASE("news is told once: pictures, lines, the end") {
     REQUIRE(live.since(*news, false));
     CHECK(*live.since(*news, false)->ended == 4);
     CHECK_FALSE(live.since(*news, true));
-    CHECK(live.since({99, 99, 99}, false));  // of an earlier run: the end is news all the same
+    CHECK(live.since({99, 99, 99, 99}, false));  // of an earlier run: the end is news all the same
 }
 
 TEST_CASE("an answer holds its facts, then the pixels to the last bit") {
@@ -117,7 +117,7 @@ TEST_CASE("an answer holds its facts, then the pixels to the last bit") {
     CHECK(text.find("\"a \\\"quoted\\\"\\tline ??\"") != std::string::npos);
     const std::string pixels = answer->body.substr(4 + text.size());
     CHECK(pixels == std::string(reinterpret_cast<const char*>(p.rgb.data()), p.rgb.size() * sizeof(float)));
-    CHECK_FALSE(live::answer_next(live, arguments({{"picture", "1"}, {"line", "1"}})));
+    CHECK_FALSE(live::answer_next(live, arguments({{"picture", "1"}, {"line", "1"}, {"design", "1"}})));
 }
 
 TEST_CASE("tables are those of the pictures on disk; questions that mean nothing are refused") {
@@ -173,6 +173,69 @@ TEST_CASE("only this machine's names, only our own pages, only those who know th
     CHECK(live::same_secret(token, token));
     CHECK_FALSE(live::same_secret(token, token.substr(1)));
     CHECK_FALSE(live::same_secret("", token));
+}
+
+TEST_CASE("the design: changes of texts by version, undone one by one; a drag is one") {
+    live::Design d;
+    d.texts.resize(2);
+    d.change(1, "a", false);
+    d.change(1, "b", true);
+    d.change(1, "c", true);
+    d.obey("go\n");
+    d.change(1, "d", false);
+    CHECK(d.texts[1].version == 4);
+    CHECK(d.texts[0].version == 0);
+    for (const char* want : {"c", "a"}) {
+        d.undo(1);
+        CHECK(d.texts[1].now == want);
+    }
+    d.undo(1);
+    CHECK_FALSE(d.texts[1].now);
+    const size_t version = d.texts[1].version;
+    d.undo(1);  // there is nothing more
+    CHECK(d.texts[1].version == version);
+    d.change(1, "e", false);
+    d.replaced(1, "of an editor");  // which counts; what was typed here comes back by Undo
+    CHECK_FALSE(d.texts[1].now);
+    d.undo(1);
+    CHECK(d.texts[1].now == "e");
+    d.replaced(1, "e");  // saved: as it was typed
+    CHECK(d.texts[1].before.size() == 1);
+}
+
+TEST_CASE("the design: edits, views and messages") {
+    live::Live live;
+    image::Picture p = small_picture(2, 2);
+    const auto come = [&](int64_t edit, const char* what, double x) {
+        p.header.edit = edit;
+        p.header.edited = what;
+        p.header.view->vp = {x, 0, 0};
+        live.put_picture(p);
+    };
+    come(0, "start", 0);
+    live.change([](live::Design& d) { d.tell("ptrace: a \"word\""); });
+    come(1, "preview", 5);
+    come(2, "view", 1);
+    come(3, "overlay blind.rad: 20 to 40", 1);
+    CHECK(live.ask([](const live::Design& d) { return d.views.size(); }) == 2);
+    live.change([](live::Design& d) { CHECK(d.back()); });
+    come(3, "overlay blind.rad: 20 to 40", 1);  // a late one of the view that was left
+    come(4, "view", 0);
+    live.ask([](const live::Design& d) {
+        CHECK(d.views.size() == 1);
+        CHECK(d.edits.size() == 4);
+        CHECK(d.current == 0);
+        CHECK(d.messages.size() == 1);
+        return 0;
+    });
+    CHECK_FALSE(live.ask([](const live::Design& d) { return live::Design(d).back(); }));
+    const auto answer = live::answer_next(live, arguments({{"picture", "9"}, {"design", "0"}}));
+    REQUIRE(answer);
+    const std::string text = text_of(*answer);
+    CHECK(text.find("[3,\"overlay blind.rad: 20 to 40\"]") != std::string::npos);
+    CHECK(text.find("\"messages\":[\"ptrace: a \\\"word\\\"\"],\"current\":0,\"paused\":false") != std::string::npos);
+    live.change([](live::Design& d) { d.obey("view -vp 1 1 1\npause\n"); });
+    CHECK(live.ask([](const live::Design& d) { return d.paused; }));
 }
 
 TEST_CASE("JSON of numbers") {

@@ -96,7 +96,8 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
     t.add("-n n", "Threads of the CPU devices", opt.threads)
         .within(1, 4096)
         .default_text("all that the process may use");
-    t.add("-control fifo", "Obey the lines that arrive here: next, pause, go, view, set, size, scene, overlay, preview",
+    t.add("-control fifo",
+          "Obey the lines that arrive here: next, pause, go, view, set, size, scene, overlay, note, preview",
           opt.control);
     t.add("-watch", "Begin anew when a file of the scene changes", opt.watch);
     t.add("-o pattern", "Write frames to files such as f%04d.hdr", opt.output);

@@ -43,6 +43,7 @@ struct Run {
     int64_t edits = 0;
     std::string edited = "start";
     std::string changed;  // by edits whose pictures were previews
+    std::string note;     // words of "note" for the next full picture of an edit
 };
 
 // Setup of the session for picture i.
@@ -95,6 +96,7 @@ bool apply_edits(Run& run, size_t i) {
     bool read = false, others = false, begins = false;
     for (const render::Command& c : run.control.take_edits())
         carry_out([&] {
+            if (c.word == "note") return void(run.note = c.rest);
             edit(c, i, next);
             what = c.word;
             if (c.word != "go" && c.word != "preview") run.changed = c.word;
@@ -110,11 +112,17 @@ bool apply_edits(Run& run, size_t i) {
     };
     if (!carry_out([&] { change(read); }) && read && others) carry_out([&] { change(false); });
     run.control.set_preview(run.opt.preview);
-    if (!begins) return false;  // frames go on where they were
+    if (!begins) {  // frames go on where they were
+        if (!run.opt.preview) run.note.clear();
+        return false;
+    }
     run.edits++;
     run.edited = run.opt.preview ? "preview" : what;
     if (what == "go") run.edited = run.changed.empty() ? "view" : run.changed;
-    if (!run.opt.preview) run.changed.clear();
+    if (run.opt.preview) return true;
+    if (!run.note.empty()) run.edited += " " + run.note;
+    run.changed.clear();
+    run.note.clear();
     return true;
 }
 

@@ -15,6 +15,7 @@
 #include "live/child.h"
 #include "live/framer.h"
 #include "live/live.h"
+#include "live/messages.h"
 #include "live/server.h"
 #include "options.h"
 
@@ -51,7 +52,7 @@ bool wait_for_pictures() {
 }
 
 // Standard input to the descriptor until either ends; what passes is looked at afterwards.
-void pass_pictures(int to, live::Framer& framer) {
+void pass_pictures(int to, live::Framer& framer, live::Live& page) {
     std::vector<char> block(block_size);
     base::ends_with_reader(to);
     bool told = false;
@@ -65,8 +66,11 @@ void pass_pictures(int to, live::Framer& framer) {
             base::fail_system("stdout", "cannot be written");
         }
         framer.pass(block.data(), size_t(n));
-        if (!told && !framer.stopped().empty()) base::warn("stdin", framer.stopped() + ": the page shows no more");
-        told = !framer.stopped().empty();
+        if (told || framer.stopped().empty()) continue;
+        told = true;
+        const std::string why = framer.stopped() + ": the page shows no more";
+        base::warn("stdin", why);
+        page.change([&](live::Design& d) { d.tell("vcview: warning: stdin: " + why); });
     }
 }
 
@@ -79,20 +83,22 @@ void wait_for_signal() {
 
 int work(const Options& options) {
     base::finish_on_signal();
-    std::optional<live::Child> child;
-    if (!options.command.empty()) child.emplace(options.command);
     live::Live page;
+    std::optional<live::Messages> messages;
+    if (!options.messages.empty()) messages.emplace(options.messages, page);
+    std::optional<live::Child> child;
+    if (!options.command.empty()) child.emplace(options.command, messages ? messages->descriptor() : 2);
     const live::Server server(page, options.server);
     base::say("vcview: " + server.link());
     live::Framer framer([&](image::Picture p) { page.put_picture(std::move(p)); });
 
     int status = 0;
     if (!child) {
-        pass_pictures(1, framer);
+        pass_pictures(1, framer, page);
     } else {
         std::thread lines([&] { pass_lines(child->output(), page); });
         try {
-            pass_pictures(child->input(), framer);
+            pass_pictures(child->input(), framer, page);
         } catch (...) {
             child->close_input();
             lines.join();
@@ -104,7 +110,7 @@ int work(const Options& options) {
     }
     close(0);  // whoever still writes to us may end
     page.put_end(status);
-    if (options.stay && !base::shutdown_requested()) {
+    if (options.stay && page.picture() && !base::shutdown_requested()) {
         base::leave_stdout();
         base::say_on_terminal("vcview: the pipe has ended; ^C ends the page");
         wait_for_signal();

@@ -34,6 +34,8 @@ std::optional<Options> parse_options(int argc, char** argv) {
     t.add("-port N", "Port of the page; 0: any that is free", o.server.port).within(0, 65535);
     t.add("-listen address", "Address that serves the page", o.server.listen);
     t.add("-stay", "Show the last picture until interrupted, also after the pipe has ended", o.stay);
+    t.add("-messages fifo", "FIFO to which the programs of the pipe write their errors, which the page shows",
+          o.messages);
     t.group("Scene");
     t.add("-control file", "FIFO to which the page's commands go (ptrace -control)", o.server.control);
     std::string regions;

@@ -9,6 +9,7 @@
 struct Options {
     live::ServerOptions server;
     bool stay = false;
+    std::string messages;
     std::vector<std::string> command;  // after "--"
 };
 

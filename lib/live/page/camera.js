@@ -15,7 +15,6 @@ export class Camera {
     this.view = null;       // { vp, vd } where it moves to; null: at rest
     this.waiting = 0;       // when the preview that has not come yet was sent
     this.previews = true;   // does ptrace make them?
-    this.undone = [];
     $('drag').addEventListener('change', () => { $('canvas').style.cursor = this.mode === 'picture' ? '' : 'grab'; });
   }
 
@@ -70,7 +69,6 @@ export class Camera {
   // ---- what is sent
 
   set(view) {
-    if (!this.view || this.arrived) this.undone.push(this.now());
     this.view = view;
     this.arrived = false;
     this.moved = performance.now();
@@ -109,12 +107,7 @@ export class Camera {
     this.waiting = 0;
   }
 
-  say(text) { $('status').textContent = text; }
-
-  async undo() {
-    const last = this.undone.pop();
-    if (last) await command(`view ${words(last)}`);
-  }
+  say(text) { if (text) $('status').textContent = text; }
 }
 
 const words = ({ vp, vd }) => `-vp ${digits(vp)} -vd ${digits(vd)}`;

@@ -1,33 +1,38 @@
 // Before and after: the lines of each edit, and a table of edits with their metrics and the difference to the edit before,
 // as the columns NAME.d NAME.d.lo NAME.d.hi of vcmetrics have it.
 import { short } from '/picture.js';
+import { class_of } from '/verdict.js';
 
 const $ = (id) => document.getElementById(id);
-// Less of these is less glare.
-const glare = /^(DGP|DGI|UGR|CGI|UGP|DGR|PGSV|Lveil|n_sources)/;
-
-// { text, of } of a difference with its interval.
-export function verdict(name, low, high) {
+// { text, kind } of a difference with its interval.  Better and worse are words for DGP alone: for another class, or for all
+// of the interval beyond a threshold; a view is another place, not a better one.
+export function judged(name, row, what, threshold) {
+  const [low, high] = [row[`${name}.d.lo`], row[`${name}.d.hi`]];
   if (!Number.isFinite(low) || !Number.isFinite(high)) return { text: '', kind: '' };
   if (low <= 0 && high >= 0) return { text: 'not told apart yet', kind: 'open' };
-  const less = high < 0;
-  if (glare.test(name) && !name.endsWith('.px')) return less ? { text: 'better', kind: 'good' } : { text: 'worse', kind: 'bad' };
-  if (/^VCP/.test(name)) return less ? { text: 'worse', kind: 'bad' } : { text: 'better', kind: 'good' };
+  const less = high < 0, classes = [row[name] - row[`${name}.d`], row[name]].map(class_of);
+  if (/^DGP[uf]?$/.test(name) && !/^(view|size)/.test(what) && (classes[0] !== classes[1] || (less ? high < -threshold : low > threshold)))
+    return less ? { text: 'better', kind: 'good' } : { text: 'worse', kind: 'bad' };
   return { text: less ? 'lower' : 'higher', kind: 'other' };
 }
 
 const signed = (v) => (v > 0 ? '+' : v < 0 ? '−' : '') + short(Math.abs(v), 3);
 
 export class Edits {
-  constructor() { this.what = new Map(); }
-
-  // A picture tells what its edit was.
-  // said: words of the page for what it has changed.
-  note(edit, what, said) {
-    if (edit === undefined || what === 'preview' || this.what.has(edit)) return;
-    this.what.set(edit, what === 'overlay' ? said || 'model' : what === 'scene' ? 'file saved' : what);
+  // on_change: called when the threshold is another one.
+  constructor(on_change) {
+    this.what = new Map();
+    $('threshold').addEventListener('change', on_change);
   }
-  name(edit) { return edit === undefined ? 'now' : this.what.get(edit) ?? `edit ${edit}`; }
+
+  // edits: [number, "overlay words"] of what has been rendered, as vcview holds them.
+  take(edits) { this.what = new Map(edits); }
+
+  name(edit) {
+    if (edit === undefined) return 'now';
+    const words = this.what.get(edit) ?? `edit ${edit}`, [, what, said] = /^(overlay|scene)\b *(.*)$/.exec(words) ?? [];
+    return what ? said || (what === 'scene' ? 'file saved' : 'model') : words;
+  }
 
   // runs: of Lines, the newest last; names: metrics.
   fill(runs, names) {
@@ -50,14 +55,14 @@ export class Edits {
     row('th', ['edit', 'frames', ...names], table.tHead);
     for (const run of [...runs].reverse()) {
       const last = run.rows[run.rows.length - 1];
-      row('td', [this.name(run.edit), String(last.frame), ...names.map((n) => this.cell(n, last))], table.tBodies[0]);
+      row('td', [this.name(run.edit), String(last.frame), ...names.map((n) => this.cell(n, last, this.what.get(run.edit) ?? ''))], table.tBodies[0]);
     }
   }
 
-  cell(name, row) {
+  cell(name, row, what) {
     const value = Number.isFinite(row[name]) ? short(row[name]) : '–', d = row[`${name}.d`];
     if (!Number.isFinite(d)) return value;
-    const low = row[`${name}.d.lo`], high = row[`${name}.d.hi`], { text, kind } = verdict(name, low, high);
+    const low = row[`${name}.d.lo`], high = row[`${name}.d.hi`], { text, kind } = judged(name, row, what, Number($('threshold').value));
     const change = document.createElement('span'), word = document.createElement('strong');
     change.className = 'change';
     change.textContent = signed(d);

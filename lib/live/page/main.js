@@ -1,7 +1,7 @@
 // Asks vcview for news, again as soon as the last answer is drawn; so a slow page gets fewer pictures, not late ones.
 import { Camera } from '/camera.js';
 import { Edits } from '/edits.js';
-import { ask, command } from '/net.js';
+import { ask, command, Lost, post } from '/net.js';
 import { PictureView } from '/picture.js';
 import { Lines, fill_table, plot } from '/plot.js';
 import { follow } from '/pointer.js';
@@ -11,21 +11,22 @@ import { wire_saving } from '/save.js';
 import { Sliders } from '/sliders.js';
 import { Sources } from '/sources.js';
 import { Tones } from '/tones.js';
+import { show_messages, show_verdict } from '/verdict.js';
 import { Eye } from '/view.js';
 
 const $ = (id) => document.getElementById(id);
 
 const view = new PictureView($('canvas')), tones = new Tones(view), lines = new Lines(), chosen = new Set(), known = new Set();
-let news = { picture: 0, line: 0, files: 0 }, shown = null, ended;
+let news = { picture: 0, line: 0, files: 0, design: 0 }, shown = null, ended, lost = false, refused = false, paused = false, came;
 
 const regions = new Regions(view, () => shown?.eye ? shown : null);
-const sources = new Sources(view), edits = new Edits(), sliders = new Sliders();
+const sources = new Sources(view), edits = new Edits(draw_edits), sliders = new Sliders();
 const camera = new Camera(() => shown, () => regions.pivot());
 const probe = new Probe([(x, y) => regions.at(x, y).map((name) => `in ${name}`).join(', '), (x, y) => sources.at(x, y)]);
 
 function draw_numbers() {
   const names = lines.metrics().filter((name) => !name.endsWith('.px'));  // a band in the plot of its metric
-  if (!known.size) names.slice(0, 2).forEach((name) => chosen.add(name));
+  if (!known.size) names.filter((name, k) => k < 2 || /(^|\.)(TAL|CR)\b/.test(name)).forEach((name) => chosen.add(name));
   else names.filter((name) => !known.has(name)).forEach((name) => chosen.add(name));  // of a region that is new
   names.forEach((name) => known.add(name));
   fill_table($('table').tBodies[0], lines, chosen, (name) => {
@@ -38,60 +39,90 @@ function draw_numbers() {
     figure.append(caption, plot(name, lines.runs));
     return figure;
   }));
-  edits.fill(lines.runs, [...chosen].filter((name) => lines.columns.includes(name)));
+  draw_edits();
   document.body.dataset.lines = lines.text.length;
 }
 
+function draw_edits() { edits.fill(lines.runs, [...chosen].filter((name) => lines.columns.includes(name))); }
+
+// lost, ended, paused: of the programs; the picture's facts beside them.
 function say_status() {
-  const parts = [];
-  if (shown) parts.push(`${shown.width} × ${shown.height}`, shown.frames === undefined ? '' : `${shown.frames} frames`, shown.name);
-  if (ended !== undefined) parts.push(ended === 0 ? 'finished' : `finished with status ${ended}`);
-  $('status').textContent = parts.filter(Boolean).join(', ') || 'waiting for the first picture';
+  const since = came === undefined ? undefined : (performance.now() - came) / 1000;
+  show_verdict(lines, { lost, refused, ended, paused, what: shown?.what, since });
+  const parts = shown ? [`${shown.width} × ${shown.height}`, shown.frames === undefined ? '' : `${shown.frames} frames`, shown.name] : [];
+  $('status').textContent = parts.filter(Boolean).join(', ');
 }
+setInterval(say_status, 5000);
 
 // ---- news
 
+// What vcview holds for all windows.
+async function take_state(state) {
+  paused = state.paused;
+  edits.take(state.edits);
+  show_messages(state);
+  $('back').disabled = state.views.length < 2;
+  $('home').onclick = () => command(`view ${state.views[0]}`).then((wrong) => camera.say(wrong));
+  await sliders.take(state.texts);
+}
+
 async function take(answer) {
-  const body = await answer.arrayBuffer(), length = new DataView(body).getUint32(0, true);
+  const body = await answer.arrayBuffer().catch(() => { throw new Lost(); }), length = new DataView(body).getUint32(0, true);
   const facts = JSON.parse(new TextDecoder().decode(new Uint8Array(body, 4, length)));
-  if (facts.files !== news.files) {
-    regions.reload();
-    sliders.reload();
-  }
-  news = { picture: facts.picture, line: facts.line, files: facts.files };
+  if (facts.files !== news.files) regions.reload();
+  news = { picture: facts.picture, line: facts.line, files: facts.files, design: facts.design };
   facts.lines.forEach((line) => lines.add(line));
   ended = facts.ended;
+  if (facts.state) await take_state(facts.state);
   if (facts.width) {
     const same = shown && shown.view === facts.view && shown.width === facts.width && shown.height === facts.height;
     shown = { ...facts, rgb: new Float32Array(body.slice(4 + length)), eye: facts.view ? same ? shown.eye : new Eye(facts.view) : null };
+    came = performance.now();
     await tones.show(shown);
     if (!document.body.dataset.picture) performance.mark('picture');
     if (!same) regions.fetch_outlines();
-    edits.note(facts.edit, facts.what, sliders.said);
     camera.painted(facts.edit, facts.what);
     if (facts.what !== 'preview') sources.show(news.picture);
     document.body.dataset.picture = news.picture;
   }
   if (facts.lines.length) draw_numbers();
+  else if (facts.state) draw_edits();
   say_status();
 }
 
-async function listen() {
+// False: this window may not ask.
+async function begin() {
   const codes = await ask('/srgb');
-  if (codes.status === 401) return void ($('status').textContent = 'this link is not the one that vcview printed');
+  refused = codes.status === 401;
+  say_status();
+  if (refused) return false;
   tones.srgb = await codes.json();
   const facts = await (await ask('/facts')).json();
-  $('command').hidden = !facts.control;
+  $('command').hidden = $('back').hidden = $('home').hidden = !facts.control;
   if (facts.control) camera.show();
-  facts.files.forEach((f, n) => (f.regions ? regions : sliders).use(n, f));
-  for (;;) {
+  await Promise.all(facts.files.map((f, n) => (f.regions ? regions : sliders).use(n, f)));
+  return true;
+}
+
+// Goes on by itself after the connection was lost, with growing pauses.
+async function listen() {
+  for (let pause = 0, begun = false; ;) {
     try {
-      const answer = await ask(`/next?picture=${news.picture}&line=${news.line}&files=${news.files}${ended === undefined ? '' : '&end=1'}`);
+      if (!begun && !await begin()) return;
+      begun = true;
+      const question = new URLSearchParams({ ...news, ...(ended === undefined ? {} : { end: 1 }) });
+      const answer = await ask(`/next?${question}`);
       if (answer.status === 200) await take(answer);
+      if (answer.status === 401) return void (await begin());
+      if (lost) { lost = false; say_status(); }
+      pause = 0;
       await new Promise(requestAnimationFrame);
     } catch (e) {
-      if (ended === undefined) $('status').textContent = 'the connection to vcview has ended';
-      return;
+      if (!(e instanceof Lost)) throw e;
+      lost = true;
+      say_status();
+      pause = Math.min(30, 2 * pause || 1);
+      await new Promise((go) => setTimeout(go, 1000 * pause));
     }
   }
 }
@@ -99,6 +130,7 @@ async function listen() {
 // ---- what people do
 
 $('fit').addEventListener('click', () => view.fit());
+$('back').addEventListener('click', () => post('/back').then((wrong) => camera.say(wrong)));
 follow(view, [regions, camera], (at) => probe.show(at, shown), (e, at) => {
   if (!(tones.wiping && e.shiftKey)) return false;
   tones.wipe_to(Math.max(0, Math.min(1, at.x / shown.width)));

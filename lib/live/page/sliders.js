@@ -1,7 +1,8 @@
-// The model: sliders for the day and hour of skies and for any number in the files of -edit.  What they say is sent to ptrace
-// as a text that stands for the file (`overlay`); the file itself is written only by Save.
+// The model: sliders for the day and hour of skies and for any number in the files of -edit.  What they say is sent to vcview as
+// a text that stands for the file; vcview holds it for all windows, each of which says what version it has changed.  The
+// file itself is written only by Save.
 import { date_of, numbers_in, range_of, skies_in, with_number, with_sky } from '/model_text.js';
-import { ask, command } from '/net.js';
+import { ask, command, post, tag_of, text_of } from '/net.js';
 import { TextFile } from '/text_file.js';
 
 const $ = (id) => document.getElementById(id);
@@ -18,8 +19,7 @@ function difference_of(before, after, name) {
 
 export class Sliders {
   constructor() {
-    this.said = '';  // of what was sent last
-    this.files = [];  // { file: as on the disk, text: as it is shown, undone }
+    this.files = [];  // { file: as on the disk, text: as it is shown, version: of that }
     this.chosen = null;  // the index of a number
     $('model-file').addEventListener('change', () => { this.chosen = null; this.show(); });
     $('model-undo').addEventListener('click', () => this.undo());
@@ -30,29 +30,41 @@ export class Sliders {
   get now() { return this.files[$('model-file').selectedIndex]; }
 
   async use(n, facts) {
-    const file = new TextFile(n, facts);
-    const one = { file, text: '', undone: [], going: false, small: false };
+    const one = { file: new TextFile(n, facts), text: '', version: 0, undo: false, going: false, small: false };
     this.files.push(one);
     $('model-file').append(new Option(facts.name));
     $('model-panel').hidden = false;
     $('model-file').parentElement.hidden = this.files.length < 2;
-    try { await file.read(); } catch (e) { return this.say(e.message); }
-    one.text = file.text;
+    await this.fetch(one);
     this.show();
   }
 
-  // Files may have changed on the disk.
-  async reload() {
+  // The file as it is on the disk, and the text that stands for it.
+  async fetch(one) {
+    try {
+      await one.file.read();
+      const answer = await ask(`/overlay?n=${one.file.n}`);
+      one.text = answer.status === 200 ? await text_of(answer, one.file.name) : one.file.text;
+      one.version = Number(tag_of(answer));
+    } catch (e) { return this.say(e.message); }
+    one.sent = one.rested = one.text;
+  }
+
+  // The state of the design: [version, is there a text that stands for the file, can a change be undone] of each file.
+  async take(texts) {
+    let shown = false;
     for (const one of this.files) {
-      const before = one.file.text;
-      try { await one.file.read(); } catch (e) { this.say(e.message); continue; }
-      if (one.file.text === before) continue;
-      one.sent = null;  // ptrace reads the file again
-      one.rested = one.file.text;
-      if (one.text === before || one.text === one.file.text) one.text = one.file.text;
-      else this.say(`${one.file.name} was changed on the disk; what you changed here is kept and not saved: Save writes it over that, Revert takes that.`);
-      if (one === this.now) this.show();
+      const [version, stands, undo] = texts[one.file.n], [text, on_disk] = [one.text, one.file.text];
+      one.undo = undo;
+      if (version <= one.version || one.sending || one.going) continue;
+      await this.fetch(one);
+      if (!stands && text !== on_disk && text !== one.text)
+        this.say(`${one.file.name} was changed on the disk and is shown as there; Undo brings back what was changed here.`);
+      shown ||= one.text !== text;
     }
+    this.texts = texts;
+    if (shown && this.files.length) this.show();
+    else if (this.files.length) this.mark();
   }
 
   say(text) { $('model-say').textContent = text; }
@@ -63,7 +75,6 @@ export class Sliders {
   set(text, going = false) {
     const one = this.now;
     if (text === one.text) return;
-    if (!one.going) one.undone.push(one.text);
     one.going = going;
     one.text = text;
     this.send(one);
@@ -79,15 +90,14 @@ export class Sliders {
     this.show_text();
   }
 
-  undo() {
-    const one = this.now, text = one.undone.pop();
-    if (text === undefined) return;
-    one.text = text;
-    this.send(one);
+  async undo() {
+    const one = this.now, wrong = await post(`/undo?n=${one.file.n}&version=${one.version}`);
+    await this.fetch(one);
+    this.say(wrong);
     this.show();
   }
 
-  // The newest text, when the one before it has gone: small pictures while a slider moves, so that all of its way is one
+  // Sends the newest text when the one before it has gone: small pictures while a slider moves, so that all of its way is one
   // edit, and the full one at rest.
   async send(one) {
     if (one.sending) { one.again = true; return; }
@@ -98,21 +108,37 @@ export class Sliders {
       wrong = await command('preview');
       one.small = !wrong;
     }
-    if (!wrong && one.text !== one.sent) {
-      const text = one.text, answer = await ask(`/overlay?n=${one.file.n}`, { method: 'POST', body: text });
-      if (answer.ok) {
-        this.said = difference_of(one.rested ?? one.file.text, text, one.file.name);
-        one.sent = text;
-        if (!one.going) one.rested = text;
-      } else wrong = (await answer.text()).trim();
-    }
+    if (!wrong && one.text !== one.sent) wrong = await this.send_text(one);
     if (!one.going && one.small) {
       wrong ||= await command('go');
       one.small = Boolean(wrong);
       one.rested = one.sent;
     }
     this.say(wrong);
-    setTimeout(() => { one.sending = false; if (one.again || one.small > one.going) this.send(one); }, wrong ? 1000 : 100);
+    setTimeout(() => {
+      one.sending = false;
+      if (one.again || one.small > one.going) this.send(one);
+      else if (this.texts) this.take(this.texts);
+    }, wrong ? 1000 : 100);
+  }
+
+  async send_text(one) {
+    const text = one.text, said = difference_of(one.rested, text, one.file.name);
+    const question = new URLSearchParams({ n: one.file.n, version: one.version, said, going: one.going ? '1' : '' });
+    try {
+      const answer = await ask(`/overlay?${question}`, { method: 'POST', body: text });
+      if (answer.status === 412) {
+        await this.fetch(one);
+        one.going = false;
+        this.show();
+        return `${one.file.name} was changed in another window meanwhile and is shown as there; not taken: ${said}`;
+      }
+      if (!answer.ok) return (await answer.text()).trim();
+      one.version = Number(tag_of(answer));
+    } catch (e) { return e.message; }
+    one.sent = text;
+    if (!one.going) one.rested = text;
+    return '';
   }
 
   async save() {
@@ -126,7 +152,7 @@ export class Sliders {
   mark() {
     const one = this.now, differs = one.text !== one.file.text;
     $('model-save').disabled = $('model-revert').disabled = !differs;
-    $('model-undo').disabled = !one.undone.length;
+    $('model-undo').disabled = !one.undo;
   }
 
   show() {

@@ -1,5 +1,5 @@
 // A text that vcview may write for us: read, changed by functions of its text, and undone.
-import { ask } from '/net.js';
+import { ask, tag_of, text_of } from '/net.js';
 
 export class TextFile {
   constructor(n, facts) { this.n = n; Object.assign(this, facts); this.text = ''; this.tag = 'none'; this.undone = []; }
@@ -7,13 +7,8 @@ export class TextFile {
   async read() {
     const answer = await ask(`/file?n=${this.n}`);
     if (!answer.ok) throw new Error((await answer.text()).trim());
-    const bytes = await answer.arrayBuffer();
-    try {
-      this.text = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
-    } catch {
-      throw new Error(`${this.name} is no UTF-8`);
-    }
-    this.tag = answer.headers.get('ETag').replaceAll('"', '');
+    this.text = await text_of(answer, this.name);
+    this.tag = tag_of(answer);
   }
 
   // change: text -> text, or null where it does not fit.  '' when done, 'conflict', or what is wrong.
@@ -29,7 +24,7 @@ export class TextFile {
       }
       if (!answer.ok) return (await answer.text()).trim();
       this.text = next;
-      this.tag = answer.headers.get('ETag').replaceAll('"', '');
+      this.tag = tag_of(answer);
       if (!undoes) this.undone.push([next, before]);
       return '';
     }

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the page asks ptrace for: written to its FIFO, and kept in the design once ptrace has it.
+#pragma once
+#include "live/answers.h"
+
+namespace live {
+
+struct Commanded {
+    Live& live;
+    const Files& files;
+    const std::string& fifo;  // of ptrace -control; empty: none
+};
+
+// POST /control, /overlay, /undo and /back (server.h).
+Answer answer_command(const Commanded& to, const std::string& path, const Arguments& asked, const std::string& body);
+
+}  // namespace live

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the programs of the pipe say on their standard error: a FIFO that they share.  Its lines go on to our own
+// standard error, and to the page.
+#pragma once
+#include <atomic>
+#include <string>
+#include <thread>
+#include "live/live.h"
+
+namespace live {
+
+class Messages {
+public:
+    Messages(const std::string& fifo, Live& live);  // throws base::Error (system)
+    ~Messages();                                    // what has been written is passed on before
+    Messages(const Messages&) = delete;
+    int descriptor() const { return fd_; }  // for a program that we start
+
+private:
+    void listen();
+    void pass_on();
+    Live& live_;
+    int fd_;
+    std::string line_;
+    std::atomic<bool> ends_{false};
+    std::thread thread_;
+};
+
+}  // namespace live

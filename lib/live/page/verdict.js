@@ -1,0 +1,55 @@
+// The verdict, always in sight: class of glare in words with its number, and what the programs do.
+const $ = (id) => document.getElementById(id);
+
+// DGP's classes (Wienold and Christoffersen 2006): a word and a sign each, so that colour says nothing alone.
+const limits = [.35, .40, .45], words = ['imperceptible', 'perceptible', 'disturbing', 'intolerable'], signs = ['○', '◔', '◑', '●'];
+export const class_of = (dgp) => limits.filter((limit) => dgp >= limit).length;
+export const glare_of = (names) => ['DGPf', 'DGPu', 'DGP'].find((name) => names.includes(name));
+
+const three = (v) => v.toFixed(3).replace(/^0/, '');
+
+// { text, kind } of a row of numbers; kind: 0 to 3 of the worst class that the interval holds.
+export function verdict(name, row) {
+  const value = row?.[name], ends = [row?.[`${name}.lo`], row?.[`${name}.hi`]];
+  if (!Number.isFinite(value)) return { text: '', kind: '', number: '' };
+  const told = ends.every(Number.isFinite), [low, high] = told ? ends.map(class_of) : [class_of(value), class_of(value)];
+  return { text: `${signs[high]} ${low === high ? '' : `${words[low]} to `}${words[high]}`, kind: `class${high}`,
+    number: `${name} ${three(value)}${told ? ` (${three(ends[0])} to ${three(ends[1])})` : ''}` };
+}
+
+// Words are written only where they change: they are read aloud.
+function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+// What the programs do, by what the server says of them.
+export function state_of({ refused, lost, ended, paused, what, settled, since }) {
+  if (refused) return 'this link is not the one that vcview printed';
+  if (lost) return 'the connection to vcview is lost: the page tries again';
+  if (ended !== undefined) return `the programs have ended${ended === 0 ? '' : ` with status ${ended}`}: the last picture stays, and can be saved`;
+  if (since === undefined) return 'waiting for the first picture';
+  if (paused) return 'paused';
+  if (what === 'preview') return 'preview';
+  if (settled) return `settled after ${settled} frames`;
+  return since > 30 ? `no picture for ${Math.round(since)} s` : 'running';
+}
+
+export function show_verdict(lines, state) {
+  const row = lines.rows[lines.rows.length - 1], { text, kind, number } = verdict(glare_of(lines.columns), row);
+  const settled = lines.rows.find((r) => r.settled > 0)?.frame;
+  write($('verdict'), text);
+  $('verdict').className = kind;
+  write($('glare'), number);
+  write($('state'), state_of({ ...state, settled }));
+  $('state').className = state.lost || state.ended !== undefined ? 'bad' : '';
+}
+
+// Messages of the programs: those since the last change stand out, all can be read.
+export function show_messages({ messages, current }) {
+  const lines = (list) => list.map((text) => Object.assign(document.createElement('p'), { textContent: text }));
+  const news = [...new Set(messages.slice(messages.length - current))].slice(-3);
+  if ($('messages').innerText !== news.join('\n')) $('messages').replaceChildren(...lines(news));
+  $('messages').hidden = !news.length;
+  $('all-messages').replaceChildren(...lines(messages));
+  $('messages-panel').hidden = !messages.length;
+}

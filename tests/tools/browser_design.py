@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Two windows on one design, reloads, a broken scene, a lost network, an ended tracer: browser_design.py LINK PTRACE
+#   LINK: what vcview printed; PTRACE: the process that is killed at the end.
+import os, re, signal, sys, time
+from selenium.webdriver.common.keys import Keys
+from browser_page import Page, check, link_in, soon
+
+page = Page(link_in(sys.argv[1]))
+chrome, SECONDS = page.chrome, 90
+text = lambda css: page.js('document.querySelector(arguments[0]).innerText', css)
+slats = lambda: page.js('[...document.querySelectorAll("#model-text button")].map((b) => b.textContent)')
+names = lambda: page.js('[...document.querySelectorAll("#edits tbody tr")].map((r) => r.cells[0].innerText)')
+windows = [chrome.current_window_handle]
+
+
+def window(k):
+    chrome.switch_to.window(windows[k])
+
+
+def choose(number):
+    [b for b in page.find('#model-text button') if b.text == number][0].click()
+
+
+classes = 'imperceptible|perceptible|disturbing|intolerable'
+check('the verdict is a class in words, with a sign, a number and its interval',
+      soon(lambda: re.fullmatch(rf'[○◔◑●] (({classes}) to )?({classes})', text('#verdict')) and
+           re.fullmatch(r'DGPf \.\d{3} \(\.\d{3} to \.\d{3}\)', text('#glare')), SECONDS), text('header'))
+check('and what the programs do', soon(lambda: text('#state') == 'running', SECONDS), text('#state'))
+check('it is in sight wherever the page stands', page.js(
+    'window.scrollTo(0, 9999), document.getElementById("verdict").getBoundingClientRect().top >= 0'))
+page.js('window.scrollTo(0, 0)')
+
+# a change, and a reload
+choose('20')
+page.one('#model-number input[type=range]').send_keys(Keys.END)
+check('a blind is lowered', soon(lambda: 'blind.rad: 20 → 40' in names(), SECONDS), names())
+chrome.refresh()
+check('after a reload the page shows what is rendered', soon(lambda: '40' in slats() and '20' not in slats(), SECONDS),
+      slats())
+check('edits keep their names', soon(lambda: 'blind.rad: 20 → 40' in names(), SECONDS), names())
+
+# a second window
+chrome.switch_to.new_window('tab')
+windows.append(chrome.current_window_handle)
+chrome.get(page.link)
+check('a second window shows the same', soon(lambda: '40' in slats() and 'blind.rad: 20 → 40' in names(), SECONDS),
+      (slats(), names()))
+page.one('#model-undo').click()
+check('which can undo it', soon(lambda: '20' in slats()), slats())
+window(0)
+check('the first one follows', soon(lambda: '20' in slats() and 'blind.rad: undone' in names(), SECONDS),
+      (slats(), names()))
+
+# a change of what is no more: this window hears nothing for a while
+chrome.execute_script('''const ask = window.fetch;
+    window.fetch = (path, ...more) => String(path).startsWith('/next') ? new Promise(() => {}) : ask(path, ...more);''')
+page.ask('/control', 'POST', b'pause\n')  # is news, so that the question that waits is answered
+time.sleep(1)
+body = open('blind.rad').read().replace('-a 20', '-a 30')
+version = page.ask('/overlay?n=1')[2].get('ETag').strip('"')
+check('another window is faster',
+      page.ask(f'/overlay?n=1&version={version}&said=faster', 'POST', body.encode())[0] == 200)
+choose('20')
+page.one('#model-number input[type=range]').send_keys(Keys.END)
+check('a stale change is refused, and shown',
+      soon(lambda: 'not taken: blind.rad: 20 → 40' in text('#model-say')), text('#model-say'))
+check('the page shows the other one', soon(lambda: '30' in slats()), slats())
+chrome.refresh()
+soon(lambda: '30' in slats(), SECONDS)
+
+# a broken scene
+version = page.ask('/overlay?n=1')[2].get('ETag').strip('"')
+page.ask(f'/overlay?n=1&version={version}&said=broken', 'POST', b'void plastic\n')
+check('what is wrong in the scene is said in the page',
+      soon(lambda: 'ptrace: blind.rad:' in text('#messages'), SECONDS), text('#messages'))
+page.one('#model-undo').click()
+check('as long as it is so', soon(lambda: not text('#messages'), SECONDS), text('#messages'))
+
+# views
+page.one('#canvas').send_keys('w')
+check('a step is an edit', soon(lambda: names()[0].startswith('view'), SECONDS), names())
+check('Back can be used', soon(lambda: page.one('#back').is_enabled()))
+page.one('#back').click()
+check('Back goes back', soon(lambda: names()[0] == 'view' and names()[1].startswith('view'), SECONDS), names())
+check('to the first view', soon(lambda: not page.one('#back').is_enabled(), SECONDS))
+
+# the network goes and comes back
+chrome.execute_cdp_cmd('Network.enable', {})
+chrome.execute_cdp_cmd('Network.emulateNetworkConditions',
+                       {'offline': True, 'latency': 0, 'downloadThroughput': -1, 'uploadThroughput': -1})
+check('a lost connection is said', soon(lambda: 'lost' in text('#state'), SECONDS), text('#state'))
+chrome.execute_cdp_cmd('Network.emulateNetworkConditions',
+                       {'offline': False, 'latency': 0, 'downloadThroughput': -1, 'uploadThroughput': -1})
+check('and comes back by itself', soon(lambda: 'lost' not in text('#state'), SECONDS), text('#state'))
+
+# the tracer is killed
+os.kill(int(sys.argv[2]), signal.SIGKILL)
+check('the end of the programs is said', soon(lambda: 'have ended' in text('#state'), SECONDS), text('#state'))
+check('what was typed is there', '30' in slats(), slats())
+page.one('#model-save').click()
+check('and can be saved', soon(lambda: '-a 30 ' in open('blind.rad').read()))
+check('as can the picture', page.ask('/save?as=exr')[1][:4] == b'\x76\x2f\x31\x01')
+page.errors()  # of the network
+page.end()

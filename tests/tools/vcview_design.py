@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Two windows that change two files at random, as the page does: vcview_design.py LINK GOT FILE FILE
+#   GOT: what arrives in the FIFO.  A sentence for each check; status 1 if one fails.
+import json, random, re, struct, sys, time, urllib.error, urllib.parse, urllib.request
+
+for _ in range(200):
+    found = re.search(r'(http://[^/]+)/#(\w+)', open(sys.argv[1]).read())
+    if found: break
+    time.sleep(.05)
+host, token = found.groups()
+names, failures, dice = sys.argv[3:], 0, random.Random(7)
+
+
+def check(sentence, true, more=''):
+    global failures
+    failures += not true
+    print('ok' if true else 'not ok', '-', sentence, '' if true else more)
+
+
+def ask(path, method='GET', body=None):
+    request = urllib.request.Request(host + path, method=method, data=body, headers={'X-Luxpipe-Token': token})
+    try:
+        with urllib.request.urlopen(request, timeout=30) as answer:
+            return answer.status, answer.read(), (answer.headers.get('ETag') or '').strip('"')
+    except urllib.error.HTTPError as e:
+        return e.code, e.read(), ''
+
+
+def state():
+    body = ask('/next?picture=9999&line=9999')[1]
+    return json.loads(body[4:4 + struct.unpack('<I', body[:4])[0]])['state']
+
+
+class Window:
+    """What one window knows of each file: its text and the version of it."""
+    def __init__(self): self.known = [None] * len(names)
+
+    def read(self, n):
+        status, text, version = ask(f'/overlay?n={n}')
+        self.known[n] = (text if status == 200 else open(names[n], 'rb').read(), version)
+
+    def send(self, n, text, going=''):
+        question = urllib.parse.urlencode(
+            {'n': n, 'version': self.known[n][1], 'said': f'to {text[:20]}\n', 'going': going})
+        status, _, version = ask(f'/overlay?{question}', 'POST', text)
+        if status == 200: self.known[n] = (text, version)
+        return status
+
+
+windows, model, undone = [Window(), Window()], [open(n, 'rb').read() for n in names], [[] for _ in names]
+fresh = [[False] * len(names) for _ in windows]
+stale = wrong = 0
+for k in range(200):
+    w, n = dice.randrange(2), dice.randrange(len(names))
+    if windows[w].known[n] is None or dice.random() < .3:  # reloaded, or it has heard of the change
+        windows[w].read(n)
+        fresh[w][n] = True
+    if dice.random() < .2:
+        want = 412 if not fresh[w][n] else 200 if undone[n] else 409
+        status = ask(f'/undo?n={n}&version={windows[w].known[n][1]}', 'POST', b'')[0]
+        wrong += status != want
+        if want == 200:
+            model[n] = undone[n].pop()
+            fresh[0][n] = fresh[1][n] = False
+    else:
+        text = f'{k} {dice.random()}\n'.encode() * dice.randrange(1, 40)
+        status = windows[w].send(n, text)
+        wrong += status != (200 if fresh[w][n] else 412)
+        stale += status == 412
+        if status == 200:
+            undone[n].append(model[n])
+            model[n] = text
+            fresh[1 - w][n] = False
+    if status == 412:  # it is told, and shows the other one's
+        windows[w].read(n)
+        fresh[w][n] = True
+        wrong += windows[w].known[n][0] != model[n]
+check('a change of an old version is refused, any other is taken', not wrong and stale > 10, (wrong, stale))
+third = Window()
+for n in range(len(names)): third.read(n)
+check('a window that comes later has the texts of the model', [k[0] for k in third.known] == model)
+got = open(sys.argv[2], 'rb').read()
+last = {}
+for found in re.finditer(rb'(?:note [^\n]*\n)?overlay (\S+) (\d+|-)\n', got):
+    size = 0 if found[2] == b'-' else int(found[2])
+    last[found[1].decode()] = got[found.end():found.end() + size] if found[2] != b'-' else None
+check('and so has ptrace', all(last[n] == m or (last[n] is None and m == open(n, 'rb').read())
+                               for n, m in zip(names, model)))
+check('words for an edit are one line before it', len(re.findall(rb'note to [^\n]*\noverlay ', got)) > 50 and
+      not re.search(rb'note [^\n]*[\x00-\x09\x0b-\x1f]', got))
+
+first = windows[0]
+first.read(0)
+open(names[0], 'w').write('by an editor\n')
+time.sleep(1)
+check('after an editor has written the file, a change from before is refused', first.send(0, b'mine') == 412)
+first.read(0)
+check('what the editor wrote counts', first.known[0][0] == b'by an editor\n' and state()['texts'][0][1] is False)
+before = model[0]
+check('and Undo brings back what was typed', ask(f'/undo?n=0&version={first.known[0][1]}', 'POST', b'')[0] == 200)
+first.read(0)
+check('all of it', first.known[0][0] == before)
+check('no version, no change', ask('/overlay?n=0', 'POST', b'x')[0] == 412 and ask('/undo?n=0', 'POST', b'')[0] == 412)
+ask('/control', 'POST', b'pause\n')
+check('every window knows of a pause', state()['paused'])
+first.read(0)
+first.send(0, b'go on')
+check('which a change ends', not state()['paused'])
+check('a view before the first is none', ask('/back', 'POST', b'')[0] == 409)
+sys.exit(failures > 0)
