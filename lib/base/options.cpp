@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // See options.h.  The one file that includes CLI11, which takes long to compile: declarations, conversions, ranges and
-// -help.  Messages are ours: the functions that CLI11 calls to convert and check an argument throw them.
+// -help.  Messages are ours: the functions that CLI11 calls to read and check an argument throw them.
 #include "base/options.h"
 
 #include <CLI/CLI.hpp>
@@ -36,6 +36,25 @@ std::string shown(const std::string& text) { return text; }
 std::string shown(double number) { return number_text(number); }
 std::string shown(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
 std::string shown(const Vec3& v) { return shown(v.x) + " " + shown(v.y) + " " + shown(v.z); }
+std::string shown(const double (&v)[3]) { return shown(Vec3{v[0], v[1], v[2]}); }
+std::string shown(const std::vector<std::string>&) { return ""; }
+
+// Arguments as values.
+template <class T>
+void take(Arguments& a, T& whole) {
+    const std::string text = a.text();
+    const long value = to_int(text, a.name());
+    whole = T(value);
+    if (long(whole) != value || (value < 0 && !std::is_signed_v<T>)) fail(a.name(), '"' + text + "\" is too large");
+}
+void take(Arguments& a, std::string& text) { text = a.text(); }
+void take(Arguments& a, std::vector<std::string>& texts) { texts.push_back(a.text()); }
+void take(Arguments& a, double& number) { number = a.real(); }
+void take(Arguments& a, std::optional<double>& number) { number = a.real(); }
+void take(Arguments& a, Vec3& v) { v = a.vec(); }
+void take(Arguments& a, double (&v)[3]) {
+    for (double& x : v) x = a.real();
+}
 
 // "-vp" from "-vp x y z", "-i" from "-i[+-]"; CLI11's names are "--vp" and "--i".
 std::string name_of(const std::string& spelling) { return spelling.substr(0, spelling.find_first_of(" [")); }
@@ -176,28 +195,17 @@ Option& OptionTable::declare(Text spelling, CLI::Option* cli, std::function<std:
     return o;
 }
 
-// CLI11 converts to variables of one word; the others are read by an action.
 template <class T, class>
 Option& OptionTable::add(Text spelling, Text sentence, T& v) {
-    if constexpr (std::is_same_v<T, Vec3>) {
-        return add(spelling, sentence, {[&v](Arguments& a) { v = a.vec(); }, [&v] { return shown(v); }});
-    } else if constexpr (std::is_array_v<T>) {
-        const auto read = [&v](Arguments& a) { std::generate_n(v, 3, [&] { return a.real(); }); };
-        return add(spelling, sentence, {read, [&v] { return shown(Vec3{v[0], v[1], v[2]}); }});
-    } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
-        return add(spelling, sentence, [&v](Arguments& a) { v.push_back(a.text()); });
-    } else if constexpr (std::is_same_v<T, bool>) {
+    if constexpr (std::is_same_v<T, bool>) {
         Option& o = declare(spelling, app_->add_flag(long_name(spelling), v, sentence), {});
         o.show = [&v, is_switch = o.is_switch] { return v ? "+" : is_switch ? "-" : ""; };
         return o.is_switch ? o.default_text(v ? "on" : "off") : o;
     } else {
-        CLI::Option* cli = app_->add_option(long_name(spelling), v, sentence);
-        const std::string name = name_of(spelling);
-        if constexpr (std::is_integral_v<T>)  // "1e3" is 1000
-            cli->transform([name](const std::string& text) { return std::to_string(to_int(text, name)); });
-        else if constexpr (!std::is_same_v<T, std::string>)  // 17 digits, because CLI11 rounds to a long double first
-            cli->transform([name](const std::string& text) { return fmt::format("{:.17g}", to_real(text, name)); });
-        return declare(spelling, cli, [&v] { return shown(v); });
+        Option& o = add(spelling, sentence, {[&v](Arguments& a) { take(a, v); }, [&v] { return shown(v); }});
+        if constexpr (std::is_integral_v<T>)  // before its range
+            o.cli->check([name = o.name](const std::string& text) { return to_int(text, name), std::string(); });
+        return o;
     }
 }
 template Option& OptionTable::add(Text, Text, bool&);
@@ -256,11 +264,7 @@ void OptionTable::carry_out(const Option& option, std::vector<std::string> argum
     scene_file_ = scene_file;
     option.cli->clear();
     option.cli->add_result(arguments);
-    try {
-        option.cli->run_callback();
-    } catch (const CLI::ConversionError&) {  // every number has been read; it does not fit its variable
-        fail(option.name, '"' + arguments[0] + "\" is too large");
-    }
+    option.cli->run_callback();
 }
 
 std::string OptionTable::help() const { return app_->help(); }
