@@ -23,9 +23,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// One picture to an open FILE: header (lines, SOFTWARE=, VIEW=, SEED=, FRAME=/FRAMES=/RANGE=, FORMAT=), size, pixels.
-void write_picture(std::FILE* out, const Picture& picture, Format format);
-// The same to stdout by base::write_stdout, flushed.
+// One picture to stdout by base::write_stdout, flushed: header (lines, SOFTWARE=, VIEW=, SEED=, FRAME=/FRAMES=/RANGE=,
+// FORMAT=), size, pixels.
 void write_picture_stdout(const Picture& picture, Format format);
 
 // The same as bytes.

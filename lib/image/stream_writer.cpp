@@ -2,11 +2,9 @@
 // RADIANCE pictures to a FILE or stdout.  Pixels are radiance times the header's exposure, for viewers.
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstring>
 #include <functional>
 
-#include "base/error.h"
 #include "base/run.h"
 #include "image/header.h"
 #include "image/rgbe.h"
@@ -82,19 +80,6 @@ void write_to(const Sink& sink, const Picture& p, Format format) {
 }
 
 }  // namespace
-
-void write_picture(std::FILE* out, const Picture& picture, Format format) {
-    if (out == stdout) {
-        write_to(base::write_stdout, picture, format);
-        return;
-    }
-    write_to(
-        [&](const void* data, size_t bytes) {
-            errno = 0;
-            if (std::fwrite(data, 1, bytes, out) != bytes) base::fail_system("output", "cannot be written");
-        },
-        picture, format);
-}
 
 void write_picture_stdout(const Picture& picture, Format format) {
     write_to(base::write_stdout, picture, format);

@@ -47,10 +47,4 @@ std::vector<std::vector<char>> meant_surfaces(const Regions& regions, const Scen
     return meant;
 }
 
-bool needs_scene(const Regions& regions) {
-    for (const Shape& s : regions.shapes)
-        if (s.kind == Kind::surface || s.kind == Kind::modifier) return true;
-    return false;
-}
-
 }  // namespace region

@@ -61,9 +61,6 @@ struct Regions {
 Regions read(const std::string& path, bool may_be_empty = false);
 Regions parse(const std::string& text, const std::string& file, bool may_be_empty = false);
 
-// True if a region asks for surfaces or modifiers, which only a scene can answer.
-bool needs_scene(const Regions& regions);
-
 // Region k by itself, with the shapes that it uses.
 Regions only(const Regions& regions, size_t k);
 

@@ -182,7 +182,6 @@ Bsdf parse_bsdf(const std::string& text, const std::string& place) {
     out.bases = known_bases();
     const pugi::xml_node material = layer.child("Material");
     out.name = text_of(material, "Name");
-    out.manufacturer = text_of(material, "Manufacturer");
     out.thickness = length_of(material, "Thickness", place);
     out.width = length_of(material, "Width", place);
     out.height = length_of(material, "Height", place);

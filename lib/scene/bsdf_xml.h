@@ -37,7 +37,7 @@ struct BsdfTable {
 };
 
 struct Bsdf {
-    std::string name, manufacturer;
+    std::string name;
     double thickness = 0, width = 0, height = 0;
     std::vector<BsdfBasis> bases;
     std::array<BsdfTable, 2> reflection, transmission;  // by the side of the incident light: 0 = +z, 1 = -z

@@ -100,13 +100,6 @@ bool Projector::locate_direction(Vec3 dir, double& X, double& Y) const {
     }
 }
 
-bool Projector::locate_point(Vec3 point, double& X, double& Y) const {
-    const Vec3 v = point - view_.vp;
-    if (view_.type == 'l') return plane_of(dot(v, h_), dot(v, u_), X, Y);
-    const double len = length(v);
-    return len > 0 && locate_direction(v * (1 / len), X, Y);
-}
-
 // Signed area of a spherical triangle (Van Oosterom & Strackee 1983).  The triple product is taken of edges, not
 // corners: their differences keep all digits when the pixel is small.
 static double triangle(Vec3 a, Vec3 b, Vec3 c) {

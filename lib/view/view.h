@@ -72,10 +72,9 @@ public:
     };
     std::optional<Ray> ray(double X, double Y) const;  // none outside the image circle
     std::optional<Vec3> direction(double X, double Y) const;
-    // Picture position of a direction (unit, from the view point at infinity) or a point; false if the view has no
-    // place for it.  The place may lie outside the picture, [0,1]^2.
+    // Picture position of a direction (unit, from the view point at infinity); false if the view has no place for it.
+    // The place may lie outside the picture, [0,1]^2.
     bool locate_direction(Vec3 dir, double& X, double& Y) const;
-    bool locate_point(Vec3 point, double& X, double& Y) const;
     const View& view() const { return view_; }
     Vec3 forward() const { return d_; }  // unit view direction
     Vec3 right() const { return h_; }    // unit, d x up

@@ -108,14 +108,9 @@ TEST_CASE("locating a direction is the inverse of looking there") {
         for (double X = .03; X < 1; X += .094)
             for (double Y = .05; Y < 1; Y += .11) {
                 const auto ray = p.ray(X, Y);
-                if (!ray) continue;
+                if (!ray || p.view().type == 'l') continue;
                 double x = -9, y = -9;
-                if (p.view().type != 'l') {
-                    CHECK(p.locate_direction(ray->dir, x, y));
-                    CHECK(x == doctest::Approx(X).epsilon(1e-9));
-                    CHECK(y == doctest::Approx(Y).epsilon(1e-9));
-                }
-                CHECK(p.locate_point(ray->origin + ray->dir * 2.5, x, y));
+                CHECK(p.locate_direction(ray->dir, x, y));
                 CHECK(x == doctest::Approx(X).epsilon(1e-9));
                 CHECK(y == doctest::Approx(Y).epsilon(1e-9));
             }
