@@ -45,13 +45,11 @@ void paint_band(CheckPicture& check, const std::vector<uint32_t>& pixels) {
     for (const uint32_t p : pixels) check.paint(p, green);
 }
 
-std::vector<float> draw_check_picture(const glare::Luminance& lum, const glare::PictureAnalyzer& analyzer,
-                                      const Settings& own) {
-    const glare::Geometry& g = analyzer.geometry();
-    const glare::Settings& settings = analyzer.settings();
+std::vector<float> draw_check_picture(const glare::Luminance& lum, const glare::Measurement& m,
+                                      const glare::Geometry& g, const glare::Settings& settings, const Settings& own) {
     CheckPicture check(lum, true);
     if (settings.task && own.task_painted) paint_task(check, g, *settings.task);
-    paint_sources(check, analyzer.finder().runs_before_zones(), own);
+    paint_sources(check, settings.zones ? m.runs_before_zones : m.runs, own);
     if (settings.band_rad) paint_band(check, band_pixels(g, *settings.band_rad));
     for (int zone = 1; settings.zones && zone <= 2; ++zone)
         for (const uint32_t p : zone_pixels(g, *settings.zones, zone)) check.paint(p, zone_paint[zone - 1]);

@@ -31,8 +31,9 @@ void paint_task(CheckPicture& check, const glare::Geometry& geometry, const glar
 void paint_sources(CheckPicture& check, const std::vector<glare::Run>& runs, const Settings& settings);
 void paint_band(CheckPicture& check, const std::vector<uint32_t>& pixels);
 
-// The colours of -c, of the picture that was measured last.
-std::vector<float> draw_check_picture(const glare::Luminance& lum, const glare::PictureAnalyzer& analyzer,
-                                      const Settings& settings);
+// The colours of -c.
+std::vector<float> draw_check_picture(const glare::Luminance& lum, const glare::Measurement& measurement,
+                                      const glare::Geometry& geometry, const glare::Settings& settings,
+                                      const Settings& own);
 
 }  // namespace evalglare

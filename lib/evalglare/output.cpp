@@ -14,13 +14,12 @@ using OutputSettings = evalglare::Settings;
 namespace {
 
 // L^2 w / P^2 of all sources, whatever -w says; evalglare's total is the one of the sources before zones split them.
-double sum_of_terms(const Measurement& m, const PictureAnalyzer& analyzer) {
+double sum_of_terms(const Measurement& m) {
     double sum = 0;
-    if (analyzer.finder().sources_before_zones().empty()) {
+    if (m.sources_before_zones.empty()) {
         for (const GlareTerm& o : m.glare) sum += dgp_term(o, {});
     } else {
-        for (const GlareSource& o : analyzer.finder().sources_before_zones())
-            sum += dgp_term({o.lum, o.omega, o.P, 0, 0, 0}, {});
+        for (const GlareSource& o : m.sources_before_zones) sum += dgp_term({o.lum, o.omega, o.P, 0, 0, 0}, {});
     }
     return sum;
 }
@@ -56,7 +55,7 @@ std::string source_lines(const Measurement& m, const glare::Settings& settings, 
         "%d No pixels x-pos y-pos L_s Omega_s Posindx L_b L_t E_v Edir Max_Lum Sigma xdir ydir zdir Eglare "
         "Lveil_cie teta glare_zone r_contrast r_dgp\n",
         int(m.sources.size()));
-    const double sum = sum_of_terms(m, analyzer);
+    const double sum = sum_of_terms(m);
     for (size_t i = 0; i < m.sources.size(); ++i) {
         const GlareSource& s = m.sources[i];
         const GlareTerm& g = m.glare[i];
@@ -137,7 +136,7 @@ std::string patch_lines(const Measurement& m, const PictureAnalyzer& analyzer) {
         out += fmt::sprintf("%d %f %f %f %f %.10f %f %f %f %f \n", n, s.pixels, s.x, s.y, s.lum, s.omega, s.P,
                             s.direction.x, s.direction.y, s.direction.z);
     }
-    std::vector<Run> runs = analyzer.finder().runs();  // rows from the bottom, each from the left
+    std::vector<Run> runs = m.runs;  // rows from the bottom, each from the left
     std::sort(runs.begin(), runs.end(), [&](const Run& a, const Run& b) {
         const int ya = g.y_of(a.start), yb = g.y_of(b.start);
         return ya != yb ? ya < yb : a.start < b.start;

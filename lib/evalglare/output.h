@@ -7,7 +7,6 @@
 
 namespace evalglare {
 
-// The lines of the picture that was measured last.
 std::string lines(const glare::Measurement& m, const Settings& settings, const glare::PictureAnalyzer& analyzer);
 // The text that evalglare writes to stdout before it gives up on a picture; empty: nothing.
 std::string stdout_text(const base::Error& refusal);

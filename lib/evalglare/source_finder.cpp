@@ -5,6 +5,8 @@
 #include <cmath>
 #include "base/angle.h"
 #include "base/error.h"
+#include "evalglare/check_picture.h"
+#include "evalglare/groups.h"
 #include "evalglare/rounded_geometry.h"
 #include "glare/position_index.h"
 #include "glare/smooth.h"
@@ -16,13 +18,45 @@ namespace evalglare {
 using glare::GlareSource;
 using glare::Luminance;
 
-SourceFinder::SourceFinder(const Geometry& geometry, const glare::Settings& settings, const Settings& own)
-    : glare::SourceFinder(geometry, settings), own_(own), groups_(geometry, settings.search_opening) {}
+namespace {
+
+// One picture's sources, in evalglare's order of work.
+class SourceFinder {
+public:
+    SourceFinder(const Geometry& geometry, const glare::Settings& settings, const Settings& own, const Luminance& lum)
+        : geometry_(geometry),
+          settings_(settings),
+          own_(own),
+          radius_px_(glare::radius_in_pixels(geometry, settings.search_opening)),
+          groups_(geometry, settings.search_opening),
+          check_(lum, false) {}
+    glare::Sources find(const Luminance& lum, const Luminance& classification_image, double threshold,
+                        const glare::PixelSets& sets);
+
+private:
+    bool searches() const { return radius_px_ >= 1; }  // the search radius is at least a pixel
+    void connect(uint32_t patches);
+    void smooth();
+    double light_of_groups() const;
+    void split_zones(const Luminance& lum);
+    glare::PixelStatistics statistics(const std::vector<uint32_t>& pixels) const;
+    std::vector<GlareSource> sums(const Luminance& lum) const;
+
+    const Geometry& geometry_;
+    const glare::Settings& settings_;
+    const Settings& own_;
+    const double radius_px_;
+    Groups groups_;
+    CheckPicture check_;
+    std::vector<Run> runs_;
+    std::vector<int> zone_of_group_;     // by group number, empty without zones
+    std::vector<double> zoned_eye_lux_;  // by group number, after zones have split them; else empty
+};
 
 // Columns from the left, each from the bottom.  The fast modes (-1, -2) know the picture by its external illuminance
 // alone.
-glare::Photometry SourceFinder::photometry(const Luminance& lum) const {
-    const Geometry& g = geometry_;
+glare::Photometry photometry(const Luminance& lum, const Geometry& g, const glare::Settings& settings,
+                             const Settings& own) {
     glare::Photometry out;
     double flux = 0;
     for (int x = 0; x < g.width; ++x)
@@ -37,37 +71,51 @@ glare::Photometry SourceFinder::photometry(const Luminance& lum) const {
         }
     out.mean_lum = flux / out.omega;
     out.valid_pixels = g.valid_count;
-    if (own_.fast) out.ev = settings_.external_ev.value_or(0), out.mean_lum = 0;
+    if (own.fast) out.ev = settings.external_ev.value_or(0), out.mean_lum = 0;
     return out;
 }
 
 // The fast modes look at pixels outside the view as well.
-double SourceFinder::reference_luminance(const Luminance& lum, double mean_lum) const {
-    if (settings_.task) return task_luminance(lum, geometry_, *settings_.task, own_.fast != 0);
-    return own_.fast ? settings_.external_ev.value_or(0) / (2 * base::pi) : mean_lum;
+double reference_luminance(const Luminance& lum, const Geometry& g, const glare::Settings& settings, double mean_lum,
+                           const Settings& own) {
+    if (settings.task) return glare::task_luminance(lum, g, *settings.task, own.fast != 0);
+    return own.fast ? settings.external_ev.value_or(0) / (2 * base::pi) : mean_lum;
 }
 
-void SourceFinder::find_groups(const Luminance& lum, const Luminance& classification_image, double threshold) {
-    zone_of_group_.clear();
-    zoned_eye_lux_.clear();
-    sources_before_zones_.clear();
+glare::Sources SourceFinder::find(const Luminance& lum, const Luminance& classification_image, double threshold,
+                                  const glare::PixelSets& sets) {
     runs_ = bright_runs(classification_image, geometry_, threshold);
     const uint32_t patches = settings_.patches ? assign_patches(runs_, geometry_, *settings_.patches) : 0;
-    check_.emplace(lum, false);
-    if (settings_.task && own_.task_painted) paint_task(*check_, geometry_, *settings_.task);
+    if (settings_.task && own_.task_painted) paint_task(check_, geometry_, *settings_.task);
     connect(patches);
-    direct_lux_ = own_.fast == 2 ? own_.fast_direct : light_of_groups();
-    paint_sources(*check_, runs_, own_);
+    glare::Sources out;
+    out.direct_lux = own_.fast == 2 ? own_.fast_direct : light_of_groups();
+    paint_sources(check_, runs_, own_);
+    if (sets.band) {
+        out.sets.band = statistics(*sets.band);
+        paint_band(check_, *sets.band);
+    }
+    if (sets.mask) out.sets.mask = statistics(*sets.mask);
+    if (sets.zone1) out.sets.zone1 = statistics(*sets.zone1);
+    if (sets.zone2) out.sets.zone2 = statistics(*sets.zone2);
+    if (settings_.zones) {
+        out.before_zones = sums(lum);
+        out.runs_before_zones = runs_;
+        split_zones(lum);
+    }
+    out.sources = sums(lum);
+    out.runs = std::move(runs_);
+    return out;
 }
 
 // The fast modes keep what the first scan found; so does a search radius of at most a pixel.
 void SourceFinder::connect(uint32_t patches) {
     const bool wide = radius_px_ > 1;
-    if (settings_.patches) groups_.take(runs_, patches, *check_);
-    else groups_.find(runs_, *check_, wide, wide && !own_.fast);
+    if (settings_.patches) groups_.take(runs_, patches, check_);
+    else groups_.find(runs_, check_, wide, wide && !own_.fast);
     runs_ = groups_.runs();
     if (settings_.smooth && searches()) smooth();
-    if (settings_.peaks && searches()) groups_.extract_peaks(*check_, settings_.peak_limit);
+    if (settings_.peaks && searches()) groups_.extract_peaks(check_, settings_.peak_limit);
     runs_ = groups_.runs();
 }
 
@@ -76,8 +124,8 @@ void SourceFinder::smooth() {
     for (size_t k = 0; k < joining.size(); ++k) {
         const glare::Joining& j = joining[k];
         const bool last_of_pixel = k + 1 == joining.size() || joining[k + 1].pixel != j.pixel;
-        if (last_of_pixel) groups_.add(j.pixel, j.group, *check_);
-        else groups_.count_too(j.pixel, j.group, *check_);
+        if (last_of_pixel) groups_.add(j.pixel, j.group, check_);
+        else groups_.count_too(j.pixel, j.group, check_);
     }
 }
 
@@ -87,40 +135,29 @@ double SourceFinder::light_of_groups() const {
     const Geometry& g = geometry_;
     const Vec3 forward = g.line_of_sight();
     double lux = 0;
-    for (const GroupPixel& p : column_order())
-        lux += 179 * g.omega[p.pixel] * (check_->grey(p.pixel) * dot(forward, g.direction(p.pixel)));
+    for (const glare::GroupPixel& p : glare::column_order(runs_, g))
+        lux += 179 * g.omega[p.pixel] * (check_.grey(p.pixel) * dot(forward, g.direction(p.pixel)));
     return lux;
 }
 
 // A deviation that rounding carries below 0 is not a number.
-glare::PixelStatistics SourceFinder::statistics(const std::vector<uint32_t>& pixels, const Luminance&) const {
+glare::PixelStatistics SourceFinder::statistics(const std::vector<uint32_t>& pixels) const {
     glare::PixelStatistics s = statistics_of(
-        pixels, [&](size_t p) { return check_->at(p); }, geometry_);
+        pixels, [&](size_t p) { return check_.at(p); }, geometry_);
     if (!pixels.empty()) s.deviation = std::sqrt(s.variance);
     return s;
-}
-
-void SourceFinder::mark_band(const std::vector<uint32_t>& pixels) { paint_band(*check_, pixels); }
-
-std::vector<GlareSource> SourceFinder::split(const Luminance& lum) {
-    if (settings_.zones) {
-        sources_before_zones_ = sums(lum);
-        runs_before_zones_ = runs_;
-        split_zones(lum);
-    }
-    return sums(lum);
 }
 
 // Pixels inside a zone leave their group: one new group for each old group and zone.  evalglare credits the newest
 // group with their light, and removes from the old one what it has painted.
 void SourceFinder::split_zones(const Luminance& lum) {
     const glare::ZoneBorders borders(geometry_, *settings_.zones);
-    const std::vector<GroupPixel> pixels = column_order();
+    const std::vector<glare::GroupPixel> pixels = glare::column_order(runs_, geometry_);
     std::vector<uint32_t> moved(2 * (groups_.count() + 1), 0);
     zone_of_group_.assign(groups_.count() + 1, 0);
     zoned_eye_lux_.assign(groups_.count() + 1, 0);
-    for (const GroupPixel& p : pixels) zoned_eye_lux_[p.group] += lum.at(p.pixel) * geometry_.omega_cos[p.pixel];
-    for (const GroupPixel& p : pixels) {
+    for (const glare::GroupPixel& p : pixels) zoned_eye_lux_[p.group] += lum.at(p.pixel) * geometry_.omega_cos[p.pixel];
+    for (const glare::GroupPixel& p : pixels) {
         const int zone = borders.zone_of(p.pixel);
         if (!zone) continue;
         uint32_t& target = moved[2 * p.group + (zone - 1)];
@@ -129,12 +166,12 @@ void SourceFinder::split_zones(const Luminance& lum) {
             zone_of_group_.push_back(zone);
             zoned_eye_lux_.push_back(0);
         }
-        check_->paint(p.pixel, zone_paint[zone - 1]);
-        const double lux = check_->at(p.pixel) * geometry_.omega_cos[p.pixel];
+        check_.paint(p.pixel, zone_paint[zone - 1]);
+        const double lux = check_.at(p.pixel) * geometry_.omega_cos[p.pixel];
         zoned_eye_lux_[p.group] -= lux;
         zoned_eye_lux_.back() += lux;
-        groups_.leave(p.pixel, *check_);
-        groups_.join(p.pixel, target, *check_);
+        groups_.leave(p.pixel, check_);
+        groups_.join(p.pixel, target, check_);
     }
     runs_ = groups_.runs();
 }
@@ -166,7 +203,9 @@ std::vector<GlareSource> SourceFinder::sums(const Luminance& lum) const {
     return live;
 }
 
-glare::Methods methods(const Settings& settings) {
+}  // namespace
+
+glare::Methods methods(const Settings& own) {
     glare::Methods out;
     out.geometry = [](const view::View& view, const std::string& place) {
         if (view.vl != 0)
@@ -174,9 +213,18 @@ glare::Methods methods(const Settings& settings) {
                        "the view has a lift (-vl): solid angles are evalglare's, which are of the mirrored rows");
         return std::make_unique<RoundedGeometry>(view);
     };
-    out.finder = [settings](const Geometry& geometry, const glare::Settings& of_glare) {
-        return std::make_unique<SourceFinder>(geometry, of_glare, settings);
+    out.photometry = [own](const Luminance& lum, const Geometry& g, const glare::Settings& settings) {
+        return photometry(lum, g, settings, own);
     };
+    out.reference_luminance = [own](const Luminance& lum, const Geometry& g, const glare::Settings& settings,
+                                    double mean_lum) { return reference_luminance(lum, g, settings, mean_lum, own); };
+    out.sources = [own](const Geometry&, const glare::Settings& settings) -> glare::FindSources {
+        return [own, settings](const Luminance& lum, const Luminance& classification_image, const Geometry& g,
+                               double threshold, const glare::PixelSets& sets) {
+            return SourceFinder(g, settings, own, lum).find(lum, classification_image, threshold, sets);
+        };
+    };
+    out.nothing_left = [](double rest, double) { return rest == 0; };
     return out;
 }
 

@@ -9,68 +9,83 @@ namespace glare {
 namespace {
 
 using M = const Measurement&;
+using G = const Glare&;
 constexpr Noise no_interval = Noise::no_interval, linear = Noise::linear;
+constexpr Requirements nothing = 0,
+                       uncompared = 1u << 31;  // -compare leaves it out unless it is named
+using require::sources, require::rammg, require::medians, require::mask, require::all_light, require::filled,
+    require::regions_in_full;
 
-// filled: there are columns NAMEf, of sources of filled pixels, and NAME.px, its difference from NAMEu.
-enum Requirement : unsigned { nothing = 0, sources = 1, rammg = 2, medians = 4, mask = 8, all_light = 16, filled = 32 };
+enum Filled { filled_too };
 
+// A formula of G has a meaning for filled pixels as well: with filled_too there are columns NAMEf, and NAME.px, the
+// difference from NAMEu.  Others, of M, read what only whole pixels have, and do not compile with it.
 struct Entry {
     const char* name;
-    unsigned required;
+    Requirements required;
     double (*value)(M);
     Noise noise;
+    double (*of_glare)(G);
+    bool has_filled = false;
+    Entry(const char* its_name, Requirements needs, double (*of)(M), Noise its_noise)
+        : name(its_name), required(needs), value(of), noise(its_noise), of_glare(nullptr) {}
+    Entry(const char* its_name, Requirements needs, double (*of)(G), Noise its_noise)
+        : name(its_name), required(needs), value(nullptr), noise(its_noise), of_glare(of) {}
+    Entry(const char* its_name, Filled, double (*of)(G), Noise its_noise)
+        : name(its_name), required(sources), value(nullptr), noise(its_noise), of_glare(of), has_filled(true) {}
+    double operator()(M m) const { return of_glare ? of_glare(m) : value(m); }
 };
 
-double omega_sources(M m) {
+double omega_sources(G m) {
     double sum = 0;
     for (const GlareSource& s : m.sources) sum += s.omega;
     return sum;
 }
-double lum_sources(M m) {
+double lum_sources(G m) {
     double flux = 0;
     for (const GlareSource& s : m.sources) flux += s.lum * s.omega;
     return m.sources.empty() ? 0 : flux / omega_sources(m);
 }
 
-double class_value(M m) { return dgp_class(m.dgp); }
+double class_value(G m) { return dgp_class(m.dgp); }
 
 const Entry entries[] = {
     {"Ev", all_light, [](M m) { return m.placed_ev; }, linear},
-    {"DGP", sources | filled, [](M m) { return m.dgp; }, Noise::dgp},
-    {"class", sources | filled, class_value, no_interval},
-    {"DGI", sources | filled, [](M m) { return dgi(m.glare, m.background); }, Noise::glare},
-    {"UGR", sources | filled, [](M m) { return ugr(m.glare, m.background); }, Noise::glare},
-    {"VCP", sources | filled, [](M m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }, Noise::bias_alone},
-    {"CGI", sources | filled, [](M m) { return cgi(m.glare, m.direct_lux, m.ev); }, Noise::glare},
-    {"UGP", sources | filled, [](M m) { return ugp(m.glare, m.background); }, Noise::glare},
-    {"UGP2", sources, [](M m) { return ugp2(m.glare, m.background); }, Noise::glare},
-    {"DGImod", sources, [](M m) { return dgi_mod(m.glare, m.background, m.ev); }, Noise::glare},
-    {"UGRexp", sources, [](M m) { return ugr_exp(m.glare, m.background0, m.ev); }, Noise::glare},
-    {"DGR", sources, [](M m) { return dgr(m.glare, m.mean_lum); }, Noise::bias_alone},
-    {"PGSV", sources | mask, [](M m) { return m.pgsv.value; }, no_interval},
-    {"PGSVcon", sources | mask, [](M m) { return m.pgsv.contrast; }, no_interval},
-    {"PGSVsat", sources | mask, [](M m) { return m.pgsv.saturation; }, no_interval},
-    {"Lveil", sources, [](M m) { return veil_poynter(m.glare); }, Noise::glare},
-    {"LveilCIE", sources, [](M m) { return veil_cie(m.glare, -HUGE_VAL); }, Noise::glare},
+    {"DGP", filled_too, [](G m) { return m.dgp; }, Noise::dgp},
+    {"class", filled_too, class_value, no_interval},
+    {"DGI", filled_too, [](G m) { return dgi(m.glare, m.background); }, Noise::glare},
+    {"UGR", filled_too, [](G m) { return ugr(m.glare, m.background); }, Noise::glare},
+    {"VCP", filled_too, [](G m) { return vcp(m.glare, dgr(m.glare, m.mean_lum)); }, Noise::bias_alone},
+    {"CGI", filled_too, [](G m) { return cgi(m.glare, m.direct_lux, m.ev); }, Noise::glare},
+    {"UGP", filled_too, [](G m) { return ugp(m.glare, m.background); }, Noise::glare},
+    {"UGP2", sources, [](G m) { return ugp2(m.glare, m.background); }, Noise::glare},
+    {"DGImod", sources, [](G m) { return dgi_mod(m.glare, m.background, m.ev); }, Noise::glare},
+    {"UGRexp", sources, [](G m) { return ugr_exp(m.glare, m.background0, m.ev); }, Noise::glare},
+    {"DGR", sources, [](G m) { return dgr(m.glare, m.mean_lum); }, Noise::bias_alone},
+    {"PGSV", sources | mask | uncompared, [](M m) { return m.pgsv.value; }, no_interval},
+    {"PGSVcon", sources | mask | uncompared, [](M m) { return m.pgsv.contrast; }, no_interval},
+    {"PGSVsat", sources | mask | uncompared, [](M m) { return m.pgsv.saturation; }, no_interval},
+    {"Lveil", sources, [](G m) { return veil_poynter(m.glare); }, Noise::glare},
+    {"LveilCIE", sources, [](G m) { return veil_cie(m.glare, -HUGE_VAL); }, Noise::glare},
     {"Lavg", nothing, [](M m) { return m.mean_lum; }, linear},
     {"Lmax", nothing, [](M m) { return m.max_lum; }, no_interval},
     {"Lmed", medians, [](M m) { return m.median; }, no_interval},
-    {"LavgPos", medians, [](M m) { return m.mean_pos; }, linear},
-    {"LavgPos2", medians, [](M m) { return m.mean_pos2; }, linear},
-    {"LmedPos", medians, [](M m) { return m.median_pos; }, no_interval},
-    {"LmedPos2", medians, [](M m) { return m.median_pos2; }, no_interval},
-    {"Lb", sources, [](M m) { return m.background; }, Noise::glare},
-    {"Lt", sources, [](M m) { return m.task_lum; }, linear},
-    {"threshold", sources, [](M m) { return m.threshold; }, no_interval},
+    {"LavgPos", medians | uncompared, [](M m) { return m.mean_pos; }, linear},
+    {"LavgPos2", medians | uncompared, [](M m) { return m.mean_pos2; }, linear},
+    {"LmedPos", medians | uncompared, [](M m) { return m.median_pos; }, no_interval},
+    {"LmedPos2", medians | uncompared, [](M m) { return m.median_pos2; }, no_interval},
+    {"Lb", sources, [](G m) { return m.background; }, Noise::glare},
+    {"Lt", sources | uncompared, [](G m) { return m.task_lum; }, linear},
+    {"threshold", sources | uncompared, [](G m) { return m.threshold; }, no_interval},
     {"Edir", sources, [](M m) { return m.placed_direct_lux; }, Noise::glare},
-    {"n_sources", sources | filled, [](M m) { return double(m.sources.size()); }, no_interval},
+    {"n_sources", filled_too, [](G m) { return double(m.sources.size()); }, no_interval},
     {"omega_sources", sources, omega_sources, no_interval},
-    {"L_sources", sources, lum_sources, no_interval},
+    {"L_sources", sources | uncompared, lum_sources, no_interval},
     {"RAMMG", rammg, [](M m) { return m.rammg; }, Noise::contrast},
-    {"omega", nothing, [](M m) { return m.omega; }, no_interval},
-    {"pixels", nothing, [](M m) { return double(m.valid_pixels); }, no_interval},
-    {"not_finite", nothing, [](M m) { return double(m.not_finite); }, no_interval},
-    {"negative", nothing, [](M m) { return double(m.negative); }, no_interval},
+    {"omega", uncompared, [](M m) { return m.omega; }, no_interval},
+    {"pixels", uncompared, [](M m) { return double(m.valid_pixels); }, no_interval},
+    {"not_finite", uncompared, [](M m) { return double(m.not_finite); }, no_interval},
+    {"negative", uncompared, [](M m) { return double(m.negative); }, no_interval},
 };
 
 struct PartEntry {
@@ -99,7 +114,7 @@ class ColumnSelector {
 public:
     ColumnSelector(const ColumnChoice& choice, const Settings& settings, Requirements& requirements)
         : choice_(choice), settings_(settings), requirements_(requirements) {
-        requirements_ = {false, false, false, false};
+        requirements_ = 0;
     }
     std::vector<Column> all() {
         if (choice_.accelerad) {
@@ -150,25 +165,24 @@ private:
     bool plain(const std::string& name) {
         for (const Entry& e : entries) {
             const bool shows_unbiased = has_bias(e.noise) && name == std::string(e.name) + "u",
-                       shows_filled = (e.required & filled) != 0 && name == std::string(e.name) + "f",
+                       shows_filled = e.has_filled && name == std::string(e.name) + "f",
                        shows_pixels = name == pixels_column(e.name);
             if (name != e.name && !shows_unbiased && !shows_filled && !shows_pixels) continue;
             if (e.required & mask && !settings_.mask_file) base::fail("-metrics", name + " needs a mask (-A file)");
-            requirements_.sources |= (e.required & sources) != 0;
-            requirements_.rammg |= (e.required & rammg) != 0;
-            requirements_.medians |= (e.required & medians) != 0;
-            requirements_.all_light |= (e.required & (all_light | sources)) != 0 && !settings_.external_ev;
+            requirements_ |= e.required & ~(mask | uncompared);
+            if (e.required & sources) requirements_ |= all_light;
+            if (settings_.external_ev) requirements_ &= ~all_light;
 
-            Column column{name, e.value, e.noise};
+            Column column{name, e, e.noise};
             if (std::string(e.name) == "LveilCIE")
                 column.value = [cut = settings_.veil_cut](M m) { return veil_cie(m.glare, cut); };
-            if (e.value == class_value) column.words = dgp_classes;
+            if (e.of_glare == class_value) column.words = dgp_classes;
             column.printed_unbiased = shows_unbiased;
             if (shows_filled || shows_pixels) {
-                requirements_.filled = true;
+                requirements_ |= filled;
                 column.printed_unbiased = has_bias(e.noise);
                 column.of_filled = true;
-                column.value = [value = e.value, shows_pixels](M m) {
+                column.value = [value = e.of_glare, shows_pixels](M m) {
                     return value(m.filled ? *m.filled : m) - (shows_pixels ? value(m) : 0);
                 };
             }
@@ -200,7 +214,7 @@ private:
             for (size_t k = 0; k < choice_.regions.size(); ++k) {
                 const std::string full = choice_.regions[k] + "." + part.name;
                 if (name != part.name && name != full) continue;
-                requirements_.regions_in_full |= part.value != &RegionValues::tal;
+                if (part.value != &RegionValues::tal) requirements_ |= regions_in_full;
                 const auto value = part.value;
                 columns_.push_back({full, [k, value](M m) { return m.region_values[k].*value; }, part.noise});
                 found = true;
@@ -219,7 +233,7 @@ private:
                 if (!there) base::fail("-metrics", name + " needs -B, -A, -l or -L");
                 const auto value = part.value;
                 columns_.push_back({full, [member, value](M m) { return (*(m.*member)).*value; }, part.noise});
-                requirements_.sources = true;
+                requirements_ |= sources;
                 found = true;
             }
         };
@@ -266,29 +280,21 @@ bool has_bias(Noise noise) { return noise != no_interval && noise != linear && n
 
 std::string pixels_column(const std::string& metric) {
     for (const Entry& e : entries)
-        if (metric == e.name && (e.required & filled) && has_interval(e.noise)) return metric + ".px";
+        if (metric == e.name && e.has_filled && has_interval(e.noise)) return metric + ".px";
     return "";
+}
+
+std::vector<std::string> compared_columns() {
+    std::vector<std::string> out;
+    for (const Entry& e : entries)
+        if (!(e.required & uncompared) && e.of_glare != class_value) out.push_back(e.name);
+    return out;
 }
 
 std::string column_names() {
     std::string out;
     for (const Entry& e : entries) out += std::string(e.name) + " ";
     return out + "CR TAL mean median min max share (of regions) band mask zone1 zone2";
-}
-
-ContrastPair parse_pair(const std::string& text, const std::vector<std::string>& regions) {
-    const size_t equals = text.find('=');
-    const std::string pair = equals == std::string::npos ? text : text.substr(equals + 1);
-    const size_t slash = pair.find('/');
-    if (slash == std::string::npos || slash == 0 || slash + 1 == pair.size() || equals == 0)
-        base::fail("-cr", "\"" + text + "\" is not a contrast pair; write low/high or name=low/high");
-    const ContrastPair out{pair.substr(0, slash), pair.substr(slash + 1),
-                           equals == std::string::npos ? pair : text.substr(0, equals)};
-    for (const std::string& name : {out.low, out.high})
-        if (std::find(regions.begin(), regions.end(), name) == regions.end())
-            base::fail("-cr",
-                       "there is no region \"" + name + "\"" + (regions.empty() ? "; name a file with -regions" : ""));
-    return out;
 }
 
 }  // namespace glare

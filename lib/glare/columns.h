@@ -58,10 +58,10 @@ std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& s
 // The column of the error that pixels cause in a metric, "DGP.px"; empty: there is none, or it has no interval.
 std::string pixels_column(const std::string& metric);
 
+// Those that -compare compares if none is named.
+std::vector<std::string> compared_columns();
+
 // "Ev DGP DGI ...": for the help text.
 std::string column_names();
-
-// Contrast pairs as typed, "low/high" or "screen=low/high"; both must be regions.
-ContrastPair parse_pair(const std::string& text, const std::vector<std::string>& regions);
 
 }  // namespace glare

@@ -7,7 +7,6 @@
 namespace glare {
 namespace {
 
-constexpr uint16_t unknown = 0xffff;
 constexpr int offset = 1 << 20;  // keeps cube coordinates positive in the key
 
 uint64_t key_of(int x, int y, int z) {
@@ -25,6 +24,30 @@ void unite(std::vector<Run>& runs, uint32_t a, uint32_t b) {
     else runs[a].group = b;
 }
 
+// Calls visit(cell, other) for each used cell and those used before it whose cubes touch its own, or lie one cube
+// farther.  used: numbers of cells in the order of their keys.  Each row of cubes along z has a cursor, which only
+// moves on.
+template <class Visit>
+void for_preceding(const std::vector<uint64_t>& keys, const std::vector<uint32_t>& used, bool touching, Visit visit) {
+    size_t cursors[13] = {};
+    for (const uint32_t c : used) {
+        size_t* cursor = cursors;
+        for (int dx = -2; dx <= 0; ++dx)
+            for (int dy = -2; dy <= (dx < 0 ? 2 : 0); ++dy, ++cursor) {
+                const bool row_touches = dx >= -1 && std::abs(dy) <= 1;
+                if (touching && !row_touches) continue;
+                const int far = touching ? 1 : 2;
+                const uint64_t middle = keys[c] + uint64_t(dx * (int64_t(1) << 42) + dy * (int64_t(1) << 21));
+                const uint64_t end = std::min(middle + uint64_t(far) + 1, keys[c]);
+                while (*cursor < used.size() && keys[used[*cursor]] < middle - uint64_t(far)) ++*cursor;
+                for (size_t k = *cursor; k < used.size() && keys[used[k]] < end; ++k) {
+                    const bool touches = row_touches && keys[used[k]] + 1 >= middle && keys[used[k]] <= middle + 1;
+                    if (touches == touching) visit(c, used[k]);
+                }
+            }
+    }
+}
+
 }  // namespace
 
 ConnectedComponents::ConnectedComponents(const Geometry& geometry, double reach)
@@ -33,34 +56,20 @@ ConnectedComponents::ConnectedComponents(const Geometry& geometry, double reach)
       everything_(reach >= evalglare_pi),
       pixels_touch_(3 * geometry.pitch_bound() <= reach) {
     const double chord = 2 * std::sin(std::min(reach, evalglare_pi) / 2);
-    cells_per_unit_ = std::min(std::sqrt(3.0) / std::max(chord, 1e-12) * (1 + 1e-12), 5e5);
-}
-
-uint32_t ConnectedComponents::make_cell(uint64_t key, int x, int y, int z) {
-    const uint32_t made = uint32_t(cells_.size());
-    cell_index_[key] = made;
-    cells_.emplace_back();
-    for (int dx = -2; dx <= 2; ++dx)
-        for (int dy = -2; dy <= 2; ++dy)
-            for (int dz = -2; dz <= 2; ++dz) {
-                const auto found = cell_index_.find(key_of(x + dx, y + dy, z + dz));
-                if (found == cell_index_.end() || found->second == made) continue;
-                const bool touches = std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) <= 1;
-                (touches ? cells_[made].touching : cells_[made].near).push_back(found->second);
-            }
-    return made;
-}
-
-uint32_t ConnectedComponents::cell_of(uint32_t pixel) {
-    if (known_cell_.empty()) known_cell_.assign(geometry_.omega.size(), unknown);
-    if (known_cell_[pixel] != unknown) return known_cell_[pixel];
-    const Vec3 d = geometry_.direction(pixel) * cells_per_unit_;
-    const int x = int(std::floor(d.x)), y = int(std::floor(d.y)), z = int(std::floor(d.z));
-    const uint64_t key = key_of(x, y, z);
-    const auto found = cell_index_.find(key);
-    const uint32_t cell = found != cell_index_.end() ? found->second : make_cell(key, x, y, z);
-    if (cell < unknown) known_cell_[pixel] = uint16_t(cell);
-    return cell;
+    const double cells_per_unit = std::min(std::sqrt(3.0) / std::max(chord, 1e-12) * (1 + 1e-12), 5e5);
+    if (everything_) return;
+    std::vector<uint64_t> key(geometry.omega.size());
+    uint64_t last = 0;  // most neighbours lie in one cube
+    for (uint32_t p = 0; p < key.size(); ++p) {
+        const Vec3 d = geometry.direction(p) * cells_per_unit;
+        key[p] = key_of(int(std::floor(d.x)), int(std::floor(d.y)), int(std::floor(d.z)));
+        if (key[p] != last) keys_.push_back(last = key[p]);
+    }
+    std::sort(keys_.begin(), keys_.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+    for (const uint64_t k : key)
+        if (!cell_.empty() && keys_[cell_.back()] == k) cell_.push_back(cell_.back());
+        else cell_.push_back(uint32_t(std::lower_bound(keys_.begin(), keys_.end(), k) - keys_.begin()));
 }
 
 // Joins runs that overlap a run of the next row.
@@ -122,32 +131,29 @@ bool ConnectedComponents::within_reach(const std::vector<BoundaryPixel>& p, size
     return false;
 }
 
-void ConnectedComponents::join_cells(std::vector<Run>& runs, const std::vector<BoundaryPixel>& boundary) {
-    std::vector<uint32_t> cell(boundary.size());
-    for (size_t k = 0; k < boundary.size(); ++k) cell[k] = cell_of(boundary[k].pixel);
-    std::vector<uint32_t> first(cells_.size() + 1, 0);  // counting sort by cell
-    for (uint32_t c : cell) ++first[c + 1];
-    for (size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
+void ConnectedComponents::join_cells(std::vector<Run>& runs, const std::vector<BoundaryPixel>& boundary) const {
+    std::vector<uint32_t> first(keys_.size() + 1, 0), used;  // counting sort by cell
+    for (const BoundaryPixel& b : boundary) ++first[cell_[b.pixel] + 1];
+    for (uint32_t c = 0; c < keys_.size(); ++c) {
+        if (first[c + 1]) used.push_back(c);
+        first[c + 1] += first[c];
+    }
     std::vector<BoundaryPixel> sorted(boundary.size());
     std::vector<uint32_t> next(first.begin(), first.end() - 1);
-    for (size_t k = 0; k < boundary.size(); ++k) sorted[next[cell[k]]++] = boundary[k];
+    for (const BoundaryPixel& b : boundary) sorted[next[cell_[b.pixel]]++] = b;
 
-    for (size_t c = 0; c + 1 < first.size(); ++c)  // a cube is one piece
+    for (const uint32_t c : used)  // a cube is one piece
         for (uint32_t k = first[c]; k + 1 < first[c + 1]; ++k)
             if (sorted[k].run != sorted[k + 1].run) unite(runs, sorted[k].run, sorted[k + 1].run);
-    for (bool touching : {true, false})  // cells that do not touch last: most are joined by then
-        for (size_t c = 0; c + 1 < first.size(); ++c) {
-            if (first[c] == first[c + 1]) continue;
-            for (uint32_t o : touching ? cells_[c].touching : cells_[c].near) {
-                if (first[o] == first[o + 1]) continue;
-                const uint32_t a = sorted[first[c]].run, b = sorted[first[o]].run;
-                if (root(runs, a) == root(runs, b)) continue;
-                if (within_reach(sorted, first[c], first[c + 1], first[o], first[o + 1])) unite(runs, a, b);
-            }
-        }
+    for (const bool touching : {true, false})  // cells that do not touch last: most are joined by then
+        for_preceding(keys_, used, touching, [&](uint32_t c, uint32_t o) {
+            const uint32_t a = sorted[first[c]].run, b = sorted[first[o]].run;
+            if (root(runs, a) == root(runs, b)) return;
+            if (within_reach(sorted, first[c], first[c + 1], first[o], first[o + 1])) unite(runs, a, b);
+        });
 }
 
-uint32_t ConnectedComponents::label(std::vector<Run>& runs, uint32_t first_group) {
+uint32_t ConnectedComponents::label(std::vector<Run>& runs, uint32_t first_group) const {
     if (runs.empty()) return 0;
     if (!pixels_touch_) {
         std::vector<Run> single;

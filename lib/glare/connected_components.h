@@ -5,7 +5,6 @@
 // reach, so that a cube is one component and only neighbouring cubes are compared.
 #pragma once
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 #include "glare/geometry.h"
 
@@ -23,30 +22,22 @@ public:
     // Numbers the runs' groups first, first+1, ... by each group's first pixel, columns from the left, in a column from
     // the bottom. Runs must be in picture order and must not overlap; they may be cut into single pixels (views whose
     // neighbours can be farther apart than the reach).  Returns the number of groups.
-    uint32_t label(std::vector<Run>& runs, uint32_t first = 0);
+    uint32_t label(std::vector<Run>& runs, uint32_t first = 0) const;
 
 private:
-    // Neighbouring cells that precede this one; near: they do not touch.
-    struct GridCell {
-        std::vector<uint32_t> touching, near;
-    };
     struct BoundaryPixel {
         uint32_t pixel, run;
     };
-    uint32_t cell_of(uint32_t pixel);  // all pixels of a cell are one piece
     std::vector<BoundaryPixel> boundary(const std::vector<Run>& runs) const;
-    uint32_t make_cell(uint64_t key, int x, int y, int z);
     void join_rows(std::vector<Run>& runs) const;
-    void join_cells(std::vector<Run>& runs, const std::vector<BoundaryPixel>& boundary);
+    void join_cells(std::vector<Run>& runs, const std::vector<BoundaryPixel>& boundary) const;
     bool within_reach(const std::vector<BoundaryPixel>& p, size_t a0, size_t a1, size_t b0, size_t b1) const;
 
     const Geometry& geometry_;
     double cos_reach_;
     bool everything_, pixels_touch_;
-    double cells_per_unit_;
-    std::unordered_map<uint64_t, uint32_t> cell_index_;
-    std::vector<GridCell> cells_;
-    std::vector<uint16_t> known_cell_;  // by pixel, 0xffff = not looked up yet
+    std::vector<uint64_t> keys_;  // of cells, by number: their cubes in order
+    std::vector<uint32_t> cell_;  // by pixel
 };
 
 }  // namespace glare

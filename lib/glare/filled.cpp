@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "glare/measure.h"
-
 namespace glare {
 
 constexpr double least_share = 1e-9;  // least fraction: 1e-5 of the sun's fraction of a pixel of 3 degrees
@@ -27,26 +25,6 @@ FilledPixels filled_pixels(const Luminance& picture) {
         out.share[i] = float(std::max(least_share, m1 * m1 / (m1 * m1 + v)));
         out.grey[i] = float(m1 / out.share[i]);
     }
-    return out;
-}
-
-Measurement PictureAnalyzer::measure_filled(const Luminance& lum, const Luminance& classification_image,
-                                            SourceFinder& of_centres, const Measurement& m) const {
-    const std::unique_ptr<SourceFinder> of_places = placed_geometry_ ? make_finder(*placed_geometry_) : nullptr;
-    const Geometry& geometry = placed_geometry_ ? *placed_geometry_ : *geometry_;
-    SourceFinder& finder = of_places ? *of_places : of_centres;
-    Luminance classification = classification_image;
-    classification.moments = lum.moments;
-    FilledPixels own = filled_pixels(lum), classified = filled_pixels(classification);
-    const Luminance light = own.as(lum), bright = classified.as(classification);
-    Measurement out = m;
-    out.ev = m.placed_ev;
-    finder.find_groups(light, bright, m.threshold);
-    out.sources = finder.split(light);
-    out.direct_lux = finder.direct_lux();
-    out.glare = glare_terms(light, bright, geometry, settings_, m.threshold, out.sources);
-    out.any_source = !out.sources.empty();
-    background_and_dgp(finder, out);
     return out;
 }
 

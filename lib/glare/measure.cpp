@@ -6,6 +6,7 @@
 #include "base/angle.h"
 #include "base/error.h"
 #include "base/split.h"
+#include "glare/filled.h"
 #include "glare/position_index.h"
 #include "glare/threshold.h"
 
@@ -42,7 +43,7 @@ bool is_of_irradiance(const image::Header& header) {
 
 }  // namespace
 
-PictureAnalyzer::PictureAnalyzer(const Settings& settings, const Requirements& requirements,
+PictureAnalyzer::PictureAnalyzer(const Settings& settings, Requirements requirements,
                                  std::optional<image::MaskSet> regions, image::DrawRegions draw, Methods methods)
     : methods_(std::move(methods)),
       settings_(settings),
@@ -67,40 +68,39 @@ std::vector<RegionPixels> PictureAnalyzer::lay(image::MaskSet& regions, const im
     return out;
 }
 
-void PictureAnalyzer::set_regions(image::MaskSet regions, image::DrawRegions draw, const Requirements& requirements) {
+void PictureAnalyzer::set_regions(image::MaskSet regions, image::DrawRegions draw, Requirements requirements) {
     const std::vector<std::string> names = names_of(regions);
     require_task(settings_, names);
     if (geometry_) region_pixels_ = lay(regions, draw, "regions");
     regions_ = std::move(regions), draw_ = std::move(draw);
     region_names_ = names;
-    requirements_.regions_in_full = requirements.regions_in_full;
+    requirements_ = (requirements_ & ~require::regions_in_full) | (requirements & require::regions_in_full);
 }
 
 void PictureAnalyzer::prepare(const view::View& view, const image::Picture& picture, const std::string& place) {
     if (geometry_ && geometry_->fits(view, picture.width, picture.height)) return;
+    if (settings_.patches && view.type != 'a') base::fail("-z", "patches need an angular fisheye view (-vta)");
     if (view.type == 'l') base::fail(place, "a parallel view (-vtl) has no eye point: glare is not defined for it");
     try {
         view::validate(view);
     } catch (const base::Error& e) {
         base::fail(place, std::string("the view cannot be used: ") + e.what());
     }
-    finder_.reset();
     placed_geometry_.reset(), drawn_pixels_.clear(), moments_.reset();
     geometry_.reset();
-    auto rays = methods_.geometry ? methods_.geometry(view, place) : std::make_unique<const ViewGeometry>(view);
-    geometry_ = std::make_unique<Geometry>(std::move(rays), picture.width, picture.height);
-    narrow_ = requirements_.all_light && geometry_->share_of_light() < .9;
-    finder_ = make_finder();
-    if (requirements_.rammg) pyramid_ = std::make_unique<Pyramid>(*geometry_, settings_.rammg_area);
+    geometry_ = std::make_unique<Geometry>(methods_.geometry(view, place), picture.width, picture.height);
+    if (requires_sources()) find_sources_ = methods_.sources(*geometry_, settings_);
+    narrow_ = (requirements_ & require::all_light) && geometry_->share_of_light() < .9;
+    if (requirements_ & require::rammg) pyramid_ = std::make_unique<Pyramid>(*geometry_, settings_.rammg_area);
     find_position_index();
-    mask_.reset();
+    sets_ = pixel_sets();
     region_pixels_.clear();
     if (regions_) region_pixels_ = lay(*regions_, draw_, place);
 }
 
 void PictureAnalyzer::find_position_index() {
     const Geometry& g = *geometry_;
-    position_index_.assign(requirements_.medians ? g.omega.size() : 0, 0);
+    position_index_.assign((requirements_ & require::medians) ? g.omega.size() : 0, 0);
     for (size_t i = 0; i < position_index_.size(); ++i)
         if (g.valid(i)) position_index_[i] = float(position_index(g, g.seen_direction(i), settings_.position));
 }
@@ -141,64 +141,83 @@ void PictureAnalyzer::position_statistics(const Luminance& lum, Measurement& m) 
     m.mean_pos2 = sum2 / g.omega_sum;
 }
 
-void PictureAnalyzer::background_and_dgp(const SourceFinder& finder, Measurement& m) const {
+// The same for whole and for filled pixels.  photometry: of the light that reaches the eye.
+Glare glare_of(const Luminance& lum, const Luminance& classification_image, const Geometry& g, const Settings& settings,
+               const Methods& methods, const Photometry& photometry, const Sources& found, double task_lum,
+               double threshold) {
+    Glare m;
+    static_cast<Photometry&>(m) = photometry;
+    m.task_lum = task_lum, m.threshold = threshold;
+    m.sources = found.sources;
+    m.direct_lux = found.direct_lux;
+    m.glare = glare_terms(lum, classification_image, g, settings, threshold, m.sources);
+    m.any_source = !m.sources.empty();
     const double rest_lux = m.ev - m.direct_lux;
-    m.background0 = finder.nothing_left(std::fabs(rest_lux), m.ev) ? 0 : rest_lux / evalglare_pi;
+    m.background0 = methods.nothing_left(std::fabs(rest_lux), m.ev) ? 0 : rest_lux / evalglare_pi;
     m.background = m.background0;
-    if (settings_.background == 1) {
+    if (settings.background == 1) {
         double flux = 0, omega = 0;
         for (const GlareSource& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
         const double rest = m.omega - omega;
-        m.background = finder.nothing_left(rest, m.omega) ? m.mean_lum : (m.omega * m.mean_lum - flux) / rest;
-    } else if (settings_.background == 2) {
+        m.background = methods.nothing_left(rest, m.omega) ? m.mean_lum : (m.omega * m.mean_lum - flux) / rest;
+    } else if (settings.background == 2) {
         m.background = m.ev / evalglare_pi;
     }
-    m.eye_lux_used = settings_.external_ev.value_or(m.ev);
-    m.dgp_computed = dgp(m.glare, m.ev, settings_.constants);
-    m.dgp = dgp(m.glare, m.eye_lux_used, settings_.constants) *
-            (settings_.low_light ? low_light_factor(m.eye_lux_used) : 1);
+    m.eye_lux_used = settings.external_ev.value_or(m.ev);
+    m.dgp_computed = dgp(m.glare, m.ev, settings.constants);
+    m.dgp =
+        dgp(m.glare, m.eye_lux_used, settings.constants) * (settings.low_light ? low_light_factor(m.eye_lux_used) : 1);
+    return m;
 }
 
-void PictureAnalyzer::glare(Luminance& lum, Luminance& classification_image, SourceFinder& finder,
-                            Measurement& m) const {
+Glare PictureAnalyzer::filled_glare(const Luminance& lum, const Luminance& classification_image,
+                                    const Measurement& m) const {
+    const Geometry& g = placed_geometry_ ? *placed_geometry_ : *geometry_;
+    Luminance classification = classification_image;
+    classification.moments = lum.moments;
+    FilledPixels own = filled_pixels(lum), classified = filled_pixels(classification);
+    const Luminance light = own.as(lum), bright = classified.as(classification);
+    Photometry photometry = m;
+    photometry.ev = m.placed_ev;
+    return glare_of(light, bright, g, settings_, methods_, photometry, find_sources_(light, bright, g, m.threshold, {}),
+                    m.task_lum, m.threshold);
+}
+
+void PictureAnalyzer::glare(Luminance& lum, Luminance& classification_image, Measurement& m) const {
     const Geometry& g = *geometry_;
     if (settings_.field_cut) cut_field(lum, g, settings_.field_cut);
     if (settings_.field_cut && &classification_image != &lum) cut_field(classification_image, g, settings_.field_cut);
     const bool has_task = settings_.task || !settings_.task_region.empty();
-    m.task_lum = finder.reference_luminance(lum, m.mean_lum);
+    double task_lum = methods_.reference_luminance(lum, g, settings_, m.mean_lum);
     for (size_t k = 0; k < region_names_.size() && !settings_.task; ++k)
-        if (region_names_[k] == settings_.task_region) m.task_lum = region_pixels_[k].tal(lum);
-    m.task_lum = float(m.task_lum);
-    m.threshold = source_threshold(settings_, has_task, m.task_lum);
+        if (region_names_[k] == settings_.task_region) task_lum = region_pixels_[k].tal(lum);
+    task_lum = float(task_lum);
+    const double threshold = source_threshold(settings_, has_task, task_lum);
 
-    if (settings_.zones && (settings_.zones->inner.x < 0 || settings_.zones->inner.y < 0 ||
-                            settings_.zones->inner.x >= g.width || settings_.zones->inner.y >= g.height))
-        base::fail("-l", "the zone's centre is outside the picture");
-    if (requirements_.filled && lum.moments && !settings_.field_cut && !settings_.fill)
-        m.filled = std::make_shared<const Measurement>(measure_filled(lum, classification_image, finder, m));
-    finder.find_groups(lum, classification_image, m.threshold);
-    pixel_sets(lum, finder, m);
-    m.sources = finder.split(lum);
-    m.direct_lux = finder.direct_lux();
-    m.placed_direct_lux = m.direct_lux + gain_of_place(lum, classification_image, m.threshold);
-    m.glare = glare_terms(lum, classification_image, g, settings_, m.threshold, m.sources);
-    m.any_source = !m.sources.empty();
-    background_and_dgp(finder, m);
+    Sources found = find_sources_(lum, classification_image, g, threshold, sets_);
+    static_cast<Glare&>(m) = glare_of(lum, classification_image, g, settings_, methods_, m, found, task_lum, threshold);
+    static_cast<SetStatistics&>(m) = found.sets;
+    m.runs = std::move(found.runs), m.runs_before_zones = std::move(found.runs_before_zones);
+    m.sources_before_zones = std::move(found.before_zones);
+    m.placed_direct_lux = m.direct_lux + gain_of_place(lum, classification_image, threshold);
+    if (requirements_ & require::filled && lum.moments && !settings_.field_cut && !settings_.fill)
+        m.filled = filled_glare(lum, classification_image, m);
     if (m.mask) m.pgsv = pgsv(*m.mask, m.mean_lum, m.ev, has_task, m.task_lum);
 }
 
-// Statistics of band, mask and zones, before zones split the sources.
-void PictureAnalyzer::pixel_sets(const Luminance& lum, SourceFinder& finder, Measurement& m) const {
+// Of band and zones; the mask's are read with the first picture.
+PixelSets PictureAnalyzer::pixel_sets() const {
     const Geometry& g = *geometry_;
-    if (settings_.band_rad) {
-        const std::vector<uint32_t> band = band_pixels(g, *settings_.band_rad);
-        m.band = finder.statistics(band, lum);
-        finder.mark_band(band);
-    }
-    if (mask_) m.mask = finder.statistics(*mask_, lum);
-    if (!settings_.zones) return;
-    m.zone1 = finder.statistics(zone_pixels(g, *settings_.zones, 1), lum);
-    if (settings_.zones->outer_opening) m.zone2 = finder.statistics(zone_pixels(g, *settings_.zones, 2), lum);
+    PixelSets out;
+    if (!(requirements_ & require::sources)) return out;
+    if (settings_.band_rad) out.band = band_pixels(g, *settings_.band_rad);
+    if (!settings_.zones) return out;
+    const Circle& inner = settings_.zones->inner;
+    if (inner.x < 0 || inner.y < 0 || inner.x >= g.width || inner.y >= g.height)
+        base::fail("-l", "the zone's centre is outside the picture");
+    out.zone1 = zone_pixels(g, *settings_.zones, 1);
+    if (settings_.zones->outer_opening) out.zone2 = zone_pixels(g, *settings_.zones, 2);
+    return out;
 }
 
 Luminance PictureAnalyzer::read(image::Picture& picture, const std::string& place,
@@ -211,7 +230,7 @@ Luminance PictureAnalyzer::read(image::Picture& picture, const std::string& plac
     place_drawn_pixels(lum.moments);
     if (lum.not_finite)
         base::warn(place, "pixels that are not finite count as black (-metrics not_finite counts them)");
-    if (requirements_.filled && !lum.moments && !std::exchange(told_no_moments_, true))
+    if ((requirements_ & require::filled) && !lum.moments && !std::exchange(told_no_moments_, true))
         base::warn(
             place,
             "has no moments of its pixels (a stream of ptrace and its OpenEXR files have): the effect of their size "
@@ -238,38 +257,32 @@ Measurement PictureAnalyzer::measure(Luminance& lum, const std::string& place) {
     }
     if (std::exchange(narrow_, false))
         base::warn(place, "Ev and DGP are of this narrow view; -vta -vh 180 -vv 180 has all that reaches the eye");
-    if (settings_.mask_file && requirements_.sources && !mask_) mask_ = mask_pixels(*settings_.mask_file, *geometry_);
-    Measurement m = measure(lum, lum, *finder_);
+    if (settings_.mask_file && requires_sources() && !sets_.mask)
+        sets_.mask = mask_pixels(*settings_.mask_file, *geometry_);
+    Measurement m = measure(lum, lum);
     m.black_corners = black_corners;
     return m;
 }
 
-Measurement PictureAnalyzer::measure(Luminance& lum, Luminance& classification_image, SourceFinder& finder) const {
+Measurement PictureAnalyzer::measure(Luminance& lum, Luminance& classification_image) const {
     Measurement m;
     m.not_finite = lum.not_finite;
     m.negative = lum.negative;
     if (settings_.fill) fill_rows(lum, *geometry_, *settings_.fill);
     if (settings_.fill && &classification_image != &lum) fill_rows(classification_image, *geometry_, *settings_.fill);
-    static_cast<Photometry&>(m) = finder.photometry(lum);
+    static_cast<Photometry&>(m) = methods_.photometry(lum, *geometry_, settings_);
     m.placed_ev = m.ev + gain_of_place(lum, lum, 0);
     regions(lum, m);
-    if (requirements_.rammg) m.rammg = rammg(lum, *pyramid_);
-    if (requirements_.medians) position_statistics(lum, m);
-    if (requirements_.sources) glare(lum, classification_image, finder, m);
+    if (requirements_ & require::rammg) m.rammg = rammg(lum, *pyramid_);
+    if (requirements_ & require::medians) position_statistics(lum, m);
+    if (requirements_ & require::sources) glare(lum, classification_image, m);
     return m;
 }
-
-std::unique_ptr<SourceFinder> PictureAnalyzer::make_finder(const Geometry& geometry) const {
-    if (methods_.finder) return methods_.finder(geometry, settings_);
-    return std::make_unique<ConnectedSources>(geometry, settings_);
-}
-
-std::unique_ptr<SourceFinder> PictureAnalyzer::make_finder() const { return make_finder(*geometry_); }
 
 void PictureAnalyzer::regions(const Luminance& lum, Measurement& m) const {
     for (const RegionPixels& r : region_pixels_) {
         m.region_values.emplace_back();
-        if (requirements_.regions_in_full) m.region_values.back() = r.measure(lum);
+        if (requirements_ & require::regions_in_full) m.region_values.back() = r.measure(lum);
         else m.region_values.back().tal = r.tal(lum);
     }
 }

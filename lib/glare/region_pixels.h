@@ -40,4 +40,7 @@ struct ContrastPair {
     std::string low, high, column;
 };
 
+// Contrast pairs as typed, "low/high" or "screen=low/high"; both must be regions.
+ContrastPair parse_pair(const std::string& text, const std::vector<std::string>& regions);
+
 }  // namespace glare

@@ -82,11 +82,14 @@ struct MaskSize : base::Error {
           mask_height(mask_h) {}
 };
 
-// Quantities to calculate beyond Ev and the luminance statistics, which are always there.
-struct Requirements {
-    bool sources = true, rammg = true, medians = false, regions_in_full = false;
-    bool filled = false;     // also sources of filled pixels (filled.h)
-    bool all_light = false;  // all light at the eye; a narrow view shows only a part of it
-};
+// Quantities to calculate beyond Ev and the luminance statistics, which are always there: bits of Requirements.
+using Requirements = unsigned;
+namespace require {
+constexpr Requirements sources = 1, rammg = 2, medians = 4,
+                       mask = 8,  // -A
+    all_light = 16,               // all light at the eye; a narrow view shows only a part of it
+    filled = 32,                  // also sources of filled pixels (filled.h)
+    regions_in_full = 64;         // more than their TAL
+}
 
 }  // namespace glare

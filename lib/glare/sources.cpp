@@ -12,8 +12,15 @@
 namespace glare {
 namespace {
 
+// Groups of bright pixels by number, from 1.
+struct Groups {
+    std::vector<Run> runs;
+    std::vector<Run> extra;  // pixels that smoothing adds to a second group
+    std::vector<int> zones;  // by number; empty without zones
+    uint32_t count = 0;      // highest number used
+};
+
 // Restores picture order and joins neighbours of a group again.
-template <class GroupPixel>
 std::vector<Run> to_runs(std::vector<GroupPixel> pixels, int width) {
     std::sort(pixels.begin(), pixels.end(), [](const GroupPixel& a, const GroupPixel& b) { return a.pixel < b.pixel; });
     std::vector<Run> runs;
@@ -39,82 +46,48 @@ void place(GlareSource& s, const Geometry& g, const Settings& settings, bool ins
     s.sigma_deg = s.theta_deg = eye_angles(g, s.direction).sigma_deg;
 }
 
-}  // namespace
-
-SourceFinder::SourceFinder(const Geometry& geometry, const Settings& settings)
-    : geometry_(geometry), settings_(settings), radius_px_(radius_in_pixels(geometry, settings.search_opening)) {
-    if (settings.patches && geometry.projector.view().type != 'a')
-        base::fail("-z", "patches need an angular fisheye view (-vta)");
-}
-
-double SourceFinder::reference_luminance(const Luminance& lum, double mean_lum) const {
-    return settings_.task ? task_luminance(lum, geometry_, *settings_.task) : mean_lum;
-}
-
-PixelStatistics SourceFinder::statistics(const std::vector<uint32_t>& pixels, const Luminance& lum) const {
-    return statistics_of(
-        pixels, [&](size_t p) { return lum.at(p); }, geometry_);
-}
-
-std::vector<SourceFinder::GroupPixel> SourceFinder::column_order() const {
-    const Geometry& g = geometry_;
-    std::vector<GroupPixel> out;
-    for (const Run& r : runs_)
-        for (uint32_t p = r.start; p < r.start + r.length; ++p)
-            out.push_back({uint32_t(g.x_of(p)) * uint32_t(g.height) + uint32_t(g.y_of(p)), p, r.group});
-    std::sort(out.begin(), out.end(),
-              [](const GroupPixel& a, const GroupPixel& b) { return a.column_key < b.column_key; });
+Groups bright_groups(const Luminance& lum, const Geometry& g, const Settings& settings, double threshold,
+                     const ConnectedComponents& components) {
+    Groups out;
+    out.runs = bright_runs(lum, g, threshold);
+    if (settings.patches) out.count = assign_patches(out.runs, g, *settings.patches);
+    else out.count = components.label(out.runs, 1);
+    for (const Run& r : out.runs) out.count = std::max(out.count, r.group);
     return out;
 }
 
-ConnectedSources::ConnectedSources(const Geometry& geometry, const Settings& settings)
-    : SourceFinder(geometry, settings), components_(geometry, double(float(settings.search_opening)) / 2) {}
-
-void ConnectedSources::find_groups(const Luminance& lum, const Luminance& classification_image, double threshold) {
-    extra_.clear();
-    zone_of_group_.clear();
-    runs_ = bright_runs(classification_image, geometry_, threshold);
-    if (settings_.patches) groups_ = assign_patches(runs_, geometry_, *settings_.patches);
-    else groups_ = components_.label(runs_, 1);
-    for (const Run& r : runs_) groups_ = std::max(groups_, r.group);
-    if (settings_.smooth && searches()) smooth();
-    if (settings_.peaks && searches()) extract_peaks(classification_image);
-    direct_lux_ = light_of_groups(lum);
-}
-
-double ConnectedSources::light_of_groups(const Luminance& lum) const {
+double light_of(const std::vector<Run>& runs, const Luminance& lum, const Geometry& g) {
     double lux = 0;
-    for (const Run& r : runs_)
-        for (uint32_t p = r.start; p < r.start + r.length; ++p)
-            lux += lum.at(p) * lum.filled(p) * geometry_.omega_cos[p];
+    for (const Run& r : runs)
+        for (uint32_t p = r.start; p < r.start + r.length; ++p) lux += lum.at(p) * lum.filled(p) * g.omega_cos[p];
     return lux;
 }
 
-void ConnectedSources::smooth() {
-    const std::vector<Joining> joining = glare::smooth(runs_, geometry_, float(radius_px_ / 1.75));
+void smooth_groups(Groups& groups, const Geometry& g, double radius_px) {
+    const std::vector<Joining> joining = smooth(groups.runs, g, float(radius_px / 1.75));
     for (size_t k = 0; k < joining.size(); ++k) {
         const Joining& j = joining[k];
         const bool last_of_pixel = k + 1 == joining.size() || joining[k + 1].pixel != j.pixel;
-        (last_of_pixel ? runs_ : extra_).push_back({j.pixel, 1, j.group});
+        (last_of_pixel ? groups.runs : groups.extra).push_back({j.pixel, 1, j.group});
     }
-    std::sort(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
+    std::sort(groups.runs.begin(), groups.runs.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
 }
 
 // Pixels at or above the limit leave their group and form new groups, connected by the same radius.
-void ConnectedSources::extract_peaks(const Luminance& lum) {
+void extract_peaks(Groups& groups, const Luminance& lum, double peak_limit, const ConnectedComponents& components) {
     double brightest = 0;
-    std::vector<float> group_max(groups_ + 1, 0);
-    for (const Run& r : runs_)
+    std::vector<float> group_max(groups.count + 1, 0);
+    for (const Run& r : groups.runs)
         for (uint32_t p = r.start; p < r.start + r.length; ++p)
             group_max[r.group] = std::max(group_max[r.group], lum.grey[p]);
     for (float m : group_max) brightest = std::max(brightest, cdm2_per_grey * m);
-    if (!(brightest > settings_.peak_limit)) return;
-    const auto is_peak = [&](uint32_t p) { return lum.at(p) >= settings_.peak_limit; };
-    const uint32_t before = groups_;
+    if (!(brightest > peak_limit)) return;
+    const auto is_peak = [&](uint32_t p) { return lum.at(p) >= peak_limit; };
+    const uint32_t before = groups.count;
     std::vector<std::vector<Run>> peaks(before + 1);
     std::vector<Run> rest;
-    for (const Run& r : runs_) {
-        if (!(cdm2_per_grey * group_max[r.group] >= settings_.peak_limit)) {
+    for (const Run& r : groups.runs) {
+        if (!(cdm2_per_grey * group_max[r.group] >= peak_limit)) {
             rest.push_back(r);
             continue;
         }
@@ -126,37 +99,35 @@ void ConnectedSources::extract_peaks(const Luminance& lum) {
         }
     }
     for (uint32_t group = 1; group <= before; ++group) {
-        groups_ += components_.label(peaks[group], groups_ + 1);
+        groups.count += components.label(peaks[group], groups.count + 1);
         rest.insert(rest.end(), peaks[group].begin(), peaks[group].end());
     }
     std::sort(rest.begin(), rest.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
-    runs_.swap(rest);
+    groups.runs.swap(rest);
 }
 
 // Pixels inside a zone leave their group: one new group for each pair of old group and zone.
-void ConnectedSources::split_zones() {
-    const ZoneBorders borders(geometry_, *settings_.zones);
-    std::vector<GroupPixel> pixels = column_order();
-    std::vector<uint32_t> moved(2 * (groups_ + 1), 0);
-    zone_of_group_.assign(groups_ + 1, 0);
+void split_zones(Groups& groups, const Geometry& g, const Zones& zones) {
+    const ZoneBorders borders(g, zones);
+    std::vector<GroupPixel> pixels = column_order(groups.runs, g);
+    std::vector<uint32_t> moved(2 * (groups.count + 1), 0);
+    groups.zones.assign(groups.count + 1, 0);
     for (GroupPixel& p : pixels) {
         const int zone = borders.zone_of(p.pixel);
         if (!zone) continue;
         uint32_t& target = moved[2 * p.group + (zone - 1)];
         if (!target) {
-            target = ++groups_;
-            zone_of_group_.push_back(zone);
+            target = ++groups.count;
+            groups.zones.push_back(zone);
         }
         p.group = target;
     }
-    runs_before_zones_ = runs_;
-    runs_ = to_runs(std::move(pixels), geometry_.width);
+    groups.runs = to_runs(std::move(pixels), g.width);
 }
 
-std::vector<GlareSource> ConnectedSources::split(const Luminance& lum) {
-    if (settings_.zones) split_zones();
-    const Geometry& g = geometry_;
-    std::vector<GlareSource> sources(groups_ + 1);
+std::vector<GlareSource> sums_of(const Groups& groups, const Luminance& lum, const Geometry& g,
+                                 const Settings& settings) {
+    std::vector<GlareSource> sources(groups.count + 1);
     const auto add = [&](const Run& r, bool at_eye) {
         GlareSource s = sources[r.group];
         const int y = g.y_of(r.start);
@@ -171,19 +142,58 @@ std::vector<GlareSource> ConnectedSources::split(const Luminance& lum) {
         s.pixels += r.length;
         sources[r.group] = s;
     };
-    for (const Run& r : runs_) add(r, true);
-    for (const Run& r : extra_) add(r, false);
+    for (const Run& r : groups.runs) add(r, true);
+    for (const Run& r : groups.extra) add(r, false);
     for (GlareSource& s : sources) s.x /= s.lum, s.y /= s.lum, s.lum /= s.omega;
     std::vector<GlareSource> live;
-    for (uint32_t group = 1; group <= groups_; ++group) {
+    for (uint32_t group = 1; group <= groups.count; ++group) {
         GlareSource& s = sources[group];
         if (!(s.pixels > 0)) continue;
         s.group = group;
-        if (!zone_of_group_.empty()) s.zone = zone_of_group_[group];
-        place(s, g, settings_, lum.share != nullptr);
+        if (!groups.zones.empty()) s.zone = groups.zones[group];
+        place(s, g, settings, lum.share != nullptr);
         live.push_back(s);
     }
     return live;
+}
+
+SetStatistics statistics_of(const PixelSets& sets, const Luminance& lum, const Geometry& g) {
+    const auto of = [&](const std::optional<std::vector<uint32_t>>& pixels) {
+        const auto at = [&](size_t p) { return lum.at(p); };
+        return pixels ? std::optional(statistics_of(*pixels, at, g)) : std::nullopt;
+    };
+    return {of(sets.band), of(sets.mask), of(sets.zone1), of(sets.zone2)};
+}
+
+}  // namespace
+
+std::vector<GroupPixel> column_order(const std::vector<Run>& runs, const Geometry& g) {
+    std::vector<GroupPixel> out;
+    for (const Run& r : runs)
+        for (uint32_t p = r.start; p < r.start + r.length; ++p)
+            out.push_back({uint32_t(g.x_of(p)) * uint32_t(g.height) + uint32_t(g.y_of(p)), p, r.group});
+    std::sort(out.begin(), out.end(),
+              [](const GroupPixel& a, const GroupPixel& b) { return a.column_key < b.column_key; });
+    return out;
+}
+
+Sources find_sources(const Luminance& lum, const Luminance& classification_image, const Geometry& g,
+                     const ConnectedComponents& components, const Settings& settings, double threshold,
+                     const PixelSets& sets) {
+    const double radius_px = radius_in_pixels(g, settings.search_opening);
+    Groups groups = bright_groups(classification_image, g, settings, threshold, components);
+    if (settings.smooth && radius_px >= 1) smooth_groups(groups, g, radius_px);
+    if (settings.peaks && radius_px >= 1) extract_peaks(groups, classification_image, settings.peak_limit, components);
+    Sources out;
+    out.direct_lux = light_of(groups.runs, lum, g);
+    out.sets = statistics_of(sets, lum, g);
+    if (settings.zones) {
+        out.runs_before_zones = groups.runs;
+        split_zones(groups, g, *settings.zones);
+    }
+    out.sources = sums_of(groups, lum, g, settings);
+    out.runs = std::move(groups.runs);
+    return out;
 }
 
 }  // namespace glare

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Division of a picture's light: photometry, glare sources, background.  One interface for all three, because a
-// background is the difference of two sums that must be added in the same order.
+// Glare sources of a picture, and the light in them.
 #pragma once
-#include <memory>
+#include <optional>
 #include <vector>
 #include "glare/connected_components.h"
-#include "glare/photometry.h"
 #include "glare/settings.h"
 #include "glare/statistics.h"
 
@@ -22,64 +20,36 @@ struct GlareSource {
     Vec3 direction;                              // of the pixel that contains the centre
 };
 
-class SourceFinder {
-public:
-    SourceFinder(const Geometry& geometry, const Settings& settings);
-    virtual ~SourceFinder() = default;
+// Sets of pixels that statistics are asked of (-B, -A, -l, -L).
+struct PixelSets {
+    std::optional<std::vector<uint32_t>> band, mask, zone1, zone2;
+};
+struct SetStatistics {
+    std::optional<PixelStatistics> band, mask, zone1, zone2;
+};
 
-    virtual Photometry photometry(const Luminance& lum) const { return glare::photometry(lum, geometry_); }
-    // Reference luminance of the threshold: the mean of the task area (-t), or of the picture.
-    virtual double reference_luminance(const Luminance& lum, double mean_lum) const;
-    // Groups of bright pixels.  `classification_image` decides which pixels are bright and which are peaks.
-    virtual void find_groups(const Luminance& lum, const Luminance& classification_image, double threshold) = 0;
-    // The sources, one for each group, split at the borders of zones (-l, -L).
-    virtual std::vector<GlareSource> split(const Luminance& lum) = 0;
-    // Statistics of a band, a mask or a zone; must be called between find_groups() and split().
-    virtual PixelStatistics statistics(const std::vector<uint32_t>& pixels, const Luminance& lum) const;
-    virtual void mark_band(const std::vector<uint32_t>&) {}
-    // Returns true if the sources are the whole light, except for rounding.
-    virtual bool nothing_left(double rest, double whole) const { return rest < 1e-11 * whole; }
-
-    const std::vector<Run>& runs() const { return runs_; }  // source pixels of the last picture, groups from 1
-    const std::vector<Run>& runs_before_zones() const { return settings_.zones ? runs_before_zones_ : runs_; }
-    const std::vector<GlareSource>& sources_before_zones() const { return sources_before_zones_; }
-    double direct_lux() const { return direct_lux_; }
-
-protected:
-    // A pixel of a group.
-    struct GroupPixel {
-        uint32_t column_key, pixel, group;
-    };
-    // All pixels of runs(), columns from the left, in a column from the bottom: evalglare's order.
-    std::vector<GroupPixel> column_order() const;
-    bool searches() const { return radius_px_ >= 1; }  // the search radius is at least a pixel
-
-    const Geometry& geometry_;
-    const Settings& settings_;
-    double radius_px_;
-    std::vector<Run> runs_, runs_before_zones_;
-    std::vector<GlareSource> sources_before_zones_;  // for evalglare's lines
-    double direct_lux_ = 0;
+struct Sources {
+    std::vector<GlareSource> sources;  // split at the borders of zones (-l, -L)
+    std::vector<Run> runs;             // their pixels, groups from 1
+    double direct_lux = 0;
+    std::vector<GlareSource> before_zones;  // for evalglare's lines
+    std::vector<Run> runs_before_zones;     // where zones split them; else empty
+    SetStatistics sets;
 };
 
 // Connected components of bright pixels, smoothed (-s), without their peaks (-y); or fixed patches (-z).
-class ConnectedSources final : public SourceFinder {
-public:
-    ConnectedSources(const Geometry& geometry, const Settings& settings);
-    void find_groups(const Luminance& lum, const Luminance& classification_image, double threshold) override;
-    std::vector<GlareSource> split(const Luminance& lum) override;
+// classification_image: decides which pixels are bright and which are peaks.
+// components: of the geometry's directions.
+Sources find_sources(const Luminance& lum, const Luminance& classification_image, const Geometry& geometry,
+                     const ConnectedComponents& components, const Settings& settings, double threshold,
+                     const PixelSets& sets);
 
-private:
-    double light_of_groups(const Luminance& lum) const;
-    void smooth();
-    void extract_peaks(const Luminance& lum);
-    void split_zones();
-
-    ConnectedComponents components_;
-    std::vector<Run> extra_;          // pixels that smoothing adds to a second group
-    std::vector<int> zone_of_group_;  // by group number; empty without zones
-    uint32_t groups_ = 0;             // highest number used
+// A pixel of a group.
+struct GroupPixel {
+    uint32_t column_key, pixel, group;
 };
+// All pixels of runs, columns from the left, in a column from the bottom: evalglare's order.
+std::vector<GroupPixel> column_order(const std::vector<Run>& runs, const Geometry& geometry);
 
 GlareTerms terms_of(const std::vector<GlareSource>& sources);
 // Sums of the formulas: over the sources, or with DgpForm::pixel over every bright pixel.

@@ -130,18 +130,16 @@ void ColumnEstimates::look(const glare::Luminance& lum, const glare::Measurement
     uncertainty::Metrics metrics;
     metrics.quantities = quantities();
     metrics.measure = [&] {
-        const std::shared_ptr<glare::SourceFinder> finder = analyzer_.make_finder();
-        return [this, finder, &g, &lum](std::vector<float>& image, std::vector<float>& classification) {
+        return [this, &g, &lum](std::vector<float>& image, std::vector<float>& classification) {
             glare::Luminance own = as_luminance(image, g, lum.moments),
                              classification_image = as_luminance(classification, g);
-            return values(analyzer_.measure(own, &image == &classification ? own : classification_image, *finder),
-                          false);
+            return values(analyzer_.measure(own, &image == &classification ? own : classification_image), false);
         };
     };
     metrics.measure_regions = [&](std::vector<float>& image) {
         return values(analyzer_.measure_regions(as_luminance(image, g)), true);
     };
-    if (analyzer_.requirements().sources) metrics.threshold = float(m.threshold / glare::cdm2_per_grey);
+    if (analyzer_.requires_sources()) metrics.threshold = float(m.threshold / glare::cdm2_per_grey);
     metrics.filter_radius = filter_radius(g);
     const std::vector<uncertainty::Estimate> before = std::move(own_);
     replicates_ = uncertainty::replicate(mean, metrics, values(m, false));

@@ -33,11 +33,10 @@ std::vector<uncertainty::Values> moment_values(const glare::PictureAnalyzer& ana
     std::vector<uncertainty::Values> seen(2 * moment_pairs);
     std::atomic<size_t> next{0};
     base::on_threads(std::min(base::processors(), unsigned(seen.size())), [&] {
-        const auto finder = analyzer.make_finder();
         for (size_t k = next++; k < seen.size(); k = next++) {
             glare::Luminance here = lum;
             here.moments = moved(*lum.moments, int(k / 2), k % 2 ? -1 : 1);
-            const glare::Measurement m = analyzer.measure(here, here, *finder);
+            const glare::Measurement m = analyzer.measure(here, here);
             for (const glare::Column& c : columns) seen[k].push_back(c.of_filled ? c.value(m) : 0);
         }
     });

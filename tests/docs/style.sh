@@ -28,6 +28,9 @@ long_functions() { awk -v most=80 -f "$TOP/tests/docs/long_functions.awk" "$@"; 
 export -f long_functions
 check 'no function is longer than 80 lines' '! long_functions $(cxx | outside_tests) | grep . >&2'
 
+check 'values, not protocols: nothing is changed behind a const' '
+    ! grep -nE "\<mutable\>|const_cast|void ?[*]" "$TOP"/lib/glare/* "$TOP"/tools/vcmetrics/* >&2'
+
 lines() { for ((i = 0; i < $1; i++)); do echo "        x += $i;"; done; }
 { echo 'int f(int x,'; echo '      int y) {'; lines 77; echo '}'; } > 80.cpp
 { echo 'int f(int x,'; echo '      int y) {'; lines 78; echo '}'; } > 81.cpp

@@ -68,7 +68,7 @@ TEST_CASE("a uniform dome") {
     image::Picture p = picture(n, n, std::vector<double>(size_t(n) * n, 1000));
     CHECK(column("Ev", p, fisheye()) == doctest::Approx(1000 * pi).epsilon(1e-4));
     CHECK(column("UGR", p, fisheye()) == 0);
-    PictureAnalyzer analyzer({}, {}, {});
+    PictureAnalyzer analyzer({}, require::sources | require::rammg);
     const Measurement m = analyzer.measure(p, "dome", fisheye());
     CHECK(m.ev == doctest::Approx(1000 * pi).epsilon(1e-4));
     CHECK(m.omega == doctest::Approx(2 * pi).epsilon(1e-4));

@@ -32,10 +32,6 @@ std::vector<Tolerance> rules_of(const std::string& text) {
     return out;
 }
 
-const std::vector<std::string> all_metrics = {
-    "Ev",    "DGP",      "DGI",  "UGR",  "VCP",  "CGI", "UGP",  "UGP2",      "DGImod",        "UGRexp", "DGR",
-    "Lveil", "LveilCIE", "Lavg", "Lmax", "Lmed", "Lb",  "Edir", "n_sources", "omega_sources", "RAMMG"};
-
 // Both sides with the same metrics: those of -metrics, or else of a record, or else all.
 std::pair<NumberTable, NumberTable> both_sides(const Options& o) {
     std::optional<NumberTable> side[2] = {read_numbers(o.files[0]), read_numbers(o.files[1])};
@@ -43,7 +39,7 @@ std::pair<NumberTable, NumberTable> both_sides(const Options& o) {
     for (const auto& s : side)
         if (s && o.metrics.empty()) metrics = s->names;
     if (metrics.empty()) {
-        metrics = all_metrics;
+        metrics = compared_columns();
         if (!o.regions_file.empty()) metrics.push_back("TAL");
         if (!o.contrast_pairs.empty()) metrics.push_back("CR");
     }

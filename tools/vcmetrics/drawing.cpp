@@ -16,10 +16,9 @@ namespace {
 
 constexpr display::Colour source_colour{255, 160, 40};
 
-std::vector<float> pixels_of(const glare::PictureAnalyzer& analyzer, const glare::GlareSource& source) {
-    const glare::Geometry& g = analyzer.geometry();
+std::vector<float> pixels_of(const glare::Measurement& m, const glare::Geometry& g, const glare::GlareSource& source) {
     std::vector<float> pixels(size_t(g.width) * size_t(g.height));
-    for (const glare::Run& run : analyzer.finder().runs())
+    for (const glare::Run& run : m.runs)
         if (run.group == source.group)
             std::fill_n(pixels.begin() + std::ptrdiff_t(run.start), std::ptrdiff_t(run.length), 1.f);
     return pixels;
@@ -65,9 +64,8 @@ image::MaskSet regions_in(const Options& o, const image::Picture& p) {
 
 }  // namespace
 
-std::string source_outline(const glare::PictureAnalyzer& analyzer, const glare::GlareSource& source) {
-    const glare::Geometry& g = analyzer.geometry();
-    return display::rings_text(display::outlines(pixels_of(analyzer, source), g.width, g.height));
+std::string source_outline(const glare::Measurement& m, const glare::Geometry& g, const glare::GlareSource& source) {
+    return display::rings_text(display::outlines(pixels_of(m, g, source), g.width, g.height));
 }
 
 void draw_measured(const Options& o, const image::Picture& picture, Measured& measured, const glare::Measurement& m) {
@@ -82,7 +80,7 @@ void draw_measured(const Options& o, const image::Picture& picture, Measured& me
     }
     const std::vector<double> shares = glare::dgp_shares(glare::terms_of(m.sources), o.settings.constants);
     for (size_t k = 0; k < shares.size(); ++k) {
-        display::draw_area(image, pixels_of(measured.analyzer(), m.sources[k]), source_colour, 0);
+        display::draw_area(image, pixels_of(m, measured.analyzer().geometry(), m.sources[k]), source_colour, 0);
         if (shares[k] < speck) continue;
         const Place centre{int(m.sources[k].x), image.height - 1 - int(m.sources[k].y)};
         names.push_back({centre, fmt::format("{}: {:.0f} %", k + 1, 100 * shares[k]), source_colour});

@@ -7,8 +7,9 @@
 #include "measured.h"
 #include "options.h"
 
-// The outline of a source of the picture measured last, as JSON (display/outline.h).
-std::string source_outline(const glare::PictureAnalyzer& analyzer, const glare::GlareSource& source);
+// The outline of a source, as JSON (display/outline.h).
+std::string source_outline(const glare::Measurement& measurement, const glare::Geometry& geometry,
+                           const glare::GlareSource& source);
 
 // Writes the file of -over: the picture toned for the eye; glare sources outlined, with their number and share of DGP;
 // regions outlined, with their names; the metrics below.

@@ -92,7 +92,7 @@ public:
             if (!text.empty()) print(text);
             throw;
         }
-        if (!o_.check_file.empty()) write_check_picture(p, lum);
+        if (!o_.check_file.empty()) write_check_picture(p, lum, m);
         const bool looked = steps_ && steps_->look(lum, m);
         if (looked && o_.against != EarlierEdit::none)
             against_.look(steps_->estimates().replicates(), measured_.keys(), steps_->estimates().quantities());
@@ -148,14 +148,14 @@ private:
         if (!o_.list_sources)
             add(row_cells(o_, measured_.columns(), {m, line.frames, estimates, against_, stopping_.held()}));
         else
-            for (const std::vector<Cell>& source : source_rows(o_, m, measured_.analyzer())) add(source);
+            for (const std::vector<Cell>& source : source_rows(o_, m, measured_.analyzer().geometry())) add(source);
         print(text);
     }
-    void write_check_picture(const image::Picture& measured, const Luminance& lum) {
+    void write_check_picture(const image::Picture& measured, const Luminance& lum, const Measurement& m) {
         image::Picture check;
         check.width = measured.width;
         check.height = measured.height;
-        check.rgb = evalglare::draw_check_picture(lum, measured_.analyzer(), o_.evalglare);
+        check.rgb = evalglare::draw_check_picture(lum, m, measured_.analyzer().geometry(), o_.settings, o_.evalglare);
         check.header.lines = measured.header.lines;
         check.header.view = o_.view ? o_.view : measured.header.view;
         image::add_history(check.header, o_.command);

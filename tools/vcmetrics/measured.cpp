@@ -73,19 +73,19 @@ Measured::Measured(const Options& o) : options_(o), named_(o.metrics) {
         const report::UntilRule rule(o.until);
         for (const report::Tolerance& t : rule.tolerances()) named_.push_back(t.metric);
     }
-    Requirements requirements;
+    Requirements requirements = 0;
     columns_ = choose(regions_, requirements);
     for (const std::string& p : o.contrast_pairs) {
         const ContrastPair pair = parse_pair(p, regions_);
         named_.insert(named_.end(), {pair.low + ".", pair.high + "."});
     }
     if (o.mode == OutputMode::evalglare)
-        requirements = {true, false, o.evalglare.detailed || o.settings.mask_file, false};
-    if (o.list_sources || !o.check_file.empty() || !o.over_file.empty()) requirements.sources = true;
-    if (o.evalglare_bug_compatible) requirements.filled = false;
+        requirements = require::sources | (o.evalglare.detailed || o.settings.mask_file ? require::medians : 0);
+    if (o.list_sources || !o.check_file.empty() || !o.over_file.empty()) requirements |= require::sources;
+    if (o.evalglare_bug_compatible) requirements &= ~require::filled;
     analyzer_ =
         std::make_unique<PictureAnalyzer>(o.settings, requirements, std::move(regions), std::move(draw),
-                                          o.evalglare_bug_compatible ? evalglare::methods(o.evalglare) : Methods{});
+                                          o.evalglare_bug_compatible ? evalglare::methods(o.evalglare) : own_methods());
 }
 
 std::vector<Column> Measured::choose(const std::vector<std::string>& regions, Requirements& requirements) const {
@@ -129,7 +129,7 @@ bool Measured::read_regions_again(const std::function<void(const std::vector<Col
             if (names(r) && std::find(present.begin(), present.end(), r) == present.end()) gone.push_back(r);
         image::MaskSet all = masks;
         for (const std::string& r : gone) present.push_back(r), all.masks.push_back({r, {}});
-        Requirements requirements;
+        Requirements requirements = 0;
         std::vector<Column> columns = choose(present, requirements);
         accept(columns);
         analyzer_->set_regions(all, lenient(masks, draw, options_.regions_file, gone), requirements);

@@ -113,7 +113,7 @@ std::vector<std::string> source_names(const Options& o) {
     return names;
 }
 
-std::vector<std::vector<Cell>> source_rows(const Options& o, const Measurement& m, const PictureAnalyzer& analyzer) {
+std::vector<std::vector<Cell>> source_rows(const Options& o, const Measurement& m, const Geometry& geometry) {
     const std::vector<double> shares = dgp_shares(terms_of(m.sources), o.settings.constants);
     std::vector<std::vector<Cell>> out;
     for (size_t k = 0; k < m.sources.size(); ++k) {
@@ -122,7 +122,7 @@ std::vector<std::vector<Cell>> source_rows(const Options& o, const Measurement& 
         add_numbers({double(k + 1), s.pixels, s.x, s.y, s.omega, s.lum, s.P, s.sigma_deg, s.direction.x, s.direction.y,
                      s.direction.z, s.eye_lux, double(s.zone), shares[k]},
                     out.back());
-        if (o.outlines) out.back().push_back({source_outline(analyzer, s)});
+        if (o.outlines) out.back().push_back({source_outline(m, geometry, s)});
     }
     return out;
 }

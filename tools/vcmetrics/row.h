@@ -33,6 +33,6 @@ std::vector<report::Cell> row_cells(const Options& options, const std::vector<gl
                                     const RowOfPicture& row);
 
 std::vector<std::string> source_names(const Options& options);
-// A line for each source of the picture that the analyzer has measured last.
+// A line for each source.
 std::vector<std::vector<report::Cell>> source_rows(const Options& options, const glare::Measurement& m,
-                                                   const glare::PictureAnalyzer& analyzer);
+                                                   const glare::Geometry& geometry);
