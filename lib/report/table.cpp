@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers as text in the three formats (table.h).
 #include "report/table.h"
+#include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include "base/printable.h"
@@ -13,6 +15,13 @@ std::string quoted_csv(const std::string& s) {
     std::string out = "\"";
     for (char c : base::printable(s)) out += c == '"' ? std::string("\"\"") : std::string(1, c);
     return out + "\"";
+}
+
+constexpr size_t narrowest = 9;  // columns on a terminal
+
+std::string aligned(const std::string& text, size_t width, bool right) {
+    const std::string blanks(std::max(width, narrowest) - std::min(text.size(), std::max(width, narrowest)), ' ');
+    return right ? blanks + text : text + blanks;
 }
 
 std::string plain_tsv(std::string s) {
@@ -32,14 +41,27 @@ Cell number_cell(double value, int digits) {
 
 Cell text_cell(const std::string& text) { return {text, false}; }
 
+std::string with_error(double value, double half_width) {
+    if (!std::isfinite(half_width)) return number_cell(value, 4).text;
+    if (!(half_width > 0)) return number_cell(value, 6).text + " +- 0";
+    const int power = int(std::floor(std::log10(half_width))) - 1;  // of the last digit
+    const double unit = power > 0 ? std::pow(10., power) : 0;
+    const auto rounded = [&](double v) {
+        return fmt::format("{:.{}f}", unit > 0 ? std::round(v / unit) * unit : v, std::max(-power, 0));
+    };
+    return rounded(value) + " +- " + rounded(half_width);
+}
+
 std::string header_line(const std::vector<std::string>& names, TableFormat format) {
     if (format == TableFormat::jsonl) return "";
     std::string out;
     for (const std::string& n : names)
-        out += (out.empty()                  ? ""
-                : format == TableFormat::tsv ? "\t"
-                                             : ",") +
-               (format == TableFormat::tsv ? plain_tsv(n) : quoted_csv(n));
+        if (format == TableFormat::aligned) out += (out.empty() ? "" : "  ") + aligned(base::printable(n), 0, true);
+        else
+            out += (out.empty()                  ? ""
+                    : format == TableFormat::tsv ? "\t"
+                                                 : ",") +
+                   (format == TableFormat::tsv ? plain_tsv(n) : quoted_csv(n));
     return out + "\n";
 }
 
@@ -53,6 +75,8 @@ std::string table_line(const std::vector<std::string>& names, const std::vector<
                    (!c.number ? base::quoted_json(c.text)
                     : finite  ? c.text
                               : "null");
+        } else if (format == TableFormat::aligned) {
+            out += (k ? "  " : "") + aligned(plain_tsv(c.text), names[k].size(), c.number);
         } else if (format == TableFormat::csv) {
             out += (k ? "," : "") + (c.number ? c.text : quoted_csv(c.text));
         } else {

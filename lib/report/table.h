@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines of named numbers as text: tab separated (default), comma separated, or one JSON object a line.
+// Lines of named numbers as text: tab separated (default), comma separated, one JSON object a line, or for a reader.
 #pragma once
 #include <string>
 #include <vector>
 
 namespace report {
 
-enum class TableFormat { tsv, csv, jsonl };
+enum class TableFormat {
+    tsv,
+    csv,
+    jsonl,
+    aligned,  // as wide as the names, on a terminal
+};
 
 struct Cell {
     std::string text;  // as it shall be printed
@@ -14,6 +19,8 @@ struct Cell {
 };
 Cell number_cell(double value, int digits = 8);  // significant digits; nan and inf by name (null in JSON)
 Cell text_cell(const std::string& text);
+// "2806 +- 17": as many digits as half an interval leaves meaning, two of its own.  nan: four digits alone.
+std::string with_error(double value, double half_width);
 
 std::string header_line(const std::vector<std::string>& names,
                         TableFormat format);  // empty for JSON; else with newline

@@ -97,6 +97,20 @@ check 'a picture of irradiance is told from one of luminance, once' '
     for i in "-i" "-i -i-"; do printf "#?RADIANCE\n/usr/bin/rpict -vta $i a.oct\n"; tail -n +2 one.hdr; done > two.hdr
     vcmetrics -metrics Ev < two.hdr 2> said > t; [ "$(grep -c "stdin: shows irradiance (-i)" said)" = 1 ]
     [ $(wc -l < t) = 3 ]'
+on_terminal() {
+    python3 -c "import pty, sys; sys.exit(pty.spawn(sys.argv[1:]) >> 8)" "$@" < /dev/null | tr -d "\r" | sed "s/^.\[K//"
+}
+if python3 -c "import pty" 2> /dev/null; then
+    check 'on a terminal: aligned columns, with the digits that an interval leaves meaning; in a pipe all of them' '
+        ptaccum < frames.lux > sums.lux 2> w; vcmetrics -W- -metrics Ev,class -ci 95 < sums.lux | tail -n 1 > piped
+        on_terminal bash -c "vcmetrics -W- -metrics Ev,class -ci 95 < sums.lux" > shown
+        head -n 1 shown | grep -qx " *frame *seconds  *Ev  *class  *tails *"
+        [ "$(awk "{ print length }" shown | sort -u | wc -l)" = 1 ]
+        awk "{ printf \"%.1f %.1f\\n\", \$3, (\$5 - \$4) / 2 }" piped > rounded
+        tail -n 1 shown | awk "{ print \$3, \$5 }" | diff rounded -
+        on_terminal vcmetrics -W- -metrics Ev,DGP -format csv one.hdr > shown
+        vcmetrics -W- -metrics Ev,DGP -format csv one.hdr | diff shown -'
+fi
 check_error 'an empty rule is none'              1 '^vcmetrics: -until: the rule is empty' 'vcmetrics -until "" one.hdr'
 check_error 'no columns'                         1 '^vcmetrics: -metrics: .*no column' 'vcmetrics -metrics , one.hdr'
 check 'an input that ends too early says so' '

@@ -10,6 +10,7 @@
 #include "glare/columns.h"
 #include "glare/measure.h"
 #include "glare/rammg.h"
+#include "report/table.h"
 #include "report/until.h"
 #include "image/grey.h"
 
@@ -168,6 +169,15 @@ TEST_CASE("rules of tolerances") {
     CHECK_THROWS_AS(parse_tolerances("DGP", "-until"), base::Error);
     CHECK_THROWS_AS(parse_tolerances("DGP -1%", "-until"), base::Error);
     CHECK_THROWS_AS(parse_tolerances("", "-until"), base::Error);
+}
+
+TEST_CASE("numbers for a reader have the digits that their interval leaves meaning") {
+    CHECK(with_error(2805.8563, 17.18) == "2806 +- 17");
+    CHECK(with_error(.35966, .0021) == "0.3597 +- 0.0021");
+    CHECK(with_error(28058.563, 1234) == "28100 +- 1200");
+    CHECK(with_error(-1.5, .096) == "-1.500 +- 0.096");
+    CHECK(with_error(562.90149, 0) == "562.901 +- 0");
+    CHECK(with_error(562.90149, std::nan("")) == "562.9");
 }
 
 TEST_CASE("tables compare metric by metric") {

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/files_read.h"
+#include "base/run.h"
 #include "base/warnings.h"
 #include "declare.h"
 #include "image/stream.h"
@@ -106,6 +107,9 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     expand_globs(o.files);
     check_said(table, o);
     check(o);
+    const bool own_rows = o.mode == OutputMode::vcmetrics && !o.compare && !o.difference;
+    if (own_rows && o.format == report::TableFormat::tsv && base::stdout_is_terminal())
+        o.format = report::TableFormat::aligned;
     if (o.evalglare.fast) o.settings.background = 0;  // the fast modes ignore -q
     return std::nullopt;
 }

@@ -2,6 +2,9 @@
 // See row.h.
 #include "row.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "drawing.h"
@@ -22,19 +25,34 @@ double printed_value(const Column& c, size_t k, const RowOfPicture& row) {
     return plain ? c.value(row.measurement) : unbiased;
 }
 
-void add_numbers(std::initializer_list<double> values, std::vector<Cell>& cells) {
-    for (const double v : values) cells.push_back(number_cell(v));
+bool is_aligned(const Options& o) { return o.format == TableFormat::aligned; }
+constexpr size_t width_with_error = 18;
+
+// "Ev" with "Ev.lo" and "Ev.hi"; for a reader all three are one column.
+void add_names(const Options& o, const std::string& name, std::vector<std::string>& out) {
+    if (is_aligned(o)) out.push_back(fmt::format("{:>{}}", name, width_with_error));
+    else out.insert(out.end(), {name, name + ".lo", name + ".hi"});
+}
+
+void add_numbers(std::initializer_list<double> values, std::vector<Cell>& cells, int digits = 8) {
+    for (const double v : values) cells.push_back(number_cell(v, digits));
+}
+
+// A value and the interval around `middle`, which may be another one.
+void add_numbers(const Options& o, double value, double middle, const uncertainty::Interval& off,
+                 std::vector<Cell>& cells) {
+    if (is_aligned(o)) cells.push_back({with_error(std::isnan(middle) ? value : middle, off.half_width()), true});
+    else add_numbers({value, middle + off.low, middle + off.high}, cells);
 }
 
 // The interval lies around the value without bias, which the column itself may show or not.  Between looks that is
 // the last look's value with the interval it had; a value without bias is of the frame itself, and narrows as they
 // grow.
-void add_interval(const Options& o, const Column& c, size_t k, double value, const RowOfPicture& row,
-                  std::vector<Cell>& cells) {
+void add_with_interval(const Options& o, const Column& c, size_t k, double value, const RowOfPicture& row,
+                       std::vector<Cell>& cells) {
     const uncertainty::Estimate& e = row.estimates->estimate(k);
     const uncertainty::Interval off = e.around(1 - *o.ci, c.has_bias() ? e.frames : row.frame);
-    const double middle = c.has_bias() ? e.value : value;
-    add_numbers({middle + off.low, middle + off.high}, cells);
+    add_numbers(o, value, c.has_bias() ? e.value : value, off, cells);
 }
 
 std::string heavy_tailed(const std::vector<Column>& columns, const ColumnEstimates& estimates) {
@@ -42,6 +60,12 @@ std::string heavy_tailed(const std::vector<Column>& columns, const ColumnEstimat
     for (size_t k = 0; k < columns.size(); ++k)
         if (columns[k].printed && estimates.estimate(k).unreliable) out += (out.empty() ? "" : " ") + columns[k].name;
     return out.empty() ? "-" : out;
+}
+
+size_t longest(const std::vector<std::string>& texts) {
+    size_t out = 0;
+    for (const std::string& t : texts) out = std::max(out, t.size());
+    return out;
 }
 
 }  // namespace
@@ -53,7 +77,7 @@ NamedPictures named_pictures(const image::Header& first) {
 std::vector<std::string> start_names(const Options& o, const NamedPictures& named) {
     std::vector<std::string> out;
     if (!is_plain(o)) out = {"Time", "Frame"};
-    else if (!o.files.empty()) out = {"file"};
+    else if (!o.files.empty()) out = {is_aligned(o) ? fmt::format("{:<{}}", "file", longest(o.files)) : "file"};
     else out = {"frame", "seconds"};
     if (named.view) out.push_back("view");
     if (named.sky) out.push_back("sky");
@@ -79,12 +103,12 @@ std::vector<std::string> row_names(const Options& o, const std::vector<Column>& 
     std::vector<std::string> out;
     for (const Column& c : columns) {
         if (!c.printed) continue;
-        out.push_back(c.name);
-        if (has_interval(o, c)) out.insert(out.end(), {c.name + ".lo", c.name + ".hi"});
-        if (has_difference(o, c)) out.insert(out.end(), {c.name + ".d", c.name + ".d.lo", c.name + ".d.hi"});
+        if (has_interval(o, c)) add_names(o, c.name, out);
+        else out.push_back(c.words && is_aligned(o) ? fmt::format("{:>13}", c.name) : c.name);
+        if (has_difference(o, c)) add_names(o, c.name + ".d", out);
     }
     if (o.go_on) out.push_back("settled");
-    if (o.ci) out.push_back("tails");
+    if (o.ci) out.push_back(is_aligned(o) ? "tails    " : "tails");
     return out;
 }
 
@@ -94,12 +118,13 @@ std::vector<Cell> row_cells(const Options& o, const std::vector<Column>& columns
         const Column& c = columns[k];
         if (!c.printed) continue;
         const double value = printed_value(c, k, row);
-        out.push_back(c.words ? text_cell(c.words[int(value)]) : number_cell(value));
-        if (has_interval(o, c)) add_interval(o, c, k, value, row, out);
+        if (has_interval(o, c)) add_with_interval(o, c, k, value, row, out);
+        else if (c.words) out.push_back({c.words[int(value)], is_aligned(o)});
+        else out.push_back(number_cell(value, is_aligned(o) ? 5 : 8));
         if (!has_difference(o, c)) continue;
         const uncertainty::Estimate d = row.against.difference(k);
         const uncertainty::Interval off = d.around(1 - o.ci.value_or(.95), d.frames);
-        add_numbers({d.value, d.value + off.low, d.value + off.high}, out);
+        add_numbers(o, d.value, d.value, off, out);
     }
     if (o.go_on) out.push_back(number_cell(row.settled));
     if (o.ci) out.push_back(text_cell(heavy_tailed(columns, *row.estimates)));
@@ -121,7 +146,7 @@ std::vector<std::vector<Cell>> source_rows(const Options& o, const Measurement& 
         out.emplace_back();
         add_numbers({double(k + 1), s.pixels, s.x, s.y, s.omega, s.lum, s.P, s.sigma_deg, s.direction.x, s.direction.y,
                      s.direction.z, s.eye_lux, double(s.zone), shares[k]},
-                    out.back());
+                    out.back(), is_aligned(o) ? 5 : 8);
         if (o.outlines) out.back().push_back({source_outline(m, geometry, s)});
     }
     return out;
