@@ -51,6 +51,7 @@ struct FlatScene {
     uint32_t portals_at = 0, portal_count = 0, window_count = 0, light_sets_at = 0;
     uint32_t light_tree_at = 0, light_nodes = 0;
     uint32_t highlights_at = 0, highlight_count = 0;
+    uint32_t images_at = 0;    // of the view's images of the sun (render/sun_images.h)
     uint32_t shadow_mode = 0;  // SHADOW_* of tables.h
     void shadows_need(uint32_t mode) { shadow_mode = std::max(shadow_mode, mode); }
     bool antimatter = false;

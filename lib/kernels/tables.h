@@ -104,7 +104,10 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define SRC_VIRTUAL 28u   // virtual sources: relay record in u (word), NONE for real ones
 #define SRC_SHEARED 30u   // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
 #define SRC_COVERED 31u   // 1 = another surface lies in its plane and may hide a part of it
-#define SRC_SPLATTED 29u  // 1 = splatted into frame 0 by area, invisible to the eye's straight rays (word)
+#define SRC_SPLATTED 29u  // SPLATTED_*: how frame 0 holds it by area, so that samples must not see it (word)
+
+#define SPLATTED_STRAIGHT 1u  // along the eye's straight rays
+#define SPLATTED_IMAGES 2u    // mirrored or refracted, in the images below
 
 // a triangle of the fan: a corner, then
 #define FAN_FLOATS 12u
@@ -193,6 +196,13 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define HIGHLIGHT_ALPHA2 15u  // roughness, squared
 #define MOST_HIGHLIGHTS 8u
 
+// Images of the sun that the view holds (render/sun_images.h), discs of camera directions: IMAGE_FLOATS floats at
+// f[Params.images_at]
+#define IMAGE_FLOATS 4u
+#define IMAGE_DIR 0u  // 3: unit
+#define IMAGE_CAP 3u  // 1 - cos of the half angle
+#define MOST_IMAGES 128u
+
 // Parameters of a pass besides the tables; one block, uploaded per pass.
 STRUCT(Params) {
     // view
@@ -226,6 +236,7 @@ STRUCT(Params) {
     uint spp, focus_at;     // samples of a frame of a pixel; above 1: those of entry focus_at and after (below)
     uint reuse_path_count;  // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
     uint redraw;            // not 0: other random numbers than usual, except for the point in the pixel and on the lens
+    uint images_at, image_count;
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // their records
 };
@@ -242,7 +253,8 @@ STRUCT(Params) {
 #define MODE_RAY 2u     // all classes along one given ray (tests, -I)
 #define MODE_SPLAT 3u   // straight rays to splatted emitters
 #define MODE_PILOT 4u   // given rays, followed up to their first diffuse bounce (integrator/pilot.h)
-// dir.w of a path in MODE_PILOT:
+#define MODE_IMAGE 5u   // given places of the picture, followed along specular paths to the sun (integrator/image.h)
+// dir.w of a path in MODE_PILOT and MODE_IMAGE:
 #define PILOT_FROM_EYE -2.0f   // its ray is given as the place (org.x, org.y) in the picture, 0 .. 1
 #define PILOT_AT_BOUNCE -1.0f  // it has reached a bounce: org is the point, dir the normal there
 // shadow_mode: surfaces between a point and a source
@@ -255,4 +267,5 @@ STRUCT(Params) {
 #define PF_ANTIMATTER 4u
 #define PF_SKY_PLACES 8u       // distant surfaces look different from place to place
 #define PF_EYE_ON_SURFACE 16u  // rays of the eye may begin on a surface, which they must not hit
+#define PF_DIRECTIONS 32u      // MODE_IMAGE: in place of light, the direction in which a bent path leaves the scene
 #endif

@@ -9,7 +9,7 @@
 namespace render {
 namespace {
 
-// f: with the marks of splatted emitters, which depend on the view.
+// f: with the marks of splatted emitters and the images of the sun, which depend on the view.
 std::string scene_hash(base::Hash hash, const flatten::FlatScene& s) {
     hash.add_all(s.f);
     hash.add_all(std::vector<float>{float(s.centre.x), float(s.centre.y), float(s.centre.z)});

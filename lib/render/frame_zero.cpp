@@ -37,15 +37,24 @@ void sum_samples(device::Device& device, Samples& sampler, const Params& base, i
     }
 }
 
+// Light of a point, which represents `weight` pixels: twice, with independent noise.
+void draw_point(FrameZero& zero, std::vector<double>& sum, uint32_t pixel, const float* first, const float* second,
+                double weight, float right, float up) {
+    for (size_t c = 0; c < 3; c++) sum[3 * size_t(pixel) + c] += weight * (double(first[c]) + double(second[c])) / 2;
+    DrawnLight& to = zero.drawn[pixel];
+    const double a = grey(first), b = grey(second), y = weight * (a + b) / 2;
+    to.sum += y, to.right += y * double(right), to.up += y * double(up), to.squares += weight * a * b;
+}
+
 void draw_sources(device::Device& device, Samples& sampler, const Params& base, const SplatList& list,
-                  FrameZero& zero) {
-    if (list.rays.empty()) return;
+                  const std::vector<ImagePoint>& images, FrameZero& zero) {
+    if (list.rays.empty() && images.empty()) return;
     std::vector<float> rgb;
     Params p = base;
     p.mode = MODE_SPLAT;
     p.first = 0;
     p.path_count = uint32_t(list.rays.size());
-    device.splat(p, list.rays, rgb);
+    if (!list.rays.empty()) device.splat(p, list.rays, rgb);
     sampler.scrub(rgb);
     const size_t pixels = size_t(base.nx) * base.ny;
     std::vector<double> sum(3 * pixels, 0.0);
@@ -57,15 +66,18 @@ void draw_sources(device::Device& device, Samples& sampler, const Params& base, 
         to.sum += y, to.right += y * double(list.right[i]), to.up += y * double(list.up[i]);
         if (y != 0) to.squares += y * y / double(list.rays[i].weight);
     }
+    for (const ImagePoint& i : images)
+        draw_point(zero, sum, i.pixel, i.first, i.second, double(i.weight), i.right, i.up);
     zero.exact.assign(sum.begin(), sum.end());
 }
 }  // namespace
 
 FrameZero draw_frame_zero(device::Device& device, Samples& sampler, const Params& base, uint32_t m, uint32_t count,
-                          const SplatList& drawn) {
+                          const SplatList& drawn, const std::vector<ImagePoint>& images) {
     const size_t pixels = size_t(base.nx) * base.ny;
     std::vector<double> sum(3 * pixels, 0.0), squares(pixels, 0.0);
     FrameZero zero;
+    zero.samples = count;
     zero.half_off.assign(m % 2 ? 0 : sum.size(), 0.0f);
     // Samples beyond m come after all frames in the sequence, so that no frame repeats them.
     sum_samples(device, sampler, base, count > m ? int64_t(1) << 31 : 0, count, sum, zero.half_off, squares);
@@ -81,7 +93,7 @@ FrameZero draw_frame_zero(device::Device& device, Samples& sampler, const Params
         const double mean = grey(&zero.mean[3 * i]);
         zero.spread[i] = float(std::max(0.0, squares[i] / count - mean * mean));
     }
-    draw_sources(device, sampler, base, drawn, zero);
+    draw_sources(device, sampler, base, drawn, images, zero);
     return zero;
 }
 

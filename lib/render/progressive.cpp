@@ -16,7 +16,7 @@
 #include "base/memory.h"
 #include "device/device.h"
 #include "render/beyond_limit.h"
-#include "render/splat_emitters.h"
+#include "render/drawn_sources.h"
 #include "render/eye_on_surface.h"
 #include "render/fingerprint.h"
 #include "render/frame_zero.h"
@@ -27,6 +27,8 @@
 #include "render/scene_params.h"
 #include "render/view_params.h"
 #include "sampling/mixture_weights.h"
+#include "sampling/smooth_planes.h"
+#include "sampling/suns.h"
 #include "sampling/targets.h"
 
 namespace render {
@@ -47,7 +49,8 @@ struct Renderer::State {
     base::Hash geometry;                       // of the fingerprint
     Focus focus;                               // of the view, as all below
     std::string fingerprint;
-    SplatList drawn;
+    DrawnSources drawn;
+    sampling::SmoothSurfaces smooth;  // of the scene, if it has a sun
     Params base{};
     view::View view;
     int told_limit = no_limit;      // of bounces: the last one that warn_of_limit() was called for
@@ -100,7 +103,9 @@ struct Renderer::State {
         unshared.clear();
     }
     void ensure_zero() {
-        if (zero.mean.empty()) zero = draw_frame_zero(*device, sampler, base, m, of_frame0, drawn);
+        if (!zero.mean.empty()) return;
+        const std::vector<ImagePoint> images = drawn.draw_images(*device, base);
+        zero = draw_frame_zero(*device, sampler, base, m, of_frame0, drawn.straight(), images);
     }
     // Chooses the pixels with several samples in each frame.
     void ensure_noisy() {
@@ -125,14 +130,6 @@ struct Renderer::State {
         unshared = records_of_aims();  // their weights depend on the eye point
         sampling::pick_all_portals(flat->portal_count, 0, 0, base);
         base.highlight_share = Params{}.highlight_share;
-    }
-    // Marks the splatted emitters in the kernels' tables, in place of those of the previous view.
-    void draw(SplatList list) {
-        if (list.marked.empty() && drawn.marked.empty()) return;
-        mark_splatted(drawn, flat->f, false);
-        drawn = std::move(list);
-        mark_splatted(drawn, flat->f);
-        device->update_float_table(flat->sources_at, size_t(flat->source_count) * SOURCE_FLOATS);
     }
     // Values of frame k from those of a sample.
     void make_frame(int64_t k, const float* v, std::vector<float>& out) const {
@@ -179,6 +176,9 @@ void Renderer::load(const scene::Scene& scene, RenderOptions o, const scene::Rea
     if (s.flat) o.known_tree = s.flat->tree_and_inputs();
     auto flat = std::make_shared<flatten::FlatScene>(flatten::flatten(scene, o, files));
     if (o.sampling != Sampling::plain) sampling::find_targets(*flat);
+    s.smooth = sampling::suns_of(*flat).empty() ? sampling::SmoothSurfaces() : sampling::smooth_surfaces(*flat);
+    flat->images_at = uint32_t(flat->f.size());
+    flat->f.resize(flat->f.size() + (s.smooth.none() ? 0 : MOST_IMAGES * IMAGE_FLOATS));
     flat->host_tree();  // before its inputs are released
     flat->known_tree = {};
     const base::Hash geometry = hash_of_geometry(*flat);
@@ -207,9 +207,9 @@ void Renderer::select_view(const RenderView& v, const RenderOptions& o) {
     const bool one_eye = v.view.type != 'l' && v.view.vo == 0 && o.pd <= 0;
     const bool on_surface = one_eye && eye_on_surface(*s.flat, tracer, v.view.vp);
     if (on_surface || !one_eye) s.base.flags |= PF_EYE_ON_SURFACE;  // its rays may begin on a surface
-    // splatting needs one eye point, and no unattenuated path through glass
-    const bool drawable = s.flat->source_count > 0 && o.pd <= 0 && o.dv && !o.i && !on_surface;
-    s.draw(drawable ? list_splatted_emitters(*s.flat, tracer, v.view, v.nx, v.ny) : SplatList());
+    // drawing needs one eye point, and straight rays no unattenuated path through glass
+    const bool drawable = s.flat->source_count > 0 && o.pd <= 0 && o.dv && !o.i;
+    s.drawn.select(*s.device, *s.flat, tracer, s.smooth, v.view, drawable && !on_surface, drawable, s.base);
     s.fingerprint = render::fingerprint(s.geometry, *s.flat, v.view, v.nx, v.ny, o, v.focus);
     s.begin();
 }

@@ -11,14 +11,12 @@ namespace render {
 
 struct SplatList {
     std::vector<device::SplatRay> rays;
-    std::vector<uint32_t> pixel;   // row from the top * nx + column, of each ray
-    std::vector<float> right, up;  // of the ray from the pixel's centre, in pixels
-    std::vector<uint32_t> marked;  // words of scene.f that are SRC_SPLATTED of these sources
+    std::vector<uint32_t> pixel;    // row from the top * nx + column, of each ray
+    std::vector<float> right, up;   // of the ray from the pixel's centre, in pixels
+    std::vector<uint32_t> sources;  // all that are drawn so
 };
 // The sources that are small in this view, and their rays.
 SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
                                  const view::View& view, int nx, int ny);
-// Marks these sources in the scene's tables (FlatScene::f), or clears the marks.
-void mark_splatted(const SplatList& list, std::vector<float>& table, bool drawn = true);
 
 }  // namespace render

@@ -69,11 +69,10 @@ FN void no_ends(TABLES(const Paths) paths, uint path) {
     write4_(paths->suffix_p, path, pack4(F3(0.0f, 0.0f, 0.0f), SUFFIX_NONE));
 }
 
-// Returns 1 if the path has a ray to follow.
-FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
+// The first ray of a path, and its random numbers.  Returns 0 if there is none.
+FN int path_first_ray(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path, PRIVATE(Sampler) rnd,
+                      PRIVATE(Ray) ray) {
     uint pixel = path_pixel(s, par, path), index = path_sample_index(par, path);
-    write4_(paths->rad, path, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
-    if (par->reuse_path_count != 0u) no_ends(paths, path);
     if (pixel == NONE) return 0;
 
     // Frame 0's direct samples 0 .. m-1 and the sample k-1 of each later frame k are one sequence, so that the direct
@@ -89,15 +88,22 @@ FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABL
         stream = 4u + (index >> SAMPLER_BLOCK_BITS);
         index = (index & ((1u << SAMPLER_BLOCK_BITS) - 1u)) * entry[FOCUS_ALL] + copy;
     }
-    Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, pixel, index, stream);
+    *rnd = sampler_start(par->seed_lo, par->seed_hi, pixel, index, stream);
 
-    Ray ray;
     int has_ray = 1;
-    if (par->mode == MODE_RAY) given_ray(par, &rnd, &ray);
-    else has_ray = camera_ray(par, pixel, &rnd, &ray);
-    if (par->redraw != 0u) rnd.key = hash32(rnd.key ^ par->redraw);
+    if (par->mode == MODE_RAY) given_ray(par, rnd, ray);
+    else has_ray = camera_ray(par, pixel, rnd, ray);
+    if (par->redraw != 0u) rnd->key = hash32(rnd->key ^ par->redraw);
+    return has_ray;
+}
 
-    if (!has_ray) return 0;
+// Returns 1 if the path has a ray to follow.
+FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
+    Sampler rnd;
+    Ray ray;
+    write4_(paths->rad, path, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
+    if (par->reuse_path_count != 0u) no_ends(paths, path);
+    if (!path_first_ray(s, par, path, &rnd, &ray)) return 0;
 
     write4_(paths->dir, path, pack4(ray.dir, ray.tmax));
     path_start(par, paths, path, ray.org, &rnd, 0u);

@@ -7,15 +7,16 @@
 // Returns 1 if this pass records light of the path's present class.
 FN int class_wanted(PARAMS(const Params) par, uint flags, uint index) {
     if (par->mode == MODE_RAY || par->mode == MODE_PILOT) return 1;
+    if (par->mode == MODE_IMAGE) return 0;  // only the sun (path_background)
     if ((flags & PC_DIFFUSE) != 0u) return par->mode == MODE_FRAMES;
     return par->mode == MODE_DIRECT || index > par->skip_direct_below;
 }
 
 // Radiance of a ray without a hit: sun, sky, ground glow.
-FN float3 path_background(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 org, float3 dir, uint flags,
-                          PRIVATE(Sampler) rnd) {
+FN float3 path_background(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path, float3 org, float3 dir,
+                          uint flags, PRIVATE(Sampler) rnd) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
-    int sampled = path_sampled(flags);
+    int sampled = path_sampled(flags), images_only = par->mode == MODE_IMAGE;
     uint i = distant_at(s, par, dir, sampled);
     if (i == NONE) return black;
     GLOBAL const uint* distant = s->u + par->distant_at + DISTANT_WORDS * i;
@@ -23,8 +24,9 @@ FN float3 path_background(TABLES(const SceneTables) s, PARAMS(const Params) par,
 
     if (source != NONE) {  // an active source (the sun): only eye and mirror rays see it (spec shading 0.1)
         if (sampled || (par->flags & PF_DV) == 0u) return black;
-        if ((flags & PC_BENT) == 0u && par->mode != MODE_RAY && source_word(s, par, source, SRC_SPLATTED) != 0u)
-            return black;  // frame 0 holds it by area
+        if (held_by_area(s, par, path, flags, source) != images_only) return black;
+    } else if (images_only) {
+        return black;
     }
 
     if (distant[DISTANT_SEEN] >= DISTANT_BLACK) return black;
@@ -52,7 +54,7 @@ FN float3 emitter_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par
     }
 
     if (!sampled && source != NONE && (flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
-        source_word(s, par, source, SRC_SPLATTED) != 0u)
+        (source_word(s, par, source, SRC_SPLATTED) & SPLATTED_STRAIGHT) != 0u)
         return black;
     if (g->type == M_SPOTLIGHT) {
         float3 aim = f3_at(arg + 4);

@@ -11,10 +11,16 @@ FN void path_miss(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
         vertex->throughput = mul3(vertex->throughput, T);
     }
 
+    if (par->mode == MODE_IMAGE && (par->flags & PF_DIRECTIONS) != 0u) {
+        if ((vertex->flags & PC_BENT) != 0u) vertex->rad = vertex->ray.dir;
+        vertex_store_rad(paths, vertex, vertex->path_length_start);
+        return;
+    }
+
     // a ray that the view cuts off (-va) sees black, not the sky
     PRIVATE(const Ray) ray = &vertex->ray;
-    if (vertex->wanted && IS_DISTANT(ray->tmax)) {
-        float3 sky = path_background(s, par, ray->org, ray->dir, vertex->flags, &vertex->rnd);
+    if ((vertex->wanted || par->mode == MODE_IMAGE) && IS_DISTANT(ray->tmax)) {
+        float3 sky = path_background(s, par, vertex->path, ray->org, ray->dir, vertex->flags, &vertex->rnd);
         if ((vertex->flags & PC_RECORDS_SUFFIX) != 0u && (par->flags & PF_SKY_PLACES) == 0u)
             suffix_sky(paths, vertex, sky);
         else vertex_add(vertex, sky);

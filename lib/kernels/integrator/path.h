@@ -4,8 +4,9 @@
 // diffuse one and, past the first m, both (paper section 7).
 #ifndef LUX_PATH_H
 #define LUX_PATH_H
-#include "kernels/integrator/emission.h"
 #include "kernels/integrator/begin.h"
+#include "kernels/integrator/image.h"
+#include "kernels/integrator/emission.h"
 #include "kernels/integrator/vertex.h"
 #include "kernels/integrator/suffix.h"
 #include "kernels/integrator/miss.h"
@@ -61,7 +62,7 @@ FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
 
     // Indirect light: a constant where -ab ends, else a sampled direction.
     path_ambient_value(par, &vertex);
-    if (!sample_lobe(s, par, &vertex, &lobe)) {
+    if (!sample_lobe(s, par, paths, &vertex, &lobe)) {
         vertex_store(paths, &vertex, vertex.path_length_start);
         return shadow;
     }

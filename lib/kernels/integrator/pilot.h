@@ -14,6 +14,7 @@ FN_RARE int path_begin_pilot(PARAMS(const Params) par, TABLES(const Paths) paths
         Ray ray;
         flags = 0u;
         int has_ray = view_lens_ray(par, paths->org[path].x, paths->org[path].y, F3(0.0f, 0.0f, 0.0f), &ray);
+        image_way_start(par, paths, path, paths->org[path].z);
         paths->org[path] = pack4(ray.org, 0.0f);
         paths->dir[path] = pack4(ray.dir, ray.tmax);
         if (!has_ray) return 0;

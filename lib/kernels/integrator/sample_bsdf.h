@@ -33,6 +33,18 @@ FN float lobe_weight(float3 color) {
     return m > 0.0f ? m : 0.0f;
 }
 
+// In MODE_IMAGE all specular lobes are equally likely, and there are no others.  Returns their number.
+FN float image_lobes(PRIVATE(float) weight) {
+    float count = 0.0f;
+    for (UNIFORM uint lobe = 0u; lobe < LOBES_TO_SAMPLE; lobe++) {
+        int specular = lobe == SAMPLE_THROUGH || lobe == SAMPLE_MIRROR || lobe == SAMPLE_REFRACT;
+        weight[lobe] = specular && weight[lobe] > 0.0f ? 1.0f : 0.0f;
+        count += weight[lobe];
+    }
+
+    return count;
+}
+
 // Raises the weight of each lobe that exists to this least value.  Returns the new sum.
 FN float lobes_raise(float least, PRIVATE(float) weight) {
     float sum = 0.0f;
@@ -64,6 +76,7 @@ FN float lobe_weights(PARAMS(const Params) par, PRIVATE(const Vertex) vertex, PR
 
     float sum = weight[SAMPLE_MIRROR] + weight[SAMPLE_THROUGH] + weight[SAMPLE_REFRACT] + weight[SAMPLE_DIFFUSE_R] +
                 weight[SAMPLE_DIFFUSE_T] + weight[SAMPLE_ROUGH_R] + weight[SAMPLE_ROUGH_T];
+    if (par->mode == MODE_IMAGE) return image_lobes(weight);
     return par->least_lobe_prob > 0.0f ? lobes_raise(par->least_lobe_prob * sum, weight) : sum;
 }
 
@@ -163,13 +176,14 @@ FN uint lobe_path_flags(PRIVATE(const Vertex) vertex, PRIVATE(const LobeSample) 
 }
 
 // Samples a lobe and a direction.  Returns 0 if there is none and the path ends.
-FN int sample_lobe(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Vertex) vertex,
-                   PRIVATE(LobeSample) lobe) {
+FN int sample_lobe(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
+                   PRIVATE(Vertex) vertex, PRIVATE(LobeSample) lobe) {
     float weight[LOBES_TO_SAMPLE];
     lobe->total = lobe_weights(par, vertex, weight);
     if (lobe->total <= 0.0f) return 0;
 
-    lobe->type = pick_lobe(weight, sample1(&vertex->rnd) * lobe->total);
+    float number = par->mode == MODE_IMAGE ? image_way(paths, vertex->path, lobe->total) : sample1(&vertex->rnd);
+    lobe->type = pick_lobe(weight, number * lobe->total);
     lobe->prob = weight[lobe->type];
     sample_chosen_lobe(s, par, vertex, lobe);
     vertex->flags = lobe_path_flags(vertex, lobe);

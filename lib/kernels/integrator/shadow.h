@@ -291,6 +291,7 @@ FN void path_shadow(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLE
     shadow.rnd.key = hash32(shadow.rnd.key ^ 0x5bd1e995u);
 
     float3 T = aimed ? shadow_aimed(s, par, &shadow) : shadow_straight(s, par, &shadow, dir.w);
+    if (par->mode == MODE_SPLAT && shadow.bent) return;  // samples and images of the sun (image.h) hold this light
     if (!shadow_counts(s, par, &shadow, T)) return;
     path_receive(par, paths, path, mul3(xyz4(rad), T), T);
 }
