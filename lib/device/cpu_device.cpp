@@ -11,7 +11,7 @@
 #include "base/processors.h"
 #include "base/threads.h"
 #include "device/cpu_kernels.h"
-#include "device/device.h"
+#include "device/scene_tables.h"
 
 namespace device {
 namespace {
@@ -20,9 +20,6 @@ namespace {
 // path reuse, 384 bytes more, is touched only after their ends.
 constexpr uint32_t TILE = 4096;
 static_assert(TILE % REUSE_SQUARE == 0, "groups lie in one tile");
-
-#define POINT_AT_BVH(type, name) tables_.name = tree_->name.data();
-#define POINT_AT_SCENE(type, name) tables_.name = scene_->name.data();
 
 // A build of the kernels by its name in -device cpu:NAME.
 struct Variant {
@@ -73,36 +70,29 @@ public:
 
     std::string name() const override { return fmt::format("cpu ({}, {} threads)", kernels_.name, threads_); }
 
-    void upload(std::shared_ptr<const flatten::FlatScene> s) override {
-        scene_ = std::move(s);
-        tree_ = scene_->host_tree();
-        BVH_TABLES(POINT_AT_BVH)
-        FLAT_TABLES(POINT_AT_SCENE)
-    }
-    void update_float_table(size_t, size_t) override {}  // the scene's own tables are read
+    void upload(std::shared_ptr<const flatten::FlatScene> scene) override { scene_ = std::move(scene); }
 
     void run(const Params& par, std::vector<float>& rgb) override {
         rgb.resize(size_t(kernels::film_places(&par)) * 3);
+        const kernels::SceneTables tables = tables_of(*scene_, par);
         tiles(par.path_count, [&](uint32_t first, uint32_t count, char* scratch) {
             float* film = par.reuse_path_count != 0 ? rgb.data() : &rgb[size_t(first) * 3];
-            kernels_.run(tables_, par, par.first + first, count, scratch, film);
+            kernels_.run(tables, par, par.first + first, count, scratch, film);
         });
     }
     void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) override {
         rgb.resize(rays.size() * 3);
+        const kernels::SceneTables tables = tables_of(*scene_, par);
         tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, char* scratch) {
-            kernels_.splat(tables_, par, rays.data(), first, count, scratch, rgb.data());
+            kernels_.splat(tables, par, rays.data(), first, count, scratch, rgb.data());
         });
     }
     void pilot(const Params& par, const std::vector<PilotRay>& rays, std::vector<PilotEnd>& ends) override {
         ends.resize(rays.size());
+        const kernels::SceneTables tables = tables_of(*scene_, par);
         tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, char* scratch) {
-            kernels_.pilot(tables_, par, rays.data(), first, count, scratch, ends.data());
+            kernels_.pilot(tables, par, rays.data(), first, count, scratch, ends.data());
         });
-    }
-    void set_focus(std::vector<uint32_t> entries) override {
-        focus_ = std::move(entries);
-        tables_.focus = focus_.data();
     }
     uint32_t preferred_batch_size() const override { return 64 * TILE; }
 
@@ -128,9 +118,6 @@ private:
     const CpuKernels& kernels_;
     unsigned threads_;
     std::shared_ptr<const flatten::FlatScene> scene_;
-    std::shared_ptr<const bvh::Tree> tree_;
-    std::vector<uint32_t> focus_;
-    kernels::SceneTables tables_{};
 };
 
 }  // namespace

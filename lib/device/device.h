@@ -11,7 +11,10 @@
 
 namespace device {
 
-using kernels::Params;
+// Parameters of a pass, with the table of its view (SceneTables.view; null: nothing of the view is listed).
+struct Params : kernels::Params {
+    std::shared_ptr<const std::vector<uint32_t>> view_table;
+};
 
 // Thrown by run(), splat() and pilot() when they are cancelled (Device::cancel_when).
 struct Cancelled {};
@@ -20,12 +23,8 @@ class Device {
 public:
     virtual ~Device() = default;
     virtual std::string name() const = 0;
-    // Builds the device's BVH and uploads the tables, in place of the previous scene's.  The CPU reads the tables in
-    // place.
+    // Uploads the scene, in place of the previous one.  The CPU reads its tables in place.
     virtual void upload(std::shared_ptr<const flatten::FlatScene> scene) = 0;
-    // Entries first .. first + count - 1 of that scene's float table (FlatScene::f) have changed: the splatted emitters
-    // depend on the view.
-    virtual void update_float_table(size_t first, size_t count) = 0;
     // Runs par.path_count paths; rgb gets 3 floats for each path or, with path reuse, for each sample of the picture's
     // pixels.
     virtual void run(const Params& par, std::vector<float>& rgb) = 0;
@@ -33,8 +32,8 @@ public:
     virtual void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) = 0;
     // MODE_PILOT: the end of the pilot path of each ray.
     virtual void pilot(const Params& par, const std::vector<PilotRay>& rays, std::vector<PilotEnd>& ends) = 0;
-    // Pixels with several samples in each frame (FOCUS_WORDS of kernels/tables.h), for the passes that follow.
-    virtual void set_focus(std::vector<uint32_t> entries) = 0;
+    // Returns true if the device's rays go through Trees::compact.
+    virtual bool compact_tree() const { return false; }
     // Number of paths to run at once, so that the device is busy.
     virtual uint32_t preferred_batch_size() const = 0;
     // Names the bits of a device whose results differ from the processor's (self_test.h), for the fingerprint.

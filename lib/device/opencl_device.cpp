@@ -8,7 +8,6 @@
 
 #include "base/error.h"
 #include "base/shutdown.h"
-#include "flatten/build_input.h"
 #include "device/child.h"
 #include "device/device.h"
 #include "device/features.h"
@@ -23,8 +22,8 @@ namespace {
 
 constexpr uint32_t ALL_FEATURES = ~0u;
 
-#define SEND_OF_BVH(type, name) paths_.set_table(TABLE_##name, send(tree->name.data(), tree->name.size() * 4));
-#define SEND_OF_SCENE(type, name) paths_.set_table(TABLE_##name, send(s.name.data(), s.name.size() * 4));
+#define SEND_OF_BVH(type, name) paths_.set_table(TABLE_##name, send(tree->name));
+#define SEND_OF_SCENE(type, name) paths_.set_table(TABLE_##name, send(s.name));
 
 class OpenclDevice : public Device {
 public:
@@ -45,28 +44,18 @@ public:
     void upload(std::shared_ptr<const flatten::FlatScene> scene) override {
         call("loading the scene", [&] {
             const flatten::FlatScene& s = *scene;
-            const flatten::HostTree& of_host = s.tree_and_inputs();
-            if (of_host.inputs != tree_inputs_) {
+            if (s.built.inputs != tree_inputs_) {
                 tree_inputs_.clear();
-                const std::vector<bvh::Input> in = flatten::build_inputs(s);
-                const auto tree =
-                    compact_ ? std::make_shared<const bvh::Tree>(bvh::build_compact(in.data(), in.size(), s.tell_tree))
-                             : of_host.tree;
+                const auto& tree = compact_ ? s.built.compact : s.built.wide;
                 BVH_TABLES(SEND_OF_BVH)
-                tree_inputs_ = of_host.inputs;
+                tree_inputs_ = s.built.inputs;
             }
             FLAT_TABLES(SEND_OF_SCENE)
-            paths_.set_table(TABLE_focus, send(nullptr, 0));
+            paths_.set_table(TABLE_view, send(std::vector<uint32_t>()));
+            view_table_.reset();
             needs_ = features_of_scene(s);
         });
         scene_ = std::move(scene);
-    }
-
-    void update_float_table(size_t first, size_t count) override {
-        call("sending the view's sources", [&] {
-            if (count > 0)
-                queue_.enqueueWriteBuffer(paths_.table(TABLE_f), CL_TRUE, first * 4, count * 4, &scene_->f[first]);
-        });
     }
 
     void run(const Params& par, std::vector<float>& rgb) override {
@@ -138,10 +127,8 @@ public:
             });
         });
     }
-    void set_focus(std::vector<uint32_t> entries) override {
-        call("sending the focus", [&] { send_table(TABLE_focus, entries); });
-    }
     uint32_t preferred_batch_size() const override { return most_paths_; }
+    bool compact_tree() const override { return compact_; }
     bool is_async() const override { return true; }
     void cancel_when(const std::atomic<bool>* asked) override {
         Device::cancel_when(asked);
@@ -200,9 +187,13 @@ private:
             }
         }
     }
-    // A GPU's kernels contain only the features of the scene and its passes, because each costs registers of every work
-    // item.
+    // Sends the view table, and compiles kernels: a GPU's contain only the features of the scene and its passes,
+    // because each costs registers of every work item.
     void prepare(const Params& par) {
+        if (par.view_table && par.view_table != view_table_) {
+            paths_.set_table(TABLE_view, send(*par.view_table));
+            view_table_ = par.view_table;
+        }
         if (!gpu_) return;
         needs_ |= features_of_pass(par);
         if (has_ != needs_) compile(needs_);
@@ -235,13 +226,11 @@ private:
         k.setArg(0, result);
         paths_.launch(k, n);
     }
-    template <class T>
-    void send_table(int table, const std::vector<T>& values) {
-        paths_.set_table(table, send(values.data(), values.size() * 4));
-    }
-    cl::Buffer send(const void* data, size_t bytes) {
+    template <class Values>
+    cl::Buffer send(const Values& values) {
+        const size_t bytes = values.size() * sizeof(typename Values::value_type);
         cl::Buffer b(context_, CL_MEM_READ_ONLY, std::max<size_t>(bytes, 64));
-        if (bytes) queue_.enqueueWriteBuffer(b, CL_TRUE, 0, bytes, data);
+        if (bytes) queue_.enqueueWriteBuffer(b, CL_TRUE, 0, bytes, values.data());
         return b;
     }
     // The structures must have the same layout on both sides.
@@ -250,6 +239,7 @@ private:
         launch_alone("k_layout", 1, b);
         uint32_t v[5];
         queue_.enqueueReadBuffer(b, CL_TRUE, 0, sizeof v, v);
+        using kernels::Params;
         const uint32_t here[5] = {sizeof(Params), offsetof(Params, nx), offsetof(Params, mods_at), offsetof(Params, st),
                                   offsetof(Params, light_tree_at)};
         errno = 0;
@@ -267,7 +257,8 @@ private:
     cl::Program program_;
     OpenclPaths paths_;
     std::shared_ptr<const flatten::FlatScene> scene_;
-    std::string tree_inputs_;  // of the tree that it has (FlatScene::tree_and_inputs)
+    std::shared_ptr<const std::vector<uint32_t>> view_table_;  // that it has
+    std::string tree_inputs_;                                  // of the tree that it has (flatten::Trees)
 };
 
 }  // namespace

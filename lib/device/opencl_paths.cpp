@@ -24,7 +24,7 @@ constexpr uint32_t zeros[2 * PATH_KINDS] = {};
 
 OpenclPaths::OpenclPaths(const cl::Context& context, const cl::CommandQueue& queue, bool gpu)
     : gpu_(gpu), context_(context), queue_(queue) {
-    params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(Params));
+    params_ = cl::Buffer(context_, CL_MEM_READ_ONLY, sizeof(kernels::Params));
     counters_ = room(4, 4);
     kinds_ = room(2 * PATH_KINDS, 4);
     release();
@@ -77,7 +77,7 @@ void OpenclPaths::release() {
     needs_ = PATH_ALWAYS;
 }
 
-void OpenclPaths::reserve(const Params& par) {
+void OpenclPaths::reserve(const kernels::Params& par) {
     const uint32_t count = par.path_count;
     queue_.enqueueWriteBuffer(params_, CL_TRUE, 0, sizeof par, &par);
     count_ = count;
@@ -150,7 +150,7 @@ void OpenclPaths::sort() {
     std::swap(now_, sorted_);
 }
 
-void OpenclPaths::store(const Params& par) {
+void OpenclPaths::store(const kernels::Params& par) {
     const size_t bytes = size_t(kernels::film_places(&par)) * 12;
     if (bytes > film_bytes_) {
         film_ = {}, film_bytes_ = 0;
@@ -160,7 +160,7 @@ void OpenclPaths::store(const Params& par) {
     launch(STAGE_film, count_, params_, fields_[PATH_rad], film_);
 }
 
-void OpenclPaths::receive(const Params& par, std::vector<float>& film, size_t at) {
+void OpenclPaths::receive(const kernels::Params& par, std::vector<float>& film, size_t at) {
     const size_t bytes = size_t(kernels::film_places(&par)) * 12;
     if (gpu_) return read_pinned(film_, bytes, film, at);
     film.resize(at + bytes / 4);

@@ -9,8 +9,6 @@
 
 namespace device {
 
-using kernels::Params;
-
 // Buffers of a scene and of the path state, in the order of their lists (kernels/bvh/intersect.h,
 // kernels/integrator/state.h), which is the order of the kernels' arguments.
 #define LUX_TABLE_NUMBER(type, name) TABLE_##name,
@@ -41,7 +39,7 @@ public:
     // Number of paths that the device's memory can hold.
     static uint32_t most_paths(const cl::Device& device, bool gpu);
     // Allocates memory for the paths of a pass, and sets its parameters.
-    void reserve(const Params& par);
+    void reserve(const kernels::Params& par);
     void release();  // frees that memory
     // Reads or writes whole fields of the first n paths.
     void write(int field, const std::vector<kernels::float4>& values);
@@ -70,9 +68,9 @@ public:
 
     // Adds the paths' radiance to the film, 3 floats each, in its order (kernels/integrator/path_reuse.h), on the
     // device, because the host would take as long as a GPU takes for the rest.
-    void store(const Params& par);
+    void store(const kernels::Params& par);
     // Reads the film from index `at` on.
-    void receive(const Params& par, std::vector<float>& film, size_t at);
+    void receive(const kernels::Params& par, std::vector<float>& film, size_t at);
 
     // Runs a kernel over n work items.
     void launch(const cl::Kernel& kernel, uint32_t n);

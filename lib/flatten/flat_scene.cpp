@@ -2,9 +2,7 @@
 // Queries of the finished tables.
 #include "flatten/flat_scene.h"
 
-#include "base/hash.h"
 #include "base/memory.h"
-#include "flatten/build_input.h"
 #include "flatten/pack.h"
 #include "kernels/dialect/host.h"
 
@@ -19,22 +17,6 @@ void FlatScene::make_room(size_t more_vertices, size_t more_triangles, size_t mo
     base::make_room(tri_prim, more_triangles);
     base::make_room(prims, PRIM_WORDS * more_prims);
     base::make_room(prim_object, more_prims);
-}
-
-const HostTree& FlatScene::tree_and_inputs() const {
-    if (host_tree_.tree) return host_tree_;
-    base::Hash hash;
-    for (const Tree& t : trees)
-        hash.add({t.first_vertex, t.vertex_count, t.first_triangle, t.triangle_count, t.first_shape, t.shape_count});
-    hash.add_all(vertices), hash.add_all(triangles), hash.add_all(tri_prim);
-    hash.add_all(shapes), hash.add_all(shape_prim), hash.add_all(polygon_uv);
-    host_tree_ = known_tree;
-    if (!host_tree_.tree || host_tree_.inputs != hash.text()) {
-        const std::vector<bvh::Input> in = build_inputs(*this);
-        host_tree_.tree = std::make_shared<const bvh::Tree>(bvh::build8(in.data(), in.size(), tell_tree));
-        host_tree_.inputs = hash.text();
-    }
-    return host_tree_;
 }
 
 void FlatScene::keep_tables_only() {

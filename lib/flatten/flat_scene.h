@@ -11,10 +11,11 @@
 
 namespace flatten {
 
-// A tree, and the hash of what it was built from.
-struct HostTree {
+// The trees over a scene's geometry, and the hash of what they were built from.
+struct Trees {
     std::string inputs;
-    std::shared_ptr<const bvh::Tree> tree;
+    std::shared_ptr<const bvh::Tree> wide;     // eight-wide: for all who trace rays on this machine
+    std::shared_ptr<const bvh::Tree> compact;  // for GPUs (Options::compact_tree)
 };
 
 struct Box {
@@ -51,7 +52,6 @@ struct FlatScene {
     uint32_t portals_at = 0, portal_count = 0, window_count = 0, light_sets_at = 0;
     uint32_t light_tree_at = 0, light_nodes = 0;
     uint32_t highlights_at = 0, highlight_count = 0;
-    uint32_t images_at = 0;    // of the view's images of the sun (render/sun_images.h)
     uint32_t shadow_mode = 0;  // SHADOW_* of tables.h
     void shadows_need(uint32_t mode) { shadow_mode = std::max(shadow_mode, mode); }
     bool antimatter = false;
@@ -75,17 +75,9 @@ struct FlatScene {
     uint32_t instances_at = 0;
     std::vector<uint32_t> instance_object;
 
-    // The eight-wide tree over the geometry, which must not change any more: built when it is first asked for, one for
-    // all who trace rays on this machine, or that of another scene of the same surfaces.
-    std::shared_ptr<const bvh::Tree> host_tree() const { return tree_and_inputs().tree; }
-    const HostTree& tree_and_inputs() const;
-    HostTree known_tree;  // of that other scene, if any
-    bvh::Tell tell_tree;  // how far a tree is
-    // Gives back the memory of what no kernel reads: after the last tree is built.
+    Trees built;  // over the geometry, which does not change any more
+    // Gives back the memory of what no kernel reads.
     void keep_tables_only();
-
-private:
-    mutable HostTree host_tree_;
 };
 
 // The material of a chain, from record `mod` on; NONE (kernels/tables.h) for none and for mixtures of materials.

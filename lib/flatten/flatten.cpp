@@ -8,14 +8,13 @@
 #include "flatten/modifiers.h"
 #include "flatten/sources.h"
 #include "flatten/surfaces.h"
+#include "flatten/trees.h"
 
 namespace flatten {
 using namespace kernels;
 
 FlatScene flatten(const scene::Scene& scene, const Options& options, const scene::ReadOptions& files) {
     FlatScene out;
-    out.tell_tree = options.tell_tree;
-    out.known_tree = options.known_tree;
 
     // Modifiers first, because all other records refer to them: the scene's, then the ones inside its octrees and
     // meshes.
@@ -28,6 +27,7 @@ FlatScene flatten(const scene::Scene& scene, const Options& options, const scene
 
     // Surfaces: tree 0 is the scene with the places of its instances, the others are what these hold.
     flatten_geometry(modifiers, instances, options.eye ? &*options.eye : nullptr, out, lights);
+    out.built = build_trees(out, options);
     warn_of_coincident(modifiers, out);
 
     // Sources: emissive surfaces, distant ones, and their images in mirrors and prisms; the sources that mists scatter;

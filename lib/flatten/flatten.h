@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From a scene to the flat tables of the kernels.
 #pragma once
-#include <functional>
 #include <optional>
 #include "flatten/flat_scene.h"
 #include "scene/object.h"
@@ -14,8 +13,9 @@ struct Options {
     bool bv = true;                 // back faces are visible
     bool any_reflectance = false;   // also materials that give back twice the light that they get (reflectance.h)
     std::optional<base::Vec3> eye;  // of the view, which may move the origin of the tables (centre_of)
-    HostTree known_tree;            // of a scene flattened before: taken where the surfaces are the same
-    std::function<void(double)> tell_tree;  // for people who wait: which share of the tree is built
+    Trees known;                    // of a scene flattened before: taken where the surfaces are the same
+    bool compact_tree = false;      // also the tree for GPUs
+    bvh::Tell tell_tree;            // for people who wait: which share of a tree is built
 };
 
 // Throws Error naming file:line for what cannot be rendered.

@@ -22,7 +22,7 @@ struct HostTracer::State {
     std::shared_ptr<const bvh::Tree> bvh;
     SceneTables tables{};
     Params params{};
-    explicit State(const FlatScene& s) : scene(s), bvh(s.host_tree()) {
+    explicit State(const FlatScene& s) : scene(s), bvh(s.built.wide) {
         BVH_TABLES(POINT_AT_BVH)
         FLAT_TABLES(POINT_AT_SCENE)
         params.sources_at = s.sources_at;

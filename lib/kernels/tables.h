@@ -104,10 +104,6 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define SRC_VIRTUAL 28u   // virtual sources: relay record in u (word), NONE for real ones
 #define SRC_SHEARED 30u   // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
 #define SRC_COVERED 31u   // 1 = another surface lies in its plane and may hide a part of it
-#define SRC_SPLATTED 29u  // SPLATTED_*: how frame 0 holds it by area, so that samples must not see it (word)
-
-#define SPLATTED_STRAIGHT 1u  // along the eye's straight rays
-#define SPLATTED_IMAGES 2u    // mirrored or refracted, in the images below
 
 // a triangle of the fan: a corner, then
 #define FAN_FLOATS 12u
@@ -196,12 +192,20 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define HIGHLIGHT_ALPHA2 15u  // roughness, squared
 #define MOST_HIGHLIGHTS 8u
 
-// Images of the sun that the view holds (render/sun_images.h), discs of camera directions: IMAGE_FLOATS floats at
-// f[Params.images_at]
-#define IMAGE_FLOATS 4u
+// ---- of a view, in SceneTables.view: first a word for each active source, how frame 0 holds it by area, so that samples
+// must not see it
+#define DRAWN_STRAIGHT 1u  // along the eye's straight rays
+#define DRAWN_IMAGES 2u    // mirrored or refracted, in the images that follow
+// images of the sun (render/sun_images.h), discs of camera directions: IMAGE_WORDS floats each from Params.images_at on
+#define IMAGE_WORDS 4u
 #define IMAGE_DIR 0u  // 3: unit
 #define IMAGE_CAP 3u  // 1 - cos of the half angle
 #define MOST_IMAGES 128u
+// pixels with several samples in each frame, from Params.focus_at on: a pass makes `spp` samples for an entry
+#define FOCUS_WORDS 3u
+#define FOCUS_PIXEL 0u
+#define FOCUS_ALL 1u   // samples that its pixel has in each frame
+#define FOCUS_FROM 2u  // those of this entry: FOCUS_FROM .. FOCUS_FROM + spp - 1
 
 // Parameters of a pass besides the tables; one block, uploaded per pass.
 STRUCT(Params) {
@@ -233,19 +237,14 @@ STRUCT(Params) {
     uint light_nodes;                 // nodes of the light tree; 0: each source is evaluated
     float portal_least, portal_most;  // mixture weight of portals, where there are any
     uint window_count;                // of all portals; patches of sun and glossy reflectors follow
-    uint spp, focus_at;     // samples of a frame of a pixel; above 1: those of entry focus_at and after (below)
+    uint spp, focus_at;     // samples of a frame of a pixel; above 1: those of the entries of the view from there on
     uint reuse_path_count;  // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
     uint redraw;            // not 0: other random numbers than usual, except for the point in the pixel and on the lens
+    uint drawn_count;       // sources with a word in the view table
     uint images_at, image_count;
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // their records
 };
-
-// An entry of the table of pixels with several samples in each frame: a pass makes `spp` of them for it.
-#define FOCUS_WORDS 3u
-#define FOCUS_PIXEL 0u
-#define FOCUS_ALL 1u   // samples that its pixel has in each frame
-#define FOCUS_FROM 2u  // those of this entry: FOCUS_FROM .. FOCUS_FROM + spp - 1
 
 // modes: what a pass computes
 #define MODE_DIRECT 0u  // frame 0: paths without a diffuse bounce

@@ -33,7 +33,7 @@ std::vector<double> eye_weights(const view::View& view, int nx, int ny) {
     return weights;
 }
 
-std::vector<float> sampled(device::Device& device, const kernels::Params& par) {
+std::vector<float> sampled(device::Device& device, const device::Params& par) {
     std::vector<float> rgb;
     device.run(par, rgb);
     for (float& value : rgb)
@@ -46,13 +46,13 @@ struct LeftOut {
     double share = 0, error = 0;
 };
 
-LeftOut light_beyond_limit(device::Device& device, const kernels::Params& base, const view::View& view,
+LeftOut light_beyond_limit(device::Device& device, const device::Params& base, const view::View& view,
                            const std::vector<float>& exact) {
     double all = 0, left_out = 0, squares = 0;
     std::vector<double> weights = eye_weights(view, int(base.nx), int(base.ny));
     for (size_t i = 0; i < exact.size(); i += 3) all += weights[i / 3] * image::luminance(&exact[i]);
 
-    kernels::Params par = base;
+    device::Params par = base;
     par.mode = MODE_FRAMES;
     par.frame = sample_number;
     par.skip_direct_below = 0;  // direct light, too
@@ -75,7 +75,7 @@ LeftOut light_beyond_limit(device::Device& device, const kernels::Params& base, 
 
 }  // namespace
 
-void warn_of_limit(device::Device& device, const kernels::Params& base, const view::View& view,
+void warn_of_limit(device::Device& device, const device::Params& base, const view::View& view,
                    const std::vector<float>& exact) {
     if (base.ab == no_limit || base.ab == 0 || !base::warnings_are_shown()) return;
     const LeftOut beyond = light_beyond_limit(device, base, view, exact);

@@ -10,7 +10,7 @@ namespace render {
 
 // Warns of the share that a limit above 0 leaves out.  base: of the picture; exact: its splatted emitters
 // (frame_zero.h).
-void warn_of_limit(device::Device& device, const kernels::Params& base, const view::View& view,
+void warn_of_limit(device::Device& device, const device::Params& base, const view::View& view,
                    const std::vector<float>& exact);
 
 }  // namespace render

@@ -29,7 +29,7 @@ struct Start {
 
 class Search {
 public:
-    Search(device::Device& device, const Params& base, const view::View& view, Vec3 sun, double radius)
+    Search(device::Device& device, const device::Params& base, const view::View& view, Vec3 sun, double radius)
         : all_(device, base, view, WAYS), one_(device, base, view, 1), sun_(sun), radius_(radius) {
         all_.seek_directions(), one_.seek_directions();
     }
@@ -183,7 +183,7 @@ private:
 
 }  // namespace
 
-void find_curved_images(device::Device& device, const Params& base, const flatten::FlatScene& scene,
+void find_curved_images(device::Device& device, const device::Params& base, const flatten::FlatScene& scene,
                         const sampling::SmoothSurfaces& smooth, const view::View& view, SunImages& images) {
     for (const uint32_t i : images.sources) {
         const float* q = &scene.f[scene.sources_at + SOURCE_FLOATS * i];

@@ -14,15 +14,15 @@ using image::grey;
 namespace {
 // Adds the samples of each pixel, those of the first half less those of the second, and their squares.  All samples of
 // a pixel at once, and neighbouring pixels together.
-void sum_samples(device::Device& device, Samples& sampler, const Params& base, int64_t begin, uint32_t count,
+void sum_samples(device::Device& device, const PixelSampling& sampling, int64_t begin, uint32_t count,
                  std::vector<double>& sum, std::vector<float>& half_off, std::vector<double>& squares) {
-    const uint32_t pixels = base.nx * base.ny, most = UINT32_MAX / pixels;  // indices of paths are 32 bits
-    std::vector<float> rgb;
+    const uint32_t pixels = sampling.params.nx * sampling.params.ny,
+                   most = UINT32_MAX / pixels;  // indices of paths are 32 bits
     for (uint32_t done = 0; done < count;) {
         const uint32_t n = std::min(count - done, most), some = std::max(1u, device.preferred_batch_size() / n);
         for (uint32_t first = 0; first < pixels; first += some) {
             const uint32_t batch = std::min(some, pixels - first);
-            sampler.run(device, base, {MODE_DIRECT, begin + done, n, first, batch}, rgb);
+            const std::vector<float> rgb = run_pass(device, sampling, {MODE_DIRECT, begin + done, n, first, batch});
             const float* from = rgb.data();
             for (size_t pixel = first; pixel < first + batch; pixel++)
                 for (uint32_t k = 0; k < n; k++) {
@@ -46,17 +46,18 @@ void draw_point(FrameZero& zero, std::vector<double>& sum, uint32_t pixel, const
     to.sum += y, to.right += y * double(right), to.up += y * double(up), to.squares += weight * a * b;
 }
 
-void draw_sources(device::Device& device, Samples& sampler, const Params& base, const SplatList& list,
-                  const std::vector<ImagePoint>& images, FrameZero& zero) {
+void draw_sources(device::Device& device, const ViewPlan& plan, FrameZero& zero) {
+    const SplatList& list = plan.drawn.straight;
+    const std::vector<ImagePoint> images = draw_images(device, plan.sampling.params, plan.view, plan.drawn.images);
     if (list.rays.empty() && images.empty()) return;
     std::vector<float> rgb;
-    Params p = base;
+    device::Params p = plan.sampling.params;
     p.mode = MODE_SPLAT;
     p.first = 0;
     p.path_count = uint32_t(list.rays.size());
     if (!list.rays.empty()) device.splat(p, list.rays, rgb);
-    sampler.scrub(rgb);
-    const size_t pixels = size_t(base.nx) * base.ny;
+    scrub(rgb);
+    const size_t pixels = size_t(p.nx) * p.ny;
     std::vector<double> sum(3 * pixels, 0.0);
     zero.drawn.resize(pixels);
     for (size_t i = 0; i < list.rays.size(); i++) {
@@ -72,15 +73,16 @@ void draw_sources(device::Device& device, Samples& sampler, const Params& base, 
 }
 }  // namespace
 
-FrameZero draw_frame_zero(device::Device& device, Samples& sampler, const Params& base, uint32_t m, uint32_t count,
-                          const SplatList& drawn, const std::vector<ImagePoint>& images) {
-    const size_t pixels = size_t(base.nx) * base.ny;
+FrameZero draw_frame_zero(device::Device& device, const ViewPlan& plan) {
+    const uint32_t count = plan.samples_of_zero;
+    const size_t pixels = size_t(plan.sampling.params.nx) * plan.sampling.params.ny;
     std::vector<double> sum(3 * pixels, 0.0), squares(pixels, 0.0);
     FrameZero zero;
     zero.samples = count;
-    zero.half_off.assign(m % 2 ? 0 : sum.size(), 0.0f);
+    zero.half_off.assign(plan.m % 2 ? 0 : sum.size(), 0.0f);
     // Samples beyond m come after all frames in the sequence, so that no frame repeats them.
-    sum_samples(device, sampler, base, count > m ? int64_t(1) << 31 : 0, count, sum, zero.half_off, squares);
+    const int64_t begin = count > plan.m ? int64_t(1) << 31 : 0;
+    sum_samples(device, plan.sampling, begin, count, sum, zero.half_off, squares);
 
     zero.mean.resize(sum.size());
     for (size_t i = 0; i < sum.size(); i++) zero.mean[i] = float(sum[i] / count);
@@ -93,8 +95,14 @@ FrameZero draw_frame_zero(device::Device& device, Samples& sampler, const Params
         const double mean = grey(&zero.mean[3 * i]);
         zero.spread[i] = float(std::max(0.0, squares[i] / count - mean * mean));
     }
-    draw_sources(device, sampler, base, drawn, images, zero);
+    draw_sources(device, plan, zero);
     return zero;
+}
+
+std::vector<float> values_of(const FrameZero& zero) {
+    std::vector<float> out = zero.mean;
+    for (size_t i = 0; i < zero.exact.size(); i++) out[i] += zero.exact[i];
+    return out;
 }
 
 }  // namespace render

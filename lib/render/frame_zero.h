@@ -3,9 +3,7 @@
 // (docs/decisions/0002).
 #pragma once
 #include <vector>
-#include "render/splat_emitters.h"
-#include "render/samples.h"
-#include "render/sun_images.h"
+#include "render/view_plan.h"
 
 namespace render {
 
@@ -25,8 +23,9 @@ struct FrameZero {
     std::vector<DrawnLight> drawn;  // by pixel (empty: none)
 };
 
-// count: samples of each pixel; m: number of frames that they represent.
-FrameZero draw_frame_zero(device::Device& device, Samples& sampler, const kernels::Params& base, uint32_t m,
-                          uint32_t count, const SplatList& drawn, const std::vector<ImagePoint>& images);
+FrameZero draw_frame_zero(device::Device& device, const ViewPlan& plan);
+
+// Its values, row 0 = top.
+std::vector<float> values_of(const FrameZero& zero);
 
 }  // namespace render

@@ -17,7 +17,7 @@ constexpr double first_step = 0.7548776662466927, second_step = 0.56984029099805
 // Radiance along rays to points of discs: a place in the picture and `ways` paths each, whose mean it is.
 class ImageTracer {
 public:
-    ImageTracer(device::Device& device, const kernels::Params& base, const view::View& view, uint32_t ways)
+    ImageTracer(device::Device& device, const device::Params& base, const view::View& view, uint32_t ways)
         : device_(device), par_(base), projector_(view), ways_(ways) {
         par_.mode = MODE_IMAGE;
         par_.first = 0;
@@ -70,7 +70,7 @@ public:
 
 private:
     device::Device& device_;
-    kernels::Params par_;
+    device::Params par_;
     view::Projector projector_;
     uint32_t ways_;
     double seed_;

@@ -10,7 +10,7 @@
 #include "render/self_test.h"
 
 namespace render {
-using namespace kernels;
+using device::Params;
 namespace {
 
 void say_processor_goes_on(const base::Error& e) {
@@ -25,6 +25,7 @@ public:
     explicit GpuOrCpu(std::unique_ptr<device::Device> gpu) : device_(std::move(gpu)) {}
     std::string name() const override { return device_->name(); }
     uint32_t preferred_batch_size() const override { return device_->preferred_batch_size(); }
+    bool compact_tree() const override { return device_->compact_tree(); }
     bool is_async() const override { return device_->is_async(); }
     std::string own_bits() const override { return device_->own_bits(); }
 
@@ -32,9 +33,6 @@ public:
         scene_.reset();
         attempt([&] { device_->upload(scene); });
         if (!on_cpu_) scene_ = std::move(scene);
-    }
-    void update_float_table(size_t first, size_t count) override {
-        attempt([&] { device_->update_float_table(first, count); });
     }
     void cancel_when(const std::atomic<bool>* asked) override {
         Device::cancel_when(asked);
@@ -51,10 +49,6 @@ public:
                std::vector<device::PilotEnd>& ends) override {
         attempt([&] { device_->pilot(par, rays, ends); });
     }
-    void set_focus(std::vector<uint32_t> entries) override {
-        focus_ = std::move(entries);
-        attempt([&] { device_->set_focus(focus_); });
-    }
 
 private:
     template <class F>
@@ -70,14 +64,12 @@ private:
         device_->cancel_when(cancel_);
         if (scene_) device_->upload(std::move(scene_));
         scene_.reset();
-        device_->set_focus(focus_);
         work();
     }
 
     std::unique_ptr<device::Device> device_;
     bool on_cpu_ = false, has_run_ = false;
     std::shared_ptr<const flatten::FlatScene> scene_;  // for the processor, if it has to take over
-    std::vector<uint32_t> focus_;
 };
 
 std::unique_ptr<device::Device> tested(std::unique_ptr<device::Device> device, const std::string& folder) {

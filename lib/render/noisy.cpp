@@ -18,7 +18,7 @@ constexpr float as_if_normal = 1.45f;               // standard over mean absolu
 constexpr uint32_t most_spp = 64;
 
 // Luminances of n samples of each pixel of the picture of p.
-std::vector<float> sampled(device::Device& device, Params p, uint32_t mode, uint32_t n) {
+std::vector<float> sampled(device::Device& device, device::Params p, uint32_t mode, uint32_t n) {
     p.mode = mode;
     p.frame = samples_first;
     p.skip_direct_below = UINT32_MAX;  // diffuse paths hold no direct light
@@ -52,7 +52,7 @@ std::vector<float> smoothed(const std::vector<float>& values, int nx, int ny) {
 
 // Mean absolute deviation of the diffuse light of single paths, by block.  Not the root mean square, which one bright
 // path of four would dominate.
-std::vector<float> diffuse_deviation(device::Device& device, Params p, int nx, int ny) {
+std::vector<float> diffuse_deviation(device::Device& device, device::Params p, int nx, int ny) {
     p.nx = uint32_t(nx), p.ny = uint32_t(ny);
     const std::vector<float> light = sampled(device, p, MODE_FRAMES, paths);
     std::vector<float> deviation(size_t(nx) * ny);
@@ -67,7 +67,7 @@ std::vector<float> diffuse_deviation(device::Device& device, Params p, int nx, i
 }
 
 // Variance of the direct light of single samples, from two samples of each pixel and its neighbours.
-std::vector<float> direct_variance(device::Device& device, const Params& base) {
+std::vector<float> direct_variance(device::Device& device, const device::Params& base) {
     const std::vector<float> light = sampled(device, base, MODE_DIRECT, 2);
     std::vector<float> variance(light.size() / 2);
     for (size_t i = 0; i < variance.size(); i++) {
@@ -86,7 +86,7 @@ uint32_t spp_for(float deviation, float of_one) {
 }
 }  // namespace
 
-std::vector<uint32_t> spp_of_noisy(device::Device& device, const Params& base, double share) {
+std::vector<uint32_t> spp_of_noisy(device::Device& device, const device::Params& base, double share) {
     const int nx = int(base.nx), ny = int(base.ny), wide = (nx + int(coarse) - 1) / int(coarse),
               high = (ny + int(coarse) - 1) / int(coarse);
     const std::vector<float> diffuse = diffuse_deviation(device, base, wide, high);

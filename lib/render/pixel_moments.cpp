@@ -126,23 +126,23 @@ void add_drawn(const FrameZero& zero, size_t i, float* moments) {
 }
 }  // namespace
 
-image::Moments pixel_moments(device::Device& device, Samples& sampler, const Params& base, const FrameZero& zero) {
-    const uint32_t n = places_of(base.nx * base.ny);
-    std::vector<float> out(image::moment_numbers * zero.spread.size(), 0.0f), a, b;
-    const std::vector<uint32_t> uneven = uneven_pixels(zero, int(base.nx), int(base.ny));
+image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero) {
+    const uint32_t nx = plan.sampling.params.nx, ny = plan.sampling.params.ny, n = places_of(nx * ny);
+    std::vector<float> out(image::moment_numbers * zero.spread.size(), 0.0f);
+    const std::vector<uint32_t> uneven = uneven_pixels(zero, int(nx), int(ny));
     std::vector<Glint> glints(zero.spread.size());
     const size_t step = std::max<size_t>(1, pixels_at_once * least_places / n);
     for (size_t first = 0; first < uneven.size(); first += step) {
         const std::vector<uint32_t> some(uneven.begin() + long(first),
                                          uneven.begin() + long(std::min(uneven.size(), first + step)));
-        sampler.run_places(device, base, some, n, 0, a);
-        sampler.run_places(device, base, some, n, 1, b);
+        const std::vector<float> a = run_places(device, plan.sampling, some, n, 0),
+                                 b = run_places(device, plan.sampling, some, n, 1);
         for (size_t k = 0; k < some.size(); k++) {
             estimate(&a[3 * n * k], &b[3 * n * k], n, &out[image::moment_numbers * some[k]]);
             glints[some[k]] = glint_in(zero, some[k], &a[3 * n * k], &b[3 * n * k], n);
         }
     }
-    add_glints(glints, int(base.nx), int(base.ny), out);
+    add_glints(glints, int(nx), int(ny), out);
     for (size_t i = 0; i < zero.drawn.size(); i++) add_drawn(zero, i, &out[image::moment_numbers * i]);
     image::clean_moments(out);
     return std::make_shared<const std::vector<float>>(std::move(out));

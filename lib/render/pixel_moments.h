@@ -14,7 +14,6 @@
 
 namespace render {
 
-image::Moments pixel_moments(device::Device& device, Samples& sampler, const kernels::Params& base,
-                             const FrameZero& zero);
+image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero);
 
 }  // namespace render

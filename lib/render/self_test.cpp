@@ -12,8 +12,8 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/tempfile.h"
-#include "sampling/targets.h"
 #include "scene/object.h"
+#include "render/loaded_scene.h"
 #include "render/scene_params.h"
 #include "render/view_params.h"
 
@@ -41,17 +41,18 @@ const char* const room =
 constexpr uint32_t side = 16, frames = 4;
 
 std::vector<float> render_room(device::Device& device, const scene::Scene& scene) {
-    const RenderOptions options;
-    flatten::FlatScene flat = flatten::flatten(scene, options, {});
-    sampling::find_targets(flat);
-    Params par = params_of(flat, options);
+    RenderOptions options;
+    options.compact_tree = device.compact_tree();
+    const LoadedScene loaded = load_scene(scene, options, {});
+    const flatten::FlatScene& flat = *loaded.tables;
+    device::Params par{params_of(flat, options), nullptr};
     view::View view;
     view.vp = {.4, .3, 1.4};
     view.vd = {.7, .8, -.15};
     view.vh = view.vv = 80;
     par.nx = par.ny = side;
     set_view(par, view, flat.centre);
-    device.upload(std::make_shared<const flatten::FlatScene>(std::move(flat)));
+    device.upload(loaded.tables);
     std::vector<float> rgb, direct;
     par.samples_per_pass = frames;
     par.path_count = side * side * frames;

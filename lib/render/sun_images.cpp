@@ -116,7 +116,7 @@ SunImages possible_images(const flatten::FlatScene& scene, const flatten::HostTr
     return out;
 }
 
-void keep_lit_images(device::Device& device, const Params& base, const view::View& view, SunImages& images) {
+void keep_lit_images(device::Device& device, const device::Params& base, const view::View& view, SunImages& images) {
     ImageTracer tracer(device, base, view, MOST_WAYS);
     std::vector<size_t> disc_of;
     for (size_t i = 0; i < images.discs.size(); i++)
@@ -150,7 +150,7 @@ void keep_lit_images(device::Device& device, const Params& base, const view::Vie
         if (l.light > 0 && images.discs.size() < MOST_IMAGES) images.discs.push_back(l.disc);
 }
 
-std::vector<ImagePoint> draw_images(device::Device& device, const Params& base, const view::View& view,
+std::vector<ImagePoint> draw_images(device::Device& device, const device::Params& base, const view::View& view,
                                     const SunImages& images) {
     std::vector<ImagePoint> out;
     if (images.discs.empty()) return out;

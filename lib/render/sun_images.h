@@ -27,11 +27,11 @@ struct SunImages {
 SunImages possible_images(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
                           const sampling::SmoothSurfaces& smooth, const view::View& view, int nx, int ny);
 // Adds images in curved surfaces: Newton's method from a net of camera directions.
-void find_curved_images(device::Device& device, const kernels::Params& base, const flatten::FlatScene& scene,
+void find_curved_images(device::Device& device, const device::Params& base, const flatten::FlatScene& scene,
                         const sampling::SmoothSurfaces& smooth, const view::View& view, SunImages& images);
-// Keeps those in which light arrives: the brightest MOST_IMAGES.  base: with the view; the device's table of sources
-// has their marks.
-void keep_lit_images(device::Device& device, const kernels::Params& base, const view::View& view, SunImages& images);
+// Keeps those in which light arrives: the brightest MOST_IMAGES.  base: with the view, in whose table the sources are
+// marked.
+void keep_lit_images(device::Device& device, const device::Params& base, const view::View& view, SunImages& images);
 
 // A point of an image: its pixel, place there (pixels from the centre) and radiance by two sets of random numbers,
 // times the share of a pixel that the point represents.
@@ -40,7 +40,7 @@ struct ImagePoint {
     float right, up, weight;
     float first[3], second[3];
 };
-std::vector<ImagePoint> draw_images(device::Device& device, const kernels::Params& base, const view::View& view,
+std::vector<ImagePoint> draw_images(device::Device& device, const device::Params& base, const view::View& view,
                                     const SunImages& images);
 
 }  // namespace render

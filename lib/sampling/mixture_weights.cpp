@@ -35,7 +35,7 @@ struct Place {
 
 class PilotSampler {
 public:
-    PilotSampler(device::Device& device, const Params& par, const std::vector<float>& records)
+    PilotSampler(device::Device& device, const device::Params& par, const std::vector<float>& records)
         : device_(device), par_(par), records_(records) {
         par_.mode = MODE_PILOT;
         par_.portals_at = 0;
@@ -66,7 +66,7 @@ public:
 
 private:
     device::Device& device_;
-    Params par_;
+    device::Params par_;
     const std::vector<float>& records_;
     SceneTables tables_ = {};  // of portals and highlights
     float clear_;              // offset of rays from their surface
@@ -251,9 +251,13 @@ void pick_all_portals(uint32_t count, float light, float rest, Params& par) {
     }
 }
 
-void optimise_mixture(device::Device& device, const std::vector<float>& records, Params& par) {
-    if (records.empty() || par.ab < 1) return;
-    PilotSampler(device, par, records).find(par);
+device::Params optimise_mixture(device::Device& device, const flatten::FlatScene& scene, device::Params par) {
+    const auto portals = scene.f.begin() + long(scene.portals_at),
+               highlights = scene.f.begin() + long(scene.highlights_at);
+    std::vector<float> records(portals, portals + long(scene.portal_count) * PORTAL_FLOATS);
+    records.insert(records.end(), highlights, highlights + long(scene.highlight_count) * HIGHLIGHT_FLOATS);
+    if (!records.empty() && par.ab >= 1) PilotSampler(device, par, records).find(par);
+    return par;
 }
 
 }  // namespace sampling

@@ -7,9 +7,9 @@
 
 namespace sampling {
 
-// Sets portal_* and highlight_share of the parameters, from scene, view, options and seed alone.  par: as for frames,
-// with all portals; records: those of the portals, then those of the highlights; the device holds the scene.
-void optimise_mixture(device::Device& device, const std::vector<float>& records, kernels::Params& par);
+// The parameters with portal_* and highlight_share, from scene, view, options and seed alone.  par: as for frames, with
+// all portals; the device holds the scene.
+device::Params optimise_mixture(device::Device& device, const flatten::FlatScene& scene, device::Params par);
 
 // The portals of a scene before anything is known of them.
 void pick_all_portals(uint32_t count, float light, float rest, kernels::Params& par);

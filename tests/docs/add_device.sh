@@ -16,7 +16,7 @@ cat > lib/device/serial_device.cpp << 'END'
 // SPDX-License-Identifier: BSD-3-Clause
 // The baseline kernels on one thread.
 #include "device/cpu_kernels.h"
-#include "device/device.h"
+#include "device/scene_tables.h"
 
 namespace kernels {
 #include "kernels/cal/cal_noise.h"
@@ -26,43 +26,30 @@ namespace kernels {
 namespace device {
 namespace {
 
-#define POINT_AT_BVH(type, name) tables_.name = tree_->name.data();
-#define POINT_AT_SCENE(type, name) tables_.name = scene_->name.data();
-
 class SerialDevice : public Device {
 public:
     std::string name() const override { return "serial"; }
 
-    void upload(std::shared_ptr<const flatten::FlatScene> s) override {
-        scene_ = std::move(s);
-        tree_ = scene_->host_tree();
-        BVH_TABLES(POINT_AT_BVH)
-        FLAT_TABLES(POINT_AT_SCENE)
-    }
-    void update_float_table(size_t, size_t) override {}
-    void set_focus(std::vector<uint32_t> entries) override {
-        focus_ = std::move(entries);
-        tables_.focus = focus_.data();
-    }
+    void upload(std::shared_ptr<const flatten::FlatScene> scene) override { scene_ = std::move(scene); }
     uint32_t preferred_batch_size() const override { return 4096; }
 
     void run(const Params& par, std::vector<float>& rgb) override {
         rgb.resize(size_t(kernels::film_places(&par)) * 3);
         tiles(par.path_count, [&](uint32_t first, uint32_t count, char* scratch) {
             float* film = par.reuse_path_count != 0 ? rgb.data() : &rgb[size_t(first) * 3];
-            cpu_baseline.run(tables_, par, par.first + first, count, scratch, film);
+            cpu_baseline.run(tables_of(*scene_, par), par, par.first + first, count, scratch, film);
         });
     }
     void splat(const Params& par, const std::vector<SplatRay>& rays, std::vector<float>& rgb) override {
         rgb.resize(rays.size() * 3);
         tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, char* scratch) {
-            cpu_baseline.splat(tables_, par, rays.data(), first, count, scratch, rgb.data());
+            cpu_baseline.splat(tables_of(*scene_, par), par, rays.data(), first, count, scratch, rgb.data());
         });
     }
     void pilot(const Params& par, const std::vector<PilotRay>& rays, std::vector<PilotEnd>& ends) override {
         ends.resize(rays.size());
         tiles(uint32_t(rays.size()), [&](uint32_t first, uint32_t count, char* scratch) {
-            cpu_baseline.pilot(tables_, par, rays.data(), first, count, scratch, ends.data());
+            cpu_baseline.pilot(tables_of(*scene_, par), par, rays.data(), first, count, scratch, ends.data());
         });
     }
     std::string identity() override { return "serial 1"; }
@@ -84,9 +71,6 @@ private:
     }
 
     std::shared_ptr<const flatten::FlatScene> scene_;
-    std::shared_ptr<const bvh::Tree> tree_;
-    std::vector<uint32_t> focus_;
-    kernels::SceneTables tables_{};
 };
 
 }  // namespace

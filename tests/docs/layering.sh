@@ -46,6 +46,10 @@ upward() {
 
 check 'no library includes one above it' 'upward "$TOP" > hits; cat hits >&2; test ! -s hits'
 
+# Stages are functions of values: what a stage has returned does not change behind a const.
+hidden() { grep -rnE '\bmutable\b|const_cast|void *\*' --include='*.cpp' --include='*.h' --include='*.inl' "$@"; }
+check 'no mutable, const_cast or void* where frames are rendered' '! hidden "$TOP"/lib/render "$TOP"/lib/device >&2'
+
 for folder in "$TOP"/lib/*/ "$TOP"/tools/*/; do
     who=${folder#"$TOP/"}; who=${who%/}
     check "$who has its row in the table" "grep -q '^$who:' layers"

@@ -11,7 +11,7 @@ inline std::vector<double> block_means(render::Renderer& renderer, int size, int
     const int side = size / n;
     const double frames = double(last - first + 1);
     std::vector<double> out(size_t(n * n) + 1);
-    renderer.frames(first, last - first + 1, [&](int64_t, const std::vector<float>& rgb) {
+    renderer.frames(first, last - first + 1, [&](int64_t, const std::vector<float>& rgb, const image::Moments&) {
         for (int i = 0; i < size * size; i++) {
             const double v = rgb[3 * size_t(i) + 1] / frames;
             out.back() += v / (size * size);

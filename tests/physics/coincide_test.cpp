@@ -117,7 +117,7 @@ double picture(const std::string& text, const std::string& device, render::Sampl
     view.vh = view.vv = 12;
     render::Renderer renderer(scene_of(text), view, 16, 16, options, device, {});
     double sum = 0;
-    renderer.frames(0, 9, [&](int64_t k, const std::vector<float>& rgb) {
+    renderer.frames(0, 9, [&](int64_t k, const std::vector<float>& rgb, const image::Moments&) {
         for (float v : rgb) sum += k == 0 ? v : v / 8;
         return true;
     });
@@ -307,7 +307,7 @@ TEST_CASE("the same in pictures, of a sun too") {
         for (int on = 0; on < 2; on++) {
             view.vp = {.1, .3, on ? .76 : 1};
             render::Renderer renderer(scene_of(floor), view, 32, 32, direct_only(), device, {});
-            renderer.frames(0, 1, [&](int64_t, const std::vector<float>& rgb) {
+            renderer.frames(0, 1, [&](int64_t, const std::vector<float>& rgb, const image::Moments&) {
                 for (float v : rgb) sum[on] += v;
                 return true;
             });

@@ -100,7 +100,7 @@ TEST_CASE("devices and neighbouring frames do not matter") {
         CAPTURE(device);
         const auto together = renderer(office, focus(), device);
         for (const int64_t k : {0, 63}) {
-            together->frames(k, 5, [&](int64_t frame, const std::vector<float>& rgb) {
+            together->frames(k, 5, [&](int64_t frame, const std::vector<float>& rgb, const image::Moments&) {
                 CAPTURE(frame);
                 cpu->frame(frame, alone);
                 CHECK(rgb == alone);

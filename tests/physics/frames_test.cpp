@@ -13,6 +13,10 @@
 #include "physics/blocks.h"
 #include "physics/seeds.h"
 
+#include "render/frame_zero.h"
+#include "render/learn.h"
+#include "render/make_device.h"
+
 using namespace laws;
 
 namespace {
@@ -195,7 +199,7 @@ TEST_CASE("sums are nowhere negative") {
     render::Renderer renderer = Office().renderer("cpu", size, options);
     film::Accumulator sum;
     float least = 1;
-    renderer.frames(0, 17, [&](int64_t k, const std::vector<float>& rgb) {
+    renderer.frames(0, 17, [&](int64_t k, const std::vector<float>& rgb, const image::Moments&) {
         sum.add(picture(rgb, size, k), "test");
         image::Picture now;
         sum.result(now, false);
@@ -234,7 +238,7 @@ TEST_CASE("frame 0's own noise averages out") {
     film::Accumulator sum;
     std::vector<float> of_16;
     std::map<int64_t, double> error;
-    renderer.frames(0, 1025, [&](int64_t k, const std::vector<float>& rgb) {
+    renderer.frames(0, 1025, [&](int64_t k, const std::vector<float>& rgb, const image::Moments&) {
         sum.add(picture(rgb, size, k), "test");
         if (k == 0) of_16 = rgb;
         for (size_t i = 0; k > 8 && k <= 24 && i < rgb.size(); ++i) of_16[i] += rgb[i] / 16;
@@ -250,4 +254,37 @@ TEST_CASE("frame 0's own noise averages out") {
         CAPTURE(n);
         CHECK(error[n] <= 1.21 * error_of(of_16) / std::sqrt(double(n) / 16));
     }
+}
+
+TEST_CASE("a stage that is called twice gives equal values, and changes none that it takes") {
+    const Office office;
+    const auto device = render::make_device("cpu");
+    const render::RenderOptions options;
+    const render::LoadedScene scene = render::load_scene(office.scene, options, office.files);
+    device->upload(scene.tables);
+    const auto plan = [&] { return render::plan_view(*device, scene, {office.view, 40, 40}, options); };
+    const render::ViewPlan one = plan();
+    const render::FrameZero zero = render::draw_frame_zero(*device, one);
+    const render::DiffusePlan learned = render::learn(*device, one);
+    const auto frames = [&](const render::ViewPlan& p) {
+        std::vector<float> all;
+        render::render_frames(*device, p, 0, 12, true,
+                              [&](int64_t, const std::vector<float>& rgb, const image::Moments& moments) {
+                                  all.insert(all.end(), rgb.begin(), rgb.end());
+                                  if (moments) all.insert(all.end(), moments->begin(), moments->end());
+                                  return true;
+                              });
+        return all;
+    };
+    const std::vector<float> first = frames(one);
+    const render::ViewPlan two = plan();
+    CHECK(two.fingerprint == one.fingerprint);
+    CHECK(*two.sampling.params.view_table == *one.sampling.params.view_table);
+    CHECK(render::draw_frame_zero(*device, two).mean == zero.mean);
+    const render::DiffusePlan again = render::learn(*device, one);
+    CHECK(again.noisy == learned.noisy);
+    CHECK(std::memcmp(static_cast<const kernels::Params*>(&again.sampling.params),
+                      static_cast<const kernels::Params*>(&learned.sampling.params), sizeof(kernels::Params)) == 0);
+    CHECK(frames(one) == first);
+    CHECK(frames(two) == first);
 }

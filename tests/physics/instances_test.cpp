@@ -6,7 +6,7 @@
 #include <random>
 
 #include "base/vec.h"
-#include "flatten/build_input.h"
+#include "flatten/trees.h"
 #include "unit/temp_folder.h"
 
 using namespace laws;

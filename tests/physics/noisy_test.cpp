@@ -24,17 +24,15 @@ public:
     std::vector<float> direct;   // of two samples of each pixel
     std::string name() const override { return "given"; }
     void upload(std::shared_ptr<const flatten::FlatScene>) override {}
-    void update_float_table(size_t, size_t) override {}
-    void run(const kernels::Params& par, std::vector<float>& rgb) override {
+    void run(const device::Params& par, std::vector<float>& rgb) override {
         const std::vector<float>& light = par.mode == MODE_DIRECT ? direct : diffuse;
         REQUIRE(par.first + par.path_count <= light.size());
         CHECK(par.frame > 3u << 30);  // behind all frames, and behind what frame 0 of small pictures draws
         rgb.clear();
         for (uint32_t i = 0; i < par.path_count; i++) rgb.insert(rgb.end(), 3, light[par.first + i]);
     }
-    void splat(const kernels::Params&, const std::vector<device::SplatRay>&, std::vector<float>&) override {}
-    void pilot(const kernels::Params&, const std::vector<device::PilotRay>&, std::vector<device::PilotEnd>&) override {}
-    void set_focus(std::vector<uint32_t>) override {}
+    void splat(const device::Params&, const std::vector<device::SplatRay>&, std::vector<float>&) override {}
+    void pilot(const device::Params&, const std::vector<device::PilotRay>&, std::vector<device::PilotEnd>&) override {}
     uint32_t preferred_batch_size() const override { return 1000; }
     Given(int nx, int ny, float light)
         : diffuse(size_t((nx + 3) / 4 * ((ny + 3) / 4) * 4), light), direct(size_t(nx * ny * 2), light) {}
@@ -42,8 +40,8 @@ public:
 
 constexpr int side = 64;  // pixels, so 16 blocks
 
-kernels::Params picture_of(int nx, int ny) {
-    kernels::Params p{};
+device::Params picture_of(int nx, int ny) {
+    device::Params p{};
     p.nx = uint32_t(nx);
     p.ny = uint32_t(ny);
     return p;
@@ -159,7 +157,7 @@ TEST_CASE("frames need no others, on every device") {
     even.noisy_share = 0;
     std::vector<std::vector<float>> run;
     auto whole = office.renderer("cpu", size);
-    whole.frames(0, 12, [&](int64_t, const std::vector<float>& rgb) {
+    whole.frames(0, 12, [&](int64_t, const std::vector<float>& rgb, const image::Moments&) {
         run.push_back(rgb);
         return true;
     });

@@ -41,7 +41,7 @@ inline image::Picture picture(const std::vector<float>& rgb, int size, int64_t k
 
 inline image::Picture sum_of(render::Renderer& renderer, int size, int64_t first, int64_t last) {
     film::Accumulator sum;
-    renderer.frames(first, int(last - first + 1), [&](int64_t k, const std::vector<float>& rgb) {
+    renderer.frames(first, int(last - first + 1), [&](int64_t k, const std::vector<float>& rgb, const image::Moments&) {
         sum.add(picture(rgb, size, k), "test");
         return true;
     });

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "flatten/build_input.h"
+#include "flatten/trees.h"
 #include "flatten/flatten.h"
 #include "flatten/host_tracer.h"
 #include "scene/object.h"

@@ -11,6 +11,7 @@
 #include "base/tempfile.h"
 #include "flatten/flatten.h"
 #include "flatten/host_tracer.h"
+#include "flatten/trees.h"
 #include "scene/object.h"
 
 namespace {
@@ -31,14 +32,14 @@ flatten::FlatScene sunny_room(const std::string& more = "", const flatten::Optio
 
 TEST_CASE("all who trace rays on this machine share one tree") {
     const flatten::FlatScene flat = sunny_room();
-    const auto tree = flat.host_tree();
+    const auto tree = flat.built.wide;
     CHECK(tree.use_count() == 2);  // the scene's and ours
     {
         const flatten::HostTracer one(flat), other(flat);
         CHECK(tree.use_count() == 4);
     }
     const flatten::FlatScene copy = flat;
-    CHECK(copy.host_tree() == tree);
+    CHECK(copy.built.wide == tree);
 }
 
 TEST_CASE("what no kernel reads is given back, and rays meet the same") {
@@ -58,11 +59,11 @@ TEST_CASE("what no kernel reads is given back, and rays meet the same") {
 
 TEST_CASE("the tree of another scene serves one of the same surfaces, and no other") {
     flatten::Options options;
-    options.known_tree = sunny_room().tree_and_inputs();
-    CHECK(sunny_room("void glow g 0 0 4 1 1 1 0\n", options).host_tree() == options.known_tree.tree);
+    options.known = sunny_room().built;
+    CHECK(sunny_room("void glow g 0 0 4 1 1 1 0\n", options).built.wide == options.known.wide);
     const flatten::FlatScene more = sunny_room("floor_paint sphere s 0 0 4 1 1 1 .2\n", options);
-    CHECK(more.host_tree() != options.known_tree.tree);
-    CHECK(more.tree_and_inputs().inputs != options.known_tree.inputs);
+    CHECK(more.built.wide != options.known.wide);
+    CHECK(more.built.inputs != options.known.inputs);
 }
 
 TEST_CASE("who waits for a tree is told how far it is") {
@@ -76,8 +77,9 @@ TEST_CASE("who waits for a tree is told how far it is") {
         flat.tri_prim.push_back(uint32_t(k));
     }
     std::vector<double> told;
-    flat.tell_tree = [&](double share) { told.push_back(share); };
-    flat.host_tree();
+    flatten::Options options;
+    options.tell_tree = [&](double share) { told.push_back(share); };
+    build_trees(flat, options);
     REQUIRE(told.size() > 1);
     CHECK(told.front() < .9);
     for (double share : told) CHECK((share > 0 && share <= 1));

@@ -36,7 +36,7 @@ public:
         Folder::write("t.rad", all + text);
         const scene::ReadOptions how;
         flat = flatten::flatten(scene::read_scene({"t.rad"}, how), {}, how);
-        tree = flat.host_tree();
+        tree = flat.built.wide;
         BVH_TABLES(POINT_AT_BVH)
         FLAT_TABLES(POINT_AT_SCENE)
     }

@@ -27,7 +27,6 @@ public:
     explicit MadeUp(float factor) : factor_(factor) {}
     std::string name() const override { return "made-up"; }
     void upload(std::shared_ptr<const flatten::FlatScene> scene) override { cpu_->upload(std::move(scene)); }
-    void update_float_table(size_t first, size_t count) override { cpu_->update_float_table(first, count); }
     void run(const Params& par, std::vector<float>& rgb) override {
         passes++;
         cpu_->run(par, rgb);
@@ -39,7 +38,6 @@ public:
                std::vector<device::PilotEnd>& ends) override {
         cpu_->pilot(par, rays, ends);
     }
-    void set_focus(std::vector<uint32_t> entries) override { cpu_->set_focus(std::move(entries)); }
     uint32_t preferred_batch_size() const override { return cpu_->preferred_batch_size(); }
     std::string identity() override { return "made-up"; }
     std::vector<float> self_test_numbers(uint32_t n) override {

@@ -70,13 +70,13 @@ int64_t render_frames(const Options& opt, int64_t from, image::Picture& picture,
     Report report(opt.report_s, renderer.device_name(), label, opt.last);
     film::Accumulator sum;
     int64_t next = from;
-    const auto give = [&](int64_t k, const std::vector<float>& rgb) {
+    const auto give = [&](int64_t k, const std::vector<float>& rgb, const image::Moments& moments) {
         const bool ends = control.ends_picture(label) || k == opt.last;
         if (control.edited()) return false;
         picture.rgb = rgb;
         picture.header.frame = k;
         if (ends && streams) picture.header.last_frame = k;
-        picture.moments = k == 0 && opt.moments ? renderer.moments() : image::Moments();
+        picture.moments = moments;
         if (opt.one_picture) sum.add(picture, fmt::format("frame {}", k));
         else if (streams) image::write_picture_stdout(picture, image::Format::flt);
         else image::write_file(output_name(opt.output, k, label), picture, as_float);
@@ -86,7 +86,7 @@ int64_t render_frames(const Options& opt, int64_t from, image::Picture& picture,
     };
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
     while (next <= opt.last && !control.edited() && !base::shutdown_requested()) {
-        renderer.frames(next, int(std::min(block, opt.last - next + 1)), give);
+        renderer.frames(next, std::min(block, opt.last - next + 1), give, opt.moments);
         if (next <= opt.last && control.edit_waits()) control.ends_picture(label);
     }
     if (opt.one_picture) write_sum(opt, sum, label);

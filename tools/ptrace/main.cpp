@@ -107,7 +107,9 @@ bool apply_edits(Run& run, size_t i) {
     base::Progress progress("ptrace");
     const auto change = [&](bool files) {
         choose_focus(next);
-        begins = run.session->edit(setup_of(next, i, progress), files);
+        render::Setup setup = setup_of(next, i, progress);
+        setup.options.tell_limit = next.render.ab != run.opt.render.ab;
+        begins = run.session->edit(setup, files);
         run.opt = next;
     };
     if (!carry_out([&] { change(read); }) && read && others) carry_out([&] { change(false); });
@@ -170,6 +172,7 @@ int render_all(Options options) {
         scene::Scene scene = last ? std::move(without_sky) : without_sky;
         base::Progress progress("ptrace");
         render::Setup setup = setup_of(opt, 0, progress);
+        setup.options.tell_limit = &sky == &skies.front();
         setup.reading.work =
             std::make_shared<base::WorkBudget>(*opt.files.work);  // each sky has what the rest has left
         setup.reading.asked_by.clear();                           // a sky is the command line's

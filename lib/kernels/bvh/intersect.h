@@ -100,8 +100,7 @@ STRUCT(Look) {
 #define ROOT_OF_PANES 1u
 #define ROOT_OF_TREE(k) ((k) + 1u)
 
-// Tables of a scene on a device, TABLE(type, name) for each: from the BVH builder, from flattening, and for one
-// picture.
+// Tables on a device, TABLE(type, name) for each: from the BVH builder, from flattening, and of a view.
 // clang-format off
 #define BVH_TABLES(TABLE)                                                                   \
     TABLE(float, nodes)       /* BVH of either kind, roots: ROOT_OF_SCENE ... */            \
@@ -112,9 +111,9 @@ STRUCT(Look) {
     TABLE(uint, prims)        /* PRIM_WORDS each, shading side (tables.h) */                \
     TABLE(uint, u)            /* word arena (tables.h): modifiers, materials, .cal code */  \
     TABLE(float, f)           /* float arena (tables.h) */
-#define PICTURE_TABLES(TABLE)                                                               \
-    TABLE(uint, focus)        /* pixels of which a pass makes several samples: FOCUS_WORDS each */
-#define SCENE_TABLES(TABLE) BVH_TABLES(TABLE) FLAT_TABLES(TABLE) PICTURE_TABLES(TABLE)
+#define VIEW_TABLES(TABLE)                                                                  \
+    TABLE(uint, view)         /* what depends on the view (tables.h) */
+#define SCENE_TABLES(TABLE) BVH_TABLES(TABLE) FLAT_TABLES(TABLE) VIEW_TABLES(TABLE)
     // clang-format on
 
 #define TABLE_POINTER(type, name) GLOBAL const type* name;

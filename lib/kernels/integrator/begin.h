@@ -5,7 +5,7 @@
 
 // Focus entry of a path's pixel, in a pass over pixels with several samples in each frame.
 FN GLOBAL const uint* focus_entry(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path) {
-    return s->focus + FOCUS_WORDS * (par->focus_at + (par->first + path) / par->samples_per_pass);
+    return s->view + par->focus_at + FOCUS_WORDS * ((par->first + path) / par->samples_per_pass);
 }
 
 // Pixel of a path, NONE outside the picture, and the number of the pixel's sample.

@@ -54,7 +54,7 @@ FN float3 emitter_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par
     }
 
     if (!sampled && source != NONE && (flags & PC_BENT) == 0u && par->mode != MODE_RAY &&
-        (source_word(s, par, source, SRC_SPLATTED) & SPLATTED_STRAIGHT) != 0u)
+        (drawn_by_area(s, par, source) & DRAWN_STRAIGHT) != 0u)
         return black;
     if (g->type == M_SPOTLIGHT) {
         float3 aim = f3_at(arg + 4);

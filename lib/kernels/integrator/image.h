@@ -25,19 +25,25 @@ FN_RARE int path_in_image(TABLES(const SceneTables) s, PARAMS(const Params) par,
     Ray ray;
     if (par->mode == MODE_PILOT || !path_first_ray(s, par, path, &rnd, &ray)) return 0;
     for (UNIFORM uint i = 0u; i < par->image_count; i++) {
-        GLOBAL const float* image = s->f + par->images_at + IMAGE_FLOATS * i;
-        float3 e = sub3(ray.dir, f3_at(image + IMAGE_DIR));
-        if (0.5f * dot3(e, e) <= image[IMAGE_CAP]) return 1;
+        GLOBAL const uint* image = s->view + par->images_at + IMAGE_WORDS * i;
+        float3 e = sub3(ray.dir, F3(as_float_(image[IMAGE_DIR]), as_float_(image[IMAGE_DIR + 1u]),
+                                    as_float_(image[IMAGE_DIR + 2u])));
+        if (0.5f * dot3(e, e) <= as_float_(image[IMAGE_CAP])) return 1;
     }
 
     return 0;
 }
 
+// DRAWN_* of an active source.
+FN uint drawn_by_area(TABLES(const SceneTables) s, PARAMS(const Params) par, uint source) {
+    return source < par->drawn_count ? s->view[source] : 0u;
+}
+
 // Returns 1 if frame 0 holds by area what this specular path sees of a distant source.
 FN int held_by_area(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path, uint flags, uint source) {
-    uint drawn = source_word(s, par, source, SRC_SPLATTED);
+    uint drawn = drawn_by_area(s, par, source);
     if (par->mode == MODE_RAY) return 0;
-    if ((flags & PC_BENT) == 0u) return par->mode != MODE_IMAGE && (drawn & SPLATTED_STRAIGHT) != 0u;
-    return (drawn & SPLATTED_IMAGES) != 0u && (par->mode == MODE_IMAGE || path_in_image(s, par, path));
+    if ((flags & PC_BENT) == 0u) return par->mode != MODE_IMAGE && (drawn & DRAWN_STRAIGHT) != 0u;
+    return (drawn & DRAWN_IMAGES) != 0u && (par->mode == MODE_IMAGE || path_in_image(s, par, path));
 }
 #endif

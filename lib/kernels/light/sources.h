@@ -9,10 +9,6 @@ FN GLOBAL const float* source_record(TABLES(const SceneTables) s, PARAMS(const P
     return s->f + par->sources_at + SOURCE_FLOATS * i;
 }
 
-FN uint source_word(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i, uint k) {
-    return as_uint_(*(source_record(s, par, i) + k));
-}
-
 STRUCT(LightSample) {
     float3 dir;     // from the point to the source, unit
     float dist;     // FAR_AWAY for distant ones

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See trees.h.
+#include "flatten/trees.h"
+
+#include "base/hash.h"
+
+namespace flatten {
+
+std::vector<bvh::Input> build_inputs(const FlatScene& s) {
+    std::vector<bvh::Input> trees;
+    for (const FlatScene::Tree& t : s.trees) {
+        bvh::Input in;
+        in.vertices = s.vertices.data() + 3 * t.first_vertex;
+        in.vertex_count = t.vertex_count;
+        in.triangles = s.triangles.data() + 3 * t.first_triangle;
+        in.tri_prim = s.tri_prim.data() + t.first_triangle;
+        in.triangle_count = t.triangle_count;
+        in.shapes = s.shapes.data();
+        in.shape_prim = s.shape_prim.data();
+        in.first_shape = t.first_shape;
+        in.shape_count = t.shape_count;
+        in.polygon_uv = s.polygon_uv.data();
+        trees.push_back(in);
+    }
+    return trees;
+}
+
+namespace {
+std::string hash_of_inputs(const FlatScene& s) {
+    base::Hash hash;
+    for (const FlatScene::Tree& t : s.trees)
+        hash.add({t.first_vertex, t.vertex_count, t.first_triangle, t.triangle_count, t.first_shape, t.shape_count});
+    hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim);
+    hash.add_all(s.shapes), hash.add_all(s.shape_prim), hash.add_all(s.polygon_uv);
+    return hash.text();
+}
+
+}  // namespace
+
+Trees build_trees(const FlatScene& s, const Options& options) {
+    Trees out;
+    out.inputs = hash_of_inputs(s);
+    if (options.known.inputs == out.inputs) out = options.known;
+    const std::vector<bvh::Input> in = build_inputs(s);
+    if (!out.wide) out.wide = std::make_shared<const bvh::Tree>(bvh::build8(in.data(), in.size(), options.tell_tree));
+    if (options.compact_tree && !out.compact)
+        out.compact = std::make_shared<const bvh::Tree>(bvh::build_compact(in.data(), in.size(), options.tell_tree));
+    return out;
+}
+
+}  // namespace flatten

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See trace_ray.h.
+#include "render/trace_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/mixture_weights.h"
+
+namespace render {
+using namespace kernels;
+
+constexpr float RAY_REST = 0.3f;  // light from other directions, over portals': a single ray does not repay pilots
+
+RayValue trace_ray(device::Device& device, const ViewPlan& plan, const double origin[3], const double dir[3],
+                   int64_t n) {
+    device::Params p = plan.sampling.params;
+    p.mode = MODE_RAY;
+    p.flags |= PF_EYE_ON_SURFACE;
+    sampling::pick_all_portals(plan.scene.tables->portal_count, 1, RAY_REST, p);
+    const base::Vec3 d = base::unit({dir[0], dir[1], dir[2]});
+    p.ray_org = {float(origin[0] - p.centre.x), float(origin[1] - p.centre.y), float(origin[2] - p.centre.z), 0};
+    p.ray_dir = {float(d.x), float(d.y), float(d.z), 0};
+    double sum[3] = {}, square[3] = {};
+    std::vector<float> rgb;
+    for (int64_t done = 0; done < n;) {
+        p.frame = uint32_t(done);
+        p.first = 0;
+        p.path_count = uint32_t(std::min<int64_t>(n - done, 1 << 16));
+        device.run(p, rgb);
+        scrub(rgb);
+        for (size_t i = 0; i < rgb.size(); i++) {
+            sum[i % 3] += rgb[i];
+            square[i % 3] += double(rgb[i]) * rgb[i];
+        }
+        done += p.path_count;
+    }
+    RayValue v;
+    for (int c = 0; c < 3; c++) {
+        v.mean[c] = sum[c] / double(n);
+        const double var = n > 1 ? (square[c] / double(n) - v.mean[c] * v.mean[c]) * double(n) / double(n - 1) : 0;
+        v.error[c] = std::sqrt(std::max(0.0, var) / double(n));
+    }
+    return v;
+}
+
+}  // namespace render

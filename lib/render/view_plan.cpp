@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See view_plan.h.
+#include "render/view_plan.h"
+
+#include <cerrno>
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "render/eye_on_surface.h"
+#include "render/fingerprint.h"
+#include "render/scene_params.h"
+#include "render/view_params.h"
+#include "sampling/mixture_weights.h"
+
+namespace render {
+using namespace kernels;
+
+namespace {
+// In small pictures frame 0 costs little, and a single noisy pixel holds much of the light: each of its m samples is
+// the mean of two or four, up to half a million in all.
+uint32_t samples_for_one(size_t pixels) {
+    constexpr size_t enough = 256 * 256;
+    return 4 * pixels <= enough ? 4 : 2 * pixels <= enough ? 2 : 1;
+}
+}  // namespace
+
+void require_memory(const RenderView& v) {
+    constexpr uint64_t pixel = 60;  // bytes: frame 0's sums in double, a sample, a frame and its output buffer
+    const uint64_t memory = base::machine_memory(), least = pixel * uint64_t(v.nx) * uint64_t(v.ny);
+    if (memory == 0 || least <= memory) return;
+    errno = 0;
+    base::fail_system("-x, -y", fmt::format("{} x {} pixels need at least {:.1f} GB; this machine has {:.1f} GB", v.nx,
+                                            v.ny, double(least) * 1e-9, double(memory) * 1e-9));
+}
+
+ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const RenderView& v, const RenderOptions& o) {
+    const flatten::FlatScene& flat = *scene.tables;
+    ViewPlan plan;
+    plan.scene = scene;
+    plan.view = v.view;
+    device::Params& par = plan.sampling.params;
+    par = {params_of(flat, o), nullptr};
+    par.nx = uint32_t(v.nx);
+    par.ny = uint32_t(v.ny);
+    set_view(par, v.view, flat.centre);
+    sampling::pick_all_portals(flat.portal_count, 0, 0, par);
+    plan.sampling.path_reuse = o.sampling == Sampling::reuse && allows_path_reuse(par);
+    plan.noisy_share = o.sampling == Sampling::reuse ? o.noisy_share : 0;
+    plan.m = par.skip_direct_below;
+    plan.samples_of_zero = plan.m * (o.more_if_small ? samples_for_one(size_t(v.nx) * size_t(v.ny)) : 1);
+
+    const flatten::HostTracer tracer(flat);
+    const bool one_eye = v.view.type != 'l' && v.view.vo == 0 && o.pd <= 0;
+    const bool on_surface = one_eye && eye_on_surface(flat, tracer, v.view.vp);
+    if (on_surface || !one_eye) par.flags |= PF_EYE_ON_SURFACE;  // its rays may begin on a surface
+    // drawing needs one eye point, and straight rays no unattenuated path through glass
+    const bool drawable = flat.source_count > 0 && o.pd <= 0 && o.dv && !o.i;
+    plan.drawn = find_drawn_sources(device, scene, tracer, v.view, drawable && !on_surface, drawable, par);
+    std::vector<uint32_t> words = view_words(plan.drawn, flat, par);
+    plan.sampling = with_view_words(std::move(plan.sampling), std::move(words));
+    plan.sampling = with_focus(std::move(plan.sampling), v.focus);
+    plan.tell_limit = o.tell_limit;
+    plan.fingerprint = fingerprint(scene.geometry, flat, v.view, v.nx, v.ny, o, v.focus);
+    return plan;
+}
+
+}  // namespace render

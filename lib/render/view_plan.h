@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A picture of a scene, before its first sample: what its frames depend on.
+#pragma once
+#include <string>
+#include "render/drawn_sources.h"
+#include "render/focus.h"
+#include "render/samples.h"
+#include "view/view.h"
+
+namespace render {
+
+// A picture of the scene.  Its frames have the same bits whatever other pictures are rendered.
+struct RenderView {
+    view::View view;
+    int nx = 0, ny = 0;
+    Focus focus = {};
+};
+
+// Throws Error (system) if this machine cannot hold its frames.
+void require_memory(const RenderView& v);
+
+struct ViewPlan {
+    LoadedScene scene;
+    view::View view;
+    PixelSampling sampling;  // with the focus; diffuse directions by the cosine alone
+    DrawnSources drawn;
+    uint32_t m = 0;                // frames that frame 0 stands for (Eq. 7)
+    uint32_t samples_of_zero = 0;  // of the direct class, of each pixel in frame 0
+    double noisy_share = 0;        // samples of noisy pixels over those of the picture; 0: none are sought
+    bool tell_limit = false;       // warn of what -ab leaves out (beyond_limit.h)
+    std::string fingerprint;       // fingerprint.h
+};
+
+// The device holds the scene.
+ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const RenderView& v, const RenderOptions& o);
+
+}  // namespace render
