@@ -97,13 +97,13 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define SRC_SPOT_FOCUS 23u  // its focal length
 #define NO_SPOT -2.0f
 #define IS_SPOT(src) ((src)[SRC_SPOT_COS] > -1.5f)
-#define SRC_RADIUS 24u    // bounding radius around the centre (rings, spheres)
-#define SRC_TRIS 25u      // general polygons: index into f of its fan of triangles (word)
-#define SRC_NTRIS 26u     // and their number (word)
-#define SRC_CLASS 27u     // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
-#define SRC_VIRTUAL 28u   // virtual sources: relay record in u (word), NONE for real ones
-#define SRC_SHEARED 30u   // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
-#define SRC_COVERED 31u   // 1 = another surface lies in its plane and may hide a part of it
+#define SRC_RADIUS 24u   // bounding radius around the centre (rings, spheres)
+#define SRC_TRIS 25u     // general polygons: index into f of its fan of triangles (word)
+#define SRC_NTRIS 26u    // and their number (word)
+#define SRC_CLASS 27u    // M_LIGHT, M_GLOW, M_SPOTLIGHT, M_ILLUM (word)
+#define SRC_VIRTUAL 28u  // virtual sources: relay record in u (word), NONE for real ones
+#define SRC_SHEARED 30u  // 1 = a sphere or a distant source seen through a prism: SRC_U, V, NORMAL are its axes
+#define SRC_COVERED 31u  // 1 = another surface lies in its plane and may hide a part of it
 
 // a triangle of the fan: a corner, then
 #define FAN_FLOATS 12u
@@ -192,8 +192,8 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define HIGHLIGHT_ALPHA2 15u  // roughness, squared
 #define MOST_HIGHLIGHTS 8u
 
-// ---- of a view, in SceneTables.view: first a word for each active source, how frame 0 holds it by area, so that samples
-// must not see it
+// ---- of a view, in SceneTables.view: first a word for each active source, how frame 0 holds it by area, so that
+// samples must not see it
 #define DRAWN_STRAIGHT 1u  // along the eye's straight rays
 #define DRAWN_IMAGES 2u    // mirrored or refracted, in the images that follow
 // images of the sun (render/sun_images.h), discs of camera directions: IMAGE_WORDS floats each from Params.images_at on

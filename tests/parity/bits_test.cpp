@@ -54,10 +54,11 @@ std::string hash_of_frames(const std::string& arguments, const std::string& devi
     const render::RenderView& v = opt.views.at(0).render_view;
     render::Renderer renderer(scene, v.view, v.nx, v.ny, opt.render, device, opt.files);
     Hash hash;
-    renderer.frames(opt.first, int(opt.last - opt.first + 1), [&](int64_t, const std::vector<float>& rgb, const image::Moments&) {
-        hash.add(rgb);
-        return true;
-    });
+    renderer.frames(opt.first, int(opt.last - opt.first + 1),
+                    [&](int64_t, const std::vector<float>& rgb, const image::Moments&) {
+                        hash.add(rgb);
+                        return true;
+                    });
     return hash.text();
 }
 
