@@ -204,9 +204,10 @@ private:
             columns_.push_back(std::move(column));
             found = true;
         }
-        if ((name == "CR" || name == "CRu") && !found)
+        const bool of_all = name == "CR" || name == "CRu";
+        if (of_all && !found && !choice_.pairs_come)
             base::fail("-metrics", name + " needs a contrast pair (-cr low/high)");
-        return found;
+        return found || of_all;
     }
     bool region(const std::string& name) {
         bool found = false;

@@ -42,7 +42,8 @@ struct ColumnChoice {
     std::vector<std::string> regions;  // in the order of the file
     bool regions_come = false;         // true: if there are none yet, "TAL" stands for no column
     std::vector<ContrastPair> pairs;
-    bool accelerad = false;  // AcceleradRT's columns and its contrast ratio, high over low; names are ignored
+    bool pairs_come = false;  // the same of pairs and "CR"
+    bool accelerad = false;   // AcceleradRT's columns and its contrast ratio, high over low; names are ignored
 };
 
 // Class of DGP (paper, section 2): 0 imperceptible, below 0.35; 1 perceptible; 2 disturbing, from 0.40; 3 intolerable,

@@ -43,19 +43,20 @@ RegionValues RegionPixels::measure(const Luminance& lum) const {
     return out;
 }
 
-ContrastPair parse_pair(const std::string& text, const std::vector<std::string>& regions) {
+ContrastPair parse_pair(const std::string& text) {
     const size_t equals = text.find('=');
     const std::string pair = equals == std::string::npos ? text : text.substr(equals + 1);
     const size_t slash = pair.find('/');
     if (slash == std::string::npos || slash == 0 || slash + 1 == pair.size() || equals == 0)
         base::fail("-cr", "\"" + text + "\" is not a contrast pair; write low/high or name=low/high");
-    const ContrastPair out{pair.substr(0, slash), pair.substr(slash + 1),
-                           equals == std::string::npos ? pair : text.substr(0, equals)};
-    for (const std::string& name : {out.low, out.high})
+    return {pair.substr(0, slash), pair.substr(slash + 1), equals == std::string::npos ? pair : text.substr(0, equals)};
+}
+
+void require_regions(const ContrastPair& pair, const std::vector<std::string>& regions) {
+    for (const std::string& name : {pair.low, pair.high})
         if (std::find(regions.begin(), regions.end(), name) == regions.end())
             base::fail("-cr",
                        "there is no region \"" + name + "\"" + (regions.empty() ? "; name a file with -regions" : ""));
-    return out;
 }
 
 }  // namespace glare

@@ -40,7 +40,9 @@ struct ContrastPair {
     std::string low, high, column;
 };
 
-// Contrast pairs as typed, "low/high" or "screen=low/high"; both must be regions.
-ContrastPair parse_pair(const std::string& text, const std::vector<std::string>& regions);
+// Contrast pairs as typed, "low/high" or "screen=low/high".
+ContrastPair parse_pair(const std::string& text);
+// Throws Error where one of the two is no region.
+void require_regions(const ContrastPair& pair, const std::vector<std::string>& regions);
 
 }  // namespace glare

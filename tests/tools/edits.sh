@@ -97,6 +97,15 @@ check 'regions that come and go: a new line of names' '
 check 'a region that -cr names stays, as nan' '
     changing "sed -i /screen_low/d r.regions" -cr screen_low/screen_high -metrics Ev,CR
     [ "$(grep -c ^frame t)" = 1 ]; [ "$(tail -17 t | cut -f 5 | uniq)" = nan ]'
+check 'a pair of -cr may come before its regions: nan, then numbers' '
+    cp office.regions whole.regions; sed /screen/d office.regions > r.regions
+    { edit "0 start" light; edit "1 scene" dark | { sleep 1; cp whole.regions q; mv q r.regions; sleep .3; cat; }; } |
+        ptaccum | vcmetrics -regions r.regions -cr screen_low/screen_high -metrics Ev,CR > t
+    [ "$(sed -n 2,17p t | cut -f 5 | uniq)" = nan ]; grep -q "screen_low/screen_high.CR" t
+    tail -1 t | awk "!(\$NF > 0) { exit 1 }"; echo > r.regions
+    edit "0 start" light | ptaccum | vcmetrics -regions r.regions -cr a/b -metrics Ev,CR | tail -1 | grep -q "nan$"'
+check_error 'in a picture its regions are there' 1 '^vcmetrics: -cr: there is no region "a"' '
+    vcmetrics -W- -regions office.regions -cr a/b -metrics CR light.exr'
 check 'a broken region file is said once with its line, and the last good one goes on' '
     changing "echo desk circle >> r.regions"
     [ $(wc -l < said) = 1 ]; grep -q "^vcmetrics: r.regions:6: " said; [ "$(grep -c ^frame t)" = 1 ]

@@ -58,6 +58,7 @@ public:
 
     // Values of one picture, and the names they have.
     std::vector<double> values(image::Picture& p, const std::string& place) {
+        measured_.require_pairs();
         require_measurable(p, place);
         const Measurement m = measured_.analyzer().measure(p, place, o_.view);
         std::vector<double> out;
@@ -79,6 +80,7 @@ public:
         const std::string edit = p.header.edit && o_.go_on ? fmt::format("edit {}", *p.header.edit) : "";
         if (stopping_.passes_over(edit.empty() ? image::label(p.header) : edit, frame)) return false;
         if (p.header.edit) follow_edits(*p.header.edit);
+        else measured_.require_pairs();
         image::Picture whole;  // measuring uses up the picture's pixels
         if (!o_.over_file.empty()) whole = p;
         Luminance lum;

@@ -73,12 +73,13 @@ Measured::Measured(const Options& o) : options_(o), named_(o.metrics) {
         const report::UntilRule rule(o.until);
         for (const report::Tolerance& t : rule.tolerances()) named_.push_back(t.metric);
     }
+    for (const std::string& text : o.contrast_pairs) {
+        pairs_.push_back(parse_pair(text));
+        named_.insert(named_.end(), {pairs_.back().low + ".", pairs_.back().high + "."});
+    }
+    if (o.regions_file.empty() || (regions && !regions->masks.empty() && !draw)) require_pairs();  // none come later
     Requirements requirements = 0;
     columns_ = choose(regions_, requirements);
-    for (const std::string& p : o.contrast_pairs) {
-        const ContrastPair pair = parse_pair(p, regions_);
-        named_.insert(named_.end(), {pair.low + ".", pair.high + "."});
-    }
     if (o.mode == OutputMode::evalglare)
         requirements = require::sources | (o.evalglare.detailed || o.settings.mask_file ? require::medians : 0);
     if (o.list_sources || !o.check_file.empty() || !o.over_file.empty()) requirements |= require::sources;
@@ -95,8 +96,18 @@ std::vector<Column> Measured::choose(const std::vector<std::string>& regions, Re
     choice.regions = regions;
     choice.regions_come = !options_.regions_file.empty();
     if (!options_.until.empty()) choice.hidden = pixel_columns(report::UntilRule(options_.until));
-    for (const std::string& p : options_.contrast_pairs) choice.pairs.push_back(parse_pair(p, regions));
+    for (const ContrastPair& pair : pairs_) {
+        const auto there = [&](const std::string& r) {
+            return std::find(regions.begin(), regions.end(), r) != regions.end();
+        };
+        if (there(pair.low) && there(pair.high)) choice.pairs.push_back(pair);
+    }
+    choice.pairs_come = !pairs_.empty();
     return choose_columns(choice, options_.settings, requirements);
+}
+
+void Measured::require_pairs() const {
+    for (const ContrastPair& pair : pairs_) require_regions(pair, regions_);
 }
 
 bool Measured::names(const std::string& region) const {
@@ -127,6 +138,12 @@ bool Measured::read_regions_again(const std::function<void(const std::vector<Col
         for (const image::Mask& m : masks.masks) present.push_back(m.name);
         for (const std::string& r : regions_)
             if (names(r) && std::find(present.begin(), present.end(), r) == present.end()) gone.push_back(r);
+        const auto lacks = [](const std::vector<std::string>& all, const std::string& r) {
+            return std::find(all.begin(), all.end(), r) == all.end();
+        };
+        for (const ContrastPair& pair : pairs_)  // whose regions may not have come yet
+            for (const std::string& r : {pair.low, pair.high})
+                if (lacks(present, r) && lacks(gone, r)) gone.push_back(r);
         image::MaskSet all = masks;
         for (const std::string& r : gone) present.push_back(r), all.masks.push_back({r, {}});
         Requirements requirements = 0;

@@ -17,6 +17,8 @@ public:
     // Of which a value can be compared from edit to edit: the column, and the reading of its regions.
     std::vector<std::string> keys() const;
 
+    // Throws Error where a region of -cr is not there, as it may be in a live stream.
+    void require_pairs() const;
     // From here on the stream is live.
     void go_live() { live_ = true; }
     // In a live stream, before a picture.  True: the region file has changed, and perhaps the columns.  What is wrong
@@ -35,6 +37,7 @@ private:
     bool names(const std::string& region) const;
     const Options& options_;
     std::vector<std::string> named_;  // columns of -metrics and -until, regions of -cr
+    std::vector<glare::ContrastPair> pairs_;
     bool live_ = false, lenient_ = false;
     Version version_;  // of the region file
     int reading_ = 0;
