@@ -60,6 +60,22 @@ check('and undone', soon(lambda: len(edits()) == 6, SECONDS), edits())
 page.one('#draw-circle').click()
 page.drag(size, (size[0] * .5, size[1] * .7), (size[0] * .55, size[1] * .7), (size[0] * .65, size[1] * .7))
 check('a region that is drawn is measured', soon(lambda: any(n == 'region1.TAL' for n in names()), SECONDS), names())
+page.one('#draw-rect').click()
+page.drag(size, (size[0] * .2, size[1] * .6), (size[0] * .25, size[1] * .65), (size[0] * .4, size[1] * .75))
+check('two regions offer a contrast ratio', soon(lambda: page.one('#contrast').is_displayed(), SECONDS))
+for which, region in (('low', 'region1'), ('high', 'region2')):
+    soon(lambda: page.find(f'#contrast-{which} option[value="{region}"]'))
+    page.chrome.execute_script(f"""const of = document.getElementById('contrast-{which}');
+        of.value = '{region}'; of.dispatchEvent(new Event('change'));""")
+    check(f'{region} is chosen', soon(lambda: re.search(rf'(?m)^{which} +{region}$', open('my.regions').read())),
+          open('my.regions').read())
+ratio = lambda: page.js("""[...document.querySelectorAll('#table tbody tr')]
+    .filter((r) => r.cells[0].innerText === 'low/high.CR')
+    .map((r) => [...r.cells].slice(1).map((c) => Number(c.innerText)))[0]""")
+check('it has an interval', soon(lambda: all(v > 0 for v in ratio() or [0]) and ratio()[1] <= ratio()[2], SECONDS),
+      ratio())
+plots = page.js('[...document.querySelectorAll("#plots figcaption")].map((c) => c.innerText)')
+check('and a plot', 'low/high.CR' in plots, plots)
 check('the page shows what vcmetrics writes', soon(lambda: page.js('document.body.dataset.lines')
                                                   == str(len(open(lines).read().splitlines())), SECONDS))
 page.one('#sources-panel summary').click()

@@ -11,7 +11,7 @@ const no_metric = new Set(['frame', 'seconds', 'tails', 'view', 'sky', 'edit', '
 // Lines become rows of numbers by name, in runs: a run is what one edit of the scene has brought.  A line of names begins
 // a new table, a smaller number of frames or another edit a new run.
 export class Lines {
-  constructor() { this.text = []; this.runs = []; this.columns = []; }
+  constructor() { this.text = []; this.runs = []; this.columns = []; this.seen = new Set(); }
 
   get rows() { return this.runs[this.runs.length - 1]?.rows ?? []; }
 
@@ -32,6 +32,7 @@ export class Lines {
     const row = {};
     for (const [name, value] of entries) row[name] = value === null || value === '-' || value === '' ? NaN : Number(value);
     if (!this.columns.length) this.columns = Object.keys(row);
+    for (const name in row) if (Number.isFinite(row[name])) this.seen.add(name);
     const run = this.runs[this.runs.length - 1], last = run?.rows[run.rows.length - 1];
     if (!run || row.edit !== run.edit || row.frame < last.frame) this.runs.push({ edit: row.edit, rows: [row] });
     else if (row.frame === last.frame) run.rows[run.rows.length - 1] = row;  // measured anew: a region has changed
@@ -41,7 +42,8 @@ export class Lines {
 
   csv() { return this.text.map((line) => line.replaceAll('\t', ',')).join('\n') + '\n'; }
 
-  metrics() { return this.columns.filter((c) => !beside.test(c) && !no_metric.has(c)); }
+  // Those that have had a number.
+  metrics() { return this.columns.filter((c) => !beside.test(c) && !no_metric.has(c) && this.seen.has(c)); }
 }
 
 export function element(name, attributes, text) {

@@ -48,6 +48,11 @@ export const add = (name, definition) => (text) => {
   return (text && !text.endsWith('\n') ? text + '\n' : text) + `${name}  ${definition}\n`;
 };
 
+export const set_region = (name, definition) => (text) => {
+  const now = regions_of(text).find((r) => r.name === name);
+  return now ? replace(now, name, definition)(text) : add(name, definition)(text);
+};
+
 export const remove = (region, mine = false) => (text) => {
   const now = regions_of(text).find((r) => r.name === region.name);
   if (!now) return text;

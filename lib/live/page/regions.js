@@ -2,11 +2,12 @@
 // change is saved to the region file at once.
 import { ask } from '/net.js';
 import { dot_at, inside, label, outline, top_of } from '/overlay.js';
-import { add, free_name, regions_of, remove, replace } from '/region_file.js';
+import { add, free_name, regions_of, remove, replace, set_region } from '/region_file.js';
 import { dragged, handles, parse_shape, shape_text, sketch } from '/shapes.js';
 import { TextFile } from '/text_file.js';
 
 const $ = (id) => document.getElementById(id);
+const pair = ['low', 'high'];
 const grasp = 9;  // CSS pixels around a handle
 
 export class Regions {
@@ -21,6 +22,7 @@ export class Regions {
     this.drag = null;
     for (const kind of ['circle', 'rect', 'polygon']) $(`draw-${kind}`).addEventListener('click', () => this.begin(kind));
     $('regions-undo').addEventListener('click', () => this.undo());
+    for (const name of pair) $(`contrast-${name}`).addEventListener('change', (e) => this.save(set_region(name, e.target.value)));
     view.overlays.push((...c) => this.draw(...c));
   }
 
@@ -48,6 +50,7 @@ export class Regions {
     this.entries = regions_of(this.file.text);
     if (!this.entries.some((r) => r.name === this.selected)) this.selected = null;
     this.fill_table();
+    this.fill_contrast();
     await this.fetch_outlines();
   }
 
@@ -102,6 +105,17 @@ export class Regions {
     if (again && typed !== null) again.value = typed;
     again?.focus();
     this.mark_rows();
+  }
+
+  // Two regions of one contrast ratio: those that "low" and "high" stand for in the file, which luxpipe-live measures.
+  fill_contrast() {
+    const names = this.entries.map((r) => r.name).filter((name) => !pair.includes(name));
+    $('contrast').hidden = names.length < 2 || !this.file.writable;
+    for (const name of pair) {
+      const now = this.entries.find((r) => r.name === name)?.definition ?? '';
+      $(`contrast-${name}`).replaceChildren(...['', ...names].map((n) => new Option(n, n, n === now, n === now)));
+      $(`contrast-${name}`).options[0].disabled = true;
+    }
   }
 
   mark_rows() {
