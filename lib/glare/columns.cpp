@@ -204,10 +204,9 @@ private:
             columns_.push_back(std::move(column));
             found = true;
         }
-        const bool of_all = name == "CR" || name == "CRu";
-        if (of_all && !found && !choice_.pairs_come)
-            base::fail("-metrics", name + " needs a contrast pair (-cr low/high)");
-        return found || of_all;
+        if (found || (name != "CR" && name != "CRu")) return found;
+        if (!choice_.pairs_come) base::fail("-metrics", name + " needs a contrast pair (-cr low/high)");
+        return true;
     }
     bool region(const std::string& name) {
         bool found = false;
