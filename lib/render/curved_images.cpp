@@ -24,7 +24,7 @@ struct Start {
     double X, Y, cell;  // side of a cell of its net
     uint32_t way;
     double e, change;  // |e|, and its change to the neighbours
-    double promise() const { return e / change; }
+    double cells_to_root() const { return e / change; }
 };
 
 class Search {
@@ -87,7 +87,8 @@ private:
                 for (uint32_t way = 0; way < WAYS; way++) add_start(net, first, i, way, starts);
             first += size_t(net.n) * net.n;
         }
-        std::stable_sort(starts.begin(), starts.end(), [](auto& a, auto& b) { return a.promise() < b.promise(); });
+        std::stable_sort(starts.begin(), starts.end(),
+                         [](auto& a, auto& b) { return a.cells_to_root() < b.cells_to_root(); });
         if (starts.size() > MOST_STARTS) starts.resize(MOST_STARTS);
         return starts;
     }
