@@ -168,8 +168,8 @@ link() {
 }
 if [ "$(uname -m)" = x86_64 ] && grep -q avx2 /proc/cpuinfo; then
     check 'what has the parameters of a pass compiles with it' '
-        for file in lib/render/{frame_zero,noisy,pixel_moments,progressive,samples,self_test}.cpp \
-            lib/sampling/mixture_weights.cpp lib/device/cpu_kernels_baseline.cpp; do
+        for file in $(cd tree && grep -lE "Params|ViewPlan" lib/render/*.cpp lib/sampling/*.cpp) \
+            lib/device/cpu_device.cpp lib/device/cpu_kernels_baseline.cpp; do
             compile tree "$PWD/tree/$file" "$file"
         done
         compile tree "$PWD/bias.cpp" tests/physics/path_reuse_test.cpp
