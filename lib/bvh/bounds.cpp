@@ -23,6 +23,19 @@ void pad(Bounds& box, float least) {
     }
 }
 
+// Points within a margin of a polygon's edges are inside.  Across its plane the box stays as thin as it was, so that
+// rays that begin or end at the polygon do not enter it.
+void reach_beyond_edges(const float* q, Bounds& box) {
+    const uint32_t axis = as_uint_(q[POLYGON_AXIS]);
+    const float* n = q + POLYGON_NORMAL;
+    const float slope = (std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2])) / std::fabs(n[axis]) - 1;
+    for (uint32_t a = 0; a < 3; a++) {
+        const float d = 2 * q[POLYGON_MARGIN] * (a == axis ? slope : 1);
+        box.lo[a] -= d;
+        box.hi[a] += d;
+    }
+}
+
 }  // namespace
 
 Bounds empty_bounds() {
@@ -124,8 +137,8 @@ Bounds primitive_bounds(const Input& in, size_t k, const std::vector<Bounds>& tr
         const float* q = in.shapes + SHAPE_FLOATS * shape;
         if (as_uint_(q[SHAPE_KIND]) == SHAPE_INSTANCE) return instance_bounds(q, trees);
         bounds = shape_bounds(in, shape);
-        const bool polygon = as_uint_(q[SHAPE_KIND]) == SHAPE_POLYGON;  // reaches beyond its edges
-        pad(bounds, 2e-6f + (polygon ? 2 * q[POLYGON_MARGIN] : 0));
+        if (as_uint_(q[SHAPE_KIND]) == SHAPE_POLYGON) reach_beyond_edges(q, bounds);
+        pad(bounds, 1e-30f);
     }
     return bounds;
 }
