@@ -65,8 +65,9 @@ std::vector<float> frame_of(int64_t k, const ViewPlan& plan, const FrameZero& ze
 
 void render_frames(device::Device& device, const ViewPlan& plan, int64_t first, int64_t count, bool moments,
                    const GiveFrame& give) {
-    const FrameZero zero = draw_frame_zero(device, plan);
     const int64_t end = first + count;
+    const bool of_zero = first == 0 || end - 1 > plan.m || plan.m % 2 == 0 || plan.noisy_share > 0;  // frame_of()
+    const FrameZero zero = of_zero ? draw_frame_zero(device, plan) : FrameZero();
     if (first == 0) {
         const image::Moments within = moments ? pixel_moments(device, plan, zero) : image::Moments();
         if (!give(0, values_of(zero), within)) return;
