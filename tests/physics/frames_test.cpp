@@ -94,6 +94,7 @@ double noise_of(const Office& scene, render::Sampling sampling) {
         render::RenderOptions options;
         options.sampling = sampling;
         options.seed = seed;
+        options.ab = 5;  // the shares below are of the first bounces; later ones have noise that no aim takes away
         render::Renderer renderer = scene.renderer("cpu", size, options);
         seeds.push_back(sum_of(renderer, size, 0, 64));
     }
