@@ -262,6 +262,8 @@ bool StreamReader::next(Picture& picture) {
     if (!marked && state_->count) base::fail(place, "what follows is not a picture (it does not begin with #?)");
     Head head = marked ? read_head(in, place) : read_unmarked_head(in, place);
     Encoding& encoding = head.encoding;
+    if (!marked && encoding.format == Format::flt)  // a frame whose first bytes are lost
+        base::fail(place, "is not a RADIANCE picture (it does not begin with #?)");
     const Layout& layout = head.layout;
     picture.header = std::move(head.header);
     if (encoding.spectra)

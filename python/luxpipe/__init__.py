@@ -6,7 +6,7 @@ Examples:
     >>> office = luxpipe.examples / "office"
     >>> scene = [office / "materials.rad", office / "layout.rad", office / "sky_1400.rad"]
     >>> result = luxpipe.render(scene, office / "view.vf", until="Ev 2%", size=64)
-    >>> result["Ev"].lo < 2830 < result["Ev"].hi
+    >>> result["Ev"].lo < 2846 < result["Ev"].hi
     True
     >>> result.converged
     True

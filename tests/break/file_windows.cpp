@@ -43,7 +43,7 @@ float value_at(int x, int y, int channel) {
 
 // Channels B G R of the data window; `lines`: of so many, where the window claims too many to be written.
 std::string exr(const Window& data, const Window& shown, int lines, bool downward) {
-    std::string bytes("\x76\x2f\x31\x01\x02\0\0\0", 8), channels, one, centre;
+    std::string bytes("\x76\x2f\x31\x01\x02\0\0\0", 8), channels, primaries, one, centre;
     for (const char* name : {"B", "G", "R"}) {
         channels += name + std::string(1, '\0');
         put(channels, int32_t(2));  // float
@@ -53,6 +53,9 @@ std::string exr(const Window& data, const Window& shown, int lines, bool downwar
     channels += '\0';
     put(one, 1.f), put(centre, 0.f), put(centre, 0.f);
     attribute(bytes, "channels", "chlist", channels);
+    for (const float value : {.64f, .33f, .29f, .6f, .15f, .06f, 1 / 3.f, 1 / 3.f})
+        put(primaries, value);  // RADIANCE's
+    attribute(bytes, "chromaticities", "chromaticities", primaries);
     attribute(bytes, "compression", "compression", std::string(1, '\0'));
     attribute(bytes, "dataWindow", "box2i", box(data));
     attribute(bytes, "displayWindow", "box2i", box(shown));
