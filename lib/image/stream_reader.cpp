@@ -147,14 +147,15 @@ void to_radiance(std::vector<float>& rgb, const Header& h, const Encoding& e) {
                           : std::nullopt);
 }
 
-// Pictures of the format's first years have no mark; an empty line and a resolution line end their header as well.
+// Pictures of the format's first years have no mark; those with float pixels, which came later, have lost it.
 Head read_unmarked_head(Input& in, const std::string& place) {
     try {
-        return read_head(in, place);
+        Head head = read_head(in, place);
+        if (head.encoding.format != Format::flt) return head;
     } catch (const base::Error& e) {
         if (e.kind != base::Kind::input) throw;
-        base::fail(place, "is not a RADIANCE picture (it does not begin with #?)");
     }
+    base::fail(place, "is not a RADIANCE picture (it does not begin with #?)");
 }
 
 }  // namespace
@@ -262,8 +263,6 @@ bool StreamReader::next(Picture& picture) {
     if (!marked && state_->count) base::fail(place, "what follows is not a picture (it does not begin with #?)");
     Head head = marked ? read_head(in, place) : read_unmarked_head(in, place);
     Encoding& encoding = head.encoding;
-    if (!marked && encoding.format == Format::flt)  // a frame whose first bytes are lost
-        base::fail(place, "is not a RADIANCE picture (it does not begin with #?)");
     const Layout& layout = head.layout;
     picture.header = std::move(head.header);
     if (encoding.spectra)

@@ -225,6 +225,7 @@ Server::Server(Live& live, const ServerOptions& options) : state_(std::make_uniq
         size_t(64 * 1024), MHD_OPTION_CONNECTION_TIMEOUT, 30u, MHD_OPTION_END);
     if (!state_->daemon) base::fail_system("-port", "the page cannot be served there");
     live.on_change([state = state_.get()] { state->wake(); });
+    state_->look_at_files();  // as they are now: later looks compare with it
     state_->ticker = std::thread([state = state_.get()] { state->keep_time(); });
 }
 
