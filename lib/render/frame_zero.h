@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frame 0 of Eq. 7: the direct and specular light, the mean of a few samples, and splatted emitters
-// (docs/decisions/0002).
+// Frame 0 of Eq. 7: the direct and specular light, the mean of a few samples, and what is drawn by area: splatted
+// emitters and images of the sun (docs/decisions/0002, 0036).
 #pragma once
 #include <vector>
 #include "render/view_plan.h"

@@ -26,7 +26,7 @@ struct SunImages {
 // Of planes; all suns that may have images.
 SunImages possible_images(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
                           const sampling::SmoothSurfaces& smooth, const view::View& view, int nx, int ny);
-// Adds images in curved surfaces: Newton's method from a net of camera directions.
+// Adds images in curved surfaces: a search by halving steps, from a net of camera directions (curved_images.cpp).
 void find_curved_images(device::Device& device, const device::Params& base, const flatten::FlatScene& scene,
                         const sampling::SmoothSurfaces& smooth, const view::View& view, SunImages& images);
 // Keeps those in which light arrives: the brightest MOST_IMAGES.  base: with the view, in whose table the sources are
