@@ -35,6 +35,11 @@ Answer control(const Commanded& to, const std::string& text) {
     return answer;
 }
 
+// A line and, behind it, the text that stands for a file; nothing: the one on the disk.
+std::string overlaying(const TextFile& f, const std::optional<std::string>& text) {
+    return "overlay " + f.path + " " + (text ? std::to_string(text->size()) + "\n" + *text : "-\n");
+}
+
 // A text that stands for a file of -edit until the file changes on the disk; nothing: the last change is undone.
 Answer overlay(const Commanded& to, const Arguments& asked, std::optional<std::string> text) {
     const TextFile* f = named(to.files, asked);
@@ -46,9 +51,7 @@ Answer overlay(const Commanded& to, const Arguments& asked, std::optional<std::s
     const bool undoes = !text;
     if (undoes && was.before.empty()) return plain(409, "there is nothing to undo");
     if (undoes) text = was.before.back();
-    const std::string bytes = text ? std::to_string(text->size()) + "\n" + *text : "-\n";
-    Answer answer =
-        to_fifo(to, noted(undoes ? f->path + ": undone" : asked("said")) + "overlay " + f->path + " " + bytes);
+    Answer answer = to_fifo(to, noted(undoes ? f->path + ": undone" : asked("said")) + overlaying(*f, text));
     if (answer.status != 204) return answer;
     to.live.change([&](Design& d) {
         if (undoes) d.undo(n);
@@ -66,6 +69,18 @@ Answer back(const Commanded& to) {
 }
 
 }  // namespace
+
+void give_opened(const Commanded& to) {
+    const std::string bytes = to.live.ask([&](const Design& d) {
+        std::string all;
+        if (d.given) return all;
+        for (size_t n = 0; n < d.texts.size(); ++n)
+            if (d.texts[n].now) all += overlaying(to.files[n], d.texts[n].now);
+        if (!d.views.empty()) all += "view" + d.views.back() + "\n";
+        return noted(words_of_opening) + all;
+    });
+    if (!bytes.empty() && to_fifo(to, bytes).status == 204) to.live.change([](Design& d) { d.given = true; });
+}
 
 Answer answer_command(const Commanded& to, const std::string& path, const Arguments& asked, const std::string& body) {
     if (path == "/control") return control(to, body);

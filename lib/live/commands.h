@@ -14,4 +14,7 @@ struct Commanded {
 // POST /control, /overlay, /undo and /back (server.h).
 Answer answer_command(const Commanded& to, const std::string& path, const Arguments& asked, const std::string& body);
 
+// Gives ptrace all texts of a design that was opened, once it reads its FIFO.
+void give_opened(const Commanded& to);
+
 }  // namespace live

@@ -71,7 +71,8 @@ bool Design::note(const image::Header& h) {
     if (h.edited == "preview" || (!edits.empty() && edits.back().first == number)) return false;
     edits.emplace_back(number, h.edited);
     const std::string view = h.view ? view::to_options(*h.view) : "";
-    if (!view.empty() && (views.empty() || views.back() != view)) views.push_back(view);
+    const bool before = reopened && number == 0;  // of the command line
+    if (!view.empty() && !before && (views.empty() || views.back() != view)) views.push_back(view);
     keep_last(edits, most_edits);
     keep_last(views, most_views);
     current = 0;
@@ -92,7 +93,9 @@ std::string Design::json() const {
     out += "],\"edits\":[";
     for (const auto& [number, words] : edits)
         out += (out.back() == '[' ? "[" : ",[") + std::to_string(number) + "," + json::text(words) + "]";
-    return out + "],\"views\":" + json::list(views) +
+    out += "],\"places\":[";
+    for (const auto& [name, view] : places) out += (out.back() == '[' ? "" : ",") + json::list({name, view});
+    return out + "],\"earlier\":" + json::list(earlier) + ",\"views\":" + json::list(views) +
            ",\"messages\":" + json::list({messages.begin(), messages.end()}) +
            ",\"current\":" + std::to_string(current) + ",\"paused\":" + (paused ? "true}" : "false}");
 }

@@ -41,6 +41,11 @@ std::optional<Live::News> Live::since(Numbers known, bool knows_end) const {
     return news;
 }
 
+Live::Numbers Live::numbers() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return {pictures_, lines_.size(), file_changes_, designs_};
+}
+
 std::shared_ptr<const image::Picture> Live::picture() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return picture_;

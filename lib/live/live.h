@@ -47,6 +47,7 @@ public:
     // Nothing: there is no news since these.
     std::optional<News> since(Numbers known, bool knows_end) const;
     std::shared_ptr<const image::Picture> picture() const;
+    Numbers numbers() const;  // of the newest
 
 private:
     template <class WRITE>

@@ -15,6 +15,7 @@
 
 #include "live/answers.h"
 #include "live/commands.h"
+#include "live/design_file.h"
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "live/guard.h"
@@ -67,8 +68,11 @@ struct Server::State {
     std::optional<Sources> sources;
     Visitors visitors;
 
+    std::optional<DesignFile> design;
+
     State(Live& l, const ServerOptions& o) : live(l), options(o) {
         live.change([&](Design& d) { d.texts.resize(files.size()); });
+        design.emplace(options.design, files, live);
     }
 
     void wake() {
@@ -85,6 +89,8 @@ struct Server::State {
             visitors.look();
             lock.unlock();
             const bool changed = look_at_files();
+            give_opened({live, files, options.control});
+            design->look();
             lock.lock();
             if (!changed && Clock::now() - woken < longest_wait / 4) continue;
             woken = Clock::now();
@@ -237,6 +243,7 @@ Server::~Server() {
     }
     state_->tick.notify_all();
     state_->ticker.join();
+    state_->design->look();
     state_->sources.reset();
     state_->wake();
     MHD_stop_daemon(state_->daemon);

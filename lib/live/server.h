@@ -33,6 +33,7 @@ struct ServerOptions {
     std::string listen = "127.0.0.1";  // address
     std::string control;               // FIFO of ptrace -control; empty: none
     Files files;                       // that the page may show or change
+    std::string design;                // file that the design is read from and written to; empty: none
     std::vector<std::string> sources;  // the program that lists glare sources (sources.h)
 };
 

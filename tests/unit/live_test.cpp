@@ -9,6 +9,7 @@
 #include "image/stream.h"
 #include "image_pictures.h"
 #include "live/answers.h"
+#include "live/design_file.h"
 #include "live/framer.h"
 #include "live/guard.h"
 #include "live/json.h"
@@ -236,6 +237,38 @@ TEST_CASE("the design: edits, views and messages") {
     CHECK(text.find("\"messages\":[\"ptrace: a \\\"word\\\"\"],\"current\":0,\"paused\":false") != std::string::npos);
     live.change([](live::Design& d) { d.obey("view -vp 1 1 1\npause\n"); });
     CHECK(live.ask([](const live::Design& d) { return d.paused; }));
+}
+
+TEST_CASE("a design as a text holds all of it, whatever is in the texts") {
+    using live::TextFile;
+    const live::Files files{{"r", TextFile::Kind::regions, true},
+                            {"a b.rad", TextFile::Kind::scene, true},
+                            {"c.rad", TextFile::Kind::scene, true}};
+    std::minstd_rand random(3);
+    for (int trial = 0; trial < 300; ++trial) {
+        const auto odd = [&] {
+            std::string text;
+            for (size_t n = random() % 12; n > 0; --n) text += "\t\n\n# a(\r"[random() % 8];
+            return text;
+        };
+        live::Design d;
+        d.texts.resize(3);
+        for (const size_t n : {1, 2})
+            if (random() % 3) d.texts[n].now = odd();
+        d.views = {" -vtv -vp 1 2 3"};
+        d.places.emplace_back("desk 2", " -vta -vp 1 1 1");
+        d.earlier = {"view"};
+        d.edits = {{0, ""}, {1, "overlay blind.rad: 20 to 40"}, {2, "view design opened"}};
+        std::string regions;
+        const std::string text = design_text(d, files, "desk circle 0 0 1 2\n");
+        const live::Design back = live::read_design(text, "x.design", files, regions);
+        for (size_t n = 0; n < 3; ++n) CHECK(back.texts[n].now == d.texts[n].now);
+        CHECK(back.views == d.views);
+        CHECK(back.places == d.places);
+        CHECK(back.earlier == std::vector<std::string>{"view", "blind.rad: 20 to 40"});
+        CHECK(regions == "desk circle 0 0 1 2\n");
+        CHECK(design_text(back, files, regions) == text);
+    }
 }
 
 TEST_CASE("JSON of numbers") {

@@ -43,6 +43,8 @@ std::optional<Options> parse_options(int argc, char** argv) {
     std::vector<std::string> edited;
     t.add("-edit file", "Scene file whose numbers the page changes, and saves on demand; may be repeated",
           [&](base::Arguments& a) { edited.push_back(a.text()); });
+    t.add("-design file", "Text file that holds what the page has changed, and from which it is opened again",
+          o.server.design);
     const auto operands = t.parse(int(dashes - argv), argv);
     if (!operands) return std::nullopt;
     if (!operands->empty())

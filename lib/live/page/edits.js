@@ -26,7 +26,8 @@ export class Edits {
   }
 
   // edits: [number, "overlay words"] of what has been rendered, as vcview holds them.
-  take(edits) { this.what = new Map(edits); }
+  // earlier: words of those before the design was opened again.
+  take(edits, earlier) { this.what = new Map(edits); this.earlier = earlier; }
 
   name(edit) {
     if (edit === undefined) return 'now';
@@ -36,7 +37,7 @@ export class Edits {
 
   // runs: of Lines, the newest last; names: metrics.
   fill(runs, names) {
-    const many = runs.length > 1;
+    const many = runs.length > 1 || this.earlier?.length;
     $('edits-panel').hidden = !many;
     if (!many) return;
     const row = (tag, texts, section) => {
@@ -57,6 +58,7 @@ export class Edits {
       const last = run.rows[run.rows.length - 1];
       row('td', [this.name(run.edit), String(last.frame), ...names.map((n) => this.cell(n, last, this.what.get(run.edit) ?? ''))], table.tBodies[0]);
     }
+    for (const words of [...this.earlier ?? []].reverse()) row('td', [words, '–', ...names.map(() => '–')], table.tBodies[0]);
   }
 
   cell(name, row, what) {

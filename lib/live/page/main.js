@@ -59,7 +59,7 @@ setInterval(say_status, 5000);
 // What vcview holds for all windows.
 async function take_state(state) {
   paused = state.paused;
-  edits.take(state.edits);
+  edits.take(state.edits, state.earlier);
   show_messages(state);
   $('back').disabled = state.views.length < 2;
   $('home').onclick = () => command(`view ${state.views[0]}`).then((wrong) => camera.say(wrong));
