@@ -150,6 +150,7 @@ image::Picture Merger::result() const {
     out.height = height_;
     out.header.view = first_.view;
     out.header.fingerprint = first_.fingerprint;
+    out.header.direct_frames = first_.direct_frames;
     out.header.pixel_aspect = first_.pixel_aspect;
     out.header.exposure = first_.exposure;
     out.header.lines = inputs_ == 1 ? first_.lines : history_;

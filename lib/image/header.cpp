@@ -174,6 +174,8 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         h.frames = integer<int64_t>(line, *t, where);
     } else if ((t = value_of(line, "LASTFRAME="))) {
         h.last_frame = integer<int64_t>(line, *t, where);
+    } else if ((t = value_of(line, "FRAME0="))) {
+        h.direct_frames = frame_number(line, *t, where);
     } else if ((t = value_of(line, "EDIT="))) {
         const size_t end = t->find(' ');
         h.edit = frame_number(line, t->substr(0, end), where);
@@ -204,6 +206,7 @@ std::vector<std::string> header_lines(const Header& h) {
     if (h.pixel_aspect != 1) out.push_back(fmt::format("PIXASPECT={}", h.pixel_aspect));
     if (h.edit) out.push_back(one_line(fmt::format("EDIT={} {}", *h.edit, h.edited)));
     if (!h.fingerprint.empty()) out.push_back(one_line("FINGERPRINT=" + h.fingerprint));
+    if (h.direct_frames) out.push_back(fmt::format("FRAME0={}", *h.direct_frames));
     if (h.last_frame) out.push_back(fmt::format("LASTFRAME={}", *h.last_frame));
     if (h.seed) out.push_back(fmt::format("SEED={}", *h.seed));
     if (h.frame) out.push_back(fmt::format("FRAME={}", *h.frame));

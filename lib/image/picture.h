@@ -28,22 +28,23 @@ struct Header {
     std::optional<view::View> view;  // from VIEW= and program lines (spec formats 1, glare 1.4)
     double exposure = 1;             // product of EXPOSURE= lines: divided out of the pixels here, in them in files
     double pixel_aspect = 1;
-    std::optional<uint64_t> seed;       // SEED=
-    std::optional<int64_t> frame;       // FRAME=k: a single frame
-    std::optional<int64_t> frames;      // FRAMES=n: diffuse frames averaged
-    std::optional<int64_t> last_frame;  // LASTFRAME=k: the stream goes on to frame k
-    std::string view_name, sky_name;    // VIEWNAME=, SKYNAME=: in streams of several pictures of one scene; else empty
-    std::optional<int64_t> edit;        // EDIT=k what: pictures of a stream whose scene or view changes meanwhile
-    std::string edited;                 // what: "view"
-    std::string fingerprint;  // FINGERPRINT=: of all that decides the pixels (fingerprint.h); empty: not known
-    Ranges ranges;            // RANGE=a:b, both included; several after a merge
+    std::optional<uint64_t> seed;          // SEED=
+    std::optional<int64_t> frame;          // FRAME=k: a single frame
+    std::optional<int64_t> frames;         // FRAMES=n: diffuse frames averaged
+    std::optional<int64_t> last_frame;     // LASTFRAME=k: the stream goes on to frame k
+    std::optional<int64_t> direct_frames;  // FRAME0=m: frame 0 holds the direct and specular light of frames 1 to m
+    std::string view_name, sky_name;  // VIEWNAME=, SKYNAME=: in streams of several pictures of one scene; else empty
+    std::optional<int64_t> edit;      // EDIT=k what: pictures of a stream whose scene or view changes meanwhile
+    std::string edited;               // what: "view"
+    std::string fingerprint;          // FINGERPRINT=: of all that decides the pixels (fingerprint.h); empty: not known
+    Ranges ranges;                    // RANGE=a:b, both included; several after a merge
     std::vector<std::pair<uint64_t, Ranges>>
         other_seeds;               // further SEED= lines with their RANGE= lines (merges of runs)
     bool tabbed_exposure = false;  // a line held EXPOSURE= and a TAB (evalglare refuses such)
 };
 
-// Samples of the direct and specular light in frame 0; frames above this number correct them, in the noisiest pixels
-// all frames (decisions/0002, decisions/0030).
+// m where a header has no FRAME0= line; frames above m correct frame 0, in the noisiest pixels all frames
+// (decisions/0002, decisions/0030).
 constexpr int direct_samples = 8;
 
 // Which of two halves of the frames k > 0 is in: + - - + - + + - and so on (Thue and Morse), so that any number of them

@@ -46,7 +46,8 @@ public:
     // While *asked is true, the current frame is discarded and frames() returns early.
     void cancel_when(const std::atomic<bool>* asked);
     std::string device_name() const;
-    std::string fingerprint() const;  // of the present picture (fingerprint.h)
+    std::string fingerprint() const;                   // of the present picture (fingerprint.h)
+    int64_t direct_frames() const { return plan_.m; }  // for which its frame 0 stands
     void frames(int64_t first, int64_t count, const GiveFrame& give, bool moments = false);
 
     // For tests: one frame; the moments; a ray.

@@ -142,6 +142,7 @@ image::Picture start_picture(const Run& run, const Options& opt, const std::stri
     picture.header.seed = opt.render.seed;
     picture.header.exposure = opt.exposure;
     picture.header.fingerprint = run.session->renderer().fingerprint();
+    picture.header.direct_frames = run.session->renderer().direct_frames();
     if (opt.output.empty() && opt.last != Options::endless) picture.header.last_frame = opt.last;
     if (is_live(opt)) picture.header.edit = run.edits, picture.header.edited = run.edited;
     return picture;
