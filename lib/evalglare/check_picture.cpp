@@ -2,6 +2,7 @@
 // Colours of given luminance, and the luminance they have after rounding to float (check_picture.h).
 #include "evalglare/check_picture.h"
 #include "glare/statistics.h"
+#include "glare/threshold.h"
 #include "glare/zones.h"
 
 namespace evalglare {
@@ -45,8 +46,13 @@ void paint_band(CheckPicture& check, const std::vector<uint32_t>& pixels) {
     for (const uint32_t p : pixels) check.paint(p, green);
 }
 
-std::vector<float> draw_check_picture(const glare::Luminance& lum, const glare::Measurement& m,
-                                      const glare::Geometry& g, const glare::Settings& settings, const Settings& own) {
+std::vector<float> draw_check_picture(const glare::Reading& reading, const glare::Measurement& m, const Settings& own) {
+    const glare::Settings& settings = reading.plan().settings;
+    const glare::Geometry& g = reading.geometry();
+    glare::Luminance lum = reading.lum;  // as it was measured
+    std::vector<float> filled, cut;
+    if (settings.fill) filled = fill_rows(lum, g, *settings.fill), lum.grey = filled.data();
+    if (settings.field_cut) cut = cut_field(lum, g, settings.field_cut), lum.grey = cut.data();
     CheckPicture check(lum, true);
     if (settings.task && own.task_painted) paint_task(check, g, *settings.task);
     paint_sources(check, settings.zones ? m.runs_before_zones : m.runs, own);

@@ -32,8 +32,7 @@ void paint_sources(CheckPicture& check, const std::vector<glare::Run>& runs, con
 void paint_band(CheckPicture& check, const std::vector<uint32_t>& pixels);
 
 // The colours of -c.
-std::vector<float> draw_check_picture(const glare::Luminance& lum, const glare::Measurement& measurement,
-                                      const glare::Geometry& geometry, const glare::Settings& settings,
+std::vector<float> draw_check_picture(const glare::Reading& reading, const glare::Measurement& measurement,
                                       const Settings& own);
 
 }  // namespace evalglare

@@ -49,8 +49,7 @@ std::string zone_line(const PixelStatistics& a, int zone, long count, const char
            statistics_line(a) + fmt::sprintf(" %f %d\n", a.eye_lux, count);
 }
 
-std::string source_lines(const Measurement& m, const glare::Settings& settings, const PictureAnalyzer& analyzer) {
-    const int height = analyzer.geometry().height;
+std::string source_lines(const Measurement& m, const glare::Settings& settings, int height) {
     std::string out = fmt::sprintf(
         "%d No pixels x-pos y-pos L_s Omega_s Posindx L_b L_t E_v Edir Max_Lum Sigma xdir ydir zdir Eglare "
         "Lveil_cie teta glare_zone r_contrast r_dgp\n",
@@ -76,7 +75,7 @@ std::string source_lines(const Measurement& m, const glare::Settings& settings, 
 }
 
 // evalglare divides the mean of L/P^2 by the solid angle twice.
-std::string summary_line(const Measurement& m, const PictureAnalyzer& analyzer) {
+std::string summary_line(const Measurement& m, const Reading& reading) {
     double flux = 0, omega = 0;
     for (const GlareSource& s : m.sources) flux += s.lum * s.omega, omega += s.omega;
     const double d = dgr(m.glare, m.mean_lum);
@@ -92,13 +91,13 @@ std::string summary_line(const Measurement& m, const PictureAnalyzer& analyzer) 
                              m.sources.empty() ? 0 : flux / omega,
                              omega,
                              veil_poynter(m.glare),
-                             veil_cie(m.glare, analyzer.settings().veil_cut),
+                             veil_cie(m.glare, reading.plan().settings.veil_cut),
                              d,
                              ugp(m.glare, m.background),
                              ugr_exp(m.glare, m.background0, m.ev),
                              dgi_mod(m.glare, m.background, m.ev),
                              m.mean_pos,
-                             m.mean_pos2 / analyzer.geometry().omega_sum,
+                             m.mean_pos2 / reading.geometry().omega_sum,
                              m.median,
                              m.median_pos,
                              m.median_pos2,
@@ -126,8 +125,7 @@ std::string fast_line(const Measurement& m, bool short_line) {
 }
 
 // -z angle 3: a line for each patch, then one for each bright pixel of each patch.
-std::string patch_lines(const Measurement& m, const PictureAnalyzer& analyzer) {
-    const Geometry& g = analyzer.geometry();
+std::string patch_lines(const Measurement& m, const Geometry& g) {
     std::string out;
     std::map<uint32_t, int> number;  // of the live groups
     for (const GlareSource& s : m.sources) {
@@ -168,12 +166,12 @@ std::string stdout_text(const base::Error& refusal) {
                  : "";
 }
 
-std::string lines(const Measurement& m, const OutputSettings& out, const PictureAnalyzer& analyzer) {
-    const glare::Settings& settings = analyzer.settings();
+std::string lines(const Measurement& m, const OutputSettings& out, const Reading& reading) {
+    const glare::Settings& settings = reading.plan().settings;
     std::string text;
     if (m.black_corners && *m.black_corners > 70) text += black_corners(*m.black_corners, false);
     if (out.ev_only && !out.fast) return text + fmt::sprintf("%f\n", m.ev);
-    if (settings.patches && settings.patches->mode == 3) return text + patch_lines(m, analyzer);
+    if (settings.patches && settings.patches->mode == 3) return text + patch_lines(m, reading.geometry());
     if (m.band)
         text +=
             "band:band_omega,band_av_lum,band_median_lum,band_std_lum,band_perc_75,band_perc_95,band_lum_min,band_lum_"
@@ -191,9 +189,9 @@ std::string lines(const Measurement& m, const OutputSettings& out, const Picture
     if (detailed && m.zone1) text += zone_line(*m.zone1, 1, m.zone1->pixels, " ");
     if (detailed && m.zone2) text += zone_line(*m.zone2, 2, m.zone1->pixels, "  ");  // evalglare repeats zone 1's count
     if (out.fast)
-        return text + (detailed ? source_lines(as_fast(m), settings, analyzer) : "") +
+        return text + (detailed ? source_lines(as_fast(m), settings, reading.lum.height) : "") +
                fast_line(m, out.fast == 1 || !settings.external_ev);
-    if (detailed) return text + source_lines(m, settings, analyzer) + summary_line(m, analyzer);
+    if (detailed) return text + source_lines(m, settings, reading.lum.height) + summary_line(m, reading);
     const double ugr_value = ugr(m.glare, m.background), dgi_value = dgi(m.glare, m.background);
     const double vcp_value = vcp(m.glare, dgr(m.glare, m.mean_lum)), cgi_value = cgi(m.glare, m.direct_lux, m.ev);
     const double veil = veil_poynter(m.glare);

@@ -7,7 +7,7 @@
 
 namespace evalglare {
 
-std::string lines(const glare::Measurement& m, const Settings& settings, const glare::PictureAnalyzer& analyzer);
+std::string lines(const glare::Measurement& m, const Settings& settings, const glare::Reading& reading);
 // The text that evalglare writes to stdout before it gives up on a picture; empty: nothing.
 std::string stdout_text(const base::Error& refusal);
 

@@ -7,7 +7,7 @@
 
 namespace evalglare {
 
-// Geometry and sources of evalglare, for a glare::PictureAnalyzer.
+// Geometry and sources of evalglare, for a glare::Plan.
 glare::Methods methods(const Settings& settings);
 
 }  // namespace evalglare

@@ -15,7 +15,7 @@ constexpr double cdm2_per_grey = 179 * (grey_red + grey_green + grey_blue);
 
 struct Luminance {
     int width = 0, height = 0;
-    float* grey = nullptr;              // borrowed from the picture: width * height
+    const float* grey = nullptr;        // borrowed from the picture: width * height
     long not_finite = 0, negative = 0;  // pixels
     image::Moments moments;             // of the light within its pixels; null: unknown
     const float* share = nullptr;       // filled fraction of each pixel (filled.h); null: 1

@@ -83,29 +83,33 @@ std::vector<Run> bright_runs(const Luminance& lum, const Geometry& g, double abo
     return runs;
 }
 
-void cut_field(Luminance& lum, const Geometry& g, int type) {
+std::vector<float> cut_field(const Luminance& lum, const Geometry& g, int type) {
+    std::vector<float> out(lum.grey, lum.grey + lum.size());
     for (size_t i = 0; i < lum.size(); ++i) {
         if (!g.valid(i)) continue;
         const Vec3 d = g.seen_direction(i);
         const EyeAngles a = eye_angles(g, d);
         const double tau = float(a.tau_deg);
-        if (type == 3) lum.grey[i] = float(lum.grey[i] / position_index(g, d, PositionModel::guth));
+        if (type == 3) out[i] = float(out[i] / position_index(g, d, PositionModel::guth));
         if (type == 1 ? outside_total_field(a.sigma_deg, tau, a.elevation_deg)
                       : outside_both_eyes(a.sigma_deg, tau, a.elevation_deg))
-            lum.grey[i] = 0;
+            out[i] = 0;
     }
+    return out;
 }
 
-void fill_rows(Luminance& lum, const Geometry& g, const Fill& fill) {
+std::vector<float> fill_rows(const Luminance& lum, const Geometry& g, const Fill& fill) {
     const int w = lum.width, h = lum.height;
     if (fill.y_max < 1 || fill.y_max > h || fill.y_min < 0 || fill.y_min + 1 >= h)
         base::fail("-I", "rows " + std::to_string(fill.y_max) + " and " + std::to_string(fill.y_min) +
                              " do not lie in a picture of " + std::to_string(h) + " rows");
+    std::vector<float> out(lum.grey, lum.grey + lum.size());
     for (int y = fill.y_min; y >= 1; --y)
-        for (int x = 0; x < w; ++x) lum.grey[lum.index(x, y)] = lum.grey[lum.index(x, y + 1)];
+        for (int x = 0; x < w; ++x) out[g.index(x, y)] = out[g.index(x, y + 1)];
     for (int y = fill.y_max; y < h; ++y)
         for (int x = 0; x < w; ++x)
-            if (g.valid(g.index(x, y))) lum.grey[lum.index(x, y)] = lum.grey[lum.index(x, y - 1)];
+            if (g.valid(g.index(x, y))) out[g.index(x, y)] = out[g.index(x, y - 1)];
+    return out;
 }
 
 double black_corner_percent(const Luminance& lum) {

@@ -24,11 +24,11 @@ double radius_in_pixels(const Geometry& geometry, double opening);
 
 std::vector<Run> bright_runs(const Luminance& lum, const Geometry& geometry, double above_cdm2);
 
-// -G: sets pixels outside the field of vision to black (1 total field, 2 both eyes, 3 weighted by 1/P and both eyes).
-void cut_field(Luminance& lum, const Geometry& geometry, int type);
+// -G: pixels outside the field of vision are black (1 total field, 2 both eyes, 3 weighted by 1/P and both eyes).
+std::vector<float> cut_field(const Luminance& lum, const Geometry& geometry, int type);
 
 // -I: rows from y_min down to 1 repeat row y_min + 1, valid pixels from y_max up repeat the pixel below.
-void fill_rows(Luminance& lum, const Geometry& geometry, const Fill& fill);
+std::vector<float> fill_rows(const Luminance& lum, const Geometry& geometry, const Fill& fill);
 
 // Type v only: percentage of pixels beyond the mean half side that are darker than 7 cd/m2 (a fisheye passed off as
 // a perspective view has more than 70).

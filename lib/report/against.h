@@ -10,26 +10,21 @@ namespace report {
 
 enum class EarlierEdit { none, previous, first };
 
-class Against {
-public:
-    explicit Against(EarlierEdit which) : which_(which) {}
-    // A picture of this edit comes.  Edits without a look, as of fewer than two frames, are passed over.
-    void begin(int64_t edit);
-    // keys: of the columns; what has the same key can be compared.
-    void look(const uncertainty::Replicates& replicates, const std::vector<std::string>& keys,
-              const std::vector<uncertainty::Quantity>& quantities);
-    // At the last look that both have; nan: there is none, or the earlier edit lacks the column.
-    uncertainty::Estimate difference(size_t column) const;
-
-private:
+struct Edits {
     struct Look {
         uncertainty::Replicates replicates;
-        std::vector<std::string> keys;
+        std::vector<std::string> keys;  // of the columns; what has the same key can be compared
     };
-    EarlierEdit which_;
-    int64_t edit_ = 0;
-    std::vector<Look> earlier_, own_;
-    std::vector<uncertainty::Estimate> differences_;  // empty: there are none
+    int64_t edit = 0;                                // the last one that had a look
+    std::vector<Look> earlier, own;                  // of the edit to compare with, and of that one
+    std::vector<uncertainty::Estimate> differences;  // at its last look that both have; empty: there is none
+
+    // nan: not known, or the earlier edit lacks the column.
+    uncertainty::Estimate difference(int64_t of_edit, size_t column) const;
 };
+
+// With a look at a picture of this edit.  Edits without one, as of fewer than two frames, are passed over.
+Edits add(Edits edits, EarlierEdit which, int64_t edit, Edits::Look look,
+          const std::vector<uncertainty::Quantity>& quantities);
 
 }  // namespace report

@@ -26,17 +26,17 @@ image::Moments moved(const std::vector<float>& moments, int pair, float up) {
 
 }  // namespace
 
-std::vector<uncertainty::Values> moment_values(const glare::PictureAnalyzer& analyzer,
-                                               const std::vector<glare::Column>& columns, const glare::Luminance& lum) {
+std::vector<uncertainty::Values> moment_values(const glare::Reading& whole, const std::vector<glare::Column>& columns) {
+    const image::Moments& moments = whole.lum.moments;
     const auto of_filled = [](const glare::Column& c) { return c.of_filled; };
-    if (!lum.moments || std::none_of(columns.begin(), columns.end(), of_filled)) return {};
+    if (!moments || std::none_of(columns.begin(), columns.end(), of_filled)) return {};
     std::vector<uncertainty::Values> seen(2 * moment_pairs);
     std::atomic<size_t> next{0};
     base::on_threads(std::min(base::processors(), unsigned(seen.size())), [&] {
         for (size_t k = next++; k < seen.size(); k = next++) {
-            glare::Luminance here = lum;
-            here.moments = moved(*lum.moments, int(k / 2), k % 2 ? -1 : 1);
-            const glare::Measurement m = analyzer.measure(here, here);
+            glare::Luminance here = whole.lum;
+            here.moments = moved(*moments, int(k / 2), k % 2 ? -1 : 1);
+            const glare::Measurement m = glare::measure(whole, here, here);
             for (const glare::Column& c : columns) seen[k].push_back(c.of_filled ? c.value(m) : 0);
         }
     });

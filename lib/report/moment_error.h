@@ -14,7 +14,6 @@ namespace report {
 constexpr int moment_pairs = 4;
 
 // Each pair's two values of all columns, 0 of those that are not of filled pixels; empty: nothing is known of them.
-std::vector<uncertainty::Values> moment_values(const glare::PictureAnalyzer& analyzer,
-                                               const std::vector<glare::Column>& columns, const glare::Luminance& lum);
+std::vector<uncertainty::Values> moment_values(const glare::Reading& whole, const std::vector<glare::Column>& columns);
 
 }  // namespace report

@@ -30,6 +30,16 @@ check 'no function is longer than 80 lines' '! long_functions $(cxx | outside_te
 
 check 'values, not protocols: nothing is changed behind a const' '
     ! grep -nE "\<mutable\>|const_cast|void ?[*]" "$TOP"/lib/glare/* "$TOP"/tools/vcmetrics/* >&2'
+# A method that is not const has an order; a constructor has none.
+changing_methods() {
+    awk '/^class/ { name = $2 "("; open = 0 } /^};|private:/ { open = 0 } /public:/ { open = 1 }
+         open && /^    [A-Za-z].*\)(;| [{].*)$/ && !index($0, name) { print FILENAME ":" FNR ": " $0 }' "$@"
+}
+export -f changing_methods
+printf 'class A {\npublic:\n    A(int x);\n    int of() const { return 1; }\n    void add(int x);\n};\n' > order.h
+check 'values, not protocols: what measures has no methods with an order' '
+    [ "$(changing_methods order.h)" = "order.h:5:     void add(int x);" ]
+    ! grep -n "^class" "$TOP"/tools/vcmetrics/* >&2; ! changing_methods "$TOP"/lib/glare/*.h | grep . >&2'
 
 lines() { for ((i = 0; i < $1; i++)); do echo "        x += $i;"; done; }
 { echo 'int f(int x,'; echo '      int y) {'; lines 77; echo '}'; } > 80.cpp

@@ -25,6 +25,8 @@ check 'what two files differ by: less than independent runs would, and told apar
     grep -q "^vcmetrics: warning: other.exr: its parts hold other frames or seeds than those of light.exr: " w'
 check 'streams of sums give the differences of their files' '
     vcmetrics -difference $metrics light.sums dark.sums | diff d -'
+check 'a column without bias is of the pixels that -G leaves' '
+    vcmetrics -G 2 -metrics DGP,DGPu light.exr | awk -F "\t" "NR == 2 { exit !((\$2 - \$3)^2 < .002^2) }"'
 check 'a picture without parts has a difference without an interval' '
     ptaccum -last light.frames > light.hdr; ptaccum -last dark.frames > dark.hdr
     vcmetrics -W- -difference light.hdr dark.hdr |
@@ -104,6 +106,10 @@ check 'a pair of -cr may come before its regions: nan, then numbers' '
     [ "$(sed -n 2,17p t | cut -f 5 | uniq)" = nan ]; grep -q "screen_low/screen_high.CR" t
     tail -1 t | awk "!(\$NF > 0) { exit 1 }"; echo > r.regions
     edit "0 start" light | ptaccum | vcmetrics -regions r.regions -cr a/b -metrics Ev,CR | tail -1 | grep -q "nan$"'
+check 'a ratio without bias may come before its regions' '
+    cp office.regions full.regions; sed -i /screen/d office.regions
+    changing "cp full.regions r.regions" -cr screen_low/screen_high -metrics Ev,CRu; cp full.regions office.regions
+    sed 1,18d t | tail -1 | awk "!(\$NF > 0) { exit 1 }"'
 check_error 'in a picture its regions are there' 1 '^vcmetrics: -cr: there is no region "a"' '
     vcmetrics -W- -regions office.regions -cr a/b -metrics CR light.exr'
 check 'a broken region file is said once with its line, and the last good one goes on' '

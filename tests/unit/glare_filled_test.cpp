@@ -9,7 +9,7 @@
 
 #include "base/warnings.h"
 #include "glare/columns.h"
-#include "report/estimates.h"
+#include "report/sum.h"
 #include "glare/filled.h"
 #include "glare_pictures.h"
 
@@ -60,8 +60,7 @@ std::map<std::string, double> measured(image::Picture p, const std::vector<std::
     Requirements requirements;
     const Settings settings;
     const std::vector<Column> columns = choose_columns(choice, settings, requirements);
-    PictureAnalyzer analyzer(settings, requirements);
-    const Measurement m = analyzer.measure(p, "picture");
+    const Measurement m = measure({settings, requirements}, p, "picture");
     std::map<std::string, double> out;
     for (const Column& c : columns) out[c.name] = c.value(m);
     return out;
@@ -143,18 +142,19 @@ TEST_CASE("intervals of filled pixels know the error of their variance") {
             moments[i] = float((first + second) / 2), moments[i + 1] = float((first - second) / 2);
         }
         p.moments = std::make_shared<const std::vector<float>>(std::move(moments));
-        PictureAnalyzer analyzer(settings, requirements);
-        ColumnEstimates estimates(analyzer, columns);
+        const SharedPlan plan = make_plan({settings, requirements});
+        Reading reading;
+        Sum sum;
         for (int n = 1; n <= 4; ++n) {
             image::Picture step = p;
             for (float& value : step.rgb) value *= float(1 + 1e-4 * noise(random) / n);
-            Luminance lum = analyzer.read(step, "step");
-            estimates.add(lum, n);
-            const Measurement measurement = analyzer.measure(lum, "step");
-            if (estimates.due()) estimates.look(lum, measurement);
+            as_sum(step, n);
+            reading = read(plan, step, "step", {}, std::move(reading));
+            sum = add(std::move(sum), step, reading, "step", true);
+            sum = look(std::move(sum), reading, measure(reading), columns, 0);
         }
-        const uncertainty::Interval off = estimates.estimate(0).around(.05, 4);
-        const double value = estimates.estimate(0).value, truth = sun.dgp(right, up);
+        const uncertainty::Interval off = sum.look.estimate(0).around(.05, 4);
+        const double value = sum.look.estimate(0).value, truth = sun.dgp(right, up);
         covered += value + off.low <= truth && truth <= value + off.high;
     }
     CHECK(covered >= .9 * streams);

@@ -18,3 +18,9 @@ inline image::Picture fisheye_of(const std::vector<double>& cdm2, int width, dou
     p.header.view = v;
     return p;
 }
+
+// L'(n) of a stream, as ptaccum writes it.
+inline void as_sum(image::Picture& p, int64_t n) {
+    p.floats = true;
+    p.header.frames = n, p.header.ranges = {{0, n}};
+}

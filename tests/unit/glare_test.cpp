@@ -58,7 +58,7 @@ double column(const std::string& name, const image::Picture& picture, const view
     Requirements requirements;
     const Column column = choose_columns(choice, {}, requirements).at(0);
     image::Picture copy = picture;
-    return column.value(PictureAnalyzer({}, requirements, {}).measure(copy, "test", view));
+    return column.value(measure({{}, requirements}, copy, "test", view));
 }
 
 }  // namespace
@@ -69,8 +69,7 @@ TEST_CASE("a uniform dome") {
     image::Picture p = picture(n, n, std::vector<double>(size_t(n) * n, 1000));
     CHECK(column("Ev", p, fisheye()) == doctest::Approx(1000 * pi).epsilon(1e-4));
     CHECK(column("UGR", p, fisheye()) == 0);
-    PictureAnalyzer analyzer({}, require::sources | require::rammg);
-    const Measurement m = analyzer.measure(p, "dome", fisheye());
+    const Measurement m = measure({{}, require::sources | require::rammg}, p, "dome", fisheye());
     CHECK(m.ev == doctest::Approx(1000 * pi).epsilon(1e-4));
     CHECK(m.omega == doctest::Approx(2 * pi).epsilon(1e-4));
     CHECK(m.mean_lum == doctest::Approx(1000).epsilon(1e-6));

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "image/exr.h"
-#include "report/estimates.h"
+#include "report/sum.h"
 #include "report/until.h"
 #include "report_study.h"
 #include "temp_folder.h"
@@ -112,7 +112,7 @@ struct Room {
     Settings settings;
     Requirements requirements;
     std::vector<Column> columns;
-    std::unique_ptr<PictureAnalyzer> analyzer;
+    SharedPlan plan;
     std::vector<double> truth;
     explicit Room(const std::vector<std::string>& names, DgpForm form = DgpForm::merged,
                   std::vector<double> exact_cdm2 = ::room(), const Settings& others = {}) {
@@ -124,26 +124,26 @@ struct Room {
         choice.names = names;
         if (regions) choice.regions = {"low", "high"}, choice.pairs = {{"low", "high", "screen"}};
         columns = choose_columns(choice, settings, requirements);
-        analyzer =
-            std::make_unique<PictureAnalyzer>(settings, requirements, regions ? std::optional(screen()) : std::nullopt);
+        plan = make_plan({settings, requirements, regions ? std::optional(screen()) : std::nullopt});
         image::Picture exact = fisheye_of(exact_cdm2, width);
-        const Measurement m = analyzer->measure(exact, "room");
+        const Measurement m = measure(read(plan, exact, "room"));
         for (const Column& c : columns) truth.push_back(c.value(m));
     }
-    // Looks at a stream until done() or so many frames.
-    void watch(Stream& stream, int64_t most, ColumnEstimates& estimates, const std::function<bool()>& done) {
+    // Looks at a stream until done(sum) or so many frames.
+    Sum watch(
+        Stream& stream, int64_t most, const std::function<bool(const Sum&)>& done = [](auto&) { return false; }) {
         const int width = int(std::sqrt(double(stream.frame0().size())));
-        image::Picture p = fisheye_of(stream.frame0(), width);
-        analyzer->read(p, "frame 0");
+        Reading reading;
+        Sum sum;
         while (stream.frames() < most) {
-            p = fisheye_of(stream.next(), width);
-            Luminance lum = analyzer->read(p, "sum");
-            estimates.add(lum, stream.frames());
-            if (!estimates.due()) continue;
-            const Measurement m = analyzer->measure(lum, "sum");
-            estimates.look(lum, m);
-            if (done()) return;
+            image::Picture p = fisheye_of(stream.next(), width);
+            as_sum(p, stream.frames());
+            reading = read(plan, p, "sum", {}, std::move(reading));
+            sum = add(std::move(sum), p, reading, "sum", true);
+            sum = look(std::move(sum), reading, measure(reading), columns, 0);
+            if (sum.looked && done(sum)) break;
         }
+        return sum;
     }
 };
 
@@ -190,10 +190,9 @@ TEST_CASE("DGP without the bias of squares") {
     double unbiased = 0, squares = 0, taken_off = 0, squares_off = 0;
     for (int seed = 1; seed <= seeds; ++seed) {
         Stream stream(::room(), gaussian, uint32_t(seed), 1e9);
-        ColumnEstimates estimates(*room.analyzer, room.columns);
-        room.watch(stream, frames, estimates, [] { return false; });
+        const Look seen = room.watch(stream, frames).look;
         image::Picture p = fisheye_of(stream.last(), side);
-        const double value = estimates.estimate(0).value, off = room.analyzer->measure(p, "sum").dgp - value;
+        const double value = seen.estimate(0).value, off = measure(read(room.plan, p, "sum")).dgp - value;
         unbiased += value / seeds, squares += value * value / seeds;
         taken_off += off / seeds, squares_off += off * off / seeds;
     }
@@ -228,10 +227,9 @@ TEST_CASE("each column has an interval that moves when noise moves, or is listed
     std::vector<double> width[2];
     for (const int k : {0, 1}) {
         Stream stream(::room(), noisy(k ? .08 : .02), 7, 1e9);
-        ColumnEstimates estimates(*room.analyzer, room.columns);
-        room.watch(stream, 23, estimates, [] { return false; });
+        const Look seen = room.watch(stream, 23).look;
         for (size_t c = 0; c < room.columns.size(); ++c)
-            width[k].push_back(estimates.estimate(c).half_width(uncertainty::alpha, 23));
+            width[k].push_back(seen.estimate(c).half_width(uncertainty::alpha, 23));
     }
     for (size_t c = 0; c < room.columns.size(); ++c) {
         INFO(room.columns[c].name << ": " << width[0][c] << ", with more noise " << width[1][c]);
@@ -245,12 +243,11 @@ TEST_CASE("each column has an interval that moves when noise moves, or is listed
 TEST_CASE("without noise the de-biased metrics are the plain ones, and intervals have no width") {
     Room room({"DGP", "Ev", "low.TAL", "screen.CR"});
     Stream stream(::room(), quiet, 1);
-    ColumnEstimates estimates(*room.analyzer, room.columns);
-    room.watch(stream, 40, estimates, [] { return false; });
+    const Look seen = room.watch(stream, 40).look;
     for (size_t c = 0; c < room.columns.size(); ++c) {
-        CHECK(estimates.estimate(c).value == doctest::Approx(room.truth[c]).epsilon(1e-5));
-        CHECK(estimates.estimate(c).half_width(0.05, 40) < 1e-5 * room.truth[c]);
-        CHECK(UntilRule(room.columns[c].name + " 0.01%").holds({estimates.estimate(c)}, {}));
+        CHECK(seen.estimate(c).value == doctest::Approx(room.truth[c]).epsilon(1e-5));
+        CHECK(seen.estimate(c).half_width(0.05, 40) < 1e-5 * room.truth[c]);
+        CHECK(UntilRule(room.columns[c].name + " 0.01%").holds({seen.estimate(c)}, {}));
     }
 }
 
@@ -270,15 +267,14 @@ TEST_CASE("intervals cover the truth when the rule stops, also with heavy tails"
         for (int seed = 1; seed <= seeds; ++seed) {
             UntilRule until(rule);
             Stream stream(::room(), c.sample, uint32_t(1000 + seed));
-            ColumnEstimates estimates(*room.analyzer, room.columns);
             bool held = false;
-            room.watch(stream, 400, estimates, [&] {
-                const Estimate& e = estimates.estimate(0);
+            const Sum sum = room.watch(stream, 400, [&](const Sum& at) {
+                const Estimate& e = at.look.estimate(0);
                 return held = stream.frames() >= uncertainty::least_frames && until.holds({e}, e);
             });
             if (!held) continue;
             ++stopped;
-            covered += holds(estimates.estimate(0), room.truth[0]);
+            covered += holds(sum.look.estimate(0), room.truth[0]);
         }
         INFO(rule << ": " << covered << " of " << stopped);
         MESSAGE(rule << ": " << covered << " of " << stopped);
@@ -301,9 +297,8 @@ TEST_CASE("intervals know frame 0's own error") {
         int covered = 0;
         for (int seed = 1; seed <= seeds; ++seed) {
             Stream stream(mean, rare, uint32_t(seed), 1e9, 1);
-            ColumnEstimates estimates(*room.analyzer, room.columns);
-            room.watch(stream, frames, estimates, [] { return false; });
-            covered += holds(estimates.estimate(0), room.truth[0]);
+            const Look seen = room.watch(stream, frames).look;
+            covered += holds(seen.estimate(0), room.truth[0]);
         }
         INFO(frames << " frames: " << covered << " of " << seeds);
         MESSAGE(frames << " frames: " << covered << " of " << seeds);

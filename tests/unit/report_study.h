@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "report/estimates.h"
+#include "report/sum.h"
 #include "glare_pictures.h"
 
 namespace report {
@@ -67,13 +67,13 @@ struct Study {
         ColumnChoice choice;
         choice.names = {metric};
         const std::vector<Column> columns = choose_columns(choice, settings, requirements);
-        PictureAnalyzer analyzer(settings, requirements);
+        const SharedPlan plan = make_plan({settings, requirements});
         side = int(std::sqrt(double(exact_cdm2.size())));
         image::Picture exact = fisheye_of(exact_cdm2, side, 60);
-        truth = columns[0].value(analyzer.measure(exact, "truth"));
+        truth = columns[0].value(measure(read(plan, exact, "truth")));
         covered.assign(looks.size(), 0), known.assign(looks.size(), 0), tails.assign(looks.size(), 0);
         for (auto* sums : {&plain, &unbiased, &half_width, &deviation}) sums->assign(looks.size(), 0);
-        for (int seed = 1; seed <= seeds; ++seed) one(stream_of(uint32_t(seed)), analyzer, columns);
+        for (int seed = 1; seed <= seeds; ++seed) one(stream_of(uint32_t(seed)), plan, columns);
         for (size_t k = 0; k < looks.size(); ++k)
             deviation[k] = std::sqrt(std::max(0., deviation[k] - unbiased[k] * unbiased[k]));
     }
@@ -89,25 +89,26 @@ struct Study {
 
 private:
     template <class Stream>
-    void one(Stream stream, PictureAnalyzer& analyzer, const std::vector<Column>& columns) {
-        ColumnEstimates estimates(analyzer, columns);
-        size_t look = 0;
+    void one(Stream stream, const SharedPlan& plan, const std::vector<Column>& columns) {
+        Reading reading;
+        Sum sum;
+        size_t next = 0;
         for (int64_t n = 1; n <= looks.back(); ++n) {
             image::Picture p = fisheye_of(stream.next(), side, 60);
-            Luminance lum = analyzer.read(p, "sum");
-            estimates.add(lum, n);
-            if (!estimates.due()) continue;
-            const Measurement m = analyzer.measure(lum, "sum");
-            estimates.look(lum, m);
-            if (n != looks[look]) continue;
-            const uncertainty::Estimate& e = estimates.estimate(0);
+            as_sum(p, n);
+            reading = read(plan, p, "sum", {}, std::move(reading));
+            sum = add(std::move(sum), p, reading, "sum", true);
+            const Measurement m = measure(reading);
+            sum = look(std::move(sum), reading, m, columns, 0);
+            if (!sum.looked || n != looks[next]) continue;
+            const uncertainty::Estimate& e = sum.look.estimate(0);
             const uncertainty::Interval off = e.around(0.05, n);
-            covered[look] += e.known() && e.value + off.low <= truth && truth <= e.value + off.high;
-            known[look] += e.known();
-            tails[look] += e.unreliable;
-            plain[look] += columns[0].value(m) / seeds, unbiased[look] += e.value / seeds;
-            half_width[look] += off.half_width() / seeds, deviation[look] += e.value * e.value / seeds;
-            ++look;
+            covered[next] += e.known() && e.value + off.low <= truth && truth <= e.value + off.high;
+            known[next] += e.known();
+            tails[next] += e.unreliable;
+            plain[next] += columns[0].value(m) / seeds, unbiased[next] += e.value / seeds;
+            half_width[next] += off.half_width() / seeds, deviation[next] += e.value * e.value / seeds;
+            ++next;
         }
     }
     int side = 0;

@@ -68,7 +68,7 @@ std::string source_outline(const glare::Measurement& m, const glare::Geometry& g
     return display::rings_text(display::outlines(pixels_of(m, g, source), g.width, g.height));
 }
 
-void draw_measured(const Options& o, const image::Picture& picture, Measured& measured, const glare::Measurement& m) {
+void draw_measured(const Options& o, const image::Picture& picture, const RunState& run, const glare::Measurement& m) {
     constexpr double speck = .005;  // of DGP's sum: a smaller source is not numbered
     display::Image8 image = display::tone(picture, {});
     std::vector<Name> names;  // above all outlines
@@ -80,14 +80,14 @@ void draw_measured(const Options& o, const image::Picture& picture, Measured& me
     }
     const std::vector<double> shares = glare::dgp_shares(glare::terms_of(m.sources), o.settings.constants);
     for (size_t k = 0; k < shares.size(); ++k) {
-        display::draw_area(image, pixels_of(m, measured.analyzer().geometry(), m.sources[k]), source_colour, 0);
+        display::draw_area(image, pixels_of(m, run.reading.geometry(), m.sources[k]), source_colour, 0);
         if (shares[k] < speck) continue;
         const Place centre{int(m.sources[k].x), image.height - 1 - int(m.sources[k].y)};
         names.push_back({centre, fmt::format("{}: {:.0f} %", k + 1, 100 * shares[k]), source_colour});
     }
     for (const Name& n : names) write_above(image, n.place, n.text, n.colour);
     std::vector<display::Label> below;
-    for (const glare::Column& c : measured.columns())
+    for (const glare::Column& c : run.plan.columns)
         if (c.printed && !c.words && !c.printed_unbiased)
             below.push_back({fmt::format("{} {:.4g}", c.name, c.value(m))});
     display::write_png(o.over_file, display::with_labels(image, below), "");

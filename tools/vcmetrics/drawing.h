@@ -4,8 +4,8 @@
 #include <string>
 #include "glare/measure.h"
 #include "image/picture.h"
-#include "measured.h"
 #include "options.h"
+#include "run.h"
 
 // The outline of a source, as JSON (display/outline.h).
 std::string source_outline(const glare::Measurement& measurement, const glare::Geometry& geometry,
@@ -13,5 +13,5 @@ std::string source_outline(const glare::Measurement& measurement, const glare::G
 
 // Writes the file of -over: the picture toned for the eye; glare sources outlined, with their number and share of DGP;
 // regions outlined, with their names; the metrics below.
-void draw_measured(const Options& options, const image::Picture& picture, Measured& measured,
+void draw_measured(const Options& options, const image::Picture& picture, const RunState& run,
                    const glare::Measurement& measurement);

@@ -11,7 +11,5 @@ int measure_all(const Options& options);  // exit status
 report::NumberTable measure_table(const Options& options, const std::string& file,
                                   const std::vector<std::string>& metrics);
 
-// Throws Error for a picture that cannot be measured.
-void require_measurable(const image::Picture& picture, const std::string& place);
 // What the reader makes of a file's numbers.
 image::Pixels pixels_for(const Options& options);

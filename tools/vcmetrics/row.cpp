@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "drawing.h"
+#include "evalglare/output.h"
 
 using namespace glare;
 using namespace report;
@@ -18,12 +19,6 @@ bool is_plain(const Options& o) { return o.mode != OutputMode::accelerad; }
 
 bool has_interval(const Options& o, const Column& c) { return o.ci && !c.words; }
 bool has_difference(const Options& o, const Column& c) { return o.against != EarlierEdit::none && !c.words; }
-
-double printed_value(const Column& c, size_t k, const RowOfPicture& row) {
-    const double unbiased = c.printed_unbiased ? row.estimates->estimate(k).value : std::nan("");
-    const bool plain = !c.printed_unbiased || (c.of_filled && std::isnan(unbiased));
-    return plain ? c.value(row.measurement) : unbiased;
-}
 
 bool is_aligned(const Options& o) { return o.format == TableFormat::aligned; }
 constexpr size_t width_with_error = 18;
@@ -38,28 +33,10 @@ void add_numbers(std::initializer_list<double> values, std::vector<Cell>& cells,
     for (const double v : values) cells.push_back(number_cell(v, digits));
 }
 
-// A value and the interval around `middle`, which may be another one.
-void add_numbers(const Options& o, double value, double middle, const uncertainty::Interval& off,
-                 std::vector<Cell>& cells) {
-    if (is_aligned(o)) cells.push_back({with_error(std::isnan(middle) ? value : middle, off.half_width()), true});
-    else add_numbers({value, middle + off.low, middle + off.high}, cells);
-}
-
-// The interval lies around the value without bias, which the column itself may show or not.  Between looks that is
-// the last look's value with the interval it had; a value without bias is of the frame itself, and narrows as they
-// grow.
-void add_with_interval(const Options& o, const Column& c, size_t k, double value, const RowOfPicture& row,
-                       std::vector<Cell>& cells) {
-    const uncertainty::Estimate& e = row.estimates->estimate(k);
-    const uncertainty::Interval off = e.around(1 - *o.ci, c.has_bias() ? e.frames : row.frame);
-    add_numbers(o, value, c.has_bias() ? e.value : value, off, cells);
-}
-
-std::string heavy_tailed(const std::vector<Column>& columns, const ColumnEstimates& estimates) {
-    std::string out;
-    for (size_t k = 0; k < columns.size(); ++k)
-        if (columns[k].printed && estimates.estimate(k).unreliable) out += (out.empty() ? "" : " ") + columns[k].name;
-    return out.empty() ? "-" : out;
+void add_with_interval(const Options& o, const Number& n, std::vector<Cell>& cells) {
+    if (is_aligned(o))
+        cells.push_back({with_error(std::isnan(n.middle) ? n.value : n.middle, n.off.half_width()), true});
+    else add_numbers({n.value, n.middle + n.off.low, n.middle + n.off.high}, cells);
 }
 
 size_t longest(const std::vector<std::string>& texts) {
@@ -68,38 +45,31 @@ size_t longest(const std::vector<std::string>& texts) {
     return out;
 }
 
-}  // namespace
-
-NamedPictures named_pictures(const image::Header& first) {
-    return {!first.view_name.empty(), !first.sky_name.empty(), first.edit.has_value()};
-}
-
-std::vector<std::string> start_names(const Options& o, const NamedPictures& named) {
+std::vector<std::string> start_names(const Options& o, const Heading& heading) {
     std::vector<std::string> out;
     if (!is_plain(o)) out = {"Time", "Frame"};
     else if (!o.files.empty()) out = {is_aligned(o) ? fmt::format("{:<{}}", "file", longest(o.files)) : "file"};
     else out = {"frame", "seconds"};
-    if (named.view) out.push_back("view");
-    if (named.sky) out.push_back("sky");
-    if (named.edit) out.push_back("edit");
+    if (heading.views) out.push_back("view");
+    if (heading.skies) out.push_back("sky");
+    if (heading.edits) out.push_back("edit");
     return out;
 }
 
-std::vector<Cell> start_cells(const Options& o, const NamedPictures& named, const image::Header& header,
-                              const std::string& file, int64_t frame, double seconds) {
-    const Cell frame_cell = number_cell(double(frame), 15);
-    const Cell seconds_cell = number_cell(o.files.empty() ? std::round(seconds * 1000) / 1000 : 0, 9);
+std::vector<Cell> start_cells(const Options& o, const Heading& heading, const Row& row) {
+    const Cell frame_cell = number_cell(double(row.frame), 15);
+    const Cell seconds_cell = number_cell(o.files.empty() ? std::round(row.seconds * 1000) / 1000 : 0, 9);
     std::vector<Cell> out = {frame_cell, seconds_cell};
     if (!is_plain(o)) out = {seconds_cell, frame_cell};
-    else if (!o.files.empty()) out = {text_cell(file)};
+    else if (!o.files.empty()) out = {text_cell(row.file)};
     const auto name = [](const std::string& text) { return text_cell(text.empty() ? "-" : text); };
-    if (named.view) out.push_back(name(header.view_name));
-    if (named.sky) out.push_back(name(header.sky_name));
-    if (named.edit) out.push_back(number_cell(double(header.edit.value_or(0))));
+    if (heading.views) out.push_back(name(row.view));
+    if (heading.skies) out.push_back(name(row.sky));
+    if (heading.edits) out.push_back(number_cell(double(row.edit.value_or(0))));
     return out;
 }
 
-std::vector<std::string> row_names(const Options& o, const std::vector<Column>& columns) {
+std::vector<std::string> column_names(const Options& o, const std::vector<Column>& columns) {
     std::vector<std::string> out;
     for (const Column& c : columns) {
         if (!c.printed) continue;
@@ -112,22 +82,19 @@ std::vector<std::string> row_names(const Options& o, const std::vector<Column>& 
     return out;
 }
 
-std::vector<Cell> row_cells(const Options& o, const std::vector<Column>& columns, const RowOfPicture& row) {
+std::vector<Cell> column_cells(const Options& o, const std::vector<Column>& columns, const Row& row) {
     std::vector<Cell> out;
     for (size_t k = 0; k < columns.size(); ++k) {
         const Column& c = columns[k];
+        const Number& n = row.numbers[k];
         if (!c.printed) continue;
-        const double value = printed_value(c, k, row);
-        if (has_interval(o, c)) add_with_interval(o, c, k, value, row, out);
-        else if (c.words) out.push_back({c.words[int(value)], is_aligned(o)});
-        else out.push_back(number_cell(value, is_aligned(o) ? 5 : 8));
-        if (!has_difference(o, c)) continue;
-        const uncertainty::Estimate d = row.against.difference(k);
-        const uncertainty::Interval off = d.around(1 - o.ci.value_or(.95), d.frames);
-        add_numbers(o, d.value, d.value, off, out);
+        if (has_interval(o, c)) add_with_interval(o, n, out);
+        else if (c.words) out.push_back({c.words[int(n.value)], is_aligned(o)});
+        else out.push_back(number_cell(n.value, is_aligned(o) ? 5 : 8));
+        if (has_difference(o, c)) add_with_interval(o, row.differences[k], out);
     }
     if (o.go_on) out.push_back(number_cell(row.settled));
-    if (o.ci) out.push_back(text_cell(heavy_tailed(columns, *row.estimates)));
+    if (o.ci) out.push_back(text_cell(row.heavy_tailed.empty() ? "-" : row.heavy_tailed));
     return out;
 }
 
@@ -138,7 +105,8 @@ std::vector<std::string> source_names(const Options& o) {
     return names;
 }
 
-std::vector<std::vector<Cell>> source_rows(const Options& o, const Measurement& m, const Geometry& geometry) {
+// A line for each source.
+std::vector<std::vector<Cell>> source_cells(const Options& o, const Measurement& m, const Geometry& geometry) {
     const std::vector<double> shares = dgp_shares(terms_of(m.sources), o.settings.constants);
     std::vector<std::vector<Cell>> out;
     for (size_t k = 0; k < m.sources.size(); ++k) {
@@ -148,6 +116,29 @@ std::vector<std::vector<Cell>> source_rows(const Options& o, const Measurement& 
                      s.direction.z, s.eye_lux, double(s.zone), shares[k]},
                     out.back(), is_aligned(o) ? 5 : 8);
         if (o.outlines) out.back().push_back({source_outline(m, geometry, s)});
+    }
+    return out;
+}
+
+}  // namespace
+
+RowText text_of(const Options& o, Heading heading, const RunState& run, const Row& row) {
+    if (o.mode == OutputMode::evalglare)
+        return {heading, "", evalglare::lines(row.measurement, o.evalglare, run.reading)};
+    if (heading.names.empty())
+        heading.views = !row.view.empty(), heading.skies = !row.sky.empty(), heading.edits = row.edit.has_value();
+    std::vector<std::string> names = start_names(o, heading);
+    const std::vector<std::string> more = o.list_sources ? source_names(o) : column_names(o, run.plan.columns);
+    names.insert(names.end(), more.begin(), more.end());
+    RowText out{heading, names != heading.names ? header_line(names, o.format) : "", ""};
+    out.heading.names = names;
+    const std::vector<std::vector<Cell>> lines =
+        o.list_sources ? source_cells(o, row.measurement, run.reading.geometry())
+                       : std::vector<std::vector<Cell>>{column_cells(o, run.plan.columns, row)};
+    for (const std::vector<Cell>& line : lines) {
+        std::vector<Cell> cells = start_cells(o, heading, row);
+        cells.insert(cells.end(), line.begin(), line.end());
+        out.lines += table_line(names, cells, o.format);
     }
     return out;
 }

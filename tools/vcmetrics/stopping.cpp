@@ -4,9 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
-#include "base/command_pipe.h"
 #include "base/error.h"
 #include "base/run.h"
 #include "uncertainty/stopping.h"
@@ -14,108 +11,106 @@
 using namespace glare;
 using namespace report;
 
-Stopping::Stopping(const Options& options, const std::vector<Column>& columns) : options_(options), columns_(columns) {
-    if (options.until.empty()) return;
-    rule_.emplace(options.until);
-    find_columns();
-}
+namespace {
 
-void Stopping::find_columns() {
-    if (!rule_) return;
-    watched_.clear(), pixels_.clear();
-    for (const Tolerance& t : rule_->tolerances()) {
-        watched_.push_back(column_of(t.metric));
-        pixels_.push_back(pixels_of(t.metric));
-    }
-    const std::string& dgp = rule_->class_of();
-    if (dgp.empty()) return;
-    dgp_ = column_of(dgp, std::string(dgp == "DGP" ? "class" : "classf") + " is that of " + dgp + ", but ");
-    dgp_pixels_ = pixels_of(dgp);
-}
-
-std::optional<size_t> Stopping::pixels_of(const std::string& metric) const {
+std::optional<size_t> pixels_of(const std::vector<Column>& columns, const std::string& metric) {
     const std::string name = pixels_column(metric);
-    for (size_t k = 0; k < columns_.size() && !name.empty(); ++k)
-        if (columns_[k].name == name) return k;
+    for (size_t k = 0; k < columns.size() && !name.empty(); ++k)
+        if (columns[k].name == name) return k;
     return std::nullopt;
 }
 
-size_t Stopping::column_of(const std::string& name, const std::string& why) const {
-    for (size_t k = 0; k < columns_.size(); ++k) {
-        if (columns_[k].name != name) continue;
-        if (!columns_[k].has_interval())
+size_t column_of(const std::vector<Column>& columns, const std::string& name, const std::string& why = "") {
+    for (size_t k = 0; k < columns.size(); ++k) {
+        if (columns[k].name != name) continue;
+        if (!columns[k].has_interval())
             base::fail("-until", name + " has no interval, as none has been shown to hold the truth (vcmetrics(1))");
         return k;
     }
     base::fail("-until", why + "there is no column \"" + name + "\" in this run");
 }
 
-bool Stopping::rule_holds(const Line& line, std::string& reason, std::string& out_of_reach) const {
-    if (!rule_ || !line.looked) return false;
-    const auto estimate = [&](size_t k) { return line.looked->estimate(k); };
+// reason, out_of_reach: why it holds, and why it never will.
+bool rule_holds(const StopRule& rule, const MeasuredSum& sum, std::string& reason, std::string& out_of_reach) {
+    if (!rule.rule || !sum.looked || sum.frames < uncertainty::least_frames) return false;
+    const auto estimate = [&](size_t k) { return sum.looked->estimate(k); };
     const auto of_pixels = [&](std::optional<size_t> k) {
-        return k && line.moments ? std::optional(estimate(*k)) : std::nullopt;
+        return k && sum.moments ? std::optional(estimate(*k)) : std::nullopt;
     };
     std::vector<uncertainty::Estimate> estimates;
-    PixelErrors pixels{{}, of_pixels(dgp_pixels_)};
-    for (size_t k : watched_) estimates.push_back(estimate(k));
-    for (const auto& k : pixels_) pixels.of_tolerances.push_back(of_pixels(k));
-    const uncertainty::Estimate dgp = estimate(dgp_);
-    if (line.frames < uncertainty::least_frames) return false;
-    out_of_reach = rule_->out_of_reach(estimates, dgp, pixels, line.width, line.height);
-    if (!rule_->holds(estimates, dgp, pixels)) return false;
-    reason = rule_->reason(estimates, dgp, pixels);
+    PixelErrors pixels{{}, of_pixels(rule.dgp_pixels)};
+    for (size_t k : rule.watched) estimates.push_back(estimate(k));
+    for (const auto& k : rule.pixels) pixels.of_tolerances.push_back(of_pixels(k));
+    const uncertainty::Estimate dgp = estimate(rule.dgp);
+    out_of_reach = rule.rule->out_of_reach(estimates, dgp, pixels, sum.width, sum.height);
+    if (!rule.rule->holds(estimates, dgp, pixels)) return false;
+    reason = rule.rule->reason(estimates, dgp, pixels);
     return true;
 }
 
-bool Stopping::passes_over(const std::string& label, int64_t n) {
-    if (options_.control.empty() && !options_.go_on) return false;
-    const bool begins = frames_ < 0 || label != label_ || n <= frames_;
-    if (begins) {
-        missed_ = missed_ || (frames_ >= 0 && has_rule() && !held_);
-        if (frames_ >= 0) at_end();
-        held_ = done_ = false;
-        label_ = label;
+}  // namespace
+
+StopRule stop_rule(const Options& o, const std::vector<Column>& columns) {
+    StopRule out;
+    if (o.until.empty()) return out;
+    out.rule.emplace(o.until);
+    for (const Tolerance& t : out.rule->tolerances()) {
+        out.watched.push_back(column_of(columns, t.metric));
+        out.pixels.push_back(pixels_of(columns, t.metric));
     }
-    frames_ = n;
-    return done_ && !options_.go_on;
+    const std::string& dgp = out.rule->class_of();
+    if (dgp.empty()) return out;
+    out.dgp = column_of(columns, dgp, std::string(dgp == "DGP" ? "class" : "classf") + " is that of " + dgp + ", but ");
+    out.dgp_pixels = pixels_of(columns, dgp);
+    return out;
 }
 
-void Stopping::look(const Line& line) {
-    std::string out_of_reach;
-    reason_.clear();
-    ends_all_ = options_.control.empty();
-    frames_ = line.frames;
-    if (!done_ && rule_holds(line, reason_, out_of_reach)) {
-        held_ = true;
-    } else if (!done_ && !out_of_reach.empty()) {
-        reason_ = out_of_reach;
-    } else if (options_.max_frames && line.frames >= *options_.max_frames) {
-        reason_ = "-max-frames is reached";
-    } else if (options_.max_seconds && line.seconds >= *options_.max_seconds) {
-        reason_ = "-max-seconds are over";
-        ends_all_ = true;
-    } else return;
-    const bool of_rule = !done_ && (held_ || !out_of_reach.empty());
-    if (of_rule && options_.go_on) ends_all_ = false;
-    else if (!held_ && has_rule() && out_of_reach.empty()) reason_ += ", -until does not hold yet";
+Progress begin(const Options& o, Progress p, const std::string& label, int64_t n) {
+    if (o.control.empty() && !o.go_on) return p;
+    const bool first = p.frames < 0;
+    if (first || label != p.label || n <= p.frames) {
+        if (!first) say_end(o, p);
+        p.missed = p.missed || (!first && !o.until.empty() && !p.held);
+        p.held = p.done = false;
+        p.label = label;
+    }
+    p.frames = n;
+    return p;
 }
 
-bool Stopping::after(const Line& line) {
-    if (reason_.empty()) return false;
-    const std::string what = label_.empty() ? "" : label_ + ": ";
-    const char* const how = ends_all_ || !options_.go_on ? "stopped" : held_ ? "settled" : "cannot settle";
-    base::say(fmt::format("vcmetrics: {}{} after {} frames: {}", what, how, line.frames, reason_));
-    if (ends_all_) return true;
-    done_ = true;
-    if (!line.last && !options_.control.empty())
-        base::send_command(options_.control, label_.empty() ? "next" : "next " + label_);
-    return false;
+std::pair<Progress, Verdict> decide(const Options& o, const StopRule& rule, Progress p, const MeasuredSum& sum) {
+    std::string reason, out_of_reach;
+    bool ends_all = o.control.empty();
+    p.frames = sum.frames;
+    if (!p.done && rule_holds(rule, sum, reason, out_of_reach)) {
+        p.held = true;
+    } else if (!p.done && !out_of_reach.empty()) {
+        reason = out_of_reach;
+    } else if (o.max_frames && sum.frames >= *o.max_frames) {
+        reason = "-max-frames is reached";
+    } else if (o.max_seconds && sum.seconds >= *o.max_seconds) {
+        reason = "-max-seconds are over";
+        ends_all = true;
+    } else return {p, {}};
+    const bool of_rule = !p.done && (p.held || !out_of_reach.empty());
+    if (of_rule && o.go_on) ends_all = false;
+    else if (!p.held && rule.rule && out_of_reach.empty()) reason += ", -until does not hold yet";
+
+    const std::string what = p.label.empty() ? "" : p.label + ": ";
+    const char* const how = ends_all || !o.go_on ? "stopped" : p.held ? "settled" : "cannot settle";
+    Verdict out{ends_all, fmt::format("vcmetrics: {}{} after {} frames: {}", what, how, sum.frames, reason), ""};
+    p.done = p.done || !ends_all;
+    if (!ends_all && !sum.last && !o.control.empty()) out.command = p.label.empty() ? "next" : "next " + p.label;
+    return {p, out};
 }
 
-void Stopping::at_end() const {
-    if (!has_rule() || held_ || done_ || options_.go_on) return;
-    const std::string what = label_.empty() ? "the input" : label_;
+void say_end(const Options& o, const Progress& p) {
+    if (o.until.empty() || p.held || p.done || o.go_on) return;
+    const std::string what = p.label.empty() ? "the input" : p.label;
     base::say(
-        fmt::format("vcmetrics: {} ended after {} frames: -until does not hold", what, std::max<int64_t>(frames_, 0)));
+        fmt::format("vcmetrics: {} ended after {} frames: -until does not hold", what, std::max<int64_t>(p.frames, 0)));
+}
+
+int status(const Options& o, const Progress& p) {
+    return !o.until.empty() && !o.go_on && (!p.held || p.missed) ? 4 : 0;
 }

@@ -6,50 +6,47 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "glare/columns.h"
+#include "options.h"
 #include "report/estimates.h"
 #include "report/until.h"
-#include "options.h"
 
-class Stopping {
-public:
-    // Throws Error if a rule names a column that the run does not have, or that has no interval.
-    Stopping(const Options& options, const std::vector<glare::Column>& columns);
-    void find_columns();  // again, where they have changed
-    bool has_rule() const { return rule_.has_value(); }
-
-    // Before a picture is measured: a sum of n frames of the picture `label`.  True: it is passed over.
-    bool passes_over(const std::string& label, int64_t n);
-    struct Line {
-        int64_t frames;
-        double seconds;                         // since the start
-        const report::ColumnEstimates* looked;  // its estimates are new; else null
-        bool moments = false;                   // the picture has moments of its pixels
-        int width = 0, height = 0;
-        bool last = false;  // its stream announces no more frames
-    };
-    // When it is measured: does the rule hold?
-    void look(const Line& line);
-    bool held() const { return held_; }  // for this picture
-    // When its line is printed.  True: stop here.  Status 0 if the rule holds or there is none, else 4.
-    bool after(const Line& line);
-    void at_end() const;  // of the input or a picture, without a stop
-    int status() const { return has_rule() && !options_.go_on && (!held_ || missed_) ? 4 : 0; }
-
-private:
-    size_t column_of(const std::string& name, const std::string& why = "") const;
-    std::optional<size_t> pixels_of(const std::string& metric) const;
-    bool rule_holds(const Line& line, std::string& reason, std::string& out_of_reach) const;
-    const Options& options_;
-    const std::vector<glare::Column>& columns_;
-    std::optional<report::UntilRule> rule_;
-    std::vector<size_t> watched_;                // columns of the rule, in its order
-    std::vector<std::optional<size_t>> pixels_;  // their columns NAME.px
-    size_t dgp_ = 0;                             // for the class
-    std::optional<size_t> dgp_pixels_;
-    int64_t frames_ = -1;  // of the last line; -1: there was none
-    std::string label_;
-    bool held_ = false, missed_ = false;  // of this picture; of one before it
-    bool done_ = false;                   // all is said of this picture; without -go-on no more of it is measured
-    std::string reason_;                  // why it ends or is settled with this line; empty: it is not
-    bool ends_all_ = false;
+// -until, by the places of its columns in a run.
+struct StopRule {
+    std::optional<report::UntilRule> rule;      // none: it was not given
+    std::vector<size_t> watched;                // columns of the rule, in its order
+    std::vector<std::optional<size_t>> pixels;  // their columns NAME.px
+    size_t dgp = 0;                             // for the class
+    std::optional<size_t> dgp_pixels;
 };
+// Throws Error if the rule names a column that the run does not have, or that has no interval.
+StopRule stop_rule(const Options& options, const std::vector<glare::Column>& columns);
+
+// How far the picture is whose sums come, and what was decided of it.
+struct Progress {
+    int64_t frames = -1;                // of the last sum; -1: there was none
+    std::string label;                  // of the picture
+    bool held = false, missed = false;  // the rule: of this picture; not of one before it
+    bool done = false;                  // all is said of this picture; without -go-on no more of it is measured
+};
+// With a sum of n frames of the picture `label`, which comes.
+Progress begin(const Options& options, Progress progress, const std::string& label, int64_t n);
+
+struct MeasuredSum {
+    int64_t frames;
+    double seconds;              // since the start
+    const report::Look* looked;  // a look at this sum; null: there was none
+    bool moments = false;        // the picture has moments of its pixels
+    int width = 0, height = 0;
+    bool last = false;  // its stream announces no more frames
+};
+struct Verdict {
+    bool stops = false;         // the run ends with this row
+    std::string says, command;  // why, and what the renderer is sent, after the row; empty: nothing
+};
+std::pair<Progress, Verdict> decide(const Options& options, const StopRule& rule, Progress progress,
+                                    const MeasuredSum& sum);
+
+void say_end(const Options& options, const Progress& progress);  // of the input or a picture, without a stop
+// Status 0 if the rule holds or there is none, else 4.
+int status(const Options& options, const Progress& progress);

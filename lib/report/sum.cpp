@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See sum.h.
+#include "report/sum.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "uncertainty/frame0.h"
+
+namespace report {
+namespace {
+
+constexpr double large_step = 0.4;  // of all frames
+
+// Empty: the picture is a sum that may be one of a row.
+std::string what_it_lacks(const image::Picture& p) {
+    if (!p.parts.empty()) return "";
+    if (!p.header.frames) return "it is no sum of frames (no FRAMES= line)";
+    if (p.header.ranges.size() != 1 || p.header.ranges[0].first != 0 || !p.header.other_seeds.empty())
+        return "it is merged from several runs, without their batches (ptaccum -batches 16 keeps them)";
+    if (!p.floats)
+        return "its pixels are not floats, which tell too little (leave out -last and -fc of ptaccum; of a file: "
+               "ptaccum -batches 16 -o file.exr)";
+    return "";
+}
+
+void tell(Sum& sum, const std::string& place, const std::string& fact) {
+    if (!std::exchange(sum.told, true)) base::warn(place, "no intervals: " + fact);
+}
+
+Sum another(const Sum& before) {
+    Sum out;
+    out.told = before.told, out.warned = before.warned;
+    return out;
+}
+
+// From frames 1 to 8, as long as each is a part by itself.
+std::vector<float> frame0_error(std::vector<image::Part> first, const glare::Geometry& g) {
+    first.resize(std::min(first.size(), size_t(image::direct_samples)));
+    for (size_t k = 0; k < first.size(); ++k) {
+        const image::SeedRanges& from = first[k].from;
+        if (first[k].frames != 1 || from.empty() || from[0].second[0].first != int64_t(k) + 1) return {};
+    }
+    return first.size() > 2 ? uncertainty::frame0_error(first, g.width, g.height, counts(g)) : std::vector<float>();
+}
+
+}  // namespace
+
+Sum add(Sum sum, const image::Picture& picture, const glare::Reading& reading, const std::string& place, bool tells) {
+    const bool has_parts = !picture.parts.empty();
+    const std::string lack = what_it_lacks(picture);
+    const int64_t n = picture.header.frames.value_or(0), before = sum.last;
+    sum.step = lack.empty(), sum.looked = false;
+    if (!sum.step) {
+        if (tells) tell(sum, place, lack);
+        return sum;
+    }
+    if (has_parts || n == 0 || n <= before) sum = another(sum);
+    sum.step = true, sum.ends = has_parts || picture.header.last_frame == n, sum.last = n;
+    if (has_parts) sum.taken = picture.parts;
+    else if (n > 0) sum.growing.add(reading.lum.grey, reading.lum.size(), n, picture.header.seed);
+    if (has_parts || (n > 0 && n <= image::direct_samples)) {
+        std::vector<float> error = frame0_error(sum.parts(), reading.geometry());
+        if (!error.empty()) sum.frame0_error = std::move(error);
+    }
+    if (!has_parts && before >= 16 && double(n - before) > large_step * double(n) && !std::exchange(sum.warned, true))
+        base::warn(place,
+                   fmt::format("{} of {} frames came in one step, from which their error cannot be estimated well: "
+                               "ptaccum -every x2/16 makes small ones",
+                               n - before, n));
+    return sum;
+}
+
+Sum look(Sum sum, const glare::Reading& reading, const glare::Measurement& m, const std::vector<glare::Column>& columns,
+         int64_t first_look) {
+    constexpr double growth_between_looks = 1.41421356;
+    const int64_t frames = image::frames_of(sum.parts());
+    const bool due = sum.again || frames >= sum.next_look;
+    if (!sum.step || sum.parts().size() < 2 || !(sum.ends || due)) return sum;
+    if (frames >= sum.next_look)
+        sum.next_look = std::max(frames + 1, int64_t(std::llround(double(frames) * growth_between_looks)));
+    sum.again = false, sum.looked = frames >= first_look;
+    if (sum.looked) sum.look = look(reading, m, columns, sum.parts(), sum.frame0_error, sum.look);
+    return sum;
+}
+
+Sum without_look(Sum sum) {
+    sum.look = {}, sum.again = true;
+    return sum;
+}
+
+Sum end(Sum sum, const std::string& place, bool tells) {
+    if (tells && sum.step && sum.parts().size() == 1)
+        tell(sum, place,
+             "a picture by itself holds no batches of frames; the stream of sums does (ptaccum without -last), and a "
+             "file of ptaccum -batches 16 -o file.exr");
+    return another(sum);
+}
+
+}  // namespace report

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See run.h.
+#include "run.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "image/header.h"
+
+using namespace glare;
+using namespace report;
+
+namespace {
+
+// The interval lies around the value without bias, which the column itself may show or not.  Between looks that is
+// the last look's value with the interval it had; a value without bias is of the frame itself, and narrows as they
+// grow.
+Number number_of(const Options& o, const Column& c, const uncertainty::Estimate& e, const Measurement& m,
+                 int64_t frame) {
+    const bool shows_estimate = c.printed_unbiased && !(c.of_filled && std::isnan(e.value));
+    Number out{shows_estimate ? e.value : c.value(m), 0, {std::nan(""), std::nan("")}};
+    out.middle = c.has_bias() ? e.value : out.value;
+    if (o.ci) out.off = e.around(1 - *o.ci, c.has_bias() ? e.frames : frame);
+    return out;
+}
+
+Number difference_of(const Options& o, const uncertainty::Estimate& d) {
+    return {d.value, d.value, d.around(1 - o.ci.value_or(.95), d.frames)};
+}
+
+Row row_of(const Options& o, const RunState& run, const image::Header& header, const PicturePlace& place,
+           Measurement m) {
+    Row out;
+    out.file = place.file, out.view = header.view_name, out.sky = header.sky_name, out.edit = header.edit;
+    out.frame = frame_number(header, place);
+    out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.start).count();
+    for (size_t k = 0; k < run.plan.columns.size(); ++k) {
+        const Column& c = run.plan.columns[k];
+        const uncertainty::Estimate& e = run.sum.look.estimate(k);
+        out.numbers.push_back(number_of(o, c, e, m, out.frame));
+        if (o.against != EarlierEdit::none)
+            out.differences.push_back(difference_of(o, run.edits.difference(header.edit.value_or(0), k)));
+        if (c.printed && e.unreliable) out.heavy_tailed += (out.heavy_tailed.empty() ? "" : " ") + c.name;
+    }
+    out.measurement = std::move(m);
+    return out;
+}
+
+}  // namespace
+
+PicturePlace place_of(const std::string& file, long index) {
+    const std::string name = file == "-" ? "stdin" : file;
+    return {index ? fmt::format("{}: picture {}", name, index + 1) : name, file, index};
+}
+
+// Diffuse frames in a sum, else the number of a single frame, else the place in the stream.
+int64_t frame_number(const image::Header& header, const PicturePlace& place) {
+    return header.frames.value_or(header.frame.value_or(place.index));
+}
+
+void require_measurable(const image::Picture& p, const std::string& place) {
+    image::require_complete(p, place);
+    if (p.header.tabbed_exposure)
+        base::fail(
+            place,
+            "an EXPOSURE= line of the header holds a tab, as pcomb and pcompos leave it: the pixels' scale is unknown "
+            "(remove the line, or divide the exposure out with pfilt -1 or ra_xyze -r -u)");
+}
+
+std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, image::Picture& p,
+                                             const PicturePlace& place) {
+    if (p.header.edited == "preview") return {std::move(run), std::nullopt};
+    require_measurable(p, place.text);
+    const std::string edit = p.header.edit && o.go_on ? fmt::format("edit {}", *p.header.edit) : "";
+    run.progress =
+        begin(o, std::move(run.progress), edit.empty() ? image::label(p.header) : edit, frame_number(p.header, place));
+    if (run.progress.done && !o.go_on) return {std::move(run), std::nullopt};
+    if (p.header.edit) {
+        const int reading = run.plan.reading;
+        run.plan = with_regions_of_today(o, std::move(run.plan));
+        if (run.plan.reading != reading) run.sum = without_look(std::move(run.sum));
+    } else {
+        require_pairs(run.plan);
+    }
+    const RunPlan& plan = run.plan;
+    run.reading = read(plan.measured, p, place.text, o.view, std::move(run.reading));
+    Measurement m = measure(run.reading);
+    if (plan.needs_looks) {
+        run.sum = add(std::move(run.sum), p, run.reading, place.text, plan.tells);
+        run.sum = look(std::move(run.sum), run.reading, m, plan.columns, plan.first_look);
+    }
+    if (run.sum.looked && o.against != EarlierEdit::none)
+        run.edits = add(std::move(run.edits), o.against, p.header.edit.value_or(0),
+                        {run.sum.look.replicates, plan.keys}, quantities_of(plan.columns));
+    Row row = row_of(o, run, p.header, place, std::move(m));
+    if (o.mode == OutputMode::evalglare || o.list_sources) return {std::move(run), std::move(row)};
+    const Luminance& lum = run.reading.lum;
+    const MeasuredSum sum{row.frame, row.seconds, run.sum.looked ? &run.sum.look : nullptr, bool(lum.moments),
+                          lum.width, lum.height,  p.header.last_frame == row.frame};
+    std::tie(run.progress, row.verdict) = decide(o, plan.rule, std::move(run.progress), sum);
+    row.settled = run.progress.held;
+    return {std::move(run), std::move(row)};
+}
