@@ -61,33 +61,38 @@ void write_sum(const Options& opt, const film::Accumulator& sum, const std::stri
 
 }  // namespace
 
-int64_t render_frames(const Options& opt, int64_t from, image::Picture& picture, render::Renderer& renderer,
-                      render::Control& control) {
+Ends ends_of(const Options& opt, render::Control& control, const std::string& label) {
+    return {opt.first, opt.preview ? 1 : opt.last, [&control, label] { return control.ends_picture(label); }};
+}
+
+int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image::Picture& picture,
+                      render::Renderer& renderer, const render::Control& control) {
     const bool streams = opt.output.empty();
+    if (streams && ends.last != Options::endless) picture.header.last_frame = ends.last;
     const std::string label = image::label(picture.header);
     image::WriteOptions as_float;
     as_float.pixels = image::Format::flt;
-    Report report(opt.report_s, renderer.device_name(), label, opt.last);
+    Report report(opt.report_s, renderer.device_name(), label, ends.last);
     film::Accumulator sum;
     int64_t next = from;
     const auto give = [&](int64_t k, const std::vector<float>& rgb, const image::Moments& moments) {
-        const bool ends = control.ends_picture(label) || k == opt.last;
+        const bool is_last = ends.now() || k == ends.last;
         if (control.edited()) return false;
         picture.rgb = rgb;
         picture.header.frame = k;
-        if (ends && streams) picture.header.last_frame = k;
+        if (is_last && streams) picture.header.last_frame = k;
         picture.moments = moments;
         if (opt.one_picture) sum.add(picture, fmt::format("frame {}", k));
         else if (streams) image::write_picture_stdout(picture, image::Format::flt);
         else image::write_file(output_name(opt.output, k, label), picture, as_float);
-        report.frame(k, k - opt.first + 1);
-        next = ends ? opt.last + 1 : k + 1;
-        return !ends && !base::shutdown_requested();
+        report.frame(k, k - ends.first + 1);
+        next = is_last ? ends.last + 1 : k + 1;
+        return !is_last && !base::shutdown_requested();
     };
     constexpr int64_t block = 1 << 20;  // a bound for the count only: give() says when to stop
-    while (next <= opt.last && !control.edited() && !base::shutdown_requested()) {
-        renderer.frames(next, std::min(block, opt.last - next + 1), give, opt.moments);
-        if (next <= opt.last && control.edit_waits()) control.ends_picture(label);
+    while (next <= ends.last && !control.edited() && !base::shutdown_requested()) {
+        renderer.frames(next, std::min(block, ends.last - next + 1), give, opt.moments);
+        if (next <= ends.last && control.edit_waits()) ends.now();
     }
     if (opt.one_picture) write_sum(opt, sum, label);
     return next;

@@ -2,13 +2,22 @@
 // The frames of one picture, written where the options say.
 #pragma once
 #include <cstdint>
+#include <functional>
+#include <string>
 
 #include "image/picture.h"
 #include "options.h"
 #include "render/control.h"
 #include "render/progressive.h"
 
-// Frames from .. opt.last of the renderer's view; picture: with the header that they have in common.  Returns the frame
-// that an edit keeps from being written; opt.last + 1: the picture has ended.
-int64_t render_frames(const Options& opt, int64_t from, image::Picture& picture, render::Renderer& renderer,
-                      render::Control& control);
+// When the stream of a picture ends: an option that ends it belongs in ends_of().
+struct Ends {
+    int64_t first, last;        // frames, both included; last: Options::endless if it is not known before the first
+    std::function<bool()> now;  // asked once with each frame: it is the last
+};
+Ends ends_of(const Options& opt, render::Control& control, const std::string& label);
+
+// Frames from .. ends.last of the renderer's view; picture: with the header that they have in common.  Returns the
+// frame that an edit keeps from being written; ends.last + 1: the picture has ended.
+int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image::Picture& picture,
+                      render::Renderer& renderer, const render::Control& control);

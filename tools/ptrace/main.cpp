@@ -143,7 +143,6 @@ image::Picture start_picture(const Run& run, const Options& opt, const std::stri
     picture.header.exposure = opt.exposure;
     picture.header.fingerprint = run.session->renderer().fingerprint();
     picture.header.direct_frames = run.session->renderer().direct_frames();
-    if (opt.output.empty() && opt.last != Options::endless) picture.header.last_frame = opt.last;
     if (is_live(opt)) picture.header.edit = run.edits, picture.header.edited = run.edited;
     return picture;
 }
@@ -152,10 +151,12 @@ image::Picture start_picture(const Run& run, const Options& opt, const std::stri
 void render_view(Run& run, size_t i, bool last) {
     for (int64_t from = run.opt.first; !base::shutdown_requested();) {
         Options opt = run.opt;
-        if (opt.preview) opt.last = 1, opt.moments = false;
+        if (opt.preview) opt.moments = false;
         image::Picture picture = start_picture(run, opt, opt.views[i].name);
-        from = render_frames(opt, from, picture, run.session->renderer(), run.control);
-        if (opt.preview || (last && opt.watch)) run.control.wait_for_edit(image::label(picture.header), opt.preview);
+        const std::string label = image::label(picture.header);
+        from =
+            render_frames(opt, ends_of(opt, run.control, label), from, picture, run.session->renderer(), run.control);
+        if (opt.preview || (last && opt.watch)) run.control.wait_for_edit(label, opt.preview);
         if (!run.control.edited() || base::shutdown_requested()) return;
         if (apply_edits(run, i)) from = run.opt.first;
     }
