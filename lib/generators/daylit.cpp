@@ -74,19 +74,6 @@ Options read_options(const Call& call, size_t i) {
     return o;
 }
 
-// Half an interval before sunrise or after sunset the sun moves to the middle of the part of the interval that is day.
-void move_into_day(const Site& site, double minutes, Sun& s) {
-    const double x = -std::tan(site.latitude) * std::tan(s.declination);
-    if (x <= -1 || x >= 1) return;
-    const double half_day = std::acos(x) * 12 / base::pi, rise = 12 - half_day, set = 12 + half_day,
-                 half = minutes / 120;
-    double t = s.solar_time;
-    if (std::fabs(t - rise) <= half) t = (t + half + rise) / 2;
-    else if (std::fabs(t - set) <= half) t = (t - half + set) / 2;
-    else return;
-    set_solar_time(site, t, s);
-}
-
 // Erbs' correlation: the diffuse part of a global horizontal irradiance (Erbs, Klein, Duffie, Solar Energy 28, 1982).
 void split_global(double global, double extraterrestrial, double sine, double& direct, double& diffuse) {
     const double top = extraterrestrial * sine;

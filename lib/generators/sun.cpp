@@ -81,6 +81,18 @@ Sun sun_position(const Site& site, const Moment& t) {
     return s;
 }
 
+void move_into_day(const Site& site, double minutes, Sun& s) {
+    const double x = -std::tan(site.latitude) * std::tan(s.declination);
+    if (x <= -1 || x >= 1) return;
+    const double half_day = std::acos(x) * 12 / base::pi, rise = 12 - half_day, set = 12 + half_day,
+                 half = minutes / 120;
+    double t = s.solar_time;
+    if (std::fabs(t - rise) <= half) t = (t + half + rise) / 2;
+    else if (std::fabs(t - set) <= half) t = (t - half + set) / 2;
+    else return;
+    set_solar_time(site, t, s);
+}
+
 base::Vec3 sun_direction(double altitude, double azimuth) {
     return {-std::sin(azimuth) * std::cos(altitude), -std::cos(azimuth) * std::cos(altitude), std::sin(altitude)};
 }

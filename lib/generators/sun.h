@@ -26,6 +26,8 @@ struct Sun {
 };
 Sun sun_position(const Site& site, const Moment& t);
 void set_solar_time(const Site& site, double hours, Sun& sun);  // altitude and azimuth for another hour of that day
+// Half an interval before sunrise or after sunset the sun moves to the middle of the part of the interval that is day.
+void move_into_day(const Site& site, double minutes, Sun& sun);
 base::Vec3 sun_direction(double altitude, double azimuth);
 Moment read_date(const Call& call, size_t i);              // month and day at words i, i+1
 void check_hour(const Call& call, size_t i, double hour);  // warns outside 0 to 24, as word i says it

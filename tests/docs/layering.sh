@@ -12,6 +12,7 @@ lib/film: base view image
 lib/display: base image
 lib/cal: base image kernels
 lib/generators: base cal
+lib/weather: base generators
 lib/scene: base cal generators kernels
 lib/uncertainty: base image
 lib/glare: base view image

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines of a weather file in fields.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/text_reader.h"
+#include "weather/weather.h"
+
+namespace weather {
+
+class Lines {
+public:
+    explicit Lines(const std::string& path);
+    // The next line that is not blank, without a byte order mark or a carriage return; false at the end.
+    bool next();
+    const std::string& text() const { return text_; }
+    void split(char separator);  // the line into fields, without the blanks around them; ' ': at white space
+    size_t fields() const { return fields_.size(); }
+    const std::string& field(size_t i, const char* what) const;
+    double number(size_t i, const char* what, double low, double high) const;
+    double number(size_t i, const char* what) const;
+    int whole(size_t i, const char* what, int low, int high) const;
+    [[noreturn]] void fail(const std::string& fact) const;
+    uint32_t line() const { return line_; }
+
+private:
+    base::TextReader in_;
+    std::string text_;
+    std::vector<std::string> fields_;
+    uint32_t line_ = 0;
+};
+
+// The rows of the two formats, into weather: header and hours, in the file's order; the first line has been read.
+void read_epw(Lines& in, Weather& weather);
+void read_wea(Lines& in, Weather& weather);
+
+}  // namespace weather
