@@ -35,7 +35,6 @@ public:
 
     Renderer& renderer() const { return *renderer_; }
     const RenderView& view() const { return setup_.view; }
-    const std::string& sky() const { return sky_; }
     const std::vector<std::string>& history() const { return history_; }  // edits of the scene
 
 private:

@@ -55,7 +55,7 @@ public:
     void read(const std::string& word);
     bool uses(const Hour& hour) const;
     std::vector<size_t> share(std::vector<size_t> hours) const;
-    std::string note(size_t count) const;
+    std::string note() const;
 
 private:
     bool read_span(const std::string& from, const std::string& to);
@@ -169,9 +169,9 @@ std::vector<size_t> HourWords::share(std::vector<size_t> hours) const {
     return {hours.begin() + long((part_ - 1) * n / parts_), hours.begin() + long(part_ * n / parts_)};
 }
 
-std::string HourWords::note(size_t count) const {
-    std::string text = fmt::format("{} hours, 1 January is a {}, standard time is UTC{:+g}", count,
-                                   weekday_name(first_weekday_), -weather_.meridian_deg / 15 + 0.);
+std::string HourWords::note() const {
+    std::string text = fmt::format("1 January is a {}, standard time is UTC{:+g}", weekday_name(first_weekday_),
+                                   -weather_.meridian_deg / 15 + 0.);
     if (summer_)
         text += fmt::format(", the clock is an hour ahead from {} to {}", day_text(date_of(int(summer_days_.from))),
                             day_text(date_of(int(summer_days_.to))));
@@ -189,7 +189,8 @@ Choice choose_hours(const Weather& w, const std::string& words) {
     for (size_t i = 0; i < w.hours.size(); ++i)
         if (rules.uses(w.hours[i])) c.hours.push_back(i);
     if (c.hours.empty()) base::fail(option, "\"" + base::excerpt(words) + "\" means no hour of " + w.path);
-    c.note = rules.note(c.hours.size());
+    c.note = rules.note();
+    c.whole = c.hours.size();
     c.hours = rules.share(std::move(c.hours));
     return c;
 }

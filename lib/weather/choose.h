@@ -10,6 +10,7 @@ namespace weather {
 
 struct Choice {
     std::vector<size_t> hours;  // indices of Weather::hours, rising
+    size_t whole = 0;           // hours before a share was taken
     std::string note;           // how dates and clock were read: a sentence for the user
 };
 

@@ -30,7 +30,7 @@ tools/ptaccum: base view image film display
 tools/vcmetrics: base view image display uncertainty glare evalglare report region
 tools/vcregion: base view image region visibility
 tools/vcview: base live
-tools/ptrace: base view image film region scene render
+tools/ptrace: base view image film weather region scene render
 END
 
 # "file:line: lib/x includes y" for every include that points upwards in the tree at $1.

@@ -65,7 +65,10 @@ void declare_pictures(OptionTable& t, Options& opt) {
         opt.first_view = a.integer(base::within(0, 1e9));
         opt.views_files.emplace_back("-");
     });
-    t.add("-sky file", "A picture with this file added to the scene; may be repeated", opt.skies);
+    t.add("-sky file", "A picture with this file added to the scene; may be repeated",
+          [&](Arguments& a) { opt.skies.push_back(sky_of_file(a.text())); });
+    t.add("-wea file", "A picture for each hour of this weather file, EPW or WEA", opt.weather);
+    t.add("-hours words", "Which of its hours, such as 'Mo-Fr 8-18'", opt.hours);
 }
 
 void declare_picture(OptionTable& t, Options& opt) {

@@ -5,48 +5,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 
-#include "base/progress.h"
-#include "base/run.h"
 #include "base/shutdown.h"
 #include "film/accumulate.h"
 #include "image/header.h"
 #include "image/stream.h"
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// Says how far we are: in place on a terminal, or (-t) a line every so many seconds.
-class Report {
-public:
-    // last: the frame after which it ends; Options::endless: not known.
-    Report(int every_s, std::string device, const std::string& label, int64_t last)
-        : every_s_(every_s), device_(std::move(device)), what_(label.empty() ? "" : label + ": "), last_(last) {}
-    void frame(int64_t k, int64_t done) {
-        const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-        const bool line_due = every_s_ > 0 && seconds >= next_s_;
-        if (!line_due && !progress_.due()) return;
-        const double a_frame = seconds / double(done);
-        std::string text = fmt::format("{}frame {}", what_, k);
-        if (last_ != Options::endless) text += fmt::format(" of {}", last_);
-        text += fmt::format(", {:.1f} s, {:.3g} s a frame, ", seconds, a_frame);
-        if (last_ != Options::endless) text += fmt::format("{:.0f} s left, ", a_frame * double(last_ - k));
-        text += device_;
-        if (line_due) base::say("ptrace: " + text);
-        else progress_.show(text);
-        while (line_due && next_s_ <= seconds) next_s_ += every_s_;
-    }
-
-private:
-    int every_s_;
-    std::string device_, what_;
-    int64_t last_;
-    Clock::time_point start_ = Clock::now();
-    double next_s_ = every_s_;
-    base::Progress progress_{"ptrace"};
-};
 
 // One ordinary picture, as ptaccum -last writes it.
 void write_sum(const Options& opt, const film::Accumulator& sum, const std::string& label) {
@@ -59,20 +24,39 @@ void write_sum(const Options& opt, const film::Accumulator& sum, const std::stri
     image::write_file(output_name(opt.output, opt.last, label), picture);
 }
 
+void write_frame(const Options& opt, const image::Picture& frame, film::Accumulator& sum) {
+    const int64_t k = *frame.header.frame;
+    image::WriteOptions as_float;
+    as_float.pixels = image::Format::flt;
+    if (opt.one_picture) sum.add(frame, fmt::format("frame {}", k));
+    else if (opt.output.empty()) image::write_picture_stdout(frame, image::Format::flt);
+    else image::write_file(output_name(opt.output, k, image::label(frame.header)), frame, as_float);
+}
+
 }  // namespace
 
 Ends ends_of(const Options& opt, render::Control& control, const std::string& label) {
     return {opt.first, opt.preview ? 1 : opt.last, [&control, label] { return control.ends_picture(label); }};
 }
 
+void write_dark(const Options& opt, image::Picture& picture) {
+    const size_t pixels = size_t(picture.width) * size_t(picture.height);
+    picture.rgb.assign(3 * pixels, 0);
+    picture.header.frame = opt.first;
+    if (opt.output.empty()) picture.header.last_frame = opt.first;
+    if (opt.moments && opt.first == 0)
+        picture.moments = std::make_shared<std::vector<float>>(image::moment_numbers * pixels);
+    film::Accumulator sum;
+    write_frame(opt, picture, sum);
+    if (opt.one_picture) write_sum(opt, sum, image::label(picture.header));
+}
+
 int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image::Picture& picture,
-                      render::Renderer& renderer, const render::Control& control) {
+                      render::Renderer& renderer, const render::Control& control, Report& report) {
     const bool streams = opt.output.empty();
     if (streams && ends.last != Options::endless) picture.header.last_frame = ends.last;
     const std::string label = image::label(picture.header);
-    image::WriteOptions as_float;
-    as_float.pixels = image::Format::flt;
-    Report report(opt.report_s, renderer.device_name(), label, ends.last);
+    report.begin(label, renderer.device_name(), ends.first, ends.last);
     film::Accumulator sum;
     int64_t next = from;
     const auto give = [&](int64_t k, const std::vector<float>& rgb, const image::Moments& moments) {
@@ -82,10 +66,8 @@ int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image:
         picture.header.frame = k;
         if (is_last && streams) picture.header.last_frame = k;
         picture.moments = moments;
-        if (opt.one_picture) sum.add(picture, fmt::format("frame {}", k));
-        else if (streams) image::write_picture_stdout(picture, image::Format::flt);
-        else image::write_file(output_name(opt.output, k, label), picture, as_float);
-        report.frame(k, k - ends.first + 1);
+        write_frame(opt, picture, sum);
+        report.frame(k);
         next = is_last ? ends.last + 1 : k + 1;
         return !is_last && !base::shutdown_requested();
     };

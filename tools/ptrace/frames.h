@@ -7,6 +7,7 @@
 
 #include "image/picture.h"
 #include "options.h"
+#include "report.h"
 #include "render/control.h"
 #include "render/progressive.h"
 
@@ -20,4 +21,7 @@ Ends ends_of(const Options& opt, render::Control& control, const std::string& la
 // Frames from .. ends.last of the renderer's view; picture: with the header that they have in common.  Returns the
 // frame that an edit keeps from being written; ends.last + 1: the picture has ended.
 int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image::Picture& picture,
-                      render::Renderer& renderer, const render::Control& control);
+                      render::Renderer& renderer, const render::Control& control, Report& report);
+
+// The one frame of a picture in an hour without light.
+void write_dark(const Options& opt, image::Picture& picture);

@@ -5,6 +5,7 @@
 // The rendering lives in lib/render; this file only connects.  See man/ptrace.1.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -33,13 +34,19 @@ std::unique_ptr<render::Renderer> start(const std::string& device) {
     return std::make_unique<render::Renderer>(device);
 }
 
+size_t pictures(const Options& opt) {
+    const auto lit = std::count_if(opt.skies.begin(), opt.skies.end(), [](const Sky& s) { return !s.dark; });
+    return opt.views.size() * (opt.skies.empty() ? 1 : size_t(lit));
+}
+
 // State of a run, from one edit to the next.
 struct Run {
-    explicit Run(Options options) : opt(std::move(options)) {}
+    explicit Run(Options options) : opt(std::move(options)), report(opt.report_s, pictures(opt)) {}
 
     Options opt;
     render::Control control{opt.control, opt.watch};
     std::optional<render::Session> session;
+    Report report;
     int64_t edits = 0;
     std::string edited = "start";
     std::string changed;  // by edits whose pictures were previews
@@ -128,19 +135,22 @@ bool apply_edits(Run& run, size_t i) {
     return true;
 }
 
-image::Picture start_picture(const Run& run, const Options& opt, const std::string& view_name) {
-    const std::string& sky = run.session->sky();
-    const render::RenderView& v = run.session->view();
+// Of a dark hour no scene is loaded.
+image::Picture start_picture(const Run& run, const Options& opt, const Sky& sky, size_t i) {
+    const render::RenderView& v = sky.dark ? opt.views[i].render_view : run.session->view();
     image::Picture picture;
     picture.width = v.nx;
     picture.height = v.ny;
-    for (const std::string& line : run.session->history()) image::add_history(picture.header, line);
+    if (!sky.dark)
+        for (const std::string& line : run.session->history()) image::add_history(picture.header, line);
     image::add_history(picture.header, opt.command);
+    for (const std::string& line : sky.lines) image::add_history(picture.header, line);
     picture.header.view = v.view;
-    picture.header.view_name = view_name;
-    if (!sky.empty()) picture.header.sky_name = sky_name(sky);
+    picture.header.view_name = opt.views[i].name;
+    picture.header.sky_name = sky.name;
     picture.header.seed = opt.render.seed;
     picture.header.exposure = opt.exposure;
+    if (sky.dark) return picture;
     picture.header.fingerprint = run.session->renderer().fingerprint();
     picture.header.direct_frames = run.session->renderer().direct_frames();
     if (is_live(opt)) picture.header.edit = run.edits, picture.header.edited = run.edited;
@@ -148,17 +158,25 @@ image::Picture start_picture(const Run& run, const Options& opt, const std::stri
 }
 
 // One view under one sky, again after each edit.  last: of the run, which with -watch waits for edits then.
-void render_view(Run& run, size_t i, bool last) {
+void render_view(Run& run, const Sky& sky, size_t i, bool last) {
     for (int64_t from = run.opt.first; !base::shutdown_requested();) {
         Options opt = run.opt;
         if (opt.preview) opt.moments = false;
-        image::Picture picture = start_picture(run, opt, opt.views[i].name);
+        image::Picture picture = start_picture(run, opt, sky, i);
         const std::string label = image::label(picture.header);
-        from =
-            render_frames(opt, ends_of(opt, run.control, label), from, picture, run.session->renderer(), run.control);
+        from = render_frames(opt, ends_of(opt, run.control, label), from, picture, run.session->renderer(), run.control,
+                             run.report);
         if (opt.preview || (last && opt.watch)) run.control.wait_for_edit(label, opt.preview);
-        if (!run.control.edited() || base::shutdown_requested()) return;
+        if (!run.control.edited() || base::shutdown_requested()) return run.report.end();
         if (apply_edits(run, i)) from = run.opt.first;
+    }
+}
+
+void render_dark(const Run& run, const Sky& sky) {
+    base::finish_on_signal();
+    for (size_t i = 0; i < run.opt.views.size() && !base::shutdown_requested(); ++i) {
+        image::Picture picture = start_picture(run, run.opt, sky, i);
+        write_dark(run.opt, picture);
     }
 }
 
@@ -167,24 +185,31 @@ int render_all(Options options) {
     choose_focus(run.opt);
     const Options& opt = run.opt;
     const bool only_rule = !opt.rule_for.empty() && opt.rule_file.empty();
-    const std::vector<std::string> skies = opt.skies.empty() ? std::vector<std::string>{""} : opt.skies;
+    const std::vector<Sky> skies = opt.skies.empty() ? std::vector<Sky>(1) : opt.skies;
     scene::Scene without_sky = scene::read_scene(opt.scene_files, opt.files);
-    for (const std::string& sky : skies) {
+    for (const Sky& sky : skies) {
         const bool last = &sky == &skies.back();
+        if (base::shutdown_requested()) break;
+        if (sky.seed) run.opt.render.seed = *sky.seed;
+        if (sky.dark && !only_rule) {
+            if (!opt.rule_for.empty() && last) write_rule(opt);
+            render_dark(run, sky);
+            continue;
+        }
         scene::Scene scene = last ? std::move(without_sky) : without_sky;
         base::Progress progress("ptrace");
         render::Setup setup = setup_of(opt, 0, progress);
-        setup.options.tell_limit = &sky == &skies.front();
+        setup.options.tell_limit = !run.session;
         setup.reading.work =
             std::make_shared<base::WorkBudget>(*opt.files.work);  // each sky has what the rest has left
         setup.reading.asked_by.clear();                           // a sky is the command line's
-        if (!sky.empty()) scene::read_more(scene, {sky}, setup.reading);
+        if (!sky.file.empty()) scene::read_more(scene, {sky.file}, setup.reading);
         // What a scene names is read when it is loaded; so the rule of -M needs a device, too.
         if (!run.session) {
             run.session.emplace(start(only_rule ? "cpu" : opt.device), opt.scene_files);
             if (is_live(opt)) run.session->renderer().cancel_when(&run.control.edit_waits());
         }
-        run.session->load(std::move(scene), sky, setup, is_live(opt) || opt.views.size() > 1);
+        run.session->load(std::move(scene), sky.file, setup, is_live(opt) || opt.views.size() > 1);
         if (!opt.rule_for.empty() && last) write_rule(opt);
         if (only_rule) continue;
         if (opt.output.empty() && !opt.one_picture && base::stdout_is_file() && &sky == &skies.front())
@@ -193,9 +218,8 @@ int render_all(Options options) {
         base::finish_on_signal();
         for (size_t i = 0; i < opt.views.size() && !base::shutdown_requested(); ++i) {
             if (i > 0) run.session->select(setup_of(opt, i, progress));
-            render_view(run, i, last && i + 1 == opt.views.size());
+            render_view(run, sky, i, last && i + 1 == opt.views.size());
         }
-        if (base::shutdown_requested()) break;
     }
     return 0;
 }

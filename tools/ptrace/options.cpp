@@ -67,6 +67,16 @@ void choose_views(const std::optional<scene::RadInput>& rad_input, const std::st
     }
 }
 
+void choose_hours(const base::OptionTable& table, Options& opt) {
+    if (opt.weather.empty() && table.given("-hours")) base::fail("-hours", "needs a weather file: -wea");
+    if (opt.weather.empty()) return;
+    if (!opt.skies.empty()) base::fail("-wea", "has its own skies; -sky is for those of files");
+    HourSkies hours = skies_of_hours(opt.weather, opt.hours, opt.render.seed);
+    if (hours.skies.empty()) base::fail("-hours", "this share holds no hour");
+    opt.skies = std::move(hours.skies);
+    base::say("ptrace: " + hours.note);
+}
+
 // Names are those of files and of rows in tables.
 void check_names(const Options& opt) {
     std::set<std::string> views, skies;
@@ -74,15 +84,15 @@ void check_names(const Options& opt) {
         if (!s.name.empty()) image::plain_name(s.name, "the view");
         if (!views.insert(s.name).second) base::fail("", "two views are called \"" + s.name + "\"");
     }
-    for (const std::string& path : opt.skies) {
-        image::plain_name(sky_name(path), path);
-        if (!skies.insert(sky_name(path)).second) base::fail(path, "two skies are called \"" + sky_name(path) + "\"");
+    for (const Sky& sky : opt.skies) {
+        image::plain_name(sky.name, sky.file);
+        if (!skies.insert(sky.name).second) base::fail(sky.file, "two skies are called \"" + sky.name + "\"");
     }
 }
 
 void check_output(const Options& opt) {
     if (opt.last == Options::endless) base::fail("-frames", "say how many frames to write to files");
-    const std::string label = opt.views[0].name + (opt.skies.empty() ? "" : sky_name(opt.skies[0]));
+    const std::string label = opt.views[0].name + (opt.skies.empty() ? "" : opt.skies[0].name);
     if (opt.one_picture) {
         if (opt.output.find("%d") != std::string::npos)
             base::fail("-o", "\"" + opt.output + "\": -picture writes no numbered frames, so %d has no meaning");
@@ -162,6 +172,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     }
     base::use_processors(unsigned(opt.threads));
     if (!opt.warnings) base::set_warning_sink({});
+    choose_hours(table, opt);
     std::string ignored, spectral;
     for (const std::string& name : table.ignored_ones())
         if (name == "-z") base::warn("-z", "ignored: no depth file is written");
@@ -191,11 +202,6 @@ std::string output_name(const std::string& pattern, int64_t k, const std::string
     const size_t wide = width.empty() ? 0 : std::stoul(width);
     const std::string pad(wide > number.size() ? wide - number.size() : 0, width[0] == '0' ? '0' : ' ');
     return name.substr(0, at) + pad + number + name.substr(end + 1);
-}
-
-std::string sky_name(const std::string& path) {
-    const std::string name = path.substr(path.rfind('/') + 1);
-    return name.substr(0, name.rfind('.'));
 }
 
 std::optional<int> parse_options(int argc, char** argv, Options& opt) { return parse(argc, argv, {}, opt); }

@@ -11,6 +11,7 @@
 #include "scene/object.h"
 #include "render/options.h"
 #include "render/progressive.h"
+#include "skies.h"
 #include "view/view.h"
 
 // A picture and its name; a single one has none.
@@ -24,7 +25,8 @@ struct Options {
     view::View view;
     std::vector<std::string> views_files;  // -views: a picture of each view in them; "-": standard input (-S)
     int64_t first_view = 1;                // -S: the number of the first one without a name
-    std::vector<std::string> skies;        // -sky: the scene with each of these files in turn
+    std::vector<Sky> skies;                // -sky, -wea: the scene with each of these in turn
+    std::string weather, hours = "all";    // -wea, -hours
     int nx = 512, ny = 512;
     double pixel_aspect = 1;            // -pa, 0 keeps both sides
     double exposure = 1;                // -rif: of the pictures written
@@ -61,6 +63,3 @@ std::optional<int> parse_options(int argc, char** argv, Options& opt);
 // The file of frame k: the pattern's one %d (%4d, %04d) replaced, and %s by the name of the picture; a pattern without
 // serves a single frame.
 std::string output_name(const std::string& pattern, int64_t k, const std::string& label);
-
-// "sky_0900" of "skies/sky_0900.rad".
-std::string sky_name(const std::string& path);

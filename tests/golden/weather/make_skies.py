@@ -28,8 +28,7 @@ def sun_of_gendaymtx(site, row):
 def main():
     rng = random.Random(1)
     print("# make_skies.py; RADIANCE's gendaylit -i 60 and gendaymtx -i 60 (pyradiance 1.3.1)")
-    print("# latitude longitude meridian month day hour direct diffuse dew point; solar radiance; skyfunc's ten numbers; "
-          "gendaymtx's sun")
+    print("# latitude longitude meridian month day hour direct diffuse dew point; solar radiance; skyfunc; sun")
     rows = 0
     while rows < 200:
         site = SITES[rows % 3]

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Hours of a weather file (ptrace -wea): each is the picture of a run of its own, dark ones are there, and say so.
+. "${TOP:?}/tests/lib.sh"
+needs ptrace ptaccum vcmetrics mkstream
+office=$TOP/examples/scenes/office
+scene="$office/materials.rad $office/layout.rad"
+render() { ptrace -vf $office/view.vf -x 16 -y 16 -frames 4 "$@" $scene; }
+cat > y.wea <<'END'
+place Here
+latitude 39.74
+longitude 105.18
+time_zone 105
+site_elevation 1829
+weather_data_file_units 1
+12 21 7.5 100 20
+12 21 4.5 9999 9999
+12 21 12.5 700 90
+12 22 12.5 0 0
+12 22 13.5 9999 100
+END
+
+check 'hours by date, named by their middle, of which the user is told' '
+    render -wea y.wea -hours "1221 1222 4-13" > all.str 2> said
+    strings all.str | sed -n "s/^SKYNAME=//p" | uniq | tr "\n" " " > is
+    [ "$(cat is)" = "1221_0430 1221_0730 1221_1230 1222_1230 " ]
+    grep -qx "ptrace: y.wea: hours: 4 of 4, 2 dark; 1 January is a Sunday, standard time is UTC-7" said'
+ptaccum -o '%s.exr' < all.str
+check 'headers have time, sun and irradiances' '
+    strings all.str | grep -A 2 "^TIME= 21 Dec 12:30 UTC-7" | sed -n 2,3p | tr "\n" " " > is
+    [ "$(cat is)" = "SUN= 26.37 188.19 IRRADIANCE= 700 90 " ] '
+check 'an hour has the frames of a run for this hour alone' '
+    render -wea y.wea -hours 1221_1230 | ptaccum -last -o alone_%s.exr
+    [ "$(mkstream differ alone_1221_1230.exr 1221_1230.exr)" = 0 ]'
+check 'and those of a run with its sky as a file and its seed' '
+    cat > noon.rad <<END
+!gendaylit 12 21 12.5 -a 39.74 -o 105.18 -m 105 -W 700 90 -i 60
+skyfunc glow sky_glow 0 0 4 1 1 1 0
+sky_glow source sky 0 0 4 0 0 1 180
+skyfunc glow ground_glow 0 0 4 1 1 1 0
+ground_glow source ground 0 0 4 0 0 -1 180
+END
+    seed=$((1000000 + (355 * 24 + 12) * 60 + 30))
+    strings all.str | grep -qx SEED=$seed
+    render -seed $seed -sky noon.rad | ptaccum -last -o alone_%s.exr
+    [ "$(mkstream differ alone_noon.exr 1221_1230.exr)" = 0 ]'
+check 'the hour in which the sun rises has it in the middle of its light' '
+    strings all.str | grep -A 1 "^TIME= 21 Dec 07:30" | grep -qx "SUN= 3.03 124.21"'
+check 'dark hours are one black frame, and have their line' '
+    ptaccum < all.str | vcmetrics -metrics Ev,DGPf > t.tsv
+    [ "$(awk "\$3 ~ /0430|1222/ { print \$1, \$4 }" t.tsv | sort | uniq -c | tr -s " ")" = " 2 0 0" ]
+    [ "$(awk "\$3 == \"1221_1230\" && \$4 > 1000" t.tsv | wc -l)" = 4 ]'
+check 'shares of the hours are those of the whole, one after another' '
+    for k in 1 2; do render -wea y.wea -hours "1221 1222 4-13 $k/2"; done > shares.str
+    ptaccum -o "share_%s.exr" < shares.str
+    for name in 1221_0730 1221_1230 1222_1230; do [ "$(mkstream differ share_$name.exr $name.exr)" = 0 ]; done'
+check 'several views under each hour' '
+    printf "VIEW= a -vd 0 1 0\nVIEW= b -vd 1 0 0\n" > two.vf
+    render -views two.vf -wea y.wea -hours 1221_1230 | ptaccum -o "%s.exr"
+    [ -e a_1221_1230.exr ] && [ -e b_1221_1230.exr ]'
+check 'progress counts pictures' 'render -t 1 -x 256 -y 256 -frames 9 -wea y.wea -hours "1221 4-13" 2> said > frames
+    grep -qE "^ptrace: 1221_(07|12)30: frame [0-9] of 8, picture [12] of 2, .* s left" said'
+check_error 'a missing value is an error where the sun is up' 1 \
+    '^ptrace: y.wea:11: the direct normal irradiance of 1222_1330 is 9999 W/m2: missing, or wrong$' \
+    'render -wea y.wea > out.str'
+check_error '-hours needs weather' 1 '^ptrace: -hours: needs a weather file: -wea$' 'render -hours Mo > out.str'
+check_error 'skies are files or hours' 1 '^ptrace: -wea: has its own skies' 'render -wea y.wea -sky y.rad > out.str'

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See skies.h.
+#include "skies.h"
+
+#include <fmt/core.h>
+
+#include "weather/choose.h"
+#include "weather/sky.h"
+
+Sky sky_of_file(const std::string& path) {
+    const std::string file = path.substr(path.rfind('/') + 1);
+    return {file.substr(0, file.rfind('.')), path, std::nullopt, false, {}};
+}
+
+// Noise differs from hour to hour, and no two runs of different -seed share any.
+static uint64_t seed_of(const weather::Time& time, uint64_t seed) {
+    return seed * 1000000 + uint64_t(time.minute_of_year());
+}
+
+HourSkies skies_of_hours(const std::string& weather_file, const std::string& hours, uint64_t seed) {
+    const weather::Weather w = weather::read_weather(weather_file);
+    const weather::Choice choice = weather::choose_hours(w, hours);
+    HourSkies all;
+    size_t dark = 0;
+    for (const size_t i : choice.hours) {
+        const weather::Hour& h = w.hours[i];
+        const weather::Sun sun = weather::sun_of(w, h);
+        Sky sky{weather::name_of(h.time), "", seed_of(h.time, seed), weather::is_dark(w, h), {}};
+        if (!sky.dark) sky.file = weather::sky_text(w, h);
+        dark += sky.dark;
+        const int minute = h.time.minute_of_year() % 1440;
+        sky.lines = {fmt::format("TIME= {} {:02}:{:02} UTC{:+g}", weather::day_text(h.time.date), minute / 60,
+                                 minute % 60, -w.meridian_deg / 15 + 0.),
+                     fmt::format("SUN= {:.2f} {:.2f}", sun.altitude_deg, sun.azimuth_deg),
+                     fmt::format("IRRADIANCE= {:g} {:g}", h.direct_wm2, h.diffuse_wm2)};
+        all.skies.push_back(std::move(sky));
+    }
+    all.note = fmt::format("{}: hours: {} of {}, {} dark; {}", weather_file, choice.hours.size(), choice.whole, dark,
+                           choice.note);
+    return all;
+}

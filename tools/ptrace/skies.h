@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lights the scene in one picture after another: files of -sky, or the hours of a weather file.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+struct Sky {
+    std::string name;                // of the picture
+    std::string file;                // as scene::read_more() takes it; empty: none
+    std::optional<uint64_t> seed;    // of its frames; none: the option's
+    bool dark = false;               // an hour without daylight: one black frame
+    std::vector<std::string> lines;  // of its header
+};
+
+// Of "skies/sky_0900.rad": it is called "sky_0900".
+Sky sky_of_file(const std::string& path);
+
+// The hours that are meant (weather/choose.h), and a line for the user about them.
+struct HourSkies {
+    std::vector<Sky> skies;
+    std::string note;
+};
+HourSkies skies_of_hours(const std::string& weather_file, const std::string& hours, uint64_t seed);
