@@ -42,12 +42,17 @@ for tool in ptrace ptaccum vcmetrics vcregion vcview luxpipe-live; do
     help_items $tool > $tool.items
     page_words $tool > $tool.words
     cut -f 1 $tool.items | cut_names > $tool.names
+    [ $tool != vcmetrics ] || sed -i '/^-metrics/s/: .*/: those of vcmetrics-formulas(7)./' $tool.items
     check "$tool: -help lists options" "test -s $tool.items"
     check "$tool: every option of -help is in the page, and no other" "page_options $tool | diff $tool.names -"
     check "$tool: the page says of each what -help says" "
         not_said $tool.items $tool.words > missing; cat missing >&2; test ! -s missing"
     check "$tool: -help breaks its lines" "$tool -help | awk 'length > 100' | wc -l | grep -qx 0"
 done
+
+check 'vcmetrics-formulas(7) has the columns that -help lists' '
+    names=$(help_items vcmetrics | sed -n "s/^-metrics list.*separated: //p"); [ -n "$names" ]
+    mandoc -T ascii -O width=1000 "$TOP/man/vcmetrics-formulas.7" | sed "s/.\x08//g" | tr -s " \n" " " | grep -qF "${names%.}"'
 
 printf -- '-x n\tSize (3).\n' > one.items
 echo ' OPTIONS -x n Size (4). More words. ' > one.words
