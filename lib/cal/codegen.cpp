@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the graph to steps over virtual registers: the graph is walked from the outputs, and every value is computed
-// once, where it is first needed; a value needed only in one branch of an `if` is computed there, one needed in both
-// before the jump.  assemble() gives the steps their registers.
+// From the graph to the VM's words: the graph is walked from the outputs, and every value is computed once, where it is
+// first needed; a value needed only in one branch of an `if` is computed there, one needed in both before the jump.
 #include "cal/codegen.h"
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
 #include "base/error.h"
-#include "cal/steps.h"
+#include "cal/words.h"
 
 namespace cal {
 
@@ -16,13 +15,13 @@ namespace {
 constexpr size_t max_steps = 200000;
 constexpr int max_walk = 3000;  // depth of the graph walk: C++ stack
 
-class StepWriter {
+class ProgramWriter {
 public:
     // early: what both sides of a branch may need is computed before it, so that the values it is made of die early
-    StepWriter(const Graph& graph, const std::string& place, bool early)
-        : g_(graph), place_(place), early_(early), where_(graph.size(), -1) {}
+    ProgramWriter(const Graph& graph, const std::string& place, bool early, const Words* first)
+        : g_(graph), place_(place), early_(early), where_(graph.size(), -1), words_(place, first) {}
 
-    Steps run(const std::vector<int>& outputs) {
+    Words write(const std::vector<int>& outputs) {
         for (size_t i = 0; i < outputs.size(); i++) {
             Step s{OP_OUT};
             s.aux = uint32_t(i);
@@ -30,23 +29,17 @@ public:
             emit(s);
         }
         emit(Step{OP_END});
-        return {std::move(steps_), std::move(width_)};
+        return std::move(words_);
     }
 
 private:
     [[noreturn]] void too_large() const { base::fail(place_, "function is too large to compile"); }
 
-    int emit(const Step& s) {
-        if (steps_.size() >= max_steps) too_large();
-        steps_.push_back(s);
-        return int(steps_.size()) - 1;
+    void emit(const Step& s) {
+        if (words_.steps() >= max_steps) too_large();
+        words_.emit(s);
     }
-    int fresh(int count = 1) {
-        const int first = int(width_.size());
-        width_.push_back(count);
-        for (int i = 1; i < count; i++) width_.push_back(0);
-        return first;
-    }
+    int fresh(int count = 1) { return words_.fresh(count); }
 
     void clear() {
         if (failed_) emit(Step{OP_CLEAR});
@@ -175,7 +168,7 @@ private:
     int branch(const Node& n, int into = -1) {
         const int condition = value(n.kid[0]);
         hoist(n.kid[1], n.kid[2], false);
-        if (early_ || steps_.size() > 64 * (g_.size() + 16)) hoist(n.kid[1], n.kid[2], true);  // shared further below
+        if (early_ || words_.steps() > 64 * (g_.size() + 16)) hoist(n.kid[1], n.kid[2], true);  // shared further below
         const int result = into >= 0 ? into : fresh();
         if (ready(n.kid[1]) && ready(n.kid[2])) {
             Step s{OP_SEL};
@@ -187,20 +180,18 @@ private:
             return s.d;
         }
         const bool failed = failed_;
-        Step unless{OP_JUMP_UNLESS};
-        unless.a = condition;
-        const int jump_unless = emit(unless);
+        const size_t unless = words_.jump(OP_JUMP_UNLESS, condition);
         // early: the shorter side first, so that what it alone needs has ended before the longer one
         const bool turned = early_ && size_of(n.kid[2]) < size_of(n.kid[1]);
-        const int over = turned ? emit(Step{OP_JUMP}) : jump_unless;
-        if (turned) steps_[size_t(jump_unless)].target = int(steps_.size());
+        const size_t over = turned ? words_.jump(OP_JUMP) : unless;
+        if (turned) words_.land(unless);
         arm(n.kid[turned ? 2 : 1], result);
-        const int jump = emit(Step{OP_JUMP});
+        const size_t to_end = words_.jump(OP_JUMP);
         const bool failed_first = failed_;
         failed_ = failed;
-        steps_[size_t(over)].target = int(steps_.size());
+        words_.land(over);
         arm(n.kid[turned ? 1 : 2], result);
-        steps_[size_t(jump)].target = int(steps_.size());
+        words_.land(to_end);
         failed_ = failed_ || failed_first;
         return result;
     }
@@ -220,8 +211,7 @@ private:
         Step m{OP_MOV};
         operand(id, m);
         m.d = result;
-        if (own_step && steps_.back().d == m.b) steps_.back().d = result;  // its last step writes the result itself
-        else emit(m);
+        if (!own_step || !words_.redirect(m.b, result)) emit(m);  // else its last step writes the result itself
         forget(mark);
     }
 
@@ -257,11 +247,10 @@ private:
     const Graph& g_;
     const std::string& place_;
     const bool early_;
-    std::vector<int> where_;  // node -> virtual register, -1
+    std::vector<int> where_;  // node -> value, -1
     std::vector<int> trail_;  // nodes computed, in order
-    std::vector<Step> steps_;
-    std::vector<int> width_;  // of register blocks, by first register; 0 inside a block
-    bool failed_ = false;     // an error may be pending here
+    Words words_;
+    bool failed_ = false;  // an error may be pending here
     int depth_ = 0;
 };
 
@@ -269,11 +258,18 @@ private:
 
 uint32_t generate(const Graph& graph, const std::vector<int>& outputs, const std::string& place, Code& code) {
     if (outputs.size() > CAL_OUTPUTS) base::fail(place, "too many function values");
+    const auto words = [&](bool early) {
+        const Words first = ProgramWriter(graph, place, early, nullptr).write(outputs);
+        return ProgramWriter(graph, place, early, &first).write(outputs).list();
+    };
+    std::vector<uint32_t> list;
     try {
-        return assemble(StepWriter(graph, place, false).run(outputs), place, code);
+        list = words(false);
     } catch (const base::Error&) {  // too few registers, as in a sum of many terms by an accumulator
-        return assemble(StepWriter(graph, place, true).run(outputs), place, code);
+        list = words(true);
     }
+    code.words.insert(code.words.end(), list.begin(), list.end());
+    return uint32_t(code.words.size() - list.size());
 }
 
 }  // namespace cal
