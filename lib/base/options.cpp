@@ -42,10 +42,10 @@ std::string shown(const std::vector<std::string>&) { return ""; }
 // Arguments as values.
 template <class T>
 void take(Arguments& a, T& whole) {
-    const std::string text = a.text();
-    const long value = to_int(text, a.name());
+    const long value = a.integer();
     whole = T(value);
-    if (long(whole) != value || (value < 0 && !std::is_signed_v<T>)) fail(a.name(), '"' + text + "\" is too large");
+    if (long(whole) != value || (value < 0 && !std::is_signed_v<T>))
+        fail(a.name(), '"' + std::to_string(value) + "\" is too large");
 }
 void take(Arguments& a, std::string& text) { text = a.text(); }
 void take(Arguments& a, std::vector<std::string>& texts) { texts.push_back(a.text()); }
@@ -104,13 +104,19 @@ public:
 
 }  // namespace
 
+const std::string& Arguments::name() const { return option_.name; }
+
 long Arguments::integer(const Range& range) {
     const long value = to_int(text(), name());
-    in_range(range, double(value), name());
+    for (const Range& r : {option_.range, range}) in_range(r, double(value), name());
     return value;
 }
 
-double Arguments::real(const Range& range) { return in_range(range, to_real(text(), name()), name()); }
+double Arguments::real(const Range& range) {
+    const std::string word = text();
+    const double value = option_.is_share ? parse_fraction(word, name()) : to_real(word, name());
+    return in_range(range, in_range(option_.range, value, name()), name());
+}
 
 Vec3 Arguments::vec() {
     const double x = real(), y = real();
@@ -130,19 +136,6 @@ Option& Option::unit(const std::string& text) {
 }
 
 Option& Option::default_text(const std::string& text) { return cli->default_str(text), *this; }
-
-Option& Option::within(double low, double high, bool open) {
-    cli->check([range = Range{low, high, open}, name = name](const std::string& text) {
-        in_range(range, to_real(text, name), name);
-        return std::string();
-    });
-    return *this;
-}
-
-Option& Option::share() {  // CLI11 runs the transformation that was added last first
-    cli->transform([name = name](const std::string& text) { return number_text(parse_fraction(text, name)); });
-    return *this;
-}
 
 Option& Option::joined() {
     joint = Joint::joined;
@@ -202,10 +195,7 @@ Option& OptionTable::add(Text spelling, Text sentence, T& v) {
         o.show = [&v, is_switch = o.is_switch] { return v ? "+" : is_switch ? "-" : ""; };
         return o.is_switch ? o.default_text(v ? "on" : "off") : o;
     } else {
-        Option& o = add(spelling, sentence, {[&v](Arguments& a) { take(a, v); }, [&v] { return shown(v); }});
-        if constexpr (std::is_integral_v<T>)  // before its range
-            o.cli->check([name = o.name](const std::string& text) { return to_int(text, name), std::string(); });
-        return o;
+        return add(spelling, sentence, {[&v](Arguments& a) { take(a, v); }, [&v] { return shown(v); }});
     }
 }
 template Option& OptionTable::add(Text, Text, bool&);
@@ -219,8 +209,8 @@ template Option& OptionTable::add(Text, Text, std::string&);
 template Option& OptionTable::add(Text, Text, std::vector<std::string>&);
 
 Option& OptionTable::add(Text spelling, Text sentence, const Action& action) {
-    const auto read = [this, name = name_of(spelling), read = action.read](const CLI::results_t& words) {
-        Arguments arguments(name, words, scene_file_);
+    const auto read = [this, read = action.read](const CLI::results_t& words) {
+        Arguments arguments(*carried_out_, words, scene_file_);
         return read(arguments), true;
     };
     Option& o = declare(spelling, app_->add_option(long_name(spelling), read, sentence), action.show);
@@ -261,7 +251,7 @@ const Option* OptionTable::named(Text name) const {
 // An option without arguments gets "true", as CLI11's flags do.
 void OptionTable::carry_out(const Option& option, std::vector<std::string> arguments, Text scene_file) {
     if (arguments.empty()) arguments.push_back("true");
-    scene_file_ = scene_file;
+    scene_file_ = scene_file, carried_out_ = &option;
     option.cli->clear();
     option.cli->add_result(arguments);
     option.cli->run_callback();

@@ -29,6 +29,7 @@ class Option;
 namespace base {
 
 struct ArgCursor;
+struct Option;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 struct Range {
@@ -41,19 +42,20 @@ inline Range above(double low) { return {low, unlimited, true}; }
 // The arguments of one option, for a function that takes them one after another.  Throws Error (place: the option).
 class Arguments {
 public:
-    Arguments(std::string option, std::vector<std::string> words, std::string scene_file)
-        : name_(std::move(option)), words_(std::move(words)), scene_file_(std::move(scene_file)) {}
+    Arguments(const Option& option, std::vector<std::string> words, std::string scene_file)
+        : option_(option), words_(std::move(words)), scene_file_(std::move(scene_file)) {}
 
-    const std::string& name() const { return name_; }            // the option's, for messages
+    const std::string& name() const;                             // the option's, for messages
     const std::string& asked_by() const { return scene_file_; }  // for open_file(): the file that gives it, or empty
     std::string text() { return words_[at_++]; }
-    long integer(const Range& range = {});
+    bool next_is(const std::string& word) { return words_[at_] == word && ++at_; }  // then it is passed
+    long integer(const Range& range = {});  // within this range and the option's
     double real(const Range& range = {});
     Vec3 vec();
     size_t one_of(const std::vector<std::string>& names);  // their index
 
 private:
-    std::string name_;
+    const Option& option_;
     std::vector<std::string> words_;
     std::string scene_file_;
     size_t at_ = 0;
@@ -98,15 +100,17 @@ struct Option {
     enum class Joint { apart, joined, either } joint = Joint::apart;
     enum class Scene { refused, allowed, passed_over } scene = Scene::refused;
     bool pixels = false;
+    Range range = {};
+    bool is_share = false;
     std::optional<size_t> ignored = {};  // read past, with up to so many whole numbers more
 
     Option& unit(const std::string& text);
     Option& default_text(const std::string& text);  // a default that the variable does not show
-    Option& within(double low, double high, bool open = false);
+    Option& within(double low, double high, bool open = false) { return range = {low, high, open}, *this; }
     Option& at_least(double low) { return within(low, unlimited); }
     Option& above(double low) { return within(low, unlimited, true); }
-    Option& share();   // "50%" is .5
-    Option& joined();  // -vtT
+    Option& share() { return is_share = true, *this; }  // "50%" is .5
+    Option& joined();                                   // -vtT
     Option& also_joined() { return joint = Joint::either, *this; }
 
     // Allowed in files of a scene (read_scene_words), or ignored there; otherwise an error there.
@@ -191,6 +195,7 @@ private:
     [[noreturn]] void unknown(Text word) const;
 
     std::string tool_, version_, group_, operands_, command_, scene_file_;
+    const Option* carried_out_ = nullptr;
     std::unique_ptr<CLI::App> app_;
     std::deque<Option> options_;  // add() gives out references
     size_t longest_name_ = 0;

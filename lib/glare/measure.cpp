@@ -62,7 +62,6 @@ Glare glare_of(const Luminance& lum, const Luminance& classification_image, cons
     m.sources = found.sources;
     m.direct_lux = found.direct_lux;
     m.glare = glare_terms(lum, classification_image, g, settings, threshold, m.sources);
-    m.any_source = !m.sources.empty();
     const double rest_lux = m.ev - m.direct_lux;
     m.background0 = methods.nothing_left(std::fabs(rest_lux), m.ev) ? 0 : rest_lux / evalglare_pi;
     m.background = m.background0;
@@ -147,11 +146,6 @@ Measurement measure_regions(const Reading& r, const Luminance& lum) {
         else m.region_values.back().tal = region.tal(lum);
     }
     return m;
-}
-
-Measurement measure(const Plan& plan, image::Picture& picture, const std::string& place,
-                    const std::optional<view::View>& view) {
-    return measure(read(make_plan(plan), picture, place, view));
 }
 
 }  // namespace glare

@@ -17,8 +17,7 @@ struct Glare : Photometry {
     double threshold = 0;
     double direct_lux = 0, background = 0, background0 = 0;  // background0: as with -q 0
     std::vector<GlareSource> sources;
-    GlareTerms glare;  // the same, for the formulas (or every bright pixel)
-    bool any_source = false;
+    GlareTerms glare;         // the same, for the formulas (or every bright pixel)
     double dgp = 0;           // with the external Ev if there is one, corrected, at most 1
     double dgp_computed = 0;  // with the computed Ev, before corrections
     double eye_lux_used = 0;  // Ev used for `dgp`
@@ -44,8 +43,5 @@ Measurement measure(const Reading& reading);
 Measurement measure(const Reading& reading, const Luminance& lum, const Luminance& classification_image);
 // Values of regions only.
 Measurement measure_regions(const Reading& reading, const Luminance& lum);
-// A picture by itself; overwrites its pixels.
-Measurement measure(const Plan& plan, image::Picture& picture, const std::string& place,
-                    const std::optional<view::View>& view = {});
 
 }  // namespace glare

@@ -92,8 +92,4 @@ double rammg(const Luminance& lum, const Pyramid& pyramid) {
     return pyramid.contrast_of(total);
 }
 
-double rammg(const Luminance& lum, const Geometry& geometry, RammgArea area) {
-    return rammg(lum, Pyramid(geometry, area));
-}
-
 }  // namespace glare

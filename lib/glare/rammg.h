@@ -17,6 +17,5 @@ enum class RammgArea { view, rectangle, interior, prototype_scale };
 // if a side is 2 or less.  A Pyramid (pyramid.h) belongs to one view and area.
 struct Pyramid;
 double rammg(const Luminance& lum, const Pyramid& pyramid);
-double rammg(const Luminance& lum, const Geometry& geometry, RammgArea area = RammgArea::view);
 
 }  // namespace glare

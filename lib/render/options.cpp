@@ -11,9 +11,7 @@ namespace {
 // A number or a word.
 base::Action bounces(int& ab) {
     const auto read = [&ab](base::Arguments& a) {
-        const std::string word = a.text();
-        const auto number = [&] { return base::Arguments(a.name(), {word}, "").integer(base::within(0, 10000)); };
-        ab = word == "unlimited" ? no_limit : int(number());
+        ab = a.next_is("unlimited") ? no_limit : int(a.integer(base::within(0, 10000)));
     };
     return {read, [&ab] { return ab == no_limit ? "unlimited" : std::to_string(ab); }};
 }

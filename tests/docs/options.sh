@@ -52,7 +52,8 @@ done
 
 check 'vcmetrics-formulas(7) has the columns that -help lists' '
     names=$(help_items vcmetrics | sed -n "s/^-metrics list.*separated: //p"); [ -n "$names" ]
-    mandoc -T ascii -O width=1000 "$TOP/man/vcmetrics-formulas.7" | sed "s/.\x08//g" | tr -s " \n" " " | grep -qF "${names%.}"'
+    mandoc -T ascii -O width=1000 "$TOP/man/vcmetrics-formulas.7" | sed "s/.\x08//g" | tr -s " \n" " " |
+        grep -qF "${names%.}"'
 
 printf -- '-x n\tSize (3).\n' > one.items
 echo ' OPTIONS -x n Size (4). More words. ' > one.words

@@ -57,7 +57,7 @@ Measured measured(double angle, double azimuth, double surround, int side, char 
     choice.names = {"Ev", "DGPf"};
     glare::Requirements requirements;
     const auto columns = glare::choose_columns(choice, {}, requirements);
-    const auto m = glare::measure({{}, requirements}, p, "picture");
+    const auto m = glare::measure(glare::read(glare::make_plan({{}, requirements}), p, "picture"));
     return {columns[0].value(m), columns[1].value(m)};
 }
 

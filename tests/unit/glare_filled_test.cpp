@@ -60,7 +60,7 @@ std::map<std::string, double> measured(image::Picture p, const std::vector<std::
     Requirements requirements;
     const Settings settings;
     const std::vector<Column> columns = choose_columns(choice, settings, requirements);
-    const Measurement m = measure({settings, requirements}, p, "picture");
+    const Measurement m = measure(read(make_plan({settings, requirements}), p, "picture"));
     std::map<std::string, double> out;
     for (const Column& c : columns) out[c.name] = c.value(m);
     return out;

@@ -46,7 +46,7 @@ double rect_rammg(int w, int h, const std::vector<double>& cdm2) {
     image::Picture p = picture(w, h, cdm2);
     const Geometry g(*p.header.view, w, h);
     const Luminance lum = make_luminance(p);
-    const double view = rammg(lum, g), rect = rammg(lum, g, RammgArea::rectangle);
+    const double view = rammg(lum, Pyramid(g, RammgArea::view)), rect = rammg(lum, Pyramid(g, RammgArea::rectangle));
     if (!std::isnan(view)) CHECK(view == doctest::Approx(rect));  // every pixel of a perspective view counts
     return rect;
 }
@@ -58,7 +58,7 @@ double column(const std::string& name, const image::Picture& picture, const view
     Requirements requirements;
     const Column column = choose_columns(choice, {}, requirements).at(0);
     image::Picture copy = picture;
-    return column.value(measure({{}, requirements}, copy, "test", view));
+    return column.value(measure(read(make_plan({{}, requirements}), copy, "test", view)));
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ TEST_CASE("a uniform dome") {
     image::Picture p = picture(n, n, std::vector<double>(size_t(n) * n, 1000));
     CHECK(column("Ev", p, fisheye()) == doctest::Approx(1000 * pi).epsilon(1e-4));
     CHECK(column("UGR", p, fisheye()) == 0);
-    const Measurement m = measure({{}, require::sources | require::rammg}, p, "dome", fisheye());
+    const Measurement m = measure(read(make_plan({{}, require::sources | require::rammg}), p, "dome", fisheye()));
     CHECK(m.ev == doctest::Approx(1000 * pi).epsilon(1e-4));
     CHECK(m.omega == doctest::Approx(2 * pi).epsilon(1e-4));
     CHECK(m.mean_lum == doctest::Approx(1000).epsilon(1e-6));
