@@ -9,4 +9,4 @@ _luxpipe() {
     options=$("$1" -help 2> /dev/null | sed -nE 's/^  (-[A-Za-z0-9]+)(\[\+-\])?.*/\1/p')
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
 }
-complete -o default -F _luxpipe ptrace ptaccum vcmetrics vcregion vcview luxpipe-live
+complete -o default -F _luxpipe ptrace ptaccum vcmetrics vcregion vcyear vcview luxpipe-live

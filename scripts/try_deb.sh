@@ -15,7 +15,7 @@ inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin LC_ALL=C bash 
 export DEBIAN_FRONTEND=noninteractive
 inside 'apt-get update -q && apt-get install -q -y --no-install-recommends /tmp/luxpipe.deb' > "$root/tmp/apt.log" ||
     { tail -n 20 "$root/tmp/apt.log"; exit 2; }
-inside 'for tool in ptrace ptaccum vcmetrics vcregion vcview luxpipe-live; do $tool -version; done'
+inside 'for tool in ptrace ptaccum vcmetrics vcregion vcyear vcview luxpipe-live; do $tool -version; done'
 inside 'test -s /usr/share/man/man1/ptrace.1.gz -a -s /usr/share/luxpipe/luxpipe.mk'
 inside 'cd /tmp && SIZE=64 UNTIL="DGPf 0.02, Ev 2%" bash /usr/share/doc/luxpipe/examples/demo.sh /usr/bin out'
 inside 'test -s /tmp/out/office.png'

@@ -69,8 +69,12 @@ std::vector<std::string> split_cells(const std::string& line, char by) {
 
 class TableReader {
 public:
-    explicit TableReader(const std::string& path) : in_(path) { table_.name = path; }
+    explicit TableReader(const std::string& path) : in_(path, std::ios::binary) {
+        if (!in_) base::fail_system(path, "cannot be read");
+        table_.name = path;
+    }
     std::optional<NumberTable> read() {
+        if (in_.peek() == 0x76) return std::nullopt;  // OpenEXR
         std::string line;
         for (long n = 1; next_line(line); ++n) {
             place_ = table_.name + ":" + std::to_string(n);
@@ -99,10 +103,12 @@ private:
         if (line[0] == '{') return json(line);
         const size_t colon = line.find(": ");
         if (line.compare(0, 4, "dgp,") == 0 && colon != std::string::npos) return evalglare(line, colon);
+        if (line == header_line_) return;  // tables joined by cat
         if (separator_) return plain(line);
         if (line.find('\t') != std::string::npos || line.compare(0, 5, "file,") == 0 ||
             line.compare(0, 6, "frame,") == 0) {
             separator_ = line.find('\t') != std::string::npos ? '\t' : ',';
+            header_line_ = line;
             header_ = split_cells(line, separator_);
             for (const std::string& h : header_) {
                 if (is_metric(h)) table_.names.push_back(h);
@@ -185,7 +191,7 @@ private:
 
     std::ifstream in_;
     NumberTable table_;
-    std::string place_;
+    std::string place_, header_line_;
     std::vector<std::string> header_;
     char separator_ = 0;
 };
@@ -203,12 +209,6 @@ std::string name_in_folder(const std::string& path) { return path.substr(path.rf
 
 std::optional<NumberTable> read_numbers(const std::string& path) {
     if (path == "-") return std::nullopt;
-    {
-        std::ifstream test(path, std::ios::binary);
-        if (!test) base::fail_system(path, "cannot be read");
-        const int first = test.peek();
-        if (first == 0x76) return std::nullopt;  // OpenEXR
-    }
     return TableReader(path).read();
 }
 

@@ -25,7 +25,7 @@ class Error(RuntimeError):
 
 
 def program(name: str) -> str:
-    """Return the path of a program: "ptrace", "ptaccum", "vcmetrics", "vcregion", "vcview" or "luxpipe-live"."""
+    """Return the path of a program: "ptrace", "ptaccum", "vcmetrics", "vcregion", "vcyear", "vcview" ..."""
     folder = os.environ.get("LUXPIPE_BIN")
     inside = Path(folder) if folder else HERE / "bin"
     if os.access(inside / name, os.X_OK):

@@ -19,6 +19,7 @@ lib/glare: base view image
 lib/evalglare: base view glare
 lib/report: base view image uncertainty glare
 lib/region: base view image display
+lib/year: base image display uncertainty report weather
 lib/bvh: base kernels
 lib/flatten: base cal scene bvh kernels
 lib/device: base flatten bvh kernels
@@ -29,6 +30,7 @@ lib/live: base view image display region
 tools/ptaccum: base view image film display
 tools/vcmetrics: base view image display uncertainty glare evalglare report region
 tools/vcregion: base view image region visibility
+tools/vcyear: base image report year
 tools/vcview: base live
 tools/ptrace: base view image film weather region scene render
 END

@@ -37,7 +37,7 @@ not_said() {
     done < "$1"
 }
 
-for tool in ptrace ptaccum vcmetrics vcregion vcview luxpipe-live; do
+for tool in ptrace ptaccum vcmetrics vcregion vcyear vcview luxpipe-live; do
     command -v $tool > /dev/null || continue
     help_items $tool > $tool.items
     page_words $tool > $tool.words

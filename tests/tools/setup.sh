@@ -54,7 +54,7 @@ check 'folders may have blanks in their names' '
 rm bin/cmake
 configure() { cmake -S "$TOP" -B b --log-level=ERROR -G Ninja -DLUXPIPE_PTRACE=OFF "$@" > configured; }
 check 'without ptrace its page is not installed' '
-    configure; mkdir -p b/bin; for tool in ptaccum vcmetrics vcregion vcview; do cp /bin/true b/bin/$tool; done
+    configure; mkdir -p b/bin; for tool in ptaccum vcmetrics vcregion vcyear vcview; do cp /bin/true b/bin/$tool; done
     cmake --install b --prefix x; test -e x/share/man/man1/vcregion.1
     test -e x/share/man/man5/luxpipe-stream.5; ! find x | grep "ptrace"'
 check 'a packager may say a later C++' '

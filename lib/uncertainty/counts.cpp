@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See counts.h.
+#include "uncertainty/counts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace uncertainty {
+namespace {
+
+// The distribution of a count: values that are sure to be above, and the others' chances.
+struct Count {
+    size_t sure = 0;
+    std::vector<double> chances;
+};
+
+Count count_at(const std::vector<Uncertain>& values, double limit, double side) {
+    constexpr double never = 1e-9;
+    Count c;
+    for (const Uncertain& u : values) {
+        const double p = chance_above(u, limit, side);
+        if (p > 1 - never) ++c.sure;
+        else if (p >= never) c.chances.push_back(p);
+    }
+    return c;
+}
+
+// P(N > n)
+double chance_of_more(const Count& c, size_t n) {
+    if (n < c.sure) return 1;
+    const std::vector<double> distribution = count_distribution(c.chances);
+    double sum = 0;
+    for (size_t k = distribution.size(); k-- > n - c.sure + 1;) sum += distribution[k];
+    return sum;
+}
+
+// The smallest x at which `falls`, a falling function of x, is at most p; x lies between the values' extremes.
+double where(const std::vector<Uncertain>& values, double p, const std::function<double(double)>& falls) {
+    double low = 0, high = 0;
+    for (const Uncertain& u : values) {
+        const double far = 8 * u.error + u.bound;
+        low = &u == &values.front() ? u.value - far : std::min(low, u.value - far);
+        high = &u == &values.front() ? u.value + far : std::max(high, u.value + far);
+    }
+    low -= 1e-6;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = (low + high) / 2;
+        (falls(middle) <= p ? high : low) = middle;
+    }
+    return high;
+}
+
+}  // namespace
+
+double chance_above(const Uncertain& u, double limit, double side) {
+    const double apart = u.value + side * u.bound - limit;
+    if (!(u.error > 0)) return apart > 0 ? 1 : 0;
+    return std::erfc(-apart / u.error / std::sqrt(2.)) / 2;
+}
+
+// One event after another.
+std::vector<double> count_distribution(const std::vector<double>& chances) {
+    std::vector<double> p{1};
+    for (const double chance : chances) {
+        p.push_back(0);
+        for (size_t k = p.size(); k-- > 0;) p[k] = p[k] * (1 - chance) + (k > 0 ? p[k - 1] * chance : 0);
+    }
+    return p;
+}
+
+Interval count_above(const std::vector<Uncertain>& values, double limit, double alpha) {
+    const Count low = count_at(values, limit, -1), high = count_at(values, limit, 1);
+    const std::vector<double> below = count_distribution(low.chances), above = count_distribution(high.chances);
+    size_t first = 0, last = above.size() - 1;
+    for (double sum = below[0]; sum <= alpha / 2 && first + 1 < below.size(); sum += below[first]) ++first;
+    for (double sum = above[last]; sum <= alpha / 2 && last > 0; sum += above[last]) --last;
+    return {double(low.sure + first), double(high.sure + last)};
+}
+
+double exceeded(const std::vector<Uncertain>& values, size_t exceeding) {
+    if (exceeding >= values.size()) return 0;
+    std::vector<double> sorted;
+    for (const Uncertain& u : values) sorted.push_back(u.value);
+    std::nth_element(sorted.begin(), sorted.begin() + long(exceeding), sorted.end(), std::greater<>());
+    return sorted[exceeding];
+}
+
+Interval exceeded_interval(const std::vector<Uncertain>& values, size_t exceeding, double alpha) {
+    if (exceeding >= values.size()) return {0, 0};
+    const auto more = [&](double side) {
+        return [&, side](double x) { return chance_of_more(count_at(values, x, side), exceeding); };
+    };
+    return {where(values, 1 - alpha / 2, more(-1)), where(values, alpha / 2, more(1))};
+}
+
+}  // namespace uncertainty

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How many of many values lie above a limit, and which value so many of them exceed, where each value is known with an
+// error of its own.  Errors of different values are independent, so that a count is a sum of independent events of
+// unequal chance: a Poisson-binomial distribution (Y. Hong, On computing the distribution function for the Poisson
+// binomial distribution, Computational Statistics and Data Analysis 59, 2013).
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "uncertainty/estimate.h"
+
+namespace uncertainty {
+
+// A normal error, and one that is unknown but not larger than `bound`.
+struct Uncertain {
+    double value = 0, error = 0, bound = 0;
+};
+
+// The probability that the true value is above the limit, with its unknown error at `side` (-1 to 1) of the bound.
+double chance_above(const Uncertain& value, double limit, double side = 0);
+
+// P(N = 0), P(N = 1) ... of the number of events that happen.
+std::vector<double> count_distribution(const std::vector<double>& chances);
+
+// Limits that the number of values above `limit` leaves on each side with the probability alpha / 2.
+Interval count_above(const std::vector<Uncertain>& values, double limit, double alpha);
+
+// The same for the smallest x that no more than `exceeding` of the values are above.
+double exceeded(const std::vector<Uncertain>& values, size_t exceeding);
+Interval exceeded_interval(const std::vector<Uncertain>& values, size_t exceeding, double alpha);
+
+}  // namespace uncertainty

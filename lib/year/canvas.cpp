@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See canvas.h.
+#include "year/canvas.h"
+
+#include <fmt/format.h>
+
+#include "display/draw.h"
+#include "display/file.h"
+
+namespace year {
+namespace {
+
+constexpr display::Colour black{0, 0, 0};
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+    return out;
+}
+
+// Lines at 45 degrees, three pixels apart, whose places do not depend on the rectangle: neighbours join.
+void hatch(display::Image8& image, const Rectangle& r) {
+    for (int y = r.y; y < r.y + r.height; ++y)
+        for (int x = r.x; x < r.x + r.width; ++x)
+            if ((x + y) % 4 == 0) display::fill(image, x, y, x + 1, y + 1, black);
+}
+
+}  // namespace
+
+std::vector<Rectangle>& Canvas::of(const display::Colour& colour) {
+    for (auto& [c, rectangles] : layers)
+        if (c == colour) return rectangles;
+    layers.push_back({colour, {}});
+    return layers.back().second;
+}
+
+std::string svg_text(const Canvas& c) {
+    std::string text = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
+        "<pattern id=\"h\" width=\"4\" height=\"4\" patternUnits=\"userSpaceOnUse\"><path d=\"M-1 1l2-2M0 4l4-4M3 "
+        "5l2-2\" "
+        "stroke=\"#000\"/></pattern>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
+        c.width, c.height);
+    std::string hatched;
+    for (const auto& [colour, rectangles] : c.layers) {
+        text += fmt::format("<path fill=\"#{:02x}{:02x}{:02x}\" d=\"", colour[0], colour[1], colour[2]);
+        for (const Rectangle& r : rectangles) {
+            const std::string path = fmt::format("M{} {}h{}v{}h-{}z", r.x, r.y, r.width, r.height, r.width);
+            text += path;
+            if (r.hatched) hatched += path;
+        }
+        text += "\"/>\n";
+    }
+    text += "<path fill=\"url(#h)\" d=\"" + hatched + "\"/>\n<g font-family=\"sans-serif\" font-size=\"12\">\n";
+    for (const Words& w : c.words)
+        text += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", w.x, w.y + 10, escaped(w.text));
+    return text + "</g>\n</svg>\n";
+}
+
+std::string png_bytes(const Canvas& c, const std::string& comment) {
+    display::Image8 image;
+    image.width = c.width, image.height = c.height;
+    image.rgb.assign(size_t(3) * size_t(c.width) * size_t(c.height), 255);
+    for (const auto& [colour, rectangles] : c.layers)
+        for (const Rectangle& r : rectangles) {
+            display::fill(image, r.x, r.y, r.x + r.width, r.y + r.height, colour);
+            if (r.hatched) hatch(image, r);
+        }
+    for (const Words& w : c.words) display::draw_text(image, w.x, w.y + 2, w.text, 1, black);
+    return display::png_bytes(image, comment);
+}
+
+}  // namespace year

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See plot.h.
+#include "year/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "image/stream.h"
+#include "year/canvas.h"
+
+namespace year {
+namespace {
+
+constexpr int day_width = 3, hour_height = 12, left = 40, top = 24, bottom = 40, days = 366;
+constexpr display::Colour night{120, 120, 130}, nothing{238, 238, 238};
+constexpr display::Colour classes[4] = {{205, 226, 235}, {250, 220, 110}, {240, 140, 50}, {170, 20, 50}};
+
+int class_of(double dgp) { return int(std::lower_bound(limits.begin(), limits.end(), dgp) - limits.begin()); }
+
+// From the first hour that any day has to the last.
+struct Rows {
+    int first = 24, last = 0;
+    explicit Rows(const View& view) {
+        for (const Hour& h : view.hours)
+            first = std::min(first, int(h.time.hour)), last = std::max(last, int(h.time.hour));
+    }
+    int height() const { return (last - first + 1) * hour_height; }
+};
+
+int x_of(const weather::Date& date) { return left + (date.in_leap_year() - 1) * day_width; }
+
+void add_hours(Canvas& c, const View& view, const Rows& rows, int y0) {
+    c.of(nothing).push_back({left, y0, days * day_width, rows.height()});
+    for (const Hour& h : view.hours) {
+        const bool open = std::any_of(limits.begin(), limits.end(), [&](double limit) { return holds(h, limit); });
+        const Rectangle r{x_of(h.time.date), y0 + (int(h.time.hour) - rows.first) * hour_height, day_width, hour_height,
+                          open};
+        c.of(h.dark ? night : classes[class_of(h.dgp.value)]).push_back(r);
+    }
+    for (int hour = rows.first; hour <= rows.last; hour += 2)
+        c.words.push_back({8, y0 + (hour - rows.first) * hour_height - 5, fmt::format("{}", hour)});
+}
+
+// Months, and how many of their hours are above .40.
+void add_months(Canvas& c, const View& view, double alpha, int y) {
+    for (int month = 1; month <= 12; ++month) {
+        std::vector<uncertainty::Uncertain> values;
+        for (const Hour& h : view.hours)
+            if (h.time.date.month == month) values.push_back(h.dgp);
+        const int x = x_of({month, 1});
+        c.words.push_back({x, y + 4, weather::day_text({month, 1}).substr(2)});
+        if (values.empty()) continue;
+        const uncertainty::Interval n = uncertainty::count_above(values, limits[1], alpha);
+        c.words.push_back(
+            {x, y + 20, n.low == n.high ? fmt::format("{:.0f}", n.low) : fmt::format("{:.0f}-{:.0f}", n.low, n.high)});
+    }
+}
+
+void add_legend(Canvas& c, int y) {
+    int x = left;
+    const auto entry = [&](const display::Colour& colour, const std::string& text, bool hatched = false) {
+        c.of(colour).push_back({x, y, 12, 12, hatched});
+        c.words.push_back({x + 16, y, text});
+        x += 130;
+    };
+    entry(classes[0], "up to 0.35");
+    entry(classes[1], "to 0.40");
+    entry(classes[2], "to 0.45");
+    entry(classes[3], "above 0.45");
+    entry(night, "dark");
+    entry(classes[0], "undecided", true);
+    c.words.push_back({x, y, "below months: hours above 0.40"});
+}
+
+}  // namespace
+
+void write_plot(const std::string& path, const std::vector<View>& views, double alpha) {
+    Canvas c;
+    c.width = left + days * day_width + 8;
+    for (const View& view : views) {
+        const Rows rows(view);
+        c.words.push_back({left, c.height + 6, view.name.empty() ? "DGP, standard time" : view.name});
+        add_hours(c, view, rows, c.height + top);
+        add_months(c, view, alpha, c.height + top + rows.height());
+        c.height += top + rows.height() + bottom;
+    }
+    add_legend(c, c.height + 6);
+    c.height += top;
+    const bool svg = image::ending_of(path) == ".svg";
+    if (!svg && image::ending_of(path) != ".png") base::fail(path, "plots are written to .svg or .png");
+    image::write_bytes(path, svg ? svg_text(c) : png_bytes(c, "vcyear"));
+}
+
+}  // namespace year

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See text.h.
+#include "year/text.h"
+
+#include <fmt/format.h>
+
+namespace year {
+namespace {
+
+std::string count_text(const Between& n) {
+    return n.low == n.high ? fmt::format("{:.0f}", n.value)
+                           : fmt::format("{:.0f} ({:.0f} to {:.0f})", n.value, n.low, n.high);
+}
+
+std::string percent_text(const Between& s) {
+    std::string text = fmt::format("{:.1f} %", 100 * s.value);
+    if (s.low < s.high) text += fmt::format(" ({:.1f} to {:.1f})", 100 * s.low, 100 * s.high);
+    return text;
+}
+
+std::string class_text(const Verdict& v) {
+    if (v.best == v.worst) return class_name(v.best);
+    return fmt::format("undecided: {} to {}", class_name(v.best), class_name(v.worst));
+}
+
+std::string show(const Hour& h, const std::string& command) { return command + " -hours " + name_of(h.time); }
+
+std::string five_lines(const View& view, const Verdict& v, const std::string& command) {
+    std::string text = v.view.empty() ? "" : v.view + "\n";
+    text += fmt::format("hours     {}, {} dark, {} undecided\n", v.hours, v.dark, v.undecided);
+    text += fmt::format("above     0.35: {}   0.40: {}   0.45: {}\n", count_text(v.above[0]), count_text(v.above[1]),
+                        count_text(v.above[2]));
+    text += fmt::format("DGPe5     {:.3f} ({:.3f} to {:.3f}): EN 17037 {}\n", v.exceeded.value, v.exceeded.low,
+                        v.exceeded.high, class_text(v));
+    text += fmt::format("autonomy  {} of the hours are not above 0.40\n", percent_text(v.autonomy));
+    for (const Hour& h : worst_hours(view, 1))
+        text += fmt::format("worst     {:.3f}: {}\n", h.dgp.value, show(h, command));
+    return text;
+}
+
+}  // namespace
+
+std::string summary(const std::vector<View>& views, const std::vector<Verdict>& verdicts, const std::string& command) {
+    std::string text;
+    for (size_t k = 0; k < views.size(); ++k) text += five_lines(views[k], verdicts[k], command);
+    if (views.size() > 1)
+        text += fmt::format("all {} views: sGA {} have an autonomy of 95 %\n", views.size(),
+                            percent_text(spatial_autonomy(verdicts)));
+    return text;
+}
+
+std::vector<std::string> column_names() {
+    std::vector<std::string> names{"view", "hours", "dark", "undecided"};
+    for (const char* name : {"above_0.35", "above_0.40", "above_0.45", "DGPe5", "GA"})
+        for (const char* end : {"", ".lo", ".hi"}) names.push_back(std::string(name) + end);
+    names.insert(names.end(), {"class", "class.best", "class.worst"});
+    return names;
+}
+
+std::vector<report::Cell> cells(const Verdict& v) {
+    std::vector<report::Cell> row{report::text_cell(v.view.empty() ? "-" : v.view)};
+    for (const size_t n : {v.hours, v.dark, v.undecided}) row.push_back(report::number_cell(double(n)));
+    for (const Between& b : {v.above[0], v.above[1], v.above[2], v.exceeded, v.autonomy})
+        for (const double x : {b.value, b.low, b.high}) row.push_back(report::number_cell(x));
+    row.push_back(report::text_cell(v.best == v.worst ? class_name(v.best) : "undecided"));
+    row.push_back(report::text_cell(class_name(v.best)));
+    row.push_back(report::text_cell(class_name(v.worst)));
+    return row;
+}
+
+std::string worst_lines(const std::vector<View>& views, size_t n, const std::string& command) {
+    std::string text;
+    for (const View& view : views)
+        for (const Hour& h : worst_hours(view, n))
+            text += fmt::format("{:.3f}\t{}\t{}\n", h.dgp.value, view.name.empty() ? "-" : view.name, show(h, command));
+    return text;
+}
+
+}  // namespace year

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A year in five lines, or as a row of a table.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "report/table.h"
+#include "year/verdict.h"
+
+namespace year {
+
+// Five lines a view, under its name where it has one, and a last one for several.  command: what shows a view's hour
+// once " -hours NAME" stands behind it.
+std::string summary(const std::vector<View>& views, const std::vector<Verdict>& verdicts, const std::string& command);
+
+std::vector<std::string> column_names();
+std::vector<report::Cell> cells(const Verdict& verdict);
+
+// A line for each: DGP, the view, the command that shows it.
+std::string worst_lines(const std::vector<View>& views, size_t n, const std::string& command);
+
+}  // namespace year

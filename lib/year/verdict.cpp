@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See verdict.h.
+#include "year/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace year {
+namespace {
+
+int class_of(double exceeded) { return int(std::lower_bound(limits.begin(), limits.end(), exceeded) - limits.begin()); }
+
+std::vector<uncertainty::Uncertain> values_of(const View& view) {
+    std::vector<uncertainty::Uncertain> values;
+    for (const Hour& h : view.hours) values.push_back(h.dgp);
+    return values;
+}
+
+}  // namespace
+
+const char* class_name(int k) {
+    const char* const names[4] = {"high", "medium", "minimum", "none"};
+    return names[k];
+}
+
+bool holds(const Hour& h, double limit) { return std::fabs(h.dgp.value - limit) < h.half_width() + h.dgp.bound; }
+
+Verdict judge(const View& view, double alpha) {
+    Verdict v;
+    v.view = view.name;
+    v.hours = view.hours.size();
+    const auto count = [&](auto&& is) { return size_t(std::count_if(view.hours.begin(), view.hours.end(), is)); };
+    v.dark = count([](const Hour& h) { return h.dark; });
+    v.undecided = count([](const Hour& h) {
+        return std::any_of(limits.begin(), limits.end(), [&](double limit) { return holds(h, limit); });
+    });
+    const std::vector<uncertainty::Uncertain> values = values_of(view);
+    for (size_t k = 0; k < limits.size(); ++k) {
+        const uncertainty::Interval n = uncertainty::count_above(values, limits[k], alpha);
+        v.above[k] = {double(count([&](const Hour& h) { return h.dgp.value > limits[k]; })), n.low, n.high};
+    }
+    const size_t exceeding = size_t(exceeding_share * double(v.hours) + 1e-9);
+    const uncertainty::Interval e = uncertainty::exceeded_interval(values, exceeding, alpha);
+    v.exceeded = {uncertainty::exceeded(values, exceeding), e.low, e.high};
+    constexpr double rounding = 1e-9;
+    v.best = class_of(e.low - rounding);
+    v.worst = class_of(e.high - rounding);
+    const auto share = [&](double n) { return 1 - n / double(v.hours); };
+    v.autonomy = {share(v.above[1].value), share(v.above[1].high), share(v.above[1].low)};
+    return v;
+}
+
+Between spatial_autonomy(const std::vector<Verdict>& verdicts) {
+    constexpr double enough = .95;
+    Between s;
+    const double share = 1 / double(verdicts.size());
+    for (const Verdict& v : verdicts) {
+        s.value += share * (v.autonomy.value >= enough);
+        s.low += share * (v.autonomy.low >= enough);
+        s.high += share * (v.autonomy.high >= enough);
+    }
+    return s;
+}
+
+std::vector<Hour> worst_hours(const View& view, size_t n) {
+    std::vector<Hour> hours = view.hours;
+    n = std::min(n, hours.size());
+    const auto worse = [](const Hour& a, const Hour& b) { return a.dgp.value > b.dgp.value; };
+    std::partial_sort(hours.begin(), hours.begin() + long(n), hours.end(), worse);
+    hours.resize(n);
+    return hours;
+}
+
+}  // namespace year

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a year of hours says of a view.  Every number has an interval: from the noise of its hours and from their
+// pixels.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "year/table.h"
+
+namespace year {
+
+// DGP above which glare is perceptible, disturbing, intolerable; the classes of EN 17037 for glare protection ask that
+// at most 5 % of the hours of use are above them: high, medium, minimum (J. Wienold et al., Cross-validation and
+// robustness of daylight glare metrics, Lighting Research and Technology 51, 2019, name the limits).
+constexpr std::array<double, 3> limits{.35, .40, .45};
+constexpr double exceeding_share = .05;
+const char* class_name(int k);  // 0 high, 1 medium, 2 minimum, 3 none
+
+struct Between {
+    double value = 0, low = 0, high = 0;
+};
+
+struct Verdict {
+    std::string view;
+    size_t hours = 0, dark = 0;
+    size_t undecided = 0;          // hours whose interval holds a limit
+    std::array<Between, 3> above;  // hours above each limit
+    Between exceeded;              // DGPe5: at most 5 % of the hours are above it
+    int best = 0, worst = 0;       // class: equal where it is decided
+    Between autonomy;              // share of the hours that are not above .40, dark ones included
+};
+
+// alpha: probability that an interval misses.
+Verdict judge(const View& view, double alpha);
+
+// Does the interval of the hour, with its pixels' error, hold the limit?
+bool holds(const Hour& hour, double limit);
+
+// Share of the views whose autonomy is .95 or more (spatial glare autonomy).
+Between spatial_autonomy(const std::vector<Verdict>& verdicts);
+
+// The n hours of the largest DGP, the largest first.
+std::vector<Hour> worst_hours(const View& view, size_t n);
+
+}  // namespace year

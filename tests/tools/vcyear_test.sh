@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# vcyear from outside: from the weather to the year, hours rendered again, and what it refuses.
+. "${TOP:?}/tests/lib.sh"
+needs ptrace ptaccum vcmetrics vcyear
+office=$TOP/examples/scenes/office
+cat > y.wea <<'END'
+place Here
+latitude 39.74
+longitude 105.18
+time_zone 105
+site_elevation 1829
+weather_data_file_units 1
+END
+for month in 1 2 3; do
+    for hour in 5.5 9.5 12.5 15.5; do echo "$month 21 $hour 700 90"; done
+done >> y.wea
+hours() {
+    ptrace -w- -vf $office/view.vf -x 24 -y 24 -wea y.wea "$@" $office/materials.rad $office/layout.rad |
+        ptaccum -every x2/8 | vcmetrics -W- -metrics Ev,DGPf,DGP.px,pixels -ci 95
+}
+hours -frames 9 > all.tsv 2> said
+
+check 'five lines, dark hours among them' '
+    vcyear all.tsv > five; [ "$(wc -l < five)" = 5 ]
+    grep -qE "^hours     12, 3 dark, [0-9]+ undecided$" five
+    grep -qE "^worst     0.[0-9]+: ptrace ... -hours 0[123]21_" five'
+check 'parts joined by cat, and the standard input' '
+    hours -frames 9 -hours 1/2 > a.tsv 2> said; hours -frames 9 -hours 2/2 > b.tsv 2> said
+    cat a.tsv b.tsv | vcyear - > joined; cmp five joined
+    vcyear b.tsv a.tsv | cmp five -'
+check 'an hour rendered again replaces what was said of it' '
+    hours -frames 65 -hours 0221_1230 > more.tsv 2> said
+    width() { vcyear -format tsv "$@" | tail -n 1 | cut -f 14,15 | awk "{ print \$2 - \$1 }"; }
+    [ "$(vcyear -format tsv all.tsv more.tsv | cut -f 2 | tail -n 1)" = 12 ]
+    vcyear -worst 12 all.tsv > before; vcyear -worst 12 all.tsv more.tsv > after
+    [ "$(diff before after | grep -c "^> .*0221_1230")" = 1 ]'
+check 'its hours are read by ptrace again' '
+    vcyear -next all.tsv > more; head -n 1 more | grep -qx "hour	frames	larger	limit	view"
+    { cat more; printf "0321_0930\t40\t2\t0.40\t-\n"; } > named
+    hours -frames 2 -hours @named 2> said | cut -f 3 | grep -qx 0321_0930'
+check 'one line a view in tsv, csv and jsonl' '
+    vcyear -format csv all.tsv | head -n 1 | grep -q "^view,hours,dark,undecided,above_0.35,above_0.35.lo"
+    vcyear -format jsonl all.tsv | python3 -c "import json, sys; assert json.load(sys.stdin)[\"hours\"] == 12"'
+check 'a heat map and a folder for Honeybee' '
+    vcyear -plot map.svg -honeybee hb all.tsv > out; vcyear -plot map.png all.tsv > out
+    grep -q "</svg>" map.svg; head -c 8 map.png | grep -qa PNG
+    [ "$(awk "{ print NF }" hb/views.dgp)" = 9 ]; [ "$(wc -l < hb/sun-up-hours.txt)" = 9 ]
+    grep -qx 489.5 hb/sun-up-hours.txt'
+check 'without their number pixels are taken as large, without intervals values as exact' '
+    cut -f 1-9 all.tsv > some.tsv; cut -f 1-4,7 all.tsv > exact.tsv
+    vcyear some.tsv 2>&1 > out | grep -q "^vcyear: warning: some.tsv: no column pixels: pictures count as 64 x 64"
+    vcyear exact.tsv 2>&1 > out | grep -q "^vcyear: warning: exact.tsv: no intervals"'
+check_error 'no table' 1 '^vcyear: no table; vcyear -help lists the options$' 'vcyear'
+check_error 'a table of no hours' 1 '^vcyear: t.tsv: has no column sky' '
+    printf "frame\tDGP\n1\t.3\n" > t.tsv; vcyear t.tsv'
+check_error 'no such view' 1 '^vcyear: -view: no view is called "door"$' 'vcyear -view door all.tsv'
+check_error 'a plot of another kind' 1 '^vcyear: map.gif: ' 'vcyear -plot map.gif all.tsv'

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A year from tables of hours: what is read, what it comes to, which hours could change it, its files.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "temp_folder.h"
+#include "year/honeybee.h"
+#include "year/next.h"
+#include "year/plot.h"
+#include "year/text.h"
+
+namespace {
+
+using namespace year;
+
+const std::string head = "frame\tseconds\tsky\tEv\tDGPf\tDGPf.lo\tDGPf.hi\tDGP.px\tpixels\n";
+
+// Of a picture so large that its pixels have no error of their own.
+std::string row(const char* hour, double dgp, double half, double px = 0, int frames = 8) {
+    char text[200];
+    std::snprintf(text, sizeof text, "%d\t1\t%s\t%g\t%g\t%g\t%g\t%g\t1e12\n", frames, hour, dgp > .159 ? 1000. : 0.,
+                  dgp + .001, dgp - half, dgp + half, px);
+    return text;
+}
+
+// n hours from 1 January on, DGP rising from 0 to 1.
+View ramp(int n, double half) {
+    View v;
+    for (int i = 0; i < n; ++i) {
+        Hour h;
+        h.time = {weather::date_of(1 + i / 24), i % 24 + .5};
+        h.dgp = {i / double(n), half / 1.959964, 0};
+        h.frames = 8;
+        v.hours.push_back(h);
+    }
+    return v;
+}
+
+}  // namespace
+
+TEST_CASE("the last line of each hour counts, without its bias, in files joined by cat and in later ones") {
+    TempFolder folder;
+    const std::string a =
+        folder.holding("a.tsv", head + row("0621_1430", .5, .1, .002, 1) + row("0621_1430", .4, .01, .003) +
+                                    row("0102_0830", .159, std::nan("")) + head + row("0622_1430", .3, .01));
+    const std::string b = folder.holding("b.tsv", head + row("0622_1430", .31, .001, 0, 40));
+    const Tables t = read_tables({a, b});
+    REQUIRE(t.views.size() == 1);
+    const std::vector<Hour>& hours = t.views[0].hours;
+    REQUIRE(hours.size() == 3);
+    CHECK(!t.exact);
+    CHECK(hours[0].dark);
+    CHECK(hours[0].dgp.error == 0);
+    CHECK(hours[1].dgp.value == doctest::Approx(.4));
+    CHECK(hours[1].half_width() == doctest::Approx(.01));
+    CHECK(hours[1].dgp.bound == .003);
+    CHECK(hours[2].frames == 40);
+    CHECK(hours[2].dgp.value == doctest::Approx(.31));
+}
+
+TEST_CASE("small pictures have an error of pixels beyond DGP.px, half of it at twice the sides") {
+    TempFolder folder;
+    const auto bound = [&](const char* pixels) {
+        const std::string text = "sky\tDGPf\tDGPf.lo\tDGPf.hi\tDGP.px\tpixels\n0621_1430\t.4\t.39\t.41\t.001\t";
+        return read_tables({folder.holding("p.tsv", text + pixels + "\n")}).views[0].hours[0].dgp.bound;
+    };
+    CHECK(bound("3217") == doctest::Approx(.005));
+    CHECK(bound("12868") == doctest::Approx(.0025));
+    CHECK(bound("823552") == .001);
+}
+
+TEST_CASE("views are told apart; exact tables have no intervals") {
+    TempFolder folder;
+    const std::string a =
+        folder.holding("a.tsv", "frame\tview\tsky\tDGP\n8\tdesk\t0621_1430\t.4\n8\tdoor\t0621_1430\t.2\n");
+    const Tables t = read_tables({a});
+    REQUIRE(t.views.size() == 2);
+    CHECK(t.views[1].name == "door");
+    CHECK(t.exact);
+    CHECK(t.no_pixels);
+}
+
+TEST_CASE("tables that are no year") {
+    TempFolder folder;
+    const auto said = [&](const std::string& text) {
+        const std::string path = folder.holding("x.tsv", text);
+        const std::string error = error_text([&] { read_tables({path}); });
+        return error.substr(error.rfind(path, 0) == 0 ? path.size() : 0);
+    };
+    CHECK(said("frame\tEv\tDGP\n1\t2\t.3\n") == ": has no column sky with the names of hours (ptrace -wea)");
+    CHECK(said("frame\tsky\tEv\n1\t0621_1430\t3\n") == ": has no column DGPf or DGP");
+    CHECK(said("frame\tsky\tDGP\n1\tsky_0900\t3\n") == ": \"sky_0900\" is not the name of an hour (0621_1430)");
+    CHECK(said(head + row("0621_1430", .3, std::nan(""))) ==
+          "0621_1430: has no interval: it needs two frames or more, and vcmetrics -ci 95");
+}
+
+TEST_CASE("counts, the exceeded value, class and autonomy of exact hours") {
+    const Verdict v = judge(ramp(1000, 0), .05);
+    CHECK(v.above[0].value == 649);  // 351 ... 999
+    CHECK(v.above[1].low == 599);
+    CHECK(v.above[2].high == 549);
+    CHECK(v.exceeded.value == .949);
+    CHECK(v.exceeded.low == doctest::Approx(.949));
+    CHECK(v.best == 3);
+    CHECK(v.worst == 3);
+    CHECK(v.autonomy.value == doctest::Approx(.401));
+    CHECK(v.undecided == 0);
+}
+
+TEST_CASE("the class is that of the value that 5 % exceed, and undecided where its interval holds a limit") {
+    View v = ramp(100, 0);
+    for (Hour& h : v.hours) h.dgp.value *= .4 / .94;  // the sixth value from the top is .4
+    CHECK(class_name(judge(v, .05).worst) == std::string("medium"));
+    for (Hour& h : v.hours) h.dgp.error = .005;
+    const Verdict open = judge(v, .05);
+    CHECK(class_name(open.best) == std::string("medium"));
+    CHECK(class_name(open.worst) == std::string("minimum"));
+    CHECK(open.exceeded.low < .4);
+    CHECK(open.exceeded.high > .4);
+    CHECK(open.undecided > 0);
+}
+
+TEST_CASE("hours that could change the class, and what they need") {
+    View v = ramp(100, 0);
+    for (Hour& h : v.hours) h.dgp.value *= .4 / .94, h.dgp.error = .01 / 1.96;
+    const std::vector<Need> all = needs(v, judge(v, .05));
+    REQUIRE(all.size() == 5);  // .392 .396 .4 .404 .408
+    CHECK(all[0].hour.dgp.value == doctest::Approx(.4));
+    CHECK(all[0].frames == doctest::Approx(16 * 9).epsilon(.02));
+    for (const Need& n : all) CHECK(n.limit == .4);
+    CHECK(all[3].frames < all[1].frames);
+    CHECK(all[0].larger == 1);
+    for (Hour& h : v.hours) h.dgp.bound = .01;
+    CHECK(needs(v, judge(v, .05))[1].larger > 2);
+    for (Hour& h : v.hours) h.dgp = {h.dgp.value / 2, 0, 0};
+    CHECK(needs(v, judge(v, .05)).empty());
+}
+
+TEST_CASE("five lines") {
+    TempFolder folder;
+    std::string text = head + row("0102_0830", .159, std::nan(""));
+    for (int day = 10; day < 29; ++day)
+        text += row(("06" + std::to_string(day) + "_1430").c_str(), .2 + .01 * day, .004, .001);
+    const std::vector<View> views = read_tables({folder.holding("t.tsv", text)}).views;
+    CHECK(summary(views, {judge(views[0], .05)}, "ptrace room.rad") ==
+          "hours     20, 1 dark, 3 undecided\n"
+          "above     0.35: 13 (13 to 14)   0.40: 8 (8 to 9)   0.45: 3 (3 to 4)\n"
+          "DGPe5     0.470 (0.465 to 0.475): EN 17037 none\n"
+          "autonomy  60.0 % (55.0 to 60.0) of the hours are not above 0.40\n"
+          "worst     0.480: ptrace room.rad -hours 0628_1430\n");
+    CHECK(worst_lines(views, 2, "p") == "0.480\t-\tp -hours 0628_1430\n0.470\t-\tp -hours 0627_1430\n");
+}
+
+TEST_CASE("spatial autonomy counts views, sure ones and possible ones") {
+    std::vector<Verdict> all(4);
+    all[0].autonomy = {.99, .98, 1};
+    all[1].autonomy = {.951, .94, .96};
+    all[2].autonomy = {.94, .93, .96};
+    const Between s = spatial_autonomy(all);
+    CHECK(s.value == .5);
+    CHECK(s.low == .25);
+    CHECK(s.high == .75);
+}
+
+TEST_CASE("a heat map as SVG and PNG") {
+    TempFolder folder;
+    View v = ramp(8760, .01);
+    v.hours[0].dark = true;
+    const std::string svg = folder.name("p.svg"), png = folder.name("p.png");
+    write_plot(svg, {v}, .05);
+    write_plot(png, {v, v}, .05);
+    const std::string text = bytes_of(svg);
+    CHECK(text.find("<svg") == 0);
+    CHECK(text.find("url(#h)") != std::string::npos);
+    CHECK(text.size() < 300000);
+    CHECK(bytes_of(png).substr(1, 3) == "PNG");
+    CHECK(error_text([&] { write_plot(folder.name("p.gif"), {v}, .05); }).find("plots are written to .svg or .png") !=
+          std::string::npos);
+}
+
+TEST_CASE("Honeybee's folder: a row a view, a column an hour that is not dark, hours of the year") {
+    TempFolder folder;
+    View v = ramp(48, 0);
+    v.name = "desk";
+    for (int i = 0; i < 48; ++i) v.hours[size_t(i)].dark = i % 24 < 12;
+    v.hours[47].time = {{2, 29}, 12.5};
+    const std::string at = folder.name("hb");
+    write_honeybee(at, {v, v});
+    const std::string rows = bytes_of(at + "/views.dgp"), hours = bytes_of(at + "/sun-up-hours.txt");
+    CHECK(std::count(rows.begin(), rows.end(), '\n') == 2);
+    CHECK(std::count(rows.begin(), rows.end(), '\t') == 2 * 22);
+    CHECK(std::count(hours.begin(), hours.end(), '\n') == 23);
+    CHECK(hours.substr(0, 5) == "12.5\n");
+    CHECK(bytes_of(at + "/grids_info.json").find("\"count\": 2") != std::string::npos);
+    View w = v;
+    w.hours.pop_back();
+    w.name = "door";
+    CHECK(error_text([&] { write_honeybee(at, {v, w}); }) == "door: does not have the hours of desk");
+    for (const char* file : {"/views.dgp", "/sun-up-hours.txt", "/grids_info.json"}) std::remove((at + file).c_str());
+    rmdir(at.c_str());
+}

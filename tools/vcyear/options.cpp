@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vcyear's options, each declared once (base/options.h).
+#include "options.h"
+
+#include "base/error.h"
+#include "base/options.h"
+#include "base/warnings.h"
+#include "image/stream.h"
+
+std::optional<int> parse_options(int argc, char** argv, Options& o) {
+    base::OptionTable t("vcyear", LUXPIPE_VERSION, "[options] table.tsv ... (\"-\": stdin)");
+    t.group("What is printed");
+    t.add("-format name", "Form of the numbers: text, tsv, csv or jsonl",
+          base::one_of(o.format, {{"text", std::optional<report::TableFormat>()},
+                                  {"tsv", report::TableFormat::tsv},
+                                  {"csv", report::TableFormat::csv},
+                                  {"jsonl", report::TableFormat::jsonl}}));
+    t.add("-ci percent", "Probability that an interval holds the truth", o.percent).within(50, 99.9);
+    t.add("-view name", "Only this view", o.view).default_text("all");
+    t.add("-worst n", "Print the worst hours of each view, so many, with a command that shows each", o.worst)
+        .at_least(0);
+    t.add("-command words", "What shows a view's hours, in front of -hours", o.command);
+    t.add("-next", "Print the hours that could change the class, with frames or size that they need", o.next);
+    t.group("Files");
+    t.add("-plot file", "Write a heat map of days by hours, .svg or .png", o.plot);
+    t.add("-honeybee folder", "Write results as honeybee-radiance reads them", o.honeybee);
+    t.group("Messages");
+    t.add("-w[+-]", "Warnings", o.warnings);
+    t.options_come_before("the tables");
+    const auto operands = t.parse(argc, argv);
+    if (!operands) return 0;
+    o.tables = *operands;
+    if (o.tables.empty()) base::fail("", "no table; vcyear -help lists the options");
+    if (o.next && o.worst > 0) base::fail("-next", "prints other lines than -worst; ask for one of them");
+    if (!o.plot.empty()) image::require_writable_ending(o.plot, {".svg", ".png"});
+    if (!o.warnings) base::set_warning_sink({});
+    return std::nullopt;
+}

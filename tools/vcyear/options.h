@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vcyear's command line.  To add an option: CONTRIBUTING.md, "Add an option".
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/table.h"
+
+struct Options {
+    std::vector<std::string> tables;
+    std::string view;                           // -view: this one alone
+    std::string command = "ptrace ...";         // -command: in front of -hours
+    std::string plot, honeybee;                 // -plot, -honeybee
+    bool next = false;                          // -next
+    int worst = 0;                              // -worst
+    std::optional<report::TableFormat> format;  // -format; none: text
+    double percent = 95;                        // -ci
+    bool warnings = true;                       // -w
+};
+
+// Fills opt and checks it.  A status: the answer (-help, -version, -defaults) was printed, main ends with it.
+std::optional<int> parse_options(int argc, char** argv, Options& opt);
