@@ -201,6 +201,36 @@ TEST_CASE("DGP without the bias of squares") {
     CHECK(taken_off > 5 * std::sqrt((squares_off - taken_off * taken_off) / seeds));
 }
 
+// With -G and -I, which measure other pixels than the picture has.
+TEST_CASE("each stage gives the same numbers when it is called twice, and changes nothing") {
+    Settings settings;
+    settings.field_cut = 3, settings.fill = Fill{9, 1};
+    Room room({"DGP", "DGPu", "Ev", "UGR", "low.mean", "screen.CR", "RAMMG", "Lmed"}, DgpForm::merged, ::room(),
+              settings);
+    Stream stream(::room(), gaussian, 3);
+    Reading reading;
+    Sum sum;
+    while (stream.frames() < 8) {
+        image::Picture p = fisheye_of(stream.next(), side);
+        as_sum(p, stream.frames());
+        reading = read(room.plan, p, "sum", {}, std::move(reading));
+        const std::vector<float> pixels(reading.lum.grey, reading.lum.grey + reading.lum.size());
+        const Measurement m = measure(reading), again = measure(reading);
+        const Sum once = add(sum, p, reading, "sum", true), twice = add(sum, p, reading, "sum", true);
+        const Sum looked = look(once, reading, m, room.columns, 0),
+                  other = look(twice, reading, again, room.columns, 0);
+        for (size_t c = 0; c < room.columns.size(); ++c) {
+            CHECK(room.columns[c].value(m) == room.columns[c].value(again));
+            const Estimate &a = looked.look.estimate(c), &b = other.look.estimate(c);
+            CHECK((a.value == b.value || (std::isnan(a.value) && std::isnan(b.value))));
+            CHECK((a.error == b.error || (std::isnan(a.error) && std::isnan(b.error))));
+        }
+        CHECK(std::equal(pixels.begin(), pixels.end(), reading.lum.grey));
+        sum = looked;
+    }
+    CHECK(sum.look.replicates.count() == 8);
+}
+
 // A row of the table that says nothing of noise has no interval, and fails here until it is listed; one that claims an
 // interval fails unless the interval follows noise.
 TEST_CASE("each column has an interval that moves when noise moves, or is listed as having none") {
