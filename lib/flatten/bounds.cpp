@@ -9,9 +9,6 @@
 
 namespace flatten {
 
-using base::Vec3;
-using scene::Type;
-
 constexpr double SLIVER = .25;
 
 void grow(Box& box, Vec3 p) {

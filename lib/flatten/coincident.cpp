@@ -20,9 +20,6 @@
 
 namespace flatten {
 namespace {
-using namespace kernels;
-using base::Vec3;
-using scene::Type;
 
 constexpr size_t MOST_PAIRS = 4000000;
 constexpr int GRID = 8;                // points tested along each side of the intersection of two faces

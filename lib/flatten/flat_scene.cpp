@@ -7,7 +7,6 @@
 #include "kernels/dialect/host.h"
 
 namespace flatten {
-using namespace kernels;
 
 const uint32_t* FlatScene::record(uint32_t mod) const { return &u[mods_at + MOD_WORDS * size_t(mod)]; }
 

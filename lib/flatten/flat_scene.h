@@ -9,7 +9,12 @@
 #include "base/vec.h"
 #include "bvh/build.h"
 
+namespace kernels {}
+
 namespace flatten {
+
+using namespace kernels;  // the device's records, in all files of this folder
+using base::Vec3;
 
 // The trees over a scene's geometry, and the hash of what they were built from.
 struct Trees {

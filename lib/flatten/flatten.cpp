@@ -11,7 +11,6 @@
 #include "flatten/trees.h"
 
 namespace flatten {
-using namespace kernels;
 
 FlatScene flatten(const scene::Scene& scene, const Options& options, const scene::ReadOptions& files) {
     FlatScene out;

@@ -7,6 +7,9 @@
 
 namespace flatten {
 
+using scene::Object, scene::Type;
+using Reals = scene::Span<double>;
+
 // Options on which the tables depend; letters as in ptrace's options.
 struct Options {
     int dr = 2;                     // levels of virtual sources

@@ -9,8 +9,6 @@
 
 namespace flatten {
 namespace {
-using namespace kernels;
-using base::Vec3;
 using base::Xform;
 
 // The matrix of a row-vector transform as three rows of four, with t as the fourth column.

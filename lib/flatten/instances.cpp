@@ -8,10 +8,7 @@
 
 namespace flatten {
 namespace {
-using namespace kernels;
-using base::Vec3;
 using base::Xform;
-using scene::Type;
 
 constexpr uint64_t PLACE = 10;  // steps of base::WorkBudget: a place takes 128 bytes and a part of the tree above it
 

@@ -14,8 +14,6 @@
 
 namespace flatten {
 namespace {
-using namespace kernels;
-using base::Vec3;
 
 constexpr double unlimited = 1e30;
 constexpr double rounding = 1.0001;  // keeps balls from shrinking in conversion to float

@@ -9,9 +9,6 @@
 namespace flatten {
 namespace {
 
-using namespace kernels;
-using base::Vec3;
-
 // Reserves memory for all, once.
 void reserve(const scene::Mesh& mesh, bool corners, FlatScene& out) {
     const size_t n = mesh.positions.size(), triangles = mesh.triangles.size();

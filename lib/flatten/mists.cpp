@@ -12,7 +12,6 @@
 
 namespace flatten {
 namespace {
-using namespace kernels;
 
 constexpr size_t MOST_SETS = 32;  // bits of MOD_EXTRA
 

@@ -18,9 +18,6 @@
 
 namespace flatten {
 namespace {
-using namespace kernels;
-using scene::Object;
-using scene::Type;
 
 constexpr uint32_t WGMD_INHERIT = 0xfffffffeu;  // as kernels/material/mat_wgmd.h
 

@@ -12,13 +12,7 @@
 
 namespace flatten {
 namespace {
-using namespace kernels;
-using base::Vec3;
-using scene::Object;
-using scene::Type;
-
 using base::pi;
-using Reals = scene::Span<double>;
 
 void shape_sphere(const Reals& r, Vec3 centre, float* q) {
     q[SRC_KIND] = from_bits(SK_SPHERE);

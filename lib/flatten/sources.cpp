@@ -14,13 +14,7 @@
 
 namespace flatten {
 namespace {
-using namespace kernels;
-using base::Vec3;
-using scene::Object;
-using scene::Type;
-
 using base::pi;
-using Reals = scene::Span<double>;
 
 double luminance_weight(const Reals& c) { return .265074126 * c[0] + .670114631 * c[1] + .064811243 * c[2]; }
 bool black(const Reals& c) { return c[0] <= 0 && c[1] <= 0 && c[2] <= 0; }

@@ -15,10 +15,6 @@
 
 namespace flatten {
 namespace {
-using namespace kernels;
-using base::Vec3;
-using scene::Object;
-using scene::Type;
 
 constexpr double TINY = 1e-6;  // FTINY of the reference
 constexpr size_t MOST_PANES = 100000;

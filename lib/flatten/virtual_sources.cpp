@@ -11,8 +11,6 @@
 
 namespace flatten {
 namespace {
-using namespace kernels;
-using base::Vec3;
 using Relay = Lights::Relay;
 using Apertures = std::vector<Aperture>;
 
