@@ -20,7 +20,8 @@ void FlatScene::make_room(size_t more_vertices, size_t more_triangles, size_t mo
 
 void FlatScene::keep_tables_only() {
     triangles = std::vector<uint32_t>(), tri_prim = std::vector<uint32_t>();  // "= {}" would keep the memory
-    shape_prim = std::vector<uint32_t>(), prim_object = std::vector<uint32_t>();
+    shape_prim = std::vector<uint32_t>();
+    if (modifier_names.empty()) prim_object = std::vector<uint32_t>();
     vertices = std::vector<float>(), panes = std::vector<Pane>();
 }
 

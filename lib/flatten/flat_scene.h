@@ -79,9 +79,16 @@ struct FlatScene {
     // Instance records: the number of the first one, and the mesh or instance of the scene to which each belongs.
     uint32_t instances_at = 0;
     std::vector<uint32_t> instance_object;
+    // Scene objects of the active sources that are not virtual, which come first, and of all distant surfaces.
+    std::vector<uint32_t> source_object, distant_object;
+    // By record, with Options::names.
+    struct Name {
+        std::string name, place;  // "office.rad:14"
+    };
+    std::vector<Name> modifier_names;
 
     Trees built;  // over the geometry, which does not change any more
-    // Gives back the memory of what no kernel reads.
+    // Gives back the memory of what no kernel reads, except names.
     void keep_tables_only();
 };
 

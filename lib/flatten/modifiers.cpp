@@ -87,6 +87,7 @@ private:
         link.record[MOD_FLAGS] |= dependence(link);
         out_.record[i] = uint32_t(tables_.records.size() / MOD_WORDS);
         tables_.records.insert(tables_.records.end(), link.record, link.record + MOD_WORDS);
+        if (options_.names) tables_.names.push_back({scene_.name(scene_.objects[i]), scene_.place(scene_.objects[i])});
     }
 
     // Dependence of the modifier and its parts: MF_LOOKS, MF_TOTAL, MF_PLACE.
@@ -290,6 +291,7 @@ void write_modifiers(ModifierTables t, FlatScene& out) {
     out.absorbs = t.media;
     out.antimatter = t.antimatter;
     out.functions = t.functions;
+    out.modifier_names = std::move(t.names);
 }
 
 }  // namespace flatten

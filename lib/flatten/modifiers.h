@@ -20,6 +20,7 @@ struct ModifierTables {
     bool media = false;             // MT_MEDIUM
     bool antimatter = false;
     bool functions = false;  // some material has .cal functions or tables
+    std::vector<FlatScene::Name> names;  // of the records, with Options::names
 };
 
 // The modifiers of one scene, by the index of the object.

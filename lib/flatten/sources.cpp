@@ -109,6 +109,7 @@ void add_distant_sources(const Modifiers& modifiers, FlatScene& out, Sources& so
             record[DISTANT_SOURCE] = sources.count() - 1;
         }
         sources.distant.insert(sources.distant.end(), record, record + DISTANT_WORDS);
+        sources.distant_objects.push_back(uint32_t(&o - scene.objects.data()));
     }
 }
 
@@ -125,6 +126,8 @@ void weigh_patterns(const FlatScene& out, Sources& sources) {
 
 void write_sources(Sources sources, FlatScene& out) {
     out.source_count = sources.count();
+    out.source_object = std::move(sources.objects);
+    out.distant_object = std::move(sources.distant_objects);
     out.distant_count = uint32_t(sources.distant.size() / DISTANT_WORDS);
     out.distant_at = uint32_t(out.u.size());
     out.u.insert(out.u.end(), sources.distant.begin(), sources.distant.end());

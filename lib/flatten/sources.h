@@ -19,6 +19,7 @@ struct Sources {
     };
     std::vector<Fan> fan_of;
     std::vector<uint32_t> distant;  // DISTANT_WORDS each
+    std::vector<uint32_t> distant_objects;
 
     uint32_t count() const { return uint32_t(records.size() / SOURCE_FLOATS); }
     float* record(size_t i) { return &records[i * SOURCE_FLOATS]; }

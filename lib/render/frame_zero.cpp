@@ -50,14 +50,8 @@ void draw_sources(device::Device& device, const ViewPlan& plan, FrameZero& zero)
     const SplatList& list = plan.drawn.straight;
     const std::vector<ImagePoint> images = draw_images(device, plan.sampling.params, plan.view, plan.drawn.images);
     if (list.rays.empty() && images.empty()) return;
-    std::vector<float> rgb;
-    device::Params p = plan.sampling.params;
-    p.mode = MODE_SPLAT;
-    p.first = 0;
-    p.path_count = uint32_t(list.rays.size());
-    if (!list.rays.empty()) device.splat(p, list.rays, rgb);
-    scrub(rgb);
-    const size_t pixels = size_t(p.nx) * p.ny;
+    const std::vector<float> rgb = splat_sources(device, plan);
+    const size_t pixels = size_t(plan.sampling.params.nx) * plan.sampling.params.ny;
     std::vector<double> sum(3 * pixels, 0.0);
     zero.drawn.resize(pixels);
     for (size_t i = 0; i < list.rays.size(); i++) {
@@ -73,6 +67,21 @@ void draw_sources(device::Device& device, const ViewPlan& plan, FrameZero& zero)
 }
 }  // namespace
 
+// Samples beyond m come after all frames in the sequence, so that no frame repeats them.
+int64_t first_sample_of_zero(const ViewPlan& plan) { return plan.samples_of_zero > plan.m ? int64_t(1) << 31 : 0; }
+
+std::vector<float> splat_sources(device::Device& device, const ViewPlan& plan) {
+    const SplatList& list = plan.drawn.straight;
+    std::vector<float> rgb;
+    device::Params p = plan.sampling.params;
+    p.mode = MODE_SPLAT;
+    p.first = 0;
+    p.path_count = uint32_t(list.rays.size());
+    if (!list.rays.empty()) device.splat(p, list.rays, rgb);
+    scrub(rgb);
+    return rgb;
+}
+
 FrameZero draw_frame_zero(device::Device& device, const ViewPlan& plan) {
     const uint32_t count = plan.samples_of_zero;
     const size_t pixels = size_t(plan.sampling.params.nx) * plan.sampling.params.ny;
@@ -80,9 +89,7 @@ FrameZero draw_frame_zero(device::Device& device, const ViewPlan& plan) {
     FrameZero zero;
     zero.samples = count;
     zero.half_off.assign(plan.m % 2 ? 0 : sum.size(), 0.0f);
-    // Samples beyond m come after all frames in the sequence, so that no frame repeats them.
-    const int64_t begin = count > plan.m ? int64_t(1) << 31 : 0;
-    sum_samples(device, plan.sampling, begin, count, sum, zero.half_off, squares);
+    sum_samples(device, plan.sampling, first_sample_of_zero(plan), count, sum, zero.half_off, squares);
 
     zero.mean.resize(sum.size());
     for (size_t i = 0; i < sum.size(); i++) zero.mean[i] = float(sum[i] / count);

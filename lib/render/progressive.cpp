@@ -124,6 +124,10 @@ void Renderer::frames(int64_t first, int64_t count, const GiveFrame& give, bool 
     } catch (const device::Cancelled&) {}
 }
 
+void Renderer::explain(const scene::Scene& scene, int x, int y, int64_t first, int64_t last, const GiveRow& give) {
+    explain_pixel(*device_, plan_, scene, x, y, first, last, give);
+}
+
 image::Moments Renderer::moments() { return pixel_moments(*device_, plan_, draw_frame_zero(*device_, plan_)); }
 
 void Renderer::frame(int64_t k, std::vector<float>& rgb) {

@@ -11,6 +11,7 @@
 #include <vector>
 #include "image/picture.h"
 #include "render/options.h"
+#include "render/pixel_report.h"
 #include "render/trace_ray.h"
 #include "render/view_plan.h"
 #include "scene/object.h"
@@ -49,6 +50,9 @@ public:
     std::string fingerprint() const;                   // of the present picture (fingerprint.h)
     int64_t direct_frames() const { return plan_.m; }  // for which its frame 0 stands
     void frames(int64_t first, int64_t count, const GiveFrame& give, bool moments = false);
+
+    // explain_pixel() of the selected view; scene: that of load(), with options.names.
+    void explain(const scene::Scene& scene, int x, int y, int64_t first, int64_t last, const GiveRow& give);
 
     // For tests: one frame; the moments; a ray.
     void frame(int64_t k, std::vector<float>& rgb);

@@ -67,6 +67,36 @@ namespace {
 // Smaller pictures than a square of groups are excluded: nearly all paths would lie outside of them.
 bool reuses(const PixelSampling& s) { return s.path_reuse && s.params.nx >= REUSE_SIDE && s.params.ny >= REUSE_SIDE; }
 
+bool reuses(const PixelSampling& s, uint32_t mode) { return reuses(s) && mode == MODE_FRAMES; }
+
+double weight_of_reuse(const PixelSampling& sampling, uint32_t mode, const Several& several) {
+    return reuses(sampling, mode) ? several.reuse_equivalent_spp : 0;
+}
+
+device::Params params_of_several(const PixelSampling& sampling, uint32_t mode, const Several& several) {
+    device::Params p = sampling.params;
+    p.mode = mode;
+    p.spp = several.spp;
+    p.focus_at = several.at;
+    if (several.direct_in_each_frame) p.skip_direct_below = 0;
+    return p;
+}
+
+device::Params params_of_pass(const PixelSampling& sampling, const Pass& pass) {
+    device::Params p = sampling.params;
+    p.mode = pass.mode;
+    p.frame = uint32_t(pass.first_sample);
+    p.samples_per_pass = pass.n;
+    p.first = pass.first_pixel * pass.n;
+    p.path_count = pass.pixels * pass.n;
+    if (reuses(sampling, pass.mode)) {
+        p.reuse_path_count = kernels::reuse_paths(p.nx, p.ny);
+        p.first = 0;
+        p.path_count = p.reuse_path_count * pass.n;
+    }
+    return p;
+}
+
 // Pixels with several samples, among those of the pass, get the mean of all.  A sample with path reuse is kept with the
 // weight of several others, because it has less noise; the mean is unbiased for any fixed weights.
 void refine(device::Device& device, const PixelSampling& sampling, const Pass& pass, const Several& several,
@@ -75,12 +105,8 @@ void refine(device::Device& device, const PixelSampling& sampling, const Pass& p
                    end = first_entry(several, uint64_t(pass.first_pixel) + pass.pixels);
     if (begin == end) return;
     const uint32_t most = UINT32_MAX / (uint32_t(several.count()) * several.spp);  // indices of paths are 32 bits
-    const double reuse_weight = reuses(sampling) && pass.mode == MODE_FRAMES ? several.reuse_equivalent_spp : 0;
-    device::Params p = sampling.params;
-    p.mode = pass.mode;
-    p.spp = several.spp;
-    p.focus_at = several.at;
-    if (several.direct_in_each_frame) p.skip_direct_below = 0;
+    const double reuse_weight = weight_of_reuse(sampling, pass.mode, several);
+    device::Params p = params_of_several(sampling, pass.mode, several);
     std::vector<float> samples;
     for (uint32_t done = 0, n; done < pass.n; done += n) {
         n = std::min(pass.n - done, most);
@@ -114,22 +140,40 @@ uint32_t path_count(const PixelSampling& s) {
 }
 
 std::vector<float> run_pass(device::Device& device, const PixelSampling& sampling, const Pass& pass) {
-    device::Params p = sampling.params;
-    p.mode = pass.mode;
-    p.frame = uint32_t(pass.first_sample);
-    p.samples_per_pass = pass.n;
-    p.first = pass.first_pixel * pass.n;
-    p.path_count = pass.pixels * pass.n;
-    if (reuses(sampling) && pass.mode == MODE_FRAMES) {
-        p.reuse_path_count = kernels::reuse_paths(p.nx, p.ny);
-        p.first = 0;
-        p.path_count = p.reuse_path_count * pass.n;
-    }
     std::vector<float> rgb;
-    device.run(p, rgb);
+    device.run(params_of_pass(sampling, pass), rgb);
     scrub(rgb);
     for (const Several& several : sampling.several) refine(device, sampling, pass, several, rgb);
     return rgb;
+}
+
+std::vector<PixelPath> paths_of_pixel(const PixelSampling& sampling, uint32_t mode, int64_t sample, uint32_t pixel) {
+    PixelPath all{params_of_pass(sampling, {mode, sample, 1, pixel, 1}), 0, 1};
+    if (reuses(sampling, mode)) {
+        uint32_t path = 0;
+        while (reuse_pixel(&all.params, path) != pixel) path++;
+        all.params.first = path / REUSE_SQUARE * REUSE_SQUARE;
+        all.params.path_count = REUSE_SQUARE;
+        all.path = path % REUSE_SQUARE;
+    }
+    std::vector<PixelPath> out{all};
+    for (const Several& several : sampling.several) {
+        const double reuse_weight = weight_of_reuse(sampling, mode, several);
+        for (uint32_t entry = first_entry(several, pixel), end = first_entry(several, uint64_t(pixel) + 1); entry < end;
+             entry++) {
+            const double share = 1 / (word(several, entry, FOCUS_ALL) + reuse_weight);
+            out[0].weight = reuse_weight * share;
+            PixelPath one{params_of_several(sampling, mode, several), 0, share};
+            one.params.frame = uint32_t(sample);
+            one.params.samples_per_pass = several.spp;
+            one.params.path_count = 1;
+            for (uint32_t k = 0; k < several.spp; k++) {
+                one.params.first = entry * several.spp + k;
+                out.push_back(one);
+            }
+        }
+    }
+    return out;
 }
 
 std::vector<float> run_places(device::Device& device, const PixelSampling& sampling,
@@ -155,11 +199,10 @@ std::vector<float> run_places(device::Device& device, const PixelSampling& sampl
 }
 
 void scrub(std::vector<float>& rgb) {
-    constexpr float brightest = 1e32f;
     constexpr size_t enough = 300;
     size_t found = 0;
     for (float& v : rgb)
-        if (!(std::fabs(v) <= brightest)) {
+        if (!(std::fabs(v) <= brightest_sample)) {
             v = 0;
             found++;
         }

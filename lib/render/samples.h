@@ -41,10 +41,19 @@ struct Pass {
 uint32_t path_count(const PixelSampling& sampling);
 // The samples of a pixel are consecutive, as are their rays; 3 floats each.
 std::vector<float> run_pass(device::Device& device, const PixelSampling& sampling, const Pass& pass);
+// A path among those of which a sample of a pixel is the weighted sum.
+struct PixelPath {
+    device::Params params;  // of a pass with it, or with the square of path reuse that holds it
+    uint32_t path;          // its number there
+    double weight;
+};
+// Those of one sample of run_pass().
+std::vector<PixelPath> paths_of_pixel(const PixelSampling& sampling, uint32_t mode, int64_t sample, uint32_t pixel);
 // n direct samples of each of some pixels, which no frame contains, consecutive.  redraw: 0, or other random numbers
 // except for the places of the samples.
 std::vector<float> run_places(device::Device& device, const PixelSampling& sampling,
                               const std::vector<uint32_t>& pixels, uint32_t n, uint32_t redraw);
+constexpr float brightest_sample = 1e32f;
 // Sets samples that are not finite or too large to 0, so that every sum of a million samples is a finite float.  Throws
 // Error (system) if half of a pass is affected.
 void scrub(std::vector<float>& rgb);

@@ -34,6 +34,7 @@ public:
     bool edit(const Setup& next, bool read);
 
     Renderer& renderer() const { return *renderer_; }
+    const scene::Scene& scene() const { return scene_; }  // empty unless kept
     const RenderView& view() const { return setup_.view; }
     const std::vector<std::string>& history() const { return history_; }  // edits of the scene
 

@@ -15,7 +15,7 @@
 
 #include "base/error.h"
 #include "base/run.h"
-#include "options.h"
+#include "parity/options_of.h"
 #include "parity/trace_row.h"
 #include "parity/vectors.h"
 #include "device/device.h"
@@ -41,15 +41,7 @@ private:
 };
 
 std::string hash_of_frames(const std::string& arguments, const std::string& device) {
-    std::vector<std::string> words = {"ptrace",  "-w-", "-x", std::to_string(size), "-y", std::to_string(size),
-                                      "-frames", "10",  "-o", "unused%d.hdr"};
-    std::istringstream in(arguments);
-    for (std::string word; in >> word;) words.push_back(word);
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    Options opt;
-    parse_options(int(argv.size()), argv.data(), opt);
-    opt.files.raypath = {".", vectors};
+    Options opt = parity::options_of(arguments, size);
     const scene::Scene scene = scene::read_scene(opt.scene_files, opt.files);
     const render::RenderView& v = opt.views.at(0).render_view;
     render::Renderer renderer(scene, v.view, v.nx, v.ny, opt.render, device, opt.files);

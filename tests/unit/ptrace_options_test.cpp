@@ -35,6 +35,7 @@ const std::map<std::string, const char*> harmless = {
     {"-focus", "its pixels are a part of the fingerprint"},
     {"-focus-share", "their samples are a part of the fingerprint"},
     {"-picture", "frames are the same, their sum is written"},
+    {"-pixel", "tables in place of frames"},
     {"-moments", "moments are no pixels; frames are the same without"},
     {"-device", "the same bits on every device"},
     {"-n", "the same bits on any number of threads"},

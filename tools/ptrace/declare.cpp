@@ -44,6 +44,14 @@ void read_frames(const std::string& text, Options& opt) {
         base::fail("-frames", fmt::format("frame numbers must be below {}", Options::endless));
 }
 
+void read_pixel(const std::string& text, Options& opt) {
+    const size_t comma = text.find(',');
+    if (comma == std::string::npos) base::fail("-pixel", "needs a pixel such as 120,88, not " + text);
+    const auto number = [](const std::string& word) { return int(base::to_int(word, "-pixel")); };
+    opt.pixel = {number(text.substr(0, comma)), number(text.substr(comma + 1))};
+    opt.render.names = true;
+}
+
 void read_rif(const std::string& path, const std::vector<std::string>& assignments, OptionTable& t, Options& opt,
               std::optional<scene::RadInput>& rad_input) {
     rad_input = scene::read_rad_input(path, assignments);
@@ -88,6 +96,8 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
      }).default_text("endless");
     t.add("-picture", "One ordinary picture, the sum of the frames (64 without -frames), as rpict writes it",
           opt.one_picture);
+    t.add("-pixel x,y", "Tables of what this pixel's light is made of, in place of frames; 0,0 is the lower left one",
+          [&](Arguments& a) { read_pixel(a.text(), opt); });
     t.add("-seed n", "Seed of the random numbers", opt.render.seed).at_least(0);
     t.add("-focus file", "More samples for these regions: masks of vcregion(1), or a file of vcregion(5)",
           opt.focus_file);

@@ -19,6 +19,7 @@
 #include "edits.h"
 #include "frames.h"
 #include "options.h"
+#include "pixel.h"
 #include "region/open.h"
 #include "scene/object.h"
 #include "render/control.h"
@@ -209,9 +210,11 @@ int render_all(Options options) {
             run.session.emplace(start(only_rule ? "cpu" : opt.device), opt.scene_files);
             if (is_live(opt)) run.session->renderer().cancel_when(&run.control.edit_waits());
         }
-        run.session->load(std::move(scene), sky.file, setup, is_live(opt) || opt.views.size() > 1);
+        const bool keep = is_live(opt) || opt.views.size() > 1 || opt.pixel;
+        run.session->load(std::move(scene), sky.file, setup, keep);
         if (!opt.rule_for.empty() && last) write_rule(opt);
         if (only_rule) continue;
+        if (opt.pixel) return write_pixel(opt, *run.session), 0;
         if (opt.output.empty() && !opt.one_picture && base::stdout_is_file() && &sky == &skies.front())
             base::warn("stdout",
                        "writing frames to a file, which only luxpipe can read; \"| ptaccum -last >\" makes a picture");

@@ -4,6 +4,8 @@
 
 #include <sys/stat.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <set>
 
@@ -104,6 +106,16 @@ void check_output(const Options& opt) {
     image::require_writable_ending(output_name(opt.output, opt.first, label));
 }
 
+void check_pixel(const Options& opt) {
+    const render::RenderView& v = opt.views[0].render_view;
+    if (opt.views.size() > 1 || opt.skies.size() > 1) base::fail("-pixel", "is of one picture, but there are several");
+    if (opt.pixel->x < 0 || opt.pixel->x >= v.nx || opt.pixel->y < 0 || opt.pixel->y >= v.ny)
+        base::fail("-pixel",
+                   fmt::format("{},{} is outside of a picture of {} x {}", opt.pixel->x, opt.pixel->y, v.nx, v.ny));
+    if (!opt.output.empty() || opt.one_picture || is_live(opt))
+        base::fail("-pixel", "writes no picture: -o, -picture, -watch and -control do not go with it");
+}
+
 void check(const Options& opt) {
     if (opt.scene_files.empty()) base::fail("", "no scene file; ptrace -help lists the options");
     for (const NamedView& s : opt.views) view::validate(s.render_view.view);
@@ -118,6 +130,7 @@ void check(const Options& opt) {
         base::warn("-av", "ignored, except in mist: without -ab n there is no last bounce");
     if (!opt.rule_for.empty() && opt.rule_file.empty()) return;
     for (const NamedView& s : opt.views) render::require_memory(s.render_view);
+    if (opt.pixel) return check_pixel(opt);
     const bool several = opt.views.size() > 1 || opt.skies.size() > 1;
     if (several && opt.last == Options::endless && opt.control.empty())
         base::fail("-frames", "say how many frames each picture gets");
@@ -170,6 +183,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
         if (opt.last == Options::endless) opt.last = Options::frames_of_picture - 1;
         opt.moments = false;
     }
+    if (opt.pixel && opt.last == Options::endless) opt.last = Options::frames_of_picture - 1;
     base::use_processors(unsigned(opt.threads));
     if (!opt.warnings) base::set_warning_sink({});
     choose_hours(table, opt);

@@ -40,6 +40,10 @@ struct Options {
     std::string output;                     // -o pattern; empty: stdout
     bool one_picture = false;               // -picture: their sum instead of the frames
     bool moments = true;                    // -moments
+    struct Pixel {
+        int x, y;
+    };
+    std::optional<Pixel> pixel;             // -pixel: explained instead of frames
     bool preview = false;                   // by -control: rough pictures
     int threads = int(base::processors());  // -n
     int report_s = 0;                       // -t: a line on stderr every so many seconds

@@ -191,13 +191,24 @@ FN void path_connect(TABLES(const SceneTables) s, PARAMS(const Params) par, TABL
     }
 }
 
-// Divides the radiance of the suffix vertex of a path by the sum of these pdfs.
-FN void path_normalise_mis(TABLES(const Paths) paths, uint path) {
+// One over the sum of these pdfs and the survival probability: the weight of the suffix vertex of a path.
+FN float suffix_mis_weight(TABLES(const Paths) paths, uint path) {
     float pdfs = 0.0f;
     for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) pdfs += paths->pdf[path].of[m];
+    return pdfs > 0.0f ? 1.0f / (pdfs * paths->prefix_throughput[path].w) : 0.0f;
+}
+
+FN void path_normalise_mis(TABLES(const Paths) paths, uint path) {
     float4 radiance = read4_(paths->suffix_rad, path);
-    float each = pdfs > 0.0f ? 1.0f / (pdfs * paths->prefix_throughput[path].w) : 0.0f;
-    write4_(paths->suffix_rad, path, pack4(scale3(xyz4(radiance), each), radiance.w));
+    write4_(paths->suffix_rad, path, pack4(scale3(xyz4(radiance), suffix_mis_weight(paths, path)), radiance.w));
+}
+
+// Contribution of a suffix vertex, of member m, to the prefix vertex of member `which`, with the panes between them.
+FN float3 connection_weight(TABLES(const Paths) paths, UNIFORM uint suffix, UNIFORM uint m, uint which) {
+    float3 T = F3(1.0f, 1.0f, 1.0f);
+    if ((connections_to_attenuate(paths->connections[suffix], m) >> which & 1u) != 0u)
+        T = xyz4(paths->transmittance[suffix].of[which]);
+    return scale3(T, paths->contribution[suffix].of[which]);
 }
 
 // Adds the contributions of all suffix vertices of a group to the prefix vertex of member `which`.
@@ -208,10 +219,7 @@ FN void path_gather(TABLES(const Paths) paths, UNIFORM uint first, uint which) {
     for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) {
         UNIFORM uint suffix = REUSE_MEMBER(first, m);
         if (!HAS_PREFIX(paths, suffix)) continue;
-        float3 T = F3(1.0f, 1.0f, 1.0f);
-        if ((connections_to_attenuate(paths->connections[suffix], m) >> which & 1u) != 0u)
-            T = xyz4(paths->transmittance[suffix].of[which]);
-        sum = add3(sum, mul3(scale3(T, paths->contribution[suffix].of[which]), xyz4(paths->suffix_rad[suffix])));
+        sum = add3(sum, mul3(connection_weight(paths, suffix, m, which), xyz4(paths->suffix_rad[suffix])));
     }
 
     float4 rad = read4_(paths->rad, path);

@@ -22,6 +22,12 @@
 #include "kernels/integrator/connect.h"
 #include "kernels/integrator/splat.h"
 
+// Where paths are recorded (device/recorded_paths.cpp) this is a call; elsewhere nothing.  lobe: null before one is
+// sampled.
+#ifndef RECORD_VERTEX
+#define RECORD_VERTEX(paths, vertex, kind, lobe)
+#endif
+
 // Shades the hit of a path.  Returns PATH_CONTINUES and PATH_SHADOW, as bits.
 FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     Vertex vertex;
@@ -44,6 +50,7 @@ FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
 
     // The medium just crossed attenuates the path and may scatter light into it.
     int shadow = path_media(s, par, paths, &vertex);
+    RECORD_VERTEX(paths, &vertex, kind, 0);
 
     // Emitter: the path adds its radiance and ends.
     if (kind == HIT_EMITTER) {
@@ -66,6 +73,7 @@ FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
         vertex_store(paths, &vertex, vertex.path_length_start);
         return shadow;
     }
+    RECORD_VERTEX(paths, &vertex, kind, &lobe);
 
     // A pilot path ends where a diffuse bounce would begin.
     if (par->mode == MODE_PILOT && lobe_is_diffuse(&lobe)) {

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See pixel_text.h.
+#include "render/pixel_text.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+
+#include "image/grey.h"
+
+namespace render {
+namespace {
+
+double grey_of(const device::Rgb& rgb) {
+    return image::grey_red * rgb[0] + image::grey_green * rgb[1] + image::grey_blue * rgb[2];
+}
+
+// In percent of the pixel's luminance.
+std::string share(const device::Rgb& rgb, const PixelSums& sums) {
+    const double all = grey_of(sums.all);
+    return all != 0 ? fmt::format("{:.4g}", 100 * grey_of(rgb) / all) : "0";
+}
+
+std::string triple(const device::Rgb& v, const char* between) {
+    return fmt::format("{:.8g}{}{:.8g}{}{:.8g}", v[0], between, v[1], between, v[2]);
+}
+
+std::string sum_row(const char* of, const std::string& name, const device::Rgb& rgb, const PixelSums& sums) {
+    return fmt::format("{}\t{}\t{}\t{}\n", of, name, triple(rgb, "\t"), share(rgb, sums));
+}
+
+}  // namespace
+
+void PixelSums::add(const PixelRow& row) {
+    if (row.light.empty()) return;
+    for (device::Rgb* sum : {&by_light[row.light], &by_bounces[row.bounces], &all})
+        for (size_t c = 0; c < 3; c++) (*sum)[c] += row.rgb[c];
+}
+
+std::string vertex_table(const std::vector<PixelRow>& rows, const PixelSums& sums) {
+    std::string out =
+        "frame\tpath\tvertex\tsurface\tmaterial\tplace\tpoint\tlobe\tweight\tbounces\tlight\tred\tgreen\t"
+        "blue\tshare\n";
+    for (const PixelRow& r : rows)
+        out += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", r.frame, r.path, r.vertex, r.surface,
+                           r.material, r.place, r.has_point ? triple(r.point, " ") : "", r.lobe, triple(r.weight, " "),
+                           r.bounces, r.light, triple(r.rgb, "\t"), share(r.rgb, sums));
+    return out;
+}
+
+std::string sum_table(const PixelSums& sums) {
+    std::string out = "by\tname\tred\tgreen\tblue\tshare\n";
+    std::vector<std::pair<std::string, device::Rgb>> lights(sums.by_light.begin(), sums.by_light.end());
+    std::stable_sort(lights.begin(), lights.end(),
+                     [](const auto& a, const auto& b) { return grey_of(a.second) > grey_of(b.second); });
+    for (const auto& [name, rgb] : lights) out += sum_row("light", name, rgb, sums);
+    for (const auto& [bounces, rgb] : sums.by_bounces) out += sum_row("bounces", std::to_string(bounces), rgb, sums);
+    return out + sum_row("pixel", "", sums.all, sums);
+}
+
+}  // namespace render

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See pixel.h.
+#include "pixel.h"
+
+#include "base/run.h"
+#include "render/pixel_text.h"
+
+void write_pixel(const Options& opt, render::Session& session) {
+    std::vector<render::PixelRow> rows;
+    render::PixelSums sums;
+    const bool one_frame = opt.first == opt.last;
+    session.renderer().explain(session.scene(), opt.pixel->x, opt.pixel->y, opt.first, opt.last,
+                               [&](const render::PixelRow& row) {
+                                   sums.add(row);
+                                   const bool is_dark = row.light.empty() && row.frame != opt.first;
+                                   if (one_frame && !is_dark) rows.push_back(row);
+                               });
+    std::string text = one_frame ? vertex_table(rows, sums) + "\n" : "";
+    text += sum_table(sums);
+    base::write_stdout(text.data(), text.size());
+}
