@@ -19,7 +19,7 @@ struct ModifierTables {
     bool bends = false;             // some material is MT_BENDS
     bool media = false;             // MT_MEDIUM
     bool antimatter = false;
-    bool functions = false;  // some material has .cal functions or tables
+    bool functions = false;              // some material has .cal functions or tables
     std::vector<FlatScene::Name> names;  // of the records, with Options::names
 };
 

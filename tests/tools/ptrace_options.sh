@@ -166,10 +166,12 @@ check '-pixel prints the light of a pixel, which sums to that of the picture' '
     ptrace $view -pixel 16,17 -frames 0:0 sky.rad > one; ptrace $view -pixel 16,17 -frames 5 sky.rad > five
     head -1 one | grep -q "^frame.path.vertex.surface.material.place.point.lobe.weight.bounces.light.red"
     head -1 five | grep -qx "by.name.red.green.blue.share"; tail -1 five | grep -q "^pixel.*.100$"
-    awk -F"\t" "NF == 15 && NR > 1 {sum += \$12} /^pixel/ {all = \$3} END {exit !(all > 0 && (sum / all - 1) ^ 2 < 1e-10)}" one'
+    awk -F"\t" "NF == 15 && NR > 1 {sum += \$12} /^pixel/ {all = \$3}
+        END {exit !(all > 0 && (sum / all - 1) ^ 2 < 1e-10)}" one'
 check_error '-pixel outside of the picture' 1 '^ptrace: -pixel: 32,0 is outside of a picture of 32 x 32' '
     ptrace $view -pixel 32,0 sky.rad > x'
-check_error '-pixel is two numbers' 1 '^ptrace: -pixel: needs a pixel such as 120,88, not 7' 'ptrace $view -pixel 7 sky.rad > x'
+check_error '-pixel is two numbers' 1 '^ptrace: -pixel: needs a pixel such as 120,88, not 7' '
+    ptrace $view -pixel 7 sky.rad > x'
 check_error '-pixel writes no picture' 1 '^ptrace: -pixel: writes no picture' 'ptrace $view -pixel 1,1 -o x.hdr sky.rad'
 if command -v pfilt > /dev/null; then
     check 'pfilt reads it from the pipe' '

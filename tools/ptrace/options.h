@@ -32,14 +32,14 @@ struct Options {
     double exposure = 1;                // -rif: of the pictures written
     int64_t first = 0, last = endless;  // frames, both included
     std::string device = "auto";
-    std::string rule_for;                   // -M: the target of a rule of make; empty: none
-    std::string rule_file;                  // -MF: where it goes, before rendering; empty: stdout, and render nothing
-    std::string command;                    // the whole command line, for the headers of the frames
-    std::string control;                    // -control: a FIFO with commands; empty: none
-    bool watch = false;                     // -watch: begin anew when a file of the scene changes
-    std::string output;                     // -o pattern; empty: stdout
-    bool one_picture = false;               // -picture: their sum instead of the frames
-    bool moments = true;                    // -moments
+    std::string rule_for;      // -M: the target of a rule of make; empty: none
+    std::string rule_file;     // -MF: where it goes, before rendering; empty: stdout, and render nothing
+    std::string command;       // the whole command line, for the headers of the frames
+    std::string control;       // -control: a FIFO with commands; empty: none
+    bool watch = false;        // -watch: begin anew when a file of the scene changes
+    std::string output;        // -o pattern; empty: stdout
+    bool one_picture = false;  // -picture: their sum instead of the frames
+    bool moments = true;       // -moments
     struct Pixel {
         int x, y;
     };
