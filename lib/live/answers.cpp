@@ -94,6 +94,17 @@ const TextFile* named(const Files& files, const Arguments& arguments) {
 
 Answer plain(unsigned status, const std::string& text) { return {status, "text/plain; charset=utf-8", text + "\n"}; }
 
+// Length of the text, the text, the pixels.
+static Answer packed(const std::string& text, const image::Picture* picture) {
+    Answer answer{200, "application/octet-stream", {}};
+    const uint32_t length = uint32_t(text.size());
+    for (int k = 0; k < 4; ++k) answer.body += char(length >> 8 * k & 255);
+    answer.body += text;
+    if (picture)
+        answer.body.append(reinterpret_cast<const char*>(picture->rgb.data()), picture->rgb.size() * sizeof(float));
+    return answer;
+}
+
 std::optional<Answer> answer_next(Live& live, const Arguments& arguments) {
     const auto known = [&](const char* what) { return count(arguments, what).value_or(0); };
     const auto news =
@@ -105,16 +116,7 @@ std::optional<Answer> answer_next(Live& live, const Arguments& arguments) {
     if (!news->state.empty()) text += ",\"state\":" + news->state;
     if (news->ended) text += ",\"ended\":" + std::to_string(*news->ended);
     if (news->shown) text += facts(*news->shown);
-    text += "}";
-
-    Answer answer{200, "application/octet-stream", {}};
-    const uint32_t length = uint32_t(text.size());
-    for (int k = 0; k < 4; ++k) answer.body += char(length >> 8 * k & 255);
-    answer.body += text;
-    if (news->shown)
-        answer.body.append(reinterpret_cast<const char*>(news->shown->rgb.data()),
-                           news->shown->rgb.size() * sizeof(float));
-    return answer;
+    return packed(text + "}", news->shown.get());
 }
 
 Answer answer_put(const Files& files, const Arguments& arguments, const std::string& text, const std::string& tag) {
@@ -154,6 +156,13 @@ static Answer overlaid(const Live& live, const Files& files, const Arguments& ar
 Answer answer_query(const Live& live, const Files& files, const std::string& path, const Arguments& arguments) {
     if (path == "/file") return file(files, arguments);
     if (path == "/overlay") return overlaid(live, files, arguments);
+    if (path == "/variant") {
+        const auto picture = live.ask([&](const Design& d) {
+            const Design::Variant* v = d.variant(arguments("name"));
+            return v ? v->picture : nullptr;
+        });
+        return picture ? packed("{\"picture\":0" + facts(*picture) + "}", picture.get()) : plain(404, "no picture");
+    }
     if (path == "/outlines") return outlines(live, files, arguments);
     if (path == "/table") return falsecolor(arguments);
     if (path == "/srgb") return {200, "application/json", json::numbers(display::srgb_codes().thresholds)};

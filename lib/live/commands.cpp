@@ -2,20 +2,25 @@
 // See commands.h.
 #include "live/commands.h"
 
+#include <algorithm>
+
 #include "live/fifo.h"
 
 namespace live {
 
 namespace {
 
-constexpr size_t longest_command = 64 * 1024, most_words = 200;
+constexpr size_t longest_command = 64 * 1024, most_words = 200, most_places = 100;
+constexpr auto longest_preview = std::chrono::seconds(3);
 
-// A line for ptrace: words for the edit that follows.
-std::string noted(std::string words) {
+std::string one_line(std::string words) {
     for (char& c : words)
         if ((unsigned char)c < ' ') c = ' ';
-    return words.empty() ? "" : "note " + words.substr(0, most_words) + "\n";
+    return words.substr(0, most_words);
 }
+
+// A line for ptrace: words for the edit that follows.
+std::string noted(const std::string& words) { return words.empty() ? "" : "note " + one_line(words) + "\n"; }
 
 Answer to_fifo(const Commanded& to, const std::string& bytes) {
     if (to.fifo.empty()) return plain(404, "vcview was started without -control");
@@ -68,7 +73,67 @@ Answer back(const Commanded& to) {
     return answer;
 }
 
+// The first letter, or number behind a word, that no item of a list has as its name.
+template <class TAKEN>
+std::string free_name(const std::string& word, TAKEN&& taken) {
+    for (int k = 0;; ++k) {
+        std::string name = word.empty() && k < 26 ? std::string(1, char('A' + k)) : word + " " + std::to_string(k + 1);
+        if (!taken(name)) return name;
+    }
+}
+
+Answer show(const Commanded& to, const Design::Variant& v) {
+    const Design now = to.live.ask([](const Design& d) { return d; });
+    std::string bytes = noted(v.name);
+    for (size_t n = 0; n < v.texts.size(); ++n)
+        if (v.texts[n] != now.texts[n].now) bytes += overlaying(to.files[n], v.texts[n]);
+    if (!now.views.empty() && v.view != now.views.back()) bytes += "view" + v.view + "\n";
+    Answer answer = to_fifo(to, bytes);
+    if (answer.status == 204) to.live.change([&](Design& d) { d.show(v); });
+    return answer;
+}
+
+Answer variant(const Commanded& to, const Arguments& asked) {
+    const std::string name = one_line(asked("name")), what = asked("do"), other = one_line(asked("to"));
+    Design::Variant known;
+    const bool there = to.live.ask([&](const Design& d) {
+        const Design::Variant* v = d.variant(name);
+        if (v) known = *v;
+        return v != nullptr;
+    });
+    if (what != "keep" && !there && !(what == "base" && name.empty()))
+        return plain(404, "there is no variant \"" + name + "\"");
+    if (what == "show") return show(to, known);
+    to.live.change([&](Design& d) {
+        if (what == "keep" && name.empty()) d.keep(free_name("", [&](const std::string& n) { return d.variant(n); }));
+        else if (what == "keep") d.keep(name);
+        else if (what == "base") d.base = name;
+        else if (what == "drop") d.call(name, "");
+        else if (what == "call" && !other.empty() && !d.variant(other)) d.call(name, other);
+    });
+    return {204, "", ""};
+}
+
+Answer place(const Commanded& to, const Arguments& asked) {
+    const std::string name = one_line(asked("name"));
+    to.live.change([&](Design& d) {
+        const auto at = [&](const std::string& n) {
+            return std::find_if(d.places.begin(), d.places.end(), [&](const auto& p) { return p.first == n; });
+        };
+        const auto taken = [&](const std::string& n) { return at(n) != d.places.end(); };
+        if (taken(name)) d.places.erase(at(name));
+        if (asked("do") == "keep" && !d.views.empty() && d.places.size() < most_places)
+            d.places.emplace_back(name.empty() ? free_name("view", taken) : name, d.views.back());
+    });
+    return {204, "", ""};
+}
+
 }  // namespace
+
+void end_preview(const Commanded& to) {
+    const auto since = to.live.ask([](const Design& d) { return d.preview; });
+    if (since && std::chrono::steady_clock::now() - *since > longest_preview) control(to, "go");
+}
 
 void give_opened(const Commanded& to) {
     const std::string bytes = to.live.ask([&](const Design& d) {
@@ -87,6 +152,8 @@ Answer answer_command(const Commanded& to, const std::string& path, const Argume
     if (path == "/overlay") return overlay(to, asked, body);
     if (path == "/undo") return overlay(to, asked, std::nullopt);
     if (path == "/back") return back(to);
+    if (path == "/variant") return variant(to, asked);
+    if (path == "/place") return place(to, asked);
     return plain(404, "nothing here");
 }
 

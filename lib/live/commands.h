@@ -14,6 +14,9 @@ struct Commanded {
 // POST /control, /overlay, /undo and /back (server.h).
 Answer answer_command(const Commanded& to, const std::string& path, const Arguments& asked, const std::string& body);
 
+// Asks for the full picture where a window has asked for small ones and says no more: it may be gone.
+void end_preview(const Commanded& to);
+
 // Gives ptrace all texts of a design that was opened, once it reads its FIFO.
 void give_opened(const Commanded& to);
 

@@ -5,16 +5,23 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/split.h"
 #include "live/json.h"
 
 namespace live {
 
 namespace {
-constexpr size_t most_undone = 50, most_edits = 1000, most_views = 100, most_messages = 100;
+constexpr size_t most_undone = 50, most_edits = 1000, most_views = 100, most_messages = 100, most_variants = 26;
 
 template <class LIST>
 void keep_last(LIST& list, size_t most) {
     if (list.size() > most) list.erase(list.begin());
+}
+
+std::string short_number(const std::string& text) {
+    char out[40];
+    std::snprintf(out, sizeof out, "%.4g", std::strtod(text.c_str(), nullptr));
+    return out;
 }
 }  // namespace
 
@@ -23,6 +30,7 @@ void Design::change(size_t n, std::string text, bool goes_on) {
     if (!t.going) t.before.push_back(t.now);
     keep_last(t.before, most_undone);
     t.going = goes_on;
+    if (preview) preview = std::chrono::steady_clock::now();
     t.now = std::move(text);
     ++t.version;
     paused = false;
@@ -54,6 +62,8 @@ void Design::obey(const std::string& commands) {
     for (std::string line, word; std::getline(lines, line);) {
         std::istringstream(line) >> word;
         if (word != "next") paused = word == "pause";
+        if (word == "preview") preview = std::chrono::steady_clock::now();
+        else if (word != "pause") preview.reset();
         if (word == "go")
             for (Text& t : texts) t.going = false;
     }
@@ -76,7 +86,79 @@ bool Design::note(const image::Header& h) {
     keep_last(edits, most_edits);
     keep_last(views, most_views);
     current = 0;
+    rendered_.clear();
+    for (const Text& t : texts) rendered_.push_back(t.now);
+    for (Variant& v : variants)
+        if (v.edit < 0 && shows(v)) v.edit = number;
     return true;
+}
+
+// ---- variants
+
+const Design::Variant* Design::variant(const std::string& name) const {
+    for (const Variant& v : variants)
+        if (v.name == name) return &v;
+    return nullptr;
+}
+
+void Design::call(const std::string& name, const std::string& other) {
+    for (Variant& v : variants)
+        if (v.name == name) v.name = other;
+    if (base == name) base = other;
+    variants.erase(std::remove_if(variants.begin(), variants.end(), [](const Variant& v) { return v.name.empty(); }),
+                   variants.end());
+}
+
+bool Design::shows(const Variant& v) const {
+    for (size_t n = 0; n < texts.size(); ++n)
+        if (v.texts[n] != texts[n].now) return false;
+    return !views.empty() && v.view == views.back();
+}
+
+void Design::keep(const std::string& name) {
+    Variant v{name, views.empty() ? "" : views.back(), {}, {}};
+    for (const Text& t : texts) v.texts.push_back(t.now);
+    if (!edits.empty() && v.texts == rendered_) v.edit = edits.back().first, v.picture = newest_;
+    const auto same = std::find_if(variants.begin(), variants.end(), [&](const Variant& o) { return o.name == name; });
+    if (same != variants.end()) *same = v;
+    else if (variants.size() < most_variants) variants.push_back(v);
+    if (base.empty()) base = name;
+}
+
+void Design::show(const Variant& v) {
+    for (size_t n = 0; n < texts.size(); ++n) {
+        if (v.texts[n] == texts[n].now) continue;
+        change(n, "", false);
+        texts[n].now = v.texts[n];
+    }
+    paused = false;
+}
+
+void Design::pictured(const std::shared_ptr<const image::Picture>& picture) {
+    if (picture->header.edited == "preview") return;
+    newest_ = picture;
+    for (Variant& v : variants)
+        if (v.edit == picture->header.edit.value_or(0)) v.picture = picture;
+}
+
+// NAME value (low to high) of each column that has an interval.
+void Design::measured(const std::string& line) {
+    const std::vector<std::string> cells = base::split_list(line, '\t');
+    const auto at = [&](const std::string& name) {
+        return size_t(std::find(columns_.begin(), columns_.end(), name) - columns_.begin());
+    };
+    if (std::find(cells.begin(), cells.end(), "frame") != cells.end()) columns_ = cells;
+    if (columns_ == cells || cells.size() != columns_.size() || at("edit") == cells.size()) return;
+    for (Variant& v : variants) {
+        if (std::to_string(v.edit) != cells[at("edit")]) continue;
+        v.numbers.clear();
+        for (size_t c = 0; c < cells.size(); ++c) {
+            const size_t low = at(columns_[c] + ".lo"), high = at(columns_[c] + ".hi");
+            if (high < cells.size() && cells[c] != "nan")
+                v.numbers += columns_[c] + " " + short_number(cells[c]) + " (" + short_number(cells[low]) + " to " +
+                             short_number(cells[high]) + ")\n";
+        }
+    }
 }
 
 void Design::tell(std::string message) {
@@ -95,8 +177,13 @@ std::string Design::json() const {
         out += (out.back() == '[' ? "[" : ",[") + std::to_string(number) + "," + json::text(words) + "]";
     out += "],\"places\":[";
     for (const auto& [name, view] : places) out += (out.back() == '[' ? "" : ",") + json::list({name, view});
-    return out + "],\"earlier\":" + json::list(earlier) + ",\"views\":" + json::list(views) +
-           ",\"messages\":" + json::list({messages.begin(), messages.end()}) +
+    out += "],\"variants\":[";
+    for (const Variant& v : variants)
+        out += (&v == variants.data() ? "" : ",") + ("{\"name\":" + json::text(v.name)) +
+               ",\"edit\":" + std::to_string(v.edit) + ",\"shown\":" + (shows(v) ? "true" : "false") +
+               ",\"numbers\":" + json::list(base::split_list(v.numbers, '\n')) + "}";
+    return out + "],\"base\":" + json::text(base) + ",\"earlier\":" + json::list(earlier) +
+           ",\"views\":" + json::list(views) + ",\"messages\":" + json::list({messages.begin(), messages.end()}) +
            ",\"current\":" + std::to_string(current) + ",\"paused\":" + (paused ? "true}" : "false}");
 }
 

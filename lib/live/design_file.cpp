@@ -71,6 +71,12 @@ std::string without_end(std::string text) {
     return text;
 }
 
+size_t scene_file(const std::string& name, const Files& files, const std::string& where) {
+    for (size_t n = 0; n < files.size(); ++n)
+        if (files[n].path == name && files[n].kind == TextFile::Kind::scene) return n;
+    base::fail(where, name + " is not among the files that the page changes (-edit)");
+}
+
 }  // namespace
 
 std::string design_text(const Design& d, const Files& files, const std::string& regions) {
@@ -87,6 +93,13 @@ std::string design_text(const Design& d, const Files& files, const std::string& 
     for (size_t n = 0; n < d.texts.size(); ++n)
         if (d.texts[n].now) block(out, "text " + files[n].path, *d.texts[n].now);
     if (!regions.empty()) block(out, "regions", regions);
+    if (!d.base.empty()) out += "\nbase " + d.base + "\n";
+    for (const Design::Variant& v : d.variants) {
+        block(out, "variant " + v.name, v.numbers);
+        if (!v.view.empty()) block(out, "its view", v.view + "\n");
+        for (size_t n = 0; n < v.texts.size(); ++n)
+            if (v.texts[n]) block(out, "its text " + files[n].path, *v.texts[n]);
+    }
     return out;
 }
 
@@ -106,10 +119,16 @@ Design read_design(const std::string& text, const std::string& place, const File
             d.views.push_back(" " + name);
         } else if (kind == "view") {
             d.places.emplace_back(name, without_end(b.text));
+        } else if (kind == "base") {
+            d.base = name;
+        } else if (kind == "variant") {
+            d.variants.push_back({name, "", b.text, std::vector<std::optional<std::string>>(files.size())});
+        } else if (b.head == "its view" && !d.variants.empty()) {
+            d.variants.back().view = without_end(b.text);
+        } else if (base::begins_with(b.head, "its text ") && !d.variants.empty()) {
+            d.variants.back().texts[scene_file(b.head.substr(9), files, where)] = b.text;
         } else if (kind == "text") {
-            size_t n = 0;
-            while (n < files.size() && (files[n].path != name || files[n].kind != TextFile::Kind::scene)) ++n;
-            if (n == files.size()) base::fail(where, name + " is not among the files that the page changes (-edit)");
+            const size_t n = scene_file(name, files, where);
             d.texts[n].now = b.text;
             d.texts[n].version = 1;
             d.texts[n].before.resize(1);  // Undo brings back the text on the disk
@@ -136,10 +155,10 @@ DesignFile::DesignFile(std::string path, const Files& files, Live& live)
     written_ = now.text;
 }
 
-void DesignFile::look() {
+void DesignFile::look(bool last) {
     if (path_.empty()) return;
     const Live::Numbers now = live_.numbers();
-    if (now.design == seen_.design && now.files == seen_.files) return;
+    if (!last && now.design == seen_.design && now.files == seen_.files) return;
     seen_ = now;
     const std::string regions = regions_in(files_);
     const std::string text =

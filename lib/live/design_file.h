@@ -18,7 +18,8 @@ public:
     // path: empty for none.  Reads the file if there is one; its regions count where the region file has none.
     DesignFile(std::string path, const Files& files, Live& live);
     // Writes the file where the design is no more what it says.  A failure is told once in the page.
-    void look();
+    // last: of the programs; numbers that have changed since the last change are written, too.
+    void look(bool last = false);
 
 private:
     const std::string path_;

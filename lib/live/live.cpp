@@ -10,12 +10,16 @@ void Live::put_picture(image::Picture picture) {
     put([&] {
         if (design_.note(picture.header)) ++designs_;
         picture_ = std::make_shared<const image::Picture>(std::move(picture));
+        design_.pictured(picture_);
         ++pictures_;
     });
 }
 
 void Live::put_line(std::string line) {
-    put([&] { lines_.push_back(std::move(line)); });
+    put([&] {
+        design_.measured(line);
+        lines_.push_back(std::move(line));
+    });
 }
 
 void Live::put_end(int status) {

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstring>
+#include <fstream>
 #include <thread>
 
 #include "live/answers.h"
@@ -69,10 +70,15 @@ struct Server::State {
     Visitors visitors;
 
     std::optional<DesignFile> design;
+    std::string against = "previous", said_against;
 
     State(Live& l, const ServerOptions& o) : live(l), options(o) {
         live.change([&](Design& d) { d.texts.resize(files.size()); });
         design.emplace(options.design, files, live);
+        std::string asked;
+        std::getline(std::ifstream(options.against), asked);
+        if (asked == "first") against = asked;
+        else if (!asked.empty() && asked != "previous") live.change([&](Design& d) { d.base = asked; });
     }
 
     void wake() {
@@ -89,8 +95,11 @@ struct Server::State {
             visitors.look();
             lock.unlock();
             const bool changed = look_at_files();
-            give_opened({live, files, options.control});
+            const Commanded to{live, files, options.control};
+            give_opened(to);
+            end_preview(to);
             design->look();
+            say_base();
             lock.lock();
             if (!changed && Clock::now() - woken < longest_wait / 4) continue;
             woken = Clock::now();
@@ -99,6 +108,18 @@ struct Server::State {
             else wake();
             lock.lock();
         }
+    }
+
+    // What vcmetrics compares with: the number of the base's edit, or the word that the file held at the start.
+    void say_base() {
+        if (options.against.empty()) return;
+        const std::string now = live.ask([&](const Design& d) {
+            const Design::Variant* base = d.variant(d.base);
+            return base && base->edit >= 0 ? std::to_string(base->edit) : against;
+        });
+        if (now == said_against) return;
+        said_against = now;
+        std::ofstream(options.against) << now;
     }
 
     // An answer, or the request waits until there is one.
@@ -243,7 +264,7 @@ Server::~Server() {
     }
     state_->tick.notify_all();
     state_->ticker.join();
-    state_->design->look();
+    state_->design->look(true);
     state_->sources.reset();
     state_->wake();
     MHD_stop_daemon(state_->daemon);

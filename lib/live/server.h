@@ -18,6 +18,9 @@
 //   POST /overlay?n=&version=&said=&going=   a text that ptrace takes for file N, made from this version of it (412 if
 //                                there is a newer one); said: words for the edit; going: more of the same change
 //                                follows
+//   GET /variant?name=           the picture of that variant, as /next has it
+//   POST /variant?name=&do=      keep (no name: the next letter), show, base, drop, or call (to=NAME)
+//   POST /place?name=&do=        keep the view under a name, or drop it
 //   POST /back                   asks for the view before this one
 //   POST /undo?n=&version=       takes the last change of it back
 #pragma once
@@ -34,6 +37,7 @@ struct ServerOptions {
     std::string control;               // FIFO of ptrace -control; empty: none
     Files files;                       // that the page may show or change
     std::string design;                // file that the design is read from and written to; empty: none
+    std::string against;               // file of vcmetrics -against; empty: none
     std::vector<std::string> sources;  // the program that lists glare sources (sources.h)
 };
 

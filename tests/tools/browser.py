@@ -134,7 +134,7 @@ check('t changes the tone', page.js('document.getElementById("tone").value') != 
 body.send_keys('k')
 check('k keeps the picture to compare with', page.until('!document.getElementById("compare").disabled', 5))
 body.send_keys('c')
-check('c changes the comparison', page.js('document.getElementById("compare").value') == 'wipe')
+check('c changes the comparison', page.js('document.getElementById("compare").value') == 'beside')
 for kind, shown in (('falsecolor', True), ('photo', False)):
     page.chrome.execute_script(f"""const tone = document.getElementById('tone');
         tone.value = '{kind}'; tone.dispatchEvent(new Event('change'));""")

@@ -76,6 +76,36 @@ check('what is wrong in the scene is said in the page',
 page.one('#model-undo').click()
 check('as long as it is so', soon(lambda: not text('#messages'), SECONDS), text('#messages'))
 
+# variants
+variants = lambda: page.js('[...document.querySelectorAll("#variants tbody tr")].map((r) => [...r.cells].map((c) => '
+                           'c.querySelector("input")?.value ?? c.innerText))')
+page.one('body').send_keys('k')
+check('k keeps the design as a variant, which is the base', soon(
+    lambda: len(variants()) == 1 and page.one('#variants input[type=radio]').is_selected()), variants())
+check('with its number', soon(lambda: re.match(r'DGPf \.\d{3} \(', variants()[0][2]), SECONDS), variants())
+choose('30')
+page.one('#model-number input[type=range]').send_keys(Keys.END)
+check('the base stands beside each change', soon(
+    lambda: '30 → ' in names()[0] and any('A (base)' in n for n in names()), SECONDS), names())
+rows = lambda: page.js('[...document.querySelectorAll("#edits tbody tr")].map((r) => r.innerText)')
+check('with which changes are compared', soon(
+    lambda: re.search('better|worse|lower|higher|not told', rows()[0]), SECONDS), rows())
+page.one('body').send_keys('k')
+soon(lambda: len(variants()) == 2)
+page.one('#variants tbody tr:nth-child(2) .name').send_keys(Keys.CONTROL + 'a' + Keys.NULL, 'low blind', Keys.TAB)
+check('it is given a name', soon(lambda: variants()[1][1] == 'low blind'), variants())
+page.one('#compare').send_keys('side')
+halves = lambda: page.js("""((c) => [.25, .75].map((x) => [...c.getContext('2d').getImageData(x * c.width,
+    c.height / 2, 1, 1).data].slice(0, 3).join(' ')))(document.getElementById('canvas'))""")
+check('two variants stand side by side in one scale', soon(lambda: len(set(halves())) == 2), halves())
+page.one('#variants tbody tr:nth-child(1) button').click()
+check('a variant is shown by one action', soon(lambda: '30' in slats() and names()[0] == 'A', SECONDS),
+      (slats(), names()))
+chrome.refresh()
+check('variants outlive a reload', soon(lambda: [v[1] for v in variants()] == ['A', 'low blind'], SECONDS), variants())
+check('and can be shown again', soon(
+    lambda: page.one('#variants tbody tr:nth-child(2) button').is_enabled(), SECONDS))
+
 # views
 page.one('#canvas').send_keys('w')
 check('a step is an edit', soon(lambda: names()[0].startswith('view'), SECONDS), names())

@@ -49,6 +49,13 @@ check 'lines of edits are compared by frame and edit' '
 check '-against first: the third edit is the first again' '
     live | ptaccum | vcmetrics -metrics Ev -ci 90 -against first > t; [ "$(column Ev.d < t | sed -n 51p)" = 0 ]
     [ "$(head -1 t | cut -f 4-)" = "$(printf "Ev\tEv.lo\tEv.hi\tEv.d\tEv.d.lo\tEv.d.hi\ttails")" ]'
+check '-against FILE: the edit that it names, also where that changes' '
+    echo 0 > base; live | ptaccum | vcmetrics -metrics Ev -ci 90 -against base > t
+    live | ptaccum | vcmetrics -metrics Ev -ci 90 -against first > u; cmp <(cut -f 1,3- t) <(cut -f 1,3- u)
+    echo 1 > base; live | ptaccum | vcmetrics -metrics Ev -ci 90 -against base > t
+    [ "$(column Ev.d < t | sed -n 2,34p | uniq)" = nan ]; [ "$(column Ev.d < t | sed -n 51p)" != nan ]'
+check_error 'no edit' 1 '^vcmetrics: -against: "nothing" is neither previous nor first, nor a file' '
+    vcmetrics -against nothing < /dev/null'
 check 'previews have no line, and change nothing' '
     { edit "0 start" light; edit "1 preview" other; edit "1 view" dark; } | ptaccum | vcmetrics -metrics Ev > t
     [ "$(column edit < t | uniq | tr "\n" " ")" = "0 1 " ]; [ $(wc -l < t) = 35 ]

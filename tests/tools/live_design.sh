@@ -59,6 +59,15 @@ check 'a full disk is said once; the design is kept, and written where there is 
     await "ask GET /next | grep -aq \"my.design: cannot be written: No space left\""; sleep 1
     [ "$(ask GET /next | grep -ao "No space left" | wc -l)" = 1 ]; ask GET "/overlay?n=3" | grep -q -- "-a 34"
     mv kept my.design; await "grep -q -- \"-a 34\" my.design"; end'
+check 'variants are in the design, and any is the base, by its name' '
+    begin; edited 1; ask POST "/variant?do=keep&name=dark" > /dev/null; sleep 1
+    set_text 3 1 light "$(sed "s/-a 20/-a 5/" blind.rad)"; edited 2; ask POST "/variant?do=keep&name=light" > /dev/null
+    await "grep -q ^variant.light my.design"; end; begin -against light; edited 1
+    ask GET /next > state; grep -aq "\"base\":\"light\"" state; grep -aq "\"name\":\"light\",\"edit\":[01]" state
+    ask POST "/variant?do=show&name=dark" > /dev/null; edited 2
+    await "tail -1 lines | cut -f 7 | grep -q [0-9]"; difference=$(tail -1 lines | cut -f 7)
+    awk "BEGIN { exit !($difference < 0) }"; end
+    grep -A1 "^variant dark" my.design | grep -q "	Ev [0-9.]* ([0-9.]* to"'
 check 'texts without an end of the last line, empty lines and tabs stay as they are' '
     begin; edited 1; printf "%s\n\n\t# a tab\n\n# no end" "$(cat blind.rad)" > want
     set_text 3 1 odd "$(cat want)"; await "grep -q \"# no end\" my.design"; end; begin; edited 1

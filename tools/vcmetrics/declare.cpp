@@ -43,9 +43,10 @@ void declare_output(OptionTable& t, Options& o) {
     t.add("-ci percent",
           "NAME.lo and NAME.hi after each column: the interval of the converged value, of this certainty",
           [&](Arguments& a) { o.ci = a.real(base::within(50, 99.99)) / 100; });
-    using Earlier = report::EarlierEdit;
-    t.add("-against edit", "NAME.d, NAME.d.lo and NAME.d.hi: the difference from the previous or the first edit",
-          base::one_of(o.against, {{"previous", Earlier::previous}, {"first", Earlier::first}}))
+    t.add("-against edit",
+          "NAME.d, NAME.d.lo and NAME.d.hi: the difference from the previous or the first edit, or one that a file "
+          "names",
+          o.against)
         .default_text("none");
     t.add("-format name", "Form of the table: tsv, csv or jsonl",
           base::one_of(o.format, {{"tsv", Format::tsv}, {"csv", Format::csv}, {"jsonl", Format::jsonl}}));

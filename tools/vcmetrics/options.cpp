@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "base/error.h"
 #include "base/files_read.h"
@@ -47,7 +48,7 @@ void check_said(const base::OptionTable& t, const Options& o) {
 
 // What needs intervals of luxpipe's own columns.
 void check_intervals(const Options& o) {
-    const bool against = o.against != report::EarlierEdit::none;
+    const bool against = !o.against.empty();
     if (!o.ci && !against && !o.difference && o.until.empty()) return;
     const char* const option = o.ci ? "-ci" : against ? "-against" : o.difference ? "-difference" : "-until";
     if (o.mode != OutputMode::vcmetrics || o.list_sources || o.compare)
@@ -76,8 +77,9 @@ void check(const Options& o) {
             base::refuse_to_overwrite({drawn}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);
     if (o.go_on && (o.until.empty() || !o.control.empty()))
         base::fail("-go-on", "needs -until, and cannot be used with -control");
-    if (!o.files.empty() && o.against != report::EarlierEdit::none)
-        base::fail("-against", "works on a stream, not on files");
+    if (!o.against.empty() && o.against != "previous" && o.against != "first" && !std::ifstream(o.against))
+        base::fail("-against", "\"" + o.against + "\" is neither previous nor first, nor a file that can be read");
+    if (!o.files.empty() && !o.against.empty()) base::fail("-against", "works on a stream, not on files");
     if (o.difference) {
         if (o.files.size() != 2) base::fail("-difference", fmt::format("takes two inputs, not {}", o.files.size()));
         if (!o.until.empty() || !o.check_file.empty()) base::fail("-difference", "cannot be used with -until or -c");

@@ -27,9 +27,9 @@ struct Options {
     bool evalglare_bug_compatible = false;  // its rounding and its slips (lib/evalglare), also where columns are ours
     evalglare::Settings evalglare;
     std::string until;
-    std::optional<double> ci;                                 // -ci: NAME.lo and NAME.hi, this certain (a share)
-    report::EarlierEdit against = report::EarlierEdit::none;  // -against: NAME.d and its interval
-    bool go_on = false;                                       // -go-on: -until ends nothing
+    std::optional<double> ci;  // -ci: NAME.lo and NAME.hi, this certain (a share)
+    std::string against;       // -against: NAME.d and its interval; empty: none
+    bool go_on = false;        // -go-on: -until ends nothing
     std::optional<int64_t> max_frames;
     std::optional<double> max_seconds;
     std::string control;  // -control: a FIFO of the renderer; empty: none

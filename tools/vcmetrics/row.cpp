@@ -18,7 +18,7 @@ namespace {
 bool is_plain(const Options& o) { return o.mode != OutputMode::accelerad; }
 
 bool has_interval(const Options& o, const Column& c) { return o.ci && !c.words; }
-bool has_difference(const Options& o, const Column& c) { return o.against != EarlierEdit::none && !c.words; }
+bool has_difference(const Options& o, const Column& c) { return !o.against.empty() && !c.words; }
 
 bool is_aligned(const Options& o) { return o.format == TableFormat::aligned; }
 constexpr size_t width_with_error = 18;

@@ -40,8 +40,7 @@ Row row_of(const Options& o, const RunState& run, const image::Header& header, c
         const Column& c = run.plan.columns[k];
         const uncertainty::Estimate& e = run.sum.look.estimate(k);
         out.numbers.push_back(number_of(o, c, e, m, out.frame));
-        if (o.against != EarlierEdit::none)
-            out.differences.push_back(difference_of(o, run.edits.difference(header.edit.value_or(0), k)));
+        if (!o.against.empty()) out.differences.push_back(difference_of(o, run.edits.difference(k)));
         if (c.printed && e.unreliable) out.heavy_tailed += (out.heavy_tailed.empty() ? "" : " ") + c.name;
     }
     out.measurement = std::move(m);
@@ -91,9 +90,11 @@ std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, ima
         run.sum = add(std::move(run.sum), p, run.reading, place.text, plan.tells);
         run.sum = look(std::move(run.sum), run.reading, m, plan.columns, plan.first_look);
     }
-    if (run.sum.looked && o.against != EarlierEdit::none)
-        run.edits = add(std::move(run.edits), o.against, p.header.edit.value_or(0),
-                        {run.sum.look.replicates, plan.keys}, quantities_of(plan.columns));
+    if (!o.against.empty()) {
+        run.edits = begin(std::move(run.edits), o.against, p.header.edit.value_or(0));
+        if (run.sum.looked)
+            run.edits = add(std::move(run.edits), {run.sum.look.replicates, plan.keys, quantities_of(plan.columns)});
+    }
     Row row = row_of(o, run, p.header, place, std::move(m));
     if (o.mode == OutputMode::evalglare || o.list_sources) return {std::move(run), std::move(row)};
     const Luminance& lum = run.reading.lum;

@@ -102,7 +102,7 @@ void choose_columns(const Options& o, const std::vector<std::string>& regions, R
     plan.rule = stop_rule(o, plan.columns);
 
     plan.keys.clear();
-    bool shown = o.ci || o.against != report::EarlierEdit::none;
+    bool shown = o.ci || !o.against.empty();
     plan.tells = shown || !o.until.empty();
     for (const Column& c : plan.columns) {
         const bool of_region = c.name.find('.') != std::string::npos && !c.of_filled;

@@ -45,6 +45,8 @@ std::optional<Options> parse_options(int argc, char** argv) {
           [&](base::Arguments& a) { edited.push_back(a.text()); });
     t.add("-design file", "Text file that holds what the page has changed, and from which it is opened again",
           o.server.design);
+    t.add("-against file", "File of vcmetrics -against, which the page writes: it chooses the variant to compare with",
+          o.server.against);
     const auto operands = t.parse(int(dashes - argv), argv);
     if (!operands) return std::nullopt;
     if (!operands->empty())

@@ -27,10 +27,16 @@ export class Edits {
 
   // edits: [number, "overlay words"] of what has been rendered, as vcview holds them.
   // earlier: words of those before the design was opened again.
-  take(edits, earlier) { this.what = new Map(edits); this.earlier = earlier; }
+  take(edits, earlier, variants, base) {
+    this.what = new Map(edits);
+    this.earlier = earlier;
+    this.variants = new Map(variants.map((v) => [v.edit, v.name]));
+    this.base = base;
+  }
 
   name(edit) {
     if (edit === undefined) return 'now';
+    if (this.variants?.has(edit)) return `${this.variants.get(edit)}${this.variants.get(edit) === this.base ? ' (base)' : ''}`;
     const words = this.what.get(edit) ?? `edit ${edit}`, [, what, said] = /^(overlay|scene)\b *(.*)$/.exec(words) ?? [];
     return what ? said || (what === 'scene' ? 'file saved' : 'model') : words;
   }

@@ -1,7 +1,7 @@
 // Asks vcview for news, again as soon as the last answer is drawn; so a slow page gets fewer pictures, not late ones.
 import { Camera } from '/camera.js';
 import { Edits } from '/edits.js';
-import { ask, command, Lost, post } from '/net.js';
+import { ask, command, Lost, post, unpack } from '/net.js';
 import { PictureView } from '/picture.js';
 import { Lines, fill_table, plot } from '/plot.js';
 import { follow } from '/pointer.js';
@@ -11,7 +11,8 @@ import { wire_saving } from '/save.js';
 import { Sliders } from '/sliders.js';
 import { Sources } from '/sources.js';
 import { Tones } from '/tones.js';
-import { show_messages, show_verdict } from '/verdict.js';
+import { Variants } from '/variants.js';
+import { glare_of, show_messages, show_verdict, verdict } from '/verdict.js';
 import { Eye } from '/view.js';
 
 const $ = (id) => document.getElementById(id);
@@ -22,6 +23,10 @@ let news = { picture: 0, line: 0, files: 0, design: 0 }, shown = null, ended, lo
 const regions = new Regions(view, () => shown?.eye ? shown : null);
 const sources = new Sources(view), edits = new Edits(draw_edits), sliders = new Sliders();
 const camera = new Camera(() => shown, () => regions.pivot());
+const variants = new Variants((text) => camera.say(text), (rgb) => tones.compare_with(rgb), (edit) => {
+  const rows = lines.runs.find((r) => r.edit === edit)?.rows;
+  return rows && verdict(glare_of(lines.columns), rows[rows.length - 1]).number;
+});
 const probe = new Probe([(x, y) => regions.at(x, y).map((name) => `in ${name}`).join(', '), (x, y) => sources.at(x, y)]);
 
 function draw_numbers() {
@@ -59,7 +64,9 @@ setInterval(say_status, 5000);
 // What vcview holds for all windows.
 async function take_state(state) {
   paused = state.paused;
-  edits.take(state.edits, state.earlier);
+  edits.take(state.edits, state.earlier, state.variants, state.base);
+  lines.keeps = new Set(state.variants.map((v) => v.edit));
+  variants.take(state.variants, state.base);
   show_messages(state);
   $('back').disabled = state.views.length < 2;
   $('home').onclick = () => command(`view ${state.views[0]}`).then((wrong) => camera.say(wrong));
@@ -67,8 +74,7 @@ async function take_state(state) {
 }
 
 async function take(answer) {
-  const body = await answer.arrayBuffer().catch(() => { throw new Lost(); }), length = new DataView(body).getUint32(0, true);
-  const facts = JSON.parse(new TextDecoder().decode(new Uint8Array(body, 4, length)));
+  const facts = await unpack(answer);
   if (facts.files !== news.files) regions.reload();
   news = { picture: facts.picture, line: facts.line, files: facts.files, design: facts.design };
   facts.lines.forEach((line) => lines.add(line));
@@ -76,7 +82,7 @@ async function take(answer) {
   if (facts.state) await take_state(facts.state);
   if (facts.width) {
     const same = shown && shown.view === facts.view && shown.width === facts.width && shown.height === facts.height;
-    shown = { ...facts, rgb: new Float32Array(body.slice(4 + length)), eye: facts.view ? same ? shown.eye : new Eye(facts.view) : null };
+    shown = { ...facts, eye: facts.view ? same ? shown.eye : new Eye(facts.view) : null };
     came = performance.now();
     await tones.show(shown);
     if (!document.body.dataset.picture) performance.mark('picture');
@@ -85,7 +91,7 @@ async function take(answer) {
     if (facts.what !== 'preview') sources.show(news.picture);
     document.body.dataset.picture = news.picture;
   }
-  if (facts.lines.length) draw_numbers();
+  if (facts.lines.length) { draw_numbers(); variants.show_numbers(); }
   else if (facts.state) draw_edits();
   say_status();
 }
@@ -141,7 +147,7 @@ const keys = {
   'f': () => view.fit(), '+': () => view.zoomBy(1.5), '=': () => view.zoomBy(1.5), '-': () => view.zoomBy(1 / 1.5),
   'ArrowLeft': () => view.moveBy(40, 0), 'ArrowRight': () => view.moveBy(-40, 0),
   'ArrowUp': () => view.moveBy(0, 40), 'ArrowDown': () => view.moveBy(0, -40),
-  't': () => tones.next_of($('tone')), 'c': () => tones.next_of($('compare')), 'k': () => tones.keep(),
+  't': () => tones.next_of($('tone')), 'c': () => tones.next_of($('compare')), 'k': () => variants.keep(),
   '[': () => tones.brighter(-.25), ']': () => tones.brighter(.25),
 };
 document.addEventListener('keydown', (e) => {

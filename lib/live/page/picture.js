@@ -108,35 +108,48 @@ export class PictureView {
     new ResizeObserver(() => this.draw()).observe(canvas);
   }
 
-  // bytes: RGBA; kept: likewise or null, shown on the left of the wipe.
-  show(bytes, width, height, values, kept) {
+  // bytes: RGBA; kept: likewise or null, shown on the left: of the wipe, or of its own.
+  show(bytes, width, height, values, kept, beside = false) {
     if (this.image.width !== width || this.image.height !== height) {
       const by = this.image.width ? width / this.image.width : 0;  // the same place of a picture of another size
       this.image.width = width;
       this.image.height = height;
-      this.canvas.style.aspectRatio = `${width} / ${height}`;
       if (this.zoom && by) Object.assign(this, { zoom: this.zoom / by, x: this.x * by, y: this.y * by });
       else this.fit();
     }
     const to = this.image.getContext('2d');
     to.putImageData(new ImageData(bytes, width, height), 0, 0);
-    if (kept) {
+    this.beside = null;
+    if (kept && beside) {
+      this.beside = Object.assign(document.createElement('canvas'), { width, height });
+      this.beside.getContext('2d').putImageData(new ImageData(kept, width, height), 0, 0);
+    } else if (kept) {
       const left = Math.round(this.wipe * width);
       to.putImageData(new ImageData(kept, width, height), 0, 0, 0, 0, left, height);
       to.fillStyle = '#fff';
       to.fillRect(left, 0, 1, height);
     }
     this.values = values;
+    this.canvas.style.aspectRatio = `${beside ? 2 * width : width} / ${height}`;
     this.draw();
   }
 
-  scale() { return this.zoom || Math.min(this.canvas.clientWidth / this.image.width, this.canvas.clientHeight / this.image.height); }
+  // Pictures side by side, each with half of the width: [image, its left end as a share of the width].
+  get panes() { return this.beside ? [[this.beside, 0], [this.image, .5]] : [[this.image, 0]]; }
+  scale() {
+    return this.zoom || Math.min(this.canvas.clientWidth / this.panes.length / this.image.width, this.canvas.clientHeight / this.image.height);
+  }
+  // From the middle of the pane under a place of the page.
+  from_middle(clientX, clientY) {
+    const box = this.canvas.getBoundingClientRect(), width = box.width / this.panes.length, x = clientX - box.left;
+    return [(x < width ? x : x - box.width + width) - width / 2, clientY - box.top - box.height / 2];
+  }
   fit() { this.zoom = 0; this.x = this.image.width / 2; this.y = this.image.height / 2; this.draw(); }
 
   // A place of the page in pixels of the picture, also beside it.
   place(clientX, clientY) {
-    const box = this.canvas.getBoundingClientRect(), s = this.scale();
-    return { x: this.x + (clientX - box.left - box.width / 2) / s, y: this.y + (clientY - box.top - box.height / 2) / s };
+    const [dx, dy] = this.from_middle(clientX, clientY), s = this.scale();
+    return { x: this.x + dx / s, y: this.y + dy / s };
   }
 
   // The pixel there; null beside the picture.
@@ -146,9 +159,7 @@ export class PictureView {
   }
 
   zoomBy(factor, clientX, clientY) {
-    const box = this.canvas.getBoundingClientRect(), before = this.scale();
-    const dx = (clientX ?? box.left + box.width / 2) - box.left - box.width / 2;
-    const dy = (clientY ?? box.top + box.height / 2) - box.top - box.height / 2;
+    const before = this.scale(), [dx, dy] = clientX === undefined ? [0, 0] : this.from_middle(clientX, clientY);
     this.zoom = Math.max(0.1, Math.min(200, before * factor));
     this.x += dx / before - dx / this.zoom;
     this.y += dy / before - dy / this.zoom;
@@ -170,14 +181,22 @@ export class PictureView {
       this.canvas.width = width;
       this.canvas.height = height;
     }
-    const s = this.scale() * ratio, left = width / 2 - this.x * s, top = height / 2 - this.y * s;
     c.setTransform(1, 0, 0, 1, 0, 0);
     c.clearRect(0, 0, width, height);
-    c.imageSmoothingEnabled = s < 1;
-    c.drawImage(this.image, left, top, this.image.width * s, this.image.height * s);
-    if (s >= 40 * ratio && this.values) this.drawValues(s, left, top, width, height, ratio);
-    c.words = [];
-    this.overlays.forEach((draw) => draw(c, (x, y) => [left + x * s, top + y * s], ratio));
+    const s = this.scale() * ratio, each = width / this.panes.length, top = height / 2 - this.y * s;
+    for (const [image, from] of this.panes) {
+      const left = from * width + each / 2 - this.x * s;
+      c.save();
+      c.beginPath();
+      c.rect(from * width, 0, each - (this.beside && !from ? 2 * ratio : 0), height);
+      c.clip();
+      c.imageSmoothingEnabled = s < 1;
+      c.drawImage(image, left, top, image.width * s, image.height * s);
+      if (s >= 40 * ratio && this.values && image === this.image) this.drawValues(s, left, top, width, height, ratio);
+      c.words = [];
+      this.overlays.forEach((draw) => draw(c, (x, y) => [left + x * s, top + y * s], ratio));
+      c.restore();
+    }
   }
 
   // The whole picture with what is drawn over it, at least 1024 pixels wide.

@@ -11,7 +11,8 @@ const no_metric = new Set(['frame', 'seconds', 'tails', 'view', 'sky', 'edit', '
 // Lines become rows of numbers by name, in runs: a run is what one edit of the scene has brought.  A line of names begins
 // a new table, a smaller number of frames or another edit a new run.
 export class Lines {
-  constructor() { this.text = []; this.runs = []; this.columns = []; this.seen = new Set(); }
+  // keeps: numbers of edits whose lines stay.
+  constructor() { this.keeps = new Set(); this.text = []; this.runs = []; this.columns = []; this.seen = new Set(); }
 
   get rows() { return this.runs[this.runs.length - 1]?.rows ?? []; }
 
@@ -37,7 +38,8 @@ export class Lines {
     if (!run || row.edit !== run.edit || row.frame < last.frame) this.runs.push({ edit: row.edit, rows: [row] });
     else if (row.frame === last.frame) run.rows[run.rows.length - 1] = row;  // measured anew: a region has changed
     else run.rows.push(row);
-    if (this.runs.length > most_runs) this.runs.shift();
+    const old = this.runs.filter((r) => !this.keeps.has(r.edit));
+    if (old.length > most_runs) this.runs = this.runs.filter((r) => r !== old[0]);
   }
 
   csv() { return this.text.map((line) => line.replaceAll('\t', ',')).join('\n') + '\n'; }

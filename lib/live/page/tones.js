@@ -12,16 +12,11 @@ export class Tones {
     for (const id of ['tone', 'style', 'top', 'decades', 'divisions', 'mask', 'compare', 'hold'])
       $(id).addEventListener('change', () => this.show());
     $('stops').addEventListener('input', () => { $('stops-value').value = $('stops').value; this.show(); });
-    $('keep').addEventListener('click', () => this.keep());
     new ResizeObserver(() => { if (this.table) this.draw_legend($('legend'), $('legend').hidden); }).observe($('canvas'));
   }
 
-  keep() {
-    if (!this.picture) return;
-    this.kept = this.picture.rgb;
-    $('compare').disabled = false;
-    this.show();
-  }
+  // rgb: floats of another picture, or null.
+  compare_with(rgb) { this.kept = rgb; this.show(); }
 
   next_of(select) {
     if (select.disabled) return;
@@ -75,7 +70,7 @@ export class Tones {
     const { rgb, width, height } = this.picture;
     const compare = this.kept && this.kept.length === rgb.length ? $('compare').value : 'no';
     const bytes = compare === 'difference' ? difference(rgb, this.kept) : this.bytes_of(compare === 'kept' ? this.kept : rgb);
-    this.view.show(bytes, width, height, rgb, compare === 'wipe' ? this.bytes_of(this.kept) : null);
+    this.view.show(bytes, width, height, rgb, compare === 'wipe' || compare === 'beside' ? this.bytes_of(this.kept) : null, compare === 'beside');
     this.draw_legend($('legend'), kind !== 'falsecolor' || compare === 'difference');
     performance.measure('tone', { start });
   }

@@ -1,0 +1,68 @@
+// Variants: the design under a name, with its picture and numbers, all held by vcview.  One of them is the base, with which
+// each edit is compared; the picture of any can stand beside the one at hand.
+import { ask, post, unpack } from '/net.js';
+
+const $ = (id) => document.getElementById(id);
+const act = (what, name = '', to = '') => post(`/variant?${new URLSearchParams({ do: what, name, to })}`);
+
+export class Variants {
+  // say(text); other(picture): the one to compare with, or null; numbers(edit): cells of its row.
+  constructor(say, other, numbers) {
+    Object.assign(this, { say, other, numbers, all: [], known: '' });
+    $('keep').addEventListener('click', () => this.keep());
+    $('with').addEventListener('change', () => this.fetch());
+  }
+
+  async keep() { this.say(await act('keep')); }
+
+  // all: [{ name, edit, shown, numbers }]; base: a name.
+  take(all, base) {
+    const before = $('with').value;
+    [this.all, this.base] = [all, base];
+    $('with').replaceChildren(...all.map((v) => new Option(v.name, v.name, false, v.name === before || (!before && v.name === base))));
+    $('variants-panel').hidden = !all.length;
+    $('compare').disabled = $('with').disabled = !all.length;
+    const as_text = JSON.stringify([all.map((v) => [v.name, v.edit, v.shown]), base]);
+    if (as_text !== this.filled) this.fill();
+    this.filled = as_text;
+    this.fetch();
+  }
+
+  // Its picture, anew where that is another one.
+  async fetch() {
+    const chosen = this.all.find((v) => v.name === $('with').value), key = chosen ? `${chosen.name} ${chosen.edit} ${chosen.shown}` : '';
+    if (key === this.known) return;
+    this.known = key;
+    const answer = chosen && await ask(`/variant?name=${encodeURIComponent(chosen.name)}`);
+    if (this.known === key) this.other(answer?.ok ? (await unpack(answer)).rgb : null);
+  }
+
+  fill() {
+    const body = $('variants').tBodies[0], at = [...body.querySelectorAll('input, button')].indexOf(document.activeElement);
+    body.replaceChildren(...this.all.map((v) => {
+      const row = document.createElement('tr');
+      const cell = (...things) => { const td = document.createElement('td'); td.append(...things); row.append(td); };
+      const control = (tag, facts, label, event, does) => {
+        const e = Object.assign(document.createElement(tag), facts);
+        e.setAttribute('aria-label', label);
+        e.addEventListener(event, async () => this.say(await does(e)));
+        return e;
+      };
+      cell(control('input', { type: 'radio', name: 'base', checked: v.name === this.base }, `compare with ${v.name}`, 'change', () => act('base', v.name)));
+      cell(control('input', { className: 'name', defaultValue: v.name }, 'name', 'change', (e) => act('call', v.name, e.value.trim())));
+      cell('');
+      cell(control('button', { type: 'button', textContent: v.shown ? 'shown' : 'Show', disabled: v.shown }, `show ${v.name}`, 'click', () => act('show', v.name)),
+        control('button', { type: 'button', textContent: '×' }, `delete ${v.name}`, 'click', () => act('drop', v.name)));
+      return row;
+    }));
+    body.querySelectorAll('input, button')[at]?.focus({ preventScroll: true });
+    this.show_numbers();
+  }
+
+  show_numbers() {
+    [...$('variants').tBodies[0].rows].forEach((row, k) => {
+      const v = this.all[k];
+      row.cells[2].textContent = this.numbers(v.edit) || v.numbers[0] || '–';
+    });
+  }
+}
