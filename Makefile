@@ -84,6 +84,9 @@ coverage: all ## how often intervals hold the truth: SCENES="1000-1011 office" S
 	@python3 studies/coverage/coverage.py -bin "$(BUILD)/bin" -out out/coverage -scenes "$(or $(SCENES),1000-1011)" \
 		-seeds $(or $(SEEDS),200) -size $(or $(SIZE),48) -frames $(or $(FRAMES),74)
 
+year: all ## the office's year, Mondays at four desks: out/year/report.html (WEATHER=site.epw HOURS='Mo-Fr 8-18')
+	@$(MAKE) -C studies/year -j $(JOBS) BIN="$(abspath $(BUILD))/bin"
+
 compare-radiance: all ## N=100 random scenes from SEED=1 on, by ptrace and by rtrace (where RADIANCE is)
 	@cmake --build "$(BUILD)" -j $(JOBS) --target trace_rays
 	@python3 tests/compare/radiance/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) \
@@ -122,6 +125,6 @@ setup:
 	@[ "$(SETUP)" = no ] || sh scripts/setup.sh $(PARTS)
 	@[ "$(SETUP)" = no ] || $(ISPC)
 
-.PHONY: help all everything demo live test test-gpu test-slurm test-deb test-sanitize fuzz deb wheel test-wheel bench \
-	coverage compare-radiance compare-evalglare \
+.PHONY: help all everything demo live test test-gpu test-slurm test-deb test-sanitize fuzz deb wheel test-wheel \
+	bench coverage compare-radiance compare-evalglare \
 	man site format lint install uninstall clean setup
