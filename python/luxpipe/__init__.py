@@ -14,9 +14,9 @@ Examples:
     (64, 64, 3)
 
 A scene is files of RADIANCE (text, octrees) or the folder of a Honeybee model; a view is a view file or view options.
-`frames` gives the same step by step, `measure` measures pictures and arrays, `difference` compares two runs,
-`evalglare` and `rpict` take pyradiance's arguments.  Under all of them run ptrace, ptaccum and vcmetrics; the line that
-these print when they fail is the text of `luxpipe.Error`.
+`frames` gives the same step by step, `measure` measures pictures and arrays, `difference` compares two runs, `year`
+renders the hours of a weather file, `evalglare` and `rpict` take pyradiance's arguments.  Under all of them run ptrace,
+ptaccum and vcmetrics; the line that these print when they fail is the text of `luxpipe.Error`.
 """
 
 from . import plot
@@ -25,14 +25,15 @@ from ._programs import Error, HERE as _HERE
 from ._radiance import evalglare, rpict, rtrace
 from ._render import Warning, frames, measure, read, render
 from ._result import Interval, Result
+from ._year import Year, year
 
 #: The folder of the example scenes: office, classroom, gallery.
 examples = _HERE / "examples"
 if not examples.is_dir():  # a clone
     examples = _HERE.parents[1] / "examples" / "scenes"
 
-__all__ = ["Error", "Interval", "Result", "Warning", "difference", "evalglare", "examples", "frames", "measure", "plot",
-           "read", "render", "rpict", "rtrace"]
+__all__ = ["Error", "Interval", "Result", "Warning", "Year", "difference", "evalglare", "examples", "frames", "measure",
+           "plot", "read", "render", "rpict", "rtrace", "year"]
 
 
 def __getattr__(name: str) -> object:

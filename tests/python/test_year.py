@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A few hours of a year from Python: the numbers of the pipe, a table, a map, errors."""
+
+import luxpipe
+import pytest
+from conftest import SCENE, VIEW
+
+WEATHER = """place Here
+latitude 39.74
+longitude 105.18
+time_zone 105
+site_elevation 1829
+weather_data_file_units 1
+3 21 5.5 0 0
+3 21 9.5 700 90
+3 21 12.5 800 100
+"""
+
+
+@pytest.fixture(scope="module")
+def weather(tmp_path_factory):
+    path = tmp_path_factory.mktemp("year") / "site.wea"
+    path.write_text(WEATHER)
+    return path
+
+
+@pytest.fixture(scope="module")
+def year(weather):
+    return luxpipe.year(SCENE[:2], VIEW, weather, hours="all", size=24, frames=4)
+
+
+def test_a_year_has_lines_summary_and_text(year):
+    assert [line["sky"] for line in year.lines] == ["0321_0530", "0321_0930", "0321_1230"]
+    assert year.lines[0]["Ev"] == 0 and year.lines[2]["Ev"] > 500
+    assert year.lines[2]["DGPf.lo"] < year.lines[2]["DGPf.hi"]
+    (summary,) = year.summary
+    assert summary["hours"] == 3 and summary["dark"] == 1
+    assert summary["DGPe5.lo"] <= summary["DGPe5"] <= summary["DGPe5.hi"]
+    assert str(year).startswith("hours     3, 1 dark")
+
+
+def test_its_map_is_shown_and_saved(year, tmp_path):
+    assert year._repr_svg_().startswith("<svg")
+    year.plot(tmp_path / "year.png")
+    assert (tmp_path / "year.png").read_bytes()[1:4] == b"PNG"
+
+
+def test_its_table(year):
+    pytest.importorskip("pandas")
+    hours = year.hours
+    assert list(hours.index.hour) == [5, 9, 12] and hours["frame"].tolist() == [0, 3, 3]
+
+
+def test_errors_are_ptraces_line(weather):
+    with pytest.raises(luxpipe.Error, match="ptrace: -hours: .* means no hour"):
+        luxpipe.year(SCENE[:2], VIEW, weather, hours="Dec", size=24)
