@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Our own texts of the library files that scenes name, written from the published formulas:
-// skies (CIE clear, intermediate, overcast; Perez et al. 1993), luminaires, smooth meshes, glazings.
+// skies (CIE clear, intermediate, overcast; Perez et al. 1993; ISO 15469), luminaires, smooth meshes, glazings.
 // A file of the same name on RAYPATH is taken instead.  Skies blend into the ground by a = (Dz + 1.01)^10 as
 // (a sky + ground/a)/(a + 1/a), here with weight = a a.
 #include <cstring>
@@ -51,6 +51,15 @@ Z = lum*(1 - x - y)/y;
 skybright_r = 2.5693*X - 1.1668*lum - .3984*Z;
 skybright_g = -1.0221*X + 1.9783*lum + .0438*Z;
 skybright_b = -.0747*X - .2519*lum + 1.1772*Z;
+)CAL";
+
+// A1 level, A2-6 a b c d e of ISO 15469, A7-9 sun; traditional: A1 zenith.  Black below the horizon.
+const char ciesky[] = R"CAL(
+cosgamma = Dx*A7 + Dy*A8 + Dz*A9;
+gradation = 1 + A2*Exp(A3/Dz);
+indicatrix = 1 + A4*(Exp(A5*Acos(cosgamma)) - Exp(A5*PI/2)) + A6*cosgamma*cosgamma;
+ciesky = if(Dz, A1*gradation*indicatrix, 0);
+traditional = if(Dz, A1*(1 + 2*Dz)/3, 0);
 )CAL";
 
 const char source[] = R"CAL(
@@ -153,17 +162,10 @@ const struct {
     const char* name;
     const char* text;
 } files[] = {
-    {"skybright.cal", skybright},
-    {"perezlum.cal", perezlum},
-    {"perezlum_c.cal", perezlum_c},
-    {"source.cal", source},
-    {"tmesh.cal", tmesh},
-    {"surf.cal", surf},
-    {"rev.cal", rev},
-    {"illum.cal", illum},
-    {"glaze1.cal", glaze1},
-    {"glaze2.cal", glaze2},
-    {"glass3.cal", glass3},
+    {"skybright.cal", skybright}, {"perezlum.cal", perezlum}, {"perezlum_c.cal", perezlum_c},
+    {"ciesky.cal", ciesky},       {"source.cal", source},     {"tmesh.cal", tmesh},
+    {"surf.cal", surf},           {"rev.cal", rev},           {"illum.cal", illum},
+    {"glaze1.cal", glaze1},       {"glaze2.cal", glaze2},     {"glass3.cal", glass3},
 };
 
 }  // namespace

@@ -15,8 +15,9 @@ struct Row {
     Generator run;
 };
 const Row rows[] = {
-    {"genblinds", genblinds}, {"genbox", genbox}, {"gendaylit", gendaylit}, {"genprism", genprism},
-    {"genrev", genrev},       {"gensky", gensky}, {"gensurf", gensurf},     {"genworm", genworm},
+    {"genblinds", genblinds}, {"genbox", genbox},     {"genciesky", genciesky},
+    {"gendaylit", gendaylit}, {"genprism", genprism}, {"genrev", genrev},
+    {"gensky", gensky},       {"gensurf", gensurf},   {"genworm", genworm},
 };
 }  // namespace
 

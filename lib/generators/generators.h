@@ -27,6 +27,7 @@ using Generator = void (*)(const Call& call, std::string& out);
 
 void genbox(const Call& call, std::string& out);
 void genblinds(const Call& call, std::string& out);
+void genciesky(const Call& call, std::string& out);
 void gendaylit(const Call& call, std::string& out);
 void genprism(const Call& call, std::string& out);
 void genrev(const Call& call, std::string& out);

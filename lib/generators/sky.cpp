@@ -4,12 +4,10 @@
 // Radiances in W/sr/m2.
 #include <fmt/format.h>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include "base/angle.h"
 #include "base/error.h"
-#include "base/number.h"
 #include "base/printable.h"
 #include "generators/generators.h"
 #include "generators/sun.h"
@@ -29,47 +27,6 @@ struct Options {
     double radiance = NAN, direct = NAN;  // -r, -R
     Site site;
 };
-
-struct TimeZone {
-    const char* name;
-    double west;
-};
-// clang-format off
-const TimeZone zones[] = {
-    {"YST", 135}, {"YDT", 120}, {"PST", 120}, {"PDT", 105}, {"MST", 105}, {"MDT", 90}, {"CST", 90},
-    {"CDT", 75}, {"EST", 75}, {"EDT", 60}, {"AST", 60}, {"ADT", 45}, {"NST", 52.5}, {"NDT", 37.5}, {"GMT", 0},
-    {"BST", 0}, {"CET", -15}, {"CEST", -30}, {"EET", -30}, {"EEST", -45}, {"GST", -60}, {"GDT", -75},
-    {"IST", -82.5}, {"IDT", -97.5}, {"JST", -135}, {"NZST", -180}, {"NZDT", -195},
-};
-// clang-format on
-
-// [+]h[:mm][zone] or [+]h.hh[zone]; a zone sets the meridian whatever -m says.
-void read_hour(const Call& call, size_t at, Moment& t, double& zone_meridian) {
-    std::string w = call.word(at, "the hour");
-    t.solar = w[0] == '+';
-    if (t.solar) w.erase(0, 1);
-    size_t letters = 0;
-    while (letters < w.size() && !std::isalpha(static_cast<unsigned char>(w[letters]))) letters++;
-    std::string zone = w.substr(letters), clock = w.substr(0, letters);
-    const size_t colon = clock.find(':');
-    double minutes = 0;
-    if (!base::parse_real(clock.substr(0, colon), t.hour) ||
-        (colon != std::string::npos && !base::parse_real(clock.substr(colon + 1), minutes)))
-        call.fail("\"" + base::excerpt(call.words[at]) + "\" is not an hour");
-    if (minutes < 0 || minutes >= 60)
-        base::warn(call.place, "gensky: the minutes of " + base::excerpt(call.words[at]) + " are outside 0 to 59");
-    t.hour += minutes / 60;
-    check_hour(call, at, t.hour);
-    if (zone.empty()) return;
-    if (t.solar) call.fail("a time zone and solar time cannot be used together");
-    for (char& c : zone) c = char(std::toupper(static_cast<unsigned char>(c)));
-    for (const TimeZone& z : zones)
-        if (zone == z.name) {
-            zone_meridian = z.west * degree;
-            return;
-        }
-    call.fail("unknown time zone \"" + base::excerpt(zone) + "\"");
-}
 
 Options read_options(const Call& call, size_t i) {
     Options o;
@@ -99,24 +56,10 @@ Options read_options(const Call& call, size_t i) {
 
 void gensky(const Call& call, std::string& out) {
     auto text = std::back_inserter(out);
-    const bool angles = call.has(1) && call.words[1] == "-ang";
     Options o = read_options(call, 4);
-    double altitude, azimuth;
-    if (angles) {
-        altitude = call.real(2, "the altitude") * degree;
-        azimuth = call.real(3, "the azimuth") * degree;
-    } else {
-        Moment t = read_date(call, 1);
-        read_hour(call, 3, t, o.site.meridian);
-        if (!t.solar && std::fabs(o.site.meridian - o.site.longitude) > 45 * degree)
-            base::warn(call.place, "gensky: longitude and standard meridian are more than 45 degrees apart");
-        const Sun s = sun_position(o.site, t);
-        altitude = s.altitude;
-        azimuth = s.azimuth;
-        fmt::format_to(text, "# Local solar time: {:.2f}\n", s.solar_time);
-    }
-    fmt::format_to(text, "# Solar altitude and azimuth: {:.1f} {:.1f}\n", altitude / degree, azimuth / degree);
-
+    const Sun s = read_sun(call, 1, o.site, out);
+    double altitude = s.altitude;
+    const double azimuth = s.azimuth;
     const bool cloudy = o.sky == overcast || o.sky == uniform;
     if (!cloudy) altitude = std::min(altitude, 87 * degree);
     const base::Vec3 sun = sun_direction(altitude, azimuth);

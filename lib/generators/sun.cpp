@@ -3,9 +3,13 @@
 // Almanac's low precision formulas (Michalsky, The Astronomical Almanac's algorithm for approximate solar position,
 // Solar Energy 40, 1988).
 #include "generators/sun.h"
+#include <fmt/format.h>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 #include "base/angle.h"
 #include "base/error.h"
+#include "base/number.h"
 #include "base/printable.h"
 #include "generators/generators.h"
 
@@ -91,6 +95,70 @@ void move_into_day(const Site& site, double minutes, Sun& s) {
     else if (std::fabs(t - set) <= half) t = (t - half + set) / 2;
     else return;
     set_solar_time(site, t, s);
+}
+
+namespace {
+
+struct TimeZone {
+    const char* name;
+    double west;
+};
+// clang-format off
+const TimeZone zones[] = {
+    {"YST", 135}, {"YDT", 120}, {"PST", 120}, {"PDT", 105}, {"MST", 105}, {"MDT", 90}, {"CST", 90},
+    {"CDT", 75}, {"EST", 75}, {"EDT", 60}, {"AST", 60}, {"ADT", 45}, {"NST", 52.5}, {"NDT", 37.5}, {"GMT", 0},
+    {"BST", 0}, {"CET", -15}, {"CEST", -30}, {"EET", -30}, {"EEST", -45}, {"GST", -60}, {"GDT", -75},
+    {"IST", -82.5}, {"IDT", -97.5}, {"JST", -135}, {"NZST", -180}, {"NZDT", -195},
+};
+// clang-format on
+
+// [+]h[:mm][zone] or [+]h.hh[zone]; a zone sets the meridian whatever -m says.
+void read_hour(const Call& call, size_t at, Moment& t, double& zone_meridian) {
+    std::string w = call.word(at, "the hour");
+    t.solar = w[0] == '+';
+    if (t.solar) w.erase(0, 1);
+    size_t letters = 0;
+    while (letters < w.size() && !std::isalpha(static_cast<unsigned char>(w[letters]))) letters++;
+    std::string zone = w.substr(letters), clock = w.substr(0, letters);
+    const size_t colon = clock.find(':');
+    double minutes = 0;
+    if (!base::parse_real(clock.substr(0, colon), t.hour) ||
+        (colon != std::string::npos && !base::parse_real(clock.substr(colon + 1), minutes)))
+        call.fail("\"" + base::excerpt(call.words[at]) + "\" is not an hour");
+    if (minutes < 0 || minutes >= 60)
+        base::warn(call.place,
+                   call.words[0] + ": the minutes of " + base::excerpt(call.words[at]) + " are outside 0 to 59");
+    t.hour += minutes / 60;
+    check_hour(call, at, t.hour);
+    if (zone.empty()) return;
+    if (t.solar) call.fail("a time zone and solar time cannot be used together");
+    for (char& c : zone) c = char(std::toupper(static_cast<unsigned char>(c)));
+    for (const TimeZone& z : zones)
+        if (zone == z.name) {
+            zone_meridian = z.west * degree;
+            return;
+        }
+    call.fail("unknown time zone \"" + base::excerpt(zone) + "\"");
+}
+
+}  // namespace
+
+Sun read_sun(const Call& call, size_t i, Site site, std::string& out) {
+    auto text = std::back_inserter(out);
+    Sun s;
+    if (call.has(i) && call.words[i] == "-ang") {
+        s.altitude = call.real(i + 1, "the altitude") * degree;
+        s.azimuth = call.real(i + 2, "the azimuth") * degree;
+    } else {
+        Moment t = read_date(call, i);
+        read_hour(call, i + 2, t, site.meridian);
+        if (!t.solar && std::fabs(site.meridian - site.longitude) > 45 * degree)
+            base::warn(call.place, call.words[0] + ": longitude and standard meridian are more than 45 degrees apart");
+        s = sun_position(site, t);
+        fmt::format_to(text, "# Local solar time: {:.2f}\n", s.solar_time);
+    }
+    fmt::format_to(text, "# Solar altitude and azimuth: {:.1f} {:.1f}\n", s.altitude / degree, s.azimuth / degree);
+    return s;
 }
 
 base::Vec3 sun_direction(double altitude, double azimuth) {

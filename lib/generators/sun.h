@@ -32,6 +32,10 @@ base::Vec3 sun_direction(double altitude, double azimuth);
 Moment read_date(const Call& call, size_t i);              // month and day at words i, i+1
 void check_hour(const Call& call, size_t i, double hour);  // warns outside 0 to 24, as word i says it
 
+// The sun at words i to i + 2, as gensky takes it: "-ang altitude azimuth", or month day hour[:minutes][zone] (+hour:
+// solar time).  Writes it as comments.
+Sun read_sun(const Call& call, size_t i, Site site, std::string& out);
+
 // F2 of skybright.cal: the CIE clear and intermediate sky's formula at the zenith.
 double clear_norm(double altitude);
 double intermediate_norm(double altitude);

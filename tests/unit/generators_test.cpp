@@ -4,6 +4,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 #include <cmath>
+#include "base/angle.h"
 #include "base/number.h"
 #include "generators/generators.h"
 #include "scene_text.h"
@@ -156,6 +157,64 @@ TEST_CASE("genbox -s has the normals of the round box") {
     }
 }
 
+// The general skies of ISO 15469, table 1, and the traditional overcast sky (16).
+const double cie_types[16][5] = {{4, -.7, 0, -1, 0},       {4, -.7, 2, -1.5, .15},  {1.1, -.8, 0, -1, 0},
+                                 {1.1, -.8, 2, -1.5, .15}, {0, -1, 0, -1, 0},       {0, -1, 2, -1.5, .15},
+                                 {0, -1, 5, -2.5, .3},     {0, -1, 10, -3, .45},    {-1, -.55, 2, -1.5, .15},
+                                 {-1, -.55, 5, -2.5, .3},  {-1, -.55, 10, -3, .45}, {-1, -.32, 10, -3, .45},
+                                 {-1, -.32, 16, -3, .3},   {-1, -.15, 16, -3, .3},  {-1, -.15, 24, -2.8, .15}};
+
+// Horizontal irradiance per level by midpoints, about the zenith, in mu = cos Z squared and azimuth.
+double cie_irradiance(int type, double sun_altitude) {
+    const double* t = cie_types[type - 1];
+    const int n = 1500;
+    double sum = 0;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n / 4; j++) {
+            const double z = std::sqrt((i + .5) / n), azimuth = base::pi * (j + .5) / (n / 4);
+            const double c =
+                z * std::sin(sun_altitude) + std::sqrt(1 - z * z) * std::cos(sun_altitude) * std::cos(azimuth);
+            const double chi = std::acos(std::fmin(c, 1));
+            sum += (1 + t[0] * std::exp(t[1] / z)) *
+                   (1 + t[2] * (std::exp(t[3] * chi) - std::exp(t[3] * base::pi / 2)) + t[4] * c * c);
+        }
+    return sum * base::pi / (n * (n / 4));
+}
+
+TEST_CASE("genciesky: level and coefficients are those of ISO 15469 at the irradiance asked for") {
+    for (int type = 1; type <= 16; type++)
+        for (double altitude : {0., 8., 60., 90.}) {
+            CAPTURE(type);
+            CAPTURE(altitude);
+            const scene::Scene s = read_text("!genciesky " + std::to_string(type) + " -ang " +
+                                             std::to_string(altitude) + " 30 -L 17900\n");
+            REQUIRE(s.objects.size() == 1);
+            CHECK(s.name(s.objects[0]) == "skyfunc");
+            CHECK(s.strings(s.objects[0])[0] == (type == 16 ? "traditional" : "ciesky"));
+            const auto r = s.reals(s.objects[0]);
+            if (type == 16) {
+                CHECK(r[0] == doctest::Approx(100 * 9 / (7 * base::pi)).epsilon(1e-8));
+                continue;
+            }
+            if (type == 5) CHECK(r[0] == doctest::Approx(100 / base::pi).epsilon(1e-8));
+            for (int k = 0; k < 5; k++) CHECK(r[size_t(1 + k)] == cie_types[type - 1][k]);
+            CHECK(r[0] * cie_irradiance(type, altitude * base::degree) == doctest::Approx(100).epsilon(1e-4));
+            CHECK(r[8] == doctest::Approx(std::sin(altitude * base::degree)).epsilon(1e-8));
+        }
+}
+
+TEST_CASE("genciesky: the sun stands where gensky's does, and has the irradiance asked for") {
+    const std::string site = " 3 21 14:30CET -a 48.1 -o -11.6";
+    const scene::Scene ours = read_text("!genciesky 12" + site + " -B 50 -R 200\n");
+    const scene::Scene other = read_text("!gensky" + site + "\n");
+    REQUIRE(ours.objects.size() == 3);
+    const auto a = ours.reals(ours.objects[1]), b = other.reals(other.objects[1]);
+    for (size_t k = 0; k < 3; k++) CHECK(a[k] == doctest::Approx(b[k]).epsilon(2e-6));
+    const double half_sine = std::sin(.2665 * base::degree);
+    CHECK(ours.reals(ours.objects[0])[0] * base::pi * half_sine * half_sine * a[2] ==
+          doctest::Approx(200).epsilon(1e-5));
+}
+
 TEST_CASE("a wrong command line names the line, the program and the fact") {
     CHECK(error_in("\n!genbox m b 1 2\n") == "t.rad:2: genbox: the size is missing");
     CHECK(error_in("!genbox m b 1 x 3\n") == "t.rad:1: genbox: the size: \"x\" is not a number");
@@ -171,6 +230,13 @@ TEST_CASE("a wrong command line names the line, the program and the fact") {
     CHECK(error_in("!gensky 13 1 12\n") == "t.rad:1: gensky: the month: \"13\" is not an integer of 1 to 12");
     CHECK(error_in("!gensky 6 21 +12EST\n") == "t.rad:1: gensky: a time zone and solar time cannot be used together");
     CHECK(error_in("!gendaylit 6 21 12\n") == "t.rad:1: gendaylit: one of -P -W -G -L -E is needed");
+    CHECK(error_in("!genciesky 17 6 21 12 -B 1\n") ==
+          "t.rad:1: genciesky: the type: \"17\" is not an integer of 1 to 16");
+    CHECK(error_in("!genciesky 5 6 21 12\n") == "t.rad:1: genciesky: one of -B and -L is needed");
+    CHECK(error_in("!genciesky 5 -ang 10 0 -B -1\n") == "t.rad:1: genciesky: -B is below 0");
+    CHECK(error_in("!genciesky 5 -ang 10 0 -B 1 -g .2\n") == "t.rad:1: genciesky: unknown option \"-g\"");
+    CHECK(error_in("!genciesky 5 -ang -1 0 -B 1\n") ==
+          "t.rad:1: genciesky: the sun's altitude is outside 0 to 90 degrees");
     CHECK(error_in("!genprism m p 2 0 0 1 1\n") ==
           "t.rad:1: genprism: the number of vertices: \"2\" is not an integer of 3 to 1000000");
     CHECK(error_in("!genblinds m n .1 1 2 1 0 +r .04\n") ==
