@@ -22,13 +22,6 @@ constexpr double few = 16;                                       // hits that de
 constexpr uint32_t enough = 1u << 20, least_places = 16, most_places = 256;  // places: of all pixels; of one
 constexpr size_t pixels_at_once = 1u << 14;                                  // pixels
 
-// In small pictures a pixel holds much of the light, and samples cost little.
-uint32_t places_of(uint32_t pixels) {
-    uint32_t n = least_places;
-    while (n < most_places && 2 * n * pixels <= enough) n *= 2;
-    return n;
-}
-
 // Pixels whose samples in frame 0 differ, and their neighbours: the samples may have missed a small bright thing there.
 std::vector<uint32_t> uneven_pixels(const FrameZero& zero, int nx, int ny) {
     std::vector<bool> chosen(zero.spread.size());
@@ -125,6 +118,12 @@ void add_drawn(const FrameZero& zero, size_t i, float* moments) {
     moments[image::moment_up] = float(d.up / d.sum);
 }
 }  // namespace
+
+uint32_t places_of(uint32_t pixels) {
+    uint32_t n = least_places;
+    while (n < most_places && 2 * n * pixels <= enough) n *= 2;
+    return n;
+}
 
 image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero) {
     const uint32_t nx = plan.sampling.params.nx, ny = plan.sampling.params.ny, n = places_of(nx * ny);

@@ -2,18 +2,19 @@
 // Moments of the light within each pixel (image/picture.h, docs/decisions/0033): the variance over the pixel of the
 // direct and specular light that reaches the eye, without the noise of single samples.
 //   A sample a of a pixel is L(x) + noise, x its place in the pixel.  A second sample b at the same place, with other
-// random numbers for
-//   the rest of the path, has the same L(x) and independent noise, so the covariance of a and b over places is the
-// variance of L
-//   (components of variance: Searle, Casella and McCulloch, "Variance Components", 1992, chapter 3).  Pairs are drawn
-// where the
-//   samples of frame 0 differ; no frame contains them.  Splatted emitters add their exact part.
+// random numbers for the rest of the path, has the same L(x) and independent noise.  The covariance of a and b over
+// places is the variance of L (components of variance: Searle, Casella and McCulloch, "Variance Components", 1992,
+// chapter 3).  Pairs are drawn where the samples of frame 0 differ; no frame contains them.  Splatted emitters add
+// their exact part.
 #pragma once
 #include "image/picture.h"
 #include "render/frame_zero.h"
 
 namespace render {
 
+// Number of places in a pixel, of a picture of so many pixels.  In small pictures a pixel holds much of the light, and
+// samples cost little.
+uint32_t places_of(uint32_t pixels);
 image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero);
 
 }  // namespace render

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <fmt/core.h>
 
+#include "image/grey.h"
 #include "kernels/dialect/host.h"
 #include "render/frame_zero.h"
 #include "render/learn.h"
+#include "render/pixel_moments.h"
 #include "render/pixel_names.h"
 
 namespace render {
@@ -18,6 +20,9 @@ using From = device::RecordedLight::From;
 
 namespace {
 Rgb times(const Rgb& a, const Rgb& b) { return {a[0] * b[0], a[1] * b[1], a[2] * b[2]}; }
+double grey_of(const Rgb& rgb) {
+    return image::grey_red * rgb[0] + image::grey_green * rgb[1] + image::grey_blue * rgb[2];
+}
 Rgb times(const Rgb& a, double b) { return {a[0] * b, a[1] * b, a[2] * b}; }
 
 class Explainer {
@@ -61,6 +66,13 @@ public:
             give_light(row, suns, i.first, double(i.weight) / 2);
             give_light(row, suns, i.second, double(i.weight) / 2);
         }
+    }
+
+    // A path of the pixel that no frame contains.
+    void place(const device::Params& p) const {
+        device::RecordedPaths r = device::record_paths(*plan_.scene.tables, p, 0);
+        scrub_recorded(r, 0);
+        give_path(r.paths[0], PixelRow(), {1, 1, 1}, false);
     }
 
 private:
@@ -164,6 +176,50 @@ void explain_pixel(device::Device& device, const ViewPlan& plan, const scene::Sc
         explainer.sample(plan.sampling, MODE_DIRECT, first_sample_of_zero(plan) + int64_t(i),
                          zero[i] / double(zero.size()), row);
     }
+}
+
+MomentReport explain_moments(device::Device& device, const ViewPlan& plan, const scene::Scene& scene, int x, int y) {
+    const uint32_t nx = plan.sampling.params.nx, ny = plan.sampling.params.ny, n = places_of(nx * ny),
+                   pixel = (ny - 1 - uint32_t(y)) * nx + uint32_t(x);
+    const FrameZero zero = draw_frame_zero(device, plan);
+    const image::Moments all = pixel_moments(device, plan, zero);
+    MomentReport out;
+    for (size_t i = 0; i < out.moments.size(); i++) out.moments[i] = double((*all)[image::moment_numbers * pixel + i]);
+    if (!(out.moments[image::moment_variance] > 0)) return out;
+
+    // Covariance of both samples of each place, by light.
+    std::map<std::string, std::vector<double>> by_light[2];
+    std::vector<double> sum[2];
+    for (uint32_t set = 0; set < 2; set++) {
+        sum[set].assign(n, 0.0);
+        device::Params p = params_of_places(plan.sampling, {pixel}, n, set);
+        p.path_count = 1;
+        for (p.first = 0; p.first < n; p.first++) {
+            const GiveRow add = [&](const PixelRow& row) {
+                if (row.light.empty()) return;
+                std::vector<double>& light = by_light[set][row.light];
+                light.resize(n);
+                light[p.first] += grey_of(row.rgb);
+                sum[set][p.first] += grey_of(row.rgb);
+            };
+            Explainer(plan, scene, pixel, add).place(p);
+        }
+    }
+    double covariance = 0;
+    for (uint32_t set = 0; set < 2; set++) {
+        const std::vector<double>& other = sum[1 - set];
+        double mean = 0;
+        for (const double v : other) mean += v / n;
+        for (const auto& [light, values] : by_light[set])
+            for (uint32_t k = 0; k < n; k++) {
+                const double part = values[k] * (other[k] - mean) / n / 2;
+                out.variance_by_light[light] += part;
+                covariance += part;
+            }
+    }
+    const bool drawn = !zero.drawn.empty() && zero.drawn[pixel].sum > 0;
+    if (drawn) out.variance_by_light["drawn by area"] = out.moments[image::moment_variance] - covariance;
+    return out;
 }
 
 }  // namespace render

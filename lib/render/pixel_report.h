@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The value of one pixel as the sum of all light that its paths gather, by vertex: `ptrace -pixel`.
 #pragma once
+#include <array>
 #include <functional>
+#include <map>
 #include <string>
 #include "device/recorded_paths.h"
 #include "render/view_plan.h"
@@ -29,5 +31,12 @@ using GiveRow = std::function<void(const PixelRow&)>;
 // rows sum to its value.  scene: that of the plan, loaded with Options::names.  x, y: from the lower left corner.
 void explain_pixel(device::Device& device, const ViewPlan& plan, const scene::Scene& scene, int x, int y, int64_t first,
                    int64_t last, const GiveRow& give);
+
+// Moments of a pixel in frame 0 (image/moments.h), and the parts of each light in its variance, which sum to it.
+struct MomentReport {
+    std::array<double, 4> moments{};
+    std::map<std::string, double> variance_by_light;
+};
+MomentReport explain_moments(device::Device& device, const ViewPlan& plan, const scene::Scene& scene, int x, int y);
 
 }  // namespace render

@@ -57,4 +57,14 @@ std::string sum_table(const PixelSums& sums) {
     return out + sum_row("pixel", "", sums.all, sums);
 }
 
+std::string moment_table(const MomentReport& report) {
+    std::string out = "moment\tlight\tvalue\n";
+    for (const auto& [light, variance] : report.variance_by_light)
+        out += fmt::format("variance\t{}\t{:.8g}\n", light, variance);
+    constexpr const char* names[] = {"variance", "difference", "right", "up"};
+    for (size_t i = 0; i < report.moments.size(); i++)
+        out += fmt::format("{}\t\t{:.8g}\n", names[i], report.moments[i]);
+    return out;
+}
+
 }  // namespace render

@@ -16,5 +16,6 @@ struct PixelSums {
 
 std::string vertex_table(const std::vector<PixelRow>& rows, const PixelSums& sums);
 std::string sum_table(const PixelSums& sums);
+std::string moment_table(const MomentReport& report);
 
 }  // namespace render

@@ -128,6 +128,10 @@ void Renderer::explain(const scene::Scene& scene, int x, int y, int64_t first, i
     explain_pixel(*device_, plan_, scene, x, y, first, last, give);
 }
 
+MomentReport Renderer::explain_moments(const scene::Scene& scene, int x, int y) {
+    return render::explain_moments(*device_, plan_, scene, x, y);
+}
+
 image::Moments Renderer::moments() { return pixel_moments(*device_, plan_, draw_frame_zero(*device_, plan_)); }
 
 void Renderer::frame(int64_t k, std::vector<float>& rgb) {

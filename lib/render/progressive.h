@@ -53,6 +53,7 @@ public:
 
     // explain_pixel() of the selected view; scene: that of load(), with options.names.
     void explain(const scene::Scene& scene, int x, int y, int64_t first, int64_t last, const GiveRow& give);
+    MomentReport explain_moments(const scene::Scene& scene, int x, int y);
 
     // For tests: one frame; the moments; a ray.
     void frame(int64_t k, std::vector<float>& rgb);

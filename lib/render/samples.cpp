@@ -176,8 +176,8 @@ std::vector<PixelPath> paths_of_pixel(const PixelSampling& sampling, uint32_t mo
     return out;
 }
 
-std::vector<float> run_places(device::Device& device, const PixelSampling& sampling,
-                              const std::vector<uint32_t>& pixels, uint32_t n, uint32_t redraw) {
+device::Params params_of_places(const PixelSampling& sampling, const std::vector<uint32_t>& pixels, uint32_t n,
+                                uint32_t redraw) {
     std::vector<uint32_t> words = sampling.view_words;
     for (const uint32_t pixel : pixels) words.insert(words.end(), {pixel, n, 0});
     device::Params p = sampling.params;
@@ -187,6 +187,12 @@ std::vector<float> run_places(device::Device& device, const PixelSampling& sampl
     p.frame = first_place;
     p.spp = p.samples_per_pass = n;
     p.redraw = redraw;
+    return p;
+}
+
+std::vector<float> run_places(device::Device& device, const PixelSampling& sampling,
+                              const std::vector<uint32_t>& pixels, uint32_t n, uint32_t redraw) {
+    device::Params p = params_of_places(sampling, pixels, n, redraw);
     const uint32_t all = uint32_t(pixels.size()) * n;
     std::vector<float> rgb, some;
     for (p.first = 0; p.first < all; p.first += p.path_count) {

@@ -49,6 +49,9 @@ struct PixelPath {
 };
 // Those of one sample of run_pass().
 std::vector<PixelPath> paths_of_pixel(const PixelSampling& sampling, uint32_t mode, int64_t sample, uint32_t pixel);
+// Parameters of the passes of run_places().
+device::Params params_of_places(const PixelSampling& sampling, const std::vector<uint32_t>& pixels, uint32_t n,
+                                uint32_t redraw);
 // n direct samples of each of some pixels, which no frame contains, consecutive.  redraw: 0, or other random numbers
 // except for the places of the samples.
 std::vector<float> run_places(device::Device& device, const PixelSampling& sampling,

@@ -109,6 +109,33 @@ TEST_CASE("with a focus, without noisy pixels, with an odd number of samples in 
     CHECK(lit >= 6);
 }
 
+TEST_CASE("the parts of each light sum to the variance inside the pixel") {
+    int uneven = 0, drawn = 0;
+    for (const auto& [folder, arguments] : std::vector<std::array<std::string, 2>>{
+             {"examples/scenes/gallery", "-vf east.vf materials.rad room.rad objects.rad sky_noon.rad"},
+             {"tests/golden/lamps", "-vtv -vp 3 1 1.6 -vd .6 1 -.15 -vh 70 -vv 70 -ab 2 hall.rad"}}) {
+        REQUIRE(chdir((LUXPIPE_TESTS "/../" + folder).c_str()) == 0);
+        const Picture p = picture_of(parity::options_of(arguments, size));
+        const image::Moments moments = p.renderer->moments();
+        std::vector<size_t> some;
+        for (size_t i = 0; i < size * size; i++)
+            if ((*moments)[image::moment_numbers * i] > 0) some.push_back(i);
+        for (size_t k = 0; k < some.size(); k += 1 + some.size() / 8) {
+            CAPTURE(some[k]);
+            const float* want = &(*moments)[image::moment_numbers * some[k]];
+            const render::MomentReport got =
+                p.renderer->explain_moments(p.scene, int(some[k] % size), size - 1 - int(some[k] / size));
+            double sum = 0, magnitude = 0;
+            for (const auto& [light, v] : got.variance_by_light) sum += v, magnitude += std::fabs(v);
+            CHECK(std::fabs(sum - double(want[image::moment_variance])) <= 1e-5 * magnitude);
+            for (size_t i = 0; i < image::moment_numbers; i++) CHECK(got.moments[i] == double(want[i]));
+            uneven++, drawn += int(got.variance_by_light.count("drawn by area"));
+        }
+    }
+    CHECK(uneven > 10);
+    CHECK(drawn < uneven);
+}
+
 TEST_CASE("surfaces, materials and lights are named with their places") {
     TempFolder folder;
     const std::string obj = folder.holding("box.obj", "v -1 0 0\nv 1 0 0\nv 0 0 1\nusemtl red\nf 1 2 3\n"),

@@ -17,5 +17,7 @@ void write_pixel(const Options& opt, render::Session& session) {
                                });
     std::string text = one_frame ? vertex_table(rows, sums) + "\n" : "";
     text += sum_table(sums);
+    if (opt.first == 0 && opt.moments)
+        text += "\n" + moment_table(session.renderer().explain_moments(session.scene(), opt.pixel->x, opt.pixel->y));
     base::write_stdout(text.data(), text.size());
 }
