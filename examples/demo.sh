@@ -30,40 +30,58 @@ ptaccum "$out/office.exr" -o "$out/falsecolor.png" -tone falsecolor
 command -v gnuplot > /dev/null && (cd "$out" && gnuplot << 'END'
 set terminal pngcairo size 900,1100
 set output "metrics.png"
+first = 4  # frame: the bands of earlier ones are wide
 stats "metrics.tsv" skip 1 using 1 nooutput
 end = STATS_max
-array middle[5]; array reach[5]
-do for [k=1:5] {
-    stats "metrics.tsv" skip 1 using (column(1) < 8 ? NaN : column(3 * k)) nooutput
-    middle[k] = STATS_median; reach[k] = 1.5 * (STATS_max - STATS_min) + 0.02 * abs(STATS_median)
+seen(c) = column(1) < first ? NaN : column(c)
+array low[5]; array high[5]
+do for [k=1:5] {  # the last one has no band
+    stats "metrics.tsv" skip 1 using (seen(3 * k + (k < 5 ? 1 : 0))) nooutput
+    low[k] = STATS_min
+    stats "metrics.tsv" skip 1 using (seen(3 * k + (k < 5 ? 2 : 0))) nooutput
+    high[k] = STATS_max
 }
 stats "metrics.tsv" skip 1 using (abs(column(18))) nooutput  # STATS_max: DGP.px
-set xrange [1:end * 1.1]; set logscale x; set grid; set key top right
+hidden = STATS_max
+array limit[3] = [.35, .40, .45]
+array class[3] = ["perceptible", "disturbing", "intolerable"]
+below(v) = v >= .45 ? .45 : v >= .40 ? .40 : v >= .35 ? .35 : v
+above(v) = v < .35 ? .35 : v < .40 ? .40 : v < .45 ? .45 : v
+# 1, 2 or 5 of a decimal place, at least v
+place(v) = 10 ** floor(log10(v + 1e-9))
+step(v) = v > 5 * place(v) ? 10 * place(v) : v > 2 * place(v) ? 5 * place(v) : 2 * place(v)
+set xrange [first:end * 1.02]; set logscale x; set xtics (4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048); set grid
 set style fill transparent solid 0.25 noborder
-set arrow from end, graph 0 to end, graph 1 nohead dashtype 2
-set label "stop" at end, graph 0.08 right offset -0.5, 0
 array words[5]
 words[1] = "Light at the eye, lux (Ev)"; words[2] = "Probability of glare (DGPf)"
 words[3] = "The desk, cd/m2"; words[4] = "Contrast of the screen, dark over bright"
 words[5] = "Contrast of the view (RAMMG): not waited for"
-frame(n) = n < 2 ? NaN : n
 pixels(k) = k == 2 ? column(18) : 0
-set multiplot layout 5, 1 title "The office at 14:00: what is known after so many frames"
+set multiplot layout 5, 1 title sprintf("The office at 14:00: what is known after so many frames, of %d", end)
 do for [k=1:5] {
-    first = 3 * k
     set title words[k]
+    set key off
+    if (k == 1) { set key top right horizontal }
     if (k == 5) { set xlabel "diffuse frames" }
-    unset label 2
+    unset label; unset arrow
     if (k == 2) {
-        reach[k] = reach[k] + STATS_max
-        set label 2 "hidden in pixels (DGP.px)" at end / 2, middle[k] - STATS_max / 2 right
+        set label "hidden in pixels (DGP.px)" at graph .98, first (low[2] + high[2] - hidden) / 2 right
+        low[2] = below(low[2] - hidden); high[2] = above(high[2])
+        do for [i=1:3] {
+            if (limit[i] >= low[2] && limit[i] <= high[2]) {
+                set arrow from graph 0, first limit[i] to graph 1, first limit[i] nohead dashtype 2
+                set label sprintf("%s from %.2f", class[i], limit[i]) at graph .02, first limit[i] offset 0, -.7
+            }
+        }
     }
-    set yrange [middle[k] - reach[k]:middle[k] + reach[k]]
-    plot "metrics.tsv" skip 1 using (frame(column(1))):(column(first)):(column(first) - pixels(k)) with filledcurves \
+    margin = .12 * (high[k] - low[k]) + 1e-9
+    set yrange [low[k] - (k == 2 ? 3 : 1) * margin:high[k] + (k == 1 ? 3 : 1) * margin]
+    set ytics step((high[k] - low[k]) / 3)
+    plot "metrics.tsv" skip 1 using (seen(1)):(column(3 * k)):(column(3 * k) - pixels(k)) with filledcurves \
         lc rgb "gray60" notitle, \
-        "" skip 1 using (frame(column(1))):(column(first + 1)):(column(first + 2)) with filledcurves \
+        "" skip 1 using (seen(1)):(column(3 * k + 1)):(column(3 * k + 2)) with filledcurves \
         lc rgb "steelblue" title "true value, with 95 % certainty", \
-        "" skip 1 using (frame(column(1))):(column(first)) with lines lw 2 lc rgb "steelblue" title "value so far"
+        "" skip 1 using (seen(1)):(column(3 * k)) with lines lw 2 lc rgb "steelblue" title "value so far"
 }
 END
 )
