@@ -47,4 +47,11 @@ private:
     uint64_t state_ = 0x9e3779b97f4a7c15u;
 };
 
+template <class Container>
+std::string hash_of(const Container& values) {
+    Hash hash;
+    hash.add_all(values);
+    return hash.text();
+}
+
 }  // namespace base

@@ -35,16 +35,10 @@ const std::vector<std::string> moment_channels = {"moments.variance", "moments.d
                                                   "moments.up"};
 constexpr const char* moments_text = "moments";  // attribute: the hash of the pixels that they belong to
 
-std::string hash_of(const std::vector<float>& rgb) {
-    base::Hash hash;
-    hash.add_all(rgb);
-    return hash.text();
-}
-
 Moments read_moments(const ExrInput& in, const std::vector<float>& rgb, const std::string& path) {
     for (const std::string& channel : moment_channels)
         if (!in.has(channel)) return {};
-    if (in.text(moments_text) != hash_of(rgb)) {
+    if (in.text(moments_text) != base::hash_of(rgb)) {
         base::warn(path, "another program has changed its pixels: their moments are left out");
         return {};
     }
@@ -181,7 +175,7 @@ std::string exr_bytes(const std::string& path, const Picture& picture, const Exr
     if (picture.moments && !options.half) {
         for (size_t k = 0; k < moment_numbers; ++k)
             channels.push_back({moment_channels[k], picture.moments->data() + k, int(moment_numbers)});
-        texts[moments_text] = hash_of(picture.rgb);
+        texts[moments_text] = base::hash_of(picture.rgb);
     }
     for (size_t k = 0; k < picture.parts.size() && !options.half; ++k) {
         const std::string name = fmt::format("part{}", k);

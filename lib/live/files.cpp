@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <utility>
+
 #include "base/descriptor.h"
 #include "base/hash.h"
 #include "base/tempfile.h"
@@ -13,16 +15,6 @@
 #include "region/region.h"
 
 namespace live {
-
-namespace {
-
-std::string tag_of(const std::string& text) {
-    base::Hash hash;
-    hash.add_all(text);
-    return hash.text();
-}
-
-}  // namespace
 
 FileNow TextFile::read() const {
     const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -35,7 +27,7 @@ FileNow TextFile::read() const {
     for (ssize_t n; now.trouble.empty() && (n = base::read_some(fd, block, sizeof block)) > 0;)
         now.text.append(block, size_t(n));
     close(fd);
-    now.tag = now.trouble.empty() ? tag_of(now.text) : "none";
+    now.tag = now.trouble.empty() ? base::hash_of(now.text) : "none";
     return now;
 }
 
@@ -51,14 +43,8 @@ bool TextFile::write(const std::string& text, const std::string& tag) const {
 }
 
 bool TextFile::changed() {
-    struct stat s = {};
-    std::string stamp = "none";
-    if (stat(path.c_str(), &s) == 0)
-        stamp = std::to_string(s.st_ino) + " " + std::to_string(s.st_size) + " " + std::to_string(s.st_mtim.tv_sec) +
-                " " + std::to_string(s.st_mtim.tv_nsec);
-    const bool first = stamp_.empty(), differs = stamp != stamp_;
-    stamp_ = stamp;
-    return differs && !first;
+    const std::optional<base::FileStamp> before = std::exchange(stamp_, base::stamp_of(path));
+    return before && !(*before == *stamp_);
 }
 
 }  // namespace live

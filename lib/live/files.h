@@ -3,9 +3,11 @@
 // of the file it has read (its tag); a file that somebody else has changed since is left alone.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 #include "base/error.h"
+#include "base/file_stamp.h"
 
 namespace live {
 
@@ -32,7 +34,7 @@ public:
     bool writable;
 
 private:
-    std::string stamp_;
+    std::optional<base::FileStamp> stamp_;  // of the last look
 };
 
 using Files = std::vector<TextFile>;

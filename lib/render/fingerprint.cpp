@@ -31,18 +31,8 @@ std::string option_text(RenderOptions o) {
 
 std::string focus_text(const Focus& focus) {
     std::string text;
-    for (const FocusPart& part : focus) {
-        base::Hash pixels;
-        pixels.add_all(part.pixels);
-        text += fmt::format(" {} samples of {}", part.spp, pixels.text());
-    }
+    for (const FocusPart& part : focus) text += fmt::format(" {} samples of {}", part.spp, base::hash_of(part.pixels));
     return text;
-}
-
-std::string hash_of(const std::string& text) {
-    base::Hash hash;
-    hash.add_all(text);
-    return hash.text();
 }
 
 }  // namespace
@@ -60,8 +50,8 @@ base::Hash hash_of_geometry(const flatten::FlatScene& s) {
 std::string fingerprint(base::Hash geometry, const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
                         const RenderOptions& options, const Focus& focus) {
     return fmt::format("scene:{} view:{} options:{} estimator:{}", scene_hash(geometry, scene),
-                       hash_of(fmt::format("{} {} {}", view::to_options(view), nx, ny)),
-                       hash_of(option_text(options) + focus_text(focus)), estimator);
+                       base::hash_of(fmt::format("{} {} {}", view::to_options(view), nx, ny)),
+                       base::hash_of(option_text(options) + focus_text(focus)), estimator);
 }
 
 }  // namespace render

@@ -120,9 +120,7 @@ std::string compare(const std::string& name, device::Device& device, const scene
 std::string self_test(device::Device& device, const std::string& folder) {
     const std::string name = device.name(), identity = device.identity();
     if (identity.empty()) return "";
-    base::Hash hash;
-    hash.add_all(identity);
-    const std::string remembered = folder + "/luxpipe_" + hash.text();
+    const std::string hash = base::hash_of(identity), remembered = folder + "/luxpipe_" + hash;
     std::string others;
     if (folder.empty() || !std::getline(std::ifstream(remembered), others)) {
         others = compare(name, device, scene::read_scene_text(room, "self-test"));
@@ -135,7 +133,7 @@ std::string self_test(device::Device& device, const std::string& folder) {
     if (others.empty()) return "";
     base::warn(name,
                "gives other bits than the processor in " + others + ": ptaccum combines its frames with no others");
-    return hash.text();
+    return hash;
 }
 
 }  // namespace render

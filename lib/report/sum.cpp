@@ -92,7 +92,7 @@ Sum without_look(Sum sum) {
     return sum;
 }
 
-Sum end(Sum sum, const std::string& place, bool tells) {
+Sum end_input(Sum sum, const std::string& place, bool tells) {
     if (tells && sum.step && sum.parts().size() == 1)
         tell(sum, place,
              "a picture by itself holds no batches of frames; the stream of sums does (ptaccum without -last), and a "

@@ -33,6 +33,6 @@ Sum look(Sum sum, const glare::Reading& reading, const glare::Measurement& measu
 // The columns are others from here on: a look is due.
 Sum without_look(Sum sum);
 // After the last picture of a file: another sum begins.
-Sum end(Sum sum, const std::string& place, bool tells);
+Sum end_input(Sum sum, const std::string& place, bool tells);
 
 }  // namespace report

@@ -65,7 +65,7 @@ Side read_side(const Options& o, const std::string& file) {
         sum = add(std::move(sum), next, reading, place, true);
     }
     if (last) finish();
-    end(std::move(sum), place, true);
+    end_input(std::move(sum), place, true);
     return out;
 }
 

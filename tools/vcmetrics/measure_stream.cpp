@@ -84,7 +84,7 @@ int measure_all(const Options& o) {
             }
             if (base::shutdown_requested()) return 0;
         }
-        run.sum = end(std::move(run.sum), place_of(file, 0).text, run.plan.needs_looks && run.plan.tells);
+        run.sum = end_input(std::move(run.sum), place_of(file, 0).text, run.plan.needs_looks && run.plan.tells);
     }
     say_end(o, run.progress);
     if (o.mode == OutputMode::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V

@@ -78,7 +78,7 @@ std::pair<RunState, std::optional<Row>> step(const Options& o, RunState run, ima
     if (run.progress.done && !o.go_on) return {std::move(run), std::nullopt};
     if (p.header.edit) {
         const int reading = run.plan.reading;
-        run.plan = with_regions_of_today(o, std::move(run.plan));
+        run.plan = with_present_regions(o, std::move(run.plan));
         if (run.plan.reading != reading) run.sum = without_look(std::move(run.sum));
     } else {
         require_pairs(run.plan);

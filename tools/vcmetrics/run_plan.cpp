@@ -3,10 +3,10 @@
 #include "run_plan.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <ctime>
+#include <filesystem>
 
 #include "base/error.h"
 #include "base/printable.h"
@@ -53,17 +53,12 @@ image::DrawRegions lenient(const image::MaskSet& masks, const image::DrawRegions
 }
 
 // A file that is being written changes again at once.
-bool is_quiet(const timespec& changed) {
+bool is_quiet(const base::FileStamp& file) {
     timespec now{};
     clock_gettime(CLOCK_REALTIME, &now);
-    const double age_s = double(now.tv_sec - changed.tv_sec) + 1e-9 * double(now.tv_nsec - changed.tv_nsec);
+    const double age_s =
+        double(now.tv_sec) - double(file.seconds) + 1e-9 * (double(now.tv_nsec) - double(file.nanoseconds));
     return age_s < 0 || age_s > .025;
-}
-
-RunPlan::Version version_of(const std::string& file) {
-    struct stat info = {};
-    if (file.empty() || stat(file.c_str(), &info) != 0) return {};
-    return {S_ISREG(info.st_mode), (long long)info.st_ino, (long long)info.st_size, info.st_mtim};
 }
 
 std::vector<std::string> region_names(const glare::Plan& plan) {
@@ -119,7 +114,7 @@ void choose_columns(const Options& o, const std::vector<std::string>& regions, R
 
 RunPlan plan_run(const Options& o) {
     RunPlan out;
-    out.version = version_of(o.regions_file);
+    out.version = base::stamp_of(o.regions_file);
     glare::Plan measured;
     measured.settings = o.settings;
     if (!o.regions_file.empty())
@@ -147,14 +142,11 @@ void require_pairs(const RunPlan& plan) {
     for (const ContrastPair& pair : plan.pairs) require_regions(pair, regions);
 }
 
-bool RunPlan::Version::operator==(const Version& v) const {
-    return inode == v.inode && bytes == v.bytes && changed.tv_sec == v.changed.tv_sec &&
-           changed.tv_nsec == v.changed.tv_nsec;
-}
-
-RunPlan with_regions_of_today(const Options& o, RunPlan plan) {
-    const RunPlan::Version now = version_of(o.regions_file);
-    if (!now.regular || (plan.again && (now == plan.version || !is_quiet(now.changed)))) return plan;
+RunPlan with_present_regions(const Options& o, RunPlan plan) {
+    std::error_code absent;
+    const base::FileStamp now = base::stamp_of(o.regions_file);
+    if (!std::filesystem::is_regular_file(o.regions_file, absent)) return plan;
+    if (plan.again && (now == plan.version || !is_quiet(now))) return plan;
     plan.version = now, plan.again = true;
     try {
         glare::Plan measured = *plan.measured;

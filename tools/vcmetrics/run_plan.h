@@ -2,9 +2,9 @@
 // What a run measures.  In a live stream, whose pictures say EDIT=, the region file is read again when it has changed,
 // which gives another plan; a region that is out of sight is nan.
 #pragma once
-#include <ctime>
 #include <string>
 #include <vector>
+#include "base/file_stamp.h"
 #include "glare/columns.h"
 #include "options.h"
 #include "stopping.h"
@@ -18,15 +18,9 @@ struct RunPlan {
     bool needs_looks = false, tells = false;  // intervals are shown or serve a rule; why there are none
     int64_t first_look = 0;                   // frames
 
-    // The region file.
-    struct Version {
-        bool regular = false;
-        long long inode = 0, bytes = 0;
-        timespec changed{};
-        bool operator==(const Version& v) const;
-    } version;
-    int reading = 0;     // counts those that gave a plan
-    bool again = false;  // it was read once more
+    base::FileStamp version;  // of the region file
+    int reading = 0;          // counts those that gave a plan
+    bool again = false;       // it was read once more
 };
 RunPlan plan_run(const Options& options);
 
@@ -34,4 +28,4 @@ RunPlan plan_run(const Options& options);
 void require_pairs(const RunPlan& plan);
 // Before a picture of a live stream.  What is wrong in a region file that has changed is told once, and the regions and
 // columns stay.
-RunPlan with_regions_of_today(const Options& options, RunPlan plan);
+RunPlan with_present_regions(const Options& options, RunPlan plan);
