@@ -54,9 +54,7 @@ void read_epw(Lines& in, Weather& w) {
     while (in.next()) {
         in.split(',');
         Hour h;
-        h.line = in.line();
         h.time.date = {in.whole(month, "the month", 1, 12), in.whole(day, "the day", 1, 31)};
-        if (!is_date(h.time.date.month, h.time.date.day)) in.fail("this month has fewer days");
         const int end = in.whole(hour, "the hour", 1, 24);
         // In hourly files the minute is 0 or 60, and means nothing.
         const double last = parts == 1 ? 60 : in.number(minute, "the minute", 1, 60);
@@ -65,7 +63,7 @@ void read_epw(Lines& in, Weather& w) {
         h.dew_point_c = in.number(dew_point, "the dew point");
         h.direct_wm2 = in.number(direct_normal, "the direct normal radiation");
         h.diffuse_wm2 = in.number(diffuse, "the diffuse horizontal radiation");
-        w.hours.push_back(h);
+        add_hour(in, h, w);
     }
 }
 

@@ -31,6 +31,9 @@ private:
     uint32_t line_ = 0;
 };
 
+// Adds the hour that stands on this line; throws Error where there are more than a year has minutes.
+void add_hour(const Lines& in, Hour hour, Weather& weather);
+
 // The rows of the two formats, into weather: header and hours, in the file's order; the first line has been read.
 void read_epw(Lines& in, Weather& weather);
 void read_wea(Lines& in, Weather& weather);

@@ -45,6 +45,7 @@ Schedule read_schedule(const std::string& path, const Weather& w) {
         if (const auto t = in.fields() > 1 || !is_number(word) ? parse_name(word) : std::nullopt; t && t->hour >= 0) {
             if (!known.count(t->minute_of_year())) in.fail(word + " is not an hour of " + w.path);
             s.minutes.push_back(t->minute_of_year());
+            if (s.minutes.size() > 366 * 1440) in.fail("more names than a year has minutes");
         } else if (!is_number(word)) {
             if (!first) in.fail("\"" + base::excerpt(word) + "\" is neither the name of an hour nor a value");
         } else if (in.fields() == 1) {

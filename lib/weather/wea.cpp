@@ -45,13 +45,11 @@ void read_wea(Lines& in, Weather& w) {
     while (in.next()) {
         in.split(' ');
         Hour h;
-        h.line = in.line();
         h.time.date = {in.whole(0, "the month", 1, 12), in.whole(1, "the day", 1, 31)};
-        if (!is_date(h.time.date.month, h.time.date.day)) in.fail("this month has fewer days");
         h.time.hour = in.number(2, "the hour", 0, 24);
         h.direct_wm2 = in.number(3, "the direct normal irradiance");
         h.diffuse_wm2 = in.number(4, "the diffuse horizontal irradiance");
-        w.hours.push_back(h);
+        add_hour(in, h, w);
     }
     w.step_min = step_of(w.hours);
     for (const Hour& h : w.hours)

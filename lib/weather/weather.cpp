@@ -72,6 +72,13 @@ int Lines::whole(size_t i, const char* what, int low, int high) const {
     return int(v);
 }
 
+void add_hour(const Lines& in, Hour hour, Weather& w) {
+    if (w.hours.size() == most_hours) in.fail("more lines than a year has minutes");
+    if (!is_date(hour.time.date.month, hour.time.date.day)) in.fail("this month has fewer days");
+    hour.line = in.line();
+    w.hours.push_back(hour);
+}
+
 Weather read_weather(const std::string& path) {
     Lines in(path);
     Weather w;
@@ -81,7 +88,6 @@ Weather read_weather(const std::string& path) {
     else if (base::begins_with(in.text(), "place ")) read_wea(in, w);
     else base::fail(path, "is neither EPW (LOCATION, ...) nor WEA (place ...)");
     if (w.hours.empty()) base::fail(path, "has no hours");
-    if (w.hours.size() > most_hours) base::fail(path, "has more lines than a year has minutes");
     // West is positive in one format and east in the other: a sign that is lost puts the sun on the other side.
     if (std::fabs(std::remainder(w.longitude_deg - w.meridian_deg, 360)) > 75)
         base::fail(path, fmt::format("the longitude {:g} west and the time zone of {:g} west do not go together",
