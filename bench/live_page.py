@@ -59,6 +59,7 @@ def measure_page(page, side):
         page.until('performance.getEntriesByName("picture").length > 0')
         opened.append(page.js('performance.getEntriesByName("picture")[0].startTime / 1000'))
     row('open', side, opened)
+    if page.find('.menu'): page.menu('View')
     page.one('#drag').send_keys('look')
     page.chrome.execute_async_script('''
         const done = arguments[arguments.length - 1];

@@ -137,8 +137,13 @@ void Design::show(const Variant& v) {
 void Design::pictured(const std::shared_ptr<const image::Picture>& picture) {
     if (picture->header.edited == "preview") return;
     newest_ = picture;
-    for (Variant& v : variants)
-        if (v.edit == picture->header.edit.value_or(0)) v.picture = picture;
+    const int64_t edit = picture->header.edit.value_or(0);
+    const auto frames = [](const auto& p) { return p ? p->header.frames.value_or(0) : -1; };
+    for (Variant& v : variants) {
+        const bool again = shows(v) && v.texts == rendered_ && edit == edits.back().first;
+        if (again && frames(picture) > frames(v.picture)) v.edit = edit;  // of two edits the one with more frames
+        if (v.edit == edit) v.picture = picture;
+    }
 }
 
 // NAME value (low to high) of each column that has an interval.

@@ -119,6 +119,7 @@ check('a source has its label at its brightest pixel', [top % width + .5, top //
 # files
 page.chrome.execute_cdp_cmd('Browser.setDownloadBehavior',
                             {'behavior': 'allow', 'downloadPath': os.path.abspath(saved)})
+page.menu('Save')
 for kind in ('hdr', 'exr', 'png', 'svg', 'csv'):
     page.one(f'#save-{kind}').click()
     name = f'{saved}/luxpipe.{kind}'
@@ -128,6 +129,7 @@ for kind in ('hdr', 'exr', 'png', 'svg', 'csv'):
 body = page.one('body')
 before = page.js('document.getElementById("tone").value')
 body.send_keys('t')
+page.menu('Scale')
 check('the scale of falsecolor is of falsecolor alone', not page.one('#legend').is_displayed()
       and not page.one('#top').is_displayed() and page.one('#stops').is_displayed())
 check('t changes the tone', page.js('document.getElementById("tone").value') != before)

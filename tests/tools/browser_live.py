@@ -80,6 +80,7 @@ check('the page shows what vcmetrics writes', soon(lambda: page.js('document.bod
                                                   == str(len(open(lines).read().splitlines())), SECONDS))
 page.one('#sources-panel summary').click()
 check('glare sources are listed', page.until('document.querySelectorAll("#sources tbody tr").length > 0', SECONDS))
+page.menu('Save')
 page.one('#command-text').send_keys('pause', Keys.ENTER)
 check('a word is obeyed', soon(lambda: page.js('document.getElementById("command-text").value') == ''))
 page.end()

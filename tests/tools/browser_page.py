@@ -50,6 +50,11 @@ class Page:
     def one(self, css):
         return self.chrome.find_element(By.CSS_SELECTOR, css)
 
+    def menu(self, name):
+        """Opens a menu of the bar above the picture."""
+        if name not in [s.text for s in self.find('.menu[open] > summary')]:
+            [s for s in self.find('.menu > summary') if s.text == name][0].click()
+
     def pixel_to_canvas(self, x, y, width, height):
         """From pixels (y from the top) to offsets from the middle of the canvas, as it shows the whole picture."""
         box = self.one('#canvas').size
@@ -94,7 +99,7 @@ class Page:
         """The tab key reaches all that can be used, in the order of the page, and shows where it is."""
         wanted = self.js(f"""(window.all = [...document.querySelectorAll(
             'button, select, input, summary, a[href], [tabindex="0"]')]
-            .filter((e) => !e.disabled && e.offsetParent)).length""")
+            .filter((e) => !e.disabled && e.tabIndex >= 0 && e.checkVisibility())).length""")
         self.chrome.execute_script('all[0].focus()')
         seen, outlined = [], 0
         for k in range(wanted + 5):
@@ -108,7 +113,8 @@ class Page:
         check('what has the focus is outlined', outlined == len(seen), (outlined, len(seen)))
 
     def check_contrast(self):
-        """Text stands out from what is behind it by WCAG 2.2, 1.4.3 (AA), in light and in dark."""
+        """Text stands out from what is behind it by WCAG 2.2, 1.4.3 (AA), and borders of what can be used, and of the
+        bands of intervals, by 1.4.11; in light and in dark."""
         for scheme in ('light', 'dark'):
             self.chrome.execute_cdp_cmd('Emulation.setEmulatedMedia',
                                         {'features': [{'name': 'prefers-color-scheme', 'value': scheme}]})
@@ -127,6 +133,21 @@ class Page:
                 });
             })())""")
             check(f'text is readable in {scheme}', not poor, poor)
+            poor = self.js("""[...document.querySelectorAll('button, select, input, .panel, .interval')]
+                .filter((e) => e.checkVisibility() && !e.disabled && e.type !== 'range' && e.type !== 'radio' &&
+                    e.type !== 'checkbox' && !e.hasAttribute('aria-pressed')).map((e) => {
+                    const light = (c) => c.match(/[\\d.]+/g).slice(0, 3).map((v) => v / 255)
+                        .map((v) => v <= .04045 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4)
+                        .reduce((sum, v, k) => sum + v * [.2126, .7152, .0722][k], 0);
+                    const css = getComputedStyle(e);
+                    const edge = light(e.matches('.interval') ? css.stroke : css.borderTopColor);
+                    let behind = e.parentElement;
+                    while (behind !== document.body && /, 0\\)$/.test(getComputedStyle(behind).backgroundColor))
+                        behind = behind.parentElement;
+                    const [a, b] = [edge, light(getComputedStyle(behind).backgroundColor)].sort((p, q) => q - p);
+                    return [(a + .05) / (b + .05), e.outerHTML.slice(0, 80)];
+                }).filter(([ratio]) => ratio < 3)""")
+            check(f'borders and bands stand out in {scheme}', not poor, poor)
         self.chrome.execute_cdp_cmd('Emulation.setEmulatedMedia', {'features': []})
 
     def errors(self):

@@ -1,10 +1,12 @@
 // The camera by pointer and keys: look around, orbit, walk.  The page computes the view and sends it over ptrace's FIFO: a
 // small picture (`preview`) while it moves, the newest one only when the last has come; the full one (`view`) at rest.
-import { command } from '/net.js';
+import { command, post } from '/net.js';
+import { short } from '/picture.js';
 import { cross, dot, length, plus, turned, unit } from '/view.js';
 
 const $ = (id) => document.getElementById(id);
 const rest = 350, patience = 2500;  // ms: without a move; for a preview
+const degree = Math.PI / 180;
 const digits = (v) => v.map((x) => String(Number(x.toFixed(5)))).join(' ');
 
 export class Camera {
@@ -15,11 +17,51 @@ export class Camera {
     this.view = null;       // { vp, vd } where it moves to; null: at rest
     this.waiting = 0;       // when the preview that has not come yet was sent
     this.previews = true;   // does ptrace make them?
+    $('back').addEventListener('click', () => post('/back').then((wrong) => this.say(wrong)));
+    $('place-keep').addEventListener('click', async () => {
+      this.say(await post(`/place?${new URLSearchParams({ do: 'keep', name: $('place-name').value })}`));
+      $('place-name').value = '';
+    });
+    for (const id of ['azimuth', 'elevation']) $(id).addEventListener('change', () => this.aim(Number($('azimuth').value), Number($('elevation').value)));
     $('drag').addEventListener('change', () => { $('canvas').style.cursor = this.mode === 'picture' ? '' : 'grab'; });
   }
 
   get mode() { return $('drag').value; }
-  show() { $('drag').parentElement.hidden = $('walk-keys').hidden = false; this.on = true; }
+  show() { $('walk-keys').hidden = false; this.on = true; }
+
+  // Views as vcview holds them: the latest last; and those with a name.
+  take(views, places) {
+    const go = (view) => command(`view ${view}`).then((wrong) => this.say(wrong));
+    $('back').disabled = views.length < 2;
+    $('home').onclick = () => go(views[0]);
+    const button = (textContent, does, label) => {
+      const b = Object.assign(document.createElement('button'), { type: 'button', textContent });
+      b.setAttribute('aria-label', label);
+      b.addEventListener('click', does);
+      return b;
+    };
+    $('places').replaceChildren(...places.map(([name, view]) => {
+      const item = document.createElement('li');
+      item.append(button(name, () => go(view), `view ${name}`), ' ',
+        button('×', () => post(`/place?name=${encodeURIComponent(name)}`).then((wrong) => this.say(wrong)), `delete view ${name}`));
+      return item;
+    }));
+    this.read_out();
+  }
+
+  // Degrees: from north over east, and up.
+  read_out() {
+    const now = this.now();
+    if (!now) return;
+    const texts = [Math.atan2(now.vd[0], now.vd[1]) / degree, Math.asin(Math.max(-1, Math.min(1, now.vd[2]))) / degree].map((v) => v.toFixed(1));
+    ['azimuth', 'elevation'].forEach((id, k) => { if (document.activeElement !== $(id)) $(id).value = (k ? texts[1] : (Number(texts[0]) + 360) % 360); });
+    $('eye-at').textContent = `from ${now.vp.map((v) => short(v)).join(', ')}`;
+  }
+
+  aim(azimuth, elevation) {
+    const from = this.now(), [a, e] = [azimuth * degree, Math.max(-85, Math.min(85, elevation)) * degree];
+    if (from) this.set({ ...from, vd: [Math.cos(e) * Math.sin(a), Math.cos(e) * Math.cos(a), Math.sin(e)] });
+  }
 
   now() {
     const eye = this.picture()?.eye;
@@ -62,7 +104,7 @@ export class Camera {
     }
     const look = e.shiftKey && { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key];
     if (!look) return false;
-    this.set({ ...from, vd: pitched(turned(from.vd, up, look[0] * .09), up, look[1] * .09) });
+    this.set({ ...from, vd: pitched(turned(from.vd, up, look[0] * 5 * degree), up, look[1] * 5 * degree) });
     return true;
   }
 
@@ -89,6 +131,7 @@ export class Camera {
 
   // Of each picture that is shown: the number of its edit and what that was.
   painted(edit, what) {
+    this.read_out();
     if (what !== 'preview') {
       if (this.arrived && edit !== this.edit) this.view = this.arrived = null;
       this.edit = edit;

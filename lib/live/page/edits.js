@@ -1,6 +1,6 @@
 // Before and after: the lines of each edit, and a table of edits with their metrics and the difference to the edit before,
 // as the columns NAME.d NAME.d.lo NAME.d.hi of vcmetrics have it.
-import { short } from '/picture.js';
+import { alike, short } from '/picture.js';
 import { class_of } from '/verdict.js';
 
 const $ = (id) => document.getElementById(id);
@@ -16,7 +16,7 @@ export function judged(name, row, what, threshold) {
   return { text: less ? 'lower' : 'higher', kind: 'other' };
 }
 
-const signed = (v) => (v > 0 ? '+' : v < 0 ? '−' : '') + short(Math.abs(v), 3);
+const signed = (v, text) => (v > 0 ? '+' : v < 0 ? '−' : '') + text;
 
 export class Edits {
   // on_change: called when the threshold is another one.
@@ -71,14 +71,15 @@ export class Edits {
     const value = Number.isFinite(row[name]) ? short(row[name]) : '–', d = row[`${name}.d`];
     if (!Number.isFinite(d)) return value;
     const low = row[`${name}.d.lo`], high = row[`${name}.d.hi`], { text, kind } = judged(name, row, what, Number($('threshold').value));
+    const [by, from, to] = [d, low, high].map((v, k, all) => signed(v, alike(all.map(Math.abs), low, high)[k]));
     const change = document.createElement('span'), word = document.createElement('strong');
     change.className = 'change';
-    change.textContent = signed(d);
+    change.textContent = by;
     const parts = [value, document.createElement('br'), change];
     if (Number.isFinite(low)) {
       const interval = document.createElement('span');
       interval.className = 'change';
-      interval.textContent = `(${signed(low)} to ${signed(high)})`;
+      interval.textContent = `(${from} to ${to})`;
       parts.push(' ', interval);
     }
     word.className = kind;

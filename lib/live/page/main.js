@@ -1,7 +1,7 @@
 // Asks vcview for news, again as soon as the last answer is drawn; so a slow page gets fewer pictures, not late ones.
 import { Camera } from '/camera.js';
 import { Edits } from '/edits.js';
-import { ask, command, Lost, post, unpack } from '/net.js';
+import { ask, command, Lost, unpack } from '/net.js';
 import { PictureView } from '/picture.js';
 import { Lines, fill_table, plot } from '/plot.js';
 import { follow } from '/pointer.js';
@@ -68,8 +68,7 @@ async function take_state(state) {
   lines.keeps = new Set(state.variants.map((v) => v.edit));
   variants.take(state.variants, state.base);
   show_messages(state);
-  $('back').disabled = state.views.length < 2;
-  $('home').onclick = () => command(`view ${state.views[0]}`).then((wrong) => camera.say(wrong));
+  camera.take(state.views, state.places);
   await sliders.take(state.texts);
 }
 
@@ -104,7 +103,7 @@ async function begin() {
   if (refused) return false;
   tones.srgb = await codes.json();
   const facts = await (await ask('/facts')).json();
-  $('command').hidden = $('back').hidden = $('home').hidden = !facts.control;
+  $('command').hidden = $('views').hidden = !facts.control;
   if (facts.control) camera.show();
   await Promise.all(facts.files.map((f, n) => (f.regions ? regions : sliders).use(n, f)));
   return true;
@@ -136,7 +135,11 @@ async function listen() {
 // ---- what people do
 
 $('fit').addEventListener('click', () => view.fit());
-$('back').addEventListener('click', () => post('/back').then((wrong) => camera.say(wrong)));
+$('canvas').addEventListener('pointerdown', () => document.querySelectorAll('.menu[open]').forEach((m) => { m.open = false; }));
+for (const menu of document.querySelectorAll('.menu')) {
+  menu.addEventListener('toggle', () => { if (menu.open) document.querySelectorAll('.menu[open]').forEach((m) => { m.open = m === menu; }); });
+  menu.addEventListener('keydown', (e) => { if (e.key === 'Escape') { menu.open = false; menu.firstElementChild.focus(); } });
+}
 follow(view, [regions, camera], (at) => probe.show(at, shown), (e, at) => {
   if (!(tones.wiping && e.shiftKey)) return false;
   tones.wipe_to(Math.max(0, Math.min(1, at.x / shown.width)));
@@ -167,6 +170,6 @@ $('command').addEventListener('submit', async (e) => {
   if (!wrong) $('command-text').value = '';
 });
 $('command-text').addEventListener('input', () => $('command-text').setCustomValidity(''));
-wire_saving(view, lines);
+wire_saving(view, lines, () => shown?.view ?? '');
 
 listen();

@@ -130,7 +130,7 @@ export class PictureView {
       to.fillRect(left, 0, 1, height);
     }
     this.values = values;
-    this.canvas.style.aspectRatio = `${beside ? 2 * width : width} / ${height}`;
+    for (const id of ['canvas', 'legend']) document.getElementById(id).style.setProperty('--ratio', (beside ? 2 * width : width) / height);
     this.draw();
   }
 
@@ -227,6 +227,11 @@ export class PictureView {
 }
 
 export function short(v, digits = 4) {
-  return !Number.isFinite(v) ? String(v) : Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < .01) ? v.toExponential(1)
-    : Number(v.toPrecision(digits)).toString();
+  return Number.isFinite(v) ? v.toLocaleString('en', { maximumSignificantDigits: digits, useGrouping: false }) : String(v);
+}
+
+// Numbers with the decimals that an interval's width leaves: two digits of it.
+export function alike(values, low, high) {
+  const width = Math.abs(high - low) / 2, decimals = Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(width))));
+  return values.map((v) => !Number.isFinite(v) ? '–' : Number.isFinite(decimals) ? v.toFixed(decimals) : short(v));
 }

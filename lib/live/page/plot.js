@@ -1,5 +1,5 @@
 // The lines of vcmetrics: read, shown as a table, drawn as SVG over the number of frames with their intervals.
-import { short } from '/picture.js';
+import { alike } from '/picture.js';
 import { fill_rows } from '/table.js';
 
 const classes = { DGP: [.35, .40, .45], DGPu: [.35, .40, .45], DGPf: [.35, .40, .45], UGR: [13, 16, 19, 22, 25, 28] };
@@ -118,10 +118,10 @@ export function fill_table(body, lines, chosen, on_choice) {
   fill_rows(body, lines.metrics().map((name) => {
     const row = document.createElement('tr');
     row.setAttribute('aria-selected', String(chosen.has(name)));
-    row.tabIndex = 0;
-    for (const text of [name, short(last[name]), short(last[`${name}.lo`]), short(last[`${name}.hi`])]) {
+    const ends = [last[`${name}.lo`], last[`${name}.hi`]];
+    for (const text of [name, ...alike([last[name], ...ends], ...ends)]) {
       const cell = document.createElement('td');
-      cell.textContent = text === 'NaN' || text === 'undefined' ? '–' : text;
+      cell.textContent = text;
       row.append(cell);
     }
     row.addEventListener('click', () => on_choice(name));

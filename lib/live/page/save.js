@@ -37,7 +37,9 @@ async function offer_picture(as) {
   $('status').textContent = `${as.toUpperCase()} is not saved: ${wrong}`;
 }
 
-export function wire_saving(view, lines) {
+// view(): options of the present view.
+export function wire_saving(view, lines, options) {
+  $('save-vf').addEventListener('click', () => offer('view.vf', `rvu ${options()}\n`, 'text/plain'));
   for (const as of ['hdr', 'exr']) $(`save-${as}`).addEventListener('click', () => offer_picture(as));
   $('save-png').addEventListener('click', () => view.sheet().toBlob((blob) => offer('luxpipe.png', blob, 'image/png')));
   $('save-svg').addEventListener('click', () => offer('luxpipe.svg', plots_svg(), 'image/svg+xml'));

@@ -3,6 +3,7 @@
 // file itself is written only by Save.
 import { date_of, numbers_in, range_of, skies_in, with_number, with_sky } from '/model_text.js';
 import { ask, command, post, tag_of, text_of } from '/net.js';
+import { one_stop } from '/table.js';
 import { TextFile } from '/text_file.js';
 
 const $ = (id) => document.getElementById(id);
@@ -164,6 +165,7 @@ export class Sliders {
       return [this.slider(`${sky.program}: day`, 1, 365, 1, sky.day, date, (v, going) => change(v, is().hour, going)),
         this.slider('hour', 0, 24, .25, sky.hour, clock, (v, going) => change(is().day, v, going))];
     })));
+    $('sky-panel').hidden = !$('skies').children.length;
     this.show_text();
     this.show_number();
     this.mark();
@@ -202,6 +204,7 @@ export class Sliders {
     });
     const top = $('model-text').scrollTop;
     $('model-text').replaceChildren(...parts, text.slice(at));
+    one_stop($('model-text'), $('model-text').querySelectorAll('button'));
     $('model-text').scrollTop = top;
   }
 

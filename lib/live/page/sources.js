@@ -51,7 +51,6 @@ export class Sources {
     $('sources').hidden = !this.all.length;
     fill_rows($('sources').tBodies[0], this.all.map((s) => {
       const row = document.createElement('tr');
-      row.tabIndex = 0;
       row.setAttribute('aria-selected', String(s.source === this.chosen));
       for (const text of [s.source, `${(100 * s.DGPshare).toFixed(1)} %`, short(s.L), short(s.omega), short(s.P)]) {
         const cell = document.createElement('td');

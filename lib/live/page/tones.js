@@ -9,8 +9,10 @@ export class Tones {
     this.view = view;
     this.srgb = [];
     this.picture = this.kept = this.held = this.table = null;
+    this.top = 0;  // of the scale, held until another one is asked for; 0: the next picture's
     for (const id of ['tone', 'style', 'top', 'decades', 'divisions', 'mask', 'compare', 'hold'])
       $(id).addEventListener('change', () => this.show());
+    $('rescale').addEventListener('click', () => { this.top = 0; $('top').value = ''; this.show(); });
     $('stops').addEventListener('input', () => { $('stops-value').value = $('stops').value; this.show(); });
     new ResizeObserver(() => { if (this.table) this.draw_legend($('legend'), $('legend').hidden); }).observe($('canvas'));
   }
@@ -37,7 +39,9 @@ export class Tones {
   get wiping() { return !$('compare').disabled && $('compare').value === 'wipe'; }
 
   async choose_table() {
-    const question = new URLSearchParams({ top: Number($('top').value) || this.picture.top, decades: $('decades').value || 3,
+    const top = Number($('top').value) || this.top || this.picture.top;
+    if (this.picture.frames > 1 && this.picture.what !== 'preview') this.top = top;
+    const question = new URLSearchParams({ top, decades: $('decades').value || 3,
       divisions: $('divisions').value || 8, mask: $('mask').value || 0, style: $('style').value === 'smooth' ? 'smooth' : 'bands' });
     if (this.table?.question === question.toString()) return;
     const answer = await ask('/table?' + question);

@@ -21,7 +21,8 @@ export class Variants {
     [this.all, this.base] = [all, base];
     $('with').replaceChildren(...all.map((v) => new Option(v.name, v.name, false, v.name === before || (!before && v.name === base))));
     $('variants-panel').hidden = !all.length;
-    $('compare').disabled = $('with').disabled = !all.length;
+    $('compare').disabled = !all.length;
+    $('with').parentElement.hidden = all.length < 2;
     const as_text = JSON.stringify([all.map((v) => [v.name, v.edit, v.shown]), base]);
     if (as_text !== this.filled) this.fill();
     this.filled = as_text;
