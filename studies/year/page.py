@@ -40,7 +40,7 @@ def plan(views, rows, corners):
         colour = COLOURS[row["class"]]
         out.append(f'<circle cx="{x:.0f}" cy="{y:.0f}" r="6" fill="{colour}"/><line x1="{x:.0f}" y1="{y:.0f}" '
                    f'x2="{tip[0]:.0f}" y2="{tip[1]:.0f}" stroke="{colour}" stroke-width="4"/>'
-                   f'<text x="{x + 9:.0f}" y="{y + 16:.0f}">{html.escape(row["view"])}</text>')
+                   f'<text x="{tip[0] + 4:.0f}" y="{tip[1] + 12:.0f}">{html.escape(row["view"])}</text>')
     return "\n".join(out) + "</svg>"
 
 
