@@ -72,6 +72,22 @@ check 'texts without an end of the last line, empty lines and tabs stay as they 
     begin; edited 1; printf "%s\n\n\t# a tab\n\n# no end" "$(cat blind.rad)" > want
     set_text 3 1 odd "$(cat want)"; await "grep -q \"# no end\" my.design"; end; begin; edited 1
     ask GET "/overlay?n=3" | head -c -1 | cmp - want; end'
+# Two windows by turns, which hold what they were told last and reload at random: after each edit text and numbers are
+# those of a batch run of the model.  200 edits: TRIES=200.
+check 'whatever two windows do, text and numbers belong to one model' '
+    rm my.design; begin; RANDOM=7; edits=0 now=0 known=(0 0)
+    for k in $(seq ${TRIES:-12}); do
+        slats=$((1 + RANDOM % 40)) w=$((RANDOM % 2)); [ $((RANDOM % 3)) = 0 ] || known[w]=$now
+        sed "s/-a 20/-a $slats/" blind.rad > typed.rad
+        status=0; set_text 3 ${known[w]} s$k "$(cat typed.rad)" 2> /dev/null || status=$?
+        if [ ${known[w]} != $now ]; then [ $status != 0 ]; continue; fi
+        [ $status = 0 ]; now=$((now + 1)); known[w]=$now
+        ask GET "/overlay?n=3" > text; grep -q -- "-a $slats " text; cmp -s typed.rad model.rad && continue
+        cp typed.rad model.rad; edits=$((edits + 1)); await "grep -q \"^4	[^	]*	$edits	\" lines"
+        ptrace -w- -vf view.vf -x 48 -y 48 -seed 5 -frames 0:4 materials.rad layout.rad model.rad sky_day.rad |
+            ptaccum -every 1 | vcmetrics -metrics Ev,DGPf | tail -1 | cut -f 3-4 > batch
+        grep "^4	[^	]*	$edits	" lines | cut -f 4,7 > live; cut -f 1 batch | cmp - <(cut -f 1 live)
+    done; end; [ $edits -gt 2 ]'
 check_error 'no design' 1 '^vcview: bad.design: line 2: "rubbish" is no part of a design$' '
     printf "# x\nrubbish\n" > bad.design; vcview -design bad.design < /dev/null'
 check_error 'a design of another scene' 1 '^vcview: bad.design: line 1: x.rad is not among the files' '

@@ -46,6 +46,19 @@ check 'what the programs say is in the page and on the standard error' '
 check 'a scene that cannot be read ends it' '
     status=0; timeout 60 luxpipe-live -vf view.vf missing.rad 2> said || status=$?; [ $status = 1 ]
     grep -q "^ptrace: missing.rad: " said; [ -z "$(ls t)" ]; [ ! -e luxpipe.regions ]'
+check '-open gives the browser a file that leads to the page, and the secret to nobody else' '
+    mkdir bin; printf "#!/bin/sh\n{ cat \"\$1\"; stat -c %%a \"\$1\"; } > $PWD/opened\n" > bin/xdg-open
+    chmod +x bin/xdg-open; before=$PATH; PATH=$PWD/bin:$PATH; begin -open; await "[ \$(wc -l < opened) = 2 ]"
+    grep -qF "url=$(grep -o "http://[^ ]*" said)\"" opened; [ "$(tail -1 opened)" = 600 ]
+    kill $live; ended; PATH=$before'
+check 'where a file of the scene goes away the page says so, and the last good picture stays' '
+    begin; mv layout.rad away; await "ask GET /next | grep -aq \"messages.*ptrace: [^,]*layout.rad\""
+    ask GET "/save?as=hdr" | grep -aq "^#?RADIANCE"; mv away layout.rad; lines=$(wc -l < lines)
+    await "[ \$(wc -l < lines) -gt $((lines + 1)) ]"; kill $live; ended'
+check 'a renderer that is stopped stops nothing else, and goes on' '
+    begin; pid=$(below $live | awk "\$2 == \"ptrace\" { print \$1 }"); kill -STOP $pid; sleep 1
+    ask POST "/overlay?n=3&version=0" "$(sed s/14/9/ sky_day.rad)"; ask GET "/overlay?n=3" | grep -q " 9 "
+    kill -CONT $pid; await "cut -f 3 lines | grep -qx 1"; kill $live; ended'
 check_error 'no scene' 1 '^luxpipe-live: names no scene' 'luxpipe-live'
 check_error 'no value' 1 '^luxpipe-live: -port: needs a value' 'luxpipe-live -port'
 check_error 'programs in scenes' 1 '^luxpipe-live: -exec: ' 'luxpipe-live -exec a.rad'

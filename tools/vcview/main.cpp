@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/run.h"
 #include "base/shutdown.h"
+#include "live/browser.h"
 #include "live/child.h"
 #include "live/framer.h"
 #include "live/live.h"
@@ -90,6 +91,8 @@ int work(const Options& options) {
     if (!options.command.empty()) child.emplace(options.command, messages ? messages->descriptor() : 2);
     const live::Server server(page, options.server);
     base::say("vcview: " + server.link());
+    std::optional<live::BrowserPage> browser;
+    if (options.open) browser.emplace(server.link());
     live::Framer framer([&](image::Picture p) { page.put_picture(std::move(p)); });
 
     int status = 0;

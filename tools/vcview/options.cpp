@@ -33,6 +33,7 @@ std::optional<Options> parse_options(int argc, char** argv) {
     t.group("Page");
     t.add("-port N", "Port of the page; 0: any that is free", o.server.port).within(0, 65535);
     t.add("-listen address", "Address that serves the page", o.server.listen);
+    t.add("-open", "Open the page in the browser (xdg-open)", o.open);
     t.add("-stay", "Show the last picture until interrupted, also after the pipe has ended", o.stay);
     t.add("-messages fifo", "FIFO to which the programs of the pipe write their errors, which the page shows",
           o.messages);

@@ -8,7 +8,7 @@
 
 struct Options {
     live::ServerOptions server;
-    bool stay = false;
+    bool stay = false, open = false;
     std::string messages;
     std::vector<std::string> command;  // after "--"
 };
