@@ -45,7 +45,7 @@ struct TileBackend {
         t.n = 0;
         for (uint32_t i = 0; i < t.par.path_count; i++)
             if (t.result[i] != 0) t.now[t.n++] = i;
-        t.together = t.par.mode != MODE_RAY && (t.par.flags & PF_EYE_ON_SURFACE) == 0;
+        t.together = t.par.mode != MODE_RAY && (t.par.flags & (PF_EYE_ON_SURFACE | PF_SENSORS)) == 0;
     }
     bool has_paths() const { return t.n > 0; }
     void extend() {
@@ -112,7 +112,7 @@ struct TileBackend {
             const device::PilotRay& ray = rays[i];
             t.paths.org[i] = pack4(F3(ray.org[0], ray.org[1], ray.org[2]), 0.0f);
             t.paths.dir[i] = pack4(F3(ray.dir[0], ray.dir[1], ray.dir[2]), ray.dir_w);
-            if (path_begin_pilot(&t.par, &t.paths, i)) t.now[t.n++] = i;
+            if (path_begin_pilot(t.s, &t.par, &t.paths, i)) t.now[t.n++] = i;
         }
     }
 };

@@ -118,6 +118,7 @@ void Accumulator::require_same(const image::Picture& frame, const std::string& p
         base::fail(place, fmt::format("{} is {} x {}, {} {} {} x {}", number, frame.width, frame.height, before,
                                       resumed_.empty() ? "are" : "is", width_, height_));
     if (frame.header.view != header_.view) base::fail(place, number + " has another view than " + before);
+    if (frame.header.grids != header_.grids) base::fail(place, number + " has other points than " + before);
     if (frame.header.seed != header_.seed) base::fail(place, number + " has another seed than " + before);
     require_same_fingerprint(frame.header, header_, place + ": " + number, before);
 }

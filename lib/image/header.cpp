@@ -186,6 +186,11 @@ void parse_header_line(const std::string& line, Header& h, Encoding& e, const st
         h.view_name = plain_name(*t, where);
     } else if ((t = value_of(line, "SKYNAME="))) {
         h.sky_name = plain_name(*t, where);
+    } else if ((t = value_of(line, "GRID="))) {
+        const Grid grid = parse_grid(*t, where);
+        if (grid.first != count_of(h.grids))
+            base::fail(where, fmt::format("header line \"{}\": {} points are before it", line, count_of(h.grids)));
+        h.grids.push_back(grid);
     } else if ((t = value_of(line, "RANGE="))) {
         Ranges& ranges = h.other_seeds.empty() ? h.ranges : h.other_seeds.back().second;
         add_range(ranges, range(line, *t, where), line, where);
@@ -203,6 +208,7 @@ std::vector<std::string> header_lines(const Header& h) {
     if (h.view) out.push_back("VIEW=" + view::to_options(*h.view));
     if (!h.view_name.empty()) out.push_back("VIEWNAME=" + h.view_name);
     if (!h.sky_name.empty()) out.push_back("SKYNAME=" + h.sky_name);
+    for (const Grid& grid : h.grids) out.push_back("GRID=" + to_text(grid));
     if (h.pixel_aspect != 1) out.push_back(fmt::format("PIXASPECT={}", h.pixel_aspect));
     if (h.edit) out.push_back(one_line(fmt::format("EDIT={} {}", *h.edit, h.edited)));
     if (!h.fingerprint.empty()) out.push_back(one_line("FINGERPRINT=" + h.fingerprint));

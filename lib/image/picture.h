@@ -10,6 +10,7 @@
 #include <vector>
 #include "image/moments.h"
 #include "image/parts.h"
+#include "image/points.h"
 #include "view/view.h"
 
 namespace image {
@@ -34,6 +35,7 @@ struct Header {
     std::optional<int64_t> last_frame;     // LASTFRAME=k: the stream goes on to frame k
     std::optional<int64_t> direct_frames;  // FRAME0=m: frame 0 holds the direct and specular light of frames 1 to m
     std::string view_name, sky_name;  // VIEWNAME=, SKYNAME=: in streams of several pictures of one scene; else empty
+    std::vector<Grid> grids;          // GRID=: a picture of points, without view; else empty
     std::optional<int64_t> edit;      // EDIT=k what: pictures of a stream whose scene or view changes meanwhile
     std::string edited;               // what: "view"
     std::string fingerprint;          // FINGERPRINT=: of all that decides the pixels (fingerprint.h); empty: not known

@@ -162,7 +162,7 @@ __kernel void k_splat(ALL_ARGS) {
 __kernel void k_pilot(ALL_ARGS, __global uint *counters, __global uint *queue) {
     SET_UP
     __local uint group[2];
-    push(i < par->path_count && path_begin_pilot(par, &paths, i), i, &counters[0], queue, group);
+    push(i < par->path_count && path_begin_pilot(&s, par, &paths, i), i, &counters[0], queue, group);
 }
 
 // Sizes and offsets on the device, compared with the host's by a test.

@@ -201,6 +201,10 @@ FN uint material_has(uint type, uint trait) { return material_traits[type - M_FI
 #define IMAGE_DIR 0u  // 3: unit
 #define IMAGE_CAP 3u  // 1 - cos of the half angle
 #define MOST_IMAGES 128u
+// points of ptrace -points, one for each pixel, from Params.points_at on: POINT_WORDS floats each
+#define POINT_WORDS 6u
+#define POINT_ORG 0u  // 3: of a sensor, above the surface on which it may lie
+#define POINT_DIR 3u  // 3: unit; of a sensor, against its normal; 0: the pixel has no point
 // pixels with several samples in each frame, from Params.focus_at on: a pass makes `spp` samples for an entry
 #define FOCUS_WORDS 3u
 #define FOCUS_PIXEL 0u
@@ -242,6 +246,7 @@ STRUCT(Params) {
     uint redraw;            // not 0: other random numbers than usual, except for the point in the pixel and on the lens
     uint drawn_count;       // sources with a word in the view table
     uint images_at, image_count;
+    uint points_at, point_count;  // of pictures of points; else 0
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // their records
 };
@@ -266,5 +271,6 @@ STRUCT(Params) {
 #define PF_ANTIMATTER 4u
 #define PF_SKY_PLACES 8u       // distant surfaces look different from place to place
 #define PF_EYE_ON_SURFACE 16u  // rays of the eye may begin on a surface, which they must not hit
+#define PF_SENSORS 64u         // paths begin on the points, as on white diffuse surfaces; else as rays from them
 #define PF_DIRECTIONS 32u      // MODE_IMAGE: in place of light, the direction in which a bent path leaves the scene
 #endif

@@ -47,10 +47,10 @@ base::Hash hash_of_geometry(const flatten::FlatScene& s) {
     return hash;
 }
 
-std::string fingerprint(base::Hash geometry, const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
+std::string fingerprint(base::Hash geometry, const flatten::FlatScene& scene, const std::string& view, int nx, int ny,
                         const RenderOptions& options, const Focus& focus) {
     return fmt::format("scene:{} view:{} options:{} estimator:{}", scene_hash(geometry, scene),
-                       base::hash_of(fmt::format("{} {} {}", view::to_options(view), nx, ny)),
+                       base::hash_of(fmt::format("{} {} {}", view, nx, ny)),
                        base::hash_of(option_text(options) + focus_text(focus)), estimator);
 }
 

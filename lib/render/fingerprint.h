@@ -21,7 +21,8 @@ constexpr int estimator = 24;
 // Hash of the geometry and the materials, of a scene that still has its triangles.
 base::Hash hash_of_geometry(const flatten::FlatScene& scene);
 
-std::string fingerprint(base::Hash geometry, const flatten::FlatScene& scene, const view::View& view, int nx, int ny,
+// view: its options, or which points these are.
+std::string fingerprint(base::Hash geometry, const flatten::FlatScene& scene, const std::string& view, int nx, int ny,
                         const RenderOptions& options, const Focus& focus);
 
 }  // namespace render

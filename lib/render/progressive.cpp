@@ -20,21 +20,35 @@ namespace render {
 using namespace kernels;
 
 namespace {
-// Samples first .. first + count - 1 of all pixels, in order, until give(number, values) returns false.  The first ones
-// run one by one, later ones together where that is faster.  An asynchronous device has begun the next ones during the
-// call of give().
+// Means of so many consecutive samples.
+std::vector<float> means_of(std::vector<float> rgb, uint32_t each) {
+    if (each == 1) return rgb;
+    std::vector<float> means(rgb.size() / each);
+    for (size_t i = 0; i < means.size(); i++) {
+        double sum = 0;
+        for (size_t k = 0; k < each; k++) sum += double(rgb[3 * (i / 3 * each + k) + i % 3]);
+        means[i] = float(sum / each);
+    }
+    return means;
+}
+
+// The samples of frames first .. first + count - 1 of all pixels, in order, until give(number, values) returns false.
+// The first ones run one by one, later ones together where that is faster.  An asynchronous device has begun the next
+// ones during the call of give().
 template <class Give>
 void for_samples(device::Device& device, const PixelSampling& sampling, int64_t first, int64_t count, Give&& give) {
-    const int64_t most = std::max<int64_t>(1, device.preferred_batch_size() / path_count(sampling));
+    const uint32_t each = sampling.samples_per_frame;
+    const int64_t most = std::max<int64_t>(1, device.preferred_batch_size() / each / path_count(sampling));
     const auto batch = [&](int64_t done) { return std::min({std::max<int64_t>(1, done), most, count - done}); };
     const auto begin = [&](int64_t done) {
-        const Pass pass{MODE_FRAMES, first + done, uint32_t(batch(done)), 0, sampling.params.nx * sampling.params.ny};
+        const Pass pass{MODE_FRAMES, (first + done - 1) * each + 1, uint32_t(batch(done)) * each, 0,
+                        sampling.params.nx * sampling.params.ny};
         const auto when = device.is_async() ? std::launch::async | std::launch::deferred : std::launch::deferred;
         return std::async(when, [&, pass] { return run_pass(device, sampling, pass); });
     };
     std::future<std::vector<float>> next = begin(0);
     for (int64_t done = 0, n; done < count; done += n) {
-        const std::vector<float> rgb = next.get();
+        const std::vector<float> rgb = means_of(next.get(), each);
         n = batch(done);
         if (done + n < count) next = begin(done + n);
         std::vector<float> one(n > 1 ? rgb.size() / size_t(n) : 0);
@@ -61,6 +75,9 @@ std::vector<float> frame_of(int64_t k, const ViewPlan& plan, const FrameZero& ze
     for (size_t n = 0; n < noisy.size(); n++) v[3 * size_t(learned.noisy[n / 3]) + n % 3] = noisy[n];
     return v;
 }
+std::vector<float> picture_of(const ViewPlan& plan, std::vector<float> rgb) {
+    return plan.points_room > 0 ? in_order(plan.points, rgb, plan.points_room) : rgb;
+}
 }  // namespace
 
 void render_frames(device::Device& device, const ViewPlan& plan, int64_t first, int64_t count, bool moments,
@@ -70,14 +87,14 @@ void render_frames(device::Device& device, const ViewPlan& plan, int64_t first, 
     const FrameZero zero = of_zero ? draw_frame_zero(device, plan) : FrameZero();
     if (first == 0) {
         const image::Moments within = moments ? pixel_moments(device, plan, zero) : image::Moments();
-        if (!give(0, values_of(zero), within)) return;
+        if (!give(0, picture_of(plan, values_of(zero)), within)) return;
         first = 1;
     }
     if (first >= end) return;
     const DiffusePlan learned = learn(device, plan);
     if (plan.tell_limit) warn_of_limit(device, learned.sampling.params, plan.view, zero.exact);
     for_samples(device, learned.sampling, first, end - first, [&](int64_t k, const std::vector<float>& values) {
-        return give(k, frame_of(k, plan, zero, learned, values), {});
+        return give(k, picture_of(plan, frame_of(k, plan, zero, learned, values)), {});
     });
 }
 
@@ -115,6 +132,8 @@ std::string Renderer::fingerprint() const {
     const std::string bits = device_->own_bits();
     return plan_.fingerprint + (bits.empty() ? "" : " device:" + bits);
 }
+
+uint32_t Renderer::samples_per_frame() const { return plan_.sampling.samples_per_frame * std::max(1u, plan_.points.copies); }
 
 std::string Renderer::device_name() const { return device_->name(); }
 

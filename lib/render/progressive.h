@@ -49,6 +49,7 @@ public:
     std::string device_name() const;
     std::string fingerprint() const;                   // of the present picture (fingerprint.h)
     int64_t direct_frames() const { return plan_.m; }  // for which its frame 0 stands
+    uint32_t samples_per_frame() const;                // of a point, at least
     void frames(int64_t first, int64_t count, const GiveFrame& give, bool moments = false);
 
     // explain_pixel() of the selected view; scene: that of load(), with options.names.

@@ -23,6 +23,18 @@ uint32_t samples_for_one(size_t pixels) {
     constexpr size_t enough = 256 * 256;
     return 4 * pixels <= enough ? 4 : 2 * pixels <= enough ? 2 : 1;
 }
+// All frames hold both classes, so that frame 0's noise cancels, and nothing is drawn by area.
+void plan_points(const RenderView& v, const flatten::FlatScene& flat, ViewPlan& plan) {
+    device::Params& par = plan.sampling.params;
+    plan.m = par.skip_direct_below = 0;
+    plan.noisy_share = 0;
+    plan.points = lay_out(v.points->points);
+    plan.points_room = size_t(v.nx) * size_t(v.ny);
+    plan.sampling.samples_per_frame = plan.points.samples_per_frame;
+    std::vector<uint32_t> words = view_words({}, flat, par);
+    add_points(*v.points, plan.points, flat, words, par);
+    plan.sampling = with_view_words(std::move(plan.sampling), std::move(words));
+}
 }  // namespace
 
 void require_memory(const RenderView& v) {
@@ -50,6 +62,11 @@ ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const Rende
     plan.m = par.skip_direct_below;
     plan.samples_of_zero = plan.m * (o.more_if_small ? samples_for_one(size_t(v.nx) * size_t(v.ny)) : 1);
 
+    if (v.points) {
+        plan_points(v, flat, plan);
+        plan.fingerprint = fingerprint(scene.geometry, flat, "points " + v.points->hash, v.nx, v.ny, o, {});
+        return plan;
+    }
     const flatten::HostTracer tracer(flat);
     const bool one_eye = v.view.type != 'l' && v.view.vo == 0 && o.pd <= 0;
     const bool on_surface = one_eye && eye_on_surface(flat, tracer, v.view.vp);
@@ -61,7 +78,7 @@ ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const Rende
     plan.sampling = with_view_words(std::move(plan.sampling), std::move(words));
     plan.sampling = with_focus(std::move(plan.sampling), v.focus);
     plan.tell_limit = o.tell_limit;
-    plan.fingerprint = fingerprint(scene.geometry, flat, v.view, v.nx, v.ny, o, v.focus);
+    plan.fingerprint = fingerprint(scene.geometry, flat, view::to_options(v.view), v.nx, v.ny, o, v.focus);
     return plan;
 }
 

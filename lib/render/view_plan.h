@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A picture of a scene, before its first sample: what its frames depend on.
 #pragma once
+#include <memory>
 #include <string>
 #include "render/drawn_sources.h"
 #include "render/focus.h"
+#include "render/point_rays.h"
 #include "render/samples.h"
 #include "view/view.h"
 
@@ -14,6 +16,7 @@ struct RenderView {
     view::View view;
     int nx = 0, ny = 0;
     Focus focus = {};
+    std::shared_ptr<const PointList> points = {};  // in place of the view
 };
 
 // Throws Error (system) if this machine cannot hold its frames.
@@ -24,6 +27,8 @@ struct ViewPlan {
     view::View view;
     PixelSampling sampling;  // with the focus; diffuse directions by the cosine alone
     DrawnSources drawn;
+    PointLayout points;      // of a picture of points; else empty
+    size_t points_room = 0;  // pixels of that picture
     uint32_t m = 0;                // frames that frame 0 stands for (Eq. 7)
     uint32_t samples_of_zero = 0;  // of the direct class, of each pixel in frame 0
     double noisy_share = 0;        // samples of noisy pixels over those of the picture; 0: none are sought

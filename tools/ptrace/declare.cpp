@@ -73,6 +73,12 @@ void declare_pictures(OptionTable& t, Options& opt) {
         opt.first_view = a.integer(base::within(0, 1e9));
         opt.views_files.emplace_back("-");
     });
+    t.add("-points file", "A picture of points, x y z dx dy dz in each line of this file; may be repeated, - is stdin",
+          opt.points_files);
+    t.add("-I[+-]", "Irradiance at the points, with their directions as normals; else radiance along their rays",
+          base::Action([&opt](Arguments& a) { opt.sensors = a.text() == "+"; },
+                       [&opt] { return opt.sensors ? *opt.sensors ? "+" : "-" : ""; }))
+        .default_text("on with -points");
     t.add("-sky file", "A picture with this file added to the scene; may be repeated",
           [&](Arguments& a) { opt.skies.push_back(sky_of_file(a.text())); });
     t.add("-wea file", "A picture for each hour of this weather file, EPW or WEA", opt.weather);

@@ -6,12 +6,41 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "base/shutdown.h"
 #include "film/accumulate.h"
 #include "image/header.h"
 #include "image/stream.h"
 
 namespace {
+
+// Names points that none of their first samples has found light for.
+class DarkPoints {
+public:
+    DarkPoints(const Options& opt, uint32_t samples_per_frame)
+        : opt_(opt), of_frame_(samples_per_frame), lit_(image::count_of(opt.grids), false) {}
+    void add(const std::vector<float>& frame) {
+        if (lit_.empty()) return;
+        for (size_t i = 0; i < lit_.size(); ++i)
+            lit_[i] = lit_[i] || frame[3 * i] != 0 || frame[3 * i + 1] != 0 || frame[3 * i + 2] != 0;
+        samples_ += of_frame_;
+        if (samples_ < enough) return;
+        for (size_t g = 0; g < opt_.grids.size(); ++g)
+            for (size_t i = 0; i < opt_.grids[g].count; ++i)
+                if (!lit_[opt_.grids[g].first + i]) warn(opt_.grid_files[g], i);
+        lit_.clear();
+    }
+
+private:
+    static constexpr uint32_t enough = 64;  // samples
+    const Options& opt_;
+    uint32_t of_frame_, samples_ = 0;
+    std::vector<bool> lit_;
+    static void warn(const image::GridFile& file, size_t i) {
+        base::warn(fmt::format("{}:{}", file.path, file.points[i].line),
+                   "no light arrives at this point: is it inside a solid, or below the ground?");
+    }
+};
 
 // One ordinary picture, as ptaccum -last writes it.
 void write_sum(const Options& opt, const film::Accumulator& sum, const std::string& label) {
@@ -57,11 +86,13 @@ int64_t render_frames(const Options& opt, const Ends& ends, int64_t from, image:
     if (streams && ends.last != Options::endless) picture.header.last_frame = ends.last;
     const std::string label = image::label(picture.header);
     report.begin(label, renderer.device_name(), ends.first, ends.last);
+    DarkPoints dark(opt, renderer.samples_per_frame());
     film::Accumulator sum;
     int64_t next = from;
     const auto give = [&](int64_t k, const std::vector<float>& rgb, const image::Moments& moments) {
         const bool is_last = ends.now() || k == ends.last;
         if (control.edited()) return false;
+        if (k > 0) dark.add(rgb);
         picture.rgb = rgb;
         picture.header.frame = k;
         if (is_last && streams) picture.header.last_frame = k;

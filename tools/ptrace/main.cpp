@@ -146,7 +146,8 @@ image::Picture start_picture(const Run& run, const Options& opt, const Sky& sky,
         for (const std::string& line : run.session->history()) image::add_history(picture.header, line);
     image::add_history(picture.header, opt.command);
     for (const std::string& line : sky.lines) image::add_history(picture.header, line);
-    picture.header.view = v.view;
+    if (!v.points) picture.header.view = v.view;
+    picture.header.grids = opt.grids;
     picture.header.view_name = opt.views[i].name;
     picture.header.sky_name = sky.name;
     picture.header.seed = opt.render.seed;

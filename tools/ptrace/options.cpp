@@ -44,10 +44,37 @@ void add_view(const std::string& name, Options& opt) {
     opt.views.push_back({name, v});
 }
 
+// All points are one picture; tables of the scene are made as for an eye in their midst.
+void add_points(Options& opt) {
+    if (!opt.views_files.empty()) base::fail("-points", "is a picture of its own, beside which -views has no place");
+    if (!opt.focus_file.empty()) base::fail("-focus", "points have no regions; their grids are some");
+    if (std::count(opt.points_files.begin(), opt.points_files.end(), "-") > 1)
+        base::fail("-points", "the standard input is read once");
+    image::GridFiles& files = opt.grid_files;
+    for (const std::string& path : opt.points_files) files.push_back(image::read_points(path));
+    opt.grids = image::grids_of(files, opt.sensors.value_or(true));
+    auto list = std::make_shared<render::PointList>();
+    list->sensors = opt.sensors.value_or(true);
+    base::Vec3 sum{0, 0, 0};
+    for (const image::GridFile& file : files) {
+        for (const image::Point& point : file.points) sum = sum + point.p;
+        list->points.insert(list->points.end(), file.points.begin(), file.points.end());
+    }
+    for (const image::Grid& grid : opt.grids) list->hash += image::to_text(grid) + " ";
+    render::RenderView v{opt.view, 0, 0};
+    v.view.vp = sum * (1 / double(list->points.size()));
+    image::size_for(list->points.size(), v.nx, v.ny);
+    v.points = std::move(list);
+    opt.views.push_back({"", v});
+    opt.moments = false;
+}
+
 // The pictures: one, those of -views, or all of a rad input file where none of its views is named.
 void choose_views(const std::optional<scene::RadInput>& rad_input, const std::string& view_name,
                   base::OptionTable& table, Options& opt) {
     const bool all = rad_input && view_name.empty() && rad_input->views.size() > 1;
+    if (!opt.points_files.empty()) return add_points(opt);
+    if (opt.sensors) base::fail("-I", "needs the points of -points; -i is the irradiance of what a view shows");
     if (rad_input && !all) choose_view(*rad_input, view_name, table, opt);
     if (!opt.views_files.empty()) {
         if (std::count(opt.views_files.begin(), opt.views_files.end(), "-") > 1)
@@ -123,6 +150,8 @@ void check(const Options& opt) {
     const auto reads_stdin = std::count(opt.scene_files.begin(), opt.scene_files.end(), "-");
     if (reads_stdin && std::count(opt.views_files.begin(), opt.views_files.end(), "-"))
         base::fail("-", "the standard input has the views, not a scene");
+    if (reads_stdin && std::count(opt.points_files.begin(), opt.points_files.end(), "-"))
+        base::fail("-", "the standard input has the points, not a scene");
     if (reads_stdin && opt.skies.size() > 1) base::fail("-", "is read once, but the scene is read again for each -sky");
     if (!opt.rule_file.empty() && opt.rule_for.empty()) base::fail("-MF", "needs -M for the rule's target");
     const double* av = opt.render.av;

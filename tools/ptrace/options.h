@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/processors.h"
+#include "image/points.h"
 #include "scene/object.h"
 #include "render/options.h"
 #include "render/progressive.h"
@@ -27,6 +28,10 @@ struct Options {
     int64_t first_view = 1;                // -S: the number of the first one without a name
     std::vector<Sky> skies;                // -sky, -wea: the scene with each of these in turn
     std::string weather, hours = "all";    // -wea, -hours
+    std::vector<std::string> points_files;  // -points: one picture of these points; "-": standard input
+    std::optional<bool> sensors;            // -I: of -points; absent: not said
+    std::vector<image::Grid> grids;         // of the points
+    image::GridFiles grid_files;            // their files
     int nx = 512, ny = 512;
     double pixel_aspect = 1;            // -pa, 0 keeps both sides
     double exposure = 1;                // -rif: of the pictures written

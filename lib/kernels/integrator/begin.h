@@ -38,6 +38,20 @@ FN int camera_ray(PARAMS(const Params) par, uint pixel, PRIVATE(Sampler) rnd, PR
     return view_lens_ray(par, x / (float)par->nx, y / (float)par->ny, lens, ray);
 }
 
+// Ray of a point of -points.  Returns 0 for pixels without one.
+FN int point_ray(TABLES(const SceneTables) s, PARAMS(const Params) par, uint point, PRIVATE(Ray) ray) {
+    GLOBAL const uint* words = s->view + par->points_at + POINT_WORDS * point;
+    ray->org = f3_bits(words + POINT_ORG);
+    ray->dir = f3_bits(words + POINT_DIR);
+    ray->tmax = FAR_AWAY;
+    return dot3(ray->dir, ray->dir) > 0.0f;
+}
+
+// The point whose pixel is at this place of the picture, 0 .. 1.
+FN uint point_at(PARAMS(const Params) par, float x, float y) {
+    return (uint)(y * (float)par->ny) * par->nx + (uint)(x * (float)par->nx);
+}
+
 FN void given_ray(PARAMS(const Params) par, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
     ray->org = F3(par->ray_org.x, par->ray_org.y, par->ray_org.z);
     ray->dir = F3(par->ray_dir.x, par->ray_dir.y, par->ray_dir.z);
@@ -92,6 +106,7 @@ FN int path_first_ray(TABLES(const SceneTables) s, PARAMS(const Params) par, uin
 
     int has_ray = 1;
     if (par->mode == MODE_RAY) given_ray(par, rnd, ray);
+    else if (par->point_count > 0u) has_ray = point_ray(s, par, pixel, ray);
     else has_ray = camera_ray(par, pixel, rnd, ray);
     if (par->redraw != 0u) rnd->key = hash32(rnd->key ^ par->redraw);
     return has_ray;
@@ -120,11 +135,25 @@ FN Ray path_ray(TABLES(const Paths) paths, uint path) {
     return ray;
 }
 
+FN Hit hit_at_once(uint prim) {
+    Hit hit;
+    hit.t = hit.u = hit.v = 0.0f;
+    hit.prim = prim;
+    hit.inst = NO_HIT;
+    return hit;
+}
+
 // Traces the ray of a path to the nearest surface, except a surface on which the eye lies.
 FN void path_extend(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     Ray ray = path_ray(paths, path);
     Hit hit;
-    int from_surface = (par->flags & PF_EYE_ON_SURFACE) != 0u && path_steps(paths->info[path].x) == 0u;
+    uint flags = paths->info[path].x;
+    if (begins_on_sensor(par, flags)) {
+        hit = hit_at_once(ON_SENSOR);
+        set_path_hit(paths, path, &hit);
+        return;
+    }
+    int from_surface = (par->flags & PF_EYE_ON_SURFACE) != 0u && path_steps(flags) == 0u;
     for (;;) {
         trace_closest(s, &ray, RAY_ALL, &hit);
         if (!from_surface || !holds_origin(s, &ray, &hit)) break;

@@ -12,6 +12,31 @@ FN int vertex_arrive(TABLES(const SceneTables) s, PRIVATE(Vertex) vertex) {
     return 1;
 }
 
+// A white surface that turns irradiance into radiance.
+FN void lobes_of_sensor(PRIVATE(Lobes) lobes) {
+    lobes_clear(lobes);
+    lobes->diffuse_r = F3(K_PI, K_PI, K_PI);
+    lobes->ambient_r = lobes->diffuse_r;
+}
+
+// Begins the path on the sensor from which its ray looks back.
+FN int vertex_sensor(PRIVATE(Vertex) vertex) {
+    PRIVATE(Surface) g = &vertex->g;
+    vertex->flags += 1u << PC_STEP_SHIFT;
+    surface_plain(ON_SENSOR, NONE, NO_HIT, 0.0f, g);
+    g->p = vertex->ray.org;
+    g->v = neg3(vertex->ray.dir);
+    g->nface = g->ng = g->n = g->v;
+    g->color_before = g->color;
+    g->pert_before = g->pert;
+    g->rounding = 0.0f;  // it lies above the surface already
+    g->path_length = vertex->path_length_start;
+    g->type = M_PLASTIC;
+    g->front = g->flat = 1;
+    lobes_of_sensor(&vertex->lobes);
+    return HIT_SURFACE;
+}
+
 // -i: the first surface that the eye sees is white and Lambertian, so that its radiance is its irradiance.
 FN int irradiance_surface(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, int passes,
                           PRIVATE(Vertex) vertex) {
@@ -22,9 +47,7 @@ FN int irradiance_surface(TABLES(const SceneTables) s, PARAMS(const Params) par,
 
     vertex->g.pert = vertex->g.pert_before;  // the white surface in its place has no texture of its own
     shading_normal(&vertex->g);
-    lobes_clear(&vertex->lobes);
-    vertex->lobes.diffuse_r = F3(K_PI, K_PI, K_PI);
-    vertex->lobes.ambient_r = vertex->lobes.diffuse_r;
+    lobes_of_sensor(&vertex->lobes);
     return HIT_SURFACE;
 }
 

@@ -40,10 +40,11 @@ FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
         return 0;
     }
 
-    // Evaluate the hit: a null surface, an emitter, or a surface that scatters light.
-    if (!vertex_arrive(s, &vertex)) return 0;
+    // Evaluate the hit: a null surface, an emitter, or a surface that scatters light; or the sensor where it begins.
+    int on_sensor = vertex.hit.prim == ON_SENSOR;
+    if (!on_sensor && !vertex_arrive(s, &vertex)) return 0;
     sampler_ahead(&vertex.rnd);
-    int kind = vertex_hit(s, par, paths, &vertex);
+    int kind = on_sensor ? vertex_sensor(&vertex) : vertex_hit(s, par, paths, &vertex);
 
     // Path reuse: this hit may be the suffix vertex of the path.
     if ((vertex.flags & PC_RECORDS_SUFFIX) != 0u) path_record_suffix(s, par, paths, &vertex, kind);

@@ -5,7 +5,8 @@
 #define LUX_PATH_PILOT_H
 
 // The path's org and dir hold the ray; returns 1 if there is one.
-FN_RARE int path_begin_pilot(PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
+FN_RARE int path_begin_pilot(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
+                             uint path) {
     Sampler rnd = sampler_start(par->seed_lo, par->seed_hi, par->first + path, par->frame, 3u);
     uint flags = PC_DIFFUSE | (1u << PC_AB_SHIFT);
     paths->rad[path] = pack4(F3(0.0f, 0.0f, 0.0f), 0.0f);
@@ -13,7 +14,9 @@ FN_RARE int path_begin_pilot(PARAMS(const Params) par, TABLES(const Paths) paths
     if (paths->dir[path].w == PILOT_FROM_EYE) {
         Ray ray;
         flags = 0u;
-        int has_ray = view_lens_ray(par, paths->org[path].x, paths->org[path].y, F3(0.0f, 0.0f, 0.0f), &ray);
+        float x = paths->org[path].x, y = paths->org[path].y;
+        int has_ray = par->point_count > 0u ? point_ray(s, par, point_at(par, x, y), &ray)
+                                            : view_lens_ray(par, x, y, F3(0.0f, 0.0f, 0.0f), &ray);
         image_way_start(par, paths, path, paths->org[path].z);
         paths->org[path] = pack4(ray.org, 0.0f);
         paths->dir[path] = pack4(ray.dir, ray.tmax);

@@ -96,6 +96,12 @@ FN Sampler path_sampler(uint4 info) {
 
 FN uint path_sampler_word(PRIVATE(const Sampler) rnd) { return rnd->index | (rnd->dim << 8); }
 
+// In place of the primitive that a path has hit: it begins on a sensor.
+#define ON_SENSOR 0xfffffffeu
+FN int begins_on_sensor(PARAMS(const Params) par, uint flags) {
+    return (par->flags & PF_SENSORS) != 0u && path_steps(flags) == 0u;
+}
+
 // q: first words of `hit`.
 FN Hit path_hit(float4 q, uint4 info) {
     Hit hit;
@@ -122,6 +128,6 @@ FN void set_path_hit(TABLES(const Paths) paths, uint path, PRIVATE(const Hit) hi
 #define PATH_KINDS 64u
 FN uint path_kind(TABLES(const SceneTables) s, TABLES(const Paths) paths, uint path) {
     uint prim = as_uint_(paths->hit[path].y);
-    return prim == NO_HIT ? 0u : 1u + s->prims[PRIM_WORDS * prim + PRIM_MOD] % (PATH_KINDS - 1u);
+    return prim >= ON_SENSOR ? 0u : 1u + s->prims[PRIM_WORDS * prim + PRIM_MOD] % (PATH_KINDS - 1u);
 }
 #endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// See points.h.
+#include "image/points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/number.h"
+#include "base/split.h"
+#include "base/text_file.h"
+#include "base/text_reader.h"
+#include "image/header.h"
+
+namespace image {
+namespace {
+
+constexpr size_t longest_line = 4096;  // characters
+
+std::string name_of(const std::string& path) {
+    if (path == "-") return "points";
+    const std::string name = path.substr(path.rfind('/') + 1);
+    return name.substr(0, name.rfind('.'));
+}
+
+Point point_of(const std::vector<std::string>& words, const std::string& place) {
+    std::array<double, 6> v{};
+    if (words.size() != v.size())
+        base::fail(place, fmt::format("a point is x y z dx dy dz, six numbers, not {}", words.size()));
+    for (size_t i = 0; i < v.size(); ++i)
+        if (!base::parse_real(words[i], v[i]) || std::fabs(v[i]) > 1e30)
+            base::fail(place, fmt::format("\"{}\" is not a number", words[i]));
+    const base::Vec3 dir{v[3], v[4], v[5]};
+    if (!(base::length(dir) > 0)) base::fail(place, "the direction has no length");
+    return {{v[0], v[1], v[2]}, base::unit(dir)};
+}
+
+}  // namespace
+
+bool operator==(const Grid& a, const Grid& b) {
+    return a.name == b.name && a.first == b.first && a.count == b.count && a.sensors == b.sensors && a.hash == b.hash;
+}
+
+GridFile read_points(const std::string& path) {
+    GridFile file{path == "-" ? "stdin" : path, name_of(path), {}, {}};
+    plain_name(file.name, file.path);
+    base::TextReader in = base::TextReader::from_file(path, "");
+    base::Hash hash;
+    uint32_t number = 0;
+    for (std::string line; in.line(line, longest_line);) {
+        if (++number == 1 && base::begins_with(line, base::byte_order_mark)) line.erase(0, base::byte_order_mark.size());
+        const std::vector<std::string> words = base::split_words(line.substr(0, line.find('#')));
+        if (words.empty()) continue;
+        Point point = point_of(words, fmt::format("{}:{}", file.path, number));
+        point.line = number;
+        if (file.points.size() == most_points)
+            base::fail(file.path, fmt::format("holds more than {} points", most_points));
+        const base::Vec3 &p = point.p, &d = point.dir;
+        hash.add_all(std::array<double, 6>{p.x, p.y, p.z, d.x, d.y, d.z});
+        file.points.push_back(point);
+    }
+    if (file.points.empty()) base::fail(file.path, "holds no point");
+    file.hash = hash.text();
+    return file;
+}
+
+std::vector<Grid> grids_of(const GridFiles& files, bool sensors) {
+    std::vector<Grid> grids;
+    std::set<std::string> names;
+    for (const GridFile& file : files) {
+        if (!names.insert(file.name).second) base::fail(file.path, "two grids are called \"" + file.name + "\"");
+        grids.push_back({file.name, count_of(grids), file.points.size(), sensors, file.hash});
+        if (count_of(grids) > most_points)
+            base::fail(file.path, fmt::format("makes more than {} points in all", most_points));
+    }
+    return grids;
+}
+
+size_t count_of(const std::vector<Grid>& grids) { return grids.empty() ? 0 : grids.back().first + grids.back().count; }
+
+void size_for(size_t points, int& width, int& height) {
+    width = std::max(1, int(std::ceil(std::sqrt(double(points)))));
+    height = std::max(1, int((points + size_t(width) - 1) / size_t(width)));
+}
+
+std::string to_text(const Grid& g) {
+    return fmt::format("{} {} {} {} {}", g.name, g.first, g.count, g.sensors ? "irradiance" : "radiance", g.hash);
+}
+
+Grid parse_grid(const std::string& text, const std::string& where) {
+    const std::vector<std::string> words = base::split_words(text);
+    const bool good = words.size() == 5 && (words[3] == "irradiance" || words[3] == "radiance");
+    long long first = 0, count = 0;
+    if (!good || !base::parse_integer(words[1], first) || !base::parse_integer(words[2], count) || first < 0 ||
+        count < 1 || size_t(first) + size_t(count) > most_points)
+        base::fail(where, "header line \"GRID=" + text + "\" is not name, first, count, irradiance or radiance, hash");
+    return {plain_name(words[0], where), size_t(first), size_t(count), words[3] == "irradiance", words[4]};
+}
+
+}  // namespace image

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points with directions, as rtrace reads them: sensors with their normals, or rays.  A picture of points has a pixel
+// for each, row by row; its header names the grids that they belong to (man/luxpipe-stream.5).
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+#include "base/vec.h"
+
+namespace image {
+
+struct Point {
+    base::Vec3 p, dir;  // dir: unit
+    uint32_t line = 0;  // of the file
+};
+
+// Consecutive pixels of a picture.
+struct Grid {
+    std::string name;  // of the file, without folder and ending
+    size_t first = 0, count = 0;
+    bool sensors = true;  // values are irradiances; else radiances along rays
+    std::string hash;     // of the points
+};
+bool operator==(const Grid& a, const Grid& b);
+
+struct GridFile {
+    std::string path;  // for messages
+    std::string name, hash;
+    std::vector<Point> points;
+};
+using GridFiles = std::vector<GridFile>;
+
+constexpr size_t most_points = size_t(1) << 24;
+
+// x y z dx dy dz a line; # begins a comment.  "-": the standard input.  Throws Error (file:line) for anything else.
+GridFile read_points(const std::string& path);
+
+// Of all files, one after another; no name comes twice.
+std::vector<Grid> grids_of(const GridFiles& files, bool sensors);
+size_t count_of(const std::vector<Grid>& grids);
+
+// Sides of a picture for so many points: about square, and less than a row of pixels is left over.
+void size_for(size_t points, int& width, int& height);
+
+// The header line and back: GRID=name first count irradiance|radiance hash.  Throws Error (place).
+std::string to_text(const Grid& grid);
+Grid parse_grid(const std::string& text, const std::string& where);
+
+}  // namespace image

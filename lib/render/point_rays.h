@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of points (ptrace -points).  A sensor's path begins on it as on a white diffuse surface, so that its pixel is
+// its irradiance; else a pixel is the radiance along the point's ray.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+#include "flatten/flat_scene.h"
+#include "image/points.h"
+#include "kernels/dialect/host.h"
+
+namespace render {
+
+struct PointList {
+    std::vector<image::Point> points;
+    bool sensors = true;
+    std::string hash;  // of the points
+};
+
+// The picture that the device renders: neighbours among its points share paths (kernels/integrator/path_reuse.h), so
+// the groups of pixels are groups of neighbours.  Few points have several pixels each.
+struct PointLayout {
+    static constexpr uint32_t none = 0xffffffff;
+    uint32_t nx = 0, ny = 0;
+    std::vector<uint32_t> point;      // of each pixel, or none
+    uint32_t copies = 0;             // pixels of each point
+    uint32_t samples_per_frame = 1;  // of each pixel
+};
+PointLayout lay_out(const std::vector<image::Point>& points);
+
+// Appends their words (POINT_WORDS of kernels/tables.h) to those of the view table, and sets the parameters.
+void add_points(const PointList& list, const PointLayout& layout, const flatten::FlatScene& scene,
+                std::vector<uint32_t>& words, kernels::Params& par);
+
+// From pixels of the layout to those of the points' picture, which has room for so many; 3 floats each.
+std::vector<float> in_order(const PointLayout& layout, const std::vector<float>& rgb, size_t pixels);
+
+}  // namespace render
