@@ -53,7 +53,8 @@ GridFile read_points(const std::string& path) {
     base::Hash hash;
     uint32_t number = 0;
     for (std::string line; in.line(line, longest_line);) {
-        if (++number == 1 && base::begins_with(line, base::byte_order_mark)) line.erase(0, base::byte_order_mark.size());
+        if (++number == 1 && base::begins_with(line, base::byte_order_mark))
+            line.erase(0, base::byte_order_mark.size());
         const std::vector<std::string> words = base::split_words(line.substr(0, line.find('#')));
         if (words.empty()) continue;
         Point point = point_of(words, fmt::format("{}:{}", file.path, number));

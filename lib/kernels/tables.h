@@ -246,7 +246,7 @@ STRUCT(Params) {
     uint redraw;            // not 0: other random numbers than usual, except for the point in the pixel and on the lens
     uint drawn_count;       // sources with a word in the view table
     uint images_at, image_count;
-    uint points_at, point_count;  // of pictures of points; else 0
+    uint points_at, point_count;       // of pictures of points; else 0
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // their records
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of points (ptrace -points).  A sensor's path begins on it as on a white diffuse surface, so that its pixel is
-// its irradiance; else a pixel is the radiance along the point's ray.
+// Pictures of points (ptrace -points).  A sensor's path begins on it as on a white diffuse surface, so that its pixel
+// is its irradiance; else a pixel is the radiance along the point's ray.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -22,7 +22,7 @@ struct PointList {
 struct PointLayout {
     static constexpr uint32_t none = 0xffffffff;
     uint32_t nx = 0, ny = 0;
-    std::vector<uint32_t> point;      // of each pixel, or none
+    std::vector<uint32_t> point;     // of each pixel, or none
     uint32_t copies = 0;             // pixels of each point
     uint32_t samples_per_frame = 1;  // of each pixel
 };

@@ -100,12 +100,16 @@ void render_frames(device::Device& device, const ViewPlan& plan, int64_t first, 
 
 Renderer::Renderer(const std::string& device) : device_(make_device(device)) {}
 
-Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& options,
+Renderer::Renderer(const scene::Scene& scene, const RenderView& view, const RenderOptions& options,
                    const std::string& device, const scene::ReadOptions& files)
     : Renderer(device) {
     load(scene, options, files);
-    select_view({view, nx, ny}, options);
+    select_view(view, options);
 }
+
+Renderer::Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& options,
+                   const std::string& device, const scene::ReadOptions& files)
+    : Renderer(scene, RenderView{view, nx, ny}, options, device, files) {}
 
 Renderer::~Renderer() = default;
 
@@ -133,7 +137,9 @@ std::string Renderer::fingerprint() const {
     return plan_.fingerprint + (bits.empty() ? "" : " device:" + bits);
 }
 
-uint32_t Renderer::samples_per_frame() const { return plan_.sampling.samples_per_frame * std::max(1u, plan_.points.copies); }
+uint32_t Renderer::samples_per_frame() const {
+    return plan_.sampling.samples_per_frame * std::max(1u, plan_.points.copies);
+}
 
 std::string Renderer::device_name() const { return device_->name(); }
 

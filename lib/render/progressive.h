@@ -32,6 +32,8 @@ public:
     // Throws Error if there is no such device.
     explicit Renderer(const std::string& device);
     // The same with a scene and one picture of it.
+    Renderer(const scene::Scene& scene, const RenderView& view, const RenderOptions& options, const std::string& device,
+             const scene::ReadOptions& files);
     Renderer(const scene::Scene& scene, const view::View& view, int nx, int ny, const RenderOptions& options,
              const std::string& device, const scene::ReadOptions& files);
     ~Renderer();

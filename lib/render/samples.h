@@ -23,7 +23,7 @@ struct PixelSampling {
     std::vector<uint32_t> view_words;  // of the view table: what lies before the entries of `several`
     std::vector<Several> several;
     uint32_t samples_per_frame = 1;  // of each pixel; a frame k >= 1 holds their mean
-    bool path_reuse = false;  // in passes over whole pictures (kernels/integrator/path_reuse.h)
+    bool path_reuse = false;         // in passes over whole pictures (kernels/integrator/path_reuse.h)
 };
 
 // The same with these first words of the view table; with more of such pixels.

@@ -44,7 +44,7 @@ std::string hash_of_frames(const std::string& arguments, const std::string& devi
     Options opt = parity::options_of(arguments, size);
     const scene::Scene scene = scene::read_scene(opt.scene_files, opt.files);
     const render::RenderView& v = opt.views.at(0).render_view;
-    render::Renderer renderer(scene, v.view, v.nx, v.ny, opt.render, device, opt.files);
+    render::Renderer renderer(scene, v, opt.render, device, opt.files);
     Hash hash;
     renderer.frames(opt.first, int(opt.last - opt.first + 1),
                     [&](int64_t, const std::vector<float>& rgb, const image::Moments&) {

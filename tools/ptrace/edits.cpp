@@ -35,7 +35,8 @@ void edit(const render::Command& c, size_t picture, Options& opt) {
     view::fit_size(v.view, next.pixel_aspect, v.nx, v.ny);
     view::validate(v.view);
     if (opt.views[picture].render_view.points) {
-        if (c.word != "set" && c.word != "go") base::fail(place, "\"" + c.word + "\" changes a view, and points have none");
+        if (c.word != "set" && c.word != "go")
+            base::fail(place, "\"" + c.word + "\" changes a view, and points have none");
         v = opt.views[picture].render_view;
     }
     render::require_memory(v);

@@ -24,10 +24,10 @@ struct NamedView {
 struct Options {
     render::RenderOptions render;
     view::View view;
-    std::vector<std::string> views_files;  // -views: a picture of each view in them; "-": standard input (-S)
-    int64_t first_view = 1;                // -S: the number of the first one without a name
-    std::vector<Sky> skies;                // -sky, -wea: the scene with each of these in turn
-    std::string weather, hours = "all";    // -wea, -hours
+    std::vector<std::string> views_files;   // -views: a picture of each view in them; "-": standard input (-S)
+    int64_t first_view = 1;                 // -S: the number of the first one without a name
+    std::vector<Sky> skies;                 // -sky, -wea: the scene with each of these in turn
+    std::string weather, hours = "all";     // -wea, -hours
     std::vector<std::string> points_files;  // -points: one picture of these points; "-": standard input
     std::optional<bool> sensors;            // -I: of -points; absent: not said
     std::vector<image::Grid> grids;         // of the points
