@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # ptrace -points: points from files and from the standard input, their header lines, sums, shares and mistakes.
 . "${TOP:?}/tests/lib.sh"
-needs ptrace ptaccum
+needs ptrace ptaccum vcmetrics
 printf 'void glow g 0 0 4 1 1 1 0\ng source sky 0 0 4 0 0 1 180\n' > sky.rad
-printf 'void light l 0 0 3 9 9 9\nl sphere s 0 0 4 0 0 3 .1\nvoid plastic p 0 0 5 .5 .5 .5 0 0\np ring r 0 0 8 0 0 0 0 0 1 0 9\n' \
-    > room.rad
+{
+    printf 'void light l 0 0 3 9 9 9\nl sphere s 0 0 4 0 0 3 .1\n'
+    printf 'void plastic p 0 0 5 .5 .5 .5 0 0\np ring r 0 0 8 0 0 0 0 0 1 0 9\n'
+} > room.rad
 printf '# a desk\n1 1 .7 0 0 1\n\n2 1 .7 0 0 2 # twice as long\n' > desk.pts
 printf '0 0 0.1 1 0 0\r\n' > 'wall.a.pts'
-lines() { ptaccum -every 1000 -o - | command strings -n 5 | grep -x "$1"; }
+
 
 check 'each file is a grid; the header says which pixels are its own' '
     ptrace -points desk.pts -points wall.a.pts -frames 2 sky.rad room.rad | ptaccum -last -ff > both
@@ -42,11 +44,40 @@ check_error 'words are no numbers' 1 '^ptrace: bad.pts:1: "nan" is not a number'
 check_error 'a direction has a length' 1 '^ptrace: bad.pts:3: the direction has no length' 'bad "\n\n0 0 0 0 0 0"'
 check_error 'an empty file has no point' 1 '^ptrace: bad.pts: holds no point' 'bad "# nothing\n"'
 check_error 'a missing file is a system error' 2 '^ptrace: none.pts: cannot be ' 'ptrace -points none.pts sky.rad'
-check_error 'grids have different names' 1 'two grids are called "desk"' 'ptrace -points desk.pts -points ./desk.pts sky.rad'
+check_error 'grids have different names' 1 'two grids are called "desk"' '
+    ptrace -points desk.pts -points ./desk.pts sky.rad'
 check_error '-views has no place beside them' 1 '^ptrace: -points: ' 'ptrace -points desk.pts -views x sky.rad'
 check_error '-I needs points' 1 '^ptrace: -I: needs the points of -points' 'ptrace -I -frames 1 sky.rad'
-check_error 'the standard input is read once' 1 'the standard input has the points' 'ptrace -points - -frames 1 - < desk.pts'
+check_error 'the standard input is read once' 1 'the standard input has the points' '
+    ptrace -points - -frames 1 - < desk.pts'
 check 'points that no light reaches are named: below the floor, for one' '
     printf "0 0 1 0 0 1\n0 0 -1 0 0 -1\n" > dark.pts
     ptrace -points dark.pts -frames 2 sky.rad room.rad 2>&1 > /dev/null |
-        grep -x "ptrace: warning: dark.pts:2: no light arrives at this point: is it inside a solid, or below the ground?"'
+        grep -x "ptrace: warning: dark.pts:2: no light arrives at this point: is it .*"'
+
+stream() { ptrace -points desk.pts -points wall.a.pts -frames "$1" sky.rad room.rad | ptaccum -every x2 -o -; }
+check 'vcmetrics prints numbers of each grid, with intervals' '
+    stream 17 | vcmetrics -ci 95 -metrics desk.mean,U0,wall.a.share300 -format csv > table
+    names="frame,seconds,desk.mean,desk.mean.lo,desk.mean.hi,desk.U0,.*,wall.a.U0,.*,wall.a.share300,.*"
+    head -1 table | grep -x "$names"
+    tail -1 table | awk -F, "{exit !(\$4 <= \$3 && \$3 <= \$5 && \$3 > 100 && \$5 - \$4 < .1 * \$3)}"'
+check '-until ends the stream' '
+    ptrace -points desk.pts sky.rad room.rad | ptaccum -o - |
+        vcmetrics -metrics mean -until "desk.mean 5%" > table 2> said
+    grep -q "stopped after [0-9]* frames: -until holds" said; test "$(tail -1 table | cut -f 1)" -ge 16'
+check_exit 'or was not met' 4 'stream 3 | vcmetrics -until "desk.mean .0001%" 2> said'
+check '-each has a row a point' '
+    stream 17 | vcmetrics -each -points desk.pts -points wall.a.pts > rows; test "$(wc -l < rows)" = 4
+    sed -n 3p rows | grep -q "^desk	2	1	0.7	0	0	1	"'
+check_error 'of the files that ptrace had' 1 'desk.pts: these are not the points of the picture' '
+    stream 3 | vcmetrics -each -points wall.a.pts -points desk.pts 2>&1 >/dev/null | sed s/wall.a/desk/ >&2; exit 1'
+check '-like rtrace has its lines' '
+    stream 3 | vcmetrics -like rtrace > lines; test "$(wc -l < lines)" = 3; awk "NF != 3 {exit 1}" lines'
+check 'df is the share of a grid called outside' '
+    echo "0 0 9 0 0 1" > outside.pts
+    ptrace -points desk.pts -points outside.pts -frames 9 sky.rad room.rad | ptaccum -o - |
+        vcmetrics -metrics desk.df,desk.mean,outside.mean -ci 95 | tail -1 |
+        awk "{d = \$3 - 100 * \$6 / \$9; exit !(d < .01 && d > -.01 && \$4 <= \$3 && \$3 <= \$5)}"'
+check_error 'a number that no grid has' 1 'is not a number of a grid' '
+    stream 3 | vcmetrics -metrics desk.nonsense1,desk.mean'
+check_error 'a grid that is not there' 1 'there is no grid "roof"' 'stream 3 | vcmetrics -metrics roof.mean'

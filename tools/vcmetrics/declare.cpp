@@ -31,6 +31,8 @@ void declare_output(OptionTable& t, Options& o) {
     t.group("What is printed");
     t.add("-metrics list", "The columns, comma separated: " + glare::column_names(),
           [&](Arguments& a) { o.metrics = base::split_list(without_blanks(a.text()), ','); });
+    t.add("-each", "A row for each point of a picture of points, in place of numbers of its grids", o.each);
+    t.add("-points file", "The points of -each: the files that ptrace had, in their order", o.points_files);
     t.add("-regions file", "Named regions: masks of vcregion(1), or a file of vcregion(5)", o.regions_file);
     t.add("-cr pair", "Contrast ratio of two regions, low/high or name=low/high; may be repeated", [&](Arguments& a) {
         for (const std::string& pair : base::split_list(without_blanks(a.text()), ','))
@@ -70,9 +72,12 @@ void declare_definitions(OptionTable& t, Options& o) {
     using Area = glare::RammgArea;
     t.group("Definitions");
     t.add("-task name", "Take the threshold from this region: 5 times its mean luminance", o.settings.task_region);
-    t.add("-like program", "Print and measure as evalglare or accelerad does", [&](Arguments& a) {
-        apply_compatibility(a.one_of({"evalglare", "accelerad"}) ? OutputMode::accelerad : OutputMode::evalglare, o);
-    });
+    t.add("-like program", "Print and measure as evalglare or accelerad does; rtrace: its lines, of points",
+          [&](Arguments& a) {
+              const size_t program = a.one_of({"evalglare", "accelerad", "rtrace"});
+              if (program == 2) o.like_rtrace = true;
+              else apply_compatibility(program ? OutputMode::accelerad : OutputMode::evalglare, o);
+          });
     t.add("-dgp form", "DGP as evalglare; paper: its constants 0.16 and 0.0918; pixel: every bright pixel is a source",
           [&](Arguments& a) { define_dgp(a, o.settings); })
         .default_text("evalglare");

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures from files or stdin, one line each, until the rule holds or there are no more (measure_stream.h).
 #include "measure_stream.h"
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include "base/command_pipe.h"
 #include "base/error.h"
 #include "base/run.h"
 #include "base/shutdown.h"
+#include "base/split.h"
 #include "evalglare/check_picture.h"
 #include "evalglare/output.h"
 #include "display/file.h"
 #include "drawing.h"
+#include "grids.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "row.h"
@@ -45,6 +48,28 @@ void write_check_picture(const Options& o, const image::Picture& measured, const
     throw;
 }
 
+// Names of columns that may be those of grids, which the first picture has or has not.
+bool may_measure_grids(const Options& o) {
+    std::vector<std::string> names = o.metrics;
+    for (const std::string& part : base::split_list(o.until, ','))
+        for (const std::string& word : base::split_words(part)) names.push_back(word);
+    return std::any_of(names.begin(), names.end(), may_be_of_grid);
+}
+
+bool measures(GridRun& grids, const image::Picture& picture, const PicturePlace& place, const RunState& run) {
+    std::string text;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.start).count();
+    const bool ends = grids.add(picture, frame_number(picture.header, place), seconds, text);
+    if (!text.empty()) print(text);
+    return ends;
+}
+
+int end_of(const GridRun& grids) {
+    int status = 0;
+    if (const std::string text = grids.end(status); !text.empty()) print(text);
+    return status;
+}
+
 }  // namespace
 
 // evalglare knows neither PRIMARIES= nor COLORCORR=.
@@ -57,13 +82,24 @@ int measure_all(const Options& o) {
     if (!from_files && base::stdin_is_terminal())
         base::say_on_terminal("vcmetrics: waits for pictures on the standard input; vcmetrics -help tells more");
     RunState run;
-    run.plan = plan_run(o);
+    bool planned = !may_measure_grids(o);
+    if (planned) run.plan = plan_run(o);
     Heading heading;
+    GridRun grids(o);
     image::Picture picture, whole;  // measuring uses up a picture's pixels
     for (const std::string& file : from_files ? o.files : std::vector<std::string>{"-"}) {
         image::StreamReader reader(file, pixels_for(o));
         for (long index = 0; reader.next(picture); ++index) {
             base::finish_on_signal();  // from the first picture on: its line is finished
+            if (!picture.header.grids.empty() || grids.begun()) {
+                if (picture.header.grids.empty()) base::fail(place_of(file, index).text, "is not a picture of points");
+                require_measurable(picture, place_of(file, index).text);
+                if (measures(grids, picture, place_of(file, index), run)) return end_of(grids);
+                if (base::shutdown_requested()) return 0;
+                continue;
+            }
+            if (!planned) run.plan = plan_run(o);
+            planned = true;
             if (!o.over_file.empty()) whole = picture;
             std::optional<Row> row;
             try {
@@ -86,6 +122,8 @@ int measure_all(const Options& o) {
         }
         run.sum = end_input(std::move(run.sum), place_of(file, 0).text, run.plan.needs_looks && run.plan.tells);
     }
+    if (grids.begun()) return end_of(grids);
+    if (!planned) plan_run(o);  // says what is wrong
     say_end(o, run.progress);
     if (o.mode == OutputMode::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
     return status(o, run.progress);

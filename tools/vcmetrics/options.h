@@ -18,7 +18,10 @@ struct Options {
     std::vector<std::string> files;  // empty: stdin
     std::string regions_file;
     std::vector<std::string> contrast_pairs;
-    std::vector<std::string> metrics;  // empty: the default columns
+    std::vector<std::string> metrics;       // empty: the default columns
+    std::vector<std::string> points_files;  // -points: of pictures of points
+    bool each = false;                      // -each: a row a point
+    bool like_rtrace = false;               // -like rtrace: its lines, of points
     bool list_sources = false;
     bool outlines = false;  // of sources
     std::string over_file;  // -over; empty: none

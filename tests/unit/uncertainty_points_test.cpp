@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers of a grid of noisy values: closed forms, and simulated coverage.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "report/grids.h"
+
+using namespace uncertainty;
+
+namespace {
+constexpr size_t count = 150;
+
+struct Noisy {
+    std::vector<image::Part> parts;
+    std::vector<float> whole;
+};
+
+// Sixteen frames of values with this relative noise, of which all have a part in common.
+Noisy frames_of_values(const std::vector<double>& truth, double noise, double common, std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    Noisy out;
+    out.whole.assign(truth.size(), 0.0f);
+    for (int k = 0; k < 16; ++k) {
+        image::Part part;
+        part.frames = 1;
+        const double all = common * normal(random);
+        for (size_t i = 0; i < truth.size(); ++i) {
+            part.grey.push_back(float(truth[i] * (1 + all + noise * normal(random))));
+            out.whole[i] += part.grey[i] / 16;
+        }
+        out.parts.push_back(std::move(part));
+    }
+    return out;
+}
+}  // namespace
+
+TEST_CASE("without noise every interval is the number itself") {
+    std::vector<image::Part> parts(4);
+    for (image::Part& part : parts) part.frames = 4, part.grey = {1, 2, 3, 4};
+    const std::vector<float> whole = {1, 2, 3, 4};
+    const NoisyValues v = noisy_values(parts, whole.data(), 1, 3, 10);
+    CHECK(v.mean.value == doctest::Approx(30));
+    CHECK(v.value == std::vector<double>{20, 30, 40});
+    for (const char* name : {"mean", "min", "max", "median", "p5", "U0", "share25"}) {
+        const image::Grid grid{"g", 0, 3, true, ""};
+        const auto n = report::grid_number(report::grid_columns({name}, {grid}, "")[0], {v}, .05);
+        CAPTURE(name);
+        CHECK(n.limits.low == doctest::Approx(n.value));
+        CHECK(n.limits.high == doctest::Approx(n.value));
+    }
+    CHECK(percentile({4, 1, 3, 2}, .5) == doctest::Approx(2.5));
+    CHECK(share_from({1, 2, 3, 4}, 3) == doctest::Approx(.5));
+}
+
+TEST_CASE("fewer than two parts: no interval") {
+    const std::vector<float> whole = {1, 2};
+    const NoisyValues v = noisy_values({}, whole.data(), 0, 2, 1);
+    CHECK(std::isnan(mean_limits(v, .05).low));
+    CHECK(std::isnan(least_limits(v, .05).high));
+}
+
+TEST_CASE("intervals hold: of 200 simulated runs, 93 % or more; of points, 93 % of all") {
+    std::mt19937 random(7);
+    std::vector<double> truth;
+    for (size_t i = 0; i < count; ++i) truth.push_back(100 * std::exp(2.5 * double(i) / count));
+    const double true_mean = std::accumulate(truth.begin(), truth.end(), 0.0) / count;
+    const std::vector<image::Grid> grids = {{"g", 0, count, true, ""}};
+    const auto columns =
+        report::grid_columns({"mean", "min", "median", "p5", "p95", "share300", "share1000", "U0"}, grids, "");
+    const double exact[] = {true_mean,
+                            truth[0],
+                            percentile(truth, .5),
+                            percentile(truth, .05),
+                            percentile(truth, .95),
+                            share_from(truth, 300),
+                            share_from(truth, 1000),
+                            truth[0] / true_mean};
+    for (const double common : {0., .1}) {
+        std::vector<int> holds(columns.size(), 0);
+        int points = 0;
+        for (int run = 0; run < 200; ++run) {
+            const Noisy noisy = frames_of_values(truth, .4, common, random);
+            const NoisyValues v = noisy_values(noisy.parts, noisy.whole.data(), 0, count, 1);
+            for (size_t c = 0; c < columns.size(); ++c) {
+                const Interval of = report::grid_number(columns[c], {v}, .05).limits;
+                holds[c] += of.low <= exact[c] && exact[c] <= of.high;
+            }
+            for (size_t i = 0; i < count; ++i) {
+                const Interval of = point_limits(v, i, .05);
+                points += of.low <= truth[i] && truth[i] <= of.high;
+            }
+        }
+        for (size_t c = 0; c < columns.size(); ++c) {
+            CAPTURE(columns[c].name);
+            CHECK(holds[c] >= 183);  // 93 %, less a standard error
+        }
+        CHECK(points >= .93 * 200 * double(count));
+        CHECK(points <= .98 * 200 * double(count));
+    }
+}
