@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
-#include "base/run.h"
 #include "base/split.h"
 #include "image/grey.h"
 #include "image/header.h"
@@ -28,95 +27,96 @@ std::vector<image::Point> points_of(const Options& o, const std::vector<image::G
     return all;
 }
 
-}  // namespace
-
-void GridRun::begin(const image::Header& h) {
-    if (!h.grids[0].sensors && !o_.like_rtrace && !o_.each)
+GridState begin(const Options& o, const image::Header& h) {
+    GridState s;
+    if (!h.grids[0].sensors && !o.like_rtrace && !o.each)
         base::fail("", "the picture holds radiances along rays; -each or -like rtrace prints them");
-    const std::vector<std::string> names =
-        o_.metrics.empty() ? base::split_list(default_grid_numbers, ',') : o_.metrics;
-    columns_ = grid_columns(names, h.grids, "-metrics");
-    std::vector<std::string> asked;
-    if (!o_.until.empty())
-        for (const Tolerance& t : parse_tolerances(o_.until, "-until")) asked.push_back(t.metric);
-    for (const std::string& name : asked) {
-        std::vector<GridColumn> one = grid_columns({name}, h.grids, "-until");
-        if (one.size() > 1) base::fail("-until", "\"" + name + "\" is of several grids: name one");
-        asked_.push_back(one[0]);
+    const std::vector<std::string> names = o.metrics.empty() ? base::split_list(default_grid_numbers, ',') : o.metrics;
+    s.columns = grid_columns(names, h.grids, "-metrics");
+    if (!o.until.empty())
+        for (const Tolerance& t : parse_tolerances(o.until, "-until")) {
+            std::vector<GridColumn> one = grid_columns({t.metric}, h.grids, "-until");
+            if (one.size() > 1) base::fail("-until", "\"" + t.metric + "\" is of several grids: name one");
+            s.asked.push_back(one[0]);
+        }
+    s.names = {"frame", "seconds"};
+    if (!h.sky_name.empty()) s.names.push_back("sky");
+    for (const GridColumn& c : s.columns) {
+        s.names.push_back(c.name);
+        if (o.ci) s.names.push_back(c.name + ".lo"), s.names.push_back(c.name + ".hi");
     }
-    names_ = {"frame", "seconds"};
-    if (!h.sky_name.empty()) names_.push_back("sky");
-    for (const GridColumn& c : columns_) {
-        names_.push_back(c.name);
-        if (o_.ci) names_.push_back(c.name + ".lo"), names_.push_back(c.name + ".hi");
-    }
+    return s;
 }
 
-bool GridRun::rule_holds(double alpha) {
-    const std::vector<Tolerance> rule = parse_tolerances(o_.until, "-until");
+bool rule_holds(const Options& o, const GridState& s) {
+    const std::vector<Tolerance> rule = parse_tolerances(o.until, "-until");
     for (size_t i = 0; i < rule.size(); ++i) {
-        const GridNumber n = grid_number(asked_[i], grids_, alpha);
+        const GridNumber n = grid_number(s.asked[i], s.grids, .05);
         if (!(n.limits.high - n.limits.low <= 2 * rule[i].of(n.value))) return false;
     }
     return true;
 }
 
-bool GridRun::add(const image::Picture& p, int64_t frame, double seconds, std::string& text) {
+std::string row_of(const Options& o, const GridState& s, int64_t frame, double seconds) {
+    std::vector<Cell> cells = {number_cell(double(frame)), number_cell(seconds, 4)};
+    if (!s.last.header.sky_name.empty()) cells.push_back(text_cell(s.last.header.sky_name));
+    for (const GridColumn& c : s.columns) {
+        const GridNumber v = grid_number(c, s.grids, 1 - o.ci.value_or(.95));
+        cells.push_back(number_cell(v.value));
+        if (o.ci) cells.push_back(number_cell(v.limits.low)), cells.push_back(number_cell(v.limits.high));
+    }
+    return table_line(s.names, cells, o.format);
+}
+
+}  // namespace
+
+GridStep step(const Options& o, GridState s, const image::Picture& p, int64_t frame, double seconds) {
     const image::Header& h = p.header;
     if (image::count_of(h.grids) > size_t(p.width) * size_t(p.height))
         base::fail("", "GRID= lines have more points than pixels");
-    const bool first = columns_.empty(), plain = !o_.each && !o_.like_rtrace;
-    if (first) begin(h);
+    const bool first = s.columns.empty(), plain = !o.each && !o.like_rtrace;
+    if (first) s = begin(o, h);
     const std::vector<float> grey = image::grey_of(p.rgb);
     const int64_t n = h.frames.value_or(0);
-    if (first || n <= parts_.frames() || h.sky_name != last_.header.sky_name) parts_.restart(), held_ = 0;
-    if (!p.parts.empty()) parts_.resume(p.parts, grey, n);
-    else parts_.add(grey.data(), grey.size(), n, h.seed);
-    last_ = p;
-    grids_.clear();
+    if (first || n <= s.parts.frames() || h.sky_name != s.last.header.sky_name) s.parts.restart(), s.held = 0;
+    if (!p.parts.empty()) s.parts.resume(p.parts, grey, n);
+    else s.parts.add(grey.data(), grey.size(), n, h.seed);
+    s.last = p;
+    s.grids.clear();
     for (const image::Grid& g : h.grids)
-        grids_.push_back(
-            uncertainty::noisy_values(parts_.parts(), grey.data(), g.first, g.count, image::lumens_per_watt));
-    if (plain) {
-        if (first) text += header_line(names_, o_.format);
-        std::vector<Cell> cells = {number_cell(double(frame)), number_cell(seconds, 4)};
-        if (!h.sky_name.empty()) cells.push_back(text_cell(h.sky_name));
-        for (const GridColumn& c : columns_) {
-            const GridNumber v = grid_number(c, grids_, 1 - o_.ci.value_or(.95));
-            cells.push_back(number_cell(v.value));
-            if (o_.ci) cells.push_back(number_cell(v.limits.low)), cells.push_back(number_cell(v.limits.high));
-        }
-        text += table_line(names_, cells, o_.format);
-    }
-    // Two looks in a row, since a rule that is looked at often holds by chance at one of them.
-    if (!asked_.empty()) held_ = n >= uncertainty::least_frames && rule_holds(.05) ? held_ + 1 : 0;
-    done_ = held_ >= 2;
-    if (done_) base::say(fmt::format("vcmetrics: stopped after {} frames: -until holds", n));
-    return done_ || (o_.max_frames && n >= *o_.max_frames) || (o_.max_seconds && seconds >= *o_.max_seconds);
+        s.grids.push_back(
+            uncertainty::noisy_values(s.parts.parts(), grey.data(), g.first, g.count, image::lumens_per_watt));
+    std::string text = first && plain ? header_line(s.names, o.format) : "";
+    if (plain) text += row_of(o, s, frame, seconds);
+    // Two pictures in a row, since a rule that is looked at often holds by chance at one of them.
+    if (!s.asked.empty()) s.held = n >= uncertainty::least_frames && rule_holds(o, s) ? s.held + 1 : 0;
+    s.done = s.held >= 2;
+    const bool ends = s.done || (o.max_frames && n >= *o.max_frames) || (o.max_seconds && seconds >= *o.max_seconds);
+    return {std::move(s), text, ends};
 }
 
-std::string GridRun::end(int& status) const {
-    status = o_.until.empty() || done_ ? 0 : 4;
-    if (status == 4) base::say("vcmetrics: the input ended, and -until does not hold");
+std::string rows_of_points(const Options& o, const GridState& s) {
     std::string text;
-    const std::vector<image::Grid>& grids = last_.header.grids;
-    if (o_.like_rtrace)
+    const std::vector<image::Grid>& grids = s.last.header.grids;
+    if (o.like_rtrace)
         for (size_t i = 0; i < image::count_of(grids); ++i)
-            text += fmt::format("{:.6e}\t{:.6e}\t{:.6e}\t\n", double(last_.rgb[3 * i]), double(last_.rgb[3 * i + 1]),
-                                double(last_.rgb[3 * i + 2]));
-    if (!o_.each) return text;
+            text += fmt::format("{:.6e}\t{:.6e}\t{:.6e}\t\n", double(s.last.rgb[3 * i]), double(s.last.rgb[3 * i + 1]),
+                                double(s.last.rgb[3 * i + 2]));
+    if (!o.each) return text;
     const std::vector<std::string> names = {"grid", "x", "y", "z", "dx", "dy", "dz", "E", "lo", "hi"};
-    text += header_line(names, o_.format);
-    const std::vector<image::Point> points = points_of(o_, grids);
+    text += header_line(names, o.format);
+    const std::vector<image::Point> points = points_of(o, grids);
     for (size_t g = 0; g < grids.size(); ++g)
         for (size_t i = 0; i < grids[g].count; ++i) {
             const image::Point& point = points[grids[g].first + i];
-            const uncertainty::Interval limits = point_limits(grids_[g], i, 1 - o_.ci.value_or(.95));
+            const uncertainty::Interval limits = point_limits(s.grids[g], i, 1 - o.ci.value_or(.95));
             std::vector<Cell> cells = {text_cell(grids[g].name)};
             for (const double v : {point.p.x, point.p.y, point.p.z, point.dir.x, point.dir.y, point.dir.z,
-                                   grids_[g].value[i], limits.low, limits.high})
+                                   s.grids[g].value[i], limits.low, limits.high})
                 cells.push_back(number_cell(v));
-            text += table_line(names, cells, o_.format);
+            text += table_line(names, cells, o.format);
         }
     return text;
 }
+
+int status(const Options& o, const GridState& s) { return o.until.empty() || s.done ? 0 : 4; }

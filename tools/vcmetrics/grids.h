@@ -8,24 +8,24 @@
 #include "options.h"
 #include "report/grids.h"
 
-class GridRun {
-public:
-    explicit GridRun(const Options& options) : o_(options) {}
-    bool begun() const { return !columns_.empty(); }
-    // The rows as text; true: the run ends.
-    bool add(const image::Picture& picture, int64_t frame, double seconds, std::string& text);
-    std::string end(int& status) const;  // what is left to print
-
-private:
-    const Options& o_;
-    std::vector<report::GridColumn> columns_, asked_;
-    std::vector<std::string> names_;
-    image::GrowingParts parts_;
-    image::Picture last_;
-    std::vector<uncertainty::NoisyValues> grids_;
-    int held_ = 0;
-    bool done_ = false;
-
-    void begin(const image::Header& header);
-    bool rule_holds(double alpha);
+// What is known before a picture.
+struct GridState {
+    std::vector<report::GridColumn> columns, asked;  // asked: by -until; no columns: there was no picture yet
+    std::vector<std::string> names;
+    image::GrowingParts parts;
+    image::Picture last;
+    std::vector<uncertainty::NoisyValues> grids;
+    int held = 0;  // how many pictures in a row the rule has held at
+    bool done = false;
 };
+
+struct GridStep {
+    GridState state;
+    std::string text;  // rows to print
+    bool ends = false;
+};
+GridStep step(const Options& options, GridState state, const image::Picture& picture, int64_t frame, double seconds);
+
+// What is left to print.
+std::string rows_of_points(const Options& options, const GridState& state);
+int status(const Options& options, const GridState& state);

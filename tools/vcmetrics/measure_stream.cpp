@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures from files or stdin, one line each, until the rule holds or there are no more (measure_stream.h).
 #include "measure_stream.h"
+
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -56,18 +59,21 @@ bool may_measure_grids(const Options& o) {
     return std::any_of(names.begin(), names.end(), may_be_of_grid);
 }
 
-bool measures(GridRun& grids, const image::Picture& picture, const PicturePlace& place, const RunState& run) {
-    std::string text;
+bool measures(const Options& o, GridState& state, const image::Picture& picture, const PicturePlace& place,
+              const RunState& run) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.start).count();
-    const bool ends = grids.add(picture, frame_number(picture.header, place), seconds, text);
-    if (!text.empty()) print(text);
-    return ends;
+    GridStep next = step(o, std::move(state), picture, frame_number(picture.header, place), seconds);
+    state = std::move(next.state);
+    if (!next.text.empty()) print(next.text);
+    return next.ends;
 }
 
-int end_of(const GridRun& grids) {
-    int status = 0;
-    if (const std::string text = grids.end(status); !text.empty()) print(text);
-    return status;
+int end_of(const Options& o, const GridState& s) {
+    const int64_t n = s.last.header.frames.value_or(0);
+    if (s.done) base::say(fmt::format("vcmetrics: stopped after {} frames: -until holds", n));
+    else if (!o.until.empty()) base::say(fmt::format("vcmetrics: ended after {} frames: -until does not hold", n));
+    if (const std::string text = rows_of_points(o, s); !text.empty()) print(text);
+    return status(o, s);
 }
 
 }  // namespace
@@ -85,16 +91,16 @@ int measure_all(const Options& o) {
     bool planned = !may_measure_grids(o);
     if (planned) run.plan = plan_run(o);
     Heading heading;
-    GridRun grids(o);
+    GridState grids;
     image::Picture picture, whole;  // measuring uses up a picture's pixels
     for (const std::string& file : from_files ? o.files : std::vector<std::string>{"-"}) {
         image::StreamReader reader(file, pixels_for(o));
         for (long index = 0; reader.next(picture); ++index) {
             base::finish_on_signal();  // from the first picture on: its line is finished
-            if (!picture.header.grids.empty() || grids.begun()) {
+            if (!picture.header.grids.empty() || !grids.columns.empty()) {
                 if (picture.header.grids.empty()) base::fail(place_of(file, index).text, "is not a picture of points");
                 require_measurable(picture, place_of(file, index).text);
-                if (measures(grids, picture, place_of(file, index), run)) return end_of(grids);
+                if (measures(o, grids, picture, place_of(file, index), run)) return end_of(o, grids);
                 if (base::shutdown_requested()) return 0;
                 continue;
             }
@@ -122,7 +128,7 @@ int measure_all(const Options& o) {
         }
         run.sum = end_input(std::move(run.sum), place_of(file, 0).text, run.plan.needs_looks && run.plan.tells);
     }
-    if (grids.begun()) return end_of(grids);
+    if (!grids.columns.empty()) return end_of(o, grids);
     if (!planned) plan_run(o);  // says what is wrong
     say_end(o, run.progress);
     if (o.mode == OutputMode::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
