@@ -87,6 +87,9 @@ coverage: all ## how often intervals hold the truth: SCENES="1000-1011 office" S
 year: all ## the office's year, Mondays at four desks: out/year/report.html (WEATHER=site.epw HOURS='Mo-Fr 8-18')
 	@$(MAKE) -C studies/year -j $(JOBS) BIN="$(abspath $(BUILD))/bin"
 
+certificate: all ## docs/certificate.md: CIE 171 measured again if lib is newer (SIZE=128 FRAMES=17)
+	@BIN="$(BUILD)/bin" bash studies/certificate/make.sh $(or $(SIZE),128) $(or $(FRAMES),17)
+
 compare-radiance: all ## N=100 random scenes from SEED=1 on, by ptrace and by rtrace (where RADIANCE is)
 	@cmake --build "$(BUILD)" -j $(JOBS) --target trace_rays
 	@python3 tests/compare/radiance/compare.py -n $(or $(N),100) --seed $(or $(SEED),1) \

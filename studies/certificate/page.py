@@ -1,0 +1,247 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""page.py: docs/certificate.md and docs/certificate.html from the tables that hold the figures; nothing on the page
+is typed here.
+
+page.py           writes both
+page.py -check    fails if the pages are not what their tables give, or a table of parts.tsv has fewer rows
+page.py -record   counts the rows of the tables of parts.tsv anew, with the commit that changed them last"""
+
+import html
+import math
+import os
+import re
+import subprocess
+import sys
+
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(TOP, "studies", "cie171"))
+from compare import table  # noqa: E402
+
+CIE = os.path.join(TOP, "studies", "cie171")
+PARTS = os.path.join(TOP, "studies", "certificate", "parts.tsv")
+
+
+def rms(v):
+    return math.sqrt(math.fsum(x * x for x in v) / len(v)) if v else 0.0
+
+
+def percent_off(r):
+    true, value = float(r["derived"]), float(r["value"])
+    return 100 * (value / true - 1) if true else 0.0
+
+
+def markdown_table(head, rows):
+    return (
+        ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
+        + ["| " + " | ".join(r) + " |" for r in rows]
+        + [""]
+    )
+
+
+def groups(rows, key):
+    found = {}
+    for r in rows:
+        found.setdefault(r[key], []).append(r)
+    return found
+
+
+def summary(rows):
+    """Cells: values, rms and largest difference in percent, inside, largest number of standard errors, wrong."""
+    off = [percent_off(r) for r in rows]
+    inside = sum(r["verdict"] == "inside" for r in rows)
+    return [
+        "%d" % len(rows),
+        "%.3f" % rms(off),
+        "%+.2f" % max(off, key=abs),
+        "%.1f" % (100 * inside / len(rows)),
+        "%.1f" % max(float(r["errors"]) for r in rows),
+        "%d" % sum(r["verdict"] == "wrong" for r in rows),
+    ]
+
+
+HEAD = ["values", "rms, %", "largest, %", "inside, %", "standard errors, at most", "wrong"]
+
+
+def cie_part():
+    facts, rows = table(os.path.join(CIE, "results.tsv"))
+    derived = table(os.path.join(CIE, "reference.tsv"))[1]
+    cases = groups(rows, "case")
+    seconds = math.fsum(float(r[0]["seconds"]) for r in cases.values())
+    lines = [
+        "## CIE 171:2006",
+        "",
+        "Cases with an analytical answer: %d, with %d values.  Each is derived from first principles in "
+        "`studies/cie171` (the "
+        "quadrature moves by at most %.0e when its cells are halved), then measured.  A value is *inside* if its 95 "
+        "%% interval, "
+        "widened by .0001 of the value for the derivation, holds the derived one, and *wrong* if it is more than 5 "
+        "standard "
+        "errors away." % (len(cases), len(rows), max(float(r["moved"]) for r in derived)),
+        "",
+        "`%s`, %s, commit %s: one try, %.0f seconds." % (facts["command"], facts["date"], facts["commit"], seconds),
+        "",
+    ]
+    lines += markdown_table(["case"] + HEAD, [[c] + summary(r) for c, r in cases.items()] + [["all"] + summary(rows)])
+    lines += [
+        "The sixteen skies of a sensor share their random numbers, so that they are one try of an interval, not "
+        "sixteen.",
+        "",
+        "### By type of sky",
+        "",
+    ]
+    skies = groups([r for r in rows if r["sky"] != "-"], "sky")
+    lines += markdown_table(["type"] + HEAD, [[s] + summary(r) for s, r in skies.items()])
+    return lines + errata_part(
+        {(r["case"], r["point"], r["sky"]): r for r in derived}, {(r["case"], r["point"], r["sky"]): r for r in rows}
+    )
+
+
+def errata_part(derived, measured):
+    errata = table(os.path.join(CIE, "errata.tsv"))[1]
+    rows = []
+    for e in errata:
+        key = e["case"], e["point"], e["sky"]
+        true, printed = float(derived[key]["value"]), float(e["printed"])
+        ours = "%.4g" % float(measured[key]["value"]) if key in measured else ""
+        rows.append(
+            [
+                e["table"],
+                e["case"],
+                e["point"],
+                e["sky"],
+                e["printed"],
+                "%.4g" % true,
+                "%+.1f" % (100 * (printed / true - 1)),
+                ours,
+                e["reason"],
+            ]
+        )
+    return [
+        "### Printed entries that differ",
+        "",
+        "Entries of the tables, as public transcriptions have them: %d differ from the derivation.  The report "
+        "itself was not at "
+        "hand, so that an error of the table cannot be told from one of the transcription." % len(rows),
+        "",
+        *markdown_table(["table", "case", "point", "type", "says", "derived", "%", "luxpipe", "reason"], rows),
+    ]
+
+
+def parts_part():
+    rows = table(PARTS)[1]
+    return [
+        "## Other programs, intervals, devices",
+        "",
+        "Each table lies in the source tree.  Its test fails if a row no longer agrees.",
+        "",
+        *markdown_table(
+            ["what", "rows", "table", "commit", "date", "test"],
+            [[r["what"], r["rows"], "`%s`" % r["table"], r["commit"], r["date"], "`%s`" % r["test"]] for r in rows],
+        ),
+    ]
+
+
+def page():
+    lines = [
+        "# Certificate",
+        "",
+        "Figures of luxpipe against closed forms, other programs and itself.  `make certificate` measures again what "
+        "is older "
+        "than `lib` and writes this page from its tables; `ctest -R certificate` compares the two.",
+        "",
+        *cie_part(),
+        *parts_part(),
+        "## Another program",
+        "",
+        "Anybody can set the values of another program beside the derived ones: a table with the columns case, "
+        "point, sky and "
+        "value, separated by tabs, named as in `studies/cie171/reference.tsv`.",
+        "",
+        "```",
+        "python3 studies/cie171/compare.py values.tsv",
+        "```",
+        "",
+        "`studies/cie171/README.md` has the geometry and the derivations, and what is not covered.",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def inline(text):
+    text = html.escape(text, quote=False)
+    text = re.sub(r"`([^`]*)`", r"<code>\1</code>", text)
+    return re.sub(r"\*([^*]+)\*", r"<em>\1</em>", text)
+
+
+def as_html(text):
+    """HTML of the Markdown that page() writes: headings, paragraphs, tables, one kind of code."""
+    out, rows, code = [], [], False
+    for line in text.split("\n"):
+        if rows and not line.startswith("|"):
+            body = ["<tr>" + "".join("<td>%s</td>" % inline(c) for c in r) + "</tr>" for r in rows[2:]]
+            out += ["<table><tr>%s</tr>" % "".join("<th>%s</th>" % inline(c) for c in rows[0]), *body, "</table>"]
+            rows = []
+        if line.startswith("```"):
+            out.append("</pre>" if code else "<pre>")
+            code = not code
+        elif line.startswith("|"):
+            rows.append([c.strip() for c in line.strip("|").split("|")])
+        elif line.startswith("#"):
+            level = len(line) - len(line.lstrip("#"))
+            out.append("<h%d>%s</h%d>" % (level, inline(line[level + 1 :]), level))
+        elif line:
+            out.append(html.escape(line) if code else "<p>%s</p>" % inline(line))
+    style = (
+        "body{font:16px/1.4 sans-serif;max-width:70em;margin:2em auto;padding:0 1em}table{border-collapse:collapse}"
+        "td,th{border:1px solid #ccc;padding:.2em .6em;text-align:left}"
+    )
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><meta charset="utf-8"><title>luxpipe: certificate</title>'
+        '<style>%s</style>\n%s\n'
+        "</html>\n" % (style, "\n".join(out))
+    )
+
+
+def count(row):
+    """Rows of a table, without comments and without its heading where that is no comment."""
+    with open(os.path.join(TOP, row["table"]), "rb") as f:
+        lines = [line for line in f if line.strip() and not line.startswith(b"#")]
+    return sum(not line.startswith(row["heading"].encode() + b"\t") for line in lines)
+
+
+def record():
+    rows = table(PARTS)[1]
+    for r in rows:
+        r["rows"] = str(count(r))
+        log = subprocess.run(
+            ["git", "-C", TOP, "log", "-1", "--format=%h %cs", "--", r["table"]], stdout=subprocess.PIPE, check=True
+        )
+        r["commit"], r["date"] = log.stdout.decode().split()
+    with open(PARTS, "w") as f:
+        f.write("\t".join(rows[0]) + "\n" + "".join("\t".join(r.values()) + "\n" for r in rows))
+
+
+def files():
+    text = page()
+    return {"certificate.md": text, "certificate.html": as_html(text)}
+
+
+def check():
+    bad = [
+        "%s: %s rows, not %d" % (r["table"], r["rows"], count(r)) for r in table(PARTS)[1] if int(r["rows"]) > count(r)
+    ]
+    for name, text in files().items():
+        with open(os.path.join(TOP, "docs", name)) as f:
+            if f.read() != text:
+                bad.append("docs/%s is not what its tables give: python3 studies/certificate/page.py" % name)
+    sys.exit("\n".join("page.py: " + b for b in bad) if bad else 0)
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] == ["-check"]:
+        check()
+    if sys.argv[1:] == ["-record"]:
+        record()
+    for file_name, file_text in files().items():
+        with open(os.path.join(TOP, "docs", file_name), "w") as out_file:
+            out_file.write(file_text)
