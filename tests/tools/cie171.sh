@@ -10,10 +10,12 @@ check 'reference.tsv is what reference.py derives' \
 check 'the quadrature moves by less than .0001 when its cells are halved' \
     'awk -F"\t" "!/^#/ && NR > 2 && !(\$5 < 1e-4) { print; bad = 1 } END { exit bad }" "$study/reference.tsv" >&2'
 check 'no value is more than 5 standard errors from the derived one' \
-    'cd "$TOP" && python3 -B studies/cie171/run.py -bin "$BIN" -points AGN \
-         -only 5.2,5.3,5.5,5.6,5.7,5.9,5.10,5.11,5.12,5.13,6 -skies 2,5,12,15,16 -size 48 -frames 9 > "$OLDPWD/rows.tsv"'
+    'cd "$TOP" && python3 -B studies/cie171/run.py -bin "$BIN" \
+         -points AGN -size 48 -frames 9 \
+         -only 5.2,5.3,5.5,5.6,5.7,5.9,5.10,5.11,5.12,5.13,6 -skies 2,5,12,15,16 > "$OLDPWD/rows.tsv"'
 check 'intervals hold, 95 % less three standard deviations of 60 tries (the skies of a sensor are one)' \
-    'awk -F"\t" "/inside|outside|wrong/ { n++; in_ += \$9 == \"inside\" } END { print in_, n; exit !(n > 200 && in_/n > .866) }" \
+    'awk -F"\t" "/inside|outside|wrong/ { n++; in_ += \$9 == \"inside\" }
+         END { print in_, n; exit !(n > 200 && in_/n > .866) }" \
          rows.tsv >&2'
 check 'compare.py: the own values, and a value that is not there' \
     'cut -f1-3,5 rows.tsv | grep -v "^#" > values.tsv; python3 -B "$study/compare.py" values.tsv > compared &&
