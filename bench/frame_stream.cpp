@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A renderer without cost: frames 0 to last of a stream made of few, `frame_stream file last`.  The file's frames above
-// 0 come again and again, each time with the number that is due.  What reads the pipe is what is measured.
+// 0 come again and again, each time with the number that is due.  The reader of the pipe is what is measured.
 #include <cstdlib>
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long a scene of a million quadrilaterals takes to read and what it costs in memory: as text (.rad), as a frozen
+// Time and memory that a scene of a million quadrilaterals takes to read: as text (.rad), as a frozen
 // octree, and as a Wavefront mesh (two million triangles).  The files are made first, in the temporary folder; each is
 // read by a process of its own, twice, and the second time (file in the page cache) is printed with the peak of its
 // memory. Usage: bench_scene_load [thousands of quadrilaterals, default 1000]

@@ -21,7 +21,7 @@ struct ChildFiles {
 int start_child(const std::vector<std::string>& words, const ChildFiles& files, pid_t& child,
                 std::atomic<pid_t>* group = nullptr);
 int wait_for_child(pid_t child);  // its exit status; 128 + n: ended by signal n
-// What it writes, to the end or until it is longer than the limit.
+// Returns all that it writes, or a little more than the limit.
 std::string read_to_end(int fd, size_t limit);
 
 }  // namespace base

@@ -23,7 +23,7 @@ std::vector<std::string> files_read();
 // For whoever reads them again when they change (ptrace -watch): the paths noted so far, which are forgotten.
 std::vector<std::string> forget_files_read();
 
-// How the files noted stand on the disk now, beside how they stood when they were noted.
+// The files noted as they are on the disk now, compared with when they were noted.
 struct FilesNow {
     bool changed = false;  // another file, size or time of change; come to be or gone
     bool gone = false;     // one of them is not there any more

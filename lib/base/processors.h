@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many threads this process should use: what it may use, not what the machine has.  A job on a cluster, a
+// Number of threads for this process: the processors that it may use, not those of the machine.  A job on a cluster, a
 // container or a user of taskset has fewer processors than there are, and more threads than these stand in each
 // other's way.
 #pragma once

@@ -15,7 +15,7 @@ void on_threads(unsigned count, const std::function<void()>& body);
 // share begins after an exception, which is rethrown.
 void in_shares(size_t count, size_t share, unsigned threads, const std::function<void(size_t, size_t)>& body);
 
-// How many of `count` threads the system can run at once, the caller's among them: for libraries that fail if they get
+// Number of threads, of `count` with the caller's, that the system can start: for libraries that fail if they get
 // fewer than they asked for.
 unsigned available_threads(unsigned count);
 

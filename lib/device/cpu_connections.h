@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which connections between the prefix vertices of a group and a suffix vertex are open (kernels/integrator/connect.h):
+// Visibility of the connections from a group's prefix vertices to a suffix vertex (kernels/integrator/connect.h):
 // the rays to a suffix vertex are made side by side, step by step as connection_ends() makes one, and those of one kind
 // go through the tree as a packet. Included by cpu_kernels.inl.
 #ifndef LUX_CPU_CONNECTIONS_H

@@ -40,7 +40,7 @@ FN uint32_t packet_met_shape(const SceneTables& s, const PacketRays& p, uint32_t
 }
 
 // All blocks of a leaf: closes rays that something opaque stops, and adds those that something else of the mask stops
-// to *panes.  Those it closed.
+// to *panes.  Returns the closed ones.
 FN uint32_t packet_look_leaf(const SceneTables& s, PacketRays& p, const float* block, uint32_t rays, uint32_t mask,
                              uint32_t* panes) {
     const uint32_t before = p.open;
@@ -74,7 +74,7 @@ FN void look_alone(const SceneTables& s, PacketRays& p, uint32_t mask, uint32_t*
     }
 }
 
-// Of those of the rays put that are wanted, those that nothing opaque stops; *panes: of these, those that something
+// Returns the wanted rays of the packet that nothing opaque stops; *panes: of these, the ones that something
 // transparent does, if the mask asks for it.
 FN uint32_t packet_look(const SceneTables& s, PacketRays& p, uint32_t wanted, uint32_t mask, uint32_t* panes) {
     uint32_t open = 0, through = 0;

@@ -2,7 +2,7 @@
 // Rays side by side through the eight-wide tree (kernels/bvh/bvh8.h): those of neighbouring pixels, and what follows
 // from them.  A node's eight boxes are tested once for all rays of a packet, by the intervals of their origins and
 // slopes; a leaf's box and a triangle are tested against eight rays at once.  The intervals let no ray miss a box that
-// it would meet alone (rounding is monotone), and triangles take the same steps in each lane. What a packet looks for:
+// it would meet alone (rounding is monotone), and triangles take the same steps in each lane.  A packet looks for
 // the nearest hits (packets.h), or whether the way is open (packet_look.h). Included where LUX_ISA stands for the
 // namespace of an instruction set, after kernels/all.h.
 #ifndef LUX_PACKET_RAYS_H
@@ -11,7 +11,7 @@
 constexpr uint32_t PACKET_GROUPS = 4;  // of eight rays each
 constexpr uint32_t PACKET = 8 * PACKET_GROUPS;
 
-// Rays side by side, a lane each.  Those that go through the tree together are of one kind: their directions have the
+// Rays side by side, a lane each.  Rays that go through the tree together are of one kind: their directions have the
 // same signs and the same longest axis.  The others wait in their lanes.
 struct PacketRays {
     uint32_t count = 0, open = 0;  // rays; those, a bit each, that look for something
@@ -150,7 +150,7 @@ FN void packet_node(const PacketRays& p, const PacketBounds& b, const float* n, 
     }
 }
 
-// Those of these rays that meet box k of `wide` boxes side by side, as each would alone (bvh8_node, bvh8_boxes).
+// Returns which of these rays meet box k of `wide` boxes side by side, as each would alone (bvh8_node, bvh8_boxes).
 FN uint32_t packet_box(const PacketRays& p, const float* boxes, uint32_t wide, uint32_t k, uint32_t rays) {
     uint32_t met = 0;
     for (uint32_t g = 0; 8 * g < p.count; g++) {

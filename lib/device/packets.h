@@ -7,7 +7,7 @@ struct Packet : PacketRays {
     Look look[PACKET];
 };
 
-// Rays 8 g ... 8 g + 7 against triangle k of a block.  Those of `rays` that came nearer.
+// Tests rays 8 g ... 8 g + 7 against triangle k of a block.  Returns those of `rays` that now hit nearer.
 FN uint32_t packet_triangle(Packet& p, uint32_t g, uint32_t rays, const float* b, uint32_t id) {
     PacketInside met;
     if (!packet_inside(p, g, b, met)) return 0;
@@ -39,7 +39,7 @@ FN int packet_shape(const SceneTables& s, Packet& p, uint32_t i, const float* sh
     return enter_instance(shape, &ray, mask, &in, &root) && bvh8_walk(&s, &ray, mask, &in, root, 0, &p.look[i]);
 }
 
-// The rays against all blocks of a leaf.  Those that came nearer.
+// Tests the rays against all blocks of a leaf.  Returns those that now hit nearer.
 FN uint32_t packet_leaf(const SceneTables& s, Packet& p, const float* block, uint32_t rays, uint32_t mask) {
     uint32_t found = 0;
     const auto look_less_far = [&](uint32_t nearer) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a search has to look: the smallest cosine that is near, and a bound on the rows.
+// The reach of a search: the smallest cosine that is near, and a bound on the rows.
 #include "evalglare/neighbour_search.h"
 #include "base/angle.h"
 #include <algorithm>

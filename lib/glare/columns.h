@@ -59,7 +59,7 @@ std::vector<Column> choose_columns(const ColumnChoice& choice, const Settings& s
 // The column of the error that pixels cause in a metric, "DGP.px"; empty: there is none, or it has no interval.
 std::string pixels_column(const std::string& metric);
 
-// Those that -compare compares if none is named.
+// The columns that -compare compares if none is named.
 std::vector<std::string> compared_columns();
 
 // "Ev DGP DGI ...": for the help text.

@@ -25,8 +25,8 @@ public:
     Geometry(const view::View& view, int w, int h) : Geometry(std::make_unique<ViewGeometry>(view), w, h) {}
     Geometry(std::unique_ptr<const ViewGeometry> rays, int w, int h);
 
-    // Those of a picture, and the geometry in which they lie at the place of their light.  Light behind the eye is out
-    // of view, as are pixels whose centre is.
+    // Drawn pixels of a picture, and the geometry in which they lie at the place of their light.  Light behind the eye
+    // is out of view, as are pixels whose centre is.
     std::vector<DrawnPixel> drawn_pixels(const image::Moments& moments) const;
     Geometry with(const std::vector<DrawnPixel>& pixels) const;
 

@@ -22,7 +22,7 @@ struct Images {
     }
 };
 
-// What a sum over pixels gains where drawn sources are at their place: of all, or of pixels above a luminance.
+// Gain of a sum over pixels, all or those above a luminance, where drawn sources are at their place.
 double gain_of_place(const Reading& r, const Luminance& lum, const Luminance& classification_image, double above) {
     double lux = 0;
     for (const DrawnPixel& p : r.drawn_pixels)

@@ -10,7 +10,7 @@
 
 namespace glare {
 
-// What a picture's light gives that is divided into sources and the rest: of whole pixels, as evalglare has it, or of
+// Glare sources and the light beside them: of whole pixels, as evalglare has it, or of
 // filled ones.  A formula of this alone has a meaning for both (columns.cpp).
 struct Glare : Photometry {
     double task_lum = 0;  // reference luminance of the threshold: task area, else the mean

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is measured in each picture of a run.  A plan does not change: an edit of the regions gives another one.
+// A plan states what is measured in each picture of a run.  It does not change: an edit of the regions gives another
+// one.
 #pragma once
 #include <functional>
 #include <memory>
@@ -11,13 +12,14 @@
 
 namespace glare {
 
-// How a program looks at pictures: luxpipe, or another one whose digits count (lib/evalglare).
+// The functions by which a program measures pictures: luxpipe, or another one whose digits are repeated
+// (lib/evalglare).
 using FindSources = std::function<Sources(const Luminance&, const Luminance& classification_image, const Geometry&,
                                           double threshold, const PixelSets&)>;
 struct Methods {
     std::function<std::unique_ptr<const ViewGeometry>(const view::View&, const std::string& place)> geometry;
     std::function<Photometry(const Luminance&, const Geometry&, const Settings&)> photometry;
-    // Of the threshold: the mean of the task area (-t), or of the picture.
+    // Reference luminance of the threshold: the mean of the task area (-t), or of the picture.
     std::function<double(const Luminance&, const Geometry&, const Settings&, double mean_lum)> reference_luminance;
     // Finds them in pictures of a view and size; the geometry is that one, or one of the same directions.
     std::function<FindSources(const Geometry&, const Settings&)> sources;

@@ -25,7 +25,7 @@ struct ViewTables {
 struct Reading {
     std::shared_ptr<const ViewTables> tables;
     Luminance lum;  // in the picture's memory
-    // Of the moments of its pixels.
+    // Sources at the centroids that the moments of its pixels state.
     std::vector<DrawnPixel> drawn_pixels;
     std::shared_ptr<const Geometry> placed_geometry;        // null: no pixel is drawn in
     std::optional<double> black_corners;                    // percent, type v

@@ -9,7 +9,7 @@
 
 namespace image {
 
-// How the pixels of one picture are stored: what the header says beyond image::Header.
+// Storage of the pixels of one picture: the lines of a header that are not in image::Header.
 struct Encoding {
     Format format = Format::rgbe;    // pictures without FORMAT= are RGBE
     int channels = 3;                // NCOMP=, float pictures: 1 (grey) or 3

@@ -86,7 +86,7 @@ void require_complete(const Picture& picture, const std::string& where);
 
 enum class Format { rgbe, xyze, flt };
 
-// How a reader converts the numbers in a file: to radiance, as above; not at all (exposure, colour correction and
+// Conversion of the numbers in a file: to radiance, as above; not at all (exposure, colour correction and
 // primaries stay in), as RADIANCE treats pictures that are patterns; or with only the exposure divided out, as
 // evalglare does.  XYZE and OpenEXR always become radiance.
 enum class Pixels { radiance, stored, exposed };

@@ -26,7 +26,7 @@ double number(const Arguments& arguments, const char* name, double fallback) {
     return text.empty() || *end || !std::isfinite(value) ? fallback : value;
 }
 
-// Of nothing but digits; nothing: it is another text, or too large.
+// A number of digits alone.  Nothing: the text is another, or the number is too large.
 std::optional<size_t> count(const Arguments& arguments, const char* name) {
     const std::string text = arguments(name);
     if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the page asks ptrace for: written to its FIFO, and kept in the design once ptrace has it.
+// Commands of the page for ptrace: written to its FIFO, and kept in the design once ptrace has them.
 #pragma once
 #include "live/answers.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the programs of the pipe say on their standard error: a FIFO that they share.  Its lines go on to our own
+// Messages of the programs of the pipe: their standard error is a FIFO that they share.  Its lines go on to our own
 // standard error, and to the page.
 #pragma once
 #include <atomic>

@@ -28,7 +28,7 @@ public:
         int status = 0;
         std::string lines;  // a JSON object each
     };
-    // Those of this picture or of a newer one.  Nothing: they are not known yet, and are looked for.
+    // Sources of this picture or of a newer one.  Nothing: they are not known yet, and a search begins.
     std::optional<Found> of(size_t picture);
 
 private:

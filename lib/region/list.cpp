@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How large the regions came out, and what small ones cost: frames to convergence go with 1 / region size, and the
+// Sizes of the regions, and the cost of small ones: frames to convergence go with 1 / region size, and the
 // paper needs about 1000 frames for contrast regions of 32 pixels (its Figs. 7 and 8).
 #include <cmath>
 #include <fmt/format.h>

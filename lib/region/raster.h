@@ -10,7 +10,7 @@
 
 namespace region {
 
-// How far a cell's points may lie from its centre.
+// Largest distance of a cell's points from its centre.
 struct Reach {
     double angle, pixel;
 };

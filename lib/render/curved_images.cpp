@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    // How a path's end differs from the sun's direction; false if the path does not end in the sky by a specular way.
+    // Sets e to the difference of a path's end from the sun's direction.  False: it has no specular end in the sky.
     bool difference(const ImageTracer& tracer, size_t place, uint32_t way, Vec3& e) const {
         const float* d = tracer.of(place, way);
         const Vec3 dir{d[0], d[1], d[2]};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What people call the surfaces, materials and light sources of the tables.
+// Names of the surfaces, materials and light sources of the tables.
 #pragma once
 #include <string>
 #include "flatten/flat_scene.h"

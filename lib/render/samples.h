@@ -48,7 +48,7 @@ struct PixelPath {
     uint32_t path;          // its number there
     double weight;
 };
-// Those of one sample of run_pass().
+// The paths of one sample of run_pass().
 std::vector<PixelPath> paths_of_pixel(const PixelSampling& sampling, uint32_t mode, int64_t sample, uint32_t pixel);
 // Parameters of the passes of run_places().
 device::Params params_of_places(const PixelSampling& sampling, const std::vector<uint32_t>& pixels, uint32_t n,

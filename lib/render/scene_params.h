@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Kernel parameters of a scene and its options.  Those of a view: view_params.h.
+// Kernel parameters of a scene and its options (view_params.h has the view's).
 #pragma once
 #include <algorithm>
 #include "flatten/flat_scene.h"

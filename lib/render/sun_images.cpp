@@ -40,7 +40,7 @@ bool is_in(const SunImages::Disc& disc, Vec3 dir) {
 
 Vec3 mirrored(Vec3 v, Vec3 n) { return v - n * (2 * dot(v, n)); }
 
-// What the eye sees along a direction, behind surfaces that let light through.
+// The surface that the eye sees along a direction, behind those that let light through.
 class Look {
 public:
     Look(const flatten::HostTracer& tracer, Vec3 eye) : tracer_(tracer), eye_(eye) {}

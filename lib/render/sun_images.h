@@ -23,7 +23,7 @@ struct SunImages {
     uint32_t ways = 1;              // sequences of lobes that a path may take to them (a power of two)
 };
 
-// Of planes; all suns that may have images.
+// Images in planes, and all suns that may have images.
 SunImages possible_images(const flatten::FlatScene& scene, const flatten::HostTracer& tracer,
                           const sampling::SmoothSurfaces& smooth, const view::View& view, int nx, int ny);
 // Adds images in curved surfaces: a search by halving steps, from a net of camera directions (curved_images.cpp).

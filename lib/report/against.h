@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // In a live stream: the difference of columns between the picture of one edit and that of an earlier one, at the same
-// number of frames (uncertainty/difference.h).  Of an edit the replicates' values of each look are kept, not pictures.
+// number of frames (uncertainty/difference.h).  It keeps the replicates' values of an edit at each look, not its
+// pictures.
 #pragma once
 #include <map>
 #include <string>

@@ -10,11 +10,11 @@
 
 namespace report {
 
-// How the error of a column is estimated.
+// The way in which the error of a column is estimated.
 uncertainty::Quantity quantity_of(glare::Noise noise);
 std::vector<uncertainty::Quantity> quantities_of(const std::vector<glare::Column>& columns);
 
-// What a picture and its replicates were measured to.
+// The values measured in a picture and in its replicates.
 struct Look {
     uncertainty::Replicates replicates;
     std::vector<uncertainty::Estimate> own, estimates;  // by itself, and with the look before; empty: there was none

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What may mirror the sun: surfaces whose material reflects without roughness, the flat ones by their distinct normals.
+// Surfaces that may mirror the sun, because their material reflects without roughness: the flat ones by their distinct
+// normals.
 #pragma once
 #include <vector>
 #include "base/vec.h"
@@ -20,7 +21,7 @@ struct SmoothSurfaces {
     std::vector<Ball> balls;         // spheres outside of instances, MOST_BALLS at most
     bool none() const { return planes.empty() && !curved; }
 };
-// Of a scene that still has its triangles.
+// The scene must still have its triangles.
 SmoothSurfaces smooth_surfaces(const flatten::FlatScene& scene);
 
 }  // namespace sampling

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A "!command" line taken apart as /bin/sh would: quotes, backslashes, comments, file name patterns, pipes.
-// The first command may take a file as its input.  What needs more of a shell (variables, lists ...) is only marked so.
+// The first command may take a file as its input.  A line that needs more of a shell (variables, lists ...) is only
+// marked as such.
 #pragma once
 #include <string>
 #include <vector>

@@ -7,7 +7,7 @@ namespace scene {
 
 namespace {
 
-// How many real arguments: one of some counts (bits), or, without any, `least` and more.
+// Number of real arguments: one of some counts (bits), or, without any, `least` and more.
 struct Reals {
     uint32_t counts;
     int least;

@@ -13,7 +13,7 @@ Values less(const Values& a, Values b) {
     return b;
 }
 
-// Of images that both have.
+// Differences of the images that both have.
 std::vector<Values> less(const std::vector<Values>& a, std::vector<Values> b) {
     b.resize(std::min(a.size(), b.size()));
     for (size_t k = 0; k < b.size(); ++k) b[k] = less(a[k], b[k]);

@@ -10,7 +10,7 @@
 
 namespace uncertainty {
 
-// How the error of a quantity is estimated.
+// The way in which the error of a quantity is estimated.
 struct Quantity {
     enum class Method { none, half_samples, jackknife };
     Method method = Method::none;

@@ -9,7 +9,7 @@
 
 namespace uncertainty {
 
-// How the bias of a quantity goes with noise: a square with its variance, an absolute difference with its deviation.
+// The bias of a quantity grows with noise: of a square with its variance, an absolute difference with its deviation.
 enum class NoiseBias { none, variance, deviation };
 
 // Balanced repeated replication (McCarthy 1966).  replicates: the quantity of each half-sample's mean.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which hours of a year: "Mo-Fr 8-18", "Jun-Aug Sa 8-12 13-17", "@occupied.csv", "1221_1330", "Mo-Fr 8-18 3/16".
+// A choice of hours of a year: "Mo-Fr 8-18", "Jun-Aug Sa 8-12 13-17", "@occupied.csv", "1221_1330", "Mo-Fr 8-18 3/16".
 #pragma once
 #include <string>
 #include <vector>

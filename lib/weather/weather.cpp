@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which format it is, its lines, and what both formats share: order, hours that come twice.
+// Finds the format, reads its lines, and checks in both formats the order of hours and that none comes twice.
 #include "weather/weather.h"
 
 #include <fmt/core.h>

@@ -29,7 +29,7 @@ struct Weather {
 };
 
 // Throws Error (place: file and line) where the file is neither format, a line is broken or an hour comes twice.
-// What is missing (9999) is an error only where it is needed (sky.h).
+// A missing value (9999) is an error only where it is needed (sky.h).
 Weather read_weather(const std::string& path);
 
 }  // namespace weather

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double normal_quantile = 1.959964;  // of 95 %
 
-// What pixels may hide from DGPf, which DGP.px does not tell: sources near the threshold, edges within a pixel.  About
+// The error of DGPf from pixels that DGP.px does not show: sources near the threshold, edges within a pixel.  About
 // .005 in round pictures of 64 x 64, and half of it when the sides double.
 double error_of_pixels(double pixels) {
     constexpr double at_64 = .005, pixels_of_64 = 3217;

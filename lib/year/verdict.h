@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a year of hours says of a view.  Every number has an interval: from the noise of its hours and from their
+// The results of a year of hours for a view.  Every number has an interval from the noise of its hours and from their
 // pixels.
 #pragma once
 #include <array>

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # frames.sh OUT SEEDS: a table of metrics for each office scene, way of sampling and seed, and a long run of another
-# seed as the truth.  What is there is kept, so that a stopped study goes on; it takes seed after seed, so that all
+# seed as the truth.  Finished tables are kept, so that a stopped study goes on; it takes seed after seed, so that all
 # scenes and ways have as many.  SIZE, FRAMES, LONG, SCENES, SAMPLINGS and FIRST (seed) change its cost; TRUTH is the
 # long run's way.  A way "focus" samples the regions more (-focus), "focus=5" with that -focus-share.
 set -euo pipefail

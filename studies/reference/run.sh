@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # run.sh BIN OUT [name ...]: renders the scenes of the reference pictures and compares.  FRAMES (4000) and BATCHES (16)
-# set the amount of work; GOLDEN is a folder with other pictures to compare with (uncorrelated.sh).  What is already in
-# OUT is not made again, so the study can be interrupted and continued.
+# set the amount of work; GOLDEN is a folder with other pictures to compare with (uncorrelated.sh).  Pictures in
+# OUT are not made again, so the study can be interrupted and continued.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd) top=$(cd "$(dirname "$0")/../.." && pwd)
 bin=$(cd "$1" && pwd) && mkdir -p "$2" && out=$(cd "$2" && pwd) && shift 2

@@ -136,7 +136,7 @@ bool apply_edits(Run& run, size_t i) {
     return true;
 }
 
-// Of a dark hour no scene is loaded.
+// For a dark hour no scene is loaded.
 image::Picture start_picture(const Run& run, const Options& opt, const Sky& sky, size_t i) {
     const render::RenderView& v = sky.dark ? opt.views[i].render_view : run.session->view();
     image::Picture picture;
@@ -206,7 +206,7 @@ int render_all(Options options) {
             std::make_shared<base::WorkBudget>(*opt.files.work);  // each sky has what the rest has left
         setup.reading.asked_by.clear();                           // a sky is the command line's
         if (!sky.file.empty()) scene::read_more(scene, {sky.file}, setup.reading);
-        // What a scene names is read when it is loaded; so the rule of -M needs a device, too.
+        // Files that a scene names are read when it is loaded; so the rule of -M needs a device, too.
         if (!run.session) {
             run.session.emplace(start(only_rule ? "cpu" : opt.device), opt.scene_files);
             if (is_live(opt)) run.session->renderer().cancel_when(&run.control.edit_waits());

@@ -176,7 +176,7 @@ void check(const Options& opt) {
         base::fail("-frames", "say how many frames; stdout has no reader that could end the stream");
 }
 
-// "QUALITY=Low" after a rad input file stands for a line at its end, as on rad's own command line.  What the file says
+// "QUALITY=Low" after a rad input file stands for a line at its end, as on rad's own command line.  The file
 // is read where -rif stands among the options; so the command line is read again once such words have been seen.
 std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& assignments, Options& opt) {
     opt.files.raypath = base::raypath_from_environment();

@@ -25,7 +25,7 @@ std::string Report::text(int64_t k) const {
         return text + fmt::format(", {:.1f} s, {:.3g} s a frame, {}", seconds, a_frame, device_);
     text += fmt::format(" of {}", last_);
     if (pictures_ > 1) text += fmt::format(", picture {} of {}", done_ + 1, pictures_);
-    // Of several pictures each is taken to need as long as those before.
+    // Each of several pictures is expected to take as long as those before.
     const double share = double(k - first_ + 1) / double(last_ - first_ + 1);
     const double left = pictures_ > 1 ? seconds_since(start_) * (double(pictures_) / (double(done_) + share) - 1)
                                       : a_frame * double(last_ - k);

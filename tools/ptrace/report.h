@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a run is: in place on a terminal, or (-t) a line on the standard error every so many seconds.
+// Progress of a run: in place on a terminal, or (-t) a line on the standard error every so many seconds.
 #pragma once
 #include <chrono>
 #include <cstdint>

@@ -60,7 +60,7 @@ void declare_comparison(OptionTable& t, Options& o) {
     t.add("-go-on", "A column, settled, says that the rule holds, and the run goes on", o.go_on);
     t.add("-max-frames n", "Stop at this number of frames",
           [&](Arguments& a) { o.max_frames = a.integer(base::within(1, 1e15)); });
-    t.add("-max-seconds s", "Stop when so much time is over", o.max_seconds).above(0);
+    t.add("-max-seconds s", "Stop after this many seconds", o.max_seconds).above(0);
     t.add("-control fifo", "End each picture of the stream by itself: \"next\" to this FIFO of ptrace", o.control);
     t.add("-compare", "Compare two inputs: pictures, streams, recorded tables or evalglare's lines", o.compare);
     t.add("-difference", "Print the difference of each metric between two pictures or streams, with its interval",

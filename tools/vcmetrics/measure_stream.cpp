@@ -44,7 +44,7 @@ void write_check_picture(const Options& o, const image::Picture& measured, const
     display::write_file(o.check_file, check, {});
 }
 
-// What evalglare prints before it gives up on a picture.
+// Prints what evalglare prints before it gives up on a picture.
 [[noreturn]] void refuse(const Options& o, const base::Error& refusal) {
     const std::string text = o.mode == OutputMode::evalglare ? evalglare::stdout_text(refusal) : "";
     if (!text.empty()) print(text);

@@ -11,5 +11,5 @@ int measure_all(const Options& options);  // exit status
 report::NumberTable measure_table(const Options& options, const std::string& file,
                                   const std::vector<std::string>& metrics);
 
-// What the reader makes of a file's numbers.
+// Conversion of a file's numbers by the reader.
 image::Pixels pixels_for(const Options& options);

@@ -46,7 +46,7 @@ void check_said(const base::OptionTable& t, const Options& o) {
         base::fail("-until", "the rule is empty; write for example 'DGP 1%, Ev 0.5% or 0.1'");
 }
 
-// What needs intervals of luxpipe's own columns.
+// Refuses options that need intervals of luxpipe's own columns.
 void check_intervals(const Options& o) {
     const bool against = !o.against.empty();
     if (!o.ci && !against && !o.difference && o.until.empty()) return;

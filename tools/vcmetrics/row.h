@@ -6,7 +6,7 @@
 #include "options.h"
 #include "run.h"
 
-// What stands above the rows, again where the columns have changed.
+// The heading of the rows; it is printed again where the columns have changed.
 struct Heading {
     std::vector<std::string> names;                    // of the last one
     bool views = false, skies = false, edits = false;  // pictures are named, as those of ptrace -views, -sky, -watch

@@ -20,7 +20,7 @@ using namespace glare;
 
 namespace {
 
-// What pixels do to the metrics of a rule is measured, too.
+// The effect of pixels on the metrics of a rule is measured, too.
 std::vector<std::string> pixel_columns(const report::UntilRule& rule) {
     std::vector<std::string> out;
     for (const report::Tolerance& t : rule.tolerances()) out.push_back(pixels_column(t.metric));
@@ -31,7 +31,7 @@ std::vector<std::string> pixel_columns(const report::UntilRule& rule) {
 
 void tell(const base::Error& e) { base::say("vcmetrics: " + base::printable(e.text)); }
 
-// Those of a view and size that regions cannot be drawn for are out of sight: told, and without a pixel.
+// Regions that cannot be drawn for a view and size are out of sight: a warning, and no pixel.
 // gone: names that the file does not have any more.
 image::DrawRegions lenient(const image::MaskSet& masks, const image::DrawRegions& draw, const std::string& file,
                            const std::vector<std::string>& gone) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run measures.  In a live stream, whose pictures say EDIT=, the region file is read again when it has changed,
-// which gives another plan; a region that is out of sight is nan.
+// A run measures by a plan.  In a live stream, whose pictures say EDIT=, the region file is read again when it has
+// changed, which gives another plan; a region that is out of sight is nan.
 #pragma once
 #include <string>
 #include <vector>
@@ -26,6 +26,6 @@ RunPlan plan_run(const Options& options);
 
 // Throws Error where a region of -cr is not there, as it may be in a live stream.
 void require_pairs(const RunPlan& plan);
-// Before a picture of a live stream.  What is wrong in a region file that has changed is told once, and the regions and
+// Called before a picture of a live stream.  An error in a changed region file is reported once; the regions and
 // columns stay.
 RunPlan with_present_regions(const Options& options, RunPlan plan);

@@ -89,7 +89,7 @@ std::pair<Progress, Verdict> decide(const Options& o, const StopRule& rule, Prog
     } else if (o.max_frames && sum.frames >= *o.max_frames) {
         reason = "-max-frames is reached";
     } else if (o.max_seconds && sum.seconds >= *o.max_seconds) {
-        reason = "-max-seconds are over";
+        reason = "-max-seconds is reached";
         ends_all = true;
     } else return {p, {}};
     const bool of_rule = !p.done && (p.held || !out_of_reach.empty());

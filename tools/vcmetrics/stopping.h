@@ -22,7 +22,7 @@ struct StopRule {
 // Throws Error if the rule names a column that the run does not have, or that has no interval.
 StopRule stop_rule(const Options& options, const std::vector<glare::Column>& columns);
 
-// How far the picture is whose sums come, and what was decided of it.
+// Progress of the present picture, and the decision on it.
 struct Progress {
     int64_t frames = -1;                // of the last sum; -1: there was none
     std::string label;                  // of the picture

@@ -102,7 +102,7 @@ FN int bvh8_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, float tmin, fl
     return 1;
 }
 
-// Which of four boxes the ray hits, and at which distance it enters them.
+// Returns which of four boxes the ray hits; *from gets the distances at which it enters them.
 FN LaneMask bvh8_boxes(GLOBAL const float* b, PRIVATE(const WoopRay) r, float tmin, float tmax, PRIVATE(float) from) {
     uint nx = r->inv.x < 0.0f ? 4u : 0u, ny = r->inv.y < 0.0f ? 12u : 8u, nz = r->inv.z < 0.0f ? 20u : 16u;
     v4f tx = (load4_(b + nx) - r->org.x) * r->inv.x, fx = (load4_(b + (nx ^ 4u)) - r->org.x) * r->inv.x;

@@ -117,7 +117,7 @@ FN v8u count4_(uint a, uint step) {
     return v * step + a;
 }
 
-// of the last four lanes, in all bits
+// mask with all bits set in lanes 4 to 7
 FN v8u second_half8_(void) {
     v8u v = {0u, 0u, 0u, 0u, ~0u, ~0u, ~0u, ~0u};
     return v;

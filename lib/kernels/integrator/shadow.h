@@ -52,7 +52,7 @@ FN int shadow_seeks_source(PARAMS(const Params) par, GLOBAL const float* src) {
     return par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING);
 }
 
-// Returns 1 if a ray that hits this source at t comes from behind.  A tube may be entered by an open end.
+// Returns 1 if a ray that hits this source at t comes from behind.  A ray may enter a tube through its open end.
 FN int shadow_from_behind(GLOBAL const float* src, PRIVATE(const Ray) ray, float t) {
     if (as_uint_(src[SRC_KIND]) != SK_CYLINDER) return 0;
     float3 axis = f3_at(src + SRC_U), from = sub3(madd3(ray->dir, t, ray->org), f3_at(src + SRC_CENTRE));

@@ -129,7 +129,7 @@ export class Camera {
     command(`preview ${words(this.view)}`).then((wrong) => { if (wrong) this.say(wrong); });
   }
 
-  // Of each picture that is shown: the number of its edit and what that was.
+  // Called for each picture shown, with the number of its edit and what the edit was.
   painted(edit, what) {
     this.read_out();
     if (what !== 'preview') {

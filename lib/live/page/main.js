@@ -61,7 +61,7 @@ setInterval(say_status, 5000);
 
 // ---- news
 
-// What vcview holds for all windows.
+// State that vcview holds for all windows.
 async function take_state(state) {
   paused = state.paused;
   edits.take(state.edits, state.earlier, state.variants, state.base);

@@ -6,7 +6,7 @@ export function luminance(rgb, i) {
   return lumens * (weights[0] * rgb[i] + weights[1] * rgb[i + 1] + weights[2] * rgb[i + 2]);
 }
 
-// How many thresholds are not above v: display::ColourTable::index().
+// Number of thresholds that are not above v: display::ColourTable::index().
 export function index(thresholds, v) {
   let low = 0, high = thresholds.length;
   while (low < high) {

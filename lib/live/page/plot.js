@@ -3,7 +3,7 @@ import { alike } from '/picture.js';
 import { fill_rows } from '/table.js';
 
 const classes = { DGP: [.35, .40, .45], DGPu: [.35, .40, .45], DGPf: [.35, .40, .45], UGR: [13, 16, 19, 22, 25, 28] };
-// What pixels do to a metric: to evalglare's (DGP, DGPu) it is missing, DGPf has it.
+// Effect of pixels on a metric: evalglare's (DGP, DGPu) lack it, DGPf has it.
 const of_pixels = (name, row) => name.endsWith('f') ? -row[`${name.slice(0, -1)}.px`] : row[`${name.replace(/u$/, '')}.px`];
 const beside = /\.(lo|hi|d)$/, most_runs = 12;
 const no_metric = new Set(['frame', 'seconds', 'tails', 'view', 'sky', 'edit', 'settled']);
@@ -44,7 +44,7 @@ export class Lines {
 
   csv() { return this.text.map((line) => line.replaceAll('\t', ',')).join('\n') + '\n'; }
 
-  // Those that have had a number.
+  // Columns that have had a number.
   metrics() { return this.columns.filter((c) => !beside.test(c) && !no_metric.has(c) && this.seen.has(c)); }
 }
 

@@ -1,4 +1,4 @@
-// What is under the pointer: a line below the picture.
+// A line below the picture that describes the pixel under the pointer.
 import { ask } from '/net.js';
 import { luminance, short } from '/picture.js';
 

@@ -71,7 +71,7 @@ function centre(shape, eye, size) {
 // A vector at right angles to another one.
 const beside = (v, eye) => unit(cross(v, Math.abs(dot(v, eye.up)) < .9 ? eye.up : eye.right));
 
-// What can be taken hold of: { place, point: index } or { place, size: true }.
+// Handles that can be dragged: { place, point: index } or { place, size: true }.
 export function handles(shape, eye, size) {
   const all = shape.points.map((p, point) => ({ place: place_of(shape, p, eye, size), point }));
   if (shape.kind === 'circle' || shape.kind === 'sphere3d' || shape.kind === 'disc3d')

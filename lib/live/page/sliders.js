@@ -1,4 +1,4 @@
-// The model: sliders for the day and hour of skies and for any number in the files of -edit.  What they say is sent to vcview as
+// The model: sliders for the day and hour of skies and for any number in the files of -edit.  Their values go to vcview as
 // a text that stands for the file; vcview holds it for all windows, each of which says what version it has changed.  The
 // file itself is written only by Save.
 import { date_of, numbers_in, range_of, skies_in, with_number, with_sky } from '/model_text.js';

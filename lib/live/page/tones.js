@@ -1,4 +1,4 @@
-// How the picture is shown: tone curve or falsecolor with its scale, and the comparison with a picture that was kept.
+// Display of the picture: tone curve or falsecolor with its scale, and the comparison with a picture that was kept.
 import { ask } from '/net.js';
 import { contours, difference, falsecolor, short, toned } from '/picture.js';
 

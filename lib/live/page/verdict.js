@@ -22,7 +22,7 @@ function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
-// What the programs do, by what the server says of them.
+// The state of the programs, as the server reports it.
 export function state_of({ refused, lost, ended, paused, what, settled, since }) {
   if (refused) return 'this link is not the one that vcview printed';
   if (lost) return 'the connection to vcview is lost: the page tries again';
