@@ -27,7 +27,7 @@ bool is_kernels(const std::string& path) {
     return begins_with(path, "/proc/") || begins_with(path, "/sys/");
 }
 
-// As written, for /dev/stdin may lead to an ordinary file, and where its links lead.
+// Checks the path both as written, because /dev/stdin may lead to an ordinary file, and with its links followed.
 bool lies_in_kernels_folders(const std::string& path) {
     std::error_code absent;
     const fs::path written = fs::absolute(path, absent).lexically_normal();

@@ -6,7 +6,7 @@
 
 constexpr uint32_t LOOK_NODES = 3;  // a ray; where a packet has to ask more, its rays are faster alone
 
-// The rays, of those given, that a shape of these classes stops: in lanes 8 g ... 8 g + 7, or one by one.
+// Returns the given rays that a shape of these classes stops: in lanes 8 g ... 8 g + 7, or one by one.
 FN uint32_t packet_met(const PacketRays& p, uint32_t rays, const float* triangle) {
     uint32_t met = 0;
     for (uint32_t g = 0; 8 * g < p.count; g++) {

@@ -18,7 +18,7 @@ struct Options {
     std::optional<base::Vec3> eye;  // of the view, which may move the origin of the tables (centre_of)
     Trees known;                    // of a scene flattened before: taken where the surfaces are the same
     bool compact_tree = false;      // also the tree for GPUs
-    bool names = false;             // keep what people call surfaces and modifiers (FlatScene::modifier_names)
+    bool names = false;             // keep the names of surfaces and modifiers (FlatScene::modifier_names)
     bvh::Tell tell_tree;            // for people who wait: which share of a tree is built
 };
 

@@ -26,7 +26,7 @@ struct Sources {
     const float* record(size_t i) const { return &records[i * SOURCE_FLOATS]; }
 };
 
-// A record that says of which material it is, and no more.
+// A record that states its material and nothing else.
 float* add_source(const Modifiers& modifiers, const scene::Object& surface, Sources& sources);
 // Where and how large it is, for each kind of surface (source_shapes.cpp); throws for those that cannot shine.
 void shape_source(const scene::Scene& scene, const scene::Object& surface, base::Vec3 centre, Sources& sources);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The design: what the page has changed, and what it is told of the programs.  It is held here, so that every browser,
+// The design: the changes of the page, and what the programs report to it.  It is held here, so that every browser,
 // also one that comes later, shows the same.  A change names the version of the text that it was made from.
 #pragma once
 #include <chrono>

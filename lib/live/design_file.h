@@ -17,7 +17,7 @@ class DesignFile {
 public:
     // path: empty for none.  Reads the file if there is one; its regions count where the region file has none.
     DesignFile(std::string path, const Files& files, Live& live);
-    // Writes the file where the design is no more what it says.  A failure is told once in the page.
+    // Writes the file if the design has changed since.  The page shows a failure once.
     // last: of the programs; numbers that have changed since the last change are written, too.
     void look(bool last = false);
 

@@ -24,7 +24,7 @@ public:
     void put_end(int status);  // the pipe has ended with this status
     void put_file_change();    // a file that the page shows is not what it was
 
-    // Changes the design; the page is told of its new state.
+    // Changes the design; the page gets its new state.
     template <class CHANGE>
     void change(CHANGE&& how) {
         put([&] { how(design_), ++designs_; });

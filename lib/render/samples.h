@@ -42,7 +42,7 @@ struct Pass {
 uint32_t path_count(const PixelSampling& sampling);
 // The samples of a pixel are consecutive, as are their rays; 3 floats each.
 std::vector<float> run_pass(device::Device& device, const PixelSampling& sampling, const Pass& pass);
-// A path among those of which a sample of a pixel is the weighted sum.
+// One of the paths whose weighted sum is a sample of a pixel.
 struct PixelPath {
     device::Params params;  // of a pass with it, or with the square of path reuse that holds it
     uint32_t path;          // its number there

@@ -13,7 +13,7 @@ namespace report {
 
 constexpr int moment_pairs = 4;
 
-// Each pair's two values of all columns, 0 of those that are not of filled pixels; empty: nothing is known of them.
+// Two values of each column from each pair, 0 for columns that are not of filled pixels; empty: none is known.
 std::vector<uncertainty::Values> moment_values(const glare::Reading& whole, const std::vector<glare::Column>& columns);
 
 }  // namespace report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rays along the sunlight from a grid of points on each window: those that hit one plane are a piece of the window,
-// whose image on the plane is a parallelogram.  A piece of which little is lit is cut in two.
+// whose image on the plane is a parallelogram.  A piece that is mostly dark is cut in two.
 #include "sampling/patches.h"
 
 #include <algorithm>

@@ -28,7 +28,7 @@ bool light_passes(const Scene& scene, const Object& material, bool bv);
 // may be something.
 bool eye_passes(const Scene& scene, const Object& material);
 
-// Does a mirror give way to this alternate?  To transparent types, of which the BSDF, a proxy, is none.
+// Does a mirror give way to this alternate?  It does to transparent types, and not to BSDF, which is a proxy.
 bool mirror_gives_way(const Scene& scene, const Object& material);
 
 }  // namespace scene

@@ -7,7 +7,7 @@
 
 int measure_all(const Options& options);  // exit status
 
-// The same into a table: every picture of one input, these metrics.
+// Measures these metrics of every picture of one input, into a table.
 report::NumberTable measure_table(const Options& options, const std::string& file,
                                   const std::vector<std::string>& metrics);
 

@@ -14,9 +14,9 @@ using namespace report;
 
 namespace {
 
-// The interval lies around the value without bias, which the column itself may show or not.  Between looks that is
-// the last look's value with the interval it had; a value without bias is of the frame itself, and narrows as they
-// grow.
+// The interval lies around the value without bias, which the column itself may show or not.  Between looks this is
+// the last look's value and interval; a value that has no bias is the present frame's, and its interval narrows as
+// frames grow.
 Number number_of(const Options& o, const Column& c, const uncertainty::Estimate& e, const Measurement& m,
                  int64_t frame) {
     const bool shows_estimate = c.printed_unbiased && !(c.of_filled && std::isnan(e.value));

@@ -110,7 +110,7 @@ FN uint basis_cell(TABLES(const SceneTables) s, uint basis, float x, float y, fl
     return ring[BASIS_FIRST] + (uint)i;
 }
 
-// A direction in a cell: cosine squared and azimuth even, which is even in projected solid angle.
+// A direction in a cell, uniform in projected solid angle: in the squared cosine and the azimuth.
 FN float3 basis_direction(TABLES(const SceneTables) s, uint basis, uint cell, float2 x) {
     GLOBAL const uint* head = s->u + basis;
     uint k = 0u;
