@@ -63,7 +63,7 @@ using Emitters = std::vector<Emitter>;
 
 class LightTree {
 public:
-    LightTree(const FlatScene& scene, Emitters& emitters) : scene_(scene), emitters_(emitters) {}
+    explicit LightTree(Emitters& emitters) : emitters_(emitters) {}
 
     // Appends the nodes of emitters begin .. end - 1, all distant or none.
     void plant(size_t begin, size_t end) {
@@ -153,7 +153,6 @@ private:
         node[LIGHT_SOURCE] = from_bits(end - begin == 1 ? first.source : NONE);
     }
 
-    const FlatScene& scene_;
     Emitters& emitters_;
 };
 
@@ -168,7 +167,7 @@ void plant_light_tree(FlatScene& scene) {
         std::find_if(emitters.begin(), emitters.end(), [](const Emitter& emitter) { return !emitter.distant; });
     const size_t distant = size_t(local - emitters.begin());
 
-    LightTree tree(scene, emitters);
+    LightTree tree(emitters);
     if (distant > 0) tree.plant(0, distant);
     if (distant < emitters.size()) tree.plant(distant, emitters.size());
     scene.light_tree_at = uint32_t(scene.f.size());

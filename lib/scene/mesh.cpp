@@ -23,9 +23,7 @@ Mesh::Normal decode_normal(uint32_t code) {
     const double d1 = (code >> 5 & 0x1fff) / 11584.5, d2 = (code >> 18 & 0x1fff) / 11584.5;
     const double d3 = std::sqrt(std::max(0., 1 - d1 * d1 - d2 * d2));
     const bool x_first = code & 8, z_second = code & 16;
-    double x, y, z;
-    if (x_first) x = d1, (z_second ? z : y) = d2, (z_second ? y : z) = d3;
-    else y = d1, (z_second ? z : x) = d2, (z_second ? x : z) = d3;
+    const double other = z_second ? d3 : d2, x = x_first ? d1 : other, y = x_first ? other : d1, z = z_second ? d2 : d3;
     auto sign = [&](int bit, double v) { return float(code >> bit & 1 ? -v : v); };
     return {sign(0, x), sign(1, y), sign(2, z)};
 }
