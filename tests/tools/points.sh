@@ -80,4 +80,7 @@ check 'df is the share of a grid called outside' '
         awk "{d = \$3 - 100 * \$6 / \$9; exit !(d < .01 && d > -.01 && \$4 <= \$3 && \$3 <= \$5)}"'
 check_error 'a number that no grid has' 1 'is not a number of a grid' '
     stream 3 | vcmetrics -metrics desk.nonsense1,desk.mean'
+for option in '-over m.png' '-against first' '-sources' '-like evalglare'; do
+    check_error "pictures of points have no $option" 1 'not on pictures of points' "stream 3 | vcmetrics $option"
+done
 check_error 'a grid that is not there' 1 'there is no grid "roof"' 'stream 3 | vcmetrics -metrics roof.mean'

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "base/error.h"
 #include "base/split.h"
 #include "image/grey.h"
@@ -27,7 +29,19 @@ std::vector<image::Point> points_of(const Options& o, const std::vector<image::G
     return all;
 }
 
+// Options that ask for what a picture of points has not: a view, and one sum that is compared with another.
+void refuse_options_of_views(const Options& o) {
+    const std::pair<const char*, bool> of_views[] = {
+        {"-over", !o.over_file.empty()},       {"-against", !o.against.empty()},
+        {"-control", !o.control.empty()},      {"-go-on", o.go_on},
+        {"-c", !o.check_file.empty()},         {"-sources", o.list_sources},
+        {"-regions", !o.regions_file.empty()}, {"-like", o.mode != OutputMode::vcmetrics}};
+    for (const auto& [name, given] : of_views)
+        if (given) base::fail(name, "works on pictures of a view, not on pictures of points");
+}
+
 GridState begin(const Options& o, const image::Header& h) {
+    refuse_options_of_views(o);
     GridState s;
     if (!h.grids[0].sensors && !o.like_rtrace && !o.each)
         base::fail("", "the picture holds radiances along rays; -each or -like rtrace prints them");
