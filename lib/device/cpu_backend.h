@@ -82,12 +82,12 @@ struct TileBackend {
         }
     }
     void suffix_roulette() { STAGES::suffix_roulette(t); }
-    // The queue becomes the paths with a prefix vertex, group by group.
+    // The queue becomes the paths whose suffix vertex is connected, group by group.
     void see_connections() {
         t.n = 0;
         of_groups([&](uint32_t first, uint32_t which) {
             const uint32_t path = REUSE_MEMBER(first, which);
-            if (HAS_PREFIX(&t.paths, path)) t.now[t.n++] = path;
+            if (CONNECTS_SUFFIX(&t.paths, path)) t.now[t.n++] = path;
         });
         know_connections(t);
     }
@@ -110,8 +110,8 @@ struct TileBackend {
         t.n = 0;
         for (uint32_t i = 0; i < t.par.path_count; i++) {
             const device::PilotRay& ray = rays[i];
-            t.paths.org[i] = pack4(F3(ray.org[0], ray.org[1], ray.org[2]), 0.0f);
-            t.paths.dir[i] = pack4(F3(ray.dir[0], ray.dir[1], ray.dir[2]), ray.dir_w);
+            t.paths.org[i] = org_words(F3(ray.org[0], ray.org[1], ray.org[2]), 0u);
+            t.paths.dir[i] = dir_words(F3(ray.dir[0], ray.dir[1], ray.dir[2]), ray.length);
             if (path_begin_pilot(t.s, &t.par, &t.paths, i)) t.now[t.n++] = i;
         }
     }

@@ -27,7 +27,7 @@ FN void prefix_vertices(const Paths& paths, uint32_t path, PrefixVertices& near)
         put_lane(near.p, m, paths.prefix_p[member]);
         put_lane(near.n, m, paths.prefix_n[member]);
         put_lane(near.ng, m, paths.prefix_ng[member]);
-        near.there |= (paths.prefix_n[member].w != NO_PREFIX ? 1u : 0u) << m;
+        near.there |= (prefix_n_own(paths.prefix_n[member]) != NO_PREFIX ? 1u : 0u) << m;
     }
 }
 
@@ -35,9 +35,10 @@ FN float3 lane3(const float (*from)[REUSE_GROUP], uint32_t m) { return F3(from[0
 
 // Rays from the prefix vertices to the suffix vertex of a path.  Returns the vertices that face it, a bit each.
 FN uint32_t connection_rays(const Paths& paths, const PrefixVertices& near, uint32_t far, PacketRays& p) {
-    const float4 to = paths.suffix_p[far], suffix_n = paths.suffix_n[far];
-    const int distant = to.w == SUFFIX_DIRECTION;
-    const float3 end = xyz4(to), n = xyz4(suffix_n), before = offset_ray(end, n, suffix_n.w);
+    const Row_suffix_p to = suffix_p_of(paths.suffix_p[far]);
+    const Row_suffix_n there = suffix_n_of(paths.suffix_n[far]);
+    const int distant = to.kind == SUFFIX_DIRECTION;
+    const float3 end = to.place, n = there.normal, before = offset_ray(end, n, there.rounding);
     int faces[REUSE_GROUP];
     for (uint32_t m = 0; m < REUSE_GROUP; m++) {
         const float3 from = lane3(near.p, m), way = sub3(end, from), open = sub3(before, from);

@@ -11,6 +11,7 @@
 #include "base/processors.h"
 #include "base/threads.h"
 #include "device/cpu_kernels.h"
+#include "device/layout.h"
 #include "device/scene_tables.h"
 
 namespace device {
@@ -66,7 +67,9 @@ const CpuKernels& choose_kernels(const std::string& name) {
 
 class CpuDevice : public Device {
 public:
-    explicit CpuDevice(const std::string& variant) : kernels_(choose_kernels(variant)), threads_(base::processors()) {}
+    explicit CpuDevice(const std::string& variant) : kernels_(choose_kernels(variant)), threads_(base::processors()) {
+        require_same_layout("-device", [&](RecordSizes& sizes) { kernels_.layout(sizes.data()); });
+    }
 
     std::string name() const override { return fmt::format("cpu ({}, {} threads)", kernels_.name, threads_); }
 

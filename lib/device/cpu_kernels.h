@@ -19,6 +19,7 @@ struct CpuKernels {
     void (*pilot)(const kernels::SceneTables& s, const kernels::Params& par, const PilotRay* rays, uint32_t first,
                   uint32_t count, char* scratch, PilotEnd* ends);
     uint64_t (*scratch_bytes)(uint32_t count);
+    void (*layout)(uint32_t* sizes);  // of RECORDS (kernels/records.h)
 };
 extern const CpuKernels cpu_baseline, cpu_avx2;
 #if defined(LUXPIPE_LANES8) || defined(LUXPIPE_LANES16)

@@ -33,9 +33,9 @@ static void splat(const SceneTables& s, const Params& par, const device::SplatRa
     const Tile t = carve(s, par, first, count, scratch);
     for (uint32_t i = 0; i < count; i++) {
         const device::SplatRay& ray = rays[first + i];
-        t.paths.shadow_org[i] = pack4(F3(ray.org[0], ray.org[1], ray.org[2]), as_float_(ray.source));
-        t.paths.shadow_dir[i] = pack4(F3(ray.dir[0], ray.dir[1], ray.dir[2]), ray.dist);
-        t.paths.shadow_rad[i] = pack4(F3(ray.weight, ray.weight, ray.weight), 0.0f);
+        t.paths.shadow_org[i] = shadow_org_words(F3(ray.org[0], ray.org[1], ray.org[2]), ray.source);
+        t.paths.shadow_dir[i] = shadow_dir_words(F3(ray.dir[0], ray.dir[1], ray.dir[2]), ray.dist);
+        t.paths.shadow_rad[i] = shadow_rad_words(F3(ray.weight, ray.weight, ray.weight), 0.0f);
         path_splat(&s, &t.par, &t.paths, i);
         path_shadow(&s, &t.par, &t.paths, i, SHADOW_TO_TRACE);
     }
@@ -55,7 +55,7 @@ static void pilot(const SceneTables& s, const Params& par, const device::PilotRa
         put3(xyz4(t.paths.throughput[i]), end.throughput);
         put3(xyz4(t.paths.org[i]), end.p);
         put3(xyz4(t.paths.dir[i]), end.n);
-        end.bounce = t.paths.dir[i].w == PILOT_AT_BOUNCE;
+        end.bounce = dir_length(t.paths.dir[i]) == PILOT_AT_BOUNCE;
     }
 }
 }  // namespace LUX_ISA
@@ -64,7 +64,10 @@ namespace device {
 #define LUX_PASTE_(a, b) a##b
 #define LUX_PASTE(a, b) LUX_PASTE_(a, b)
 #define LUX_KERNELS(name, STAGES) \
-    { name, LUX_ISA::run<LUX_ISA::STAGES>, LUX_ISA::splat, LUX_ISA::pilot<LUX_ISA::STAGES>, LUX_ISA::scratch_bytes }
+    {                             \
+        name, LUX_ISA::run<LUX_ISA::STAGES>, LUX_ISA::splat, LUX_ISA::pilot<LUX_ISA::STAGES>, LUX_ISA::scratch_bytes, \
+            LUX_ISA::STAGES::layout                                                                                   \
+    }
 #ifdef LUX_ISA_NAME
 extern const CpuKernels LUX_PASTE(cpu_, LUX_ISA);
 const CpuKernels LUX_PASTE(cpu_, LUX_ISA) = LUX_KERNELS(LUX_ISA_NAME, OneByOne);

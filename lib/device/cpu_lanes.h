@@ -5,6 +5,7 @@
 #define LUX_CPU_LANES_H
 
 extern "C" {
+void LANE_CALL(layout)(uint32_t* sizes);
 void LANE_CALL(generate)(const SceneTables* s, const Params* par, const Paths* paths, uint32_t n, int* result);
 void LANE_CALL(shade)(const SceneTables* s, const Params* par, const Paths* paths, const uint32_t* queue, uint32_t n,
                       int* result);
@@ -62,6 +63,7 @@ static void sort_by_material(Tile& t) {
 }
 
 struct InLanes {
+    static void layout(uint32_t* sizes) { LANE_CALL(layout)(sizes); }
     static void generate(Tile& t) { LANE_CALL(generate)(t.s, &t.par, &t.paths, t.par.path_count, t.result); }
     static void shade(Tile& t) {
         sort_by_material(t);

@@ -13,11 +13,11 @@ struct Tile {
     bool together = false;                     // do rays that follow one another in the queue lie side by side?
 };
 
-#define PATH_BYTES(type, name, when) +sizeof(type)
+#define PATH_BYTES(type, name, when, members) +sizeof(type)
 static uint64_t scratch_bytes(uint32_t count) { return uint64_t(count) * (4 * 4 PATH_STATE(PATH_BYTES)) + 64; }
 
 // Paths [first, first + count) of a pass, in scratch_bytes(count).
-#define PATH_TAKE(type, name, when) t.paths.name = (type*)take(sizeof(type));
+#define PATH_TAKE(type, name, when, members) t.paths.name = (type*)take(sizeof(type));
 static Tile carve(const SceneTables& s, const Params& par, uint32_t first, uint32_t count, char* scratch) {
     char* p = reinterpret_cast<char*>((reinterpret_cast<uintptr_t>(scratch) + 63) & ~uintptr_t(63));
     const auto take = [&](size_t size) {
@@ -39,7 +39,7 @@ static Tile carve(const SceneTables& s, const Params& par, uint32_t first, uint3
 }
 
 // One square of it.
-#define PATH_SKIP(type, name, when) square.paths.name += first;
+#define PATH_SKIP(type, name, when, members) square.paths.name += first;
 static Tile square_of(const Tile& t, uint32_t first) {
     Tile square = t;
     PATH_STATE(PATH_SKIP)
@@ -68,6 +68,7 @@ static void of_groups(STAGE&& stage) {
 
 // Each stage of the paths of a queue, one path at a time (cpu_lanes.h: in lanes).
 struct OneByOne {
+    static void layout(uint32_t* sizes) { record_sizes(sizes); }
     static void generate(Tile& t) {
         for (uint32_t i = 0; i < t.par.path_count; i++) t.result[i] = path_generate(t.s, &t.par, &t.paths, i);
     }

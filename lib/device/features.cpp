@@ -2,7 +2,7 @@
 // See features.h.
 #include "device/features.h"
 
-#include "flatten/pack.h"
+#include <algorithm>
 
 namespace device {
 namespace {
@@ -13,20 +13,16 @@ using flatten::FlatScene;
 // Returns true if a chain of modifiers is its material alone.
 bool is_material_alone(const FlatScene& scene, uint32_t mod) {
     if (mod == NONE) return true;
-    const uint32_t* record = scene.record(mod);
-    return record[MOD_TYPE] >= M_FIRST_MATERIAL && record[MOD_NEXT] == NONE && record[MOD_BRANCH1] == NONE;
+    const Modifier& m = scene.modifiers[mod];
+    return m.type >= M_FIRST_MATERIAL && m.next == NONE && m.branch1 == NONE;
 }
 
 bool all_materials_alone(const FlatScene& scene) {
-    for (size_t i = PRIM_MOD; i < scene.prims.size(); i += PRIM_WORDS)
-        if (!is_material_alone(scene, scene.prims[i])) return false;
-    for (size_t i = 0; i < scene.instance_object.size(); i++)
-        if (!is_material_alone(scene, flatten::bits(scene.shapes[SHAPE_FLOATS * (scene.instances_at + i) + INST_MOD])))
-            return false;
-    for (size_t i = 0; i < scene.source_count; i++)
-        if (!is_material_alone(scene, flatten::bits(scene.f[scene.sources_at + SOURCE_FLOATS * i + SRC_MOD])))
-            return false;
-    return true;
+    const auto alone = [&](const auto& records) {
+        return std::all_of(records.begin(), records.end(),
+                           [&](const auto& record) { return is_material_alone(scene, record.mod); });
+    };
+    return alone(scene.prims) && alone(scene.instances) && alone(scene.sources);
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ struct SplatRay {
     uint32_t source;
 };
 
-// A ray of MODE_PILOT; dir_w: its length, or PILOT_FROM_EYE (kernels/tables.h).  And the end of its path: the radiance
+// A ray of MODE_PILOT; length: of the ray, or PILOT_FROM_EYE (kernels/tables.h).  And the end of its path: the radiance
 // gathered (rgb) and, if `bounce`, point and normal of the diffuse bounce and the throughput of the path there.
 struct PilotRay {
-    float org[3], dir[3], dir_w;
+    float org[3], dir[3], length;
 };
 struct PilotEnd {
     float gathered[3], throughput[3], p[3], n[3];

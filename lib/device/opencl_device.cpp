@@ -12,6 +12,7 @@
 #include "device/device.h"
 #include "device/features.h"
 #include "device/kernel_cache.h"
+#include "device/layout.h"
 #include "device/opencl_paths.h"
 #include "device/wavefront.h"
 
@@ -24,6 +25,8 @@ constexpr uint32_t ALL_FEATURES = ~0u;
 
 #define SEND_OF_BVH(type, name) paths_.set_table(TABLE_##name, send(tree->name));
 #define SEND_OF_SCENE(type, name) paths_.set_table(TABLE_##name, send(s.name));
+
+kernels::float3 triple(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 class OpenclDevice : public Device {
 public:
@@ -81,11 +84,9 @@ public:
                 std::vector<kernels::float4> o(n), d(n), c(n);
                 for (size_t i = 0; i < n; i++) {
                     const SplatRay& ray = rays[first + i];
-                    float source;
-                    std::memcpy(&source, &ray.source, 4);
-                    o[i] = {ray.org[0], ray.org[1], ray.org[2], source};
-                    d[i] = {ray.dir[0], ray.dir[1], ray.dir[2], ray.dist};
-                    c[i] = {ray.weight, ray.weight, ray.weight, 0};
+                    o[i] = kernels::shadow_org_words(triple(ray.org), ray.source);
+                    d[i] = kernels::shadow_dir_words(triple(ray.dir), ray.dist);
+                    c[i] = kernels::shadow_rad_words({ray.weight, ray.weight, ray.weight}, 0);
                 }
                 paths_.reserve(part);
                 paths_.write(PATH_shadow_org, o);
@@ -106,8 +107,8 @@ public:
                 std::vector<kernels::float4> p(n), d(n), rad(n), share(n);
                 for (size_t i = 0; i < n; i++) {
                     const PilotRay& ray = rays[first + i];
-                    p[i] = {ray.org[0], ray.org[1], ray.org[2], 0};
-                    d[i] = {ray.dir[0], ray.dir[1], ray.dir[2], ray.dir_w};
+                    p[i] = kernels::org_words(triple(ray.org), 0);
+                    d[i] = kernels::dir_words(triple(ray.dir), ray.length);
                 }
                 paths_.reserve(part);
                 paths_.write(PATH_org, p);
@@ -123,7 +124,7 @@ public:
                                        {share[i].x, share[i].y, share[i].z},
                                        {p[i].x, p[i].y, p[i].z},
                                        {d[i].x, d[i].y, d[i].z},
-                                       d[i].w == PILOT_AT_BOUNCE};
+                                       kernels::dir_length(d[i]) == PILOT_AT_BOUNCE};
             });
         });
     }
@@ -233,18 +234,12 @@ private:
         if (bytes) queue_.enqueueWriteBuffer(b, CL_TRUE, 0, bytes, values.data());
         return b;
     }
-    // The structures must have the same layout on both sides.
     void check_layout() {
-        const cl::Buffer b(context_, CL_MEM_READ_WRITE, 64);
-        launch_alone("k_layout", 1, b);
-        uint32_t v[5];
-        queue_.enqueueReadBuffer(b, CL_TRUE, 0, sizeof v, v);
-        using kernels::Params;
-        const uint32_t here[5] = {sizeof(Params), offsetof(Params, nx), offsetof(Params, mods_at), offsetof(Params, st),
-                                  offsetof(Params, light_tree_at)};
-        errno = 0;
-        if (std::memcmp(v, here, sizeof v) != 0)
-            base::fail_system(where_, "the device lays out structures differently");
+        require_same_layout(where_, [&](RecordSizes& sizes) {
+            const cl::Buffer b(context_, CL_MEM_READ_WRITE, sizeof sizes);
+            launch_alone("k_layout", 1, b);
+            queue_.enqueueReadBuffer(b, CL_TRUE, 0, sizeof sizes, sizes.data());
+        });
     }
 
     std::string where_, name_, own_bits_;

@@ -58,7 +58,7 @@ cl::Buffer OpenclPaths::room(size_t count, size_t bytes_each) const {
 
 // Half of the memory, because the scene and other programs use it, too.
 uint32_t OpenclPaths::most_paths(const cl::Device& device, bool gpu) {
-#define LUX_SIZE(type, name, when) sizeof(type),
+#define LUX_SIZE(type, name, when, members) sizeof(type),
     constexpr size_t sizes[] = {PATH_STATE(LUX_SIZE)};
     size_t all = QUEUES * 4, largest = 0;
     for (const size_t size : sizes) all += size, largest = std::max(largest, size);
@@ -84,7 +84,8 @@ void OpenclPaths::reserve(const kernels::Params& par) {
     const uint32_t needs = needs_ | kernels::path_needs(&par), capacity = std::max(capacity_, count);
     if (capacity == capacity_ && needs == needs_) return;
     release();
-#define LUX_ROOM(type, name, when) fields_[PATH_##name] = room(((when) & ~needs) == 0 ? capacity : 1, sizeof(type));
+#define LUX_ROOM(type, name, when, members) \
+    fields_[PATH_##name] = room(((when) & ~needs) == 0 ? capacity : 1, sizeof(type));
     PATH_STATE(LUX_ROOM)
     for (cl::Buffer* queue : {&now_, &next_, &shadow_queue_, &sorted_}) *queue = room(capacity, 4);
     capacity_ = capacity;

@@ -13,7 +13,7 @@ namespace device {
 // kernels/integrator/state.h), which is the order of the kernels' arguments.
 #define LUX_TABLE_NUMBER(type, name) TABLE_##name,
 enum { SCENE_TABLES(LUX_TABLE_NUMBER) TABLES };
-#define LUX_FIELD_NUMBER(type, name, when) PATH_##name,
+#define LUX_FIELD_NUMBER(type, name, when, members) PATH_##name,
 enum { PATH_STATE(LUX_FIELD_NUMBER) PATH_FIELDS };
 
 // The kernels, k_NAME each.

@@ -34,7 +34,7 @@ struct PathsToRecord : Paths {
     // Radiance that the path has for itself, and for its suffix vertex.
     float3 own(uint32_t path) const { return xyz4(rad[path]); }
     float3 shared(uint32_t path) const {
-        if (par->reuse_path_count == 0 || suffix_p[path].w == SUFFIX_NONE) return F3(0.0f, 0.0f, 0.0f);
+        if (par->reuse_path_count == 0 || suffix_p_kind(suffix_p[path]) == SUFFIX_NONE) return F3(0.0f, 0.0f, 0.0f);
         return xyz4(suffix_rad[path]);
     }
 };
@@ -59,9 +59,9 @@ static inline void record_vertex(const Paths* paths, const Vertex* vertex, int k
     if (kind == HIT_NULL) v.lobe = "passes";
     v.is_emitter = kind == HIT_EMITTER;
     v.modifier = vertex->g.mod;
-    const float3 centre = F3(to.par->centre.x, to.par->centre.y, to.par->centre.z);
+    const float3 centre = f3_of(to.par->centre);
     for (size_t c = 0; c < 3; c++) v.point[c] = rgb_of(vertex->g.p)[c] + rgb_of(centre)[c];
-    const bool behind = (to.info[vertex->path].x & PC_SUFFIX) != 0u;
+    const bool behind = (info_flags(to.info[vertex->path]) & PC_SUFFIX) != 0u;
     to.add(vertex->path, device::RecordedLight::From::medium, NONE, behind, vertex->rad,
            behind ? to.shared(vertex->path) : to.own(vertex->path));
 }
@@ -83,7 +83,7 @@ struct Recording : OneByOne {
     static void shadow(Tile& t) {
         const PathsToRecord& paths = static_cast<RecordingTile&>(t).recorded;
         for (uint32_t i = 0; i < t.shadows; i++) {
-            const uint32_t path = t.shadow[i], source = as_uint_(paths.shadow_org[path].w);
+            const uint32_t path = t.shadow[i], source = shadow_org_source(paths.shadow_org[path]);
             const float3 own = paths.own(path), shared = paths.shared(path);
             path_shadow(t.s, &t.par, &paths, path, t.result[i]);
             paths.add(path, From::source, source, false, paths.own(path), own);
@@ -93,7 +93,7 @@ struct Recording : OneByOne {
 
 private:
     static bool has_suffix(const Tile& t, const Paths& paths, uint32_t path) {
-        return t.par.reuse_path_count != 0u && paths.suffix_p[path].w != SUFFIX_NONE;
+        return t.par.reuse_path_count != 0u && suffix_p_kind(paths.suffix_p[path]) != SUFFIX_NONE;
     }
     static int shade_one(Tile& t, const PathsToRecord& paths, uint32_t path) {
         Vertex before;
@@ -142,11 +142,11 @@ using namespace kernels;
 
 static std::vector<Connection> connections_of(const Paths* paths, uint32_t path) {
     std::vector<Connection> out;
-    if (paths->prefix_n[path].w == NO_PREFIX) return out;
+    if (prefix_n_own(paths->prefix_n[path]) == NO_PREFIX) return out;
     const Rgb throughput = rgb_of(xyz4(paths->prefix_throughput[path]));
     for (uint32_t m = 0; m < REUSE_GROUP; m++) {
         const uint32_t suffix = reuse_member(path, m);
-        if (!HAS_PREFIX(paths, suffix)) continue;
+        if (!CONNECTS_SUFFIX(paths, suffix)) continue;
         Connection c{suffix, rgb_of(connection_weight(paths, suffix, m, reuse_which(path)))};
         for (size_t k = 0; k < 3; k++) c.weight[k] *= throughput[k] * double(suffix_mis_weight(paths, suffix));
         if (c.weight != Rgb{}) out.push_back(c);

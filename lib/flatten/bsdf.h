@@ -7,7 +7,7 @@
 
 namespace flatten {
 
-// Appends to code.words and code.floats; returns the index of the four components (MOD_EXTRA).
+// Appends to code.words and code.floats; returns the index of the four components (Modifier.bsdf_at).
 uint32_t bsdf_tables(const scene::Bsdf& bsdf, cal::Code& code, const std::string& place);
 
 }  // namespace flatten

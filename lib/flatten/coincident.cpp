@@ -164,7 +164,7 @@ bool passes_and_hides(const Modifiers& modifiers, const scene::Object& o) {
 bool hides(const Modifiers& modifiers, const scene::Object& over, const scene::Object& opaque, bool turned) {
     if (!passes_and_hides(modifiers, over) || modifiers.passes[opaque.modifier]) return false;
     const uint32_t m = modifiers.material[opaque.modifier];
-    if (m != NONE && scene::is_emissive(modifiers.scene.objects[m].type)) return false;  // SRC_COVERED
+    if (m != NONE && scene::is_emissive(modifiers.scene.objects[m].type)) return false;  // Source.covered
     return turned || modifiers.record[over.modifier] > modifiers.record[opaque.modifier];
 }
 
@@ -172,17 +172,17 @@ bool hides(const Modifiers& modifiers, const scene::Object& over, const scene::O
 struct OnLamp {
     Vec3 point, normal;
 };
-OnLamp on_round_lamp(const float* q, uint32_t k) {
+OnLamp on_round_lamp(const Source& q, uint32_t k) {
     const double angle = 2.4 * k, height = (k + .5) / 8 - 1;
-    if (bits(q[SRC_KIND]) == SK_SPHERE) {
+    if (q.kind == SK_SPHERE) {
         const double across = std::sqrt(1 - height * height);
         const Vec3 n = {across * std::cos(angle), across * std::sin(angle), height};
-        return {get(q + SRC_CENTRE) + n * double(q[SRC_RADIUS]), n};
+        return {vec_of(q.centre) + n * double(q.radius), n};
     }
-    const Vec3 half = get(q + SRC_U), a = base::unit(half);
+    const Vec3 half = vec_of(q.u), a = base::unit(half);
     const Vec3 b = base::unit(cross(a, std::fabs(a.z) < .9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
     const Vec3 n = b * std::cos(angle) + cross(a, b) * std::sin(angle);
-    return {get(q + SRC_CENTRE) + half * height + n * double(q[SRC_RADIUS]), n};
+    return {vec_of(q.centre) + half * height + n * double(q.radius), n};
 }
 
 }  // namespace
@@ -246,16 +246,16 @@ std::vector<uint8_t> hidden_by_passing(const Modifiers& modifiers, Vec3 centre) 
 void mark_covered_sources(FlatScene& scene) {
     constexpr uint32_t side = 4;
     std::optional<HostTracer> tracer;
-    for (uint32_t i = 0; i < scene.source_count; i++) {
-        float* q = &scene.f[scene.sources_at + SOURCE_FLOATS * i];
-        const uint32_t kind = bits(q[SRC_KIND]);
-        if (bits(q[SRC_VIRTUAL]) != NONE || kind == SK_DISTANT) continue;
+    for (uint32_t i = 0; i < scene.sources.size(); i++) {
+        Source& q = scene.sources[i];
+        const uint32_t kind = q.kind;
+        if (q.relay != NONE || kind == SK_DISTANT) continue;
         const bool round = kind == SK_SPHERE || kind == SK_CYLINDER;
         if (!tracer) tracer.emplace(scene);
-        Vec3 normal = get(q + SRC_NORMAL);
-        const Vec3 centre = get(q + SRC_CENTRE) + scene.centre;
-        const double size = std::sqrt(double(q[SRC_AREA]));
-        const double near = std::ldexp(scene.radius + length(get(q + SRC_CENTRE)), -18);
+        Vec3 normal = vec_of(q.normal);
+        const Vec3 centre = vec_of(q.centre) + scene.centre;
+        const double size = std::sqrt(double(q.area));
+        const double near = std::ldexp(scene.radius + length(vec_of(q.centre)), -18);
         for (uint32_t k = 0; k < side * side; k++) {
             Vec3 point;
             if (round) {
@@ -268,8 +268,8 @@ void mark_covered_sources(FlatScene& scene) {
                 point = eye + at.dir * at.dist;
             }
             const auto met = tracer->closest(point + normal * near, normal * -1, 0, 2 * near, HostTracer::all);
-            if (met.t < 0 || met.prim == bits(q[SRC_PRIM])) continue;
-            q[SRC_COVERED] = 1;
+            if (met.t < 0 || met.prim == q.prim) continue;
+            q.covered = 1;
             break;
         }
     }

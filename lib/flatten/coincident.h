@@ -14,7 +14,7 @@ void warn_of_coincident(const Modifiers& modifiers, const FlatScene& scene);
 // treat them like that surface.  Flat surfaces, and curved ones of equal numbers.
 std::vector<uint8_t> hidden_by_passing(const Modifiers& modifiers, base::Vec3 centre);
 
-// Marks sources that another surface covers in part (SRC_COVERED), by rays to 16 points of each.
+// Marks sources that another surface covers in part (Source.covered), by rays to 16 points of each.
 void mark_covered_sources(FlatScene& scene);
 
 }  // namespace flatten

@@ -3,31 +3,29 @@
 #include "flatten/evaluate.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
-#include <math.h>
-
-namespace host {
-#include "kernels/dialect/compat_host.h"
+#include "flatten/pack.h"
+#include "kernels/dialect/host.h"
+namespace kernels {
 #include "kernels/all.h"
-}  // namespace host
+}  // namespace kernels
 
 namespace flatten {
-using namespace host;
+using namespace kernels;
 
-double mean_luminance(const FlatScene& scene, const float* record) {
+double mean_luminance(const FlatScene& scene, const Source& source) {
     constexpr uint samples = 64;
     SceneTables t{};
     t.shapes = scene.shapes.data();
     t.prims = scene.prims.data();
+    t.instances = scene.instances.data();
+    t.modifiers = scene.modifiers.data();
     t.u = scene.u.data();
     t.f = scene.f.data();
     Params par{};
-    par.mods_at = scene.mods_at;
-    par.centre = {float(scene.centre.x), float(scene.centre.y), float(scene.centre.z), 0};
-    const uint kind = as_uint_(record[SRC_KIND]);
+    par.centre = packed(scene.centre);
+    const uint kind = source.kind;
     const bool one_sided = kind == SK_PARALLELOGRAM || kind == SK_POLYGON || kind == SK_RING;
-    const float3 centre = f3_at(record + SRC_CENTRE), normal = f3_at(record + SRC_NORMAL);
+    const float3 centre = f3_of(source.centre), normal = f3_of(source.normal);
 
     double sum = 0, weights = 0;
     for (uint i = 0; i < samples; i++) {
@@ -44,17 +42,17 @@ double mean_luminance(const FlatScene& scene, const float* record) {
         } else if (one_sided) {
             if (dot3(out, normal) < 0.0f) out = neg3(out);
             weight = dot3(out, normal);
-            const float3 u = f3_at(record + SRC_U), v = f3_at(record + SRC_V);
+            const float3 u = f3_of(source.u), v = f3_of(source.v);
             point = madd3(u, 2.0f * y.x - 1.0f, madd3(v, 2.0f * y.y - 1.0f, centre));
         } else if (kind == SK_CYLINDER) {
-            point = madd3(f3_at(record + SRC_U), 2.0f * y.x - 1.0f, centre);
+            point = madd3(f3_of(source.u), 2.0f * y.x - 1.0f, centre);
         } else {
-            point = madd3(out, record[SRC_RADIUS], centre);
+            point = madd3(out, source.radius, centre);
         }
 
-        const float far = kind == SK_DISTANT ? 1e30f : 8.0f * record[SRC_RADIUS];
-        const float3 e = light_radiance(&t, &par, as_uint_(record[SRC_MOD]), as_uint_(record[SRC_PRIM]), neg3(out),
-                                        point, one_sided ? normal : out, far, far, &rnd);
+        const float far = kind == SK_DISTANT ? 1e30f : 8.0f * source.radius;
+        const float3 e = light_radiance(&t, &par, source.mod, source.prim, neg3(out), point, one_sided ? normal : out,
+                                        far, far, &rnd);
         sum += weight * std::max(luminance3(e), 0.0f);
         weights += weight;
     }

@@ -7,9 +7,8 @@
 
 namespace flatten {
 
-// Mean luminance of a light source, patterns included, over its points and the directions of its emission;
-// record: SOURCE_FLOATS of kernels/tables.h.
-double mean_luminance(const FlatScene& scene, const float* record);
+// Mean luminance of a light source, patterns included, over its points and the directions of its emission.
+double mean_luminance(const FlatScene& scene, const kernels::Source& source);
 
 // Runs a .cal program of the scene's arenas for one point; false on a run-time error.  vars: CAL_VARS, out:
 // CAL_OUTPUTS.

@@ -8,13 +8,11 @@
 
 namespace flatten {
 
-const uint32_t* FlatScene::record(uint32_t mod) const { return &u[mods_at + MOD_WORDS * size_t(mod)]; }
-
 void FlatScene::make_room(size_t more_vertices, size_t more_triangles, size_t more_prims) {
     base::make_room(vertices, 3 * more_vertices);
     base::make_room(triangles, 3 * more_triangles);
     base::make_room(tri_prim, more_triangles);
-    base::make_room(prims, PRIM_WORDS * more_prims);
+    base::make_room(prims, more_prims);
     base::make_room(prim_object, more_prims);
 }
 
@@ -26,18 +24,18 @@ void FlatScene::keep_tables_only() {
 }
 
 uint32_t material_record(const FlatScene& scene, uint32_t mod) {
-    while (mod != NONE && scene.record(mod)[MOD_TYPE] < M_FIRST_MATERIAL) mod = scene.record(mod)[MOD_NEXT];
+    while (mod != NONE && scene.modifiers[mod].type < M_FIRST_MATERIAL) mod = scene.modifiers[mod].next;
     return mod;
 }
 
 bool see_through(const FlatScene& scene, uint32_t prim, uint32_t inst) {
-    uint32_t mod = scene.prims[PRIM_WORDS * size_t(prim) + PRIM_MOD];
+    uint32_t mod = scene.prims[prim].mod;
     if (inst != FlatScene::NO_OBJECT) {
-        const uint32_t replaced = bits(scene.shapes[SHAPE_FLOATS * size_t(inst) + INST_MOD]);
+        const uint32_t replaced = scene.instances[inst].mod;
         if (replaced != NONE) mod = replaced;
     }
     mod = material_record(scene, mod);
-    return mod != NONE && material_has(scene.record(mod)[MOD_TYPE], MT_CLEAR) != 0u;
+    return mod != NONE && material_has(scene.modifiers[mod].type, MT_CLEAR) != 0u;
 }
 
 }  // namespace flatten

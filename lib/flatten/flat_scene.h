@@ -8,6 +8,7 @@
 #include <vector>
 #include "base/vec.h"
 #include "bvh/build.h"
+#include "kernels/dialect/host.h"
 
 namespace kernels {}
 
@@ -33,38 +34,29 @@ base::Vec3 centre_of(const std::vector<Box>& boxes, const base::Vec3* eye);
 // Half the size of most of the scene.
 double radius_of(const std::vector<Box>& boxes);
 
-struct FlatScene {
+struct FlatScene : kernels::FlatTables {
     // Geometry of all trees: 0 is the scene, the others are what its instances hold, in coordinates of their own.
     struct Tree {
         size_t first_vertex = 0, vertex_count = 0, first_triangle = 0, triangle_count = 0, first_shape = 0,
                shape_count = 0;
     };
     std::vector<Tree> trees;
-    std::vector<uint32_t> prims;       // PRIM_WORDS each
     std::vector<float> vertices;       // 3 each, relative to centre (tree 0)
     std::vector<uint32_t> triangles;   // 3 vertex indices each, from the tree's first
     std::vector<uint32_t> tri_prim;    // primitive of each triangle; bit 31 = transparent class
-    std::vector<float> shapes;         // 16 each; after those of all trees the records of instances (INST_*, tables.h)
     std::vector<uint32_t> shape_prim;  // primitive of each shape; bit 31 as above
-    std::vector<float> polygon_uv;
-    std::vector<uint32_t> u;  // arenas
-    std::vector<float> f;
-    base::Vec3 centre;       // world position of the tables' origin
-    std::vector<Box> boxes;  // of surfaces, a sample of them if they are many, in the world
-    double radius = 0;       // radius_of() them
+    base::Vec3 centre;                 // world position of the tables' origin
+    std::vector<Box> boxes;            // of surfaces, a sample of them if they are many, in the world
+    double radius = 0;                 // radius_of() them
 
-    uint32_t mods_at = 0, sources_at = 0, source_count = 0, distant_at = 0, distant_count = 0;
-    uint32_t portals_at = 0, portal_count = 0, window_count = 0, light_sets_at = 0;
-    uint32_t light_tree_at = 0, light_nodes = 0;
-    uint32_t highlights_at = 0, highlight_count = 0;
-    uint32_t shadow_mode = 0;  // SHADOW_* of tables.h
+    uint32_t window_count = 0;  // of all portals; patches of sun and glossy reflectors follow
+    uint32_t shadow_mode = 0;   // SHADOW_* of tables.h
     void shadows_need(uint32_t mode) { shadow_mode = std::max(shadow_mode, mode); }
     bool antimatter = false;
     bool sky_places = false;  // what is far away looks different from place to place
     bool absorbs = false;     // some segment may lie in an absorbing medium
     bool functions = false;   // some material's lobes are .cal functions or tables
 
-    const uint32_t* record(uint32_t mod) const;  // MOD_WORDS of a modifier
     void make_room(size_t more_vertices, size_t more_triangles, size_t more_prims);
 
     // Transparent polygons (world coordinates): candidates for portals.
@@ -76,9 +68,7 @@ struct FlatScene {
     std::vector<Pane> panes;
     std::vector<uint32_t> prim_object;  // scene object of each primitive; NO_OBJECT inside instances
     static constexpr uint32_t NO_OBJECT = 0xffffffffu;
-    // Instance records: the number of the first one, and the mesh or instance of the scene to which each belongs.
-    uint32_t instances_at = 0;
-    std::vector<uint32_t> instance_object;
+    std::vector<uint32_t> instance_object;  // the mesh or instance of the scene to which each instance belongs
     // Scene objects of the active sources that are not virtual, which come first, and of all distant surfaces.
     std::vector<uint32_t> source_object, distant_object;
     // By record, with Options::names.

@@ -101,17 +101,15 @@ void Instances::write_tree(size_t tree, FlatScene& out) const {
 }
 
 void Instances::write_records(uint32_t places_at, FlatScene& out) const {
-    out.instances_at = add_shapes(out, places_.size());
     for (size_t i = 0; i < places_.size(); i++) {
         const Place& p = places_[i];
-        const uint32_t record = out.instances_at + uint32_t(i);
-        out.shapes[SHAPE_FLOATS * (places_at + i) + INSTANCE_NUMBER] = from_bits(record);
-        float* q = &out.shapes[SHAPE_FLOATS * record];
+        out.shapes[SHAPE_FLOATS * (places_at + i) + INSTANCE_NUMBER] = from_bits(uint32_t(i));
         const Xform frame = base::inverse(p.frame);
-        q[INST_SHAPE] = from_bits(uint32_t(places_at + i));
-        put_matrix(q + INST_FRAME, frame, base::point(frame, out.centre));  // the origin of the tables
-        q[INST_MOD] = from_bits(p.mod);
-        q[INST_SCALE] = float(std::fabs(frame.scale));
+        Instance& instance = out.instances.emplace_back();
+        instance.shape = uint32_t(places_at + i);
+        put_matrix(instance.frame, frame, base::point(frame, out.centre));  // the origin of the tables
+        instance.mod = p.mod;
+        instance.scale = float(std::fabs(frame.scale));
         out.instance_object.push_back(p.object);
     }
 }

@@ -2,17 +2,14 @@
 // The kernels' traversal compiled for the host.
 #include "flatten/host_tracer.h"
 
-#include <cstdint>
-#include <cstring>
-#include <math.h>
-
-namespace host {
-#include "kernels/dialect/compat_host.h"
+#include "flatten/pack.h"
+#include "kernels/dialect/host.h"
+namespace kernels {
 #include "kernels/all.h"
-}  // namespace host
+}  // namespace kernels
 
 namespace flatten {
-using namespace host;
+using namespace kernels;
 
 #define POINT_AT_BVH(type, name) tables.name = bvh->name.data();
 #define POINT_AT_SCENE(type, name) tables.name = scene.name.data();
@@ -22,13 +19,10 @@ struct HostTracer::State {
     std::shared_ptr<const bvh::Tree> bvh;
     SceneTables tables{};
     Params params{};
-    explicit State(const FlatScene& s) : scene(s), bvh(s.built.wide) {
-        BVH_TABLES(POINT_AT_BVH)
-        FLAT_TABLES(POINT_AT_SCENE)
-        params.sources_at = s.sources_at;
-        params.source_count = s.source_count;
-    }
-    Ray ray(base::Vec3 o, base::Vec3 d, double tmin, double tmax) const {
+    explicit State(const FlatScene& s)
+        : scene(s),
+          bvh(s.built.wide){BVH_TABLES(POINT_AT_BVH) FLAT_TABLES(POINT_AT_SCENE)} Ray
+          ray(base::Vec3 o, base::Vec3 d, double tmin, double tmax) const {
         o = o - scene.centre;
         Ray r;
         r.org = F3(float(o.x), float(o.y), float(o.z));
@@ -65,12 +59,12 @@ HostTracer::SourcePoint HostTracer::source_point(uint32_t i, base::Vec3 p, doubl
     r.y = float(y);
     sample_source(&state_->tables, &state_->params, i, F3(float(p.x), float(p.y), float(p.z)), r, 1.0f, &l);
     if (l.w <= 0) return {{}, 0, 0};
-    const float* q = source_record(&state_->tables, &state_->params, i);
+    const Source& q = state_->scene.sources[i];
     double w = l.w;
-    if (IS_SPOT(q)) {  // the focal length dims the light of a spotlight, not its appearance
-        const bool sphere = as_uint_(q[SRC_KIND]) == SK_SPHERE;
-        const double d = sphere ? length(base::Vec3{q[SRC_CENTRE], q[SRC_CENTRE + 1], q[SRC_CENTRE + 2]} - p) : l.dist;
-        const double k = d / (d + q[SRC_SPOT_FOCUS]);
+    if (IS_SPOT(&q)) {  // the focal length dims the light of a spotlight, not its appearance
+        const bool sphere = q.kind == SK_SPHERE;
+        const double d = sphere ? length(vec_of(q.centre) - p) : l.dist;
+        const double k = d / (d + q.spot_focus);
         w /= k * k;
     }
     return {{l.dir.x, l.dir.y, l.dir.z}, l.dist, w};

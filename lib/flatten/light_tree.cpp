@@ -25,31 +25,30 @@ struct Emitter {
     Vec3 centre, axis;  // axis: its normal, 0 if it has none
     double radius, power, far;
     std::vector<uint32_t> chain;  // its relays, the nearest to the point lit first
-    uint32_t apertures_at;
+    uint32_t aperture_at;
 };
 
 Emitter emitter_of(const FlatScene& scene, uint32_t i) {
-    const auto record = [&](uint32_t k) { return &scene.f[scene.sources_at + SOURCE_FLOATS * k]; };
-    const float* q = record(i);
-    const uint32_t kind = bits(q[SRC_KIND]);
-    const Vec3 u = get(q + SRC_U), v = get(q + SRC_V), w = get(q + SRC_NORMAL);
+    const Source& q = scene.sources[i];
+    const uint32_t kind = q.kind;
+    const Vec3 u = vec_of(q.u), v = vec_of(q.v), w = vec_of(q.normal);
     Emitter emitter{};
     emitter.source = i;
     emitter.distant = kind == SK_DISTANT;
-    emitter.centre = get(q + SRC_CENTRE);
-    emitter.radius = q[SRC_RADIUS];
+    emitter.centre = vec_of(q.centre);
+    emitter.radius = q.radius;
     if (kind == SK_CYLINDER) emitter.radius += length(u);
-    if (q[SRC_SHEARED] != 0) emitter.radius = 2 * (length(u) + length(v) + length(w));  // holds any sampled point
+    if (q.sheared != 0) emitter.radius = 2 * (length(u) + length(v) + length(w));  // holds any sampled point
     if (kind == SK_PARALLELOGRAM || kind == SK_POLYGON || kind == SK_RING) emitter.axis = unit(w);
-    emitter.power = double(std::max(q[SRC_POWER], 1e-20f)) * std::max(q[SRC_AREA], 1e-20f);  // never 0
-    emitter.far = q[SRC_MAXRAD] > 0 ? q[SRC_MAXRAD] + emitter.radius : unlimited;
+    emitter.power = double(std::max(q.power, 1e-20f)) * std::max(q.area, 1e-20f);  // never 0
+    emitter.far = q.max_radius > 0 ? q.max_radius + emitter.radius : unlimited;
 
-    uint32_t relay = bits(q[SRC_VIRTUAL]);
-    const uint32_t apertures = relay == NONE ? 0 : scene.u[relay + RELAY_APERTURES];
-    emitter.apertures_at = relay == NONE ? 0 : scene.u[relay + RELAY_APERTURES_AT];
+    uint32_t relay = q.relay;
+    const uint32_t apertures = relay == NONE ? 0 : scene.relays[relay].aperture_count;
+    emitter.aperture_at = relay == NONE ? 0 : scene.relays[relay].aperture_at;
     for (uint32_t k = 0; k < apertures; k++) {
-        emitter.chain.push_back(scene.u[relay + RELAY_PRIM]);
-        relay = bits(record(scene.u[relay + RELAY_SOURCE])[SRC_VIRTUAL]);
+        emitter.chain.push_back(scene.relays[relay].prim);
+        relay = scene.sources[scene.relays[relay].source].relay;
     }
     return emitter;
 }
@@ -68,19 +67,19 @@ public:
     // Appends the nodes of emitters begin .. end - 1, all distant or none.
     void plant(size_t begin, size_t end) {
         const size_t at = nodes.size();
-        nodes.resize(at + LIGHT_FLOATS, 0.0f);
+        nodes.emplace_back();
         if (end - begin > 1) {
             const size_t middle = split(begin, end);
             plant(begin, middle);
             const size_t second = nodes.size();
             plant(middle, end);
-            nodes[at + LIGHT_SHARE] = share(nodes[at + LIGHT_FLOATS + LIGHT_POWER], nodes[second + LIGHT_POWER]);
+            nodes[at].share = share(nodes[at + 1].power, nodes[second].power);
         }
-        describe(begin, end, &nodes[at]);
-        nodes[at + LIGHT_PAST] = from_bits(uint32_t(nodes.size() / LIGHT_FLOATS));
+        describe(begin, end, nodes[at]);
+        nodes[at].past = uint32_t(nodes.size());
     }
 
-    std::vector<float> nodes;
+    std::vector<LightNode> nodes;
 
 private:
     // Number of relays that all have in common, the nearest first.
@@ -122,7 +121,7 @@ private:
         return std::clamp(first / (first + second), 1 / 1024.f, 1023 / 1024.f);
     }
 
-    void describe(size_t begin, size_t end, float* node) const {
+    void describe(size_t begin, size_t end, LightNode& node) const {
         const Emitter& first = emitters_[begin];
         Box box;
         Vec3 axis;
@@ -141,16 +140,15 @@ private:
             spread = std::max(spread, length(emitter.axis) > 0 ? length(emitter.axis - axis) : 2);
         }
 
-        put(node + LIGHT_CENTRE, centre);
-        put(node + LIGHT_AXIS, axis);
-        node[LIGHT_RADIUS] = float(radius * rounding);
-        node[LIGHT_SPREAD] = float(spread * rounding);
-        node[LIGHT_POWER] = float(power);
-        node[LIGHT_FAR] = first.distant ? 0 : float(far * rounding);
-        const size_t apertures = common(begin, end);
-        node[LIGHT_APERTURES] = from_bits(uint32_t(apertures));
-        node[LIGHT_APERTURES_AT] = from_bits(first.apertures_at);
-        node[LIGHT_SOURCE] = from_bits(end - begin == 1 ? first.source : NONE);
+        node.centre = packed(centre);
+        node.axis = packed(axis);
+        node.radius = float(radius * rounding);
+        node.spread = float(spread * rounding);
+        node.power = float(power);
+        node.far = first.distant ? 0 : float(far * rounding);
+        node.aperture_at = first.aperture_at;
+        node.aperture_count = uint32_t(common(begin, end));
+        node.source = end - begin == 1 ? first.source : NONE;
     }
 
     Emitters& emitters_;
@@ -159,9 +157,9 @@ private:
 }  // namespace
 
 void plant_light_tree(FlatScene& scene) {
-    if (scene.source_count < LIGHT_TREE_FROM) return;
+    if (scene.sources.size() < LIGHT_TREE_FROM) return;
     Emitters emitters;
-    for (uint32_t i = 0; i < scene.source_count; i++) emitters.push_back(emitter_of(scene, i));
+    for (uint32_t i = 0; i < scene.sources.size(); i++) emitters.push_back(emitter_of(scene, i));
     std::sort(emitters.begin(), emitters.end(), by_chain);
     const auto local =
         std::find_if(emitters.begin(), emitters.end(), [](const Emitter& emitter) { return !emitter.distant; });
@@ -170,9 +168,7 @@ void plant_light_tree(FlatScene& scene) {
     LightTree tree(emitters);
     if (distant > 0) tree.plant(0, distant);
     if (distant < emitters.size()) tree.plant(distant, emitters.size());
-    scene.light_tree_at = uint32_t(scene.f.size());
-    scene.light_nodes = uint32_t(tree.nodes.size() / LIGHT_FLOATS);
-    scene.f.insert(scene.f.end(), tree.nodes.begin(), tree.nodes.end());
+    scene.light_nodes = std::move(tree.nodes);
 }
 
 }  // namespace flatten

@@ -12,12 +12,12 @@ namespace {
 // Reserves memory for all, once.
 void reserve(const scene::Mesh& mesh, bool corners, FlatScene& out) {
     const size_t n = mesh.positions.size(), triangles = mesh.triangles.size();
-    if (out.f.size() + CORNER_FLOATS * n > 0xffffffffu || out.u.size() + 3 * triangles > 0xffffffffu ||
-        out.prims.size() / PRIM_WORDS + triangles > ID_PRIM)
+    if (out.corners.size() + n > 0xffffffffu || out.u.size() + 3 * triangles > 0xffffffffu ||
+        out.prims.size() + triangles > ID_PRIM)
         base::fail(mesh.path, "too many triangles");
     out.make_room(n, triangles, triangles);
     if (!corners) return;
-    base::make_room(out.f, CORNER_FLOATS * n);
+    base::make_room(out.corners, n);
     base::make_room(out.u, 3 * triangles);
 }
 
@@ -26,7 +26,7 @@ void add_corners(const scene::Mesh& mesh, FlatScene& out) {
     for (size_t i = 0; i < mesh.positions.size(); i++) {
         const scene::Mesh::Normal a = smooth ? mesh.normals[i] : scene::Mesh::Normal{0, 0, 0};
         const scene::Mesh::Uv t = mapped ? mesh.uvs[i] : scene::Mesh::Uv{0, 0};
-        out.f.insert(out.f.end(), {a.x, a.y, a.z, t.u, t.v});
+        out.corners.push_back({{a.x, a.y, a.z}, t.u, t.v});
     }
 }
 
@@ -46,7 +46,7 @@ void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std
         const Vec3 p = position - centre;
         out.vertices.insert(out.vertices.end(), {float(p.x), float(p.y), float(p.z)});
     }
-    const uint32_t corner_at = uint32_t(out.f.size());
+    const uint32_t corner_at = uint32_t(out.corners.size());
     if (corners) add_corners(mesh, out);
 
     for (const scene::Mesh::Triangle& t : mesh.triangles) {
@@ -72,22 +72,14 @@ void flatten_mesh(const scene::Mesh& mesh, const Modifiers* modifiers, const std
         const Vec3 of_tree[3] = {a - centre, mesh.positions[t.v[1]] - centre, mesh.positions[t.v[2]] - centre};
         const Plane plane(normal, of_tree, 3);
         kind |= extent_bits(plane.extent_of_triangles(of_tree, 3));
-        const uint32_t prim = uint32_t(out.prims.size() / PRIM_WORDS);
-        const uint32_t record[PRIM_WORDS] = {kind,
-                                             mod,
-                                             NONE,
-                                             bits(float(normal.x)),
-                                             bits(float(normal.y)),
-                                             bits(float(normal.z)),
-                                             uint32_t(out.u.size()),
-                                             bits(plane.offset)};
-        out.prims.insert(out.prims.end(), record, record + PRIM_WORDS);
+        const uint32_t prim = uint32_t(out.prims.size());
+        out.prims.push_back({kind, mod, NONE, packed(normal), plane.offset, uint32_t(out.u.size())});
         out.prim_object.push_back(FlatScene::NO_OBJECT);
         out.triangles.insert(out.triangles.end(), {t.v[0], t.v[1], t.v[2]});
         out.tri_prim.push_back(prim | (passes ? ID_TRANSPARENT : 0u));
         if (passes) out.shadows_need(SHADOW_STRAIGHT);
         if (corners)
-            for (uint32_t v : t.v) out.u.push_back(corner_at + CORNER_FLOATS * v);
+            for (uint32_t v : t.v) out.u.push_back(corner_at + v);
     }
 }
 

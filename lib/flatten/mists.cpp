@@ -13,7 +13,7 @@
 namespace flatten {
 namespace {
 
-constexpr size_t MOST_SETS = 32;  // bits of MOD_EXTRA
+constexpr size_t MOST_SETS = 32;  // bits of Modifier.lights
 
 class Names {
 public:
@@ -30,16 +30,15 @@ public:
     }
 
 private:
-    // Index into u of the relay's record, NONE for real sources.
-    uint32_t way(uint32_t source) const { return bits(sources_.record(source)[SRC_VIRTUAL]); }
+    uint32_t way(uint32_t source) const { return sources_.records[source].relay; }
 
     uint32_t relay_object(uint32_t way) const {
-        const uint32_t prim = out_.u[way + RELAY_PRIM];
+        const uint32_t prim = out_.relays[way].prim;
         return std::find_if(relays_.begin(), relays_.end(), [&](const auto& r) { return r.prim == prim; })->object;
     }
 
     bool is_called(uint32_t i, std::string_view name) const {
-        for (; way(i) != NONE; i = out_.u[way(i) + RELAY_SOURCE]) {
+        for (; way(i) != NONE; i = out_.relays[way(i)].source) {
             const std::string start = scene_.name(scene_.objects[relay_object(way(i))]) + ">";
             if (name.substr(0, start.size()) != start) return false;
             name.remove_prefix(start.size());
@@ -52,7 +51,7 @@ private:
     bool is_later(uint32_t i, uint32_t j) const {
         const uint32_t a = way(i), b = way(j);
         if (a == NONE || b == NONE) return sources_.objects[i] > sources_.objects[j];
-        const uint32_t before_a = out_.u[a + RELAY_SOURCE], before_b = out_.u[b + RELAY_SOURCE];
+        const uint32_t before_a = out_.relays[a].source, before_b = out_.relays[b].source;
         if (before_a != before_b) return is_later(before_a, before_b) != (way(before_a) == NONE);
         return relay_object(a) > relay_object(b);
     }
@@ -89,17 +88,13 @@ void link_mists(const Modifiers& modifiers, const std::vector<Lights::Relay>& re
         base::fail(scene.place(scene.objects[modifiers.mists[0].object]),
                    "mists name more than 32 different sets of light sources");
 
-    std::vector<uint32_t> directory;
     uint32_t bit = 1;
     for (const auto& [by, members] : sets) {
-        for (uint32_t mod : by) out.u[out.mods_at + MOD_WORDS * mod + MOD_EXTRA] |= bit;
-        directory.push_back(uint32_t(out.u.size()));
-        directory.push_back(uint32_t(members.size()));
+        for (uint32_t mod : by) out.modifiers[mod].lights |= bit;
+        out.light_sets.push_back({uint32_t(out.u.size()), uint32_t(members.size())});
         out.u.insert(out.u.end(), members.begin(), members.end());
         bit <<= 1;
     }
-    out.light_sets_at = uint32_t(out.u.size());
-    out.u.insert(out.u.end(), directory.begin(), directory.end());
 }
 
 }  // namespace flatten

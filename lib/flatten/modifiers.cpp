@@ -64,7 +64,7 @@ private:
         int32_t object;   // its index
         int32_t above;    // the next modifier of the chain, VOID if none
         bool above_ends;  // the chain of that modifier has a material
-        uint32_t record[MOD_WORDS];
+        Modifier record;
     };
 
     void add(size_t i) {
@@ -74,9 +74,9 @@ private:
                   r.object,
                   r.modifier,
                   r.modifier >= 0 && out_.has_material[r.modifier],
-                  {0, NONE, NONE, uint32_t(tables_.arguments.size()), NONE, NONE, 0, 0}};
+                  {0, 0, NONE, NONE, uint32_t(tables_.arguments.size()), NONE, NONE, 0, 0, 0}};
         if (r.modifier >= 0) {
-            link.record[MOD_NEXT] = out_.record[r.modifier];
+            link.record.next = out_.record[r.modifier];
             nesting_[i] = nesting_[r.modifier];
             patterned_[i] = patterned_[r.modifier];
         }
@@ -84,9 +84,9 @@ private:
         if (scene::is_material(link.o.type)) add_material(link);
         else if (is_mixture(link.o.type)) add_mixture(link);
         else add_pattern(link);
-        link.record[MOD_FLAGS] |= dependence(link);
-        out_.record[i] = uint32_t(tables_.records.size() / MOD_WORDS);
-        tables_.records.insert(tables_.records.end(), link.record, link.record + MOD_WORDS);
+        link.record.flags |= dependence(link);
+        out_.record[i] = uint32_t(tables_.records.size());
+        tables_.records.push_back(link.record);
         if (options_.names) tables_.names.push_back({scene_.name(scene_.objects[i]), scene_.place(scene_.objects[i])});
     }
 
@@ -98,7 +98,7 @@ private:
                        ((reads & cal::READS_TOTAL) != 0 ? MF_TOTAL : 0) |
                        ((reads & cal::READS_PLACE) != 0 ? MF_PLACE : 0);
         const auto inherit = [&](int32_t m) {
-            if (m >= 0) out |= tables_.records[out_.record[m] * MOD_WORDS + MOD_FLAGS] & all;
+            if (m >= 0) out |= tables_.records[out_.record[m]].flags & all;
         };
         inherit(link.above);
         for (const int32_t part : named_modifiers(scene_, uint32_t(link.object))) inherit(part);
@@ -109,8 +109,8 @@ private:
 
     void add_pattern(Link& link) {
         const cal::Program p = cal::compile_pattern(library_, spec_of(scene_, link.o), tables_.code);
-        link.record[MOD_PROGRAM] = p.entry;
-        link.record[MOD_TYPE] = mod_type(p.kind);
+        link.record.program = p.entry;
+        link.record.type = mod_type(p.kind);
         if (p.kind != cal::ProgramKind::texture) patterned_[link.index] = 1;
         out_.has_material[link.index] = link.above_ends;
         out_.is_met[link.index] = link.above >= 0 && out_.is_met[link.above];
@@ -119,22 +119,22 @@ private:
     }
 
     void add_mixture(Link& link) {
-        link.record[MOD_PROGRAM] = cal::compile_pattern(library_, spec_of(scene_, link.o), tables_.code).entry;
-        link.record[MOD_TYPE] = M_MIXTURE;
+        link.record.program = cal::compile_pattern(library_, spec_of(scene_, link.o), tables_.code).entry;
+        link.record.type = M_MIXTURE;
         bool materials = false, passes = false;
         int inside = 0;
         const std::vector<int32_t> branches = named_modifiers(scene_, uint32_t(link.object));
         for (size_t k = 0; k < 2; k++) {
             const int32_t m = branches[k];
             const bool material = m >= 0 && out_.has_material[m];
-            if (m >= 0) link.record[MOD_BRANCH1 + k] = out_.record[m];
+            if (m >= 0) (k == 0 ? link.record.branch1 : link.record.branch2) = out_.record[m];
             if (m >= 0) inside = std::max(inside, nesting_[m]);
             materials = materials || material;
             passes = passes || !material || out_.passes[m];
         }
         if (materials && link.above >= 0)
             base::fail(scene_.place(scene_.objects[link.index]), "a mixture of materials cannot have a modifier");
-        if (!materials) link.record[MOD_FLAGS] |= MF_PATTERNS_ONLY, patterned_[link.index] = 1;
+        if (!materials) link.record.flags |= MF_PATTERNS_ONLY, patterned_[link.index] = 1;
 
         int& nesting = nesting_[link.index];
         nesting = std::max(nesting, materials ? 0 : inside + 1);
@@ -159,19 +159,19 @@ private:
         }
         check_reflectance(scene_, o, is_patterned(link), options_.any_reflectance);
         const scene::Material& row = scene::material_row(o.type);
-        link.record[MOD_TYPE] = row.number;
-        link.record[MOD_FLAGS] = row.flags;
+        link.record.type = row.number;
+        link.record.flags = row.flags;
         if ((row.traits & MT_MEDIUM) != 0) tables_.media = true;
         if ((row.traits & MT_BENDS) != 0) tables_.bends = true;
         for (double a : scene_.reals(o)) tables_.arguments.push_back(float(a));
-        if (scene_.reals(o).size() < row.filled) tables_.arguments.resize(link.record[MOD_ARGS] + row.filled, row.fill);
+        if (scene_.reals(o).size() < row.filled) tables_.arguments.resize(link.record.args + row.filled, row.fill);
 
         if (has_alternate(scene_, o)) add_alternate(link);
-        else if (o.type == Type::mirror || o.type == Type::illum) link.record[MOD_FLAGS] |= MF_ALTERNATE_PASSES;
+        else if (o.type == Type::mirror || o.type == Type::illum) link.record.flags |= MF_ALTERNATE_PASSES;
         if (cal::has_functions(type_name(o.type))) add_functions(link);
         if (o.type == Type::antimatter) add_antimatter(link);
         if (o.type == Type::mist) add_mist(link);
-        if (eye_passes(scene_, o)) link.record[MOD_FLAGS] |= MF_SEEN_THROUGH;
+        if (eye_passes(scene_, o)) link.record.flags |= MF_SEEN_THROUGH;
 
         out_.has_material[link.index] = out_.is_met[link.index] = 1;
         out_.passes[link.index] = light_passes(scene_, o, options_.bv);
@@ -188,32 +188,32 @@ private:
 
     void add_alternate(Link& link) {
         const int32_t m = scene_.lookup_modifier(scene_.strings(link.o)[0], link.object);
-        link.record[MOD_FLAGS] |= MF_HAS_ALTERNATE;
-        if (m >= 0) link.record[MOD_BRANCH1] = out_.record[m];
+        link.record.flags |= MF_HAS_ALTERNATE;
+        if (m >= 0) link.record.branch1 = out_.record[m];
         const bool nothing = m < 0 || !out_.has_material[m], mixed = !nothing && out_.material[m] == NONE;
         if (nothing || (!mixed && mirror_gives_way(scene_, scene_.objects[out_.material[m]])))
-            link.record[MOD_FLAGS] |= MF_ALTERNATE_PASSES;
+            link.record.flags |= MF_ALTERNATE_PASSES;
     }
 
     void add_functions(Link& link) {
         tables_.functions = true;
         cal::Code& code = tables_.code;
         const cal::MaterialProgram p = cal::compile_material(library_, spec_of(scene_, link.o), code);
-        link.record[MOD_PROGRAM] = p.values;
-        link.record[MOD_EXTRA] = p.lobe;
-        link.record[MOD_FLAGS] |= (p.value_count > 0 ? MF_VALUES : 0) | uint32_t(p.lobe_count) << MF_LOBES_SHIFT;
+        link.record.program = p.values;
+        link.record.lobe_program = p.lobe;
+        link.record.flags |= (p.value_count > 0 ? MF_VALUES : 0) | uint32_t(p.lobe_count) << MF_LOBES_SHIFT;
         if (link.o.type == Type::WGMDfunc) {  // modifiers of rs, ts, td: records for mat_wgmd, in the word arena
-            link.record[MOD_BRANCH1] = uint32_t(code.words.size());
+            link.record.branch1 = uint32_t(code.words.size());
             for (int k : wgmd_names) {
                 const std::string& name = scene_.strings(link.o)[size_t(k)];
                 const int32_t m = name == "inherit" ? scene::VOID : scene_.lookup_modifier(name, link.object);
                 code.words.push_back(name == "inherit" ? WGMD_INHERIT : m >= 0 ? out_.record[m] : NONE);
             }
         }
-        if (!p.file.empty()) link.record[MOD_EXTRA] = bsdf_file(p.file, scene_.place(link.o));
+        if (!p.file.empty()) link.record.bsdf_at = bsdf_file(p.file, scene_.place(link.o));
     }
 
-    // Tables of a BSDF file, found along RAYPATH: index for MOD_EXTRA.
+    // Tables of a BSDF file, found along RAYPATH: index for Modifier.bsdf_at.
     uint32_t bsdf_file(const std::string& name, const std::string& place) {
         const std::string path = base::find_file(name, files_, place);
         const auto known = bsdf_files_.find(path);
@@ -229,10 +229,10 @@ private:
         for (size_t k = 0; k < listed.size(); k++) {
             const int32_t m = listed[k];
             if (m < 0) continue;
-            if (k == 0) link.record[MOD_BRANCH1] = out_.record[m];
+            if (k == 0) link.record.branch1 = out_.record[m];
             out_.passes[m] = 1;
             if (out_.record[m] != NONE)
-                tables_.records[out_.record[m] * MOD_WORDS + MOD_FLAGS] |= 1u << (MF_CLIPPED_SHIFT + antimatters_);
+                tables_.records[out_.record[m]].flags |= 1u << (MF_CLIPPED_SHIFT + antimatters_);
         }
         antimatters_++;
         tables_.antimatter = true;
@@ -241,9 +241,8 @@ private:
     // Absent arguments: no extinction; albedo and eccentricity of the medium around.
     void add_mist(Link& link) {
         const size_t given = scene_.reals(link.o).size();
-        link.record[MOD_EXTRA] = 0;
-        link.record[MOD_FLAGS] |= (given > 3 ? MF_ALBEDO : 0) | (given > 6 ? MF_ECCENTRICITY : 0);
-        out_.mists.push_back({uint32_t(tables_.records.size() / MOD_WORDS), uint32_t(link.object)});
+        link.record.flags |= (given > 3 ? MF_ALBEDO : 0) | (given > 6 ? MF_ECCENTRICITY : 0);
+        out_.mists.push_back({uint32_t(tables_.records.size()), uint32_t(link.object)});
     }
 
     const scene::Scene& scene_;
@@ -284,9 +283,8 @@ void write_modifiers(ModifierTables t, FlatScene& out) {
     out.f = std::move(t.code.floats);
     const uint32_t args_at = uint32_t(out.f.size());
     out.f.insert(out.f.end(), t.arguments.begin(), t.arguments.end());
-    for (size_t i = 0; i < t.records.size(); i += MOD_WORDS) t.records[i + MOD_ARGS] += args_at;
-    out.mods_at = uint32_t(out.u.size());
-    out.u.insert(out.u.end(), t.records.begin(), t.records.end());
+    for (Modifier& modifier : t.records) modifier.args += args_at;
+    out.modifiers = std::move(t.records);
     if (t.bends) out.shadow_mode = SHADOW_AIMED;
     out.absorbs = t.media;
     out.antimatter = t.antimatter;

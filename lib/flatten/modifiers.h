@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Modifier chains as records (MOD_* of kernels/tables.h).
+// Modifier chains as records (kernels/records.h).
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -13,11 +13,11 @@ namespace flatten {
 
 // Tables that the scene and the octrees of its instances fill together.
 struct ModifierTables {
-    cal::Code code;                 // programs: become the start of both arenas, for their addresses are absolute
-    std::vector<uint32_t> records;  // MOD_WORDS each
-    std::vector<float> arguments;   // real ones; MOD_ARGS counts from their start
-    bool bends = false;             // some material is MT_BENDS
-    bool media = false;             // MT_MEDIUM
+    cal::Code code;  // programs: become the start of both arenas, for their addresses are absolute
+    std::vector<kernels::Modifier> records;
+    std::vector<float> arguments;  // real ones; Modifier.args counts from their start
+    bool bends = false;            // some material is MT_BENDS
+    bool media = false;            // MT_MEDIUM
     bool antimatter = false;
     bool functions = false;              // some material has .cal functions or tables
     std::vector<FlatScene::Name> names;  // of the records, with Options::names

@@ -5,6 +5,7 @@
 #include <cstring>
 #include "base/span.h"
 #include "base/vec.h"
+#include "kernels/dialect/host.h"
 
 namespace flatten {
 
@@ -25,6 +26,8 @@ inline void put(float* q, base::Vec3 v) {
     q[2] = float(v.z);
 }
 inline base::Vec3 get(const float* q) { return {q[0], q[1], q[2]}; }
+inline kernels::Packed3 packed(base::Vec3 v) { return {float(v.x), float(v.y), float(v.z)}; }
+inline base::Vec3 vec_of(const kernels::Packed3& v) { return {v.x, v.y, v.z}; }
 
 // Three real arguments of a primitive
 inline base::Vec3 vec_at(const base::Span<double>& reals, size_t i) { return {reals[i], reals[i + 1], reals[i + 2]}; }

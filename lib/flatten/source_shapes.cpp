@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Position and size of a source, by kind (SRC_*, SK_* of kernels/tables.h).
+// Position and size of a source, by kind (Source of kernels/records.h).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,33 +14,33 @@ namespace flatten {
 namespace {
 using base::pi;
 
-void shape_sphere(const Reals& r, Vec3 centre, float* q) {
-    q[SRC_KIND] = from_bits(SK_SPHERE);
-    put(q + SRC_CENTRE, vec_at(r, 0) - centre);
-    q[SRC_RADIUS] = float(std::fabs(r[3]));
-    q[SRC_AREA] = float(pi * r[3] * r[3]);  // of the silhouette
+void shape_sphere(const Reals& r, Vec3 centre, Source& q) {
+    q.kind = SK_SPHERE;
+    q.centre = packed(vec_at(r, 0) - centre);
+    q.radius = float(std::fabs(r[3]));
+    q.area = float(pi * r[3] * r[3]);  // of the silhouette
 }
 
-void shape_ring(const Reals& r, const std::string& place, Vec3 centre, float* q) {
+void shape_ring(const Reals& r, const std::string& place, Vec3 centre, Source& q) {
     if (std::min(r[6], r[7]) > 0) base::fail(place, "a light ring must have inner radius 0");
     const double radius = std::max(r[6], r[7]);
     const Vec3 n = unit(vec_at(r, 3)), u = unit(std::fabs(n.z) < 0.9 ? cross(n, {0, 0, 1}) : cross(n, {1, 0, 0}));
-    q[SRC_KIND] = from_bits(SK_RING);
-    put(q + SRC_CENTRE, vec_at(r, 0) - centre);
-    put(q + SRC_U, u * radius);
-    put(q + SRC_V, cross(n, u) * radius);
-    put(q + SRC_NORMAL, n);
-    q[SRC_AREA] = float(pi * radius * radius);
-    q[SRC_RADIUS] = float(radius);
+    q.kind = SK_RING;
+    q.centre = packed(vec_at(r, 0) - centre);
+    q.u = packed(u * radius);
+    q.v = packed(cross(n, u) * radius);
+    q.normal = packed(n);
+    q.area = float(pi * radius * radius);
+    q.radius = float(radius);
 }
 
-void shape_cylinder(const Reals& r, const std::string& place, Vec3 centre, float* q) {
+void shape_cylinder(const Reals& r, const std::string& place, Vec3 centre, Source& q) {
     const Vec3 a = vec_at(r, 0), b = vec_at(r, 3);
-    q[SRC_KIND] = from_bits(SK_CYLINDER);
-    put(q + SRC_CENTRE, (a + b) * 0.5 - centre);
-    put(q + SRC_U, (b - a) * 0.5);
-    q[SRC_AREA] = float(2 * pi * r[6] * length(b - a));
-    q[SRC_RADIUS] = float(r[6]);
+    q.kind = SK_CYLINDER;
+    q.centre = packed((a + b) * 0.5 - centre);
+    q.u = packed((b - a) * 0.5);
+    q.area = float(2 * pi * r[6] * length(b - a));
+    q.radius = float(r[6]);
     if (r[6] > 0.2 * length(b - a)) base::warn(place, "cylindrical light source is not long and thin");
 }
 
@@ -108,7 +108,7 @@ void size_vectors(const std::vector<Vec3>& v, Vec3 mid, Vec3 n, double area, Vec
 
 // The triangles of a general polygon; each knows its part of [0,1) by area.
 void add_fan(const std::vector<Vec3>& v, const std::vector<std::array<int, 3>>& triangles, Vec3 centre,
-             Sources& sources) {
+             std::vector<FanTriangle>& fans, Source& q) {
     double total = 0, done = 0;
     std::vector<double> area;
     for (const auto& t : triangles) {
@@ -116,27 +116,24 @@ void add_fan(const std::vector<Vec3>& v, const std::vector<std::array<int, 3>>& 
         total += area.back();
     }
 
-    const size_t source = sources.count() - 1;
-    sources.fan_of.push_back({source, sources.fans.size()});
-    float* q = sources.record(source);
-    q[SRC_NTRIS] = from_bits(uint32_t(triangles.size()));
-    q[SRC_AREA] = float(total);
+    q.fan_at = uint32_t(fans.size());
+    q.fan_count = uint32_t(triangles.size());
+    q.area = float(total);
 
     for (size_t i = 0; i < triangles.size(); i++) {
-        float f[FAN_FLOATS] = {};
+        FanTriangle& triangle = fans.emplace_back();
         const Vec3 a = v[triangles[i][0]] - centre;
-        put(f, a);
-        put(f + FAN_EDGE1, v[triangles[i][1]] - centre - a);
-        put(f + FAN_EDGE2, v[triangles[i][2]] - centre - a);
-        f[FAN_FROM] = float(done / total);
+        triangle.corner = packed(a);
+        triangle.edge1 = packed(v[triangles[i][1]] - centre - a);
+        triangle.edge2 = packed(v[triangles[i][2]] - centre - a);
+        triangle.from = float(done / total);
         done += area[i];
-        f[FAN_UPTO] = float(done / total);
-        sources.fans.insert(sources.fans.end(), f, f + FAN_FLOATS);
+        triangle.upto = float(done / total);
     }
 }
 
 // The shape is the one that is drawn, or shadow rays end behind it.
-void shape_polygon(const Reals& r, Vec3 centre, Sources& sources) {
+void shape_polygon(const Reals& r, Vec3 centre, std::vector<FanTriangle>& fans, Source& q) {
     const Polygon polygon(r);
     const Vec3 normal = polygon.normal;
     const std::vector<Vec3> v = polygon.drawn();
@@ -150,36 +147,35 @@ void shape_polygon(const Reals& r, Vec3 centre, Sources& sources) {
     }
     const bool flat = off_plane <= 1e-7 * radius;
 
-    float* q = sources.record(sources.count() - 1);
-    put(q + SRC_CENTRE, mid - centre);
-    put(q + SRC_NORMAL, normal);
-    q[SRC_AREA] = float(polygon.area);
-    q[SRC_RADIUS] = float(radius);
+    q.centre = packed(mid - centre);
+    q.normal = packed(normal);
+    q.area = float(polygon.area);
+    q.radius = float(radius);
     if (n == 4 && flat && length(v[0] + v[2] - v[1] - v[3]) <= 1e-4 * radius) {
-        q[SRC_KIND] = from_bits(SK_PARALLELOGRAM);
-        put(q + SRC_U, (v[1] - v[0]) * 0.5);
-        put(q + SRC_V, (v[3] - v[0]) * 0.5);
+        q.kind = SK_PARALLELOGRAM;
+        q.u = packed((v[1] - v[0]) * 0.5);
+        q.v = packed((v[3] - v[0]) * 0.5);
         return;
     }
-    q[SRC_KIND] = from_bits(SK_POLYGON);
+    q.kind = SK_POLYGON;
     Vec3 u, w;  // RADIANCE's size vectors, for -ds with -dj below 1 (spec shading 4.3)
     size_vectors(v, mid, normal, polygon.area, u, w);
-    put(q + SRC_U, u);
-    put(q + SRC_V, w);
-    add_fan(v, flat ? triangulate(v, normal) : std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}}, centre, sources);
+    q.u = packed(u);
+    q.v = packed(w);
+    add_fan(v, flat ? triangulate(v, normal) : std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}}, centre, fans, q);
 }
 
 }  // namespace
 
-void shape_source(const scene::Scene& scene, const Object& surface, Vec3 centre, Sources& sources) {
-    float* q = sources.record(sources.count() - 1);
+void shape_source(const scene::Scene& scene, const Object& surface, Vec3 centre, std::vector<FanTriangle>& fans,
+                  Source& q) {
     const Reals r = scene.reals(surface);
     const std::string place = scene.place(surface);
     switch (surface.type) {
     case Type::sphere: return shape_sphere(r, centre, q);
     case Type::ring: return shape_ring(r, place, centre, q);
     case Type::cylinder: return shape_cylinder(r, place, centre, q);
-    case Type::polygon: return shape_polygon(r, centre, sources);
+    case Type::polygon: return shape_polygon(r, centre, fans, q);
     default: base::fail(place, fmt::format("a {} cannot be a light source", type_name(surface.type)));
     }
 }

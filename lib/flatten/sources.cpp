@@ -19,12 +19,12 @@ using base::pi;
 double luminance_weight(const Reals& c) { return .265074126 * c[0] + .670114631 * c[1] + .064811243 * c[2]; }
 bool black(const Reals& c) { return c[0] <= 0 && c[1] <= 0 && c[2] <= 0; }
 
-void aim_spotlight(const Reals& c, const std::string& place, float* q) {
+void aim_spotlight(const Reals& c, const std::string& place, Source& q) {
     const Vec3 aim = vec_at(c, 4);
     if (c[3] <= 0 || length(aim) <= 0) base::fail(place, "spotlight with zero angle or direction");
-    put(q + SRC_SPOT, unit(aim));
-    q[SRC_SPOT_COS] = float(std::cos(std::min(c[3], 360.0) * pi / 360));
-    q[SRC_SPOT_FOCUS] = float(length(aim));
+    q.spot = packed(unit(aim));
+    q.spot_cos = float(std::cos(std::min(c[3], 360.0) * pi / 360));
+    q.spot_focus = float(length(aim));
 }
 
 // Visible modifier of a distant surface: of an illum its alternate, or that one's.
@@ -32,9 +32,9 @@ uint32_t distant_seen(const FlatScene& out, uint32_t mod) {
     for (;;) {
         const uint32_t m = material_record(out, mod);
         if (m == NONE) return mod == NONE ? NONE : DISTANT_BLACK;
-        const uint32_t type = out.record(m)[MOD_TYPE];
+        const uint32_t type = out.modifiers[m].type;
         if (type != M_ILLUM) return material_has(type, MT_EMISSIVE) != 0u ? mod : DISTANT_BLACK;
-        mod = out.record(m)[MOD_BRANCH1];
+        mod = out.modifiers[m].branch1;
     }
 }
 
@@ -52,19 +52,18 @@ const Object& distant_material(const Modifiers& modifiers, const Object& o) {
 
 }  // namespace
 
-float* add_source(const Modifiers& modifiers, const Object& surface, Sources& sources) {
+Source& add_source(const Modifiers& modifiers, const Object& surface, Sources& sources) {
     const scene::Scene& scene = modifiers.scene;
     const Object& material = scene.objects[modifiers.material[surface.modifier]];
     const Reals c = scene.reals(material);
     sources.objects.push_back(uint32_t(&surface - scene.objects.data()));
-    sources.records.resize(sources.records.size() + SOURCE_FLOATS, 0.0f);
-    float* q = sources.record(sources.count() - 1);
-    q[SRC_PRIM] = from_bits(NONE);
-    q[SRC_MOD] = from_bits(modifiers.record[surface.modifier]);
-    q[SRC_POWER] = float(luminance_weight(c));
-    q[SRC_SPOT_COS] = NO_SPOT;
-    q[SRC_VIRTUAL] = from_bits(NONE);
-    q[SRC_CLASS] = from_bits(scene::material_row(material.type).number);
+    Source& q = sources.records.emplace_back();
+    q.prim = NONE;
+    q.mod = modifiers.record[surface.modifier];
+    q.power = float(luminance_weight(c));
+    q.spot_cos = NO_SPOT;
+    q.relay = NONE;
+    q.light_type = scene::material_row(material.type).number;
     return q;
 }
 
@@ -78,12 +77,12 @@ void add_local_sources(const Modifiers& modifiers, const std::vector<Lights::Emi
         const Reals c = scene.reals(material);
         if (black(c)) continue;
         if (material.type == Type::glow && c[3] <= 1e-6) continue;
-        float* q = add_source(modifiers, o, sources);
-        q[SRC_PRIM] = from_bits(e.prim);
-        if (material.type == Type::glow) q[SRC_MAXRAD] = float(c[3]);
+        Source& q = add_source(modifiers, o, sources);
+        q.prim = e.prim;
+        if (material.type == Type::glow) q.max_radius = float(c[3]);
         if (material.type == Type::spotlight) aim_spotlight(c, scene.place(material), q);
-        shape_source(scene, o, out.centre, sources);
-        out.prims[PRIM_WORDS * e.prim + PRIM_SOURCE] = sources.count() - 1;
+        shape_source(scene, o, out.centre, sources.fans, q);
+        out.prims[e.prim].source = sources.count() - 1;
     }
 }
 
@@ -96,19 +95,18 @@ void add_distant_sources(const Modifiers& modifiers, FlatScene& out, Sources& so
         const Vec3 d = unit(vec_at(r, 0));
         const double half = std::min(r[3], 360.0) * pi / 360, s = std::sin(half / 2), cap = r[3] >= 360 ? 3 : 2 * s * s;
         const uint32_t seen = distant_seen(out, modifiers.record[o.modifier]);
-        if (seen < DISTANT_BLACK && (out.record(seen)[MOD_FLAGS] & MF_PLACE) != 0) out.sky_places = true;
-        uint32_t record[DISTANT_WORDS] = {
-            bits(float(d.x)), bits(float(d.y)), bits(float(d.z)), bits(float(cap)), seen, NONE, 0, 0};
+        if (seen < DISTANT_BLACK && (out.modifiers[seen].flags & MF_PLACE) != 0) out.sky_places = true;
+        Distant distant{packed(d), float(cap), seen, NONE};
         if (material.type != Type::glow && !black(scene.reals(material))) {
-            float* q = add_source(modifiers, o, sources);
-            q[SRC_KIND] = from_bits(SK_DISTANT);
-            put(q + SRC_CENTRE, d);
-            q[SRC_CAP] = float(std::min(cap, 2.0));
-            q[SRC_AREA] = float(2 * pi * std::min(cap, 2.0));
-            q[SRC_RADIUS] = float(std::sin(half));
-            record[DISTANT_SOURCE] = sources.count() - 1;
+            Source& q = add_source(modifiers, o, sources);
+            q.kind = SK_DISTANT;
+            q.centre = packed(d);
+            q.cap = float(std::min(cap, 2.0));
+            q.area = float(2 * pi * std::min(cap, 2.0));
+            q.radius = float(std::sin(half));
+            distant.source = sources.count() - 1;
         }
-        sources.distant.insert(sources.distant.end(), record, record + DISTANT_WORDS);
+        sources.distant.push_back(distant);
         sources.distant_objects.push_back(uint32_t(&o - scene.objects.data()));
     }
 }
@@ -116,28 +114,19 @@ void add_distant_sources(const Modifiers& modifiers, FlatScene& out, Sources& so
 // Sources are chosen by their mean power.  A pattern may hide more than these few samples show, so a source keeps at
 // least a hundredth of the bare material's power.
 void weigh_patterns(const FlatScene& out, Sources& sources) {
-    for (uint32_t i = 0; i < sources.count(); i++) {
-        float* q = sources.record(i);
-        const uint32_t* m = out.record(bits(q[SRC_MOD]));
-        if (m[MOD_TYPE] >= M_FIRST_MATERIAL && m[MOD_NEXT] == NONE) continue;
-        q[SRC_POWER] = std::max(float(mean_luminance(out, q)), .01f * q[SRC_POWER]);
+    for (Source& q : sources.records) {
+        const Modifier& m = out.modifiers[q.mod];
+        if (m.type >= M_FIRST_MATERIAL && m.next == NONE) continue;
+        q.power = std::max(float(mean_luminance(out, q)), .01f * q.power);
     }
 }
 
 void write_sources(Sources sources, FlatScene& out) {
-    out.source_count = sources.count();
+    out.sources = std::move(sources.records);
+    out.fans = std::move(sources.fans);
+    out.distant = std::move(sources.distant);
     out.source_object = std::move(sources.objects);
     out.distant_object = std::move(sources.distant_objects);
-    out.distant_count = uint32_t(sources.distant.size() / DISTANT_WORDS);
-    out.distant_at = uint32_t(out.u.size());
-    out.u.insert(out.u.end(), sources.distant.begin(), sources.distant.end());
-
-    const uint32_t fans_at = uint32_t(out.f.size());
-    out.f.insert(out.f.end(), sources.fans.begin(), sources.fans.end());
-    for (const Sources::Fan& fan : sources.fan_of)
-        sources.record(fan.source)[SRC_TRIS] = from_bits(uint32_t(fans_at + fan.at));
-    out.sources_at = uint32_t(out.f.size());
-    out.f.insert(out.f.end(), sources.records.begin(), sources.records.end());
 }
 
 }  // namespace flatten

@@ -11,25 +11,20 @@
 namespace flatten {
 
 struct Sources {
-    std::vector<float> records;     // SOURCE_FLOATS each
+    std::vector<kernels::Source> records;
     std::vector<uint32_t> objects;  // of the real ones, which stand first: objects of the scene
-    std::vector<float> fans;        // triangles of general polygons
-    struct Fan {
-        size_t source, at;  // `at` floats into fans
-    };
-    std::vector<Fan> fan_of;
-    std::vector<uint32_t> distant;  // DISTANT_WORDS each
+    std::vector<kernels::FanTriangle> fans;
+    std::vector<kernels::Distant> distant;
     std::vector<uint32_t> distant_objects;
 
-    uint32_t count() const { return uint32_t(records.size() / SOURCE_FLOATS); }
-    float* record(size_t i) { return &records[i * SOURCE_FLOATS]; }
-    const float* record(size_t i) const { return &records[i * SOURCE_FLOATS]; }
+    uint32_t count() const { return uint32_t(records.size()); }
 };
 
 // A record that states its material and nothing else.
-float* add_source(const Modifiers& modifiers, const scene::Object& surface, Sources& sources);
+kernels::Source& add_source(const Modifiers& modifiers, const scene::Object& surface, Sources& sources);
 // Where and how large it is, for each kind of surface (source_shapes.cpp); throws for those that cannot shine.
-void shape_source(const scene::Scene& scene, const scene::Object& surface, base::Vec3 centre, Sources& sources);
+void shape_source(const scene::Scene& scene, const scene::Object& surface, base::Vec3 centre,
+                  std::vector<kernels::FanTriangle>& fans, kernels::Source& record);
 
 // The surfaces of the scene that shine and are active sources; the rest is found by sampled rays alone.
 void add_local_sources(const Modifiers& modifiers, const std::vector<Lights::Emitter>& emitters, FlatScene& out,

@@ -51,12 +51,10 @@ public:
 private:
     // Number of a new primitive; `tagged` with its class.
     uint32_t add_prim(const Object& o, uint32_t kind, Vec3 normal, uint32_t& tagged) {
-        const uint32_t id = uint32_t(out_.prims.size() / PRIM_WORDS);
+        const uint32_t id = uint32_t(out_.prims.size());
         if (modifiers_ && modifiers_->is_clear(o.modifier)) kind |= PRIM_CLEAR;
         const uint32_t mod = modifiers_ ? modifiers_->record[o.modifier] : NONE;
-        const uint32_t n[3] = {bits(float(normal.x)), bits(float(normal.y)), bits(float(normal.z))};
-        const uint32_t record[PRIM_WORDS] = {kind, mod, NONE, n[0], n[1], n[2], 0, 0};
-        out_.prims.insert(out_.prims.end(), record, record + PRIM_WORDS);
+        out_.prims.push_back({kind, mod, NONE, packed(normal), 0, 0});
         out_.prim_object.push_back(lights_ ? index_of(o) : FlatScene::NO_OBJECT);
         tagged = id;
         if (!modifiers_ || (!modifiers_->passes[o.modifier] && !hidden_[index_of(o)])) return id;
@@ -67,13 +65,13 @@ private:
     uint32_t add_curved_prim(const Object& o, uint32_t kind, uint32_t shape) {
         uint32_t tagged;
         const uint32_t prim = add_prim(o, kind, {}, tagged);
-        out_.prims[PRIM_WORDS * prim + PRIM_NORMAL] = shape;
+        out_.prims[prim].at = shape;
         out_.shape_prim.push_back(tagged);
         return prim;
     }
     void set_extent(uint32_t prim, double size, float offset = 0) {
-        out_.prims[PRIM_WORDS * prim + PRIM_KIND] |= extent_bits(size);
-        if (offset != 0) out_.prims[PRIM_WORDS * prim + PRIM_OFFSET] = bits(offset);
+        out_.prims[prim].kind |= extent_bits(size);
+        out_.prims[prim].offset = offset;
     }
 
     uint32_t add_shape(uint32_t kind, std::initializer_list<double> values) {

@@ -58,7 +58,7 @@ constexpr size_t MOST_BOXES = 65536;
 std::vector<Box> surface_boxes(const scene::Scene& scene, Box& all);
 std::vector<Box> surface_boxes(const scene::Mesh& mesh, Box& all);
 
-// The length to which the rounding of a primitive is relative (kernels/bvh/offset_ray.h), as bits of PRIM_KIND: the
+// The length to which the rounding of a primitive is relative (kernels/bvh/offset_ray.h), as bits of Prim.kind: the
 // power of two above it.
 uint32_t extent_bits(double length);
 

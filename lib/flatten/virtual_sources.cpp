@@ -41,46 +41,39 @@ Apertures seen_apertures(const Apertures& behind, const Relay& r, const Projecti
     return apertures;
 }
 
-void append(std::vector<float>& out, const Apertures& apertures) {
-    for (const Aperture& g : apertures) {
-        float f[APERTURE_FLOATS];
-        put(f + APERTURE_CENTRE, g.centre);
-        put(f + APERTURE_NORMAL, g.normal);
-        put(f + APERTURE_U, g.u);
-        put(f + APERTURE_V, g.v);
-        f[APERTURE_BOTH_SIDES] = g.both_sides;
-        out.insert(out.end(), f, f + APERTURE_FLOATS);
-    }
+void append(std::vector<kernels::Aperture>& out, const Apertures& apertures) {
+    for (const Aperture& g : apertures)
+        out.push_back({packed(g.centre), packed(g.normal), packed(g.u), packed(g.v), g.both_sides});
 }
 
 // A prism shears the image: spheres and suns get axes that can be sheared (spec shading 4.3).
-void give_axes(float* q, bool distant) {
-    if (q[SRC_SHEARED] != 0) return;
-    q[SRC_SHEARED] = 1;
-    const Vec3 c = get(q + SRC_CENTRE);
-    const double half = distant ? std::sqrt(q[SRC_AREA]) / 2 : .7236 * q[SRC_RADIUS];
+void give_axes(Source& q, bool distant) {
+    if (q.sheared != 0) return;
+    q.sheared = 1;
+    const Vec3 c = vec_of(q.centre);
+    const double half = distant ? std::sqrt(q.area) / 2 : .7236 * q.radius;
     const Vec3 u = distant ? unit(cross(c, std::fabs(c.z) < .9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0})) : Vec3{1, 0, 0};
     const Vec3 v = distant ? cross(c, u) : Vec3{0, 1, 0};
-    put(q + SRC_U, u * half);
-    put(q + SRC_V, v * half);
-    put(q + SRC_NORMAL, distant ? Vec3() : Vec3{0, 0, half});
+    q.u = packed(u * half);
+    q.v = packed(v * half);
+    q.normal = packed(distant ? Vec3() : Vec3{0, 0, half});
 }
 
-bool mirror_projection(const Relay& r, const float* q, Projection& m) {
+bool mirror_projection(const Relay& r, const Source& q, Projection& m) {
     m = {r.normal, {}, dot(r.normal, r.centre), true};
-    const Vec3 c = get(q + SRC_CENTRE);
+    const Vec3 c = vec_of(q.centre);
     // the source, at least its extreme point, must be in front of the mirror
-    const double reach = bits(q[SRC_KIND]) == SK_CYLINDER ? q[SRC_RADIUS] + length(get(q + SRC_U)) : q[SRC_RADIUS];
-    return bits(q[SRC_KIND]) == SK_DISTANT ? dot(c, m.n) + reach > 0 : dot(c, m.n) - m.offset + reach > 1e-6;
+    const double reach = q.kind == SK_CYLINDER ? q.radius + length(vec_of(q.u)) : q.radius;
+    return q.kind == SK_DISTANT ? dot(c, m.n) + reach > 0 : dot(c, m.n) - m.offset + reach > 1e-6;
 }
 
 // A test ray from the source through the middle of the panel gives the prism's deflection (spec shading 3.18).
-bool prism_projection(const FlatScene& scene, const Relay& r, uint32_t exit, const float* q, Projection& m) {
-    const bool distant = bits(q[SRC_KIND]) == SK_DISTANT;
-    const Vec3 c = get(q + SRC_CENTRE), d0 = distant ? -c : unit(r.centre - c);
+bool prism_projection(const FlatScene& scene, const Relay& r, uint32_t exit, const Source& q, Projection& m) {
+    const bool distant = q.kind == SK_DISTANT;
+    const Vec3 c = vec_of(q.centre), d0 = distant ? -c : unit(r.centre - c);
     const RayVars vars = ray_vars(scene, r.centre, d0, r.normal);
     float v[16];
-    if (!run_program(scene, scene.record(r.material)[MOD_PROGRAM], vars.values, v)) return false;
+    if (!run_program(scene, scene.modifiers[r.material].program, vars.values, v)) return false;
     const float* e = v + 4 * exit;
     Vec3 d1{e[1], e[2], e[3]};
     if (e[0] <= 1e-6f || length(d1) <= 1e-6) return false;
@@ -92,31 +85,27 @@ bool prism_projection(const FlatScene& scene, const Relay& r, uint32_t exit, con
 }
 
 // Moves the record to its virtual position.
-void project(const Projection& m, bool by_prism, float* q) {
-    const bool distant = bits(q[SRC_KIND]) == SK_DISTANT, sphere = bits(q[SRC_KIND]) == SK_SPHERE;
-    const Vec3 c = get(q + SRC_CENTRE);
+void project(const Projection& m, bool by_prism, Source& q) {
+    const bool distant = q.kind == SK_DISTANT, sphere = q.kind == SK_SPHERE;
+    const Vec3 c = vec_of(q.centre);
     if (by_prism && (distant || sphere)) give_axes(q, distant);
-    put(q + SRC_CENTRE, distant ? unit(m.vector(c)) : m.point(c));
+    q.centre = packed(distant ? unit(m.vector(c)) : m.point(c));
     const double scale = distant ? 1 / length(m.vector(c)) : 1;
-    for (uint32_t k : {SRC_U, SRC_V, SRC_NORMAL, SRC_SPOT}) put(q + k, m.vector(get(q + k)) * scale);
-    if (IS_SPOT(q)) put(q + SRC_SPOT, unit(get(q + SRC_SPOT)));
-    if (!sphere && !distant) put(q + SRC_NORMAL, unit(get(q + SRC_NORMAL)));
+    for (Packed3* way : {&q.u, &q.v, &q.normal, &q.spot}) *way = packed(m.vector(vec_of(*way)) * scale);
+    if (IS_SPOT(&q)) q.spot = packed(unit(vec_of(q.spot)));
+    if (!sphere && !distant) q.normal = packed(unit(vec_of(q.normal)));
 }
 
-// Copies the triangles of general polygon i to the next source.
-void project_fan(const Projection& m, size_t i, Sources& sources) {
-    size_t at = 0;
-    for (const Sources::Fan& fan : sources.fan_of)
-        if (fan.source == i) at = fan.at;
-    const size_t end = at + bits(sources.record(i)[SRC_NTRIS]) * FAN_FLOATS;
-    sources.fan_of.push_back({sources.count(), sources.fans.size()});
-    for (; at < end; at += FAN_FLOATS) {
-        float f[FAN_FLOATS];
-        std::copy_n(&sources.fans[at], FAN_FLOATS, f);
-        put(f, m.point(get(f)));
-        put(f + 3, m.vector(get(f + 3)));
-        put(f + 6, m.vector(get(f + 6)));
-        sources.fans.insert(sources.fans.end(), f, f + FAN_FLOATS);
+// Gives a general polygon triangles of its own.
+void project_fan(const Projection& m, std::vector<FanTriangle>& fans, Source& q) {
+    const uint32_t first = q.fan_at;
+    q.fan_at = uint32_t(fans.size());
+    for (uint32_t k = 0; k < q.fan_count; k++) {
+        FanTriangle triangle = fans[first + k];
+        triangle.corner = packed(m.point(vec_of(triangle.corner)));
+        triangle.edge1 = packed(m.vector(vec_of(triangle.edge1)));
+        triangle.edge2 = packed(m.vector(vec_of(triangle.edge2)));
+        fans.push_back(triangle);
     }
 }
 
@@ -130,21 +119,20 @@ public:
     // Adds source i seen in a relay; false if the relay does not show it.
     bool add(uint32_t i, const Relay& r, uint32_t exit) {
         if (last_relay_[i] == r.prim) return false;
-        float q[SOURCE_FLOATS];
-        std::copy_n(sources_.record(i), SOURCE_FLOATS, q);
+        Source q = sources_.records[i];
         Projection m;
         if (!(r.exits ? prism_projection(out_, r, exit, q, m) : mirror_projection(r, q, m))) return false;
         project(m, r.exits > 0, q);
-        if (bits(q[SRC_KIND]) == SK_POLYGON) project_fan(m, i, sources_);
-        q[SRC_VIRTUAL] = from_bits(uint32_t(out_.u.size()));
-        q[SRC_POWER] *= float(r.reflectance);
+        if (q.kind == SK_POLYGON) project_fan(m, sources_.fans, q);
+        q.relay = uint32_t(out_.relays.size());
+        q.power *= float(r.reflectance);
 
         apertures_.push_back(seen_apertures(apertures_[i], r, m));
         last_relay_.push_back(r.prim);
         const Apertures& apertures = apertures_.back();
-        out_.u.insert(out_.u.end(), {r.prim, i, exit, uint32_t(apertures.size()), uint32_t(out_.f.size())});
-        append(out_.f, apertures);
-        sources_.records.insert(sources_.records.end(), q, q + SOURCE_FLOATS);
+        out_.relays.push_back({r.prim, i, exit, uint32_t(out_.apertures.size()), uint32_t(apertures.size())});
+        append(out_.apertures, apertures);
+        sources_.records.push_back(q);
         out_.shadows_need(SHADOW_AIMED);
         return true;
     }

@@ -4,11 +4,11 @@
 
 // Arguments of every kernel but k_swap and k_layout: the scene's tables, the parameters, the path state.
 #define TABLE_ARG(type, name) __global const type *table_##name,
-#define PATH_ARG(type, name, when) , __global type *path_##name
+#define PATH_ARG(type, name, when, members) , __global type *path_##name
 #define ALL_ARGS SCENE_TABLES(TABLE_ARG) __constant Params *par PATH_STATE(PATH_ARG)
 
 #define TABLE_SET(type, name) s.name = table_##name;
-#define PATH_SET(type, name, when) paths.name = path_##name;
+#define PATH_SET(type, name, when, members) paths.name = path_##name;
 #define SET_UP               \
     SceneTables s;           \
     Paths paths;             \
@@ -109,12 +109,12 @@ __kernel void k_suffix_roulette(ALL_ARGS) {
 
 __kernel void k_connection(ALL_ARGS) {
     SET_UP
-    if (i < par->path_count && HAS_PREFIX(&paths, i)) paths.connections[i] = connections_known(&s, par, &paths, i);
+    if (i < par->path_count && CONNECTS_SUFFIX(&paths, i)) paths.connections[i] = connections_known(&s, par, &paths, i);
 }
 
 __kernel void k_transmittance(ALL_ARGS) {
     SET_UP
-    if (i >= par->path_count || !HAS_PREFIX(&paths, i)) return;
+    if (i >= par->path_count || !CONNECTS_SUFFIX(&paths, i)) return;
     uint through = connections_to_attenuate(paths.connections[i], reuse_which(i));
     for (uint m = 0; m < REUSE_GROUP; m++)
         if (through >> m & 1u) connection_transmittance(&s, par, &paths, i, m);
@@ -127,7 +127,7 @@ __kernel void k_connect(ALL_ARGS) {
 
 __kernel void k_normalise_mis(ALL_ARGS) {
     SET_UP
-    if (i < par->path_count && HAS_PREFIX(&paths, i)) path_normalise_mis(&paths, i);
+    if (i < par->path_count && CONNECTS_SUFFIX(&paths, i)) path_normalise_mis(&paths, i);
 }
 
 __kernel void k_gather(ALL_ARGS) {
@@ -165,16 +165,8 @@ __kernel void k_pilot(ALL_ARGS, __global uint *counters, __global uint *queue) {
     push(i < par->path_count && path_begin_pilot(&s, par, &paths, i), i, &counters[0], queue, group);
 }
 
-// Sizes and offsets on the device, compared with the host's by a test.
-__kernel void k_layout(__global uint *out) {
-    if (get_global_id(0) != 0) return;
-    Params p;
-    __private uchar *base = (__private uchar *)&p;
-    out[0] = sizeof(Params);
-    out[1] = (uint)((__private uchar *)&p.nx - base);
-    out[2] = (uint)((__private uchar *)&p.mods_at - base);
-    out[3] = (uint)((__private uchar *)&p.st - base);
-    out[4] = (uint)((__private uchar *)&p.light_tree_at - base);
+__kernel void k_layout(__global uint *sizes) {
+    if (get_global_id(0) == 0) record_sizes(sizes);
 }
 
 __kernel void k_self_test(__global float *out) {

@@ -3,6 +3,8 @@
 #include "kernels/dialect/compat_lanes.isph"
 #include "kernels/all.h"
 
+export void LANE_CALL(layout)(uniform uint* uniform sizes) { record_sizes(sizes); }
+
 // result: of paths 0 .. n-1, the value of path_generate.
 export void LANE_CALL(generate)(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                                 uniform uint n, uniform int* uniform result) {

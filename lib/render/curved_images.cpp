@@ -187,9 +187,9 @@ private:
 void find_curved_images(device::Device& device, const device::Params& base, const flatten::FlatScene& scene,
                         const sampling::SmoothSurfaces& smooth, const view::View& view, SunImages& images) {
     for (const uint32_t i : images.sources) {
-        const float* q = &scene.f[scene.sources_at + SOURCE_FLOATS * i];
-        const double radius = std::acos(1 - double(q[SRC_CAP]));
-        Search(device, base, view, unit(flatten::get(q + SRC_CENTRE)), radius).find(smooth.balls, view.vp, images);
+        const Source& q = scene.sources[i];
+        const double radius = std::acos(1 - double(q.cap));
+        Search(device, base, view, unit(flatten::vec_of(q.centre)), radius).find(smooth.balls, view.vp, images);
     }
 }
 

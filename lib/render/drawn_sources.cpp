@@ -28,10 +28,10 @@ DrawnSources find_drawn_sources(device::Device& device, const LoadedScene& scene
 }
 
 std::vector<uint32_t> view_words(const DrawnSources& drawn, const flatten::FlatScene& scene, Params& par) {
-    std::vector<uint32_t> words(scene.source_count);
+    std::vector<uint32_t> words(scene.sources.size());
     for (const uint32_t i : drawn.straight.sources) words[i] |= DRAWN_STRAIGHT;
     for (const uint32_t i : drawn.images.sources) words[i] |= DRAWN_IMAGES;
-    par.drawn_count = scene.source_count;
+    par.drawn_count = uint32_t(words.size());
     par.images_at = uint32_t(words.size());
     par.image_count = uint32_t(drawn.images.discs.size());
     for (const SunImages::Disc& disc : drawn.images.discs)

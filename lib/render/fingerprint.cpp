@@ -9,12 +9,9 @@
 namespace render {
 namespace {
 
-// f: with the marks of splatted emitters and the images of the sun, which depend on the view.
 std::string scene_hash(base::Hash hash, const flatten::FlatScene& s) {
-    hash.add_all(s.f);
     hash.add_all(std::vector<float>{float(s.centre.x), float(s.centre.y), float(s.centre.z)});
-    hash.add({s.mods_at, s.sources_at, s.source_count, s.distant_at, s.distant_count, s.portals_at, s.portal_count,
-              s.light_tree_at, s.light_nodes, s.shadow_mode, s.antimatter, s.absorbs, s.instances_at});
+    hash.add({s.shadow_mode, s.antimatter, s.absorbs});
     return hash.text();
 }
 
@@ -37,13 +34,13 @@ std::string focus_text(const Focus& focus) {
 
 }  // namespace
 
+#define HASH_TABLE(type, name) hash.add_all(s.name);
 base::Hash hash_of_geometry(const flatten::FlatScene& s) {
     base::Hash hash;
     for (const flatten::FlatScene::Tree& t : s.trees)
         hash.add({t.first_vertex, t.vertex_count, t.first_triangle, t.triangle_count, t.first_shape, t.shape_count});
-    hash.add_all(s.prims), hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim);
-    hash.add_all(s.shapes), hash.add_all(s.shape_prim), hash.add_all(s.polygon_uv);
-    hash.add_all(s.u);
+    hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim), hash.add_all(s.shape_prim);
+    FLAT_TABLES(HASH_TABLE)
     return hash;
 }
 

@@ -2,19 +2,17 @@
 // See pixel_names.h.
 #include "render/pixel_names.h"
 
-#include "flatten/pack.h"
 #include "kernels/dialect/host.h"
 
 namespace render {
 using namespace kernels;
-using flatten::bits;
 
 const scene::Object* Names::object(uint32_t index) const {
     return index < scene_.objects.size() ? &scene_.objects[index] : nullptr;
 }
 
 const scene::Object* Names::surface(uint32_t prim, uint32_t inst) const {
-    if (inst != NONE) return object(tables_.instance_object[inst - tables_.instances_at]);
+    if (inst != NONE) return object(tables_.instance_object[inst]);
     return prim < tables_.prim_object.size() ? object(tables_.prim_object[prim]) : nullptr;
 }
 
@@ -24,9 +22,8 @@ std::string Names::modifier(uint32_t record) const {
 
 std::string Names::source(uint32_t source) const {
     if (source < tables_.source_object.size()) return name(object(tables_.source_object[source]));
-    const float* q = &tables_.f[tables_.sources_at + SOURCE_FLOATS * source];
-    const uint32_t* relay = &tables_.u[bits(q[SRC_VIRTUAL])];
-    return this->source(relay[RELAY_SOURCE]) + " in " + name(surface(relay[RELAY_PRIM], NONE));
+    const Relay& relay = tables_.relays[tables_.sources[source].relay];
+    return this->source(relay.source) + " in " + name(surface(relay.prim, NONE));
 }
 
 std::string Names::distant(uint32_t number) const {

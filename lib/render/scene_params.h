@@ -9,30 +9,21 @@
 namespace render {
 
 // Parameters that do not depend on the view.
+#define SET_TABLE_COUNT(type, name) p.name##_count = uint32_t(flat.name.size());
 inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOptions& o) {
     kernels::Params p{};
-    p.view_clip.z = float(o.pj);
-    p.view_clip.w = float(o.pd);
-    p.av = {float(o.av[0]), float(o.av[1]), float(o.av[2]), 0};
+    p.pixel_jitter = float(o.pj);
+    p.lens_diameter = float(o.pd);
+    p.av = {float(o.av[0]), float(o.av[1]), float(o.av[2])};
     p.seed_lo = uint32_t(o.seed);
     p.seed_hi = uint32_t(o.seed >> 32);
-    p.mods_at = flat.mods_at;
-    p.sources_at = flat.sources_at;
-    p.source_count = flat.source_count;
-    p.distant_at = flat.distant_at;
-    p.distant_count = flat.distant_count;
-    p.portals_at = flat.portals_at;
-    p.portal_count = flat.portal_count;
+    RECORD_TABLES(SET_TABLE_COUNT)
     p.window_count = flat.window_count;
-    p.highlights_at = flat.highlights_at;
-    p.highlight_count = flat.highlight_count;
-    p.light_tree_at = flat.light_tree_at;
-    p.light_nodes = flat.light_nodes;
-    p.light_sets_at = flat.light_sets_at;
     p.shadow_mode = flat.shadow_mode;
-    p.medium = {float(o.me[0]), float(o.me[1]), float(o.me[2]),
-                flat.absorbs || o.me[0] > 0 || o.me[1] > 0 || o.me[2] > 0 ? 1.0f : 0.0f};
-    p.albedo = {float(o.ma[0]), float(o.ma[1]), float(o.ma[2]), float(o.mg)};
+    p.extinction = {float(o.me[0]), float(o.me[1]), float(o.me[2])};
+    p.may_absorb = flat.absorbs || o.me[0] > 0 || o.me[1] > 0 || o.me[2] > 0;
+    p.albedo = {float(o.ma[0]), float(o.ma[1]), float(o.ma[2])};
+    p.eccentricity = float(o.mg);
     p.ab = o.ab;
     p.lr = o.lr;
     p.bv = o.bv;
@@ -52,7 +43,7 @@ inline kernels::Params params_of(const flatten::FlatScene& flat, const RenderOpt
 // The radiance of a suffix vertex must not depend on the path that found it: on the media and antimatter crossed, or on
 // the ray weight that -lw limits.
 inline bool allows_path_reuse(const kernels::Params& par) {
-    const bool mist = par.medium.x > 0 || par.medium.y > 0 || par.medium.z > 0;
+    const bool mist = par.extinction.x > 0 || par.extinction.y > 0 || par.extinction.z > 0;
     return par.ab > 0 && par.lr <= 0 && par.least_lobe_prob == 0 && (par.flags & PF_ANTIMATTER) == 0 && !mist;
 }
 

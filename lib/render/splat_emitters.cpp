@@ -26,10 +26,10 @@ SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten:
     const view::Projector projector(view);
     const double fore = view.vo, aft = view.va;
     std::vector<uint32_t> taken;
-    for (uint32_t i = 0; i < scene.source_count; i++) {
-        const float* q = &scene.f[scene.sources_at + SOURCE_FLOATS * i];
-        const uint32_t kind = bits(q[SRC_KIND]);
-        if (q[SRC_MAXRAD] > 0 || bits(q[SRC_CLASS]) == M_ILLUM || bits(q[SRC_VIRTUAL]) != NONE) continue;
+    for (uint32_t i = 0; i < scene.sources.size(); i++) {
+        const Source& q = scene.sources[i];
+        const uint32_t kind = q.kind;
+        if (q.max_radius > 0 || q.light_type == M_ILLUM || q.relay != NONE) continue;
         if (kind == SK_DISTANT ? aft > 0 : (fore > 0 || aft > 0)) continue;  // clipping: left to rays
         const auto mid = tracer.source_point(i, view.vp, 0.5, 0.5);
         if (mid.solid_angle <= 0) continue;
@@ -41,7 +41,7 @@ SplatList list_splatted_emitters(const flatten::FlatScene& scene, const flatten:
     const uint32_t points = std::max<uint32_t>(16, std::min<uint32_t>(POINTS, MOST_RAYS / uint32_t(taken.size())));
     for (uint32_t i : taken) {
         out.sources.push_back(i);
-        const uint32_t kind = bits(scene.f[scene.sources_at + SOURCE_FLOATS * i + SRC_KIND]);
+        const uint32_t kind = scene.sources[i].kind;
         for (uint32_t k = 0; k < points; k++) {
             // Roberts' R2 sequence: uniform in both numbers for any count
             const double x = std::fmod(0.5 + (k + 1) * 0.7548776662466927, 1.0),

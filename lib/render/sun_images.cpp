@@ -96,12 +96,12 @@ SunImages possible_images(const flatten::FlatScene& scene, const flatten::HostTr
         out.discs.push_back(disc);
         return true;
     };
-    for (uint32_t i = 0; i < scene.source_count && !smooth.none(); i++) {
-        const float* q = &scene.f[scene.sources_at + SOURCE_FLOATS * i];
-        if (bits(q[SRC_KIND]) != SK_DISTANT || q[SRC_MAXRAD] > 0) continue;
-        if (bits(q[SRC_CLASS]) == M_ILLUM || bits(q[SRC_VIRTUAL]) != NONE) continue;
-        const Vec3 sun = unit(flatten::get(q + SRC_CENTRE));
-        const double radius = std::acos(1 - double(q[SRC_CAP])), more = 2 * sampling::same_plane_rad;
+    for (uint32_t i = 0; i < scene.sources.size() && !smooth.none(); i++) {
+        const Source& q = scene.sources[i];
+        if (q.kind != SK_DISTANT || q.max_radius > 0) continue;
+        if (q.light_type == M_ILLUM || q.relay != NONE) continue;
+        const Vec3 sun = unit(flatten::vec_of(q.centre));
+        const double radius = std::acos(1 - double(q.cap)), more = 2 * sampling::same_plane_rad;
         bool any = try_disc(sun, radius + more, nullptr);
         for (const Vec3& n : planes) any = try_disc(mirrored(sun, n), radius + more, &n) || any;
         const size_t paired = std::min(planes.size(), MOST_PAIRED);

@@ -17,10 +17,10 @@ RayValue trace_ray(device::Device& device, const ViewPlan& plan, const double or
     device::Params p = plan.sampling.params;
     p.mode = MODE_RAY;
     p.flags |= PF_EYE_ON_SURFACE;
-    sampling::pick_all_portals(plan.scene.tables->portal_count, 1, RAY_REST, p);
+    sampling::pick_all_portals(uint32_t(plan.scene.tables->portals.size()), 1, RAY_REST, p);
     const base::Vec3 d = base::unit({dir[0], dir[1], dir[2]});
-    p.ray_org = {float(origin[0] - p.centre.x), float(origin[1] - p.centre.y), float(origin[2] - p.centre.z), 0};
-    p.ray_dir = {float(d.x), float(d.y), float(d.z), 0};
+    p.ray_org = {float(origin[0] - p.centre.x), float(origin[1] - p.centre.y), float(origin[2] - p.centre.z)};
+    p.ray_dir = {float(d.x), float(d.y), float(d.z)};
     double sum[3] = {}, square[3] = {};
     std::vector<float> rgb;
     for (int64_t done = 0; done < n;) {

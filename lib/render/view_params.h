@@ -3,6 +3,7 @@
 #pragma once
 #include <cmath>
 #include "base/angle.h"
+#include "flatten/pack.h"
 #include "kernels/dialect/host.h"
 #include "view/view.h"
 
@@ -11,13 +12,12 @@ namespace render {
 inline void set_view(kernels::Params& p, const view::View& v, base::Vec3 centre) {
     const view::Projector projector(v);
     const double rad = base::degree;
-    const auto put = [](kernels::float4& f, base::Vec3 a, double w) {
-        f = {float(a.x), float(a.y), float(a.z), float(w)};
-    };
-    put(p.view_org, v.vp - centre, 0);
-    put(p.view_d, projector.forward(), double(v.type));
-    put(p.view_h, projector.right(), length(v.vd));  // w: focal distance
-    put(p.view_u, projector.up(), 0);
+    p.view_org = flatten::packed(v.vp - centre);
+    p.view_d = flatten::packed(projector.forward());
+    p.view_h = flatten::packed(projector.right());
+    p.view_u = flatten::packed(projector.up());
+    p.view_type = uint32_t(v.type);
+    p.focal_distance = float(length(v.vd));
     double sx = 1, sy = 1;
     const auto stereo = [&](double t) { return 2 * std::sin(t / 2) / (1 + std::cos(t / 2)); };
     switch (v.type) {  // picture offset in [-.5,.5] times this = the projection's own coordinate
@@ -46,9 +46,10 @@ inline void set_view(kernels::Params& p, const view::View& v, base::Vec3 centre)
         sy = 2 * std::tan(v.vv * rad / 2);
         break;
     }
-    p.view_size = {float(sx), float(sy), float(v.vs), float(v.vl)};
-    p.view_clip = {float(v.vo), float(v.va), p.view_clip.z, p.view_clip.w};
-    put(p.centre, centre, 0);
+    p.view_scale_x = float(sx), p.view_scale_y = float(sy);
+    p.view_shift = float(v.vs), p.view_lift = float(v.vl);
+    p.view_fore = float(v.vo), p.view_aft = float(v.va);
+    p.centre = flatten::packed(centre);
 }
 
 }  // namespace render

@@ -56,7 +56,7 @@ ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const Rende
     par.nx = uint32_t(v.nx);
     par.ny = uint32_t(v.ny);
     set_view(par, v.view, flat.centre);
-    sampling::pick_all_portals(flat.portal_count, 0, 0, par);
+    sampling::pick_all_portals(uint32_t(flat.portals.size()), 0, 0, par);
     plan.sampling.path_reuse = o.sampling == Sampling::reuse && allows_path_reuse(par);
     plan.noisy_share = o.sampling == Sampling::reuse ? o.noisy_share : 0;
     plan.m = par.skip_direct_below;
@@ -72,7 +72,7 @@ ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const Rende
     const bool on_surface = one_eye && eye_on_surface(flat, tracer, v.view.vp);
     if (on_surface || !one_eye) par.flags |= PF_EYE_ON_SURFACE;  // its rays may begin on a surface
     // drawing needs one eye point, and straight rays no unattenuated path through glass
-    const bool drawable = flat.source_count > 0 && o.pd <= 0 && o.dv && !o.i;
+    const bool drawable = !flat.sources.empty() && o.pd <= 0 && o.dv && !o.i;
     plan.drawn = find_drawn_sources(device, scene, tracer, v.view, drawable && !on_surface, drawable, par);
     std::vector<uint32_t> words = view_words(plan.drawn, flat, par);
     plan.sampling = with_view_words(std::move(plan.sampling), std::move(words));

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "flatten/host_tracer.h"
+#include "flatten/pack.h"
 #include "sampling/suns.h"
 #include "kernels/dialect/host.h"
 
@@ -37,14 +38,13 @@ struct CoplanarPatch {
 
 // Arguments of a primitive's material if it is a rough polished one, else null.
 const float* glossy_args(const flatten::FlatScene& scene, uint32_t prim) {
-    const uint32_t* record = &scene.prims[size_t(PRIM_WORDS) * prim];
-    if ((record[PRIM_KIND] & PRIM_KIND_MASK) != PRIM_FLAT) return nullptr;
-    const uint32_t mod = flatten::material_record(scene, record[PRIM_MOD]);
+    const Prim& record = scene.prims[prim];
+    if ((record.kind & PRIM_KIND_MASK) != PRIM_FLAT) return nullptr;
+    const uint32_t mod = flatten::material_record(scene, record.mod);
     if (mod == NONE) return nullptr;
-    const uint32_t* material = scene.record(mod);
-    if (material[MOD_TYPE] != M_PLASTIC && material[MOD_TYPE] != M_METAL && material[MOD_TYPE] != M_TRANS)
-        return nullptr;
-    const float* arg = &scene.f[material[MOD_ARGS]];
+    const Modifier& material = scene.modifiers[mod];
+    if (material.type != M_PLASTIC && material.type != M_METAL && material.type != M_TRANS) return nullptr;
+    const float* arg = &scene.f[material.args];
     return arg[3] > 0 && arg[4] > LEAST_ROUGH && arg[4] < MOST_ROUGH ? arg : nullptr;
 }
 
@@ -94,8 +94,7 @@ private:
         const uint32_t prim = scene_.tri_prim[triangle] & 0x7fffffffu;
         const float* arg = glossy_args(scene_, prim);
         if (arg == nullptr) return;
-        const uint32_t* record = &scene_.prims[size_t(PRIM_WORDS) * prim];
-        Vec3 n{as_float_(record[PRIM_NORMAL]), as_float_(record[PRIM_NORMAL + 1]), as_float_(record[PRIM_NORMAL + 2])};
+        Vec3 n = flatten::vec_of(scene_.prims[prim].normal);
         if (dot(n, sun) < 0) n = -n;
         if (dot(n, sun) < LEAST_COSINE) return;
 
@@ -157,16 +156,13 @@ private:
 
 void find_highlights(flatten::FlatScene& scene) {
     const std::vector<Vec3> suns = suns_of(scene);
-    scene.highlights_at = uint32_t(scene.f.size());
     if (suns.empty()) return;
     for (const CoplanarPatch& patch : Search(scene).patches(suns)) {
         const Vec3 corner = patch.p + patch.u * patch.lo[0] + patch.v * patch.lo[1] - scene.centre;
         const Vec3 u = patch.u * (patch.hi[0] - patch.lo[0]), v = patch.v * (patch.hi[1] - patch.lo[1]);
         const Vec3 dir = patch.sun - patch.n * (2 * dot(patch.n, patch.sun));
-        for (const Vec3& q : {corner, u, v, patch.n, dir})
-            for (int k = 0; k < 3; k++) scene.f.push_back(float(q[k]));
-        scene.f.push_back(patch.alpha2);
-        scene.highlight_count++;
+        scene.highlights.push_back({flatten::packed(corner), flatten::packed(u), flatten::packed(v),
+                                    flatten::packed(patch.n), flatten::packed(dir), patch.alpha2});
     }
 }
 

@@ -35,15 +35,14 @@ struct Place {
 
 class PilotSampler {
 public:
-    PilotSampler(device::Device& device, const device::Params& par, const std::vector<float>& records)
-        : device_(device), par_(par), records_(records) {
+    PilotSampler(device::Device& device, const device::Params& par, const flatten::FlatScene& scene)
+        : device_(device), par_(par) {
         par_.mode = MODE_PILOT;
-        par_.portals_at = 0;
-        pick_all_portals(par.portal_count, 1, 0, par_);
-        par_.highlights_at = par.portal_count * PORTAL_FLOATS;
-        tables_.f = records.data();
+        pick_all_portals(par.portals_count, 1, 0, par_);
+        tables_.portals = scene.portals.data();
+        tables_.highlights = scene.highlights.data();
         const float edge =
-            par.portal_count > 0 ? std::sqrt(records[PORTAL_AREA]) : length3(f3_at(&records[HIGHLIGHT_U]));
+            par.portals_count > 0 ? std::sqrt(scene.portals[0].area) : length3(f3_of(scene.highlights[0].u));
         clear_ = 1e-4f * edge;
     }
 
@@ -52,13 +51,13 @@ public:
         std::vector<Place> far = look_around(near, PILOTS), all = near;
         look_around(far, 1);
         cosines_ = pilots_.size();
-        par.portal_count = 0;
+        par.portals_count = 0;
         if (cosines_ == 0) return;
-        if (par_.portal_count > 0) {
+        if (par_.portals_count > 0) {
             all.insert(all.end(), far.begin(), far.end());
             choose_portals(all, par);
         }
-        if (par_.highlight_count == 0) return;
+        if (par_.highlights_count == 0) return;
         send(near, PILOTS, true);
         send(far, 1, true);
         par.highlight_share = highlight_share();
@@ -67,7 +66,6 @@ public:
 private:
     device::Device& device_;
     device::Params par_;
-    const std::vector<float>& records_;
     SceneTables tables_ = {};  // of portals and highlights
     float clear_;              // offset of rays from their surface
     std::vector<PilotPath> pilots_;
@@ -117,8 +115,8 @@ private:
             for (uint32_t k = 0; k < pilots && (met != 0 || !to_highlights); k++) {
                 Sampler rnd = sampler_start(par_.seed_lo, par_.seed_hi, i, k, to_highlights ? 6 : 5);
                 const float2 r = sample2(&rnd);
-                const float3 dir = to_highlights ? highlights_sample(&tables_, &par_, met, r.x, r.y)
-                                                 : cosine_sample(place.n, r.x, r.y);
+                const float3 dir =
+                    to_highlights ? highlights_sample(&tables_, met, r.x, r.y) : cosine_sample(place.n, r.x, r.y);
                 pilots_.push_back(pilot_of(place, met, dir));
                 if (to_highlights && !(dot3(dir, place.n) > 0)) pilots_.back().weight = 0;
                 rays.push_back(ray_of(place, dir));
@@ -141,26 +139,26 @@ private:
         pilot.n = place.n;
         pilot.dir = dir;
         const double cosine = double(dot3(dir, place.n)) * K_INV_PI;
-        if (met != 0 && cosine > 0) pilot.highlight_pdf = double(highlights_pdf(&tables_, &par_, met, dir)) / cosine;
+        if (met != 0 && cosine > 0) pilot.highlight_pdf = double(highlights_pdf(&tables_, met, dir)) / cosine;
         if (met != 0) pilot.weight = 1 / (1 + pilot.highlight_pdf);  // equal numbers go by the cosine and to highlights
         return pilot;
     }
 
     void choose_portals(const std::vector<Place>& places, Params& par) {
         const double mean = moments(0).mean;
-        for (uint32_t k = 0; k < par_.portal_count; k++) par_.portal_light[k] = light_of(k, places, mean);
-        weigh_portals(records_, pilots_, to_reflectors_, mean, par_);
-        par.portal_count = par_.portal_count;
+        for (uint32_t k = 0; k < par_.portals_count; k++) par_.portal_light[k] = light_of(k, places, mean);
+        weigh_portals(tables_, pilots_, to_reflectors_, mean, par_);
+        par.portals_count = par_.portals_count;
         par.portal_rest = par_.portal_rest;
         par.portal_least = par_.portal_least;
         par.portal_most = par_.portal_most;
-        std::copy(par_.portal_light, par_.portal_light + par_.portal_count, par.portal_light);
-        std::copy(par_.portal_pick, par_.portal_pick + par_.portal_count, par.portal_pick);
+        std::copy(par_.portal_light, par_.portal_light + par_.portals_count, par.portal_light);
+        std::copy(par_.portal_pick, par_.portal_pick + par_.portals_count, par.portal_pick);
     }
 
     // Radiance of a portal, by pilots from all points toward random points of it.
     float light_of(uint32_t k, const std::vector<Place>& places, double mean) {
-        const float* portal = portal_record(&tables_, &par_, k);
+        const Portal* portal = portal_record(&tables_, &par_, k);
         std::vector<device::PilotRay> rays;
         std::vector<double> views;
         std::vector<PilotPath> pilots;
@@ -169,8 +167,8 @@ private:
             const float view = portal_view(portal, place.p, place.n);
             Sampler rnd = sampler_start(par_.seed_lo, par_.seed_hi, uint32_t(i), k, 7);
             const float2 r = sample2(&rnd);
-            const float3 along = madd3(f3_at(portal + PORTAL_U), r.x - 0.5f, f3_at(portal + PORTAL_CENTRE));
-            const float3 dir = unit3(sub3(madd3(f3_at(portal + PORTAL_V), r.y - 0.5f, along), place.p));
+            const float3 along = madd3(f3_of(portal->u), r.x - 0.5f, f3_of(portal->centre));
+            const float3 dir = unit3(sub3(madd3(f3_of(portal->v), r.y - 0.5f, along), place.p));
             if (!(view > 0 && dot3(dir, place.n) > 0)) continue;
             rays.push_back(ray_of(place, dir));
             views.push_back(double(view));
@@ -183,7 +181,7 @@ private:
             light.add(pilots[i].gathered + pilots[i].throughput * mean, views[i]);
             pilots[i].target = k;
         }
-        if (portal[PORTAL_GLOSS2] > 0) to_reflectors_.insert(to_reflectors_.end(), pilots.begin(), pilots.end());
+        if (portal->gloss2 > 0) to_reflectors_.insert(to_reflectors_.end(), pilots.begin(), pilots.end());
         return light.root();
     }
 
@@ -200,48 +198,23 @@ private:
         return without.square - least > MIN_HIGHLIGHT_GAIN * without.mean * without.mean ? float(best) : 0;
     }
 
-    struct Moments {
-        double mean = 0, square = 0;
-    };
-
     // Moments of the radiance at a point, up to the last bounce.  All pilots have one weight while all are by the
     // cosine.
     Moments moments(double share) const {
-        Sums sums;
+        PilotSums sums;
         for (const PilotPath& pilot : pilots_)
             sums.add(pilot, pilots_.size() == cosines_ ? 1 : pilot.weight,
                      (1 - share) * pilot.portal_pdf + share * pilot.highlight_pdf);
-        return moments(sums);
-    }
-
-    struct Sums {
-        double gathered = 0, throughput = 0, gathered2 = 0, both = 0, throughput2 = 0;
-
-        // over: ratio of the direction's pdf to the cosine's
-        void add(const PilotPath& pilot, double weight, double over) {
-            gathered += weight * pilot.gathered;
-            throughput += weight * pilot.throughput;
-            gathered2 += weight * pilot.gathered * pilot.gathered / over;
-            both += weight * pilot.gathered * pilot.throughput / over;
-            throughput2 += weight * pilot.throughput * pilot.throughput / over;
-        }
-    };
-
-    Moments moments(const Sums& sums) const {
-        const double n = double(cosines_);
-        Moments of;
-        for (int bounce = 0; bounce < bounces_of_moments(par_); bounce++) {
-            of.square = (sums.gathered2 + 2 * sums.both * of.mean + sums.throughput2 * of.square) / n;
-            of.mean = (sums.gathered + sums.throughput * of.mean) / n;
-        }
-        return of;
+        Moments light;
+        for (int bounce = 0; bounce < bounces_of_moments(par_); bounce++) light = sums.bounce(light, double(cosines_));
+        return light;
     }
 };
 
 }  // namespace
 
 void pick_all_portals(uint32_t count, float light, float rest, Params& par) {
-    par.portal_count = count;
+    par.portals_count = count;
     par.portal_rest = rest;
     par.portal_least = 0;
     par.portal_most = MOST_AIMED;
@@ -252,11 +225,8 @@ void pick_all_portals(uint32_t count, float light, float rest, Params& par) {
 }
 
 device::Params optimise_mixture(device::Device& device, const flatten::FlatScene& scene, device::Params par) {
-    const auto portals = scene.f.begin() + long(scene.portals_at),
-               highlights = scene.f.begin() + long(scene.highlights_at);
-    std::vector<float> records(portals, portals + long(scene.portal_count) * PORTAL_FLOATS);
-    records.insert(records.end(), highlights, highlights + long(scene.highlight_count) * HIGHLIGHT_FLOATS);
-    if (!records.empty() && par.ab >= 1) PilotSampler(device, par, records).find(par);
+    const bool any = !scene.portals.empty() || !scene.highlights.empty();
+    if (any && par.ab >= 1) PilotSampler(device, par, scene).find(par);
     return par;
 }
 

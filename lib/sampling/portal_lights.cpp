@@ -38,16 +38,14 @@ double trimmed_mean(std::vector<double>& squares) {
 
 class MixtureOptimiser {
 public:
-    MixtureOptimiser(const std::vector<float>& records, std::vector<PilotPath>& pilots,
+    MixtureOptimiser(const SceneTables& tables, std::vector<PilotPath>& pilots,
                      const std::vector<PilotPath>& to_reflectors, double mean, Params& par)
-        : pilots_(pilots), to_reflectors_(to_reflectors), mean_(mean), par_(par) {
-        tables_.f = records.data();
-    }
+        : tables_(tables), pilots_(pilots), to_reflectors_(to_reflectors), mean_(mean), par_(par) {}
 
     void optimise() {
-        const uint32_t all = par_.portal_count;
-        while (par_.portal_count > 0 && is_reflector(par_.portal_count - 1)) par_.portal_count--;  // they come last
-        const uint32_t reflectors = par_.portal_count;
+        const uint32_t all = par_.portals_count;
+        while (par_.portals_count > 0 && is_reflector(par_.portals_count - 1)) par_.portals_count--;  // they come last
+        const uint32_t reflectors = par_.portals_count;
         const bool sun_comes_in = reflectors > par_.window_count;
         update_aimed();
         if (sun_comes_in) {
@@ -67,7 +65,7 @@ private:
     struct Aimed {
         double total = 0, pdf = 0;
     };
-    SceneTables tables_ = {};
+    const SceneTables& tables_;
     std::vector<PilotPath>& pilots_;
     const std::vector<PilotPath>& to_reflectors_;
     const double mean_;
@@ -94,7 +92,7 @@ private:
         par_.portal_rest = K_PI * float(std::sqrt(trimmed_mean(squares)));
     }
 
-    bool is_reflector(uint32_t k) const { return portal_record(&tables_, &par_, k)[PORTAL_GLOSS2] > 0; }
+    bool is_reflector(uint32_t k) const { return portal_record(&tables_, &par_, k)->gloss2 > 0; }
 
     // Mean probability of a portal.
     double share_of(uint32_t k) const {
@@ -108,16 +106,16 @@ private:
     }
 
     void keep(uint32_t k) {
-        par_.portal_pick[par_.portal_count] = par_.portal_pick[k];
-        par_.portal_light[par_.portal_count++] = par_.portal_light[k];
+        par_.portal_pick[par_.portals_count] = par_.portal_pick[k];
+        par_.portal_light[par_.portals_count++] = par_.portal_light[k];
     }
 
     // Removes portals of small probability.
     void drop_improbable() {
         std::vector<double> shares;
-        for (uint32_t k = 0; k < par_.portal_count; k++) shares.push_back(share_of(k));
+        for (uint32_t k = 0; k < par_.portals_count; k++) shares.push_back(share_of(k));
         const double least = std::min(MIN_SELECTION_PROB, .2 * *std::max_element(shares.begin(), shares.end()));
-        par_.portal_count = 0;
+        par_.portals_count = 0;
         for (uint32_t k = 0; k < shares.size(); k++)
             if (!(shares[k] < least)) keep(k);
     }
@@ -135,7 +133,7 @@ private:
     // Over the points with pilots to reflector k: returns true if the second moment of the reflector's light falls by
     // more than that of all other light rises, which is sampled less often.
     bool reduces_variance(uint32_t k) const {
-        const float* reflector = portal_record(&tables_, &par_, k);
+        const Portal* reflector = portal_record(&tables_, &par_, k);
         double saved = 0, lost = 0;
         for (const PilotPath& pilot : to_reflectors_) {
             const float view = portal_view(reflector, pilot.p, pilot.n),
@@ -163,29 +161,18 @@ private:
         return 1 - share + share * aimed_[i].pdf;
     }
 
-    // For the second moment of the light of all bounces: each bounce adds what its pilot gathered and its throughput
-    // times the light of the next bounce, over the pdf.
-    struct Sums {
-        double gathered2 = 0, both = 0, throughput2 = 0;
-
-        void add(const PilotPath& pilot, double over) {
-            gathered2 += pilot.gathered * pilot.gathered / over;
-            both += pilot.gathered * pilot.throughput / over;
-            throughput2 += pilot.throughput * pilot.throughput / over;
-        }
-
-        double moment(double pilots, double mean, int bounces) const {
-            double square = 0;
-            for (int bounce = 0; bounce < bounces; bounce++)
-                square = (gathered2 + 2 * both * mean + throughput2 * square) / pilots;
-            return square;
-        }
-    };
+    // Second moment of the light of all bounces, whose mean is known.
+    double moment(const PilotSums& sums) const {
+        Moments light{mean_, 0};
+        for (int bounce = 0; bounce < bounces_of_moments(par_); bounce++)
+            light.square = sums.bounce(light, double(pilots_.size())).square;
+        return light.square;
+    }
 
     double moment(double dimmed) const {
-        Sums all;
-        for (size_t i = 0; i < pilots_.size(); i++) all.add(pilots_[i], mixed(i, dimmed));
-        return all.moment(double(pilots_.size()), mean_, bounces_of_moments(par_));
+        PilotSums all;
+        for (size_t i = 0; i < pilots_.size(); i++) all.add(pilots_[i], 1, mixed(i, dimmed));
+        return moment(all);
     }
 
     // The same without the brightest pilots, which are too few to compare by.
@@ -196,10 +183,10 @@ private:
         order = squares;
         const auto brightest = order.end() - long(order.size() / BRIGHTEST) - 1;
         std::nth_element(order.begin(), brightest, order.end());
-        Sums most;
+        PilotSums most;
         for (size_t i = 0; i < pilots_.size(); i++)
-            if (squares[i] <= *brightest) most.add(pilots_[i], mixed(i, dimmed));
-        return most.moment(double(pilots_.size()), mean_, bounces_of_moments(par_));
+            if (squares[i] <= *brightest) most.add(pilots_[i], 1, mixed(i, dimmed));
+        return moment(most);
     }
 
     // Sunlight: portals in proportion to their light.  Among the factors whose second moment is at most the cosine's,
@@ -213,9 +200,9 @@ private:
             least = found;
             best = dimmed;
         }
-        for (uint32_t k = 0; k < par_.portal_count; k++) par_.portal_light[k] *= float(best);
+        for (uint32_t k = 0; k < par_.portals_count; k++) par_.portal_light[k] *= float(best);
         for (Aimed& aimed : aimed_) aimed.total *= best;
-        if (best <= 0) par_.portal_count = 0;
+        if (best <= 0) par_.portals_count = 0;
     }
 
     // Sky alone: the largest constant mixture weight whose second moment is at most the cosine's.  Light through
@@ -227,7 +214,7 @@ private:
             step--;
             par_.portal_least = par_.portal_most = float(step) / STEPS;
         } while (step > 0 && !(moment(1) <= plain));
-        if (step == 0) par_.portal_count = 0;
+        if (step == 0) par_.portals_count = 0;
     }
 };
 
@@ -242,9 +229,9 @@ void PilotPath::set_end(const device::PilotEnd& end) {
     throughput = end.bounce ? luminance(end.throughput) : 0;
 }
 
-void weigh_portals(const std::vector<float>& records, std::vector<PilotPath>& pilots,
+void weigh_portals(const SceneTables& tables, std::vector<PilotPath>& pilots,
                    const std::vector<PilotPath>& to_reflectors, double mean, Params& par) {
-    MixtureOptimiser(records, pilots, to_reflectors, mean, par).optimise();
+    MixtureOptimiser(tables, pilots, to_reflectors, mean, par).optimise();
 }
 
 }  // namespace sampling

@@ -9,12 +9,15 @@
 
 #include "base/angle.h"
 #include "flatten/host_tracer.h"
+#include "flatten/pack.h"
 #include "sampling/patches.h"
 #include "kernels/dialect/host.h"
 
 namespace sampling {
 namespace {
 using base::Vec3;
+using flatten::packed;
+using flatten::vec_of;
 
 constexpr size_t MOST = 16;  // each costs a few operations per diffuse sample
 constexpr size_t MOST_PATCHES = 8;
@@ -121,44 +124,50 @@ Target target_of(const Rect& r, Vec3 outdoors) {
 // would miss them: frames, sills, edges of tables.
 std::vector<Target> glossy_reflectors(const flatten::FlatScene& scene) {
     std::vector<Target> targets;
-    for (uint32_t k = 0; k < scene.highlight_count; k++) {
-        const float* h = &scene.f[scene.highlights_at + HIGHLIGHT_FLOATS * k];
-        const auto at = [&](uint32_t word) { return Vec3{h[word], h[word + 1], h[word + 2]}; };
-        const Vec3 u = at(HIGHLIGHT_U), v = at(HIGHLIGHT_V);
-        const double cone = NEAR_BY * std::sqrt(double(h[HIGHLIGHT_ALPHA2]));
+    for (const kernels::Highlight& h : scene.highlights) {
+        const Vec3 u = vec_of(h.u), v = vec_of(h.v);
+        const double cone = NEAR_BY * std::sqrt(double(h.alpha2));
         if (!(std::min(length(u), length(v)) < cone)) continue;
-        const Vec3 centre = scene.centre + at(HIGHLIGHT_CORNER) + (u + v) * .5;
-        targets.push_back({centre, u, v, -at(HIGHLIGHT_NORMAL), h[HIGHLIGHT_ALPHA2], at(HIGHLIGHT_DIR)});
+        const Vec3 centre = scene.centre + vec_of(h.corner) + (u + v) * .5;
+        targets.push_back({centre, u, v, -vec_of(h.normal), h.alpha2, vec_of(h.dir)});
     }
     return targets;
 }
 
-// Words of a portal from PORTAL_SUN on, in the kernels' precision.
-void add_mirrored(const Target& target, Vec3 along_u, Vec3 along_v, std::vector<float>& words) {
+// What a portal knows of the sun that it mirrors, in the kernels' precision.
+void set_mirrored(const Target& target, kernels::Portal& portal) {
     using namespace kernels;
-    const auto single = [](const Vec3& v) { return F3(float(v[0]), float(v[1]), float(v[2])); };
-    const float3 mirrored = single(target.sun), out = single(target.out);
-    const float down = dot3(mirrored, out), u = dot3(mirrored, single(along_u)), v = dot3(mirrored, single(along_v));
+    const float3 mirrored = f3_of(packed(target.sun)), out = f3_of(portal.normal);
+    const float down = dot3(mirrored, out);
     const float3 sun = sub3(mirrored, scale3(out, 2.0f * down));
     const auto inverse = [](float x) { return 1.0f / (std::fabs(x) > 1e-12f ? x : 1e-12f); };
-    words.insert(words.end(), {sun.x, sun.y, sun.z, down, u, inverse(u), v, inverse(v)});
+    portal.sun = {sun.x, sun.y, sun.z};
+    portal.mirrored_out = down;
+    portal.mirrored_u = dot3(mirrored, f3_of(portal.along_u));
+    portal.mirrored_per_u = inverse(portal.mirrored_u);
+    portal.mirrored_v = dot3(mirrored, f3_of(portal.along_v));
+    portal.mirrored_per_v = inverse(portal.mirrored_v);
 }
 
-void add_record(const Target& target, flatten::FlatScene& scene) {
+kernels::Portal portal_of(const Target& target, Vec3 origin) {
     const Vec3 across = cross(target.u, target.v);  // along u: by the vector across v with a component of 1 along u
     const double square = dot(across, across);
-    const Vec3 along_u = cross(target.v, across) * (1 / square), along_v = cross(across, target.u) * (1 / square);
-    for (const Vec3& q : {target.centre - scene.centre, target.u, target.v, target.out, along_u, along_v})
-        for (int k = 0; k < 3; k++) scene.f.push_back(float(q[k]));
-    scene.f.insert(scene.f.end(), {float(std::sqrt(square)), target.gloss2});
-    add_mirrored(target, along_u, along_v, scene.f);
-    scene.portal_count++;
+    kernels::Portal portal{};
+    portal.centre = packed(target.centre - origin);
+    portal.u = packed(target.u);
+    portal.v = packed(target.v);
+    portal.normal = packed(target.out);
+    portal.along_u = packed(cross(target.v, across) * (1 / square));
+    portal.along_v = packed(cross(across, target.u) * (1 / square));
+    portal.area = float(std::sqrt(square));
+    portal.gloss2 = target.gloss2;
+    set_mirrored(target, portal);
+    return portal;
 }
 
 }  // namespace
 
 void find_portals(flatten::FlatScene& scene) {
-    scene.portals_at = uint32_t(scene.f.size());
     const std::vector<Rect> rects = windows_of(scene.panes);
     if (rects.empty()) return;
     const flatten::HostTracer tracer(scene);
@@ -179,8 +188,7 @@ void find_portals(flatten::FlatScene& scene) {
         const std::vector<Target> reflectors = glossy_reflectors(scene);
         targets.insert(targets.end(), reflectors.begin(), reflectors.end());
     }
-    scene.portals_at = uint32_t(scene.f.size());
-    for (const Target& target : targets) add_record(target, scene);
+    for (const Target& target : targets) scene.portals.push_back(portal_of(target, scene.centre));
 }
 
 }  // namespace sampling

@@ -49,22 +49,21 @@ public:
         const auto see = [&](uint32_t prim) {
             if (prim == last) return;
             last = prim;
-            const uint32_t* p = &scene_.prims[PRIM_WORDS * size_t(prim)];
-            const uint32_t kind = p[PRIM_KIND] & PRIM_KIND_MASK;
-            const bool flat = kind == PRIM_FLAT || (kind == PRIM_SMOOTH && (p[PRIM_KIND] & PRIM_CORNER_NORMALS) == 0);
+            const Prim& p = scene_.prims[prim];
+            const uint32_t kind = p.kind & PRIM_KIND_MASK;
+            const bool flat = kind == PRIM_FLAT || (kind == PRIM_SMOOTH && (p.kind & PRIM_CORNER_NORMALS) == 0);
             const bool ball = kind == PRIM_SPHERE && &tree == &scene_.trees[0] && balls.size() < MOST_BALLS;
             if (curved && !flat && !ball) return;
-            const Chain& chain = chain_of(mod == NONE ? p[PRIM_MOD] : mod);
+            const Chain& chain = chain_of(mod == NONE ? p.mod : mod);
             if (!chain.smooth) return;
             curved = curved || !flat || chain.bends;
             if (ball) {
-                const float* shape = &scene_.shapes[SHAPE_FLOATS * size_t(p[PRIM_NORMAL])];
+                const float* shape = &scene_.shapes[SHAPE_FLOATS * size_t(p.at)];
                 balls.push_back({scene_.centre + flatten::get(shape + SPHERE_CENTRE), double(shape[SPHERE_RADIUS])});
             }
             if (!flat) return;
-            const auto word = [&](uint32_t k) { return double(flatten::from_bits(p[k])); };
-            const double size = double(flatten::from_bits(p[PRIM_KIND] >> PRIM_EXTENT_SHIFT << 23));
-            add(planes, {word(PRIM_NORMAL), word(PRIM_NORMAL + 1), word(PRIM_NORMAL + 2)}, size);
+            const double size = double(flatten::from_bits(p.kind >> PRIM_EXTENT_SHIFT << 23));
+            add(planes, flatten::vec_of(p.normal), size);
         };
         for (size_t i = 0; i < tree.triangle_count; i++) see(scene_.tri_prim[tree.first_triangle + i] & IN_TRIANGLE);
         for (size_t i = 0; i < tree.shape_count; i++) {
@@ -91,24 +90,24 @@ private:
     }
 
     void read(uint32_t mod, int depth, Chain& chain) const {
-        while (mod != NONE && scene_.record(mod)[MOD_TYPE] < M_FIRST_MATERIAL) {
-            const uint32_t* m = scene_.record(mod);
-            chain.bends = chain.bends || m[MOD_TYPE] == M_TEXTURE;
-            if (m[MOD_TYPE] == M_MIXTURE && depth < DEEPEST)
-                for (const uint32_t branch : {m[MOD_BRANCH1], m[MOD_BRANCH2]}) read(branch, depth + 1, chain);
-            mod = m[MOD_NEXT];
+        while (mod != NONE && scene_.modifiers[mod].type < M_FIRST_MATERIAL) {
+            const Modifier& m = scene_.modifiers[mod];
+            chain.bends = chain.bends || m.type == M_TEXTURE;
+            if (m.type == M_MIXTURE && depth < DEEPEST)
+                for (const uint32_t branch : {m.branch1, m.branch2}) read(branch, depth + 1, chain);
+            mod = m.next;
         }
         if (mod == NONE) return;
-        for (uint32_t next = scene_.record(mod)[MOD_NEXT]; next != NONE; next = scene_.record(next)[MOD_NEXT])
-            chain.bends = chain.bends || scene_.record(next)[MOD_TYPE] == M_TEXTURE;
+        for (uint32_t next = scene_.modifiers[mod].next; next != NONE; next = scene_.modifiers[next].next)
+            chain.bends = chain.bends || scene_.modifiers[next].type == M_TEXTURE;
         chain.smooth = chain.smooth || reflects(mod);
-        chain.bends = chain.bends || (material_has(scene_.record(mod)[MOD_TYPE], MT_BENDS) != 0 && reflects(mod));
+        chain.bends = chain.bends || (material_has(scene_.modifiers[mod].type, MT_BENDS) != 0 && reflects(mod));
     }
 
     bool reflects(uint32_t mod) const {
-        const uint32_t* m = scene_.record(mod);
-        const float* arg = &scene_.f[m[MOD_ARGS]];
-        switch (m[MOD_TYPE]) {
+        const Modifier& m = scene_.modifiers[mod];
+        const float* arg = &scene_.f[m.args];
+        switch (m.type) {
         case M_GLASS:
         case M_MIRROR:
         case M_DIELECTRIC:
@@ -142,9 +141,9 @@ SmoothSurfaces smooth_surfaces(const flatten::FlatScene& scene) {
     std::map<std::pair<uint32_t, uint32_t>, Planes> of_tree;  // by tree and replacing modifier
     size_t placed = 0;
     for (size_t i = 0; i < scene.instance_object.size() && placed < MOST_PLACED; i++) {
-        const float* record = &scene.shapes[SHAPE_FLOATS * (scene.instances_at + i)];
-        const float* shape = &scene.shapes[SHAPE_FLOATS * size_t(bits(record[INST_SHAPE]))];
-        const uint32_t tree = bits(shape[INSTANCE_TREE]), mod = bits(record[INST_MOD]);
+        const Instance& instance = scene.instances[i];
+        const float* shape = &scene.shapes[SHAPE_FLOATS * size_t(instance.shape)];
+        const uint32_t tree = bits(shape[INSTANCE_TREE]), mod = instance.mod;
         const auto [inside, fresh] = of_tree.emplace(std::make_pair(tree, mod), Planes());
         if (fresh) inside->second = finder.of_tree(scene.trees[tree], mod);
         for (const auto& [key, plane] : inside->second) {

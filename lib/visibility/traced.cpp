@@ -70,7 +70,7 @@ public:
             if (hit.prim == none) break;
             const bool within =
                 hit.inst != none;  // a mesh or instance counts as one surface, its panes let the eye pass
-            const unsigned s = within ? instance_surface_[hit.inst - flat_.instances_at] : prim_surface_[hit.prim];
+            const unsigned s = within ? instance_surface_[hit.inst] : prim_surface_[hit.prim];
             closed = s == none || (within ? !flatten::see_through(flat_, hit.prim, hit.inst) : !through_[s]);
             if (s != none) {
                 if (n == room) --n;  // the nearest ones and the last

@@ -21,55 +21,56 @@ cat > lib/kernels/sampling/beacon.h << 'END'
 #ifndef LUX_BEACON_H
 #define LUX_BEACON_H
 
-FN float3 beacon_offset(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p) {
-    return sub3(f3_at(s->f + par->beacon_at), p);
+FN float3 beacon_offset(TABLES(const SceneTables) s, float3 p) {
+    return sub3(f3_of(s->beacons[0].centre), p);
 }
 
 // 1 - cosine of half the cone at p; 0 without a beacon, and inside of it.
 FN float beacon_cone(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p) {
-    if (par->beacon_radius2 <= 0.0f) return 0.0f;
-    float3 offset = beacon_offset(s, par, p);
-    float sine2 = par->beacon_radius2 / dot3(offset, offset);
+    if (par->beacons_count == 0u) return 0.0f;
+    float3 offset = beacon_offset(s, p);
+    float sine2 = s->beacons[0].radius2 / dot3(offset, offset);
     return sine2 < 1.0f ? sine2 / (1.0f + sqrt_(1.0f - sine2)) : 0.0f;
 }
 
 FN float beacon_weight(float cone) { return cone > 0.0f ? 0.25f : 0.0f; }
 
-FN float3 beacon_sample(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float cone, float x,
-                        float turn) {
-    float3 axis = unit3(beacon_offset(s, par, p)), e1, e2;
+FN float3 beacon_sample(TABLES(const SceneTables) s, float3 p, float cone, float x, float turn) {
+    float3 axis = unit3(beacon_offset(s, p)), e1, e2;
     float sn, cs, drop = x * cone, r = sqrt_(drop * (2.0f - drop));
     orthonormal_basis(axis, &e1, &e2);
     k_sincos(K_TURN * turn, &sn, &cs);
     return unit3(add3(scale3(axis, 1.0f - drop), add3(scale3(e1, r * cs), scale3(e2, r * sn))));
 }
 
-FN float beacon_pdf(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float cone, float3 dir) {
-    float cosine = dot3(dir, unit3(beacon_offset(s, par, p)));
+FN float beacon_pdf(TABLES(const SceneTables) s, float3 p, float cone, float3 dir) {
+    float cosine = dot3(dir, unit3(beacon_offset(s, p)));
     return 1.0f - cosine <= cone ? 1.0f / (K_TURN * cone) : 0.0f;
 }
 #endif
 END
 
-# 2. its field and its place in the mixture
-sed -i 's|^    uint highlights;.*|&\n    float beacon_cone;|' lib/kernels/sampling/mixture_fields.h
+# 2. its place in the mixture
 sed -i -e 's|^#include "kernels/sampling/highlights.h"|#include "kernels/sampling/beacon.h"\n&|' \
     -e 's|^    mixture.light = .*|&\n    mixture.beacon_cone = beacon_cone(s, par, p);|' \
     -e 's|^    if (mixture_takes(&u, highlights_weight|    float w = beacon_weight(mixture->beacon_cone);\
     if (mixture_takes(\&u, w)) {\
-        *dir = beacon_sample(s, par, p, mixture->beacon_cone, u, x.y);\
+        *dir = beacon_sample(s, p, mixture->beacon_cone, u, x.y);\
     } else if (mixture_takes(\&u, highlights_weight|' \
     -e '/^FN float diffuse_pdf/,/^}/s|^    return pdf;|    w = beacon_weight(mixture->beacon_cone);\
-    if (w > 0.0f) pdf = (1.0f - w) * pdf + w * beacon_pdf(s, par, p, mixture->beacon_cone, dir);\
+    if (w > 0.0f) pdf = (1.0f - w) * pdf + w * beacon_pdf(s, p, mixture->beacon_cone, dir);\
     return pdf;|' lib/kernels/sampling/mixture.h
 
-# 3. records of its targets, and where they are
-sed -i 's|^    uint portal_pick\[.*|&\n    uint beacon_at;  // index into f: the centre\
-    float beacon_radius2;|' lib/kernels/tables.h
+# 3. its field, and the record of its target
+sed -i -e 's|^    uint highlights;.*|&\n    float beacon_cone;|' \
+    -e 's|^// What the techniques of the mixture.*|STRUCT(Beacon) {\
+    Packed3 centre;\
+    float radius2;\
+};\n\n&|' -e 's|^    TABLE(Portal, portals).*|&\n    TABLE(Beacon, beacons) \\|' lib/kernels/records.h
 # 4. how they are found
 cat > lib/sampling/beacons.h << 'END'
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the beacon: the first portal's centre.  Its record is the last of the scene's arena.
+// Finds the beacon: the first portal's centre.
 #pragma once
 #include "flatten/flat_scene.h"
 #include "kernels/dialect/host.h"
@@ -77,17 +78,13 @@ cat > lib/sampling/beacons.h << 'END'
 namespace sampling {
 
 inline void find_beacons(flatten::FlatScene& scene) {
-    for (uint32_t k = 0; k < 3; k++)
-        scene.f.push_back(scene.portal_count > 0 ? scene.f[scene.portals_at + PORTAL_CENTRE + k] : 0);
+    if (!scene.portals.empty()) scene.beacons.push_back({scene.portals[0].centre, 1});
 }
 
 }  // namespace sampling
 END
 sed -i -e 's|^#include "sampling/highlights.h"|#include "sampling/beacons.h"\n&|' \
     -e 's|^    find_portals.*|&\n    find_beacons(scene);|' lib/sampling/targets.h
-# 5. and handed to the kernels
-sed -i 's|^    p.light_sets_at = .*|&\n    p.beacon_at = uint32_t(flat.f.size() - 3);\
-    p.beacon_radius2 = flat.portal_count > 0 ? 1 : 0;|' lib/render/scene_params.h
 
 recipe() {
     sed -n '/^## Add a sampling/,/^Then its/{s/^[0-9]\. //;/^`lib/s/:.*//p}' "$TOP/CONTRIBUTING.md" |
@@ -104,8 +101,9 @@ check 'the files that were touched are those of the recipe, and no others' '
 build_unit() {
     $CXX -std=c++17 -O1 -ffp-contract=off -I"$1/lib" -I"$1/tests" "$1/tests/unit/kernels_portals_test.cpp" -o "$1/test"
 }
-sed -i "s|^        par.portal_most = .9f;|&\n        par.beacon_at = PORTAL_CENTRE;\n        par.beacon_radius2 = 1;|" \
-    tree/tests/unit/kernels_portals_test.cpp
+sed -i -e "s|^        par.portal_most = .9f;|&\n        beacon.centre = portals[0].centre;\
+        s.beacons = \&beacon;\n        par.beacons_count = 1;|" \
+    -e "s|^struct Room : Tables {|&\n    Beacon beacon = {{}, 1};|" tree/tests/unit/kernels_portals_test.cpp
 check 'the test of the mixture builds with it' 'build_unit tree'
 check 'it passes: the estimator is unbiased' 'tree/test'
 check 'it fails if the pdf does not know the technique' '

@@ -12,15 +12,14 @@
 #include "unit/scene_text.h"
 #include "unit/bvh_scenes.h"
 
-namespace host {
-#include "kernels/dialect/compat_host.h"
+namespace kernels {
 #include "kernels/all.h"
-}  // namespace host
+}  // namespace kernels
 
 namespace {
 using base::Vec3;
 using bvh_scenes::Random;
-using namespace host;
+using namespace kernels;
 
 #define POINT_AT_BVH(type, name) tables.name = tree->name.data();
 #define POINT_AT_SCENE(type, name) tables.name = flat.name.data();
@@ -115,7 +114,7 @@ struct Count {
 };
 void leave(const Thing& thing, double thin, Random& r, int rays, Count& count) {
     const Traced scene(thing.scene(thin));
-    const uint32_t own = uint32_t(scene.flat.prims.size() / PRIM_WORDS - 1);
+    const uint32_t own = uint32_t(scene.flat.prims.size() - 1);
     for (int i = 0; i < rays; i++) {
         const Vec3 goal = thing.goal(thin, r);
         const Vec3 from = goal + direction(r) * (thing.size * std::pow(10, r.in(-1, 3)));

@@ -27,8 +27,8 @@ static std::string program_text() {
         for (std::string line; std::getline(in, line);)  // included files are there: no path, which may have blanks
             if (line.rfind("#include", 0) != 0) text += line + "\n";
     };
-    for (const char* file : {"dialect/compat_opencl.h", "math/vec.h", "features.h", "bvh/intersect.h", "geom/shapes.h",
-                             "bvh/woop.h", "bvh/offset_ray.h"})
+    for (const char* file : {"dialect/compat_opencl.h", "math/vec.h", "features.h", "records.h", "bvh/intersect.h",
+                             "geom/shapes.h", "bvh/woop.h", "bvh/offset_ray.h"})
         add(file);
     text += "#ifdef LUX_COMPACT\n";
     add("bvh/bvh_compact.h");

@@ -25,26 +25,25 @@ using namespace kernels;
 
 // Small spheres at random places of a room 10 x 10 x 10, of random power.
 struct Lamps {
-    std::vector<float> f;
+    std::vector<Source> sources;
     SceneTables s = {};
     Params par = {};
     std::mt19937 random{7};
     explicit Lamps(uint32_t count) {
         std::uniform_real_distribution<float> place(-5, 5), power(1, 10);
         for (uint32_t i = 0; i < count; i++) {
-            float q[SOURCE_FLOATS] = {};
-            q[SRC_KIND] = as_float_(SK_SPHERE);
-            for (uint32_t k = 0; k < 3; k++) q[SRC_CENTRE + k] = place(random);
-            q[SRC_RADIUS] = .01f;
-            q[SRC_AREA] = 3.14159265f * .0001f;
-            q[SRC_POWER] = power(random);
-            q[SRC_VIRTUAL] = as_float_(NONE);
-            f.insert(f.end(), q, q + SOURCE_FLOATS);
+            Source& q = sources.emplace_back();
+            q.kind = SK_SPHERE;
+            q.centre = {place(random), place(random), place(random)};
+            q.radius = .01f;
+            q.area = 3.14159265f * .0001f;
+            q.power = power(random);
+            q.relay = NONE;
         }
-        par.source_count = count;
-        s.f = f.data();
+        par.sources_count = count;
+        s.sources = sources.data();
     }
-    float importance(uint32_t i) const { return source_importance(&s, &par, i, p, n, 0); }
+    float importance(uint32_t i) const { return source_importance(&s, i, p, n, 0); }
     float3 p = F3(0, 0, -5), n = F3(0, 0, 1);
 };
 
@@ -106,7 +105,7 @@ TEST_CASE("one source is chosen without a random number") {
 
 TEST_CASE("an aperture lets through what some point of the source sends through its rectangle") {
     // a mirror at x = 0, 2 wide and 1 high about the origin, that faces +x; from p in front of it to a ball behind it
-    const float aperture[APERTURE_FLOATS] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 2, 0};
+    const Aperture aperture{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}, 0};
     std::mt19937 random(5);
     std::uniform_real_distribution<double> any(-1, 1);
     int blocked = 0, passing = 0;
@@ -130,7 +129,7 @@ TEST_CASE("an aperture lets through what some point of the source sends through 
         const float3 from = F3(float(p[0]), float(p[1]), float(p[2]));
         const float3 way = F3(float(to[0]), float(to[1]), float(to[2]));
         for (int tight : {0, 1}) {
-            const bool shut = aperture_occludes(aperture, from, way, float(r / std::sqrt(d)), tight);
+            const bool shut = aperture_occludes(&aperture, from, way, float(r / std::sqrt(d)), tight);
             if (through) CHECK(!shut);
             passing += through;
             blocked += shut;

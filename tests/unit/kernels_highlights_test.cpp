@@ -20,16 +20,14 @@ struct Room : Tables {
         add(F3(-2, -2, 0), F3(4, 0, 0), F3(0, 4, 0), F3(0, 0, 1), .05f);
         add(F3(-2, -2, -1), F3(4, 0, 2), F3(0, 4, 0), unit3(F3(-.5f, 0, 1)), .15f);
         add(F3(90, 90, 0), F3(4, 0, 0), F3(0, 4, 0), F3(0, 0, 1), .1f);
-        par.highlight_count = uint32_t(f.size() / HIGHLIGHT_FLOATS);
-        par.portals_at = uint32_t(f.size());
+        s.highlights = highlights.data();
+        par.highlights_count = uint32_t(highlights.size());
         put_portal(F3(-2, 0, 1.5f), F3(0, 2, 0), F3(0, 0, 1), F3(-1, 0, 0));
         par.portal_light[0] = 1;
-        s.f = f.data();
     }
     void add(float3 corner, float3 u, float3 v, float3 n, float alpha) {
         const float3 dir = sub3(sun, scale3(n, 2 * dot3(n, sun)));
-        for (const float3 w : {corner, u, v, n, dir}) put(w);
-        f.push_back(alpha * alpha);
+        highlights.push_back({packed(corner), packed(u), packed(v), packed(n), packed(dir), alpha * alpha});
     }
 };
 
@@ -77,8 +75,8 @@ TEST_CASE("directions toward highlights fall as their pdf says") {
                         const float3 dir =
                             unit3(add3(scale3(axis, float(z)), add3(scale3(e1, float(sn * std::cos(phi))),
                                                                     scale3(e2, float(sn * std::sin(phi))))));
-                        const double part = highlights_pdf(&room.s, &room.par, met, dir) * (top - bottom) * 2 * pi /
-                                            sectors / fine / fine;
+                        const double part =
+                            highlights_pdf(&room.s, met, dir) * (top - bottom) * 2 * pi / sectors / fine / fine;
                         expected[size_t(r * sectors + i)] += total * part;
                         whole += part;
                     }
@@ -87,8 +85,8 @@ TEST_CASE("directions toward highlights fall as their pdf says") {
         std::mt19937 random(3);
         for (int k = 0; k < total; k++) {
             const float2 r = pair_of(random);
-            const float3 dir = highlights_sample(&room.s, &room.par, met, r.x, r.y);
-            CHECK(highlights_pdf(&room.s, &room.par, met, dir) > 0);
+            const float3 dir = highlights_sample(&room.s, met, r.x, r.y);
+            CHECK(highlights_pdf(&room.s, met, dir) > 0);
             const double angle = std::acos(std::min(1., double(dot3(dir, axis))));
             double phi = std::atan2(dot3(dir, e2), dot3(dir, e1)) / (2 * pi);
             phi -= std::floor(phi);
@@ -112,7 +110,7 @@ TEST_CASE("mixed with the cosine and windows they have the cosine's mean") {
         for (const float shine : {0.f, .0625f, .5f}) {
             CAPTURE(windows);
             CAPTURE(shine);
-            room.par.portal_count = windows > 0 ? 1 : 0;
+            room.par.portals_count = windows > 0 ? 1 : 0;
             room.par.portal_least = room.par.portal_most = windows;
             room.par.highlight_share = shine;
             constexpr int total = 400000;

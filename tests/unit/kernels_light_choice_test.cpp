@@ -69,7 +69,7 @@ TEST_CASE("where a cut would have too many nodes fewer are opened, and the mean 
         const std::vector<double> promised = crowd.importances(p, n);
         const auto value = [&](uint32_t i) { return promised[i] * (1 + i % 3); };
         Sum all;
-        for (uint32_t i = 0; i < crowd.par.source_count; i++) all.exact += value(i);
+        for (uint32_t i = 0; i < crowd.par.sources_count; i++) all.exact += value(i);
         for (int k = 0; k < 40000; k++) {
             uint32_t i = 0;
             const float counts = choose(crowd, p, n, uint32_t(k), &i);

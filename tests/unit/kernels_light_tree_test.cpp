@@ -5,18 +5,18 @@
 #include "unit/light_crowd.h"
 
 TEST_CASE("few sources make no tree; of many each stands in it once, and each node comes before its halves") {
-    CHECK(Crowd(20, 1, 0).par.light_nodes == 0);
+    CHECK(Crowd(20, 1, 0).par.light_nodes_count == 0);
     for (const Crowd& crowd : {Crowd(40, 0, 0), Crowd(60, 3, 2), Crowd(0, 40, 1), Crowd(1000, 0, 1)}) {
-        REQUIRE(crowd.par.light_nodes > 0);
-        std::vector<int> seen(crowd.par.source_count);
-        for (uint32_t i = 0; i < crowd.par.light_nodes; i++) {
-            const uint32_t source = as_uint_(crowd.node(i)[LIGHT_SOURCE]), past = as_uint_(crowd.node(i)[LIGHT_PAST]);
+        REQUIRE(crowd.par.light_nodes_count > 0);
+        std::vector<int> seen(crowd.par.sources_count);
+        for (uint32_t i = 0; i < crowd.par.light_nodes_count; i++) {
+            const uint32_t source = crowd.node(i)->source, past = crowd.node(i)->past;
             if (source != NONE) {
                 REQUIRE(source < seen.size());
                 seen[source]++;
                 CHECK(past == i + 1);
             } else {
-                CHECK(as_uint_(crowd.node(as_uint_(crowd.node(i + 1)[LIGHT_PAST]))[LIGHT_PAST]) == past);
+                CHECK(crowd.node(crowd.node(i + 1)->past)->past == past);
             }
         }
         for (int times : seen) CHECK(times == 1);
@@ -37,9 +37,9 @@ TEST_CASE("sources are candidates as often as their prob says (Pearson's chi-squ
             for (int k = 0; k < draws; k++) {
                 uint32_t from = 0;
                 const float y = float(any(0, 1)) * all;
-                const LightCandidate c = light_candidate(&crowd.s, &crowd.par, &cut, p, n, 0, y, &from);
+                const LightCandidate c = light_candidate(&crowd.s, &cut, p, n, 0, y, &from);
                 if (!(c.importance > 0)) continue;
-                const uint32_t i = as_uint_(crowd.node(c.at)[LIGHT_SOURCE]);
+                const uint32_t i = crowd.node(c.at)->source;
                 CHECK(c.prob / all == doctest::Approx(prob[i]).epsilon(1e-4));
                 count[i]++;
             }
@@ -63,15 +63,15 @@ TEST_CASE("sources are candidates as often as their prob says (Pearson's chi-squ
 
 // Does a ray from p pass the apertures of source i?
 static bool passes(const Crowd& crowd, uint32_t i, float3 p, float3 dir) {
-    const uint32_t relay = as_uint_(source_record(&crowd.s, &crowd.par, i)[SRC_VIRTUAL]);
+    const uint32_t relay = crowd.s.sources[i].relay;
     if (relay == NONE) return true;
-    const float* aperture = crowd.s.f + crowd.s.u[relay + RELAY_APERTURES_AT];
-    for (uint32_t k = 0; k < crowd.s.u[relay + RELAY_APERTURES]; k++, aperture += APERTURE_FLOATS) {
-        const float3 c = sub3(f3_at(aperture + APERTURE_CENTRE), p), n = f3_at(aperture + APERTURE_NORMAL);
+    for (uint32_t k = 0; k < crowd.s.relays[relay].aperture_count; k++) {
+        const Aperture& aperture = crowd.s.apertures[crowd.s.relays[relay].aperture_at + k];
+        const float3 c = sub3(f3_of(aperture.centre), p), n = f3_of(aperture.normal);
         const float t = dot3(n, c) / dot3(n, dir);
         const float3 off = sub3(scale3(dir, t), c);
-        if (!(t > 0) || dot3(n, dir) > 0 || std::fabs(dot3(off, f3_at(aperture + APERTURE_U))) > 1 ||
-            std::fabs(dot3(off, f3_at(aperture + APERTURE_V))) > 1)
+        if (!(t > 0) || dot3(n, dir) > 0 || std::fabs(dot3(off, f3_of(aperture.u))) > 1 ||
+            std::fabs(dot3(off, f3_of(aperture.v))) > 1)
             return false;
     }
     return true;
@@ -83,7 +83,7 @@ TEST_CASE("whatever gives light to a point has a prob there") {
         for (int k = 0; k < 1000; k++) {
             const float3 p = any_place(), n = any_unit();
             const std::vector<double> prob = crowd.probs(p, n);
-            for (uint32_t i = 0; i < crowd.par.source_count; i++) {
+            for (uint32_t i = 0; i < crowd.par.sources_count; i++) {
                 float2 x;
                 x.x = float(any(0, 1));
                 x.y = float(any(0, 1));

@@ -21,8 +21,7 @@ struct Room : Tables {
         put_portal(F3(9, 9, 9), F3(0, 1, 0), F3(0, 0, 1), F3(1, 0, 0));
         put_portal(F3(1, 0, 0), F3(1, .5f, 0), F3(0, 1.5f, 0), F3(0, 0, -1));
         put_portal(F3(1.5f, .8f, 0), F3(0, 2, 0), F3(.05f, 0, 0), F3(0, 0, -1), .15f, mirrored);
-        s.f = f.data();
-        par.portal_count = 3;
+        par.portals_count = 3;
         par.portal_pick[1] = 2;
         par.portal_pick[2] = 3;
         par.portal_light[2] = 200;
@@ -43,7 +42,7 @@ static float2 pair_of(uint32_t k) {
 
 TEST_CASE("a view is about the projected solid angle, and nothing from behind") {
     const Room room;
-    const float* window = portal_record(&room.s, &room.par, 0);
+    const Portal* window = portal_record(&room.s, &room.par, 0);
     const float3 to = sub3(F3(4, 1, 1.5f), wall);
     const double d2 = dot3(to, to), exact = 2 * to.x * to.x / (d2 * d2);
     CHECK(double(portal_view(window, wall, inward)) == doctest::Approx(exact).epsilon(1e-5));
@@ -57,7 +56,7 @@ TEST_CASE("a view is about the projected solid angle, and nothing from behind") 
 // Its highlight: a Gaussian of the half vector's slope.  The brightest of many points along the strip tells the law.
 TEST_CASE("a glossy reflector is as bright as its highlight from there") {
     const Room room;
-    const float* strip = portal_record(&room.s, &room.par, 2);
+    const Portal* strip = portal_record(&room.s, &room.par, 2);
     const float3 sun = F3(mirrored.x, mirrored.y, -mirrored.z);
     int seen = 0;
     for (uint32_t k = 0; k < 2000; k++) {

@@ -68,7 +68,7 @@ TEST_CASE("rays through the lens meet at the focal distance") {
         REQUIRE(bool(middle));
         const double to_focus = type == 'v' ? 3 / middle->dir.y : 3;
         const base::Vec3 focus = middle->origin + middle->dir * to_focus;
-        params.view_clip.w = .4f;
+        params.lens_diameter = .4f;
         double widest = 0, sum = 0;
         int n = 0;
         for (int i = 0; i < 20; ++i)

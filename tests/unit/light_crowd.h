@@ -59,6 +59,7 @@ inline std::string lamp(int k, int i) {
 }
 
 // So many of them, suns and two mirrors.
+#define POINT_AT(type, name) s.name = flat.name.data();
 struct Crowd {
     flatten::FlatScene flat;
     SceneTables s = {};
@@ -76,23 +77,20 @@ struct Crowd {
         flatten::Options options;
         options.dr = levels;
         flat = flatten::flatten(scene::read_scene({file.path()}, {}), options, {});
-        s.f = flat.f.data();
-        s.u = flat.u.data();
-        par.sources_at = flat.sources_at;
-        par.source_count = flat.source_count;
-        par.light_tree_at = flat.light_tree_at;
-        par.light_nodes = flat.light_nodes;
+        FLAT_TABLES(POINT_AT)
+        par.sources_count = uint32_t(flat.sources.size());
+        par.light_nodes_count = uint32_t(flat.light_nodes.size());
     }
 
-    GLOBAL const float* node(uint32_t i) const { return light_node(&s, &par, i); }
+    const LightNode* node(uint32_t i) const { return &s.light_nodes[i]; }
     float importance(uint32_t i, float3 p, float3 n) const { return light_importance(&s, node(i), p, n, 0); }
 
     // Of each source, its share of what all importance.
     std::vector<double> importances(float3 p, float3 n) const {
-        std::vector<double> promised(par.source_count);
+        std::vector<double> promised(par.sources_count);
         double sum = 0;
-        for (uint32_t i = 0; i < par.light_nodes; i++) {
-            const uint32_t source = as_uint_(node(i)[LIGHT_SOURCE]);
+        for (uint32_t i = 0; i < par.light_nodes_count; i++) {
+            const uint32_t source = node(i)->source;
             if (source != NONE) sum += promised[source] = importance(i, p, n);
         }
         for (double& w : promised) w /= sum;
@@ -101,18 +99,18 @@ struct Crowd {
 
     // Of each source to be a candidate at p.  A second way to the numbers of candidate().
     std::vector<double> probs(float3 p, float3 n) const {
-        std::vector<double> prob(par.source_count);
+        std::vector<double> prob(par.sources_count);
         std::vector<uint32_t> nodes;
         double sum = 0;
-        for (uint32_t i = 0; i < par.light_nodes;) {
-            const bool all = par.source_count <= LIGHT_CUT && as_uint_(node(i)[LIGHT_SOURCE]) == NONE;
+        for (uint32_t i = 0; i < par.light_nodes_count;) {
+            const bool all = par.sources_count <= LIGHT_CUT && node(i)->source == NONE;
             if (all || light_is_opened(node(i), p, LIGHT_OPENED)) {
                 i++;
                 continue;
             }
             nodes.push_back(i);
             sum += importance(i, p, n);
-            i = as_uint_(node(i)[LIGHT_PAST]);
+            i = node(i)->past;
         }
         REQUIRE(nodes.size() <= LIGHT_CUT);
         for (uint32_t i : nodes)
@@ -123,13 +121,13 @@ struct Crowd {
 private:
     // A source that can give nothing is no candidate.
     void descend(uint32_t i, double prob, float3 p, float3 n, std::vector<double>& probs) const {
-        const uint32_t source = as_uint_(node(i)[LIGHT_SOURCE]);
+        const uint32_t source = node(i)->source;
         if (source != NONE) {
             if (importance(i, p, n) > 0) probs[source] += prob;
             return;
         }
-        const uint32_t second = as_uint_(node(i + 1)[LIGHT_PAST]);
-        const double w1 = node(i + 1)[LIGHT_POWER], w2 = node(second)[LIGHT_POWER];
+        const uint32_t second = node(i + 1)->past;
+        const double w1 = node(i + 1)->power, w2 = node(second)->power;
         const double first = std::clamp(w1 / (w1 + w2), 1 / 1024., 1023 / 1024.);
         descend(i + 1, prob * first, p, n, probs);
         descend(second, prob * (1 - first), p, n, probs);

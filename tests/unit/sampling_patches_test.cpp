@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -87,8 +88,10 @@ TEST_CASE("a sliver of glass is no window") {
     const flatten::FlatScene one = room(pane), two = room(pane + sliver);
     CHECK(one.window_count == 1);
     CHECK(two.window_count == 1);
-    CHECK(two.portal_count > 1);
-    for (size_t k = two.portals_at; k < two.f.size(); k++) CHECK(std::isfinite(two.f[k]));
+    CHECK(two.portals.size() > 1);
+    std::vector<float> numbers(two.portals.size() * sizeof(kernels::Portal) / sizeof(float));
+    std::memcpy(numbers.data(), two.portals.data(), numbers.size() * sizeof(float));
+    for (const float number : numbers) CHECK(std::isfinite(number));
 }
 
 TEST_CASE("a narrow glossy reflector in the sun is aimed at, a wide table has its cone") {
@@ -98,8 +101,7 @@ TEST_CASE("a narrow glossy reflector in the sun is aimed at, a wide table has it
     const std::string table = "brushed polygon table 0 0 12 5 -1 .7 6 -1 .7 6 1 .7 5 1 .7\n";
     const auto polished = [](const flatten::FlatScene& scene) {
         int count = 0;
-        for (uint32_t k = 0; k < scene.portal_count; k++)
-            if (scene.f[scene.portals_at + PORTAL_FLOATS * k + PORTAL_GLOSS2] > 0) count++;
+        for (const kernels::Portal& portal : scene.portals) count += portal.gloss2 > 0;
         return count;
     };
     CHECK(polished(room(pane + metal + sill + table)) == 1);

@@ -16,11 +16,11 @@
 // Returns 1 if the modifier is of a transparent type.
 FN int is_clear(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {
     if (in_instance(g->inst)) {
-        GLOBAL const float* record = instance_record(s, g->inst);
-        if (as_uint_(record[INST_MOD]) != NONE)
-            return (as_uint_(shape_record(s, as_uint_(record[INST_SHAPE]))[INSTANCE_CLASS]) & INSTANCE_CLEAR) != 0u;
+        GLOBAL const Instance* record = &s->instances[g->inst];
+        if (record->mod != NONE)
+            return (as_uint_(shape_record(s, record->shape)[INSTANCE_CLASS]) & INSTANCE_CLEAR) != 0u;
     }
-    return (s->prims[PRIM_WORDS * g->prim + PRIM_KIND] & PRIM_CLEAR) != 0u;
+    return (s->prims[g->prim].kind & PRIM_CLEAR) != 0u;
 }
 
 FN uint coincide_rank(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {

@@ -6,6 +6,7 @@
 #ifndef LUX_INTERSECT_H
 #define LUX_INTERSECT_H
 #include "kernels/features.h"
+#include "kernels/records.h"
 
 #define NO_HIT 0xffffffffu
 #define FAR_AWAY 1e30f  // length of an unlimited ray, and distance of distant sources
@@ -99,25 +100,6 @@ STRUCT(Look) {
 #define ROOT_OF_SCENE 0u
 #define ROOT_OF_PANES 1u
 #define ROOT_OF_TREE(k) ((k) + 1u)
-
-// Tables on a device, TABLE(type, name) for each: from the BVH builder, from flattening, and of a view.
-// clang-format off
-#define BVH_TABLES(TABLE)                                                                   \
-    TABLE(float, nodes)       /* BVH of either kind, roots: ROOT_OF_SCENE ... */            \
-    TABLE(float, leaves)      /* triangle blocks and shape references */
-#define FLAT_TABLES(TABLE)                                                                  \
-    TABLE(float, shapes)      /* SHAPE_FLOATS each */                                       \
-    TABLE(float, polygon_uv)  /* projected corners (SHAPE_POLYGON) */                       \
-    TABLE(uint, prims)        /* PRIM_WORDS each, shading side (tables.h) */                \
-    TABLE(uint, u)            /* word arena (tables.h): modifiers, materials, .cal code */  \
-    TABLE(float, f)           /* float arena (tables.h) */
-#define VIEW_TABLES(TABLE)                                                                  \
-    TABLE(uint, view)         /* what depends on the view (tables.h) */
-#define SCENE_TABLES(TABLE) BVH_TABLES(TABLE) FLAT_TABLES(TABLE) VIEW_TABLES(TABLE)
-    // clang-format on
-
-#define TABLE_POINTER(type, name) GLOBAL const type* name;
-STRUCT(SceneTables){SCENE_TABLES(TABLE_POINTER)};
 
 FN GLOBAL const float* shape_record(TABLES(const SceneTables) s, uint number) {
     return s->shapes + (ulong64)number * SHAPE_FLOATS;

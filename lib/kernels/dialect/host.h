@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <math.h>
+#include <vector>
 namespace kernels {
 #include "kernels/dialect/compat_host.h"
 #include "kernels/math/vec.h"
@@ -13,4 +14,10 @@ namespace kernels {
 #include "kernels/sampling/sampler.h"
 #include "kernels/integrator/path_reuse.h"
 #include "kernels/integrator/state.h"
+
+// The tables of a scene as the host fills them.
+#define TABLE_VECTOR(type, name) std::vector<type> name;
+struct FlatTables {
+    FLAT_TABLES(TABLE_VECTOR)
+};
 }  // namespace kernels

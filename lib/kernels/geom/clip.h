@@ -27,22 +27,22 @@ FN uint clip_count(uint state, uint listed, int step) {
     return state;
 }
 
-FN uint clip_group(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod) {
-    return mod == NONE ? 0u : (mod_word(s, par, mod, MOD_FLAGS) >> MF_CLIPPED_SHIFT) & 15u;
+FN uint clip_group(TABLES(const SceneTables) s, uint mod) {
+    return mod == NONE ? 0u : (s->modifiers[mod].flags >> MF_CLIPPED_SHIFT) & 15u;
 }
 
-FN int clip_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, PRIVATE(uint) state) {
+FN int clip_hit(TABLES(const SceneTables) s, PRIVATE(Surface) g, PRIVATE(uint) state) {
     if (g->mod == NONE) return CLIP_NO;
-    uint listed = clip_group(s, par, g->mod);
+    uint listed = clip_group(s, g->mod);
     int ignored = listed != 0u && ((*state >> listed) & 1u) != 0u;
     *state = clip_count(*state, listed, g->front ? 1 : -1);
     if (ignored) return CLIP_IGNORE;
-    GLOBAL const uint* m = mod_record(s, par, g->mod);
-    if (m[MOD_TYPE] != M_ANTIMATTER) return CLIP_NO;
-    uint i = (uint)s->f[m[MOD_ARGS]];
+    GLOBAL const Modifier* m = &s->modifiers[g->mod];
+    if (m->type != M_ANTIMATTER) return CLIP_NO;
+    uint i = (uint)s->f[m->args];
     *state = g->front ? *state | clip_groups(i) : *state & ~clip_groups(i);
-    if (m[MOD_BRANCH1] == NONE || clip_entered(*state, i) <= 8u) return CLIP_IGNORE;
-    g->mod = m[MOD_BRANCH1];  // the cut face, in the first material, turned around
+    if (m->branch1 == NONE || clip_entered(*state, i) <= 8u) return CLIP_IGNORE;
+    g->mod = m->branch1;  // the cut face, in the first material, turned around
     g->nface = neg3(g->nface);
     g->front = !g->front;
     return CLIP_NO;
@@ -52,6 +52,6 @@ FN int clip_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(S
 FN void clip_turned(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint mod,
                     PRIVATE(uint) state) {
     if (g->front || par->bv == 0u || material_has(g->type, MT_TURNS) == 0u) return;
-    *state = clip_count(*state, clip_group(s, par, mod), 2);
+    *state = clip_count(*state, clip_group(s, mod), 2);
 }
 #endif

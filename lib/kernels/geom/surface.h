@@ -28,8 +28,8 @@ STRUCT(Surface) {
 // A polygon or ring, which a texture may still bend.  An instance with a modifier of its own is not flat: RADIANCE
 // takes the instance for the surface.
 FN int drawn_flat(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {
-    if ((s->prims[PRIM_WORDS * g->prim + PRIM_KIND] & PRIM_TEXTURE_FLAT) == 0u) return 0;
-    return !in_instance(g->inst) || as_uint_(*(instance_record(s, g->inst) + INST_MOD)) == NONE;
+    if ((s->prims[g->prim].kind & PRIM_TEXTURE_FLAT) == 0u) return 0;
+    return !in_instance(g->inst) || s->instances[g->inst].mod == NONE;
 }
 
 // Returns 1 if a texture or mesh smoothing has turned the normal by more than RADIANCE's threshold.
@@ -57,17 +57,18 @@ FN float3 shape_normal(TABLES(const SceneTables) s, uint kind, uint number, PRIV
 }
 
 // Smoothing and uv of a mesh triangle: the perturbation is the interpolated normal minus the plane's (spec scene 3).
-FN void mesh_corners(TABLES(const SceneTables) s, GLOBAL const uint* prim, PRIVATE(const Hit) hit, PRIVATE(Surface) g) {
-    GLOBAL const uint* corner = s->u + prim[PRIM_VERTEX];
-    GLOBAL const float* a = s->f + corner[0];
-    GLOBAL const float* b = s->f + corner[1];
-    GLOBAL const float* c = s->f + corner[2];
+FN void mesh_corners(TABLES(const SceneTables) s, GLOBAL const Prim* prim, PRIVATE(const Hit) hit, PRIVATE(Surface) g) {
+    GLOBAL const uint* corner = s->u + prim->at;
+    GLOBAL const Corner* a = &s->corners[corner[0]];
+    GLOBAL const Corner* b = &s->corners[corner[1]];
+    GLOBAL const Corner* c = &s->corners[corner[2]];
+    float3 na = f3_of(a->normal), nb = f3_of(b->normal), nc = f3_of(c->normal);
     float w = 1.0f - hit->u - hit->v, len;
-    g->u = w * a[3] + hit->u * b[3] + hit->v * c[3];
-    g->vv = w * a[4] + hit->u * b[4] + hit->v * c[4];
-    if ((prim[PRIM_KIND] & PRIM_CORNER_NORMALS) == 0u) return;
-    float3 n = F3(w * a[0] + hit->u * b[0] + hit->v * c[0], w * a[1] + hit->u * b[1] + hit->v * c[1],
-                  w * a[2] + hit->u * b[2] + hit->v * c[2]);
+    g->u = w * a->u + hit->u * b->u + hit->v * c->u;
+    g->vv = w * a->v + hit->u * b->v + hit->v * c->v;
+    if ((prim->kind & PRIM_CORNER_NORMALS) == 0u) return;
+    float3 n = F3(w * na.x + hit->u * nb.x + hit->v * nc.x, w * na.y + hit->u * nb.y + hit->v * nc.y,
+                  w * na.z + hit->u * nb.z + hit->v * nc.z);
     len = length3(n);
     if (len <= 1e-6f) return;
     g->pert = sub3(scale3(n, 1.0f / len), g->nface);
@@ -75,20 +76,20 @@ FN void mesh_corners(TABLES(const SceneTables) s, GLOBAL const uint* prim, PRIVA
 }
 
 // Normal at the point *at, in the primitive's coordinates.  *at moves onto the surface.
-FN float3 surface_shape(TABLES(const SceneTables) s, GLOBAL const uint* prim, PRIVATE(float3) at) {
-    uint kind = prim[PRIM_KIND] & PRIM_KIND_MASK;
+FN float3 surface_shape(TABLES(const SceneTables) s, GLOBAL const Prim* prim, PRIVATE(float3) at) {
+    uint kind = prim->kind & PRIM_KIND_MASK;
     if (kind != PRIM_SPHERE && kind != PRIM_CONE) {
-        float3 n = f3_bits(prim + PRIM_NORMAL);
-        *at = madd3(n, as_float_(prim[PRIM_OFFSET]) - dot3(n, *at), *at);
+        float3 n = f3_of(prim->normal);
+        *at = madd3(n, prim->offset - dot3(n, *at), *at);
         return n;
     }
-    float3 n = shape_normal(s, kind, prim[PRIM_NORMAL], at);
-    return (prim[PRIM_KIND] & PRIM_INWARD) != 0u ? neg3(n) : n;
+    float3 n = shape_normal(s, kind, prim->at, at);
+    return (prim->kind & PRIM_INWARD) != 0u ? neg3(n) : n;
 }
 
 // The same in an instance: normal in the world; the surface's point moves, too, and *extent becomes the length in the
 // world to which the point's rounding is relative (offset_ray.h).
-FN float3 surface_in_instance(TABLES(const SceneTables) s, GLOBAL const uint* prim, GLOBAL const float* matrix,
+FN float3 surface_in_instance(TABLES(const SceneTables) s, GLOBAL const Prim* prim, GLOBAL const float* matrix,
                               PRIVATE(Surface) g, PRIVATE(float) extent) {
     float3 from = sub3(g->p, F3(matrix[3], matrix[7], matrix[11]));
     float3 at = affine_vector(matrix, from);
@@ -104,7 +105,7 @@ FN float3 surface_in_instance(TABLES(const SceneTables) s, GLOBAL const uint* pr
     return n;
 }
 
-FN float prim_extent(GLOBAL const uint* prim) { return as_float_(prim[PRIM_KIND] >> PRIM_EXTENT_SHIFT << 23); }
+FN float prim_extent(GLOBAL const Prim* prim) { return as_float_(prim->kind >> PRIM_EXTENT_SHIFT << 23); }
 FN float sum_along(float3 n, float3 p) { return fabs_(n.x * p.x) + fabs_(n.y * p.y) + fabs_(n.z * p.z); }
 
 // A surface before its modifiers are evaluated.
@@ -122,24 +123,24 @@ FN void surface_plain(uint prim, uint mod, uint inst, float length, PRIVATE(Surf
 }
 
 FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(const Hit) hit, PRIVATE(Surface) g) {
-    GLOBAL const uint* prim = s->prims + PRIM_WORDS * hit->prim;
+    GLOBAL const Prim* prim = &s->prims[hit->prim];
     GLOBAL const float* matrix = 0;
-    surface_plain(hit->prim, prim[PRIM_MOD], hit->inst, hit->t, g);
+    surface_plain(hit->prim, prim->mod, hit->inst, hit->t, g);
     g->p = madd3(ray->dir, hit->t, ray->org);
     g->v = neg3(ray->dir);
 
     float extent = prim_extent(prim);
     if (in_instance(hit->inst)) {
-        GLOBAL const float* record = instance_record(s, hit->inst);
+        GLOBAL const Instance* record = &s->instances[hit->inst];
         matrix = instance_matrix(s, record);
-        if (as_uint_(record[INST_MOD]) != NONE) g->mod = as_uint_(record[INST_MOD]);
+        if (record->mod != NONE) g->mod = record->mod;
         g->nface = surface_in_instance(s, prim, matrix, g, &extent);
     } else {
         g->nface = surface_shape(s, prim, &g->p);
     }
 
     g->flat = drawn_flat(s, g);
-    if ((prim[PRIM_KIND] & PRIM_KIND_MASK) == PRIM_SMOOTH) mesh_corners(s, prim, hit, g);
+    if ((prim->kind & PRIM_KIND_MASK) == PRIM_SMOOTH) mesh_corners(s, prim, hit, g);
 
     if (matrix != 0) {  // mirrored instances keep their sides: the normal is mirrored with the geometry
         float3 n = affine_back(matrix, g->nface);

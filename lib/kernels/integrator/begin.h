@@ -25,12 +25,12 @@ FN uint path_sample_index(PARAMS(const Params) par, uint path) {
 // Ray through a random point of the pixel and of the lens.  Returns 0 if the view has no ray there.
 FN int camera_ray(PARAMS(const Params) par, uint pixel, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
     float2 r = sample2(rnd);
-    float jitter = par->view_clip.z;  // -pj
+    float jitter = par->pixel_jitter;
     float x = (float)(pixel % par->nx) + 0.5f + jitter * (0.5f - r.x);
     float y = (float)(par->ny - 1u - pixel / par->nx) + 0.5f + jitter * (0.5f - r.y);
 
     float3 lens = F3(0.0f, 0.0f, 0.0f);
-    if (par->view_clip.w > 0.0f) {
+    if (par->lens_diameter > 0.0f) {
         r = sample2(rnd);
         lens = F3(r.x, r.y, sample1(rnd));
     }
@@ -53,8 +53,8 @@ FN uint point_at(PARAMS(const Params) par, float x, float y) {
 }
 
 FN void given_ray(PARAMS(const Params) par, PRIVATE(Sampler) rnd, PRIVATE(Ray) ray) {
-    ray->org = F3(par->ray_org.x, par->ray_org.y, par->ray_org.z);
-    ray->dir = F3(par->ray_dir.x, par->ray_dir.y, par->ray_dir.z);
+    ray->org = f3_of(par->ray_org);
+    ray->dir = f3_of(par->ray_dir);
     ray->tmax = FAR_AWAY;
     rnd->dim = 1u;
 }
@@ -62,25 +62,19 @@ FN void given_ray(PARAMS(const Params) par, PRIVATE(Sampler) rnd, PRIVATE(Ray) r
 // Initial state of every path, except the direction of its first ray.
 FN void path_start(PARAMS(const Params) par, TABLES(const Paths) paths, uint path, float3 org,
                    PRIVATE(const Sampler) rnd, uint flags) {
-    write4_(paths->org, path, pack4(org, as_float_(CLIP_START)));
-    write4_(paths->throughput, path, pack4(F3(1.0f, 1.0f, 1.0f), 1.0f));
+    write4_(paths->org, path, org_words(org, CLIP_START));
+    write4_(paths->throughput, path, throughput_words(F3(1.0f, 1.0f, 1.0f), 1.0f));
     if (has_media(par)) {
         Medium open = medium_open(par);
         set_path_medium(paths, path, &open);
     }
-
-    uint4 info;
-    info.x = flags;
-    info.y = rnd->key;
-    info.z = path_sampler_word(rnd);
-    info.w = NONE;
-    write4_(paths->info, path, info);
+    write4_(paths->info, path, info_words(flags, rnd, NONE));
 }
 
 // A path of path reuse has no prefix or suffix vertex yet (suffix.h).
 FN void no_ends(TABLES(const Paths) paths, uint path) {
-    write4_(paths->prefix_n, path, pack4(F3(0.0f, 0.0f, 0.0f), NO_PREFIX));
-    write4_(paths->suffix_p, path, pack4(F3(0.0f, 0.0f, 0.0f), SUFFIX_NONE));
+    write4_(paths->prefix_n, path, prefix_n_words(F3(0.0f, 0.0f, 0.0f), NO_PREFIX));
+    write4_(paths->suffix_p, path, suffix_p_words(F3(0.0f, 0.0f, 0.0f), SUFFIX_NONE));
 }
 
 // The first ray of a path, and its random numbers.  Returns 0 if there is none.
@@ -116,22 +110,22 @@ FN int path_first_ray(TABLES(const SceneTables) s, PARAMS(const Params) par, uin
 FN int path_generate(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     Sampler rnd;
     Ray ray;
-    write4_(paths->rad, path, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
+    write4_(paths->rad, path, rad_words(F3(0.0f, 0.0f, 0.0f), 0.0f));
     if (par->reuse_path_count != 0u) no_ends(paths, path);
     if (!path_first_ray(s, par, path, &rnd, &ray)) return 0;
 
-    write4_(paths->dir, path, pack4(ray.dir, ray.tmax));
+    write4_(paths->dir, path, dir_words(ray.dir, ray.tmax));
     path_start(par, paths, path, ray.org, &rnd, 0u);
     return 1;
 }
 
 FN Ray path_ray(TABLES(const Paths) paths, uint path) {
     Ray ray;
-    float4 dir = paths->dir[path];
+    Row_dir dir = dir_of(paths->dir[path]);
     ray.org = xyz4(paths->org[path]);
-    ray.dir = xyz4(dir);
+    ray.dir = dir.way;
     ray.tmin = 0.0f;
-    ray.tmax = dir.w;
+    ray.tmax = dir.length;
     return ray;
 }
 
@@ -147,7 +141,7 @@ FN Hit hit_at_once(uint prim) {
 FN void path_extend(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
     Ray ray = path_ray(paths, path);
     Hit hit;
-    uint flags = paths->info[path].x;
+    uint flags = info_flags(paths->info[path]);
     if (begins_on_sensor(par, flags)) {
         hit = hit_at_once(ON_SENSOR);
         set_path_hit(paths, path, &hit);

@@ -16,12 +16,14 @@ STRUCT(PrefixVertex) {
 };
 
 FN PrefixVertex prefix_vertex(TABLES(const Paths) paths, uint path) {
-    float4 p = read4_(paths->prefix_p, path), n = read4_(paths->prefix_n, path), ng = read4_(paths->prefix_ng, path);
+    Row_prefix_n n = prefix_n_of(read4_(paths->prefix_n, path));
+    Row_prefix_p p = prefix_p_of(read4_(paths->prefix_p, path));
+    Row_prefix_ng ng = prefix_ng_of(read4_(paths->prefix_ng, path));
     PrefixVertex prefix;
-    prefix.p = xyz4(p);
-    prefix.n = xyz4(n);
-    prefix.ng = xyz4(ng);
-    prefix.own = n.w;
+    prefix.p = p.point;
+    prefix.n = n.normal;
+    prefix.ng = ng.normal;
+    prefix.own = n.own;
     prefix.mixture = paths->mixture[path];
     return prefix;
 }
@@ -37,27 +39,27 @@ STRUCT(Connection) {
 // suffix: path index of the suffix vertex.  Returns 0 if one vertex does not face the other.
 FN int connection_ends(TABLES(const Paths) paths, PRIVATE(const PrefixVertex) prefix, uint suffix,
                        PRIVATE(Connection) connection) {
-    float4 to = paths->suffix_p[suffix];
+    Row_suffix_p to = suffix_p_of(paths->suffix_p[suffix]);
     if (prefix->own == NO_PREFIX) return 0;
     connection->ray.org = prefix->p;
     connection->ray.tmin = 0.0f;
 
-    if (to.w == SUFFIX_DIRECTION) {
-        connection->dir = xyz4(to);
+    if (to.kind == SUFFIX_DIRECTION) {
+        connection->dir = to.place;
         connection->per_area = 1.0f;
         connection->ray.dir = connection->dir;
         connection->ray.tmax = FAR_AWAY;
     } else {
-        float4 suffix_n = paths->suffix_n[suffix];
-        float3 way = sub3(xyz4(to), prefix->p);
+        Row_suffix_n far = suffix_n_of(paths->suffix_n[suffix]);
+        float3 way = sub3(to.place, prefix->p);
         float d2 = dot3(way, way);
         connection->dir = scale3(way, 1.0f / sqrt_(d2));
-        float facing = -dot3(connection->dir, xyz4(suffix_n));
+        float facing = -dot3(connection->dir, far.normal);
         if (!(facing > 0.0f)) return 0;
         connection->per_area = facing / d2;
 
         // up to a point just before the suffix vertex's surface, where its own next ray begins
-        float3 open = sub3(offset_ray(xyz4(to), xyz4(suffix_n), suffix_n.w), prefix->p);
+        float3 open = sub3(offset_ray(to.place, far.normal, far.rounding), prefix->p);
         connection->ray.tmax = length3(open);
         connection->ray.dir = scale3(open, 1.0f / connection->ray.tmax);
     }
@@ -67,9 +69,9 @@ FN int connection_ends(TABLES(const Paths) paths, PRIVATE(const PrefixVertex) pr
 }
 
 // Importance of a path's suffix vertex: its contribution to the path's own prefix vertex, for an albedo of 1.
-FN float suffix_importance(float4 prefix_n, float4 suffix_p, float4 suffix_rad) {
-    if (suffix_p.w == SUFFIX_NONE || !(prefix_n.w > 0.0f)) return 0.0f;
-    return (fabs_(suffix_rad.x) + fabs_(suffix_rad.y) + fabs_(suffix_rad.z)) * prefix_n.w;
+FN float suffix_importance(Row_prefix_n prefix, Row_suffix_p suffix, float3 radiance) {
+    if (suffix.kind == SUFFIX_NONE || !(prefix.own > 0.0f)) return 0.0f;
+    return (fabs_(radiance.x) + fabs_(radiance.y) + fabs_(radiance.z)) * prefix.own;
 }
 
 // Russian roulette on suffix vertices of low importance, because most are dim and the connections take the time.
@@ -77,23 +79,26 @@ FN float suffix_importance(float4 prefix_n, float4 suffix_p, float4 suffix_rad) 
 // connected.
 FN void path_suffix_roulette(TABLES(const Paths) paths, UNIFORM uint first, uint which) {
     uint path = REUSE_MEMBER(first, which);
-    float4 prefix_n = read4_(paths->prefix_n, path), suffix_p = read4_(paths->suffix_p, path);
-    float importance = suffix_importance(prefix_n, suffix_p, read4_(paths->suffix_rad, path)), prob = 0.0f, all = 0.0f;
+    float importance =
+        suffix_importance(prefix_n_of(read4_(paths->prefix_n, path)), suffix_p_of(read4_(paths->suffix_p, path)),
+                          xyz4(read4_(paths->suffix_rad, path)));
+    float prob = 0.0f, all = 0.0f;
     if (importance > 0.0f) {
         for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) {
             UNIFORM uint suffix = REUSE_MEMBER(first, m);
-            all += suffix_importance(paths->prefix_n[suffix], paths->suffix_p[suffix], paths->suffix_rad[suffix]);
+            all += suffix_importance(prefix_n_of(paths->prefix_n[suffix]), suffix_p_of(paths->suffix_p[suffix]),
+                                     xyz4(paths->suffix_rad[suffix]));
         }
         prob = MIN_(importance / (CERTAIN_IMPORTANCE / (float)REUSE_GROUP * all), 1.0f);
-        Sampler rnd = path_sampler(read4_(paths->info, path));
+        Sampler rnd = path_sampler(info_of(read4_(paths->info, path)));
         rnd.key = hash32(rnd.key ^ 0x2545f491u);
         if (!(sample1(&rnd) < prob)) prob = 0.0f;
     }
-    paths->prefix_throughput[path].w = prob;
+    paths->prefix_throughput[path] = prefix_throughput_words(xyz4(paths->prefix_throughput[path]), prob);
 }
 
 // Is the suffix vertex of a path connected?
-#define HAS_PREFIX(paths, path) ((paths)->prefix_throughput[path].w > 0.0f)
+#define CONNECTS_SUFFIX(paths, path) (prefix_throughput_survival((paths)->prefix_throughput[path]) > 0.0f)
 
 // Visibility of the connections to a suffix vertex, two bits per member of the group: bit m: nothing lies between
 // member m and the vertex; bit 16 + m: only surfaces that transmit light do.
@@ -115,7 +120,7 @@ FN int connection_pane(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
     Sampler rnd = sampler_start(0u, 0u, 0u, 0u, 0u);
     Medium open = medium_open(par), medium_behind = medium_open(par);
     if (!find_material(s, par, g, &rnd) || take_alternate(s, par, g, PC_DIFFUSE, &rnd)) return 0;
-    if (!is_pane(s, par, g)) return 0;
+    if (!is_pane(s, g)) return 0;
     material_lobes(s, par, g, LOBES_SAMPLED, &rnd, &open, &medium_behind, lobes);
     return (lobes->flags & LOBE_PASS) == 0u;
 }
@@ -161,7 +166,7 @@ FN void connection_transmittance(TABLES(const SceneTables) s, PARAMS(const Param
     if (!connection_ends(paths, &prefix, path, &connection) || !connection_panes(s, par, &connection.ray, &T, &prob))
         prob = -1.0f;
     if (!(prob > 0.0f)) prob = -1.0f;  // no path passes: a pattern may make a pane black or negative
-    paths->transmittance[path].of[m] = pack4(T, prob);
+    paths->transmittance[path].of[m] = transmittance_words(T, prob);
 }
 
 // For the connections of the prefix vertex of member `which` to all suffix vertices of its group: the pdf with which it
@@ -172,11 +177,11 @@ FN void path_connect(TABLES(const SceneTables) s, PARAMS(const Params) par, TABL
     PrefixVertex prefix = prefix_vertex(paths, REUSE_MEMBER(first, which));
     for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) {
         UNIFORM uint suffix = REUSE_MEMBER(first, m);
-        if (!HAS_PREFIX(paths, suffix)) continue;
+        if (!CONNECTS_SUFFIX(paths, suffix)) continue;
         uint open = paths->connections[suffix];
         uint panes = connections_to_attenuate(open, m);
         float pdf = 0.0f, contribution = 0.0f, through = 1.0f;
-        if ((panes >> which & 1u) != 0u) through = paths->transmittance[suffix].of[which].w;
+        if ((panes >> which & 1u) != 0u) through = transmittance_prob(paths->transmittance[suffix].of[which]);
 
         Connection connection;
         if (((open | panes) >> which & 1u) != 0u && !(through < 0.0f) &&
@@ -195,12 +200,13 @@ FN void path_connect(TABLES(const SceneTables) s, PARAMS(const Params) par, TABL
 FN float suffix_mis_weight(TABLES(const Paths) paths, uint path) {
     float pdfs = 0.0f;
     for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) pdfs += paths->pdf[path].of[m];
-    return pdfs > 0.0f ? 1.0f / (pdfs * paths->prefix_throughput[path].w) : 0.0f;
+    return pdfs > 0.0f ? 1.0f / (pdfs * prefix_throughput_survival(paths->prefix_throughput[path])) : 0.0f;
 }
 
 FN void path_normalise_mis(TABLES(const Paths) paths, uint path) {
-    float4 radiance = read4_(paths->suffix_rad, path);
-    write4_(paths->suffix_rad, path, pack4(scale3(xyz4(radiance), suffix_mis_weight(paths, path)), radiance.w));
+    Row_suffix_rad radiance = suffix_rad_of(read4_(paths->suffix_rad, path));
+    float3 weighted = scale3(radiance.rgb, suffix_mis_weight(paths, path));
+    write4_(paths->suffix_rad, path, suffix_rad_words(weighted, radiance.path_length));
 }
 
 // Contribution of a suffix vertex, of member m, to the prefix vertex of member `which`, with the panes between them.
@@ -214,15 +220,16 @@ FN float3 connection_weight(TABLES(const Paths) paths, UNIFORM uint suffix, UNIF
 // Adds the contributions of all suffix vertices of a group to the prefix vertex of member `which`.
 FN void path_gather(TABLES(const Paths) paths, UNIFORM uint first, uint which) {
     uint path = REUSE_MEMBER(first, which);
-    if (paths->prefix_n[path].w == NO_PREFIX) return;
+    if (prefix_n_own(paths->prefix_n[path]) == NO_PREFIX) return;
     float3 sum = F3(0.0f, 0.0f, 0.0f);
     for (UNIFORM uint m = 0u; m < REUSE_GROUP; m++) {
         UNIFORM uint suffix = REUSE_MEMBER(first, m);
-        if (!HAS_PREFIX(paths, suffix)) continue;
+        if (!CONNECTS_SUFFIX(paths, suffix)) continue;
         sum = add3(sum, mul3(connection_weight(paths, suffix, m, which), xyz4(paths->suffix_rad[suffix])));
     }
 
-    float4 rad = read4_(paths->rad, path);
-    write4_(paths->rad, path, pack4(add3(xyz4(rad), mul3(xyz4(read4_(paths->prefix_throughput, path)), sum)), rad.w));
+    Row_rad rad = rad_of(read4_(paths->rad, path));
+    float3 light = mul3(xyz4(read4_(paths->prefix_throughput, path)), sum);
+    write4_(paths->rad, path, rad_words(add3(rad.rgb, light), rad.path_length));
 }
 #endif

@@ -15,7 +15,7 @@
 // Constant radiance that stands for deeper bounces (-av), where -ab ends the path.
 FN void path_ambient_value(PARAMS(const Params) par, PRIVATE(Vertex) vertex) {
     if ((int)path_bounces(vertex->flags) < par->ab || !vertex->wanted) return;
-    float3 av = F3(par->av.x, par->av.y, par->av.z);
+    float3 av = f3_of(par->av);
     float3 value = mul3(add3(vertex->lobes.ambient_r, vertex->lobes.ambient_t), av);
     if (vertex->at_suffix) vertex->suffix_rad = add3(vertex->suffix_rad, value);
     else vertex_add(vertex, value);
@@ -64,9 +64,9 @@ FN int path_continue(PARAMS(const Params) par, TABLES(const Paths) paths, PRIVAT
         Medium there = lobe_reflects(lobe->type) ? vertex->arriving : vertex->medium_behind;
         set_path_medium(paths, path, &there);
     }
-    write4_(paths->org, path, pack4(from, as_float_(above ? vertex->clip_before : vertex->clip_behind)));
-    write4_(paths->dir, path, pack4(lobe->dir, FAR_AWAY));
-    write4_(paths->throughput, path, pack4(vertex->throughput, vertex->weight));
+    write4_(paths->org, path, org_words(from, above ? vertex->clip_before : vertex->clip_behind));
+    write4_(paths->dir, path, dir_words(lobe->dir, FAR_AWAY));
+    write4_(paths->throughput, path, throughput_words(vertex->throughput, vertex->weight));
     return PATH_CONTINUES;
 }
 #endif

@@ -32,15 +32,16 @@ FN void direct_shadow_ray(TABLES(const SceneTables) s, PARAMS(const Params) par,
 
     if (!IS_DISTANT(light->dist)) {  // aimed again from its offset origin, or the source would shadow itself
         float3 to = sub3(scale3(light->dir, light->dist), sub3(from, start));
-        to = way_before_source(s, source_record(s, par, source), from, to);
+        to = way_before_source(s, &s->sources[source], from, to);
         light->dist = length3(to);
         light->dir = scale3(to, 1.0f / MAX_(light->dist, 1e-9f));
     }
 
-    write4_(paths->shadow_org, path, pack4(from, as_float_(source)));
-    write4_(paths->shadow_dir, path, pack4(light->dir, light->dist));
-    write4_(paths->shadow_rad, path, pack4(radiance, g->path_length));
-    if (par->reuse_path_count != 0u) write4_(paths->shadow_suffix, path, pack4(far, vertex->at_suffix ? 1.0f : 0.0f));
+    write4_(paths->shadow_org, path, shadow_org_words(from, source));
+    write4_(paths->shadow_dir, path, shadow_dir_words(light->dir, light->dist));
+    write4_(paths->shadow_rad, path, shadow_rad_words(radiance, g->path_length));
+    if (par->reuse_path_count != 0u)
+        write4_(paths->shadow_suffix, path, shadow_suffix_words(far, vertex->at_suffix ? 1.0f : 0.0f));
     if (path_media_used(par)) {
         Medium there = above ? vertex->arriving : vertex->medium_behind;
         set_shadow_medium(paths, path, &there, above ? vertex->clip_before : vertex->clip_behind);
@@ -51,11 +52,11 @@ FN void direct_shadow_ray(TABLES(const SceneTables) s, PARAMS(const Params) par,
 FN int path_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths,
                    PRIVATE(Vertex) vertex) {
     PRIVATE(const Surface) g = &vertex->g;
-    if (!vertex->wanted || par->source_count == 0u) return 0;
+    if (!vertex->wanted || par->sources_count == 0u) return 0;
 
     // Source, chosen by importance at this point.  Where the medium scatters, it takes half of the shadow rays.
     uint source = 0u;
-    int both = par->source_count > 1u && lobes_transmit(&vertex->lobes);
+    int both = par->sources_count > 1u && lobes_transmit(&vertex->lobes);
     float inv_p = choose_source(s, par, g->p, g->n, both, &vertex->rnd, &source);
     float2 x = sample2(&vertex->rnd);
     if (vertex->went_to_medium) return 0;
@@ -71,9 +72,9 @@ FN int path_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES
 
     // Radiance of the source.  Where a pattern falls below 0, RADIANCE keeps light whose luminance is positive.  An
     // illum does not light itself.
-    GLOBAL const float* src = source_record(s, par, source);
+    GLOBAL const Source* src = &s->sources[source];
     float3 radiance = sampled_radiance(s, par, src, &light, g->path_length, &vertex->rnd);
-    int itself = as_uint_(src[SRC_PRIM]) == g->prim && as_uint_(src[SRC_VIRTUAL]) == NONE;
+    int itself = src->prim == g->prim && src->relay == NONE;
     if (!(luminance3(mul3(response, radiance)) > 0.0f) || itself) return 0;
 
     radiance = scale3(radiance, inv_p);

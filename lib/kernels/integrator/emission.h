@@ -19,8 +19,8 @@ FN float3 path_background(TABLES(const SceneTables) s, PARAMS(const Params) par,
     int sampled = path_sampled(flags), images_only = par->mode == MODE_IMAGE;
     uint i = distant_at(s, par, dir, sampled);
     if (i == NONE) return black;
-    GLOBAL const uint* distant = s->u + par->distant_at + DISTANT_WORDS * i;
-    uint source = distant[DISTANT_SOURCE];
+    GLOBAL const Distant* distant = &s->distant[i];
+    uint source = distant->source;
 
     if (source != NONE) {  // an active source (the sun): only eye and mirror rays see it (spec shading 0.1)
         if (sampled || (par->flags & PF_DV) == 0u) return black;
@@ -29,17 +29,17 @@ FN float3 path_background(TABLES(const SceneTables) s, PARAMS(const Params) par,
         return black;
     }
 
-    if (distant[DISTANT_SEEN] >= DISTANT_BLACK) return black;
-    return sky_radiance(s, par, distant[DISTANT_SEEN], org, dir, rnd);
+    if (distant->seen >= DISTANT_BLACK) return black;
+    return sky_radiance(s, par, distant->seen, org, dir, rnd);
 }
 
 // Radiance of a light surface at a hit (spec shading 3.8, in its order).  *pass = 1: the ray passes through it.
 FN float3 emitter_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint flags,
                            PRIVATE(int) pass) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
-    GLOBAL const uint* m = mod_record(s, par, g->mod);
-    GLOBAL const float* arg = s->f + m[MOD_ARGS];
-    uint source = s->prims[PRIM_WORDS * g->prim + PRIM_SOURCE];
+    GLOBAL const Modifier* m = &s->modifiers[g->mod];
+    GLOBAL const float* arg = s->f + m->args;
+    uint source = s->prims[g->prim].source;
     *pass = 0;
     int sampled = path_sampled(flags);
     if (sampled && g->front) {

@@ -38,12 +38,11 @@ FN int vertex_sensor(PRIVATE(Vertex) vertex) {
 }
 
 // -i: the first surface that the eye sees is white and Lambertian, so that its radiance is its irradiance.
-FN int irradiance_surface(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, int passes,
-                          PRIVATE(Vertex) vertex) {
+FN int irradiance_surface(TABLES(const SceneTables) s, TABLES(const Paths) paths, int passes, PRIVATE(Vertex) vertex) {
     // the material's own media do not apply
     if (vertex->absorbs) vertex->arriving = path_medium(paths, vertex->path);
     vertex->medium_behind = vertex->arriving;
-    if (passes || (mod_word(s, par, vertex->g.mod, MOD_FLAGS) & MF_SEEN_THROUGH) != 0u) return HIT_NULL;
+    if (passes || (s->modifiers[vertex->g.mod].flags & MF_SEEN_THROUGH) != 0u) return HIT_NULL;
 
     vertex->g.pert = vertex->g.pert_before;  // the white surface in its place has no texture of its own
     shading_normal(&vertex->g);
@@ -71,7 +70,7 @@ FN int vertex_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
     uint carried = g->mod;
 
     // a hole cut by antimatter; a chain without material; an illum or mirror whose alternate is void
-    if (antimatter && clip_hit(s, par, g, &vertex->clip_behind) == CLIP_IGNORE) return HIT_NULL;
+    if (antimatter && clip_hit(s, g, &vertex->clip_behind) == CLIP_IGNORE) return HIT_NULL;
     if (!find_material(s, par, g, &vertex->rnd)) return HIT_NULL;
     if (take_alternate(s, par, g, vertex->flags, &vertex->rnd)) return HIT_NULL;
 
@@ -85,7 +84,7 @@ FN int vertex_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
     if (antimatter) clip_turned(s, par, g, carried, &vertex->clip_behind);
     if ((par->flags & PF_IRRADIANCE) == 0u || path_sampled(vertex->flags) || (vertex->flags & PC_BENT) != 0u)
         return kind;
-    return irradiance_surface(s, par, paths, kind == HIT_NULL, vertex);
+    return irradiance_surface(s, paths, kind == HIT_NULL, vertex);
 }
 
 // Ends the path at an emitter.
@@ -102,8 +101,8 @@ FN void path_pass(TABLES(const Paths) paths, PRIVATE(Vertex) vertex) {
 
     vertex_store(paths, vertex, g->path_length);
     if (vertex->absorbs) set_path_medium(paths, path, &vertex->medium_behind);
-    write4_(paths->throughput, path, pack4(vertex->throughput, vertex->weight));
-    write4_(paths->org, path, pack4(offset_ray(g->p, neg3(g->ng), g->rounding), as_float_(vertex->clip_behind)));
-    write4_(paths->dir, path, pack4(vertex->ray.dir, left));
+    write4_(paths->throughput, path, throughput_words(vertex->throughput, vertex->weight));
+    write4_(paths->org, path, org_words(offset_ray(g->p, neg3(g->ng), g->rounding), vertex->clip_behind));
+    write4_(paths->dir, path, dir_words(vertex->ray.dir, left));
 }
 #endif

@@ -8,14 +8,14 @@
 #define LUX_PATH_IMAGE_H
 
 FN void image_way_start(PARAMS(const Params) par, TABLES(const Paths) paths, uint path, float way) {
-    if (par->mode == MODE_IMAGE) paths->shadow_rad[path] = pack4(F3(way, 0.0f, 0.0f), 0.0f);
+    if (par->mode == MODE_IMAGE) paths->shadow_rad[path] = shadow_rad_words(F3(way, 0.0f, 0.0f), 0.0f);
 }
 
 // The number that chooses among `count` lobes; what is left of it is the next one.
 FN float image_way(TABLES(const Paths) paths, uint path, float count) {
     float way = paths->shadow_rad[path].x;
     float at = way * count;
-    paths->shadow_rad[path] = pack4(F3(at - floor_(at), 0.0f, 0.0f), 0.0f);
+    paths->shadow_rad[path] = shadow_rad_words(F3(at - floor_(at), 0.0f, 0.0f), 0.0f);
     return way;
 }
 

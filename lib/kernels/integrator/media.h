@@ -13,7 +13,7 @@ FN int path_media(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
     if (!(max3(crossed.k) > 0.0f)) return 0;
 
     float3 T = attenuation(crossed.k, vertex->g.length);
-    vertex->scatterers = scattered_count(s, par, &crossed);
+    vertex->scatterers = scattered_count(s, &crossed);
     if (vertex->wanted) vertex_add(vertex, medium_glow(par, &crossed, T));
 
     if (vertex->wanted && vertex->scatterers > 0u) {

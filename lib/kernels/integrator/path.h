@@ -47,7 +47,7 @@ FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
     int kind = on_sensor ? vertex_sensor(&vertex) : vertex_hit(s, par, paths, &vertex);
 
     // Path reuse: this hit may be the suffix vertex of the path.
-    if ((vertex.flags & PC_RECORDS_SUFFIX) != 0u) path_record_suffix(s, par, paths, &vertex, kind);
+    if ((vertex.flags & PC_RECORDS_SUFFIX) != 0u) path_record_suffix(s, paths, &vertex, kind);
 
     // The medium just crossed attenuates the path and may scatter light into it.
     int shadow = path_media(s, par, paths, &vertex);
@@ -88,7 +88,7 @@ FN int path_shade(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(
 
 // Paths without a hit, for devices where path_shade does not handle them (HAS(SKY)).
 FN void path_sky(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path) {
-    if (as_uint_(paths->hit[path].y) != NO_HIT) return;
+    if (path_hit_prim(paths, path) != NO_HIT) return;
     Vertex vertex;
     vertex_load(par, paths, path, &vertex);
     path_miss(s, par, paths, &vertex);

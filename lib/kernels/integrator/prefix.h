@@ -29,11 +29,12 @@ FN void path_record_prefix(TABLES(const Paths) paths, PRIVATE(Vertex) vertex, PR
 
     if (!is_prefix_vertex(vertex, lobe)) return;
     float rarity = lobe->total / MAX_(lobe->prob, 1e-30f);
-    write4_(paths->prefix_p, path, pack4(offset_ray(g->p, g->ng, g->rounding), 0.0f));
-    write4_(paths->prefix_n, path, pack4(g->n, MAX_(lobe->weight, 0.0f)));
-    write4_(paths->prefix_ng, path, pack4(g->ng, 0.0f));
+    write4_(paths->prefix_p, path, prefix_p_words(offset_ray(g->p, g->ng, g->rounding), 0u));
+    write4_(paths->prefix_n, path, prefix_n_words(g->n, MAX_(lobe->weight, 0.0f)));
+    write4_(paths->prefix_ng, path, prefix_ng_words(g->ng, 0u));
     paths->mixture[path] = lobe->mixture;
-    write4_(paths->prefix_throughput, path, pack4(scale3(mul3(vertex->throughput, lobe->color), rarity), 0.0f));
+    write4_(paths->prefix_throughput, path,
+            prefix_throughput_words(scale3(mul3(vertex->throughput, lobe->color), rarity), 0.0f));
     vertex->flags |= PC_RECORDS_SUFFIX;
 }
 #endif

@@ -96,7 +96,7 @@ FN float sample_rough_r(TABLES(const SceneTables) s, PARAMS(const Params) par, P
     if ((lobes->flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(lobes, g, WGMD_ROUGH_R);
     if ((lobes->flags & LOBE_ASHIK) != 0u) return ashik_sample(lobes, g, &vertex->rnd, &lobe->dir);
     if ((lobes->flags & LOBE_BSDF) != 0u)
-        return bsdf_sample_lobe(s, par, lobes, g, 0, &vertex->rnd, &lobe->color, &lobe->dir);
+        return bsdf_sample_lobe(s, lobes, g, 0, &vertex->rnd, &lobe->color, &lobe->dir);
     return lobes_sample_rough_r(lobes, g, &vertex->rnd, weighted, par->ss, &lobe->dir);
 }
 
@@ -106,7 +106,7 @@ FN float sample_rough_t(TABLES(const SceneTables) s, PARAMS(const Params) par, P
     PRIVATE(Surface) g = &vertex->g;
     if ((lobes->flags & LOBE_OWN_NORMALS) != 0u) wgmd_turn(lobes, g, WGMD_ROUGH_T);
     if ((lobes->flags & LOBE_BSDF) != 0u)
-        return bsdf_sample_lobe(s, par, lobes, g, 1, &vertex->rnd, &lobe->color, &lobe->dir);
+        return bsdf_sample_lobe(s, lobes, g, 1, &vertex->rnd, &lobe->color, &lobe->dir);
     return lobes_sample_rough_t(lobes, g, &vertex->rnd, par->ss, &lobe->dir);
 }
 

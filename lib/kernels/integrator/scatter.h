@@ -3,25 +3,21 @@
 #ifndef LUX_PATH_SCATTER_H
 #define LUX_PATH_SCATTER_H
 
-FN GLOBAL const uint* light_set(TABLES(const SceneTables) s, PARAMS(const Params) par, uint set) {
-    return s->u + par->light_sets_at + LIGHT_SET_WORDS * set;
-}
-
 // Number of sources that a medium scatters.
-FN uint scattered_count(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Medium) medium) {
+FN uint scattered_count(TABLES(const SceneTables) s, PRIVATE(const Medium) medium) {
     uint count = 0u;
     if (medium->lights == 0u || max3(mul3(medium->k, medium->albedo)) <= 0.0f) return 0u;
     for (uint set = 0u, left = medium->lights; left != 0u; set++, left >>= 1)
-        if ((left & 1u) != 0u) count += *(light_set(s, par, set) + LIGHT_SET_COUNT);
+        if ((left & 1u) != 0u) count += s->light_sets[set].count;
     return count;
 }
 
-FN uint scattered_source(TABLES(const SceneTables) s, PARAMS(const Params) par, uint lights, uint pick) {
+FN uint scattered_source(TABLES(const SceneTables) s, uint lights, uint pick) {
     for (uint set = 0u, left = lights; left != 0u; set++, left >>= 1) {
-        GLOBAL const uint* lights_of = light_set(s, par, set);
+        GLOBAL const LightSet* named = &s->light_sets[set];
         if ((left & 1u) == 0u) continue;
-        if (pick < lights_of[LIGHT_SET_COUNT]) return s->u[lights_of[LIGHT_SET_FIRST] + pick];
-        pick -= lights_of[LIGHT_SET_COUNT];
+        if (pick < named->count) return s->u[named->at + pick];
+        pick -= named->count;
     }
 
     return NONE;
@@ -34,7 +30,7 @@ FN int path_scatter(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLE
                     PRIVATE(const Medium) medium, float2 x, float2 y, PRIVATE(Vertex) vertex) {
     float count = (float)vertex->scatterers, length = vertex->g.length;
     uint pick = (uint)((2.0f * x.x - 1.0f) * count);
-    uint source = scattered_source(s, par, medium->lights, MIN_(pick, vertex->scatterers - 1u));
+    uint source = scattered_source(s, medium->lights, MIN_(pick, vertex->scatterers - 1u));
 
     float t = x.y * length;
     float path_length = vertex->path_length_start + t;
@@ -42,7 +38,7 @@ FN int path_scatter(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLE
     LightSample light;
     sample_source(s, par, source, p, y, par->dj, &light);
     if (light.w <= 0.0f) return 0;
-    float3 radiance = sampled_radiance(s, par, source_record(s, par, source), &light, path_length, &vertex->rnd);
+    float3 radiance = sampled_radiance(s, par, &s->sources[source], &light, path_length, &vertex->rnd);
 
     float ecc = MAX_(medium->ecc, 0.0f);  // RADIANCE treats a negative value as 0
     float c = dot3(light.dir, vertex->ray.dir);
@@ -53,15 +49,16 @@ FN int path_scatter(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLE
     w = scale3(w, 2.0f * count * length * phase * light.w);
     if (max3(w) <= 0.0f) return 0;
 
-    paths->shadow_org[vertex->path] = pack4(p, as_float_(source));
+    paths->shadow_org[vertex->path] = shadow_org_words(p, source);
     if (!IS_DISTANT(light.dist)) {
-        float3 way = way_before_source(s, source_record(s, par, source), p, scale3(light.dir, light.dist));
+        float3 way = way_before_source(s, &s->sources[source], p, scale3(light.dir, light.dist));
         light.dist = length3(way);
         light.dir = unit3(way);
     }
-    paths->shadow_dir[vertex->path] = pack4(light.dir, light.dist);
-    paths->shadow_rad[vertex->path] = pack4(w, path_length);
-    if (par->reuse_path_count != 0u) write4_(paths->shadow_suffix, vertex->path, pack4(F3(0.0f, 0.0f, 0.0f), 0.0f));
+    paths->shadow_dir[vertex->path] = shadow_dir_words(light.dir, light.dist);
+    paths->shadow_rad[vertex->path] = shadow_rad_words(w, path_length);
+    if (par->reuse_path_count != 0u)
+        write4_(paths->shadow_suffix, vertex->path, shadow_suffix_words(F3(0.0f, 0.0f, 0.0f), 0.0f));
     set_shadow_medium(paths, vertex->path, medium, vertex->clip_before);
     return PATH_SHADOW;
 }

@@ -11,15 +11,15 @@
 // A shadow ray on its way to its sampled point on a source.
 STRUCT(ShadowRay) {
     Ray ray;
-    GLOBAL const float* src;  // record of the source aimed at; behind the relay of a virtual source, of the next one
-    float3 T;                 // transmittance so far
-    float path_length;        // path length so far
-    Medium medium;            // the medium that the ray is in
-    uint clip;                // state of antimatter (clip.h)
-    int absorbs;              // is there any medium in the scene?
-    int is_virtual;           // aimed at a virtual source: its radiance is known at its end only
-    int bent;                 // it does not follow one straight line
-    int known;                // SHADOW_TO_TRACE ...
+    GLOBAL const Source* src;  // record of the source aimed at; behind the relay of a virtual source, of the next one
+    float3 T;                  // transmittance so far
+    float path_length;         // path length so far
+    Medium medium;             // the medium that the ray is in
+    uint clip;                 // state of antimatter (clip.h)
+    int absorbs;               // is there any medium in the scene?
+    int is_virtual;            // aimed at a virtual source: its radiance is known at its end only
+    int bent;                  // it does not follow one straight line
+    int known;                 // SHADOW_TO_TRACE ...
     Sampler rnd;
 };
 
@@ -30,7 +30,7 @@ FN int shadow_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE
                   int relayed, PRIVATE(Medium) here, PRIVATE(Medium) medium_behind, PRIVATE(Lobes) lobes) {
     int antimatter = has_antimatter(par);
     uint carried = g->mod;
-    if (antimatter && clip_hit(s, par, g, &shadow->clip) == CLIP_IGNORE) return HIT_NULL;
+    if (antimatter && clip_hit(s, g, &shadow->clip) == CLIP_IGNORE) return HIT_NULL;
     if (!find_material(s, par, g, &shadow->rnd)) return HIT_NULL;
     if (shadow_alternate(s, par, g, shadow->src, relayed, &shadow->rnd)) return HIT_NULL;
     if (material_has(g->type, MT_EMISSIVE) != 0u) return HIT_EMITTER;
@@ -45,17 +45,17 @@ FN int shadow_hit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE
 
 // Returns 1 if the ray may miss the source that it was aimed at, so that only a hit of the source adds light: tubes are
 // aimed at by their axis, and a surface in the source's plane may hide it.
-FN int shadow_seeks_source(PARAMS(const Params) par, GLOBAL const float* src) {
-    uint kind = as_uint_(src[SRC_KIND]);
-    if (src[SRC_COVERED] != 0.0f) return 1;
+FN int shadow_seeks_source(PARAMS(const Params) par, GLOBAL const Source* src) {
+    uint kind = src->kind;
+    if (src->covered != 0u) return 1;
     if (kind == SK_CYLINDER) return par->ds > 0.0f || par->dj <= 0.0f;
     return par->ds > 0.0f && (kind == SK_POLYGON || kind == SK_RING);
 }
 
 // Returns 1 if a ray that hits this source at t comes from behind.  A ray may enter a tube through its open end.
-FN int shadow_from_behind(GLOBAL const float* src, PRIVATE(const Ray) ray, float t) {
-    if (as_uint_(src[SRC_KIND]) != SK_CYLINDER) return 0;
-    float3 axis = f3_at(src + SRC_U), from = sub3(madd3(ray->dir, t, ray->org), f3_at(src + SRC_CENTRE));
+FN int shadow_from_behind(GLOBAL const Source* src, PRIVATE(const Ray) ray, float t) {
+    if (src->kind != SK_CYLINDER) return 0;
+    float3 axis = f3_of(src->u), from = sub3(madd3(ray->dir, t, ray->org), f3_of(src->centre));
     float3 radial = madd3(axis, -dot3(from, axis) / dot3(axis, axis), from);
     return dot3(radial, ray->dir) > 0.0f;
 }
@@ -63,22 +63,23 @@ FN int shadow_from_behind(GLOBAL const float* src, PRIVATE(const Ray) ray, float
 // Returns 1 if an occlusion test against opaque surfaces comes first, before any glass.  *ray: the ray of that test.
 FN int shadow_is_plain(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path,
                        PRIVATE(Ray) ray) {
-    float4 org = paths->shadow_org[path], dir = paths->shadow_dir[path];
-    GLOBAL const float* src = source_record(s, par, as_uint_(org.w));
-    uint kind = as_uint_(src[SRC_KIND]);
+    Row_shadow_org org = shadow_org_of(paths->shadow_org[path]);
+    Row_shadow_dir dir = shadow_dir_of(paths->shadow_dir[path]);
+    GLOBAL const Source* src = &s->sources[org.source];
+    uint kind = src->kind;
     if (aims_shadows(par) || kind == SK_SPHERE || kind == SK_CYLINDER) return 0;
     if (shadow_seeks_source(par, src)) return 0;
-    ray->org = xyz4(org);
-    ray->dir = xyz4(dir);
+    ray->org = org.point;
+    ray->dir = dir.way;
     ray->tmin = 0.0f;
-    ray->tmax = IS_DISTANT(dir.w) ? FAR_AWAY : shadow_end(dir.w);
+    ray->tmax = IS_DISTANT(dir.distance) ? FAR_AWAY : shadow_end(dir.distance);
     return 1;
 }
 
 // Returns 1 if the source is hidden, where the ray hits it, by a mixture in its plane.
-FN int shadow_covered(TABLES(const SceneTables) s, GLOBAL const float* src, PRIVATE(const Ray) ray,
+FN int shadow_covered(TABLES(const SceneTables) s, GLOBAL const Source* src, PRIVATE(const Ray) ray,
                       PRIVATE(const Hit) hit) {
-    if (src[SRC_COVERED] == 0.0f) return 0;
+    if (src->covered == 0u) return 0;
     Surface g;
     Hit seen;
     Ray last = *ray;
@@ -93,7 +94,7 @@ FN int shadow_covered(TABLES(const SceneTables) s, GLOBAL const float* src, PRIV
 FN int shadow_blocked(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow, float dist,
                       PRIVATE(int) must_hit) {
     PRIVATE(Ray) ray = &shadow->ray;
-    uint kind = as_uint_(shadow->src[SRC_KIND]);
+    uint kind = shadow->src->kind;
     *must_hit = shadow_seeks_source(par, shadow->src);
     ray->tmax = IS_DISTANT(dist) ? FAR_AWAY : shadow_end(dist);
     if (shadow->known != SHADOW_TO_TRACE) return shadow->known == SHADOW_BLOCKED;
@@ -103,7 +104,7 @@ FN int shadow_blocked(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     Hit hit;
     if (*must_hit) ray->tmax = dist * 1.001f;
     trace_closest(s, ray, RAY_OPAQUE, &hit);
-    if (hit.prim == as_uint_(shadow->src[SRC_PRIM])) {
+    if (hit.prim == shadow->src->prim) {
         if (*must_hit && shadow_from_behind(shadow->src, ray, hit.t)) return 1;
         if (shadow_covered(s, shadow->src, ray, &hit)) return 1;
         *must_hit = 0;
@@ -138,7 +139,7 @@ FN float3 shadow_straight(TABLES(const SceneTables) s, PARAMS(const Params) par,
         surface_at(s, ray, &hit, &g);
         shadow->path_length += hit.t;
         g.path_length = shadow->path_length;
-        int at_source = hit.prim == as_uint_(shadow->src[SRC_PRIM]);
+        int at_source = hit.prim == shadow->src->prim;
         Medium here = shadow->medium, medium_behind = shadow->medium;
         int kind = at_source ? HIT_NULL : shadow_hit(s, par, shadow, &g, 0, &here, &medium_behind, &lobes);
         if (kind == HIT_SURFACE) shadow->T = mul3(shadow->T, lobes.through);
@@ -163,16 +164,16 @@ FN float3 shadow_straight(TABLES(const SceneTables) s, PARAMS(const Params) par,
 // An aimed ray leaves the scene: a distant source must lie in its direction.
 FN float3 aimed_at_sky(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow) {
     float3 black = F3(0.0f, 0.0f, 0.0f);
-    GLOBAL const float* src = shadow->src;
+    GLOBAL const Source* src = shadow->src;
     PRIVATE(const Ray) ray = &shadow->ray;
-    if (as_uint_(src[SRC_VIRTUAL]) != NONE || as_uint_(src[SRC_KIND]) != SK_DISTANT) return black;
+    if (src->relay != NONE || src->kind != SK_DISTANT) return black;
 
-    float3 e = sub3(ray->dir, f3_at(src + SRC_CENTRE));
+    float3 e = sub3(ray->dir, f3_of(src->centre));
     if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(&shadow->medium, ENDLESS_MEDIUM));
-    if ((shadow->bent || shadow->is_virtual) && 0.5f * dot3(e, e) > src[SRC_CAP]) return black;
+    if ((shadow->bent || shadow->is_virtual) && 0.5f * dot3(e, e) > src->cap) return black;
     if (!shadow->is_virtual) return shadow->T;
-    return mul3(shadow->T, light_radiance(s, par, as_uint_(src[SRC_MOD]), NONE, ray->dir, ray->org, neg3(ray->dir),
-                                          FAR_AWAY, FAR_AWAY, &shadow->rnd));
+    return mul3(shadow->T, light_radiance(s, par, src->mod, NONE, ray->dir, ray->org, neg3(ray->dir), FAR_AWAY,
+                                          FAR_AWAY, &shadow->rnd));
 }
 
 // The ray has arrived at its source.
@@ -181,15 +182,15 @@ FN float3 aimed_at_source(TABLES(const SceneTables) s, PARAMS(const Params) par,
     if (!g->front) return F3(0.0f, 0.0f, 0.0f);
     if (shadow->absorbs) shadow->T = mul3(shadow->T, shadow_attenuation(&shadow->medium, g->length));
     if (!shadow->is_virtual) return shadow->T;
-    return mul3(shadow->T, light_radiance(s, par, as_uint_(shadow->src[SRC_MOD]), g->prim, shadow->ray.dir, g->p,
-                                          g->nface, g->length, g->path_length, &shadow->rnd));
+    return mul3(shadow->T, light_radiance(s, par, shadow->src->mod, g->prim, shadow->ray.dir, g->p, g->nface, g->length,
+                                          g->path_length, &shadow->rnd));
 }
 
 // Redirects the ray at the relay of a virtual source, toward the source behind it.  Returns the new direction.
 FN float3 aimed_relay(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(ShadowRay) shadow,
                       PRIVATE(const Surface) g, PRIVATE(const Lobes) lobes) {
-    GLOBAL const uint* relay = s->u + as_uint_(shadow->src[SRC_VIRTUAL]);
-    shadow->src = source_record(s, par, relay[RELAY_SOURCE]);
+    GLOBAL const Relay* relay = &s->relays[shadow->src->relay];
+    shadow->src = &s->sources[relay->source];
 
     if (g->type != M_PRISM) {
         shadow->T = mul3(shadow->T, lobes->mirror);
@@ -197,9 +198,9 @@ FN float3 aimed_relay(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
                     g->v);  // textures do not act here
     }
 
-    float3 next = shadow->ray.dir, aim = f3_at(shadow->src + SRC_CENTRE);
-    if (as_uint_(shadow->src[SRC_KIND]) != SK_DISTANT) aim = unit3(sub3(aim, g->p));
-    shadow->T = scale3(shadow->T, prism_exit(s, par, g, aim, relay[RELAY_EXIT], &next));
+    float3 next = shadow->ray.dir, aim = f3_of(shadow->src->centre);
+    if (shadow->src->kind != SK_DISTANT) aim = unit3(sub3(aim, g->p));
+    shadow->T = scale3(shadow->T, prism_exit(s, par, g, aim, relay->exit, &next));
     return next;
 }
 
@@ -226,19 +227,19 @@ FN float3 shadow_aimed(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
         Hit hit;
         Surface g;
         Lobes lobes;
-        uint relay = as_uint_(shadow->src[SRC_VIRTUAL]), before = shadow->clip;
+        uint relay = shadow->src->relay, before = shadow->clip;
         trace_closest(s, ray, RAY_ALL, &hit);
         if (hit.prim == NO_HIT) return aimed_at_sky(s, par, shadow);
 
         surface_at(s, ray, &hit, &g);
         shadow->path_length += hit.t;
         g.path_length = shadow->path_length;
-        if (relay == NONE && hit.prim == as_uint_(shadow->src[SRC_PRIM])) return aimed_at_source(s, par, shadow, &g);
+        if (relay == NONE && hit.prim == shadow->src->prim) return aimed_at_source(s, par, shadow, &g);
 
         // the surface redirects the ray, attenuates it or stops it
         float3 next = ray->dir;
         Medium here = shadow->medium, medium_behind = shadow->medium;
-        int relayed = relay != NONE && hit.prim == s->u[relay + RELAY_PRIM];
+        int relayed = relay != NONE && hit.prim == s->relays[relay].prim;
         int kind = shadow_hit(s, par, shadow, &g, relayed, &here, &medium_behind, &lobes);
         if (kind == HIT_SURFACE)
             next = relayed ? aimed_relay(s, par, shadow, &g, &lobes) : aimed_through(shadow, &lobes);
@@ -260,39 +261,40 @@ FN float3 shadow_aimed(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
 
 // Where patterns fall below 0, RADIANCE keeps light whose channels sum to more than 0.  (The emitter's own pattern is
 // not in this sum.)
-FN int shadow_counts(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const ShadowRay) shadow, float3 T) {
+FN int shadow_counts(TABLES(const SceneTables) s, PRIVATE(const ShadowRay) shadow, float3 T) {
     if (T.x >= 0.0f && T.y >= 0.0f && T.z >= 0.0f) return 1;
-    GLOBAL const uint* emitter = mod_record(s, par, as_uint_(shadow->src[SRC_MOD]));
-    int plain = !shadow->is_virtual && emitter[MOD_TYPE] >= M_FIRST_MATERIAL;
-    float3 light = plain ? mul3(T, f3_at(s->f + emitter[MOD_ARGS])) : T;
+    GLOBAL const Modifier* emitter = &s->modifiers[shadow->src->mod];
+    int plain = !shadow->is_virtual && emitter->type >= M_FIRST_MATERIAL;
+    float3 light = plain ? mul3(T, f3_at(s->f + emitter->args)) : T;
     return light.x + light.y + light.z > 0.0f;
 }
 
 // Adds the light of a path's shadow ray.  known: visibility of a plain one (shadow_is_plain).
 FN void path_shadow(TABLES(const SceneTables) s, PARAMS(const Params) par, TABLES(const Paths) paths, uint path,
                     int known) {
-    float4 org = read4_(paths->shadow_org, path), dir = read4_(paths->shadow_dir, path),
-           rad = read4_(paths->shadow_rad, path);
+    Row_shadow_org org = shadow_org_of(read4_(paths->shadow_org, path));
+    Row_shadow_dir dir = shadow_dir_of(read4_(paths->shadow_dir, path));
+    Row_shadow_rad rad = shadow_rad_of(read4_(paths->shadow_rad, path));
     int antimatter = has_antimatter(par), aimed = aims_shadows(par);
     ShadowRay shadow;
-    shadow.ray.org = xyz4(org);
-    shadow.ray.dir = xyz4(dir);
+    shadow.ray.org = org.point;
+    shadow.ray.dir = dir.way;
     shadow.ray.tmin = 0.0f;
-    shadow.src = source_record(s, par, as_uint_(org.w));
+    shadow.src = &s->sources[org.source];
     shadow.T = F3(1.0f, 1.0f, 1.0f);
-    shadow.path_length = aimed ? rad.w : 0.0f;
+    shadow.path_length = aimed ? rad.path_length : 0.0f;
     shadow.absorbs = has_media(par);
     shadow.medium = shadow.absorbs ? shadow_medium(paths, path) : medium_open(par);
-    shadow.clip = antimatter ? as_uint_(paths->shadow_medium[path].w) : CLIP_START;
-    shadow.is_virtual = as_uint_(shadow.src[SRC_VIRTUAL]) != NONE;
+    shadow.clip = antimatter ? shadow_medium_clip(paths->shadow_medium[path]) : CLIP_START;
+    shadow.is_virtual = shadow.src->relay != NONE;
     shadow.bent = 0;
     shadow.known = known;
-    shadow.rnd = path_sampler(read4_(paths->info, path));
+    shadow.rnd = path_sampler(info_of(read4_(paths->info, path)));
     shadow.rnd.key = hash32(shadow.rnd.key ^ 0x5bd1e995u);
 
-    float3 T = aimed ? shadow_aimed(s, par, &shadow) : shadow_straight(s, par, &shadow, dir.w);
+    float3 T = aimed ? shadow_aimed(s, par, &shadow) : shadow_straight(s, par, &shadow, dir.distance);
     if (par->mode == MODE_SPLAT && shadow.bent) return;  // samples and images of the sun (image.h) hold this light
-    if (!shadow_counts(s, par, &shadow, T)) return;
-    path_receive(par, paths, path, mul3(xyz4(rad), T), T);
+    if (!shadow_counts(s, &shadow, T)) return;
+    path_receive(par, paths, path, mul3(rad.rgb, T), T);
 }
 #endif

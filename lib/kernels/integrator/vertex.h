@@ -46,33 +46,35 @@ STRUCT(Vertex) {
 #define HIT_SURFACE 2  // lobes hold the scattering
 
 FN void vertex_load(PARAMS(const Params) par, TABLES(const Paths) paths, uint path, PRIVATE(Vertex) vertex) {
-    float4 org = read4_(paths->org, path), dir = read4_(paths->dir, path), throughput = read4_(paths->throughput, path),
-           rad = read4_(paths->rad, path);
-    uint4 info = read4_(paths->info, path);
-    if ((info.x & PC_SUFFIX) != 0u) rad = read4_(paths->suffix_rad, path);
+    Row_org org = org_of(read4_(paths->org, path));
+    Row_dir dir = dir_of(read4_(paths->dir, path));
+    Row_throughput throughput = throughput_of(read4_(paths->throughput, path));
+    Row_rad rad = rad_of(read4_(paths->rad, path));
+    PathInfo info = info_of(read4_(paths->info, path));
+    if ((info.flags & PC_SUFFIX) != 0u) rad = rad_of(read4_(paths->suffix_rad, path));
 
     vertex->path = path;
-    vertex->flags = info.x;
+    vertex->flags = info.flags;
     vertex->rnd = path_sampler(info);
-    vertex->rad = xyz4(rad);
-    vertex->path_length_start = rad.w;
-    vertex->throughput = xyz4(throughput);
-    vertex->weight = throughput.w;
-    vertex->wanted = class_wanted(par, info.x, path_sample_index(par, path));
+    vertex->rad = rad.rgb;
+    vertex->path_length_start = rad.path_length;
+    vertex->throughput = throughput.rgb;
+    vertex->weight = throughput.weight;
+    vertex->wanted = class_wanted(par, info.flags, path_sample_index(par, path));
 
     vertex->at_suffix = 0;
     vertex->suffix_rad = F3(0.0f, 0.0f, 0.0f);
 
-    vertex->ray.org = xyz4(org);
-    vertex->ray.dir = xyz4(dir);
+    vertex->ray.org = org.point;
+    vertex->ray.dir = dir.way;
     vertex->ray.tmin = 0.0f;
-    vertex->ray.tmax = dir.w;
+    vertex->ray.tmax = dir.length;
     vertex->hit = path_hit(read4_(paths->hit, path), info);
 
     vertex->absorbs = has_media(par);
     vertex->arriving = vertex->absorbs ? path_medium(paths, path) : medium_open(par);
     vertex->medium_behind = vertex->arriving;
-    vertex->clip_before = as_uint_(org.w);
+    vertex->clip_before = org.clip;
     vertex->clip_behind = vertex->clip_before;
     vertex->scatterers = 0u;
     vertex->went_to_medium = 0;
@@ -81,20 +83,16 @@ FN void vertex_load(PARAMS(const Params) par, TABLES(const Paths) paths, uint pa
 // Stores the radiance of the path, for itself or for its suffix vertex.  length: as below.
 FN void vertex_store_rad(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
     uint path = vertex->path;
-    if (vertex->at_suffix) write4_(paths->suffix_rad, path, pack4(vertex->suffix_rad, length));
-    if (vertex->at_suffix || (vertex->flags & PC_SUFFIX) == 0u) write4_(paths->rad, path, pack4(vertex->rad, length));
-    else write4_(paths->suffix_rad, path, pack4(vertex->rad, length));
+    if (vertex->at_suffix) write4_(paths->suffix_rad, path, suffix_rad_words(vertex->suffix_rad, length));
+    if (vertex->at_suffix || (vertex->flags & PC_SUFFIX) == 0u)
+        write4_(paths->rad, path, rad_words(vertex->rad, length));
+    else write4_(paths->suffix_rad, path, suffix_rad_words(vertex->rad, length));
 }
 
 // Stores the state of the path that the step has changed.  length: from the eye to the origin of its next ray.
 FN void vertex_store(TABLES(const Paths) paths, PRIVATE(const Vertex) vertex, float length) {
     vertex_store_rad(paths, vertex, length);
-    uint4 info;
-    info.x = vertex->flags;
-    info.y = vertex->rnd.key;
-    info.z = path_sampler_word(&vertex->rnd);
-    info.w = vertex->hit.inst;
-    write4_(paths->info, vertex->path, info);
+    write4_(paths->info, vertex->path, info_words(vertex->flags, &vertex->rnd, vertex->hit.inst));
 }
 
 FN void vertex_add(PRIVATE(Vertex) vertex, float3 radiance) {

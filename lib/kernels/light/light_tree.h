@@ -34,22 +34,18 @@ FN float above_horizon(float c, float sine) {
     return MIN_((c + sine) * (c + sine) / (4.0f * sine), 1.0f);
 }
 
-FN GLOBAL const float* light_node(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i) {
-    return s->f + par->light_tree_at + LIGHT_FLOATS * i;
-}
-
-FN int light_is_source(GLOBAL const float* node) { return as_uint_(node[LIGHT_SOURCE]) != NONE; }
+FN int light_is_source(GLOBAL const LightNode* node) { return node->source != NONE; }
 
 // Vector from p to the middle of a node's ball.
-FN float3 lobe_to_light(GLOBAL const float* node, float3 p) {
-    float3 centre = f3_at(node + LIGHT_CENTRE);
-    return node[LIGHT_FAR] > 0.0f ? sub3(centre, p) : centre;  // else distant
+FN float3 lobe_to_light(GLOBAL const LightNode* node, float3 p) {
+    float3 centre = f3_of(node->centre);
+    return node->far > 0.0f ? sub3(centre, p) : centre;  // else distant
 }
 
 // Importance of a node at p with normal n, up to a factor; both: also from behind.
-FN float light_importance(TABLES(const SceneTables) s, GLOBAL const float* node, float3 p, float3 n, int both) {
+FN float light_importance(TABLES(const SceneTables) s, GLOBAL const LightNode* node, float3 p, float3 n, int both) {
     float3 to = lobe_to_light(node, p);
-    float d = MAX_(length3(to), 1e-9f), r = node[LIGHT_RADIUS], far = node[LIGHT_FAR], power = node[LIGHT_POWER];
+    float d = MAX_(length3(to), 1e-9f), r = node->radius, far = node->far, power = node->power;
     float inv_d = 1.0f / d;
     float sine = r * inv_d;
     if (far > 0.0f) {
@@ -61,20 +57,19 @@ FN float light_importance(TABLES(const SceneTables) s, GLOBAL const float* node,
     if (both) power *= MAX_(above_horizon(fabs_(c), sine), LEAST_OF_BOTH_SIDES);
     else power *= above_horizon(c, sine);
 
-    float spread = node[LIGHT_SPREAD], facing = -dot3(to, f3_at(node + LIGHT_AXIS)) * inv_d;
+    float spread = node->spread, facing = -dot3(to, f3_of(node->axis)) * inv_d;
     if (!(power > 0.0f) || facing + sine + spread <= 0.0f) return 0.0f;
 
-    uint apertures = as_uint_(node[LIGHT_APERTURES]);
-    GLOBAL const float* aperture = s->f + as_uint_(node[LIGHT_APERTURES_AT]);
-    for (uint k = 0u; k < apertures; k++, aperture += APERTURE_FLOATS)
-        if (aperture_occludes(aperture, p, to, sine, 1)) return 0.0f;
+    uint end = node->aperture_at + node->aperture_count;
+    for (uint k = node->aperture_at; k < end; k++)
+        if (aperture_occludes(&s->apertures[k], p, to, sine, 1)) return 0.0f;
     return power * MIN_(above_horizon(facing, sine) + spread, 1.0f);
 }
 
 // Returns 1 if a node is to be replaced by its children.
-FN int light_is_opened(GLOBAL const float* node, float3 p, float share) {
+FN int light_is_opened(GLOBAL const LightNode* node, float3 p, float share) {
     float3 to = lobe_to_light(node, p);
-    float r = node[LIGHT_RADIUS];
+    float r = node->radius;
     return !light_is_source(node) && r * r > share * share * dot3(to, to);
 }
 
@@ -82,11 +77,11 @@ FN int light_is_opened(GLOBAL const float* node, float3 p, float share) {
 // Nodes are in depth-first order, each followed by its children, and store where the traversal goes on without them.
 FN int cut_tree(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p, float3 n, int both, float share,
                 PRIVATE(LightCut) cut) {
-    int all = par->source_count <= LIGHT_CUT;
+    int all = par->sources_count <= LIGHT_CUT;
     float sum = 0.0f;
     cut->count = 0u;
-    for (uint i = 0u; i < par->light_nodes;) {
-        GLOBAL const float* node = light_node(s, par, i);
+    for (uint i = 0u; i < par->light_nodes_count;) {
+        GLOBAL const LightNode* node = &s->light_nodes[i];
         int opened = all ? !light_is_source(node) : light_is_opened(node, p, share);
         float w = opened ? 0.0f : light_importance(s, node, p, n, both);
         if (sum + w > sum) {
@@ -95,20 +90,20 @@ FN int cut_tree(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 p,
             cut->upto[cut->count] = sum;
             cut->at[cut->count++] = i;
         }
-        i = opened ? i + 1u : as_uint_(node[LIGHT_PAST]);
+        i = opened ? i + 1u : node->past;
     }
     return 1;
 }
 
 // Draws a source of node i by power.  u: a random number below *prob, the probability of the node, which becomes that
 // of the source.  Returns the source's node.
-FN uint source_of_light(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i, float u, PRIVATE(float) prob) {
+FN uint source_of_light(TABLES(const SceneTables) s, uint i, float u, PRIVATE(float) prob) {
     for (;;) {
-        GLOBAL const float* node = light_node(s, par, i);
+        GLOBAL const LightNode* node = &s->light_nodes[i];
         if (light_is_source(node)) return i;
-        float first = *prob * node[LIGHT_SHARE];
+        float first = *prob * node->share;
         int is_first = u < first;
-        i = is_first ? i + 1u : as_uint_(node[LIGHT_FLOATS + LIGHT_PAST]);
+        i = is_first ? i + 1u : node[1].past;
         u = is_first ? u : u - first;
         *prob = is_first ? first : *prob - first;
     }
@@ -122,15 +117,15 @@ STRUCT(LightCandidate) {
 
 // Candidate at y, from 0 to the sum of the cut's importances.  *k: where in the cut the search begins, and where it
 // ended.
-FN LightCandidate light_candidate(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const LightCut) cut,
-                                  float3 p, float3 n, int both, float y, PRIVATE(uint) k) {
+FN LightCandidate light_candidate(TABLES(const SceneTables) s, PRIVATE(const LightCut) cut, float3 p, float3 n,
+                                  int both, float y, PRIVATE(uint) k) {
     while (*k + 1u < cut->count && cut->upto[*k] <= y) (*k)++;
     float below = *k > 0u ? cut->upto[*k - 1u] : 0.0f;
     LightCandidate c;
     c.importance = cut->upto[*k] - below;
     c.prob = c.importance;
-    c.at = source_of_light(s, par, cut->at[*k], y - below, &c.prob);
-    if (c.at != cut->at[*k]) c.importance = light_importance(s, light_node(s, par, c.at), p, n, both);
+    c.at = source_of_light(s, cut->at[*k], y - below, &c.prob);
+    if (c.at != cut->at[*k]) c.importance = light_importance(s, &s->light_nodes[c.at], p, n, both);
     return c;
 }
 
@@ -142,16 +137,16 @@ FN float choose_light(TABLES(const SceneTables) s, PARAMS(const Params) par, flo
     for (float share = LIGHT_OPENED; !cut_tree(s, par, p, n, both, share, &cut);) share *= 2.0f;
     if (cut.count == 0u) return 0.0f;
 
-    uint candidates = par->source_count <= LIGHT_CUT ? 1u : LIGHT_CANDIDATES, k = 0u;
+    uint candidates = par->sources_count <= LIGHT_CUT ? 1u : LIGHT_CANDIDATES, k = 0u;
     float step = cut.upto[cut.count - 1u] / (float)candidates, sum = 0.0f, kept = 0.0f, r = x.y;
     for (uint j = 0u; j < candidates; j++) {
-        LightCandidate c = light_candidate(s, par, &cut, p, n, both, ((float)j + x.x) * step, &k);
+        LightCandidate c = light_candidate(s, &cut, p, n, both, ((float)j + x.x) * step, &k);
         if (!(c.importance > 0.0f)) continue;
 
         float w = c.importance / c.prob;
         sum += w;
         if (!reservoir_accept(w / sum, &r)) continue;
-        *chosen = as_uint_(*(light_node(s, par, c.at) + LIGHT_SOURCE));
+        *chosen = s->light_nodes[c.at].source;
         kept = c.importance;
     }
     return sum > 0.0f ? sum * step / kept : 0.0f;

@@ -7,14 +7,14 @@
 // Returns 1 if the aperture blocks all light from a ball about p + to.  sine: of half the angle that the ball subtends.
 // Apertures stand at the apparent places of the relays as seen from p.  tight: the aperture is extended by the ball's
 // cone only; else by three times its width, as in frames of scenes with few sources.
-FN int aperture_occludes(GLOBAL const float* aperture, float3 p, float3 to, float sine, int tight) {
-    float3 c = sub3(f3_at(aperture + APERTURE_CENTRE), p), n = f3_at(aperture + APERTURE_NORMAL);
+FN int aperture_occludes(GLOBAL const Aperture* aperture, float3 p, float3 to, float sine, int tight) {
+    float3 c = sub3(f3_of(aperture->centre), p), n = f3_of(aperture->normal);
     float down = dot3(n, to), d2 = dot3(to, to);
     if (down * down < 4.0f * sine * sine * d2) return 0;  // too nearly on edge to tell
     float along = dot3(n, c) / down;
-    if (along < -1e-3f || (down > 0.0f && aperture[APERTURE_BOTH_SIDES] == 0.0f)) return 1;  // behind p; its back
+    if (along < -1e-3f || (down > 0.0f && aperture->both_sides == 0u)) return 1;  // behind p; its back
 
-    float3 u = f3_at(aperture + APERTURE_U), v = f3_at(aperture + APERTURE_V), off = sub3(scale3(to, along), c);
+    float3 u = f3_of(aperture->u), v = f3_of(aperture->v), off = sub3(scale3(to, along), c);
     float at_u = fabs_(dot3(off, u)), at_v = fabs_(dot3(off, v));
     if (at_u <= 1.001f && at_v <= 1.001f) return 0;  // the ball's middle is visible
 

@@ -36,14 +36,14 @@ FN float source_piece(float3 p, float ds, int line, PRIVATE(float3) c, PRIVATE(f
 }
 
 // Cosine of a glow and cone of a spotlight, applied to a sample.
-FN void source_limits(GLOBAL const float* src, uint kind, float3 p, PRIVATE(LightSample) light) {
-    if (src[SRC_MAXRAD] > 0.0f && light->dist > src[SRC_MAXRAD]) light->w = 0.0f;
+FN void source_limits(GLOBAL const Source* src, uint kind, float3 p, PRIVATE(LightSample) light) {
+    if (src->max_radius > 0.0f && light->dist > src->max_radius) light->w = 0.0f;
     if (!IS_SPOT(src)) return;
 
     // inside the cone, as if its light came from f behind (spec 4.2); a sphere is measured from its centre
-    float f = src[SRC_SPOT_FOCUS], d = light->dist;
-    if (kind == SK_SPHERE) d = length3(sub3(f3_at(src + SRC_CENTRE), p));
-    if (-dot3(f3_at(src + SRC_SPOT), light->dir) < src[SRC_SPOT_COS]) light->w = 0.0f;
+    float f = src->spot_focus, d = light->dist;
+    if (kind == SK_SPHERE) d = length3(sub3(f3_of(src->centre), p));
+    if (-dot3(f3_of(src->spot), light->dir) < src->spot_cos) light->w = 0.0f;
     light->w *= d * d / ((d + f) * (d + f));
 }
 
@@ -72,7 +72,7 @@ FN float3 light_direction(float3 to, PRIVATE(float) dist) {
 
 // A sphere or sun seen through a prism: its axes are sheared with its place, and the sample decides how much of it the
 // bent rays hit.  So RADIANCE's own samples are used (spec shading 4.3): points of a ball; a square mapped to a disc.
-FN float3 sheared_place(GLOBAL const float* src, int distant, float2 x, float dj) {
+FN float3 sheared_place(GLOBAL const Source* src, int distant, float2 x, float dj) {
     float third = 4096.0f * x.x;  // what is left of the first number
     float3 k = F3(2.0f * x.x - 1.0f, 2.0f * x.y - 1.0f, 2.0f * (third - floor_(third)) - 1.0f);
     if (dj > 0.7f && distant) {
@@ -84,33 +84,33 @@ FN float3 sheared_place(GLOBAL const float* src, int distant, float2 x, float dj
     }
 
     k = scale3(k, dj);
-    float3 at = madd3(f3_at(src + SRC_U), k.x, madd3(f3_at(src + SRC_V), k.y, f3_at(src + SRC_CENTRE)));
-    return distant ? at : madd3(f3_at(src + SRC_NORMAL), k.z, at);
+    float3 at = madd3(f3_of(src->u), k.x, madd3(f3_of(src->v), k.y, f3_of(src->centre)));
+    return distant ? at : madd3(f3_of(src->normal), k.z, at);
 }
 
 // A sun: uniform over its cap, pulled to its centre by dj.
-FN void sample_distant(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
-    float3 axis = f3_at(src + SRC_CENTRE);
+FN void sample_distant(GLOBAL const Source* src, float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
+    float3 axis = f3_of(src->centre);
     if (dj <= 0.0f) light->dir = axis;
-    else if (src[SRC_SHEARED] != 0.0f) light->dir = unit3(sheared_place(src, 1, x, dj));
-    else light->dir = cone_direction(axis, x.x * dj * dj * src[SRC_CAP], x.y);
+    else if (src->sheared != 0u) light->dir = unit3(sheared_place(src, 1, x, dj));
+    else light->dir = cone_direction(axis, x.x * dj * dj * src->cap, x.y);
 
     light->dist = FAR_AWAY;
-    light->w = src[SRC_AREA];
+    light->w = src->area;
     light->point = p;  // patterns on a sun are evaluated at the ray's origin
     light->normal = neg3(light->dir);
 }
 
-FN void sample_sheared_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
+FN void sample_sheared_sphere(GLOBAL const Source* src, float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
     light->dir = light_direction(sub3(sheared_place(src, 0, x, dj), p), &light->dist);
-    light->w = K_PI * src[SRC_RADIUS] * src[SRC_RADIUS] / MAX_(light->dist * light->dist, 1e-18f);
+    light->w = K_PI * src->radius * src->radius / MAX_(light->dist * light->dist, 1e-18f);
     light->point = madd3(light->dir, light->dist, p);
     light->normal = neg3(light->dir);
 }
 
-FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
-    float r = src[SRC_RADIUS];
-    float3 c = f3_at(src + SRC_CENTRE);
+FN void sample_sphere(GLOBAL const Source* src, float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
+    float r = src->radius;
+    float3 c = f3_of(src->centre);
     float3 to = sub3(c, p);
     float d2 = dot3(to, to);
     if (d2 <= r * r) return;
@@ -118,7 +118,7 @@ FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRI
     to = scale3(to, 1.0f / d);
 
     if (dj <= 0.0f) {  // RADIANCE's centre sample (spec shading 4.2)
-        if (src[SRC_MAXRAD] > 0.0f && d > src[SRC_MAXRAD]) return;
+        if (src->max_radius > 0.0f && d > src->max_radius) return;
         light->dir = to;
         light->dist = d - r;
         light->w = K_PI * r * r / d2;
@@ -127,7 +127,7 @@ FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRI
         return;
     }
 
-    if (src[SRC_SHEARED] != 0.0f) {
+    if (src->sheared != 0u) {
         sample_sheared_sphere(src, p, x, dj, light);
         return;
     }
@@ -147,9 +147,9 @@ FN void sample_sphere(GLOBAL const float* src, float3 p, float2 x, float dj, PRI
 
 // A parallelogram; with -ds also a polygon or ring, in RADIANCE's own pieces and approximate shape: the shadow ray must
 // then hit the source.
-FN float3 point_of_pieces(PARAMS(const Params) par, GLOBAL const float* src, uint kind, float3 p, float2 x, float dj,
+FN float3 point_of_pieces(PARAMS(const Params) par, GLOBAL const Source* src, uint kind, float3 p, float2 x, float dj,
                           PRIVATE(float) pieces) {
-    float3 centre = f3_at(src + SRC_CENTRE), u = f3_at(src + SRC_U), v = f3_at(src + SRC_V);
+    float3 centre = f3_of(src->centre), u = f3_of(src->u), v = f3_of(src->v);
     if (kind == SK_RING) {  // square of equal area
         u = scale3(u, 0.886226925f);
         v = scale3(v, 0.886226925f);
@@ -165,29 +165,29 @@ FN float3 point_of_pieces(PARAMS(const Params) par, GLOBAL const float* src, uin
     return madd3(u, d.x, madd3(v, d.y, centre));
 }
 
-FN float3 point_of_ring(GLOBAL const float* src, float2 x, float dj) {
+FN float3 point_of_ring(GLOBAL const Source* src, float2 x, float dj) {
     float r = dj * sqrt_(x.x), sn, cs;
     k_sincos(K_TURN * x.y, &sn, &cs);
-    return madd3(f3_at(src + SRC_U), r * cs, madd3(f3_at(src + SRC_V), r * sn, f3_at(src + SRC_CENTRE)));
+    return madd3(f3_of(src->u), r * cs, madd3(f3_of(src->v), r * sn, f3_of(src->centre)));
 }
 
 // A triangle of the fan, by area, and a point in it.
-FN float3 point_of_polygon(TABLES(const SceneTables) s, GLOBAL const float* src, float2 x, float dj) {
-    if (dj <= 0.0f) return f3_at(src + SRC_CENTRE);
-    uint count = as_uint_(src[SRC_NTRIS]), k = 0u;
-    GLOBAL const float* fan = s->f + as_uint_(src[SRC_TRIS]);
-    while (k + 1u < count && x.x >= fan[FAN_UPTO]) {
+FN float3 point_of_polygon(TABLES(const SceneTables) s, GLOBAL const Source* src, float2 x, float dj) {
+    if (dj <= 0.0f) return f3_of(src->centre);
+    uint count = src->fan_count, k = 0u;
+    GLOBAL const FanTriangle* fan = &s->fans[src->fan_at];
+    while (k + 1u < count && x.x >= fan->upto) {
         k++;
-        fan += FAN_FLOATS;
+        fan++;
     }
 
-    float u = (x.x - fan[FAN_FROM]) / (fan[FAN_UPTO] - fan[FAN_FROM]);
+    float u = (x.x - fan->from) / (fan->upto - fan->from);
     float su = sqrt_(u);
-    return madd3(f3_at(fan + FAN_EDGE1), su * (1.0f - x.y), madd3(f3_at(fan + FAN_EDGE2), su * x.y, f3_at(fan)));
+    return madd3(f3_of(fan->edge1), su * (1.0f - x.y), madd3(f3_of(fan->edge2), su * x.y, f3_of(fan->corner)));
 }
 
 // Completes a sample from its point and the normal there.
-FN void sample_point(GLOBAL const float* src, float3 at, float3 n, float3 p, PRIVATE(LightSample) light) {
+FN void sample_point(GLOBAL const Source* src, float3 at, float3 n, float3 p, PRIVATE(LightSample) light) {
     float3 to = sub3(at, p);
     float d2 = dot3(to, to);
     if (d2 <= 0.0f) return;
@@ -195,27 +195,27 @@ FN void sample_point(GLOBAL const float* src, float3 at, float3 n, float3 p, PRI
     light->dir = scale3(to, 1.0f / light->dist);
     float cosine = -dot3(n, light->dir);
     if (cosine <= 1e-4f) return;
-    light->w = src[SRC_AREA] * cosine / d2;
+    light->w = src->area * cosine / d2;
     light->point = at;
     light->normal = n;
 }
 
-FN void sample_flat(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const float* src, uint kind, float3 p,
-                    float2 x, float dj, PRIVATE(LightSample) light) {
+FN void sample_flat(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const Source* src, uint kind,
+                    float3 p, float2 x, float dj, PRIVATE(LightSample) light) {
     float3 at;
     if (kind == SK_PARALLELOGRAM || par->ds > 0.0f) at = point_of_pieces(par, src, kind, p, x, dj, &light->pieces);
     else if (kind == SK_RING) at = point_of_ring(src, x, dj);
     else at = point_of_polygon(s, src, x, dj);
-    sample_point(src, at, f3_at(src + SRC_NORMAL), p, light);
+    sample_point(src, at, f3_of(src->normal), p, light);
 }
 
 // A cylinder in RADIANCE's approximation, with -dj 0 or in the pieces of -ds: a line with the cylinder's apparent
 // width.
-FN void sample_line(PARAMS(const Params) par, GLOBAL const float* src, float3 p, float2 x, float dj,
+FN void sample_line(PARAMS(const Params) par, GLOBAL const Source* src, float3 p, float2 x, float dj,
                     PRIVATE(LightSample) light) {
-    float3 c = f3_at(src + SRC_CENTRE), axis = f3_at(src + SRC_U);
+    float3 c = f3_of(src->centre), axis = f3_of(src->u);
     float3 none = axis;
-    float r = src[SRC_RADIUS], share = 1.0f;
+    float r = src->radius, share = 1.0f;
 
     if (par->ds > 0.0f) {
         float3 across = cross3(sub3(p, c), axis);
@@ -239,28 +239,27 @@ FN void sample_line(PARAMS(const Params) par, GLOBAL const float* src, float3 p,
     light->normal = sine > 1e-4f ? scale3(out, 1.0f / sine) : neg3(light->dir);
 }
 
-// SRC_U is half the axis.
-FN void sample_cylinder(PARAMS(const Params) par, GLOBAL const float* src, float3 p, float2 x, float dj,
+FN void sample_cylinder(PARAMS(const Params) par, GLOBAL const Source* src, float3 p, float2 x, float dj,
                         PRIVATE(LightSample) light) {
     if (dj <= 0.0f || par->ds > 0.0f) {
         sample_line(par, src, p, x, dj, light);
         return;
     }
 
-    float3 axis = f3_at(src + SRC_U), e1, e2;
+    float3 axis = f3_of(src->u), e1, e2;
     float sn, cs;
     orthonormal_basis(unit3(axis), &e1, &e2);
     k_sincos(K_TURN * x.y, &sn, &cs);
     float3 n = add3(scale3(e1, cs), scale3(e2, sn));
-    float3 at = madd3(n, src[SRC_RADIUS], madd3(axis, 2.0f * x.x - 1.0f, f3_at(src + SRC_CENTRE)));
+    float3 at = madd3(n, src->radius, madd3(axis, 2.0f * x.x - 1.0f, f3_of(src->centre)));
     sample_point(src, at, n, p, light);
 }
 
 // Samples a point of active source `source` as seen from p; w = 0 if it cannot light p.
 FN void sample_source(TABLES(const SceneTables) s, PARAMS(const Params) par, uint source, float3 p, float2 x, float dj,
                       PRIVATE(LightSample) light) {
-    GLOBAL const float* src = source_record(s, par, source);
-    uint kind = as_uint_(src[SRC_KIND]);
+    GLOBAL const Source* src = &s->sources[source];
+    uint kind = src->kind;
     light->w = 0.0f;
     light->pieces = 1.0f;
 
@@ -277,12 +276,11 @@ FN void sample_source(TABLES(const SceneTables) s, PARAMS(const Params) par, uin
 
 // The way from a point to a flat source, shortened for a shadow ray to end before it meets the source itself: by the
 // rounding (offset_ray.h) of the source and of the ray's length, along the source's normal.
-FN float3 way_before_source(TABLES(const SceneTables) s, GLOBAL const float* src, float3 from, float3 way) {
-    uint kind = as_uint_(src[SRC_KIND]);
-    if (as_uint_(src[SRC_VIRTUAL]) != NONE || (kind != SK_PARALLELOGRAM && kind != SK_POLYGON && kind != SK_RING))
-        return way;
-    float3 n = f3_at(src + SRC_NORMAL);
-    float extent = prim_extent(s->prims + PRIM_WORDS * as_uint_(src[SRC_PRIM]));
+FN float3 way_before_source(TABLES(const SceneTables) s, GLOBAL const Source* src, float3 from, float3 way) {
+    uint kind = src->kind;
+    if (src->relay != NONE || (kind != SK_PARALLELOGRAM && kind != SK_POLYGON && kind != SK_RING)) return way;
+    float3 n = f3_of(src->normal);
+    float extent = prim_extent(&s->prims[src->prim]);
     float distance = SURFACE_ROUNDING * (extent + sum_along(n, add3(from, way)) + length3(way));
     return madd3(n, dot3(n, way) < 0.0f ? distance : -distance, way);
 }

@@ -5,10 +5,6 @@
 #ifndef LUX_SOURCES_H
 #define LUX_SOURCES_H
 
-FN GLOBAL const float* source_record(TABLES(const SceneTables) s, PARAMS(const Params) par, uint i) {
-    return s->f + par->sources_at + SOURCE_FLOATS * i;
-}
-
 STRUCT(LightSample) {
     float3 dir;     // from the point to the source, unit
     float dist;     // FAR_AWAY for distant ones
@@ -34,9 +30,9 @@ FN void light_surface(uint mod, uint prim, float3 dir, float3 point, float3 norm
 }
 
 // Returns 1 if this material is the only modifier of its chain.
-FN int is_bare(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod) {
-    GLOBAL const uint* m = mod_record(s, par, mod);
-    return m[MOD_TYPE] >= M_FIRST_MATERIAL && m[MOD_NEXT] == NONE;
+FN int is_bare(TABLES(const SceneTables) s, uint mod) {
+    GLOBAL const Modifier* m = &s->modifiers[mod];
+    return m->type >= M_FIRST_MATERIAL && m->next == NONE;
 }
 
 // Radiance of light material `mod` seen along dir, patterns included.
@@ -44,8 +40,8 @@ FN float3 light_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, 
                          float3 point, float3 normal, float length, float path_length, PRIVATE(Sampler) rnd) {
     Surface g;
     light_surface(mod, prim, dir, point, normal, length, path_length, &g);
-    if (!is_bare(s, par, mod) && !find_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
-    return mul3(g.color, f3_at(s->f + mod_word(s, par, g.mod, MOD_ARGS)));
+    if (!is_bare(s, mod) && !find_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
+    return mul3(g.color, f3_at(s->f + s->modifiers[g.mod].args));
 }
 
 // The same of the background, which may have patterns where nothing else has.
@@ -53,17 +49,17 @@ FN float3 sky_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, ui
                        PRIVATE(Sampler) rnd) {
     Surface g;
     light_surface(mod, NONE, dir, org, neg3(dir), FAR_AWAY, FAR_AWAY, &g);
-    if (!is_bare(s, par, mod) && !chain_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
-    return mul3(g.color, f3_at(s->f + mod_word(s, par, g.mod, MOD_ARGS)));
+    if (!is_bare(s, mod) && !chain_material(s, par, &g, rnd)) return F3(0.0f, 0.0f, 0.0f);
+    return mul3(g.color, f3_at(s->f + s->modifiers[g.mod].args));
 }
 
 // Radiance of the source of record src at its sampled point.  path_length_start: from the eye to the point lit.  1 for
 // a virtual source, whose radiance is known only at the end of its shadow ray.
-FN float3 sampled_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const float* src,
+FN float3 sampled_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const Source* src,
                            PRIVATE(const LightSample) light, float path_length_start, PRIVATE(Sampler) rnd) {
-    if (as_uint_(src[SRC_VIRTUAL]) != NONE) return F3(1.0f, 1.0f, 1.0f);
-    return light_radiance(s, par, as_uint_(src[SRC_MOD]), as_uint_(src[SRC_PRIM]), light->dir, light->point,
-                          light->normal, light->dist, path_length_start + light->dist, rnd);
+    if (src->relay != NONE) return F3(1.0f, 1.0f, 1.0f);
+    return light_radiance(s, par, src->mod, src->prim, light->dir, light->point, light->normal, light->dist,
+                          path_length_start + light->dist, rnd);
 }
 
 // Distant surface seen in direction dir: the first non-glow that matches, else the first glow.  NONE if there is none.
@@ -71,13 +67,13 @@ FN float3 sampled_radiance(TABLES(const SceneTables) s, PARAMS(const Params) par
 FN uint distant_at(TABLES(const SceneTables) s, PARAMS(const Params) par, float3 dir, int sampled) {
     uint glow = NONE;
     for (UNIFORM uint i = 0u; i < par->distant_count; i++) {
-        GLOBAL const uint* distant = s->u + par->distant_at + DISTANT_WORDS * i;
-        float cap = as_float_(distant[DISTANT_CAP]);
-        float3 d = f3_bits(distant + DISTANT_DIR);
+        GLOBAL const Distant* distant = &s->distant[i];
+        float cap = distant->cap;
+        float3 d = f3_of(distant->dir);
         // 1 - cos by the chord: single precision would lose a sun of half a degree in 1 - dot
         float3 e = sub3(dir, d);
-        if (0.5f * dot3(e, e) > cap || (distant[DISTANT_SEEN] == NONE && !sampled)) continue;
-        if (distant[DISTANT_SOURCE] != NONE) return i;
+        if (0.5f * dot3(e, e) > cap || (distant->seen == NONE && !sampled)) continue;
+        if (distant->source != NONE) return i;
         if (glow == NONE) glow = i;
     }
 

@@ -7,8 +7,8 @@
 #ifndef LUX_BSDF_H
 #define LUX_BSDF_H
 
-// A material: BSDF_COMPONENTS of BSDF_COMPONENT_WORDS at u[MOD_EXTRA]: front reflection, front transmission, back.. (by
-// the side of v).
+// A material: BSDF_COMPONENTS of BSDF_COMPONENT_WORDS at u[Modifier.bsdf_at]: front reflection, front transmission,
+// back.. (by the side of v).
 #define BSDF_COMPONENTS 4u
 #define BSDF_COMPONENT_WORDS 2u
 #define BSDF_TABLE 0u    // index into u, NONE if there is none

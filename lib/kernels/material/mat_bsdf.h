@@ -35,8 +35,8 @@ FN float3 bsdf_world(float3 x, float3 z, float3 d) {
     return add3(scale3(x, d.x), add3(scale3(cross3(z, x), d.y), scale3(z, d.z)));
 }
 
-FN GLOBAL const uint* bsdf_component(TABLES(const SceneTables) s, GLOBAL const uint* m, int front, int transmit) {
-    return s->u + m[MOD_EXTRA] + BSDF_COMPONENT_WORDS * (uint)((front ? 0 : 2) + transmit);
+FN GLOBAL const uint* bsdf_component(TABLES(const SceneTables) s, GLOBAL const Modifier* m, int front, int transmit) {
+    return s->u + m->bsdf_at + BSDF_COMPONENT_WORDS * (uint)((front ? 0 : 2) + transmit);
 }
 
 // v moved by up to half a cell in x and y.
@@ -173,10 +173,10 @@ FN void bsdf_tables(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVA
 }
 
 FN_RARE void mat_bsdf(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
-                      GLOBAL const uint* m, PRIVATE(const float) value, int asked, PRIVATE(Sampler) rnd,
+                      GLOBAL const Modifier* m, PRIVATE(const float) value, int asked, PRIVATE(Sampler) rnd,
                       PRIVATE(Lobes) lobes) {
-    GLOBAL const float* arg = s->f + m[MOD_ARGS];
-    int peaked = (m[MOD_FLAGS] & MF_ABSDF) != 0u;
+    GLOBAL const float* arg = s->f + m->args;
+    int peaked = (m->flags & MF_ABSDF) != 0u;
     float thickness = peaked || fabs_(value[0]) <= 1e-6f ? 0.0f : value[0];
     if (thickness != 0.0f && (asked != LOBES_SAMPLED || (thickness > 0.0f) != g->front)) {
         lobes->flags |= LOBE_PASS;
@@ -215,7 +215,7 @@ FN float3 bsdf_start(PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g, int a
 // Coefficient of a source sample, as lobes_direct().
 FN_RARE float3 bsdf_direct(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Lobes) lobes,
                            PRIVATE(const Surface) g, float3 dir, float w, PRIVATE(Sampler) rnd) {
-    GLOBAL const uint* m = mod_record(s, par, g->mod);
+    GLOBAL const Modifier* m = &s->modifiers[g->mod];
     float3 z = bsdf_normal(g);
     float3 v = bsdf_local(lobes->BSDF_X, z, g->v), l = bsdf_local(lobes->BSDF_X, z, dir);
     int transmit = (l.z > 0.0f) != (v.z > 0.0f);
@@ -252,10 +252,9 @@ FN_RARE float3 bsdf_direct(TABLES(const SceneTables) s, PARAMS(const Params) par
 }
 
 // Samples the tabulated part.  *coef: its colour; returns the weight besides it, 0 = no valid direction.
-FN_RARE float bsdf_sample_lobe(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Lobes) lobes,
-                               PRIVATE(const Surface) g, int transmit, PRIVATE(Sampler) rnd, PRIVATE(float3) coef,
-                               PRIVATE(float3) dir) {
-    GLOBAL const uint* m = mod_record(s, par, g->mod);
+FN_RARE float bsdf_sample_lobe(TABLES(const SceneTables) s, PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g,
+                               int transmit, PRIVATE(Sampler) rnd, PRIVATE(float3) coef, PRIVATE(float3) dir) {
+    GLOBAL const Modifier* m = &s->modifiers[g->mod];
     GLOBAL const uint* table = s->u + *(bsdf_component(s, m, g->front, transmit) + BSDF_TABLE);
     float3 v = transmit ? lobes->BSDF_V_T : lobes->BSDF_V_R, l, z = bsdf_normal(g);
     float hemi = transmit ? lobes->BSDF_HEMI_T : lobes->BSDF_HEMI_R, weight = bsdf_sample(s, table, v, rnd, &l);

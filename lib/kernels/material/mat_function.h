@@ -144,8 +144,8 @@ FN float3 function_direct(TABLES(const SceneTables) s, PARAMS(const Params) par,
                           PRIVATE(const Surface) g, float3 l, float w) {
     float vars[CAL_VARS], out[CAL_OUTPUTS];
     float3 zero = F3(0.0f, 0.0f, 0.0f);
-    GLOBAL const uint* m = mod_record(s, par, g->mod);
-    uint count = m[MOD_FLAGS] >> MF_LOBES_SHIFT;
+    GLOBAL const Modifier* m = &s->modifiers[g->mod];
+    uint count = m->flags >> MF_LOBES_SHIFT;
     if (count == 0u) return zero;
     float cl = dot3(g->n, l);
     float3 k = cl > 0.0f ? lobes->fn_r : lobes->fn_t;
@@ -157,7 +157,7 @@ FN float3 function_direct(TABLES(const SceneTables) s, PARAMS(const Params) par,
     vars[CAL_LZ] = l.z;
     vars[CAL_OMEGA] = w;
     vars_to_frame(s, g, vars);
-    if (cal_run(s, m[MOD_EXTRA], vars, out)) return zero;
+    if (cal_run(s, m->lobe_program, vars, out)) return zero;
 
     float3 f = count >= 3u ? F3(out[0], out[1], out[2]) : F3(out[0], out[0], out[0]);
     if (max3(f) <= 1e-6f) return zero;

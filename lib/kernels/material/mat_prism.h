@@ -24,14 +24,14 @@ FN void mat_prism(uint flags, PRIVATE(const float) value, PRIVATE(Lobes) lobes) 
 FN float prism_exit(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, float3 aim,
                     uint exit, PRIVATE(float3) dir) {
     float vars[CAL_VARS], value[CAL_OUTPUTS];
-    GLOBAL const uint* m = mod_record(s, par, g->mod);
+    GLOBAL const Modifier* m = &s->modifiers[g->mod];
     material_vars(par, g, vars);
     vars[CAL_DXA] = aim.x;
     vars[CAL_DYA] = aim.y;
     vars[CAL_DZA] = aim.z;
     vars_to_frame(s, g, vars);
-    if (cal_run(s, m[MOD_PROGRAM], vars, value)) return 0.0f;
-    values_from_frame(s, g, m[MOD_FLAGS], value);
+    if (cal_run(s, m->program, vars, value)) return 0.0f;
+    values_from_frame(s, g, m->flags, value);
     uint k = 4u * exit;
     float3 d = F3(value[k + 1u], value[k + 2u], value[k + 3u]);
     if (value[k] <= 0.0f || length3(d) <= 1e-6f) return 0.0f;

@@ -3,7 +3,7 @@
 // transmission. Each component has a modifier of its own, whose patterns and textures act on it alone; the diffuse
 // reflection has the material's.  args: diffuse front, back, transmitted, RGB each; values: rs ur vr ts utr vtr u.  The
 // functions of rs and ts see the normals of their components, the functions of u that of the material;
-// u[MOD_BRANCH1]..: modifiers of rs, ts, td.
+// u[Modifier.branch1]..: modifiers of rs, ts, td.
 #ifndef LUX_MAT_WGMD_H
 #define LUX_MAT_WGMD_H
 
@@ -84,16 +84,17 @@ FN float wgmd_mirror(PRIVATE(const Surface) refl, float3 viewer, PRIVATE(float3)
 }
 
 FN_RARE void mat_wgmd(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
-                      GLOBAL const uint* m, PRIVATE(const float) value, PRIVATE(Sampler) rnd, PRIVATE(Lobes) lobes) {
-    GLOBAL const float* arg = s->f + m[MOD_ARGS];
-    GLOBAL const uint* mods = s->u + m[MOD_BRANCH1];
+                      GLOBAL const Modifier* m, PRIVATE(const float) value, PRIVATE(Sampler) rnd,
+                      PRIVATE(Lobes) lobes) {
+    GLOBAL const float* arg = s->f + m->args;
+    GLOBAL const uint* mods = s->u + m->branch1;
     Surface refl, trans, diff;
     float refl_value[CAL_OUTPUTS], trans_value[CAL_OUTPUTS];
     wgmd_component(s, par, g, mods[0], rnd, &refl);
     wgmd_component(s, par, g, mods[1], rnd, &trans);
     wgmd_component(s, par, g, mods[2], rnd, &diff);
-    wgmd_values(s, par, g, &refl, m[MOD_PROGRAM], value, refl_value);
-    wgmd_values(s, par, g, &trans, m[MOD_PROGRAM], value, trans_value);
+    wgmd_values(s, par, g, &refl, m->program, value, refl_value);
+    wgmd_values(s, par, g, &trans, m->program, value, trans_value);
 
     lobes->trans_dir = wgmd_transmitted(&trans);
     lobes->alpha2_ru = refl_value[1] * refl_value[1];

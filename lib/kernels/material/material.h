@@ -20,16 +20,16 @@ FN int back_passes(uint type, int asked) {
 // Materials whose lobes are .cal functions or tables.  Functions are evaluated once per hit.
 FN void function_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, int asked,
                        PRIVATE(Sampler) rnd, PRIVATE(Lobes) lobes) {
-    GLOBAL const uint* m = mod_record(s, par, g->mod);
-    GLOBAL const float* arg = s->f + m[MOD_ARGS];
+    GLOBAL const Modifier* m = &s->modifiers[g->mod];
+    GLOBAL const float* arg = s->f + m->args;
     float vars[CAL_VARS], value[CAL_OUTPUTS];
 
-    if ((m[MOD_FLAGS] & MF_VALUES) != 0u) {
+    if ((m->flags & MF_VALUES) != 0u) {
         material_vars(par, g, vars);
         vars_to_frame(s, g, vars);
-        if (cal_run(s, m[MOD_PROGRAM], vars, value))
+        if (cal_run(s, m->program, vars, value))
             for (int i = 0; i < CAL_OUTPUTS; i++) value[i] = 0.0f;
-        values_from_frame(s, g, m[MOD_FLAGS], value);
+        values_from_frame(s, g, m->flags, value);
     }
 
     switch (g->type) {
@@ -37,13 +37,13 @@ FN void function_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
     case M_ANISO_METAL:
     case M_ANISO_TRANS: mat_normal(par, g, g->type, arg, F3(value[0], value[1], value[2]), lobes); break;
     case M_ASHIK: mat_ashik(par, g, arg, F3(value[0], value[1], value[2]), lobes); break;
-    case M_BRDF: mat_brdf(g, arg, m[MOD_FLAGS], lobes); break;
+    case M_BRDF: mat_brdf(g, arg, m->flags, lobes); break;
     case M_BRTD: mat_brtd(g, arg, value, lobes); break;
     case M_WGMD: mat_wgmd(s, par, g, m, value, rnd, lobes); break;
     case M_BSDF: mat_bsdf(s, par, g, m, value, asked, rnd, lobes); break;
     case M_PRISM:
         if (asked != LOBES_SHADOW)
-            mat_prism(m[MOD_FLAGS], value, lobes);  // shadow rays pass by virtual sources only (shadow_aimed)
+            mat_prism(m->flags, value, lobes);  // shadow rays pass by virtual sources only (shadow_aimed)
         break;
     default: break;
     }
@@ -55,7 +55,7 @@ FN void function_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
 FN void material_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, int asked,
                        PRIVATE(Sampler) rnd, PRIVATE(Medium) arriving, PRIVATE(Medium) medium_behind,
                        PRIVATE(Lobes) lobes) {
-    GLOBAL const float* arg = s->f + mod_word(s, par, g->mod, MOD_ARGS);
+    GLOBAL const float* arg = s->f + s->modifiers[g->mod].args;
     uint type = g->type;
     lobes_clear(lobes);
     if (!g->front && par->bv == 0u && back_passes(type, asked)) {
@@ -87,7 +87,7 @@ FN void material_lobes(TABLES(const SceneTables) s, PARAMS(const Params) par, PR
 // is void and the ray passes.
 FN int become_alternate(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g,
                         PRIVATE(Sampler) rnd) {
-    uint alternate = mod_word(s, par, g->mod, MOD_BRANCH1);
+    uint alternate = s->modifiers[g->mod].branch1;
     if (alternate == NONE) return 0;
     g->mod = alternate;
     without_own_chain(s, g);
@@ -99,21 +99,21 @@ FN int alternate_acts(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     int sampled = (flags & (PC_DIFFUSE | PC_ROUGH)) != 0u;
     if (g->type == M_ILLUM) return !(g->front && sampled);  // black to sampled rays: their light comes from the source
     if (g->type != M_MIRROR) return 0;
-    uint m = mod_word(s, par, g->mod, MOD_FLAGS);
+    uint m = s->modifiers[g->mod].flags;
     if ((m & MF_HAS_ALTERNATE) == 0u) return 0;
     if ((par->flags & PF_IRRADIANCE) != 0u && !sampled && (flags & PC_BENT) == 0u) return 0;  // white
     return !(g->front && sampled && (m & MF_ALTERNATE_PASSES) == 0u);
 }
 
 // The same for a shadow ray to the source of record q.  relayed: q is a virtual source and this surface is its relay.
-FN int alternate_acts_for_shadow(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
-                                 GLOBAL const float* src, int relayed) {
+FN int alternate_acts_for_shadow(TABLES(const SceneTables) s, PRIVATE(const Surface) g, GLOBAL const Source* src,
+                                 int relayed) {
     if (g->type == M_ILLUM) {  // light of other illums and of glows ends at its front, which emits in place of it
-        uint kind = as_uint_(src[SRC_CLASS]);
-        return !(g->front && (kind == M_ILLUM || kind == M_GLOW) && as_uint_(src[SRC_VIRTUAL]) == NONE);
+        uint kind = src->light_type;
+        return !(g->front && (kind == M_ILLUM || kind == M_GLOW) && src->relay == NONE);
     }
 
-    return g->type == M_MIRROR && !relayed && (mod_word(s, par, g->mod, MOD_FLAGS) & MF_HAS_ALTERNATE) != 0u;
+    return g->type == M_MIRROR && !relayed && (s->modifiers[g->mod].flags & MF_HAS_ALTERNATE) != 0u;
 }
 
 // Replaces the material by its alternate, and that by its own.  Returns 1 if the ray passes.
@@ -125,8 +125,8 @@ FN int take_alternate(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
 }
 
 FN int shadow_alternate(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g,
-                        GLOBAL const float* src, int relayed, PRIVATE(Sampler) rnd) {
-    while (alternate_acts_for_shadow(s, par, g, src, relayed))
+                        GLOBAL const Source* src, int relayed, PRIVATE(Sampler) rnd) {
+    while (alternate_acts_for_shadow(s, g, src, relayed))
         if (!become_alternate(s, par, g, rnd)) return 1;
     return 0;
 }

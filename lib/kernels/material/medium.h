@@ -13,76 +13,76 @@ STRUCT(Medium) {
 // The global medium (-me -ma -mg), unless a surface defines another.
 FN Medium medium_open(PARAMS(const Params) par) {
     Medium medium;
-    medium.k = F3(par->medium.x, par->medium.y, par->medium.z);
-    medium.albedo = F3(par->albedo.x, par->albedo.y, par->albedo.z);
-    medium.ecc = par->albedo.w;
+    medium.k = f3_of(par->extinction);
+    medium.albedo = f3_of(par->albedo);
+    medium.ecc = par->eccentricity;
     medium.lights = 0u;
     return medium;
 }
 
 FN Medium path_medium(TABLES(const Paths) paths, uint path) {
     Medium medium;
-    float4 k = read4_(paths->medium, path), albedo = read4_(paths->albedo, path);
-    medium.k = xyz4(k);
-    medium.lights = as_uint_(k.w);
-    medium.albedo = xyz4(albedo);
-    medium.ecc = albedo.w;
+    Row_medium around = medium_of(read4_(paths->medium, path));
+    Row_albedo albedo = albedo_of(read4_(paths->albedo, path));
+    medium.k = around.k;
+    medium.lights = around.lights;
+    medium.albedo = albedo.rgb;
+    medium.ecc = albedo.ecc;
     return medium;
 }
 
 FN void set_path_medium(TABLES(const Paths) paths, uint path, PRIVATE(const Medium) medium) {
-    write4_(paths->medium, path, pack4(medium->k, as_float_(medium->lights)));
-    write4_(paths->albedo, path, pack4(medium->albedo, medium->ecc));
+    write4_(paths->medium, path, medium_words(medium->k, medium->lights));
+    write4_(paths->albedo, path, albedo_words(medium->albedo, medium->ecc));
 }
 
 // State of a shadow ray's medium: without the eccentricity, with the antimatter state.
 FN Medium shadow_medium(TABLES(const Paths) paths, uint path) {
     Medium medium;
-    float4 albedo = read4_(paths->shadow_albedo, path);
+    Row_shadow_albedo albedo = shadow_albedo_of(read4_(paths->shadow_albedo, path));
     medium.k = xyz4(read4_(paths->shadow_medium, path));
-    medium.lights = as_uint_(albedo.w);
-    medium.albedo = xyz4(albedo);
+    medium.lights = albedo.lights;
+    medium.albedo = albedo.rgb;
     medium.ecc = 0.0f;
     return medium;
 }
 
 FN void set_shadow_medium(TABLES(const Paths) paths, uint path, PRIVATE(const Medium) medium, uint clip) {
-    write4_(paths->shadow_medium, path, pack4(medium->k, as_float_(clip)));
-    write4_(paths->shadow_albedo, path, pack4(medium->albedo, as_float_(medium->lights)));
+    write4_(paths->shadow_medium, path, shadow_medium_words(medium->k, clip));
+    write4_(paths->shadow_albedo, path, shadow_albedo_words(medium->albedo, medium->lights));
 }
 
 // A mist inherits what it does not state: the albedo and the list of sources around it.
-FN void mist_enter(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
-                   PRIVATE(Medium) medium) {
-    GLOBAL const uint* m = mod_record(s, par, g->mod);
-    GLOBAL const float* arg = s->f + m[MOD_ARGS];
+FN void mist_enter(TABLES(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(Medium) medium) {
+    GLOBAL const Modifier* m = &s->modifiers[g->mod];
+    GLOBAL const float* arg = s->f + m->args;
     medium->k = add3(medium->k, mul3(f3_at(arg), g->color));
-    if ((m[MOD_FLAGS] & MF_ALBEDO) != 0u) medium->albedo = f3_at(arg + 3);
-    if ((m[MOD_FLAGS] & MF_ECCENTRICITY) != 0u) medium->ecc = arg[6];
-    medium->lights |= m[MOD_EXTRA];
+    if ((m->flags & MF_ALBEDO) != 0u) medium->albedo = f3_at(arg + 3);
+    if ((m->flags & MF_ECCENTRICITY) != 0u) medium->ecc = arg[6];
+    medium->lights |= m->lights;
 }
 
 // Leaving a mist removes what it stated, down to the global medium: an outer mist's values are lost, too.
 FN void mist_leave(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                    PRIVATE(Medium) medium) {
-    GLOBAL const uint* m = mod_record(s, par, g->mod);
-    GLOBAL const float* arg = s->f + m[MOD_ARGS];
+    GLOBAL const Modifier* m = &s->modifiers[g->mod];
+    GLOBAL const float* arg = s->f + m->args;
     Medium open = medium_open(par);
     float3 k = sub3(medium->k, mul3(f3_at(arg), g->color));
     medium->k = F3(MAX_(k.x, open.k.x), MAX_(k.y, open.k.y), MAX_(k.z, open.k.z));
-    if ((m[MOD_FLAGS] & MF_ALBEDO) != 0u) medium->albedo = open.albedo;
-    if ((m[MOD_FLAGS] & MF_ECCENTRICITY) != 0u) medium->ecc = open.ecc;
-    medium->lights &= ~m[MOD_EXTRA];
+    if ((m->flags & MF_ALBEDO) != 0u) medium->albedo = open.albedo;
+    if ((m->flags & MF_ECCENTRICITY) != 0u) medium->ecc = open.ecc;
+    medium->lights &= ~m->lights;
 }
 
 // *here: the medium of the segment that ends at a mist's surface, corrected if the ray leaves a mist that it never
 // entered, which only the mist's list shows; *medium_behind: the medium of the next segment.
 FN void mist_crossing(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g,
                       PRIVATE(Medium) here, PRIVATE(Medium) medium_behind) {
-    uint lights = mod_word(s, par, g->mod, MOD_EXTRA);
-    if (!g->front && (here->lights & lights) != lights) mist_enter(s, par, g, here);
+    uint lights = s->modifiers[g->mod].lights;
+    if (!g->front && (here->lights & lights) != lights) mist_enter(s, g, here);
     *medium_behind = *here;
-    if (g->front) mist_enter(s, par, g, medium_behind);
+    if (g->front) mist_enter(s, g, medium_behind);
     else mist_leave(s, par, g, medium_behind);
 }
 
@@ -96,7 +96,7 @@ FN float3 attenuation(float3 k, float length) {
 
 // Constant radiance of deeper bounces (-av) scattered into a segment of transmittance T.
 FN float3 medium_glow(PARAMS(const Params) par, PRIVATE(const Medium) medium, float3 T) {
-    float3 av = F3(par->av.x, par->av.y, par->av.z), one = F3(1.0f, 1.0f, 1.0f);
+    float3 av = f3_of(par->av), one = F3(1.0f, 1.0f, 1.0f);
     return mul3(mul3(medium->albedo, av), sub3(one, T));
 }
 

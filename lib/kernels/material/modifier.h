@@ -6,18 +6,10 @@
 
 #define LONGEST_CHAIN 4096  // modifiers in one chain
 
-FN GLOBAL const uint* mod_record(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod) {
-    return s->u + par->mods_at + MOD_WORDS * mod;
-}
-
-FN uint mod_word(TABLES(const SceneTables) s, PARAMS(const Params) par, uint mod, uint k) {
-    return s->u[par->mods_at + MOD_WORDS * mod + k];
-}
-
 // Variables of .cal programs (spec: scene language 7.6), in world coordinates.  Patterns, textures and mixtures see the
 // modelled normal, also from behind: RADIANCE turns it to the viewer after them.
 FN void surface_vars(PARAMS(const Params) par, PRIVATE(const Surface) g, PRIVATE(float) vars) {
-    float3 p = F3(g->p.x + par->centre.x, g->p.y + par->centre.y, g->p.z + par->centre.z);
+    float3 p = add3(g->p, f3_of(par->centre));
     for (UNIFORM int i = 0; i < CAL_VARS; i++) vars[i] = 0.0f;
     vars[CAL_DX] = -g->v.x;
     vars[CAL_DY] = -g->v.y;
@@ -40,18 +32,18 @@ FN void surface_vars(PARAMS(const Params) par, PRIVATE(const Surface) g, PRIVATE
 FN void vars_to_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(float) vars) {
     const int dirs[5] = {CAL_DX, CAL_NX, CAL_NXP, CAL_DXA, CAL_LX};
     if (!in_instance(g->inst)) return;
-    GLOBAL const float* record = instance_record(s, g->inst);
-    float scale = record[INST_SCALE];
+    GLOBAL const Instance* record = &s->instances[g->inst];
+    float scale = record->scale;
 
     for (UNIFORM int i = 0; i < 5; i++) {
         int k = dirs[i];
-        float3 v = scale3(affine_vector(record + INST_FRAME, F3(vars[k], vars[k + 1], vars[k + 2])), 1.0f / scale);
+        float3 v = scale3(affine_vector(&record->frame[0], F3(vars[k], vars[k + 1], vars[k + 2])), 1.0f / scale);
         vars[k] = v.x;
         vars[k + 1] = v.y;
         vars[k + 2] = v.z;
     }
 
-    float3 p = affine_point(record + INST_FRAME, g->p);
+    float3 p = affine_point(&record->frame[0], g->p);
     vars[CAL_PX] = p.x;
     vars[CAL_PY] = p.y;
     vars[CAL_PZ] = p.z;
@@ -62,8 +54,8 @@ FN void vars_to_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, PRI
 // World direction or displacement for a result of such a function; its length is kept.
 FN float3 vector_from_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, float3 v) {
     if (!in_instance(g->inst)) return v;
-    GLOBAL const float* record = instance_record(s, g->inst);
-    return scale3(affine_back(record + INST_FRAME, v), 1.0f / record[INST_SCALE]);
+    GLOBAL const Instance* record = &s->instances[g->inst];
+    return scale3(affine_back(&record->frame[0], v), 1.0f / record->scale);
 }
 
 FN void turn_from_frame(TABLES(const SceneTables) s, PRIVATE(const Surface) g, PRIVATE(float) v, uint k) {
@@ -102,15 +94,15 @@ STRUCT(PatternMix) {
     int first_done;
 };
 
-FN void mix_enter(GLOBAL const uint* m, float share, PRIVATE(Patterns) sum, PRIVATE(uint) mod,
+FN void mix_enter(GLOBAL const Modifier* m, float share, PRIVATE(Patterns) sum, PRIVATE(uint) mod,
                   PRIVATE(PatternMix) stack, int depth) {
     stack[depth].before = *sum;
     stack[depth].share = share;
-    stack[depth].second = m[MOD_BRANCH2];
+    stack[depth].second = m->branch2;
     stack[depth].next = *mod;
     stack[depth].first_done = 0;
     *sum = no_patterns();
-    *mod = m[MOD_BRANCH1];
+    *mod = m->branch1;
 }
 
 // Ends a branch: continues with the second one, or mixes both and continues after the mixture.  Returns 1 when the
@@ -133,24 +125,23 @@ FN int mix_branch_ends(PRIVATE(PatternMix) stack, int depth, PRIVATE(Patterns) s
 }
 
 // Patterns and textures of a chain without material: colours and perturbations mix linearly (spec shading 3.10).
-FN Patterns chain_patterns(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint mod,
-                           PRIVATE(const float) vars) {
+FN Patterns chain_patterns(TABLES(const SceneTables) s, PRIVATE(const Surface) g, uint mod, PRIVATE(const float) vars) {
     float out[CAL_OUTPUTS];
     PatternMix stack[MIX_DEPTH];
     int depth = 0;
     Patterns sum = no_patterns();
 
     for (int guard = 0; guard < LONGEST_CHAIN; guard++) {
-        GLOBAL const uint* m = mod != NONE ? mod_record(s, par, mod) : s->u;
-        if (mod == NONE || m[MOD_TYPE] >= M_FIRST_MATERIAL) {  // the end of a branch
+        GLOBAL const Modifier* m = &s->modifiers[mod != NONE ? mod : 0u];
+        if (mod == NONE || m->type >= M_FIRST_MATERIAL) {  // the end of a branch
             if (depth == 0) return sum;
             depth -= mix_branch_ends(stack, depth - 1, &sum, &mod);
             continue;
         }
 
-        uint type = m[MOD_TYPE];
-        mod = m[MOD_NEXT];
-        if (cal_run(s, m[MOD_PROGRAM], vars, out)) continue;
+        uint type = m->type;
+        mod = m->next;
+        if (cal_run(s, m->program, vars, out)) continue;
         if (type != M_MIXTURE) apply_pattern(s, g, type, out, &sum);
         else if (depth < MIX_DEPTH) mix_enter(m, mixture_share(out[0]), &sum, &mod, stack, depth++);
     }
@@ -178,10 +169,10 @@ FN void without_own_chain(TABLES(const SceneTables) s, PRIVATE(Surface) g) {
 }
 
 // A mixture of patterns alone: both branches, mixed.
-FN void apply_pattern_mixture(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const uint* m, float share,
+FN void apply_pattern_mixture(TABLES(const SceneTables) s, GLOBAL const Modifier* m, float share,
                               PRIVATE(const float) vars, PRIVATE(Surface) g) {
-    Patterns first = chain_patterns(s, par, g, m[MOD_BRANCH1], vars);
-    Patterns second = chain_patterns(s, par, g, m[MOD_BRANCH2], vars);
+    Patterns first = chain_patterns(s, g, m->branch1, vars);
+    Patterns second = chain_patterns(s, g, m->branch2, vars);
     float3 pert = madd3(first.pert, share, scale3(second.pert, 1.0f - share));
     g->color = mul3(g->color, madd3(first.color, share, scale3(second.color, 1.0f - share)));
     g->pert = add3(g->pert, pert);
@@ -213,15 +204,15 @@ FN int chain_material(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
             continue;
         }
 
-        GLOBAL const uint* m = mod_record(s, par, mod);
-        uint type = m[MOD_TYPE];
+        GLOBAL const Modifier* m = &s->modifiers[mod];
+        uint type = m->type;
         if (type >= M_FIRST_MATERIAL) {
             if (material != NONE) break;  // a second material above one is an error at load
             material = mod;
             g->type = type;
             g->color_before = g->color;
             g->pert_before = g->pert;
-            mod = m[MOD_NEXT];
+            mod = m->next;
             continue;
         }
 
@@ -230,8 +221,8 @@ FN int chain_material(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
             vars_to_frame(s, g, vars);
             have_vars = 1;
         }
-        int bad = cal_run(s, m[MOD_PROGRAM], vars, out);
-        mod = m[MOD_NEXT];
+        int bad = cal_run(s, m->program, vars, out);
+        mod = m->next;
         if (type != M_MIXTURE) {
             if (!bad) apply_single_pattern(s, type, out, g);
             continue;
@@ -239,12 +230,12 @@ FN int chain_material(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
 
         if (bad) return 0;  // after an error a chain has no material
         float share = mixture_share(out[0]);
-        if ((m[MOD_FLAGS] & MF_PATTERNS_ONLY) != 0u) {
-            apply_pattern_mixture(s, par, m, share, vars, g);
+        if ((m->flags & MF_PATTERNS_ONLY) != 0u) {
+            apply_pattern_mixture(s, m, share, vars, g);
             continue;
         }
         if (mod != NONE && depth < MIX_DEPTH) stack[depth++] = mod;
-        mod = m[share >= 1.0f || (share > 0.0f && sample1(rnd) < share) ? MOD_BRANCH1 : MOD_BRANCH2];
+        mod = share >= 1.0f || (share > 0.0f && sample1(rnd) < share) ? m->branch1 : m->branch2;
         g->mixed = 1;
     }
 
@@ -258,7 +249,7 @@ FN int chain_material(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
 FN int find_material(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(Surface) g, PRIVATE(Sampler) rnd) {
     if (HAS(PATTERNS)) return chain_material(s, par, g, rnd);
     if (g->mod == NONE) return 0;
-    g->type = mod_word(s, par, g->mod, MOD_TYPE);
+    g->type = s->modifiers[g->mod].type;
     g->color_before = g->color;
     g->pert_before = g->pert;
     shading_normal(g);

@@ -7,7 +7,6 @@
 #define LUX_MIXTURE_H
 
 #include "kernels/sampling/highlights.h"
-#include "kernels/sampling/mixture_fields.h"
 #include "kernels/sampling/portals.h"
 
 // Direction about n, by the cosine.
@@ -34,7 +33,7 @@ FN float diffuse_pdf(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIV
     float w = portals_weight(par, mixture->light);
     if (w > 0.0f) pdf = (1.0f - w) * c * K_INV_PI + w * portals_pdf(s, par, p, n, dir, mixture->light);
     w = highlights_weight(par, mixture->highlights);
-    if (w > 0.0f) pdf = (1.0f - w) * pdf + w * highlights_pdf(s, par, mixture->highlights, dir);
+    if (w > 0.0f) pdf = (1.0f - w) * pdf + w * highlights_pdf(s, mixture->highlights, dir);
     return pdf;
 }
 
@@ -55,8 +54,8 @@ FN float sample_diffuse(TABLES(const SceneTables) s, PARAMS(const Params) par, f
     *mixture = mixture_at(s, par, p, n);
 
     if (mixture_takes(&u, highlights_weight(par, mixture->highlights))) {
-        *dir = highlights_sample(s, par, mixture->highlights, u, x.y);
-        if (!(highlights_pdf(s, par, mixture->highlights, *dir) > 0.0f)) return 0.0f;
+        *dir = highlights_sample(s, mixture->highlights, u, x.y);
+        if (!(highlights_pdf(s, mixture->highlights, *dir) > 0.0f)) return 0.0f;
     } else if (mixture_takes(&u, portals_weight(par, mixture->light))) {
         *dir = portals_sample(s, par, p, n, u * mixture->light, x.y);
     } else {
