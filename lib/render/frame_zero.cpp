@@ -79,7 +79,7 @@ void draw_places(device::Device& device, const ViewPlan& plan, const std::vector
         for (size_t k = 0; k < some.size(); k++) {
             const float *const one = &a[3 * n * k], *const other = pairs ? &b[3 * n * k] : nullptr;
             add_fresh(one, other, n, 1 - weight_of_probes(plan), &zero.mean[3 * size_t(some[k])], moments.of(some[k]));
-            if (pairs) moments.add_pairs(some[k], one, other, n);
+            moments.add_places(some[k], one, other, n);
         }
     }
 }

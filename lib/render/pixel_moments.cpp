@@ -70,13 +70,16 @@ PixelMoments::Glint PixelMoments::glint_of(double sum, double squares, double n)
     return {sum * sum / squares, squares / sum, n};
 }
 
-void PixelMoments::add_pairs(uint32_t pixel, const float* a, const float* b, uint32_t n) {
-    estimate(a, b, n, of(pixel));
+void PixelMoments::add_places(uint32_t pixel, const float* a, const float* b, uint32_t n) {
+    if (b) estimate(a, b, n, of(pixel));
     const double mean = grey(&probes_.mean[3 * size_t(pixel)]), own = probes_.count;
     double sum = own * mean, squares = own * mean * mean + (own - 1) * double(probes_.variance[pixel]);
-    for (uint32_t k = 0; k < n; k++)
-        for (const double y : {grey(a + 3 * k), grey(b + 3 * k)}) sum += y, squares += y * y;
-    glints_[pixel] = glint_of(sum, squares, own + 2 * n);
+    for (const float* samples : {a, b})
+        for (uint32_t k = 0; samples && k < n; k++) {
+            const double y = grey(samples + 3 * k);
+            sum += y, squares += y * y;
+        }
+    glints_[pixel] = glint_of(sum, squares, own + (b ? 2 : 1) * n);
 }
 
 // Pixels in which the sun was met few times have an error of the square root of their number.  Their neighbours may

@@ -21,8 +21,8 @@ class PixelMoments {
 public:
     PixelMoments(const Probes& probes, int nx, int ny);
     float* of(uint32_t pixel) { return &moments_[image::moment_numbers * size_t(pixel)]; }
-    // Samples of n places, 3 floats each, and the second ones of the same places.
-    void add_pairs(uint32_t pixel, const float* a, const float* b, uint32_t n);
+    // Samples of n places, 3 floats each, and (or null) the second ones of the same places.
+    void add_places(uint32_t pixel, const float* a, const float* b, uint32_t n);
     // mean: light that is not drawn, 3 a pixel.  drawn: by pixel, or empty.
     image::Moments finish(const std::vector<float>& mean, const std::vector<DrawnLight>& drawn);
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "report/moment_error.h"
+#include "uncertainty/frame0.h"
 #include "uncertainty/threshold_filter.h"
 
 namespace report {

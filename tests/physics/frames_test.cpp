@@ -212,7 +212,7 @@ TEST_CASE("sums are nowhere negative") {
 
 // Soft shadow of a square lamp and its image in a rough floor, -ab 0: nothing but frame 0's own noise.  The rms error
 // over 16 x 16 pixels against 16384 frames of another seed must fall at least as 1/sqrt(n) from that of the 16 samples
-// of frames 9 to 24 (frame 0 holds more samples in so small a picture).  The rms of
+// of the first 16 frames after frame 0's m = 32.  The rms of
 // 256 pixels is itself known to 1/sqrt(512) = 4.4 %; two such errors and the reference's own (1/16 of the variance at
 // 1024) make 7 %, of which three are allowed.
 TEST_CASE("frame 0's own noise averages out") {
@@ -242,7 +242,7 @@ TEST_CASE("frame 0's own noise averages out") {
     renderer.frames(0, 1025, [&](int64_t k, const std::vector<float>& rgb, const image::Moments&) {
         sum.add(picture(rgb, size, k), "test");
         if (k == 0) of_16 = rgb;
-        for (size_t i = 0; k > 8 && k <= 24 && i < rgb.size(); ++i) of_16[i] += rgb[i] / 16;
+        for (size_t i = 0; k > 32 && k <= 48 && i < rgb.size(); ++i) of_16[i] += rgb[i] / 16;
         if (k == 16 || k == 64 || k == 256 || k == 1024) {
             image::Picture now;
             sum.result(now, false);

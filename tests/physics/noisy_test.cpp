@@ -114,7 +114,7 @@ TEST_CASE("samples that are kept do not choose") {
 }
 
 // The office in the sun, whose direct light is as noisy as what comes by way of others: 16 blocks and the picture, each
-// with the frames up to 32, over 16 seeds.  The largest of 17 differences lies within 4.5 standard errors.  These are
+// with the frames up to 128, over 16 seeds.  The largest of 17 differences lies within 4.5 standard errors.  These are
 // .2 % of the picture, more than a wrong choice moved here (decisions/0030): the test above is for that.
 TEST_CASE("no mean moves, and there is less noise") {
     const Office office;
@@ -126,7 +126,7 @@ TEST_CASE("no mean moves, and there is less noise") {
             options.noisy_share = share;
             auto renderer = office.renderer("cpu", size, options);
             std::vector<double> all = block_means(renderer, size, 4, 0, 0);
-            const std::vector<double> later = block_means(renderer, size, 4, 1, 32);
+            const std::vector<double> later = block_means(renderer, size, 4, 1, 128);
             for (size_t i = 0; i < all.size(); i++) all[i] += later[i];  // Eq. 7
             return all;
         });
