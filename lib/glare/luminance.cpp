@@ -12,7 +12,6 @@ Luminance make_luminance(image::Picture& picture) {
     lum.height = picture.height;
     lum.grey = picture.rgb.data();
     lum.moments = picture.moments;
-    lum.direct_frames = picture.header.direct_frames.value_or(image::direct_samples);
     const image::OddPixels odd = image::to_grey(picture.rgb.data(), lum.size(), picture.rgb.data());
     lum.not_finite = odd.not_finite;
     lum.negative = odd.negative;

@@ -18,7 +18,6 @@ struct Luminance {
     const float* grey = nullptr;        // borrowed from the picture: width * height
     long not_finite = 0, negative = 0;  // pixels
     image::Moments moments;             // of the light within its pixels; null: unknown
-    int64_t direct_frames = 0;          // for which its frame 0 stands
     const float* share = nullptr;       // filled fraction of each pixel (filled.h); null: 1
     size_t size() const { return size_t(width) * height; }
     double filled(size_t i) const { return share ? share[i] : 1; }

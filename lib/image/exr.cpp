@@ -32,19 +32,19 @@ std::vector<SumLayer> read_sum(const ExrInput& in) {
 }
 
 const std::vector<std::string> moment_channels = {"moments.variance", "moments.difference", "moments.right",
-                                                  "moments.up", "moments.frame0"};
+                                                  "moments.up"};
 constexpr const char* moments_text = "moments";  // attribute: the hash of the pixels that they belong to
 
 Moments read_moments(const ExrInput& in, const std::vector<float>& rgb, const std::string& path) {
-    std::vector<std::string> channels = moment_channels;
-    if (!in.has(channels.back())) channels.resize(moments_before_frame0);
-    for (const std::string& channel : channels)
+    for (const std::string& channel : moment_channels)
         if (!in.has(channel)) return {};
     if (in.text(moments_text) != base::hash_of(rgb)) {
         base::warn(path, "another program has changed its pixels: their moments are left out");
         return {};
     }
-    return complete_moments(in.read(channels), channels.size());
+    std::vector<float> moments = in.read(moment_channels);
+    clean_moments(moments);
+    return std::make_shared<const std::vector<float>>(std::move(moments));
 }
 
 // The whole number between `before` and `after` of a channel's name; -1 for any other channel.

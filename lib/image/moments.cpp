@@ -9,20 +9,13 @@
 namespace image {
 
 void clean_moments(std::vector<float>& moments) {
-    constexpr float largest = 1e36f, largest_place = 1;  // pixels
+    constexpr float largest_variance = 1e36f, largest_place = 1;  // pixels
     for (size_t i = 0; i < moments.size(); ++i) {
         float& v = moments[i];
         const size_t k = i % moment_numbers;
-        if (!(std::fabs(v) <= (k == moment_right || k == moment_up ? largest_place : largest))) v = 0;
+        if (!(std::fabs(v) <= (k < moment_right ? largest_variance : largest_place))) v = 0;
         if (k == moment_variance && v < 0) v = 0;
     }
-}
-
-Moments complete_moments(const std::vector<float>& read, size_t numbers) {
-    std::vector<float> out(read.size() / numbers * moment_numbers, 0.0f);
-    for (size_t i = 0; i < read.size(); ++i) out[i / numbers * moment_numbers + i % numbers] = read[i];
-    clean_moments(out);
-    return std::make_shared<const std::vector<float>>(std::move(out));
 }
 
 CarriedMoments::CarriedMoments() : first_(std::make_unique<Picture>()) {}

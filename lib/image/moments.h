@@ -8,17 +8,13 @@
 namespace image {
 
 // Numbers of a pixel.
-constexpr size_t moment_numbers = 5;
+constexpr size_t moment_numbers = 4;
 constexpr size_t moment_variance = 0;    // of grey (grey.h) over the pixel, (W/(sr m2))^2
 constexpr size_t moment_difference = 1;  // half the difference between two independent estimates of it
 constexpr size_t moment_right = 2;       // centroid of the drawn sources from its centre, in pixels; 0: none
 constexpr size_t moment_up = 3;
-constexpr size_t moment_frame0 = 4;  // half the difference, in grey, of two independent estimates of frame 0
 // moment_numbers of each pixel, row 0 = top; the moments of frame 0 belong to all sums that contain it.
 using Moments = std::shared_ptr<const std::vector<float>>;
-constexpr size_t moments_before_frame0 = 4;  // numbers of a pixel that earlier versions wrote
-// Moments as read: with 0 for the numbers that are not there, and cleaned.
-Moments complete_moments(const std::vector<float>& read, size_t numbers);
 // Sets numbers that are not finite or too large, and variances below 0, to 0.
 void clean_moments(std::vector<float>& moments);
 

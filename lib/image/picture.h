@@ -45,8 +45,17 @@ struct Header {
     bool tabbed_exposure = false;  // a line held EXPOSURE= and a TAB (evalglare refuses such)
 };
 
-// m where a header has no FRAME0= line; frames above m correct frame 0 (docs/decisions/0002).
+// m where a header has no FRAME0= line; frames above m correct frame 0, in the noisiest pixels all frames
+// (decisions/0002, decisions/0030).
 constexpr int direct_samples = 8;
+
+// Which of two halves of the frames k > 0 is in: + - - + - + + - and so on (Thue and Morse), so that any number of them
+// from the first on is halved, too.  Frames up to direct_samples show the same half of frame 0's samples.
+inline bool in_first_half(int64_t k) {
+    bool first = true;
+    for (int64_t bits = k - 1; bits; bits &= bits - 1) first = !first;
+    return first;
+}
 
 // The k-th of the digits of exact sums (film/exact_sum.h), two's complement: the highest layer has the sign.
 struct SumLayer {

@@ -125,16 +125,16 @@ void read_bytes(Input& in, const Layout& l, std::vector<float>& rgb, const std::
 Moments read_moments(Input& in, const Picture& picture, const std::string& place) {
     const Head head = read_head(in, place);
     if (!head.encoding.moments) base::fail(place, "LAYERS=moments says that its moments follow, but they do not");
-    const size_t numbers = size_t(std::max(0, head.encoding.channels));
-    if (head.encoding.format != Format::flt || (numbers != moment_numbers && numbers != moments_before_frame0))
+    if (head.encoding.format != Format::flt || head.encoding.channels != int(moment_numbers))
         base::fail(place, fmt::format("its moments are not floats with NCOMP={}", moment_numbers));
     if (head.layout.width != picture.width || head.layout.height != picture.height)
         base::fail(place, fmt::format("its moments have {} x {} pixels, it has {} x {}", head.layout.width,
                                       head.layout.height, picture.width, picture.height));
     std::vector<float> moments;
     read_floats(in, head.encoding, head.layout, moments, place);
-    reorient(moments, head.layout, numbers);
-    return complete_moments(moments, numbers);
+    reorient(moments, head.layout, moment_numbers);
+    clean_moments(moments);
+    return std::make_shared<const std::vector<float>>(std::move(moments));
 }
 
 // Exposure, colour correction, colour space: afterwards RADIANCE's RGB radiance.

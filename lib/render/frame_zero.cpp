@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "image/grey.h"
 
@@ -13,16 +12,29 @@ using namespace kernels;
 using image::grey;
 
 namespace {
-constexpr uint32_t most_places = 256;         // of a pixel
-constexpr size_t samples_at_once = 1u << 19;  // of places
-
-// In small pictures a pixel holds much of the light, and samples cost little.
-uint32_t least_places(size_t pixels) {
-    constexpr size_t enough = 1u << 18;  // places, of all pixels
-    constexpr uint32_t least = 4, most = 64;
-    uint32_t n = least;
-    while (n < most && 2 * n * pixels <= enough) n *= 2;
-    return n;
+// Adds the samples of each pixel, those of the first half less those of the second, and their squares.  All samples of
+// a pixel at once, and neighbouring pixels together.
+void sum_samples(device::Device& device, const PixelSampling& sampling, int64_t begin, uint32_t count,
+                 std::vector<double>& sum, std::vector<float>& half_off, std::vector<double>& squares) {
+    const uint32_t pixels = sampling.params.nx * sampling.params.ny,
+                   most = UINT32_MAX / pixels;  // indices of paths are 32 bits
+    for (uint32_t done = 0; done < count;) {
+        const uint32_t n = std::min(count - done, most), some = std::max(1u, device.preferred_batch_size() / n);
+        for (uint32_t first = 0; first < pixels; first += some) {
+            const uint32_t batch = std::min(some, pixels - first);
+            const std::vector<float> rgb = run_pass(device, sampling, {MODE_DIRECT, begin + done, n, first, batch});
+            const float* from = rgb.data();
+            for (size_t pixel = first; pixel < first + batch; pixel++)
+                for (uint32_t k = 0; k < n; k++) {
+                    squares[pixel] += grey(from) * grey(from);
+                    for (size_t c = 0; c < 3; c++) {
+                        if (!half_off.empty()) half_off[3 * pixel + c] += done + k < count / 2 ? *from : -*from;
+                        sum[3 * pixel + c] += double(*from++);
+                    }
+                }
+        }
+        done += n;
+    }
 }
 
 // Light of a point, which represents `weight` pixels: twice, with independent noise.
@@ -53,37 +65,10 @@ void draw_sources(device::Device& device, const ViewPlan& plan, FrameZero& zero)
         draw_point(zero, sum, i.pixel, i.first, i.second, double(i.weight), i.right, i.up);
     zero.exact.assign(sum.begin(), sum.end());
 }
-
-// Adds the mean of n samples, in order; moments: of the pixel.
-void add_fresh(const float* rgb, const float* others, uint32_t n, double weight, float* mean, float* moments) {
-    const double each = weight / (others ? 2 * n : n);
-    double sum[3] = {0, 0, 0}, off = 0;
-    for (const float* from : {rgb, others})
-        for (uint32_t k = 0; from && k < n; k++, from += 3) {
-            for (size_t c = 0; c < 3; c++) sum[c] += each * double(from[c]);
-            off += (k < n / 2 ? each : -each) * grey(from);
-        }
-    for (size_t c = 0; c < 3; c++) mean[c] += float(sum[c]);
-    moments[image::moment_frame0] += float(off);
-}
-
-// Draws n places of each of these pixels.
-void draw_places(device::Device& device, const ViewPlan& plan, const std::vector<uint32_t>& pixels, uint32_t n,
-                 bool pairs, FrameZero& zero, PixelMoments& moments) {
-    const size_t step = std::max<size_t>(1, samples_at_once / n);
-    for (size_t first = 0; first < pixels.size(); first += step) {
-        const std::vector<uint32_t> some(pixels.begin() + long(first),
-                                         pixels.begin() + long(std::min(pixels.size(), first + step)));
-        const std::vector<float> a = run_places(device, plan.sampling, some, n, 0),
-                                 b = pairs ? run_places(device, plan.sampling, some, n, 1) : std::vector<float>();
-        for (size_t k = 0; k < some.size(); k++) {
-            const float *const one = &a[3 * n * k], *const other = pairs ? &b[3 * n * k] : nullptr;
-            add_fresh(one, other, n, 1 - weight_of_probes(plan), &zero.mean[3 * size_t(some[k])], moments.of(some[k]));
-            moments.add_places(some[k], one, other, n);
-        }
-    }
-}
 }  // namespace
+
+// Samples beyond m come after all frames in the sequence, so that no frame repeats them.
+int64_t first_sample_of_zero(const ViewPlan& plan) { return plan.samples_of_zero > plan.m ? int64_t(1) << 31 : 0; }
 
 std::vector<float> splat_sources(device::Device& device, const ViewPlan& plan) {
     const SplatList& list = plan.drawn.straight;
@@ -97,38 +82,27 @@ std::vector<float> splat_sources(device::Device& device, const ViewPlan& plan) {
     return rgb;
 }
 
-double weight_of_probes(const ViewPlan& plan) { return plan.probes < plan.m ? 1. / 16 : 1; }
-
-std::vector<Fresh> fresh_samples(const ViewPlan& plan, const Probes& probes, const DiffusePlan& learned) {
-    const uint32_t least = least_places(probes.variance.size());
-    const std::vector<bool> uneven = uneven_pixels(probes, int(plan.sampling.params.nx), int(plan.sampling.params.ny));
-    std::vector<Fresh> out(uneven.size(), {plan.probes < plan.m ? plan.probes : 0, false});
-    for (size_t i = 0; i < out.size(); i++) {
-        if (!uneven[i] || out[i].places == 0) continue;
-        uint32_t n = least;
-        const uint32_t spp = learned.spp[i];  // m frames would have m spp samples
-        while (spp > 1 && n < most_places && 2 * n < plan.m * spp) n *= 2;
-        out[i] = {n, true};
-    }
-    return out;
-}
-
-FrameZero draw_frame_zero(device::Device& device, const ViewPlan& plan, const Probes& probes,
-                          const DiffusePlan& learned) {
+FrameZero draw_frame_zero(device::Device& device, const ViewPlan& plan) {
+    const uint32_t count = plan.samples_of_zero;
+    const size_t pixels = size_t(plan.sampling.params.nx) * plan.sampling.params.ny;
+    std::vector<double> sum(3 * pixels, 0.0), squares(pixels, 0.0);
     FrameZero zero;
-    const double own = weight_of_probes(plan);
-    PixelMoments moments(probes, int(plan.sampling.params.nx), int(plan.sampling.params.ny));
-    zero.mean.resize(probes.mean.size());
-    for (size_t i = 0; i < zero.mean.size(); i++) zero.mean[i] = float(own * double(probes.mean[i]));
-    for (uint32_t i = 0; i < probes.half_off.size(); i++)
-        moments.of(i)[image::moment_frame0] = float(own * double(probes.half_off[i]));
-    const std::vector<Fresh> fresh = fresh_samples(plan, probes, learned);
-    std::map<std::pair<uint32_t, bool>, std::vector<uint32_t>> alike;
-    for (uint32_t i = 0; i < fresh.size(); i++)
-        if (fresh[i].places > 0) alike[{fresh[i].places, fresh[i].pairs}].push_back(i);
-    for (const auto& [how, pixels] : alike) draw_places(device, plan, pixels, how.first, how.second, zero, moments);
+    zero.samples = count;
+    zero.half_off.assign(plan.m % 2 ? 0 : sum.size(), 0.0f);
+    sum_samples(device, plan.sampling, first_sample_of_zero(plan), count, sum, zero.half_off, squares);
+
+    zero.mean.resize(sum.size());
+    for (size_t i = 0; i < sum.size(); i++) zero.mean[i] = float(sum[i] / count);
+    for (size_t i = 0; i < zero.half_off.size(); i++) {  // rounding must not make it larger than the mean
+        const float whole = std::fabs(zero.mean[i]);
+        zero.half_off[i] = std::clamp(zero.half_off[i] / float(count), -whole, whole);
+    }
+    zero.spread.resize(pixels);
+    for (size_t i = 0; i < pixels; i++) {
+        const double mean = grey(&zero.mean[3 * i]);
+        zero.spread[i] = float(std::max(0.0, squares[i] / count - mean * mean));
+    }
     draw_sources(device, plan, zero);
-    zero.moments = moments.finish(zero.mean, zero.drawn);
     return zero;
 }
 

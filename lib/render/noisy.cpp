@@ -16,13 +16,12 @@ constexpr uint32_t paths = 4;                       // of each block
 constexpr uint32_t samples_first = (3u << 30) + 1;  // numbers of the samples, which no frame uses
 constexpr float as_if_normal = 1.45f;               // standard over mean absolute deviation of four normal samples
 constexpr uint32_t most_spp = 64;
-constexpr float per_grey = float(image::lumens_per_watt);  // cd/m2
 
-// Luminances of n diffuse paths of each pixel of the picture of p.
-std::vector<float> sampled(device::Device& device, device::Params p, uint32_t n) {
-    p.mode = MODE_FRAMES;
+// Luminances of n samples of each pixel of the picture of p.
+std::vector<float> sampled(device::Device& device, device::Params p, uint32_t mode, uint32_t n) {
+    p.mode = mode;
     p.frame = samples_first;
-    p.skip_direct_below = UINT32_MAX;
+    p.skip_direct_below = UINT32_MAX;  // diffuse paths hold no direct light
     p.samples_per_pass = n;
     std::vector<float> rgb, out;
     const uint32_t all = p.nx * p.ny * n, some = std::max(n, device.preferred_batch_size() / n * n);
@@ -55,7 +54,7 @@ std::vector<float> smoothed(const std::vector<float>& values, int nx, int ny) {
 // path of four would dominate.
 std::vector<float> diffuse_deviation(device::Device& device, device::Params p, int nx, int ny) {
     p.nx = uint32_t(nx), p.ny = uint32_t(ny);
-    const std::vector<float> light = sampled(device, p, paths);
+    const std::vector<float> light = sampled(device, p, MODE_FRAMES, paths);
     std::vector<float> deviation(size_t(nx) * ny);
     for (size_t block = 0; block < deviation.size(); block++) {
         const float* of = &light[paths * block];
@@ -67,6 +66,17 @@ std::vector<float> diffuse_deviation(device::Device& device, device::Params p, i
     return smoothed(deviation, nx, ny);
 }
 
+// Variance of the direct light of single samples, from two samples of each pixel and its neighbours.
+std::vector<float> direct_variance(device::Device& device, const device::Params& base) {
+    const std::vector<float> light = sampled(device, base, MODE_DIRECT, 2);
+    std::vector<float> variance(light.size() / 2);
+    for (size_t i = 0; i < variance.size(); i++) {
+        const float off = light[2 * i] - light[2 * i + 1];
+        variance[i] = off * off / 2;
+    }
+    return smoothed(variance, int(base.nx), int(base.ny));
+}
+
 // The power of two nearest to the ratio, within limits.
 uint32_t spp_for(float deviation, float of_one) {
     if (deviation < .75f * least_spp * of_one) return 0;
@@ -76,17 +86,16 @@ uint32_t spp_for(float deviation, float of_one) {
 }
 }  // namespace
 
-std::vector<uint32_t> spp_of_noisy(device::Device& device, const device::Params& base, double share,
-                                   const std::vector<float>& direct_variance) {
+std::vector<uint32_t> spp_of_noisy(device::Device& device, const device::Params& base, double share) {
     const int nx = int(base.nx), ny = int(base.ny), wide = (nx + int(coarse) - 1) / int(coarse),
               high = (ny + int(coarse) - 1) / int(coarse);
     const std::vector<float> diffuse = diffuse_deviation(device, base, wide, high);
-    std::vector<float> deviation = smoothed(direct_variance, nx, ny);
+    std::vector<float> deviation = direct_variance(device, base);
     for (int y = 0; y < ny; y++)
         for (int x = 0; x < nx; x++) {
             const float d = diffuse[size_t(y * high / ny) * wide + x * wide / nx];
             float& both = deviation[size_t(y) * nx + x];
-            both = std::sqrt(both * per_grey * per_grey + d * d);
+            both = std::sqrt(both + d * d);
         }
 
     // The deviation for which one sample is due, such that the total is reached.

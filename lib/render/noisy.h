@@ -12,10 +12,8 @@ namespace render {
 
 constexpr uint32_t least_spp = 4;  // numbers of samples are multiples of it
 
-// base: of the picture.  share: samples for noisy pixels over those of the picture.  direct_variance: of the direct
-// light of one sample, in grey (image/grey.h), of each pixel.  Returns the number of samples of
+// base: of the picture.  share: samples for noisy pixels over those of the picture.  Returns the number of samples of
 // each pixel in a frame, row 0 = top, 0 for pixels that keep their one sample.  Depends on seed, scene and view alone.
-std::vector<uint32_t> spp_of_noisy(device::Device& device, const device::Params& base, double share,
-                                   const std::vector<float>& direct_variance);
+std::vector<uint32_t> spp_of_noisy(device::Device& device, const device::Params& base, double share);
 
 }  // namespace render

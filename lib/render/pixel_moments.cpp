@@ -13,10 +13,32 @@ using namespace kernels;
 using image::grey;
 
 namespace {
-constexpr double clear = 3;                             // standard errors of a significant covariance
-constexpr double rounding = 1e-6;                       // of the squared mean
-constexpr double sunny = 5e5 / image::lumens_per_watt;  // in grey: no lamp is so bright
-constexpr double few = 16;                              // hits that decide little
+constexpr double least_deviation = 20 / image::lumens_per_watt;  // in grey: 20 cd/m2, darker than any glare source
+constexpr double least_share = .05;                              // of the mean: below it f is above .9975
+constexpr double clear = 3;                                      // standard errors of a significant covariance
+constexpr double rounding = 1e-6;                                // of the squared mean
+constexpr double sunny = 5e5 / image::lumens_per_watt;           // in grey: no lamp is so bright
+constexpr double few = 16;                                       // hits that decide little
+constexpr uint32_t enough = 1u << 20, least_places = 16, most_places = 256;  // places: of all pixels; of one
+constexpr size_t pixels_at_once = 1u << 14;                                  // pixels
+
+// Pixels whose samples in frame 0 differ, and their neighbours: the samples may have missed a small bright thing there.
+std::vector<uint32_t> uneven_pixels(const FrameZero& zero, int nx, int ny) {
+    std::vector<bool> chosen(zero.spread.size());
+    for (int y = 0; y < ny; y++)
+        for (int x = 0; x < nx; x++) {
+            const size_t i = size_t(y) * size_t(nx) + size_t(x);
+            const double deviation = std::sqrt(double(zero.spread[i]));
+            if (deviation < least_deviation || deviation < least_share * grey(&zero.mean[3 * i])) continue;
+            for (int v = std::max(0, y - 1); v <= std::min(ny - 1, y + 1); v++)
+                for (int u = std::max(0, x - 1); u <= std::min(nx - 1, x + 1); u++)
+                    chosen[size_t(v) * size_t(nx) + size_t(u)] = true;
+        }
+    std::vector<uint32_t> out;
+    for (size_t i = 0; i < chosen.size(); i++)
+        if (chosen[i]) out.push_back(uint32_t(i));
+    return out;
+}
 
 struct Covariance {
     double between = 0;  // of places: covariance of both samples
@@ -44,10 +66,50 @@ void estimate(const float* a, const float* b, uint32_t n, float* moments) {
     moments[image::moment_difference] = float((first.between - second.between) / 2);
 }
 
+// The sun is in few of the samples of a pixel (a curved surface mirrors it): k of them, each of luminance L, of n.
+struct Glint {
+    double k = 0, L = 0, n = 0;
+    bool undecided() const { return L > sunny && k < few; }
+};
+
+// From the sum and the sum of squares of n samples: the mean weighted by light, and how many of that are in the sum.
+Glint glint_of(double sum, double squares, double n) {
+    if (!(sum > 0)) return {};
+    return {sum * sum / squares, squares / sum, n};
+}
+
+// In frame 0's own samples of a pixel and the n pairs.
+Glint glint_in(const FrameZero& zero, size_t pixel, const float* a, const float* b, uint32_t n) {
+    const double mean = grey(&zero.mean[3 * pixel]), own = zero.samples;
+    double sum = own * mean, squares = own * (double(zero.spread[pixel]) + mean * mean);
+    for (uint32_t k = 0; k < n; k++)
+        for (const double y : {grey(a + 3 * k), grey(b + 3 * k)}) sum += y, squares += y * y;
+    return glint_of(sum, squares, own + 2 * n);
+}
+
+// Pixels in which the sun was met few times have an error of the square root of their number.  Their neighbours may
+// hold as much as one sample more.
+void add_glints(const std::vector<Glint>& glints, int nx, int ny, std::vector<float>& moments) {
+    for (int y = 0; y < ny; y++)
+        for (int x = 0; x < nx; x++) {
+            const Glint& g = glints[size_t(y) * size_t(nx) + size_t(x)];
+            if (!g.undecided()) continue;
+            for (int v = std::max(0, y - 1); v <= std::min(ny - 1, y + 1); v++)
+                for (int u = std::max(0, x - 1); u <= std::min(nx - 1, x + 1); u++) {
+                    const double hits = u == x && v == y ? std::max(1.0, g.k) : 1,
+                                 error = g.L * g.L * std::sqrt(hits) / g.n;
+                    float& e = moments[image::moment_numbers * (size_t(v) * size_t(nx) + size_t(u)) +
+                                       image::moment_difference];
+                    if (double(std::fabs(e)) < error) e = float(error);
+                }
+        }
+}
+
 // With sources of luminance E on a fraction of the pixel, and light L that is 0 there:
 //   Var(E + L) = Var E + Var L - 2 mean E mean L
-void add_drawn(const DrawnLight& d, const float* mean, float* moments) {
-    const double rest = std::max(0.0, grey(mean));
+void add_drawn(const FrameZero& zero, size_t i, float* moments) {
+    const DrawnLight& d = zero.drawn[i];
+    const double rest = std::max(0.0, grey(&zero.mean[3 * i]));
     if (!(d.sum > 0)) return;
     const double variance = d.squares - d.sum * d.sum - 2 * d.sum * rest;
     float& v = moments[image::moment_variance];
@@ -57,53 +119,32 @@ void add_drawn(const DrawnLight& d, const float* mean, float* moments) {
 }
 }  // namespace
 
-PixelMoments::PixelMoments(const Probes& probes, int nx, int ny)
-    : probes_(probes),
-      nx_(nx),
-      ny_(ny),
-      moments_(image::moment_numbers * probes.variance.size(), 0.0f),
-      glints_(probes.variance.size()) {}
-
-// From the sum and the sum of squares of n samples: the mean weighted by light, and how many of that are in the sum.
-PixelMoments::Glint PixelMoments::glint_of(double sum, double squares, double n) {
-    if (!(sum > 0)) return {};
-    return {sum * sum / squares, squares / sum, n};
+uint32_t places_of(uint32_t pixels) {
+    uint32_t n = least_places;
+    while (n < most_places && 2 * n * pixels <= enough) n *= 2;
+    return n;
 }
 
-void PixelMoments::add_places(uint32_t pixel, const float* a, const float* b, uint32_t n) {
-    if (b) estimate(a, b, n, of(pixel));
-    const double mean = grey(&probes_.mean[3 * size_t(pixel)]), own = probes_.count;
-    double sum = own * mean, squares = own * mean * mean + (own - 1) * double(probes_.variance[pixel]);
-    for (const float* samples : {a, b})
-        for (uint32_t k = 0; samples && k < n; k++) {
-            const double y = grey(samples + 3 * k);
-            sum += y, squares += y * y;
+image::Moments pixel_moments(device::Device& device, const ViewPlan& plan, const FrameZero& zero) {
+    const uint32_t nx = plan.sampling.params.nx, ny = plan.sampling.params.ny, n = places_of(nx * ny);
+    std::vector<float> out(image::moment_numbers * zero.spread.size(), 0.0f);
+    const std::vector<uint32_t> uneven = uneven_pixels(zero, int(nx), int(ny));
+    std::vector<Glint> glints(zero.spread.size());
+    const size_t step = std::max<size_t>(1, pixels_at_once * least_places / n);
+    for (size_t first = 0; first < uneven.size(); first += step) {
+        const std::vector<uint32_t> some(uneven.begin() + long(first),
+                                         uneven.begin() + long(std::min(uneven.size(), first + step)));
+        const std::vector<float> a = run_places(device, plan.sampling, some, n, 0),
+                                 b = run_places(device, plan.sampling, some, n, 1);
+        for (size_t k = 0; k < some.size(); k++) {
+            estimate(&a[3 * n * k], &b[3 * n * k], n, &out[image::moment_numbers * some[k]]);
+            glints[some[k]] = glint_in(zero, some[k], &a[3 * n * k], &b[3 * n * k], n);
         }
-    glints_[pixel] = glint_of(sum, squares, own + (b ? 2 : 1) * n);
-}
-
-// Pixels in which the sun was met few times have an error of the square root of their number.  Their neighbours may
-// hold as much as one sample more.
-void PixelMoments::add_glints() {
-    for (int y = 0; y < ny_; y++)
-        for (int x = 0; x < nx_; x++) {
-            const Glint& g = glints_[size_t(y) * size_t(nx_) + size_t(x)];
-            if (!(g.L > sunny && g.k < few)) continue;
-            for (int v = std::max(0, y - 1); v <= std::min(ny_ - 1, y + 1); v++)
-                for (int u = std::max(0, x - 1); u <= std::min(nx_ - 1, x + 1); u++) {
-                    const double hits = u == x && v == y ? std::max(1.0, g.k) : 1,
-                                 error = g.L * g.L * std::sqrt(hits) / g.n;
-                    float& e = of(uint32_t(v) * uint32_t(nx_) + uint32_t(u))[image::moment_difference];
-                    if (double(std::fabs(e)) < error) e = float(error);
-                }
-        }
-}
-
-image::Moments PixelMoments::finish(const std::vector<float>& mean, const std::vector<DrawnLight>& drawn) {
-    add_glints();
-    for (uint32_t i = 0; i < drawn.size(); i++) add_drawn(drawn[i], &mean[3 * size_t(i)], of(i));
-    image::clean_moments(moments_);
-    return std::make_shared<const std::vector<float>>(std::move(moments_));
+    }
+    add_glints(glints, int(nx), int(ny), out);
+    for (size_t i = 0; i < zero.drawn.size(); i++) add_drawn(zero, i, &out[image::moment_numbers * i]);
+    image::clean_moments(out);
+    return std::make_shared<const std::vector<float>>(std::move(out));
 }
 
 }  // namespace render

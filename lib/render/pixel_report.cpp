@@ -30,10 +30,10 @@ public:
     Explainer(const ViewPlan& plan, const scene::Scene& scene, uint32_t pixel, const GiveRow& give)
         : plan_(plan), names_(*plan.scene.tables, scene), pixel_(pixel), give_(give) {}
 
-    // Paths of which a sample of the pixel is made, which counts `weight` times in its value.
-    void sample(const std::vector<PixelPath>& paths, double weight, PixelRow row) const {
+    // The paths of a sample of the pixel, which counts `weight` times in its value.
+    void sample(const PixelSampling& sampling, uint32_t mode, int64_t sample, double weight, PixelRow row) const {
         const std::string name = row.path;
-        for (const PixelPath& p : paths) {
+        for (const PixelPath& p : paths_of_pixel(sampling, mode, sample, pixel_)) {
             if (p.weight == 0 || weight == 0) continue;
             device::RecordedPaths r = device::record_paths(*plan_.scene.tables, p.params, p.path);
             scrub_recorded(r, p.path);
@@ -153,41 +153,38 @@ void explain_pixel(device::Device& device, const ViewPlan& plan, const scene::Sc
                    pixel = (ny - 1 - uint32_t(y)) * nx + uint32_t(x);
     const Explainer explainer(plan, scene, pixel, give);
     const int64_t begin = std::max<int64_t>(first, 1);
-    const double share = last >= begin ? 1 / double(last - begin + 1) : 0;  // of each frame k >= 1
-    const double zero =
-        (first == 0 ? 1 : 0) - share * double(std::max<int64_t>(0, last - std::max<int64_t>(begin - 1, plan.m)));
-    const Probes probes = draw_probes(device, plan);
-    const DiffusePlan learned = learn(device, plan, probes);
+    const double share = last >= begin ? 1 / double(last - begin + 1) : 0;   // of each frame k >= 1
+    std::vector<double> zero(plan.samples_of_zero, first == 0 ? 1.0 : 0.0);  // weights of frame 0's samples, times m
+    const DiffusePlan learned = last >= begin ? learn(device, plan) : DiffusePlan{plan.sampling, {}};
+    const bool noisy = std::binary_search(learned.noisy.begin(), learned.noisy.end(), pixel);
+    for (int64_t k = begin; k <= last; k++) {  // frame_of()
+        for (size_t i = 0; i < zero.size(); i++) {
+            const double half = i < zero.size() / 2 ? 1 : -1, sign = image::in_first_half(k) ? 1 : -1;
+            if (k > plan.m || noisy) zero[i] -= share;
+            else if (plan.m % 2 == 0) zero[i] += sign * half * share;
+        }
+    }
     PixelRow row;
     for (row.frame = begin; row.frame <= last; row.frame++) {
         row.path = "sample";
-        explainer.sample(paths_of_pixel(learned.sampling, MODE_FRAMES, row.frame, pixel), share, row);
+        explainer.sample(learned.sampling, MODE_FRAMES, row.frame, share, row);
     }
     row.frame = 0;
     if (first == 0) explainer.drawn(device, row);
-    const double own = weight_of_probes(plan);
-    for (uint32_t i = 0; i < probes.count; i++) {
+    for (size_t i = 0; i < zero.size(); i++) {
         row.path = fmt::format("sample {} of frame 0", i + 1);
-        explainer.sample(paths_of_pixel(plan.sampling, MODE_DIRECT, i, pixel), zero * own / probes.count, row);
+        explainer.sample(plan.sampling, MODE_DIRECT, first_sample_of_zero(plan) + int64_t(i),
+                         zero[i] / double(zero.size()), row);
     }
-    const Fresh fresh = fresh_samples(plan, probes, learned)[pixel];
-    row.path = "fresh sample of frame 0";
-    for (uint32_t redraw = 0; redraw < (fresh.pairs ? 2u : 1u) && fresh.places > 0; redraw++)
-        explainer.sample(paths_of_places(plan.sampling, pixel, fresh.places, redraw),
-                         zero * (1 - own) / (fresh.pairs ? 2 : 1), row);
 }
 
 MomentReport explain_moments(device::Device& device, const ViewPlan& plan, const scene::Scene& scene, int x, int y) {
-    const uint32_t nx = plan.sampling.params.nx, ny = plan.sampling.params.ny,
+    const uint32_t nx = plan.sampling.params.nx, ny = plan.sampling.params.ny, n = places_of(nx * ny),
                    pixel = (ny - 1 - uint32_t(y)) * nx + uint32_t(x);
-    const Probes probes = draw_probes(device, plan);
-    const DiffusePlan learned = learn(device, plan, probes);
-    const FrameZero zero = draw_frame_zero(device, plan, probes, learned);
-    const Fresh fresh = fresh_samples(plan, probes, learned)[pixel];
-    const uint32_t n = fresh.pairs ? fresh.places : 0;
+    const FrameZero zero = draw_frame_zero(device, plan);
+    const image::Moments all = pixel_moments(device, plan, zero);
     MomentReport out;
-    for (size_t i = 0; i < out.moments.size(); i++)
-        out.moments[i] = double((*zero.moments)[image::moment_numbers * pixel + i]);
+    for (size_t i = 0; i < out.moments.size(); i++) out.moments[i] = double((*all)[image::moment_numbers * pixel + i]);
     if (!(out.moments[image::moment_variance] > 0)) return out;
 
     // Covariance of both samples of each place, by light.

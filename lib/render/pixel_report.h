@@ -6,7 +6,6 @@
 #include <map>
 #include <string>
 #include "device/recorded_paths.h"
-#include "image/moments.h"
 #include "render/view_plan.h"
 #include "scene/object.h"
 
@@ -35,7 +34,7 @@ void explain_pixel(device::Device& device, const ViewPlan& plan, const scene::Sc
 
 // Moments of a pixel in frame 0 (image/moments.h), and the parts of each light in its variance, which sum to it.
 struct MomentReport {
-    std::array<double, image::moment_numbers> moments{};
+    std::array<double, 4> moments{};
     std::map<std::string, double> variance_by_light;
 };
 MomentReport explain_moments(device::Device& device, const ViewPlan& plan, const scene::Scene& scene, int x, int y);

@@ -61,7 +61,7 @@ std::string moment_table(const MomentReport& report) {
     std::string out = "moment\tlight\tvalue\n";
     for (const auto& [light, variance] : report.variance_by_light)
         out += fmt::format("variance\t{}\t{:.8g}\n", light, variance);
-    constexpr const char* names[] = {"variance", "difference", "right", "up", "frame0"};
+    constexpr const char* names[] = {"variance", "difference", "right", "up"};
     for (size_t i = 0; i < report.moments.size(); i++)
         out += fmt::format("{}\t\t{:.8g}\n", names[i], report.moments[i]);
     return out;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames of Eq. 7.  L(0) = exact part (what is drawn by area) + S0, which stands for m samples of the direct class;
-// frames 1..m carry the diffuse class; frame k > m adds S(k) - S0, so that for n >= m both classes are means of n
-// samples and frame 0's own noise averages out (docs/spec/paper.md 7, docs/decisions/0002-frame-zero.md).
+// Frames of Eq. 7.  L(0) = exact part (what is drawn by area) + S0, the mean of m samples of the direct class; frames
+// 1..m carry the diffuse class; frame k > m adds S(k) - S0, so that for n >= m both classes are plain means of n
+// samples and frame 0's own noise averages out (docs/spec/paper.md 7, docs/decisions/0002-frame-zero.md).  Half of the
+// frames 1..m have the mean of the first half of frame 0's samples in place of S0, the other half that of the second
+// half.  In noisy pixels, which have several samples in each frame, all frames k >= 1 add S(k) - S0.
 #include "render/progressive.h"
 
 #include <algorithm>
@@ -10,7 +12,9 @@
 #include "device/device.h"
 #include "render/beyond_limit.h"
 #include "render/frame_zero.h"
+#include "render/learn.h"
 #include "render/make_device.h"
+#include "render/pixel_moments.h"
 
 namespace render {
 using namespace kernels;
@@ -57,8 +61,18 @@ void for_samples(device::Device& device, const PixelSampling& sampling, int64_t 
 }
 
 // Frame k >= 1 of Eq. 7 from a sample of all pixels.
-std::vector<float> frame_of(int64_t k, const ViewPlan& plan, const FrameZero& zero, std::vector<float> v) {
-    for (size_t i = 0; i < v.size() && k > plan.m; i++) v[i] -= zero.mean[i];
+std::vector<float> frame_of(int64_t k, const ViewPlan& plan, const FrameZero& zero, const DiffusePlan& learned,
+                            std::vector<float> v) {
+    if (k > plan.m) {
+        for (size_t i = 0; i < v.size(); i++) v[i] -= zero.mean[i];
+        return v;
+    }
+    std::vector<float> noisy;
+    for (const uint32_t pixel : learned.noisy)
+        for (size_t i = 3 * size_t(pixel); i < 3 * size_t(pixel) + 3; i++) noisy.push_back(v[i] - zero.mean[i]);
+    const float sign = image::in_first_half(k) ? 1.0f : -1.0f;
+    for (size_t i = 0; i < zero.half_off.size(); i++) v[i] += sign * zero.half_off[i];
+    for (size_t n = 0; n < noisy.size(); n++) v[3 * size_t(learned.noisy[n / 3]) + n % 3] = noisy[n];
     return v;
 }
 std::vector<float> picture_of(const ViewPlan& plan, std::vector<float> rgb) {
@@ -69,18 +83,18 @@ std::vector<float> picture_of(const ViewPlan& plan, std::vector<float> rgb) {
 void render_frames(device::Device& device, const ViewPlan& plan, int64_t first, int64_t count, bool moments,
                    const GiveFrame& give) {
     const int64_t end = first + count;
-    const bool of_zero = first == 0 || end - 1 > plan.m;
-    const Probes probes = of_zero || plan.noisy_share > 0 ? draw_probes(device, plan) : Probes();
-    const DiffusePlan learned = learn(device, plan, probes);
-    const FrameZero zero = of_zero ? draw_frame_zero(device, plan, probes, learned) : FrameZero();
+    const bool of_zero = first == 0 || end - 1 > plan.m || plan.m % 2 == 0 || plan.noisy_share > 0;  // frame_of()
+    const FrameZero zero = of_zero ? draw_frame_zero(device, plan) : FrameZero();
     if (first == 0) {
-        if (!give(0, picture_of(plan, values_of(zero)), moments ? zero.moments : image::Moments())) return;
+        const image::Moments within = moments ? pixel_moments(device, plan, zero) : image::Moments();
+        if (!give(0, picture_of(plan, values_of(zero)), within)) return;
         first = 1;
     }
     if (first >= end) return;
+    const DiffusePlan learned = learn(device, plan);
     if (plan.tell_limit) warn_of_limit(device, learned.sampling.params, plan.view, zero.exact);
     for_samples(device, learned.sampling, first, end - first, [&](int64_t k, const std::vector<float>& values) {
-        return give(k, picture_of(plan, frame_of(k, plan, zero, values)), {});
+        return give(k, picture_of(plan, frame_of(k, plan, zero, learned, values)), {});
     });
 }
 
@@ -143,14 +157,7 @@ MomentReport Renderer::explain_moments(const scene::Scene& scene, int x, int y) 
     return render::explain_moments(*device_, plan_, scene, x, y);
 }
 
-image::Moments Renderer::moments() {
-    image::Moments out;
-    render_frames(*device_, plan_, 0, 1, true, [&](int64_t, const std::vector<float>&, const image::Moments& moments) {
-        out = moments;
-        return false;
-    });
-    return out;
-}
+image::Moments Renderer::moments() { return pixel_moments(*device_, plan_, draw_frame_zero(*device_, plan_)); }
 
 void Renderer::frame(int64_t k, std::vector<float>& rgb) {
     frames(k, 1, [&](int64_t, const std::vector<float>& v, const image::Moments&) {

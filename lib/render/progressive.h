@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The progressive loop: frames of a scene, view and size, on a device (paper Eq. 7 and its section on frame noise).
-//   load_scene() -> plan_view() -> draw_probes() -> learn() -> draw_frame_zero() -> frames
+//   load_scene() -> plan_view() -> draw_frame_zero() -> pixel_moments()
+//                              \-> learn() -> frames
 // Each stage takes the values of those before it and changes none of them.
 #pragma once
 #include <atomic>

@@ -78,6 +78,7 @@ device::Params params_of_several(const PixelSampling& sampling, uint32_t mode, c
     p.mode = mode;
     p.spp = several.spp;
     p.focus_at = several.at;
+    if (several.direct_in_each_frame) p.skip_direct_below = 0;
     return p;
 }
 
@@ -201,12 +202,6 @@ std::vector<float> run_places(device::Device& device, const PixelSampling& sampl
     }
     scrub(rgb);
     return rgb;
-}
-
-std::vector<PixelPath> paths_of_places(const PixelSampling& sampling, uint32_t pixel, uint32_t n, uint32_t redraw) {
-    std::vector<PixelPath> out(n, {params_of_places(sampling, {pixel}, n, redraw), 0, 1. / n});
-    for (uint32_t k = 0; k < n; k++) out[k].params.first = k, out[k].params.path_count = 1;
-    return out;
 }
 
 void scrub(std::vector<float>& rgb) {

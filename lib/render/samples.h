@@ -12,7 +12,8 @@ struct Several {
     std::vector<uint32_t> entries;    // FOCUS_WORDS each, pixels in ascending order
     uint32_t spp = 0;                 // samples of an entry
     double reuse_equivalent_spp = 0;  // weight, in samples, of the whole picture's sample with path reuse
-    uint32_t at = 0;                  // first word in the view table
+    bool direct_in_each_frame = false;
+    uint32_t at = 0;  // first word in the view table
     size_t count() const { return entries.size() / FOCUS_WORDS; }
 };
 
@@ -56,8 +57,6 @@ device::Params params_of_places(const PixelSampling& sampling, const std::vector
 // except for the places of the samples.
 std::vector<float> run_places(device::Device& device, const PixelSampling& sampling,
                               const std::vector<uint32_t>& pixels, uint32_t n, uint32_t redraw);
-// The paths of these samples of a pixel.
-std::vector<PixelPath> paths_of_places(const PixelSampling& sampling, uint32_t pixel, uint32_t n, uint32_t redraw);
 constexpr float brightest_sample = 1e32f;
 // Sets samples that are not finite or too large to 0, so that every sum of a million samples is a finite float.  Throws
 // Error (system) if half of a pass is affected.

@@ -27,13 +27,13 @@ struct ViewPlan {
     view::View view;
     PixelSampling sampling;  // with the focus; diffuse directions by the cosine alone
     DrawnSources drawn;
-    PointLayout points;       // of a picture of points; else empty
-    size_t points_room = 0;   // pixels of that picture
-    uint32_t m = 0;           // frames that frame 0 stands for (Eq. 7)
-    uint32_t probes = 0;      // samples of each pixel that find where more are due; of m in frame 0
-    double noisy_share = 0;   // samples of noisy pixels over those of the picture; 0: none are sought
-    bool tell_limit = false;  // warn of what -ab leaves out (beyond_limit.h)
-    std::string fingerprint;  // fingerprint.h
+    PointLayout points;            // of a picture of points; else empty
+    size_t points_room = 0;        // pixels of that picture
+    uint32_t m = 0;                // frames that frame 0 stands for (Eq. 7)
+    uint32_t samples_of_zero = 0;  // of the direct class, of each pixel in frame 0
+    double noisy_share = 0;        // samples of noisy pixels over those of the picture; 0: none are sought
+    bool tell_limit = false;       // warn of what -ab leaves out (beyond_limit.h)
+    std::string fingerprint;       // fingerprint.h
 };
 
 // The device holds the scene.

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "report/moment_error.h"
-#include "uncertainty/frame0.h"
 #include "uncertainty/threshold_filter.h"
 
 namespace report {
@@ -56,21 +55,6 @@ uncertainty::Values values(const std::vector<glare::Column>& columns, const glar
     return out;
 }
 
-std::vector<bool> counts(const glare::Geometry& g) {
-    std::vector<bool> out(g.omega.size());
-    for (size_t i = 0; i < out.size(); ++i) out[i] = g.valid(i);
-    return out;
-}
-
-// Empty: not known.
-std::vector<float> frame0_error_of(const glare::Luminance& lum, const std::vector<bool>& counts) {
-    if (!lum.moments) return {};
-    std::vector<float> half_off;
-    for (size_t i = image::moment_frame0; i < lum.moments->size(); i += image::moment_numbers)
-        half_off.push_back((*lum.moments)[i]);
-    return uncertainty::frame0_error(half_off, lum.width, lum.height, counts);
-}
-
 }  // namespace
 
 uncertainty::Quantity quantity_of(Noise noise) {
@@ -90,12 +74,16 @@ const uncertainty::Estimate& Look::estimate(size_t column) const {
     return column < estimates.size() ? estimates[column] : none;
 }
 
+std::vector<bool> counts(const glare::Geometry& g) {
+    std::vector<bool> out(g.omega.size());
+    for (size_t i = 0; i < out.size(); ++i) out[i] = g.valid(i);
+    return out;
+}
+
 Look look(const glare::Reading& whole, const glare::Measurement& m, const std::vector<glare::Column>& columns,
-          const std::vector<image::Part>& parts, const Look& before) {
+          const std::vector<image::Part>& parts, const std::vector<float>& frame0_error, const Look& before) {
     const glare::Geometry& g = whole.geometry();
-    uncertainty::GrowingMean mean{g.width,  g.height, whole.lum.grey, &parts, nullptr, whole.lum.direct_frames,
-                                  counts(g)};
-    const std::vector<float> frame0_error = frame0_error_of(whole.lum, mean.counts);
+    uncertainty::GrowingMean mean{g.width, g.height, whole.lum.grey, &parts, nullptr, counts(g)};
     if (!frame0_error.empty()) mean.frame0_error = &frame0_error;
 
     uncertainty::Metrics metrics;

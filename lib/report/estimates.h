@@ -21,8 +21,11 @@ struct Look {
     const uncertainty::Estimate& estimate(size_t column) const;  // nan: none
 };
 
-// measurement: of the mean that was read.
+// measurement: of the mean that was read.  frame0_error: by pixel (uncertainty/frame0.h); empty: not known.
 Look look(const glare::Reading& mean, const glare::Measurement& measurement, const std::vector<glare::Column>& columns,
-          const std::vector<image::Part>& parts, const Look& before);
+          const std::vector<image::Part>& parts, const std::vector<float>& frame0_error, const Look& before);
+
+// The pixels that are measured.
+std::vector<bool> counts(const glare::Geometry& geometry);
 
 }  // namespace report

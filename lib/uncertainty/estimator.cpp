@@ -94,8 +94,8 @@ Replicates replicate(const GrowingMean& mean, const Metrics& metrics, const Valu
         const std::vector<float> variance = variances(mean);
         filter = {{mean.width, mean.height, mean.whole, variance.data()}, *metrics.threshold, metrics.filter_radius};
     }
-    const bool moves_frame0 = mean.frame0_error && n <= frame0_matters * mean.frame0_frames;
-    const float scale = float(frame0_share(n, mean.frame0_frames));
+    const bool moves_frame0 = mean.frame0_error && n > 2 && n <= frame0_matters;
+    const float scale = float(std::sqrt(missing_share(n)));
     // The half-samples, the whole mean, and the pairs of frame 0.
     const int images = half_samples + 1 + (moves_frame0 ? 2 * frame0_pairs : 0);
     const auto make = [&](int k, std::vector<float>& image) {

@@ -29,7 +29,6 @@ struct GrowingMean {
     const float* whole = nullptr;                      // L'(n)
     const std::vector<image::Part>* parts = nullptr;   // n frames in all
     const std::vector<float>* frame0_error = nullptr;  // by pixel (frame0.h); null: not known
-    int64_t frame0_frames = 0;                         // for which frame 0 stands
     std::vector<bool> counts;                          // by pixel: it is measured
 };
 

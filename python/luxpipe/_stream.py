@@ -43,7 +43,7 @@ def _read_one(stream: BinaryIO) -> bytearray | None:
     if not size or b"FORMAT=float\n" not in lines:
         raise Error(f"luxpipe: stream: not a float picture: {resolution[:60]!r}")
     head = b"".join(lines) + resolution
-    numbers = max([int(line[6:]) for line in lines if re.fullmatch(rb"NCOMP=[1-9]\n", line)], default=3)
+    numbers = 4 if b"NCOMP=4\n" in lines else 3
     picture = bytearray(len(head) + 4 * numbers * int(size[1]) * int(size[2]))
     picture[:len(head)] = head
     rest = memoryview(picture)[len(head):]

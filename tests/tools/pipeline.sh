@@ -43,7 +43,7 @@ check 'moments come behind frame 0 and the first sum; frames are the same withou
     numbers a.exr > a; numbers b.exr > b; cmp a b
     render 0:1 | ptaccum -last -o c.exr; render 2:2 | ptaccum -last -o d.exr; ptaccum d.exr c.exr -ff > merged.hdr
     ptaccum a.exr -ff > whole.hdr
-    for f in merged whole; do tail -c $((48 * 48 * 20)) $f.hdr > $f.moments; done; cmp merged.moments whole.moments'
+    for f in merged whole; do tail -c $((48 * 48 * 16)) $f.hdr > $f.moments; done; cmp merged.moments whole.moments'
 check_error 'single frames are no picture' 1 '^vcmetrics: .*ptaccum' 'render 2 | vcmetrics > t'
 check_error 'a stream cut in the middle is reported' 1 '^ptaccum: stdin: ' 'render 2 | head -c 40000 | ptaccum > t'
 check_error 'a partial sum has no metrics' 1 '^vcmetrics: ' 'vcmetrics part_10:40.exr > t'

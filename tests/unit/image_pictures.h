@@ -7,7 +7,7 @@
 inline image::Moments moments_of(const image::Picture& p, float first = 1) {
     std::vector<float> all;
     for (int i = 0; i < p.width * p.height; ++i)
-        all.insert(all.end(), {first + float(i), -.5f * float(i), .25f, -1.f / float(i + 2), .5f + float(i)});
+        all.insert(all.end(), {first + float(i), -.5f * float(i), .25f, -1.f / float(i + 2)});
     return std::make_shared<const std::vector<float>>(all);
 }
 

@@ -24,7 +24,8 @@ namespace {
 constexpr int side = 12;
 
 // A stream of sums: every pixel of frame k > 0 is its mean times a sample of mean 1, and frame 0 a share of the mean
-// times the mean of 8 samples, which frames above 8 correct (paper section 7).  What is bright is seen exactly.
+// times the mean of 8 samples, of which frames up to 8 show one half or the other and which frames above 8 correct
+// (paper section 7).  What is bright is seen exactly.
 class Stream {
 public:
     using Sample = std::function<double(std::mt19937&)>;
@@ -45,19 +46,13 @@ public:
             }
     }
     std::vector<double> frame0() const { return frame0_; }
-    // Half the difference between the halves of frame 0's samples is known.
-    image::Moments moments() const {
-        std::vector<float> out(image::moment_numbers * frame0_.size());
-        for (size_t i = 0; i < frame0_.size(); ++i)
-            out[image::moment_numbers * i + image::moment_frame0] = float(half_off_[i] / cdm2_per_grey);
-        return std::make_shared<const std::vector<float>>(std::move(out));
-    }
     std::vector<double> next() {
         ++n_;
         std::vector<double> out;
         for (size_t i = 0; i < mean_.size(); ++i) {
             if (!exact(i) && direct_ < 1) sum_[i] += (1 - direct_) * mean_[i] * sample_(random_);
-            if (n_ > image::direct_samples && !exact(i)) sum_[i] += direct_ * mean_[i] * sample_(random_) - frame0_[i];
+            if (n_ <= image::direct_samples) sum_[i] += image::in_first_half(n_) ? half_off_[i] : -half_off_[i];
+            else if (!exact(i)) sum_[i] += direct_ * mean_[i] * sample_(random_) - frame0_[i];
             out.push_back(frame0_[i] + sum_[i] / double(n_));
         }
         return last_ = out;
@@ -142,7 +137,6 @@ struct Room {
         Sum sum;
         while (stream.frames() < most) {
             image::Picture p = fisheye_of(stream.next(), width);
-            p.moments = stream.moments();
             as_sum(p, stream.frames());
             reading = read(plan, p, "sum", {}, std::move(reading));
             sum = add(std::move(sum), p, reading, "sum", true);
