@@ -10,6 +10,7 @@ import luxpipe
 import pytest
 from conftest import SCENE, VIEW
 from luxpipe._programs import run
+from test_year import WEATHER
 
 pytest.importorskip("pandas")
 NOTEBOOKS = sorted((pathlib.Path(__file__).parents[2] / "examples" / "notebooks").glob("*.ipynb"))
@@ -54,8 +55,9 @@ def test_examples_of_the_page(hdr, tmp_path, monkeypatch):
     blocks = re.findall(r"(?s)```python\n(.*?)```", page.read_text())
     assert len(blocks) >= 5
     monkeypatch.chdir(tmp_path)
-    for function in (luxpipe.render, luxpipe.frames):
+    for function in (luxpipe.render, luxpipe.frames, luxpipe.year):
         monkeypatch.setitem(function.__kwdefaults__, "size", 24)
+    (tmp_path / "site.wea").write_text(WEATHER)
     (tmp_path / "photo.hdr").write_bytes(hdr.read_bytes())
     scene = [str(file) for file in SCENE]
     for name, seed in (("a", "1"), ("b", "2")):
