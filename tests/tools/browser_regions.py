@@ -81,7 +81,7 @@ with open(name, 'a') as file: file.write('another  circle view 30\n')
 page.one('#canvas').send_keys(Keys.DELETE)
 check('a change in the page meets one by hand: both are kept',
       soon(lambda: 'region1' not in text() and 'another  circle view 30\n' in text()), text())
-rows(8)
+page.until('document.querySelector("#regions [data-region=another].name") !== null')
 page.js('document.querySelector("#regions [data-region=another].name").focus()')
 with open(name) as file: theirs = file.read().replace('another  circle view 30', 'another  circle view 33')
 with open(name, 'w') as file: file.write(theirs)

@@ -18,16 +18,7 @@ await() {
 }
 end() { kill "$@" $live; status=0; wait $live || status=$?; }
 edited() { await "tail -1 lines | cut -f 3 | grep -qx $1"; }
-# ask METHOD PATH [body]
-ask() {
-    python3 - "$@" << 'END'
-import re, sys, urllib.request
-host, token = re.search(r"(http://[^/]+)/#(\w+)", open("said").read()).groups()
-body = sys.argv[3].encode() if len(sys.argv) > 3 else None
-print(urllib.request.urlopen(urllib.request.Request(
-    host + sys.argv[2], method=sys.argv[1], data=body, headers={"X-Luxpipe-Token": token})).read().decode("latin1"))
-END
-}
+ask() { python3 "$TOP/tests/tools/ask.py" "$@"; }  # METHOD PATH [body]
 set_text() { ask POST "/overlay?n=$1&version=$2&said=$3" "$4" > /dev/null; }
 
 check 'a design is written as a text that a person reads' '

@@ -10,16 +10,7 @@ begin() { luxpipe-live "$@" $scene > lines 2> said & live=$!; await '[ -s lines 
 await() { for i in $(seq 1200); do eval "$1" && return; sleep .025; done; echo "in vain: $1"; cat said; return 1; }
 below() { for child in $(pgrep -P "$1"); do echo "$child $(cat /proc/$child/comm)"; below $child; done; }
 ended() { await '! kill -0 $live 2> /dev/null'; status=0; wait $live || status=$?; [ -z "$(ls t)" ]; }
-# ask METHOD PATH [body]: what the page would be told
-ask() {
-    python3 - "$@" << 'END'
-import re, sys, urllib.request
-host, token = re.search(r"(http://[^/]+)/#(\w+)", open("said").read()).groups()
-body = sys.argv[3].encode() if len(sys.argv) > 3 else None
-print(urllib.request.urlopen(urllib.request.Request(
-    host + sys.argv[2], method=sys.argv[1], data=body, headers={"X-Luxpipe-Token": token})).read().decode("latin1"))
-END
-}
+ask() { python3 "$TOP/tests/tools/ask.py" "$@"; }  # METHOD PATH [body]
 
 check 'the page knows the FIFO, the scene files and the regions; an edit arrives and is compared' '
     begin; ask GET /facts > facts; grep -q "\"control\":true" facts
