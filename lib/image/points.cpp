@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "base/error.h"
@@ -23,9 +24,7 @@ namespace {
 constexpr size_t longest_line = 4096;  // characters
 
 std::string name_of(const std::string& path) {
-    if (path == "-") return "points";
-    const std::string name = path.substr(path.rfind('/') + 1);
-    return name.substr(0, name.rfind('.'));
+    return path == "-" ? "points" : std::filesystem::path(path).stem().string();
 }
 
 Point point_of(const std::vector<std::string>& words, const std::string& place) {

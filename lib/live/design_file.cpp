@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/split.h"
-#include "base/tempfile.h"
+#include "image/stream.h"
 
 namespace live {
 
@@ -166,9 +166,7 @@ void DesignFile::look(bool last) {
     if (text.empty() || text == written_) return;
     std::string wrong;
     try {
-        base::TempFile file(path_);
-        file.write(text.data(), text.size());
-        file.keep();
+        image::write_bytes(path_, text);
         written_ = text;
     } catch (const base::Error& e) {
         wrong = "vcview: " + e.text + ": the design is not saved there";

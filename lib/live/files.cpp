@@ -10,7 +10,7 @@
 
 #include "base/descriptor.h"
 #include "base/hash.h"
-#include "base/tempfile.h"
+#include "image/stream.h"
 #include "live/regions.h"
 #include "region/region.h"
 
@@ -36,9 +36,7 @@ bool TextFile::write(const std::string& text, const std::string& tag) const {
     const FileNow now = read();
     if (!now.trouble.empty()) base::fail(path, now.trouble);
     if (now.tag != tag) return false;
-    base::TempFile file(path);
-    file.write(text.data(), text.size());
-    file.keep();
+    image::write_bytes(path, text);
     return true;
 }
 

@@ -41,7 +41,6 @@ public:
             give_path(r.paths[p.path], row, times({1, 1, 1}, weight * p.weight), false);
             for (const device::Connection& c : r.connections) {
                 const uint32_t from = reuse_pixel(&p.params, p.params.first + c.path);
-                row.path = name;
                 row.path =
                     name + fmt::format(", suffix of {},{}", from % p.params.nx, p.params.ny - 1 - from / p.params.nx);
                 give_path(r.paths[c.path], row, times(c.weight, weight * p.weight), true);

@@ -18,7 +18,7 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-// Lines at 45 degrees, three pixels apart, whose places do not depend on the rectangle: neighbours join.
+// Lines at 45 degrees, every fourth pixel of the picture, so that they go on in the next rectangle.
 void hatch(display::Image8& image, const Rectangle& r) {
     for (int y = r.y; y < r.y + r.height; ++y)
         for (int x = r.x; x < r.x + r.width; ++x)

@@ -8,16 +8,10 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "base/tempfile.h"
+#include "image/stream.h"
 
 namespace year {
 namespace {
-
-void write_file(const std::string& path, const std::string& text) {
-    base::TempFile file(path);
-    file.write(text.data(), text.size());
-    file.keep();
-}
 
 bool same_hours(const View& a, const View& b) {
     return std::equal(a.hours.begin(), a.hours.end(), b.hours.begin(), b.hours.end(),
@@ -44,9 +38,9 @@ void write_honeybee(const std::string& folder, const std::vector<View>& views) {
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure) base::fail(folder, "cannot be made: " + failure.message());
-    write_file(folder + "/views.dgp", rows);
-    write_file(folder + "/sun-up-hours.txt", hours);
-    write_file(
+    image::write_bytes(folder + "/views.dgp", rows);
+    image::write_bytes(folder + "/sun-up-hours.txt", hours);
+    image::write_bytes(
         folder + "/grids_info.json",
         fmt::format("[{{\"name\": \"views\", \"identifier\": \"views\", \"full_id\": \"views\", \"count\": {}}}]\n",
                     views.size()));

@@ -10,8 +10,7 @@
 namespace year {
 namespace {
 
-constexpr double most_times =
-    16;  // what no sixteen times as many frames decide lies on the limit, as far as one may see
+constexpr double most_times = 16;  // times as many frames: an hour that needs more counts as on the limit
 
 Need need_of(const Hour& h, double limit) {
     const double apart = std::fabs(h.dgp.value - limit), noise = h.half_width();
@@ -30,9 +29,8 @@ std::vector<Need> needs(const View& view, const Verdict& v) {
         for (const Hour& h : view.hours)
             if (holds(h, limits[size_t(k)])) all.push_back(need_of(h, limits[size_t(k)]));
     std::stable_sort(all.begin(), all.end(), [](const Need& a, const Need& b) {
-        return std::fabs(a.hour.dgp.value - a.limit) > std::fabs(b.hour.dgp.value - b.limit);
+        return std::fabs(a.hour.dgp.value - a.limit) < std::fabs(b.hour.dgp.value - b.limit);
     });
-    std::reverse(all.begin(), all.end());
     return all;
 }
 

@@ -17,8 +17,6 @@ constexpr int day_width = 3, hour_height = 12, left = 40, top = 24, bottom = 40,
 constexpr display::Colour night{120, 120, 130}, nothing{238, 238, 238};
 constexpr display::Colour classes[4] = {{205, 226, 235}, {250, 220, 110}, {240, 140, 50}, {170, 20, 50}};
 
-int class_of(double dgp) { return int(std::lower_bound(limits.begin(), limits.end(), dgp) - limits.begin()); }
-
 // From the first hour that any day has to the last.
 struct Rows {
     int first = 24, last = 0;

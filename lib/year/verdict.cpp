@@ -8,8 +8,6 @@
 namespace year {
 namespace {
 
-int class_of(double exceeded) { return int(std::lower_bound(limits.begin(), limits.end(), exceeded) - limits.begin()); }
-
 std::vector<uncertainty::Uncertain> values_of(const View& view) {
     std::vector<uncertainty::Uncertain> values;
     for (const Hour& h : view.hours) values.push_back(h.dgp);
@@ -17,6 +15,8 @@ std::vector<uncertainty::Uncertain> values_of(const View& view) {
 }
 
 }  // namespace
+
+int class_of(double dgp) { return int(std::lower_bound(limits.begin(), limits.end(), dgp) - limits.begin()); }
 
 const char* class_name(int k) {
     const char* const names[4] = {"high", "medium", "minimum", "none"};

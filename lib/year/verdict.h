@@ -15,6 +15,7 @@ namespace year {
 // robustness of daylight glare metrics, Lighting Research and Technology 51, 2019, name the limits).
 constexpr std::array<double, 3> limits{.35, .40, .45};
 constexpr double exceeding_share = .05;
+int class_of(double dgp);       // how many limits are below it
 const char* class_name(int k);  // 0 high, 1 medium, 2 minimum, 3 none
 
 struct Between {

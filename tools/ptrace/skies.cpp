@@ -4,13 +4,12 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+
 #include "weather/choose.h"
 #include "weather/sky.h"
 
-Sky sky_of_file(const std::string& path) {
-    const std::string file = path.substr(path.rfind('/') + 1);
-    return {file.substr(0, file.rfind('.')), path, std::nullopt, false, {}};
-}
+Sky sky_of_file(const std::string& path) { return {std::filesystem::path(path).stem(), path, std::nullopt, false, {}}; }
 
 // Noise differs from hour to hour, and no two runs of different -seed share any.
 static uint64_t seed_of(const weather::Time& time, uint64_t seed) {

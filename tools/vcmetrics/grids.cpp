@@ -10,7 +10,6 @@
 #include "base/split.h"
 #include "image/grey.h"
 #include "image/header.h"
-#include "report/until.h"
 
 namespace {
 using namespace report;
@@ -29,7 +28,7 @@ std::vector<image::Point> points_of(const Options& o, const std::vector<image::G
     return all;
 }
 
-// Options that ask for what a picture of points has not: a view, and one sum that is compared with another.
+// A picture of points has no view, and is compared with no other.
 void refuse_options_of_views(const Options& o) {
     const std::pair<const char*, bool> of_views[] = {
         {"-over", !o.over_file.empty()},       {"-against", !o.against.empty()},
@@ -48,10 +47,10 @@ GridState begin(const Options& o, const image::Header& h) {
     const std::vector<std::string> names = o.metrics.empty() ? base::split_list(default_grid_numbers, ',') : o.metrics;
     s.columns = grid_columns(names, h.grids, "-metrics");
     if (!o.until.empty())
-        for (const Tolerance& t : parse_tolerances(o.until, "-until")) {
+        for (const Tolerance& t : s.rule = parse_tolerances(o.until, "-until")) {
             std::vector<GridColumn> one = grid_columns({t.metric}, h.grids, "-until");
             if (one.size() > 1) base::fail("-until", "\"" + t.metric + "\" is of several grids: name one");
-            s.asked.push_back(one[0]);
+            s.of_rule.push_back(one[0]);
         }
     s.names = {"frame", "seconds"};
     if (!h.sky_name.empty()) s.names.push_back("sky");
@@ -62,18 +61,17 @@ GridState begin(const Options& o, const image::Header& h) {
     return s;
 }
 
-bool rule_holds(const Options& o, const GridState& s) {
-    const std::vector<Tolerance> rule = parse_tolerances(o.until, "-until");
-    for (size_t i = 0; i < rule.size(); ++i) {
-        const GridNumber n = grid_number(s.asked[i], s.grids, .05);
-        if (!(n.limits.high - n.limits.low <= 2 * rule[i].of(n.value))) return false;
+bool rule_holds(const GridState& s) {
+    for (size_t i = 0; i < s.rule.size(); ++i) {
+        const GridNumber n = grid_number(s.of_rule[i], s.grids, .05);
+        if (!(n.limits.high - n.limits.low <= 2 * s.rule[i].of(n.value))) return false;
     }
     return true;
 }
 
 std::string row_of(const Options& o, const GridState& s, int64_t frame, double seconds) {
     std::vector<Cell> cells = {number_cell(double(frame)), number_cell(seconds, 4)};
-    if (!s.last.header.sky_name.empty()) cells.push_back(text_cell(s.last.header.sky_name));
+    if (!s.header.sky_name.empty()) cells.push_back(text_cell(s.header.sky_name));
     for (const GridColumn& c : s.columns) {
         const GridNumber v = grid_number(c, s.grids, 1 - o.ci.value_or(.95));
         cells.push_back(number_cell(v.value));
@@ -84,7 +82,7 @@ std::string row_of(const Options& o, const GridState& s, int64_t frame, double s
 
 }  // namespace
 
-GridStep step(const Options& o, GridState s, const image::Picture& p, int64_t frame, double seconds) {
+GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, double seconds) {
     const image::Header& h = p.header;
     if (image::count_of(h.grids) > size_t(p.width) * size_t(p.height))
         base::fail("", "GRID= lines have more points than pixels");
@@ -92,18 +90,19 @@ GridStep step(const Options& o, GridState s, const image::Picture& p, int64_t fr
     if (first) s = begin(o, h);
     const std::vector<float> grey = image::grey_of(p.rgb);
     const int64_t n = h.frames.value_or(0);
-    if (first || n <= s.parts.frames() || h.sky_name != s.last.header.sky_name) s.parts.restart(), s.held = 0;
+    if (first || n <= s.parts.frames() || h.sky_name != s.header.sky_name) s.parts.restart(), s.held = 0;
     if (!p.parts.empty()) s.parts.resume(p.parts, grey, n);
     else s.parts.add(grey.data(), grey.size(), n, h.seed);
-    s.last = p;
+    s.header = h;
+    s.rgb = std::move(p.rgb);
     s.grids.clear();
     for (const image::Grid& g : h.grids)
         s.grids.push_back(
             uncertainty::noisy_values(s.parts.parts(), grey.data(), g.first, g.count, image::lumens_per_watt));
     std::string text = first && plain ? header_line(s.names, o.format) : "";
     if (plain) text += row_of(o, s, frame, seconds);
-    // Two pictures in a row, since a rule that is looked at often holds by chance at one of them.
-    if (!s.asked.empty()) s.held = n >= uncertainty::least_frames && rule_holds(o, s) ? s.held + 1 : 0;
+    // Two pictures in a row: of many looks at a rule, single ones find that it holds before it does.
+    if (!s.rule.empty()) s.held = n >= uncertainty::least_frames && rule_holds(s) ? s.held + 1 : 0;
     s.done = s.held >= 2;
     const bool ends = s.done || (o.max_frames && n >= *o.max_frames) || (o.max_seconds && seconds >= *o.max_seconds);
     return {std::move(s), text, ends};
@@ -111,11 +110,11 @@ GridStep step(const Options& o, GridState s, const image::Picture& p, int64_t fr
 
 std::string rows_of_points(const Options& o, const GridState& s) {
     std::string text;
-    const std::vector<image::Grid>& grids = s.last.header.grids;
+    const std::vector<image::Grid>& grids = s.header.grids;
     if (o.like_rtrace)
         for (size_t i = 0; i < image::count_of(grids); ++i)
-            text += fmt::format("{:.6e}\t{:.6e}\t{:.6e}\t\n", double(s.last.rgb[3 * i]), double(s.last.rgb[3 * i + 1]),
-                                double(s.last.rgb[3 * i + 2]));
+            text += fmt::format("{:.6e}\t{:.6e}\t{:.6e}\t\n", double(s.rgb[3 * i]), double(s.rgb[3 * i + 1]),
+                                double(s.rgb[3 * i + 2]));
     if (!o.each) return text;
     const std::vector<std::string> names = {"grid", "x", "y", "z", "dx", "dy", "dz", "E", "lo", "hi"};
     text += header_line(names, o.format);

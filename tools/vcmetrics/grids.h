@@ -7,13 +7,17 @@
 #include "image/picture.h"
 #include "options.h"
 #include "report/grids.h"
+#include "report/until.h"
 
-// What is known before a picture.
+// State between two pictures; without columns there was none yet.
 struct GridState {
-    std::vector<report::GridColumn> columns, asked;  // asked: by -until; no columns: there was no picture yet
-    std::vector<std::string> names;
+    std::vector<report::GridColumn> columns;
+    std::vector<std::string> names;  // of the table's columns
+    std::vector<report::Tolerance> rule;
+    std::vector<report::GridColumn> of_rule;  // the column of each tolerance
     image::GrowingParts parts;
-    image::Picture last;
+    image::Header header;    // of the last picture
+    std::vector<float> rgb;  // its pixels
     std::vector<uncertainty::NoisyValues> grids;
     int held = 0;  // how many pictures in a row the rule has held at
     bool done = false;
@@ -24,8 +28,9 @@ struct GridStep {
     std::string text;  // rows to print
     bool ends = false;
 };
-GridStep step(const Options& options, GridState state, const image::Picture& picture, int64_t frame, double seconds);
+// Uses up the picture's pixels.
+GridStep step(const Options& options, GridState state, image::Picture& picture, int64_t frame, double seconds);
 
-// What is left to print.
+// The rows of -each and -like rtrace, of the last picture.
 std::string rows_of_points(const Options& options, const GridState& state);
 int status(const Options& options, const GridState& state);

@@ -51,7 +51,7 @@ void write_check_picture(const Options& o, const image::Picture& measured, const
     throw;
 }
 
-// Names of columns that may be those of grids, which the first picture has or has not.
+// Only the first picture tells whether the names are numbers of its grids.
 bool may_measure_grids(const Options& o) {
     std::vector<std::string> names = o.metrics;
     for (const std::string& part : base::split_list(o.until, ','))
@@ -59,7 +59,7 @@ bool may_measure_grids(const Options& o) {
     return std::any_of(names.begin(), names.end(), may_be_of_grid);
 }
 
-bool measures(const Options& o, GridState& state, const image::Picture& picture, const PicturePlace& place,
+bool measures(const Options& o, GridState& state, image::Picture& picture, const PicturePlace& place,
               const RunState& run) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.start).count();
     GridStep next = step(o, std::move(state), picture, frame_number(picture.header, place), seconds);
@@ -69,7 +69,7 @@ bool measures(const Options& o, GridState& state, const image::Picture& picture,
 }
 
 int end_of(const Options& o, const GridState& s) {
-    const int64_t n = s.last.header.frames.value_or(0);
+    const int64_t n = s.header.frames.value_or(0);
     if (s.done) base::say(fmt::format("vcmetrics: stopped after {} frames: -until holds", n));
     else if (!o.until.empty()) base::say(fmt::format("vcmetrics: ended after {} frames: -until does not hold", n));
     if (const std::string text = rows_of_points(o, s); !text.empty()) print(text);
