@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Number of threads for this process: the processors that it may use, not those of the machine.  A job on a cluster, a
-// container or a user of taskset has fewer processors than there are, and more threads than these stand in each
-// other's way.
+// Number of threads for this process: the processors that it may use.  A job on a cluster, a container or a user of
+// taskset has fewer of them than the machine, and more threads than processors slow each other down.
 #pragma once
 #include <string>
 

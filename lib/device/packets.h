@@ -7,7 +7,7 @@ struct Packet : PacketRays {
     Look look[PACKET];
 };
 
-// Tests rays 8 g ... 8 g + 7 against triangle k of a block.  Returns those of `rays` that now hit nearer.
+// Tests rays 8 g ... 8 g + 7 against triangle k of a block.  Returns the mask of `rays` that now hit nearer.
 FN uint32_t packet_triangle(Packet& p, uint32_t g, uint32_t rays, const float* b, uint32_t id) {
     PacketInside met;
     if (!packet_inside(p, g, b, met)) return 0;

@@ -100,7 +100,7 @@ void genciesky(const Call& call, std::string& out) {
     const int type = int(call.integer(1, "the type", 1, traditional));
     const Options o = read_options(call, 5);
     const Sun s = read_sun(call, 2, o.site, out);
-    // the standard has no sun more than half of which lies below the horizon
+    // The standard defines no sky for a sun whose centre is below the horizon.
     if (s.altitude < 0 || s.altitude > pi / 2) call.fail("the sun's altitude is outside 0 to 90 degrees");
     const base::Vec3 to_sun = sun_direction(s.altitude, s.azimuth);
     if (o.direct > 0 && s.altitude < degree) call.fail("-R with a sun below 1 degree");

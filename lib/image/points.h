@@ -36,7 +36,7 @@ constexpr size_t most_points = size_t(1) << 24;
 // x y z dx dy dz a line; # begins a comment.  "-": the standard input.  Throws Error (file:line) for anything else.
 GridFile read_points(const std::string& path);
 
-// Of all files, one after another; no name comes twice.
+// The grids of all files, in their order.  Throws Error (place: the file) if two have the same name.
 std::vector<Grid> grids_of(const GridFiles& files, bool sensors);
 size_t count_of(const std::vector<Grid>& grids);
 

@@ -89,7 +89,7 @@ STRUCT(FanTriangle) {
     float from, upto;  // share of the source's area before this triangle, and with it
 };
 
-// What stands before a virtual source (spec shading 4.6).
+// The mirror or prism of a virtual source (spec shading 4.6).
 STRUCT(Relay) {
     uint prim;
     uint source;  // the source behind it, real or virtual
@@ -97,8 +97,8 @@ STRUCT(Relay) {
     uint aperture_at, aperture_count;
 };
 
-// A rectangle around a relay, at its apparent place from the point lit; those of a source stand in a row, the nearest
-// first.
+// A rectangle around a relay, at its apparent place from the point lit.  The rectangles of a source follow each other,
+// the nearest first.
 STRUCT(Aperture) {
     Packed3 centre, normal;
     Packed3 u, v;     // axes over their half lengths
@@ -157,7 +157,7 @@ STRUCT(Highlight) {
 };
 #define MOST_HIGHLIGHTS 8u
 
-// What the techniques of the mixture (sampling/mixture.h) know of a point.  Path reuse stores it whole at each prefix
+// State of the mixture's techniques (sampling/mixture.h) at a point.  Path reuse stores it whole at each prefix
 // vertex (integrator/state.h), so that a new field needs no other line.
 STRUCT(Mixture) {
     float light;      // through all portals

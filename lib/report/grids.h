@@ -19,7 +19,7 @@ struct GridColumn {
 constexpr const char* default_grid_numbers = "mean,min,median,p5,U0,share300,share500";
 constexpr const char* grid_outside = "outside";
 
-// Does the name end as those of such columns?
+// Does the name end as such a column does?
 bool may_be_of_grid(const std::string& name);
 // Each name is GRID.NUMBER, or NUMBER of all grids (but of the grid called outside).  Throws Error (place).
 std::vector<GridColumn> grid_columns(const std::vector<std::string>& names, const std::vector<image::Grid>& grids,

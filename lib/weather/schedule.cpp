@@ -21,7 +21,7 @@ bool is_number(const std::string& text) {
     return base::parse_real(text, v);
 }
 
-// Values of a year without 29 February: that day has those of the day before.
+// Values of a year without 29 February: that day repeats the day before.
 std::vector<bool> with_leap_day(const std::vector<bool>& values) {
     std::vector<bool> all(values.begin(), values.begin() + 24 * (leap_day - 1));
     all.insert(all.end(), all.end() - 24, all.end());

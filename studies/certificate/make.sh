@@ -1,8 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# make.sh SIZE FRAMES: measures CIE 171 again if a file of lib, or the study itself, has changed since the commit in
-# its table, and
-# writes docs/certificate.md and .html.  BIN: the programs.
+# make.sh SIZE FRAMES: measures CIE 171 again if lib or the study has changed since the commit in its table, and writes
+# docs/certificate.md and .html.  BIN: the folder of the programs.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 study=studies/cie171 table=studies/cie171/results.tsv

@@ -72,12 +72,10 @@ def cie_part():
         "## CIE 171:2006",
         "",
         "Cases with an analytical answer: %d, with %d values.  Each is derived from first principles in "
-        "`studies/cie171` (the "
-        "quadrature moves by at most %.0e when its cells are halved), then measured.  A value is *inside* if its 95 "
-        "%% interval, "
-        "widened by .0001 of the value for the derivation, holds the derived one, and *wrong* if it is more than 5 "
-        "standard "
-        "errors away." % (len(cases), len(rows), max(float(r["moved"]) for r in derived)),
+        "`studies/cie171` (the quadrature moves by at most %.0e when its cells are halved), then measured.  A value "
+        "is *inside* if its 95 %% interval, widened by .0001 of the value for the derivation, holds the derived one, "
+        "and *wrong* if it is more than 5 standard errors away."
+        % (len(cases), len(rows), max(float(r["moved"]) for r in derived)),
         "",
         "`%s`, %s, commit %s: one try, %.0f seconds." % (facts["command"], facts["date"], facts["commit"], seconds),
         "",
@@ -121,8 +119,8 @@ def errata_part(derived, measured):
         "### Printed entries that differ",
         "",
         "Entries of the tables, as public transcriptions have them: %d differ from the derivation.  The report "
-        "itself was not at "
-        "hand, so that an error of the table cannot be told from one of the transcription." % len(rows),
+        "itself was not at hand, so that an error of the table cannot be told from one of the transcription."
+        % len(rows),
         "",
         *markdown_table(["table", "case", "point", "type", "says", "derived", "%", "luxpipe", "reason"], rows),
     ]
@@ -147,16 +145,14 @@ def page():
         "# Certificate",
         "",
         "Figures of luxpipe against closed forms, other programs and itself.  `make certificate` measures again what "
-        "is older "
-        "than `lib` and writes this page from its tables; `ctest -R certificate` compares the two.",
+        "is older than `lib` and writes this page from its tables; `ctest -R certificate` compares the two.",
         "",
         *cie_part(),
         *parts_part(),
         "## Another program",
         "",
         "Anybody can set the values of another program beside the derived ones: a table with the columns case, "
-        "point, sky and "
-        "value, separated by tabs, named as in `studies/cie171/reference.tsv`.",
+        "point, sky and value, separated by tabs, named as in `studies/cie171/reference.tsv`.",
         "",
         "```",
         "python3 studies/cie171/compare.py values.tsv",

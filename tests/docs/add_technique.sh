@@ -63,7 +63,7 @@ sed -i -e 's|^#include "kernels/sampling/highlights.h"|#include "kernels/samplin
 
 # 3. its field, and the record of its target
 sed -i -e 's|^    uint highlights;.*|&\n    float beacon_cone;|' \
-    -e 's|^// What the techniques of the mixture.*|STRUCT(Beacon) {\
+    -e 's|^// State of the mixture.s techniques.*|STRUCT(Beacon) {\
     Packed3 centre;\
     float radius2;\
 };\n\n&|' -e 's|^    TABLE(Portal, portals).*|&\n    TABLE(Beacon, beacons) \\|' lib/kernels/records.h

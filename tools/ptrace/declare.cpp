@@ -82,7 +82,7 @@ void declare_pictures(OptionTable& t, Options& opt) {
     t.add("-sky file", "A picture with this file added to the scene; may be repeated",
           [&](Arguments& a) { opt.skies.push_back(sky_of_file(a.text())); });
     t.add("-wea file", "A picture for each hour of this weather file, EPW or WEA", opt.weather);
-    t.add("-hours words", "Which of its hours, such as 'Mo-Fr 8-18'", opt.hours);
+    t.add("-hours words", "Hours to render, such as 'Mo-Fr 8-18'", opt.hours);
 }
 
 void declare_picture(OptionTable& t, Options& opt) {

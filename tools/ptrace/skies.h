@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lights the scene in one picture after another: files of -sky, or the hours of a weather file.
+// The skies that light the scene, one after another: files of -sky, or the hours of a weather file.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -14,10 +14,10 @@ struct Sky {
     std::vector<std::string> lines;  // of its header
 };
 
-// Of "skies/sky_0900.rad": it is called "sky_0900".
+// "skies/sky_0900.rad" has the name "sky_0900".
 Sky sky_of_file(const std::string& path);
 
-// The hours that are meant (weather/choose.h), and a line for the user about them.
+// The hours chosen (weather/choose.h), and a line for the user about them.
 struct HourSkies {
     std::vector<Sky> skies;
     std::string note;

@@ -19,7 +19,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     t.add("-view name", "Only this view", o.view).default_text("all");
     t.add("-worst n", "Print the worst hours of each view, so many, with a command that shows each", o.worst)
         .at_least(0);
-    t.add("-command words", "What shows a view's hours, in front of -hours", o.command);
+    t.add("-command words", "Command that shows a view's hours, in front of -hours", o.command);
     t.add("-next", "Print the hours that could change the class, with frames or size that they need", o.next);
     t.group("Files");
     t.add("-plot file", "Write a heat map of days by hours, .svg or .png", o.plot);

@@ -4,7 +4,7 @@
 // mat_*.h.  Only macros, for C++ and OpenCL C: each user defines ROW and SAME as it needs them.  To add a material:
 // CONTRIBUTING.md (docs/decisions/0015-one-table-of-materials.md has the reasons).
 //
-//   number    M_number: Modifier.type.  ROW takes the next number, SAME that of the ROW above it.
+//   number    M_number: Modifier.type.  ROW takes the next number, SAME repeats the number of the ROW above it.
 //             New rows go to the end, because the numbers are part of a stream's fingerprint
 //   type      name in scene files, and scene::Type
 //   strings   least number of string arguments (for functions: before their transform)
