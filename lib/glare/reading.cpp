@@ -84,9 +84,10 @@ void warn_of(const image::Header& header, const std::string& place, Reading& r) 
             "has no moments of its pixels (a stream of ptrace and its OpenEXR files have): the effect of their size "
             "on glare is unknown");
     if (is_of_irradiance(header) && !std::exchange(r.told_irradiance, true))
-        base::warn(place,
-                   "shows irradiance (-i), divided by pi: luminances are of white surfaces, but openings show the sky "
-                   "itself, so that means with both are neither; glare and Ev have no meaning here");
+        base::warn(
+            place,
+            "shows irradiance (-i): numbers in cd/m2 are the surfaces' illuminance in lux, but openings show the "
+            "sky's luminance, so that a mean over both has no meaning, nor have glare and Ev");
     if (r.lum.negative) base::warn(place, "pixels are negative (-metrics negative counts them)");
 }
 

@@ -94,7 +94,8 @@ bool HourWords::read_name(const std::string& word) {
         const auto same = [&](const Hour& h) { return name_of(h.time) == word; };
         if (std::none_of(weather_.hours.begin(), weather_.hours.end(), same))
             base::fail(option, word + " is not an hour of " + weather_.path);
-        return minutes_.insert(t->minute_of_year()).second || true;
+        minutes_.insert(t->minute_of_year());
+        return true;
     }
     if (date_named(word)) return read_span(word, word);
     long long year = 0;

@@ -83,4 +83,9 @@ check_error 'a number that no grid has' 1 'is not a number of a grid' '
 for option in '-over m.png' '-against first' '-sources' '-like evalglare'; do
     check_error "pictures of points have no $option" 1 'not on pictures of points' "stream 3 | vcmetrics $option"
 done
+printf 'void glow s 0 0 4 1 1 1 0\ns source sky 0 0 4 0 0 1 180\nvoid plastic g 0 0 5 .5 .5 .5 0 0\n' > floor.rad
+printf 'g polygon f 0 0 12 -5 -5 0 5 -5 0 5 5 0 -5 5 0\n' >> floor.rad
+check 'ptrace -i shows the irradiance of the surface itself: pi under a sky of radiance 1' '
+    ptrace -w- -i -vp 0 0 1 -vd 0 0 -1 -vu 0 1 0 -vh 20 -vv 20 -x 8 -y 8 -frames 17 floor.rad | ptaccum -last > i.hdr
+    vcmetrics -metrics Lavg i.hdr | awk "NR == 2 { ok = (\$NF / 179 / 3.14159 - 1) ^ 2 < .01 ^ 2 } END { exit !ok }"'
 check_error 'a grid that is not there' 1 'there is no grid "roof"' 'stream 3 | vcmetrics -metrics roof.mean'
