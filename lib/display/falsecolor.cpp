@@ -27,19 +27,6 @@ double automatic_top(const image::Picture& p) {
     return round_up_125(*at);
 }
 
-std::vector<double> ticks(const Scale& s) {
-    std::vector<double> all;
-    if (s.decades <= 0) {
-        for (int i = 0; i <= 5; ++i) all.push_back(s.top * i / 5);
-        return all;
-    }
-    const double bottom = s.luminance_at(0);
-    for (int e = int(std::floor(std::log10(bottom))) - 1; e <= int(std::ceil(std::log10(s.top))); ++e)
-        for (const double m : {1., 2., 5.})
-            if (const double v = m * std::pow(10, e); v >= bottom * .999 && v <= s.top * 1.001) all.push_back(v);
-    return all;
-}
-
 Image8 with_legend(const Image8& plain, const Scale& scale, const ColourTable& table) {
     const int size = font_size(plain), line = 9 * size, bar = 16 * size, pad = 6 * size;
     const int beside = pad + bar + 2 * size + text_width("100000", size) + 2 * pad;
@@ -48,7 +35,7 @@ Image8 with_legend(const Image8& plain, const Scale& scale, const ColourTable& t
     draw_text(out, left, pad, "cd/m2", size, ink);
     for (int y = top; y < bottom; ++y) {
         const double place = (bottom - 1 - y) / std::max(1., bottom - 1. - top);
-        fill(out, left, y, left + bar, y + 1, table.at(scale.luminance_at(place)));
+        fill(out, left, y, left + bar, y + 1, table.at(scale.value_at(place)));
     }
     int last = bottom + 2 * line;
     for (const double tick : ticks(scale)) {
@@ -56,8 +43,7 @@ Image8 with_legend(const Image8& plain, const Scale& scale, const ColourTable& t
         if (last - y < line) continue;  // no room
         last = y;
         fill(out, left + bar, y, left + bar + 2 * size, y + 1, ink);
-        draw_text(out, left + bar + 4 * size, y - 3 * size,
-                  tick >= 1 ? fmt::format("{:.0f}", tick) : fmt::format("{:.3g}", tick), size, ink);
+        draw_text(out, left + bar + 4 * size, y - 3 * size, tick_text(tick), size, ink);
     }
     return out;
 }
@@ -85,7 +71,7 @@ double Scale::place(double l) const {
     return l > 0 ? 1 + std::log10(l / top) / decades : 0;
 }
 
-double Scale::luminance_at(double place) const {
+double Scale::value_at(double place) const {
     return decades <= 0 ? top * place : top * std::pow(10, decades * (place - 1));
 }
 
@@ -95,6 +81,21 @@ double round_up_125(double value) {
         if (m * power >= value * (1 - 1e-9)) return m * power;
     return 10 * power;
 }
+
+std::vector<double> ticks(const Scale& s) {
+    std::vector<double> all;
+    if (s.decades <= 0) {
+        for (int i = 0; i <= 5; ++i) all.push_back(s.top * i / 5);
+        return all;
+    }
+    const double bottom = s.value_at(0);
+    for (int e = int(std::floor(std::log10(bottom))) - 1; e <= int(std::ceil(std::log10(s.top))); ++e)
+        for (const double m : {1., 2., 5.})
+            if (const double v = m * std::pow(10, e); v >= bottom * .999 && v <= s.top * 1.001) all.push_back(v);
+    return all;
+}
+
+std::string tick_text(double tick) { return fmt::format(tick >= 1 ? "{:.0f}" : "{:.3g}", tick); }
 
 Scale falsecolor_scale(const image::Picture& p, const ToneOptions& o) {
     return {o.max_cdm2 > 0 ? o.max_cdm2 : automatic_top(p), o.decades};
@@ -107,7 +108,7 @@ ColourTable falsecolor_table(const Scale& scale, const ToneOptions& o) {
         const double t = levels > 1 ? double(k) / (levels - 1) : 1;
         // smooth levels are centred on their colour; bands divide the scale evenly
         const double from = o.style == ToneOptions::Style::smooth ? (k - .5) / (levels - 1) : double(k) / levels;
-        if (k > 0) table.thresholds.push_back(scale.luminance_at(from));
+        if (k > 0) table.thresholds.push_back(scale.value_at(from));
         table.colours.push_back(ramp(t));
     }
     if (o.mask_cdm2 > 0) {  // black below; the colours above keep their places

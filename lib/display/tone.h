@@ -38,8 +38,8 @@ Exposure automatic_exposure(const image::Picture& picture);
 // The luminance scale of falsecolor: top colour (cd/m2) and decades below it (0: linear from 0).
 struct Scale {
     double top = 1000, decades = 3;
-    double place(double luminance) const;     // 0 bottom, 1 top
-    double luminance_at(double place) const;  // the inverse, cd/m2
+    double place(double value) const;     // 0 bottom, 1 top
+    double value_at(double place) const;  // the inverse
 };
 Scale falsecolor_scale(const image::Picture& picture, const ToneOptions& options);
 ColourTable falsecolor_table(const Scale& scale, const ToneOptions& options);
@@ -52,5 +52,7 @@ Image8 tone(const image::Picture& picture, const ToneOptions& options);
 
 // The smallest of 1, 2, 5 times a power of ten that is not below the value.
 double round_up_125(double value);
+std::vector<double> ticks(const Scale& scale);
+std::string tick_text(double tick);
 
 }  // namespace display

@@ -6,12 +6,13 @@
 
 #include <algorithm>
 
-#include "base/error.h"
-#include "image/stream.h"
-#include "year/canvas.h"
+#include "display/canvas.h"
 
 namespace year {
 namespace {
+
+using display::Canvas;
+using display::Rectangle;
 
 constexpr int day_width = 3, hour_height = 12, left = 40, top = 24, bottom = 40, days = 366;
 constexpr display::Colour night{120, 120, 130}, nothing{238, 238, 238};
@@ -86,9 +87,7 @@ void write_plot(const std::string& path, const std::vector<View>& views, double 
     }
     add_legend(c, c.height + 6);
     c.height += top;
-    const bool svg = image::ending_of(path) == ".svg";
-    if (!svg && image::ending_of(path) != ".png") base::fail(path, "plots are written to .svg or .png");
-    image::write_bytes(path, svg ? svg_text(c) : png_bytes(c, "vcyear"));
+    display::write_canvas(path, c, "vcyear");
 }
 
 }  // namespace year

@@ -78,9 +78,19 @@ check 'df is the share of a grid called outside' '
     ptrace -points desk.pts -points outside.pts -frames 9 sky.rad room.rad | ptaccum -o - |
         vcmetrics -metrics desk.df,desk.mean,outside.mean -ci 95 | tail -1 |
         awk "{d = \$3 - 100 * \$6 / \$9; exit !(d < .01 && d > -.01 && \$4 <= \$3 && \$3 <= \$5)}"'
+check '-over draws a map of each grid, as .png or .svg, with the contour of the rule, and one of half-widths' '
+    stream 17 | vcmetrics -over plan.svg -points desk.pts -points wall.a.pts -until "desk.share200 2" > rows 2>&1 || :
+    grep -q ">desk</text>" plan.svg; grep -q ">wall.a</text>" plan.svg
+    grep -q ">lx; line: 200; hatched: the 95 % interval holds it</text>" plan.svg
+    grep -q ">lx, half of the 95 % interval</text>" plan.svg
+    stream 2 | vcmetrics -over plan.png -points desk.pts -points wall.a.pts > rows; head -c 4 plan.png | grep -q PNG'
+check_error 'a map needs the points' 1 '^vcmetrics: -over: needs all point files of ptrace: -points FILE' '
+    stream 2 | vcmetrics -over plan.png -points desk.pts'
+check_error 'pictures of a view are drawn as .png' 1 '^vcmetrics: -over: writes a .png of pictures of a view' '
+    ptrace -vp 0 0 1 -x 8 -y 8 -frames 1 sky.rad | vcmetrics -over x.svg'
 check_error 'a number that no grid has' 1 'is not a number of a grid' '
     stream 3 | vcmetrics -metrics desk.nonsense1,desk.mean'
-for option in '-over m.png' '-against first' '-sources' '-like evalglare'; do
+for option in '-against first' '-sources' '-like evalglare'; do
     check_error "pictures of points have no $option" 1 'not on pictures of points' "stream 3 | vcmetrics $option"
 done
 printf 'void glow s 0 0 4 1 1 1 0\ns source sky 0 0 4 0 0 1 180\nvoid plastic g 0 0 5 .5 .5 .5 0 0\n' > floor.rad

@@ -32,7 +32,7 @@ void declare_output(OptionTable& t, Options& o) {
     t.add("-metrics list", "The columns, comma separated: " + glare::column_names(),
           [&](Arguments& a) { o.metrics = base::split_list(without_blanks(a.text()), ','); });
     t.add("-each", "A row for each point of a picture of points, in place of numbers of its grids", o.each);
-    t.add("-points file", "The points of -each: the files that ptrace had, in their order", o.points_files);
+    t.add("-points file", "The points of -each and -over: the files that ptrace had, in their order", o.points_files);
     t.add("-regions file", "Named regions: masks of vcregion(1), or a file of vcregion(5)", o.regions_file);
     t.add("-cr pair", "Contrast ratio of two regions, low/high or name=low/high; may be repeated", [&](Arguments& a) {
         for (const std::string& pair : base::split_list(without_blanks(a.text()), ','))
@@ -40,7 +40,7 @@ void declare_output(OptionTable& t, Options& o) {
     });
     t.add("-sources", "Print a line for each glare source instead of the metrics", o.list_sources);
     t.add("-outlines", "With -sources and -format jsonl: the outline of each source as well", o.outlines);
-    t.add("-over file", "Draw the picture with sources, regions and metrics (.png)",
+    t.add("-over file", "Draw the picture with sources, regions and metrics (.png), or the map of points (.svg, .png)",
           [&](Arguments& a) { o.over_file = a.text(); });
     t.add("-ci percent",
           "NAME.lo and NAME.hi after each column: the interval of the converged value, of this certainty",

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/split.h"
+#include "display/point_map.h"
 #include "image/grey.h"
 #include "image/header.h"
 
@@ -24,17 +25,20 @@ std::vector<image::Point> points_of(const Options& o, const std::vector<image::G
             base::fail(path, "these are not the points of the picture, in the order in which it has them");
         all.insert(all.end(), file.points.begin(), file.points.end());
     }
-    if (all.size() != image::count_of(grids)) base::fail("-each", "needs all point files of ptrace: -points FILE");
+    if (all.size() != image::count_of(grids))
+        base::fail(o.each ? "-each" : "-over", "needs all point files of ptrace: -points FILE");
     return all;
 }
 
 // A picture of points has no view, and is compared with no other.
 void refuse_options_of_views(const Options& o) {
-    const std::pair<const char*, bool> of_views[] = {
-        {"-over", !o.over_file.empty()},       {"-against", !o.against.empty()},
-        {"-control", !o.control.empty()},      {"-go-on", o.go_on},
-        {"-c", !o.check_file.empty()},         {"-sources", o.list_sources},
-        {"-regions", !o.regions_file.empty()}, {"-like", o.mode != OutputMode::vcmetrics}};
+    const std::pair<const char*, bool> of_views[] = {{"-against", !o.against.empty()},
+                                                     {"-control", !o.control.empty()},
+                                                     {"-go-on", o.go_on},
+                                                     {"-c", !o.check_file.empty()},
+                                                     {"-sources", o.list_sources},
+                                                     {"-regions", !o.regions_file.empty()},
+                                                     {"-like", o.mode != OutputMode::vcmetrics}};
     for (const auto& [name, given] : of_views)
         if (given) base::fail(name, "works on pictures of a view, not on pictures of points");
 }
@@ -42,6 +46,7 @@ void refuse_options_of_views(const Options& o) {
 GridState begin(const Options& o, const image::Header& h) {
     refuse_options_of_views(o);
     GridState s;
+    if (o.each || !o.over_file.empty()) s.points = points_of(o, h.grids);
     if (!h.grids[0].sensors && !o.like_rtrace && !o.each)
         base::fail("", "the picture holds radiances along rays; -each or -like rtrace prints them");
     const std::vector<std::string> names = o.metrics.empty() ? base::split_list(default_grid_numbers, ',') : o.metrics;
@@ -67,6 +72,14 @@ bool rule_holds(const GridState& s) {
         if (!(n.limits.high - n.limits.low <= 2 * s.rule[i].of(n.value))) return false;
     }
     return true;
+}
+
+// Of the first share of the rule, or of the table.
+double limit_of_map(const GridState& s) {
+    for (const std::vector<GridColumn>& columns : {s.of_rule, s.columns})
+        for (const GridColumn& c : columns)
+            if (c.kind == GridColumn::Kind::share) return c.argument;
+    return 300;
 }
 
 std::string row_of(const Options& o, const GridState& s, int64_t frame, double seconds) {
@@ -108,6 +121,32 @@ GridStep step(const Options& o, GridState s, image::Picture& p, int64_t frame, d
     return {std::move(s), text, ends};
 }
 
+void draw_map(const Options& o, const GridState& s) {
+    const double certain = o.ci.value_or(.95), alpha = 1 - certain;
+    const bool lux = s.header.grids[0].sensors;
+    display::MapColumn values{lux ? "lx" : "cd/m2", limit_of_map(s), {}, {}, {}}, widths = values;
+    values.says_hatched = fmt::format("hatched: the {:g} % interval holds it", 100 * certain);
+    widths.unit += fmt::format(", half of the {:g} % interval", 100 * certain);
+    widths.limit = std::nullopt;
+    std::vector<std::string> names;
+    std::vector<std::vector<image::Point>> points;
+    for (size_t g = 0; g < s.grids.size(); ++g) {
+        const image::Grid& grid = s.header.grids[g];
+        if (grid.name == grid_outside) continue;
+        names.push_back(grid.name);
+        const auto first = s.points.begin() + long(grid.first);
+        points.emplace_back(first, first + long(grid.count));
+        values.values.push_back(s.grids[g].value);
+        values.hatched.emplace_back(), widths.values.emplace_back();
+        for (size_t i = 0; i < grid.count; ++i) {
+            const uncertainty::Interval limits = point_limits(s.grids[g], i, alpha);
+            values.hatched.back().push_back(limits.low < *values.limit && *values.limit <= limits.high);
+            widths.values.back().push_back(limits.half_width());
+        }
+    }
+    display::write_canvas(o.over_file, display::point_maps(names, points, {values, widths}), o.command);
+}
+
 std::string rows_of_points(const Options& o, const GridState& s) {
     std::string text;
     const std::vector<image::Grid>& grids = s.header.grids;
@@ -118,10 +157,9 @@ std::string rows_of_points(const Options& o, const GridState& s) {
     if (!o.each) return text;
     const std::vector<std::string> names = {"grid", "x", "y", "z", "dx", "dy", "dz", "E", "lo", "hi"};
     text += header_line(names, o.format);
-    const std::vector<image::Point> points = points_of(o, grids);
     for (size_t g = 0; g < grids.size(); ++g)
         for (size_t i = 0; i < grids[g].count; ++i) {
-            const image::Point& point = points[grids[g].first + i];
+            const image::Point& point = s.points[grids[g].first + i];
             const uncertainty::Interval limits = point_limits(s.grids[g], i, 1 - o.ci.value_or(.95));
             std::vector<Cell> cells = {text_cell(grids[g].name)};
             for (const double v : {point.p.x, point.p.y, point.p.z, point.dir.x, point.dir.y, point.dir.z,

@@ -19,7 +19,8 @@ struct GridState {
     image::Header header;    // of the last picture
     std::vector<float> rgb;  // its pixels
     std::vector<uncertainty::NoisyValues> grids;
-    int held = 0;  // how many pictures in a row the rule has held at
+    std::vector<image::Point> points;  // of -points, where they are needed
+    int held = 0;                      // how many pictures in a row the rule has held at
     bool done = false;
 };
 
@@ -30,6 +31,9 @@ struct GridStep {
 };
 // Uses up the picture's pixels.
 GridStep step(const Options& options, GridState state, image::Picture& picture, int64_t frame, double seconds);
+
+// Writes the file of -over: maps of the last picture's points and of the half-widths of their intervals.
+void draw_map(const Options& options, const GridState& state);
 
 // The rows of -each and -like rtrace, of the last picture.
 std::string rows_of_points(const Options& options, const GridState& state);

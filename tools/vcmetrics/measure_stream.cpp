@@ -65,6 +65,7 @@ bool measures(const Options& o, GridState& state, image::Picture& picture, const
     GridStep next = step(o, std::move(state), picture, frame_number(picture.header, place), seconds);
     state = std::move(next.state);
     if (!next.text.empty()) print(next.text);
+    if (!o.over_file.empty()) draw_map(o, state);
     return next.ends;
 }
 
@@ -104,6 +105,8 @@ int measure_all(const Options& o) {
                 if (base::shutdown_requested()) return 0;
                 continue;
             }
+            if (!o.over_file.empty() && image::ending_of(o.over_file) != ".png")
+                base::fail("-over", "writes a .png of pictures of a view");
             if (!planned) run.plan = plan_run(o);
             planned = true;
             if (!o.over_file.empty()) whole = picture;

@@ -70,8 +70,9 @@ void check(const Options& o) {
     if (!o.control.empty() && !o.files.empty()) base::fail("-control", "works on a stream, not on files");
     if (o.outlines && !(o.list_sources && o.format == report::TableFormat::jsonl))
         base::fail("-outlines", "belongs to -sources and -format jsonl");
-    if (!o.over_file.empty() && (image::ending_of(o.over_file) != ".png" || o.mode != OutputMode::vcmetrics))
-        base::fail("-over", "writes a .png of vcmetrics' own columns");
+    const std::string over = image::ending_of(o.over_file);
+    if (!o.over_file.empty() && ((over != ".png" && over != ".svg") || o.mode != OutputMode::vcmetrics))
+        base::fail("-over", "writes a .png of vcmetrics' own columns, or a .svg of points");
     for (const std::string& drawn : {o.over_file, o.check_file})
         if (!drawn.empty())
             base::refuse_to_overwrite({drawn}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);

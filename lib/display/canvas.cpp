@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // See canvas.h.
-#include "year/canvas.h"
+#include "display/canvas.h"
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "display/draw.h"
 #include "display/file.h"
+#include "image/stream.h"
 
-namespace year {
+namespace display {
 namespace {
 
-constexpr display::Colour black{0, 0, 0};
+constexpr Colour black{0, 0, 0};
 
 std::string escaped(const std::string& text) {
     std::string out;
@@ -19,24 +21,16 @@ std::string escaped(const std::string& text) {
 }
 
 // Lines at 45 degrees, every fourth pixel of the picture, so that they go on in the next rectangle.
-void hatch(display::Image8& image, const Rectangle& r) {
+void hatch(Image8& image, const Rectangle& r) {
     for (int y = r.y; y < r.y + r.height; ++y)
         for (int x = r.x; x < r.x + r.width; ++x)
-            if ((x + y) % 4 == 0) display::fill(image, x, y, x + 1, y + 1, black);
-}
-
-}  // namespace
-
-std::vector<Rectangle>& Canvas::of(const display::Colour& colour) {
-    for (auto& [c, rectangles] : layers)
-        if (c == colour) return rectangles;
-    layers.push_back({colour, {}});
-    return layers.back().second;
+            if ((x + y) % 4 == 0) fill(image, x, y, x + 1, y + 1, black);
 }
 
 std::string svg_text(const Canvas& c) {
     std::string text = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+        "shape-rendering=\"crispEdges\">\n"
         "<pattern id=\"h\" width=\"4\" height=\"4\" patternUnits=\"userSpaceOnUse\"><path d=\"M-1 1l2-2M0 4l4-4M3 "
         "5l2-2\" "
         "stroke=\"#000\"/></pattern>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
@@ -57,17 +51,32 @@ std::string svg_text(const Canvas& c) {
     return text + "</g>\n</svg>\n";
 }
 
-std::string png_bytes(const Canvas& c, const std::string& comment) {
-    display::Image8 image;
+std::string png_of(const Canvas& c, const std::string& comment) {
+    Image8 image;
     image.width = c.width, image.height = c.height;
     image.rgb.assign(size_t(3) * size_t(c.width) * size_t(c.height), 255);
     for (const auto& [colour, rectangles] : c.layers)
         for (const Rectangle& r : rectangles) {
-            display::fill(image, r.x, r.y, r.x + r.width, r.y + r.height, colour);
+            fill(image, r.x, r.y, r.x + r.width, r.y + r.height, colour);
             if (r.hatched) hatch(image, r);
         }
-    for (const Words& w : c.words) display::draw_text(image, w.x, w.y + 2, w.text, 1, black);
-    return display::png_bytes(image, comment);
+    for (const Words& w : c.words) draw_text(image, w.x, w.y + 2, w.text, 1, black);
+    return png_bytes(image, comment);
 }
 
-}  // namespace year
+}  // namespace
+
+std::vector<Rectangle>& Canvas::of(const Colour& colour) {
+    for (auto& [c, rectangles] : layers)
+        if (c == colour) return rectangles;
+    layers.push_back({colour, {}});
+    return layers.back().second;
+}
+
+void write_canvas(const std::string& path, const Canvas& canvas, const std::string& comment) {
+    const std::string ending = image::ending_of(path);
+    if (ending != ".svg" && ending != ".png") base::fail(path, "plots are written to .svg or .png");
+    image::write_bytes(path, ending == ".svg" ? svg_text(canvas) : png_of(canvas, comment));
+}
+
+}  // namespace display

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A drawing of rectangles, some hatched, and words.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "display/colours.h"
+
+namespace display {
+
+struct Rectangle {
+    int x, y, width, height;
+    bool hatched = false;
+};
+struct Words {
+    int x, y;  // top left, of letters 10 high
+    std::string text;
+};
+
+struct Canvas {
+    int width = 0, height = 0;
+    std::vector<std::pair<Colour, std::vector<Rectangle>>> layers;  // later ones cover earlier ones
+    std::vector<Words> words;
+    std::vector<Rectangle>& of(const Colour& colour);  // a layer, made where there is none
+};
+
+// As SVG or PNG, by the ending of the name.  Throws Error (path) for another one.  comment: of a PNG.
+void write_canvas(const std::string& path, const Canvas& canvas, const std::string& comment);
+
+}  // namespace display
