@@ -69,6 +69,23 @@ GridFile read_points(const std::string& path) {
     return file;
 }
 
+std::vector<std::string> point_files(const std::vector<std::string>& paths) {
+    std::vector<std::string> out;
+    for (const std::string& path : paths) {
+        std::error_code unreadable;
+        if (!std::filesystem::is_directory(path, unreadable)) {
+            out.push_back(path);
+            continue;
+        }
+        std::set<std::string> inside;
+        for (const auto& entry : std::filesystem::directory_iterator(path, unreadable))
+            if (entry.path().extension() == ".pts") inside.insert(entry.path().string());
+        if (unreadable || inside.empty()) base::fail(path, "is a folder without .pts files");
+        out.insert(out.end(), inside.begin(), inside.end());
+    }
+    return out;
+}
+
 std::vector<Grid> grids_of(const GridFiles& files, bool sensors) {
     std::vector<Grid> grids;
     std::set<std::string> names;

@@ -36,6 +36,10 @@ constexpr size_t most_points = size_t(1) << 24;
 // x y z dx dy dz a line; # begins a comment.  "-": the standard input.  Throws Error (file:line) for anything else.
 GridFile read_points(const std::string& path);
 
+// Files as they are named, and in place of a folder its .pts files in the order of their names (Honeybee's model/grid).
+// Throws Error for a folder without one.
+std::vector<std::string> point_files(const std::vector<std::string>& paths);
+
 // The grids of all files, in their order.  Throws Error (place: the file) if two have the same name.
 std::vector<Grid> grids_of(const GridFiles& files, bool sensors);
 size_t count_of(const std::vector<Grid>& grids);

@@ -3,6 +3,7 @@
 // read() makes a view-independent list; rasterize() turns it into one coverage plane per region for a view and size.
 // Coverage is the share of the pixel's area in the picture, 0..1, or 0/1 by the pixel's centre (`centre`).
 // Directions are in world axes; picture positions are in pixels from the LOWER left corner, y up.
+// sensors_of() (sensors.h) lays points on them.
 // To add a shape: 1. a keyword in parse.cpp  2. a class in shape.cpp  3. a line in man/vcregion.5.
 #pragma once
 #include <string>
@@ -75,6 +76,8 @@ public:
     virtual unsigned surfaces() const = 0;
     virtual std::string surface_name(unsigned s) const = 0;
     virtual std::vector<std::string> modifier_names(unsigned s) const = 0;  // the whole chain, nearest first
+    // Corners of a flat surface, counterclockwise as seen from where its normal points; empty: it is none.
+    virtual std::vector<Vec3> face(unsigned) const { return {}; }
     // At most `room` crossings with 0 < t < tmax (tmax 0: no limit), sorted; `closed` says that the last is opaque.
     // Thread safe.
     virtual int look(Vec3 origin, Vec3 dir, double tmax, Crossing* out, int room, bool& closed) const = 0;

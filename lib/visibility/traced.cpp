@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include "base/angle.h"
 #include "base/error.h"
+#include "region/sensors.h"
 #include "scene/materials.h"
 #include "flatten/flatten.h"
 #include "flatten/host_tracer.h"
@@ -59,6 +60,15 @@ public:
             if (names.size() > 1000) break;
         }
         return names;
+    }
+    std::vector<Vec3> face(unsigned s) const override {
+        const scene::Object& o = object(s);
+        const auto r = scene_.reals(o);
+        if (o.type == Type::ring) return region::ring_corners({r[0], r[1], r[2]}, {r[3], r[4], r[5]}, r[6], r[7]);
+        std::vector<Vec3> corners;
+        if (o.type == Type::polygon)
+            for (size_t i = 0; i + 2 < r.size(); i += 3) corners.push_back({r[i], r[i + 1], r[i + 2]});
+        return corners;
     }
     int look(Vec3 origin, Vec3 dir, double tmax, region::Crossing* out, int room, bool& closed) const override {
         const double end = tmax > 0 ? tmax : 1e30;

@@ -17,6 +17,13 @@ check 'each file is a grid; the header says which pixels are its own' '
     grep -aqx -e "-Y 2 +X 2" both; ! grep -aq "^VIEW=" both; grep -aqx "FRAME0=0" both'
 check 'the standard input is one, too' '
     ptrace -points - -frames 2 sky.rad room.rad < desk.pts | ptaccum -last -ff | grep -aq "^GRID=points 0 2 irradiance"'
+check 'a folder stands for its .pts files, in the order of their names' '
+    mkdir grid; cp desk.pts grid/b.pts; cp wall.a.pts grid/a.pts; echo nothing > grid/readme
+    ptrace -points grid -frames 2 sky.rad room.rad | ptaccum -last -ff > folder
+    grep -aqx "GRID=a 0 1 irradiance [0-9a-f]*" folder; grep -aqx "GRID=b 1 2 irradiance [0-9a-f]*" folder
+    ptrace -points grid -frames 2 sky.rad room.rad | ptaccum | vcmetrics -each -points grid | grep -q "^b	2	1	0.7"'
+check_error 'which it has' 1 '^ptrace: empty: is a folder without .pts files' '
+    mkdir empty; ptrace -points empty -frames 2 sky.rad'
 check '-I- is the radiance along the ray' '
     ptrace -I- -points desk.pts -frames 2 sky.rad room.rad | ptaccum -last -ff | grep -aq "^GRID=desk 0 2 radiance"'
 check 'shares of the frames merge to the bits of one run' '

@@ -141,3 +141,37 @@ check 'the sun is a surface far away' "
     vcregion -vta -vh 120 -vv 120 -x 400 -y 400 -w- -list sun.regions sun.rad |
         awk -F'\t' '\$1 == \"sun\" { a = \$3 } \$1 == \"disc\" { b = \$3 }
             END { exit !(a > 0 && (a / b - 1)^2 < 1e-4) }'"
+
+cat > work.regions <<'END'
+desk   polygon3d 1.1 2.5 .75  2.9 2.5 .75  2.9 1.7 .75  1.1 1.7 .75
+floor  surface floor
+rest   floor - desk
+west   surface west_wall within box3d -1 0 0 1 3 3
+lamp   disc3d 1 1 2 0 0 -1 .5
+END
+points() { vcregion -spacing "$1" -height "$2" -single "$3" work.regions "$office/materials.rad" "$office/layout.rad"; }
+check '-spacing lays points on a polygon, in rows, centred, facing up whatever the order of its corners' '
+    points .4 .01 desk > desk.pts
+    test "$(grep -c . desk.pts)" = 9; sed -n 2p desk.pts | grep -x "1.4 1.9 0.76 0 0 1"
+    tail -1 desk.pts | grep -x "2.6 2.3 0.76 0 0 1"'
+check 'on surfaces of the scene, without what is taken away, on a wall along its normal' '
+    test "$(points .5 .76 floor | grep -c "0.76 0 0 1$")" = 96; test "$(points .5 .76 rest | grep -c "0 0 1$")" = 88
+    points .5 .1 west | sed 1d | awk "\$1 != .1 || \$2 > 3 || \$4 != 1 { exit 1 } { n++ } END { exit n != 30 }"'
+check 'and on a disc' 'points .5 0 lamp | sed 1d | cut -d " " -f 1-3 | sort | paste -sd, |
+    grep -x "0.75 0.75 2,0.75 1.25 2,1.25 0.75 2,1.25 1.25 2"'
+check '-o writes one file, or one for each region' '
+    grep -v "surface\|floor" work.regions > two.regions; mkdir grids
+    vcregion -spacing .4 -height .01 -o all.pts -o grids/ two.regions
+    cmp grids/desk.pts desk.pts; cat grids/desk.pts grids/lamp.pts | cmp - all.pts'
+check_error 'a shape that needs a view has no points' 1 '^vcregion: stdin:1: needs a view; points lie on' '
+    echo "a circle view 30" | vcregion -spacing 1 -'
+check_error 'a sphere neither' 1 '^vcregion: stdin:1: "globe" has no polygon and no ring for points' "
+    echo 'a surface globe' | vcregion -spacing 1 - $office/materials.rad $office/layout.rad"
+check_error 'surfaces need a scene' 1 '^vcregion: stdin:1: asks for surfaces of a scene' '
+    echo "a surface floor" | vcregion -spacing 1 -'
+check_error 'a region with no point says so' 1 'region "a" has no point at a spacing of 1' '
+    echo "a polygon3d 0 0 0 1 0 0 1 1 0 & box3d 5 5 5 6 6 6" | vcregion -spacing 1 -'
+check_error 'nor too many' 1 '^vcregion: -spacing: makes more than ' 'vcregion -spacing 1e-6 two.regions'
+check_error 'points are no masks' 1 '^vcregion: x.exr: points are written to .pts' '
+    vcregion -spacing 1 -o x.exr two.regions'
+check_error 'and no list' 1 '^vcregion: -spacing: makes points, for which -list' 'vcregion -spacing 1 -list two.regions'

@@ -51,7 +51,7 @@ void add_points(Options& opt) {
     if (std::count(opt.points_files.begin(), opt.points_files.end(), "-") > 1)
         base::fail("-points", "the standard input is read once");
     image::GridFiles& files = opt.grid_files;
-    for (const std::string& path : opt.points_files) files.push_back(image::read_points(path));
+    for (const std::string& path : image::point_files(opt.points_files)) files.push_back(image::read_points(path));
     opt.grids = image::grids_of(files, opt.sensors.value_or(true));
     auto list = std::make_shared<render::PointList>();
     list->sensors = opt.sensors.value_or(true);

@@ -18,8 +18,9 @@ using namespace report;
 // Points of -points, in the order of the grids.
 std::vector<image::Point> points_of(const Options& o, const std::vector<image::Grid>& grids) {
     std::vector<image::Point> all;
-    for (const std::string& path : o.points_files) {
-        const size_t g = size_t(&path - o.points_files.data());
+    const std::vector<std::string> paths = image::point_files(o.points_files);
+    for (const std::string& path : paths) {
+        const size_t g = size_t(&path - paths.data());
         image::GridFile file = image::read_points(path);
         if (g >= grids.size() || grids[g].hash != file.hash)
             base::fail(path, "these are not the points of the picture, in the order in which it has them");

@@ -6,24 +6,26 @@
 #include "base/run.h"
 #include "region/region.h"
 #include "region/preview.h"
+#include "region/sensors.h"
 #include "image/stream.h"
 #include "options.h"
 #include "visibility/visibility.h"
 
 namespace {
 
+size_t index_of(const region::Regions& regions, const std::string& name) {
+    std::vector<std::string> names;
+    for (const region::Region& r : regions.regions) {
+        if (r.name == name) return names.size();
+        names.push_back(r.name);
+    }
+    base::fail("-single", fmt::format("no region is called \"{}\"{}", name, region::near_matches(name, names)));
+}
+
 // In or out by the pixel's centre, as evalglare decides: 1 or 0, no grey.
 image::Picture single_mask(const region::Regions& regions, const Options& opt, const region::SceneView* scene) {
-    std::vector<std::string> names;
     region::Regions one = regions;
-    one.regions.clear();
-    for (const region::Region& r : regions.regions) {
-        names.push_back(r.name);
-        if (r.name == opt.single) one.regions.push_back(r);
-    }
-    if (one.regions.empty())
-        base::fail("-single",
-                   fmt::format("no region is called \"{}\"{}", opt.single, region::near_matches(opt.single, names)));
+    one.regions = {regions.regions[index_of(regions, opt.single)]};
     image::MaskSet set = region::rasterize(one, opt.view, opt.nx, opt.ny, true, scene);
     bool any = false;
     image::Picture p;
@@ -36,6 +38,34 @@ image::Picture single_mask(const region::Regions& regions, const Options& opt, c
     if (!any)
         base::fail(one.regions[0].place, fmt::format("region \"{}\" is empty: it holds no pixel's centre", opt.single));
     return p;
+}
+
+std::string points_text(const region::Regions& regions, size_t k, const Options& opt, const region::SceneView* scene) {
+    std::string text = fmt::format("# {}\n", regions.regions[k].name);
+    for (const image::Point& point : region::sensors_of(regions, k, opt.spacing, opt.height, scene))
+        text += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\n", point.p.x, point.p.y, point.p.z, point.dir.x,
+                            point.dir.y, point.dir.z);
+    return text;
+}
+
+// To the standard output, to a file, or each region to NAME.pts of a folder.
+void write_points(const region::Regions& regions, const Options& opt, const region::SceneView* scene) {
+    std::vector<size_t> chosen;
+    if (!opt.single.empty()) chosen = {index_of(regions, opt.single)};
+    else
+        for (size_t k = 0; k < regions.regions.size(); ++k) chosen.push_back(k);
+    std::string all;
+    std::vector<std::pair<std::string, std::string>> files;
+    for (const size_t k : chosen) {
+        const std::string text = points_text(regions, k, opt, scene);
+        all += text;
+        for (const std::string& name : opt.outputs)
+            if (name.back() == '/') files.push_back({name + regions.regions[k].name + ".pts", text});
+    }
+    for (const std::string& name : opt.outputs)
+        if (name.back() != '/') files.push_back({name, all});
+    for (const auto& [name, text] : files) image::write_bytes(name, text);
+    if (opt.outputs.empty()) base::write_stdout(all.data(), all.size()), base::flush_stdout();
 }
 
 void print_list(const std::vector<region::Extent>& extents) {
@@ -51,6 +81,7 @@ int work(int argc, char** argv) {
     Options opt;
     if (auto status = parse_options(argc, argv, opt)) return *status;
     const region::Regions regions = region::read(opt.regions);
+    if (opt.spacing > 0) return write_points(regions, opt, visibility::open_scene(opt.scene, opt.files).get()), 0;
     image::Picture under;
     if (!opt.over.empty()) {
         under = image::read_file(opt.over);

@@ -25,12 +25,18 @@ void declare(OptionTable& t, Options& o) {
     t.add("-pa f", "Pixel aspect, height over width; 0 keeps both resolutions", o.pixel_aspect);
 
     t.group("Output");
-    t.add("-o file", "Write masks (.exr), one mask (.hdr or .pic, with -single) or a preview (.png, with -over)",
+    t.add("-o file",
+          "Write masks (.exr), one mask (.hdr or .pic, with -single), a preview (.png, with -over) or points (.pts)",
           o.outputs);
     t.add("-centre", "A pixel is in or out by its centre: coverage is 1 or 0", o.centre);
-    t.add("-single name", "Write only this region, by the pixels' centres, as a mask for evalglare -A", o.single);
+    t.add("-single name", "Write only this region, by the pixels' centres, as a mask for evalglare -A; or its points",
+          o.single);
     t.add("-list", "Print a line for each region: pixels, solid angle, share of the view and mean direction", o.list);
     t.add("-over picture", "The picture under the preview", o.over);
+    t.add("-spacing f", "Points x y z dx dy dz on the regions' surfaces, so far apart, in place of masks", o.spacing)
+        .above(0)
+        .default_text("masks");
+    t.add("-height f", "With -spacing: the points' height above the surfaces", o.height);
     t.add("-exec", "Let the scene run its !commands", o.files.exec);
 
     t.group("Messages");
@@ -44,8 +50,20 @@ bool says_view(const OptionTable& t) {
     return std::any_of(said.begin(), said.end(), [](const auto& s) { return s.option->group() == "View"; });
 }
 
+void check_points(const Options& o) {
+    if (o.list || o.centre || !o.over.empty())
+        base::fail("-spacing", "makes points, for which -list, -centre and -over have no meaning");
+    for (const std::string& name : o.outputs)
+        if (name.back() != '/' && image::ending_of(name) != ".pts")
+            base::fail(name, "points are written to .pts, or to a folder, name/, a file for each region");
+}
+
 void check(const Options& o) {
     if (o.regions.empty()) base::fail("", "no region file; vcregion -help lists the options");
+    std::vector<std::string> inputs = o.scene;
+    inputs.insert(inputs.end(), {o.regions, o.over});
+    base::refuse_to_overwrite(o.outputs, inputs);
+    if (o.spacing > 0) return check_points(o);
     for (const std::string& name : o.outputs) {
         const std::string ending = image::ending_of(name);
         if (ending == ".exr") {
@@ -63,9 +81,6 @@ void check(const Options& o) {
         for (const std::string& name : o.outputs) png = png || image::ending_of(name) == ".png";
         if (!png) base::fail("-over", "name the preview: -o file.png");
     }
-    std::vector<std::string> inputs = o.scene;
-    inputs.insert(inputs.end(), {o.regions, o.over});
-    base::refuse_to_overwrite(o.outputs, inputs);
     if (o.outputs.empty() && !o.list) {
         if (o.single.empty()) base::fail("", "nothing to write: give -o masks.exr, -list or -single name");
         if (base::stdout_is_terminal()) base::fail("stdout", "a mask is binary; pipe it or name a file with -o");

@@ -16,6 +16,7 @@ struct Options {
     double pixel_aspect = 1;           // -pa, 0 keeps both sides
     bool centre = false;               // -centre: in or out by the pixel's centre
     bool list = false;                 // -list
+    double spacing = 0, height = 0;    // -spacing, -height: of points; no spacing: masks
     std::string single;                // -single: one region as an evalglare mask
     std::string over;                  // -over: the picture under a preview
     std::vector<std::string> outputs;  // -o, the ending says what
