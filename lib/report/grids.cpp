@@ -76,17 +76,22 @@ std::vector<GridColumn> grid_columns(const std::vector<std::string>& names, cons
 
 GridNumber grid_number(const GridColumn& c, const std::vector<NoisyValues>& grids, double alpha) {
     const NoisyValues& v = grids[c.grid];
-    const auto shifted = [&](const auto& of) { return GridNumber{of(v.value), shifted_limits(v, alpha, of)}; };
+    const auto percentile_at = [&](double share) {
+        const auto of = [share](std::vector<double> x) { return uncertainty::percentile(std::move(x), share); };
+        const double value = of(v.value);
+        return GridNumber{value, shifted_limits(v, alpha, value, of)};
+    };
     const Interval mean = mean_limits(v, alpha);
     switch (c.kind) {
     case Kind::mean: return {v.mean.value, mean};
     case Kind::min: return {least(v.value), least_limits(v, alpha)};
-    case Kind::max: return shifted(greatest);
-    case Kind::median: return shifted([](std::vector<double> x) { return uncertainty::percentile(std::move(x), .5); });
-    case Kind::percentile:
-        return shifted([&](std::vector<double> x) { return uncertainty::percentile(std::move(x), c.argument); });
-    case Kind::share:
-        return shifted([&](const std::vector<double>& x) { return uncertainty::share_from(x, c.argument); });
+    case Kind::max: return {greatest(v.value), greatest_limits(v, alpha)};
+    case Kind::median: return percentile_at(.5);
+    case Kind::percentile: return percentile_at(c.argument);
+    case Kind::share: {
+        const auto of = [&](const std::vector<double>& x) { return uncertainty::share_from(x, c.argument); };
+        return {of(v.value), shifted_limits(v, alpha, c.argument, of)};
+    }
     case Kind::U0: {
         const Interval u = ratio(least_limits(v, alpha), mean, 1);
         return {least(v.value) / v.mean.value, {u.low, u.high > 1 ? 1 : u.high}};

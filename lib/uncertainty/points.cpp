@@ -16,15 +16,31 @@ namespace {
 constexpr double prior_degrees = 8;
 constexpr Interval unknown{NAN, NAN};
 
-// Variance of a mean of N frames from the means of groups of n_j: sum n_j (x_j - x)^2 / ((groups - 1) N).
-double variance_of_mean(const std::vector<image::Part>& parts, size_t pixel, double mean, double scale) {
-    double sum = 0, frames = 0;
-    for (const image::Part& part : parts) {
-        const double off = scale * double(part.grey[pixel]) - mean;
-        sum += double(part.frames) * off * off;
-        frames += double(part.frames);
+// Variance of a value: of a mean of N frames from the means of groups of n_j, sum n_j (x_j - x)^2 / ((groups - 1) N).
+double own_variance(const NoisyValues& v, size_t i) {
+    double sum = 0;
+    for (const auto& [weight, off] : v.parts) sum += weight * double(off[i]) * double(off[i]);
+    return sum;
+}
+
+// r^2 of points.h.
+double share_in_common(const NoisyValues& v, double at) {
+    constexpr double far = 6;  // standard errors beyond the nearest value, whose weight is 1
+    double nearest = INFINITY, apart = 0;
+    for (size_t i = 0; i < v.value.size(); ++i)
+        if (v.error[i] > 0) nearest = std::min(nearest, std::fabs(v.value[i] - at) / v.error[i]);
+    std::vector<double> together(v.parts.size(), 0.0);
+    for (size_t i = 0; i < v.value.size(); ++i) {
+        if (!(v.error[i] > 0)) continue;
+        const double z = std::fabs(v.value[i] - at) / v.error[i];
+        if (z > nearest + far) continue;
+        const double weight = std::exp((nearest * nearest - z * z) / 2) / v.error[i];
+        apart += weight * std::sqrt(own_variance(v, i));
+        for (size_t p = 0; p < v.parts.size(); ++p) together[p] += weight * double(v.parts[p].second[i]);
     }
-    return sum / (double(parts.size() - 1) * frames);
+    double variance = 0;
+    for (size_t p = 0; p < v.parts.size(); ++p) variance += v.parts[p].first * together[p] * together[p];
+    return apart > 0 ? std::min(1., variance / (apart * apart)) : 1;
 }
 
 Estimate estimate_mean(const std::vector<image::Part>& parts, size_t first, size_t count, double whole, double scale) {
@@ -52,12 +68,19 @@ NoisyValues noisy_values(const std::vector<image::Part>& parts, const float* who
     out.mean.error = NAN;
     if (parts.size() < 2) return out;
     out.mean = estimate_mean(parts, first, count, mean, scale);
+    double frames = 0;
+    for (const image::Part& part : parts) frames += double(part.frames);
+    for (const image::Part& part : parts) {
+        auto& [weight, off] = out.parts.emplace_back(double(part.frames) / (double(parts.size() - 1) * frames),
+                                                     std::vector<float>(count));
+        for (size_t i = 0; i < count; ++i) off[i] = float(scale * double(part.grey[first + i]) - out.value[i]);
+    }
     std::vector<double> relative(count, 0.0);
     double pooled = 0, lit = 0;
     for (size_t i = 0; i < count; ++i) {
         const double v = out.value[i];
         if (!(v > 0)) continue;
-        relative[i] = variance_of_mean(parts, first + i, v, scale) / (v * v);
+        relative[i] = own_variance(out, i) / (v * v);
         pooled += relative[i], lit++;
     }
     if (lit > 0) pooled /= lit;
@@ -80,17 +103,16 @@ Interval mean_limits(const NoisyValues& v, double alpha) {
     return {v.mean.value + off.low, v.mean.value + off.high};
 }
 
-Interval shifted_limits(const NoisyValues& v, double alpha, const std::function<double(std::vector<double>)>& of) {
-    if (v.degrees <= 0) return unknown;
-    const Interval mean = mean_limits(v, alpha);
-    const double common = v.mean.value > 0 ? (mean.high - mean.low) / 2 / v.mean.value : 0;
-    if (std::isnan(common)) return unknown;
-    const double errors = student_quantile(alpha, v.degrees) / student_quantile(.05, v.degrees);
+Interval shifted_limits(const NoisyValues& v, double alpha, double at,
+                        const std::function<double(std::vector<double>)>& of) {
+    if (v.degrees <= 0 || std::isnan(mean_limits(v, alpha).low)) return unknown;
+    const double t = student_quantile(alpha, v.degrees), common = share_in_common(v, at);
+    const double blur = t / student_quantile(.05, v.degrees);  // 1 at 95 %
+    const double errors = std::sqrt(1 - common) * blur + std::sqrt(common) * t;
     std::vector<double> low, high;
     for (size_t i = 0; i < v.value.size(); ++i) {
-        const double shift = std::hypot(errors * v.error[i], common * v.value[i]);
-        low.push_back(v.value[i] - shift);
-        high.push_back(v.value[i] + shift);
+        low.push_back(v.value[i] - errors * v.error[i]);
+        high.push_back(v.value[i] + errors * v.error[i]);
     }
     return {of(std::move(low)), of(std::move(high))};
 }
@@ -102,6 +124,17 @@ Interval least_limits(const NoisyValues& v, double alpha) {
     for (size_t i = 0; i < v.value.size(); ++i) {
         out.low = std::min(out.low, std::max(0.0, v.value[i] - each * v.error[i]));
         out.high = std::min(out.high, v.value[i] + each * v.error[i]);
+    }
+    return out;
+}
+
+Interval greatest_limits(const NoisyValues& v, double alpha) {
+    if (v.degrees <= 0) return unknown;
+    Interval out{-INFINITY, -INFINITY};
+    const double each = student_quantile(alpha / double(v.value.size()), v.degrees);
+    for (size_t i = 0; i < v.value.size(); ++i) {
+        out.low = std::max(out.low, v.value[i] - each * v.error[i]);
+        out.high = std::max(out.high, v.value[i] + each * v.error[i]);
     }
     return out;
 }
