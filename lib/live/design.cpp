@@ -75,7 +75,8 @@ bool Design::back() {
     return true;
 }
 
-// A view changes with the number of the edit alone: late pictures of the edit before do not count.
+// A view changes with the number of the edit alone: late pictures of the edit before do not count.  Messages stay
+// current until the files that they may be about are rendered.
 bool Design::note(const image::Header& h) {
     const int64_t number = h.edit.value_or(0);
     if (h.edited == "preview" || (!edits.empty() && edits.back().first == number)) return false;
@@ -85,7 +86,8 @@ bool Design::note(const image::Header& h) {
     if (!view.empty() && !before && (views.empty() || views.back() != view)) views.push_back(view);
     keep_last(edits, most_edits);
     keep_last(views, most_views);
-    current = 0;
+    const std::string why = h.edited.substr(0, h.edited.find(' '));
+    if (why == "start" || why == "scene" || why == "overlay") current = 0;
     rendered_.clear();
     for (const Text& t : texts) rendered_.push_back(t.now);
     for (Variant& v : variants)

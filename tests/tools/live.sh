@@ -81,6 +81,15 @@ check 'an overlay stands for a file until it is taken back or the file changes o
     await "grep -aq ^EDIT=4 f"; overlay f.cal "v = .1;"; await "grep -aq ^EDIT=5 f"; printf "v = .4;\n" > f.cal
     await "grep -aq \"^EDIT=6 scene\" f"; settle; end; cp inner.rad good
     echo "wall sphere b 0 0 4 0 1 .5 .3" > inner.rad; as_alone "$eye"; cp good inner.rad; [ $(wc -l < said) = 1 ]'
+check 'what comes with a broken file is carried out under its own name, and what is broken is said with each picture' '
+    begin -watch -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
+    printf "preview -vp 1 -4 2\nnote broken\noverlay f.cal 11\nv = broken(\ngo\n" > ctl
+    await "grep -aq \"^EDIT=. view\$\" f"; await "[ -s said ]"; settle; said=$(wc -l < said)
+    echo "view -vp 2 -4 2" > ctl; await "[ \$(grep -a \"^EDIT=. view\$\" f | uniq | wc -l) = 2 ]"; settle
+    [ $(wc -l < said) = $((said + 1)) ]; printf "note mended\noverlay f.cal 7\nv = .2;" > ctl
+    await "grep -aq \"^EDIT=. overlay mended\$\" f"; echo "view -vp 1 -4 2" > ctl
+    await "[ \$(grep -a \"^EDIT=. view\$\" f | uniq | wc -l) = 3 ]"; end
+    [ "$(uniq said)" = "$(head -1 said)" ]; [ $(wc -l < said) = $((said + 1)) ]; ! grep -aq "^EDIT=.*broken" f'
 check 'no overlay with -exec: its text could run programs' '
     begin -exec -control ctl $eye; await "[ -s f ] && [ \$(frames) -gt 3 ]"
     overlay inner.rad "!touch ran"; await "[ -s said ]"; settle; end

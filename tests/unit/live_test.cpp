@@ -219,14 +219,19 @@ TEST_CASE("the design: edits, views and messages") {
     come(2, "view", 1);
     come(3, "overlay blind.rad: 20 to 40", 1);
     CHECK(live.ask([](const live::Design& d) { return d.views.size(); }) == 2);
+    const auto current = [&] { return live.ask([](const live::Design& d) { return d.current; }); };
+    CHECK(current() == 0);
+    live.change([](live::Design& d) { d.tell("ptrace: blind.rad:1: broken"); });
     live.change([](live::Design& d) { CHECK(d.back()); });
     come(3, "overlay blind.rad: 20 to 40", 1);  // a late one of the view that was left
     come(4, "view", 0);
+    CHECK(current() == 1);  // the files are as broken as before
+    come(5, "scene", 0);
     live.ask([](const live::Design& d) {
         CHECK(d.views.size() == 1);
-        CHECK(d.edits.size() == 4);
+        CHECK(d.edits.size() == 5);
         CHECK(d.current == 0);
-        CHECK(d.messages.size() == 1);
+        CHECK(d.messages.size() == 2);
         return 0;
     });
     CHECK_FALSE(live.ask([](const live::Design& d) { return live::Design(d).back(); }));
@@ -234,7 +239,8 @@ TEST_CASE("the design: edits, views and messages") {
     REQUIRE(answer);
     const std::string text = text_of(*answer);
     CHECK(text.find("[3,\"overlay blind.rad: 20 to 40\"]") != std::string::npos);
-    CHECK(text.find("\"messages\":[\"ptrace: a \\\"word\\\"\"],\"current\":0,\"paused\":false") != std::string::npos);
+    CHECK(text.find("\"messages\":[\"ptrace: a \\\"word\\\"\","
+                    "\"ptrace: blind.rad:1: broken\"],\"current\":0,\"paused\":false") != std::string::npos);
     live.change([](live::Design& d) { d.obey("view -vp 1 1 1\npause\n"); });
     CHECK(live.ask([](const live::Design& d) { return d.paused; }));
 }

@@ -52,6 +52,7 @@ struct Run {
     std::string edited = "start";
     std::string changed;  // by edits whose pictures were previews
     std::string note;     // words of "note" for the next full picture of an edit
+    std::string failure;  // of the files as they are now; empty: they are what is rendered
 };
 
 // Setup of the session for picture i.
@@ -84,34 +85,42 @@ void choose_focus(Options& opt) {
     }
 }
 
-// Failures are reported, and all goes on as before.
+// Failures are reported, and all goes on as before.  Returns the line of the failure, or nothing.
 template <class F>
-bool carry_out(F&& work) {
+std::string carry_out(F&& work) {
     try {
         work();
-        return true;
+        return "";
     } catch (const base::Error& e) {
         base::say("ptrace: " + e.text);
-        return false;
+        return e.text;
     }
 }
 
-// Carries out what waits.  Where the files cannot be rendered what else was asked is carried out with those before.
-// True: the picture begins anew.
+// The words of edits that are carried out together.
+struct Words {
+    std::string last, changed;  // of the last edit; of the last that neither asks for a preview nor ends one
+    void add(const std::string& word) {
+        last = word;
+        if (word != "go" && word != "preview") changed = word;
+    }
+};
+
+// Carries out what waits.  Where the files cannot be rendered what else was asked is carried out with those before,
+// and the failure is said again with each such picture.  True: the picture begins anew.
 bool apply_edits(Run& run, size_t i) {
     Options next = run.opt;
-    std::string what;
-    bool read = false, others = false, begins = false;
+    Words words, others;
+    bool read = false, begins = false;
     for (const render::Command& c : run.control.take_edits())
         carry_out([&] {
             if (c.word == "note") return void(run.note = c.rest);
             edit(c, i, next);
-            what = c.word;
-            if (c.word != "go" && c.word != "preview") run.changed = c.word;
-            read = read || reads_files(c);
-            others = others || !reads_files(c);
+            words.add(c.word);
+            if (reads_files(c)) read = true;
+            else others.add(c.word);
         });
-    if (what.empty()) return false;
+    if (words.last.empty()) return false;
     base::Progress progress("ptrace");
     const auto change = [&](bool files) {
         choose_focus(next);
@@ -120,16 +129,24 @@ bool apply_edits(Run& run, size_t i) {
         begins = run.session->edit(setup, files);
         run.opt = next;
     };
-    if (!carry_out([&] { change(read); }) && read && others) carry_out([&] { change(false); });
+    std::string failure = carry_out([&] { change(read); });
+    if (read) run.failure = failure;
+    if (!failure.empty() && read && !others.last.empty()) {
+        words = others;
+        run.note.clear();  // it was for the files
+        failure = carry_out([&] { change(false); });
+    }
+    if (failure.empty() && !words.changed.empty()) run.changed = words.changed;
     run.control.set_preview(run.opt.preview);
     if (!begins) {  // frames go on where they were
         if (!run.opt.preview) run.note.clear();
         return false;
     }
     run.edits++;
-    run.edited = run.opt.preview ? "preview" : what;
-    if (what == "go") run.edited = run.changed.empty() ? "view" : run.changed;
+    run.edited = run.opt.preview ? "preview" : words.last;
+    if (words.last == "go") run.edited = run.changed.empty() ? "view" : run.changed;
     if (run.opt.preview) return true;
+    if (!read && !run.failure.empty()) base::say("ptrace: " + run.failure);
     if (!run.note.empty()) run.edited += " " + run.note;
     run.changed.clear();
     run.note.clear();
