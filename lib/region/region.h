@@ -70,6 +70,11 @@ struct Crossing {
     double t;
     unsigned surface;
 };
+struct DistantSource {
+    unsigned surface;
+    Vec3 dir;  // unit, toward it
+    double half_rad;
+};
 class SceneView {
 public:
     virtual ~SceneView() = default;
@@ -81,6 +86,7 @@ public:
     // At most `room` crossings with 0 < t < tmax (tmax 0: no limit), sorted; `closed` says that the last is opaque.
     // Thread safe.
     virtual int look(Vec3 origin, Vec3 dir, double tmax, Crossing* out, int room, bool& closed) const = 0;
+    virtual std::vector<DistantSource> distant() const { return {}; }  // the widest first, as look() has them
 };
 
 // One coverage plane per region.  Throws Error (place = the region's line) for a shape that this view cannot have.

@@ -41,15 +41,18 @@ Cell number_cell(double value, int digits) {
 
 Cell text_cell(const std::string& text) { return {text, false}; }
 
+std::string rounded(double value, double half_width) {
+    const bool known = half_width > 0 && std::isfinite(half_width);
+    const double size = known ? half_width : std::fabs(value);
+    const int power = size > 0 && std::isfinite(size) ? int(std::floor(std::log10(size))) - (known ? 1 : 3) : 0;
+    const double unit = power > 0 ? std::pow(10., power) : 0;  // of the last digit
+    return fmt::format("{:.{}f}", unit > 0 ? std::round(value / unit) * unit : value, std::max(-power, 0));
+}
+
 std::string with_error(double value, double half_width) {
     if (!std::isfinite(half_width)) return number_cell(value, 4).text;
     if (!(half_width > 0)) return number_cell(value, 6).text + " +- 0";
-    const int power = int(std::floor(std::log10(half_width))) - 1;  // of the last digit
-    const double unit = power > 0 ? std::pow(10., power) : 0;
-    const auto rounded = [&](double v) {
-        return fmt::format("{:.{}f}", unit > 0 ? std::round(v / unit) * unit : v, std::max(-power, 0));
-    };
-    return rounded(value) + " +- " + rounded(half_width);
+    return rounded(value, half_width) + " +- " + rounded(half_width, half_width);
 }
 
 std::string header_line(const std::vector<std::string>& names, TableFormat format) {

@@ -19,6 +19,8 @@ struct Cell {
 };
 Cell number_cell(double value, int digits = 8);  // significant digits; nan and inf by name (null in JSON)
 Cell text_cell(const std::string& text);
+// As many digits as half an interval leaves meaning, two of its own, without a power of ten; nan or 0: four digits.
+std::string rounded(double value, double half_width);
 // "2806 +- 17": as many digits as half an interval leaves meaning, two of its own.  nan: four digits alone.
 std::string with_error(double value, double half_width);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vcregion without the tracer's libraries: regions by shape alone.
+// Without the tracer's libraries: no scene is read.
 #include "base/error.h"
 #include "visibility/visibility.h"
 
@@ -7,7 +7,7 @@ namespace visibility {
 
 std::unique_ptr<region::SceneView> open_scene(const std::vector<std::string>& files, const base::ReadOptions&) {
     if (files.empty()) return nullptr;
-    base::fail(files[0], "this vcregion was built without the tracer (LUXPIPE_PTRACE=OFF) and reads no scenes");
+    base::fail(files[0], "this program was built without the tracer (LUXPIPE_PTRACE=OFF) and reads no scenes");
 }
 
 }  // namespace visibility

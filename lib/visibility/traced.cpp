@@ -2,6 +2,7 @@
 // The scene as regions see it, by the tracer's own geometry: rays go straight through glass and the like and end at the
 // first surface of another material.  Distant sources are seen where nothing else is.
 #include "visibility/visibility.h"
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 #include "base/angle.h"
@@ -43,6 +44,8 @@ public:
                 distant_.push_back({s, base::unit({r[0], r[1], r[2]}), r[3] / 2 * base::degree});
             }
         }
+        std::stable_sort(distant_.begin(), distant_.end(),
+                         [](const auto& a, const auto& b) { return a.half_rad > b.half_rad; });
         const auto surface = [&](unsigned object) { return index.count(object) ? index[object] : none; };
         for (unsigned object : flat_.prim_object) prim_surface_.push_back(surface(object));
         for (unsigned object : flat_.instance_object) instance_surface_.push_back(surface(object));
@@ -90,20 +93,16 @@ public:
             from = hit.t * (1 + 1e-6) + 1e-7;
         }
         if (tmax > 0) return n;
-        for (const Distant& s : distant_)
-            if (std::atan2(base::length(base::cross(s.dir, dir)), base::dot(s.dir, dir)) <= s.half && n < room)
+        for (const region::DistantSource& s : distant_)
+            if (std::atan2(base::length(base::cross(s.dir, dir)), base::dot(s.dir, dir)) <= s.half_rad && n < room)
                 out[n++] = {1e30, s.surface};
         return n;
     }
+    std::vector<region::DistantSource> distant() const override { return distant_; }
 
 private:
     const scene::Object& object(unsigned s) const { return scene_.objects[surfaces_[s]]; }
     static constexpr unsigned none = 0xffffffffu;
-    struct Distant {
-        unsigned surface;
-        Vec3 dir;
-        double half;
-    };
     scene::Scene scene_;
     flatten::FlatScene flat_;
     flatten::HostTracer tracer_;
@@ -111,7 +110,7 @@ private:
     std::vector<char> through_;               // by surface
     std::vector<unsigned> prim_surface_;      // by primitive
     std::vector<unsigned> instance_surface_;  // by instance record
-    std::vector<Distant> distant_;
+    std::vector<region::DistantSource> distant_;
 };
 
 }  // namespace

@@ -42,6 +42,10 @@ void declare_output(OptionTable& t, Options& o) {
     t.add("-outlines", "With -sources and -format jsonl: the outline of each source as well", o.outlines);
     t.add("-over file", "Draw the picture with sources, regions and metrics (.png), or the map of points (.svg, .png)",
           [&](Arguments& a) { o.over_file = a.text(); });
+    t.add("-report file", "Write a report of the last picture, for people (.html)", o.report_file);
+    t.add("-scene file", "Scene of the report, which then says what is seen at glare sources; may be repeated",
+          [&](Arguments& a) { o.scene.push_back(a.text()); });
+    t.add("-numbers file", "Numbers of the report: the last line of this table of vcmetrics", o.numbers_file);
     t.add("-ci percent",
           "NAME.lo and NAME.hi after each column: the interval of the converged value, of this certainty",
           [&](Arguments& a) { o.ci = a.real(base::within(50, 99.99)) / 100; });

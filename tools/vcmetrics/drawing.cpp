@@ -16,29 +16,6 @@ namespace {
 
 constexpr display::Colour source_colour{255, 160, 40};
 
-std::vector<float> pixels_of(const glare::Measurement& m, const glare::Geometry& g, const glare::GlareSource& source) {
-    std::vector<float> pixels(size_t(g.width) * size_t(g.height));
-    for (const glare::Run& run : m.runs)
-        if (run.group == source.group)
-            std::fill_n(pixels.begin() + std::ptrdiff_t(run.start), std::ptrdiff_t(run.length), 1.f);
-    return pixels;
-}
-
-struct Place {
-    int x = 0, y = 0;  // row 0 = top
-};
-
-// The middle of the upper edge of an area.
-Place top_of(const std::vector<float>& area, int width) {
-    int left = width, right = 0, top = -1;
-    for (size_t i = 0; i < area.size(); ++i) {
-        if (area[i] < .5f) continue;
-        if (top < 0) top = int(i) / width;
-        left = std::min(left, int(i) % width), right = std::max(right, int(i) % width);
-    }
-    return {(left + right) / 2, top};
-}
-
 // Text centred above the place, inside the picture, with a dark border.
 void write_above(display::Image8& image, Place place, const std::string& text, display::Colour colour) {
     const int scale = display::font_size(image), wide = display::text_width(text, scale);
@@ -55,6 +32,26 @@ struct Name {
     display::Colour colour;
 };
 
+}  // namespace
+
+std::vector<float> area_of(const glare::Measurement& m, const glare::Geometry& g, const glare::GlareSource& source) {
+    std::vector<float> pixels(size_t(g.width) * size_t(g.height));
+    for (const glare::Run& run : m.runs)
+        if (run.group == source.group)
+            std::fill_n(pixels.begin() + std::ptrdiff_t(run.start), std::ptrdiff_t(run.length), 1.f);
+    return pixels;
+}
+
+Place top_of(const std::vector<float>& area, int width) {
+    int left = width, right = 0, top = -1;
+    for (size_t i = 0; i < area.size(); ++i) {
+        if (area[i] < .5f) continue;
+        if (top < 0) top = int(i) / width;
+        left = std::min(left, int(i) % width), right = std::max(right, int(i) % width);
+    }
+    return {(left + right) / 2, top};
+}
+
 image::MaskSet regions_in(const Options& o, const image::Picture& p) {
     if (o.regions_file.empty()) return {};
     image::DrawRegions draw;
@@ -62,14 +59,11 @@ image::MaskSet regions_in(const Options& o, const image::Picture& p) {
     return draw ? draw(o.view ? *o.view : *p.header.view, p.width, p.height) : masks;
 }
 
-}  // namespace
-
 std::string source_outline(const glare::Measurement& m, const glare::Geometry& g, const glare::GlareSource& source) {
-    return display::rings_text(display::outlines(pixels_of(m, g, source), g.width, g.height));
+    return display::rings_text(display::outlines(area_of(m, g, source), g.width, g.height));
 }
 
 void draw_measured(const Options& o, const image::Picture& picture, const RunState& run, const glare::Measurement& m) {
-    constexpr double speck = .005;  // of DGP's sum: a smaller source is not numbered
     display::Image8 image = display::tone(picture, {});
     std::vector<Name> names;  // above all outlines
     const image::MaskSet regions = regions_in(o, picture);
@@ -80,7 +74,7 @@ void draw_measured(const Options& o, const image::Picture& picture, const RunSta
     }
     const std::vector<double> shares = glare::dgp_shares(glare::terms_of(m.sources), o.settings.constants);
     for (size_t k = 0; k < shares.size(); ++k) {
-        display::draw_area(image, pixels_of(m, run.reading.geometry(), m.sources[k]), source_colour, 0);
+        display::draw_area(image, area_of(m, run.reading.geometry(), m.sources[k]), source_colour, 0);
         if (shares[k] < speck) continue;
         const Place centre{int(m.sources[k].x), image.height - 1 - int(m.sources[k].y)};
         names.push_back({centre, fmt::format("{}: {:.0f} %", k + 1, 100 * shares[k]), source_colour});

@@ -19,6 +19,7 @@
 #include "grids.h"
 #include "image/header.h"
 #include "image/stream.h"
+#include "report_file.h"
 #include "row.h"
 #include "run.h"
 
@@ -93,13 +94,20 @@ int measure_all(const Options& o) {
     if (planned) run.plan = plan_run(o);
     Heading heading;
     GridState grids;
-    image::Picture picture, whole;  // measuring uses up a picture's pixels
+    image::Picture picture, copy, shown;  // measuring uses up a picture's pixels; shown: that of the last row
+    std::optional<Row> last;
+    const bool shows = !o.over_file.empty() || !o.report_file.empty();
+    const auto end = [&](int status) {
+        if (last && !o.report_file.empty()) write_report(o, shown, run, *last);
+        return status;
+    };
     for (const std::string& file : from_files ? o.files : std::vector<std::string>{"-"}) {
         image::StreamReader reader(file, pixels_for(o));
         for (long index = 0; reader.next(picture); ++index) {
             base::finish_on_signal();  // from the first picture on: its line is finished
             if (!picture.header.grids.empty() || !grids.columns.empty()) {
                 if (picture.header.grids.empty()) base::fail(place_of(file, index).text, "is not a picture of points");
+                if (!o.report_file.empty()) base::fail("-report", "is of pictures of a view");
                 require_measurable(picture, place_of(file, index).text);
                 if (measures(o, grids, picture, place_of(file, index), run)) return end_of(o, grids);
                 if (base::shutdown_requested()) return 0;
@@ -109,7 +117,7 @@ int measure_all(const Options& o) {
                 base::fail("-over", "writes a .png of pictures of a view");
             if (!planned) run.plan = plan_run(o);
             planned = true;
-            if (!o.over_file.empty()) whole = picture;
+            if (shows) copy = picture;
             std::optional<Row> row;
             try {
                 std::tie(run, row) = step(o, std::move(run), picture, place_of(file, index));
@@ -122,12 +130,14 @@ int measure_all(const Options& o) {
                 heading = std::move(out.heading);
                 if (!out.names.empty()) print(out.names);
                 print(out.lines);
-                if (!o.over_file.empty()) draw_measured(o, whole, run, row->measurement);
+                if (shows) std::swap(shown, copy);
+                if (!o.over_file.empty()) draw_measured(o, shown, run, row->measurement);
                 if (!row->verdict.says.empty()) base::say(row->verdict.says);
-                if (row->verdict.stops) return status(o, run.progress);
-                if (!row->verdict.command.empty()) base::send_command(o.control, row->verdict.command);
+                last = std::move(row);
+                if (last->verdict.stops) return end(status(o, run.progress));
+                if (!last->verdict.command.empty()) base::send_command(o.control, last->verdict.command);
             }
-            if (base::shutdown_requested()) return 0;
+            if (base::shutdown_requested()) return end(0);
         }
         run.sum = end_input(std::move(run.sum), place_of(file, 0).text, run.plan.needs_looks && run.plan.tells);
     }
@@ -135,7 +145,7 @@ int measure_all(const Options& o) {
     if (!planned) plan_run(o);  // says what is wrong
     say_end(o, run.progress);
     if (o.mode == OutputMode::evalglare && o.evalglare.ev_only) return 1;  // as evalglare -V
-    return status(o, run.progress);
+    return end(status(o, run.progress));
 }
 
 report::NumberTable measure_table(const Options& options, const std::string& file,

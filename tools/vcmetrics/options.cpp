@@ -13,6 +13,7 @@
 #include "base/files_read.h"
 #include "base/run.h"
 #include "base/warnings.h"
+#include "base/model_folder.h"
 #include "declare.h"
 #include "image/stream.h"
 
@@ -73,7 +74,17 @@ void check(const Options& o) {
     const std::string over = image::ending_of(o.over_file);
     if (!o.over_file.empty() && ((over != ".png" && over != ".svg") || o.mode != OutputMode::vcmetrics))
         base::fail("-over", "writes a .png of vcmetrics' own columns, or a .svg of points");
-    for (const std::string& drawn : {o.over_file, o.check_file})
+    if (!o.report_file.empty()) {
+        const bool own = o.mode == OutputMode::vcmetrics && !o.list_sources && !o.compare && !o.difference;
+        if (image::ending_of(o.report_file) != ".html" || !own)
+            base::fail("-report", "writes an .html file of vcmetrics' own columns");
+        image::require_writable_ending(o.report_file, {".html"});
+        for (const std::string& file : o.scene)
+            if (access(file.c_str(), R_OK) != 0) base::fail_system(file, "cannot be read");
+    } else if (!o.scene.empty() || !o.numbers_file.empty()) {
+        base::fail(o.scene.empty() ? "-numbers" : "-scene", "belongs to -report");
+    }
+    for (const std::string& drawn : {o.over_file, o.check_file, o.report_file})
         if (!drawn.empty())
             base::refuse_to_overwrite({drawn}, o.files.empty() ? std::vector<std::string>{"-"} : o.files);
     if (o.go_on && (o.until.empty() || !o.control.empty()))
@@ -94,6 +105,19 @@ void check(const Options& o) {
         base::fail("-compare", "works on tables of metrics and cannot be used with -until, -sources, -V, -1, -2 or -3");
 }
 
+// What a report shows where the command line does not say it.
+void complete_for_report(Options& o) {
+    if (!o.settings.field_cut && !o.settings.fill && !o.ci) o.ci = .95;
+    if (o.metrics.empty()) {
+        o.metrics = {"Ev", "DGPf"};
+        if (!o.regions_file.empty()) o.metrics.push_back("TAL");
+        if (!o.contrast_pairs.empty()) o.metrics.push_back("CR");
+    }
+    o.scene_options.raypath = base::raypath_from_environment();
+    o.scene_options.work = base::work_budget_from_environment();
+    o.scene = base::open_folders(o.scene, o.scene_options);
+}
+
 }  // namespace
 
 std::optional<int> parse_options(int argc, char** argv, Options& o) {
@@ -108,6 +132,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& o) {
     if (says_view(table)) o.view = view;
     o.files = *operands;
     expand_globs(o.files);
+    if (!o.report_file.empty() && o.mode == OutputMode::vcmetrics) complete_for_report(o);
     check_said(table, o);
     check(o);
     const bool own_rows = o.mode == OutputMode::vcmetrics && !o.compare && !o.difference;

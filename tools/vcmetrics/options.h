@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "base/find_file.h"
 #include "evalglare/settings.h"
 #include "glare/settings.h"
 #include "report/against.h"
@@ -23,8 +24,11 @@ struct Options {
     bool each = false;                      // -each: a row a point
     bool like_rtrace = false;               // -like rtrace: its lines, of points
     bool list_sources = false;
-    bool outlines = false;  // of sources
-    std::string over_file;  // -over; empty: none
+    bool outlines = false;                  // of sources
+    std::string over_file;                  // -over; empty: none
+    std::string report_file, numbers_file;  // -report, -numbers
+    std::vector<std::string> scene;         // -scene: of the report
+    base::ReadOptions scene_options;
     report::TableFormat format = report::TableFormat::tsv;
     OutputMode mode = OutputMode::vcmetrics;
     bool evalglare_bug_compatible = false;  // its rounding and its slips (lib/evalglare), also where columns are ours

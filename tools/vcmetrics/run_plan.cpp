@@ -128,7 +128,8 @@ RunPlan plan_run(const Options& o) {
     choose_columns(o, regions, out, required);
     if (o.mode == OutputMode::evalglare)
         required = require::sources | (o.evalglare.detailed || o.settings.mask_file ? require::medians : 0);
-    if (o.list_sources || !o.check_file.empty() || !o.over_file.empty()) required |= require::sources;
+    if (o.list_sources || !o.check_file.empty() || !o.over_file.empty() || !o.report_file.empty())
+        required |= require::sources;
     if (o.evalglare_bug_compatible) {
         required &= ~require::filled;
         measured.methods = evalglare::methods(o.evalglare);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Figures of a report (page.h), as SVG in HTML.
+#pragma once
+#include <string>
+#include "report/page.h"
+
+namespace report {
+
+std::string escaped(const std::string& text);  // as text of HTML
+
+std::string dgp_bar(const Page::Number& dgp);
+std::string drawing(const Page& page, const Page::Drawing& drawing);
+std::string legend(const Page::Legend& legend);
+
+}  // namespace report
