@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# vcmetrics -report: every number is that of vcmetrics' lines, sources have their objects, files their hashes; names from
-# files are text; written whole or not at all.
+# vcmetrics -report: every number is that of vcmetrics' lines, sources have their objects, files their hashes; names
+# from files are text; written whole or not at all.
 . "${TOP:?}/tests/lib.sh"
 needs ptrace ptaccum vcmetrics python3 sha256sum
 
@@ -17,12 +17,14 @@ data() { sed -n "/<h2>$1/,/<h2>/p" "$2" | grep -oE '<data value="[^"]*"' | cut -
 # Those of the table $1 that are under the names that follow, row by row, but for nan.
 cells() {
     awk -v names="$*" 'BEGIN { split(names, want) } NR == 1 { for (k = 1; k <= NF; k++) at[$k] = k; next }
-        { last = $0 } END { $0 = last; for (k = 2; k in want; k++) if ($(at[want[k]]) != "nan") print $(at[want[k]]) }' "$1"
+        { last = $0 } END { $0 = last
+            for (k = 2; k in want; k++) if ($(at[want[k]]) != "nan") print $(at[want[k]]) }' "$1"
 }
 columns=$(head -1 lines | tr '\t' '\n' | grep -vE '^(frame|seconds|tails)$|[.](lo|hi)$')
 with_ends=$(for c in $columns; do echo "$c $c.lo $c.hi"; done)
 check 'the numbers of the page are those of the last line' "
-    data Numbers report.html > page; cells lines $(echo $with_ends) > want; test \$(wc -l < want) -ge 15; diff want page >&2"
+    data Numbers report.html > page; cells lines $(echo $with_ends) > want
+    test \$(wc -l < want) -ge 15; diff want page >&2"
 check 'so are those of the sources' '
     data "Glare sources" report.html | sort > page; test -s page
     awk "NR > 1 && \$NF >= .005 { print \$16; print \$8; print \$7; print \$9; print \$14 }" sources | sort > want
@@ -33,14 +35,16 @@ check 'the verdict is the class of DGPf' '
 check 'objects and materials are those that the scene has there' '
     grep -q "sky (sky_glow) through pane (glazing)" report.html; grep -q "east_wall (wall_paint)" report.html'
 check 'the sun stands where the sky says' '
-    grep -q "sun: 16.8° above the horizon, 213.0° from north" report.html; grep -q "sky_1400.rad: gensky 12 21 14" report.html'
+    grep -q "sun: 16.8° above the horizon, 213.0° from north" report.html
+    grep -q "sky_1400.rad: gensky 12 21 14" report.html'
 check 'files have the hashes of sha256sum' '
     for f in office.regions materials.rad layout.rad room.rad sky_1400.rad; do
         grep -q "<td>$f</td><td>$(sha256sum < $f | cut -c 1-64)</td>" report.html
     done'
 check 'it says how it was made' 'grep -q "ptrace -vf view.vf -x 96 -y 96" report.html; grep -q "seed 1" report.html'
 check 'nothing comes from outside, and it is small' '
-    test $(wc -c < report.html) -lt 2000000; ! grep -oE "(src|href|url)[=(][^ >]*" report.html | grep -vE "data:|#scale"'
+    test $(wc -c < report.html) -lt 2000000
+    ! grep -oE "(src|href|url)[=(][^ >]*" report.html | grep -vE "data:|#scale"'
 check 'the picture of a file has a report, without a scene, without objects' '
     vcmetrics -report file.html last.exr > lines; grep -q last.exr file.html; ! grep -q "<th>What" file.html
     cells lines Ev DGPf > want; data Numbers file.html | grep -xFf want | wc -l | grep -qx 2'
@@ -51,13 +55,17 @@ check 'hostile names are text' '
     name="<script>alert(1)<"; cp last.exr "$name.exr"; vcmetrics -report hostile.html "$name.exr" > /dev/null
     grep -qF "&lt;script&gt;alert(1)&lt;.exr" hostile.html; ! grep -q "<script" hostile.html'
 check 'recorded numbers stand in place of measured ones' '
-    printf "frame\tEv\tEv.lo\tEv.hi\n8\t1234.5\t1200\t1300\n" > recorded; vcmetrics -report again.html -numbers recorded last.exr > /dev/null
+    printf "frame\tEv\tEv.lo\tEv.hi\n8\t1234.5\t1200\t1300\n" > recorded
+    vcmetrics -report again.html -numbers recorded last.exr > /dev/null
     data Numbers again.html | tr "\n" " " | grep -qx "1234.5 1200 1300 "'
 
 check_error 'a report has its ending' 1 '^vcmetrics: -report: writes an .html file' 'vcmetrics -report a.txt last.exr'
-check_error 'it is of vcmetrics own columns' 1 '^vcmetrics: -report: ' 'vcmetrics -like evalglare -report a.html last.exr'
-check_error 'a scene belongs to a report' 1 '^vcmetrics: -scene: belongs to -report' 'vcmetrics -scene room.rad last.exr'
-check_error 'a folder that is not there is an error before the work' '[12]' 'nowhere' 'vcmetrics -report nowhere/a.html last.exr'
+check_error 'it is of vcmetrics own columns' 1 '^vcmetrics: -report: ' '
+    vcmetrics -like evalglare -report a.html last.exr'
+check_error 'a scene belongs to a report' 1 '^vcmetrics: -scene: belongs to -report' '
+    vcmetrics -scene room.rad last.exr'
+check_error 'a folder that is not there is an error before the work' '[12]' 'nowhere' '
+    vcmetrics -report nowhere/a.html last.exr'
 check_error 'a scene that cannot be read leaves the file as it was' 2 'absent.rad' '
     echo before > kept.html; vcmetrics -W- -report kept.html -scene absent.rad last.exr > /dev/null'
 check 'which holds what it held' 'grep -qx before kept.html; test $(ls | grep -c kept) = 1'
