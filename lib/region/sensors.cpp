@@ -74,8 +74,11 @@ void add_plane(std::vector<Plane>& planes, const Plane& more) {
     planes.push_back(more);
 }
 
-void add_face(std::vector<Plane>& planes, const Corners& corners) {
-    if (base::length(area_of(corners)) > 0) add_plane(planes, plane_of(corners));
+// A horizontal face looks up: Honeybee's floors have their corners from outside, and polygon3d has no side.
+void add_face(std::vector<Plane>& planes, Corners corners) {
+    const Vec3 area = area_of(corners);
+    if (area.z < -.99 * base::length(area)) std::reverse(corners.begin(), corners.end());
+    if (base::length(area) > 0) add_plane(planes, plane_of(corners));
 }
 
 Corners corners_of(const std::vector<double>& n) {
@@ -129,7 +132,6 @@ private:
             return;
         default: base::fail(shape.place, "needs a view; points lie on polygon3d, disc3d, surface and modifier");
         }
-        if (Vec3 area = area_of(own); area.z < -.99 * base::length(area)) std::reverse(own.begin(), own.end());
         add_face(planes_[s], own);
     }
 
@@ -175,7 +177,8 @@ private:
         for (int j = 0; j < int(count[1]); ++j)
             for (int i = 0; i < int(count[0]); ++i) {
                 const Vec3 p = at(0, i) * plane.right + at(1, j) * plane.up + plane.height * plane.normal;
-                if (contains(plane, p) && inside(root, p)) out.push_back({p + height * plane.normal, plane.normal});
+                if (contains(plane, p) && inside(root, p))
+                    out.push_back({p + height * plane.normal, height < 0 ? -plane.normal : plane.normal});
             }
     }
 };

@@ -157,6 +157,11 @@ check '-spacing lays points on a polygon, in rows, centred, facing up whatever t
 check 'on surfaces of the scene, without what is taken away, on a wall along its normal' '
     test "$(points .5 .76 floor | grep -c "0.76 0 0 1$")" = 96; test "$(points .5 .76 rest | grep -c "0 0 1$")" = 88
     points .5 .1 west | sed 1d | awk "\$1 != .1 || \$2 > 3 || \$4 != 1 { exit 1 } { n++ } END { exit n != 30 }"'
+check 'a height below 0 is the other side; a floor whose corners are seen from outside looks up all the same' '
+    points .5 -.1 west | sed 1d | awk "\$1 != -.1 || \$4 != -1 { exit 1 }"
+    echo "f surface Studio_Bottom" > f.regions
+    vcregion -spacing 1 -height .76 f.regions "$TOP"/examples/exports/honeybee/scene/envelope.* > floor.pts
+    test "$(grep -c "0.76 0 0 1$" floor.pts)" = 24'
 check 'and on a disc' 'points .5 0 lamp | sed 1d | cut -d " " -f 1-3 | sort | paste -sd, |
     grep -x "0.75 0.75 2,0.75 1.25 2,1.25 0.75 2,1.25 1.25 2"'
 check '-o writes one file, or one for each region' '
