@@ -21,7 +21,7 @@ constexpr int looks_for_gone = 6;  // for a missing file: editors move it away b
 
 bool Control::is_edit(const Command& c) const {
     if (c.word == "go" && c.rest.empty()) return preview_;
-    return c.word != "next" && !(c.word == "pause" && c.rest.empty());
+    return c.word != "next" && c.word != "what" && !(c.word == "pause" && c.rest.empty());
 }
 
 void Control::set_preview(bool preview) {
@@ -89,6 +89,7 @@ std::optional<Command> Control::take() {
 }
 
 void Control::carry_out(const Command& c, const std::string& label) {
+    if (c.word == "what") return answer_ ? answer_(c.rest) : void();
     if (is_edit(c)) edits_.push_back(c);
     if (c.word == "next") ends_ = c.rest.empty() || c.rest == label;
     else paused_ = !is_edit(c) && c.word == "pause";

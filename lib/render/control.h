@@ -7,6 +7,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -31,6 +32,8 @@ public:
     // After "pause" it waits for "go", "next", an edit, a signal or the end of stdout's reader.  Any other command is
     // an edit, for which the picture ends before this frame.
     bool ends_picture(const std::string& label);
+    // Answers the words of "what", between two frames.
+    void answer_with(std::function<void(const std::string& words)> answer) { answer_ = std::move(answer); }
     bool edited() const { return !edits_.empty(); }
     // An edit waits, so the current frame need not be finished (Renderer::cancel_when).
     const std::atomic<bool>& edit_waits() const { return edit_waits_; }
@@ -55,6 +58,7 @@ private:
     std::condition_variable arrived_;
     std::deque<Command> commands_;
     std::vector<Command> edits_;  // of ends_picture()
+    std::function<void(const std::string& words)> answer_;
     std::atomic<bool> edit_waits_{false};
     bool watch_;
     uint64_t seen_ = 0, told_ = 0;  // states of the files: the last one, and the last one reported

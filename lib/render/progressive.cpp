@@ -15,6 +15,7 @@
 #include "render/learn.h"
 #include "render/make_device.h"
 #include "render/pixel_moments.h"
+#include "render/seen.h"
 
 namespace render {
 using namespace kernels;
@@ -151,6 +152,10 @@ void Renderer::frames(int64_t first, int64_t count, const GiveFrame& give, bool 
 
 void Renderer::explain(const scene::Scene& scene, int x, int y, int64_t first, int64_t last, const GiveRow& give) {
     explain_pixel(*device_, plan_, scene, x, y, first, last, give);
+}
+
+std::string Renderer::seen(const scene::Scene& scene, double x, double y) const {
+    return seen_at(scene_, scene, plan_.view, x, y);
 }
 
 MomentReport Renderer::explain_moments(const scene::Scene& scene, int x, int y) {

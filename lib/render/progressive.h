@@ -56,6 +56,7 @@ public:
 
     // explain_pixel() of the selected view; scene: that of load(), with options.names.
     void explain(const scene::Scene& scene, int x, int y, int64_t first, int64_t last, const GiveRow& give);
+    std::string seen(const scene::Scene& scene, double x, double y) const;  // seen.h
     MomentReport explain_moments(const scene::Scene& scene, int x, int y);
 
     // For tests: one frame; the moments; a ray.

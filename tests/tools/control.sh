@@ -43,6 +43,20 @@ check 'next of another picture is passed over; pause holds until go' '
     (echo next door; echo pause; sleep 1; echo go; echo next desk) > ctl &
     render -frames 3 -views all.vf | ptaccum | vcmetrics -metrics Ev | cut -f 3 | uniq | tr "\n" " " > is
     [ "$(cat is)" = "view desk door up " ]'
+check 'what is seen: through the pane the mullion or the sky, each with material, places and its numbers; "what" is no edit' '
+    printf "void plastic grey 0 0 5 .5 .5 .5 0 0\nvoid glass pane 0 0 3 .9 .9 .9\nvoid glow g 0 0 4 1 1 1 0\n" > see.rad
+    printf "\npane polygon window 0 0 12 -1 1 -1 1 1 -1 1 1 1 -1 1 1\ngrey sphere ball 0 0 4 .5 2 0 .3\n" >> see.rad
+    printf "g source sky 0 0 4 0 0 1 180\ng source ground 0 0 4 0 0 -1 180\n" >> see.rad
+    (echo what .75 .5; echo what .2 .6; echo view -vp 0 1.5 0; echo what .98 .5; echo what 1; sleep 1; echo next) > ctl &
+    ptrace -w- -x 24 -y 24 -moments- -control ctl -vp 0 0 0 -vd 0 1 0 -vh 60 -vv 60 see.rad 2> said | ptaccum > x.str
+    grep ^ptrace said > all; cut -f 2 all | head -3 | tr "\n" " " > is
+    [ "$(cat is)" = "0 0 1 " ]
+    w="window	polygon	see.rad:5	pane	glass	see.rad:2	[-. 0-9]*	-1 1 -1 1 1 -1 1 1 1 -1 1 1"
+    ball="ball	sphere	see.rad:6	grey	plastic	see.rad:1	[-. 0-9]*	0.5 2 0 0.3"
+    sed -n 1p all | grep -q "^ptrace: what .75 .5	0	$w	$ball\$"
+    sed -n 2p all | grep -q "^ptrace: what .2 .6	0	$w	sky	source	see.rad:7	g	glow	see.rad:3	[-. 0-9]*	0 0 1 180\$"
+    sed -n 3p all | grep -q "^ptrace: what .98 .5	1	ball	"
+    sed -n 4p all | grep -q "^ptrace: ctl: what: needs two fractions"'
 check 'an unknown word and a line without end are reported' '
     (sleep .5; echo "jump up"; head -c 70000 /dev/zero | tr "\0" x; echo; echo next) > ctl &
     timeout 100 ptrace -x 24 -y 24 -moments- -control ctl $desk $scene 2> said | cat > /dev/null

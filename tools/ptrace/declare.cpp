@@ -49,7 +49,6 @@ void read_pixel(const std::string& text, Options& opt) {
     if (comma == std::string::npos) base::fail("-pixel", "needs a pixel such as 120,88, not " + text);
     const auto number = [](const std::string& word) { return int(base::to_int(word, "-pixel")); };
     opt.pixel = {number(text.substr(0, comma)), number(text.substr(comma + 1))};
-    opt.render.names = true;
 }
 
 void read_rif(const std::string& path, const std::vector<std::string>& assignments, OptionTable& t, Options& opt,
@@ -116,7 +115,7 @@ void declare_frames(OptionTable& t, Options& opt, std::optional<scene::RadInput>
         .within(1, 4096)
         .default_text("all that the process may use");
     t.add("-control fifo",
-          "Obey the lines that arrive here: next, pause, go, view, set, size, scene, overlay, note, preview",
+          "Obey the lines that arrive here: next, pause, go, view, set, size, scene, overlay, note, preview, what",
           opt.control);
     t.add("-watch", "Begin anew when a file of the scene changes", opt.watch);
     t.add("-o pattern", "Write frames to files such as f%04d.hdr", opt.output);

@@ -14,6 +14,8 @@
 #include "base/progress.h"
 #include "base/run.h"
 #include "base/shutdown.h"
+#include "base/split.h"
+#include "base/value.h"
 #include "image/header.h"
 #include "image/stream.h"
 #include "edits.h"
@@ -176,6 +178,18 @@ image::Picture start_picture(const Run& run, const Options& opt, const Sky& sky,
     return picture;
 }
 
+// "what x y": one line, with the words of the question, the number of the edit and what is there (render/seen.h).
+void answer_what(const Run& run, const std::string& rest) {
+    carry_out([&] {
+        const std::vector<std::string> words = base::split_words(rest);
+        const std::string place = run.opt.control;
+        if (words.size() != 2) base::fail(place, "what: needs two fractions of the picture");
+        const double x = base::to_real(words[0], place), y = base::to_real(words[1], place);
+        const std::string seen = run.session->renderer().seen(run.session->scene(), x, y);
+        base::say("ptrace: what " + words[0] + " " + words[1] + "\t" + std::to_string(run.edits) + "\t" + seen);
+    });
+}
+
 // One view under one sky, again after each edit.  last: of the run, which with -watch waits for edits then.
 void render_view(Run& run, const Sky& sky, size_t i, bool last) {
     for (int64_t from = run.opt.first; !base::shutdown_requested();) {
@@ -227,6 +241,7 @@ int render_all(Options options) {
         if (!run.session) {
             run.session.emplace(start(only_rule ? "cpu" : opt.device), opt.scene_files);
             if (is_live(opt)) run.session->renderer().cancel_when(&run.control.edit_waits());
+            run.control.answer_with([&run](const std::string& words) { answer_what(run, words); });
         }
         const bool keep = is_live(opt) || opt.views.size() > 1 || opt.pixel;
         run.session->load(std::move(scene), sky.file, setup, keep);

@@ -205,6 +205,7 @@ std::optional<int> parse(int argc, char** argv, const std::vector<std::string>& 
     opt.scene_files = base::open_folders(opt.scene_files, opt.files);
     choose_views(rad_input, rad_input && !operands->empty() ? operands->front() : "", table, opt);
     opt.command = table.command();
+    opt.render.names = opt.pixel || !opt.control.empty();
     if (opt.one_picture) {
         if (opt.watch || !opt.control.empty())
             base::fail("-picture", "is one picture: -watch and -control steer a stream");

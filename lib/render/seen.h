@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The surfaces that the eye sees at a place of the picture, by name: "what" of ptrace -control.
+#pragma once
+#include <string>
+#include "render/loaded_scene.h"
+#include "view/view.h"
+
+namespace render {
+
+// x, y: fractions of the picture from its lower left corner.  Clear surfaces from the eye on, and the one at which the
+// eye's ray ends; at most five.  Each is eight fields with tabs between them: name, type, place, material, its type and
+// place, point or direction, its real arguments if they are few.  Empty: nothing is seen there.
+// scene: that of the tables, which were made with Options::names.
+std::string seen_at(const LoadedScene& loaded, const scene::Scene& scene, const view::View& view, double x, double y);
+
+}  // namespace render
