@@ -159,7 +159,7 @@ Answer answer_query(const Live& live, const Files& files, const std::string& pat
     if (path == "/variant") {
         const auto picture = live.ask([&](const Design& d) {
             const Design::Variant* v = d.variant(arguments("name"));
-            return v ? v->picture : nullptr;
+            return v ? v->picture : arguments("name").empty() ? d.before : nullptr;
         });
         return picture ? packed("{\"picture\":0" + facts(*picture) + "}", picture.get()) : plain(404, "no picture");
     }

@@ -4,9 +4,14 @@
 
 #include <algorithm>
 
+#include "base/number.h"
 #include "live/fifo.h"
 
 namespace live {
+
+std::string overlaying(const TextFile& f, const std::optional<std::string>& text) {
+    return "overlay " + f.path + " " + (text ? std::to_string(text->size()) + "\n" + *text : "-\n");
+}
 
 namespace {
 
@@ -38,11 +43,6 @@ Answer control(const Commanded& to, const std::string& text) {
     Answer answer = to_fifo(to, text.empty() || text.back() == '\n' ? text : text + "\n");
     if (answer.status == 204) to.live.change([&](Design& d) { d.obey(text); });
     return answer;
-}
-
-// A line and, behind it, the text that stands for a file; nothing: the one on the disk.
-std::string overlaying(const TextFile& f, const std::optional<std::string>& text) {
-    return "overlay " + f.path + " " + (text ? std::to_string(text->size()) + "\n" + *text : "-\n");
 }
 
 // A text that stands for a file of -edit until the file changes on the disk; nothing: the last change is undone.
@@ -129,6 +129,16 @@ Answer place(const Commanded& to, const Arguments& asked) {
 }
 
 }  // namespace
+
+std::optional<Answer> answer_what(const Commanded& to, const Arguments& asked) {
+    double x, y;
+    if (!base::parse_real(asked("x"), x) || !base::parse_real(asked("y"), y)) return plain(400, "no place");
+    const std::string words = asked("x") + " " + asked("y");
+    if (auto seen = to.live.seen(words)) return Answer{200, "text/plain; charset=utf-8", *seen};
+    if (!to.live.asks(words)) return std::nullopt;
+    const Answer sent = to_fifo(to, "what " + words + "\n");
+    return sent.status == 204 ? std::optional<Answer>() : sent;
+}
 
 void end_preview(const Commanded& to) {
     const auto since = to.live.ask([](const Design& d) { return d.preview; });

@@ -61,6 +61,7 @@ void Design::obey(const std::string& commands) {
     std::istringstream lines(commands);
     for (std::string line, word; std::getline(lines, line);) {
         std::istringstream(line) >> word;
+        if (word == "what") continue;
         if (word != "next") paused = word == "pause";
         if (word == "preview") preview = std::chrono::steady_clock::now();
         else if (word != "pause") preview.reset();
@@ -138,6 +139,7 @@ void Design::show(const Variant& v) {
 
 void Design::pictured(const std::shared_ptr<const image::Picture>& picture) {
     if (picture->header.edited == "preview") return;
+    if (newest_ && newest_->header.edit != picture->header.edit) before = newest_;
     newest_ = picture;
     const int64_t edit = picture->header.edit.value_or(0);
     const auto frames = [](const auto& p) { return p ? p->header.frames.value_or(0) : -1; };
@@ -189,7 +191,8 @@ std::string Design::json() const {
         out += (&v == variants.data() ? "" : ",") + ("{\"name\":" + json::text(v.name)) +
                ",\"edit\":" + std::to_string(v.edit) + ",\"shown\":" + (shows(v) ? "true" : "false") +
                ",\"numbers\":" + json::list(base::split_list(v.numbers, '\n')) + "}";
-    return out + "],\"base\":" + json::text(base) + ",\"earlier\":" + json::list(earlier) +
+    out += "],\"before\":" + std::to_string(before ? before->header.edit.value_or(0) : -1) + ",\"day\":" + day;
+    return out + ",\"base\":" + json::text(base) + ",\"earlier\":" + json::list(earlier) +
            ",\"views\":" + json::list(views) + ",\"messages\":" + json::list({messages.begin(), messages.end()}) +
            ",\"current\":" + std::to_string(current) + ",\"paused\":" + (paused ? "true}" : "false}");
 }

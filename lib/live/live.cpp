@@ -6,8 +6,14 @@
 
 namespace live {
 
+namespace {
+constexpr std::chrono::seconds patience{3};  // for an answer of ptrace
+constexpr size_t most_questions = 1000;
+}  // namespace
+
 void Live::put_picture(image::Picture picture) {
     put([&] {
+        if (!picture_ || picture.header.edit != picture_->header.edit) questions_.clear();
         if (design_.note(picture.header)) ++designs_;
         picture_ = std::make_shared<const image::Picture>(std::move(picture));
         design_.pictured(picture_);
@@ -28,6 +34,32 @@ void Live::put_end(int status) {
 
 void Live::put_file_change() {
     put([&] { ++file_changes_; });
+}
+
+void Live::put_seen(const std::string& line) {
+    put([&] {
+        const size_t words = line.find("what ") + 5, end = std::min(line.find('\t'), line.size() - 1);
+        questions_[line.substr(words, end - words)].answer = line.substr(end + 1);
+    });
+}
+
+std::optional<std::string> Live::seen(const std::string& words) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = questions_.find(words);
+    if (found == questions_.end() || !picture_) return std::nullopt;
+    const std::string edit = std::to_string(picture_->header.edit.value_or(0)) + "\t", &answer = found->second.answer;
+    if (answer.compare(0, edit.size(), edit) != 0) return std::nullopt;
+    return answer.substr(edit.size());
+}
+
+bool Live::asks(const std::string& words) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto now = std::chrono::steady_clock::now();
+    if (questions_.size() > most_questions) questions_.clear();
+    Question& q = questions_[words];
+    if (now - q.asked < patience) return false;
+    q.asked = now;
+    return true;
 }
 
 std::optional<Live::News> Live::since(Numbers known, bool knows_end) const {

@@ -2,7 +2,9 @@
 // The newest picture and the lines of the metrics, for the page, each numbered from 1, and the design.  Written by the
 // threads that pass the bytes on, read by the web server; all functions may be called from any thread.
 #pragma once
+#include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -23,6 +25,10 @@ public:
     void put_line(std::string line);
     void put_end(int status);  // the pipe has ended with this status
     void put_file_change();    // a file that the page shows is not what it was
+    void put_seen(const std::string& line);  // ptrace's answer to "what"
+    // That answer, if it is of the newest picture's edit.
+    std::optional<std::string> seen(const std::string& words) const;
+    bool asks(const std::string& words);  // the question is to be put (again)
 
     // Changes the design; the page gets its new state.
     template <class CHANGE>
@@ -64,6 +70,11 @@ private:
     size_t pictures_ = 0, file_changes_ = 0, designs_ = 0;
     std::vector<std::string> lines_;
     Design design_;
+    struct Question {
+        std::chrono::steady_clock::time_point asked;
+        std::string answer;  // the number of the edit and what is there; empty: none yet
+    };
+    std::map<std::string, Question> questions_;  // to ptrace, about the newest picture
     std::optional<int> ended_;
 };
 

@@ -10,8 +10,11 @@
 
 #include "base/descriptor.h"
 #include "base/error.h"
+#include "base/split.h"
 
 namespace live {
+
+constexpr size_t longest_line = 4000;
 
 // Opened for both ways: it is there before its writers and does not end with them.
 Messages::Messages(const std::string& fifo, Live& live) : live_(live) {
@@ -25,6 +28,7 @@ Messages::~Messages() {
     ends_ = true;
     thread_.join();
     pass_on();
+    take_line();
     close(fd_);
 }
 
@@ -38,13 +42,23 @@ void Messages::listen() {
 void Messages::pass_on() {
     char block[4096];
     for (ssize_t n; (n = ::read(fd_, block, sizeof block)) > 0;) {
-        base::write_all(2, block, size_t(n));
         for (const char* c = block; c != block + n; ++c) {
             if (*c != '\n') line_ += *c;
-            else if (!line_.empty()) live_.change([&](Design& d) { d.tell(std::move(line_)); }), line_.clear();
-            if (line_.size() > 1000) line_.resize(1000);
+            else take_line();
+            if (line_.size() > longest_line) line_.resize(longest_line);
         }
     }
+}
+
+void Messages::take_line() {
+    if (base::begins_with(line_, "ptrace: what ")) {
+        live_.put_seen(line_);
+    } else if (!line_.empty()) {
+        const std::string line = line_ + "\n";
+        base::write_all(2, line.data(), line.size());
+        live_.change([&](Design& d) { d.tell(line_); });
+    }
+    line_.clear();
 }
 
 }  // namespace live

@@ -19,6 +19,7 @@ public:
 private:
     void listen();
     void pass_on();
+    void take_line();
     Live& live_;
     int fd_;
     std::string line_;

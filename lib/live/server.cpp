@@ -16,6 +16,7 @@
 
 #include "live/answers.h"
 #include "live/commands.h"
+#include "live/day.h"
 #include "live/design_file.h"
 #include "base/descriptor.h"
 #include "base/error.h"
@@ -70,11 +71,13 @@ struct Server::State {
     Visitors visitors;
 
     std::optional<DesignFile> design;
+    std::optional<Day> day;
     std::string against = "previous", said_against;
 
     State(Live& l, const ServerOptions& o) : live(l), options(o) {
         live.change([&](Design& d) { d.texts.resize(files.size()); });
         design.emplace(options.design, files, live);
+        day.emplace(options.day, options.hours, files, live);
         std::string asked;
         std::getline(std::ifstream(options.against), asked);
         if (asked == "first") against = asked;
@@ -99,6 +102,7 @@ struct Server::State {
             give_opened(to);
             end_preview(to);
             design->look();
+            day->look();
             say_base();
             lock.lock();
             if (!changed && Clock::now() - woken < longest_wait / 4) continue;
@@ -183,6 +187,8 @@ struct Server::State {
             return send(connection, {MHD_HTTP_OK, std::string(file->type), std::string(file->text)});
         if (path == "/next") return wait_for(connection, request, [&] { return answer_next(live, asked); });
         if (path == "/sources") return wait_for(connection, request, [&] { return answer_sources(*sources, asked); });
+        if (path == "/what")
+            return wait_for(connection, request, [&] { return answer_what({live, files, options.control}, asked); });
         if (path == "/facts") return send(connection, facts());
         return send(connection, answer_query(live, files, path, asked));
     }

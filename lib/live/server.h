@@ -8,6 +8,7 @@
 //   GET /srgb                    thresholds of the codes 1 to 255
 //   GET /pixel?x=&y=             what is known of a pixel (pixel.h)
 //   GET /sources?picture=        the glare sources of picture P or a newer one (sources.h); waits for them
+//   GET /what?x=&y=              what ptrace sees at fractions of the newest picture; waits for it (what, ptrace(1))
 //   GET /save?as=hdr             the newest picture as a file, hdr or exr
 //   GET /facts                   what vcview was started with
 //   GET /file?n=                 text N of those that the page may show, with its tag (ETag)
@@ -18,7 +19,7 @@
 //   POST /overlay?n=&version=&said=&going=   a text that ptrace takes for file N, made from this version of it (412 if
 //                                there is a newer one); said: words for the edit; going: more of the same change
 //                                follows
-//   GET /variant?name=           the picture of that variant, as /next has it
+//   GET /variant?name=           the picture of that variant, as /next has it; without a name that of the edit before
 //   POST /variant?name=&do=      keep (no name: the next letter), show, base, drop, or call (to=NAME)
 //   POST /place?name=&do=        keep the view under a name, or drop it
 //   POST /back                   asks for the view before this one
@@ -37,6 +38,7 @@ struct ServerOptions {
     std::string control;               // FIFO of ptrace -control; empty: none
     Files files;                       // that the page may show or change
     std::string design;                // file that the design is read from and written to; empty: none
+    std::string day, hours;            // FIFOs of the pipe that renders the hours (day.h); empty: none
     std::string against;               // file of vcmetrics -against; empty: none
     std::vector<std::string> sources;  // the program that lists glare sources (sources.h)
 };

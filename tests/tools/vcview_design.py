@@ -79,6 +79,10 @@ check('a change of an old version is refused, any other is taken', not wrong and
 third = Window()
 for n in range(len(names)): third.read(n)
 check('a window that comes later has the texts of the model', [k[0] for k in third.known] == model)
+for _ in range(100):  # all that was sent has arrived
+    size = len(open(sys.argv[2], 'rb').read())
+    time.sleep(.1)
+    if size == len(open(sys.argv[2], 'rb').read()): break
 got = open(sys.argv[2], 'rb').read()
 last = {}
 for found in re.finditer(rb'(?:note [^\n]*\n)?overlay (\S+) (\d+|-)\n', got):

@@ -48,6 +48,8 @@ std::optional<Options> parse_options(int argc, char** argv) {
           o.server.design);
     t.add("-against file", "File of vcmetrics -against, which the page writes: it chooses the variant to compare with",
           o.server.against);
+    t.add("-day control lines", "FIFOs of a pipe that renders the hours of the day while the picture is good enough",
+          [&](base::Arguments& a) { o.server.day = a.text(), o.server.hours = a.text(); });
     const auto operands = t.parse(int(dashes - argv), argv);
     if (!operands) return std::nullopt;
     if (!operands->empty())

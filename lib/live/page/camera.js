@@ -23,6 +23,7 @@ export class Camera {
       $('place-name').value = '';
     });
     for (const id of ['azimuth', 'elevation']) $(id).addEventListener('change', () => this.aim(Number($('azimuth').value), Number($('elevation').value)));
+    for (const [id, by] of [['left', -45], ['right', 45]]) $(id).addEventListener('click', () => this.aim(Number($('azimuth').value) + by, Number($('elevation').value)));
     $('drag').addEventListener('change', () => { $('canvas').style.cursor = this.mode === 'picture' ? '' : 'grab'; });
   }
 

@@ -1,9 +1,11 @@
 // Asks vcview for news, again as soon as the last answer is drawn; so a slow page gets fewer pictures, not late ones.
 import { Camera } from '/camera.js';
+import { Day } from '/day.js';
 import { Edits } from '/edits.js';
 import { ask, command, Lost, unpack } from '/net.js';
 import { PictureView } from '/picture.js';
 import { Lines, fill_table, plot } from '/plot.js';
+import { Pointed } from '/pointed.js';
 import { follow } from '/pointer.js';
 import { Probe } from '/probe.js';
 import { Regions } from '/regions.js';
@@ -21,13 +23,16 @@ const view = new PictureView($('canvas')), tones = new Tones(view), lines = new 
 let news = { picture: 0, line: 0, files: 0, design: 0 }, shown = null, ended, lost = false, refused = false, paused = false, came;
 
 const regions = new Regions(view, () => shown?.eye ? shown : null);
-const sources = new Sources(view), edits = new Edits(draw_edits), sliders = new Sliders();
+const edits = new Edits(draw_edits), sliders = new Sliders();
 const camera = new Camera(() => shown, () => regions.pivot());
 const variants = new Variants((text) => camera.say(text), (rgb) => tones.compare_with(rgb), (edit) => {
   const rows = lines.runs.find((r) => r.edit === edit)?.rows;
   return rows && verdict(glare_of(lines.columns), rows[rows.length - 1]).number;
 });
-const probe = new Probe([(x, y) => regions.at(x, y).map((name) => `in ${name}`).join(', '), (x, y) => sources.at(x, y)]);
+const day = new Day(sliders);
+const pointed = new Pointed(() => shown, sliders);
+const sources = new Sources(view, (x, y) => pointed.words(x, y, true));
+const probe = new Probe([(x, y) => regions.at(x, y).map((name) => `in ${name}`).join(', '), (x, y) => sources.at(x, y)], (x, y) => pointed.words(x, y));
 
 function draw_numbers() {
   const names = lines.metrics().filter((name) => !name.endsWith('.px'));  // a band in the plot of its metric
@@ -66,10 +71,11 @@ async function take_state(state) {
   paused = state.paused;
   edits.take(state.edits, state.earlier, state.variants, state.base);
   lines.keeps = new Set(state.variants.map((v) => v.edit));
-  variants.take(state.variants, state.base);
+  variants.take(state.variants, state.base, state.before);
   show_messages(state);
   camera.take(state.views, state.places);
   await sliders.take(state.texts);
+  day.take(state.day);
 }
 
 async function take(answer) {
@@ -144,7 +150,7 @@ follow(view, [regions, camera], (at) => probe.show(at, shown), (e, at) => {
   if (!(tones.wiping && e.shiftKey)) return false;
   tones.wipe_to(Math.max(0, Math.min(1, at.x / shown.width)));
   return true;
-});
+}, (at) => pointed.choose(at.x, at.y));
 
 const keys = {
   'f': () => view.fit(), '+': () => view.zoomBy(1.5), '=': () => view.zoomBy(1.5), '-': () => view.zoomBy(1 / 1.5),

@@ -5,27 +5,49 @@ const number = /(?<![\w.:+-])[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?(?![\w.:])/gi
 // Comments, commands with the lines that continue them, and words.
 const token = /#[^\n]*|![^\n]*(?<=\\)(?:\n[^\n]*(?<=\\))*\n[^\n]*|![^\n]*|\S+/g;
 
-// Where numbers may stand: commands, and arguments behind their counts (modifier type name n words n words n words; an
-// alias has none).
-function arguments_in(text) {
+// The primitives and commands of a text: { start, end, line, command, type, name, arguments: places of words, reals: those of
+// real arguments }.  Arguments stand behind their counts (modifier type name n words n words n words; an alias has none).
+export function things_in(text) {
   const all = [];
-  let seen = 0, left = 0, lists = 0;  // words of the primitive; arguments that come; lists that come behind them
+  let thing, left = 0, lists = 0, line = 1, counted = 0;  // arguments that come; lists that come behind them
+  const begin = (start, facts) => {
+    for (; counted < start; counted++) line += text[counted] === '\n';
+    all.push(thing = { start, line, words: [], arguments: [], reals: [], ...facts });
+  };
   for (const { 0: word, index } of text.matchAll(token)) {
+    const place = [index, index + word.length];
     if (word[0] === '#') continue;
-    if (word[0] === '!' && !seen) all.push([index, index + word.length]);
-    else if (left) { left--; all.push([index, index + word.length]); }
-    else if (lists) { lists--; left = Math.max(0, Number.parseInt(word, 10) || 0); }
-    else if (++seen === 2 && word === 'alias') seen = -2;
-    else if (seen === 3) lists = 3;
-    if (!left && !lists && seen === 3) seen = 0;
+    if (!thing && word[0] === '!') {
+      begin(index, { command: true });
+      thing.arguments.push(place);
+    } else if (left) {
+      left--;
+      thing.arguments.push(place);
+      if (!lists) thing.reals.push(place);
+    } else if (lists) {
+      lists--;
+      left = Math.max(0, Number.parseInt(word, 10) || 0);
+    } else {
+      if (!thing) begin(index);
+      thing.words.push(word);
+      if (thing.words.length === 3 && thing.words[1] !== 'alias') lists = 3;
+    }
+    thing.end = index + word.length;
+    const { words, command } = thing;
+    if (command || (!left && !lists && words.length === (words[1] === 'alias' ? 4 : 3))) {
+      [, thing.type, thing.name] = words;
+      thing = null;
+    }
   }
   return all;
 }
 
 // [{ start, end, value, whole }] of a scene file; comments and counts of arguments are left out.  whole: a number of
 // repetitions (xform -a).
-export const numbers_in = (text) => arguments_in(text).flatMap(([from, to]) => [...text.slice(from, to).matchAll(number)]
+export const numbers_in = (text) => things_in(text).flatMap((thing) => numbers_of(text, thing));
+export const numbers_of = (text, thing) => thing.arguments.flatMap(([from, to]) => [...text.slice(from, to).matchAll(number)]
   .map((m) => ({ start: from + m.index, end: from + m.index + m[0].length, value: Number(m[0]),
+    option: /(?:\s(-[a-z]+)(?:\s+[-+.\de]+)*?\s+)?$/i.exec(text.slice(from, from + m.index))[1],
     whole: /xform\b[^|]*\s-[ai]\s+$/.test(text.slice(from, from + m.index)) })));
 
 const sky = /^!.*\b(gensky|gendaylit)[ \t]+(\d+)[ \t]+(\d+)[ \t]+(\+?)(\d+(?:\.\d*)?|\.\d+|\d+:\d+)/gm;
@@ -54,7 +76,58 @@ export function with_sky(text, k, day, hour) {
   });
 }
 
-export const with_number = (text, { start, end }, value) => text.slice(0, start) + String(Number(value.toPrecision(6))) + text.slice(end);
+const digits = (value) => String(Number(value.toPrecision(6)));
+export const with_number = (text, { start, end }, value) => text.slice(0, start) + digits(value) + text.slice(end);
+const reals_of = (text, thing) => thing.reals.map(([from, to]) => Number(text.slice(from, to)));
+function with_reals(text, thing, values) {
+  for (let k = values.length - 1; k >= 0; k--) text = with_number(text, { start: thing.reals[k][0], end: thing.reals[k][1] }, values[k]);
+  return text;
+}
+
+// What the first three numbers of a material mean; null: no colour.
+export const colour_of = ({ type }) => /^(plastic|metal|trans|mirror)$/.test(type) ? 'reflectance' : type === 'glass' ? 'transmissivity'
+  : /^(light|glow|spotlight|illum)$/.test(type) ? 'radiance' : null;
+const grey = ([r, g, b]) => .265 * r + .67 * g + .065 * b;
+
+// { value, most } of its colour as one grey; what is reflected or passes is at most all.
+export function grey_of(text, thing) {
+  const rgb = reals_of(text, thing).slice(0, 3), value = grey(rgb);
+  return { value, most: colour_of(thing) === 'radiance' ? 2 * value || 100 : value > 0 ? value / Math.max(...rgb) : 1 };
+}
+
+// The text with that grey; the hue stays.
+export function with_grey(text, thing, value) {
+  const rgb = reals_of(text, thing).slice(0, 3), now = grey(rgb);
+  return with_reals(text, thing, rgb.map((v) => now > 0 ? v * value / now : value));
+}
+
+// The text with a primitive or a command's surfaces moved along an axis.
+export function with_move(text, thing, axis, by) {
+  if (!thing.command) {
+    const points = { polygon: Infinity, sphere: 3, bubble: 3, ring: 3, cylinder: 6, tube: 6, cone: 6, cup: 6 }[thing.type] ?? 0;
+    return with_reals(text, thing, reals_of(text, thing).map((v, k) => k < points && k % 3 === axis ? Number((v + by).toFixed(6)) : v));
+  }
+  const line = text.slice(thing.start, thing.end), moved = / \| xform -t (\S+) (\S+) (\S+)$/.exec(line);
+  const place = moved ? moved.slice(1).map(Number) : [0, 0, 0];
+  place[axis] += by;
+  const head = moved ? line.slice(0, moved.index) : line, back = place.every((v) => Math.abs(v) < 1e-6);
+  return text.slice(0, thing.start) + head + (back ? '' : ` | xform -t ${place.map(digits).join(' ')}`) + text.slice(thing.end);
+}
+
+// A roller shade before the upper half of a window: [text, name].  corners: four points; eye: a point on its side.
+export function with_shade(text, corners, eye) {
+  let n = 1;
+  while (text.includes(`roller_shade_${n}`)) n++;
+  const less = (a, b) => a.map((v, k) => v - b[k]), dot = (a, b) => a.reduce((sum, v, k) => sum + v * b[k], 0);
+  const [a, b] = [less(corners[1], corners[0]), less(corners[2], corners[0])];
+  const normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const off = (dot(normal, less(eye, corners[0])) < 0 ? -.02 : .02) * Math.hypot(...b) / Math.hypot(...normal);
+  const heights = corners.map((c) => c[2]), middle = (Math.min(...heights) + Math.max(...heights)) / 2;
+  const upright = Math.max(...heights) - Math.min(...heights) > .1 * Math.hypot(...b);
+  const points = corners.map((c) => [c[0], c[1], upright ? Math.max(c[2], middle) : c[2]].map((v, k) => digits(v + off * normal[k])).join(' '));
+  const name = `roller_shade_${n}`;
+  return [`${text.replace(/\n?$/, '\n')}\nvoid trans ${name}_fabric\n0\n0\n7 .6 .6 .6 0 0 .2 0\n\n${name}_fabric polygon ${name}\n0\n0\n12 ${points.join('  ')}\n`, name];
+}
 
 // [least, largest] of a slider that begins at a value.
 export function range_of(value) {

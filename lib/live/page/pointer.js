@@ -2,9 +2,10 @@
 // wheel zoom.
 
 // takers: objects with down(at, place, reach) -> taken, move(at, place, event), up(); hover(at): of a pixel, or null.
-export function follow(view, takers, hover, event_of_drag) {
+// click(at): of a pixel, where the pointer was pressed and has not moved.
+export function follow(view, takers, hover, event_of_drag, click) {
   const canvas = view.canvas, fingers = new Map();
-  let taker = null, last = null;
+  let taker = null, last = null, pressed = null;
 
   const where = (e) => {
     const at = view.place(e.clientX, e.clientY);
@@ -15,7 +16,7 @@ export function follow(view, takers, hover, event_of_drag) {
     if (!view.image.width) return;
     canvas.setPointerCapture(e.pointerId);
     fingers.set(e.pointerId, e);
-    last = e;
+    last = pressed = e;
     if (fingers.size > 1) return;
     const [at, place] = where(e);
     taker = takers.find((t) => t.down(at, place, 1 / view.scale(), e)) ?? null;
@@ -42,6 +43,9 @@ export function follow(view, takers, hover, event_of_drag) {
 
   const end = (e) => {
     fingers.delete(e.pointerId);
+    const still = pressed?.pointerId === e.pointerId && Math.hypot(e.clientX - pressed.clientX, e.clientY - pressed.clientY) < 4;
+    const at = !taker && still && e.type === 'pointerup' && view.pixel(e.clientX, e.clientY);
+    if (at) click(at);
     taker?.up(e);
     taker = null;
   };

@@ -21,6 +21,7 @@ export class Regions {
     this.drawing = null;   // { kind, points } while a new one is drawn
     this.drag = null;
     for (const kind of ['circle', 'rect', 'polygon']) $(`draw-${kind}`).addEventListener('click', () => this.begin(kind));
+    $('draw-pair').addEventListener('click', () => this.begin('rect', pair));
     $('regions-undo').addEventListener('click', () => this.undo());
     for (const name of pair) $(`contrast-${name}`).addEventListener('change', (e) => this.save(set_region(name, e.target.value)));
     view.overlays.push((...c) => this.draw(...c));
@@ -183,20 +184,26 @@ export class Regions {
 
   // ---- drawing a new one
 
-  begin(kind) {
+  // names: of so many one after another; else it is named by whoever draws it.
+  begin(kind, names = []) {
     const picture = this.picture();
     if (!picture || !this.file?.writable) return;
-    this.drawing = { kind, points: [] };
-    this.say({ circle: 'Drag from the centre outward', rect: 'Drag from corner to corner',
+    this.drawing = { kind, points: [], names };
+    this.say(names.length ? `Drag over ${names[0] === pair[0] ? 'the darker part' : 'the brighter part'}; Escape ends.` : { circle: 'Drag from the centre outward', rect: 'Drag from corner to corner',
       polygon: 'Click at each corner; Enter or a click on the first ends it' }[kind] + '. Enter draws one in the middle; Escape ends.');
     $('canvas').focus();
   }
 
   async end(shape) {
+    const { kind, names } = this.drawing;
     this.drawing = null;
     this.drag = null;
     this.say('');
     if (!shape) return this.view.draw();
+    if (names.length) {
+      await this.save(set_region(names[0], shape_text(shape)), names[0]);
+      return names.length > 1 ? this.begin(kind, names.slice(1)) : undefined;
+    }
     const name = free_name(this.file.text);
     await this.save(add(name, shape_text(shape)), name);
     const field = document.querySelector(`#regions .name[data-region="${name}"]`);

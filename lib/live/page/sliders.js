@@ -72,10 +72,11 @@ export class Sliders {
 
   // ---- changes
 
-  // going: a slider is still moved.
-  set(text, going = false) {
+  // going: a slider is still moved; said: words for the edit.
+  set(text, going = false, said = '') {
     const one = this.now;
     if (text === one.text) return;
+    one.said = said;
     one.going = going;
     one.text = text;
     this.send(one);
@@ -124,7 +125,7 @@ export class Sliders {
   }
 
   async send_text(one) {
-    const text = one.text, said = difference_of(one.rested, text, one.file.name);
+    const text = one.text, said = one.said || difference_of(one.rested, text, one.file.name);
     const question = new URLSearchParams({ n: one.file.n, version: one.version, said, going: one.going ? '1' : '' });
     try {
       const answer = await ask(`/overlay?${question}`, { method: 'POST', body: text });
@@ -169,6 +170,14 @@ export class Sliders {
     this.show_text();
     this.show_number();
     this.mark();
+  }
+
+  // The hour of a file's first sky, and another one in its place.
+  hour(n) { return skies_in(this.files.find((one) => one.file.n === n)?.text ?? '')[0]?.hour; }
+  go_to(n, hour) {
+    const one = this.files.find((f) => f.file.n === n);
+    this.choose(one);
+    this.set(with_sky(one.text, 0, skies_in(one.text)[0].day, hour));
   }
 
   // The file that Undo, Revert and Save are about.

@@ -9,8 +9,9 @@ const $ = (id) => document.getElementById(id);
 const css = '#ffb347', chosen_css = '#fff2d8';
 
 export class Sources {
-  constructor(view) {
-    this.view = view;
+  // what(x, y): names what is there, in a while.
+  constructor(view, what) {
+    Object.assign(this, { view, what });
     this.all = [];
     this.chosen = null;  // a number
     this.asking = false;
@@ -52,11 +53,14 @@ export class Sources {
     fill_rows($('sources').tBodies[0], this.all.map((s) => {
       const row = document.createElement('tr');
       row.setAttribute('aria-selected', String(s.source === this.chosen));
+      const name = document.createElement('td');
+      if (s.peak) this.what(...s.peak.map(Math.floor)).then((text) => { name.textContent = text; });
       for (const text of [s.source, `${(100 * s.DGPshare).toFixed(1)} %`, short(s.L), short(s.omega), short(s.P)]) {
         const cell = document.createElement('td');
         cell.textContent = text;
         row.append(cell);
       }
+      row.append(name);
       const choose = () => { this.chosen = this.chosen === s.source ? null : s.source; this.fill_table(); };
       row.addEventListener('click', choose);
       row.addEventListener('keydown', (e) => { if (e.key === 'Enter') choose(); });

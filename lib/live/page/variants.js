@@ -10,19 +10,20 @@ export class Variants {
   constructor(say, other, numbers) {
     Object.assign(this, { say, other, numbers, all: [], known: '' });
     $('keep').addEventListener('click', () => this.keep());
-    $('with').addEventListener('change', () => this.fetch());
+    $('with').addEventListener('change', () => { this.picked = $('with').value; this.fetch(); });
   }
 
   async keep() { this.say(await act('keep')); }
 
-  // all: [{ name, edit, shown, numbers }]; base: a name.
-  take(all, base) {
-    const before = $('with').value;
+  // all: [{ name, edit, shown, numbers }]; base: a name; before: the edit before this one, whose picture has no name; -1: none.
+  take(all, base, before) {
     [this.all, this.base] = [all, base];
-    $('with').replaceChildren(...all.map((v) => new Option(v.name, v.name, false, v.name === before || (!before && v.name === base))));
+    this.others = [...(before < 0 ? [] : [{ name: '', edit: before }]), ...all];
+    const picked = this.others.some((v) => v.name === this.picked) ? this.picked : base;
+    $('with').replaceChildren(...this.others.map((v) => new Option(v.name || 'the edit before', v.name, false, v.name === picked)));
     $('variants-panel').hidden = !all.length;
-    $('compare').disabled = !all.length;
-    $('with').parentElement.hidden = all.length < 2;
+    $('compare').disabled = !this.others.length;
+    $('with').parentElement.hidden = this.others.length < 2;
     const as_text = JSON.stringify([all.map((v) => [v.name, v.edit, v.shown]), base]);
     if (as_text !== this.filled) this.fill();
     this.filled = as_text;
@@ -31,7 +32,7 @@ export class Variants {
 
   // Its picture, anew where that is another one.
   async fetch() {
-    const chosen = this.all.find((v) => v.name === $('with').value), key = chosen ? `${chosen.name} ${chosen.edit} ${chosen.shown}` : '';
+    const chosen = this.others.find((v) => v.name === $('with').value), key = chosen ? `${chosen.name} ${chosen.edit} ${chosen.shown}` : '';
     if (key === this.known) return;
     this.known = key;
     const answer = chosen && await ask(`/variant?name=${encodeURIComponent(chosen.name)}`);

@@ -1,0 +1,121 @@
+// What the picture shows at a place, as ptrace names it: surfaces from the eye on, with material, file and line.  A click
+// offers what can be changed there: the material's colour as one grey, what a line repeats and turns, where it stands, a shade.
+import { ask } from '/net.js';
+import { short } from '/picture.js';
+import { colour_of, grey_of, numbers_of, things_in, with_grey, with_move, with_number, with_shade } from '/model_text.js';
+
+const $ = (id) => document.getElementById(id);
+const fields = ['name', 'type', 'place', 'material', 'kind', 'defined', 'point', 'reals'];
+const two = (v) => String(Number(v.toFixed(2))).replace(/^(-?)0\./, '$1.');
+const make = (tag, facts, ...inside) => { const e = Object.assign(document.createElement(tag), facts); e.append(...inside); return e; };
+
+export class Pointed {
+  // picture(): { edit, width, height, eye } or null.
+  constructor(picture, sliders) {
+    Object.assign(this, { picture, sliders, known: new Map(), edit: null });
+  }
+
+  // Surfaces at a pixel, the nearest first; null: not known (any more).
+  async at(x, y) {
+    const p = this.picture();
+    if (!p || p.what === 'preview') return null;
+    if (p.edit !== this.edit) [this.edit, this.known] = [p.edit, new Map()];
+    const key = `${x} ${y}`, known = this.known;
+    if (!known.has(key)) {
+      const question = new URLSearchParams({ x: ((x + .5) / p.width).toFixed(5), y: (1 - (y + .5) / p.height).toFixed(5) });
+      known.set(key, ask(`/what?${question}`).then(async (answer) => {
+        if (answer.status !== 200) return known.delete(key), null;
+        const words = (await answer.text()).split('\t'), all = [];
+        while (words.length >= fields.length) all.push(Object.fromEntries(words.splice(0, fields.length).map((word, k) => [fields[k], word])));
+        return all;
+      }, () => null));
+    }
+    return known.get(key);
+  }
+
+  // For the line below the picture and the table of sources.
+  async words(x, y, last = false) {
+    const all = await this.at(x, y) ?? [], end = all[all.length - 1];
+    if (!end) return '';
+    if (last) return end.name;
+    return `${end.name} (${end.material}, ${end.place})${all.length > 1 ? ` behind ${all.slice(0, -1).map((s) => s.name).join(', ')}` : ''}`;
+  }
+
+  // ---- what can be changed there
+
+  async choose(x, y) {
+    $('here-panel').hidden = false;
+    $('here-panel').open = true;
+    $('here').replaceChildren('…');
+    const all = await this.at(x, y);
+    $('here').replaceChildren(...all?.length ? all.flatMap((surface) => this.describe(surface)) : ['nothing is known of this place']);
+    $('here-panel').scrollIntoView({ block: 'nearest' });
+  }
+
+  // The text of a file that the page changes, and what stands on a line of it; null: none.
+  find(place) {
+    const at = place.lastIndexOf(':'), one = this.sliders.files.find((f) => f.file.name === place.slice(0, at));
+    const thing = one && things_in(one.text).find((t) => t.line === Number(place.slice(at + 1)));
+    return thing ? { one, thing } : null;
+  }
+
+  describe(surface) {
+    const { name, type, place, material, kind, defined } = surface, stands = this.find(place), made = this.find(defined);
+    const parts = [make('p', {}, make('strong', {}, name), ` ${type}, ${place}; ${material} ${kind}${defined ? `, ${defined}` : ''}`)];
+    if (made && colour_of(made.thing)) parts.push(this.grey(material, defined));
+    if (stands) parts.push(...this.place(name, place));
+    const corners = type === 'polygon' && /^(glass|trans|dielectric|interface|BSDF|aBSDF)$/.test(kind) ? surface.reals.split(' ').map(Number) : [], file = this.shade_file(stands);
+    if (corners.length === 12 && file) parts.push(this.shade(name, corners, file));
+    return parts;
+  }
+
+  slider(place, title, least, most, value, words, change) {
+    let now = value;
+    const step = most === Math.round(most) && Number.isInteger(value) && least === 1 ? 1 : Number(((most - least) / 200).toPrecision(2));
+    return this.sliders.slider(title, least, most, step, value, words, (v, going) => {
+      const found = this.find(place);
+      if (!found) return;
+      const [text, said] = change(found.one.text, found.thing, v, now);
+      now = v;
+      this.sliders.choose(found.one);
+      this.sliders.set(text, going, said);
+    });
+  }
+
+  grey(material, place) {
+    const { one: { text }, thing } = this.find(place), { value, most } = grey_of(text, thing), radiance = colour_of(thing) === 'radiance';
+    const words = radiance ? short : two;
+    return this.slider(place, colour_of(thing), 0, most, value, words,
+      (now, at, v) => [with_grey(now, at, v), `${material}: ${words(value)} to ${words(v)}`]);
+  }
+
+  // What a line repeats and turns, and where it stands.
+  place(name, place) {
+    const { one: { text }, thing } = this.find(place), all = numbers_of(text, thing), line = place.replace(/.*[/]/, '');
+    const several = thing.command ? all.map((n, k) => [n, k]).filter(([n]) => n.whole || /^-r[xyz]$/.test(n.option)) : [];
+    return [...several.map(([n, k]) => this.slider(place, n.whole ? 'repeated' : 'turned, degrees', n.whole ? 1 : n.value - 90,
+      n.whole ? Math.max(8, 2 * n.value) : n.value + 90, n.value, (v) => two(v),
+      (now, at, v) => [with_number(now, numbers_of(now, at)[k], v), `${line}: ${two(n.value)} to ${two(v)}`])),
+    ...['moved along x', 'moved along y', 'moved up'].map((title, axis) => this.slider(place, title, -1, 1, 0, two,
+      (now, at, v, before) => [with_move(now, at, axis, v - before), `${name} ${title} by ${two(v)}`]))];
+  }
+
+  // The file that a shade is added to: that of the surface, else the last one without a sky.
+  shade_file(stands) {
+    const files = this.sliders.files.filter((f) => f.file.writable && !/^!.*\bgen(sky|daylit)\b/m.test(f.text));
+    return stands?.one ?? files[files.length - 1];
+  }
+
+  shade(name, numbers, one) {
+    const corners = [0, 3, 6, 9].map((k) => numbers.slice(k, k + 3));
+    const button = make('button', { type: 'button', textContent: `Add a shade to ${name}` });
+    button.addEventListener('click', () => {
+      const [text, shade] = with_shade(one.text, corners, this.picture().eye.vp);
+      this.sliders.choose(one);
+      this.sliders.set(text, false, `${shade} added to ${name}`);
+      const thing = things_in(text).find((t) => t.name === shade);
+      $('here').replaceChildren(make('p', {}, make('strong', {}, shade)), ...this.place(shade, `${one.file.name}:${thing.line}`));
+    });
+    return button;
+  }
+}

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Nine tasks of a designer in the page of luxpipe-live, and how many actions each takes: browser_tasks.py LINK SIZE
+#   An action is a click, a drag, a key or a field that is typed.  The table at the end is that of docs/live.md.
+import re, sys, time
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.keys import Keys
+from browser_page import Page, check, link_in, soon
+
+page = Page(link_in(sys.argv[1]), 1440, 900)
+side, SECONDS = int(sys.argv[2]), 90
+size = (side, side)
+text = lambda css: page.js('document.querySelector(arguments[0]).innerText', css)
+rows = lambda: page.js('[...document.querySelectorAll("#edits tbody tr")].map((r) => [...r.cells].map((c) => c.innerText))')
+values = lambda: page.js('Object.fromEntries([...document.querySelectorAll("#table tbody tr")].map((r) => '
+                         '[...r.cells].map((c) => c.innerText)).map(([name, ...v]) => [name, v]))')
+done = []
+
+
+class Task:
+    """Counts what a person does; the task has to be done with at most so many actions."""
+    def __init__(self, name, most): self.name, self.most, self.actions = name, most, 0
+
+    def __enter__(self):
+        self.begin = time.time()
+        return self
+
+    def __exit__(self, *_):
+        done.append((self.name, self.actions, time.time() - self.begin))
+        check(f'{self.name}: {self.most} actions or less', self.actions <= self.most, self.actions)
+
+    def click(self, css, words=''):
+        self.actions += 1
+        soon(lambda: [e for e in page.find(css) if words in e.text and e.is_displayed()])
+        found = [e for e in page.find(css) if words in e.text and e.is_displayed()]
+        check(f'{css} {words} can be clicked', found)
+        page.chrome.execute_script('arguments[0].scrollIntoView({block: "center"})', found[0])
+        found[0].click()
+
+    def key(self, keys, css='#canvas'):
+        self.actions += 1
+        page.one(css).send_keys(keys)
+
+    def type(self, css, words):
+        self.actions += 1
+        page.one(css).send_keys(Keys.CONTROL + 'a' + Keys.NULL, words, Keys.TAB)
+
+    def drag(self, *places):
+        self.actions += 1
+        page.drag(size, *[(x * side, y * side) for x, y in places])
+
+    def point(self, x, y): self.drag((x, y))
+
+    def slide(self, label, share):
+        """A press on the track of a slider: at this share of its width."""
+        self.actions += 1
+        slider = f'[...document.querySelectorAll(".sliders label")].find((l) => l.innerText.startsWith("{label}"))'
+        check(f'there is a slider: {label}', soon(lambda: page.js(slider)))
+        track = page.js(slider + '.querySelector("input")')
+        page.chrome.execute_script('arguments[0].scrollIntoView({block: "center"})', track)
+        wide = track.size['width']
+        ActionChains(page.chrome, duration=30).move_to_element_with_offset(track, round((share - .5) * wide), 0).click().perform()
+
+
+def difference(words):
+    """The newest row of the table of edits is that one, with a difference of DGPf and its interval."""
+    found = lambda: rows() and words in rows()[0][0] and re.search(r'\(.* to .*\)', rows()[0][3])
+    check(f'"{words}" has a difference', soon(found, SECONDS), rows()[:2])
+
+
+check('there are numbers', page.until('document.body.dataset.lines > 4', SECONDS))
+
+with Task('glare now, and from where', 1) as t:
+    check('a word and a number', soon(lambda: 'perceptible' in text('#verdict') and 'DGPf' in text('#glare'), SECONDS))
+    t.click('#sources-panel summary')
+    check('sources by name, with their share', soon(lambda: re.search(r'^\d+\t[\d.]+ %(\t[\d.]+){3}\t\w+', text('#sources tbody')), SECONDS),
+          text('#sources'))
+
+
+with Task('desk, and a screen with its contrast', 8) as t:
+    t.click('#draw-rect')
+    t.drag((.3, .65), (.35, .7), (.7, .8))
+    t.type('#regions [data-region=region1].name', 'desk')
+    t.click('#draw-pair')
+    t.drag((.42, .5), (.44, .55), (.5, .6))
+    soon(lambda: 'brighter' in text('#regions-say'))
+    t.drag((.53, .5), (.55, .55), (.62, .6))
+    for name in ('desk.TAL', 'low.TAL', 'high.TAL', 'low/high.CR'):
+        check(f'{name} has a value and an interval',
+              soon(lambda: all(re.match(r'[\d.]+$', v) for v in values().get(name, ['-'])), SECONDS), values())
+    plots = page.js('[...document.querySelectorAll("#plots figcaption")].map((c) => c.innerText)')
+    check('and a plot', {'desk.TAL', 'low/high.CR'} <= set(plots), plots)
+
+with Task('an hour of December without glare', 1) as t:
+    hour = '#day button.class0:not(.open)'
+    check('the hours come by themselves', soon(lambda: page.find(hour), SECONDS))
+    which = page.one(hour).get_attribute('data-hour')
+    t.click(f'#day button[data-hour="{which}"]')
+    difference(f'21 Dec {which}:00')
+    check('there is none', soon(lambda: text('#verdict') == '○ imperceptible', SECONDS), text('#verdict'))
+
+with Task('a shade', 2) as t:
+    t.point(.547, .43)
+    t.click('#here button', 'Add a shade to pane')
+    difference('roller_shade_1 added to pane')
+
+with Task('the blind lower', 2) as t:
+    t.point(.45, .37)
+    t.slide('repeated', .8)
+    difference('blind.rad:2: 20 to ')
+
+with Task('a darker wall', 2) as t:
+    t.point(.8, .3)
+    t.slide('reflectance', .4)
+    difference('wall_paint: .67 to .')
+    check('the hue stays', page.js('import("/model_text.js").then((m) => m.things_in(document.getElementById("model-text").innerText)'
+                                   '.find((t) => t.name === "wall_paint").reals.length)') == 5)
+
+with Task('look left by 45 degrees, and back', 4) as t:
+    t.click('.menu summary', 'View')
+    before = page.js('document.getElementById("azimuth").value')
+    t.click('#left')
+    check('it is 45 degrees', soon(lambda: rows()[0][0].startswith('view') and float(page.js(
+        'document.getElementById("azimuth").value')) == (float(before) - 45) % 360, SECONDS), (before, rows()[:2]))
+    soon(lambda: page.one('#back').is_enabled())
+    t.click('#back')
+    check('and back', soon(lambda: page.js('document.getElementById("azimuth").value') == before, SECONDS))
+
+with Task('before and after, side by side', 1) as t:
+    t.key('c')
+    check('two pictures', soon(lambda: page.js('document.getElementById("compare").value') == 'beside'))
+
+with Task('save', 2) as t:
+    t.click('.menu summary', 'Save')
+    t.click('#save-png')
+
+with Task('dark, narrow, by keyboard, at 200 %', 0) as t:
+    page.chrome.refresh()
+    page.until('document.body.dataset.lines > 4', SECONDS)
+    page.check_contrast()
+    for width, height in ((390, 800), (720, 450)):
+        page.resize(width, height)
+        check(f'all is within {width} pixels', soon(page.fits))
+    stops = page.js("""[...document.querySelectorAll('button, select, input, summary, a[href], [tabindex="0"]')]
+        .filter((e) => !e.disabled && e.tabIndex >= 0 && e.checkVisibility()).map((e) => e.id)""")
+    check('no more than 20 stops of the tab key lead to the hours and regions', 0 < stops.index('draw-circle') <= 20, stops)
+
+print(f'\n{"task":40}actions  seconds')
+for name, actions, seconds in done: print(f'{name:40}{actions:7}  {seconds:7.1f}')
+page.end()
