@@ -19,10 +19,10 @@ namespace live {
 
 namespace {
 
-constexpr int side = 64;                  // pixels
-constexpr int64_t last_frame = 8;         // of an hour
-constexpr int64_t good_enough = 32;       // frames of the page's picture
-constexpr int noon = 12;                  // the first hour
+constexpr int side = 64;             // pixels
+constexpr int64_t last_frame = 8;    // of an hour
+constexpr int64_t good_enough = 32;  // frames of the page's picture
+constexpr int noon = 12;             // the first hour
 constexpr double dark_lx = 1;
 
 // Night, beside the hour nearer to noon: no light, or none that this hour has not (lamps).
@@ -79,7 +79,9 @@ void Day::look() {
         }
     const auto picture = live_.picture();
     const bool moves = live_.ask([](const Design& d) { return d.preview.has_value(); });
-    if (!moves && sky_ && picture && picture->header.edited != "preview" && picture->header.frames.value_or(0) >= good_enough) ask_next();
+    if (!moves && sky_ && picture && picture->header.edited != "preview" &&
+        picture->header.frames.value_or(0) >= good_enough)
+        ask_next();
 }
 
 void Day::begin() {
@@ -173,7 +175,8 @@ void Day::show() {
         if (row[3] >= dark_lx)
             text += (text.empty() ? "" : ",") + json::numbers({double(hour), row[0], row[1], row[2]});
     text = sky_ ? "{\"file\":" + std::to_string(*sky_) + ",\"hours\":[" + text +
-                      "],\"ended\":" + (next_hour() ? "false}" : "true}") : "null";
+                      "],\"ended\":" + (next_hour() ? "false}" : "true}")
+                : "null";
     live_.change([&](Design& d) { d.day = text; });
 }
 

@@ -23,8 +23,8 @@ public:
 
     void put_picture(image::Picture picture);
     void put_line(std::string line);
-    void put_end(int status);  // the pipe has ended with this status
-    void put_file_change();    // a file that the page shows is not what it was
+    void put_end(int status);                // the pipe has ended with this status
+    void put_file_change();                  // a file that the page shows is not what it was
     void put_seen(const std::string& line);  // ptrace's answer to "what"
     // That answer, if it is of the newest picture's edit.
     std::optional<std::string> seen(const std::string& words) const;

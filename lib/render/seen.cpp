@@ -23,9 +23,9 @@ std::string named(const scene::Scene& scene, const scene::Object* o) {
 
 std::string line_of(const scene::Scene& scene, const scene::Object& o, base::Vec3 at) {
     const int32_t material = scene.material(o.modifier).object;
-    std::string text =
-        named(scene, &o) + "\t" + named(scene, material == scene::VOID ? nullptr : &scene.objects[size_t(material)]) +
-        fmt::format("\t{:.6g} {:.6g} {:.6g}\t", at.x, at.y, at.z);
+    std::string text = named(scene, &o) + "\t" +
+                       named(scene, material == scene::VOID ? nullptr : &scene.objects[size_t(material)]) +
+                       fmt::format("\t{:.6g} {:.6g} {:.6g}\t", at.x, at.y, at.z);
     const scene::Span<double> reals = scene.reals(o);
     if (reals.size() <= most_reals)
         for (size_t k = 0; k < reals.size(); ++k) text += fmt::format(k ? " {:.8g}" : "{:.8g}", reals[k]);

@@ -29,8 +29,10 @@ check 'hours come, the nearest to noon first' 'await "hours; [ -n \"\$(hour 11)\
 check 'they are those of a batch run of that hour' 'near "$(hour 12)" "$(batch 12)"; near "$(hour 11)" "$(batch 11)"'
 check 'another model has other hours; the view is that of the page' '
     sed "s/-a 20/-a 35/" blind.rad > low.rad
-    ask POST /control "view -vp 2 2.5 1.2" > /dev/null; ask POST "/overlay?n=3&version=0&said=low" "$(cat low.rad)" > /dev/null
-    hours; [ -z "$(hour 12)" ]; await "tail -n 1 lines | cut -f 3 | grep -qx 2"; rest; await "hours; [ -n \"\$(hour 12)\" ]"
+    ask POST /control "view -vp 2 2.5 1.2" > /dev/null
+    ask POST "/overlay?n=3&version=0&said=low" "$(cat low.rad)" > /dev/null
+    hours; [ -z "$(hour 12)" ]; await "tail -n 1 lines | cut -f 3 | grep -qx 2"; rest
+    await "hours; [ -n \"\$(hour 12)\" ]"
     near "$(hour 12)" "$(batch 12 "-vta -vp 2 2.5 1.2 -vd 0 -1 -.08 -vu 0 0 1 -vh 180 -vv 180" low.rad)"'
 check 'a click on an hour keeps them, another date does not' '
     sed "s/12 21 14/12 21 11/" sky_day.rad > then.rad; ask POST "/overlay?n=4&version=0" "$(cat then.rad)
