@@ -7,7 +7,7 @@ from selenium.webdriver.common.keys import Keys
 from browser_page import Page, check, link_in, soon
 
 page = Page(link_in(sys.argv[1]), 1440, 900)
-side, SECONDS = int(sys.argv[2]), 90
+side, SECONDS = int(sys.argv[2]), 300
 size = (side, side)
 text = lambda css: page.js('document.querySelector(arguments[0]).innerText', css)
 rows = lambda: page.js('[...document.querySelectorAll("#edits tbody tr")].map((r) => '
