@@ -14,7 +14,8 @@ using flatten::FlatScene;
 bool is_material_alone(const FlatScene& scene, uint32_t mod) {
     if (mod == NONE) return true;
     const Modifier& m = scene.modifiers[mod];
-    return m.type >= M_FIRST_MATERIAL && m.next == NONE && m.branch1 == NONE;
+    return m.type >= M_FIRST_MATERIAL && m.next == NONE && m.branch1 == NONE && m.rs_mod == NONE && m.ts_mod == NONE &&
+           m.td_mod == NONE;
 }
 
 bool all_materials_alone(const FlatScene& scene) {

@@ -23,7 +23,6 @@ namespace flatten {
 namespace {
 using namespace kernels;
 using scene::BsdfBasis;
-using scene::BsdfTable;
 using scene::BsdfTree;
 
 using base::pi;
@@ -34,21 +33,18 @@ double fraction(double x) { return x - std::floor(x); }
 
 class BsdfWriter {
 public:
-    BsdfWriter(const scene::Bsdf& b, cal::Code& code, const std::string& place) : b_(b), code_(code), place_(place) {}
+    BsdfWriter(const scene::Bsdf& b, BsdfRecords& out, cal::Code& code, const std::string& place)
+        : b_(b), out_(out), code_(code), place_(place) {}
 
     uint32_t write() {
-        for (const BsdfBasis& basis : b_.bases) bases_.push_back(add_basis(basis));
-        uint32_t comp[BSDF_COMPONENTS * BSDF_COMPONENT_WORDS];
-        for (int side = 0; side < 2; side++) {
-            uint32_t* r = comp + side * 2 * BSDF_COMPONENT_WORDS;
-            uint32_t* t = r + BSDF_COMPONENT_WORDS;
-            component(b_.reflection[size_t(side)], false, r);
-            const BsdfTable& own = b_.transmission[size_t(side)];
-            if (own.present) component(own, false, t);
-            else component(b_.transmission[size_t(1 - side)], true, t);  // reciprocity
+        for (const BsdfBasis& basis : b_.bases) rings_at_.push_back(add_basis(basis));
+        const uint32_t at = uint32_t(out_.components.size());
+        for (size_t side = 0; side < 2; side++) {
+            add_component(b_.reflection[side], false);
+            const scene::BsdfTable& own = b_.transmission[side];
+            if (own.present) add_component(own, false);
+            else add_component(b_.transmission[1 - side], true);  // reciprocity
         }
-        const uint32_t at = uint32_t(code_.words.size());
-        code_.words.insert(code_.words.end(), std::begin(comp), std::end(comp));
         return at;
     }
 
@@ -68,14 +64,14 @@ private:
     }
 
     uint32_t add_basis(const BsdfBasis& basis) {
-        std::vector<uint32_t> w{uint32_t(basis.count.size()), uint32_t(basis.cells())};
+        const uint32_t at = uint32_t(out_.rings.size());
         uint32_t first = 0;
         for (size_t k = 0; k < basis.count.size(); k++) {
             const auto cosine = [&](double deg) { return deg >= 90 ? 0.0f : float(std::cos(deg * pi / 180)); };
-            w.insert(w.end(), {bits(cosine(basis.theta[k])), bits(cosine(basis.theta[k + 1])), basis.count[k], first});
+            out_.rings.push_back({cosine(basis.theta[k]), cosine(basis.theta[k + 1]), basis.count[k], first});
             first += basis.count[k];
         }
-        return add_words(w);
+        return at;
     }
 
     static std::vector<float> psa_of(const BsdfBasis& basis) {
@@ -87,16 +83,18 @@ private:
         return psa;
     }
 
-    void component(const BsdfTable& t, bool swap, uint32_t* out) {
-        out[0] = NONE;
-        out[1] = bits(0.0f);
-        if (!t.present) return;
-        double diffuse = 0;
-        out[0] = t.tree.dims ? add_tree(t, swap, diffuse) : add_matrix(t, swap, diffuse);
-        out[1] = bits(float(diffuse));
+    void add_component(const scene::BsdfTable& t, bool swap) {
+        BsdfComponent component = {NONE, 0};
+        if (t.present) {
+            double diffuse = 0;
+            const BsdfTable table = t.tree.dims ? tree_table(t, swap, diffuse) : matrix_table(t, swap, diffuse);
+            component = {uint32_t(out_.tables.size()), float(diffuse)};
+            out_.tables.push_back(table);
+        }
+        out_.components.push_back(component);
     }
 
-    uint32_t add_matrix(const BsdfTable& t, bool swap, double& diffuse) {
+    BsdfTable matrix_table(const scene::BsdfTable& t, bool swap, double& diffuse) {
         const BsdfBasis &in = b_.bases[t.incident], &out = b_.bases[t.exit];
         const size_t ni = in.cells(), no = out.cells();
         std::vector<double> noise(ni * no);
@@ -127,21 +125,23 @@ private:
             hemi[v] = sums[v * nl + nl - 1];
         }
 
-        std::vector<uint32_t> w(BT_WORDS);
-        w[BT_KIND] = BSDF_MATRIX;
-        w[BT_SWAP] = swap;
-        w[BT_MIN_PSA] = bits(
-            std::min(*std::min_element(psa_v.begin(), psa_v.end()), *std::min_element(psa_l.begin(), psa_l.end())));
-        w[BT_V] = bases_[swap ? t.exit : t.incident];
-        w[BT_L] = bases_[swap ? t.incident : t.exit];
-        w[BT_NL] = uint32_t(nl);
-        w[BT_VALUES] = add_floats(values);
-        w[BT_MORE] = add_floats(sums);
-        w[BT_HEMI] = add_floats(hemi);
-        w[BT_PSA] = add_floats(psa_v);
-        w[BT_LPSA] = add_floats(psa_l);
-        w[BT_RGB] = rgb.empty() ? NONE : add_floats(rgb);
-        return add_words(w);
+        BsdfTable table{};
+        table.kind = BSDF_MATRIX;
+        table.swap = swap;
+        table.min_psa =
+            std::min(*std::min_element(psa_v.begin(), psa_v.end()), *std::min_element(psa_l.begin(), psa_l.end()));
+        table.v_rings_at = rings_at_[swap ? t.exit : t.incident];
+        table.v_rings = uint32_t((swap ? out : in).count.size());
+        table.l_rings_at = rings_at_[swap ? t.incident : t.exit];
+        table.l_rings = uint32_t((swap ? in : out).count.size());
+        table.l_cells = uint32_t(nl);
+        table.values = add_floats(values);
+        table.sums = add_floats(sums);
+        table.hemi = add_floats(hemi);
+        table.v_psa = add_floats(psa_v);
+        table.l_psa = add_floats(psa_l);
+        table.rgb = rgb.empty() ? NONE : add_floats(rgb);
+        return table;
     }
 
     // XYZ -> RADIANCE's RGB for Y = 1
@@ -179,8 +179,8 @@ private:
         return value[node] = float(sum / (1u << t.dims));
     }
 
-    uint32_t add_tree(const BsdfTable& table, bool swap, double& diffuse) {
-        const BsdfTree& t = table.tree;
+    BsdfTable tree_table(const scene::BsdfTable& file, bool swap, double& diffuse) {
+        const BsdfTree& t = file.tree;
         double least = 1e30, narrow = 1;
         leaves(t, [&](uint32_t n, const double* low, double width) {
             if (t.dims == 3 && low[0] >= .5) return;
@@ -198,26 +198,25 @@ private:
         set_means(t, values, 0);
 
         const uint32_t grid = std::min(MAX_GRID, 1u << std::max(t.dims == 3 && swap ? 7 : 1, t.depth));
-        std::vector<uint32_t> w(BT_WORDS);
-        w[BT_KIND] = t.dims == 4 ? BSDF_TREE4 : BSDF_TREE3;
-        w[BT_SWAP] = swap;
-        w[BT_MIN_PSA] = bits(float(pi * narrow * narrow));
-        w[BT_V] = grid;
-        w[BT_L] = uint32_t(t.dims);
-        w[BT_VALUES] = add_floats(values);
-        w[BT_MORE] = add_words(t.child);
-        w[BT_RGB] = NONE;
-        if (table.u.dims == t.dims && table.v.dims == t.dims) {
-            const std::vector<uint32_t> uv{add_floats(table.u.value), add_words(table.u.child),
-                                           add_floats(table.v.value), add_words(table.v.child)};
-            w[BT_RGB] = add_words(uv);
+        BsdfTable table{};
+        table.kind = t.dims == 4 ? BSDF_TREE4 : BSDF_TREE3;
+        table.swap = swap;
+        table.min_psa = float(pi * narrow * narrow);
+        table.v_grid = grid;
+        table.dims = uint32_t(t.dims);
+        table.values = add_floats(values);
+        table.children = add_words(t.child);
+        table.u_children = NONE;
+        if (file.u.dims == t.dims && file.v.dims == t.dims) {
+            table.u_values = add_floats(file.u.value), table.u_children = add_words(file.u.child);
+            table.v_values = add_floats(file.v.value), table.v_children = add_words(file.v.child);
         }
         std::vector<float> hemi, psa;
-        if (t.dims == 3 && swap) turned_tree(w, grid, float(pi * narrow * narrow), hemi, psa);
+        if (t.dims == 3 && swap) turned_tree(table, hemi, psa);
         else tree_grids(t, values, swap ? 2 : 0, grid, hemi, psa);
-        w[BT_HEMI] = add_floats(hemi);
-        w[BT_PSA] = add_floats(psa);
-        return add_words(w);
+        table.hemi = add_floats(hemi);
+        table.v_psa = add_floats(psa);
+        return table;
     }
 
     // By cell of v's dimensions: pi * sum of f * area over l's square, and the smallest cell there.
@@ -242,13 +241,13 @@ private:
     }
 
     // An isotropic tree in the reverse direction: no dimension is v's, so by quadrature.
-    void turned_tree(const std::vector<uint32_t>& w, uint32_t n, float least, std::vector<float>& hemi,
-                     std::vector<float>& psa) {
+    void turned_tree(const BsdfTable& table, std::vector<float>& hemi, std::vector<float>& psa) {
+        const uint32_t n = table.v_grid;
         SceneTables s = {};
         s.u = code_.words.data();
         s.f = code_.floats.data();
         hemi.assign(n, 0.0f);
-        psa.assign(n, least);
+        psa.assign(n, table.min_psa);
         const int steps = 64;
         for (uint32_t i = 0; i < n / 2; i++) {
             const float r = 1 - 2 * (float(i) + .5f) / float(n);
@@ -257,22 +256,23 @@ private:
             for (int k = 0; k < steps * steps; k++) {
                 const float2 d = bsdf_disc((float(k % steps) + .5f) / steps, (float(k / steps) + .5f) / steps);
                 float unused;
-                sum += double(bsdf_value(&s, w.data(), v, F3(d.x, d.y, bsdf_height(d.x, d.y)), &unused));
+                sum += double(bsdf_value(&s, &table, v, F3(d.x, d.y, bsdf_height(d.x, d.y)), &unused));
             }
             hemi[i] = float(pi * sum / (steps * steps));
         }
     }
 
     const scene::Bsdf& b_;
+    BsdfRecords& out_;
     cal::Code& code_;
     const std::string& place_;
-    std::vector<uint32_t> bases_;
+    std::vector<uint32_t> rings_at_;  // of each basis
 };
 
 }  // namespace
 
-uint32_t bsdf_tables(const scene::Bsdf& bsdf, cal::Code& code, const std::string& place) {
-    return BsdfWriter(bsdf, code, place).write();
+uint32_t add_bsdf(const scene::Bsdf& bsdf, BsdfRecords& records, cal::Code& code, const std::string& place) {
+    return BsdfWriter(bsdf, records, code, place).write();
 }
 
 }  // namespace flatten

@@ -2,12 +2,20 @@
 // The tables of a BSDF file for the kernels (kernels/material/bsdf.h).
 #pragma once
 #include <string>
+#include <vector>
 #include "cal/compile.h"
+#include "kernels/dialect/host.h"
 #include "scene/bsdf_xml.h"
 
 namespace flatten {
 
-// Appends to code.words and code.floats; returns the index of the four components (Modifier.bsdf_at).
-uint32_t bsdf_tables(const scene::Bsdf& bsdf, cal::Code& code, const std::string& place);
+struct BsdfRecords {
+    std::vector<kernels::BsdfComponent> components;
+    std::vector<kernels::BsdfTable> tables;
+    std::vector<kernels::BsdfRing> rings;
+};
+
+// Appends to the records and, values, to `code`; returns the first of the four components (Modifier.bsdf_at).
+uint32_t add_bsdf(const scene::Bsdf& bsdf, BsdfRecords& records, cal::Code& code, const std::string& place);
 
 }  // namespace flatten

@@ -19,7 +19,6 @@
 namespace flatten {
 namespace {
 
-constexpr uint32_t WGMD_INHERIT = 0xfffffffeu;  // as kernels/material/mat_wgmd.h
 
 uint32_t mod_type(cal::ProgramKind k) {
     switch (k) {
@@ -74,7 +73,7 @@ private:
                   r.object,
                   r.modifier,
                   r.modifier >= 0 && out_.has_material[r.modifier],
-                  {0, 0, NONE, NONE, uint32_t(tables_.arguments.size()), NONE, NONE, 0, 0, 0}};
+                  {0, 0, NONE, NONE, uint32_t(tables_.arguments.size()), NONE, NONE, NONE, NONE, NONE, 0, 0, 0}};
         if (r.modifier >= 0) {
             link.record.next = out_.record[r.modifier];
             nesting_[i] = nesting_[r.modifier];
@@ -202,23 +201,23 @@ private:
         link.record.program = p.values;
         link.record.lobe_program = p.lobe;
         link.record.flags |= (p.value_count > 0 ? MF_VALUES : 0) | uint32_t(p.lobe_count) << MF_LOBES_SHIFT;
-        if (link.o.type == Type::WGMDfunc) {  // modifiers of rs, ts, td: records for mat_wgmd, in the word arena
-            link.record.branch1 = uint32_t(code.words.size());
-            for (int k : wgmd_names) {
-                const std::string& name = scene_.strings(link.o)[size_t(k)];
+        if (link.o.type == Type::WGMDfunc) {
+            uint32_t* const to[] = {&link.record.rs_mod, &link.record.ts_mod, &link.record.td_mod};
+            for (size_t i = 0; i < 3; i++) {
+                const std::string& name = scene_.strings(link.o)[size_t(wgmd_names[i])];
                 const int32_t m = name == "inherit" ? scene::VOID : scene_.lookup_modifier(name, link.object);
-                code.words.push_back(name == "inherit" ? WGMD_INHERIT : m >= 0 ? out_.record[m] : NONE);
+                *to[i] = name == "inherit" ? WGMD_INHERIT : m >= 0 ? out_.record[m] : NONE;
             }
         }
         if (!p.file.empty()) link.record.bsdf_at = bsdf_file(p.file, scene_.place(link.o));
     }
 
-    // Tables of a BSDF file, found along RAYPATH: index for Modifier.bsdf_at.
+    // A BSDF file, found along RAYPATH: Modifier.bsdf_at.
     uint32_t bsdf_file(const std::string& name, const std::string& place) {
         const std::string path = base::find_file(name, files_, place);
         const auto known = bsdf_files_.find(path);
         if (known != bsdf_files_.end()) return known->second;
-        return bsdf_files_[path] = bsdf_tables(scene::read_bsdf(path, place), tables_.code, path);
+        return bsdf_files_[path] = add_bsdf(scene::read_bsdf(path, place), tables_.bsdfs, tables_.code, path);
     }
 
     // Sets its number and its cut face, and marks the modifiers that it lists.
@@ -285,6 +284,9 @@ void write_modifiers(ModifierTables t, FlatScene& out) {
     out.f.insert(out.f.end(), t.arguments.begin(), t.arguments.end());
     for (Modifier& modifier : t.records) modifier.args += args_at;
     out.modifiers = std::move(t.records);
+    out.bsdf_components = std::move(t.bsdfs.components);
+    out.bsdf_tables = std::move(t.bsdfs.tables);
+    out.bsdf_rings = std::move(t.bsdfs.rings);
     if (t.bends) out.shadow_mode = SHADOW_AIMED;
     out.absorbs = t.media;
     out.antimatter = t.antimatter;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 #include "cal/compile.h"
+#include "flatten/bsdf.h"
 #include "flatten/flat_scene.h"
 #include "flatten/flatten.h"
 #include "kernels/dialect/host.h"
@@ -15,6 +16,7 @@ namespace flatten {
 struct ModifierTables {
     cal::Code code;  // programs: become the start of both arenas, for their addresses are absolute
     std::vector<kernels::Modifier> records;
+    BsdfRecords bsdfs;
     std::vector<float> arguments;  // real ones; Modifier.args counts from their start
     bool bends = false;            // some material is MT_BENDS
     bool media = false;            // MT_MEDIUM

@@ -45,10 +45,49 @@ STRUCT(Modifier) {
     uint program;           // .cal program entry, NONE
     uint args;              // index into f of the real arguments
     uint branch1, branch2;  // mixtures: foreground, background; illum, mirror: branch1 is the alternate; antimatter:
-                            // the cut face's material; wgmd: index into u of the modifiers of rs, ts, td
-    uint lobe_program;      // .cal program of a material's lobe
-    uint bsdf_at;           // index into u of a BSDF's components (material/bsdf.h)
-    uint lights;            // sets of sources that a mist names, one bit each
+                            // the cut face's material
+    uint rs_mod, ts_mod, td_mod;  // wgmd: modifiers of its components; WGMD_INHERIT: its own
+    uint lobe_program;            // .cal program of a material's lobe
+    uint bsdf_at;                 // first of a BSDF's four components: front reflection, front transmission, back ..
+    uint lights;                  // sets of sources that a mist names, one bit each
+};
+#define WGMD_INHERIT 0xfffffffeu  // the modifier "inherit"
+
+// Reflection or transmission of a BSDF for v (toward the viewer) on one side; l is toward the light.
+STRUCT(BsdfComponent) {
+    uint table;        // NONE: there is none
+    float lambertian;  // its Lambertian part, which the table does not hold
+};
+
+// Its table: a matrix of Klems' patches, or a tensor tree.  "at f" and "at u" are indices of the arenas.
+STRUCT(BsdfTable) {
+    uint kind;                     // BSDF_*
+    uint swap;                     // 1: data are for light coming from v's other side: v takes the exiting role
+    float min_psa;                 // smallest projected solid angle of a cell
+    uint v_rings_at, v_rings;      // matrix: basis of v
+    uint l_rings_at, l_rings;      // and of l
+    uint l_cells;                  // matrix: cells of l
+    uint v_grid;                   // tree: cells per side of the grid of v
+    uint dims;                     // tree: dimensions
+    uint values;                   // at f: matrix: row by row of v; tree: of each node, means above the leaves
+    uint sums;                     // matrix: at f: the values' cumulative sums along a row
+    uint children;                 // tree: at u: child of each node, NONE: a leaf
+    uint hemi;                     // at f, by cell of v: directional-hemispherical value
+    uint v_psa;                    // at f, by cell of v: projected solid angle that jitters v
+    uint l_psa;                    // matrix: at f, by cell of l: projected solid angle
+    uint rgb;                      // matrix: at f: RGB per cell; NONE: grey
+    uint u_values, u_children;     // tree: of CIE 1976 u'; u_children NONE: grey
+    uint v_values, v_children;     // and of v'
+};
+#define BSDF_MATRIX 1u
+#define BSDF_TREE4 2u
+#define BSDF_TREE3 3u
+
+// A ring of a matrix's basis.
+STRUCT(BsdfRing) {
+    float low, high;  // cosine of its lower bound, and of its upper one
+    uint cells;
+    uint first;  // its first cell
 };
 
 // An active source.
@@ -174,6 +213,9 @@ STRUCT(Mixture) {
     TABLE(Corner, corners)                                                                  \
     TABLE(Instance, instances)                                                              \
     TABLE(Modifier, modifiers)                                                              \
+    TABLE(BsdfComponent, bsdf_components)                                                   \
+    TABLE(BsdfTable, bsdf_tables)                                                           \
+    TABLE(BsdfRing, bsdf_rings)                                                             \
     TABLE(Source, sources)                                                                  \
     TABLE(FanTriangle, fans)                                                                \
     TABLE(Relay, relays)                                                                    \
@@ -187,7 +229,7 @@ STRUCT(Mixture) {
     TABLE(float, shapes)      /* SHAPE_FLOATS each (bvh/intersect.h) */                     \
     TABLE(float, polygon_uv)  /* projected corners (SHAPE_POLYGON) */                       \
     RECORD_TABLES(TABLE)                                                                    \
-    TABLE(uint, u)            /* word arena: .cal code, BSDFs, rows of indices */           \
+    TABLE(uint, u)            /* word arena: .cal code, trees of BSDFs, rows of indices */           \
     TABLE(float, f)           /* float arena: arguments of modifiers, BSDFs */
 #define VIEW_TABLES(TABLE)                                                                  \
     TABLE(uint, view)         /* what depends on the view (tables.h) */

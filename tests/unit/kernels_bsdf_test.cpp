@@ -20,20 +20,24 @@ constexpr double PI = 3.14159265358979323846;
 
 struct Tables {
     cal::Code code;
+    flatten::BsdfRecords records;
     scene::Bsdf file;
     uint32_t at;
     SceneTables s = {};
     explicit Tables(const std::string& text) : file(scene::parse_bsdf(text, "test.xml")) {
-        at = flatten::bsdf_tables(file, code, "test.xml");
+        at = flatten::add_bsdf(file, records, code, "test.xml");
+        s.bsdf_components = records.components.data();
+        s.bsdf_tables = records.tables.data();
+        s.bsdf_rings = records.rings.data();
         s.u = code.words.data();
         s.f = code.floats.data();
     }
     // front: v on the side of the normal
-    const uint* component(int front, int transmit) const {
-        return s.u + at + BSDF_COMPONENT_WORDS * uint32_t((front ? 0 : 2) + transmit);
+    const BsdfComponent& component(int front, int transmit) const {
+        return records.components[at + size_t((front ? 0 : 2) + transmit)];
     }
-    const uint* table(int front, int transmit) const { return s.u + component(front, transmit)[0]; }
-    float diffuse(int front, int transmit) const { return as_float_(component(front, transmit)[1]); }
+    const BsdfTable* table(int front, int transmit) const { return &records.tables[component(front, transmit).table]; }
+    float diffuse(int front, int transmit) const { return component(front, transmit).lambertian; }
 };
 
 static float3 direction(double theta_deg, double phi_deg, double side = 1) {
@@ -82,7 +86,7 @@ TEST_CASE("a missing transmission is the other one, turned round") {
           bsdf_file("TensorTree4", bsdf_block("Transmission Back", bsdf_tree(4, 3, random))),
           bsdf_file("TensorTree3", bsdf_block("Transmission Back", bsdf_tree(3, 3, random)))}) {
         const Tables t(text);
-        CHECK(t.component(1, 0)[0] == NONE);  // no reflection
+        CHECK(t.component(1, 0).table == NONE);  // no reflection
         for (int i = 0; i < 200; i++) {
             float psa;
             const float3 a = direction(random() % 89, random() % 360), b = direction(random() % 89, random() % 360, -1);
@@ -136,7 +140,7 @@ TEST_CASE("samples of a matrix follow its values") {
     const Tables t(bsdf_file("Columns", bsdf_block("Transmission Back", bsdf_numbers(41 * 41, 9))));
     const int n = 200000;
     for (int front = 0; front < 2; front++) {
-        const uint* table = t.table(front, 1);
+        const BsdfTable* table = t.table(front, 1);
         const float3 v = direction(40, 77, front ? 1 : -1);
         const double hemi = bsdf_hemispherical(&t.s, table, v);
         std::vector<double> seen(41, 0.0);
@@ -149,11 +153,11 @@ TEST_CASE("samples of a matrix follow its values") {
         }
         double chi2 = 0, total = 0;
         for (int cell = 0; cell < 41; cell++) {
-            const float3 l = basis_direction(&t.s, table[BT_L], uint32_t(cell), float2{.5f, .5f});
-            const float k = table[BT_SWAP] ? -1.0f : 1.0f;
+            const float3 l = basis_direction(t.s.bsdf_rings + table->l_rings_at, table->l_rings, uint32_t(cell), float2{.5f, .5f});
+            const float k = table->swap ? -1.0f : 1.0f;
             float psa;
             const double part = double(bsdf_value(&t.s, table, v, F3(k * l.x, k * l.y, l.z), &psa)) *
-                                t.s.f[table[BT_LPSA] + uint32_t(cell)];
+                                t.s.f[table->l_psa + uint32_t(cell)];
             const double expected = n * part / hemi;
             total += part;
             if (expected > 0) chi2 += (seen[size_t(cell)] - expected) * (seen[size_t(cell)] - expected) / expected;
@@ -168,7 +172,7 @@ TEST_CASE("samples of a matrix follow its values") {
 TEST_CASE("an isotropic tree turns with the viewer") {
     std::mt19937 random(4);
     const Tables t(bsdf_file("TensorTree3", bsdf_block("Reflection Back", bsdf_tree(3, 3, random))));
-    const uint* table = t.table(1, 0);
+    const BsdfTable* table = t.table(1, 0);
     const float3 v = direction(33, 180), turned = direction(33, 180 + 50);
     const double c = std::cos(50 * PI / 180), s = std::sin(50 * PI / 180);
     for (uint32_t i = 0; i < 100; i++) {
@@ -196,7 +200,7 @@ TEST_CASE("weighted samples of a tree are its values") {
                                      bsdf_block("Transmission Back", bsdf_tree(dims, 3, random))));
         for (int kind = 0; kind < 3; kind++) {  // reflection, transmission, transmission the other way round
             const int front = kind<2, transmit = kind> 0;
-            const uint* table = t.table(front, transmit);
+            const BsdfTable* table = t.table(front, transmit);
             const double side = transmit ? -1 : 1;
             const float3 v = direction(33, 180, front ? 1 : -1);
             std::vector<double> sum(squares * squares, 0.0), sum2(sum.size(), 0.0);

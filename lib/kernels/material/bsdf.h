@@ -1,43 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Look-up of tabulated BSDFs (layout below, written by flatten/bsdf.cpp).  A table is evaluated for a direction v
+// Look-up of tabulated BSDFs (BsdfTable of records.h, written by flatten/bsdf.cpp).  A table is evaluated for a direction v
 // toward the viewer, which sampling keeps, and l toward the light; both unit, in the surface's frame (x, y, n), both
 // away from the surface. No interpolation: values are constant in a cell, as in RADIANCE.
 //   matrix  Klems' patches; rows of cumulative f times projected solid angle (Klems 1994)
 //   tree    tensor trees over the unit square's image of the disc (Shirley & Chiu 1997; Ward et al. 2012)
 #ifndef LUX_BSDF_H
 #define LUX_BSDF_H
-
-// A material: BSDF_COMPONENTS of BSDF_COMPONENT_WORDS at u[Modifier.bsdf_at]: front reflection, front transmission,
-// back.. (by the side of v).
-#define BSDF_COMPONENTS 4u
-#define BSDF_COMPONENT_WORDS 2u
-#define BSDF_TABLE 0u    // index into u, NONE if there is none
-#define BSDF_LAMBERT 1u  // its Lambertian part (float)
-// A table, BT_WORDS words.  "at f" and "at u" are indices of the arenas.
-#define BT_WORDS 12u
-#define BT_KIND 0u     // BSDF_MATRIX, BSDF_TREE4, BSDF_TREE3
-#define BT_SWAP 1u     // 1: data are for light coming from v's other side: v takes the exiting role
-#define BT_MIN_PSA 2u  // smallest projected solid angle of a cell (float)
-#define BT_V 3u        // matrix: basis of v at u; tree: cells per side of the grid of v
-#define BT_L 4u        // matrix: basis of l at u; tree: dimensions
-#define BT_NL 5u       // matrix: cells of l
-#define BT_VALUES 6u   // at f: matrix: v * NL + l; tree: value of each node, means above the leaves
-#define BT_MORE 7u     // matrix: at f: cumulative over l, row by row; tree: at u: child of each node
-#define BT_HEMI 8u     // at f, by cell of v: directional-hemispherical value
-#define BT_PSA 9u      // at f, by cell of v: projected solid angle that jitters v
-#define BT_LPSA 10u    // matrix: at f, by cell of l: projected solid angle
-#define BT_RGB 11u     // NONE: grey.  matrix: at f: RGB per cell; tree: at u: values, children of u', then of v'
-#define BSDF_MATRIX 1u
-#define BSDF_TREE4 2u
-#define BSDF_TREE3 3u
-// A basis: how many rings, how many cells, then a record for each ring.
-#define BASIS_RINGS 0u
-#define BASIS_HEAD 2u  // words before the rings
-#define BASIS_RING 4u
-#define BASIS_LOW 0u   // cosine of its lower bound (float)
-#define BASIS_HIGH 1u  // and of its upper one
-#define BASIS_CELLS 2u
-#define BASIS_FIRST 3u  // its first cell
 
 // The disc as a square and back (Shirley & Chiu 1997), areas in proportion.
 FN float2 bsdf_square(float x, float y) {
@@ -97,42 +65,40 @@ FN float bsdf_height(float x, float y) {
 }
 
 // ---- matrices
-FN uint basis_cell(TABLES(const SceneTables) s, uint basis, float x, float y, float z) {
-    GLOBAL const uint* head = s->u + basis;
-    uint rings = head[BASIS_RINGS], k = 0u;
+FN uint basis_cell(GLOBAL const BsdfRing* ring, uint rings, float x, float y, float z) {
+    uint k = 0u;
     z = fabs_(z);
-    while (k + 1u < rings && z <= as_float_(head[BASIS_HEAD + BASIS_RING * (k + 1u)])) k++;
-    GLOBAL const uint* ring = head + BASIS_HEAD + BASIS_RING * k;
-    int count = (int)ring[BASIS_CELLS];
+    while (k + 1u < rings && z <= ring[k + 1u].low) k++;
+    ring += k;
+    int count = (int)ring->cells;
     int i = (int)floor_(k_atan2(y, x) * 0.159154943f * (float)count + 0.5f);
     if (i < 0) i += count;
     if (i >= count) i -= count;
-    return ring[BASIS_FIRST] + (uint)i;
+    return ring->first + (uint)i;
 }
 
 // A direction in a cell, uniform in projected solid angle: in the squared cosine and the azimuth.
-FN float3 basis_direction(TABLES(const SceneTables) s, uint basis, uint cell, float2 x) {
-    GLOBAL const uint* head = s->u + basis;
+FN float3 basis_direction(GLOBAL const BsdfRing* ring, uint rings, uint cell, float2 x) {
     uint k = 0u;
-    while (k + 1u < head[BASIS_RINGS] && cell >= head[BASIS_HEAD + BASIS_RING * (k + 1u) + BASIS_FIRST]) k++;
-    GLOBAL const uint* ring = head + BASIS_HEAD + BASIS_RING * k;
-    float c0 = as_float_(ring[BASIS_LOW]), c1 = as_float_(ring[BASIS_HIGH]), sn, cs;
+    while (k + 1u < rings && cell >= ring[k + 1u].first) k++;
+    ring += k;
+    float c0 = ring->low, c1 = ring->high, sn, cs;
     float z2 = c0 * c0 + (c1 * c1 - c0 * c0) * x.x;
     float r = sqrt_(MAX_(1.0f - z2, 0.0f));
-    k_sincos(((float)(cell - ring[BASIS_FIRST]) + x.y - 0.5f) * K_TURN / (float)ring[BASIS_CELLS], &sn, &cs);
+    k_sincos(((float)(cell - ring->first) + x.y - 0.5f) * K_TURN / (float)ring->cells, &sn, &cs);
     return F3(r * cs, r * sn, sqrt_(MAX_(z2, 0.0f)));
 }
 
 // Incident directions are numbered from the far side, so that cell i transmits straight into cell i (swap: the other
 // way).
-FN uint bsdf_v_cell(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v) {
-    float k = table[BT_SWAP] != 0u ? 1.0f : -1.0f;
-    return basis_cell(s, table[BT_V], k * v.x, k * v.y, v.z);
+FN uint bsdf_v_cell(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v) {
+    float k = table->swap != 0u ? 1.0f : -1.0f;
+    return basis_cell(s->bsdf_rings + table->v_rings_at, table->v_rings, k * v.x, k * v.y, v.z);
 }
 
-FN uint bsdf_l_cell(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 l) {
-    float k = table[BT_SWAP] != 0u ? -1.0f : 1.0f;
-    return basis_cell(s, table[BT_L], k * l.x, k * l.y, l.z);
+FN uint bsdf_l_cell(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 l) {
+    float k = table->swap != 0u ? -1.0f : 1.0f;
+    return basis_cell(s->bsdf_rings + table->l_rings_at, table->l_rings, k * l.x, k * l.y, l.z);
 }
 
 // ---- trees
@@ -144,11 +110,11 @@ FN float tree_radius(float3 from) {
 }
 
 // Coordinates of a pair of directions in the cube; c[3] is not used in three dimensions.
-FN void tree_coordinates(GLOBAL const uint* table, float3 v, float3 l, PRIVATE(float) c) {
-    float3 from = table[BT_SWAP] != 0u ? l : v, out = table[BT_SWAP] != 0u ? v : l;
+FN void tree_coordinates(GLOBAL const BsdfTable* table, float3 v, float3 l, PRIVATE(float) c) {
+    float3 from = table->swap != 0u ? l : v, out = table->swap != 0u ? v : l;
     float2 q;
 
-    if (table[BT_KIND] == BSDF_TREE4) {
+    if (table->kind == BSDF_TREE4) {
         q = bsdf_square(-from.x, -from.y);
         c[0] = q.x;
         c[1] = q.y;
@@ -189,52 +155,52 @@ FN float tree_value(TABLES(const SceneTables) s, uint values, uint children, int
     }
 }
 
-FN uint tree_v_cell(GLOBAL const uint* table, float3 v) {
-    float n = (float)table[BT_V];
-    if (table[BT_KIND] == BSDF_TREE3) return (uint)(tree_radius(v) * n);
-    float k = table[BT_SWAP] != 0u ? 1.0f : -1.0f;
+FN uint tree_v_cell(GLOBAL const BsdfTable* table, float3 v) {
+    float n = (float)table->v_grid;
+    if (table->kind == BSDF_TREE3) return (uint)(tree_radius(v) * n);
+    float k = table->swap != 0u ? 1.0f : -1.0f;
     float2 q = bsdf_square(k * v.x, k * v.y);
-    return (uint)(q.x * n) + table[BT_V] * (uint)(q.y * n);
+    return (uint)(q.x * n) + table->v_grid * (uint)(q.y * n);
 }
 
 // ---- one face for both
-FN uint bsdf_cell(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v) {
-    return table[BT_KIND] == BSDF_MATRIX ? bsdf_v_cell(s, table, v) : tree_v_cell(table, v);
+FN uint bsdf_cell(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v) {
+    return table->kind == BSDF_MATRIX ? bsdf_v_cell(s, table, v) : tree_v_cell(table, v);
 }
 
-FN float bsdf_hemispherical(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v) {
-    return s->f[table[BT_HEMI] + bsdf_cell(s, table, v)];
+FN float bsdf_hemispherical(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v) {
+    return s->f[table->hemi + bsdf_cell(s, table, v)];
 }
 
 // f(v, l) without its Lambertian part, 1/sr; *psa: projected solid angle of the pair's (smaller) cell.
-FN float bsdf_value(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float3 l, PRIVATE(float) psa) {
-    if (table[BT_KIND] == BSDF_MATRIX) {
+FN float bsdf_value(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v, float3 l, PRIVATE(float) psa) {
+    if (table->kind == BSDF_MATRIX) {
         uint i = bsdf_v_cell(s, table, v), o = bsdf_l_cell(s, table, l);
-        *psa = MIN_(s->f[table[BT_PSA] + i], s->f[table[BT_LPSA] + o]);
-        return s->f[table[BT_VALUES] + i * table[BT_NL] + o];
+        *psa = MIN_(s->f[table->v_psa + i], s->f[table->l_psa + o]);
+        return s->f[table->values + i * table->l_cells + o];
     }
 
     float c[4], w;
     tree_coordinates(table, v, l, c);
-    float f = tree_value(s, table[BT_VALUES], table[BT_MORE], (int)table[BT_L], c, &w);
+    float f = tree_value(s, table->values, table->children, (int)table->dims, c, &w);
     *psa = K_PI * w * w;
     return f;
 }
 
 // RGB of f(v, l) for luminance 1 (RADIANCE's primaries).
-FN float3 bsdf_color(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float3 l) {
-    if (table[BT_RGB] == NONE) return F3(1.0f, 1.0f, 1.0f);
-    if (table[BT_KIND] == BSDF_MATRIX) {
+FN float3 bsdf_color(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v, float3 l) {
+    if (table->kind == BSDF_MATRIX) {
+        if (table->rgb == NONE) return F3(1.0f, 1.0f, 1.0f);
         GLOBAL const float* q =
-            s->f + table[BT_RGB] + 3u * (bsdf_v_cell(s, table, v) * table[BT_NL] + bsdf_l_cell(s, table, l));
+            s->f + table->rgb + 3u * (bsdf_v_cell(s, table, v) * table->l_cells + bsdf_l_cell(s, table, l));
         return f3_at(q);
     }
 
-    GLOBAL const uint* uv = s->u + table[BT_RGB];
+    if (table->u_children == NONE) return F3(1.0f, 1.0f, 1.0f);
     float c[4], w;
     tree_coordinates(table, v, l, c);
-    float u1 = tree_value(s, uv[0], uv[1], (int)table[BT_L], c, &w),
-          v1 = tree_value(s, uv[2], uv[3], (int)table[BT_L], c, &w);
+    float u1 = tree_value(s, table->u_values, table->u_children, (int)table->dims, c, &w),
+          v1 = tree_value(s, table->v_values, table->v_children, (int)table->dims, c, &w);
     if (v1 <= 1e-6f) return F3(1.0f, 1.0f, 1.0f);
     float X = 2.25f * u1 / v1, Z = (3.0f - 0.75f * u1) / v1 - 5.0f;  // CIE 1976 u'v' to X/Y, Z/Y
     return F3(MAX_(2.56531284f * X - 1.16684962f - 0.39846323f * Z, 0.0f),

@@ -4,11 +4,11 @@
 #define LUX_BSDF_SAMPLE_H
 
 // A cell of l by the matrix's row of v, and a direction in it.
-FN float matrix_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float pick, float2 place,
+FN float matrix_sample(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v, float pick, float2 place,
                        PRIVATE(float3) l) {
-    uint cells = table[BT_NL], low = 0u;
+    uint cells = table->l_cells, low = 0u;
     uint high = cells - 1u;
-    GLOBAL const float* sums = s->f + table[BT_MORE] + bsdf_v_cell(s, table, v) * cells;
+    GLOBAL const float* sums = s->f + table->sums + bsdf_v_cell(s, table, v) * cells;
     float total = sums[cells - 1u];
     float x = pick * total;
     if (total <= 0.0f) return 0.0f;
@@ -19,8 +19,8 @@ FN float matrix_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, fl
         else low = mid + 1u;
     }
 
-    *l = basis_direction(s, table[BT_L], low, place);
-    if (table[BT_SWAP] != 0u) {
+    *l = basis_direction(s->bsdf_rings + table->l_rings_at, table->l_rings, low, place);
+    if (table->swap != 0u) {
         l->x = -l->x;
         l->y = -l->y;
     }
@@ -59,10 +59,10 @@ FN uint tree_child(GLOBAL const float* mean, int first, PRIVATE(float) x, PRIVAT
 
 // Descends the tree: v's dimensions are given, the two from `first` on are chosen by the children's means over v's half
 // of the cube.  Returns 0 if all means are 0.
-FN int tree_descend(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, int first, float pick,
+FN int tree_descend(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v, int first, float pick,
                     PRIVATE(TreeLeaf) leaf) {
     float c[4], x = pick;
-    int dims = (int)table[BT_L];
+    int dims = (int)table->dims;
     uint node = 0u;
     leaf->prob = 1.0f;
     leaf->corner_x = 0.0f;
@@ -71,7 +71,7 @@ FN int tree_descend(TABLES(const SceneTables) s, GLOBAL const uint* table, float
     tree_coordinates(table, v, F3(0.0f, 0.0f, 1.0f), c);
 
     for (;;) {
-        uint next = s->u[table[BT_MORE] + node];
+        uint next = s->u[table->children + node];
         if (next == NONE) break;
         for (int k = 0; k < dims; k++) {
             if (k == first || k == first + 1) continue;
@@ -81,7 +81,7 @@ FN int tree_descend(TABLES(const SceneTables) s, GLOBAL const uint* table, float
                 next += 1u << k;
             }
         }
-        uint child = tree_child(s->f + table[BT_VALUES] + next, first, &x, &leaf->prob);
+        uint child = tree_child(s->f + table->values + next, first, &x, &leaf->prob);
         if (child == 4u) return 0;
         leaf->width *= 0.5f;
         if ((child & 1u) != 0u) leaf->corner_x += leaf->width;
@@ -89,13 +89,13 @@ FN int tree_descend(TABLES(const SceneTables) s, GLOBAL const uint* table, float
         node = next + (child << first);
     }
 
-    leaf->value = s->f[table[BT_VALUES] + node];
+    leaf->value = s->f[table->values + node];
     return 1;
 }
 
-FN float tree_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float pick, float2 place,
+FN float tree_sample(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v, float pick, float2 place,
                      PRIVATE(float3) l) {
-    int four = table[BT_KIND] == BSDF_TREE4, swap = table[BT_SWAP] != 0u;
+    int four = table->kind == BSDF_TREE4, swap = table->swap != 0u;
     if (!four && swap) {  // no dimension of the tree is v's: uniform in projected solid angle
         float2 d = bsdf_disc(place.x, place.y);
         float psa;
@@ -124,10 +124,10 @@ FN float tree_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, floa
 
 // Samples an l for v, on the +z side.  Returns f cos / pdf, whose mean is the hemispherical value (for matrices each
 // is); 0 = none.
-FN float bsdf_sample(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, PRIVATE(Sampler) rnd,
+FN float bsdf_sample(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v, PRIVATE(Sampler) rnd,
                      PRIVATE(float3) l) {
     float2 pick = sample2(rnd), place = sample2(rnd);
-    if (table[BT_KIND] == BSDF_MATRIX) return matrix_sample(s, table, v, pick.x, place, l);
+    if (table->kind == BSDF_MATRIX) return matrix_sample(s, table, v, pick.x, place, l);
     return tree_sample(s, table, v, pick.x, place, l);
 }
 #endif

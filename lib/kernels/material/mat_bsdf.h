@@ -20,7 +20,10 @@
 #define BSDF_HEMI_R alpha2_ru  // directional-hemispherical values there
 #define BSDF_HEMI_T alpha2_rv
 #define BSDF_THICKNESS alpha2_tu
-#define BSDF_PEAK fn_r  // x: transmission besides the peak, y: its squared radius, z: PEAK_...
+#define BSDF_PEAK fn_r
+#define BSDF_BESIDE_PEAK fn_r.x
+#define BSDF_PEAK_RADIUS2 fn_r.y
+#define BSDF_PEAK_KIND fn_r.z
 #define PEAK_NONE 0.0f
 #define PEAK_RAY 1.0f      // passes as a sharp ray
 #define PEAK_SCATTER 2.0f  // is scattered with the rest, but not by direct light
@@ -35,8 +38,8 @@ FN float3 bsdf_world(float3 x, float3 z, float3 d) {
     return add3(scale3(x, d.x), add3(scale3(cross3(z, x), d.y), scale3(z, d.z)));
 }
 
-FN GLOBAL const uint* bsdf_component(TABLES(const SceneTables) s, GLOBAL const Modifier* m, int front, int transmit) {
-    return s->u + m->bsdf_at + BSDF_COMPONENT_WORDS * (uint)((front ? 0 : 2) + transmit);
+FN GLOBAL const BsdfComponent* bsdf_component(TABLES(const SceneTables) s, GLOBAL const Modifier* m, int front, int transmit) {
+    return &s->bsdf_components[m->bsdf_at + (uint)((front ? 0 : 2) + transmit)];
 }
 
 // v moved by up to half a cell in x and y.
@@ -67,7 +70,7 @@ FN float2 peak_probe(int i) {
 }
 
 // Cells hit by the probes, by falling value f, and their projected solid angles w; returns their number.
-FN int peak_cells(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 v, float radius, PRIVATE(float) f,
+FN int peak_cells(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v, float radius, PRIVATE(float) f,
                   PRIVATE(float) w) {
     int count = 0;
     for (int i = 0; i < PEAK_PROBES; i++) {
@@ -93,10 +96,10 @@ FN int peak_cells(TABLES(const SceneTables) s, GLOBAL const uint* table, float3 
 
 // Straight-through peak around v, from 29 look-ups: its integral (0 if there is none), and the rest of the
 // transmission.
-FN float bsdf_peak(TABLES(const SceneTables) s, GLOBAL const uint* table, float diffuse, float3 v,
+FN float bsdf_peak(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float diffuse, float3 v,
                    PRIVATE(float) beside) {
     float f[PEAK_PROBES], w[PEAK_PROBES];
-    float radius2 = as_float_(table[BT_MIN_PSA]), base = diffuse * K_INV_PI;
+    float radius2 = table->min_psa, base = diffuse * K_INV_PI;
     int count = peak_cells(s, table, v, sqrt_(radius2), f, w);
 
     float peak = 0.0f, peak_w = 0.0f, peak_f = 0.0f, rest = 0.0f, rest_w = 0.0f;
@@ -122,15 +125,15 @@ FN float bsdf_peak(TABLES(const SceneTables) s, GLOBAL const uint* table, float 
 
 // aBSDF: the peak as a sharp ray.  Returns its integral.  Sampled rays hit it, but scatter the whole transmission
 // (vectors absdf_sampled_*).
-FN float bsdf_through(TABLES(const SceneTables) s, GLOBAL const uint* component, PRIVATE(const Surface) g, float3 v,
+FN float bsdf_through(TABLES(const SceneTables) s, GLOBAL const BsdfComponent* component, PRIVATE(const Surface) g, float3 v,
                       int asked, PRIVATE(Lobes) lobes) {
-    if (component[BSDF_TABLE] == NONE) return 0.0f;
-    GLOBAL const uint* table = s->u + component[BSDF_TABLE];
+    if (component->table == NONE) return 0.0f;
+    GLOBAL const BsdfTable* table = &s->bsdf_tables[component->table];
     float beside = 0.0f;
-    float peak = bsdf_peak(s, table, as_float_(component[BSDF_LAMBERT]), v, &beside);
+    float peak = bsdf_peak(s, table, component->lambertian, v, &beside);
 
     if (peak <= 0.0f) return 0.0f;
-    lobes->BSDF_PEAK = F3(beside, as_float_(table[BT_MIN_PSA]), asked == LOBES_SAMPLED ? PEAK_SCATTER : PEAK_RAY);
+    lobes->BSDF_PEAK = F3(beside, table->min_psa, asked == LOBES_SAMPLED ? PEAK_SCATTER : PEAK_RAY);
     if (asked == LOBES_SAMPLED) return 0.0f;
 
     lobes->through = mul3(scale3(bsdf_color(s, table, v, neg3(v)), peak), g->color);
@@ -139,23 +142,23 @@ FN float bsdf_through(TABLES(const SceneTables) s, GLOBAL const uint* component,
 }
 
 // Lambertian part: from the arguments and from the table.
-FN float3 bsdf_diffuse(GLOBAL const float* arg, GLOBAL const uint* component, PRIVATE(const Surface) g) {
-    float rho = as_float_(component[BSDF_LAMBERT]);
+FN float3 bsdf_diffuse(GLOBAL const float* arg, GLOBAL const BsdfComponent* component, PRIVATE(const Surface) g) {
+    float rho = component->lambertian;
     return mul3(F3(arg[0] + rho, arg[1] + rho, arg[2] + rho), g->color);
 }
 
 // v in the frame, jittered in its cell of the table.
-FN float3 bsdf_moved(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const uint* table, float3 v,
+FN float3 bsdf_moved(TABLES(const SceneTables) s, PARAMS(const Params) par, GLOBAL const BsdfTable* table, float3 v,
                      float2 move) {
-    return bsdf_jitter(v, s->f[table[BT_PSA] + bsdf_cell(s, table, v)], par->ss, move);
+    return bsdf_jitter(v, s->f[table->v_psa + bsdf_cell(s, table, v)], par->ss, move);
 }
 
 // The rest of both tables, sampled if there is more of it than -st, else part of the indirect light.
 FN void bsdf_tables(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint refl,
                     uint trans, float3 v, float peak, float2 move, PRIVATE(Lobes) lobes) {
     if (refl != NONE) {
-        lobes->BSDF_V_R = bsdf_moved(s, par, s->u + refl, v, move);
-        float hemi = bsdf_hemispherical(s, s->u + refl, lobes->BSDF_V_R);
+        lobes->BSDF_V_R = bsdf_moved(s, par, &s->bsdf_tables[refl], v, move);
+        float hemi = bsdf_hemispherical(s, &s->bsdf_tables[refl], lobes->BSDF_V_R);
         lobes->BSDF_HEMI_R = hemi;
         lobes->rough_r = F3(hemi, hemi, hemi);
         if (hemi > par->st) lobes->flags |= LOBE_SAMPLE_R;
@@ -163,8 +166,8 @@ FN void bsdf_tables(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVA
     }
 
     if (trans != NONE) {
-        lobes->BSDF_V_T = bsdf_moved(s, par, s->u + trans, v, move);
-        lobes->BSDF_HEMI_T = bsdf_hemispherical(s, s->u + trans, lobes->BSDF_V_T);
+        lobes->BSDF_V_T = bsdf_moved(s, par, &s->bsdf_tables[trans], v, move);
+        lobes->BSDF_HEMI_T = bsdf_hemispherical(s, &s->bsdf_tables[trans], lobes->BSDF_V_T);
         lobes->rough_t = scale3(g->color, lobes->BSDF_HEMI_T);  // with the peak, whose samples are dropped
         float hemi = MAX_(lobes->BSDF_HEMI_T - peak, 0.0f);
         if (hemi > par->st) lobes->flags |= LOBE_SAMPLE_T;
@@ -191,8 +194,8 @@ FN_RARE void mat_bsdf(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     else orthonormal_basis(z, &x, &y);
     float3 v = bsdf_local(x, z, g->v);
 
-    GLOBAL const uint* refl = bsdf_component(s, m, g->front, 0);
-    GLOBAL const uint* trans = bsdf_component(s, m, g->front, 1);
+    GLOBAL const BsdfComponent* refl = bsdf_component(s, m, g->front, 0);
+    GLOBAL const BsdfComponent* trans = bsdf_component(s, m, g->front, 1);
     float peak = peaked ? bsdf_through(s, trans, g, v, asked, lobes) : 0.0f;
     if (asked == LOBES_SHADOW) return;
 
@@ -203,7 +206,7 @@ FN_RARE void mat_bsdf(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
     lobes->diffuse_t = bsdf_diffuse(arg + 6, trans, g);
     lobes->ambient_r = lobes->diffuse_r;
     lobes->ambient_t = lobes->diffuse_t;
-    bsdf_tables(s, par, g, refl[BSDF_TABLE], trans[BSDF_TABLE], v, peak, sample2(rnd), lobes);
+    bsdf_tables(s, par, g, refl->table, trans->table, v, peak, sample2(rnd), lobes);
 }
 
 // Origin of a ray on this side: a transmitted ray starts behind the geometry that a proxy represents.
@@ -220,15 +223,15 @@ FN_RARE float3 bsdf_direct(TABLES(const SceneTables) s, PARAMS(const Params) par
     float3 v = bsdf_local(lobes->BSDF_X, z, g->v), l = bsdf_local(lobes->BSDF_X, z, dir);
     int transmit = (l.z > 0.0f) != (v.z > 0.0f);
     float3 sum = scale3(transmit ? lobes->diffuse_t : lobes->diffuse_r, fabs_(l.z) * w * K_INV_PI);
-    uint at = *(bsdf_component(s, m, g->front, transmit) + BSDF_TABLE);
+    uint at = bsdf_component(s, m, g->front, transmit)->table;
     if (at == NONE) return sum;
-    GLOBAL const uint* table = s->u + at;
+    GLOBAL const BsdfTable* table = &s->bsdf_tables[at];
     float3 tint = transmit ? g->color : F3(1.0f, 1.0f, 1.0f);
 
-    if (transmit && lobes->BSDF_PEAK.z != PEAK_NONE) {
-        float dx = l.x + v.x, dy = l.y + v.y, W = w * fabs_(l.z), r2 = lobes->BSDF_PEAK.y;
+    if (transmit && lobes->BSDF_PEAK_KIND != PEAK_NONE) {
+        float dx = l.x + v.x, dy = l.y + v.y, W = w * fabs_(l.z), r2 = lobes->BSDF_PEAK_RADIUS2;
         if (dx * dx + dy * dy <= 3.18309886f * (W + r2 + 2.0f * sqrt_(W * r2)))
-            return madd3(mul3(tint, bsdf_color(s, table, v, l)), lobes->BSDF_PEAK.x * fabs_(l.z) * w, sum);
+            return madd3(mul3(tint, bsdf_color(s, table, v, l)), lobes->BSDF_BESIDE_PEAK * fabs_(l.z) * w, sum);
     }
 
     float psa, psa0;
@@ -255,16 +258,16 @@ FN_RARE float3 bsdf_direct(TABLES(const SceneTables) s, PARAMS(const Params) par
 FN_RARE float bsdf_sample_lobe(TABLES(const SceneTables) s, PRIVATE(const Lobes) lobes, PRIVATE(const Surface) g,
                                int transmit, PRIVATE(Sampler) rnd, PRIVATE(float3) coef, PRIVATE(float3) dir) {
     GLOBAL const Modifier* m = &s->modifiers[g->mod];
-    GLOBAL const uint* table = s->u + *(bsdf_component(s, m, g->front, transmit) + BSDF_TABLE);
+    GLOBAL const BsdfTable* table = &s->bsdf_tables[bsdf_component(s, m, g->front, transmit)->table];
     float3 v = transmit ? lobes->BSDF_V_T : lobes->BSDF_V_R, l, z = bsdf_normal(g);
     float hemi = transmit ? lobes->BSDF_HEMI_T : lobes->BSDF_HEMI_R, weight = bsdf_sample(s, table, v, rnd, &l);
     if (weight <= 0.0f || hemi <= 0.0f) return 0.0f;
     if ((v.z > 0.0f) == transmit) l.z = -l.z;
 
-    if (transmit && lobes->BSDF_PEAK.z == PEAK_RAY) {
+    if (transmit && lobes->BSDF_PEAK_KIND == PEAK_RAY) {
         float dx = l.x + v.x, dy = l.y + v.y;
         float3 straight = bsdf_local(lobes->BSDF_X, z, g->v);
-        if (dx * dx + dy * dy <= s->f[table[BT_PSA] + bsdf_cell(s, table, straight)]) return 0.0f;
+        if (dx * dx + dy * dy <= s->f[table->v_psa + bsdf_cell(s, table, straight)]) return 0.0f;
     }
 
     *coef = scale3(bsdf_color(s, table, v, l), hemi);

@@ -3,11 +3,9 @@
 // transmission. Each component has a modifier of its own, whose patterns and textures act on it alone; the diffuse
 // reflection has the material's.  args: diffuse front, back, transmitted, RGB each; values: rs ur vr ts utr vtr u.  The
 // functions of rs and ts see the normals of their components, the functions of u that of the material;
-// u[Modifier.branch1]..: modifiers of rs, ts, td.
+// Modifier.rs_mod, ts_mod, td_mod: modifiers of the components.
 #ifndef LUX_MAT_WGMD_H
 #define LUX_MAT_WGMD_H
-
-#define WGMD_INHERIT 0xfffffffeu  // the modifier "inherit": the material's own
 
 // The surface with the normal and pattern of one component.
 FN void wgmd_component(TABLES(const SceneTables) s, PARAMS(const Params) par, PRIVATE(const Surface) g, uint mod,
@@ -87,12 +85,11 @@ FN_RARE void mat_wgmd(TABLES(const SceneTables) s, PARAMS(const Params) par, PRI
                       GLOBAL const Modifier* m, PRIVATE(const float) value, PRIVATE(Sampler) rnd,
                       PRIVATE(Lobes) lobes) {
     GLOBAL const float* arg = s->f + m->args;
-    GLOBAL const uint* mods = s->u + m->branch1;
     Surface refl, trans, diff;
     float refl_value[CAL_OUTPUTS], trans_value[CAL_OUTPUTS];
-    wgmd_component(s, par, g, mods[0], rnd, &refl);
-    wgmd_component(s, par, g, mods[1], rnd, &trans);
-    wgmd_component(s, par, g, mods[2], rnd, &diff);
+    wgmd_component(s, par, g, m->rs_mod, rnd, &refl);
+    wgmd_component(s, par, g, m->ts_mod, rnd, &trans);
+    wgmd_component(s, par, g, m->td_mod, rnd, &diff);
     wgmd_values(s, par, g, &refl, m->program, value, refl_value);
     wgmd_values(s, par, g, &trans, m->program, value, trans_value);
 
