@@ -11,10 +11,16 @@
 
 namespace device {
 
-// Parameters of a pass, with the table of its view (SceneTables.view; null: nothing of the view is listed).
+// Parameters of a pass, with the tables of its view (null: they are empty).
 struct Params : kernels::Params {
-    std::shared_ptr<const std::vector<uint32_t>> view_table;
+    std::shared_ptr<const kernels::ViewTables> view_tables;
 };
+#define COUNT_OF_VIEW(type, name) par.name##_count = uint32_t(tables.name.size());
+inline Params with_view(Params par, kernels::ViewTables tables) {
+    VIEW_TABLES(COUNT_OF_VIEW)
+    par.view_tables = std::make_shared<const kernels::ViewTables>(std::move(tables));
+    return par;
+}
 
 // Thrown by run(), splat() and pilot() when they are cancelled (Device::cancel_when).
 struct Cancelled {};

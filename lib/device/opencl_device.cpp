@@ -25,6 +25,7 @@ constexpr uint32_t ALL_FEATURES = ~0u;
 
 #define SEND_OF_BVH(type, name) paths_.set_table(TABLE_##name, send(tree->name));
 #define SEND_OF_SCENE(type, name) paths_.set_table(TABLE_##name, send(s.name));
+#define SEND_OF_VIEW(type, name) paths_.set_table(TABLE_##name, send(tables.name));
 
 kernels::float3 triple(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
@@ -54,8 +55,8 @@ public:
                 tree_inputs_ = s.built.inputs;
             }
             FLAT_TABLES(SEND_OF_SCENE)
-            paths_.set_table(TABLE_view, send(std::vector<uint32_t>()));
-            view_table_.reset();
+            send_view({});
+            view_tables_.reset();
             needs_ = features_of_scene(s);
         });
         scene_ = std::move(scene);
@@ -188,12 +189,12 @@ private:
             }
         }
     }
-    // Sends the view table, and compiles kernels: a GPU's contain only the features of the scene and its passes,
-    // because each costs registers of every work item.
+    // Sends the tables of the view, and compiles kernels: a GPU's contain only the features of the scene and its
+    // passes, because each costs registers of every work item.
     void prepare(const Params& par) {
-        if (par.view_table && par.view_table != view_table_) {
-            paths_.set_table(TABLE_view, send(*par.view_table));
-            view_table_ = par.view_table;
+        if (par.view_tables && par.view_tables != view_tables_) {
+            send_view(*par.view_tables);
+            view_tables_ = par.view_tables;
         }
         if (!gpu_) return;
         needs_ |= features_of_pass(par);
@@ -234,6 +235,7 @@ private:
         if (bytes) queue_.enqueueWriteBuffer(b, CL_TRUE, 0, bytes, values.data());
         return b;
     }
+    void send_view(const kernels::ViewTables& tables) { VIEW_TABLES(SEND_OF_VIEW) }
     void check_layout() {
         require_same_layout(where_, [&](RecordSizes& sizes) {
             const cl::Buffer b(context_, CL_MEM_READ_WRITE, sizeof sizes);
@@ -252,8 +254,8 @@ private:
     cl::Program program_;
     OpenclPaths paths_;
     std::shared_ptr<const flatten::FlatScene> scene_;
-    std::shared_ptr<const std::vector<uint32_t>> view_table_;  // that it has
-    std::string tree_inputs_;                                  // of the tree that it has (flatten::Trees)
+    std::shared_ptr<const kernels::ViewTables> view_tables_;  // that it has
+    std::string tree_inputs_;                                 // of the tree that it has (flatten::Trees)
 };
 
 }  // namespace

@@ -19,7 +19,6 @@
 namespace flatten {
 namespace {
 
-
 uint32_t mod_type(cal::ProgramKind k) {
     switch (k) {
     case cal::ProgramKind::brightness: return M_PATTERN1;

@@ -61,23 +61,23 @@ STRUCT(BsdfComponent) {
 
 // Its table: a matrix of Klems' patches, or a tensor tree.  "at f" and "at u" are indices of the arenas.
 STRUCT(BsdfTable) {
-    uint kind;                     // BSDF_*
-    uint swap;                     // 1: data are for light coming from v's other side: v takes the exiting role
-    float min_psa;                 // smallest projected solid angle of a cell
-    uint v_rings_at, v_rings;      // matrix: basis of v
-    uint l_rings_at, l_rings;      // and of l
-    uint l_cells;                  // matrix: cells of l
-    uint v_grid;                   // tree: cells per side of the grid of v
-    uint dims;                     // tree: dimensions
-    uint values;                   // at f: matrix: row by row of v; tree: of each node, means above the leaves
-    uint sums;                     // matrix: at f: the values' cumulative sums along a row
-    uint children;                 // tree: at u: child of each node, NONE: a leaf
-    uint hemi;                     // at f, by cell of v: directional-hemispherical value
-    uint v_psa;                    // at f, by cell of v: projected solid angle that jitters v
-    uint l_psa;                    // matrix: at f, by cell of l: projected solid angle
-    uint rgb;                      // matrix: at f: RGB per cell; NONE: grey
-    uint u_values, u_children;     // tree: of CIE 1976 u'; u_children NONE: grey
-    uint v_values, v_children;     // and of v'
+    uint kind;                  // BSDF_*
+    uint swap;                  // 1: data are for light coming from v's other side: v takes the exiting role
+    float min_psa;              // smallest projected solid angle of a cell
+    uint v_rings_at, v_rings;   // matrix: basis of v
+    uint l_rings_at, l_rings;   // and of l
+    uint l_cells;               // matrix: cells of l
+    uint v_grid;                // tree: cells per side of the grid of v
+    uint dims;                  // tree: dimensions
+    uint values;                // at f: matrix: row by row of v; tree: of each node, means above the leaves
+    uint sums;                  // matrix: at f: the values' cumulative sums along a row
+    uint children;              // tree: at u: child of each node, NONE: a leaf
+    uint hemi;                  // at f, by cell of v: directional-hemispherical value
+    uint v_psa;                 // at f, by cell of v: projected solid angle that jitters v
+    uint l_psa;                 // matrix: at f, by cell of l: projected solid angle
+    uint rgb;                   // matrix: at f: RGB per cell; NONE: grey
+    uint u_values, u_children;  // tree: of CIE 1976 u'; u_children NONE: grey
+    uint v_values, v_children;  // and of v'
 };
 #define BSDF_MATRIX 1u
 #define BSDF_TREE4 2u
@@ -196,6 +196,27 @@ STRUCT(Highlight) {
 };
 #define MOST_HIGHLIGHTS 8u
 
+// An image of the sun in a smooth surface: the disc of camera directions in which frame 0 holds it by area
+// (render/sun_images.h).
+STRUCT(SunImage) {
+    Packed3 dir;  // unit
+    float cap;    // 1 - cos of the half angle
+};
+#define MOST_IMAGES 128u
+
+// A pixel's point of ptrace -points.
+STRUCT(PointRay) {
+    Packed3 org;  // of a sensor, above the surface on which it may lie
+    Packed3 dir;  // unit; of a sensor, against its normal; 0: the pixel has no point
+};
+
+// A pixel with several samples in each frame: a pass makes Params.spp samples for an entry.
+STRUCT(FocusEntry) {
+    uint pixel;
+    uint spp;   // samples of the pixel in each frame
+    uint from;  // the entry's are from .. from + Params.spp - 1
+};
+
 // State of the mixture's techniques (sampling/mixture.h) at a point.  Path reuse stores it whole at each prefix
 // vertex (integrator/state.h), so that a new field needs no other line.
 STRUCT(Mixture) {
@@ -203,7 +224,8 @@ STRUCT(Mixture) {
     uint highlights;  // rectangles that can be sampled, one bit each
 };
 
-// ---- tables on a device, TABLE(type, name) for each.  RECORD_TABLES: Params.NAME_count is the number of records.
+// ---- tables on a device, TABLE(type, name) for each.  Params.NAME_count is the number of records in RECORD_TABLES and
+// VIEW_TABLES.
 // clang-format off
 #define BVH_TABLES(TABLE)                                                                   \
     TABLE(float, nodes)       /* BVH of either kind, roots: ROOT_OF_SCENE ... */            \
@@ -232,7 +254,10 @@ STRUCT(Mixture) {
     TABLE(uint, u)            /* word arena: .cal code, trees of BSDFs, rows of indices */           \
     TABLE(float, f)           /* float arena: arguments of modifiers, BSDFs */
 #define VIEW_TABLES(TABLE)                                                                  \
-    TABLE(uint, view)         /* what depends on the view (tables.h) */
+    TABLE(uint, drawn)        /* of an active source: what frame 0 holds by area, DRAWN_* */ \
+    TABLE(SunImage, sun_images)                                                             \
+    TABLE(PointRay, points)                                                                 \
+    TABLE(FocusEntry, focus)
 #define SCENE_TABLES(TABLE) BVH_TABLES(TABLE) FLAT_TABLES(TABLE) VIEW_TABLES(TABLE)
     // clang-format on
 
@@ -242,5 +267,5 @@ STRUCT(SceneTables){SCENE_TABLES(TABLE_POINTER)};
 
 // RECORD(type) for each structure whose size the host compares with a device's.
 #define RECORD_OF_TABLE(type, name) RECORD(type)
-#define RECORDS RECORD_TABLES(RECORD_OF_TABLE) RECORD(Mixture) RECORD(Params)
+#define RECORDS RECORD_TABLES(RECORD_OF_TABLE) VIEW_TABLES(RECORD_OF_TABLE) RECORD(Mixture) RECORD(Params)
 #endif

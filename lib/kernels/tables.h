@@ -54,24 +54,9 @@ enum { M_BEFORE_MATERIALS = M_FIRST_MATERIAL - 1u, MATERIALS(NUMBER_OF_ROW, NOTH
 CONSTANT uint material_traits[] = {MATERIALS(TRAITS_OF_ROW, NOTHING_OF_ROW)};
 FN uint material_has(uint type, uint trait) { return material_traits[type - M_FIRST_MATERIAL] & trait; }
 
-// ---- of a view, in SceneTables.view: first a word for each active source, how frame 0 holds it by area, so that
-// samples must not see it
+// ---- SceneTables.drawn: what frame 0 holds by area, so that samples must not see it
 #define DRAWN_STRAIGHT 1u  // along the eye's straight rays
-#define DRAWN_IMAGES 2u    // mirrored or refracted, in the images that follow
-// images of the sun (render/sun_images.h), discs of camera directions: IMAGE_WORDS floats each from Params.images_at on
-#define IMAGE_WORDS 4u
-#define IMAGE_DIR 0u  // 3: unit
-#define IMAGE_CAP 3u  // 1 - cos of the half angle
-#define MOST_IMAGES 128u
-// points of ptrace -points, one for each pixel, from Params.points_at on: POINT_WORDS floats each
-#define POINT_WORDS 6u
-#define POINT_ORG 0u  // 3: of a sensor, above the surface on which it may lie
-#define POINT_DIR 3u  // 3: unit; of a sensor, against its normal; 0: the pixel has no point
-// pixels with several samples in each frame, from Params.focus_at on: a pass makes `spp` samples for an entry
-#define FOCUS_WORDS 3u
-#define FOCUS_PIXEL 0u
-#define FOCUS_ALL 1u   // samples that its pixel has in each frame
-#define FOCUS_FROM 2u  // those of this entry: FOCUS_FROM .. FOCUS_FROM + spp - 1
+#define DRAWN_IMAGES 2u    // mirrored or refracted, in SceneTables.sun_images
 
 // Parameters of a pass besides the tables; one block, uploaded per pass.
 STRUCT(Params) {
@@ -104,12 +89,10 @@ STRUCT(Params) {
     float highlight_share;            // mixture weight of highlights, where there are any (highlights.h)
     uint samples_per_pass;            // paths of a pixel side by side: samples frame .. frame + samples_per_pass - 1
     float portal_least, portal_most;  // mixture weight of portals, where there are any
-    uint spp, focus_at;     // samples of a frame of a pixel; above 1: those of the entries of the view from there on
+    uint spp, focus_at;     // samples of a frame of a pixel; above 1: those of the entries of `focus` from there on
     uint reuse_path_count;  // of a sample whose paths share their suffix vertices (path_reuse.h); 0: none does
     uint redraw;            // not 0: other random numbers than usual, except for the point in the pixel and on the lens
-    uint drawn_count;       // sources with a word in the view table
-    uint images_at, image_count;
-    uint points_at, point_count;       // of pictures of points; else 0
+    VIEW_TABLES(TABLE_COUNT)
     float portal_light[MOST_PORTALS];  // per unit of its view
     uint portal_pick[MOST_PORTALS];    // their records
 };

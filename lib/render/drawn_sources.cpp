@@ -15,9 +15,7 @@ DrawnSources find_drawn_sources(device::Device& device, const LoadedScene& scene
     if (straight) out.straight = list_splatted_emitters(flat, tracer, view, nx, ny);
     if (!images || scene.smooth.none()) return out;
     SunImages found = possible_images(flat, tracer, scene.smooth, view, nx, ny);
-    device::Params marked = par;
-    marked.view_table =
-        std::make_shared<const std::vector<uint32_t>>(view_words({out.straight, {{}, found.sources, 1}}, flat, marked));
+    const device::Params marked = device::with_view(par, view_tables({out.straight, {{}, found.sources, 1}}, flat));
     try {
         if (scene.smooth.curved && !found.sources.empty())
             find_curved_images(device, marked, flat, scene.smooth, view, found);
@@ -27,17 +25,14 @@ DrawnSources find_drawn_sources(device::Device& device, const LoadedScene& scene
     return out;
 }
 
-std::vector<uint32_t> view_words(const DrawnSources& drawn, const flatten::FlatScene& scene, Params& par) {
-    std::vector<uint32_t> words(scene.sources.size());
-    for (const uint32_t i : drawn.straight.sources) words[i] |= DRAWN_STRAIGHT;
-    for (const uint32_t i : drawn.images.sources) words[i] |= DRAWN_IMAGES;
-    par.drawn_count = uint32_t(words.size());
-    par.images_at = uint32_t(words.size());
-    par.image_count = uint32_t(drawn.images.discs.size());
+ViewTables view_tables(const DrawnSources& drawn, const flatten::FlatScene& scene) {
+    ViewTables out;
+    out.drawn.resize(scene.sources.size());
+    for (const uint32_t i : drawn.straight.sources) out.drawn[i] |= DRAWN_STRAIGHT;
+    for (const uint32_t i : drawn.images.sources) out.drawn[i] |= DRAWN_IMAGES;
     for (const SunImages::Disc& disc : drawn.images.discs)
-        for (const double value : {disc.dir.x, disc.dir.y, disc.dir.z, disc.cap})
-            words.push_back(flatten::bits(float(value)));
-    return words;
+        out.sun_images.push_back({flatten::packed(disc.dir), float(disc.cap)});
+    return out;
 }
 
 }  // namespace render

@@ -16,7 +16,7 @@ struct DrawnSources {
 DrawnSources find_drawn_sources(device::Device& device, const LoadedScene& scene, const flatten::HostTracer& tracer,
                                 const view::View& view, bool straight, bool images, const device::Params& par);
 
-// The first words of the view table (kernels/tables.h), and the parameters that say where they are.
-std::vector<uint32_t> view_words(const DrawnSources& drawn, const flatten::FlatScene& scene, kernels::Params& par);
+// As tables of the view.
+kernels::ViewTables view_tables(const DrawnSources& drawn, const flatten::FlatScene& scene);
 
 }  // namespace render

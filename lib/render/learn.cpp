@@ -14,14 +14,14 @@ DiffusePlan learn(device::Device& device, const ViewPlan& plan) {
 
     std::vector<uint32_t> spp = spp_of_noisy(device, out.sampling.params, plan.noisy_share);
     for (const Several& focus : out.sampling.several)  // pixels of a focus keep their number
-        for (size_t at = FOCUS_PIXEL; at < focus.entries.size(); at += FOCUS_WORDS) spp[focus.entries[at]] = 0;
+        for (const kernels::FocusEntry& entry : focus.entries) spp[entry.pixel] = 0;
     Several noisy;
     noisy.spp = least_spp;
     noisy.direct_in_each_frame = true;
     for (uint32_t pixel = 0; pixel < spp.size(); pixel++) {
         if (spp[pixel] > 0) out.noisy.push_back(pixel);
         for (uint32_t from = 0; from < spp[pixel]; from += least_spp)
-            noisy.entries.insert(noisy.entries.end(), {pixel, spp[pixel], from});
+            noisy.entries.push_back({pixel, spp[pixel], from});
     }
     if (!out.noisy.empty()) out.sampling = with_several(std::move(out.sampling), std::move(noisy));
     return out;

@@ -104,14 +104,8 @@ PointLayout lay_out(const std::vector<image::Point>& points) {
     return layout;
 }
 
-void add_points(const PointList& list, const PointLayout& layout, const flatten::FlatScene& scene,
-                std::vector<uint32_t>& words, Params& par) {
-    par.nx = layout.nx;
-    par.ny = layout.ny;
-    par.points_at = uint32_t(words.size());
-    par.point_count = uint32_t(list.points.size());
-    par.flags |= list.sensors ? PF_SENSORS : PF_EYE_ON_SURFACE;
-    words.resize(words.size() + POINT_WORDS * layout.point.size());
+std::vector<PointRay> point_rays(const PointList& list, const PointLayout& layout, const flatten::FlatScene& scene) {
+    std::vector<PointRay> rays(layout.point.size());
     for (size_t pixel = 0; pixel < layout.point.size(); pixel++) {
         if (layout.point[pixel] == PointLayout::none) continue;
         const image::Point& point = list.points[layout.point[pixel]];
@@ -121,9 +115,9 @@ void add_points(const PointList& list, const PointLayout& layout, const flatten:
             p = p + dir * (double(SURFACE_ROUNDING) * size);
             dir = dir * -1.0;
         }
-        uint32_t* word = &words[par.points_at + POINT_WORDS * pixel];
-        for (const double value : {p.x, p.y, p.z, dir.x, dir.y, dir.z}) *word++ = flatten::bits(float(value));
+        rays[pixel] = {flatten::packed(p), flatten::packed(dir)};
     }
+    return rays;
 }
 
 std::vector<float> in_order(const PointLayout& layout, const std::vector<float>& rgb, size_t pixels) {

@@ -28,9 +28,9 @@ struct PointLayout {
 };
 PointLayout lay_out(const std::vector<image::Point>& points);
 
-// Appends their words (POINT_WORDS of kernels/tables.h) to those of the view table, and sets the parameters.
-void add_points(const PointList& list, const PointLayout& layout, const flatten::FlatScene& scene,
-                std::vector<uint32_t>& words, kernels::Params& par);
+// A ray for each pixel.
+std::vector<kernels::PointRay> point_rays(const PointList& list, const PointLayout& layout,
+                                          const flatten::FlatScene& scene);
 
 // From pixels of the layout to those of the points' picture, which has room for so many; 3 floats each.
 std::vector<float> in_order(const PointLayout& layout, const std::vector<float>& rgb, size_t pixels);

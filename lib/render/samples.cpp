@@ -18,38 +18,20 @@ constexpr uint32_t first_place = 5u << 29;  // first number of the samples of ru
 }  // namespace
 
 namespace {
-uint32_t word(const Several& s, size_t entry, uint32_t which) { return s.entries[entry * FOCUS_WORDS + which]; }
-
 // The first entry of this pixel or of one after it.
 uint32_t first_entry(const Several& s, uint64_t pixel) {
-    uint32_t low = 0, high = uint32_t(s.count());
-    while (low < high) {
-        const uint32_t middle = (low + high) / 2;
-        if (word(s, middle, FOCUS_PIXEL) < pixel) low = middle + 1;
-        else high = middle;
-    }
-    return low;
-}
-
-std::shared_ptr<const std::vector<uint32_t>> table_of(std::vector<uint32_t> words) {
-    return std::make_shared<const std::vector<uint32_t>>(std::move(words));
+    const auto before = [](const FocusEntry& entry, uint64_t p) { return entry.pixel < p; };
+    return uint32_t(std::lower_bound(s.entries.begin(), s.entries.end(), pixel, before) - s.entries.begin());
 }
 }  // namespace
 
-PixelSampling with_view_words(PixelSampling sampling, std::vector<uint32_t> words) {
-    sampling.view_words = words;
-    for (Several& s : sampling.several) {
-        s.at = uint32_t(words.size());
-        words.insert(words.end(), s.entries.begin(), s.entries.end());
-    }
-    sampling.params.view_table = table_of(std::move(words));
-    return sampling;
-}
-
 PixelSampling with_several(PixelSampling sampling, Several several) {
+    ViewTables tables = *sampling.params.view_tables;
+    several.at = uint32_t(tables.focus.size());
+    tables.focus.insert(tables.focus.end(), several.entries.begin(), several.entries.end());
+    sampling.params = device::with_view(sampling.params, std::move(tables));
     sampling.several.push_back(std::move(several));
-    std::vector<uint32_t> words = sampling.view_words;
-    return with_view_words(std::move(sampling), std::move(words));
+    return sampling;
 }
 
 PixelSampling with_focus(PixelSampling sampling, const Focus& focus) {
@@ -57,7 +39,7 @@ PixelSampling with_focus(PixelSampling sampling, const Focus& focus) {
         Several s;
         s.spp = part.spp;
         s.reuse_equivalent_spp = reuse_equivalent_spp;
-        for (const uint32_t pixel : part.pixels) s.entries.insert(s.entries.end(), {pixel, part.spp, 0});
+        for (const uint32_t pixel : part.pixels) s.entries.push_back({pixel, part.spp, 0});
         sampling = with_several(std::move(sampling), std::move(s));
     }
     return sampling;
@@ -104,7 +86,8 @@ void refine(device::Device& device, const PixelSampling& sampling, const Pass& p
     const uint32_t begin = first_entry(several, pass.first_pixel),
                    end = first_entry(several, uint64_t(pass.first_pixel) + pass.pixels);
     if (begin == end) return;
-    const uint32_t most = UINT32_MAX / (uint32_t(several.count()) * several.spp);  // indices of paths are 32 bits
+    const uint32_t most =
+        UINT32_MAX / (uint32_t(several.entries.size()) * several.spp);  // indices of paths are 32 bits
     const double reuse_weight = weight_of_reuse(sampling, pass.mode, several);
     device::Params p = params_of_several(sampling, pass.mode, several);
     std::vector<float> samples;
@@ -122,7 +105,7 @@ void refine(device::Device& device, const PixelSampling& sampling, const Pass& p
                 sum[(p.first - first + i / 3) / several.spp * 3 + i % 3] += double(samples[i]);
         }
         for (uint32_t entry = begin, next; entry < end; entry = next) {  // entries of a pixel are consecutive
-            const uint32_t pixel = word(several, entry, FOCUS_PIXEL), spp = word(several, entry, FOCUS_ALL);
+            const auto [pixel, spp, from] = several.entries[entry];
             next = entry + spp / several.spp;
             for (size_t i = 0; i < size_t(n) * 3; i++) {
                 double all = 0;
@@ -161,7 +144,7 @@ std::vector<PixelPath> paths_of_pixel(const PixelSampling& sampling, uint32_t mo
         const double reuse_weight = weight_of_reuse(sampling, mode, several);
         for (uint32_t entry = first_entry(several, pixel), end = first_entry(several, uint64_t(pixel) + 1); entry < end;
              entry++) {
-            const double share = 1 / (word(several, entry, FOCUS_ALL) + reuse_weight);
+            const double share = 1 / (several.entries[entry].spp + reuse_weight);
             out[0].weight = reuse_weight * share;
             PixelPath one{params_of_several(sampling, mode, several), 0, share};
             one.params.frame = uint32_t(sample);
@@ -178,11 +161,11 @@ std::vector<PixelPath> paths_of_pixel(const PixelSampling& sampling, uint32_t mo
 
 device::Params params_of_places(const PixelSampling& sampling, const std::vector<uint32_t>& pixels, uint32_t n,
                                 uint32_t redraw) {
-    std::vector<uint32_t> words = sampling.view_words;
-    for (const uint32_t pixel : pixels) words.insert(words.end(), {pixel, n, 0});
-    device::Params p = sampling.params;
-    p.view_table = table_of(std::move(words));
-    p.focus_at = uint32_t(sampling.view_words.size());
+    ViewTables tables = *sampling.params.view_tables;
+    tables.focus.clear();
+    for (const uint32_t pixel : pixels) tables.focus.push_back({pixel, n, 0});
+    device::Params p = device::with_view(sampling.params, std::move(tables));
+    p.focus_at = 0;
     p.mode = MODE_DIRECT;
     p.frame = first_place;
     p.spp = p.samples_per_pass = n;

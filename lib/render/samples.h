@@ -9,25 +9,22 @@ namespace render {
 
 // Pixels with several samples in each frame, in one pass of the device.
 struct Several {
-    std::vector<uint32_t> entries;    // FOCUS_WORDS each, pixels in ascending order
-    uint32_t spp = 0;                 // samples of an entry
-    double reuse_equivalent_spp = 0;  // weight, in samples, of the whole picture's sample with path reuse
+    std::vector<kernels::FocusEntry> entries;  // pixels in ascending order
+    uint32_t spp = 0;                          // samples of an entry
+    double reuse_equivalent_spp = 0;           // weight, in samples, of the whole picture's sample with path reuse
     bool direct_in_each_frame = false;
-    uint32_t at = 0;  // first word in the view table
-    size_t count() const { return entries.size() / FOCUS_WORDS; }
+    uint32_t at = 0;  // first in ViewTables::focus
 };
 
 // The sampling of a picture.
 struct PixelSampling {
-    device::Params params{};           // of a pass over all pixels
-    std::vector<uint32_t> view_words;  // of the view table: what lies before the entries of `several`
+    device::Params params{};  // of a pass over all pixels
     std::vector<Several> several;
     uint32_t samples_per_frame = 1;  // of each pixel; a frame k >= 1 holds their mean
     bool path_reuse = false;         // in passes over whole pictures (kernels/integrator/path_reuse.h)
 };
 
-// The same with these first words of the view table; with more of such pixels.
-PixelSampling with_view_words(PixelSampling sampling, std::vector<uint32_t> words);
+// The same with more of such pixels.
 PixelSampling with_several(PixelSampling sampling, Several several);
 PixelSampling with_focus(PixelSampling sampling, const Focus& focus);
 

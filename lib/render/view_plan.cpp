@@ -31,9 +31,12 @@ void plan_points(const RenderView& v, const flatten::FlatScene& flat, ViewPlan& 
     plan.points = lay_out(v.points->points);
     plan.points_room = size_t(v.nx) * size_t(v.ny);
     plan.sampling.samples_per_frame = plan.points.samples_per_frame;
-    std::vector<uint32_t> words = view_words({}, flat, par);
-    add_points(*v.points, plan.points, flat, words, par);
-    plan.sampling = with_view_words(std::move(plan.sampling), std::move(words));
+    par.nx = plan.points.nx;
+    par.ny = plan.points.ny;
+    par.flags |= v.points->sensors ? PF_SENSORS : PF_EYE_ON_SURFACE;
+    ViewTables tables = view_tables({}, flat);
+    tables.points = point_rays(*v.points, plan.points, flat);
+    par = device::with_view(par, std::move(tables));
 }
 }  // namespace
 
@@ -74,8 +77,7 @@ ViewPlan plan_view(device::Device& device, const LoadedScene& scene, const Rende
     // drawing needs one eye point, and straight rays no unattenuated path through glass
     const bool drawable = !flat.sources.empty() && o.pd <= 0 && o.dv && !o.i;
     plan.drawn = find_drawn_sources(device, scene, tracer, v.view, drawable && !on_surface, drawable, par);
-    std::vector<uint32_t> words = view_words(plan.drawn, flat, par);
-    plan.sampling = with_view_words(std::move(plan.sampling), std::move(words));
+    par = device::with_view(par, view_tables(plan.drawn, flat));
     plan.sampling = with_focus(std::move(plan.sampling), v.focus);
     plan.tell_limit = o.tell_limit;
     plan.fingerprint = fingerprint(scene.geometry, flat, view::to_options(v.view), v.nx, v.ny, o, v.focus);

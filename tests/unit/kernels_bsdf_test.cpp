@@ -153,7 +153,8 @@ TEST_CASE("samples of a matrix follow its values") {
         }
         double chi2 = 0, total = 0;
         for (int cell = 0; cell < 41; cell++) {
-            const float3 l = basis_direction(t.s.bsdf_rings + table->l_rings_at, table->l_rings, uint32_t(cell), float2{.5f, .5f});
+            const float3 l =
+                basis_direction(t.s.bsdf_rings + table->l_rings_at, table->l_rings, uint32_t(cell), float2{.5f, .5f});
             const float k = table->swap ? -1.0f : 1.0f;
             float psa;
             const double part = double(bsdf_value(&t.s, table, v, F3(k * l.x, k * l.y, l.z), &psa)) *

@@ -20,4 +20,8 @@ namespace kernels {
 struct FlatTables {
     FLAT_TABLES(TABLE_VECTOR)
 };
+// Those of a view.
+struct ViewTables {
+    VIEW_TABLES(TABLE_VECTOR)
+};
 }  // namespace kernels

@@ -4,15 +4,15 @@
 #define LUX_PATH_BEGIN_H
 
 // Focus entry of a path's pixel, in a pass over pixels with several samples in each frame.
-FN GLOBAL const uint* focus_entry(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path) {
-    return s->view + par->focus_at + FOCUS_WORDS * ((par->first + path) / par->samples_per_pass);
+FN GLOBAL const FocusEntry* focus_entry(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path) {
+    return &s->focus[par->focus_at + (par->first + path) / par->samples_per_pass];
 }
 
 // Pixel of a path, NONE outside the picture, and the number of the pixel's sample.
 FN uint path_pixel(TABLES(const SceneTables) s, PARAMS(const Params) par, uint path) {
     if (par->mode == MODE_RAY) return 0u;
     if (par->reuse_path_count != 0u) return reuse_pixel(par, par->first + path);
-    if (par->spp > 1u) return *(focus_entry(s, par, path) + FOCUS_PIXEL);
+    if (par->spp > 1u) return focus_entry(s, par, path)->pixel;
     return (par->first + path) / par->samples_per_pass;
 }
 
@@ -39,10 +39,9 @@ FN int camera_ray(PARAMS(const Params) par, uint pixel, PRIVATE(Sampler) rnd, PR
 }
 
 // Ray of a point of -points.  Returns 0 for pixels without one.
-FN int point_ray(TABLES(const SceneTables) s, PARAMS(const Params) par, uint point, PRIVATE(Ray) ray) {
-    GLOBAL const uint* words = s->view + par->points_at + POINT_WORDS * point;
-    ray->org = f3_bits(words + POINT_ORG);
-    ray->dir = f3_bits(words + POINT_DIR);
+FN int point_ray(TABLES(const SceneTables) s, uint point, PRIVATE(Ray) ray) {
+    ray->org = f3_of(s->points[point].org);
+    ray->dir = f3_of(s->points[point].dir);
     ray->tmax = FAR_AWAY;
     return dot3(ray->dir, ray->dir) > 0.0f;
 }
@@ -91,16 +90,16 @@ FN int path_first_ray(TABLES(const SceneTables) s, PARAMS(const Params) par, uin
     // The samples of a pixel in one frame are a sequence of their own in each block of frames, so that blocks stay
     // independent.
     if (par->spp > 1u) {
-        GLOBAL const uint* entry = focus_entry(s, par, path);
-        uint copy = entry[FOCUS_FROM] + (par->first + path) % par->spp;
+        GLOBAL const FocusEntry* entry = focus_entry(s, par, path);
+        uint copy = entry->from + (par->first + path) % par->spp;
         stream = 4u + (index >> SAMPLER_BLOCK_BITS);
-        index = (index & ((1u << SAMPLER_BLOCK_BITS) - 1u)) * entry[FOCUS_ALL] + copy;
+        index = (index & ((1u << SAMPLER_BLOCK_BITS) - 1u)) * entry->spp + copy;
     }
     *rnd = sampler_start(par->seed_lo, par->seed_hi, pixel, index, stream);
 
     int has_ray = 1;
     if (par->mode == MODE_RAY) given_ray(par, rnd, ray);
-    else if (par->point_count > 0u) has_ray = point_ray(s, par, pixel, ray);
+    else if (par->points_count > 0u) has_ray = point_ray(s, pixel, ray);
     else has_ray = camera_ray(par, pixel, rnd, ray);
     if (par->redraw != 0u) rnd->key = hash32(rnd->key ^ par->redraw);
     return has_ray;

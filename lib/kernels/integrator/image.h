@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of the sun by smooth surfaces: in the discs of the view's table (IMAGE_* of tables.h) frame 0 holds them by
+// Images of the sun by smooth surfaces: in the discs of SceneTables.sun_images frame 0 holds them by
 // area, from paths of MODE_IMAGE, and samples see none of them there.  The two parts divide the camera directions, so
 // that any table gives the same mean.
 //   A path of MODE_IMAGE takes each specular lobe of a surface with the same probability, by a number of its own (its
@@ -24,11 +24,9 @@ FN_RARE int path_in_image(TABLES(const SceneTables) s, PARAMS(const Params) par,
     Sampler rnd;
     Ray ray;
     if (par->mode == MODE_PILOT || !path_first_ray(s, par, path, &rnd, &ray)) return 0;
-    for (UNIFORM uint i = 0u; i < par->image_count; i++) {
-        GLOBAL const uint* image = s->view + par->images_at + IMAGE_WORDS * i;
-        float3 e = sub3(ray.dir, F3(as_float_(image[IMAGE_DIR]), as_float_(image[IMAGE_DIR + 1u]),
-                                    as_float_(image[IMAGE_DIR + 2u])));
-        if (0.5f * dot3(e, e) <= as_float_(image[IMAGE_CAP])) return 1;
+    for (UNIFORM uint i = 0u; i < par->sun_images_count; i++) {
+        float3 e = sub3(ray.dir, f3_of(s->sun_images[i].dir));
+        if (0.5f * dot3(e, e) <= s->sun_images[i].cap) return 1;
     }
 
     return 0;
@@ -36,7 +34,7 @@ FN_RARE int path_in_image(TABLES(const SceneTables) s, PARAMS(const Params) par,
 
 // DRAWN_* of an active source.
 FN uint drawn_by_area(TABLES(const SceneTables) s, PARAMS(const Params) par, uint source) {
-    return source < par->drawn_count ? s->view[source] : 0u;
+    return source < par->drawn_count ? s->drawn[source] : 0u;
 }
 
 // Returns 1 if frame 0 holds by area what this specular path sees of a distant source.

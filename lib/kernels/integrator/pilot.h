@@ -15,8 +15,8 @@ FN_RARE int path_begin_pilot(TABLES(const SceneTables) s, PARAMS(const Params) p
         Ray ray;
         float3 place = xyz4(paths->org[path]);
         flags = 0u;
-        int has_ray = par->point_count > 0u ? point_ray(s, par, point_at(par, place.x, place.y), &ray)
-                                            : view_lens_ray(par, place.x, place.y, F3(0.0f, 0.0f, 0.0f), &ray);
+        int has_ray = par->points_count > 0u ? point_ray(s, point_at(par, place.x, place.y), &ray)
+                                             : view_lens_ray(par, place.x, place.y, F3(0.0f, 0.0f, 0.0f), &ray);
         image_way_start(par, paths, path, place.z);
         paths->org[path] = org_words(ray.org, 0u);
         paths->dir[path] = dir_words(ray.dir, ray.tmax);

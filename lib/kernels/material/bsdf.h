@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Look-up of tabulated BSDFs (BsdfTable of records.h, written by flatten/bsdf.cpp).  A table is evaluated for a direction v
-// toward the viewer, which sampling keeps, and l toward the light; both unit, in the surface's frame (x, y, n), both
-// away from the surface. No interpolation: values are constant in a cell, as in RADIANCE.
+// Look-up of tabulated BSDFs (BsdfTable of records.h, written by flatten/bsdf.cpp).  A table is evaluated for a
+// direction v toward the viewer, which sampling keeps, and l toward the light; both unit, in the surface's frame (x, y,
+// n), both away from the surface. No interpolation: values are constant in a cell, as in RADIANCE.
 //   matrix  Klems' patches; rows of cumulative f times projected solid angle (Klems 1994)
 //   tree    tensor trees over the unit square's image of the disc (Shirley & Chiu 1997; Ward et al. 2012)
 #ifndef LUX_BSDF_H
@@ -173,7 +173,8 @@ FN float bsdf_hemispherical(TABLES(const SceneTables) s, GLOBAL const BsdfTable*
 }
 
 // f(v, l) without its Lambertian part, 1/sr; *psa: projected solid angle of the pair's (smaller) cell.
-FN float bsdf_value(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v, float3 l, PRIVATE(float) psa) {
+FN float bsdf_value(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, float3 v, float3 l,
+                    PRIVATE(float) psa) {
     if (table->kind == BSDF_MATRIX) {
         uint i = bsdf_v_cell(s, table, v), o = bsdf_l_cell(s, table, l);
         *psa = MIN_(s->f[table->v_psa + i], s->f[table->l_psa + o]);

@@ -38,7 +38,8 @@ FN float3 bsdf_world(float3 x, float3 z, float3 d) {
     return add3(scale3(x, d.x), add3(scale3(cross3(z, x), d.y), scale3(z, d.z)));
 }
 
-FN GLOBAL const BsdfComponent* bsdf_component(TABLES(const SceneTables) s, GLOBAL const Modifier* m, int front, int transmit) {
+FN GLOBAL const BsdfComponent* bsdf_component(TABLES(const SceneTables) s, GLOBAL const Modifier* m, int front,
+                                              int transmit) {
     return &s->bsdf_components[m->bsdf_at + (uint)((front ? 0 : 2) + transmit)];
 }
 
@@ -125,8 +126,8 @@ FN float bsdf_peak(TABLES(const SceneTables) s, GLOBAL const BsdfTable* table, f
 
 // aBSDF: the peak as a sharp ray.  Returns its integral.  Sampled rays hit it, but scatter the whole transmission
 // (vectors absdf_sampled_*).
-FN float bsdf_through(TABLES(const SceneTables) s, GLOBAL const BsdfComponent* component, PRIVATE(const Surface) g, float3 v,
-                      int asked, PRIVATE(Lobes) lobes) {
+FN float bsdf_through(TABLES(const SceneTables) s, GLOBAL const BsdfComponent* component, PRIVATE(const Surface) g,
+                      float3 v, int asked, PRIVATE(Lobes) lobes) {
     if (component->table == NONE) return 0.0f;
     GLOBAL const BsdfTable* table = &s->bsdf_tables[component->table];
     float beside = 0.0f;

@@ -3,7 +3,6 @@
 #ifndef LUX_VEC_H
 #define LUX_VEC_H
 FN float3 f3_at(GLOBAL const float* f) { return F3(f[0], f[1], f[2]); }
-FN float3 f3_bits(GLOBAL const uint* u) { return F3(as_float_(u[0]), as_float_(u[1]), as_float_(u[2])); }
 FN float3 add3(float3 a, float3 b) { return F3(a.x + b.x, a.y + b.y, a.z + b.z); }
 FN float3 sub3(float3 a, float3 b) { return F3(a.x - b.x, a.y - b.y, a.z - b.z); }
 FN float3 mul3(float3 a, float3 b) { return F3(a.x * b.x, a.y * b.y, a.z * b.z); }
