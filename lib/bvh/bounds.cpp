@@ -7,11 +7,10 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "kernels/dialect/compat_host.h"
 
 namespace bvh {
 namespace {
-#include "kernels/bvh/intersect.h"
+using namespace kernels;
 
 void pad(Bounds& box, float least) {
     float size = 0;  // of the largest coordinate: the distance to a large flat face rounds like its extent
@@ -25,12 +24,12 @@ void pad(Bounds& box, float least) {
 
 // Points within a margin of a polygon's edges are inside.  Across its plane the box stays as thin as it was, so that
 // rays that begin or end at the polygon do not enter it.
-void reach_beyond_edges(const float* q, Bounds& box) {
-    const uint32_t axis = as_uint_(q[POLYGON_AXIS]);
-    const float* n = q + POLYGON_NORMAL;
-    const float slope = (std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2])) / std::fabs(n[axis]) - 1;
+void reach_beyond_edges(const Shape& polygon, Bounds& box) {
+    const float3 n = f3_of(polygon.normal);
+    const uint32_t axis = polygon.dropped_axis;
+    const float slope = (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z)) / std::fabs(axis3(n, axis)) - 1;
     for (uint32_t a = 0; a < 3; a++) {
-        const float d = 2 * q[POLYGON_MARGIN] * (a == axis ? slope : 1);
+        const float d = 2 * polygon.margin * (a == axis ? slope : 1);
         box.lo[a] -= d;
         box.hi[a] += d;
     }
@@ -52,7 +51,8 @@ void grow(Bounds& bounds, const float p[3]) {
 }
 
 Bounds shape_bounds(const Input& in, size_t k) {
-    const float* q = in.shapes + SHAPE_FLOATS * k;
+    const Shape& shape = in.shapes[k];
+    const float normal[3] = {shape.normal.x, shape.normal.y, shape.normal.z};
     Bounds bounds = empty_bounds();
     // A disc of radius r with normal n reaches r sqrt(1 - n_a^2) along axis a.
     const auto disc = [&](const double c[3], const float n[3], double r) {
@@ -65,29 +65,31 @@ Bounds shape_bounds(const Input& in, size_t k) {
         grow(bounds, lo);
         grow(bounds, hi);
     };
-    const double c[3] = {q[1], q[2], q[3]};
-    switch (as_uint_(q[SHAPE_KIND])) {
+    const double c[3] = {shape.centre.x, shape.centre.y, shape.centre.z};
+    switch (shape.kind) {
     case SHAPE_SPHERE: {
         const float along[3] = {0, 0, 0};  // a "disc" without normal reaches r everywhere
-        disc(c, along, q[4]);
+        disc(c, along, shape.radius);
         break;
     }
     case SHAPE_CONE: {
-        const double end[3] = {c[0] + double(q[4]) * q[7], c[1] + double(q[5]) * q[7], c[2] + double(q[6]) * q[7]};
-        disc(c, q + 4, q[8]);
-        disc(end, q + 4, q[9]);
+        double end[3];
+        for (int a = 0; a < 3; a++) end[a] = c[a] + double(normal[a]) * shape.length;
+        disc(c, normal, shape.radius);
+        disc(end, normal, shape.other_radius);
         break;
     }
-    case SHAPE_RING: disc(c, q + 4, q[8]); break;
+    case SHAPE_RING: disc(c, normal, shape.radius); break;
     case SHAPE_POLYGON: {
-        const uint32_t axis = as_uint_(q[5]), first = as_uint_(q[6]), count = as_uint_(q[7]);
+        const uint32_t axis = shape.dropped_axis;
         const int iu = axis == 0 ? 1 : 0, iv = axis == 2 ? 1 : 2;
-        for (uint32_t i = 0; i < count; i++) {
-            const float u = in.polygon_uv[size_t(first) + i], v = in.polygon_uv[size_t(first) + POLYGON_ROW(count) + i];
+        const float *us = in.polygon_uv + shape.uv_at, *vs = us + POLYGON_ROW(shape.corners);
+        for (uint32_t i = 0; i < shape.corners; i++) {
+            const float u = us[i], v = vs[i];
             float p[3];
             p[iu] = u;
             p[iv] = v;
-            p[axis] = float((double(q[4]) - double(q[1 + iu]) * u - double(q[1 + iv]) * v) / q[1 + axis]);
+            p[axis] = float((double(shape.offset) - double(normal[iu]) * u - double(normal[iv]) * v) / normal[axis]);
             grow(bounds, p);
         }
         break;
@@ -99,14 +101,14 @@ Bounds shape_bounds(const Input& in, size_t k) {
 
 namespace {
 
-Bounds instance_bounds(const float* q, const std::vector<Bounds>& trees) {
-    const uint32_t tree = as_uint_(q[INSTANCE_TREE]);
+Bounds instance_bounds(const Instance& instance, const std::vector<Bounds>& trees) {
+    const uint32_t tree = instance.tree;
     if (tree == 0 || tree >= trees.size()) base::fail("", "an instance of a tree that does not exist");
     const Bounds& local = trees[tree];
     Bounds bounds = empty_bounds();
     if (local.lo[0] > local.hi[0]) return bounds;
     double m[12];
-    invert_affine(q + 1, m);
+    invert_affine(instance.local, m);
     for (int corner = 0; corner < 8; corner++) {
         float p[3];
         for (int a = 0; a < 3; a++) {
@@ -133,11 +135,10 @@ Bounds primitive_bounds(const Input& in, size_t k, const std::vector<Bounds>& tr
         }
         pad(bounds, 1e-30f);
     } else {
+        if (k >= in.first_instance()) return instance_bounds(in.instances[k - in.first_instance()], trees);
         const size_t shape = in.first_shape + (k - in.triangle_count);
-        const float* q = in.shapes + SHAPE_FLOATS * shape;
-        if (as_uint_(q[SHAPE_KIND]) == SHAPE_INSTANCE) return instance_bounds(q, trees);
         bounds = shape_bounds(in, shape);
-        if (as_uint_(q[SHAPE_KIND]) == SHAPE_POLYGON) reach_beyond_edges(q, bounds);
+        if (in.shapes[shape].kind == SHAPE_POLYGON) reach_beyond_edges(in.shapes[shape], bounds);
         pad(bounds, 1e-30f);
     }
     return bounds;

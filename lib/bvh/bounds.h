@@ -13,7 +13,7 @@ struct Bounds {
 Bounds empty_bounds();
 void grow(Bounds& bounds, const float p[3]);  // throws Error for a coordinate that is not a number or too large
 
-// Around shape k of the table, not padded.  Not for instances.
+// Around shape k of the table, not padded.
 Bounds shape_bounds(const Input& in, size_t k);
 
 // Around primitive k of a tree: a triangle, a shape or an instance of one of `trees`, padded for the rounding of the

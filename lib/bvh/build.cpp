@@ -10,16 +10,12 @@
 #include <cstring>
 #include <memory>
 
-#include "kernels/dialect/compat_host.h"
 #include "bvh/bounds.h"
 #include "bvh/compact_node.h"
 #include "bvh/embree_device.h"
 #include "bvh/temp_tree.h"
 
-namespace bvh {
-namespace {
-#include "kernels/bvh/intersect.h"
-#include "kernels/math/vec.h"
+namespace kernels {
 #include "kernels/geom/shapes.h"
 #include "kernels/bvh/woop.h"
 namespace wide {
@@ -28,6 +24,11 @@ namespace wide {
 namespace compact {
 #include "kernels/bvh/bvh_compact.h"
 }
+}  // namespace kernels
+
+namespace bvh {
+namespace {
+using namespace kernels;
 
 // Differences between the two kinds of tree.
 struct Layout {
@@ -54,7 +55,7 @@ public:
           tree_passes_(tree_count),
           tree_need_(tree_count + 1),
           tree_depth_(tree_count + 1) {
-        for (size_t k = 0; k < tree_count; k++) to_do_ += double(trees[k].triangle_count + trees[k].shape_count);
+        for (size_t k = 0; k < tree_count; k++) to_do_ += double(trees[k].count());
     }
 
     Tree build() {
@@ -111,16 +112,15 @@ private:
 
     bool lets_pass(const Input& in, size_t k) const {
         if (k < in.triangle_count) return (in.tri_prim[k] & ID_TRANSPARENT) != 0;
-        const size_t shape = in.first_shape + k - in.triangle_count;
-        const float* q = in.shapes + SHAPE_FLOATS * shape;
-        if (as_uint_(q[SHAPE_KIND]) != SHAPE_INSTANCE) return (in.shape_prim[shape] & ID_TRANSPARENT) != 0;
-        const uint32_t forced = as_uint_(q[INSTANCE_CLASS]);
-        return forced != 0 ? (forced & RAY_TRANSPARENT) != 0 : tree_passes_[as_uint_(q[INSTANCE_TREE])];
+        if (k < in.first_instance())
+            return (in.shape_prim[in.first_shape + k - in.triangle_count] & ID_TRANSPARENT) != 0;
+        const Instance& instance = in.instances[k - in.first_instance()];
+        return instance.forced != 0 ? (instance.forced & RAY_TRANSPARENT) != 0 : tree_passes_[instance.tree];
     }
 
     TempNode* build_tree(size_t tree, RTCBVH bvh) {
         const Input& in = input(tree);
-        const size_t count = in.triangle_count + in.shape_count;
+        const size_t count = in.count();
         if (count >= ID_PRIM) base::fail("", "too many primitives");
         std::vector<RTCBuildPrimitive> prims;
         if (tree < tree_count_) prims.reserve(count);
@@ -165,12 +165,12 @@ private:
                     triangles++;
                     continue;
                 }
-                const float* q = in.shapes + SHAPE_FLOATS * (in.first_shape + leaf->prim[i] - in.triangle_count);
-                if (as_uint_(q[SHAPE_KIND]) != SHAPE_INSTANCE) continue;
+                if (leaf->prim[i] < in.first_instance()) continue;
                 if (&in != trees_) base::fail("", "an instance within an instance was not flattened");
+                const Instance& instance = in.instances[leaf->prim[i] - in.first_instance()];
                 instances++;
-                need.stack = std::max(need.stack, tree_need_[as_uint_(q[INSTANCE_TREE])]);
-                need.depth = std::max(need.depth, tree_depth_[as_uint_(q[INSTANCE_TREE])]);
+                need.stack = std::max(need.stack, tree_need_[instance.tree]);
+                need.depth = std::max(need.depth, tree_depth_[instance.tree]);
             }
             const unsigned n = layout_.per_block;
             need.blocks = (triangles + n - 1) / n + (leaf->prims - triangles + n - 1) / n;
@@ -261,12 +261,14 @@ private:
         const unsigned n = layout_.per_block;
         const Bounds none = empty_bounds();
         for (unsigned i = 0; i < n; i++) {
-            uint32_t shape = 0, id = ID_SHAPE | (last ? ID_LAST : 0);
-            if (i < count) {
-                shape = uint32_t(in.first_shape + (prim[i] - in.triangle_count));
-                id |= in.shape_prim[shape] & (ID_PRIM | ID_TRANSPARENT);
+            uint32_t number = 0, id = ID_SHAPE | (last ? ID_LAST : 0);
+            if (i < count && prim[i] >= in.first_instance()) {
+                number = uint32_t(prim[i] - in.first_instance()) | REF_INSTANCE;
+            } else if (i < count) {
+                number = uint32_t(in.first_shape + (prim[i] - in.triangle_count));
+                id |= in.shape_prim[number] & (ID_PRIM | ID_TRANSPARENT);
             }
-            b[i] = as_float_(shape);
+            b[i] = as_float_(number);
             b[n == 4 ? 36 + i : 3] = as_float_(id);
             if (n == 4)
                 write_box(b + BVH8_BOXES + i, 4, i < count ? primitive_bounds(in, prim[i], tree_bounds_) : none);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bounding volume hierarchies for kernels/bvh/bvh8.h and kernels/bvh/bvh_compact.h, by Embree's builder (rtcBuildBVH)
 // on all cores.  The arrays go to the device as they are.  Tree 0 is the scene; trees 1, 2, ... are what its
-// SHAPE_INSTANCE shapes stand for (word 13 = tree).  One more tree has only what of tree 0 lets shadow rays pass, so
+// instances stand for.  One more tree has only what of tree 0 lets shadow rays pass, so
 // that they look for panes there alone.  Where trees begin: ROOT_OF_TREE, ROOT_OF_PANES (kernels/bvh/intersect.h).  An
 // empty scene gives empty nodes and no leaves. Memory per triangle of large meshes: 55 bytes (BVH8) or 57 (compact),
 // with BVH8's 75 at most while building (bench/traversal), twice as much for what lets shadow rays pass; scattered
@@ -13,6 +13,7 @@
 #include <functional>
 #include <new>
 #include <vector>
+#include "kernels/dialect/host.h"
 
 namespace bvh {
 
@@ -31,18 +32,23 @@ struct AlignedAllocator {
 using AlignedFloats = std::vector<float, AlignedAllocator<float>>;
 
 // Ids (tri_prim, shape_prim): primitive number < 2^29, plus ID_TRANSPARENT (kernels/bvh/intersect.h) for its class.
-// Triangles of one polygon share the id.  The class of an instance is word 15 of its shape; its id is not used.
+// Triangles of one polygon share the id.
 struct Input {
     const float* vertices = nullptr;  // 3 floats each
     size_t vertex_count = 0;
     const uint32_t* triangles = nullptr;  // 3 vertex numbers each
     const uint32_t* tri_prim = nullptr;   // 1 each
     size_t triangle_count = 0;
-    // Shapes first_shape .. first_shape + shape_count - 1 of one table for all trees (16 floats each, intersect.h).
-    const float* shapes = nullptr;
+    // Shapes first_shape .. first_shape + shape_count - 1 of one table for all trees.
+    const kernels::Shape* shapes = nullptr;
     const uint32_t* shape_prim = nullptr;  // 1 each, parallel to shapes
     size_t first_shape = 0, shape_count = 0;
     const float* polygon_uv = nullptr;
+    const kernels::Instance* instances = nullptr;  // of tree 0 alone
+    size_t instance_count = 0;
+
+    size_t count() const { return triangle_count + shape_count + instance_count; }  // primitives, in this order
+    size_t first_instance() const { return triangle_count + shape_count; }
 };
 
 struct Tree {
@@ -58,7 +64,7 @@ Tree build_compact(const Input* trees, size_t tree_count = 1, const Tell& tell =
 inline Tree build8(const Input& scene) { return build8(&scene, 1); }
 inline Tree build_compact(const Input& scene) { return build_compact(&scene, 1); }
 
-// World from local of an instance shape's matrix (INSTANCE_MATRIX): the inverse, in double, the translation as fourth
+// World from local of an instance's matrix (Instance.local): the inverse, in double, the translation as fourth
 // column.
 void invert_affine(const float local_from_world[12], double world_from_local[12]);
 

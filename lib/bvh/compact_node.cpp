@@ -6,15 +6,15 @@
 #include <cmath>
 #include <cstring>
 
-#include "kernels/dialect/compat_host.h"
-
-namespace bvh {
-namespace {
-#include "kernels/math/vec.h"
-#include "kernels/bvh/intersect.h"
+namespace kernels {
 #include "kernels/geom/shapes.h"
 #include "kernels/bvh/woop.h"
 #include "kernels/bvh/bvh_compact.h"
+}  // namespace kernels
+
+namespace bvh {
+namespace {
+using namespace kernels;
 
 Bounds around(const Bounds* const box[compact_slots]) {
     Bounds all = empty_bounds();

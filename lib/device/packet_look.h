@@ -18,24 +18,25 @@ FN uint32_t packet_met(const PacketRays& p, uint32_t rays, const float* triangle
 }
 
 // Does a ray meet a shape, or what of a class an instance holds?
-FN int shape_met(const SceneTables& s, const Ray& ray, const float* shape, uint32_t mask) {
+FN int shape_met(const SceneTables& s, const Ray& ray, uint32_t number, uint32_t mask) {
     float t;
-    if (as_uint_(shape[SHAPE_KIND]) != SHAPE_INSTANCE)
-        return shape_hit(shape, s.polygon_uv, ray.org, ray.dir, ray.tmin, &t) && t < ray.tmax;
+    if ((number & REF_INSTANCE) == 0u)
+        return shape_hit(&s.shapes[number], s.polygon_uv, ray.org, ray.dir, ray.tmin, &t) && t < ray.tmax;
     TreeRay in;
     uint32_t root;
     Look look;
     look_along(&ray, &look);
-    return enter_instance(shape, &ray, mask, &in, &root) && bvh8_walk(&s, &ray, mask, &in, root, 1, &look);
+    return enter_instance(&s, number & REF_INDEX, &ray, mask, &in, &root) &&
+           bvh8_walk(&s, &ray, mask, &in, root, 1, &look);
 }
 
 // Shape k of a block, of one of these classes; those rays of `rays` that it stops.
 FN uint32_t packet_met_shape(const SceneTables& s, const PacketRays& p, uint32_t rays, const float* block, uint32_t k,
                              uint32_t mask) {
-    const float* shape = shape_record(&s, as_uint_(block[k]));
     uint32_t met = 0;
     for (uint32_t left = rays; left != 0; left &= left - 1)
-        if (shape_met(s, packet_ray(p, uint32_t(__builtin_ctz(left))), shape, mask)) met |= left & (0u - left);
+        if (shape_met(s, packet_ray(p, uint32_t(__builtin_ctz(left))), as_uint_(block[k]), mask))
+            met |= left & (0u - left);
     return met;
 }
 
@@ -50,7 +51,7 @@ FN uint32_t packet_look_leaf(const SceneTables& s, PacketRays& p, const float* b
             const uint32_t id = as_uint_(block[BVH8_IDS + k]);
             if ((first & ID_SHAPE) != 0) {
                 const uint32_t near = packet_box(p, block + BVH8_BOXES, 4, k, rays & p.open);
-                const bool instance = near != 0 && as_uint_(*shape_record(&s, as_uint_(block[k]))) == SHAPE_INSTANCE;
+                const bool instance = (as_uint_(block[k]) & REF_INSTANCE) != 0;
                 if (near == 0) continue;
                 if (instance || id >> 31 == 0) p.open &= ~packet_met_shape(s, p, near, block, k, RAY_OPAQUE);
                 if ((instance || id >> 31 != 0) && (mask & RAY_TRANSPARENT) != 0)

@@ -27,16 +27,18 @@ FN uint32_t packet_triangle(Packet& p, uint32_t g, uint32_t rays, const float* b
     return found;
 }
 
-// Ray i of a packet against a shape.  1 if it came nearer.
-FN int packet_shape(const SceneTables& s, Packet& p, uint32_t i, const float* shape, uint32_t id, uint32_t mask) {
+// Ray i of a packet against a shape or instance.  1 if it came nearer.
+FN int packet_shape(const SceneTables& s, Packet& p, uint32_t i, uint32_t number, uint32_t id, uint32_t mask) {
     const Ray ray = packet_ray(p, i);
     float t;
-    if (as_uint_(shape[SHAPE_KIND]) != SHAPE_INSTANCE)
-        return (mask >> (id >> 31) & 1u) != 0 && shape_hit(shape, s.polygon_uv, ray.org, ray.dir, ray.tmin, &t) &&
+    if ((number & REF_INSTANCE) == 0u)
+        return (mask >> (id >> 31) & 1u) != 0 &&
+               shape_hit(&s.shapes[number], s.polygon_uv, ray.org, ray.dir, ray.tmin, &t) &&
                hit_offer(&p.look[i], t, id & ID_PRIM, 0.0f, 0.0f, NO_HIT);
     TreeRay in;
     uint32_t root;
-    return enter_instance(shape, &ray, mask, &in, &root) && bvh8_walk(&s, &ray, mask, &in, root, 0, &p.look[i]);
+    return enter_instance(&s, number & REF_INDEX, &ray, mask, &in, &root) &&
+           bvh8_walk(&s, &ray, mask, &in, root, 0, &p.look[i]);
 }
 
 // Tests the rays against all blocks of a leaf.  Returns those that now hit nearer.
@@ -54,7 +56,7 @@ FN uint32_t packet_leaf(const SceneTables& s, Packet& p, const float* block, uin
                 uint32_t left = packet_box(p, block + BVH8_BOXES, 4, k, rays);
                 for (; left != 0; left &= left - 1) {
                     const uint32_t i = uint32_t(__builtin_ctz(left));
-                    if (packet_shape(s, p, i, shape_record(&s, as_uint_(block[k])), id, mask)) look_less_far(1u << i);
+                    if (packet_shape(s, p, i, as_uint_(block[k]), id, mask)) look_less_far(1u << i);
                 }
             } else if ((mask >> (id >> 31) & 1u) != 0 && !packet_no_triangle(block + k)) {
                 for (uint32_t g = 0; 8 * g < p.count; g++)

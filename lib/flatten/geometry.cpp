@@ -25,20 +25,12 @@ void add_tree(FlatScene& out, const Fill& fill) {
     FlatScene::Tree t;
     t.first_vertex = out.vertices.size() / 3;
     t.first_triangle = out.triangles.size() / 3;
-    t.first_shape = out.shapes.size() / SHAPE_FLOATS;
+    t.first_shape = out.shapes.size();
     fill();
     t.vertex_count = out.vertices.size() / 3 - t.first_vertex;
     t.triangle_count = out.triangles.size() / 3 - t.first_triangle;
-    t.shape_count = out.shapes.size() / SHAPE_FLOATS - t.first_shape;
+    t.shape_count = out.shapes.size() - t.first_shape;
     out.trees.push_back(t);
-}
-
-// Space for the records of instances behind all shapes
-uint32_t add_shapes(FlatScene& out, size_t count) {
-    const size_t first = out.shapes.size() / SHAPE_FLOATS;
-    out.shapes.resize(SHAPE_FLOATS * (first + count), 0.0f);
-    out.shape_prim.resize(first + count, 0);
-    return uint32_t(first);
 }
 }  // namespace
 
@@ -50,14 +42,10 @@ void flatten_geometry(const Modifiers& modifiers, const Instances& instances, co
     out.centre = centre_of(out.boxes, eye);
     out.radius = radius_of(out.boxes);
 
-    uint32_t places_at = 0;
-    add_tree(out, [&] {
-        flatten_surfaces(modifiers.scene, &modifiers, out.centre, out, &lights);
-        places_at = instances.write_places(out);
-    });
+    add_tree(out, [&] { flatten_surfaces(modifiers.scene, &modifiers, out.centre, out, &lights); });
     for (size_t tree = 1; tree <= instances.tree_count(); tree++)
         add_tree(out, [&] { instances.write_tree(tree, out); });
-    instances.write_records(places_at, out);
+    instances.write_records(out);
 }
 
 // An instance counts as some of what it holds.
@@ -79,34 +67,22 @@ void Instances::add_boxes(std::vector<Box>& boxes) const {
     }
 }
 
-uint32_t Instances::write_places(FlatScene& out) const {
-    const uint32_t first = add_shapes(out, places_.size());
-    for (size_t i = 0; i < places_.size(); i++) {
-        const Place& p = places_[i];
-        float* q = &out.shapes[SHAPE_FLOATS * (first + i)];
-        q[SHAPE_KIND] = from_bits(SHAPE_INSTANCE);
-        put_matrix(q + INSTANCE_MATRIX, base::inverse(p.to_world),
-                   base::point(p.to_world, trees_[p.tree - 1].centre) - out.centre);
-        q[INSTANCE_TREE] = from_bits(p.tree);
-        q[INSTANCE_CLASS] = from_bits(p.forced);
-        if ((p.forced & RAY_TRANSPARENT) != 0) out.shadows_need(SHADOW_STRAIGHT);
-    }
-    return first;
-}
-
 void Instances::write_tree(size_t tree, FlatScene& out) const {
     const Tree& t = trees_[tree - 1];
     if (t.mesh) flatten_mesh(*t.mesh, t.modifiers, t.materials, t.centre, out);
     else flatten_surfaces(*t.scene, t.modifiers, t.centre, out, nullptr);
 }
 
-void Instances::write_records(uint32_t places_at, FlatScene& out) const {
-    for (size_t i = 0; i < places_.size(); i++) {
-        const Place& p = places_[i];
-        out.shapes[SHAPE_FLOATS * (places_at + i) + INSTANCE_NUMBER] = from_bits(uint32_t(i));
+void Instances::write_records(FlatScene& out) const {
+    for (const Place& p : places_) {
         const Xform frame = base::inverse(p.frame);
         Instance& instance = out.instances.emplace_back();
-        instance.shape = uint32_t(places_at + i);
+        put_matrix(instance.local, base::inverse(p.to_world),
+                   base::point(p.to_world, trees_[p.tree - 1].centre) - out.centre);
+        instance.tree = p.tree;
+        instance.forced = p.forced;
+        instance.clear = p.clear;
+        if ((p.forced & RAY_TRANSPARENT) != 0) out.shadows_need(SHADOW_STRAIGHT);
         put_matrix(instance.frame, frame, base::point(frame, out.centre));  // the origin of the tables
         instance.mod = p.mod;
         instance.scale = float(std::fabs(frame.scale));

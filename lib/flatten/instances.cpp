@@ -88,11 +88,12 @@ uint32_t Instances::tree_of(const scene::Scene* scene, const scene::Mesh* mesh, 
 
 void Instances::add(uint32_t tree, const Xform& to_world, const Replacement* replaced, uint32_t object) {
     if (tree == NONE) return;
-    Place p{tree, to_world, to_world, NONE, 0, object};
+    Place p{tree, to_world, to_world, NONE, 0, object, false};
     if (replaced) {
         p.frame = replaced->frame;
         p.mod = replaced->mod;
-        p.forced = (replaced->passes ? RAY_TRANSPARENT : RAY_OPAQUE) | (replaced->clear ? INSTANCE_CLEAR : 0u);
+        p.forced = replaced->passes ? RAY_TRANSPARENT : RAY_OPAQUE;
+        p.clear = replaced->clear;
     }
     places_.push_back(p);
 }

@@ -25,13 +25,11 @@ public:
     // Reads all files; their modifiers join the tables.  top: of the scene itself.
     void place(const Modifiers& top, Lights& lights);
 
-    // For flatten_geometry(): the reach of all places, the places as shapes of tree 0, the trees, and the records of
-    // the places, which follow the shapes of all trees.
+    // For flatten_geometry(): the reach of all places, the trees, and the records of the places.
     void add_boxes(std::vector<Box>& boxes) const;
-    uint32_t write_places(FlatScene& out) const;         // gives the first one's number
     size_t tree_count() const { return trees_.size(); }  // tree 0 not counted
     void write_tree(size_t tree, FlatScene& out) const;
-    void write_records(uint32_t places_at, FlatScene& out) const;
+    void write_records(FlatScene& out) const;
 
 private:
     // The modifier that replaces those inside, and the coordinates that its functions see.
@@ -61,6 +59,7 @@ private:
         uint32_t tree;
         base::Xform to_world, frame;
         uint32_t mod, forced, object;
+        bool clear;
     };
     using Materials = std::vector<int32_t>;
     using Key = std::tuple<const void*, const void*, Materials>;

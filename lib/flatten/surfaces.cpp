@@ -62,26 +62,17 @@ private:
         out_.shadows_need(SHADOW_STRAIGHT);
         return id;
     }
-    uint32_t add_curved_prim(const Object& o, uint32_t kind, uint32_t shape) {
+    uint32_t add_curved_prim(const Object& o, uint32_t kind, const Shape& shape) {
         uint32_t tagged;
         const uint32_t prim = add_prim(o, kind, {}, tagged);
-        out_.prims[prim].at = shape;
+        out_.prims[prim].at = uint32_t(out_.shapes.size());
+        out_.shapes.push_back(shape);
         out_.shape_prim.push_back(tagged);
         return prim;
     }
     void set_extent(uint32_t prim, double size, float offset = 0) {
         out_.prims[prim].kind |= extent_bits(size);
         out_.prims[prim].offset = offset;
-    }
-
-    uint32_t add_shape(uint32_t kind, std::initializer_list<double> values) {
-        const uint32_t id = uint32_t(out_.shapes.size() / SHAPE_FLOATS);
-        out_.shapes.resize(out_.shapes.size() + SHAPE_FLOATS, 0.0f);
-        float* q = &out_.shapes[SHAPE_FLOATS * id];
-        q[SHAPE_KIND] = from_bits(kind);
-        int i = 1;
-        for (double v : values) q[i++] = float(v);
-        return id;
     }
 
     uint32_t index_of(const Object& o) const { return uint32_t(&o - scene_.objects.data()); }
@@ -167,11 +158,15 @@ private:
             for (const Vec3& v : corners) out_.polygon_uv.push_back(float(v[axis]));
             out_.polygon_uv.resize(row + POLYGON_ROW(count), NAN);
         }
-        float* q = &out_.shapes[SHAPE_FLOATS * add_shape(SHAPE_POLYGON, {n.x, n.y, n.z, p.offset(centre_)})];
-        q[POLYGON_AXIS] = from_bits(uint32_t(drop));
-        q[POLYGON_FIRST] = from_bits(at);
-        q[POLYGON_COUNT] = from_bits(count);
-        q[POLYGON_MARGIN] = float(margin);
+        Shape shape{};
+        shape.kind = SHAPE_POLYGON;
+        shape.normal = packed(n);
+        shape.offset = float(p.offset(centre_));
+        shape.margin = float(margin);
+        shape.dropped_axis = uint32_t(drop);
+        shape.uv_at = at;
+        shape.corners = count;
+        out_.shapes.push_back(shape);
         out_.shape_prim.push_back(tagged);
     }
 
@@ -179,7 +174,10 @@ private:
         const auto r = scene_.reals(o);
         const bool inward = (o.type == Type::bubble) != (r[3] < 0);
         const Vec3 c = vec_at(r, 0) - centre_;
-        const uint32_t shape = add_shape(SHAPE_SPHERE, {c.x, c.y, c.z, std::fabs(r[3])});
+        Shape shape{};
+        shape.kind = SHAPE_SPHERE;
+        shape.centre = packed(c);
+        shape.radius = float(std::fabs(r[3]));
         const uint32_t prim = add_curved_prim(o, PRIM_SPHERE | (inward ? PRIM_INWARD : 0u), shape);
         set_extent(prim, 2 * std::fabs(r[3]));
         note_emitter(o, prim);
@@ -200,8 +198,12 @@ private:
         const Vec3 p0 = vec_at(r, 0) - centre_, axis = vec_at(r, 3) - vec_at(r, 0);
         const double len = length(axis);
         if (len <= TINY) return ignore(o, "axis of zero length");
-        const uint32_t shape =
-            add_shape(SHAPE_CONE, {p0.x, p0.y, p0.z, axis.x / len, axis.y / len, axis.z / len, len, r0, r1});
+        Shape shape{};
+        shape.kind = SHAPE_CONE;
+        shape.centre = packed(p0);
+        shape.normal = packed({axis.x / len, axis.y / len, axis.z / len});
+        shape.length = float(len);
+        shape.radius = float(r0), shape.other_radius = float(r1);
         const uint32_t prim = add_curved_prim(o, PRIM_CONE | (inward ? PRIM_INWARD : 0u), shape);
         set_extent(prim, len + 2 * std::max(r0, r1));
         note_emitter(o, prim);
@@ -214,7 +216,12 @@ private:
         if (length(n) <= TINY) return ignore(o, "ring with zero normal");
         if (r0 < 0 || r1 - r0 <= TINY) return ignore(o, "bad ring radii");
         const Vec3 c = vec_at(r, 0) - centre_, u = unit(n);
-        add_shape(SHAPE_RING, {c.x, c.y, c.z, u.x, u.y, u.z, r0, r1});
+        Shape shape{};
+        shape.kind = SHAPE_RING;
+        shape.centre = packed(c);
+        shape.normal = packed(u);
+        shape.radius = float(r1), shape.other_radius = float(r0);
+        out_.shapes.push_back(shape);
         uint32_t tagged;
         const uint32_t prim = add_prim(o, PRIM_FLAT | PRIM_TEXTURE_FLAT, u, tagged);
         out_.shape_prim.push_back(tagged);

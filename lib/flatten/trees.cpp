@@ -3,6 +3,7 @@
 #include "flatten/trees.h"
 
 #include "base/hash.h"
+#include "flatten/pack.h"
 
 namespace flatten {
 
@@ -22,6 +23,9 @@ std::vector<bvh::Input> build_inputs(const FlatScene& s) {
         in.polygon_uv = s.polygon_uv.data();
         trees.push_back(in);
     }
+    if (trees.empty()) return trees;
+    trees[0].instances = s.instances.data();
+    trees[0].instance_count = s.instances.size();
     return trees;
 }
 
@@ -32,6 +36,10 @@ std::string hash_of_inputs(const FlatScene& s) {
         hash.add({t.first_vertex, t.vertex_count, t.first_triangle, t.triangle_count, t.first_shape, t.shape_count});
     hash.add_all(s.vertices), hash.add_all(s.triangles), hash.add_all(s.tri_prim);
     hash.add_all(s.shapes), hash.add_all(s.shape_prim), hash.add_all(s.polygon_uv);
+    for (const Instance& instance : s.instances) {
+        for (const float value : instance.local) hash.add({bits(value)});
+        hash.add({instance.tree, instance.forced});
+    }
     return hash.text();
 }
 

@@ -20,7 +20,7 @@ STRUCT(Prim) {
     uint source;     // active source, NONE
     Packed3 normal;  // flat: unit
     float offset;    // flat: n.p of its plane
-    uint at;         // sphere, cone: its shape; PRIM_SMOOTH: index into u of the numbers of its three corners
+    uint at;  // sphere, cone: in the table of shapes; PRIM_SMOOTH: index into u of the numbers of its three corners
 };
 
 // A corner of smooth triangles.
@@ -29,10 +29,34 @@ STRUCT(Corner) {
     float u, v;      // mesh coordinates Lu, Lv
 };
 
-// One geometry in several places (bvh/instance.h); Hit.inst is the number of one.
+// A surface other than a triangle (geom/shapes.h).  A bubble is a sphere, a tube a cone: the host flips their normals
+// (flags of the primitive).
+STRUCT(Shape) {
+    uint kind;           // SHAPE_*
+    Packed3 centre;      // sphere, ring; cone: where its axis begins
+    Packed3 normal;      // unit, of a ring or polygon; cone: its axis
+    float radius;        // sphere; cone: where its axis begins; ring: the outer one
+    float other_radius;  // cone: where its axis ends; ring: the inner one
+    float length;        // cone: of its axis
+    float offset;        // polygon: n.p of its plane
+    float margin;        // polygon: points this near to an edge are inside
+    uint dropped_axis;   // polygon: polygon_uv holds the two others in order (0: y z, 1: x z, 2: x y)
+    uint uv_at;          // polygon: first row in polygon_uv: the last corner, all corners, and NaN so that eight can be
+                         // read from each corner on; then that of the other coordinate
+    uint corners;        // polygon: their number
+};
+#define SHAPE_SPHERE 1u
+#define SHAPE_CONE 2u  // with open ends; of a cylinder both radii are the same
+#define SHAPE_RING 3u
+#define SHAPE_POLYGON 4u
+
+// One geometry in several places (bvh/instance.h); Hit.inst is the number of one.  Its matrices are three rows of four.
 STRUCT(Instance) {
-    uint shape;       // its SHAPE_INSTANCE: the matrix to the tree's coordinates
-    float frame[12];  // matrix to the coordinates that functions of the modifiers see
+    float local[12];  // to the tree's coordinates (instance_point)
+    uint tree;        // >= 1; only tree 0 holds instances
+    uint forced;      // RAY_* of all its surfaces; 0: their own
+    uint clear;       // 1: its modifier is of a transparent type (PRIM_CLEAR)
+    float frame[12];  // to the coordinates that functions of the modifiers see
     uint mod;         // modifier in place of all those inside, NONE = their own
     float scale;      // a world length in the coordinates of `frame`
 };
@@ -232,6 +256,7 @@ STRUCT(Mixture) {
     TABLE(float, leaves)      /* triangle blocks and shape references */
 #define RECORD_TABLES(TABLE)                                                                \
     TABLE(Prim, prims)                                                                      \
+    TABLE(Shape, shapes)                                                                    \
     TABLE(Corner, corners)                                                                  \
     TABLE(Instance, instances)                                                              \
     TABLE(Modifier, modifiers)                                                              \
@@ -248,8 +273,7 @@ STRUCT(Mixture) {
     TABLE(Portal, portals)                                                                  \
     TABLE(Highlight, highlights)
 #define FLAT_TABLES(TABLE)                                                                  \
-    TABLE(float, shapes)      /* SHAPE_FLOATS each (bvh/intersect.h) */                     \
-    TABLE(float, polygon_uv)  /* projected corners (SHAPE_POLYGON) */                       \
+    TABLE(float, polygon_uv)  /* projected corners (Shape.uv_at) */                         \
     RECORD_TABLES(TABLE)                                                                    \
     TABLE(uint, u)            /* word arena: .cal code, trees of BSDFs, rows of indices */           \
     TABLE(float, f)           /* float arena: arguments of modifiers, BSDFs */

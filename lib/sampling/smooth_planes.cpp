@@ -58,19 +58,15 @@ public:
             if (!chain.smooth) return;
             curved = curved || !flat || chain.bends;
             if (ball) {
-                const float* shape = &scene_.shapes[SHAPE_FLOATS * size_t(p.at)];
-                balls.push_back({scene_.centre + flatten::get(shape + SPHERE_CENTRE), double(shape[SPHERE_RADIUS])});
+                const Shape& shape = scene_.shapes[p.at];
+                balls.push_back({scene_.centre + flatten::vec_of(shape.centre), double(shape.radius)});
             }
             if (!flat) return;
             const double size = double(flatten::from_bits(p.kind >> PRIM_EXTENT_SHIFT << 23));
             add(planes, flatten::vec_of(p.normal), size);
         };
         for (size_t i = 0; i < tree.triangle_count; i++) see(scene_.tri_prim[tree.first_triangle + i] & IN_TRIANGLE);
-        for (size_t i = 0; i < tree.shape_count; i++) {
-            const size_t shape = tree.first_shape + i;
-            if (bits(scene_.shapes[SHAPE_FLOATS * shape + SHAPE_KIND]) != SHAPE_INSTANCE)
-                see(scene_.shape_prim[shape] & IN_TRIANGLE);
-        }
+        for (size_t i = 0; i < tree.shape_count; i++) see(scene_.shape_prim[tree.first_shape + i] & IN_TRIANGLE);
         return planes;
     }
 
@@ -142,12 +138,11 @@ SmoothSurfaces smooth_surfaces(const flatten::FlatScene& scene) {
     size_t placed = 0;
     for (size_t i = 0; i < scene.instance_object.size() && placed < MOST_PLACED; i++) {
         const Instance& instance = scene.instances[i];
-        const float* shape = &scene.shapes[SHAPE_FLOATS * size_t(instance.shape)];
-        const uint32_t tree = bits(shape[INSTANCE_TREE]), mod = instance.mod;
+        const uint32_t tree = instance.tree, mod = instance.mod;
         const auto [inside, fresh] = of_tree.emplace(std::make_pair(tree, mod), Planes());
         if (fresh) inside->second = finder.of_tree(scene.trees[tree], mod);
         for (const auto& [key, plane] : inside->second) {
-            add(planes, turned(shape + INSTANCE_MATRIX, plane.normal), plane.size);
+            add(planes, turned(instance.local, plane.normal), plane.size);
             placed++;
         }
     }

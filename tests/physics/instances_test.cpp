@@ -174,9 +174,10 @@ TEST_CASE("geometry is kept once, whatever stands how often") {
     const std::string white = "void plastic m 0 0 5 .5 .5 .5 0 0\nvoid plastic m2 0 0 5 .4 .4 .4 0 0\n";
     const auto bytes = [](const flatten::FlatScene& s) {
         return sizeof(kernels::Prim) * s.prims.size() + sizeof(kernels::Instance) * s.instances.size() +
-               sizeof(kernels::Corner) * s.corners.size() + sizeof(kernels::Modifier) * s.modifiers.size() +
-               4 * (s.vertices.size() + s.triangles.size() + s.tri_prim.size() + s.shapes.size() + s.shape_prim.size() +
-                    s.u.size() + s.f.size() + s.prim_object.size());
+               sizeof(kernels::Corner) * s.corners.size() + sizeof(kernels::Shape) * s.shapes.size() +
+               sizeof(kernels::Modifier) * s.modifiers.size() +
+               4 * (s.vertices.size() + s.triangles.size() + s.tri_prim.size() + s.shape_prim.size() + s.u.size() +
+                    s.f.size() + s.prim_object.size());
     };
     const auto flat = [&](const std::string& text) { return flatten::flatten(scene_of(white + text), {}, {}); };
     const size_t none = bytes(flat("m sphere s 0 0 4 0 0 0 1\n"));

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Both traversals in host C++, in namespaces of their own, and a brute-force search over the same primitives.
 #pragma once
-#include "kernels/dialect/compat_host.h"
 #include "unit/bvh_scenes.h"
 
 namespace kernels {
-#include "kernels/math/vec.h"
-#include "kernels/bvh/intersect.h"
 #include "kernels/geom/shapes.h"
 #include "kernels/bvh/woop.h"
 #include "kernels/bvh/offset_ray.h"
@@ -38,6 +35,7 @@ inline SceneTables tables(const bvh_scenes::Scene& s, const bvh::Tree& bvh) {
     t.leaves = bvh.leaves.data();
     t.shapes = s.shapes.data();
     t.polygon_uv = s.polygon_uv.data();
+    t.instances = s.instances.data();
     return t;
 }
 
@@ -60,20 +58,17 @@ inline void brute_part(const bvh_scenes::Scene& s, size_t part, const Ray& ray, 
             hit_offer(look, t, s.tri_prim[i] & ID_PRIM, u, vv, inst);
     }
     for (size_t i = p.shape; i < p.shape + p.shapes; i++) {
-        const float* q = &s.shapes[SHAPE_FLOATS * i];
         float t;
-        if (as_uint_(q[SHAPE_KIND]) == SHAPE_INSTANCE) {
-            WoopRay local;
-            const float* matrix = q + INSTANCE_MATRIX;
-            woop_prepare(instance_point(matrix, ray.org), affine_vector(matrix, ray.dir), &local);
-            const uint forced = as_uint_(q[INSTANCE_CLASS]);
-            if (forced == 0 || (mask & forced))
-                brute_part(s, as_uint_(q[INSTANCE_TREE]), ray, local, forced ? RAY_ALL : mask,
-                           as_uint_(q[INSTANCE_NUMBER]), look);
-        } else if ((mask >> (s.shape_prim[i] >> 31) & 1) &&
-                   shape_hit(q, s.polygon_uv.data(), w.org, w.dir, look->from, &t)) {
+        if ((mask >> (s.shape_prim[i] >> 31) & 1) &&
+            shape_hit(&s.shapes[i], s.polygon_uv.data(), w.org, w.dir, look->from, &t))
             hit_offer(look, t, s.shape_prim[i] & ID_PRIM, 0, 0, inst);
-        }
+    }
+    for (size_t i = 0; part == 0 && i < s.instances.size(); i++) {
+        const Instance& one = s.instances[i];
+        WoopRay local;
+        woop_prepare(instance_point(one.local, ray.org), affine_vector(one.local, ray.dir), &local);
+        if (one.forced == 0 || (mask & one.forced))
+            brute_part(s, one.tree, ray, local, one.forced ? RAY_ALL : mask, uint32_t(i), look);
     }
 }
 

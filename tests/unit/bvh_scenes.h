@@ -19,11 +19,7 @@ inline Vec operator*(Vec a, double s) { return {a.x * s, a.y * s, a.z * s}; }
 inline double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec cross(Vec a, Vec b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline Vec unit(Vec a) { return a * (1 / std::sqrt(dot(a, a))); }
-inline float word(uint32_t u) {
-    float f;
-    std::memcpy(&f, &u, 4);
-    return f;
-}
+inline kernels::Packed3 packed(Vec a) { return {float(a.x), float(a.y), float(a.z)}; }
 
 struct Random {
     std::mt19937 engine;
@@ -44,7 +40,9 @@ constexpr uint32_t transparent = 0x80000000u;  // ID_TRANSPARENT
 
 // A scene under construction; input() is a view of it, `tree` its part.
 struct Scene {
-    std::vector<float> vertices, shapes, polygon_uv;
+    std::vector<float> vertices, polygon_uv;
+    std::vector<kernels::Shape> shapes;
+    std::vector<kernels::Instance> instances;
     std::vector<uint32_t> triangles, tri_prim, shape_prim;
     struct Part {
         size_t triangle, triangles, shape, shapes;
@@ -78,37 +76,31 @@ struct Scene {
         quad(lo + x, y, z, flag);
         quad(lo + y, z, x, flag);
     }
-    float* shape(uint32_t kind, uint32_t flag) {
-        shapes.resize(shapes.size() + 16, 0.0f);
+    kernels::Shape& shape(uint32_t kind, uint32_t flag) {
         shape_prim.push_back(next_prim++ | flag);
-        float* q = &shapes[shapes.size() - 16];
-        q[0] = word(kind);
-        return q;
-    }
-    static void put(float* q, Vec v) {
-        q[0] = float(v.x);
-        q[1] = float(v.y);
-        q[2] = float(v.z);
+        shapes.push_back({});
+        shapes.back().kind = kind;
+        return shapes.back();
     }
     void sphere(Vec c, double r, uint32_t flag = 0) {
-        float* q = shape(1, flag);
-        put(q + 1, c);
-        q[4] = float(r);
+        kernels::Shape& s = shape(SHAPE_SPHERE, flag);
+        s.centre = packed(c);
+        s.radius = float(r);
     }
     void cone(Vec p0, Vec axis, double length, double r0, double r1, uint32_t flag = 0) {
-        float* q = shape(2, flag);
-        put(q + 1, p0);
-        put(q + 4, unit(axis));
-        q[7] = float(length);
-        q[8] = float(r0);
-        q[9] = float(r1);
+        kernels::Shape& s = shape(SHAPE_CONE, flag);
+        s.centre = packed(p0);
+        s.normal = packed(unit(axis));
+        s.length = float(length);
+        s.radius = float(r0);
+        s.other_radius = float(r1);
     }
     void ring(Vec c, Vec n, double r0, double r1, uint32_t flag = 0) {
-        float* q = shape(3, flag);
-        put(q + 1, c);
-        put(q + 4, unit(n));
-        q[7] = float(r0);
-        q[8] = float(r1);
+        kernels::Shape& s = shape(SHAPE_RING, flag);
+        s.centre = packed(c);
+        s.normal = packed(unit(n));
+        s.radius = float(r1);
+        s.other_radius = float(r0);
     }
     // The polygon of the given vertices (any number of loops joined by seams), as RADIANCE projects it.
     void polygon(const std::vector<Vec>& p, uint32_t flag = 0) {
@@ -119,15 +111,15 @@ struct Scene {
         for (Vec v : p) offset += dot(v, n) / double(p.size());
         const double ax = std::fabs(n.x), ay = std::fabs(n.y), az = std::fabs(n.z);
         const uint32_t axis = ax > ay && ax > az ? 0 : ay > az ? 1 : 2;
-        float* q = shape(4, flag);
-        put(q + 1, n);
-        q[4] = float(offset);
-        q[5] = word(axis);
-        q[6] = word(uint32_t(polygon_uv.size()));
-        q[7] = word(uint32_t(p.size()));
+        kernels::Shape& s = shape(SHAPE_POLYGON, flag);
+        s.normal = packed(n);
+        s.offset = float(offset);
+        s.dropped_axis = axis;
+        s.uv_at = uint32_t(polygon_uv.size());
+        s.corners = uint32_t(p.size());
         double size = 0;
         for (Vec v : p) size = std::max({size, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-        q[8] = float(5e-7 * size);
+        s.margin = float(5e-7 * size);
         for (const auto coordinate : {axis == 0 ? &Vec::y : &Vec::x, axis == 2 ? &Vec::y : &Vec::z}) {
             const size_t row = polygon_uv.size();
             polygon_uv.push_back(float(p.back().*coordinate));
@@ -136,16 +128,15 @@ struct Scene {
         }
     }
     // An instance of part `tree`: world = rows (3x3, orthogonal times scale) local + move.
-    void instance(uint32_t tree, const double rows[9], double scale, Vec move, uint32_t number, uint32_t forced = 0) {
-        float* q = shape(5, 0);
+    void instance(uint32_t tree, const double rows[9], double scale, Vec move, uint32_t forced = 0) {
+        kernels::Instance& one = instances.emplace_back();
         const double m[3] = {move.x, move.y, move.z};
         for (int i = 0; i < 3; i++) {
-            for (int j = 0; j < 3; j++) q[1 + 4 * i + j] = float(rows[3 * j + i] / scale);
-            q[4 + 4 * i] = float(m[i]);
+            for (int j = 0; j < 3; j++) one.local[4 * i + j] = float(rows[3 * j + i] / scale);
+            one.local[4 * i + 3] = float(m[i]);
         }
-        q[13] = word(tree);
-        q[14] = word(number);
-        q[15] = word(forced);
+        one.tree = tree;
+        one.forced = forced;
     }
     void end_part() {
         const size_t t0 = parts.empty() ? 0 : parts.back().triangle + parts.back().triangles;
@@ -169,6 +160,8 @@ struct Scene {
             t.polygon_uv = polygon_uv.data();
             in.push_back(t);
         }
+        in[0].instances = instances.data();
+        in[0].instance_count = instances.size();
         return in;
     }
 };
@@ -217,7 +210,7 @@ inline Scene random_scene(unsigned seed, int count, bool instances) {
         for (int i = 0; i < 20; i++) {
             const Vec x = r.direction(), y = unit(cross(x, r.direction())), z = cross(x, y) * (i % 3 == 0 ? -1 : 1);
             const double rows[9] = {x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z};
-            s.instance(i % 2 + 1, rows, r.in(0.1, 0.4), r.point(2), 100 + i, i % 5 == 0 ? 2 : i % 7 == 0 ? 1 : 0);
+            s.instance(i % 2 + 1, rows, r.in(0.1, 0.4), r.point(2), i % 5 == 0 ? 2 : i % 7 == 0 ? 1 : 0);
         }
     }
     s.end_part();

@@ -8,15 +8,16 @@
 #include <cstring>
 #include <vector>
 
-#include "kernels/dialect/compat_host.h"
 #include "bvh/bounds.h"
 #include "bvh/embree_device.h"
 
+namespace kernels {
+#include "kernels/geom/shapes.h"
+}  // namespace kernels
+
 namespace bvh {
 namespace {
-#include "kernels/bvh/intersect.h"
-#include "kernels/math/vec.h"
-#include "kernels/geom/shapes.h"
+using namespace kernels;
 
 #if RTC_VERSION_MAJOR >= 4
 using RayContext = RTCRayQueryContext;
@@ -43,8 +44,8 @@ struct EmbreeScene::State {
     };
     EmbreeDevice device;
     std::vector<Tree> trees;
-    std::vector<uint32_t> instances;  // shape numbers of geometries 2, 3, ...
-    const float* shapes = nullptr;
+    const Instance* instances = nullptr;  // geometries 2, 3, ...
+    const Shape* shapes = nullptr;
     const uint32_t* shape_prim = nullptr;
     const float* polygon_uv = nullptr;
 
@@ -52,13 +53,9 @@ struct EmbreeScene::State {
         for (Tree& t : trees)
             if (t.scene) rtcReleaseScene(t.scene);
     }
-    const float* instance(uint32_t inst_id) const {
-        return shapes + SHAPE_FLOATS * size_t(instances[inst_id - first_instance]);
-    }
-
     bool wanted(uint32_t mask, uint32_t id, uint32_t inst_id) const {
         if (inst_id != RTC_INVALID_GEOMETRY_ID) {
-            const uint32_t forced = as_uint_(instance(inst_id)[15]);
+            const uint32_t forced = instances[inst_id - first_instance].forced;
             if (forced) return (mask & forced) != 0;
         }
         return (mask >> (id >> 31) & 1) != 0;
@@ -78,7 +75,7 @@ struct EmbreeScene::State {
         const uint32_t shape = tree.shape_of[prim];
         if (!s.wanted(reinterpret_cast<const Query*>(context)->mask, s.shape_prim[shape], context->instID[0]))
             return false;
-        return shape_hit(s.shapes + SHAPE_FLOATS * size_t(shape), s.polygon_uv, F3(ray.org_x, ray.org_y, ray.org_z),
+        return shape_hit(s.shapes + shape, s.polygon_uv, F3(ray.org_x, ray.org_y, ray.org_z),
                          F3(ray.dir_x, ray.dir_y, ray.dir_z), ray.tnear, t) &&
                *t < ray.tfar;
     }
@@ -88,9 +85,9 @@ struct EmbreeScene::State {
         Input in;
         in.shapes = tree.state->shapes;
         in.polygon_uv = tree.state->polygon_uv;
-        const float* q = in.shapes + SHAPE_FLOATS * size_t(tree.shape_of[a->primID]);
+        const Shape& shape = in.shapes[tree.shape_of[a->primID]];
         Bounds b = bvh::shape_bounds(in, tree.shape_of[a->primID]);
-        const float least = 2e-6f + (as_uint_(q[SHAPE_KIND]) == SHAPE_POLYGON ? 2 * q[POLYGON_MARGIN] : 0);
+        const float least = 2e-6f + (shape.kind == SHAPE_POLYGON ? 2 * shape.margin : 0);
         const auto margin = [&](float x) { return std::fabs(x) * 2.4e-7f + least; };
         for (int k = 0; k < 3; k++) {
             b.lo[k] -= margin(b.lo[k]);
@@ -140,10 +137,8 @@ struct EmbreeScene::State {
             }
             attach(tree, g, triangle_geometry);
         }
-        for (size_t k = in.first_shape; k < in.first_shape + in.shape_count; k++) {
-            if (as_uint_(shapes[SHAPE_FLOATS * k]) == SHAPE_INSTANCE) add_instance(tree, uint32_t(k));
-            else tree.shape_of.push_back(uint32_t(k));
-        }
+        for (size_t k = 0; k < in.shape_count; k++) tree.shape_of.push_back(uint32_t(in.first_shape + k));
+        for (size_t k = 0; k < in.instance_count; k++) add_instance(tree, in.instances[k], unsigned(k));
         if (!tree.shape_of.empty()) {
             RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
             rtcSetGeometryUserPrimitiveCount(g, unsigned(tree.shape_of.size()));
@@ -155,18 +150,16 @@ struct EmbreeScene::State {
         }
     }
 
-    void add_instance(Tree& tree, uint32_t shape) {
-        const float* q = shapes + SHAPE_FLOATS * size_t(shape);
+    void add_instance(Tree& tree, const Instance& instance, unsigned number) {
         double m[12];
-        invert_affine(q + 1, m);
+        invert_affine(instance.local, m);
         float rows[12];
         for (int i = 0; i < 12; i++) rows[i] = float(m[i]);
         RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-        rtcSetGeometryInstancedScene(g, trees.at(as_uint_(q[INSTANCE_TREE])).scene);
+        rtcSetGeometryInstancedScene(g, trees.at(instance.tree).scene);
         rtcSetGeometryTimeStepCount(g, 1);
         rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, rows);
-        instances.push_back(shape);
-        attach(tree, g, first_instance + unsigned(instances.size()) - 1);
+        attach(tree, g, first_instance + number);
     }
 };
 
@@ -176,6 +169,7 @@ EmbreeScene::EmbreeScene(const Input* trees, size_t tree_count, bool robust, boo
     for (size_t k = tree_count; k-- > 0;) {  // tree 0 last: it refers to the others
         const Input& in = trees[k];
         s.shapes = in.shapes;
+        s.instances = in.instances;
         s.shape_prim = in.shape_prim;
         s.polygon_uv = in.polygon_uv;
         s.trees[k].state = &s;
@@ -219,9 +213,8 @@ EmbreeScene::Hit EmbreeScene::closest(const float org[3], float tmin, const floa
     const State::Tree* tree = &state_->trees[0];
     uint32_t inst = NO_HIT;
     if (rh.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
-        const float* q = state_->instance(rh.hit.instID[0]);
-        tree = &state_->trees[as_uint_(q[INSTANCE_TREE])];
-        inst = as_uint_(q[INSTANCE_NUMBER]);
+        inst = rh.hit.instID[0] - first_instance;
+        tree = &state_->trees[state_->instances[inst].tree];
     }
     const uint32_t id = rh.hit.geomID == triangle_geometry ? tree->tri_prim[rh.hit.primID]
                                                            : state_->shape_prim[tree->shape_of[rh.hit.primID]];

@@ -17,6 +17,9 @@
 #include <string>
 #include "unit/bvh_host.h"
 
+using kernels::as_uint_;
+using kernels::uint;
+
 static std::vector<cl::Device> devices;
 
 static std::string program_text() {
@@ -37,8 +40,8 @@ static std::string program_text() {
     text += R"(
 #endif
 // Ray: 8 floats; result: t, prim, u, v, inst, any, and a shifted origin's x.
-__kernel void trace_rays(__global const float* nodes, __global const float* leaves, __global const float* shapes,
-                         __global const float* uv, __global const float* rays, __global uint* out, uint mask) {
+__kernel void trace_rays(__global const float* nodes, __global const float* leaves, __global const Shape* shapes,
+                         __global const float* uv, __global const Instance* instances, __global const float* rays, __global uint* out, uint mask) {
     size_t i = get_global_id(0);
     SceneTables s;
     Ray ray;
@@ -46,6 +49,7 @@ __kernel void trace_rays(__global const float* nodes, __global const float* leav
     Hit hit;
     float3 p;
     s.nodes = nodes; s.leaves = leaves; s.shapes = shapes; s.polygon_uv = uv;
+    s.instances = instances;
     ray.org = F3(rays[8 * i], rays[8 * i + 1], rays[8 * i + 2]);
     ray.tmin = rays[8 * i + 3];
     ray.dir = F3(rays[8 * i + 4], rays[8 * i + 5], rays[8 * i + 6]);
@@ -99,14 +103,16 @@ TEST_CASE("OpenCL devices find the host's hits, bit for bit") {
             cl::Kernel kernel(program, "trace_rays");
             const auto nodes = send(context, bvh.nodes.data(), 4 * bvh.nodes.size());
             const auto leaves = send(context, bvh.leaves.data(), 4 * bvh.leaves.size());
-            const auto shapes = send(context, scene.shapes.data(), 4 * scene.shapes.size());
+            const auto shapes = send(context, scene.shapes.data(), sizeof scene.shapes[0] * scene.shapes.size());
             const auto uv = send(context, scene.polygon_uv.data(), 4 * scene.polygon_uv.size());
+            const auto instances =
+                send(context, scene.instances.data(), sizeof scene.instances[0] * scene.instances.size());
             const auto ray_buffer = send(context, rays.data(), 32 * rays.size());
             cl::Buffer out(context, CL_MEM_WRITE_ONLY, 32 * rays.size());
             const auto tables = kernels::tables(scene, bvh);
             for (cl_uint mask : {RAY_OPAQUE, RAY_TRANSPARENT, RAY_ALL}) {
                 unsigned a = 0;
-                for (const auto& b : {nodes, leaves, shapes, uv, ray_buffer, out}) kernel.setArg(a++, b);
+                for (const auto& b : {nodes, leaves, shapes, uv, instances, ray_buffer, out}) kernel.setArg(a++, b);
                 kernel.setArg(a, mask);
                 queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(rays.size()), cl::NDRange(64));
                 std::vector<uint> got(8 * rays.size());

@@ -127,13 +127,12 @@ FN int bvh8_shapes(TABLES(const SceneTables) s, GLOBAL const float* block, PRIVA
     while (met != 0u) {
         uint k = lane_first_(met);
         uint id = as_uint_(block[BVH8_IDS + k]), number = as_uint_(block[k]);
-        GLOBAL const float* shape = shape_record(s, number);
         float t;
         met = lane_drop_(met, k);
-        if (as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
-            bvh8_push(stack, stack->size, number | REF_LEAF | REF_INSTANCE, from[k]);
+        if ((number & REF_INSTANCE) != 0u) {
+            bvh8_push(stack, stack->size, number | REF_LEAF, from[k]);
         } else if (((way->mask >> (id >> 31)) & 1u) != 0u &&
-                   shape_hit(shape, s->polygon_uv, way->r.org, way->r.dir, look->from, &t) &&
+                   shape_hit(&s->shapes[number], s->polygon_uv, way->r.org, way->r.dir, look->from, &t) &&
                    hit_offer(look, t, id & ID_PRIM, 0.0f, 0.0f, way->inst)) {
             found = 1;
         }
@@ -177,7 +176,7 @@ FN int bvh8_walk(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uint mask,
             if (any && found) return 1;
         } else if (cur == REF_NONE) {  // back from an instance
             enter_scene(ray, mask, way);
-        } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, way, &cur)) {
+        } else if (enter_instance(s, cur & REF_INDEX, ray, mask, way, &cur)) {
             bvh8_push(&stack, stack.size, REF_NONE, look->from);
             continue;
         }

@@ -109,15 +109,14 @@ FN uint compact_node(GLOBAL const float* n, PRIVATE(const WoopRay) r, uint order
 // Tests a shape of a leaf.  Returns 1 if it became the nearest hit; an instance goes on the stack.
 FN int compact_shape(TABLES(const SceneTables) s, uint number, uint id, PRIVATE(const TreeRay) way, PRIVATE(uint) stack,
                      PRIVATE(int) waiting, PRIVATE(Look) look) {
-    GLOBAL const float* shape = shape_record(s, number);
     float t;
-    if (HAS(INSTANCES) && as_uint_(shape[SHAPE_KIND]) == SHAPE_INSTANCE) {
-        compact_push(stack, waiting, number | REF_LEAF | REF_INSTANCE, 0u);
+    if (HAS(INSTANCES) && (number & REF_INSTANCE) != 0u) {
+        compact_push(stack, waiting, number | REF_LEAF, 0u);
         return 0;
     }
 
     return ((way->mask >> (id >> 31)) & 1u) != 0u &&
-           shape_hit(shape, s->polygon_uv, way->r.org, way->r.dir, look->from, &t) &&
+           shape_hit(&s->shapes[number], s->polygon_uv, way->r.org, way->r.dir, look->from, &t) &&
            hit_offer(look, t, id & ID_PRIM, 0.0f, 0.0f, way->inst);
 }
 
@@ -182,7 +181,7 @@ FN int compact_traverse(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, uin
         } else if (cur == REF_NONE) {  // back from an instance
             enter_scene(ray, mask, &way);
             order = compact_order(&way.r);
-        } else if (enter_instance(shape_record(s, cur & REF_INDEX), ray, mask, &way, &cur)) {
+        } else if (enter_instance(s, cur & REF_INDEX, ray, mask, &way, &cur)) {
             compact_push(stack, &waiting, REF_NONE, 0u);
             order = compact_order(&way.r);
             continue;

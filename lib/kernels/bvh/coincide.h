@@ -17,8 +17,7 @@
 FN int is_clear(TABLES(const SceneTables) s, PRIVATE(const Surface) g) {
     if (in_instance(g->inst)) {
         GLOBAL const Instance* record = &s->instances[g->inst];
-        if (record->mod != NONE)
-            return (as_uint_(shape_record(s, record->shape)[INSTANCE_CLASS]) & INSTANCE_CLEAR) != 0u;
+        if (record->mod != NONE) return record->clear != 0u;
     }
     return (s->prims[g->prim].kind & PRIM_CLEAR) != 0u;
 }

@@ -120,15 +120,15 @@ FN void enter_scene(PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way) {
 }
 
 // *root: the tree's first node.  Returns 0 if no surface of the instance is of a class in the mask.
-FN int enter_instance(GLOBAL const float* instance, PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way,
+FN int enter_instance(TABLES(const SceneTables) s, uint number, PRIVATE(const Ray) ray, uint mask, PRIVATE(TreeRay) way,
                       PRIVATE(uint) root) {
-    uint forced = as_uint_(instance[INSTANCE_CLASS]);
+    GLOBAL const Instance* instance = &s->instances[number];
+    uint forced = instance->forced;
     if (forced != 0u && (mask & forced) == 0u) return 0;
-    GLOBAL const float* matrix = instance + INSTANCE_MATRIX;
-    woop_prepare(instance_point(matrix, ray->org), affine_vector(matrix, ray->dir), &way->r);
-    way->inst = as_uint_(instance[INSTANCE_NUMBER]);
+    woop_prepare(instance_point(instance->local, ray->org), affine_vector(instance->local, ray->dir), &way->r);
+    way->inst = number;
     way->mask = forced == 0u ? mask : RAY_ALL;
-    *root = ROOT_OF_TREE(as_uint_(instance[INSTANCE_TREE]));
+    *root = ROOT_OF_TREE(instance->tree);
     return 1;
 }
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ray against the analytic shapes of intersect.h: sphere, open cone or cylinder, ring, polygon with holes.
+// Ray against the analytic shapes (Shape of records.h): sphere, open cone or cylinder, ring, polygon with holes.
 // Shared by bvh8.h, bvh_compact.h and Embree's callbacks (tests/unit).  dir need not be unit (instances).
 // Equation: implicit surface along o + t d, solved about the point of the ray nearest the shape's centre or axis, so
 // that a distant eye costs no digits.  Edges belong to the shape; flat shapes ignore rays with |cos| <= 1e-6, as
@@ -35,10 +35,10 @@ FN int quadratic(float a, float b, float c, PRIVATE(float) t0, PRIVATE(float) t1
 }
 
 // Sphere: with p the point of the ray nearest the centre, t = t_p -+ sqrt((r^2 - |p - c|^2) / d.d).
-FN int sphere_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE(float) t) {
-    float3 oc = sub3(f3_at(shape + SPHERE_CENTRE), org);
+FN int sphere_hit(GLOBAL const Shape* shape, float3 org, float3 dir, float tmin, PRIVATE(float) t) {
+    float3 oc = sub3(f3_of(shape->centre), org);
     float dd = dot3(dir, dir);
-    float tp = dot3(oc, dir) / dd, r = shape[SPHERE_RADIUS];
+    float tp = dot3(oc, dir) / dd, r = shape->radius;
     float3 l = sub3(oc, scale3(dir, tp));
     float d2 = r * r - dot3(l, l), h;
     if (!(d2 >= 0.0f)) return 0;
@@ -50,10 +50,10 @@ FN int sphere_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin,
 }
 
 // Cone: |w - (w.a) a| = r0 + k w.a with w from p0 and k = (r1 - r0)/length; 0 <= w.a <= length.
-FN int cone_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE(float) t) {
-    float3 p0 = f3_at(shape + CONE_START), axis = f3_at(shape + CONE_AXIS);
-    float len = shape[CONE_LENGTH], r0 = shape[CONE_RADIUS0];
-    float k = (shape[CONE_RADIUS1] - r0) / len;
+FN int cone_hit(GLOBAL const Shape* shape, float3 org, float3 dir, float tmin, PRIVATE(float) t) {
+    float3 p0 = f3_of(shape->centre), axis = f3_of(shape->normal);
+    float len = shape->length, r0 = shape->radius;
+    float k = (shape->other_radius - r0) / len;
     float dd = dot3(dir, dir), da = dot3(dir, axis), t0 = 0.0f, t1 = 0.0f, h;
     float3 oc = sub3(org, p0), dp = sub3(dir, scale3(axis, da));
     float pp = dot3(dp, dp);
@@ -73,15 +73,15 @@ FN int cone_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, P
     return *t > tmin && h >= 0.0f && h <= len;
 }
 
-FN int ring_hit(GLOBAL const float* shape, float3 org, float3 dir, float tmin, PRIVATE(float) t) {
-    float3 oc = sub3(f3_at(shape + RING_CENTRE), org), n = f3_at(shape + RING_NORMAL), l;
+FN int ring_hit(GLOBAL const Shape* shape, float3 org, float3 dir, float tmin, PRIVATE(float) t) {
+    float3 oc = sub3(f3_of(shape->centre), org), n = f3_of(shape->normal), l;
     float c = dot3(dir, n), d2;
     if (c * c <= SHAPE_GRAZING * SHAPE_GRAZING * dot3(dir, dir)) return 0;
     *t = dot3(oc, n) / c;
     if (!(*t > tmin)) return 0;
     l = sub3(scale3(dir, *t), oc);
     d2 = dot3(l, l);
-    return d2 >= shape[RING_INNER] * shape[RING_INNER] && d2 <= shape[RING_OUTER] * shape[RING_OUTER];
+    return d2 >= shape->other_radius * shape->other_radius && d2 <= shape->radius * shape->radius;
 }
 
 // Even-odd rule in the plane of two coordinates; a point within eps of an edge is inside.  Loops joined by seams
@@ -140,23 +140,23 @@ FN int polygon_inside8(GLOBAL const float* us, uint count, float u, float v, flo
 #define polygon_inside8 polygon_inside
 #endif
 
-FN int polygon_hit(GLOBAL const float* shape, GLOBAL const float* uv, float3 org, float3 dir, float tmin,
+FN int polygon_hit(GLOBAL const Shape* shape, GLOBAL const float* uv, float3 org, float3 dir, float tmin,
                    PRIVATE(float) t) {
-    float3 n = f3_at(shape + POLYGON_NORMAL), p;
+    float3 n = f3_of(shape->normal), p;
     float c = dot3(dir, n);
-    uint axis = as_uint_(shape[POLYGON_AXIS]);
+    uint axis = shape->dropped_axis;
     if (c * c <= SHAPE_GRAZING * SHAPE_GRAZING * dot3(dir, dir)) return 0;
-    *t = (shape[POLYGON_OFFSET] - dot3(n, org)) / c;
+    *t = (shape->offset - dot3(n, org)) / c;
     if (!(*t > tmin)) return 0;
     p = madd3(dir, *t, org);
-    return polygon_inside8(uv + as_uint_(shape[POLYGON_FIRST]), as_uint_(shape[POLYGON_COUNT]), axis == 0u ? p.y : p.x,
-                           axis == 2u ? p.y : p.z, shape[POLYGON_MARGIN]);
+    return polygon_inside8(uv + shape->uv_at, shape->corners, axis == 0u ? p.y : p.x, axis == 2u ? p.y : p.z,
+                           shape->margin);
 }
 
 // First t > tmin at which the ray hits the shape; 0 if it does not.
-FN int shape_hit(GLOBAL const float* shape, GLOBAL const float* polygon_uv, float3 org, float3 dir, float tmin,
+FN int shape_hit(GLOBAL const Shape* shape, GLOBAL const float* polygon_uv, float3 org, float3 dir, float tmin,
                  PRIVATE(float) t) {
-    uint kind = as_uint_(shape[SHAPE_KIND]);
+    uint kind = shape->kind;
     if (kind == SHAPE_SPHERE) return sphere_hit(shape, org, dir, tmin, t);
     if (kind == SHAPE_CONE) return cone_hit(shape, org, dir, tmin, t);
     if (kind == SHAPE_RING) return ring_hit(shape, org, dir, tmin, t);

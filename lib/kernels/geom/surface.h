@@ -37,21 +37,21 @@ FN int is_textured(PRIVATE(const Surface) g) { return dot3(g->pert, g->pert) > 1
 
 // Outward normal of a sphere or cone at the point *p, which moves onto it.
 FN float3 shape_normal(TABLES(const SceneTables) s, uint kind, uint number, PRIVATE(float3) p) {
-    GLOBAL const float* shape = shape_record(s, number);
+    GLOBAL const Shape* shape = &s->shapes[number];
     if (kind == PRIM_SPHERE) {
-        float3 centre = f3_at(shape + SPHERE_CENTRE);
+        float3 centre = f3_of(shape->centre);
         float3 n = unit3(sub3(*p, centre));
-        *p = madd3(n, shape[SPHERE_RADIUS], centre);
+        *p = madd3(n, shape->radius, centre);
         return n;
     }
 
     // cone: perpendicular to the slanted side, away from the axis
-    float3 axis = f3_at(shape + CONE_AXIS), r = sub3(*p, f3_at(shape + CONE_START));
-    float length = shape[CONE_LENGTH], slope = shape[CONE_RADIUS0] - shape[CONE_RADIUS1];
+    float3 axis = f3_of(shape->normal), r = sub3(*p, f3_of(shape->centre));
+    float length = shape->length, slope = shape->radius - shape->other_radius;
     float along = dot3(r, axis);
     float3 across = sub3(r, scale3(axis, along));
     float3 radial = unit3(across);
-    *p = madd3(radial, shape[CONE_RADIUS0] - slope * (along / length) - dot3(across, radial), *p);
+    *p = madd3(radial, shape->radius - slope * (along / length) - dot3(across, radial), *p);
     float side = sqrt_(length * length + slope * slope);
     return unit3(add3(scale3(radial, length / side), scale3(axis, slope / side)));
 }
@@ -132,7 +132,7 @@ FN void surface_at(TABLES(const SceneTables) s, PRIVATE(const Ray) ray, PRIVATE(
     float extent = prim_extent(prim);
     if (in_instance(hit->inst)) {
         GLOBAL const Instance* record = &s->instances[hit->inst];
-        matrix = instance_matrix(s, record);
+        matrix = record->local;
         if (record->mod != NONE) g->mod = record->mod;
         g->nface = surface_in_instance(s, prim, matrix, g, &extent);
     } else {
